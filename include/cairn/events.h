@@ -1,0 +1,55 @@
+/// \file events.h
+/// What happened in the last step. Events are buffered during the step and read after it, in an order that
+/// depends on the scene alone.
+#pragma once
+
+#include <cairn/handle.h>
+#include <cairn/math.h>
+
+namespace cairn {
+
+/// Two shapes began to touch.
+struct ContactBegin {
+    ShapeId shape_a, shape_b;
+    BodyId body_a, body_b;
+};
+
+/// Two shapes no longer touch, or one of them was removed (its handles are stale then).
+struct ContactEnd {
+    ShapeId shape_a, shape_b;
+    BodyId body_a, body_b;
+};
+
+/// Two shapes began to touch with an approach speed of at least WorldDef::hit_speed.
+struct ContactHit {
+    ShapeId shape_a, shape_b;
+    BodyId body_a, body_b;
+    Position point;        ///< Meters, world space.
+    Vec3 normal;           ///< Unit, from A to B.
+    float approach_speed;  ///< m/s, > 0.
+};
+
+/// A body fell asleep or woke up.
+struct SleepEvent {
+    BodyId body;
+    bool asleep;
+};
+
+/// One point of a contact.
+struct ContactPoint {
+    Position point;       ///< Midway between the two surfaces, meters.
+    float separation;     ///< Meters; negative when the shapes overlap.
+    float normal_impulse; ///< N s during the last step, >= 0. Divide by the step for the mean force.
+};
+
+/// A touching pair of shapes as it stood after the last step.
+struct Contact {
+    ShapeId shape_a, shape_b;
+    BodyId body_a, body_b;
+    Vec3 normal;           ///< Unit, from A to B.
+    Vec3 friction_impulse; ///< N s on B during the last step, world axes.
+    int point_count;       ///< 1 to 4.
+    ContactPoint points[4];
+};
+
+} // namespace cairn

@@ -1,0 +1,179 @@
+/// \file world.h
+/// A world of rigid bodies.
+#pragma once
+
+#include <cairn/body.h>
+#include <cairn/error.h>
+#include <cairn/events.h>
+#include <cairn/handle.h>
+#include <cairn/math.h>
+#include <cairn/query.h>
+#include <cairn/shape.h>
+#include <cairn/snapshot.h>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace cairn {
+
+/// How free motion is integrated over a substep of length h. Contacts work with all of them.
+enum class Integrator : std::uint8_t {
+    semi_implicit_euler, ///< v += h a, then x += h v. Bounded energy error; the default.
+    explicit_euler,      ///< x += h v, then v += h a. Gains energy; kept for teaching.
+    rk4,                 ///< Classic fourth-order Runge-Kutta.
+};
+
+/// Settings of a world. All may be changed later through `World::set_settings`.
+struct WorldDef {
+    Vec3 gravity{0.0f, -9.81f, 0.0f}; ///< m/s^2, finite.
+    int substeps = 8;                 ///< Solver substeps of one step, 1 to 256. Stiff islands (high mass ratios,
+                                      ///< tall stacks) get more by themselves; see `adaptive_substeps`.
+    bool adaptive_substeps = true;    ///< Raise the substeps of islands whose mass ratio or height asks for it.
+    Integrator integrator = Integrator::semi_implicit_euler;
+    bool enable_sleep = true;         ///< Islands at rest stop costing time.
+    float sleep_speed = 0.05f;        ///< m/s; a body slower than this at its surface may sleep. >= 0.
+    float sleep_time = 0.5f;          ///< s at rest before an island sleeps. >= 0.
+    float restitution_speed = 0.02f;  ///< m/s; slower impacts do not bounce. >= 0.
+    float hit_speed = 1.0f;           ///< m/s; least approach speed for a hit event. >= 0.
+    float recovery_speed = 3.0f;      ///< m/s; overlaps are pushed apart no faster than this. > 0.
+    float max_linear_speed = 2000.0f; ///< m/s; faster bodies are slowed to this, and counted. > 0.
+    float max_angular_speed = 1000.0f; ///< rad/s; likewise. > 0.
+};
+
+/// A field that accelerates or pushes every dynamic body, evaluated at its center of mass.
+struct ForceField {
+    enum class Kind : std::uint8_t {
+        uniform, ///< The same everywhere, along `direction`.
+        radial,  ///< Towards `center`, `strength` x distance^`exponent`.
+    };
+    Kind kind = Kind::uniform;
+    Vec3 direction{0.0f, 0.0f, 0.0f};  ///< Uniform: acceleration in m/s^2 (or force in N, see `is_force`).
+    Position center{0.0, 0.0, 0.0};    ///< Radial: the point that attracts, meters.
+    float strength = 0.0f;             ///< Radial: m/s^2 (or N) at a distance of one meter; negative repels.
+    float exponent = 0.0f;             ///< Radial: 0 constant, 1 spring, -1, -2 gravity of a point. One of -2,-1,0,1.
+    bool is_force = false;             ///< false: an acceleration, equal for all masses; true: a force.
+};
+
+/// Wall-clock time of the stages of the last step, in milliseconds.
+struct StageTimes {
+    double broad_phase = 0, narrow_phase = 0, islands = 0, prepare = 0, solve = 0, finalize = 0, total = 0;
+};
+
+/// Counts and times of the last step.
+struct Statistics {
+    std::uint64_t steps = 0;          ///< Steps since the world was made.
+    double time = 0;                  ///< Simulated seconds since then.
+    std::size_t bodies = 0, dynamic_bodies = 0, awake_bodies = 0, shapes = 0;
+    std::size_t candidate_pairs = 0;  ///< Pairs whose bounds overlap.
+    std::size_t contacts = 0;         ///< Touching pairs of shapes, asleep ones included.
+    std::size_t contact_points = 0;   ///< Their points.
+    std::size_t islands = 0;          ///< Awake islands.
+    std::size_t sleeping_islands = 0;
+    std::size_t colors = 0;
+    std::size_t overflow_contacts = 0; ///< Contacts that found no free color, solved one by one.
+    std::uint64_t clamped_speeds = 0; ///< Since the world was made: velocities cut to the maximum.
+    int max_substeps = 0;             ///< Most substeps that any island took.
+    double max_penetration = 0;       ///< Deepest overlap, meters, >= 0.
+    StageTimes times;
+};
+
+/// Which instruction set the kernels of this process use: "avx2", "sse2" or "scalar". Chosen at start-up from
+/// what the CPU offers; the environment variable CAIRN_ISA forces one. Results do not depend on it.
+std::string_view instruction_set() noexcept;
+
+/// A world. Worlds are independent of each other; one world must not be used by two threads at a time, except
+/// for the const members, which may run on many threads while no non-const member runs.
+class World {
+public:
+    explicit World(const WorldDef& def = {});
+    ~World();
+    World(World&&) noexcept;
+    World& operator=(World&&) noexcept;
+    World(const World&) = delete;
+    World& operator=(const World&) = delete;
+
+    const WorldDef& settings() const noexcept;
+    void set_settings(const WorldDef& def); ///< Throws on a bad value. Wakes everything if gravity changes.
+
+    // --- bodies and shapes
+    BodyId create_body(const BodyDef& def = {});
+    void destroy_body(BodyId body);  ///< With its shapes; wakes what rested on it.
+    bool is_valid(BodyId body) const noexcept;
+    Body body(BodyId body);
+    const Body body(BodyId body) const;
+    std::vector<BodyId> bodies() const; ///< All, in order of slot index.
+    std::optional<BodyId> find_body(std::string_view name) const; ///< The first of that name.
+
+    /// Adds a shape to a body and, unless its mass properties were given, updates them. A dynamic body whose
+    /// shapes have no mass at all is refused at the next step... so give planes to static bodies only.
+    ShapeId add_shape(BodyId body, const Shape& shape, const ShapeDef& def = {});
+    void remove_shape(ShapeId shape);
+    bool is_valid(ShapeId shape) const noexcept;
+    BodyId body_of(ShapeId shape) const;
+    const Shape& shape(ShapeId shape) const;
+    const ShapeDef& shape_def(ShapeId shape) const;
+    Transform shape_transform(ShapeId shape) const; ///< In world space.
+    Bounds shape_bounds(ShapeId shape) const; ///< Tight; infinite for infinite planes.
+    void set_material(ShapeId shape, const Material& material);
+
+    // --- force fields
+    ForceFieldId add_force_field(const ForceField& field);
+    void set_force_field(ForceFieldId id, const ForceField& field);
+    void remove_force_field(ForceFieldId id);
+    bool is_valid(ForceFieldId id) const noexcept;
+
+    // --- time
+    /// Advances by `dt` seconds (> 0, finite). The same dt every time gives the best results.
+    void step(float dt);
+    std::uint64_t step_count() const noexcept;
+    double time() const noexcept; ///< Simulated seconds.
+
+    // --- what happened
+    std::span<const ContactBegin> contact_begins() const noexcept;
+    std::span<const ContactEnd> contact_ends() const noexcept;
+    std::span<const ContactHit> contact_hits() const noexcept;
+    std::span<const SleepEvent> sleep_events() const noexcept;
+    std::vector<Contact> contacts() const;             ///< All touching pairs.
+    std::vector<Contact> contacts(BodyId body) const;  ///< Those of one body.
+
+    // --- queries
+    /// The nearest shape that the ray meets within `max_distance`. `direction` need not be unit length. A ray
+    /// that starts inside a shape does not meet that shape's surface from within, except planes' solid side.
+    std::optional<RayHit> cast_ray(const Position& origin, const Vec3& direction, double max_distance) const;
+    /// Every shape that the ray meets, nearest first.
+    std::vector<RayHit> cast_ray_all(const Position& origin, const Vec3& direction, double max_distance) const;
+    /// Shapes that overlap the given shape posed in the world, in order of slot index.
+    std::vector<ShapeId> overlap(const Shape& shape, const Transform& pose) const;
+    /// Shapes whose tight bounds overlap the box, in order of slot index.
+    std::vector<ShapeId> overlap_bounds(const Bounds& bounds) const;
+
+    // --- bulk reads, for renderers and bindings
+    /// Writes the transform of each body of `ids`; `out` must have the same size.
+    void read_transforms(std::span<const BodyId> ids, std::span<Transform> out) const;
+
+    // --- whole-world measures
+    double kinetic_energy() const;   ///< J, of all dynamic bodies.
+    double potential_energy() const; ///< J in the world's gravity, relative to the origin.
+    glm::dvec3 linear_momentum() const;  ///< kg m/s, of all dynamic bodies.
+    glm::dvec3 angular_momentum() const; ///< kg m^2/s about the origin, of all dynamic bodies.
+    std::uint64_t state_hash() const; ///< Of positions, rotations and velocities, by bits.
+    Statistics statistics() const;
+
+    // --- snapshots
+    Snapshot save() const;
+    /// Makes this world the one that was saved. Handles from then are valid again. Throws on a damaged snapshot,
+    /// leaving the world as it was.
+    void restore(const Snapshot& snapshot);
+
+private:
+    friend class Body;
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+} // namespace cairn
