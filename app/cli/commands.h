@@ -1,0 +1,47 @@
+// The commands of the program. Each returns the program's exit code, and throws std::exception for what went
+// wrong at run time, which `main` prints in one line.
+#pragma once
+
+#include <cairn/world.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace cairn::cli {
+
+struct RunOptions {
+    std::string scene;
+    std::optional<double> seconds;   // simulated; at most one of seconds and frames
+    std::optional<int> frames;       // steps
+    std::optional<double> time_step; // s; the scene's own otherwise
+    std::optional<int> substeps;     // the scene's own otherwise
+    std::optional<Integrator> integrator;
+    int threads = 1;
+    std::filesystem::path csv, png, video, save; // empty: do not write
+    int width = 1280, height = 720;              // of pictures, pixels
+    bool json = false;
+};
+
+int run_command(const RunOptions &options);
+
+struct ScenesOptions {
+    std::filesystem::path folder; // empty: the scenes that come with Cairn
+    bool json = false;
+};
+
+int scenes_command(const ScenesOptions &options);
+
+struct ViewOptions {
+    std::string scene;
+    int width = 1280, height = 720;   // of the window
+    std::optional<double> exit_after; // s
+    std::filesystem::path report, script;
+};
+
+int view_command(const ViewOptions &options);
+
+// Prints to stdout; throws Error (io) if that fails, for example because the disk is full.
+void print(const std::string &text);
+
+} // namespace cairn::cli

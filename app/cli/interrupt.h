@@ -1,0 +1,16 @@
+// Ctrl-C as a flag: a long run stops after its present step and closes its files.
+#pragma once
+
+namespace cairn::cli {
+
+// While one of these lives, the first SIGINT or SIGTERM sets a flag; a second one ends the program at once.
+class InterruptGuard {
+public:
+    InterruptGuard();
+    ~InterruptGuard();
+    InterruptGuard(const InterruptGuard &) = delete;
+    InterruptGuard &operator=(const InterruptGuard &) = delete;
+    bool requested() const;
+};
+
+} // namespace cairn::cli

@@ -1,0 +1,130 @@
+// The `cairn` command: reads the command line and hands over. A wrong call ends with one line on stderr and exit
+// code 2, an error at run time with one line and exit code 1.
+#include "cli/commands.h"
+
+#include <cairn/version.h>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <vector>
+
+namespace {
+
+using cairn::cli::RunOptions;
+using cairn::cli::ScenesOptions;
+using cairn::cli::ViewOptions;
+
+// CLI11's own range check lets NaN through.
+CLI::Validator between(double low, double high) {
+    const std::string range = fmt::format("{} to {}", low, high);
+    return CLI::Validator(
+        [low, high, range](std::string &text) {
+            double value = 0.0;
+            const bool is_number = CLI::detail::lexical_cast(text, value);
+            if (is_number && value >= low && value <= high) return std::string();
+            return "must be a number from " + range + ", got " + text;
+        },
+        "(" + range + ")");
+}
+
+CLI::Validator one_thread() {
+    return CLI::Validator(
+        [](std::string &text) {
+            return text == "1" ? std::string() : "this version steps on one thread, so it must be 1, got " + text;
+        },
+        "(1)");
+}
+
+CLI::Validator one_of(std::vector<std::string> names) {
+    return CLI::Validator(
+        [names](std::string &text) {
+            if (std::find(names.begin(), names.end(), text) != names.end()) return std::string();
+            return fmt::format("must be one of {}, got {}", fmt::join(names, ", "), text);
+        },
+        "");
+}
+
+cairn::Integrator integrator_of(const std::string &name) {
+    if (name == "rk4") return cairn::Integrator::rk4;
+    return name == "explicit" ? cairn::Integrator::explicit_euler : cairn::Integrator::semi_implicit_euler;
+}
+
+void add_run(CLI::App &app, RunOptions &options) {
+    CLI::App *run = app.add_subcommand("run", "Simulate a scene without a window; write numbers, pictures, videos.");
+    run->add_option("scene", options.scene, "A file, or the name of a scene (see `cairn scenes`)")->required();
+    auto *seconds = run->add_option("--seconds", options.seconds, "Simulated time, s (default 10)");
+    seconds->check(between(1e-4, 1e6));
+    run->add_option("--frames", options.frames, "Number of steps instead")->check(between(1, 1e9))->excludes(seconds);
+    run->add_option("--dt", options.time_step, "Time step, s (default: the scene's)")->check(between(1e-4, 1.0));
+    run->add_option("--substeps", options.substeps, "Substeps of a step (default: the scene's)")
+        ->check(between(1, 256));
+    run->add_option("--threads", options.threads, "Number of threads (default 1)")->check(one_thread());
+    run->add_option_function<std::string>(
+           "--integrator", [&options](const std::string &name) { options.integrator = integrator_of(name); },
+           "Of free motion: semi-implicit, explicit or rk4 (default: the scene's)")
+        ->check(one_of({"semi-implicit", "explicit", "rk4"}));
+    run->add_option("--csv", options.csv, "Write positions and velocities of every body after every step");
+    run->add_option("--png", options.png, "Write a picture of the end");
+    run->add_option("--video", options.video, "Write a video, 60 frames a second (needs ffmpeg)");
+    run->add_option("--save", options.save, "Write the scene as it stands at the end (.gltf)");
+    run->add_option("--width", options.width, "Of pictures and videos, pixels")->check(between(16, 8192));
+    run->add_option("--height", options.height, "Of pictures and videos, pixels")->check(between(16, 8192));
+    run->add_flag("--json", options.json, "Print the summary as one JSON object");
+}
+
+void add_scenes(CLI::App &app, ScenesOptions &options) {
+    CLI::App *scenes = app.add_subcommand("scenes", "List the scenes.");
+    scenes->add_option("folder", options.folder, "Where to look (default: the scenes that come with Cairn)");
+    scenes->add_flag("--json", options.json, "Print one JSON array");
+}
+
+void add_view(CLI::App &app, ViewOptions &options) {
+    CLI::App *view = app.add_subcommand("view", "Open a scene in a window. F1 shows the keys.");
+    view->add_option("scene", options.scene, "A file, or the name of a scene (default: welcome)");
+    view->add_option("--width", options.width, "Of the window")->check(between(200, 16384));
+    view->add_option("--height", options.height, "Of the window")->check(between(150, 16384));
+    view->add_option("--exit-after", options.exit_after, "Close by itself after so many seconds")
+        ->check(between(0, 1e6));
+    view->add_option("--report", options.report, "Write the state at the end as JSON");
+    view->add_option("--script", options.script, "Play inputs from a file");
+}
+
+int complain(const std::string &text, int code) {
+    std::string line = text;
+    std::replace(line.begin(), line.end(), '\n', ' ');
+    while (!line.empty() && line.back() == ' ') line.pop_back();
+    fmt::print(stderr, "cairn: {}\n", line);
+    return code;
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+    CLI::App app("Cairn, a rigid-body physics engine.", "cairn");
+    app.set_version_flag("--version", std::string("cairn ") + cairn::version_string);
+    app.require_subcommand(1);
+    RunOptions run;
+    ScenesOptions scenes;
+    ViewOptions view;
+    add_run(app, run);
+    add_scenes(app, scenes);
+    add_view(app, view);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError &error) {
+        if (error.get_exit_code() == 0) return app.exit(error); // --help and --version
+        return complain(std::string(error.what()) + " (see cairn --help)", 2);
+    }
+    try {
+        if (app.got_subcommand("run")) return cairn::cli::run_command(run);
+        if (app.got_subcommand("scenes")) return cairn::cli::scenes_command(scenes);
+        return cairn::cli::view_command(view);
+    } catch (const std::exception &error) {
+        return complain(error.what(), 1);
+    }
+}

@@ -1,0 +1,44 @@
+#include "cli/pictures.h"
+
+#include "cli/viewer_scene.h"
+
+#include <utility>
+
+namespace cairn::cli {
+
+namespace {
+
+constexpr double frames_per_second = 60.0;
+// Times are sums of steps: a frame that is due a rounding error later is due now.
+constexpr double tolerance = 1e-6;
+
+} // namespace
+
+PictureRecorder::PictureRecorder(const scene::Scene &scene, std::filesystem::path png,
+                                 const std::filesystem::path &video, int width, int height)
+    : png_(std::move(png)), camera_(camera_of(scene)), appearances_(appearances_of(scene)), renderer_(width, height),
+      start_(scene.world.time()) {
+    if (!video.empty()) video_ = std::make_unique<viewer::VideoWriter>(video, width, height, frames_per_second);
+}
+
+void PictureRecorder::draw(const World &world) { renderer_.draw(viewer::make_frame(world, appearances_, camera_)); }
+
+void PictureRecorder::add(const World &world) {
+    if (!video_) return;
+    const double time = world.time() - start_;
+    if (time + tolerance < static_cast<double>(frames_) / frames_per_second) return;
+    draw(world);
+    for (; time + tolerance >= static_cast<double>(frames_) / frames_per_second; ++frames_) {
+        video_->add(renderer_.pixels());
+    }
+}
+
+void PictureRecorder::finish(const World &world) {
+    if (!png_.empty()) {
+        draw(world);
+        renderer_.save_png(png_);
+    }
+    if (video_) video_->close();
+}
+
+} // namespace cairn::cli

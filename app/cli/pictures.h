@@ -1,0 +1,38 @@
+// Pictures and a video of a run, drawn without a window.
+#pragma once
+
+#include "scene/scene.h"
+#include "viewer/headless.h"
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+namespace cairn::cli {
+
+// Files are finished by `finish`; a video that was not is removed.
+class PictureRecorder {
+public:
+    // Either path may be empty. Throws Error: `unsupported` without EGL or ffmpeg, `io`, `invalid_value`.
+    PictureRecorder(const scene::Scene &scene, std::filesystem::path png, const std::filesystem::path &video, int width,
+                    int height);
+
+    // To be called before the first step and after each: draws as often as a video of 60 frames a second needs,
+    // however long the steps are.
+    void add(const World &world);
+    // Draws the picture of the end, and closes the files.
+    void finish(const World &world);
+
+private:
+    void draw(const World &world);
+
+    std::filesystem::path png_;
+    viewer::CameraPose camera_;
+    std::vector<viewer::Appearance> appearances_;
+    viewer::HeadlessRenderer renderer_;
+    std::unique_ptr<viewer::VideoWriter> video_;
+    double start_ = 0.0;
+    long long frames_ = 0;
+};
+
+} // namespace cairn::cli

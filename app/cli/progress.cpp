@@ -1,0 +1,30 @@
+#include "cli/progress.h"
+
+#include <fmt/core.h>
+
+#include <cstdio>
+#include <string>
+#include <unistd.h>
+
+namespace cairn::cli {
+
+ProgressLine::ProgressLine(std::uint64_t total)
+    : total_(total), on_terminal_(isatty(STDERR_FILENO) == 1), next_(std::chrono::steady_clock::now()) {}
+
+ProgressLine::~ProgressLine() {
+    if (drawn_) fmt::print(stderr, "\r\033[K");
+}
+
+void ProgressLine::show(std::uint64_t done) {
+    const auto now = std::chrono::steady_clock::now();
+    if (!on_terminal_ || now < next_) return;
+    next_ = now + std::chrono::milliseconds(100);
+    drawn_ = true;
+    constexpr std::uint64_t width = 40;
+    const std::uint64_t filled = total_ > 0 ? done * width / total_ : width;
+    fmt::print(stderr, "\r[{}{}] {}/{} steps", std::string(filled, '#'), std::string(width - filled, ' '), done,
+               total_);
+    std::fflush(stderr);
+}
+
+} // namespace cairn::cli

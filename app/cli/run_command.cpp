@@ -1,0 +1,149 @@
+#include "cli/commands.h"
+#include "cli/interrupt.h"
+#include "cli/pictures.h"
+#include "cli/progress.h"
+#include "cli/trajectory_writer.h"
+
+#include "scene/scene.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+
+namespace cairn::cli {
+
+namespace {
+
+constexpr double default_seconds = 10.0;
+constexpr double most_steps = 1e9;
+
+struct Outcome {
+    std::vector<double> step_times; // ms
+    double max_penetration = 0.0;   // m, over all steps
+    bool interrupted = false;
+};
+
+// Mean and quantiles of the wall-clock time of a step, in milliseconds.
+struct StepTimes {
+    double mean = 0.0, median = 0.0, p99 = 0.0;
+};
+
+StepTimes summarize(std::vector<double> times) {
+    StepTimes result;
+    if (times.empty()) return result;
+    std::sort(times.begin(), times.end());
+    for (const double t : times) result.mean += t;
+    result.mean /= static_cast<double>(times.size());
+    const auto quantile = [&](double q) {
+        return times[static_cast<std::size_t>(std::lround(q * static_cast<double>(times.size() - 1)))];
+    };
+    result.median = quantile(0.5);
+    result.p99 = quantile(0.99);
+    return result;
+}
+
+std::uint64_t count_steps(const RunOptions &options, double time_step) {
+    if (options.frames) return static_cast<std::uint64_t>(*options.frames);
+    const double steps = std::round(options.seconds.value_or(default_seconds) / time_step);
+    if (steps > most_steps) throw Error(ErrorCode::invalid_value, "--seconds", {}, "is more than a billion steps");
+    return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(steps));
+}
+
+void apply_options(const RunOptions &options, scene::Scene &scene) {
+    if (options.time_step) scene.info.time_step = static_cast<float>(*options.time_step);
+    WorldDef settings = scene.world.settings();
+    if (options.substeps) settings.substeps = *options.substeps;
+    if (options.integrator) settings.integrator = *options.integrator;
+    if (options.substeps || options.integrator) scene.world.set_settings(settings);
+}
+
+Outcome simulate(const RunOptions &options, scene::Scene &scene, std::uint64_t steps) {
+    std::unique_ptr<TrajectoryWriter> csv;
+    if (!options.csv.empty()) csv = std::make_unique<TrajectoryWriter>(options.csv, scene.world);
+    std::unique_ptr<PictureRecorder> pictures;
+    if (!options.png.empty() || !options.video.empty()) {
+        pictures = std::make_unique<PictureRecorder>(scene, options.png, options.video, options.width, options.height);
+    }
+    Outcome outcome;
+    {
+        const InterruptGuard interrupt;
+        ProgressLine progress(steps);
+        if (csv) csv->add(scene.world);
+        if (pictures) pictures->add(scene.world);
+        for (std::uint64_t i = 0; i < steps && !interrupt.requested(); ++i) {
+            const auto start = std::chrono::steady_clock::now();
+            scene.world.step(scene.info.time_step);
+            const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
+            outcome.step_times.push_back(elapsed.count());
+            outcome.max_penetration = std::max(outcome.max_penetration, scene.world.statistics().max_penetration);
+            if (csv) csv->add(scene.world);
+            if (pictures) pictures->add(scene.world);
+            progress.show(i + 1);
+        }
+        outcome.interrupted = interrupt.requested();
+    }
+    if (csv) csv->close();
+    if (pictures) pictures->finish(scene.world);
+    if (!options.save.empty()) scene::save(scene, options.save);
+    return outcome;
+}
+
+std::string json_summary(const std::string &path, const scene::Scene &scene, const Outcome &outcome) {
+    const World &world = scene.world;
+    const StepTimes times = summarize(outcome.step_times);
+    const Statistics statistics = world.statistics();
+    nlohmann::ordered_json json;
+    json["scene"] = path;
+    json["title"] = scene.info.title;
+    json["bodies"] = statistics.bodies;
+    json["steps"] = outcome.step_times.size();
+    json["time_step"] = static_cast<double>(scene.info.time_step);
+    json["threads"] = 1;
+    json["isa"] = std::string(instruction_set());
+    json["ms_per_step"] = {{"mean", times.mean}, {"median", times.median}, {"p99", times.p99}};
+    json["hash"] = fmt::format("{:016x}", world.state_hash());
+    json["energy"] = {{"kinetic", world.kinetic_energy()}, {"potential", world.potential_energy()}};
+    json["max_penetration"] = outcome.max_penetration;
+    json["contacts"] = statistics.contacts;
+    json["contact_points"] = statistics.contact_points;
+    json["interrupted"] = outcome.interrupted;
+    json["warnings"] = scene.warnings;
+    return json.dump(2) + "\n";
+}
+
+std::string text_summary(const std::string &path, const scene::Scene &scene, const Outcome &outcome) {
+    const World &world = scene.world;
+    const StepTimes times = summarize(outcome.step_times);
+    const Statistics statistics = world.statistics();
+    std::string text = fmt::format("{} ({}): {} bodies, {} awake\n", path, scene.info.title, statistics.bodies,
+                                   statistics.awake_bodies);
+    text +=
+        fmt::format("{} steps of {:.6g} s on 1 thread ({}){}: {:.3f} ms a step (median {:.3f}, 99 % within {:.3f})\n",
+                    outcome.step_times.size(), scene.info.time_step, instruction_set(),
+                    outcome.interrupted ? ", interrupted" : "", times.mean, times.median, times.p99);
+    text += fmt::format("{} contacts, {} points, deepest overlap on the way {:.3g} mm\n", statistics.contacts,
+                        statistics.contact_points, 1000.0 * outcome.max_penetration);
+    text += fmt::format("kinetic energy {:.6g} J, potential {:.6g} J, state {:016x}\n", world.kinetic_energy(),
+                        world.potential_energy(), world.state_hash());
+    return text;
+}
+
+} // namespace
+
+int run_command(const RunOptions &options) {
+    const std::filesystem::path path = scene::find_scene(options.scene);
+    scene::Scene scene = scene::load(path);
+    for (const std::string &warning : scene.warnings) fmt::print(stderr, "cairn: warning: {}\n", warning);
+    apply_options(options, scene);
+    const std::uint64_t steps = count_steps(options, scene.info.time_step);
+    const Outcome outcome = simulate(options, scene, steps);
+    const std::string name = path.generic_string();
+    print(options.json ? json_summary(name, scene, outcome) : text_summary(name, scene, outcome));
+    return 0;
+}
+
+} // namespace cairn::cli

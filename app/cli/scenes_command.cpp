@@ -1,0 +1,42 @@
+#include "cli/commands.h"
+
+#include "scene/scene.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace cairn::cli {
+
+int scenes_command(const ScenesOptions &options) {
+    const std::filesystem::path folder = options.folder.empty() ? scene::scenes_directory() : options.folder;
+    const std::vector<scene::SceneEntry> entries = scene::list_scenes(folder);
+    if (options.json) {
+        nlohmann::ordered_json list = nlohmann::ordered_json::array();
+        for (const scene::SceneEntry &entry : entries) {
+            nlohmann::ordered_json item{{"name", entry.name},
+                                        {"path", entry.path.generic_string()},
+                                        {"title", entry.title},
+                                        {"hint", entry.hint},
+                                        {"bodies", entry.bodies}};
+            if (!entry.error.empty()) item["error"] = entry.error;
+            list.push_back(std::move(item));
+        }
+        print(list.dump(2) + "\n");
+        return 0;
+    }
+    if (entries.empty()) print(fmt::format("no scenes in {}\n", folder.generic_string()));
+    std::size_t widest = 0;
+    for (const scene::SceneEntry &entry : entries) widest = std::max(widest, entry.name.size());
+    for (const scene::SceneEntry &entry : entries) {
+        if (!entry.error.empty()) {
+            print(fmt::format("{:<{}}  unusable: {}\n", entry.name, widest, entry.error));
+            continue;
+        }
+        print(fmt::format("{:<{}}  {:>5} bodies  {}. {}\n", entry.name, widest, entry.bodies, entry.title, entry.hint));
+    }
+    return 0;
+}
+
+} // namespace cairn::cli

@@ -1,0 +1,26 @@
+#include "cli/commands.h"
+#include "cli/viewer_scene.h"
+
+#include "viewer/window.h"
+
+#include <fmt/core.h>
+
+namespace cairn::cli {
+
+int view_command(const ViewOptions &options) {
+    viewer::ViewerOptions window;
+    // Looked up here, so that a wrong name is one line on the terminal rather than an empty window.
+    window.scene = scene::find_scene(options.scene.empty() ? "welcome" : options.scene).string();
+    for (const scene::SceneEntry &entry : scene::list_scenes(scene::scenes_directory())) {
+        if (entry.error.empty()) window.scenes.push_back({entry.path.string(), entry.title});
+    }
+    window.loader = load_for_viewer;
+    window.width = options.width;
+    window.height = options.height;
+    window.exit_after = options.exit_after;
+    window.report = options.report;
+    window.script = options.script;
+    return viewer::run_viewer(window);
+}
+
+} // namespace cairn::cli

@@ -1,0 +1,41 @@
+#include "cli/viewer_scene.h"
+
+#include "viewer/world_state.h"
+
+#include <glm/trigonometric.hpp>
+
+#include <utility>
+
+namespace cairn::cli {
+
+std::vector<viewer::Appearance> appearances_of(const scene::Scene &scene) {
+    std::vector<viewer::Appearance> appearances;
+    appearances.reserve(scene.appearances.size());
+    for (const scene::Appearance &appearance : scene.appearances) {
+        appearances.push_back({appearance.shape, appearance.color});
+    }
+    return appearances;
+}
+
+viewer::CameraPose camera_of(const scene::Scene &scene) {
+    if (!scene.info.camera) return viewer::fit_camera(scene.world);
+    viewer::CameraPose pose;
+    pose.position = scene.info.camera->position;
+    pose.target = scene.info.camera->target;
+    pose.vertical_fov = glm::radians(scene.info.camera->vertical_fov_degrees);
+    return pose;
+}
+
+viewer::LoadedScene load_for_viewer(const std::string &path) {
+    scene::Scene scene = scene::load(scene::find_scene(path));
+    viewer::LoadedScene loaded;
+    loaded.appearances = appearances_of(scene);
+    loaded.camera = camera_of(scene);
+    loaded.title = scene.info.title;
+    loaded.hint = scene.info.hint;
+    loaded.time_step = scene.info.time_step;
+    loaded.world = std::move(scene.world);
+    return loaded;
+}
+
+} // namespace cairn::cli

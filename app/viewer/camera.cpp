@@ -1,0 +1,98 @@
+#include "viewer/camera.h"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cairn::viewer {
+
+namespace {
+
+constexpr float max_pitch = 1.55f;       // radians, just short of the pole
+constexpr float min_distance = 0.05f;    // meters
+constexpr float max_distance = 20000.0f; // meters
+constexpr float zoom_per_notch = 0.9f;
+constexpr double origin_lattice = 100.0; // meters; a multiple of the ground grid's 10 m lines
+constexpr float near_per_distance = 0.02f;
+constexpr float far_per_near = 2.0e5f;
+
+} // namespace
+
+void OrbitCamera::set_pose(const CameraPose& pose) {
+    const glm::dvec3 offset = pose.position - pose.target;
+    const double length = glm::length(offset);
+    target_ = pose.target;
+    distance_ = std::clamp(float(length), min_distance, max_distance);
+    if (length > 0.0) {
+        yaw_ = float(std::atan2(offset.x, offset.z));
+        pitch_ = std::clamp(float(std::asin(offset.y / length)), -max_pitch, max_pitch);
+    }
+    vertical_fov_ = std::clamp(pose.vertical_fov, 0.05f, 2.8f);
+}
+
+CameraPose OrbitCamera::pose() const { return {position(), target_, vertical_fov_}; }
+
+void OrbitCamera::orbit(float yaw, float pitch) {
+    yaw_ = std::remainder(yaw_ + yaw, 6.2831853f);
+    pitch_ = std::clamp(pitch_ + pitch, -max_pitch, max_pitch);
+}
+
+void OrbitCamera::zoom(float notches) {
+    distance_ = std::clamp(distance_ * std::pow(zoom_per_notch, notches), min_distance, max_distance);
+}
+
+void OrbitCamera::pan(float right_amount, float up_amount) {
+    const float picture_height = 2.0f * distance_ * std::tan(0.5f * vertical_fov_);
+    target_ += Position((right() * right_amount + up() * up_amount) * picture_height);
+}
+
+void OrbitCamera::frame(const Position& center, float radius) {
+    target_ = center;
+    distance_ = std::clamp(2.2f * radius / std::tan(0.5f * vertical_fov_), min_distance, max_distance);
+}
+
+Vec3 OrbitCamera::forward() const {
+    return {-std::sin(yaw_) * std::cos(pitch_), -std::sin(pitch_), -std::cos(yaw_) * std::cos(pitch_)};
+}
+
+Vec3 OrbitCamera::right() const { return {std::cos(yaw_), 0.0f, -std::sin(yaw_)}; }
+
+Vec3 OrbitCamera::up() const { return glm::cross(right(), forward()); }
+
+Position OrbitCamera::position() const { return target_ - Position(forward()) * double(distance_); }
+
+Position OrbitCamera::render_origin() const {
+    return {std::round(target_.x / origin_lattice) * origin_lattice,
+            std::round(target_.y / origin_lattice) * origin_lattice,
+            std::round(target_.z / origin_lattice) * origin_lattice};
+}
+
+glm::mat4 OrbitCamera::view(const Position& origin) const {
+    const Vec3 eye(position() - origin);
+    return glm::lookAt(eye, eye + forward(), up());
+}
+
+glm::mat4 OrbitCamera::projection(float aspect) const {
+    const float near_plane = std::max(0.005f, near_per_distance * distance_);
+    return glm::perspective(vertical_fov_, aspect, near_plane, near_plane * far_per_near);
+}
+
+Ray OrbitCamera::cursor_ray(const glm::vec2& device, float aspect) const {
+    const float half_height = std::tan(0.5f * vertical_fov_);
+    const Vec3 direction =
+        forward() + right() * (device.x * half_height * aspect) + up() * (device.y * half_height);
+    return {position(), glm::normalize(direction)};
+}
+
+std::optional<glm::vec2> OrbitCamera::project(const Position& point, float aspect) const {
+    const Vec3 offset(point - position());
+    const float depth = glm::dot(offset, forward());
+    if (depth <= 1e-6f) return std::nullopt;
+    const float half_height = std::tan(0.5f * vertical_fov_);
+    return glm::vec2(glm::dot(offset, right()) / (depth * half_height * aspect),
+                     glm::dot(offset, up()) / (depth * half_height));
+}
+
+} // namespace cairn::viewer

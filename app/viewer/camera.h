@@ -1,0 +1,74 @@
+/// \file camera.h
+/// The orbit camera: it looks at a target from a distance. Positions are double, so that it works far from the
+/// world's origin; what goes to the graphics card is relative to an origin near the target.
+#pragma once
+
+#include <cairn/math.h>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+
+#include <optional>
+
+namespace cairn::viewer {
+
+/// Where a camera stands and what it looks at.
+struct CameraPose {
+    Position position{9.0, 6.0, 12.0}; ///< Meters.
+    Position target{0.0, 1.0, 0.0};    ///< Meters.
+    float vertical_fov = 0.785398f;    ///< Radians, between 0 and pi.
+};
+
+/// A half-line through the world. `direction` has unit length.
+struct Ray {
+    Position origin{0.0, 0.0, 0.0};
+    Vec3 direction{0.0f, 0.0f, -1.0f};
+};
+
+class OrbitCamera {
+public:
+    explicit OrbitCamera(const CameraPose& pose = {}) { set_pose(pose); }
+
+    /// Takes over a pose. A position equal to the target is moved back to the least distance.
+    void set_pose(const CameraPose& pose);
+    CameraPose pose() const;
+
+    /// Turns about the target, radians: positive `yaw` moves the camera to its right, positive `pitch` upwards.
+    /// The camera stops short of the poles.
+    void orbit(float yaw, float pitch);
+    /// Moves closer (positive) or away; one notch changes the distance by a tenth.
+    void zoom(float notches);
+    /// Shifts the target sideways and upwards, in units of the height of the picture.
+    void pan(float right, float up);
+    /// Looks at a ball from the present direction, so that it fills about half of the picture.
+    void frame(const Position& center, float radius);
+
+    Vec3 forward() const;
+    Vec3 right() const;
+    Vec3 up() const;
+    Position position() const;
+    const Position& target() const noexcept { return target_; }
+    float distance() const noexcept { return distance_; }
+    float vertical_fov() const noexcept { return vertical_fov_; }
+
+    /// A point near the target on a coarse lattice of whole meters, from which drawing measures.
+    Position render_origin() const;
+    /// From positions relative to `origin` to the camera's frame (right, up, backwards).
+    glm::mat4 view(const Position& origin) const;
+    /// Perspective; `aspect` is width over height.
+    glm::mat4 projection(float aspect) const;
+
+    /// The ray through a point of the picture, in normalized device coordinates (-1..1, up is positive).
+    Ray cursor_ray(const glm::vec2& device, float aspect) const;
+    /// Where a point appears, in normalized device coordinates; nothing if it is behind the camera.
+    std::optional<glm::vec2> project(const Position& point, float aspect) const;
+
+private:
+    Position target_{0.0, 0.0, 0.0};
+    float yaw_ = 0.0f;      // about +Y, 0 looks along -Z
+    float pitch_ = 0.0f;    // above the horizon
+    float distance_ = 10.0f;
+    float vertical_fov_ = 0.785398f;
+};
+
+} // namespace cairn::viewer

@@ -1,0 +1,209 @@
+#include "viewer/controller.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cairn::viewer {
+
+namespace {
+
+constexpr float orbit_per_picture = 3.5f; // radians for a drag over the height of the picture
+constexpr float orbit_per_key = 0.06f;    // radians
+constexpr float click_slack = 0.01f;      // of the picture's height: a shorter movement is a click
+constexpr float spawn_height = 0.3f;      // above the target, in camera distances
+
+} // namespace
+
+void Controller::choose_scene(std::size_t index) {
+    if (index < scenes_.size()) post_(command::LoadScene{scenes_[index].path});
+}
+
+void Controller::set_colors(ColorMode mode) {
+    colors = mode;
+    post_(command::ShowIslands{mode == ColorMode::island});
+}
+
+void Controller::change_scene(int by) {
+    if (scenes_.empty()) return;
+    const auto present = std::find_if(scenes_.begin(), scenes_.end(),
+                                      [this](const SceneItem& item) { return item.path == scene_path_; });
+    const int count = int(scenes_.size());
+    const int index = present == scenes_.end() ? (by > 0 ? -1 : 0) : int(present - scenes_.begin());
+    choose_scene(std::size_t((index + by + count) % count));
+}
+
+void Controller::key_down(std::string_view modifiers, std::string_view key, bool repeated) {
+    const auto binding = find_binding(std::string(modifiers) + std::string(key));
+    if (!binding) return;
+    if (repeated && !repeats(binding->action)) return;
+    if (is_held(binding->action)) {
+        held_.insert_or_assign(std::string(key), *binding);
+        update_held();
+    } else {
+        perform(*binding);
+    }
+}
+
+void Controller::key_up(std::string_view key) {
+    const auto found = held_.find(key);
+    if (found == held_.end()) return;
+    held_.erase(found);
+    update_held();
+}
+
+void Controller::release_all() {
+    held_.clear();
+    update_held();
+    if (drag_ != Drag::none) button_up(drag_button_);
+}
+
+void Controller::update_held() {
+    Vec3 force(0.0f);
+    bool pulling = false, freezing = false;
+    for (const auto& [key, binding] : held_) {
+        const float acceleration = force_key_acceleration * float(binding.argument);
+        if (binding.action == Action::force_x) force.x += acceleration;
+        if (binding.action == Action::force_y) force.y += acceleration;
+        if (binding.action == Action::force_z) force.z += acceleration;
+        pulling = pulling || binding.action == Action::pull_to_center;
+        freezing = freezing || binding.action == Action::freeze;
+    }
+    if (force != force_) post_(command::SetForce{force});
+    if (pulling != pulling_) post_(command::SetPull{pulling});
+    if (freezing != freezing_) post_(command::SetFreeze{freezing});
+    force_ = force;
+    pulling_ = pulling;
+    freezing_ = freezing;
+}
+
+bool Controller::perform_on_camera(Action action) {
+    switch (action) {
+    case Action::orbit_left: camera.orbit(-orbit_per_key, 0.0f); return true;
+    case Action::orbit_right: camera.orbit(orbit_per_key, 0.0f); return true;
+    case Action::orbit_up: camera.orbit(0.0f, orbit_per_key); return true;
+    case Action::orbit_down: camera.orbit(0.0f, -orbit_per_key); return true;
+    case Action::zoom_in: camera.zoom(1.0f); return true;
+    case Action::zoom_out: camera.zoom(-1.0f); return true;
+    case Action::reset_camera: camera.set_pose(state_.scene_camera); return true;
+    case Action::frame_selection: {
+        if (!state_.layout || !state_.current) return true;
+        WorldLayout shown = *state_.layout;
+        if (state_.selected)
+            std::erase_if(shown.shapes, [&](const ShapeLayout& shape) {
+                return shown.bodies[shape.body].id != state_.selected;
+            });
+        const BoundingBall ball = bounding_ball(shown, *state_.current);
+        camera.frame(ball.center, ball.radius);
+        return true;
+    }
+    default: return false;
+    }
+}
+
+void Controller::perform_on_body(Action action) {
+    const Position above = camera.target() + Position(0.0, double(spawn_height * camera.distance()), 0.0);
+    switch (action) {
+    case Action::add_box: post_(command::Spawn{box_preset(), above}); break;
+    case Action::add_large_sphere: post_(command::Spawn{large_sphere_preset(), above}); break;
+    case Action::add_small_sphere: post_(command::Spawn{small_sphere_preset(), above}); break;
+    case Action::shoot: post_(command::Shoot{tool, camera.cursor_ray(cursor_, aspect_)}); break;
+    case Action::remove_last: post_(command::RemoveLast{}); break;
+    case Action::remove_selected: post_(command::RemoveSelected{}); break;
+    case Action::select_nothing:
+        if (help) help = false;
+        else post_(command::SelectNothing{});
+        break;
+    default: break;
+    }
+}
+
+void Controller::perform(const Binding& binding) {
+    if (perform_on_camera(binding.action)) return;
+    switch (binding.action) {
+    case Action::choose_scene: choose_scene(std::size_t(binding.argument)); break;
+    case Action::next_scene: change_scene(1); break;
+    case Action::previous_scene: change_scene(-1); break;
+    case Action::reset_scene: post_(command::ResetScene{}); break;
+    case Action::toggle_pause: post_(command::TogglePause{}); break;
+    case Action::single_step: post_(command::SingleStep{}); break;
+    case Action::slower: post_(command::ChangeSpeed{-1}); break;
+    case Action::faster: post_(command::ChangeSpeed{1}); break;
+    case Action::next_colors: set_colors(ColorMode((int(colors) + 1) % color_mode_count)); break;
+    case Action::toggle_grid: grid = !grid; break;
+    case Action::toggle_shadows: shadows = !shadows; break;
+    case Action::toggle_panel: panel = !panel; break;
+    case Action::toggle_help: help = !help; break;
+    case Action::screenshot: screenshot = true; break;
+    case Action::quit: quit = true; break;
+    default: perform_on_body(binding.action); break;
+    }
+}
+
+void Controller::move_cursor(const glm::vec2& device, float aspect) {
+    const glm::vec2 moved = (device - cursor_) * 0.5f; // in pictures
+    cursor_ = device;
+    aspect_ = aspect;
+    if (drag_ == Drag::orbit) camera.orbit(-moved.x * aspect * orbit_per_picture, -moved.y * orbit_per_picture);
+    if (drag_ == Drag::pan) camera.pan(-moved.x * aspect, -moved.y);
+}
+
+void Controller::button_down(MouseButton button) {
+    if (drag_ != Drag::none) return;
+    drag_button_ = button;
+    pressed_at_ = cursor_;
+    if (button == MouseButton::right) {
+        drag_ = Drag::orbit;
+    } else if (button == MouseButton::middle) {
+        drag_ = Drag::pan;
+    } else {
+        drag_ = Drag::asked;
+        post_(command::GrabBody{camera.cursor_ray(cursor_, aspect_), ++grab_serial_});
+    }
+}
+
+void Controller::button_up(MouseButton button) {
+    if (drag_ == Drag::none || button != drag_button_) return;
+    drag_ = Drag::none;
+    if (button != MouseButton::left) return;
+    const glm::vec2 moved = (cursor_ - pressed_at_) * glm::vec2(aspect_, 1.0f) * 0.5f;
+    post_(command::ReleaseGrab{glm::length(moved) < click_slack});
+}
+
+void Controller::update(const StageState& state) {
+    state_ = state;
+    scene_path_ = state.path;
+    if (state.scene_serial != scene_serial_) {
+        const bool same_scene_again = scene_serial_ != 0 && state.path == framed_path_;
+        if (!same_scene_again) camera.set_pose(state.scene_camera);
+        framed_path_ = state.path;
+        scene_serial_ = state.scene_serial;
+        force_ = Vec3(0.0f); // the new world has none of the held effects yet
+        pulling_ = freezing_ = false;
+        update_held();
+    }
+    if (drag_ == Drag::asked && state.grab.serial == grab_serial_) {
+        drag_ = state.grab.holding ? Drag::body : Drag::orbit;
+        drag_start_ = state.grab.start;
+    }
+    if (drag_ != Drag::body) return;
+    if (!state.grab.holding) { // the body is gone
+        drag_ = Drag::none;
+        return;
+    }
+    const Position target =
+        drag_target(camera.cursor_ray(cursor_, aspect_), drag_start_, camera.forward(), constraint_);
+    if (target != state.grab.target) post_(command::MoveGrab{target});
+}
+
+FrameOptions Controller::frame_options(const StageState& state) const {
+    FrameOptions options;
+    options.colors = colors;
+    options.grid = grid;
+    options.shadows = shadows;
+    options.selected = state.selected;
+    return options;
+}
+
+} // namespace cairn::viewer

@@ -1,0 +1,91 @@
+/// \file controller.h
+/// What the viewer does with keys and the mouse, without knowing where they come from. It moves the camera, keeps the
+/// settings of the picture, and turns the rest into commands.
+#pragma once
+
+#include "viewer/camera.h"
+#include "viewer/commands.h"
+#include "viewer/key_map.h"
+#include "viewer/render_frame.h"
+#include "viewer/scene_source.h"
+#include "viewer/stage.h"
+
+#include <glm/vec2.hpp>
+
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cairn::viewer {
+
+enum class MouseButton { left, right, middle };
+
+/// Acceleration that the force keys give every body, m/s^2.
+inline constexpr float force_key_acceleration = 40.0f;
+
+class Controller {
+public:
+    using Post = std::function<void(Command)>;
+    Controller(Post post, std::vector<SceneItem> scenes) : post_(std::move(post)), scenes_(std::move(scenes)) {}
+
+    // --- what the picture shows; the panel changes these directly
+    OrbitCamera camera;
+    ColorMode colors = ColorMode::scene;
+    bool grid = true, shadows = true, panel = true, help = false;
+    SpawnSettings tool;                ///< Of the spawn tool.
+    bool quit = false;
+    bool screenshot = false;           ///< Asked for; whoever takes it clears this.
+
+    const std::vector<SceneItem>& scenes() const noexcept { return scenes_; }
+    void choose_scene(std::size_t index); ///< Beyond the list: nothing happens.
+    void set_colors(ColorMode mode);
+    void post(Command command) { post_(std::move(command)); }
+
+    // --- input
+    /// A key went down (`repeated`: is still down). Chords that are bound to nothing are ignored.
+    void key_down(std::string_view modifiers, std::string_view key, bool repeated = false);
+    void key_up(std::string_view key);
+    /// Lets go of everything: the window lost the focus, so the ends of keys and drags would be missed.
+    void release_all();
+    /// The cursor, in normalized device coordinates, and the picture's aspect, width over height.
+    void move_cursor(const glm::vec2& device, float aspect);
+    void button_down(MouseButton button);
+    void button_up(MouseButton button);
+    void wheel(float notches) { camera.zoom(notches); }
+    /// Modifiers now held: they constrain a drag.
+    void set_constraint(DragConstraint constraint) { constraint_ = constraint; }
+
+    /// To be called every frame with the latest state: follows new scenes and the answers to grabs.
+    void update(const StageState& state);
+    /// How to draw that state.
+    FrameOptions frame_options(const StageState& state) const;
+    bool dragging() const noexcept { return drag_ == Drag::body; }
+
+private:
+    enum class Drag { none, asked, body, orbit, pan };
+    void perform(const Binding& binding);
+    bool perform_on_camera(Action action);
+    void perform_on_body(Action action);
+    void change_scene(int by);
+    void update_held();
+
+    Post post_;
+    std::vector<SceneItem> scenes_;
+    std::map<std::string, Binding, std::less<>> held_; // by key, without modifiers
+    Vec3 force_{0.0f, 0.0f, 0.0f};
+    bool pulling_ = false, freezing_ = false;
+    glm::vec2 cursor_{0.0f, 0.0f}, pressed_at_{0.0f, 0.0f};
+    float aspect_ = 16.0f / 9.0f;
+    Drag drag_ = Drag::none;
+    MouseButton drag_button_ = MouseButton::left;
+    std::uint64_t grab_serial_ = 0;
+    Position drag_start_{0.0, 0.0, 0.0};
+    DragConstraint constraint_ = DragConstraint::view_plane;
+    StageState state_; // the latest
+    std::uint64_t scene_serial_ = 0;
+    std::string scene_path_, framed_path_;
+};
+
+} // namespace cairn::viewer

@@ -1,0 +1,319 @@
+#include "viewer/gl_renderer.h"
+
+#include "viewer/gl_objects.h"
+#include "viewer/shaders.h"
+
+#include <cairn/error.h>
+
+#include <epoxy/gl.h>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace cairn::viewer {
+
+namespace {
+
+constexpr int shadow_size = 2048;       // texels along an edge of the shadow map
+constexpr int wanted_samples = 4;       // per pixel
+constexpr float fade_distances = 26.0f; // camera distances over which the ground fades
+constexpr float extent_fades = 8.0f;    // the ground ends after that many fading distances
+
+// Sphere meshes by how many pixels their radius covers.
+struct SphereDetail {
+    int subdivisions;
+    float least_pixels;
+};
+constexpr std::array<SphereDetail, 4> sphere_details{{{1, 0.0f}, {2, 4.0f}, {3, 24.0f}, {4, 120.0f}}};
+
+std::string with_lighting(const char* fragment) { return std::string(shaders::lighting) + fragment; }
+
+// Which way "up" lies in the light's frame does not matter, as long as it is not along the light.
+glm::mat4 light_view(const Vec3& to_light) {
+    const Vec3 up = std::abs(to_light.y) < 0.9f ? Vec3(0.0f, 1.0f, 0.0f) : Vec3(1.0f, 0.0f, 0.0f);
+    return glm::lookAt(Vec3(0.0f), -to_light, up);
+}
+
+// Lines every power of ten meters, so that some ten of the finer ones lie across the picture.
+float grid_spacing(float camera_distance) {
+    return std::clamp(std::pow(10.0f, std::round(std::log10(camera_distance / 14.0f))), 0.01f, 10.0f);
+}
+
+} // namespace
+
+ShadowRegion shadow_region(const RenderFrame& frame) {
+    const Vec3 target(frame.camera.target - frame.origin);
+    const float reach = 5.0f * std::max(0.1f, float(glm::length(frame.camera.position - frame.camera.target)));
+    float radius = 0.0f;
+    const auto include = [&](const std::vector<Instance>& instances) {
+        for (const Instance& instance : instances) {
+            const float needed = glm::length(instance.position - target) + glm::length(instance.half_size);
+            if (needed < reach) radius = std::max(radius, needed);
+        }
+    };
+    include(frame.spheres);
+    include(frame.boxes);
+    if (radius <= 0.0f) radius = 0.5f * reach;
+    constexpr float step = 1.3f; // coarse steps, so that the region seldom changes
+    radius = std::pow(step, std::ceil(std::log(radius) / std::log(step)));
+    return {target, radius};
+}
+
+struct GlRenderer::Impl {
+    GlProgram body, shadow, ground, sky, lines;
+    std::array<GlMesh, sphere_details.size()> spheres;
+    std::array<std::vector<Instance>, sphere_details.size()> sphere_lists;
+    GlMesh boxes, rectangles, square;
+    GlObject line_array, line_buffer;
+    GlObject shadow_texture, shadow_framebuffer;
+    GlObject target_framebuffer, target_color, target_depth;
+    int target_width = 0, target_height = 0;
+
+    // What one frame's passes share.
+    glm::mat4 clip_from_world, shadow_from_world, shadow_clip_from_world;
+    Vec3 eye{0.0f}, to_light{0.0f, 1.0f, 0.0f};
+    float shadow_texel = 0.0f;
+    OrbitCamera camera;
+
+    Impl();
+    void make_shadow_map();
+    void resize_target(int width, int height);
+    void prepare(const RenderFrame& frame, float aspect);
+    void sort_spheres(const RenderFrame& frame, int height);
+    void draw_shadow_map(const RenderFrame& frame);
+    void set_lighting(const GlProgram& program, const RenderFrame& frame) const;
+    void draw_sky(const RenderFrame& frame, float aspect);
+    void draw_bodies(const RenderFrame& frame);
+    void draw_grounds(const RenderFrame& frame);
+    void draw_lines(const RenderFrame& frame);
+};
+
+GlRenderer::Impl::Impl()
+    : body(shaders::desktop_header, shaders::body_vertex, with_lighting(shaders::body_fragment)),
+      shadow(shaders::desktop_header, shaders::body_vertex, shaders::shadow_fragment),
+      ground(shaders::desktop_header, shaders::ground_vertex, with_lighting(shaders::ground_fragment)),
+      sky(shaders::desktop_header, shaders::sky_vertex, with_lighting(shaders::sky_fragment)),
+      lines(shaders::desktop_header, shaders::line_vertex, shaders::line_fragment),
+      spheres{GlMesh(sphere_mesh(sphere_details[0].subdivisions)), GlMesh(sphere_mesh(sphere_details[1].subdivisions)),
+              GlMesh(sphere_mesh(sphere_details[2].subdivisions)), GlMesh(sphere_mesh(sphere_details[3].subdivisions))},
+      boxes(box_mesh()), rectangles(rectangle_mesh()), square(rectangle_mesh()), line_array(make_vertex_array()),
+      line_buffer(make_buffer()) {
+    glBindVertexArray(line_array.name());
+    glBindBuffer(GL_ARRAY_BUFFER, line_buffer.name());
+    glEnableVertexAttribArray(0);
+    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 6 * sizeof(float), nullptr);
+    glEnableVertexAttribArray(1);
+    glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, 6 * sizeof(float), reinterpret_cast<const void*>(3 * sizeof(float)));
+    glBindVertexArray(0);
+    make_shadow_map();
+}
+
+void GlRenderer::Impl::make_shadow_map() {
+    shadow_texture = make_texture();
+    glBindTexture(GL_TEXTURE_2D, shadow_texture.name());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, shadow_size, shadow_size, 0, GL_DEPTH_COMPONENT,
+                 GL_UNSIGNED_INT, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+    shadow_framebuffer = make_framebuffer();
+    glBindFramebuffer(GL_FRAMEBUFFER, shadow_framebuffer.name());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, shadow_texture.name(), 0);
+    const GLenum none = GL_NONE;
+    glDrawBuffers(1, &none);
+    glReadBuffer(GL_NONE);
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        throw Error(ErrorCode::unsupported, "shadow map", "", "must be supported by this graphics driver");
+}
+
+void GlRenderer::Impl::resize_target(int width, int height) {
+    if (width == target_width && height == target_height) return;
+    GLint most_samples = 0;
+    glGetIntegerv(GL_MAX_SAMPLES, &most_samples);
+    const GLsizei samples = std::min<GLint>(wanted_samples, most_samples);
+    target_color = make_renderbuffer();
+    glBindRenderbuffer(GL_RENDERBUFFER, target_color.name());
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_RGBA8, width, height);
+    target_depth = make_renderbuffer();
+    glBindRenderbuffer(GL_RENDERBUFFER, target_depth.name());
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_DEPTH_COMPONENT24, width, height);
+    target_framebuffer = make_framebuffer();
+    glBindFramebuffer(GL_FRAMEBUFFER, target_framebuffer.name());
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, target_color.name());
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, target_depth.name());
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        throw Error(ErrorCode::unsupported, "picture size", std::to_string(width) + "x" + std::to_string(height),
+                    "must be supported by this graphics driver");
+    target_width = width;
+    target_height = height;
+}
+
+void GlRenderer::Impl::prepare(const RenderFrame& frame, float aspect) {
+    camera.set_pose(frame.camera);
+    eye = Vec3(camera.position() - frame.origin);
+    to_light = glm::normalize(frame.light_direction);
+    clip_from_world = camera.projection(aspect) * camera.view(frame.origin);
+
+    const ShadowRegion region = shadow_region(frame);
+    shadow_texel = 2.0f * region.radius / float(shadow_size);
+    const glm::mat4 view = light_view(to_light);
+    // Whole texels measured from the world's origin, in double: the map stays put while the camera moves.
+    const glm::dvec3 center(frame.origin + Position(region.center));
+    const glm::dvec3 from_light = glm::dmat3(view) * center;
+    const double texel = shadow_texel;
+    const glm::dvec3 snapped(std::round(from_light.x / texel) * texel, std::round(from_light.y / texel) * texel,
+                             from_light.z);
+    const Vec3 middle(snapped - glm::dmat3(view) * frame.origin);
+    const float r = region.radius, depth = 4.0f * region.radius;
+    shadow_clip_from_world = glm::ortho(middle.x - r, middle.x + r, middle.y - r, middle.y + r, -middle.z - depth,
+                                        -middle.z + depth) * view;
+    const glm::mat4 half = glm::scale(glm::translate(glm::mat4(1.0f), Vec3(0.5f)), Vec3(0.5f));
+    shadow_from_world = half * shadow_clip_from_world;
+}
+
+void GlRenderer::Impl::sort_spheres(const RenderFrame& frame, int height) {
+    for (std::vector<Instance>& list : sphere_lists) list.clear();
+    const float pixels_per_slope = 0.5f * float(height) / std::tan(0.5f * frame.camera.vertical_fov);
+    for (const Instance& sphere : frame.spheres) {
+        const float distance = std::max(glm::length(sphere.position - eye), 1e-3f);
+        const float pixels = sphere.half_size.x / distance * pixels_per_slope;
+        std::size_t level = 0;
+        while (level + 1 < sphere_details.size() && pixels >= sphere_details[level + 1].least_pixels) ++level;
+        sphere_lists[level].push_back(sphere);
+    }
+    for (std::size_t i = 0; i < spheres.size(); ++i) spheres[i].upload(sphere_lists[i].data(), sphere_lists[i].size());
+    boxes.upload(frame.boxes.data(), frame.boxes.size());
+    rectangles.upload(frame.rectangles.data(), frame.rectangles.size());
+}
+
+void GlRenderer::Impl::draw_shadow_map(const RenderFrame& frame) {
+    glBindFramebuffer(GL_FRAMEBUFFER, shadow_framebuffer.name());
+    glViewport(0, 0, shadow_size, shadow_size);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    if (!frame.shadows) return;
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(1.5f, 2.0f);
+    shadow.use();
+    shadow.set("u_clip_from_world", shadow_clip_from_world);
+    for (const GlMesh& mesh : spheres) mesh.draw_instances();
+    boxes.draw_instances();
+    glDisable(GL_POLYGON_OFFSET_FILL);
+}
+
+void GlRenderer::Impl::set_lighting(const GlProgram& program, const RenderFrame& frame) const {
+    program.use();
+    program.set("u_clip_from_world", clip_from_world);
+    program.set("u_eye", eye);
+    program.set("u_to_light", to_light);
+    program.set("u_shadow_from_world", shadow_from_world);
+    program.set("u_shadow_texel", shadow_texel);
+    program.set("u_shadow_step", 1.0f / float(shadow_size));
+    program.set("u_shadow_strength", frame.shadows ? 1.0f : 0.0f);
+    program.set("u_shadow_map", 0);
+    program.set("u_grid", frame.grid ? 1.0f : 0.0f);
+}
+
+void GlRenderer::Impl::draw_sky(const RenderFrame& frame, float aspect) {
+    set_lighting(sky, frame);
+    const float half_height = std::tan(0.5f * camera.vertical_fov());
+    sky.set("u_ray_forward", camera.forward());
+    sky.set("u_ray_right", camera.right() * (half_height * aspect));
+    sky.set("u_ray_up", camera.up() * half_height);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    square.draw_once();
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_CULL_FACE);
+}
+
+void GlRenderer::Impl::draw_bodies(const RenderFrame& frame) {
+    set_lighting(body, frame);
+    body.set("u_kind", 0);
+    for (const GlMesh& mesh : spheres) mesh.draw_instances();
+    body.set("u_kind", 1);
+    boxes.draw_instances();
+    body.set("u_kind", 2);
+    rectangles.draw_instances();
+}
+
+void GlRenderer::Impl::draw_grounds(const RenderFrame& frame) {
+    if (frame.grounds.empty()) return;
+    set_lighting(ground, frame);
+    const float distance = camera.distance();
+    const float fade = fade_distances * distance;
+    ground.set("u_spacing", grid_spacing(distance));
+    ground.set("u_fade", fade);
+    ground.set("u_extent", extent_fades * fade);
+    for (const GroundPlane& plane : frame.grounds) {
+        const Vec3 normal = plane.rotation * Vec3(0.0f, 1.0f, 0.0f);
+        ground.set("u_center", eye - normal * glm::dot(eye - plane.position, normal));
+        ground.set("u_normal", normal);
+        ground.set("u_axis_x", plane.rotation * Vec3(1.0f, 0.0f, 0.0f));
+        ground.set("u_axis_z", plane.rotation * Vec3(0.0f, 0.0f, 1.0f));
+        ground.set("u_point", plane.position);
+        ground.set("u_grid_offset", plane.grid_offset);
+        ground.set("u_ground_color", plane.color);
+        square.draw_once();
+    }
+}
+
+void GlRenderer::Impl::draw_lines(const RenderFrame& frame) {
+    if (frame.lines.empty()) return;
+    std::vector<Vec3> vertices;
+    for (const Line& line : frame.lines) vertices.insert(vertices.end(), {line.from, line.color, line.to, line.color});
+    lines.use();
+    lines.set("u_clip_from_world", clip_from_world);
+    glBindVertexArray(line_array.name());
+    glBindBuffer(GL_ARRAY_BUFFER, line_buffer.name());
+    glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(vertices.size() * sizeof(Vec3)), vertices.data(), GL_STREAM_DRAW);
+    glDrawArrays(GL_LINES, 0, GLsizei(2 * frame.lines.size()));
+}
+
+GlRenderer::GlRenderer() {
+    if (epoxy_gl_version() < 33 || !epoxy_is_desktop_gl())
+        throw Error(ErrorCode::unsupported, "OpenGL version", std::to_string(epoxy_gl_version()),
+                    "must be at least 33 (OpenGL 3.3)");
+    impl_ = std::make_unique<Impl>();
+}
+
+GlRenderer::~GlRenderer() = default;
+
+void GlRenderer::draw(const RenderFrame& frame, int width, int height, unsigned framebuffer) {
+    Impl& impl = *impl_;
+    const float aspect = float(width) / float(height);
+    impl.resize_target(width, height);
+    impl.prepare(frame, aspect);
+    impl.sort_spheres(frame, height);
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_CULL_FACE);
+    glDisable(GL_BLEND);
+    glDisable(GL_SCISSOR_TEST);
+    glDepthMask(GL_TRUE);
+    impl.draw_shadow_map(frame);
+
+    glBindFramebuffer(GL_FRAMEBUFFER, impl.target_framebuffer.name());
+    glViewport(0, 0, width, height);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, impl.shadow_texture.name());
+    impl.draw_sky(frame, aspect);
+    impl.draw_bodies(frame);
+    impl.draw_grounds(frame);
+    impl.draw_lines(frame);
+
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, impl.target_framebuffer.name());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+    glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glBindVertexArray(0);
+}
+
+} // namespace cairn::viewer

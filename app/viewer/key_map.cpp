@@ -1,0 +1,127 @@
+#include "viewer/key_map.h"
+
+#include <algorithm>
+#include <array>
+
+namespace cairn::viewer {
+
+namespace {
+
+constexpr Binding bindings[] = {
+    {"1", Action::choose_scene, 0},
+    {"2", Action::choose_scene, 1},
+    {"3", Action::choose_scene, 2},
+    {"4", Action::choose_scene, 3},
+    {"5", Action::choose_scene, 4},
+    {"6", Action::choose_scene, 5},
+    {"7", Action::choose_scene, 6},
+    {"8", Action::choose_scene, 7},
+    {"9", Action::choose_scene, 8},
+    {"PageDown", Action::next_scene},
+    {"PageUp", Action::previous_scene},
+    {"Delete", Action::reset_scene},
+    {"U", Action::add_box},
+    {"I", Action::add_large_sphere},
+    {"O", Action::add_small_sphere},
+    {"P", Action::shoot},
+    {"Backspace", Action::remove_last},
+    {"Shift+Backspace", Action::remove_selected},
+    {"R", Action::remove_selected},
+    {"Escape", Action::select_nothing},
+    {"KP4", Action::force_x, -1},
+    {"KP6", Action::force_x, 1},
+    {"KP7", Action::force_y, -1},
+    {"KP9", Action::force_y, 1},
+    {"KP8", Action::force_z, -1},
+    {"KP2", Action::force_z, 1},
+    {"Shift+Left", Action::force_x, -1},
+    {"Shift+Right", Action::force_x, 1},
+    {"Shift+PageDown", Action::force_y, -1},
+    {"Shift+PageUp", Action::force_y, 1},
+    {"Shift+Up", Action::force_z, -1},
+    {"Shift+Down", Action::force_z, 1},
+    {"C", Action::pull_to_center},
+    {"X", Action::freeze},
+    {"Space", Action::toggle_pause},
+    {".", Action::single_step},
+    {"[", Action::slower},
+    {"]", Action::faster},
+    {"F", Action::frame_selection},
+    {"Home", Action::reset_camera},
+    {"Left", Action::orbit_left},
+    {"Right", Action::orbit_right},
+    {"Up", Action::orbit_up},
+    {"Down", Action::orbit_down},
+    {"=", Action::zoom_in},
+    {"Shift+=", Action::zoom_in},
+    {"KPAdd", Action::zoom_in},
+    {"-", Action::zoom_out},
+    {"KPSubtract", Action::zoom_out},
+    {"Tab", Action::next_colors},
+    {"N", Action::next_colors},
+    {"G", Action::toggle_grid},
+    {"H", Action::toggle_shadows},
+    {"F2", Action::toggle_panel},
+    {"F1", Action::toggle_help},
+    {"F12", Action::screenshot},
+    {"Ctrl+Q", Action::quit},
+};
+
+constexpr KeyHelp help[] = {
+    {"", "Scene"},
+    {"1 ... 9", "choose a scene"},
+    {"Page up / down", "previous / next scene"},
+    {"Delete", "reset the scene"},
+    {"", "Bodies"},
+    {"U  I  O", "add a box / large sphere / small sphere"},
+    {"P", "shoot the spawn tool's body at the cursor"},
+    {"Backspace", "remove the last body"},
+    {"R  or  Shift+Backspace", "remove the selected body"},
+    {"Left drag on a body", "pull it   (Shift: up and down, Ctrl: level)"},
+    {"", "Forces, while held"},
+    {"Keypad 4 6, 7 9, 8 2", "left right, down up, away near"},
+    {"Shift + arrows, Page up / down", "the same without a keypad"},
+    {"C", "pull everything to the center"},
+    {"X", "freeze everything"},
+    {"", "Time"},
+    {"Space", "pause"},
+    {".", "one step"},
+    {"[  ]", "slower / faster, 1/32 to 8 times"},
+    {"", "View"},
+    {"Drag beside bodies, right drag, arrows", "orbit"},
+    {"Wheel, + -", "zoom"},
+    {"Middle drag", "move sideways"},
+    {"F / Home", "look at the selected body / the scene's own view"},
+    {"Tab or N", "colors: scene, mass, speed, islands, shape"},
+    {"G  H", "grid / shadows"},
+    {"", "Window"},
+    {"F1  F2", "this key map / the panel"},
+    {"F12", "save a picture"},
+    {"Escape / Ctrl+Q", "select nothing / quit"},
+};
+
+} // namespace
+
+std::span<const Binding> key_bindings() { return bindings; }
+
+std::optional<Binding> find_binding(std::string_view chord) {
+    const auto found = std::find_if(std::begin(bindings), std::end(bindings),
+                                    [chord](const Binding& binding) { return binding.chord == chord; });
+    if (found == std::end(bindings)) return std::nullopt;
+    return *found;
+}
+
+bool is_held(Action action) {
+    return action == Action::force_x || action == Action::force_y || action == Action::force_z ||
+           action == Action::pull_to_center || action == Action::freeze;
+}
+
+bool repeats(Action action) {
+    constexpr std::array repeated{Action::orbit_left, Action::orbit_right, Action::orbit_up, Action::orbit_down,
+                                  Action::zoom_in,    Action::zoom_out,    Action::single_step};
+    return std::find(repeated.begin(), repeated.end(), action) != repeated.end();
+}
+
+std::span<const KeyHelp> key_help() { return help; }
+
+} // namespace cairn::viewer

@@ -1,0 +1,47 @@
+/// \file key_map.h
+/// Which key does what. One table serves the keyboard, scripts, and the key map on the screen.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace cairn::viewer {
+
+enum class Action {
+    choose_scene, // argument: 0 for the first
+    next_scene, previous_scene, reset_scene,
+    add_box, add_large_sphere, add_small_sphere, shoot,
+    remove_last, remove_selected, select_nothing,
+    force_x, force_y, force_z, // while held; argument: sign
+    pull_to_center, freeze,    // while held
+    toggle_pause, single_step, slower, faster,
+    frame_selection, reset_camera,
+    orbit_left, orbit_right, orbit_up, orbit_down, zoom_in, zoom_out,
+    next_colors, toggle_grid, toggle_shadows, toggle_panel, toggle_help, screenshot, quit,
+};
+
+/// `chord` is the key's name after its modifiers in the order Ctrl, Alt, Shift: `U`, `KP4`, `Shift+Backspace`.
+struct Binding {
+    std::string_view chord;
+    Action action;
+    int argument = 0;
+};
+
+/// All bindings.
+std::span<const Binding> key_bindings();
+/// What a chord does, if anything.
+std::optional<Binding> find_binding(std::string_view chord);
+/// True for actions that last as long as their key is down.
+bool is_held(Action action);
+/// True for actions that a key held down should repeat.
+bool repeats(Action action);
+
+/// A line of the key map: keys as people write them, and what they do. An empty `keys` makes a heading.
+struct KeyHelp {
+    const char* keys;
+    const char* meaning;
+};
+std::span<const KeyHelp> key_help();
+
+} // namespace cairn::viewer

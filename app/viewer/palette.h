@@ -1,0 +1,36 @@
+/// \file palette.h
+/// Colors. Ramps are chosen to survive the common kinds of color blindness: they change in lightness too, and never
+/// rely on red against green. All results are linear; `srgb` gives what a user interface wants.
+#pragma once
+
+#include <cairn/math.h>
+
+#include <cstdint>
+
+namespace cairn::viewer {
+
+/// From 0xRRGGBB as designers write it to linear.
+Vec3 linear_color(std::uint32_t srgb_hex);
+/// From linear to the 0..1 values of a display.
+Vec3 srgb(const Vec3& linear);
+
+/// Blue (0, light) over a pale middle to red (1, heavy).
+Vec3 mass_ramp(float fraction);
+/// Dark violet (0, slow) over green to yellow (1, fast).
+Vec3 speed_ramp(float fraction);
+/// Where a mass lies between the least and the greatest, on a logarithmic scale, 0 to 1; an infinite mass is 1.
+float mass_fraction(float mass, float least, float greatest);
+/// Where a speed lies between 0 and `fast_speed`, on a scale that gives slow speeds more room, 0 to 1.
+float speed_fraction(float speed);
+inline constexpr float fast_speed = 10.0f; // m/s
+
+/// A color out of many, different for neighboring numbers.
+Vec3 category_color(std::uint32_t number);
+/// A calm color for bodies that the scene gives none.
+Vec3 default_color(std::uint32_t number);
+
+Vec3 static_color();
+Vec3 sleeping_color();
+Vec3 ground_color();
+
+} // namespace cairn::viewer

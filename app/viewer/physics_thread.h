@@ -1,0 +1,49 @@
+/// \file physics_thread.h
+/// The stage on a thread of its own. The window posts commands and copies the latest state; neither ever waits for a
+/// step to finish.
+#pragma once
+
+#include "viewer/stage.h"
+
+#include <chrono>
+#include <mutex>
+#include <thread>
+
+namespace cairn::viewer {
+
+/// A state, and how far real time has gone on since.
+struct LatestState {
+    StageState stage;
+    /// Where to draw between `stage.previous` (0) and `stage.current` (1).
+    float fraction = 1.0f;
+};
+
+/// Where to draw between the previous and the current state, `seconds` of real time after the state was published.
+float interpolation_fraction(const StageState& state, double seconds);
+
+class PhysicsThread {
+public:
+    /// Loads the first scene on the calling thread, so that its errors come out here, then starts.
+    PhysicsThread(SceneLoader loader, const std::string& path);
+    /// Finishes the step in progress and stops.
+    ~PhysicsThread();
+    PhysicsThread(const PhysicsThread&) = delete;
+    PhysicsThread& operator=(const PhysicsThread&) = delete;
+
+    void post(Command command) { queue_.push(std::move(command)); }
+    LatestState latest() const;
+
+private:
+    using Clock = std::chrono::steady_clock;
+    void run();
+    void publish();
+
+    Stage stage_; // used by the thread alone, once it runs
+    CommandQueue queue_;
+    mutable std::mutex mutex_; // guards what follows
+    StageState published_;
+    Clock::time_point published_at_;
+    std::thread thread_; // last: everything else is ready when it starts
+};
+
+} // namespace cairn::viewer

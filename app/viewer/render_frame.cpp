@@ -1,0 +1,113 @@
+#include "viewer/render_frame.h"
+
+#include "viewer/palette.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cairn::viewer {
+
+namespace {
+
+constexpr double grid_period = 100.0; // meters; every grid line repeats after this
+
+Vec3 color_of(const WorldLayout& layout, const WorldMotion& motion, const ShapeLayout& shape, ColorMode mode) {
+    const BodyLayout& body = layout.bodies[shape.body];
+    const bool moving = body.type == BodyType::dynamic;
+    switch (mode) {
+    case ColorMode::mass:
+        return moving ? mass_ramp(mass_fraction(body.mass, layout.least_mass, layout.greatest_mass)) : static_color();
+    case ColorMode::speed:
+        return body.type == BodyType::static_ ? static_color()
+                                              : speed_ramp(speed_fraction(motion.speeds[shape.body]));
+    case ColorMode::island:
+        if (!moving) return static_color();
+        if (!motion.awake[shape.body]) return sleeping_color();
+        return category_color(motion.islands.empty() ? 0u : motion.islands[shape.body]);
+    case ColorMode::shape:
+        if (shape.type == ShapeType::sphere) return linear_color(0x0072b2);
+        if (shape.type == ShapeType::box) return linear_color(0xe69f00);
+        return static_color();
+    case ColorMode::scene:
+        break;
+    }
+    if (shape.color) return *shape.color;
+    if (shape.type == ShapeType::plane) return ground_color();
+    return moving ? default_color(body.id.index()) : static_color();
+}
+
+Transform interpolate(const Transform& from, const Transform& to, float fraction) {
+    if (fraction >= 1.0f) return to;
+    // The short way round; the angle of one step is small, so normalized linear interpolation is enough.
+    const float sign = glm::dot(from.rotation, to.rotation) < 0.0f ? -1.0f : 1.0f;
+    const Quat mixed = from.rotation * (1.0f - fraction) + to.rotation * (sign * fraction);
+    return {from.position + (to.position - from.position) * double(fraction), glm::normalize(mixed)};
+}
+
+GroundPlane ground_of(const Position& point, const Quat& rotation, const Position& origin, const Vec3& color) {
+    const Vec3 normal = rotation * Vec3(0.0f, 1.0f, 0.0f);
+    const glm::dvec3 offset = point - origin;
+    const glm::dvec3 nearest = glm::dvec3(normal) * glm::dot(glm::dvec3(normal), offset);
+    const glm::dvec3 from_point = nearest - offset;
+    const auto along = [&](const Vec3& axis) {
+        return float(std::fmod(glm::dot(from_point, glm::dvec3(rotation * axis)), grid_period));
+    };
+    return {Vec3(nearest), rotation, {along({1.0f, 0.0f, 0.0f}), along({0.0f, 0.0f, 1.0f})}, color};
+}
+
+} // namespace
+
+const char* name_of(ColorMode mode) {
+    switch (mode) {
+    case ColorMode::scene: return "scene";
+    case ColorMode::mass: return "mass";
+    case ColorMode::speed: return "speed";
+    case ColorMode::island: return "island and sleep";
+    case ColorMode::shape: return "shape";
+    }
+    return "";
+}
+
+RenderFrame make_frame(const WorldLayout& layout, const WorldMotion& previous, const WorldMotion& current,
+                       float fraction, const CameraPose& camera, const FrameOptions& options) {
+    RenderFrame frame;
+    frame.origin = OrbitCamera(camera).render_origin();
+    frame.camera = camera;
+    frame.grid = options.grid;
+    frame.shadows = options.shadows;
+    std::vector<Transform> transforms(layout.bodies.size());
+    for (std::size_t i = 0; i < transforms.size(); ++i)
+        transforms[i] = interpolate(previous.transforms[i], current.transforms[i], fraction);
+    for (const ShapeLayout& shape : layout.shapes) {
+        const Transform& body = transforms[shape.body];
+        const Position position = body.position + Position(body.rotation * shape.position);
+        const Quat rotation = glm::normalize(body.rotation * shape.rotation);
+        const Vec3 color = color_of(layout, current, shape, options.colors);
+        if (shape.type == ShapeType::plane) {
+            frame.grounds.push_back(ground_of(position, rotation, frame.origin, color));
+            continue;
+        }
+        Instance instance;
+        instance.position = Vec3(position - frame.origin);
+        instance.rotation = {rotation.x, rotation.y, rotation.z, rotation.w};
+        instance.half_size = shape.half_size;
+        instance.color = color;
+        const BodyId id = layout.bodies[shape.body].id;
+        instance.emphasis = options.selected && id == options.selected ? 1.0f : 0.0f;
+        if (shape.type == ShapeType::sphere) frame.spheres.push_back(instance);
+        else if (shape.type == ShapeType::box) frame.boxes.push_back(instance);
+        else frame.rectangles.push_back(instance);
+    }
+    return frame;
+}
+
+RenderFrame make_frame(const World& world, std::span<const Appearance> appearances, const CameraPose& camera,
+                       const FrameOptions& options) {
+    const WorldLayout layout = read_layout(world, appearances);
+    const WorldMotion motion = read_motion(world, layout, options.colors == ColorMode::island);
+    return make_frame(layout, motion, motion, 1.0f, camera, options);
+}
+
+} // namespace cairn::viewer

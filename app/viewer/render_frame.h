@@ -1,0 +1,77 @@
+/// \file render_frame.h
+/// One picture, described: what a renderer needs and nothing else. `make_frame` makes one from a world:
+///
+///     HeadlessRenderer renderer(1280, 720);
+///     renderer.draw(make_frame(world, appearances, camera));
+///     renderer.save_png("out.png");
+#pragma once
+
+#include "viewer/world_state.h"
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace cairn::viewer {
+
+/// What the color of a body tells.
+enum class ColorMode { scene, mass, speed, island, shape };
+inline constexpr int color_mode_count = 5;
+const char* name_of(ColorMode mode);
+
+/// One sphere, box or rectangle. Laid out as the renderer's instance buffer expects it: 16 floats.
+struct Instance {
+    Vec3 position{0.0f, 0.0f, 0.0f}; ///< Relative to `RenderFrame::origin`, meters.
+    float emphasis = 0.0f;           ///< 0 plain, 1 highlighted.
+    glm::vec4 rotation{0.0f, 0.0f, 0.0f, 1.0f}; ///< Quaternion x, y, z, w.
+    Vec3 half_size{0.5f, 0.5f, 0.5f};
+    float pattern = 1.0f;            ///< How strong the pattern is that shows rotation, 0 to 1.
+    Vec3 color{0.8f, 0.8f, 0.8f};    ///< Linear.
+    float unused = 0.0f;
+};
+static_assert(sizeof(Instance) == 64);
+
+/// An infinite plane, drawn as a ground with a grid that fades.
+struct GroundPlane {
+    Vec3 position{0.0f, 0.0f, 0.0f}; ///< A point of it near the origin, relative to `RenderFrame::origin`.
+    Quat rotation{1.0f, 0.0f, 0.0f, 0.0f}; ///< From the plane's frame (normal along y) to the world.
+    glm::vec2 grid_offset{0.0f, 0.0f}; ///< Where `position` lies on the grid, meters, along x and z of its frame.
+    Vec3 color{0.6f, 0.6f, 0.6f};    ///< Linear.
+};
+
+/// A line segment, relative to `RenderFrame::origin`.
+struct Line {
+    Vec3 from, to;
+    Vec3 color{1.0f, 1.0f, 1.0f};
+};
+
+struct RenderFrame {
+    Position origin{0.0, 0.0, 0.0}; ///< World position that everything below is relative to.
+    CameraPose camera;
+    std::vector<Instance> spheres, boxes, rectangles;
+    std::vector<GroundPlane> grounds;
+    std::vector<Line> lines;
+    bool grid = true;    ///< Draw the lines of the ground.
+    bool shadows = true;
+    Vec3 light_direction{-0.60f, 0.74f, 0.30f}; ///< Unit or not, towards the light; fixed in the world.
+};
+
+struct FrameOptions {
+    ColorMode colors = ColorMode::scene;
+    bool grid = true;
+    bool shadows = true;
+    BodyId selected; ///< Highlighted; null for none.
+};
+
+/// The picture between two motions of one layout: `fraction` 0 shows `previous`, 1 shows `current`.
+RenderFrame make_frame(const WorldLayout& layout, const WorldMotion& previous, const WorldMotion& current,
+                       float fraction, const CameraPose& camera, const FrameOptions& options = {});
+
+/// The picture of a world as it stands.
+RenderFrame make_frame(const World& world, std::span<const Appearance> appearances, const CameraPose& camera,
+                       const FrameOptions& options = {});
+
+} // namespace cairn::viewer

@@ -1,0 +1,77 @@
+#include "viewer/report.h"
+
+#include <nlohmann/json.hpp>
+
+namespace cairn::viewer {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class Vector> Json triple(const Vector& v) { return Json::array({v.x, v.y, v.z}); }
+
+const char* name_of(BodyType type) {
+    switch (type) {
+    case BodyType::static_: return "static";
+    case BodyType::kinematic: return "kinematic";
+    case BodyType::dynamic: return "dynamic";
+    }
+    return "";
+}
+
+Json body_json(const StageState& state, std::size_t i, const OrbitCamera& camera, const WindowFacts& facts) {
+    const BodyLayout& body = state.layout->bodies[i];
+    const Position& position = state.current->transforms[i].position;
+    Json json;
+    json["index"] = body.id.index();
+    json["name"] = body.name;
+    json["type"] = name_of(body.type);
+    json["position"] = triple(position);
+    json["speed"] = state.current->speeds[i];
+    json["awake"] = state.current->awake[i] != 0;
+    const float aspect = float(facts.width) / float(std::max(facts.height, 1));
+    if (const auto device = camera.project(position, aspect))
+        json["screen"] = {(0.5f + 0.5f * device->x) * float(facts.width), (0.5f - 0.5f * device->y) * float(facts.height)};
+    return json;
+}
+
+} // namespace
+
+std::string report_json(const StageState& state, const Controller& controller, const WindowFacts& facts) {
+    Json json;
+    json["scene"] = {{"path", state.path}, {"title", state.title}, {"loads", state.scene_serial}};
+    json["body_count"] = state.layout->bodies.size();
+    std::size_t dynamic_count = 0;
+    Json bodies = Json::array();
+    for (std::size_t i = 0; i < state.layout->bodies.size(); ++i) {
+        if (state.layout->bodies[i].type == BodyType::dynamic) ++dynamic_count;
+        bodies.push_back(body_json(state, i, controller.camera, facts));
+    }
+    json["dynamic_count"] = dynamic_count;
+    json["selected"] = state.selected ? Json(state.selected.index()) : Json();
+    json["dragging"] = controller.dragging();
+    json["paused"] = state.paused;
+    json["frozen"] = state.frozen;
+    json["pulled"] = state.pulled;
+    json["force"] = triple(state.force);
+    json["speed"] = state.speed;
+    json["real_time_factor"] = state.real_time_factor;
+    json["steps"] = state.statistics.steps;
+    json["time"] = state.statistics.time;
+    json["contacts"] = state.statistics.contacts;
+    json["gravity"] = triple(state.settings.gravity);
+    json["camera"] = {{"position", triple(controller.camera.position())}, {"target", triple(controller.camera.target())}};
+    json["colors"] = cairn::viewer::name_of(controller.colors);
+    json["grid"] = controller.grid;
+    json["shadows"] = controller.shadows;
+    json["help"] = controller.help;
+    json["panel"] = controller.panel;
+    json["frames"] = facts.frames;
+    json["frames_per_second"] = facts.frames_per_second;
+    json["size"] = {facts.width, facts.height};
+    json["notice"] = facts.notice;
+    json["bodies"] = std::move(bodies);
+    return json.dump(1) + "\n";
+}
+
+} // namespace cairn::viewer

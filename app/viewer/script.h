@@ -1,0 +1,49 @@
+/// \file script.h
+/// Inputs from a file, for demonstrations and tests. One command a line; `#` begins a comment:
+///
+///     wait 0.5               do nothing for half a second
+///     key Shift+Backspace    press and release a key
+///     down KP4               press a key ...
+///     up KP4                 ... and release it
+///     cursor 640 360         move the cursor there, in pixels from the top left corner
+///     press left             hold a mouse button down ...
+///     release left           ... and let it go (left, right or middle)
+///     wheel -2               turn the wheel
+///     report state.json      write the viewer's state
+///     picture frame.png      save a picture
+///     quit                   close the window
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cairn::viewer {
+
+struct ScriptLine {
+    enum class Kind { wait, key, down, up, cursor, press, release, wheel, report, picture, quit };
+    Kind kind = Kind::wait;
+    std::string word;        ///< Key, button or file.
+    double x = 0.0, y = 0.0; ///< Seconds, pixels or notches.
+};
+
+/// Throws `Error` (invalid_file) naming the line. `name` stands for the file in messages.
+std::vector<ScriptLine> parse_script(std::string_view text, const std::string& name);
+/// Throws `Error` (io, invalid_file).
+std::vector<ScriptLine> load_script(const std::filesystem::path& path);
+
+/// Hands out the lines of a script when their time has come.
+class ScriptPlayer {
+public:
+    explicit ScriptPlayer(std::vector<ScriptLine> lines = {}) : lines_(std::move(lines)) {}
+    /// Seconds have passed: the next line that is due, or null. Call again until null.
+    const ScriptLine* next(double seconds);
+
+private:
+    std::vector<ScriptLine> lines_;
+    std::size_t place_ = 0;
+    double waiting_ = 0.0;
+};
+
+} // namespace cairn::viewer

@@ -1,0 +1,229 @@
+/// \file shaders.h
+/// The shaders, without their first line. The same text compiles as GLSL 3.30 and, for the web, as GLSL ES 3.00.
+#pragma once
+
+namespace cairn::viewer::shaders {
+
+inline constexpr const char* desktop_header = "#version 330 core\n";
+inline constexpr const char* web_header = "#version 300 es\n"
+                                          "precision highp float;\n"
+                                          "precision highp int;\n"
+                                          "precision highp sampler2DShadow;\n";
+
+/// Light, sky, shadow and tone, shared by the fragment shaders.
+inline constexpr const char* lighting = R"(
+uniform vec3 u_eye;
+uniform vec3 u_to_light;
+uniform mat4 u_shadow_from_world;
+uniform float u_shadow_texel;   // size of one texel of the shadow map in the world
+uniform float u_shadow_step;    // and in the map itself
+uniform float u_shadow_strength;
+uniform sampler2DShadow u_shadow_map;
+
+vec3 sky_color(vec3 direction) {
+    float height = direction.y;
+    vec3 horizon = vec3(0.62, 0.74, 0.84);
+    vec3 zenith = vec3(0.09, 0.22, 0.46);
+    vec3 color = mix(horizon, zenith, pow(clamp(height, 0.0, 1.0), 0.55));
+    float towards_sun = max(dot(direction, u_to_light), 0.0);
+    color += vec3(1.0, 0.86, 0.66) * (0.22 * pow(towards_sun, 12.0));
+    return mix(color, vec3(0.42, 0.45, 0.47), smoothstep(0.0, 0.25, -height));
+}
+
+// The fraction of the sun that reaches a point: comparisons, each already smoothed over four texels, on a disk. Where
+// the outer ones agree the inner ones would too, so only the edges of shadows cost all of them.
+float lit_fraction(vec3 world, vec3 normal) {
+    float slope = clamp(1.0 - dot(normal, u_to_light), 0.0, 1.0);
+    vec3 place = (u_shadow_from_world * vec4(world + normal * u_shadow_texel * (0.8 + 2.2 * slope), 1.0)).xyz;
+    vec2 margin = abs(place.xy - 0.5);
+    float inside = 1.0 - smoothstep(0.44, 0.5, max(margin.x, margin.y));
+    if (inside * u_shadow_strength <= 0.0 || place.z >= 1.0) return 1.0;
+    float s = u_shadow_step;
+    float lit = texture(u_shadow_map, place + vec3(2.0, 0.8, 0.0) * s) +
+                texture(u_shadow_map, place + vec3(-0.8, 2.0, 0.0) * s) +
+                texture(u_shadow_map, place + vec3(-2.0, -0.8, 0.0) * s) +
+                texture(u_shadow_map, place + vec3(0.8, -2.0, 0.0) * s);
+    if (lit > 0.0 && lit < 4.0) {
+        lit += texture(u_shadow_map, place + vec3(1.2, -0.5, 0.0) * s) +
+               texture(u_shadow_map, place + vec3(0.5, 1.2, 0.0) * s) +
+               texture(u_shadow_map, place + vec3(-1.2, 0.5, 0.0) * s) +
+               texture(u_shadow_map, place + vec3(-0.5, -1.2, 0.0) * s) + texture(u_shadow_map, place);
+        lit *= 4.0 / 9.0;
+    }
+    return 1.0 - (1.0 - 0.25 * lit) * inside * u_shadow_strength;
+}
+
+vec3 shade(vec3 world, vec3 normal, vec3 color, float gloss) {
+    vec3 to_eye = normalize(u_eye - world);
+    float facing = max(dot(normal, u_to_light), 0.0);
+    float lit = facing > 0.0 ? lit_fraction(world, normal) : 0.0;
+    vec3 sun = vec3(1.0, 0.93, 0.82) * (1.85 * facing * lit);
+    vec3 around = mix(vec3(0.22, 0.21, 0.20), vec3(0.36, 0.43, 0.54), 0.5 + 0.5 * normal.y);
+    vec3 halfway = normalize(to_eye + u_to_light);
+    float shine = pow(max(dot(normal, halfway), 0.0), 60.0) * gloss * facing * lit;
+    float edge = pow(1.0 - max(dot(normal, to_eye), 0.0), 4.0) * 0.16 * gloss;
+    return color * (sun + around) + vec3(1.0, 0.96, 0.9) * shine * 0.9 + sky_color(reflect(-to_eye, normal)) * edge;
+}
+
+// Narkowicz's fit of the ACES film curve, then the display's own curve.
+vec3 to_display(vec3 color) {
+    color *= 0.80;
+    color = clamp(color * (2.51 * color + 0.03) / (color * (2.43 * color + 0.59) + 0.14), 0.0, 1.0);
+    return pow(color, vec3(1.0 / 2.2));
+}
+
+// How much of a line of a grid with lines at every whole number covers this pixel.
+float grid_line(vec2 place, float pixels) {
+    vec2 width = max(fwidth(place), vec2(1e-6));
+    vec2 line = clamp(0.5 * pixels + 0.5 - abs(fract(place - 0.5) - 0.5) / width, 0.0, 1.0);
+    line *= 1.0 - smoothstep(0.15, 0.5, width);
+    return max(line.x, line.y);
+}
+)";
+
+inline constexpr const char* body_vertex = R"(
+layout(location = 0) in vec3 a_corner;
+layout(location = 1) in vec3 a_inset;
+layout(location = 2) in vec3 a_normal;
+layout(location = 3) in vec4 a_position;  // w: emphasis
+layout(location = 4) in vec4 a_rotation;
+layout(location = 5) in vec4 a_half_size; // w: pattern
+layout(location = 6) in vec4 a_color;
+uniform mat4 u_clip_from_world;
+out vec3 v_world;
+out vec3 v_normal;
+out vec3 v_corner;
+out vec3 v_local;
+out vec4 v_color;
+out float v_pattern;
+
+vec3 rotate(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
+
+void main() {
+    float bevel = 0.07 * min(a_half_size.x, min(a_half_size.y, a_half_size.z));
+    vec3 local = a_corner * a_half_size.xyz - a_inset * bevel;
+    v_world = a_position.xyz + rotate(a_rotation, local);
+    v_normal = rotate(a_rotation, a_normal);
+    v_corner = a_corner;
+    v_local = local;
+    v_color = vec4(a_color.rgb, a_position.w);
+    v_pattern = a_half_size.w;
+    gl_Position = u_clip_from_world * vec4(v_world, 1.0);
+}
+)";
+
+inline constexpr const char* body_fragment = R"(
+in vec3 v_world;
+in vec3 v_normal;
+in vec3 v_corner;
+in vec3 v_local;
+in vec4 v_color;
+in float v_pattern;
+uniform int u_kind; // 0 sphere, 1 box, 2 rectangle
+uniform float u_grid;
+out vec4 o_color;
+
+void main() {
+    vec3 normal = normalize(v_normal);
+    vec3 color = v_color.rgb;
+    float gloss = 1.0;
+    if (u_kind == 0) {
+        // Eight panels, alternately lighter and darker, so that rolling can be seen.
+        vec3 side = normalize(v_corner);
+        vec3 panel = clamp(side / max(fwidth(side), vec3(1e-5)), -1.0, 1.0);
+        color *= 1.0 - 0.13 * v_pattern * (1.0 - panel.x * panel.y * panel.z);
+    } else if (u_kind == 2) {
+        gloss = 0.15;
+        color *= 1.0 - 0.13 * u_grid * grid_line(v_local.xz, 1.0);
+    }
+    vec3 to_eye = normalize(u_eye - v_world);
+    vec3 shaded = shade(v_world, normal, color, gloss);
+    float rim = pow(1.0 - max(dot(normal, to_eye), 0.0), 2.0);
+    shaded = mix(shaded, vec3(1.9, 0.95, 0.12), v_color.a * (0.12 + 0.8 * rim));
+    o_color = vec4(to_display(shaded), 1.0);
+}
+)";
+
+inline constexpr const char* shadow_fragment = R"(
+void main() {}
+)";
+
+inline constexpr const char* ground_vertex = R"(
+layout(location = 0) in vec3 a_corner;
+uniform mat4 u_clip_from_world;
+uniform vec3 u_center;
+uniform vec3 u_axis_x;
+uniform vec3 u_axis_z;
+uniform float u_extent;
+out vec3 v_world;
+
+void main() {
+    v_world = u_center + (u_axis_x * a_corner.x + u_axis_z * a_corner.z) * u_extent;
+    gl_Position = u_clip_from_world * vec4(v_world, 1.0);
+}
+)";
+
+inline constexpr const char* ground_fragment = R"(
+in vec3 v_world;
+uniform vec3 u_normal;
+uniform vec3 u_axis_x;
+uniform vec3 u_axis_z;
+uniform vec3 u_point;        // a point of the plane ...
+uniform vec2 u_grid_offset;  // ... and where it lies on the grid, meters
+uniform vec3 u_ground_color;
+uniform float u_grid;
+uniform float u_spacing;     // of the finer lines, meters
+uniform float u_fade;        // distance at which the ground has mostly become sky, meters
+out vec4 o_color;
+
+void main() {
+    vec3 offset = v_world - u_point;
+    vec2 place = (vec2(dot(offset, u_axis_x), dot(offset, u_axis_z)) + u_grid_offset) / u_spacing;
+    vec3 color = u_ground_color;
+    color *= 1.0 - u_grid * max(0.11 * grid_line(place, 1.0), 0.22 * grid_line(place * 0.1, 1.6));
+    vec3 shaded = shade(v_world, u_normal, color, 0.12);
+    vec3 ray = v_world - u_eye;
+    float distance = length(ray);
+    float haze = 1.0 - exp(-pow(distance / u_fade, 1.5));
+    vec3 horizon = normalize(vec3(ray.x, max(ray.y, 0.0), ray.z) + vec3(0.0, 1e-4, 0.0));
+    o_color = vec4(to_display(mix(shaded, sky_color(horizon), haze)), 1.0);
+}
+)";
+
+inline constexpr const char* sky_vertex = R"(
+layout(location = 0) in vec3 a_corner;
+uniform vec3 u_ray_forward;
+uniform vec3 u_ray_right;
+uniform vec3 u_ray_up;
+out vec3 v_ray;
+
+void main() {
+    v_ray = u_ray_forward + u_ray_right * a_corner.x + u_ray_up * a_corner.z;
+    gl_Position = vec4(a_corner.x, a_corner.z, 1.0, 1.0);
+}
+)";
+
+inline constexpr const char* sky_fragment = R"(
+in vec3 v_ray;
+out vec4 o_color;
+void main() { o_color = vec4(to_display(sky_color(normalize(v_ray))), 1.0); }
+)";
+
+inline constexpr const char* line_vertex = R"(
+layout(location = 0) in vec3 a_position;
+layout(location = 1) in vec3 a_color;
+uniform mat4 u_clip_from_world;
+out vec3 v_color;
+void main() {
+    v_color = a_color;
+    gl_Position = u_clip_from_world * vec4(a_position, 1.0);
+}
+)";
+
+inline constexpr const char* line_fragment = R"(
+in vec3 v_color;
+out vec4 o_color;
+void main() { o_color = vec4(v_color, 1.0); }
+)";
+
+} // namespace cairn::viewer::shaders

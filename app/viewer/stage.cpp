@@ -1,0 +1,257 @@
+#include "viewer/stage.h"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include <chrono>
+#include <cmath>
+#include <exception>
+#include <utility>
+
+namespace cairn::viewer {
+
+namespace {
+
+constexpr float pull_acceleration = 20.0f; // m/s^2, towards the origin
+constexpr double pick_distance = 1.0e5;    // meters
+constexpr double newest_step_weight = 0.1; // in the running mean of step times
+constexpr double longest_advance = 1.0 / 30.0; // real seconds of stepping after which the picture comes first
+
+} // namespace
+
+Stage::Stage(SceneLoader loader, const std::string& path) : loader_(std::move(loader)), scene_(loader_(path)) {
+    take_scene(std::move(scene_), path);
+}
+
+void Stage::take_scene(LoadedScene scene, const std::string& path) {
+    scene_ = std::move(scene);
+    path_ = path;
+    ++scene_serial_;
+    clock_.set_time_step(scene_.time_step);
+    order_.clear();
+    for (const BodyId id : scene_.world.bodies())
+        if (scene_.world.body(id).type() == BodyType::dynamic) order_.push_back(id);
+    force_field_.reset();
+    pull_field_.reset();
+    force_ = Vec3(0.0f);
+    frozen_ = false;
+    selected_ = {};
+    grab_ = {grab_.serial, false, {}, {}, {}, {}};
+    step_milliseconds_ = 0.0;
+    refresh_layout();
+}
+
+void Stage::apply(const Command& command) {
+    try {
+        std::visit(*this, command);
+    } catch (const std::exception& error) {
+        say(error.what());
+    }
+}
+
+int Stage::advance(double real_seconds) {
+    const int due = clock_.advance(real_seconds);
+    const auto start = std::chrono::steady_clock::now();
+    int taken = 0;
+    while (taken < due) {
+        step();
+        ++taken;
+        // A world too slow for real time drops what it cannot do, so that every few steps are seen.
+        if (std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() > longest_advance) break;
+    }
+    return taken;
+}
+
+void Stage::step() {
+    const auto start = std::chrono::steady_clock::now();
+    if (frozen_) hold_still();
+    if (grab_.holding) pull_grabbed();
+    try {
+        scene_.world.step(float(clock_.time_step()));
+    } catch (const std::exception& error) {
+        clock_.set_paused(true);
+        return say(error.what());
+    }
+    clock_.count_step();
+    const double milliseconds =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    step_milliseconds_ = step_milliseconds_ == 0.0 ? milliseconds
+                                                   : step_milliseconds_ + newest_step_weight * (milliseconds - step_milliseconds_);
+    previous_ = current_;
+    refresh_motion();
+}
+
+StageState Stage::state() const {
+    StageState state;
+    state.scene_serial = scene_serial_;
+    state.path = path_;
+    state.title = scene_.title;
+    state.hint = scene_.hint;
+    state.scene_camera = scene_.camera;
+    state.layout = layout_;
+    state.previous = previous_;
+    state.current = current_;
+    state.statistics = scene_.world.statistics();
+    state.step_milliseconds = step_milliseconds_;
+    state.settings = scene_.world.settings();
+    state.paused = clock_.paused();
+    state.frozen = frozen_;
+    state.pulled = pull_field_.has_value();
+    state.force = force_;
+    state.speed = clock_.speed();
+    state.real_time_factor = clock_.real_time_factor();
+    state.time_step = clock_.time_step();
+    state.remainder = clock_.remainder();
+    state.selected = selected_;
+    state.grab = grab_;
+    state.message = message_;
+    return state;
+}
+
+void Stage::operator()(const command::LoadScene& load) { take_scene(loader_(load.path), load.path); }
+
+void Stage::operator()(const command::ResetScene&) { take_scene(loader_(path_), std::string(path_)); }
+
+void Stage::operator()(const command::Spawn& spawn) {
+    add_body(spawn.settings, free_place(scene_.world, spawn.settings, spawn.position), Vec3(0.0f));
+}
+
+void Stage::operator()(const command::Shoot& shoot) {
+    const Position start = shoot.ray.origin + Position(shoot.ray.direction) * double(2.0f * shoot.settings.size);
+    add_body(shoot.settings, start, shoot.ray.direction * shoot.settings.speed);
+}
+
+void Stage::add_body(const SpawnSettings& settings, const Position& position, const Vec3& velocity) {
+    order_.push_back(spawn(scene_.world, settings, position, velocity));
+    refresh_layout();
+}
+
+void Stage::operator()(const command::RemoveLast&) {
+    while (!order_.empty() && !scene_.world.is_valid(order_.back())) order_.pop_back();
+    if (order_.empty()) return say("There is no body left to remove.");
+    remove(order_.back());
+    order_.pop_back();
+}
+
+void Stage::operator()(const command::RemoveSelected&) {
+    if (!selected_ || !scene_.world.is_valid(selected_)) return say("Select a body first, by clicking it.");
+    remove(selected_);
+}
+
+void Stage::remove(BodyId body) {
+    scene_.world.destroy_body(body);
+    if (selected_ == body) selected_ = {};
+    if (grab_.holding && grab_.body == body) {
+        grab_.holding = false;
+        say("The dragged body was removed.");
+    }
+    refresh_layout();
+}
+
+void Stage::operator()(const command::SetForce& force) {
+    force_ = force.acceleration;
+    ForceField field;
+    field.direction = force_;
+    update_field(force_field_, field, force_ != Vec3(0.0f));
+}
+
+void Stage::operator()(const command::SetPull& pull) {
+    ForceField field;
+    field.kind = ForceField::Kind::radial;
+    field.strength = pull_acceleration;
+    update_field(pull_field_, field, pull.on);
+}
+
+void Stage::update_field(std::optional<ForceFieldId>& id, const ForceField& field, bool on) {
+    World& world = scene_.world;
+    if (!on) {
+        if (id) world.remove_force_field(*id);
+        id.reset();
+    } else if (id) {
+        world.set_force_field(*id, field);
+    } else {
+        id = world.add_force_field(field);
+    }
+    // What rests must feel the change.
+    for (const BodyId body : world.bodies())
+        if (world.body(body).type() == BodyType::dynamic) world.body(body).wake();
+}
+
+void Stage::operator()(const command::SetFreeze& freeze) {
+    frozen_ = freeze.on;
+    if (frozen_) hold_still();
+}
+
+void Stage::hold_still() {
+    for (const BodyId id : scene_.world.bodies()) {
+        Body body = scene_.world.body(id);
+        if (body.type() != BodyType::dynamic) continue;
+        body.set_linear_velocity(Vec3(0.0f));
+        body.set_angular_velocity(Vec3(0.0f));
+    }
+}
+
+void Stage::operator()(const command::SetPaused& pause) { clock_.set_paused(pause.paused); }
+
+void Stage::operator()(const command::TogglePause&) { clock_.set_paused(!clock_.paused()); }
+
+void Stage::operator()(const command::SingleStep&) { clock_.request_step(); }
+
+void Stage::operator()(const command::ChangeSpeed& change) { clock_.change_speed(change.doublings); }
+
+void Stage::operator()(const command::SetSpeed& speed) { clock_.set_speed(speed.speed); }
+
+void Stage::operator()(const command::SetSettings& settings) { scene_.world.set_settings(settings.settings); }
+
+void Stage::operator()(const command::GrabBody& grab) {
+    grab_ = {grab.serial, false, {}, {}, {}, {}};
+    const auto hit = scene_.world.cast_ray(grab.ray.origin, grab.ray.direction, pick_distance);
+    if (!hit || scene_.world.body(hit->body).type() != BodyType::dynamic) return;
+    selected_ = hit->body;
+    const Transform pose = scene_.world.body(hit->body).transform();
+    grab_.holding = true;
+    grab_.body = hit->body;
+    grab_.start = grab_.target = hit->point;
+    grab_.local_point = glm::conjugate(pose.rotation) * Vec3(hit->point - pose.position);
+}
+
+void Stage::operator()(const command::MoveGrab& move) {
+    if (grab_.holding) grab_.target = move.target;
+}
+
+void Stage::operator()(const command::ReleaseGrab& release) {
+    if (release.click && !grab_.body) selected_ = {};
+    grab_.holding = false;
+}
+
+void Stage::operator()(const command::SelectNothing&) { selected_ = {}; }
+
+void Stage::operator()(const command::ShowIslands& show) {
+    with_islands_ = show.on;
+    refresh_motion();
+}
+
+void Stage::pull_grabbed() {
+    if (!scene_.world.is_valid(grab_.body)) {
+        grab_.holding = false;
+        return say("The dragged body is gone.");
+    }
+    Body body = scene_.world.body(grab_.body);
+    const DragForce pull = drag_force(body, grab_.local_point, grab_.target, float(clock_.time_step()));
+    body.add_force_at(pull.force, pull.point);
+    body.add_torque(pull.torque);
+}
+
+void Stage::say(std::string text) { message_ = {message_.serial + 1, std::move(text)}; }
+
+void Stage::refresh_layout() {
+    layout_ = std::make_shared<const WorldLayout>(read_layout(scene_.world, scene_.appearances));
+    refresh_motion();
+    previous_ = current_; // the bodies of the step before may not match
+}
+
+void Stage::refresh_motion() {
+    current_ = std::make_shared<const WorldMotion>(read_motion(scene_.world, *layout_, with_islands_));
+}
+
+} // namespace cairn::viewer

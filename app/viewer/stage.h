@@ -1,0 +1,121 @@
+/// \file stage.h
+/// The simulation that the viewer shows: a scene, what people's commands did to it, and a clock. One thread at a time.
+#pragma once
+
+#include "viewer/commands.h"
+#include "viewer/scene_source.h"
+#include "viewer/step_clock.h"
+#include "viewer/world_state.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cairn::viewer {
+
+/// The answer to `command::GrabBody`, and how the drag stands.
+struct Grab {
+    std::uint64_t serial = 0; ///< Of the latest answered command.
+    bool holding = false;     ///< A dynamic body is held now.
+    BodyId body;              ///< The one grabbed last; null if the latest ray met no dynamic body.
+    Position start{0.0, 0.0, 0.0}; ///< Where it was grabbed, meters.
+    Vec3 local_point{0.0f, 0.0f, 0.0f}; ///< The same in the body's frame.
+    Position target{0.0, 0.0, 0.0}; ///< Where the cursor pulls it.
+};
+
+/// A line for the person at the screen.
+struct Message {
+    std::uint64_t serial = 0; ///< Counts up from 1; 0: there has been none.
+    std::string text;
+};
+
+/// What the window shows. A copy costs little: the large parts are shared and never change.
+struct StageState {
+    std::uint64_t scene_serial = 0; ///< Counts loaded scenes, resets included.
+    std::string path, title, hint;
+    CameraPose scene_camera;
+    std::shared_ptr<const WorldLayout> layout;
+    std::shared_ptr<const WorldMotion> previous, current;
+    Statistics statistics;
+    double step_milliseconds = 0.0; ///< Mean over the last half second or so, as the physics thread measured it.
+    WorldDef settings;
+    bool paused = false;
+    bool frozen = false, pulled = false;
+    Vec3 force{0.0f, 0.0f, 0.0f};
+    double speed = 1.0, real_time_factor = 0.0, time_step = 1.0 / 60.0;
+    double remainder = 0.0; ///< Simulated seconds by which real time is ahead of `current`.
+    BodyId selected;
+    Grab grab;
+    Message message;
+};
+
+class Stage {
+public:
+    /// Loads the first scene; whatever the loader throws comes through.
+    Stage(SceneLoader loader, const std::string& path);
+
+    /// Carries out one command. A command that fails changes nothing and leaves a message.
+    void apply(const Command& command);
+    /// Real seconds have passed: takes the steps that are due, unless they take too long, and returns how many.
+    int advance(double real_seconds);
+    /// One step, whatever the clock says.
+    void step();
+    /// Real seconds until the next step is due.
+    double until_next_step() const { return clock_.until_next_step(); }
+    /// A copy of what there is to see.
+    StageState state() const;
+
+    const World& world() const noexcept { return scene_.world; }
+
+    void operator()(const command::LoadScene& load);
+    void operator()(const command::ResetScene&);
+    void operator()(const command::Spawn& spawn);
+    void operator()(const command::Shoot& shoot);
+    void operator()(const command::RemoveLast&);
+    void operator()(const command::RemoveSelected&);
+    void operator()(const command::SetForce& force);
+    void operator()(const command::SetPull& pull);
+    void operator()(const command::SetFreeze& freeze);
+    void operator()(const command::SetPaused& pause);
+    void operator()(const command::TogglePause&);
+    void operator()(const command::SingleStep&);
+    void operator()(const command::ChangeSpeed& change);
+    void operator()(const command::SetSpeed& speed);
+    void operator()(const command::SetSettings& settings);
+    void operator()(const command::GrabBody& grab);
+    void operator()(const command::MoveGrab& move);
+    void operator()(const command::ReleaseGrab& release);
+    void operator()(const command::SelectNothing&);
+    void operator()(const command::ShowIslands& show);
+
+private:
+    void take_scene(LoadedScene scene, const std::string& path);
+    void remove(BodyId body);
+    void say(std::string text);
+    void add_body(const SpawnSettings& settings, const Position& position, const Vec3& velocity);
+    void update_field(std::optional<ForceFieldId>& id, const ForceField& field, bool on);
+    void pull_grabbed();
+    void hold_still();
+    void refresh_layout();
+    void refresh_motion();
+
+    SceneLoader loader_;
+    LoadedScene scene_;
+    std::string path_;
+    StepClock clock_;
+    std::vector<BodyId> order_; // dynamic bodies in the order in which they came; may hold stale ones
+    std::optional<ForceFieldId> force_field_, pull_field_;
+    Vec3 force_{0.0f, 0.0f, 0.0f};
+    bool frozen_ = false, with_islands_ = false;
+    BodyId selected_;
+    Grab grab_;
+    Message message_;
+    std::uint64_t scene_serial_ = 0;
+    std::shared_ptr<const WorldLayout> layout_;
+    std::shared_ptr<const WorldMotion> previous_, current_;
+    double step_milliseconds_ = 0.0;
+};
+
+} // namespace cairn::viewer

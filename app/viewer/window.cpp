@@ -1,0 +1,379 @@
+#include "viewer/window.h"
+
+#include "viewer/file_output.h"
+#include "viewer/glfw_keys.h"
+#include "viewer/gl_renderer.h"
+#include "viewer/headless.h"
+#include "viewer/panel.h"
+#include "viewer/physics_thread.h"
+#include "viewer/report.h"
+#include "viewer/script.h"
+
+#include <cairn/error.h>
+
+#include <epoxy/gl.h>
+// GLFW must not bring OpenGL headers of its own.
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <exception>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace cairn::viewer {
+
+namespace {
+
+constexpr double notice_seconds = 5.0;
+constexpr double rate_window = 0.5;         // seconds over which frames are counted
+constexpr double minimized_pause = 0.05;    // seconds between looks at a window that shows nothing
+constexpr float font_size = 15.0f;          // at scale 1
+
+// GLFW as long as it is needed. Its error text comes through a callback.
+class GlfwLibrary {
+public:
+    GlfwLibrary() {
+        glfwSetErrorCallback([](int, const char* text) { last_error() = text; });
+        if (!glfwInit())
+            throw Error(ErrorCode::unsupported, "window", last_error(), "the viewer needs a display (set DISPLAY)");
+    }
+    ~GlfwLibrary() { glfwTerminate(); }
+    GlfwLibrary(const GlfwLibrary&) = delete;
+    GlfwLibrary& operator=(const GlfwLibrary&) = delete;
+    static std::string& last_error() {
+        static std::string text;
+        return text;
+    }
+};
+
+class ImguiLibrary {
+public:
+    explicit ImguiLibrary(GLFWwindow* window) {
+        ImGui::CreateContext();
+        ImGui::GetIO().IniFilename = nullptr; // leaves no files behind
+        ImGui_ImplGlfw_InitForOpenGL(window, true);
+        ImGui_ImplOpenGL3_Init("#version 330 core");
+    }
+    ~ImguiLibrary() {
+        ImGui_ImplOpenGL3_Shutdown();
+        ImGui_ImplGlfw_Shutdown();
+        ImGui::DestroyContext();
+    }
+    ImguiLibrary(const ImguiLibrary&) = delete;
+    ImguiLibrary& operator=(const ImguiLibrary&) = delete;
+};
+
+using WindowHandle = std::unique_ptr<GLFWwindow, decltype(&glfwDestroyWindow)>;
+
+WindowHandle open_window(int width, int height) {
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    glfwWindowHint(GLFW_SAMPLES, 0); // the renderer has samples of its own
+    WindowHandle window(glfwCreateWindow(width, height, "Cairn", nullptr, nullptr), &glfwDestroyWindow);
+    if (!window)
+        throw Error(ErrorCode::unsupported, "window", GlfwLibrary::last_error(), "the viewer needs OpenGL 3.3");
+    glfwMakeContextCurrent(window.get());
+    glfwSwapInterval(1);
+    return window;
+}
+
+class Application {
+public:
+    explicit Application(const ViewerOptions& options);
+    void run();
+
+private:
+    using Clock = std::chrono::steady_clock;
+    void install_callbacks();
+    void on_key(int key, int action, int modifiers);
+    void on_button(int button, int action);
+    void on_cursor(double x, double y);
+    void on_wheel(double notches);
+    void set_modifiers(int modifiers);
+    void play_script(double seconds);
+    void play(const ScriptLine& line);
+    void rebuild_fonts();
+    void draw_picture(const LatestState& latest);
+    void save_picture(const std::filesystem::path& path);
+    void take_screenshot();
+    void update_notice(const StageState& state);
+    void say(const std::string& text);
+    void count_frame(double seconds);
+    void write_report(const std::filesystem::path& path);
+    float picture_aspect() const { return float(facts_.width) / float(std::max(facts_.height, 1)); }
+
+    const ViewerOptions& options_;
+    GlfwLibrary glfw_;
+    WindowHandle window_;
+    ImguiLibrary imgui_;
+    GlRenderer renderer_;
+    PhysicsThread physics_;
+    Controller controller_;
+    Panel panel_;
+    ScriptPlayer script_;
+    WindowFacts facts_;
+    bool fonts_are_stale_ = true;
+    float interface_scale_ = 1.0f;
+    std::uint64_t seen_message_ = 0;
+    double notice_left_ = 0.0;
+    double rate_seconds_ = 0.0;
+    int rate_frames_ = 0;
+};
+
+Application::Application(const ViewerOptions& options)
+    : options_(options), window_(open_window(options.width, options.height)), imgui_((install_callbacks(), window_.get())),
+      physics_(options.loader, options.scene), controller_([this](Command command) { physics_.post(std::move(command)); },
+                                                           options.scenes) {
+    if (!options.script.empty()) script_ = ScriptPlayer(load_script(options.script));
+}
+
+// Before ImGui installs its own, which call these.
+void Application::install_callbacks() {
+    GLFWwindow* window = window_.get();
+    glfwSetWindowUserPointer(window, this);
+    const auto self = [](GLFWwindow* w) { return static_cast<Application*>(glfwGetWindowUserPointer(w)); };
+    static const auto application = self;
+    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int modifiers) {
+        application(w)->on_key(key, action, modifiers);
+    });
+    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int modifiers) {
+        application(w)->set_modifiers(modifiers);
+        application(w)->on_button(button, action);
+    });
+    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) { application(w)->on_cursor(x, y); });
+    glfwSetScrollCallback(window, [](GLFWwindow* w, double, double notches) { application(w)->on_wheel(notches); });
+    glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
+        if (!focused) application(w)->controller_.release_all();
+    });
+    glfwSetWindowContentScaleCallback(window, [](GLFWwindow* w, float, float) { application(w)->fonts_are_stale_ = true; });
+}
+
+void Application::on_key(int key, int action, int modifiers) {
+    // The modifiers GLFW reports are those before the key; a modifier's own press changes them.
+    const bool down = action != GLFW_RELEASE;
+    if (key == GLFW_KEY_LEFT_SHIFT || key == GLFW_KEY_RIGHT_SHIFT)
+        modifiers = down ? modifiers | GLFW_MOD_SHIFT : modifiers & ~GLFW_MOD_SHIFT;
+    if (key == GLFW_KEY_LEFT_CONTROL || key == GLFW_KEY_RIGHT_CONTROL)
+        modifiers = down ? modifiers | GLFW_MOD_CONTROL : modifiers & ~GLFW_MOD_CONTROL;
+    set_modifiers(modifiers);
+    const std::string name = glfw_key_name(key);
+    if (name.empty()) return;
+    if (!down) controller_.key_up(name);
+    else if (!ImGui::GetIO().WantTextInput)
+        controller_.key_down(glfw_modifier_names(modifiers), name, action == GLFW_REPEAT);
+}
+
+void Application::set_modifiers(int modifiers) {
+    controller_.set_constraint(modifiers & GLFW_MOD_SHIFT     ? DragConstraint::vertical
+                               : modifiers & GLFW_MOD_CONTROL ? DragConstraint::ground
+                                                              : DragConstraint::view_plane);
+}
+
+void Application::on_button(int button, int action) {
+    if (button > GLFW_MOUSE_BUTTON_MIDDLE) return;
+    const MouseButton which = button == GLFW_MOUSE_BUTTON_LEFT    ? MouseButton::left
+                              : button == GLFW_MOUSE_BUTTON_RIGHT ? MouseButton::right
+                                                                  : MouseButton::middle;
+    if (action == GLFW_RELEASE) controller_.button_up(which);
+    else if (!ImGui::GetIO().WantCaptureMouse) controller_.button_down(which);
+}
+
+void Application::on_cursor(double x, double y) {
+    int width = 0, height = 0;
+    glfwGetWindowSize(window_.get(), &width, &height);
+    if (width <= 0 || height <= 0) return;
+    controller_.move_cursor({2.0 * x / width - 1.0, 1.0 - 2.0 * y / height}, float(width) / float(height));
+}
+
+void Application::on_wheel(double notches) {
+    if (!ImGui::GetIO().WantCaptureMouse) controller_.wheel(float(notches));
+}
+
+void Application::play_script(double seconds) {
+    while (const ScriptLine* line = script_.next(std::exchange(seconds, 0.0))) play(*line);
+}
+
+void Application::play(const ScriptLine& line) {
+    const std::size_t plus = line.word.size() > 1 ? line.word.rfind('+') : std::string::npos;
+    const std::size_t name = plus == std::string::npos ? 0 : plus + 1;
+    const std::string modifiers = line.word.substr(0, name), key = line.word.substr(name);
+    const MouseButton button = line.word == "left"    ? MouseButton::left
+                               : line.word == "right" ? MouseButton::right
+                                                      : MouseButton::middle;
+    switch (line.kind) {
+    case ScriptLine::Kind::wait: break;
+    case ScriptLine::Kind::key:
+        controller_.key_down(modifiers, key);
+        controller_.key_up(key);
+        break;
+    case ScriptLine::Kind::down: controller_.key_down(modifiers, key); break;
+    case ScriptLine::Kind::up: controller_.key_up(key); break;
+    case ScriptLine::Kind::cursor: on_cursor(line.x, line.y); break;
+    case ScriptLine::Kind::press: controller_.button_down(button); break;
+    case ScriptLine::Kind::release: controller_.button_up(button); break;
+    case ScriptLine::Kind::wheel: controller_.wheel(float(line.x)); break;
+    case ScriptLine::Kind::report: write_report(line.word); break;
+    case ScriptLine::Kind::picture: save_picture(line.word); break;
+    case ScriptLine::Kind::quit: controller_.quit = true; break;
+    }
+}
+
+void Application::rebuild_fonts() {
+    fonts_are_stale_ = false;
+    int window_width = 0, window_height = 0;
+    float scale = 1.0f, scale_y = 1.0f;
+    glfwGetWindowContentScale(window_.get(), &scale, &scale_y);
+    glfwGetWindowSize(window_.get(), &window_width, &window_height);
+    // Where the system measures windows in points, a point has several pixels: sharp letters need all of them.
+    const float pixels_per_unit = window_width > 0 ? std::max(float(facts_.width) / float(window_width), 1.0f) : 1.0f;
+    interface_scale_ = scale / pixels_per_unit;
+    ImGuiIO& io = ImGui::GetIO();
+    io.Fonts->Clear();
+    const char* nicer = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+    ImFontConfig config;
+    config.SizePixels = std::round(font_size * scale);
+    if (std::filesystem::exists(nicer)) io.Fonts->AddFontFromFileTTF(nicer, config.SizePixels);
+    else io.Fonts->AddFontDefault(&config); // built in, coarser
+    io.FontGlobalScale = 1.0f / pixels_per_unit;
+    apply_style(interface_scale_);
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+}
+
+void Application::draw_picture(const LatestState& latest) {
+    const StageState& state = latest.stage;
+    RenderFrame frame = make_frame(*state.layout, *state.previous, *state.current, latest.fraction,
+                                   controller_.camera.pose(), controller_.frame_options(state));
+    if (state.grab.holding) {
+        for (std::size_t i = 0; i < state.layout->bodies.size(); ++i) {
+            if (state.layout->bodies[i].id != state.grab.body) continue;
+            const Transform& pose = state.current->transforms[i];
+            const Position held = pose.position + Position(pose.rotation * state.grab.local_point);
+            frame.lines.push_back({Vec3(held - frame.origin), Vec3(state.grab.target - frame.origin), {1.0f, 0.75f, 0.2f}});
+        }
+    }
+    renderer_.draw(frame, facts_.width, facts_.height);
+}
+
+void Application::save_picture(const std::filesystem::path& path) {
+    draw_picture(physics_.latest()); // without the panel
+    const std::size_t row = 3u * std::size_t(facts_.width);
+    std::vector<std::uint8_t> bottom_up(row * std::size_t(facts_.height)), pixels(bottom_up.size());
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, facts_.width, facts_.height, GL_RGB, GL_UNSIGNED_BYTE, bottom_up.data());
+    for (std::size_t y = 0; y < std::size_t(facts_.height); ++y)
+        std::copy_n(bottom_up.begin() + std::ptrdiff_t(y * row), row, pixels.end() - std::ptrdiff_t((y + 1) * row));
+    try {
+        write_png(path, facts_.width, facts_.height, pixels);
+        say("Saved " + path.string());
+    } catch (const Error& error) {
+        say(error.what());
+    }
+}
+
+void Application::take_screenshot() {
+    controller_.screenshot = false;
+    char name[64];
+    const std::time_t now = std::time(nullptr);
+    std::strftime(name, sizeof name, "cairn_%Y-%m-%d_%H-%M-%S", std::localtime(&now));
+    std::filesystem::path path = options_.screenshot_folder / (std::string(name) + ".png");
+    for (int i = 2; std::filesystem::exists(path); ++i)
+        path = options_.screenshot_folder / (std::string(name) + "_" + std::to_string(i) + ".png");
+    save_picture(path);
+}
+
+void Application::say(const std::string& text) {
+    facts_.notice = text;
+    notice_left_ = notice_seconds;
+}
+
+void Application::update_notice(const StageState& state) {
+    if (state.message.serial == seen_message_) return;
+    seen_message_ = state.message.serial;
+    say(state.message.text);
+}
+
+void Application::count_frame(double seconds) {
+    ++facts_.frames;
+    ++rate_frames_;
+    rate_seconds_ += seconds;
+    if (rate_seconds_ >= rate_window) {
+        facts_.frames_per_second = rate_frames_ / rate_seconds_;
+        rate_seconds_ = 0.0;
+        rate_frames_ = 0;
+    }
+    notice_left_ -= seconds;
+    if (notice_left_ <= 0.0) facts_.notice.clear();
+}
+
+void Application::write_report(const std::filesystem::path& path) {
+    write_file(path, report_json(physics_.latest().stage, controller_, facts_));
+}
+
+void Application::run() {
+    const Clock::time_point start = Clock::now();
+    Clock::time_point last = start;
+    std::string title;
+    while (!glfwWindowShouldClose(window_.get()) && !controller_.quit) {
+        glfwPollEvents();
+        const Clock::time_point now = Clock::now();
+        const double seconds = std::chrono::duration<double>(now - std::exchange(last, now)).count();
+        if (options_.exit_after && std::chrono::duration<double>(now - start).count() >= *options_.exit_after) break;
+        glfwGetFramebufferSize(window_.get(), &facts_.width, &facts_.height);
+        const LatestState latest = physics_.latest();
+        controller_.update(latest.stage);
+        update_notice(latest.stage);
+        if (facts_.width <= 0 || facts_.height <= 0) { // minimized: nothing to draw on
+            glfwWaitEventsTimeout(minimized_pause);
+            continue;
+        }
+        play_script(seconds);
+        if (title != latest.stage.title) {
+            title = latest.stage.title;
+            glfwSetWindowTitle(window_.get(), ("Cairn: " + title).c_str());
+        }
+        if (fonts_are_stale_) rebuild_fonts();
+        if (controller_.screenshot) take_screenshot();
+        ImGui_ImplOpenGL3_NewFrame();
+        ImGui_ImplGlfw_NewFrame();
+        ImGui::NewFrame();
+        panel_.draw(latest.stage, controller_, facts_, interface_scale_);
+        ImGui::Render();
+        draw_picture(latest);
+        ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+        glfwSwapBuffers(window_.get());
+        count_frame(seconds);
+    }
+    if (!options_.report.empty()) write_report(options_.report);
+}
+
+} // namespace
+
+int run_viewer(const ViewerOptions& options) {
+    try {
+        if (!options.loader) throw Error(ErrorCode::invalid_value, "ViewerOptions.loader", "", "must be given");
+        if (options.width < 1 || options.height < 1)
+            throw Error(ErrorCode::invalid_value, "ViewerOptions size",
+                        std::to_string(options.width) + "x" + std::to_string(options.height), "must be at least 1x1");
+        Application application(options);
+        application.run();
+        return 0;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "cairn: %s\n", error.what());
+        return 1;
+    }
+}
+
+} // namespace cairn::viewer

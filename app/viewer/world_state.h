@@ -1,0 +1,63 @@
+/// \file world_state.h
+/// What drawing needs to know of a world, copied out of it between two steps so that the world may go on.
+/// The layout (which bodies and shapes there are) changes only by commands; the motion changes with every step.
+#pragma once
+
+#include "viewer/scene_source.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace cairn::viewer {
+
+/// A shape as it sits on its body.
+struct ShapeLayout {
+    std::size_t body = 0; ///< Index into `WorldLayout::bodies`.
+    ShapeType type = ShapeType::sphere;
+    Vec3 position{0.0f, 0.0f, 0.0f}; ///< In the body's frame, meters.
+    Quat rotation{1.0f, 0.0f, 0.0f, 0.0f};
+    Vec3 half_size{0.5f, 0.5f, 0.5f}; ///< Meters. Planes lie in their own xz, with their normal along y.
+    std::optional<Vec3> color;        ///< From the scene, linear.
+};
+
+struct BodyLayout {
+    BodyId id;
+    BodyType type = BodyType::dynamic;
+    float mass = 0.0f; ///< kg; infinite for static and kinematic bodies.
+    std::string name;
+};
+
+struct WorldLayout {
+    std::vector<BodyLayout> bodies;
+    std::vector<ShapeLayout> shapes;
+    float least_mass = 1.0f, greatest_mass = 1.0f; ///< kg, among dynamic bodies of finite mass.
+};
+
+/// How every body of a layout stands and moves at one moment.
+struct WorldMotion {
+    std::vector<Transform> transforms;
+    std::vector<float> speeds;          ///< m/s, of the centers of mass.
+    std::vector<std::uint8_t> awake;    ///< 1 or 0.
+    std::vector<std::uint32_t> islands; ///< The least index of a dynamic body that each one is joined to by contacts.
+};
+
+/// Copies the layout. `appearances` of shapes that no longer exist are ignored.
+WorldLayout read_layout(const World& world, std::span<const Appearance> appearances);
+/// Copies the motion of the bodies of a layout. Islands are found only if asked for, else `islands` is empty.
+WorldMotion read_motion(const World& world, const WorldLayout& layout, bool with_islands = false);
+
+/// A smallest-effort ball around the dynamic bodies (or, without any, around all finite shapes).
+struct BoundingBall {
+    Position center{0.0, 0.0, 0.0};
+    float radius = 5.0f; ///< Meters.
+};
+BoundingBall bounding_ball(const WorldLayout& layout, const WorldMotion& motion);
+
+/// A view of the whole scene, for scenes that do not bring their own camera.
+CameraPose fit_camera(const World& world);
+
+} // namespace cairn::viewer

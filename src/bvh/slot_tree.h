@@ -1,0 +1,89 @@
+// Items in slots, in an implicit 8-lane tree (tree.h). A sort puts the items into kd order, by median splits that fit
+// the tree exactly; between sorts, items are appended, die, and change their boxes in place. The tree is always valid
+// for queries: bounds of ancestors grow at once, and shrink at the next refit.
+#pragma once
+
+#include "bvh/tree.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace cairn {
+
+inline constexpr TreeBox empty_box = {{empty_bound, empty_bound, empty_bound},
+                                      {-empty_bound, -empty_bound, -empty_bound}};
+
+inline bool is_empty(const TreeBox& box) { return box.lo[0] > box.hi[0]; }
+Node8 empty_node();
+TreeBox box_of_lane(const Node8& node, std::uint32_t lane);
+void set_lane(Node8& node, std::uint32_t lane, const TreeBox& box);
+void include(TreeBox& box, const TreeBox& other);
+
+// A permutation in kd order of boxes[0 .. n - 1]: splits at the median of the longest axis of the boxes' centers, with
+// the low half a multiple of 8 x 2^k, so that every node of the implicit tree is one cell. Allocates only to grow.
+class KdOrder {
+  public:
+    std::span<const std::uint32_t> order(std::span<const TreeBox> boxes);
+    std::size_t bytes() const;
+
+  private:
+    struct Item {
+        float center[3];
+        std::uint32_t index;
+    };
+    void split(Item* items, std::uint32_t count);
+    void select(Item* items, std::uint32_t count, std::uint32_t middle, int axis, float low, float high);
+
+    std::vector<Item> items_, low_, middle_, high_;
+    std::vector<std::uint32_t> order_;
+};
+
+class SlotTree {
+  public:
+    std::uint32_t slot_count() const { return std::uint32_t(items_.size()); }
+    std::uint32_t alive_count() const { return alive_; }
+    std::uint32_t leaf_count() const { return (slot_count() + 7) / 8; }
+    std::uint32_t item(std::uint32_t slot) const { return items_[slot]; } // also of a dead slot, until the next sort
+    bool alive(std::uint32_t slot) const { return !is_empty(box(slot)); }
+    TreeBox box(std::uint32_t slot) const { return box_of_lane(levels_[0][slot / 8], slot % 8); }
+    TreeBox leaf_bounds(std::uint32_t leaf) const { return box_of_lane(levels_[1][leaf / 8], leaf % 8); }
+    const Node8& leaf(std::uint32_t leaf) const { return levels_[0][leaf]; }
+    const Node8* leaves() const { return levels_[0].data(); }
+    const std::uint32_t* items() const { return items_.data(); } // by slot
+    TreeView view() const;
+
+    std::uint32_t append(std::uint32_t item, const TreeBox& box); // returns the slot
+    void kill(std::uint32_t slot);
+    void set_box(std::uint32_t slot, const TreeBox& box);
+    void refit(const BroadKernels& kernels); // makes all bounds tight, if anything changed
+
+    // Appended and dead slots since the last sort are many, compared with all.
+    bool wants_sort() const { return unsorted_ * 4 > slot_count() + 64; }
+    void count_unsorted() { ++unsorted_; } // an item moved to another place altogether
+    // Drops dead slots and puts the rest into kd order.
+    void sort(KdOrder& kd, const BroadKernels& kernels);
+    // Makes these its items, in kd order.
+    void assign(std::span<const std::uint32_t> items, std::span<const TreeBox> boxes, KdOrder& kd,
+                const BroadKernels& kernels);
+    std::size_t bytes() const;
+
+    template <class Archive> void serialize(Archive& archive) {
+        archive(items_);
+        for (auto& level : levels_) archive(level);
+        archive(alive_), archive(unsorted_), archive(changed_);
+    }
+
+  private:
+    void grow_levels();
+    void grow_ancestors(std::uint32_t slot, const TreeBox& box);
+
+    std::vector<std::uint32_t> items_;           // by slot
+    std::vector<Node8> levels_[max_tree_levels]; // [1] exists as soon as [0] does
+    std::uint32_t alive_ = 0, unsorted_ = 0, changed_ = 0;
+    std::vector<std::uint32_t> sort_items_; // scratch
+    std::vector<TreeBox> sort_boxes_;
+};
+
+} // namespace cairn

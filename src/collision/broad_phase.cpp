@@ -1,0 +1,287 @@
+// Shapes of the broad phase: boxes, and which tree they are in.
+#include "collision/broad_phase.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace cairn {
+
+namespace {
+
+float float_from_bits(std::uint32_t bits) {
+    float value;
+    std::memcpy(&value, &bits, sizeof value);
+    return value;
+}
+std::uint32_t bits_of(float value) {
+    std::uint32_t bits;
+    std::memcpy(&bits, &value, sizeof bits);
+    return bits;
+}
+
+// The greatest float that is not above x, for |x| <= largest_bound.
+float float_below(double x) {
+    const float nearest = float(x);
+    if (double(nearest) <= x) return nearest;
+    const std::uint32_t bits = bits_of(nearest);
+    if (nearest > 0) return float_from_bits(bits - 1);
+    return nearest < 0 ? float_from_bits(bits + 1) : -float_from_bits(1);
+}
+
+double clamped(double x) {
+    constexpr double limit = largest_bound;
+    return x < -limit ? -limit : x > limit ? limit : x;
+}
+
+// Ordered, and within the largest bound; an axis that is not a range becomes boundless.
+DBounds sane(const DBounds& bounds) {
+    DBounds out;
+    for (int axis = 0; axis < 3; ++axis) {
+        const bool is_range = bounds.lo[axis] <= bounds.hi[axis];
+        out.lo[axis] = is_range ? clamped(bounds.lo[axis]) : -double(largest_bound);
+        out.hi[axis] = is_range ? clamped(bounds.hi[axis]) : double(largest_bound);
+    }
+    return out;
+}
+
+} // namespace
+
+TreeBox BroadPhase::to_box(const DBounds& bounds) const { return relative(sane(bounds)); }
+
+TreeBox BroadPhase::relative(const DBounds& bounds) const {
+    TreeBox box;
+    for (int axis = 0; axis < 3; ++axis) {
+        box.lo[axis] = float_below(clamped(bounds.lo[axis] - origin_[axis]));
+        box.hi[axis] = -float_below(-clamped(bounds.hi[axis] - origin_[axis]));
+    }
+    return box;
+}
+
+TreeRay BroadPhase::to_ray(math::DVec3 origin, math::DVec3 direction) const {
+    TreeRay ray;
+    double largest = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double relative = clamped(origin[axis] - origin_[axis]);
+        largest = std::max(largest, std::fabs(relative));
+        ray.origin[axis] = float(relative);
+        ray.inverse_direction[axis] = direction[axis] == 0 ? largest_bound : float(clamped(1.0 / direction[axis]));
+    }
+    ray.slack = float(largest * 0x1p-23);
+    return ray;
+}
+
+// Whether the fat box may stay: it contains the required bounds, and is not far larger than a new one would be. False
+// for what is no number.
+bool BroadPhase::fat_serves(const DBounds& fat, const DBounds& tight, math::Vec3 displacement) {
+    const math::DVec3 extent = tight.hi - tight.lo, motion = math::to_double(displacement);
+    const double size = std::max(std::max(extent.x, extent.y), extent.z);
+    const double margin = std::min(fat_margin, fat_fraction * size);
+    bool serves = true;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double lo = tight.lo[axis] - required_margin + std::min(motion[axis], 0.0);
+        const double hi = tight.hi[axis] + required_margin + std::max(motion[axis], 0.0);
+        const double room = (fat.hi[axis] - fat.lo[axis]) - (hi - lo);
+        serves &= lo >= fat.lo[axis] && hi <= fat.hi[axis] && room <= 6 * margin + 2 * std::fabs(motion[axis]);
+    }
+    return serves;
+}
+
+DBounds BroadPhase::new_fat(const DBounds& tight, math::Vec3 displacement) {
+    const DBounds bounds = sane(tight);
+    const math::DVec3 extent = bounds.hi - bounds.lo;
+    const double size = std::max(std::max(extent.x, extent.y), extent.z);
+    const double margin = required_margin + std::min(fat_margin, fat_fraction * size);
+    DBounds fat;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double motion = std::isfinite(displacement[axis]) ? double(displacement[axis]) : 0.0;
+        const double ahead =
+            motion + std::min(std::max(motion, -size), size); // one step is required, one more for the next
+        fat.lo[axis] = clamped(bounds.lo[axis] - margin + std::min(ahead, 0.0));
+        fat.hi[axis] = clamped(bounds.hi[axis] + margin + std::max(ahead, 0.0));
+    }
+    return fat;
+}
+
+// Shapes far from the world's origin get an origin of their own from the start.
+void BroadPhase::choose_first_origin(const DBounds& bounds) {
+    const DBounds ordered = sane(bounds);
+    math::DVec3 origin;
+    bool is_far = false;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double center = 0.5 * (ordered.lo[axis] + ordered.hi[axis]);
+        origin[axis] = std::floor(center / 1024.0 + 0.5) * 1024.0;
+        is_far |= std::fabs(center) > origin_distance;
+    }
+    origin_ = is_far ? origin : math::DVec3{};
+    all_dirty_ = 1;
+}
+
+BroadPhase::Proxy& BroadPhase::make_proxy(std::uint32_t shape) {
+    if (shape >= proxies_.size()) {
+        proxies_.resize(shape + 1);
+        fat_.resize(shape + 1);
+    }
+    ++shape_count_;
+    return proxies_[shape] = Proxy{};
+}
+
+void BroadPhase::note_change(std::uint32_t shape, const TreeBox& before) {
+    Proxy& proxy = proxies_[shape];
+    if (proxy.moved) return; // since the last update; what it was then is known
+    proxy.moved = 1;
+    changes_.push_back({before, shape, proxy.place, proxy.home});
+}
+
+void BroadPhase::place_awake(std::uint32_t shape) {
+    const TreeBox box = relative(fat_[shape]);
+    const float size = std::max({box.hi[0] - box.lo[0], box.hi[1] - box.lo[1], box.hi[2] - box.lo[2]});
+    Proxy& proxy = proxies_[shape];
+    proxy.state = State::awake;
+    proxy.home = size >= large_size_;
+    proxy.place = awake_[proxy.home].append(shape, box);
+    proxy.moved = 0;
+    note_change(shape, empty_box);
+}
+
+void BroadPhase::add(std::uint32_t shape, const DBounds& tight, Mobility mobility, bool kinematic) {
+    if (shape_count_ == 0) choose_first_origin(tight);
+    make_proxy(shape);
+    fat_[shape] = new_fat(tight, {});
+    Proxy& proxy = proxies_[shape];
+    if (mobility == Mobility::awake) {
+        proxy.kinematic = kinematic;
+        place_awake(shape);
+        return;
+    }
+    const TreeBox box = relative(fat_[shape]);
+    proxy.state = State::fixed;
+    proxy.place = fixed_.append(shape, box);
+    note_touched(box);
+}
+
+void BroadPhase::add_plane(std::uint32_t shape, math::DVec3 point, math::Vec3 normal) {
+    if (shape_count_ == 0) choose_first_origin({point, point});
+    Proxy& proxy = make_proxy(shape);
+    proxy.state = State::plane;
+    proxy.place = std::uint32_t(planes_.size());
+    planes_.push_back({point, math::to_double(normal), shape, 0});
+    all_dirty_ = 1;
+}
+
+void BroadPhase::move_plane(std::uint32_t shape, math::DVec3 point, math::Vec3 normal) {
+    Plane& plane = planes_[proxies_[shape].place];
+    plane.point = point;
+    plane.normal = math::to_double(normal);
+    all_dirty_ = 1;
+}
+
+void BroadPhase::remove(std::uint32_t shape) {
+    Proxy& proxy = proxies_[shape];
+    switch (proxy.state) {
+    case State::none:
+    case State::removed:
+        return;
+    case State::fixed: {
+        const TreeBox box = fixed_.box(proxy.place);
+        note_touched(box);
+        flag_removal(box);
+        fixed_.kill(proxy.place);
+        break;
+    }
+    case State::plane:
+        planes_.erase(planes_.begin() + proxy.place);
+        for (std::uint32_t i = proxy.place; i < planes_.size(); ++i) proxies_[planes_[i].shape].place = i;
+        for (Island& island : islands_) island.removal = 1;
+        removals_ = 1;
+        all_dirty_ = 1;
+        break;
+    case State::awake:
+        note_change(shape, awake_[proxy.home].box(proxy.place));
+        awake_[proxy.home].kill(proxy.place);
+        break;
+    case State::sleeping:
+        remove_sleeping(shape);
+        break;
+    }
+    proxy.state = State::removed;
+    removed_.push_back(shape);
+    --shape_count_;
+}
+
+void BroadPhase::write_box(std::uint32_t shape) {
+    const Proxy& proxy = proxies_[shape];
+    const TreeBox box = relative(fat_[shape]);
+    if (proxy.state == State::awake) {
+        note_change(shape, awake_[proxy.home].box(proxy.place));
+        awake_[proxy.home].set_box(proxy.place, box);
+    } else if (proxy.state == State::fixed) {
+        const TreeBox before = fixed_.box(proxy.place);
+        note_touched(before);
+        note_touched(box);
+        flag_removal(before);
+        fixed_.set_box(proxy.place, box);
+        fixed_.count_unsorted();
+    } else if (proxy.state == State::sleeping) {
+        write_sleeping_box(shape, box);
+    }
+}
+
+void BroadPhase::set_bounds(std::uint32_t shape, const DBounds& tight, math::Vec3 displacement) {
+    if (fat_serves(fat_[shape], tight, displacement)) return;
+    fat_[shape] = new_fat(tight, displacement);
+    write_box(shape);
+}
+
+void BroadPhase::set_bounds(std::span<const std::uint32_t> shapes, std::span<const DBounds> tight,
+                            std::span<const math::Vec3> displacements) {
+    for (std::size_t i = 0; i < shapes.size(); ++i) set_bounds(shapes[i], tight[i], displacements[i]);
+}
+
+void BroadPhase::refilter(std::uint32_t shape) {
+    Proxy& proxy = proxies_[shape];
+    if (proxy.refilter || !contains(shape)) return;
+    proxy.refilter = 1;
+    refiltered_.push_back(shape);
+    if (proxy.state == State::plane)
+        all_dirty_ = 1;
+    else
+        note_touched(relative(fat_[shape]));
+}
+
+// Whether the box reaches into the half-space.
+bool BroadPhase::crosses(const Plane& plane, const TreeBox& box) const {
+    const math::DVec3& n = plane.normal;
+    const math::DVec3 deepest = {n.x > 0 ? box.lo[0] : box.hi[0], n.y > 0 ? box.lo[1] : box.hi[1],
+                                 n.z > 0 ? box.lo[2] : box.hi[2]};
+    return !is_empty(box) && math::dot(n, deepest) <= math::dot(n, plane.point - origin_);
+}
+
+BroadPhase::Counts BroadPhase::counts() const {
+    Counts counts = last_;
+    counts.awake = awake_[0].alive_count() + awake_[1].alive_count();
+    counts.large = awake_[1].alive_count();
+    counts.fixed = fixed_.alive_count();
+    counts.sleeping = sleeping_count_;
+    counts.islands = top_.alive_count();
+    counts.planes = std::uint32_t(planes_.size());
+    counts.sleeping_pairs = kept_count_;
+    counts.pairs = 0;
+    for (const PairRows& rows : rows_)
+        for (std::uint32_t leaf = 0; leaf < rows.leaf_count(); ++leaf) counts.pairs += rows.leaf(leaf).total();
+    return counts;
+}
+
+std::size_t BroadPhase::bytes() const {
+    const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
+    std::size_t sum = of(proxies_) + of(fat_) + of(planes_) + of(islands_) + of(free_islands_) + of(island_of_key_) +
+                      of(island_nodes_) + of(island_shapes_) + of(kept_) + of(changes_) + of(touched_) + of(removed_) +
+                      of(refiltered_) + of(returned_) + of(ended_) + of(found_) + of(row_keys_) + of(hits_) +
+                      of(islands_hit_) + of(order_) + of(other_leaves_) + of(other_shapes_) + of(others_) +
+                      of(new_keys_) + of(merged_) + of(sizes_) + of(boxes_) + of(items_) + of(flat_);
+    for (int home = 0; home < 2; ++home)
+        sum += awake_[home].bytes() + rows_[home].bytes() + of(dirty_[home]) + of(list_[home]) + of(list_bounds_[home]);
+    return sum + fixed_.bytes() + top_.bytes() + kd_.bytes();
+}
+
+} // namespace cairn

@@ -1,0 +1,273 @@
+// The broad phase: which shapes may touch. It keeps, for every shape, a "fat" box somewhat larger than the shape, and
+// the list of all pairs whose fat boxes meet; a step that moves no shape out of its fat box costs nothing.
+//
+// Shapes are named by a dense index of the caller's. An awake shape sits in a slot of the tree of awake shapes, fixed
+// ones in a tree of their own, planes in a list, and every sleeping island in a small tree of its own, under a tree
+// of all islands. Slots are sorted in kd order now and then, and pairs are kept and walked in slot order, so that
+// what is near in space is near in memory. All orders depend on the sequence of calls alone.
+#pragma once
+
+#include "bvh/slot_tree.h"
+#include "bvh/tree.h"
+#include "collision/broad_phase_rows.h"
+#include "math/bounds.h"
+#include "math/vec.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace cairn {
+
+// Told of pairs that begin and end. Implemented by the contact manager. Calls come from within BroadPhase::update;
+// the sink must not call the broad phase back.
+struct PairSink {
+    // The fat boxes of two shapes began to meet. shape_a is awake. Either sets `contact` to a number of its choice
+    // below 0xffffffff and returns true, or returns false: the pair is filtered out, and not asked about again for
+    // as long as it lasts.
+    virtual bool pair_found(std::uint32_t shape_a, std::uint32_t shape_b, std::uint32_t& contact) = 0;
+    // A pair that was not filtered has ended; the shapes may be in either order, and may have been removed.
+    virtual void pair_lost(std::uint32_t shape_a, std::uint32_t shape_b, std::uint32_t contact) = 0;
+
+  protected:
+    ~PairSink() = default;
+};
+
+class BroadPhase {
+  public:
+    enum class Mobility : std::uint8_t { fixed, awake };
+
+    // A fat box contains the tight bounds with this added on every side, m, swept along the expected displacement.
+    static constexpr double required_margin = 0.01;
+    // A new fat box adds the smaller of these to the required bounds: m, and in units of the largest extent.
+    static constexpr double fat_margin = 0.05, fat_fraction = 0.125;
+    // An awake shape is large when it is this many times the median size.
+    static constexpr float large_ratio = 8.0f;
+    // The origin of the trees moves when the middle of the awake shapes is farther from it, m.
+    static constexpr double origin_distance = 4096.0;
+    // Slots are sorted when as many boxes have changed as there are slots, but not more often than this, steps.
+    static constexpr std::uint32_t steps_between_sorts = 16;
+
+    // `kernels` must outlive it.
+    explicit BroadPhase(const BroadKernels& kernels) : kernels_(kernels) {}
+
+    // --- Shapes. A removed index may be used again only after the next update. Queries see all changes at once, pairs
+    // change at the next update. Bounds that are not numbers count as boundless.
+
+    // `kinematic` shapes make no pairs with fixed shapes, planes and other kinematic ones; ignored for fixed shapes.
+    void add(std::uint32_t shape, const DBounds& tight, Mobility mobility, bool kinematic = false);
+    // A fixed half-space, solid below the plane through `point` with the unit `normal`.
+    void add_plane(std::uint32_t shape, math::DVec3 point, math::Vec3 normal);
+    void move_plane(std::uint32_t shape, math::DVec3 point, math::Vec3 normal);
+    // Its pairs are reported lost at the next update.
+    void remove(std::uint32_t shape);
+    // A shape of any kind but a plane has moved. `displacement` is the motion expected over the next step, m: the
+    // pairs cover it.
+    void set_bounds(std::uint32_t shape, const DBounds& tight, math::Vec3 displacement = {});
+    void set_bounds(std::span<const std::uint32_t> shapes, std::span<const DBounds> tight,
+                    std::span<const math::Vec3> displacements);
+    // Whatever the sink decides by has changed: all pairs of the shape are lost and found anew at the next update.
+    void refilter(std::uint32_t shape);
+    bool contains(std::uint32_t shape) const {
+        return shape < proxies_.size() && proxies_[shape].state != State::none &&
+               proxies_[shape].state != State::removed;
+    }
+
+    // --- Sleep. The shapes, all awake, go to sleep as one island. Pairs among what does not move any more (sleeping,
+    // fixed) are then neither walked nor lost but kept, contact and all, until a shape of theirs wakes: then they go
+    // on if the boxes still meet, and are reported lost otherwise. `island_key` is a small number of the caller's,
+    // not in use by another sleeping island.
+    void put_to_sleep(std::uint32_t island_key, std::span<const std::uint32_t> shapes);
+    void wake(std::uint32_t island_key);
+    bool is_asleep(std::uint32_t island_key) const {
+        return island_key < island_of_key_.size() && island_of_key_[island_key] != none;
+    }
+
+    // Finds what begins and ends: first all lost pairs, then all found ones, each in slot order.
+    void update(PairSink& sink);
+    // Search everything whenever anything moved, instead of what may have changed. The results are the same.
+    void set_search_all(bool all) { search_all_ = all; }
+
+    // f(shape_a, shape_b, contact) for all pairs with an awake shape (shape_a) that the sink did not refuse, in slot
+    // order.
+    template <class F> void for_each_pair(F&& f) const;
+    // The same for the pairs that are kept for a sleeping island: those among its shapes, and of those with fixed ones.
+    template <class F> void for_each_sleeping_pair(std::uint32_t island_key, F&& f) const;
+
+    // --- Queries: const, safe from many threads at once. Candidates by fat boxes: fixed, awake, sleeping and planes.
+
+    // visit(shape) for all shapes whose fat boxes meet the bounds.
+    template <class F> void query_bounds(const DBounds& bounds, F&& visit) const;
+    // `new_max = visit(shape, max)` for shapes whose boxes the ray meets at a distance up to the current maximum;
+    // roughly from near to far. Returning 0 or less ends the search early.
+    template <class F>
+    void query_ray(math::DVec3 origin, math::DVec3 direction_unit, double max_distance, F&& visit) const;
+
+    // The fat box of a shape, m. Not for planes.
+    const DBounds& fat_bounds(std::uint32_t shape) const { return fat_[shape]; }
+
+    struct Counts {
+        std::uint32_t awake, large, fixed, sleeping, islands, planes;
+        std::uint32_t pairs, sleeping_pairs; // with the filtered ones
+        // of the last update:
+        std::uint32_t moved, leaves_searched, lost, found;
+        std::uint32_t sorted; // whether the slots were put into a new order
+    };
+    Counts counts() const;
+    std::size_t bytes() const;
+
+    // All state that later results depend on. `archive` takes a reference to a vector of a trivially copyable type or
+    // to one such object, and saves or loads it. Load into a BroadPhase with the kernels of any instruction set.
+    template <class Archive> void serialize(Archive& archive);
+
+  private:
+    static constexpr std::uint32_t none = 0xffffffffu;
+    enum class State : std::uint8_t { none, fixed, plane, awake, sleeping, removed };
+    struct Proxy {
+        std::uint32_t place = 0; // slot in its tree; index in the list of planes
+        std::uint32_t home = 0;  // awake: 0 or 1 (large); sleeping: its island
+        State state = State::none;
+        std::uint8_t kinematic = 0, refilter = 0, moved = 0;
+    };
+    struct Plane {
+        math::DVec3 point, normal;
+        std::uint32_t shape = 0, padding = 0;
+    };
+    // A box that changed since the last update; flags are cleared and leaves marked from this list.
+    struct Change {
+        TreeBox before;
+        std::uint32_t shape, slot, home;
+    };
+    struct Island {
+        std::uint32_t key, top_slot;
+        std::uint32_t node_base, node_count; // all levels, leaves first, in island_nodes_
+        std::uint32_t shape_base, shape_count;
+        std::uint32_t alive_count, first_pair; // of kept pairs, a list through kept_
+        std::uint32_t removal;                 // a shape in one of its kept pairs may have been removed
+    };
+    // A pair of shapes that do not move.
+    struct KeptPair {
+        std::uint32_t shape_a, shape_b, contact, next;
+    };
+    struct EndedPair {
+        std::uint32_t shape_a, shape_b, contact, matched;
+    };
+    struct FoundPair {
+        std::uint32_t home, leaf, offset, shape_a, shape_b; // offset: of the entry in the leaf's chunk
+    };
+
+    // shapes (broad_phase.cpp)
+    TreeBox to_box(const DBounds& bounds) const;   // relative to the origin, rounded outward, whatever the bounds are
+    TreeBox relative(const DBounds& bounds) const; // the same for bounds that are in order
+    TreeRay to_ray(math::DVec3 origin, math::DVec3 direction) const;
+    Proxy& make_proxy(std::uint32_t shape);
+    void place_awake(std::uint32_t shape);
+    void note_change(std::uint32_t shape, const TreeBox& before);
+    void note_touched(const TreeBox& box) { touched_.push_back(box); }
+    void write_box(std::uint32_t shape);
+    static bool fat_serves(const DBounds& fat, const DBounds& tight, math::Vec3 displacement);
+    static DBounds new_fat(const DBounds& tight, math::Vec3 displacement);
+    void choose_first_origin(const DBounds& bounds);
+
+    // islands (broad_phase_sleep.cpp)
+    TreeView island_view(const Island& island) const;
+    std::uint32_t new_island();
+    TreeBox refit_island(const Island& island);
+    void release_island(std::uint32_t index);
+    void remove_sleeping(std::uint32_t shape);
+    void write_sleeping_box(std::uint32_t shape, const TreeBox& box);
+    void compact_islands();
+    bool may_keep(std::uint32_t shape_a, std::uint32_t shape_b) const;
+    void keep_pair(const EndedPair& pair);
+    void release_kept(std::uint32_t& first, bool all);
+    void flag_removal(const TreeBox& box);
+    void collect_returned_pairs();
+
+    // search (broad_phase_find.cpp)
+    void mark_leaves();
+    void mark_everywhere(int home, const TreeBox& before, const TreeBox& after);
+    std::uint32_t list_leaves(int which, const TreeView& tree, const TreeBox& box, std::uint32_t first_leaf);
+    LeafList leaf_list(int which);
+    void list_others(const TreeBox& box);
+    void search(int home);
+    void search_group(int home, std::uint32_t first, std::uint32_t end);
+    void search_leaf(int home, std::uint32_t leaf, std::uint32_t own_count, std::uint32_t large_count);
+    void find_others(int home, std::uint32_t leaf, const TreeBox& bounds);
+    void merge_leaf(int home, std::uint32_t leaf);
+
+    // order and report (broad_phase_update.cpp)
+    void sort_if_due();
+    void sort_fixed();
+    void sort_awake();
+    static float size_of(const TreeBox& box);
+    static float median(std::vector<float>& values);
+    float size_limit();
+    bool origin_is_far(math::DVec3& wanted);
+    void rebase(math::DVec3 origin);
+    void flatten_rows();
+    void unflatten_rows();
+    void report(PairSink& sink);
+    void match_transfers();
+
+    std::uint32_t partner_shape(std::uint32_t key) const {
+        if (key & other_key) return key & ~other_key;
+        return key & large_key ? awake_[1].item(key & ~large_key) : awake_[0].item(key);
+    }
+    bool slot_alive(std::uint32_t key) const {
+        return key & large_key ? awake_[1].alive(key & ~large_key) : awake_[0].alive(key);
+    }
+    bool crosses(const Plane& plane, const TreeBox& box) const;
+
+    const BroadKernels& kernels_;
+
+    // --- state
+    math::DVec3 origin_;
+    std::vector<Proxy> proxies_; // by shape
+    std::vector<DBounds> fat_;   // by shape
+    SlotTree awake_[2];          // [1]: large ones
+    PairRows rows_[2];
+    SlotTree fixed_, top_; // items of top_: islands
+    std::vector<Plane> planes_;
+    std::vector<Island> islands_;
+    std::vector<std::uint32_t> free_islands_, island_of_key_;
+    std::vector<Node8> island_nodes_;
+    std::vector<std::uint32_t> island_shapes_;
+    std::vector<KeptPair> kept_;
+    std::uint32_t first_free_kept_ = none, first_cross_pair_ = none; // cross: of two different islands
+    std::uint32_t dead_island_nodes_ = 0, dead_island_shapes_ = 0, kept_count_ = 0;
+    std::vector<Change> changes_;        // since the last update
+    std::vector<TreeBox> touched_;       // boxes of shapes that changed and are not awake, or changed sides
+    std::vector<std::uint32_t> removed_; // shapes, since the last update
+    std::vector<std::uint32_t> refiltered_;
+    std::vector<EndedPair> returned_; // kept pairs of woken shapes
+    std::uint32_t all_dirty_ = 0, transfers_ = 0, removals_ = 0, shape_count_ = 0, sleeping_count_ = 0;
+    std::uint32_t steps_since_sort_ = 0;
+    std::uint64_t moved_since_sort_ = 0;
+    float large_size_ = largest_bound; // from here on an awake shape is large, m
+    Counts last_ = {};
+
+    // --- scratch: kept between calls for its memory only
+    bool search_all_ = false;
+    std::uint32_t small_count_ = 0;
+    std::vector<std::uint8_t> dirty_[2]; // by leaf
+    KdOrder kd_;
+    std::vector<EndedPair> ended_, flat_;
+    std::vector<FoundPair> found_;
+    std::vector<std::uint32_t> list_[2]; // leaves that meet the group: of its own tree, of the large one
+    std::vector<float> list_bounds_[2];
+    std::vector<std::uint32_t> row_keys_, hits_, islands_hit_, order_, new_keys_, items_, shape_scratch_;
+    std::uint32_t new_count_[8] = {}; // of new_keys_, by row
+    RowBuffer row_buffer_ = {};
+    std::vector<const Node8*> other_leaves_;         // of shapes that are not awake
+    std::vector<const std::uint32_t*> other_shapes_; // of the first lane of each
+    std::vector<std::uint64_t> others_;              // row << 32 | key
+    std::vector<PairEntry> merged_;
+    std::vector<float> sizes_;
+    std::vector<TreeBox> boxes_;
+    std::vector<Node8> node_scratch_;
+};
+
+} // namespace cairn
+
+#include "collision/broad_phase_queries.h" // the templates above

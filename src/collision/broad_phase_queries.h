@@ -1,0 +1,87 @@
+// Templates of BroadPhase (broad_phase.h includes this file).
+#pragma once
+
+#include "bvh/traverse.h"
+
+#include <cmath>
+
+namespace cairn {
+
+template <class F> void BroadPhase::for_each_pair(F&& f) const {
+    for (int home = 0; home < 2; ++home) {
+        for (std::uint32_t leaf = 0; leaf < rows_[home].leaf_count(); ++leaf) {
+            const LeafRows& rows = rows_[home].leaf(leaf);
+            const PairEntry* entry = rows_[home].entries(leaf);
+            for (std::uint32_t row = 0; row < 8; ++row)
+                for (std::uint32_t k = 0; k < rows.count[row]; ++k, ++entry)
+                    if (entry->contact != filtered_contact)
+                        f(awake_[home].item(leaf * 8 + row), partner_shape(entry->key), entry->contact);
+        }
+    }
+}
+
+template <class F> void BroadPhase::for_each_sleeping_pair(std::uint32_t island_key, F&& f) const {
+    if (!is_asleep(island_key)) return;
+    for (std::uint32_t i = islands_[island_of_key_[island_key]].first_pair; i != none; i = kept_[i].next)
+        if (kept_[i].contact != filtered_contact) f(kept_[i].shape_a, kept_[i].shape_b, kept_[i].contact);
+}
+
+template <class F> void BroadPhase::query_bounds(const DBounds& bounds, F&& visit) const {
+    const TreeBox box = to_box(bounds);
+    for (const SlotTree* tree : {&fixed_, &awake_[0], &awake_[1]})
+        visit_box(kernels_, tree->view(), box, [&](std::uint32_t slot) { visit(tree->item(slot)); });
+    visit_box(kernels_, top_.view(), box, [&](std::uint32_t top_slot) {
+        const Island& island = islands_[top_.item(top_slot)];
+        visit_box(kernels_, island_view(island), box,
+                  [&](std::uint32_t slot) { visit(island_shapes_[island.shape_base + slot]); });
+    });
+    for (const Plane& plane : planes_)
+        if (crosses(plane, box)) visit(plane.shape);
+}
+
+template <class F>
+void BroadPhase::query_ray(math::DVec3 origin, math::DVec3 direction_unit, double max_distance, F&& visit) const {
+    const TreeRay ray = to_ray(origin, direction_unit);
+    // The tree measures distances in float: its limit is kept a little beyond the true one.
+    const auto widened = [](double distance) {
+        return distance < double(largest_bound) ? float(distance * (1.0 + 1e-6)) : largest_bound;
+    };
+    double max = max_distance;
+    const auto visit_shape = [&](std::uint32_t shape) {
+        max = visit(shape, max);
+        return max > 0.0 ? widened(max) : 0.0f;
+    };
+    if (!(max > 0.0)) return;
+    for (const Plane& plane : planes_) {
+        if (math::dot(plane.normal, origin - plane.point) > 0.0 && math::dot(plane.normal, direction_unit) >= 0.0)
+            continue;
+        max = visit(plane.shape, max);
+        if (!(max > 0.0)) return;
+    }
+    for (const SlotTree* tree : {&fixed_, &awake_[1], &awake_[0]}) {
+        visit_ray(kernels_, tree->view(), ray, widened(max),
+                  [&](std::uint32_t slot, float) { return visit_shape(tree->item(slot)); });
+        if (!(max > 0.0)) return;
+    }
+    visit_ray(kernels_, top_.view(), ray, widened(max), [&](std::uint32_t top_slot, float limit) {
+        const Island& island = islands_[top_.item(top_slot)];
+        return visit_ray(kernels_, island_view(island), ray, limit, [&](std::uint32_t slot, float) {
+            return visit_shape(island_shapes_[island.shape_base + slot]);
+        });
+    });
+}
+
+template <class Archive> void BroadPhase::serialize(Archive& archive) {
+    archive(origin_), archive(proxies_), archive(fat_);
+    for (int home = 0; home < 2; ++home) awake_[home].serialize(archive), rows_[home].serialize(archive);
+    fixed_.serialize(archive), top_.serialize(archive);
+    archive(planes_), archive(islands_), archive(free_islands_), archive(island_of_key_);
+    archive(island_nodes_), archive(island_shapes_), archive(kept_);
+    archive(first_free_kept_), archive(first_cross_pair_);
+    archive(dead_island_nodes_), archive(dead_island_shapes_), archive(kept_count_);
+    archive(changes_), archive(touched_), archive(removed_), archive(refiltered_), archive(returned_);
+    archive(all_dirty_), archive(transfers_), archive(removals_), archive(shape_count_), archive(sleeping_count_);
+    archive(steps_since_sort_), archive(moved_since_sort_), archive(large_size_);
+}
+
+} // namespace cairn

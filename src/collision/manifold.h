@@ -1,0 +1,18 @@
+// The result of one narrow-phase test. Plain data, no functions (see shape_pose.h).
+#pragma once
+
+#include <cstdint>
+
+namespace cairn {
+
+// Up to four contact points that share one normal.
+struct alignas(32) Manifold {
+    float normal[3]; // unit, from the first shape to the second
+    std::int32_t count; // 0 when the shapes are further apart than the margin
+    // x y z: the point midway between the two surfaces, relative to the first shape's center, world axes.
+    // [3]: separation along the normal in meters, negative when overlapping. Points beyond `count` are {0,0,0,1e30}.
+    float points[4][4];
+    std::uint32_t features[4]; // which features meet; a tie-break for matching points between steps
+};
+
+} // namespace cairn

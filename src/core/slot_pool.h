@@ -1,0 +1,69 @@
+// Slots with generations, for versioned handles. A slot goes through three states: live; dead (its handles are
+// stale, but the index is not given out yet, because something may still refer to it); free.
+#pragma once
+
+#include <cairn/handle.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace cairn {
+
+class SlotPool {
+public:
+    static constexpr std::uint32_t max_slots = (1u << Handle<void>::index_bits) - 1;
+    static constexpr std::uint32_t last_generation = (1u << Handle<void>::generation_bits) - 1;
+
+    // The index of a new live slot: the one freed last, or one past the end.
+    std::uint32_t create() {
+        ++live_count_;
+        if (!free_.empty()) {
+            const std::uint32_t index = free_.back();
+            free_.pop_back();
+            live_[index] = 1;
+            return index;
+        }
+        generations_.push_back(1);
+        live_.push_back(1);
+        return std::uint32_t(generations_.size() - 1);
+    }
+
+    // From now on handles to the slot are stale.
+    void kill(std::uint32_t index) {
+        live_[index] = 0;
+        --live_count_;
+    }
+
+    // Gives a dead slot out again, under its next generation. A slot that has used up its generations is retired,
+    // so that no handle ever names two objects.
+    void recycle(std::uint32_t index) {
+        if (generations_[index] == last_generation) return;
+        ++generations_[index];
+        free_.push_back(index);
+    }
+
+    bool is_live(std::uint32_t index) const noexcept { return index < live_.size() && live_[index]; }
+    bool is_live(std::uint32_t index, std::uint32_t generation) const noexcept {
+        return is_live(index) && generations_[index] == generation;
+    }
+    std::uint32_t generation(std::uint32_t index) const noexcept { return generations_[index]; }
+    std::size_t live_count() const noexcept { return live_count_; }
+    std::size_t size() const noexcept { return generations_.size(); } // live, dead and free
+    bool full() const noexcept { return free_.empty() && generations_.size() >= max_slots; }
+
+    template <class Archive> void serialize(Archive& archive) {
+        archive(generations_);
+        archive(live_);
+        archive(free_);
+        archive(live_count_);
+    }
+
+private:
+    std::vector<std::uint32_t> generations_;
+    std::vector<std::uint8_t> live_;
+    std::vector<std::uint32_t> free_;
+    std::uint64_t live_count_ = 0;
+};
+
+} // namespace cairn

@@ -1,0 +1,59 @@
+// Mass, poses and bounds of bodies and their shapes.
+#pragma once
+
+#include "dynamics/state.h"
+
+namespace cairn {
+
+// Recomputes the mass of a body from its shapes, if it follows them, and with it the center of mass. The body's
+// origin and the velocity field of its material stay where they are.
+void refresh_mass(State& state, std::int32_t body);
+
+// Gives a body these mass properties; the center of mass moves, the body's origin does not.
+void set_mass(State& state, std::int32_t body, const MassProperties& properties);
+
+// Recomputes world poses and arms of a body's shapes, and the body's radius, after its pose or shapes changed.
+void place_shapes(State& state, std::int32_t body);
+
+// Puts one shape where its body is. The step's inner loop.
+inline void place_shape(State& state, std::uint32_t shape, const BodyMotion& motion, const math::Mat3& rotation,
+                        math::Quat q, math::Vec3 center) {
+    const Geometry& geometry = state.geometry[shape];
+    const math::Vec3 arm = rotation * (geometry.position - center);
+    state.shapes[shape].arm = arm;
+    const math::DVec3 position = motion.x + math::to_double(arm);
+    ShapePose& pose = state.shape_poses[shape];
+    for (int i = 0; i < 3; ++i) {
+        pose.high[i] = float(position[i]);
+        pose.low[i] = float(position[i] - double(pose.high[i]));
+    }
+    const math::Quat r = q * geometry.rotation;
+    pose.q[0] = r.x, pose.q[1] = r.y, pose.q[2] = r.z, pose.q[3] = r.w;
+}
+
+inline math::DVec3 shape_position(const ShapePose& pose) {
+    return {double(pose.high[0]) + pose.low[0], double(pose.high[1]) + pose.low[1], double(pose.high[2]) + pose.low[2]};
+}
+inline math::Quat shape_rotation(const ShapePose& pose) { return {pose.q[0], pose.q[1], pose.q[2], pose.q[3]}; }
+
+inline DBounds shape_bounds(const State& state, std::uint32_t shape) {
+    const ShapePose& pose = state.shape_poses[shape];
+    return geometry_bounds(state.geometry[shape], shape_position(pose), shape_rotation(pose));
+}
+
+// Origin of the body's frame, world.
+math::DVec3 body_origin(const State& state, std::int32_t body);
+// Puts the body's origin there.
+void set_pose(State& state, std::int32_t body, math::DVec3 origin, math::DQuat rotation);
+
+// World tensors about the center of mass.
+math::Sym3 world_inverse_inertia(const BodyMotion& motion, const BodyMass& mass);
+math::DSym3 world_inertia(const BodyMotion& motion, const BodyMass& mass);
+
+// J; 0 for static and kinematic bodies, and for the immovable part of others.
+double kinetic_energy(const State& state, std::int32_t body);
+
+// Cuts velocities to the maximum; true if anything was cut.
+bool clamp_velocity(const WorldDef& settings, math::Vec3& v, math::Vec3& w);
+
+} // namespace cairn

@@ -1,0 +1,241 @@
+// The narrow phase.
+#include "dynamics/contacts.h"
+
+#include "dynamics/bodies.h"
+#include "dynamics/coloring.h"
+#include "dynamics/islands.h"
+
+#include <algorithm>
+
+namespace cairn {
+
+
+namespace {
+
+constexpr float unused = 1e30f;
+constexpr float most_turn = 0.25f; // of the radius: how far ahead a rotation is looked at
+
+math::Vec3 to_vec(const float* p) { return {p[0], p[1], p[2]}; }
+void put(float* p, math::Vec3 v) { p[0] = v.x, p[1] = v.y, p[2] = v.z; }
+
+bool moves(const State& s, std::int32_t body) {
+    const BodyMotion& m = s.motion[std::size_t(body)];
+    return !(m.v == math::Vec3{} && m.w == math::Vec3{});
+}
+
+// How far apart two shapes may be to count: what the next step can close.
+float contact_margin(const State& s, const ContactInfo& c, float dt) {
+    const BodyMotion &a = s.motion[std::size_t(c.body_a)], &b = s.motion[std::size_t(c.body_b)];
+    const float ra = s.bodies[std::size_t(c.body_a)].radius, rb = s.bodies[std::size_t(c.body_b)].radius;
+    const math::Vec3 v = b.v - a.v;
+    const float turn = std::min(dt * math::length(a.w), most_turn) * ra + std::min(dt * math::length(b.w), most_turn) * rb;
+    return c.base_margin + dt * math::length(v) + turn;
+}
+
+// The greatest speed at which the points of a record approach.
+float approach_speed(const State& s, const ContactInfo& c, const ContactRecord& r) {
+    const BodyMotion &a = s.motion[std::size_t(c.body_a)], &b = s.motion[std::size_t(c.body_b)];
+    const math::Vec3 n = to_vec(r.normal), d = to_vec(r.center_offset);
+    float speed = 0;
+    for (int i = 0; i < c.point_count; ++i) {
+        const math::Vec3 arm = to_vec(r.points[i]);
+        const math::Vec3 v = (b.v + math::cross(b.w, arm + d)) - (a.v + math::cross(a.w, arm));
+        speed = std::max(speed, -math::dot(n, v));
+    }
+    return speed;
+}
+
+float least_separation(const ContactInfo& c, const ContactRecord& r) {
+    float least = unused;
+    for (int i = 0; i < c.point_count; ++i) least = std::min(least, r.points[i][3]);
+    return least;
+}
+
+// Gives the new points the impulses of the old ones at the same places in A's frame.
+void match_points(const ContactRecord& old, int old_count, math::Quat turned, float tolerance, int count, ContactRecord& r) {
+    math::Vec3 before[4];
+    for (int k = 0; k < old_count; ++k) before[k] = math::rotate(turned, to_vec(old.points[k]));
+    const float limit = tolerance * tolerance;
+    unsigned taken = 0;
+    for (int i = 0; i < count; ++i) {
+        const math::Vec3 p = to_vec(r.points[i]);
+        float nearest = limit;
+        int match = -1;
+        for (int k = 0; k < old_count; ++k) {
+            const math::Vec3 e = p - before[k];
+            const float square = math::dot(e, e);
+            if (square < nearest && !(taken & (1u << k))) nearest = square, match = k;
+        }
+        if (match < 0) continue;
+        taken |= 1u << match;
+        r.impulses[i] = old.impulses[match];
+    }
+    if (!taken) return;
+    std::copy(old.friction_impulse, old.friction_impulse + 3, r.friction_impulse);
+    r.torsion_impulse = old.torsion_impulse;
+}
+
+void write_record(State& s, std::uint32_t id, const Manifold& m) {
+    ContactInfo& c = s.contacts[id];
+    ContactRecord& r = s.records[id];
+    const ContactRecord old = r;
+    const int old_count = c.point_count;
+    math::Vec3 normal = to_vec(m.normal), offset = s.shapes[c.shape_a].arm;
+    if (c.flipped) {
+        const ShapePose &a = s.shape_poses[c.shape_a], &b = s.shape_poses[c.shape_b];
+        offset = offset - ((to_vec(a.high) - to_vec(b.high)) + (to_vec(a.low) - to_vec(b.low)));
+        normal = -normal;
+    }
+    put(r.normal, normal);
+    put(r.center_offset, math::to_float(s.motion[std::size_t(c.body_a)].x - s.motion[std::size_t(c.body_b)].x));
+    for (int i = 0; i < 4; ++i) {
+        const bool used = i < m.count;
+        put(r.points[i], used ? to_vec(m.points[i]) + offset : math::Vec3{});
+        r.points[i][3] = used ? m.points[i][3] : unused;
+        r.impulses[i] = r.total_impulses[i] = 0;
+    }
+    put(r.friction_impulse, {});
+    r.torsion_impulse = 0;
+    c.point_count = std::uint8_t(m.count);
+    if (old_count > 0)
+        match_points(old, old_count, s.turned[std::size_t(c.body_a)], c.match_tolerance, m.count, r);
+}
+
+void begin_contact(State& s, ContactInfo& c) {
+    if (c.b_moves) link_islands(s, c.body_a, c.body_b);
+    else wake_island(s, s.bodies[std::size_t(c.body_a)].island);
+    assign_color(s, c);
+    c.load = 0;
+}
+
+// One result of a kernel.
+void take_manifold(State& s, std::uint32_t id, const Manifold& m, float dt) {
+    ContactInfo& c = s.contacts[id];
+    if (m.count == 0) {
+        end_contact(s, id);
+        return;
+    }
+    const bool is_new = c.point_count == 0;
+    write_record(s, id, m);
+    ContactRecord& r = s.records[id];
+    const float speed = c.touching ? 0 : approach_speed(s, c, r);
+    if (!c.touching) r.approach_speed = speed;
+    const bool asleep = !s.is_awake(c.body_a) || (c.b_moves && !s.is_awake(c.body_b));
+    // Passing by is not enough to wake what sleeps: only what will touch it within the step does.
+    if (is_new && asleep && least_separation(c, r) > dt * speed) {
+        c.point_count = 0;
+        return;
+    }
+    if (is_new) begin_contact(s, c);
+    else if (asleep) wake_body(s, c.body_a);
+    if (!c.b_moves && moves(s, c.body_b))
+        s.islands[std::size_t(s.bodies[std::size_t(c.body_a)].island)].kept_awake = 1;
+    s.solved.push_back(id);
+}
+
+void run_batch(State& s, int kind, float dt) {
+    PairBatch& batch = s.narrow.batches[std::size_t(kind)];
+    if (batch.count == 0) return;
+    const int padded = (batch.count + 7) & ~7;
+    for (int i = batch.count; i < padded; ++i)
+        batch.first[i] = batch.first[0], batch.second[i] = batch.second[0], batch.margin[i] = batch.margin[0];
+    Manifold* out = s.narrow.manifolds.data();
+    pair_kernel(kind)(s.shape_poses.data(), batch.first, batch.second, batch.margin, padded, out);
+    const int count = batch.count;
+    batch.count = 0;
+    for (int i = 0; i < count; ++i) take_manifold(s, batch.contact[i], out[i], dt);
+}
+
+} // namespace
+
+void end_contact(State& s, std::uint32_t id) {
+    ContactInfo& c = s.contacts[id];
+    if (c.point_count == 0) return;
+    release_color(s, c);
+    c.point_count = 0;
+    const std::int32_t island = s.bodies[std::size_t(c.body_a)].island;
+    if (island != none) s.islands[std::size_t(island)].lost_contact |= c.b_moves;
+    if (c.touching) s.ends.push_back({s.shape_id(c.shape_a), s.shape_id(c.shape_b), s.body_id(c.body_a), s.body_id(c.body_b)});
+    c.touching = 0;
+}
+
+void update_contacts(State& s, float dt) {
+    s.solved.clear();
+    s.narrow.skipped.clear();
+    s.narrow.batches.resize(pair_kinds);
+    s.narrow.manifolds.resize(PairBatch::capacity);
+    s.broad_phase.for_each_pair([&](std::uint32_t, std::uint32_t, std::uint32_t id) {
+        const ContactInfo& c = s.contacts[id];
+        if (!c.b_moves && !s.is_awake(c.body_a) && !moves(s, c.body_b)) {
+            if (c.point_count > 0) s.narrow.skipped.push_back(id);
+            return;
+        }
+        PairBatch& batch = s.narrow.batches[std::size_t(c.kind)];
+        batch.first[batch.count] = c.flipped ? c.shape_b : c.shape_a;
+        batch.second[batch.count] = c.flipped ? c.shape_a : c.shape_b;
+        batch.contact[batch.count] = id;
+        batch.margin[batch.count] = contact_margin(s, c, dt);
+        if (++batch.count == PairBatch::capacity) run_batch(s, int(c.kind), dt);
+    });
+    for (int kind = 0; kind < pair_kinds; ++kind) run_batch(s, kind, dt);
+    // Islands that were woken just now: nothing in them has moved, their records still hold.
+    for (const std::int32_t key : s.waking)
+        s.broad_phase.for_each_sleeping_pair(std::uint32_t(key), [&](std::uint32_t, std::uint32_t, std::uint32_t id) {
+            if (s.contacts[id].point_count > 0) s.solved.push_back(id);
+        });
+    for (const std::uint32_t id : s.narrow.skipped)
+        if (s.is_awake(s.contacts[id].body_a)) s.solved.push_back(id);
+}
+
+void report_contacts(State& s, float dt) {
+    constexpr float load_gain = 0.1f;
+    Statistics& statistics = s.statistics;
+    statistics.max_penetration = 0;
+    for (const std::uint32_t id : s.solved) {
+        ContactInfo& c = s.contacts[id];
+        const ContactRecord& r = s.records[id];
+        const float separation = least_separation(c, r);
+        float impulse = 0;
+        for (int i = 0; i < c.point_count; ++i) impulse += r.total_impulses[i];
+        statistics.max_penetration = std::max(statistics.max_penetration, double(-separation));
+        c.load += load_gain * (std::min(impulse / dt, 4 * c.load + 1.0f) - c.load);
+        if (!c.touching && (separation <= 0 || impulse > 0)) {
+            c.touching = 1;
+            const ShapeId a = s.shape_id(c.shape_a), b = s.shape_id(c.shape_b);
+            const BodyId body_a = s.body_id(c.body_a), body_b = s.body_id(c.body_b);
+            s.begins.push_back({a, b, body_a, body_b});
+            if (r.approach_speed >= s.settings.hit_speed) {
+                int deepest = 0;
+                for (int i = 1; i < c.point_count; ++i)
+                    if (r.points[i][3] < r.points[deepest][3]) deepest = i;
+                const ContactRecord now = advanced_record(s, id);
+                const math::DVec3 p = s.motion[std::size_t(c.body_a)].x + math::to_double(to_vec(now.points[deepest]));
+                s.hits.push_back({a, b, body_a, body_b, {p.x, p.y, p.z}, {r.normal[0], r.normal[1], r.normal[2]}, r.approach_speed});
+            }
+        } else if (c.touching && impulse == 0 && separation > 0.25f * c.base_margin) {
+            c.touching = 0;
+            s.ends.push_back({s.shape_id(c.shape_a), s.shape_id(c.shape_b), s.body_id(c.body_a), s.body_id(c.body_b)});
+        }
+    }
+}
+
+ContactRecord advanced_record(const State& s, std::uint32_t id) {
+    const ContactInfo& c = s.contacts[id];
+    ContactRecord r = s.records[id];
+    const math::Vec3 n = to_vec(r.normal), d = to_vec(r.center_offset);
+    const math::Quat qa = s.turned[std::size_t(c.body_a)], qb = s.turned[std::size_t(c.body_b)];
+    const math::Vec3 offset = math::to_float(s.motion[std::size_t(c.body_a)].x - s.motion[std::size_t(c.body_b)].x);
+    for (int i = 0; i < c.point_count; ++i) {
+        const math::Vec3 arm = to_vec(r.points[i]);
+        const math::Vec3 now_a = math::rotate(qa, arm), now_b = math::rotate(qb, arm + d);
+        // Anchors that were one point: how far they have come apart, B's relative to A's.
+        r.points[i][3] += math::dot(n, now_b - offset - now_a);
+        put(r.points[i], now_a);
+    }
+    put(r.center_offset, offset);
+    return r;
+}
+
+void advance_record(State& s, std::uint32_t id) { s.records[id] = advanced_record(s, id); }
+
+} // namespace cairn

@@ -1,0 +1,131 @@
+// Contacts of pairs whose bounds begin or cease to overlap.
+#include "dynamics/coloring.h"
+#include "dynamics/contacts.h"
+#include "dynamics/islands.h"
+
+#include <algorithm>
+
+namespace cairn {
+
+namespace {
+
+constexpr float most_margin = 0.02f;           // m: contacts exist before they touch
+constexpr float margin_per_extent = 0.25f;     // for small shapes
+constexpr float match_per_extent = 0.1f;
+
+float smallest_extent(const Geometry& g) {
+    switch (g.type) {
+    case ShapeType::sphere: return 2 * g.size.x;
+    case ShapeType::box: return 2 * std::min({g.size.x, g.size.y, g.size.z});
+    default: return 1e9f;
+    }
+}
+float largest_extent(const Geometry& g) { return g.type == ShapeType::plane ? 1e9f : g.bounding_radius; }
+
+float combine_values(float a, float b, CombineRule rule) {
+    switch (rule) {
+    case CombineRule::average: return 0.5f * (a + b);
+    case CombineRule::minimum: return std::min(a, b);
+    case CombineRule::maximum: return std::max(a, b);
+    case CombineRule::multiply: return a * b;
+    }
+    return 0;
+}
+
+struct Sink final : PairSink {
+    explicit Sink(State& state) : s(state) {}
+    State& s;
+
+    bool pair_found(std::uint32_t a, std::uint32_t b, std::uint32_t& contact) override {
+        const std::int32_t body_a = s.shapes[a].body, body_b = s.shapes[b].body;
+        if (body_a == body_b) return false;
+        const bool a_moves = s.is_dynamic(body_a), b_moves = s.is_dynamic(body_b);
+        if (!a_moves && !b_moves) return false;
+        // Two that cannot be moved by any force would be pushed in vain.
+        auto movable = [&](std::int32_t body) {
+            const BodyMass& m = s.mass[std::size_t(body)];
+            return m.inverse_mass > 0 || !(m.inverse_inertia == math::Vec3{});
+        };
+        if (!movable(body_a) && !movable(body_b)) return false;
+        bool swapped = false;
+        const int kind = pair_kind(s.geometry[a].type, s.geometry[b].type, swapped);
+        if (kind < 0) return false;
+        // A is the dynamic one; of two dynamic ones, the kernel's first.
+        const bool b_is_a = a_moves && b_moves ? swapped : b_moves;
+        contact = create(b_is_a ? b : a, b_is_a ? a : b, PairKind(kind), swapped != b_is_a, a_moves && b_moves);
+        return true;
+    }
+
+    void pair_lost(std::uint32_t, std::uint32_t, std::uint32_t contact) override {
+        end_contact(s, contact);
+        s.contacts[contact].in_use = 0;
+        s.free_contacts.push_back(contact);
+    }
+
+    std::uint32_t create(std::uint32_t shape_a, std::uint32_t shape_b, PairKind kind, bool flipped, bool b_moves) {
+        std::uint32_t id;
+        if (s.free_contacts.empty()) {
+            id = std::uint32_t(s.contacts.size());
+            s.contacts.emplace_back();
+            s.records.emplace_back();
+        } else {
+            id = s.free_contacts.back();
+            s.free_contacts.pop_back();
+        }
+        ContactInfo& c = s.contacts[id] = {};
+        s.records[id] = {};
+        c.shape_a = shape_a, c.shape_b = shape_b;
+        c.body_a = s.shapes[shape_a].body, c.body_b = s.shapes[shape_b].body;
+        c.kind = kind;
+        c.flipped = flipped;
+        c.b_moves = b_moves;
+        c.in_use = 1;
+        const Geometry &a = s.geometry[shape_a], &b = s.geometry[shape_b];
+        c.base_margin = std::min(most_margin, margin_per_extent * std::min(smallest_extent(a), smallest_extent(b)));
+        c.match_tolerance = match_per_extent * std::min(largest_extent(a), largest_extent(b));
+        combine_materials(s, id);
+        return id;
+    }
+};
+
+} // namespace
+
+int pair_kind(ShapeType a, ShapeType b, bool& swapped) {
+    swapped = a > b;
+    if (swapped) std::swap(a, b);
+    if (a == ShapeType::sphere) return int(PairKind::sphere_sphere) + int(b);
+    if (a == ShapeType::box) return int(PairKind::box_box) + int(b) - int(ShapeType::box);
+    return -1;
+}
+
+CollideKernel pair_kernel(int kind) {
+    const KernelTable& k = kernels();
+    const CollideKernel all[pair_kinds] = {k.sphere_sphere, k.sphere_box, k.sphere_plane, k.sphere_rectangle,
+                                           k.box_box,       k.box_plane,  k.box_rectangle};
+    return all[kind];
+}
+
+void combine_materials(State& s, std::uint32_t contact) {
+    const ContactInfo& c = s.contacts[contact];
+    const Material &a = s.materials[c.shape_a], &b = s.materials[c.shape_b];
+    ContactRecord& r = s.records[contact];
+    const CombineRule friction = std::min(a.friction_combine, b.friction_combine);
+    const CombineRule restitution = std::min(a.restitution_combine, b.restitution_combine);
+    r.friction = combine_values(a.dynamic_friction, b.dynamic_friction, friction);
+    r.static_friction = std::max(combine_values(a.static_friction, b.static_friction, friction), r.friction);
+    r.restitution = combine_values(a.restitution, b.restitution, restitution);
+    r.rolling_radius = std::max(a.rolling_friction, b.rolling_friction);
+    r.torsion_radius = std::max(a.torsional_friction, b.torsional_friction);
+}
+
+void update_pairs(State& state) {
+    flush_sleep(state);
+    Sink sink(state);
+    state.broad_phase.update(sink);
+    for (const std::uint32_t i : state.dead_shapes) state.shape_slots.recycle(i);
+    for (const std::uint32_t i : state.dead_bodies) state.body_slots.recycle(i);
+    state.dead_shapes.clear();
+    state.dead_bodies.clear();
+}
+
+} // namespace cairn

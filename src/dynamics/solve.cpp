@@ -1,0 +1,259 @@
+// One bin after the other: gather, substeps, scatter.
+#include "dynamics/bodies.h"
+#include "dynamics/coloring.h"
+#include "dynamics/solver.h"
+
+#include <algorithm>
+
+namespace cairn {
+
+
+namespace {
+
+constexpr float friction_margin = 0.005f; // m: points closer than this share the friction fully
+constexpr int most_bounce_passes = 32;
+constexpr float pi = 3.14159265358979f;
+
+SolverVelocity to_row(math::Vec3 v, math::Vec3 w) { return {{v.x, v.y, v.z}, 0, {w.x, w.y, w.z}, 0}; }
+
+// Catto's soft constraint ("Soft Constraints", GDC 2011) as a spring of that frequency (Hz) and damping ratio, in a
+// substep of h seconds. The frequency follows the substep, uncapped: docs/decisions/solver.md has the measurements.
+void set_softness(ContactSoftness& s, float h, float recovery_speed) {
+    constexpr float damping_ratio = 10.0f;
+    auto spring = [&](float frequency, float& bias_rate, float& mass_scale, float& impulse_scale) {
+        const float omega = 2 * pi * frequency;
+        const float a1 = 2 * damping_ratio + h * omega;
+        const float a2 = h * omega * a1;
+        impulse_scale = 1 / (1 + a2);
+        mass_scale = a2 * impulse_scale;
+        bias_rate = mass_scale * (omega / a1);
+    };
+    s.h = h;
+    s.inverse_h = 1 / h;
+    s.recovery_speed = recovery_speed;
+    const float frequency = 1 / (8 * h);
+    spring(frequency, s.bias_rate, s.mass_scale, s.impulse_scale);
+    spring(2 * frequency, s.bias_rate_static, s.mass_scale_static, s.impulse_scale_static);
+}
+
+// Bodies of the bin's islands, then room for kinematic ones.
+void gather_bodies(State& s, const Bin& bin) {
+    SolverScratch& scratch = s.solver;
+    scratch.row_bodies.assign(first_body_row, none);
+    for (std::int32_t k = 0; k < bin.island_count; ++k) {
+        const Island& island = s.islands[std::size_t(scratch.bin_islands[std::size_t(bin.first_island + k)])];
+        for (std::int32_t b = island.first_body; b != none; b = s.bodies[std::size_t(b)].next_in_island) {
+            s.bodies[std::size_t(b)].row = std::int32_t(scratch.row_bodies.size());
+            scratch.row_bodies.push_back(b);
+        }
+    }
+}
+
+// The row of the body that a contact leans on: that of a moving body, else the fixed row.
+std::int32_t row_of_b(State& s, const ContactInfo& c) {
+    if (c.b_moves) return s.bodies[std::size_t(c.body_b)].row;
+    if (s.body_settings[std::size_t(c.body_b)].type != BodyType::kinematic) return fixed_row;
+    std::int32_t& row = s.bodies[std::size_t(c.body_b)].row;
+    if (row == none) {
+        row = std::int32_t(s.solver.row_bodies.size());
+        s.solver.row_bodies.push_back(c.body_b);
+    }
+    return row;
+}
+
+void add_lane(LaneLists& lanes, std::int32_t record, std::int32_t a, std::int32_t b) {
+    lanes.record.push_back(record);
+    lanes.row_a.push_back(a);
+    lanes.row_b.push_back(b);
+}
+void pad_lanes(LaneLists& lanes) {
+    while (lanes.record.size() % 8 != 0) add_lane(lanes, -1, fixed_row, fixed_row);
+}
+
+// Lays the bin's contacts into blocks of 8 lanes; one run of blocks for each color and size.
+void fill_lanes(State& s, const Bin& bin) {
+    SolverScratch& scratch = s.solver;
+    scratch.one_lanes.clear();
+    scratch.four_lanes.clear();
+    scratch.runs.clear();
+    std::int32_t k = bin.first_contact;
+    const std::int32_t end = bin.first_contact + bin.contact_count;
+    while (k < end) {
+        const ContactInfo& first = s.contacts[scratch.sorted[std::size_t(k)]];
+        const bool four = first.point_count != 1;
+        LaneLists& lanes = four ? scratch.four_lanes : scratch.one_lanes;
+        BlockRun run{four, std::int32_t(lanes.record.size() / 8), 0};
+        for (; k < end; ++k) {
+            const std::uint32_t id = scratch.sorted[std::size_t(k)];
+            const ContactInfo& c = s.contacts[id];
+            if (c.color != first.color || (c.point_count != 1) != four) break;
+            add_lane(lanes, std::int32_t(id), s.bodies[std::size_t(c.body_a)].row, row_of_b(s, c));
+            if (c.color == overflow_color) pad_lanes(lanes); // alone in its block
+        }
+        pad_lanes(lanes);
+        run.count = std::int32_t(lanes.record.size() / 8) - run.first;
+        scratch.runs.push_back(run);
+    }
+    if (scratch.one_blocks.size() * 8 < scratch.one_lanes.record.size())
+        scratch.one_blocks.resize(scratch.one_lanes.record.size() / 8);
+    if (scratch.four_blocks.size() * 8 < scratch.four_lanes.record.size())
+        scratch.four_blocks.resize(scratch.four_lanes.record.size() / 8);
+}
+
+// Copies the bodies into their rows; rows that are no bodies are all zero.
+void fill_rows(State& s) {
+    SolverScratch& scratch = s.solver;
+    while (scratch.row_bodies.size() % 8 != 0) scratch.row_bodies.push_back(none);
+    const std::size_t rows = scratch.row_bodies.size();
+    scratch.velocity.assign(rows, {});
+    scratch.reference.assign(rows, {});
+    scratch.pose.assign(rows, {{0, 0, 0}, 0, {0, 0, 0, 1}});
+    scratch.inertia.assign(rows, {});
+    for (std::size_t row = first_body_row; row < rows; ++row) {
+        const std::int32_t b = scratch.row_bodies[row];
+        if (b == none) continue;
+        BodyMotion& motion = s.motion[std::size_t(b)];
+        if (clamp_velocity(s.settings, motion.v, motion.w)) ++s.clamped_speeds;
+        scratch.velocity[row] = scratch.reference[row] = to_row(motion.v, motion.w);
+        const BodyMass& mass = s.mass[std::size_t(b)];
+        if (!s.is_dynamic(b)) continue;
+        const math::Sym3 i = world_inverse_inertia(motion, mass);
+        scratch.inertia[row] = {mass.inverse_mass, i.xx, i.xy, i.xz, i.yy, i.yz, i.zz, 0};
+    }
+}
+
+const SolverKernels::ForPoints& kernels_for(const BlockRun& run) {
+    return run.four_points ? kernels().solver.four_points : kernels().solver.one_point;
+}
+void* blocks_of(SolverScratch& scratch, const BlockRun& run) {
+    if (run.four_points) return scratch.four_blocks.data() + run.first;
+    return scratch.one_blocks.data() + run.first;
+}
+ContactLanes lanes_of(const SolverScratch& scratch, const BlockRun& run) {
+    const LaneLists& lanes = run.four_points ? scratch.four_lanes : scratch.one_lanes;
+    const std::size_t at = std::size_t(run.first) * 8;
+    return {lanes.record.data() + at, lanes.row_a.data() + at, lanes.row_b.data() + at};
+}
+
+// Position of the discrete path behind the stored velocity, see bounce.cpp.
+float velocity_offset(Integrator integrator) {
+    switch (integrator) {
+    case Integrator::semi_implicit_euler: return 0.5f;
+    case Integrator::rk4: return 1.0f;
+    case Integrator::explicit_euler: return 1.5f;
+    }
+    return 0;
+}
+
+void bounce_all(State& s, const SolverBodies& bodies, const BounceSettings& settings) {
+    for (int pass = 0; pass < most_bounce_passes; ++pass) {
+        int bounced = 0;
+        for (const BlockRun& run : s.solver.runs)
+            bounced += kernels_for(run).bounce(blocks_of(s.solver, run), run.count, bodies, settings);
+        if (bounced == 0) return;
+    }
+}
+
+void run_substeps(State& s, const Bin& bin, float dt, bool bounces) {
+    SolverScratch& scratch = s.solver;
+    const KernelTable& k = kernels();
+    const float h = dt / float(bin.substeps);
+    ContactSoftness softness;
+    set_softness(softness, h, s.settings.recovery_speed);
+    const BounceSettings bounce{h, s.settings.restitution_speed, velocity_offset(s.settings.integrator)};
+    const int rows = int(scratch.velocity.size());
+    SolverVelocity* velocity = scratch.velocity.data();
+    const SolverBodies bodies{velocity,
+                              scratch.reference.data(),
+                              scratch.pose.data(),
+                              scratch.inertia.data(),
+                              scratch.drive.data(),
+                              scratch.damping.empty() ? nullptr : scratch.damping.data(),
+                              scratch.correction.empty() ? nullptr : scratch.correction.data()};
+    for (int substep = 0; substep < bin.substeps; ++substep) {
+        if (substep > 0) update_free_motion(s, h);
+        k.solver.integrate_velocities(bodies, first_body_row, rows, substep == 0);
+        if (bounces) bounce_all(s, bodies, bounce);
+        if (substep == 0)
+            for (const BlockRun& run : scratch.runs) kernels_for(run).warm_start(blocks_of(scratch, run), run.count, velocity);
+        for (const BlockRun& run : scratch.runs) kernels_for(run).solve(blocks_of(scratch, run), run.count, velocity, softness);
+        velocity[discard_row] = {};
+        k.solver.integrate_poses(bodies, 0, rows, h);
+        for (const BlockRun& run : scratch.runs)
+            kernels_for(run).relax(blocks_of(scratch, run), run.count, velocity, scratch.pose.data(), softness);
+    }
+}
+
+// Moves a body by what its row has moved. What is not finite any more stops where it was, and is counted.
+void scatter_body(State& s, std::int32_t b, const SolverVelocity& velocity, const SolverPose& pose, bool dynamic) {
+    BodyMotion& motion = s.motion[std::size_t(b)];
+    const math::DVec3 dx = math::to_double(math::Vec3{pose.dx[0], pose.dx[1], pose.dx[2]});
+    const math::Quat dq{pose.dq[0], pose.dq[1], pose.dq[2], pose.dq[3]};
+    math::Vec3 v{velocity.v[0], velocity.v[1], velocity.v[2]}, w{velocity.w[0], velocity.w[1], velocity.w[2]};
+    if (!(math::is_finite(dx) && math::is_finite(dq) && math::is_finite(v) && math::is_finite(w))) {
+        motion.v = motion.w = {};
+        s.turned[std::size_t(b)] = {};
+        ++s.clamped_speeds;
+        return;
+    }
+    motion.x += dx;
+    motion.q = math::normalized(math::to_double(dq) * motion.q);
+    s.turned[std::size_t(b)] = dq;
+    if (!dynamic) return;
+    if (clamp_velocity(s.settings, v, w)) ++s.clamped_speeds;
+    motion.v = v;
+    motion.w = w;
+}
+
+void solve_bin(State& s, const Bin& bin, float dt) {
+    SolverScratch& scratch = s.solver;
+    gather_bodies(s, bin);
+    fill_lanes(s, bin);
+    fill_rows(s);
+    prepare_free_motion(s, dt / float(bin.substeps));
+    bool bounces = false;
+    for (std::int32_t k = 0; k < bin.contact_count; ++k)
+        bounces |= s.records[scratch.sorted[std::size_t(bin.first_contact + k)]].restitution > 0;
+    for (const BlockRun& run : scratch.runs)
+        kernels_for(run).prepare(blocks_of(scratch, run), run.count, lanes_of(scratch, run), s.records.data(),
+                                 scratch.inertia.data(), friction_margin);
+    run_substeps(s, bin, dt, bounces);
+    for (const BlockRun& run : scratch.runs)
+        kernels_for(run).store(blocks_of(scratch, run), run.count, lanes_of(scratch, run), s.records.data());
+    for (std::size_t row = first_body_row; row < scratch.row_bodies.size(); ++row) {
+        const std::int32_t b = scratch.row_bodies[row];
+        if (b == none) continue;
+        s.bodies[std::size_t(b)].row = none;
+        if (s.is_dynamic(b)) scatter_body(s, b, scratch.velocity[row], scratch.pose[row], true);
+    }
+}
+
+// Kinematic bodies move by their velocity, once per step, in double.
+void move_kinematics(State& s, float dt) {
+    for (const std::int32_t b : s.kinematics) {
+        BodyMotion& motion = s.motion[std::size_t(b)];
+        if (clamp_velocity(s.settings, motion.v, motion.w)) ++s.clamped_speeds;
+        // The rotation by dt w, with the half-angle tangent series of the solver; several steps for a fast one.
+        const math::DVec3 w = math::to_double(motion.w);
+        const double half = 0.5 * double(dt) * math::length(w);
+        const int parts = 1 + int(std::min(half / 0.1, 1e5));
+        const math::DVec3 u = (0.5 * double(dt) / parts) * w;
+        const double x2 = math::dot(u, u);
+        const math::DVec3 t = (1 + x2 * (1.0 / 3 + x2 * (2.0 / 15))) * u;
+        const math::DQuat turn = math::normalized(math::DQuat{t.x, t.y, t.z, 1});
+        math::DQuat total;
+        for (int i = 0; i < parts; ++i) total = math::normalized(turn * total);
+        motion.x += double(dt) * math::to_double(motion.v);
+        motion.q = math::normalized(total * motion.q);
+        s.turned[std::size_t(b)] = math::to_float(total);
+    }
+}
+
+} // namespace
+
+void solve_bins(State& s, float dt) {
+    for (const Bin& bin : s.solver.bins) solve_bin(s, bin, dt);
+    move_kinematics(s, dt);
+}
+
+} // namespace cairn

@@ -1,0 +1,30 @@
+// The solver: islands packed into bins, each bin gathered into dense rows and blocks and solved through all of its
+// substeps. docs/solver.md explains the method.
+#pragma once
+
+#include "dynamics/state.h"
+
+namespace cairn {
+
+// Decides how many substeps each awake island takes, packs islands into bins and sorts State::solved by bin, color
+// and number of points.
+void pack_bins(State& state);
+
+// Solves all bins: velocities, poses, impulses; moves kinematic bodies.
+void solve_bins(State& state, float dt);
+
+// --- free motion (free_motion.cpp)
+
+// Fills drive, damping and correction of the bin's rows for a substep of h seconds.
+void prepare_free_motion(State& state, float h);
+// What of them depends on the pose or the velocity, anew for each substep.
+void update_free_motion(State& state, float h);
+// Gravity and fields at a point, m/s^2 (for a body of that mass and gravity scale).
+math::DVec3 field_acceleration(const State& state, math::DVec3 x, float gravity_scale, double inverse_mass);
+
+inline constexpr int most_substeps = 256;
+
+// Substeps of an island (substeps.cpp).
+int island_substeps(const State& state, const Island& island);
+
+} // namespace cairn

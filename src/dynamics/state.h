@@ -1,0 +1,171 @@
+// Everything that a simulation consists of. Bodies, shapes, contacts and islands live in arrays at stable
+// indices; stages (one file each) are functions on this state. Handles, names and events live above, in world/.
+#pragma once
+
+#include "collision/broad_phase.h"
+#include "collision/shape_pose.h"
+#include "core/slot_pool.h"
+#include "dynamics/solver_scratch.h"
+#include "kernels/kernels.h"
+#include "kernels/solver_data.h"
+#include "math/vec.h"
+#include "shapes/geometry.h"
+
+#include <cairn/world.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace cairn {
+
+inline constexpr std::int32_t none = -1;
+
+// Where a body is and how it moves. Rotations are double: the rounding of a float one gives a free top 0.4 % of
+// energy in a minute.
+struct BodyMotion {
+    math::DVec3 x; // center of mass, world
+    math::DQuat q; // of the body's frame
+    math::Vec3 v, w;
+};
+
+struct BodyMass {
+    float mass = 0, inverse_mass = 0; // an inverse of 0 means immovable
+    math::Vec3 inertia, inverse_inertia; // principal
+    math::Quat principal;             // from principal axes to the body's frame
+    math::Vec3 center;                // center of mass in the body's frame
+    std::uint8_t isotropic = 1;       // all moments equal: no gyroscopic torque
+    std::uint8_t follows_shapes = 1;  // recomputed when shapes change
+    std::uint8_t has_given_mass = 0;  // ... scaled to given_mass
+    std::uint8_t padding = 0;
+    float given_mass = 0;
+};
+
+struct BodySettings {
+    float gravity_scale = 1, linear_damping = 0, angular_damping = 0;
+    BodyType type = BodyType::dynamic;
+    std::uint8_t allow_sleep = 1;
+    std::uint8_t padding[2] = {};
+};
+
+// What the user pushes with during the next step. Double, so that no sum of floats overflows.
+struct BodyForces {
+    math::DVec3 force, torque;
+    std::uint64_t any = 0;
+};
+
+struct BodyLinks {
+    std::int32_t first_shape = none, last_shape = none;
+    std::int32_t island = none;          // dynamic bodies only
+    std::int32_t next_in_island = none, previous_in_island = none;
+    float radius = 0;                    // of the body about its center of mass; planes not counted
+    float quiet_time = 0;                // s that it has been slower than the sleep speed
+    std::int32_t row = none;             // in the solver bin at work
+    std::uint64_t colors = 0;            // of its contacts, one bit each
+};
+
+struct ShapeLinks {
+    std::int32_t body = none, next = none, previous = none; // the shapes of a body, in order of creation
+    float density = 0;
+    math::Vec3 arm; // from the body's center of mass to the shape's origin, world axes
+    std::uint32_t padding = 0;
+};
+
+// Which kernel tests a pair of shapes; the first shape's type comes no later in ShapeType than the second's.
+enum class PairKind : std::uint8_t {
+    sphere_sphere, sphere_box, sphere_plane, sphere_rectangle, box_box, box_plane, box_rectangle
+};
+inline constexpr int pair_kinds = 7;
+
+// What is known of a pair of shapes whose bounds overlap, beside its ContactRecord. Body A is dynamic.
+struct ContactInfo {
+    std::uint32_t shape_a = 0, shape_b = 0;
+    std::int32_t body_a = none, body_b = none;
+    PairKind kind = PairKind::sphere_sphere;
+    std::uint8_t flipped = 0;     // A is the kernel's second shape
+    std::uint8_t point_count = 0; // 0: too far apart to be solved
+    std::uint8_t color = 255;     // none
+    std::uint8_t b_moves = 0;     // B is dynamic
+    std::uint8_t touching = 0;    // a begin event was given
+    std::uint8_t in_use = 0;
+    std::uint8_t padding = 0;
+    float match_tolerance = 0;    // m: points closer than this to last step's are the same
+    float base_margin = 0;        // m
+    float load = 0;               // N: the sustained normal force
+};
+
+struct Island {
+    std::int32_t first_body = none, last_body = none;
+    std::int32_t body_count = 0;
+    std::int32_t position = none;   // in State::awake_islands; none: asleep
+    std::int32_t key = none;        // of its tree in the broad phase, if that holds it as sleeping
+    std::uint8_t in_use = 0;
+    std::uint8_t lost_contact = 0;  // may have fallen into parts
+    std::uint8_t kept_awake = 0;    // touches something that moves by itself
+    std::uint8_t padding = 0;
+    std::int32_t substeps = 0;      // in the last step
+    std::int32_t wanted_substeps = 0; // by what it carries
+    float least_quiet_time = 0, greatest_quiet_time = 0;
+};
+
+struct State {
+    WorldDef settings;
+    std::uint64_t steps = 0;
+    double time = 0;
+
+    SlotPool body_slots;
+    std::vector<BodyMotion> motion;
+    std::vector<BodyMass> mass;
+    std::vector<BodySettings> body_settings;
+    std::vector<BodyForces> forces;
+    std::vector<BodyLinks> bodies;
+    std::vector<math::Quat> turned; // rotation of the last step, for matching contact points
+    std::vector<std::int32_t> kinematics; // kinematic bodies, in order of creation
+
+    SlotPool shape_slots;
+    std::vector<Geometry> geometry;
+    std::vector<ShapePose> shape_poses;
+    std::vector<ShapeLinks> shapes;
+    std::vector<Material> materials;
+
+    std::vector<ContactRecord> records;
+    std::vector<ContactInfo> contacts;
+    std::vector<std::uint32_t> free_contacts;
+
+    std::vector<Island> islands;
+    std::vector<std::int32_t> free_islands;
+    std::vector<std::int32_t> awake_islands;
+    std::vector<std::int32_t> falling_asleep; // islands that the broad phase still holds as awake
+    std::vector<std::int32_t> waking;         // keys that it still holds as sleeping
+
+    SlotPool field_slots;
+    std::vector<ForceField> fields;
+    std::vector<std::uint32_t> dead_bodies, dead_shapes, dead_fields; // recycled after the broad phase's update
+
+    BroadPhase broad_phase{kernels().broad};
+
+    // --- of the last step
+    std::vector<ContactBegin> begins;
+    std::vector<ContactEnd> ends;
+    std::vector<ContactHit> hits;
+    std::vector<SleepEvent> sleeps;
+    std::uint64_t clamped_speeds = 0;
+    Statistics statistics;
+
+    // --- working memory of a step, not state
+    NarrowScratch narrow;
+    std::vector<std::uint32_t> solved; // contacts to solve in this step
+    SolverScratch solver;
+
+    BodyId body_id(std::int32_t body) const {
+        return BodyId::make(std::uint32_t(body), body_slots.generation(std::uint32_t(body)), world_id);
+    }
+    ShapeId shape_id(std::uint32_t shape) const { return ShapeId::make(shape, shape_slots.generation(shape), world_id); }
+    bool is_dynamic(std::int32_t body) const { return body_settings[std::size_t(body)].type == BodyType::dynamic; }
+    bool is_awake(std::int32_t body) const {
+        const std::int32_t island = bodies[std::size_t(body)].island;
+        return island != none && islands[std::size_t(island)].position != none;
+    }
+    std::uint32_t world_id = 0;
+};
+
+} // namespace cairn

@@ -1,0 +1,136 @@
+// Restitution. Contacts that will be reached within this substep, faster than the threshold, bounce before the
+// solver sees them. Contacts are taken one after another with the velocities that they then have, and the pass
+// is repeated until nothing bounces, so that an impact travels through a row of touching balls (Newton's cradle).
+//
+// The rebound speed keeps the energy exact for a constant relative acceleration a (closing, along the normal),
+// although the bounce happens somewhat before the surface is reached. The discrete path is a parabola whose speed
+// at the start of the substep is the stored speed |v| (which has this substep's h a in it already) less o h a:
+// o = 1/2 for semi-implicit Euler, which moves with the velocity of the end of the substep; 1 for exact
+// integration; 3/2 for explicit Euler. From u = |v| - o h a at a gap s the surface is met at u^2 + 2 a s, and left at
+// e^2 of that. The parabola through the next position has that energy when the new velocity is
+//   V = -o h a + sqrt(e^2 (u^2 + 2 a s) - 2 a s).
+#include "kernels/solver.h"
+
+namespace cairn::CAIRN_ISA {
+
+namespace {
+
+constexpr int point_sweeps = 12; // Gauss-Seidel sweeps over the four points of one bouncing contact
+
+struct Bounce {
+    mask8 lanes;     // where anything bounces
+    f32x8 impulse[4];
+};
+
+CAIRN_INLINE f32x8 closing_acceleration(const Velocityx8& drive_a, const Velocityx8& drive_b, Vec3x8 normal, Vec3x8 c,
+                                        Vec3x8 arm, f32x8 inverse_h) {
+    const f32x8 dv = dot(normal, drive_b.v - drive_a.v) + dot(c, drive_b.w) + dot(arm, drive_b.w - drive_a.w);
+    return max(-(dv * inverse_h), zero());
+}
+
+// Rebound speed for an approach speed and a gap; 0 where the bounce does not leave the surface.
+CAIRN_INLINE f32x8 rebound_speed(f32x8 approach, f32x8 gap, f32x8 acceleration, f32x8 restitution, const BounceSettings& settings) {
+    const f32x8 ah = acceleration * splat(settings.h), offset = splat(settings.velocity_offset);
+    const f32x8 u = max(approach - offset * ah, zero());
+    const f32x8 two_as = splat(2.0f) * acceleration * gap;
+    const f32x8 square = restitution * restitution * (u * u + two_as) - two_as;
+    return max(sqrt(max(square, zero())) - offset * ah, zero());
+}
+
+template <int N>
+CAIRN_INLINE Bounce find_bounce(const ContactBlock<N>& block, const SolverBodies& bodies, const BounceSettings& settings,
+                                f32x8* v, const Vec3x8* arm, Vec3x8 normal, Vec3x8 c) {
+    Bounce bounce;
+    const f32x8 h = splat(settings.h), inverse_h = splat(1.0f / settings.h), restitution = load(block.restitution);
+    mask8 arrives[N];
+    bounce.lanes = zero() > one();
+    for (int i = 0; i < N; ++i) {
+        bounce.impulse[i] = zero();
+        arrives[i] = (load(block.effective_mass[i]) > zero()) & (v[i] < splat(-settings.threshold)) &
+                     (load(block.separation[i]) + h * v[i] <= zero()) & (restitution > zero());
+        bounce.lanes = bounce.lanes | arrives[i];
+    }
+    if (!any(bounce.lanes)) return bounce;
+    auto as_velocity = [&](const std::int32_t* row) {
+        return gather_velocity(reinterpret_cast<const SolverVelocity*>(bodies.drive), row);
+    };
+    const Velocityx8 drive_a = as_velocity(block.a), drive_b = as_velocity(block.b);
+    f32x8 target[N];
+    for (int i = 0; i < N; ++i) {
+        const f32x8 acceleration = closing_acceleration(drive_a, drive_b, normal, c, arm[i], inverse_h);
+        target[i] = rebound_speed(-v[i], max(load(block.separation[i]), zero()), acceleration, restitution, settings);
+    }
+    for (int sweep = 0; sweep < (N > 1 ? point_sweeps : 1); ++sweep)
+        for (int i = 0; i < N; ++i) {
+            const f32x8 old = bounce.impulse[i];
+            f32x8 impulse = max(old + load(block.effective_mass[i]) * (target[i] - v[i]), zero());
+            impulse = select(arrives[i], impulse, zero());
+            const f32x8 d = impulse - old;
+            bounce.impulse[i] = impulse;
+            v[i] += select(load(block.effective_mass[i]) > zero(), d / max(load(block.effective_mass[i]), splat(1e-30f)), zero());
+            for (int j = 0; j < N; ++j)
+                if (j != i) v[j] += load(block.coupling[i < j ? coupling_index(i, j) : coupling_index(j, i)]) * d;
+        }
+    return bounce;
+}
+
+// Coulomb friction of the impact itself, at the friction center, from rest.
+template <int N>
+CAIRN_INLINE Vec3x8 impact_friction(const ContactBlock<N>& block, Vec3x8 normal, f32x8 load_sum, const Velocityx8& a, const Velocityx8& b) {
+    const Vec3x8 center = load3(block.center), t1 = load3(block.tangent), t2 = cross(t1, normal);
+    const Vec3x8 slip = (b.v - a.v) + cross(b.w - a.w, center) + cross(b.w, load3(block.d));
+    const f32x8 x = dot(slip, t1), y = dot(slip, t2);
+    const f32x8 m12 = load(block.tangent_mass[1]);
+    f32x8 p1 = -(load(block.tangent_mass[0]) * x + m12 * y), p2 = -(m12 * x + load(block.tangent_mass[2]) * y);
+    const f32x8 size = sqrt(p1 * p1 + p2 * p2), limit = load(block.friction) * load_sum;
+    const f32x8 scale = min(limit / (size + splat(1e-20f)), one());
+    return scale * (p1 * t1 + p2 * t2);
+}
+
+} // namespace
+
+template <int N> int bounce_contacts(void* blocks, int count, const SolverBodies& bodies, const BounceSettings& settings) {
+    auto* all = static_cast<ContactBlock<N>*>(blocks);
+    int bounced = 0;
+    for (int k = 0; k < count; ++k) {
+        ContactBlock<N>& block = all[k];
+        const Vec3x8 normal = load3(block.normal), c = load3(block.c);
+        Velocityx8 a = gather_velocity(bodies.velocity, block.a), b = gather_velocity(bodies.velocity, block.b);
+        const Vec3x8 dw = b.w - a.w;
+        const f32x8 common = dot(normal, b.v - a.v) + dot(c, b.w);
+        f32x8 v[N];
+        Vec3x8 arm[N];
+        for (int i = 0; i < N; ++i) {
+            arm[i] = load3(block.arm[i]);
+            v[i] = common + dot(arm[i], dw);
+        }
+        const Bounce bounce = find_bounce<N>(block, bodies, settings, v, arm, normal, c);
+        if (!any(bounce.lanes)) continue;
+        ++bounced;
+        f32x8 sum = zero();
+        Vec3x8 torque = zero3();
+        for (int i = 0; i < N; ++i) {
+            sum += bounce.impulse[i];
+            torque = torque + bounce.impulse[i] * arm[i];
+            store(block.total_impulse[i], load(block.total_impulse[i]) + bounce.impulse[i]);
+        }
+        const Velocityx8 before_a = a, before_b = b;
+        apply_normal(block, normal, c, sum, torque, a, b);
+        const Vec3x8 p = impact_friction(block, normal, sum, a, b);
+        apply_friction(block, load3(block.center), load3(block.d), p, zero3(), a, b);
+        scatter_velocity(bodies.velocity, block.write_a, a);
+        scatter_velocity(bodies.velocity, block.write_b, b);
+        // The same change to the reference: the bounce is over, and must not be carried into the next substep.
+        Velocityx8 ra = gather_velocity(bodies.reference, block.a), rb = gather_velocity(bodies.reference, block.b);
+        ra = {ra.v + (a.v - before_a.v), ra.w + (a.w - before_a.w)};
+        rb = {rb.v + (b.v - before_b.v), rb.w + (b.w - before_b.w)};
+        scatter_velocity(bodies.reference, block.write_a, ra);
+        scatter_velocity(bodies.reference, block.write_b, rb);
+    }
+    return bounced;
+}
+
+template int bounce_contacts<1>(void*, int, const SolverBodies&, const BounceSettings&);
+template int bounce_contacts<4>(void*, int, const SolverBodies&, const BounceSettings&);
+
+} // namespace cairn::CAIRN_ISA

@@ -1,0 +1,53 @@
+// Velocity and pose integration of the bodies of one bin.
+#include "kernels/solver.h"
+
+namespace cairn::CAIRN_ISA {
+
+// One row is one 8-lane register. The constraint impulses of the last substep are what the velocity gained
+// over the reference; as the constraint directions stay fixed during a step, carrying that difference over is
+// the warm start of the next substep, for free.
+void integrate_velocities(const SolverBodies& bodies, int begin, int end, bool first) {
+    for (int i = begin; i < end; ++i) {
+        const f32x8 v = load(bodies.velocity[i].v);
+        f32x8 free = v + load(bodies.drive[i].v);
+        if (bodies.damping) free = free * load(bodies.damping[i].v);
+        const f32x8 carried = first ? zero() : v - load(bodies.reference[i].v);
+        store(bodies.reference[i].v, free);
+        store(bodies.velocity[i].v, first ? free : free + carried);
+    }
+}
+
+// The rotation by the vector h w: the half angle x = |h w| / 2 has tan x = x (1 + x^2/3 + 2 x^4/15 + ...), so the
+// unnormalized quaternion (h w / 2 (1 + x^2/3 + 2 x^4/15), 1) turns by h |w| up to O(x^7).
+void integrate_poses(const SolverBodies& bodies, int begin, int end, float h) {
+    const f32x8 step = splat(h);
+    for (int i = begin; i < end; i += 8) {
+        std::int32_t row[8];
+        for (int k = 0; k < 8; ++k) row[k] = i + k;
+        Velocityx8 move = gather_velocity(bodies.velocity, row);
+        if (bodies.velocity_correction) {
+            const Velocityx8 extra =
+                gather_velocity(reinterpret_cast<const SolverVelocity*>(bodies.velocity_correction), row);
+            move = {move.v + extra.v, move.w + extra.w};
+        }
+        float* p[8];
+        Vec3x8 dx;
+        Quatx8 q;
+        f32x8 unused;
+        for (int k = 0; k < 8; ++k) p[k] = bodies.pose[i + k].dx;
+        gather4(p, dx.x, dx.y, dx.z, unused);
+        dx = dx + step * move.v;
+        scatter4(p, dx.x, dx.y, dx.z, zero());
+        for (int k = 0; k < 8; ++k) p[k] += 4;
+        gather4(p, q.v.x, q.v.y, q.v.z, q.w);
+        const Vec3x8 half = splat(0.5f * h) * move.w;
+        const f32x8 x2 = min(dot(half, half), one()); // beyond a radian and a half per substep the axis is all that counts
+        const Vec3x8 t = (one() + x2 * (splat(1.0f / 3.0f) + x2 * splat(2.0f / 15.0f))) * half;
+        const Vec3x8 v = q.v + (q.w * t + cross(t, q.v));
+        const f32x8 w = q.w - dot(t, q.v);
+        const f32x8 scale = one() / sqrt(dot(v, v) + w * w);
+        scatter4(p, scale * v.x, scale * v.y, scale * v.z, scale * w);
+    }
+}
+
+} // namespace cairn::CAIRN_ISA

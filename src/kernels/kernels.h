@@ -1,0 +1,42 @@
+// The table of wide kernels. Each kernel source is compiled once per instruction set; the table of the best
+// set that the machine has (or that CAIRN_ISA names) is picked once, at start-up.
+// Kernel translation units include only simd/ and plain-data headers, so that no code compiled for one
+// instruction set leaks into another through shared inline functions.
+#pragma once
+
+#include "bvh/tree.h"
+#include "collision/manifold.h"
+#include "collision/shape_pose.h"
+#include "kernels/solver_data.h"
+
+#include <cstdint>
+
+namespace cairn {
+
+// Tests `count` pairs (a multiple of 8; pad by repeating any valid pair) of shapes poses[first[i]] and
+// poses[second[i]], and writes out[i]. Points are made up to margin[i] meters apart.
+using CollideKernel = void (*)(const ShapePose* poses, const std::uint32_t* first, const std::uint32_t* second,
+                               const float* margin, int count, Manifold* out);
+
+struct KernelTable {
+    const char* name; // "avx2", "sse2", "neon", "scalar"
+
+    CollideKernel sphere_sphere;
+    CollideKernel sphere_box;       // first: sphere, second: box
+    CollideKernel sphere_plane;     // first: sphere, second: infinite plane
+    CollideKernel sphere_rectangle; // first: sphere, second: finite rectangle
+    CollideKernel box_box;
+    CollideKernel box_plane;
+    CollideKernel box_rectangle;
+
+    SolverKernels solver;
+    BroadKernels broad;
+};
+
+// The chosen table.
+const KernelTable& kernels() noexcept;
+
+// The table of a named instruction set, or null when this build or this machine does not have it.
+const KernelTable* kernels_named(const char* name) noexcept;
+
+} // namespace cairn

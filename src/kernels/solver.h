@@ -1,0 +1,65 @@
+// The solver kernels of one instruction set, and what they share.
+#pragma once
+
+#include "kernels/solver_data.h"
+#include "simd/wide_math.h"
+
+namespace cairn::CAIRN_ISA {
+
+SolverKernels solver_kernels();
+template <int N>
+void prepare_contacts(void* blocks, int count, const ContactLanes& lanes, const ContactRecord* records,
+                      const SolverInertia* inertia, float friction_margin);
+template <int N> void store_contacts(const void* blocks, int count, const ContactLanes& lanes, ContactRecord* records);
+template <int N> int bounce_contacts(void* blocks, int count, const SolverBodies& bodies, const BounceSettings& settings);
+void integrate_velocities(const SolverBodies& bodies, int begin, int end, bool first);
+void integrate_poses(const SolverBodies& bodies, int begin, int end, float h);
+
+// Velocities of 8 bodies.
+struct Velocityx8 {
+    Vec3x8 v, w;
+};
+
+CAIRN_INLINE Velocityx8 gather_velocity(const SolverVelocity* rows, const std::int32_t* row) {
+    const float* p[8];
+    Velocityx8 r;
+    f32x8 unused;
+    for (int i = 0; i < 8; ++i) p[i] = rows[row[i]].v;
+    gather4(p, r.v.x, r.v.y, r.v.z, unused);
+    for (int i = 0; i < 8; ++i) p[i] += 4;
+    gather4(p, r.w.x, r.w.y, r.w.z, unused);
+    return r;
+}
+CAIRN_INLINE void scatter_velocity(SolverVelocity* rows, const std::int32_t* row, const Velocityx8& a) {
+    float* p[8];
+    for (int i = 0; i < 8; ++i) p[i] = rows[row[i]].v;
+    scatter4(p, a.v.x, a.v.y, a.v.z, zero());
+    for (int i = 0; i < 8; ++i) p[i] += 4;
+    scatter4(p, a.w.x, a.w.y, a.w.z, zero());
+}
+
+// Index of the coupling term K_ij, i < j.
+constexpr int coupling_index(int i, int j) { return i == 0 ? j - 1 : i == 1 ? j + 1 : 5; }
+
+// Applies the normal impulses S = sum of d_i and T = sum of j_i d_i to both bodies.
+template <int N>
+CAIRN_INLINE void apply_normal(const ContactBlock<N>& block, Vec3x8 normal, Vec3x8 c, f32x8 sum, Vec3x8 torque,
+                               Velocityx8& a, Velocityx8& b) {
+    a.v = a.v - (load(block.mass_a) * sum) * normal;
+    b.v = b.v + (load(block.mass_b) * sum) * normal;
+    a.w = a.w - load6(block.inertia_a) * torque;
+    b.w = b.w + load6(block.inertia_b) * (torque + sum * c);
+}
+
+// Applies the impulse p at the friction center, and the couple about the normal, to both bodies.
+template <int N>
+CAIRN_INLINE void apply_friction(const ContactBlock<N>& block, Vec3x8 center, Vec3x8 d, Vec3x8 p, Vec3x8 couple,
+                                 Velocityx8& a, Velocityx8& b) {
+    const Vec3x8 torque_a = cross(center, p) + couple;
+    a.v = a.v - load(block.mass_a) * p;
+    b.v = b.v + load(block.mass_b) * p;
+    a.w = a.w - load6(block.inertia_a) * torque_a;
+    b.w = b.w + load6(block.inertia_b) * (torque_a + cross(d, p));
+}
+
+} // namespace cairn::CAIRN_ISA

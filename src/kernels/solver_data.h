@@ -1,0 +1,136 @@
+// What the solver kernels work on. Plain data, no functions: kernel translation units of every instruction
+// set include it.
+#pragma once
+
+#include <cstdint>
+
+namespace cairn {
+
+// --- Bodies of one solver bin, gathered anew each step, one row each.
+
+// Linear and angular velocity, world axes.
+struct alignas(32) SolverVelocity {
+    float v[3], pad0;
+    float w[3], pad1;
+};
+
+// How far the body has moved since the start of the step: translation of the center of mass, and rotation.
+struct alignas(32) SolverPose {
+    float dx[3], pad0;
+    float dq[4]; // x y z w
+};
+
+// Inverse mass and inverse inertia about the center of mass in world axes, as at the start of the step.
+struct alignas(32) SolverInertia {
+    float inverse_mass;
+    float xx, xy, xz, yy, yz, zz;
+    float pad;
+};
+
+// A linear and an angular quantity per body, of whatever kind the kernel that takes it says.
+struct alignas(32) SolverTwist {
+    float v[3], pad0;
+    float w[3], pad1;
+};
+
+// The rows of a bin's body arrays that are not bodies: what does not move (all zero), and where lanes write
+// that have nothing to write.
+inline constexpr std::int32_t fixed_row = 0, discard_row = 1, first_body_row = 2;
+
+// --- Contacts.
+
+// One touching or nearly touching pair of shapes, at a stable index. Written by the narrow phase, read by
+// the solver's prepare kernel, which writes the impulses back. Body A always moves by forces (is dynamic);
+// body B may be anything. World axes; arms are relative to A's center of mass.
+struct alignas(16) ContactRecord {
+    float normal[3];      // unit, from A to B
+    float friction;       // combined dynamic coefficient
+    float center_offset[3]; // center of mass of A minus that of B
+    float restitution;
+    float points[4][4];   // arm from A's center of mass, and separation; unused: {0, 0, 0, 1e30}
+    float impulses[4];    // normal impulses of the last substep, N s; the warm start
+    float friction_impulse[3]; // tangential impulse of the last substep, world axes, on B
+    float torsion_impulse;     // about the normal, N m s
+    float total_impulses[4];   // normal impulses summed over the last step's substeps
+    float static_friction;     // combined static coefficient, >= friction
+    float rolling_radius;      // combined lever arm of rolling resistance, m
+    float torsion_radius;      // combined patch radius for one-point contacts, m
+    float approach_speed;      // greatest approach speed of its points when it began, for hit events
+};
+
+// One block of 8 contacts with N points each, 8 lanes side by side. Built by prepare, used by all substeps.
+// With both anchors of a point in one place in the world, B's arm of the normal row is A's plus c:
+// j_i = r_i x n for A and j_i + c for B, c = (x_A - x_B) x n.
+template <int N> struct alignas(64) ContactBlock {
+    static constexpr int cross_terms = N == 4 ? 6 : 1;
+    std::int32_t a[8], b[8];             // rows of the bodies
+    std::int32_t write_a[8], write_b[8]; // where their velocities go: the same rows, or discard_row
+    float normal[3][8], c[3][8], mass_a[8], mass_b[8], inertia_a[6][8], inertia_b[6][8];
+    float arm[N][3][8];                 // j_i
+    float effective_mass[N][8];         // 1 / K_ii; 0 for unused points
+    float coupling[cross_terms][8];     // K_ij, i < j, in the order 01 02 03 12 13 23
+    float impulse[N][8], separation[N][8];
+    float separation0[N][8], height[N][8]; // separation at the start of the step; r_i . n
+    float d[3][8];                      // x_A - x_B at the start of the step
+    float tangent[3][8], center[3][8];  // first tangent; arm of the friction center
+    float tangent_mass[3][8];           // inverse of the 2x2 tangential K: 11, 12, 22
+    float torsion_mass[8], torsion_coupling[2][8];
+    float lever[N][8];                  // distance of each point from the friction center
+    float friction[8], static_friction[8], torsion_radius[8], rolling_radius[8], restitution[8];
+    float tangent_impulse[2][8], torsion_impulse[8], rolling_impulse[3][8];
+    float total_impulse[N][8];
+};
+
+// Softness and limits of the contacts of one bin; rates are per second, for a substep of h seconds.
+// "Static" values are for contacts with bodies that do not move.
+struct ContactSoftness {
+    float h, inverse_h;
+    float bias_rate, mass_scale, impulse_scale;
+    float bias_rate_static, mass_scale_static, impulse_scale_static;
+    float recovery_speed;
+};
+
+// Which contact sits in each lane of a list of blocks, and the rows of its bodies. A record of -1 is an empty
+// lane (its rows are fixed_row).
+struct ContactLanes {
+    const std::int32_t* record;
+    const std::int32_t* row_a;
+    const std::int32_t* row_b;
+};
+
+// The body arrays of one bin.
+struct SolverBodies {
+    SolverVelocity* velocity;
+    SolverVelocity* reference;   // velocity after external forces, before any constraint of the substep
+    SolverPose* pose;
+    const SolverInertia* inertia;
+    const SolverTwist* drive;    // what external forces add to the velocity in one substep
+    const SolverTwist* damping;  // factors on the velocity, one substep; null: none
+    const SolverTwist* velocity_correction; // what to add to the velocity to move the pose by; null: none
+};
+
+struct BounceSettings {
+    float h;               // substep, s
+    float threshold;       // slower approaches do not bounce, m/s
+    float velocity_offset; // velocity of the discrete path behind the stored one, in units of h a (see bounce.cpp)
+};
+
+struct SolverKernels {
+    // The blocks argument of each is an array of ContactBlock<1> or ContactBlock<4>.
+    struct ForPoints {
+        void (*prepare)(void* blocks, int count, const ContactLanes& lanes, const ContactRecord* records,
+                        const SolverInertia* inertia, float friction_margin);
+        void (*warm_start)(const void* blocks, int count, SolverVelocity* velocity);
+        void (*solve)(void* blocks, int count, SolverVelocity* velocity, const ContactSoftness& softness);
+        void (*relax)(void* blocks, int count, SolverVelocity* velocity, const SolverPose* pose,
+                      const ContactSoftness& softness);
+        int (*bounce)(void* blocks, int count, const SolverBodies& bodies, const BounceSettings& settings);
+        void (*store)(const void* blocks, int count, const ContactLanes& lanes, ContactRecord* records);
+    } one_point, four_points;
+
+    // Rows begin..end. `first`: the first substep of a step, which has no constraint part to carry over.
+    void (*integrate_velocities)(const SolverBodies& bodies, int begin, int end, bool first);
+    void (*integrate_poses)(const SolverBodies& bodies, int begin, int end, float h); // whole groups of 8 rows
+};
+
+} // namespace cairn

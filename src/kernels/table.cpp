@@ -1,0 +1,19 @@
+// The kernel table of one instruction set.
+#include "kernels/broad.h"
+#include "kernels/collide.h"
+#include "kernels/kernels.h"
+#include "kernels/solver.h"
+
+namespace cairn::CAIRN_ISA {
+
+#define CAIRN_STRING2(text) #text
+#define CAIRN_STRING(text) CAIRN_STRING2(text)
+
+extern const KernelTable table;
+const KernelTable table = {
+    CAIRN_STRING(CAIRN_ISA), sphere_sphere, sphere_box,    sphere_plane,
+    sphere_rectangle,        box_box,       box_plane,     box_rectangle,
+    solver_kernels(),        broad_kernels(),
+};
+
+} // namespace cairn::CAIRN_ISA

@@ -1,0 +1,29 @@
+#include "scene/json_number.h"
+
+#include <charconv>
+
+namespace cairn::scene {
+
+double shortest(float value) {
+    if (value == 0.0f) return 0.0;
+    char digits[32];
+    const std::to_chars_result end =
+        std::to_chars(digits, digits + sizeof digits, value, std::chars_format::scientific);
+    const double decimal = nlohmann::json::parse(digits, end.ptr).get<double>();
+    // Reading rounds twice, to double and then to float, which in principle may end one float away.
+    return static_cast<float>(decimal) == value ? decimal : static_cast<double>(value);
+}
+
+nlohmann::ordered_json number_array(const Vec3 &v) {
+    return nlohmann::ordered_json::array({shortest(v.x), shortest(v.y), shortest(v.z)});
+}
+
+nlohmann::ordered_json number_array(const Position &v) {
+    return nlohmann::ordered_json::array({v.x + 0.0, v.y + 0.0, v.z + 0.0});
+}
+
+nlohmann::ordered_json number_array(const Quat &q) {
+    return nlohmann::ordered_json::array({shortest(q.x), shortest(q.y), shortest(q.z), shortest(q.w)});
+}
+
+} // namespace cairn::scene

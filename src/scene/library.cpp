@@ -1,0 +1,128 @@
+// The folder of scenes: finding it, listing it, and finding one scene in it.
+#include "scene/document.h"
+#include "scene/gltf_file.h"
+#include "scene/node_graph.h"
+#include "scene/scene.h"
+#include "scene/world_settings.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <system_error>
+
+namespace cairn::scene {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Bodies at a node and below it, by the same rules as when the world is built.
+std::size_t count_bodies(const Value &nodes, const NodeGraph &graph, std::size_t index, bool in_body,
+                         std::size_t depth) {
+    const Value node = nodes[index];
+    if (depth > max_node_depth)
+        node.fail("must be at most " + std::to_string(max_node_depth) + " nodes below its root");
+    const auto physics = extension(node, "KHR_physics_rigid_bodies");
+    const bool has_motion = physics && physics->find("motion");
+    const bool begins_body = has_motion || (!in_body && extension(node, "CAIRN_body"));
+    const bool lone_collider = !begins_body && !in_body && physics && physics->find("collider");
+    std::size_t bodies = begins_body || lone_collider ? 1 : 0;
+    for (const std::size_t child : graph.children[index]) {
+        bodies += count_bodies(nodes, graph, child, in_body || begins_body, depth + 1);
+    }
+    return bodies;
+}
+
+SceneEntry read_entry(const fs::path &path) {
+    SceneEntry entry;
+    entry.path = path;
+    entry.name = path.stem().generic_string();
+    try {
+        const std::string file = path.filename().generic_string();
+        const nlohmann::json json = parse_gltf(read_file(path), file);
+        const Value document(json, file);
+        check_document(document);
+        const auto scene = default_scene(document);
+        SceneInfo info;
+        if (const auto own = scene ? extension(*scene, "CAIRN_world") : std::nullopt) read_title(*own, info);
+        entry.title = info.title;
+        entry.hint = info.hint;
+        const NodeGraph graph = read_node_graph(document, scene);
+        for (const std::size_t root : graph.roots) {
+            entry.bodies += count_bodies(document.require("nodes"), graph, root, false, 0);
+        }
+    } catch (const Error &error) {
+        entry.error = error.what();
+    }
+    return entry;
+}
+
+bool is_scene_file(const fs::path &path) { return path.extension() == ".gltf" || path.extension() == ".glb"; }
+
+std::vector<fs::path> scene_files(const fs::path &directory) {
+    std::vector<fs::path> files;
+    std::error_code code;
+    for (fs::directory_iterator entry(directory, code), end; !code && entry != end; entry.increment(code)) {
+        if (is_scene_file(entry->path()) && !entry->is_directory(code)) files.push_back(entry->path());
+        code.clear(); // of a single entry: reading that file will say what is wrong with it
+    }
+    if (code) throw Error(ErrorCode::io, directory.generic_string(), {}, "cannot be listed: " + code.message());
+    std::sort(files.begin(), files.end(), [](const fs::path &a, const fs::path &b) {
+        return a.filename().generic_string() < b.filename().generic_string();
+    });
+    return files;
+}
+
+// "01_open_plane" -> "open_plane"
+std::string without_number(const std::string &name) {
+    const std::size_t digits = name.find_first_not_of("0123456789");
+    if (digits == 0 || digits == std::string::npos || name[digits] != '_') return name;
+    return name.substr(digits + 1);
+}
+
+// The folder of the running program; empty where the system has no way to tell.
+fs::path program_directory() {
+    std::error_code code;
+    const fs::path program = fs::read_symlink("/proc/self/exe", code);
+    return code ? fs::path() : program.parent_path();
+}
+
+} // namespace
+
+std::vector<SceneEntry> list_scenes(const fs::path &directory) {
+    std::vector<SceneEntry> entries;
+    for (const fs::path &file : scene_files(directory)) entries.push_back(read_entry(file));
+    return entries;
+}
+
+fs::path scenes_directory() {
+    if (const char *chosen = std::getenv("CAIRN_SCENES"); chosen != nullptr && *chosen != '\0') return chosen;
+    std::error_code code;
+    if (const fs::path program = program_directory(); !program.empty()) {
+        const fs::path installed = program / ".." / "share" / "cairn" / "scenes";
+        if (fs::is_directory(installed, code)) return installed.lexically_normal();
+    }
+    return CAIRN_SOURCE_SCENES;
+}
+
+fs::path find_scene(std::string_view path_or_name) {
+    const fs::path path(path_or_name);
+    std::error_code code;
+    if (fs::exists(path, code)) return path;
+    const std::string name(path_or_name);
+    const fs::path directory = scenes_directory();
+    const bool is_name = !name.empty() && !path.has_parent_path();
+    if (is_name && fs::is_directory(directory, code)) {
+        for (const fs::path &file : scene_files(directory)) {
+            const std::string file_name = file.filename().generic_string(), stem = file.stem().generic_string();
+            if (name == file_name || name == stem || name == without_number(file_name) ||
+                name == without_number(stem)) {
+                return file;
+            }
+        }
+    }
+    std::string problem = "there is no such file";
+    if (is_name) problem += ", nor a scene of that name in " + directory.generic_string();
+    throw Error(ErrorCode::io, name.empty() ? "\"\"" : name, {}, problem);
+}
+
+} // namespace cairn::scene

@@ -1,0 +1,25 @@
+// Where nodes stand: translation, rotation and scale, read from a node and composed down the hierarchy.
+#pragma once
+
+#include "scene/json_value.h"
+
+namespace cairn::scene {
+
+// Applied to a point in the order scale, rotation, translation (glTF 2.0, section 3.5.3).
+struct NodeTransform {
+    glm::dvec3 translation{0.0, 0.0, 0.0};
+    glm::dquat rotation{1.0, 0.0, 0.0, 0.0};
+    glm::dvec3 scale{1.0, 1.0, 1.0};
+    bool is_skewed = false; // a rotation below an uneven scale: the parts above only come near the real thing
+};
+
+// The transform of a node relative to its parent, from its translation, rotation and scale or its matrix.
+NodeTransform read_transform(const Value &node);
+
+// `child` as seen from where `parent` is seen.
+NodeTransform compose(const NodeTransform &parent, const NodeTransform &child);
+
+// Refuses a transform that no body or shape can have: skewed, or out of the range of a float.
+void require_usable(const NodeTransform &transform, const Value &node);
+
+} // namespace cairn::scene

@@ -1,0 +1,92 @@
+/// \file scene.h
+/// Scene files: glTF 2.0 with the Khronos drafts KHR_physics_rigid_bodies and KHR_implicit_shapes, and the
+/// world's own settings in CAIRN_world. docs/scene_format.md describes the format.
+///
+///     cairn::scene::Scene scene = cairn::scene::load("scenes/welcome.gltf");
+///     for (int i = 0; i < 600; ++i) scene.world.step(scene.info.time_step);
+///
+/// Everything here throws `cairn::Error`: `invalid_file` for a malformed file, `unsupported` for a well-formed
+/// one that asks for something this build does not do, `io` for a file that cannot be read or written. The
+/// message names the file, the place in it as a JSON path, what was expected and what was found:
+/// `crate.gltf: nodes[3].extensions.KHR_physics_rigid_bodies.motion.mass: must be >= 0, got -2`.
+#pragma once
+
+#include <cairn/cairn.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cairn::scene {
+
+/// Where a scene is best looked at from.
+struct Camera {
+    Position position{6.0, 4.0, 10.0};  ///< Meters.
+    Position target{0.0, 1.0, 0.0};     ///< The point in the middle of the picture, meters; not the position.
+    float vertical_fov_degrees = 45.0f; ///< Full angle from the bottom to the top of the picture, 1 to 170.
+};
+
+/// What a scene says about itself beside its bodies.
+struct SceneInfo {
+    std::string title;                    ///< A few words.
+    std::string hint;                     ///< One line on what to watch or try.
+    float time_step = 1.0f / 60.0f;       ///< s, 0.0001 to 1: the step that the scene is meant for.
+    std::optional<Camera> camera;         ///< Absent: choose a view of your own.
+    std::vector<ForceField> force_fields; ///< Those in the world; `Scene::force_fields` has their handles.
+};
+
+/// The color that a file gives to a shape.
+struct Appearance {
+    BodyId body;
+    ShapeId shape;
+    Vec3 color{1.0f, 1.0f, 1.0f}; ///< Linear red, green and blue, each 0 to 1.
+};
+
+/// A world and what came with it.
+struct Scene {
+    World world;
+    SceneInfo info;
+    std::vector<ForceFieldId> force_fields;
+    std::vector<Appearance> appearances; ///< Only of shapes that have a color of their own.
+    std::vector<std::string> warnings;   ///< What the file asks for that was done another way, or left out.
+};
+
+/// Reads a `.gltf` or `.glb` file; which of them it is shows in its first bytes, not in its name.
+Scene load(const std::filesystem::path &path);
+
+/// Reads a scene from memory. `name` stands for the file in messages.
+Scene load_from_memory(std::span<const std::byte> bytes, const std::string &name);
+
+/// The scene as it stands now, as the text of a `.gltf` file. What `load` reads from it is saved again as the
+/// same bytes. Colors of shapes that have been removed are left out.
+std::string save_to_string(const Scene &scene);
+
+/// Writes `save_to_string` to a file: to a temporary beside it first, which then takes its name.
+void save(const Scene &scene, const std::filesystem::path &path);
+
+/// One line of a list of scenes.
+struct SceneEntry {
+    std::filesystem::path path;
+    std::string name; ///< The file's name without its extension.
+    std::string title, hint;
+    std::size_t bodies = 0; ///< All kinds.
+    std::string error;      ///< Why the file cannot be used; empty if it can.
+};
+
+/// The `.gltf` and `.glb` files of a folder (not those of its subfolders), sorted by name. Builds no worlds.
+std::vector<SceneEntry> list_scenes(const std::filesystem::path &directory);
+
+/// The folder of the scenes that come with Cairn: the environment variable CAIRN_SCENES if it is set, else
+/// `../share/cairn/scenes` beside the program's own folder, else `scenes` of the source tree that it was
+/// built from.
+std::filesystem::path scenes_directory();
+
+/// The file that a user means: a path to an existing file, or the name of a scene in `scenes_directory()`,
+/// with or without its leading number and its extension (`welcome`, `open_plane`, `01_open_plane.gltf`).
+std::filesystem::path find_scene(std::string_view path_or_name);
+
+} // namespace cairn::scene

@@ -1,0 +1,173 @@
+#include "scene/world_settings.h"
+
+#include "scene/json_number.h"
+
+#include <algorithm>
+#include <array>
+
+namespace cairn::scene {
+
+namespace {
+
+constexpr std::size_t max_force_fields = 1000;
+constexpr std::size_t max_warnings_per_object = 20;
+
+struct NamedIntegrator {
+    const char *name;
+    Integrator integrator;
+};
+constexpr std::array<NamedIntegrator, 3> integrators{{
+    {"semi_implicit_euler", Integrator::semi_implicit_euler},
+    {"explicit_euler", Integrator::explicit_euler},
+    {"rk4", Integrator::rk4},
+}};
+
+Integrator read_integrator(const Value &value) {
+    const std::string name = value.text();
+    for (const NamedIntegrator &known : integrators) {
+        if (name == known.name) return known.integrator;
+    }
+    value.fail("must be \"semi_implicit_euler\", \"explicit_euler\" or \"rk4\"");
+}
+
+std::string integrator_name(Integrator integrator) {
+    const auto found = std::find_if(integrators.begin(), integrators.end(),
+                                    [&](const NamedIntegrator &known) { return known.integrator == integrator; });
+    return found->name;
+}
+
+Camera read_camera(const Value &value) {
+    Camera camera;
+    camera.position = value.require("position").vector3();
+    const Value target = value.require("target");
+    camera.target = target.vector3();
+    if (camera.target == camera.position) target.fail("must not be the camera's own position");
+    if (const auto angle = value.find("vertical_fov_degrees")) {
+        camera.vertical_fov_degrees = angle->real({1.0, 170.0, false});
+    }
+    return camera;
+}
+
+ForceField read_force_field(const Value &value) {
+    ForceField field;
+    const Value kind = value.require("kind");
+    const std::string name = kind.text();
+    if (name == "uniform") {
+        field.kind = ForceField::Kind::uniform;
+        field.direction = value.require("direction").float_vector3();
+    } else if (name == "radial") {
+        field.kind = ForceField::Kind::radial;
+        field.center = value.require("center").vector3();
+        field.strength = value.require("strength").real();
+        if (const auto exponent = value.find("exponent")) {
+            field.exponent = static_cast<float>(exponent->integer(-2, 1));
+        }
+    } else {
+        kind.fail("must be \"uniform\" or \"radial\"");
+    }
+    if (const auto is_force = value.find("is_force")) field.is_force = is_force->boolean();
+    return field;
+}
+
+nlohmann::ordered_json write_force_field(const ForceField &field) {
+    nlohmann::ordered_json json;
+    if (field.kind == ForceField::Kind::uniform) {
+        json["kind"] = "uniform";
+        json["direction"] = number_array(field.direction);
+    } else {
+        json["kind"] = "radial";
+        json["center"] = number_array(field.center);
+        json["strength"] = shortest(field.strength);
+        json["exponent"] = static_cast<int>(field.exponent);
+    }
+    if (field.is_force) json["is_force"] = true;
+    return json;
+}
+
+void read_scalars(const Value &settings, WorldDef &world, SceneInfo &info) {
+    if (const auto v = settings.find("time_step")) info.time_step = v->real({0.0001, 1.0, false});
+    if (const auto v = settings.find("gravity")) world.gravity = v->float_vector3();
+    if (const auto v = settings.find("substeps")) world.substeps = v->integer(1, 256);
+    if (const auto v = settings.find("adaptive_substeps")) world.adaptive_substeps = v->boolean();
+    if (const auto v = settings.find("integrator")) world.integrator = read_integrator(*v);
+    if (const auto v = settings.find("sleep")) world.enable_sleep = v->boolean();
+    if (const auto v = settings.find("sleep_speed")) world.sleep_speed = v->real(nonnegative_float);
+    if (const auto v = settings.find("sleep_time")) world.sleep_time = v->real(nonnegative_float);
+    if (const auto v = settings.find("restitution_speed")) world.restitution_speed = v->real(nonnegative_float);
+    if (const auto v = settings.find("hit_speed")) world.hit_speed = v->real(nonnegative_float);
+    if (const auto v = settings.find("recovery_speed")) world.recovery_speed = v->real(positive_float);
+    if (const auto v = settings.find("max_linear_speed")) world.max_linear_speed = v->real(positive_float);
+    if (const auto v = settings.find("max_angular_speed")) world.max_angular_speed = v->real(positive_float);
+}
+
+} // namespace
+
+void read_title(const Value &settings, SceneInfo &info) {
+    if (const auto title = settings.find("title")) info.title = title->text();
+    if (const auto hint = settings.find("hint")) info.hint = hint->text();
+}
+
+WorldSettings read_world_settings(const Value &settings, std::vector<std::string> &warnings) {
+    WorldSettings result;
+    read_title(settings, result.info);
+    read_scalars(settings, result.world, result.info);
+    if (const auto camera = settings.find("camera")) result.info.camera = read_camera(*camera);
+    if (const auto fields = settings.find("force_fields")) {
+        const std::size_t count = fields->size(max_force_fields, "force fields");
+        for (std::size_t i = 0; i < count; ++i) result.info.force_fields.push_back(read_force_field((*fields)[i]));
+    }
+    static const std::vector<std::string> known{"title",
+                                                "hint",
+                                                "time_step",
+                                                "gravity",
+                                                "substeps",
+                                                "adaptive_substeps",
+                                                "integrator",
+                                                "sleep",
+                                                "sleep_speed",
+                                                "sleep_time",
+                                                "restitution_speed",
+                                                "hit_speed",
+                                                "recovery_speed",
+                                                "max_linear_speed",
+                                                "max_angular_speed",
+                                                "camera",
+                                                "force_fields",
+                                                "extras",
+                                                "extensions"};
+    std::vector<std::string> unknown = settings.other_members(known, max_warnings_per_object);
+    for (const std::string &name : unknown) {
+        warnings.push_back(settings.place() + "the member \"" + name + "\" is not known and has no effect");
+    }
+    return result;
+}
+
+nlohmann::ordered_json write_world_settings(const WorldDef &world, const SceneInfo &info) {
+    nlohmann::ordered_json json;
+    json["title"] = info.title;
+    json["hint"] = info.hint;
+    json["time_step"] = shortest(info.time_step);
+    json["gravity"] = number_array(world.gravity);
+    json["substeps"] = world.substeps;
+    json["adaptive_substeps"] = world.adaptive_substeps;
+    json["integrator"] = integrator_name(world.integrator);
+    json["sleep"] = world.enable_sleep;
+    json["sleep_speed"] = shortest(world.sleep_speed);
+    json["sleep_time"] = shortest(world.sleep_time);
+    json["restitution_speed"] = shortest(world.restitution_speed);
+    json["hit_speed"] = shortest(world.hit_speed);
+    json["recovery_speed"] = shortest(world.recovery_speed);
+    json["max_linear_speed"] = shortest(world.max_linear_speed);
+    json["max_angular_speed"] = shortest(world.max_angular_speed);
+    if (info.camera) {
+        json["camera"] = {{"position", number_array(info.camera->position)},
+                          {"target", number_array(info.camera->target)},
+                          {"vertical_fov_degrees", shortest(info.camera->vertical_fov_degrees)}};
+    }
+    if (!info.force_fields.empty()) {
+        for (const ForceField &field : info.force_fields) json["force_fields"].push_back(write_force_field(field));
+    }
+    return json;
+}
+
+} // namespace cairn::scene

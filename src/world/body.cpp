@@ -1,0 +1,338 @@
+// The accessor to one body.
+#include "dynamics/bodies.h"
+#include "dynamics/contacts.h"
+#include "dynamics/finalize.h"
+#include "dynamics/islands.h"
+#include "world/impl.h"
+#include "world/validate.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace cairn {
+
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+// A body of a state.
+struct Access {
+    State& s;
+    std::size_t b;
+    std::int32_t index() const { return std::int32_t(b); }
+    BodyMotion& motion() const { return s.motion[b]; }
+    BodyMass& mass() const { return s.mass[b]; }
+};
+
+void require_dynamic(const Access& a, const char* call) {
+    if (!a.s.is_dynamic(a.index())) throw Error(ErrorCode::wrong_state, call, "", "the body must be dynamic");
+}
+void require_moving(const Access& a, const char* call) {
+    if (a.s.body_settings[a.b].type == BodyType::static_) throw Error(ErrorCode::wrong_state, call, "", "a static body has no velocity");
+}
+
+// Adds an impulse; what exceeds the maximum speed is cut, and counted.
+void add_velocity(const Access& a, math::DVec3 dv, math::DVec3 dw) {
+    BodyMotion& m = a.motion();
+    auto add = [](math::Vec3& v, math::DVec3 d, float most) {
+        const math::DVec3 sum = math::to_double(v) + d;
+        const double size = math::length(sum);
+        if (size <= double(most)) {
+            v = math::to_float(sum);
+            return false;
+        }
+        v = std::isfinite(size) ? math::to_float((double(most) / size) * sum) : v;
+        return true;
+    };
+    const bool linear = add(m.v, dv, a.s.settings.max_linear_speed);
+    const bool angular = add(m.w, dw, a.s.settings.max_angular_speed);
+    if (linear || angular) ++a.s.clamped_speeds;
+    wake_body(a.s, a.index());
+}
+
+math::DVec3 inverse_inertia_times(const Access& a, math::DVec3 v) {
+    const math::Sym3 i = world_inverse_inertia(a.motion(), a.mass());
+    const math::DSym3 d{i.xx, i.xy, i.xz, i.yy, i.yz, i.zz};
+    return d * v;
+}
+
+} // namespace
+
+#define CAIRN_ACCESS                                                                                                   \
+    World::Impl& impl = *world_->impl_;                                                                                \
+    const Access a{impl.state, std::size_t(impl.index_of(id_))};                                                 \
+    [[maybe_unused]] State& s = a.s
+#define CAIRN_CHANGE(call)                                                                                             \
+    CAIRN_ACCESS;                                                                                                      \
+    impl.require_idle(call)
+
+BodyType Body::type() const {
+    CAIRN_ACCESS;
+    return s.body_settings[a.b].type;
+}
+const std::string& Body::name() const {
+    CAIRN_ACCESS;
+    return impl.names[a.b];
+}
+std::uint64_t Body::user_data() const {
+    CAIRN_ACCESS;
+    return impl.user_data[a.b];
+}
+Position Body::position() const {
+    CAIRN_ACCESS;
+    return to_public(body_origin(s, a.index()));
+}
+Quat Body::rotation() const {
+    CAIRN_ACCESS;
+    return to_public(math::to_float(a.motion().q));
+}
+Transform Body::transform() const { return {position(), rotation()}; }
+Position Body::center_of_mass() const {
+    CAIRN_ACCESS;
+    return to_public(a.motion().x);
+}
+Vec3 Body::linear_velocity() const {
+    CAIRN_ACCESS;
+    return to_public(a.motion().v);
+}
+Vec3 Body::angular_velocity() const {
+    CAIRN_ACCESS;
+    return to_public(a.motion().w);
+}
+Vec3 Body::velocity_at(const Position& point) const {
+    CAIRN_ACCESS;
+    require_position("Body::velocity_at point", point);
+    const math::Vec3 arm = math::to_float(to_math(point) - a.motion().x);
+    return to_public(a.motion().v + math::cross(a.motion().w, arm));
+}
+float Body::mass() const {
+    CAIRN_ACCESS;
+    return s.is_dynamic(a.index()) ? a.mass().mass : infinity;
+}
+MassProperties Body::mass_properties() const {
+    CAIRN_ACCESS;
+    const BodyMass& m = a.mass();
+    return {m.mass, to_public(m.center), to_public(m.inertia), to_public(m.principal)};
+}
+Mat3 Body::world_inertia() const {
+    CAIRN_ACCESS;
+    const math::DSym3 i = cairn::world_inertia(a.motion(), a.mass());
+    return Mat3(Vec3(i.xx, i.xy, i.xz), Vec3(i.xy, i.yy, i.yz), Vec3(i.xz, i.yz, i.zz));
+}
+Vec3 Body::angular_momentum() const {
+    CAIRN_ACCESS;
+    return to_public(math::to_float(cairn::world_inertia(a.motion(), a.mass()) * math::to_double(a.motion().w)));
+}
+double Body::kinetic_energy() const {
+    CAIRN_ACCESS;
+    return cairn::kinetic_energy(s, a.index());
+}
+float Body::gravity_scale() const {
+    CAIRN_ACCESS;
+    return s.body_settings[a.b].gravity_scale;
+}
+float Body::linear_damping() const {
+    CAIRN_ACCESS;
+    return s.body_settings[a.b].linear_damping;
+}
+float Body::angular_damping() const {
+    CAIRN_ACCESS;
+    return s.body_settings[a.b].angular_damping;
+}
+bool Body::is_awake() const {
+    CAIRN_ACCESS;
+    if (s.is_dynamic(a.index())) return s.is_awake(a.index());
+    return !(a.motion().v == math::Vec3{} && a.motion().w == math::Vec3{});
+}
+std::vector<ShapeId> Body::shapes() const {
+    CAIRN_ACCESS;
+    std::vector<ShapeId> ids;
+    for (std::int32_t i = s.bodies[a.b].first_shape; i != none; i = s.shapes[std::size_t(i)].next)
+        ids.push_back(s.shape_id(std::uint32_t(i)));
+    return ids;
+}
+
+void Body::set_transform(const Position& position, const Quat& rotation) {
+    CAIRN_CHANGE("Body::set_transform");
+    require_position("Body::set_transform position", position);
+    const Quat q = checked_rotation("Body::set_transform rotation", rotation);
+    wake_around(s, a.index());
+    wake_body(s, a.index());
+    set_pose(s, a.index(), to_math(position), math::to_double(to_math(q)));
+    update_proxies(s, a.index());
+    wake_around(s, a.index());
+}
+void Body::set_position(const Position& position) { set_transform(position, rotation()); }
+void Body::set_rotation(const Quat& rotation) { set_transform(position(), rotation); }
+
+void Body::set_linear_velocity(const Vec3& velocity) {
+    CAIRN_CHANGE("Body::set_linear_velocity");
+    require_finite("Body::set_linear_velocity", velocity);
+    require_moving(a, "Body::set_linear_velocity");
+    a.motion().v = to_math(velocity);
+    if (clamp_velocity(s.settings, a.motion().v, a.motion().w)) ++s.clamped_speeds;
+    wake_body(s, a.index());
+}
+void Body::set_angular_velocity(const Vec3& velocity) {
+    CAIRN_CHANGE("Body::set_angular_velocity");
+    require_finite("Body::set_angular_velocity", velocity);
+    require_moving(a, "Body::set_angular_velocity");
+    a.motion().w = to_math(velocity);
+    if (clamp_velocity(s.settings, a.motion().v, a.motion().w)) ++s.clamped_speeds;
+    wake_body(s, a.index());
+}
+
+void Body::move_to(const Transform& target, float seconds) {
+    CAIRN_CHANGE("Body::move_to");
+    require_position("Body::move_to target.position", target.position);
+    const Quat rotation = checked_rotation("Body::move_to target.rotation", target.rotation);
+    require_above("Body::move_to seconds", seconds, 0);
+    if (s.body_settings[a.b].type != BodyType::kinematic)
+        throw Error(ErrorCode::wrong_state, "Body::move_to", "", "the body must be kinematic");
+    const math::DQuat q = math::normalized(math::to_double(to_math(rotation)));
+    const math::DVec3 x = to_math(target.position) + math::rotate(q, math::to_double(a.mass().center));
+    math::DQuat turn = q * math::conjugate(a.motion().q);
+    if (turn.w < 0) turn = {-turn.x, -turn.y, -turn.z, -turn.w}; // the short way
+    // Angle 2 atan(|vector| / w), by repeated halving: atan t = 2 atan(t / (1 + sqrt(1 + t^2))).
+    const double sine = math::length(turn.vector());
+    double t = sine / std::max(turn.w, 1e-300), factor = 2;
+    if (turn.w < 1e-9) t = 1e9;
+    for (int i = 0; i < 6; ++i) t = t / (1 + std::sqrt(1 + t * t)), factor *= 2;
+    const double angle = factor * t * (1 - t * t * (1.0 / 3 - t * t / 5));
+    const math::DVec3 axis = sine > 0 ? (1 / sine) * turn.vector() : math::DVec3{};
+    a.motion().v = math::to_float((1 / double(seconds)) * (x - a.motion().x));
+    a.motion().w = math::to_float((angle / double(seconds)) * axis);
+    if (clamp_velocity(s.settings, a.motion().v, a.motion().w)) ++s.clamped_speeds;
+}
+
+void Body::set_gravity_scale(float scale) {
+    CAIRN_CHANGE("Body::set_gravity_scale");
+    require_finite("Body::set_gravity_scale", scale);
+    s.body_settings[a.b].gravity_scale = scale;
+    wake_body(s, a.index());
+}
+void Body::set_damping(float linear, float angular) {
+    CAIRN_CHANGE("Body::set_damping");
+    require_at_least("Body::set_damping linear", linear, 0);
+    require_at_least("Body::set_damping angular", angular, 0);
+    s.body_settings[a.b].linear_damping = linear;
+    s.body_settings[a.b].angular_damping = angular;
+    wake_body(s, a.index());
+}
+void Body::set_allow_sleep(bool allow) {
+    CAIRN_CHANGE("Body::set_allow_sleep");
+    s.body_settings[a.b].allow_sleep = allow;
+    wake_body(s, a.index());
+}
+
+void Body::set_type(BodyType type) {
+    CAIRN_CHANGE("Body::set_type");
+    if (type > BodyType::dynamic)
+        refuse("Body::set_type", std::to_string(int(type)), "must be one of the enumerators");
+    BodySettings& settings = s.body_settings[a.b];
+    if (settings.type == type) return;
+    std::vector<std::uint32_t> shapes;
+    for (std::int32_t i = s.bodies[a.b].first_shape; i != none; i = s.shapes[std::size_t(i)].next) {
+        if (type == BodyType::dynamic && s.geometry[std::size_t(i)].type >= ShapeType::plane)
+            throw Error(ErrorCode::wrong_state, "Body::set_type", "dynamic", "a body with a plane cannot be dynamic");
+        shapes.push_back(std::uint32_t(i));
+    }
+    wake_around(s, a.index());
+    wake_body(s, a.index());
+    // All contacts end, and are found anew at the next step.
+    for (const std::uint32_t i : shapes) s.broad_phase.remove(i);
+    update_pairs(s);
+    if (settings.type == BodyType::dynamic) remove_from_island(s, a.index());
+    std::erase(s.kinematics, a.index());
+    settings.type = type;
+    if (type == BodyType::dynamic) create_island(s, a.index());
+    if (type == BodyType::kinematic) s.kinematics.push_back(a.index());
+    if (type == BodyType::static_) a.motion().v = a.motion().w = {};
+    s.turned[a.b] = {};
+    refresh_mass(s, a.index());
+    place_shapes(s, a.index());
+    for (const std::uint32_t i : shapes) add_proxy(s, i);
+}
+
+void Body::set_name(std::string_view name) {
+    CAIRN_CHANGE("Body::set_name");
+    impl.names[a.b] = std::string(name);
+}
+void Body::set_mass_properties(const MassProperties& properties) {
+    CAIRN_CHANGE("Body::set_mass_properties");
+    validate("MassProperties", properties);
+    require_dynamic(a, "Body::set_mass_properties");
+    a.mass().follows_shapes = 0;
+    set_mass(s, a.index(), properties);
+    place_shapes(s, a.index());
+    wake_body(s, a.index());
+}
+void Body::set_mass_from_shapes(std::optional<float> mass) {
+    CAIRN_CHANGE("Body::set_mass_from_shapes");
+    if (mass) {
+        MassProperties check;
+        check.mass = *mass;
+        validate("Body::set_mass_from_shapes", check);
+    }
+    require_dynamic(a, "Body::set_mass_from_shapes");
+    a.mass().follows_shapes = 1;
+    a.mass().has_given_mass = mass.has_value();
+    a.mass().given_mass = mass.value_or(0.0f);
+    refresh_mass(s, a.index());
+    place_shapes(s, a.index());
+    wake_body(s, a.index());
+}
+void Body::wake() {
+    CAIRN_CHANGE("Body::wake");
+    wake_body(s, a.index());
+}
+
+void Body::add_force(const Vec3& force) {
+    CAIRN_CHANGE("Body::add_force");
+    require_finite("Body::add_force force", force);
+    require_dynamic(a, "Body::add_force");
+    s.forces[a.b].force += math::to_double(to_math(force));
+    s.forces[a.b].any = 1;
+    wake_body(s, a.index());
+}
+void Body::add_force_at(const Vec3& force, const Position& point) {
+    CAIRN_CHANGE("Body::add_force_at");
+    require_finite("Body::add_force_at force", force);
+    require_position("Body::add_force_at point", point);
+    require_dynamic(a, "Body::add_force_at");
+    const math::DVec3 f = math::to_double(to_math(force));
+    s.forces[a.b].force += f;
+    s.forces[a.b].torque += math::cross(to_math(point) - a.motion().x, f);
+    s.forces[a.b].any = 1;
+    wake_body(s, a.index());
+}
+void Body::add_torque(const Vec3& torque) {
+    CAIRN_CHANGE("Body::add_torque");
+    require_finite("Body::add_torque torque", torque);
+    require_dynamic(a, "Body::add_torque");
+    s.forces[a.b].torque += math::to_double(to_math(torque));
+    s.forces[a.b].any = 1;
+    wake_body(s, a.index());
+}
+void Body::apply_impulse(const Vec3& impulse) {
+    CAIRN_CHANGE("Body::apply_impulse");
+    require_finite("Body::apply_impulse impulse", impulse);
+    require_dynamic(a, "Body::apply_impulse");
+    add_velocity(a, double(a.mass().inverse_mass) * math::to_double(to_math(impulse)), {});
+}
+void Body::apply_impulse_at(const Vec3& impulse, const Position& point) {
+    CAIRN_CHANGE("Body::apply_impulse_at");
+    require_finite("Body::apply_impulse_at impulse", impulse);
+    require_position("Body::apply_impulse_at point", point);
+    require_dynamic(a, "Body::apply_impulse_at");
+    const math::DVec3 p = math::to_double(to_math(impulse));
+    add_velocity(a, double(a.mass().inverse_mass) * p, inverse_inertia_times(a, math::cross(to_math(point) - a.motion().x, p)));
+}
+void Body::apply_angular_impulse(const Vec3& impulse) {
+    CAIRN_CHANGE("Body::apply_angular_impulse");
+    require_finite("Body::apply_angular_impulse impulse", impulse);
+    require_dynamic(a, "Body::apply_angular_impulse");
+    add_velocity(a, {}, inverse_inertia_times(a, math::to_double(to_math(impulse))));
+}
+
+} // namespace cairn

@@ -1,0 +1,39 @@
+// What a World holds: the simulation, and what only users see of it.
+#pragma once
+
+#include "dynamics/state.h"
+
+#include <cairn/world.h>
+
+#include <string>
+#include <vector>
+
+namespace cairn {
+
+struct World::Impl {
+    explicit Impl(const WorldDef& def);
+
+    State state;
+    std::vector<std::string> names;          // by body
+    std::vector<std::uint64_t> user_data;    // by body
+    std::vector<Shape> shape_of;             // by shape
+    std::vector<ShapeDef> def_of;            // by shape
+    bool stepping = false;
+
+    // Checked lookups: throw Error(invalid_handle).
+    std::int32_t index_of(BodyId id) const;
+    std::uint32_t index_of(ShapeId id) const;
+    std::uint32_t index_of(ForceFieldId id) const;
+
+    // Throws Error(wrong_state) from inside a step or a query callback.
+    void require_idle(const char* call) const;
+};
+
+inline math::Vec3 to_math(const Vec3& v) { return {v.x, v.y, v.z}; }
+inline math::DVec3 to_math(const Position& v) { return {v.x, v.y, v.z}; }
+inline math::Quat to_math(const Quat& q) { return {q.x, q.y, q.z, q.w}; }
+inline Vec3 to_public(math::Vec3 v) { return {v.x, v.y, v.z}; }
+inline Position to_public(math::DVec3 v) { return {v.x, v.y, v.z}; }
+inline Quat to_public(math::Quat q) { return Quat(q.w, q.x, q.y, q.z); }
+
+} // namespace cairn

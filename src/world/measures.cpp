@@ -1,0 +1,135 @@
+// Energies, momenta, contacts, counts and the state hash.
+#include "core/hash.h"
+#include "dynamics/bodies.h"
+#include "dynamics/contacts.h"
+#include "world/impl.h"
+
+#include <algorithm>
+
+namespace cairn {
+
+namespace {
+
+template <class F> void for_each_dynamic(const State& s, F&& f) {
+    for (std::uint32_t i = 0; i < s.body_slots.size(); ++i)
+        if (s.body_slots.is_live(i) && s.is_dynamic(std::int32_t(i))) f(std::int32_t(i));
+}
+
+// What is immovable has no share in sums over masses.
+double summed_mass(const State& s, std::int32_t b) {
+    const BodyMass& mass = s.mass[std::size_t(b)];
+    return mass.inverse_mass > 0 ? double(mass.mass) : 0.0;
+}
+
+Contact make_contact(const State& s, std::uint32_t id) {
+    const ContactInfo& c = s.contacts[id];
+    const ContactRecord r = s.is_awake(c.body_a) ? advanced_record(s, id) : s.records[id];
+    Contact out{s.shape_id(c.shape_a), s.shape_id(c.shape_b), s.body_id(c.body_a), s.body_id(c.body_b),
+                {r.normal[0], r.normal[1], r.normal[2]},
+                {r.friction_impulse[0], r.friction_impulse[1], r.friction_impulse[2]},
+                c.point_count, {}};
+    for (int i = 0; i < c.point_count; ++i) {
+        const math::DVec3 p = s.motion[std::size_t(c.body_a)].x + math::to_double(math::Vec3{r.points[i][0], r.points[i][1], r.points[i][2]});
+        out.points[i] = {to_public(p), r.points[i][3], r.total_impulses[i]};
+    }
+    return out;
+}
+
+} // namespace
+
+double World::kinetic_energy() const {
+    double sum = 0;
+    for_each_dynamic(impl_->state, [&](std::int32_t b) { sum += cairn::kinetic_energy(impl_->state, b); });
+    return sum;
+}
+
+double World::potential_energy() const {
+    const State& s = impl_->state;
+    const math::DVec3 g = math::to_double(to_math(s.settings.gravity));
+    double sum = 0;
+    for_each_dynamic(s, [&](std::int32_t b) {
+        sum -= summed_mass(s, b) * double(s.body_settings[std::size_t(b)].gravity_scale) * math::dot(g, s.motion[std::size_t(b)].x);
+    });
+    return sum;
+}
+
+glm::dvec3 World::linear_momentum() const {
+    const State& s = impl_->state;
+    math::DVec3 sum;
+    for_each_dynamic(s, [&](std::int32_t b) { sum += summed_mass(s, b) * math::to_double(s.motion[std::size_t(b)].v); });
+    return {sum.x, sum.y, sum.z};
+}
+
+glm::dvec3 World::angular_momentum() const {
+    const State& s = impl_->state;
+    math::DVec3 sum;
+    for_each_dynamic(s, [&](std::int32_t b) {
+        const BodyMotion& m = s.motion[std::size_t(b)];
+        sum += math::cross(m.x, summed_mass(s, b) * math::to_double(m.v));
+        if (!(s.mass[std::size_t(b)].inverse_inertia == math::Vec3{}))
+            sum += world_inertia(m, s.mass[std::size_t(b)]) * math::to_double(m.w);
+    });
+    return {sum.x, sum.y, sum.z};
+}
+
+std::uint64_t World::state_hash() const {
+    const State& s = impl_->state;
+    Hash64 hash;
+    for (std::uint32_t i = 0; i < s.body_slots.size(); ++i) {
+        if (!s.body_slots.is_live(i)) continue;
+        hash.add(i);
+        hash.add_bytes(&s.motion[i], sizeof(BodyMotion));
+    }
+    return hash.value();
+}
+
+std::vector<Contact> World::contacts() const {
+    const State& s = impl_->state;
+    std::vector<Contact> all;
+    for (std::uint32_t id = 0; id < s.contacts.size(); ++id)
+        if (s.contacts[id].in_use && s.contacts[id].touching) all.push_back(make_contact(s, id));
+    return all;
+}
+
+std::vector<Contact> World::contacts(BodyId body) const {
+    const std::int32_t b = impl_->index_of(body);
+    const State& s = impl_->state;
+    std::vector<Contact> all;
+    for (std::uint32_t id = 0; id < s.contacts.size(); ++id) {
+        const ContactInfo& c = s.contacts[id];
+        if (c.in_use && c.touching && (c.body_a == b || c.body_b == b)) all.push_back(make_contact(s, id));
+    }
+    return all;
+}
+
+Statistics World::statistics() const {
+    const State& s = impl_->state;
+    Statistics t = s.statistics;
+    t.steps = s.steps;
+    t.time = s.time;
+    t.bodies = s.body_slots.live_count();
+    t.shapes = s.shape_slots.live_count();
+    for_each_dynamic(s, [&](std::int32_t b) {
+        ++t.dynamic_bodies;
+        t.awake_bodies += s.is_awake(b);
+    });
+    std::uint64_t colors = 0;
+    for (const ContactInfo& c : s.contacts) {
+        if (!c.in_use) continue;
+        ++t.candidate_pairs;
+        if (c.color < 64) colors |= std::uint64_t(1) << c.color, t.overflow_contacts += c.color == 63;
+        if (!c.touching) continue;
+        ++t.contacts;
+        t.contact_points += c.point_count;
+    }
+    t.colors = std::size_t(__builtin_popcountll(colors));
+    t.islands = s.awake_islands.size();
+    for (const Island& island : s.islands) {
+        t.sleeping_islands += island.in_use && island.position == none;
+        if (island.in_use && island.position != none) t.max_substeps = std::max(t.max_substeps, island.substeps);
+    }
+    t.clamped_speeds = s.clamped_speeds;
+    return t;
+}
+
+} // namespace cairn

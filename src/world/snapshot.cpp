@@ -1,0 +1,77 @@
+// Saving a world and bringing it back.
+#include "core/archive.h"
+#include "core/hash.h"
+#include "world/impl.h"
+
+namespace cairn {
+
+namespace {
+
+constexpr std::uint64_t magic = 0x31306e7269616321ull; // "!cairn01"
+
+// Layouts that a snapshot depends on: one from another build is refused rather than misread.
+std::uint64_t layout() {
+    Hash64 hash;
+    for (const std::size_t size : {sizeof(State), sizeof(BodyMotion), sizeof(BodyMass), sizeof(ContactRecord), sizeof(ContactInfo),
+                                   sizeof(Island), sizeof(ShapePose), sizeof(Shape), sizeof(ShapeDef), sizeof(WorldDef)})
+        hash.add(size);
+    return hash.value();
+}
+
+template <class Archive> void serialize_state(Archive& archive, State& s) {
+    archive(s.world_id), archive(s.settings), archive(s.steps), archive(s.time);
+    s.body_slots.serialize(archive);
+    archive(s.motion), archive(s.mass), archive(s.body_settings), archive(s.forces), archive(s.bodies);
+    archive(s.turned), archive(s.kinematics);
+    s.shape_slots.serialize(archive);
+    archive(s.geometry), archive(s.shape_poses), archive(s.shapes), archive(s.materials);
+    archive(s.records), archive(s.contacts), archive(s.free_contacts);
+    archive(s.islands), archive(s.free_islands), archive(s.awake_islands);
+    archive(s.falling_asleep), archive(s.waking);
+    s.field_slots.serialize(archive);
+    archive(s.fields), archive(s.dead_bodies), archive(s.dead_shapes);
+    s.broad_phase.serialize(archive);
+    archive(s.clamped_speeds), archive(s.statistics);
+}
+
+template <class Archive, class Impl> void serialize_all(Archive& archive, Impl& impl) {
+    serialize_state(archive, impl.state);
+    archive(impl.user_data), archive(impl.shape_of), archive(impl.def_of);
+    impl.names.resize(impl.state.body_slots.size());
+    for (std::string& name : impl.names) archive(name);
+}
+
+} // namespace
+
+Snapshot World::save() const {
+    impl_->require_idle("World::save");
+    Snapshot snapshot;
+    ArchiveWriter body(snapshot.bytes);
+    body(magic);
+    body(layout());
+    body(std::uint64_t{0}); // checksum, below
+    const std::size_t header = snapshot.bytes.size();
+    serialize_all(body, *impl_); // a writer changes nothing
+    Hash64 sum;
+    sum.add_bytes(snapshot.bytes.data() + header, snapshot.bytes.size() - header);
+    const std::uint64_t value = sum.value();
+    std::memcpy(snapshot.bytes.data() + header - sizeof value, &value, sizeof value);
+    return snapshot;
+}
+
+void World::restore(const Snapshot& snapshot) {
+    impl_->require_idle("World::restore");
+    ArchiveReader reader(snapshot.bytes.data(), snapshot.bytes.size());
+    std::uint64_t found_magic = 0, found_layout = 0, checksum = 0;
+    reader(found_magic), reader(found_layout), reader(checksum);
+    if (found_magic != magic) throw Error(ErrorCode::invalid_file, "Snapshot", "", "does not begin as a snapshot does");
+    if (found_layout != layout()) throw Error(ErrorCode::unsupported, "Snapshot", "", "was saved by another build of this library");
+    Hash64 sum;
+    sum.add_bytes(snapshot.bytes.data() + (snapshot.bytes.size() - reader.bytes_left()), reader.bytes_left());
+    if (sum.value() != checksum) throw Error(ErrorCode::invalid_file, "Snapshot", "", "is damaged: its checksum does not fit");
+    auto fresh = std::make_unique<Impl>(impl_->state.settings);
+    serialize_all(reader, *fresh);
+    impl_ = std::move(fresh);
+}
+
+} // namespace cairn

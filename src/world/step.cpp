@@ -1,0 +1,63 @@
+// One step, top to bottom. Each line is a stage; each stage is a file in dynamics/.
+#include "dynamics/contacts.h"
+#include "dynamics/finalize.h"
+#include "dynamics/islands.h"
+#include "dynamics/solver.h"
+#include "world/impl.h"
+#include "world/validate.h"
+
+#include <chrono>
+
+namespace cairn {
+
+namespace {
+
+// Measures the stages one after another.
+class StageClock {
+public:
+    double lap() {
+        const auto now = Clock::now();
+        const double ms = std::chrono::duration<double, std::milli>(now - last_).count();
+        last_ = now;
+        return ms;
+    }
+    double total() const { return std::chrono::duration<double, std::milli>(last_ - start_).count(); }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point start_ = Clock::now(), last_ = start_;
+};
+
+} // namespace
+
+void World::step(float dt) {
+    impl_->require_idle("World::step");
+    if (!(dt > 0) || !std::isfinite(dt)) refuse("World::step dt", to_text(dt), "must be finite and > 0");
+    State& state = impl_->state;
+    StageTimes& times = state.statistics.times;
+    StageClock clock;
+    state.begins.clear();
+    state.ends.clear();
+    state.hits.clear();
+    state.sleeps.clear();
+    for (const std::int32_t island : state.awake_islands) state.islands[std::size_t(island)].kept_awake = 0;
+
+    update_pairs(state);
+    times.broad_phase = clock.lap();
+    update_contacts(state, dt);
+    times.narrow_phase = clock.lap();
+    pack_bins(state);
+    times.islands = clock.lap();
+    solve_bins(state, dt);
+    times.solve = clock.lap();
+    finalize_bodies(state, dt);
+    report_contacts(state, dt);
+    update_sleep(state);
+    times.finalize = clock.lap();
+    times.total = clock.total();
+
+    ++state.steps;
+    state.time += double(dt);
+}
+
+} // namespace cairn

@@ -1,0 +1,172 @@
+#include "world/validate.h"
+
+#include "dynamics/solver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace cairn {
+
+namespace {
+
+constexpr double farthest = 1e15;      // m: beyond this a double is coarser than a bolt
+constexpr float smallest_size = 1e-6f, largest_size = 1e9f; // m
+constexpr float smallest_mass = 1e-32f, largest_mass = 1e32f; // kg
+
+template <class V> std::string list_text(const V& v, int n) {
+    std::string text = "(";
+    for (int i = 0; i < n; ++i) text += (i ? ", " : "") + to_text(double(v[i]));
+    return text + ")";
+}
+
+bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+void require_size(const std::string& field, float value) {
+    if (!(value >= smallest_size && value <= largest_size))
+        refuse(field, to_text(value), "must be a size in meters from 1e-6 to 1e9");
+}
+
+void require_mass(const std::string& field, float mass) {
+    if (std::isinf(mass) && mass > 0) return;
+    if (!(mass >= smallest_mass && mass <= largest_mass))
+        refuse(field, to_text(mass), "must be a mass in kg from 1e-32 to 1e32, or infinite");
+}
+
+} // namespace
+
+void refuse(const std::string& field, const std::string& value, const std::string& expected) {
+    throw Error(ErrorCode::invalid_value, field, value, expected);
+}
+
+std::string to_text(double value) {
+    char buffer[32];
+    std::snprintf(buffer, sizeof buffer, "%g", value);
+    return buffer;
+}
+std::string to_text(const Vec3& v) { return list_text(v, 3); }
+std::string to_text(const Position& v) { return list_text(v, 3); }
+std::string to_text(const Quat& q) {
+    return "(w " + to_text(q.w) + ", x " + to_text(q.x) + ", y " + to_text(q.y) + ", z " + to_text(q.z) + ")";
+}
+
+void require_finite(const std::string& field, double value) {
+    if (!std::isfinite(value)) refuse(field, to_text(value), "must be finite");
+}
+void require_finite(const std::string& field, const Vec3& value) {
+    if (!finite(value)) refuse(field, to_text(value), "must be finite");
+}
+void require_position(const std::string& field, const Position& value) {
+    for (int i = 0; i < 3; ++i)
+        if (!(std::fabs(value[i]) <= farthest)) refuse(field, to_text(value), "must be finite and within 1e15 m of the origin");
+}
+void require_at_least(const std::string& field, double value, double least) {
+    if (!(std::isfinite(value) && value >= least)) refuse(field, to_text(value), "must be finite and >= " + to_text(least));
+}
+void require_above(const std::string& field, double value, double limit) {
+    if (!(std::isfinite(value) && value > limit)) refuse(field, to_text(value), "must be finite and > " + to_text(limit));
+}
+
+Quat checked_rotation(const std::string& field, const Quat& q) {
+    const double x = q.x, y = q.y, z = q.z, w = q.w;
+    const double square = x * x + y * y + z * z + w * w;
+    if (!std::isfinite(square)) refuse(field, to_text(q), "must be finite");
+    if (!(square > 1e-24)) refuse(field, to_text(q), "must not be zero");
+    const double scale = 1 / std::sqrt(square);
+    return Quat(float(w * scale), float(x * scale), float(y * scale), float(z * scale));
+}
+
+void validate(const WorldDef& def) {
+    require_finite("WorldDef.gravity", def.gravity);
+    if (def.substeps < 1 || def.substeps > most_substeps)
+        refuse("WorldDef.substeps", std::to_string(def.substeps), "must be from 1 to " + std::to_string(most_substeps));
+    if (def.integrator > Integrator::rk4)
+        refuse("WorldDef.integrator", std::to_string(int(def.integrator)), "must be one of the enumerators");
+    require_at_least("WorldDef.sleep_speed", def.sleep_speed, 0);
+    require_at_least("WorldDef.sleep_time", def.sleep_time, 0);
+    require_at_least("WorldDef.restitution_speed", def.restitution_speed, 0);
+    require_at_least("WorldDef.hit_speed", def.hit_speed, 0);
+    require_above("WorldDef.recovery_speed", def.recovery_speed, 0);
+    require_above("WorldDef.max_linear_speed", def.max_linear_speed, 0);
+    require_above("WorldDef.max_angular_speed", def.max_angular_speed, 0);
+}
+
+void validate(const std::string& field, const MassProperties& p) {
+    require_mass(field + ".mass", p.mass);
+    require_finite(field + ".center_of_mass", p.center_of_mass);
+    checked_rotation(field + ".inertia_orientation", p.inertia_orientation);
+    const Vec3& i = p.inertia_diagonal;
+    const std::string name = field + ".inertia_diagonal";
+    for (int k = 0; k < 3; ++k)
+        if (!(i[k] >= 0) || !std::isfinite(i[k])) refuse(name, to_text(i), "must be finite and >= 0 (0: does not turn about that axis)");
+    // Moments of a real body satisfy the triangle inequality; with a zero among them (immovable) it says nothing.
+    const float largest = std::max({i.x, i.y, i.z});
+    const bool all_positive = i.x > 0 && i.y > 0 && i.z > 0;
+    if (all_positive && double(i.x) + i.y + i.z - largest < double(largest) * (1 - 1e-4))
+        refuse(name, to_text(i), "must satisfy the triangle inequality: no moment may exceed the sum of the other two");
+}
+
+void validate(const BodyDef& def) {
+    if (def.type > BodyType::dynamic)
+        refuse("BodyDef.type", std::to_string(int(def.type)), "must be one of the enumerators");
+    require_position("BodyDef.position", def.position);
+    checked_rotation("BodyDef.rotation", def.rotation);
+    require_finite("BodyDef.linear_velocity", def.linear_velocity);
+    require_finite("BodyDef.angular_velocity", def.angular_velocity);
+    require_at_least("BodyDef.linear_damping", def.linear_damping, 0);
+    require_at_least("BodyDef.angular_damping", def.angular_damping, 0);
+    require_finite("BodyDef.gravity_scale", def.gravity_scale);
+    if (def.mass) require_mass("BodyDef.mass", *def.mass);
+    if (def.mass_properties) validate("BodyDef.mass_properties", *def.mass_properties);
+}
+
+void validate(const Shape& shape) {
+    if (const auto* sphere = std::get_if<Sphere>(&shape)) {
+        require_size("Sphere.radius", sphere->radius);
+    } else if (const auto* box = std::get_if<Box>(&shape)) {
+        const char* names[] = {"Box.half_extents.x", "Box.half_extents.y", "Box.half_extents.z"};
+        for (int i = 0; i < 3; ++i) require_size(names[i], box->half_extents[i]);
+    } else {
+        const auto& plane = std::get<Plane>(shape);
+        auto require_direction = [](const std::string& field, const Vec3& v) {
+            require_finite(field, v);
+            if (!(std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}) > 1e-30f)) refuse(field, to_text(v), "must not be zero");
+        };
+        require_direction("Plane.normal", plane.normal);
+        if (!plane.half_extents) return;
+        require_direction("Plane.tangent", plane.tangent);
+        require_size("Plane.half_extents.x", plane.half_extents->x);
+        require_size("Plane.half_extents.y", plane.half_extents->y);
+    }
+}
+
+void validate(const std::string& field, const Material& material) {
+    require_at_least(field + ".static_friction", material.static_friction, 0);
+    require_at_least(field + ".dynamic_friction", material.dynamic_friction, 0);
+    if (!(material.restitution >= 0 && material.restitution <= 1))
+        refuse(field + ".restitution", to_text(material.restitution), "must be from 0 to 1");
+    require_at_least(field + ".rolling_friction", material.rolling_friction, 0);
+    require_at_least(field + ".torsional_friction", material.torsional_friction, 0);
+    for (const CombineRule rule : {material.friction_combine, material.restitution_combine})
+        if (rule > CombineRule::multiply)
+            refuse(field + ".combine", std::to_string(int(rule)), "must be one of the enumerators");
+}
+
+void validate(const ShapeDef& def) {
+    require_finite("ShapeDef.position", def.position);
+    checked_rotation("ShapeDef.rotation", def.rotation);
+    require_at_least("ShapeDef.density", def.density, 0);
+    validate("ShapeDef.material", def.material);
+}
+
+void validate(const ForceField& field) {
+    require_finite("ForceField.direction", field.direction);
+    require_position("ForceField.center", field.center);
+    require_finite("ForceField.strength", field.strength);
+    if (field.kind > ForceField::Kind::radial)
+        refuse("ForceField.kind", std::to_string(int(field.kind)), "must be one of the enumerators");
+    if (field.exponent != -2 && field.exponent != -1 && field.exponent != 0 && field.exponent != 1)
+        refuse("ForceField.exponent", to_text(field.exponent), "must be -2, -1, 0 or 1");
+}
+
+} // namespace cairn

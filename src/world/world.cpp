@@ -1,0 +1,308 @@
+// Bodies, shapes and fields: making, changing and removing them. Every argument is checked before anything changes.
+#include "dynamics/bodies.h"
+#include "dynamics/contacts.h"
+#include "dynamics/finalize.h"
+#include "dynamics/islands.h"
+#include "world/impl.h"
+#include "world/validate.h"
+
+#include <algorithm>
+#include <atomic>
+
+namespace cairn {
+
+namespace {
+
+// Worlds are told apart by a number that wraps around after 65,535 of them; zero is nobody's.
+std::uint32_t next_world_id() {
+    static std::atomic<std::uint32_t> counter{0};
+    return 1 + counter.fetch_add(1, std::memory_order_relaxed) % 0xffffu;
+}
+
+[[noreturn]] void refuse_handle(const char* field, std::uint64_t bits, const char* why) {
+    char text[24];
+    std::snprintf(text, sizeof text, "0x%llx", static_cast<unsigned long long>(bits));
+    throw Error(ErrorCode::invalid_handle, field, text, why);
+}
+
+template <class Id> std::uint32_t checked_index(const char* field, Id id, std::uint32_t world, const SlotPool& pool) {
+    if (id.is_null()) refuse_handle(field, id.bits, "must not be null");
+    if (id.world() != world) refuse_handle(field, id.bits, "must be of this world");
+    if (!pool.is_live(id.index(), id.generation())) refuse_handle(field, id.bits, "is stale: the object was removed");
+    return id.index();
+}
+
+template <class T> void make_room(std::vector<T>& v, std::size_t index) {
+    if (v.size() <= index) v.resize(index + 1);
+}
+
+void require_slot(const SlotPool& pool, const char* what) {
+    if (pool.full()) throw Error(ErrorCode::wrong_state, what, std::to_string(pool.live_count()), "no more can exist in one world");
+}
+
+// Unlinks a shape from its body's list.
+void unlink_shape(State& s, std::uint32_t shape) {
+    ShapeLinks& links = s.shapes[shape];
+    BodyLinks& body = s.bodies[std::size_t(links.body)];
+    if (links.previous == none) body.first_shape = links.next;
+    else s.shapes[std::size_t(links.previous)].next = links.next;
+    if (links.next == none) body.last_shape = links.previous;
+    else s.shapes[std::size_t(links.next)].previous = links.previous;
+}
+
+void link_shape(State& s, std::uint32_t shape, std::int32_t body) {
+    ShapeLinks& links = s.shapes[shape];
+    BodyLinks& owner = s.bodies[std::size_t(body)];
+    links.body = body;
+    links.next = none;
+    links.previous = owner.last_shape;
+    if (owner.last_shape == none) owner.first_shape = std::int32_t(shape);
+    else s.shapes[std::size_t(owner.last_shape)].next = std::int32_t(shape);
+    owner.last_shape = std::int32_t(shape);
+}
+
+void retire_shape(State& s, std::uint32_t shape) {
+    s.broad_phase.remove(shape);
+    s.shape_slots.kill(shape);
+    s.dead_shapes.push_back(shape);
+}
+
+} // namespace
+
+World::Impl::Impl(const WorldDef& def) {
+    validate(def);
+    state.settings = def;
+    state.world_id = next_world_id();
+}
+
+std::int32_t World::Impl::index_of(BodyId id) const {
+    return std::int32_t(checked_index("BodyId", id, state.world_id, state.body_slots));
+}
+std::uint32_t World::Impl::index_of(ShapeId id) const { return checked_index("ShapeId", id, state.world_id, state.shape_slots); }
+std::uint32_t World::Impl::index_of(ForceFieldId id) const {
+    return checked_index("ForceFieldId", id, state.world_id, state.field_slots);
+}
+void World::Impl::require_idle(const char* call) const {
+    if (stepping) throw Error(ErrorCode::wrong_state, call, "", "not allowed while a step or a query of this world runs");
+}
+
+World::World(const WorldDef& def) : impl_(std::make_unique<Impl>(def)) {}
+World::~World() = default;
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+
+const WorldDef& World::settings() const noexcept { return impl_->state.settings; }
+
+void World::set_settings(const WorldDef& def) {
+    impl_->require_idle("World::set_settings");
+    validate(def);
+    State& s = impl_->state;
+    const bool wakes = def.gravity != s.settings.gravity || (s.settings.enable_sleep && !def.enable_sleep);
+    s.settings = def;
+    if (!wakes) return;
+    for (std::size_t i = 0; i < s.islands.size(); ++i)
+        if (s.islands[i].in_use) wake_island(s, std::int32_t(i));
+    for (BodyLinks& body : s.bodies) body.quiet_time = 0;
+}
+
+BodyId World::create_body(const BodyDef& def) {
+    impl_->require_idle("World::create_body");
+    validate(def);
+    State& s = impl_->state;
+    require_slot(s.body_slots, "World::create_body");
+    const std::size_t b = s.body_slots.create();
+    make_room(s.motion, b), make_room(s.mass, b), make_room(s.body_settings, b), make_room(s.forces, b);
+    make_room(s.bodies, b), make_room(s.turned, b), make_room(impl_->names, b), make_room(impl_->user_data, b);
+    s.bodies[b] = {};
+    s.forces[b] = {};
+    s.turned[b] = {};
+    s.mass[b] = {};
+    s.body_settings[b] = {def.gravity_scale, def.linear_damping, def.angular_damping, def.type, def.allow_sleep, {}};
+    const Quat q = checked_rotation("BodyDef.rotation", def.rotation);
+    s.motion[b] = {to_math(def.position), math::normalized(math::to_double(to_math(q))), to_math(def.linear_velocity),
+                   to_math(def.angular_velocity)};
+    if (def.type == BodyType::static_) s.motion[b].v = s.motion[b].w = {};
+    impl_->names[b] = def.name;
+    impl_->user_data[b] = def.user_data;
+
+    const std::int32_t body = std::int32_t(b);
+    BodyMass& mass = s.mass[b];
+    if (def.mass_properties) {
+        mass.follows_shapes = 0;
+        set_mass(s, body, *def.mass_properties);
+        // The given velocity is that of the center of mass, wherever it is.
+        if (def.type != BodyType::static_) s.motion[b].v = to_math(def.linear_velocity);
+    } else {
+        mass.has_given_mass = def.mass.has_value();
+        mass.given_mass = def.mass.value_or(0.0f);
+        refresh_mass(s, body);
+    }
+    if (def.type == BodyType::dynamic) create_island(s, body);
+    if (def.type == BodyType::kinematic) s.kinematics.push_back(body);
+    return s.body_id(body);
+}
+
+void World::destroy_body(BodyId id) {
+    impl_->require_idle("World::destroy_body");
+    const std::int32_t b = impl_->index_of(id);
+    State& s = impl_->state;
+    wake_around(s, b);
+    wake_body(s, b);
+    for (std::int32_t shape = s.bodies[std::size_t(b)].first_shape; shape != none; shape = s.shapes[std::size_t(shape)].next)
+        retire_shape(s, std::uint32_t(shape));
+    if (s.bodies[std::size_t(b)].island != none) remove_from_island(s, b);
+    std::erase(s.kinematics, b);
+    s.body_slots.kill(std::uint32_t(b));
+    s.dead_bodies.push_back(std::uint32_t(b));
+    impl_->names[std::size_t(b)].clear();
+}
+
+bool World::is_valid(BodyId id) const noexcept {
+    return id.world() == impl_->state.world_id && impl_->state.body_slots.is_live(id.index(), id.generation());
+}
+bool World::is_valid(ShapeId id) const noexcept {
+    return id.world() == impl_->state.world_id && impl_->state.shape_slots.is_live(id.index(), id.generation());
+}
+bool World::is_valid(ForceFieldId id) const noexcept {
+    return id.world() == impl_->state.world_id && impl_->state.field_slots.is_live(id.index(), id.generation());
+}
+
+Body World::body(BodyId id) {
+    impl_->index_of(id);
+    return Body(*this, id);
+}
+const Body World::body(BodyId id) const {
+    impl_->index_of(id);
+    return Body(const_cast<World&>(*this), id); // a const Body has only const members
+}
+
+std::vector<BodyId> World::bodies() const {
+    const State& s = impl_->state;
+    std::vector<BodyId> ids;
+    ids.reserve(s.body_slots.live_count());
+    for (std::uint32_t i = 0; i < s.body_slots.size(); ++i)
+        if (s.body_slots.is_live(i)) ids.push_back(s.body_id(std::int32_t(i)));
+    return ids;
+}
+
+std::optional<BodyId> World::find_body(std::string_view name) const {
+    const State& s = impl_->state;
+    for (std::uint32_t i = 0; i < s.body_slots.size(); ++i)
+        if (s.body_slots.is_live(i) && impl_->names[i] == name) return s.body_id(std::int32_t(i));
+    return std::nullopt;
+}
+
+ShapeId World::add_shape(BodyId id, const Shape& shape, const ShapeDef& def) {
+    impl_->require_idle("World::add_shape");
+    const std::int32_t b = impl_->index_of(id);
+    validate(shape);
+    validate(def);
+    State& s = impl_->state;
+    if (std::holds_alternative<Plane>(shape) && s.is_dynamic(b))
+        throw Error(ErrorCode::wrong_state, "World::add_shape shape", "Plane", "planes have no mass: add them to static or kinematic bodies");
+    require_slot(s.shape_slots, "World::add_shape");
+    const std::uint32_t i = s.shape_slots.create();
+    make_room(s.geometry, i), make_room(s.shape_poses, i), make_room(s.shapes, i), make_room(s.materials, i);
+    make_room(impl_->shape_of, i), make_room(impl_->def_of, i);
+    impl_->shape_of[i] = shape;
+    impl_->def_of[i] = def;
+    impl_->def_of[i].rotation = checked_rotation("ShapeDef.rotation", def.rotation);
+    const Transform pose{Position(def.position), impl_->def_of[i].rotation};
+    s.geometry[i] = make_geometry(shape, pose);
+    s.materials[i] = def.material;
+    s.shapes[i] = {};
+    s.shapes[i].density = def.density;
+    link_shape(s, i, b);
+    refresh_mass(s, b);
+    place_shapes(s, b);
+    wake_body(s, b);
+    add_proxy(s, i);
+    if (!s.is_dynamic(b)) wake_around_shape(s, i);
+    return s.shape_id(i);
+}
+
+void World::remove_shape(ShapeId id) {
+    impl_->require_idle("World::remove_shape");
+    const std::uint32_t i = impl_->index_of(id);
+    State& s = impl_->state;
+    const std::int32_t b = s.shapes[i].body;
+    wake_around_shape(s, i);
+    wake_body(s, b);
+    unlink_shape(s, i);
+    retire_shape(s, i);
+    refresh_mass(s, b);
+    place_shapes(s, b);
+}
+
+BodyId World::body_of(ShapeId id) const { return impl_->state.body_id(impl_->state.shapes[impl_->index_of(id)].body); }
+const Shape& World::shape(ShapeId id) const { return impl_->shape_of[impl_->index_of(id)]; }
+const ShapeDef& World::shape_def(ShapeId id) const { return impl_->def_of[impl_->index_of(id)]; }
+
+Transform World::shape_transform(ShapeId id) const {
+    const std::uint32_t i = impl_->index_of(id);
+    const State& s = impl_->state;
+    // Of the shape as the user defined it: a plane's stored rotation includes the turn to its normal.
+    const BodyMotion& motion = s.motion[std::size_t(s.shapes[i].body)];
+    const math::DQuat q = motion.q * math::to_double(to_math(impl_->def_of[i].rotation));
+    return {to_public(shape_position(s.shape_poses[i])), to_public(math::to_float(math::normalized(q)))};
+}
+
+Bounds World::shape_bounds(ShapeId id) const {
+    const DBounds b = cairn::shape_bounds(impl_->state, impl_->index_of(id));
+    return {to_public(b.lo), to_public(b.hi)};
+}
+
+void World::set_material(ShapeId id, const Material& material) {
+    impl_->require_idle("World::set_material");
+    const std::uint32_t i = impl_->index_of(id);
+    validate("Material", material);
+    State& s = impl_->state;
+    s.materials[i] = material;
+    impl_->def_of[i].material = material;
+    wake_body(s, s.shapes[i].body);
+    wake_around_shape(s, i);
+    for (std::uint32_t c = 0; c < s.contacts.size(); ++c)
+        if (s.contacts[c].in_use && (s.contacts[c].shape_a == i || s.contacts[c].shape_b == i)) combine_materials(s, c);
+}
+
+ForceFieldId World::add_force_field(const ForceField& field) {
+    impl_->require_idle("World::add_force_field");
+    validate(field);
+    State& s = impl_->state;
+    require_slot(s.field_slots, "World::add_force_field");
+    const std::uint32_t i = s.field_slots.create();
+    make_room(s.fields, i);
+    const ForceFieldId id = ForceFieldId::make(i, s.field_slots.generation(i), s.world_id);
+    set_force_field(id, field);
+    return id;
+}
+
+void World::set_force_field(ForceFieldId id, const ForceField& field) {
+    impl_->require_idle("World::set_force_field");
+    const std::uint32_t i = impl_->index_of(id);
+    validate(field);
+    State& s = impl_->state;
+    s.fields[i] = field;
+    for (std::size_t k = 0; k < s.islands.size(); ++k)
+        if (s.islands[k].in_use) wake_island(s, std::int32_t(k));
+}
+
+void World::remove_force_field(ForceFieldId id) {
+    impl_->require_idle("World::remove_force_field");
+    const std::uint32_t i = impl_->index_of(id);
+    State& s = impl_->state;
+    s.field_slots.kill(i);
+    s.field_slots.recycle(i);
+    for (std::size_t k = 0; k < s.islands.size(); ++k)
+        if (s.islands[k].in_use) wake_island(s, std::int32_t(k));
+}
+
+std::uint64_t World::step_count() const noexcept { return impl_->state.steps; }
+double World::time() const noexcept { return impl_->state.time; }
+std::span<const ContactBegin> World::contact_begins() const noexcept { return impl_->state.begins; }
+std::span<const ContactEnd> World::contact_ends() const noexcept { return impl_->state.ends; }
+std::span<const ContactHit> World::contact_hits() const noexcept { return impl_->state.hits; }
+std::span<const SleepEvent> World::sleep_events() const noexcept { return impl_->state.sleeps; }
+std::string_view instruction_set() noexcept { return kernels().name; }
+
+} // namespace cairn

@@ -1,0 +1,180 @@
+// The program as its users meet it: exit codes, one line for every error, files complete or absent.
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <sys/wait.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Result {
+    int code = -1;
+    std::string out, err;
+};
+
+std::string read_all(const fs::path &path) {
+    std::ifstream stream(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+class Cli : public testing::Test {
+protected:
+    void SetUp() override {
+        const testing::TestInfo *test = testing::UnitTest::GetInstance()->current_test_info();
+        folder_ = fs::path(testing::TempDir()) / (std::string("cairn_cli_") + test->name());
+        fs::remove_all(folder_);
+        fs::create_directories(folder_);
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    // Runs `cairn ARGUMENTS` by the shell, in the test's own folder.
+    Result cairn(const std::string &arguments, const std::string &before = "") const {
+        const fs::path out = folder_ / ".out", err = folder_ / ".err";
+        const std::string line = "cd '" + folder_.string() + "' && CAIRN_SCENES='" CAIRN_TEST_SCENES "' " + before +
+                                 " '" + CAIRN_TEST_BINARY "' " + arguments + " >'" + out.string() + "' 2>'" +
+                                 err.string() + "'";
+        const int status = std::system(line.c_str());
+        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_all(out), read_all(err)};
+    }
+
+    static void expect_one_line(const Result &result, int code, const std::string &part) {
+        EXPECT_EQ(result.code, code) << result.out << result.err;
+        EXPECT_EQ(result.out, "");
+        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+        EXPECT_EQ(result.err.substr(0, 7), "cairn: ");
+        EXPECT_NE(result.err.find(part), std::string::npos) << result.err;
+    }
+
+    fs::path folder_;
+};
+
+TEST_F(Cli, HelpOfEveryCommand) {
+    for (const char *arguments : {"--help", "run --help", "view --help", "scenes --help"}) {
+        const Result result = cairn(arguments);
+        EXPECT_EQ(result.code, 0) << arguments;
+        EXPECT_NE(result.out.find("Usage:"), std::string::npos) << arguments;
+        EXPECT_EQ(result.err, "") << arguments;
+    }
+}
+
+TEST_F(Cli, WrongCallsAreOneLineAndCodeTwo) {
+    expect_one_line(cairn(""), 2, "subcommand is required");
+    expect_one_line(cairn("fly"), 2, "fly");
+    expect_one_line(cairn("run"), 2, "scene is required");
+    expect_one_line(cairn("run welcome --bounce"), 2, "--bounce");
+    expect_one_line(cairn("run welcome --dt 0"), 2, "--dt: must be a number from 0.0001 to 1, got 0");
+    expect_one_line(cairn("run welcome --dt nan"), 2, "--dt: must be a number from 0.0001 to 1, got nan");
+    expect_one_line(cairn("run welcome --frames -1"), 2, "--frames");
+    expect_one_line(cairn("run welcome --substeps 0"), 2, "--substeps");
+    expect_one_line(cairn("run welcome --seconds 1 --frames 2"), 2, "excludes");
+    expect_one_line(cairn("run welcome --threads 2"), 2, "--threads: this version steps on one thread");
+    expect_one_line(cairn("run welcome --integrator verlet"), 2, "must be one of semi-implicit, explicit, rk4");
+}
+
+TEST_F(Cli, ErrorsAtRunTimeAreOneLineAndCodeOne) {
+    expect_one_line(cairn("run no_such_scene"), 1,
+                    "no_such_scene: there is no such file, nor a scene of that name in ");
+    expect_one_line(cairn("run ."), 1, "is a folder, not a file");
+    std::ofstream(folder_ / "broken.gltf") << R"({"asset":{"version":"2.0"},"nodes":[{"mass":}]})";
+    expect_one_line(cairn("run broken.gltf"), 1, "broken.gltf: is not valid JSON");
+    expect_one_line(cairn("run t_handles --frames 1 --csv missing/a.csv"), 1, "missing/a.csv: cannot be written");
+    expect_one_line(cairn("run t_handles --frames 1 --save missing/a.gltf"), 1, "missing/a.gltf: cannot be written");
+    expect_one_line(cairn("scenes missing"), 1, "missing: cannot be listed");
+    expect_one_line(cairn("view no_such_scene"), 1, "no_such_scene");
+}
+
+TEST_F(Cli, JsonSummary) {
+    const Result result = cairn("run open_plane --frames 5 --json");
+    ASSERT_EQ(result.code, 0) << result.err;
+    EXPECT_EQ(result.err, "");
+    const nlohmann::json json = nlohmann::json::parse(result.out);
+    EXPECT_NE(json["scene"].get<std::string>().find("01_open_plane.gltf"), std::string::npos);
+    EXPECT_EQ(json["bodies"], 28);
+    EXPECT_EQ(json["steps"], 5);
+    EXPECT_EQ(json["threads"], 1);
+    EXPECT_EQ(json["hash"].get<std::string>().size(), 16u);
+    for (const char *key : {"mean", "median", "p99"}) EXPECT_GE(json["ms_per_step"][key].get<double>(), 0.0);
+    for (const char *key : {"kinetic", "potential"}) EXPECT_GT(json["energy"][key].get<double>(), 0.0);
+    for (const char *key : {"isa", "max_penetration", "contacts", "contact_points"}) EXPECT_TRUE(json.contains(key));
+    const nlohmann::json again = nlohmann::json::parse(cairn("run open_plane --frames 5 --json").out);
+    EXPECT_EQ(again["hash"], json["hash"]);
+    const nlohmann::json later = nlohmann::json::parse(cairn("run open_plane --seconds 0.1 --json").out);
+    EXPECT_EQ(later["steps"], 6);
+    EXPECT_NE(later["hash"], json["hash"]);
+}
+
+TEST_F(Cli, OptionsReachTheWorld) {
+    const nlohmann::json json = nlohmann::json::parse(
+        cairn("run t_handles --frames 30 --dt 0.01 --integrator semi-implicit --substeps 2 --threads 1 --json").out);
+    const nlohmann::json rk4 =
+        nlohmann::json::parse(cairn("run t_handles --frames 30 --dt 0.01 --integrator rk4 --substeps 2 --json").out);
+    EXPECT_NEAR(json["time_step"].get<double>(), 0.01, 1e-9);
+    EXPECT_NE(json["hash"], rk4["hash"]);
+}
+
+TEST_F(Cli, TextSummary) {
+    const Result result = cairn("run t_handles --frames 3");
+    EXPECT_EQ(result.code, 0);
+    EXPECT_NE(result.out.find("3 bodies"), std::string::npos);
+    EXPECT_NE(result.out.find("3 steps"), std::string::npos);
+}
+
+TEST_F(Cli, CsvHasALineForEachBodyAndMoment) {
+    ASSERT_EQ(cairn("run t_handles --frames 4 --csv out.csv").code, 0);
+    const std::string csv = read_all(folder_ / "out.csv");
+    EXPECT_EQ(csv.substr(0, csv.find('\n')), "time,body,name,px,py,pz,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz");
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 3 * 5); // the start and four steps
+    EXPECT_NE(csv.find("\n0,1,\"about the middle axis\",0,"), std::string::npos) << csv;
+    EXPECT_FALSE(fs::exists(folder_ / "out.csv.partial"));
+}
+
+TEST_F(Cli, InterruptedRunsKeepWhatTheyHave) {
+    const Result result = cairn("run t_handles --seconds 100000 --csv out.csv --json", "timeout --signal=INT 1");
+    const nlohmann::json json = nlohmann::json::parse(result.out);
+    EXPECT_EQ(json["interrupted"], true);
+    const std::string csv = read_all(folder_ / "out.csv");
+    ASSERT_FALSE(csv.empty());
+    EXPECT_EQ(csv.back(), '\n');
+    EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')),
+              1 + 3 * (1 + json["steps"].get<std::size_t>()));
+    EXPECT_FALSE(fs::exists(folder_ / "out.csv.partial"));
+}
+
+TEST_F(Cli, SavedScenesRunAgain) {
+    ASSERT_EQ(cairn("run t_handles --frames 10 --save later.gltf").code, 0);
+    const nlohmann::json on = nlohmann::json::parse(cairn("run later.gltf --frames 1 --json").out);
+    EXPECT_EQ(on["bodies"], 3);
+}
+
+TEST_F(Cli, ScenesAreListed) {
+    const Result result = cairn("scenes");
+    EXPECT_EQ(result.code, 0);
+    EXPECT_GE(std::count(result.out.begin(), result.out.end(), '\n'), 12);
+    const nlohmann::json json = nlohmann::json::parse(cairn("scenes --json").out);
+    ASSERT_GE(json.size(), 12u);
+    EXPECT_EQ(json[0]["name"], "01_open_plane");
+    for (const auto &entry : json) {
+        EXPECT_FALSE(entry["title"].get<std::string>().empty());
+        EXPECT_GT(entry["bodies"].get<int>(), 0);
+    }
+}
+
+TEST_F(Cli, FullDiskIsAnError) {
+    if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full on this system";
+    const std::string line =
+        std::string("CAIRN_SCENES='" CAIRN_TEST_SCENES "' '" CAIRN_TEST_BINARY "' scenes >/dev/full 2>'") +
+        (folder_ / ".err").string() + "'";
+    const int status = std::system(line.c_str());
+    EXPECT_EQ(WEXITSTATUS(status), 1);
+    EXPECT_EQ(read_all(folder_ / ".err"), "cairn: stdout: cannot be written\n");
+}
+
+} // namespace

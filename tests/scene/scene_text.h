@@ -1,0 +1,52 @@
+// Scene files for tests, put together from their parts.
+#pragma once
+
+#include "scene/scene.h"
+
+#include <cstddef>
+#include <span>
+#include <string>
+
+namespace cairn::scene_test {
+
+inline scene::Scene load_text(const std::string &text, const std::string &name = "test.gltf") {
+    return scene::load_from_memory(std::as_bytes(std::span(text.data(), text.size())), name);
+}
+
+// Parts of a document, each the text inside its brackets.
+struct Parts {
+    std::string nodes = "{}";
+    std::string roots = "0";
+    std::string shapes =
+        R"({"type":"sphere","sphere":{"radius":0.5}},{"type":"box","box":{"size":[1,2,3]}},{"type":"plane"})";
+    std::string materials = R"({"staticFriction":0.5,"dynamicFriction":0.4,"restitution":0.3})";
+    std::string filters;
+    std::string world;
+    std::string more; // members of the document, with a leading comma
+};
+
+inline std::string document(const Parts &parts) {
+    return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[)" + parts.roots +
+           R"(],"extensions":{"CAIRN_world":{)" + parts.world + R"(}}}],"nodes":[)" + parts.nodes +
+           R"(],"extensions":{"KHR_implicit_shapes":{"shapes":[)" + parts.shapes +
+           R"(]},"KHR_physics_rigid_bodies":{"physicsMaterials":[)" + parts.materials + R"(],"collisionFilters":[)" +
+           parts.filters + "]}}" + parts.more + "}";
+}
+
+// A node with the given members (with a trailing comma) and members of its KHR_physics_rigid_bodies.
+inline std::string node(const std::string &members, const std::string &physics) {
+    return "{" + members + R"("extensions":{"KHR_physics_rigid_bodies":{)" + physics + "}}}";
+}
+
+inline const std::string sphere = R"("collider":{"geometry":{"shape":0}})";
+inline const std::string box = R"("collider":{"geometry":{"shape":1}})";
+inline const std::string plane = R"("collider":{"geometry":{"shape":2}})";
+
+inline scene::Scene load_nodes(const std::string &nodes, const std::string &roots = "0") {
+    Parts parts;
+    parts.nodes = nodes;
+    parts.roots = roots;
+    return load_text(document(parts));
+}
+
+} // namespace cairn::scene_test

@@ -1,0 +1,106 @@
+// Queries of the broad phase against brute force.
+#include "broad_phase_scene.h"
+
+namespace cairn {
+namespace {
+
+TEST(BroadPhase, QueriesFindWhatBruteForceFinds) {
+    for (const DVec3 offset : {DVec3{}, DVec3{-4e6, 2e6, 1e7}}) {
+        Scene scene(51, 7, offset);
+        fill(scene);
+        std::map<std::uint32_t, std::vector<std::uint32_t>> asleep;
+        std::size_t hits = 0, visits = 0;
+        for (int step = 0; step < 40; ++step) {
+            stir(scene, step, asleep);
+            if (step % 2) scene.update(); // also in between, when changes wait for their update
+            Random& random = scene.random;
+            const DVec3 a = scene.random_point(), b = scene.random_point();
+            const double length = math::length(b - a);
+            DVec3 direction = (1 / length) * (b - a);
+            if (step % 4 == 0) direction = {0, 0, random.below(2) ? 1.0 : -1.0};
+            const DBounds box = {math::min(a, b), math::min(a, b) + DVec3{1, 1, 1}};
+            std::set<std::uint32_t> in_box, on_ray;
+            scene.broad.query_bounds(box, [&](std::uint32_t i) { EXPECT_TRUE(in_box.insert(i).second); });
+            scene.broad.query_ray(a, direction, length, [&](std::uint32_t i, double max) {
+                EXPECT_TRUE(on_ray.insert(i).second);
+                return max;
+            });
+            for (std::uint32_t i = 0; i < scene.shapes.size(); ++i) {
+                const Scene::Shape& s = scene.shapes[i];
+                EXPECT_TRUE(s.kind != Kind::none || (!in_box.count(i) && !on_ray.count(i)));
+                if (s.kind == Kind::none || s.kind == Kind::plane) continue;
+                const DBounds tight = Scene::tight(s);
+                EXPECT_TRUE(!overlap(tight, box, 0) || in_box.count(i));
+                double near = 0, far = length;
+                for (int axis = 0; axis < 3; ++axis) {
+                    const double lo = tight.lo[axis] - a[axis], hi = tight.hi[axis] - a[axis], d = direction[axis];
+                    if (d == 0)
+                        far = lo <= 0 && hi >= 0 ? far : -1;
+                    else
+                        near = std::max(near, std::min(lo / d, hi / d)), far = std::min(far, std::max(lo / d, hi / d));
+                }
+                EXPECT_TRUE(near > far || on_ray.count(i)) << i << ' ' << step;
+                hits += near <= far;
+                visits += on_ray.count(i);
+            }
+        }
+        EXPECT_GT(hits, 40u);
+        EXPECT_LT(visits, 3 * hits); // candidates are few
+    }
+}
+
+TEST(BroadPhase, RaysFromFarAwayHit) {
+    Scene scene(52, 7);
+    for (int i = 0; i < 300; ++i) scene.add(i % 2 ? Kind::awake : Kind::fixed, 0.01, 0.05);
+    scene.update();
+    std::size_t visits = 0;
+    for (std::uint32_t i = 0; i < 300; ++i) {
+        const DVec3 target = scene.shapes[i].center;
+        DVec3 start;
+        for (int axis = 0; axis < 3; ++axis) start[axis] = scene.random.between(-2e6, 2e6);
+        bool hit = false;
+        const DVec3 direction = math::normalized(target - start);
+        scene.broad.query_ray(start, direction, math::length(target - start) + 1, [&](std::uint32_t shape, double max) {
+            hit |= shape == i;
+            ++visits;
+            return max;
+        });
+        EXPECT_TRUE(hit) << i;
+    }
+    EXPECT_LT(visits, 20000u);
+
+    const DVec3 lonely = {3e7 + 0.7, 1e7 + 0.3, -2e7}; // floats are meters apart there
+    scene.broad.add(400, {lonely - DVec3{0.1, 0.1, 0.1}, lonely + DVec3{0.1, 0.1, 0.1}}, Mobility::awake);
+    for (int i = 0; i < 300; ++i) {
+        const double x = scene.random.between(-5, 5), y = scene.random.between(-5, 5), z = scene.random.between(-5, 5);
+        bool hit = false;
+        scene.broad.query_ray(lonely + DVec3{x, y, z}, math::normalized(DVec3{-x, -y, -z}), 20,
+                              [&](std::uint32_t shape, double max) {
+                                  hit |= shape == 400;
+                                  return max;
+                              });
+        EXPECT_TRUE(hit) << i;
+    }
+}
+
+TEST(BroadPhase, RaysStopEarly) {
+    BroadPhase broad(kernels().broad);
+    CountingSink sink;
+    for (std::uint32_t i = 0; i < 512; ++i)
+        broad.add(i, {{2.0 * i, 0, 0}, {2.0 * i + 1, 1, 1}}, i % 2 ? Mobility::fixed : Mobility::awake);
+    broad.update(sink);
+    std::size_t visits = 0;
+    double nearest = 0;
+    broad.query_ray({-5, 0.5, 0.5}, {1, 0, 0}, 1e9, [&](std::uint32_t shape, double max) {
+        ++visits;
+        return nearest = std::min(max, 5 + 2.0 * shape);
+    });
+    EXPECT_EQ(nearest, 5.0);
+    EXPECT_LT(visits, 8u);
+    visits = 0;
+    broad.query_ray({-5, 0.5, 0.5}, {1, 0, 0}, 1e9, [&](std::uint32_t, double) { return ++visits, 0.0; });
+    EXPECT_EQ(visits, 1u);
+}
+
+} // namespace
+} // namespace cairn

@@ -1,0 +1,92 @@
+// All instruction sets give the same bits, for every narrow-phase kernel.
+#include "collide_test_support.h"
+
+#include <cstring>
+#include <string>
+
+using namespace collide_test;
+
+namespace {
+
+enum class Kind { sphere, box, plane, rectangle };
+
+// Random or exactly aligned: positions on a grid of eighths, quarter turns, sizes of a half or a quarter, so that
+// shapes touch exactly, share edges and corners, or lie in each other.
+ShapePose any_shape(Random &random, Kind kind, const Vec &around, bool aligned) {
+    const auto size = [&] { return aligned ? 0.25 * (1 + random.below(3)) : random.uniform(0.05, 1.0); };
+    Vec position = around;
+    for (double &c : position) c += aligned ? 0.125 * (random.below(17) - 8) : random.uniform(-0.8, 0.8);
+    Quat q = random.rotation();
+    if (aligned) {
+        const double s = std::sqrt(0.5);
+        const Quat turns[] = {no_rotation, {s, 0, 0, s}, {0, s, 0, s}, {0, 0, s, s}, {0, 1, 0, 0}, {-s, 0, 0, s}};
+        q = turns[random.below(6)];
+    }
+    switch (kind) {
+    case Kind::sphere:
+        return sphere(position, size(), q);
+    case Kind::box:
+        return box(position, q, {size(), size(), size()});
+    case Kind::plane:
+        return plane(position, q);
+    case Kind::rectangle:
+        return rectangle(position, q, 2 * size(), 2 * size());
+    }
+    return {};
+}
+
+Pairs any_pairs(Kind first, Kind second, std::uint32_t seed) {
+    Random random(seed);
+    Pairs pairs;
+    for (int i = 0; i < 12000; ++i) {
+        const bool aligned = i % 2 == 0;
+        const Vec around = {random.uniform(-1e3, 1e3), 0.5 * random.below(10), 7.25};
+        const ShapePose a = any_shape(random, first, around, aligned);
+        ShapePose b = any_shape(random, second, around, aligned);
+        if (i % 16 == 0) // the same pose
+            for (int k = 0; k < 4; ++k) {
+                b.high[k] = a.high[k];
+                b.low[k] = a.low[k];
+                b.q[k] = a.q[k];
+            }
+        pairs.add(a, b, i % 3 == 0 ? 0.0f : 0.05f);
+    }
+    return pairs;
+}
+
+void expect_equal_bits(cairn::CollideKernel cairn::KernelTable::*kernel, Kind first, Kind second) {
+    const Pairs pairs = any_pairs(first, second, 77);
+    const std::vector<const cairn::KernelTable *> tables = backends();
+    ASSERT_FALSE(tables.empty());
+    const std::vector<Manifold> reference = run(tables[0]->*kernel, pairs);
+    int touching = 0;
+    for (int i = 0; i < pairs.count(); ++i) {
+        ASSERT_EQ(flaw(reference[static_cast<std::size_t>(i)], pairs.margin(i)), "") << "pair " << i;
+        touching += reference[static_cast<std::size_t>(i)].count > 0;
+    }
+    EXPECT_GT(touching, pairs.count() / 10);
+    for (const cairn::KernelTable *table : tables) {
+        const std::vector<Manifold> other = run(table->*kernel, pairs);
+        for (int i = 0; i < pairs.count(); ++i) {
+            const std::size_t k = static_cast<std::size_t>(i);
+            ASSERT_EQ(std::memcmp(&reference[k], &other[k], sizeof(Manifold)), 0)
+                << tables[0]->name << " and " << table->name << " differ at pair " << i;
+        }
+    }
+}
+
+} // namespace
+
+TEST(CollideBackends, SphereSphere) {
+    expect_equal_bits(&cairn::KernelTable::sphere_sphere, Kind::sphere, Kind::sphere);
+}
+TEST(CollideBackends, SphereBox) { expect_equal_bits(&cairn::KernelTable::sphere_box, Kind::sphere, Kind::box); }
+TEST(CollideBackends, SpherePlane) { expect_equal_bits(&cairn::KernelTable::sphere_plane, Kind::sphere, Kind::plane); }
+TEST(CollideBackends, SphereRectangle) {
+    expect_equal_bits(&cairn::KernelTable::sphere_rectangle, Kind::sphere, Kind::rectangle);
+}
+TEST(CollideBackends, BoxBox) { expect_equal_bits(&cairn::KernelTable::box_box, Kind::box, Kind::box); }
+TEST(CollideBackends, BoxPlane) { expect_equal_bits(&cairn::KernelTable::box_plane, Kind::box, Kind::plane); }
+TEST(CollideBackends, BoxRectangle) {
+    expect_equal_bits(&cairn::KernelTable::box_rectangle, Kind::box, Kind::rectangle);
+}

@@ -1,0 +1,104 @@
+#include "viewer/camera.h"
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace {
+
+using namespace cairn;
+using namespace cairn::viewer;
+
+void expect_near(const Position& a, const Position& b, double tolerance) {
+    EXPECT_NEAR(a.x, b.x, tolerance);
+    EXPECT_NEAR(a.y, b.y, tolerance);
+    EXPECT_NEAR(a.z, b.z, tolerance);
+}
+
+TEST(OrbitCamera, KeepsThePoseItIsGiven) {
+    const CameraPose pose{{3.0, 4.0, -5.0}, {0.5, 1.0, 2.0}, 0.9f};
+    const OrbitCamera camera(pose);
+    expect_near(camera.position(), pose.position, 1e-5);
+    expect_near(camera.target(), pose.target, 0.0);
+    EXPECT_FLOAT_EQ(camera.vertical_fov(), 0.9f);
+}
+
+TEST(OrbitCamera, OrbitKeepsTheDistanceAndTheTarget) {
+    OrbitCamera camera(CameraPose{{0.0, 2.0, 10.0}, {0.0, 2.0, 0.0}});
+    camera.orbit(1.5707963f, 0.0f);
+    expect_near(camera.position(), {10.0, 2.0, 0.0}, 1e-4);
+    camera.orbit(0.0f, 100.0f); // stops short of the pole
+    EXPECT_NEAR(glm::distance(camera.position(), camera.target()), 10.0, 1e-4);
+    EXPECT_GT(camera.position().y, 11.9);
+    EXPECT_GT(camera.up().y, 0.0f);
+    expect_near(camera.target(), {0.0, 2.0, 0.0}, 0.0);
+}
+
+TEST(OrbitCamera, ZoomStaysWithinBounds) {
+    OrbitCamera camera;
+    const float before = camera.distance();
+    camera.zoom(1.0f);
+    EXPECT_NEAR(camera.distance(), 0.9f * before, 1e-4f);
+    camera.zoom(1e4f);
+    EXPECT_GT(camera.distance(), 0.0f);
+    camera.zoom(-1e4f);
+    EXPECT_TRUE(std::isfinite(camera.distance()));
+}
+
+TEST(OrbitCamera, PanMovesThePictureByThatFractionOfItsHeight) {
+    OrbitCamera camera(CameraPose{{0.0, 0.0, 10.0}, {0.0, 0.0, 0.0}});
+    const Position before = camera.target();
+    camera.pan(0.0f, 0.5f);
+    // What was in the middle is now at the lower edge.
+    const auto device = camera.project(before, 1.0f);
+    ASSERT_TRUE(device);
+    EXPECT_NEAR(device->y, -1.0f, 1e-4f);
+    EXPECT_NEAR(device->x, 0.0f, 1e-5f);
+}
+
+TEST(OrbitCamera, FramePutsTheBallInsideThePicture) {
+    OrbitCamera camera;
+    const Position center(100.0, 5.0, -40.0);
+    camera.frame(center, 3.0f);
+    const auto middle = camera.project(center, 1.0f);
+    const auto top = camera.project(center + Position(camera.up()) * 3.0, 1.0f);
+    ASSERT_TRUE(middle && top);
+    EXPECT_NEAR(middle->y, 0.0f, 1e-5f);
+    EXPECT_GT(top->y, 0.3f);
+    EXPECT_LT(top->y, 0.7f);
+}
+
+TEST(OrbitCamera, CursorRayGoesThroughWhatIsSeenThere) {
+    const OrbitCamera camera(CameraPose{{4.0, 3.0, 8.0}, {0.0, 1.0, 0.0}});
+    for (const glm::vec2 device : {glm::vec2(0.0f, 0.0f), glm::vec2(0.7f, -0.4f), glm::vec2(-1.0f, 1.0f)}) {
+        const Ray ray = camera.cursor_ray(device, 1.6f);
+        EXPECT_NEAR(glm::length(ray.direction), 1.0f, 1e-5f);
+        const auto back = camera.project(ray.origin + Position(ray.direction) * 7.0, 1.6f);
+        ASSERT_TRUE(back);
+        EXPECT_NEAR(back->x, device.x, 1e-4f);
+        EXPECT_NEAR(back->y, device.y, 1e-4f);
+    }
+}
+
+TEST(OrbitCamera, MatricesAgreeWithProject) {
+    const OrbitCamera camera(CameraPose{{4.0, 3.0, 8.0}, {0.0, 1.0, 0.0}});
+    const Position origin = camera.render_origin(), point(0.5, 1.5, -1.0);
+    const glm::vec4 clip = camera.projection(1.6f) * camera.view(origin) * glm::vec4(Vec3(point - origin), 1.0f);
+    const auto device = camera.project(point, 1.6f);
+    ASSERT_TRUE(device);
+    EXPECT_NEAR(clip.x / clip.w, device->x, 1e-4f);
+    EXPECT_NEAR(clip.y / clip.w, device->y, 1e-4f);
+    EXPECT_GT(clip.z / clip.w, -1.0f);
+    EXPECT_LT(clip.z / clip.w, 1.0f);
+}
+
+TEST(OrbitCamera, DrawingOriginStaysNearFarFromTheWorldsOrigin) {
+    const Position far(1.0e7, 250.0, -3.0e6);
+    const OrbitCamera camera(CameraPose{far + Position(0.0, 2.0, 10.0), far});
+    EXPECT_LT(glm::distance(camera.render_origin(), far), 100.0);
+    expect_near(camera.position(), far + Position(0.0, 2.0, 10.0), 1e-4);
+    EXPECT_FALSE(camera.project(far + Position(0.0, 0.0, 20.0), 1.0f)); // behind
+}
+
+} // namespace

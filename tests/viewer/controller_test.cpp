@@ -1,0 +1,196 @@
+#include "viewer/controller.h"
+
+#include "test_scene.h"
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace cairn;
+using namespace cairn::viewer;
+
+constexpr float aspect = 16.0f / 9.0f;
+
+// A controller whose commands go straight to a stage, as the physics thread would pass them on.
+struct Desk {
+    Stage stage{test::load_boxes, "2"};
+    std::vector<Command> posted;
+    Controller controller{[this](Command command) {
+                              posted.push_back(command);
+                              stage.apply(command);
+                          },
+                          {{"2", "two"}, {"5", "five"}, {"0", "none"}}};
+
+    Desk() { controller.update(stage.state()); }
+    std::size_t bodies() const { return stage.state().layout->bodies.size(); }
+    void run(int steps) {
+        for (int i = 0; i < steps; ++i) {
+            stage.step();
+            controller.update(stage.state());
+        }
+    }
+    void point_at(const Position& point) {
+        const auto device = controller.camera.project(point, aspect);
+        ASSERT_TRUE(device);
+        controller.move_cursor(*device, aspect);
+    }
+};
+
+TEST(Controller, KeysAddAndRemoveBodies) {
+    Desk desk;
+    for (const char* key : {"U", "I", "O"}) desk.controller.key_down("", key);
+    EXPECT_EQ(desk.bodies(), 6u);
+    desk.controller.key_down("", "Backspace");
+    EXPECT_EQ(desk.bodies(), 5u);
+    desk.controller.key_down("", "Delete");
+    EXPECT_EQ(desk.bodies(), 3u);
+}
+
+TEST(Controller, KeyRepeatAddsNothing) {
+    Desk desk;
+    desk.controller.key_down("", "U");
+    desk.controller.key_down("", "U", true);
+    EXPECT_EQ(desk.bodies(), 4u);
+}
+
+TEST(Controller, ForceLastsAsLongAsItsKey) {
+    Desk desk;
+    desk.controller.key_down("", "KP6");
+    EXPECT_EQ(desk.stage.state().force, Vec3(force_key_acceleration, 0.0f, 0.0f));
+    desk.controller.key_down("", "KP9");
+    EXPECT_EQ(desk.stage.state().force, Vec3(force_key_acceleration, force_key_acceleration, 0.0f));
+    desk.controller.key_up("KP6");
+    EXPECT_EQ(desk.stage.state().force, Vec3(0.0f, force_key_acceleration, 0.0f));
+    desk.controller.release_all();
+    EXPECT_EQ(desk.stage.state().force, Vec3(0.0f));
+}
+
+TEST(Controller, ForceEndsEvenIfShiftIsLetGoFirst) {
+    Desk desk;
+    desk.controller.key_down("Shift+", "Left");
+    EXPECT_LT(desk.stage.state().force.x, 0.0f);
+    desk.controller.key_up("Left"); // by now without Shift
+    EXPECT_EQ(desk.stage.state().force, Vec3(0.0f));
+}
+
+TEST(Controller, HeldKeysActOnANewSceneToo) {
+    Desk desk;
+    desk.controller.key_down("", "C");
+    desk.controller.key_down("", "2");
+    EXPECT_FALSE(desk.stage.state().pulled);
+    desk.controller.update(desk.stage.state());
+    EXPECT_TRUE(desk.stage.state().pulled);
+    desk.controller.key_up("C");
+    EXPECT_FALSE(desk.stage.state().pulled);
+}
+
+TEST(Controller, NumberAndPageKeysChooseScenes) {
+    Desk desk;
+    desk.controller.key_down("", "2");
+    desk.controller.update(desk.stage.state());
+    EXPECT_EQ(desk.stage.state().path, "5");
+    desk.controller.key_down("", "PageDown");
+    desk.controller.update(desk.stage.state());
+    EXPECT_EQ(desk.stage.state().path, "0");
+    desk.controller.key_down("", "PageDown");
+    desk.controller.update(desk.stage.state());
+    EXPECT_EQ(desk.stage.state().path, "2");
+    desk.controller.key_down("", "9"); // there is no ninth
+    EXPECT_EQ(desk.stage.state().path, "2");
+}
+
+TEST(Controller, ResetKeepsTheCameraAndANewSceneBringsItsOwn) {
+    Desk desk;
+    desk.controller.key_down("", "Right");
+    const Position turned = desk.controller.camera.position();
+    desk.controller.key_down("", "Delete");
+    desk.controller.update(desk.stage.state());
+    EXPECT_EQ(desk.controller.camera.position(), turned);
+    desk.controller.key_down("", "2");
+    desk.controller.update(desk.stage.state());
+    EXPECT_NE(desk.controller.camera.position(), turned);
+}
+
+TEST(Controller, DraggingABodyMovesItAndNotTheCamera) {
+    Desk desk;
+    const Position eye = desk.controller.camera.position();
+    desk.point_at({0.0, 0.5, 0.5});
+    desk.controller.button_down(MouseButton::left);
+    desk.run(1);
+    EXPECT_TRUE(desk.controller.dragging());
+    desk.point_at({0.0, 2.5, 0.5});
+    desk.run(60);
+    EXPECT_GT(desk.stage.state().current->transforms[1].position.y, 1.6);
+    desk.controller.button_up(MouseButton::left);
+    desk.run(90);
+    EXPECT_LT(desk.stage.state().current->transforms[1].position.y, 1.0);
+    EXPECT_EQ(desk.controller.camera.position(), eye);
+}
+
+TEST(Controller, DraggingBesideBodiesOrbits) {
+    Desk desk;
+    const Position eye = desk.controller.camera.position();
+    desk.controller.move_cursor({0.0f, 0.9f}, aspect); // the sky
+    desk.controller.button_down(MouseButton::left);
+    desk.run(1);
+    desk.controller.move_cursor({0.3f, 0.9f}, aspect);
+    EXPECT_FALSE(desk.controller.dragging());
+    EXPECT_LT(desk.controller.camera.position().x, eye.x); // the world follows the hand
+    EXPECT_EQ(desk.controller.camera.target(), Position(0.0, 0.5, 0.0));
+    desk.controller.button_up(MouseButton::left);
+    const Position after = desk.controller.camera.position();
+    desk.controller.move_cursor({0.0f, 0.0f}, aspect);
+    EXPECT_EQ(desk.controller.camera.position(), after);
+}
+
+TEST(Controller, ADragEndsWhenItsBodyIsRemoved) {
+    Desk desk;
+    desk.point_at({0.0, 0.5, 0.5});
+    desk.controller.button_down(MouseButton::left);
+    desk.run(1);
+    ASSERT_TRUE(desk.controller.dragging());
+    desk.controller.key_down("", "R");
+    desk.run(1);
+    EXPECT_FALSE(desk.controller.dragging());
+    EXPECT_EQ(desk.bodies(), 2u);
+    EXPECT_NE(desk.stage.state().message.text, "");
+}
+
+TEST(Controller, FrameLooksAtTheSelection) {
+    Desk desk;
+    desk.point_at({2.0, 0.5, 0.5});
+    desk.controller.button_down(MouseButton::left);
+    desk.controller.button_up(MouseButton::left);
+    desk.controller.update(desk.stage.state());
+    ASSERT_TRUE(desk.stage.state().selected);
+    desk.controller.key_down("", "F");
+    EXPECT_LT(glm::distance(desk.controller.camera.target(), Position(2.0, 0.5, 0.0)), 0.05);
+    desk.controller.key_down("", "Home");
+    EXPECT_EQ(desk.controller.camera.target(), Position(0.0, 0.5, 0.0));
+}
+
+TEST(Controller, TabGoesThroughAllColorsAndIslandsAreFoundOnlyWhenShown) {
+    Desk desk;
+    bool islands_shown = false;
+    for (int i = 0; i < color_mode_count; ++i) {
+        desk.controller.key_down("", "Tab");
+        EXPECT_EQ(desk.stage.state().current->islands.empty(), desk.controller.colors != ColorMode::island);
+        islands_shown = islands_shown || desk.controller.colors == ColorMode::island;
+    }
+    EXPECT_TRUE(islands_shown);
+    EXPECT_EQ(desk.controller.colors, ColorMode::scene);
+}
+
+TEST(Controller, TimeKeys) {
+    Desk desk;
+    desk.controller.key_down("", "Space");
+    EXPECT_TRUE(desk.stage.state().paused);
+    desk.controller.key_down("", "[");
+    desk.controller.key_down("", "[");
+    EXPECT_EQ(desk.stage.state().speed, 0.25);
+    desk.controller.key_down("", "]");
+    EXPECT_EQ(desk.stage.state().speed, 0.5);
+}
+
+} // namespace

@@ -1,0 +1,130 @@
+#include "viewer/drag.h"
+
+#include "test_scene.h"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace {
+
+using namespace cairn;
+using namespace cairn::viewer;
+
+constexpr float dt = 1.0f / 60.0f;
+const Vec3 ahead(0.0f, 0.0f, -1.0f);
+
+Ray towards(const Position& from, const Position& to) { return {from, Vec3(glm::normalize(to - from))}; }
+
+TEST(DragTarget, FollowsTheCursorInThePlaneFacingTheCamera) {
+    const Position grabbed(1.0, 2.0, 3.0);
+    const Position target = drag_target(towards({0.0, 2.0, 10.0}, {4.0, 5.0, 3.0}), grabbed, ahead,
+                                        DragConstraint::view_plane);
+    EXPECT_NEAR(target.x, 4.0, 1e-5);
+    EXPECT_NEAR(target.y, 5.0, 1e-5);
+    EXPECT_NEAR(target.z, 3.0, 1e-5);
+}
+
+TEST(DragTarget, VerticalKeepsTheFootAndGroundKeepsTheHeight) {
+    const Position grabbed(1.0, 2.0, 3.0);
+    const Ray ray = towards({0.0, 6.0, 10.0}, {4.0, 1.0, 2.0});
+    const Position vertical = drag_target(ray, grabbed, ahead, DragConstraint::vertical);
+    EXPECT_EQ(vertical.x, 1.0);
+    EXPECT_EQ(vertical.z, 3.0);
+    EXPECT_NE(vertical.y, 2.0);
+    const Position ground = drag_target(ray, grabbed, ahead, DragConstraint::ground);
+    EXPECT_EQ(ground.y, 2.0);
+    EXPECT_NE(ground.x, 1.0);
+}
+
+TEST(DragTarget, RaysThatMissThePlaneKeepThePoint) {
+    const Position grabbed(1.0, 2.0, 3.0);
+    const Ray upwards{{0.0, 6.0, 10.0}, glm::normalize(Vec3(0.0f, 1.0f, -1.0f))};
+    EXPECT_EQ(drag_target(upwards, grabbed, ahead, DragConstraint::ground), grabbed);
+    const Ray level{{0.0, 6.0, 10.0}, ahead};
+    EXPECT_EQ(drag_target(level, grabbed, ahead, DragConstraint::ground), grabbed);
+}
+
+TEST(DragTarget, ALongRayIsCutShort) {
+    const Position eye(0.0, 10.0, 0.0);
+    const Ray grazing{eye, glm::normalize(Vec3(0.0f, -1e-5f, -1.0f))};
+    const Position target = drag_target(grazing, {0.0, 0.0, -5.0}, ahead, DragConstraint::ground, 100.0);
+    EXPECT_LE(glm::distance(target, eye), 110.0);
+}
+
+struct Floating {
+    World world{WorldDef{.gravity = {0.0f, 0.0f, 0.0f}, .enable_sleep = false}};
+    BodyId body;
+
+    explicit Floating(float mass, const Vec3& velocity = Vec3(0.0f)) {
+        BodyDef def;
+        def.linear_velocity = velocity;
+        def.mass = mass;
+        body = world.create_body(def);
+        world.add_shape(body, Box{{0.5f, 0.5f, 0.5f}});
+    }
+    Position held(const Vec3& local) const {
+        const Transform pose = world.body(body).transform();
+        return pose.position + Position(pose.rotation * local);
+    }
+    void pull(const Vec3& local, const Position& target, int steps, float step = dt) {
+        for (int i = 0; i < steps; ++i) {
+            Body handle = world.body(body);
+            const DragForce force = drag_force(handle, local, target, step);
+            handle.add_force_at(force.force, force.point);
+            handle.add_torque(force.torque);
+            world.step(step);
+        }
+    }
+};
+
+TEST(DragForce, HeavyAndLightBodiesFollowAlike) {
+    const Position target(0.4, 0.8, -0.3);
+    Floating light(0.01f), heavy(10000.0f);
+    for (int i = 0; i < 60; ++i) {
+        light.pull(Vec3(0.0f), target, 1);
+        heavy.pull(Vec3(0.0f), target, 1);
+        EXPECT_LT(glm::distance(light.held(Vec3(0.0f)), heavy.held(Vec3(0.0f))), 1e-3);
+    }
+    EXPECT_LT(glm::distance(heavy.held(Vec3(0.0f)), target), 0.01);
+}
+
+TEST(DragForce, ArrivesWithoutOvershooting) {
+    Floating scene(5.0f);
+    const Position target(0.8, 0.0, 0.0);
+    double farthest = 0.0;
+    for (int i = 0; i < 120; ++i) {
+        scene.pull(Vec3(0.0f), target, 1);
+        farthest = std::max(farthest, scene.held(Vec3(0.0f)).x);
+    }
+    EXPECT_LT(farthest, 0.8 * 1.02);
+    EXPECT_GT(farthest, 0.79);
+}
+
+TEST(DragForce, AnOffCenterPointArrivesAndTheSpinDiesDown) {
+    Floating scene(5.0f, {0.0f, 3.0f, 0.0f});
+    const Vec3 corner(0.5f, 0.5f, 0.5f);
+    const Position target(2.0, 1.0, 1.0);
+    scene.pull(corner, target, 300);
+    EXPECT_LT(glm::distance(scene.held(corner), target), 0.02);
+    EXPECT_LT(glm::length(scene.world.body(scene.body).angular_velocity()), 0.1f);
+}
+
+TEST(DragForce, StaysFiniteWithVeryLongSteps) {
+    Floating scene(1.0f, {5.0f, 0.0f, 0.0f});
+    scene.pull({0.5f, 0.0f, 0.0f}, {3.0, 0.0, 0.0}, 100, 0.5f);
+    EXPECT_LT(glm::distance(scene.held({0.5f, 0.0f, 0.0f}), Position(3.0, 0.0, 0.0)), 1.0);
+}
+
+TEST(DragForce, ImmovableBodiesFeelNothing) {
+    World world;
+    const BodyId floor = world.create_body(test::static_body());
+    world.add_shape(floor, Plane{});
+    const DragForce force = drag_force(world.body(floor), Vec3(0.0f), {5.0, 0.0, 0.0}, dt);
+    EXPECT_EQ(force.force, Vec3(0.0f));
+    EXPECT_EQ(force.torque, Vec3(0.0f));
+}
+
+} // namespace

@@ -1,0 +1,140 @@
+// What a picture looks like, by statistics that survive other drivers' rounding.
+#include "viewer/headless.h"
+
+#include "test_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <string>
+
+namespace {
+
+using namespace cairn;
+using namespace cairn::viewer;
+namespace fs = std::filesystem;
+
+constexpr int width = 320, height = 180;
+
+struct Color {
+    double red = 0.0, green = 0.0, blue = 0.0; // 0 to 255
+    double sum() const { return red + green + blue; }
+};
+
+// The mean color of a patch; coordinates are fractions of the picture, from its top left corner.
+Color mean(const HeadlessRenderer& renderer, double x, double y, double half_size = 0.01) {
+    Color color;
+    int count = 0;
+    for (int py = int((y - half_size) * height); py <= int((y + half_size) * height); ++py)
+        for (int px = int((x - half_size) * width); px <= int((x + half_size) * width); ++px) {
+            const std::uint8_t* pixel = &renderer.pixels()[3 * std::size_t(py * width + px)];
+            color.red += pixel[0];
+            color.green += pixel[1];
+            color.blue += pixel[2];
+            ++count;
+        }
+    return {color.red / count, color.green / count, color.blue / count};
+}
+
+Color mean_at(const HeadlessRenderer& renderer, const OrbitCamera& camera, const Position& point) {
+    const auto device = camera.project(point, float(width) / float(height));
+    return mean(renderer, 0.5 + 0.5 * device->x, 0.5 - 0.5 * device->y);
+}
+
+// A new folder that is removed at the end.
+struct Folder {
+    fs::path path = fs::temp_directory_path() /
+                    ("cairn_test_" + std::to_string(std::chrono::steady_clock::now().time_since_epoch().count()));
+    Folder() { fs::create_directories(path); }
+    ~Folder() { fs::remove_all(path); }
+};
+
+TEST(HeadlessRenderer, DrawsSkyBodyGroundAndShadow) {
+    const LoadedScene scene = test::boxes_on_plane(1);
+    HeadlessRenderer renderer(width, height);
+    const CameraPose pose{{0.0, 2.0, 6.0}, {0.0, 0.5, 0.0}};
+    const OrbitCamera camera(pose);
+    RenderFrame frame = make_frame(scene.world, scene.appearances, pose);
+    frame.light_direction = {1.0f, 1.0f, 0.0f}; // the shadow of a cube of one meter falls one meter far along -x
+    renderer.draw(frame);
+
+    const Color sky = mean(renderer, 0.5, 0.03), box = mean_at(renderer, camera, {0.0, 0.5, 0.5});
+    EXPECT_GT(sky.blue, sky.red + 10.0);
+    EXPECT_GT(sky.sum(), 200.0);
+    EXPECT_GT(box.red, 3.0 * box.blue);
+    const Color shadowed = mean_at(renderer, camera, {-1.0, 0.0, 0.0}), lit = mean_at(renderer, camera, {1.6, 0.0, 0.0});
+    EXPECT_LT(shadowed.sum(), 0.75 * lit.sum());
+    EXPECT_GT(shadowed.sum(), 0.15 * lit.sum()); // the sky lights what the sun does not
+
+    frame.shadows = false;
+    renderer.draw(frame);
+    EXPECT_NEAR(mean_at(renderer, camera, {-1.0, 0.0, 0.0}).sum(), lit.sum(), 0.05 * lit.sum());
+}
+
+TEST(HeadlessRenderer, EdgesAreSmooth) {
+    LoadedScene scene = test::boxes_on_plane(0);
+    const BodyId ball = scene.world.create_body(test::body_at({0.0, 3.0, 0.0}));
+    scene.world.add_shape(ball, Sphere{1.0f});
+    HeadlessRenderer renderer(width, height);
+    renderer.draw(make_frame(scene.world, {}, {{0.0, 3.0, 6.0}, {0.0, 3.0, 0.0}}));
+    std::set<std::uint32_t> colors;
+    for (std::size_t i = 0; i + 2 < renderer.pixels().size(); i += 3)
+        colors.insert(std::uint32_t(renderer.pixels()[i]) << 16 | std::uint32_t(renderer.pixels()[i + 1]) << 8 |
+                      renderer.pixels()[i + 2]);
+    EXPECT_GT(colors.size(), 500u); // neither blank nor flat
+}
+
+TEST(HeadlessRenderer, SameFrameGivesTheSamePicture) {
+    const LoadedScene scene = test::boxes_on_plane(3);
+    const RenderFrame frame = make_frame(scene.world, scene.appearances, scene.camera);
+    HeadlessRenderer one(width, height), other(width, height);
+    other.draw(frame);
+    const std::vector<std::uint8_t> picture = other.pixels();
+    EXPECT_EQ(other.width(), width);
+    other.draw(frame);
+    EXPECT_EQ(other.pixels(), picture);
+}
+
+TEST(HeadlessRenderer, EmptyWorldIsDrawnToo) {
+    const World world;
+    HeadlessRenderer renderer(width, height);
+    renderer.draw(make_frame(world, {}, fit_camera(world)));
+    EXPECT_GT(mean(renderer, 0.5, 0.1).sum(), 100.0);
+}
+
+TEST(HeadlessRenderer, RefusesImpossibleSizes) {
+    EXPECT_THROW(HeadlessRenderer(0, 720), Error);
+    EXPECT_THROW(HeadlessRenderer(1280, 100000), Error);
+}
+
+TEST(HeadlessRenderer, SavesPngInNewFoldersAndLeavesNoTemporaries) {
+    const Folder folder;
+    const fs::path path = folder.path / "new" / "picture.png";
+    const LoadedScene scene = test::boxes_on_plane(1);
+    HeadlessRenderer renderer(width, height);
+    renderer.draw(make_frame(scene.world, {}, scene.camera));
+    renderer.save_png(path);
+    std::ifstream file(path, std::ios::binary);
+    std::string start(8, '\0');
+    file.read(start.data(), 8);
+    EXPECT_EQ(start, "\x89PNG\r\n\x1a\n");
+    EXPECT_EQ(std::distance(fs::directory_iterator(path.parent_path()), fs::directory_iterator()), 1);
+}
+
+TEST(HeadlessRenderer, APathThatCannotBeWrittenIsAnErrorThatNamesIt) {
+    const Folder folder;
+    std::ofstream(folder.path / "file") << "not a folder";
+    const HeadlessRenderer renderer(width, height);
+    try {
+        renderer.save_png(folder.path / "file" / "picture.png");
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::io);
+        EXPECT_NE(std::string(error.what()).find("picture.png"), std::string::npos);
+    }
+}
+
+} // namespace

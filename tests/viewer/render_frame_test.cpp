@@ -1,0 +1,123 @@
+#include "viewer/render_frame.h"
+
+#include "viewer/palette.h"
+
+#include "test_scene.h"
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace cairn;
+using namespace cairn::viewer;
+
+TEST(RenderFrame, ShowsEveryShapeInItsPlace) {
+    LoadedScene scene = test::boxes_on_plane(2);
+    const BodyId ball = scene.world.create_body(test::body_at({0.0, 4.0, -1.0}));
+    ShapeDef beside;
+    beside.position = {0.5f, 0.0f, 0.0f};
+    scene.world.add_shape(ball, Sphere{0.25f}, beside);
+    const RenderFrame frame = make_frame(scene.world, scene.appearances, scene.camera);
+    ASSERT_EQ(frame.boxes.size(), 2u);
+    ASSERT_EQ(frame.spheres.size(), 1u);
+    ASSERT_EQ(frame.grounds.size(), 1u);
+    EXPECT_TRUE(frame.rectangles.empty());
+    EXPECT_EQ(frame.boxes[1].position, Vec3(Position(2.0, 0.5, 0.0) - frame.origin));
+    EXPECT_EQ(frame.boxes[1].color, Vec3(1.0f, 0.0f, 0.0f)); // the scene's own
+    EXPECT_EQ(frame.spheres[0].position, Vec3(Position(0.5, 4.0, -1.0) - frame.origin));
+    EXPECT_EQ(frame.spheres[0].half_size, Vec3(0.25f));
+}
+
+TEST(RenderFrame, RectangleLiesAlongItsTangent) {
+    LoadedScene scene = test::boxes_on_plane(0);
+    const BodyId wall = scene.world.create_body(test::static_body());
+    scene.world.add_shape(wall, Plane{{1.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 1.0f}, glm::vec2(3.0f, 2.0f)});
+    const RenderFrame frame = make_frame(scene.world, {}, scene.camera);
+    ASSERT_EQ(frame.rectangles.size(), 1u);
+    const Instance& rectangle = frame.rectangles[0];
+    const Quat turn(rectangle.rotation.w, rectangle.rotation.x, rectangle.rotation.y, rectangle.rotation.z);
+    EXPECT_LT(glm::distance(turn * Vec3(0.0f, 1.0f, 0.0f), Vec3(1.0f, 0.0f, 0.0f)), 1e-5f);
+    EXPECT_LT(glm::distance(turn * Vec3(1.0f, 0.0f, 0.0f), Vec3(0.0f, 0.0f, 1.0f)), 1e-5f);
+    EXPECT_EQ(rectangle.half_size.x, 3.0f);
+    EXPECT_EQ(rectangle.half_size.z, 2.0f);
+}
+
+TEST(RenderFrame, MassColorsRunFromBlueToRed) {
+    LoadedScene scene = test::boxes_on_plane(0);
+    for (int i = 0; i < 3; ++i) {
+        const BodyId body = scene.world.create_body(test::body_at({2.0 * i, 1.0, 0.0}));
+        scene.world.add_shape(body, Sphere{0.5f}, test::with_density(i == 0 ? 10.0f : i == 1 ? 100.0f : 1000.0f));
+    }
+    FrameOptions options;
+    options.colors = ColorMode::mass;
+    const RenderFrame frame = make_frame(scene.world, {}, scene.camera, options);
+    EXPECT_EQ(frame.spheres[0].color, mass_ramp(0.0f));
+    EXPECT_EQ(frame.spheres[2].color, mass_ramp(1.0f));
+}
+
+TEST(RenderFrame, IslandsJoinTouchingBodiesOnly) {
+    LoadedScene scene = test::boxes_on_plane(2);
+    const BodyId upper = scene.world.create_body(test::body_at({0.0, 1.5, 0.0}));
+    scene.world.add_shape(upper, Box{});
+    for (int i = 0; i < 3; ++i) scene.world.step(1.0f / 60.0f);
+    const WorldLayout layout = read_layout(scene.world, {});
+    const WorldMotion motion = read_motion(scene.world, layout, true);
+    EXPECT_EQ(motion.islands[1], motion.islands[3]); // one on the other
+    EXPECT_NE(motion.islands[1], motion.islands[2]); // both on the ground, which joins nothing
+}
+
+TEST(RenderFrame, InterpolatesBetweenTwoStates) {
+    const LoadedScene scene = test::boxes_on_plane(1);
+    const WorldLayout layout = read_layout(scene.world, {});
+    const WorldMotion before = read_motion(scene.world, layout);
+    WorldMotion after = before;
+    after.transforms[1].position.x += 1.0;
+    after.transforms[1].rotation = -before.transforms[1].rotation; // the same turn, written the other way
+    const RenderFrame frame = make_frame(layout, before, after, 0.25f, scene.camera);
+    EXPECT_NEAR(frame.boxes[0].position.x + frame.origin.x, 0.25, 1e-6);
+    EXPECT_NEAR(glm::length(frame.boxes[0].rotation), 1.0f, 1e-5f);
+}
+
+TEST(RenderFrame, StaysExactFarFromTheOrigin) {
+    World world;
+    const Position far(4.0e6, 10.0, -7.0e6);
+    for (int i = 0; i < 2; ++i) {
+        const BodyId body = world.create_body(test::body_at(far + Position(0.001 * i, 0.0, 0.0)));
+        world.add_shape(body, Sphere{0.5f});
+    }
+    const RenderFrame frame = make_frame(world, {}, {far + Position(0.0, 0.0, 5.0), far});
+    EXPECT_NEAR(frame.spheres[1].position.x - frame.spheres[0].position.x, 0.001f, 1e-5f);
+}
+
+TEST(RenderFrame, GroundGridStandsStillWhenTheOriginMoves) {
+    LoadedScene scene = test::boxes_on_plane(0);
+    const RenderFrame near = make_frame(scene.world, {}, {{0.0, 3.0, 5.0}, {0.0, 0.0, 0.0}});
+    const RenderFrame far = make_frame(scene.world, {}, {{730.0, 3.0, 5.0}, {730.0, 0.0, 0.0}});
+    ASSERT_NE(near.origin, far.origin);
+    const double step = (far.origin.x + far.grounds[0].position.x - far.grounds[0].grid_offset.x) -
+                        (near.origin.x + near.grounds[0].position.x - near.grounds[0].grid_offset.x);
+    EXPECT_NEAR(step / 10.0, std::round(step / 10.0), 1e-4); // whole cells
+}
+
+TEST(RenderFrame, SelectedBodyIsHighlighted) {
+    const LoadedScene scene = test::boxes_on_plane(2);
+    FrameOptions options;
+    options.selected = scene.world.bodies()[2];
+    const RenderFrame frame = make_frame(scene.world, {}, scene.camera, options);
+    EXPECT_EQ(frame.boxes[0].emphasis, 0.0f);
+    EXPECT_EQ(frame.boxes[1].emphasis, 1.0f);
+}
+
+TEST(FitCamera, LooksAtTheDynamicBodies) {
+    const LoadedScene scene = test::boxes_on_plane(3);
+    const OrbitCamera camera(fit_camera(scene.world));
+    for (const double x : {-0.5, 2.0, 4.5}) {
+        const auto device = camera.project({x, 0.5, 0.0}, 1.6f);
+        ASSERT_TRUE(device);
+        EXPECT_LT(std::abs(device->x), 0.9f);
+        EXPECT_LT(std::abs(device->y), 0.9f);
+    }
+}
+
+} // namespace

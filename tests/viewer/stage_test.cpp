@@ -1,0 +1,221 @@
+#include "viewer/stage.h"
+
+#include "test_scene.h"
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace cairn;
+using namespace cairn::viewer;
+
+constexpr double frame = 1.0 / 60.0;
+
+std::size_t body_count(const Stage& stage) { return stage.state().layout->bodies.size(); }
+
+// The position of body number i of the layout; 0 is the ground.
+Position position_of(const Stage& stage, std::size_t i) { return stage.state().current->transforms[i].position; }
+
+const Ray at_first_box{{0.0, 0.6, 10.0}, {0.0f, 0.0f, -1.0f}};
+const Ray at_nothing{{0.0, 0.6, 10.0}, {0.0f, 1.0f, 0.0f}};
+
+TEST(Stage, AddsAndRemovesBodies) {
+    Stage stage(test::load_boxes, "1");
+    EXPECT_EQ(body_count(stage), 2u);
+    stage.apply(command::Spawn{box_preset(), {0.0, 5.0, 0.0}});
+    stage.apply(command::Spawn{small_sphere_preset(), {3.0, 5.0, 0.0}});
+    EXPECT_EQ(body_count(stage), 4u);
+    EXPECT_EQ(stage.state().layout->shapes.back().type, ShapeType::sphere);
+    stage.apply(command::RemoveLast{});
+    EXPECT_EQ(body_count(stage), 3u);
+    EXPECT_EQ(stage.state().layout->shapes.back().type, ShapeType::box);
+    stage.apply(command::RemoveLast{});
+    stage.apply(command::RemoveLast{}); // the scene's own box
+    EXPECT_EQ(body_count(stage), 1u);
+    EXPECT_EQ(stage.state().message.serial, 0u);
+    stage.apply(command::RemoveLast{}); // the ground stays
+    EXPECT_EQ(body_count(stage), 1u);
+    EXPECT_EQ(stage.state().message.serial, 1u);
+}
+
+TEST(Stage, ThereIsNoLimitOnTheNumberOfBodies) {
+    Stage stage(test::load_boxes, "0");
+    for (int i = 0; i < 500; ++i) stage.apply(command::Spawn{small_sphere_preset(), {double(i % 20), 2.0, double(i / 20)}});
+    EXPECT_EQ(body_count(stage), 501u);
+    EXPECT_EQ(stage.state().message.text, "");
+}
+
+TEST(Stage, NewBodiesOverlapNothing) {
+    Stage stage(test::load_boxes, "1");
+    for (int i = 0; i < 10; ++i) stage.apply(command::Spawn{box_preset(), {0.0, 0.5, 0.0}});
+    for (std::size_t i = 1; i < body_count(stage); ++i)
+        for (std::size_t k = 1; k < i; ++k)
+            EXPECT_GT(std::abs(position_of(stage, i).y - position_of(stage, k).y), 0.55) << i << " " << k;
+}
+
+TEST(Stage, BadSpawnSettingsLeaveAMessageAndNoBody) {
+    Stage stage(test::load_boxes, "1");
+    SpawnSettings settings;
+    settings.size = -1.0f;
+    stage.apply(command::Spawn{settings, {0.0, 5.0, 0.0}});
+    EXPECT_EQ(body_count(stage), 2u);
+    EXPECT_NE(stage.state().message.text, "");
+}
+
+TEST(Stage, ShotBodiesFlyAlongTheRay) {
+    Stage stage(test::load_boxes, "0");
+    stage.apply(command::Shoot{small_sphere_preset(), {{0.0, 5.0, 0.0}, {1.0f, 0.0f, 0.0f}}});
+    stage.step();
+    EXPECT_NEAR(stage.state().current->speeds[1], small_sphere_preset().speed, 0.2);
+    EXPECT_GT(position_of(stage, 1).x, 0.5);
+}
+
+TEST(Stage, ResetBringsTheSceneBack) {
+    Stage stage(test::load_boxes, "2");
+    const Position before = position_of(stage, 1);
+    stage.apply(command::SetForce{{40.0f, 0.0f, 0.0f}});
+    stage.apply(command::Spawn{box_preset(), {0.0, 5.0, 0.0}});
+    for (int i = 0; i < 30; ++i) stage.step();
+    EXPECT_GT(position_of(stage, 1).x, 1.0);
+    stage.apply(command::ResetScene{});
+    EXPECT_EQ(body_count(stage), 3u);
+    EXPECT_EQ(position_of(stage, 1), before);
+    EXPECT_EQ(stage.state().force, Vec3(0.0f));
+    EXPECT_EQ(stage.state().scene_serial, 2u);
+}
+
+TEST(Stage, ASceneThatCannotBeLoadedLeavesThePresentOne) {
+    Stage stage(test::load_boxes, "2");
+    stage.apply(command::LoadScene{"missing"});
+    EXPECT_EQ(stage.state().path, "2");
+    EXPECT_EQ(body_count(stage), 3u);
+    EXPECT_NE(stage.state().message.text.find("missing"), std::string::npos);
+    stage.apply(command::LoadScene{"5"});
+    EXPECT_EQ(body_count(stage), 6u);
+}
+
+TEST(Stage, ForceAcceleratesEveryBodyAlike) {
+    Stage stage(test::load_boxes, "0");
+    stage.apply(command::Spawn{large_sphere_preset(), {0.0, 50.0, 0.0}});
+    stage.apply(command::Spawn{small_sphere_preset(), {5.0, 50.0, 0.0}});
+    stage.apply(command::SetForce{{0.0f, 0.0f, -40.0f}});
+    for (int i = 0; i < 60; ++i) stage.step();
+    EXPECT_NEAR(position_of(stage, 1).z, -20.0, 0.5); // a t^2 / 2
+    EXPECT_NEAR(position_of(stage, 2).z, -20.0, 0.5);
+    stage.apply(command::SetForce{});
+    const double speed = stage.world().linear_momentum().z;
+    for (int i = 0; i < 10; ++i) stage.step();
+    EXPECT_NEAR(stage.world().linear_momentum().z, speed, std::abs(speed) * 1e-4);
+}
+
+TEST(Stage, PullDrawsRestingBodiesToTheCenter) {
+    Stage stage(test::load_boxes, "2");
+    for (int i = 0; i < 120; ++i) stage.step(); // they fall asleep
+    const double before = position_of(stage, 2).x;
+    stage.apply(command::SetPull{true});
+    for (int i = 0; i < 20; ++i) stage.step();
+    EXPECT_LT(position_of(stage, 2).x, before - 0.2);
+}
+
+TEST(Stage, FreezeHoldsEverythingStill) {
+    Stage stage(test::load_boxes, "0");
+    stage.apply(command::Spawn{box_preset(), {0.0, 50.0, 0.0}});
+    for (int i = 0; i < 30; ++i) stage.step();
+    stage.apply(command::SetFreeze{true});
+    const double height = position_of(stage, 1).y;
+    for (int i = 0; i < 60; ++i) stage.step();
+    EXPECT_NEAR(position_of(stage, 1).y, height, 0.2); // one step's fall at a time
+    stage.apply(command::SetFreeze{false});
+    for (int i = 0; i < 60; ++i) stage.step();
+    EXPECT_LT(position_of(stage, 1).y, height - 4.0);
+}
+
+TEST(Stage, GrabSelectsAndDragsTheBodyUnderTheRay) {
+    Stage stage(test::load_boxes, "2");
+    stage.apply(command::GrabBody{at_first_box, 7});
+    const StageState grabbed = stage.state();
+    EXPECT_EQ(grabbed.grab.serial, 7u);
+    ASSERT_TRUE(grabbed.grab.holding);
+    EXPECT_EQ(grabbed.selected, grabbed.layout->bodies[1].id);
+    EXPECT_NEAR(grabbed.grab.start.z, 0.5, 1e-4); // on the surface, not at the center
+    stage.apply(command::MoveGrab{{0.0, 2.0, 0.5}});
+    for (int i = 0; i < 60; ++i) stage.step();
+    EXPECT_GT(position_of(stage, 1).y, 1.5);
+    stage.apply(command::ReleaseGrab{});
+    for (int i = 0; i < 90; ++i) stage.step();
+    EXPECT_LT(position_of(stage, 1).y, 0.8);
+    EXPECT_EQ(stage.state().selected, grabbed.selected); // a drag keeps the selection
+}
+
+TEST(Stage, ClickBesideAllBodiesSelectsNothing) {
+    Stage stage(test::load_boxes, "1");
+    stage.apply(command::GrabBody{at_first_box, 1});
+    stage.apply(command::ReleaseGrab{true});
+    EXPECT_TRUE(stage.state().selected);
+    stage.apply(command::GrabBody{at_nothing, 2});
+    EXPECT_FALSE(stage.state().grab.holding);
+    EXPECT_EQ(stage.state().grab.serial, 2u);
+    stage.apply(command::ReleaseGrab{false}); // an orbit keeps the selection
+    EXPECT_TRUE(stage.state().selected);
+    stage.apply(command::ReleaseGrab{true});
+    EXPECT_FALSE(stage.state().selected);
+}
+
+TEST(Stage, TheGroundIsNotGrabbed) {
+    Stage stage(test::load_boxes, "1");
+    stage.apply(command::GrabBody{{{8.0, 5.0, 0.0}, {0.0f, -1.0f, 0.0f}}, 1});
+    EXPECT_FALSE(stage.state().grab.holding);
+    EXPECT_FALSE(stage.state().selected);
+}
+
+TEST(Stage, RemovingTheDraggedBodyEndsTheDrag) {
+    Stage stage(test::load_boxes, "1");
+    stage.apply(command::GrabBody{at_first_box, 1});
+    stage.apply(command::RemoveSelected{});
+    EXPECT_EQ(body_count(stage), 1u);
+    EXPECT_FALSE(stage.state().grab.holding);
+    EXPECT_FALSE(stage.state().selected);
+    EXPECT_NE(stage.state().message.text, "");
+    stage.step();
+    stage.apply(command::MoveGrab{{0.0, 2.0, 0.0}});
+    stage.step();
+    EXPECT_EQ(body_count(stage), 1u);
+}
+
+TEST(Stage, PauseStopsAndSingleStepAdvancesByOne) {
+    Stage stage(test::load_boxes, "1");
+    stage.apply(command::TogglePause{});
+    EXPECT_EQ(stage.advance(1.0), 0);
+    stage.apply(command::SingleStep{});
+    EXPECT_EQ(stage.advance(1.0), 1);
+    EXPECT_EQ(stage.world().step_count(), 1u);
+    EXPECT_TRUE(stage.state().paused);
+    stage.apply(command::TogglePause{});
+    EXPECT_EQ(stage.advance(frame), 1);
+}
+
+TEST(Stage, SlowFramesDoNotChangeTheSimulation) {
+    Stage even(test::load_boxes, "3"), uneven(test::load_boxes, "3");
+    for (Stage* stage : {&even, &uneven}) stage->apply(command::Spawn{box_preset(), {0.3, 3.0, 0.0}});
+    while (even.world().step_count() < 120) even.advance(frame);
+    for (int i = 0; uneven.world().step_count() < 120; ++i) {
+        uneven.apply(command::SetSpeed{i % 3 == 0 ? 0.25 : 1.0});
+        uneven.advance(120 - uneven.world().step_count() > 6 && i % 5 == 0 ? 3600.0 : 0.013);
+    }
+    ASSERT_EQ(uneven.world().step_count(), 120u);
+    EXPECT_EQ(even.world().state_hash(), uneven.world().state_hash());
+}
+
+TEST(Stage, RefusedSettingsLeaveAMessage) {
+    Stage stage(test::load_boxes, "1");
+    WorldDef settings = stage.state().settings;
+    settings.substeps = 0;
+    stage.apply(command::SetSettings{settings});
+    EXPECT_NE(stage.state().message.text.find("substeps"), std::string::npos);
+    settings.substeps = 3;
+    stage.apply(command::SetSettings{settings});
+    EXPECT_EQ(stage.state().settings.substeps, 3);
+}
+
+} // namespace

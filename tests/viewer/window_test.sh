@@ -1,0 +1,66 @@
+#!/usr/bin/env bash
+# The real window on a display of its own: presses keys, drags a body with the mouse, and reads back what happened.
+# usage: window_test.sh CAIRN_PROGRAM DRIVER_PROGRAM
+# The driver (window_test.cpp) presses and checks; this starts and ends the programs around it.
+set -u
+cairn=$1
+driver=$2
+for tool in Xvfb xdotool; do
+    command -v "$tool" >/dev/null || { echo "skipped: $tool is not installed"; exit 77; }
+done
+
+folder=$(mktemp -d)
+viewer=
+server=
+finish() {
+    [ -n "$viewer" ] && kill "$viewer" 2>/dev/null
+    [ -n "$server" ] && kill "$server" 2>/dev/null
+    wait 2>/dev/null
+    rm -rf "$folder"
+}
+trap finish EXIT
+
+# The server picks a free display number and tells it.
+Xvfb -displayfd 3 -screen 0 1024x640x24 +extension GLX -nolisten tcp 3>"$folder/display" 2>"$folder/server.log" &
+server=$!
+for _ in $(seq 100); do
+    [ -s "$folder/display" ] && break
+    sleep 0.1
+done
+[ -s "$folder/display" ] || { echo "Xvfb did not start:"; cat "$folder/server.log"; exit 1; }
+DISPLAY=:$(cat "$folder/display")
+export DISPLAY
+unset WAYLAND_DISPLAY
+
+# A plane and one box of 1 m, looked at from nearby: little to draw.
+cat >"$folder/scene.gltf" <<'GLTF'
+{"asset": {"version": "2.0"},
+ "extensionsUsed": ["KHR_implicit_shapes", "KHR_physics_rigid_bodies", "CAIRN_world"],
+ "extensions": {"KHR_implicit_shapes": {"shapes": [
+   {"type": "plane", "plane": {}}, {"type": "box", "box": {"size": [1, 1, 1]}}]}},
+ "scene": 0,
+ "scenes": [{"nodes": [0, 1], "extensions": {"CAIRN_world": {"title": "One box",
+   "camera": {"position": [0, 2, 8], "target": [0, 1, 0], "vertical_fov_degrees": 45}}}}],
+ "nodes": [
+  {"name": "ground", "extensions": {"KHR_physics_rigid_bodies": {"collider": {"geometry": {"shape": 0}}}}},
+  {"name": "crate", "translation": [0, 0.5, 0], "extensions": {"KHR_physics_rigid_bodies": {
+    "motion": {"mass": 500}, "collider": {"geometry": {"shape": 1}}}}}]}
+GLTF
+
+# The viewer writes its state to a file whenever a script line says so: ask ten times a second.
+for _ in $(seq 2000); do printf 'wait 0.1\nreport %s/state.json\n' "$folder"; done >"$folder/script"
+"$cairn" view "$folder/scene.gltf" --size 800x500 --script "$folder/script" --report "$folder/last.json" \
+    --exit-after 200 2>"$folder/viewer.log" &
+viewer=$!
+
+"$driver" "$folder" "$viewer"
+code=$?
+cat "$folder/viewer.log"
+[ "$code" -eq 0 ] || exit "$code"
+
+wait "$viewer"
+code=$?
+viewer=
+[ "$code" -eq 0 ] || { echo "FAILED  the viewer's exit code is $code"; exit 1; }
+[ -s "$folder/last.json" ] || { echo "FAILED  no report was written on exit"; exit 1; }
+echo "ok      the viewer quit and wrote its report"
