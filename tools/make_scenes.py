@@ -181,7 +181,9 @@ class Scene:
 
 
 def scatter(scene, rng, count, columns, spacing, bottom, material, sizes=(0.3, 0.6), jitter=0.1):
-    """Alternating boxes and balls on a loose grid about the vertical axis, layer over layer, no two touching."""
+    """Boxes and balls on a loose grid about the vertical axis, layer over layer, no two touching: the diagonal of the
+    largest, 1.68 times its size, and twice the jitter must fit into the spacing."""
+    assert 1.68 * sizes[1] + 2 * jitter <= spacing
     kinds = []
     for i in range(8):
         size = sizes[0] + (sizes[1] - sizes[0]) * i / 7
@@ -205,13 +207,13 @@ def open_plane():
               (7.5, 5, 10), (0, 0.8, 0))
     rng = random.Random(1)
     s.ground(0.5, 0.3)
-    scatter(s, rng, 27, 3, 1.5, 1.5, s.material(0.5, 0.3), (0.5, 1.0), 0.25)
+    scatter(s, rng, 27, 3, 1.8, 1.5, s.material(0.5, 0.3), (0.5, 0.9), 0.1)
     return s
 
 
 def two_planes():
     s = Scene("Two planes", "Everything slides into the valley; hold keypad 4 or 6 to push it up one side.",
-              (0, 6, 13), (0, 1.2, 0))
+              (0, 8, 13), (0, 0.9, 0))
     rng = random.Random(2)
     material = s.material(0.4, 0.2)
     s.ground()
@@ -224,7 +226,7 @@ def two_planes():
         along = rotate(tilt, (sign * length / 2, 0, 0))
         s.fixed(slab, material, (along[0] + up[0], 0.4 + along[1] + up[1], 0), tilt, name, WALL)
     for name, sign in (("back wall", -1), ("front wall", 1)):
-        s.fixed(s.box(4.4, 1.2, 0.2), material, (0, 0.6, sign * (depth / 2 - 0.1)), None, name, DARK_STONE)
+        s.fixed(s.box(4.4, 1, 0.2), material, (0, 0.5, sign * (depth / 2 - 0.1)), None, name, DARK_STONE)
     kinds = [s.sphere(0.3), s.box(0.5, 0.5, 0.5), s.sphere(0.42), s.box(0.8, 0.35, 0.5)]
     for i in range(32):
         column, row = i % 8, i // 8
@@ -241,17 +243,17 @@ def big_walled_box():
     rng = random.Random(3)
     s.ground(0.5, 0.3)
     s.walls(10, 10, 1.4, 0.3, s.material(0.5, 0.3))
-    scatter(s, rng, 98, 7, 1.25, 1.2, s.material(0.5, 0.3), (0.4, 0.9), 0.2)
+    scatter(s, rng, 98, 7, 1.3, 1.2, s.material(0.5, 0.3), (0.35, 0.65), 0.08)
     return s
 
 
 def small_walled_box():
     s = Scene("Small walled box", "It is too small for all of them: some spill out onto the plane.",
-              (6.5, 5.5, 8.5), (0, 0.9, 0))
+              (5.2, 4.4, 7), (0, 0.7, 0))
     rng = random.Random(4)
     s.ground(0.5, 0.2)
-    s.walls(3, 3, 1.1, 0.2, s.material(0.5, 0.2))
-    scatter(s, rng, 72, 3, 0.95, 0.8, s.material(0.5, 0.2), (0.4, 0.8), 0.1)
+    s.walls(2.4, 2.4, 0.9, 0.2, s.material(0.5, 0.2))
+    scatter(s, rng, 128, 4, 0.72, 1.3, s.material(0.5, 0.2), (0.3, 0.4), 0.02)
     return s
 
 
@@ -278,7 +280,7 @@ def varied_masses():
 
 def slopes():
     s = Scene("Slopes", "Friction from 0.1 to 0.9 on a slope of 25 degrees: those below tan 25 = 0.47 slide.",
-              (6.5, 6, 11.5), (0, 1.6, 0.5))
+              (7.5, 6.5, 13), (0, 1.2, 1))
     s.ground(0.6)
     angle, length, width = 25, 9, 11
     tilt = turn("x", angle)
@@ -298,13 +300,13 @@ def slopes():
         material = s.material(friction, 0.0, combine="maximum")
         x = (i - 4) * 1.15
         s.body(box, material, on_slope(x, 7, 0.25), tilt, f"box, friction {friction}", color)
-        s.body(ball, material, on_slope(x, 8.2, 0.28), tilt, f"ball, friction {friction}", color)
+        s.body(ball, material, on_slope(x, 5.6, 0.28), tilt, f"ball, friction {friction}", color)
     return s
 
 
 def pyramid():
     s = Scene("Pyramid", "210 boxes. Shoot a ball at it, or let it fall asleep and watch the time per step.",
-              (3, 5.5, 17), (0, 4, 0))
+              (4, 5.5, 18.5), (0, 4.6, 0))
     s.ground()
     box, material, size = s.box(0.5, 0.5, 0.5), s.material(), 0.5
     for row in range(20):
@@ -418,11 +420,11 @@ def t_handles():
 
 def pile():
     s = Scene("Pile of 1,000", "A thousand bodies fall into a walled box. Tab colors them by speed.",
-              (11, 10, 15), (0, 2.2, 0))
+              (8.5, 8, 11.5), (0, 1.2, 0))
     rng = random.Random(13)
     s.ground(0.5, 0.1)
-    s.walls(9, 9, 3, 0.4, s.material(0.5, 0.1))
-    scatter(s, rng, 1000, 10, 0.86, 1.0, s.material(0.5, 0.1), (0.35, 0.7), 0.06)
+    s.walls(7, 7, 1.8, 0.4, s.material(0.5, 0.1))
+    scatter(s, rng, 1000, 8, 0.84, 0.8, s.material(0.5, 0.1), (0.3, 0.45), 0.03)
     return s
 
 
@@ -449,9 +451,9 @@ def avalanche():
     stone = s.material(0.45, 0.05, 2500)
     kinds = [s.sphere(0.2), s.box(0.4, 0.4, 0.4), s.sphere(0.28), s.box(0.6, 0.3, 0.4), s.box(0.3, 0.3, 0.55)]
     for i in range(320):
-        layer, cell = divmod(i, 80)
-        row, column = divmod(cell, 10)
-        place = on_slope((column - 4.5) * 0.72 + rng.uniform(-0.05, 0.05), 7.6 + row * 0.75, 0.6 + layer * 0.72)
+        layer, cell = divmod(i, 64)
+        row, column = divmod(cell, 8)
+        place = on_slope((column - 3.5) * 0.85 + rng.uniform(-0.03, 0.03), 7 + row * 0.82, 0.6 + layer * 0.8)
         s.body(kinds[rng.randrange(5)], stone, place, any_turn(rng), color=blend(STONE, VIVID[i % 7], 0.55))
     brick, wood = s.box(0.5, 0.3, 0.5), s.material(0.6, 0.0, 700)
     for x in (-2.2, 0, 2.2):

@@ -23,14 +23,14 @@ struct RunOptions {
     bool json = false;
 };
 
-int run_command(const RunOptions &options);
+int run_command(const RunOptions& options);
 
 struct ScenesOptions {
     std::filesystem::path folder; // empty: the scenes that come with Cairn
     bool json = false;
 };
 
-int scenes_command(const ScenesOptions &options);
+int scenes_command(const ScenesOptions& options);
 
 struct ViewOptions {
     std::string scene;
@@ -39,9 +39,9 @@ struct ViewOptions {
     std::filesystem::path report, script;
 };
 
-int view_command(const ViewOptions &options);
+int view_command(const ViewOptions& options);
 
 // Prints to stdout; throws Error (io) if that fails, for example because the disk is full.
-void print(const std::string &text);
+void print(const std::string& text);
 
 } // namespace cairn::cli

@@ -23,7 +23,7 @@ using cairn::cli::ViewOptions;
 CLI::Validator between(double low, double high) {
     const std::string range = fmt::format("{} to {}", low, high);
     return CLI::Validator(
-        [low, high, range](std::string &text) {
+        [low, high, range](std::string& text) {
             double value = 0.0;
             const bool is_number = CLI::detail::lexical_cast(text, value);
             if (is_number && value >= low && value <= high) return std::string();
@@ -34,7 +34,7 @@ CLI::Validator between(double low, double high) {
 
 CLI::Validator one_thread() {
     return CLI::Validator(
-        [](std::string &text) {
+        [](std::string& text) {
             return text == "1" ? std::string() : "this version steps on one thread, so it must be 1, got " + text;
         },
         "(1)");
@@ -42,22 +42,22 @@ CLI::Validator one_thread() {
 
 CLI::Validator one_of(std::vector<std::string> names) {
     return CLI::Validator(
-        [names](std::string &text) {
+        [names](std::string& text) {
             if (std::find(names.begin(), names.end(), text) != names.end()) return std::string();
             return fmt::format("must be one of {}, got {}", fmt::join(names, ", "), text);
         },
         "");
 }
 
-cairn::Integrator integrator_of(const std::string &name) {
+cairn::Integrator integrator_of(const std::string& name) {
     if (name == "rk4") return cairn::Integrator::rk4;
     return name == "explicit" ? cairn::Integrator::explicit_euler : cairn::Integrator::semi_implicit_euler;
 }
 
-void add_run(CLI::App &app, RunOptions &options) {
-    CLI::App *run = app.add_subcommand("run", "Simulate a scene without a window; write numbers, pictures, videos.");
+void add_run(CLI::App& app, RunOptions& options) {
+    CLI::App* run = app.add_subcommand("run", "Simulate a scene without a window; write numbers, pictures, videos.");
     run->add_option("scene", options.scene, "A file, or the name of a scene (see `cairn scenes`)")->required();
-    auto *seconds = run->add_option("--seconds", options.seconds, "Simulated time, s (default 10)");
+    auto* seconds = run->add_option("--seconds", options.seconds, "Simulated time, s (default 10)");
     seconds->check(between(1e-4, 1e6));
     run->add_option("--frames", options.frames, "Number of steps instead")->check(between(1, 1e9))->excludes(seconds);
     run->add_option("--dt", options.time_step, "Time step, s (default: the scene's)")->check(between(1e-4, 1.0));
@@ -65,7 +65,7 @@ void add_run(CLI::App &app, RunOptions &options) {
         ->check(between(1, 256));
     run->add_option("--threads", options.threads, "Number of threads (default 1)")->check(one_thread());
     run->add_option_function<std::string>(
-           "--integrator", [&options](const std::string &name) { options.integrator = integrator_of(name); },
+           "--integrator", [&options](const std::string& name) { options.integrator = integrator_of(name); },
            "Of free motion: semi-implicit, explicit or rk4 (default: the scene's)")
         ->check(one_of({"semi-implicit", "explicit", "rk4"}));
     run->add_option("--csv", options.csv, "Write positions and velocities of every body after every step");
@@ -77,14 +77,14 @@ void add_run(CLI::App &app, RunOptions &options) {
     run->add_flag("--json", options.json, "Print the summary as one JSON object");
 }
 
-void add_scenes(CLI::App &app, ScenesOptions &options) {
-    CLI::App *scenes = app.add_subcommand("scenes", "List the scenes.");
+void add_scenes(CLI::App& app, ScenesOptions& options) {
+    CLI::App* scenes = app.add_subcommand("scenes", "List the scenes.");
     scenes->add_option("folder", options.folder, "Where to look (default: the scenes that come with Cairn)");
     scenes->add_flag("--json", options.json, "Print one JSON array");
 }
 
-void add_view(CLI::App &app, ViewOptions &options) {
-    CLI::App *view = app.add_subcommand("view", "Open a scene in a window. F1 shows the keys.");
+void add_view(CLI::App& app, ViewOptions& options) {
+    CLI::App* view = app.add_subcommand("view", "Open a scene in a window. F1 shows the keys.");
     view->add_option("scene", options.scene, "A file, or the name of a scene (default: welcome)");
     view->add_option("--width", options.width, "Of the window")->check(between(200, 16384));
     view->add_option("--height", options.height, "Of the window")->check(between(150, 16384));
@@ -94,7 +94,7 @@ void add_view(CLI::App &app, ViewOptions &options) {
     view->add_option("--script", options.script, "Play inputs from a file");
 }
 
-int complain(const std::string &text, int code) {
+int complain(const std::string& text, int code) {
     std::string line = text;
     std::replace(line.begin(), line.end(), '\n', ' ');
     while (!line.empty() && line.back() == ' ') line.pop_back();
@@ -104,7 +104,7 @@ int complain(const std::string &text, int code) {
 
 } // namespace
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
     CLI::App app("Cairn, a rigid-body physics engine.", "cairn");
     app.set_version_flag("--version", std::string("cairn ") + cairn::version_string);
     app.require_subcommand(1);
@@ -116,15 +116,18 @@ int main(int argc, char **argv) {
     add_view(app, view);
     try {
         app.parse(argc, argv);
-    } catch (const CLI::ParseError &error) {
+    } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return app.exit(error); // --help and --version
+        if (argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty()) {
+            return complain(fmt::format("there is no command \"{}\" (see cairn --help)", argv[1]), 2);
+        }
         return complain(std::string(error.what()) + " (see cairn --help)", 2);
     }
     try {
         if (app.got_subcommand("run")) return cairn::cli::run_command(run);
         if (app.got_subcommand("scenes")) return cairn::cli::scenes_command(scenes);
         return cairn::cli::view_command(view);
-    } catch (const std::exception &error) {
+    } catch (const std::exception& error) {
         return complain(error.what(), 1);
     }
 }

@@ -14,16 +14,16 @@ constexpr double tolerance = 1e-6;
 
 } // namespace
 
-PictureRecorder::PictureRecorder(const scene::Scene &scene, std::filesystem::path png,
-                                 const std::filesystem::path &video, int width, int height)
+PictureRecorder::PictureRecorder(const scene::Scene& scene, std::filesystem::path png,
+                                 const std::filesystem::path& video, int width, int height)
     : png_(std::move(png)), camera_(camera_of(scene)), appearances_(appearances_of(scene)), renderer_(width, height),
       start_(scene.world.time()) {
     if (!video.empty()) video_ = std::make_unique<viewer::VideoWriter>(video, width, height, frames_per_second);
 }
 
-void PictureRecorder::draw(const World &world) { renderer_.draw(viewer::make_frame(world, appearances_, camera_)); }
+void PictureRecorder::draw(const World& world) { renderer_.draw(viewer::make_frame(world, appearances_, camera_)); }
 
-void PictureRecorder::add(const World &world) {
+void PictureRecorder::add(const World& world) {
     if (!video_) return;
     const double time = world.time() - start_;
     if (time + tolerance < static_cast<double>(frames_) / frames_per_second) return;
@@ -33,7 +33,7 @@ void PictureRecorder::add(const World &world) {
     }
 }
 
-void PictureRecorder::finish(const World &world) {
+void PictureRecorder::finish(const World& world) {
     if (!png_.empty()) {
         draw(world);
         renderer_.save_png(png_);

@@ -14,17 +14,17 @@ namespace cairn::cli {
 class PictureRecorder {
 public:
     // Either path may be empty. Throws Error: `unsupported` without EGL or ffmpeg, `io`, `invalid_value`.
-    PictureRecorder(const scene::Scene &scene, std::filesystem::path png, const std::filesystem::path &video, int width,
+    PictureRecorder(const scene::Scene& scene, std::filesystem::path png, const std::filesystem::path& video, int width,
                     int height);
 
     // To be called before the first step and after each: draws as often as a video of 60 frames a second needs,
     // however long the steps are.
-    void add(const World &world);
+    void add(const World& world);
     // Draws the picture of the end, and closes the files.
-    void finish(const World &world);
+    void finish(const World& world);
 
 private:
-    void draw(const World &world);
+    void draw(const World& world);
 
     std::filesystem::path png_;
     viewer::CameraPose camera_;

@@ -11,8 +11,8 @@ class ProgressLine {
 public:
     explicit ProgressLine(std::uint64_t total);
     ~ProgressLine();
-    ProgressLine(const ProgressLine &) = delete;
-    ProgressLine &operator=(const ProgressLine &) = delete;
+    ProgressLine(const ProgressLine&) = delete;
+    ProgressLine& operator=(const ProgressLine&) = delete;
     void show(std::uint64_t done);
 
 private:

@@ -46,14 +46,14 @@ StepTimes summarize(std::vector<double> times) {
     return result;
 }
 
-std::uint64_t count_steps(const RunOptions &options, double time_step) {
+std::uint64_t count_steps(const RunOptions& options, double time_step) {
     if (options.frames) return static_cast<std::uint64_t>(*options.frames);
     const double steps = std::round(options.seconds.value_or(default_seconds) / time_step);
     if (steps > most_steps) throw Error(ErrorCode::invalid_value, "--seconds", {}, "is more than a billion steps");
     return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(steps));
 }
 
-void apply_options(const RunOptions &options, scene::Scene &scene) {
+void apply_options(const RunOptions& options, scene::Scene& scene) {
     if (options.time_step) scene.info.time_step = static_cast<float>(*options.time_step);
     WorldDef settings = scene.world.settings();
     if (options.substeps) settings.substeps = *options.substeps;
@@ -61,7 +61,7 @@ void apply_options(const RunOptions &options, scene::Scene &scene) {
     if (options.substeps || options.integrator) scene.world.set_settings(settings);
 }
 
-Outcome simulate(const RunOptions &options, scene::Scene &scene, std::uint64_t steps) {
+Outcome simulate(const RunOptions& options, scene::Scene& scene, std::uint64_t steps) {
     std::unique_ptr<TrajectoryWriter> csv;
     if (!options.csv.empty()) csv = std::make_unique<TrajectoryWriter>(options.csv, scene.world);
     std::unique_ptr<PictureRecorder> pictures;
@@ -92,8 +92,8 @@ Outcome simulate(const RunOptions &options, scene::Scene &scene, std::uint64_t s
     return outcome;
 }
 
-std::string json_summary(const std::string &path, const scene::Scene &scene, const Outcome &outcome) {
-    const World &world = scene.world;
+std::string json_summary(const std::string& path, const scene::Scene& scene, const Outcome& outcome) {
+    const World& world = scene.world;
     const StepTimes times = summarize(outcome.step_times);
     const Statistics statistics = world.statistics();
     nlohmann::ordered_json json;
@@ -115,8 +115,8 @@ std::string json_summary(const std::string &path, const scene::Scene &scene, con
     return json.dump(2) + "\n";
 }
 
-std::string text_summary(const std::string &path, const scene::Scene &scene, const Outcome &outcome) {
-    const World &world = scene.world;
+std::string text_summary(const std::string& path, const scene::Scene& scene, const Outcome& outcome) {
+    const World& world = scene.world;
     const StepTimes times = summarize(outcome.step_times);
     const Statistics statistics = world.statistics();
     std::string text = fmt::format("{} ({}): {} bodies, {} awake\n", path, scene.info.title, statistics.bodies,
@@ -134,10 +134,10 @@ std::string text_summary(const std::string &path, const scene::Scene &scene, con
 
 } // namespace
 
-int run_command(const RunOptions &options) {
+int run_command(const RunOptions& options) {
     const std::filesystem::path path = scene::find_scene(options.scene);
     scene::Scene scene = scene::load(path);
-    for (const std::string &warning : scene.warnings) fmt::print(stderr, "cairn: warning: {}\n", warning);
+    for (const std::string& warning : scene.warnings) fmt::print(stderr, "cairn: warning: {}\n", warning);
     apply_options(options, scene);
     const std::uint64_t steps = count_steps(options, scene.info.time_step);
     const Outcome outcome = simulate(options, scene, steps);

@@ -9,12 +9,12 @@
 
 namespace cairn::cli {
 
-int scenes_command(const ScenesOptions &options) {
+int scenes_command(const ScenesOptions& options) {
     const std::filesystem::path folder = options.folder.empty() ? scene::scenes_directory() : options.folder;
     const std::vector<scene::SceneEntry> entries = scene::list_scenes(folder);
     if (options.json) {
         nlohmann::ordered_json list = nlohmann::ordered_json::array();
-        for (const scene::SceneEntry &entry : entries) {
+        for (const scene::SceneEntry& entry : entries) {
             nlohmann::ordered_json item{{"name", entry.name},
                                         {"path", entry.path.generic_string()},
                                         {"title", entry.title},
@@ -28,8 +28,8 @@ int scenes_command(const ScenesOptions &options) {
     }
     if (entries.empty()) print(fmt::format("no scenes in {}\n", folder.generic_string()));
     std::size_t widest = 0;
-    for (const scene::SceneEntry &entry : entries) widest = std::max(widest, entry.name.size());
-    for (const scene::SceneEntry &entry : entries) {
+    for (const scene::SceneEntry& entry : entries) widest = std::max(widest, entry.name.size());
+    for (const scene::SceneEntry& entry : entries) {
         if (!entry.error.empty()) {
             print(fmt::format("{:<{}}  unusable: {}\n", entry.name, widest, entry.error));
             continue;

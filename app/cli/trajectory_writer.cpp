@@ -14,7 +14,7 @@ namespace cairn::cli {
 namespace {
 
 // RFC 4180: in quotes, with quotes inside doubled.
-std::string quoted(const std::string &text) {
+std::string quoted(const std::string& text) {
     std::string result = "\"";
     for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
     return result + "\"";
@@ -22,7 +22,7 @@ std::string quoted(const std::string &text) {
 
 } // namespace
 
-TrajectoryWriter::TrajectoryWriter(const std::filesystem::path &path, const World &world)
+TrajectoryWriter::TrajectoryWriter(const std::filesystem::path& path, const World& world)
     : path_(path), temporary_(path), bodies_(world.bodies()) {
     temporary_ += ".partial";
     if (std::filesystem::is_directory(path_)) throw Error(ErrorCode::io, path_.string(), {}, "is a folder, not a file");
@@ -41,13 +41,13 @@ TrajectoryWriter::~TrajectoryWriter() {
     std::filesystem::remove(temporary_, code);
 }
 
-void TrajectoryWriter::write(const std::string &text) {
+void TrajectoryWriter::write(const std::string& text) {
     if (std::fwrite(text.data(), 1, text.size(), file_) != text.size()) {
         throw Error(ErrorCode::io, path_.string(), {}, std::string("cannot be written: ") + std::strerror(errno));
     }
 }
 
-void TrajectoryWriter::add(const World &world) {
+void TrajectoryWriter::add(const World& world) {
     fmt::memory_buffer lines;
     const double time = world.time();
     for (std::size_t i = 0; i < bodies_.size(); ++i) {

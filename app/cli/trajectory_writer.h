@@ -19,19 +19,19 @@ namespace cairn::cli {
 class TrajectoryWriter {
 public:
     // Throws Error (io). The bodies must outlive the writing.
-    TrajectoryWriter(const std::filesystem::path &path, const World &world);
+    TrajectoryWriter(const std::filesystem::path& path, const World& world);
     ~TrajectoryWriter();
-    TrajectoryWriter(const TrajectoryWriter &) = delete;
-    TrajectoryWriter &operator=(const TrajectoryWriter &) = delete;
+    TrajectoryWriter(const TrajectoryWriter&) = delete;
+    TrajectoryWriter& operator=(const TrajectoryWriter&) = delete;
 
-    void add(const World &world); // all bodies, now; throws Error (io)
+    void add(const World& world); // all bodies, now; throws Error (io)
     void close();                 // throws Error (io)
 
 private:
-    void write(const std::string &text);
+    void write(const std::string& text);
 
     std::filesystem::path path_, temporary_;
-    std::FILE *file_ = nullptr;
+    std::FILE* file_ = nullptr;
     std::vector<BodyId> bodies_;
     std::vector<std::string> names_; // quoted
 };

@@ -7,11 +7,11 @@
 
 namespace cairn::cli {
 
-int view_command(const ViewOptions &options) {
+int view_command(const ViewOptions& options) {
     viewer::ViewerOptions window;
     // Looked up here, so that a wrong name is one line on the terminal rather than an empty window.
     window.scene = scene::find_scene(options.scene.empty() ? "welcome" : options.scene).string();
-    for (const scene::SceneEntry &entry : scene::list_scenes(scene::scenes_directory())) {
+    for (const scene::SceneEntry& entry : scene::list_scenes(scene::scenes_directory())) {
         if (entry.error.empty()) window.scenes.push_back({entry.path.string(), entry.title});
     }
     window.loader = load_for_viewer;

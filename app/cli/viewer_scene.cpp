@@ -8,16 +8,16 @@
 
 namespace cairn::cli {
 
-std::vector<viewer::Appearance> appearances_of(const scene::Scene &scene) {
+std::vector<viewer::Appearance> appearances_of(const scene::Scene& scene) {
     std::vector<viewer::Appearance> appearances;
     appearances.reserve(scene.appearances.size());
-    for (const scene::Appearance &appearance : scene.appearances) {
+    for (const scene::Appearance& appearance : scene.appearances) {
         appearances.push_back({appearance.shape, appearance.color});
     }
     return appearances;
 }
 
-viewer::CameraPose camera_of(const scene::Scene &scene) {
+viewer::CameraPose camera_of(const scene::Scene& scene) {
     if (!scene.info.camera) return viewer::fit_camera(scene.world);
     viewer::CameraPose pose;
     pose.position = scene.info.camera->position;
@@ -26,7 +26,7 @@ viewer::CameraPose camera_of(const scene::Scene &scene) {
     return pose;
 }
 
-viewer::LoadedScene load_for_viewer(const std::string &path) {
+viewer::LoadedScene load_for_viewer(const std::string& path) {
     scene::Scene scene = scene::load(scene::find_scene(path));
     viewer::LoadedScene loaded;
     loaded.appearances = appearances_of(scene);

@@ -6,11 +6,11 @@
 
 namespace cairn::cli {
 
-std::vector<viewer::Appearance> appearances_of(const scene::Scene &scene);
+std::vector<viewer::Appearance> appearances_of(const scene::Scene& scene);
 
 // The scene's own view, or one that shows all of it.
-viewer::CameraPose camera_of(const scene::Scene &scene);
+viewer::CameraPose camera_of(const scene::Scene& scene);
 
-viewer::LoadedScene load_for_viewer(const std::string &path);
+viewer::LoadedScene load_for_viewer(const std::string& path);
 
 } // namespace cairn::cli

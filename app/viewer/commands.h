@@ -16,50 +16,80 @@
 namespace cairn::viewer::command {
 
 /// Loads a scene; on failure the present one stays, and a message says why.
-struct LoadScene { std::string path; };
+struct LoadScene {
+    std::string path;
+};
 /// Loads the present scene again.
 struct ResetScene {};
 /// Adds a body above the middle of the view, or wherever there is room above that.
-struct Spawn { SpawnSettings settings; Position position{0.0, 3.0, 0.0}; };
+struct Spawn {
+    SpawnSettings settings;
+    Position position{0.0, 3.0, 0.0};
+};
 /// Adds a body in front of the camera that flies along the ray.
-struct Shoot { SpawnSettings settings; Ray ray; };
+struct Shoot {
+    SpawnSettings settings;
+    Ray ray;
+};
 /// Removes the dynamic body that was added last, the scene's own after those added by hand.
 struct RemoveLast {};
 struct RemoveSelected {};
 /// A uniform acceleration on every dynamic body, m/s^2; zero ends it.
-struct SetForce { Vec3 acceleration{0.0f, 0.0f, 0.0f}; };
+struct SetForce {
+    Vec3 acceleration{0.0f, 0.0f, 0.0f};
+};
 /// Pulls every dynamic body to the origin of the world while on.
-struct SetPull { bool on = false; };
+struct SetPull {
+    bool on = false;
+};
 /// Holds every body still while on: all velocities are zero before every step.
-struct SetFreeze { bool on = false; };
-struct SetPaused { bool paused = false; };
+struct SetFreeze {
+    bool on = false;
+};
+struct SetPaused {
+    bool paused = false;
+};
 struct TogglePause {};
 struct SingleStep {};
 /// Doubles or halves the speed that many times.
-struct ChangeSpeed { int doublings = 0; };
-struct SetSpeed { double speed = 1.0; };
-struct SetSettings { WorldDef settings; };
+struct ChangeSpeed {
+    int doublings = 0;
+};
+struct SetSpeed {
+    double speed = 1.0;
+};
+struct SetSettings {
+    WorldDef settings;
+};
 /// Selects the dynamic body that the ray meets first and grabs it there. The answer appears in `Grab` with the same
 /// `serial`.
-struct GrabBody { Ray ray; std::uint64_t serial = 0; };
+struct GrabBody {
+    Ray ray;
+    std::uint64_t serial = 0;
+};
 /// Where the grabbed point should go.
-struct MoveGrab { Position target{0.0, 0.0, 0.0}; };
+struct MoveGrab {
+    Position target{0.0, 0.0, 0.0};
+};
 /// `click`: the cursor did not move since the grab; a click beside all bodies selects nothing.
-struct ReleaseGrab { bool click = false; };
+struct ReleaseGrab {
+    bool click = false;
+};
 struct SelectNothing {};
 /// Islands cost time to find, so they are found only while they are shown.
-struct ShowIslands { bool on = false; };
+struct ShowIslands {
+    bool on = false;
+};
 
 } // namespace cairn::viewer::command
 
 namespace cairn::viewer {
 
-using Command =
-    std::variant<command::LoadScene, command::ResetScene, command::Spawn, command::Shoot, command::RemoveLast,
-                 command::RemoveSelected, command::SetForce, command::SetPull, command::SetFreeze, command::SetPaused,
-                 command::TogglePause, command::SingleStep, command::ChangeSpeed, command::SetSpeed,
-                 command::SetSettings, command::GrabBody, command::MoveGrab, command::ReleaseGrab,
-                 command::SelectNothing, command::ShowIslands>;
+using Command = std::variant<command::LoadScene, command::ResetScene, command::Spawn, command::Shoot,
+                             command::RemoveLast, command::RemoveSelected, command::SetForce, command::SetPull,
+                             command::SetFreeze, command::SetPaused, command::TogglePause, command::SingleStep,
+                             command::ChangeSpeed, command::SetSpeed, command::SetSettings, command::GrabBody,
+                             command::MoveGrab, command::ReleaseGrab, command::SelectNothing, command::ShowIslands>;
 
 /// A queue that many threads may fill and one empties.
 class CommandQueue {

@@ -28,7 +28,7 @@ void Controller::set_colors(ColorMode mode) {
 void Controller::change_scene(int by) {
     if (scenes_.empty()) return;
     const auto present = std::find_if(scenes_.begin(), scenes_.end(),
-                                      [this](const SceneItem& item) { return item.path == scene_path_; });
+                                      [this](const SceneItem &item) { return item.path == scene_path_; });
     const int count = int(scenes_.size());
     const int index = present == scenes_.end() ? (by > 0 ? -1 : 0) : int(present - scenes_.begin());
     choose_scene(std::size_t((index + by + count) % count));
@@ -62,7 +62,7 @@ void Controller::release_all() {
 void Controller::update_held() {
     Vec3 force(0.0f);
     bool pulling = false, freezing = false;
-    for (const auto& [key, binding] : held_) {
+    for (const auto &[key, binding] : held_) {
         const float acceleration = force_key_acceleration * float(binding.argument);
         if (binding.action == Action::force_x) force.x += acceleration;
         if (binding.action == Action::force_y) force.y += acceleration;
@@ -80,68 +80,129 @@ void Controller::update_held() {
 
 bool Controller::perform_on_camera(Action action) {
     switch (action) {
-    case Action::orbit_left: camera.orbit(-orbit_per_key, 0.0f); return true;
-    case Action::orbit_right: camera.orbit(orbit_per_key, 0.0f); return true;
-    case Action::orbit_up: camera.orbit(0.0f, orbit_per_key); return true;
-    case Action::orbit_down: camera.orbit(0.0f, -orbit_per_key); return true;
-    case Action::zoom_in: camera.zoom(1.0f); return true;
-    case Action::zoom_out: camera.zoom(-1.0f); return true;
-    case Action::reset_camera: camera.set_pose(state_.scene_camera); return true;
+    case Action::orbit_left:
+        camera.orbit(-orbit_per_key, 0.0f);
+        return true;
+    case Action::orbit_right:
+        camera.orbit(orbit_per_key, 0.0f);
+        return true;
+    case Action::orbit_up:
+        camera.orbit(0.0f, orbit_per_key);
+        return true;
+    case Action::orbit_down:
+        camera.orbit(0.0f, -orbit_per_key);
+        return true;
+    case Action::zoom_in:
+        camera.zoom(1.0f);
+        return true;
+    case Action::zoom_out:
+        camera.zoom(-1.0f);
+        return true;
+    case Action::reset_camera:
+        camera.set_pose(state_.scene_camera);
+        return true;
     case Action::frame_selection: {
         if (!state_.layout || !state_.current) return true;
         WorldLayout shown = *state_.layout;
         if (state_.selected)
-            std::erase_if(shown.shapes, [&](const ShapeLayout& shape) {
-                return shown.bodies[shape.body].id != state_.selected;
-            });
+            std::erase_if(shown.shapes,
+                          [&](const ShapeLayout &shape) { return shown.bodies[shape.body].id != state_.selected; });
         const BoundingBall ball = bounding_ball(shown, *state_.current);
         camera.frame(ball.center, ball.radius);
         return true;
     }
-    default: return false;
+    default:
+        return false;
     }
 }
 
 void Controller::perform_on_body(Action action) {
     const Position above = camera.target() + Position(0.0, double(spawn_height * camera.distance()), 0.0);
     switch (action) {
-    case Action::add_box: post_(command::Spawn{box_preset(), above}); break;
-    case Action::add_large_sphere: post_(command::Spawn{large_sphere_preset(), above}); break;
-    case Action::add_small_sphere: post_(command::Spawn{small_sphere_preset(), above}); break;
-    case Action::shoot: post_(command::Shoot{tool, camera.cursor_ray(cursor_, aspect_)}); break;
-    case Action::remove_last: post_(command::RemoveLast{}); break;
-    case Action::remove_selected: post_(command::RemoveSelected{}); break;
-    case Action::select_nothing:
-        if (help) help = false;
-        else post_(command::SelectNothing{});
+    case Action::add_box:
+        post_(command::Spawn{box_preset(), above});
         break;
-    default: break;
+    case Action::add_large_sphere:
+        post_(command::Spawn{large_sphere_preset(), above});
+        break;
+    case Action::add_small_sphere:
+        post_(command::Spawn{small_sphere_preset(), above});
+        break;
+    case Action::shoot:
+        post_(command::Shoot{tool, camera.cursor_ray(cursor_, aspect_)});
+        break;
+    case Action::remove_last:
+        post_(command::RemoveLast{});
+        break;
+    case Action::remove_selected:
+        post_(command::RemoveSelected{});
+        break;
+    case Action::select_nothing:
+        if (help)
+            help = false;
+        else
+            post_(command::SelectNothing{});
+        break;
+    default:
+        break;
     }
 }
 
-void Controller::perform(const Binding& binding) {
+void Controller::perform(const Binding &binding) {
     if (perform_on_camera(binding.action)) return;
     switch (binding.action) {
-    case Action::choose_scene: choose_scene(std::size_t(binding.argument)); break;
-    case Action::next_scene: change_scene(1); break;
-    case Action::previous_scene: change_scene(-1); break;
-    case Action::reset_scene: post_(command::ResetScene{}); break;
-    case Action::toggle_pause: post_(command::TogglePause{}); break;
-    case Action::single_step: post_(command::SingleStep{}); break;
-    case Action::slower: post_(command::ChangeSpeed{-1}); break;
-    case Action::faster: post_(command::ChangeSpeed{1}); break;
-    case Action::next_colors: set_colors(ColorMode((int(colors) + 1) % color_mode_count)); break;
-    case Action::toggle_grid: grid = !grid; break;
-    case Action::toggle_shadows: shadows = !shadows; break;
-    case Action::toggle_panel: panel = !panel; break;
-    case Action::toggle_help: help = !help; break;
-    case Action::screenshot: screenshot = true; break;
-    case Action::quit: quit = true; break;
-    default: perform_on_body(binding.action); break;
+    case Action::choose_scene:
+        choose_scene(std::size_t(binding.argument));
+        break;
+    case Action::next_scene:
+        change_scene(1);
+        break;
+    case Action::previous_scene:
+        change_scene(-1);
+        break;
+    case Action::reset_scene:
+        post_(command::ResetScene{});
+        break;
+    case Action::toggle_pause:
+        post_(command::TogglePause{});
+        break;
+    case Action::single_step:
+        post_(command::SingleStep{});
+        break;
+    case Action::slower:
+        post_(command::ChangeSpeed{-1});
+        break;
+    case Action::faster:
+        post_(command::ChangeSpeed{1});
+        break;
+    case Action::next_colors:
+        set_colors(ColorMode((int(colors) + 1) % color_mode_count));
+        break;
+    case Action::toggle_grid:
+        grid = !grid;
+        break;
+    case Action::toggle_shadows:
+        shadows = !shadows;
+        break;
+    case Action::toggle_panel:
+        panel = !panel;
+        break;
+    case Action::toggle_help:
+        help = !help;
+        break;
+    case Action::screenshot:
+        screenshot = true;
+        break;
+    case Action::quit:
+        quit = true;
+        break;
+    default:
+        perform_on_body(binding.action);
+        break;
     }
 }
 
-void Controller::move_cursor(const glm::vec2& device, float aspect) {
+void Controller::move_cursor(const glm::vec2 &device, float aspect) {
     const glm::vec2 moved = (device - cursor_) * 0.5f; // in pictures
     cursor_ = device;
     aspect_ = aspect;
@@ -171,7 +232,7 @@ void Controller::button_up(MouseButton button) {
     post_(command::ReleaseGrab{glm::length(moved) < click_slack});
 }
 
-void Controller::update(const StageState& state) {
+void Controller::update(const StageState &state) {
     state_ = state;
     scene_path_ = state.path;
     if (state.scene_serial != scene_serial_) {
@@ -197,7 +258,7 @@ void Controller::update(const StageState& state) {
     if (target != state.grab.target) post_(command::MoveGrab{target});
 }
 
-FrameOptions Controller::frame_options(const StageState& state) const {
+FrameOptions Controller::frame_options(const StageState &state) const {
     FrameOptions options;
     options.colors = colors;
     options.grid = grid;

@@ -12,17 +12,20 @@ namespace {
 
 struct NamedKey {
     int key;
-    const char* name;
+    const char *name;
 };
 
 constexpr NamedKey named_keys[] = {
-    {GLFW_KEY_SPACE, "Space"},       {GLFW_KEY_PERIOD, "."},          {GLFW_KEY_COMMA, ","},
-    {GLFW_KEY_LEFT_BRACKET, "["},    {GLFW_KEY_RIGHT_BRACKET, "]"},   {GLFW_KEY_EQUAL, "="},
-    {GLFW_KEY_MINUS, "-"},           {GLFW_KEY_BACKSPACE, "Backspace"}, {GLFW_KEY_DELETE, "Delete"},
-    {GLFW_KEY_TAB, "Tab"},           {GLFW_KEY_ESCAPE, "Escape"},     {GLFW_KEY_HOME, "Home"},
-    {GLFW_KEY_PAGE_UP, "PageUp"},    {GLFW_KEY_PAGE_DOWN, "PageDown"}, {GLFW_KEY_LEFT, "Left"},
-    {GLFW_KEY_RIGHT, "Right"},       {GLFW_KEY_UP, "Up"},             {GLFW_KEY_DOWN, "Down"},
-    {GLFW_KEY_KP_ADD, "KPAdd"},      {GLFW_KEY_KP_SUBTRACT, "KPSubtract"},
+    {GLFW_KEY_SPACE, "Space"},     {GLFW_KEY_PERIOD, "."},
+    {GLFW_KEY_COMMA, ","},         {GLFW_KEY_LEFT_BRACKET, "["},
+    {GLFW_KEY_RIGHT_BRACKET, "]"}, {GLFW_KEY_EQUAL, "="},
+    {GLFW_KEY_MINUS, "-"},         {GLFW_KEY_BACKSPACE, "Backspace"},
+    {GLFW_KEY_DELETE, "Delete"},   {GLFW_KEY_TAB, "Tab"},
+    {GLFW_KEY_ESCAPE, "Escape"},   {GLFW_KEY_HOME, "Home"},
+    {GLFW_KEY_PAGE_UP, "PageUp"},  {GLFW_KEY_PAGE_DOWN, "PageDown"},
+    {GLFW_KEY_LEFT, "Left"},       {GLFW_KEY_RIGHT, "Right"},
+    {GLFW_KEY_UP, "Up"},           {GLFW_KEY_DOWN, "Down"},
+    {GLFW_KEY_KP_ADD, "KPAdd"},    {GLFW_KEY_KP_SUBTRACT, "KPSubtract"},
 };
 
 } // namespace
@@ -30,10 +33,12 @@ constexpr NamedKey named_keys[] = {
 std::string glfw_key_name(int key) {
     if (key >= GLFW_KEY_A && key <= GLFW_KEY_Z) return std::string(1, char('A' + key - GLFW_KEY_A));
     if (key >= GLFW_KEY_0 && key <= GLFW_KEY_9) return std::string(1, char('0' + key - GLFW_KEY_0));
-    if (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_9) return std::string("KP").append(std::to_string(key - GLFW_KEY_KP_0));
-    if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12) return std::string("F").append(std::to_string(1 + key - GLFW_KEY_F1));
+    if (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_9)
+        return std::string("KP").append(std::to_string(key - GLFW_KEY_KP_0));
+    if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12)
+        return std::string("F").append(std::to_string(1 + key - GLFW_KEY_F1));
     const auto found = std::find_if(std::begin(named_keys), std::end(named_keys),
-                                    [key](const NamedKey& named) { return named.key == key; });
+                                    [key](const NamedKey &named) { return named.key == key; });
     return found == std::end(named_keys) ? std::string() : found->name;
 }
 

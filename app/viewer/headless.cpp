@@ -18,7 +18,7 @@ namespace {
 
 constexpr int least_size = 16, greatest_size = 8192; // pixels
 
-Error no_egl(const std::string& what) {
+Error no_egl(const std::string &what) {
     return Error(ErrorCode::unsupported, "EGL", what,
                  "pictures without a window need EGL with OpenGL 3.3 (on Debian: libegl1 and libgl1-mesa-dri)");
 }
@@ -36,26 +36,28 @@ public:
             display_ = eglGetDisplay(EGL_DEFAULT_DISPLAY);
         if (display_ == EGL_NO_DISPLAY || !eglInitialize(display_, nullptr, nullptr)) throw no_egl("no display");
         const EGLint config_attributes[] = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
-        const EGLint context_attributes[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 3,
-                                             EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                             EGL_NONE};
+        const EGLint context_attributes[] = {
+            EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+            EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
         EGLConfig config = nullptr;
         EGLint count = 0;
-        if (!eglBindAPI(EGL_OPENGL_API) || !eglChooseConfig(display_, config_attributes, &config, 1, &count) || count < 1)
+        if (!eglBindAPI(EGL_OPENGL_API) || !eglChooseConfig(display_, config_attributes, &config, 1, &count) ||
+            count < 1)
             throw no_egl("no configuration for OpenGL");
         context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, context_attributes);
         if (context_ == EGL_NO_CONTEXT) throw no_egl("no context of OpenGL 3.3");
-        if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) {
+        if (!make_current()) {
             eglDestroyContext(display_, context_);
             throw no_egl("a context needs a surface");
         }
     }
+    bool make_current() { return eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_TRUE; }
     ~EglContext() {
         eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         eglDestroyContext(display_, context_);
     }
-    EglContext(const EglContext&) = delete;
-    EglContext& operator=(const EglContext&) = delete;
+    EglContext(const EglContext &) = delete;
+    EglContext &operator=(const EglContext &) = delete;
 
 private:
     EGLDisplay display_ = EGL_NO_DISPLAY;
@@ -69,7 +71,8 @@ struct HeadlessRenderer::Impl {
     GlObject color, framebuffer;
     std::vector<std::uint8_t> pixels, bottom_up;
 
-    Impl(int width_, int height_) : width(width_), height(height_), color(make_renderbuffer()), framebuffer(make_framebuffer()) {
+    Impl(int width_, int height_)
+        : width(width_), height(height_), color(make_renderbuffer()), framebuffer(make_framebuffer()) {
         glBindRenderbuffer(GL_RENDERBUFFER, color.name());
         glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, width, height);
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
@@ -80,21 +83,24 @@ struct HeadlessRenderer::Impl {
 };
 
 HeadlessRenderer::HeadlessRenderer(int width, int height) {
-    for (const auto& [name, size] : {std::pair<const char*, int>{"width", width}, {"height", height}})
+    for (const auto &[name, size] : {std::pair<const char *, int>{"width", width}, {"height", height}})
         if (size < least_size || size > greatest_size)
             throw Error(ErrorCode::invalid_value, std::string("HeadlessRenderer.") + name, std::to_string(size),
                         "must be 16 to 8192 pixels");
     impl_ = std::make_unique<Impl>(width, height);
 }
 
-HeadlessRenderer::~HeadlessRenderer() = default;
+HeadlessRenderer::~HeadlessRenderer() {
+    if (impl_) impl_->context.make_current(); // its objects are deleted in it
+}
 
 int HeadlessRenderer::width() const noexcept { return impl_->width; }
 
 int HeadlessRenderer::height() const noexcept { return impl_->height; }
 
-void HeadlessRenderer::draw(const RenderFrame& frame) {
-    Impl& impl = *impl_;
+void HeadlessRenderer::draw(const RenderFrame &frame) {
+    Impl &impl = *impl_;
+    impl.context.make_current(); // there may be several renderers
     impl.renderer.draw(frame, impl.width, impl.height, impl.framebuffer.name());
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glReadPixels(0, 0, impl.width, impl.height, GL_RGB, GL_UNSIGNED_BYTE, impl.bottom_up.data());
@@ -104,9 +110,9 @@ void HeadlessRenderer::draw(const RenderFrame& frame) {
                     impl.pixels.end() - std::ptrdiff_t((y + 1) * row));
 }
 
-const std::vector<std::uint8_t>& HeadlessRenderer::pixels() const noexcept { return impl_->pixels; }
+const std::vector<std::uint8_t> &HeadlessRenderer::pixels() const noexcept { return impl_->pixels; }
 
-void HeadlessRenderer::save_png(const std::filesystem::path& path) const {
+void HeadlessRenderer::save_png(const std::filesystem::path &path) const {
     write_png(path, impl_->width, impl_->height, impl_->pixels);
 }
 

@@ -106,7 +106,7 @@ std::span<const Binding> key_bindings() { return bindings; }
 
 std::optional<Binding> find_binding(std::string_view chord) {
     const auto found = std::find_if(std::begin(bindings), std::end(bindings),
-                                    [chord](const Binding& binding) { return binding.chord == chord; });
+                                    [chord](const Binding &binding) { return binding.chord == chord; });
     if (found == std::end(bindings)) return std::nullopt;
     return *found;
 }
@@ -117,7 +117,7 @@ bool is_held(Action action) {
 }
 
 bool repeats(Action action) {
-    constexpr std::array repeated{Action::orbit_left, Action::orbit_right, Action::orbit_up, Action::orbit_down,
+    constexpr std::array repeated{Action::orbit_left, Action::orbit_right, Action::orbit_up,   Action::orbit_down,
                                   Action::zoom_in,    Action::zoom_out,    Action::single_step};
     return std::find(repeated.begin(), repeated.end(), action) != repeated.end();
 }

@@ -10,15 +10,40 @@ namespace cairn::viewer {
 
 enum class Action {
     choose_scene, // argument: 0 for the first
-    next_scene, previous_scene, reset_scene,
-    add_box, add_large_sphere, add_small_sphere, shoot,
-    remove_last, remove_selected, select_nothing,
-    force_x, force_y, force_z, // while held; argument: sign
-    pull_to_center, freeze,    // while held
-    toggle_pause, single_step, slower, faster,
-    frame_selection, reset_camera,
-    orbit_left, orbit_right, orbit_up, orbit_down, zoom_in, zoom_out,
-    next_colors, toggle_grid, toggle_shadows, toggle_panel, toggle_help, screenshot, quit,
+    next_scene,
+    previous_scene,
+    reset_scene,
+    add_box,
+    add_large_sphere,
+    add_small_sphere,
+    shoot,
+    remove_last,
+    remove_selected,
+    select_nothing,
+    force_x,
+    force_y,
+    force_z, // while held; argument: sign
+    pull_to_center,
+    freeze, // while held
+    toggle_pause,
+    single_step,
+    slower,
+    faster,
+    frame_selection,
+    reset_camera,
+    orbit_left,
+    orbit_right,
+    orbit_up,
+    orbit_down,
+    zoom_in,
+    zoom_out,
+    next_colors,
+    toggle_grid,
+    toggle_shadows,
+    toggle_panel,
+    toggle_help,
+    screenshot,
+    quit,
 };
 
 /// `chord` is the key's name after its modifiers in the order Ctrl, Alt, Shift: `U`, `KP4`, `Shift+Backspace`.
@@ -39,8 +64,8 @@ bool repeats(Action action);
 
 /// A line of the key map: keys as people write them, and what they do. An empty `keys` makes a heading.
 struct KeyHelp {
-    const char* keys;
-    const char* meaning;
+    const char *keys;
+    const char *meaning;
 };
 std::span<const KeyHelp> key_help();
 

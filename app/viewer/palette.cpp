@@ -18,7 +18,7 @@ float srgb_from_linear(float value) {
 }
 
 // Interpolates between equally spaced stops, in display values, where equal steps look equal.
-template <std::size_t N> Vec3 ramp(const std::array<std::uint32_t, N>& stops, float fraction) {
+template <std::size_t N> Vec3 ramp(const std::array<std::uint32_t, N> &stops, float fraction) {
     const float place = std::clamp(fraction, 0.0f, 1.0f) * float(N - 1);
     const std::size_t index = std::min(std::size_t(place), N - 2);
     const float t = place - float(index);
@@ -28,10 +28,11 @@ template <std::size_t N> Vec3 ramp(const std::array<std::uint32_t, N>& stops, fl
 
 // ColorBrewer's RdYlBu, reversed: safe for the color-blind, and readable without color by its lightness.
 constexpr std::array<std::uint32_t, 5> mass_stops{0x2c5fa8, 0x74add1, 0xf1ead2, 0xf08a54, 0xb81d2c};
-// Matplotlib's viridis: perceptually even.
-constexpr std::array<std::uint32_t, 5> speed_stops{0x440154, 0x3b528b, 0x21918c, 0x5ec962, 0xfde725};
+// After Matplotlib's viridis, which is perceptually even; its dark end is lifted, to show shading.
+constexpr std::array<std::uint32_t, 5> speed_stops{0x58358a, 0x3b528b, 0x21918c, 0x5ec962, 0xfde725};
 // After Okabe and Ito (2008), softened.
-constexpr std::array<std::uint32_t, 7> calm_colors{0xd9853b, 0x4d94b8, 0x5a9a7a, 0xc9b458, 0x3f6d94, 0xb8604a, 0x9a7ba6};
+constexpr std::array<std::uint32_t, 7> calm_colors{0xd9853b, 0x4d94b8, 0x5a9a7a, 0xc9b458,
+                                                   0x3f6d94, 0xb8604a, 0x9a7ba6};
 
 } // namespace
 
@@ -40,7 +41,7 @@ Vec3 linear_color(std::uint32_t srgb_hex) {
     return {channel(16), channel(8), channel(0)};
 }
 
-Vec3 srgb(const Vec3& linear) {
+Vec3 srgb(const Vec3 &linear) {
     return {srgb_from_linear(linear.x), srgb_from_linear(linear.y), srgb_from_linear(linear.z)};
 }
 
@@ -68,9 +69,9 @@ Vec3 category_color(std::uint32_t number) {
 
 Vec3 default_color(std::uint32_t number) { return linear_color(calm_colors[number % calm_colors.size()]); }
 
-Vec3 static_color() { return linear_color(0xb9b6ae); }
+Vec3 static_color() { return linear_color(0x8b8e8e); }
 
-Vec3 sleeping_color() { return linear_color(0x8c9196); }
+Vec3 sleeping_color() { return linear_color(0x6d737a); }
 
 Vec3 ground_color() { return linear_color(0x9fa39f); }
 

@@ -14,23 +14,24 @@ namespace cairn::viewer {
 namespace {
 
 constexpr float panel_width = 300.0f;
+constexpr float most_scene_lines = 7.5f; // half a line shows that there are more
 
-ImU32 display_color(const Vec3& linear) {
+ImU32 display_color(const Vec3 &linear) {
     const Vec3 color = srgb(linear);
     return ImGui::ColorConvertFloat4ToU32(ImVec4(color.x, color.y, color.z, 1.0f));
 }
 
 // A bar of the ramp with a label at both ends.
-void draw_legend(Vec3 (*ramp)(float), const char* low, const char* high) {
+void draw_legend(Vec3 (*ramp)(float), const char *low, const char *high) {
     constexpr int pieces = 32;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x, height = 0.8f * ImGui::GetTextLineHeight();
-    ImDrawList* list = ImGui::GetWindowDrawList();
+    ImDrawList *list = ImGui::GetWindowDrawList();
     for (int i = 0; i < pieces; ++i) {
         const float from = float(i) / pieces, to = float(i + 1) / pieces;
-        list->AddRectFilledMultiColor(ImVec2(corner.x + from * width, corner.y), ImVec2(corner.x + to * width, corner.y + height),
-                                      display_color(ramp(from)), display_color(ramp(to)), display_color(ramp(to)),
-                                      display_color(ramp(from)));
+        list->AddRectFilledMultiColor(ImVec2(corner.x + from * width, corner.y),
+                                      ImVec2(corner.x + to * width, corner.y + height), display_color(ramp(from)),
+                                      display_color(ramp(to)), display_color(ramp(to)), display_color(ramp(from)));
     }
     ImGui::Dummy(ImVec2(width, height));
     ImGui::TextUnformatted(low);
@@ -38,16 +39,17 @@ void draw_legend(Vec3 (*ramp)(float), const char* low, const char* high) {
     ImGui::TextUnformatted(high);
 }
 
-void draw_swatch(const Vec3& color, const char* meaning) {
+void draw_swatch(const Vec3 &color, const char *meaning) {
     const float side = ImGui::GetTextLineHeight();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    ImGui::GetWindowDrawList()->AddRectFilled(corner, ImVec2(corner.x + side, corner.y + side), display_color(color), 3.0f);
+    ImGui::GetWindowDrawList()->AddRectFilled(corner, ImVec2(corner.x + side, corner.y + side), display_color(color),
+                                              3.0f);
     ImGui::Dummy(ImVec2(side, side));
     ImGui::SameLine();
     ImGui::TextUnformatted(meaning);
 }
 
-void row(const char* name, const char* format, double value) {
+void row(const char *name, const char *format, double value) {
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(name);
     ImGui::TableNextColumn();
@@ -55,38 +57,42 @@ void row(const char* name, const char* format, double value) {
 }
 
 void draw_help(float scale) {
-    const ImGuiIO& io = ImGui::GetIO();
-    ImGui::SetNextWindowPos(ImVec2(0.5f * io.DisplaySize.x, 0.5f * io.DisplaySize.y), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
+    const ImGuiIO &io = ImGui::GetIO();
+    ImGui::SetNextWindowPos(ImVec2(0.5f * io.DisplaySize.x, 0.5f * io.DisplaySize.y), ImGuiCond_Always,
+                            ImVec2(0.5f, 0.5f));
     ImGui::SetNextWindowBgAlpha(0.94f);
     ImGui::Begin("Keys and mouse", nullptr,
                  ImGuiWindowFlags_NoResize | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse |
                      ImGuiWindowFlags_NoMove);
     const auto lines = key_help();
-    const auto write = [&](std::size_t from, std::size_t to, const char* name) {
-        if (!ImGui::BeginTable(name, 2, ImGuiTableFlags_SizingFixedFit)) return;
+    // Columns by the width of their own text; ImGui's tables would need some frames to find it.
+    const auto write = [&](std::size_t from, std::size_t to) {
+        float width = 0.0f;
+        for (std::size_t i = from; i < to; ++i) width = std::max(width, ImGui::CalcTextSize(lines[i].keys).x);
         for (std::size_t i = from; i < to; ++i) {
-            ImGui::TableNextColumn();
-            if (lines[i].keys[0] == '\0') ImGui::TextColored(ImVec4(1.0f, 0.80f, 0.45f, 1.0f), "%s", lines[i].meaning);
-            else ImGui::TextUnformatted(lines[i].keys);
-            ImGui::TableNextColumn();
-            if (lines[i].keys[0] != '\0') ImGui::TextUnformatted(lines[i].meaning);
+            if (lines[i].keys[0] == '\0') {
+                ImGui::TextColored(ImVec4(1.0f, 0.80f, 0.45f, 1.0f), "%s", lines[i].meaning);
+                continue;
+            }
+            ImGui::TextUnformatted(lines[i].keys);
+            ImGui::SameLine(width + 16.0f * scale); // from the left edge of the group
+            ImGui::TextUnformatted(lines[i].meaning);
         }
-        ImGui::EndTable();
     };
     // Two columns, parted at the heading nearest to the middle.
     std::size_t middle = lines.size() / 2;
     while (middle + 1 < lines.size() && lines[middle].keys[0] != '\0') ++middle;
     ImGui::BeginGroup();
-    write(0, middle, "left");
+    write(0, middle);
     ImGui::EndGroup();
     ImGui::SameLine(0.0f, 24.0f * scale);
     ImGui::BeginGroup();
-    write(middle, lines.size(), "right");
+    write(middle, lines.size());
     ImGui::EndGroup();
     ImGui::End();
 }
 
-void draw_caption(const char* name, const std::string& text, const ImVec2& place, const ImVec2& pivot) {
+void draw_caption(const char *name, const std::string &text, const ImVec2 &place, const ImVec2 &pivot) {
     if (text.empty()) return;
     ImGui::SetNextWindowPos(place, ImGuiCond_Always, pivot);
     ImGui::SetNextWindowBgAlpha(0.72f);
@@ -97,14 +103,16 @@ void draw_caption(const char* name, const std::string& text, const ImVec2& place
     ImGui::End();
 }
 
-std::string present_state(const StageState& state) {
+std::string present_state(const StageState &state) {
     std::string text;
-    const auto add = [&text](const char* word) { text += (text.empty() ? "" : "   ") + std::string(word); };
+    const auto add = [&text](const char *word) { text += (text.empty() ? "" : "   ") + std::string(word); };
     if (state.paused) add("paused");
     if (state.speed != 1.0) {
         char speed[32];
-        if (state.speed < 1.0) std::snprintf(speed, sizeof speed, "slow motion 1/%g", 1.0 / state.speed);
-        else std::snprintf(speed, sizeof speed, "%g times as fast", state.speed);
+        if (state.speed < 1.0)
+            std::snprintf(speed, sizeof speed, "slow motion 1/%g", 1.0 / state.speed);
+        else
+            std::snprintf(speed, sizeof speed, "%g times as fast", state.speed);
         add(speed);
     }
     if (state.frozen) add("frozen");
@@ -136,7 +144,7 @@ void apply_style(float scale) {
     ImGui::GetStyle() = style;
 }
 
-void Panel::draw_time(const StageState& state, Controller& controller) {
+void Panel::draw_time(const StageState &state, Controller &controller) {
     if (ImGui::Button(state.paused ? "Run" : "Pause")) controller.post(command::TogglePause{});
     ImGui::SameLine();
     if (ImGui::Button("Step")) controller.post(command::SingleStep{});
@@ -146,25 +154,36 @@ void Panel::draw_time(const StageState& state, Controller& controller) {
     if (ImGui::Button("Keys (F1)")) controller.help = !controller.help;
     if (!ImGui::IsAnyItemActive()) speed_octave_ = float(std::log2(state.speed));
     char text[32];
-    if (speed_octave_ < 0.0f) std::snprintf(text, sizeof text, "1/%.3g", std::exp2(-speed_octave_));
-    else std::snprintf(text, sizeof text, "%.3g x", std::exp2(speed_octave_));
+    if (speed_octave_ < 0.0f)
+        std::snprintf(text, sizeof text, "1/%.3g", std::exp2(-speed_octave_));
+    else
+        std::snprintf(text, sizeof text, "%.3g x", std::exp2(speed_octave_));
     if (ImGui::SliderFloat("speed", &speed_octave_, -5.0f, 3.0f, text, ImGuiSliderFlags_NoInput))
         controller.post(command::SetSpeed{std::exp2(double(speed_octave_))});
 }
 
-void Panel::draw_scenes(const StageState& state, Controller& controller) {
+void Panel::draw_scenes(const StageState &state, Controller &controller) {
     if (!ImGui::CollapsingHeader("Scenes", ImGuiTreeNodeFlags_DefaultOpen)) return;
-    const auto& scenes = controller.scenes();
+    const auto &scenes = controller.scenes();
+    if (scenes.empty()) return ImGui::TextDisabled("no scenes found");
+    // The list scrolls, so that the rest of the panel fits on a small screen.
+    const float lines_shown = std::min(float(scenes.size()), most_scene_lines);
+    ImGui::BeginChild("scenes", ImVec2(0.0f, lines_shown * ImGui::GetTextLineHeightWithSpacing()));
     for (std::size_t i = 0; i < scenes.size(); ++i) {
         char label[160];
-        if (i < 9) std::snprintf(label, sizeof label, "%zu  %s##%zu", i + 1, scenes[i].title.c_str(), i);
-        else std::snprintf(label, sizeof label, "    %s##%zu", scenes[i].title.c_str(), i);
-        if (ImGui::Selectable(label, scenes[i].path == state.path)) controller.choose_scene(i);
+        if (i < 9)
+            std::snprintf(label, sizeof label, "%zu  %s##%zu", i + 1, scenes[i].title.c_str(), i);
+        else
+            std::snprintf(label, sizeof label, "    %s##%zu", scenes[i].title.c_str(), i);
+        const bool present = scenes[i].path == state.path;
+        if (ImGui::Selectable(label, present)) controller.choose_scene(i);
+        if (present && shown_scene_ != 0 && state.scene_serial != shown_scene_) ImGui::SetScrollHereY();
     }
-    if (scenes.empty()) ImGui::TextDisabled("no scenes found");
+    ImGui::EndChild();
+    shown_scene_ = state.scene_serial;
 }
 
-void Panel::draw_settings(Controller& controller) {
+void Panel::draw_settings(Controller &controller) {
     if (!ImGui::CollapsingHeader("Settings")) return;
     bool changed = ImGui::SliderFloat3("gravity", &settings_.gravity.x, -20.0f, 20.0f, "%.2f");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("m/s^2; double-click to type");
@@ -180,11 +199,12 @@ void Panel::draw_settings(Controller& controller) {
     if (changed) controller.post(command::SetSettings{settings_});
 }
 
-void Panel::draw_view(const StageState& state, Controller& controller) {
+void Panel::draw_view(const StageState &state, Controller &controller) {
     if (!ImGui::CollapsingHeader("View", ImGuiTreeNodeFlags_DefaultOpen)) return;
     if (ImGui::BeginCombo("colors", name_of(controller.colors))) {
         for (int i = 0; i < color_mode_count; ++i)
-            if (ImGui::Selectable(name_of(ColorMode(i)), int(controller.colors) == i)) controller.set_colors(ColorMode(i));
+            if (ImGui::Selectable(name_of(ColorMode(i)), int(controller.colors) == i))
+                controller.set_colors(ColorMode(i));
         ImGui::EndCombo();
     }
     char low[32], high[32];
@@ -199,7 +219,8 @@ void Panel::draw_view(const StageState& state, Controller& controller) {
         draw_legend(speed_ramp, "at rest", high);
         break;
     case ColorMode::island:
-        draw_swatch(sleeping_color(), "asleep; each awake island has its own color");
+        draw_swatch(sleeping_color(), "asleep");
+        ImGui::TextUnformatted("awake: a color for each island");
         break;
     case ColorMode::shape:
         draw_swatch(linear_color(0x0072b2), "sphere");
@@ -214,9 +235,9 @@ void Panel::draw_view(const StageState& state, Controller& controller) {
     ImGui::Checkbox("shadows", &controller.shadows);
 }
 
-void Panel::draw_spawn_tool(Controller& controller) {
+void Panel::draw_spawn_tool(Controller &controller) {
     if (!ImGui::CollapsingHeader("Spawn tool")) return;
-    SpawnSettings& tool = controller.tool;
+    SpawnSettings &tool = controller.tool;
     int kind = int(tool.kind);
     if (ImGui::Combo("shape", &kind, "box\0sphere\0")) tool.kind = SpawnSettings::Kind(kind);
     constexpr ImGuiSliderFlags clamped = ImGuiSliderFlags_AlwaysClamp;
@@ -233,18 +254,18 @@ void Panel::draw_spawn_tool(Controller& controller) {
     ImGui::TextDisabled("P shoots at the cursor");
 }
 
-void Panel::draw_statistics(const StageState& state, const WindowFacts& facts) {
+void Panel::draw_statistics(const StageState &state, const WindowFacts &facts) {
     if (!ImGui::CollapsingHeader("Statistics", ImGuiTreeNodeFlags_DefaultOpen)) return;
-    const Statistics& s = state.statistics;
-    if (!ImGui::BeginTable("statistics", 2)) return;
+    const Statistics &s = state.statistics;
+    if (!ImGui::BeginTable("statistics", 4)) return;
     row("bodies", "%.0f", double(s.bodies));
     row("awake", "%.0f", double(s.awake_bodies));
     row("contacts", "%.0f", double(s.contacts));
     row("islands", "%.0f", double(s.islands));
     row("step", "%.2f ms", state.step_milliseconds);
-    row("real time", "%.2f x", state.real_time_factor);
-    row("frames", "%.0f per s", facts.frames_per_second);
-    row("simulated", "%.1f s", s.time);
+    row("fps", "%.0f", facts.frames_per_second);
+    row("time", "%.1f s", s.time);
+    row("speed", "%.2f x", state.real_time_factor); // as reached, whatever was asked for
     ImGui::EndTable();
     if (!ImGui::TreeNode("stages of the step")) return;
     if (ImGui::BeginTable("stages", 2)) {
@@ -259,29 +280,32 @@ void Panel::draw_statistics(const StageState& state, const WindowFacts& facts) {
     ImGui::TreePop();
 }
 
-void Panel::draw(const StageState& state, Controller& controller, const WindowFacts& facts, float scale) {
-    const ImGuiIO& io = ImGui::GetIO();
+void Panel::draw(const StageState &state, Controller &controller, const WindowFacts &facts, float scale) {
+    const ImGuiIO &io = ImGui::GetIO();
     const float margin = 12.0f * scale;
     if (controller.panel) {
         if (!ImGui::IsAnyItemActive()) settings_ = state.settings;
         ImGui::SetNextWindowPos(ImVec2(margin, margin), ImGuiCond_Once);
-        ImGui::SetNextWindowSizeConstraints(ImVec2(panel_width * scale, 0.0f),
-                                            ImVec2(panel_width * scale, std::max(io.DisplaySize.y - 2.0f * margin, 64.0f)));
+        ImGui::SetNextWindowSizeConstraints(
+            ImVec2(panel_width * scale, 0.0f),
+            ImVec2(panel_width * scale, std::max(io.DisplaySize.y - 2.0f * margin, 64.0f)));
         ImGui::Begin("Cairn", nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings);
         ImGui::PushItemWidth(0.56f * panel_width * scale);
         draw_time(state, controller);
         draw_scenes(state, controller);
         draw_view(state, controller);
+        draw_statistics(state, facts);
         draw_settings(controller);
         draw_spawn_tool(controller);
-        draw_statistics(state, facts);
         ImGui::PopItemWidth();
         ImGui::End();
     }
     const std::string title = state.title + (state.hint.empty() ? "" : "\n" + state.hint);
     draw_caption("##title", title, ImVec2(io.DisplaySize.x - margin, margin), ImVec2(1.0f, 0.0f));
-    draw_caption("##state", present_state(state), ImVec2(io.DisplaySize.x - margin, io.DisplaySize.y - margin), ImVec2(1.0f, 1.0f));
-    draw_caption("##notice", facts.notice, ImVec2(0.5f * io.DisplaySize.x, io.DisplaySize.y - margin), ImVec2(0.5f, 1.0f));
+    draw_caption("##state", present_state(state), ImVec2(io.DisplaySize.x - margin, io.DisplaySize.y - margin),
+                 ImVec2(1.0f, 1.0f));
+    draw_caption("##notice", facts.notice, ImVec2(0.5f * io.DisplaySize.x, io.DisplaySize.y - margin),
+                 ImVec2(0.5f, 1.0f));
     if (controller.help) draw_help(scale);
 }
 

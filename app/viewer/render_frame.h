@@ -20,26 +20,26 @@ namespace cairn::viewer {
 /// What the color of a body tells.
 enum class ColorMode { scene, mass, speed, island, shape };
 inline constexpr int color_mode_count = 5;
-const char* name_of(ColorMode mode);
+const char *name_of(ColorMode mode);
 
 /// One sphere, box or rectangle. Laid out as the renderer's instance buffer expects it: 16 floats.
 struct Instance {
-    Vec3 position{0.0f, 0.0f, 0.0f}; ///< Relative to `RenderFrame::origin`, meters.
-    float emphasis = 0.0f;           ///< 0 plain, 1 highlighted.
+    Vec3 position{0.0f, 0.0f, 0.0f};            ///< Relative to `RenderFrame::origin`, meters.
+    float emphasis = 0.0f;                      ///< 0 plain, 1 highlighted.
     glm::vec4 rotation{0.0f, 0.0f, 0.0f, 1.0f}; ///< Quaternion x, y, z, w.
     Vec3 half_size{0.5f, 0.5f, 0.5f};
-    float pattern = 1.0f;            ///< How strong the pattern is that shows rotation, 0 to 1.
-    Vec3 color{0.8f, 0.8f, 0.8f};    ///< Linear.
+    float pattern = 1.0f;         ///< How strong the pattern is that shows rotation, 0 to 1.
+    Vec3 color{0.8f, 0.8f, 0.8f}; ///< Linear.
     float unused = 0.0f;
 };
 static_assert(sizeof(Instance) == 64);
 
 /// An infinite plane, drawn as a ground with a grid that fades.
 struct GroundPlane {
-    Vec3 position{0.0f, 0.0f, 0.0f}; ///< A point of it near the origin, relative to `RenderFrame::origin`.
+    Vec3 position{0.0f, 0.0f, 0.0f};       ///< A point of it near the origin, relative to `RenderFrame::origin`.
     Quat rotation{1.0f, 0.0f, 0.0f, 0.0f}; ///< From the plane's frame (normal along y) to the world.
-    glm::vec2 grid_offset{0.0f, 0.0f}; ///< Where `position` lies on the grid, meters, along x and z of its frame.
-    Vec3 color{0.6f, 0.6f, 0.6f};    ///< Linear.
+    glm::vec2 grid_offset{0.0f, 0.0f};     ///< Where `position` lies on the grid, meters, along x and z of its frame.
+    Vec3 color{0.6f, 0.6f, 0.6f};          ///< Linear.
 };
 
 /// A line segment, relative to `RenderFrame::origin`.
@@ -54,7 +54,7 @@ struct RenderFrame {
     std::vector<Instance> spheres, boxes, rectangles;
     std::vector<GroundPlane> grounds;
     std::vector<Line> lines;
-    bool grid = true;    ///< Draw the lines of the ground.
+    bool grid = true; ///< Draw the lines of the ground.
     bool shadows = true;
     Vec3 light_direction{-0.60f, 0.74f, 0.30f}; ///< Unit or not, towards the light; fixed in the world.
 };
@@ -67,11 +67,11 @@ struct FrameOptions {
 };
 
 /// The picture between two motions of one layout: `fraction` 0 shows `previous`, 1 shows `current`.
-RenderFrame make_frame(const WorldLayout& layout, const WorldMotion& previous, const WorldMotion& current,
-                       float fraction, const CameraPose& camera, const FrameOptions& options = {});
+RenderFrame make_frame(const WorldLayout &layout, const WorldMotion &previous, const WorldMotion &current,
+                       float fraction, const CameraPose &camera, const FrameOptions &options = {});
 
 /// The picture of a world as it stands.
-RenderFrame make_frame(const World& world, std::span<const Appearance> appearances, const CameraPose& camera,
-                       const FrameOptions& options = {});
+RenderFrame make_frame(const World &world, std::span<const Appearance> appearances, const CameraPose &camera,
+                       const FrameOptions &options = {});
 
 } // namespace cairn::viewer

@@ -8,20 +8,23 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-template <class Vector> Json triple(const Vector& v) { return Json::array({v.x, v.y, v.z}); }
+template <class Vector> Json triple(const Vector &v) { return Json::array({v.x, v.y, v.z}); }
 
-const char* name_of(BodyType type) {
+const char *name_of(BodyType type) {
     switch (type) {
-    case BodyType::static_: return "static";
-    case BodyType::kinematic: return "kinematic";
-    case BodyType::dynamic: return "dynamic";
+    case BodyType::static_:
+        return "static";
+    case BodyType::kinematic:
+        return "kinematic";
+    case BodyType::dynamic:
+        return "dynamic";
     }
     return "";
 }
 
-Json body_json(const StageState& state, std::size_t i, const OrbitCamera& camera, const WindowFacts& facts) {
-    const BodyLayout& body = state.layout->bodies[i];
-    const Position& position = state.current->transforms[i].position;
+Json body_json(const StageState &state, std::size_t i, const OrbitCamera &camera, const WindowFacts &facts) {
+    const BodyLayout &body = state.layout->bodies[i];
+    const Position &position = state.current->transforms[i].position;
     Json json;
     json["index"] = body.id.index();
     json["name"] = body.name;
@@ -31,13 +34,14 @@ Json body_json(const StageState& state, std::size_t i, const OrbitCamera& camera
     json["awake"] = state.current->awake[i] != 0;
     const float aspect = float(facts.width) / float(std::max(facts.height, 1));
     if (const auto device = camera.project(position, aspect))
-        json["screen"] = {(0.5f + 0.5f * device->x) * float(facts.width), (0.5f - 0.5f * device->y) * float(facts.height)};
+        json["screen"] = {(0.5f + 0.5f * device->x) * float(facts.width),
+                          (0.5f - 0.5f * device->y) * float(facts.height)};
     return json;
 }
 
 } // namespace
 
-std::string report_json(const StageState& state, const Controller& controller, const WindowFacts& facts) {
+std::string report_json(const StageState &state, const Controller &controller, const WindowFacts &facts) {
     Json json;
     json["scene"] = {{"path", state.path}, {"title", state.title}, {"loads", state.scene_serial}};
     json["body_count"] = state.layout->bodies.size();
@@ -60,7 +64,8 @@ std::string report_json(const StageState& state, const Controller& controller, c
     json["time"] = state.statistics.time;
     json["contacts"] = state.statistics.contacts;
     json["gravity"] = triple(state.settings.gravity);
-    json["camera"] = {{"position", triple(controller.camera.position())}, {"target", triple(controller.camera.target())}};
+    json["camera"] = {{"position", triple(controller.camera.position())},
+                      {"target", triple(controller.camera.target())}};
     json["colors"] = cairn::viewer::name_of(controller.colors);
     json["grid"] = controller.grid;
     json["shadows"] = controller.shadows;

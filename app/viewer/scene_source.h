@@ -22,7 +22,7 @@ struct Appearance {
 struct LoadedScene {
     World world;
     std::string title;
-    std::string hint;               ///< One line on what to try.
+    std::string hint; ///< One line on what to try.
     CameraPose camera;
     float time_step = 1.0f / 60.0f; ///< Seconds of one step, > 0.
     std::vector<Appearance> appearances;
@@ -30,7 +30,7 @@ struct LoadedScene {
 
 /// Loads the scene of that path. Throws `cairn::Error` (or any std::exception) if it cannot. It is called on the
 /// physics thread.
-using SceneLoader = std::function<LoadedScene(const std::string& path)>;
+using SceneLoader = std::function<LoadedScene(const std::string &path)>;
 
 /// One line of the viewer's list of scenes.
 struct SceneItem {

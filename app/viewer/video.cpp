@@ -4,8 +4,8 @@
 
 #include <cairn/error.h>
 
-#include <fcntl.h>
 #include <csignal>
+#include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -18,16 +18,16 @@
 #include <system_error>
 #include <vector>
 
-extern char** environ;
+extern char **environ;
 
 namespace cairn::viewer {
 
 namespace {
 
 // Starts `arguments` with `input` as its standard input; returns its process id, or -1 with errno set.
-int start_process(const std::vector<std::string>& arguments, int input) {
-    std::vector<char*> pointers;
-    for (const std::string& argument : arguments) pointers.push_back(const_cast<char*>(argument.c_str()));
+int start_process(const std::vector<std::string> &arguments, int input) {
+    std::vector<char *> pointers;
+    for (const std::string &argument : arguments) pointers.push_back(const_cast<char *>(argument.c_str()));
     pointers.push_back(nullptr);
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
@@ -53,8 +53,10 @@ bool write_to_pipe(int pipe, std::span<const std::uint8_t> bytes) {
     int error = 0;
     while (!bytes.empty() && error == 0) {
         const ssize_t written = write(pipe, bytes.data(), bytes.size());
-        if (written > 0) bytes = bytes.subspan(std::size_t(written));
-        else if (errno != EINTR) error = errno;
+        if (written > 0)
+            bytes = bytes.subspan(std::size_t(written));
+        else if (errno != EINTR)
+            error = errno;
     }
     if (error == EPIPE) {
         const timespec at_once{0, 0};
@@ -67,7 +69,7 @@ bool write_to_pipe(int pipe, std::span<const std::uint8_t> bytes) {
 
 } // namespace
 
-VideoWriter::VideoWriter(const std::filesystem::path& path, int width, int height, double frames_per_second)
+VideoWriter::VideoWriter(const std::filesystem::path &path, int width, int height, double frames_per_second)
     : path_(path), temporary_(temporary_beside(path)), frame_bytes_(3u * std::size_t(width) * std::size_t(height)) {
     const std::string size = std::to_string(width) + "x" + std::to_string(height);
     if (width < 2 || height < 2 || width % 2 != 0 || height % 2 != 0)
@@ -81,10 +83,32 @@ VideoWriter::VideoWriter(const std::filesystem::path& path, int width, int heigh
         throw Error(ErrorCode::io, path.string(), std::strerror(errno), "needs a pipe to ffmpeg");
     // An absolute path cannot be mistaken for an option or a protocol.
     const std::string output = "file:" + std::filesystem::absolute(temporary_).string();
-    process_ = start_process({"ffmpeg", "-loglevel", "error", "-nostats", "-y", "-f", "rawvideo", "-pixel_format", "rgb24",
-                              "-video_size", size, "-framerate", std::to_string(frames_per_second), "-i", "pipe:0",
-                              "-c:v", "libx264", "-preset", "medium", "-crf", "18", "-pix_fmt", "yuv420p",
-                              "-movflags", "+faststart", output},
+    process_ = start_process({"ffmpeg",
+                              "-loglevel",
+                              "error",
+                              "-nostats",
+                              "-y",
+                              "-f",
+                              "rawvideo",
+                              "-pixel_format",
+                              "rgb24",
+                              "-video_size",
+                              size,
+                              "-framerate",
+                              std::to_string(frames_per_second),
+                              "-i",
+                              "pipe:0",
+                              "-c:v",
+                              "libx264",
+                              "-preset",
+                              "medium",
+                              "-crf",
+                              "18",
+                              "-pix_fmt",
+                              "yuv420p",
+                              "-movflags",
+                              "+faststart",
+                              output},
                              ends[0]);
     const int error = errno;
     ::close(ends[0]);
@@ -99,7 +123,7 @@ VideoWriter::VideoWriter(const std::filesystem::path& path, int width, int heigh
 VideoWriter::~VideoWriter() {
     try {
         close();
-    } catch (const Error&) {
+    } catch (const Error &) {
         // Documented: an error is lost when the writer ends without having been closed.
     }
 }

@@ -42,9 +42,9 @@ struct BodyDef {
     float angular_damping = 0.0f; ///< 1/s, >= 0.
     float gravity_scale = 1.0f;   ///< Multiplies the world's gravity for this body; any finite value.
     bool allow_sleep = true;      ///< false: the body and its island never fall asleep.
-    std::optional<float> mass;    ///< kg, > 0 (+infinity: immovable). Absent: from the shapes' densities.
-    std::optional<MassProperties> mass_properties; ///< Overrides mass and shapes altogether.
-    std::string name;             ///< For people; need not be unique.
+    std::optional<float> mass{};  ///< kg, > 0 (+infinity: immovable). Absent: from the shapes' densities.
+    std::optional<MassProperties> mass_properties{}; ///< Overrides mass and shapes altogether.
+    std::string name{};           ///< For people; need not be unique.
     std::uint64_t user_data = 0;  ///< Not touched by the engine.
 };
 
@@ -74,7 +74,8 @@ public:
     float gravity_scale() const;
     float linear_damping() const;
     float angular_damping() const;
-    bool is_awake() const;
+    bool is_awake() const;            ///< Static bodies never are; kinematic ones are while they move.
+    bool allow_sleep() const;
     std::vector<ShapeId> shapes() const;
 
     /// Teleports the body: velocities stay, contacts are found anew.

@@ -109,8 +109,9 @@ public:
     std::vector<BodyId> bodies() const; ///< All, in order of slot index.
     std::optional<BodyId> find_body(std::string_view name) const; ///< The first of that name.
 
-    /// Adds a shape to a body and, unless its mass properties were given, updates them. A dynamic body whose
-    /// shapes have no mass at all is refused at the next step... so give planes to static bodies only.
+    /// Adds a shape to a body and, unless its mass properties were given, updates them. A dynamic body whose shapes
+    /// have no mass at all is a point of its given mass, or of 1 kg, that does not turn. Planes are refused on
+    /// dynamic bodies.
     ShapeId add_shape(BodyId body, const Shape& shape, const ShapeDef& def = {});
     void remove_shape(ShapeId shape);
     bool is_valid(ShapeId shape) const noexcept;

@@ -24,6 +24,17 @@ void include(TreeBox& box, const TreeBox& other) {
     }
 }
 
+TreeBox bounds_of(const Node8& node) {
+    TreeBox bounds = empty_box;
+    for (std::uint32_t lane = 0; lane < 8; ++lane) include(bounds, box_of_lane(node, lane));
+    return bounds;
+}
+
+TreeBox SlotTree::bounds() const {
+    const TreeView tree = view();
+    return tree.level_count == 0 ? empty_box : bounds_of(tree.levels[tree.level_count - 1][0]);
+}
+
 TreeView SlotTree::view() const {
     TreeView view = {};
     while (view.level_count < std::uint32_t(max_tree_levels) && !levels_[view.level_count].empty()) {
@@ -46,11 +57,8 @@ void SlotTree::grow_levels() {
         const bool is_new = levels_[k].empty();
         levels_[k].resize((below + 7) / 8, empty_node());
         if (!is_new) continue;
-        for (std::uint32_t child = 0; child < below; ++child) {
-            TreeBox bounds = empty_box;
-            for (std::uint32_t lane = 0; lane < 8; ++lane) include(bounds, box_of_lane(levels_[k - 1][child], lane));
-            set_lane(levels_[k][child / 8], child % 8, bounds);
-        }
+        for (std::uint32_t child = 0; child < below; ++child)
+            set_lane(levels_[k][child / 8], child % 8, bounds_of(levels_[k - 1][child]));
     }
 }
 

@@ -20,6 +20,7 @@ Node8 empty_node();
 TreeBox box_of_lane(const Node8& node, std::uint32_t lane);
 void set_lane(Node8& node, std::uint32_t lane, const TreeBox& box);
 void include(TreeBox& box, const TreeBox& other);
+TreeBox bounds_of(const Node8& node);
 
 // A permutation in kd order of boxes[0 .. n - 1]: splits at the median of the longest axis of the boxes' centers, with
 // the low half a multiple of 8 x 2^k, so that every node of the implicit tree is one cell. Allocates only to grow.
@@ -53,6 +54,7 @@ class SlotTree {
     const Node8* leaves() const { return levels_[0].data(); }
     const std::uint32_t* items() const { return items_.data(); } // by slot
     TreeView view() const;
+    TreeBox bounds() const; // of all items; between refits perhaps larger
 
     std::uint32_t append(std::uint32_t item, const TreeBox& box); // returns the slot
     void kill(std::uint32_t slot);

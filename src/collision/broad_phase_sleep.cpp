@@ -12,12 +12,6 @@ bool overlap(const DBounds& a, const DBounds& b) {
     return true;
 }
 
-TreeBox bounds_of(const Node8& node) {
-    TreeBox bounds = empty_box;
-    for (std::uint32_t lane = 0; lane < 8; ++lane) include(bounds, box_of_lane(node, lane));
-    return bounds;
-}
-
 } // namespace
 
 // The levels of an island's tree follow one another in island_nodes_, leaves first, up to a single node.

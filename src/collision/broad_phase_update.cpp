@@ -115,6 +115,13 @@ float BroadPhase::size_limit() {
 // should be instead.
 bool BroadPhase::origin_is_far(math::DVec3& wanted) {
     bool is_far = false;
+    for (const SlotTree& tree : awake_) { // the quick answer: all of them are near
+        const TreeBox bounds = tree.bounds();
+        for (int axis = 0; axis < 3 && tree.alive_count() > 0; ++axis)
+            is_far |= -bounds.lo[axis] > float(origin_distance) || bounds.hi[axis] > float(origin_distance);
+    }
+    if (!is_far) return false;
+    is_far = false;
     for (int axis = 0; axis < 3; ++axis) {
         sizes_.clear();
         for (const SlotTree& tree : awake_)

@@ -13,8 +13,9 @@ using math::DVec3;
 
 namespace {
 
-// Slower rotations (relative change of the angular velocity in a substep) have no gyroscopic part worth computing.
-constexpr float least_gyroscopic_change = 1e-6f;
+// Slower rotations (radians per substep) have no gyroscopic part worth computing. It makes no difference to what is
+// held by friction, but the energy of a free top depends on it.
+constexpr float least_turn_free = 1e-6f, least_turn_in_contact = 2e-3f;
 
 struct Increment {
     DVec3 velocity, correction;
@@ -141,7 +142,8 @@ bool is_gyroscopic(const State& s, std::int32_t b, float h) {
     const BodyMass& mass = s.mass[std::size_t(b)];
     if (mass.isotropic) return false;
     const math::Vec3 w = s.motion[std::size_t(b)].w;
-    return s.forces[std::size_t(b)].any || h * h * math::dot(w, w) > least_gyroscopic_change * least_gyroscopic_change;
+    const float least = s.bodies[std::size_t(b)].colors == 0 ? least_turn_free : least_turn_in_contact;
+    return s.forces[std::size_t(b)].any || h * h * math::dot(w, w) > least * least;
 }
 
 void spin_row(State& s, std::size_t row, float h) {

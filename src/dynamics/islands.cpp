@@ -162,7 +162,7 @@ void link_islands(State& state, std::int32_t body_a, std::int32_t body_b) {
     if (island_at(state, a).body_count < island_at(state, b).body_count) std::swap(a, b);
     append_all(state, a, b);
     island_at(state, a).lost_contact |= island_at(state, b).lost_contact;
-    island_at(state, a).substeps = std::max(island_at(state, a).substeps, island_at(state, b).substeps);
+    island_at(state, a).wanted_substeps = std::max(island_at(state, a).wanted_substeps, island_at(state, b).wanted_substeps);
     free_island(state, b);
 }
 

@@ -106,7 +106,7 @@ CollideKernel pair_kernel(int kind) {
 }
 
 void combine_materials(State& s, std::uint32_t contact) {
-    const ContactInfo& c = s.contacts[contact];
+    ContactInfo& c = s.contacts[contact];
     const Material &a = s.materials[c.shape_a], &b = s.materials[c.shape_b];
     ContactRecord& r = s.records[contact];
     const CombineRule friction = std::min(a.friction_combine, b.friction_combine);
@@ -114,6 +114,7 @@ void combine_materials(State& s, std::uint32_t contact) {
     r.friction = combine_values(a.dynamic_friction, b.dynamic_friction, friction);
     r.static_friction = std::max(combine_values(a.static_friction, b.static_friction, friction), r.friction);
     r.restitution = combine_values(a.restitution, b.restitution, restitution);
+    c.bounces = r.restitution > 0;
     r.rolling_radius = std::max(a.rolling_friction, b.rolling_friction);
     r.torsion_radius = std::max(a.torsional_friction, b.torsional_friction);
 }

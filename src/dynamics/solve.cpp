@@ -61,6 +61,18 @@ std::int32_t row_of_b(State& s, const ContactInfo& c) {
     return row;
 }
 
+// Impulses are those of one substep: with another length of substep they are others.
+void rescale_impulses(ContactInfo& c, ContactRecord& r, float h) {
+    if (c.substep_time == h) return;
+    if (c.substep_time > 0) {
+        const float factor = h / c.substep_time;
+        for (float& impulse : r.impulses) impulse *= factor;
+        for (float& impulse : r.friction_impulse) impulse *= factor;
+        r.torsion_impulse *= factor;
+    }
+    c.substep_time = h;
+}
+
 void add_lane(LaneLists& lanes, std::int32_t record, std::int32_t a, std::int32_t b) {
     lanes.record.push_back(record);
     lanes.row_a.push_back(a);
@@ -71,7 +83,7 @@ void pad_lanes(LaneLists& lanes) {
 }
 
 // Lays the bin's contacts into blocks of 8 lanes; one run of blocks for each color and size.
-void fill_lanes(State& s, const Bin& bin) {
+void fill_lanes(State& s, const Bin& bin, float h) {
     SolverScratch& scratch = s.solver;
     scratch.one_lanes.clear();
     scratch.four_lanes.clear();
@@ -85,8 +97,9 @@ void fill_lanes(State& s, const Bin& bin) {
         BlockRun run{four, std::int32_t(lanes.record.size() / 8), 0};
         for (; k < end; ++k) {
             const std::uint32_t id = scratch.sorted[std::size_t(k)];
-            const ContactInfo& c = s.contacts[id];
+            ContactInfo& c = s.contacts[id];
             if (c.color != first.color || (c.point_count != 1) != four) break;
+            rescale_impulses(c, s.records[id], h);
             add_lane(lanes, std::int32_t(id), s.bodies[std::size_t(c.body_a)].row, row_of_b(s, c));
             if (c.color == overflow_color) pad_lanes(lanes); // alone in its block
         }
@@ -207,13 +220,14 @@ void scatter_body(State& s, std::int32_t b, const SolverVelocity& velocity, cons
 
 void solve_bin(State& s, const Bin& bin, float dt) {
     SolverScratch& scratch = s.solver;
+    const float h = dt / float(bin.substeps);
     gather_bodies(s, bin);
-    fill_lanes(s, bin);
+    fill_lanes(s, bin, h);
     fill_rows(s);
-    prepare_free_motion(s, dt / float(bin.substeps));
+    prepare_free_motion(s, h);
     bool bounces = false;
     for (std::int32_t k = 0; k < bin.contact_count; ++k)
-        bounces |= s.records[scratch.sorted[std::size_t(bin.first_contact + k)]].restitution > 0;
+        bounces |= s.contacts[scratch.sorted[std::size_t(bin.first_contact + k)]].bounces != 0;
     for (const BlockRun& run : scratch.runs)
         kernels_for(run).prepare(blocks_of(scratch, run), run.count, lanes_of(scratch, run), s.records.data(),
                                  scratch.inertia.data(), friction_margin);

@@ -87,10 +87,12 @@ struct ContactInfo {
     std::uint8_t b_moves = 0;     // B is dynamic
     std::uint8_t touching = 0;    // a begin event was given
     std::uint8_t in_use = 0;
-    std::uint8_t padding = 0;
+    std::uint8_t bounces = 0;     // has any restitution
     float match_tolerance = 0;    // m: points closer than this to last step's are the same
     float base_margin = 0;        // m
-    float load = 0;               // N: the sustained normal force
+    float force = 0;              // N: the normal force of the last step
+    float load = 0;               // N: the sustained one, without impacts
+    float substep_time = 0;       // s: that the impulses are for
 };
 
 struct Island {
@@ -103,7 +105,9 @@ struct Island {
     std::uint8_t kept_awake = 0;    // touches something that moves by itself
     std::uint8_t padding = 0;
     std::int32_t substeps = 0;      // in the last step
-    std::int32_t wanted_substeps = 0; // by what it carries
+    std::int32_t wanted_substeps = 0; // by what it carries (substeps.cpp)
+    float greatest_load = 0, ground_load = 0; // N: on one contact; on what does not move
+    float greatest_demand = 0;      // m/s^2: load over the reduced mass of the contact that carries it
     float least_quiet_time = 0, greatest_quiet_time = 0;
 };
 

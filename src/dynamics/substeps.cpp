@@ -1,11 +1,61 @@
+// How many substeps an island takes. A soft contact sinks under its load F by F / (m w^2), with m the reduced mass of
+// its two bodies and w in proportion to the number of substeps n; what matters is the demand F / m. In a heap the load
+// is spread over many contacts and the default is enough. In a slender structure (a tower, a heavy box on light ones)
+// one contact carries a good part of all the weight (its share): there n grows with the square root of the demand. The rule looks
+// at the scene alone, so that results do not depend on threads. docs/decisions/substeps.md has the measurements.
 #include "dynamics/solver.h"
 
 #include <algorithm>
 
 namespace cairn {
 
-int island_substeps(const State& state, const Island& island) {
-    return std::max(state.settings.substeps, int(island.wanted_substeps));
+namespace {
+
+constexpr float substeps_per_demand = 0.95f; // n = this x sqrt(demand in m/s^2) at 60 steps per second
+constexpr float load_gain = 0.25f;           // of the low-pass filter over steps
+constexpr float full_share = 1.0f / 3.0f;    // of the island's weight on one contact: slender
+constexpr float immovable_stiffness = 4.0f;  // contacts with what does not move are so much stiffer
+constexpr int rounding = 8, hysteresis = 16, most_adaptive_substeps = 128;
+
+} // namespace
+
+float first_load(const State& s, const ContactInfo& c, math::Vec3 normal) {
+    const auto& g = s.settings.gravity;
+    const float pull = math::dot(normal, math::Vec3{g.x, g.y, g.z}); // > 0: B is below
+    if (pull < 0 && !c.b_moves) return 0;
+    const BodyMass& above = s.mass[std::size_t(pull >= 0 ? c.body_a : c.body_b)];
+    return above.inverse_mass > 0 ? above.mass * std::fabs(pull) : 0;
+}
+
+void note_load(State& s, ContactInfo& c, float force) {
+    // The lesser of two steps: impacts last one step, loads stay.
+    c.load += load_gain * (std::min(force, c.force) - c.load);
+    c.force = force;
+    Island& island = s.islands[std::size_t(s.bodies[std::size_t(c.body_a)].island)];
+    float inverse_mass = s.mass[std::size_t(c.body_a)].inverse_mass;
+    if (c.b_moves) {
+        inverse_mass += s.mass[std::size_t(c.body_b)].inverse_mass;
+    } else {
+        inverse_mass *= 1 / immovable_stiffness;
+        island.ground_load += c.load;
+    }
+    island.greatest_load = std::max(island.greatest_load, c.load);
+    island.greatest_demand = std::max(island.greatest_demand, c.load * inverse_mass);
+}
+
+int island_substeps(const State& s, Island& island) {
+    const int base = s.settings.substeps;
+    if (s.settings.adaptive_substeps && island.ground_load > 0) {
+        const float share = std::min(island.greatest_load / (full_share * island.ground_load), 1.0f);
+        const float wanted = substeps_per_demand * share * std::sqrt(island.greatest_demand);
+        const int rounded = (int(std::min(wanted, float(most_adaptive_substeps))) + rounding - 1) / rounding * rounding;
+        const bool keep = rounded <= island.wanted_substeps && rounded > island.wanted_substeps - hysteresis;
+        if (!keep) island.wanted_substeps = rounded;
+    } else {
+        island.wanted_substeps = 0;
+    }
+    island.greatest_load = island.greatest_demand = island.ground_load = 0;
+    return std::max(base, int(island.wanted_substeps));
 }
 
 } // namespace cairn

@@ -13,7 +13,7 @@ constexpr int batch_pairs = 512;
 
 // An edge contact replaces a face contact only where it is less deep by this part of the smallest half extent:
 // a face gives up to four points, which stacks need.
-constexpr float edge_tolerance = 5e-3f;
+constexpr float edge_tolerance = 5e-2f;
 // The second shape's faces are the reference only where they are less deep by this part of it.
 constexpr float second_face_tolerance = 1e-4f;
 // The error of a projected length, as part of the sum of all half extents.

@@ -70,6 +70,7 @@ CAIRN_INLINE Vec3x8 prepare_points(ContactBlock<N>& block, const ContactRecord* 
         for (int k = 0; k < i; ++k)
             store(block.coupling[coupling_index(k, i)], mass_sum + dot(ia_j[k], j[i]) + dot(ib_j[k], j[i] + c));
         const f32x8 k_ii = mass_sum + dot(ia_j[i], j[i]) + dot(ib_j[i], j[i] + c);
+        store(block.self[i], select(used, k_ii, zero()));
         store(block.effective_mass[i], select(used, safe_reciprocal(k_ii), zero()));
     }
     center = safe_reciprocal(weight_sum) * center;

@@ -88,6 +88,33 @@ template <int N> void warm_start(const void* blocks, int count, SolverVelocity* 
     }
 }
 
+// One normal row of a contact: impulse' = max(0, impulse - mass v - bias - keep impulse).
+struct Row {
+    f32x8 mass, bias, keep, old, impulse;
+};
+
+// Sweeps over the points of a contact. Only the points' own velocities v change, by the couplings; the bodies are not
+// touched, so that a second sweep is cheap. It is needed: after one, the corner that came first carries most, and a
+// box that falls flat tips and slides by 5 cm (0.1 mm with two).
+template <int N> CAIRN_INLINE void sweep_points(const ContactBlock<N>& block, Row* rows, f32x8* v) {
+    constexpr int visits = N == 1 ? 1 : 2 * N;
+#pragma GCC unroll 8 // so that rows and velocities stay in registers
+    for (int k = 0; k < visits; ++k) {
+        const int i = k % N;
+        Row& row = rows[i];
+        const f32x8 impulse = max(row.impulse - (row.mass * v[i] + row.bias + row.keep * row.impulse), zero());
+        const f32x8 d = impulse - row.impulse;
+        row.impulse = impulse;
+        const bool again = k < visits - N; // only velocities that will be read need to be kept up
+#pragma GCC unroll 4
+        for (int j = 0; j < N; ++j) {
+            if (j == i && again) v[j] += load(block.self[i]) * d;
+            if (j > i) v[j] += load(block.coupling[coupling_index(i, j)]) * d;
+            if (j < i && again) v[j] += load(block.coupling[coupling_index(j, i)]) * d;
+        }
+    }
+}
+
 // One sweep with soft constraints: overlap is pushed out at a rate and with a compliance given by `softness`;
 // a gap is closed no faster than it takes one substep to close it.
 template <int N> void solve(void* blocks, int count, SolverVelocity* velocity, const ContactSoftness& softness) {
@@ -106,15 +133,19 @@ template <int N> void solve(void* blocks, int count, SolverVelocity* velocity, c
         normal_velocities<N>(block, a, b, normal, c, v, arm);
         f32x8 sum = zero();
         Vec3x8 torque = zero3();
+        Row rows[N];
         for (int i = 0; i < N; ++i) {
-            const f32x8 s = load(block.separation[i]), old = load(block.impulse[i]);
+            const f32x8 s = load(block.separation[i]), mass = load(block.effective_mass[i]);
             const mask8 apart = s > zero();
-            const f32x8 bias = select(apart, s * inverse_h, max(bias_rate * s, slowest));
-            const f32x8 change = load(block.effective_mass[i]) * (select(apart, one(), mass_scale) * v[i] + bias) +
-                                 select(apart, zero(), impulse_scale) * old;
-            const f32x8 impulse = max(old - change, zero()), d = impulse - old;
-            store(block.impulse[i], impulse);
-            for (int j = i + 1; j < N; ++j) v[j] += load(block.coupling[coupling_index(i, j)]) * d;
+            rows[i].bias = mass * select(apart, s * inverse_h, max(bias_rate * s, slowest));
+            rows[i].mass = mass * select(apart, one(), mass_scale);
+            rows[i].keep = select(apart, zero(), impulse_scale);
+            rows[i].old = rows[i].impulse = load(block.impulse[i]);
+        }
+        sweep_points<N>(block, rows, v);
+        for (int i = 0; i < N; ++i) {
+            const f32x8 d = rows[i].impulse - rows[i].old;
+            store(block.impulse[i], rows[i].impulse);
             sum += d;
             torque = torque + d * arm[i];
         }
@@ -128,13 +159,18 @@ template <int N> void solve(void* blocks, int count, SolverVelocity* velocity, c
 template <int N>
 CAIRN_INLINE SweepSums relax_normals(ContactBlock<N>& block, const f32x8* s, f32x8* v, const Vec3x8* arm, f32x8 inverse_h) {
     SweepSums sums = {zero(), zero3(), zero(), zero()};
+    Row rows[N];
     for (int i = 0; i < N; ++i) {
-        const f32x8 old = load(block.impulse[i]);
-        const f32x8 impulse = max(old - load(block.effective_mass[i]) * (v[i] + max(s[i], zero()) * inverse_h), zero());
-        const f32x8 d = impulse - old;
+        rows[i].mass = load(block.effective_mass[i]);
+        rows[i].bias = rows[i].mass * (max(s[i], zero()) * inverse_h);
+        rows[i].keep = zero();
+        rows[i].old = rows[i].impulse = load(block.impulse[i]);
+    }
+    sweep_points<N>(block, rows, v);
+    for (int i = 0; i < N; ++i) {
+        const f32x8 impulse = rows[i].impulse, d = impulse - rows[i].old;
         store(block.impulse[i], impulse);
         store(block.total_impulse[i], load(block.total_impulse[i]) + impulse);
-        for (int j = i + 1; j < N; ++j) v[j] += load(block.coupling[coupling_index(i, j)]) * d;
         sums.impulse += d;
         sums.torque = sums.torque + d * arm[i];
         sums.load += impulse;

@@ -42,7 +42,7 @@ inline constexpr std::int32_t fixed_row = 0, discard_row = 1, first_body_row = 2
 // One touching or nearly touching pair of shapes, at a stable index. Written by the narrow phase, read by
 // the solver's prepare kernel, which writes the impulses back. Body A always moves by forces (is dynamic);
 // body B may be anything. World axes; arms are relative to A's center of mass.
-struct alignas(16) ContactRecord {
+struct alignas(64) ContactRecord {
     float normal[3];      // unit, from A to B
     float friction;       // combined dynamic coefficient
     float center_offset[3]; // center of mass of A minus that of B
@@ -68,6 +68,7 @@ template <int N> struct alignas(64) ContactBlock {
     float normal[3][8], c[3][8], mass_a[8], mass_b[8], inertia_a[6][8], inertia_b[6][8];
     float arm[N][3][8];                 // j_i
     float effective_mass[N][8];         // 1 / K_ii; 0 for unused points
+    float self[N][8];                   // K_ii; 0 for unused points
     float coupling[cross_terms][8];     // K_ij, i < j, in the order 01 02 03 12 13 23
     float impulse[N][8], separation[N][8];
     float separation0[N][8], height[N][8]; // separation at the start of the step; r_i . n

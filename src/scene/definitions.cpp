@@ -7,7 +7,7 @@ namespace cairn::scene {
 
 namespace {
 
-std::optional<Value> document_array(const Value &document, const char *extension, const char *member) {
+std::optional<Value> document_array(const Value& document, const char* extension, const char* member) {
     const auto extensions = document.find("extensions");
     if (!extensions) return std::nullopt;
     const auto found = extensions->find(extension);
@@ -16,13 +16,13 @@ std::optional<Value> document_array(const Value &document, const char *extension
 }
 
 // The element of `array` that `index` refers to.
-Value element(const std::optional<Value> &array, const Value &index, const char *what) {
+Value element(const std::optional<Value>& array, const Value& index, const char* what) {
     const std::size_t count = array ? array->size(max_definitions, what) : 0;
     if (count == 0) index.fail(std::string("must be left out, as the file has no ") + what);
     return (*array)[index.index(count, what)];
 }
 
-float half_of(double size, const Value &place) {
+float half_of(double size, const Value& place) {
     const double half = 0.5 * size;
     if (!positive_float.contains(half) || static_cast<float>(half) == 0.0f) {
         place.fail("must have a size that fits a float, with the scale of its node");
@@ -30,7 +30,7 @@ float half_of(double size, const Value &place) {
     return static_cast<float>(half);
 }
 
-Shape read_sphere(const Value &shape, const glm::dvec3 &scale, std::vector<std::string> &warnings) {
+Shape read_sphere(const Value& shape, const glm::dvec3& scale, std::vector<std::string>& warnings) {
     double radius = 0.5;
     if (const auto sphere = shape.find("sphere")) {
         if (const auto given = sphere->find("radius")) radius = given->number(positive_float);
@@ -41,7 +41,7 @@ Shape read_sphere(const Value &shape, const glm::dvec3 &scale, std::vector<std::
     return Sphere{half_of(2.0 * radius * std::max({scale.x, scale.y, scale.z}), shape)};
 }
 
-Shape read_box(const Value &shape, const glm::dvec3 &scale) {
+Shape read_box(const Value& shape, const glm::dvec3& scale) {
     glm::dvec3 size{1.0, 1.0, 1.0};
     if (const auto box = shape.find("box")) {
         if (const auto given = box->find("size")) size = given->vector3(positive_float);
@@ -50,7 +50,7 @@ Shape read_box(const Value &shape, const glm::dvec3 &scale) {
     return Box{{half_of(size.x, shape), half_of(size.y, shape), half_of(size.z, shape)}};
 }
 
-Shape read_plane(const Value &shape, const glm::dvec3 &scale) {
+Shape read_plane(const Value& shape, const glm::dvec3& scale) {
     Plane result; // through the origin, facing +y
     const auto plane = shape.find("plane");
     if (!plane) return result;
@@ -67,7 +67,7 @@ Shape read_plane(const Value &shape, const glm::dvec3 &scale) {
     return result;
 }
 
-CombineRule read_rule(const Value &value) {
+CombineRule read_rule(const Value& value) {
     const std::string name = value.text();
     if (name == "average") return CombineRule::average;
     if (name == "minimum") return CombineRule::minimum;
@@ -76,7 +76,7 @@ CombineRule read_rule(const Value &value) {
     value.fail("must be \"average\", \"minimum\", \"maximum\" or \"multiply\"");
 }
 
-std::set<std::string> read_systems(const std::optional<Value> &list) {
+std::set<std::string> read_systems(const std::optional<Value>& list) {
     std::set<std::string> systems;
     if (!list) return systems;
     const std::size_t count = list->size(1000, "systems");
@@ -91,8 +91,8 @@ struct Filter {
 };
 
 // Whether `a` keeps `b` away, in the strict reading: whatever the draft leaves open counts as kept away.
-bool keeps_away(const Filter &a, const Filter &b) {
-    for (const std::string &system : b.systems) {
+bool keeps_away(const Filter& a, const Filter& b) {
+    for (const std::string& system : b.systems) {
         if (a.not_with.count(system) > 0 || (a.has_with && a.with.count(system) == 0)) return true;
     }
     return a.has_with && b.systems.empty();
@@ -100,12 +100,12 @@ bool keeps_away(const Filter &a, const Filter &b) {
 
 } // namespace
 
-Definitions::Definitions(const Value &document)
+Definitions::Definitions(const Value& document)
     : shapes_(document_array(document, "KHR_implicit_shapes", "shapes")),
       materials_(document_array(document, "KHR_physics_rigid_bodies", "physicsMaterials")),
       filters_(document_array(document, "KHR_physics_rigid_bodies", "collisionFilters")) {}
 
-Shape Definitions::shape(const Value &index, const glm::dvec3 &scale, std::vector<std::string> &warnings) const {
+Shape Definitions::shape(const Value& index, const glm::dvec3& scale, std::vector<std::string>& warnings) const {
     const Value found = element(shapes_, index, "shapes");
     const glm::dvec3 size = glm::abs(scale);
     const Value type = found.require("type");
@@ -117,10 +117,10 @@ Shape Definitions::shape(const Value &index, const glm::dvec3 &scale, std::vecto
                 "\" are not supported yet; there are sphere, box and plane");
 }
 
-Substance Definitions::substance(const Value &index) const {
+Substance Definitions::substance(const Value& index) const {
     const Value found = element(materials_, index, "physics materials");
     Substance result;
-    Material &material = result.material;
+    Material& material = result.material;
     if (const auto value = found.find("staticFriction")) material.static_friction = value->real(nonnegative_float);
     if (const auto value = found.find("dynamicFriction")) material.dynamic_friction = value->real(nonnegative_float);
     if (const auto value = found.find("restitution")) material.restitution = value->real({0.0, 1.0, false});
@@ -136,7 +136,7 @@ Substance Definitions::substance(const Value &index) const {
     return result;
 }
 
-void Definitions::use_filter(const std::optional<Value> &index) {
+void Definitions::use_filter(const std::optional<Value>& index) {
     if (!index) {
         some_without_filter_ = true;
         return;
@@ -157,8 +157,8 @@ void Definitions::refuse_separating_filters() const {
         filters.push_back({read_systems(value.find("collisionSystems")), read_systems(with),
                            read_systems(value.find("notCollideWithSystems")), with.has_value(), value});
     }
-    for (const Filter &a : filters) {
-        for (const Filter &b : filters) {
+    for (const Filter& a : filters) {
+        for (const Filter& b : filters) {
             if (keeps_away(a, b)) a.place->refuse("collision filters that keep colliders apart are not supported yet");
         }
     }

@@ -22,14 +22,14 @@ struct Substance {
 
 class Definitions {
 public:
-    explicit Definitions(const Value &document);
+    explicit Definitions(const Value& document);
 
     // The shape that `index` (a collider's geometry.shape) refers to, its sizes multiplied by |scale|, no component
     // of which is zero.
-    Shape shape(const Value &index, const glm::dvec3 &scale, std::vector<std::string> &warnings) const;
-    Substance substance(const Value &index) const;
+    Shape shape(const Value& index, const glm::dvec3& scale, std::vector<std::string>& warnings) const;
+    Substance substance(const Value& index) const;
     // Notes that a collider has the collision filter `index`, or none.
-    void use_filter(const std::optional<Value> &index);
+    void use_filter(const std::optional<Value>& index);
     // Refuses filters that would keep any two of the colliders apart: filters that let everything collide are all
     // that can be honored yet.
     void refuse_separating_filters() const;

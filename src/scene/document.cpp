@@ -24,7 +24,7 @@ bool is_harmless(std::string_view name) {
 
 } // namespace
 
-void check_document(const Value &document) {
+void check_document(const Value& document) {
     document.must_be_object();
     const Value version = document.require("asset").require("version");
     if (const std::string text = version.text(); text.substr(0, 2) != "2.") {
@@ -40,7 +40,7 @@ void check_document(const Value &document) {
     }
 }
 
-std::optional<Value> default_scene(const Value &document) {
+std::optional<Value> default_scene(const Value& document) {
     const auto scenes = document.find("scenes");
     const auto chosen = document.find("scene");
     const std::size_t count = scenes ? scenes->size(10000, "scenes") : 0;
@@ -49,7 +49,7 @@ std::optional<Value> default_scene(const Value &document) {
     return (*scenes)[0];
 }
 
-std::optional<Value> extension(const Value &owner, const char *name) {
+std::optional<Value> extension(const Value& owner, const char* name) {
     const auto extensions = owner.find("extensions");
     return extensions ? extensions->find(name) : std::nullopt;
 }

@@ -8,12 +8,12 @@
 namespace cairn::scene {
 
 // Checks the version of the format, and that the file requires no extension that matters here and is unknown.
-void check_document(const Value &document);
+void check_document(const Value& document);
 
 // The scene to be shown: the one named by `scene`, else the first; empty if the file has none.
-std::optional<Value> default_scene(const Value &document);
+std::optional<Value> default_scene(const Value& document);
 
 // The extension object of that name on a node, a scene or anything else.
-std::optional<Value> extension(const Value &owner, const char *name);
+std::optional<Value> extension(const Value& owner, const char* name);
 
 } // namespace cairn::scene

@@ -12,7 +12,7 @@ namespace cairn::scene {
 
 namespace {
 
-[[noreturn]] void fail(const std::string &file, const std::string &what) {
+[[noreturn]] void fail(const std::string& file, const std::string& what) {
     throw Error(ErrorCode::invalid_file, file, {}, what);
 }
 
@@ -27,7 +27,7 @@ constexpr std::uint32_t json_chunk = 0x4E4F534A; // "JSON"
 
 // The JSON chunk of a .glb file: a header of 12 bytes (magic, version, length), then chunks, each of a header
 // of 8 bytes (length, type) and its data, the JSON one first (glTF 2.0, section 4.4).
-std::span<const std::byte> json_of_container(std::span<const std::byte> bytes, const std::string &file) {
+std::span<const std::byte> json_of_container(std::span<const std::byte> bytes, const std::string& file) {
     if (bytes.size() < 12) fail(file, "is a .glb file cut off in its header");
     if (const std::uint32_t version = little_endian_word(bytes, 4); version != 2) {
         throw Error(ErrorCode::unsupported, file, std::to_string(version), "must be a .glb file of version 2");
@@ -69,14 +69,14 @@ bool is_deeper_than(std::string_view text, int limit) {
 }
 
 // nlohmann's messages begin with "[json.exception.parse_error.101] parse error at line 1, column 2: ".
-std::string without_prefix(const char *message) {
-    const char *end = std::strchr(message, ']');
+std::string without_prefix(const char* message) {
+    const char* end = std::strchr(message, ']');
     return end != nullptr && end[1] == ' ' ? end + 2 : message;
 }
 
 } // namespace
 
-std::vector<std::byte> read_file(const std::filesystem::path &path) {
+std::vector<std::byte> read_file(const std::filesystem::path& path) {
     const std::string file = path.generic_string();
     std::error_code code;
     const std::filesystem::file_status status = std::filesystem::status(path, code);
@@ -90,7 +90,7 @@ std::vector<std::byte> read_file(const std::filesystem::path &path) {
     while (stream) {
         const std::size_t filled = bytes.size();
         bytes.resize(filled + piece);
-        stream.read(reinterpret_cast<char *>(bytes.data() + filled), static_cast<std::streamsize>(piece));
+        stream.read(reinterpret_cast<char*>(bytes.data() + filled), static_cast<std::streamsize>(piece));
         bytes.resize(filled + static_cast<std::size_t>(stream.gcount()));
         if (bytes.size() > max_file_bytes) {
             throw Error(ErrorCode::io, file, {}, "must have at most " + std::to_string(max_file_bytes) + " bytes");
@@ -100,7 +100,7 @@ std::vector<std::byte> read_file(const std::filesystem::path &path) {
     return bytes;
 }
 
-void write_file(const std::filesystem::path &path, std::string_view text) {
+void write_file(const std::filesystem::path& path, std::string_view text) {
     std::filesystem::path temporary = path;
     temporary += ".partial";
     std::error_code code;
@@ -121,16 +121,16 @@ void write_file(const std::filesystem::path &path, std::string_view text) {
     }
 }
 
-nlohmann::json parse_gltf(std::span<const std::byte> bytes, const std::string &file) {
+nlohmann::json parse_gltf(std::span<const std::byte> bytes, const std::string& file) {
     if (bytes.empty()) fail(file, "is empty");
     if (bytes.size() >= 4 && little_endian_word(bytes, 0) == glb_magic) bytes = json_of_container(bytes, file);
-    const std::string_view text(reinterpret_cast<const char *>(bytes.data()), bytes.size());
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     if (is_deeper_than(text, max_json_depth)) {
         fail(file, "is nested more than " + std::to_string(max_json_depth) + " levels deep");
     }
     try {
         return nlohmann::json::parse(text);
-    } catch (const nlohmann::json::exception &error) {
+    } catch (const nlohmann::json::exception& error) {
         // Malformed text, a number beyond double's range, or invalid UTF-8.
         fail(file, "is not valid JSON: " + without_prefix(error.what()));
     }

@@ -1,6 +1,7 @@
 #include "scene/json_number.h"
 
 #include <charconv>
+#include <cmath>
 
 namespace cairn::scene {
 
@@ -14,16 +15,22 @@ double shortest(float value) {
     return static_cast<float>(decimal) == value ? decimal : static_cast<double>(value);
 }
 
-nlohmann::ordered_json number_array(const Vec3 &v) {
+nlohmann::ordered_json number_array(const Vec3& v) {
     return nlohmann::ordered_json::array({shortest(v.x), shortest(v.y), shortest(v.z)});
 }
 
-nlohmann::ordered_json number_array(const Position &v) {
+nlohmann::ordered_json number_array(const Position& v) {
     return nlohmann::ordered_json::array({v.x + 0.0, v.y + 0.0, v.z + 0.0});
 }
 
-nlohmann::ordered_json number_array(const Quat &q) {
-    return nlohmann::ordered_json::array({shortest(q.x), shortest(q.y), shortest(q.z), shortest(q.w)});
+glm::dquat written_rotation(const Quat& q) {
+    const auto rounded = [](float v) { return std::round(static_cast<double>(v) * 1e7) / 1e7 + 0.0; };
+    return {rounded(q.w), rounded(q.x), rounded(q.y), rounded(q.z)};
+}
+
+nlohmann::ordered_json number_array(const Quat& q) {
+    const glm::dquat written = written_rotation(q);
+    return nlohmann::ordered_json::array({written.x, written.y, written.z, written.w});
 }
 
 } // namespace cairn::scene

@@ -11,9 +11,14 @@ namespace cairn::scene {
 // Zero loses its sign, which says nothing in a file.
 double shortest(float value);
 
-nlohmann::ordered_json number_array(const Vec3 &v);
-nlohmann::ordered_json number_array(const Position &v);
+nlohmann::ordered_json number_array(const Vec3& v);
+nlohmann::ordered_json number_array(const Position& v);
+
+// A rotation as it is written. Whoever reads it normalizes it, which in float leaves the large components as they are
+// but shrinks small ones a little every time; seven decimals, about the precision of a float near one, make an end
+// of that.
+glm::dquat written_rotation(const Quat& q);
 // In the order of glTF: x, y, z, w.
-nlohmann::ordered_json number_array(const Quat &q);
+nlohmann::ordered_json number_array(const Quat& q);
 
 } // namespace cairn::scene

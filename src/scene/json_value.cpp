@@ -26,14 +26,14 @@ std::string Range::text() const {
     return high <= largest_float ? "must fit a float" : "must be a number";
 }
 
-std::optional<Value> Value::find(const char *key) const {
+std::optional<Value> Value::find(const char* key) const {
     must_be_object();
     const auto found = json_->find(key);
     if (found == json_->end()) return std::nullopt;
     return Value(*found, file_, path_.empty() ? std::string(key) : path_ + "." + key);
 }
 
-Value Value::require(const char *key) const {
+Value Value::require(const char* key) const {
     if (std::optional<Value> found = find(key)) return *found;
     raise(ErrorCode::invalid_file, std::string("must have a member \"") + key + "\"", {});
 }
@@ -42,7 +42,7 @@ void Value::must_be_object() const {
     if (!json_->is_object()) fail("must be an object");
 }
 
-std::vector<std::string> Value::other_members(const std::vector<std::string> &known, std::size_t limit) const {
+std::vector<std::string> Value::other_members(const std::vector<std::string>& known, std::size_t limit) const {
     must_be_object();
     std::vector<std::string> others;
     for (auto member = json_->begin(); member != json_->end() && others.size() < limit; ++member) {
@@ -53,7 +53,7 @@ std::vector<std::string> Value::other_members(const std::vector<std::string> &kn
     return others;
 }
 
-std::size_t Value::size(std::size_t limit, const char *what) const {
+std::size_t Value::size(std::size_t limit, const char* what) const {
     if (!json_->is_array()) fail("must be an array");
     if (json_->size() > limit) {
         raise(ErrorCode::invalid_file, "must have at most " + std::to_string(limit) + " " + what,
@@ -66,7 +66,7 @@ Value Value::operator[](std::size_t index) const {
     return Value((*json_)[index], file_, path_ + "[" + std::to_string(index) + "]");
 }
 
-double Value::number(const Range &range) const {
+double Value::number(const Range& range) const {
     if (!json_->is_number()) fail("must be a number");
     const double value = json_->get<double>();
     if (!range.contains(value)) fail(range.text());
@@ -80,12 +80,12 @@ bool Value::boolean() const {
 
 std::string Value::text() const {
     if (!json_->is_string()) fail("must be a string");
-    const std::string &text = json_->get_ref<const std::string &>();
+    const std::string& text = json_->get_ref<const std::string&>();
     if (text.size() > max_text_length) fail("must have at most " + std::to_string(max_text_length) + " bytes");
     return text;
 }
 
-std::size_t Value::index(std::size_t count, const char *what) const {
+std::size_t Value::index(std::size_t count, const char* what) const {
     if (!json_->is_number_unsigned()) fail(std::string("must be the index of one of the ") + what);
     const std::size_t value = json_->get<std::size_t>();
     if (value >= count) {
@@ -102,12 +102,12 @@ int Value::integer(int low, int high) const {
     return static_cast<int>(value);
 }
 
-void Value::numbers(double *out, std::size_t count, const Range &range) const {
+void Value::numbers(double* out, std::size_t count, const Range& range) const {
     if (!json_->is_array() || json_->size() != count) fail("must be an array of " + std::to_string(count) + " numbers");
     for (std::size_t i = 0; i < count; ++i) out[i] = (*this)[i].number(range);
 }
 
-glm::dvec3 Value::vector3(const Range &range) const {
+glm::dvec3 Value::vector3(const Range& range) const {
     double v[3];
     numbers(v, 3, range);
     return {v[0], v[1], v[2]};
@@ -131,7 +131,7 @@ std::string Value::shown() const {
     if (json_->is_object()) return "an object";
     if (json_->is_array() && json_->size() > 8) return "an array of " + std::to_string(json_->size());
     if (json_->is_array()) {
-        for (const nlohmann::json &element : *json_) {
+        for (const nlohmann::json& element : *json_) {
             if (element.is_structured()) return "an array of " + std::to_string(json_->size());
         }
     }
@@ -140,7 +140,7 @@ std::string Value::shown() const {
     return text;
 }
 
-void Value::raise(ErrorCode code, const std::string &expected, std::string value) const {
+void Value::raise(ErrorCode code, const std::string& expected, std::string value) const {
     throw Error(code, path_.empty() ? std::string(file_) : std::string(file_) + ": " + path_, std::move(value),
                 expected);
 }

@@ -34,54 +34,54 @@ inline constexpr Range nonnegative_float{0.0, largest_float, false};
 class Value {
 public:
     // `file` stands for the file in messages.
-    Value(const nlohmann::json &json, std::string_view file) : json_(&json), file_(file) {}
+    Value(const nlohmann::json& json, std::string_view file) : json_(&json), file_(file) {}
 
     bool is_object() const { return json_->is_object(); }
     bool is_string() const { return json_->is_string(); }
-    const std::string &path() const { return path_; }
+    const std::string& path() const { return path_; }
 
     // Objects. `find` is empty if there is no such member; `require` complains.
-    std::optional<Value> find(const char *key) const;
-    Value require(const char *key) const;
+    std::optional<Value> find(const char* key) const;
+    Value require(const char* key) const;
     void must_be_object() const;
     // Names of members that are not among `known`, at most `limit` of them.
-    std::vector<std::string> other_members(const std::vector<std::string> &known, std::size_t limit) const;
+    std::vector<std::string> other_members(const std::vector<std::string>& known, std::size_t limit) const;
 
     // Arrays. `size` complains about anything else, and about more than `limit` elements.
-    std::size_t size(std::size_t limit, const char *what) const;
+    std::size_t size(std::size_t limit, const char* what) const;
     Value operator[](std::size_t index) const;
 
     // Scalars.
-    double number(const Range &range = {}) const;
-    float real(const Range &range = any_float) const { return static_cast<float>(number(range)); }
+    double number(const Range& range = {}) const;
+    float real(const Range& range = any_float) const { return static_cast<float>(number(range)); }
     bool boolean() const;
     std::string text() const;
     // An index into an array of `count` elements, called `what`.
-    std::size_t index(std::size_t count, const char *what) const;
+    std::size_t index(std::size_t count, const char* what) const;
     // A whole number from `low` to `high`.
     int integer(int low, int high) const;
 
     // Arrays of numbers of a fixed length.
-    glm::dvec3 vector3(const Range &range = any_float) const;
-    Vec3 float_vector3(const Range &range = any_float) const { return Vec3(vector3(range)); }
+    glm::dvec3 vector3(const Range& range = any_float) const;
+    Vec3 float_vector3(const Range& range = any_float) const { return Vec3(vector3(range)); }
     // A quaternion, given as x, y, z, w; normalized unless it is a unit quaternion to float precision already.
     glm::dquat rotation() const;
 
-    [[noreturn]] void fail(const std::string &expected) const { raise(ErrorCode::invalid_file, expected, shown()); }
-    [[noreturn]] void refuse(const std::string &why) const { raise(ErrorCode::unsupported, why, {}); }
+    [[noreturn]] void fail(const std::string& expected) const { raise(ErrorCode::invalid_file, expected, shown()); }
+    [[noreturn]] void refuse(const std::string& why) const { raise(ErrorCode::unsupported, why, {}); }
     // Passes on a complaint of the engine about what was read from here.
-    [[noreturn]] void fail(const Error &error) const { raise(ErrorCode::invalid_file, error.what(), {}); }
+    [[noreturn]] void fail(const Error& error) const { raise(ErrorCode::invalid_file, error.what(), {}); }
     // The place, for a warning.
     std::string place() const;
 
 private:
-    Value(const nlohmann::json &json, std::string_view file, std::string path)
+    Value(const nlohmann::json& json, std::string_view file, std::string path)
         : json_(&json), file_(file), path_(std::move(path)) {}
-    void numbers(double *out, std::size_t count, const Range &range) const;
+    void numbers(double* out, std::size_t count, const Range& range) const;
     std::string shown() const; // the value as it stands in the file, shortened
-    [[noreturn]] void raise(ErrorCode code, const std::string &expected, std::string value) const;
+    [[noreturn]] void raise(ErrorCode code, const std::string& expected, std::string value) const;
 
-    const nlohmann::json *json_;
+    const nlohmann::json* json_;
     std::string_view file_;
     std::string path_;
 };

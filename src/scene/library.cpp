@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Bodies at a node and below it, by the same rules as when the world is built.
-std::size_t count_bodies(const Value &nodes, const NodeGraph &graph, std::size_t index, bool in_body,
+std::size_t count_bodies(const Value& nodes, const NodeGraph& graph, std::size_t index, bool in_body,
                          std::size_t depth) {
     const Value node = nodes[index];
     if (depth > max_node_depth)
@@ -32,7 +32,7 @@ std::size_t count_bodies(const Value &nodes, const NodeGraph &graph, std::size_t
     return bodies;
 }
 
-SceneEntry read_entry(const fs::path &path) {
+SceneEntry read_entry(const fs::path& path) {
     SceneEntry entry;
     entry.path = path;
     entry.name = path.stem().generic_string();
@@ -50,15 +50,15 @@ SceneEntry read_entry(const fs::path &path) {
         for (const std::size_t root : graph.roots) {
             entry.bodies += count_bodies(document.require("nodes"), graph, root, false, 0);
         }
-    } catch (const Error &error) {
+    } catch (const Error& error) {
         entry.error = error.what();
     }
     return entry;
 }
 
-bool is_scene_file(const fs::path &path) { return path.extension() == ".gltf" || path.extension() == ".glb"; }
+bool is_scene_file(const fs::path& path) { return path.extension() == ".gltf" || path.extension() == ".glb"; }
 
-std::vector<fs::path> scene_files(const fs::path &directory) {
+std::vector<fs::path> scene_files(const fs::path& directory) {
     std::vector<fs::path> files;
     std::error_code code;
     for (fs::directory_iterator entry(directory, code), end; !code && entry != end; entry.increment(code)) {
@@ -66,14 +66,14 @@ std::vector<fs::path> scene_files(const fs::path &directory) {
         code.clear(); // of a single entry: reading that file will say what is wrong with it
     }
     if (code) throw Error(ErrorCode::io, directory.generic_string(), {}, "cannot be listed: " + code.message());
-    std::sort(files.begin(), files.end(), [](const fs::path &a, const fs::path &b) {
+    std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
         return a.filename().generic_string() < b.filename().generic_string();
     });
     return files;
 }
 
 // "01_open_plane" -> "open_plane"
-std::string without_number(const std::string &name) {
+std::string without_number(const std::string& name) {
     const std::size_t digits = name.find_first_not_of("0123456789");
     if (digits == 0 || digits == std::string::npos || name[digits] != '_') return name;
     return name.substr(digits + 1);
@@ -88,14 +88,14 @@ fs::path program_directory() {
 
 } // namespace
 
-std::vector<SceneEntry> list_scenes(const fs::path &directory) {
+std::vector<SceneEntry> list_scenes(const fs::path& directory) {
     std::vector<SceneEntry> entries;
-    for (const fs::path &file : scene_files(directory)) entries.push_back(read_entry(file));
+    for (const fs::path& file : scene_files(directory)) entries.push_back(read_entry(file));
     return entries;
 }
 
 fs::path scenes_directory() {
-    if (const char *chosen = std::getenv("CAIRN_SCENES"); chosen != nullptr && *chosen != '\0') return chosen;
+    if (const char* chosen = std::getenv("CAIRN_SCENES"); chosen != nullptr && *chosen != '\0') return chosen;
     std::error_code code;
     if (const fs::path program = program_directory(); !program.empty()) {
         const fs::path installed = program / ".." / "share" / "cairn" / "scenes";
@@ -112,7 +112,7 @@ fs::path find_scene(std::string_view path_or_name) {
     const fs::path directory = scenes_directory();
     const bool is_name = !name.empty() && !path.has_parent_path();
     if (is_name && fs::is_directory(directory, code)) {
-        for (const fs::path &file : scene_files(directory)) {
+        for (const fs::path& file : scene_files(directory)) {
             const std::string file_name = file.filename().generic_string(), stem = file.stem().generic_string();
             if (name == file_name || name == stem || name == without_number(file_name) ||
                 name == without_number(stem)) {

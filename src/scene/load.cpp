@@ -8,6 +8,7 @@
 #include "scene/scene.h"
 #include "scene/world_settings.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -27,16 +28,27 @@ struct Place {
     std::size_t depth = 0;
 };
 
-Vec3 scaled(const glm::dvec3 &v, const glm::dvec3 &scale) { return Vec3(v * scale); }
+// A velocity from the node's axes, in which the file has it, to the world's: turned with the node, and not scaled.
+Vec3 turned(const glm::dquat& rotation, const glm::dvec3& v) {
+    if (rotation.x == 0.0 && rotation.y == 0.0 && rotation.z == 0.0) return Vec3(v);
+    glm::dvec3 result = glm::normalize(rotation) * v;
+    // Turning back and forth leaves a speck where a component was zero; it is below what a float can tell of the
+    // whole vector, and would grow into a difference from save to save.
+    const double speck = 1e-8 * std::max({std::fabs(result.x), std::fabs(result.y), std::fabs(result.z)});
+    for (int i = 0; i < 3; ++i) {
+        if (std::fabs(result[i]) < speck) result[i] = 0.0;
+    }
+    return Vec3(result);
+}
 
 class Builder {
 public:
-    Builder(const Value &document, WorldSettings settings, std::vector<std::string> warnings)
+    Builder(const Value& document, WorldSettings settings, std::vector<std::string> warnings)
         : document_(document), definitions_(document),
           warnings_(std::move(warnings)), scene_{World(settings.world), std::move(settings.info), {}, {}, {}} {}
 
-    Scene build(const std::optional<Value> &scene) {
-        for (const ForceField &field : scene_.info.force_fields) {
+    Scene build(const std::optional<Value>& scene) {
+        for (const ForceField& field : scene_.info.force_fields) {
             scene_.force_fields.push_back(scene_.world.add_force_field(field));
         }
         graph_ = read_node_graph(document_, scene);
@@ -83,16 +95,16 @@ private:
             }
         }
         for (const std::size_t child : graph_.children[index]) visit(child, place);
-        if (motion) finish_motion(*motion, *place.body, place.world.scale);
+        if (motion) finish_motion(*motion, *place.body, place.world);
     }
 
-    static void refuse_unsupported(const Value &physics) {
+    static void refuse_unsupported(const Value& physics) {
         if (const auto trigger = physics.find("trigger")) trigger->refuse("triggers are not supported yet");
         if (const auto joint = physics.find("joint")) joint->refuse("joints are not supported yet");
     }
 
-    BodyId add_body(const Value &here, const std::optional<Value> &motion, const std::optional<Value> &own,
-                    const NodeTransform &world) {
+    BodyId add_body(const Value& here, const std::optional<Value>& motion, const std::optional<Value>& own,
+                    const NodeTransform& world) {
         require_usable(world, here);
         BodyDef def;
         def.type = BodyType::static_;
@@ -100,27 +112,18 @@ private:
         def.rotation = Quat(world.rotation);
         if (const auto name = here.find("name")) def.name = name->text();
         if (motion) read_motion(*motion, def);
-        std::optional<glm::dvec3> linear, angular;
-        if (const auto v = motion ? motion->find("linearVelocity") : std::nullopt) linear = v->vector3();
-        if (const auto v = motion ? motion->find("angularVelocity") : std::nullopt) angular = v->vector3();
         if (own) {
             if (const auto value = own->find("linear_damping")) def.linear_damping = value->real(nonnegative_float);
             if (const auto value = own->find("angular_damping")) def.angular_damping = value->real(nonnegative_float);
         }
         try {
-            const BodyId id = scene_.world.create_body(def);
-            // Velocities stand in the node's axes in the file: turned as the body is, and not scaled.
-            Body body = scene_.world.body(id);
-            const glm::dquat rotation = glm::normalize(glm::dquat(body.rotation()));
-            if (linear) body.set_linear_velocity(Vec3(rotation * *linear));
-            if (angular) body.set_angular_velocity(Vec3(rotation * *angular));
-            return id;
-        } catch (const Error &error) {
+            return scene_.world.create_body(def);
+        } catch (const Error& error) {
             (motion ? *motion : here).fail(error);
         }
     }
 
-    static void read_motion(const Value &motion, BodyDef &def) {
+    static void read_motion(const Value& motion, BodyDef& def) {
         def.type = BodyType::dynamic;
         if (const auto kinematic = motion.find("isKinematic"); kinematic && kinematic->boolean()) {
             def.type = BodyType::kinematic;
@@ -135,55 +138,61 @@ private:
         if (const auto factor = motion.find("gravityFactor")) def.gravity_scale = factor->real();
     }
 
-    // Mass properties that the file gives, over those that follow from the shapes.
-    void finish_motion(const Value &motion, BodyId id, const glm::dvec3 &scale) {
-        const auto center = motion.find("centerOfMass");
-        const auto inertia = motion.find("inertiaDiagonal");
-        const auto orientation = motion.find("inertiaOrientation");
-        std::optional<glm::dvec3> center_value, inertia_value;
-        std::optional<glm::dquat> orientation_value;
-        if (center) center_value = center->vector3();
-        if (inertia) inertia_value = inertia->vector3(nonnegative_float);
-        if (orientation) orientation_value = orientation->rotation();
+    // What has to wait until the body has its shapes: they move its center of mass, and with it the velocities.
+    void finish_motion(const Value& motion, BodyId id, const NodeTransform& world) {
+        const auto linear = read_vector(motion, "linearVelocity"), angular = read_vector(motion, "angularVelocity");
         Body body = scene_.world.body(id);
-        if (body.type() != BodyType::dynamic) return;
+        const std::optional<MassProperties> mass = read_mass(motion, body, world.scale);
         try {
-            const bool has_mass = has_massive_shape(id);
-            if (has_mass && !center && !inertia && !orientation) return;
-            MassProperties properties;
-            if (has_mass) {
-                properties = body.mass_properties();
-            } else if (!inertia) {
-                warnings_.push_back(motion.place() + "has no collider with mass; the inertia is taken as that of a "
-                                                     "ball of 0.5 m radius");
-            }
-            if (const auto mass = motion.find("mass"); mass && !has_mass) {
-                properties.mass = mass->real() == 0.0f ? std::numeric_limits<float>::infinity() : mass->real();
-            }
-            if (!has_mass && !inertia) {
-                const float moment = std::isinf(properties.mass) ? 0.0f : 0.4f * properties.mass * 0.25f;
-                properties.inertia_diagonal = {moment, moment, moment};
-            }
-            if (center_value) properties.center_of_mass = scaled(*center_value, scale);
-            if (inertia_value) {
-                properties.inertia_diagonal = Vec3(*inertia_value);
-                properties.inertia_orientation = Quat(1.0f, 0.0f, 0.0f, 0.0f);
-            }
-            if (orientation_value) properties.inertia_orientation = Quat(*orientation_value);
-            body.set_mass_properties(properties);
-        } catch (const Error &error) {
+            if (mass) body.set_mass_properties(*mass);
+            if (linear) body.set_linear_velocity(turned(world.rotation, *linear));
+            if (angular) body.set_angular_velocity(turned(world.rotation, *angular));
+        } catch (const Error& error) {
             motion.fail(error);
         }
     }
 
-    bool has_massive_shape(BodyId id) {
-        for (const ShapeId shape : scene_.world.body(id).shapes()) {
+    static std::optional<glm::dvec3> read_vector(const Value& owner, const char* name, const Range& range = any_float) {
+        const auto vector = owner.find(name);
+        return vector ? std::optional(vector->vector3(range)) : std::nullopt;
+    }
+
+    // The mass properties that the file gives, over those that follow from the shapes; nothing if they all follow.
+    std::optional<MassProperties> read_mass(const Value& motion, const Body& body, const glm::dvec3& scale) {
+        const auto center = read_vector(motion, "centerOfMass");
+        const auto inertia = read_vector(motion, "inertiaDiagonal", nonnegative_float);
+        const auto turn = motion.find("inertiaOrientation");
+        const Quat orientation = turn ? Quat(turn->rotation()) : Quat(1.0f, 0.0f, 0.0f, 0.0f);
+        if (body.type() != BodyType::dynamic) return std::nullopt;
+        const bool has_mass = has_massive_shape(body);
+        if (has_mass && !center && !inertia && !turn) return std::nullopt;
+        MassProperties properties;
+        if (has_mass) {
+            properties = body.mass_properties();
+        } else {
+            if (const auto mass = motion.find("mass")) properties.mass = mass->real(nonnegative_float);
+            if (properties.mass == 0.0f) properties.mass = std::numeric_limits<float>::infinity();
+            const float moment = std::isinf(properties.mass) ? 0.0f : 0.4f * properties.mass * 0.25f;
+            properties.inertia_diagonal = {moment, moment, moment};
+        }
+        if (!has_mass && !inertia) {
+            warnings_.push_back(motion.place() + "has no collider with mass; the inertia is taken as that of a ball of "
+                                                 "0.5 m radius");
+        }
+        if (center) properties.center_of_mass = Vec3(*center * scale);
+        if (inertia) properties.inertia_diagonal = Vec3(*inertia);
+        if (inertia || turn) properties.inertia_orientation = orientation;
+        return properties;
+    }
+
+    bool has_massive_shape(const Body& body) const {
+        for (const ShapeId shape : body.shapes()) {
             if (scene_.world.shape_def(shape).density > 0.0f) return true;
         }
         return false;
     }
 
-    void add_collider(const Value &here, const Value &collider, BodyId body, const NodeTransform &in_body) {
+    void add_collider(const Value& here, const Value& collider, BodyId body, const NodeTransform& in_body) {
         require_usable(in_body, here);
         const Value geometry = collider.require("geometry");
         if (const auto mesh = geometry.find("node")) {
@@ -209,13 +218,13 @@ private:
         try {
             const ShapeId id = scene_.world.add_shape(body, shape, def);
             if (const auto color = color_of(here)) scene_.appearances.push_back({body, id, *color});
-        } catch (const Error &error) {
+        } catch (const Error& error) {
             collider.fail(error);
         }
     }
 
     // The node's own color, else that of the material of its mesh's first part.
-    std::optional<Vec3> color_of(const Value &here) const {
+    std::optional<Vec3> color_of(const Value& here) const {
         if (const auto extras = here.find("extras"); extras && extras->is_object()) {
             if (const auto color = extras->find("cairn_color")) return color->float_vector3(color_range);
         }
@@ -245,7 +254,7 @@ private:
 
 } // namespace
 
-Scene load_from_memory(std::span<const std::byte> bytes, const std::string &name) {
+Scene load_from_memory(std::span<const std::byte> bytes, const std::string& name) {
     const nlohmann::json json = parse_gltf(bytes, name);
     const Value document(json, name);
     check_document(document);
@@ -260,7 +269,7 @@ Scene load_from_memory(std::span<const std::byte> bytes, const std::string &name
     return Builder(document, std::move(settings), std::move(warnings)).build(scene);
 }
 
-Scene load(const std::filesystem::path &path) {
+Scene load(const std::filesystem::path& path) {
     const std::vector<std::byte> bytes = read_file(path);
     return load_from_memory(bytes, path.filename().generic_string());
 }

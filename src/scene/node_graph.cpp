@@ -11,7 +11,7 @@ constexpr std::size_t nobody = static_cast<std::size_t>(-1);
 std::string node_name(std::size_t index) { return "nodes[" + std::to_string(index) + "]"; }
 
 // Every node but the roots has exactly one parent, so a circle is a chain of parents that never ends.
-void refuse_circles(const Value &nodes, const std::vector<std::size_t> &parents) {
+void refuse_circles(const Value& nodes, const std::vector<std::size_t>& parents) {
     std::vector<std::size_t> seen_from(parents.size(), nobody);
     for (std::size_t start = 0; start < parents.size(); ++start) {
         for (std::size_t node = start; node != nobody && seen_from[node] != start; node = parents[node]) {
@@ -26,7 +26,7 @@ void refuse_circles(const Value &nodes, const std::vector<std::size_t> &parents)
 
 } // namespace
 
-NodeGraph read_node_graph(const Value &document, const std::optional<Value> &scene) {
+NodeGraph read_node_graph(const Value& document, const std::optional<Value>& scene) {
     NodeGraph graph;
     const auto nodes = document.find("nodes");
     const std::size_t count = nodes ? nodes->size(max_nodes, "nodes") : 0;

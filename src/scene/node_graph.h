@@ -18,6 +18,6 @@ struct NodeGraph {
 
 // Reads and checks the children of all nodes: indices in range, at most one parent each, no circles.
 // `scene` is the scene object, if the file has one; without it, every node that has no parent is a root.
-NodeGraph read_node_graph(const Value &document, const std::optional<Value> &scene);
+NodeGraph read_node_graph(const Value& document, const std::optional<Value>& scene);
 
 } // namespace cairn::scene

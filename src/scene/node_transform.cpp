@@ -14,7 +14,7 @@ constexpr double skew_tolerance = 1e-4;
 
 // Rotation and scale of a linear map whose columns are perpendicular. A mirror image is turned into a negative
 // scale along x.
-void decompose(glm::dmat3 linear, NodeTransform &out) {
+void decompose(glm::dmat3 linear, NodeTransform& out) {
     for (int i = 0; i < 3; ++i) out.scale[i] = std::sqrt(glm::dot(linear[i], linear[i]));
     if (out.scale.x == 0.0 || out.scale.y == 0.0 || out.scale.z == 0.0) {
         out.rotation = glm::dquat(1.0, 0.0, 0.0, 0.0); // flattened: what hangs on it is disabled
@@ -34,7 +34,7 @@ void decompose(glm::dmat3 linear, NodeTransform &out) {
     out.rotation = q / std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
 }
 
-NodeTransform from_matrix(const Value &matrix) {
+NodeTransform from_matrix(const Value& matrix) {
     const std::size_t count = matrix.size(16, "numbers");
     if (count != 16) matrix.fail("must be an array of 16 numbers");
     double m[16];
@@ -48,15 +48,15 @@ NodeTransform from_matrix(const Value &matrix) {
     return transform;
 }
 
-bool is_even(const glm::dvec3 &scale) { return scale.x == scale.y && scale.y == scale.z; }
+bool is_even(const glm::dvec3& scale) { return scale.x == scale.y && scale.y == scale.z; }
 
-bool is_identity(const glm::dquat &q) { return q.x == 0.0 && q.y == 0.0 && q.z == 0.0; }
+bool is_identity(const glm::dquat& q) { return q.x == 0.0 && q.y == 0.0 && q.z == 0.0; }
 
 } // namespace
 
-NodeTransform read_transform(const Value &node) {
+NodeTransform read_transform(const Value& node) {
     if (const auto matrix = node.find("matrix")) {
-        for (const char *other : {"translation", "rotation", "scale"}) {
+        for (const char* other : {"translation", "rotation", "scale"}) {
             if (const auto both = node.find(other)) both->fail("must not stand beside a matrix");
         }
         return from_matrix(*matrix);
@@ -68,7 +68,7 @@ NodeTransform read_transform(const Value &node) {
     return transform;
 }
 
-NodeTransform compose(const NodeTransform &parent, const NodeTransform &child) {
+NodeTransform compose(const NodeTransform& parent, const NodeTransform& child) {
     NodeTransform result;
     result.is_skewed = parent.is_skewed || child.is_skewed;
     result.translation = parent.translation + parent.rotation * (parent.scale * child.translation);
@@ -84,7 +84,7 @@ NodeTransform compose(const NodeTransform &parent, const NodeTransform &child) {
     return result;
 }
 
-void require_usable(const NodeTransform &transform, const Value &node) {
+void require_usable(const NodeTransform& transform, const Value& node) {
     if (transform.is_skewed) {
         node.refuse("is skewed: a rotation below an uneven scale, which would bend its shapes");
     }

@@ -14,12 +14,12 @@ struct NodeTransform {
 };
 
 // The transform of a node relative to its parent, from its translation, rotation and scale or its matrix.
-NodeTransform read_transform(const Value &node);
+NodeTransform read_transform(const Value& node);
 
 // `child` as seen from where `parent` is seen.
-NodeTransform compose(const NodeTransform &parent, const NodeTransform &child);
+NodeTransform compose(const NodeTransform& parent, const NodeTransform& child);
 
 // Refuses a transform that no body or shape can have: skewed, or out of the range of a float.
-void require_usable(const NodeTransform &transform, const Value &node);
+void require_usable(const NodeTransform& transform, const Value& node);
 
 } // namespace cairn::scene

@@ -5,6 +5,7 @@
 #include "scene/scene.h"
 #include "scene/world_settings.h"
 
+#include <algorithm>
 #include <cmath>
 #include <unordered_map>
 #include <utility>
@@ -15,15 +16,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-bool is_zero(const Vec3 &v) { return v.x == 0.0f && v.y == 0.0f && v.z == 0.0f; }
-bool is_identity(const Quat &q) { return q.x == 0.0f && q.y == 0.0f && q.z == 0.0f && q.w == 1.0f; }
+bool is_zero(const Vec3& v) { return v.x == 0.0f && v.y == 0.0f && v.z == 0.0f; }
+bool is_identity(const Quat& q) { return q.x == 0.0f && q.y == 0.0f && q.z == 0.0f && q.w == 1.0f; }
 
-bool same(const MassProperties &a, const MassProperties &b) {
+bool same(const MassProperties& a, const MassProperties& b) {
     return a.mass == b.mass && a.center_of_mass == b.center_of_mass && a.inertia_diagonal == b.inertia_diagonal &&
            a.inertia_orientation == b.inertia_orientation;
 }
 
-const char *rule_name(CombineRule rule) {
+const char* rule_name(CombineRule rule) {
     switch (rule) {
     case CombineRule::average:
         return "average";
@@ -39,7 +40,7 @@ const char *rule_name(CombineRule rule) {
 }
 
 // The file's planes face +y and are measured along x and z.
-Quat plane_frame(const Plane &plane) {
+Quat plane_frame(const Plane& plane) {
     const glm::dvec3 up = glm::normalize(glm::dvec3(plane.normal));
     const glm::dvec3 guess = plane.half_extents      ? glm::dvec3(plane.tangent)
                              : std::fabs(up.x) < 0.9 ? glm::dvec3(1.0, 0.0, 0.0)
@@ -49,8 +50,8 @@ Quat plane_frame(const Plane &plane) {
 }
 
 // The rotation of a shape as the file measures it.
-Quat file_rotation(const Shape &shape, const Quat &rotation) {
-    const Plane *plane = std::get_if<Plane>(&shape);
+Quat file_rotation(const Shape& shape, const Quat& rotation) {
+    const Plane* plane = std::get_if<Plane>(&shape);
     if (plane == nullptr) return rotation;
     const bool turned =
         plane->normal != Vec3(0.0f, 1.0f, 0.0f) || (plane->half_extents && plane->tangent != Vec3(1.0f, 0.0f, 0.0f));
@@ -58,13 +59,13 @@ Quat file_rotation(const Shape &shape, const Quat &rotation) {
 }
 
 struct ShapeWriter {
-    Json operator()(const Sphere &sphere) const {
+    Json operator()(const Sphere& sphere) const {
         return {{"type", "sphere"}, {"sphere", {{"radius", shortest(sphere.radius)}}}};
     }
-    Json operator()(const Box &box) const {
+    Json operator()(const Box& box) const {
         return {{"type", "box"}, {"box", {{"size", number_array(box.half_extents * 2.0f)}}}};
     }
-    Json operator()(const Plane &plane) const {
+    Json operator()(const Plane& plane) const {
         Json json{{"type", "plane"}, {"plane", Json::object()}};
         if (plane.half_extents) {
             json["plane"] = {{"sizeX", shortest(plane.half_extents->x * 2.0f)},
@@ -77,12 +78,12 @@ struct ShapeWriter {
 // Definitions that nodes refer to by index, each listed once.
 class Table {
 public:
-    std::size_t index(const Json &entry) {
+    std::size_t index(const Json& entry) {
         const auto [found, is_new] = indices_.try_emplace(entry.dump(), lines_.size());
         if (is_new) lines_.push_back(found->first);
         return found->second;
     }
-    const std::vector<std::string> &lines() const { return lines_; }
+    const std::vector<std::string>& lines() const { return lines_; }
 
 private:
     std::unordered_map<std::string, std::size_t> indices_;
@@ -91,8 +92,8 @@ private:
 
 class Writer {
 public:
-    explicit Writer(const Scene &scene) : scene_(scene) {
-        for (const Appearance &appearance : scene.appearances) colors_[appearance.shape.bits] = appearance.color;
+    explicit Writer(const Scene& scene) : scene_(scene) {
+        for (const Appearance& appearance : scene.appearances) colors_[appearance.shape.bits] = appearance.color;
     }
 
     std::string write() {
@@ -111,7 +112,7 @@ public:
     }
 
 private:
-    static std::string lines(const std::vector<std::string> &entries) {
+    static std::string lines(const std::vector<std::string>& entries) {
         std::string text = "[";
         for (std::size_t i = 0; i < entries.size(); ++i) text += (i == 0 ? "\n" : ",\n") + entries[i];
         return text + "\n]";
@@ -152,7 +153,7 @@ private:
         nodes_[index] = node.dump();
     }
 
-    void add_body_extension(const Body &body, bool is_alone, Json &node) {
+    void add_body_extension(const Body& body, bool is_alone, Json& node) {
         Json own = Json::object();
         if (body.linear_damping() != 0.0f) own["linear_damping"] = shortest(body.linear_damping());
         if (body.angular_damping() != 0.0f) own["angular_damping"] = shortest(body.angular_damping());
@@ -164,12 +165,12 @@ private:
     }
 
     bool stands_at_origin(ShapeId id) const {
-        const ShapeDef &def = scene_.world.shape_def(id);
+        const ShapeDef& def = scene_.world.shape_def(id);
         return is_zero(def.position) && is_identity(file_rotation(scene_.world.shape(id), def.rotation));
     }
 
     std::size_t add_child(ShapeId id) {
-        const ShapeDef &def = scene_.world.shape_def(id);
+        const ShapeDef& def = scene_.world.shape_def(id);
         const Quat rotation = file_rotation(scene_.world.shape(id), def.rotation);
         Json node;
         if (!is_zero(def.position)) node["translation"] = number_array(def.position);
@@ -180,7 +181,7 @@ private:
         return nodes_.size() - 1;
     }
 
-    void add_color(ShapeId id, Json &node) const {
+    void add_color(ShapeId id, Json& node) const {
         const auto found = colors_.find(id.bits);
         if (found != colors_.end()) node["extras"]["cairn_color"] = number_array(found->second);
     }
@@ -190,8 +191,8 @@ private:
         return {{"geometry", {{"shape", shape}}}, {"physicsMaterial", material(scene_.world.shape_def(id))}};
     }
 
-    std::size_t material(const ShapeDef &def) {
-        const Material &m = def.material;
+    std::size_t material(const ShapeDef& def) {
+        const Material& m = def.material;
         Json json{{"staticFriction", shortest(m.static_friction)},
                   {"dynamicFriction", shortest(m.dynamic_friction)},
                   {"restitution", shortest(m.restitution)},
@@ -208,7 +209,7 @@ private:
         return materials_.index(json);
     }
 
-    Json motion(const Body &body) {
+    Json motion(const Body& body) {
         Json json = Json::object();
         if (body.type() == BodyType::kinematic) {
             json["isKinematic"] = true;
@@ -221,15 +222,16 @@ private:
         return json;
     }
 
-    // A world vector in the node's axes, where the file has velocities. As doubles, so that turning it there and
-    // back leaves the same floats.
-    static Json local(const Body &body, const Vec3 &v) {
+    // A world vector in the node's axes, where the file has velocities, as they are turned by the rotation that the
+    // file has. In doubles, so that turning it back gives the same floats.
+    static Json local(const Body& body, const Vec3& v) {
         if (is_identity(body.rotation())) return number_array(v);
-        return number_array(Position(glm::conjugate(glm::normalize(glm::dquat(body.rotation()))) * glm::dvec3(v)));
+        const glm::dquat rotation = glm::normalize(written_rotation(body.rotation()));
+        return number_array(Position(glm::conjugate(rotation) * glm::dvec3(v)));
     }
 
     // As little as possible: nothing if the masses follow from the shapes, the mass alone if it scales them.
-    void add_mass(const Body &body, Json &json) {
+    void add_mass(const Body& body, Json& json) {
         const MassProperties properties = body.mass_properties();
         if (same(properties, from_shapes(body, std::nullopt))) return;
         json["mass"] = std::isinf(properties.mass) ? 0.0 : shortest(properties.mass);
@@ -240,13 +242,13 @@ private:
     }
 
     // Mass properties that the body would have without any of its own.
-    MassProperties from_shapes(const Body &body, std::optional<float> mass) {
+    MassProperties from_shapes(const Body& body, std::optional<float> mass) {
         BodyDef def;
         def.mass = mass;
         const BodyId id = scratch_.create_body(def);
         bool has_mass = false;
         for (const ShapeId shape : body.shapes()) {
-            const ShapeDef &shape_def = scene_.world.shape_def(shape);
+            const ShapeDef& shape_def = scene_.world.shape_def(shape);
             has_mass = has_mass || shape_def.density > 0.0f;
             scratch_.add_shape(id, scene_.world.shape(shape), shape_def);
         }
@@ -256,7 +258,7 @@ private:
         return properties;
     }
 
-    const Scene &scene_;
+    const Scene& scene_;
     World scratch_;
     std::unordered_map<std::uint64_t, Vec3> colors_;
     Table shapes_, materials_;
@@ -267,8 +269,23 @@ private:
 
 } // namespace
 
-std::string save_to_string(const Scene &scene) { return Writer(scene).write(); }
+// Reading rounds a little: the engine normalizes rotations, and keeps the center of mass rather than the origin of a
+// body. So the text is read and written again until it repeats, which it does after a step or two; where it
+// alternates, the least of its forms is taken. The next save starts in the same circle, and ends at the same form.
+std::string save_to_string(const Scene& scene) {
+    constexpr std::size_t most_rounds = 16;
+    std::vector<std::string> forms{Writer(scene).write()};
+    while (forms.size() < most_rounds) {
+        const std::string& last = forms.back();
+        std::string next =
+            Writer(load_from_memory(std::as_bytes(std::span(last.data(), last.size())), "saved scene")).write();
+        const auto found = std::find(forms.begin(), forms.end(), next);
+        if (found != forms.end()) return *std::min_element(found, forms.end());
+        forms.push_back(std::move(next));
+    }
+    return forms.back();
+}
 
-void save(const Scene &scene, const std::filesystem::path &path) { write_file(path, save_to_string(scene)); }
+void save(const Scene& scene, const std::filesystem::path& path) { write_file(path, save_to_string(scene)); }
 
 } // namespace cairn::scene

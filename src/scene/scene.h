@@ -56,17 +56,17 @@ struct Scene {
 };
 
 /// Reads a `.gltf` or `.glb` file; which of them it is shows in its first bytes, not in its name.
-Scene load(const std::filesystem::path &path);
+Scene load(const std::filesystem::path& path);
 
 /// Reads a scene from memory. `name` stands for the file in messages.
-Scene load_from_memory(std::span<const std::byte> bytes, const std::string &name);
+Scene load_from_memory(std::span<const std::byte> bytes, const std::string& name);
 
 /// The scene as it stands now, as the text of a `.gltf` file. What `load` reads from it is saved again as the
 /// same bytes. Colors of shapes that have been removed are left out.
-std::string save_to_string(const Scene &scene);
+std::string save_to_string(const Scene& scene);
 
 /// Writes `save_to_string` to a file: to a temporary beside it first, which then takes its name.
-void save(const Scene &scene, const std::filesystem::path &path);
+void save(const Scene& scene, const std::filesystem::path& path);
 
 /// One line of a list of scenes.
 struct SceneEntry {
@@ -78,7 +78,7 @@ struct SceneEntry {
 };
 
 /// The `.gltf` and `.glb` files of a folder (not those of its subfolders), sorted by name. Builds no worlds.
-std::vector<SceneEntry> list_scenes(const std::filesystem::path &directory);
+std::vector<SceneEntry> list_scenes(const std::filesystem::path& directory);
 
 /// The folder of the scenes that come with Cairn: the environment variable CAIRN_SCENES if it is set, else
 /// `../share/cairn/scenes` beside the program's own folder, else `scenes` of the source tree that it was

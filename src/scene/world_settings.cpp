@@ -13,7 +13,7 @@ constexpr std::size_t max_force_fields = 1000;
 constexpr std::size_t max_warnings_per_object = 20;
 
 struct NamedIntegrator {
-    const char *name;
+    const char* name;
     Integrator integrator;
 };
 constexpr std::array<NamedIntegrator, 3> integrators{{
@@ -22,9 +22,9 @@ constexpr std::array<NamedIntegrator, 3> integrators{{
     {"rk4", Integrator::rk4},
 }};
 
-Integrator read_integrator(const Value &value) {
+Integrator read_integrator(const Value& value) {
     const std::string name = value.text();
-    for (const NamedIntegrator &known : integrators) {
+    for (const NamedIntegrator& known : integrators) {
         if (name == known.name) return known.integrator;
     }
     value.fail("must be \"semi_implicit_euler\", \"explicit_euler\" or \"rk4\"");
@@ -32,11 +32,11 @@ Integrator read_integrator(const Value &value) {
 
 std::string integrator_name(Integrator integrator) {
     const auto found = std::find_if(integrators.begin(), integrators.end(),
-                                    [&](const NamedIntegrator &known) { return known.integrator == integrator; });
+                                    [&](const NamedIntegrator& known) { return known.integrator == integrator; });
     return found->name;
 }
 
-Camera read_camera(const Value &value) {
+Camera read_camera(const Value& value) {
     Camera camera;
     camera.position = value.require("position").vector3();
     const Value target = value.require("target");
@@ -48,7 +48,7 @@ Camera read_camera(const Value &value) {
     return camera;
 }
 
-ForceField read_force_field(const Value &value) {
+ForceField read_force_field(const Value& value) {
     ForceField field;
     const Value kind = value.require("kind");
     const std::string name = kind.text();
@@ -69,7 +69,7 @@ ForceField read_force_field(const Value &value) {
     return field;
 }
 
-nlohmann::ordered_json write_force_field(const ForceField &field) {
+nlohmann::ordered_json write_force_field(const ForceField& field) {
     nlohmann::ordered_json json;
     if (field.kind == ForceField::Kind::uniform) {
         json["kind"] = "uniform";
@@ -84,7 +84,7 @@ nlohmann::ordered_json write_force_field(const ForceField &field) {
     return json;
 }
 
-void read_scalars(const Value &settings, WorldDef &world, SceneInfo &info) {
+void read_scalars(const Value& settings, WorldDef& world, SceneInfo& info) {
     if (const auto v = settings.find("time_step")) info.time_step = v->real({0.0001, 1.0, false});
     if (const auto v = settings.find("gravity")) world.gravity = v->float_vector3();
     if (const auto v = settings.find("substeps")) world.substeps = v->integer(1, 256);
@@ -102,12 +102,12 @@ void read_scalars(const Value &settings, WorldDef &world, SceneInfo &info) {
 
 } // namespace
 
-void read_title(const Value &settings, SceneInfo &info) {
+void read_title(const Value& settings, SceneInfo& info) {
     if (const auto title = settings.find("title")) info.title = title->text();
     if (const auto hint = settings.find("hint")) info.hint = hint->text();
 }
 
-WorldSettings read_world_settings(const Value &settings, std::vector<std::string> &warnings) {
+WorldSettings read_world_settings(const Value& settings, std::vector<std::string>& warnings) {
     WorldSettings result;
     read_title(settings, result.info);
     read_scalars(settings, result.world, result.info);
@@ -136,13 +136,13 @@ WorldSettings read_world_settings(const Value &settings, std::vector<std::string
                                                 "extras",
                                                 "extensions"};
     std::vector<std::string> unknown = settings.other_members(known, max_warnings_per_object);
-    for (const std::string &name : unknown) {
+    for (const std::string& name : unknown) {
         warnings.push_back(settings.place() + "the member \"" + name + "\" is not known and has no effect");
     }
     return result;
 }
 
-nlohmann::ordered_json write_world_settings(const WorldDef &world, const SceneInfo &info) {
+nlohmann::ordered_json write_world_settings(const WorldDef& world, const SceneInfo& info) {
     nlohmann::ordered_json json;
     json["title"] = info.title;
     json["hint"] = info.hint;
@@ -165,7 +165,7 @@ nlohmann::ordered_json write_world_settings(const WorldDef &world, const SceneIn
                           {"vertical_fov_degrees", shortest(info.camera->vertical_fov_degrees)}};
     }
     if (!info.force_fields.empty()) {
-        for (const ForceField &field : info.force_fields) json["force_fields"].push_back(write_force_field(field));
+        for (const ForceField& field : info.force_fields) json["force_fields"].push_back(write_force_field(field));
     }
     return json;
 }

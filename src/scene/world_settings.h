@@ -18,11 +18,11 @@ struct WorldSettings {
 };
 
 // Members that are not known are left out with a warning, so that a slip of the pen does not go unnoticed.
-WorldSettings read_world_settings(const Value &settings, std::vector<std::string> &warnings);
+WorldSettings read_world_settings(const Value& settings, std::vector<std::string>& warnings);
 
 // The title and the hint alone, for lists.
-void read_title(const Value &settings, SceneInfo &info);
+void read_title(const Value& settings, SceneInfo& info);
 
-nlohmann::ordered_json write_world_settings(const WorldDef &world, const SceneInfo &info);
+nlohmann::ordered_json write_world_settings(const WorldDef& world, const SceneInfo& info);
 
 } // namespace cairn::scene

@@ -144,6 +144,10 @@ bool Body::is_awake() const {
     if (s.is_dynamic(a.index())) return s.is_awake(a.index());
     return !(a.motion().v == math::Vec3{} && a.motion().w == math::Vec3{});
 }
+bool Body::allow_sleep() const {
+    CAIRN_ACCESS;
+    return s.body_settings[a.b].allow_sleep;
+}
 std::vector<ShapeId> Body::shapes() const {
     CAIRN_ACCESS;
     std::vector<ShapeId> ids;

@@ -5,46 +5,49 @@
 
 #include <filesystem>
 #include <functional>
+#include <iterator>
 #include <ostream>
+#include <random>
 
 namespace {
 
 using namespace cairn;
 using namespace cairn::scene_test;
+using scene::Scene;
 
 struct Refused {
-    const char *label;
+    const char* label;
     std::string text;
     ErrorCode code;
     std::string message;
 };
-std::ostream &operator<<(std::ostream &out, const Refused &refused) { return out << refused.label; }
+std::ostream& operator<<(std::ostream& out, const Refused& refused) { return out << refused.label; }
 
-std::string nodes_text(const std::string &nodes, const std::string &roots = "0") {
+std::string nodes_text(const std::string& nodes, const std::string& roots = "0") {
     Parts parts;
     parts.nodes = nodes;
     parts.roots = roots;
     return document(parts);
 }
 
-std::string motion_text(const std::string &motion) {
+std::string motion_text(const std::string& motion) {
     return nodes_text(node("", R"("motion":{)" + motion + "}," + box));
 }
 
-std::string world_text(const std::string &world) {
+std::string world_text(const std::string& world) {
     Parts parts;
     parts.world = world;
     return document(parts);
 }
 
-std::string shape_text(const std::string &shape, const std::string &physics = sphere) {
+std::string shape_text(const std::string& shape, const std::string& physics = sphere) {
     Parts parts;
     parts.shapes = shape;
     parts.nodes = node("", physics);
     return document(parts);
 }
 
-std::string material_text(const std::string &material) {
+std::string material_text(const std::string& material) {
     Parts parts;
     parts.materials = "{" + material + "}";
     parts.nodes = node("", R"("collider":{"geometry":{"shape":0},"physicsMaterial":0})");
@@ -174,20 +177,20 @@ TEST_P(SceneRefused, WithOneClearLine) {
     try {
         load_text(GetParam().text);
         FAIL() << "loaded";
-    } catch (const Error &error) {
+    } catch (const Error& error) {
         EXPECT_EQ(error.what(), GetParam().message);
         EXPECT_EQ(error.code(), GetParam().code);
     }
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, SceneRefused, testing::ValuesIn(refused_files()),
-                         [](const testing::TestParamInfo<Refused> &info) { return std::string(info.param.label); });
+                         [](const testing::TestParamInfo<Refused>& info) { return std::string(info.param.label); });
 
-void expect_error(const std::function<void()> &call, ErrorCode code, const std::string &part) {
+void expect_error(const std::function<void()>& call, ErrorCode code, const std::string& part) {
     try {
         call();
         FAIL() << "no error";
-    } catch (const Error &error) {
+    } catch (const Error& error) {
         EXPECT_EQ(error.code(), code);
         EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
     }
@@ -201,7 +204,7 @@ TEST(SceneRefusedText, CutOffJson) {
 }
 
 TEST(SceneRefusedText, NumbersThatAreNone) {
-    for (const char *number : {"NaN", "Infinity", "1e999", "-1e999"}) {
+    for (const char* number : {"NaN", "Infinity", "1e999", "-1e999"}) {
         expect_error([&] { load_text(motion_text(std::string(R"("mass":)") + number)); }, invalid,
                      "test.gltf: is not valid JSON");
     }
@@ -244,6 +247,50 @@ TEST(SceneRefusedText, ScalesThatMultiplyBeyondReason) {
 TEST(SceneRefusedText, FilesThatCannotBeRead) {
     expect_error([] { scene::load("no/such/file.gltf"); }, ErrorCode::io, "no/such/file.gltf: there is no such file");
     expect_error([] { scene::load(std::filesystem::temp_directory_path()); }, ErrorCode::io, "is a folder, not a file");
+}
+
+// Damaged files are refused or loaded, and never do anything else. The damage is the same in every run.
+TEST(SceneRefusedText, RandomDamage) {
+    Parts parts;
+    parts.world = R"("gravity":[0,-9.81,0],"camera":{"position":[1,2,3],"target":[0,1,0]})";
+    parts.nodes = node(R"("name":"a","translation":[0,1,0],"rotation":[0,0.6,0,0.8],"children":[1],)",
+                       R"("motion":{"mass":2,"centerOfMass":[0,0.1,0],"linearVelocity":[1,0,0]})") +
+                  "," + node(R"("scale":[1,2,1],)", R"("collider":{"geometry":{"shape":1},"physicsMaterial":0})") +
+                  "," + node("", plane);
+    parts.roots = "0,2";
+    const std::string whole = document(parts);
+    ASSERT_EQ(load_text(whole).world.bodies().size(), 2u);
+    static constexpr const char* pieces[] = {"-1", "1e300", "1e-300", "0",  "[", "]",
+                                             "{",  "}",     "null",   "\"", ",", "9999999999"};
+    std::mt19937 random(20);
+    int loaded = 0, refused = 0;
+    for (int round = 0; round < 4000; ++round) {
+        std::string text = whole;
+        for (unsigned damage = 1 + random() % 3; damage > 0; --damage) {
+            const std::size_t place = random() % text.size();
+            switch (random() % 3) {
+            case 0:
+                text[place] = static_cast<char>(random() % 256);
+                break;
+            case 1:
+                text.erase(place, 1 + random() % 4);
+                break;
+            default:
+                text.replace(place, random() % 3, pieces[random() % std::size(pieces)]);
+                break;
+            }
+        }
+        try {
+            Scene scene = load_text(text);
+            scene.world.step(scene.info.time_step);
+            ++loaded;
+        } catch (const Error& error) {
+            EXPECT_EQ(std::string(error.what()).find("test.gltf: "), 0u) << error.what();
+            ++refused;
+        }
+    }
+    EXPECT_GT(loaded, 100);
+    EXPECT_GT(refused, 1000);
 }
 
 } // namespace

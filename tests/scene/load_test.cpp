@@ -12,12 +12,12 @@ using namespace cairn;
 using namespace cairn::scene_test;
 using scene::Scene;
 
-const Body only_body(const Scene &scene) {
+const Body only_body(const Scene& scene) {
     EXPECT_EQ(scene.world.bodies().size(), 1u);
     return scene.world.body(scene.world.bodies().at(0));
 }
 
-void expect_near(const glm::dvec3 &actual, const glm::dvec3 &expected, double tolerance = 1e-6) {
+void expect_near(const glm::dvec3& actual, const glm::dvec3& expected, double tolerance = 1e-6) {
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(actual[i], expected[i], tolerance) << "component " << i;
 }
 
@@ -168,7 +168,7 @@ TEST(SceneLoad, Materials) {
         "restitutionCombine":"maximum","extensions":{"CAIRN_material":{"density":500,"rolling_friction":0.01,
         "torsional_friction":0.02}}})";
     const Scene scene = load_text(document(parts));
-    const ShapeDef &def = scene.world.shape_def(only_body(scene).shapes().at(0));
+    const ShapeDef& def = scene.world.shape_def(only_body(scene).shapes().at(0));
     EXPECT_FLOAT_EQ(def.material.static_friction, 0.9f);
     EXPECT_FLOAT_EQ(def.material.dynamic_friction, 0.7f);
     EXPECT_FLOAT_EQ(def.material.restitution, 0.2f);
@@ -201,7 +201,7 @@ TEST(SceneLoad, WorldSettings) {
     EXPECT_EQ(scene.info.title, "A title");
     EXPECT_EQ(scene.info.hint, "A hint");
     EXPECT_FLOAT_EQ(scene.info.time_step, 0.01f);
-    const WorldDef &settings = scene.world.settings();
+    const WorldDef& settings = scene.world.settings();
     EXPECT_EQ(settings.gravity, Vec3(0.0f, -1.62f, 0.0f));
     EXPECT_EQ(settings.substeps, 12);
     EXPECT_FALSE(settings.adaptive_substeps);

@@ -9,7 +9,7 @@
 
 namespace cairn::scene_test {
 
-inline scene::Scene load_text(const std::string &text, const std::string &name = "test.gltf") {
+inline scene::Scene load_text(const std::string& text, const std::string& name = "test.gltf") {
     return scene::load_from_memory(std::as_bytes(std::span(text.data(), text.size())), name);
 }
 
@@ -25,7 +25,7 @@ struct Parts {
     std::string more; // members of the document, with a leading comma
 };
 
-inline std::string document(const Parts &parts) {
+inline std::string document(const Parts& parts) {
     return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[)" + parts.roots +
            R"(],"extensions":{"CAIRN_world":{)" + parts.world + R"(}}}],"nodes":[)" + parts.nodes +
            R"(],"extensions":{"KHR_implicit_shapes":{"shapes":[)" + parts.shapes +
@@ -34,7 +34,7 @@ inline std::string document(const Parts &parts) {
 }
 
 // A node with the given members (with a trailing comma) and members of its KHR_physics_rigid_bodies.
-inline std::string node(const std::string &members, const std::string &physics) {
+inline std::string node(const std::string& members, const std::string& physics) {
     return "{" + members + R"("extensions":{"KHR_physics_rigid_bodies":{)" + physics + "}}}";
 }
 
@@ -42,7 +42,7 @@ inline const std::string sphere = R"("collider":{"geometry":{"shape":0}})";
 inline const std::string box = R"("collider":{"geometry":{"shape":1}})";
 inline const std::string plane = R"("collider":{"geometry":{"shape":2}})";
 
-inline scene::Scene load_nodes(const std::string &nodes, const std::string &roots = "0") {
+inline scene::Scene load_nodes(const std::string& nodes, const std::string& roots = "0") {
     Parts parts;
     parts.nodes = nodes;
     parts.roots = roots;

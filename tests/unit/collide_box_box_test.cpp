@@ -66,14 +66,14 @@ Pairs random_pairs(const SizeClass &size, int count, std::uint32_t seed, double 
     return pairs;
 }
 
-// The kernel prefers a face to an edge that is less deep by up to 0.5 % of the smallest half extent, and takes
+// The kernel prefers a face to an edge that is less deep by up to 5 % of the smallest half extent, and takes
 // nearly parallel edges only when it can tell their axis, which is uncertain by rounding / sine.
 struct Tolerance {
     double rounding, choice;
 };
 Tolerance tolerance_for(const Frame &a, const Frame &b, const SeparatingAxis &truth) {
     const double rounding = 2e-6 * sum_of_halves(a, b) / truth.sine;
-    return {rounding, 5.5e-3 * smallest_half(a, b) + 2 * rounding};
+    return {rounding, 5.5e-2 * smallest_half(a, b) + 2 * rounding};
 }
 
 // What the manifold must say, given the true axis. Empty when it does.

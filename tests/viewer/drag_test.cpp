@@ -16,12 +16,12 @@ using namespace cairn::viewer;
 constexpr float dt = 1.0f / 60.0f;
 const Vec3 ahead(0.0f, 0.0f, -1.0f);
 
-Ray towards(const Position& from, const Position& to) { return {from, Vec3(glm::normalize(to - from))}; }
+Ray towards(const Position &from, const Position &to) { return {from, Vec3(glm::normalize(to - from))}; }
 
 TEST(DragTarget, FollowsTheCursorInThePlaneFacingTheCamera) {
     const Position grabbed(1.0, 2.0, 3.0);
-    const Position target = drag_target(towards({0.0, 2.0, 10.0}, {4.0, 5.0, 3.0}), grabbed, ahead,
-                                        DragConstraint::view_plane);
+    const Position target =
+        drag_target(towards({0.0, 2.0, 10.0}, {4.0, 5.0, 3.0}), grabbed, ahead, DragConstraint::view_plane);
     EXPECT_NEAR(target.x, 4.0, 1e-5);
     EXPECT_NEAR(target.y, 5.0, 1e-5);
     EXPECT_NEAR(target.z, 3.0, 1e-5);
@@ -58,18 +58,18 @@ struct Floating {
     World world{WorldDef{.gravity = {0.0f, 0.0f, 0.0f}, .enable_sleep = false}};
     BodyId body;
 
-    explicit Floating(float mass, const Vec3& velocity = Vec3(0.0f)) {
+    explicit Floating(float mass, const Vec3 &velocity = Vec3(0.0f)) {
         BodyDef def;
         def.linear_velocity = velocity;
         def.mass = mass;
         body = world.create_body(def);
         world.add_shape(body, Box{{0.5f, 0.5f, 0.5f}});
     }
-    Position held(const Vec3& local) const {
+    Position held(const Vec3 &local) const {
         const Transform pose = world.body(body).transform();
         return pose.position + Position(pose.rotation * local);
     }
-    void pull(const Vec3& local, const Position& target, int steps, float step = dt) {
+    void pull(const Vec3 &local, const Position &target, int steps, float step = dt) {
         for (int i = 0; i < steps; ++i) {
             Body handle = world.body(body);
             const DragForce force = drag_force(handle, local, target, step);

@@ -10,7 +10,7 @@ namespace {
 using namespace cairn::viewer;
 
 TEST(KeyMap, KeepsTheKeysOfTheFirstProgram) {
-    const auto action = [](const char* chord) {
+    const auto action = [](const char *chord) {
         const auto binding = find_binding(chord);
         return binding ? binding->action : Action::quit;
     };
@@ -30,13 +30,16 @@ TEST(KeyMap, KeepsTheKeysOfTheFirstProgram) {
 
 TEST(KeyMap, NoChordMeansTwoThings) {
     std::set<std::string> chords;
-    for (const Binding& binding : key_bindings())
+    for (const Binding &binding : key_bindings())
         EXPECT_TRUE(chords.insert(std::string(binding.chord)).second) << binding.chord;
 }
 
 TEST(KeyMap, OppositeForceKeysPushOppositely) {
-    for (const auto& [one, other] : {std::pair("KP4", "KP6"), {"KP7", "KP9"}, {"KP8", "KP2"},
-                                     {"Shift+Left", "Shift+Right"}, {"Shift+Up", "Shift+Down"}}) {
+    for (const auto &[one, other] : {std::pair("KP4", "KP6"),
+                                     {"KP7", "KP9"},
+                                     {"KP8", "KP2"},
+                                     {"Shift+Left", "Shift+Right"},
+                                     {"Shift+Up", "Shift+Down"}}) {
         const auto a = find_binding(one), b = find_binding(other);
         ASSERT_TRUE(a && b);
         EXPECT_EQ(a->action, b->action);

@@ -36,9 +36,9 @@ protected:
     }
 
     // The compiler's complaints; empty if it compiled.
-    static std::string compile(GLenum stage, const std::string& source) {
+    static std::string compile(GLenum stage, const std::string &source) {
         const GLuint shader = glCreateShader(stage);
-        const char* parts[] = {shaders::web_header, source.c_str()};
+        const char *parts[] = {shaders::web_header, source.c_str()};
         glShaderSource(shader, 2, parts, nullptr);
         glCompileShader(shader);
         GLint ok = 0;
@@ -55,12 +55,12 @@ private:
 };
 
 TEST_F(WebShaders, VertexShadersCompile) {
-    for (const char* source : {shaders::body_vertex, shaders::ground_vertex, shaders::sky_vertex, shaders::line_vertex})
+    for (const char *source : {shaders::body_vertex, shaders::ground_vertex, shaders::sky_vertex, shaders::line_vertex})
         EXPECT_EQ(compile(GL_VERTEX_SHADER, source), "");
 }
 
 TEST_F(WebShaders, FragmentShadersCompile) {
-    for (const char* source : {shaders::body_fragment, shaders::ground_fragment, shaders::sky_fragment})
+    for (const char *source : {shaders::body_fragment, shaders::ground_fragment, shaders::sky_fragment})
         EXPECT_EQ(compile(GL_FRAGMENT_SHADER, std::string(shaders::lighting) + source), "");
     EXPECT_EQ(compile(GL_FRAGMENT_SHADER, shaders::line_fragment), "");
     EXPECT_EQ(compile(GL_FRAGMENT_SHADER, shaders::shadow_fragment), "");

@@ -49,7 +49,7 @@ GLTF
 
 # The viewer writes its state to a file whenever a script line says so: ask ten times a second.
 for _ in $(seq 2000); do printf 'wait 0.1\nreport %s/state.json\n' "$folder"; done >"$folder/script"
-"$cairn" view "$folder/scene.gltf" --size 800x500 --script "$folder/script" --report "$folder/last.json" \
+"$cairn" view "$folder/scene.gltf" --width 800 --height 500 --script "$folder/script" --report "$folder/last.json" \
     --exit-after 200 2>"$folder/viewer.log" &
 viewer=$!
 

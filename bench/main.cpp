@@ -1,0 +1,126 @@
+// `cairn_bench`: times Cairn and its peers on the same scenes, and judges what came out. A wrong call ends with one
+// line on stderr and exit code 2, an error at run time with one line and exit code 1.
+#include "bench/measure.h"
+#include "bench/report.h"
+
+#include <cairn/error.h>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+
+namespace {
+
+using cairn::bench::EngineKind;
+using cairn::bench::SceneKind;
+
+std::vector<EngineKind> engine_kinds() {
+    std::vector<EngineKind> kinds = {cairn::bench::cairn_engine()};
+#ifdef CAIRN_BENCH_BULLET
+    kinds.push_back(cairn::bench::bullet_engine());
+#endif
+    return kinds;
+}
+
+struct Options {
+    cairn::bench::MeasureOptions measure;
+    std::vector<std::string> engines;
+    bool json = false, list = false;
+};
+
+std::vector<std::string> scene_names() {
+    std::vector<std::string> names;
+    for (const SceneKind &kind : cairn::bench::scene_kinds()) names.emplace_back(kind.name);
+    return names;
+}
+
+std::vector<std::string> engine_names() {
+    std::vector<std::string> names;
+    for (const EngineKind &kind : engine_kinds()) names.emplace_back(kind.name);
+    return names;
+}
+
+void add_options(CLI::App &app, Options &options) {
+    auto &measure = options.measure;
+    measure.scenes = scene_names();
+    options.engines = engine_names();
+    app.add_option("--scenes", measure.scenes, "Scenes, separated by commas (default: all; see --list)")
+        ->delimiter(',')
+        ->check(CLI::IsMember(scene_names()));
+    app.add_option("--engines", options.engines, "Engines, separated by commas (default: all)")
+        ->delimiter(',')
+        ->check(CLI::IsMember(engine_names()));
+    app.add_option("--rounds", measure.rounds, "Times that each engine runs, by turns (default 3)")
+        ->check(CLI::Range(1, 1000));
+    app.add_option("--steps", measure.steps, "Steps of a round (default: the scene's)")->check(CLI::Range(1, 10000000));
+    app.add_option("--n", measure.size, "Size of the scenes; what it counts depends on the scene (see --list)")
+        ->check(CLI::Range(1, 10000000));
+    app.add_option("--substeps", measure.settings.substeps, "Substeps of a step, in every engine (default: its own)")
+        ->check(CLI::Range(1, 256));
+    app.add_flag("--json", options.json, "Print one JSON object instead of tables");
+    app.add_flag("--list", options.list, "List the scenes and engines, and measure nothing");
+}
+
+std::string listing() {
+    std::string text = "Scenes\n";
+    for (const SceneKind &kind : cairn::bench::scene_kinds())
+        text += fmt::format("  {:<14} {}; --n: {} (default {})\n", kind.name, kind.description, kind.size_meaning,
+                            kind.default_size);
+    text += "Engines\n";
+    for (const EngineKind &kind : engine_kinds()) text += fmt::format("  {:<14} {}\n", kind.name, kind.version);
+#ifndef CAIRN_BENCH_BULLET
+    text += "  (built without Bullet, which was not found)\n";
+#endif
+    return text;
+}
+
+int complain(std::string text, int code) {
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    fmt::print(stderr, "cairn_bench: {}\n", text);
+    return code;
+}
+
+int run(Options &options) {
+    if (options.list) {
+        fmt::print("{}", listing());
+        return 0;
+    }
+    // Sizes are checked before anything is measured.
+    for (const std::string &scene : options.measure.scenes) cairn::bench::check_size(scene, options.measure.size);
+    for (const std::string &name : options.engines)
+        for (const EngineKind &kind : engine_kinds())
+            if (kind.name == name) options.measure.engines.push_back(kind);
+#ifndef CAIRN_BENCH_BULLET
+    fmt::print(stderr, "built without Bullet, which was not found: Cairn is measured alone\n");
+#endif
+    const auto results =
+        cairn::bench::measure(options.measure, [](const std::string &line) { fmt::print(stderr, "{}\n", line); });
+    const std::string text = options.json ? cairn::bench::to_json(results) : cairn::bench::to_tables(results);
+    const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+    if (!written || std::fflush(stdout) != 0) return complain("stdout cannot be written", 1);
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+    CLI::App app("Times physics engines on the same scenes, one thread each, nothing asleep.", "cairn_bench");
+    Options options;
+    add_options(app, options);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError &error) {
+        if (error.get_exit_code() == 0) return app.exit(error); // --help
+        return complain(error.what(), 2);
+    }
+    try {
+        return run(options);
+    } catch (const cairn::bench::SceneError &error) {
+        return complain(error.what(), 2);
+    } catch (const std::exception &error) {
+        return complain(error.what(), 1);
+    }
+}

@@ -1,0 +1,83 @@
+// Scenes as plain data, so that every engine is given exactly the same bodies. SI units, +y is up. A scene is the
+// same on every machine: all randomness comes from fixed seeds.
+#pragma once
+
+#include <cairn/math.h>
+
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cairn::bench {
+
+enum class PartShape { sphere, box };
+
+enum class Motion {
+    fixed,     // never moves
+    kinematic, // moves with the velocity it starts with
+    dynamic,
+};
+
+// One shape of a body.
+struct Part {
+    PartShape shape = PartShape::box;
+    Vec3 half_extents{0.5f, 0.5f, 0.5f};   // box, m
+    float radius = 0.5f;                   // sphere, m
+    Vec3 position{0.0f, 0.0f, 0.0f};       // in the body's frame, m
+    Quat rotation{1.0f, 0.0f, 0.0f, 0.0f}; // in the body's frame
+};
+
+struct SceneBody {
+    Motion motion = Motion::dynamic;
+    std::size_t first_part = 0, part_count = 1; // of Scene::parts; dynamic bodies have one, at their center
+    float density = 1000.0f;                    // kg/m^3
+    float mass = 0.0f;                          // kg; 0 unless dynamic
+    Vec3 position{0.0f, 0.0f, 0.0f};            // m
+    Quat rotation{1.0f, 0.0f, 0.0f, 0.0f};
+    Vec3 linear_velocity{0.0f, 0.0f, 0.0f};  // m/s
+    Vec3 angular_velocity{0.0f, 0.0f, 0.0f}; // rad/s
+};
+
+struct Scene {
+    std::string name;
+    int steps = 600;
+    float time_step = 1.0f / 60.0f;   // s
+    Vec3 gravity{0.0f, -10.0f, 0.0f}; // m/s^2
+    float friction = 0.6f;            // of every pair
+    float restitution = 0.0f;         // of every pair
+    bool stands = false;              // what is built should stay where it is
+    std::size_t dynamic_count = 0;
+    std::vector<Part> parts;
+    std::vector<SceneBody> bodies;
+    // A body whose center leaves these bounds, or this distance from the line through `axis_point` along z, is lost.
+    Vec3 lower_bound{-1e9f, -0.5f, -1e9f}, upper_bound{1e9f, 1e9f, 1e9f};
+    float axis_distance = 1e9f;
+    Vec3 axis_point{0.0f, 0.0f, 0.0f};
+};
+
+struct SceneKind {
+    std::string_view name;
+    std::string_view description;
+    std::string_view size_meaning; // what `size` is in make_scene
+    int default_size;
+    int greatest_size;
+};
+
+// Every scene there is.
+std::span<const SceneKind> scene_kinds();
+
+// A wrong name or size.
+struct SceneError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+// Throws SceneError if make_scene would.
+void check_size(std::string_view name, int size);
+
+// Builds a scene. `size` is what SceneKind::size_meaning says, from 1 to greatest_size; 0 stands for default_size.
+// Throws SceneError.
+Scene make_scene(std::string_view name, int size = 0);
+
+} // namespace cairn::bench

@@ -1,0 +1,201 @@
+// Islands fall asleep, and wake when something concerns them.
+#include "test_world.h"
+
+#include <functional>
+#include <vector>
+
+namespace cairn::test {
+namespace {
+
+// A stack of two, and one crate apart, all asleep.
+struct Asleep {
+    World world;
+    BodyId ground, below, above, apart;
+    explicit Asleep(const WorldDef& def = {}) : world(def) {
+        ground = add_ground(world);
+        below = add_crate(world, {0.0, 0.5, 0.0});
+        above = add_crate(world, {0.0, 1.5, 0.0});
+        apart = add_crate(world, {20.0, 0.5, 0.0});
+        run(world, 240);
+    }
+    bool is_awake(BodyId body) { return world.body(body).is_awake(); }
+};
+
+TEST(Sleep, StackFallsAsleepAndCostsNothing) {
+    Asleep asleep;
+    EXPECT_FALSE(asleep.is_awake(asleep.below) || asleep.is_awake(asleep.above) || asleep.is_awake(asleep.apart));
+    EXPECT_EQ(asleep.world.statistics().awake_bodies, 0u);
+    EXPECT_EQ(asleep.world.statistics().islands, 0u);
+    EXPECT_EQ(asleep.world.statistics().sleeping_islands, 2u);
+    EXPECT_EQ(asleep.world.statistics().contacts, 3u) << "sleeping contacts are still there";
+    EXPECT_EQ(asleep.world.contacts().size(), 3u);
+    EXPECT_EQ(asleep.world.kinetic_energy(), 0.0);
+    const std::uint64_t hash = asleep.world.state_hash();
+    run(asleep.world, 60);
+    EXPECT_EQ(asleep.world.state_hash(), hash);
+}
+
+TEST(Sleep, TakesTheGivenTimeAndSpeed) {
+    for (const float time : {0.0f, 0.25f, 2.0f}) {
+        WorldDef def;
+        def.sleep_time = time;
+        World world(def);
+        add_ground(world);
+        const BodyId crate = add_crate(world, {0.0, 0.5, 0.0});
+        int steps = 0;
+        while (world.body(crate).is_awake() && steps < 600) {
+            world.step(frame);
+            ++steps;
+        }
+        EXPECT_NEAR(steps * frame, time, 0.2f);
+    }
+    WorldDef def;
+    def.sleep_speed = 0.0f;
+    Asleep never(def);
+    EXPECT_TRUE(never.is_awake(never.below)) << "nothing is slower than not moving";
+}
+
+TEST(Sleep, CanBeTurnedOff) {
+    WorldDef def;
+    def.enable_sleep = false;
+    Asleep never(def);
+    EXPECT_EQ(never.world.statistics().awake_bodies, 3u);
+    Asleep asleep;
+    asleep.world.set_settings(def);
+    EXPECT_EQ(asleep.world.statistics().awake_bodies, 3u) << "turning it off wakes all";
+    run(asleep.world, 240);
+    EXPECT_EQ(asleep.world.statistics().awake_bodies, 3u);
+}
+
+TEST(Sleep, OneThatMayNotSleepKeepsItsIslandAwake) {
+    World world;
+    add_ground(world);
+    BodyDef restless = body_at({0.0, 1.5, 0.0});
+    restless.allow_sleep = false;
+    const BodyId below = add_crate(world, {0.0, 0.5, 0.0}), above = add_body(world, restless, Box{}), apart = add_crate(world, {20.0, 0.5, 0.0});
+    run(world, 300);
+    EXPECT_TRUE(world.body(below).is_awake());
+    EXPECT_TRUE(world.body(above).is_awake());
+    EXPECT_FALSE(world.body(apart).is_awake());
+    world.body(above).set_allow_sleep(true);
+    run(world, 120);
+    EXPECT_FALSE(world.body(above).is_awake());
+}
+
+TEST(Sleep, AirborneBodiesDoNotSleepAtTheTopOfTheirFlight) {
+    WorldDef def;
+    def.sleep_time = 0.1f;
+    World world(def);
+    BodyDef up;
+    up.linear_velocity = {0.0f, 3.0f, 0.0f};
+    const BodyId ball = add_body(world, up, Sphere{});
+    for (int i = 0; i < 120; ++i) {
+        world.step(frame);
+        ASSERT_TRUE(world.body(ball).is_awake()) << "step " << i;
+    }
+}
+
+struct Wake {
+    const char* name;
+    std::function<void(Asleep&)> cause;
+    bool above, apart; // which of the others must be awake after a few steps (`below` always)
+};
+std::ostream& operator<<(std::ostream& out, const Wake& wake) { return out << wake.name; }
+
+class Waking : public testing::TestWithParam<Wake> {};
+
+TEST_P(Waking, WakesTheIslandAndNoOther) {
+    Asleep asleep;
+    GetParam().cause(asleep);
+    bool below = false, above = false, apart = false;
+    for (int i = 0; i < 5; ++i) {
+        below |= asleep.is_awake(asleep.below);
+        above |= asleep.is_awake(asleep.above);
+        apart |= asleep.is_awake(asleep.apart);
+        asleep.world.step(frame);
+    }
+    EXPECT_TRUE(below);
+    EXPECT_EQ(above, GetParam().above);
+    EXPECT_EQ(apart, GetParam().apart);
+    EXPECT_TRUE(stays_sane(asleep.world, 300));
+}
+
+template <class F> std::function<void(Asleep&)> on_below(F&& f) {
+    return [f](Asleep& asleep) { f(asleep.world.body(asleep.below)); };
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Causes, Waking,
+    testing::Values(Wake{"wake", on_below([](Body b) { b.wake(); }), true, false},
+                    Wake{"impulse", on_below([](Body b) { b.apply_impulse({1.0f, 0.0f, 0.0f}); }), true, false},
+                    Wake{"force", on_below([](Body b) { b.add_force({1.0f, 0.0f, 0.0f}); }), true, false},
+                    Wake{"torque", on_below([](Body b) { b.add_torque({1.0f, 0.0f, 0.0f}); }), true, false},
+                    Wake{"velocity", on_below([](Body b) { b.set_linear_velocity({0.1f, 0.0f, 0.0f}); }), true, false},
+                    Wake{"spin", on_below([](Body b) { b.set_angular_velocity({0.0f, 0.1f, 0.0f}); }), true, false},
+                    Wake{"teleport", on_below([](Body b) { b.set_position({0.05, 0.5, 0.0}); }), true, false},
+                    Wake{"gravity_scale", on_below([](Body b) { b.set_gravity_scale(2.0f); }), true, false},
+                    Wake{"mass", on_below([](Body b) { b.set_mass_from_shapes(5.0f); }), true, false},
+                    Wake{"material", [](Asleep& a) { a.world.set_material(a.world.body(a.below).shapes()[0], {}); }, true, false},
+                    Wake{"added_shape", [](Asleep& a) { a.world.add_shape(a.below, Sphere{0.1f}); }, true, false},
+                    Wake{"removed_above", [](Asleep& a) { a.world.destroy_body(a.above); a.above = a.below; }, true, false},
+                    Wake{"type_of_above", [](Asleep& a) { a.world.body(a.above).set_type(BodyType::static_); a.above = a.below; }, true, false},
+                    Wake{"gravity", [](Asleep& a) { WorldDef def; def.gravity.y = -5.0f; a.world.set_settings(def); }, true, true},
+                    Wake{"field", [](Asleep& a) { ForceField f; f.direction = {1, 0, 0}; a.world.add_force_field(f); }, true, true},
+                    Wake{"removed_ground", [](Asleep& a) { a.world.destroy_body(a.ground); }, true, true},
+                    Wake{"ground_moved", [](Asleep& a) { a.world.body(a.ground).set_position({0.0, -1.0, 0.0}); }, true, true},
+                    Wake{"ground_material", [](Asleep& a) { a.world.set_material(a.world.body(a.ground).shapes()[0], {}); }, true, true},
+                    Wake{"ball_falls_on_it", [](Asleep& a) { add_body(a.world, body_at({0.0, 2.35, 0.0}), Sphere{0.3f}); }, true, false},
+                    Wake{"static_placed_into_it", [](Asleep& a) { add_body(a.world, body_at({0.9, 0.5, 0.0}, BodyType::static_), Box{}); }, true, false},
+                    Wake{"kinematic_runs_into_it", [](Asleep& a) {
+                        BodyDef def = body_at({-1.05, 0.5, 0.0}, BodyType::kinematic);
+                        def.linear_velocity = {1.0f, 0.0f, 0.0f};
+                        add_body(a.world, def, Box{});
+                    }, true, false}),
+    [](const auto& info) { return std::string(info.param.name); });
+
+TEST(Sleep, MovedStaticBodyWakesWhatRestedOnIt) {
+    World world;
+    const BodyId shelf = add_body(world, body_at({0.0, 5.0, 0.0}, BodyType::static_), Box{{2.0f, 0.1f, 2.0f}});
+    const BodyId crate = add_crate(world, {0.0, 5.6, 0.0});
+    run(world, 120);
+    ASSERT_FALSE(world.body(crate).is_awake());
+    world.body(shelf).set_position({10.0, 5.0, 0.0});
+    run(world, 60);
+    EXPECT_LT(world.body(crate).position().y, 2.0) << "it falls";
+}
+
+TEST(Sleep, RemovedSupportLetsTheStackFall) {
+    Asleep asleep;
+    asleep.world.destroy_body(asleep.below);
+    run(asleep.world, 120);
+    EXPECT_NEAR(asleep.world.body(asleep.above).position().y, 0.5, 0.02);
+}
+
+TEST(Sleep, PassingByWakesNobody) {
+    Asleep asleep;
+    BodyDef def = body_at({-5.0, 1.0, 1.2});
+    def.linear_velocity = {10.0f, 0.0f, 0.0f};
+    def.gravity_scale = 0.0f;
+    add_body(asleep.world, def, Sphere{0.5f});
+    for (int i = 0; i < 60; ++i) {
+        asleep.world.step(frame);
+        ASSERT_FALSE(asleep.is_awake(asleep.below)) << "step " << i;
+    }
+}
+
+TEST(Sleep, IslandsThatComeApartSleepApart) {
+    World world;
+    add_ground(world);
+    const BodyId left = add_crate(world, {-0.5, 0.5, 0.0}), right = add_crate(world, {0.5, 0.5, 0.0});
+    run(world, 10);
+    EXPECT_EQ(world.statistics().islands, 1u);
+    for (int i = 0; i < 600; ++i) {
+        world.body(right).set_linear_velocity({0.5f, 0.0f, 0.0f});
+        world.step(frame);
+    }
+    EXPECT_FALSE(world.body(left).is_awake());
+    EXPECT_TRUE(world.body(right).is_awake());
+}
+
+} // namespace
+} // namespace cairn::test

@@ -1,0 +1,210 @@
+// Saving a world, bringing it back, and refusing what is damaged.
+#include "test_world.h"
+
+#include <random>
+#include <vector>
+
+namespace cairn::test {
+namespace {
+
+// A world with something of everything: piles, sleepers, a moving platform, fields, removed bodies and shapes.
+void fill(World& world) {
+    add_ground(world);
+    for (int i = 0; i < 30; ++i) {
+        const Position p(0.7 * (i % 3), 0.6 + 0.7 * (i / 9), 0.7 * (i / 3 % 3));
+        BodyDef def = body_at(p);
+        def.name = "body " + std::to_string(i);
+        def.user_data = std::uint64_t(i) << 40;
+        if (i % 2) add_body(world, def, Sphere{0.3f});
+        else add_body(world, def, Box{{0.25f, 0.3f, 0.35f}});
+    }
+    add_crate(world, {50.0, 0.5, 0.0});
+    const BodyId platform = add_body(world, body_at({-10.0, 1.0, 0.0}, BodyType::kinematic), Box{{2.0f, 0.2f, 2.0f}});
+    world.body(platform).set_linear_velocity({0.3f, 0.0f, 0.1f});
+    add_crate(world, {-10.0, 1.7, 0.0});
+    ForceField wind;
+    wind.direction = {0.1f, 0.0f, 0.2f};
+    world.add_force_field(wind);
+    world.destroy_body(world.bodies()[5]);
+}
+
+std::uint64_t hash_after(World& world, int steps) {
+    run(world, steps);
+    return world.state_hash();
+}
+
+TEST(Snapshot, ContinuesBitForBitFromAnyMoment) {
+    World straight;
+    fill(straight);
+    for (const int moment : {0, 1, 7, 40, 60, 150}) {
+        World copy;
+        copy.restore(straight.save());
+        EXPECT_EQ(copy.state_hash(), straight.state_hash());
+        EXPECT_EQ(copy.step_count(), straight.step_count());
+        EXPECT_EQ(copy.time(), straight.time());
+        for (int i = 0; i < 60; ++i) {
+            straight.step(frame);
+            copy.step(frame);
+            ASSERT_EQ(copy.state_hash(), straight.state_hash()) << "saved after " << straight.step_count() - i - 1 << ", step " << i;
+            ASSERT_EQ(copy.contact_begins().size(), straight.contact_begins().size());
+            ASSERT_EQ(copy.contact_ends().size(), straight.contact_ends().size());
+            ASSERT_EQ(copy.sleep_events().size(), straight.sleep_events().size());
+            ASSERT_EQ(copy.statistics().contact_points, straight.statistics().contact_points);
+        }
+        run(straight, moment);
+    }
+}
+
+TEST(Snapshot, ContinuesBitForBitAfterChangesSinceTheLastStep) {
+    World straight;
+    fill(straight);
+    run(straight, 100);
+    const auto ids = straight.bodies();
+    straight.destroy_body(ids[3]);
+    straight.body(ids[4]).set_type(BodyType::kinematic);
+    straight.body(ids[6]).set_type(BodyType::static_);
+    straight.body(ids[7]).add_force({100.0f, 0.0f, 0.0f});
+    straight.body(ids[8]).set_position({0.0, 8.0, 0.0});
+    straight.remove_shape(straight.body(ids[9]).shapes()[0]);
+    add_crate(straight, {0.5, 6.0, 0.0});
+    World copy;
+    copy.restore(straight.save());
+    for (int i = 0; i < 120; ++i) {
+        straight.step(frame);
+        copy.step(frame);
+        ASSERT_EQ(copy.state_hash(), straight.state_hash()) << "step " << i;
+        ASSERT_EQ(copy.contact_ends().size(), straight.contact_ends().size()) << "step " << i;
+    }
+}
+
+TEST(Snapshot, RewindsAndReplays) {
+    World world;
+    fill(world);
+    run(world, 30);
+    const Snapshot moment = world.save();
+    const std::uint64_t end = hash_after(world, 90);
+    for (int i = 0; i < 3; ++i) {
+        world.restore(moment);
+        EXPECT_EQ(hash_after(world, 90), end);
+    }
+}
+
+TEST(Snapshot, KeepsHandlesNamesAndDefinitions) {
+    World world;
+    fill(world);
+    run(world, 20);
+    const auto ids = world.bodies();
+    const BodyId later = ids[7];
+    const Snapshot moment = world.save();
+    world.destroy_body(later);
+    run(world, 10);
+    EXPECT_FALSE(world.is_valid(later));
+    world.restore(moment);
+    EXPECT_EQ(world.bodies(), ids);
+    EXPECT_EQ(world.body(later).name(), "body 7");
+    EXPECT_EQ(world.body(later).user_data(), std::uint64_t(7) << 40);
+    EXPECT_EQ(world.find_body("body 9"), ids[9]);
+    const ShapeId shape = world.body(later).shapes()[0];
+    EXPECT_EQ(std::get<Sphere>(world.shape(shape)).radius, 0.3f);
+    EXPECT_EQ(world.shape_def(shape).density, 1000.0f);
+    EXPECT_EQ(world.settings().substeps, 8);
+}
+
+TEST(Snapshot, SavedTwiceIsTheSameBytesAndChangesNothing) {
+    World world;
+    fill(world);
+    run(world, 20);
+    const std::uint64_t hash = world.state_hash();
+    const Snapshot first = world.save(), second = world.save();
+    EXPECT_TRUE(first.bytes == second.bytes);
+    EXPECT_EQ(world.state_hash(), hash);
+    World copy;
+    copy.restore(first);
+    EXPECT_TRUE(copy.save().bytes == first.bytes);
+    EXPECT_LT(first.bytes.size(), std::size_t(1) << 20);
+}
+
+TEST(Snapshot, EmptyWorldAndWorldWithoutShapes) {
+    World empty, copy;
+    add_crate(copy, {});
+    copy.restore(empty.save());
+    EXPECT_TRUE(copy.bodies().empty());
+    EXPECT_TRUE(stays_sane(copy, 5));
+    empty.create_body(body_at({1.0, 2.0, 3.0}));
+    copy.restore(empty.save());
+    EXPECT_EQ(hash_after(copy, 60), hash_after(empty, 60));
+}
+
+// --- damage
+
+// Refused as a malformed file, and the world as it was.
+testing::AssertionResult is_refused(World& world, const Snapshot& damaged, std::uint64_t hash) {
+    try {
+        world.restore(damaged);
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::invalid_file && error.code() != ErrorCode::unsupported)
+            return testing::AssertionFailure() << "wrong code: " << error.what();
+        if (error.field() != "Snapshot") return testing::AssertionFailure() << "wrong field: " << error.field();
+        if (world.state_hash() != hash) return testing::AssertionFailure() << "the world has changed";
+        return testing::AssertionSuccess();
+    }
+    return testing::AssertionFailure() << "accepted";
+}
+
+struct Damage : testing::Test {
+    World source, target;
+    Snapshot good;
+    std::uint64_t hash = 0;
+    void SetUp() override {
+        add_ground(source);
+        for (int i = 0; i < 4; ++i) add_crate(source, {0.2 * i, 0.5 + 1.1 * i, 0.0});
+        run(source, 30);
+        good = source.save();
+        add_ground(target);
+        add_crate(target, {1.0, 2.0, 3.0});
+        run(target, 5);
+        hash = target.state_hash();
+    }
+};
+
+TEST_F(Damage, CutOffAtEveryByteIsRefused) {
+    for (std::size_t size = 0; size < good.bytes.size(); ++size) {
+        const Snapshot cut{{good.bytes.begin(), good.bytes.begin() + std::ptrdiff_t(size)}};
+        ASSERT_TRUE(is_refused(target, cut, hash)) << "cut to " << size << " of " << good.bytes.size();
+    }
+}
+
+TEST_F(Damage, AnyFlippedBitIsRefused) {
+    std::mt19937 random(1);
+    Snapshot damaged = good;
+    // All bits of the header, and a sample of the rest.
+    std::vector<std::size_t> bits;
+    for (std::size_t bit = 0; bit < 8 * 32; ++bit) bits.push_back(bit);
+    std::uniform_int_distribution<std::size_t> any(0, 8 * good.bytes.size() - 1);
+    for (int i = 0; i < 5000; ++i) bits.push_back(any(random));
+    for (const std::size_t bit : bits) {
+        const std::byte mask = std::byte(1u << (bit % 8));
+        damaged.bytes[bit / 8] ^= mask;
+        ASSERT_TRUE(is_refused(target, damaged, hash)) << "bit " << bit;
+        damaged.bytes[bit / 8] ^= mask;
+    }
+    target.restore(damaged);
+    EXPECT_EQ(target.state_hash(), source.state_hash());
+}
+
+TEST_F(Damage, WhatIsAddedOrForeignIsRefused) {
+    Snapshot longer = good;
+    longer.bytes.push_back(std::byte{0});
+    EXPECT_TRUE(is_refused(target, longer, hash));
+    EXPECT_TRUE(is_refused(target, Snapshot{}, hash));
+    EXPECT_TRUE(is_refused(target, Snapshot{std::vector<std::byte>(1000, std::byte{0})}, hash));
+    EXPECT_EQ(refusal([&] { target.restore(Snapshot{std::vector<std::byte>(1000, std::byte{7})}); }),
+              "invalid_file | Snapshot | Snapshot: does not begin as a snapshot does");
+    Snapshot other_build = good;
+    other_build.bytes[8] ^= std::byte{1};
+    EXPECT_EQ(refusal([&] { target.restore(other_build); }), "unsupported | Snapshot | Snapshot: was saved by another build of this library");
+    EXPECT_TRUE(stays_sane(target, 30));
+}
+
+} // namespace
+} // namespace cairn::test

@@ -1,0 +1,64 @@
+// 100,000 bodies in one place: row 39 of the list of faults.
+#include "../api/test_world.h"
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <unistd.h>
+
+namespace cairn::test {
+namespace {
+
+std::size_t resident_memory() {
+    std::ifstream file("/proc/self/statm");
+    std::size_t total = 0, resident = 0;
+    file >> total >> resident;
+    return resident * std::size_t(sysconf(_SC_PAGESIZE));
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// Bodies of one place that cannot collide make no pairs, and cost no more than if they were spread out.
+TEST(Row39, HundredThousandBodiesInOnePlaceThatMakeNoPairs) {
+    constexpr double most_seconds = 5; // spread out it takes a tenth of one
+    for (const BodyType type : {BodyType::static_, BodyType::kinematic}) {
+        World world;
+        const std::size_t memory = resident_memory();
+        const auto start = std::chrono::steady_clock::now();
+        for (int i = 0; i < 100000; ++i) {
+            add_body(world, body_at({1.0, 2.0, 3.0}, type), Box{});
+            if (i % 1000 == 0) {
+                ASSERT_LT(seconds_since(start), most_seconds) << "after " << i << " bodies of type " << int(type);
+            }
+        }
+        run(world, 3);
+        EXPECT_LT(seconds_since(start), most_seconds);
+        EXPECT_EQ(world.statistics().candidate_pairs, 0u);
+        EXPECT_LT(resident_memory() - memory, std::size_t(1) << 28);
+    }
+}
+
+// Where all may collide with all, there are n (n - 1) / 2 pairs: the time and the memory of one must not grow with n.
+TEST(Row39, BodiesInOnePlaceCostAsMuchAsTheirPairs) {
+    double least = 0;
+    for (const int n : {100, 200, 400}) {
+        World world(weightless());
+        for (int i = 0; i < n; ++i) add_body(world, body_at({1.0, 2.0, 3.0}), Sphere{});
+        const std::size_t memory = resident_memory();
+        const auto start = std::chrono::steady_clock::now();
+        ASSERT_TRUE(stays_sane(world, 1));
+        const std::size_t pairs = std::size_t(n) * std::size_t(n - 1) / 2;
+        EXPECT_EQ(world.statistics().contacts, pairs);
+        const double each = seconds_since(start) / double(pairs);
+        EXPECT_LT((resident_memory() - memory) / pairs, 4096u) << n;
+        if (least > 0) {
+            EXPECT_LT(each, 4 * least) << n;
+        }
+        least = least > 0 ? std::min(least, each) : each;
+    }
+}
+
+} // namespace
+} // namespace cairn::test

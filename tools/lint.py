@@ -1,0 +1,68 @@
+#!/usr/bin/env python3
+"""Checks what the compiler does not: includes go down the list of rooms, and files stay short.
+
+usage: tools/lint.py [ROOT]   Prints one line per finding; exit status 1 if there is any.
+"""
+import pathlib
+import re
+import sys
+
+# A file may include its own room and those before it. docs/architecture.md tells what each is for.
+ROOMS = ["core", "simd", "math", "jobs", "shapes", "bvh", "collision", "kernels", "dynamics", "world"]
+# What only uses the public headers, and what it may include beside them.
+USERS = {"src/scene": {"scene"}, "app/viewer": {"viewer"}, "app/cli": {"cli", "scene", "viewer"}}
+# Kernel sources are compiled once per instruction set: they see plain data only.
+KERNEL_MAY = {"core", "simd", "math", "bvh", "collision", "kernels"}
+MAX_LINES, MAX_COLUMNS = 600, 120
+INCLUDE = re.compile(r'^\s*#include "([^"/]+)/[^"]+"')
+SOURCES = (".h", ".cpp", ".py", ".sh")
+
+
+def allowed_rooms(path):
+    """The rooms that a file may include, or None if any (tests, benchmarks)."""
+    parts = path.parts
+    for folder, rooms in USERS.items():
+        if str(path).startswith(folder + "/"):
+            return rooms
+    if parts[0] == "src":
+        if parts[1] == "kernels":
+            return KERNEL_MAY
+        if parts[1] not in ROOMS:
+            return set()
+        return set(ROOMS[: ROOMS.index(parts[1]) + 1])
+    return None
+
+
+def check(root, path):
+    text = (root / path).read_text(encoding="utf-8")
+    lines = text.split("\n")
+    if len(lines) - 1 > MAX_LINES:
+        yield 1, f"{len(lines) - 1} lines, at most {MAX_LINES} are meant"
+    rooms = allowed_rooms(path)
+    for number, line in enumerate(lines, 1):
+        if len(line) > MAX_COLUMNS and path.suffix in (".h", ".cpp"):
+            yield number, f"{len(line)} columns, at most {MAX_COLUMNS} are meant"
+        if re.search(r"\b(TODO|FIXME|XXX)\b", line) and path.name != "lint.py":
+            yield number, "unfinished work is an issue, not a comment"
+        found = INCLUDE.match(line)
+        if found and rooms is not None and found.group(1) not in rooms:
+            yield number, f"may not include {found.group(1)}/ (only {', '.join(sorted(rooms)) or 'public headers'})"
+
+
+def main():
+    root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".").resolve()
+    findings = 0
+    for folder in ("include", "src", "app", "tests", "bench", "tools"):
+        for file in sorted((root / folder).rglob("*")):
+            if file.suffix not in SOURCES:
+                continue
+            path = file.relative_to(root)
+            for line, text in check(root, path):
+                print(f"{path}:{line}: {text}")
+                findings += 1
+    print(f"{findings} findings" if findings else "lint: clean")
+    return 1 if findings else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
