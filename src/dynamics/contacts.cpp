@@ -135,6 +135,13 @@ void write_record(State& s, std::uint32_t id, const Manifold& m) {
     }
     put(r.friction_impulse, {});
     r.torsion_impulse = 0;
+    // From the sphere's center to the point midway between the surfaces.
+    auto sphere_radius = [&](std::uint32_t shape) {
+        const Geometry& g = s.geometry[shape];
+        return g.type == ShapeType::sphere ? g.size.x + 0.5f * m.points[0][3] : 0.0f;
+    };
+    r.radius_a = sphere_radius(c.shape_a);
+    r.radius_b = sphere_radius(c.shape_b);
     c.point_count = std::uint8_t(m.count);
     if (old.count > 0) match_points(old, c.match_tolerance, m.count, r);
 }

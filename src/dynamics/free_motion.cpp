@@ -15,7 +15,7 @@ namespace {
 
 // Slower rotations (radians per substep) have no gyroscopic part worth computing. It makes no difference to what is
 // held by friction, but the energy of a free top depends on it.
-constexpr float least_turn_free = 1e-6f, least_turn_in_contact = 2e-3f;
+constexpr double least_turn_free = 1e-6, least_turn_in_contact = 1e-4;
 
 struct Increment {
     DVec3 velocity, correction;
@@ -130,38 +130,68 @@ Load load_on(const State& s, std::int32_t b) {
 void write_linear(State& s, std::size_t row, const Increment& change) {
     SolverScratch& scratch = s.solver;
     put(scratch.drive[row].v, cut(change.velocity, s.settings.max_linear_speed));
-    if (!scratch.correction.empty()) put(scratch.correction[row].v, cut(change.correction, s.settings.max_linear_speed));
+    if (!scratch.free_correction.empty())
+        put(scratch.free_correction[row].v, cut(change.correction, s.settings.max_linear_speed));
 }
 void write_angular(State& s, std::size_t row, const Increment& change) {
     SolverScratch& scratch = s.solver;
     put(scratch.drive[row].w, cut(change.velocity, s.settings.max_angular_speed));
-    if (!scratch.correction.empty()) put(scratch.correction[row].w, cut(change.correction, s.settings.max_angular_speed));
+    if (!scratch.free_correction.empty())
+        put(scratch.free_correction[row].w, cut(change.correction, s.settings.max_angular_speed));
 }
 
-bool is_gyroscopic(const State& s, std::int32_t b, float h) {
-    const BodyMass& mass = s.mass[std::size_t(b)];
-    if (mass.isotropic) return false;
-    const math::Vec3 w = s.motion[std::size_t(b)].w;
-    const float least = s.bodies[std::size_t(b)].colors == 0 ? least_turn_free : least_turn_in_contact;
-    return s.forces[std::size_t(b)].any || h * h * math::dot(w, w) > least * least;
-}
-
-void spin_row(State& s, std::size_t row, float h) {
-    SolverScratch& scratch = s.solver;
+Increment spin_increment(const State& s, std::size_t row, DVec3 w, float h) {
+    const SolverScratch& scratch = s.solver;
     const std::int32_t b = scratch.row_bodies[row];
     const BodyMass& mass = s.mass[std::size_t(b)];
+    const DVec3 torque = s.forces[std::size_t(b)].torque;
+    const bool in_contact = s.bodies[std::size_t(b)].colors != 0;
+    const double least = in_contact ? least_turn_in_contact : least_turn_free;
+    if (mass.isotropic || !(double(h) * h * math::dot(w, w) > least * least)) {
+        const SolverInertia& i = scratch.inertia[row];
+        const math::DSym3 inverse{i.xx, i.xy, i.xz, i.yy, i.yz, i.zz};
+        return translate(s.settings.integrator, double(h) * (inverse * torque));
+    }
     const Spin spin{math::to_double(mass.inertia), math::to_double(mass.inverse_inertia),
                     math::normalized(math::to_double(mass.principal))};
     const float* dq = scratch.pose[row].dq;
     const DQuat q = math::normalized(DQuat{dq[0], dq[1], dq[2], dq[3]} * s.motion[std::size_t(b)].q);
-    const DVec3 w = row_vector(scratch.velocity[row].w), torque = s.forces[std::size_t(b)].torque;
-    Increment change;
     switch (s.settings.integrator) {
-    case Integrator::semi_implicit_euler: change = midpoint_spin(spin, q, w, torque, h); break;
-    case Integrator::explicit_euler: change = explicit_spin(spin, q, w, torque, h); break;
-    case Integrator::rk4: change = rk4_spin(spin, q, w, torque, h); break;
+    case Integrator::semi_implicit_euler: return midpoint_spin(spin, q, w, torque, h);
+    case Integrator::explicit_euler: return explicit_spin(spin, q, w, torque, h);
+    case Integrator::rk4: return rk4_spin(spin, q, w, torque, h);
     }
+    return {};
+}
+
+// What the kernel will make of it: v + drive, rounded. The rest is kept for the next substep, so that a thousand
+// roundings of a free flight do not add up.
+void keep_rest(const float* v, const float* drive, float* rest, DVec3 target) {
+    for (int i = 0; i < 3; ++i) {
+        const float rounded = v[i] + drive[i];
+        rest[i] = float(target[i] - double(rounded));
+    }
+}
+
+// A body that touches nothing, wholly in double.
+void update_free_row(State& s, std::size_t row, float h) {
+    SolverScratch& scratch = s.solver;
+    const std::int32_t b = scratch.row_bodies[row];
+    const BodyMass& mass = s.mass[std::size_t(b)];
+    const SolverVelocity& velocity = scratch.velocity[row];
+    SolverTwist& rest = scratch.rest[row];
+    const DVec3 v = row_vector(velocity.v) + row_vector(rest.v), w = row_vector(velocity.w) + row_vector(rest.w);
+    if (mass.inverse_mass > 0) {
+        const DVec3 x = s.motion[std::size_t(b)].x + row_vector(scratch.pose[row].dx);
+        Increment change = linear_increment(s, load_on(s, b), x, v, h);
+        change.velocity += row_vector(rest.v);
+        write_linear(s, row, change);
+        keep_rest(velocity.v, scratch.drive[row].v, rest.v, row_vector(velocity.v) + change.velocity);
+    }
+    Increment change = spin_increment(s, row, w, h);
+    change.velocity += row_vector(rest.w);
     write_angular(s, row, change);
+    keep_rest(velocity.w, scratch.drive[row].w, rest.w, row_vector(velocity.w) + change.velocity);
 }
 
 // The factor exp(-c h) for a damping rate c: one over the first terms of exp(c h), so it never changes sign.
@@ -214,33 +244,42 @@ DVec3 field_acceleration(const State& s, DVec3 x, float gravity_scale, double in
     return a;
 }
 
-void prepare_free_motion(State& s, float h) {
+void prepare_free_motion(State& s, float h, bool corrects) {
     SolverScratch& scratch = s.solver;
     const std::size_t rows = scratch.row_bodies.size();
     scratch.drive.assign(rows, {});
-    scratch.gyroscopic_rows.clear();
-    for (std::size_t row = 0; row < rows; ++row) {
-        const std::int32_t b = scratch.row_bodies[row];
-        if (b != none && s.is_dynamic(b) && is_gyroscopic(s, b, h)) scratch.gyroscopic_rows.push_back(std::int32_t(row));
-    }
-    scratch.correction.clear();
-    if (!scratch.gyroscopic_rows.empty() || s.settings.integrator != Integrator::semi_implicit_euler)
-        scratch.correction.assign(rows, {});
+    scratch.rest.assign(rows, {});
+    scratch.free_rows.clear();
+    scratch.spinning_rows.clear();
+    scratch.free_correction.clear();
+    scratch.corrects = corrects;
     scratch.drive_varies = fields_vary(s);
+    prepare_damping(s, h);
+    bool turns = false;
     for (std::size_t row = 0; row < rows; ++row) {
         const std::int32_t b = scratch.row_bodies[row];
         if (b == none || !s.is_dynamic(b)) continue;
         const BodyMass& mass = s.mass[std::size_t(b)];
-        if (mass.inverse_mass > 0)
-            write_linear(s, row, linear_increment(s, load_on(s, b), s.motion[std::size_t(b)].x, math::to_double(s.motion[std::size_t(b)].v), h));
-        if (s.forces[std::size_t(b)].any) {
-            const SolverInertia& i = scratch.inertia[row];
-            const math::DSym3 inverse{i.xx, i.xy, i.xz, i.yy, i.yz, i.zz};
-            write_angular(s, row, translate(s.settings.integrator, double(h) * (inverse * s.forces[std::size_t(b)].torque)));
+        turns |= !mass.isotropic;
+        if (s.bodies[std::size_t(b)].colors == 0 && scratch.damping.empty()) {
+            scratch.free_rows.push_back(std::int32_t(row));
+            put(scratch.rest[row].v, s.motion[std::size_t(b)].v_rest);
+            put(scratch.rest[row].w, s.motion[std::size_t(b)].w_rest);
+        } else if (!mass.isotropic) {
+            scratch.spinning_rows.push_back(std::int32_t(row));
         }
     }
-    for (const std::int32_t row : scratch.gyroscopic_rows) spin_row(s, std::size_t(row), h);
-    prepare_damping(s, h);
+    if (turns || corrects || s.settings.integrator != Integrator::semi_implicit_euler)
+        scratch.free_correction.assign(rows, {});
+    scratch.correction = scratch.free_correction;
+    for (std::size_t row = 0; row < rows; ++row) {
+        const std::int32_t b = scratch.row_bodies[row];
+        if (b == none || !s.is_dynamic(b)) continue;
+        const BodyMotion& motion = s.motion[std::size_t(b)];
+        if (s.mass[std::size_t(b)].inverse_mass > 0)
+            write_linear(s, row, linear_increment(s, load_on(s, b), motion.x, math::to_double(motion.v), h));
+        if (s.forces[std::size_t(b)].any) write_angular(s, row, spin_increment(s, row, math::to_double(motion.w), h));
+    }
 }
 
 void update_free_motion(State& s, float h) {
@@ -252,7 +291,10 @@ void update_free_motion(State& s, float h) {
             const DVec3 x = s.motion[std::size_t(b)].x + row_vector(scratch.pose[row].dx);
             write_linear(s, row, linear_increment(s, load_on(s, b), x, row_vector(scratch.velocity[row].v), h));
         }
-    for (const std::int32_t row : scratch.gyroscopic_rows) spin_row(s, std::size_t(row), h);
+    for (const std::int32_t row : scratch.free_rows) update_free_row(s, std::size_t(row), h);
+    for (const std::int32_t row : scratch.spinning_rows)
+        write_angular(s, std::size_t(row), spin_increment(s, std::size_t(row), row_vector(scratch.velocity[std::size_t(row)].w), h));
+    scratch.correction = scratch.free_correction;
 }
 
 } // namespace cairn

@@ -78,7 +78,8 @@ void put_to_sleep(State& state, std::int32_t i) {
     leave_awake_list(state, i);
     Island& island = island_at(state, i);
     for (std::int32_t b = island.first_body; b != none; b = body_at(state, b).next_in_island) {
-        state.motion[std::size_t(b)].v = state.motion[std::size_t(b)].w = {};
+        BodyMotion& motion = state.motion[std::size_t(b)];
+        motion.v = motion.w = motion.v_rest = motion.w_rest = {};
         state.sleeps.push_back({state.body_id(b), true});
     }
     state.falling_asleep.push_back(i);

@@ -184,7 +184,7 @@ void run_substeps(State& s, const Bin& bin, float dt, bool bounces) {
                               scratch.damping.empty() ? nullptr : scratch.damping.data(),
                               scratch.correction.empty() ? nullptr : scratch.correction.data()};
     for (int substep = 0; substep < bin.substeps; ++substep) {
-        if (substep > 0) update_free_motion(s, h);
+        update_free_motion(s, h);
         k.solver.integrate_velocities(bodies, first_body_row, rows, substep == 0);
         if (bounces) bounce_all(s, bodies, bounce);
         if (substep == 0)
@@ -193,12 +193,15 @@ void run_substeps(State& s, const Bin& bin, float dt, bool bounces) {
         velocity[discard_row] = {};
         k.solver.integrate_poses(bodies, 0, rows, h);
         for (const BlockRun& run : scratch.runs)
-            kernels_for(run).relax(blocks_of(scratch, run), run.count, velocity, scratch.pose.data(), softness);
+            kernels_for(run).relax(blocks_of(scratch, run), run.count, bodies, softness);
     }
 }
 
 // Moves a body by what its row has moved. What is not finite any more stops where it was, and is counted.
-void scatter_body(State& s, std::int32_t b, const SolverVelocity& velocity, const SolverPose& pose, bool dynamic) {
+void scatter_body(State& s, std::int32_t b, std::size_t row) {
+    const SolverVelocity& velocity = s.solver.velocity[row];
+    const SolverPose& pose = s.solver.pose[row];
+    const SolverTwist& rest = s.solver.rest[row];
     BodyMotion& motion = s.motion[std::size_t(b)];
     const math::DVec3 dx = math::to_double(math::Vec3{pose.dx[0], pose.dx[1], pose.dx[2]});
     const math::Quat dq{pose.dq[0], pose.dq[1], pose.dq[2], pose.dq[3]};
@@ -212,8 +215,12 @@ void scatter_body(State& s, std::int32_t b, const SolverVelocity& velocity, cons
     motion.x += dx;
     motion.q = math::normalized(math::to_double(dq) * motion.q);
     s.turned[std::size_t(b)] = dq;
-    if (!dynamic) return;
-    if (clamp_velocity(s.settings, v, w)) ++s.clamped_speeds;
+    motion.v_rest = {rest.v[0], rest.v[1], rest.v[2]};
+    motion.w_rest = {rest.w[0], rest.w[1], rest.w[2]};
+    if (clamp_velocity(s.settings, v, w)) {
+        ++s.clamped_speeds;
+        motion.v_rest = motion.w_rest = {};
+    }
     motion.v = v;
     motion.w = w;
 }
@@ -224,10 +231,10 @@ void solve_bin(State& s, const Bin& bin, float dt) {
     gather_bodies(s, bin);
     fill_lanes(s, bin, h);
     fill_rows(s);
-    prepare_free_motion(s, h);
     bool bounces = false;
     for (std::int32_t k = 0; k < bin.contact_count; ++k)
         bounces |= s.contacts[scratch.sorted[std::size_t(bin.first_contact + k)]].bounces != 0;
+    prepare_free_motion(s, h, bounces);
     for (const BlockRun& run : scratch.runs)
         kernels_for(run).prepare(blocks_of(scratch, run), run.count, lanes_of(scratch, run), s.records.data(),
                                  scratch.inertia.data(), friction_margin);
@@ -238,7 +245,7 @@ void solve_bin(State& s, const Bin& bin, float dt) {
         const std::int32_t b = scratch.row_bodies[row];
         if (b == none) continue;
         s.bodies[std::size_t(b)].row = none;
-        if (s.is_dynamic(b)) scatter_body(s, b, scratch.velocity[row], scratch.pose[row], true);
+        if (s.is_dynamic(b)) scatter_body(s, b, row);
     }
 }
 

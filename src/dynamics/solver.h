@@ -15,9 +15,10 @@ void solve_bins(State& state, float dt);
 
 // --- free motion (free_motion.cpp)
 
-// Fills drive, damping and correction of the bin's rows for a substep of h seconds.
-void prepare_free_motion(State& state, float h);
-// What of them depends on the pose or the velocity, anew for each substep.
+// Fills drive, damping and correction of the bin's rows for substeps of h seconds. `corrects`: there must be
+// corrections, because something else will add to them.
+void prepare_free_motion(State& state, float h, bool corrects);
+// At the start of each substep: what of them depends on the pose or the velocity.
 void update_free_motion(State& state, float h);
 // Gravity and fields at a point, m/s^2 (for a body of that mass and gravity scale).
 math::DVec3 field_acceleration(const State& state, math::DVec3 x, float gravity_scale, double inverse_mass);

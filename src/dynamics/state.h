@@ -26,6 +26,7 @@ struct BodyMotion {
     math::DVec3 x; // center of mass, world
     math::DQuat q; // of the body's frame
     math::Vec3 v, w;
+    math::Vec3 v_rest, w_rest; // what rounding has left over of v and w, while nothing touches the body
 };
 
 struct BodyMass {

@@ -2,13 +2,13 @@
 // solver sees them. Contacts are taken one after another with the velocities that they then have, and the pass
 // is repeated until nothing bounces, so that an impact travels through a row of touching balls (Newton's cradle).
 //
-// The rebound speed keeps the energy exact for a constant relative acceleration a (closing, along the normal),
-// although the bounce happens somewhat before the surface is reached. The discrete path is a parabola whose speed
-// at the start of the substep is the stored speed |v| (which has this substep's h a in it already) less o h a:
-// o = 1/2 for semi-implicit Euler, which moves with the velocity of the end of the substep; 1 for exact
-// integration; 3/2 for explicit Euler. From u = |v| - o h a at a gap s the surface is met at u^2 + 2 a s, and left at
-// e^2 of that. The parabola through the next position has that energy when the new velocity is
-//   V = -o h a + sqrt(e^2 (u^2 + 2 a s) - 2 a s).
+// Energy and time are exact for a constant closing acceleration a. The discrete path is a parabola; its closing speed
+// at the start of the substep is the stored speed |v| (which has this substep's h a in it already) less o h a, where
+// o = 1/2 for semi-implicit Euler, which moves with the velocity of the end of the substep; 1 for exact integration;
+// 3/2 for explicit Euler. From u = |v| - o h a at a gap s, the surface is met with w = sqrt(u^2 + 2 a s) after
+// t = 2 s / (u + w), left with e w, and at the end of the substep the speed is e w - a (h - t), (1 - o) h a more in the
+// stored convention, and the gap e w (h - t) - a (h - t)^2 / 2. What the pose must move beside the stored velocity to
+// get there goes to velocity_correction.
 #include "kernels/solver.h"
 
 namespace cairn::CAIRN_ISA {
@@ -20,7 +20,12 @@ constexpr int point_sweeps = 12; // Gauss-Seidel sweeps over the four points of 
 struct Bounce {
     mask8 lanes;     // where anything bounces
     f32x8 impulse[4];
+    f32x8 correction; // of the pose's velocity, in units of the change of velocity
 };
+
+CAIRN_INLINE Velocityx8 gather_twist(const SolverTwist* rows, const std::int32_t* row) {
+    return gather_velocity(reinterpret_cast<const SolverVelocity*>(rows), row);
+}
 
 CAIRN_INLINE f32x8 closing_acceleration(const Velocityx8& drive_a, const Velocityx8& drive_b, Vec3x8 normal, Vec3x8 c,
                                         Vec3x8 arm, f32x8 inverse_h) {
@@ -28,13 +33,22 @@ CAIRN_INLINE f32x8 closing_acceleration(const Velocityx8& drive_a, const Velocit
     return max(-(dv * inverse_h), zero());
 }
 
-// Rebound speed for an approach speed and a gap; 0 where the bounce does not leave the surface.
-CAIRN_INLINE f32x8 rebound_speed(f32x8 approach, f32x8 gap, f32x8 acceleration, f32x8 restitution, const BounceSettings& settings) {
-    const f32x8 ah = acceleration * splat(settings.h), offset = splat(settings.velocity_offset);
+struct Rebound {
+    f32x8 velocity;   // stored at the end of the substep, opening
+    f32x8 correction; // to move the pose by, beside it
+};
+
+CAIRN_INLINE Rebound rebound(f32x8 approach, f32x8 gap, f32x8 acceleration, f32x8 restitution, f32x8 other_correction,
+                             const BounceSettings& settings) {
+    const f32x8 h = splat(settings.h), ah = acceleration * h, offset = splat(settings.velocity_offset);
     const f32x8 u = max(approach - offset * ah, zero());
-    const f32x8 two_as = splat(2.0f) * acceleration * gap;
-    const f32x8 square = restitution * restitution * (u * u + two_as) - two_as;
-    return max(sqrt(max(square, zero())) - offset * ah, zero());
+    const f32x8 w = sqrt(u * u + splat(2.0f) * acceleration * gap);
+    const f32x8 t = min(splat(2.0f) * gap / max(u + w, splat(1e-20f)), h), left = h - t;
+    const f32x8 leave = restitution * w;
+    const f32x8 end_gap = max(left * (leave - splat(0.5f) * acceleration * left), zero());
+    // It does not come down again in the same substep: what is that slow stays on the surface.
+    const f32x8 velocity = max(leave - acceleration * left + (one() - offset) * ah, zero());
+    return {velocity, (end_gap - gap) / h - velocity - other_correction};
 }
 
 template <int N>
@@ -51,15 +65,19 @@ CAIRN_INLINE Bounce find_bounce(const ContactBlock<N>& block, const SolverBodies
         bounce.lanes = bounce.lanes | arrives[i];
     }
     if (!any(bounce.lanes)) return bounce;
-    auto as_velocity = [&](const std::int32_t* row) {
-        return gather_velocity(reinterpret_cast<const SolverVelocity*>(bodies.drive), row);
-    };
-    const Velocityx8 drive_a = as_velocity(block.a), drive_b = as_velocity(block.b);
-    f32x8 target[N];
+    const Velocityx8 drive_a = gather_twist(bodies.drive, block.a), drive_b = gather_twist(bodies.drive, block.b);
+    const Velocityx8 other_a = gather_twist(bodies.velocity_correction, block.a);
+    const Velocityx8 other_b = gather_twist(bodies.velocity_correction, block.b);
+    f32x8 target[N], change = zero(), correction = zero();
     for (int i = 0; i < N; ++i) {
         const f32x8 acceleration = closing_acceleration(drive_a, drive_b, normal, c, arm[i], inverse_h);
-        target[i] = rebound_speed(-v[i], max(load(block.separation[i]), zero()), acceleration, restitution, settings);
+        const f32x8 other = dot(normal, other_b.v - other_a.v) + dot(c, other_b.w) + dot(arm[i], other_b.w - other_a.w);
+        const Rebound r = rebound(-v[i], max(load(block.separation[i]), zero()), acceleration, restitution, other, settings);
+        target[i] = r.velocity;
+        change += select(arrives[i], r.velocity - v[i], zero());
+        correction += select(arrives[i], r.correction, zero());
     }
+    bounce.correction = select(change > zero(), correction / max(change, splat(1e-20f)), zero());
     for (int sweep = 0; sweep < (N > 1 ? point_sweeps : 1); ++sweep)
         for (int i = 0; i < N; ++i) {
             const f32x8 old = bounce.impulse[i];
@@ -85,6 +103,12 @@ CAIRN_INLINE Vec3x8 impact_friction(const ContactBlock<N>& block, Vec3x8 normal,
     const f32x8 size = sqrt(p1 * p1 + p2 * p2), limit = load(block.friction) * load_sum;
     const f32x8 scale = min(limit / (size + splat(1e-20f)), one());
     return scale * (p1 * t1 + p2 * t2);
+}
+
+CAIRN_INLINE void add_to_rows(SolverVelocity* rows, const std::int32_t* row, const std::int32_t* write, const Velocityx8& change, f32x8 factor) {
+    Velocityx8 r = gather_velocity(rows, row);
+    r = {r.v + factor * change.v, r.w + factor * change.w};
+    scatter_velocity(rows, write, r);
 }
 
 } // namespace
@@ -120,12 +144,13 @@ template <int N> int bounce_contacts(void* blocks, int count, const SolverBodies
         apply_friction(block, load3(block.center), load3(block.d), p, zero3(), a, b);
         scatter_velocity(bodies.velocity, block.write_a, a);
         scatter_velocity(bodies.velocity, block.write_b, b);
+        const Velocityx8 change_a = {a.v - before_a.v, a.w - before_a.w}, change_b = {b.v - before_b.v, b.w - before_b.w};
         // The same change to the reference: the bounce is over, and must not be carried into the next substep.
-        Velocityx8 ra = gather_velocity(bodies.reference, block.a), rb = gather_velocity(bodies.reference, block.b);
-        ra = {ra.v + (a.v - before_a.v), ra.w + (a.w - before_a.w)};
-        rb = {rb.v + (b.v - before_b.v), rb.w + (b.w - before_b.w)};
-        scatter_velocity(bodies.reference, block.write_a, ra);
-        scatter_velocity(bodies.reference, block.write_b, rb);
+        add_to_rows(bodies.reference, block.a, block.write_a, change_a, one());
+        add_to_rows(bodies.reference, block.b, block.write_b, change_b, one());
+        auto* correction = reinterpret_cast<SolverVelocity*>(bodies.velocity_correction);
+        add_to_rows(correction, block.a, block.write_a, change_a, bounce.correction);
+        add_to_rows(correction, block.b, block.write_b, change_b, bounce.correction);
     }
     return bounced;
 }

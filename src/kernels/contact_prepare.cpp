@@ -11,12 +11,16 @@ constexpr float unused_separation = 1e9f;   // points at least this far apart ar
 constexpr float least_friction_weight = 0.01f;
 alignas(64) const ContactRecord empty_record = {
     {0, 1, 0}, 0, {0, 0, 0}, 0, {{0, 0, 0, 1e30f}, {0, 0, 0, 1e30f}, {0, 0, 0, 1e30f}, {0, 0, 0, 1e30f}},
-    {0, 0, 0, 0}, {0, 0, 0}, 0, {0, 0, 0, 0}, 0, 0, 0, 0};
+    {0, 0, 0, 0}, {0, 0, 0}, 0, {0, 0, 0, 0}, 0, 0, 0, 0, 0, 0};
 
 struct Inertiax8 {
     f32x8 inverse_mass;
     Sym3x8 inverse_inertia;
 };
+
+CAIRN_INLINE bool is_movable(const SolverInertia& i) {
+    return i.inverse_mass > 0.0f || i.xx > 0.0f || i.yy > 0.0f || i.zz > 0.0f;
+}
 
 CAIRN_INLINE Inertiax8 gather_inertia(const SolverInertia* rows, const std::int32_t* row) {
     const float* p[8];
@@ -129,8 +133,8 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
         record[i] = ids[i] >= 0 ? records + ids[i] : &empty_record;
         block.a[i] = row_a[i];
         block.b[i] = row_b[i];
-        block.write_a[i] = inertia[row_a[i]].inverse_mass > 0.0f ? row_a[i] : discard_row;
-        block.write_b[i] = inertia[row_b[i]].inverse_mass > 0.0f ? row_b[i] : discard_row;
+        block.write_a[i] = is_movable(inertia[row_a[i]]) ? row_a[i] : discard_row;
+        block.write_b[i] = is_movable(inertia[row_b[i]]) ? row_b[i] : discard_row;
     }
     const Inertiax8 a = gather_inertia(inertia, row_a), b = gather_inertia(inertia, row_b);
     Vec3x8 normal, d;
@@ -139,6 +143,7 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
     gather_field(record, offsetof(ContactRecord, center_offset), d.x, d.y, d.z, restitution);
     const Vec3x8 c = cross(d, normal);
     store3(block.normal, normal);
+    store3(block.d0, d);
     store3(block.d, d);
     store3(block.c, c);
     store(block.friction, friction);
@@ -155,6 +160,12 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
     store(block.static_friction, static_friction);
     store(block.rolling_radius, rolling_radius);
     store(block.torsion_radius, torsion_radius);
+    if constexpr (N == 1) {
+        f32x8 radius_a, radius_b;
+        gather_field(record, offsetof(ContactRecord, radius_a), radius_a, radius_b, unused, unused);
+        store(block.radius_a, radius_a);
+        store(block.radius_b, radius_b);
+    }
 
     const Vec3x8 center = prepare_points<N>(block, record, normal, c, a, b, friction_margin);
     prepare_friction<N>(block, record, normal, d, center, a, b);

@@ -53,18 +53,29 @@ CAIRN_INLINE Vec3x8 turned_back_difference(Quatx8 q, Vec3x8 n) {
     const Vec3x8 g = cross(q.v, n);
     return splat(2.0f) * (cross(q.v, g) - q.w * g);
 }
+// The surface of a sphere does not turn with it: only its center, a radius R from the point, is a point of the body.
+// Turning the material point would lift it by R (1 - cos), and a rolling ball would lose its weight; R (delta.n) per
+// sphere takes that out again.
+// Also brings d and c up to the new poses, so that both bodies are pushed at one point of the world and angular
+// momentum is kept while they pass each other; returns by how much d changed.
 template <int N>
-CAIRN_INLINE void refresh_separations(ContactBlock<N>& block, const SolverPose* pose, Vec3x8 normal, f32x8* s) {
+CAIRN_INLINE Vec3x8 refresh_separations(ContactBlock<N>& block, const SolverPose* pose, Vec3x8 normal, f32x8* s) {
     const Posex8 a = gather_pose(pose, block.a), b = gather_pose(pose, block.b);
-    const Vec3x8 delta_b = turned_back_difference(b.dq, normal);
-    const Vec3x8 difference = delta_b - turned_back_difference(a.dq, normal);
-    const f32x8 common = dot(normal, b.dx - a.dx) + dot(delta_b, load3(block.d));
+    const Vec3x8 delta_a = turned_back_difference(a.dq, normal), delta_b = turned_back_difference(b.dq, normal);
+    const Vec3x8 difference = delta_b - delta_a, d0 = load3(block.d0);
+    f32x8 common = dot(normal, b.dx - a.dx) + dot(delta_b, d0);
+    if constexpr (N == 1)
+        common += load(block.radius_a) * dot(delta_a, normal) + load(block.radius_b) * dot(delta_b, normal);
     const Vec3x8 e = cross(difference, normal);
     const f32x8 f = dot(difference, normal);
     for (int i = 0; i < N; ++i) {
         s[i] = load(block.separation0[i]) + (common + (load(block.height[i]) * f + dot(load3(block.arm[i]), e)));
         store(block.separation[i], s[i]);
     }
+    const Vec3x8 d = d0 + (a.dx - b.dx), change = d - load3(block.d);
+    store3(block.d, d);
+    store3(block.c, cross(d, normal));
+    return change;
 }
 
 template <int N> void warm_start(const void* blocks, int count, SolverVelocity* velocity) {
@@ -155,16 +166,19 @@ template <int N> void solve(void* blocks, int count, SolverVelocity* velocity, c
     }
 }
 
-// The rigid sweep of the normal rows: only approach beyond the gap is stopped.
+// The rigid sweep of the normal rows: only approach beyond the gap is stopped. Not that of contacts that will bounce:
+// they must arrive with all of their speed.
 template <int N>
 CAIRN_INLINE SweepSums relax_normals(ContactBlock<N>& block, const f32x8* s, f32x8* v, const Vec3x8* arm, f32x8 inverse_h) {
     SweepSums sums = {zero(), zero3(), zero(), zero()};
     Row rows[N];
+    const mask8 bounces = load(block.restitution) > zero();
     for (int i = 0; i < N; ++i) {
-        rows[i].mass = load(block.effective_mass[i]);
+        rows[i].old = rows[i].impulse = load(block.impulse[i]);
+        const mask8 flies = bounces & (s[i] > zero()) & (rows[i].old <= zero());
+        rows[i].mass = select(flies, zero(), load(block.effective_mass[i]));
         rows[i].bias = rows[i].mass * (max(s[i], zero()) * inverse_h);
         rows[i].keep = zero();
-        rows[i].old = rows[i].impulse = load(block.impulse[i]);
     }
     sweep_points<N>(block, rows, v);
     for (int i = 0; i < N; ++i) {
@@ -243,24 +257,39 @@ CAIRN_INLINE void solve_rolling(ContactBlock<N>& block, f32x8 load_sum, Velocity
     b.w = b.w + ib * change;
 }
 
+// What is carried into the next substep (velocity less reference) was pushed at the old d: moved to the new one.
 template <int N>
-void relax(void* blocks, int count, SolverVelocity* velocity, const SolverPose* pose, const ContactSoftness& softness) {
+CAIRN_INLINE void move_carried_impulse(const ContactBlock<N>& block, SolverVelocity* reference, Vec3x8 normal, Vec3x8 d_change) {
+    if (!any(load(block.mass_b) > zero())) return;
+    const Vec3x8 t1 = load3(block.tangent), t2 = cross(t1, normal);
+    f32x8 sum = zero();
+    for (int i = 0; i < N; ++i) sum += load(block.impulse[i]);
+    const Vec3x8 impulse =
+        sum * normal + (load(block.tangent_impulse[0]) * t1 + load(block.tangent_impulse[1]) * t2);
+    Velocityx8 b = gather_velocity(reference, block.b);
+    b.w = b.w - load6(block.inertia_b) * cross(d_change, impulse);
+    scatter_velocity(reference, block.write_b, b);
+}
+
+template <int N> void relax(void* blocks, int count, const SolverBodies& bodies, const ContactSoftness& softness) {
     auto* all = static_cast<ContactBlock<N>*>(blocks);
     const f32x8 inverse_h = splat(softness.inverse_h);
     for (int k = 0; k < count; ++k) {
         ContactBlock<N>& block = all[k];
-        const Vec3x8 normal = load3(block.normal), c = load3(block.c);
+        const Vec3x8 normal = load3(block.normal);
         f32x8 s[N], v[N];
         Vec3x8 arm[N];
-        refresh_separations<N>(block, pose, normal, s);
-        Velocityx8 a = gather_velocity(velocity, block.a), b = gather_velocity(velocity, block.b);
+        const Vec3x8 d_change = refresh_separations<N>(block, bodies.pose, normal, s);
+        move_carried_impulse<N>(block, bodies.reference, normal, d_change);
+        const Vec3x8 c = load3(block.c);
+        Velocityx8 a = gather_velocity(bodies.velocity, block.a), b = gather_velocity(bodies.velocity, block.b);
         normal_velocities<N>(block, a, b, normal, c, v, arm);
         const SweepSums sums = relax_normals<N>(block, s, v, arm, inverse_h);
         apply_normal(block, normal, c, sums.impulse, sums.torque, a, b);
         solve_friction<N>(block, sums, normal, a, b);
         if (any(load(block.rolling_radius) > zero())) solve_rolling<N>(block, sums.load, a, b);
-        scatter_velocity(velocity, block.write_a, a);
-        scatter_velocity(velocity, block.write_b, b);
+        scatter_velocity(bodies.velocity, block.write_a, a);
+        scatter_velocity(bodies.velocity, block.write_b, b);
     }
 }
 

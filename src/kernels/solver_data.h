@@ -56,6 +56,7 @@ struct alignas(64) ContactRecord {
     float rolling_radius;      // combined lever arm of rolling resistance, m
     float torsion_radius;      // combined patch radius for one-point contacts, m
     float approach_speed;      // greatest approach speed of its points when it began, for hit events
+    float radius_a, radius_b;  // one-point contacts: of a sphere, from its center to the point; 0 for others
 };
 
 // One block of 8 contacts with N points each, 8 lanes side by side. Built by prepare, used by all substeps.
@@ -65,14 +66,16 @@ template <int N> struct alignas(64) ContactBlock {
     static constexpr int cross_terms = N == 4 ? 6 : 1;
     std::int32_t a[8], b[8];             // rows of the bodies
     std::int32_t write_a[8], write_b[8]; // where their velocities go: the same rows, or discard_row
-    float normal[3][8], c[3][8], mass_a[8], mass_b[8], inertia_a[6][8], inertia_b[6][8];
+    float normal[3][8], c[3][8]; // c as of the last poses, like d below
+    float mass_a[8], mass_b[8], inertia_a[6][8], inertia_b[6][8];
     float arm[N][3][8];                 // j_i
     float effective_mass[N][8];         // 1 / K_ii; 0 for unused points
     float self[N][8];                   // K_ii; 0 for unused points
     float coupling[cross_terms][8];     // K_ij, i < j, in the order 01 02 03 12 13 23
     float impulse[N][8], separation[N][8];
     float separation0[N][8], height[N][8]; // separation at the start of the step; r_i . n
-    float d[3][8];                      // x_A - x_B at the start of the step
+    float d0[3][8], d[3][8];            // x_A - x_B at the start of the step, and as of the last poses
+    float radius_a[8], radius_b[8];     // of spheres, see refresh_separations
     float tangent[3][8], center[3][8];  // first tangent; arm of the friction center
     float tangent_mass[3][8];           // inverse of the 2x2 tangential K: 11, 12, 22
     float torsion_mass[8], torsion_coupling[2][8];
@@ -107,7 +110,7 @@ struct SolverBodies {
     const SolverInertia* inertia;
     const SolverTwist* drive;    // what external forces add to the velocity in one substep
     const SolverTwist* damping;  // factors on the velocity, one substep; null: none
-    const SolverTwist* velocity_correction; // what to add to the velocity to move the pose by; null: none
+    SolverTwist* velocity_correction; // what to add to the velocity to move the pose by; null: none
 };
 
 struct BounceSettings {
@@ -122,9 +125,9 @@ struct SolverKernels {
         void (*prepare)(void* blocks, int count, const ContactLanes& lanes, const ContactRecord* records,
                         const SolverInertia* inertia, float friction_margin);
         void (*warm_start)(const void* blocks, int count, SolverVelocity* velocity);
+        // `bounce` changes velocity_correction, which must be there.
         void (*solve)(void* blocks, int count, SolverVelocity* velocity, const ContactSoftness& softness);
-        void (*relax)(void* blocks, int count, SolverVelocity* velocity, const SolverPose* pose,
-                      const ContactSoftness& softness);
+        void (*relax)(void* blocks, int count, const SolverBodies& bodies, const ContactSoftness& softness);
         int (*bounce)(void* blocks, int count, const SolverBodies& bodies, const BounceSettings& settings);
         void (*store)(const void* blocks, int count, const ContactLanes& lanes, ContactRecord* records);
     } one_point, four_points;

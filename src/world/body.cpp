@@ -174,6 +174,7 @@ void Body::set_linear_velocity(const Vec3& velocity) {
     require_finite("Body::set_linear_velocity", velocity);
     require_moving(a, "Body::set_linear_velocity");
     a.motion().v = to_math(velocity);
+    a.motion().v_rest = {};
     if (clamp_velocity(s.settings, a.motion().v, a.motion().w)) ++s.clamped_speeds;
     wake_body(s, a.index());
 }
@@ -182,6 +183,7 @@ void Body::set_angular_velocity(const Vec3& velocity) {
     require_finite("Body::set_angular_velocity", velocity);
     require_moving(a, "Body::set_angular_velocity");
     a.motion().w = to_math(velocity);
+    a.motion().w_rest = {};
     if (clamp_velocity(s.settings, a.motion().v, a.motion().w)) ++s.clamped_speeds;
     wake_body(s, a.index());
 }

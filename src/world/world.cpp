@@ -120,7 +120,7 @@ BodyId World::create_body(const BodyDef& def) {
     s.body_settings[b] = {def.gravity_scale, def.linear_damping, def.angular_damping, def.type, def.allow_sleep, {}};
     const Quat q = checked_rotation("BodyDef.rotation", def.rotation);
     s.motion[b] = {to_math(def.position), math::normalized(math::to_double(to_math(q))), to_math(def.linear_velocity),
-                   to_math(def.angular_velocity)};
+                   to_math(def.angular_velocity), {}, {}};
     if (def.type == BodyType::static_) s.motion[b].v = s.motion[b].w = {};
     impl_->names[b] = def.name;
     impl_->user_data[b] = def.user_data;

@@ -29,8 +29,10 @@ TEST(Allocation, SettledPileThatIsAwakeAllocatesNothing) {
     add_ground(world);
     for (int i = 0; i < 150; ++i) {
         const Position p(0.9 * (i % 5), 0.6 + 0.8 * (i / 25), 0.9 * (i / 5 % 5));
-        if (i % 2) add_body(world, body_at(p), Sphere{0.35f});
-        else add_body(world, body_at(p), Box{{0.3f, 0.35f, 0.4f}});
+        if (i % 2)
+            add_body(world, body_at(p), Sphere{0.35f});
+        else
+            add_body(world, body_at(p), Box{{0.3f, 0.35f, 0.4f}});
     }
     run(world, 900);
     EXPECT_GT(world.statistics().contacts, 150u);

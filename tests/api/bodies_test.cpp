@@ -39,17 +39,18 @@ TEST(Mass, SphereAndBoxHaveTheClosedForms) {
 TEST(Mass, CompoundFollowsTheParallelAxisTheorem) {
     World world;
     const BodyId id = world.create_body(body_at({10.0, 20.0, 30.0}));
-    world.add_shape(id, Box{{0.5f, 0.5f, 0.5f}}, shape_at({1.0f, 0.0f, 0.0f}));          // 1000 kg
-    world.add_shape(id, Box{{0.5f, 0.5f, 0.5f}}, shape_at({-2.0f, 0.0f, 0.0f}));         // 1000 kg
+    world.add_shape(id, Box{{0.5f, 0.5f, 0.5f}}, shape_at({1.0f, 0.0f, 0.0f}));  // 1000 kg
+    world.add_shape(id, Box{{0.5f, 0.5f, 0.5f}}, shape_at({-2.0f, 0.0f, 0.0f})); // 1000 kg
     ShapeDef heavy = shape_at({0.0f, 3.0f, 0.0f});
     heavy.density = 2000.0f;
-    world.add_shape(id, Box{{0.5f, 0.5f, 0.5f}}, heavy);                                  // 2000 kg
+    world.add_shape(id, Box{{0.5f, 0.5f, 0.5f}}, heavy); // 2000 kg
     const Body body = world.body(id);
     EXPECT_NEAR(body.mass(), 4000.0f, 0.01f);
     const Vec3 center(-0.25f, 1.5f, 0.0f);
     const MassProperties properties = body.mass_properties();
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(properties.center_of_mass[i], center[i], 1e-5f);
-    for (int i = 0; i < 3; ++i) EXPECT_NEAR(body.center_of_mass()[i], Position(10.0, 20.0, 30.0)[i] + double(center[i]), 1e-5);
+    for (int i = 0; i < 3; ++i)
+        EXPECT_NEAR(body.center_of_mass()[i], Position(10.0, 20.0, 30.0)[i] + double(center[i]), 1e-5);
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(body.position()[i], 10.0 * (i + 1), 1e-5) << "the origin stays";
     Mat3 expected(0.0f);
     const auto add_part = [&](float mass, const Vec3& at) {
@@ -169,15 +170,18 @@ TEST(Types, KinematicBodyMovesWithItsVelocityWhateverIsInItsWay) {
 
 TEST(Types, MoveToArrivesInTheGivenTime) {
     World world;
-    Body platform = world.body(add_body(world, body_at({1.0, 2.0, 3.0}, BodyType::kinematic), Box{}, shape_at({0.5f, 0.0f, 0.0f})));
+    Body platform =
+        world.body(add_body(world, body_at({1.0, 2.0, 3.0}, BodyType::kinematic), Box{}, shape_at({0.5f, 0.0f, 0.0f})));
     for (const int steps : {1, 30}) {
         for (const float angle : {0.0f, 0.001f, 1.0f, 3.0f}) {
             const Transform target{{4.0, -1.0, 2.0}, glm::angleAxis(angle, glm::normalize(Vec3(1.0f, -2.0f, 0.5f)))};
             platform.set_transform({1.0, 2.0, 3.0}, Quat(1, 0, 0, 0));
             platform.move_to(target, steps * frame);
             run(world, steps);
-            for (int i = 0; i < 3; ++i) EXPECT_NEAR(platform.position()[i], target.position[i], 1e-3) << "angle " << angle << " in " << steps;
-            EXPECT_NEAR(std::fabs(glm::dot(platform.rotation(), target.rotation)), 1.0f, 1e-5f) << "angle " << angle << " in " << steps;
+            for (int i = 0; i < 3; ++i)
+                EXPECT_NEAR(platform.position()[i], target.position[i], 1e-3) << "angle " << angle << " in " << steps;
+            EXPECT_NEAR(std::fabs(glm::dot(platform.rotation(), target.rotation)), 1.0f, 1e-5f)
+                << "angle " << angle << " in " << steps;
         }
     }
 }
@@ -303,7 +307,8 @@ TEST(Bodies, SettingThePlaceWhereABodyAlreadyIsChangesNothing) {
     Body body = world.body(id);
     const Position center = body.center_of_mass();
     body.set_position(body.position());
-    EXPECT_LT(glm::length(body.center_of_mass() - center), 1e-12) << "rotation must not be rounded by a change of position";
+    EXPECT_LT(glm::length(body.center_of_mass() - center), 1e-12)
+        << "rotation must not be rounded by a change of position";
 }
 
 TEST(Shapes, AreReadAsTheyWereGiven) {

@@ -91,7 +91,8 @@ TEST(CastRay, MeetsAPlaneFromAboveAndItsSolidSideFromBelow) {
 TEST(CastRay, MeetsARectangleWithinItsExtentsAndFromItsFrontOnly) {
     World world;
     // 2 m along x (the tangent) and 6 m along normal x tangent = -z.
-    add_body(world, body_at({0.0, 1.0, 0.0}, BodyType::static_), rectangle({0.0f, 1.0f, 0.0f}, {1.0f, 0.0f, 0.0f}, {1.0f, 3.0f}));
+    add_body(world, body_at({0.0, 1.0, 0.0}, BodyType::static_),
+             rectangle({0.0f, 1.0f, 0.0f}, {1.0f, 0.0f, 0.0f}, {1.0f, 3.0f}));
     const Vec3 down(0.0f, -1.0f, 0.0f);
     EXPECT_NEAR(world.cast_ray({0.9, 5.0, 2.9}, down, 100.0)->distance, 4.0, 1e-6);
     EXPECT_NEAR(world.cast_ray({-0.9, 5.0, -2.9}, down, 100.0)->distance, 4.0, 1e-6);
@@ -168,8 +169,10 @@ struct Scene {
             const BodyId body = world.create_body(def);
             ShapeDef shape = shape_at(vector());
             shape.rotation = Quat(1.5f, unit(random), unit(random), unit(random));
-            if (i % 2) shapes.push_back(world.add_shape(body, Sphere{size(random)}, shape));
-            else shapes.push_back(world.add_shape(body, Box{{size(random), size(random), size(random)}}, shape));
+            if (i % 2)
+                shapes.push_back(world.add_shape(body, Sphere{size(random)}, shape));
+            else
+                shapes.push_back(world.add_shape(body, Box{{size(random), size(random), size(random)}}, shape));
         }
     }
 };
@@ -243,7 +246,8 @@ TEST(OverlapBounds, FindsWhatBruteForceFinds) {
         std::vector<ShapeId> expected;
         for (const ShapeId shape : scene.shapes) {
             const Bounds b = scene.world.shape_bounds(shape);
-            if (glm::all(glm::lessThanEqual(b.min, box.max)) && glm::all(glm::lessThanEqual(box.min, b.max))) expected.push_back(shape);
+            if (glm::all(glm::lessThanEqual(b.min, box.max)) && glm::all(glm::lessThanEqual(box.min, b.max)))
+                expected.push_back(shape);
         }
         std::sort(expected.begin(), expected.end());
         const auto result = scene.world.overlap_bounds(box);
@@ -277,14 +281,17 @@ TEST(Overlap, SphereAgainstEachShape) {
     const BodyId ball = add_body(world, body_at({0.0, 5.0, 0.0}, BodyType::static_), Sphere{1.0f});
     const BodyId box = add_body(world, body_at({5.0, 5.0, 0.0}, BodyType::static_), Box{{1.0f, 1.0f, 1.0f}});
     const BodyId ground = add_ground(world);
-    const BodyId tray = add_body(world, body_at({10.0, 5.0, 0.0}, BodyType::static_), rectangle({0.0f, 1.0f, 0.0f}, {1.0f, 0.0f, 0.0f}, {1.0f, 1.0f}));
+    const BodyId tray = add_body(world, body_at({10.0, 5.0, 0.0}, BodyType::static_),
+                                 rectangle({0.0f, 1.0f, 0.0f}, {1.0f, 0.0f, 0.0f}, {1.0f, 1.0f}));
     const auto shape_of = [&](BodyId body) { return world.body(body).shapes()[0]; };
     struct Case {
         BodyId body;
         Position touching, apart;
     };
-    for (const Case& c : {Case{ball, {1.49, 5.0, 0.0}, {1.51, 5.0, 0.0}}, Case{box, {5.0 + 1.0 + 0.35, 5.0 + 1.0 + 0.35, 0.0}, {5.0 + 1.36, 5.0 + 1.36, 0.0}},
-                          Case{ground, {-7.0, 0.49, 0.0}, {-7.0, 0.51, 0.0}}, Case{tray, {10.9, 5.49, 0.0}, {10.9, 5.51, 0.0}}}) {
+    for (const Case& c :
+         {Case{ball, {1.49, 5.0, 0.0}, {1.51, 5.0, 0.0}},
+          Case{box, {5.0 + 1.0 + 0.35, 5.0 + 1.0 + 0.35, 0.0}, {5.0 + 1.36, 5.0 + 1.36, 0.0}},
+          Case{ground, {-7.0, 0.49, 0.0}, {-7.0, 0.51, 0.0}}, Case{tray, {10.9, 5.49, 0.0}, {10.9, 5.51, 0.0}}}) {
         EXPECT_EQ(world.overlap(Sphere{0.5f}, {c.touching, Quat(1, 0, 0, 0)}), std::vector<ShapeId>{shape_of(c.body)});
         EXPECT_TRUE(world.overlap(Sphere{0.5f}, {c.apart, Quat(1, 0, 0, 0)}).empty());
     }
@@ -314,7 +321,8 @@ TEST(Overlap, DeepWithinAndAroundAndWithPlanes) {
     const BodyId big = add_body(world, body_at({0.0, 20.0, 0.0}, BodyType::static_), Box{{5.0f, 5.0f, 5.0f}});
     const BodyId small = add_body(world, body_at({0.5, 20.0, 0.0}), Sphere{0.1f});
     const auto result = world.overlap(Sphere{0.3f}, {{0.4, 20.0, 0.0}, Quat(1, 0, 0, 0)});
-    EXPECT_EQ(result, (std::vector<ShapeId>{world.body(big).shapes()[0], world.body(small).shapes()[0]})) << "in order of slot index";
+    EXPECT_EQ(result, (std::vector<ShapeId>{world.body(big).shapes()[0], world.body(small).shapes()[0]}))
+        << "in order of slot index";
     // Both bodies lie in the half-space below y = 30; a plane against a plane tells nothing.
     add_ground(world);
     EXPECT_EQ(world.overlap(Plane{}, {{0.0, 30.0, 0.0}, Quat(1, 0, 0, 0)}).size(), 2u);
@@ -350,7 +358,8 @@ TEST(Queries, ManyThreadsGetTheSameAnswersAsOne) {
             const auto hit = world.cast_ray(p, d, 30.0);
             answers.push_back(hit ? hit->distance : -1);
             answers.push_back(double(world.cast_ray_all(p, d, 30.0).size()));
-            for (const ShapeId shape : world.overlap(Box{{2.0f, 1.0f, 3.0f}}, {p, Quat(1, 0, 0, 0)})) answers.push_back(shape.index());
+            for (const ShapeId shape : world.overlap(Box{{2.0f, 1.0f, 3.0f}}, {p, Quat(1, 0, 0, 0)}))
+                answers.push_back(shape.index());
             for (const ShapeId shape : world.overlap_bounds({p, p + 3.0})) answers.push_back(shape.index());
             answers.push_back(double(world.contacts().size()));
             answers.push_back(world.kinetic_energy());

@@ -2,6 +2,7 @@
 #include "test_world.h"
 
 #include <functional>
+#include <ostream>
 #include <vector>
 
 namespace cairn::test {
@@ -72,7 +73,8 @@ TEST(Sleep, OneThatMayNotSleepKeepsItsIslandAwake) {
     add_ground(world);
     BodyDef restless = body_at({0.0, 1.5, 0.0});
     restless.allow_sleep = false;
-    const BodyId below = add_crate(world, {0.0, 0.5, 0.0}), above = add_body(world, restless, Box{}), apart = add_crate(world, {20.0, 0.5, 0.0});
+    const BodyId below = add_crate(world, {0.0, 0.5, 0.0}), above = add_body(world, restless, Box{}),
+                 apart = add_crate(world, {20.0, 0.5, 0.0});
     run(world, 300);
     EXPECT_TRUE(world.body(below).is_awake());
     EXPECT_TRUE(world.body(above).is_awake());
@@ -108,7 +110,7 @@ TEST_P(Waking, WakesTheIslandAndNoOther) {
     Asleep asleep;
     GetParam().cause(asleep);
     bool below = false, above = false, apart = false;
-    for (int i = 0; i < 5; ++i) {
+    for (int i = 0; i < 12; ++i) {
         below |= asleep.is_awake(asleep.below);
         above |= asleep.is_awake(asleep.above);
         apart |= asleep.is_awake(asleep.apart);
@@ -127,30 +129,86 @@ template <class F> std::function<void(Asleep&)> on_below(F&& f) {
 INSTANTIATE_TEST_SUITE_P(
     Causes, Waking,
     testing::Values(Wake{"wake", on_below([](Body b) { b.wake(); }), true, false},
-                    Wake{"impulse", on_below([](Body b) { b.apply_impulse({1.0f, 0.0f, 0.0f}); }), true, false},
-                    Wake{"force", on_below([](Body b) { b.add_force({1.0f, 0.0f, 0.0f}); }), true, false},
-                    Wake{"torque", on_below([](Body b) { b.add_torque({1.0f, 0.0f, 0.0f}); }), true, false},
-                    Wake{"velocity", on_below([](Body b) { b.set_linear_velocity({0.1f, 0.0f, 0.0f}); }), true, false},
-                    Wake{"spin", on_below([](Body b) { b.set_angular_velocity({0.0f, 0.1f, 0.0f}); }), true, false},
-                    Wake{"teleport", on_below([](Body b) { b.set_position({0.05, 0.5, 0.0}); }), true, false},
+                    Wake{"impulse", on_below([](Body b) {
+                             b.apply_impulse({1.0f, 0.0f, 0.0f});
+                         }),
+                         true, false},
+                    Wake{"force", on_below([](Body b) {
+                             b.add_force({1.0f, 0.0f, 0.0f});
+                         }),
+                         true, false},
+                    Wake{"torque", on_below([](Body b) {
+                             b.add_torque({1.0f, 0.0f, 0.0f});
+                         }),
+                         true, false},
+                    Wake{"velocity", on_below([](Body b) {
+                             b.set_linear_velocity({0.1f, 0.0f, 0.0f});
+                         }),
+                         true, false},
+                    Wake{"spin", on_below([](Body b) {
+                             b.set_angular_velocity({0.0f, 0.1f, 0.0f});
+                         }),
+                         true, false},
+                    Wake{"teleport", on_below([](Body b) {
+                             b.set_position({0.05, 0.5, 0.0});
+                         }),
+                         true, false},
                     Wake{"gravity_scale", on_below([](Body b) { b.set_gravity_scale(2.0f); }), true, false},
                     Wake{"mass", on_below([](Body b) { b.set_mass_from_shapes(5.0f); }), true, false},
-                    Wake{"material", [](Asleep& a) { a.world.set_material(a.world.body(a.below).shapes()[0], {}); }, true, false},
+                    Wake{"material", [](Asleep& a) { a.world.set_material(a.world.body(a.below).shapes()[0], {}); },
+                         true, false},
                     Wake{"added_shape", [](Asleep& a) { a.world.add_shape(a.below, Sphere{0.1f}); }, true, false},
-                    Wake{"removed_above", [](Asleep& a) { a.world.destroy_body(a.above); a.above = a.below; }, true, false},
-                    Wake{"type_of_above", [](Asleep& a) { a.world.body(a.above).set_type(BodyType::static_); a.above = a.below; }, true, false},
-                    Wake{"gravity", [](Asleep& a) { WorldDef def; def.gravity.y = -5.0f; a.world.set_settings(def); }, true, true},
-                    Wake{"field", [](Asleep& a) { ForceField f; f.direction = {1, 0, 0}; a.world.add_force_field(f); }, true, true},
+                    Wake{"removed_above",
+                         [](Asleep& a) {
+                             a.world.destroy_body(a.above);
+                             a.above = a.below;
+                         },
+                         true, false},
+                    Wake{"type_of_above",
+                         [](Asleep& a) {
+                             a.world.body(a.above).set_type(BodyType::static_);
+                             a.above = a.below;
+                         },
+                         true, false},
+                    Wake{"gravity",
+                         [](Asleep& a) {
+                             WorldDef def;
+                             def.gravity.y = -5.0f;
+                             a.world.set_settings(def);
+                         },
+                         true, true},
+                    Wake{"field",
+                         [](Asleep& a) {
+                             ForceField f;
+                             f.direction = {1, 0, 0};
+                             a.world.add_force_field(f);
+                         },
+                         true, true},
                     Wake{"removed_ground", [](Asleep& a) { a.world.destroy_body(a.ground); }, true, true},
-                    Wake{"ground_moved", [](Asleep& a) { a.world.body(a.ground).set_position({0.0, -1.0, 0.0}); }, true, true},
-                    Wake{"ground_material", [](Asleep& a) { a.world.set_material(a.world.body(a.ground).shapes()[0], {}); }, true, true},
-                    Wake{"ball_falls_on_it", [](Asleep& a) { add_body(a.world, body_at({0.0, 2.35, 0.0}), Sphere{0.3f}); }, true, false},
-                    Wake{"static_placed_into_it", [](Asleep& a) { add_body(a.world, body_at({0.9, 0.5, 0.0}, BodyType::static_), Box{}); }, true, false},
-                    Wake{"kinematic_runs_into_it", [](Asleep& a) {
-                        BodyDef def = body_at({-1.05, 0.5, 0.0}, BodyType::kinematic);
-                        def.linear_velocity = {1.0f, 0.0f, 0.0f};
-                        add_body(a.world, def, Box{});
-                    }, true, false}),
+                    Wake{"ground_moved",
+                         [](Asleep& a) {
+                             a.world.body(a.ground).set_position({0.0, -1.0, 0.0});
+                         },
+                         true, true},
+                    Wake{"ground_material",
+                         [](Asleep& a) { a.world.set_material(a.world.body(a.ground).shapes()[0], {}); }, true, true},
+                    Wake{"ball_falls_on_it",
+                         [](Asleep& a) {
+                             add_body(a.world, body_at({0.0, 2.35, 0.0}), Sphere{0.3f});
+                         },
+                         true, false},
+                    Wake{"static_placed_into_it",
+                         [](Asleep& a) {
+                             add_body(a.world, body_at({0.9, 0.5, 0.0}, BodyType::static_), Box{});
+                         },
+                         true, false},
+                    Wake{"kinematic_runs_into_it",
+                         [](Asleep& a) {
+                             BodyDef def = body_at({-1.05, 0.5, 0.0}, BodyType::kinematic);
+                             def.linear_velocity = {1.0f, 0.0f, 0.0f};
+                             add_body(a.world, def, Box{});
+                         },
+                         true, false}),
     [](const auto& info) { return std::string(info.param.name); });
 
 TEST(Sleep, MovedStaticBodyWakesWhatRestedOnIt) {

@@ -15,8 +15,10 @@ void fill(World& world) {
         BodyDef def = body_at(p);
         def.name = "body " + std::to_string(i);
         def.user_data = std::uint64_t(i) << 40;
-        if (i % 2) add_body(world, def, Sphere{0.3f});
-        else add_body(world, def, Box{{0.25f, 0.3f, 0.35f}});
+        if (i % 2)
+            add_body(world, def, Sphere{0.3f});
+        else
+            add_body(world, def, Box{{0.25f, 0.3f, 0.35f}});
     }
     add_crate(world, {50.0, 0.5, 0.0});
     const BodyId platform = add_body(world, body_at({-10.0, 1.0, 0.0}, BodyType::kinematic), Box{{2.0f, 0.2f, 2.0f}});
@@ -45,7 +47,8 @@ TEST(Snapshot, ContinuesBitForBitFromAnyMoment) {
         for (int i = 0; i < 60; ++i) {
             straight.step(frame);
             copy.step(frame);
-            ASSERT_EQ(copy.state_hash(), straight.state_hash()) << "saved after " << straight.step_count() - i - 1 << ", step " << i;
+            ASSERT_EQ(copy.state_hash(), straight.state_hash())
+                << "saved after " << straight.step_count() - i - 1 << ", step " << i;
             ASSERT_EQ(copy.contact_begins().size(), straight.contact_begins().size());
             ASSERT_EQ(copy.contact_ends().size(), straight.contact_ends().size());
             ASSERT_EQ(copy.sleep_events().size(), straight.sleep_events().size());
@@ -202,7 +205,8 @@ TEST_F(Damage, WhatIsAddedOrForeignIsRefused) {
               "invalid_file | Snapshot | Snapshot: does not begin as a snapshot does");
     Snapshot other_build = good;
     other_build.bytes[8] ^= std::byte{1};
-    EXPECT_EQ(refusal([&] { target.restore(other_build); }), "unsupported | Snapshot | Snapshot: was saved by another build of this library");
+    EXPECT_EQ(refusal([&] { target.restore(other_build); }),
+              "unsupported | Snapshot | Snapshot: was saved by another build of this library");
     EXPECT_TRUE(stays_sane(target, 30));
 }
 

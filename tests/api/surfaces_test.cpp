@@ -35,7 +35,8 @@ double closed_form_distance(double friction) { return 4.0 * 4.0 / (2 * friction 
 TEST(Friction, StopsABoxAtTheClosedFormDistance) {
     for (const float friction : {0.2f, 0.5f, 1.0f}) {
         const double expected = closed_form_distance(friction);
-        EXPECT_NEAR(sliding_distance(with_friction(friction), with_friction(friction)), expected, 0.03 * expected) << friction;
+        EXPECT_NEAR(sliding_distance(with_friction(friction), with_friction(friction)), expected, 0.03 * expected)
+            << friction;
     }
 }
 
@@ -44,12 +45,15 @@ TEST(Friction, CombinesByTheStrongerRule) {
         CombineRule ground, box;
         double expected; // of 0.2 and 0.8
     };
-    for (const Case& c : {Case{CombineRule::average, CombineRule::average, 0.5}, Case{CombineRule::minimum, CombineRule::minimum, 0.2},
-                          Case{CombineRule::maximum, CombineRule::maximum, 0.8}, Case{CombineRule::multiply, CombineRule::multiply, 0.16},
-                          Case{CombineRule::average, CombineRule::multiply, 0.5}, Case{CombineRule::maximum, CombineRule::minimum, 0.2},
-                          Case{CombineRule::multiply, CombineRule::maximum, 0.8}}) {
+    for (const Case& c :
+         {Case{CombineRule::average, CombineRule::average, 0.5}, Case{CombineRule::minimum, CombineRule::minimum, 0.2},
+          Case{CombineRule::maximum, CombineRule::maximum, 0.8},
+          Case{CombineRule::multiply, CombineRule::multiply, 0.16},
+          Case{CombineRule::average, CombineRule::multiply, 0.5}, Case{CombineRule::maximum, CombineRule::minimum, 0.2},
+          Case{CombineRule::multiply, CombineRule::maximum, 0.8}}) {
         const double expected = closed_form_distance(c.expected);
-        EXPECT_NEAR(sliding_distance(with_friction(0.2f, c.ground), with_friction(0.8f, c.box)), expected, 0.03 * expected)
+        EXPECT_NEAR(sliding_distance(with_friction(0.2f, c.ground), with_friction(0.8f, c.box)), expected,
+                    0.03 * expected)
             << "rules " << int(c.ground) << " and " << int(c.box);
     }
 }
@@ -81,7 +85,8 @@ TEST(Friction, StaticCoefficientHoldsMoreThanTheDynamicOne) {
     const auto pushed = [&](float share) {
         World world;
         add_ground(world, material);
-        Body crate = world.body(add_body(world, body_at({0.0, 0.25, 0.0}), Box{{1.0f, 0.25f, 1.0f}}, with_material(material)));
+        Body crate =
+            world.body(add_body(world, body_at({0.0, 0.25, 0.0}), Box{{1.0f, 0.25f, 1.0f}}, with_material(material)));
         run(world, 20);
         for (int i = 0; i < 120; ++i) {
             crate.add_force({share * crate.mass() * 9.81f, 0.0f, 0.0f});
@@ -96,7 +101,8 @@ TEST(Friction, StaticCoefficientHoldsMoreThanTheDynamicOne) {
 TEST(Friction, ChangedMaterialTakesEffectAtOnce) {
     World world;
     const BodyId ground = add_ground(world, with_friction(0.0f));
-    const BodyId crate = add_body(world, body_at({0.0, 0.25, 0.0}), Box{{1.0f, 0.25f, 1.0f}}, with_material(with_friction(0.0f)));
+    const BodyId crate =
+        add_body(world, body_at({0.0, 0.25, 0.0}), Box{{1.0f, 0.25f, 1.0f}}, with_material(with_friction(0.0f)));
     run(world, 10);
     world.body(crate).set_linear_velocity({4.0f, 0.0f, 0.0f});
     run(world, 60);
@@ -165,7 +171,8 @@ TEST(Rolling, TorsionalFrictionStopsASpinningBall) {
 double measured_restitution(const Material& ground, const Material& ball_material, double height = 2.0) {
     World world;
     add_ground(world, ground);
-    const Body ball = world.body(add_body(world, body_at({0.0, 0.5 + height, 0.0}), Sphere{}, with_material(ball_material)));
+    const Body ball =
+        world.body(add_body(world, body_at({0.0, 0.5 + height, 0.0}), Sphere{}, with_material(ball_material)));
     double highest = 0;
     bool touched = false;
     for (int i = 0; i < 240; ++i) {
@@ -179,7 +186,9 @@ double measured_restitution(const Material& ground, const Material& ball_materia
 
 TEST(Restitution, ReboundIsTheGivenShareOfTheApproach) {
     for (const float restitution : {0.0f, 0.3f, 0.7f, 1.0f})
-        EXPECT_NEAR(measured_restitution(with_restitution(restitution), with_restitution(restitution)), restitution, 0.02) << restitution;
+        EXPECT_NEAR(measured_restitution(with_restitution(restitution), with_restitution(restitution)), restitution,
+                    0.02)
+            << restitution;
 }
 
 TEST(Restitution, CombinesByTheStrongerRule) {
@@ -187,9 +196,12 @@ TEST(Restitution, CombinesByTheStrongerRule) {
         CombineRule ground, ball;
         double expected; // of 0.4 and 0.8
     };
-    for (const Case& c : {Case{CombineRule::average, CombineRule::average, 0.6}, Case{CombineRule::minimum, CombineRule::multiply, 0.4},
-                          Case{CombineRule::maximum, CombineRule::maximum, 0.8}, Case{CombineRule::multiply, CombineRule::multiply, 0.32}})
-        EXPECT_NEAR(measured_restitution(with_restitution(0.4f, c.ground), with_restitution(0.8f, c.ball)), c.expected, 0.02);
+    for (const Case& c :
+         {Case{CombineRule::average, CombineRule::average, 0.6}, Case{CombineRule::minimum, CombineRule::multiply, 0.4},
+          Case{CombineRule::maximum, CombineRule::maximum, 0.8},
+          Case{CombineRule::multiply, CombineRule::multiply, 0.32}})
+        EXPECT_NEAR(measured_restitution(with_restitution(0.4f, c.ground), with_restitution(0.8f, c.ball)), c.expected,
+                    0.02);
 }
 
 TEST(Restitution, SlowImpactsDoNotBounce) {
@@ -198,7 +210,8 @@ TEST(Restitution, SlowImpactsDoNotBounce) {
     World world(def);
     const Material rubber = with_restitution(1.0f);
     add_ground(world, rubber);
-    const Body ball = world.body(add_body(world, body_at({0.0, 0.53, 0.0}), Sphere{}, with_material(rubber))); // 0.77 m/s
+    const Body ball =
+        world.body(add_body(world, body_at({0.0, 0.53, 0.0}), Sphere{}, with_material(rubber))); // 0.77 m/s
     run(world, 60);
     EXPECT_NEAR(ball.position().y, 0.5, 0.005);
     EXPECT_NEAR(ball.linear_velocity().y, 0.0f, 0.01f);

@@ -12,7 +12,7 @@
 
 namespace cairn::test {
 
-inline constexpr float frame = 1.0f / 60.0f;                                  ///< s
+inline constexpr float frame = 1.0f / 60.0f; ///< s
 inline constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 inline constexpr float infinity = std::numeric_limits<float>::infinity();
 inline constexpr double pi = 3.14159265358979323846;
@@ -82,7 +82,8 @@ inline testing::AssertionResult is_sane(const World& world) {
     for (const BodyId id : world.bodies()) {
         const Body body = world.body(id);
         const auto failed = [&](const char* what) {
-            return testing::AssertionFailure() << "body " << id.index() << ": " << what << " after " << world.step_count() << " steps";
+            return testing::AssertionFailure()
+                   << "body " << id.index() << ": " << what << " after " << world.step_count() << " steps";
         };
         if (!is_finite(body.position())) return failed("position not finite");
         if (!is_finite(body.linear_velocity())) return failed("velocity not finite");
@@ -92,7 +93,8 @@ inline testing::AssertionResult is_sane(const World& world) {
         if (!(std::fabs(square - 1) < 1e-5)) return failed("rotation not a unit quaternion");
         constexpr float rounding = 1 + 1e-5f;
         if (!(glm::length(body.linear_velocity()) <= settings.max_linear_speed * rounding)) return failed("too fast");
-        if (!(glm::length(body.angular_velocity()) <= settings.max_angular_speed * rounding)) return failed("turns too fast");
+        if (!(glm::length(body.angular_velocity()) <= settings.max_angular_speed * rounding))
+            return failed("turns too fast");
     }
     for (const Contact& contact : world.contacts()) {
         const auto failed = [&](const char* what) { return testing::AssertionFailure() << "contact: " << what; };
@@ -102,7 +104,8 @@ inline testing::AssertionResult is_sane(const World& world) {
         for (int i = 0; i < contact.point_count; ++i) {
             const ContactPoint& point = contact.points[i];
             if (!is_finite(point.point) || !std::isfinite(point.separation)) return failed("point not finite");
-            if (!(point.normal_impulse >= 0) || !std::isfinite(point.normal_impulse)) return failed("impulse negative or not finite");
+            if (!(point.normal_impulse >= 0) || !std::isfinite(point.normal_impulse))
+                return failed("impulse negative or not finite");
         }
     }
     return testing::AssertionSuccess();
@@ -118,9 +121,9 @@ inline testing::AssertionResult stays_sane(World& world, int steps, float dt = f
 }
 
 /// What `call` threw, as `code field: message`; empty if it threw nothing.
-template <class Call>
-std::string refusal(Call&& call) {
-    static const char* const codes[] = {"invalid_value", "invalid_handle", "wrong_state", "invalid_file", "unsupported", "io"};
+template <class Call> std::string refusal(Call&& call) {
+    static const char* const codes[] = {"invalid_value", "invalid_handle", "wrong_state",
+                                        "invalid_file",  "unsupported",    "io"};
     try {
         call();
     } catch (const Error& error) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <ostream>
 #include <unistd.h>
 #include <vector>
 
@@ -30,7 +31,8 @@ constexpr float least_explosion = 2.0f;
 
 TEST(Row33, TwoSpheresAtOneCenterPartWithoutExploding) {
     World world(weightless());
-    const BodyId a = add_body(world, body_at({1.0, 2.0, 3.0}), Sphere{}), b = add_body(world, body_at({1.0, 2.0, 3.0}), Sphere{});
+    const BodyId a = add_body(world, body_at({1.0, 2.0, 3.0}), Sphere{}),
+                 b = add_body(world, body_at({1.0, 2.0, 3.0}), Sphere{});
     for (int i = 0; i < 240; ++i) {
         ASSERT_TRUE(stays_sane(world, 1));
         ASSERT_LE(fastest(world), least_explosion * world.settings().recovery_speed) << "step " << i;
@@ -47,7 +49,8 @@ TEST(Row34, HundredBoxesInOnePoseSurvive) {
         ASSERT_LE(fastest(world), 100 * world.settings().recovery_speed) << "step " << i;
     }
     const glm::dvec3 momentum = world.linear_momentum();
-    EXPECT_LT(glm::length(momentum), 1e-3 * 100 * 1000.0 * world.settings().recovery_speed) << "momentum comes from nowhere";
+    EXPECT_LT(glm::length(momentum), 1e-3 * 100 * 1000.0 * world.settings().recovery_speed)
+        << "momentum comes from nowhere";
 }
 
 TEST(Row34, HundredBoxesInOnePoseOnTheGroundComeApart) {
@@ -63,7 +66,8 @@ TEST(Row35, SphereWithItsCenterInsideABoxGetsOut) {
     for (const bool fixed : {false, true})
         for (const Position& offset : {Position(0.0, 0.0, 0.0), Position(0.1, 0.2, 0.4), Position(-0.45, 0.0, 0.0)}) {
             World world(weightless());
-            const BodyId box = add_body(world, body_at({0.0, 0.0, 0.0}, fixed ? BodyType::static_ : BodyType::dynamic), Box{});
+            const BodyId box =
+                add_body(world, body_at({0.0, 0.0, 0.0}, fixed ? BodyType::static_ : BodyType::dynamic), Box{});
             const BodyId ball = add_body(world, body_at(offset), Sphere{0.3f});
             for (int i = 0; i < 240; ++i) {
                 ASSERT_TRUE(stays_sane(world, 1));
@@ -94,7 +98,8 @@ TEST_P(Row36, DeepOverlapPartsNoFasterThanTheCap) {
     WorldDef def = weightless();
     def.recovery_speed = cap;
     World world(def);
-    const BodyId first = add_body(world, body_at({0.0, 0.0, 0.0}, overlap.first_fixed ? BodyType::static_ : BodyType::dynamic), overlap.first);
+    const BodyId first = add_body(
+        world, body_at({0.0, 0.0, 0.0}, overlap.first_fixed ? BodyType::static_ : BodyType::dynamic), overlap.first);
     const BodyId second = add_body(world, body_at(overlap.apart), overlap.second);
     const Position way = overlap.way;
     const auto distance = [&] { return glm::dot(world.body(second).position() - world.body(first).position(), way); };
@@ -122,9 +127,12 @@ const Overlap overlaps[] = {
     {"sphere_in_plane", Plane{}, Sphere{0.5f}, true, {0.0, -0.4, 0.0}, {0.0, 1.0, 0.0}},
     {"box_in_plane", Plane{}, Box{}, true, {0.0, -0.4, 0.0}, {0.0, 1.0, 0.0}},
 };
-INSTANTIATE_TEST_SUITE_P(Pairs, Row36, testing::Combine(testing::ValuesIn(overlaps), testing::Values(0.5f, 3.0f, 10.0f)), [](const auto& info) {
-    return std::string(std::get<0>(info.param).name) + "_cap_" + std::to_string(int(10 * std::get<1>(info.param)));
-});
+INSTANTIATE_TEST_SUITE_P(Pairs, Row36,
+                         testing::Combine(testing::ValuesIn(overlaps), testing::Values(0.5f, 3.0f, 10.0f)),
+                         [](const auto& info) {
+                             return std::string(std::get<0>(info.param).name) + "_cap_" +
+                                    std::to_string(int(10 * std::get<1>(info.param)));
+                         });
 
 // --- rows 37 and 38
 

@@ -1,4 +1,5 @@
-// Extreme but legal values: rows 20 to 27 of the list of faults. The world stays finite, and no energy comes from nowhere.
+// Extreme but legal values: rows 20 to 27 of the list of faults. The world stays finite, and no energy comes from
+// nowhere.
 #include "../api/test_world.h"
 
 #include <algorithm>
@@ -57,7 +58,8 @@ TEST(Row20, BodiesAtTheFarthestPositionAllowedStayFinite) {
 TEST(Row20, ShapesFarFromTheirBodyStayFinite) {
     World world;
     add_ground(world);
-    for (const float offset : {1e7f, 1e15f, 1e30f}) add_body(world, body_at({0.0, 1.0, 0.0}), Sphere{}, shape_at({offset, 0.0f, 0.0f}));
+    for (const float offset : {1e7f, 1e15f, 1e30f})
+        add_body(world, body_at({0.0, 1.0, 0.0}), Sphere{}, shape_at({offset, 0.0f, 0.0f}));
     EXPECT_TRUE(stays_sane(world, 60));
 }
 
@@ -67,8 +69,12 @@ TEST(Row21, SpeedIsClampedAndCountedWhereverItComesFrom) {
     constexpr float fast = 1e6f;
     using Way = void (*)(World&);
     const Way ways[] = {
-        [](World& world) { add_body(world, moving({0.0, 0.0, 0.0}, {fast, 0.0f, 0.0f}), Sphere{}); },
-        [](World& world) { world.body(add_body(world, {}, Sphere{})).set_linear_velocity({fast, 0.0f, 0.0f}); },
+        [](World& world) {
+            add_body(world, moving({0.0, 0.0, 0.0}, {fast, 0.0f, 0.0f}), Sphere{});
+        },
+        [](World& world) {
+            world.body(add_body(world, {}, Sphere{})).set_linear_velocity({fast, 0.0f, 0.0f});
+        },
         [](World& world) {
             Body body = world.body(add_body(world, {}, Sphere{}));
             body.apply_impulse({fast * body.mass(), 0.0f, 0.0f});
@@ -77,8 +83,12 @@ TEST(Row21, SpeedIsClampedAndCountedWhereverItComesFrom) {
             Body body = world.body(add_body(world, {}, Sphere{}));
             body.add_force({60.0f * fast * body.mass(), 0.0f, 0.0f});
         },
-        [](World& world) { add_body(world, moving({0.0, 0.0, 0.0}, {0.0f, 0.0f, 0.0f}, {fast, 0.0f, 0.0f}), Sphere{}); },
-        [](World& world) { world.body(add_body(world, {}, Sphere{})).set_angular_velocity({fast, 0.0f, 0.0f}); },
+        [](World& world) {
+            add_body(world, moving({0.0, 0.0, 0.0}, {0.0f, 0.0f, 0.0f}, {fast, 0.0f, 0.0f}), Sphere{});
+        },
+        [](World& world) {
+            world.body(add_body(world, {}, Sphere{})).set_angular_velocity({fast, 0.0f, 0.0f});
+        },
         [](World& world) {
             BodyDef def = moving({0.0, 0.0, 0.0}, {fast, 0.0f, 0.0f});
             def.type = BodyType::kinematic;
@@ -110,7 +120,8 @@ TEST(Row21, SpeedIsClampedFromTheVeryBeginning) {
 
 TEST(Row21, FastBodyAgainstWallsAndOthersGainsNoEnergy) {
     World world(weightless());
-    for (const double x : {-10.0, 10.0}) add_body(world, body_at({x, 0.0, 0.0}, BodyType::static_), Box{{1.0f, 10.0f, 10.0f}});
+    for (const double x : {-10.0, 10.0})
+        add_body(world, body_at({x, 0.0, 0.0}, BodyType::static_), Box{{1.0f, 10.0f, 10.0f}});
     for (int i = 0; i < 5; ++i) add_crate(world, {i - 2.0, 0.0, 0.0});
     add_body(world, moving({-6.0, 0.1, 0.1}, {1e6f, 0.0f, 0.0f}), Sphere{0.25f});
     world.step(1e-6f);
@@ -179,7 +190,8 @@ TEST(Row22, MassBeyondTheRangeDoesNotComeInByTheDensity) {
         Shape shape;
         float density;
     };
-    for (const Case& c : {Case{Box{{1e9f, 1e9f, 1e9f}}, 1e30f}, Case{Sphere{1e-6f}, 1e-30f}, Case{Sphere{1e-3f}, 1e-28f}}) {
+    for (const Case& c :
+         {Case{Box{{1e9f, 1e9f, 1e9f}}, 1e30f}, Case{Sphere{1e-6f}, 1e-30f}, Case{Sphere{1e-3f}, 1e-28f}}) {
         World world;
         add_ground(world);
         const BodyId body = world.create_body(body_at({0.0, 2e9, 0.0}));
@@ -225,12 +237,14 @@ TEST(Row23, SlabOfAspectAMillionFallingOnItsEdgeGainsNoEnergy) {
 TEST(Row24, NeedleSpinningAtAHundredThousandRadiansASecond) {
     for (const float limit : {1000.0f, 1e6f})
         for (const Vec3& spin : {Vec3(0.0f, 1e5f, 0.0f), Vec3(1e5f, 0.0f, 0.0f), Vec3(5e4f, 8e4f, 1e3f)}) {
-            SCOPED_TRACE(testing::Message() << "limit " << limit << ", spin " << spin.x << " " << spin.y << " " << spin.z);
+            SCOPED_TRACE(testing::Message()
+                         << "limit " << limit << ", spin " << spin.x << " " << spin.y << " " << spin.z);
             WorldDef def;
             def.max_angular_speed = limit;
             World world(def);
             add_ground(world);
-            const BodyId needle = add_body(world, moving({0.0, 5.0, 0.0}, {0.0f, 0.0f, 0.0f}, spin), Box{{0.0005f, 0.5f, 0.0005f}});
+            const BodyId needle =
+                add_body(world, moving({0.0, 5.0, 0.0}, {0.0f, 0.0f, 0.0f}, spin), Box{{0.0005f, 0.5f, 0.0005f}});
             world.body(needle).set_angular_velocity(spin);
             EXPECT_EQ(world.statistics().clamped_speeds > 0, limit < 1e5f);
             const double energy = mechanical_energy(world);
@@ -267,7 +281,8 @@ TEST(Row25, StepsOfEverySizeInTurn) {
     add_ground(world);
     for (int i = 0; i < 5; ++i) add_crate(world, {0.0, 0.5 + 1.1 * i, 0.0});
     for (int i = 0; i < 20; ++i)
-        for (const float dt : {1e-30f, 1e-6f, frame, 1.0f, 1e4f, 1e30f, 3e38f, 1e-38f}) ASSERT_TRUE(stays_sane(world, 1, dt)) << "dt " << dt;
+        for (const float dt : {1e-30f, 1e-6f, frame, 1.0f, 1e4f, 1e30f, 3e38f, 1e-38f})
+            ASSERT_TRUE(stays_sane(world, 1, dt)) << "dt " << dt;
 }
 
 TEST(Row26, GravityOfTenToTheThirty) {
@@ -278,11 +293,14 @@ TEST(Row26, GravityOfTenToTheThirty) {
     for (int i = 0; i < 3; ++i) add_crate(world, {0.0, 0.5 + 1.1 * i, 0.0});
     add_body(world, moving({5.0, 3.0, 0.0}, {0.0f, 0.0f, 0.0f}, {4.0f, 5.0f, 6.0f}), Sphere{});
     EXPECT_TRUE(stays_sane(world, 120));
-    // It is over when gravity is as usual again: what moves then loses its energy.
+    // It is over when gravity is as usual again: what moves then gains no more.
     world.set_settings({});
-    run(world, 1200);
-    EXPECT_TRUE(is_sane(world));
-    for (const BodyId body : world.bodies()) EXPECT_LT(speed_of(world, body), 50.0f);
+    run(world, 60); // the impulses of before wear off
+    const double energy = mechanical_energy(world);
+    for (int i = 0; i < 600; ++i) {
+        ASSERT_TRUE(stays_sane(world, 1));
+        ASSERT_LE(mechanical_energy(world), 1.01 * energy) << "step " << i;
+    }
 }
 
 TEST(Row26, GravityScaleAndFieldsOfTenToTheThirty) {

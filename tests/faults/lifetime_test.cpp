@@ -17,16 +17,13 @@ struct Call {
     const char* field; // the kind of handle that it names
 };
 
-template <class F>
-Call with_body(const char* name, F&& f) {
+template <class F> Call with_body(const char* name, F&& f) {
     return {name, [f](World& world, BodyId body, ShapeId, ForceFieldId) { f(world, body); }, "BodyId"};
 }
-template <class F>
-Call with_shape(const char* name, F&& f) {
+template <class F> Call with_shape(const char* name, F&& f) {
     return {name, [f](World& world, BodyId, ShapeId shape, ForceFieldId) { f(world, shape); }, "ShapeId"};
 }
-template <class F>
-Call with_field(const char* name, F&& f) {
+template <class F> Call with_field(const char* name, F&& f) {
     return {name, [f](World& world, BodyId, ShapeId, ForceFieldId field) { f(world, field); }, "ForceFieldId"};
 }
 
@@ -157,8 +154,10 @@ TEST(Row42, StaleAccessorsAreRefusedByEveryCall) {
     const auto expect_refusals = [&] {
         const Snapshot before = stage.world.save();
         for (const auto& [name, call] : calls_of_body()) {
-            const std::string message = refusal([&] { call(body); });
-            EXPECT_EQ(message.rfind("invalid_handle | BodyId | BodyId: is stale: the object was removed, got 0x", 0), 0u) << name << ": " << message;
+            const std::string message = refusal([&call = call, &body] { call(body); });
+            EXPECT_EQ(message.rfind("invalid_handle | BodyId | BodyId: is stale: the object was removed, got 0x", 0),
+                      0u)
+                << name << ": " << message;
         }
         EXPECT_TRUE(stage.world.save().bytes == before.bytes);
     };
@@ -195,11 +194,12 @@ TEST(Row42, HandlesThatWereNeverGivenOutAreRefused) {
     Stage stage;
     const std::uint32_t world = stage.body.world();
     for (const std::uint32_t index : {99u, (1u << 28) - 1}) {
-        expect_all_refuse(stage.world, BodyId::make(index, 1, world), ShapeId::make(index, 1, world), ForceFieldId::make(index, 1, world),
-                          "is stale: the object was removed");
+        expect_all_refuse(stage.world, BodyId::make(index, 1, world), ShapeId::make(index, 1, world),
+                          ForceFieldId::make(index, 1, world), "is stale: the object was removed");
     }
     const std::uint32_t later = stage.body.generation() + 1;
-    expect_all_refuse(stage.world, BodyId::make(stage.body.index(), later, world), ShapeId::make(stage.shape.index(), later, world),
+    expect_all_refuse(stage.world, BodyId::make(stage.body.index(), later, world),
+                      ShapeId::make(stage.shape.index(), later, world),
                       ForceFieldId::make(stage.field.index(), later, world), "is stale: the object was removed");
 }
 
@@ -208,8 +208,11 @@ TEST(Row42, RefusedReadOfManyTransformsWritesNone) {
     const std::vector<BodyId> ids = {stage.body, BodyId{}};
     std::vector<Transform> out(2, {Position(7.0), Quat(1, 0, 0, 0)});
     EXPECT_THROW(stage.world.read_transforms(ids, out), Error);
-    EXPECT_EQ(refusal([&] { stage.world.read_transforms(ids, {out.data(), 1}); }),
-              "invalid_value | World::read_transforms out | World::read_transforms out: must have as many elements as ids (2), got 1");
+    EXPECT_EQ(refusal([&] {
+                  stage.world.read_transforms(ids, {out.data(), 1});
+              }),
+              "invalid_value | World::read_transforms out | World::read_transforms out: must have as many elements as "
+              "ids (2), got 1");
     EXPECT_EQ(out[1].position, Position(7.0));
 }
 
@@ -238,7 +241,8 @@ TEST(Row44, HandlesOfAnotherWorldAreRefusedByEveryCall) {
 // is to change the world while reading what the last step left behind.
 
 static_assert(std::is_trivially_copyable_v<ContactBegin> && std::is_trivially_copyable_v<ContactEnd> &&
-              std::is_trivially_copyable_v<ContactHit> && std::is_trivially_copyable_v<SleepEvent> && std::is_trivially_copyable_v<RayHit>);
+              std::is_trivially_copyable_v<ContactHit> && std::is_trivially_copyable_v<SleepEvent> &&
+              std::is_trivially_copyable_v<RayHit>);
 static_assert(!std::is_polymorphic_v<World> && !std::is_polymorphic_v<Body> && !std::is_polymorphic_v<ForceField>);
 
 TEST(Row45, WorldMayBeChangedWhileItsEventsAreRead) {
@@ -254,10 +258,18 @@ TEST(Row45, WorldMayBeChangedWhileItsEventsAreRead) {
         const BodyId body = begins[i].body_a;
         ASSERT_TRUE(world.is_valid(body)) << "what was read before must still stand here";
         switch (i % 4) {
-        case 0: world.destroy_body(body); break;
-        case 1: world.body(body).set_type(BodyType::kinematic); break;
-        case 2: world.remove_shape(begins[i].shape_a); break;
-        case 3: add_crate(world, {3.0 * double(i), 5.0, 0.0}); break;
+        case 0:
+            world.destroy_body(body);
+            break;
+        case 1:
+            world.body(body).set_type(BodyType::kinematic);
+            break;
+        case 2:
+            world.remove_shape(begins[i].shape_a);
+            break;
+        case 3:
+            add_crate(world, {3.0 * double(i), 5.0, 0.0});
+            break;
         }
         world.cast_ray({0.0, 5.0, 0.0}, {0.0f, -1.0f, 0.0f}, 10.0);
     }
