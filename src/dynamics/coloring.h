@@ -11,6 +11,8 @@ namespace cairn {
 inline constexpr int first_fixed_color = 40, overflow_color = 63, no_color = 255;
 
 inline void assign_color(State& state, ContactInfo& contact) {
+    ++state.bodies[std::size_t(contact.body_a)].contact_count;
+    ++state.bodies[std::size_t(contact.body_b)].contact_count;
     std::uint64_t used = state.bodies[std::size_t(contact.body_a)].colors;
     if (contact.b_moves) used |= state.bodies[std::size_t(contact.body_b)].colors;
     const std::uint64_t low = (std::uint64_t(1) << first_fixed_color) - 1;
@@ -24,6 +26,8 @@ inline void assign_color(State& state, ContactInfo& contact) {
 }
 
 inline void release_color(State& state, ContactInfo& contact) {
+    --state.bodies[std::size_t(contact.body_a)].contact_count;
+    --state.bodies[std::size_t(contact.body_b)].contact_count;
     if (contact.color < overflow_color) {
         const std::uint64_t bit = std::uint64_t(1) << contact.color;
         state.bodies[std::size_t(contact.body_a)].colors &= ~bit;

@@ -134,6 +134,7 @@ void write_record(State& s, std::uint32_t id, const Manifold& m) {
         r.impulses[i] = r.total_impulses[i] = 0;
     }
     put(r.friction_impulse, {});
+    put(r.total_friction, {});
     r.torsion_impulse = 0;
     // From the sphere's center to the point midway between the surfaces.
     auto sphere_radius = [&](std::uint32_t shape) {
@@ -208,7 +209,7 @@ void end_contact(State& s, std::uint32_t id) {
     c.point_count = 0;
     const std::int32_t island = s.bodies[std::size_t(c.body_a)].island;
     if (island != none) s.islands[std::size_t(island)].lost_contact |= c.b_moves;
-    if (c.touching) s.ends.push_back({s.shape_id(c.shape_a), s.shape_id(c.shape_b), s.body_id(c.body_a), s.body_id(c.body_b)});
+    if (c.touching) s.next_ends.push_back({s.shape_id(c.shape_a), s.shape_id(c.shape_b), s.body_id(c.body_a), s.body_id(c.body_b)});
     c.touching = 0;
 }
 
@@ -240,6 +241,14 @@ void update_contacts(State& s, float dt) {
         if (s.is_awake(s.contacts[id].body_a)) s.solved.push_back(id);
 }
 
+// Impulses beyond the range of numbers (of bodies that were stopped for it) must not start the next step.
+static void forget_impulses(ContactRecord& r) {
+    for (int i = 0; i < 4; ++i) r.impulses[i] = r.total_impulses[i] = 0;
+    put(r.friction_impulse, {});
+    put(r.total_friction, {});
+    r.torsion_impulse = 0;
+}
+
 void report_contacts(State& s, float dt) {
     Statistics& statistics = s.statistics;
     statistics.max_penetration = 0;
@@ -249,8 +258,9 @@ void report_contacts(State& s, float dt) {
         const float separation = least_separation(c, r);
         float impulse = 0;
         for (int i = 0; i < c.point_count; ++i) impulse += r.total_impulses[i];
+        if (!std::isfinite(impulse) || !math::is_finite(to_vec(r.friction_impulse))) forget_impulses(s.records[id]);
         statistics.max_penetration = std::max(statistics.max_penetration, double(-separation));
-        note_load(s, c, impulse / dt);
+        note_load(s, c, std::isfinite(impulse) ? impulse / dt : 0);
         if (!c.touching && (separation <= 0 || impulse > 0)) {
             c.touching = 1;
             const ShapeId a = s.shape_id(c.shape_a), b = s.shape_id(c.shape_b);
@@ -266,7 +276,7 @@ void report_contacts(State& s, float dt) {
             }
         } else if (c.touching && impulse == 0 && separation > 0.25f * c.base_margin) {
             c.touching = 0;
-            s.ends.push_back({s.shape_id(c.shape_a), s.shape_id(c.shape_b), s.body_id(c.body_a), s.body_id(c.body_b)});
+            s.next_ends.push_back({s.shape_id(c.shape_a), s.shape_id(c.shape_b), s.body_id(c.body_a), s.body_id(c.body_b)});
         }
     }
 }
@@ -282,7 +292,7 @@ ContactRecord advanced_record(const State& s, std::uint32_t id) {
         const math::Vec3 now_a = math::rotate(qa, arm), now_b = math::rotate(qb, arm + d);
         // Anchors that were one point: how far they have come apart, B's relative to A's.
         r.points[i][3] += math::dot(n, now_b - offset - now_a);
-        put(r.points[i], now_a);
+        put(r.points[i], 0.5f * (now_a + (now_b - offset))); // midway between the two
     }
     put(r.center_offset, offset);
     return r;

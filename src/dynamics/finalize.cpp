@@ -31,8 +31,14 @@ void move_shapes(State& s, std::int32_t b, float dt) {
 
 void finalize_bodies(State& s, float dt) {
     const float quiet_speed = s.settings.sleep_speed;
-    for (const std::int32_t i : s.awake_islands)
-        for (std::int32_t b = s.islands[std::size_t(i)].first_body; b != none; b = s.bodies[std::size_t(b)].next_in_island) {
+    const auto& g = s.settings.gravity;
+    const float gravity = math::length(math::Vec3{g.x, g.y, g.z});
+    for (const std::int32_t i : s.awake_islands) {
+        Island& island = s.islands[std::size_t(i)];
+        island.weight = 0;
+        for (std::int32_t b = island.first_body; b != none; b = s.bodies[std::size_t(b)].next_in_island) {
+            const BodyMass& mass = s.mass[std::size_t(b)];
+            if (mass.inverse_mass > 0) island.weight += mass.mass * gravity;
             move_shapes(s, b, dt);
             BodyLinks& links = s.bodies[std::size_t(b)];
             const BodyMotion& motion = s.motion[std::size_t(b)];
@@ -40,6 +46,7 @@ void finalize_bodies(State& s, float dt) {
             links.quiet_time = speed < quiet_speed ? links.quiet_time + dt : 0;
             s.forces[std::size_t(b)] = {};
         }
+    }
     for (const std::int32_t b : s.kinematics) {
         const BodyMotion& motion = s.motion[std::size_t(b)];
         if (motion.v == math::Vec3{} && motion.w == math::Vec3{}) continue;

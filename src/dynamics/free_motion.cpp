@@ -3,6 +3,7 @@
 // end of the substep into the one that moves the pose; contacts work with any of them.
 #include "dynamics/bodies.h"
 #include "dynamics/solver.h"
+#include "math/rotation.h"
 
 #include <algorithm>
 
@@ -25,19 +26,13 @@ DVec3 row_vector(const float* p) { return {p[0], p[1], p[2]}; }
 void put(float* p, math::Vec3 v) { p[0] = v.x, p[1] = v.y, p[2] = v.z; }
 
 // Cut, so that forces of any size leave finite velocities.
-math::Vec3 cut(DVec3 v, double most) {
+DVec3 cut(DVec3 v, double most) {
     const double square = math::dot(v, v);
     if (square > most * most) v = std::isfinite(square) ? (most / std::sqrt(square)) * v : DVec3{};
-    return math::to_float(v);
+    return v;
 }
 
-// A unit quaternion turned by the vector u, by the half-angle tangent series that the solver's kernel uses.
-DQuat turned_by(DVec3 u, const DQuat& q) {
-    const DVec3 half = 0.5 * u;
-    const double x2 = std::min(math::dot(half, half), 1.0);
-    const DVec3 t = (1 + x2 * (1.0 / 3 + x2 * (2.0 / 15))) * half;
-    return math::normalized(DQuat{t.x, t.y, t.z, 1} * q);
-}
+DQuat turned_by(DVec3 u, const DQuat& q) { return math::normalized(math::from_rotation_vector(u) * q); }
 
 struct Spin {
     DVec3 moments, inverse_moments; // principal
@@ -48,15 +43,36 @@ struct Spin {
     }
 };
 
-// Keeps the angular momentum L, and takes the inertia in the middle of the substep, found in two rounds: a hinged
-// gyroscope precesses within 0.01 %, where the inertia at the start errs by 2 %.
-Increment midpoint_spin(const Spin& spin, const DQuat& q, DVec3 w, DVec3 torque, double h) {
+// The rotation by an angle about one principal axis.
+DQuat axis_turn(int axis, double angle) {
+    DVec3 u;
+    u[axis] = angle;
+    return math::from_rotation_vector(u);
+}
+
+// Keeps the angular momentum L to rounding, and the energy in bounds however fast the body spins, by splitting (as in
+// Dullweber, Leimkuhler and McLachlan 1997): with I2 the middle moment, the energy is L^2 / (2 I2), a steady turn about L,
+// plus m1^2 / 2 (1/I1 - 1/I2) and m3^2 / 2 (1/I3 - 1/I2), turns about the body's own axes. Each is followed exactly; a
+// symmetric top is exact as a whole.
+Increment split_spin(const Spin& spin, const DQuat& q, DVec3 w, DVec3 torque, double h) {
     const DVec3 momentum = spin.to_world(q, spin.moments, w) + h * torque;
-    DVec3 middle = w;
-    for (int round = 0; round < 2; ++round)
-        middle = spin.to_world(turned_by(0.5 * h * middle, q), spin.inverse_moments, momentum);
-    const DVec3 end = spin.to_world(turned_by(h * middle, q), spin.inverse_moments, momentum);
-    return {end - w, middle - end};
+    const DVec3& i = spin.moments;
+    int least = i.x <= i.y ? (i.x <= i.z ? 0 : 2) : (i.y <= i.z ? 1 : 2);
+    int greatest = i.x > i.y ? (i.x > i.z ? 0 : 2) : (i.y > i.z ? 1 : 2);
+    if (least == greatest) least = 0, greatest = 2;
+    const double middle = 1 / i[3 - least - greatest];
+    DQuat axes = math::normalized(q * spin.principal);
+    auto turn_about = [&](int axis, double time) {
+        const double m = math::rotate_back(axes, momentum)[axis];
+        axes = axes * axis_turn(axis, time * m * (1 / i[axis] - middle));
+    };
+    turn_about(least, 0.5 * h);
+    turn_about(greatest, h);
+    turn_about(least, 0.5 * h);
+    axes = math::normalized(math::from_rotation_vector((h * middle) * momentum) * axes);
+    const DQuat end = axes * math::conjugate(spin.principal);
+    const DVec3 w_end = spin.to_world(end, spin.inverse_moments, momentum);
+    return {w_end - w, (1 / h) * math::to_rotation_vector(end * math::conjugate(q)) - w_end};
 }
 
 // Euler's equation as it stands: w' = I^-1 (torque - w x I w).
@@ -79,11 +95,7 @@ Increment rk4_spin(const Spin& spin, const DQuat& q, DVec3 w, DVec3 torque, doub
     const DQuat sum{k1.x + 2 * k2.x + 2 * k3.x + k4.x, k1.y + 2 * k2.y + 2 * k3.y + k4.y,
                     k1.z + 2 * k2.z + 2 * k3.z + k4.z, k1.w + 2 * k2.w + 2 * k3.w + k4.w};
     const DQuat end = math::normalized(along(sum, h / 6));
-    // The constant rate that turns q into that: the inverse of the half-angle tangent series.
-    const DQuat turn = end * math::conjugate(q);
-    const DVec3 t = (1 / turn.w) * turn.vector();
-    const double t2 = math::dot(t, t);
-    const DVec3 mean = (2 / h) * ((1 - t2 * (1.0 / 3 - t2 * (1.0 / 5))) * t);
+    const DVec3 mean = (1 / h) * math::to_rotation_vector(end * math::conjugate(q)); // the rate that turns q into that
     const DVec3 w_end = spin.to_world(end, spin.inverse_moments, momentum + h * torque);
     return {w_end - w, mean - w_end};
 }
@@ -129,69 +141,45 @@ Load load_on(const State& s, std::int32_t b) {
 
 void write_linear(State& s, std::size_t row, const Increment& change) {
     SolverScratch& scratch = s.solver;
-    put(scratch.drive[row].v, cut(change.velocity, s.settings.max_linear_speed));
+    put(scratch.drive[row].v, math::to_float(cut(change.velocity, s.settings.max_linear_speed)));
     if (!scratch.free_correction.empty())
-        put(scratch.free_correction[row].v, cut(change.correction, s.settings.max_linear_speed));
+        put(scratch.free_correction[row].v, math::to_float(cut(change.correction, s.settings.max_linear_speed)));
 }
 void write_angular(State& s, std::size_t row, const Increment& change) {
     SolverScratch& scratch = s.solver;
-    put(scratch.drive[row].w, cut(change.velocity, s.settings.max_angular_speed));
+    put(scratch.drive[row].w, math::to_float(cut(change.velocity, s.settings.max_angular_speed)));
     if (!scratch.free_correction.empty())
-        put(scratch.free_correction[row].w, cut(change.correction, s.settings.max_angular_speed));
+        put(scratch.free_correction[row].w, math::to_float(cut(change.correction, s.settings.max_angular_speed)));
 }
 
-Increment spin_increment(const State& s, std::size_t row, DVec3 w, float h) {
-    const SolverScratch& scratch = s.solver;
-    const std::int32_t b = scratch.row_bodies[row];
+// For the body b at rotation q with the angular velocity w. Slower turns than `least` have no gyroscopic part.
+Increment spin_increment(const State& s, std::int32_t b, const DQuat& q, DVec3 w, double h, double least) {
     const BodyMass& mass = s.mass[std::size_t(b)];
     const DVec3 torque = s.forces[std::size_t(b)].torque;
-    const bool in_contact = s.bodies[std::size_t(b)].colors != 0;
-    const double least = in_contact ? least_turn_in_contact : least_turn_free;
-    if (mass.isotropic || !(double(h) * h * math::dot(w, w) > least * least)) {
-        const SolverInertia& i = scratch.inertia[row];
-        const math::DSym3 inverse{i.xx, i.xy, i.xz, i.yy, i.yz, i.zz};
-        return translate(s.settings.integrator, double(h) * (inverse * torque));
-    }
-    const Spin spin{math::to_double(mass.inertia), math::to_double(mass.inverse_inertia),
+    const math::Vec3& i = mass.inertia;
+    // Inverses in double: rounded ones would change the momentum a little in every substep.
+    const Spin spin{math::to_double(i),
+                    {mass.inverse_inertia.x > 0 ? 1.0 / i.x : 0, mass.inverse_inertia.y > 0 ? 1.0 / i.y : 0,
+                     mass.inverse_inertia.z > 0 ? 1.0 / i.z : 0},
                     math::normalized(math::to_double(mass.principal))};
-    const float* dq = scratch.pose[row].dq;
-    const DQuat q = math::normalized(DQuat{dq[0], dq[1], dq[2], dq[3]} * s.motion[std::size_t(b)].q);
+    const bool turns_freely = mass.inverse_inertia.x > 0 && mass.inverse_inertia.y > 0 && mass.inverse_inertia.z > 0;
+    if (mass.isotropic || !turns_freely || !(h * h * math::dot(w, w) > least * least)) {
+        if (!s.forces[std::size_t(b)].any) return {};
+        return translate(s.settings.integrator, h * spin.to_world(q, spin.inverse_moments, torque));
+    }
     switch (s.settings.integrator) {
-    case Integrator::semi_implicit_euler: return midpoint_spin(spin, q, w, torque, h);
+    case Integrator::semi_implicit_euler: return split_spin(spin, q, w, torque, h);
     case Integrator::explicit_euler: return explicit_spin(spin, q, w, torque, h);
     case Integrator::rk4: return rk4_spin(spin, q, w, torque, h);
     }
     return {};
 }
 
-// What the kernel will make of it: v + drive, rounded. The rest is kept for the next substep, so that a thousand
-// roundings of a free flight do not add up.
-void keep_rest(const float* v, const float* drive, float* rest, DVec3 target) {
-    for (int i = 0; i < 3; ++i) {
-        const float rounded = v[i] + drive[i];
-        rest[i] = float(target[i] - double(rounded));
-    }
-}
-
-// A body that touches nothing, wholly in double.
-void update_free_row(State& s, std::size_t row, float h) {
-    SolverScratch& scratch = s.solver;
-    const std::int32_t b = scratch.row_bodies[row];
-    const BodyMass& mass = s.mass[std::size_t(b)];
-    const SolverVelocity& velocity = scratch.velocity[row];
-    SolverTwist& rest = scratch.rest[row];
-    const DVec3 v = row_vector(velocity.v) + row_vector(rest.v), w = row_vector(velocity.w) + row_vector(rest.w);
-    if (mass.inverse_mass > 0) {
-        const DVec3 x = s.motion[std::size_t(b)].x + row_vector(scratch.pose[row].dx);
-        Increment change = linear_increment(s, load_on(s, b), x, v, h);
-        change.velocity += row_vector(rest.v);
-        write_linear(s, row, change);
-        keep_rest(velocity.v, scratch.drive[row].v, rest.v, row_vector(velocity.v) + change.velocity);
-    }
-    Increment change = spin_increment(s, row, w, h);
-    change.velocity += row_vector(rest.w);
-    write_angular(s, row, change);
-    keep_rest(velocity.w, scratch.drive[row].w, rest.w, row_vector(velocity.w) + change.velocity);
+void spin_row(State& s, std::size_t row, DVec3 w, float h) {
+    const std::int32_t b = s.solver.row_bodies[row];
+    const float* dq = s.solver.pose[row].dq;
+    const DQuat q = math::normalized(DQuat{dq[0], dq[1], dq[2], dq[3]} * s.motion[std::size_t(b)].q);
+    write_angular(s, row, spin_increment(s, b, q, w, h, least_turn_in_contact));
 }
 
 // The factor exp(-c h) for a damping rate c: one over the first terms of exp(c h), so it never changes sign.
@@ -248,28 +236,15 @@ void prepare_free_motion(State& s, float h, bool corrects) {
     SolverScratch& scratch = s.solver;
     const std::size_t rows = scratch.row_bodies.size();
     scratch.drive.assign(rows, {});
-    scratch.rest.assign(rows, {});
-    scratch.free_rows.clear();
     scratch.spinning_rows.clear();
     scratch.free_correction.clear();
-    scratch.corrects = corrects;
     scratch.drive_varies = fields_vary(s);
     prepare_damping(s, h);
-    bool turns = false;
     for (std::size_t row = 0; row < rows; ++row) {
         const std::int32_t b = scratch.row_bodies[row];
-        if (b == none || !s.is_dynamic(b)) continue;
-        const BodyMass& mass = s.mass[std::size_t(b)];
-        turns |= !mass.isotropic;
-        if (s.bodies[std::size_t(b)].colors == 0 && scratch.damping.empty()) {
-            scratch.free_rows.push_back(std::int32_t(row));
-            put(scratch.rest[row].v, s.motion[std::size_t(b)].v_rest);
-            put(scratch.rest[row].w, s.motion[std::size_t(b)].w_rest);
-        } else if (!mass.isotropic) {
-            scratch.spinning_rows.push_back(std::int32_t(row));
-        }
+        if (b != none && s.is_dynamic(b) && !s.mass[std::size_t(b)].isotropic) scratch.spinning_rows.push_back(std::int32_t(row));
     }
-    if (turns || corrects || s.settings.integrator != Integrator::semi_implicit_euler)
+    if (!scratch.spinning_rows.empty() || corrects || s.settings.integrator != Integrator::semi_implicit_euler)
         scratch.free_correction.assign(rows, {});
     scratch.correction = scratch.free_correction;
     for (std::size_t row = 0; row < rows; ++row) {
@@ -278,7 +253,7 @@ void prepare_free_motion(State& s, float h, bool corrects) {
         const BodyMotion& motion = s.motion[std::size_t(b)];
         if (s.mass[std::size_t(b)].inverse_mass > 0)
             write_linear(s, row, linear_increment(s, load_on(s, b), motion.x, math::to_double(motion.v), h));
-        if (s.forces[std::size_t(b)].any) write_angular(s, row, spin_increment(s, row, math::to_double(motion.w), h));
+        if (s.forces[std::size_t(b)].any) spin_row(s, row, math::to_double(motion.w), h);
     }
 }
 
@@ -291,10 +266,50 @@ void update_free_motion(State& s, float h) {
             const DVec3 x = s.motion[std::size_t(b)].x + row_vector(scratch.pose[row].dx);
             write_linear(s, row, linear_increment(s, load_on(s, b), x, row_vector(scratch.velocity[row].v), h));
         }
-    for (const std::int32_t row : scratch.free_rows) update_free_row(s, std::size_t(row), h);
     for (const std::int32_t row : scratch.spinning_rows)
-        write_angular(s, std::size_t(row), spin_increment(s, std::size_t(row), row_vector(scratch.velocity[std::size_t(row)].w), h));
+        spin_row(s, std::size_t(row), row_vector(scratch.velocity[std::size_t(row)].w), h);
     scratch.correction = scratch.free_correction;
+}
+
+void move_free_body(State& s, std::int32_t b, float dt) {
+    BodyMotion& motion = s.motion[std::size_t(b)];
+    const BodyMass& mass = s.mass[std::size_t(b)];
+    const BodySettings& settings = s.body_settings[std::size_t(b)];
+    if (clamp_velocity(s.settings, motion.v, motion.w)) {
+        ++s.clamped_speeds;
+        motion.v_rest = motion.w_rest = {};
+    }
+    const double h = double(dt) / s.settings.substeps;
+    const double linear = damping_factor(settings.linear_damping, float(h));
+    const double angular = damping_factor(settings.angular_damping, float(h));
+    const Load load = load_on(s, b);
+    DVec3 x = motion.x, v = math::to_double(motion.v) + math::to_double(motion.v_rest);
+    DVec3 w = math::to_double(motion.w) + math::to_double(motion.w_rest);
+    DQuat q = motion.q;
+    const double most_v = s.settings.max_linear_speed, most_w = s.settings.max_angular_speed;
+    bool clamped = false;
+    auto limited = [&](DVec3 u, double most) {
+        clamped |= math::dot(u, u) > most * most;
+        return cut(u, most);
+    };
+    for (int substep = 0; substep < s.settings.substeps; ++substep) {
+        if (mass.inverse_mass > 0) {
+            const Increment change = linear_increment(s, load, x, v, h);
+            v = limited(linear * (v + cut(change.velocity, most_v)), most_v);
+            x += h * (v + cut(change.correction, most_v));
+        }
+        const Increment turn = spin_increment(s, b, q, w, h, least_turn_free);
+        w = limited(angular * (w + cut(turn.velocity, most_w)), most_w);
+        q = turned_by(h * (w + cut(turn.correction, most_w)), q);
+    }
+    s.clamped_speeds += clamped;
+    s.turned[std::size_t(b)] = math::to_float(q * math::conjugate(motion.q));
+    motion.x = x;
+    motion.q = q;
+    motion.v = math::to_float(v);
+    motion.w = math::to_float(w);
+    motion.v_rest = math::to_float(v - math::to_double(motion.v));
+    motion.w_rest = math::to_float(w - math::to_double(motion.w));
 }
 
 } // namespace cairn

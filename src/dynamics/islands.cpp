@@ -80,7 +80,7 @@ void put_to_sleep(State& state, std::int32_t i) {
     for (std::int32_t b = island.first_body; b != none; b = body_at(state, b).next_in_island) {
         BodyMotion& motion = state.motion[std::size_t(b)];
         motion.v = motion.w = motion.v_rest = motion.w_rest = {};
-        state.sleeps.push_back({state.body_id(b), true});
+        state.next_sleeps.push_back({state.body_id(b), true});
     }
     state.falling_asleep.push_back(i);
 }
@@ -175,7 +175,7 @@ void wake_island(State& state, std::int32_t i) {
     for (std::int32_t b = island.first_body; b != none; b = body_at(state, b).next_in_island) {
         body_at(state, b).quiet_time = 0;
         state.turned[std::size_t(b)] = {};
-        state.sleeps.push_back({state.body_id(b), false});
+        state.next_sleeps.push_back({state.body_id(b), false});
     }
     island.kept_awake = 1; // for this step
     if (island.key == none) {
@@ -194,6 +194,7 @@ void wake_body(State& state, std::int32_t body) {
 }
 
 void wake_around_shape(State& state, std::uint32_t shape) {
+    if (state.awake_islands.size() + state.free_islands.size() == state.islands.size()) return; // nothing sleeps
     constexpr double reach = 0.05; // m: further than any contact at rest
     DBounds bounds = shape_bounds(state, shape);
     bounds.lo = bounds.lo - math::DVec3{reach, reach, reach};

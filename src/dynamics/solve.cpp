@@ -2,6 +2,7 @@
 #include "dynamics/bodies.h"
 #include "dynamics/coloring.h"
 #include "dynamics/solver.h"
+#include "math/rotation.h"
 
 #include <algorithm>
 
@@ -43,6 +44,10 @@ void gather_bodies(State& s, const Bin& bin) {
     for (std::int32_t k = 0; k < bin.island_count; ++k) {
         const Island& island = s.islands[std::size_t(scratch.bin_islands[std::size_t(bin.first_island + k)])];
         for (std::int32_t b = island.first_body; b != none; b = s.bodies[std::size_t(b)].next_in_island) {
+            if (s.bodies[std::size_t(b)].contact_count == 0) {
+                scratch.free_bodies.push_back(b);
+                continue;
+            }
             s.bodies[std::size_t(b)].row = std::int32_t(scratch.row_bodies.size());
             scratch.row_bodies.push_back(b);
         }
@@ -65,7 +70,8 @@ std::int32_t row_of_b(State& s, const ContactInfo& c) {
 void rescale_impulses(ContactInfo& c, ContactRecord& r, float h) {
     if (c.substep_time == h) return;
     if (c.substep_time > 0) {
-        const float factor = h / c.substep_time;
+        const float ratio = h / c.substep_time;
+        const float factor = ratio > 1e-3f && ratio < 1e3f ? ratio : 0.0f; // too different to say anything
         for (float& impulse : r.impulses) impulse *= factor;
         for (float& impulse : r.friction_impulse) impulse *= factor;
         r.torsion_impulse *= factor;
@@ -201,7 +207,6 @@ void run_substeps(State& s, const Bin& bin, float dt, bool bounces) {
 void scatter_body(State& s, std::int32_t b, std::size_t row) {
     const SolverVelocity& velocity = s.solver.velocity[row];
     const SolverPose& pose = s.solver.pose[row];
-    const SolverTwist& rest = s.solver.rest[row];
     BodyMotion& motion = s.motion[std::size_t(b)];
     const math::DVec3 dx = math::to_double(math::Vec3{pose.dx[0], pose.dx[1], pose.dx[2]});
     const math::Quat dq{pose.dq[0], pose.dq[1], pose.dq[2], pose.dq[3]};
@@ -215,12 +220,8 @@ void scatter_body(State& s, std::int32_t b, std::size_t row) {
     motion.x += dx;
     motion.q = math::normalized(math::to_double(dq) * motion.q);
     s.turned[std::size_t(b)] = dq;
-    motion.v_rest = {rest.v[0], rest.v[1], rest.v[2]};
-    motion.w_rest = {rest.w[0], rest.w[1], rest.w[2]};
-    if (clamp_velocity(s.settings, v, w)) {
-        ++s.clamped_speeds;
-        motion.v_rest = motion.w_rest = {};
-    }
+    motion.v_rest = motion.w_rest = {};
+    if (clamp_velocity(s.settings, v, w)) ++s.clamped_speeds;
     motion.v = v;
     motion.w = w;
 }
@@ -229,6 +230,7 @@ void solve_bin(State& s, const Bin& bin, float dt) {
     SolverScratch& scratch = s.solver;
     const float h = dt / float(bin.substeps);
     gather_bodies(s, bin);
+    if (bin.contact_count == 0) return;
     fill_lanes(s, bin, h);
     fill_rows(s);
     bool bounces = false;
@@ -254,26 +256,19 @@ void move_kinematics(State& s, float dt) {
     for (const std::int32_t b : s.kinematics) {
         BodyMotion& motion = s.motion[std::size_t(b)];
         if (clamp_velocity(s.settings, motion.v, motion.w)) ++s.clamped_speeds;
-        // The rotation by dt w, with the half-angle tangent series of the solver; several steps for a fast one.
-        const math::DVec3 w = math::to_double(motion.w);
-        const double half = 0.5 * double(dt) * math::length(w);
-        const int parts = 1 + int(std::min(half / 0.1, 1e5));
-        const math::DVec3 u = (0.5 * double(dt) / parts) * w;
-        const double x2 = math::dot(u, u);
-        const math::DVec3 t = (1 + x2 * (1.0 / 3 + x2 * (2.0 / 15))) * u;
-        const math::DQuat turn = math::normalized(math::DQuat{t.x, t.y, t.z, 1});
-        math::DQuat total;
-        for (int i = 0; i < parts; ++i) total = math::normalized(turn * total);
+        const math::DQuat turn = math::from_rotation_vector(double(dt) * math::to_double(motion.w));
         motion.x += double(dt) * math::to_double(motion.v);
-        motion.q = math::normalized(total * motion.q);
-        s.turned[std::size_t(b)] = math::to_float(total);
+        motion.q = math::normalized(turn * motion.q);
+        s.turned[std::size_t(b)] = math::to_float(turn);
     }
 }
 
 } // namespace
 
 void solve_bins(State& s, float dt) {
+    s.solver.free_bodies.clear();
     for (const Bin& bin : s.solver.bins) solve_bin(s, bin, dt);
+    for (const std::int32_t b : s.solver.free_bodies) move_free_body(s, b, dt);
     move_kinematics(s, dt);
 }
 

@@ -20,6 +20,8 @@ void solve_bins(State& state, float dt);
 void prepare_free_motion(State& state, float h, bool corrects);
 // At the start of each substep: what of them depends on the pose or the velocity.
 void update_free_motion(State& state, float h);
+// A body that nothing touches: a whole step, in double. What the rounding of its velocities leaves over is kept.
+void move_free_body(State& state, std::int32_t body, float dt);
 // Gravity and fields at a point, m/s^2 (for a body of that mass and gravity scale).
 math::DVec3 field_acceleration(const State& state, math::DVec3 x, float gravity_scale, double inverse_mass);
 

@@ -48,20 +48,18 @@ struct SolverScratch {
     std::vector<std::int32_t> bin_of_island, bin_islands, contacts_of_island, open_bins;
     std::vector<std::uint32_t> key_counts, keys, sorted; // counting sort of contacts
     // --- of the bin at work
+    std::vector<std::int32_t> free_bodies; // of all bins: those without a contact
     std::vector<std::int32_t> row_bodies;  // body of each row; none for fixed, discard and padding
-    std::vector<std::int32_t> free_rows;     // without any contact
-    std::vector<std::int32_t> spinning_rows; // others with unequal moments of inertia
+    std::vector<std::int32_t> spinning_rows; // with unequal moments of inertia
     std::vector<SolverVelocity> velocity, reference;
     std::vector<SolverPose> pose;
     std::vector<SolverInertia> inertia;
     std::vector<SolverTwist> drive, damping, correction, free_correction;
-    std::vector<SolverTwist> rest; // what the rounding of free rows' velocities has left over
     LaneLists one_lanes, four_lanes;
     std::vector<ContactBlock<1>> one_blocks;
     std::vector<ContactBlock<4>> four_blocks;
     std::vector<BlockRun> runs;
     bool drive_varies = false; // forces depend on the position
-    bool corrects = false;     // `correction` is changed during a substep: made anew from free_correction
 };
 
 } // namespace cairn

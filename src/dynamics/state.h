@@ -61,6 +61,8 @@ struct BodyLinks {
     float radius = 0;                    // of the body about its center of mass; planes not counted
     float quiet_time = 0;                // s that it has been slower than the sleep speed
     std::int32_t row = none;             // in the solver bin at work
+    std::int32_t contact_count = 0;      // that are solved
+    std::int32_t padding = 0;
     std::uint64_t colors = 0;            // of its contacts, one bit each
 };
 
@@ -107,7 +109,7 @@ struct Island {
     std::uint8_t padding = 0;
     std::int32_t substeps = 0;      // in the last step
     std::int32_t wanted_substeps = 0; // by what it carries (substeps.cpp)
-    float greatest_load = 0, ground_load = 0; // N: on one contact; on what does not move
+    float weight = 0, greatest_load = 0; // N: of all bodies; on one contact
     float greatest_demand = 0;      // m/s^2: load over the reduced mass of the contact that carries it
     float least_quiet_time = 0, greatest_quiet_time = 0;
 };
@@ -153,6 +155,9 @@ struct State {
     std::vector<ContactEnd> ends;
     std::vector<ContactHit> hits;
     std::vector<SleepEvent> sleeps;
+    // What will be read of the next step: what changes between two steps counts to the later one.
+    std::vector<ContactEnd> next_ends;
+    std::vector<SleepEvent> next_sleeps;
     std::uint64_t clamped_speeds = 0;
     Statistics statistics;
 

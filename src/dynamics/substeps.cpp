@@ -15,6 +15,7 @@ constexpr float substeps_per_demand = 0.95f; // n = this x sqrt(demand in m/s^2)
 constexpr float load_gain = 0.25f;           // of the low-pass filter over steps
 constexpr float full_share = 1.0f / 3.0f;    // of the island's weight on one contact: slender
 constexpr float immovable_stiffness = 4.0f;  // contacts with what does not move are so much stiffer
+constexpr float most_of_weight = 1.2f;
 constexpr int rounding = 8, hysteresis = 16, most_adaptive_substeps = 128;
 
 } // namespace
@@ -32,21 +33,22 @@ void note_load(State& s, ContactInfo& c, float force) {
     c.load += load_gain * (std::min(force, c.force) - c.load);
     c.force = force;
     Island& island = s.islands[std::size_t(s.bodies[std::size_t(c.body_a)].island)];
+    // More than the weight of all comes from being squeezed between immovable things: no stiffness helps there.
+    const float load = std::min(c.load, most_of_weight * island.weight);
     float inverse_mass = s.mass[std::size_t(c.body_a)].inverse_mass;
     if (c.b_moves) {
         inverse_mass += s.mass[std::size_t(c.body_b)].inverse_mass;
     } else {
         inverse_mass *= 1 / immovable_stiffness;
-        island.ground_load += c.load;
     }
-    island.greatest_load = std::max(island.greatest_load, c.load);
-    island.greatest_demand = std::max(island.greatest_demand, c.load * inverse_mass);
+    island.greatest_load = std::max(island.greatest_load, load);
+    island.greatest_demand = std::max(island.greatest_demand, load * inverse_mass);
 }
 
 int island_substeps(const State& s, Island& island) {
     const int base = s.settings.substeps;
-    if (s.settings.adaptive_substeps && island.ground_load > 0) {
-        const float share = std::min(island.greatest_load / (full_share * island.ground_load), 1.0f);
+    if (s.settings.adaptive_substeps && island.weight > 0) {
+        const float share = std::min(island.greatest_load / (full_share * island.weight), 1.0f);
         const float wanted = substeps_per_demand * share * std::sqrt(island.greatest_demand);
         const int rounded = (int(std::min(wanted, float(most_adaptive_substeps))) + rounding - 1) / rounding * rounding;
         const bool keep = rounded <= island.wanted_substeps && rounded > island.wanted_substeps - hysteresis;
@@ -54,7 +56,7 @@ int island_substeps(const State& s, Island& island) {
     } else {
         island.wanted_substeps = 0;
     }
-    island.greatest_load = island.greatest_demand = island.ground_load = 0;
+    island.greatest_load = island.greatest_demand = 0;
     return std::max(base, int(island.wanted_substeps));
 }
 

@@ -11,7 +11,7 @@ constexpr float unused_separation = 1e9f;   // points at least this far apart ar
 constexpr float least_friction_weight = 0.01f;
 alignas(64) const ContactRecord empty_record = {
     {0, 1, 0}, 0, {0, 0, 0}, 0, {{0, 0, 0, 1e30f}, {0, 0, 0, 1e30f}, {0, 0, 0, 1e30f}, {0, 0, 0, 1e30f}},
-    {0, 0, 0, 0}, {0, 0, 0}, 0, {0, 0, 0, 0}, 0, 0, 0, 0, 0, 0};
+    {0, 0, 0, 0}, {0, 0, 0}, 0, {0, 0, 0, 0}, 0, 0, 0, 0, {0, 0, 0}, 0, 0, 0};
 
 struct Inertiax8 {
     f32x8 inverse_mass;
@@ -104,6 +104,8 @@ CAIRN_INLINE void prepare_friction(ContactBlock<N>& block, const ContactRecord* 
     store(block.tangent_impulse[0], dot(impulse, t1));
     store(block.tangent_impulse[1], dot(impulse, t2));
     store(block.torsion_impulse, torsion);
+    store(block.total_tangent[0], zero());
+    store(block.total_tangent[1], zero());
     store3(block.rolling_impulse, zero3());
 
     const Vec3x8 center_b = center + d;
@@ -188,11 +190,12 @@ template <int N> void store_contacts(const void* blocks, int count, const Contac
     for (int k = 0; k < count; ++k) {
         const ContactBlock<N>& b = block[k];
         const std::int32_t* ids = lanes.record + 8 * k;
-        float *impulses[8], *friction[8], *totals[8];
+        float *impulses[8], *friction[8], *totals[8], *total_friction[8];
         for (int i = 0; i < 8; ++i) {
             impulses[i] = ids[i] >= 0 ? records[ids[i]].impulses : discarded;
             friction[i] = ids[i] >= 0 ? records[ids[i]].friction_impulse : discarded;
             totals[i] = ids[i] >= 0 ? records[ids[i]].total_impulses : discarded;
+            total_friction[i] = ids[i] >= 0 ? records[ids[i]].total_friction : discarded;
         }
         f32x8 impulse[4], total[4];
         for (int i = 0; i < 4; ++i) {
@@ -204,6 +207,8 @@ template <int N> void store_contacts(const void* blocks, int count, const Contac
         const Vec3x8 t1 = load3(b.tangent), t2 = cross(t1, load3(b.normal));
         const Vec3x8 p = load(b.tangent_impulse[0]) * t1 + load(b.tangent_impulse[1]) * t2;
         scatter4(friction, p.x, p.y, p.z, load(b.torsion_impulse));
+        const Vec3x8 sum = load(b.total_tangent[0]) * t1 + load(b.total_tangent[1]) * t2;
+        scatter4(total_friction, sum.x, sum.y, sum.z, zero());
     }
 }
 

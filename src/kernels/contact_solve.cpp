@@ -12,6 +12,7 @@ namespace cairn::CAIRN_ISA {
 namespace {
 
 constexpr float tiny = 1e-20f;
+constexpr float most_passing = 0.1f; // of B's arm, in one step
 
 // The sums over the points of one sweep.
 struct SweepSums {
@@ -72,7 +73,12 @@ CAIRN_INLINE Vec3x8 refresh_separations(ContactBlock<N>& block, const SolverPose
         s[i] = load(block.separation0[i]) + (common + (load(block.height[i]) * f + dot(load3(block.arm[i]), e)));
         store(block.separation[i], s[i]);
     }
-    const Vec3x8 d = d0 + (a.dx - b.dx), change = d - load3(block.d);
+    // Only as far as the couplings K, which are those of the start, still fit.
+    const Vec3x8 passed = a.dx - b.dx, arm_b = load3(block.center) + d0;
+    const f32x8 limit = splat(most_passing * most_passing) * dot(arm_b, arm_b), square = dot(passed, passed);
+    const mask8 far = square > limit;
+    const f32x8 share = select(far, sqrt(limit / select(far, square, one())), one());
+    const Vec3x8 d = d0 + share * passed, change = d - load3(block.d);
     store3(block.d, d);
     store3(block.c, cross(d, normal));
     return change;
@@ -233,6 +239,8 @@ CAIRN_INLINE void solve_friction(ContactBlock<N>& block, const SweepSums& sums, 
 
     store(block.tangent_impulse[0], n1);
     store(block.tangent_impulse[1], n2);
+    store(block.total_tangent[0], load(block.total_tangent[0]) + n1);
+    store(block.total_tangent[1], load(block.total_tangent[1]) + n2);
     store(block.torsion_impulse, nw);
     const Vec3x8 p = (n1 - old1) * t1 + (n2 - old2) * t2;
     apply_friction(block, center, d, p, (nw - oldw) * normal, a, b);

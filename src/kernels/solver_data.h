@@ -56,6 +56,8 @@ struct alignas(64) ContactRecord {
     float rolling_radius;      // combined lever arm of rolling resistance, m
     float torsion_radius;      // combined patch radius for one-point contacts, m
     float approach_speed;      // greatest approach speed of its points when it began, for hit events
+    float total_friction[3];   // tangential impulse summed over the last step's substeps, on B
+    float padding;
     float radius_a, radius_b;  // one-point contacts: of a sphere, from its center to the point; 0 for others
 };
 
@@ -82,7 +84,7 @@ template <int N> struct alignas(64) ContactBlock {
     float lever[N][8];                  // distance of each point from the friction center
     float friction[8], static_friction[8], torsion_radius[8], rolling_radius[8], restitution[8];
     float tangent_impulse[2][8], torsion_impulse[8], rolling_impulse[3][8];
-    float total_impulse[N][8];
+    float total_impulse[N][8], total_tangent[2][8];
 };
 
 // Softness and limits of the contacts of one bin; rates are per second, for a substep of h seconds.

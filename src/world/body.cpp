@@ -3,6 +3,7 @@
 #include "dynamics/contacts.h"
 #include "dynamics/finalize.h"
 #include "dynamics/islands.h"
+#include "math/rotation.h"
 #include "world/impl.h"
 #include "world/validate.h"
 
@@ -156,18 +157,34 @@ std::vector<ShapeId> Body::shapes() const {
     return ids;
 }
 
+namespace {
+
+void move_body(const Access& a, math::DVec3 origin, const math::DQuat& rotation) {
+    wake_around(a.s, a.index());
+    wake_body(a.s, a.index());
+    set_pose(a.s, a.index(), origin, rotation);
+    update_proxies(a.s, a.index());
+    wake_around(a.s, a.index());
+}
+
+} // namespace
+
 void Body::set_transform(const Position& position, const Quat& rotation) {
     CAIRN_CHANGE("Body::set_transform");
     require_position("Body::set_transform position", position);
     const Quat q = checked_rotation("Body::set_transform rotation", rotation);
-    wake_around(s, a.index());
-    wake_body(s, a.index());
-    set_pose(s, a.index(), to_math(position), math::to_double(to_math(q)));
-    update_proxies(s, a.index());
-    wake_around(s, a.index());
+    move_body(a, to_math(position), math::to_double(to_math(q)));
 }
-void Body::set_position(const Position& position) { set_transform(position, rotation()); }
-void Body::set_rotation(const Quat& rotation) { set_transform(position(), rotation); }
+void Body::set_position(const Position& position) {
+    CAIRN_CHANGE("Body::set_position");
+    require_position("Body::set_position", position);
+    move_body(a, to_math(position), a.motion().q);
+}
+void Body::set_rotation(const Quat& rotation) {
+    CAIRN_CHANGE("Body::set_rotation");
+    const Quat q = checked_rotation("Body::set_rotation", rotation);
+    move_body(a, body_origin(s, a.index()), math::to_double(to_math(q)));
+}
 
 void Body::set_linear_velocity(const Vec3& velocity) {
     CAIRN_CHANGE("Body::set_linear_velocity");
@@ -197,17 +214,9 @@ void Body::move_to(const Transform& target, float seconds) {
         throw Error(ErrorCode::wrong_state, "Body::move_to", "", "the body must be kinematic");
     const math::DQuat q = math::normalized(math::to_double(to_math(rotation)));
     const math::DVec3 x = to_math(target.position) + math::rotate(q, math::to_double(a.mass().center));
-    math::DQuat turn = q * math::conjugate(a.motion().q);
-    if (turn.w < 0) turn = {-turn.x, -turn.y, -turn.z, -turn.w}; // the short way
-    // Angle 2 atan(|vector| / w), by repeated halving: atan t = 2 atan(t / (1 + sqrt(1 + t^2))).
-    const double sine = math::length(turn.vector());
-    double t = sine / std::max(turn.w, 1e-300), factor = 2;
-    if (turn.w < 1e-9) t = 1e9;
-    for (int i = 0; i < 6; ++i) t = t / (1 + std::sqrt(1 + t * t)), factor *= 2;
-    const double angle = factor * t * (1 - t * t * (1.0 / 3 - t * t / 5));
-    const math::DVec3 axis = sine > 0 ? (1 / sine) * turn.vector() : math::DVec3{};
+    const math::DVec3 turn = math::to_rotation_vector(q * math::conjugate(a.motion().q));
     a.motion().v = math::to_float((1 / double(seconds)) * (x - a.motion().x));
-    a.motion().w = math::to_float((angle / double(seconds)) * axis);
+    a.motion().w = math::to_float((1 / double(seconds)) * turn);
     if (clamp_velocity(s.settings, a.motion().v, a.motion().w)) ++s.clamped_speeds;
 }
 

@@ -5,6 +5,7 @@
 
 #include <cairn/world.h>
 
+#include <atomic>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,7 @@ struct World::Impl {
     std::vector<std::uint64_t> user_data;    // by body
     std::vector<Shape> shape_of;             // by shape
     std::vector<ShapeDef> def_of;            // by shape
-    bool stepping = false;
+    std::atomic<bool> stepping{false}; // to notice calls from other threads
 
     // Checked lookups: throw Error(invalid_handle).
     std::int32_t index_of(BodyId id) const;

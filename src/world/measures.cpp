@@ -26,7 +26,7 @@ Contact make_contact(const State& s, std::uint32_t id) {
     const ContactRecord r = s.is_awake(c.body_a) ? advanced_record(s, id) : s.records[id];
     Contact out{s.shape_id(c.shape_a), s.shape_id(c.shape_b), s.body_id(c.body_a), s.body_id(c.body_b),
                 {r.normal[0], r.normal[1], r.normal[2]},
-                {r.friction_impulse[0], r.friction_impulse[1], r.friction_impulse[2]},
+                {r.total_friction[0], r.total_friction[1], r.total_friction[2]},
                 c.point_count, {}};
     for (int i = 0; i < c.point_count; ++i) {
         const math::DVec3 p = s.motion[std::size_t(c.body_a)].x + math::to_double(math::Vec3{r.points[i][0], r.points[i][1], r.points[i][2]});

@@ -31,7 +31,7 @@ template <class Archive> void serialize_state(Archive& archive, State& s) {
     s.field_slots.serialize(archive);
     archive(s.fields), archive(s.dead_bodies), archive(s.dead_shapes);
     s.broad_phase.serialize(archive);
-    archive(s.clamped_speeds), archive(s.statistics);
+    archive(s.clamped_speeds), archive(s.statistics), archive(s.next_ends), archive(s.next_sleeps);
 }
 
 template <class Archive, class Impl> void serialize_all(Archive& archive, Impl& impl) {

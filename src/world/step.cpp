@@ -6,6 +6,7 @@
 #include "world/impl.h"
 #include "world/validate.h"
 
+#include <atomic>
 #include <chrono>
 
 namespace cairn {
@@ -28,6 +29,16 @@ private:
     Clock::time_point start_ = Clock::now(), last_ = start_;
 };
 
+// Other calls that change the world are refused while it lives.
+class Busy {
+public:
+    explicit Busy(std::atomic<bool>& flag) : flag_(flag) { flag_ = true; }
+    ~Busy() { flag_ = false; }
+
+private:
+    std::atomic<bool>& flag_;
+};
+
 } // namespace
 
 void World::step(float dt) {
@@ -36,10 +47,9 @@ void World::step(float dt) {
     State& state = impl_->state;
     StageTimes& times = state.statistics.times;
     StageClock clock;
+    const Busy busy(impl_->stepping);
     state.begins.clear();
-    state.ends.clear();
     state.hits.clear();
-    state.sleeps.clear();
     for (const std::int32_t island : state.awake_islands) state.islands[std::size_t(island)].kept_awake = 0;
 
     update_pairs(state);
@@ -53,6 +63,10 @@ void World::step(float dt) {
     finalize_bodies(state, dt);
     report_contacts(state, dt);
     update_sleep(state);
+    state.ends.swap(state.next_ends);
+    state.next_ends.clear();
+    state.sleeps.swap(state.next_sleeps);
+    state.next_sleeps.clear();
     times.finalize = clock.lap();
     times.total = clock.total();
 

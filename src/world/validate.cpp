@@ -12,7 +12,6 @@ namespace {
 
 constexpr double farthest = 1e15;      // m: beyond this a double is coarser than a bolt
 constexpr float smallest_size = 1e-6f, largest_size = 1e9f; // m
-constexpr float smallest_mass = 1e-32f, largest_mass = 1e32f; // kg
 
 template <class V> std::string list_text(const V& v, int n) {
     std::string text = "(";
@@ -22,12 +21,12 @@ template <class V> std::string list_text(const V& v, int n) {
 
 bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-void require_size(const std::string& field, float value) {
+void require_size(std::string_view field, float value) {
     if (!(value >= smallest_size && value <= largest_size))
         refuse(field, to_text(value), "must be a size in meters from 1e-6 to 1e9");
 }
 
-void require_mass(const std::string& field, float mass) {
+void require_mass(std::string_view field, float mass) {
     if (std::isinf(mass) && mass > 0) return;
     if (!(mass >= smallest_mass && mass <= largest_mass))
         refuse(field, to_text(mass), "must be a mass in kg from 1e-32 to 1e32, or infinite");
@@ -35,8 +34,8 @@ void require_mass(const std::string& field, float mass) {
 
 } // namespace
 
-void refuse(const std::string& field, const std::string& value, const std::string& expected) {
-    throw Error(ErrorCode::invalid_value, field, value, expected);
+void refuse(std::string_view field, const std::string& value, const std::string& expected) {
+    throw Error(ErrorCode::invalid_value, std::string(field), value, expected);
 }
 
 std::string to_text(double value) {
@@ -50,24 +49,24 @@ std::string to_text(const Quat& q) {
     return "(w " + to_text(q.w) + ", x " + to_text(q.x) + ", y " + to_text(q.y) + ", z " + to_text(q.z) + ")";
 }
 
-void require_finite(const std::string& field, double value) {
+void require_finite(std::string_view field, double value) {
     if (!std::isfinite(value)) refuse(field, to_text(value), "must be finite");
 }
-void require_finite(const std::string& field, const Vec3& value) {
+void require_finite(std::string_view field, const Vec3& value) {
     if (!finite(value)) refuse(field, to_text(value), "must be finite");
 }
-void require_position(const std::string& field, const Position& value) {
+void require_position(std::string_view field, const Position& value) {
     for (int i = 0; i < 3; ++i)
         if (!(std::fabs(value[i]) <= farthest)) refuse(field, to_text(value), "must be finite and within 1e15 m of the origin");
 }
-void require_at_least(const std::string& field, double value, double least) {
+void require_at_least(std::string_view field, double value, double least) {
     if (!(std::isfinite(value) && value >= least)) refuse(field, to_text(value), "must be finite and >= " + to_text(least));
 }
-void require_above(const std::string& field, double value, double limit) {
+void require_above(std::string_view field, double value, double limit) {
     if (!(std::isfinite(value) && value > limit)) refuse(field, to_text(value), "must be finite and > " + to_text(limit));
 }
 
-Quat checked_rotation(const std::string& field, const Quat& q) {
+Quat checked_rotation(std::string_view field, const Quat& q) {
     const double x = q.x, y = q.y, z = q.z, w = q.w;
     const double square = x * x + y * y + z * z + w * w;
     if (!std::isfinite(square)) refuse(field, to_text(q), "must be finite");
@@ -92,12 +91,12 @@ void validate(const WorldDef& def) {
     require_above("WorldDef.max_angular_speed", def.max_angular_speed, 0);
 }
 
-void validate(const std::string& field, const MassProperties& p) {
-    require_mass(field + ".mass", p.mass);
-    require_finite(field + ".center_of_mass", p.center_of_mass);
-    checked_rotation(field + ".inertia_orientation", p.inertia_orientation);
+void validate(std::string_view field, const MassProperties& p) {
+    require_mass(std::string(field) + ".mass", p.mass);
+    require_finite(std::string(field) + ".center_of_mass", p.center_of_mass);
+    checked_rotation(std::string(field) + ".inertia_orientation", p.inertia_orientation);
     const Vec3& i = p.inertia_diagonal;
-    const std::string name = field + ".inertia_diagonal";
+    const std::string name = std::string(field) + ".inertia_diagonal";
     for (int k = 0; k < 3; ++k)
         if (!(i[k] >= 0) || !std::isfinite(i[k])) refuse(name, to_text(i), "must be finite and >= 0 (0: does not turn about that axis)");
     // Moments of a real body satisfy the triangle inequality; with a zero among them (immovable) it says nothing.
@@ -129,7 +128,7 @@ void validate(const Shape& shape) {
         for (int i = 0; i < 3; ++i) require_size(names[i], box->half_extents[i]);
     } else {
         const auto& plane = std::get<Plane>(shape);
-        auto require_direction = [](const std::string& field, const Vec3& v) {
+        auto require_direction = [](std::string_view field, const Vec3& v) {
             require_finite(field, v);
             if (!(std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}) > 1e-30f)) refuse(field, to_text(v), "must not be zero");
         };
@@ -141,16 +140,16 @@ void validate(const Shape& shape) {
     }
 }
 
-void validate(const std::string& field, const Material& material) {
-    require_at_least(field + ".static_friction", material.static_friction, 0);
-    require_at_least(field + ".dynamic_friction", material.dynamic_friction, 0);
+void validate(std::string_view field, const Material& material) {
+    require_at_least(std::string(field) + ".static_friction", material.static_friction, 0);
+    require_at_least(std::string(field) + ".dynamic_friction", material.dynamic_friction, 0);
     if (!(material.restitution >= 0 && material.restitution <= 1))
-        refuse(field + ".restitution", to_text(material.restitution), "must be from 0 to 1");
-    require_at_least(field + ".rolling_friction", material.rolling_friction, 0);
-    require_at_least(field + ".torsional_friction", material.torsional_friction, 0);
+        refuse(std::string(field) + ".restitution", to_text(material.restitution), "must be from 0 to 1");
+    require_at_least(std::string(field) + ".rolling_friction", material.rolling_friction, 0);
+    require_at_least(std::string(field) + ".torsional_friction", material.torsional_friction, 0);
     for (const CombineRule rule : {material.friction_combine, material.restitution_combine})
         if (rule > CombineRule::multiply)
-            refuse(field + ".combine", std::to_string(int(rule)), "must be one of the enumerators");
+            refuse(std::string(field) + ".combine", std::to_string(int(rule)), "must be one of the enumerators");
 }
 
 void validate(const ShapeDef& def) {

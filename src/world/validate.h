@@ -4,30 +4,33 @@
 #include <cairn/world.h>
 
 #include <string>
+#include <string_view>
 
 namespace cairn {
 
-[[noreturn]] void refuse(const std::string& field, const std::string& value, const std::string& expected);
+inline constexpr float smallest_mass = 1e-32f, largest_mass = 1e32f; // kg
+
+[[noreturn]] void refuse(std::string_view field, const std::string& value, const std::string& expected);
 std::string to_text(double value);
 std::string to_text(const Vec3& value);
 std::string to_text(const Position& value);
 std::string to_text(const Quat& value);
 
-void require_finite(const std::string& field, double value);
-void require_finite(const std::string& field, const Vec3& value);
-void require_position(const std::string& field, const Position& value); // finite, within 1e15 m
-void require_at_least(const std::string& field, double value, double least); // and finite
-void require_above(const std::string& field, double value, double limit);    // and finite
+void require_finite(std::string_view field, double value);
+void require_finite(std::string_view field, const Vec3& value);
+void require_position(std::string_view field, const Position& value); // finite, within 1e15 m
+void require_at_least(std::string_view field, double value, double least); // and finite
+void require_above(std::string_view field, double value, double limit);    // and finite
 
 // The unit quaternion of a rotation; refuses zero and what is not finite.
-Quat checked_rotation(const std::string& field, const Quat& rotation);
+Quat checked_rotation(std::string_view field, const Quat& rotation);
 
 void validate(const WorldDef& def);
 void validate(const BodyDef& def);
 void validate(const Shape& shape);
-void validate(const std::string& field, const Material& material);
+void validate(std::string_view field, const Material& material);
 void validate(const ShapeDef& def);
 void validate(const ForceField& field);
-void validate(const std::string& field, const MassProperties& properties);
+void validate(std::string_view field, const MassProperties& properties);
 
 } // namespace cairn

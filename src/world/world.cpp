@@ -61,6 +61,18 @@ void link_shape(State& s, std::uint32_t shape, std::int32_t body) {
     owner.last_shape = std::int32_t(shape);
 }
 
+// What a density makes of the body's mass must be a mass that could have been given.
+void require_mass_in_range(const State& s, std::int32_t body, const Shape& shape, const ShapeDef& def) {
+    const BodyMass& mass = s.mass[std::size_t(body)];
+    if (!s.is_dynamic(body) || !mass.follows_shapes || mass.has_given_mass || !(def.density > 0)) return;
+    double sum = geometry_mass(make_geometry(shape, {}), def.density).mass;
+    for (std::int32_t i = s.bodies[std::size_t(body)].first_shape; i != none; i = s.shapes[std::size_t(i)].next)
+        sum += geometry_mass(s.geometry[std::size_t(i)], s.shapes[std::size_t(i)].density).mass;
+    if (!(sum >= smallest_mass && sum <= largest_mass))
+        refuse("ShapeDef.density", to_text(def.density),
+               "must give the body a mass from 1e-32 to 1e32 kg, not " + to_text(sum) + " kg");
+}
+
 void retire_shape(State& s, std::uint32_t shape) {
     s.broad_phase.remove(shape);
     s.shape_slots.kill(shape);
@@ -122,6 +134,7 @@ BodyId World::create_body(const BodyDef& def) {
     s.motion[b] = {to_math(def.position), math::normalized(math::to_double(to_math(q))), to_math(def.linear_velocity),
                    to_math(def.angular_velocity), {}, {}};
     if (def.type == BodyType::static_) s.motion[b].v = s.motion[b].w = {};
+    if (clamp_velocity(s.settings, s.motion[b].v, s.motion[b].w)) ++s.clamped_speeds;
     impl_->names[b] = def.name;
     impl_->user_data[b] = def.user_data;
 
@@ -132,6 +145,7 @@ BodyId World::create_body(const BodyDef& def) {
         set_mass(s, body, *def.mass_properties);
         // The given velocity is that of the center of mass, wherever it is.
         if (def.type != BodyType::static_) s.motion[b].v = to_math(def.linear_velocity);
+        clamp_velocity(s.settings, s.motion[b].v, s.motion[b].w);
     } else {
         mass.has_given_mass = def.mass.has_value();
         mass.given_mass = def.mass.value_or(0.0f);
@@ -201,6 +215,7 @@ ShapeId World::add_shape(BodyId id, const Shape& shape, const ShapeDef& def) {
     if (std::holds_alternative<Plane>(shape) && s.is_dynamic(b))
         throw Error(ErrorCode::wrong_state, "World::add_shape shape", "Plane", "planes have no mass: add them to static or kinematic bodies");
     require_slot(s.shape_slots, "World::add_shape");
+    require_mass_in_range(s, b, shape, def);
     const std::uint32_t i = s.shape_slots.create();
     make_room(s.geometry, i), make_room(s.shape_poses, i), make_room(s.shapes, i), make_room(s.materials, i);
     make_room(impl_->shape_of, i), make_room(impl_->def_of, i);

@@ -184,7 +184,7 @@ std::vector<Refusal> positions() {
             rows.push_back(row(bad.row, name, std::move(call), field, bad.text, must_be_near));
         };
         add_row("create_body position", make_body(&BodyDef::position, p), "BodyDef.position");
-        add_row("set_position", on_crate([p](Body body) { body.set_position(p); }), "Body::set_transform position");
+        add_row("set_position", on_crate([p](Body body) { body.set_position(p); }), "Body::set_position");
         add_row("set_transform", on_crate([p](Body body) { body.set_transform(p, Quat(1, 0, 0, 0)); }),
                 "Body::set_transform position");
         add_row("move_to", move_platform({p, Quat(1, 0, 0, 0)}, 1.0f), "Body::move_to target.position");
@@ -260,7 +260,7 @@ std::vector<Refusal> velocities_and_rotations() {
             rows.push_back(row(bad.row, name, std::move(call), field, bad.text, bad.expected));
         };
         add_row("create_body rotation", make_body(&BodyDef::rotation, q), "BodyDef.rotation");
-        add_row("set_rotation", on_crate([q](Body body) { body.set_rotation(q); }), "Body::set_transform rotation");
+        add_row("set_rotation", on_crate([q](Body body) { body.set_rotation(q); }), "Body::set_rotation");
         add_row("set_transform", on_crate([q](Body body) { body.set_transform(Position(0.0), q); }),
                 "Body::set_transform rotation");
         add_row("move_to", move_platform({Position(0.0), q}, 1.0f), "Body::move_to target.rotation");
