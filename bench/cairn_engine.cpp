@@ -7,20 +7,20 @@ namespace cairn::bench {
 namespace {
 
 class CairnEngine final : public Engine {
-public:
-    void build(const Scene &scene, const EngineSettings &settings) override {
+  public:
+    void build(const Scene& scene, const EngineSettings& settings) override {
         WorldDef def;
         def.gravity = scene.gravity;
         def.enable_sleep = false;
         if (settings.substeps > 0) def.substeps = settings.substeps;
         world_.set_settings(def);
         bodies_.reserve(scene.bodies.size());
-        for (const SceneBody &body : scene.bodies) add_body(scene, body);
+        for (const SceneBody& body : scene.bodies) add_body(scene, body);
     }
 
     void step(float time_step) override { world_.step(time_step); }
 
-    void read(std::vector<BodyState> &states) const override {
+    void read(std::vector<BodyState>& states) const override {
         states.resize(bodies_.size());
         for (std::size_t i = 0; i < bodies_.size(); ++i) {
             const Body body = world_.body(bodies_[i]);
@@ -43,8 +43,8 @@ public:
                 {"finalize", t.finalize}};
     }
 
-private:
-    void add_body(const Scene &scene, const SceneBody &body) {
+  private:
+    void add_body(const Scene& scene, const SceneBody& body) {
         BodyDef def;
         def.type = body.motion == Motion::dynamic ? BodyType::dynamic
                    : body.motion == Motion::fixed ? BodyType::static_
@@ -56,7 +56,7 @@ private:
         const BodyId id = world_.create_body(def);
         bodies_.push_back(id);
         for (std::size_t i = 0; i < body.part_count; ++i) {
-            const Part &part = scene.parts[body.first_part + i];
+            const Part& part = scene.parts[body.first_part + i];
             ShapeDef shape;
             shape.position = part.position;
             shape.rotation = part.rotation;

@@ -39,11 +39,11 @@ struct StageTime {
 };
 
 class Engine {
-public:
+  public:
     virtual ~Engine() = default;
-    virtual void build(const Scene &scene, const EngineSettings &settings) = 0; // once, before all else
+    virtual void build(const Scene& scene, const EngineSettings& settings) = 0; // once, before all else
     virtual void step(float time_step) = 0;
-    virtual void read(std::vector<BodyState> &states) const = 0; // by index in Scene::bodies
+    virtual void read(std::vector<BodyState>& states) const = 0; // by index in Scene::bodies
     virtual StepCounts counts() const = 0;
     virtual std::vector<StageTime> stages() const { return {}; } // always the same ones; none if it does not say
 };

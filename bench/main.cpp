@@ -33,18 +33,18 @@ struct Options {
 
 std::vector<std::string> scene_names() {
     std::vector<std::string> names;
-    for (const SceneKind &kind : cairn::bench::scene_kinds()) names.emplace_back(kind.name);
+    for (const SceneKind& kind : cairn::bench::scene_kinds()) names.emplace_back(kind.name);
     return names;
 }
 
 std::vector<std::string> engine_names() {
     std::vector<std::string> names;
-    for (const EngineKind &kind : engine_kinds()) names.emplace_back(kind.name);
+    for (const EngineKind& kind : engine_kinds()) names.emplace_back(kind.name);
     return names;
 }
 
-void add_options(CLI::App &app, Options &options) {
-    auto &measure = options.measure;
+void add_options(CLI::App& app, Options& options) {
+    auto& measure = options.measure;
     measure.scenes = scene_names();
     options.engines = engine_names();
     app.add_option("--scenes", measure.scenes, "Scenes, separated by commas (default: all; see --list)")
@@ -66,11 +66,11 @@ void add_options(CLI::App &app, Options &options) {
 
 std::string listing() {
     std::string text = "Scenes\n";
-    for (const SceneKind &kind : cairn::bench::scene_kinds())
+    for (const SceneKind& kind : cairn::bench::scene_kinds())
         text += fmt::format("  {:<14} {}; --n: {} (default {})\n", kind.name, kind.description, kind.size_meaning,
                             kind.default_size);
     text += "Engines\n";
-    for (const EngineKind &kind : engine_kinds()) text += fmt::format("  {:<14} {}\n", kind.name, kind.version);
+    for (const EngineKind& kind : engine_kinds()) text += fmt::format("  {:<14} {}\n", kind.name, kind.version);
 #ifndef CAIRN_BENCH_BULLET
     text += "  (built without Bullet, which was not found)\n";
 #endif
@@ -83,21 +83,21 @@ int complain(std::string text, int code) {
     return code;
 }
 
-int run(Options &options) {
+int run(Options& options) {
     if (options.list) {
         fmt::print("{}", listing());
         return 0;
     }
     // Sizes are checked before anything is measured.
-    for (const std::string &scene : options.measure.scenes) cairn::bench::check_size(scene, options.measure.size);
-    for (const std::string &name : options.engines)
-        for (const EngineKind &kind : engine_kinds())
+    for (const std::string& scene : options.measure.scenes) cairn::bench::check_size(scene, options.measure.size);
+    for (const std::string& name : options.engines)
+        for (const EngineKind& kind : engine_kinds())
             if (kind.name == name) options.measure.engines.push_back(kind);
 #ifndef CAIRN_BENCH_BULLET
     fmt::print(stderr, "built without Bullet, which was not found: Cairn is measured alone\n");
 #endif
     const auto results =
-        cairn::bench::measure(options.measure, [](const std::string &line) { fmt::print(stderr, "{}\n", line); });
+        cairn::bench::measure(options.measure, [](const std::string& line) { fmt::print(stderr, "{}\n", line); });
     const std::string text = options.json ? cairn::bench::to_json(results) : cairn::bench::to_tables(results);
     const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
     if (!written || std::fflush(stdout) != 0) return complain("stdout cannot be written", 1);
@@ -106,21 +106,21 @@ int run(Options &options) {
 
 } // namespace
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
     CLI::App app("Times physics engines on the same scenes, one thread each, nothing asleep.", "cairn_bench");
     Options options;
     add_options(app, options);
     try {
         app.parse(argc, argv);
-    } catch (const CLI::ParseError &error) {
+    } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return app.exit(error); // --help
         return complain(error.what(), 2);
     }
     try {
         return run(options);
-    } catch (const cairn::bench::SceneError &error) {
+    } catch (const cairn::bench::SceneError& error) {
         return complain(error.what(), 2);
-    } catch (const std::exception &error) {
+    } catch (const std::exception& error) {
         return complain(error.what(), 1);
     }
 }

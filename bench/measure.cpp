@@ -25,12 +25,12 @@ std::optional<double> heap_bytes() {
 }
 
 class Stopwatch {
-public:
+  public:
     double milliseconds() const {
         return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
     }
 
-private:
+  private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
@@ -46,7 +46,7 @@ struct Round {
     std::vector<BodyState> states; // at the end
 };
 
-void add_counts(Round &round, const StepCounts &counts, double weight) {
+void add_counts(Round& round, const StepCounts& counts, double weight) {
     round.contacts += weight * static_cast<double>(counts.contacts);
     round.points += weight * static_cast<double>(counts.points);
     if (counts.candidates)
@@ -54,13 +54,13 @@ void add_counts(Round &round, const StepCounts &counts, double weight) {
     if (counts.substeps) round.substeps = std::max(round.substeps.value_or(0), *counts.substeps);
 }
 
-void add_stages(Round &round, const std::vector<StageTime> &stages, double weight) {
+void add_stages(Round& round, const std::vector<StageTime>& stages, double weight) {
     if (round.stage_ms.empty())
-        for (const StageTime &stage : stages) round.stage_ms.emplace_back(stage.name, 0.0);
+        for (const StageTime& stage : stages) round.stage_ms.emplace_back(stage.name, 0.0);
     for (std::size_t i = 0; i < stages.size(); ++i) round.stage_ms[i].second += weight * stages[i].milliseconds;
 }
 
-void summarize_times(Round &round, std::vector<double> times) {
+void summarize_times(Round& round, std::vector<double> times) {
     for (const double t : times) round.mean_ms += t / static_cast<double>(times.size());
     std::sort(times.begin(), times.end());
     const auto quantile = [&](double q) {
@@ -71,7 +71,7 @@ void summarize_times(Round &round, std::vector<double> times) {
     round.greatest_ms = times.back();
 }
 
-Round run_round(const Scene &scene, const EngineKind &kind, const EngineSettings &settings) {
+Round run_round(const Scene& scene, const EngineKind& kind, const EngineSettings& settings) {
     Round round;
     const auto step_count = static_cast<std::size_t>(scene.steps);
     std::vector<double> times(step_count);
@@ -115,13 +115,13 @@ double median(std::vector<double> values) {
     return n % 2 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
 }
 
-Result sum_up(const Scene &scene, const EngineKind &kind, const std::vector<Round> &rounds) {
-    const auto over_rounds = [&](auto &&value) {
+Result sum_up(const Scene& scene, const EngineKind& kind, const std::vector<Round>& rounds) {
+    const auto over_rounds = [&](auto&& value) {
         std::vector<double> values;
-        for (const Round &round : rounds) values.push_back(value(round));
+        for (const Round& round : rounds) values.push_back(value(round));
         return median(std::move(values));
     };
-    const Round &last = rounds.back();
+    const Round& last = rounds.back();
     Result r;
     r.scene = scene.name;
     r.engine = kind.name;
@@ -129,13 +129,13 @@ Result sum_up(const Scene &scene, const EngineKind &kind, const std::vector<Roun
     r.steps = scene.steps;
     r.rounds = static_cast<int>(rounds.size());
     r.bodies = scene.dynamic_count;
-    r.mean_ms = over_rounds([](const Round &round) { return round.mean_ms; });
-    r.median_ms = over_rounds([](const Round &round) { return round.median_ms; });
-    r.p99_ms = over_rounds([](const Round &round) { return round.p99_ms; });
-    r.greatest_ms = over_rounds([](const Round &round) { return round.greatest_ms; });
-    r.cpu_ms = over_rounds([](const Round &round) { return round.cpu_ms; });
-    r.build_ms = over_rounds([](const Round &round) { return round.build_ms; });
-    const auto by_mean = [](const Round &a, const Round &b) { return a.mean_ms < b.mean_ms; };
+    r.mean_ms = over_rounds([](const Round& round) { return round.mean_ms; });
+    r.median_ms = over_rounds([](const Round& round) { return round.median_ms; });
+    r.p99_ms = over_rounds([](const Round& round) { return round.p99_ms; });
+    r.greatest_ms = over_rounds([](const Round& round) { return round.greatest_ms; });
+    r.cpu_ms = over_rounds([](const Round& round) { return round.cpu_ms; });
+    r.build_ms = over_rounds([](const Round& round) { return round.build_ms; });
+    const auto by_mean = [](const Round& a, const Round& b) { return a.mean_ms < b.mean_ms; };
     r.least_mean_ms = std::min_element(rounds.begin(), rounds.end(), by_mean)->mean_ms;
     r.greatest_mean_ms = std::max_element(rounds.begin(), rounds.end(), by_mean)->mean_ms;
     r.contacts = last.contacts;
@@ -145,22 +145,22 @@ Result sum_up(const Scene &scene, const EngineKind &kind, const std::vector<Roun
     if (r.points > 0) r.nanoseconds_per_point = r.mean_ms * 1e6 / r.points;
     for (std::size_t i = 0; i < last.stage_ms.size(); ++i)
         r.stage_ms.emplace_back(last.stage_ms[i].first,
-                                over_rounds([&](const Round &round) { return round.stage_ms[i].second; }));
+                                over_rounds([&](const Round& round) { return round.stage_ms[i].second; }));
     if (last.bytes) r.bytes_per_body = *last.bytes / static_cast<double>(scene.bodies.size());
     r.penetrations = measure_penetrations(scene, last.states);
     r.penetration_peak = last.penetration_peak;
     if (scene.stands) r.displacement = measure_displacement(scene, last.states);
     r.kinetic_energy = measure_kinetic_energy(scene, last.states);
     r.lost = count_lost(scene, last.states);
-    for (const Round &round : rounds) r.repeatable = r.repeatable && hash_of(round.states) == hash_of(last.states);
+    for (const Round& round : rounds) r.repeatable = r.repeatable && hash_of(round.states) == hash_of(last.states);
     return r;
 }
 
 } // namespace
 
-std::vector<Result> measure(const MeasureOptions &options, const Progress &progress) {
+std::vector<Result> measure(const MeasureOptions& options, const Progress& progress) {
     std::vector<Result> results;
-    for (const std::string &name : options.scenes) {
+    for (const std::string& name : options.scenes) {
         Scene scene = make_scene(name, options.size);
         if (options.steps > 0) scene.steps = options.steps;
         std::vector<std::vector<Round>> rounds(options.engines.size());

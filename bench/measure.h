@@ -45,9 +45,9 @@ struct Result {
     bool repeatable = true; // every round ended in the same state, by bits
 };
 
-using Progress = std::function<void(const std::string &line)>;
+using Progress = std::function<void(const std::string& line)>;
 
 // Per scene the engines take turns: A B A B. `progress` is told what begins. Throws SceneError and cairn::Error.
-std::vector<Result> measure(const MeasureOptions &options, const Progress &progress);
+std::vector<Result> measure(const MeasureOptions& options, const Progress& progress);
 
 } // namespace cairn::bench

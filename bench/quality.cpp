@@ -12,26 +12,26 @@ namespace {
 
 using Vector = glm::dvec3;
 
-Vector rotate(const Quat &q, const Vector &v) {
+Vector rotate(const Quat& q, const Vector& v) {
     const Vector u(q.x, q.y, q.z);
     const Vector t = 2.0 * glm::cross(u, v);
     return v + double(q.w) * t + glm::cross(u, t);
 }
 
-bool is_finite(const BodyState &s) {
+bool is_finite(const BodyState& s) {
     const double sum = s.position.x + s.position.y + s.position.z + s.rotation.x + s.rotation.y + s.rotation.z +
                        s.rotation.w + s.linear_velocity.x + s.linear_velocity.y + s.linear_velocity.z +
                        s.angular_velocity.x + s.angular_velocity.y + s.angular_velocity.z;
     return std::isfinite(sum);
 }
 
-double box_radius_along(const PlacedPart &box, const Vector &direction) {
+double box_radius_along(const PlacedPart& box, const Vector& direction) {
     double radius = 0;
     for (int i = 0; i < 3; ++i) radius += std::abs(glm::dot(direction, box.axes[i])) * box.half_extents[i];
     return radius;
 }
 
-double sphere_box_penetration(const PlacedPart &sphere, const PlacedPart &box) {
+double sphere_box_penetration(const PlacedPart& sphere, const PlacedPart& box) {
     const Vector offset = sphere.center - box.center;
     Vector outside(0.0);
     double inside = -std::numeric_limits<double>::infinity(); // greatest signed distance from a face plane
@@ -44,18 +44,18 @@ double sphere_box_penetration(const PlacedPart &sphere, const PlacedPart &box) {
 }
 
 // The separating axis test over all 15 axes (Gottschalk, Lin, Manocha, "OBBTree", 1996).
-double box_box_penetration(const PlacedPart &a, const PlacedPart &b) {
+double box_box_penetration(const PlacedPart& a, const PlacedPart& b) {
     constexpr double parallel = 1e-6; // sine of the angle below which two edges give no axis of their own
     const Vector offset = b.center - a.center;
     double least = std::numeric_limits<double>::infinity();
-    const auto try_axis = [&](const Vector &axis) {
+    const auto try_axis = [&](const Vector& axis) {
         const double apart = std::abs(glm::dot(axis, offset));
         least = std::min(least, box_radius_along(a, axis) + box_radius_along(b, axis) - apart);
     };
     for (int i = 0; i < 3; ++i) try_axis(a.axes[i]), try_axis(b.axes[i]);
     if (least <= 0) return least;
-    for (const Vector &edge_a : a.axes)
-        for (const Vector &edge_b : b.axes) {
+    for (const Vector& edge_a : a.axes)
+        for (const Vector& edge_b : b.axes) {
             const Vector axis = glm::cross(edge_a, edge_b);
             const double length = glm::length(axis);
             if (length > parallel) try_axis(axis / length);
@@ -63,14 +63,14 @@ double box_box_penetration(const PlacedPart &a, const PlacedPart &b) {
     return least;
 }
 
-template <class F> void for_each_finite(const Scene &scene, std::span<const BodyState> states, F &&f) {
+template <class F> void for_each_finite(const Scene& scene, std::span<const BodyState> states, F&& f) {
     for (std::size_t i = 0; i < scene.bodies.size(); ++i)
         if (scene.bodies[i].motion == Motion::dynamic && is_finite(states[i])) f(scene.bodies[i], states[i]);
 }
 
 // Principal moments of a dynamic body, whose one part is at its center and not turned, kg m^2.
-Vector moments_of(const Scene &scene, const SceneBody &body) {
-    const Part &part = scene.parts[body.first_part];
+Vector moments_of(const Scene& scene, const SceneBody& body) {
+    const Part& part = scene.parts[body.first_part];
     const double mass = body.mass;
     if (part.shape == PartShape::sphere) return Vector(0.4 * mass * part.radius * part.radius);
     const Vector square = Vector(part.half_extents) * Vector(part.half_extents);
@@ -79,7 +79,7 @@ Vector moments_of(const Scene &scene, const SceneBody &body) {
 
 } // namespace
 
-PlacedPart place(const Part &part, const BodyState &body) {
+PlacedPart place(const Part& part, const BodyState& body) {
     PlacedPart placed;
     placed.shape = part.shape;
     placed.center = body.position + rotate(body.rotation, Vector(part.position));
@@ -97,34 +97,34 @@ PlacedPart place(const Part &part, const BodyState &body) {
     return placed;
 }
 
-double penetration(const PlacedPart &a, const PlacedPart &b) {
+double penetration(const PlacedPart& a, const PlacedPart& b) {
     if (a.shape == PartShape::box)
         return b.shape == PartShape::box ? box_box_penetration(a, b) : sphere_box_penetration(b, a);
     if (b.shape == PartShape::box) return sphere_box_penetration(a, b);
     return a.radius + b.radius - glm::length(a.center - b.center);
 }
 
-Penetrations measure_penetrations(const Scene &scene, std::span<const BodyState> states) {
+Penetrations measure_penetrations(const Scene& scene, std::span<const BodyState> states) {
     std::vector<PlacedPart> dynamic, others;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         if (!is_finite(states[i])) continue;
-        const SceneBody &body = scene.bodies[i];
+        const SceneBody& body = scene.bodies[i];
         for (std::size_t k = 0; k < body.part_count; ++k)
             (body.motion == Motion::dynamic ? dynamic : others)
                 .push_back(place(scene.parts[body.first_part + k], states[i]));
     }
     std::vector<double> depths;
-    const auto test = [&](const PlacedPart &a, const PlacedPart &b) {
+    const auto test = [&](const PlacedPart& a, const PlacedPart& b) {
         const double reach = a.bounding_radius + b.bounding_radius;
         const Vector offset = a.center - b.center;
         if (glm::dot(offset, offset) > reach * reach) return;
         const double depth = penetration(a, b);
         if (depth > 0) depths.push_back(depth);
     };
-    for (const PlacedPart &a : dynamic)
-        for (const PlacedPart &b : others) test(a, b);
+    for (const PlacedPart& a : dynamic)
+        for (const PlacedPart& b : others) test(a, b);
     // Among each other: a sweep along x.
-    std::sort(dynamic.begin(), dynamic.end(), [](const PlacedPart &a, const PlacedPart &b) {
+    std::sort(dynamic.begin(), dynamic.end(), [](const PlacedPart& a, const PlacedPart& b) {
         return a.center.x - a.bounding_radius < b.center.x - b.bounding_radius;
     });
     for (std::size_t i = 0; i < dynamic.size(); ++i) {
@@ -144,9 +144,9 @@ Penetrations measure_penetrations(const Scene &scene, std::span<const BodyState>
     return result;
 }
 
-Displacement measure_displacement(const Scene &scene, std::span<const BodyState> states) {
+Displacement measure_displacement(const Scene& scene, std::span<const BodyState> states) {
     Displacement result;
-    for_each_finite(scene, states, [&](const SceneBody &body, const BodyState &state) {
+    for_each_finite(scene, states, [&](const SceneBody& body, const BodyState& state) {
         const Vector moved = state.position - Position(body.position);
         result.drift = std::max(result.drift, std::hypot(moved.x, moved.z));
         result.sag = std::max(result.sag, -moved.y);
@@ -154,9 +154,9 @@ Displacement measure_displacement(const Scene &scene, std::span<const BodyState>
     return result;
 }
 
-std::size_t count_lost(const Scene &scene, std::span<const BodyState> states) {
+std::size_t count_lost(const Scene& scene, std::span<const BodyState> states) {
     std::size_t kept = 0;
-    for_each_finite(scene, states, [&](const SceneBody &, const BodyState &state) {
+    for_each_finite(scene, states, [&](const SceneBody&, const BodyState& state) {
         bool in_bounds = true;
         for (int i = 0; i < 3; ++i)
             in_bounds = in_bounds && state.position[i] >= double(scene.lower_bound[i]) &&
@@ -167,11 +167,11 @@ std::size_t count_lost(const Scene &scene, std::span<const BodyState> states) {
     return scene.dynamic_count - kept;
 }
 
-double measure_kinetic_energy(const Scene &scene, std::span<const BodyState> states) {
+double measure_kinetic_energy(const Scene& scene, std::span<const BodyState> states) {
     double energy = 0;
-    for_each_finite(scene, states, [&](const SceneBody &body, const BodyState &state) {
+    for_each_finite(scene, states, [&](const SceneBody& body, const BodyState& state) {
         const Vector v(state.linear_velocity);
-        const Quat &q = state.rotation;
+        const Quat& q = state.rotation;
         const Vector w = rotate(Quat(q.w, -q.x, -q.y, -q.z), Vector(state.angular_velocity));
         energy += 0.5 * (double(body.mass) * glm::dot(v, v) + glm::dot(moments_of(scene, body), w * w));
     });
@@ -186,7 +186,7 @@ std::uint64_t hash_of(std::span<const BodyState> states) {
         std::memcpy(&bits, &number, sizeof bits);
         for (int shift = 0; shift < 64; shift += 8) hash = (hash ^ ((bits >> shift) & 255)) * 0x100000001b3ull;
     };
-    for (const BodyState &s : states)
+    for (const BodyState& s : states)
         for (const double number :
              {s.position.x, s.position.y, s.position.z, double(s.rotation.x), double(s.rotation.y),
               double(s.rotation.z), double(s.rotation.w), double(s.linear_velocity.x), double(s.linear_velocity.y),

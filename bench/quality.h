@@ -18,11 +18,11 @@ struct PlacedPart {
     double bounding_radius = 0;             // m
 };
 
-PlacedPart place(const Part &part, const BodyState &body);
+PlacedPart place(const Part& part, const BodyState& body);
 
 // How deep two parts overlap: the least distance, in m, by which one would have to be moved so that they only touch.
 // Exact where they overlap; where they do not, it is negative and at most as far from zero as they are apart.
-double penetration(const PlacedPart &a, const PlacedPart &b);
+double penetration(const PlacedPart& a, const PlacedPart& b);
 
 struct Penetrations {
     double greatest = 0; // m
@@ -32,7 +32,7 @@ struct Penetrations {
 };
 
 // Over all pairs of parts that may move against each other. Bodies that are not finite are left out.
-Penetrations measure_penetrations(const Scene &scene, std::span<const BodyState> states);
+Penetrations measure_penetrations(const Scene& scene, std::span<const BodyState> states);
 
 struct Displacement {
     double drift = 0; // greatest horizontal distance of any dynamic body from where it was built, m
@@ -40,13 +40,13 @@ struct Displacement {
 };
 
 // Bodies that are not finite are left out.
-Displacement measure_displacement(const Scene &scene, std::span<const BodyState> states);
+Displacement measure_displacement(const Scene& scene, std::span<const BodyState> states);
 
 // Dynamic bodies that are not finite or have left the bounds of the scene.
-std::size_t count_lost(const Scene &scene, std::span<const BodyState> states);
+std::size_t count_lost(const Scene& scene, std::span<const BodyState> states);
 
 // Of all finite dynamic bodies, linear and rotational, J.
-double measure_kinetic_energy(const Scene &scene, std::span<const BodyState> states);
+double measure_kinetic_energy(const Scene& scene, std::span<const BodyState> states);
 
 // Changes with any bit of any state.
 std::uint64_t hash_of(std::span<const BodyState> states);

@@ -12,13 +12,13 @@ namespace cairn::bench {
 
 namespace {
 
-template <class T> nlohmann::json or_null(const std::optional<T> &value) {
+template <class T> nlohmann::json or_null(const std::optional<T>& value) {
     return value ? nlohmann::json(*value) : nlohmann::json();
 }
 
-nlohmann::json to_object(const Result &r) {
+nlohmann::json to_object(const Result& r) {
     nlohmann::json stages = nlohmann::json::object();
-    for (const auto &[name, ms] : r.stage_ms) stages[name] = ms;
+    for (const auto& [name, ms] : r.stage_ms) stages[name] = ms;
     return {
         {"scene", r.scene},
         {"engine", r.engine},
@@ -59,7 +59,7 @@ std::string lengths(double meters) { return fmt::format("{:.2f}", 1000 * meters)
 
 } // namespace
 
-std::string to_tables(const std::vector<Result> &results) {
+std::string to_tables(const std::vector<Result>& results) {
     std::string text;
     const auto out = std::back_inserter(text);
     fmt::format_to(
@@ -68,7 +68,7 @@ std::string to_tables(const std::vector<Result> &results) {
     fmt::format_to(out, "{:<14} {:<7} {:>6} {:>8} {:>8} {:>8} {:>8} {:>17} {:>8} {:>8} {:>8} {:>4} {:>7}\n", "scene",
                    "engine", "bodies", "cpu", "mean", "median", "p99", "spread", "contacts", "points", "ns/point",
                    "sub", "B/body");
-    for (const Result &r : results)
+    for (const Result& r : results)
         fmt::format_to(
             out,
             "{:<14} {:<7} {:>6} {:>8.3f} {:>8.3f} {:>8.3f} {:>8.3f} {:>8.3f} {:>8.3f} {:>8.0f} {:>8.0f} {:>8} {:>4} "
@@ -82,7 +82,7 @@ std::string to_tables(const std::vector<Result> &results) {
     fmt::format_to(out, "\nQuality at the end (lengths in mm; peak: deepest overlap at each quarter of the run)\n");
     fmt::format_to(out, "{:<14} {:<7} {:>9} {:>9} {:>9} {:>10} {:>10} {:>12} {:>5} {:>6}\n", "scene", "engine",
                    "overlap", "99 %", "peak", "drift", "sag", "energy, J", "lost", "repeat");
-    for (const Result &r : results)
+    for (const Result& r : results)
         fmt::format_to(out, "{:<14} {:<7} {:>9} {:>9} {:>9} {:>10} {:>10} {:>12.5g} {:>5} {:>6}\n", r.scene, r.engine,
                        lengths(r.penetrations.greatest), lengths(r.penetrations.p99), lengths(r.penetration_peak),
                        r.displacement ? lengths(r.displacement->drift) : "-",
@@ -90,23 +90,23 @@ std::string to_tables(const std::vector<Result> &results) {
                        r.repeatable ? "yes" : "no");
 
     bool has_title = false;
-    for (const Result &r : results) {
+    for (const Result& r : results) {
         if (r.stage_ms.empty()) continue;
         if (!has_title) fmt::format_to(out, "\nStages, ms per step (share of their sum)\n");
         has_title = true;
         double sum = 0;
-        for (const auto &stage : r.stage_ms) sum += stage.second;
+        for (const auto& stage : r.stage_ms) sum += stage.second;
         fmt::format_to(out, "{:<14} {:<7}", r.scene, r.engine);
-        for (const auto &[name, ms] : r.stage_ms)
+        for (const auto& [name, ms] : r.stage_ms)
             fmt::format_to(out, "  {} {:.3f} ({:.0f} %)", name, ms, sum > 0 ? 100 * ms / sum : 0.0);
         fmt::format_to(out, "\n");
     }
     return text;
 }
 
-std::string to_json(const std::vector<Result> &results) {
+std::string to_json(const std::vector<Result>& results) {
     nlohmann::json all = nlohmann::json::array();
-    for (const Result &r : results) all.push_back(to_object(r));
+    for (const Result& r : results) all.push_back(to_object(r));
     // A number that is not finite becomes null.
     const nlohmann::json document = {
         {"cairn", version_string}, {"instruction_set", instruction_set()}, {"results", std::move(all)}};

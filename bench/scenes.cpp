@@ -13,7 +13,7 @@ constexpr float pi = 3.14159265f;
 
 // xorshift32 (Marsaglia, "Xorshift RNGs", 2003).
 class Random {
-public:
+  public:
     explicit Random(std::uint32_t seed) : state_(seed * 2654435761u + 12345u) {}
 
     std::uint32_t next() {
@@ -36,22 +36,22 @@ public:
         }
     }
 
-private:
+  private:
     std::uint32_t state_;
 };
 
 class Builder {
-public:
+  public:
     explicit Builder(std::string_view name) { scene.name = name; }
     Scene scene;
 
-    SceneBody &box(Motion motion, Vec3 position, Vec3 half_extents, float density = 1000.0f, Quat rotation = unturned) {
+    SceneBody& box(Motion motion, Vec3 position, Vec3 half_extents, float density = 1000.0f, Quat rotation = unturned) {
         Part part;
         part.half_extents = half_extents;
         const float volume = 8 * half_extents.x * half_extents.y * half_extents.z;
         return add(motion, position, rotation, density, volume, part);
     }
-    SceneBody &sphere(Motion motion, Vec3 position, float radius, float density = 1000.0f) {
+    SceneBody& sphere(Motion motion, Vec3 position, float radius, float density = 1000.0f) {
         Part part;
         part.shape = PartShape::sphere;
         part.radius = radius;
@@ -82,7 +82,7 @@ public:
             }
     }
     // Bodies let fall from a jittered grid into a room. `add_body(random, position)` makes one.
-    template <class F> void pile(int count, int layers, float spacing, std::uint32_t seed, F &&add_body) {
+    template <class F> void pile(int count, int layers, float spacing, std::uint32_t seed, F&& add_body) {
         const int across = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(count) / layers)));
         const int rows = (count + across * across - 1) / (across * across);
         room(0.5f * across * spacing + 0.25f, rows * spacing + 20);
@@ -126,10 +126,10 @@ public:
         scene.axis_distance = std::sqrt(2.0f) * half_width + 0.5f;
     }
 
-private:
+  private:
     static constexpr Quat unturned{1.0f, 0.0f, 0.0f, 0.0f};
 
-    SceneBody &add(Motion motion, Vec3 position, Quat rotation, float density, float volume, const Part &part) {
+    SceneBody& add(Motion motion, Vec3 position, Quat rotation, float density, float volume, const Part& part) {
         SceneBody body;
         body.motion = motion;
         body.position = position;
@@ -146,18 +146,18 @@ private:
     }
 };
 
-void pile_spheres(Builder &b, int size) {
-    b.pile(size, 20, 1.15f, 1, [&](Random &, Vec3 p) { b.sphere(Motion::dynamic, p, 0.5f); });
+void pile_spheres(Builder& b, int size) {
+    b.pile(size, 20, 1.15f, 1, [&](Random&, Vec3 p) { b.sphere(Motion::dynamic, p, 0.5f); });
 }
 
-void pile_boxes(Builder &b, int size) {
-    b.pile(size, 18, 1.82f, 2, [&](Random &random, Vec3 p) {
+void pile_boxes(Builder& b, int size) {
+    b.pile(size, 18, 1.82f, 2, [&](Random& random, Vec3 p) {
         b.box(Motion::dynamic, p, {0.5f, 0.5f, 0.5f}, 1000, random.rotation());
     });
 }
 
-void pile_mixed(Builder &b, int size) {
-    b.pile(size, 16, 2.18f, 3, [&](Random &random, Vec3 p) {
+void pile_mixed(Builder& b, int size) {
+    b.pile(size, 16, 2.18f, 3, [&](Random& random, Vec3 p) {
         const float density = random.between(300, 3000);
         if (random.next() & 1024) {
             const float x = random.between(0.2f, 0.6f), y = random.between(0.2f, 0.6f), z = random.between(0.2f, 0.6f);
@@ -168,14 +168,14 @@ void pile_mixed(Builder &b, int size) {
     });
 }
 
-void one_pyramid(Builder &b, int size) {
+void one_pyramid(Builder& b, int size) {
     b.scene.steps = 300;
     b.scene.stands = true;
     b.ground(400);
     b.pyramid(size, 0, 0);
 }
 
-void many_pyramids(Builder &b, int size) {
+void many_pyramids(Builder& b, int size) {
     b.scene.steps = 300;
     b.scene.stands = true;
     b.ground(400);
@@ -184,13 +184,13 @@ void many_pyramids(Builder &b, int size) {
         for (int j = 0; j < size; ++j) b.pyramid(10, (j - middle) * 12.0f, (i - middle) * 6.0f);
 }
 
-void tower(Builder &b, int size) {
+void tower(Builder& b, int size) {
     b.scene.stands = true;
     b.ground(50);
     for (int i = 0; i < size; ++i) b.box(Motion::dynamic, {0, 0.5f + i, 0}, {0.5f, 0.5f, 0.5f});
 }
 
-void mass_ratio(Builder &b, int size) {
+void mass_ratio(Builder& b, int size) {
     b.scene.stands = true;
     b.ground(50);
     for (int i = 0; i < 5; ++i)
@@ -199,7 +199,7 @@ void mass_ratio(Builder &b, int size) {
 
 constexpr int tumbler_columns = 14, tumbler_rows = 14, tumbler_layers = 11;
 
-void tumbler(Builder &b, int size) {
+void tumbler(Builder& b, int size) {
     const Vec3 center{0, 20, 0};
     b.drum(center, 10, 8, 25 * pi / 180);
     for (int i = 0; i < size; ++i) {
@@ -221,11 +221,11 @@ constexpr SceneKind kinds[] = {
     {"tower", "boxes one on another", "boxes", 40, 10000},
     {"mass_ratio", "four light boxes carry a heavy one", "mass of the heavy box over that of a light one", 1000,
      1000000},
-    {"tumbler", "boxes in a box that turns", "boxes", 2000, tumbler_columns *tumbler_rows *tumbler_layers},
+    {"tumbler", "boxes in a box that turns", "boxes", 2000, tumbler_columns* tumbler_rows* tumbler_layers},
 };
 // In the same order.
-constexpr void (*builders[])(Builder &, int) = {pile_spheres,  pile_boxes, pile_mixed, one_pyramid, one_pyramid,
-                                                many_pyramids, tower,      mass_ratio, tumbler};
+constexpr void (*builders[])(Builder&, int) = {pile_spheres,  pile_boxes, pile_mixed, one_pyramid, one_pyramid,
+                                               many_pyramids, tower,      mass_ratio, tumbler};
 static_assert(std::size(kinds) == std::size(builders));
 
 } // namespace
@@ -243,7 +243,7 @@ std::size_t find_kind(std::string_view name) {
 } // namespace
 
 void check_size(std::string_view name, int size) {
-    const SceneKind &kind = kinds[find_kind(name)];
+    const SceneKind& kind = kinds[find_kind(name)];
     if (size >= 0 && size <= kind.greatest_size) return;
     throw SceneError("the size of " + std::string(name) + " (" + std::string(kind.size_meaning) + ") must be at most " +
                      std::to_string(kind.greatest_size) + " and not negative, got " + std::to_string(size));

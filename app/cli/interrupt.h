@@ -5,7 +5,7 @@ namespace cairn::cli {
 
 // While one of these lives, the first SIGINT or SIGTERM sets a flag; a second one ends the program at once.
 class InterruptGuard {
-public:
+  public:
     InterruptGuard();
     ~InterruptGuard();
     InterruptGuard(const InterruptGuard&) = delete;

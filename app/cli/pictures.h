@@ -12,7 +12,7 @@ namespace cairn::cli {
 
 // Files are finished by `finish`; a video that was not is removed.
 class PictureRecorder {
-public:
+  public:
     // Either path may be empty. Throws Error: `unsupported` without EGL or ffmpeg, `io`, `invalid_value`.
     PictureRecorder(const scene::Scene& scene, std::filesystem::path png, const std::filesystem::path& video, int width,
                     int height);
@@ -23,7 +23,7 @@ public:
     // Draws the picture of the end, and closes the files.
     void finish(const World& world);
 
-private:
+  private:
     void draw(const World& world);
 
     std::filesystem::path png_;

@@ -8,14 +8,14 @@ namespace cairn::cli {
 
 // Draws on stderr, at most ten times a second, and only if that is a terminal. The line is cleared in the end.
 class ProgressLine {
-public:
+  public:
     explicit ProgressLine(std::uint64_t total);
     ~ProgressLine();
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
     void show(std::uint64_t done);
 
-private:
+  private:
     std::uint64_t total_;
     bool on_terminal_, drawn_ = false;
     std::chrono::steady_clock::time_point next_;

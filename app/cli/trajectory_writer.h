@@ -17,7 +17,7 @@ namespace cairn::cli {
 // The file is written beside `path` under another name, and takes its name when `close` is called; without that,
 // it is removed.
 class TrajectoryWriter {
-public:
+  public:
     // Throws Error (io). The bodies must outlive the writing.
     TrajectoryWriter(const std::filesystem::path& path, const World& world);
     ~TrajectoryWriter();
@@ -27,7 +27,7 @@ public:
     void add(const World& world); // all bodies, now; throws Error (io)
     void close();                 // throws Error (io)
 
-private:
+  private:
     void write(const std::string& text);
 
     std::filesystem::path path_, temporary_;

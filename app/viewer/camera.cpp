@@ -20,7 +20,7 @@ constexpr float far_per_near = 2.0e5f;
 
 } // namespace
 
-void OrbitCamera::set_pose(const CameraPose &pose) {
+void OrbitCamera::set_pose(const CameraPose& pose) {
     const glm::dvec3 offset = pose.position - pose.target;
     const double length = glm::length(offset);
     target_ = pose.target;
@@ -48,7 +48,7 @@ void OrbitCamera::pan(float right_amount, float up_amount) {
     target_ += Position((right() * right_amount + up() * up_amount) * picture_height);
 }
 
-void OrbitCamera::frame(const Position &center, float radius) {
+void OrbitCamera::frame(const Position& center, float radius) {
     target_ = center;
     distance_ = std::clamp(2.2f * radius / std::tan(0.5f * vertical_fov_), min_distance, max_distance);
 }
@@ -69,7 +69,7 @@ Position OrbitCamera::render_origin() const {
             std::round(target_.z / origin_lattice) * origin_lattice};
 }
 
-glm::mat4 OrbitCamera::view(const Position &origin) const {
+glm::mat4 OrbitCamera::view(const Position& origin) const {
     const Vec3 eye(position() - origin);
     return glm::lookAt(eye, eye + forward(), up());
 }
@@ -79,13 +79,13 @@ glm::mat4 OrbitCamera::projection(float aspect) const {
     return glm::perspective(vertical_fov_, aspect, near_plane, near_plane * far_per_near);
 }
 
-Ray OrbitCamera::cursor_ray(const glm::vec2 &device, float aspect) const {
+Ray OrbitCamera::cursor_ray(const glm::vec2& device, float aspect) const {
     const float half_height = std::tan(0.5f * vertical_fov_);
     const Vec3 direction = forward() + right() * (device.x * half_height * aspect) + up() * (device.y * half_height);
     return {position(), glm::normalize(direction)};
 }
 
-std::optional<glm::vec2> OrbitCamera::project(const Position &point, float aspect) const {
+std::optional<glm::vec2> OrbitCamera::project(const Position& point, float aspect) const {
     const Vec3 offset(point - position());
     const float depth = glm::dot(offset, forward());
     if (depth <= 1e-6f) return std::nullopt;

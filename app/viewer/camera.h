@@ -26,11 +26,11 @@ struct Ray {
 };
 
 class OrbitCamera {
-public:
-    explicit OrbitCamera(const CameraPose &pose = {}) { set_pose(pose); }
+  public:
+    explicit OrbitCamera(const CameraPose& pose = {}) { set_pose(pose); }
 
     /// Takes over a pose. A position equal to the target is moved back to the least distance.
-    void set_pose(const CameraPose &pose);
+    void set_pose(const CameraPose& pose);
     CameraPose pose() const;
 
     /// Turns about the target, radians: positive `yaw` moves the camera to its right, positive `pitch` upwards.
@@ -41,29 +41,29 @@ public:
     /// Shifts the target sideways and upwards, in units of the height of the picture.
     void pan(float right, float up);
     /// Looks at a ball from the present direction, so that it fills about half of the picture.
-    void frame(const Position &center, float radius);
+    void frame(const Position& center, float radius);
 
     Vec3 forward() const;
     Vec3 right() const;
     Vec3 up() const;
     Position position() const;
-    const Position &target() const noexcept { return target_; }
+    const Position& target() const noexcept { return target_; }
     float distance() const noexcept { return distance_; }
     float vertical_fov() const noexcept { return vertical_fov_; }
 
     /// A point near the target on a coarse lattice of whole meters, from which drawing measures.
     Position render_origin() const;
     /// From positions relative to `origin` to the camera's frame (right, up, backwards).
-    glm::mat4 view(const Position &origin) const;
+    glm::mat4 view(const Position& origin) const;
     /// Perspective; `aspect` is width over height.
     glm::mat4 projection(float aspect) const;
 
     /// The ray through a point of the picture, in normalized device coordinates (-1..1, up is positive).
-    Ray cursor_ray(const glm::vec2 &device, float aspect) const;
+    Ray cursor_ray(const glm::vec2& device, float aspect) const;
     /// Where a point appears, in normalized device coordinates; nothing if it is behind the camera.
-    std::optional<glm::vec2> project(const Position &point, float aspect) const;
+    std::optional<glm::vec2> project(const Position& point, float aspect) const;
 
-private:
+  private:
     Position target_{0.0, 0.0, 0.0};
     float yaw_ = 0.0f;   // about +Y, 0 looks along -Z
     float pitch_ = 0.0f; // above the horizon

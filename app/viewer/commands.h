@@ -93,7 +93,7 @@ using Command = std::variant<command::LoadScene, command::ResetScene, command::S
 
 /// A queue that many threads may fill and one empties.
 class CommandQueue {
-public:
+  public:
     void push(Command command);
     /// Takes all that is queued, first come first; does not wait.
     std::vector<Command> take();
@@ -103,7 +103,7 @@ public:
     void close();
     bool closed() const;
 
-private:
+  private:
     mutable std::mutex mutex_;
     std::condition_variable changed_;
     std::vector<Command> commands_;

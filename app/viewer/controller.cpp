@@ -28,7 +28,7 @@ void Controller::set_colors(ColorMode mode) {
 void Controller::change_scene(int by) {
     if (scenes_.empty()) return;
     const auto present = std::find_if(scenes_.begin(), scenes_.end(),
-                                      [this](const SceneItem &item) { return item.path == scene_path_; });
+                                      [this](const SceneItem& item) { return item.path == scene_path_; });
     const int count = int(scenes_.size());
     const int index = present == scenes_.end() ? (by > 0 ? -1 : 0) : int(present - scenes_.begin());
     choose_scene(std::size_t((index + by + count) % count));
@@ -62,7 +62,7 @@ void Controller::release_all() {
 void Controller::update_held() {
     Vec3 force(0.0f);
     bool pulling = false, freezing = false;
-    for (const auto &[key, binding] : held_) {
+    for (const auto& [key, binding] : held_) {
         const float acceleration = force_key_acceleration * float(binding.argument);
         if (binding.action == Action::force_x) force.x += acceleration;
         if (binding.action == Action::force_y) force.y += acceleration;
@@ -106,7 +106,7 @@ bool Controller::perform_on_camera(Action action) {
         WorldLayout shown = *state_.layout;
         if (state_.selected)
             std::erase_if(shown.shapes,
-                          [&](const ShapeLayout &shape) { return shown.bodies[shape.body].id != state_.selected; });
+                          [&](const ShapeLayout& shape) { return shown.bodies[shape.body].id != state_.selected; });
         const BoundingBall ball = bounding_ball(shown, *state_.current);
         camera.frame(ball.center, ball.radius);
         return true;
@@ -148,7 +148,7 @@ void Controller::perform_on_body(Action action) {
     }
 }
 
-void Controller::perform(const Binding &binding) {
+void Controller::perform(const Binding& binding) {
     if (perform_on_camera(binding.action)) return;
     switch (binding.action) {
     case Action::choose_scene:
@@ -202,7 +202,7 @@ void Controller::perform(const Binding &binding) {
     }
 }
 
-void Controller::move_cursor(const glm::vec2 &device, float aspect) {
+void Controller::move_cursor(const glm::vec2& device, float aspect) {
     const glm::vec2 moved = (device - cursor_) * 0.5f; // in pictures
     cursor_ = device;
     aspect_ = aspect;
@@ -232,7 +232,7 @@ void Controller::button_up(MouseButton button) {
     post_(command::ReleaseGrab{glm::length(moved) < click_slack});
 }
 
-void Controller::update(const StageState &state) {
+void Controller::update(const StageState& state) {
     state_ = state;
     scene_path_ = state.path;
     if (state.scene_serial != scene_serial_) {
@@ -258,7 +258,7 @@ void Controller::update(const StageState &state) {
     if (target != state.grab.target) post_(command::MoveGrab{target});
 }
 
-FrameOptions Controller::frame_options(const StageState &state) const {
+FrameOptions Controller::frame_options(const StageState& state) const {
     FrameOptions options;
     options.colors = colors;
     options.grid = grid;

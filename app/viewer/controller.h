@@ -26,7 +26,7 @@ enum class MouseButton { left, right, middle };
 inline constexpr float force_key_acceleration = 40.0f;
 
 class Controller {
-public:
+  public:
     using Post = std::function<void(Command)>;
     Controller(Post post, std::vector<SceneItem> scenes) : post_(std::move(post)), scenes_(std::move(scenes)) {}
 
@@ -38,7 +38,7 @@ public:
     bool quit = false;
     bool screenshot = false; ///< Asked for; whoever takes it clears this.
 
-    const std::vector<SceneItem> &scenes() const noexcept { return scenes_; }
+    const std::vector<SceneItem>& scenes() const noexcept { return scenes_; }
     void choose_scene(std::size_t index); ///< Beyond the list: nothing happens.
     void set_colors(ColorMode mode);
     void post(Command command) { post_(std::move(command)); }
@@ -50,7 +50,7 @@ public:
     /// Lets go of everything: the window lost the focus, so the ends of keys and drags would be missed.
     void release_all();
     /// The cursor, in normalized device coordinates, and the picture's aspect, width over height.
-    void move_cursor(const glm::vec2 &device, float aspect);
+    void move_cursor(const glm::vec2& device, float aspect);
     void button_down(MouseButton button);
     void button_up(MouseButton button);
     void wheel(float notches) { camera.zoom(notches); }
@@ -58,14 +58,14 @@ public:
     void set_constraint(DragConstraint constraint) { constraint_ = constraint; }
 
     /// To be called every frame with the latest state: follows new scenes and the answers to grabs.
-    void update(const StageState &state);
+    void update(const StageState& state);
     /// How to draw that state.
-    FrameOptions frame_options(const StageState &state) const;
+    FrameOptions frame_options(const StageState& state) const;
     bool dragging() const noexcept { return drag_ == Drag::body; }
 
-private:
+  private:
     enum class Drag { none, asked, body, orbit, pan };
-    void perform(const Binding &binding);
+    void perform(const Binding& binding);
     bool perform_on_camera(Action action);
     void perform_on_body(Action action);
     void change_scene(int by);

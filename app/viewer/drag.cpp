@@ -13,11 +13,11 @@ namespace cairn::viewer {
 namespace {
 
 // The matrix of the cross product: skew(v) * w = v x w.
-Mat3 skew(const Vec3 &v) { return {0.0f, v.z, -v.y, -v.z, 0.0f, v.x, v.y, -v.x, 0.0f}; }
+Mat3 skew(const Vec3& v) { return {0.0f, v.z, -v.y, -v.z, 0.0f, v.x, v.y, -v.x, 0.0f}; }
 
 } // namespace
 
-Position drag_target(const Ray &cursor, const Position &grabbed, const Vec3 &forward, DragConstraint constraint,
+Position drag_target(const Ray& cursor, const Position& grabbed, const Vec3& forward, DragConstraint constraint,
                      double max_distance) {
     Vec3 normal = forward;
     if (constraint == DragConstraint::ground) normal = {0.0f, 1.0f, 0.0f};
@@ -40,8 +40,8 @@ Position drag_target(const Ray &cursor, const Position &grabbed, const Vec3 &for
 // k = M w^2 and damping c = 2 M w, taken implicitly, asks for
 //     F = -(k (x + h v') + c v'),  v' = v + h F / M   =>   F = -M (w^2 x + (w^2 h + 2 w) v) / (1 + 2 w h + w^2 h^2).
 // M is the inverse of K = 1/m + the turning part, a matrix, since pushing a body off its center turns it as well.
-DragForce drag_force(const Body &body, const Vec3 &local_point, const Position &target, float dt,
-                     const DragSpring &spring) {
+DragForce drag_force(const Body& body, const Vec3& local_point, const Position& target, float dt,
+                     const DragSpring& spring) {
     DragForce result;
     const float mass = body.mass();
     if (!std::isfinite(mass)) return result;

@@ -18,7 +18,7 @@ enum class DragConstraint {
 /// Where the cursor's ray wants a point grabbed at `grabbed` to be. `forward` is where the camera looks (unit).
 /// A ray that never meets the constraint's plane keeps `grabbed`, and the point is never taken farther than
 /// `max_distance` meters from the ray's origin, so that a ray along the horizon does not send it to infinity.
-Position drag_target(const Ray &cursor, const Position &grabbed, const Vec3 &forward, DragConstraint constraint,
+Position drag_target(const Ray& cursor, const Position& grabbed, const Vec3& forward, DragConstraint constraint,
                      double max_distance = 1000.0);
 
 /// The spring's tunables.
@@ -36,7 +36,7 @@ struct DragForce {
     Vec3 torque{0.0f, 0.0f, 0.0f}; ///< N m.
     Position point{0.0, 0.0, 0.0}; ///< Where the force acts, world space.
 };
-DragForce drag_force(const Body &body, const Vec3 &local_point, const Position &target, float dt,
-                     const DragSpring &spring = {});
+DragForce drag_force(const Body& body, const Vec3& local_point, const Position& target, float dt,
+                     const DragSpring& spring = {});
 
 } // namespace cairn::viewer

@@ -14,21 +14,21 @@ namespace cairn::viewer {
 
 namespace fs = std::filesystem;
 
-fs::path temporary_beside(const fs::path &path) {
+fs::path temporary_beside(const fs::path& path) {
     // Keeps the extension: ffmpeg chooses the container by it.
     std::string name(".");
     name += path.stem().string() + "." + std::to_string(getpid()) + ".part" + path.extension().string();
     return fs::path(path).replace_filename(name);
 }
 
-void make_parent_folder(const fs::path &path) {
+void make_parent_folder(const fs::path& path) {
     if (!path.has_parent_path()) return;
     std::error_code error;
     fs::create_directories(path.parent_path(), error);
     if (error) throw Error(ErrorCode::io, path.string(), error.message(), "its folder must exist or be creatable");
 }
 
-void take_final_name(const fs::path &temporary, const fs::path &path) {
+void take_final_name(const fs::path& temporary, const fs::path& path) {
     std::error_code error;
     fs::rename(temporary, path, error);
     if (!error) return;
@@ -37,7 +37,7 @@ void take_final_name(const fs::path &temporary, const fs::path &path) {
     throw Error(ErrorCode::io, path.string(), error.message(), "must be writable");
 }
 
-void write_file(const fs::path &path, std::string_view content) {
+void write_file(const fs::path& path, std::string_view content) {
     make_parent_folder(path);
     const fs::path temporary = temporary_beside(path);
     errno = 0;

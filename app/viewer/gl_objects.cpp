@@ -18,9 +18,9 @@ template <class Make> unsigned generate(Make make) {
     return name;
 }
 
-GlObject compile(unsigned stage, const char *header, const std::string &source) {
+GlObject compile(unsigned stage, const char* header, const std::string& source) {
     GlObject shader(glCreateShader(stage), [](unsigned name) { glDeleteShader(name); });
-    const char *parts[] = {header, source.c_str()};
+    const char* parts[] = {header, source.c_str()};
     glShaderSource(shader.name(), 2, parts, nullptr);
     glCompileShader(shader.name());
     GLint ok = 0;
@@ -36,10 +36,10 @@ GlObject compile(unsigned stage, const char *header, const std::string &source) 
 void attribute(unsigned location, int components, std::size_t stride, std::size_t offset) {
     glEnableVertexAttribArray(location);
     glVertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, GLsizei(stride),
-                          reinterpret_cast<const void *>(offset)); // an offset into the buffer, by OpenGL's convention
+                          reinterpret_cast<const void*>(offset)); // an offset into the buffer, by OpenGL's convention
 }
 
-void mesh_attributes(const GlObject &array, const GlObject &vertices, const GlObject &indices) {
+void mesh_attributes(const GlObject& array, const GlObject& vertices, const GlObject& indices) {
     glBindVertexArray(array.name());
     glBindBuffer(GL_ARRAY_BUFFER, vertices.name());
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.name());
@@ -51,31 +51,31 @@ void mesh_attributes(const GlObject &array, const GlObject &vertices, const GlOb
 } // namespace
 
 GlObject make_buffer() {
-    return {generate([](GLsizei n, GLuint *out) { glGenBuffers(n, out); }),
+    return {generate([](GLsizei n, GLuint* out) { glGenBuffers(n, out); }),
             [](unsigned name) { glDeleteBuffers(1, &name); }};
 }
 
 GlObject make_vertex_array() {
-    return {generate([](GLsizei n, GLuint *out) { glGenVertexArrays(n, out); }),
+    return {generate([](GLsizei n, GLuint* out) { glGenVertexArrays(n, out); }),
             [](unsigned name) { glDeleteVertexArrays(1, &name); }};
 }
 
 GlObject make_framebuffer() {
-    return {generate([](GLsizei n, GLuint *out) { glGenFramebuffers(n, out); }),
+    return {generate([](GLsizei n, GLuint* out) { glGenFramebuffers(n, out); }),
             [](unsigned name) { glDeleteFramebuffers(1, &name); }};
 }
 
 GlObject make_renderbuffer() {
-    return {generate([](GLsizei n, GLuint *out) { glGenRenderbuffers(n, out); }),
+    return {generate([](GLsizei n, GLuint* out) { glGenRenderbuffers(n, out); }),
             [](unsigned name) { glDeleteRenderbuffers(1, &name); }};
 }
 
 GlObject make_texture() {
-    return {generate([](GLsizei n, GLuint *out) { glGenTextures(n, out); }),
+    return {generate([](GLsizei n, GLuint* out) { glGenTextures(n, out); }),
             [](unsigned name) { glDeleteTextures(1, &name); }};
 }
 
-GlProgram::GlProgram(const char *header, const std::string &vertex, const std::string &fragment) {
+GlProgram::GlProgram(const char* header, const std::string& vertex, const std::string& fragment) {
     const GlObject vertex_shader = compile(GL_VERTEX_SHADER, header, vertex);
     const GlObject fragment_shader = compile(GL_FRAGMENT_SHADER, header, fragment);
     program_ = GlObject(glCreateProgram(), [](unsigned name) { glDeleteProgram(name); });
@@ -93,25 +93,25 @@ GlProgram::GlProgram(const char *header, const std::string &vertex, const std::s
 
 void GlProgram::use() const { glUseProgram(program_.name()); }
 
-int GlProgram::place_of(const char *uniform) const { return glGetUniformLocation(program_.name(), uniform); }
+int GlProgram::place_of(const char* uniform) const { return glGetUniformLocation(program_.name(), uniform); }
 
-void GlProgram::set(const char *uniform, const glm::mat4 &value) const {
+void GlProgram::set(const char* uniform, const glm::mat4& value) const {
     glUniformMatrix4fv(place_of(uniform), 1, GL_FALSE, &value[0][0]);
 }
 
-void GlProgram::set(const char *uniform, const Vec3 &value) const {
+void GlProgram::set(const char* uniform, const Vec3& value) const {
     glUniform3f(place_of(uniform), value.x, value.y, value.z);
 }
 
-void GlProgram::set(const char *uniform, const glm::vec2 &value) const {
+void GlProgram::set(const char* uniform, const glm::vec2& value) const {
     glUniform2f(place_of(uniform), value.x, value.y);
 }
 
-void GlProgram::set(const char *uniform, float value) const { glUniform1f(place_of(uniform), value); }
+void GlProgram::set(const char* uniform, float value) const { glUniform1f(place_of(uniform), value); }
 
-void GlProgram::set(const char *uniform, int value) const { glUniform1i(place_of(uniform), value); }
+void GlProgram::set(const char* uniform, int value) const { glUniform1i(place_of(uniform), value); }
 
-GlMesh::GlMesh(const Mesh &mesh)
+GlMesh::GlMesh(const Mesh& mesh)
     : vertices_(make_buffer()), indices_(make_buffer()), instances_(make_buffer()), array_(make_vertex_array()),
       plain_array_(make_vertex_array()), index_count_(int(mesh.indices.size())) {
     mesh_attributes(plain_array_, vertices_, indices_);
@@ -128,7 +128,7 @@ GlMesh::GlMesh(const Mesh &mesh)
     glBindVertexArray(0);
 }
 
-void GlMesh::upload(const void *instances, std::size_t count) {
+void GlMesh::upload(const void* instances, std::size_t count) {
     instance_count_ = int(count);
     glBindBuffer(GL_ARRAY_BUFFER, instances_.name());
     glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(count * sizeof(Instance)), instances, GL_STREAM_DRAW);

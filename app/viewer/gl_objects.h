@@ -14,13 +14,13 @@ namespace cairn::viewer {
 
 /// Deletes an OpenGL object by the function given.
 class GlObject {
-public:
+  public:
     using Destroy = void (*)(unsigned name);
     GlObject() = default;
     GlObject(unsigned name, Destroy destroy) : name_(name), destroy_(destroy) {}
     ~GlObject() { reset(); }
-    GlObject(GlObject &&other) noexcept : name_(std::exchange(other.name_, 0u)), destroy_(other.destroy_) {}
-    GlObject &operator=(GlObject &&other) noexcept {
+    GlObject(GlObject&& other) noexcept : name_(std::exchange(other.name_, 0u)), destroy_(other.destroy_) {}
+    GlObject& operator=(GlObject&& other) noexcept {
         std::swap(name_, other.name_);
         std::swap(destroy_, other.destroy_);
         return *this;
@@ -30,7 +30,7 @@ public:
         if (name_ != 0) destroy_(std::exchange(name_, 0u));
     }
 
-private:
+  private:
     unsigned name_ = 0;
     Destroy destroy_ = nullptr;
 };
@@ -43,34 +43,34 @@ GlObject make_texture();
 
 /// A compiled and linked shader program. Setting a uniform that the program does not use does nothing.
 class GlProgram {
-public:
+  public:
     GlProgram() = default;
     /// Prepends `header` to both sources and compiles. Throws `Error` (unsupported) with the compiler's words.
-    GlProgram(const char *header, const std::string &vertex, const std::string &fragment);
+    GlProgram(const char* header, const std::string& vertex, const std::string& fragment);
     void use() const;
-    void set(const char *uniform, const glm::mat4 &value) const;
-    void set(const char *uniform, const Vec3 &value) const;
-    void set(const char *uniform, const glm::vec2 &value) const;
-    void set(const char *uniform, float value) const;
-    void set(const char *uniform, int value) const;
+    void set(const char* uniform, const glm::mat4& value) const;
+    void set(const char* uniform, const Vec3& value) const;
+    void set(const char* uniform, const glm::vec2& value) const;
+    void set(const char* uniform, float value) const;
+    void set(const char* uniform, int value) const;
 
-private:
-    int place_of(const char *uniform) const;
+  private:
+    int place_of(const char* uniform) const;
     GlObject program_;
 };
 
 /// A mesh on the graphics card, drawn many times by one call.
 class GlMesh {
-public:
-    explicit GlMesh(const Mesh &mesh);
+  public:
+    explicit GlMesh(const Mesh& mesh);
     /// Draws one copy for each element of `instances` (64 bytes each, see `Instance`).
-    void upload(const void *instances, std::size_t count);
+    void upload(const void* instances, std::size_t count);
     /// Draws what was uploaded last.
     void draw_instances() const;
     /// Draws the mesh itself, once.
     void draw_once() const;
 
-private:
+  private:
     GlObject vertices_, indices_, instances_, array_, plain_array_;
     int index_count_ = 0;
     int instance_count_ = 0;

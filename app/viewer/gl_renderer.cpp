@@ -31,10 +31,10 @@ struct SphereDetail {
 };
 constexpr std::array<SphereDetail, 4> sphere_details{{{1, 0.0f}, {2, 6.0f}, {3, 32.0f}, {4, 140.0f}}};
 
-std::string with_lighting(const char *fragment) { return std::string(shaders::lighting) + fragment; }
+std::string with_lighting(const char* fragment) { return std::string(shaders::lighting) + fragment; }
 
 // Which way "up" lies in the light's frame does not matter, as long as it is not along the light.
-glm::mat4 light_view(const Vec3 &to_light) {
+glm::mat4 light_view(const Vec3& to_light) {
     const Vec3 up = std::abs(to_light.y) < 0.9f ? Vec3(0.0f, 1.0f, 0.0f) : Vec3(1.0f, 0.0f, 0.0f);
     return glm::lookAt(Vec3(0.0f), -to_light, up);
 }
@@ -46,12 +46,12 @@ float grid_spacing(float camera_distance) {
 
 } // namespace
 
-ShadowRegion shadow_region(const RenderFrame &frame) {
+ShadowRegion shadow_region(const RenderFrame& frame) {
     const Vec3 target(frame.camera.target - frame.origin);
     const float reach = 5.0f * std::max(0.1f, float(glm::length(frame.camera.position - frame.camera.target)));
     float radius = 0.0f;
-    const auto include = [&](const std::vector<Instance> &instances) {
-        for (const Instance &instance : instances) {
+    const auto include = [&](const std::vector<Instance>& instances) {
+        for (const Instance& instance : instances) {
             const float needed = glm::length(instance.position - target) + glm::length(instance.half_size);
             if (needed < reach) radius = std::max(radius, needed);
         }
@@ -84,15 +84,15 @@ struct GlRenderer::Impl {
     Impl();
     void make_shadow_map();
     void resize_target(int width, int height);
-    void prepare(const RenderFrame &frame, float aspect);
-    void sort_instances(const RenderFrame &frame, int height);
-    void sort_by_distance(std::vector<Instance> &instances) const;
-    void draw_shadow_map(const RenderFrame &frame);
-    void set_lighting(const GlProgram &program, const RenderFrame &frame) const;
-    void draw_sky(const RenderFrame &frame, float aspect);
-    void draw_bodies(const RenderFrame &frame);
-    void draw_grounds(const RenderFrame &frame);
-    void draw_lines(const RenderFrame &frame);
+    void prepare(const RenderFrame& frame, float aspect);
+    void sort_instances(const RenderFrame& frame, int height);
+    void sort_by_distance(std::vector<Instance>& instances) const;
+    void draw_shadow_map(const RenderFrame& frame);
+    void set_lighting(const GlProgram& program, const RenderFrame& frame) const;
+    void draw_sky(const RenderFrame& frame, float aspect);
+    void draw_bodies(const RenderFrame& frame);
+    void draw_grounds(const RenderFrame& frame);
+    void draw_lines(const RenderFrame& frame);
 };
 
 GlRenderer::Impl::Impl()
@@ -111,7 +111,7 @@ GlRenderer::Impl::Impl()
     glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 6 * sizeof(float), nullptr);
     glEnableVertexAttribArray(1);
     glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, 6 * sizeof(float),
-                          reinterpret_cast<const void *>(3 * sizeof(float)));
+                          reinterpret_cast<const void*>(3 * sizeof(float)));
     glBindVertexArray(0);
     make_shadow_map();
 }
@@ -159,7 +159,7 @@ void GlRenderer::Impl::resize_target(int width, int height) {
     target_height = height;
 }
 
-void GlRenderer::Impl::prepare(const RenderFrame &frame, float aspect) {
+void GlRenderer::Impl::prepare(const RenderFrame& frame, float aspect) {
     camera.set_pose(frame.camera);
     eye = Vec3(camera.position() - frame.origin);
     to_light = glm::normalize(frame.light_direction);
@@ -183,19 +183,19 @@ void GlRenderer::Impl::prepare(const RenderFrame &frame, float aspect) {
 }
 
 // Near ones first: what they hide is not shaded.
-void GlRenderer::Impl::sort_by_distance(std::vector<Instance> &instances) const {
-    const auto distance = [this](const Instance &instance) {
+void GlRenderer::Impl::sort_by_distance(std::vector<Instance>& instances) const {
+    const auto distance = [this](const Instance& instance) {
         const Vec3 offset = instance.position - eye;
         return glm::dot(offset, offset);
     };
     std::sort(instances.begin(), instances.end(),
-              [&](const Instance &a, const Instance &b) { return distance(a) < distance(b); });
+              [&](const Instance& a, const Instance& b) { return distance(a) < distance(b); });
 }
 
-void GlRenderer::Impl::sort_instances(const RenderFrame &frame, int height) {
-    for (std::vector<Instance> &list : sphere_lists) list.clear();
+void GlRenderer::Impl::sort_instances(const RenderFrame& frame, int height) {
+    for (std::vector<Instance>& list : sphere_lists) list.clear();
     const float pixels_per_slope = 0.5f * float(height) / std::tan(0.5f * frame.camera.vertical_fov);
-    for (const Instance &sphere : frame.spheres) {
+    for (const Instance& sphere : frame.spheres) {
         const float distance = std::max(glm::length(sphere.position - eye), 1e-3f);
         const float pixels = sphere.half_size.x / distance * pixels_per_slope;
         std::size_t level = 0;
@@ -212,7 +212,7 @@ void GlRenderer::Impl::sort_instances(const RenderFrame &frame, int height) {
     rectangles.upload(frame.rectangles.data(), frame.rectangles.size());
 }
 
-void GlRenderer::Impl::draw_shadow_map(const RenderFrame &frame) {
+void GlRenderer::Impl::draw_shadow_map(const RenderFrame& frame) {
     glBindFramebuffer(GL_FRAMEBUFFER, shadow_framebuffer.name());
     glViewport(0, 0, shadow_size, shadow_size);
     glClear(GL_DEPTH_BUFFER_BIT);
@@ -221,12 +221,12 @@ void GlRenderer::Impl::draw_shadow_map(const RenderFrame &frame) {
     glPolygonOffset(1.5f, 2.0f);
     shadow.use();
     shadow.set("u_clip_from_world", shadow_clip_from_world);
-    for (const GlMesh &mesh : spheres) mesh.draw_instances();
+    for (const GlMesh& mesh : spheres) mesh.draw_instances();
     boxes.draw_instances();
     glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
-void GlRenderer::Impl::set_lighting(const GlProgram &program, const RenderFrame &frame) const {
+void GlRenderer::Impl::set_lighting(const GlProgram& program, const RenderFrame& frame) const {
     program.use();
     program.set("u_clip_from_world", clip_from_world);
     program.set("u_eye", eye);
@@ -239,7 +239,7 @@ void GlRenderer::Impl::set_lighting(const GlProgram &program, const RenderFrame 
     program.set("u_grid", frame.grid ? 1.0f : 0.0f);
 }
 
-void GlRenderer::Impl::draw_sky(const RenderFrame &frame, float aspect) {
+void GlRenderer::Impl::draw_sky(const RenderFrame& frame, float aspect) {
     set_lighting(sky, frame);
     const float half_height = std::tan(0.5f * camera.vertical_fov());
     sky.set("u_ray_forward", camera.forward());
@@ -252,17 +252,17 @@ void GlRenderer::Impl::draw_sky(const RenderFrame &frame, float aspect) {
     glDepthFunc(GL_LESS);
 }
 
-void GlRenderer::Impl::draw_bodies(const RenderFrame &frame) {
+void GlRenderer::Impl::draw_bodies(const RenderFrame& frame) {
     set_lighting(body, frame);
     body.set("u_kind", 0);
-    for (const GlMesh &mesh : spheres) mesh.draw_instances();
+    for (const GlMesh& mesh : spheres) mesh.draw_instances();
     body.set("u_kind", 1);
     boxes.draw_instances();
     body.set("u_kind", 2);
     rectangles.draw_instances();
 }
 
-void GlRenderer::Impl::draw_grounds(const RenderFrame &frame) {
+void GlRenderer::Impl::draw_grounds(const RenderFrame& frame) {
     if (frame.grounds.empty()) return;
     set_lighting(ground, frame);
     const float distance = camera.distance();
@@ -270,7 +270,7 @@ void GlRenderer::Impl::draw_grounds(const RenderFrame &frame) {
     ground.set("u_spacing", grid_spacing(distance));
     ground.set("u_fade", fade);
     ground.set("u_extent", extent_fades * fade);
-    for (const GroundPlane &plane : frame.grounds) {
+    for (const GroundPlane& plane : frame.grounds) {
         const Vec3 normal = plane.rotation * Vec3(0.0f, 1.0f, 0.0f);
         ground.set("u_center", eye - normal * glm::dot(eye - plane.position, normal));
         ground.set("u_normal", normal);
@@ -283,10 +283,10 @@ void GlRenderer::Impl::draw_grounds(const RenderFrame &frame) {
     }
 }
 
-void GlRenderer::Impl::draw_lines(const RenderFrame &frame) {
+void GlRenderer::Impl::draw_lines(const RenderFrame& frame) {
     if (frame.lines.empty()) return;
     std::vector<Vec3> vertices;
-    for (const Line &line : frame.lines) vertices.insert(vertices.end(), {line.from, line.color, line.to, line.color});
+    for (const Line& line : frame.lines) vertices.insert(vertices.end(), {line.from, line.color, line.to, line.color});
     lines.use();
     lines.set("u_clip_from_world", clip_from_world);
     glBindVertexArray(line_array.name());
@@ -304,8 +304,8 @@ GlRenderer::GlRenderer() {
 
 GlRenderer::~GlRenderer() = default;
 
-void GlRenderer::draw(const RenderFrame &frame, int width, int height, unsigned framebuffer) {
-    Impl &impl = *impl_;
+void GlRenderer::draw(const RenderFrame& frame, int width, int height, unsigned framebuffer) {
+    Impl& impl = *impl_;
     const float aspect = float(width) / float(height);
     impl.resize_target(width, height);
     impl.prepare(frame, aspect);

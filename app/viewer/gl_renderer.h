@@ -15,20 +15,20 @@ struct ShadowRegion {
     Vec3 center{0.0f, 0.0f, 0.0f}; ///< Relative to the frame's origin, meters.
     float radius = 10.0f;          ///< Meters.
 };
-ShadowRegion shadow_region(const RenderFrame &frame);
+ShadowRegion shadow_region(const RenderFrame& frame);
 
 class GlRenderer {
-public:
+  public:
     /// Needs a current context of OpenGL 3.3 or newer. Throws `Error` (unsupported) otherwise.
     GlRenderer();
     ~GlRenderer();
-    GlRenderer(const GlRenderer &) = delete;
-    GlRenderer &operator=(const GlRenderer &) = delete;
+    GlRenderer(const GlRenderer&) = delete;
+    GlRenderer& operator=(const GlRenderer&) = delete;
 
     /// Draws into a framebuffer (0: the window's) of that size in pixels, both > 0, and leaves it bound.
-    void draw(const RenderFrame &frame, int width, int height, unsigned framebuffer = 0);
+    void draw(const RenderFrame& frame, int width, int height, unsigned framebuffer = 0);
 
-private:
+  private:
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };

@@ -12,7 +12,7 @@ namespace {
 
 struct NamedKey {
     int key;
-    const char *name;
+    const char* name;
 };
 
 constexpr NamedKey named_keys[] = {
@@ -38,7 +38,7 @@ std::string glfw_key_name(int key) {
     if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12)
         return std::string("F").append(std::to_string(1 + key - GLFW_KEY_F1));
     const auto found = std::find_if(std::begin(named_keys), std::end(named_keys),
-                                    [key](const NamedKey &named) { return named.key == key; });
+                                    [key](const NamedKey& named) { return named.key == key; });
     return found == std::end(named_keys) ? std::string() : found->name;
 }
 

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int least_size = 16, greatest_size = 8192; // pixels
 
-Error no_egl(const std::string &what) {
+Error no_egl(const std::string& what) {
     return Error(ErrorCode::unsupported, "EGL", what,
                  "pictures without a window need EGL with OpenGL 3.3 (on Debian: libegl1 and libgl1-mesa-dri)");
 }
@@ -27,7 +27,7 @@ Error no_egl(const std::string &what) {
 
 /// A context without any surface, current for as long as this lives.
 class EglContext {
-public:
+  public:
     EglContext() {
         if (!epoxy_has_egl()) throw no_egl("no libEGL");
         if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless"))
@@ -56,10 +56,10 @@ public:
         eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         eglDestroyContext(display_, context_);
     }
-    EglContext(const EglContext &) = delete;
-    EglContext &operator=(const EglContext &) = delete;
+    EglContext(const EglContext&) = delete;
+    EglContext& operator=(const EglContext&) = delete;
 
-private:
+  private:
     EGLDisplay display_ = EGL_NO_DISPLAY;
     EGLContext context_ = EGL_NO_CONTEXT;
 };
@@ -83,7 +83,7 @@ struct HeadlessRenderer::Impl {
 };
 
 HeadlessRenderer::HeadlessRenderer(int width, int height) {
-    for (const auto &[name, size] : {std::pair<const char *, int>{"width", width}, {"height", height}})
+    for (const auto& [name, size] : {std::pair<const char*, int>{"width", width}, {"height", height}})
         if (size < least_size || size > greatest_size)
             throw Error(ErrorCode::invalid_value, std::string("HeadlessRenderer.") + name, std::to_string(size),
                         "must be 16 to 8192 pixels");
@@ -98,8 +98,8 @@ int HeadlessRenderer::width() const noexcept { return impl_->width; }
 
 int HeadlessRenderer::height() const noexcept { return impl_->height; }
 
-void HeadlessRenderer::draw(const RenderFrame &frame) {
-    Impl &impl = *impl_;
+void HeadlessRenderer::draw(const RenderFrame& frame) {
+    Impl& impl = *impl_;
     impl.context.make_current(); // there may be several renderers
     impl.renderer.draw(frame, impl.width, impl.height, impl.framebuffer.name());
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
@@ -110,9 +110,9 @@ void HeadlessRenderer::draw(const RenderFrame &frame) {
                     impl.pixels.end() - std::ptrdiff_t((y + 1) * row));
 }
 
-const std::vector<std::uint8_t> &HeadlessRenderer::pixels() const noexcept { return impl_->pixels; }
+const std::vector<std::uint8_t>& HeadlessRenderer::pixels() const noexcept { return impl_->pixels; }
 
-void HeadlessRenderer::save_png(const std::filesystem::path &path) const {
+void HeadlessRenderer::save_png(const std::filesystem::path& path) const {
     write_png(path, impl_->width, impl_->height, impl_->pixels);
 }
 

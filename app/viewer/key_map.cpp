@@ -106,7 +106,7 @@ std::span<const Binding> key_bindings() { return bindings; }
 
 std::optional<Binding> find_binding(std::string_view chord) {
     const auto found = std::find_if(std::begin(bindings), std::end(bindings),
-                                    [chord](const Binding &binding) { return binding.chord == chord; });
+                                    [chord](const Binding& binding) { return binding.chord == chord; });
     if (found == std::end(bindings)) return std::nullopt;
     return *found;
 }

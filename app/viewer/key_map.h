@@ -64,8 +64,8 @@ bool repeats(Action action);
 
 /// A line of the key map: keys as people write them, and what they do. An empty `keys` makes a heading.
 struct KeyHelp {
-    const char *keys;
-    const char *meaning;
+    const char* keys;
+    const char* meaning;
 };
 std::span<const KeyHelp> key_help();
 

@@ -13,7 +13,7 @@ namespace cairn::viewer {
 namespace {
 
 // Adds a triangle, turned so that its front looks along `outward`, judged with a small bevel.
-void add_triangle(Mesh &mesh, std::uint16_t a, std::uint16_t b, std::uint16_t c, const Vec3 &outward) {
+void add_triangle(Mesh& mesh, std::uint16_t a, std::uint16_t b, std::uint16_t c, const Vec3& outward) {
     const auto place = [&mesh](std::uint16_t index) {
         return mesh.vertices[index].corner - mesh.vertices[index].inset * 0.1f;
     };
@@ -21,7 +21,7 @@ void add_triangle(Mesh &mesh, std::uint16_t a, std::uint16_t b, std::uint16_t c,
     mesh.indices.insert(mesh.indices.end(), {a, b, c});
 }
 
-void add_quad(Mesh &mesh, const std::array<std::uint16_t, 4> &around, const Vec3 &outward) {
+void add_quad(Mesh& mesh, const std::array<std::uint16_t, 4>& around, const Vec3& outward) {
     add_triangle(mesh, around[0], around[1], around[2], outward);
     add_triangle(mesh, around[0], around[2], around[3], outward);
 }
@@ -32,7 +32,7 @@ Mesh sphere_mesh(int subdivisions) {
     const float t = 0.5f * (1.0f + std::sqrt(5.0f));
     std::vector<Vec3> points{{-1, t, 0},  {1, t, 0},  {-1, -t, 0}, {1, -t, 0}, {0, -1, t},  {0, 1, t},
                              {0, -1, -t}, {0, 1, -t}, {t, 0, -1},  {t, 0, 1},  {-t, 0, -1}, {-t, 0, 1}};
-    for (Vec3 &point : points) point = glm::normalize(point);
+    for (Vec3& point : points) point = glm::normalize(point);
     std::vector<std::uint16_t> triangles{0, 11, 5,  0, 5,  1, 0, 1, 7, 0, 7,  10, 0, 10, 11, 1, 5, 9, 5, 11,
                                          4, 11, 10, 2, 10, 7, 6, 7, 1, 8, 3,  9,  4, 3,  4,  2, 3, 2, 6, 3,
                                          6, 8,  3,  8, 9,  4, 9, 5, 2, 4, 11, 6,  2, 10, 8,  6, 7, 9, 8, 1};
@@ -53,7 +53,7 @@ Mesh sphere_mesh(int subdivisions) {
         triangles = std::move(finer);
     }
     Mesh mesh;
-    for (const Vec3 &point : points) mesh.vertices.push_back({point, Vec3(0.0f), point});
+    for (const Vec3& point : points) mesh.vertices.push_back({point, Vec3(0.0f), point});
     mesh.indices = std::move(triangles);
     return mesh;
 }

@@ -18,7 +18,7 @@ float srgb_from_linear(float value) {
 }
 
 // Interpolates between equally spaced stops, in display values, where equal steps look equal.
-template <std::size_t N> Vec3 ramp(const std::array<std::uint32_t, N> &stops, float fraction) {
+template <std::size_t N> Vec3 ramp(const std::array<std::uint32_t, N>& stops, float fraction) {
     const float place = std::clamp(fraction, 0.0f, 1.0f) * float(N - 1);
     const std::size_t index = std::min(std::size_t(place), N - 2);
     const float t = place - float(index);
@@ -41,7 +41,7 @@ Vec3 linear_color(std::uint32_t srgb_hex) {
     return {channel(16), channel(8), channel(0)};
 }
 
-Vec3 srgb(const Vec3 &linear) {
+Vec3 srgb(const Vec3& linear) {
     return {srgb_from_linear(linear.x), srgb_from_linear(linear.y), srgb_from_linear(linear.z)};
 }
 

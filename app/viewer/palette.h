@@ -12,7 +12,7 @@ namespace cairn::viewer {
 /// From 0xRRGGBB as designers write it to linear.
 Vec3 linear_color(std::uint32_t srgb_hex);
 /// From linear to the 0..1 values of a display.
-Vec3 srgb(const Vec3 &linear);
+Vec3 srgb(const Vec3& linear);
 
 /// Blue (0, light) over a pale middle to red (1, heavy).
 Vec3 mass_ramp(float fraction);

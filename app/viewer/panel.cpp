@@ -16,17 +16,17 @@ namespace {
 constexpr float panel_width = 300.0f;
 constexpr float most_scene_lines = 7.5f; // half a line shows that there are more
 
-ImU32 display_color(const Vec3 &linear) {
+ImU32 display_color(const Vec3& linear) {
     const Vec3 color = srgb(linear);
     return ImGui::ColorConvertFloat4ToU32(ImVec4(color.x, color.y, color.z, 1.0f));
 }
 
 // A bar of the ramp with a label at both ends.
-void draw_legend(Vec3 (*ramp)(float), const char *low, const char *high) {
+void draw_legend(Vec3 (*ramp)(float), const char* low, const char* high) {
     constexpr int pieces = 32;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x, height = 0.8f * ImGui::GetTextLineHeight();
-    ImDrawList *list = ImGui::GetWindowDrawList();
+    ImDrawList* list = ImGui::GetWindowDrawList();
     for (int i = 0; i < pieces; ++i) {
         const float from = float(i) / pieces, to = float(i + 1) / pieces;
         list->AddRectFilledMultiColor(ImVec2(corner.x + from * width, corner.y),
@@ -39,7 +39,7 @@ void draw_legend(Vec3 (*ramp)(float), const char *low, const char *high) {
     ImGui::TextUnformatted(high);
 }
 
-void draw_swatch(const Vec3 &color, const char *meaning) {
+void draw_swatch(const Vec3& color, const char* meaning) {
     const float side = ImGui::GetTextLineHeight();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::GetWindowDrawList()->AddRectFilled(corner, ImVec2(corner.x + side, corner.y + side), display_color(color),
@@ -49,7 +49,7 @@ void draw_swatch(const Vec3 &color, const char *meaning) {
     ImGui::TextUnformatted(meaning);
 }
 
-void row(const char *name, const char *format, double value) {
+void row(const char* name, const char* format, double value) {
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(name);
     ImGui::TableNextColumn();
@@ -57,7 +57,7 @@ void row(const char *name, const char *format, double value) {
 }
 
 void draw_help(float scale) {
-    const ImGuiIO &io = ImGui::GetIO();
+    const ImGuiIO& io = ImGui::GetIO();
     ImGui::SetNextWindowPos(ImVec2(0.5f * io.DisplaySize.x, 0.5f * io.DisplaySize.y), ImGuiCond_Always,
                             ImVec2(0.5f, 0.5f));
     ImGui::SetNextWindowBgAlpha(0.94f);
@@ -92,7 +92,7 @@ void draw_help(float scale) {
     ImGui::End();
 }
 
-void draw_caption(const char *name, const std::string &text, const ImVec2 &place, const ImVec2 &pivot) {
+void draw_caption(const char* name, const std::string& text, const ImVec2& place, const ImVec2& pivot) {
     if (text.empty()) return;
     ImGui::SetNextWindowPos(place, ImGuiCond_Always, pivot);
     ImGui::SetNextWindowBgAlpha(0.72f);
@@ -103,9 +103,9 @@ void draw_caption(const char *name, const std::string &text, const ImVec2 &place
     ImGui::End();
 }
 
-std::string present_state(const StageState &state) {
+std::string present_state(const StageState& state) {
     std::string text;
-    const auto add = [&text](const char *word) { text += (text.empty() ? "" : "   ") + std::string(word); };
+    const auto add = [&text](const char* word) { text += (text.empty() ? "" : "   ") + std::string(word); };
     if (state.paused) add("paused");
     if (state.speed != 1.0) {
         char speed[32];
@@ -144,7 +144,7 @@ void apply_style(float scale) {
     ImGui::GetStyle() = style;
 }
 
-void Panel::draw_time(const StageState &state, Controller &controller) {
+void Panel::draw_time(const StageState& state, Controller& controller) {
     if (ImGui::Button(state.paused ? "Run" : "Pause")) controller.post(command::TogglePause{});
     ImGui::SameLine();
     if (ImGui::Button("Step")) controller.post(command::SingleStep{});
@@ -162,9 +162,9 @@ void Panel::draw_time(const StageState &state, Controller &controller) {
         controller.post(command::SetSpeed{std::exp2(double(speed_octave_))});
 }
 
-void Panel::draw_scenes(const StageState &state, Controller &controller) {
+void Panel::draw_scenes(const StageState& state, Controller& controller) {
     if (!ImGui::CollapsingHeader("Scenes", ImGuiTreeNodeFlags_DefaultOpen)) return;
-    const auto &scenes = controller.scenes();
+    const auto& scenes = controller.scenes();
     if (scenes.empty()) return ImGui::TextDisabled("no scenes found");
     // The list scrolls, so that the rest of the panel fits on a small screen.
     const float lines_shown = std::min(float(scenes.size()), most_scene_lines);
@@ -183,7 +183,7 @@ void Panel::draw_scenes(const StageState &state, Controller &controller) {
     shown_scene_ = state.scene_serial;
 }
 
-void Panel::draw_settings(Controller &controller) {
+void Panel::draw_settings(Controller& controller) {
     if (!ImGui::CollapsingHeader("Settings")) return;
     bool changed = ImGui::SliderFloat3("gravity", &settings_.gravity.x, -20.0f, 20.0f, "%.2f");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("m/s^2; double-click to type");
@@ -199,7 +199,7 @@ void Panel::draw_settings(Controller &controller) {
     if (changed) controller.post(command::SetSettings{settings_});
 }
 
-void Panel::draw_view(const StageState &state, Controller &controller) {
+void Panel::draw_view(const StageState& state, Controller& controller) {
     if (!ImGui::CollapsingHeader("View", ImGuiTreeNodeFlags_DefaultOpen)) return;
     if (ImGui::BeginCombo("colors", name_of(controller.colors))) {
         for (int i = 0; i < color_mode_count; ++i)
@@ -235,9 +235,9 @@ void Panel::draw_view(const StageState &state, Controller &controller) {
     ImGui::Checkbox("shadows", &controller.shadows);
 }
 
-void Panel::draw_spawn_tool(Controller &controller) {
+void Panel::draw_spawn_tool(Controller& controller) {
     if (!ImGui::CollapsingHeader("Spawn tool")) return;
-    SpawnSettings &tool = controller.tool;
+    SpawnSettings& tool = controller.tool;
     int kind = int(tool.kind);
     if (ImGui::Combo("shape", &kind, "box\0sphere\0")) tool.kind = SpawnSettings::Kind(kind);
     constexpr ImGuiSliderFlags clamped = ImGuiSliderFlags_AlwaysClamp;
@@ -254,9 +254,9 @@ void Panel::draw_spawn_tool(Controller &controller) {
     ImGui::TextDisabled("P shoots at the cursor");
 }
 
-void Panel::draw_statistics(const StageState &state, const WindowFacts &facts) {
+void Panel::draw_statistics(const StageState& state, const WindowFacts& facts) {
     if (!ImGui::CollapsingHeader("Statistics", ImGuiTreeNodeFlags_DefaultOpen)) return;
-    const Statistics &s = state.statistics;
+    const Statistics& s = state.statistics;
     if (!ImGui::BeginTable("statistics", 4)) return;
     row("bodies", "%.0f", double(s.bodies));
     row("awake", "%.0f", double(s.awake_bodies));
@@ -280,8 +280,8 @@ void Panel::draw_statistics(const StageState &state, const WindowFacts &facts) {
     ImGui::TreePop();
 }
 
-void Panel::draw(const StageState &state, Controller &controller, const WindowFacts &facts, float scale) {
-    const ImGuiIO &io = ImGui::GetIO();
+void Panel::draw(const StageState& state, Controller& controller, const WindowFacts& facts, float scale) {
+    const ImGuiIO& io = ImGui::GetIO();
     const float margin = 12.0f * scale;
     if (controller.panel) {
         if (!ImGui::IsAnyItemActive()) settings_ = state.settings;

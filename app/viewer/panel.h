@@ -10,18 +10,18 @@
 namespace cairn::viewer {
 
 class Panel {
-public:
+  public:
     /// Describes this frame's user interface; to be called between ImGui's NewFrame and Render. `scale`: how many of
     /// ImGui's units one unscaled unit takes.
-    void draw(const StageState &state, Controller &controller, const WindowFacts &facts, float scale);
+    void draw(const StageState& state, Controller& controller, const WindowFacts& facts, float scale);
 
-private:
-    void draw_time(const StageState &state, Controller &controller);
-    void draw_scenes(const StageState &state, Controller &controller);
-    void draw_settings(Controller &controller);
-    void draw_view(const StageState &state, Controller &controller);
-    void draw_spawn_tool(Controller &controller);
-    void draw_statistics(const StageState &state, const WindowFacts &facts);
+  private:
+    void draw_time(const StageState& state, Controller& controller);
+    void draw_scenes(const StageState& state, Controller& controller);
+    void draw_settings(Controller& controller);
+    void draw_view(const StageState& state, Controller& controller);
+    void draw_spawn_tool(Controller& controller);
+    void draw_statistics(const StageState& state, const WindowFacts& facts);
 
     WorldDef settings_; // as edited; follows the world while nothing is being edited
     float speed_octave_ = 0.0f;

@@ -5,13 +5,13 @@
 
 namespace cairn::viewer {
 
-float interpolation_fraction(const StageState &state, double seconds) {
+float interpolation_fraction(const StageState& state, double seconds) {
     // Between steps the picture lags by up to one step, so that there is always a later state to move towards.
     if (state.paused) return 1.0f;
     return float(std::clamp((state.remainder + seconds * state.speed) / state.time_step, 0.0, 1.0));
 }
 
-PhysicsThread::PhysicsThread(SceneLoader loader, const std::string &path) : stage_(std::move(loader), path) {
+PhysicsThread::PhysicsThread(SceneLoader loader, const std::string& path) : stage_(std::move(loader), path) {
     publish();
     thread_ = std::thread([this] { run(); });
 }
@@ -25,7 +25,7 @@ void PhysicsThread::run() {
     Clock::time_point last = Clock::now();
     while (!queue_.closed()) {
         queue_.wait(stage_.until_next_step());
-        for (const Command &command : queue_.take()) stage_.apply(command);
+        for (const Command& command : queue_.take()) stage_.apply(command);
         const Clock::time_point now = Clock::now();
         stage_.advance(std::chrono::duration<double>(now - std::exchange(last, now)).count());
         publish();

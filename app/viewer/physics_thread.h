@@ -19,21 +19,21 @@ struct LatestState {
 };
 
 /// Where to draw between the previous and the current state, `seconds` of real time after the state was published.
-float interpolation_fraction(const StageState &state, double seconds);
+float interpolation_fraction(const StageState& state, double seconds);
 
 class PhysicsThread {
-public:
+  public:
     /// Loads the first scene on the calling thread, so that its errors come out here, then starts.
-    PhysicsThread(SceneLoader loader, const std::string &path);
+    PhysicsThread(SceneLoader loader, const std::string& path);
     /// Finishes the step in progress and stops.
     ~PhysicsThread();
-    PhysicsThread(const PhysicsThread &) = delete;
-    PhysicsThread &operator=(const PhysicsThread &) = delete;
+    PhysicsThread(const PhysicsThread&) = delete;
+    PhysicsThread& operator=(const PhysicsThread&) = delete;
 
     void post(Command command) { queue_.push(std::move(command)); }
     LatestState latest() const;
 
-private:
+  private:
     using Clock = std::chrono::steady_clock;
     void run();
     void publish();

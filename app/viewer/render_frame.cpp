@@ -13,8 +13,8 @@ namespace {
 
 constexpr double grid_period = 100.0; // meters; every grid line repeats after this
 
-Vec3 color_of(const WorldLayout &layout, const WorldMotion &motion, const ShapeLayout &shape, ColorMode mode) {
-    const BodyLayout &body = layout.bodies[shape.body];
+Vec3 color_of(const WorldLayout& layout, const WorldMotion& motion, const ShapeLayout& shape, ColorMode mode) {
+    const BodyLayout& body = layout.bodies[shape.body];
     const bool moving = body.type == BodyType::dynamic;
     switch (mode) {
     case ColorMode::mass:
@@ -37,7 +37,7 @@ Vec3 color_of(const WorldLayout &layout, const WorldMotion &motion, const ShapeL
     return moving ? default_color(body.id.index()) : static_color();
 }
 
-Transform interpolate(const Transform &from, const Transform &to, float fraction) {
+Transform interpolate(const Transform& from, const Transform& to, float fraction) {
     if (fraction >= 1.0f) return to;
     // The short way round; the angle of one step is small, so normalized linear interpolation is enough.
     const float sign = glm::dot(from.rotation, to.rotation) < 0.0f ? -1.0f : 1.0f;
@@ -45,12 +45,12 @@ Transform interpolate(const Transform &from, const Transform &to, float fraction
     return {from.position + (to.position - from.position) * double(fraction), glm::normalize(mixed)};
 }
 
-GroundPlane ground_of(const Position &point, const Quat &rotation, const Position &origin, const Vec3 &color) {
+GroundPlane ground_of(const Position& point, const Quat& rotation, const Position& origin, const Vec3& color) {
     const Vec3 normal = rotation * Vec3(0.0f, 1.0f, 0.0f);
     const glm::dvec3 offset = point - origin;
     const glm::dvec3 nearest = glm::dvec3(normal) * glm::dot(glm::dvec3(normal), offset);
     const glm::dvec3 from_point = nearest - offset;
-    const auto along = [&](const Vec3 &axis) {
+    const auto along = [&](const Vec3& axis) {
         return float(std::fmod(glm::dot(from_point, glm::dvec3(rotation * axis)), grid_period));
     };
     return {Vec3(nearest), rotation, {along({1.0f, 0.0f, 0.0f}), along({0.0f, 0.0f, 1.0f})}, color};
@@ -58,7 +58,7 @@ GroundPlane ground_of(const Position &point, const Quat &rotation, const Positio
 
 } // namespace
 
-const char *name_of(ColorMode mode) {
+const char* name_of(ColorMode mode) {
     switch (mode) {
     case ColorMode::scene:
         return "scene";
@@ -74,8 +74,8 @@ const char *name_of(ColorMode mode) {
     return "";
 }
 
-RenderFrame make_frame(const WorldLayout &layout, const WorldMotion &previous, const WorldMotion &current,
-                       float fraction, const CameraPose &camera, const FrameOptions &options) {
+RenderFrame make_frame(const WorldLayout& layout, const WorldMotion& previous, const WorldMotion& current,
+                       float fraction, const CameraPose& camera, const FrameOptions& options) {
     RenderFrame frame;
     frame.origin = OrbitCamera(camera).render_origin();
     frame.camera = camera;
@@ -84,8 +84,8 @@ RenderFrame make_frame(const WorldLayout &layout, const WorldMotion &previous, c
     std::vector<Transform> transforms(layout.bodies.size());
     for (std::size_t i = 0; i < transforms.size(); ++i)
         transforms[i] = interpolate(previous.transforms[i], current.transforms[i], fraction);
-    for (const ShapeLayout &shape : layout.shapes) {
-        const Transform &body = transforms[shape.body];
+    for (const ShapeLayout& shape : layout.shapes) {
+        const Transform& body = transforms[shape.body];
         const Position position = body.position + Position(body.rotation * shape.position);
         const Quat rotation = glm::normalize(body.rotation * shape.rotation);
         const Vec3 color = color_of(layout, current, shape, options.colors);
@@ -110,8 +110,8 @@ RenderFrame make_frame(const WorldLayout &layout, const WorldMotion &previous, c
     return frame;
 }
 
-RenderFrame make_frame(const World &world, std::span<const Appearance> appearances, const CameraPose &camera,
-                       const FrameOptions &options) {
+RenderFrame make_frame(const World& world, std::span<const Appearance> appearances, const CameraPose& camera,
+                       const FrameOptions& options) {
     const WorldLayout layout = read_layout(world, appearances);
     const WorldMotion motion = read_motion(world, layout, options.colors == ColorMode::island);
     return make_frame(layout, motion, motion, 1.0f, camera, options);

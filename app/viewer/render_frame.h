@@ -20,7 +20,7 @@ namespace cairn::viewer {
 /// What the color of a body tells.
 enum class ColorMode { scene, mass, speed, island, shape };
 inline constexpr int color_mode_count = 5;
-const char *name_of(ColorMode mode);
+const char* name_of(ColorMode mode);
 
 /// One sphere, box or rectangle. Laid out as the renderer's instance buffer expects it: 16 floats.
 struct Instance {
@@ -67,11 +67,11 @@ struct FrameOptions {
 };
 
 /// The picture between two motions of one layout: `fraction` 0 shows `previous`, 1 shows `current`.
-RenderFrame make_frame(const WorldLayout &layout, const WorldMotion &previous, const WorldMotion &current,
-                       float fraction, const CameraPose &camera, const FrameOptions &options = {});
+RenderFrame make_frame(const WorldLayout& layout, const WorldMotion& previous, const WorldMotion& current,
+                       float fraction, const CameraPose& camera, const FrameOptions& options = {});
 
 /// The picture of a world as it stands.
-RenderFrame make_frame(const World &world, std::span<const Appearance> appearances, const CameraPose &camera,
-                       const FrameOptions &options = {});
+RenderFrame make_frame(const World& world, std::span<const Appearance> appearances, const CameraPose& camera,
+                       const FrameOptions& options = {});
 
 } // namespace cairn::viewer

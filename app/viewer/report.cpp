@@ -8,9 +8,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-template <class Vector> Json triple(const Vector &v) { return Json::array({v.x, v.y, v.z}); }
+template <class Vector> Json triple(const Vector& v) { return Json::array({v.x, v.y, v.z}); }
 
-const char *name_of(BodyType type) {
+const char* name_of(BodyType type) {
     switch (type) {
     case BodyType::static_:
         return "static";
@@ -22,9 +22,9 @@ const char *name_of(BodyType type) {
     return "";
 }
 
-Json body_json(const StageState &state, std::size_t i, const OrbitCamera &camera, const WindowFacts &facts) {
-    const BodyLayout &body = state.layout->bodies[i];
-    const Position &position = state.current->transforms[i].position;
+Json body_json(const StageState& state, std::size_t i, const OrbitCamera& camera, const WindowFacts& facts) {
+    const BodyLayout& body = state.layout->bodies[i];
+    const Position& position = state.current->transforms[i].position;
     Json json;
     json["index"] = body.id.index();
     json["name"] = body.name;
@@ -41,7 +41,7 @@ Json body_json(const StageState &state, std::size_t i, const OrbitCamera &camera
 
 } // namespace
 
-std::string report_json(const StageState &state, const Controller &controller, const WindowFacts &facts) {
+std::string report_json(const StageState& state, const Controller& controller, const WindowFacts& facts) {
     Json json;
     json["scene"] = {{"path", state.path}, {"title", state.title}, {"loads", state.scene_serial}};
     json["body_count"] = state.layout->bodies.size();

@@ -30,7 +30,7 @@ struct LoadedScene {
 
 /// Loads the scene of that path. Throws `cairn::Error` (or any std::exception) if it cannot. It is called on the
 /// physics thread.
-using SceneLoader = std::function<LoadedScene(const std::string &path)>;
+using SceneLoader = std::function<LoadedScene(const std::string& path)>;
 
 /// One line of the viewer's list of scenes.
 struct SceneItem {

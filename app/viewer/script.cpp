@@ -17,7 +17,7 @@ namespace {
 enum class Operand { nothing, word, button, number, point };
 
 struct Grammar {
-    const char *name;
+    const char* name;
     ScriptLine::Kind kind;
     Operand operand;
 };
@@ -36,7 +36,7 @@ constexpr std::array<Grammar, 11> grammar{{
     {"quit", ScriptLine::Kind::quit, Operand::nothing},
 }};
 
-bool read_operand(std::istringstream &words, Operand operand, ScriptLine &line) {
+bool read_operand(std::istringstream& words, Operand operand, ScriptLine& line) {
     switch (operand) {
     case Operand::nothing:
         return true;
@@ -54,7 +54,7 @@ bool read_operand(std::istringstream &words, Operand operand, ScriptLine &line) 
 
 } // namespace
 
-std::vector<ScriptLine> parse_script(std::string_view text, const std::string &name) {
+std::vector<ScriptLine> parse_script(std::string_view text, const std::string& name) {
     std::istringstream lines{std::string(text)};
     std::vector<ScriptLine> script;
     std::string line;
@@ -63,7 +63,7 @@ std::vector<ScriptLine> parse_script(std::string_view text, const std::string &n
         std::string verb, rest;
         if (!(words >> verb)) continue;
         const auto rule = std::find_if(grammar.begin(), grammar.end(),
-                                       [&verb](const Grammar &candidate) { return verb == candidate.name; });
+                                       [&verb](const Grammar& candidate) { return verb == candidate.name; });
         ScriptLine parsed;
         if (rule == grammar.end() || !read_operand(words, rule->operand, parsed) || words >> rest)
             throw Error(ErrorCode::invalid_file, name + ":" + std::to_string(number), "\"" + line + "\"",
@@ -74,17 +74,17 @@ std::vector<ScriptLine> parse_script(std::string_view text, const std::string &n
     return script;
 }
 
-std::vector<ScriptLine> load_script(const std::filesystem::path &path) {
+std::vector<ScriptLine> load_script(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
     if (!file) throw Error(ErrorCode::io, path.string(), "", "must be a readable file");
     return parse_script(text, path.string());
 }
 
-const ScriptLine *ScriptPlayer::next(double seconds) {
+const ScriptLine* ScriptPlayer::next(double seconds) {
     waiting_ -= seconds;
     while (place_ < lines_.size() && waiting_ <= 0.0) {
-        const ScriptLine &line = lines_[place_++];
+        const ScriptLine& line = lines_[place_++];
         if (line.kind != ScriptLine::Kind::wait) return &line;
         waiting_ = std::max(waiting_, 0.0) + line.x;
     }

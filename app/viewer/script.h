@@ -29,18 +29,18 @@ struct ScriptLine {
 };
 
 /// Throws `Error` (invalid_file) naming the line. `name` stands for the file in messages.
-std::vector<ScriptLine> parse_script(std::string_view text, const std::string &name);
+std::vector<ScriptLine> parse_script(std::string_view text, const std::string& name);
 /// Throws `Error` (io, invalid_file).
-std::vector<ScriptLine> load_script(const std::filesystem::path &path);
+std::vector<ScriptLine> load_script(const std::filesystem::path& path);
 
 /// Hands out the lines of a script when their time has come.
 class ScriptPlayer {
-public:
+  public:
     explicit ScriptPlayer(std::vector<ScriptLine> lines = {}) : lines_(std::move(lines)) {}
     /// Seconds have passed: the next line that is due, or null. Call again until null.
-    const ScriptLine *next(double seconds);
+    const ScriptLine* next(double seconds);
 
-private:
+  private:
     std::vector<ScriptLine> lines_;
     std::size_t place_ = 0;
     double waiting_ = 0.0;

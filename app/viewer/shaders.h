@@ -4,14 +4,14 @@
 
 namespace cairn::viewer::shaders {
 
-inline constexpr const char *desktop_header = "#version 330 core\n";
-inline constexpr const char *web_header = "#version 300 es\n"
+inline constexpr const char* desktop_header = "#version 330 core\n";
+inline constexpr const char* web_header = "#version 300 es\n"
                                           "precision highp float;\n"
                                           "precision highp int;\n"
                                           "precision highp sampler2DShadow;\n";
 
 /// Light, sky, shadow and tone, shared by the fragment shaders.
-inline constexpr const char *lighting = R"(
+inline constexpr const char* lighting = R"(
 uniform vec3 u_eye;
 uniform vec3 u_to_light;
 uniform mat4 u_shadow_from_world;
@@ -63,7 +63,8 @@ vec3 shade(vec3 world, vec3 normal, vec3 color, float gloss) {
     shine *= shine; shine *= shine; shine *= shine; shine *= shine; shine *= shine; shine *= shine; // to the 64th
     float edge = 1.0 - max(dot(normal, to_eye), 0.0);
     edge *= edge;
-    vec3 mirrored = mix(vec3(0.42, 0.45, 0.47), vec3(0.45, 0.60, 0.76), clamp(0.5 + reflect(-to_eye, normal).y, 0.0, 1.0));
+    float up = clamp(0.5 + reflect(-to_eye, normal).y, 0.0, 1.0);
+    vec3 mirrored = mix(vec3(0.42, 0.45, 0.47), vec3(0.45, 0.60, 0.76), up);
     return color * (sun + around) +
            gloss * (vec3(0.90, 0.86, 0.81) * (shine * facing * lit) + mirrored * (0.16 * edge * edge));
 }
@@ -85,7 +86,7 @@ float grid_line(vec2 place, float pixels) {
 }
 )";
 
-inline constexpr const char *body_vertex = R"(
+inline constexpr const char* body_vertex = R"(
 layout(location = 0) in vec3 a_corner;
 layout(location = 1) in vec3 a_inset;
 layout(location = 2) in vec3 a_normal;
@@ -116,7 +117,7 @@ void main() {
 }
 )";
 
-inline constexpr const char *body_fragment = R"(
+inline constexpr const char* body_fragment = R"(
 in vec3 v_world;
 in vec3 v_normal;
 in vec3 v_corner;
@@ -148,11 +149,11 @@ void main() {
 }
 )";
 
-inline constexpr const char *shadow_fragment = R"(
+inline constexpr const char* shadow_fragment = R"(
 void main() {}
 )";
 
-inline constexpr const char *ground_vertex = R"(
+inline constexpr const char* ground_vertex = R"(
 layout(location = 0) in vec3 a_corner;
 uniform mat4 u_clip_from_world;
 uniform vec3 u_center;
@@ -167,7 +168,7 @@ void main() {
 }
 )";
 
-inline constexpr const char *ground_fragment = R"(
+inline constexpr const char* ground_fragment = R"(
 in vec3 v_world;
 uniform vec3 u_normal;
 uniform vec3 u_axis_x;
@@ -194,7 +195,7 @@ void main() {
 }
 )";
 
-inline constexpr const char *sky_vertex = R"(
+inline constexpr const char* sky_vertex = R"(
 layout(location = 0) in vec3 a_corner;
 uniform vec3 u_ray_forward;
 uniform vec3 u_ray_right;
@@ -207,13 +208,13 @@ void main() {
 }
 )";
 
-inline constexpr const char *sky_fragment = R"(
+inline constexpr const char* sky_fragment = R"(
 in vec3 v_ray;
 out vec4 o_color;
 void main() { o_color = vec4(to_display(sky_color(normalize(v_ray))), 1.0); }
 )";
 
-inline constexpr const char *line_vertex = R"(
+inline constexpr const char* line_vertex = R"(
 layout(location = 0) in vec3 a_position;
 layout(location = 1) in vec3 a_color;
 uniform mat4 u_clip_from_world;
@@ -224,7 +225,7 @@ void main() {
 }
 )";
 
-inline constexpr const char *line_fragment = R"(
+inline constexpr const char* line_fragment = R"(
 in vec3 v_color;
 out vec4 o_color;
 void main() { o_color = vec4(v_color, 1.0); }

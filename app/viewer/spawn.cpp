@@ -8,7 +8,7 @@ namespace {
 
 constexpr int most_tries = 256;
 
-Shape shape_of(const SpawnSettings &settings) {
+Shape shape_of(const SpawnSettings& settings) {
     const float half = 0.5f * settings.size;
     if (settings.kind == SpawnSettings::Kind::sphere) return Sphere{half};
     return Box{Vec3(half)};
@@ -31,7 +31,7 @@ SpawnSettings small_sphere_preset() {
     return settings;
 }
 
-BodyId spawn(World &world, const SpawnSettings &settings, const Position &position, const Vec3 &velocity) {
+BodyId spawn(World& world, const SpawnSettings& settings, const Position& position, const Vec3& velocity) {
     BodyDef def;
     def.position = position;
     def.linear_velocity = velocity;
@@ -42,14 +42,14 @@ BodyId spawn(World &world, const SpawnSettings &settings, const Position &positi
     const BodyId body = world.create_body(def);
     try {
         world.add_shape(body, shape_of(settings), shape);
-    } catch (const Error &) {
+    } catch (const Error&) {
         world.destroy_body(body);
         throw;
     }
     return body;
 }
 
-Position free_place(const World &world, const SpawnSettings &settings, const Position &wanted) {
+Position free_place(const World& world, const SpawnSettings& settings, const Position& wanted) {
     Position place = wanted;
     for (int i = 0; i < most_tries; ++i) {
         if (world.overlap(shape_of(settings), Transform{place, Quat(1.0f, 0.0f, 0.0f, 0.0f)}).empty()) return place;

@@ -18,7 +18,7 @@ struct SpawnSettings {
     float restitution = 0.2f; ///< 0 to 1.
     float speed = 12.0f;      ///< m/s, of what is shot along the cursor's ray.
 
-    bool operator==(const SpawnSettings &) const = default;
+    bool operator==(const SpawnSettings&) const = default;
 };
 
 /// The three bodies of the keys U, I and O.
@@ -27,9 +27,9 @@ SpawnSettings large_sphere_preset();
 SpawnSettings small_sphere_preset();
 
 /// Adds a body at that place. Throws `Error` for settings out of range; the world is unchanged then.
-BodyId spawn(World &world, const SpawnSettings &settings, const Position &position, const Vec3 &velocity);
+BodyId spawn(World& world, const SpawnSettings& settings, const Position& position, const Vec3& velocity);
 
 /// A place near `wanted` where a new body of this size overlaps nothing: the first free one going upwards.
-Position free_place(const World &world, const SpawnSettings &settings, const Position &wanted);
+Position free_place(const World& world, const SpawnSettings& settings, const Position& wanted);
 
 } // namespace cairn::viewer

@@ -19,11 +19,11 @@ constexpr double longest_advance = 1.0 / 30.0; // real seconds of stepping after
 
 } // namespace
 
-Stage::Stage(SceneLoader loader, const std::string &path) : loader_(std::move(loader)), scene_(loader_(path)) {
+Stage::Stage(SceneLoader loader, const std::string& path) : loader_(std::move(loader)), scene_(loader_(path)) {
     take_scene(std::move(scene_), path);
 }
 
-void Stage::take_scene(LoadedScene scene, const std::string &path) {
+void Stage::take_scene(LoadedScene scene, const std::string& path) {
     scene_ = std::move(scene);
     path_ = path;
     ++scene_serial_;
@@ -41,10 +41,10 @@ void Stage::take_scene(LoadedScene scene, const std::string &path) {
     refresh_layout();
 }
 
-void Stage::apply(const Command &command) {
+void Stage::apply(const Command& command) {
     try {
         std::visit(*this, command);
-    } catch (const std::exception &error) {
+    } catch (const std::exception& error) {
         say(error.what());
     }
 }
@@ -68,7 +68,7 @@ void Stage::step() {
     if (grab_.holding) pull_grabbed();
     try {
         scene_.world.step(float(clock_.time_step()));
-    } catch (const std::exception &error) {
+    } catch (const std::exception& error) {
         clock_.set_paused(true);
         return say(error.what());
     }
@@ -109,32 +109,32 @@ StageState Stage::state() const {
     return state;
 }
 
-void Stage::operator()(const command::LoadScene &load) { take_scene(loader_(load.path), load.path); }
+void Stage::operator()(const command::LoadScene& load) { take_scene(loader_(load.path), load.path); }
 
-void Stage::operator()(const command::ResetScene &) { take_scene(loader_(path_), std::string(path_)); }
+void Stage::operator()(const command::ResetScene&) { take_scene(loader_(path_), std::string(path_)); }
 
-void Stage::operator()(const command::Spawn &spawn) {
+void Stage::operator()(const command::Spawn& spawn) {
     add_body(spawn.settings, free_place(scene_.world, spawn.settings, spawn.position), Vec3(0.0f));
 }
 
-void Stage::operator()(const command::Shoot &shoot) {
+void Stage::operator()(const command::Shoot& shoot) {
     const Position start = shoot.ray.origin + Position(shoot.ray.direction) * double(2.0f * shoot.settings.size);
     add_body(shoot.settings, start, shoot.ray.direction * shoot.settings.speed);
 }
 
-void Stage::add_body(const SpawnSettings &settings, const Position &position, const Vec3 &velocity) {
+void Stage::add_body(const SpawnSettings& settings, const Position& position, const Vec3& velocity) {
     order_.push_back(spawn(scene_.world, settings, position, velocity));
     refresh_layout();
 }
 
-void Stage::operator()(const command::RemoveLast &) {
+void Stage::operator()(const command::RemoveLast&) {
     while (!order_.empty() && !scene_.world.is_valid(order_.back())) order_.pop_back();
     if (order_.empty()) return say("There is no body left to remove.");
     remove(order_.back());
     order_.pop_back();
 }
 
-void Stage::operator()(const command::RemoveSelected &) {
+void Stage::operator()(const command::RemoveSelected&) {
     if (!selected_ || !scene_.world.is_valid(selected_)) return say("Select a body first, by clicking it.");
     remove(selected_);
 }
@@ -149,22 +149,22 @@ void Stage::remove(BodyId body) {
     refresh_layout();
 }
 
-void Stage::operator()(const command::SetForce &force) {
+void Stage::operator()(const command::SetForce& force) {
     force_ = force.acceleration;
     ForceField field;
     field.direction = force_;
     update_field(force_field_, field, force_ != Vec3(0.0f));
 }
 
-void Stage::operator()(const command::SetPull &pull) {
+void Stage::operator()(const command::SetPull& pull) {
     ForceField field;
     field.kind = ForceField::Kind::radial;
     field.strength = pull_acceleration;
     update_field(pull_field_, field, pull.on);
 }
 
-void Stage::update_field(std::optional<ForceFieldId> &id, const ForceField &field, bool on) {
-    World &world = scene_.world;
+void Stage::update_field(std::optional<ForceFieldId>& id, const ForceField& field, bool on) {
+    World& world = scene_.world;
     if (!on) {
         if (id) world.remove_force_field(*id);
         id.reset();
@@ -178,7 +178,7 @@ void Stage::update_field(std::optional<ForceFieldId> &id, const ForceField &fiel
         if (world.body(body).type() == BodyType::dynamic) world.body(body).wake();
 }
 
-void Stage::operator()(const command::SetFreeze &freeze) {
+void Stage::operator()(const command::SetFreeze& freeze) {
     frozen_ = freeze.on;
     if (frozen_) hold_still();
 }
@@ -192,19 +192,19 @@ void Stage::hold_still() {
     }
 }
 
-void Stage::operator()(const command::SetPaused &pause) { clock_.set_paused(pause.paused); }
+void Stage::operator()(const command::SetPaused& pause) { clock_.set_paused(pause.paused); }
 
-void Stage::operator()(const command::TogglePause &) { clock_.set_paused(!clock_.paused()); }
+void Stage::operator()(const command::TogglePause&) { clock_.set_paused(!clock_.paused()); }
 
-void Stage::operator()(const command::SingleStep &) { clock_.request_step(); }
+void Stage::operator()(const command::SingleStep&) { clock_.request_step(); }
 
-void Stage::operator()(const command::ChangeSpeed &change) { clock_.change_speed(change.doublings); }
+void Stage::operator()(const command::ChangeSpeed& change) { clock_.change_speed(change.doublings); }
 
-void Stage::operator()(const command::SetSpeed &speed) { clock_.set_speed(speed.speed); }
+void Stage::operator()(const command::SetSpeed& speed) { clock_.set_speed(speed.speed); }
 
-void Stage::operator()(const command::SetSettings &settings) { scene_.world.set_settings(settings.settings); }
+void Stage::operator()(const command::SetSettings& settings) { scene_.world.set_settings(settings.settings); }
 
-void Stage::operator()(const command::GrabBody &grab) {
+void Stage::operator()(const command::GrabBody& grab) {
     grab_ = {grab.serial, false, {}, {}, {}, {}};
     const auto hit = scene_.world.cast_ray(grab.ray.origin, grab.ray.direction, pick_distance);
     if (!hit || scene_.world.body(hit->body).type() != BodyType::dynamic) return;
@@ -216,18 +216,18 @@ void Stage::operator()(const command::GrabBody &grab) {
     grab_.local_point = glm::conjugate(pose.rotation) * Vec3(hit->point - pose.position);
 }
 
-void Stage::operator()(const command::MoveGrab &move) {
+void Stage::operator()(const command::MoveGrab& move) {
     if (grab_.holding) grab_.target = move.target;
 }
 
-void Stage::operator()(const command::ReleaseGrab &release) {
+void Stage::operator()(const command::ReleaseGrab& release) {
     if (release.click && !grab_.body) selected_ = {};
     grab_.holding = false;
 }
 
-void Stage::operator()(const command::SelectNothing &) { selected_ = {}; }
+void Stage::operator()(const command::SelectNothing&) { selected_ = {}; }
 
-void Stage::operator()(const command::ShowIslands &show) {
+void Stage::operator()(const command::ShowIslands& show) {
     with_islands_ = show.on;
     refresh_motion();
 }

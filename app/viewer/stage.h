@@ -52,12 +52,12 @@ struct StageState {
 };
 
 class Stage {
-public:
+  public:
     /// Loads the first scene; whatever the loader throws comes through.
-    Stage(SceneLoader loader, const std::string &path);
+    Stage(SceneLoader loader, const std::string& path);
 
     /// Carries out one command. A command that fails changes nothing and leaves a message.
-    void apply(const Command &command);
+    void apply(const Command& command);
     /// Real seconds have passed: takes the steps that are due, unless they take too long, and returns how many.
     int advance(double real_seconds);
     /// One step, whatever the clock says.
@@ -67,35 +67,35 @@ public:
     /// A copy of what there is to see.
     StageState state() const;
 
-    const World &world() const noexcept { return scene_.world; }
+    const World& world() const noexcept { return scene_.world; }
 
-    void operator()(const command::LoadScene &load);
-    void operator()(const command::ResetScene &);
-    void operator()(const command::Spawn &spawn);
-    void operator()(const command::Shoot &shoot);
-    void operator()(const command::RemoveLast &);
-    void operator()(const command::RemoveSelected &);
-    void operator()(const command::SetForce &force);
-    void operator()(const command::SetPull &pull);
-    void operator()(const command::SetFreeze &freeze);
-    void operator()(const command::SetPaused &pause);
-    void operator()(const command::TogglePause &);
-    void operator()(const command::SingleStep &);
-    void operator()(const command::ChangeSpeed &change);
-    void operator()(const command::SetSpeed &speed);
-    void operator()(const command::SetSettings &settings);
-    void operator()(const command::GrabBody &grab);
-    void operator()(const command::MoveGrab &move);
-    void operator()(const command::ReleaseGrab &release);
-    void operator()(const command::SelectNothing &);
-    void operator()(const command::ShowIslands &show);
+    void operator()(const command::LoadScene& load);
+    void operator()(const command::ResetScene&);
+    void operator()(const command::Spawn& spawn);
+    void operator()(const command::Shoot& shoot);
+    void operator()(const command::RemoveLast&);
+    void operator()(const command::RemoveSelected&);
+    void operator()(const command::SetForce& force);
+    void operator()(const command::SetPull& pull);
+    void operator()(const command::SetFreeze& freeze);
+    void operator()(const command::SetPaused& pause);
+    void operator()(const command::TogglePause&);
+    void operator()(const command::SingleStep&);
+    void operator()(const command::ChangeSpeed& change);
+    void operator()(const command::SetSpeed& speed);
+    void operator()(const command::SetSettings& settings);
+    void operator()(const command::GrabBody& grab);
+    void operator()(const command::MoveGrab& move);
+    void operator()(const command::ReleaseGrab& release);
+    void operator()(const command::SelectNothing&);
+    void operator()(const command::ShowIslands& show);
 
-private:
-    void take_scene(LoadedScene scene, const std::string &path);
+  private:
+    void take_scene(LoadedScene scene, const std::string& path);
     void remove(BodyId body);
     void say(std::string text);
-    void add_body(const SpawnSettings &settings, const Position &position, const Vec3 &velocity);
-    void update_field(std::optional<ForceFieldId> &id, const ForceField &field, bool on);
+    void add_body(const SpawnSettings& settings, const Position& position, const Vec3& velocity);
+    void update_field(std::optional<ForceFieldId>& id, const ForceField& field, bool on);
     void pull_grabbed();
     void hold_still();
     void refresh_layout();

@@ -6,7 +6,7 @@
 namespace cairn::viewer {
 
 class StepClock {
-public:
+  public:
     /// Least and greatest speed: slow motion 1/32, fast motion 8.
     static constexpr double min_speed = 1.0 / 32.0, max_speed = 8.0;
     /// Real seconds that are caught up with at most; what goes beyond is dropped.
@@ -39,7 +39,7 @@ public:
     /// Simulated seconds per real second, as measured over the last half second or so.
     double real_time_factor() const noexcept { return real_time_factor_; }
 
-private:
+  private:
     double time_step_;
     double speed_ = 1.0;
     double accumulated_ = 0.0;

@@ -18,16 +18,16 @@
 #include <system_error>
 #include <vector>
 
-extern char **environ;
+extern char** environ;
 
 namespace cairn::viewer {
 
 namespace {
 
 // Starts `arguments` with `input` as its standard input; returns its process id, or -1 with errno set.
-int start_process(const std::vector<std::string> &arguments, int input) {
-    std::vector<char *> pointers;
-    for (const std::string &argument : arguments) pointers.push_back(const_cast<char *>(argument.c_str()));
+int start_process(const std::vector<std::string>& arguments, int input) {
+    std::vector<char*> pointers;
+    for (const std::string& argument : arguments) pointers.push_back(const_cast<char*>(argument.c_str()));
     pointers.push_back(nullptr);
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
@@ -69,7 +69,7 @@ bool write_to_pipe(int pipe, std::span<const std::uint8_t> bytes) {
 
 } // namespace
 
-VideoWriter::VideoWriter(const std::filesystem::path &path, int width, int height, double frames_per_second)
+VideoWriter::VideoWriter(const std::filesystem::path& path, int width, int height, double frames_per_second)
     : path_(path), temporary_(temporary_beside(path)), frame_bytes_(3u * std::size_t(width) * std::size_t(height)) {
     const std::string size = std::to_string(width) + "x" + std::to_string(height);
     if (width < 2 || height < 2 || width % 2 != 0 || height % 2 != 0)
@@ -123,7 +123,7 @@ VideoWriter::VideoWriter(const std::filesystem::path &path, int width, int heigh
 VideoWriter::~VideoWriter() {
     try {
         close();
-    } catch (const Error &) {
+    } catch (const Error&) {
         // Documented: an error is lost when the writer ends without having been closed.
     }
 }

@@ -40,24 +40,24 @@ constexpr float font_size = 15.0f;       // at scale 1
 
 // GLFW as long as it is needed. Its error text comes through a callback.
 class GlfwLibrary {
-public:
+  public:
     GlfwLibrary() {
-        glfwSetErrorCallback([](int, const char *text) { last_error() = text; });
+        glfwSetErrorCallback([](int, const char* text) { last_error() = text; });
         if (!glfwInit())
             throw Error(ErrorCode::unsupported, "window", last_error(), "the viewer needs a display (set DISPLAY)");
     }
     ~GlfwLibrary() { glfwTerminate(); }
-    GlfwLibrary(const GlfwLibrary &) = delete;
-    GlfwLibrary &operator=(const GlfwLibrary &) = delete;
-    static std::string &last_error() {
+    GlfwLibrary(const GlfwLibrary&) = delete;
+    GlfwLibrary& operator=(const GlfwLibrary&) = delete;
+    static std::string& last_error() {
         static std::string text;
         return text;
     }
 };
 
 class ImguiLibrary {
-public:
-    explicit ImguiLibrary(GLFWwindow *window) {
+  public:
+    explicit ImguiLibrary(GLFWwindow* window) {
         ImGui::CreateContext();
         ImGui::GetIO().IniFilename = nullptr; // leaves no files behind
         ImGui_ImplGlfw_InitForOpenGL(window, true);
@@ -68,8 +68,8 @@ public:
         ImGui_ImplGlfw_Shutdown();
         ImGui::DestroyContext();
     }
-    ImguiLibrary(const ImguiLibrary &) = delete;
-    ImguiLibrary &operator=(const ImguiLibrary &) = delete;
+    ImguiLibrary(const ImguiLibrary&) = delete;
+    ImguiLibrary& operator=(const ImguiLibrary&) = delete;
 };
 
 using WindowHandle = std::unique_ptr<GLFWwindow, decltype(&glfwDestroyWindow)>;
@@ -90,11 +90,11 @@ WindowHandle open_window(int width, int height) {
 }
 
 class Application {
-public:
-    explicit Application(const ViewerOptions &options);
+  public:
+    explicit Application(const ViewerOptions& options);
     void run();
 
-private:
+  private:
     using Clock = std::chrono::steady_clock;
     void install_callbacks();
     void on_key(int key, int action, int modifiers);
@@ -103,18 +103,18 @@ private:
     void on_wheel(double notches);
     void set_modifiers(int modifiers);
     void play_script(double seconds);
-    void play(const ScriptLine &line);
+    void play(const ScriptLine& line);
     void rebuild_fonts();
-    void draw_picture(const LatestState &latest);
-    void save_picture(const std::filesystem::path &path);
+    void draw_picture(const LatestState& latest);
+    void save_picture(const std::filesystem::path& path);
     void take_screenshot();
-    void update_notice(const StageState &state);
-    void say(const std::string &text);
+    void update_notice(const StageState& state);
+    void say(const std::string& text);
     void count_frame(double seconds);
-    void write_report(const std::filesystem::path &path);
+    void write_report(const std::filesystem::path& path);
     float picture_aspect() const { return float(facts_.width) / float(std::max(facts_.height, 1)); }
 
-    const ViewerOptions &options_;
+    const ViewerOptions& options_;
     GlfwLibrary glfw_;
     WindowHandle window_;
     ImguiLibrary imgui_;
@@ -132,7 +132,7 @@ private:
     int rate_frames_ = 0;
 };
 
-Application::Application(const ViewerOptions &options)
+Application::Application(const ViewerOptions& options)
     : options_(options), window_(open_window(options.width, options.height)),
       imgui_((install_callbacks(), window_.get())), physics_(options.loader, options.scene),
       controller_([this](Command command) { physics_.post(std::move(command)); }, options.scenes) {
@@ -141,24 +141,24 @@ Application::Application(const ViewerOptions &options)
 
 // Before ImGui installs its own, which call these.
 void Application::install_callbacks() {
-    GLFWwindow *window = window_.get();
+    GLFWwindow* window = window_.get();
     glfwSetWindowUserPointer(window, this);
-    const auto self = [](GLFWwindow *w) { return static_cast<Application *>(glfwGetWindowUserPointer(w)); };
+    const auto self = [](GLFWwindow* w) { return static_cast<Application*>(glfwGetWindowUserPointer(w)); };
     static const auto application = self;
-    glfwSetKeyCallback(window, [](GLFWwindow *w, int key, int, int action, int modifiers) {
+    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int modifiers) {
         application(w)->on_key(key, action, modifiers);
     });
-    glfwSetMouseButtonCallback(window, [](GLFWwindow *w, int button, int action, int modifiers) {
+    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int modifiers) {
         application(w)->set_modifiers(modifiers);
         application(w)->on_button(button, action);
     });
-    glfwSetCursorPosCallback(window, [](GLFWwindow *w, double x, double y) { application(w)->on_cursor(x, y); });
-    glfwSetScrollCallback(window, [](GLFWwindow *w, double, double notches) { application(w)->on_wheel(notches); });
-    glfwSetWindowFocusCallback(window, [](GLFWwindow *w, int focused) {
+    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) { application(w)->on_cursor(x, y); });
+    glfwSetScrollCallback(window, [](GLFWwindow* w, double, double notches) { application(w)->on_wheel(notches); });
+    glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
         if (!focused) application(w)->controller_.release_all();
     });
     glfwSetWindowContentScaleCallback(window,
-                                      [](GLFWwindow *w, float, float) { application(w)->fonts_are_stale_ = true; });
+                                      [](GLFWwindow* w, float, float) { application(w)->fonts_are_stale_ = true; });
 }
 
 void Application::on_key(int key, int action, int modifiers) {
@@ -206,10 +206,10 @@ void Application::on_wheel(double notches) {
 }
 
 void Application::play_script(double seconds) {
-    while (const ScriptLine *line = script_.next(std::exchange(seconds, 0.0))) play(*line);
+    while (const ScriptLine* line = script_.next(std::exchange(seconds, 0.0))) play(*line);
 }
 
-void Application::play(const ScriptLine &line) {
+void Application::play(const ScriptLine& line) {
     const std::size_t plus = line.word.size() > 1 ? line.word.rfind('+') : std::string::npos;
     const std::size_t name = plus == std::string::npos ? 0 : plus + 1;
     const std::string modifiers = line.word.substr(0, name), key = line.word.substr(name);
@@ -262,9 +262,9 @@ void Application::rebuild_fonts() {
     // Where the system measures windows in points, a point has several pixels: sharp letters need all of them.
     const float pixels_per_unit = window_width > 0 ? std::max(float(facts_.width) / float(window_width), 1.0f) : 1.0f;
     interface_scale_ = scale / pixels_per_unit;
-    ImGuiIO &io = ImGui::GetIO();
+    ImGuiIO& io = ImGui::GetIO();
     io.Fonts->Clear();
-    const char *nicer = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+    const char* nicer = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
     ImFontConfig config;
     config.SizePixels = std::round(font_size * scale);
     if (std::filesystem::exists(nicer))
@@ -277,14 +277,14 @@ void Application::rebuild_fonts() {
     ImGui_ImplOpenGL3_CreateFontsTexture();
 }
 
-void Application::draw_picture(const LatestState &latest) {
-    const StageState &state = latest.stage;
+void Application::draw_picture(const LatestState& latest) {
+    const StageState& state = latest.stage;
     RenderFrame frame = make_frame(*state.layout, *state.previous, *state.current, latest.fraction,
                                    controller_.camera.pose(), controller_.frame_options(state));
     if (state.grab.holding) {
         for (std::size_t i = 0; i < state.layout->bodies.size(); ++i) {
             if (state.layout->bodies[i].id != state.grab.body) continue;
-            const Transform &pose = state.current->transforms[i];
+            const Transform& pose = state.current->transforms[i];
             const Position held = pose.position + Position(pose.rotation * state.grab.local_point);
             frame.lines.push_back(
                 {Vec3(held - frame.origin), Vec3(state.grab.target - frame.origin), {1.0f, 0.75f, 0.2f}});
@@ -293,7 +293,7 @@ void Application::draw_picture(const LatestState &latest) {
     renderer_.draw(frame, facts_.width, facts_.height);
 }
 
-void Application::save_picture(const std::filesystem::path &path) {
+void Application::save_picture(const std::filesystem::path& path) {
     draw_picture(physics_.latest()); // without the panel
     const std::size_t row = 3u * std::size_t(facts_.width);
     std::vector<std::uint8_t> bottom_up(row * std::size_t(facts_.height)), pixels(bottom_up.size());
@@ -304,7 +304,7 @@ void Application::save_picture(const std::filesystem::path &path) {
     try {
         write_png(path, facts_.width, facts_.height, pixels);
         say("Saved " + path.string());
-    } catch (const Error &error) {
+    } catch (const Error& error) {
         say(error.what());
     }
 }
@@ -320,12 +320,12 @@ void Application::take_screenshot() {
     save_picture(path);
 }
 
-void Application::say(const std::string &text) {
+void Application::say(const std::string& text) {
     facts_.notice = text;
     notice_left_ = notice_seconds;
 }
 
-void Application::update_notice(const StageState &state) {
+void Application::update_notice(const StageState& state) {
     if (state.message.serial == seen_message_) return;
     seen_message_ = state.message.serial;
     say(state.message.text);
@@ -344,7 +344,7 @@ void Application::count_frame(double seconds) {
     if (notice_left_ <= 0.0) facts_.notice.clear();
 }
 
-void Application::write_report(const std::filesystem::path &path) {
+void Application::write_report(const std::filesystem::path& path) {
     write_file(path, report_json(physics_.latest().stage, controller_, facts_));
 }
 
@@ -387,7 +387,7 @@ void Application::run() {
 
 } // namespace
 
-int run_viewer(const ViewerOptions &options) {
+int run_viewer(const ViewerOptions& options) {
     try {
         if (!options.loader) throw Error(ErrorCode::invalid_value, "ViewerOptions.loader", "", "must be given");
         if (options.width < 1 || options.height < 1)
@@ -396,7 +396,7 @@ int run_viewer(const ViewerOptions &options) {
         Application application(options);
         application.run();
         return 0;
-    } catch (const std::exception &error) {
+    } catch (const std::exception& error) {
         std::fprintf(stderr, "cairn: %s\n", error.what());
         return 1;
     }

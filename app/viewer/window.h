@@ -25,6 +25,6 @@ struct ViewerOptions {
 /// Opens the window and runs until it is closed; returns the exit code of the program: 0, or 1 after an error, which
 /// has been printed to stderr in one line (no display, no OpenGL 3.3, the first scene cannot be loaded, the report
 /// cannot be written, a script that cannot be read).
-int run_viewer(const ViewerOptions &options);
+int run_viewer(const ViewerOptions& options);
 
 } // namespace cairn::viewer

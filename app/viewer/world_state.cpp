@@ -14,7 +14,7 @@ namespace cairn::viewer {
 namespace {
 
 // The frame with y along the normal and x along the tangent.
-Quat plane_frame(const Plane &plane) {
+Quat plane_frame(const Plane& plane) {
     const Vec3 normal = glm::normalize(plane.normal);
     Vec3 tangent = plane.tangent - normal * glm::dot(normal, plane.tangent);
     if (glm::dot(tangent, tangent) < 1e-8f) {
@@ -25,21 +25,21 @@ Quat plane_frame(const Plane &plane) {
     return glm::normalize(glm::quat_cast(Mat3(tangent, normal, glm::cross(tangent, normal))));
 }
 
-ShapeLayout read_shape(const World &world, ShapeId id, std::size_t body) {
-    const ShapeDef &def = world.shape_def(id);
+ShapeLayout read_shape(const World& world, ShapeId id, std::size_t body) {
+    const ShapeDef& def = world.shape_def(id);
     ShapeLayout layout;
     layout.body = body;
     layout.position = def.position;
     layout.rotation = glm::normalize(def.rotation);
-    const Shape &shape = world.shape(id);
-    if (const Sphere *sphere = std::get_if<Sphere>(&shape)) {
+    const Shape& shape = world.shape(id);
+    if (const Sphere* sphere = std::get_if<Sphere>(&shape)) {
         layout.type = ShapeType::sphere;
         layout.half_size = Vec3(sphere->radius);
-    } else if (const Box *box = std::get_if<Box>(&shape)) {
+    } else if (const Box* box = std::get_if<Box>(&shape)) {
         layout.type = ShapeType::box;
         layout.half_size = box->half_extents;
     } else {
-        const Plane &plane = std::get<Plane>(shape);
+        const Plane& plane = std::get<Plane>(shape);
         layout.type = plane.half_extents ? ShapeType::rectangle : ShapeType::plane;
         layout.rotation = layout.rotation * plane_frame(plane);
         if (plane.half_extents) layout.half_size = {plane.half_extents->x, 0.0f, plane.half_extents->y};
@@ -48,7 +48,7 @@ ShapeLayout read_shape(const World &world, ShapeId id, std::size_t body) {
 }
 
 // The root of a union-find tree, halving paths on the way.
-std::uint32_t find_root(std::vector<std::uint32_t> &parents, std::uint32_t index) {
+std::uint32_t find_root(std::vector<std::uint32_t>& parents, std::uint32_t index) {
     while (parents[index] != index) {
         parents[index] = parents[parents[index]];
         index = parents[index];
@@ -56,13 +56,13 @@ std::uint32_t find_root(std::vector<std::uint32_t> &parents, std::uint32_t index
     return index;
 }
 
-std::vector<std::uint32_t> find_islands(const World &world, const WorldLayout &layout) {
+std::vector<std::uint32_t> find_islands(const World& world, const WorldLayout& layout) {
     std::unordered_map<BodyId, std::uint32_t> dynamic_bodies;
     for (std::size_t i = 0; i < layout.bodies.size(); ++i)
         if (layout.bodies[i].type == BodyType::dynamic) dynamic_bodies.emplace(layout.bodies[i].id, std::uint32_t(i));
     std::vector<std::uint32_t> parents(layout.bodies.size());
     std::iota(parents.begin(), parents.end(), 0u);
-    for (const Contact &contact : world.contacts()) {
+    for (const Contact& contact : world.contacts()) {
         const auto a = dynamic_bodies.find(contact.body_a), b = dynamic_bodies.find(contact.body_b);
         if (a == dynamic_bodies.end() || b == dynamic_bodies.end()) continue;
         const std::uint32_t root_a = find_root(parents, a->second), root_b = find_root(parents, b->second);
@@ -74,9 +74,9 @@ std::vector<std::uint32_t> find_islands(const World &world, const WorldLayout &l
 
 } // namespace
 
-WorldLayout read_layout(const World &world, std::span<const Appearance> appearances) {
+WorldLayout read_layout(const World& world, std::span<const Appearance> appearances) {
     std::unordered_map<ShapeId, Vec3> colors;
-    for (const Appearance &appearance : appearances) colors.emplace(appearance.shape, appearance.color);
+    for (const Appearance& appearance : appearances) colors.emplace(appearance.shape, appearance.color);
     WorldLayout layout;
     bool any_mass = false;
     for (const BodyId id : world.bodies()) {
@@ -97,7 +97,7 @@ WorldLayout read_layout(const World &world, std::span<const Appearance> appearan
     return layout;
 }
 
-WorldMotion read_motion(const World &world, const WorldLayout &layout, bool with_islands) {
+WorldMotion read_motion(const World& world, const WorldLayout& layout, bool with_islands) {
     const std::size_t count = layout.bodies.size();
     WorldMotion motion;
     motion.transforms.resize(count);
@@ -116,14 +116,14 @@ WorldMotion read_motion(const World &world, const WorldLayout &layout, bool with
     return motion;
 }
 
-BoundingBall bounding_ball(const WorldLayout &layout, const WorldMotion &motion) {
+BoundingBall bounding_ball(const WorldLayout& layout, const WorldMotion& motion) {
     const bool any_dynamic = std::any_of(layout.bodies.begin(), layout.bodies.end(),
-                                         [](const BodyLayout &body) { return body.type == BodyType::dynamic; });
+                                         [](const BodyLayout& body) { return body.type == BodyType::dynamic; });
     Position least(1e300), greatest(-1e300);
-    for (const ShapeLayout &shape : layout.shapes) {
+    for (const ShapeLayout& shape : layout.shapes) {
         if (shape.type == ShapeType::plane) continue;
         if (any_dynamic && layout.bodies[shape.body].type != BodyType::dynamic) continue;
-        const Transform &transform = motion.transforms[shape.body];
+        const Transform& transform = motion.transforms[shape.body];
         const Position center = transform.position + Position(transform.rotation * shape.position);
         const double radius = shape.type == ShapeType::sphere ? shape.half_size.x : glm::length(shape.half_size);
         least = glm::min(least, center - radius);
@@ -133,7 +133,7 @@ BoundingBall bounding_ball(const WorldLayout &layout, const WorldMotion &motion)
     return {(least + greatest) * 0.5, float(glm::length(greatest - least) * 0.5)};
 }
 
-CameraPose fit_camera(const World &world) {
+CameraPose fit_camera(const World& world) {
     const WorldLayout layout = read_layout(world, {});
     const BoundingBall ball = bounding_ball(layout, read_motion(world, layout));
     OrbitCamera camera(CameraPose{ball.center + Position(0.6, 0.4, 1.0), ball.center, 0.785398f});

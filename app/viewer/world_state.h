@@ -46,18 +46,18 @@ struct WorldMotion {
 };
 
 /// Copies the layout. `appearances` of shapes that no longer exist are ignored.
-WorldLayout read_layout(const World &world, std::span<const Appearance> appearances);
+WorldLayout read_layout(const World& world, std::span<const Appearance> appearances);
 /// Copies the motion of the bodies of a layout. Islands are found only if asked for, else `islands` is empty.
-WorldMotion read_motion(const World &world, const WorldLayout &layout, bool with_islands = false);
+WorldMotion read_motion(const World& world, const WorldLayout& layout, bool with_islands = false);
 
 /// A smallest-effort ball around the dynamic bodies (or, without any, around all finite shapes).
 struct BoundingBall {
     Position center{0.0, 0.0, 0.0};
     float radius = 5.0f; ///< Meters.
 };
-BoundingBall bounding_ball(const WorldLayout &layout, const WorldMotion &motion);
+BoundingBall bounding_ball(const WorldLayout& layout, const WorldMotion& motion);
 
 /// A view of the whole scene, for scenes that do not bring their own camera.
-CameraPose fit_camera(const World &world);
+CameraPose fit_camera(const World& world);
 
 } // namespace cairn::viewer

@@ -25,56 +25,56 @@ enum class BodyType : std::uint8_t {
 /// Mass, center of mass and inertia of a body. A `mass` of +infinity, and zero entries of `inertia_diagonal`,
 /// stand for what cannot be moved or turned.
 struct MassProperties {
-    float mass = 1.0f;                                   ///< kg, > 0; may be infinite.
-    Vec3 center_of_mass{0.0f, 0.0f, 0.0f};               ///< In the body's frame, meters.
-    Vec3 inertia_diagonal{1.0f, 1.0f, 1.0f};             ///< Principal moments about the center of mass, kg m^2.
-    Quat inertia_orientation{1.0f, 0.0f, 0.0f, 0.0f};    ///< Rotation from principal axes to the body's frame.
+    float mass = 1.0f;                                ///< kg, > 0; may be infinite.
+    Vec3 center_of_mass{0.0f, 0.0f, 0.0f};            ///< In the body's frame, meters.
+    Vec3 inertia_diagonal{1.0f, 1.0f, 1.0f};          ///< Principal moments about the center of mass, kg m^2.
+    Quat inertia_orientation{1.0f, 0.0f, 0.0f, 0.0f}; ///< Rotation from principal axes to the body's frame.
 };
 
 /// Everything needed to make a body.
 struct BodyDef {
     BodyType type = BodyType::dynamic;
-    Position position{0.0, 0.0, 0.0};      ///< Origin of the body's frame (not its center of mass), meters.
-    Quat rotation{1.0f, 0.0f, 0.0f, 0.0f}; ///< Normalized on entry; must not be zero.
+    Position position{0.0, 0.0, 0.0};        ///< Origin of the body's frame (not its center of mass), meters.
+    Quat rotation{1.0f, 0.0f, 0.0f, 0.0f};   ///< Normalized on entry; must not be zero.
     Vec3 linear_velocity{0.0f, 0.0f, 0.0f};  ///< Of the center of mass, m/s.
     Vec3 angular_velocity{0.0f, 0.0f, 0.0f}; ///< In world axes, rad/s.
-    float linear_damping = 0.0f;  ///< 1/s, >= 0: velocity decays as v' = -damping v.
-    float angular_damping = 0.0f; ///< 1/s, >= 0.
-    float gravity_scale = 1.0f;   ///< Multiplies the world's gravity for this body; any finite value.
-    bool allow_sleep = true;      ///< false: the body and its island never fall asleep.
-    std::optional<float> mass{};  ///< kg, > 0 (+infinity: immovable). Absent: from the shapes' densities.
+    float linear_damping = 0.0f;             ///< 1/s, >= 0: velocity decays as v' = -damping v.
+    float angular_damping = 0.0f;            ///< 1/s, >= 0.
+    float gravity_scale = 1.0f;              ///< Multiplies the world's gravity for this body; any finite value.
+    bool allow_sleep = true;                 ///< false: the body and its island never fall asleep.
+    std::optional<float> mass{};             ///< kg, > 0 (+infinity: immovable). Absent: from the shapes' densities.
     std::optional<MassProperties> mass_properties{}; ///< Overrides mass and shapes altogether.
-    std::string name{};           ///< For people; need not be unique.
-    std::uint64_t user_data = 0;  ///< Not touched by the engine.
+    std::string name{};                              ///< For people; need not be unique.
+    std::uint64_t user_data = 0;                     ///< Not touched by the engine.
 };
 
 /// A light accessor to one body of a world. Cheap to copy and to make (`world.body(id)`); it stays usable as
 /// long as the body lives, and every call throws `Error` (invalid_handle) after that.
 /// Setters wake the body. Vectors are in world axes, points in world space, unless a name says `local`.
 class Body {
-public:
+  public:
     BodyId id() const noexcept { return id_; }
     BodyType type() const;
     const std::string& name() const;
     std::uint64_t user_data() const;
 
-    Position position() const;        ///< Origin of the body's frame, meters.
+    Position position() const; ///< Origin of the body's frame, meters.
     Quat rotation() const;
     Transform transform() const;
-    Position center_of_mass() const;  ///< In world space, meters.
-    Vec3 linear_velocity() const;     ///< Of the center of mass, m/s.
-    Vec3 angular_velocity() const;    ///< rad/s.
+    Position center_of_mass() const;               ///< In world space, meters.
+    Vec3 linear_velocity() const;                  ///< Of the center of mass, m/s.
+    Vec3 angular_velocity() const;                 ///< rad/s.
     Vec3 velocity_at(const Position& point) const; ///< Of the body's material at a world point, m/s.
 
-    float mass() const;               ///< kg; +infinity for static and kinematic bodies.
+    float mass() const; ///< kg; +infinity for static and kinematic bodies.
     MassProperties mass_properties() const;
-    Mat3 world_inertia() const;       ///< About the center of mass, world axes, kg m^2.
-    Vec3 angular_momentum() const;    ///< About the center of mass, kg m^2/s.
-    double kinetic_energy() const;    ///< Linear and rotational, J; 0 for static and kinematic bodies.
+    Mat3 world_inertia() const;    ///< About the center of mass, world axes, kg m^2.
+    Vec3 angular_momentum() const; ///< About the center of mass, kg m^2/s.
+    double kinetic_energy() const; ///< Linear and rotational, J; 0 for static and kinematic bodies.
     float gravity_scale() const;
     float linear_damping() const;
     float angular_damping() const;
-    bool is_awake() const;            ///< Static bodies never are; kinematic ones are while they move.
+    bool is_awake() const; ///< Static bodies never are; kinematic ones are while they move.
     bool allow_sleep() const;
     std::vector<ShapeId> shapes() const;
 
@@ -97,14 +97,14 @@ public:
     void set_mass_from_shapes(std::optional<float> mass = std::nullopt);
     void wake();
 
-    void add_force(const Vec3& force);   ///< N, at the center of mass; acts during the next step only.
+    void add_force(const Vec3& force); ///< N, at the center of mass; acts during the next step only.
     void add_force_at(const Vec3& force, const Position& point); ///< N, at a world point; next step only.
-    void add_torque(const Vec3& torque); ///< N m; next step only.
+    void add_torque(const Vec3& torque);                         ///< N m; next step only.
     void apply_impulse(const Vec3& impulse); ///< N s, at the center of mass; changes the velocity at once.
     void apply_impulse_at(const Vec3& impulse, const Position& point); ///< N s, at a world point.
-    void apply_angular_impulse(const Vec3& impulse); ///< N m s.
+    void apply_angular_impulse(const Vec3& impulse);                   ///< N m s.
 
-private:
+  private:
     friend class World;
     Body(World& world, BodyId id) : world_(&world), id_(id) {}
     World* world_;

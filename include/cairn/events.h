@@ -24,9 +24,9 @@ struct ContactEnd {
 struct ContactHit {
     ShapeId shape_a, shape_b;
     BodyId body_a, body_b;
-    Position point;        ///< Meters, world space.
-    Vec3 normal;           ///< Unit, from A to B.
-    float approach_speed;  ///< m/s, > 0.
+    Position point;       ///< Meters, world space.
+    Vec3 normal;          ///< Unit, from A to B.
+    float approach_speed; ///< m/s, > 0.
 };
 
 /// A body fell asleep or woke up.

@@ -12,9 +12,9 @@ namespace cairn {
 struct RayHit {
     ShapeId shape;
     BodyId body;
-    Position point;     ///< On the surface, meters.
-    Vec3 normal;        ///< Unit outward normal of the surface there.
-    double distance;    ///< From the ray's origin, meters.
+    Position point;  ///< On the surface, meters.
+    Vec3 normal;     ///< Unit outward normal of the surface there.
+    double distance; ///< From the ray's origin, meters.
 };
 
 } // namespace cairn

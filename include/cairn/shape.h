@@ -27,8 +27,8 @@ struct Box {
 /// pushes along its normal whatever is above it or has sunk less than its own size below it.
 /// Planes have no mass: they may only be added to static and kinematic bodies.
 struct Plane {
-    Vec3 normal{0.0f, 1.0f, 0.0f};  ///< Any non-zero finite vector; it is normalized.
-    Vec3 tangent{1.0f, 0.0f, 0.0f}; ///< Only for the rectangle; made orthogonal to `normal`.
+    Vec3 normal{0.0f, 1.0f, 0.0f};           ///< Any non-zero finite vector; it is normalized.
+    Vec3 tangent{1.0f, 0.0f, 0.0f};          ///< Only for the rectangle; made orthogonal to `normal`.
     std::optional<glm::vec2> half_extents{}; ///< Meters, each > 0; absent for an infinite plane.
 };
 
@@ -43,10 +43,10 @@ enum class CombineRule : std::uint8_t { average, minimum, maximum, multiply };
 
 /// Surface properties of a shape.
 struct Material {
-    float static_friction = 0.6f;  ///< Coulomb coefficient while the contact sticks, >= 0.
-    float dynamic_friction = 0.6f; ///< Coulomb coefficient while it slides, >= 0.
-    float restitution = 0.0f;      ///< Ratio of rebound to approach speed, 0 (no bounce) to 1 (elastic).
-    float rolling_friction = 0.0f; ///< Lever arm of the rolling resistance torque in meters, >= 0.
+    float static_friction = 0.6f;      ///< Coulomb coefficient while the contact sticks, >= 0.
+    float dynamic_friction = 0.6f;     ///< Coulomb coefficient while it slides, >= 0.
+    float restitution = 0.0f;          ///< Ratio of rebound to approach speed, 0 (no bounce) to 1 (elastic).
+    float rolling_friction = 0.0f;     ///< Lever arm of the rolling resistance torque in meters, >= 0.
     float torsional_friction = 0.001f; ///< Radius of the contact patch in meters, >= 0: a spinning one-point contact
                                        ///< feels a torque of at most friction x normal force x this radius. Without
                                        ///< any, a ball that spins upright never comes to rest.
@@ -56,11 +56,11 @@ struct Material {
 
 /// How a shape is attached to its body.
 struct ShapeDef {
-    Vec3 position{0.0f, 0.0f, 0.0f};         ///< Origin of the shape in the body's frame, meters.
-    Quat rotation{1.0f, 0.0f, 0.0f, 0.0f};   ///< Orientation in the body's frame; normalized, must not be zero.
-    float density = 1000.0f;                 ///< kg/m^3, >= 0; 0 adds no mass. Ignored by planes.
+    Vec3 position{0.0f, 0.0f, 0.0f};       ///< Origin of the shape in the body's frame, meters.
+    Quat rotation{1.0f, 0.0f, 0.0f, 0.0f}; ///< Orientation in the body's frame; normalized, must not be zero.
+    float density = 1000.0f;               ///< kg/m^3, >= 0; 0 adds no mass. Ignored by planes.
     Material material{};
-    std::uint64_t user_data = 0;             ///< Not touched by the engine.
+    std::uint64_t user_data = 0; ///< Not touched by the engine.
 };
 
 } // namespace cairn

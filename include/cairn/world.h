@@ -35,14 +35,14 @@ struct WorldDef {
                                       ///< tall stacks) get more by themselves; see `adaptive_substeps`.
     bool adaptive_substeps = true;    ///< Raise the substeps of islands whose mass ratio or height asks for it.
     Integrator integrator = Integrator::semi_implicit_euler;
-    bool enable_sleep = true;         ///< Islands at rest stop costing time.
-    float sleep_speed = 0.05f;        ///< m/s; a body slower than this at its surface may sleep. >= 0.
-    float sleep_time = 0.5f;          ///< s at rest before an island sleeps. >= 0.
-    float restitution_speed = 0.02f;  ///< m/s; slower impacts do not bounce. >= 0.
-    float hit_speed = 1.0f;           ///< m/s; least approach speed for a hit event. >= 0.
-    float recovery_speed = 3.0f;      ///< m/s; overlaps are pushed apart no faster than this. > 0.
-    float max_linear_speed = 2000.0f; ///< m/s; faster bodies are slowed to this, and counted. > 0.
-    float max_angular_speed = 1000.0f; ///< rad/s; likewise. > 0.
+    bool enable_sleep = true;          ///< Islands at rest stop costing time.
+    float sleep_speed = 0.05f;         ///< m/s; a body slower than this at its surface may sleep. >= 0.
+    float sleep_time = 0.5f;           ///< s at rest before an island sleeps. >= 0.
+    float restitution_speed = 0.02f;   ///< m/s; slower impacts do not bounce. >= 0.
+    float hit_speed = 1.0f;            ///< m/s; least approach speed for a hit event. >= 0.
+    float recovery_speed = 3.0f;       ///< m/s; overlaps are pushed apart no faster than this. > 0.
+    float max_linear_speed = 2000.0f;  ///< m/s; faster bodies are slowed to this, and counted. > 0, at most 1e15.
+    float max_angular_speed = 1000.0f; ///< rad/s; likewise.
 };
 
 /// A field that accelerates or pushes every dynamic body, evaluated at its center of mass.
@@ -52,11 +52,11 @@ struct ForceField {
         radial,  ///< Towards `center`, `strength` x distance^`exponent`.
     };
     Kind kind = Kind::uniform;
-    Vec3 direction{0.0f, 0.0f, 0.0f};  ///< Uniform: acceleration in m/s^2 (or force in N, see `is_force`).
-    Position center{0.0, 0.0, 0.0};    ///< Radial: the point that attracts, meters.
-    float strength = 0.0f;             ///< Radial: m/s^2 (or N) at a distance of one meter; negative repels.
-    float exponent = 0.0f;             ///< Radial: 0 constant, 1 spring, -1, -2 gravity of a point. One of -2,-1,0,1.
-    bool is_force = false;             ///< false: an acceleration, equal for all masses; true: a force.
+    Vec3 direction{0.0f, 0.0f, 0.0f}; ///< Uniform: acceleration in m/s^2 (or force in N, see `is_force`).
+    Position center{0.0, 0.0, 0.0};   ///< Radial: the point that attracts, meters.
+    float strength = 0.0f;            ///< Radial: m/s^2 (or N) at a distance of one meter; negative repels.
+    float exponent = 0.0f;            ///< Radial: 0 constant, 1 spring, -1, -2 gravity of a point. One of -2,-1,0,1.
+    bool is_force = false;            ///< false: an acceleration, equal for all masses; true: a force.
 };
 
 /// Wall-clock time of the stages of the last step, in milliseconds.
@@ -66,19 +66,19 @@ struct StageTimes {
 
 /// Counts and times of the last step.
 struct Statistics {
-    std::uint64_t steps = 0;          ///< Steps since the world was made.
-    double time = 0;                  ///< Simulated seconds since then.
+    std::uint64_t steps = 0; ///< Steps since the world was made.
+    double time = 0;         ///< Simulated seconds since then.
     std::size_t bodies = 0, dynamic_bodies = 0, awake_bodies = 0, shapes = 0;
-    std::size_t candidate_pairs = 0;  ///< Pairs whose bounds overlap.
-    std::size_t contacts = 0;         ///< Touching pairs of shapes, asleep ones included.
-    std::size_t contact_points = 0;   ///< Their points.
-    std::size_t islands = 0;          ///< Awake islands.
+    std::size_t candidate_pairs = 0; ///< Pairs whose bounds overlap.
+    std::size_t contacts = 0;        ///< Touching pairs of shapes, asleep ones included.
+    std::size_t contact_points = 0;  ///< Their points.
+    std::size_t islands = 0;         ///< Awake islands.
     std::size_t sleeping_islands = 0;
     std::size_t colors = 0;
     std::size_t overflow_contacts = 0; ///< Contacts that found no free color, solved one by one.
-    std::uint64_t clamped_speeds = 0; ///< Since the world was made: velocities cut to the maximum.
-    int max_substeps = 0;             ///< Most substeps that any island took.
-    double max_penetration = 0;       ///< Deepest overlap, meters, >= 0.
+    std::uint64_t clamped_speeds = 0;  ///< Since the world was made: velocities cut to the maximum.
+    int max_substeps = 0;              ///< Most substeps that any island took.
+    double max_penetration = 0;        ///< Deepest overlap, meters, >= 0.
     StageTimes times;
 };
 
@@ -86,10 +86,12 @@ struct Statistics {
 /// what the CPU offers; the environment variable CAIRN_ISA forces one. Results do not depend on it.
 std::string_view instruction_set() noexcept;
 
-/// A world. Worlds are independent of each other; one world must not be used by two threads at a time, except
+/// A world. Handles carry the number of their world; numbers repeat after 65,535 worlds, and a restored world has that
+/// of the one that was saved. A `Body` accessor refers to the World object: it must not be used after that was moved
+/// or destroyed. Worlds are independent of each other; one world must not be used by two threads at a time, except
 /// for the const members, which may run on many threads while no non-const member runs.
 class World {
-public:
+  public:
     explicit World(const WorldDef& def = {});
     ~World();
     World(World&&) noexcept;
@@ -102,11 +104,11 @@ public:
 
     // --- bodies and shapes
     BodyId create_body(const BodyDef& def = {});
-    void destroy_body(BodyId body);  ///< With its shapes; wakes what rested on it.
+    void destroy_body(BodyId body); ///< With its shapes; wakes what rested on it.
     bool is_valid(BodyId body) const noexcept;
     Body body(BodyId body);
     const Body body(BodyId body) const;
-    std::vector<BodyId> bodies() const; ///< All, in order of slot index.
+    std::vector<BodyId> bodies() const;                           ///< All, in order of slot index.
     std::optional<BodyId> find_body(std::string_view name) const; ///< The first of that name.
 
     /// Adds a shape to a body and, unless its mass properties were given, updates them. A dynamic body whose shapes
@@ -119,7 +121,7 @@ public:
     const Shape& shape(ShapeId shape) const;
     const ShapeDef& shape_def(ShapeId shape) const;
     Transform shape_transform(ShapeId shape) const; ///< In world space.
-    Bounds shape_bounds(ShapeId shape) const; ///< Tight; infinite for infinite planes.
+    Bounds shape_bounds(ShapeId shape) const;       ///< Tight; infinite for infinite planes.
     void set_material(ShapeId shape, const Material& material);
 
     // --- force fields
@@ -139,8 +141,8 @@ public:
     std::span<const ContactEnd> contact_ends() const noexcept;
     std::span<const ContactHit> contact_hits() const noexcept;
     std::span<const SleepEvent> sleep_events() const noexcept;
-    std::vector<Contact> contacts() const;             ///< All touching pairs.
-    std::vector<Contact> contacts(BodyId body) const;  ///< Those of one body.
+    std::vector<Contact> contacts() const;            ///< All touching pairs.
+    std::vector<Contact> contacts(BodyId body) const; ///< Those of one body.
 
     // --- queries
     /// The nearest shape that the ray meets within `max_distance`. `direction` need not be unit length. A ray
@@ -158,11 +160,11 @@ public:
     void read_transforms(std::span<const BodyId> ids, std::span<Transform> out) const;
 
     // --- whole-world measures
-    double kinetic_energy() const;   ///< J, of all dynamic bodies.
-    double potential_energy() const; ///< J in the world's gravity, relative to the origin.
+    double kinetic_energy() const;       ///< J, of all dynamic bodies.
+    double potential_energy() const;     ///< J in the world's gravity, relative to the origin.
     glm::dvec3 linear_momentum() const;  ///< kg m/s, of all dynamic bodies.
     glm::dvec3 angular_momentum() const; ///< kg m^2/s about the origin, of all dynamic bodies.
-    std::uint64_t state_hash() const; ///< Of positions, rotations and velocities, by bits.
+    std::uint64_t state_hash() const;    ///< Of positions, rotations and velocities, by bits.
     Statistics statistics() const;
 
     // --- snapshots
@@ -171,7 +173,7 @@ public:
     /// leaving the world as it was.
     void restore(const Snapshot& snapshot);
 
-private:
+  private:
     friend class Body;
     struct Impl;
     std::unique_ptr<Impl> impl_;

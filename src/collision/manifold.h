@@ -7,7 +7,7 @@ namespace cairn {
 
 // Up to four contact points that share one normal.
 struct alignas(32) Manifold {
-    float normal[3]; // unit, from the first shape to the second
+    float normal[3];    // unit, from the first shape to the second
     std::int32_t count; // 0 when the shapes are further apart than the margin
     // x y z: the point midway between the two surfaces, relative to the first shape's center, world axes.
     // [3]: separation along the normal in meters, negative when overlapping. Points beyond `count` are {0,0,0,1e30}.

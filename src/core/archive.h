@@ -13,7 +13,7 @@
 namespace cairn {
 
 class ArchiveWriter {
-public:
+  public:
     static constexpr bool reading = false;
     explicit ArchiveWriter(std::vector<std::byte>& out) : out_(out) {}
 
@@ -32,7 +32,7 @@ public:
     requires std::is_trivially_copyable_v<T>
     void operator()(const T& value) { raw(&value, sizeof value); }
 
-private:
+  private:
     void raw(const void* data, std::size_t size) {
         if (size == 0) return;
         const std::size_t at = out_.size();
@@ -44,7 +44,7 @@ private:
 
 // Throws Error(invalid_file) rather than read past the end.
 class ArchiveReader {
-public:
+  public:
     static constexpr bool reading = true;
     ArchiveReader(const std::byte* data, std::size_t size) : data_(data), left_(size) {}
 
@@ -63,7 +63,7 @@ public:
 
     std::size_t bytes_left() const noexcept { return left_; }
 
-private:
+  private:
     std::size_t count(std::size_t element) {
         std::uint64_t n = 0;
         raw(&n, sizeof n);

@@ -8,7 +8,7 @@
 namespace cairn {
 
 class Hash64 {
-public:
+  public:
     void add(std::uint64_t word) {
         state_ ^= word * 0x9e3779b97f4a7c15ull;
         state_ = ((state_ << 27) | (state_ >> 37)) * 0xff51afd7ed558ccdull + 0x52dce729ull;
@@ -31,7 +31,7 @@ public:
         return x ^ (x >> 33);
     }
 
-private:
+  private:
     std::uint64_t state_ = 0x243f6a8885a308d3ull;
 };
 

@@ -11,7 +11,7 @@
 namespace cairn {
 
 class SlotPool {
-public:
+  public:
     static constexpr std::uint32_t max_slots = (1u << Handle<void>::index_bits) - 1;
     static constexpr std::uint32_t last_generation = (1u << Handle<void>::generation_bits) - 1;
 
@@ -59,7 +59,7 @@ public:
         archive(live_count_);
     }
 
-private:
+  private:
     std::vector<std::uint32_t> generations_;
     std::vector<std::uint8_t> live_;
     std::vector<std::uint32_t> free_;

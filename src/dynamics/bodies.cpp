@@ -88,7 +88,8 @@ void place_shapes(State& state, std::int32_t body) {
     const math::Mat3 rotation = math::to_matrix(q);
     const math::Vec3 center = state.mass[std::size_t(body)].center;
     float radius = 0;
-    for (std::int32_t s = state.bodies[std::size_t(body)].first_shape; s != none; s = state.shapes[std::size_t(s)].next) {
+    for (std::int32_t s = state.bodies[std::size_t(body)].first_shape; s != none;
+         s = state.shapes[std::size_t(s)].next) {
         place_shape(state, std::uint32_t(s), motion, rotation, q, center);
         const Geometry& geometry = state.geometry[std::size_t(s)];
         float* size = state.shape_poses[std::size_t(s)].size;

@@ -10,7 +10,6 @@
 
 namespace cairn {
 
-
 namespace {
 
 constexpr float unused = 1e30f;
@@ -29,7 +28,8 @@ float contact_margin(const State& s, const ContactInfo& c, float dt) {
     const BodyMotion &a = s.motion[std::size_t(c.body_a)], &b = s.motion[std::size_t(c.body_b)];
     const float ra = s.bodies[std::size_t(c.body_a)].radius, rb = s.bodies[std::size_t(c.body_b)].radius;
     const math::Vec3 v = b.v - a.v;
-    const float turn = std::min(dt * math::length(a.w), most_turn) * ra + std::min(dt * math::length(b.w), most_turn) * rb;
+    const float turn =
+        std::min(dt * math::length(a.w), most_turn) * ra + std::min(dt * math::length(b.w), most_turn) * rb;
     return c.base_margin + dt * math::length(v) + turn;
 }
 
@@ -148,8 +148,10 @@ void write_record(State& s, std::uint32_t id, const Manifold& m) {
 }
 
 void begin_contact(State& s, ContactInfo& c, math::Vec3 normal) {
-    if (c.b_moves) link_islands(s, c.body_a, c.body_b);
-    else wake_island(s, s.bodies[std::size_t(c.body_a)].island);
+    if (c.b_moves)
+        link_islands(s, c.body_a, c.body_b);
+    else
+        wake_island(s, s.bodies[std::size_t(c.body_a)].island);
     assign_color(s, c);
     c.load = c.force = first_load(s, c, normal);
 }
@@ -172,10 +174,11 @@ void take_manifold(State& s, std::uint32_t id, const Manifold& m, float dt) {
         c.point_count = 0;
         return;
     }
-    if (is_new) begin_contact(s, c, to_vec(r.normal));
-    else if (asleep) wake_body(s, c.body_a);
-    if (!c.b_moves && moves(s, c.body_b))
-        s.islands[std::size_t(s.bodies[std::size_t(c.body_a)].island)].kept_awake = 1;
+    if (is_new)
+        begin_contact(s, c, to_vec(r.normal));
+    else if (asleep)
+        wake_body(s, c.body_a);
+    if (!c.b_moves && moves(s, c.body_b)) s.islands[std::size_t(s.bodies[std::size_t(c.body_a)].island)].kept_awake = 1;
     s.solved.push_back(id);
 }
 
@@ -209,7 +212,8 @@ void end_contact(State& s, std::uint32_t id) {
     c.point_count = 0;
     const std::int32_t island = s.bodies[std::size_t(c.body_a)].island;
     if (island != none) s.islands[std::size_t(island)].lost_contact |= c.b_moves;
-    if (c.touching) s.next_ends.push_back({s.shape_id(c.shape_a), s.shape_id(c.shape_b), s.body_id(c.body_a), s.body_id(c.body_b)});
+    if (c.touching)
+        s.next_ends.push_back({s.shape_id(c.shape_a), s.shape_id(c.shape_b), s.body_id(c.body_a), s.body_id(c.body_b)});
     c.touching = 0;
 }
 
@@ -272,11 +276,13 @@ void report_contacts(State& s, float dt) {
                     if (r.points[i][3] < r.points[deepest][3]) deepest = i;
                 const ContactRecord now = advanced_record(s, id);
                 const math::DVec3 p = s.motion[std::size_t(c.body_a)].x + math::to_double(to_vec(now.points[deepest]));
-                s.hits.push_back({a, b, body_a, body_b, {p.x, p.y, p.z}, {r.normal[0], r.normal[1], r.normal[2]}, r.approach_speed});
+                s.hits.push_back(
+                    {a, b, body_a, body_b, {p.x, p.y, p.z}, {r.normal[0], r.normal[1], r.normal[2]}, r.approach_speed});
             }
         } else if (c.touching && impulse == 0 && separation > 0.25f * c.base_margin) {
             c.touching = 0;
-            s.next_ends.push_back({s.shape_id(c.shape_a), s.shape_id(c.shape_b), s.body_id(c.body_a), s.body_id(c.body_b)});
+            s.next_ends.push_back(
+                {s.shape_id(c.shape_a), s.shape_id(c.shape_b), s.body_id(c.body_a), s.body_id(c.body_b)});
         }
     }
 }

@@ -7,7 +7,6 @@
 
 namespace cairn {
 
-
 namespace {
 
 void move_shapes(State& s, std::int32_t b, float dt) {
@@ -16,11 +15,14 @@ void move_shapes(State& s, std::int32_t b, float dt) {
     const math::Mat3 rotation = math::to_matrix(q);
     const math::Vec3 center = s.mass[std::size_t(b)].center;
     const math::Vec3 displacement = dt * motion.v;
-    for (std::int32_t shape = s.bodies[std::size_t(b)].first_shape; shape != none; shape = s.shapes[std::size_t(shape)].next) {
+    for (std::int32_t shape = s.bodies[std::size_t(b)].first_shape; shape != none;
+         shape = s.shapes[std::size_t(shape)].next) {
         place_shape(s, std::uint32_t(shape), motion, rotation, q, center);
         if (s.geometry[std::size_t(shape)].type == ShapeType::plane) {
             const math::DVec3 p = shape_position(s.shape_poses[std::size_t(shape)]);
-            s.broad_phase.move_plane(std::uint32_t(shape), p, math::rotate(shape_rotation(s.shape_poses[std::size_t(shape)]), math::Vec3{0, 1, 0}));
+            s.broad_phase.move_plane(
+                std::uint32_t(shape), p,
+                math::rotate(shape_rotation(s.shape_poses[std::size_t(shape)]), math::Vec3{0, 1, 0}));
         } else {
             s.broad_phase.set_bounds(std::uint32_t(shape), shape_bounds(s, std::uint32_t(shape)), displacement);
         }
@@ -52,7 +54,8 @@ void finalize_bodies(State& s, float dt) {
         if (motion.v == math::Vec3{} && motion.w == math::Vec3{}) continue;
         move_shapes(s, b, dt);
         // Planes make no pairs with what sleeps.
-        for (std::int32_t shape = s.bodies[std::size_t(b)].first_shape; shape != none; shape = s.shapes[std::size_t(shape)].next)
+        for (std::int32_t shape = s.bodies[std::size_t(b)].first_shape; shape != none;
+             shape = s.shapes[std::size_t(shape)].next)
             if (s.geometry[std::size_t(shape)].type == ShapeType::plane) wake_around_shape(s, std::uint32_t(shape));
     }
 }

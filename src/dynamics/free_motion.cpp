@@ -51,9 +51,9 @@ DQuat axis_turn(int axis, double angle) {
 }
 
 // Keeps the angular momentum L to rounding, and the energy in bounds however fast the body spins, by splitting (as in
-// Dullweber, Leimkuhler and McLachlan 1997): with I2 the middle moment, the energy is L^2 / (2 I2), a steady turn about L,
-// plus m1^2 / 2 (1/I1 - 1/I2) and m3^2 / 2 (1/I3 - 1/I2), turns about the body's own axes. Each is followed exactly; a
-// symmetric top is exact as a whole.
+// Dullweber, Leimkuhler and McLachlan 1997): with I2 the middle moment, the energy is L^2 / (2 I2), a steady turn about
+// L, plus m1^2 / 2 (1/I1 - 1/I2) and m3^2 / 2 (1/I3 - 1/I2), turns about the body's own axes. Each is followed exactly;
+// a symmetric top is exact as a whole.
 Increment split_spin(const Spin& spin, const DQuat& q, DVec3 w, DVec3 torque, double h) {
     const DVec3 momentum = spin.to_world(q, spin.moments, w) + h * torque;
     const DVec3& i = spin.moments;
@@ -90,8 +90,11 @@ Increment rk4_spin(const Spin& spin, const DQuat& q, DVec3 w, DVec3 torque, doub
         const DQuat d = DQuat{u.x, u.y, u.z, 0} * at;
         return DQuat{0.5 * d.x, 0.5 * d.y, 0.5 * d.z, 0.5 * d.w};
     };
-    auto along = [&](const DQuat& d, double t) { return DQuat{q.x + t * d.x, q.y + t * d.y, q.z + t * d.z, q.w + t * d.w}; };
-    const DQuat k1 = rate(q, 0), k2 = rate(along(k1, h / 2), h / 2), k3 = rate(along(k2, h / 2), h / 2), k4 = rate(along(k3, h), h);
+    auto along = [&](const DQuat& d, double t) {
+        return DQuat{q.x + t * d.x, q.y + t * d.y, q.z + t * d.z, q.w + t * d.w};
+    };
+    const DQuat k1 = rate(q, 0), k2 = rate(along(k1, h / 2), h / 2), k3 = rate(along(k2, h / 2), h / 2),
+                k4 = rate(along(k3, h), h);
     const DQuat sum{k1.x + 2 * k2.x + 2 * k3.x + k4.x, k1.y + 2 * k2.y + 2 * k3.y + k4.y,
                     k1.z + 2 * k2.z + 2 * k3.z + k4.z, k1.w + 2 * k2.w + 2 * k3.w + k4.w};
     const DQuat end = math::normalized(along(sum, h / 6));
@@ -102,9 +105,12 @@ Increment rk4_spin(const Spin& spin, const DQuat& q, DVec3 w, DVec3 torque, doub
 
 Increment translate(Integrator integrator, DVec3 dv) {
     switch (integrator) {
-    case Integrator::semi_implicit_euler: return {dv, {}};
-    case Integrator::explicit_euler: return {dv, -dv};
-    case Integrator::rk4: return {dv, -0.5 * dv};
+    case Integrator::semi_implicit_euler:
+        return {dv, {}};
+    case Integrator::explicit_euler:
+        return {dv, -dv};
+    case Integrator::rk4:
+        return {dv, -0.5 * dv};
     }
     return {};
 }
@@ -136,7 +142,8 @@ bool fields_vary(const State& s) {
 Load load_on(const State& s, std::int32_t b) {
     const BodyMass& mass = s.mass[std::size_t(b)];
     const BodyForces& forces = s.forces[std::size_t(b)];
-    return {double(mass.inverse_mass) * forces.force, forces.torque, s.body_settings[std::size_t(b)].gravity_scale, mass.inverse_mass};
+    return {double(mass.inverse_mass) * forces.force, forces.torque, s.body_settings[std::size_t(b)].gravity_scale,
+            mass.inverse_mass};
 }
 
 void write_linear(State& s, std::size_t row, const Increment& change) {
@@ -168,9 +175,12 @@ Increment spin_increment(const State& s, std::int32_t b, const DQuat& q, DVec3 w
         return translate(s.settings.integrator, h * spin.to_world(q, spin.inverse_moments, torque));
     }
     switch (s.settings.integrator) {
-    case Integrator::semi_implicit_euler: return split_spin(spin, q, w, torque, h);
-    case Integrator::explicit_euler: return explicit_spin(spin, q, w, torque, h);
-    case Integrator::rk4: return rk4_spin(spin, q, w, torque, h);
+    case Integrator::semi_implicit_euler:
+        return split_spin(spin, q, w, torque, h);
+    case Integrator::explicit_euler:
+        return explicit_spin(spin, q, w, torque, h);
+    case Integrator::rk4:
+        return rk4_spin(spin, q, w, torque, h);
     }
     return {};
 }
@@ -193,14 +203,16 @@ void prepare_damping(State& s, float h) {
     scratch.damping.clear();
     bool any = false;
     for (const std::int32_t b : scratch.row_bodies)
-        any |= b != none && (s.body_settings[std::size_t(b)].linear_damping > 0 || s.body_settings[std::size_t(b)].angular_damping > 0);
+        any |= b != none && (s.body_settings[std::size_t(b)].linear_damping > 0 ||
+                             s.body_settings[std::size_t(b)].angular_damping > 0);
     if (!any) return;
     scratch.damping.assign(scratch.row_bodies.size(), {{1, 1, 1}, 1, {1, 1, 1}, 1});
     for (std::size_t row = 0; row < scratch.row_bodies.size(); ++row) {
         const std::int32_t b = scratch.row_bodies[row];
         if (b == none || !s.is_dynamic(b)) continue;
         const BodySettings& settings = s.body_settings[std::size_t(b)];
-        const float linear = damping_factor(settings.linear_damping, h), angular = damping_factor(settings.angular_damping, h);
+        const float linear = damping_factor(settings.linear_damping, h),
+                    angular = damping_factor(settings.angular_damping, h);
         put(scratch.damping[row].v, {linear, linear, linear});
         put(scratch.damping[row].w, {angular, angular, angular});
     }
@@ -224,9 +236,12 @@ DVec3 field_acceleration(const State& s, DVec3 x, float gravity_scale, double in
         if (!(distance > 1e-9)) continue;
         // strength x distance^exponent along to / distance
         double size = double(field.strength) / distance;
-        if (field.exponent == 1) size = double(field.strength);
-        else if (field.exponent == -1) size /= distance;
-        else if (field.exponent == -2) size /= distance * distance;
+        if (field.exponent == 1)
+            size = double(field.strength);
+        else if (field.exponent == -1)
+            size /= distance;
+        else if (field.exponent == -2)
+            size /= distance * distance;
         a += (factor * size) * to;
     }
     return a;
@@ -242,7 +257,8 @@ void prepare_free_motion(State& s, float h, bool corrects) {
     prepare_damping(s, h);
     for (std::size_t row = 0; row < rows; ++row) {
         const std::int32_t b = scratch.row_bodies[row];
-        if (b != none && s.is_dynamic(b) && !s.mass[std::size_t(b)].isotropic) scratch.spinning_rows.push_back(std::int32_t(row));
+        if (b != none && s.is_dynamic(b) && !s.mass[std::size_t(b)].isotropic)
+            scratch.spinning_rows.push_back(std::int32_t(row));
     }
     if (!scratch.spinning_rows.empty() || corrects || s.settings.integrator != Integrator::semi_implicit_euler)
         scratch.free_correction.assign(rows, {});
@@ -303,6 +319,12 @@ void move_free_body(State& s, std::int32_t b, float dt) {
         q = turned_by(h * (w + cut(turn.correction, most_w)), q);
     }
     s.clamped_speeds += clamped;
+    if (!(math::is_finite(x) && math::is_finite(q) && math::is_finite(v) && math::is_finite(w))) {
+        ++s.clamped_speeds; // beyond the range of numbers: it stops where it is
+        motion.v = motion.w = motion.v_rest = motion.w_rest = {};
+        s.turned[std::size_t(b)] = {};
+        return;
+    }
     s.turned[std::size_t(b)] = math::to_float(q * math::conjugate(motion.q));
     motion.x = x;
     motion.q = q;

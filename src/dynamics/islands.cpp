@@ -51,8 +51,10 @@ void append_body(State& state, std::int32_t i, std::int32_t body) {
     links.island = i;
     links.previous_in_island = island.last_body;
     links.next_in_island = none;
-    if (island.last_body == none) island.first_body = body;
-    else body_at(state, island.last_body).next_in_island = body;
+    if (island.last_body == none)
+        island.first_body = body;
+    else
+        body_at(state, island.last_body).next_in_island = body;
     island.last_body = body;
     ++island.body_count;
 }
@@ -146,10 +148,14 @@ void remove_from_island(State& state, std::int32_t body) {
     BodyLinks& links = body_at(state, body);
     const std::int32_t i = links.island;
     Island& island = island_at(state, i);
-    if (links.previous_in_island == none) island.first_body = links.next_in_island;
-    else body_at(state, links.previous_in_island).next_in_island = links.next_in_island;
-    if (links.next_in_island == none) island.last_body = links.previous_in_island;
-    else body_at(state, links.next_in_island).previous_in_island = links.previous_in_island;
+    if (links.previous_in_island == none)
+        island.first_body = links.next_in_island;
+    else
+        body_at(state, links.previous_in_island).next_in_island = links.next_in_island;
+    if (links.next_in_island == none)
+        island.last_body = links.previous_in_island;
+    else
+        body_at(state, links.next_in_island).previous_in_island = links.previous_in_island;
     links.island = links.next_in_island = links.previous_in_island = none;
     island.lost_contact = 1;
     if (--island.body_count == 0) free_island(state, i);
@@ -163,7 +169,8 @@ void link_islands(State& state, std::int32_t body_a, std::int32_t body_b) {
     if (island_at(state, a).body_count < island_at(state, b).body_count) std::swap(a, b);
     append_all(state, a, b);
     island_at(state, a).lost_contact |= island_at(state, b).lost_contact;
-    island_at(state, a).wanted_substeps = std::max(island_at(state, a).wanted_substeps, island_at(state, b).wanted_substeps);
+    island_at(state, a).wanted_substeps =
+        std::max(island_at(state, a).wanted_substeps, island_at(state, b).wanted_substeps);
     free_island(state, b);
 }
 

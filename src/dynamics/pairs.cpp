@@ -9,25 +9,32 @@ namespace cairn {
 
 namespace {
 
-constexpr float most_margin = 0.02f;           // m: contacts exist before they touch
-constexpr float margin_per_extent = 0.25f;     // for small shapes
+constexpr float most_margin = 0.02f;       // m: contacts exist before they touch
+constexpr float margin_per_extent = 0.25f; // for small shapes
 constexpr float match_per_extent = 0.1f;
 
 float smallest_extent(const Geometry& g) {
     switch (g.type) {
-    case ShapeType::sphere: return 2 * g.size.x;
-    case ShapeType::box: return 2 * std::min({g.size.x, g.size.y, g.size.z});
-    default: return 1e9f;
+    case ShapeType::sphere:
+        return 2 * g.size.x;
+    case ShapeType::box:
+        return 2 * std::min({g.size.x, g.size.y, g.size.z});
+    default:
+        return 1e9f;
     }
 }
 float largest_extent(const Geometry& g) { return g.type == ShapeType::plane ? 1e9f : g.bounding_radius; }
 
 float combine_values(float a, float b, CombineRule rule) {
     switch (rule) {
-    case CombineRule::average: return 0.5f * (a + b);
-    case CombineRule::minimum: return std::min(a, b);
-    case CombineRule::maximum: return std::max(a, b);
-    case CombineRule::multiply: return a * b;
+    case CombineRule::average:
+        return 0.5f * (a + b);
+    case CombineRule::minimum:
+        return std::min(a, b);
+    case CombineRule::maximum:
+        return std::max(a, b);
+    case CombineRule::multiply:
+        return a * b;
     }
     return 0;
 }

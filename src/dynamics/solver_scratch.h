@@ -34,7 +34,7 @@ struct Bin {
     std::int32_t first_island = 0, island_count = 0; // in SolverScratch::bin_islands
     std::int32_t substeps = 0;
     std::int32_t body_count = 0, contact_count = 0;
-    std::int32_t first_contact = 0;                  // in SolverScratch::sorted
+    std::int32_t first_contact = 0; // in SolverScratch::sorted
 };
 
 // Lanes of a list of blocks, filled bin by bin.
@@ -48,8 +48,8 @@ struct SolverScratch {
     std::vector<std::int32_t> bin_of_island, bin_islands, contacts_of_island, open_bins;
     std::vector<std::uint32_t> key_counts, keys, sorted; // counting sort of contacts
     // --- of the bin at work
-    std::vector<std::int32_t> free_bodies; // of all bins: those without a contact
-    std::vector<std::int32_t> row_bodies;  // body of each row; none for fixed, discard and padding
+    std::vector<std::int32_t> free_bodies;   // of all bins: those without a contact
+    std::vector<std::int32_t> row_bodies;    // body of each row; none for fixed, discard and padding
     std::vector<std::int32_t> spinning_rows; // with unequal moments of inertia
     std::vector<SolverVelocity> velocity, reference;
     std::vector<SolverPose> pose;

@@ -30,13 +30,13 @@ struct BodyMotion {
 };
 
 struct BodyMass {
-    float mass = 0, inverse_mass = 0; // an inverse of 0 means immovable
+    float mass = 0, inverse_mass = 0;    // an inverse of 0 means immovable
     math::Vec3 inertia, inverse_inertia; // principal
-    math::Quat principal;             // from principal axes to the body's frame
-    math::Vec3 center;                // center of mass in the body's frame
-    std::uint8_t isotropic = 1;       // all moments equal: no gyroscopic torque
-    std::uint8_t follows_shapes = 1;  // recomputed when shapes change
-    std::uint8_t has_given_mass = 0;  // ... scaled to given_mass
+    math::Quat principal;                // from principal axes to the body's frame
+    math::Vec3 center;                   // center of mass in the body's frame
+    std::uint8_t isotropic = 1;          // all moments equal: no gyroscopic torque
+    std::uint8_t follows_shapes = 1;     // recomputed when shapes change
+    std::uint8_t has_given_mass = 0;     // ... scaled to given_mass
     std::uint8_t padding = 0;
     float given_mass = 0;
 };
@@ -56,14 +56,14 @@ struct BodyForces {
 
 struct BodyLinks {
     std::int32_t first_shape = none, last_shape = none;
-    std::int32_t island = none;          // dynamic bodies only
+    std::int32_t island = none; // dynamic bodies only
     std::int32_t next_in_island = none, previous_in_island = none;
-    float radius = 0;                    // of the body about its center of mass; planes not counted
-    float quiet_time = 0;                // s that it has been slower than the sleep speed
-    std::int32_t row = none;             // in the solver bin at work
-    std::int32_t contact_count = 0;      // that are solved
+    float radius = 0;               // of the body about its center of mass; planes not counted
+    float quiet_time = 0;           // s that it has been slower than the sleep speed
+    std::int32_t row = none;        // in the solver bin at work
+    std::int32_t contact_count = 0; // that are solved
     std::int32_t padding = 0;
-    std::uint64_t colors = 0;            // of its contacts, one bit each
+    std::uint64_t colors = 0; // of its contacts, one bit each
 };
 
 struct ShapeLinks {
@@ -75,7 +75,13 @@ struct ShapeLinks {
 
 // Which kernel tests a pair of shapes; the first shape's type comes no later in ShapeType than the second's.
 enum class PairKind : std::uint8_t {
-    sphere_sphere, sphere_box, sphere_plane, sphere_rectangle, box_box, box_plane, box_rectangle
+    sphere_sphere,
+    sphere_box,
+    sphere_plane,
+    sphere_rectangle,
+    box_box,
+    box_plane,
+    box_rectangle
 };
 inline constexpr int pair_kinds = 7;
 
@@ -90,27 +96,27 @@ struct ContactInfo {
     std::uint8_t b_moves = 0;     // B is dynamic
     std::uint8_t touching = 0;    // a begin event was given
     std::uint8_t in_use = 0;
-    std::uint8_t bounces = 0;     // has any restitution
-    float match_tolerance = 0;    // m: points closer than this to last step's are the same
-    float base_margin = 0;        // m
-    float force = 0;              // N: the normal force of the last step
-    float load = 0;               // N: the sustained one, without impacts
-    float substep_time = 0;       // s: that the impulses are for
+    std::uint8_t bounces = 0;  // has any restitution
+    float match_tolerance = 0; // m: points closer than this to last step's are the same
+    float base_margin = 0;     // m
+    float force = 0;           // N: the normal force of the last step
+    float load = 0;            // N: the sustained one, without impacts
+    float substep_time = 0;    // s: that the impulses are for
 };
 
 struct Island {
     std::int32_t first_body = none, last_body = none;
     std::int32_t body_count = 0;
-    std::int32_t position = none;   // in State::awake_islands; none: asleep
-    std::int32_t key = none;        // of its tree in the broad phase, if that holds it as sleeping
+    std::int32_t position = none; // in State::awake_islands; none: asleep
+    std::int32_t key = none;      // of its tree in the broad phase, if that holds it as sleeping
     std::uint8_t in_use = 0;
-    std::uint8_t lost_contact = 0;  // may have fallen into parts
-    std::uint8_t kept_awake = 0;    // touches something that moves by itself
+    std::uint8_t lost_contact = 0; // may have fallen into parts
+    std::uint8_t kept_awake = 0;   // touches something that moves by itself
     std::uint8_t padding = 0;
-    std::int32_t substeps = 0;      // in the last step
-    std::int32_t wanted_substeps = 0; // by what it carries (substeps.cpp)
+    std::int32_t substeps = 0;           // in the last step
+    std::int32_t wanted_substeps = 0;    // by what it carries (substeps.cpp)
     float weight = 0, greatest_load = 0; // N: of all bodies; on one contact
-    float greatest_demand = 0;      // m/s^2: load over the reduced mass of the contact that carries it
+    float greatest_demand = 0;           // m/s^2: load over the reduced mass of the contact that carries it
     float least_quiet_time = 0, greatest_quiet_time = 0;
 };
 
@@ -125,7 +131,7 @@ struct State {
     std::vector<BodySettings> body_settings;
     std::vector<BodyForces> forces;
     std::vector<BodyLinks> bodies;
-    std::vector<math::Quat> turned; // rotation of the last step, for matching contact points
+    std::vector<math::Quat> turned;       // rotation of the last step, for matching contact points
     std::vector<std::int32_t> kinematics; // kinematic bodies, in order of creation
 
     SlotPool shape_slots;
@@ -169,7 +175,9 @@ struct State {
     BodyId body_id(std::int32_t body) const {
         return BodyId::make(std::uint32_t(body), body_slots.generation(std::uint32_t(body)), world_id);
     }
-    ShapeId shape_id(std::uint32_t shape) const { return ShapeId::make(shape, shape_slots.generation(shape), world_id); }
+    ShapeId shape_id(std::uint32_t shape) const {
+        return ShapeId::make(shape, shape_slots.generation(shape), world_id);
+    }
     bool is_dynamic(std::int32_t body) const { return body_settings[std::size_t(body)].type == BodyType::dynamic; }
     bool is_awake(std::int32_t body) const {
         const std::int32_t island = bodies[std::size_t(body)].island;

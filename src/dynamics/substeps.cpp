@@ -1,8 +1,9 @@
 // How many substeps an island takes. A soft contact sinks under its load F by F / (m w^2), with m the reduced mass of
 // its two bodies and w in proportion to the number of substeps n; what matters is the demand F / m. In a heap the load
 // is spread over many contacts and the default is enough. In a slender structure (a tower, a heavy box on light ones)
-// one contact carries a good part of all the weight (its share): there n grows with the square root of the demand. The rule looks
-// at the scene alone, so that results do not depend on threads. docs/decisions/substeps.md has the measurements.
+// one contact carries a good part of all the weight (its share): there n grows with the square root of the demand. The
+// rule looks at the scene alone, so that results do not depend on threads. docs/decisions/substeps.md has the
+// measurements.
 #include "dynamics/solver.h"
 
 #include <algorithm>

@@ -18,7 +18,7 @@ namespace {
 constexpr int point_sweeps = 12; // Gauss-Seidel sweeps over the four points of one bouncing contact
 
 struct Bounce {
-    mask8 lanes;     // where anything bounces
+    mask8 lanes; // where anything bounces
     f32x8 impulse[4];
     f32x8 correction; // of the pose's velocity, in units of the change of velocity
 };
@@ -52,8 +52,8 @@ CAIRN_INLINE Rebound rebound(f32x8 approach, f32x8 gap, f32x8 acceleration, f32x
 }
 
 template <int N>
-CAIRN_INLINE Bounce find_bounce(const ContactBlock<N>& block, const SolverBodies& bodies, const BounceSettings& settings,
-                                f32x8* v, const Vec3x8* arm, Vec3x8 normal, Vec3x8 c) {
+CAIRN_INLINE Bounce find_bounce(const ContactBlock<N>& block, const SolverBodies& bodies,
+                                const BounceSettings& settings, f32x8* v, const Vec3x8* arm, Vec3x8 normal, Vec3x8 c) {
     Bounce bounce;
     const f32x8 h = splat(settings.h), inverse_h = splat(1.0f / settings.h), restitution = load(block.restitution);
     mask8 arrives[N];
@@ -72,7 +72,8 @@ CAIRN_INLINE Bounce find_bounce(const ContactBlock<N>& block, const SolverBodies
     for (int i = 0; i < N; ++i) {
         const f32x8 acceleration = closing_acceleration(drive_a, drive_b, normal, c, arm[i], inverse_h);
         const f32x8 other = dot(normal, other_b.v - other_a.v) + dot(c, other_b.w) + dot(arm[i], other_b.w - other_a.w);
-        const Rebound r = rebound(-v[i], max(load(block.separation[i]), zero()), acceleration, restitution, other, settings);
+        const Rebound r =
+            rebound(-v[i], max(load(block.separation[i]), zero()), acceleration, restitution, other, settings);
         target[i] = r.velocity;
         change += select(arrives[i], r.velocity - v[i], zero());
         correction += select(arrives[i], r.correction, zero());
@@ -85,7 +86,8 @@ CAIRN_INLINE Bounce find_bounce(const ContactBlock<N>& block, const SolverBodies
             impulse = select(arrives[i], impulse, zero());
             const f32x8 d = impulse - old;
             bounce.impulse[i] = impulse;
-            v[i] += select(load(block.effective_mass[i]) > zero(), d / max(load(block.effective_mass[i]), splat(1e-30f)), zero());
+            v[i] += select(load(block.effective_mass[i]) > zero(),
+                           d / max(load(block.effective_mass[i]), splat(1e-30f)), zero());
             for (int j = 0; j < N; ++j)
                 if (j != i) v[j] += load(block.coupling[i < j ? coupling_index(i, j) : coupling_index(j, i)]) * d;
         }
@@ -94,7 +96,8 @@ CAIRN_INLINE Bounce find_bounce(const ContactBlock<N>& block, const SolverBodies
 
 // Coulomb friction of the impact itself, at the friction center, from rest.
 template <int N>
-CAIRN_INLINE Vec3x8 impact_friction(const ContactBlock<N>& block, Vec3x8 normal, f32x8 load_sum, const Velocityx8& a, const Velocityx8& b) {
+CAIRN_INLINE Vec3x8 impact_friction(const ContactBlock<N>& block, Vec3x8 normal, f32x8 load_sum, const Velocityx8& a,
+                                    const Velocityx8& b) {
     const Vec3x8 center = load3(block.center), t1 = load3(block.tangent), t2 = cross(t1, normal);
     const Vec3x8 slip = (b.v - a.v) + cross(b.w - a.w, center) + cross(b.w, load3(block.d));
     const f32x8 x = dot(slip, t1), y = dot(slip, t2);
@@ -105,7 +108,8 @@ CAIRN_INLINE Vec3x8 impact_friction(const ContactBlock<N>& block, Vec3x8 normal,
     return scale * (p1 * t1 + p2 * t2);
 }
 
-CAIRN_INLINE void add_to_rows(SolverVelocity* rows, const std::int32_t* row, const std::int32_t* write, const Velocityx8& change, f32x8 factor) {
+CAIRN_INLINE void add_to_rows(SolverVelocity* rows, const std::int32_t* row, const std::int32_t* write,
+                              const Velocityx8& change, f32x8 factor) {
     Velocityx8 r = gather_velocity(rows, row);
     r = {r.v + factor * change.v, r.w + factor * change.w};
     scatter_velocity(rows, write, r);
@@ -113,7 +117,8 @@ CAIRN_INLINE void add_to_rows(SolverVelocity* rows, const std::int32_t* row, con
 
 } // namespace
 
-template <int N> int bounce_contacts(void* blocks, int count, const SolverBodies& bodies, const BounceSettings& settings) {
+template <int N>
+int bounce_contacts(void* blocks, int count, const SolverBodies& bodies, const BounceSettings& settings) {
     auto* all = static_cast<ContactBlock<N>*>(blocks);
     int bounced = 0;
     for (int k = 0; k < count; ++k) {
@@ -144,7 +149,8 @@ template <int N> int bounce_contacts(void* blocks, int count, const SolverBodies
         apply_friction(block, load3(block.center), load3(block.d), p, zero3(), a, b);
         scatter_velocity(bodies.velocity, block.write_a, a);
         scatter_velocity(bodies.velocity, block.write_b, b);
-        const Velocityx8 change_a = {a.v - before_a.v, a.w - before_a.w}, change_b = {b.v - before_b.v, b.w - before_b.w};
+        const Velocityx8 change_a = {a.v - before_a.v, a.w - before_a.w},
+                         change_b = {b.v - before_b.v, b.w - before_b.w};
         // The same change to the reference: the bounce is over, and must not be carried into the next substep.
         add_to_rows(bodies.reference, block.a, block.write_a, change_a, one());
         add_to_rows(bodies.reference, block.b, block.write_b, change_b, one());

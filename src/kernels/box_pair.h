@@ -46,7 +46,7 @@ struct BoxPairx8 {
 
 // With `flat`, the second shape is a rectangle: a box without thickness along its y axis.
 template <bool flat>
-CAIRN_INLINE BoxPairx8 gather_boxes(const ShapePose *poses, const std::uint32_t *first, const std::uint32_t *second) {
+CAIRN_INLINE BoxPairx8 gather_boxes(const ShapePose* poses, const std::uint32_t* first, const std::uint32_t* second) {
     const ShapePosex8 a = gather_shapes(poses, first), b = gather_shapes(poses, second);
     const Mat3x8 ra = to_matrix(a.q), rb = to_matrix(b.q);
     BoxPairx8 p = {offset_between(a, b),
@@ -68,7 +68,7 @@ struct RelativeBoxx8 {
     f32x8 ta[3], tb[3];            // offset . a[i], offset . b[j]
 };
 
-CAIRN_INLINE RelativeBoxx8 relate(const BoxPairx8 &p) {
+CAIRN_INLINE RelativeBoxx8 relate(const BoxPairx8& p) {
     RelativeBoxx8 q;
     for (int i = 0; i < 3; ++i) {
         q.ta[i] = dot(p.a[i], p.offset);
@@ -87,7 +87,7 @@ CAIRN_INLINE RelativeBoxx8 relate(const BoxPairx8 &p) {
 struct EdgeAxisx8 {
     f32x8 separation, projected, length;
 };
-CAIRN_INLINE EdgeAxisx8 edge_axis(const BoxPairx8 &p, const RelativeBoxx8 &q, int i, int j) {
+CAIRN_INLINE EdgeAxisx8 edge_axis(const BoxPairx8& p, const RelativeBoxx8& q, int i, int j) {
     const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
     const f32x8 squared = q.r[i1][j] * q.r[i1][j] + q.r[i2][j] * q.r[i2][j];
     const mask8 defined = squared > splat(parallel_edges * parallel_edges);
@@ -109,7 +109,7 @@ template <class T> CAIRN_INLINE void rotate_to(f32x8 first, const T (&in)[3], T 
 }
 
 // Appends the lanes of a block, whose first pair is number `base` of the batch, to the lists.
-CAIRN_INLINE void append(BoxContactList &faces, BoxContactList &edges, int base, mask8 touching, mask8 by_edge,
+CAIRN_INLINE void append(BoxContactList& faces, BoxContactList& edges, int base, mask8 touching, mask8 by_edge,
                          f32x8 face, f32x8 edge, f32x8 separation, mask8 edge_is_best) {
     alignas(32) float face_lane[8], edge_lane[8], separation_lane[8];
     store(face_lane, face);
@@ -118,7 +118,7 @@ CAIRN_INLINE void append(BoxContactList &faces, BoxContactList &edges, int base,
     const int touch = bits(touching), by_edge_bits = bits(by_edge), best = bits(edge_is_best);
     for (int i = 0; i < 8; ++i) {
         if ((touch >> i & 1) == 0) continue;
-        BoxContactList &list = (by_edge_bits >> i & 1) != 0 ? edges : faces;
+        BoxContactList& list = (by_edge_bits >> i & 1) != 0 ? edges : faces;
         list.contacts[list.count++] = {static_cast<std::uint32_t>(base + i), face_lane[i], edge_lane[i],
                                        separation_lane[i], (best >> i & 1) != 0};
     }
@@ -127,20 +127,20 @@ CAIRN_INLINE void append(BoxContactList &faces, BoxContactList &edges, int base,
 // The pairs of one batch, and eight entries of a list. Beyond the end of the list its last entry is repeated; it
 // then writes the same manifold again.
 struct BoxBatch {
-    const ShapePose *poses;
+    const ShapePose* poses;
     const std::uint32_t *first, *second;
-    const float *margin;
-    Manifold *out;
+    const float* margin;
+    Manifold* out;
 };
 struct ListedPairs {
     alignas(32) float face[8], edge[8], separation[8], margin[8];
     std::uint32_t first[8], second[8];
-    Manifold *out[8];
+    Manifold* out[8];
 };
-CAIRN_INLINE ListedPairs gather_listed(const BoxBatch &batch, const BoxContactList &list, int k) {
+CAIRN_INLINE ListedPairs gather_listed(const BoxBatch& batch, const BoxContactList& list, int k) {
     ListedPairs r;
     for (int i = 0; i < 8; ++i) {
-        const BoxContact &c = list.contacts[k + i < list.count ? k + i : list.count - 1];
+        const BoxContact& c = list.contacts[k + i < list.count ? k + i : list.count - 1];
         r.face[i] = c.face;
         r.edge[i] = c.edge;
         r.separation[i] = c.separation;
@@ -164,7 +164,7 @@ struct FaceFrame {
     FacePair faces;
 };
 
-template <bool flat> CAIRN_INLINE FaceFrame face_frame(const BoxPairx8 &p, f32x8 face) {
+template <bool flat> CAIRN_INLINE FaceFrame face_frame(const BoxPairx8& p, f32x8 face) {
     FaceFrame f;
     f.second = face > splat(2.5f);
     const f32x8 axis = face - select(f.second, splat(3.0f), zero());
@@ -205,7 +205,7 @@ template <bool flat> CAIRN_INLINE FaceFrame face_frame(const BoxPairx8 &p, f32x8
 
 // A tilted box sunk below a rectangle may reach beyond it with its whole lower face. It is then lifted by its
 // center, which is over the rectangle.
-CAIRN_INLINE void lift_by_center(const FaceFrame &f, f32x8 separation, ReducedPoints &points) {
+CAIRN_INLINE void lift_by_center(const FaceFrame& f, f32x8 separation, ReducedPoints& points) {
     const Vec3x8 c = f.other_center;
     const mask8 sunk = f.second & (c.z < zero()) & (abs(c.x) < f.faces.hx) & (abs(c.y) < f.faces.hy);
     const mask8 lift = and_not(sunk, points.present[0]);
@@ -218,7 +218,7 @@ CAIRN_INLINE void lift_by_center(const FaceFrame &f, f32x8 separation, ReducedPo
 
 // Manifolds of the face list. A face that was preferred to a less deep edge never reports more than the true
 // depth; where its polygon does not come near that depth, the pair moves to the edge list.
-template <bool flat> void face_manifolds(const BoxBatch &batch, const BoxContactList &faces, BoxContactList &edges) {
+template <bool flat> void face_manifolds(const BoxBatch& batch, const BoxContactList& faces, BoxContactList& edges) {
     for (int k = 0; k < faces.count; k += 8) {
         const ListedPairs listed = gather_listed(batch, faces, k);
         const BoxPairx8 p = gather_boxes<flat>(batch.poses, listed.first, listed.second);
@@ -250,8 +250,8 @@ template <bool flat> void face_manifolds(const BoxBatch &batch, const BoxContact
 
 // Where the line through the middle of an edge is closest to the other edge's; both are cut to their edges.
 // w: from the middle of the first edge to the middle of the second; u, v: their unit directions.
-CAIRN_INLINE void closest_on_edges(Vec3x8 w, Vec3x8 u, Vec3x8 v, f32x8 cross_squared, f32x8 hu, f32x8 hv, f32x8 &s,
-                                   f32x8 &t) {
+CAIRN_INLINE void closest_on_edges(Vec3x8 w, Vec3x8 u, Vec3x8 v, f32x8 cross_squared, f32x8 hu, f32x8 hv, f32x8& s,
+                                   f32x8& t) {
     const f32x8 uv = dot(u, v), uw = dot(u, w), vw = dot(v, w);
     s = clamp((uw - uv * vw) / cross_squared, -hu, hu);
     t = clamp(s * uv - vw, -hv, hv);
@@ -260,7 +260,7 @@ CAIRN_INLINE void closest_on_edges(Vec3x8 w, Vec3x8 u, Vec3x8 v, f32x8 cross_squ
 
 // Manifolds of the edge list: one point midway between the two edges. Edges that do not overlap make a point
 // only where they come within the margin; the axis alone would also take edges that pass beside each other.
-template <bool flat> void edge_manifolds(const BoxBatch &batch, const BoxContactList &edges) {
+template <bool flat> void edge_manifolds(const BoxBatch& batch, const BoxContactList& edges) {
     for (int k = 0; k < edges.count; k += 8) {
         const ListedPairs listed = gather_listed(batch, edges, k);
         const BoxPairx8 p = gather_boxes<flat>(batch.poses, listed.first, listed.second);
@@ -300,7 +300,7 @@ template <bool flat> void edge_manifolds(const BoxBatch &batch, const BoxContact
 }
 
 // Empty manifolds for the lanes that do not touch.
-CAIRN_INLINE void clear_manifolds(Manifold *out, mask8 touching) {
+CAIRN_INLINE void clear_manifolds(Manifold* out, mask8 touching) {
     static constexpr Manifold empty = {{0.0f, 0.0f, 0.0f},
                                        0,
                                        {{0.0f, 0.0f, 0.0f, unused_separation},

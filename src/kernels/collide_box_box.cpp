@@ -7,7 +7,7 @@ namespace cairn::CAIRN_ISA {
 
 namespace {
 
-void test_axes(const BoxBatch &batch, int count, BoxContactList &faces, BoxContactList &edges) {
+void test_axes(const BoxBatch& batch, int count, BoxContactList& faces, BoxContactList& edges) {
     for (int k = 0; k < count; k += 8) {
         const BoxPairx8 p = gather_boxes<false>(batch.poses, batch.first + k, batch.second + k);
         const RelativeBoxx8 q = relate(p);

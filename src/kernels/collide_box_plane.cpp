@@ -43,7 +43,7 @@ void box_plane(CAIRN_COLLIDE_PARAMETERS) {
             contact[i].feature = points.index[i] + splat(8388608.0f); // the number as mantissa bits of 2^23
             contact[i].present = points.present[i];
         }
-        Manifold *lane[8];
+        Manifold* lane[8];
         for (int i = 0; i < 8; ++i) lane[i] = out + k + i;
         write_manifolds(lane, -up, contact);
     }

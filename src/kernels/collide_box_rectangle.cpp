@@ -21,7 +21,7 @@ struct BestAxis {
     f32x8 separation, axis, blocked;
 };
 // `against` is the sine of the axis' slope against the normal, positive where the push would go down.
-CAIRN_INLINE void consider(BestAxis &best, f32x8 separation, f32x8 number, f32x8 against, f32x8 bias) {
+CAIRN_INLINE void consider(BestAxis& best, f32x8 separation, f32x8 number, f32x8 against, f32x8 bias) {
     const mask8 down = -against < splat(downward);
     best.blocked = max(best.blocked, select(down, separation, splat(no_separation)));
     const mask8 m = and_not(separation > best.separation + bias, down);
@@ -29,7 +29,7 @@ CAIRN_INLINE void consider(BestAxis &best, f32x8 separation, f32x8 number, f32x8
     best.axis = select(m, number, best.axis);
 }
 
-void test_axes(const BoxBatch &batch, int count, BoxContactList &faces, BoxContactList &edges) {
+void test_axes(const BoxBatch& batch, int count, BoxContactList& faces, BoxContactList& edges) {
     for (int k = 0; k < count; k += 8) {
         const BoxPairx8 p = gather_boxes<true>(batch.poses, batch.first + k, batch.second + k);
         const RelativeBoxx8 q = relate(p);

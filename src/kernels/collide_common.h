@@ -17,8 +17,8 @@ struct ShapePosex8 {
     f32x8 radius;
 };
 
-CAIRN_INLINE ShapePosex8 gather_shapes(const ShapePose *poses, const std::uint32_t *index) {
-    const float *row[8];
+CAIRN_INLINE ShapePosex8 gather_shapes(const ShapePose* poses, const std::uint32_t* index) {
+    const float* row[8];
     ShapePosex8 r;
     f32x8 unused;
     for (int i = 0; i < 8; ++i) row[i] = poses[index[i]].high;
@@ -33,7 +33,7 @@ CAIRN_INLINE ShapePosex8 gather_shapes(const ShapePose *poses, const std::uint32
 }
 
 // From the center of a to the center of b. In this order of operations nothing is lost far from the origin.
-CAIRN_INLINE Vec3x8 offset_between(const ShapePosex8 &a, const ShapePosex8 &b) {
+CAIRN_INLINE Vec3x8 offset_between(const ShapePosex8& a, const ShapePosex8& b) {
     return (b.high - a.high) + (b.low - a.low);
 }
 
@@ -52,8 +52,8 @@ struct ContactPointx8 {
 };
 
 // Writes up to four points per lane to *out[lane]. A point may only be present where all before it are.
-CAIRN_INLINE void write_manifolds(Manifold *const *out, Vec3x8 normal, const ContactPointx8 (&points)[4]) {
-    float *row[8];
+CAIRN_INLINE void write_manifolds(Manifold* const* out, Vec3x8 normal, const ContactPointx8 (&points)[4]) {
+    float* row[8];
     f32x8 count = splat_bits(0), feature[4];
     for (int k = 0; k < 4; ++k) count = select(points[k].present, splat_bits(static_cast<std::uint32_t>(k + 1)), count);
     normal = select(points[0].present, normal, zero3());
@@ -66,14 +66,14 @@ CAIRN_INLINE void write_manifolds(Manifold *const *out, Vec3x8 normal, const Con
         for (int i = 0; i < 8; ++i) row[i] = out[i]->points[k];
         scatter4(row, p.x, p.y, p.z, s);
     }
-    for (int i = 0; i < 8; ++i) row[i] = reinterpret_cast<float *>(out[i]->features);
+    for (int i = 0; i < 8; ++i) row[i] = reinterpret_cast<float*>(out[i]->features);
     scatter4(row, feature[0], feature[1], feature[2], feature[3]);
 }
 
 // The manifold of a sphere of the given radius (the first shape), whose surface is `separation` away from the
 // other shape's along `normal`.
-CAIRN_INLINE void write_sphere_manifolds(Manifold *out, mask8 touching, Vec3x8 normal, f32x8 radius, f32x8 separation) {
-    Manifold *lane[8];
+CAIRN_INLINE void write_sphere_manifolds(Manifold* out, mask8 touching, Vec3x8 normal, f32x8 radius, f32x8 separation) {
+    Manifold* lane[8];
     for (int i = 0; i < 8; ++i) lane[i] = out + i;
     const mask8 none = zero() > zero();
     const ContactPointx8 unused = {zero3(), zero(), zero(), none};

@@ -11,7 +11,7 @@ namespace {
 constexpr float no_direction = 1e-30f;
 
 // v / |v|, and `fallback` where v is zero; the length is written too.
-CAIRN_INLINE Vec3x8 direction(Vec3x8 v, Vec3x8 fallback, f32x8 &length) {
+CAIRN_INLINE Vec3x8 direction(Vec3x8 v, Vec3x8 fallback, f32x8& length) {
     const f32x8 squared = dot(v, v);
     const mask8 defined = squared > splat(no_direction);
     length = sqrt(select(defined, squared, one()));

@@ -7,11 +7,26 @@ namespace cairn::CAIRN_ISA {
 
 namespace {
 
-constexpr float unused_separation = 1e9f;   // points at least this far apart are not there
+constexpr float unused_separation = 1e9f; // points at least this far apart are not there
 constexpr float least_friction_weight = 0.01f;
 alignas(64) const ContactRecord empty_record = {
-    {0, 1, 0}, 0, {0, 0, 0}, 0, {{0, 0, 0, 1e30f}, {0, 0, 0, 1e30f}, {0, 0, 0, 1e30f}, {0, 0, 0, 1e30f}},
-    {0, 0, 0, 0}, {0, 0, 0}, 0, {0, 0, 0, 0}, 0, 0, 0, 0, {0, 0, 0}, 0, 0, 0};
+    {0, 1, 0},
+    0,
+    {0, 0, 0},
+    0,
+    {{0, 0, 0, 1e30f}, {0, 0, 0, 1e30f}, {0, 0, 0, 1e30f}, {0, 0, 0, 1e30f}},
+    {0, 0, 0, 0},
+    {0, 0, 0},
+    0,
+    {0, 0, 0, 0},
+    0,
+    0,
+    0,
+    0,
+    {0, 0, 0},
+    0,
+    0,
+    0};
 
 struct Inertiax8 {
     f32x8 inverse_mass;
@@ -43,7 +58,8 @@ CAIRN_INLINE f32x8 safe_reciprocal(f32x8 x) {
 CAIRN_INLINE void gather_field(const ContactRecord* const* record, std::size_t offset, f32x8& x, f32x8& y, f32x8& z,
                                f32x8& w) {
     const float* p[8];
-    for (int i = 0; i < 8; ++i) p[i] = reinterpret_cast<const float*>(reinterpret_cast<const char*>(record[i]) + offset);
+    for (int i = 0; i < 8; ++i)
+        p[i] = reinterpret_cast<const float*>(reinterpret_cast<const char*>(record[i]) + offset);
     gather4(p, x, y, z, w);
 }
 
@@ -158,7 +174,8 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
     f32x8 impulse[4], static_friction, rolling_radius, torsion_radius, unused;
     gather_field(record, offsetof(ContactRecord, impulses), impulse[0], impulse[1], impulse[2], impulse[3]);
     for (int i = 0; i < N; ++i) store(block.impulse[i], impulse[i]);
-    gather_field(record, offsetof(ContactRecord, static_friction), static_friction, rolling_radius, torsion_radius, unused);
+    gather_field(record, offsetof(ContactRecord, static_friction), static_friction, rolling_radius, torsion_radius,
+                 unused);
     store(block.static_friction, static_friction);
     store(block.rolling_radius, rolling_radius);
     store(block.torsion_radius, torsion_radius);

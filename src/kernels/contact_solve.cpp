@@ -16,14 +16,15 @@ constexpr float most_passing = 0.1f; // of B's arm, in one step
 
 // The sums over the points of one sweep.
 struct SweepSums {
-    f32x8 impulse;       // S
-    Vec3x8 torque;       // T
-    f32x8 load;          // total normal impulse, for friction
-    f32x8 lever_load;    // sum of lever times impulse
+    f32x8 impulse;    // S
+    Vec3x8 torque;    // T
+    f32x8 load;       // total normal impulse, for friction
+    f32x8 lever_load; // sum of lever times impulse
 };
 
-template <int N> CAIRN_INLINE void normal_velocities(const ContactBlock<N>& block, const Velocityx8& a, const Velocityx8& b,
-                                                     Vec3x8 normal, Vec3x8 c, f32x8* v, Vec3x8* arm) {
+template <int N>
+CAIRN_INLINE void normal_velocities(const ContactBlock<N>& block, const Velocityx8& a, const Velocityx8& b,
+                                    Vec3x8 normal, Vec3x8 c, f32x8* v, Vec3x8* arm) {
     const Vec3x8 dw = b.w - a.w;
     const f32x8 common = dot(normal, b.v - a.v) + dot(c, b.w);
     for (int i = 0; i < N; ++i) {
@@ -143,7 +144,8 @@ template <int N> void solve(void* blocks, int count, SolverVelocity* velocity, c
         const mask8 immovable = load(block.mass_b) == zero();
         const f32x8 bias_rate = select(immovable, splat(softness.bias_rate_static), splat(softness.bias_rate));
         const f32x8 mass_scale = select(immovable, splat(softness.mass_scale_static), splat(softness.mass_scale));
-        const f32x8 impulse_scale = select(immovable, splat(softness.impulse_scale_static), splat(softness.impulse_scale));
+        const f32x8 impulse_scale =
+            select(immovable, splat(softness.impulse_scale_static), splat(softness.impulse_scale));
         const Vec3x8 normal = load3(block.normal), c = load3(block.c);
         f32x8 v[N];
         Vec3x8 arm[N];
@@ -175,7 +177,8 @@ template <int N> void solve(void* blocks, int count, SolverVelocity* velocity, c
 // The rigid sweep of the normal rows: only approach beyond the gap is stopped. Not that of contacts that will bounce:
 // they must arrive with all of their speed.
 template <int N>
-CAIRN_INLINE SweepSums relax_normals(ContactBlock<N>& block, const f32x8* s, f32x8* v, const Vec3x8* arm, f32x8 inverse_h) {
+CAIRN_INLINE SweepSums relax_normals(ContactBlock<N>& block, const f32x8* s, f32x8* v, const Vec3x8* arm,
+                                     f32x8 inverse_h) {
     SweepSums sums = {zero(), zero3(), zero(), zero()};
     Row rows[N];
     const mask8 bounces = load(block.restitution) > zero();
@@ -204,7 +207,8 @@ CAIRN_INLINE SweepSums relax_normals(ContactBlock<N>& block, const f32x8* s, f32
 // radius of the pressed points, n1^2 + n2^2 + (nw / r)^2 <= (friction x load)^2. While it sticks, the rows are
 // solved with their own masses; once it slides, with one common mass, so that friction opposes the slip.
 template <int N>
-CAIRN_INLINE void solve_friction(ContactBlock<N>& block, const SweepSums& sums, Vec3x8 normal, Velocityx8& a, Velocityx8& b) {
+CAIRN_INLINE void solve_friction(ContactBlock<N>& block, const SweepSums& sums, Vec3x8 normal, Velocityx8& a,
+                                 Velocityx8& b) {
     const Vec3x8 center = load3(block.center), d = load3(block.d), t1 = load3(block.tangent), t2 = cross(t1, normal);
     const Vec3x8 dw = b.w - a.w;
     const Vec3x8 slip = (b.v - a.v) + cross(dw, center) + cross(b.w, d);
@@ -221,7 +225,8 @@ CAIRN_INLINE void solve_friction(ContactBlock<N>& block, const SweepSums& sums, 
 
     // Sticking.
     f32x8 nw = select(has_radius, oldw - mw * spin, zero());
-    const f32x8 xs = x + load(block.torsion_coupling[0]) * (nw - oldw), ys = y + load(block.torsion_coupling[1]) * (nw - oldw);
+    const f32x8 xs = x + load(block.torsion_coupling[0]) * (nw - oldw),
+                ys = y + load(block.torsion_coupling[1]) * (nw - oldw);
     f32x8 n1 = old1 - (m11 * xs + m12 * ys), n2 = old2 - (m12 * xs + m22 * ys);
     const f32x8 qw = nw * inverse_radius, static_limit = load(block.static_friction) * sums.load;
     const mask8 slides = (n1 * n1 + n2 * n2 + qw * qw) > static_limit * static_limit;
@@ -247,8 +252,7 @@ CAIRN_INLINE void solve_friction(ContactBlock<N>& block, const SweepSums& sums, 
 }
 
 // Rolling resistance: a couple against the relative angular velocity, at most rolling radius x load.
-template <int N>
-CAIRN_INLINE void solve_rolling(ContactBlock<N>& block, f32x8 load_sum, Velocityx8& a, Velocityx8& b) {
+template <int N> CAIRN_INLINE void solve_rolling(ContactBlock<N>& block, f32x8 load_sum, Velocityx8& a, Velocityx8& b) {
     const Sym3x8 ia = load6(block.inertia_a), ib = load6(block.inertia_b);
     const Vec3x8 dw = b.w - a.w, old = load3(block.rolling_impulse);
     const f32x8 trace = ((ia.xx + ib.xx) + (ia.yy + ib.yy)) + (ia.zz + ib.zz);
@@ -267,13 +271,13 @@ CAIRN_INLINE void solve_rolling(ContactBlock<N>& block, f32x8 load_sum, Velocity
 
 // What is carried into the next substep (velocity less reference) was pushed at the old d: moved to the new one.
 template <int N>
-CAIRN_INLINE void move_carried_impulse(const ContactBlock<N>& block, SolverVelocity* reference, Vec3x8 normal, Vec3x8 d_change) {
+CAIRN_INLINE void move_carried_impulse(const ContactBlock<N>& block, SolverVelocity* reference, Vec3x8 normal,
+                                       Vec3x8 d_change) {
     if (!any(load(block.mass_b) > zero())) return;
     const Vec3x8 t1 = load3(block.tangent), t2 = cross(t1, normal);
     f32x8 sum = zero();
     for (int i = 0; i < N; ++i) sum += load(block.impulse[i]);
-    const Vec3x8 impulse =
-        sum * normal + (load(block.tangent_impulse[0]) * t1 + load(block.tangent_impulse[1]) * t2);
+    const Vec3x8 impulse = sum * normal + (load(block.tangent_impulse[0]) * t1 + load(block.tangent_impulse[1]) * t2);
     Velocityx8 b = gather_velocity(reference, block.b);
     b.w = b.w - load6(block.inertia_b) * cross(d_change, impulse);
     scatter_velocity(reference, block.write_b, b);

@@ -29,7 +29,7 @@ constexpr float tie = 1.0f + 2e-4f;
 // A third or fourth point must lie farther than this part of the longest distance beside the others.
 constexpr float thinnest = 1e-3f;
 
-template <int N> CAIRN_INLINE void take(ReducedPoints &r, int slot, mask8 m, const CandidatePoints<N> &c, int i) {
+template <int N> CAIRN_INLINE void take(ReducedPoints& r, int slot, mask8 m, const CandidatePoints<N>& c, int i) {
     r.x[slot] = select(m, c.x[i], r.x[slot]);
     r.y[slot] = select(m, c.y[i], r.y[slot]);
     r.z[slot] = select(m, c.z[i], r.z[slot]);
@@ -38,7 +38,7 @@ template <int N> CAIRN_INLINE void take(ReducedPoints &r, int slot, mask8 m, con
 }
 
 // Slot 2 takes over slot 3 where only slot 3 is filled.
-CAIRN_INLINE mask8 close_gap(ReducedPoints &r) {
+CAIRN_INLINE mask8 close_gap(ReducedPoints& r) {
     const mask8 gap = and_not(r.present[3], r.present[2]);
     r.x[2] = select(gap, r.x[3], r.x[2]);
     r.y[2] = select(gap, r.y[3], r.y[2]);
@@ -55,7 +55,7 @@ CAIRN_INLINE mask8 close_gap(ReducedPoints &r) {
 // manifold in nine loses a point).
 // Points closer than `nearest` are one point, and depths closer than `flat` are equal: of these the outermost
 // counts as the deepest, so that it is a corner where an edge lies flat.
-template <int N> CAIRN_INLINE ReducedPoints reduce(const CandidatePoints<N> &c, f32x8 nearest, f32x8 flat) {
+template <int N> CAIRN_INLINE ReducedPoints reduce(const CandidatePoints<N>& c, f32x8 nearest, f32x8 flat) {
     const mask8 none = zero() > zero();
     ReducedPoints r;
     for (int k = 0; k < 4; ++k) {
@@ -127,7 +127,7 @@ constexpr float face_tolerance = 1e-4f;
 // The polygon where the parallelogram, seen along z, overlaps the rectangle: its edges, each cut to the
 // rectangle (the start always, the end where it is cut), and the rectangle's corners inside the parallelogram.
 // Candidates higher than `margin` do not count. `rounding` is the error of the coordinates.
-CAIRN_INLINE CandidatePoints<face_candidates> clip(const FacePair &f, f32x8 margin, f32x8 rounding) {
+CAIRN_INLINE CandidatePoints<face_candidates> clip(const FacePair& f, f32x8 margin, f32x8 rounding) {
     CandidatePoints<face_candidates> c;
     const f32x8 wx = f.hx + (splat(face_tolerance) * f.hx + rounding),
                 wy = f.hy + (splat(face_tolerance) * f.hy + rounding);

@@ -41,7 +41,8 @@ void integrate_poses(const SolverBodies& bodies, int begin, int end, float h) {
         for (int k = 0; k < 8; ++k) p[k] += 4;
         gather4(p, q.v.x, q.v.y, q.v.z, q.w);
         const Vec3x8 half = splat(0.5f * h) * move.w;
-        const f32x8 x2 = min(dot(half, half), one()); // beyond a radian and a half per substep the axis is all that counts
+        const f32x8 x2 =
+            min(dot(half, half), one()); // beyond a radian and a half per substep the axis is all that counts
         const Vec3x8 t = (one() + x2 * (splat(1.0f / 3.0f) + x2 * splat(2.0f / 15.0f))) * half;
         const Vec3x8 v = q.v + (q.w * t + cross(t, q.v));
         const f32x8 w = q.w - dot(t, q.v);

@@ -43,12 +43,12 @@ inline constexpr std::int32_t fixed_row = 0, discard_row = 1, first_body_row = 2
 // the solver's prepare kernel, which writes the impulses back. Body A always moves by forces (is dynamic);
 // body B may be anything. World axes; arms are relative to A's center of mass.
 struct alignas(64) ContactRecord {
-    float normal[3];      // unit, from A to B
-    float friction;       // combined dynamic coefficient
+    float normal[3];        // unit, from A to B
+    float friction;         // combined dynamic coefficient
     float center_offset[3]; // center of mass of A minus that of B
     float restitution;
-    float points[4][4];   // arm from A's center of mass, and separation; unused: {0, 0, 0, 1e30}
-    float impulses[4];    // normal impulses of the last substep, N s; the warm start
+    float points[4][4];        // arm from A's center of mass, and separation; unused: {0, 0, 0, 1e30}
+    float impulses[4];         // normal impulses of the last substep, N s; the warm start
     float friction_impulse[3]; // tangential impulse of the last substep, world axes, on B
     float torsion_impulse;     // about the normal, N m s
     float total_impulses[4];   // normal impulses summed over the last step's substeps
@@ -58,7 +58,7 @@ struct alignas(64) ContactRecord {
     float approach_speed;      // greatest approach speed of its points when it began, for hit events
     float total_friction[3];   // tangential impulse summed over the last step's substeps, on B
     float padding;
-    float radius_a, radius_b;  // one-point contacts: of a sphere, from its center to the point; 0 for others
+    float radius_a, radius_b; // one-point contacts: of a sphere, from its center to the point; 0 for others
 };
 
 // One block of 8 contacts with N points each, 8 lanes side by side. Built by prepare, used by all substeps.
@@ -68,20 +68,20 @@ template <int N> struct alignas(64) ContactBlock {
     static constexpr int cross_terms = N == 4 ? 6 : 1;
     std::int32_t a[8], b[8];             // rows of the bodies
     std::int32_t write_a[8], write_b[8]; // where their velocities go: the same rows, or discard_row
-    float normal[3][8], c[3][8]; // c as of the last poses, like d below
+    float normal[3][8], c[3][8];         // c as of the last poses, like d below
     float mass_a[8], mass_b[8], inertia_a[6][8], inertia_b[6][8];
-    float arm[N][3][8];                 // j_i
-    float effective_mass[N][8];         // 1 / K_ii; 0 for unused points
-    float self[N][8];                   // K_ii; 0 for unused points
-    float coupling[cross_terms][8];     // K_ij, i < j, in the order 01 02 03 12 13 23
+    float arm[N][3][8];             // j_i
+    float effective_mass[N][8];     // 1 / K_ii; 0 for unused points
+    float self[N][8];               // K_ii; 0 for unused points
+    float coupling[cross_terms][8]; // K_ij, i < j, in the order 01 02 03 12 13 23
     float impulse[N][8], separation[N][8];
     float separation0[N][8], height[N][8]; // separation at the start of the step; r_i . n
-    float d0[3][8], d[3][8];            // x_A - x_B at the start of the step, and as of the last poses
-    float radius_a[8], radius_b[8];     // of spheres, see refresh_separations
-    float tangent[3][8], center[3][8];  // first tangent; arm of the friction center
-    float tangent_mass[3][8];           // inverse of the 2x2 tangential K: 11, 12, 22
+    float d0[3][8], d[3][8];               // x_A - x_B at the start of the step, and as of the last poses
+    float radius_a[8], radius_b[8];        // of spheres, see refresh_separations
+    float tangent[3][8], center[3][8];     // first tangent; arm of the friction center
+    float tangent_mass[3][8];              // inverse of the 2x2 tangential K: 11, 12, 22
     float torsion_mass[8], torsion_coupling[2][8];
-    float lever[N][8];                  // distance of each point from the friction center
+    float lever[N][8]; // distance of each point from the friction center
     float friction[8], static_friction[8], torsion_radius[8], rolling_radius[8], restitution[8];
     float tangent_impulse[2][8], torsion_impulse[8], rolling_impulse[3][8];
     float total_impulse[N][8], total_tangent[2][8];
@@ -107,11 +107,11 @@ struct ContactLanes {
 // The body arrays of one bin.
 struct SolverBodies {
     SolverVelocity* velocity;
-    SolverVelocity* reference;   // velocity after external forces, before any constraint of the substep
+    SolverVelocity* reference; // velocity after external forces, before any constraint of the substep
     SolverPose* pose;
     const SolverInertia* inertia;
-    const SolverTwist* drive;    // what external forces add to the velocity in one substep
-    const SolverTwist* damping;  // factors on the velocity, one substep; null: none
+    const SolverTwist* drive;         // what external forces add to the velocity in one substep
+    const SolverTwist* damping;       // factors on the velocity, one substep; null: none
     SolverTwist* velocity_correction; // what to add to the velocity to move the pose by; null: none
 };
 

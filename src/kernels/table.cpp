@@ -11,9 +11,8 @@ namespace cairn::CAIRN_ISA {
 
 extern const KernelTable table;
 const KernelTable table = {
-    CAIRN_STRING(CAIRN_ISA), sphere_sphere, sphere_box,    sphere_plane,
-    sphere_rectangle,        box_box,       box_plane,     box_rectangle,
-    solver_kernels(),        broad_kernels(),
+    CAIRN_STRING(CAIRN_ISA), sphere_sphere,    sphere_box,      sphere_plane, sphere_rectangle, box_box, box_plane,
+    box_rectangle,           solver_kernels(), broad_kernels(),
 };
 
 } // namespace cairn::CAIRN_ISA

@@ -8,8 +8,12 @@ namespace cairn::math {
 
 // With half a quarter of the turn in x, tan x = x (1 + x^2/3 + 2 x^4/15 + 17 x^6/315 + ...); squared twice.
 inline DQuat from_rotation_vector(DVec3 u) {
-    const DVec3 half = 0.125 * u;
-    const double x2 = dot(half, half);
+    DVec3 half = 0.125 * u;
+    double x2 = dot(half, half);
+    if (!(x2 <= 1)) { // more than a whole turn: some turn about that axis
+        half = std::isfinite(x2) ? (1 / std::sqrt(x2)) * half : DVec3{};
+        x2 = dot(half, half);
+    }
     const DVec3 t = (1 + x2 * (1.0 / 3 + x2 * (2.0 / 15 + x2 * (17.0 / 315 + x2 * (62.0 / 2835))))) * half;
     const DQuat quarter = normalized(DQuat{t.x, t.y, t.z, 1});
     const DQuat middle = quarter * quarter;

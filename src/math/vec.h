@@ -71,9 +71,7 @@ constexpr DQuat to_double(Quat q) { return {q.x, q.y, q.z, q.w}; }
 constexpr Quat to_float(DQuat q) { return {float(q.x), float(q.y), float(q.z), float(q.w)}; }
 
 // Symmetric 3x3 matrix.
-template <class T> struct TSym3 {
-    T xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
-};
+template <class T> struct TSym3 { T xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0; };
 using Sym3 = TSym3<float>;
 using DSym3 = TSym3<double>;
 

@@ -21,7 +21,7 @@ struct Substance {
 };
 
 class Definitions {
-public:
+  public:
     explicit Definitions(const Value& document);
 
     // The shape that `index` (a collider's geometry.shape) refers to, its sizes multiplied by |scale|, no component
@@ -34,7 +34,7 @@ public:
     // that can be honored yet.
     void refuse_separating_filters() const;
 
-private:
+  private:
     std::optional<Value> shapes_, materials_, filters_;
     std::set<std::size_t> used_filters_;
     bool some_without_filter_ = false;

@@ -32,7 +32,7 @@ inline constexpr Range positive_float{0.0, largest_float, true};
 inline constexpr Range nonnegative_float{0.0, largest_float, false};
 
 class Value {
-public:
+  public:
     // `file` stands for the file in messages.
     Value(const nlohmann::json& json, std::string_view file) : json_(&json), file_(file) {}
 
@@ -74,7 +74,7 @@ public:
     // The place, for a warning.
     std::string place() const;
 
-private:
+  private:
     Value(const nlohmann::json& json, std::string_view file, std::string path)
         : json_(&json), file_(file), path_(std::move(path)) {}
     void numbers(double* out, std::size_t count, const Range& range) const;

@@ -42,7 +42,7 @@ Vec3 turned(const glm::dquat& rotation, const glm::dvec3& v) {
 }
 
 class Builder {
-public:
+  public:
     Builder(const Value& document, WorldSettings settings, std::vector<std::string> warnings)
         : document_(document), definitions_(document),
           warnings_(std::move(warnings)), scene_{World(settings.world), std::move(settings.info), {}, {}, {}} {}
@@ -63,7 +63,7 @@ public:
         return std::move(scene_);
     }
 
-private:
+  private:
     Value node(std::size_t index) const { return document_.require("nodes")[index]; }
 
     void visit(std::size_t index, Place place) {

@@ -77,7 +77,7 @@ struct ShapeWriter {
 
 // Definitions that nodes refer to by index, each listed once.
 class Table {
-public:
+  public:
     std::size_t index(const Json& entry) {
         const auto [found, is_new] = indices_.try_emplace(entry.dump(), lines_.size());
         if (is_new) lines_.push_back(found->first);
@@ -85,13 +85,13 @@ public:
     }
     const std::vector<std::string>& lines() const { return lines_; }
 
-private:
+  private:
     std::unordered_map<std::string, std::size_t> indices_;
     std::vector<std::string> lines_;
 };
 
 class Writer {
-public:
+  public:
     explicit Writer(const Scene& scene) : scene_(scene) {
         for (const Appearance& appearance : scene.appearances) colors_[appearance.shape.bits] = appearance.color;
     }
@@ -111,7 +111,7 @@ public:
         return text + "\n}\n";
     }
 
-private:
+  private:
     static std::string lines(const std::vector<std::string>& entries) {
         std::string text = "[";
         for (std::size_t i = 0; i < entries.size(); ++i) text += (i == 0 ? "\n" : ",\n") + entries[i];

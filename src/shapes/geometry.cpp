@@ -6,7 +6,6 @@ namespace cairn {
 
 using math::DVec3;
 
-
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -213,9 +212,12 @@ std::optional<ShapeRayHit> cast_ray(const Geometry& shape, DVec3 position, math:
     const math::DQuat q = math::normalized(math::to_double(rotation));
     const DVec3 o = math::rotate_back(q, origin - position), d = math::rotate_back(q, direction);
     std::optional<ShapeRayHit> hit;
-    if (shape.type == ShapeType::sphere) hit = cast_sphere(shape.size.x, o, d, max_distance);
-    else if (shape.type == ShapeType::box) hit = cast_box(math::to_double(shape.size), o, d, max_distance);
-    else hit = cast_plane(shape, o, d, max_distance);
+    if (shape.type == ShapeType::sphere)
+        hit = cast_sphere(shape.size.x, o, d, max_distance);
+    else if (shape.type == ShapeType::box)
+        hit = cast_box(math::to_double(shape.size), o, d, max_distance);
+    else
+        hit = cast_plane(shape, o, d, max_distance);
     if (hit) hit->normal = math::rotate(q, hit->normal);
     return hit;
 }

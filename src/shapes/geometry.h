@@ -13,9 +13,9 @@ namespace cairn {
 // Planes and rectangles face along their own +y.
 struct Geometry {
     ShapeType type = ShapeType::sphere;
-    math::Vec3 size;        // sphere: radius in x; box: half extents; rectangle: half extents in x and z
+    math::Vec3 size;           // sphere: radius in x; box: half extents; rectangle: half extents in x and z
     float bounding_radius = 0; // about the shape's origin; 0 for the infinite plane
-    math::Vec3 position;    // of the shape's origin in the body's frame
+    math::Vec3 position;       // of the shape's origin in the body's frame
     math::Quat rotation;
 };
 

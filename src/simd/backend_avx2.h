@@ -5,8 +5,12 @@
 
 namespace cairn::CAIRN_ISA {
 
-struct f32x8 { __m256 v; };
-struct mask8 { __m256 v; };
+struct f32x8 {
+    __m256 v;
+};
+struct mask8 {
+    __m256 v;
+};
 
 CAIRN_INLINE f32x8 splat(float s) { return {_mm256_set1_ps(s)}; }
 CAIRN_INLINE f32x8 load(const float* p) { return {_mm256_load_ps(p)}; }

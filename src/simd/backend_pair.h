@@ -11,8 +11,12 @@ namespace cairn::CAIRN_ISA {
 using f32x4 = float __attribute__((vector_size(16)));
 using i32x4 = std::int32_t __attribute__((vector_size(16)));
 
-struct f32x8 { f32x4 a, b; };
-struct mask8 { i32x4 a, b; };
+struct f32x8 {
+    f32x4 a, b;
+};
+struct mask8 {
+    i32x4 a, b;
+};
 
 CAIRN_INLINE f32x4 sqrt_half(f32x4 x) {
 #if defined(__SSE2__)
@@ -30,7 +34,10 @@ CAIRN_INLINE int bits_half(i32x4 m) {
 }
 CAIRN_INLINE f32x4 select_half(i32x4 m, f32x4 x, f32x4 y) { return (f32x4)((m & (i32x4)x) | (~m & (i32x4)y)); }
 
-CAIRN_INLINE f32x8 splat(float s) { const f32x4 t = {s, s, s, s}; return {t, t}; }
+CAIRN_INLINE f32x8 splat(float s) {
+    const f32x4 t = {s, s, s, s};
+    return {t, t};
+}
 CAIRN_INLINE f32x8 load(const float* p) { return {*(const f32x4*)p, *(const f32x4*)(p + 4)}; }
 CAIRN_INLINE f32x8 load_unaligned(const float* p) {
     f32x8 r;
@@ -38,7 +45,10 @@ CAIRN_INLINE f32x8 load_unaligned(const float* p) {
     std::memcpy(&r.b, p + 4, 16);
     return r;
 }
-CAIRN_INLINE void store(float* p, f32x8 x) { *(f32x4*)p = x.a; *(f32x4*)(p + 4) = x.b; }
+CAIRN_INLINE void store(float* p, f32x8 x) {
+    *(f32x4*)p = x.a;
+    *(f32x4*)(p + 4) = x.b;
+}
 CAIRN_INLINE f32x8 operator+(f32x8 x, f32x8 y) { return {x.a + y.a, x.b + y.b}; }
 CAIRN_INLINE f32x8 operator-(f32x8 x, f32x8 y) { return {x.a - y.a, x.b - y.b}; }
 CAIRN_INLINE f32x8 operator*(f32x8 x, f32x8 y) { return {x.a * y.a, x.b * y.b}; }
@@ -54,7 +64,9 @@ CAIRN_INLINE mask8 operator&(mask8 x, mask8 y) { return {x.a & y.a, x.b & y.b}; 
 CAIRN_INLINE mask8 operator|(mask8 x, mask8 y) { return {x.a | y.a, x.b | y.b}; }
 CAIRN_INLINE mask8 operator^(mask8 x, mask8 y) { return {x.a ^ y.a, x.b ^ y.b}; }
 CAIRN_INLINE mask8 and_not(mask8 x, mask8 y) { return {x.a & ~y.a, x.b & ~y.b}; }
-CAIRN_INLINE f32x8 select(mask8 m, f32x8 x, f32x8 y) { return {select_half(m.a, x.a, y.a), select_half(m.b, x.b, y.b)}; }
+CAIRN_INLINE f32x8 select(mask8 m, f32x8 x, f32x8 y) {
+    return {select_half(m.a, x.a, y.a), select_half(m.b, x.b, y.b)};
+}
 CAIRN_INLINE f32x8 abs(f32x8 x) {
     const i32x4 s = {INT32_MAX, INT32_MAX, INT32_MAX, INT32_MAX};
     return {(f32x4)((i32x4)x.a & s), (f32x4)((i32x4)x.b & s)};
@@ -82,14 +94,23 @@ CAIRN_INLINE void gather4(const float* const* p, f32x8& x, f32x8& y, f32x8& z, f
     f32x4 e = *(const f32x4*)p[4], f = *(const f32x4*)p[5], g = *(const f32x4*)p[6], h = *(const f32x4*)p[7];
     transpose4(a, b, c, d);
     transpose4(e, f, g, h);
-    x = {a, e}; y = {b, f}; z = {c, g}; w = {d, h};
+    x = {a, e};
+    y = {b, f};
+    z = {c, g};
+    w = {d, h};
 }
 CAIRN_INLINE void scatter4(float* const* p, f32x8 x, f32x8 y, f32x8 z, f32x8 w) {
     f32x4 a = x.a, b = y.a, c = z.a, d = w.a, e = x.b, f = y.b, g = z.b, h = w.b;
     transpose4(a, b, c, d);
     transpose4(e, f, g, h);
-    *(f32x4*)p[0] = a; *(f32x4*)p[1] = b; *(f32x4*)p[2] = c; *(f32x4*)p[3] = d;
-    *(f32x4*)p[4] = e; *(f32x4*)p[5] = f; *(f32x4*)p[6] = g; *(f32x4*)p[7] = h;
+    *(f32x4*)p[0] = a;
+    *(f32x4*)p[1] = b;
+    *(f32x4*)p[2] = c;
+    *(f32x4*)p[3] = d;
+    *(f32x4*)p[4] = e;
+    *(f32x4*)p[5] = f;
+    *(f32x4*)p[6] = g;
+    *(f32x4*)p[7] = h;
 }
 
 } // namespace cairn::CAIRN_ISA

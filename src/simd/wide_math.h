@@ -5,10 +5,19 @@
 
 namespace cairn::CAIRN_ISA {
 
-struct Vec3x8 { f32x8 x, y, z; };
-struct Quatx8 { Vec3x8 v; f32x8 w; };
-struct Sym3x8 { f32x8 xx, xy, xz, yy, yz, zz; };
-struct Mat3x8 { Vec3x8 c0, c1, c2; }; // columns
+struct Vec3x8 {
+    f32x8 x, y, z;
+};
+struct Quatx8 {
+    Vec3x8 v;
+    f32x8 w;
+};
+struct Sym3x8 {
+    f32x8 xx, xy, xz, yy, yz, zz;
+};
+struct Mat3x8 {
+    Vec3x8 c0, c1, c2;
+}; // columns
 
 CAIRN_INLINE Vec3x8 operator+(Vec3x8 a, Vec3x8 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 CAIRN_INLINE Vec3x8 operator-(Vec3x8 a, Vec3x8 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }

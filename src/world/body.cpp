@@ -29,7 +29,8 @@ void require_dynamic(const Access& a, const char* call) {
     if (!a.s.is_dynamic(a.index())) throw Error(ErrorCode::wrong_state, call, "", "the body must be dynamic");
 }
 void require_moving(const Access& a, const char* call) {
-    if (a.s.body_settings[a.b].type == BodyType::static_) throw Error(ErrorCode::wrong_state, call, "", "a static body has no velocity");
+    if (a.s.body_settings[a.b].type == BodyType::static_)
+        throw Error(ErrorCode::wrong_state, call, "", "a static body has no velocity");
 }
 
 // Adds an impulse; what exceeds the maximum speed is cut, and counted.
@@ -61,7 +62,7 @@ math::DVec3 inverse_inertia_times(const Access& a, math::DVec3 v) {
 
 #define CAIRN_ACCESS                                                                                                   \
     World::Impl& impl = *world_->impl_;                                                                                \
-    const Access a{impl.state, std::size_t(impl.index_of(id_))};                                                 \
+    const Access a{impl.state, std::size_t(impl.index_of(id_))};                                                       \
     [[maybe_unused]] State& s = a.s
 #define CAIRN_CHANGE(call)                                                                                             \
     CAIRN_ACCESS;                                                                                                      \
@@ -242,8 +243,7 @@ void Body::set_allow_sleep(bool allow) {
 
 void Body::set_type(BodyType type) {
     CAIRN_CHANGE("Body::set_type");
-    if (type > BodyType::dynamic)
-        refuse("Body::set_type", std::to_string(int(type)), "must be one of the enumerators");
+    if (type > BodyType::dynamic) refuse("Body::set_type", std::to_string(int(type)), "must be one of the enumerators");
     BodySettings& settings = s.body_settings[a.b];
     if (settings.type == type) return;
     std::vector<std::uint32_t> shapes;
@@ -341,7 +341,8 @@ void Body::apply_impulse_at(const Vec3& impulse, const Position& point) {
     require_position("Body::apply_impulse_at point", point);
     require_dynamic(a, "Body::apply_impulse_at");
     const math::DVec3 p = math::to_double(to_math(impulse));
-    add_velocity(a, double(a.mass().inverse_mass) * p, inverse_inertia_times(a, math::cross(to_math(point) - a.motion().x, p)));
+    add_velocity(a, double(a.mass().inverse_mass) * p,
+                 inverse_inertia_times(a, math::cross(to_math(point) - a.motion().x, p)));
 }
 void Body::apply_angular_impulse(const Vec3& impulse) {
     CAIRN_CHANGE("Body::apply_angular_impulse");

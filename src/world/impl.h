@@ -15,11 +15,11 @@ struct World::Impl {
     explicit Impl(const WorldDef& def);
 
     State state;
-    std::vector<std::string> names;          // by body
-    std::vector<std::uint64_t> user_data;    // by body
-    std::vector<Shape> shape_of;             // by shape
-    std::vector<ShapeDef> def_of;            // by shape
-    std::atomic<bool> stepping{false}; // to notice calls from other threads
+    std::vector<std::string> names;       // by body
+    std::vector<std::uint64_t> user_data; // by body
+    std::vector<Shape> shape_of;          // by shape
+    std::vector<ShapeDef> def_of;         // by shape
+    std::atomic<bool> stepping{false};    // to notice calls from other threads
 
     // Checked lookups: throw Error(invalid_handle).
     std::int32_t index_of(BodyId id) const;

@@ -24,12 +24,17 @@ double summed_mass(const State& s, std::int32_t b) {
 Contact make_contact(const State& s, std::uint32_t id) {
     const ContactInfo& c = s.contacts[id];
     const ContactRecord r = s.is_awake(c.body_a) ? advanced_record(s, id) : s.records[id];
-    Contact out{s.shape_id(c.shape_a), s.shape_id(c.shape_b), s.body_id(c.body_a), s.body_id(c.body_b),
+    Contact out{s.shape_id(c.shape_a),
+                s.shape_id(c.shape_b),
+                s.body_id(c.body_a),
+                s.body_id(c.body_b),
                 {r.normal[0], r.normal[1], r.normal[2]},
                 {r.total_friction[0], r.total_friction[1], r.total_friction[2]},
-                c.point_count, {}};
+                c.point_count,
+                {}};
     for (int i = 0; i < c.point_count; ++i) {
-        const math::DVec3 p = s.motion[std::size_t(c.body_a)].x + math::to_double(math::Vec3{r.points[i][0], r.points[i][1], r.points[i][2]});
+        const math::DVec3 p = s.motion[std::size_t(c.body_a)].x +
+                              math::to_double(math::Vec3{r.points[i][0], r.points[i][1], r.points[i][2]});
         out.points[i] = {to_public(p), r.points[i][3], r.total_impulses[i]};
     }
     return out;
@@ -48,7 +53,8 @@ double World::potential_energy() const {
     const math::DVec3 g = math::to_double(to_math(s.settings.gravity));
     double sum = 0;
     for_each_dynamic(s, [&](std::int32_t b) {
-        sum -= summed_mass(s, b) * double(s.body_settings[std::size_t(b)].gravity_scale) * math::dot(g, s.motion[std::size_t(b)].x);
+        sum -= summed_mass(s, b) * double(s.body_settings[std::size_t(b)].gravity_scale) *
+               math::dot(g, s.motion[std::size_t(b)].x);
     });
     return sum;
 }
@@ -56,7 +62,8 @@ double World::potential_energy() const {
 glm::dvec3 World::linear_momentum() const {
     const State& s = impl_->state;
     math::DVec3 sum;
-    for_each_dynamic(s, [&](std::int32_t b) { sum += summed_mass(s, b) * math::to_double(s.motion[std::size_t(b)].v); });
+    for_each_dynamic(s,
+                     [&](std::int32_t b) { sum += summed_mass(s, b) * math::to_double(s.motion[std::size_t(b)].v); });
     return {sum.x, sum.y, sum.z};
 }
 

@@ -27,7 +27,8 @@ Ray checked_ray(const Position& origin, const Vec3& direction, double max_distan
 
 std::optional<ShapeRayHit> cast_at_shape(const State& s, std::uint32_t shape, const Ray& ray, double max_distance) {
     const ShapePose& pose = s.shape_poses[shape];
-    return cast_ray(s.geometry[shape], shape_position(pose), shape_rotation(pose), ray.origin, ray.direction, max_distance);
+    return cast_ray(s.geometry[shape], shape_position(pose), shape_rotation(pose), ray.origin, ray.direction,
+                    max_distance);
 }
 
 RayHit to_hit(const State& s, std::uint32_t shape, const Ray& ray, const ShapeRayHit& hit) {
@@ -92,7 +93,8 @@ std::vector<RayHit> World::cast_ray_all(const Position& origin, const Vec3& dire
     const State& s = impl_->state;
     std::vector<RayHit> hits;
     s.broad_phase.query_ray(ray.origin, ray.direction, ray.max_distance, [&](std::uint32_t shape, double max) {
-        if (const auto hit = cast_at_shape(s, shape, ray, ray.max_distance)) hits.push_back(to_hit(s, shape, ray, *hit));
+        if (const auto hit = cast_at_shape(s, shape, ray, ray.max_distance))
+            hits.push_back(to_hit(s, shape, ray, *hit));
         return max;
     });
     std::sort(hits.begin(), hits.end(), [](const RayHit& a, const RayHit& b) {
@@ -122,7 +124,8 @@ std::vector<ShapeId> World::overlap(const Shape& shape, const Transform& pose) c
 
 std::vector<ShapeId> World::overlap_bounds(const Bounds& bounds) const {
     for (int i = 0; i < 3; ++i)
-        if (std::isnan(bounds.min[i]) || std::isnan(bounds.max[i])) refuse("World::overlap_bounds bounds", to_text(bounds.min), "must not be NaN");
+        if (std::isnan(bounds.min[i]) || std::isnan(bounds.max[i]))
+            refuse("World::overlap_bounds bounds", to_text(bounds.min), "must not be NaN");
     const DBounds box{to_math(bounds.min), to_math(bounds.max)};
     const State& s = impl_->state;
     std::vector<ShapeId> found;
@@ -136,7 +139,8 @@ std::vector<ShapeId> World::overlap_bounds(const Bounds& bounds) const {
 
 void World::read_transforms(std::span<const BodyId> ids, std::span<Transform> out) const {
     if (ids.size() != out.size())
-        refuse("World::read_transforms out", std::to_string(out.size()), "must have as many elements as ids (" + std::to_string(ids.size()) + ")");
+        refuse("World::read_transforms out", std::to_string(out.size()),
+               "must have as many elements as ids (" + std::to_string(ids.size()) + ")");
     const State& s = impl_->state;
     for (std::size_t i = 0; i < ids.size(); ++i) {
         const std::int32_t b = impl_->index_of(ids[i]);

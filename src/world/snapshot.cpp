@@ -12,8 +12,9 @@ constexpr std::uint64_t magic = 0x31306e7269616321ull; // "!cairn01"
 // Layouts that a snapshot depends on: one from another build is refused rather than misread.
 std::uint64_t layout() {
     Hash64 hash;
-    for (const std::size_t size : {sizeof(State), sizeof(BodyMotion), sizeof(BodyMass), sizeof(ContactRecord), sizeof(ContactInfo),
-                                   sizeof(Island), sizeof(ShapePose), sizeof(Shape), sizeof(ShapeDef), sizeof(WorldDef)})
+    for (const std::size_t size :
+         {sizeof(State), sizeof(BodyMotion), sizeof(BodyMass), sizeof(ContactRecord), sizeof(ContactInfo),
+          sizeof(Island), sizeof(ShapePose), sizeof(Shape), sizeof(ShapeDef), sizeof(WorldDef)})
         hash.add(size);
     return hash.value();
 }
@@ -65,10 +66,12 @@ void World::restore(const Snapshot& snapshot) {
     std::uint64_t found_magic = 0, found_layout = 0, checksum = 0;
     reader(found_magic), reader(found_layout), reader(checksum);
     if (found_magic != magic) throw Error(ErrorCode::invalid_file, "Snapshot", "", "does not begin as a snapshot does");
-    if (found_layout != layout()) throw Error(ErrorCode::unsupported, "Snapshot", "", "was saved by another build of this library");
+    if (found_layout != layout())
+        throw Error(ErrorCode::unsupported, "Snapshot", "", "was saved by another build of this library");
     Hash64 sum;
     sum.add_bytes(snapshot.bytes.data() + (snapshot.bytes.size() - reader.bytes_left()), reader.bytes_left());
-    if (sum.value() != checksum) throw Error(ErrorCode::invalid_file, "Snapshot", "", "is damaged: its checksum does not fit");
+    if (sum.value() != checksum)
+        throw Error(ErrorCode::invalid_file, "Snapshot", "", "is damaged: its checksum does not fit");
     auto fresh = std::make_unique<Impl>(impl_->state.settings);
     serialize_all(reader, *fresh);
     impl_ = std::move(fresh);

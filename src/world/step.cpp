@@ -15,7 +15,7 @@ namespace {
 
 // Measures the stages one after another.
 class StageClock {
-public:
+  public:
     double lap() {
         const auto now = Clock::now();
         const double ms = std::chrono::duration<double, std::milli>(now - last_).count();
@@ -24,18 +24,18 @@ public:
     }
     double total() const { return std::chrono::duration<double, std::milli>(last_ - start_).count(); }
 
-private:
+  private:
     using Clock = std::chrono::steady_clock;
     Clock::time_point start_ = Clock::now(), last_ = start_;
 };
 
 // Other calls that change the world are refused while it lives.
 class Busy {
-public:
+  public:
     explicit Busy(std::atomic<bool>& flag) : flag_(flag) { flag_ = true; }
     ~Busy() { flag_ = false; }
 
-private:
+  private:
     std::atomic<bool>& flag_;
 };
 

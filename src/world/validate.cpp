@@ -10,7 +10,8 @@ namespace cairn {
 
 namespace {
 
-constexpr double farthest = 1e15;      // m: beyond this a double is coarser than a bolt
+constexpr float greatest_speed = 1e15f;                     // m/s and rad/s
+constexpr double farthest = 1e15;                           // m: beyond this a double is coarser than a bolt
 constexpr float smallest_size = 1e-6f, largest_size = 1e9f; // m
 
 template <class V> std::string list_text(const V& v, int n) {
@@ -57,13 +58,16 @@ void require_finite(std::string_view field, const Vec3& value) {
 }
 void require_position(std::string_view field, const Position& value) {
     for (int i = 0; i < 3; ++i)
-        if (!(std::fabs(value[i]) <= farthest)) refuse(field, to_text(value), "must be finite and within 1e15 m of the origin");
+        if (!(std::fabs(value[i]) <= farthest))
+            refuse(field, to_text(value), "must be finite and within 1e15 m of the origin");
 }
 void require_at_least(std::string_view field, double value, double least) {
-    if (!(std::isfinite(value) && value >= least)) refuse(field, to_text(value), "must be finite and >= " + to_text(least));
+    if (!(std::isfinite(value) && value >= least))
+        refuse(field, to_text(value), "must be finite and >= " + to_text(least));
 }
 void require_above(std::string_view field, double value, double limit) {
-    if (!(std::isfinite(value) && value > limit)) refuse(field, to_text(value), "must be finite and > " + to_text(limit));
+    if (!(std::isfinite(value) && value > limit))
+        refuse(field, to_text(value), "must be finite and > " + to_text(limit));
 }
 
 Quat checked_rotation(std::string_view field, const Quat& q) {
@@ -89,6 +93,10 @@ void validate(const WorldDef& def) {
     require_above("WorldDef.recovery_speed", def.recovery_speed, 0);
     require_above("WorldDef.max_linear_speed", def.max_linear_speed, 0);
     require_above("WorldDef.max_angular_speed", def.max_angular_speed, 0);
+    if (def.max_linear_speed > greatest_speed) // so that its square is still a float
+        refuse("WorldDef.max_linear_speed", to_text(def.max_linear_speed), "must be at most 1e15");
+    if (def.max_angular_speed > greatest_speed)
+        refuse("WorldDef.max_angular_speed", to_text(def.max_angular_speed), "must be at most 1e15");
 }
 
 void validate(std::string_view field, const MassProperties& p) {
@@ -98,7 +106,8 @@ void validate(std::string_view field, const MassProperties& p) {
     const Vec3& i = p.inertia_diagonal;
     const std::string name = std::string(field) + ".inertia_diagonal";
     for (int k = 0; k < 3; ++k)
-        if (!(i[k] >= 0) || !std::isfinite(i[k])) refuse(name, to_text(i), "must be finite and >= 0 (0: does not turn about that axis)");
+        if (!(i[k] >= 0) || !std::isfinite(i[k]))
+            refuse(name, to_text(i), "must be finite and >= 0 (0: does not turn about that axis)");
     // Moments of a real body satisfy the triangle inequality; with a zero among them (immovable) it says nothing.
     const float largest = std::max({i.x, i.y, i.z});
     const bool all_positive = i.x > 0 && i.y > 0 && i.z > 0;
@@ -130,7 +139,8 @@ void validate(const Shape& shape) {
         const auto& plane = std::get<Plane>(shape);
         auto require_direction = [](std::string_view field, const Vec3& v) {
             require_finite(field, v);
-            if (!(std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}) > 1e-30f)) refuse(field, to_text(v), "must not be zero");
+            if (!(std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}) > 1e-30f))
+                refuse(field, to_text(v), "must not be zero");
         };
         require_direction("Plane.normal", plane.normal);
         if (!plane.half_extents) return;

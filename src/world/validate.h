@@ -18,7 +18,7 @@ std::string to_text(const Quat& value);
 
 void require_finite(std::string_view field, double value);
 void require_finite(std::string_view field, const Vec3& value);
-void require_position(std::string_view field, const Position& value); // finite, within 1e15 m
+void require_position(std::string_view field, const Position& value);      // finite, within 1e15 m
 void require_at_least(std::string_view field, double value, double least); // and finite
 void require_above(std::string_view field, double value, double limit);    // and finite
 

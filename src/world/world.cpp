@@ -37,17 +37,22 @@ template <class T> void make_room(std::vector<T>& v, std::size_t index) {
 }
 
 void require_slot(const SlotPool& pool, const char* what) {
-    if (pool.full()) throw Error(ErrorCode::wrong_state, what, std::to_string(pool.live_count()), "no more can exist in one world");
+    if (pool.full())
+        throw Error(ErrorCode::wrong_state, what, std::to_string(pool.live_count()), "no more can exist in one world");
 }
 
 // Unlinks a shape from its body's list.
 void unlink_shape(State& s, std::uint32_t shape) {
     ShapeLinks& links = s.shapes[shape];
     BodyLinks& body = s.bodies[std::size_t(links.body)];
-    if (links.previous == none) body.first_shape = links.next;
-    else s.shapes[std::size_t(links.previous)].next = links.next;
-    if (links.next == none) body.last_shape = links.previous;
-    else s.shapes[std::size_t(links.next)].previous = links.previous;
+    if (links.previous == none)
+        body.first_shape = links.next;
+    else
+        s.shapes[std::size_t(links.previous)].next = links.next;
+    if (links.next == none)
+        body.last_shape = links.previous;
+    else
+        s.shapes[std::size_t(links.next)].previous = links.previous;
 }
 
 void link_shape(State& s, std::uint32_t shape, std::int32_t body) {
@@ -56,8 +61,10 @@ void link_shape(State& s, std::uint32_t shape, std::int32_t body) {
     links.body = body;
     links.next = none;
     links.previous = owner.last_shape;
-    if (owner.last_shape == none) owner.first_shape = std::int32_t(shape);
-    else s.shapes[std::size_t(owner.last_shape)].next = std::int32_t(shape);
+    if (owner.last_shape == none)
+        owner.first_shape = std::int32_t(shape);
+    else
+        s.shapes[std::size_t(owner.last_shape)].next = std::int32_t(shape);
     owner.last_shape = std::int32_t(shape);
 }
 
@@ -90,12 +97,15 @@ World::Impl::Impl(const WorldDef& def) {
 std::int32_t World::Impl::index_of(BodyId id) const {
     return std::int32_t(checked_index("BodyId", id, state.world_id, state.body_slots));
 }
-std::uint32_t World::Impl::index_of(ShapeId id) const { return checked_index("ShapeId", id, state.world_id, state.shape_slots); }
+std::uint32_t World::Impl::index_of(ShapeId id) const {
+    return checked_index("ShapeId", id, state.world_id, state.shape_slots);
+}
 std::uint32_t World::Impl::index_of(ForceFieldId id) const {
     return checked_index("ForceFieldId", id, state.world_id, state.field_slots);
 }
 void World::Impl::require_idle(const char* call) const {
-    if (stepping) throw Error(ErrorCode::wrong_state, call, "", "not allowed while a step or a query of this world runs");
+    if (stepping)
+        throw Error(ErrorCode::wrong_state, call, "", "not allowed while a step or a query of this world runs");
 }
 
 World::World(const WorldDef& def) : impl_(std::make_unique<Impl>(def)) {}
@@ -131,8 +141,12 @@ BodyId World::create_body(const BodyDef& def) {
     s.mass[b] = {};
     s.body_settings[b] = {def.gravity_scale, def.linear_damping, def.angular_damping, def.type, def.allow_sleep, {}};
     const Quat q = checked_rotation("BodyDef.rotation", def.rotation);
-    s.motion[b] = {to_math(def.position), math::normalized(math::to_double(to_math(q))), to_math(def.linear_velocity),
-                   to_math(def.angular_velocity), {}, {}};
+    s.motion[b] = {to_math(def.position),
+                   math::normalized(math::to_double(to_math(q))),
+                   to_math(def.linear_velocity),
+                   to_math(def.angular_velocity),
+                   {},
+                   {}};
     if (def.type == BodyType::static_) s.motion[b].v = s.motion[b].w = {};
     if (clamp_velocity(s.settings, s.motion[b].v, s.motion[b].w)) ++s.clamped_speeds;
     impl_->names[b] = def.name;
@@ -162,7 +176,8 @@ void World::destroy_body(BodyId id) {
     State& s = impl_->state;
     wake_around(s, b);
     wake_body(s, b);
-    for (std::int32_t shape = s.bodies[std::size_t(b)].first_shape; shape != none; shape = s.shapes[std::size_t(shape)].next)
+    for (std::int32_t shape = s.bodies[std::size_t(b)].first_shape; shape != none;
+         shape = s.shapes[std::size_t(shape)].next)
         retire_shape(s, std::uint32_t(shape));
     if (s.bodies[std::size_t(b)].island != none) remove_from_island(s, b);
     std::erase(s.kinematics, b);
@@ -213,7 +228,8 @@ ShapeId World::add_shape(BodyId id, const Shape& shape, const ShapeDef& def) {
     validate(def);
     State& s = impl_->state;
     if (std::holds_alternative<Plane>(shape) && s.is_dynamic(b))
-        throw Error(ErrorCode::wrong_state, "World::add_shape shape", "Plane", "planes have no mass: add them to static or kinematic bodies");
+        throw Error(ErrorCode::wrong_state, "World::add_shape shape", "Plane",
+                    "planes have no mass: add them to static or kinematic bodies");
     require_slot(s.shape_slots, "World::add_shape");
     require_mass_in_range(s, b, shape, def);
     const std::uint32_t i = s.shape_slots.create();

@@ -14,9 +14,9 @@ struct Outcome {
     std::string output;
 };
 
-Outcome run_bench(const std::string &arguments) {
+Outcome run_bench(const std::string& arguments) {
     Outcome outcome;
-    std::FILE *pipe = popen((std::string(CAIRN_TEST_BENCH) + " " + arguments).c_str(), "r");
+    std::FILE* pipe = popen((std::string(CAIRN_TEST_BENCH) + " " + arguments).c_str(), "r");
     if (!pipe) return outcome;
     char buffer[4096];
     for (std::size_t n; (n = std::fread(buffer, 1, sizeof buffer, pipe)) > 0;) outcome.output.append(buffer, n);
@@ -30,7 +30,7 @@ TEST(BenchProgram, reports_every_engine_on_every_scene) {
     ASSERT_EQ(outcome.exit_code, 0);
     const auto results = nlohmann::json::parse(outcome.output).at("results");
     bool has_cairn_tower = false;
-    for (const auto &result : results) {
+    for (const auto& result : results) {
         EXPECT_EQ(result.at("bodies"), 30);
         EXPECT_EQ(result.at("rounds"), 2);
         EXPECT_GT(result.at("mean_ms"), 0);

@@ -92,7 +92,7 @@ TEST(BenchPenetration, of_boxes_is_symmetric_and_no_shorter_move_separates_them)
 TEST(BenchPenetration, of_a_scene_covers_every_kind_of_pair_once) {
     Scene scene = make_scene("tower", 3);
     std::vector<BodyState> states;
-    for (const SceneBody &body : scene.bodies) states.push_back({Position(body.position), body.rotation, {}, {}});
+    for (const SceneBody& body : scene.bodies) states.push_back({Position(body.position), body.rotation, {}, {}});
     states[1].position.y -= 0.01; // into the floor, and away from the box above
     states[3].position.y -= 0.03; // into the box below
     const Penetrations p = measure_penetrations(scene, states);
@@ -104,7 +104,7 @@ TEST(BenchPenetration, of_a_scene_covers_every_kind_of_pair_once) {
 TEST(BenchQuality, tells_drift_from_sag) {
     const Scene scene = make_scene("tower", 2);
     std::vector<BodyState> states;
-    for (const SceneBody &body : scene.bodies) states.push_back({Position(body.position), body.rotation, {}, {}});
+    for (const SceneBody& body : scene.bodies) states.push_back({Position(body.position), body.rotation, {}, {}});
     states[1].position += Position(0.3, 0, 0.4);
     states[2].position += Position(0.1, -0.2, 0);
     const Displacement d = measure_displacement(scene, states);
@@ -115,7 +115,7 @@ TEST(BenchQuality, tells_drift_from_sag) {
 TEST(BenchQuality, counts_what_is_lost) {
     const Scene scene = make_scene("pile_boxes", 20);
     std::vector<BodyState> states;
-    for (const SceneBody &body : scene.bodies) states.push_back({Position(body.position), body.rotation, {}, {}});
+    for (const SceneBody& body : scene.bodies) states.push_back({Position(body.position), body.rotation, {}, {}});
     EXPECT_EQ(count_lost(scene, states), 0u);
     states.back().position.y = -10;
     states[states.size() - 2].linear_velocity.x = std::numeric_limits<float>::quiet_NaN();

@@ -9,9 +9,9 @@ namespace {
 
 using namespace cairn::bench;
 
-std::vector<BodyState> initial_states(const Scene &scene) {
+std::vector<BodyState> initial_states(const Scene& scene) {
     std::vector<BodyState> states;
-    for (const SceneBody &body : scene.bodies)
+    for (const SceneBody& body : scene.bodies)
         states.push_back({cairn::Position(body.position), body.rotation, body.linear_velocity, body.angular_velocity});
     return states;
 }
@@ -22,10 +22,10 @@ TEST(BenchScenes, have_the_dynamic_bodies_that_their_names_promise) {
         {"many_pyramids", 5500}, {"tower", 40},        {"mass_ratio", 5},    {"tumbler", 2000},
     };
     ASSERT_EQ(scene_kinds().size(), expected.size());
-    for (const SceneKind &kind : scene_kinds()) {
+    for (const SceneKind& kind : scene_kinds()) {
         const Scene scene = make_scene(kind.name);
         std::size_t dynamic = 0;
-        for (const SceneBody &body : scene.bodies) dynamic += body.motion == Motion::dynamic;
+        for (const SceneBody& body : scene.bodies) dynamic += body.motion == Motion::dynamic;
         EXPECT_EQ(dynamic, expected.at(kind.name)) << kind.name;
         EXPECT_EQ(scene.dynamic_count, dynamic) << kind.name;
     }
@@ -48,12 +48,12 @@ TEST(BenchScenes, refuse_a_wrong_name_or_size) {
 }
 
 TEST(BenchScenes, are_the_same_each_time) {
-    for (const SceneKind &kind : scene_kinds())
+    for (const SceneKind& kind : scene_kinds())
         EXPECT_EQ(hash_of(initial_states(make_scene(kind.name))), hash_of(initial_states(make_scene(kind.name))));
 }
 
 TEST(BenchScenes, begin_without_overlaps_and_within_their_bounds) {
-    for (const SceneKind &kind : scene_kinds()) {
+    for (const SceneKind& kind : scene_kinds()) {
         const Scene scene = make_scene(kind.name);
         const std::vector<BodyState> states = initial_states(scene);
         EXPECT_LT(measure_penetrations(scene, states).greatest, 1e-5) << kind.name;

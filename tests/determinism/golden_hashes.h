@@ -7,13 +7,13 @@
 
 namespace cairn_test::golden {
 
-inline constexpr std::uint64_t mixed_pile = 0x8107d92632987a98;
-inline constexpr std::uint64_t pyramid = 0xd12b9eb5a147330c;
-inline constexpr std::uint64_t dominoes = 0xcb825b95987176fe;
-inline constexpr std::uint64_t materials = 0x201953bcaa3742c8;
-inline constexpr std::uint64_t tumbler = 0xb184287c851e44e9;
-inline constexpr std::uint64_t sleep_and_wake = 0x7706459c4a49304c;
-inline constexpr std::uint64_t compounds = 0x6fa086a56eb5858e;
-inline constexpr std::uint64_t free_tops = 0xef3ee25acec88d1c;
+inline constexpr std::uint64_t mixed_pile = 0x76519b9acfba54e0;
+inline constexpr std::uint64_t pyramid = 0x16dab291480d431e;
+inline constexpr std::uint64_t dominoes = 0x810a7a89a314dc79;
+inline constexpr std::uint64_t materials = 0x0c2fd1eb9c3f2787;
+inline constexpr std::uint64_t tumbler = 0x5b6a68fb7a1bfc44;
+inline constexpr std::uint64_t sleep_and_wake = 0x8060413d9d519c3b;
+inline constexpr std::uint64_t compounds = 0xefc658e063bc19e1;
+inline constexpr std::uint64_t free_tops = 0xc4db5c593173d6f7;
 
 } // namespace cairn_test::golden

@@ -13,10 +13,10 @@ namespace cairn_test {
 std::string own_program;
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
     using namespace cairn_test;
     if (argc == 3 && std::strcmp(argv[1], "--hash") == 0) {
-        const NamedScene *scene = find_scene(argv[2]);
+        const NamedScene* scene = find_scene(argv[2]);
         if (!scene) {
             std::fprintf(stderr, "no scene %s\n", argv[2]);
             return 2;
@@ -26,7 +26,7 @@ int main(int argc, char **argv) {
         return 0;
     }
     if (argc == 2 && std::strcmp(argv[1], "--print-golden-hashes") == 0) {
-        for (const NamedScene &scene : scenes())
+        for (const NamedScene& scene : scenes())
             std::printf("inline constexpr std::uint64_t %s = 0x%016" PRIx64 ";\n", scene.name,
                         hash_after(scene.make(), golden_steps));
         return 0;

@@ -12,7 +12,7 @@ namespace {
 
 // Plain integer arithmetic, so that the scenes are the same with every standard library.
 class Numbers {
-public:
+  public:
     explicit Numbers(std::uint32_t seed) : state_(seed) {}
     float next() { // -1 to 1
         state_ = state_ * 1664525u + 1013904223u;
@@ -27,18 +27,18 @@ public:
         return {1.1f, x, y, z}; // the world normalizes it
     }
 
-private:
+  private:
     std::uint32_t state_;
 };
 
-BodyId add(World &world, const Shape &shape, const BodyDef &def, const ShapeDef &shape_def = {}) {
+BodyId add(World& world, const Shape& shape, const BodyDef& def, const ShapeDef& shape_def = {}) {
     const BodyId body = world.create_body(def);
     world.add_shape(body, shape, shape_def);
     return body;
 }
 
-BodyId add_fixed(World &world, const Shape &shape, const Position &position = {0, 0, 0},
-                 const ShapeDef &shape_def = {}) {
+BodyId add_fixed(World& world, const Shape& shape, const Position& position = {0, 0, 0},
+                 const ShapeDef& shape_def = {}) {
     BodyDef def;
     def.type = BodyType::static_;
     def.position = position;
@@ -47,7 +47,7 @@ BodyId add_fixed(World &world, const Shape &shape, const Position &position = {0
 
 // Spheres and boxes of many sizes between four walls: each pair of shapes.
 struct MixedPile : Scene {
-    void build(World &world) override {
+    void build(World& world) override {
         add_fixed(world, Plane{});
         for (int side = 0; side < 4; ++side) {
             const float sign = side % 2 == 0 ? 1.0f : -1.0f;
@@ -72,7 +72,7 @@ struct MixedPile : Scene {
 };
 
 struct Pyramid : Scene {
-    void build(World &world) override {
+    void build(World& world) override {
         add_fixed(world, Plane{});
         for (int row = 0; row < 20; ++row)
             for (int i = 0; i < 20 - row; ++i) {
@@ -90,7 +90,7 @@ struct Pyramid : Scene {
 };
 
 struct Dominoes : Scene {
-    void build(World &world) override {
+    void build(World& world) override {
         add_fixed(world, Box{{20, 1, 20}}, {0, -1, 0});
         for (int i = 0; i < 40; ++i) {
             const double angle = 0.12 * i;
@@ -104,7 +104,7 @@ struct Dominoes : Scene {
             add(world, Box{{0.3f, 0.5f, 0.05f}}, def);
         }
     }
-    void before_step(World &world) override {
+    void before_step(World& world) override {
         if (world.step_count() != 20) return;
         Body pushed = world.body(*world.find_body("first"));
         pushed.apply_impulse_at(pushed.rotation() * Vec3(0, 0, 1.5f * pushed.mass()),
@@ -114,7 +114,7 @@ struct Dominoes : Scene {
 
 // Every material property at once, on rectangles, planes and boxes; damping, fields, forces.
 struct Materials : Scene {
-    void build(World &world) override {
+    void build(World& world) override {
         ShapeDef ground;
         ground.material.restitution = 0.7f;
         add_fixed(world, Plane{{0.1f, 1, 0.05f}, {1, 0, 0}, {}}, {0, 0, 0}, ground);
@@ -148,7 +148,7 @@ struct Materials : Scene {
                 add(world, Box{{0.3f, 0.4f, 0.35f}}, def, shape);
         }
     }
-    void before_step(World &world) override {
+    void before_step(World& world) override {
         const std::vector<BodyId> bodies = world.bodies();
         const std::size_t k = std::size_t(world.step_count() * 7 % bodies.size());
         Body pushed = world.body(bodies[k]);
@@ -160,7 +160,7 @@ struct Materials : Scene {
 
 // A hollow box of kinematic walls that turns.
 struct Tumbler : Scene {
-    void build(World &world) override {
+    void build(World& world) override {
         BodyDef drum;
         drum.type = BodyType::kinematic;
         drum.name = "drum";
@@ -184,7 +184,7 @@ struct Tumbler : Scene {
                 add(world, Box{{0.3f, 0.2f + 0.05f * numbers.next(), 0.25f}}, def);
         }
     }
-    void before_step(World &world) override {
+    void before_step(World& world) override {
         if (world.step_count() % 100 == 50)
             world.body(*world.find_body("drum"))
                 .set_angular_velocity({0.1f, 0, world.step_count() % 200 == 50 ? -0.9f : 0.9f});
@@ -193,7 +193,7 @@ struct Tumbler : Scene {
 
 // Stacks that fall asleep and are woken by a ball, a push and the loss of their support.
 struct SleepAndWake : Scene {
-    void build(World &world) override {
+    void build(World& world) override {
         add_fixed(world, Plane{});
         for (int stack = 0; stack < 6; ++stack)
             for (int i = 0; i < 5; ++i) {
@@ -203,7 +203,7 @@ struct SleepAndWake : Scene {
                 add(world, Box{}, def);
             }
     }
-    void before_step(World &world) override {
+    void before_step(World& world) override {
         switch (world.step_count()) {
         case 120: {
             BodyDef ball;
@@ -226,7 +226,7 @@ struct SleepAndWake : Scene {
 
 // Bodies of several shapes: hammers and crosses.
 struct Compounds : Scene {
-    void build(World &world) override {
+    void build(World& world) override {
         add_fixed(world, Plane{});
         add_fixed(world, Box{{1.5f, 0.5f, 1.5f}}, {0.4, 0.5, 0.3});
         Numbers numbers(13);
@@ -255,7 +255,7 @@ struct FreeTops : Scene {
         def.gravity = {0, -1, 0};
         return def;
     }
-    void build(World &world) override {
+    void build(World& world) override {
         Numbers numbers(17);
         for (int i = 0; i < 64; ++i) {
             BodyDef def;
@@ -270,7 +270,7 @@ struct FreeTops : Scene {
     }
 };
 
-template <class T> Scene &make() {
+template <class T> Scene& make() {
     static T scene;
     return scene;
 }
@@ -286,13 +286,13 @@ constexpr NamedScene all_scenes[] = {
 
 std::span<const NamedScene> scenes() { return all_scenes; }
 
-const NamedScene *find_scene(std::string_view name) {
-    for (const NamedScene &scene : all_scenes)
+const NamedScene* find_scene(std::string_view name) {
+    for (const NamedScene& scene : all_scenes)
         if (name == scene.name) return &scene;
     return nullptr;
 }
 
-std::uint64_t hash_after(Scene &scene, int steps) {
+std::uint64_t hash_after(Scene& scene, int steps) {
     World world{scene.settings()};
     scene.build(world);
     for (int i = 0; i < steps; ++i) scene.step(world);

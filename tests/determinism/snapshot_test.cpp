@@ -9,11 +9,11 @@ namespace {
 using namespace cairn;
 
 class SnapshotOfScene : public testing::TestWithParam<NamedScene> {
-protected:
+  protected:
     static constexpr int save_at = 97, steps_after = 150;
 
     // The hash after each further step.
-    static std::vector<std::uint64_t> go_on(Scene &scene, World &world) {
+    static std::vector<std::uint64_t> go_on(Scene& scene, World& world) {
         std::vector<std::uint64_t> hashes{world.state_hash()};
         for (int i = 0; i < steps_after; ++i) {
             scene.step(world);
@@ -23,10 +23,10 @@ protected:
     }
 };
 INSTANTIATE_TEST_SUITE_P(Scenes, SnapshotOfScene, testing::ValuesIn(scenes().begin(), scenes().end()),
-                         [](const testing::TestParamInfo<NamedScene> &info) { return std::string(info.param.name); });
+                         [](const testing::TestParamInfo<NamedScene>& info) { return std::string(info.param.name); });
 
 TEST_P(SnapshotOfScene, ContinuesInTheSameWorldAndInAFreshOne) {
-    Scene &scene = GetParam().make();
+    Scene& scene = GetParam().make();
     World world{scene.settings()};
     scene.build(world);
     for (int i = 0; i < save_at; ++i) scene.step(world);
@@ -42,7 +42,7 @@ TEST_P(SnapshotOfScene, ContinuesInTheSameWorldAndInAFreshOne) {
 }
 
 TEST_P(SnapshotOfScene, SavingChangesNothing) {
-    Scene &scene = GetParam().make();
+    Scene& scene = GetParam().make();
     World saved{scene.settings()}, plain{scene.settings()};
     scene.build(saved);
     scene.build(plain);
@@ -57,7 +57,7 @@ TEST_P(SnapshotOfScene, SavingChangesNothing) {
 
 // The scene's stacks are asleep between their fall and step 120, when a ball comes.
 TEST(SnapshotWhileAsleep, ContinuesAndWakesAlike) {
-    Scene &scene = find_scene("sleep_and_wake")->make();
+    Scene& scene = find_scene("sleep_and_wake")->make();
     World world{scene.settings()};
     scene.build(world);
     while (world.statistics().awake_bodies > 0 || world.step_count() == 0) {
@@ -82,7 +82,7 @@ TEST(SnapshotWhileAsleep, ContinuesAndWakesAlike) {
 
 // Half of the quiet time before sleep has passed at the save.
 TEST(SnapshotWhileFallingAsleep, FallsAsleepInTheSameStep) {
-    Scene &scene = find_scene("sleep_and_wake")->make();
+    Scene& scene = find_scene("sleep_and_wake")->make();
     World world{scene.settings()};
     scene.build(world);
     int steps = 0;

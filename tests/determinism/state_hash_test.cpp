@@ -14,17 +14,17 @@ namespace {
 
 class Determinism : public testing::TestWithParam<NamedScene> {};
 INSTANTIATE_TEST_SUITE_P(Scenes, Determinism, testing::ValuesIn(scenes().begin(), scenes().end()),
-                         [](const testing::TestParamInfo<NamedScene> &info) { return std::string(info.param.name); });
+                         [](const testing::TestParamInfo<NamedScene>& info) { return std::string(info.param.name); });
 
 struct ChildResult {
     int status = -1;
     std::string instruction_set, hash;
 };
 
-ChildResult run_child(const std::string &instruction_set, const std::string &scene) {
+ChildResult run_child(const std::string& instruction_set, const std::string& scene) {
     const std::string command = "CAIRN_ISA=" + instruction_set + " '" + own_program + "' --hash " + scene + " 2>&1";
     ChildResult result;
-    std::FILE *pipe = popen(command.c_str(), "r");
+    std::FILE* pipe = popen(command.c_str(), "r");
     if (!pipe) return result;
     std::array<char, 64> isa{}, hash{};
     const int read = std::fscanf(pipe, "%63s %63s", isa.data(), hash.data());
@@ -50,7 +50,7 @@ TEST_P(Determinism, EveryInstructionSetGivesTheSameState) {
 #else
     const std::vector<std::string> sets{"scalar"};
 #endif
-    for (const std::string &set : sets) {
+    for (const std::string& set : sets) {
         const ChildResult child = run_child(set, GetParam().name);
         EXPECT_EQ(child.status, 0) << set;
         EXPECT_EQ(child.instruction_set, set);
@@ -59,7 +59,7 @@ TEST_P(Determinism, EveryInstructionSetGivesTheSameState) {
 }
 
 TEST_P(Determinism, TwoRunsInOneProcessGiveTheSameStateAtEveryStep) {
-    Scene &scene = GetParam().make();
+    Scene& scene = GetParam().make();
     cairn::World first{scene.settings()}, second{scene.settings()};
     scene.build(first);
     scene.build(second);

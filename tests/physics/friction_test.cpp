@@ -5,7 +5,7 @@ namespace cairn_test {
 namespace {
 
 class Friction : public EveryStep {
-protected:
+  protected:
     struct OnSlope {
         World world;
         Slope slope;
@@ -65,7 +65,7 @@ TEST_P(Friction, BoxSlidesToAStopInTheSameWayForEveryHeading) {
         float friction;
         double way;
     };
-    for (const Case &c : {Case{0.2f, 1.01937}, Case{0.4f, 0.50968}, Case{0.7f, 0.29125}}) {
+    for (const Case& c : {Case{0.2f, 1.01937}, Case{0.4f, 0.50968}, Case{0.7f, 0.29125}}) {
         double least = 1e9, most = 0;
         for (int heading = 0; heading < 360; heading += 15) {
             const glm::dvec3 along{std::cos(radians(heading)), 0, std::sin(radians(heading))};

@@ -5,7 +5,7 @@ namespace cairn_test {
 namespace {
 
 class Impact : public EveryStep {
-protected:
+  protected:
     // A ball of radius 0.5 m whose lowest point is 1 m above the ground.
     struct Drop {
         World world;
@@ -20,7 +20,7 @@ protected:
         double speed() { return double(world.body(ball).linear_velocity().y); }
     };
 
-    BodyId add_ball(World &world, const Position &position, const Vec3 &velocity, float mass, float restitution) {
+    BodyId add_ball(World& world, const Position& position, const Vec3& velocity, float mass, float restitution) {
         BodyDef def;
         def.position = position;
         def.linear_velocity = velocity;
@@ -35,7 +35,7 @@ TEST_P(Impact, BouncesReachTheHeightsAndEndAtTheTimeOfTheirCoefficient) {
         float restitution;
         double total_time;
     };
-    for (const Case &c : {Case{0.5f, 1.35457}, Case{0.8f, 4.06371}, Case{0.9f, 8.57895}}) {
+    for (const Case& c : {Case{0.5f, 1.35457}, Case{0.8f, 4.06371}, Case{0.9f, 8.57895}}) {
         Drop drop(c.restitution);
         const double h = double(dt()) / drop.world.settings().substeps;
         double last_speed = 0, end = 0, expected = 1;
@@ -82,7 +82,7 @@ TEST_P(Impact, HeadOnBallsExchangeMomentumAsTheoryTells) {
         float ratio, restitution;
         double first, second;
     };
-    for (const Case &c : {Case{1, 1, 0, 1}, Case{2, 1, -1.0 / 3, 2.0 / 3}, Case{8, 1, -0.77778, 0.22222},
+    for (const Case& c : {Case{1, 1, 0, 1}, Case{2, 1, -1.0 / 3, 2.0 / 3}, Case{8, 1, -0.77778, 0.22222},
                           Case{100, 1, -0.98020, 0.01980}, Case{1, 0, 0.5, 0.5}}) {
         WorldDef settings = without_gravity();
         settings.enable_sleep = false; // the heaviest leaves more slowly than what may sleep

@@ -7,7 +7,7 @@ namespace {
 constexpr float radius = 0.5f;
 
 class Rolling : public EveryStep {
-protected:
+  protected:
     // A ball at rest on a slope of 30 degrees.
     struct OnSlope {
         World world;

@@ -5,14 +5,14 @@ namespace cairn_test {
 namespace {
 
 class FreeRotation : public EveryStep {
-protected:
+  protected:
     struct Result {
         std::vector<double> flips;          // times at which the spin about the middle axis changes its sign, s
         double momentum_error = 0;          // greatest, relative to the start
         double rotational_energy_error = 0; // likewise
     };
 
-    Result watch(World &world, BodyId id, double seconds) {
+    Result watch(World& world, BodyId id, double seconds) {
         Result result;
         const glm::dvec3 momentum = world.body(id).angular_momentum();
         const double energy = rotational_energy(world.body(id));
@@ -32,11 +32,11 @@ protected:
         return result;
     }
 
-private:
-    static double rotational_energy(const Body &body) {
+  private:
+    static double rotational_energy(const Body& body) {
         return 0.5 * glm::dot(glm::dvec3(body.angular_momentum()), glm::dvec3(body.angular_velocity()));
     }
-    static double spin_about_middle_axis(const Body &body) {
+    static double spin_about_middle_axis(const Body& body) {
         return double((glm::conjugate(body.rotation()) * body.angular_velocity()).y);
     }
 };

@@ -12,8 +12,8 @@ struct Stack {
 
     explicit Stack(bool sleep = true) : world(sleep ? WorldDef{} : without_sleep()) { add_ground(world); }
 
-    BodyId add(const Position &position, const Vec3 &half_extents = {0.5f, 0.5f, 0.5f}, float density = 1000,
-               const Quat &rotation = {1, 0, 0, 0}, const Material &material = {}) {
+    BodyId add(const Position& position, const Vec3& half_extents = {0.5f, 0.5f, 0.5f}, float density = 1000,
+               const Quat& rotation = {1, 0, 0, 0}, const Material& material = {}) {
         BodyDef def;
         def.position = position;
         def.rotation = rotation;
@@ -39,7 +39,7 @@ struct Stack {
         for (std::size_t i = 0; i < boxes.size(); ++i) most = std::max(most, sag(i));
         return most;
     }
-    double greatest_displacement(const std::vector<Position> &from) {
+    double greatest_displacement(const std::vector<Position>& from) {
         double most = 0;
         for (std::size_t i = 0; i < boxes.size(); ++i)
             most = std::max(most, glm::length(world.body(boxes[i]).position() - from[i]));
@@ -62,7 +62,7 @@ struct Stack {
 };
 
 class Standing : public EveryStep {
-protected:
+  protected:
     double seconds() const { return GetParam() == 60 ? 60 : GetParam() == 240 ? 15 : 5; }
 };
 CAIRN_AT_EVERY_STEP(Standing);
@@ -74,7 +74,7 @@ TEST_P(Standing, EachContactOfAStackCarriesWhatIsAboveIt) {
     run(stack.world, dt(), steps_in(4));
     std::vector<double> force(count, 0.0); // under each box
     int contacts = 0;
-    for (const Contact &contact : stack.world.contacts()) {
+    for (const Contact& contact : stack.world.contacts()) {
         std::size_t upper = 0; // the higher box of the two
         for (std::size_t i = 0; i < stack.boxes.size(); ++i)
             if (contact.body_a == stack.boxes[i] || contact.body_b == stack.boxes[i]) upper = i;
@@ -135,11 +135,11 @@ TEST_P(Standing, BoxAHundredTimesHeavierStandsOnFourLegs) {
 
 // A minute as it is, and 20 s without sleep, which must not be what holds it up.
 class Structures : public testing::TestWithParam<bool> {
-protected:
+  protected:
     bool sleep() const { return GetParam(); }
-    void run_long(World &world) { run(world, 1.0f / 60, sleep() ? 3600 : 1200); }
+    void run_long(World& world) { run(world, 1.0f / 60, sleep() ? 3600 : 1200); }
 };
-INSTANTIATE_TEST_SUITE_P(Physics, Structures, testing::Bool(), [](const testing::TestParamInfo<bool> &info) {
+INSTANTIATE_TEST_SUITE_P(Physics, Structures, testing::Bool(), [](const testing::TestParamInfo<bool>& info) {
     return std::string(info.param ? "WithSleep" : "WithoutSleep");
 });
 

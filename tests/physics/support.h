@@ -21,12 +21,12 @@ inline double radians(double degrees) { return degrees * pi / 180; }
 
 // A test that is run with several lengths of the step; the parameter is the number of steps per second.
 class EveryStep : public testing::TestWithParam<int> {
-protected:
+  protected:
     float dt() const { return 1.0f / float(GetParam()); }
     int steps_in(double seconds) const { return int(std::lround(seconds * GetParam())); }
 };
 
-inline std::string step_name(const testing::TestParamInfo<int> &info) {
+inline std::string step_name(const testing::TestParamInfo<int>& info) {
     return "At" + std::to_string(info.param) + "Hz";
 }
 
@@ -51,7 +51,7 @@ inline Material surface(float friction, float restitution = 0) {
     return material;
 }
 
-inline BodyId add_body(World &world, const Shape &shape, const BodyDef &def, const Material &material = {}) {
+inline BodyId add_body(World& world, const Shape& shape, const BodyDef& def, const Material& material = {}) {
     const BodyId body = world.create_body(def);
     ShapeDef shape_def;
     shape_def.material = material;
@@ -66,30 +66,30 @@ struct Slope {
     glm::dvec3 downhill() const { return {std::cos(angle), -std::sin(angle), 0}; }
     glm::dvec3 normal() const { return {std::sin(angle), std::cos(angle), 0}; }
     Quat rotation() const { return glm::angleAxis(float(-angle), Vec3(0, 0, 1)); }
-    BodyId add_to(World &world, const Material &material = {}) const {
+    BodyId add_to(World& world, const Material& material = {}) const {
         BodyDef def;
         def.type = BodyType::static_;
         return add_body(world, Plane{Vec3(normal()), {1, 0, 0}, {}}, def, material);
     }
 };
 
-inline BodyId add_ground(World &world, const Material &material = {}) { return Slope{}.add_to(world, material); }
+inline BodyId add_ground(World& world, const Material& material = {}) { return Slope{}.add_to(world, material); }
 
-inline void run(World &world, float dt, int steps) {
+inline void run(World& world, float dt, int steps) {
     for (int i = 0; i < steps; ++i) world.step(dt);
 }
 
 // Sum of the normal impulses of a contact, N s.
-inline double normal_impulse(const Contact &contact) {
+inline double normal_impulse(const Contact& contact) {
     double sum = 0;
     for (int i = 0; i < contact.point_count; ++i) sum += double(contact.points[i].normal_impulse);
     return sum;
 }
 
 // Deepest overlap of all contacts as they are now, meters.
-inline double deepest_overlap(const World &world) {
+inline double deepest_overlap(const World& world) {
     double deepest = 0;
-    for (const Contact &contact : world.contacts())
+    for (const Contact& contact : world.contacts())
         for (int i = 0; i < contact.point_count; ++i)
             deepest = std::max(deepest, -double(contact.points[i].separation));
     return deepest;

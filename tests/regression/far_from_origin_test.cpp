@@ -17,9 +17,9 @@ struct Balls {
     BodyId first, second;
     Position origin;
 
-    Balls(const Position &origin_, const WorldDef &settings) : world(settings), origin(origin_) {}
+    Balls(const Position& origin_, const WorldDef& settings) : world(settings), origin(origin_) {}
 
-    BodyId add(const Shape &shape, const Position &at, BodyType type, const Vec3 &velocity = {0, 0, 0}) {
+    BodyId add(const Shape& shape, const Position& at, BodyType type, const Vec3& velocity = {0, 0, 0}) {
         BodyDef def;
         def.type = type;
         def.position = origin + at;
@@ -30,7 +30,7 @@ struct Balls {
     }
     float separation() {
         const std::vector<Contact> contacts = world.contacts();
-        for (const Contact &contact : contacts)
+        for (const Contact& contact : contacts)
             if ((contact.body_a == first && contact.body_b == second) ||
                 (contact.body_a == second && contact.body_b == first))
                 return contact.points[0].separation;
@@ -42,7 +42,7 @@ const Position far_away{1e7 + 0.3, 5e6 + 0.1, -2e6 - 0.7};
 
 TEST(FarFromTheOrigin, RestingBallTouchesAsAtTheOrigin) {
     Balls near({0, 0, 0}, {}), far(far_away, {});
-    for (Balls *balls : {&near, &far}) {
+    for (Balls* balls : {&near, &far}) {
         balls->first = balls->add(Sphere{0.5f}, {0, 0, 0}, BodyType::static_);
         balls->second = balls->add(Sphere{0.5f}, {0, 1, 0}, BodyType::dynamic);
     }
@@ -56,7 +56,7 @@ TEST(FarFromTheOrigin, RestingBallTouchesAsAtTheOrigin) {
 
 TEST(FarFromTheOrigin, RollingBallsCollideAsAtTheOrigin) {
     Balls near({0, 0, 0}, {}), far(far_away, {});
-    for (Balls *balls : {&near, &far}) {
+    for (Balls* balls : {&near, &far}) {
         balls->add(Box{{5, 0.5f, 5}}, {0, -0.5, 0}, BodyType::static_);
         balls->first = balls->add(Sphere{0.5f}, {0.1, 0.5, 0.05}, BodyType::dynamic);
         balls->second = balls->add(Sphere{0.5f}, {-0.92, 0.5, -0.05}, BodyType::dynamic, {0.6f, 0, 0});
@@ -69,7 +69,7 @@ TEST(FarFromTheOrigin, RollingBallsCollideAsAtTheOrigin) {
         if (near.separation() < 0.01f && i < 30) { // rounding adds up later
             ASSERT_NEAR(far.separation(), near.separation(), 1e-6f) << "step " << i;
         }
-        for (const auto &[a, b] : {std::pair{near.first, far.first}, std::pair{near.second, far.second}}) {
+        for (const auto& [a, b] : {std::pair{near.first, far.first}, std::pair{near.second, far.second}}) {
             const Position p = near.world.body(a).position(), q = far.world.body(b).position() - far.origin;
             ASSERT_LT(glm::length(p - q), 1e-5) << "step " << i;
         }

@@ -26,7 +26,7 @@ std::string read_all(const fs::path& path) {
 }
 
 class Cli : public testing::Test {
-protected:
+  protected:
     void SetUp() override {
         const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
         folder_ = fs::path(testing::TempDir()) / (std::string("cairn_cli_") + test->name());

@@ -4,7 +4,7 @@
 
 namespace collide_test {
 
-double separation_along(const Frame &a, const Frame &b, const Vec &n) {
+double separation_along(const Frame& a, const Frame& b, const Vec& n) {
     double s = dot(n, b.center - a.center);
     for (std::size_t i = 0; i < 3; ++i) {
         s -= a.half[i] * std::fabs(dot(n, a.axis[i]));
@@ -13,7 +13,7 @@ double separation_along(const Frame &a, const Frame &b, const Vec &n) {
     return s;
 }
 
-SeparatingAxis greatest_separation(const Frame &a, const Frame &b) {
+SeparatingAxis greatest_separation(const Frame& a, const Frame& b) {
     SeparatingAxis best = {-1e300, {0, 0, 0}, false, 1.0};
     const auto consider = [&](Vec n, bool edges, double sine) {
         if (dot(n, b.center - a.center) < 0) n = -1.0 * n;
@@ -31,7 +31,7 @@ SeparatingAxis greatest_separation(const Frame &a, const Frame &b) {
     return best;
 }
 
-double distance_to_box(const Frame &box, const Vec &p) {
+double distance_to_box(const Frame& box, const Vec& p) {
     const Vec local = box.to_local(p);
     Vec outside;
     double inside = -1e300;
@@ -44,7 +44,7 @@ double distance_to_box(const Frame &box, const Vec &p) {
     return l > 0 ? l : inside;
 }
 
-double area_of(const Polygon &p) {
+double area_of(const Polygon& p) {
     double twice = 0;
     for (std::size_t i = 0; i < p.size(); ++i) {
         const auto &u = p[i], &v = p[(i + 1) % p.size()];
@@ -59,7 +59,7 @@ Polygon convex_hull(Polygon points) {
     Polygon hull;
     for (int pass = 0; pass < 2; ++pass) {
         const std::size_t start = hull.size();
-        for (const auto &p : points) {
+        for (const auto& p : points) {
             while (hull.size() >= start + 2) {
                 const auto &u = hull[hull.size() - 2], &v = hull.back();
                 if ((v[0] - u[0]) * (p[1] - u[1]) - (v[1] - u[1]) * (p[0] - u[0]) > 0) break;
@@ -73,7 +73,7 @@ Polygon convex_hull(Polygon points) {
     return hull;
 }
 
-std::array<double, 2> across(const Vec &normal, const Vec &p) {
+std::array<double, 2> across(const Vec& normal, const Vec& p) {
     Vec other = {0, 0, 0};
     std::size_t smallest = 0;
     for (std::size_t i = 1; i < 3; ++i)
@@ -87,13 +87,13 @@ std::array<double, 2> across(const Vec &normal, const Vec &p) {
 namespace {
 
 // The corners of the face of a box that looks most along a direction, in order.
-std::vector<Vec> face_along(const Frame &box, const Vec &direction) {
+std::vector<Vec> face_along(const Frame& box, const Vec& direction) {
     std::size_t k = 0;
     for (std::size_t i = 1; i < 3; ++i)
         if (std::fabs(dot(box.axis[i], direction)) > std::fabs(dot(box.axis[k], direction))) k = i;
     const std::size_t u = (k + 1) % 3, v = (k + 2) % 3;
     std::vector<Vec> corners;
-    for (const auto &sign : {std::array<double, 2>{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}) {
+    for (const auto& sign : {std::array<double, 2>{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}) {
         Vec local;
         local[k] = dot(box.axis[k], direction) > 0 ? box.half[k] : -box.half[k];
         local[u] = sign[0] * box.half[u];
@@ -104,7 +104,7 @@ std::vector<Vec> face_along(const Frame &box, const Vec &direction) {
 }
 
 // Sutherland and Hodgman: the part of a polygon where n . p <= limit.
-std::vector<Vec> cut(const std::vector<Vec> &polygon, const Vec &n, double limit) {
+std::vector<Vec> cut(const std::vector<Vec>& polygon, const Vec& n, double limit) {
     std::vector<Vec> r;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const Vec &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
@@ -117,7 +117,7 @@ std::vector<Vec> cut(const std::vector<Vec> &polygon, const Vec &n, double limit
 
 } // namespace
 
-FaceContact face_contact(const Frame &a, const Frame &b, const Vec &normal, double margin) {
+FaceContact face_contact(const Frame& a, const Frame& b, const Vec& normal, double margin) {
     for (int swap = 0; swap < 2; ++swap) {
         const Frame &reference = swap ? b : a, &incident = swap ? a : b;
         const Vec out = swap ? -1.0 * normal : normal;
@@ -132,7 +132,7 @@ FaceContact face_contact(const Frame &a, const Frame &b, const Vec &normal, doub
             }
             const double face = dot(out, reference.center) + reference.half[k];
             FaceContact r = {true, {}};
-            for (const Vec &p : polygon)
+            for (const Vec& p : polygon)
                 if (dot(out, p) - face <= margin) r.polygon.push_back(across(normal, p));
             r.polygon = convex_hull(r.polygon);
             return r;

@@ -12,10 +12,10 @@ enum class Kind { sphere, box, plane, rectangle };
 
 // Random or exactly aligned: positions on a grid of eighths, quarter turns, sizes of a half or a quarter, so that
 // shapes touch exactly, share edges and corners, or lie in each other.
-ShapePose any_shape(Random &random, Kind kind, const Vec &around, bool aligned) {
+ShapePose any_shape(Random& random, Kind kind, const Vec& around, bool aligned) {
     const auto size = [&] { return aligned ? 0.25 * (1 + random.below(3)) : random.uniform(0.05, 1.0); };
     Vec position = around;
-    for (double &c : position) c += aligned ? 0.125 * (random.below(17) - 8) : random.uniform(-0.8, 0.8);
+    for (double& c : position) c += aligned ? 0.125 * (random.below(17) - 8) : random.uniform(-0.8, 0.8);
     Quat q = random.rotation();
     if (aligned) {
         const double s = std::sqrt(0.5);
@@ -56,7 +56,7 @@ Pairs any_pairs(Kind first, Kind second, std::uint32_t seed) {
 
 void expect_equal_bits(cairn::CollideKernel cairn::KernelTable::*kernel, Kind first, Kind second) {
     const Pairs pairs = any_pairs(first, second, 77);
-    const std::vector<const cairn::KernelTable *> tables = backends();
+    const std::vector<const cairn::KernelTable*> tables = backends();
     ASSERT_FALSE(tables.empty());
     const std::vector<Manifold> reference = run(tables[0]->*kernel, pairs);
     int touching = 0;
@@ -65,7 +65,7 @@ void expect_equal_bits(cairn::CollideKernel cairn::KernelTable::*kernel, Kind fi
         touching += reference[static_cast<std::size_t>(i)].count > 0;
     }
     EXPECT_GT(touching, pairs.count() / 10);
-    for (const cairn::KernelTable *table : tables) {
+    for (const cairn::KernelTable* table : tables) {
         const std::vector<Manifold> other = run(table->*kernel, pairs);
         for (int i = 0; i < pairs.count(); ++i) {
             const std::size_t k = static_cast<std::size_t>(i);

@@ -9,7 +9,7 @@ using namespace collide_test;
 namespace {
 
 struct SizeClass {
-    const char *name;
+    const char* name;
     Vec first, second;
 };
 const SizeClass size_classes[] = {
@@ -23,12 +23,12 @@ const SizeClass size_classes[] = {
 
 constexpr float usual_margin = 0.02f;
 
-double smallest_half(const Frame &a, const Frame &b) {
+double smallest_half(const Frame& a, const Frame& b) {
     double r = 1e300;
     for (std::size_t i = 0; i < 3; ++i) r = std::min({r, a.half[i], b.half[i]});
     return r;
 }
-double sum_of_halves(const Frame &a, const Frame &b) {
+double sum_of_halves(const Frame& a, const Frame& b) {
     double r = 0;
     for (std::size_t i = 0; i < 3; ++i) r += a.half[i] + b.half[i];
     return r;
@@ -37,7 +37,7 @@ double sum_of_halves(const Frame &a, const Frame &b) {
 // Half of the pairs anywhere near each other, half moved along their axis of greatest separation until they
 // just touch, overlap a little or are a little apart, as in a simulation. `tilt` > 0 keeps the rotations
 // within that angle of each other (nearly parallel edges and faces).
-Pairs random_pairs(const SizeClass &size, int count, std::uint32_t seed, double tilt = 0) {
+Pairs random_pairs(const SizeClass& size, int count, std::uint32_t seed, double tilt = 0) {
     Random random(seed);
     Pairs pairs;
     for (int i = 0; i < count; ++i) {
@@ -71,13 +71,13 @@ Pairs random_pairs(const SizeClass &size, int count, std::uint32_t seed, double 
 struct Tolerance {
     double rounding, choice;
 };
-Tolerance tolerance_for(const Frame &a, const Frame &b, const SeparatingAxis &truth) {
+Tolerance tolerance_for(const Frame& a, const Frame& b, const SeparatingAxis& truth) {
     const double rounding = 2e-6 * sum_of_halves(a, b) / truth.sine;
     return {rounding, 5.5e-2 * smallest_half(a, b) + 2 * rounding};
 }
 
 // What the manifold must say, given the true axis. Empty when it does.
-std::string disagreement(const Frame &a, const Frame &b, const Manifold &m, double margin) {
+std::string disagreement(const Frame& a, const Frame& b, const Manifold& m, double margin) {
     if (std::string s = flaw(m, margin); !s.empty()) return s;
     const SeparatingAxis truth = greatest_separation(a, b);
     const Tolerance tolerance = tolerance_for(a, b, truth);
@@ -108,12 +108,12 @@ std::string disagreement(const Frame &a, const Frame &b, const Manifold &m, doub
     return {};
 }
 
-void expect_agreement(const char *name, const Pairs &pairs, int least_touching) {
-    for (const cairn::KernelTable *table : backends()) {
+void expect_agreement(const char* name, const Pairs& pairs, int least_touching) {
+    for (const cairn::KernelTable* table : backends()) {
         const std::vector<Manifold> manifolds = run(table->box_box, pairs);
         int wrong = 0, touching = 0;
         for (int i = 0; i < pairs.count(); ++i) {
-            const Manifold &m = manifolds[static_cast<std::size_t>(i)];
+            const Manifold& m = manifolds[static_cast<std::size_t>(i)];
             touching += m.count > 0;
             const Frame a = frame_of(pairs.first(i)), b = frame_of(pairs.second(i));
             const std::string s = disagreement(a, b, m, pairs.margin(i));
@@ -133,26 +133,26 @@ void expect_agreement(const char *name, const Pairs &pairs, int least_touching) 
 
 TEST(CollideBoxBox, AgreesWithTheOracleForRandomPoses) {
     std::uint32_t seed = 1;
-    for (const SizeClass &size : size_classes) expect_agreement(size.name, random_pairs(size, 6000, seed++), 2000);
+    for (const SizeClass& size : size_classes) expect_agreement(size.name, random_pairs(size, 6000, seed++), 2000);
 }
 
 TEST(CollideBoxBox, AgreesWithTheOracleForNearlyParallelBoxes) {
     std::uint32_t seed = 100;
-    for (const SizeClass &size : size_classes)
+    for (const SizeClass& size : size_classes)
         for (const double tilt : {1e-6, 1e-4, 1e-2, 0.1})
             expect_agreement(size.name, random_pairs(size, 2000, seed++, tilt), 600);
 }
 
 TEST(CollideBoxBox, FacePointsSpanTheTruePolygon) {
     std::uint32_t seed = 200;
-    for (const cairn::KernelTable *table : backends())
-        for (const SizeClass &size : size_classes) {
+    for (const cairn::KernelTable* table : backends())
+        for (const SizeClass& size : size_classes) {
             const Pairs pairs = random_pairs(size, 4000, seed++, 0.02);
             const std::vector<Manifold> manifolds = run(table->box_box, pairs);
             int compared = 0, poor = 0, short_of_points = 0;
             double covered = 0;
             for (int i = 0; i < pairs.count(); ++i) {
-                const Manifold &m = manifolds[static_cast<std::size_t>(i)];
+                const Manifold& m = manifolds[static_cast<std::size_t>(i)];
                 const Frame a = frame_of(pairs.first(i)), b = frame_of(pairs.second(i));
                 if (m.count == 0) continue;
                 const Vec normal = (1.0 / length(normal_of(m))) * normal_of(m);
@@ -160,8 +160,8 @@ TEST(CollideBoxBox, FacePointsSpanTheTruePolygon) {
                 if (!face.is_face || face.polygon.size() < 3) continue;
                 const double area = area_of(face.polygon);
                 double across_squared = 0;
-                for (const auto &p : face.polygon)
-                    for (const auto &q : face.polygon)
+                for (const auto& p : face.polygon)
+                    for (const auto& q : face.polygon)
                         across_squared =
                             std::max(across_squared, (p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]));
                 if (area < 0.01 * across_squared) continue; // a sliver: two points say as much
@@ -191,11 +191,11 @@ TEST(CollideBoxBox, StackedUnitBoxesKeepFourPoints) {
                               about({0, 0, 1}, -1e-4),
                               about({0.6, 0, 0.8}, 1e-3),
                               about({0, 1, 0}, 0.02)};
-    for (const cairn::KernelTable *table : backends())
-        for (const Vec &offset : offsets)
-            for (const Quat &q : rotations)
+    for (const cairn::KernelTable* table : backends())
+        for (const Vec& offset : offsets)
+            for (const Quat& q : rotations)
                 for (const int up : {0, 1, 2}) {
-                    const auto turn = [&](const Vec &v) {
+                    const auto turn = [&](const Vec& v) {
                         return Vec{v[static_cast<std::size_t>((3 - up + 1) % 3)],
                                    v[static_cast<std::size_t>((3 - up + 2) % 3)],
                                    v[static_cast<std::size_t>((3 - up) % 3)]};
@@ -215,7 +215,7 @@ TEST(CollideBoxBox, StackedUnitBoxesKeepFourPoints) {
 
 TEST(CollideBoxBox, AlignedNormalIsTheAxis) {
     const Vec half = {0.5, 0.5, 0.5};
-    for (const cairn::KernelTable *table : backends())
+    for (const cairn::KernelTable* table : backends())
         for (std::size_t axis = 0; axis < 3; ++axis)
             for (const double side : {1.0, -1.0}) {
                 Vec offset = {1e-6, -1e-6, 1e-6};
@@ -231,7 +231,7 @@ TEST(CollideBoxBox, AlignedNormalIsTheAxis) {
 
 TEST(CollideBoxBox, IdenticalPosesGiveAUnitNormal) {
     Random random(7);
-    for (const cairn::KernelTable *table : backends())
+    for (const cairn::KernelTable* table : backends())
         for (int i = 0; i < 200; ++i) {
             const Vec half = {random.uniform(0.1, 1), random.uniform(0.1, 1), random.uniform(0.1, 1)};
             const ShapePose a = box({1, 2, 3}, i == 0 ? no_rotation : random.rotation(), half);
@@ -248,7 +248,7 @@ TEST(CollideBoxBox, IdenticalPosesGiveAUnitNormal) {
 
 TEST(CollideBoxBox, FarFromTheOriginNothingChanges) {
     Random random(11);
-    for (const cairn::KernelTable *table : backends())
+    for (const cairn::KernelTable* table : backends())
         for (int i = 0; i < 500; ++i) {
             // Offsets that a double far away can hold exactly, so that the two pairs are the same pair.
             const auto grid = [&](double low, double high) {
@@ -273,8 +273,8 @@ TEST(CollideBoxBox, ExtremeSizesStayFinite) {
     Pairs pairs;
     const Vec halves[] = {{1e3, 1e-3, 1e3},   {1e-3, 1e3, 1e-3}, {1e-3, 1e-3, 1e-3}, {1e3, 1e3, 1e3},
                           {5e-4, 5e-4, 5e-4}, {1e-3, 1.0, 1e3},  {0.5, 0.5, 0.5}};
-    for (const Vec &ha : halves)
-        for (const Vec &hb : halves)
+    for (const Vec& ha : halves)
+        for (const Vec& hb : halves)
             for (int i = 0; i < 64; ++i) {
                 const double reach = i % 4 == 0 ? 0.0 : random.uniform(0, 1) * (length(ha) + length(hb));
                 const bool aligned = i % 3 == 0;
@@ -282,7 +282,7 @@ TEST(CollideBoxBox, ExtremeSizesStayFinite) {
                           box(reach * random.direction(), aligned ? no_rotation : random.rotation(), hb),
                           i % 2 == 0 ? 0.0f : usual_margin);
             }
-    for (const cairn::KernelTable *table : backends()) {
+    for (const cairn::KernelTable* table : backends()) {
         const std::vector<Manifold> manifolds = run(table->box_box, pairs);
         for (int i = 0; i < pairs.count(); ++i)
             ASSERT_EQ(flaw(manifolds[static_cast<std::size_t>(i)], pairs.margin(i)), "")
@@ -293,13 +293,13 @@ TEST(CollideBoxBox, ExtremeSizesStayFinite) {
 TEST(CollideBoxBox, ScalesFromMillimetersToKilometers) {
     // The same scene in another unit of length gives the same manifold in that unit.
     const Pairs meters = random_pairs(size_classes[0], 2000, 17);
-    for (const cairn::KernelTable *table : backends()) {
+    for (const cairn::KernelTable* table : backends()) {
         const std::vector<Manifold> reference = run(table->box_box, meters);
         for (const float scale : {0x1p-10f, 0x1p+10f}) {
             Pairs scaled;
             for (int i = 0; i < meters.count(); ++i) {
                 ShapePose a = meters.first(i), b = meters.second(i);
-                for (ShapePose *p : {&a, &b})
+                for (ShapePose* p : {&a, &b})
                     for (std::size_t k = 0; k < 4; ++k) {
                         p->high[k] *= scale;
                         p->low[k] *= scale;

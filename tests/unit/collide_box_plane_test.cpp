@@ -16,7 +16,7 @@ struct Corner {
 };
 
 // Corners of a box with their heights above a plane, lowest first.
-std::vector<Corner> corners_over(const Frame &box, const Frame &plane) {
+std::vector<Corner> corners_over(const Frame& box, const Frame& plane) {
     std::vector<Corner> r;
     for (int i = 0; i < 8; ++i) {
         const Vec local = {(i & 1) ? box.half[0] : -box.half[0], (i & 2) ? box.half[1] : -box.half[1],
@@ -24,17 +24,17 @@ std::vector<Corner> corners_over(const Frame &box, const Frame &plane) {
         const Vec p = box.to_world(local);
         r.push_back({dot(plane.axis[1], p - plane.center), p});
     }
-    std::sort(r.begin(), r.end(), [](const Corner &a, const Corner &b) { return a.height < b.height; });
+    std::sort(r.begin(), r.end(), [](const Corner& a, const Corner& b) { return a.height < b.height; });
     return r;
 }
 
 // A contact with the plane: normal straight down, every point a corner with its height, the deepest among them.
-std::string plane_disagreement(const Frame &a, const Frame &ground, const Manifold &m, double margin) {
+std::string plane_disagreement(const Frame& a, const Frame& ground, const Manifold& m, double margin) {
     if (std::string s = flaw(m, margin); !s.empty()) return s;
     const std::vector<Corner> corners = corners_over(a, ground);
     const double tolerance = 2e-6 * (1 + length(a.center - ground.center) + length(a.half));
     int within = 0;
-    for (const Corner &c : corners) {
+    for (const Corner& c : corners) {
         if (std::fabs(c.height - margin) < tolerance) return {}; // may go either way
         within += c.height < margin;
     }
@@ -46,7 +46,7 @@ std::string plane_disagreement(const Frame &a, const Frame &ground, const Manifo
     if (std::fabs(deepest_of(m) - corners[0].height) > 1.01e-4 * smallest + tolerance) return "not the deepest";
     for (int k = 0; k < m.count; ++k) {
         const Vec p = a.center + point_of(m, k) - (0.5 * separation_of(m, k)) * normal_of(m);
-        const bool found = std::any_of(corners.begin(), corners.end(), [&](const Corner &c) {
+        const bool found = std::any_of(corners.begin(), corners.end(), [&](const Corner& c) {
             return length(c.position - p) < 10 * tolerance && std::fabs(c.height - separation_of(m, k)) < tolerance;
         });
         if (!found) return "point " + std::to_string(k) + " is not a corner";
@@ -65,7 +65,7 @@ TEST(CollideBoxPlane, PointsAreTheDeepestCorners) {
         const Vec local = {random.uniform(-5, 5), random.uniform(-0.5, 1.2) * length(half), random.uniform(-5, 5)};
         pairs.add(box(frame_of(ground).to_world(local), random.rotation(), half), ground, usual_margin);
     }
-    for (const cairn::KernelTable *table : backends()) {
+    for (const cairn::KernelTable* table : backends()) {
         const std::vector<Manifold> manifolds = run(table->box_plane, pairs);
         for (int i = 0; i < pairs.count(); ++i)
             ASSERT_EQ(plane_disagreement(frame_of(pairs.first(i)), frame_of(pairs.second(i)),
@@ -77,7 +77,7 @@ TEST(CollideBoxPlane, PointsAreTheDeepestCorners) {
 
 TEST(CollideBoxPlane, FlatBoxRestsOnItsFourFaceCorners) {
     Random random(6);
-    for (const cairn::KernelTable *table : backends())
+    for (const cairn::KernelTable* table : backends())
         for (int i = 0; i < 500; ++i) {
             const std::size_t down = static_cast<std::size_t>(random.below(3));
             Vec half = {random.uniform(0.1, 1), random.uniform(0.1, 1), random.uniform(0.1, 1)};
@@ -86,9 +86,9 @@ TEST(CollideBoxPlane, FlatBoxRestsOnItsFourFaceCorners) {
             const double turns[] = {std::acos(0.0), 0.0, std::acos(0.0)};
             Quat q = about(axes[down], turns[down]);
             const double tilt = random.uniform(-1e-4, 1e-4);
-            for (double &c : q) c += 0.5 * tilt * random.uniform(-1, 1);
+            for (double& c : q) c += 0.5 * tilt * random.uniform(-1, 1);
             const double norm = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-            for (double &c : q) c /= norm;
+            for (double& c : q) c /= norm;
             const ShapePose crate = box({3, half[down] - 0.001, -2}, q, half);
             const ShapePose ground = plane({0, 0, 0}, about({0, 1, 0}, random.uniform(0, 6)));
             const Manifold m = run_one(table->box_plane, crate, ground, usual_margin);
@@ -117,11 +117,11 @@ TEST(CollideBoxRectangle, OverTheMiddleItIsAPlane) {
         crate = box(f.to_world(local), q, half);
         pairs.add(crate, floor, usual_margin);
     }
-    for (const cairn::KernelTable *table : backends()) {
+    for (const cairn::KernelTable* table : backends()) {
         const std::vector<Manifold> manifolds = run(table->box_rectangle, pairs);
         int touching = 0, sideways = 0;
         for (int i = 0; i < pairs.count(); ++i) {
-            const Manifold &m = manifolds[static_cast<std::size_t>(i)];
+            const Manifold& m = manifolds[static_cast<std::size_t>(i)];
             const Frame a = frame_of(pairs.first(i)), b = frame_of(pairs.second(i));
             ASSERT_EQ(flaw(m, usual_margin), "");
             const double lowest = corners_over(a, b)[0].height;
@@ -147,7 +147,7 @@ namespace {
 
 // The depth of a box above the plane of a rectangle, as two convex shapes, and whether the shallowest way out
 // leads up or sideways.
-std::string rectangle_disagreement(const Frame &a, const Frame &b, const Manifold &m, double margin) {
+std::string rectangle_disagreement(const Frame& a, const Frame& b, const Manifold& m, double margin) {
     if (std::string s = flaw(m, margin); !s.empty()) return s;
     const Vec center = b.to_local(a.center);
     const double tolerance =
@@ -193,12 +193,12 @@ TEST(CollideBoxRectangle, FollowsItsRuleAnywhere) {
         const Vec local = {random.uniform(-1, 1) * (hx + 1), random.uniform(-0.5, 1), random.uniform(-1, 1) * (hz + 1)};
         pairs.add(box(frame_of(floor).to_world(local), random.rotation(), half), floor, usual_margin);
     }
-    for (const cairn::KernelTable *table : backends()) {
+    for (const cairn::KernelTable* table : backends()) {
         const std::vector<Manifold> manifolds = run(table->box_rectangle, pairs);
         int wrong = 0;
         for (int i = 0; i < pairs.count(); ++i) {
             const Frame a = frame_of(pairs.first(i)), b = frame_of(pairs.second(i));
-            const Manifold &m = manifolds[static_cast<std::size_t>(i)];
+            const Manifold& m = manifolds[static_cast<std::size_t>(i)];
             const std::string s = rectangle_disagreement(a, b, m, pairs.margin(i));
             if (s.empty() || ++wrong > 5) continue;
             const SeparatingAxis truth = greatest_separation(a, b);
@@ -213,7 +213,7 @@ TEST(CollideBoxRectangle, FollowsItsRuleAnywhere) {
 
 TEST(CollideBoxRectangle, RestsFlatOnFourPointsAndHangsOverTheRim) {
     const ShapePose table_top = rectangle({0, 0, 0}, no_rotation, 2, 1);
-    for (const cairn::KernelTable *table : backends()) {
+    for (const cairn::KernelTable* table : backends()) {
         const Manifold inside =
             run_one(table->box_rectangle, box({0, 0.5 - 1e-4, 0}, no_rotation, {0.5, 0.5, 0.5}), table_top, 0.01f);
         ASSERT_EQ(inside.count, 4);
@@ -229,7 +229,7 @@ TEST(CollideBoxRectangle, RestsFlatOnFourPointsAndHangsOverTheRim) {
         ASSERT_EQ(wide.count, 4);
         for (int k = 0; k < 4; ++k) EXPECT_NEAR(std::fabs(wide.points[k][0] * wide.points[k][2]), 2.0, 1e-3);
         // Beside it, lower than it, and sunk too deep.
-        for (const Vec &at : {Vec{2.6, 0.1, 0}, Vec{2.3, -0.1, 0}, Vec{0, -1.2, 0}})
+        for (const Vec& at : {Vec{2.6, 0.1, 0}, Vec{2.3, -0.1, 0}, Vec{0, -1.2, 0}})
             EXPECT_EQ(run_one(table->box_rectangle, box(at, no_rotation, {0.5, 0.5, 0.5}), table_top, 0.01f).count, 0);
     }
 }

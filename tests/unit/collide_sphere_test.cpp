@@ -18,12 +18,12 @@ struct Expected {
     bool clear; // no other direction is as good, so the normal can be compared
 };
 
-void compare(const char *name, const cairn::KernelTable *table, cairn::CollideKernel kernel, const Pairs &pairs,
-             Expected (*oracle)(const Frame &, const Frame &, double), int least_touching) {
+void compare(const char* name, const cairn::KernelTable* table, cairn::CollideKernel kernel, const Pairs& pairs,
+             Expected (*oracle)(const Frame&, const Frame&, double), int least_touching) {
     const std::vector<Manifold> manifolds = run(kernel, pairs);
     int touching = 0;
     for (int i = 0; i < pairs.count(); ++i) {
-        const Manifold &m = manifolds[static_cast<std::size_t>(i)];
+        const Manifold& m = manifolds[static_cast<std::size_t>(i)];
         const Frame a = frame_of(pairs.first(i)), b = frame_of(pairs.second(i));
         const Expected e = oracle(a, b, pairs.margin(i));
         ASSERT_EQ(flaw(m, pairs.margin(i)), "") << name << ", " << table->name << ", pair " << i;
@@ -42,14 +42,14 @@ void compare(const char *name, const cairn::KernelTable *table, cairn::CollideKe
     EXPECT_GE(touching, least_touching) << name << ", " << table->name;
 }
 
-Expected expect_sphere_sphere(const Frame &a, const Frame &b, double limit) {
+Expected expect_sphere_sphere(const Frame& a, const Frame& b, double limit) {
     const Vec d = b.center - a.center;
     const double distance = length(d), separation = distance - a.half[0] - b.half[0];
     return {separation <= limit, separation, (1 / distance) * d, distance > 1e-3};
 }
 
 // The closest point of the box by clamping; inside, the nearest face.
-Expected expect_sphere_box(const Frame &a, const Frame &b, double limit) {
+Expected expect_sphere_box(const Frame& a, const Frame& b, double limit) {
     const Vec p = b.to_local(a.center);
     Vec closest = p;
     for (std::size_t i = 0; i < 3; ++i) closest[i] = std::clamp(p[i], -b.half[i], b.half[i]);
@@ -67,12 +67,12 @@ Expected expect_sphere_box(const Frame &a, const Frame &b, double limit) {
             sorted[1] - sorted[0] > 1e-4 && sorted[0] > 1e-4};
 }
 
-Expected expect_sphere_plane(const Frame &a, const Frame &b, double limit) {
+Expected expect_sphere_plane(const Frame& a, const Frame& b, double limit) {
     const double separation = dot(b.axis[1], a.center - b.center) - a.half[0];
     return {separation <= limit, separation, -1.0 * b.axis[1], true};
 }
 
-Expected expect_sphere_rectangle(const Frame &a, const Frame &b, double limit) {
+Expected expect_sphere_rectangle(const Frame& a, const Frame& b, double limit) {
     const Vec p = b.to_local(a.center);
     const double over_x = b.half[0] - std::fabs(p[0]), over_z = b.half[2] - std::fabs(p[2]);
     const double thickness = std::min(b.half[0], b.half[2]);
@@ -88,7 +88,7 @@ Expected expect_sphere_rectangle(const Frame &a, const Frame &b, double limit) {
     return {lifted && p[1] - a.half[0] <= limit, p[1] - a.half[0], -1.0 * b.axis[1], clear};
 }
 
-Vec somewhere(Random &random) { return {random.uniform(-20, 20), random.uniform(-20, 20), random.uniform(-20, 20)}; }
+Vec somewhere(Random& random) { return {random.uniform(-20, 20), random.uniform(-20, 20), random.uniform(-20, 20)}; }
 
 } // namespace
 
@@ -101,12 +101,12 @@ TEST(CollideSphere, SphereSphereAgreesWithTheFormula) {
         const Vec offset = random.uniform(0.02, 1.2 * (ra + rb)) * random.direction();
         pairs.add(sphere(center, ra, random.rotation()), sphere(center + offset, rb), static_cast<float>(margin));
     }
-    for (const cairn::KernelTable *table : backends())
+    for (const cairn::KernelTable* table : backends())
         compare("sphere-sphere", table, table->sphere_sphere, pairs, expect_sphere_sphere, 3000);
 }
 
 TEST(CollideSphere, ConcentricSpheresGiveAUnitNormal) {
-    for (const cairn::KernelTable *table : backends()) {
+    for (const cairn::KernelTable* table : backends()) {
         const Manifold m = run_one(table->sphere_sphere, sphere({1, 2, 3}, 0.5), sphere({1, 2, 3}, 0.25), 0.0f);
         ASSERT_EQ(flaw(m, 0.0), "");
         EXPECT_EQ(m.count, 1);
@@ -124,12 +124,12 @@ TEST(CollideSphere, SphereBoxAgreesWithTheFormula) {
         const Vec offset = random.uniform(0, 1.2 * (radius + length(half))) * random.direction();
         pairs.add(sphere(center, radius), box(center + offset, random.rotation(), half), static_cast<float>(margin));
     }
-    for (const cairn::KernelTable *table : backends())
+    for (const cairn::KernelTable* table : backends())
         compare("sphere-box", table, table->sphere_box, pairs, expect_sphere_box, 4000);
 }
 
 TEST(CollideSphere, CenterInsideABoxLeavesThroughTheNearestFace) {
-    for (const cairn::KernelTable *table : backends()) {
+    for (const cairn::KernelTable* table : backends()) {
         const ShapePose crate = box({0, 0, 0}, no_rotation, {1, 2, 3});
         const Manifold high = run_one(table->sphere_box, sphere({0.1, 1.75, 0.2}, 0.5), crate, 0.0f);
         EXPECT_FLOAT_EQ(high.normal[1], -1.0f);
@@ -154,7 +154,7 @@ TEST(CollideSphere, SpherePlaneAgreesWithTheFormula) {
         const Vec local = {random.uniform(-5, 5), random.uniform(-2, 2), random.uniform(-5, 5)};
         pairs.add(sphere(f.to_world(local), radius), ground, static_cast<float>(margin));
     }
-    for (const cairn::KernelTable *table : backends())
+    for (const cairn::KernelTable* table : backends())
         compare("sphere-plane", table, table->sphere_plane, pairs, expect_sphere_plane, 2500);
 }
 
@@ -168,7 +168,7 @@ TEST(CollideSphere, SphereRectangleAgreesWithTheRule) {
         const Vec local = {random.uniform(-1.5, 1.5) * hx, random.uniform(-1, 1), random.uniform(-1.5, 1.5) * hz};
         pairs.add(sphere(f.to_world(local), random.uniform(0.05, 1)), floor, static_cast<float>(margin));
     }
-    for (const cairn::KernelTable *table : backends())
+    for (const cairn::KernelTable* table : backends())
         compare("sphere-rectangle", table, table->sphere_rectangle, pairs, expect_sphere_rectangle, 6000);
 }
 
@@ -182,8 +182,8 @@ TEST(CollideSphere, RectangleIsOneSided) {
     const Case cases[] = {{{0, 0.4, 0}, 1, 1, 0},       {{0, -0.9, 0}, 1, 1, 0},   {{0, -1.1, 0}, 0, 0, 0},
                           {{2.3, 0.4, 0}, 1, 0.8, 0.6}, {{2.3, -0.1, 0}, 0, 0, 0}, {{0, 0, 0}, 1, 1, 0},
                           {{0, 0.6, 0}, 0, 0, 0}};
-    for (const cairn::KernelTable *table : backends())
-        for (const Case &c : cases) {
+    for (const cairn::KernelTable* table : backends())
+        for (const Case& c : cases) {
             const Manifold m = run_one(table->sphere_rectangle, sphere(c.center, 0.5), floor, 0.01f);
             ASSERT_EQ(flaw(m, 0.01), "");
             ASSERT_EQ(m.count, c.count) << c.center[0] << " " << c.center[1];

@@ -18,18 +18,18 @@ using cairn::ShapePose;
 using Vec = std::array<double, 3>;
 using Quat = std::array<double, 4>; // x y z w
 
-inline Vec operator+(const Vec &a, const Vec &b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-inline Vec operator-(const Vec &a, const Vec &b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-inline Vec operator*(double s, const Vec &a) { return {s * a[0], s * a[1], s * a[2]}; }
-inline double dot(const Vec &a, const Vec &b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-inline double length(const Vec &a) { return std::sqrt(dot(a, a)); }
-inline Vec cross(const Vec &a, const Vec &b) {
+inline Vec operator+(const Vec& a, const Vec& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+inline Vec operator-(const Vec& a, const Vec& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+inline Vec operator*(double s, const Vec& a) { return {s * a[0], s * a[1], s * a[2]}; }
+inline double dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+inline double length(const Vec& a) { return std::sqrt(dot(a, a)); }
+inline Vec cross(const Vec& a, const Vec& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 // The same numbers with every standard library.
 class Random {
-public:
+  public:
     explicit Random(std::uint32_t seed) : engine_(seed) {}
     double uniform(double low, double high) { return low + (high - low) * (engine_() / 4294967296.0); }
     int below(int n) { return static_cast<int>(engine_() % static_cast<std::uint32_t>(n)); }
@@ -48,17 +48,17 @@ public:
         }
     }
 
-private:
+  private:
     std::mt19937 engine_;
 };
 
-inline Quat about(const Vec &axis, double angle) {
+inline Quat about(const Vec& axis, double angle) {
     const double s = std::sin(angle / 2);
     return {s * axis[0], s * axis[1], s * axis[2], std::cos(angle / 2)};
 }
 constexpr Quat no_rotation = {0, 0, 0, 1};
 
-inline ShapePose make_pose(const Vec &position, const Quat &q, const std::array<float, 4> &size) {
+inline ShapePose make_pose(const Vec& position, const Quat& q, const std::array<float, 4>& size) {
     ShapePose p{};
     for (std::size_t i = 0; i < 3; ++i) {
         // volatile: gcc 12 from -O2 on, where it puts two of these side by side, forgets the rounding to float
@@ -71,17 +71,17 @@ inline ShapePose make_pose(const Vec &position, const Quat &q, const std::array<
     for (std::size_t i = 0; i < 4; ++i) p.size[i] = size[i];
     return p;
 }
-inline ShapePose sphere(const Vec &position, double radius, const Quat &q = no_rotation) {
+inline ShapePose sphere(const Vec& position, double radius, const Quat& q = no_rotation) {
     const float r = static_cast<float>(radius);
     return make_pose(position, q, {r, 0, 0, r});
 }
-inline ShapePose box(const Vec &position, const Quat &q, const Vec &half) {
+inline ShapePose box(const Vec& position, const Quat& q, const Vec& half) {
     return make_pose(position, q,
                      {static_cast<float>(half[0]), static_cast<float>(half[1]), static_cast<float>(half[2]),
                       static_cast<float>(length(half))});
 }
-inline ShapePose plane(const Vec &position, const Quat &q) { return make_pose(position, q, {0, 0, 0, 0}); }
-inline ShapePose rectangle(const Vec &position, const Quat &q, double hx, double hz) {
+inline ShapePose plane(const Vec& position, const Quat& q) { return make_pose(position, q, {0, 0, 0, 0}); }
+inline ShapePose rectangle(const Vec& position, const Quat& q, double hx, double hz) {
     return box(position, q, {hx, 0, hz});
 }
 
@@ -90,13 +90,13 @@ struct Frame {
     Vec center;
     std::array<Vec, 3> axis;
     Vec half;
-    Vec to_local(const Vec &p) const {
+    Vec to_local(const Vec& p) const {
         const Vec d = p - center;
         return {dot(axis[0], d), dot(axis[1], d), dot(axis[2], d)};
     }
-    Vec to_world(const Vec &v) const { return center + (v[0] * axis[0] + v[1] * axis[1] + v[2] * axis[2]); }
+    Vec to_world(const Vec& v) const { return center + (v[0] * axis[0] + v[1] * axis[1] + v[2] * axis[2]); }
 };
-inline Frame frame_of(const ShapePose &p) {
+inline Frame frame_of(const ShapePose& p) {
     Frame f;
     Quat q;
     double norm = 0;
@@ -104,7 +104,7 @@ inline Frame frame_of(const ShapePose &p) {
         q[i] = p.q[i];
         norm += q[i] * q[i];
     }
-    for (double &c : q) c /= std::sqrt(norm);
+    for (double& c : q) c /= std::sqrt(norm);
     for (std::size_t i = 0; i < 3; ++i) {
         f.center[i] = static_cast<double>(p.high[i]) + static_cast<double>(p.low[i]);
         f.half[i] = p.size[i];
@@ -120,18 +120,18 @@ inline Frame frame_of(const ShapePose &p) {
 struct Pairs {
     std::vector<ShapePose> poses;
     std::vector<float> margins;
-    void add(const ShapePose &first, const ShapePose &second, float margin) {
+    void add(const ShapePose& first, const ShapePose& second, float margin) {
         poses.push_back(first);
         poses.push_back(second);
         margins.push_back(margin);
     }
     int count() const { return static_cast<int>(margins.size()); }
-    const ShapePose &first(int i) const { return poses[2 * static_cast<std::size_t>(i)]; }
-    const ShapePose &second(int i) const { return poses[2 * static_cast<std::size_t>(i) + 1]; }
+    const ShapePose& first(int i) const { return poses[2 * static_cast<std::size_t>(i)]; }
+    const ShapePose& second(int i) const { return poses[2 * static_cast<std::size_t>(i) + 1]; }
     double margin(int i) const { return margins[static_cast<std::size_t>(i)]; }
 };
 
-inline std::vector<Manifold> run(cairn::CollideKernel kernel, const Pairs &pairs) {
+inline std::vector<Manifold> run(cairn::CollideKernel kernel, const Pairs& pairs) {
     std::vector<std::uint32_t> first, second;
     std::vector<float> margins;
     const int padded = (pairs.count() + 7) / 8 * 8;
@@ -146,31 +146,31 @@ inline std::vector<Manifold> run(cairn::CollideKernel kernel, const Pairs &pairs
     out.resize(static_cast<std::size_t>(pairs.count()));
     return out;
 }
-inline Manifold run_one(cairn::CollideKernel kernel, const ShapePose &a, const ShapePose &b, float margin) {
+inline Manifold run_one(cairn::CollideKernel kernel, const ShapePose& a, const ShapePose& b, float margin) {
     Pairs pairs;
     pairs.add(a, b, margin);
     return run(kernel, pairs)[0];
 }
 
 // Every kernel table of this build that this machine can run.
-inline std::vector<const cairn::KernelTable *> backends() {
-    std::vector<const cairn::KernelTable *> r;
-    for (const char *name : {"scalar", "sse2", "avx2", "neon"})
-        if (const cairn::KernelTable *table = cairn::kernels_named(name)) r.push_back(table);
+inline std::vector<const cairn::KernelTable*> backends() {
+    std::vector<const cairn::KernelTable*> r;
+    for (const char* name : {"scalar", "sse2", "avx2", "neon"})
+        if (const cairn::KernelTable* table = cairn::kernels_named(name)) r.push_back(table);
     return r;
 }
 
-inline Vec normal_of(const Manifold &m) { return {m.normal[0], m.normal[1], m.normal[2]}; }
-inline Vec point_of(const Manifold &m, int k) { return {m.points[k][0], m.points[k][1], m.points[k][2]}; }
-inline double separation_of(const Manifold &m, int k) { return m.points[k][3]; }
-inline double deepest_of(const Manifold &m) {
+inline Vec normal_of(const Manifold& m) { return {m.normal[0], m.normal[1], m.normal[2]}; }
+inline Vec point_of(const Manifold& m, int k) { return {m.points[k][0], m.points[k][1], m.points[k][2]}; }
+inline double separation_of(const Manifold& m, int k) { return m.points[k][3]; }
+inline double deepest_of(const Manifold& m) {
     double d = 1e30;
     for (int k = 0; k < m.count; ++k) d = std::min(d, separation_of(m, k));
     return d;
 }
 
 // What holds of every manifold. Returns a text that says what does not, empty when all is well.
-inline std::string flaw(const Manifold &m, double margin) {
+inline std::string flaw(const Manifold& m, double margin) {
     if (m.count < 0 || m.count > 4) return "count " + std::to_string(m.count);
     const double l = length(normal_of(m));
     if (m.count == 0 ? l != 0.0 : !(std::fabs(l - 1.0) < 2e-6)) return "normal of length " + std::to_string(l);

@@ -31,10 +31,14 @@ struct Source {
     std::mt19937 random{12345};
     float next() {
         switch (random() % 8) {
-        case 0: return 0.0f;
-        case 1: return -0.0f;
-        case 2: return 1e-40f * float(random() % 100);
-        default: return std::ldexp(float(random()) / 2147483648.0f - 1.0f, int(random() % 40) - 20);
+        case 0:
+            return 0.0f;
+        case 1:
+            return -0.0f;
+        case 2:
+            return 1e-40f * float(random() % 100);
+        default:
+            return std::ldexp(float(random()) / 2147483648.0f - 1.0f, int(random() % 40) - 20);
         }
     }
     void fill(float (&a)[8]) {
@@ -60,7 +64,8 @@ TEST(CAIRN_TEST_NAME(CAIRN_ISA), arithmetic_is_that_of_single_floats) {
     expect_same([](f32x8 a, f32x8 b) { return a + b; }, [](float a, float b) { return a + b; });
     expect_same([](f32x8 a, f32x8 b) { return a - b; }, [](float a, float b) { return a - b; });
     expect_same([](f32x8 a, f32x8 b) { return a * b; }, [](float a, float b) { return a * b; });
-    expect_same([](f32x8 a, f32x8 b) { return a / (abs(b) + one()); }, [](float a, float b) { return a / (std::fabs(b) + 1.0f); });
+    expect_same([](f32x8 a, f32x8 b) { return a / (abs(b) + one()); },
+                [](float a, float b) { return a / (std::fabs(b) + 1.0f); });
     expect_same([](f32x8 a, f32x8) { return -a; }, [](float a, float) { return -a; });
     expect_same([](f32x8 a, f32x8) { return sqrt(abs(a)); }, [](float a, float) { return std::sqrt(std::fabs(a)); });
 }
@@ -73,8 +78,10 @@ TEST(CAIRN_TEST_NAME(CAIRN_ISA), min_and_max_take_the_second_operand_on_a_tie) {
 }
 
 TEST(CAIRN_TEST_NAME(CAIRN_ISA), masks_select_and_become_bits) {
-    expect_same([](f32x8 a, f32x8 b) { return select(a < b, a, b + one()); }, [](float a, float b) { return a < b ? a : b + 1.0f; });
-    expect_same([](f32x8 a, f32x8 b) { return select((a > b) | (a == b), one(), zero()); }, [](float a, float b) { return a >= b ? 1.0f : 0.0f; });
+    expect_same([](f32x8 a, f32x8 b) { return select(a < b, a, b + one()); },
+                [](float a, float b) { return a < b ? a : b + 1.0f; });
+    expect_same([](f32x8 a, f32x8 b) { return select((a > b) | (a == b), one(), zero()); },
+                [](float a, float b) { return a >= b ? 1.0f : 0.0f; });
     expect_same([](f32x8 a, f32x8 b) { return select(and_not(a > zero(), b > zero()), one(), zero()); },
                 [](float a, float b) { return a > 0 && !(b > 0) ? 1.0f : 0.0f; });
     expect_same([](f32x8 a, f32x8 b) { return select((a > zero()) ^ (b > zero()), one(), zero()); },

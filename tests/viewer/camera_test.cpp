@@ -10,7 +10,7 @@ namespace {
 using namespace cairn;
 using namespace cairn::viewer;
 
-void expect_near(const Position &a, const Position &b, double tolerance) {
+void expect_near(const Position& a, const Position& b, double tolerance) {
     EXPECT_NEAR(a.x, b.x, tolerance);
     EXPECT_NEAR(a.y, b.y, tolerance);
     EXPECT_NEAR(a.z, b.z, tolerance);

@@ -32,13 +32,13 @@ TEST(CommandQueue, LosesNothingBetweenThreads) {
     int total = 0;
     while (total < writers * each) {
         queue.wait(1.0);
-        for (const Command &command : queue.take()) {
+        for (const Command& command : queue.take()) {
             const int value = std::get<command::ChangeSpeed>(command).doublings;
             EXPECT_EQ(value % each, next[std::size_t(value / each)]++); // each writer's own order is kept
             ++total;
         }
     }
-    for (std::thread &thread : threads) thread.join();
+    for (std::thread& thread : threads) thread.join();
 }
 
 TEST(CommandQueue, WaitEndsByACommandByClosingOrByTime) {

@@ -30,7 +30,7 @@ struct Desk {
             controller.update(stage.state());
         }
     }
-    void point_at(const Position &point) {
+    void point_at(const Position& point) {
         const auto device = controller.camera.project(point, aspect);
         ASSERT_TRUE(device);
         controller.move_cursor(*device, aspect);
@@ -39,7 +39,7 @@ struct Desk {
 
 TEST(Controller, KeysAddAndRemoveBodies) {
     Desk desk;
-    for (const char *key : {"U", "I", "O"}) desk.controller.key_down("", key);
+    for (const char* key : {"U", "I", "O"}) desk.controller.key_down("", key);
     EXPECT_EQ(desk.bodies(), 6u);
     desk.controller.key_down("", "Backspace");
     EXPECT_EQ(desk.bodies(), 5u);

@@ -16,7 +16,7 @@ using namespace cairn::viewer;
 constexpr float dt = 1.0f / 60.0f;
 const Vec3 ahead(0.0f, 0.0f, -1.0f);
 
-Ray towards(const Position &from, const Position &to) { return {from, Vec3(glm::normalize(to - from))}; }
+Ray towards(const Position& from, const Position& to) { return {from, Vec3(glm::normalize(to - from))}; }
 
 TEST(DragTarget, FollowsTheCursorInThePlaneFacingTheCamera) {
     const Position grabbed(1.0, 2.0, 3.0);
@@ -58,18 +58,18 @@ struct Floating {
     World world{WorldDef{.gravity = {0.0f, 0.0f, 0.0f}, .enable_sleep = false}};
     BodyId body;
 
-    explicit Floating(float mass, const Vec3 &velocity = Vec3(0.0f)) {
+    explicit Floating(float mass, const Vec3& velocity = Vec3(0.0f)) {
         BodyDef def;
         def.linear_velocity = velocity;
         def.mass = mass;
         body = world.create_body(def);
         world.add_shape(body, Box{{0.5f, 0.5f, 0.5f}});
     }
-    Position held(const Vec3 &local) const {
+    Position held(const Vec3& local) const {
         const Transform pose = world.body(body).transform();
         return pose.position + Position(pose.rotation * local);
     }
-    void pull(const Vec3 &local, const Position &target, int steps, float step = dt) {
+    void pull(const Vec3& local, const Position& target, int steps, float step = dt) {
         for (int i = 0; i < steps; ++i) {
             Body handle = world.body(body);
             const DragForce force = drag_force(handle, local, target, step);

@@ -25,12 +25,12 @@ struct Color {
 };
 
 // The mean color of a patch; coordinates are fractions of the picture, from its top left corner.
-Color mean(const HeadlessRenderer &renderer, double x, double y, double half_size = 0.01) {
+Color mean(const HeadlessRenderer& renderer, double x, double y, double half_size = 0.01) {
     Color color;
     int count = 0;
     for (int py = int((y - half_size) * height); py <= int((y + half_size) * height); ++py)
         for (int px = int((x - half_size) * width); px <= int((x + half_size) * width); ++px) {
-            const std::uint8_t *pixel = &renderer.pixels()[3 * std::size_t(py * width + px)];
+            const std::uint8_t* pixel = &renderer.pixels()[3 * std::size_t(py * width + px)];
             color.red += pixel[0];
             color.green += pixel[1];
             color.blue += pixel[2];
@@ -39,7 +39,7 @@ Color mean(const HeadlessRenderer &renderer, double x, double y, double half_siz
     return {color.red / count, color.green / count, color.blue / count};
 }
 
-Color mean_at(const HeadlessRenderer &renderer, const OrbitCamera &camera, const Position &point) {
+Color mean_at(const HeadlessRenderer& renderer, const OrbitCamera& camera, const Position& point) {
     const auto device = camera.project(point, float(width) / float(height));
     return mean(renderer, 0.5 + 0.5 * device->x, 0.5 - 0.5 * device->y);
 }
@@ -133,7 +133,7 @@ TEST(HeadlessRenderer, APathThatCannotBeWrittenIsAnErrorThatNamesIt) {
     try {
         renderer.save_png(folder.path / "file" / "picture.png");
         FAIL() << "no error";
-    } catch (const Error &error) {
+    } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::io);
         EXPECT_NE(std::string(error.what()).find("picture.png"), std::string::npos);
     }

@@ -10,7 +10,7 @@ namespace {
 using namespace cairn::viewer;
 
 TEST(KeyMap, KeepsTheKeysOfTheFirstProgram) {
-    const auto action = [](const char *chord) {
+    const auto action = [](const char* chord) {
         const auto binding = find_binding(chord);
         return binding ? binding->action : Action::quit;
     };
@@ -30,12 +30,12 @@ TEST(KeyMap, KeepsTheKeysOfTheFirstProgram) {
 
 TEST(KeyMap, NoChordMeansTwoThings) {
     std::set<std::string> chords;
-    for (const Binding &binding : key_bindings())
+    for (const Binding& binding : key_bindings())
         EXPECT_TRUE(chords.insert(std::string(binding.chord)).second) << binding.chord;
 }
 
 TEST(KeyMap, OppositeForceKeysPushOppositely) {
-    for (const auto &[one, other] : {std::pair("KP4", "KP6"),
+    for (const auto& [one, other] : {std::pair("KP4", "KP6"),
                                      {"KP7", "KP9"},
                                      {"KP8", "KP2"},
                                      {"Shift+Left", "Shift+Right"},

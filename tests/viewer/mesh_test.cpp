@@ -13,13 +13,13 @@ using namespace cairn::viewer;
 
 constexpr float bevel = 0.1f;
 
-Vec3 place(const Mesh &mesh, std::size_t i) {
-    const MeshVertex &vertex = mesh.vertices[mesh.indices[i]];
+Vec3 place(const Mesh& mesh, std::size_t i) {
+    const MeshVertex& vertex = mesh.vertices[mesh.indices[i]];
     return vertex.corner - vertex.inset * bevel;
 }
 
 // Volume by the divergence theorem; positive if the triangles face outwards.
-double volume(const Mesh &mesh) {
+double volume(const Mesh& mesh) {
     double sum = 0.0;
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
         sum += glm::dot(place(mesh, i), glm::cross(place(mesh, i + 1), place(mesh, i + 2))) / 6.0;
@@ -27,11 +27,11 @@ double volume(const Mesh &mesh) {
 }
 
 // In a closed surface every edge is used once in each direction.
-bool is_closed(const Mesh &mesh) {
+bool is_closed(const Mesh& mesh) {
     std::map<std::pair<int, int>, int> edges;
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
         for (std::size_t k = 0; k < 3; ++k) ++edges[{mesh.indices[i + k], mesh.indices[i + (k + 1) % 3]}];
-    for (const auto &[edge, count] : edges)
+    for (const auto& [edge, count] : edges)
         if (count != 1 || edges.count({edge.second, edge.first}) != 1) return false;
     return true;
 }
@@ -42,7 +42,7 @@ TEST(Meshes, SphereIsClosedRoundAndOutwards) {
         const Mesh mesh = sphere_mesh(level);
         EXPECT_EQ(mesh.indices.size(), std::size_t(60) << (2 * level));
         EXPECT_TRUE(is_closed(mesh));
-        for (const MeshVertex &vertex : mesh.vertices) EXPECT_NEAR(glm::length(vertex.corner), 1.0f, 1e-5f);
+        for (const MeshVertex& vertex : mesh.vertices) EXPECT_NEAR(glm::length(vertex.corner), 1.0f, 1e-5f);
         EXPECT_GT(volume(mesh), before);
         before = volume(mesh);
     }

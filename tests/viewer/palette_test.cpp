@@ -9,7 +9,7 @@ namespace {
 using namespace cairn;
 using namespace cairn::viewer;
 
-float lightness(const Vec3 &linear) { return 0.2126f * linear.x + 0.7152f * linear.y + 0.0722f * linear.z; }
+float lightness(const Vec3& linear) { return 0.2126f * linear.x + 0.7152f * linear.y + 0.0722f * linear.z; }
 
 TEST(Palette, LightBodiesAreBlueAndHeavyOnesRed) {
     const Vec3 light = mass_ramp(0.0f), heavy = mass_ramp(1.0f);

@@ -13,7 +13,7 @@ using namespace cairn;
 using namespace cairn::viewer;
 
 // Asks again until the state is as wanted; false after ten seconds.
-template <class Condition> bool comes_true(const PhysicsThread &physics, Condition condition) {
+template <class Condition> bool comes_true(const PhysicsThread& physics, Condition condition) {
     for (int i = 0; i < 1000; ++i) {
         if (condition(physics.latest().stage)) return true;
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -23,14 +23,14 @@ template <class Condition> bool comes_true(const PhysicsThread &physics, Conditi
 
 TEST(PhysicsThread, RunsByItselfAndObeysCommands) {
     PhysicsThread physics(test::load_boxes, "2");
-    EXPECT_TRUE(comes_true(physics, [](const StageState &state) { return state.statistics.steps > 5; }));
+    EXPECT_TRUE(comes_true(physics, [](const StageState& state) { return state.statistics.steps > 5; }));
     physics.post(command::Spawn{box_preset(), {0.0, 5.0, 0.0}});
-    EXPECT_TRUE(comes_true(physics, [](const StageState &state) { return state.layout->bodies.size() == 4; }));
+    EXPECT_TRUE(comes_true(physics, [](const StageState& state) { return state.layout->bodies.size() == 4; }));
     physics.post(command::SetPaused{true});
-    ASSERT_TRUE(comes_true(physics, [](const StageState &state) { return state.paused; }));
+    ASSERT_TRUE(comes_true(physics, [](const StageState& state) { return state.paused; }));
     const std::uint64_t steps = physics.latest().stage.statistics.steps;
     physics.post(command::SingleStep{});
-    EXPECT_TRUE(comes_true(physics, [&](const StageState &state) { return state.statistics.steps == steps + 1; }));
+    EXPECT_TRUE(comes_true(physics, [&](const StageState& state) { return state.statistics.steps == steps + 1; }));
 }
 
 TEST(PhysicsThread, LayoutAndMotionAlwaysMatch) {

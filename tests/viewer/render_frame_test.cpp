@@ -35,7 +35,7 @@ TEST(RenderFrame, RectangleLiesAlongItsTangent) {
     scene.world.add_shape(wall, Plane{{1.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 1.0f}, glm::vec2(3.0f, 2.0f)});
     const RenderFrame frame = make_frame(scene.world, {}, scene.camera);
     ASSERT_EQ(frame.rectangles.size(), 1u);
-    const Instance &rectangle = frame.rectangles[0];
+    const Instance& rectangle = frame.rectangles[0];
     const Quat turn(rectangle.rotation.w, rectangle.rotation.x, rectangle.rotation.y, rectangle.rotation.z);
     EXPECT_LT(glm::distance(turn * Vec3(0.0f, 1.0f, 0.0f), Vec3(1.0f, 0.0f, 0.0f)), 1e-5f);
     EXPECT_LT(glm::distance(turn * Vec3(1.0f, 0.0f, 0.0f), Vec3(0.0f, 0.0f, 1.0f)), 1e-5f);

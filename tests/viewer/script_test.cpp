@@ -22,11 +22,11 @@ TEST(Script, ReadsCommandsAndIgnoresComments) {
 }
 
 TEST(Script, BadLinesAreNamed) {
-    for (const char *line : {"jump", "wait", "wait soon", "cursor 1", "press nose", "quit now", "key"}) {
+    for (const char* line : {"jump", "wait", "wait soon", "cursor 1", "press nose", "quit now", "key"}) {
         try {
             parse_script(std::string("key U\n") + line + "\n", "demo");
             ADD_FAILURE() << line;
-        } catch (const Error &error) {
+        } catch (const Error& error) {
             EXPECT_EQ(error.field(), "demo:2") << line;
             EXPECT_EQ(error.code(), ErrorCode::invalid_file);
         }
@@ -39,7 +39,7 @@ TEST(ScriptPlayer, HandsOutEachLineWhenItsTimeHasCome) {
     ScriptPlayer player(parse_script("key A\nwait 1\nkey B\nkey C\nwait 0.5\nkey D\n", "s"));
     const auto due = [&player](double seconds) {
         std::string keys;
-        while (const ScriptLine *line = player.next(seconds)) {
+        while (const ScriptLine* line = player.next(seconds)) {
             keys += line->word;
             seconds = 0.0;
         }

@@ -12,7 +12,7 @@ namespace {
 using namespace cairn::viewer;
 
 class WebShaders : public testing::Test {
-protected:
+  protected:
     void SetUp() override {
         if (!epoxy_has_egl() || !epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless"))
             GTEST_SKIP() << "no surfaceless EGL here";
@@ -36,9 +36,9 @@ protected:
     }
 
     // The compiler's complaints; empty if it compiled.
-    static std::string compile(GLenum stage, const std::string &source) {
+    static std::string compile(GLenum stage, const std::string& source) {
         const GLuint shader = glCreateShader(stage);
-        const char *parts[] = {shaders::web_header, source.c_str()};
+        const char* parts[] = {shaders::web_header, source.c_str()};
         glShaderSource(shader, 2, parts, nullptr);
         glCompileShader(shader);
         GLint ok = 0;
@@ -49,18 +49,18 @@ protected:
         return ok ? std::string() : std::string("failed: ") + log;
     }
 
-private:
+  private:
     EGLDisplay display_ = EGL_NO_DISPLAY;
     EGLContext context_ = EGL_NO_CONTEXT;
 };
 
 TEST_F(WebShaders, VertexShadersCompile) {
-    for (const char *source : {shaders::body_vertex, shaders::ground_vertex, shaders::sky_vertex, shaders::line_vertex})
+    for (const char* source : {shaders::body_vertex, shaders::ground_vertex, shaders::sky_vertex, shaders::line_vertex})
         EXPECT_EQ(compile(GL_VERTEX_SHADER, source), "");
 }
 
 TEST_F(WebShaders, FragmentShadersCompile) {
-    for (const char *source : {shaders::body_fragment, shaders::ground_fragment, shaders::sky_fragment})
+    for (const char* source : {shaders::body_fragment, shaders::ground_fragment, shaders::sky_fragment})
         EXPECT_EQ(compile(GL_FRAGMENT_SHADER, std::string(shaders::lighting) + source), "");
     EXPECT_EQ(compile(GL_FRAGMENT_SHADER, shaders::line_fragment), "");
     EXPECT_EQ(compile(GL_FRAGMENT_SHADER, shaders::shadow_fragment), "");

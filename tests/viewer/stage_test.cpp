@@ -12,10 +12,10 @@ using namespace cairn::viewer;
 
 constexpr double frame = 1.0 / 60.0;
 
-std::size_t body_count(const Stage &stage) { return stage.state().layout->bodies.size(); }
+std::size_t body_count(const Stage& stage) { return stage.state().layout->bodies.size(); }
 
 // The position of body number i of the layout; 0 is the ground.
-Position position_of(const Stage &stage, std::size_t i) { return stage.state().current->transforms[i].position; }
+Position position_of(const Stage& stage, std::size_t i) { return stage.state().current->transforms[i].position; }
 
 const Ray at_first_box{{0.0, 0.6, 10.0}, {0.0f, 0.0f, -1.0f}};
 const Ray at_nothing{{0.0, 0.6, 10.0}, {0.0f, 1.0f, 0.0f}};
@@ -198,7 +198,7 @@ TEST(Stage, PauseStopsAndSingleStepAdvancesByOne) {
 
 TEST(Stage, SlowFramesDoNotChangeTheSimulation) {
     Stage even(test::load_boxes, "3"), uneven(test::load_boxes, "3");
-    for (Stage *stage : {&even, &uneven}) stage->apply(command::Spawn{box_preset(), {0.3, 3.0, 0.0}});
+    for (Stage* stage : {&even, &uneven}) stage->apply(command::Spawn{box_preset(), {0.3, 3.0, 0.0}});
     while (even.world().step_count() < 120) even.advance(frame);
     for (int i = 0; uneven.world().step_count() < 120; ++i) {
         uneven.apply(command::SetSpeed{i % 3 == 0 ? 0.25 : 1.0});

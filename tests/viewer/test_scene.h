@@ -9,7 +9,7 @@
 namespace cairn::viewer::test {
 
 /// What a dynamic body at that place is made from.
-inline BodyDef body_at(const Position &position) {
+inline BodyDef body_at(const Position& position) {
     BodyDef def;
     def.position = position;
     return def;
@@ -43,7 +43,7 @@ inline LoadedScene boxes_on_plane(int boxes = 2) {
 }
 
 /// Loads `boxes` boxes for the path "N", and fails for a path that is not a number.
-inline LoadedScene load_boxes(const std::string &path) {
+inline LoadedScene load_boxes(const std::string& path) {
     if (path.find_first_not_of("0123456789") != std::string::npos)
         throw Error(ErrorCode::io, path, "", "must be a number");
     return boxes_on_plane(std::stoi(path));

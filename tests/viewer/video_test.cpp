@@ -16,7 +16,7 @@ using namespace cairn;
 using namespace cairn::viewer;
 namespace fs = std::filesystem;
 
-fs::path new_path(const char *name) {
+fs::path new_path(const char* name) {
     return fs::temp_directory_path() /
            (std::to_string(std::chrono::steady_clock::now().time_since_epoch().count()) + name);
 }
@@ -54,13 +54,13 @@ TEST(VideoWriter, RefusesOddSizesAndPicturesOfAnotherSize) {
 }
 
 TEST(VideoWriter, MissingFfmpegIsAClearError) {
-    const char *before = std::getenv("PATH");
+    const char* before = std::getenv("PATH");
     const std::string path = before ? before : "";
     setenv("PATH", "/nonexistent", 1);
     try {
         VideoWriter writer(new_path(".mp4"), 64, 48);
         ADD_FAILURE() << "no error";
-    } catch (const Error &error) {
+    } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::unsupported);
         EXPECT_NE(std::string(error.what()).find("ffmpeg"), std::string::npos);
     }

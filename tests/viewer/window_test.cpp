@@ -20,7 +20,7 @@ using Json = nlohmann::json;
 void pause_for(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
 
 class Driver {
-public:
+  public:
     Driver(std::string folder, pid_t viewer) : folder_(std::move(folder)), viewer_(viewer) {}
 
     int failures() const { return failures_; }
@@ -32,7 +32,7 @@ public:
     }
 
     /// The condition must become true within fifteen seconds.
-    void check(const std::string &name, const std::function<bool(const Json &)> &condition) {
+    void check(const std::string& name, const std::function<bool(const Json&)>& condition) {
         for (int i = 0; i < 150 && kill(viewer_, 0) == 0; ++i) {
             const Json now = state();
             if (now.is_object() && condition(now)) {
@@ -45,9 +45,9 @@ public:
         ++failures_;
     }
 
-    bool xdotool(const std::string &arguments) const { return std::system(("xdotool " + arguments).c_str()) == 0; }
+    bool xdotool(const std::string& arguments) const { return std::system(("xdotool " + arguments).c_str()) == 0; }
     // Held for long enough that a slow frame sees it.
-    void key(const std::string &name) const {
+    void key(const std::string& name) const {
         xdotool("keydown " + name);
         pause_for(0.15);
         xdotool("keyup " + name);
@@ -77,29 +77,29 @@ public:
         return false;
     }
 
-private:
+  private:
     std::string folder_, window_;
     pid_t viewer_;
     int failures_ = 0;
 };
 
-const Json &crate(const Json &state) {
-    for (const Json &body : state.at("bodies"))
+const Json& crate(const Json& state) {
+    for (const Json& body : state.at("bodies"))
         if (body.at("name") == "crate") return body;
     static const Json none{{"position", {1e9, 1e9, 1e9}}, {"index", -1}, {"speed", 1e9}, {"screen", {0, 0}}};
     return none;
 }
 
-double crate_at(const Json &state, int axis) { return crate(state).at("position").at(std::size_t(axis)).get<double>(); }
+double crate_at(const Json& state, int axis) { return crate(state).at("position").at(std::size_t(axis)).get<double>(); }
 
-double camera_at(const Json &state, int axis) {
+double camera_at(const Json& state, int axis) {
     return state.at("camera").at("position").at(std::size_t(axis)).get<double>();
 }
 
-void test_bodies(Driver &driver) {
-    const auto bodies = [](int count) { return [count](const Json &s) { return s.at("dynamic_count") == count; }; };
+void test_bodies(Driver& driver) {
+    const auto bodies = [](int count) { return [count](const Json& s) { return s.at("dynamic_count") == count; }; };
     driver.check("opens the scene",
-                 [](const Json &s) { return s.at("scene").at("title") == "One box" && s.at("dynamic_count") == 1; });
+                 [](const Json& s) { return s.at("scene").at("title") == "One box" && s.at("dynamic_count") == 1; });
     driver.key("u");
     driver.check("U adds a box", bodies(2));
     driver.key("i");
@@ -110,62 +110,62 @@ void test_bodies(Driver &driver) {
     driver.check("Backspace removes the last body", bodies(3));
     driver.key("Delete");
     driver.check("Delete resets the scene",
-                 [](const Json &s) { return s.at("dynamic_count") == 1 && s.at("scene").at("loads") == 2; });
+                 [](const Json& s) { return s.at("dynamic_count") == 1 && s.at("scene").at("loads") == 2; });
 }
 
-void test_time(Driver &driver) {
+void test_time(Driver& driver) {
     driver.key("space");
-    driver.check("Space pauses", [](const Json &s) { return s.at("paused") == true; });
+    driver.check("Space pauses", [](const Json& s) { return s.at("paused") == true; });
     const std::uint64_t steps = driver.state().at("steps").get<std::uint64_t>();
     driver.key("period");
     driver.check("a period takes one step",
-                 [&](const Json &s) { return s.at("steps") == steps + 1 && s.at("paused") == true; });
+                 [&](const Json& s) { return s.at("steps") == steps + 1 && s.at("paused") == true; });
     driver.key("space");
-    driver.check("Space runs again", [&](const Json &s) {
+    driver.check("Space runs again", [&](const Json& s) {
         return s.at("paused") == false && s.at("steps").get<std::uint64_t>() > steps + 5;
     });
     driver.key("bracketleft");
-    driver.check("[ slows down", [](const Json &s) { return s.at("speed") == 0.5; });
+    driver.check("[ slows down", [](const Json& s) { return s.at("speed") == 0.5; });
     driver.key("bracketright");
-    driver.check("] speeds up", [](const Json &s) { return s.at("speed") == 1.0; });
+    driver.check("] speeds up", [](const Json& s) { return s.at("speed") == 1.0; });
 }
 
-void test_mouse(Driver &driver) {
+void test_mouse(Driver& driver) {
     const Json start = driver.state();
     const double x = crate(start).at("screen").at(0).get<double>(), y = crate(start).at("screen").at(1).get<double>();
     driver.cursor(x, y);
     driver.press();
     driver.check("a press on a body grabs and selects it",
-                 [](const Json &s) { return s.at("dragging") == true && s.at("selected") == crate(s).at("index"); });
+                 [](const Json& s) { return s.at("dragging") == true && s.at("selected") == crate(s).at("index"); });
     driver.cursor(x + 40, y - 120);
     driver.check("the dragged body follows the mouse",
-                 [](const Json &s) { return crate_at(s, 1) > 1.5 && crate_at(s, 0) > 0.2; });
+                 [](const Json& s) { return crate_at(s, 1) > 1.5 && crate_at(s, 0) > 0.2; });
     driver.let_go();
-    driver.check("let go, it falls", [](const Json &s) { return s.at("dragging") == false && crate_at(s, 1) < 1.0; });
+    driver.check("let go, it falls", [](const Json& s) { return s.at("dragging") == false && crate_at(s, 1) < 1.0; });
 
     const double before = camera_at(driver.state(), 0);
     driver.cursor(600, 150); // the sky: beside the panel, the title and the body
     driver.press();
     driver.cursor(500, 150);
     driver.let_go();
-    driver.check("a drag beside bodies orbits", [&](const Json &s) {
+    driver.check("a drag beside bodies orbits", [&](const Json& s) {
         return std::abs(camera_at(s, 0) - before) > 0.3 && s.at("camera").at("target").at(1) == 1.0;
     });
     driver.key("Home");
-    driver.check("Home restores the view", [](const Json &s) { return std::abs(camera_at(s, 0)) < 0.01; });
+    driver.check("Home restores the view", [](const Json& s) { return std::abs(camera_at(s, 0)) < 0.01; });
     driver.xdotool("click 4");
-    driver.check("the wheel zooms", [](const Json &s) { return camera_at(s, 2) < 7.9; });
+    driver.check("the wheel zooms", [](const Json& s) { return camera_at(s, 2) < 7.9; });
 }
 
-void test_forces(Driver &driver) {
+void test_forces(Driver& driver) {
     driver.key("Delete");
-    driver.check("reset before the forces", [](const Json &s) { return s.at("scene").at("loads") == 3; });
+    driver.check("reset before the forces", [](const Json& s) { return s.at("scene").at("loads") == 3; });
     struct ForceKey {
-        const char *name;
+        const char* name;
         std::size_t axis;
         double sign;
     };
-    for (const ForceKey &force : {ForceKey{"KP_6", 0, 1.0},
+    for (const ForceKey& force : {ForceKey{"KP_6", 0, 1.0},
                                   {"KP_4", 0, -1.0},
                                   {"KP_9", 1, 1.0},
                                   {"KP_7", 1, -1.0},
@@ -174,48 +174,48 @@ void test_forces(Driver &driver) {
                                   {"shift+Left", 0, -1.0}}) {
         driver.xdotool(std::string("keydown ") + force.name);
         driver.check(std::string(force.name) + " pushes while held",
-                     [&](const Json &s) { return s.at("force").at(force.axis) == 40.0 * force.sign; });
+                     [&](const Json& s) { return s.at("force").at(force.axis) == 40.0 * force.sign; });
         driver.xdotool(std::string("keyup ") + force.name);
-        driver.check(std::string(force.name) + " ends with the key", [](const Json &s) {
+        driver.check(std::string(force.name) + " ends with the key", [](const Json& s) {
             return s.at("force") == Json::array({0.0, 0.0, 0.0});
         });
     }
     driver.check("the pushed crate has moved",
-                 [](const Json &s) { return std::abs(crate_at(s, 0)) + std::abs(crate_at(s, 2)) > 0.2; });
+                 [](const Json& s) { return std::abs(crate_at(s, 0)) + std::abs(crate_at(s, 2)) > 0.2; });
     driver.xdotool("keydown c");
-    driver.check("C pulls to the center while held", [](const Json &s) { return s.at("pulled") == true; });
+    driver.check("C pulls to the center while held", [](const Json& s) { return s.at("pulled") == true; });
     driver.xdotool("keyup c");
-    driver.check("C ends with the key", [](const Json &s) { return s.at("pulled") == false; });
+    driver.check("C ends with the key", [](const Json& s) { return s.at("pulled") == false; });
     driver.xdotool("keydown x");
     driver.check("X freezes while held",
-                 [](const Json &s) { return s.at("frozen") == true && crate(s).at("speed").get<double>() < 0.2; });
+                 [](const Json& s) { return s.at("frozen") == true && crate(s).at("speed").get<double>() < 0.2; });
     driver.xdotool("keyup x");
-    driver.check("X ends with the key", [](const Json &s) { return s.at("frozen") == false; });
+    driver.check("X ends with the key", [](const Json& s) { return s.at("frozen") == false; });
 }
 
-void test_picture_and_scenes(Driver &driver) {
+void test_picture_and_scenes(Driver& driver) {
     driver.key("Tab");
-    driver.check("Tab changes the colors", [](const Json &s) { return s.at("colors") == "mass"; });
+    driver.check("Tab changes the colors", [](const Json& s) { return s.at("colors") == "mass"; });
     driver.key("g");
-    driver.check("G hides the grid", [](const Json &s) { return s.at("grid") == false; });
+    driver.check("G hides the grid", [](const Json& s) { return s.at("grid") == false; });
     driver.key("F1");
-    driver.check("F1 shows the key map", [](const Json &s) { return s.at("help") == true; });
+    driver.check("F1 shows the key map", [](const Json& s) { return s.at("help") == true; });
     driver.key("Escape");
-    driver.check("Escape hides it", [](const Json &s) { return s.at("help") == false; });
+    driver.check("Escape hides it", [](const Json& s) { return s.at("help") == false; });
     driver.key("F2");
-    driver.check("F2 hides the panel", [](const Json &s) { return s.at("panel") == false; });
+    driver.check("F2 hides the panel", [](const Json& s) { return s.at("panel") == false; });
     driver.key("1");
-    driver.check("1 chooses the first scene", [](const Json &s) { return s.at("scene").at("loads") == 4; });
+    driver.check("1 chooses the first scene", [](const Json& s) { return s.at("scene").at("loads") == 4; });
     const std::string first = driver.state().at("scene").at("path").get<std::string>();
     driver.key("2");
-    driver.check("2 chooses the second scene", [&](const Json &s) {
+    driver.check("2 chooses the second scene", [&](const Json& s) {
         return s.at("scene").at("loads") == 5 && s.at("scene").at("path").get<std::string>() > first;
     });
 }
 
 } // namespace
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
     if (argc != 3) {
         std::cerr << "usage: window_test FOLDER VIEWER_PROCESS\n";
         return 2;
