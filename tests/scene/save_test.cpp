@@ -121,10 +121,9 @@ TEST(SceneSave, EverythingAFileCanSay) {
     parts.materials += R"(,{"staticFriction":0.91,"dynamicFriction":0.7,"restitution":0.2,"frictionCombine":"multiply",
         "restitutionCombine":"minimum","extensions":{"CAIRN_material":{"density":512.3,"rolling_friction":0.01}}})";
     parts.nodes =
-        node(
-            R"("name":"mixed","translation":[0.1,2.7,-3.3],"rotation":[0.1,0.2,0.3,0.9273618],"children":[1,2],)",
-            R"("motion":{"mass":3.3,"linearVelocity":[0.1,0.2,0.3],"angularVelocity":[-1,0.7,5],)"
-            R"("gravityFactor":0.3})") +
+        node(R"("name":"mixed","translation":[0.1,2.7,-3.3],"rotation":[0.1,0.2,0.3,0.9273618],"children":[1,2],)",
+             R"("motion":{"mass":3.3,"linearVelocity":[0.1,0.2,0.3],"angularVelocity":[-1,0.7,5],)"
+             R"("gravityFactor":0.3})") +
         "," + node(R"("translation":[0.3,0,0],)", R"("collider":{"geometry":{"shape":1},"physicsMaterial":1})") + "," +
         node(R"("rotation":[0,0.6,0,0.8],"translation":[0,0.7,0],)", sphere) + "," +
         node(R"("name":"given",)", R"("motion":{"mass":2.2,"centerOfMass":[0,-0.25,0.1],"inertiaDiagonal":[1.1,0,3.3],
