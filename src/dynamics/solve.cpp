@@ -5,6 +5,7 @@
 #include "math/rotation.h"
 
 #include <algorithm>
+#include <chrono>
 
 namespace cairn {
 
@@ -244,6 +245,7 @@ void scatter_body(State& s, std::int32_t b, std::size_t row) {
 }
 
 void solve_bin(State& s, const Bin& bin, float dt) {
+    const auto start = std::chrono::steady_clock::now();
     SolverScratch& scratch = s.solver;
     const float h = dt / float(bin.substeps);
     gather_bodies(s, bin);
@@ -257,6 +259,8 @@ void solve_bin(State& s, const Bin& bin, float dt) {
     for (const BlockRun& run : scratch.runs)
         kernels_for(run).prepare(blocks_of(scratch, run), run.count, lanes_of(scratch, run), s.records.data(),
                                  scratch.inertia.data(), friction_margin);
+    s.statistics.times.prepare +=
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     run_substeps(s, bin, dt, bounces);
     for (const BlockRun& run : scratch.runs)
         kernels_for(run).store(blocks_of(scratch, run), run.count, lanes_of(scratch, run), s.records.data());
@@ -284,6 +288,7 @@ void move_kinematics(State& s, float dt) {
 
 void solve_bins(State& s, float dt) {
     s.solver.free_bodies.clear();
+    s.statistics.times.prepare = 0;
     for (const Bin& bin : s.solver.bins) solve_bin(s, bin, dt);
     for (const std::int32_t b : s.solver.free_bodies) move_free_body(s, b, dt);
     move_kinematics(s, dt);

@@ -59,7 +59,7 @@ void World::step(float dt) {
     pack_bins(state);
     times.islands = clock.lap();
     solve_bins(state, dt);
-    times.solve = clock.lap();
+    times.solve = clock.lap() - times.prepare;
     finalize_bodies(state, dt);
     report_contacts(state, dt);
     update_sleep(state);
