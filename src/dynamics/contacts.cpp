@@ -115,6 +115,18 @@ OldPoints old_points(const ContactRecord& r, int count, math::Quat turned) {
     return old;
 }
 
+void forget_impulses(ContactRecord& r) {
+    for (int i = 0; i < 4; ++i) r.impulses[i] = r.total_impulses[i] = 0;
+    put(r.friction_impulse, {});
+    put(r.total_friction, {});
+    r.torsion_impulse = 0;
+}
+
+void end_touch(State& s, ContactInfo& c) {
+    c.touching = 0;
+    s.next_ends.push_back({s.shape_id(c.shape_a), s.shape_id(c.shape_b), s.body_id(c.body_a), s.body_id(c.body_b)});
+}
+
 void write_record(State& s, std::uint32_t id, const Manifold& m) {
     ContactInfo& c = s.contacts[id];
     ContactRecord& r = s.records[id];
@@ -131,11 +143,8 @@ void write_record(State& s, std::uint32_t id, const Manifold& m) {
         const bool used = i < m.count;
         put(r.points[i], used ? to_vec(m.points[i]) + offset : math::Vec3{});
         r.points[i][3] = used ? m.points[i][3] : unused;
-        r.impulses[i] = r.total_impulses[i] = 0;
     }
-    put(r.friction_impulse, {});
-    put(r.total_friction, {});
-    r.torsion_impulse = 0;
+    forget_impulses(r);
     // From the sphere's center to the point midway between the surfaces.
     auto sphere_radius = [&](std::uint32_t shape) {
         const Geometry& g = s.geometry[shape];
@@ -212,9 +221,7 @@ void end_contact(State& s, std::uint32_t id) {
     c.point_count = 0;
     const std::int32_t island = s.bodies[std::size_t(c.body_a)].island;
     if (island != none) s.islands[std::size_t(island)].lost_contact |= c.b_moves;
-    if (c.touching)
-        s.next_ends.push_back({s.shape_id(c.shape_a), s.shape_id(c.shape_b), s.body_id(c.body_a), s.body_id(c.body_b)});
-    c.touching = 0;
+    if (c.touching) end_touch(s, c);
 }
 
 void update_contacts(State& s, float dt) {
@@ -245,14 +252,6 @@ void update_contacts(State& s, float dt) {
         if (s.is_awake(s.contacts[id].body_a)) s.solved.push_back(id);
 }
 
-// Impulses beyond the range of numbers (of bodies that were stopped for it) must not start the next step.
-static void forget_impulses(ContactRecord& r) {
-    for (int i = 0; i < 4; ++i) r.impulses[i] = r.total_impulses[i] = 0;
-    put(r.friction_impulse, {});
-    put(r.total_friction, {});
-    r.torsion_impulse = 0;
-}
-
 void report_contacts(State& s, float dt) {
     Statistics& statistics = s.statistics;
     statistics.max_penetration = 0;
@@ -262,6 +261,7 @@ void report_contacts(State& s, float dt) {
         const float separation = least_separation(c, r);
         float impulse = 0;
         for (int i = 0; i < c.point_count; ++i) impulse += r.total_impulses[i];
+        // Impulses beyond the range of numbers (of bodies that were stopped for it) must not start the next step.
         if (!std::isfinite(impulse) || !math::is_finite(to_vec(r.friction_impulse))) forget_impulses(s.records[id]);
         statistics.max_penetration = std::max(statistics.max_penetration, double(-separation));
         note_load(s, c, std::isfinite(impulse) ? impulse / dt : 0);
@@ -280,9 +280,7 @@ void report_contacts(State& s, float dt) {
                     {a, b, body_a, body_b, {p.x, p.y, p.z}, {r.normal[0], r.normal[1], r.normal[2]}, r.approach_speed});
             }
         } else if (c.touching && impulse == 0 && separation > 0.25f * c.base_margin) {
-            c.touching = 0;
-            s.next_ends.push_back(
-                {s.shape_id(c.shape_a), s.shape_id(c.shape_b), s.body_id(c.body_a), s.body_id(c.body_b)});
+            end_touch(s, c);
         }
     }
 }
@@ -303,7 +301,5 @@ ContactRecord advanced_record(const State& s, std::uint32_t id) {
     put(r.center_offset, offset);
     return r;
 }
-
-void advance_record(State& s, std::uint32_t id) { s.records[id] = advanced_record(s, id); }
 
 } // namespace cairn

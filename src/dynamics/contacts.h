@@ -15,8 +15,7 @@ void update_contacts(State& state, float dt);
 // After the solver: begin, end and hit events, sustained loads, counts.
 void report_contacts(State& state, float dt);
 
-// Moves a record that was written at the start of the last step to the poses at its end.
-void advance_record(State& state, std::uint32_t contact);
+// A record that was written at the start of the last step, moved to the poses at its end.
 ContactRecord advanced_record(const State& state, std::uint32_t contact);
 
 // Coefficients of the two materials together, by the rules of KHR_physics_rigid_bodies.

@@ -117,7 +117,7 @@ Increment translate(Integrator integrator, DVec3 dv) {
 
 // What acts on one body, apart from contacts.
 struct Load {
-    DVec3 force_acceleration, torque;
+    DVec3 force_acceleration;
     float gravity_scale, inverse_mass;
 };
 
@@ -142,8 +142,7 @@ bool fields_vary(const State& s) {
 Load load_on(const State& s, std::int32_t b) {
     const BodyMass& mass = s.mass[std::size_t(b)];
     const BodyForces& forces = s.forces[std::size_t(b)];
-    return {double(mass.inverse_mass) * forces.force, forces.torque, s.body_settings[std::size_t(b)].gravity_scale,
-            mass.inverse_mass};
+    return {double(mass.inverse_mass) * forces.force, s.body_settings[std::size_t(b)].gravity_scale, mass.inverse_mass};
 }
 
 void write_linear(State& s, std::size_t row, const Increment& change) {
@@ -267,9 +266,11 @@ void prepare_free_motion(State& s, float h, bool corrects) {
         const std::int32_t b = scratch.row_bodies[row];
         if (b == none || !s.is_dynamic(b)) continue;
         const BodyMotion& motion = s.motion[std::size_t(b)];
-        if (s.mass[std::size_t(b)].inverse_mass > 0)
+        // What varies is computed at the start of each substep.
+        const BodyMass& mass = s.mass[std::size_t(b)];
+        if (mass.inverse_mass > 0 && !scratch.drive_varies)
             write_linear(s, row, linear_increment(s, load_on(s, b), motion.x, math::to_double(motion.v), h));
-        if (s.forces[std::size_t(b)].any) spin_row(s, row, math::to_double(motion.w), h);
+        if (mass.isotropic && s.forces[std::size_t(b)].any) spin_row(s, row, math::to_double(motion.w), h);
     }
 }
 

@@ -72,7 +72,8 @@ void append_all(State& state, std::int32_t into, std::int32_t from) {
 void settle_contacts(State& state) {
     for (const std::uint32_t id : state.solved) {
         const ContactInfo& contact = state.contacts[id];
-        if (contact.in_use && contact.point_count > 0 && !state.is_awake(contact.body_a)) advance_record(state, id);
+        if (contact.in_use && contact.point_count > 0 && !state.is_awake(contact.body_a))
+            state.records[id] = advanced_record(state, id);
     }
 }
 

@@ -18,7 +18,7 @@ constexpr float pi = 3.14159265358979f;
 SolverVelocity to_row(math::Vec3 v, math::Vec3 w) { return {{v.x, v.y, v.z}, 0, {w.x, w.y, w.z}, 0}; }
 
 // Catto's soft constraint ("Soft Constraints", GDC 2011) as a spring of that frequency (Hz) and damping ratio, in a
-// substep of h seconds. The frequency follows the substep, uncapped: docs/decisions/solver.md has the measurements.
+// substep of h seconds. The frequency follows the substep, uncapped: docs/solver.md says why.
 void set_softness(ContactSoftness& s, float h, float recovery_speed) {
     constexpr float damping_ratio = 10.0f;
     auto spring = [&](float frequency, float& bias_rate, float& mass_scale, float& impulse_scale) {

@@ -152,7 +152,7 @@ struct State {
 
     SlotPool field_slots;
     std::vector<ForceField> fields;
-    std::vector<std::uint32_t> dead_bodies, dead_shapes, dead_fields; // recycled after the broad phase's update
+    std::vector<std::uint32_t> dead_bodies, dead_shapes; // recycled after the broad phase's update
 
     BroadPhase broad_phase{kernels().broad};
 
