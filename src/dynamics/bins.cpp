@@ -18,6 +18,19 @@ std::uint32_t order_key(const ContactInfo& c) {
     return 2 * rank + (c.point_count == 1 ? 1u : 0u);
 }
 
+// Impulses are those of one substep: with another length of substep they are others.
+void rescale_impulses(ContactInfo& c, ContactRecord& r, float h) {
+    if (c.substep_time == h) return;
+    if (c.substep_time > 0) {
+        const float ratio = h / c.substep_time;
+        const float factor = ratio > 1e-3f && ratio < 1e3f ? ratio : 0.0f; // too different to say anything
+        for (float& impulse : r.impulses) impulse *= factor;
+        for (float& impulse : r.friction_impulse) impulse *= factor;
+        r.torsion_impulse *= factor;
+    }
+    c.substep_time = h;
+}
+
 void open_bin(SolverScratch& scratch, std::int32_t substeps) {
     Bin bin;
     bin.substeps = substeps;
@@ -26,7 +39,7 @@ void open_bin(SolverScratch& scratch, std::int32_t substeps) {
 
 } // namespace
 
-void pack_bins(State& s) {
+void pack_bins(State& s, float dt) {
     SolverScratch& scratch = s.solver;
     scratch.bins.clear();
     scratch.contacts_of_island.assign(s.islands.size(), 0);
@@ -78,8 +91,16 @@ void pack_bins(State& s) {
     }
     for (std::size_t k = 1; k < scratch.key_counts.size(); ++k) scratch.key_counts[k] += scratch.key_counts[k - 1];
     scratch.sorted.resize(s.solved.size());
-    for (std::size_t k = 0; k < s.solved.size(); ++k)
-        scratch.sorted[scratch.key_counts[scratch.keys[k]]++] = s.solved[k];
+    for (std::size_t k = 0; k < s.solved.size(); ++k) {
+        const std::uint32_t id = s.solved[k], key = scratch.keys[k];
+        ContactInfo& c = s.contacts[id];
+        Bin& bin = scratch.bins[key / keys_per_bin];
+        rescale_impulses(c, s.records[id], dt / float(bin.substeps));
+        bin.bounces |= c.bounces != 0;
+        const bool moves = c.b_moves || s.body_settings[std::size_t(c.body_b)].type == BodyType::kinematic;
+        scratch.sorted[scratch.key_counts[key]++] = {id, c.body_a, moves ? c.body_b : none, c.color,
+                                                     std::uint8_t(c.point_count != 1)};
+    }
 }
 
 } // namespace cairn

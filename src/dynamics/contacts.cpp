@@ -7,6 +7,7 @@
 #include "dynamics/solver.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace cairn {
 
@@ -71,7 +72,7 @@ void match_points(const OldPoints& old, float tolerance, int count, ContactRecor
     };
     for (int i = 0; i < count; ++i) {
         int match = -1;
-        // Mostly the order stays as well, and then four distances do instead of sixteen.
+        // Mostly the order stays as well.
         if (i < old.count && !(taken & (1u << i)) && square_distance(i, i) < 0.0625f * limit) {
             match = i;
         } else {
@@ -127,32 +128,61 @@ void end_touch(State& s, ContactInfo& c) {
     s.next_ends.push_back({s.shape_id(c.shape_a), s.shape_id(c.shape_b), s.body_id(c.body_a), s.body_id(c.body_b)});
 }
 
+// Four floats side by side: a point and its separation.
+using Float4 = float __attribute__((vector_size(16)));
+Float4 load4(const float* p) {
+    Float4 v;
+    std::memcpy(&v, p, sizeof(v));
+    return v;
+}
+void store4(float* p, Float4 v) { std::memcpy(p, &v, sizeof(v)); }
+
+// Whether each point is where the old one of the same number is, in A's frame: then all impulses stay as they are.
+// That is the common case, and this its short way.
+bool points_stay(const ContactRecord& r, const Float4* points, const math::Mat3& turned, float tolerance) {
+    const Float4 x = {turned.c0.x, turned.c0.y, turned.c0.z}, y = {turned.c1.x, turned.c1.y, turned.c1.z},
+                 z = {turned.c2.x, turned.c2.y, turned.c2.z};
+    float greatest = 0;
+    for (int i = 0; i < 4; ++i) {
+        const float* old = r.points[i];
+        const Float4 difference = points[i] - (old[0] * x + old[1] * y + old[2] * z), square = difference * difference;
+        greatest = std::max(greatest, square[0] + square[1] + square[2]);
+    }
+    return greatest < 0.0625f * tolerance * tolerance;
+}
+
+// From a sphere's center to the point midway between the surfaces; 0 for other shapes.
+float contact_radius(const State& s, std::uint32_t shape, float separation) {
+    const Geometry& g = s.geometry[shape];
+    return g.type == ShapeType::sphere ? g.size.x + 0.5f * separation : 0.0f;
+}
+
 void write_record(State& s, std::uint32_t id, const Manifold& m) {
     ContactInfo& c = s.contacts[id];
     ContactRecord& r = s.records[id];
-    const OldPoints old = old_points(r, c.point_count, s.turned[std::size_t(c.body_a)]);
     math::Vec3 normal = to_vec(m.normal), offset = s.shapes[c.shape_a].arm;
     if (c.flipped) {
         const ShapePose &a = s.shape_poses[c.shape_a], &b = s.shape_poses[c.shape_b];
         offset = offset - ((to_vec(a.high) - to_vec(b.high)) + (to_vec(a.low) - to_vec(b.low)));
         normal = -normal;
     }
+    Float4 points[4];
+    for (int i = 0; i < 4; ++i)
+        points[i] = i < m.count ? load4(m.points[i]) + Float4{offset.x, offset.y, offset.z} : Float4{0, 0, 0, unused};
+    const math::Quat turned = s.turned[std::size_t(c.body_a)];
+    const bool stay = m.count == c.point_count && points_stay(r, points, math::to_matrix(turned), c.match_tolerance);
+    OldPoints old;
+    if (!stay) old = old_points(r, c.point_count, turned);
     put(r.normal, normal);
     put(r.center_offset, math::to_float(s.motion[std::size_t(c.body_a)].x - s.motion[std::size_t(c.body_b)].x));
-    for (int i = 0; i < 4; ++i) {
-        const bool used = i < m.count;
-        put(r.points[i], used ? to_vec(m.points[i]) + offset : math::Vec3{});
-        r.points[i][3] = used ? m.points[i][3] : unused;
+    for (int i = 0; i < 4; ++i) store4(r.points[i], points[i]);
+    if (c.kind <= PairKind::sphere_rectangle) {
+        r.radius_a = contact_radius(s, c.shape_a, m.points[0][3]);
+        r.radius_b = contact_radius(s, c.shape_b, m.points[0][3]);
     }
-    forget_impulses(r);
-    // From the sphere's center to the point midway between the surfaces.
-    auto sphere_radius = [&](std::uint32_t shape) {
-        const Geometry& g = s.geometry[shape];
-        return g.type == ShapeType::sphere ? g.size.x + 0.5f * m.points[0][3] : 0.0f;
-    };
-    r.radius_a = sphere_radius(c.shape_a);
-    r.radius_b = sphere_radius(c.shape_b);
     c.point_count = std::uint8_t(m.count);
+    if (stay) return;
+    forget_impulses(r);
     if (old.count > 0) match_points(old, c.match_tolerance, m.count, r);
 }
 

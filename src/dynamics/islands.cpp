@@ -101,8 +101,9 @@ std::int32_t find_root(std::vector<std::int32_t>& parent, std::int32_t i) {
 void split_island(State& state, std::int32_t i) {
     // Number the bodies in list order; the root of a part is its first body.
     std::vector<std::int32_t> members, parent;
+    std::vector<std::int32_t>& number = state.solver.row_of_body; // free between two steps of the solver
     for (std::int32_t b = island_at(state, i).first_body; b != none; b = body_at(state, b).next_in_island) {
-        body_at(state, b).row = std::int32_t(members.size());
+        number[std::size_t(b)] = std::int32_t(members.size());
         parent.push_back(std::int32_t(members.size()));
         members.push_back(b);
     }
@@ -110,8 +111,8 @@ void split_island(State& state, std::int32_t i) {
         const ContactInfo& contact = state.contacts[id];
         if (!contact.in_use || contact.point_count == 0 || !contact.b_moves) continue;
         if (body_at(state, contact.body_a).island != i) continue;
-        const std::int32_t a = find_root(parent, body_at(state, contact.body_a).row);
-        const std::int32_t b = find_root(parent, body_at(state, contact.body_b).row);
+        const std::int32_t a = find_root(parent, number[std::size_t(contact.body_a)]);
+        const std::int32_t b = find_root(parent, number[std::size_t(contact.body_b)]);
         parent[std::size_t(std::max(a, b))] = std::min(a, b);
     }
     Island& island = island_at(state, i);
@@ -123,7 +124,7 @@ void split_island(State& state, std::int32_t i) {
         const std::size_t root = std::size_t(find_root(parent, std::int32_t(k)));
         if (part[root] == none) part[root] = root == 0 ? i : new_island(state);
         append_body(state, part[root], members[k]);
-        body_at(state, members[k]).row = none;
+        number[std::size_t(members[k])] = none;
     }
 }
 

@@ -48,35 +48,21 @@ void gather_bodies(State& s, const Bin& bin) {
                 scratch.free_bodies.push_back(b);
                 continue;
             }
-            s.bodies[std::size_t(b)].row = std::int32_t(scratch.row_bodies.size());
+            scratch.row_of_body[std::size_t(b)] = std::int32_t(scratch.row_bodies.size());
             scratch.row_bodies.push_back(b);
         }
     }
 }
 
-// The row of the body that a contact leans on: that of a moving body, else the fixed row.
-std::int32_t row_of_b(State& s, const ContactInfo& c) {
-    if (c.b_moves) return s.bodies[std::size_t(c.body_b)].row;
-    if (s.body_settings[std::size_t(c.body_b)].type != BodyType::kinematic) return fixed_row;
-    std::int32_t& row = s.bodies[std::size_t(c.body_b)].row;
+// The row of a body that may be kinematic: those get theirs when first met.
+std::int32_t row_of(SolverScratch& scratch, std::int32_t body) {
+    if (body == none) return fixed_row;
+    std::int32_t& row = scratch.row_of_body[std::size_t(body)];
     if (row == none) {
-        row = std::int32_t(s.solver.row_bodies.size());
-        s.solver.row_bodies.push_back(c.body_b);
+        row = std::int32_t(scratch.row_bodies.size());
+        scratch.row_bodies.push_back(body);
     }
     return row;
-}
-
-// Impulses are those of one substep: with another length of substep they are others.
-void rescale_impulses(ContactInfo& c, ContactRecord& r, float h) {
-    if (c.substep_time == h) return;
-    if (c.substep_time > 0) {
-        const float ratio = h / c.substep_time;
-        const float factor = ratio > 1e-3f && ratio < 1e3f ? ratio : 0.0f; // too different to say anything
-        for (float& impulse : r.impulses) impulse *= factor;
-        for (float& impulse : r.friction_impulse) impulse *= factor;
-        r.torsion_impulse *= factor;
-    }
-    c.substep_time = h;
 }
 
 void add_lane(LaneLists& lanes, std::int32_t record, std::int32_t a, std::int32_t b) {
@@ -85,29 +71,28 @@ void add_lane(LaneLists& lanes, std::int32_t record, std::int32_t a, std::int32_
     lanes.row_b.push_back(b);
 }
 void pad_lanes(LaneLists& lanes) {
-    while (lanes.record.size() % 8 != 0) add_lane(lanes, -1, fixed_row, fixed_row);
+    while (lanes.record.size() % 8 != 0) add_lane(lanes, -1, discard_row, discard_row);
 }
 
 // Lays the bin's contacts into blocks of 8 lanes; one run of blocks for each color and size.
-void fill_lanes(State& s, const Bin& bin, float h) {
-    SolverScratch& scratch = s.solver;
+void fill_lanes(SolverScratch& scratch, const Bin& bin) {
     scratch.one_lanes.clear();
     scratch.four_lanes.clear();
     scratch.runs.clear();
     std::int32_t k = bin.first_contact;
     const std::int32_t end = bin.first_contact + bin.contact_count;
     while (k < end) {
-        const ContactInfo& first = s.contacts[scratch.sorted[std::size_t(k)]];
-        const bool four = first.point_count != 1;
+        const SortedContact& first = scratch.sorted[std::size_t(k)];
+        const bool four = first.four_points != 0;
         LaneLists& lanes = four ? scratch.four_lanes : scratch.one_lanes;
         BlockRun run{four, std::int32_t(lanes.record.size() / 8), 0};
         for (; k < end; ++k) {
-            const std::uint32_t id = scratch.sorted[std::size_t(k)];
-            ContactInfo& c = s.contacts[id];
-            if (c.color != first.color || (c.point_count != 1) != four) break;
-            rescale_impulses(c, s.records[id], h);
-            add_lane(lanes, std::int32_t(id), s.bodies[std::size_t(c.body_a)].row, row_of_b(s, c));
-            if (c.color == overflow_color) pad_lanes(lanes); // alone in its block
+            const SortedContact& c = scratch.sorted[std::size_t(k)];
+            if (c.color != first.color || c.four_points != first.four_points) break;
+            add_lane(lanes, std::int32_t(c.id), row_of(scratch, c.body_a), row_of(scratch, c.body_b));
+            if (c.color != overflow_color) continue;
+            ++k; // alone in its run: it may share bodies with the next
+            break;
         }
         pad_lanes(lanes);
         run.count = std::int32_t(lanes.record.size() / 8) - run.first;
@@ -189,7 +174,7 @@ void bounce_all(State& s, const SolverBodies& bodies, const BounceSettings& sett
     }
 }
 
-void run_substeps(State& s, const Bin& bin, float dt, bool bounces) {
+void run_substeps(State& s, const Bin& bin, float dt) {
     SolverScratch& scratch = s.solver;
     const KernelTable& k = kernels();
     const float h = dt / float(bin.substeps);
@@ -208,7 +193,7 @@ void run_substeps(State& s, const Bin& bin, float dt, bool bounces) {
     for (int substep = 0; substep < bin.substeps; ++substep) {
         update_free_motion(s, h);
         k.solver.integrate_velocities(bodies, first_body_row, rows, substep == 0);
-        if (bounces) bounce_all(s, bodies, bounce);
+        if (bin.bounces) bounce_all(s, bodies, bounce);
         if (substep == 0)
             for (const BlockRun& run : scratch.runs)
                 kernels_for(run).warm_start(blocks_of(scratch, run), run.count, velocity);
@@ -250,24 +235,21 @@ void solve_bin(State& s, const Bin& bin, float dt) {
     const float h = dt / float(bin.substeps);
     gather_bodies(s, bin);
     if (bin.contact_count == 0) return;
-    fill_lanes(s, bin, h);
+    fill_lanes(scratch, bin);
     fill_rows(s);
-    bool bounces = false;
-    for (std::int32_t k = 0; k < bin.contact_count; ++k)
-        bounces |= s.contacts[scratch.sorted[std::size_t(bin.first_contact + k)]].bounces != 0;
-    prepare_free_motion(s, h, bounces);
+    prepare_free_motion(s, h, bin.bounces);
     for (const BlockRun& run : scratch.runs)
         kernels_for(run).prepare(blocks_of(scratch, run), run.count, lanes_of(scratch, run), s.records.data(),
                                  scratch.inertia.data(), friction_margin);
     s.statistics.times.prepare +=
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    run_substeps(s, bin, dt, bounces);
+    run_substeps(s, bin, dt);
     for (const BlockRun& run : scratch.runs)
         kernels_for(run).store(blocks_of(scratch, run), run.count, lanes_of(scratch, run), s.records.data());
     for (std::size_t row = first_body_row; row < scratch.row_bodies.size(); ++row) {
         const std::int32_t b = scratch.row_bodies[row];
         if (b == none) continue;
-        s.bodies[std::size_t(b)].row = none;
+        scratch.row_of_body[std::size_t(b)] = none;
         if (s.is_dynamic(b)) scatter_body(s, b, row);
     }
 }
@@ -288,6 +270,7 @@ void move_kinematics(State& s, float dt) {
 
 void solve_bins(State& s, float dt) {
     s.solver.free_bodies.clear();
+    s.solver.row_of_body.resize(s.bodies.size(), none);
     s.statistics.times.prepare = 0;
     for (const Bin& bin : s.solver.bins) solve_bin(s, bin, dt);
     for (const std::int32_t b : s.solver.free_bodies) move_free_body(s, b, dt);

@@ -7,8 +7,8 @@
 namespace cairn {
 
 // Decides how many substeps each awake island takes, packs islands into bins and sorts State::solved by bin, color
-// and number of points.
-void pack_bins(State& state);
+// and number of points. Impulses of contacts whose substeps have another length than in the last step are scaled.
+void pack_bins(State& state, float dt);
 
 // Solves all bins: velocities, poses, impulses; moves kinematic bodies.
 void solve_bins(State& state, float dt);

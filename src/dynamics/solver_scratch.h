@@ -29,12 +29,21 @@ struct BlockRun {
     std::int32_t first, count;
 };
 
+// A contact to be solved, sorted by bin, color and size.
+struct SortedContact {
+    std::uint32_t id;
+    std::int32_t body_a, body_b; // B: none if it does not move at all
+    std::uint8_t color, four_points;
+    std::uint8_t padding[2] = {};
+};
+
 // One solver bin: islands that are solved together through all substeps.
 struct Bin {
     std::int32_t first_island = 0, island_count = 0; // in SolverScratch::bin_islands
     std::int32_t substeps = 0;
     std::int32_t body_count = 0, contact_count = 0;
     std::int32_t first_contact = 0; // in SolverScratch::sorted
+    bool bounces = false;           // any of its contacts has restitution
 };
 
 // Lanes of a list of blocks, filled bin by bin.
@@ -46,7 +55,9 @@ struct LaneLists {
 struct SolverScratch {
     std::vector<Bin> bins;
     std::vector<std::int32_t> bin_of_island, bin_islands, contacts_of_island, open_bins;
-    std::vector<std::uint32_t> key_counts, keys, sorted; // counting sort of contacts
+    std::vector<std::uint32_t> key_counts, keys; // counting sort of contacts
+    std::vector<SortedContact> sorted;
+    std::vector<std::int32_t> row_of_body; // in the bin at work; none: in no row
     // --- of the bin at work
     std::vector<std::int32_t> free_bodies;   // of all bins: those without a contact
     std::vector<std::int32_t> row_bodies;    // body of each row; none for fixed, discard and padding

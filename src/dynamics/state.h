@@ -60,9 +60,7 @@ struct BodyLinks {
     std::int32_t next_in_island = none, previous_in_island = none;
     float radius = 0;               // of the body about its center of mass; planes not counted
     float quiet_time = 0;           // s that it has been slower than the sleep speed
-    std::int32_t row = none;        // in the solver bin at work
     std::int32_t contact_count = 0; // that are solved
-    std::int32_t padding = 0;
     std::uint64_t colors = 0; // of its contacts, one bit each
 };
 

@@ -23,7 +23,7 @@ struct Bounce {
     f32x8 correction; // of the pose's velocity, in units of the change of velocity
 };
 
-CAIRN_INLINE Velocityx8 gather_twist(const SolverTwist* rows, const std::int32_t* row) {
+CAIRN_INLINE Velocityx8 gather_twist(const SolverTwist* rows, const std::uint32_t* row) {
     return gather_velocity(reinterpret_cast<const SolverVelocity*>(rows), row);
 }
 
@@ -79,26 +79,23 @@ CAIRN_INLINE Bounce find_bounce(const ContactBlock<N>& block, const SolverBodies
         correction += select(arrives[i], r.correction, zero());
     }
     bounce.correction = select(change > zero(), correction / max(change, splat(1e-20f)), zero());
+    f32x8 wanted[N];
+    for (int i = 0; i < N; ++i) wanted[i] = load(block.effective_mass[i]) * (target[i] - v[i]);
     for (int sweep = 0; sweep < (N > 1 ? point_sweeps : 1); ++sweep)
         for (int i = 0; i < N; ++i) {
-            const f32x8 old = bounce.impulse[i];
-            f32x8 impulse = max(old + load(block.effective_mass[i]) * (target[i] - v[i]), zero());
-            impulse = select(arrives[i], impulse, zero());
-            const f32x8 d = impulse - old;
+            const f32x8 impulse = select(arrives[i], max(wanted[i], zero()), zero()), d = impulse - bounce.impulse[i];
             bounce.impulse[i] = impulse;
-            v[i] += select(load(block.effective_mass[i]) > zero(),
-                           d / max(load(block.effective_mass[i]), splat(1e-30f)), zero());
             for (int j = 0; j < N; ++j)
-                if (j != i) v[j] += load(block.coupling[i < j ? coupling_index(i, j) : coupling_index(j, i)]) * d;
+                if (j != i) wanted[j] = wanted[j] - load(block.share[share_index<N>(j, i)]) * d;
         }
     return bounce;
 }
 
 // Coulomb friction of the impact itself, at the friction center, from rest.
 template <int N>
-CAIRN_INLINE Vec3x8 impact_friction(const ContactBlock<N>& block, Vec3x8 normal, f32x8 load_sum, const Velocityx8& a,
+CAIRN_INLINE Vec3x8 impact_friction(const ContactBlock<N>& block, f32x8 load_sum, const Velocityx8& a,
                                     const Velocityx8& b) {
-    const Vec3x8 center = load3(block.center), t1 = load3(block.tangent), t2 = cross(t1, normal);
+    const Vec3x8 center = load3(block.center), t1 = load3(block.tangent[0]), t2 = load3(block.tangent[1]);
     const Vec3x8 slip = (b.v - a.v) + cross(b.w - a.w, center) + cross(b.w, load3(block.d));
     const f32x8 x = dot(slip, t1), y = dot(slip, t2);
     const f32x8 m12 = load(block.tangent_mass[1]);
@@ -108,7 +105,7 @@ CAIRN_INLINE Vec3x8 impact_friction(const ContactBlock<N>& block, Vec3x8 normal,
     return scale * (p1 * t1 + p2 * t2);
 }
 
-CAIRN_INLINE void add_to_rows(SolverVelocity* rows, const std::int32_t* row, const std::int32_t* write,
+CAIRN_INLINE void add_to_rows(SolverVelocity* rows, const std::uint32_t* row, const std::uint32_t* write,
                               const Velocityx8& change, f32x8 factor) {
     Velocityx8 r = gather_velocity(rows, row);
     r = {r.v + factor * change.v, r.w + factor * change.w};
@@ -145,17 +142,17 @@ int bounce_contacts(void* blocks, int count, const SolverBodies& bodies, const B
         }
         const Velocityx8 before_a = a, before_b = b;
         apply_normal(block, normal, c, sum, torque, a, b);
-        const Vec3x8 p = impact_friction(block, normal, sum, a, b);
+        const Vec3x8 p = impact_friction(block, sum, a, b);
         apply_friction(block, load3(block.center), load3(block.d), p, zero3(), a, b);
-        scatter_velocity(bodies.velocity, block.write_a, a);
+        scatter_velocity(bodies.velocity, block.a, a);
         scatter_velocity(bodies.velocity, block.write_b, b);
         const Velocityx8 change_a = {a.v - before_a.v, a.w - before_a.w},
                          change_b = {b.v - before_b.v, b.w - before_b.w};
         // The same change to the reference: the bounce is over, and must not be carried into the next substep.
-        add_to_rows(bodies.reference, block.a, block.write_a, change_a, one());
+        add_to_rows(bodies.reference, block.a, block.a, change_a, one());
         add_to_rows(bodies.reference, block.b, block.write_b, change_b, one());
         auto* correction = reinterpret_cast<SolverVelocity*>(bodies.velocity_correction);
-        add_to_rows(correction, block.a, block.write_a, change_a, bounce.correction);
+        add_to_rows(correction, block.a, block.a, change_a, bounce.correction);
         add_to_rows(correction, block.b, block.write_b, change_b, bounce.correction);
     }
     return bounced;

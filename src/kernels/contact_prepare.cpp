@@ -69,6 +69,7 @@ CAIRN_INLINE Vec3x8 prepare_points(ContactBlock<N>& block, const ContactRecord* 
                                    const Inertiax8& a, const Inertiax8& b, float friction_margin) {
     const f32x8 mass_sum = a.inverse_mass + b.inverse_mass;
     Vec3x8 r[N], j[N], ia_j[N], ib_j[N], center = zero3();
+    f32x8 mass[N], coupling[N][N]; // K_ij, i < j
     f32x8 weight_sum = zero();
     for (int i = 0; i < N; ++i) {
         f32x8 s;
@@ -87,12 +88,14 @@ CAIRN_INLINE Vec3x8 prepare_points(ContactBlock<N>& block, const ContactRecord* 
         store(block.separation[i], s);
         store(block.height[i], dot(r[i], normal));
         store(block.total_impulse[i], zero());
-        for (int k = 0; k < i; ++k)
-            store(block.coupling[coupling_index(k, i)], mass_sum + dot(ia_j[k], j[i]) + dot(ib_j[k], j[i] + c));
+        for (int k = 0; k < i; ++k) coupling[k][i] = mass_sum + dot(ia_j[k], j[i]) + dot(ib_j[k], j[i] + c);
         const f32x8 k_ii = mass_sum + dot(ia_j[i], j[i]) + dot(ib_j[i], j[i] + c);
-        store(block.self[i], select(used, k_ii, zero()));
-        store(block.effective_mass[i], select(used, safe_reciprocal(k_ii), zero()));
+        mass[i] = select(used, safe_reciprocal(k_ii), zero());
+        store(block.effective_mass[i], mass[i]);
     }
+    for (int i = 0; i < N; ++i)
+        for (int k = 0; k < N; ++k)
+            if (k != i) store(block.share[share_index<N>(k, i)], mass[k] * coupling[k < i ? k : i][k < i ? i : k]);
     center = safe_reciprocal(weight_sum) * center;
     store3(block.center, center);
     for (int i = 0; i < N; ++i) {
@@ -112,7 +115,8 @@ CAIRN_INLINE void prepare_friction(ContactBlock<N>& block, const ContactRecord* 
     Vec3x8 t1 = cross(axis, normal);
     t1 = safe_reciprocal(sqrt(dot(t1, t1))) * t1;
     const Vec3x8 t2 = cross(t1, normal);
-    store3(block.tangent, t1);
+    store3(block.tangent[0], t1);
+    store3(block.tangent[1], t2);
 
     Vec3x8 impulse;
     f32x8 torsion;
@@ -125,6 +129,7 @@ CAIRN_INLINE void prepare_friction(ContactBlock<N>& block, const ContactRecord* 
     store3(block.rolling_impulse, zero3());
 
     const Vec3x8 center_b = center + d;
+    store(block.arm_b_square, dot(center_b, center_b));
     const Vec3x8 a1 = cross(center, t1), a2 = cross(center, t2), b1 = cross(center_b, t1), b2 = cross(center_b, t2);
     const Vec3x8 ia_1 = a.inverse_inertia * a1, ia_2 = a.inverse_inertia * a2;
     const Vec3x8 ib_1 = b.inverse_inertia * b1, ib_2 = b.inverse_inertia * b2;
@@ -142,6 +147,14 @@ CAIRN_INLINE void prepare_friction(ContactBlock<N>& block, const ContactRecord* 
     store(block.torsion_coupling[1], dot(a2, ia_n) + dot(b2, ib_n));
 }
 
+// The contacts of one color lie scattered among the records.
+CAIRN_INLINE void prefetch_records(const std::int32_t* ids, const ContactRecord* records) {
+    for (int i = 0; i < 8; ++i) {
+        const char* record = reinterpret_cast<const char*>(records + (ids[i] >= 0 ? ids[i] : 0));
+        for (std::size_t at = 0; at < sizeof(ContactRecord); at += 64) __builtin_prefetch(record + at);
+    }
+}
+
 template <int N>
 CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids, const std::int32_t* row_a,
                                 const std::int32_t* row_b, const ContactRecord* records, const SolverInertia* inertia,
@@ -149,11 +162,11 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
     const ContactRecord* record[8];
     for (int i = 0; i < 8; ++i) {
         record[i] = ids[i] >= 0 ? records + ids[i] : &empty_record;
-        block.a[i] = row_a[i];
-        block.b[i] = row_b[i];
-        block.write_a[i] = is_movable(inertia[row_a[i]]) ? row_a[i] : discard_row;
-        block.write_b[i] = is_movable(inertia[row_b[i]]) ? row_b[i] : discard_row;
+        block.a[i] = std::uint32_t(row_a[i]) * row_bytes;
+        block.b[i] = std::uint32_t(row_b[i]) * row_bytes;
+        block.write_b[i] = is_movable(inertia[row_b[i]]) ? block.b[i] : std::uint32_t(discard_row) * row_bytes;
     }
+    block.moved = 0;
     const Inertiax8 a = gather_inertia(inertia, row_a), b = gather_inertia(inertia, row_b);
     Vec3x8 normal, d;
     f32x8 friction, restitution;
@@ -196,9 +209,11 @@ template <int N>
 void prepare_contacts(void* blocks, int count, const ContactLanes& lanes, const ContactRecord* records,
                       const SolverInertia* inertia, float friction_margin) {
     auto* block = static_cast<ContactBlock<N>*>(blocks);
-    for (int k = 0; k < count; ++k)
+    for (int k = 0; k < count; ++k) {
+        if (k + 1 < count) prefetch_records(lanes.record + 8 * (k + 1), records);
         prepare_block<N>(block[k], lanes.record + 8 * k, lanes.row_a + 8 * k, lanes.row_b + 8 * k, records, inertia,
                          friction_margin);
+    }
 }
 
 template <int N> void store_contacts(const void* blocks, int count, const ContactLanes& lanes, ContactRecord* records) {
@@ -221,7 +236,7 @@ template <int N> void store_contacts(const void* blocks, int count, const Contac
         }
         scatter4(impulses, impulse[0], impulse[1], impulse[2], impulse[3]);
         scatter4(totals, total[0], total[1], total[2], total[3]);
-        const Vec3x8 t1 = load3(b.tangent), t2 = cross(t1, load3(b.normal));
+        const Vec3x8 t1 = load3(b.tangent[0]), t2 = load3(b.tangent[1]);
         const Vec3x8 p = load(b.tangent_impulse[0]) * t1 + load(b.tangent_impulse[1]) * t2;
         scatter4(friction, p.x, p.y, p.z, load(b.torsion_impulse));
         const Vec3x8 sum = load(b.total_tangent[0]) * t1 + load(b.total_tangent[1]) * t2;

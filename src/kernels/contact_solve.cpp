@@ -3,7 +3,7 @@
 // is in docs/solver.md. In short, for the points i of one contact, with arms j_i for body A and j_i + c for B:
 //   normal velocity   v_i  = n.(vB - vA) + c.wB + j_i.(wB - wA)
 //   coupling          K_ij = 1/mA + 1/mB + j_i.IA^-1 j_j + (j_i + c).IB^-1 (j_j + c)
-// so the points are swept on the four numbers v_i alone, v_j += K_ij d_i, and the bodies change once:
+// so the points are swept on four numbers alone (see Rows), and the bodies change once:
 //   vA -= n S/mA, vB += n S/mB, wA -= IA^-1 T, wB += IB^-1 (T + S c),  S = sum d_i, T = sum j_i d_i.
 #include "kernels/solver.h"
 
@@ -12,15 +12,8 @@ namespace cairn::CAIRN_ISA {
 namespace {
 
 constexpr float tiny = 1e-20f;
-constexpr float most_passing = 0.1f; // of B's arm, in one step
-
-// The sums over the points of one sweep.
-struct SweepSums {
-    f32x8 impulse;    // S
-    Vec3x8 torque;    // T
-    f32x8 load;       // total normal impulse, for friction
-    f32x8 lever_load; // sum of lever times impulse
-};
+// Shares of B's arm: how far two bodies must pass each other to count, and how far it counts in one step.
+constexpr float least_passing = 1e-6f, most_passing = 0.1f;
 
 template <int N>
 CAIRN_INLINE void normal_velocities(const ContactBlock<N>& block, const Velocityx8& a, const Velocityx8& b,
@@ -37,11 +30,11 @@ struct Posex8 {
     Vec3x8 dx;
     Quatx8 dq;
 };
-CAIRN_INLINE Posex8 gather_pose(const SolverPose* rows, const std::int32_t* row) {
+CAIRN_INLINE Posex8 gather_pose(const SolverPose* rows, const std::uint32_t* offset) {
     const float* p[8];
     Posex8 r;
     f32x8 unused;
-    for (int i = 0; i < 8; ++i) p[i] = rows[row[i]].dx;
+    for (int i = 0; i < 8; ++i) p[i] = row_at(rows, offset[i]).dx;
     gather4(p, r.dx.x, r.dx.y, r.dx.z, unused);
     for (int i = 0; i < 8; ++i) p[i] += 4;
     gather4(p, r.dq.v.x, r.dq.v.y, r.dq.v.z, r.dq.w);
@@ -51,6 +44,31 @@ CAIRN_INLINE Vec3x8 turned_back_difference(Quatx8 q, Vec3x8 n) {
     const Vec3x8 g = cross(q.v, n);
     return splat(2.0f) * (cross(q.v, g) - q.w * g);
 }
+// Brings d and c up to the new poses, so that both bodies are pushed at one point of the world and angular momentum is
+// kept while they pass each other. What is carried into the next substep was pushed at the old d: the moment that is
+// missing since is left for the next `solve`. Nothing is done where nothing has moved.
+template <int N> CAIRN_INLINE void refresh_arm(ContactBlock<N>& block, Vec3x8 normal, Vec3x8 passed) {
+    const Vec3x8 d0 = load3(block.d0), old = load3(block.d);
+    const f32x8 arm_square = load(block.arm_b_square);
+    Vec3x8 d = d0 + passed, change = d - old;
+    block.moved = any(dot(change, change) > splat(least_passing * least_passing) * arm_square);
+    if (!block.moved) return;
+    // Only as far as the couplings K, which are those of the start, still fit.
+    const f32x8 limit = splat(most_passing * most_passing) * arm_square, square = dot(passed, passed);
+    const mask8 far = square > limit;
+    if (any(far)) {
+        d = d0 + select(far, sqrt(limit / select(far, square, one())), one()) * passed;
+        change = d - old;
+    }
+    f32x8 carried = zero();
+    for (int i = 0; i < N; ++i) carried += load(block.impulse[i]);
+    const Vec3x8 p = load(block.tangent_impulse[0]) * load3(block.tangent[0]) +
+                     load(block.tangent_impulse[1]) * load3(block.tangent[1]);
+    store3(block.moved_moment, cross(change, carried * normal + p));
+    store3(block.d, d);
+    store3(block.c, cross(d, normal));
+}
+
 // Separations now, from the motion of both bodies since the start of the step. Exact: the normal, not the
 // anchors, is rotated back, and by differences so that nothing cancels: with
 // delta(q) = R(q)^T n - n = 2 (q x (q x n) - q_w (q x n)) and D = delta(qB) - delta(qA),
@@ -58,14 +76,12 @@ CAIRN_INLINE Vec3x8 turned_back_difference(Quatx8 q, Vec3x8 n) {
 // The surface of a sphere does not turn with it: only its center, a radius R from the point, is a point of the body.
 // Turning the material point would lift it by R (1 - cos), and a rolling ball would lose its weight; R (delta.n) per
 // sphere takes that out again.
-// Also brings d and c up to the new poses, so that both bodies are pushed at one point of the world and angular
-// momentum is kept while they pass each other; returns by how much d changed.
 template <int N>
-CAIRN_INLINE Vec3x8 refresh_separations(ContactBlock<N>& block, const SolverPose* pose, Vec3x8 normal, f32x8* s) {
+CAIRN_INLINE void refresh_separations(ContactBlock<N>& block, const SolverPose* pose, Vec3x8 normal, f32x8* s) {
     const Posex8 a = gather_pose(pose, block.a), b = gather_pose(pose, block.b);
     const Vec3x8 delta_a = turned_back_difference(a.dq, normal), delta_b = turned_back_difference(b.dq, normal);
-    const Vec3x8 difference = delta_b - delta_a, d0 = load3(block.d0);
-    f32x8 common = dot(normal, b.dx - a.dx) + dot(delta_b, d0);
+    const Vec3x8 difference = delta_b - delta_a, passed = a.dx - b.dx;
+    f32x8 common = dot(delta_b, load3(block.d0)) - dot(normal, passed);
     if constexpr (N == 1)
         common += load(block.radius_a) * dot(delta_a, normal) + load(block.radius_b) * dot(delta_b, normal);
     const Vec3x8 e = cross(difference, normal);
@@ -74,15 +90,7 @@ CAIRN_INLINE Vec3x8 refresh_separations(ContactBlock<N>& block, const SolverPose
         s[i] = load(block.separation0[i]) + (common + (load(block.height[i]) * f + dot(load3(block.arm[i]), e)));
         store(block.separation[i], s[i]);
     }
-    // Only as far as the couplings K, which are those of the start, still fit.
-    const Vec3x8 passed = a.dx - b.dx, arm_b = load3(block.center) + d0;
-    const f32x8 limit = splat(most_passing * most_passing) * dot(arm_b, arm_b), square = dot(passed, passed);
-    const mask8 far = square > limit;
-    const f32x8 share = select(far, sqrt(limit / select(far, square, one())), one());
-    const Vec3x8 d = d0 + share * passed, change = d - load3(block.d);
-    store3(block.d, d);
-    store3(block.c, cross(d, normal));
-    return change;
+    refresh_arm(block, normal, passed);
 }
 
 template <int N> void warm_start(const void* blocks, int count, SolverVelocity* velocity) {
@@ -90,7 +98,7 @@ template <int N> void warm_start(const void* blocks, int count, SolverVelocity* 
     for (int k = 0; k < count; ++k) {
         const ContactBlock<N>& block = all[k];
         Velocityx8 a = gather_velocity(velocity, block.a), b = gather_velocity(velocity, block.b);
-        const Vec3x8 normal = load3(block.normal), t1 = load3(block.tangent), t2 = cross(t1, normal);
+        const Vec3x8 normal = load3(block.normal), t1 = load3(block.tangent[0]), t2 = load3(block.tangent[1]);
         f32x8 sum = zero();
         Vec3x8 torque = zero3();
         for (int i = 0; i < N; ++i) {
@@ -101,104 +109,158 @@ template <int N> void warm_start(const void* blocks, int count, SolverVelocity* 
         apply_normal(block, normal, load3(block.c), sum, torque, a, b);
         const Vec3x8 p = load(block.tangent_impulse[0]) * t1 + load(block.tangent_impulse[1]) * t2;
         apply_friction(block, load3(block.center), load3(block.d), p, load(block.torsion_impulse) * normal, a, b);
-        scatter_velocity(velocity, block.write_a, a);
+        scatter_velocity(velocity, block.a, a);
         scatter_velocity(velocity, block.write_b, b);
     }
 }
 
-// One normal row of a contact: impulse' = max(0, impulse - mass v - bias - keep impulse).
-struct Row {
-    f32x8 mass, bias, keep, old, impulse;
+// The normal rows of a block at work. wanted[i] is what the impulse of point i should be by its own equation,
+//   impulse_i - m_i (v_i + bias_i) - keep impulse_i,
+// and what is applied is the part of it that pushes. An own change does not alter it, as m_i K_ii = 1 - keep; a change
+// of another point by d takes m_i K_ij d from it. So the points can be swept without looking at the bodies again.
+template <int N> struct Rows {
+    Velocityx8 a, b;
+    f32x8 wanted[N], impulse[N], old[N];
 };
 
-// Sweeps over the points of a contact. Only the points' own velocities v change, by the couplings; the bodies are not
-// touched, so that a second sweep is cheap. It is needed: after one, the corner that came first carries most, and a
-// box that falls flat tips and slides by 5 cm (0.25 mm with two).
-template <int N> CAIRN_INLINE void sweep_points(const ContactBlock<N>& block, Row* rows, f32x8* v) {
+template <int N> using Shares = const float (*)[8];
+
+// Sweeps over the points of M contacts at once: each is a chain of dependent operations, and two chains side by side
+// take the time of one. The second sweep is needed: after one, the corner that came first carries most, and a box that
+// falls flat tips and slides by 5 cm (0.25 mm with two).
+template <int N, int M> CAIRN_INLINE void sweep_points(const Shares<N>* shares, Rows<N>* rows) {
     constexpr int visits = N == 1 ? 1 : 2 * N;
-#pragma GCC unroll 8 // so that rows and velocities stay in registers
+#pragma GCC unroll 8 // so that rows stay in registers
     for (int k = 0; k < visits; ++k) {
         const int i = k % N;
-        Row& row = rows[i];
-        const f32x8 impulse = max(row.impulse - (row.mass * v[i] + row.bias + row.keep * row.impulse), zero());
-        const f32x8 d = impulse - row.impulse;
-        row.impulse = impulse;
-        const bool again = k < visits - N; // only velocities that will be read need to be kept up
-#pragma GCC unroll 4
-        for (int j = 0; j < N; ++j) {
-            if (j == i && again) v[j] += load(block.self[i]) * d;
-            if (j > i) v[j] += load(block.coupling[coupling_index(i, j)]) * d;
-            if (j < i && again) v[j] += load(block.coupling[coupling_index(j, i)]) * d;
+        f32x8 d[M];
+#pragma GCC unroll 2
+        for (int m = 0; m < M; ++m) {
+            const f32x8 impulse = max(rows[m].wanted[i], zero());
+            d[m] = impulse - rows[m].impulse[i];
+            rows[m].impulse[i] = impulse;
         }
+#pragma GCC unroll 4
+        for (int j = 0; j < N; ++j)
+#pragma GCC unroll 2
+            for (int m = 0; m < M; ++m)
+                if (j > i || (j < i && k < N)) // only what will be read needs to be kept up
+                    rows[m].wanted[j] = rows[m].wanted[j] - load(shares[m][share_index<N>(j, i)]) * d[m];
     }
+}
+
+// The values of ContactSoftness for 8 contacts, by whether B can move.
+struct Softnessx8 {
+    f32x8 bias_rate, mass_scale;
+};
+CAIRN_INLINE Softnessx8 softness_of(const ContactSoftness& s, mask8 immovable) {
+    return {select(immovable, splat(s.bias_rate_static), splat(s.bias_rate)),
+            select(immovable, splat(s.mass_scale_static), splat(s.mass_scale))};
+}
+
+template <int N>
+CAIRN_INLINE void begin_solve(const ContactBlock<N>& block, const SolverVelocity* velocity,
+                              const ContactSoftness& softness, Rows<N>& rows, float (*shares)[8]) {
+    rows.a = gather_velocity(velocity, block.a);
+    rows.b = gather_velocity(velocity, block.b);
+    if (block.moved) rows.b.w = rows.b.w + load6(block.inertia_b) * load3(block.moved_moment);
+    const Softnessx8 soft = softness_of(softness, load(block.mass_b) == zero());
+    const f32x8 inverse_h = splat(softness.inverse_h), slowest = splat(-softness.recovery_speed);
+    f32x8 v[N];
+    Vec3x8 arm[N];
+    normal_velocities<N>(block, rows.a, rows.b, load3(block.normal), load3(block.c), v, arm);
+    for (int i = 0; i < N; ++i) {
+        const f32x8 s = load(block.separation[i]), mass = load(block.effective_mass[i]);
+        const mask8 apart = s > zero();
+        const f32x8 bias = select(apart, s * inverse_h, max(soft.bias_rate * s, slowest));
+        const f32x8 scale = select(apart, one(), soft.mass_scale); // 1 - keep
+        rows.old[i] = rows.impulse[i] = load(block.impulse[i]);
+        rows.wanted[i] = scale * (rows.old[i] - mass * v[i]) - mass * bias;
+        for (int j = 0; j < N; ++j)
+            if (j != i) store(shares[share_index<N>(i, j)], scale * load(block.share[share_index<N>(i, j)]));
+    }
+}
+
+template <int N>
+CAIRN_INLINE void end_solve(ContactBlock<N>& block, SolverVelocity* velocity, Rows<N>& rows) {
+    f32x8 sum = zero();
+    Vec3x8 torque = zero3();
+    for (int i = 0; i < N; ++i) {
+        const f32x8 d = rows.impulse[i] - rows.old[i];
+        store(block.impulse[i], rows.impulse[i]);
+        sum += d;
+        torque = torque + d * load3(block.arm[i]);
+    }
+    apply_normal(block, load3(block.normal), load3(block.c), sum, torque, rows.a, rows.b);
+    scatter_velocity(velocity, block.a, rows.a);
+    scatter_velocity(velocity, block.write_b, rows.b);
+}
+
+template <int N, int M>
+CAIRN_INLINE void solve_some(ContactBlock<N>* blocks, SolverVelocity* velocity, const ContactSoftness& softness) {
+    Rows<N> rows[M];
+    alignas(32) float scaled[M][ContactBlock<N>::share_count][8];
+    Shares<N> shares[M];
+#pragma GCC unroll 2
+    for (int m = 0; m < M; ++m) {
+        shares[m] = scaled[m];
+        begin_solve<N>(blocks[m], velocity, softness, rows[m], scaled[m]);
+    }
+    sweep_points<N, M>(shares, rows);
+#pragma GCC unroll 2
+    for (int m = 0; m < M; ++m) end_solve<N>(blocks[m], velocity, rows[m]);
 }
 
 // One sweep with soft constraints: overlap is pushed out at a rate and with a compliance given by `softness`;
 // a gap is closed no faster than it takes one substep to close it.
 template <int N> void solve(void* blocks, int count, SolverVelocity* velocity, const ContactSoftness& softness) {
     auto* all = static_cast<ContactBlock<N>*>(blocks);
-    const f32x8 inverse_h = splat(softness.inverse_h), slowest = splat(-softness.recovery_speed);
-    for (int k = 0; k < count; ++k) {
-        ContactBlock<N>& block = all[k];
-        Velocityx8 a = gather_velocity(velocity, block.a), b = gather_velocity(velocity, block.b);
-        const mask8 immovable = load(block.mass_b) == zero();
-        const f32x8 bias_rate = select(immovable, splat(softness.bias_rate_static), splat(softness.bias_rate));
-        const f32x8 mass_scale = select(immovable, splat(softness.mass_scale_static), splat(softness.mass_scale));
-        const f32x8 impulse_scale =
-            select(immovable, splat(softness.impulse_scale_static), splat(softness.impulse_scale));
-        const Vec3x8 normal = load3(block.normal), c = load3(block.c);
-        f32x8 v[N];
-        Vec3x8 arm[N];
-        normal_velocities<N>(block, a, b, normal, c, v, arm);
-        f32x8 sum = zero();
-        Vec3x8 torque = zero3();
-        Row rows[N];
-        for (int i = 0; i < N; ++i) {
-            const f32x8 s = load(block.separation[i]), mass = load(block.effective_mass[i]);
-            const mask8 apart = s > zero();
-            rows[i].bias = mass * select(apart, s * inverse_h, max(bias_rate * s, slowest));
-            rows[i].mass = mass * select(apart, one(), mass_scale);
-            rows[i].keep = select(apart, zero(), impulse_scale);
-            rows[i].old = rows[i].impulse = load(block.impulse[i]);
-        }
-        sweep_points<N>(block, rows, v);
-        for (int i = 0; i < N; ++i) {
-            const f32x8 d = rows[i].impulse - rows[i].old;
-            store(block.impulse[i], rows[i].impulse);
-            sum += d;
-            torque = torque + d * arm[i];
-        }
-        apply_normal(block, normal, c, sum, torque, a, b);
-        scatter_velocity(velocity, block.write_a, a);
-        scatter_velocity(velocity, block.write_b, b);
+    int k = 0;
+    for (; k + 1 < count; k += 2) solve_some<N, 2>(all + k, velocity, softness);
+    if (k < count) solve_some<N, 1>(all + k, velocity, softness);
+}
+
+// The rigid sweep: only approach beyond the gap is stopped. Not that of contacts that will bounce: they must arrive
+// with all of their speed.
+template <int N>
+CAIRN_INLINE void begin_relax(ContactBlock<N>& block, const SolverBodies& bodies, f32x8 inverse_h, Rows<N>& rows) {
+    constexpr float never = -1e30f;
+    const Vec3x8 normal = load3(block.normal);
+    f32x8 s[N], v[N];
+    Vec3x8 arm[N];
+    refresh_separations<N>(block, bodies.pose, normal, s);
+    rows.a = gather_velocity(bodies.velocity, block.a);
+    rows.b = gather_velocity(bodies.velocity, block.b);
+    normal_velocities<N>(block, rows.a, rows.b, normal, load3(block.c), v, arm);
+    const mask8 bounces = load(block.restitution) > zero();
+    for (int i = 0; i < N; ++i) {
+        rows.old[i] = rows.impulse[i] = load(block.impulse[i]);
+        const mask8 flies = bounces & (s[i] > zero()) & (rows.old[i] <= zero());
+        const f32x8 wanted = rows.old[i] - load(block.effective_mass[i]) * (v[i] + max(s[i], zero()) * inverse_h);
+        rows.wanted[i] = select(flies, splat(never), wanted);
     }
 }
 
-// The rigid sweep of the normal rows: only approach beyond the gap is stopped. Not that of contacts that will bounce:
-// they must arrive with all of their speed.
-template <int N>
-CAIRN_INLINE SweepSums relax_normals(ContactBlock<N>& block, const f32x8* s, f32x8* v, const Vec3x8* arm,
-                                     f32x8 inverse_h) {
-    SweepSums sums = {zero(), zero3(), zero(), zero()};
-    Row rows[N];
-    const mask8 bounces = load(block.restitution) > zero();
+// The sums over the points of one contact.
+struct PointSums {
+    f32x8 load;       // total normal impulse, for friction
+    f32x8 lever_load; // sum of lever times impulse
+};
+
+template <int N> CAIRN_INLINE PointSums apply_relax(ContactBlock<N>& block, Vec3x8 normal, Rows<N>& rows) {
+    PointSums sums = {zero(), zero()};
+    f32x8 sum = zero();
+    Vec3x8 torque = zero3();
     for (int i = 0; i < N; ++i) {
-        rows[i].old = rows[i].impulse = load(block.impulse[i]);
-        const mask8 flies = bounces & (s[i] > zero()) & (rows[i].old <= zero());
-        rows[i].mass = select(flies, zero(), load(block.effective_mass[i]));
-        rows[i].bias = rows[i].mass * (max(s[i], zero()) * inverse_h);
-        rows[i].keep = zero();
-    }
-    sweep_points<N>(block, rows, v);
-    for (int i = 0; i < N; ++i) {
-        const f32x8 impulse = rows[i].impulse, d = impulse - rows[i].old;
+        const f32x8 impulse = rows.impulse[i], d = impulse - rows.old[i];
         store(block.impulse[i], impulse);
         store(block.total_impulse[i], load(block.total_impulse[i]) + impulse);
-        sums.impulse += d;
-        sums.torque = sums.torque + d * arm[i];
+        sum += d;
+        torque = torque + d * load3(block.arm[i]);
         sums.load += impulse;
         sums.lever_load += load(block.lever[i]) * impulse;
     }
+    apply_normal(block, normal, load3(block.c), sum, torque, rows.a, rows.b);
     return sums;
 }
 
@@ -207,9 +269,9 @@ CAIRN_INLINE SweepSums relax_normals(ContactBlock<N>& block, const f32x8* s, f32
 // radius of the pressed points, n1^2 + n2^2 + (nw / r)^2 <= (friction x load)^2. While it sticks, the rows are
 // solved with their own masses; once it slides, with one common mass, so that friction opposes the slip.
 template <int N>
-CAIRN_INLINE void solve_friction(ContactBlock<N>& block, const SweepSums& sums, Vec3x8 normal, Velocityx8& a,
+CAIRN_INLINE void solve_friction(ContactBlock<N>& block, const PointSums& sums, Vec3x8 normal, Velocityx8& a,
                                  Velocityx8& b) {
-    const Vec3x8 center = load3(block.center), d = load3(block.d), t1 = load3(block.tangent), t2 = cross(t1, normal);
+    const Vec3x8 center = load3(block.center), d = load3(block.d), t1 = load3(block.tangent[0]), t2 = load3(block.tangent[1]);
     const Vec3x8 dw = b.w - a.w;
     const Vec3x8 slip = (b.v - a.v) + cross(dw, center) + cross(b.w, d);
     const f32x8 x = dot(slip, t1), y = dot(slip, t2), spin = dot(normal, dw);
@@ -231,16 +293,17 @@ CAIRN_INLINE void solve_friction(ContactBlock<N>& block, const SweepSums& sums, 
     const f32x8 qw = nw * inverse_radius, static_limit = load(block.static_friction) * sums.load;
     const mask8 slides = (n1 * n1 + n2 * n2 + qw * qw) > static_limit * static_limit;
 
-    // Sliding.
-    f32x8 mass = min(m11, m22);
-    mass = select(has_radius, min(mass, mw * inverse_radius * inverse_radius), mass);
-    const f32x8 c1 = old1 - mass * x, c2 = old2 - mass * y;
-    const f32x8 cw = select(has_radius, oldw * inverse_radius - mass * (radius * spin), zero());
-    const f32x8 limit = load(block.friction) * sums.load;
-    const f32x8 scale = min(limit / (sqrt(c1 * c1 + c2 * c2 + cw * cw) + splat(tiny)), one());
-    n1 = select(slides, scale * c1, n1);
-    n2 = select(slides, scale * c2, n2);
-    nw = select(slides, scale * cw * radius, nw);
+    if (any(slides)) {
+        f32x8 mass = min(m11, m22);
+        mass = select(has_radius, min(mass, mw * inverse_radius * inverse_radius), mass);
+        const f32x8 c1 = old1 - mass * x, c2 = old2 - mass * y;
+        const f32x8 cw = select(has_radius, oldw * inverse_radius - mass * (radius * spin), zero());
+        const f32x8 limit = load(block.friction) * sums.load;
+        const f32x8 scale = min(limit / (sqrt(c1 * c1 + c2 * c2 + cw * cw) + splat(tiny)), one());
+        n1 = select(slides, scale * c1, n1);
+        n2 = select(slides, scale * c2, n2);
+        nw = select(slides, scale * cw * radius, nw);
+    }
 
     store(block.tangent_impulse[0], n1);
     store(block.tangent_impulse[1], n2);
@@ -269,40 +332,36 @@ template <int N> CAIRN_INLINE void solve_rolling(ContactBlock<N>& block, f32x8 l
     b.w = b.w + ib * change;
 }
 
-// What is carried into the next substep (velocity less reference) was pushed at the old d: moved to the new one.
-template <int N>
-CAIRN_INLINE void move_carried_impulse(const ContactBlock<N>& block, SolverVelocity* reference, Vec3x8 normal,
-                                       Vec3x8 d_change) {
-    if (!any(load(block.mass_b) > zero())) return;
-    const Vec3x8 t1 = load3(block.tangent), t2 = cross(t1, normal);
-    f32x8 sum = zero();
-    for (int i = 0; i < N; ++i) sum += load(block.impulse[i]);
-    const Vec3x8 impulse = sum * normal + (load(block.tangent_impulse[0]) * t1 + load(block.tangent_impulse[1]) * t2);
-    Velocityx8 b = gather_velocity(reference, block.b);
-    b.w = b.w - load6(block.inertia_b) * cross(d_change, impulse);
-    scatter_velocity(reference, block.write_b, b);
+template <int N, int M>
+CAIRN_INLINE void relax_some(ContactBlock<N>* blocks, const SolverBodies& bodies, f32x8 inverse_h) {
+    Rows<N> rows[M];
+    Shares<N> shares[M];
+#pragma GCC unroll 2
+    for (int m = 0; m < M; ++m) {
+        shares[m] = blocks[m].share;
+        begin_relax<N>(blocks[m], bodies, inverse_h, rows[m]);
+    }
+    sweep_points<N, M>(shares, rows);
+    PointSums sums[M];
+#pragma GCC unroll 2
+    for (int m = 0; m < M; ++m) sums[m] = apply_relax<N>(blocks[m], load3(blocks[m].normal), rows[m]);
+#pragma GCC unroll 2
+    for (int m = 0; m < M; ++m) solve_friction<N>(blocks[m], sums[m], load3(blocks[m].normal), rows[m].a, rows[m].b);
+#pragma GCC unroll 2
+    for (int m = 0; m < M; ++m) {
+        ContactBlock<N>& block = blocks[m];
+        if (any(load(block.rolling_radius) > zero())) solve_rolling<N>(block, sums[m].load, rows[m].a, rows[m].b);
+        scatter_velocity(bodies.velocity, block.a, rows[m].a);
+        scatter_velocity(bodies.velocity, block.write_b, rows[m].b);
+    }
 }
 
 template <int N> void relax(void* blocks, int count, const SolverBodies& bodies, const ContactSoftness& softness) {
     auto* all = static_cast<ContactBlock<N>*>(blocks);
     const f32x8 inverse_h = splat(softness.inverse_h);
-    for (int k = 0; k < count; ++k) {
-        ContactBlock<N>& block = all[k];
-        const Vec3x8 normal = load3(block.normal);
-        f32x8 s[N], v[N];
-        Vec3x8 arm[N];
-        const Vec3x8 d_change = refresh_separations<N>(block, bodies.pose, normal, s);
-        move_carried_impulse<N>(block, bodies.reference, normal, d_change);
-        const Vec3x8 c = load3(block.c);
-        Velocityx8 a = gather_velocity(bodies.velocity, block.a), b = gather_velocity(bodies.velocity, block.b);
-        normal_velocities<N>(block, a, b, normal, c, v, arm);
-        const SweepSums sums = relax_normals<N>(block, s, v, arm, inverse_h);
-        apply_normal(block, normal, c, sums.impulse, sums.torque, a, b);
-        solve_friction<N>(block, sums, normal, a, b);
-        if (any(load(block.rolling_radius) > zero())) solve_rolling<N>(block, sums.load, a, b);
-        scatter_velocity(bodies.velocity, block.write_a, a);
-        scatter_velocity(bodies.velocity, block.write_b, b);
-    }
+    int k = 0;
+    for (; k + 1 < count; k += 2) relax_some<N, 2>(all + k, bodies, inverse_h);
+    if (k < count) relax_some<N, 1>(all + k, bodies, inverse_h);
 }
 
 template <int N> SolverKernels::ForPoints contact_kernels() {

@@ -22,8 +22,8 @@ void integrate_velocities(const SolverBodies& bodies, int begin, int end, bool f
 void integrate_poses(const SolverBodies& bodies, int begin, int end, float h) {
     const f32x8 step = splat(h);
     for (int i = begin; i < end; i += 8) {
-        std::int32_t row[8];
-        for (int k = 0; k < 8; ++k) row[k] = i + k;
+        std::uint32_t row[8];
+        for (int k = 0; k < 8; ++k) row[k] = std::uint32_t(i + k) * row_bytes;
         Velocityx8 move = gather_velocity(bodies.velocity, row);
         if (bodies.velocity_correction) {
             const Velocityx8 extra =

@@ -4,6 +4,8 @@
 #include "kernels/solver_data.h"
 #include "simd/wide_math.h"
 
+#include <type_traits>
+
 namespace cairn::CAIRN_ISA {
 
 SolverKernels solver_kernels();
@@ -21,26 +23,33 @@ struct Velocityx8 {
     Vec3x8 v, w;
 };
 
-CAIRN_INLINE Velocityx8 gather_velocity(const SolverVelocity* rows, const std::int32_t* row) {
+// The row at an offset in bytes: counting rows would take a shift for every lane.
+template <class Row> CAIRN_INLINE Row& row_at(Row* rows, std::uint32_t offset) {
+    static_assert(sizeof(Row) == row_bytes);
+    using Byte = std::conditional_t<std::is_const_v<Row>, const char, char>;
+    return *reinterpret_cast<Row*>(reinterpret_cast<Byte*>(rows) + offset);
+}
+
+CAIRN_INLINE Velocityx8 gather_velocity(const SolverVelocity* rows, const std::uint32_t* offset) {
     const float* p[8];
     Velocityx8 r;
     f32x8 unused;
-    for (int i = 0; i < 8; ++i) p[i] = rows[row[i]].v;
+    for (int i = 0; i < 8; ++i) p[i] = row_at(rows, offset[i]).v;
     gather4(p, r.v.x, r.v.y, r.v.z, unused);
     for (int i = 0; i < 8; ++i) p[i] += 4;
     gather4(p, r.w.x, r.w.y, r.w.z, unused);
     return r;
 }
-CAIRN_INLINE void scatter_velocity(SolverVelocity* rows, const std::int32_t* row, const Velocityx8& a) {
+CAIRN_INLINE void scatter_velocity(SolverVelocity* rows, const std::uint32_t* offset, const Velocityx8& a) {
     float* p[8];
-    for (int i = 0; i < 8; ++i) p[i] = rows[row[i]].v;
+    for (int i = 0; i < 8; ++i) p[i] = row_at(rows, offset[i]).v;
     scatter4(p, a.v.x, a.v.y, a.v.z, zero());
     for (int i = 0; i < 8; ++i) p[i] += 4;
     scatter4(p, a.w.x, a.w.y, a.w.z, zero());
 }
 
-// Index of the coupling term K_ij, i < j.
-constexpr int coupling_index(int i, int j) { return i == 0 ? j - 1 : i == 1 ? j + 1 : 5; }
+// Where a block keeps K_ji / K_jj: what an impulse of 1 at point i takes from that wanted at point j.
+template <int N> constexpr int share_index(int j, int i) { return j * (N - 1) + (i < j ? i : i - 1); }
 
 // Applies the normal impulses S = sum of d_i and T = sum of j_i d_i to both bodies.
 template <int N>

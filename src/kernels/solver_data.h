@@ -35,6 +35,7 @@ struct alignas(32) SolverTwist {
 
 // The rows of a bin's body arrays that are not bodies: what does not move (all zero), and where lanes write
 // that have nothing to write.
+inline constexpr std::uint32_t row_bytes = 32; // of every body array
 inline constexpr std::int32_t fixed_row = 0, discard_row = 1, first_body_row = 2;
 
 // --- Contacts.
@@ -65,26 +66,29 @@ struct alignas(64) ContactRecord {
 // With both anchors of a point in one place in the world, B's arm of the normal row is A's plus c:
 // j_i = r_i x n for A and j_i + c for B, c = (x_A - x_B) x n.
 template <int N> struct alignas(64) ContactBlock {
-    static constexpr int cross_terms = N == 4 ? 6 : 1;
-    std::int32_t a[8], b[8];             // rows of the bodies
-    std::int32_t write_a[8], write_b[8]; // where their velocities go: the same rows, or discard_row
+    static constexpr int share_count = N > 1 ? N * (N - 1) : 1;
+    // Rows of the bodies as offsets in bytes, the same in all body arrays; where B's velocity goes: its row, or
+    // discard_row. Lanes without a contact read and write discard_row.
+    std::uint32_t a[8], b[8], write_b[8];
     float normal[3][8], c[3][8];         // c as of the last poses, like d below
     float mass_a[8], mass_b[8], inertia_a[6][8], inertia_b[6][8];
     float arm[N][3][8];             // j_i
     float effective_mass[N][8];     // 1 / K_ii; 0 for unused points
-    float self[N][8];               // K_ii; 0 for unused points
-    float coupling[cross_terms][8]; // K_ij, i < j, in the order 01 02 03 12 13 23
+    float share[share_count][8];    // K_ji / K_jj, i != j, see share_index; 0 for unused points j
     float impulse[N][8], separation[N][8];
     float separation0[N][8], height[N][8]; // separation at the start of the step; r_i . n
     float d0[3][8], d[3][8];               // x_A - x_B at the start of the step, and as of the last poses
+    float arm_b_square[8];                 // of the friction center's arm for B, at the start of the step
+    float moved_moment[3][8];              // on B, of the impulses carried over, as d has changed
     float radius_a[8], radius_b[8];        // of spheres, see refresh_separations
-    float tangent[3][8], center[3][8];     // first tangent; arm of the friction center
+    float tangent[2][3][8], center[3][8];  // second tangent = first x normal; arm of the friction center
     float tangent_mass[3][8];              // inverse of the 2x2 tangential K: 11, 12, 22
     float torsion_mass[8], torsion_coupling[2][8];
     float lever[N][8]; // distance of each point from the friction center
     float friction[8], static_friction[8], torsion_radius[8], rolling_radius[8], restitution[8];
     float tangent_impulse[2][8], torsion_impulse[8], rolling_impulse[3][8];
     float total_impulse[N][8], total_tangent[2][8];
+    std::uint32_t moved; // whether moved_moment holds anything
 };
 
 // Softness and limits of the contacts of one bin; rates are per second, for a substep of h seconds.
@@ -97,7 +101,7 @@ struct ContactSoftness {
 };
 
 // Which contact sits in each lane of a list of blocks, and the rows of its bodies. A record of -1 is an empty
-// lane (its rows are fixed_row).
+// lane (its rows are discard_row).
 struct ContactLanes {
     const std::int32_t* record;
     const std::int32_t* row_a;

@@ -56,7 +56,7 @@ void World::step(float dt) {
     times.broad_phase = clock.lap();
     update_contacts(state, dt);
     times.narrow_phase = clock.lap();
-    pack_bins(state);
+    pack_bins(state, dt);
     times.islands = clock.lap();
     solve_bins(state, dt);
     times.solve = clock.lap() - times.prepare;
