@@ -131,7 +131,7 @@ double kinetic_energy(const State& state, std::int32_t body) {
     return 0.5 * (linear + angular);
 }
 
-bool clamp_velocity(const WorldDef& settings, math::Vec3& v, math::Vec3& w) {
+bool cut_velocity(const WorldDef& settings, math::Vec3& v, math::Vec3& w) {
     auto clamp = [](math::Vec3& u, float most) {
         const DVec3 d = math::to_double(u);
         const double square = math::dot(d, d);

@@ -19,7 +19,8 @@ void place_shapes(State& state, std::int32_t body);
 inline void place_shape(State& state, std::uint32_t shape, const BodyMotion& motion, const math::Mat3& rotation,
                         math::Quat q, math::Vec3 center) {
     const Geometry& geometry = state.geometry[shape];
-    const math::Vec3 arm = rotation * (geometry.position - center);
+    math::Vec3 arm;
+    if (!(geometry.position == center)) arm = rotation * (geometry.position - center);
     state.shapes[shape].arm = arm;
     const math::DVec3 position = motion.x + math::to_double(arm);
     ShapePose& pose = state.shape_poses[shape];
@@ -27,7 +28,7 @@ inline void place_shape(State& state, std::uint32_t shape, const BodyMotion& mot
         pose.high[i] = float(position[i]);
         pose.low[i] = float(position[i] - double(pose.high[i]));
     }
-    const math::Quat r = q * geometry.rotation;
+    const math::Quat r = geometry.is_turned ? q * geometry.rotation : q;
     pose.q[0] = r.x, pose.q[1] = r.y, pose.q[2] = r.z, pose.q[3] = r.w;
 }
 
@@ -38,7 +39,7 @@ inline math::Quat shape_rotation(const ShapePose& pose) { return {pose.q[0], pos
 
 inline DBounds shape_bounds(const State& state, std::uint32_t shape) {
     const ShapePose& pose = state.shape_poses[shape];
-    return geometry_bounds(state.geometry[shape], shape_position(pose), shape_rotation(pose));
+    return geometry_bounds(state.geometry[shape], shape_position(pose), math::to_matrix(shape_rotation(pose)));
 }
 
 // Origin of the body's frame, world.
@@ -54,6 +55,12 @@ math::DSym3 world_inertia(const BodyMotion& motion, const BodyMass& mass);
 double kinetic_energy(const State& state, std::int32_t body);
 
 // Cuts velocities to the maximum; true if anything was cut.
-bool clamp_velocity(const WorldDef& settings, math::Vec3& v, math::Vec3& w);
+bool cut_velocity(const WorldDef& settings, math::Vec3& v, math::Vec3& w);
+inline bool clamp_velocity(const WorldDef& settings, math::Vec3& v, math::Vec3& w) {
+    // Mostly both are far from it.
+    const float most_v = 0.5f * settings.max_linear_speed, most_w = 0.5f * settings.max_angular_speed;
+    if (math::dot(v, v) < most_v * most_v && math::dot(w, w) < most_w * most_w) return false;
+    return cut_velocity(settings, v, w);
+}
 
 } // namespace cairn

@@ -4,6 +4,7 @@
 #include "dynamics/bodies.h"
 #include "dynamics/coloring.h"
 #include "dynamics/islands.h"
+#include "dynamics/rest.h"
 #include "dynamics/solver.h"
 
 #include <algorithm>
@@ -198,6 +199,7 @@ void begin_contact(State& s, ContactInfo& c, math::Vec3 normal) {
 // One result of a kernel.
 void take_manifold(State& s, std::uint32_t id, const Manifold& m, float dt) {
     ContactInfo& c = s.contacts[id];
+    c.tested_at = s.steps + 1;
     if (m.count == 0) {
         end_contact(s, id);
         return;
@@ -211,6 +213,7 @@ void take_manifold(State& s, std::uint32_t id, const Manifold& m, float dt) {
     // Passing by is not enough to wake what sleeps: only what will touch it within the step does.
     if (is_new && asleep && least_separation(c, r) > dt * speed) {
         c.point_count = 0;
+        c.tested_at = 0; // no answer that could be kept
         return;
     }
     if (is_new)
@@ -255,6 +258,7 @@ void end_contact(State& s, std::uint32_t id) {
 }
 
 void update_contacts(State& s, float dt) {
+    update_resting(s, dt);
     s.solved.clear();
     s.narrow.skipped.clear();
     s.narrow.batches.resize(pair_kinds);
@@ -263,6 +267,10 @@ void update_contacts(State& s, float dt) {
         const ContactInfo& c = s.contacts[id];
         if (!c.b_moves && !s.is_awake(c.body_a) && !moves(s, c.body_b)) {
             if (c.point_count > 0) s.narrow.skipped.push_back(id);
+            return;
+        }
+        if (is_tested(s, c)) {
+            if (c.point_count > 0) s.solved.push_back(id);
             return;
         }
         PairBatch& batch = s.narrow.batches[std::size_t(c.kind)];
@@ -287,12 +295,9 @@ void report_contacts(State& s, float dt) {
     statistics.max_penetration = 0;
     for (const std::uint32_t id : s.solved) {
         ContactInfo& c = s.contacts[id];
-        const ContactRecord& r = s.records[id];
-        const float separation = least_separation(c, r);
-        float impulse = 0;
-        for (int i = 0; i < c.point_count; ++i) impulse += r.total_impulses[i];
+        const float separation = s.solver.reports[id].separation, impulse = s.solver.reports[id].impulse;
         // Impulses beyond the range of numbers (of bodies that were stopped for it) must not start the next step.
-        if (!std::isfinite(impulse) || !math::is_finite(to_vec(r.friction_impulse))) forget_impulses(s.records[id]);
+        if (!std::isfinite(impulse)) forget_impulses(s.records[id]);
         statistics.max_penetration = std::max(statistics.max_penetration, double(-separation));
         note_load(s, c, std::isfinite(impulse) ? impulse / dt : 0);
         if (!c.touching && (separation <= 0 || impulse > 0)) {
@@ -300,6 +305,7 @@ void report_contacts(State& s, float dt) {
             const ShapeId a = s.shape_id(c.shape_a), b = s.shape_id(c.shape_b);
             const BodyId body_a = s.body_id(c.body_a), body_b = s.body_id(c.body_b);
             s.begins.push_back({a, b, body_a, body_b});
+            const ContactRecord& r = s.records[id];
             if (r.approach_speed >= s.settings.hit_speed) {
                 int deepest = 0;
                 for (int i = 1; i < c.point_count; ++i)

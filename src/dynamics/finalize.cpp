@@ -24,7 +24,11 @@ void move_shapes(State& s, std::int32_t b, float dt) {
                 std::uint32_t(shape), p,
                 math::rotate(shape_rotation(s.shape_poses[std::size_t(shape)]), math::Vec3{0, 1, 0}));
         } else {
-            s.broad_phase.set_bounds(std::uint32_t(shape), shape_bounds(s, std::uint32_t(shape)), displacement);
+            const Geometry& geometry = s.geometry[std::size_t(shape)];
+            const ShapePose& pose = s.shape_poses[std::size_t(shape)];
+            const DBounds bounds = geometry_bounds(
+                geometry, shape_position(pose), geometry.is_turned ? math::to_matrix(shape_rotation(pose)) : rotation);
+            s.broad_phase.set_bounds(std::uint32_t(shape), bounds, displacement);
         }
     }
 }
@@ -73,6 +77,7 @@ void add_proxy(State& s, std::uint32_t shape) {
 }
 
 void update_proxies(State& s, std::int32_t b) {
+    s.resting[std::size_t(b)].left_at = s.steps + 1;
     place_shapes(s, b);
     move_shapes(s, b, 0);
 }

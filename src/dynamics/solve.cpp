@@ -214,7 +214,9 @@ void scatter_body(State& s, std::int32_t b, std::size_t row) {
     const math::DVec3 dx = math::to_double(math::Vec3{pose.dx[0], pose.dx[1], pose.dx[2]});
     const math::Quat dq{pose.dq[0], pose.dq[1], pose.dq[2], pose.dq[3]};
     math::Vec3 v{velocity.v[0], velocity.v[1], velocity.v[2]}, w{velocity.w[0], velocity.w[1], velocity.w[2]};
-    if (!(math::is_finite(dx) && math::is_finite(dq) && math::is_finite(v) && math::is_finite(w))) {
+    const math::DVec3 sum = (dx + math::to_double(v)) + math::to_double(w);
+    const double sum_q = ((double(dq.x) + dq.y) + dq.z) + dq.w;
+    if (0 * ((sum.x + sum.y) + (sum.z + sum_q)) != 0) {
         motion.v = motion.w = {};
         s.turned[std::size_t(b)] = {};
         ++s.clamped_speeds;
@@ -245,7 +247,8 @@ void solve_bin(State& s, const Bin& bin, float dt) {
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     run_substeps(s, bin, dt);
     for (const BlockRun& run : scratch.runs)
-        kernels_for(run).store(blocks_of(scratch, run), run.count, lanes_of(scratch, run), s.records.data());
+        kernels_for(run).store(blocks_of(scratch, run), run.count, lanes_of(scratch, run), s.records.data(),
+                               scratch.reports.data());
     for (std::size_t row = first_body_row; row < scratch.row_bodies.size(); ++row) {
         const std::int32_t b = scratch.row_bodies[row];
         if (b == none) continue;
@@ -270,6 +273,7 @@ void move_kinematics(State& s, float dt) {
 
 void solve_bins(State& s, float dt) {
     s.solver.free_bodies.clear();
+    s.solver.reports.resize(s.records.size());
     s.solver.row_of_body.resize(s.bodies.size(), none);
     s.statistics.times.prepare = 0;
     for (const Bin& bin : s.solver.bins) solve_bin(s, bin, dt);

@@ -57,6 +57,7 @@ struct SolverScratch {
     std::vector<std::int32_t> bin_of_island, bin_islands, contacts_of_island, open_bins;
     std::vector<std::uint32_t> key_counts, keys; // counting sort of contacts
     std::vector<SortedContact> sorted;
+    std::vector<ContactReport> reports;    // by contact, of those that were solved
     std::vector<std::int32_t> row_of_body; // in the bin at work; none: in no row
     // --- of the bin at work
     std::vector<std::int32_t> free_bodies;   // of all bins: those without a contact

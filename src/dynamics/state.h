@@ -29,6 +29,13 @@ struct BodyMotion {
     math::Vec3 v_rest, w_rest; // what rounding has left over of v and w, while nothing touches the body
 };
 
+// Where a body came to rest: while it stays there, the contacts it has need not be found anew.
+struct RestingPose {
+    math::DVec3 x;
+    math::DQuat q;
+    std::uint64_t left_at = 0; // the step before which it was last seen elsewhere
+};
+
 struct BodyMass {
     float mass = 0, inverse_mass = 0;    // an inverse of 0 means immovable
     math::Vec3 inertia, inverse_inertia; // principal
@@ -61,7 +68,7 @@ struct BodyLinks {
     float radius = 0;               // of the body about its center of mass; planes not counted
     float quiet_time = 0;           // s that it has been slower than the sleep speed
     std::int32_t contact_count = 0; // that are solved
-    std::uint64_t colors = 0; // of its contacts, one bit each
+    std::uint64_t colors = 0;       // of its contacts, one bit each
 };
 
 struct ShapeLinks {
@@ -100,6 +107,8 @@ struct ContactInfo {
     float force = 0;           // N: the normal force of the last step
     float load = 0;            // N: the sustained one, without impacts
     float substep_time = 0;    // s: that the impulses are for
+    std::uint32_t padding = 0;
+    std::uint64_t tested_at = 0; // the step that last tested the pair; 0: none
 };
 
 struct Island {
@@ -129,7 +138,8 @@ struct State {
     std::vector<BodySettings> body_settings;
     std::vector<BodyForces> forces;
     std::vector<BodyLinks> bodies;
-    std::vector<math::Quat> turned;       // rotation of the last step, for matching contact points
+    std::vector<math::Quat> turned; // rotation of the last step, for matching contact points
+    std::vector<RestingPose> resting;
     std::vector<std::int32_t> kinematics; // kinematic bodies, in order of creation
 
     SlotPool shape_slots;

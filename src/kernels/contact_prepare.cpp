@@ -216,7 +216,26 @@ void prepare_contacts(void* blocks, int count, const ContactLanes& lanes, const 
     }
 }
 
-template <int N> void store_contacts(const void* blocks, int count, const ContactLanes& lanes, ContactRecord* records) {
+// Sums and minima over the points, to one report for each lane.
+template <int N>
+CAIRN_INLINE void store_reports(const ContactBlock<N>& block, const std::int32_t* ids, Vec3x8 friction_impulse,
+                                ContactReport* reports) {
+    f32x8 impulse = load(block.total_impulse[0]), separation = load(block.separation0[0]);
+    for (int i = 1; i < N; ++i) {
+        impulse += load(block.total_impulse[i]);
+        separation = min(separation, load(block.separation0[i]));
+    }
+    impulse += zero() * ((friction_impulse.x + friction_impulse.y) + friction_impulse.z);
+    alignas(32) float impulses[8], separations[8];
+    store(impulses, impulse);
+    store(separations, separation);
+    for (int i = 0; i < 8; ++i)
+        if (ids[i] >= 0) reports[ids[i]] = {impulses[i], separations[i]};
+}
+
+template <int N>
+void store_contacts(const void* blocks, int count, const ContactLanes& lanes, ContactRecord* records,
+                    ContactReport* reports) {
     auto* block = static_cast<const ContactBlock<N>*>(blocks);
     alignas(32) float discarded[4];
     for (int k = 0; k < count; ++k) {
@@ -241,12 +260,13 @@ template <int N> void store_contacts(const void* blocks, int count, const Contac
         scatter4(friction, p.x, p.y, p.z, load(b.torsion_impulse));
         const Vec3x8 sum = load(b.total_tangent[0]) * t1 + load(b.total_tangent[1]) * t2;
         scatter4(total_friction, sum.x, sum.y, sum.z, zero());
+        store_reports<N>(b, ids, p, reports);
     }
 }
 
 template void prepare_contacts<1>(void*, int, const ContactLanes&, const ContactRecord*, const SolverInertia*, float);
 template void prepare_contacts<4>(void*, int, const ContactLanes&, const ContactRecord*, const SolverInertia*, float);
-template void store_contacts<1>(const void*, int, const ContactLanes&, ContactRecord*);
-template void store_contacts<4>(const void*, int, const ContactLanes&, ContactRecord*);
+template void store_contacts<1>(const void*, int, const ContactLanes&, ContactRecord*, ContactReport*);
+template void store_contacts<4>(const void*, int, const ContactLanes&, ContactRecord*, ContactReport*);
 
 } // namespace cairn::CAIRN_ISA

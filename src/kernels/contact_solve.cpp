@@ -181,8 +181,7 @@ CAIRN_INLINE void begin_solve(const ContactBlock<N>& block, const SolverVelocity
     }
 }
 
-template <int N>
-CAIRN_INLINE void end_solve(ContactBlock<N>& block, SolverVelocity* velocity, Rows<N>& rows) {
+template <int N> CAIRN_INLINE void end_solve(ContactBlock<N>& block, SolverVelocity* velocity, Rows<N>& rows) {
     f32x8 sum = zero();
     Vec3x8 torque = zero3();
     for (int i = 0; i < N; ++i) {
@@ -271,7 +270,8 @@ template <int N> CAIRN_INLINE PointSums apply_relax(ContactBlock<N>& block, Vec3
 template <int N>
 CAIRN_INLINE void solve_friction(ContactBlock<N>& block, const PointSums& sums, Vec3x8 normal, Velocityx8& a,
                                  Velocityx8& b) {
-    const Vec3x8 center = load3(block.center), d = load3(block.d), t1 = load3(block.tangent[0]), t2 = load3(block.tangent[1]);
+    const Vec3x8 center = load3(block.center), d = load3(block.d), t1 = load3(block.tangent[0]),
+                 t2 = load3(block.tangent[1]);
     const Vec3x8 dw = b.w - a.w;
     const Vec3x8 slip = (b.v - a.v) + cross(dw, center) + cross(b.w, d);
     const f32x8 x = dot(slip, t1), y = dot(slip, t2), spin = dot(normal, dw);

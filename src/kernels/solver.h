@@ -12,7 +12,9 @@ SolverKernels solver_kernels();
 template <int N>
 void prepare_contacts(void* blocks, int count, const ContactLanes& lanes, const ContactRecord* records,
                       const SolverInertia* inertia, float friction_margin);
-template <int N> void store_contacts(const void* blocks, int count, const ContactLanes& lanes, ContactRecord* records);
+template <int N>
+void store_contacts(const void* blocks, int count, const ContactLanes& lanes, ContactRecord* records,
+                    ContactReport* reports);
 template <int N>
 int bounce_contacts(void* blocks, int count, const SolverBodies& bodies, const BounceSettings& settings);
 void integrate_velocities(const SolverBodies& bodies, int begin, int end, bool first);

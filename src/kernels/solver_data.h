@@ -66,15 +66,15 @@ struct alignas(64) ContactRecord {
 // With both anchors of a point in one place in the world, B's arm of the normal row is A's plus c:
 // j_i = r_i x n for A and j_i + c for B, c = (x_A - x_B) x n.
 template <int N> struct alignas(64) ContactBlock {
-    static constexpr int share_count = N > 1 ? N * (N - 1) : 1;
+    static constexpr int share_count = N > 1 ? N*(N - 1) : 1;
     // Rows of the bodies as offsets in bytes, the same in all body arrays; where B's velocity goes: its row, or
     // discard_row. Lanes without a contact read and write discard_row.
     std::uint32_t a[8], b[8], write_b[8];
-    float normal[3][8], c[3][8];         // c as of the last poses, like d below
+    float normal[3][8], c[3][8]; // c as of the last poses, like d below
     float mass_a[8], mass_b[8], inertia_a[6][8], inertia_b[6][8];
-    float arm[N][3][8];             // j_i
-    float effective_mass[N][8];     // 1 / K_ii; 0 for unused points
-    float share[share_count][8];    // K_ji / K_jj, i != j, see share_index; 0 for unused points j
+    float arm[N][3][8];          // j_i
+    float effective_mass[N][8];  // 1 / K_ii; 0 for unused points
+    float share[share_count][8]; // K_ji / K_jj, i != j, see share_index; 0 for unused points j
     float impulse[N][8], separation[N][8];
     float separation0[N][8], height[N][8]; // separation at the start of the step; r_i . n
     float d0[3][8], d[3][8];               // x_A - x_B at the start of the step, and as of the last poses
@@ -98,6 +98,12 @@ struct ContactSoftness {
     float bias_rate, mass_scale, impulse_scale;
     float bias_rate_static, mass_scale_static, impulse_scale_static;
     float recovery_speed;
+};
+
+// What a step has done to one contact, beside its record.
+struct ContactReport {
+    float impulse;    // N s: the total of its normal impulses; not a number if any impulse is not finite
+    float separation; // m: of its deepest point, at the start of the step
 };
 
 // Which contact sits in each lane of a list of blocks, and the rows of its bodies. A record of -1 is an empty
@@ -135,7 +141,9 @@ struct SolverKernels {
         void (*solve)(void* blocks, int count, SolverVelocity* velocity, const ContactSoftness& softness);
         void (*relax)(void* blocks, int count, const SolverBodies& bodies, const ContactSoftness& softness);
         int (*bounce)(void* blocks, int count, const SolverBodies& bodies, const BounceSettings& settings);
-        void (*store)(const void* blocks, int count, const ContactLanes& lanes, ContactRecord* records);
+        // Records and reports are indexed by the contact.
+        void (*store)(const void* blocks, int count, const ContactLanes& lanes, ContactRecord* records,
+                      ContactReport* reports);
     } one_point, four_points;
 
     // Rows begin..end. `first`: the first substep of a step, which has no constraint part to carry over.

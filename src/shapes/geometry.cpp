@@ -70,17 +70,17 @@ Geometry make_geometry(const Shape& shape, const Transform& pose) {
             g.bounding_radius = math::length(g.size);
         }
     }
+    g.is_turned = !(g.rotation.x == 0 && g.rotation.y == 0 && g.rotation.z == 0);
     return g;
 }
 
-DBounds geometry_bounds(const Geometry& shape, DVec3 position, math::Quat rotation) {
+DBounds geometry_bounds(const Geometry& shape, DVec3 position, const math::Mat3& m) {
     if (shape.type == ShapeType::plane) return {{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}};
     DVec3 half;
     if (shape.type == ShapeType::sphere) {
         const double r = shape.size.x;
         half = {r, r, r};
     } else {
-        const math::Mat3 m = math::to_matrix(rotation);
         half = math::to_double(shape.size.x * math::abs(m.c0) + shape.size.y * math::abs(m.c1) +
                                shape.size.z * math::abs(m.c2));
     }

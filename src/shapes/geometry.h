@@ -6,6 +6,7 @@
 
 #include <cairn/shape.h>
 
+#include <cstdint>
 #include <optional>
 
 namespace cairn {
@@ -17,13 +18,14 @@ struct Geometry {
     float bounding_radius = 0; // about the shape's origin; 0 for the infinite plane
     math::Vec3 position;       // of the shape's origin in the body's frame
     math::Quat rotation;
+    std::uint32_t is_turned = 0; // the rotation is not the identity
 };
 
 // Shapes must be valid (see world/validate.h).
 Geometry make_geometry(const Shape& shape, const Transform& pose);
 
 // Tight bounds of a shape posed in the world; infinite for an infinite plane.
-DBounds geometry_bounds(const Geometry& shape, math::DVec3 position, math::Quat rotation);
+DBounds geometry_bounds(const Geometry& shape, math::DVec3 position, const math::Mat3& rotation);
 
 // Mass, center of mass and inertia tensor about it, in double for the sums over shapes.
 struct MassSum {

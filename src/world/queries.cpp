@@ -109,7 +109,7 @@ std::vector<ShapeId> World::overlap(const Shape& shape, const Transform& pose) c
     const Quat rotation = checked_rotation("World::overlap pose.rotation", pose.rotation);
     const Geometry g = make_geometry(shape, {Position(0.0), rotation});
     const math::DVec3 position = to_math(pose.position);
-    const DBounds bounds = geometry_bounds(g, position, g.rotation);
+    const DBounds bounds = geometry_bounds(g, position, math::to_matrix(g.rotation));
     const ShapePose query = make_pose(g, position, g.rotation);
     const State& s = impl_->state;
     std::vector<ShapeId> found;

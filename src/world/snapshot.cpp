@@ -13,8 +13,8 @@ constexpr std::uint64_t magic = 0x31306e7269616321ull; // "!cairn01"
 std::uint64_t layout() {
     Hash64 hash;
     for (const std::size_t size :
-         {sizeof(State), sizeof(BodyMotion), sizeof(BodyMass), sizeof(ContactRecord), sizeof(ContactInfo),
-          sizeof(Island), sizeof(ShapePose), sizeof(Shape), sizeof(ShapeDef), sizeof(WorldDef)})
+         {sizeof(State), sizeof(BodyMotion), sizeof(RestingPose), sizeof(BodyMass), sizeof(ContactRecord),
+          sizeof(ContactInfo), sizeof(Island), sizeof(ShapePose), sizeof(Shape), sizeof(ShapeDef), sizeof(WorldDef)})
         hash.add(size);
     return hash.value();
 }
@@ -23,7 +23,7 @@ template <class Archive> void serialize_state(Archive& archive, State& s) {
     archive(s.world_id), archive(s.settings), archive(s.steps), archive(s.time);
     s.body_slots.serialize(archive);
     archive(s.motion), archive(s.mass), archive(s.body_settings), archive(s.forces), archive(s.bodies);
-    archive(s.turned), archive(s.kinematics);
+    archive(s.turned), archive(s.resting), archive(s.kinematics);
     s.shape_slots.serialize(archive);
     archive(s.geometry), archive(s.shape_poses), archive(s.shapes), archive(s.materials);
     archive(s.records), archive(s.contacts), archive(s.free_contacts);

@@ -7,13 +7,13 @@
 
 namespace cairn_test::golden {
 
-inline constexpr std::uint64_t mixed_pile = 0x76519b9acfba54e0;
-inline constexpr std::uint64_t pyramid = 0x16dab291480d431e;
-inline constexpr std::uint64_t dominoes = 0x810a7a89a314dc79;
-inline constexpr std::uint64_t materials = 0x0c2fd1eb9c3f2787;
-inline constexpr std::uint64_t tumbler = 0x5b6a68fb7a1bfc44;
-inline constexpr std::uint64_t sleep_and_wake = 0x8060413d9d519c3b;
-inline constexpr std::uint64_t compounds = 0xefc658e063bc19e1;
-inline constexpr std::uint64_t free_tops = 0xc4db5c593173d6f7;
+inline constexpr std::uint64_t mixed_pile = 0x5234645c74329a3b;
+inline constexpr std::uint64_t pyramid = 0xd3b45c388f79b5c4;
+inline constexpr std::uint64_t dominoes = 0xffaf9b70d53156eb;
+inline constexpr std::uint64_t materials = 0xa8e0272280c5b6c1;
+inline constexpr std::uint64_t tumbler = 0xf0581a98dae50489;
+inline constexpr std::uint64_t sleep_and_wake = 0x60522e1f7dd866cb;
+inline constexpr std::uint64_t compounds = 0x976745ba7f36e8fb;
+inline constexpr std::uint64_t free_tops = 0x03e040806a0b28c3;
 
 } // namespace cairn_test::golden

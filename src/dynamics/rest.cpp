@@ -1,0 +1,54 @@
+#include "dynamics/rest.h"
+
+#include <algorithm>
+
+namespace cairn {
+
+namespace {
+
+// How far any point of a body may be from where it rested, less for bodies smaller than a meter: a share of what a soft
+// contact sinks under a body's own weight, which is about 10 m/s^2 times the square of the substep. And how fast it may
+// be, as a share of that way in one step: the solver cannot see a creep as slow as that.
+constexpr double sinking = 10.0, most_shift = 0.01, most_step = 0.25;
+
+bool is_within(math::DVec3 v, double most) { return math::dot(v, v) <= most * most; }
+
+bool rests(const RestingPose& pose, const BodyMotion& motion, float radius, double shift, double speed) {
+    const double most = shift * std::min(radius, 1.0f);
+    const math::DQuat& p = pose.q;
+    const math::DQuat& q = motion.q;
+    // A turn by a small angle a changes the unit quaternion by a / 2.
+    const double turn =
+        (q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y) + (q.z - p.z) * (q.z - p.z) + (q.w - p.w) * (q.w - p.w);
+    return is_within(motion.x - pose.x, most) && 4 * turn * double(radius) * double(radius) <= most * most &&
+           is_within(math::to_double(motion.v), speed) && is_within(double(radius) * math::to_double(motion.w), speed);
+}
+
+} // namespace
+
+void update_resting(State& s, float dt) {
+    const double h = double(dt) / s.settings.substeps;
+    const double shift = most_shift * sinking * h * h, speed = most_step * shift / double(dt);
+    const std::uint64_t step = s.steps + 1;
+    auto leave = [&](std::int32_t b) {
+        const BodyMotion& motion = s.motion[std::size_t(b)];
+        s.resting[std::size_t(b)] = {motion.x, motion.q, step};
+    };
+    for (const std::int32_t i : s.awake_islands)
+        for (std::int32_t b = s.islands[std::size_t(i)].first_body; b != none;
+             b = s.bodies[std::size_t(b)].next_in_island)
+            if (!rests(s.resting[std::size_t(b)], s.motion[std::size_t(b)], s.bodies[std::size_t(b)].radius, shift,
+                       speed))
+                leave(b);
+    for (const std::int32_t b : s.kinematics) {
+        const BodyMotion& motion = s.motion[std::size_t(b)];
+        const RestingPose& pose = s.resting[std::size_t(b)];
+        // Exactly: planes reach far.
+        const bool still = motion.v == math::Vec3{} && motion.w == math::Vec3{} && motion.x == pose.x &&
+                           motion.q.x == pose.q.x && motion.q.y == pose.q.y && motion.q.z == pose.q.z &&
+                           motion.q.w == pose.q.w;
+        if (!still) leave(b);
+    }
+}
+
+} // namespace cairn

@@ -1,0 +1,76 @@
+// Bodies at rest that do not sleep: their contacts are not found anew, and nothing about them may be stale.
+#include "support.h"
+
+namespace cairn_test {
+namespace {
+
+struct BoxOnTable {
+    World world{without_sleep()};
+    BodyId table, box;
+    explicit BoxOnTable(BodyType type = BodyType::static_) {
+        table = world.create_body({.type = type});
+        world.add_shape(table, Box{{2, 0.5f, 2}});
+        BodyDef def;
+        def.position = {0, 1, 0};
+        box = world.create_body(def);
+        world.add_shape(box, Box{});
+        run(world, 1.0f / 60, 120);
+    }
+    double height() { return world.body(box).position().y; }
+};
+
+TEST(Rest, BoxFallsWhenTheTableItRestsOnIsMovedAway) {
+    BoxOnTable scene;
+    scene.world.body(scene.table).set_position({10, 0, 0});
+    run(scene.world, 1.0f / 60, 60);
+    EXPECT_LT(scene.height(), -3);
+}
+
+TEST(Rest, BoxFallsWhenTheTableItRestsOnLosesItsShape) {
+    BoxOnTable scene;
+    scene.world.remove_shape(scene.world.body(scene.table).shapes().front());
+    run(scene.world, 1.0f / 60, 60);
+    EXPECT_LT(scene.height(), -3);
+}
+
+TEST(Rest, BoxRidesOnAKinematicTableThatBeginsToMove) {
+    BoxOnTable scene(BodyType::kinematic);
+    scene.world.body(scene.table).set_linear_velocity({0, 0.1f, 0});
+    run(scene.world, 1.0f / 60, 60);
+    EXPECT_NEAR(scene.height(), 1.1, 0.005);
+}
+
+TEST(Rest, BoxFollowsATableThatIsTurnedByHand) {
+    BoxOnTable scene(BodyType::kinematic);
+    scene.world.body(scene.table).set_rotation(glm::angleAxis(0.05f, glm::vec3(0, 0, 1)));
+    run(scene.world, 1.0f / 60, 120);
+    EXPECT_NEAR(glm::angle(scene.world.body(scene.box).rotation()), 0.05, 0.005);
+}
+
+TEST(Rest, BoxThatIsPushedSlidesAsOneThatWasNeverAtRest) {
+    BoxOnTable rested;
+    rested.world.body(rested.box).set_linear_velocity({1, 0, 0});
+    const double start = rested.world.body(rested.box).position().x;
+    run(rested.world, 1.0f / 60, 60);
+    const double friction = Material{}.dynamic_friction;
+    EXPECT_NEAR(rested.world.body(rested.box).position().x - start, 1 / (2 * friction * 9.81), 0.01);
+}
+
+TEST(Rest, SlowCreepIsNotLost) { // a hundredth of a millimeter per second
+    WorldDef def = without_sleep();
+    def.gravity = {0, 0, 0};
+    World world(def);
+    const BodyId body = world.create_body({});
+    world.add_shape(body, Box{});
+    BodyDef near_by;
+    near_by.position = {0, 1.0001, 0};
+    near_by.linear_velocity = {0, -1e-5f, 0};
+    const BodyId other = world.create_body(near_by);
+    world.add_shape(other, Box{});
+    run(world, 1.0f / 60, 60 * 20); // 0.2 mm of way for a gap of 0.1 mm
+    EXPECT_NEAR(world.body(other).position().y - world.body(body).position().y, 1.0, 5e-6);
+    EXPECT_LT(world.body(body).position().y, -1e-5); // pushed on by the other
+}
+
+} // namespace
+} // namespace cairn_test
