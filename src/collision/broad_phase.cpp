@@ -151,6 +151,7 @@ void BroadPhase::add(std::uint32_t shape, const DBounds& tight, Mobility mobilit
     Proxy& proxy = proxies_[shape];
     if (mobility == Mobility::awake) {
         proxy.kinematic = kinematic;
+        has_kinematic_ |= std::uint32_t(kinematic);
         place_awake(shape);
         return;
     }

@@ -190,6 +190,8 @@ class BroadPhase {
     std::uint32_t list_leaves(int which, const TreeView& tree, const TreeBox& box, std::uint32_t first_leaf);
     LeafList leaf_list(int which);
     void list_others(const TreeBox& box);
+    void mark_kinematic_leaves();
+    std::uint32_t drop_kinematic_leaves(int which, int home, std::uint32_t count);
     void search(int home);
     void search_group(int home, std::uint32_t first, std::uint32_t end);
     void search_leaf(int home, std::uint32_t leaf, std::uint32_t own_count, std::uint32_t large_count);
@@ -245,12 +247,13 @@ class BroadPhase {
     std::uint32_t steps_since_sort_ = 0;
     std::uint64_t moved_since_sort_ = 0;
     float large_size_ = largest_bound; // from here on an awake shape is large, m
+    std::uint32_t has_kinematic_ = 0;  // or had
     Counts last_ = {};
 
     // --- scratch: kept between calls for its memory only
     bool search_all_ = false;
     std::uint32_t small_count_ = 0;
-    std::vector<std::uint8_t> dirty_[2]; // by leaf
+    std::vector<std::uint8_t> dirty_[2], kinematic_leaf_[2]; // by leaf; nothing but kinematic shapes in it
     KdOrder kd_;
     std::vector<EndedPair> ended_, flat_;
     std::vector<FoundPair> found_;

@@ -84,6 +84,34 @@ void BroadPhase::list_others(const TreeBox& box) {
     }
 }
 
+void BroadPhase::mark_kinematic_leaves() {
+    if (!has_kinematic_) return;
+    for (int home = 0; home < 2; ++home) {
+        const SlotTree& tree = awake_[home];
+        kinematic_leaf_[home].assign(tree.leaf_count(), 1);
+        for (std::uint32_t slot = 0; slot < tree.slot_count(); ++slot)
+            if (tree.alive(slot) && !proxies_[tree.item(slot)].kinematic) kinematic_leaf_[home][slot / 8] = 0;
+    }
+}
+
+// Takes the leaves that are kinematic throughout out of list `which`, so that a crowd of n kinematic shapes in one
+// place is not n^2 pairs to look at. Returns how many are left; the boxes are padded as the kernels want it.
+std::uint32_t BroadPhase::drop_kinematic_leaves(int which, int home, std::uint32_t count) {
+    if (count == 0) return 0;
+    const LeafList list = leaf_list(which);
+    std::uint32_t left = 0;
+    for (std::uint32_t k = 0; k < count; ++k) {
+        if (kinematic_leaf_[home][list.leaf[k]]) continue;
+        list.leaf[left] = list.leaf[k];
+        for (float* bounds : list.bounds) bounds[left] = bounds[k];
+        ++left;
+    }
+    for (std::uint32_t k = left; k < left + 8; ++k)
+        for (int axis = 0; axis < 3; ++axis)
+            list.bounds[axis][k] = empty_bound, list.bounds[axis + 3][k] = -empty_bound;
+    return left;
+}
+
 void BroadPhase::search(int home) {
     const std::uint32_t leaves = awake_[home].leaf_count();
     for (std::uint32_t first = 0; first < leaves; first += 8) search_group(home, first, std::min(first + 8, leaves));
@@ -98,8 +126,13 @@ void BroadPhase::search_group(int home, std::uint32_t first, std::uint32_t end) 
     for (std::uint32_t leaf = first; leaf < end; ++leaf)
         if (dirty[leaf]) include(bounds, awake_[home].leaf_bounds(leaf));
     list_others(bounds);
-    const std::uint32_t own_count = list_leaves(0, awake_[home].view(), bounds, first);
-    const std::uint32_t large_count = home == 0 ? list_leaves(1, awake_[1].view(), bounds, 0) : 0;
+    std::uint32_t own_count = list_leaves(0, awake_[home].view(), bounds, first);
+    std::uint32_t large_count = home == 0 ? list_leaves(1, awake_[1].view(), bounds, 0) : 0;
+    if (has_kinematic_ && std::all_of(&kinematic_leaf_[home][first], &kinematic_leaf_[home][first] + (end - first),
+                                      [](std::uint8_t all) { return all != 0; })) {
+        own_count = drop_kinematic_leaves(0, home, own_count);
+        large_count = drop_kinematic_leaves(1, 1, large_count);
+    }
     row_buffer_.capacity = 8 * (own_count + large_count) + 8;
     if (row_keys_.size() < 8 * std::size_t(row_buffer_.capacity))
         row_keys_.resize(8 * std::size_t(row_buffer_.capacity));

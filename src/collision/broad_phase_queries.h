@@ -81,7 +81,7 @@ template <class Archive> void BroadPhase::serialize(Archive& archive) {
     archive(dead_island_nodes_), archive(dead_island_shapes_), archive(kept_count_);
     archive(changes_), archive(touched_), archive(removed_), archive(refiltered_), archive(returned_);
     archive(all_dirty_), archive(transfers_), archive(removals_), archive(shape_count_), archive(sleeping_count_);
-    archive(steps_since_sort_), archive(moved_since_sort_), archive(large_size_);
+    archive(steps_since_sort_), archive(moved_since_sort_), archive(large_size_), archive(has_kinematic_);
 }
 
 } // namespace cairn

@@ -21,6 +21,7 @@ void BroadPhase::update(PairSink& sink) {
             rows_[home].compact_if_wasteful();
         }
         mark_leaves();
+        mark_kinematic_leaves();
         for (int home = 0; home < 2; ++home) search(home);
     }
     report(sink);
