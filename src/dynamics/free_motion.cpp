@@ -14,9 +14,13 @@ using math::DVec3;
 
 namespace {
 
-// Slower rotations (radians per substep) have no gyroscopic part worth computing. It makes no difference to what is
-// held by friction, but the energy of a free top depends on it.
-constexpr double least_turn_free = 1e-6, least_turn_in_contact = 1e-4;
+// Slower rotations have no gyroscopic part worth computing: in free motion, in radians per substep, as the energy of a
+// free top depends on it; in contact, in radians per second.
+constexpr double least_turn_free = 1e-6, least_speed_in_contact = 2e-3;
+
+// Cosine of half the angle up to which a body may have turned in a step for its angular momentum to be kept track of:
+// beyond, the inertia that contacts act on says nothing about the one it has.
+constexpr float most_turn_cosine = 0.9f;
 
 struct Increment {
     DVec3 velocity, correction;
@@ -54,8 +58,7 @@ DQuat axis_turn(int axis, double angle) {
 // Dullweber, Leimkuhler and McLachlan 1997): with I2 the middle moment, the energy is L^2 / (2 I2), a steady turn about
 // L, plus m1^2 / 2 (1/I1 - 1/I2) and m3^2 / 2 (1/I3 - 1/I2), turns about the body's own axes. Each is followed exactly;
 // a symmetric top is exact as a whole.
-Increment split_spin(const Spin& spin, const DQuat& q, DVec3 w, DVec3 torque, double h) {
-    const DVec3 momentum = spin.to_world(q, spin.moments, w) + h * torque;
+Increment split_spin(const Spin& spin, const DQuat& q, DVec3 w, DVec3 momentum, double h) {
     const DVec3& i = spin.moments;
     int least = i.x <= i.y ? (i.x <= i.z ? 0 : 2) : (i.y <= i.z ? 1 : 2);
     int greatest = i.x > i.y ? (i.x > i.z ? 0 : 2) : (i.y > i.z ? 1 : 2);
@@ -83,8 +86,7 @@ Increment explicit_spin(const Spin& spin, const DQuat& q, DVec3 w, DVec3 torque,
 }
 
 // Classic Runge-Kutta on the rotation and the angular momentum.
-Increment rk4_spin(const Spin& spin, const DQuat& q, DVec3 w, DVec3 torque, double h) {
-    const DVec3 momentum = spin.to_world(q, spin.moments, w);
+Increment rk4_spin(const Spin& spin, const DQuat& q, DVec3 w, DVec3 momentum, DVec3 torque, double h) {
     auto rate = [&](const DQuat& at, double t) {
         const DVec3 u = spin.to_world(math::normalized(at), spin.inverse_moments, momentum + t * torque);
         const DQuat d = DQuat{u.x, u.y, u.z, 0} * at;
@@ -158,37 +160,106 @@ void write_angular(State& s, std::size_t row, const Increment& change) {
         put(scratch.free_correction[row].w, math::to_float(cut(change.correction, s.settings.max_angular_speed)));
 }
 
-// For the body b at rotation q with the angular velocity w. Slower turns than `least` have no gyroscopic part.
-Increment spin_increment(const State& s, std::int32_t b, const DQuat& q, DVec3 w, double h, double least) {
-    const BodyMass& mass = s.mass[std::size_t(b)];
-    const DVec3 torque = s.forces[std::size_t(b)].torque;
+Spin spin_of(const BodyMass& mass) {
     const math::Vec3& i = mass.inertia;
     // Inverses in double: rounded ones would change the momentum a little in every substep.
-    const Spin spin{math::to_double(i),
-                    {mass.inverse_inertia.x > 0 ? 1.0 / i.x : 0, mass.inverse_inertia.y > 0 ? 1.0 / i.y : 0,
-                     mass.inverse_inertia.z > 0 ? 1.0 / i.z : 0},
-                    math::normalized(math::to_double(mass.principal))};
+    return {math::to_double(i),
+            {mass.inverse_inertia.x > 0 ? 1.0 / i.x : 0, mass.inverse_inertia.y > 0 ? 1.0 / i.y : 0,
+             mass.inverse_inertia.z > 0 ? 1.0 / i.z : 0},
+            math::normalized(math::to_double(mass.principal))};
+}
+
+// Whether a body has a gyroscopic part: unequal moments, and turns faster than `least` in a substep.
+bool precesses(const BodyMass& mass, DVec3 w, double h, double least) {
     const bool turns_freely = mass.inverse_inertia.x > 0 && mass.inverse_inertia.y > 0 && mass.inverse_inertia.z > 0;
-    if (mass.isotropic || !turns_freely || !(h * h * math::dot(w, w) > least * least)) {
-        if (!s.forces[std::size_t(b)].any) return {};
-        return translate(s.settings.integrator, h * spin.to_world(q, spin.inverse_moments, torque));
-    }
+    return !mass.isotropic && turns_freely && h * h * math::dot(w, w) > least * least;
+}
+
+// For a body at rotation q with the angular velocity w and the angular momentum that goes with it.
+Increment gyroscopic_increment(const State& s, const Spin& spin, const DQuat& q, DVec3 w, DVec3 momentum, DVec3 torque,
+                               double h) {
     switch (s.settings.integrator) {
     case Integrator::semi_implicit_euler:
-        return split_spin(spin, q, w, torque, h);
+        return split_spin(spin, q, w, momentum + h * torque, h);
     case Integrator::explicit_euler:
         return explicit_spin(spin, q, w, torque, h);
     case Integrator::rk4:
-        return rk4_spin(spin, q, w, torque, h);
+        return rk4_spin(spin, q, w, momentum, torque, h);
     }
     return {};
 }
 
-void spin_row(State& s, std::size_t row, DVec3 w, float h) {
-    const std::int32_t b = s.solver.row_bodies[row];
+// The torque alone.
+Increment torque_increment(const State& s, std::int32_t b, const Spin& spin, const DQuat& q, double h) {
+    if (!s.forces[std::size_t(b)].any) return {};
+    return translate(s.settings.integrator,
+                     h * spin.to_world(q, spin.inverse_moments, s.forces[std::size_t(b)].torque));
+}
+
+DQuat row_rotation(const State& s, std::size_t row) {
     const float* dq = s.solver.pose[row].dq;
-    const DQuat q = math::normalized(DQuat{dq[0], dq[1], dq[2], dq[3]} * s.motion[std::size_t(b)].q);
-    write_angular(s, row, spin_increment(s, b, q, w, h, least_turn_in_contact));
+    return math::normalized(DQuat{dq[0], dq[1], dq[2], dq[3]} * s.motion[std::size_t(s.solver.row_bodies[row])].q);
+}
+
+// The angular momentum of a row now: that of its free motion in the last substep, and what contacts have added since.
+// They act on the inertia that the solver has, of the start of the step; taking I w instead, with the inertia of now,
+// would lose a part of every impulse.
+DVec3 row_momentum(const State& s, const SpinningRow& r, const Spin& spin, const DQuat& q, DVec3 w) {
+    return r.is_known && s.solver.pose[std::size_t(r.row)].dq[3] > most_turn_cosine
+               ? r.momentum + r.contact_inertia * (w - r.free_w)
+               : spin.to_world(q, spin.moments, w);
+}
+
+void spin_row(State& s, SpinningRow& r, float h) {
+    SolverScratch& scratch = s.solver;
+    const std::size_t row = std::size_t(r.row);
+    const std::int32_t b = scratch.row_bodies[row];
+    const float* velocity = scratch.velocity[row].w;
+    const DVec3 w = row_vector(velocity), torque = s.forces[std::size_t(b)].torque;
+    const DQuat q = row_rotation(s, row);
+    const Spin spin = spin_of(s.mass[std::size_t(b)]);
+    if (!precesses(s.mass[std::size_t(b)], w, h, double(h) * least_speed_in_contact)) {
+        // So slow that the inertia is still that of the step's start: what counts are the contacts of this substep.
+        r.momentum = r.free_w = {};
+        r.is_known = r.keeps_momentum;
+        write_angular(s, row, torque_increment(s, b, spin, q, h));
+        return;
+    }
+    const DVec3 momentum = row_momentum(s, r, spin, q, w);
+    write_angular(s, row, gyroscopic_increment(s, spin, q, w, momentum, torque, h));
+    // To the bit what integrate_velocities will make of it.
+    const float* drive = scratch.drive[row].w;
+    for (int i = 0; i < 3; ++i) {
+        const float factor = scratch.damping.empty() ? 1.0f : scratch.damping[row].w[i];
+        r.free_w[i] = (velocity[i] + drive[i]) * factor;
+        r.momentum[i] = double(factor) * (momentum[i] + double(h) * torque[i]);
+    }
+    r.is_known = r.keeps_momentum;
+}
+
+// Inverse of a symmetric positive definite matrix, by cofactors.
+math::DSym3 inverse(const math::DSym3& m) {
+    const double xx = m.yy * m.zz - m.yz * m.yz, xy = m.xz * m.yz - m.xy * m.zz, xz = m.xy * m.yz - m.xz * m.yy;
+    const double scale = 1 / (m.xx * xx + m.xy * xy + m.xz * xz);
+    return {scale * xx,
+            scale * xy,
+            scale * xz,
+            scale * (m.xx * m.zz - m.xz * m.xz),
+            scale * (m.xy * m.xz - m.xx * m.yz),
+            scale * (m.xx * m.yy - m.xy * m.xy)};
+}
+
+SpinningRow make_spinning_row(const State& s, std::size_t row) {
+    const SolverInertia& i = s.solver.inertia[row];
+    const math::Vec3 moments = s.mass[std::size_t(s.solver.row_bodies[row])].inertia;
+    SpinningRow r;
+    r.row = std::int32_t(row);
+    r.contact_inertia = inverse({i.xx, i.xy, i.xz, i.yy, i.yz, i.zz});
+    // Explicit Euler is kept as it stands, and needles have another inertia in contacts than in free motion.
+    r.keeps_momentum = s.settings.integrator != Integrator::explicit_euler &&
+                       std::min({moments.x, moments.y, moments.z}) >
+                           least_contact_moment * std::max({moments.x, moments.y, moments.z});
+    return r;
 }
 
 // The factor exp(-c h) for a damping rate c: one over the first terms of exp(c h), so it never changes sign.
@@ -257,7 +328,7 @@ void prepare_free_motion(State& s, float h, bool corrects) {
     for (std::size_t row = 0; row < rows; ++row) {
         const std::int32_t b = scratch.row_bodies[row];
         if (b != none && s.is_dynamic(b) && !s.mass[std::size_t(b)].isotropic)
-            scratch.spinning_rows.push_back(std::int32_t(row));
+            scratch.spinning_rows.push_back(make_spinning_row(s, row));
     }
     if (!scratch.spinning_rows.empty() || corrects || s.settings.integrator != Integrator::semi_implicit_euler)
         scratch.free_correction.assign(rows, {});
@@ -270,7 +341,8 @@ void prepare_free_motion(State& s, float h, bool corrects) {
         const BodyMass& mass = s.mass[std::size_t(b)];
         if (mass.inverse_mass > 0 && !scratch.drive_varies)
             write_linear(s, row, linear_increment(s, load_on(s, b), motion.x, math::to_double(motion.v), h));
-        if (mass.isotropic && s.forces[std::size_t(b)].any) spin_row(s, row, math::to_double(motion.w), h);
+        if (mass.isotropic && s.forces[std::size_t(b)].any)
+            write_angular(s, row, torque_increment(s, b, spin_of(mass), motion.q, h));
     }
 }
 
@@ -283,9 +355,20 @@ void update_free_motion(State& s, float h) {
             const DVec3 x = s.motion[std::size_t(b)].x + row_vector(scratch.pose[row].dx);
             write_linear(s, row, linear_increment(s, load_on(s, b), x, row_vector(scratch.velocity[row].v), h));
         }
-    for (const std::int32_t row : scratch.spinning_rows)
-        spin_row(s, std::size_t(row), row_vector(scratch.velocity[std::size_t(row)].w), h);
+    for (SpinningRow& row : scratch.spinning_rows) spin_row(s, row, h);
     scratch.correction = scratch.free_correction;
+}
+
+void finish_free_motion(State& s) {
+    SolverScratch& scratch = s.solver;
+    for (const SpinningRow& r : scratch.spinning_rows) {
+        if (!r.is_known) continue;
+        const std::size_t row = std::size_t(r.row);
+        const Spin spin = spin_of(s.mass[std::size_t(scratch.row_bodies[row])]);
+        const DQuat q = row_rotation(s, row);
+        const DVec3 momentum = row_momentum(s, r, spin, q, row_vector(scratch.velocity[row].w));
+        put(scratch.velocity[row].w, math::to_float(spin.to_world(q, spin.inverse_moments, momentum)));
+    }
 }
 
 void move_free_body(State& s, std::int32_t b, float dt) {
@@ -300,6 +383,8 @@ void move_free_body(State& s, std::int32_t b, float dt) {
     const double linear = damping_factor(settings.linear_damping, float(h));
     const double angular = damping_factor(settings.angular_damping, float(h));
     const Load load = load_on(s, b);
+    const Spin spin = spin_of(mass);
+    const DVec3 torque = s.forces[std::size_t(b)].torque;
     DVec3 x = motion.x, v = math::to_double(motion.v) + math::to_double(motion.v_rest);
     DVec3 w = math::to_double(motion.w) + math::to_double(motion.w_rest);
     DQuat q = motion.q;
@@ -315,7 +400,9 @@ void move_free_body(State& s, std::int32_t b, float dt) {
             v = limited(linear * (v + cut(change.velocity, most_v)), most_v);
             x += h * (v + cut(change.correction, most_v));
         }
-        const Increment turn = spin_increment(s, b, q, w, h, least_turn_free);
+        const Increment turn = precesses(mass, w, h, least_turn_free)
+                                   ? gyroscopic_increment(s, spin, q, w, spin.to_world(q, spin.moments, w), torque, h)
+                                   : torque_increment(s, b, spin, q, h);
         w = limited(angular * (w + cut(turn.velocity, most_w)), most_w);
         q = turned_by(h * (w + cut(turn.correction, most_w)), q);
     }

@@ -104,10 +104,6 @@ void fill_lanes(SolverScratch& scratch, const Bin& bin) {
         scratch.four_blocks.resize(scratch.four_lanes.record.size() / 8);
 }
 
-// Contacts on a needle, with a moment a millionth of the others, would spin it up without end in single precision: for
-// them no moment is less than this share of the greatest. (A rod 20 times as long as thick has 0.5 %.)
-constexpr float least_contact_moment = 0.005f;
-
 math::Sym3 contact_inverse_inertia(const BodyMotion& motion, const BodyMass& mass) {
     const math::Vec3 d = mass.inverse_inertia;
     const float least = std::min({d.x, d.y, d.z}), most = least / least_contact_moment;
@@ -124,6 +120,7 @@ void fill_rows(State& s) {
     const std::size_t rows = scratch.row_bodies.size();
     scratch.velocity.assign(rows, {});
     scratch.reference.assign(rows, {});
+    scratch.rounding.assign(rows, {});
     scratch.pose.assign(rows, {{0, 0, 0}, 0, {0, 0, 0, 1}});
     scratch.inertia.assign(rows, {});
     for (std::size_t row = first_body_row; row < rows; ++row) {
@@ -165,13 +162,22 @@ float velocity_offset(Integrator integrator) {
     return 0;
 }
 
+void refresh_all(State& s, const SolverBodies& bodies, float h) {
+    for (const BlockRun& run : s.solver.runs)
+        kernels_for(run).refresh_arms(blocks_of(s.solver, run), run.count, bodies, h);
+}
+
 void bounce_all(State& s, const SolverBodies& bodies, const BounceSettings& settings) {
     for (int pass = 0; pass < most_bounce_passes; ++pass) {
         int bounced = 0;
         for (const BlockRun& run : s.solver.runs)
             bounced += kernels_for(run).bounce(blocks_of(s.solver, run), run.count, bodies, settings);
-        if (bounced == 0) return;
+        if (bounced == 0) {
+            if (pass > 0) refresh_all(s, bodies, settings.h);
+            return;
+        }
     }
+    refresh_all(s, bodies, settings.h);
 }
 
 void run_substeps(State& s, const Bin& bin, float dt) {
@@ -185,6 +191,7 @@ void run_substeps(State& s, const Bin& bin, float dt) {
     SolverVelocity* velocity = scratch.velocity.data();
     const SolverBodies bodies{velocity,
                               scratch.reference.data(),
+                              scratch.rounding.data(),
                               scratch.pose.data(),
                               scratch.inertia.data(),
                               scratch.drive.data(),
@@ -246,6 +253,7 @@ void solve_bin(State& s, const Bin& bin, float dt) {
     s.statistics.times.prepare +=
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     run_substeps(s, bin, dt);
+    finish_free_motion(s);
     for (const BlockRun& run : scratch.runs)
         kernels_for(run).store(blocks_of(scratch, run), run.count, lanes_of(scratch, run), s.records.data(),
                                scratch.reports.data());

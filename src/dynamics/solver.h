@@ -20,6 +20,11 @@ void solve_bins(State& state, float dt);
 void prepare_free_motion(State& state, float h, bool corrects);
 // At the start of each substep: what of them depends on the pose or the velocity.
 void update_free_motion(State& state, float h);
+// After the last substep: the angular velocities that go with the angular momenta and rotations at its end.
+void finish_free_motion(State& state);
+// Contacts on a needle, with a moment a millionth of the others, would spin it up without end in single precision: for
+// them no moment is less than this share of the greatest. (A rod 20 times as long as thick has 0.5 %.)
+inline constexpr float least_contact_moment = 0.005f;
 // A body that nothing touches: a whole step, in double. What the rounding of its velocities leaves over is kept.
 void move_free_body(State& state, std::int32_t body, float dt);
 // Gravity and fields at a point, m/s^2 (for a body of that mass and gravity scale).

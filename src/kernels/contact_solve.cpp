@@ -13,7 +13,7 @@ namespace {
 
 constexpr float tiny = 1e-20f;
 // Shares of B's arm: how far two bodies must pass each other to count, and how far it counts in one step.
-constexpr float least_passing = 1e-6f, most_passing = 0.1f;
+constexpr float least_passing = 1e-6f, most_passing = 0.4f;
 
 template <int N>
 CAIRN_INLINE void normal_velocities(const ContactBlock<N>& block, const Velocityx8& a, const Velocityx8& b,
@@ -51,8 +51,7 @@ template <int N> CAIRN_INLINE void refresh_arm(ContactBlock<N>& block, Vec3x8 no
     const Vec3x8 d0 = load3(block.d0), old = load3(block.d);
     const f32x8 arm_square = load(block.arm_b_square);
     Vec3x8 d = d0 + passed, change = d - old;
-    block.moved = any(dot(change, change) > splat(least_passing * least_passing) * arm_square);
-    if (!block.moved) return;
+    if (!any(dot(change, change) > splat(least_passing * least_passing) * arm_square)) return;
     // Only as far as the couplings K, which are those of the start, still fit.
     const f32x8 limit = splat(most_passing * most_passing) * arm_square, square = dot(passed, passed);
     const mask8 far = square > limit;
@@ -64,7 +63,9 @@ template <int N> CAIRN_INLINE void refresh_arm(ContactBlock<N>& block, Vec3x8 no
     for (int i = 0; i < N; ++i) carried += load(block.impulse[i]);
     const Vec3x8 p = load(block.tangent_impulse[0]) * load3(block.tangent[0]) +
                      load(block.tangent_impulse[1]) * load3(block.tangent[1]);
-    store3(block.moved_moment, cross(change, carried * normal + p));
+    const Vec3x8 moment = cross(change, carried * normal + p);
+    store3(block.moved_moment, block.moved ? load3(block.moved_moment) + moment : moment);
+    block.moved = 1;
     store3(block.d, d);
     store3(block.c, cross(d, normal));
 }
@@ -91,6 +92,19 @@ CAIRN_INLINE void refresh_separations(ContactBlock<N>& block, const SolverPose* 
         store(block.separation[i], s[i]);
     }
     refresh_arm(block, normal, passed);
+}
+
+// After bounces: to where their corrections will have moved the bodies.
+template <int N> void refresh_arms(void* blocks, int count, const SolverBodies& bodies, float h) {
+    auto* all = static_cast<ContactBlock<N>*>(blocks);
+    auto* correction = reinterpret_cast<const SolverVelocity*>(bodies.velocity_correction);
+    for (int k = 0; k < count; ++k) {
+        ContactBlock<N>& block = all[k];
+        const Vec3x8 shift =
+            splat(h) * (gather_velocity(correction, block.a).v - gather_velocity(correction, block.b).v);
+        const Vec3x8 passed = gather_pose(bodies.pose, block.a).dx - gather_pose(bodies.pose, block.b).dx;
+        refresh_arm(block, load3(block.normal), passed + shift);
+    }
 }
 
 template <int N> void warm_start(const void* blocks, int count, SolverVelocity* velocity) {
@@ -159,11 +173,12 @@ CAIRN_INLINE Softnessx8 softness_of(const ContactSoftness& s, mask8 immovable) {
 }
 
 template <int N>
-CAIRN_INLINE void begin_solve(const ContactBlock<N>& block, const SolverVelocity* velocity,
-                              const ContactSoftness& softness, Rows<N>& rows, float (*shares)[8]) {
+CAIRN_INLINE void begin_solve(ContactBlock<N>& block, const SolverVelocity* velocity, const ContactSoftness& softness,
+                              Rows<N>& rows, float (*shares)[8]) {
     rows.a = gather_velocity(velocity, block.a);
     rows.b = gather_velocity(velocity, block.b);
     if (block.moved) rows.b.w = rows.b.w + load6(block.inertia_b) * load3(block.moved_moment);
+    block.moved = 0;
     const Softnessx8 soft = softness_of(softness, load(block.mass_b) == zero());
     const f32x8 inverse_h = splat(softness.inverse_h), slowest = splat(-softness.recovery_speed);
     f32x8 v[N];
@@ -365,7 +380,8 @@ template <int N> void relax(void* blocks, int count, const SolverBodies& bodies,
 }
 
 template <int N> SolverKernels::ForPoints contact_kernels() {
-    return {prepare_contacts<N>, warm_start<N>, solve<N>, relax<N>, bounce_contacts<N>, store_contacts<N>};
+    return {prepare_contacts<N>, warm_start<N>,   solve<N>,         relax<N>,
+            bounce_contacts<N>,  refresh_arms<N>, store_contacts<N>};
 }
 
 } // namespace

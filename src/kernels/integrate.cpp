@@ -11,9 +11,11 @@ void integrate_velocities(const SolverBodies& bodies, int begin, int end, bool f
         const f32x8 v = load(bodies.velocity[i].v);
         f32x8 free = v + load(bodies.drive[i].v);
         if (bodies.damping) free = free * load(bodies.damping[i].v);
-        const f32x8 carried = first ? zero() : v - load(bodies.reference[i].v);
+        const f32x8 carried = first ? zero() : (v - load(bodies.reference[i].v)) + load(bodies.rounding[i].v);
+        const f32x8 sum = free + carried;
         store(bodies.reference[i].v, free);
-        store(bodies.velocity[i].v, first ? free : free + carried);
+        store(bodies.rounding[i].v, carried - (sum - free));
+        store(bodies.velocity[i].v, sum);
     }
 }
 

@@ -118,6 +118,7 @@ struct ContactLanes {
 struct SolverBodies {
     SolverVelocity* velocity;
     SolverVelocity* reference; // velocity after external forces, before any constraint of the substep
+    SolverVelocity* rounding;  // what the last rounding of `velocity` has left over
     SolverPose* pose;
     const SolverInertia* inertia;
     const SolverTwist* drive;         // what external forces add to the velocity in one substep
@@ -141,6 +142,7 @@ struct SolverKernels {
         void (*solve)(void* blocks, int count, SolverVelocity* velocity, const ContactSoftness& softness);
         void (*relax)(void* blocks, int count, const SolverBodies& bodies, const ContactSoftness& softness);
         int (*bounce)(void* blocks, int count, const SolverBodies& bodies, const BounceSettings& settings);
+        void (*refresh_arms)(void* blocks, int count, const SolverBodies& bodies, float h);
         // Records and reports are indexed by the contact.
         void (*store)(const void* blocks, int count, const ContactLanes& lanes, ContactRecord* records,
                       ContactReport* reports);

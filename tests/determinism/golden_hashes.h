@@ -7,13 +7,13 @@
 
 namespace cairn_test::golden {
 
-inline constexpr std::uint64_t mixed_pile = 0x5234645c74329a3b;
-inline constexpr std::uint64_t pyramid = 0xd3b45c388f79b5c4;
-inline constexpr std::uint64_t dominoes = 0xffaf9b70d53156eb;
-inline constexpr std::uint64_t materials = 0xa8e0272280c5b6c1;
-inline constexpr std::uint64_t tumbler = 0xf0581a98dae50489;
-inline constexpr std::uint64_t sleep_and_wake = 0x60522e1f7dd866cb;
-inline constexpr std::uint64_t compounds = 0x976745ba7f36e8fb;
-inline constexpr std::uint64_t free_tops = 0x03e040806a0b28c3;
+inline constexpr std::uint64_t mixed_pile = 0x6beb340de0931a48;
+inline constexpr std::uint64_t pyramid = 0x7b06077238366328;
+inline constexpr std::uint64_t dominoes = 0x720b15198de9ab6c;
+inline constexpr std::uint64_t materials = 0x0c9dcba9c8816984;
+inline constexpr std::uint64_t tumbler = 0x1fb5e6edb99c3e36;
+inline constexpr std::uint64_t sleep_and_wake = 0x4b3bc4044e52e175;
+inline constexpr std::uint64_t compounds = 0xf474a7f87d2adcf6;
+inline constexpr std::uint64_t free_tops = 0x1066144aac47b8e5;
 
 } // namespace cairn_test::golden
