@@ -14,13 +14,9 @@ using math::DVec3;
 
 namespace {
 
-// Slower rotations have no gyroscopic part worth computing: in free motion, in radians per substep, as the energy of a
-// free top depends on it; in contact, in radians per second.
-constexpr double least_turn_free = 1e-6, least_speed_in_contact = 2e-3;
-
-// Cosine of half the angle up to which a body may have turned in a step for its angular momentum to be kept track of:
-// beyond, the inertia that contacts act on says nothing about the one it has.
-constexpr float most_turn_cosine = 0.9f;
+// Slower rotations (radians per substep) have no gyroscopic part worth computing. It makes no difference to what is
+// held by friction, but the energy of a free top depends on it.
+constexpr double least_turn_free = 1e-6, least_turn_in_contact = 1e-5;
 
 struct Increment {
     DVec3 velocity, correction;
@@ -201,40 +197,18 @@ DQuat row_rotation(const State& s, std::size_t row) {
     return math::normalized(DQuat{dq[0], dq[1], dq[2], dq[3]} * s.motion[std::size_t(s.solver.row_bodies[row])].q);
 }
 
-// The angular momentum of a row now: that of its free motion in the last substep, and what contacts have added since.
-// They act on the inertia that the solver has, of the start of the step; taking I w instead, with the inertia of now,
-// would lose a part of every impulse.
-DVec3 row_momentum(const State& s, const SpinningRow& r, const Spin& spin, const DQuat& q, DVec3 w) {
-    return r.is_known && s.solver.pose[std::size_t(r.row)].dq[3] > most_turn_cosine
-               ? r.momentum + r.contact_inertia * (w - r.free_w)
-               : spin.to_world(q, spin.moments, w);
-}
-
-void spin_row(State& s, SpinningRow& r, float h) {
-    SolverScratch& scratch = s.solver;
-    const std::size_t row = std::size_t(r.row);
-    const std::int32_t b = scratch.row_bodies[row];
-    const float* velocity = scratch.velocity[row].w;
-    const DVec3 w = row_vector(velocity), torque = s.forces[std::size_t(b)].torque;
+// One row that the kernel does not do.
+void spin_row(State& s, std::size_t row, float h) {
+    const std::int32_t b = s.solver.row_bodies[row];
+    const BodyMass& mass = s.mass[std::size_t(b)];
+    const DVec3 w = row_vector(s.solver.velocity[row].w);
     const DQuat q = row_rotation(s, row);
-    const Spin spin = spin_of(s.mass[std::size_t(b)]);
-    if (!precesses(s.mass[std::size_t(b)], w, h, double(h) * least_speed_in_contact)) {
-        // So slow that the inertia is still that of the step's start: what counts are the contacts of this substep.
-        r.momentum = r.free_w = {};
-        r.is_known = r.keeps_momentum;
-        write_angular(s, row, torque_increment(s, b, spin, q, h));
-        return;
-    }
-    const DVec3 momentum = row_momentum(s, r, spin, q, w);
-    write_angular(s, row, gyroscopic_increment(s, spin, q, w, momentum, torque, h));
-    // To the bit what integrate_velocities will make of it.
-    const float* drive = scratch.drive[row].w;
-    for (int i = 0; i < 3; ++i) {
-        const float factor = scratch.damping.empty() ? 1.0f : scratch.damping[row].w[i];
-        r.free_w[i] = (velocity[i] + drive[i]) * factor;
-        r.momentum[i] = double(factor) * (momentum[i] + double(h) * torque[i]);
-    }
-    r.is_known = r.keeps_momentum;
+    const Spin spin = spin_of(mass);
+    write_angular(
+        s, row,
+        precesses(mass, w, h, least_turn_in_contact)
+            ? gyroscopic_increment(s, spin, q, w, spin.to_world(q, spin.moments, w), s.forces[std::size_t(b)].torque, h)
+            : torque_increment(s, b, spin, q, h));
 }
 
 // Inverse of a symmetric positive definite matrix, by cofactors.
@@ -249,17 +223,40 @@ math::DSym3 inverse(const math::DSym3& m) {
             scale * (m.xx * m.yy - m.xy * m.xy)};
 }
 
-SpinningRow make_spinning_row(const State& s, std::size_t row) {
-    const SolverInertia& i = s.solver.inertia[row];
-    const math::Vec3 moments = s.mass[std::size_t(s.solver.row_bodies[row])].inertia;
-    SpinningRow r;
-    r.row = std::int32_t(row);
-    r.contact_inertia = inverse({i.xx, i.xy, i.xz, i.yy, i.yz, i.zz});
-    // Explicit Euler is kept as it stands, and needles have another inertia in contacts than in free motion.
-    r.keeps_momentum = s.settings.integrator != Integrator::explicit_euler &&
-                       std::min({moments.x, moments.y, moments.z}) >
-                           least_contact_moment * std::max({moments.x, moments.y, moments.z});
-    return r;
+// Explicit Euler is kept as it stands, needles have another inertia in contacts than in free motion, and torques may be
+// of any size: those are left to the scalar code.
+bool kernel_spins(const State& s, std::int32_t b) {
+    const BodyMass& mass = s.mass[std::size_t(b)];
+    const math::Vec3& i = mass.inertia;
+    return s.settings.integrator != Integrator::explicit_euler && !s.forces[std::size_t(b)].any &&
+           mass.inverse_inertia.x > 0 && mass.inverse_inertia.y > 0 && mass.inverse_inertia.z > 0 &&
+           std::min({i.x, i.y, i.z}) > least_contact_moment * std::max({i.x, i.y, i.z});
+}
+
+int spin_block_count(const SolverScratch& scratch) { return int((scratch.spin_count + 7) / 8); }
+
+void add_spin_lane(State& s, std::size_t row) {
+    SolverScratch& scratch = s.solver;
+    const std::size_t lane = scratch.spin_count++ % 8;
+    if (lane == 0) {
+        if (scratch.spin_blocks.size() * 8 < scratch.spin_count) scratch.spin_blocks.emplace_back();
+        SpinBlock& fresh = scratch.spin_blocks[scratch.spin_count / 8];
+        fresh = {};
+        for (int i = 0; i < 8; ++i) fresh.row[i] = discard_row * row_bytes, fresh.axes[3][i] = 1;
+    }
+    SpinBlock& block = scratch.spin_blocks[(scratch.spin_count - 1) / 8];
+    const std::size_t b = std::size_t(scratch.row_bodies[row]);
+    const BodyMass& mass = s.mass[b];
+    const math::Quat axes = math::to_float(math::normalized(s.motion[b].q * math::to_double(mass.principal)));
+    const SolverInertia& i = scratch.inertia[row];
+    const math::DSym3 c = inverse({i.xx, i.xy, i.xz, i.yy, i.yz, i.zz});
+    const float q[4] = {axes.x, axes.y, axes.z, axes.w};
+    const double inertia[6] = {c.xx, c.xy, c.xz, c.yy, c.yz, c.zz};
+    block.row[lane] = std::uint32_t(row) * row_bytes;
+    for (int k = 0; k < 4; ++k) block.axes[k][lane] = q[k];
+    for (int k = 0; k < 3; ++k) block.moments[k][lane] = mass.inertia[k];
+    for (int k = 0; k < 3; ++k) block.inverse_moments[k][lane] = mass.inverse_inertia[k];
+    for (int k = 0; k < 6; ++k) block.contact_inertia[k][lane] = float(inertia[k]);
 }
 
 // The factor exp(-c h) for a damping rate c: one over the first terms of exp(c h), so it never changes sign.
@@ -322,15 +319,20 @@ void prepare_free_motion(State& s, float h, bool corrects) {
     const std::size_t rows = scratch.row_bodies.size();
     scratch.drive.assign(rows, {});
     scratch.spinning_rows.clear();
+    scratch.spin_count = 0;
     scratch.free_correction.clear();
     scratch.drive_varies = fields_vary(s);
     prepare_damping(s, h);
     for (std::size_t row = 0; row < rows; ++row) {
         const std::int32_t b = scratch.row_bodies[row];
-        if (b != none && s.is_dynamic(b) && !s.mass[std::size_t(b)].isotropic)
-            scratch.spinning_rows.push_back(make_spinning_row(s, row));
+        if (b == none || !s.is_dynamic(b) || s.mass[std::size_t(b)].isotropic) continue;
+        if (kernel_spins(s, b))
+            add_spin_lane(s, row);
+        else
+            scratch.spinning_rows.push_back(std::int32_t(row));
     }
-    if (!scratch.spinning_rows.empty() || corrects || s.settings.integrator != Integrator::semi_implicit_euler)
+    if (!scratch.spinning_rows.empty() || scratch.spin_count > 0 || corrects ||
+        s.settings.integrator != Integrator::semi_implicit_euler)
         scratch.free_correction.assign(rows, {});
     scratch.correction = scratch.free_correction;
     for (std::size_t row = 0; row < rows; ++row) {
@@ -346,7 +348,7 @@ void prepare_free_motion(State& s, float h, bool corrects) {
     }
 }
 
-void update_free_motion(State& s, float h) {
+void update_free_motion(State& s, const SolverBodies& bodies, float h, bool first) {
     SolverScratch& scratch = s.solver;
     if (scratch.drive_varies)
         for (std::size_t row = 0; row < scratch.row_bodies.size(); ++row) {
@@ -355,20 +357,17 @@ void update_free_motion(State& s, float h) {
             const DVec3 x = s.motion[std::size_t(b)].x + row_vector(scratch.pose[row].dx);
             write_linear(s, row, linear_increment(s, load_on(s, b), x, row_vector(scratch.velocity[row].v), h));
         }
-    for (SpinningRow& row : scratch.spinning_rows) spin_row(s, row, h);
+    for (const std::int32_t row : scratch.spinning_rows) spin_row(s, std::size_t(row), h);
+    if (scratch.spin_count > 0)
+        kernels().solver.spin(scratch.spin_blocks.data(), spin_block_count(scratch), bodies, scratch.drive.data(),
+                              scratch.free_correction.data(), h, first);
     scratch.correction = scratch.free_correction;
 }
 
 void finish_free_motion(State& s) {
     SolverScratch& scratch = s.solver;
-    for (const SpinningRow& r : scratch.spinning_rows) {
-        if (!r.is_known) continue;
-        const std::size_t row = std::size_t(r.row);
-        const Spin spin = spin_of(s.mass[std::size_t(scratch.row_bodies[row])]);
-        const DQuat q = row_rotation(s, row);
-        const DVec3 momentum = row_momentum(s, r, spin, q, row_vector(scratch.velocity[row].w));
-        put(scratch.velocity[row].w, math::to_float(spin.to_world(q, spin.inverse_moments, momentum)));
-    }
+    kernels().solver.finish_spin(scratch.spin_blocks.data(), spin_block_count(scratch), scratch.velocity.data(),
+                                 scratch.pose.data());
 }
 
 void move_free_body(State& s, std::int32_t b, float dt) {

@@ -198,7 +198,7 @@ void run_substeps(State& s, const Bin& bin, float dt) {
                               scratch.damping.empty() ? nullptr : scratch.damping.data(),
                               scratch.correction.empty() ? nullptr : scratch.correction.data()};
     for (int substep = 0; substep < bin.substeps; ++substep) {
-        update_free_motion(s, h);
+        update_free_motion(s, bodies, h, substep == 0);
         k.solver.integrate_velocities(bodies, first_body_row, rows, substep == 0);
         if (bin.bounces) bounce_all(s, bodies, bounce);
         if (substep == 0)

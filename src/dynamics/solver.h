@@ -19,7 +19,7 @@ void solve_bins(State& state, float dt);
 // corrections, because something else will add to them.
 void prepare_free_motion(State& state, float h, bool corrects);
 // At the start of each substep: what of them depends on the pose or the velocity.
-void update_free_motion(State& state, float h);
+void update_free_motion(State& state, const SolverBodies& bodies, float h, bool first);
 // After the last substep: the angular velocities that go with the angular momenta and rotations at its end.
 void finish_free_motion(State& state);
 // Contacts on a needle, with a moment a millionth of the others, would spin it up without end in single precision: for

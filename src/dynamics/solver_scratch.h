@@ -3,8 +3,8 @@
 
 #include "collision/manifold.h"
 #include "kernels/solver_data.h"
-#include "math/vec.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -47,14 +47,6 @@ struct Bin {
     bool bounces = false;           // any of its contacts has restitution
 };
 
-// A row whose body has unequal moments of inertia.
-struct SpinningRow {
-    std::int32_t row = 0;
-    bool keeps_momentum = false, is_known = false; // is_known: momentum and free_w are those of this substep
-    math::DSym3 contact_inertia;                   // what impulses of contacts act on
-    math::DVec3 momentum, free_w;                  // after the substep's free motion, before contacts
-};
-
 // Lanes of a list of blocks, filled bin by bin.
 struct LaneLists {
     std::vector<std::int32_t> record, row_a, row_b;
@@ -71,7 +63,9 @@ struct SolverScratch {
     // --- of the bin at work
     std::vector<std::int32_t> free_bodies;   // of all bins: those without a contact
     std::vector<std::int32_t> row_bodies;    // body of each row; none for fixed, discard and padding
-    std::vector<SpinningRow> spinning_rows;
+    std::vector<std::int32_t> spinning_rows; // with unequal moments of inertia, that the kernel does not do
+    std::vector<SpinBlock> spin_blocks;      // those it does
+    std::size_t spin_count = 0;              // lanes in them
     std::vector<SolverVelocity> velocity, reference, rounding;
     std::vector<SolverPose> pose;
     std::vector<SolverInertia> inertia;

@@ -18,6 +18,9 @@ void store_contacts(const void* blocks, int count, const ContactLanes& lanes, Co
 template <int N>
 int bounce_contacts(void* blocks, int count, const SolverBodies& bodies, const BounceSettings& settings);
 void integrate_velocities(const SolverBodies& bodies, int begin, int end, bool first);
+void spin(SpinBlock* blocks, int count, const SolverBodies& bodies, SolverTwist* drive, SolverTwist* correction,
+          float h, bool first);
+void finish_spin(const SpinBlock* blocks, int count, SolverVelocity* velocity, const SolverPose* pose);
 void integrate_poses(const SolverBodies& bodies, int begin, int end, float h);
 
 // Velocities of 8 bodies.

@@ -132,6 +132,15 @@ struct BounceSettings {
     float velocity_offset; // velocity of the discrete path behind the stored one, in units of h a (see bounce.cpp)
 };
 
+// 8 bodies with unequal moments of inertia, see spin.cpp.
+struct alignas(64) SpinBlock {
+    std::uint32_t row[8]; // offsets in bytes; lanes without a body: discard_row
+    float axes[4][8];     // principal axes in the world at the start of the step, x y z w
+    float moments[3][8], inverse_moments[3][8];
+    float contact_inertia[6][8];        // what contacts act on
+    float momentum[3][8], free_w[3][8]; // after the substep's free motion, before contacts
+};
+
 struct SolverKernels {
     // The blocks argument of each is an array of ContactBlock<1> or ContactBlock<4>.
     struct ForPoints {
@@ -147,6 +156,12 @@ struct SolverKernels {
         void (*store)(const void* blocks, int count, const ContactLanes& lanes, ContactRecord* records,
                       ContactReport* reports);
     } one_point, four_points;
+
+    // The free turning of one substep: drive and correction of the rows, angular parts only.
+    void (*spin)(SpinBlock* blocks, int count, const SolverBodies& bodies, SolverTwist* drive, SolverTwist* correction,
+                 float h, bool first);
+    // After the last substep: the angular velocities that go with the angular momenta and the rotations then.
+    void (*finish_spin)(const SpinBlock* blocks, int count, SolverVelocity* velocity, const SolverPose* pose);
 
     // Rows begin..end. `first`: the first substep of a step, which has no constraint part to carry over.
     void (*integrate_velocities)(const SolverBodies& bodies, int begin, int end, bool first);

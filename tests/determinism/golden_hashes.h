@@ -7,13 +7,13 @@
 
 namespace cairn_test::golden {
 
-inline constexpr std::uint64_t mixed_pile = 0x6beb340de0931a48;
+inline constexpr std::uint64_t mixed_pile = 0x460691b232779467;
 inline constexpr std::uint64_t pyramid = 0x7b06077238366328;
-inline constexpr std::uint64_t dominoes = 0x720b15198de9ab6c;
-inline constexpr std::uint64_t materials = 0x0c9dcba9c8816984;
-inline constexpr std::uint64_t tumbler = 0x1fb5e6edb99c3e36;
+inline constexpr std::uint64_t dominoes = 0x52e6c3e9791e19e2;
+inline constexpr std::uint64_t materials = 0x927ec6242cafe39e;
+inline constexpr std::uint64_t tumbler = 0xebe4f17459512cc8;
 inline constexpr std::uint64_t sleep_and_wake = 0x4b3bc4044e52e175;
-inline constexpr std::uint64_t compounds = 0xf474a7f87d2adcf6;
-inline constexpr std::uint64_t free_tops = 0x1066144aac47b8e5;
+inline constexpr std::uint64_t compounds = 0x6f52018cfb7b039f;
+inline constexpr std::uint64_t free_tops = 0x9e936f0a070cc8b3;
 
 } // namespace cairn_test::golden

@@ -1,0 +1,107 @@
+// The torque-free turning of bodies with unequal moments of inertia that touch something, 8 at a time. (Free bodies are
+// turned in double, in dynamics/free_motion.cpp.) The angular momentum L is followed through the step: contacts act on
+// the inertia that the solver has, of the start of the step, and what they add to L is that inertia times what they add
+// to the angular velocity w. Taking I w with the inertia of now instead would lose a part of every impulse.
+//
+// The turn is the midpoint rule on L: w = R I^-1 R^T L at the rotation R half a substep ahead.
+#include "kernels/solver.h"
+
+namespace cairn::CAIRN_ISA {
+
+namespace {
+
+// Cosine of half the angle up to which a body may have turned in a step for L to be followed: beyond, the inertia that
+// contacts act on says nothing about the one that it has.
+constexpr float most_turn_cosine = 0.9f;
+
+CAIRN_INLINE Quatx8 gather_turn(const SolverPose* pose, const std::uint32_t* offset) {
+    const float* p[8];
+    Quatx8 q;
+    for (int i = 0; i < 8; ++i) p[i] = row_at(pose, offset[i]).dq;
+    gather4(p, q.v.x, q.v.y, q.v.z, q.w);
+    return q;
+}
+template <class Row> CAIRN_INLINE Vec3x8 gather_angular(const Row* rows, const std::uint32_t* offset) {
+    const float* p[8];
+    Vec3x8 w;
+    f32x8 unused;
+    for (int i = 0; i < 8; ++i) p[i] = row_at(rows, offset[i]).w;
+    gather4(p, w.x, w.y, w.z, unused);
+    return w;
+}
+template <class Row> CAIRN_INLINE void scatter_angular(Row* rows, const std::uint32_t* offset, Vec3x8 w) {
+    float* p[8];
+    for (int i = 0; i < 8; ++i) p[i] = row_at(rows, offset[i]).w;
+    scatter4(p, w.x, w.y, w.z, zero());
+}
+
+CAIRN_INLINE Quatx8 multiply(Quatx8 a, Quatx8 b) {
+    return {a.w * b.v + (b.w * a.v + cross(a.v, b.v)), a.w * b.w - dot(a.v, b.v)};
+}
+CAIRN_INLINE Vec3x8 scaled(Vec3x8 a, Vec3x8 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
+
+// q turned on by the rotation vector 2 `half`, see integrate.cpp.
+CAIRN_INLINE Quatx8 turned_by(Vec3x8 half, Quatx8 q) {
+    const f32x8 x2 = min(dot(half, half), one());
+    const Vec3x8 t = (one() + x2 * (splat(1.0f / 3.0f) + x2 * splat(2.0f / 15.0f))) * half;
+    const Quatx8 r = multiply({t, one()}, q);
+    const f32x8 scale = one() / sqrt(dot(r.v, r.v) + r.w * r.w);
+    return {scale * r.v, scale * r.w};
+}
+
+// The diagonal tensor in the axes q, times v.
+CAIRN_INLINE Vec3x8 tensor(Quatx8 q, Vec3x8 diagonal, Vec3x8 v) {
+    return rotate(q, scaled(diagonal, rotate_back(q, v)));
+}
+
+// L now, with what the contacts have added since the last free motion.
+CAIRN_INLINE Vec3x8 momentum_now(const SpinBlock& block, Quatx8 turn, Quatx8 axes, Vec3x8 w, bool first) {
+    const mask8 followed = turn.w > splat(first ? 2.0f : most_turn_cosine);
+    Vec3x8 momentum = zero3();
+    if (!all(followed)) momentum = tensor(axes, load3(block.moments), w);
+    if (first) return momentum;
+    const Vec3x8 tracked = load3(block.momentum) + load6(block.contact_inertia) * (w - load3(block.free_w));
+    return select(followed, tracked, momentum);
+}
+
+} // namespace
+
+void spin(SpinBlock* blocks, int count, const SolverBodies& bodies, SolverTwist* drive, SolverTwist* correction,
+          float h, bool first) {
+    const f32x8 quarter = splat(0.25f * h), half = splat(0.5f * h);
+    for (int k = 0; k < count; ++k) {
+        SpinBlock& block = blocks[k];
+        const Vec3x8 w = gather_angular(bodies.velocity, block.row), inverse = load3(block.inverse_moments);
+        const Quatx8 turn = gather_turn(bodies.pose, block.row);
+        const Quatx8 q = multiply(turn, {load3(block.axes), load(block.axes[3])});
+        const Vec3x8 momentum = momentum_now(block, turn, q, w, first);
+        Vec3x8 middle = tensor(q, inverse, momentum);
+        for (int iteration = 0; iteration < 2; ++iteration)
+            middle = tensor(turned_by(quarter * middle, q), inverse, momentum);
+        const Vec3x8 end = tensor(turned_by(half * middle, q), inverse, momentum), change = end - w;
+        scatter_angular(drive, block.row, change);
+        scatter_angular(correction, block.row, middle - end);
+        // To the bit what integrate_velocities will make of it.
+        Vec3x8 free = w + change, left = momentum;
+        if (bodies.damping) {
+            const Vec3x8 factor = gather_angular(bodies.damping, block.row);
+            free = scaled(free, factor);
+            left = scaled(left, factor);
+        }
+        store3(block.momentum, left);
+        store3(block.free_w, free);
+    }
+}
+
+void finish_spin(const SpinBlock* blocks, int count, SolverVelocity* velocity, const SolverPose* pose) {
+    for (int k = 0; k < count; ++k) {
+        const SpinBlock& block = blocks[k];
+        const Vec3x8 w = gather_angular(velocity, block.row);
+        const Quatx8 turn = gather_turn(pose, block.row);
+        const Quatx8 q = multiply(turn, {load3(block.axes), load(block.axes[3])});
+        const Vec3x8 momentum = momentum_now(block, turn, q, w, false);
+        scatter_angular(velocity, block.row, tensor(q, load3(block.inverse_moments), momentum));
+    }
+}
+
+} // namespace cairn::CAIRN_ISA
