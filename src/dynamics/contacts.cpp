@@ -199,7 +199,7 @@ void begin_contact(State& s, ContactInfo& c, math::Vec3 normal) {
 // One result of a kernel.
 void take_manifold(State& s, std::uint32_t id, const Manifold& m, float dt) {
     ContactInfo& c = s.contacts[id];
-    c.tested_at = s.steps + 1;
+    c.tested_at = s.passes + 1;
     if (m.count == 0) {
         end_contact(s, id);
         return;

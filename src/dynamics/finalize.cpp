@@ -35,7 +35,7 @@ void move_shapes(State& s, std::int32_t b, float dt) {
 
 } // namespace
 
-void finalize_bodies(State& s, float dt) {
+void finalize_bodies(State& s, float dt, bool is_last_pass) {
     const float quiet_speed = s.settings.sleep_speed;
     const auto& g = s.settings.gravity;
     const float gravity = math::length(math::Vec3{g.x, g.y, g.z});
@@ -50,7 +50,7 @@ void finalize_bodies(State& s, float dt) {
             const BodyMotion& motion = s.motion[std::size_t(b)];
             const float speed = math::length(motion.v) + math::length(motion.w) * links.radius;
             links.quiet_time = speed < quiet_speed ? links.quiet_time + dt : 0;
-            s.forces[std::size_t(b)] = {};
+            if (is_last_pass) s.forces[std::size_t(b)] = {}; // they act for one step
         }
     }
     for (const std::int32_t b : s.kinematics) {
@@ -77,7 +77,7 @@ void add_proxy(State& s, std::uint32_t shape) {
 }
 
 void update_proxies(State& s, std::int32_t b) {
-    s.resting[std::size_t(b)].left_at = s.steps + 1;
+    s.resting[std::size_t(b)].left_at = s.passes + 1;
     place_shapes(s, b);
     move_shapes(s, b, 0);
 }

@@ -5,7 +5,7 @@
 
 namespace cairn {
 
-void finalize_bodies(State& state, float dt);
+void finalize_bodies(State& state, float dt, bool is_last_pass);
 
 // Places a body's shapes and tells the broad phase, for a body that was moved from outside a step.
 void update_proxies(State& state, std::int32_t body);

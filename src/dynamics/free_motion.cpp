@@ -198,17 +198,23 @@ DQuat row_rotation(const State& s, std::size_t row) {
 }
 
 // One row that the kernel does not do.
-void spin_row(State& s, std::size_t row, float h) {
+void spin_row(State& s, SpinningRow& r, float h) {
+    const std::size_t row = std::size_t(r.row);
     const std::int32_t b = s.solver.row_bodies[row];
     const BodyMass& mass = s.mass[std::size_t(b)];
     const DVec3 w = row_vector(s.solver.velocity[row].w);
     const DQuat q = row_rotation(s, row);
     const Spin spin = spin_of(mass);
-    write_angular(
-        s, row,
-        precesses(mass, w, h, least_turn_in_contact)
-            ? gyroscopic_increment(s, spin, q, w, spin.to_world(q, spin.moments, w), s.forces[std::size_t(b)].torque, h)
-            : torque_increment(s, b, spin, q, h));
+    r.turns = precesses(mass, w, h, least_turn_in_contact);
+    if (!r.turns) {
+        write_angular(s, row, torque_increment(s, b, spin, q, h));
+        return;
+    }
+    const Increment change =
+        gyroscopic_increment(s, spin, q, w, spin.to_world(q, spin.moments, w), s.forces[std::size_t(b)].torque, h);
+    r.free_w = w + change.velocity;
+    r.end = turned_by(double(h) * (r.free_w + change.correction), q);
+    write_angular(s, row, change);
 }
 
 // Inverse of a symmetric positive definite matrix, by cofactors.
@@ -329,7 +335,7 @@ void prepare_free_motion(State& s, float h, bool corrects) {
         if (kernel_spins(s, b))
             add_spin_lane(s, row);
         else
-            scratch.spinning_rows.push_back(std::int32_t(row));
+            scratch.spinning_rows.push_back({std::int32_t(row), false, {}, {}});
     }
     if (!scratch.spinning_rows.empty() || scratch.spin_count > 0 || corrects ||
         s.settings.integrator != Integrator::semi_implicit_euler)
@@ -357,11 +363,26 @@ void update_free_motion(State& s, const SolverBodies& bodies, float h, bool firs
             const DVec3 x = s.motion[std::size_t(b)].x + row_vector(scratch.pose[row].dx);
             write_linear(s, row, linear_increment(s, load_on(s, b), x, row_vector(scratch.velocity[row].v), h));
         }
-    for (const std::int32_t row : scratch.spinning_rows) spin_row(s, std::size_t(row), h);
+    for (SpinningRow& row : scratch.spinning_rows) spin_row(s, row, h);
     if (scratch.spin_count > 0)
         kernels().solver.spin(scratch.spin_blocks.data(), spin_block_count(scratch), bodies, scratch.drive.data(),
                               scratch.free_correction.data(), h, first);
     scratch.correction = scratch.free_correction;
+}
+
+void turn_spinning_rows(State& s, float h) {
+    SolverScratch& scratch = s.solver;
+    for (const SpinningRow& r : scratch.spinning_rows) {
+        if (!r.turns) continue;
+        const std::size_t row = std::size_t(r.row);
+        const DVec3 contacts = (row_vector(scratch.velocity[row].w) - r.free_w) +
+                               (row_vector(scratch.correction[row].w) - row_vector(scratch.free_correction[row].w));
+        const DQuat start = s.motion[std::size_t(scratch.row_bodies[row])].q;
+        const math::Quat turn =
+            math::to_float(math::normalized(turned_by(double(h) * contacts, r.end) * math::conjugate(start)));
+        float* dq = scratch.pose[row].dq;
+        dq[0] = turn.x, dq[1] = turn.y, dq[2] = turn.z, dq[3] = turn.w;
+    }
 }
 
 void finish_free_motion(State& s) {

@@ -11,6 +11,8 @@ namespace {
 // be, as a share of that way in one step: the solver cannot see a creep as slow as that.
 constexpr double sinking = 10.0, most_shift = 0.01, most_step = 0.25;
 
+constexpr float most_turn = 1.0f; // radians in a step
+
 bool is_within(math::DVec3 v, double most) { return math::dot(v, v) <= most * most; }
 
 bool rests(const RestingPose& pose, const BodyMotion& motion, float radius, double shift, double speed) {
@@ -29,17 +31,21 @@ bool rests(const RestingPose& pose, const BodyMotion& motion, float radius, doub
 void update_resting(State& s, float dt) {
     const double h = double(dt) / s.settings.substeps;
     const double shift = most_shift * sinking * h * h, speed = most_step * shift / double(dt);
-    const std::uint64_t step = s.steps + 1;
+    const std::uint64_t pass = s.passes + 1;
     auto leave = [&](std::int32_t b) {
         const BodyMotion& motion = s.motion[std::size_t(b)];
-        s.resting[std::size_t(b)] = {motion.x, motion.q, step};
+        s.resting[std::size_t(b)] = {motion.x, motion.q, pass};
     };
+    s.narrow.whirling.clear();
+    const float most_square = (most_turn / dt) * (most_turn / dt);
     for (const std::int32_t i : s.awake_islands)
         for (std::int32_t b = s.islands[std::size_t(i)].first_body; b != none;
-             b = s.bodies[std::size_t(b)].next_in_island)
-            if (!rests(s.resting[std::size_t(b)], s.motion[std::size_t(b)], s.bodies[std::size_t(b)].radius, shift,
-                       speed))
-                leave(b);
+             b = s.bodies[std::size_t(b)].next_in_island) {
+            const BodyMotion& motion = s.motion[std::size_t(b)];
+            if (!rests(s.resting[std::size_t(b)], motion, s.bodies[std::size_t(b)].radius, shift, speed)) leave(b);
+            if (math::dot(motion.w, motion.w) > most_square && !s.mass[std::size_t(b)].isotropic)
+                s.narrow.whirling.push_back(b);
+        }
     for (const std::int32_t b : s.kinematics) {
         const BodyMotion& motion = s.motion[std::size_t(b)];
         const RestingPose& pose = s.resting[std::size_t(b)];
@@ -49,6 +55,11 @@ void update_resting(State& s, float dt) {
                            motion.q.w == pose.q.w;
         if (!still) leave(b);
     }
+}
+
+bool whirls_in_contact(const State& s) {
+    return std::any_of(s.narrow.whirling.begin(), s.narrow.whirling.end(),
+                       [&](std::int32_t b) { return s.bodies[std::size_t(b)].contact_count > 0; });
 }
 
 } // namespace cairn

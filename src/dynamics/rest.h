@@ -6,8 +6,13 @@
 
 namespace cairn {
 
-// Notes, at the start of a step, which awake and kinematic bodies have left the pose they rested in or are about to.
+// Notes, at the start of a pass, which awake and kinematic bodies have left the pose they rested in or are about to,
+// and which ones whirl.
 void update_resting(State& state, float dt);
+
+// A body that turns by more than a radian in the step, with unequal moments of inertia, touches something. The inertia
+// and the arms of its contacts are then wrong before the step ends, and would give it energy without end.
+bool whirls_in_contact(const State& state);
 
 // Neither body has moved by more than a few micrometers since the pair was tested.
 inline bool is_tested(const State& state, const ContactInfo& c) {

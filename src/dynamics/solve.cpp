@@ -208,6 +208,7 @@ void run_substeps(State& s, const Bin& bin, float dt) {
             kernels_for(run).solve(blocks_of(scratch, run), run.count, velocity, softness);
         velocity[discard_row] = {};
         k.solver.integrate_poses(bodies, 0, rows, h);
+        turn_spinning_rows(s, h);
         for (const BlockRun& run : scratch.runs)
             kernels_for(run).relax(blocks_of(scratch, run), run.count, bodies, softness);
     }
@@ -283,7 +284,6 @@ void solve_bins(State& s, float dt) {
     s.solver.free_bodies.clear();
     s.solver.reports.resize(s.records.size());
     s.solver.row_of_body.resize(s.bodies.size(), none);
-    s.statistics.times.prepare = 0;
     for (const Bin& bin : s.solver.bins) solve_bin(s, bin, dt);
     for (const std::int32_t b : s.solver.free_bodies) move_free_body(s, b, dt);
     move_kinematics(s, dt);

@@ -20,6 +20,9 @@ void solve_bins(State& state, float dt);
 void prepare_free_motion(State& state, float h, bool corrects);
 // At the start of each substep: what of them depends on the pose or the velocity.
 void update_free_motion(State& state, const SolverBodies& bodies, float h, bool first);
+// After the poses of a substep: the rotations of what turns by many radians in it, or has moments a millionth of
+// others, where single precision and a series for small angles do not do.
+void turn_spinning_rows(State& state, float h);
 // After the last substep: the angular velocities that go with the angular momenta and rotations at its end.
 void finish_free_motion(State& state);
 // Contacts on a needle, with a moment a millionth of the others, would spin it up without end in single precision: for

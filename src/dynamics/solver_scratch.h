@@ -3,6 +3,7 @@
 
 #include "collision/manifold.h"
 #include "kernels/solver_data.h"
+#include "math/vec.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -21,6 +22,7 @@ struct PairBatch {
 struct NarrowScratch {
     std::vector<PairBatch> batches; // one per PairKind
     std::vector<Manifold> manifolds;
+    std::vector<std::int32_t> whirling; // bodies that turn far in a step and have unequal moments of inertia
     std::vector<std::uint32_t> skipped; // contacts of sleeping bodies with kinematic ones at rest
 };
 
@@ -47,6 +49,14 @@ struct Bin {
     bool bounces = false;           // any of its contacts has restitution
 };
 
+// A row with unequal moments of inertia that the wide kernel does not turn, and where its free motion ends.
+struct SpinningRow {
+    std::int32_t row;
+    bool turns = false;
+    math::DQuat end;
+    math::DVec3 free_w;
+};
+
 // Lanes of a list of blocks, filled bin by bin.
 struct LaneLists {
     std::vector<std::int32_t> record, row_a, row_b;
@@ -61,11 +71,11 @@ struct SolverScratch {
     std::vector<ContactReport> reports;    // by contact, of those that were solved
     std::vector<std::int32_t> row_of_body; // in the bin at work; none: in no row
     // --- of the bin at work
-    std::vector<std::int32_t> free_bodies;   // of all bins: those without a contact
-    std::vector<std::int32_t> row_bodies;    // body of each row; none for fixed, discard and padding
-    std::vector<std::int32_t> spinning_rows; // with unequal moments of inertia, that the kernel does not do
-    std::vector<SpinBlock> spin_blocks;      // those it does
-    std::size_t spin_count = 0;              // lanes in them
+    std::vector<std::int32_t> free_bodies; // of all bins: those without a contact
+    std::vector<std::int32_t> row_bodies;  // body of each row; none for fixed, discard and padding
+    std::vector<SpinningRow> spinning_rows;
+    std::vector<SpinBlock> spin_blocks; // those that the kernel turns
+    std::size_t spin_count = 0;         // lanes in them
     std::vector<SolverVelocity> velocity, reference, rounding;
     std::vector<SolverPose> pose;
     std::vector<SolverInertia> inertia;

@@ -33,7 +33,7 @@ struct BodyMotion {
 struct RestingPose {
     math::DVec3 x;
     math::DQuat q;
-    std::uint64_t left_at = 0; // the step before which it was last seen elsewhere
+    std::uint64_t left_at = 0; // the pass before which it was last seen elsewhere
 };
 
 struct BodyMass {
@@ -108,7 +108,7 @@ struct ContactInfo {
     float load = 0;            // N: the sustained one, without impacts
     float substep_time = 0;    // s: that the impulses are for
     std::uint32_t padding = 0;
-    std::uint64_t tested_at = 0; // the step that last tested the pair; 0: none
+    std::uint64_t tested_at = 0; // the pass that last tested the pair; 0: none
 };
 
 struct Island {
@@ -130,6 +130,7 @@ struct Island {
 struct State {
     WorldDef settings;
     std::uint64_t steps = 0;
+    std::uint64_t passes = 0; // a step is one pass, or several (world/step.cpp)
     double time = 0;
 
     SlotPool body_slots;

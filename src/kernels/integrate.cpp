@@ -19,8 +19,6 @@ void integrate_velocities(const SolverBodies& bodies, int begin, int end, bool f
     }
 }
 
-// The rotation by the vector h w: the half angle x = |h w| / 2 has tan x = x (1 + x^2/3 + 2 x^4/15 + ...), so the
-// unnormalized quaternion (h w / 2 (1 + x^2/3 + 2 x^4/15), 1) turns by h |w| up to O(x^7).
 void integrate_poses(const SolverBodies& bodies, int begin, int end, float h) {
     const f32x8 step = splat(h);
     for (int i = begin; i < end; i += 8) {
@@ -42,14 +40,8 @@ void integrate_poses(const SolverBodies& bodies, int begin, int end, float h) {
         scatter4(p, dx.x, dx.y, dx.z, zero());
         for (int k = 0; k < 8; ++k) p[k] += 4;
         gather4(p, q.v.x, q.v.y, q.v.z, q.w);
-        const Vec3x8 half = splat(0.5f * h) * move.w;
-        const f32x8 x2 =
-            min(dot(half, half), one()); // beyond a radian and a half per substep the axis is all that counts
-        const Vec3x8 t = (one() + x2 * (splat(1.0f / 3.0f) + x2 * splat(2.0f / 15.0f))) * half;
-        const Vec3x8 v = q.v + (q.w * t + cross(t, q.v));
-        const f32x8 w = q.w - dot(t, q.v);
-        const f32x8 scale = one() / sqrt(dot(v, v) + w * w);
-        scatter4(p, scale * v.x, scale * v.y, scale * v.z, scale * w);
+        const Quatx8 turned = turned_by(splat(0.25f * h) * move.w, q);
+        scatter4(p, turned.v.x, turned.v.y, turned.v.z, turned.w);
     }
 }
 

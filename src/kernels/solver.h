@@ -53,6 +53,22 @@ CAIRN_INLINE void scatter_velocity(SolverVelocity* rows, const std::uint32_t* of
     scatter4(p, a.w.x, a.w.y, a.w.z, zero());
 }
 
+CAIRN_INLINE Quatx8 multiply(Quatx8 a, Quatx8 b) {
+    return {a.w * b.v + (b.w * a.v + cross(a.v, b.v)), a.w * b.w - dot(a.v, b.v)};
+}
+
+// q turned on by the rotation vector 4 u. With x = |u|, tan x = x (1 + x^2/3 + 2 x^4/15 + 17 x^6/315 + ...), so the
+// unnormalized quaternion (u tan(x) / x, 1) turns by 2 x up to O(x^9), and its square by 4 x. Beyond four radians the
+// axis is all that counts.
+CAIRN_INLINE Quatx8 turned_by(Vec3x8 u, Quatx8 q) {
+    const f32x8 x2 = min(dot(u, u), one());
+    const f32x8 series = splat(1.0f / 3.0f) + x2 * (splat(2.0f / 15.0f) + x2 * splat(17.0f / 315.0f));
+    const Vec3x8 t = (one() + x2 * series) * u;
+    const Quatx8 r = multiply({t + t, one() - dot(t, t)}, q);
+    const f32x8 scale = one() / sqrt(dot(r.v, r.v) + r.w * r.w);
+    return {scale * r.v, scale * r.w};
+}
+
 // Where a block keeps K_ji / K_jj: what an impulse of 1 at point i takes from that wanted at point j.
 template <int N> constexpr int share_index(int j, int i) { return j * (N - 1) + (i < j ? i : i - 1); }
 

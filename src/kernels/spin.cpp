@@ -35,19 +35,7 @@ template <class Row> CAIRN_INLINE void scatter_angular(Row* rows, const std::uin
     scatter4(p, w.x, w.y, w.z, zero());
 }
 
-CAIRN_INLINE Quatx8 multiply(Quatx8 a, Quatx8 b) {
-    return {a.w * b.v + (b.w * a.v + cross(a.v, b.v)), a.w * b.w - dot(a.v, b.v)};
-}
 CAIRN_INLINE Vec3x8 scaled(Vec3x8 a, Vec3x8 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
-
-// q turned on by the rotation vector 2 `half`, see integrate.cpp.
-CAIRN_INLINE Quatx8 turned_by(Vec3x8 half, Quatx8 q) {
-    const f32x8 x2 = min(dot(half, half), one());
-    const Vec3x8 t = (one() + x2 * (splat(1.0f / 3.0f) + x2 * splat(2.0f / 15.0f))) * half;
-    const Quatx8 r = multiply({t, one()}, q);
-    const f32x8 scale = one() / sqrt(dot(r.v, r.v) + r.w * r.w);
-    return {scale * r.v, scale * r.w};
-}
 
 // The diagonal tensor in the axes q, times v.
 CAIRN_INLINE Vec3x8 tensor(Quatx8 q, Vec3x8 diagonal, Vec3x8 v) {
@@ -68,7 +56,7 @@ CAIRN_INLINE Vec3x8 momentum_now(const SpinBlock& block, Quatx8 turn, Quatx8 axe
 
 void spin(SpinBlock* blocks, int count, const SolverBodies& bodies, SolverTwist* drive, SolverTwist* correction,
           float h, bool first) {
-    const f32x8 quarter = splat(0.25f * h), half = splat(0.5f * h);
+    const f32x8 eighth = splat(0.125f * h), quarter = splat(0.25f * h);
     for (int k = 0; k < count; ++k) {
         SpinBlock& block = blocks[k];
         const Vec3x8 w = gather_angular(bodies.velocity, block.row), inverse = load3(block.inverse_moments);
@@ -77,8 +65,8 @@ void spin(SpinBlock* blocks, int count, const SolverBodies& bodies, SolverTwist*
         const Vec3x8 momentum = momentum_now(block, turn, q, w, first);
         Vec3x8 middle = tensor(q, inverse, momentum);
         for (int iteration = 0; iteration < 2; ++iteration)
-            middle = tensor(turned_by(quarter * middle, q), inverse, momentum);
-        const Vec3x8 end = tensor(turned_by(half * middle, q), inverse, momentum), change = end - w;
+            middle = tensor(turned_by(eighth * middle, q), inverse, momentum);
+        const Vec3x8 end = tensor(turned_by(quarter * middle, q), inverse, momentum), change = end - w;
         scatter_angular(drive, block.row, change);
         scatter_angular(correction, block.row, middle - end);
         // To the bit what integrate_velocities will make of it.

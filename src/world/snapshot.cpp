@@ -20,7 +20,7 @@ std::uint64_t layout() {
 }
 
 template <class Archive> void serialize_state(Archive& archive, State& s) {
-    archive(s.world_id), archive(s.settings), archive(s.steps), archive(s.time);
+    archive(s.world_id), archive(s.settings), archive(s.steps), archive(s.passes), archive(s.time);
     s.body_slots.serialize(archive);
     archive(s.motion), archive(s.mass), archive(s.body_settings), archive(s.forces), archive(s.bodies);
     archive(s.turned), archive(s.resting), archive(s.kinematics);

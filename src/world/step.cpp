@@ -1,11 +1,14 @@
-// One step, top to bottom. Each line is a stage; each stage is a file in dynamics/.
+// One step, top to bottom. Each line is a stage; each stage is a file in dynamics/. A step is one pass through them;
+// while something whirls and touches (see dynamics/rest.h), one pass for each substep.
 #include "dynamics/contacts.h"
 #include "dynamics/finalize.h"
 #include "dynamics/islands.h"
+#include "dynamics/rest.h"
 #include "dynamics/solver.h"
 #include "world/impl.h"
 #include "world/validate.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 
@@ -39,6 +42,22 @@ class Busy {
     std::atomic<bool>& flag_;
 };
 
+// The number of substeps while a step lasts: one, when it is split into passes of one substep each.
+class SubstepsOfPass {
+  public:
+    explicit SubstepsOfPass(std::int32_t& substeps) : substeps_(substeps), whole_(substeps) {}
+    ~SubstepsOfPass() { substeps_ = whole_; }
+    int split() {
+        constexpr int least_passes = 8;
+        substeps_ = 1;
+        return std::max(int(whole_), least_passes);
+    }
+
+  private:
+    std::int32_t& substeps_;
+    std::int32_t whole_;
+};
+
 } // namespace
 
 void World::step(float dt) {
@@ -50,24 +69,32 @@ void World::step(float dt) {
     const Busy busy(impl_->stepping);
     state.begins.clear();
     state.hits.clear();
-    for (const std::int32_t island : state.awake_islands) state.islands[std::size_t(island)].kept_awake = 0;
-
-    update_pairs(state);
-    times.broad_phase = clock.lap();
-    update_contacts(state, dt);
-    times.narrow_phase = clock.lap();
-    pack_bins(state, dt);
-    times.islands = clock.lap();
-    solve_bins(state, dt);
-    times.solve = clock.lap() - times.prepare;
-    finalize_bodies(state, dt);
-    report_contacts(state, dt);
-    update_sleep(state);
+    times = {};
+    int passes = 1;
+    SubstepsOfPass substeps(state.settings.substeps);
+    for (int pass = 0; pass < passes; ++pass) {
+        for (const std::int32_t island : state.awake_islands) state.islands[std::size_t(island)].kept_awake = 0;
+        update_pairs(state);
+        times.broad_phase += clock.lap();
+        update_contacts(state, dt / float(passes));
+        times.narrow_phase += clock.lap();
+        if (pass == 0 && whirls_in_contact(state)) passes = substeps.split();
+        const float pass_dt = dt / float(passes);
+        pack_bins(state, pass_dt);
+        times.islands += clock.lap();
+        solve_bins(state, pass_dt);
+        times.solve += clock.lap();
+        finalize_bodies(state, pass_dt, pass + 1 == passes);
+        report_contacts(state, pass_dt);
+        update_sleep(state);
+        ++state.passes;
+        times.finalize += clock.lap();
+    }
+    times.solve -= times.prepare;
     state.ends.swap(state.next_ends);
     state.next_ends.clear();
     state.sleeps.swap(state.next_sleeps);
     state.next_sleeps.clear();
-    times.finalize = clock.lap();
     times.total = clock.total();
 
     ++state.steps;

@@ -139,7 +139,7 @@ BodyId World::create_body(const BodyDef& def) {
     s.bodies[b] = {};
     s.forces[b] = {};
     s.turned[b] = {};
-    s.resting[b] = {{}, {}, s.steps + 1};
+    s.resting[b] = {{}, {}, s.passes + 1};
     s.mass[b] = {};
     s.body_settings[b] = {def.gravity_scale, def.linear_damping, def.angular_damping, def.type, def.allow_sleep, {}};
     const Quat q = checked_rotation("BodyDef.rotation", def.rotation);

@@ -7,13 +7,13 @@
 
 namespace cairn_test::golden {
 
-inline constexpr std::uint64_t mixed_pile = 0x460691b232779467;
-inline constexpr std::uint64_t pyramid = 0x7b06077238366328;
-inline constexpr std::uint64_t dominoes = 0x52e6c3e9791e19e2;
-inline constexpr std::uint64_t materials = 0x927ec6242cafe39e;
-inline constexpr std::uint64_t tumbler = 0xebe4f17459512cc8;
-inline constexpr std::uint64_t sleep_and_wake = 0x4b3bc4044e52e175;
-inline constexpr std::uint64_t compounds = 0x6f52018cfb7b039f;
-inline constexpr std::uint64_t free_tops = 0x9e936f0a070cc8b3;
+inline constexpr std::uint64_t mixed_pile = 0x7be4d321d8e9dd00;
+inline constexpr std::uint64_t pyramid = 0xce810c5eab562761;
+inline constexpr std::uint64_t dominoes = 0x4bb1e31e65e9760f;
+inline constexpr std::uint64_t materials = 0x13a8f96d28f686d1;
+inline constexpr std::uint64_t tumbler = 0xa35159fed88ca973;
+inline constexpr std::uint64_t sleep_and_wake = 0xa8669c91d0a819e9;
+inline constexpr std::uint64_t compounds = 0x87b722cf4d895c4d;
+inline constexpr std::uint64_t free_tops = 0x91b69810fb9df21e;
 
 } // namespace cairn_test::golden
