@@ -131,6 +131,12 @@ Increment linear_increment(const State& s, const Load& load, DVec3 x, DVec3 v, d
     return {dv, (h / 6) * (a1 + a2 + a3) - dv};
 }
 
+bool any_field(const State& s) {
+    for (std::uint32_t i = 0; i < s.fields.size(); ++i)
+        if (s.field_slots.is_live(i)) return true;
+    return false;
+}
+
 bool fields_vary(const State& s) {
     for (std::uint32_t i = 0; i < s.fields.size(); ++i)
         if (s.field_slots.is_live(i) && s.fields[i].kind == ForceField::Kind::radial) return true;
@@ -341,14 +347,21 @@ void prepare_free_motion(State& s, float h, bool corrects) {
         s.settings.integrator != Integrator::semi_implicit_euler)
         scratch.free_correction.assign(rows, {});
     scratch.correction = scratch.free_correction;
+    // Of most bodies.
+    const bool only_gravity = !any_field(s);
+    const Increment fall = only_gravity ? linear_increment(s, {{}, 1.0f, 0.0f}, {}, {}, h) : Increment{};
     for (std::size_t row = 0; row < rows; ++row) {
         const std::int32_t b = scratch.row_bodies[row];
         if (b == none || !s.is_dynamic(b)) continue;
         const BodyMotion& motion = s.motion[std::size_t(b)];
         // What varies is computed at the start of each substep.
         const BodyMass& mass = s.mass[std::size_t(b)];
-        if (mass.inverse_mass > 0 && !scratch.drive_varies)
-            write_linear(s, row, linear_increment(s, load_on(s, b), motion.x, math::to_double(motion.v), h));
+        if (mass.inverse_mass > 0 && !scratch.drive_varies) {
+            const bool falls =
+                only_gravity && !s.forces[std::size_t(b)].any && s.body_settings[std::size_t(b)].gravity_scale == 1.0f;
+            write_linear(s, row,
+                         falls ? fall : linear_increment(s, load_on(s, b), motion.x, math::to_double(motion.v), h));
+        }
         if (mass.isotropic && s.forces[std::size_t(b)].any)
             write_angular(s, row, torque_increment(s, b, spin_of(mass), motion.q, h));
     }

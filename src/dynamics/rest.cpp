@@ -34,7 +34,8 @@ void update_resting(State& s, float dt) {
     const std::uint64_t pass = s.passes + 1;
     auto leave = [&](std::int32_t b) {
         const BodyMotion& motion = s.motion[std::size_t(b)];
-        s.resting[std::size_t(b)] = {motion.x, motion.q, pass};
+        s.resting[std::size_t(b)] = {motion.x, motion.q};
+        s.left_at[std::size_t(b)] = pass;
     };
     s.narrow.whirling.clear();
     const float most_square = (most_turn / dt) * (most_turn / dt);

@@ -21,20 +21,17 @@ SolverVelocity to_row(math::Vec3 v, math::Vec3 w) { return {{v.x, v.y, v.z}, 0, 
 // substep of h seconds. The frequency follows the substep, uncapped: docs/solver.md says why.
 void set_softness(ContactSoftness& s, float h, float recovery_speed) {
     constexpr float damping_ratio = 10.0f;
-    auto spring = [&](float frequency, float& bias_rate, float& mass_scale, float& impulse_scale) {
+    auto spring = [&](float frequency) {
         const float omega = 2 * pi * frequency;
-        const float a1 = 2 * damping_ratio + h * omega;
-        const float a2 = h * omega * a1;
-        impulse_scale = 1 / (1 + a2);
-        mass_scale = a2 * impulse_scale;
-        bias_rate = mass_scale * (omega / a1);
+        const float a1 = 2 * damping_ratio + h * omega, a2 = h * omega * a1;
+        const float scale = a2 / (1 + a2);
+        return ContactSoftness::Spring{scale, omega / a1, recovery_speed / scale};
     };
     s.h = h;
     s.inverse_h = 1 / h;
-    s.recovery_speed = recovery_speed;
     const float frequency = 1 / (8 * h);
-    spring(frequency, s.bias_rate, s.mass_scale, s.impulse_scale);
-    spring(2 * frequency, s.bias_rate_static, s.mass_scale_static, s.impulse_scale_static);
+    s.on_movable = spring(frequency);
+    s.on_immovable = spring(2 * frequency);
 }
 
 // Bodies of the bin's islands, then room for kinematic ones.

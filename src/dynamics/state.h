@@ -33,7 +33,6 @@ struct BodyMotion {
 struct RestingPose {
     math::DVec3 x;
     math::DQuat q;
-    std::uint64_t left_at = 0; // the pass before which it was last seen elsewhere
 };
 
 struct BodyMass {
@@ -141,6 +140,7 @@ struct State {
     std::vector<BodyLinks> bodies;
     std::vector<math::Quat> turned; // rotation of the last step, for matching contact points
     std::vector<RestingPose> resting;
+    std::vector<std::uint64_t> left_at;   // the pass before which a body was last seen away from its resting pose
     std::vector<std::int32_t> kinematics; // kinematic bodies, in order of creation
 
     SlotPool shape_slots;

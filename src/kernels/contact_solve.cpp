@@ -128,71 +128,65 @@ template <int N> void warm_start(const void* blocks, int count, SolverVelocity* 
     }
 }
 
-// The normal rows of a block at work. wanted[i] is what the impulse of point i should be by its own equation,
-//   impulse_i - m_i (v_i + bias_i) - keep impulse_i,
-// and what is applied is the part of it that pushes. An own change does not alter it, as m_i K_ii = 1 - keep; a change
-// of another point by d takes m_i K_ij d from it. So the points can be swept without looking at the bodies again.
+// The normal rows of a block at work. A soft row with compliance asks for
+//   impulse_i' = impulse_i - m_i scale_i (v_i + bias_i) - (1 - scale_i) impulse_i = scale_i wanted_i,
+//   wanted_i = impulse_i - m_i (v_i + bias_i),
+// and what is applied is the part of it that pushes; scale is 1 for a rigid row. An own change d of the impulse does
+// not alter `wanted`, as m_i K_ii = 1; a change of another point by d takes m_i K_ij d from it. So the points can be
+// swept without looking at the bodies again.
 template <int N> struct Rows {
     Velocityx8 a, b;
-    f32x8 wanted[N], impulse[N], old[N];
+    f32x8 wanted[N], impulse[N], old[N], scale[N];
 };
-
-template <int N> using Shares = const float (*)[8];
 
 // Sweeps over the points of M contacts at once: each is a chain of dependent operations, and two chains side by side
 // take the time of one. The second sweep is needed: after one, the corner that came first carries most, and a box that
 // falls flat tips and slides by 5 cm (0.25 mm with two).
-template <int N, int M> CAIRN_INLINE void sweep_points(const Shares<N>* shares, Rows<N>* rows) {
+template <int N, int M, bool Soft> CAIRN_INLINE void sweep_points(const ContactBlock<N>* blocks, Rows<N>* rows) {
     constexpr int visits = N == 1 ? 1 : 2 * N;
 #pragma GCC unroll 8 // so that rows stay in registers
     for (int k = 0; k < visits; ++k) {
         const int i = k % N;
         f32x8 d[M];
-#pragma GCC unroll 2
+#pragma GCC unroll 4
         for (int m = 0; m < M; ++m) {
-            const f32x8 impulse = max(rows[m].wanted[i], zero());
+            f32x8 impulse = max(rows[m].wanted[i], zero());
+            if constexpr (Soft) impulse = rows[m].scale[i] * impulse;
             d[m] = impulse - rows[m].impulse[i];
             rows[m].impulse[i] = impulse;
         }
 #pragma GCC unroll 4
         for (int j = 0; j < N; ++j)
-#pragma GCC unroll 2
+#pragma GCC unroll 4
             for (int m = 0; m < M; ++m)
                 if (j > i || (j < i && k < N)) // only what will be read needs to be kept up
-                    rows[m].wanted[j] = rows[m].wanted[j] - load(shares[m][share_index<N>(j, i)]) * d[m];
+                    rows[m].wanted[j] = rows[m].wanted[j] - load(blocks[m].share[share_index<N>(j, i)]) * d[m];
     }
-}
-
-// The values of ContactSoftness for 8 contacts, by whether B can move.
-struct Softnessx8 {
-    f32x8 bias_rate, mass_scale;
-};
-CAIRN_INLINE Softnessx8 softness_of(const ContactSoftness& s, mask8 immovable) {
-    return {select(immovable, splat(s.bias_rate_static), splat(s.bias_rate)),
-            select(immovable, splat(s.mass_scale_static), splat(s.mass_scale))};
 }
 
 template <int N>
 CAIRN_INLINE void begin_solve(ContactBlock<N>& block, const SolverVelocity* velocity, const ContactSoftness& softness,
-                              Rows<N>& rows, float (*shares)[8]) {
+                              Rows<N>& rows) {
     rows.a = gather_velocity(velocity, block.a);
     rows.b = gather_velocity(velocity, block.b);
     if (block.moved) rows.b.w = rows.b.w + load6(block.inertia_b) * load3(block.moved_moment);
     block.moved = 0;
-    const Softnessx8 soft = softness_of(softness, load(block.mass_b) == zero());
-    const f32x8 inverse_h = splat(softness.inverse_h), slowest = splat(-softness.recovery_speed);
+    const mask8 immovable = load(block.mass_b) == zero();
+    const ContactSoftness::Spring &fixed = softness.on_immovable, &other = softness.on_movable;
+    const f32x8 push_rate = select(immovable, splat(fixed.push_rate), splat(other.push_rate));
+    const f32x8 fastest = select(immovable, splat(-fixed.fastest_push), splat(-other.fastest_push));
+    const f32x8 softened = select(immovable, splat(fixed.scale), splat(other.scale));
+    const f32x8 inverse_h = splat(softness.inverse_h);
     f32x8 v[N];
     Vec3x8 arm[N];
     normal_velocities<N>(block, rows.a, rows.b, load3(block.normal), load3(block.c), v, arm);
     for (int i = 0; i < N; ++i) {
         const f32x8 s = load(block.separation[i]), mass = load(block.effective_mass[i]);
         const mask8 apart = s > zero();
-        const f32x8 bias = select(apart, s * inverse_h, max(soft.bias_rate * s, slowest));
-        const f32x8 scale = select(apart, one(), soft.mass_scale); // 1 - keep
+        const f32x8 bias = select(apart, s * inverse_h, max(push_rate * s, fastest));
+        rows.scale[i] = select(apart, one(), softened);
         rows.old[i] = rows.impulse[i] = load(block.impulse[i]);
-        rows.wanted[i] = scale * (rows.old[i] - mass * v[i]) - mass * bias;
-        for (int j = 0; j < N; ++j)
-            if (j != i) store(shares[share_index<N>(i, j)], scale * load(block.share[share_index<N>(i, j)]));
+        rows.wanted[i] = rows.old[i] - mass * (v[i] + bias);
     }
 }
 
@@ -213,15 +207,10 @@ template <int N> CAIRN_INLINE void end_solve(ContactBlock<N>& block, SolverVeloc
 template <int N, int M>
 CAIRN_INLINE void solve_some(ContactBlock<N>* blocks, SolverVelocity* velocity, const ContactSoftness& softness) {
     Rows<N> rows[M];
-    alignas(32) float scaled[M][ContactBlock<N>::share_count][8];
-    Shares<N> shares[M];
-#pragma GCC unroll 2
-    for (int m = 0; m < M; ++m) {
-        shares[m] = scaled[m];
-        begin_solve<N>(blocks[m], velocity, softness, rows[m], scaled[m]);
-    }
-    sweep_points<N, M>(shares, rows);
-#pragma GCC unroll 2
+#pragma GCC unroll 4
+    for (int m = 0; m < M; ++m) begin_solve<N>(blocks[m], velocity, softness, rows[m]);
+    sweep_points<N, M, true>(blocks, rows);
+#pragma GCC unroll 4
     for (int m = 0; m < M; ++m) end_solve<N>(blocks[m], velocity, rows[m]);
 }
 
@@ -230,8 +219,8 @@ CAIRN_INLINE void solve_some(ContactBlock<N>* blocks, SolverVelocity* velocity, 
 template <int N> void solve(void* blocks, int count, SolverVelocity* velocity, const ContactSoftness& softness) {
     auto* all = static_cast<ContactBlock<N>*>(blocks);
     int k = 0;
-    for (; k + 1 < count; k += 2) solve_some<N, 2>(all + k, velocity, softness);
-    if (k < count) solve_some<N, 1>(all + k, velocity, softness);
+    for (; k + 3 < count; k += 4) solve_some<N, 4>(all + k, velocity, softness);
+    for (; k < count; ++k) solve_some<N, 1>(all + k, velocity, softness);
 }
 
 // The rigid sweep: only approach beyond the gap is stopped. Not that of contacts that will bounce: they must arrive
@@ -350,19 +339,15 @@ template <int N> CAIRN_INLINE void solve_rolling(ContactBlock<N>& block, f32x8 l
 template <int N, int M>
 CAIRN_INLINE void relax_some(ContactBlock<N>* blocks, const SolverBodies& bodies, f32x8 inverse_h) {
     Rows<N> rows[M];
-    Shares<N> shares[M];
-#pragma GCC unroll 2
-    for (int m = 0; m < M; ++m) {
-        shares[m] = blocks[m].share;
-        begin_relax<N>(blocks[m], bodies, inverse_h, rows[m]);
-    }
-    sweep_points<N, M>(shares, rows);
+#pragma GCC unroll 4
+    for (int m = 0; m < M; ++m) begin_relax<N>(blocks[m], bodies, inverse_h, rows[m]);
+    sweep_points<N, M, false>(blocks, rows);
     PointSums sums[M];
-#pragma GCC unroll 2
+#pragma GCC unroll 4
     for (int m = 0; m < M; ++m) sums[m] = apply_relax<N>(blocks[m], load3(blocks[m].normal), rows[m]);
-#pragma GCC unroll 2
+#pragma GCC unroll 4
     for (int m = 0; m < M; ++m) solve_friction<N>(blocks[m], sums[m], load3(blocks[m].normal), rows[m].a, rows[m].b);
-#pragma GCC unroll 2
+#pragma GCC unroll 4
     for (int m = 0; m < M; ++m) {
         ContactBlock<N>& block = blocks[m];
         if (any(load(block.rolling_radius) > zero())) solve_rolling<N>(block, sums[m].load, rows[m].a, rows[m].b);

@@ -91,13 +91,15 @@ template <int N> struct alignas(64) ContactBlock {
     std::uint32_t moved; // whether moved_moment holds anything
 };
 
-// Softness and limits of the contacts of one bin; rates are per second, for a substep of h seconds.
-// "Static" values are for contacts with bodies that do not move.
+// Softness and limits of the contacts of one bin, for a substep of h seconds.
 struct ContactSoftness {
     float h, inverse_h;
-    float bias_rate, mass_scale, impulse_scale;
-    float bias_rate_static, mass_scale_static, impulse_scale_static;
-    float recovery_speed;
+    struct Spring {
+        float scale;        // of the rigid impulse
+        float push_rate;    // 1/s: speed at which an overlap is pushed out, before that scale
+        float fastest_push; // m/s: likewise
+    };
+    Spring on_movable, on_immovable; // by what B is
 };
 
 // What a step has done to one contact, beside its record.

@@ -7,13 +7,13 @@
 
 namespace cairn_test::golden {
 
-inline constexpr std::uint64_t mixed_pile = 0x7be4d321d8e9dd00;
-inline constexpr std::uint64_t pyramid = 0xce810c5eab562761;
-inline constexpr std::uint64_t dominoes = 0x4bb1e31e65e9760f;
-inline constexpr std::uint64_t materials = 0x13a8f96d28f686d1;
-inline constexpr std::uint64_t tumbler = 0xa35159fed88ca973;
-inline constexpr std::uint64_t sleep_and_wake = 0xa8669c91d0a819e9;
-inline constexpr std::uint64_t compounds = 0x87b722cf4d895c4d;
-inline constexpr std::uint64_t free_tops = 0x91b69810fb9df21e;
+inline constexpr std::uint64_t mixed_pile = 0xcc8842f209c114d2;
+inline constexpr std::uint64_t pyramid = 0x3e9a710497dbfbae;
+inline constexpr std::uint64_t dominoes = 0xbca67639460ae24d;
+inline constexpr std::uint64_t materials = 0xca27ea75f93610e5;
+inline constexpr std::uint64_t tumbler = 0x243bfeedfad0b0d6;
+inline constexpr std::uint64_t sleep_and_wake = 0x675441bbeb90bf7f;
+inline constexpr std::uint64_t compounds = 0xf38e80e44fc112f8;
+inline constexpr std::uint64_t free_tops = 0xb24367e1cad9c950;
 
 } // namespace cairn_test::golden
