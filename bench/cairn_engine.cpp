@@ -14,6 +14,7 @@ class CairnEngine final : public Engine {
         def.enable_sleep = false;
         if (settings.substeps > 0) def.substeps = settings.substeps;
         world_.set_settings(def);
+        world_.set_threads(settings.threads);
         bodies_.reserve(scene.bodies.size());
         for (const SceneBody& body : scene.bodies) add_body(scene, body);
     }
@@ -77,7 +78,7 @@ class CairnEngine final : public Engine {
 } // namespace
 
 EngineKind cairn_engine() {
-    return {"cairn", version_string, [] { return std::unique_ptr<Engine>(std::make_unique<CairnEngine>()); }};
+    return {"cairn", version_string, [] { return std::unique_ptr<Engine>(std::make_unique<CairnEngine>()); }, true};
 }
 
 } // namespace cairn::bench

@@ -1,5 +1,5 @@
 // What a physics engine has to offer to be measured. Each engine runs at its own default settings, except that
-// nothing falls asleep and everything runs on the calling thread.
+// nothing falls asleep.
 #pragma once
 
 #include "bench/scenes.h"
@@ -22,6 +22,7 @@ struct BodyState {
 
 struct EngineSettings {
     int substeps = 0; // in which a step is solved; 0: the engine's default
+    int threads = 1;  // only for engines with EngineKind::has_threads
 };
 
 // What an engine says of its last step. Absent: it does not say.
@@ -52,6 +53,7 @@ struct EngineKind {
     std::string_view name; // for --engines
     std::string_view version;
     std::unique_ptr<Engine> (*make)();
+    bool has_threads = false; // can step on more than one
 };
 
 EngineKind cairn_engine();

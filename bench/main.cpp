@@ -4,6 +4,7 @@
 #include "bench/report.h"
 
 #include <cairn/error.h>
+#include <cairn/world.h>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -60,6 +61,11 @@ void add_options(CLI::App& app, Options& options) {
         ->check(CLI::Range(1, 10000000));
     app.add_option("--substeps", measure.settings.substeps, "Substeps of a step, in every engine (default: its own)")
         ->check(CLI::Range(1, 256));
+    measure.threads = {1};
+    if (cairn::hardware_threads() > 1) measure.threads.push_back(cairn::hardware_threads());
+    app.add_option("--threads", measure.threads, "Numbers of threads, separated by commas (default: 1 and all)")
+        ->delimiter(',')
+        ->check(CLI::Range(1, 256));
     app.add_flag("--json", options.json, "Print one JSON object instead of tables");
     app.add_flag("--list", options.list, "List the scenes and engines, and measure nothing");
 }
@@ -107,7 +113,7 @@ int run(Options& options) {
 } // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app("Times physics engines on the same scenes, one thread each, nothing asleep.", "cairn_bench");
+    CLI::App app("Times physics engines on the same scenes, nothing asleep.", "cairn_bench");
     Options options;
     add_options(app, options);
     try {

@@ -115,7 +115,15 @@ double median(std::vector<double> values) {
     return n % 2 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
 }
 
-Result sum_up(const Scene& scene, const EngineKind& kind, const std::vector<Round>& rounds) {
+// One engine on a number of threads.
+struct Entry {
+    EngineKind kind;
+    EngineSettings settings;
+    std::vector<Round> rounds;
+};
+
+Result sum_up(const Scene& scene, const Entry& entry) {
+    const std::vector<Round>& rounds = entry.rounds;
     const auto over_rounds = [&](auto&& value) {
         std::vector<double> values;
         for (const Round& round : rounds) values.push_back(value(round));
@@ -124,8 +132,9 @@ Result sum_up(const Scene& scene, const EngineKind& kind, const std::vector<Roun
     const Round& last = rounds.back();
     Result r;
     r.scene = scene.name;
-    r.engine = kind.name;
-    r.engine_version = kind.version;
+    r.engine = entry.kind.name;
+    r.engine_version = entry.kind.version;
+    r.threads = entry.settings.threads;
     r.steps = scene.steps;
     r.rounds = static_cast<int>(rounds.size());
     r.bodies = scene.dynamic_count;
@@ -163,15 +172,19 @@ std::vector<Result> measure(const MeasureOptions& options, const Progress& progr
     for (const std::string& name : options.scenes) {
         Scene scene = make_scene(name, options.size);
         if (options.steps > 0) scene.steps = options.steps;
-        std::vector<std::vector<Round>> rounds(options.engines.size());
-        for (int round = 0; round < options.rounds; ++round)
-            for (std::size_t e = 0; e < options.engines.size(); ++e) {
-                progress(name + ": round " + std::to_string(round + 1) + " of " + std::to_string(options.rounds) +
-                         ", " + std::string(options.engines[e].name));
-                rounds[e].push_back(run_round(scene, options.engines[e], options.settings));
+        std::vector<Entry> entries;
+        for (const EngineKind& kind : options.engines)
+            for (const int threads : kind.has_threads ? options.threads : std::vector<int>{1}) {
+                entries.push_back({kind, options.settings, {}});
+                entries.back().settings.threads = threads;
             }
-        for (std::size_t e = 0; e < options.engines.size(); ++e)
-            results.push_back(sum_up(scene, options.engines[e], rounds[e]));
+        for (int round = 0; round < options.rounds; ++round)
+            for (Entry& entry : entries) {
+                progress(name + ": round " + std::to_string(round + 1) + " of " + std::to_string(options.rounds) +
+                         ", " + std::string(entry.kind.name) + ", threads: " + std::to_string(entry.settings.threads));
+                entry.rounds.push_back(run_round(scene, entry.kind, entry.settings));
+            }
+        for (const Entry& entry : entries) results.push_back(sum_up(scene, entry));
     }
     return results;
 }

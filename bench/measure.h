@@ -16,8 +16,9 @@ struct MeasureOptions {
     std::vector<std::string> scenes;
     std::vector<EngineKind> engines;
     int rounds = 3;
-    int steps = 0; // 0: the scene's
-    int size = 0;  // 0: the scene's
+    int steps = 0;                  // 0: the scene's
+    int size = 0;                   // 0: the scene's
+    std::vector<int> threads = {1}; // numbers of them; engines without threads run once, on one
     EngineSettings settings;
 };
 

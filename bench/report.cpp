@@ -65,27 +65,27 @@ std::string to_tables(const std::vector<Result>& results) {
     fmt::format_to(
         out,
         "Time, ms per step (medians over rounds; cpu: mean CPU time; spread: least and greatest mean of a round)\n");
-    fmt::format_to(out, "{:<14} {:<7} {:>6} {:>8} {:>8} {:>8} {:>8} {:>17} {:>8} {:>8} {:>8} {:>4} {:>7}\n", "scene",
-                   "engine", "bodies", "cpu", "mean", "median", "p99", "spread", "contacts", "points", "ns/point",
-                   "sub", "B/body");
+    fmt::format_to(out, "{:<14} {:<7} {:>2} {:>6} {:>8} {:>8} {:>8} {:>8} {:>17} {:>8} {:>8} {:>8} {:>4} {:>7}\n",
+                   "scene", "engine", "T", "bodies", "cpu", "mean", "median", "p99", "spread", "contacts", "points",
+                   "ns/point", "sub", "B/body");
     for (const Result& r : results)
-        fmt::format_to(
-            out,
-            "{:<14} {:<7} {:>6} {:>8.3f} {:>8.3f} {:>8.3f} {:>8.3f} {:>8.3f} {:>8.3f} {:>8.0f} {:>8.0f} {:>8} {:>4} "
-            "{:>7}\n",
-            r.scene, r.engine, r.bodies, r.cpu_ms, r.mean_ms, r.median_ms, r.p99_ms, r.least_mean_ms,
-            r.greatest_mean_ms, r.contacts, r.points,
-            r.nanoseconds_per_point ? fmt::format("{:.1f}", *r.nanoseconds_per_point) : "-",
-            r.substeps ? fmt::format("{}", *r.substeps) : "-",
-            r.bytes_per_body ? fmt::format("{:.0f}", *r.bytes_per_body) : "-");
+        fmt::format_to(out,
+                       "{:<14} {:<7} {:>2} {:>6} {:>8.3f} {:>8.3f} {:>8.3f} {:>8.3f} {:>8.3f} {:>8.3f} {:>8.0f} "
+                       "{:>8.0f} {:>8} {:>4} "
+                       "{:>7}\n",
+                       r.scene, r.engine, r.threads, r.bodies, r.cpu_ms, r.mean_ms, r.median_ms, r.p99_ms,
+                       r.least_mean_ms, r.greatest_mean_ms, r.contacts, r.points,
+                       r.nanoseconds_per_point ? fmt::format("{:.1f}", *r.nanoseconds_per_point) : "-",
+                       r.substeps ? fmt::format("{}", *r.substeps) : "-",
+                       r.bytes_per_body ? fmt::format("{:.0f}", *r.bytes_per_body) : "-");
 
     fmt::format_to(out, "\nQuality at the end (lengths in mm; peak: deepest overlap at each quarter of the run)\n");
-    fmt::format_to(out, "{:<14} {:<7} {:>9} {:>9} {:>9} {:>10} {:>10} {:>12} {:>5} {:>6}\n", "scene", "engine",
-                   "overlap", "99 %", "peak", "drift", "sag", "energy, J", "lost", "repeat");
+    fmt::format_to(out, "{:<14} {:<7} {:>2} {:>9} {:>9} {:>9} {:>10} {:>10} {:>12} {:>5} {:>6}\n", "scene", "engine",
+                   "T", "overlap", "99 %", "peak", "drift", "sag", "energy, J", "lost", "repeat");
     for (const Result& r : results)
-        fmt::format_to(out, "{:<14} {:<7} {:>9} {:>9} {:>9} {:>10} {:>10} {:>12.5g} {:>5} {:>6}\n", r.scene, r.engine,
-                       lengths(r.penetrations.greatest), lengths(r.penetrations.p99), lengths(r.penetration_peak),
-                       r.displacement ? lengths(r.displacement->drift) : "-",
+        fmt::format_to(out, "{:<14} {:<7} {:>2} {:>9} {:>9} {:>9} {:>10} {:>10} {:>12.5g} {:>5} {:>6}\n", r.scene,
+                       r.engine, r.threads, lengths(r.penetrations.greatest), lengths(r.penetrations.p99),
+                       lengths(r.penetration_peak), r.displacement ? lengths(r.displacement->drift) : "-",
                        r.displacement ? lengths(r.displacement->sag) : "-", r.kinetic_energy, r.lost,
                        r.repeatable ? "yes" : "no");
 
@@ -96,7 +96,7 @@ std::string to_tables(const std::vector<Result>& results) {
         has_title = true;
         double sum = 0;
         for (const auto& stage : r.stage_ms) sum += stage.second;
-        fmt::format_to(out, "{:<14} {:<7}", r.scene, r.engine);
+        fmt::format_to(out, "{:<14} {:<7} {:>2}", r.scene, r.engine, r.threads);
         for (const auto& [name, ms] : r.stage_ms)
             fmt::format_to(out, "  {} {:.3f} ({:.0f} %)", name, ms, sum > 0 ? 100 * ms / sum : 0.0);
         fmt::format_to(out, "\n");

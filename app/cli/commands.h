@@ -17,7 +17,7 @@ struct RunOptions {
     std::optional<double> time_step; // s; the scene's own otherwise
     std::optional<int> substeps;     // the scene's own otherwise
     std::optional<Integrator> integrator;
-    int threads = 1;
+    std::optional<int> threads;                  // all otherwise
     std::filesystem::path csv, png, video, save; // empty: do not write
     int width = 1280, height = 720;              // of pictures, pixels
     bool json = false;

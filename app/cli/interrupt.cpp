@@ -8,9 +8,11 @@ namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
 
+// The third ends the program at once. (Not the second: `timeout` and some shells send two, to the process and to its
+// group, and what there is would be lost.)
 extern "C" void note_interrupt(int signal) {
-    interrupted = 1;
-    std::signal(signal, SIG_DFL);
+    interrupted = interrupted + 1;
+    if (interrupted >= 2) std::signal(signal, SIG_DFL);
 }
 
 } // namespace

@@ -3,7 +3,7 @@
 
 namespace cairn::cli {
 
-// While one of these lives, the first SIGINT or SIGTERM sets a flag; a second one ends the program at once.
+// While one of these lives, the first SIGINT or SIGTERM sets a flag; the third ends the program at once.
 class InterruptGuard {
   public:
     InterruptGuard();

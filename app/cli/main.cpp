@@ -32,14 +32,6 @@ CLI::Validator between(double low, double high) {
         "(" + range + ")");
 }
 
-CLI::Validator one_thread() {
-    return CLI::Validator(
-        [](std::string& text) {
-            return text == "1" ? std::string() : "this version steps on one thread, so it must be 1, got " + text;
-        },
-        "(1)");
-}
-
 CLI::Validator one_of(std::vector<std::string> names) {
     return CLI::Validator(
         [names](std::string& text) {
@@ -63,7 +55,8 @@ void add_run(CLI::App& app, RunOptions& options) {
     run->add_option("--dt", options.time_step, "Time step, s (default: the scene's)")->check(between(1e-4, 1.0));
     run->add_option("--substeps", options.substeps, "Substeps of a step (default: the scene's)")
         ->check(between(1, 256));
-    run->add_option("--threads", options.threads, "Number of threads (default 1)")->check(one_thread());
+    run->add_option("--threads", options.threads, "Number of threads (default: all; results do not depend on it)")
+        ->check(between(1, 256));
     run->add_option_function<std::string>(
            "--integrator", [&options](const std::string& name) { options.integrator = integrator_of(name); },
            "Of free motion: semi-implicit, explicit or rk4 (default: the scene's)")

@@ -59,9 +59,10 @@ void apply_options(const RunOptions& options, scene::Scene& scene) {
     if (options.substeps) settings.substeps = *options.substeps;
     if (options.integrator) settings.integrator = *options.integrator;
     if (options.substeps || options.integrator) scene.world.set_settings(settings);
+    scene.world.set_threads(options.threads.value_or(hardware_threads()));
 }
 
-Outcome simulate(const RunOptions& options, scene::Scene& scene, std::uint64_t steps) {
+Outcome simulate(const RunOptions& options, scene::Scene& scene, std::uint64_t steps, const InterruptGuard& interrupt) {
     std::unique_ptr<TrajectoryWriter> csv;
     if (!options.csv.empty()) csv = std::make_unique<TrajectoryWriter>(options.csv, scene.world);
     std::unique_ptr<PictureRecorder> pictures;
@@ -70,7 +71,6 @@ Outcome simulate(const RunOptions& options, scene::Scene& scene, std::uint64_t s
     }
     Outcome outcome;
     {
-        const InterruptGuard interrupt;
         ProgressLine progress(steps);
         if (csv) csv->add(scene.world);
         if (pictures) pictures->add(scene.world);
@@ -102,7 +102,7 @@ std::string json_summary(const std::string& path, const scene::Scene& scene, con
     json["bodies"] = statistics.bodies;
     json["steps"] = outcome.step_times.size();
     json["time_step"] = static_cast<double>(scene.info.time_step);
-    json["threads"] = 1;
+    json["threads"] = world.threads();
     json["isa"] = std::string(instruction_set());
     json["ms_per_step"] = {{"mean", times.mean}, {"median", times.median}, {"p99", times.p99}};
     json["hash"] = fmt::format("{:016x}", world.state_hash());
@@ -122,8 +122,9 @@ std::string text_summary(const std::string& path, const scene::Scene& scene, con
     std::string text = fmt::format("{} ({}): {} bodies, {} awake\n", path, scene.info.title, statistics.bodies,
                                    statistics.awake_bodies);
     text +=
-        fmt::format("{} steps of {:.6g} s on 1 thread ({}){}: {:.3f} ms a step (median {:.3f}, 99 % within {:.3f})\n",
-                    outcome.step_times.size(), scene.info.time_step, instruction_set(),
+        fmt::format("{} steps of {:.6g} s on {} ({}){}: {:.3f} ms a step (median {:.3f}, 99 % within {:.3f})\n",
+                    outcome.step_times.size(), scene.info.time_step,
+                    world.threads() == 1 ? "1 thread" : fmt::format("{} threads", world.threads()), instruction_set(),
                     outcome.interrupted ? ", interrupted" : "", times.mean, times.median, times.p99);
     text += fmt::format("{} contacts, {} points, deepest overlap on the way {:.3g} mm\n", statistics.contacts,
                         statistics.contact_points, 1000.0 * outcome.max_penetration);
@@ -140,7 +141,8 @@ int run_command(const RunOptions& options) {
     for (const std::string& warning : scene.warnings) fmt::print(stderr, "cairn: warning: {}\n", warning);
     apply_options(options, scene);
     const std::uint64_t steps = count_steps(options, scene.info.time_step);
-    const Outcome outcome = simulate(options, scene, steps);
+    const InterruptGuard interrupt; // until all is written: an impatient second signal must not lose it
+    const Outcome outcome = simulate(options, scene, steps, interrupt);
     const std::string name = path.generic_string();
     print(options.json ? json_summary(name, scene, outcome) : text_summary(name, scene, outcome));
     return 0;

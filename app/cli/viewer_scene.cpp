@@ -34,6 +34,7 @@ viewer::LoadedScene load_for_viewer(const std::string& path) {
     loaded.title = scene.info.title;
     loaded.hint = scene.info.hint;
     loaded.time_step = scene.info.time_step;
+    scene.world.set_threads(hardware_threads());
     loaded.world = std::move(scene.world);
     return loaded;
 }

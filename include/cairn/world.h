@@ -86,6 +86,9 @@ struct Statistics {
 /// what the CPU offers; the environment variable CAIRN_ISA forces one. Results do not depend on it.
 std::string_view instruction_set() noexcept;
 
+/// The number of threads that this machine runs at a time, 1 to 256: a good argument for `World::set_threads`.
+int hardware_threads() noexcept;
+
 /// A world. Handles carry the number of their world; numbers repeat after 65,535 worlds, and a restored world has that
 /// of the one that was saved. A `Body` accessor refers to the World object: it must not be used after that was moved
 /// or destroyed. Worlds are independent of each other; one world must not be used by two threads at a time, except
@@ -101,6 +104,12 @@ class World {
 
     const WorldDef& settings() const noexcept;
     void set_settings(const WorldDef& def); ///< Throws on a bad value. Wakes everything if gravity changes.
+
+    /// The number of threads that a step may use: that of the caller, and `count` - 1 more that the world keeps. 1 to
+    /// 256; default 1. Results do not depend on it. Snapshots do not hold it. Throws outside that range, or when the
+    /// system has no more threads.
+    void set_threads(int count);
+    int threads() const noexcept;
 
     // --- bodies and shapes
     BodyId create_body(const BodyDef& def = {});

@@ -65,6 +65,10 @@ class BroadPhase {
     // A shape of any kind but a plane has moved. `displacement` is the motion expected over the next step, m: the
     // pairs cover it.
     void set_bounds(std::uint32_t shape, const DBounds& tight, math::Vec3 displacement = {});
+    // Whether set_bounds would change nothing: the fat box still contains them. May be asked from many threads.
+    bool serves(std::uint32_t shape, const DBounds& tight, math::Vec3 displacement) const {
+        return fat_serves(fat_[shape], tight, displacement);
+    }
     void set_bounds(std::span<const std::uint32_t> shapes, std::span<const DBounds> tight,
                     std::span<const math::Vec3> displacements);
     // Whatever the sink decides by has changed: all pairs of the shape are lost and found anew at the next update.

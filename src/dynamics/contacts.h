@@ -15,6 +15,11 @@ void update_contacts(State& state, float dt);
 // After the solver: begin, end and hit events, sustained loads, counts.
 void report_contacts(State& state, float dt);
 
+// --- one contact (contact_points.cpp)
+
+// Writes the record of a contact from the kernel's manifold, which has points. Impulses go on where points stay.
+void write_record(State& state, std::uint32_t contact, const Manifold& manifold);
+void forget_impulses(ContactRecord& record);
 // A record that was written at the start of the last step, moved to the poses at its end.
 ContactRecord advanced_record(const State& state, std::uint32_t contact);
 

@@ -9,50 +9,61 @@ namespace cairn {
 
 namespace {
 
-void move_shapes(State& s, std::int32_t b, float dt) {
+// f(shape) for all shapes of a body, after they were placed anew.
+template <class F> void place_each(State& s, std::int32_t b, F&& f) {
     const BodyMotion& motion = s.motion[std::size_t(b)];
     const math::Quat q = math::to_float(motion.q);
     const math::Mat3 rotation = math::to_matrix(q);
     const math::Vec3 center = s.mass[std::size_t(b)].center;
-    const math::Vec3 displacement = dt * motion.v;
     for (std::int32_t shape = s.bodies[std::size_t(b)].first_shape; shape != none;
          shape = s.shapes[std::size_t(shape)].next) {
         place_shape(s, std::uint32_t(shape), motion, rotation, q, center);
-        if (s.geometry[std::size_t(shape)].type == ShapeType::plane) {
-            const math::DVec3 p = shape_position(s.shape_poses[std::size_t(shape)]);
-            s.broad_phase.move_plane(
-                std::uint32_t(shape), p,
-                math::rotate(shape_rotation(s.shape_poses[std::size_t(shape)]), math::Vec3{0, 1, 0}));
-        } else {
-            const Geometry& geometry = s.geometry[std::size_t(shape)];
-            const ShapePose& pose = s.shape_poses[std::size_t(shape)];
-            const DBounds bounds = geometry_bounds(
-                geometry, shape_position(pose), geometry.is_turned ? math::to_matrix(shape_rotation(pose)) : rotation);
-            s.broad_phase.set_bounds(std::uint32_t(shape), bounds, displacement);
-        }
+        f(std::uint32_t(shape), rotation);
     }
+}
+
+// The new bounds of a shape of a body that turned.
+DBounds bounds_of(const State& s, std::uint32_t shape, const math::Mat3& rotation) {
+    const Geometry& geometry = s.geometry[shape];
+    const ShapePose& pose = s.shape_poses[shape];
+    if (geometry.type == ShapeType::plane) return {};
+    return geometry_bounds(geometry, shape_position(pose),
+                           geometry.is_turned ? math::to_matrix(shape_rotation(pose)) : rotation);
+}
+
+void move_shapes(State& s, std::int32_t b, float dt) {
+    const math::Vec3 displacement = dt * s.motion[std::size_t(b)].v;
+    place_each(s, b, [&](std::uint32_t shape, const math::Mat3& rotation) {
+        apply_bounds(s, {shape, bounds_of(s, shape, rotation), displacement});
+    });
 }
 
 } // namespace
 
-void finalize_bodies(State& s, float dt, bool is_last_pass) {
-    const float quiet_speed = s.settings.sleep_speed;
-    const auto& g = s.settings.gravity;
-    const float gravity = math::length(math::Vec3{g.x, g.y, g.z});
-    for (const std::int32_t i : s.awake_islands) {
-        Island& island = s.islands[std::size_t(i)];
-        island.weight = 0;
-        for (std::int32_t b = island.first_body; b != none; b = s.bodies[std::size_t(b)].next_in_island) {
-            const BodyMass& mass = s.mass[std::size_t(b)];
-            if (mass.inverse_mass > 0) island.weight += mass.mass * gravity;
-            move_shapes(s, b, dt);
-            BodyLinks& links = s.bodies[std::size_t(b)];
-            const BodyMotion& motion = s.motion[std::size_t(b)];
-            const float speed = math::length(motion.v) + math::length(motion.w) * links.radius;
-            links.quiet_time = speed < quiet_speed ? links.quiet_time + dt : 0;
-            if (is_last_pass) s.forces[std::size_t(b)] = {}; // they act for one step
-        }
+void apply_bounds(State& s, const EscapedShape& e) {
+    if (s.geometry[e.shape].type != ShapeType::plane) {
+        s.broad_phase.set_bounds(e.shape, e.bounds, e.displacement);
+        return;
     }
+    const ShapePose& pose = s.shape_poses[e.shape];
+    s.broad_phase.move_plane(e.shape, shape_position(pose), math::rotate(shape_rotation(pose), math::Vec3{0, 1, 0}));
+}
+
+void finalize_body(State& s, std::int32_t b, float dt, bool is_last_pass, std::vector<EscapedShape>& escaped) {
+    const BodyMotion& motion = s.motion[std::size_t(b)];
+    const math::Vec3 displacement = dt * motion.v;
+    place_each(s, b, [&](std::uint32_t shape, const math::Mat3& rotation) {
+        const DBounds bounds = bounds_of(s, shape, rotation);
+        if (s.geometry[shape].type == ShapeType::plane || !s.broad_phase.serves(shape, bounds, displacement))
+            escaped.push_back({shape, bounds, displacement});
+    });
+    BodyLinks& links = s.bodies[std::size_t(b)];
+    const float speed = math::length(motion.v) + math::length(motion.w) * links.radius;
+    links.quiet_time = speed < s.settings.sleep_speed ? links.quiet_time + dt : 0;
+    if (is_last_pass) s.forces[std::size_t(b)] = {}; // they act for one step
+}
+
+void finalize_kinematics(State& s, float dt) {
     for (const std::int32_t b : s.kinematics) {
         const BodyMotion& motion = s.motion[std::size_t(b)];
         if (motion.v == math::Vec3{} && motion.w == math::Vec3{}) continue;

@@ -5,7 +5,13 @@
 
 namespace cairn {
 
-void finalize_bodies(State& state, float dt, bool is_last_pass);
+// One dynamic body; others may be at work on other bodies. Shapes that have left their fat boxes go to `escaped`, for
+// apply_bounds.
+void finalize_body(State& state, std::int32_t body, float dt, bool is_last_pass, std::vector<EscapedShape>& escaped);
+void apply_bounds(State& state, const EscapedShape& shape);
+
+// Kinematic bodies.
+void finalize_kinematics(State& state, float dt);
 
 // Places a body's shapes and tells the broad phase, for a body that was moved from outside a step.
 void update_proxies(State& state, std::int32_t body);

@@ -18,6 +18,8 @@ namespace {
 // held by friction, but the energy of a free top depends on it.
 constexpr double least_turn_free = 1e-6, least_turn_in_contact = 1e-5;
 
+constexpr int rows_per_chunk = 256, spin_blocks_per_chunk = 4; // for threads
+
 struct Increment {
     DVec3 velocity, correction;
 };
@@ -149,14 +151,12 @@ Load load_on(const State& s, std::int32_t b) {
     return {double(mass.inverse_mass) * forces.force, s.body_settings[std::size_t(b)].gravity_scale, mass.inverse_mass};
 }
 
-void write_linear(State& s, std::size_t row, const Increment& change) {
-    SolverScratch& scratch = s.solver;
+void write_linear(const State& s, BinScratch& scratch, std::size_t row, const Increment& change) {
     put(scratch.drive[row].v, math::to_float(cut(change.velocity, s.settings.max_linear_speed)));
     if (!scratch.free_correction.empty())
         put(scratch.free_correction[row].v, math::to_float(cut(change.correction, s.settings.max_linear_speed)));
 }
-void write_angular(State& s, std::size_t row, const Increment& change) {
-    SolverScratch& scratch = s.solver;
+void write_angular(const State& s, BinScratch& scratch, std::size_t row, const Increment& change) {
     put(scratch.drive[row].w, math::to_float(cut(change.velocity, s.settings.max_angular_speed)));
     if (!scratch.free_correction.empty())
         put(scratch.free_correction[row].w, math::to_float(cut(change.correction, s.settings.max_angular_speed)));
@@ -198,29 +198,29 @@ Increment torque_increment(const State& s, std::int32_t b, const Spin& spin, con
                      h * spin.to_world(q, spin.inverse_moments, s.forces[std::size_t(b)].torque));
 }
 
-DQuat row_rotation(const State& s, std::size_t row) {
-    const float* dq = s.solver.pose[row].dq;
-    return math::normalized(DQuat{dq[0], dq[1], dq[2], dq[3]} * s.motion[std::size_t(s.solver.row_bodies[row])].q);
+DQuat row_rotation(const State& s, const BinScratch& scratch, std::size_t row) {
+    const float* dq = scratch.pose[row].dq;
+    return math::normalized(DQuat{dq[0], dq[1], dq[2], dq[3]} * s.motion[std::size_t(scratch.row_bodies[row])].q);
 }
 
 // One row that the kernel does not do.
-void spin_row(State& s, SpinningRow& r, float h) {
+void spin_row(const State& s, BinScratch& scratch, SpinningRow& r, float h) {
     const std::size_t row = std::size_t(r.row);
-    const std::int32_t b = s.solver.row_bodies[row];
+    const std::int32_t b = scratch.row_bodies[row];
     const BodyMass& mass = s.mass[std::size_t(b)];
-    const DVec3 w = row_vector(s.solver.velocity[row].w);
-    const DQuat q = row_rotation(s, row);
+    const DVec3 w = row_vector(scratch.velocity[row].w);
+    const DQuat q = row_rotation(s, scratch, row);
     const Spin spin = spin_of(mass);
     r.turns = precesses(mass, w, h, least_turn_in_contact);
     if (!r.turns) {
-        write_angular(s, row, torque_increment(s, b, spin, q, h));
+        write_angular(s, scratch, row, torque_increment(s, b, spin, q, h));
         return;
     }
     const Increment change =
         gyroscopic_increment(s, spin, q, w, spin.to_world(q, spin.moments, w), s.forces[std::size_t(b)].torque, h);
     r.free_w = w + change.velocity;
     r.end = turned_by(double(h) * (r.free_w + change.correction), q);
-    write_angular(s, row, change);
+    write_angular(s, scratch, row, change);
 }
 
 // Inverse of a symmetric positive definite matrix, by cofactors.
@@ -245,16 +245,17 @@ bool kernel_spins(const State& s, std::int32_t b) {
            std::min({i.x, i.y, i.z}) > least_contact_moment * std::max({i.x, i.y, i.z});
 }
 
-int spin_block_count(const SolverScratch& scratch) { return int((scratch.spin_count + 7) / 8); }
+int spin_block_count(const BinScratch& scratch) { return int((scratch.spin_count + 7) / 8); }
 
-void add_spin_lane(State& s, std::size_t row) {
-    SolverScratch& scratch = s.solver;
+void add_spin_lane(const State& s, BinScratch& scratch, std::size_t row) {
     const std::size_t lane = scratch.spin_count++ % 8;
     if (lane == 0) {
         if (scratch.spin_blocks.size() * 8 < scratch.spin_count) scratch.spin_blocks.emplace_back();
+        const std::uint32_t discard =
+            (std::uint32_t(scratch.first_discard_row()) + std::uint32_t(scratch.spin_count / 8)) * row_bytes;
         SpinBlock& fresh = scratch.spin_blocks[scratch.spin_count / 8];
         fresh = {};
-        for (int i = 0; i < 8; ++i) fresh.row[i] = discard_row * row_bytes, fresh.axes[3][i] = 1;
+        for (int i = 0; i < 8; ++i) fresh.row[i] = discard, fresh.axes[3][i] = 1;
     }
     SpinBlock& block = scratch.spin_blocks[(scratch.spin_count - 1) / 8];
     const std::size_t b = std::size_t(scratch.row_bodies[row]);
@@ -277,15 +278,14 @@ float damping_factor(float rate, float h) {
     return 1.0f / (1.0f + x * (1.0f + 0.5f * x));
 }
 
-void prepare_damping(State& s, float h) {
-    SolverScratch& scratch = s.solver;
+void prepare_damping(const State& s, BinScratch& scratch, float h) {
     scratch.damping.clear();
     bool any = false;
     for (const std::int32_t b : scratch.row_bodies)
         any |= b != none && (s.body_settings[std::size_t(b)].linear_damping > 0 ||
                              s.body_settings[std::size_t(b)].angular_damping > 0);
     if (!any) return;
-    scratch.damping.assign(scratch.row_bodies.size(), {{1, 1, 1}, 1, {1, 1, 1}, 1});
+    scratch.damping.assign(scratch.velocity.size(), {{1, 1, 1}, 1, {1, 1, 1}, 1});
     for (std::size_t row = 0; row < scratch.row_bodies.size(); ++row) {
         const std::int32_t b = scratch.row_bodies[row];
         if (b == none || !s.is_dynamic(b)) continue;
@@ -326,65 +326,69 @@ DVec3 field_acceleration(const State& s, DVec3 x, float gravity_scale, double in
     return a;
 }
 
-void prepare_free_motion(State& s, float h, bool corrects) {
-    SolverScratch& scratch = s.solver;
-    const std::size_t rows = scratch.row_bodies.size();
-    scratch.drive.assign(rows, {});
+void prepare_free_motion(const State& s, BinScratch& scratch, Crew* crew, float h, bool corrects) {
+    const std::size_t rows = scratch.row_bodies.size(), all = scratch.velocity.size();
+    scratch.drive.assign(all, {});
     scratch.spinning_rows.clear();
     scratch.spin_count = 0;
     scratch.free_correction.clear();
     scratch.drive_varies = fields_vary(s);
-    prepare_damping(s, h);
+    prepare_damping(s, scratch, h);
     for (std::size_t row = 0; row < rows; ++row) {
         const std::int32_t b = scratch.row_bodies[row];
         if (b == none || !s.is_dynamic(b) || s.mass[std::size_t(b)].isotropic) continue;
         if (kernel_spins(s, b))
-            add_spin_lane(s, row);
+            add_spin_lane(s, scratch, row);
         else
             scratch.spinning_rows.push_back({std::int32_t(row), false, {}, {}});
     }
     if (!scratch.spinning_rows.empty() || scratch.spin_count > 0 || corrects ||
         s.settings.integrator != Integrator::semi_implicit_euler)
-        scratch.free_correction.assign(rows, {});
+        scratch.free_correction.assign(all, {});
     scratch.correction = scratch.free_correction;
     // Of most bodies.
     const bool only_gravity = !any_field(s);
     const Increment fall = only_gravity ? linear_increment(s, {{}, 1.0f, 0.0f}, {}, {}, h) : Increment{};
-    for (std::size_t row = 0; row < rows; ++row) {
+    auto drive_row = [&](std::size_t row) {
         const std::int32_t b = scratch.row_bodies[row];
-        if (b == none || !s.is_dynamic(b)) continue;
+        if (b == none || !s.is_dynamic(b)) return;
         const BodyMotion& motion = s.motion[std::size_t(b)];
         // What varies is computed at the start of each substep.
         const BodyMass& mass = s.mass[std::size_t(b)];
         if (mass.inverse_mass > 0 && !scratch.drive_varies) {
             const bool falls =
                 only_gravity && !s.forces[std::size_t(b)].any && s.body_settings[std::size_t(b)].gravity_scale == 1.0f;
-            write_linear(s, row,
+            write_linear(s, scratch, row,
                          falls ? fall : linear_increment(s, load_on(s, b), motion.x, math::to_double(motion.v), h));
         }
         if (mass.isotropic && s.forces[std::size_t(b)].any)
-            write_angular(s, row, torque_increment(s, b, spin_of(mass), motion.q, h));
-    }
+            write_angular(s, scratch, row, torque_increment(s, b, spin_of(mass), motion.q, h));
+    };
+    for_chunks(crew, int(rows), rows_per_chunk, [&](int begin, int end, int) {
+        for (int row = begin; row < end; ++row) drive_row(std::size_t(row));
+    });
 }
 
-void update_free_motion(State& s, const SolverBodies& bodies, float h, bool first) {
-    SolverScratch& scratch = s.solver;
+void update_free_motion(const State& s, BinScratch& scratch, Crew* crew, const SolverBodies& bodies, float h,
+                        bool first) {
     if (scratch.drive_varies)
         for (std::size_t row = 0; row < scratch.row_bodies.size(); ++row) {
             const std::int32_t b = scratch.row_bodies[row];
             if (b == none || !s.is_dynamic(b) || !(s.mass[std::size_t(b)].inverse_mass > 0)) continue;
             const DVec3 x = s.motion[std::size_t(b)].x + row_vector(scratch.pose[row].dx);
-            write_linear(s, row, linear_increment(s, load_on(s, b), x, row_vector(scratch.velocity[row].v), h));
+            write_linear(s, scratch, row,
+                         linear_increment(s, load_on(s, b), x, row_vector(scratch.velocity[row].v), h));
         }
-    for (SpinningRow& row : scratch.spinning_rows) spin_row(s, row, h);
+    for (SpinningRow& row : scratch.spinning_rows) spin_row(s, scratch, row, h);
     if (scratch.spin_count > 0)
-        kernels().solver.spin(scratch.spin_blocks.data(), spin_block_count(scratch), bodies, scratch.drive.data(),
-                              scratch.free_correction.data(), h, first);
+        for_chunks(crew, spin_block_count(scratch), spin_blocks_per_chunk, [&](int begin, int end, int) {
+            kernels().solver.spin(scratch.spin_blocks.data() + begin, end - begin, bodies, scratch.drive.data(),
+                                  scratch.free_correction.data(), h, first);
+        });
     scratch.correction = scratch.free_correction;
 }
 
-void turn_spinning_rows(State& s, float h) {
-    SolverScratch& scratch = s.solver;
+void turn_spinning_rows(const State& s, BinScratch& scratch, float h) {
     for (const SpinningRow& r : scratch.spinning_rows) {
         if (!r.turns) continue;
         const std::size_t row = std::size_t(r.row);
@@ -398,18 +402,18 @@ void turn_spinning_rows(State& s, float h) {
     }
 }
 
-void finish_free_motion(State& s) {
-    SolverScratch& scratch = s.solver;
+void finish_free_motion(BinScratch& scratch) {
     kernels().solver.finish_spin(scratch.spin_blocks.data(), spin_block_count(scratch), scratch.velocity.data(),
                                  scratch.pose.data());
 }
 
-void move_free_body(State& s, std::int32_t b, float dt) {
+std::uint64_t move_free_body(State& s, std::int32_t b, float dt) {
+    std::uint64_t clamped_speeds = 0;
     BodyMotion& motion = s.motion[std::size_t(b)];
     const BodyMass& mass = s.mass[std::size_t(b)];
     const BodySettings& settings = s.body_settings[std::size_t(b)];
     if (clamp_velocity(s.settings, motion.v, motion.w)) {
-        ++s.clamped_speeds;
+        ++clamped_speeds;
         motion.v_rest = motion.w_rest = {};
     }
     const double h = double(dt) / s.settings.substeps;
@@ -439,12 +443,12 @@ void move_free_body(State& s, std::int32_t b, float dt) {
         w = limited(angular * (w + cut(turn.velocity, most_w)), most_w);
         q = turned_by(h * (w + cut(turn.correction, most_w)), q);
     }
-    s.clamped_speeds += clamped;
+    clamped_speeds += clamped;
     if (!(math::is_finite(x) && math::is_finite(q) && math::is_finite(v) && math::is_finite(w))) {
-        ++s.clamped_speeds; // beyond the range of numbers: it stops where it is
+        ++clamped_speeds; // beyond the range of numbers: it stops where it is
         motion.v = motion.w = motion.v_rest = motion.w_rest = {};
         s.turned[std::size_t(b)] = {};
-        return;
+        return clamped_speeds;
     }
     s.turned[std::size_t(b)] = math::to_float(q * math::conjugate(motion.q));
     motion.x = x;
@@ -453,6 +457,7 @@ void move_free_body(State& s, std::int32_t b, float dt) {
     motion.w = math::to_float(w);
     motion.v_rest = math::to_float(v - math::to_double(motion.v));
     motion.w_rest = math::to_float(w - math::to_double(motion.w));
+    return clamped_speeds;
 }
 
 } // namespace cairn

@@ -101,7 +101,8 @@ std::int32_t find_root(std::vector<std::int32_t>& parent, std::int32_t i) {
 void split_island(State& state, std::int32_t i) {
     // Number the bodies in list order; the root of a part is its first body.
     std::vector<std::int32_t> members, parent;
-    std::vector<std::int32_t>& number = state.solver.row_of_body; // free between two steps of the solver
+    std::vector<std::int32_t>& number = state.solver.member_numbers;
+    number.resize(state.bodies.size());
     for (std::int32_t b = island_at(state, i).first_body; b != none; b = body_at(state, b).next_in_island) {
         number[std::size_t(b)] = std::int32_t(members.size());
         parent.push_back(std::int32_t(members.size()));
@@ -124,7 +125,6 @@ void split_island(State& state, std::int32_t i) {
         const std::size_t root = std::size_t(find_root(parent, std::int32_t(k)));
         if (part[root] == none) part[root] = root == 0 ? i : new_island(state);
         append_body(state, part[root], members[k]);
-        number[std::size_t(members[k])] = none;
     }
 }
 

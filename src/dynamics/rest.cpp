@@ -1,6 +1,7 @@
 #include "dynamics/rest.h"
 
 #include <algorithm>
+#include <mutex>
 
 namespace cairn {
 
@@ -12,6 +13,8 @@ namespace {
 constexpr double sinking = 10.0, most_shift = 0.01, most_step = 0.25;
 
 constexpr float most_turn = 1.0f; // radians in a step
+
+constexpr int bodies_per_chunk = 1024; // for threads
 
 bool is_within(math::DVec3 v, double most) { return math::dot(v, v) <= most * most; }
 
@@ -38,15 +41,25 @@ void update_resting(State& s, float dt) {
         s.left_at[std::size_t(b)] = pass;
     };
     s.narrow.whirling.clear();
-    const float most_square = (most_turn / dt) * (most_turn / dt);
+    std::vector<std::int32_t>& awake = s.narrow.awake;
+    awake.clear();
     for (const std::int32_t i : s.awake_islands)
         for (std::int32_t b = s.islands[std::size_t(i)].first_body; b != none;
-             b = s.bodies[std::size_t(b)].next_in_island) {
+             b = s.bodies[std::size_t(b)].next_in_island)
+            awake.push_back(b);
+    const float most_square = (most_turn / dt) * (most_turn / dt);
+    std::mutex whirling;
+    s.crew->for_chunks(int(awake.size()), bodies_per_chunk, [&](int begin, int end, int) {
+        for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
+            const std::int32_t b = awake[k];
             const BodyMotion& motion = s.motion[std::size_t(b)];
             if (!rests(s.resting[std::size_t(b)], motion, s.bodies[std::size_t(b)].radius, shift, speed)) leave(b);
-            if (math::dot(motion.w, motion.w) > most_square && !s.mass[std::size_t(b)].isotropic)
-                s.narrow.whirling.push_back(b);
+            if (math::dot(motion.w, motion.w) > most_square && !s.mass[std::size_t(b)].isotropic) {
+                const std::lock_guard lock(whirling);
+                s.narrow.whirling.push_back(b); // in any order
+            }
         }
+    });
     for (const std::int32_t b : s.kinematics) {
         const BodyMotion& motion = s.motion[std::size_t(b)];
         const RestingPose& pose = s.resting[std::size_t(b)];

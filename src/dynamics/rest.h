@@ -16,8 +16,7 @@ bool whirls_in_contact(const State& state);
 
 // Neither body has moved by more than a small part of a micrometer (rest.cpp) since the pair was tested.
 inline bool is_tested(const State& state, const ContactInfo& c) {
-    return c.tested_at >= state.left_at[std::size_t(c.body_a)] &&
-           c.tested_at >= state.left_at[std::size_t(c.body_b)];
+    return c.tested_at >= state.left_at[std::size_t(c.body_a)] && c.tested_at >= state.left_at[std::size_t(c.body_b)];
 }
 
 } // namespace cairn

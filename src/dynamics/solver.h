@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dynamics/state.h"
+#include "jobs/crew.h"
 
 namespace cairn {
 
@@ -10,26 +11,35 @@ namespace cairn {
 // and number of points. Impulses of contacts whose substeps have another length than in the last step are scaled.
 void pack_bins(State& state, float dt);
 
-// Solves all bins: velocities, poses, impulses; moves kinematic bodies.
-void solve_bins(State& state, float dt);
+// Solves all bins: velocities, poses, impulses; moves kinematic bodies. Finalizes all bodies (finalize.h).
+void solve_bins(State& state, float dt, bool is_last_pass);
 
-// --- free motion (free_motion.cpp)
+// --- one bin (bin_rows.cpp)
+
+// Lays out the rows and lanes of a bin, and fills them.
+void fill_bin(State& state, const Bin& bin, BinScratch& scratch, Crew* crew);
+// Moves the bodies by what their rows have moved, and finalizes them.
+void empty_bin(State& state, BinScratch& scratch, Crew* crew, float dt, bool is_last_pass);
+
+// --- free motion (free_motion.cpp); `crew` helps where it is not null
 
 // Fills drive, damping and correction of the bin's rows for substeps of h seconds. `corrects`: there must be
 // corrections, because something else will add to them.
-void prepare_free_motion(State& state, float h, bool corrects);
+void prepare_free_motion(const State& state, BinScratch& scratch, Crew* crew, float h, bool corrects);
 // At the start of each substep: what of them depends on the pose or the velocity.
-void update_free_motion(State& state, const SolverBodies& bodies, float h, bool first);
+void update_free_motion(const State& state, BinScratch& scratch, Crew* crew, const SolverBodies& bodies, float h,
+                        bool first);
 // After the poses of a substep: the rotations of what turns by many radians in it, or has moments a millionth of
 // others, where single precision and a series for small angles do not do.
-void turn_spinning_rows(State& state, float h);
+void turn_spinning_rows(const State& state, BinScratch& scratch, float h);
 // After the last substep: the angular velocities that go with the angular momenta and rotations at its end.
-void finish_free_motion(State& state);
+void finish_free_motion(BinScratch& scratch);
 // Contacts on a needle, with a moment a millionth of the others, would spin it up without end in single precision: for
 // them no moment is less than this share of the greatest. (A rod 20 times as long as thick has 0.5 %.)
 inline constexpr float least_contact_moment = 0.005f;
 // A body that nothing touches: a whole step, in double. What the rounding of its velocities leaves over is kept.
-void move_free_body(State& state, std::int32_t body, float dt);
+// Returns how often a speed was cut.
+std::uint64_t move_free_body(State& state, std::int32_t body, float dt);
 // Gravity and fields at a point, m/s^2 (for a body of that mass and gravity scale).
 math::DVec3 field_acceleration(const State& state, math::DVec3 x, float gravity_scale, double inverse_mass);
 

@@ -3,6 +3,7 @@
 
 #include "collision/manifold.h"
 #include "kernels/solver_data.h"
+#include "math/bounds.h"
 #include "math/vec.h"
 
 #include <cstddef>
@@ -11,19 +12,32 @@
 
 namespace cairn {
 
-// Pairs of one kind, waiting for their kernel.
+// Pairs on their way through a kernel.
 struct PairBatch {
     static constexpr int capacity = 256;
-    std::uint32_t first[capacity], second[capacity], contact[capacity];
+    std::uint32_t first[capacity], second[capacity];
     float margin[capacity];
-    int count = 0;
+};
+
+// What a thread has at work.
+struct NarrowBatch {
+    PairBatch pairs;
+    Manifold manifolds[PairBatch::capacity];
+};
+
+// Contacts of one PairKind to be tested, and what came out.
+struct NarrowList {
+    std::vector<std::uint32_t> contacts;
+    std::vector<std::uint8_t> outcomes;
 };
 
 struct NarrowScratch {
-    std::vector<PairBatch> batches; // one per PairKind
-    std::vector<Manifold> manifolds;
+    std::vector<NarrowList> lists;      // one per PairKind
+    std::vector<NarrowBatch> at_work;   // one per thread
+    std::vector<std::int32_t> awake;    // bodies
     std::vector<std::int32_t> whirling; // bodies that turn far in a step and have unequal moments of inertia
     std::vector<std::uint32_t> skipped; // contacts of sleeping bodies with kinematic ones at rest
+    std::vector<std::uint8_t> changes;  // of solved contacts: began or ceased to touch
 };
 
 // A run of blocks of one color and one size in a bin.
@@ -57,25 +71,28 @@ struct SpinningRow {
     math::DVec3 free_w;
 };
 
+// A shape that has left its fat box.
+struct EscapedShape {
+    std::uint32_t shape;
+    DBounds bounds;
+    math::Vec3 displacement;
+};
+
 // Lanes of a list of blocks, filled bin by bin.
 struct LaneLists {
     std::vector<std::int32_t> record, row_a, row_b;
     void clear() { record.clear(), row_a.clear(), row_b.clear(); }
 };
 
-struct SolverScratch {
-    std::vector<Bin> bins;
-    std::vector<std::int32_t> bin_of_island, bin_islands, contacts_of_island, open_bins;
-    std::vector<std::uint32_t> key_counts, keys; // counting sort of contacts
-    std::vector<SortedContact> sorted;
-    std::vector<ContactReport> reports;    // by contact, of those that were solved
-    std::vector<std::int32_t> row_of_body; // in the bin at work; none: in no row
-    // --- of the bin at work
-    std::vector<std::int32_t> free_bodies; // of all bins: those without a contact
-    std::vector<std::int32_t> row_bodies;  // body of each row; none for fixed, discard and padding
+// The bin that a thread has at work.
+struct BinScratch {
+    std::vector<std::int32_t> row_of_body; // none: in no row
+    std::vector<std::int32_t> row_bodies;  // body of each row; none for fixed and padding
+    std::vector<std::int32_t> free_bodies; // those without a contact
     std::vector<SpinningRow> spinning_rows;
     std::vector<SpinBlock> spin_blocks; // those that the kernel turns
     std::size_t spin_count = 0;         // lanes in them
+    // Rows, then the discard rows: one for each block.
     std::vector<SolverVelocity> velocity, reference, rounding;
     std::vector<SolverPose> pose;
     std::vector<SolverInertia> inertia;
@@ -85,6 +102,26 @@ struct SolverScratch {
     std::vector<ContactBlock<4>> four_blocks;
     std::vector<BlockRun> runs;
     bool drive_varies = false; // forces depend on the position
+
+    std::vector<EscapedShape> escaped; // of all bins of the thread
+    std::uint64_t clamped_speeds = 0;
+    double prepare_ms = 0, solve_ms = 0;
+
+    std::size_t row_count() const { return row_bodies.size(); }
+    std::int32_t first_discard_row() const { return std::int32_t(row_bodies.size()); }
+};
+
+struct SolverScratch {
+    std::vector<Bin> bins;
+    std::vector<std::int32_t> bin_of_island, bin_islands, contacts_of_island, open_bins;
+    std::vector<std::uint32_t> key_counts, keys; // counting sort of contacts
+    std::vector<SortedContact> sorted;
+    std::vector<ContactReport> reports;      // by contact, of those that were solved
+    std::vector<std::int32_t> shared, alone; // bins that all threads solve together, and those that one does
+    std::vector<BinScratch> at_work;         // one per thread
+    std::vector<EscapedShape> escaped;
+    std::vector<std::int32_t> member_numbers; // by body, while an island is split
+    double prepare_share = 0;                 // of the last solve_bins' time
 };
 
 } // namespace cairn

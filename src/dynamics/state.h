@@ -6,6 +6,7 @@
 #include "collision/shape_pose.h"
 #include "core/slot_pool.h"
 #include "dynamics/solver_scratch.h"
+#include "jobs/crew.h"
 #include "kernels/kernels.h"
 #include "kernels/solver_data.h"
 #include "math/vec.h"
@@ -14,6 +15,7 @@
 #include <cairn/world.h>
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace cairn {
@@ -180,6 +182,7 @@ struct State {
     NarrowScratch narrow;
     std::vector<std::uint32_t> solved; // contacts to solve in this step
     SolverScratch solver;
+    std::unique_ptr<Crew> crew = std::make_unique<Crew>(1);
 
     BodyId body_id(std::int32_t body) const {
         return BodyId::make(std::uint32_t(body), body_slots.generation(std::uint32_t(body)), world_id);

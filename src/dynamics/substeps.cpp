@@ -42,8 +42,8 @@ void note_load(State& s, ContactInfo& c, float force) {
     } else {
         inverse_mass *= 1 / immovable_stiffness;
     }
-    island.greatest_load = std::max(island.greatest_load, load);
-    island.greatest_demand = std::max(island.greatest_demand, load * inverse_mass);
+    raise(std::atomic_ref(island.greatest_load), load);
+    raise(std::atomic_ref(island.greatest_demand), load * inverse_mass);
 }
 
 int island_substeps(const State& s, Island& island) {

@@ -158,13 +158,14 @@ CAIRN_INLINE void prefetch_records(const std::int32_t* ids, const ContactRecord*
 template <int N>
 CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids, const std::int32_t* row_a,
                                 const std::int32_t* row_b, const ContactRecord* records, const SolverInertia* inertia,
-                                float friction_margin) {
+                                std::int32_t discard_row, float friction_margin) {
+    const std::uint32_t discard = std::uint32_t(discard_row) * row_bytes;
     const ContactRecord* record[8];
     for (int i = 0; i < 8; ++i) {
         record[i] = ids[i] >= 0 ? records + ids[i] : &empty_record;
-        block.a[i] = std::uint32_t(row_a[i]) * row_bytes;
-        block.b[i] = std::uint32_t(row_b[i]) * row_bytes;
-        block.write_b[i] = is_movable(inertia[row_b[i]]) ? block.b[i] : std::uint32_t(discard_row) * row_bytes;
+        block.a[i] = ids[i] >= 0 ? std::uint32_t(row_a[i]) * row_bytes : discard;
+        block.b[i] = ids[i] >= 0 ? std::uint32_t(row_b[i]) * row_bytes : discard;
+        block.write_b[i] = is_movable(inertia[row_b[i]]) ? block.b[i] : discard;
     }
     block.moved = 0;
     const Inertiax8 a = gather_inertia(inertia, row_a), b = gather_inertia(inertia, row_b);
@@ -212,7 +213,7 @@ void prepare_contacts(void* blocks, int count, const ContactLanes& lanes, const 
     for (int k = 0; k < count; ++k) {
         if (k + 1 < count) prefetch_records(lanes.record + 8 * (k + 1), records);
         prepare_block<N>(block[k], lanes.record + 8 * k, lanes.row_a + 8 * k, lanes.row_b + 8 * k, records, inertia,
-                         friction_margin);
+                         lanes.first_discard + k, friction_margin);
     }
 }
 

@@ -33,10 +33,11 @@ struct alignas(32) SolverTwist {
     float w[3], pad1;
 };
 
-// The rows of a bin's body arrays that are not bodies: what does not move (all zero), and where lanes write
-// that have nothing to write.
+// The rows of a bin's body arrays that are not bodies: the first is what does not move (all zero). Behind the bodies
+// there is one for each block, its discard row, where lanes write that have nothing to write: one for all would have
+// all threads write there.
 inline constexpr std::uint32_t row_bytes = 32; // of every body array
-inline constexpr std::int32_t fixed_row = 0, discard_row = 1, first_body_row = 2;
+inline constexpr std::int32_t fixed_row = 0, first_body_row = 1;
 
 // --- Contacts.
 
@@ -67,8 +68,8 @@ struct alignas(64) ContactRecord {
 // j_i = r_i x n for A and j_i + c for B, c = (x_A - x_B) x n.
 template <int N> struct alignas(64) ContactBlock {
     static constexpr int share_count = N > 1 ? N*(N - 1) : 1;
-    // Rows of the bodies as offsets in bytes, the same in all body arrays; where B's velocity goes: its row, or
-    // discard_row. Lanes without a contact read and write discard_row.
+    // Rows of the bodies as offsets in bytes, the same in all body arrays; where B's velocity goes: its row, or the
+    // discard row of the block. Lanes without a contact read and write that.
     std::uint32_t a[8], b[8], write_b[8];
     float normal[3][8], c[3][8]; // c as of the last poses, like d below
     float mass_a[8], mass_b[8], inertia_a[6][8], inertia_b[6][8];
@@ -108,12 +109,13 @@ struct ContactReport {
     float separation; // m: of its deepest point, at the start of the step
 };
 
-// Which contact sits in each lane of a list of blocks, and the rows of its bodies. A record of -1 is an empty
-// lane (its rows are discard_row).
+// Which contact sits in each lane of a list of blocks, and the rows of its bodies. A record of -1 is an empty lane
+// (its rows are fixed_row).
 struct ContactLanes {
     const std::int32_t* record;
     const std::int32_t* row_a;
     const std::int32_t* row_b;
+    std::int32_t first_discard; // discard row of the first block; those of the others follow
 };
 
 // The body arrays of one bin.
@@ -136,7 +138,7 @@ struct BounceSettings {
 
 // 8 bodies with unequal moments of inertia, see spin.cpp.
 struct alignas(64) SpinBlock {
-    std::uint32_t row[8]; // offsets in bytes; lanes without a body: discard_row
+    std::uint32_t row[8]; // offsets in bytes; lanes without a body: a discard row
     float axes[4][8];     // principal axes in the world at the start of the step, x y z w
     float moments[3][8], inverse_moments[3][8];
     float contact_inertia[6][8];        // what contacts act on

@@ -74,6 +74,7 @@ void World::restore(const Snapshot& snapshot) {
         throw Error(ErrorCode::invalid_file, "Snapshot", "", "is damaged: its checksum does not fit");
     auto fresh = std::make_unique<Impl>(impl_->state.settings);
     serialize_all(reader, *fresh);
+    fresh->state.crew = std::move(impl_->state.crew);
     impl_ = std::move(fresh);
 }
 

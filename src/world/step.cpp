@@ -82,15 +82,16 @@ void World::step(float dt) {
         const float pass_dt = dt / float(passes);
         pack_bins(state, pass_dt);
         times.islands += clock.lap();
-        solve_bins(state, pass_dt);
-        times.solve += clock.lap();
-        finalize_bodies(state, pass_dt, pass + 1 == passes);
+        solve_bins(state, pass_dt, pass + 1 == passes);
+        const double solve = clock.lap(), prepare = state.solver.prepare_share * solve;
+        times.prepare += prepare;
+        times.solve += solve - prepare;
+        finalize_kinematics(state, pass_dt);
         report_contacts(state, pass_dt);
         update_sleep(state);
         ++state.passes;
         times.finalize += clock.lap();
     }
-    times.solve -= times.prepare;
     state.ends.swap(state.next_ends);
     state.next_ends.clear();
     state.sleeps.swap(state.next_sleeps);

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <system_error>
+#include <thread>
 
 namespace cairn {
 
@@ -126,6 +128,23 @@ void World::set_settings(const WorldDef& def) {
         if (s.islands[i].in_use) wake_island(s, std::int32_t(i));
     for (BodyLinks& body : s.bodies) body.quiet_time = 0;
 }
+
+void World::set_threads(int count) {
+    impl_->require_idle("World::set_threads");
+    if (count < 1 || count > Crew::most_threads)
+        refuse("World::set_threads count", std::to_string(count), "must be 1 to 256");
+    if (count == threads()) return;
+    try {
+        impl_->state.crew = std::make_unique<Crew>(count);
+    } catch (const std::system_error& error) {
+        throw Error(ErrorCode::unsupported, "World::set_threads count", std::to_string(count),
+                    std::string("the system has not so many threads left (") + error.what() + ")");
+    }
+}
+
+int hardware_threads() noexcept { return std::clamp(int(std::thread::hardware_concurrency()), 1, Crew::most_threads); }
+
+int World::threads() const noexcept { return impl_->state.crew->threads(); }
 
 BodyId World::create_body(const BodyDef& def) {
     impl_->require_idle("World::create_body");

@@ -292,8 +292,9 @@ const NamedScene* find_scene(std::string_view name) {
     return nullptr;
 }
 
-std::uint64_t hash_after(Scene& scene, int steps) {
+std::uint64_t hash_after(Scene& scene, int steps, int threads) {
     World world{scene.settings()};
+    world.set_threads(threads);
     scene.build(world);
     for (int i = 0; i < steps; ++i) scene.step(world);
     return world.state_hash();

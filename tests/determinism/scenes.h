@@ -40,6 +40,6 @@ std::span<const NamedScene> scenes();
 const NamedScene* find_scene(std::string_view name);
 
 // The hash after so many steps from the start.
-std::uint64_t hash_after(Scene& scene, int steps);
+std::uint64_t hash_after(Scene& scene, int steps, int threads = 1);
 
 } // namespace cairn_test

@@ -1,0 +1,194 @@
+// The rows and lanes of a bin: bodies and contacts in, and bodies out again.
+#include "dynamics/bodies.h"
+#include "dynamics/coloring.h"
+#include "dynamics/finalize.h"
+#include "dynamics/solver.h"
+
+#include <algorithm>
+#include <atomic>
+
+namespace cairn {
+
+namespace {
+
+constexpr int rows_per_chunk = 128; // for threads
+
+SolverVelocity to_row(math::Vec3 v, math::Vec3 w) { return {{v.x, v.y, v.z}, 0, {w.x, w.y, w.z}, 0}; }
+
+// Bodies of the bin's islands, and what the islands weigh; room for kinematic ones comes later.
+void gather_bodies(State& s, const Bin& bin, BinScratch& scratch) {
+    const auto& g = s.settings.gravity;
+    const float gravity = math::length(math::Vec3{g.x, g.y, g.z});
+    scratch.row_of_body.resize(s.bodies.size(), none);
+    scratch.row_bodies.assign(first_body_row, none);
+    scratch.free_bodies.clear();
+    for (std::int32_t k = 0; k < bin.island_count; ++k) {
+        Island& island = s.islands[std::size_t(s.solver.bin_islands[std::size_t(bin.first_island + k)])];
+        island.weight = 0;
+        for (std::int32_t b = island.first_body; b != none; b = s.bodies[std::size_t(b)].next_in_island) {
+            const BodyMass& mass = s.mass[std::size_t(b)];
+            if (mass.inverse_mass > 0) island.weight += mass.mass * gravity;
+            if (s.bodies[std::size_t(b)].contact_count == 0) {
+                scratch.free_bodies.push_back(b);
+                continue;
+            }
+            scratch.row_of_body[std::size_t(b)] = std::int32_t(scratch.row_bodies.size());
+            scratch.row_bodies.push_back(b);
+        }
+    }
+}
+
+// The row of a body that may be kinematic: those get theirs when first met.
+std::int32_t row_of(BinScratch& scratch, std::int32_t body) {
+    if (body == none) return fixed_row;
+    std::int32_t& row = scratch.row_of_body[std::size_t(body)];
+    if (row == none) {
+        row = std::int32_t(scratch.row_bodies.size());
+        scratch.row_bodies.push_back(body);
+    }
+    return row;
+}
+
+void add_lane(LaneLists& lanes, std::int32_t record, std::int32_t a, std::int32_t b) {
+    lanes.record.push_back(record);
+    lanes.row_a.push_back(a);
+    lanes.row_b.push_back(b);
+}
+void pad_lanes(LaneLists& lanes) {
+    while (lanes.record.size() % 8 != 0) add_lane(lanes, -1, fixed_row, fixed_row);
+}
+
+// Lays the bin's contacts into blocks of 8 lanes; one run of blocks for each color and size.
+void fill_lanes(const State& s, const Bin& bin, BinScratch& scratch) {
+    scratch.one_lanes.clear();
+    scratch.four_lanes.clear();
+    scratch.runs.clear();
+    std::int32_t k = bin.first_contact;
+    const std::int32_t end = bin.first_contact + bin.contact_count;
+    while (k < end) {
+        const SortedContact& first = s.solver.sorted[std::size_t(k)];
+        const bool four = first.four_points != 0;
+        LaneLists& lanes = four ? scratch.four_lanes : scratch.one_lanes;
+        BlockRun run{four, std::int32_t(lanes.record.size() / 8), 0};
+        for (; k < end; ++k) {
+            const SortedContact& c = s.solver.sorted[std::size_t(k)];
+            if (c.color != first.color || c.four_points != first.four_points) break;
+            add_lane(lanes, std::int32_t(c.id), row_of(scratch, c.body_a), row_of(scratch, c.body_b));
+            if (c.color != overflow_color) continue;
+            ++k; // alone in its run: it may share bodies with the next
+            break;
+        }
+        pad_lanes(lanes);
+        run.count = std::int32_t(lanes.record.size() / 8) - run.first;
+        scratch.runs.push_back(run);
+    }
+    if (scratch.one_blocks.size() * 8 < scratch.one_lanes.record.size())
+        scratch.one_blocks.resize(scratch.one_lanes.record.size() / 8);
+    if (scratch.four_blocks.size() * 8 < scratch.four_lanes.record.size())
+        scratch.four_blocks.resize(scratch.four_lanes.record.size() / 8);
+}
+
+math::Sym3 contact_inverse_inertia(const BodyMotion& motion, const BodyMass& mass) {
+    const math::Vec3 d = mass.inverse_inertia;
+    const float least = std::min({d.x, d.y, d.z}), most = least / least_contact_moment;
+    if (mass.isotropic || !(least > 0) || std::max({d.x, d.y, d.z}) <= most) return world_inverse_inertia(motion, mass);
+    BodyMass rounder = mass;
+    rounder.inverse_inertia = {std::min(d.x, most), std::min(d.y, most), std::min(d.z, most)};
+    return world_inverse_inertia(motion, rounder);
+}
+
+// One body into its row; rows that are no bodies are all zero.
+void fill_row(State& s, BinScratch& scratch, std::size_t row, std::uint64_t& clamped_speeds) {
+    const std::int32_t b = scratch.row_bodies[row];
+    if (b == none) return;
+    BodyMotion& motion = s.motion[std::size_t(b)];
+    const bool is_dynamic = s.is_dynamic(b); // kinematic ones may be in other bins as well
+    if (is_dynamic && clamp_velocity(s.settings, motion.v, motion.w)) ++clamped_speeds;
+    scratch.velocity[row] = scratch.reference[row] = to_row(motion.v, motion.w);
+    if (!is_dynamic) return;
+    const BodyMass& mass = s.mass[std::size_t(b)];
+    const math::Sym3 i = contact_inverse_inertia(motion, mass);
+    scratch.inertia[row] = {mass.inverse_mass, i.xx, i.xy, i.xz, i.yy, i.yz, i.zz, 0};
+}
+
+void fill_rows(State& s, BinScratch& scratch, Crew* crew) {
+    while (scratch.row_bodies.size() % 8 != 0) scratch.row_bodies.push_back(none);
+    const std::size_t rows = scratch.row_count();
+    const std::size_t blocks = (scratch.one_lanes.record.size() + scratch.four_lanes.record.size()) / 8;
+    const std::size_t all = rows + std::max(blocks, rows / 8);
+    scratch.velocity.assign(all, {});
+    scratch.reference.assign(all, {});
+    scratch.rounding.assign(all, {});
+    scratch.pose.assign(all, {{0, 0, 0}, 0, {0, 0, 0, 1}});
+    scratch.inertia.assign(all, {});
+    std::atomic<std::uint64_t> clamped_speeds = 0;
+    for_chunks(crew, int(rows), rows_per_chunk, [&](int begin, int end, int) {
+        std::uint64_t clamped = 0;
+        for (int row = begin; row < end; ++row) fill_row(s, scratch, std::size_t(row), clamped);
+        if (clamped > 0) clamped_speeds += clamped;
+    });
+    scratch.clamped_speeds += clamped_speeds;
+}
+
+// Moves a body by what its row has moved. What is not finite any more stops where it was, and is counted.
+std::uint64_t scatter_body(State& s, const BinScratch& scratch, std::int32_t b, std::size_t row) {
+    const SolverVelocity& velocity = scratch.velocity[row];
+    const SolverPose& pose = scratch.pose[row];
+    BodyMotion& motion = s.motion[std::size_t(b)];
+    const math::DVec3 dx = math::to_double(math::Vec3{pose.dx[0], pose.dx[1], pose.dx[2]});
+    const math::Quat dq{pose.dq[0], pose.dq[1], pose.dq[2], pose.dq[3]};
+    math::Vec3 v{velocity.v[0], velocity.v[1], velocity.v[2]}, w{velocity.w[0], velocity.w[1], velocity.w[2]};
+    const math::DVec3 sum = (dx + math::to_double(v)) + math::to_double(w);
+    const double sum_q = ((double(dq.x) + dq.y) + dq.z) + dq.w;
+    if (0 * ((sum.x + sum.y) + (sum.z + sum_q)) != 0) {
+        motion.v = motion.w = {};
+        s.turned[std::size_t(b)] = {};
+        return 1;
+    }
+    motion.x += dx;
+    motion.q = math::normalized(math::to_double(dq) * motion.q);
+    s.turned[std::size_t(b)] = dq;
+    motion.v_rest = motion.w_rest = {};
+    const bool clamped = clamp_velocity(s.settings, v, w);
+    motion.v = v;
+    motion.w = w;
+    return clamped ? 1 : 0;
+}
+
+} // namespace
+
+void fill_bin(State& s, const Bin& bin, BinScratch& scratch, Crew* crew) {
+    gather_bodies(s, bin, scratch);
+    if (bin.contact_count == 0) {
+        scratch.row_bodies.clear();
+        return;
+    }
+    fill_lanes(s, bin, scratch);
+    fill_rows(s, scratch, crew);
+}
+
+void empty_bin(State& s, BinScratch& scratch, Crew* crew, float dt, bool is_last_pass) {
+    std::vector<BinScratch>& threads = s.solver.at_work;
+    const int rows = int(scratch.row_count());
+    for_chunks(crew, rows, rows_per_chunk, [&](int begin, int end, int thread) {
+        BinScratch& own = crew ? threads[std::size_t(thread)] : scratch;
+        for (int row = begin; row < end; ++row) {
+            const std::int32_t b = scratch.row_bodies[std::size_t(row)];
+            if (b == none) continue;
+            scratch.row_of_body[std::size_t(b)] = none;
+            if (!s.is_dynamic(b)) continue;
+            own.clamped_speeds += scatter_body(s, scratch, b, std::size_t(row));
+            finalize_body(s, b, dt, is_last_pass, own.escaped);
+        }
+    });
+    for_chunks(crew, int(scratch.free_bodies.size()), rows_per_chunk, [&](int begin, int end, int thread) {
+        BinScratch& own = crew ? threads[std::size_t(thread)] : scratch;
+        for (int k = begin; k < end; ++k) {
+            const std::int32_t b = scratch.free_bodies[std::size_t(k)];
+            own.clamped_speeds += move_free_body(s, b, dt);
+            finalize_body(s, b, dt, is_last_pass, own.escaped);
+        }
+    });
+}
+
+} // namespace cairn

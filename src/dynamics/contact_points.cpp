@@ -1,0 +1,163 @@
+// The points of a contact: from the kernel's manifold to the record, with the impulses of the last step.
+#include "dynamics/contacts.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace cairn {
+
+namespace {
+
+constexpr float unused = 1e30f;
+
+math::Vec3 to_vec(const float* p) { return {p[0], p[1], p[2]}; }
+void put(float* p, math::Vec3 v) { p[0] = v.x, p[1] = v.y, p[2] = v.z; }
+
+// What is kept of a contact's last step to warm start the next.
+struct OldPoints {
+    int count;
+    math::Vec3 normal, arm[4], friction;
+    float impulse[4], torsion;
+};
+
+// Gives the new points the impulses of the old ones at the same places in A's frame. What the old points without a
+// successor carried is shared among the new ones without a predecessor: otherwise a contact that changes from four
+// points to one lets its load drop for a substep, and a heap never comes to rest.
+void match_points(const OldPoints& old, float tolerance, int count, ContactRecord& r) {
+    const float limit = tolerance * tolerance;
+    unsigned taken = 0, unmatched = 0;
+    auto square_distance = [&](int i, int k) {
+        const math::Vec3 e = to_vec(r.points[i]) - old.arm[k];
+        return math::dot(e, e);
+    };
+    for (int i = 0; i < count; ++i) {
+        int match = -1;
+        // Mostly the order stays as well.
+        if (i < old.count && !(taken & (1u << i)) && square_distance(i, i) < 0.0625f * limit) {
+            match = i;
+        } else {
+            float nearest = limit;
+            for (int k = 0; k < old.count; ++k) {
+                const float square = square_distance(i, k);
+                if (square < nearest && !(taken & (1u << k))) nearest = square, match = k;
+            }
+        }
+        if (match < 0) {
+            unmatched |= 1u << i;
+            continue;
+        }
+        taken |= 1u << match;
+        r.impulses[i] = old.impulse[match];
+    }
+    if (unmatched != 0 && math::dot(old.normal, to_vec(r.normal)) > 0.7f) {
+        float left = 0;
+        for (int k = 0; k < old.count; ++k)
+            if (!(taken & (1u << k))) left += old.impulse[k];
+        left /= float(__builtin_popcount(unmatched));
+        for (int i = 0; i < count; ++i)
+            if (unmatched & (1u << i)) r.impulses[i] = left;
+        taken |= 1;
+    }
+    if (taken == 0) return;
+    put(r.friction_impulse, old.friction);
+    r.torsion_impulse = old.torsion;
+}
+
+OldPoints old_points(const ContactRecord& r, int count, math::Quat turned) {
+    OldPoints old;
+    old.count = count;
+    old.normal = to_vec(r.normal);
+    old.friction = to_vec(r.friction_impulse);
+    old.torsion = r.torsion_impulse;
+    for (int k = 0; k < count; ++k) {
+        old.arm[k] = math::rotate(turned, to_vec(r.points[k]));
+        old.impulse[k] = r.impulses[k];
+    }
+    return old;
+}
+
+// Four floats side by side: a point and its separation.
+using Float4 = float __attribute__((vector_size(16)));
+Float4 load4(const float* p) {
+    Float4 v;
+    std::memcpy(&v, p, sizeof(v));
+    return v;
+}
+void store4(float* p, Float4 v) { std::memcpy(p, &v, sizeof(v)); }
+
+// Whether each point is where the old one of the same number is, in A's frame: then all impulses stay as they are.
+// That is the common case, and this its short way.
+bool points_stay(const ContactRecord& r, const Float4* points, const math::Mat3& turned, float tolerance) {
+    const Float4 x = {turned.c0.x, turned.c0.y, turned.c0.z}, y = {turned.c1.x, turned.c1.y, turned.c1.z},
+                 z = {turned.c2.x, turned.c2.y, turned.c2.z};
+    float greatest = 0;
+    for (int i = 0; i < 4; ++i) {
+        const float* old = r.points[i];
+        const Float4 difference = points[i] - (old[0] * x + old[1] * y + old[2] * z), square = difference * difference;
+        greatest = std::max(greatest, square[0] + square[1] + square[2]);
+    }
+    return greatest < 0.0625f * tolerance * tolerance;
+}
+
+// From a sphere's center to the point midway between the surfaces; 0 for other shapes.
+float contact_radius(const State& s, std::uint32_t shape, float separation) {
+    const Geometry& g = s.geometry[shape];
+    return g.type == ShapeType::sphere ? g.size.x + 0.5f * separation : 0.0f;
+}
+
+} // namespace
+
+void forget_impulses(ContactRecord& r) {
+    for (int i = 0; i < 4; ++i) r.impulses[i] = r.total_impulses[i] = 0;
+    put(r.friction_impulse, {});
+    put(r.total_friction, {});
+    r.torsion_impulse = 0;
+}
+
+void write_record(State& s, std::uint32_t id, const Manifold& m) {
+    ContactInfo& c = s.contacts[id];
+    ContactRecord& r = s.records[id];
+    math::Vec3 normal = to_vec(m.normal), offset = s.shapes[c.shape_a].arm;
+    if (c.flipped) {
+        const ShapePose &a = s.shape_poses[c.shape_a], &b = s.shape_poses[c.shape_b];
+        offset = offset - ((to_vec(a.high) - to_vec(b.high)) + (to_vec(a.low) - to_vec(b.low)));
+        normal = -normal;
+    }
+    Float4 points[4];
+    for (int i = 0; i < 4; ++i)
+        points[i] = i < m.count ? load4(m.points[i]) + Float4{offset.x, offset.y, offset.z} : Float4{0, 0, 0, unused};
+    const math::Quat turned = s.turned[std::size_t(c.body_a)];
+    const bool stay = m.count == c.point_count && points_stay(r, points, math::to_matrix(turned), c.match_tolerance);
+    OldPoints old;
+    if (!stay) old = old_points(r, c.point_count, turned);
+    put(r.normal, normal);
+    put(r.center_offset, math::to_float(s.motion[std::size_t(c.body_a)].x - s.motion[std::size_t(c.body_b)].x));
+    for (int i = 0; i < 4; ++i) store4(r.points[i], points[i]);
+    if (c.kind <= PairKind::sphere_rectangle) {
+        r.radius_a = contact_radius(s, c.shape_a, m.points[0][3]);
+        r.radius_b = contact_radius(s, c.shape_b, m.points[0][3]);
+    }
+    c.point_count = std::uint8_t(m.count);
+    if (stay) return;
+    forget_impulses(r);
+    if (old.count > 0) match_points(old, c.match_tolerance, m.count, r);
+}
+
+ContactRecord advanced_record(const State& s, std::uint32_t id) {
+    const ContactInfo& c = s.contacts[id];
+    ContactRecord r = s.records[id];
+    const math::Vec3 n = to_vec(r.normal), d = to_vec(r.center_offset);
+    const math::Quat qa = s.turned[std::size_t(c.body_a)], qb = s.turned[std::size_t(c.body_b)];
+    const math::Vec3 offset = math::to_float(s.motion[std::size_t(c.body_a)].x - s.motion[std::size_t(c.body_b)].x);
+    for (int i = 0; i < c.point_count; ++i) {
+        const math::Vec3 arm = to_vec(r.points[i]);
+        const math::Vec3 now_a = math::rotate(qa, arm), now_b = math::rotate(qb, arm + d);
+        // Anchors that were one point: how far they have come apart, B's relative to A's.
+        r.points[i][3] += math::dot(n, now_b - offset - now_a);
+        put(r.points[i], 0.5f * (now_a + (now_b - offset))); // midway between the two
+    }
+    put(r.center_offset, offset);
+    return r;
+}
+
+} // namespace cairn
