@@ -8,7 +8,7 @@ namespace cairn {
 
 namespace {
 
-constexpr std::int32_t bin_contacts = 1200; // their blocks stay in the second-level cache
+constexpr std::int32_t bin_contacts = 300; // enough to fill lanes, and few, so that threads end together
 constexpr std::int32_t bin_bodies = 4096;
 constexpr std::uint32_t keys_per_bin = 128; // color, and one point or more
 

@@ -18,8 +18,7 @@ constexpr int most_bounce_passes = 32;
 constexpr float pi = 3.14159265358979f;
 // Bins with fewer contacts are not worth being solved together.
 constexpr std::int32_t least_shared_contacts = 512;
-// For threads, so that a chunk takes a few microseconds. (Blocks: multiples of the four that are solved side by side.)
-constexpr int blocks_per_chunk = 16, rows_per_chunk = 512;
+constexpr int rows_per_chunk = 512; // for threads
 
 // Catto's soft constraint ("Soft Constraints", GDC 2011) as a spring of that frequency (Hz) and damping ratio, in a
 // substep of h seconds. The frequency follows the substep, uncapped: docs/solver.md says why.
@@ -54,10 +53,18 @@ ContactLanes lanes_of(const BinScratch& scratch, const BlockRun& run) {
             scratch.first_discard_row() + std::int32_t(before) + run.first};
 }
 
+// Two chunks for each thread, so that they end together; whole groups of the four blocks that are solved side by side.
+// Handing out fewer blocks than these takes longer than solving them.
+int blocks_per_chunk(const Crew* crew, int count) {
+    constexpr int side_by_side = 4, least_handed_out = 12;
+    if (!crew || count < least_handed_out) return count;
+    return (count / (2 * crew->threads()) + side_by_side) / side_by_side * side_by_side;
+}
+
 // Calls kernel(run's kernels, blocks, count, lanes) for every run, one after the other.
 template <class F> void for_runs(BinScratch& scratch, Crew* crew, F&& kernel) {
     for (const BlockRun& run : scratch.runs)
-        for_chunks(crew, run.count, blocks_per_chunk, [&](int begin, int end, int) {
+        for_chunks(crew, run.count, blocks_per_chunk(crew, run.count), [&](int begin, int end, int) {
             const BlockRun part{run.four_points, run.first + begin, end - begin};
             kernel(kernels_for(part), part);
         });

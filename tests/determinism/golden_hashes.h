@@ -7,8 +7,8 @@
 
 namespace cairn_test::golden {
 
-inline constexpr std::uint64_t mixed_pile = 0xcb5e407b148b235c;
-inline constexpr std::uint64_t pyramid = 0x0b95ef837f6681fe;
+inline constexpr std::uint64_t mixed_pile = 0xafdf0b4e757c9551;
+inline constexpr std::uint64_t pyramid = 0x8e86437d344e7e10;
 inline constexpr std::uint64_t dominoes = 0xbca67639460ae24d;
 inline constexpr std::uint64_t materials = 0x6fafb4bb3ec53598;
 inline constexpr std::uint64_t tumbler = 0x05e032ccde0c87f5;
