@@ -83,20 +83,14 @@ void refresh_mass(State& state, std::int32_t body) {
 }
 
 void place_shapes(State& state, std::int32_t body) {
-    const BodyMotion& motion = state.motion[std::size_t(body)];
-    const math::Quat q = math::to_float(motion.q);
-    const math::Mat3 rotation = math::to_matrix(q);
-    const math::Vec3 center = state.mass[std::size_t(body)].center;
     float radius = 0;
-    for (std::int32_t s = state.bodies[std::size_t(body)].first_shape; s != none;
-         s = state.shapes[std::size_t(s)].next) {
-        place_shape(state, std::uint32_t(s), motion, rotation, q, center);
-        const Geometry& geometry = state.geometry[std::size_t(s)];
-        float* size = state.shape_poses[std::size_t(s)].size;
+    place_each_shape(state, body, [&](std::uint32_t s, const math::Mat3&) {
+        const Geometry& geometry = state.geometry[s];
+        float* size = state.shape_poses[s].size;
         size[0] = geometry.size.x, size[1] = geometry.size.y, size[2] = geometry.size.z;
         size[3] = geometry.bounding_radius;
-        radius = std::max(radius, math::length(state.shapes[std::size_t(s)].arm) + geometry.bounding_radius);
-    }
+        radius = std::max(radius, math::length(state.shapes[s].arm) + geometry.bounding_radius);
+    });
     state.bodies[std::size_t(body)].radius = radius;
 }
 

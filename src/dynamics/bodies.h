@@ -32,6 +32,19 @@ inline void place_shape(State& state, std::uint32_t shape, const BodyMotion& mot
     pose.q[0] = r.x, pose.q[1] = r.y, pose.q[2] = r.z, pose.q[3] = r.w;
 }
 
+// Puts all shapes of a body where it is; f(shape, rotation of the body) after each.
+template <class F> void place_each_shape(State& state, std::int32_t body, F&& f) {
+    const BodyMotion& motion = state.motion[std::size_t(body)];
+    const math::Quat q = math::to_float(motion.q);
+    const math::Mat3 rotation = math::to_matrix(q);
+    const math::Vec3 center = state.mass[std::size_t(body)].center;
+    for (std::int32_t s = state.bodies[std::size_t(body)].first_shape; s != none;
+         s = state.shapes[std::size_t(s)].next) {
+        place_shape(state, std::uint32_t(s), motion, rotation, q, center);
+        f(std::uint32_t(s), rotation);
+    }
+}
+
 inline math::DVec3 shape_position(const ShapePose& pose) {
     return {double(pose.high[0]) + pose.low[0], double(pose.high[1]) + pose.low[1], double(pose.high[2]) + pose.low[2]};
 }

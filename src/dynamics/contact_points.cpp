@@ -6,12 +6,12 @@
 
 namespace cairn {
 
+using math::put;
+using math::to_vec;
+
 namespace {
 
 constexpr float unused = 1e30f;
-
-math::Vec3 to_vec(const float* p) { return {p[0], p[1], p[2]}; }
-void put(float* p, math::Vec3 v) { p[0] = v.x, p[1] = v.y, p[2] = v.z; }
 
 // What is kept of a contact's last step to warm start the next.
 struct OldPoints {

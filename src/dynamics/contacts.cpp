@@ -12,12 +12,12 @@
 
 namespace cairn {
 
+using math::to_vec;
+
 namespace {
 
 constexpr float unused = 1e30f;
 constexpr int reports_per_chunk = 512; // for threads
-
-math::Vec3 to_vec(const float* p) { return {p[0], p[1], p[2]}; }
 
 bool moves(const State& s, std::int32_t body) {
     const BodyMotion& m = s.motion[std::size_t(body)];

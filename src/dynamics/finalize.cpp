@@ -9,53 +9,35 @@ namespace cairn {
 
 namespace {
 
-// f(shape) for all shapes of a body, after they were placed anew.
-template <class F> void place_each(State& s, std::int32_t b, F&& f) {
-    const BodyMotion& motion = s.motion[std::size_t(b)];
-    const math::Quat q = math::to_float(motion.q);
-    const math::Mat3 rotation = math::to_matrix(q);
-    const math::Vec3 center = s.mass[std::size_t(b)].center;
-    for (std::int32_t shape = s.bodies[std::size_t(b)].first_shape; shape != none;
-         shape = s.shapes[std::size_t(shape)].next) {
-        place_shape(s, std::uint32_t(shape), motion, rotation, q, center);
-        f(std::uint32_t(shape), rotation);
-    }
-}
-
-// The new bounds of a shape of a body that turned.
+// Of a shape that is no plane, of a body with that rotation.
 DBounds bounds_of(const State& s, std::uint32_t shape, const math::Mat3& rotation) {
     const Geometry& geometry = s.geometry[shape];
     const ShapePose& pose = s.shape_poses[shape];
-    if (geometry.type == ShapeType::plane) return {};
     return geometry_bounds(geometry, shape_position(pose),
                            geometry.is_turned ? math::to_matrix(shape_rotation(pose)) : rotation);
 }
 
+math::Vec3 normal_of_plane(const ShapePose& pose) { return math::rotate(shape_rotation(pose), math::Vec3{0, 1, 0}); }
+
 void move_shapes(State& s, std::int32_t b, float dt) {
     const math::Vec3 displacement = dt * s.motion[std::size_t(b)].v;
-    place_each(s, b, [&](std::uint32_t shape, const math::Mat3& rotation) {
-        apply_bounds(s, {shape, bounds_of(s, shape, rotation), displacement});
+    place_each_shape(s, b, [&](std::uint32_t shape, const math::Mat3& rotation) {
+        const ShapePose& pose = s.shape_poses[shape];
+        if (s.geometry[shape].type == ShapeType::plane)
+            s.broad_phase.move_plane(shape, shape_position(pose), normal_of_plane(pose));
+        else
+            s.broad_phase.set_bounds(shape, bounds_of(s, shape, rotation), displacement);
     });
 }
 
 } // namespace
 
-void apply_bounds(State& s, const EscapedShape& e) {
-    if (s.geometry[e.shape].type != ShapeType::plane) {
-        s.broad_phase.set_bounds(e.shape, e.bounds, e.displacement);
-        return;
-    }
-    const ShapePose& pose = s.shape_poses[e.shape];
-    s.broad_phase.move_plane(e.shape, shape_position(pose), math::rotate(shape_rotation(pose), math::Vec3{0, 1, 0}));
-}
-
 void finalize_body(State& s, std::int32_t b, float dt, bool is_last_pass, std::vector<EscapedShape>& escaped) {
     const BodyMotion& motion = s.motion[std::size_t(b)];
     const math::Vec3 displacement = dt * motion.v;
-    place_each(s, b, [&](std::uint32_t shape, const math::Mat3& rotation) {
+    place_each_shape(s, b, [&](std::uint32_t shape, const math::Mat3& rotation) { // none of them a plane: it is dynamic
         const DBounds bounds = bounds_of(s, shape, rotation);
-        if (s.geometry[shape].type == ShapeType::plane || !s.broad_phase.serves(shape, bounds, displacement))
-            escaped.push_back({shape, bounds, displacement});
+        if (!s.broad_phase.serves(shape, bounds, displacement)) escaped.push_back({shape, bounds, displacement});
     });
     BodyLinks& links = s.bodies[std::size_t(b)];
     const float speed = math::length(motion.v) + math::length(motion.w) * links.radius;
@@ -80,7 +62,7 @@ void add_proxy(State& s, std::uint32_t shape) {
     const BodyType type = s.body_settings[std::size_t(body)].type;
     if (s.geometry[shape].type == ShapeType::plane) {
         const ShapePose& pose = s.shape_poses[shape];
-        s.broad_phase.add_plane(shape, shape_position(pose), math::rotate(shape_rotation(pose), math::Vec3{0, 1, 0}));
+        s.broad_phase.add_plane(shape, shape_position(pose), normal_of_plane(pose));
         return;
     }
     const auto mobility = type == BodyType::static_ ? BroadPhase::Mobility::fixed : BroadPhase::Mobility::awake;

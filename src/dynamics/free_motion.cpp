@@ -11,6 +11,7 @@ namespace cairn {
 
 using math::DQuat;
 using math::DVec3;
+using math::put;
 
 namespace {
 
@@ -24,8 +25,7 @@ struct Increment {
     DVec3 velocity, correction;
 };
 
-DVec3 row_vector(const float* p) { return {p[0], p[1], p[2]}; }
-void put(float* p, math::Vec3 v) { p[0] = v.x, p[1] = v.y, p[2] = v.z; }
+DVec3 row_vector(const float* p) { return math::to_double(math::to_vec(p)); }
 
 // Cut, so that forces of any size leave finite velocities.
 DVec3 cut(DVec3 v, double most) {

@@ -61,7 +61,7 @@ int blocks_per_chunk(const Crew* crew, int count) {
     return (count / (2 * crew->threads()) + side_by_side) / side_by_side * side_by_side;
 }
 
-// Calls kernel(run's kernels, blocks, count, lanes) for every run, one after the other.
+// Calls kernel(its kernels, run) for every run, one after the other, or for chunks of it.
 template <class F> void for_runs(BinScratch& scratch, Crew* crew, F&& kernel) {
     for (const BlockRun& run : scratch.runs)
         for_chunks(crew, run.count, blocks_per_chunk(crew, run.count), [&](int begin, int end, int) {
@@ -209,7 +209,7 @@ void collect(State& s) {
     }
     std::sort(scratch.escaped.begin(), scratch.escaped.end(),
               [](const EscapedShape& a, const EscapedShape& b) { return a.shape < b.shape; });
-    for (const EscapedShape& e : scratch.escaped) apply_bounds(s, e);
+    for (const EscapedShape& e : scratch.escaped) s.broad_phase.set_bounds(e.shape, e.bounds, e.displacement);
     s.solver.prepare_share = prepare_ms / std::max(prepare_ms + solve_ms, 1e-9);
 }
 

@@ -71,9 +71,8 @@ void Crew::run(int count, int grain, Work work, const void* context) {
     context_.store(context, std::memory_order_relaxed);
     chunk_count_.store(chunks, std::memory_order_relaxed);
     done_.store(0, std::memory_order_relaxed);
-    ++stages_;
-    chunks_handed_out_ += chunks;
-    cursor_.store(stages_ << 32); // in one order with sleepers_: either this sees a sleeper, or it sees the stage
+    ++stage_;
+    cursor_.store(stage_ << 32); // in one order with sleepers_: either this sees a sleeper, or it sees the stage
     if (sleepers_.load() > 0) {
         ++wakes_;
         wakes_.notify_all();
@@ -86,7 +85,7 @@ void Crew::run(int count, int grain, Work work, const void* context) {
             std::this_thread::yield();
     }
     // Closed before anything of the next stage is written: see take_chunk.
-    cursor_.store((stages_ << 32) | closed, std::memory_order_release);
+    cursor_.store((stage_ << 32) | closed, std::memory_order_release);
     if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
 }
 

@@ -3,7 +3,7 @@
 // that the operating system has put aside holds nobody up. How the items are cut into chunks must not matter to the
 // results; which thread takes which chunk is left to chance.
 //
-// Between stages workers look for work for a few microseconds, then give way to others, then sleep.
+// Between stages workers look for work for some 100 microseconds, then give way to others, then sleep.
 #pragma once
 
 #include <atomic>
@@ -44,10 +44,6 @@ class Crew {
         run(count, grain, call, &work);
     }
 
-    // Stages that were handed out, and their chunks: what threads cost and what they can gain.
-    std::uint64_t stages() const { return stages_; }
-    std::uint64_t chunks() const { return chunks_handed_out_; }
-
   private:
     using Work = void (*)(const void*, int, int, int);
 
@@ -72,7 +68,7 @@ class Crew {
 
     std::mutex failure_mutex_;
     std::exception_ptr failure_;
-    std::uint64_t stages_ = 0, chunks_handed_out_ = 0;
+    std::uint64_t stage_ = 0; // number of the stage at work
     std::vector<std::thread> workers_;
 };
 

@@ -40,6 +40,10 @@ template <class T> constexpr TVec3<T> abs(TVec3<T> a) {
 constexpr DVec3 to_double(Vec3 a) { return {a.x, a.y, a.z}; }
 constexpr Vec3 to_float(DVec3 a) { return {float(a.x), float(a.y), float(a.z)}; }
 
+// Three floats side by side.
+inline Vec3 to_vec(const float* p) { return {p[0], p[1], p[2]}; }
+inline void put(float* p, Vec3 v) { p[0] = v.x, p[1] = v.y, p[2] = v.z; }
+
 // A unit vector orthogonal to the unit vector n.
 inline Vec3 any_orthogonal(Vec3 n) {
     const Vec3 axis = std::fabs(n.x) < 0.5f ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
