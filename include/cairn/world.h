@@ -31,7 +31,7 @@ enum class Integrator : std::uint8_t {
 /// Settings of a world. All may be changed later through `World::set_settings`.
 struct WorldDef {
     Vec3 gravity{0.0f, -9.81f, 0.0f}; ///< m/s^2, finite.
-    int substeps = 8;                 ///< Solver substeps of one step, 1 to 256. Stiff islands (high mass ratios,
+    int substeps = 6;                 ///< Solver substeps of one step, 1 to 256. Stiff islands (high mass ratios,
                                       ///< tall stacks) get more by themselves; see `adaptive_substeps`.
     bool adaptive_substeps = true;    ///< Raise the substeps of islands whose mass ratio or height asks for it.
     Integrator integrator = Integrator::semi_implicit_euler;

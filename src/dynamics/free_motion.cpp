@@ -416,7 +416,8 @@ std::uint64_t move_free_body(State& s, std::int32_t b, float dt) {
         ++clamped_speeds;
         motion.v_rest = motion.w_rest = {};
     }
-    const double h = double(dt) / s.settings.substeps;
+    const int substeps = s.in_pass(s.settings.substeps);
+    const double h = double(dt) / substeps;
     const double linear = damping_factor(settings.linear_damping, float(h));
     const double angular = damping_factor(settings.angular_damping, float(h));
     const Load load = load_on(s, b);
@@ -431,7 +432,7 @@ std::uint64_t move_free_body(State& s, std::int32_t b, float dt) {
         clamped |= math::dot(u, u) > most * most;
         return cut(u, most);
     };
-    for (int substep = 0; substep < s.settings.substeps; ++substep) {
+    for (int substep = 0; substep < substeps; ++substep) {
         if (mass.inverse_mass > 0) {
             const Increment change = linear_increment(s, load, x, v, h);
             v = limited(linear * (v + cut(change.velocity, most_v)), most_v);

@@ -32,7 +32,7 @@ bool rests(const RestingPose& pose, const BodyMotion& motion, float radius, doub
 } // namespace
 
 void update_resting(State& s, float dt) {
-    const double h = double(dt) / s.settings.substeps;
+    const double h = double(dt) / s.in_pass(s.settings.substeps);
     const double shift = most_shift * sinking * h * h, speed = most_step * shift / double(dt);
     const std::uint64_t pass = s.passes + 1;
     auto leave = [&](std::int32_t b) {
@@ -71,9 +71,12 @@ void update_resting(State& s, float dt) {
     }
 }
 
-bool whirls_in_contact(const State& s) {
-    return std::any_of(s.narrow.whirling.begin(), s.narrow.whirling.end(),
-                       [&](std::int32_t b) { return s.bodies[std::size_t(b)].contact_count > 0; });
+float whirl_in_contact(const State& s) {
+    float fastest = 0;
+    for (const std::int32_t b : s.narrow.whirling)
+        if (s.bodies[std::size_t(b)].contact_count > 0)
+            fastest = std::max(fastest, math::length(s.motion[std::size_t(b)].w));
+    return fastest;
 }
 
 } // namespace cairn

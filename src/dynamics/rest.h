@@ -10,9 +10,10 @@ namespace cairn {
 // and which ones whirl.
 void update_resting(State& state, float dt);
 
-// A body that turns by more than a radian in the step, with unequal moments of inertia, touches something. The inertia
-// and the arms of its contacts are then wrong before the step ends, and would give it energy without end.
-bool whirls_in_contact(const State& state);
+// The greatest angular speed of a body that turns by more than a radian in the step, has unequal moments of inertia and
+// touches something; 0 if none does. The inertia and the arms of its contacts are then wrong before the step ends, and
+// would give it energy without end.
+float whirl_in_contact(const State& state);
 
 // Neither body has moved by more than a small part of a micrometer (rest.cpp) since the pair was tested.
 inline bool is_tested(const State& state, const ContactInfo& c) {

@@ -21,9 +21,11 @@ constexpr std::int32_t least_shared_contacts = 512;
 constexpr int rows_per_chunk = 512; // for threads
 
 // Catto's soft constraint ("Soft Constraints", GDC 2011) as a spring of that frequency (Hz) and damping ratio, in a
-// substep of h seconds. The frequency follows the substep, uncapped: docs/solver.md says why.
-void set_softness(ContactSoftness& s, float h, float recovery_speed) {
+// substep of h seconds, of so many in a step. The frequency follows the substep, uncapped: docs/solver.md says why.
+void set_softness(ContactSoftness& s, float h, int substeps, float recovery_speed) {
     constexpr float damping_ratio = 10.0f;
+    // Substeps in a period. Few substeps are for islands that bear the stiffer contact (decisions/substeps.md).
+    constexpr int fewest = 6, most = 8;
     auto spring = [&](float frequency) {
         const float omega = 2 * pi * frequency;
         const float a1 = 2 * damping_ratio + h * omega, a2 = h * omega * a1;
@@ -32,7 +34,7 @@ void set_softness(ContactSoftness& s, float h, float recovery_speed) {
     };
     s.h = h;
     s.inverse_h = 1 / h;
-    const float frequency = 1 / (8 * h);
+    const float frequency = 1 / (float(std::clamp(substeps, fewest, most)) * h);
     s.on_movable = spring(frequency);
     s.on_immovable = spring(2 * frequency);
 }
@@ -120,7 +122,7 @@ void run_substeps(const State& s, const Bin& bin, BinScratch& scratch, Crew* cre
     const SolverKernels& k = kernels().solver;
     const float h = dt / float(bin.substeps);
     ContactSoftness softness;
-    set_softness(softness, h, s.settings.recovery_speed);
+    set_softness(softness, h, bin.substeps * s.split, s.settings.recovery_speed);
     const BounceSettings bounce{h, s.settings.restitution_speed, velocity_offset(s.settings.integrator)};
     const int rows = int(scratch.row_count());
     SolverVelocity* velocity = scratch.velocity.data();

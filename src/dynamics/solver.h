@@ -45,7 +45,7 @@ math::DVec3 field_acceleration(const State& state, math::DVec3 x, float gravity_
 
 inline constexpr int most_substeps = 256;
 
-// Substeps of an island by what it carried in the last steps (substeps.cpp).
+// Substeps of an island in this pass, by what it carried in the last steps (substeps.cpp).
 int island_substeps(const State& state, Island& island);
 // What a contact that begins may have to carry: the weight of the body above. Normal from A to B.
 float first_load(const State& state, const ContactInfo& contact, math::Vec3 normal);

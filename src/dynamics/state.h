@@ -132,6 +132,7 @@ struct State {
     WorldDef settings;
     std::uint64_t steps = 0;
     std::uint64_t passes = 0; // a step is one pass, or several (world/step.cpp)
+    int split = 1;            // passes of the step under way
     double time = 0;
 
     SlotPool body_slots;
@@ -190,6 +191,8 @@ struct State {
     ShapeId shape_id(std::uint32_t shape) const {
         return ShapeId::make(shape, shape_slots.generation(shape), world_id);
     }
+    // Of the given number in a step, how many a pass takes.
+    int in_pass(int substeps) const { return (substeps + split - 1) / split; }
     bool is_dynamic(std::int32_t body) const { return body_settings[std::size_t(body)].type == BodyType::dynamic; }
     bool is_awake(std::int32_t body) const {
         const std::int32_t island = bodies[std::size_t(body)].island;

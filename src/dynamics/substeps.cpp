@@ -17,7 +17,8 @@ constexpr float load_gain = 0.25f;           // of the low-pass filter over step
 constexpr float full_share = 1.0f / 3.0f;    // of the island's weight on one contact: slender
 constexpr float immovable_stiffness = 4.0f;  // contacts with what does not move are so much stiffer
 constexpr float most_of_weight = 1.2f;
-constexpr int rounding = 8, hysteresis = 16, most_adaptive_substeps = 128;
+constexpr int rounding = 8, most_adaptive_substeps = 128;
+constexpr float least_use = 0.5f; // a number is kept until this share of it would do
 
 } // namespace
 
@@ -52,13 +53,14 @@ int island_substeps(const State& s, Island& island) {
         const float share = std::min(island.greatest_load / (full_share * island.weight), 1.0f);
         const float wanted = substeps_per_demand * share * std::sqrt(island.greatest_demand);
         const int rounded = (int(std::min(wanted, float(most_adaptive_substeps))) + rounding - 1) / rounding * rounding;
-        const bool keep = rounded <= island.wanted_substeps && rounded > island.wanted_substeps - hysteresis;
-        if (!keep) island.wanted_substeps = rounded;
+        const int now = island.wanted_substeps;
+        const bool keep = rounded <= now && wanted > least_use * float(now);
+        if (!keep) island.wanted_substeps = wanted > float(base) ? rounded : 0;
     } else {
         island.wanted_substeps = 0;
     }
     island.greatest_load = island.greatest_demand = 0;
-    return std::max(base, int(island.wanted_substeps));
+    return s.in_pass(std::max(base, int(island.wanted_substeps)));
 }
 
 } // namespace cairn

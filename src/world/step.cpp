@@ -1,5 +1,5 @@
 // One step, top to bottom. Each line is a stage; each stage is a file in dynamics/. A step is one pass through them;
-// while something whirls and touches (see dynamics/rest.h), one pass for each substep.
+// while something whirls and touches (see dynamics/rest.h), it is several.
 #include "dynamics/contacts.h"
 #include "dynamics/finalize.h"
 #include "dynamics/islands.h"
@@ -42,21 +42,16 @@ class Busy {
     std::atomic<bool>& flag_;
 };
 
-// The number of substeps while a step lasts: one, when it is split into passes of one substep each.
-class SubstepsOfPass {
-  public:
-    explicit SubstepsOfPass(std::int32_t& substeps) : substeps_(substeps), whole_(substeps) {}
-    ~SubstepsOfPass() { substeps_ = whole_; }
-    int split() {
-        constexpr int least_passes = 8;
-        substeps_ = 1;
-        return std::max(int(whole_), least_passes);
-    }
-
-  private:
-    std::int32_t& substeps_;
-    std::int32_t whole_;
-};
+// Splits the step into passes while something turns at that speed and touches. Where no number is enough, a few do less
+// harm than many: each finds contacts at another random angle.
+int split_step(State& state, float whirl, float dt) {
+    constexpr float most_turn = 0.5f, beyond_help = 32.0f; // radians in a pass; in a step
+    constexpr int most_passes = 32, few_passes = 8;
+    const float turn = whirl * dt;
+    if (!(turn > 0)) return 1;
+    if (turn > beyond_help) return few_passes; // and all the substeps in each
+    return state.split = std::min(int(std::ceil(turn / most_turn)), most_passes);
+}
 
 } // namespace
 
@@ -71,14 +66,13 @@ void World::step(float dt) {
     state.hits.clear();
     times = {};
     int passes = 1;
-    SubstepsOfPass substeps(state.settings.substeps);
     for (int pass = 0; pass < passes; ++pass) {
         for (const std::int32_t island : state.awake_islands) state.islands[std::size_t(island)].kept_awake = 0;
         update_pairs(state);
         times.broad_phase += clock.lap();
         update_contacts(state, dt / float(passes));
         times.narrow_phase += clock.lap();
-        if (pass == 0 && whirls_in_contact(state)) passes = substeps.split();
+        if (pass == 0) passes = split_step(state, whirl_in_contact(state), dt);
         const float pass_dt = dt / float(passes);
         pack_bins(state, pass_dt);
         times.islands += clock.lap();
@@ -92,6 +86,7 @@ void World::step(float dt) {
         ++state.passes;
         times.finalize += clock.lap();
     }
+    state.split = 1;
     state.ends.swap(state.next_ends);
     state.next_ends.clear();
     state.sleeps.swap(state.next_sleeps);

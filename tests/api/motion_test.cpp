@@ -27,7 +27,8 @@ TEST(Motion, FreeFallFollowsTheParabola) {
         EXPECT_NEAR(body.position().x, 6.0, 1e-3);
         EXPECT_NEAR(body.position().z, -2.0, 1e-3);
         // The Euler forms err by g h t / 2, with h the substep.
-        const double tolerance = integrator == Integrator::rk4 ? 1e-3 : 0.5 * 9.81 * 2 * frame / 8 * 1.01 + 1e-3;
+        const double lag = 0.5 * 9.81 * 2 * frame / def.substeps;
+        const double tolerance = integrator == Integrator::rk4 ? 1e-3 : 1.01 * lag + 1e-3;
         EXPECT_NEAR(body.position().y, 100.0 + 8.0 - 0.5 * 9.81 * 4, tolerance);
         EXPECT_NEAR(body.linear_velocity().y, 4.0f - 2 * 9.81f, 1e-3f);
     }
@@ -249,6 +250,7 @@ TEST_P(FreeRotation, KeepsEnergyAndAngularMomentum) {
     const auto& [top, integrator] = GetParam();
     WorldDef def = weightless();
     def.integrator = integrator;
+    def.substeps = 8; // Runge-Kutta loses energy of the fastest tops with fewer
     World world(def);
     BodyDef body;
     body.angular_velocity = top.spin;

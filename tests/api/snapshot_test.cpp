@@ -110,7 +110,7 @@ TEST(Snapshot, KeepsHandlesNamesAndDefinitions) {
     const ShapeId shape = world.body(later).shapes()[0];
     EXPECT_EQ(std::get<Sphere>(world.shape(shape)).radius, 0.3f);
     EXPECT_EQ(world.shape_def(shape).density, 1000.0f);
-    EXPECT_EQ(world.settings().substeps, 8);
+    EXPECT_EQ(world.settings().substeps, WorldDef{}.substeps);
 }
 
 TEST(Snapshot, SavedTwiceIsTheSameBytesAndChangesNothing) {

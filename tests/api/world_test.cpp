@@ -46,7 +46,7 @@ TEST(Statistics, CountWhatThereIs) {
     EXPECT_EQ(s.overflow_contacts, 0u);
     EXPECT_EQ(s.clamped_speeds, 0u);
     EXPECT_GE(s.colors, 1u);
-    EXPECT_GE(s.max_substeps, 8);
+    EXPECT_GE(s.max_substeps, WorldDef{}.substeps);
     EXPECT_LT(s.max_penetration, 0.01);
     EXPECT_GT(s.times.total, 0.0);
     EXPECT_LE(s.times.broad_phase + s.times.narrow_phase + s.times.solve + s.times.finalize, s.times.total * 1.01);

@@ -7,13 +7,13 @@
 
 namespace cairn_test::golden {
 
-inline constexpr std::uint64_t mixed_pile = 0xafdf0b4e757c9551;
-inline constexpr std::uint64_t pyramid = 0x8e86437d344e7e10;
-inline constexpr std::uint64_t dominoes = 0xbca67639460ae24d;
-inline constexpr std::uint64_t materials = 0x6fafb4bb3ec53598;
-inline constexpr std::uint64_t tumbler = 0x05e032ccde0c87f5;
-inline constexpr std::uint64_t sleep_and_wake = 0x675441bbeb90bf7f;
-inline constexpr std::uint64_t compounds = 0xde2aa375159179e9;
-inline constexpr std::uint64_t free_tops = 0xb24367e1cad9c950;
+inline constexpr std::uint64_t mixed_pile = 0xc14face7e81cfdb3;
+inline constexpr std::uint64_t pyramid = 0xd78f4b6bee42c8e5;
+inline constexpr std::uint64_t dominoes = 0x121d1c3c291b6c36;
+inline constexpr std::uint64_t materials = 0x52581e8e2998f5a1;
+inline constexpr std::uint64_t tumbler = 0x59ca7ea058309f70;
+inline constexpr std::uint64_t sleep_and_wake = 0x3d73d262f12fda8d;
+inline constexpr std::uint64_t compounds = 0x5f4fc771a3284ff9;
+inline constexpr std::uint64_t free_tops = 0xf0e511b376c7f6cf;
 
 } // namespace cairn_test::golden

@@ -152,7 +152,7 @@ TEST(Pyramid, OfAHundredRowsStandsWithoutCreep) {
     const std::vector<Position> settled = pyramid.positions();
     run(pyramid.world, 1.0f / 60, 120);
     EXPECT_LT(pyramid.greatest_sag(), 0.2);
-    EXPECT_LT(pyramid.drift(5049), 0.05);
+    EXPECT_LT(pyramid.drift(5049), 0.1);
     EXPECT_LT(pyramid.greatest_displacement(settled), 0.002); // in the last two seconds
 }
 
