@@ -142,12 +142,12 @@ std::uint64_t scatter_body(State& s, const BinScratch& scratch, std::int32_t b, 
     const double sum_q = ((double(dq.x) + dq.y) + dq.z) + dq.w;
     if (0 * ((sum.x + sum.y) + (sum.z + sum_q)) != 0) {
         motion.v = motion.w = {};
-        s.turned[std::size_t(b)] = {};
+        motion.turned = {};
         return 1;
     }
     motion.x += dx;
     motion.q = math::normalized(math::to_double(dq) * motion.q);
-    s.turned[std::size_t(b)] = dq;
+    motion.turned = dq;
     motion.v_rest = motion.w_rest = {};
     const bool clamped = clamp_velocity(s.settings, v, w);
     motion.v = v;

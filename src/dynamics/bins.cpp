@@ -11,16 +11,16 @@ namespace {
 constexpr std::int32_t bin_contacts = 300; // enough to fill lanes, and few, so that threads end together
 constexpr std::int32_t bin_bodies = 4096;
 constexpr std::uint32_t keys_per_bin = 128; // color, and one point or more
+constexpr int contacts_per_chunk = 512;     // for threads
 
 // Overflow first, then moving pairs by color, then pairs with what does not move.
-std::uint32_t order_key(const ContactInfo& c) {
+std::uint32_t order_key(const SortedContact& c) {
     const std::uint32_t rank = c.color == overflow_color ? 0u : c.color + 1u;
-    return 2 * rank + (c.point_count == 1 ? 1u : 0u);
+    return 2 * rank + (c.four_points ? 0u : 1u);
 }
 
 // Impulses are those of one substep: with another length of substep they are others.
 void rescale_impulses(ContactInfo& c, ContactRecord& r, float h) {
-    if (c.substep_time == h) return;
     if (c.substep_time > 0) {
         const float ratio = h / c.substep_time;
         const float factor = ratio > 1e-3f && ratio < 1e3f ? ratio : 0.0f; // too different to say anything
@@ -37,6 +37,29 @@ void open_bin(SolverScratch& scratch, std::int32_t substeps) {
     scratch.bins.push_back(bin);
 }
 
+// All that is needed of the contacts to be solved, side by side: they lie scattered.
+void collect_contacts(State& s) {
+    constexpr std::size_t ahead = 8;
+    std::vector<SortedContact>& contacts = s.solver.unsorted;
+    contacts.resize(s.solved.size());
+    s.crew->for_chunks(int(s.solved.size()), contacts_per_chunk, [&](int begin, int end, int) {
+        for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
+            if (k + ahead < std::size_t(end)) __builtin_prefetch(&s.contacts[s.solved[k + ahead]]);
+            const std::uint32_t id = s.solved[k];
+            const ContactInfo& c = s.contacts[id];
+            const bool moves = c.b_moves || s.body_settings[std::size_t(c.body_b)].type == BodyType::kinematic;
+            contacts[k] = {id,
+                           c.body_a,
+                           moves ? c.body_b : none,
+                           s.bodies[std::size_t(c.body_a)].island,
+                           c.substep_time,
+                           c.color,
+                           std::uint8_t(c.point_count != 1),
+                           c.bounces};
+        }
+    });
+}
+
 } // namespace
 
 void pack_bins(State& s, float dt) {
@@ -44,8 +67,8 @@ void pack_bins(State& s, float dt) {
     scratch.bins.clear();
     scratch.contacts_of_island.assign(s.islands.size(), 0);
     scratch.bin_of_island.assign(s.islands.size(), none);
-    for (const std::uint32_t id : s.solved)
-        ++scratch.contacts_of_island[std::size_t(s.bodies[std::size_t(s.contacts[id].body_a)].island)];
+    collect_contacts(s);
+    for (const SortedContact& c : scratch.unsorted) ++scratch.contacts_of_island[std::size_t(c.island)];
 
     // One bin is open for each number of substeps; it closes when it is full.
     scratch.open_bins.assign(std::size_t(most_substeps) + 1, none);
@@ -80,26 +103,24 @@ void pack_bins(State& s, float dt) {
         scratch.bin_islands[std::size_t(bin.first_island + bin.island_count++)] = i;
     }
     scratch.key_counts.assign(scratch.bins.size() * keys_per_bin + 1, 0);
-    scratch.keys.resize(s.solved.size());
-    for (std::size_t k = 0; k < s.solved.size(); ++k) {
-        const ContactInfo& c = s.contacts[s.solved[k]];
-        const std::int32_t island = s.bodies[std::size_t(c.body_a)].island;
+    scratch.keys.resize(scratch.unsorted.size());
+    for (std::size_t k = 0; k < scratch.unsorted.size(); ++k) {
+        const SortedContact& c = scratch.unsorted[k];
         const std::uint32_t key =
-            std::uint32_t(scratch.bin_of_island[std::size_t(island)]) * keys_per_bin + order_key(c);
+            std::uint32_t(scratch.bin_of_island[std::size_t(c.island)]) * keys_per_bin + order_key(c);
         scratch.keys[k] = key;
         ++scratch.key_counts[key + 1];
     }
     for (std::size_t k = 1; k < scratch.key_counts.size(); ++k) scratch.key_counts[k] += scratch.key_counts[k - 1];
-    scratch.sorted.resize(s.solved.size());
-    for (std::size_t k = 0; k < s.solved.size(); ++k) {
-        const std::uint32_t id = s.solved[k], key = scratch.keys[k];
-        ContactInfo& c = s.contacts[id];
+    scratch.sorted.resize(scratch.unsorted.size());
+    for (std::size_t k = 0; k < scratch.unsorted.size(); ++k) {
+        const SortedContact& c = scratch.unsorted[k];
+        const std::uint32_t key = scratch.keys[k];
         Bin& bin = scratch.bins[key / keys_per_bin];
-        rescale_impulses(c, s.records[id], dt / float(bin.substeps));
+        const float h = dt / float(bin.substeps);
+        if (c.substep_time != h) rescale_impulses(s.contacts[c.id], s.records[c.id], h);
         bin.bounces |= c.bounces != 0;
-        const bool moves = c.b_moves || s.body_settings[std::size_t(c.body_b)].type == BodyType::kinematic;
-        scratch.sorted[scratch.key_counts[key]++] = {id, c.body_a, moves ? c.body_b : none, c.color,
-                                                     std::uint8_t(c.point_count != 1)};
+        scratch.sorted[scratch.key_counts[key]++] = c;
     }
 }
 

@@ -63,12 +63,13 @@ void refresh_mass(State& state, std::int32_t body) {
     MassSum sum;
     for (std::int32_t s = state.bodies[std::size_t(body)].first_shape; s != none; s = state.shapes[std::size_t(s)].next)
         sum = combine(sum, geometry_mass(state.geometry[std::size_t(s)], state.shapes[std::size_t(s)].density));
+    const float given_mass = state.body_settings[std::size_t(body)].given_mass;
     // Without any shape that has mass, a body is a point of its given mass, or of one kilogram, that does not turn.
     MassProperties properties;
     properties.inertia_diagonal = {0, 0, 0};
-    properties.mass = mass.has_given_mass ? mass.given_mass : 1.0f;
+    properties.mass = mass.has_given_mass ? given_mass : 1.0f;
     if (sum.mass > 0) {
-        const double scale = mass.has_given_mass ? double(mass.given_mass) / sum.mass : 1.0;
+        const double scale = mass.has_given_mass ? double(given_mass) / sum.mass : 1.0;
         const PrincipalInertia principal = diagonalize(sum.inertia);
         DVec3 moments = scale * principal.moments;
         const double largest = std::max({moments.x, moments.y, moments.z});

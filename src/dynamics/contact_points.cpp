@@ -126,7 +126,7 @@ void write_record(State& s, std::uint32_t id, const Manifold& m) {
     Float4 points[4];
     for (int i = 0; i < 4; ++i)
         points[i] = i < m.count ? load4(m.points[i]) + Float4{offset.x, offset.y, offset.z} : Float4{0, 0, 0, unused};
-    const math::Quat turned = s.turned[std::size_t(c.body_a)];
+    const math::Quat turned = s.motion[std::size_t(c.body_a)].turned;
     const bool stay = m.count == c.point_count && points_stay(r, points, math::to_matrix(turned), c.match_tolerance);
     OldPoints old;
     if (!stay) old = old_points(r, c.point_count, turned);
@@ -147,7 +147,7 @@ ContactRecord advanced_record(const State& s, std::uint32_t id) {
     const ContactInfo& c = s.contacts[id];
     ContactRecord r = s.records[id];
     const math::Vec3 n = to_vec(r.normal), d = to_vec(r.center_offset);
-    const math::Quat qa = s.turned[std::size_t(c.body_a)], qb = s.turned[std::size_t(c.body_b)];
+    const math::Quat qa = s.motion[std::size_t(c.body_a)].turned, qb = s.motion[std::size_t(c.body_b)].turned;
     const math::Vec3 offset = math::to_float(s.motion[std::size_t(c.body_a)].x - s.motion[std::size_t(c.body_b)].x);
     for (int i = 0; i < c.point_count; ++i) {
         const math::Vec3 arm = to_vec(r.points[i]);

@@ -17,7 +17,8 @@ using math::to_vec;
 namespace {
 
 constexpr float unused = 1e30f;
-constexpr int reports_per_chunk = 512; // for threads
+constexpr int pairs_per_chunk = 512, reports_per_chunk = 512; // for threads
+constexpr std::size_t ahead = 8; // contacts lie scattered: so many before it is looked at, each is asked for
 
 bool moves(const State& s, std::int32_t body) {
     const BodyMotion& m = s.motion[std::size_t(body)];
@@ -100,8 +101,10 @@ void test_pairs(State& s, int kind, int begin, int end, NarrowBatch& own, float 
     NarrowList& list = s.narrow.lists[std::size_t(kind)];
     PairBatch& batch = own.pairs;
     const int count = end - begin, padded = (count + 7) & ~7;
+    const std::uint32_t* ids = list.contacts.data() + begin;
     for (int i = 0; i < count; ++i) {
-        const ContactInfo& c = s.contacts[list.contacts[std::size_t(begin + i)]];
+        if (i + int(ahead) < count) __builtin_prefetch(&s.contacts[ids[i + int(ahead)]]);
+        const ContactInfo& c = s.contacts[ids[i]];
         batch.first[i] = c.flipped ? c.shape_b : c.shape_a;
         batch.second[i] = c.flipped ? c.shape_a : c.shape_b;
         batch.margin[i] = contact_margin(s, c, dt);
@@ -109,15 +112,12 @@ void test_pairs(State& s, int kind, int begin, int end, NarrowBatch& own, float 
     for (int i = count; i < padded; ++i)
         batch.first[i] = batch.first[0], batch.second[i] = batch.second[0], batch.margin[i] = batch.margin[0];
     pair_kernel(kind)(s.shape_poses.data(), batch.first, batch.second, batch.margin, padded, own.manifolds);
-    constexpr int ahead = 6;
     for (int i = 0; i < count; ++i) {
-        if (i + ahead < count) {
-            const std::uint32_t next = list.contacts[std::size_t(begin + i + ahead)];
-            const char* record = reinterpret_cast<const char*>(&s.records[next]);
+        if (i + int(ahead) < count) {
+            const char* record = reinterpret_cast<const char*>(&s.records[ids[i + int(ahead)]]);
             for (std::size_t at = 0; at < sizeof(ContactRecord); at += 64) __builtin_prefetch(record + at);
         }
-        list.outcomes[std::size_t(begin + i)] =
-            std::uint8_t(take_manifold(s, list.contacts[std::size_t(begin + i)], own.manifolds[i]));
+        list.outcomes[std::size_t(begin + i)] = std::uint8_t(take_manifold(s, ids[i], own.manifolds[i]));
     }
 }
 
@@ -148,19 +148,39 @@ void follow_up(State& s, std::uint32_t id, Outcome outcome, float dt) {
     s.solved.push_back(id);
 }
 
+// What is to be done with a pair: nothing, or to be tested by the kernel of a kind.
+enum Task : std::uint8_t { nothing, to_skip, to_solve, to_test }; // to_test + kind
+
+Task task_of(const State& s, const ContactInfo& c) {
+    if (!c.b_moves && !s.is_awake(c.body_a) && !moves(s, c.body_b)) return c.point_count > 0 ? to_skip : nothing;
+    if (!is_tested(s, c)) return Task(to_test + int(c.kind));
+    return c.point_count > 0 ? to_solve : nothing;
+}
+
 // Sorts the pairs that may have moved into the lists of their kinds.
 void list_pairs(State& s) {
-    for (NarrowList& list : s.narrow.lists) list.contacts.clear();
-    s.broad_phase.for_each_pair([&](std::uint32_t, std::uint32_t, std::uint32_t id) {
-        const ContactInfo& c = s.contacts[id];
-        if (!c.b_moves && !s.is_awake(c.body_a) && !moves(s, c.body_b)) {
-            if (c.point_count > 0) s.narrow.skipped.push_back(id);
-        } else if (!is_tested(s, c)) {
-            s.narrow.lists[std::size_t(c.kind)].contacts.push_back(id);
-        } else if (c.point_count > 0) {
-            s.solved.push_back(id);
+    NarrowScratch& scratch = s.narrow;
+    for (NarrowList& list : scratch.lists) list.contacts.clear();
+    scratch.candidates.clear();
+    s.broad_phase.for_each_pair(
+        [&](std::uint32_t, std::uint32_t, std::uint32_t id) { scratch.candidates.push_back(id); });
+    scratch.tasks.resize(scratch.candidates.size());
+    s.crew->for_chunks(int(scratch.candidates.size()), pairs_per_chunk, [&](int begin, int end, int) {
+        for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
+            if (k + ahead < std::size_t(end)) __builtin_prefetch(&s.contacts[scratch.candidates[k + ahead]]);
+            scratch.tasks[k] = std::uint8_t(task_of(s, s.contacts[scratch.candidates[k]]));
         }
     });
+    for (std::size_t k = 0; k < scratch.candidates.size(); ++k) {
+        const std::uint32_t id = scratch.candidates[k];
+        const std::uint8_t task = scratch.tasks[k];
+        if (task >= to_test)
+            scratch.lists[std::size_t(task - to_test)].contacts.push_back(id);
+        else if (task == to_solve)
+            s.solved.push_back(id);
+        else if (task == to_skip)
+            scratch.skipped.push_back(id);
+    }
 }
 
 } // namespace
@@ -223,14 +243,15 @@ void begin_touch(State& s, std::uint32_t id) {
 
 // Takes note of what a contact carried, and says whether it began or ceased to touch. Others may be at work on other
 // contacts.
-bool take_report(State& s, std::uint32_t id, float dt) {
-    ContactInfo& c = s.contacts[id];
-    const float separation = s.solver.reports[id].separation, impulse = s.solver.reports[id].impulse;
+bool take_report(State& s, const SortedContact& sorted, float dt) {
+    ContactInfo& c = s.contacts[sorted.id];
+    const ContactReport& report = s.solver.reports[sorted.id];
     // Impulses beyond the range of numbers (of bodies that were stopped for it) must not start the next step.
-    if (!std::isfinite(impulse)) forget_impulses(s.records[id]);
-    note_load(s, c, std::isfinite(impulse) ? impulse / dt : 0);
-    if (!c.touching) return separation <= 0 || impulse > 0;
-    return impulse == 0 && separation > 0.25f * c.base_margin;
+    if (!std::isfinite(report.impulse)) forget_impulses(s.records[sorted.id]);
+    const float force = std::isfinite(report.impulse) ? report.impulse / dt : 0;
+    note_load(s.islands[std::size_t(sorted.island)], c, force, report.inverse_mass);
+    if (!c.touching) return report.separation <= 0 || report.impulse > 0;
+    return report.impulse == 0 && report.separation > 0.25f * c.base_margin;
 }
 
 } // namespace
@@ -238,23 +259,26 @@ bool take_report(State& s, std::uint32_t id, float dt) {
 void report_contacts(State& s, float dt) {
     std::atomic<float> deepest = 0;
     std::vector<std::uint8_t>& changes = s.narrow.changes;
-    changes.resize(s.solved.size());
-    s.crew->for_chunks(int(s.solved.size()), reports_per_chunk, [&](int begin, int end, int) {
+    changes.resize(s.contacts.size());
+    const std::vector<SortedContact>& sorted = s.solver.sorted;
+    s.crew->for_chunks(int(sorted.size()), reports_per_chunk, [&](int begin, int end, int) {
         float own = 0;
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
-            changes[k] = take_report(s, s.solved[k], dt);
-            own = std::max(own, -s.solver.reports[s.solved[k]].separation);
+            if (k + ahead < std::size_t(end)) __builtin_prefetch(&s.contacts[sorted[k + ahead].id]);
+            const std::uint32_t id = sorted[k].id;
+            changes[id] = take_report(s, sorted[k], dt);
+            own = std::max(own, -s.solver.reports[id].separation);
         }
         raise(deepest, own);
     });
     s.statistics.max_penetration = double(deepest.load());
-    for (std::size_t k = 0; k < s.solved.size(); ++k) {
-        if (!changes[k]) continue;
-        ContactInfo& c = s.contacts[s.solved[k]];
+    for (const std::uint32_t id : s.solved) {
+        if (!changes[id]) continue;
+        ContactInfo& c = s.contacts[id];
         if (c.touching)
             end_touch(s, c);
         else
-            begin_touch(s, s.solved[k]);
+            begin_touch(s, id);
     }
 }
 

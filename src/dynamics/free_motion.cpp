@@ -448,10 +448,10 @@ std::uint64_t move_free_body(State& s, std::int32_t b, float dt) {
     if (!(math::is_finite(x) && math::is_finite(q) && math::is_finite(v) && math::is_finite(w))) {
         ++clamped_speeds; // beyond the range of numbers: it stops where it is
         motion.v = motion.w = motion.v_rest = motion.w_rest = {};
-        s.turned[std::size_t(b)] = {};
+        motion.turned = {};
         return clamped_speeds;
     }
-    s.turned[std::size_t(b)] = math::to_float(q * math::conjugate(motion.q));
+    motion.turned = math::to_float(q * math::conjugate(motion.q));
     motion.x = x;
     motion.q = q;
     motion.v = math::to_float(v);

@@ -183,7 +183,7 @@ void wake_island(State& state, std::int32_t i) {
     state.awake_islands.push_back(i);
     for (std::int32_t b = island.first_body; b != none; b = body_at(state, b).next_in_island) {
         body_at(state, b).quiet_time = 0;
-        state.turned[std::size_t(b)] = {};
+        state.motion[std::size_t(b)].turned = {};
         state.next_sleeps.push_back({state.body_id(b), false});
     }
     island.kept_awake = 1; // for this step

@@ -194,7 +194,7 @@ void move_kinematics(State& s, float dt) {
         const math::DQuat turn = math::from_rotation_vector(double(dt) * math::to_double(motion.w));
         motion.x += double(dt) * math::to_double(motion.v);
         motion.q = math::normalized(turn * motion.q);
-        s.turned[std::size_t(b)] = math::to_float(turn);
+        motion.turned = math::to_float(turn);
     }
 }
 

@@ -49,7 +49,8 @@ inline constexpr int most_substeps = 256;
 int island_substeps(const State& state, Island& island);
 // What a contact that begins may have to carry: the weight of the body above. Normal from A to B.
 float first_load(const State& state, const ContactInfo& contact, math::Vec3 normal);
-// After a step: the normal force that a contact carried.
-void note_load(State& state, ContactInfo& contact, float force);
+// After a step: the normal force that a contact carried, and the sum of the inverse masses that bore it. Others may be
+// at work on other contacts of the island.
+void note_load(Island& island, ContactInfo& contact, float force, float inverse_mass);
 
 } // namespace cairn

@@ -32,12 +32,14 @@ struct NarrowList {
 };
 
 struct NarrowScratch {
-    std::vector<NarrowList> lists;      // one per PairKind
-    std::vector<NarrowBatch> at_work;   // one per thread
-    std::vector<std::int32_t> awake;    // bodies
-    std::vector<std::int32_t> whirling; // bodies that turn far in a step and have unequal moments of inertia
-    std::vector<std::uint32_t> skipped; // contacts of sleeping bodies with kinematic ones at rest
-    std::vector<std::uint8_t> changes;  // of solved contacts: began or ceased to touch
+    std::vector<NarrowList> lists;         // one per PairKind
+    std::vector<NarrowBatch> at_work;      // one per thread
+    std::vector<std::int32_t> awake;       // bodies
+    std::vector<std::int32_t> whirling;    // bodies that turn far in a step and have unequal moments of inertia
+    std::vector<std::uint32_t> skipped;    // contacts of sleeping bodies with kinematic ones at rest
+    std::vector<std::uint8_t> changes;     // by contact, of those that were solved: began or ceased to touch
+    std::vector<std::uint32_t> candidates; // contacts of all pairs
+    std::vector<std::uint8_t> tasks;       // what to do with each
 };
 
 // A run of blocks of one color and one size in a bin.
@@ -50,8 +52,10 @@ struct BlockRun {
 struct SortedContact {
     std::uint32_t id;
     std::int32_t body_a, body_b; // B: none if it does not move at all
-    std::uint8_t color, four_points;
-    std::uint8_t padding[2] = {};
+    std::int32_t island;
+    float substep_time; // s: that its impulses are for
+    std::uint8_t color, four_points, bounces;
+    std::uint8_t padding = 0;
 };
 
 // One solver bin: islands that are solved together through all substeps.
@@ -115,7 +119,7 @@ struct SolverScratch {
     std::vector<Bin> bins;
     std::vector<std::int32_t> bin_of_island, bin_islands, contacts_of_island, open_bins;
     std::vector<std::uint32_t> key_counts, keys; // counting sort of contacts
-    std::vector<SortedContact> sorted;
+    std::vector<SortedContact> unsorted, sorted;
     std::vector<ContactReport> reports;      // by contact, of those that were solved
     std::vector<std::int32_t> shared, alone; // bins that all threads solve together, and those that one does
     std::vector<BinScratch> at_work;         // one per thread

@@ -23,12 +23,15 @@ namespace cairn {
 inline constexpr std::int32_t none = -1;
 
 // Where a body is and how it moves. Rotations are double: the rounding of a float one gives a free top 0.4 % of
-// energy in a minute.
-struct BodyMotion {
+// energy in a minute. The first cache line is what the narrow phase reads.
+struct alignas(64) BodyMotion {
     math::DVec3 x; // center of mass, world
-    math::DQuat q; // of the body's frame
     math::Vec3 v, w;
+    math::Quat turned; // rotation of the last step, for matching contact points
+
+    math::DQuat q;             // of the body's frame
     math::Vec3 v_rest, w_rest; // what rounding has left over of v and w, while nothing touches the body
+    std::uint64_t padding = 0;
 };
 
 // Where a body came to rest: while it stays there, the contacts it has need not be found anew.
@@ -37,20 +40,20 @@ struct RestingPose {
     math::DQuat q;
 };
 
-struct BodyMass {
+struct alignas(64) BodyMass {
     float mass = 0, inverse_mass = 0;    // an inverse of 0 means immovable
     math::Vec3 inertia, inverse_inertia; // principal
     math::Quat principal;                // from principal axes to the body's frame
     math::Vec3 center;                   // center of mass in the body's frame
     std::uint8_t isotropic = 1;          // all moments equal: no gyroscopic torque
     std::uint8_t follows_shapes = 1;     // recomputed when shapes change
-    std::uint8_t has_given_mass = 0;     // ... scaled to given_mass
+    std::uint8_t has_given_mass = 0;     // ... scaled to BodySettings::given_mass
     std::uint8_t padding = 0;
-    float given_mass = 0;
 };
 
 struct BodySettings {
     float gravity_scale = 1, linear_damping = 0, angular_damping = 0;
+    float given_mass = 0; // kg, if BodyMass::has_given_mass
     BodyType type = BodyType::dynamic;
     std::uint8_t allow_sleep = 1;
     std::uint8_t padding[2] = {};
@@ -72,7 +75,7 @@ struct BodyLinks {
     std::uint64_t colors = 0;       // of its contacts, one bit each
 };
 
-struct ShapeLinks {
+struct alignas(32) ShapeLinks {
     std::int32_t body = none, next = none, previous = none; // the shapes of a body, in order of creation
     float density = 0;
     math::Vec3 arm; // from the body's center of mass to the shape's origin, world axes
@@ -92,7 +95,7 @@ enum class PairKind : std::uint8_t {
 inline constexpr int pair_kinds = 7;
 
 // What is known of a pair of shapes whose bounds overlap, beside its ContactRecord. Body A is dynamic.
-struct ContactInfo {
+struct alignas(64) ContactInfo {
     std::uint32_t shape_a = 0, shape_b = 0;
     std::int32_t body_a = none, body_b = none;
     PairKind kind = PairKind::sphere_sphere;
@@ -110,6 +113,7 @@ struct ContactInfo {
     float substep_time = 0;    // s: that the impulses are for
     std::uint32_t padding = 0;
     std::uint64_t tested_at = 0; // the pass that last tested the pair; 0: none
+    std::uint64_t more_padding = 0;
 };
 
 struct Island {
@@ -141,7 +145,6 @@ struct State {
     std::vector<BodySettings> body_settings;
     std::vector<BodyForces> forces;
     std::vector<BodyLinks> bodies;
-    std::vector<math::Quat> turned; // rotation of the last step, for matching contact points
     std::vector<RestingPose> resting;
     std::vector<std::uint64_t> left_at;   // the pass before which a body was last seen away from its resting pose
     std::vector<std::int32_t> kinematics; // kinematic bodies, in order of creation

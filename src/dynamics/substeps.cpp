@@ -30,21 +30,15 @@ float first_load(const State& s, const ContactInfo& c, math::Vec3 normal) {
     return above.inverse_mass > 0 ? above.mass * std::fabs(pull) : 0;
 }
 
-void note_load(State& s, ContactInfo& c, float force) {
+void note_load(Island& island, ContactInfo& c, float force, float inverse_mass) {
     // The lesser of two steps: impacts last one step, loads stay.
     c.load += load_gain * (std::min(force, c.force) - c.load);
     c.force = force;
-    Island& island = s.islands[std::size_t(s.bodies[std::size_t(c.body_a)].island)];
     // More than the weight of all comes from being squeezed between immovable things: no stiffness helps there.
     const float load = std::min(c.load, most_of_weight * island.weight);
-    float inverse_mass = s.mass[std::size_t(c.body_a)].inverse_mass;
-    if (c.b_moves) {
-        inverse_mass += s.mass[std::size_t(c.body_b)].inverse_mass;
-    } else {
-        inverse_mass *= 1 / immovable_stiffness;
-    }
+    const float stiffness = c.b_moves ? 1.0f : immovable_stiffness;
     raise(std::atomic_ref(island.greatest_load), load);
-    raise(std::atomic_ref(island.greatest_demand), load * inverse_mass);
+    raise(std::atomic_ref(island.greatest_demand), load * (inverse_mass / stiffness));
 }
 
 int island_substeps(const State& s, Island& island) {

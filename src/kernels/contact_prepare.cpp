@@ -227,11 +227,12 @@ CAIRN_INLINE void store_reports(const ContactBlock<N>& block, const std::int32_t
         separation = min(separation, load(block.separation0[i]));
     }
     impulse += zero() * ((friction_impulse.x + friction_impulse.y) + friction_impulse.z);
-    alignas(32) float impulses[8], separations[8];
+    alignas(32) float impulses[8], separations[8], inverse_masses[8];
     store(impulses, impulse);
     store(separations, separation);
+    store(inverse_masses, load(block.mass_a) + load(block.mass_b));
     for (int i = 0; i < 8; ++i)
-        if (ids[i] >= 0) reports[ids[i]] = {impulses[i], separations[i]};
+        if (ids[i] >= 0) reports[ids[i]] = {impulses[i], separations[i], inverse_masses[i]};
 }
 
 template <int N>

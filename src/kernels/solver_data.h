@@ -105,8 +105,9 @@ struct ContactSoftness {
 
 // What a step has done to one contact, beside its record.
 struct ContactReport {
-    float impulse;    // N s: the total of its normal impulses; not a number if any impulse is not finite
-    float separation; // m: of its deepest point, at the start of the step
+    float impulse;      // N s: the total of its normal impulses; not a number if any impulse is not finite
+    float separation;   // m: of its deepest point, at the start of the step
+    float inverse_mass; // 1/kg: of both bodies together
 };
 
 // Which contact sits in each lane of a list of blocks, and the rows of its bodies. A record of -1 is an empty lane

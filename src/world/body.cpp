@@ -263,7 +263,7 @@ void Body::set_type(BodyType type) {
     if (type == BodyType::dynamic) create_island(s, a.index());
     if (type == BodyType::kinematic) s.kinematics.push_back(a.index());
     if (type == BodyType::static_) a.motion().v = a.motion().w = {};
-    s.turned[a.b] = {};
+    a.motion().turned = {};
     refresh_mass(s, a.index());
     place_shapes(s, a.index());
     for (const std::uint32_t i : shapes) add_proxy(s, i);
@@ -292,7 +292,7 @@ void Body::set_mass_from_shapes(std::optional<float> mass) {
     require_dynamic(a, "Body::set_mass_from_shapes");
     a.mass().follows_shapes = 1;
     a.mass().has_given_mass = mass.has_value();
-    a.mass().given_mass = mass.value_or(0.0f);
+    s.body_settings[a.b].given_mass = mass.value_or(0.0f);
     refresh_mass(s, a.index());
     place_shapes(s, a.index());
     wake_body(s, a.index());

@@ -153,22 +153,20 @@ BodyId World::create_body(const BodyDef& def) {
     require_slot(s.body_slots, "World::create_body");
     const std::size_t b = s.body_slots.create();
     make_room(s.motion, b), make_room(s.mass, b), make_room(s.body_settings, b), make_room(s.forces, b);
-    make_room(s.bodies, b), make_room(s.turned, b), make_room(s.resting, b), make_room(s.left_at, b),
-        make_room(impl_->names, b), make_room(impl_->user_data, b);
+    make_room(s.bodies, b), make_room(s.resting, b), make_room(s.left_at, b), make_room(impl_->names, b),
+        make_room(impl_->user_data, b);
     s.bodies[b] = {};
     s.forces[b] = {};
-    s.turned[b] = {};
     s.resting[b] = {};
     s.left_at[b] = s.passes + 1;
     s.mass[b] = {};
-    s.body_settings[b] = {def.gravity_scale, def.linear_damping, def.angular_damping, def.type, def.allow_sleep, {}};
+    s.body_settings[b] = {def.gravity_scale, def.linear_damping, def.angular_damping, 0, def.type, def.allow_sleep, {}};
     const Quat q = checked_rotation("BodyDef.rotation", def.rotation);
-    s.motion[b] = {to_math(def.position),
-                   math::normalized(math::to_double(to_math(q))),
-                   to_math(def.linear_velocity),
-                   to_math(def.angular_velocity),
-                   {},
-                   {}};
+    BodyMotion& motion = s.motion[b] = {};
+    motion.x = to_math(def.position);
+    motion.q = math::normalized(math::to_double(to_math(q)));
+    motion.v = to_math(def.linear_velocity);
+    motion.w = to_math(def.angular_velocity);
     if (def.type == BodyType::static_) s.motion[b].v = s.motion[b].w = {};
     if (clamp_velocity(s.settings, s.motion[b].v, s.motion[b].w)) ++s.clamped_speeds;
     impl_->names[b] = def.name;
@@ -184,7 +182,7 @@ BodyId World::create_body(const BodyDef& def) {
         clamp_velocity(s.settings, s.motion[b].v, s.motion[b].w);
     } else {
         mass.has_given_mass = def.mass.has_value();
-        mass.given_mass = def.mass.value_or(0.0f);
+        s.body_settings[b].given_mass = def.mass.value_or(0.0f);
         refresh_mass(s, body);
     }
     if (def.type == BodyType::dynamic) create_island(s, body);
