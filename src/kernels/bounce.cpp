@@ -70,9 +70,9 @@ CAIRN_INLINE Meeting<N> meeting_now(const ContactBlock<N>& block, const Velocity
     m.d = load3(block.d);
     m.center = load3(block.center);
     m.correction = zero();
-    const Vec3x8 c = load3(block.c);
+    const Vec3x8 c = cross(m.d, m.normal);
     for (int i = 0; i < N; ++i) {
-        m.arm_a[i] = load3(block.arm[i]);
+        m.arm_a[i] = arm_of(block, m.normal, i);
         m.arm_b[i] = m.arm_a[i] + c;
     }
     find_velocities(a, b, m);
@@ -138,7 +138,7 @@ CAIRN_INLINE void find_impulses(const ContactBlock<N>& block, Meeting<N>& m, con
     const f32x8 mass = load(block.mass_a) + load(block.mass_b);
     f32x8 k[N][N], inverse[N];
     for (int i = 0; i < N; ++i) {
-        const Vec3x8 ia = load6(block.inertia_a) * m.arm_a[i], ib = load6(block.inertia_b) * m.arm_b[i];
+        const Vec3x8 ia = turned_a(block, m.arm_a[i]), ib = turned_b(block, m.arm_b[i]);
         for (int j = 0; j < N; ++j) k[j][i] = mass + (dot(m.arm_a[j], ia) + dot(m.arm_b[j], ib));
         inverse[i] = select(arrives[i], one() / max(k[i][i], splat(1e-35f)), zero());
         impulse[i] = zero();
@@ -169,7 +169,7 @@ CAIRN_INLINE mask8 arriving(const ContactBlock<N>& block, const Meeting<N>& m, c
 template <int N>
 CAIRN_INLINE Vec3x8 impact_friction(const ContactBlock<N>& block, const Meeting<N>& m, f32x8 load_sum,
                                     const Velocityx8& a, const Velocityx8& b) {
-    const Vec3x8 t1 = load3(block.tangent[0]), t2 = load3(block.tangent[1]);
+    const Vec3x8 t1 = load3(block.tangent), t2 = second_tangent(block, load3(block.normal));
     const Vec3x8 slip = (b.v - a.v) + cross(b.w - a.w, m.center) + cross(b.w, m.d);
     const f32x8 x = dot(slip, t1), y = dot(slip, t2);
     const f32x8 m12 = load(block.tangent_mass[1]);
@@ -189,6 +189,7 @@ CAIRN_INLINE void add_to_rows(SolverVelocity* rows, const std::uint32_t* row, co
 // One block; whether anything bounced.
 template <int N>
 CAIRN_INLINE bool bounce_block(ContactBlock<N>& block, const SolverBodies& bodies, const BounceSettings& settings) {
+    if (!block.bounces) return false;
     Velocityx8 a = gather_velocity(bodies.velocity, block.a), b = gather_velocity(bodies.velocity, block.b);
     Meeting<N> now = meeting_now(block, a, b);
     mask8 arrives[N];
@@ -220,8 +221,8 @@ CAIRN_INLINE bool bounce_block(ContactBlock<N>& block, const SolverBodies& bodie
         store(block.total_impulse[i], load(block.total_impulse[i]) + impulse[i]);
     }
     const Velocityx8 before_a = a, before_b = b;
-    a = {a.v - (load(block.mass_a) * sum) * m.normal, a.w - load6(block.inertia_a) * torque_a};
-    b = {b.v + (load(block.mass_b) * sum) * m.normal, b.w + load6(block.inertia_b) * torque_b};
+    a = {a.v - (load(block.mass_a) * sum) * m.normal, a.w - turned_a(block, torque_a)};
+    b = {b.v + (load(block.mass_b) * sum) * m.normal, b.w + turned_b(block, torque_b)};
     const Vec3x8 p = impact_friction(block, m, sum, a, b);
     apply_friction(block, m.center, m.d, p, zero3(), a, b);
     scatter_velocity(bodies.velocity, block.a, a);

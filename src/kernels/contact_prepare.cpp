@@ -83,26 +83,34 @@ CAIRN_INLINE Vec3x8 prepare_points(ContactBlock<N>& block, const ContactRecord* 
         j[i] = cross(r[i], normal);
         ia_j[i] = a.inverse_inertia * j[i];
         ib_j[i] = b.inverse_inertia * (j[i] + c);
-        store3(block.arm[i], j[i]);
+        if constexpr (N > 1) {
+            store3(block.arm[i], j[i]);
+            store(block.height[i], dot(r[i], normal));
+        }
         store(block.separation0[i], s);
         store(block.separation[i], s);
-        store(block.height[i], dot(r[i], normal));
         store(block.total_impulse[i], zero());
         for (int k = 0; k < i; ++k) coupling[k][i] = mass_sum + dot(ia_j[k], j[i]) + dot(ib_j[k], j[i] + c);
         const f32x8 k_ii = mass_sum + dot(ia_j[i], j[i]) + dot(ib_j[i], j[i] + c);
         mass[i] = select(used, safe_reciprocal(k_ii), zero());
         store(block.effective_mass[i], mass[i]);
     }
-    for (int i = 0; i < N; ++i)
-        for (int k = 0; k < N; ++k)
-            if (k != i) store(block.share[share_index<N>(k, i)], mass[k] * coupling[k < i ? k : i][k < i ? i : k]);
-    center = safe_reciprocal(weight_sum) * center;
-    store3(block.center, center);
-    for (int i = 0; i < N; ++i) {
-        const Vec3x8 e = r[i] - center;
-        store(block.lever[i], select(load(block.separation0[i]) < splat(unused_separation), sqrt(dot(e, e)), zero()));
+    if constexpr (N == 1) {
+        store3(block.center, r[0]);
+        return r[0];
+    } else {
+        for (int i = 0; i < N; ++i)
+            for (int k = 0; k < N; ++k)
+                if (k != i) store(block.share[share_index<N>(k, i)], mass[k] * coupling[k < i ? k : i][k < i ? i : k]);
+        center = safe_reciprocal(weight_sum) * center;
+        store3(block.center, center);
+        for (int i = 0; i < N; ++i) {
+            const Vec3x8 e = r[i] - center;
+            const mask8 used = load(block.separation0[i]) < splat(unused_separation);
+            store(block.lever[i], select(used, sqrt(dot(e, e)), zero()));
+        }
+        return center;
     }
-    return center;
 }
 
 // Tangential and torsional rows at the friction center.
@@ -115,8 +123,7 @@ CAIRN_INLINE void prepare_friction(ContactBlock<N>& block, const ContactRecord* 
     Vec3x8 t1 = cross(axis, normal);
     t1 = safe_reciprocal(sqrt(dot(t1, t1))) * t1;
     const Vec3x8 t2 = cross(t1, normal);
-    store3(block.tangent[0], t1);
-    store3(block.tangent[1], t2);
+    store3(block.tangent, t1);
 
     Vec3x8 impulse;
     f32x8 torsion;
@@ -155,6 +162,22 @@ CAIRN_INLINE void prefetch_records(const std::int32_t* ids, const ContactRecord*
     }
 }
 
+CAIRN_INLINE mask8 is_even(const Sym3x8& m) {
+    const f32x8 none = zero();
+    return (m.xx == m.yy) & (m.xx == m.zz) & (m.xy == none) & (m.xz == none) & (m.yz == none);
+}
+
+template <int N> CAIRN_INLINE void store_inertia(ContactBlock<N>& block, const Sym3x8& a, const Sym3x8& b) {
+    block.even = all(is_even(a) & is_even(b));
+    if (block.even) {
+        store(block.inertia_a[0], a.xx);
+        store(block.inertia_b[0], b.xx);
+    } else {
+        store6(block.inertia_a, a);
+        store6(block.inertia_b, b);
+    }
+}
+
 template <int N>
 CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids, const std::int32_t* row_a,
                                 const std::int32_t* row_b, const ContactRecord* records, const SolverInertia* inertia,
@@ -177,13 +200,12 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
     store3(block.normal, normal);
     store3(block.d0, d);
     store3(block.d, d);
-    store3(block.c, c);
     store(block.friction, friction);
     store(block.restitution, restitution);
+    block.bounces = any(restitution > zero());
     store(block.mass_a, a.inverse_mass);
     store(block.mass_b, b.inverse_mass);
-    store6(block.inertia_a, a.inverse_inertia);
-    store6(block.inertia_b, b.inverse_inertia);
+    store_inertia(block, a.inverse_inertia, b.inverse_inertia);
 
     f32x8 impulse[4], static_friction, rolling_radius, torsion_radius, unused;
     gather_field(record, offsetof(ContactRecord, impulses), impulse[0], impulse[1], impulse[2], impulse[3]);
@@ -192,6 +214,7 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
                  unused);
     store(block.static_friction, static_friction);
     store(block.rolling_radius, rolling_radius);
+    block.rolls = any(rolling_radius > zero());
     store(block.torsion_radius, torsion_radius);
     if constexpr (N == 1) {
         f32x8 radius_a, radius_b;
@@ -257,7 +280,7 @@ void store_contacts(const void* blocks, int count, const ContactLanes& lanes, Co
         }
         scatter4(impulses, impulse[0], impulse[1], impulse[2], impulse[3]);
         scatter4(totals, total[0], total[1], total[2], total[3]);
-        const Vec3x8 t1 = load3(b.tangent[0]), t2 = load3(b.tangent[1]);
+        const Vec3x8 t1 = load3(b.tangent), t2 = second_tangent(b, load3(b.normal));
         const Vec3x8 p = load(b.tangent_impulse[0]) * t1 + load(b.tangent_impulse[1]) * t2;
         scatter4(friction, p.x, p.y, p.z, load(b.torsion_impulse));
         const Vec3x8 sum = load(b.total_tangent[0]) * t1 + load(b.total_tangent[1]) * t2;

@@ -21,7 +21,7 @@ CAIRN_INLINE void normal_velocities(const ContactBlock<N>& block, const Velocity
     const Vec3x8 dw = b.w - a.w;
     const f32x8 common = dot(normal, b.v - a.v) + dot(c, b.w);
     for (int i = 0; i < N; ++i) {
-        arm[i] = load3(block.arm[i]);
+        arm[i] = arm_of(block, normal, i);
         v[i] = common + dot(arm[i], dw);
     }
 }
@@ -44,7 +44,7 @@ CAIRN_INLINE Vec3x8 turned_back_difference(Quatx8 q, Vec3x8 n) {
     const Vec3x8 g = cross(q.v, n);
     return splat(2.0f) * (cross(q.v, g) - q.w * g);
 }
-// Brings d and c up to the new poses, so that both bodies are pushed at one point of the world and angular momentum is
+// Brings d up to the new poses, so that both bodies are pushed at one point of the world and angular momentum is
 // kept while they pass each other. What is carried into the next substep was pushed at the old d: the moment that is
 // missing since is left for the next `solve`. Nothing is done where nothing has moved.
 template <int N> CAIRN_INLINE void refresh_arm(ContactBlock<N>& block, Vec3x8 normal, Vec3x8 passed) {
@@ -61,13 +61,12 @@ template <int N> CAIRN_INLINE void refresh_arm(ContactBlock<N>& block, Vec3x8 no
     }
     f32x8 carried = zero();
     for (int i = 0; i < N; ++i) carried += load(block.impulse[i]);
-    const Vec3x8 p = load(block.tangent_impulse[0]) * load3(block.tangent[0]) +
-                     load(block.tangent_impulse[1]) * load3(block.tangent[1]);
+    const Vec3x8 p = load(block.tangent_impulse[0]) * load3(block.tangent) +
+                     load(block.tangent_impulse[1]) * second_tangent(block, normal);
     const Vec3x8 moment = cross(change, carried * normal + p);
     store3(block.moved_moment, block.moved ? load3(block.moved_moment) + moment : moment);
     block.moved = 1;
     store3(block.d, d);
-    store3(block.c, cross(d, normal));
 }
 
 // Separations now, from the motion of both bodies since the start of the step. Exact: the normal, not the
@@ -88,7 +87,12 @@ CAIRN_INLINE void refresh_separations(ContactBlock<N>& block, const SolverPose* 
     const Vec3x8 e = cross(difference, normal);
     const f32x8 f = dot(difference, normal);
     for (int i = 0; i < N; ++i) {
-        s[i] = load(block.separation0[i]) + (common + (load(block.height[i]) * f + dot(load3(block.arm[i]), e)));
+        f32x8 height;
+        if constexpr (N == 1)
+            height = dot(load3(block.center), normal);
+        else
+            height = load(block.height[i]);
+        s[i] = load(block.separation0[i]) + (common + (height * f + dot(arm_of(block, normal, i), e)));
         store(block.separation[i], s[i]);
     }
     refresh_arm(block, normal, passed);
@@ -112,17 +116,18 @@ template <int N> void warm_start(const void* blocks, int count, SolverVelocity* 
     for (int k = 0; k < count; ++k) {
         const ContactBlock<N>& block = all[k];
         Velocityx8 a = gather_velocity(velocity, block.a), b = gather_velocity(velocity, block.b);
-        const Vec3x8 normal = load3(block.normal), t1 = load3(block.tangent[0]), t2 = load3(block.tangent[1]);
+        const Vec3x8 normal = load3(block.normal), d = load3(block.d), t1 = load3(block.tangent),
+                     t2 = second_tangent(block, normal);
         f32x8 sum = zero();
         Vec3x8 torque = zero3();
         for (int i = 0; i < N; ++i) {
             const f32x8 impulse = load(block.impulse[i]);
             sum += impulse;
-            torque = torque + impulse * load3(block.arm[i]);
+            torque = torque + impulse * arm_of(block, normal, i);
         }
-        apply_normal(block, normal, load3(block.c), sum, torque, a, b);
+        apply_normal(block, normal, cross(d, normal), sum, torque, a, b);
         const Vec3x8 p = load(block.tangent_impulse[0]) * t1 + load(block.tangent_impulse[1]) * t2;
-        apply_friction(block, load3(block.center), load3(block.d), p, load(block.torsion_impulse) * normal, a, b);
+        apply_friction(block, load3(block.center), d, p, load(block.torsion_impulse) * normal, a, b);
         scatter_velocity(velocity, block.a, a);
         scatter_velocity(velocity, block.write_b, b);
     }
@@ -155,12 +160,13 @@ template <int N, int M, bool Soft> CAIRN_INLINE void sweep_points(const ContactB
             d[m] = impulse - rows[m].impulse[i];
             rows[m].impulse[i] = impulse;
         }
+        if constexpr (N > 1)
 #pragma GCC unroll 4
-        for (int j = 0; j < N; ++j)
+            for (int j = 0; j < N; ++j)
 #pragma GCC unroll 4
-            for (int m = 0; m < M; ++m)
-                if (j > i || (j < i && k < N)) // only what will be read needs to be kept up
-                    rows[m].wanted[j] = rows[m].wanted[j] - load(blocks[m].share[share_index<N>(j, i)]) * d[m];
+                for (int m = 0; m < M; ++m)
+                    if (j > i || (j < i && k < N)) // only what will be read needs to be kept up
+                        rows[m].wanted[j] = rows[m].wanted[j] - load(blocks[m].share[share_index<N>(j, i)]) * d[m];
     }
 }
 
@@ -169,7 +175,7 @@ CAIRN_INLINE void begin_solve(ContactBlock<N>& block, const SolverVelocity* velo
                               Rows<N>& rows) {
     rows.a = gather_velocity(velocity, block.a);
     rows.b = gather_velocity(velocity, block.b);
-    if (block.moved) rows.b.w = rows.b.w + load6(block.inertia_b) * load3(block.moved_moment);
+    if (block.moved) rows.b.w = rows.b.w + turned_b(block, load3(block.moved_moment));
     block.moved = 0;
     const mask8 immovable = load(block.mass_b) == zero();
     const ContactSoftness::Spring &fixed = softness.on_immovable, &other = softness.on_movable;
@@ -179,7 +185,8 @@ CAIRN_INLINE void begin_solve(ContactBlock<N>& block, const SolverVelocity* velo
     const f32x8 inverse_h = splat(softness.inverse_h);
     f32x8 v[N];
     Vec3x8 arm[N];
-    normal_velocities<N>(block, rows.a, rows.b, load3(block.normal), load3(block.c), v, arm);
+    const Vec3x8 normal = load3(block.normal);
+    normal_velocities<N>(block, rows.a, rows.b, normal, cross(load3(block.d), normal), v, arm);
     for (int i = 0; i < N; ++i) {
         const f32x8 s = load(block.separation[i]), mass = load(block.effective_mass[i]);
         const mask8 apart = s > zero();
@@ -193,13 +200,14 @@ CAIRN_INLINE void begin_solve(ContactBlock<N>& block, const SolverVelocity* velo
 template <int N> CAIRN_INLINE void end_solve(ContactBlock<N>& block, SolverVelocity* velocity, Rows<N>& rows) {
     f32x8 sum = zero();
     Vec3x8 torque = zero3();
+    const Vec3x8 normal = load3(block.normal);
     for (int i = 0; i < N; ++i) {
         const f32x8 d = rows.impulse[i] - rows.old[i];
         store(block.impulse[i], rows.impulse[i]);
         sum += d;
-        torque = torque + d * load3(block.arm[i]);
+        torque = torque + d * arm_of(block, normal, i);
     }
-    apply_normal(block, load3(block.normal), load3(block.c), sum, torque, rows.a, rows.b);
+    apply_normal(block, normal, cross(load3(block.d), normal), sum, torque, rows.a, rows.b);
     scatter_velocity(velocity, block.a, rows.a);
     scatter_velocity(velocity, block.write_b, rows.b);
 }
@@ -234,13 +242,17 @@ CAIRN_INLINE void begin_relax(ContactBlock<N>& block, const SolverBodies& bodies
     refresh_separations<N>(block, bodies.pose, normal, s);
     rows.a = gather_velocity(bodies.velocity, block.a);
     rows.b = gather_velocity(bodies.velocity, block.b);
-    normal_velocities<N>(block, rows.a, rows.b, normal, load3(block.c), v, arm);
-    const mask8 bounces = load(block.restitution) > zero();
+    normal_velocities<N>(block, rows.a, rows.b, normal, cross(load3(block.d), normal), v, arm);
     for (int i = 0; i < N; ++i) {
         rows.old[i] = rows.impulse[i] = load(block.impulse[i]);
-        const mask8 flies = bounces & (s[i] > zero()) & (rows.old[i] <= zero());
-        const f32x8 wanted = rows.old[i] - load(block.effective_mass[i]) * (v[i] + max(s[i], zero()) * inverse_h);
-        rows.wanted[i] = select(flies, splat(never), wanted);
+        rows.wanted[i] = rows.old[i] - load(block.effective_mass[i]) * (v[i] + max(s[i], zero()) * inverse_h);
+    }
+    if (block.bounces) {
+        const mask8 bounces = load(block.restitution) > zero();
+        for (int i = 0; i < N; ++i) {
+            const mask8 flies = bounces & (s[i] > zero()) & (rows.old[i] <= zero());
+            rows.wanted[i] = select(flies, splat(never), rows.wanted[i]);
+        }
     }
 }
 
@@ -259,11 +271,11 @@ template <int N> CAIRN_INLINE PointSums apply_relax(ContactBlock<N>& block, Vec3
         store(block.impulse[i], impulse);
         store(block.total_impulse[i], load(block.total_impulse[i]) + impulse);
         sum += d;
-        torque = torque + d * load3(block.arm[i]);
+        torque = torque + d * arm_of(block, normal, i);
         sums.load += impulse;
-        sums.lever_load += load(block.lever[i]) * impulse;
+        if constexpr (N > 1) sums.lever_load += load(block.lever[i]) * impulse;
     }
-    apply_normal(block, normal, load3(block.c), sum, torque, rows.a, rows.b);
+    apply_normal(block, normal, cross(load3(block.d), normal), sum, torque, rows.a, rows.b);
     return sums;
 }
 
@@ -274,8 +286,7 @@ template <int N> CAIRN_INLINE PointSums apply_relax(ContactBlock<N>& block, Vec3
 template <int N>
 CAIRN_INLINE void solve_friction(ContactBlock<N>& block, const PointSums& sums, Vec3x8 normal, Velocityx8& a,
                                  Velocityx8& b) {
-    const Vec3x8 center = load3(block.center), d = load3(block.d), t1 = load3(block.tangent[0]),
-                 t2 = load3(block.tangent[1]);
+    const Vec3x8 center = load3(block.center), d = load3(block.d), t1 = load3(block.tangent), t2 = cross(t1, normal);
     const Vec3x8 dw = b.w - a.w;
     const Vec3x8 slip = (b.v - a.v) + cross(dw, center) + cross(b.w, d);
     const f32x8 x = dot(slip, t1), y = dot(slip, t2), spin = dot(normal, dw);
@@ -320,9 +331,10 @@ CAIRN_INLINE void solve_friction(ContactBlock<N>& block, const PointSums& sums, 
 
 // Rolling resistance: a couple against the relative angular velocity, at most rolling radius x load.
 template <int N> CAIRN_INLINE void solve_rolling(ContactBlock<N>& block, f32x8 load_sum, Velocityx8& a, Velocityx8& b) {
-    const Sym3x8 ia = load6(block.inertia_a), ib = load6(block.inertia_b);
+    constexpr int xx = 0, yy = 3, zz = 5;
+    auto sum = [&](int i) { return load(block.inertia_a[i]) + load(block.inertia_b[i]); };
     const Vec3x8 dw = b.w - a.w, old = load3(block.rolling_impulse);
-    const f32x8 trace = ((ia.xx + ib.xx) + (ia.yy + ib.yy)) + (ia.zz + ib.zz);
+    const f32x8 trace = block.even ? (sum(xx) + sum(xx)) + sum(xx) : (sum(xx) + sum(yy)) + sum(zz);
     // One mass for all directions, the smallest effective one that the trace guarantees: never overshoots.
     const mask8 turns = trace > zero();
     const f32x8 mass = select(turns, splat(3.0f) / select(turns, trace, one()), zero()) * splat(1.0f / 3.0f);
@@ -332,8 +344,8 @@ template <int N> CAIRN_INLINE void solve_rolling(ContactBlock<N>& block, f32x8 l
     p = scale * p;
     store3(block.rolling_impulse, p);
     const Vec3x8 change = p - old;
-    a.w = a.w - ia * change;
-    b.w = b.w + ib * change;
+    a.w = a.w - turned_a(block, change);
+    b.w = b.w + turned_b(block, change);
 }
 
 template <int N, int M>
@@ -350,7 +362,7 @@ CAIRN_INLINE void relax_some(ContactBlock<N>* blocks, const SolverBodies& bodies
 #pragma GCC unroll 4
     for (int m = 0; m < M; ++m) {
         ContactBlock<N>& block = blocks[m];
-        if (any(load(block.rolling_radius) > zero())) solve_rolling<N>(block, sums[m].load, rows[m].a, rows[m].b);
+        if (block.rolls) solve_rolling<N>(block, sums[m].load, rows[m].a, rows[m].b);
         scatter_velocity(bodies.velocity, block.a, rows[m].a);
         scatter_velocity(bodies.velocity, block.write_b, rows[m].b);
     }

@@ -72,14 +72,35 @@ CAIRN_INLINE Quatx8 turned_by(Vec3x8 u, Quatx8 q) {
 // Where a block keeps K_ji / K_jj: what an impulse of 1 at point i takes from that wanted at point j.
 template <int N> constexpr int share_index(int j, int i) { return j * (N - 1) + (i < j ? i : i - 1); }
 
+template <int N> CAIRN_INLINE Vec3x8 arm_of(const ContactBlock<N>& block, Vec3x8 normal, int i) {
+    if constexpr (N == 1)
+        return cross(load3(block.center), normal);
+    else
+        return load3(block.arm[i]);
+}
+template <int N> CAIRN_INLINE Vec3x8 second_tangent(const ContactBlock<N>& block, Vec3x8 normal) {
+    return cross(load3(block.tangent), normal);
+}
+
+// Inverse inertia times a vector, of A and of B.
+CAIRN_INLINE Vec3x8 inertia_times(bool even, const float (*inertia)[8], Vec3x8 u) {
+    return even ? load(inertia[0]) * u : load6(inertia) * u;
+}
+template <int N> CAIRN_INLINE Vec3x8 turned_a(const ContactBlock<N>& block, Vec3x8 u) {
+    return inertia_times(block.even, block.inertia_a, u);
+}
+template <int N> CAIRN_INLINE Vec3x8 turned_b(const ContactBlock<N>& block, Vec3x8 u) {
+    return inertia_times(block.even, block.inertia_b, u);
+}
+
 // Applies the normal impulses S = sum of d_i and T = sum of j_i d_i to both bodies.
 template <int N>
 CAIRN_INLINE void apply_normal(const ContactBlock<N>& block, Vec3x8 normal, Vec3x8 c, f32x8 sum, Vec3x8 torque,
                                Velocityx8& a, Velocityx8& b) {
     a.v = a.v - (load(block.mass_a) * sum) * normal;
     b.v = b.v + (load(block.mass_b) * sum) * normal;
-    a.w = a.w - load6(block.inertia_a) * torque;
-    b.w = b.w + load6(block.inertia_b) * (torque + sum * c);
+    a.w = a.w - turned_a(block, torque);
+    b.w = b.w + turned_b(block, torque + sum * c);
 }
 
 // Applies the impulse p at the friction center, and the couple about the normal, to both bodies.
@@ -89,8 +110,8 @@ CAIRN_INLINE void apply_friction(const ContactBlock<N>& block, Vec3x8 center, Ve
     const Vec3x8 torque_a = cross(center, p) + couple;
     a.v = a.v - load(block.mass_a) * p;
     b.v = b.v + load(block.mass_b) * p;
-    a.w = a.w - load6(block.inertia_a) * torque_a;
-    b.w = b.w + load6(block.inertia_b) * (torque_a + cross(d, p));
+    a.w = a.w - turned_a(block, torque_a);
+    b.w = b.w + turned_b(block, torque_a + cross(d, p));
 }
 
 } // namespace cairn::CAIRN_ISA
