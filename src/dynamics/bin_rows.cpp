@@ -15,12 +15,12 @@ constexpr int rows_per_chunk = 128; // for threads
 
 SolverVelocity to_row(math::Vec3 v, math::Vec3 w) { return {{v.x, v.y, v.z}, 0, {w.x, w.y, w.z}, 0}; }
 
-// Bodies of the bin's islands, and what the islands weigh; room for kinematic ones comes later.
+// Bodies of the bin's islands, and what the islands weigh.
 void gather_bodies(State& s, const Bin& bin, BinScratch& scratch) {
     const auto& g = s.settings.gravity;
     const float gravity = math::length(math::Vec3{g.x, g.y, g.z});
     scratch.row_of_body.resize(s.bodies.size(), none);
-    scratch.row_bodies.assign(first_body_row, none);
+    scratch.touching_bodies.clear();
     scratch.free_bodies.clear();
     for (std::int32_t k = 0; k < bin.island_count; ++k) {
         Island& island = s.islands[std::size_t(s.solver.bin_islands[std::size_t(bin.first_island + k)])];
@@ -28,17 +28,12 @@ void gather_bodies(State& s, const Bin& bin, BinScratch& scratch) {
         for (std::int32_t b = island.first_body; b != none; b = s.bodies[std::size_t(b)].next_in_island) {
             const BodyMass& mass = s.mass[std::size_t(b)];
             if (mass.inverse_mass > 0) island.weight += mass.mass * gravity;
-            if (s.bodies[std::size_t(b)].contact_count == 0) {
-                scratch.free_bodies.push_back(b);
-                continue;
-            }
-            scratch.row_of_body[std::size_t(b)] = std::int32_t(scratch.row_bodies.size());
-            scratch.row_bodies.push_back(b);
+            (s.bodies[std::size_t(b)].contact_count == 0 ? scratch.free_bodies : scratch.touching_bodies).push_back(b);
         }
     }
 }
 
-// The row of a body that may be kinematic: those get theirs when first met.
+// Bodies get their rows when a contact first names them, so that contacts side by side have rows side by side.
 std::int32_t row_of(BinScratch& scratch, std::int32_t body) {
     if (body == none) return fixed_row;
     std::int32_t& row = scratch.row_of_body[std::size_t(body)];
@@ -159,11 +154,11 @@ std::uint64_t scatter_body(State& s, const BinScratch& scratch, std::int32_t b, 
 
 void fill_bin(State& s, const Bin& bin, BinScratch& scratch, Crew* crew) {
     gather_bodies(s, bin, scratch);
-    if (bin.contact_count == 0) {
-        scratch.row_bodies.clear();
-        return;
-    }
+    scratch.row_bodies.clear();
+    if (bin.contact_count == 0) return;
+    scratch.row_bodies.assign(first_body_row, none);
     fill_lanes(s, bin, scratch);
+    for (const std::int32_t b : scratch.touching_bodies) row_of(scratch, b);
     fill_rows(s, scratch, crew);
 }
 

@@ -90,9 +90,9 @@ struct LaneLists {
 
 // The bin that a thread has at work.
 struct BinScratch {
-    std::vector<std::int32_t> row_of_body; // none: in no row
-    std::vector<std::int32_t> row_bodies;  // body of each row; none for fixed and padding
-    std::vector<std::int32_t> free_bodies; // those without a contact
+    std::vector<std::int32_t> row_of_body;                  // none: in no row
+    std::vector<std::int32_t> row_bodies;                   // body of each row; none for fixed and padding
+    std::vector<std::int32_t> touching_bodies, free_bodies; // of the islands: with and without a contact
     std::vector<SpinningRow> spinning_rows;
     std::vector<SpinBlock> spin_blocks; // those that the kernel turns
     std::size_t spin_count = 0;         // lanes in them

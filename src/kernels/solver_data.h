@@ -66,41 +66,47 @@ struct alignas(64) ContactRecord {
 // What a block keeps of its points, with the arms j_i = r_i x n for A and j_i + c for B, c = (x_A - x_B) x n.
 template <int N> struct PointRows {
     static constexpr int share_count = N * (N - 1);
-    float arm[N][3][8];          // j_i
-    float effective_mass[N][8];  // 1 / K_ii; 0 for unused points
-    float share[share_count][8]; // K_ji / K_jj, i != j, see share_index; 0 for unused points j
-    float impulse[N][8], separation[N][8];
+    // Used by relax only.
     float separation0[N][8], height[N][8]; // separation at the start of the step; r_i . n
     float lever[N][8];                     // distance of each point from the friction center
     float total_impulse[N][8];
+    // And by solve.
+    float arm[N][3][8];          // j_i
+    float share[share_count][8]; // K_ji / K_jj, i != j, see share_index; 0 for unused points j
+    float effective_mass[N][8];  // 1 / K_ii; 0 for unused points
+    float impulse[N][8], separation[N][8];
 };
 // The only point is the friction center: its arm and height are found from that.
 template <> struct PointRows<1> {
-    float effective_mass[1][8], impulse[1][8], separation[1][8], separation0[1][8], total_impulse[1][8];
+    float separation0[1][8], total_impulse[1][8];
     float radius_a[8], radius_b[8]; // of spheres, see refresh_separations
+    float effective_mass[1][8], impulse[1][8], separation[1][8];
 };
 
-// One block of 8 contacts with N points each, 8 lanes side by side. Built by prepare, used by all substeps. Blocks come
-// from the third-level cache in large islands: what can be computed is not kept.
+// One block of 8 contacts with N points each, 8 lanes side by side. Built by prepare, used by all substeps. In large
+// islands blocks come from the third-level cache: what can be computed is not kept, and what solve uses lies together.
 template <int N> struct alignas(64) ContactBlock : PointRows<N> {
     // Rows of the bodies as offsets in bytes, the same in all body arrays; where B's velocity goes: its row, or the
     // discard row of the block. Lanes without a contact read and write that.
     std::uint32_t a[8], b[8], write_b[8];
+    float center[3][8]; // arm of the friction center
     float normal[3][8];
-    float d[3][8], d0[3][8]; // x_A - x_B as of the last poses, and at the start of the step
+    float d[3][8]; // x_A - x_B as of the last poses
     float mass_a[8], mass_b[8], inertia_a[6][8], inertia_b[6][8];
-    float arm_b_square[8];             // of the friction center's arm for B, at the start of the step
-    float moved_moment[3][8];          // on B, of the impulses carried over, as d has changed
-    float tangent[3][8], center[3][8]; // the second tangent is this x normal; arm of the friction center
-    float tangent_mass[3][8];          // inverse of the 2x2 tangential K: 11, 12, 22
+    float moved_moment[3][8]; // on B, of the impulses carried over, as d has changed
+    std::uint8_t moved;       // whether moved_moment holds anything
+    std::uint8_t even;        // all tensors are multiples of 1: only their xx are kept
+    std::uint8_t rolls;       // any rolling resistance
+    std::uint8_t bounces;     // any restitution
+    // Used by relax only.
+    alignas(32) float d0[3][8]; // d at the start of the step
+    float arm_b_square[8];      // of the friction center's arm for B, at the start of the step
+    float tangent[3][8];        // the second tangent is this x normal
+    float tangent_mass[3][8];   // inverse of the 2x2 tangential K: 11, 12, 22
     float torsion_mass[8], torsion_coupling[2][8];
     float friction[8], static_friction[8], torsion_radius[8];
     float tangent_impulse[2][8], torsion_impulse[8], total_tangent[2][8];
-    float rolling_radius[8], rolling_impulse[3][8], restitution[8];
-    std::uint8_t moved;   // whether moved_moment holds anything
-    std::uint8_t even;    // all tensors are multiples of 1: only their xx are kept
-    std::uint8_t rolls;   // any rolling resistance
-    std::uint8_t bounces; // any restitution
+    float rolling_radius[8], rolling_impulse[3][8], restitution[8]; // where there is any
 };
 
 // Softness and limits of the contacts of one bin, for a substep of h seconds.
