@@ -53,29 +53,36 @@ void pad_lanes(LaneLists& lanes) {
     while (lanes.record.size() % 8 != 0) add_lane(lanes, -1, fixed_row, fixed_row);
 }
 
-// Lays the bin's contacts into blocks of 8 lanes; one run of blocks for each color and size.
+BlockRun begin_run(const LaneLists& lanes, bool four_points) {
+    return {four_points, std::int32_t(lanes.record.size() / 8), 0};
+}
+void end_run(LaneLists& lanes, BlockRun& run) {
+    pad_lanes(lanes);
+    run.count = std::int32_t(lanes.record.size() / 8) - run.first;
+}
+
+// Lays the bin's contacts into blocks of 8 lanes, color by color.
 void fill_lanes(const State& s, const Bin& bin, BinScratch& scratch) {
     scratch.one_lanes.clear();
     scratch.four_lanes.clear();
-    scratch.runs.clear();
+    scratch.colors.clear();
     std::int32_t k = bin.first_contact;
     const std::int32_t end = bin.first_contact + bin.contact_count;
     while (k < end) {
-        const SortedContact& first = s.solver.sorted[std::size_t(k)];
-        const bool four = first.four_points != 0;
-        LaneLists& lanes = four ? scratch.four_lanes : scratch.one_lanes;
-        BlockRun run{four, std::int32_t(lanes.record.size() / 8), 0};
+        const std::uint8_t color = s.solver.sorted[std::size_t(k)].color;
+        ColorRun runs{begin_run(scratch.four_lanes, true), begin_run(scratch.one_lanes, false)};
         for (; k < end; ++k) {
             const SortedContact& c = s.solver.sorted[std::size_t(k)];
-            if (c.color != first.color || c.four_points != first.four_points) break;
+            if (c.color != color) break;
+            LaneLists& lanes = c.four_points ? scratch.four_lanes : scratch.one_lanes;
             add_lane(lanes, std::int32_t(c.id), row_of(scratch, c.body_a), row_of(scratch, c.body_b));
-            if (c.color != overflow_color) continue;
+            if (color != overflow_color) continue;
             ++k; // alone in its run: it may share bodies with the next
             break;
         }
-        pad_lanes(lanes);
-        run.count = std::int32_t(lanes.record.size() / 8) - run.first;
-        scratch.runs.push_back(run);
+        end_run(scratch.four_lanes, runs.four_points);
+        end_run(scratch.one_lanes, runs.one_point);
+        scratch.colors.push_back(runs);
     }
     if (scratch.one_blocks.size() * 8 < scratch.one_lanes.record.size())
         scratch.one_blocks.resize(scratch.one_lanes.record.size() / 8);

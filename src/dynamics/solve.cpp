@@ -63,13 +63,19 @@ int blocks_per_chunk(const Crew* crew, int count) {
     return (count / (2 * crew->threads()) + side_by_side) / side_by_side * side_by_side;
 }
 
-// Calls kernel(its kernels, run) for every run, one after the other, or for chunks of it.
-template <class F> void for_runs(BinScratch& scratch, Crew* crew, F&& kernel) {
-    for (const BlockRun& run : scratch.runs)
-        for_chunks(crew, run.count, blocks_per_chunk(crew, run.count), [&](int begin, int end, int) {
-            const BlockRun part{run.four_points, run.first + begin, end - begin};
-            kernel(kernels_for(part), part);
+// Calls kernel(its kernels, run) for the blocks of every color, one color after the other, or for chunks of them.
+template <class F> void for_blocks(BinScratch& scratch, Crew* crew, F&& kernel) {
+    auto work = [&](const BlockRun& run, int begin, int end) {
+        const BlockRun part{run.four_points, run.first + begin, end - begin};
+        if (part.count > 0) kernel(kernels_for(part), part);
+    };
+    for (const ColorRun& color : scratch.colors) {
+        const int fours = color.four_points.count, all = fours + color.one_point.count;
+        for_chunks(crew, all, blocks_per_chunk(crew, all), [&](int begin, int end, int) {
+            work(color.four_points, std::min(begin, fours), std::min(end, fours));
+            work(color.one_point, std::max(begin, fours) - fours, std::max(end, fours) - fours);
         });
+    }
 }
 
 // Position of the discrete path behind the stored velocity, see bounce.cpp.
@@ -86,7 +92,7 @@ float velocity_offset(Integrator integrator) {
 }
 
 void refresh_all(BinScratch& scratch, Crew* crew, const SolverBodies& bodies, float h) {
-    for_runs(scratch, crew, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
+    for_blocks(scratch, crew, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
         k.refresh_arms(blocks_of(scratch, run), run.count, bodies, h);
     });
 }
@@ -94,7 +100,7 @@ void refresh_all(BinScratch& scratch, Crew* crew, const SolverBodies& bodies, fl
 void bounce_all(BinScratch& scratch, Crew* crew, const SolverBodies& bodies, const BounceSettings& settings) {
     for (int pass = 0; pass < most_bounce_passes; ++pass) {
         std::atomic<int> bounced = 0;
-        for_runs(scratch, crew, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
+        for_blocks(scratch, crew, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
             const int count = k.bounce(blocks_of(scratch, run), run.count, bodies, settings);
             if (count > 0) bounced += count;
         });
@@ -135,16 +141,16 @@ void run_substeps(const State& s, const Bin& bin, BinScratch& scratch, Crew* cre
         });
         if (bin.bounces) bounce_all(scratch, crew, bodies, bounce);
         if (first)
-            for_runs(scratch, crew, [&](const ForPoints& points, const BlockRun& run) {
+            for_blocks(scratch, crew, [&](const ForPoints& points, const BlockRun& run) {
                 points.warm_start(blocks_of(scratch, run), run.count, velocity);
             });
-        for_runs(scratch, crew, [&](const ForPoints& points, const BlockRun& run) {
+        for_blocks(scratch, crew, [&](const ForPoints& points, const BlockRun& run) {
             points.solve(blocks_of(scratch, run), run.count, velocity, softness);
         });
         for_chunks(crew, rows, rows_per_chunk,
                    [&](int begin, int end, int) { k.integrate_poses(bodies, begin, end, h); });
         turn_spinning_rows(s, scratch, h);
-        for_runs(scratch, crew, [&](const ForPoints& points, const BlockRun& run) {
+        for_blocks(scratch, crew, [&](const ForPoints& points, const BlockRun& run) {
             points.relax(blocks_of(scratch, run), run.count, bodies, softness);
         });
     }
@@ -159,7 +165,7 @@ void solve_bin(State& s, const Bin& bin, BinScratch& scratch, Crew* crew, float 
     fill_bin(s, bin, scratch, crew);
     if (bin.contact_count > 0) {
         prepare_free_motion(s, scratch, crew, dt / float(bin.substeps), bin.bounces);
-        for_runs(scratch, crew, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
+        for_blocks(scratch, crew, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
             k.prepare(blocks_of(scratch, run), run.count, lanes_of(scratch, run), s.records.data(),
                       scratch.inertia.data(), friction_margin);
         });
@@ -167,7 +173,7 @@ void solve_bin(State& s, const Bin& bin, BinScratch& scratch, Crew* crew, float 
         scratch.prepare_ms += prepare_ms;
         run_substeps(s, bin, scratch, crew, dt);
         finish_free_motion(scratch);
-        for_runs(scratch, crew, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
+        for_blocks(scratch, crew, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
             k.store(blocks_of(scratch, run), run.count, lanes_of(scratch, run), s.records.data(),
                     s.solver.reports.data());
         });

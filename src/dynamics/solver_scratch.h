@@ -42,10 +42,14 @@ struct NarrowScratch {
     std::vector<std::uint8_t> tasks;       // what to do with each
 };
 
-// A run of blocks of one color and one size in a bin.
+// Blocks of one size, side by side.
 struct BlockRun {
     bool four_points;
     std::int32_t first, count;
+};
+// The blocks of one color in a bin.
+struct ColorRun {
+    BlockRun four_points, one_point;
 };
 
 // A contact to be solved, sorted by bin, color and size.
@@ -104,7 +108,7 @@ struct BinScratch {
     LaneLists one_lanes, four_lanes;
     std::vector<ContactBlock<1>> one_blocks;
     std::vector<ContactBlock<4>> four_blocks;
-    std::vector<BlockRun> runs;
+    std::vector<ColorRun> colors;
     bool drive_varies = false; // forces depend on the position
 
     std::vector<EscapedShape> escaped; // of all bins of the thread

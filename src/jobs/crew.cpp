@@ -22,7 +22,7 @@ void pause() {
 
 } // namespace
 
-Crew::Crew(int threads) {
+Crew::Crew(int threads) : ranges_(std::size_t(std::max(threads, 1))) {
     workers_.reserve(std::size_t(std::max(threads - 1, 0)));
     try {
         for (int i = 1; i < threads; ++i) workers_.emplace_back([this, i] { help(i); });
@@ -41,19 +41,21 @@ void Crew::dismiss() {
     for (std::thread& worker : workers_) worker.join();
 }
 
-bool Crew::take_chunk(int thread) {
-    std::uint64_t at = cursor_.load(std::memory_order_acquire);
+bool Crew::take_chunk_of(Range& range, int thread) {
+    std::uint64_t word = range.word.load(std::memory_order_acquire);
     for (;;) {
-        const std::uint32_t chunk = std::uint32_t(at);
-        if (chunk >= chunk_count_.load(std::memory_order_relaxed)) return false;
-        const int count = count_.load(std::memory_order_relaxed), grain = grain_.load(std::memory_order_relaxed);
+        const std::uint64_t chunk = word & index_mask, last = (word >> index_bits) & index_mask;
+        if (chunk >= last) return false;
+        const int first = first_.load(std::memory_order_relaxed), end = end_.load(std::memory_order_relaxed);
+        const int grain = grain_.load(std::memory_order_relaxed);
         const Work work = work_.load(std::memory_order_relaxed);
         const void* const context = context_.load(std::memory_order_relaxed);
-        if (!cursor_.compare_exchange_weak(at, at + 1, std::memory_order_acq_rel, std::memory_order_acquire)) continue;
+        if (!range.word.compare_exchange_weak(word, word + 1, std::memory_order_acq_rel, std::memory_order_acquire))
+            continue;
         // The stage cannot end before this chunk: what was read belongs to it.
-        const int begin = int(chunk) * grain, end = count - begin < grain ? count : begin + grain;
+        const int begin = first + int(chunk) * grain;
         try {
-            work(context, begin, end, thread);
+            work(context, begin, end - begin < grain ? end : begin + grain, thread);
         } catch (...) {
             const std::lock_guard lock(failure_mutex_);
             failure_ = std::current_exception();
@@ -63,16 +65,28 @@ bool Crew::take_chunk(int thread) {
     }
 }
 
-void Crew::run(int count, int grain, Work work, const void* context) {
-    const std::uint32_t chunks = std::uint32_t((count - 1) / grain + 1);
-    count_.store(count, std::memory_order_relaxed);
+// Its own first, then those of the others, from the next one on.
+bool Crew::take_chunk(int thread) {
+    const std::size_t threads = ranges_.size();
+    for (std::size_t i = 0; i < threads; ++i)
+        if (take_chunk_of(ranges_[(std::size_t(thread) + i) % threads], thread)) return true;
+    return false;
+}
+
+void Crew::run(int first, int end, int grain, Work work, const void* context) {
+    const std::uint64_t chunks = std::uint64_t((end - first - 1) / grain + 1), threads = ranges_.size();
+    first_.store(first, std::memory_order_relaxed);
+    end_.store(end, std::memory_order_relaxed);
     grain_.store(grain, std::memory_order_relaxed);
     work_.store(work, std::memory_order_relaxed);
     context_.store(context, std::memory_order_relaxed);
-    chunk_count_.store(chunks, std::memory_order_relaxed);
     done_.store(0, std::memory_order_relaxed);
-    ++stage_;
-    cursor_.store(stage_ << 32); // in one order with sleepers_: either this sees a sleeper, or it sees the stage
+    const std::uint64_t stage = stage_.load(std::memory_order_relaxed) + 1;
+    for (std::uint64_t i = 0; i < threads; ++i) {
+        const std::uint64_t begin = chunks * i / threads, last = chunks * (i + 1) / threads;
+        ranges_[i].word.store(stage << (2 * index_bits) | last << index_bits | begin, std::memory_order_release);
+    }
+    stage_.store(stage); // in one order with sleepers_: either this sees a sleeper, or it sees the stage
     if (sleepers_.load() > 0) {
         ++wakes_;
         wakes_.notify_all();
@@ -84,8 +98,6 @@ void Crew::run(int count, int grain, Work work, const void* context) {
         else
             std::this_thread::yield();
     }
-    // Closed before anything of the next stage is written: see take_chunk.
-    cursor_.store((stage_ << 32) | closed, std::memory_order_release);
     if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
 }
 
@@ -95,14 +107,15 @@ void Crew::help(int thread) {
     sigfillset(&all);
     pthread_sigmask(SIG_SETMASK, &all, nullptr);
     while (!ends_.load(std::memory_order_relaxed)) {
-        if (take_chunk(thread)) continue;
-        wait_for_work();
+        const std::uint64_t seen = stage_.load(std::memory_order_acquire);
+        while (take_chunk(thread)) {}
+        wait_for_stage(seen);
     }
 }
 
-void Crew::wait_for_work() {
-    const std::uint64_t seen = cursor_.load(std::memory_order_relaxed);
-    auto changed = [&] { return cursor_.load(std::memory_order_relaxed) != seen || ends_.load(); };
+// Until there is another stage than the one that was seen.
+void Crew::wait_for_stage(std::uint64_t seen) {
+    auto changed = [&] { return stage_.load() != seen || ends_.load(); };
     for (int looks = 0; looks < looks_with_pause; ++looks) {
         if (changed()) return;
         pause();
@@ -113,9 +126,7 @@ void Crew::wait_for_work() {
     }
     const std::uint32_t wakes = wakes_.load();
     ++sleepers_;
-    // Closed, or all of its chunks taken.
-    const bool idle = std::uint32_t(cursor_.load()) >= chunk_count_.load() && !ends_.load();
-    if (idle) wakes_.wait(wakes);
+    if (!changed()) wakes_.wait(wakes);
     --sleepers_;
 }
 

@@ -1,7 +1,8 @@
-// The threads of a world. A stage hands out its items in chunks to whoever is free: the calling thread, which always
-// takes part, and the workers. It ends when its chunks are done, not when all workers have arrived, so that a worker
-// that the operating system has put aside holds nobody up. How the items are cut into chunks must not matter to the
-// results; which thread takes which chunk is left to chance.
+// The threads of a world: the calling thread, which always takes part, and the workers. A stage cuts its items into
+// chunks. Each thread has a range of them at home, the same part of the items in every stage, so that what it wrote in
+// the last one is still in its cache; whoever has done his own helps with the others'. A stage ends when its chunks are
+// done, not when all workers have arrived, so that a worker that the operating system has put aside holds nobody up.
+// How the items are cut must not matter to the results; which thread takes which chunk is left to chance.
 //
 // Between stages workers look for work for some 100 microseconds, then give way to others, then sleep.
 #pragma once
@@ -41,26 +42,37 @@ class Crew {
         auto call = [](const void* f, int begin, int end, int thread) {
             (*static_cast<const F*>(f))(begin, end, thread);
         };
-        run(count, grain, call, &work);
+        constexpr int most_chunks = (1 << index_bits) - 1;
+        const int most = grain < count / most_chunks ? grain * most_chunks : count;
+        for (int first = 0; first < count; first += most)
+            run(first, count - first < most ? count : first + most, grain, call, &work);
     }
 
   private:
     using Work = void (*)(const void*, int, int, int);
 
-    void run(int count, int grain, Work work, const void* context);
+    // The chunks of a stage that are at home with one thread: the number of the stage, one behind the last chunk, and
+    // the next to be taken. In one word, so that a chunk is taken only of the stage that was looked at.
+    struct alignas(64) Range {
+        std::atomic<std::uint64_t> word{0};
+    };
+    static constexpr int index_bits = 20;
+    static constexpr std::uint64_t index_mask = (std::uint64_t(1) << index_bits) - 1;
+
+    void run(int first, int end, int grain, Work work, const void* context);
     void help(int thread);
     void dismiss();
     bool take_chunk(int thread);
-    void wait_for_work();
+    bool take_chunk_of(Range& range, int thread);
+    void wait_for_stage(std::uint64_t seen);
 
-    // The stage at work. The cursor holds its number in the upper half and its next chunk in the lower, or `closed`:
-    // a worker may read the rest without a lock, because it is used only if the cursor has not changed meanwhile.
-    static constexpr std::uint64_t closed = 0xffffffffu;
-    alignas(64) std::atomic<std::uint64_t> cursor_{closed};
-    std::atomic<std::uint32_t> chunk_count_{0};
-    std::atomic<int> count_{0}, grain_{1};
+    // The stage at work. May be read without a lock: what was read is used only if a chunk of the stage is taken, and
+    // then the stage has not ended.
+    std::vector<Range> ranges_; // one per thread
+    std::atomic<int> first_{0}, end_{0}, grain_{1};
     std::atomic<Work> work_{nullptr};
     std::atomic<const void*> context_{nullptr};
+    alignas(64) std::atomic<std::uint64_t> stage_{0}; // its number, once all its ranges are there
     alignas(64) std::atomic<std::uint32_t> done_{0};
     alignas(64) std::atomic<int> sleepers_{0};
     std::atomic<std::uint32_t> wakes_{0};
@@ -68,7 +80,6 @@ class Crew {
 
     std::mutex failure_mutex_;
     std::exception_ptr failure_;
-    std::uint64_t stage_ = 0; // number of the stage at work
     std::vector<std::thread> workers_;
 };
 
