@@ -70,13 +70,15 @@ void begin_contact(State& s, ContactInfo& c, math::Vec3 normal) {
     c.load = c.force = first_load(s, c, normal);
 }
 
-// What testing a pair says, beside its record.
+// What is to be done with a pair, and what testing it has said, beside its record.
 enum Outcome : std::uint8_t {
-    apart,    // and was so
+    apart,    // and was so; or has not been tested, and need not be solved
     ended,    // apart, and was near
     begun,    // near, and was apart
     goes_on,  // near as before
     may_wake, // likewise, with something asleep or moved from outside: to be looked at
+    skipped,  // asleep
+    to_test,  // + kind
 };
 
 bool is_asleep(const State& s, const ContactInfo& c) {
@@ -96,18 +98,21 @@ Outcome take_manifold(State& s, std::uint32_t id, const Manifold& m) {
     return is_asleep(s, c) || (!c.b_moves && moves(s, c.body_b)) ? may_wake : goes_on;
 }
 
-// Up to PairBatch::capacity pairs of one kind.
+// Up to PairBatch::capacity pairs of one kind, by their places among all.
 void test_pairs(State& s, int kind, int begin, int end, NarrowBatch& own, float dt) {
     NarrowList& list = s.narrow.lists[std::size_t(kind)];
     PairBatch& batch = own.pairs;
     const int count = end - begin, padded = (count + 7) & ~7;
-    const std::uint32_t* ids = list.contacts.data() + begin;
+    const std::uint32_t* places = list.places.data() + begin;
+    std::uint32_t ids[PairBatch::capacity];
+    for (int i = 0; i < count; ++i) ids[i] = s.narrow.candidates[places[i]];
     for (int i = 0; i < count; ++i) {
         if (i + int(ahead) < count) __builtin_prefetch(&s.contacts[ids[i + int(ahead)]]);
         const ContactInfo& c = s.contacts[ids[i]];
         batch.first[i] = c.flipped ? c.shape_b : c.shape_a;
         batch.second[i] = c.flipped ? c.shape_a : c.shape_b;
         batch.margin[i] = contact_margin(s, c, dt);
+        __builtin_prefetch(&s.shapes[c.shape_a]); // for write_record
     }
     for (int i = count; i < padded; ++i)
         batch.first[i] = batch.first[0], batch.second[i] = batch.second[0], batch.margin[i] = batch.margin[0];
@@ -117,19 +122,23 @@ void test_pairs(State& s, int kind, int begin, int end, NarrowBatch& own, float 
             const char* record = reinterpret_cast<const char*>(&s.records[ids[i + int(ahead)]]);
             for (std::size_t at = 0; at < sizeof(ContactRecord); at += 64) __builtin_prefetch(record + at);
         }
-        list.outcomes[std::size_t(begin + i)] = std::uint8_t(take_manifold(s, ids[i], own.manifolds[i]));
+        s.narrow.outcomes[places[i]] = take_manifold(s, ids[i], own.manifolds[i]);
     }
 }
 
 // What changes more than the contact itself: islands, colors, sleep. One after the other, in order.
-void follow_up(State& s, std::uint32_t id, Outcome outcome, float dt) {
-    ContactInfo& c = s.contacts[id];
+void follow_up(State& s, std::uint32_t id, std::uint8_t outcome, float dt) {
     if (outcome == apart) return;
     if (outcome == ended) {
         end_contact(s, id);
         return;
     }
+    if (outcome == skipped) {
+        s.narrow.skipped.push_back(id);
+        return;
+    }
     if (outcome != goes_on) {
+        ContactInfo& c = s.contacts[id];
         const ContactRecord& r = s.records[id];
         const bool asleep = is_asleep(s, c);
         // Passing by is not enough to wake what sleeps: only what will touch it within the step does.
@@ -148,39 +157,29 @@ void follow_up(State& s, std::uint32_t id, Outcome outcome, float dt) {
     s.solved.push_back(id);
 }
 
-// What is to be done with a pair: nothing, or to be tested by the kernel of a kind.
-enum Task : std::uint8_t { nothing, to_skip, to_solve, to_test }; // to_test + kind
-
-Task task_of(const State& s, const ContactInfo& c) {
-    if (!c.b_moves && !s.is_awake(c.body_a) && !moves(s, c.body_b)) return c.point_count > 0 ? to_skip : nothing;
-    if (!is_tested(s, c)) return Task(to_test + int(c.kind));
-    return c.point_count > 0 ? to_solve : nothing;
+std::uint8_t before_test(const State& s, const ContactInfo& c) {
+    if (!c.b_moves && !s.is_awake(c.body_a) && !moves(s, c.body_b)) return c.point_count > 0 ? skipped : apart;
+    if (!is_tested(s, c)) return std::uint8_t(to_test + int(c.kind));
+    return c.point_count > 0 ? goes_on : apart;
 }
 
 // Sorts the pairs that may have moved into the lists of their kinds.
 void list_pairs(State& s) {
     NarrowScratch& scratch = s.narrow;
-    for (NarrowList& list : scratch.lists) list.contacts.clear();
     scratch.candidates.clear();
     s.broad_phase.for_each_pair(
         [&](std::uint32_t, std::uint32_t, std::uint32_t id) { scratch.candidates.push_back(id); });
-    scratch.tasks.resize(scratch.candidates.size());
+    scratch.outcomes.resize(scratch.candidates.size());
     s.crew->for_chunks(int(scratch.candidates.size()), pairs_per_chunk, [&](int begin, int end, int) {
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
             if (k + ahead < std::size_t(end)) __builtin_prefetch(&s.contacts[scratch.candidates[k + ahead]]);
-            scratch.tasks[k] = std::uint8_t(task_of(s, s.contacts[scratch.candidates[k]]));
+            scratch.outcomes[k] = before_test(s, s.contacts[scratch.candidates[k]]);
         }
     });
-    for (std::size_t k = 0; k < scratch.candidates.size(); ++k) {
-        const std::uint32_t id = scratch.candidates[k];
-        const std::uint8_t task = scratch.tasks[k];
-        if (task >= to_test)
-            scratch.lists[std::size_t(task - to_test)].contacts.push_back(id);
-        else if (task == to_solve)
-            s.solved.push_back(id);
-        else if (task == to_skip)
-            scratch.skipped.push_back(id);
-    }
+    for (NarrowList& list : scratch.lists) list.places.clear();
+    for (std::size_t k = 0; k < scratch.candidates.size(); ++k)
+        if (const std::uint8_t outcome = scratch.outcomes[k]; outcome >= to_test)
+            scratch.lists[std::size_t(outcome - to_test)].places.push_back(std::uint32_t(k));
 }
 
 } // namespace
@@ -204,14 +203,12 @@ void update_contacts(State& s, float dt) {
     list_pairs(s);
     for (int kind = 0; kind < pair_kinds; ++kind) {
         NarrowList& list = s.narrow.lists[std::size_t(kind)];
-        list.outcomes.resize(list.contacts.size());
-        s.crew->for_chunks(int(list.contacts.size()), PairBatch::capacity, [&](int begin, int end, int thread) {
+        s.crew->for_chunks(int(list.places.size()), PairBatch::capacity, [&](int begin, int end, int thread) {
             test_pairs(s, kind, begin, end, s.narrow.at_work[std::size_t(thread)], dt);
         });
     }
-    for (const NarrowList& list : s.narrow.lists)
-        for (std::size_t i = 0; i < list.contacts.size(); ++i)
-            follow_up(s, list.contacts[i], Outcome(list.outcomes[i]), dt);
+    for (std::size_t k = 0; k < s.narrow.candidates.size(); ++k)
+        follow_up(s, s.narrow.candidates[k], s.narrow.outcomes[k], dt);
     // Islands that were woken just now: nothing in them has moved, their records still hold.
     for (const std::int32_t key : s.waking)
         s.broad_phase.for_each_sleeping_pair(std::uint32_t(key), [&](std::uint32_t, std::uint32_t, std::uint32_t id) {

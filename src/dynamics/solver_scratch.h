@@ -25,10 +25,9 @@ struct NarrowBatch {
     Manifold manifolds[PairBatch::capacity];
 };
 
-// Contacts of one PairKind to be tested, and what came out.
+// Pairs of one PairKind to be tested: their places among NarrowScratch::candidates.
 struct NarrowList {
-    std::vector<std::uint32_t> contacts;
-    std::vector<std::uint8_t> outcomes;
+    std::vector<std::uint32_t> places;
 };
 
 struct NarrowScratch {
@@ -38,8 +37,8 @@ struct NarrowScratch {
     std::vector<std::int32_t> whirling;    // bodies that turn far in a step and have unequal moments of inertia
     std::vector<std::uint32_t> skipped;    // contacts of sleeping bodies with kinematic ones at rest
     std::vector<std::uint8_t> changes;     // by contact, of those that were solved: began or ceased to touch
-    std::vector<std::uint32_t> candidates; // contacts of all pairs
-    std::vector<std::uint8_t> tasks;       // what to do with each
+    std::vector<std::uint32_t> candidates; // contacts of all pairs, those of neighbors near each other
+    std::vector<std::uint8_t> outcomes;    // of each: what is to be done, what has come out (contacts.cpp)
 };
 
 // Blocks of one size, side by side.
