@@ -108,6 +108,7 @@ void fill_row(State& s, BinScratch& scratch, std::size_t row, std::uint64_t& cla
     if (is_dynamic && clamp_velocity(s.settings, motion.v, motion.w)) ++clamped_speeds;
     scratch.velocity[row] = scratch.reference[row] = to_row(motion.v, motion.w);
     if (!is_dynamic) return;
+    scratch.row_traits[row] = row_traits(s, b);
     const BodyMass& mass = s.mass[std::size_t(b)];
     const math::Sym3 i = contact_inverse_inertia(motion, mass);
     scratch.inertia[row] = {mass.inverse_mass, i.xx, i.xy, i.xz, i.yy, i.yz, i.zz, 0};
@@ -123,6 +124,7 @@ void fill_rows(State& s, BinScratch& scratch, Crew* crew) {
     scratch.rounding.assign(all, {});
     scratch.pose.assign(all, {{0, 0, 0}, 0, {0, 0, 0, 1}});
     scratch.inertia.assign(all, {});
+    scratch.row_traits.assign(rows, 0);
     std::atomic<std::uint64_t> clamped_speeds = 0;
     for_chunks(crew, int(rows), rows_per_chunk, [&](int begin, int end, int) {
         std::uint64_t clamped = 0;
@@ -169,7 +171,7 @@ void fill_bin(State& s, const Bin& bin, BinScratch& scratch, Crew* crew) {
     fill_rows(s, scratch, crew);
 }
 
-void empty_bin(State& s, BinScratch& scratch, Crew* crew, float dt, bool is_last_pass) {
+void empty_bin(State& s, BinScratch& scratch, Crew* crew, float dt) {
     std::vector<BinScratch>& threads = s.solver.at_work;
     const int rows = int(scratch.row_count());
     for_chunks(crew, rows, rows_per_chunk, [&](int begin, int end, int thread) {
@@ -180,7 +182,7 @@ void empty_bin(State& s, BinScratch& scratch, Crew* crew, float dt, bool is_last
             scratch.row_of_body[std::size_t(b)] = none;
             if (!s.is_dynamic(b)) continue;
             own.clamped_speeds += scatter_body(s, scratch, b, std::size_t(row));
-            finalize_body(s, b, dt, is_last_pass, own.escaped);
+            finalize_body(s, b, dt, own.escaped);
         }
     });
     for_chunks(crew, int(scratch.free_bodies.size()), rows_per_chunk, [&](int begin, int end, int thread) {
@@ -188,7 +190,7 @@ void empty_bin(State& s, BinScratch& scratch, Crew* crew, float dt, bool is_last
         for (int k = begin; k < end; ++k) {
             const std::int32_t b = scratch.free_bodies[std::size_t(k)];
             own.clamped_speeds += move_free_body(s, b, dt);
-            finalize_body(s, b, dt, is_last_pass, own.escaped);
+            finalize_body(s, b, dt, own.escaped);
         }
     });
 }

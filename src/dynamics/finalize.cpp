@@ -32,7 +32,7 @@ void move_shapes(State& s, std::int32_t b, float dt) {
 
 } // namespace
 
-void finalize_body(State& s, std::int32_t b, float dt, bool is_last_pass, std::vector<EscapedShape>& escaped) {
+void finalize_body(State& s, std::int32_t b, float dt, std::vector<EscapedShape>& escaped) {
     const BodyMotion& motion = s.motion[std::size_t(b)];
     const math::Vec3 displacement = dt * motion.v;
     place_each_shape(s, b, [&](std::uint32_t shape, const math::Mat3& rotation) { // none of them a plane: it is dynamic
@@ -42,7 +42,6 @@ void finalize_body(State& s, std::int32_t b, float dt, bool is_last_pass, std::v
     BodyLinks& links = s.bodies[std::size_t(b)];
     const float speed = math::length(motion.v) + math::length(motion.w) * links.radius;
     links.quiet_time = speed < s.settings.sleep_speed ? links.quiet_time + dt : 0;
-    if (is_last_pass) s.forces[std::size_t(b)] = {}; // they act for one step
 }
 
 void finalize_kinematics(State& s, float dt) {

@@ -7,7 +7,7 @@ namespace cairn {
 
 // One dynamic body; others may be at work on other bodies. Shapes that have left their fat boxes go to `escaped`: the
 // broad phase is told later.
-void finalize_body(State& state, std::int32_t body, float dt, bool is_last_pass, std::vector<EscapedShape>& escaped);
+void finalize_body(State& state, std::int32_t body, float dt, std::vector<EscapedShape>& escaped);
 
 // Kinematic bodies.
 void finalize_kinematics(State& state, float dt);

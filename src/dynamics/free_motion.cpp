@@ -193,7 +193,7 @@ Increment gyroscopic_increment(const State& s, const Spin& spin, const DQuat& q,
 
 // The torque alone.
 Increment torque_increment(const State& s, std::int32_t b, const Spin& spin, const DQuat& q, double h) {
-    if (!s.forces[std::size_t(b)].any) return {};
+    if (!s.is_pushed(b)) return {};
     return translate(s.settings.integrator,
                      h * spin.to_world(q, spin.inverse_moments, s.forces[std::size_t(b)].torque));
 }
@@ -240,28 +240,18 @@ math::DSym3 inverse(const math::DSym3& m) {
 bool kernel_spins(const State& s, std::int32_t b) {
     const BodyMass& mass = s.mass[std::size_t(b)];
     const math::Vec3& i = mass.inertia;
-    return s.settings.integrator != Integrator::explicit_euler && !s.forces[std::size_t(b)].any &&
-           mass.inverse_inertia.x > 0 && mass.inverse_inertia.y > 0 && mass.inverse_inertia.z > 0 &&
+    return s.settings.integrator != Integrator::explicit_euler && !s.is_pushed(b) && mass.inverse_inertia.x > 0 &&
+           mass.inverse_inertia.y > 0 && mass.inverse_inertia.z > 0 &&
            std::min({i.x, i.y, i.z}) > least_contact_moment * std::max({i.x, i.y, i.z});
 }
 
-int spin_block_count(const BinScratch& scratch) { return int((scratch.spin_count + 7) / 8); }
+int spin_block_count(const BinScratch& scratch) { return int((scratch.spin_rows.size() + 7) / 8); }
 
-void add_spin_lane(const State& s, BinScratch& scratch, std::size_t row) {
-    const std::size_t lane = scratch.spin_count++ % 8;
-    if (lane == 0) {
-        if (scratch.spin_blocks.size() * 8 < scratch.spin_count) scratch.spin_blocks.emplace_back();
-        const std::uint32_t discard =
-            (std::uint32_t(scratch.first_discard_row()) + std::uint32_t(scratch.spin_count / 8)) * row_bytes;
-        SpinBlock& fresh = scratch.spin_blocks[scratch.spin_count / 8];
-        fresh = {};
-        for (int i = 0; i < 8; ++i) fresh.row[i] = discard, fresh.axes[3][i] = 1;
-    }
-    SpinBlock& block = scratch.spin_blocks[(scratch.spin_count - 1) / 8];
-    const std::size_t b = std::size_t(scratch.row_bodies[row]);
+void fill_spin_lane(const State& s, const BinScratch& scratch, std::int32_t row, SpinBlock& block, std::size_t lane) {
+    const std::size_t b = std::size_t(scratch.row_bodies[std::size_t(row)]);
     const BodyMass& mass = s.mass[b];
     const math::Quat axes = math::to_float(math::normalized(s.motion[b].q * math::to_double(mass.principal)));
-    const SolverInertia& i = scratch.inertia[row];
+    const SolverInertia& i = scratch.inertia[std::size_t(row)];
     const math::DSym3 c = inverse({i.xx, i.xy, i.xz, i.yy, i.yz, i.zz});
     const float q[4] = {axes.x, axes.y, axes.z, axes.w};
     const double inertia[6] = {c.xx, c.xy, c.xz, c.yy, c.yz, c.zz};
@@ -272,6 +262,22 @@ void add_spin_lane(const State& s, BinScratch& scratch, std::size_t row) {
     for (int k = 0; k < 6; ++k) block.contact_inertia[k][lane] = float(inertia[k]);
 }
 
+void fill_spin_blocks(const State& s, BinScratch& scratch, Crew* crew) {
+    const int blocks = spin_block_count(scratch);
+    if (scratch.spin_blocks.size() < std::size_t(blocks)) scratch.spin_blocks.resize(std::size_t(blocks));
+    for_chunks(crew, blocks, spin_blocks_per_chunk, [&](int begin, int end, int) {
+        for (int k = begin; k < end; ++k) {
+            SpinBlock& block = scratch.spin_blocks[std::size_t(k)] = {};
+            const std::uint32_t discard = std::uint32_t(scratch.first_discard_row() + k) * row_bytes;
+            for (std::size_t lane = 0; lane < 8; ++lane) {
+                const std::size_t at = std::size_t(k) * 8 + lane;
+                block.row[lane] = discard, block.axes[3][lane] = 1;
+                if (at < scratch.spin_rows.size()) fill_spin_lane(s, scratch, scratch.spin_rows[at], block, lane);
+            }
+        }
+    });
+}
+
 // The factor exp(-c h) for a damping rate c: one over the first terms of exp(c h), so it never changes sign.
 float damping_factor(float rate, float h) {
     const float x = rate * h;
@@ -280,16 +286,10 @@ float damping_factor(float rate, float h) {
 
 void prepare_damping(const State& s, BinScratch& scratch, float h) {
     scratch.damping.clear();
-    bool any = false;
-    for (const std::int32_t b : scratch.row_bodies)
-        any |= b != none && (s.body_settings[std::size_t(b)].linear_damping > 0 ||
-                             s.body_settings[std::size_t(b)].angular_damping > 0);
-    if (!any) return;
-    scratch.damping.assign(scratch.velocity.size(), {{1, 1, 1}, 1, {1, 1, 1}, 1});
-    for (std::size_t row = 0; row < scratch.row_bodies.size(); ++row) {
-        const std::int32_t b = scratch.row_bodies[row];
-        if (b == none || !s.is_dynamic(b)) continue;
-        const BodySettings& settings = s.body_settings[std::size_t(b)];
+    for (std::size_t row = 0; row < scratch.row_traits.size(); ++row) {
+        if (!(scratch.row_traits[row] & is_damped)) continue;
+        if (scratch.damping.empty()) scratch.damping.assign(scratch.velocity.size(), {{1, 1, 1}, 1, {1, 1, 1}, 1});
+        const BodySettings& settings = s.body_settings[std::size_t(scratch.row_bodies[row])];
         const float linear = damping_factor(settings.linear_damping, h),
                     angular = damping_factor(settings.angular_damping, h);
         put(scratch.damping[row].v, {linear, linear, linear});
@@ -326,42 +326,50 @@ DVec3 field_acceleration(const State& s, DVec3 x, float gravity_scale, double in
     return a;
 }
 
-void prepare_free_motion(const State& s, BinScratch& scratch, Crew* crew, float h, bool corrects) {
+std::uint8_t row_traits(const State& s, std::int32_t b) {
+    const BodySettings& settings = s.body_settings[std::size_t(b)];
+    const BodyMass& mass = s.mass[std::size_t(b)];
+    int traits = is_dynamic_row;
+    if (mass.inverse_mass > 0 && settings.gravity_scale == 1.0f && !s.is_pushed(b)) traits |= falls_plainly;
+    if (settings.linear_damping > 0 || settings.angular_damping > 0) traits |= is_damped;
+    if (!mass.isotropic) traits |= kernel_spins(s, b) ? spins_wide : spins_alone;
+    return std::uint8_t(traits);
+}
+
+void prepare_free_motion(const State& s, BinScratch& scratch, Crew* crew, float h, bool bounces) {
     const std::size_t rows = scratch.row_bodies.size(), all = scratch.velocity.size();
     scratch.drive.assign(all, {});
     scratch.spinning_rows.clear();
-    scratch.spin_count = 0;
+    scratch.spin_rows.clear();
     scratch.free_correction.clear();
     scratch.drive_varies = fields_vary(s);
+    scratch.bounces = bounces;
     prepare_damping(s, scratch, h);
     for (std::size_t row = 0; row < rows; ++row) {
-        const std::int32_t b = scratch.row_bodies[row];
-        if (b == none || !s.is_dynamic(b) || s.mass[std::size_t(b)].isotropic) continue;
-        if (kernel_spins(s, b))
-            add_spin_lane(s, scratch, row);
-        else
-            scratch.spinning_rows.push_back({std::int32_t(row), false, {}, {}});
+        if (scratch.row_traits[row] & spins_wide) scratch.spin_rows.push_back(std::int32_t(row));
+        if (scratch.row_traits[row] & spins_alone) scratch.spinning_rows.push_back({std::int32_t(row), false, {}, {}});
     }
-    if (!scratch.spinning_rows.empty() || scratch.spin_count > 0 || corrects ||
+    fill_spin_blocks(s, scratch, crew);
+    if (!scratch.spinning_rows.empty() || !scratch.spin_rows.empty() || bounces ||
         s.settings.integrator != Integrator::semi_implicit_euler)
         scratch.free_correction.assign(all, {});
-    scratch.correction = scratch.free_correction;
     // Of most bodies.
     const bool only_gravity = !any_field(s);
     const Increment fall = only_gravity ? linear_increment(s, {{}, 1.0f, 0.0f}, {}, {}, h) : Increment{};
     auto drive_row = [&](std::size_t row) {
-        const std::int32_t b = scratch.row_bodies[row];
-        if (b == none || !s.is_dynamic(b)) return;
-        const BodyMotion& motion = s.motion[std::size_t(b)];
-        // What varies is computed at the start of each substep.
-        const BodyMass& mass = s.mass[std::size_t(b)];
-        if (mass.inverse_mass > 0 && !scratch.drive_varies) {
-            const bool falls =
-                only_gravity && !s.forces[std::size_t(b)].any && s.body_settings[std::size_t(b)].gravity_scale == 1.0f;
-            write_linear(s, scratch, row,
-                         falls ? fall : linear_increment(s, load_on(s, b), motion.x, math::to_double(motion.v), h));
+        const std::uint8_t traits = scratch.row_traits[row];
+        if (!(traits & is_dynamic_row)) return;
+        if (only_gravity && (traits & falls_plainly)) {
+            write_linear(s, scratch, row, fall);
+            return;
         }
-        if (mass.isotropic && s.forces[std::size_t(b)].any)
+        // What varies is computed at the start of each substep.
+        const std::int32_t b = scratch.row_bodies[row];
+        const BodyMotion& motion = s.motion[std::size_t(b)];
+        const BodyMass& mass = s.mass[std::size_t(b)];
+        if (mass.inverse_mass > 0 && !scratch.drive_varies)
+            write_linear(s, scratch, row, linear_increment(s, load_on(s, b), motion.x, math::to_double(motion.v), h));
+        if (mass.isotropic && s.is_pushed(b))
             write_angular(s, scratch, row, torque_increment(s, b, spin_of(mass), motion.q, h));
     };
     for_chunks(crew, int(rows), rows_per_chunk, [&](int begin, int end, int) {
@@ -380,20 +388,21 @@ void update_free_motion(const State& s, BinScratch& scratch, Crew* crew, const S
                          linear_increment(s, load_on(s, b), x, row_vector(scratch.velocity[row].v), h));
         }
     for (SpinningRow& row : scratch.spinning_rows) spin_row(s, scratch, row, h);
-    if (scratch.spin_count > 0)
+    if (!scratch.spin_rows.empty())
         for_chunks(crew, spin_block_count(scratch), spin_blocks_per_chunk, [&](int begin, int end, int) {
             kernels().solver.spin(scratch.spin_blocks.data() + begin, end - begin, bodies, scratch.drive.data(),
                                   scratch.free_correction.data(), h, first);
         });
-    scratch.correction = scratch.free_correction;
+    if (scratch.bounces) scratch.correction = scratch.free_correction;
 }
 
 void turn_spinning_rows(const State& s, BinScratch& scratch, float h) {
     for (const SpinningRow& r : scratch.spinning_rows) {
         if (!r.turns) continue;
         const std::size_t row = std::size_t(r.row);
-        const DVec3 contacts = (row_vector(scratch.velocity[row].w) - r.free_w) +
-                               (row_vector(scratch.correction[row].w) - row_vector(scratch.free_correction[row].w));
+        DVec3 contacts = row_vector(scratch.velocity[row].w) - r.free_w;
+        if (scratch.bounces)
+            contacts += row_vector(scratch.correction[row].w) - row_vector(scratch.free_correction[row].w);
         const DQuat start = s.motion[std::size_t(scratch.row_bodies[row])].q;
         const math::Quat turn =
             math::to_float(math::normalized(turned_by(double(h) * contacts, r.end) * math::conjugate(start)));

@@ -113,6 +113,8 @@ void bounce_all(BinScratch& scratch, Crew* crew, const SolverBodies& bodies, con
 }
 
 SolverBodies bodies_of(BinScratch& scratch) {
+    SolverTwist* const free = scratch.free_correction.empty() ? nullptr : scratch.free_correction.data();
+    SolverTwist* const correction = scratch.bounces ? scratch.correction.data() : free;
     return {scratch.velocity.data(),
             scratch.reference.data(),
             scratch.rounding.data(),
@@ -120,7 +122,7 @@ SolverBodies bodies_of(BinScratch& scratch) {
             scratch.inertia.data(),
             scratch.drive.data(),
             scratch.damping.empty() ? nullptr : scratch.damping.data(),
-            scratch.correction.empty() ? nullptr : scratch.correction.data()};
+            correction};
 }
 
 void run_substeps(const State& s, const Bin& bin, BinScratch& scratch, Crew* crew, float dt) {
@@ -160,7 +162,7 @@ double milliseconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-void solve_bin(State& s, const Bin& bin, BinScratch& scratch, Crew* crew, float dt, bool is_last_pass) {
+void solve_bin(State& s, const Bin& bin, BinScratch& scratch, Crew* crew, float dt) {
     const auto start = std::chrono::steady_clock::now();
     fill_bin(s, bin, scratch, crew);
     if (bin.contact_count > 0) {
@@ -179,7 +181,7 @@ void solve_bin(State& s, const Bin& bin, BinScratch& scratch, Crew* crew, float 
         });
         scratch.solve_ms += milliseconds_since(start) - prepare_ms;
     }
-    empty_bin(s, scratch, crew, dt, is_last_pass);
+    empty_bin(s, scratch, crew, dt);
 }
 
 // Those that are so large that one thread would keep the others waiting.
@@ -223,7 +225,7 @@ void collect(State& s) {
 
 } // namespace
 
-void solve_bins(State& s, float dt, bool is_last_pass) {
+void solve_bins(State& s, float dt) {
     SolverScratch& scratch = s.solver;
     Crew* const crew = s.crew.get();
     const int threads = crew->threads();
@@ -239,11 +241,11 @@ void solve_bins(State& s, float dt, bool is_last_pass) {
             ++s.clamped_speeds;
     share_out_bins(scratch, threads);
     for (const std::int32_t i : scratch.shared)
-        solve_bin(s, scratch.bins[std::size_t(i)], scratch.at_work[0], crew, dt, is_last_pass);
+        solve_bin(s, scratch.bins[std::size_t(i)], scratch.at_work[0], crew, dt);
     for_chunks(crew, int(scratch.alone.size()), 1, [&](int begin, int end, int thread) {
         for (int k = begin; k < end; ++k)
             solve_bin(s, scratch.bins[std::size_t(scratch.alone[std::size_t(k)])], scratch.at_work[std::size_t(thread)],
-                      nullptr, dt, is_last_pass);
+                      nullptr, dt);
     });
     collect(s);
     move_kinematics(s, dt);

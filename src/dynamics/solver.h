@@ -12,20 +12,20 @@ namespace cairn {
 void pack_bins(State& state, float dt);
 
 // Solves all bins: velocities, poses, impulses; moves kinematic bodies. Finalizes all bodies (finalize.h).
-void solve_bins(State& state, float dt, bool is_last_pass);
+void solve_bins(State& state, float dt);
 
 // --- one bin (bin_rows.cpp)
 
 // Lays out the rows and lanes of a bin, and fills them.
 void fill_bin(State& state, const Bin& bin, BinScratch& scratch, Crew* crew);
 // Moves the bodies by what their rows have moved, and finalizes them.
-void empty_bin(State& state, BinScratch& scratch, Crew* crew, float dt, bool is_last_pass);
+void empty_bin(State& state, BinScratch& scratch, Crew* crew, float dt);
 
 // --- free motion (free_motion.cpp); `crew` helps where it is not null
 
-// Fills drive, damping and correction of the bin's rows for substeps of h seconds. `corrects`: there must be
+// Fills drive, damping and correction of the bin's rows for substeps of h seconds. `bounces`: there must be
 // corrections, because something else will add to them.
-void prepare_free_motion(const State& state, BinScratch& scratch, Crew* crew, float h, bool corrects);
+void prepare_free_motion(const State& state, BinScratch& scratch, Crew* crew, float h, bool bounces);
 // At the start of each substep: what of them depends on the pose or the velocity.
 void update_free_motion(const State& state, BinScratch& scratch, Crew* crew, const SolverBodies& bodies, float h,
                         bool first);
@@ -37,6 +37,8 @@ void finish_free_motion(BinScratch& scratch);
 // Contacts on a needle, with a moment a millionth of the others, would spin it up without end in single precision: for
 // them no moment is less than this share of the greatest. (A rod 20 times as long as thick has 0.5 %.)
 inline constexpr float least_contact_moment = 0.005f;
+// What the free motion of a body in contact asks for (RowTrait).
+std::uint8_t row_traits(const State& state, std::int32_t body);
 // A body that nothing touches: a whole step, in double. What the rounding of its velocities leaves over is kept.
 // Returns how often a speed was cut.
 std::uint64_t move_free_body(State& state, std::int32_t body, float dt);

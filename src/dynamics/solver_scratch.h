@@ -91,14 +91,24 @@ struct LaneLists {
     void clear() { record.clear(), row_a.clear(), row_b.clear(); }
 };
 
+// What the free motion of a row's body asks for, besides falling.
+enum RowTrait : std::uint8_t {
+    is_dynamic_row = 1,
+    falls_plainly = 2, // gravity alone, to its full extent
+    is_damped = 4,
+    spins_wide = 8, // unequal moments, turned by the kernel
+    spins_alone = 16,
+};
+
 // The bin that a thread has at work.
 struct BinScratch {
     std::vector<std::int32_t> row_of_body;                  // none: in no row
     std::vector<std::int32_t> row_bodies;                   // body of each row; none for fixed and padding
+    std::vector<std::uint8_t> row_traits;                   // RowTrait
     std::vector<std::int32_t> touching_bodies, free_bodies; // of the islands: with and without a contact
     std::vector<SpinningRow> spinning_rows;
-    std::vector<SpinBlock> spin_blocks; // those that the kernel turns
-    std::size_t spin_count = 0;         // lanes in them
+    std::vector<SpinBlock> spin_blocks;  // those that the kernel turns
+    std::vector<std::int32_t> spin_rows; // of their lanes
     // Rows, then the discard rows: one for each block.
     std::vector<SolverVelocity> velocity, reference, rounding;
     std::vector<SolverPose> pose;
@@ -109,6 +119,7 @@ struct BinScratch {
     std::vector<ContactBlock<4>> four_blocks;
     std::vector<ColorRun> colors;
     bool drive_varies = false; // forces depend on the position
+    bool bounces = false;      // `correction` is another than `free_correction`
 
     std::vector<EscapedShape> escaped; // of all bins of the thread
     std::uint64_t clamped_speeds = 0;

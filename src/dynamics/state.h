@@ -144,6 +144,7 @@ struct State {
     std::vector<BodyMass> mass;
     std::vector<BodySettings> body_settings;
     std::vector<BodyForces> forces;
+    std::vector<std::int32_t> pushed; // bodies with any
     std::vector<BodyLinks> bodies;
     std::vector<RestingPose> resting;
     std::vector<std::uint64_t> left_at;   // the pass before which a body was last seen away from its resting pose
@@ -196,6 +197,7 @@ struct State {
     }
     // Of the given number in a step, how many a pass takes.
     int in_pass(int substeps) const { return (substeps + split - 1) / split; }
+    bool is_pushed(std::int32_t body) const { return !pushed.empty() && forces[std::size_t(body)].any; }
     bool is_dynamic(std::int32_t body) const { return body_settings[std::size_t(body)].type == BodyType::dynamic; }
     bool is_awake(std::int32_t body) const {
         const std::int32_t island = bodies[std::size_t(body)].island;

@@ -28,6 +28,13 @@ struct Access {
 void require_dynamic(const Access& a, const char* call) {
     if (!a.s.is_dynamic(a.index())) throw Error(ErrorCode::wrong_state, call, "", "the body must be dynamic");
 }
+// What pushes a body in the next step.
+BodyForces& pushed(const Access& a) {
+    BodyForces& forces = a.s.forces[a.b];
+    if (!forces.any) a.s.pushed.push_back(a.index());
+    forces.any = 1;
+    return forces;
+}
 void require_moving(const Access& a, const char* call) {
     if (a.s.body_settings[a.b].type == BodyType::static_)
         throw Error(ErrorCode::wrong_state, call, "", "a static body has no velocity");
@@ -306,8 +313,7 @@ void Body::add_force(const Vec3& force) {
     CAIRN_CHANGE("Body::add_force");
     require_finite("Body::add_force force", force);
     require_dynamic(a, "Body::add_force");
-    s.forces[a.b].force += math::to_double(to_math(force));
-    s.forces[a.b].any = 1;
+    pushed(a).force += math::to_double(to_math(force));
     wake_body(s, a.index());
 }
 void Body::add_force_at(const Vec3& force, const Position& point) {
@@ -316,17 +322,15 @@ void Body::add_force_at(const Vec3& force, const Position& point) {
     require_position("Body::add_force_at point", point);
     require_dynamic(a, "Body::add_force_at");
     const math::DVec3 f = math::to_double(to_math(force));
-    s.forces[a.b].force += f;
-    s.forces[a.b].torque += math::cross(to_math(point) - a.motion().x, f);
-    s.forces[a.b].any = 1;
+    pushed(a).force += f;
+    pushed(a).torque += math::cross(to_math(point) - a.motion().x, f);
     wake_body(s, a.index());
 }
 void Body::add_torque(const Vec3& torque) {
     CAIRN_CHANGE("Body::add_torque");
     require_finite("Body::add_torque torque", torque);
     require_dynamic(a, "Body::add_torque");
-    s.forces[a.b].torque += math::to_double(to_math(torque));
-    s.forces[a.b].any = 1;
+    pushed(a).torque += math::to_double(to_math(torque));
     wake_body(s, a.index());
 }
 void Body::apply_impulse(const Vec3& impulse) {

@@ -22,7 +22,8 @@ std::uint64_t layout() {
 template <class Archive> void serialize_state(Archive& archive, State& s) {
     archive(s.world_id), archive(s.settings), archive(s.steps), archive(s.passes), archive(s.time);
     s.body_slots.serialize(archive);
-    archive(s.motion), archive(s.mass), archive(s.body_settings), archive(s.forces), archive(s.bodies);
+    archive(s.motion), archive(s.mass), archive(s.body_settings), archive(s.forces), archive(s.bodies),
+        archive(s.pushed);
     archive(s.resting), archive(s.left_at), archive(s.kinematics);
     s.shape_slots.serialize(archive);
     archive(s.geometry), archive(s.shape_poses), archive(s.shapes), archive(s.materials);

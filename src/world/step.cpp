@@ -76,7 +76,7 @@ void World::step(float dt) {
         const float pass_dt = dt / float(passes);
         pack_bins(state, pass_dt);
         times.islands += clock.lap();
-        solve_bins(state, pass_dt, pass + 1 == passes);
+        solve_bins(state, pass_dt);
         const double solve = clock.lap(), prepare = state.solver.prepare_share * solve;
         times.prepare += prepare;
         times.solve += solve - prepare;
@@ -87,6 +87,8 @@ void World::step(float dt) {
         times.finalize += clock.lap();
     }
     state.split = 1;
+    for (const std::int32_t b : state.pushed) state.forces[std::size_t(b)] = {}; // they act for one step
+    state.pushed.clear();
     state.ends.swap(state.next_ends);
     state.next_ends.clear();
     state.sleeps.swap(state.next_sleeps);
