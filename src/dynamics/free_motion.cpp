@@ -353,6 +353,7 @@ void prepare_free_motion(const State& s, BinScratch& scratch, Crew* crew, float 
     if (!scratch.spinning_rows.empty() || !scratch.spin_rows.empty() || bounces ||
         s.settings.integrator != Integrator::semi_implicit_euler)
         scratch.free_correction.assign(all, {});
+    if (bounces) scratch.correction.resize(all); // filled in each substep
     // Of most bodies.
     const bool only_gravity = !any_field(s);
     const Increment fall = only_gravity ? linear_increment(s, {{}, 1.0f, 0.0f}, {}, {}, h) : Increment{};

@@ -157,6 +157,7 @@ BodyId World::create_body(const BodyDef& def) {
         make_room(impl_->user_data, b);
     s.bodies[b] = {};
     s.forces[b] = {};
+    s.pushed.reserve(s.forces.capacity()); // pushing allocates nothing
     s.resting[b] = {};
     s.left_at[b] = s.passes + 1;
     s.mass[b] = {};

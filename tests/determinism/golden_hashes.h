@@ -7,13 +7,13 @@
 
 namespace cairn_test::golden {
 
-inline constexpr std::uint64_t mixed_pile = 0xc14face7e81cfdb3;
-inline constexpr std::uint64_t pyramid = 0xd78f4b6bee42c8e5;
-inline constexpr std::uint64_t dominoes = 0x121d1c3c291b6c36;
-inline constexpr std::uint64_t materials = 0x52581e8e2998f5a1;
-inline constexpr std::uint64_t tumbler = 0x59ca7ea058309f70;
-inline constexpr std::uint64_t sleep_and_wake = 0x3d73d262f12fda8d;
-inline constexpr std::uint64_t compounds = 0x5f4fc771a3284ff9;
-inline constexpr std::uint64_t free_tops = 0xf0e511b376c7f6cf;
+inline constexpr std::uint64_t mixed_pile = 0x7e107eff26676756;
+inline constexpr std::uint64_t pyramid = 0xe3660f19c2a3abab;
+inline constexpr std::uint64_t dominoes = 0xe77695fc42455b09;
+inline constexpr std::uint64_t materials = 0x42380649b4fb1333;
+inline constexpr std::uint64_t tumbler = 0x15355198e2b4bba5;
+inline constexpr std::uint64_t sleep_and_wake = 0x9c8824115a697d0e;
+inline constexpr std::uint64_t compounds = 0x342ec2febfe087c4;
+inline constexpr std::uint64_t free_tops = 0x0b19c28a9a0b95e3;
 
 } // namespace cairn_test::golden

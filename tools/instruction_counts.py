@@ -1,0 +1,66 @@
+#!/usr/bin/env python3
+"""Counts the instructions of World::step in short runs of shipped scenes, and compares them with the recorded figures.
+
+Unlike times, counts repeat on any machine with the same compiler, so that a change that makes the step slower shows at
+once. Usage: instruction_counts.py CAIRN [--renew]
+Exit codes: 0 none has grown by more than 5 %; 1 one has, or there is an error; 77 this processor has no AVX2.
+"""
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+RECORDED = ROOT / "bench" / "instruction_counts.json"
+SCENES = {"07_pyramid": 60, "13_pile": 150, "14_avalanche": 90}  # steps
+MOST_GROWTH = 0.05
+NO_AVX2 = 77
+
+
+def count(cairn, scene, steps):
+    """Instructions of all steps together."""
+    with tempfile.TemporaryDirectory() as folder:
+        command = ["valgrind", "--tool=callgrind", "--collect-atstart=no", "--toggle-collect=cairn::World::step(float)",
+                   f"--callgrind-out-file={folder}/out", str(cairn), "run", str(ROOT / "scenes" / f"{scene}.gltf"),
+                   "--frames", str(steps), "--threads", "1"]
+        done = subprocess.run(command, capture_output=True, text=True, env={**os.environ, "CAIRN_ISA": "avx2"})
+        found = re.search(r"Collected : (\d+)", done.stderr)
+        if done.returncode != 0 or not found or int(found[1]) == 0:
+            raise RuntimeError(f"{' '.join(command)}\nended with {done.returncode}:\n{done.stdout}{done.stderr}")
+        return int(found[1])
+
+
+def main():
+    arguments = [a for a in sys.argv[1:] if a != "--renew"]
+    if len(arguments) != 1:
+        sys.exit(__doc__)
+    if "avx2" not in Path("/proc/cpuinfo").read_text(encoding="ascii").split():
+        print("this processor has no AVX2: nothing counted")
+        return NO_AVX2
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        counts = dict(zip(SCENES, pool.map(lambda scene: count(arguments[0], scene, SCENES[scene]), SCENES)))
+    if "--renew" in sys.argv:
+        RECORDED.write_text(json.dumps(counts, indent=4) + "\n", encoding="ascii")
+    recorded = json.loads(RECORDED.read_text(encoding="ascii"))
+    grown = []
+    print(f"{'scene':<14}{'steps':>6}{'recorded':>15}{'now':>15}{'change':>9}")
+    for scene, now in counts.items():
+        change = now / recorded[scene] - 1
+        print(f"{scene:<14}{SCENES[scene]:>6}{recorded[scene]:>15,}{now:>15,}{change:>+9.1%}")
+        if change > MOST_GROWTH:
+            grown.append(scene)
+    if grown:
+        print(f"more than {MOST_GROWTH:.0%} more instructions: {', '.join(grown)}. If that is meant, renew the figures "
+              f"({RECORDED.relative_to(ROOT)}) with ./dev bench --quick --renew and say why in the commit.")
+    return 1 if grown else 0
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except (OSError, RuntimeError, KeyError) as error:
+        sys.exit(f"instruction_counts.py: {error}")
