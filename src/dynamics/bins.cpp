@@ -65,8 +65,10 @@ void collect_contacts(State& s) {
 void pack_bins(State& s, float dt) {
     SolverScratch& scratch = s.solver;
     scratch.bins.clear();
-    scratch.contacts_of_island.assign(s.islands.size(), 0);
-    scratch.bin_of_island.assign(s.islands.size(), none);
+    // Of awake islands only: there may be many more that sleep.
+    scratch.contacts_of_island.resize(s.islands.size());
+    scratch.bin_of_island.resize(s.islands.size());
+    for (const std::int32_t i : s.awake_islands) scratch.contacts_of_island[std::size_t(i)] = 0;
     collect_contacts(s);
     for (const SortedContact& c : scratch.unsorted) ++scratch.contacts_of_island[std::size_t(c.island)];
 
