@@ -60,5 +60,8 @@ EngineKind cairn_engine();
 #ifdef CAIRN_BENCH_BULLET
 EngineKind bullet_engine();
 #endif
+#ifdef CAIRN_BENCH_ODE
+EngineKind ode_engine();
+#endif
 
 } // namespace cairn::bench

@@ -23,7 +23,21 @@ std::vector<EngineKind> engine_kinds() {
 #ifdef CAIRN_BENCH_BULLET
     kinds.push_back(cairn::bench::bullet_engine());
 #endif
+#ifdef CAIRN_BENCH_ODE
+    kinds.push_back(cairn::bench::ode_engine());
+#endif
     return kinds;
+}
+
+std::vector<std::string> missing_peers() {
+    std::vector<std::string> names;
+#ifndef CAIRN_BENCH_BULLET
+    names.emplace_back("Bullet");
+#endif
+#ifndef CAIRN_BENCH_ODE
+    names.emplace_back("ODE");
+#endif
+    return names;
 }
 
 struct Options {
@@ -77,9 +91,8 @@ std::string listing() {
                             kind.default_size);
     text += "Engines\n";
     for (const EngineKind& kind : engine_kinds()) text += fmt::format("  {:<14} {}\n", kind.name, kind.version);
-#ifndef CAIRN_BENCH_BULLET
-    text += "  (built without Bullet, which was not found)\n";
-#endif
+    for (const std::string& peer : missing_peers())
+        text += fmt::format("  (built without {}, which was not found)\n", peer);
     return text;
 }
 
@@ -99,9 +112,7 @@ int run(Options& options) {
     for (const std::string& name : options.engines)
         for (const EngineKind& kind : engine_kinds())
             if (kind.name == name) options.measure.engines.push_back(kind);
-#ifndef CAIRN_BENCH_BULLET
-    fmt::print(stderr, "built without Bullet, which was not found: Cairn is measured alone\n");
-#endif
+    for (const std::string& peer : missing_peers()) fmt::print(stderr, "built without {}, which was not found\n", peer);
     const auto results =
         cairn::bench::measure(options.measure, [](const std::string& line) { fmt::print(stderr, "{}\n", line); });
     const std::string text = options.json ? cairn::bench::to_json(results) : cairn::bench::to_tables(results);
