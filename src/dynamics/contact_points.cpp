@@ -27,7 +27,7 @@ void match_points(const OldPoints& old, float tolerance, int count, ContactRecor
     const float limit = tolerance * tolerance;
     unsigned taken = 0, unmatched = 0;
     auto square_distance = [&](int i, int k) {
-        const math::Vec3 e = to_vec(r.points[i]) - old.arm[k];
+        const math::Vec3 e = to_vec(point_of(r, i)) - old.arm[k];
         return math::dot(e, e);
     };
     for (int i = 0; i < count; ++i) {
@@ -70,7 +70,7 @@ OldPoints old_points(const ContactRecord& r, int count, math::Quat turned) {
     old.friction = to_vec(r.friction_impulse);
     old.torsion = r.torsion_impulse;
     for (int k = 0; k < count; ++k) {
-        old.arm[k] = math::rotate(turned, to_vec(r.points[k]));
+        old.arm[k] = math::rotate(turned, to_vec(point_of(r, k)));
         old.impulse[k] = r.impulses[k];
     }
     return old;
@@ -87,12 +87,12 @@ void store4(float* p, Float4 v) { std::memcpy(p, &v, sizeof(v)); }
 
 // Whether each point is where the old one of the same number is, in A's frame: then all impulses stay as they are.
 // That is the common case, and this its short way.
-bool points_stay(const ContactRecord& r, const Float4* points, const math::Mat3& turned, float tolerance) {
+bool points_stay(const ContactRecord& r, const Float4* points, int count, const math::Mat3& turned, float tolerance) {
     const Float4 x = {turned.c0.x, turned.c0.y, turned.c0.z}, y = {turned.c1.x, turned.c1.y, turned.c1.z},
                  z = {turned.c2.x, turned.c2.y, turned.c2.z};
     float greatest = 0;
-    for (int i = 0; i < 4; ++i) {
-        const float* old = r.points[i];
+    for (int i = 0; i < count; ++i) {
+        const float* old = point_of(r, i);
         const Float4 difference = points[i] - (old[0] * x + old[1] * y + old[2] * z), square = difference * difference;
         greatest = std::max(greatest, square[0] + square[1] + square[2]);
     }
@@ -107,8 +107,10 @@ float contact_radius(const State& s, std::uint32_t shape, float separation) {
 
 } // namespace
 
-void forget_impulses(ContactRecord& r) {
-    for (int i = 0; i < 4; ++i) r.impulses[i] = r.total_impulses[i] = 0;
+void forget_impulses(ContactRecord& r, int count) {
+    for (int i = 0; i < 4; ++i) r.impulses[i] = 0;
+    r.first_total = 0;
+    if (count > 1) put(r.more_totals, {});
     put(r.friction_impulse, {});
     put(r.total_friction, {});
     r.torsion_impulse = 0;
@@ -124,22 +126,24 @@ void write_record(State& s, std::uint32_t id, const Manifold& m) {
         normal = -normal;
     }
     Float4 points[4];
-    for (int i = 0; i < 4; ++i)
+    const int kept = m.count == 1 ? 1 : 4;
+    for (int i = 0; i < kept; ++i)
         points[i] = i < m.count ? load4(m.points[i]) + Float4{offset.x, offset.y, offset.z} : Float4{0, 0, 0, unused};
     const math::Quat turned = s.motion[std::size_t(c.body_a)].turned;
-    const bool stay = m.count == c.point_count && points_stay(r, points, math::to_matrix(turned), c.match_tolerance);
+    const bool stay =
+        m.count == c.point_count && points_stay(r, points, kept, math::to_matrix(turned), c.match_tolerance);
     OldPoints old;
     if (!stay) old = old_points(r, c.point_count, turned);
     put(r.normal, normal);
     put(r.center_offset, math::to_float(s.motion[std::size_t(c.body_a)].x - s.motion[std::size_t(c.body_b)].x));
-    for (int i = 0; i < 4; ++i) store4(r.points[i], points[i]);
+    for (int i = 0; i < kept; ++i) store4(point_of(r, i), points[i]);
     if (c.kind <= PairKind::sphere_rectangle) {
         r.radius_a = contact_radius(s, c.shape_a, m.points[0][3]);
         r.radius_b = contact_radius(s, c.shape_b, m.points[0][3]);
     }
     c.point_count = std::uint8_t(m.count);
     if (stay) return;
-    forget_impulses(r);
+    forget_impulses(r, m.count);
     if (old.count > 0) match_points(old, c.match_tolerance, m.count, r);
 }
 
@@ -150,11 +154,12 @@ ContactRecord advanced_record(const State& s, std::uint32_t id) {
     const math::Quat qa = s.motion[std::size_t(c.body_a)].turned, qb = s.motion[std::size_t(c.body_b)].turned;
     const math::Vec3 offset = math::to_float(s.motion[std::size_t(c.body_a)].x - s.motion[std::size_t(c.body_b)].x);
     for (int i = 0; i < c.point_count; ++i) {
-        const math::Vec3 arm = to_vec(r.points[i]);
+        float* const point = point_of(r, i);
+        const math::Vec3 arm = to_vec(point);
         const math::Vec3 now_a = math::rotate(qa, arm), now_b = math::rotate(qb, arm + d);
         // Anchors that were one point: how far they have come apart, B's relative to A's.
-        r.points[i][3] += math::dot(n, now_b - offset - now_a);
-        put(r.points[i], 0.5f * (now_a + (now_b - offset))); // midway between the two
+        point[3] += math::dot(n, now_b - offset - now_a);
+        put(point, 0.5f * (now_a + (now_b - offset))); // midway between the two
     }
     put(r.center_offset, offset);
     return r;

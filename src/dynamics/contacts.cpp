@@ -43,7 +43,7 @@ float approach_speed(const State& s, const ContactInfo& c, const ContactRecord& 
     const math::Vec3 n = to_vec(r.normal), d = to_vec(r.center_offset);
     float speed = 0;
     for (int i = 0; i < c.point_count; ++i) {
-        const math::Vec3 arm = to_vec(r.points[i]);
+        const math::Vec3 arm = to_vec(point_of(r, i));
         const math::Vec3 v = (b.v + math::cross(b.w, arm + d)) - (a.v + math::cross(a.w, arm));
         speed = std::max(speed, -math::dot(n, v));
     }
@@ -52,7 +52,7 @@ float approach_speed(const State& s, const ContactInfo& c, const ContactRecord& 
 
 float least_separation(const ContactInfo& c, const ContactRecord& r) {
     float least = unused;
-    for (int i = 0; i < c.point_count; ++i) least = std::min(least, r.points[i][3]);
+    for (int i = 0; i < c.point_count; ++i) least = std::min(least, point_of(r, i)[3]);
     return least;
 }
 
@@ -103,6 +103,8 @@ void test_pairs(State& s, int kind, int begin, int end, NarrowBatch& own, float 
     NarrowList& list = s.narrow.lists[std::size_t(kind)];
     PairBatch& batch = own.pairs;
     const int count = end - begin, padded = (count + 7) & ~7;
+    const bool one_point = kind <= int(PairKind::sphere_rectangle);
+    const std::size_t record_size = one_point ? offsetof(ContactRecord, more_points) : sizeof(ContactRecord);
     const std::uint32_t* places = list.places.data() + begin;
     std::uint32_t ids[PairBatch::capacity];
     for (int i = 0; i < count; ++i) ids[i] = s.narrow.candidates[places[i]];
@@ -120,7 +122,7 @@ void test_pairs(State& s, int kind, int begin, int end, NarrowBatch& own, float 
     for (int i = 0; i < count; ++i) {
         if (i + int(ahead) < count) {
             const char* record = reinterpret_cast<const char*>(&s.records[ids[i + int(ahead)]]);
-            for (std::size_t at = 0; at < sizeof(ContactRecord); at += 64) __builtin_prefetch(record + at);
+            for (std::size_t at = 0; at < record_size; at += 64) __builtin_prefetch(record + at);
         }
         s.narrow.outcomes[places[i]] = take_manifold(s, ids[i], own.manifolds[i]);
     }
@@ -231,9 +233,9 @@ void begin_touch(State& s, std::uint32_t id) {
     if (r.approach_speed < s.settings.hit_speed) return;
     int deepest = 0;
     for (int i = 1; i < c.point_count; ++i)
-        if (r.points[i][3] < r.points[deepest][3]) deepest = i;
+        if (point_of(r, i)[3] < point_of(r, deepest)[3]) deepest = i;
     const ContactRecord now = advanced_record(s, id);
-    const math::DVec3 p = s.motion[std::size_t(c.body_a)].x + math::to_double(to_vec(now.points[deepest]));
+    const math::DVec3 p = s.motion[std::size_t(c.body_a)].x + math::to_double(to_vec(point_of(now, deepest)));
     s.hits.push_back(
         {a, b, body_a, body_b, {p.x, p.y, p.z}, {r.normal[0], r.normal[1], r.normal[2]}, r.approach_speed});
 }
@@ -244,7 +246,7 @@ bool take_report(State& s, const SortedContact& sorted, float dt) {
     ContactInfo& c = s.contacts[sorted.id];
     const ContactReport& report = s.solver.reports[sorted.id];
     // Impulses beyond the range of numbers (of bodies that were stopped for it) must not start the next step.
-    if (!std::isfinite(report.impulse)) forget_impulses(s.records[sorted.id]);
+    if (!std::isfinite(report.impulse)) forget_impulses(s.records[sorted.id], c.point_count);
     const float force = std::isfinite(report.impulse) ? report.impulse / dt : 0;
     note_load(s.islands[std::size_t(sorted.island)], c, force, report.inverse_mass);
     if (!c.touching) return report.separation <= 0 || report.impulse > 0;

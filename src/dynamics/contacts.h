@@ -17,9 +17,15 @@ void report_contacts(State& state, float dt);
 
 // --- one contact (contact_points.cpp)
 
+// Arm and separation of a point; its normal impulse summed over the last step's substeps.
+inline const float* point_of(const ContactRecord& r, int i) { return i == 0 ? r.first_point : r.more_points[i - 1]; }
+inline float* point_of(ContactRecord& r, int i) { return i == 0 ? r.first_point : r.more_points[i - 1]; }
+inline float total_of(const ContactRecord& r, int i) { return i == 0 ? r.first_total : r.more_totals[i - 1]; }
+
 // Writes the record of a contact from the kernel's manifold, which has points. Impulses go on where points stay.
 void write_record(State& state, std::uint32_t contact, const Manifold& manifold);
-void forget_impulses(ContactRecord& record);
+// `count`: how many points it has.
+void forget_impulses(ContactRecord& record, int count);
 // A record that was written at the start of the last step, moved to the poses at its end.
 ContactRecord advanced_record(const State& state, std::uint32_t contact);
 

@@ -10,23 +10,33 @@ namespace {
 constexpr float unused_separation = 1e9f; // points at least this far apart are not there
 constexpr float least_friction_weight = 0.01f;
 alignas(64) const ContactRecord empty_record = {
-    {0, 1, 0},
-    0,
-    {0, 0, 0},
-    0,
-    {{0, 0, 0, 1e30f}, {0, 0, 0, 1e30f}, {0, 0, 0, 1e30f}, {0, 0, 0, 1e30f}},
-    {0, 0, 0, 0},
-    {0, 0, 0},
-    0,
-    {0, 0, 0, 0},
-    0,
-    0,
-    0,
-    0,
-    {0, 0, 0},
-    0,
-    0,
-    0};
+    .normal = {0, 1, 0},
+    .friction = 0,
+    .center_offset = {},
+    .restitution = 0,
+    .first_point = {0, 0, 0, 1e30f},
+    .impulses = {},
+    .friction_impulse = {},
+    .torsion_impulse = 0,
+    .static_friction = 0,
+    .rolling_radius = 0,
+    .torsion_radius = 0,
+    .approach_speed = 0,
+    .total_friction = {},
+    .first_total = 0,
+    .radius_a = 0,
+    .radius_b = 0,
+    .padding = {},
+    .more_points = {{0, 0, 0, 1e30f}, {0, 0, 0, 1e30f}, {0, 0, 0, 1e30f}},
+    .more_totals = {},
+    .more_padding = 0,
+};
+
+// Where a point is in a record.
+CAIRN_INLINE std::size_t point_offset(int i) {
+    return i == 0 ? offsetof(ContactRecord, first_point)
+                  : offsetof(ContactRecord, more_points) + 16 * std::size_t(i - 1);
+}
 
 struct Inertiax8 {
     f32x8 inverse_mass;
@@ -73,7 +83,7 @@ CAIRN_INLINE Vec3x8 prepare_points(ContactBlock<N>& block, const ContactRecord* 
     f32x8 weight_sum = zero();
     for (int i = 0; i < N; ++i) {
         f32x8 s;
-        gather_field(record, offsetof(ContactRecord, points) + 16 * std::size_t(i), r[i].x, r[i].y, r[i].z, s);
+        gather_field(record, point_offset(i), r[i].x, r[i].y, r[i].z, s);
         const mask8 used = s < splat(unused_separation);
         // Points that are further apart than the margin hardly count for the friction center.
         f32x8 weight = clamp(splat(2.0f) - s * splat(1.0f / friction_margin), splat(least_friction_weight), one());
@@ -155,10 +165,11 @@ CAIRN_INLINE void prepare_friction(ContactBlock<N>& block, const ContactRecord* 
 }
 
 // The contacts of one color lie scattered among the records.
-CAIRN_INLINE void prefetch_records(const std::int32_t* ids, const ContactRecord* records) {
+template <int N> CAIRN_INLINE void prefetch_records(const std::int32_t* ids, const ContactRecord* records) {
+    constexpr std::size_t used = N == 1 ? offsetof(ContactRecord, more_points) : sizeof(ContactRecord);
     for (int i = 0; i < 8; ++i) {
         const char* record = reinterpret_cast<const char*>(records + (ids[i] >= 0 ? ids[i] : 0));
-        for (std::size_t at = 0; at < sizeof(ContactRecord); at += 64) __builtin_prefetch(record + at);
+        for (std::size_t at = 0; at < used; at += 64) __builtin_prefetch(record + at);
     }
 }
 
@@ -234,7 +245,7 @@ void prepare_contacts(void* blocks, int count, const ContactLanes& lanes, const 
                       const SolverInertia* inertia, float friction_margin) {
     auto* block = static_cast<ContactBlock<N>*>(blocks);
     for (int k = 0; k < count; ++k) {
-        if (k + 1 < count) prefetch_records(lanes.record + 8 * (k + 1), records);
+        if (k + 1 < count) prefetch_records<N>(lanes.record + 8 * (k + 1), records);
         prepare_block<N>(block[k], lanes.record + 8 * k, lanes.row_a + 8 * k, lanes.row_b + 8 * k, records, inertia,
                          lanes.first_discard + k, friction_margin);
     }
@@ -266,25 +277,23 @@ void store_contacts(const void* blocks, int count, const ContactLanes& lanes, Co
     for (int k = 0; k < count; ++k) {
         const ContactBlock<N>& b = block[k];
         const std::int32_t* ids = lanes.record + 8 * k;
-        float *impulses[8], *friction[8], *totals[8], *total_friction[8];
+        float *impulses[8], *friction[8], *totals[8], *more_totals[8];
         for (int i = 0; i < 8; ++i) {
             impulses[i] = ids[i] >= 0 ? records[ids[i]].impulses : discarded;
             friction[i] = ids[i] >= 0 ? records[ids[i]].friction_impulse : discarded;
-            totals[i] = ids[i] >= 0 ? records[ids[i]].total_impulses : discarded;
-            total_friction[i] = ids[i] >= 0 ? records[ids[i]].total_friction : discarded;
+            totals[i] = ids[i] >= 0 ? records[ids[i]].total_friction : discarded;
+            more_totals[i] = ids[i] >= 0 ? records[ids[i]].more_totals : discarded;
         }
-        f32x8 impulse[4], total[4];
-        for (int i = 0; i < 4; ++i) {
-            impulse[i] = i < N ? load(b.impulse[i < N ? i : 0]) : zero();
-            total[i] = i < N ? load(b.total_impulse[i < N ? i : 0]) : zero();
-        }
+        f32x8 impulse[4];
+        for (int i = 0; i < 4; ++i) impulse[i] = i < N ? load(b.impulse[i < N ? i : 0]) : zero();
         scatter4(impulses, impulse[0], impulse[1], impulse[2], impulse[3]);
-        scatter4(totals, total[0], total[1], total[2], total[3]);
         const Vec3x8 t1 = load3(b.tangent), t2 = second_tangent(b, load3(b.normal));
         const Vec3x8 p = load(b.tangent_impulse[0]) * t1 + load(b.tangent_impulse[1]) * t2;
         scatter4(friction, p.x, p.y, p.z, load(b.torsion_impulse));
         const Vec3x8 sum = load(b.total_tangent[0]) * t1 + load(b.total_tangent[1]) * t2;
-        scatter4(total_friction, sum.x, sum.y, sum.z, zero());
+        scatter4(totals, sum.x, sum.y, sum.z, load(b.total_impulse[0]));
+        if constexpr (N > 1)
+            scatter4(more_totals, load(b.total_impulse[1]), load(b.total_impulse[2]), load(b.total_impulse[3]), zero());
         store_reports<N>(b, ids, p, reports);
     }
 }

@@ -43,24 +43,30 @@ inline constexpr std::int32_t fixed_row = 0, first_body_row = 1;
 
 // One touching or nearly touching pair of shapes, at a stable index. Written by the narrow phase, read by
 // the solver's prepare kernel, which writes the impulses back. Body A always moves by forces (is dynamic);
-// body B may be anything. World axes; arms are relative to A's center of mass.
+// body B may be anything. World axes; arms are relative to A's center of mass. Contacts with one point use the first
+// two cache lines alone.
 struct alignas(64) ContactRecord {
     float normal[3];        // unit, from A to B
     float friction;         // combined dynamic coefficient
     float center_offset[3]; // center of mass of A minus that of B
     float restitution;
-    float points[4][4];        // arm from A's center of mass, and separation; unused: {0, 0, 0, 1e30}
-    float impulses[4];         // normal impulses of the last substep, N s; the warm start
+    float first_point[4]; // arm from A's center of mass, and separation
+    float impulses[4];    // normal impulses of the last substep, N s; the warm start
+
     float friction_impulse[3]; // tangential impulse of the last substep, world axes, on B
     float torsion_impulse;     // about the normal, N m s
-    float total_impulses[4];   // normal impulses summed over the last step's substeps
     float static_friction;     // combined static coefficient, >= friction
     float rolling_radius;      // combined lever arm of rolling resistance, m
     float torsion_radius;      // combined patch radius for one-point contacts, m
     float approach_speed;      // greatest approach speed of its points when it began, for hit events
     float total_friction[3];   // tangential impulse summed over the last step's substeps, on B
-    float padding;
-    float radius_a, radius_b; // one-point contacts: of a sphere, from its center to the point; 0 for others
+    float first_total;         // normal impulse of the first point, likewise
+    float radius_a, radius_b;  // one-point contacts: of a sphere, from its center to the point; 0 for others
+    float padding[2];
+
+    float more_points[3][4]; // unused: {0, 0, 0, 1e30}
+    float more_totals[3];
+    float more_padding;
 };
 
 // What a block keeps of its points, with the arms j_i = r_i x n for A and j_i + c for B, c = (x_A - x_B) x n.

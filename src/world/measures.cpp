@@ -33,9 +33,8 @@ Contact make_contact(const State& s, std::uint32_t id) {
                 c.point_count,
                 {}};
     for (int i = 0; i < c.point_count; ++i) {
-        const math::DVec3 p = s.motion[std::size_t(c.body_a)].x +
-                              math::to_double(math::Vec3{r.points[i][0], r.points[i][1], r.points[i][2]});
-        out.points[i] = {to_public(p), r.points[i][3], r.total_impulses[i]};
+        const math::DVec3 p = s.motion[std::size_t(c.body_a)].x + math::to_double(math::to_vec(point_of(r, i)));
+        out.points[i] = {to_public(p), point_of(r, i)[3], total_of(r, i)};
     }
     return out;
 }
