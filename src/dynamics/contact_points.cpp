@@ -85,18 +85,31 @@ Float4 load4(const float* p) {
 }
 void store4(float* p, Float4 v) { std::memcpy(p, &v, sizeof(v)); }
 
+float sum3(Float4 v) { return v[0] + v[1] + v[2]; }
+
 // Whether each point is where the old one of the same number is, in A's frame: then all impulses stay as they are.
 // That is the common case, and this its short way.
-bool points_stay(const ContactRecord& r, const Float4* points, int count, const math::Mat3& turned, float tolerance) {
-    const Float4 x = {turned.c0.x, turned.c0.y, turned.c0.z}, y = {turned.c1.x, turned.c1.y, turned.c1.z},
-                 z = {turned.c2.x, turned.c2.y, turned.c2.z};
+bool points_stay(const ContactRecord& r, const Float4* points, int count, math::Quat turned, float tolerance) {
+    const float limit = 0.0625f * tolerance * tolerance;
+    // Mostly it shows without turning anything: a turn moves a vector by at most 2 |imaginary part| times its length.
+    Float4 moved = {}, size = {};
+    for (int i = 0; i < count; ++i) {
+        const Float4 old = load4(point_of(r, i)), difference = points[i] - old;
+        moved += difference * difference;
+        size += old * old;
+    }
+    const float turn = turned.x * turned.x + turned.y * turned.y + turned.z * turned.z;
+    if (sum3(moved) < 0.49f * limit && 4 * turn * sum3(size) < 0.0625f * limit) return true;
+
+    const math::Mat3 m = math::to_matrix(turned);
+    const Float4 x = {m.c0.x, m.c0.y, m.c0.z}, y = {m.c1.x, m.c1.y, m.c1.z}, z = {m.c2.x, m.c2.y, m.c2.z};
     float greatest = 0;
     for (int i = 0; i < count; ++i) {
         const float* old = point_of(r, i);
-        const Float4 difference = points[i] - (old[0] * x + old[1] * y + old[2] * z), square = difference * difference;
-        greatest = std::max(greatest, square[0] + square[1] + square[2]);
+        const Float4 difference = points[i] - (old[0] * x + old[1] * y + old[2] * z);
+        greatest = std::max(greatest, sum3(difference * difference));
     }
-    return greatest < 0.0625f * tolerance * tolerance;
+    return greatest < limit;
 }
 
 // From a sphere's center to the point midway between the surfaces; 0 for other shapes.
@@ -130,8 +143,7 @@ void write_record(State& s, std::uint32_t id, const Manifold& m) {
     for (int i = 0; i < kept; ++i)
         points[i] = i < m.count ? load4(m.points[i]) + Float4{offset.x, offset.y, offset.z} : Float4{0, 0, 0, unused};
     const math::Quat turned = s.motion[std::size_t(c.body_a)].turned;
-    const bool stay =
-        m.count == c.point_count && points_stay(r, points, kept, math::to_matrix(turned), c.match_tolerance);
+    const bool stay = m.count == c.point_count && points_stay(r, points, kept, turned, c.match_tolerance);
     OldPoints old;
     if (!stay) old = old_points(r, c.point_count, turned);
     put(r.normal, normal);
