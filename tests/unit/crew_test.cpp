@@ -31,6 +31,17 @@ TEST_P(CrewOf, DoesEachItemOnceInChunksOfAtMostTheGrain) {
     }
 }
 
+// A stage counts its chunks with 20 bits.
+TEST_P(CrewOf, DoesEachItemOnceWhereThereAreMoreChunksThanOneStageHolds) {
+    Crew crew(GetParam());
+    const int count = (1 << 20) + 1000;
+    std::vector<std::uint8_t> done(static_cast<std::size_t>(count));
+    crew.for_chunks(count, 1, [&](int begin, int end, int) {
+        for (int i = begin; i < end; ++i) ++done[static_cast<std::size_t>(i)];
+    });
+    for (int i = 0; i < count; ++i) ASSERT_EQ(done[static_cast<std::size_t>(i)], 1) << "item " << i;
+}
+
 // One stage right after the other, with few chunks: where a worker that comes late could take a chunk of the wrong one.
 TEST_P(CrewOf, KeepsManyShortStagesApart) {
     Crew crew(GetParam());
