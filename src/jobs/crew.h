@@ -42,10 +42,11 @@ class Crew {
         auto call = [](const void* f, int begin, int end, int thread) {
             (*static_cast<const F*>(f))(begin, end, thread);
         };
-        constexpr int most_chunks = (1 << index_bits) - 1;
-        const int most = grain < count / most_chunks ? grain * most_chunks : count;
-        for (int first = 0; first < count; first += most)
-            run(first, count - first < most ? count : first + most, grain, call, &work);
+        // As many items at a time as a stage has numbers for.
+        constexpr std::int64_t most_chunks = std::int64_t(index_mask);
+        const std::int64_t most = most_chunks * grain;
+        for (std::int64_t first = 0; first < count; first += most)
+            run(int(first), int(count - first < most ? count : first + most), grain, call, &work);
     }
 
   private:
