@@ -39,12 +39,11 @@ void open_bin(SolverScratch& scratch, std::int32_t substeps) {
 
 // All that is needed of the contacts to be solved, side by side: they lie scattered.
 void collect_contacts(State& s) {
-    constexpr std::size_t ahead = 8;
     std::vector<SortedContact>& contacts = s.solver.unsorted;
     contacts.resize(s.solved.size());
     s.crew->for_chunks(int(s.solved.size()), contacts_per_chunk, [&](int begin, int end, int) {
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
-            if (k + ahead < std::size_t(end)) __builtin_prefetch(&s.contacts[s.solved[k + ahead]]);
+            if (k + contacts_ahead < std::size_t(end)) __builtin_prefetch(&s.contacts[s.solved[k + contacts_ahead]]);
             const std::uint32_t id = s.solved[k];
             const ContactInfo& c = s.contacts[id];
             const bool moves = c.b_moves || s.body_settings[std::size_t(c.body_b)].type == BodyType::kinematic;

@@ -18,7 +18,6 @@ namespace {
 
 constexpr float unused = 1e30f;
 constexpr int pairs_per_chunk = 512, reports_per_chunk = 512; // for threads
-constexpr std::size_t ahead = 8; // contacts lie scattered: so many before it is looked at, each is asked for
 
 bool moves(const State& s, std::int32_t body) {
     const BodyMotion& m = s.motion[std::size_t(body)];
@@ -100,16 +99,15 @@ Outcome take_manifold(State& s, std::uint32_t id, const Manifold& m) {
 
 // Up to PairBatch::capacity pairs of one kind, by their places among all.
 void test_pairs(State& s, int kind, int begin, int end, NarrowBatch& own, float dt) {
-    NarrowList& list = s.narrow.lists[std::size_t(kind)];
     PairBatch& batch = own.pairs;
     const int count = end - begin, padded = (count + 7) & ~7;
     const bool one_point = kind <= int(PairKind::sphere_rectangle);
     const std::size_t record_size = one_point ? offsetof(ContactRecord, more_points) : sizeof(ContactRecord);
-    const std::uint32_t* places = list.places.data() + begin;
+    const std::uint32_t* places = s.narrow.lists[std::size_t(kind)].data() + begin;
     std::uint32_t ids[PairBatch::capacity];
     for (int i = 0; i < count; ++i) ids[i] = s.narrow.candidates[places[i]];
     for (int i = 0; i < count; ++i) {
-        if (i + int(ahead) < count) __builtin_prefetch(&s.contacts[ids[i + int(ahead)]]);
+        if (i + int(contacts_ahead) < count) __builtin_prefetch(&s.contacts[ids[i + int(contacts_ahead)]]);
         const ContactInfo& c = s.contacts[ids[i]];
         batch.first[i] = c.flipped ? c.shape_b : c.shape_a;
         batch.second[i] = c.flipped ? c.shape_a : c.shape_b;
@@ -120,8 +118,8 @@ void test_pairs(State& s, int kind, int begin, int end, NarrowBatch& own, float 
         batch.first[i] = batch.first[0], batch.second[i] = batch.second[0], batch.margin[i] = batch.margin[0];
     pair_kernel(kind)(s.shape_poses.data(), batch.first, batch.second, batch.margin, padded, own.manifolds);
     for (int i = 0; i < count; ++i) {
-        if (i + int(ahead) < count) {
-            const char* record = reinterpret_cast<const char*>(&s.records[ids[i + int(ahead)]]);
+        if (i + int(contacts_ahead) < count) {
+            const char* record = reinterpret_cast<const char*>(&s.records[ids[i + int(contacts_ahead)]]);
             for (std::size_t at = 0; at < record_size; at += 64) __builtin_prefetch(record + at);
         }
         s.narrow.outcomes[places[i]] = take_manifold(s, ids[i], own.manifolds[i]);
@@ -174,14 +172,15 @@ void list_pairs(State& s) {
     scratch.outcomes.resize(scratch.candidates.size());
     s.crew->for_chunks(int(scratch.candidates.size()), pairs_per_chunk, [&](int begin, int end, int) {
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
-            if (k + ahead < std::size_t(end)) __builtin_prefetch(&s.contacts[scratch.candidates[k + ahead]]);
+            if (k + contacts_ahead < std::size_t(end))
+                __builtin_prefetch(&s.contacts[scratch.candidates[k + contacts_ahead]]);
             scratch.outcomes[k] = before_test(s, s.contacts[scratch.candidates[k]]);
         }
     });
-    for (NarrowList& list : scratch.lists) list.places.clear();
+    for (auto& list : scratch.lists) list.clear();
     for (std::size_t k = 0; k < scratch.candidates.size(); ++k)
         if (const std::uint8_t outcome = scratch.outcomes[k]; outcome >= to_test)
-            scratch.lists[std::size_t(outcome - to_test)].places.push_back(std::uint32_t(k));
+            scratch.lists[std::size_t(outcome - to_test)].push_back(std::uint32_t(k));
 }
 
 } // namespace
@@ -204,8 +203,8 @@ void update_contacts(State& s, float dt) {
     s.narrow.at_work.resize(std::size_t(s.crew->threads()));
     list_pairs(s);
     for (int kind = 0; kind < pair_kinds; ++kind) {
-        NarrowList& list = s.narrow.lists[std::size_t(kind)];
-        s.crew->for_chunks(int(list.places.size()), PairBatch::capacity, [&](int begin, int end, int thread) {
+        const int pairs = int(s.narrow.lists[std::size_t(kind)].size());
+        s.crew->for_chunks(pairs, PairBatch::capacity, [&](int begin, int end, int thread) {
             test_pairs(s, kind, begin, end, s.narrow.at_work[std::size_t(thread)], dt);
         });
     }
@@ -263,7 +262,7 @@ void report_contacts(State& s, float dt) {
     s.crew->for_chunks(int(sorted.size()), reports_per_chunk, [&](int begin, int end, int) {
         float own = 0;
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
-            if (k + ahead < std::size_t(end)) __builtin_prefetch(&s.contacts[sorted[k + ahead].id]);
+            if (k + contacts_ahead < std::size_t(end)) __builtin_prefetch(&s.contacts[sorted[k + contacts_ahead].id]);
             const std::uint32_t id = sorted[k].id;
             changes[id] = take_report(s, sorted[k], dt);
             own = std::max(own, -s.solver.reports[id].separation);

@@ -12,6 +12,9 @@
 
 namespace cairn {
 
+// Contacts lie scattered: so many before one is looked at, the cache is asked for it.
+inline constexpr std::size_t contacts_ahead = 8;
+
 // Pairs on their way through a kernel.
 struct PairBatch {
     static constexpr int capacity = 256;
@@ -25,13 +28,9 @@ struct NarrowBatch {
     Manifold manifolds[PairBatch::capacity];
 };
 
-// Pairs of one PairKind to be tested: their places among NarrowScratch::candidates.
-struct NarrowList {
-    std::vector<std::uint32_t> places;
-};
-
 struct NarrowScratch {
-    std::vector<NarrowList> lists;         // one per PairKind
+    // Pairs to be tested, one list per PairKind: their places among the candidates.
+    std::vector<std::vector<std::uint32_t>> lists;
     std::vector<NarrowBatch> at_work;      // one per thread
     std::vector<std::int32_t> awake;       // bodies
     std::vector<std::int32_t> whirling;    // bodies that turn far in a step and have unequal moments of inertia

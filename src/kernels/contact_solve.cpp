@@ -17,13 +17,10 @@ constexpr float least_passing = 1e-6f, most_passing = 0.4f;
 
 template <int N>
 CAIRN_INLINE void normal_velocities(const ContactBlock<N>& block, const Velocityx8& a, const Velocityx8& b,
-                                    Vec3x8 normal, Vec3x8 c, f32x8* v, Vec3x8* arm) {
+                                    Vec3x8 normal, Vec3x8 c, f32x8* v) {
     const Vec3x8 dw = b.w - a.w;
     const f32x8 common = dot(normal, b.v - a.v) + dot(c, b.w);
-    for (int i = 0; i < N; ++i) {
-        arm[i] = arm_of(block, normal, i);
-        v[i] = common + dot(arm[i], dw);
-    }
+    for (int i = 0; i < N; ++i) v[i] = common + dot(arm_of(block, normal, i), dw);
 }
 
 struct Posex8 {
@@ -184,9 +181,8 @@ CAIRN_INLINE void begin_solve(ContactBlock<N>& block, const SolverVelocity* velo
     const f32x8 softened = select(immovable, splat(fixed.scale), splat(other.scale));
     const f32x8 inverse_h = splat(softness.inverse_h);
     f32x8 v[N];
-    Vec3x8 arm[N];
     const Vec3x8 normal = load3(block.normal);
-    normal_velocities<N>(block, rows.a, rows.b, normal, cross(load3(block.d), normal), v, arm);
+    normal_velocities<N>(block, rows.a, rows.b, normal, cross(load3(block.d), normal), v);
     for (int i = 0; i < N; ++i) {
         const f32x8 s = load(block.separation[i]), mass = load(block.effective_mass[i]);
         const mask8 apart = s > zero();
@@ -238,11 +234,10 @@ CAIRN_INLINE void begin_relax(ContactBlock<N>& block, const SolverBodies& bodies
     constexpr float never = -1e30f;
     const Vec3x8 normal = load3(block.normal);
     f32x8 s[N], v[N];
-    Vec3x8 arm[N];
     refresh_separations<N>(block, bodies.pose, normal, s);
     rows.a = gather_velocity(bodies.velocity, block.a);
     rows.b = gather_velocity(bodies.velocity, block.b);
-    normal_velocities<N>(block, rows.a, rows.b, normal, cross(load3(block.d), normal), v, arm);
+    normal_velocities<N>(block, rows.a, rows.b, normal, cross(load3(block.d), normal), v);
     for (int i = 0; i < N; ++i) {
         rows.old[i] = rows.impulse[i] = load(block.impulse[i]);
         rows.wanted[i] = rows.old[i] - load(block.effective_mass[i]) * (v[i] + max(s[i], zero()) * inverse_h);
