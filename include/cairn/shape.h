@@ -6,10 +6,16 @@
 #include <cairn/math.h>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <span>
 #include <variant>
 
 namespace cairn {
+
+struct HullData;
+struct MeshData;
+struct HeightFieldData;
 
 /// A ball around the shape's origin. `radius` in meters, > 0.
 struct Sphere {
@@ -32,10 +38,97 @@ struct Plane {
     std::optional<glm::vec2> half_extents{}; ///< Meters, each > 0; absent for an infinite plane.
 };
 
-/// Any shape.
-using Shape = std::variant<Sphere, Box, Plane>;
+/// The convex hull of two balls on the shape's y axis, their centers at -half_height and +half_height. Meters, all > 0
+/// (`radius_top` >= 0).
+struct Capsule {
+    float half_height = 0.5f;
+    float radius = 0.25f;              ///< Of both balls, or of the lower one if `radius_top` is given.
+    std::optional<float> radius_top{}; ///< Of the upper ball: a tapered capsule.
+};
 
-enum class ShapeType : std::uint8_t { sphere, box, plane, rectangle };
+/// A solid cylinder around the shape's y axis, from -half_height to +half_height. Meters, all > 0 (`radius_top` >= 0).
+struct Cylinder {
+    float half_height = 0.5f;
+    float radius = 0.5f;               ///< At both ends, or at the lower end if `radius_top` is given.
+    std::optional<float> radius_top{}; ///< At the upper end: a tapered cylinder, or with 0 a cone.
+};
+
+/// A cone around the shape's y axis: base at -half_height, tip at +half_height.
+constexpr Cylinder cone(float radius, float half_height) { return {half_height, radius, 0.0f}; }
+
+/// A convex polyhedron. It never changes, so that copies share their data, and is cheap to copy.
+class Hull {
+  public:
+    /// The convex hull of any points, meters, in the shape's frame. Throws `Error` (invalid_value) when a coordinate
+    /// is not finite or exceeds 1e6, when there are fewer than 4 points, or when they all lie in one point, on one
+    /// line or in one plane (within a thousandth of a percent of their extent).
+    explicit Hull(std::span<const Vec3> points);
+
+    std::span<const Vec3> vertices() const; ///< Corners, in a fixed order; points inside and on faces are left out.
+    std::size_t face_count() const;         ///< Neighboring triangles of one plane are one face.
+    /// Indices of the corners of a face, counterclockwise as seen from outside. Throws `Error` beyond face_count().
+    std::span<const std::uint32_t> face(std::size_t index) const;
+    double volume() const; ///< m^3.
+
+    /// For the engine.
+    const std::shared_ptr<const HullData>& data() const { return data_; }
+    explicit Hull(std::shared_ptr<const HullData> data) : data_(std::move(data)) {}
+
+  private:
+    std::shared_ptr<const HullData> data_;
+};
+
+/// A surface of triangles, for static and kinematic bodies. Solid is the side that sees the corners clockwise: what
+/// has sunk below a triangle by less than the triangle's size is pushed out along its normal. It never changes, so
+/// that copies share their data, and is cheap to copy.
+class Mesh {
+  public:
+    /// Three indices a triangle, counterclockwise as seen from outside. Corners at the same place count as one;
+    /// triangles without area are left out (see `dropped_triangles`). Throws `Error` (invalid_value) when a coordinate
+    /// is not finite or exceeds 1e6, when an index is out of range or their number is no multiple of three, or when no
+    /// triangle is left.
+    Mesh(std::span<const Vec3> vertices, std::span<const std::uint32_t> indices);
+
+    std::span<const Vec3> vertices() const;         ///< Meters, in the shape's frame.
+    std::span<const std::uint32_t> indices() const; ///< Three a triangle.
+    std::size_t dropped_triangles() const;          ///< How many had no area.
+
+    /// For the engine.
+    const std::shared_ptr<const MeshData>& data() const { return data_; }
+    explicit Mesh(std::shared_ptr<const MeshData> data) : data_(std::move(data)) {}
+
+  private:
+    std::shared_ptr<const MeshData> data_;
+};
+
+/// A surface over a grid in the shape's xz plane, solid below, for static and kinematic bodies. It never changes, so
+/// that copies share their data, and is cheap to copy.
+class HeightField {
+  public:
+    /// `heights`, meters along y, row after row: that of column c and row r is heights[r * columns + c], and stands at
+    /// x = (c - (columns - 1) / 2) * spacing.x, z = (r - (rows - 1) / 2) * spacing.y. Each cell is two triangles, cut
+    /// from its corner of least x and z to the opposite one. Throws `Error` (invalid_value) for fewer than 2 columns
+    /// or rows, more than 2^28 heights, a number of heights that is not columns x rows, a spacing that is no size, or
+    /// a height that is not finite or exceeds 1e6.
+    HeightField(int columns, int rows, const glm::vec2& spacing, std::span<const float> heights);
+
+    int columns() const;
+    int rows() const;
+    glm::vec2 spacing() const; ///< Meters along x and z.
+    std::span<const float> heights() const;
+
+    /// For the engine.
+    const std::shared_ptr<const HeightFieldData>& data() const { return data_; }
+    explicit HeightField(std::shared_ptr<const HeightFieldData> data) : data_(std::move(data)) {}
+
+  private:
+    std::shared_ptr<const HeightFieldData> data_;
+};
+
+/// Any shape. A compound is a body with several of them.
+using Shape = std::variant<Sphere, Box, Plane, Capsule, Cylinder, Hull, Mesh, HeightField>;
+
+enum class ShapeType : std::uint8_t { sphere, box, plane, rectangle, capsule, cylinder, hull, mesh, height_field };
 
 /// How the coefficients of two touching materials become one. Where the two materials disagree on the rule,
 /// the stronger one counts, in the order average > minimum > maximum > multiply (KHR_physics_rigid_bodies).
@@ -54,12 +147,24 @@ struct Material {
     CombineRule restitution_combine = CombineRule::average;
 };
 
+/// Which shapes meet: two do if each is in a layer that the other collides with.
+struct CollisionFilter {
+    std::uint64_t layers = 1;                       ///< The layers that the shape is in, one bit each.
+    std::uint64_t collides_with = ~std::uint64_t{}; ///< The layers that it collides with.
+};
+
 /// How a shape is attached to its body.
 struct ShapeDef {
     Vec3 position{0.0f, 0.0f, 0.0f};       ///< Origin of the shape in the body's frame, meters.
     Quat rotation{1.0f, 0.0f, 0.0f, 0.0f}; ///< Orientation in the body's frame; normalized, must not be zero.
     float density = 1000.0f;               ///< kg/m^3, >= 0; 0 adds no mass. Ignored by planes.
     Material material{};
+    CollisionFilter filter{};
+    /// A trigger touches nothing: it only reports what overlaps it (`World::trigger_events`).
+    bool is_trigger = false;
+    /// m/s, in the shape's frame: the surface moves with it like a conveyor belt, beside the motion of the body. Only
+    /// its part along the surface counts. Static and kinematic bodies only.
+    Vec3 surface_velocity{0.0f, 0.0f, 0.0f};
     std::uint64_t user_data = 0; ///< Not touched by the engine.
 };
 

@@ -62,7 +62,8 @@ void refresh_mass(State& state, std::int32_t body) {
     }
     MassSum sum;
     for (std::int32_t s = state.bodies[std::size_t(body)].first_shape; s != none; s = state.shapes[std::size_t(s)].next)
-        sum = combine(sum, geometry_mass(state.geometry[std::size_t(s)], state.shapes[std::size_t(s)].density));
+        sum = combine(sum, geometry_mass(state.geometry[std::size_t(s)], state.shape_data[std::size_t(s)],
+                                         state.shapes[std::size_t(s)].density));
     const float given_mass = state.body_settings[std::size_t(body)].given_mass;
     // Without any shape that has mass, a body is a point of its given mass, or of one kilogram, that does not turn.
     MassProperties properties;

@@ -52,7 +52,8 @@ inline math::Quat shape_rotation(const ShapePose& pose) { return {pose.q[0], pos
 
 inline DBounds shape_bounds(const State& state, std::uint32_t shape) {
     const ShapePose& pose = state.shape_poses[shape];
-    return geometry_bounds(state.geometry[shape], shape_position(pose), math::to_matrix(shape_rotation(pose)));
+    return geometry_bounds(state.geometry[shape], state.shape_data[shape], shape_position(pose),
+                           math::to_matrix(shape_rotation(pose)));
 }
 
 // Origin of the body's frame, world.

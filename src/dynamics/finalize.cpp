@@ -9,11 +9,11 @@ namespace cairn {
 
 namespace {
 
-// Of a shape that is no plane, of a body with that rotation.
+// Of a shape that is no infinite plane, of a body with that rotation.
 DBounds bounds_of(const State& s, std::uint32_t shape, const math::Mat3& rotation) {
     const Geometry& geometry = s.geometry[shape];
     const ShapePose& pose = s.shape_poses[shape];
-    return geometry_bounds(geometry, shape_position(pose),
+    return geometry_bounds(geometry, s.shape_data[shape], shape_position(pose),
                            geometry.is_turned ? math::to_matrix(shape_rotation(pose)) : rotation);
 }
 

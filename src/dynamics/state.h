@@ -152,6 +152,7 @@ struct State {
 
     SlotPool shape_slots;
     std::vector<Geometry> geometry;
+    std::vector<ShapeData> shape_data;
     std::vector<ShapePose> shape_poses;
     std::vector<ShapeLinks> shapes;
     std::vector<Material> materials;

@@ -49,32 +49,66 @@ math::Quat convert(const Quat& q) { return {q.x, q.y, q.z, q.w}; }
 
 } // namespace
 
+namespace {
+
+// Type, size and bounding radius; a plane also turns the shape.
+struct GeometryMaker {
+    Geometry& g;
+
+    void operator()(const Sphere& sphere) const { set(ShapeType::sphere, {sphere.radius, 0, 0}, sphere.radius); }
+    void operator()(const Box& box) const {
+        const math::Vec3 size{box.half_extents.x, box.half_extents.y, box.half_extents.z};
+        set(ShapeType::box, size, math::length(size));
+    }
+    void operator()(const Plane& plane) const {
+        g.rotation = math::normalized(g.rotation * plane_rotation(plane));
+        if (!plane.half_extents) {
+            set(ShapeType::plane, {}, 0);
+            return;
+        }
+        const math::Vec3 size{plane.half_extents->x, 0, plane.half_extents->y};
+        set(ShapeType::rectangle, size, math::length(size));
+    }
+    void operator()(const Capsule& c) const {
+        const float top = c.radius_top.value_or(c.radius);
+        set(ShapeType::capsule, {c.radius, c.half_height, top}, c.half_height + std::max(c.radius, top));
+    }
+    void operator()(const Cylinder& c) const {
+        const float top = c.radius_top.value_or(c.radius), widest = std::max(c.radius, top);
+        set(ShapeType::cylinder, {c.radius, c.half_height, top},
+            std::sqrt(c.half_height * c.half_height + widest * widest));
+    }
+    void operator()(const Hull& hull) const { set(ShapeType::hull, {}, hull.data()->bounding_radius); }
+    void operator()(const Mesh& mesh) const { set(ShapeType::mesh, {}, mesh.data()->bounding_radius); }
+    void operator()(const HeightField& field) const { set(ShapeType::height_field, {}, field.data()->bounding_radius); }
+
+  private:
+    void set(ShapeType type, math::Vec3 size, float radius) const {
+        g.type = type;
+        g.size = size;
+        g.bounding_radius = radius;
+    }
+};
+
+} // namespace
+
 Geometry make_geometry(const Shape& shape, const Transform& pose) {
     Geometry g;
     g.position = {float(pose.position.x), float(pose.position.y), float(pose.position.z)};
     g.rotation = convert(pose.rotation);
-    if (const auto* sphere = std::get_if<Sphere>(&shape)) {
-        g.type = ShapeType::sphere;
-        g.size = {sphere->radius, 0, 0};
-        g.bounding_radius = sphere->radius;
-    } else if (const auto* box = std::get_if<Box>(&shape)) {
-        g.type = ShapeType::box;
-        g.size = {box->half_extents.x, box->half_extents.y, box->half_extents.z};
-        g.bounding_radius = math::length(g.size);
-    } else {
-        const auto& plane = std::get<Plane>(shape);
-        g.rotation = math::normalized(g.rotation * plane_rotation(plane));
-        g.type = plane.half_extents ? ShapeType::rectangle : ShapeType::plane;
-        if (plane.half_extents) {
-            g.size = {plane.half_extents->x, 0, plane.half_extents->y};
-            g.bounding_radius = math::length(g.size);
-        }
-    }
+    std::visit(GeometryMaker{g}, shape);
     g.is_turned = !(g.rotation.x == 0 && g.rotation.y == 0 && g.rotation.z == 0);
     return g;
 }
 
-DBounds geometry_bounds(const Geometry& shape, DVec3 position, const math::Mat3& m) {
+ShapeData make_shape_data(const Shape& shape) {
+    if (const auto* hull = std::get_if<Hull>(&shape)) return hull->data();
+    if (const auto* mesh = std::get_if<Mesh>(&shape)) return mesh->data();
+    if (const auto* field = std::get_if<HeightField>(&shape)) return field->data();
+    return {};
+}
+
+DBounds geometry_bounds(const Geometry& shape, const ShapeData&, DVec3 position, const math::Mat3& m) {
     if (shape.type == ShapeType::plane) return {{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}};
     DVec3 half;
     if (shape.type == ShapeType::sphere) {
@@ -87,7 +121,7 @@ DBounds geometry_bounds(const Geometry& shape, DVec3 position, const math::Mat3&
     return {position - half, position + half};
 }
 
-MassSum geometry_mass(const Geometry& shape, float density) {
+MassSum geometry_mass(const Geometry& shape, const ShapeData&, float density) {
     MassSum m;
     m.center = math::to_double(shape.position);
     const double rho = density;
@@ -105,61 +139,6 @@ MassSum geometry_mass(const Geometry& shape, float density) {
     }
     m.inertia = math::rotated_diagonal(math::to_matrix(math::normalized(math::to_double(shape.rotation))), moments);
     return m;
-}
-
-MassSum combine(const MassSum& a, const MassSum& b) {
-    const double mass = a.mass + b.mass;
-    if (!(a.mass > 0)) return b;
-    if (!(b.mass > 0)) return a;
-    MassSum r;
-    r.mass = mass;
-    r.center = (1 / mass) * (a.mass * a.center + b.mass * b.center);
-    auto shifted = [&](const MassSum& part) {
-        const DVec3 d = part.center - r.center;
-        const double m = part.mass;
-        return part.inertia + math::DSym3{m * (d.y * d.y + d.z * d.z), -m * d.x * d.y, -m * d.x * d.z,
-                                          m * (d.x * d.x + d.z * d.z), -m * d.y * d.z, m * (d.x * d.x + d.y * d.y)};
-    };
-    r.inertia = shifted(a) + shifted(b);
-    return r;
-}
-
-PrincipalInertia diagonalize(const math::DSym3& inertia) {
-    double a[3][3] = {{inertia.xx, inertia.xy, inertia.xz},
-                      {inertia.xy, inertia.yy, inertia.yz},
-                      {inertia.xz, inertia.yz, inertia.zz}};
-    math::DQuat axes;
-    for (int sweep = 0; sweep < 32; ++sweep) {
-        const double off = std::fabs(a[0][1]) + std::fabs(a[0][2]) + std::fabs(a[1][2]);
-        const double diagonal = std::fabs(a[0][0]) + std::fabs(a[1][1]) + std::fabs(a[2][2]);
-        if (!(off > 1e-14 * diagonal)) break;
-        for (int p = 0; p < 2; ++p)
-            for (int q = p + 1; q < 3; ++q) {
-                if (a[p][q] == 0) continue;
-                const double theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
-                const double t = (theta >= 0 ? 1.0 : -1.0) / (std::fabs(theta) + std::sqrt(theta * theta + 1));
-                const double c = 1 / std::sqrt(t * t + 1), s = t * c;
-                // A <- J^T A J with the rotation J by the angle whose tangent is t in the plane (p, q).
-                for (int k = 0; k < 3; ++k) {
-                    const double kp = a[k][p], kq = a[k][q];
-                    a[k][p] = c * kp - s * kq;
-                    a[k][q] = s * kp + c * kq;
-                }
-                for (int k = 0; k < 3; ++k) {
-                    const double pk = a[p][k], qk = a[q][k];
-                    a[p][k] = c * pk - s * qk;
-                    a[q][k] = s * pk + c * qk;
-                }
-                // J as a quaternion: the half angle from the cosine, without trigonometry.
-                const double half_cosine = std::sqrt((1 + c) / 2), half_sine = s / (2 * half_cosine);
-                const int axis = 3 - p - q;
-                const double sign = axis == 1 ? 1.0 : -1.0; // e_p x e_q = +-e_axis
-                math::DQuat j{0, 0, 0, half_cosine};
-                (axis == 0 ? j.x : axis == 1 ? j.y : j.z) = sign * half_sine;
-                axes = math::normalized(axes * j);
-            }
-    }
-    return {{a[0][0], a[1][1], a[2][2]}, axes};
 }
 
 namespace {
@@ -207,8 +186,8 @@ std::optional<ShapeRayHit> cast_plane(const Geometry& shape, DVec3 o, DVec3 d, d
 
 } // namespace
 
-std::optional<ShapeRayHit> cast_ray(const Geometry& shape, DVec3 position, math::Quat rotation, DVec3 origin,
-                                    DVec3 direction, double max_distance) {
+std::optional<ShapeRayHit> cast_ray(const Geometry& shape, const ShapeData&, DVec3 position, math::Quat rotation,
+                                    DVec3 origin, DVec3 direction, double max_distance) {
     const math::DQuat q = math::normalized(math::to_double(rotation));
     const DVec3 o = math::rotate_back(q, origin - position), d = math::rotate_back(q, direction);
     std::optional<ShapeRayHit> hit;

@@ -3,18 +3,41 @@
 
 #include "math/bounds.h"
 #include "math/vec.h"
+#include "shapes/hull.h"
+#include "shapes/mass.h"
+#include "shapes/mesh.h"
 
 #include <cairn/shape.h>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <variant>
 
 namespace cairn {
 
-// Planes and rectangles face along their own +y.
+// The part of a shape that it may share with others: of hulls, meshes and height fields.
+using ShapeData = std::variant<std::monostate, std::shared_ptr<const HullData>, std::shared_ptr<const MeshData>,
+                               std::shared_ptr<const HeightFieldData>>;
+
+inline const HullData& hull_of(const ShapeData& data) { return **std::get_if<std::shared_ptr<const HullData>>(&data); }
+inline const MeshData& mesh_of(const ShapeData& data) { return **std::get_if<std::shared_ptr<const MeshData>>(&data); }
+inline const HeightFieldData& height_field_of(const ShapeData& data) {
+    return **std::get_if<std::shared_ptr<const HeightFieldData>>(&data);
+}
+
+// Surfaces have no mass, and are never dynamic.
+inline bool is_surface(ShapeType type) {
+    return type == ShapeType::plane || type == ShapeType::rectangle || type == ShapeType::mesh ||
+           type == ShapeType::height_field;
+}
+
+// Planes and rectangles face along their own +y; capsules and cylinders stand along it.
 struct Geometry {
     ShapeType type = ShapeType::sphere;
-    math::Vec3 size;           // sphere: radius in x; box: half extents; rectangle: half extents in x and z
+    // sphere: radius in x; box: half extents; rectangle: half extents in x and z; capsule, cylinder: lower radius in x,
+    // half height in y, upper radius in z
+    math::Vec3 size;
     float bounding_radius = 0; // about the shape's origin; 0 for the infinite plane
     math::Vec3 position;       // of the shape's origin in the body's frame
     math::Quat rotation;
@@ -23,36 +46,22 @@ struct Geometry {
 
 // Shapes must be valid (see world/validate.h).
 Geometry make_geometry(const Shape& shape, const Transform& pose);
+ShapeData make_shape_data(const Shape& shape);
 
 // Tight bounds of a shape posed in the world; infinite for an infinite plane.
-DBounds geometry_bounds(const Geometry& shape, math::DVec3 position, const math::Mat3& rotation);
+DBounds geometry_bounds(const Geometry& shape, const ShapeData& data, math::DVec3 position, const math::Mat3& rotation);
 
-// Mass, center of mass and inertia tensor about it, in double for the sums over shapes.
-struct MassSum {
-    double mass = 0;
-    math::DVec3 center;
-    math::DSym3 inertia; // about `center`, in the axes that positions are given in
-};
+// Mass of a solid shape of that density, in the body's frame. Surfaces have none.
+MassSum geometry_mass(const Geometry& shape, const ShapeData& data, float density);
 
-// Mass of a solid shape of that density, in the body's frame. Planes have none.
-MassSum geometry_mass(const Geometry& shape, float density);
-
-// Both together (parallel-axis theorem).
-MassSum combine(const MassSum& a, const MassSum& b);
-
-// Principal moments (eigenvalues) and axes of an inertia tensor, by Jacobi rotations.
-struct PrincipalInertia {
-    math::DVec3 moments;
-    math::DQuat axes; // rotation from principal axes
-};
-PrincipalInertia diagonalize(const math::DSym3& inertia);
-
-// Where a ray first meets a shape posed in the world. Volumes are not met from within; planes are solid below.
+// Where a ray first meets a shape posed in the world. Volumes are not met from within; planes are solid below; the
+// triangles of meshes and height fields are met from outside only.
 struct ShapeRayHit {
     double distance;
     math::DVec3 normal;
 };
-std::optional<ShapeRayHit> cast_ray(const Geometry& shape, math::DVec3 position, math::Quat rotation,
-                                    math::DVec3 origin, math::DVec3 direction, double max_distance);
+std::optional<ShapeRayHit> cast_ray(const Geometry& shape, const ShapeData& data, math::DVec3 position,
+                                    math::Quat rotation, math::DVec3 origin, math::DVec3 direction,
+                                    double max_distance);
 
 } // namespace cairn

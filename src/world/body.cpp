@@ -255,8 +255,9 @@ void Body::set_type(BodyType type) {
     if (settings.type == type) return;
     std::vector<std::uint32_t> shapes;
     for (std::int32_t i = s.bodies[a.b].first_shape; i != none; i = s.shapes[std::size_t(i)].next) {
-        if (type == BodyType::dynamic && s.geometry[std::size_t(i)].type >= ShapeType::plane)
-            throw Error(ErrorCode::wrong_state, "Body::set_type", "dynamic", "a body with a plane cannot be dynamic");
+        if (type == BodyType::dynamic && is_surface(s.geometry[std::size_t(i)].type))
+            throw Error(ErrorCode::wrong_state, "Body::set_type", "dynamic",
+                        "a body with a plane, mesh or height field cannot be dynamic");
         shapes.push_back(std::uint32_t(i));
     }
     wake_around(s, a.index());

@@ -26,6 +26,9 @@ struct World::Impl {
     std::uint32_t index_of(ShapeId id) const;
     std::uint32_t index_of(ForceFieldId id) const;
 
+    // The shapes of a snapshot: throws Error(invalid_file) unless they are those of the geometry that is there.
+    void set_shapes(const std::vector<Shape>& shapes);
+
     // Throws Error(wrong_state) from inside a step or a query callback.
     void require_idle(const char* call) const;
 };

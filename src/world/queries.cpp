@@ -27,8 +27,8 @@ Ray checked_ray(const Position& origin, const Vec3& direction, double max_distan
 
 std::optional<ShapeRayHit> cast_at_shape(const State& s, std::uint32_t shape, const Ray& ray, double max_distance) {
     const ShapePose& pose = s.shape_poses[shape];
-    return cast_ray(s.geometry[shape], shape_position(pose), shape_rotation(pose), ray.origin, ray.direction,
-                    max_distance);
+    return cast_ray(s.geometry[shape], s.shape_data[shape], shape_position(pose), shape_rotation(pose), ray.origin,
+                    ray.direction, max_distance);
 }
 
 RayHit to_hit(const State& s, std::uint32_t shape, const Ray& ray, const ShapeRayHit& hit) {
@@ -109,7 +109,8 @@ std::vector<ShapeId> World::overlap(const Shape& shape, const Transform& pose) c
     const Quat rotation = checked_rotation("World::overlap pose.rotation", pose.rotation);
     const Geometry g = make_geometry(shape, {Position(0.0), rotation});
     const math::DVec3 position = to_math(pose.position);
-    const DBounds bounds = geometry_bounds(g, position, math::to_matrix(g.rotation));
+    const ShapeData data = make_shape_data(shape);
+    const DBounds bounds = geometry_bounds(g, data, position, math::to_matrix(g.rotation));
     const ShapePose query = make_pose(g, position, g.rotation);
     const State& s = impl_->state;
     std::vector<ShapeId> found;

@@ -14,7 +14,7 @@ std::uint64_t layout() {
     Hash64 hash;
     for (const std::size_t size :
          {sizeof(State), sizeof(BodyMotion), sizeof(RestingPose), sizeof(BodyMass), sizeof(ContactRecord),
-          sizeof(ContactInfo), sizeof(Island), sizeof(ShapePose), sizeof(Shape), sizeof(ShapeDef), sizeof(WorldDef)})
+          sizeof(ContactInfo), sizeof(Island), sizeof(ShapePose), sizeof(Geometry), sizeof(ShapeDef), sizeof(WorldDef)})
         hash.add(size);
     return hash.value();
 }
@@ -38,12 +38,26 @@ template <class Archive> void serialize_state(Archive& archive, State& s) {
 
 template <class Archive, class Impl> void serialize_all(Archive& archive, Impl& impl) {
     serialize_state(archive, impl.state);
-    archive(impl.user_data), archive(impl.shape_of), archive(impl.def_of);
+    archive(impl.user_data), archive(impl.def_of);
     impl.names.resize(impl.state.body_slots.size());
     for (std::string& name : impl.names) archive(name);
 }
 
 } // namespace
+
+void World::Impl::set_shapes(const std::vector<Shape>& shapes) {
+    State& s = state;
+    const auto damaged = [] {
+        return Error(ErrorCode::invalid_file, "Snapshot.shapes", "", "are not those of its bytes");
+    };
+    if (shapes.size() != s.geometry.size()) throw damaged();
+    for (std::size_t i = 0; i < shapes.size(); ++i)
+        if (s.shape_slots.is_live(std::uint32_t(i)) && make_geometry(shapes[i], {}).type != s.geometry[i].type)
+            throw damaged();
+    shape_of = shapes;
+    s.shape_data.clear();
+    for (const Shape& shape : shapes) s.shape_data.push_back(make_shape_data(shape));
+}
 
 Snapshot World::save() const {
     impl_->require_idle("World::save");
@@ -54,6 +68,7 @@ Snapshot World::save() const {
     body(std::uint64_t{0}); // checksum, below
     const std::size_t header = snapshot.bytes.size();
     serialize_all(body, *impl_); // a writer changes nothing
+    snapshot.shapes = impl_->shape_of;
     Hash64 sum;
     sum.add_bytes(snapshot.bytes.data() + header, snapshot.bytes.size() - header);
     const std::uint64_t value = sum.value();
@@ -75,6 +90,7 @@ void World::restore(const Snapshot& snapshot) {
         throw Error(ErrorCode::invalid_file, "Snapshot", "", "is damaged: its checksum does not fit");
     auto fresh = std::make_unique<Impl>(impl_->state.settings);
     serialize_all(reader, *fresh);
+    fresh->set_shapes(snapshot.shapes);
     fresh->state.crew = std::move(impl_->state.crew);
     impl_ = std::move(fresh);
 }

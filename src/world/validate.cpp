@@ -129,25 +129,58 @@ void validate(const BodyDef& def) {
     if (def.mass_properties) validate("BodyDef.mass_properties", *def.mass_properties);
 }
 
-void validate(const Shape& shape) {
-    if (const auto* sphere = std::get_if<Sphere>(&shape)) {
-        require_size("Sphere.radius", sphere->radius);
-    } else if (const auto* box = std::get_if<Box>(&shape)) {
+namespace {
+
+struct ShapeValidator {
+    void operator()(const Sphere& sphere) const { require_size("Sphere.radius", sphere.radius); }
+    void operator()(const Box& box) const {
         const char* names[] = {"Box.half_extents.x", "Box.half_extents.y", "Box.half_extents.z"};
-        for (int i = 0; i < 3; ++i) require_size(names[i], box->half_extents[i]);
-    } else {
-        const auto& plane = std::get<Plane>(shape);
-        auto require_direction = [](std::string_view field, const Vec3& v) {
-            require_finite(field, v);
-            if (!(std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}) > 1e-30f))
-                refuse(field, to_text(v), "must not be zero");
-        };
+        for (int i = 0; i < 3; ++i) require_size(names[i], box.half_extents[i]);
+    }
+    void operator()(const Plane& plane) const {
         require_direction("Plane.normal", plane.normal);
         if (!plane.half_extents) return;
         require_direction("Plane.tangent", plane.tangent);
         require_size("Plane.half_extents.x", plane.half_extents->x);
         require_size("Plane.half_extents.y", plane.half_extents->y);
     }
+    void operator()(const Capsule& capsule) const {
+        require_size("Capsule.half_height", capsule.half_height);
+        require_size("Capsule.radius", capsule.radius);
+        if (capsule.radius_top) require_tip("Capsule.radius_top", *capsule.radius_top);
+    }
+    void operator()(const Cylinder& cylinder) const {
+        require_size("Cylinder.half_height", cylinder.half_height);
+        require_size("Cylinder.radius", cylinder.radius);
+        if (cylinder.radius_top) require_tip("Cylinder.radius_top", *cylinder.radius_top);
+    }
+    // These were checked when they were made; but one that was moved from is empty.
+    void operator()(const Hull& hull) const { require_data("Hull", hull.data() != nullptr); }
+    void operator()(const Mesh& mesh) const { require_data("Mesh", mesh.data() != nullptr); }
+    void operator()(const HeightField& field) const { require_data("HeightField", field.data() != nullptr); }
+
+  private:
+    static void require_direction(std::string_view field, const Vec3& v) {
+        require_finite(field, v);
+        if (!(std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}) > 1e-30f))
+            refuse(field, to_text(v), "must not be zero");
+    }
+    static void require_tip(std::string_view field, float radius) {
+        if (radius != 0) require_size(field, radius);
+    }
+    static void require_data(std::string_view field, bool has_data) {
+        if (!has_data) refuse(field, "", "was moved from");
+    }
+};
+
+} // namespace
+
+void validate(const Shape& shape) { std::visit(ShapeValidator{}, shape); }
+
+const char* shape_name(const Shape& shape) {
+    constexpr const char* names[] = {"Sphere", "Box", "Plane", "Capsule", "Cylinder", "Hull", "Mesh", "HeightField"};
+    static_assert(std::size(names) == std::variant_size_v<Shape>);
+    return names[shape.index()];
 }
 
 void validate(std::string_view field, const Material& material) {
@@ -166,6 +199,7 @@ void validate(const ShapeDef& def) {
     require_finite("ShapeDef.position", def.position);
     checked_rotation("ShapeDef.rotation", def.rotation);
     require_at_least("ShapeDef.density", def.density, 0);
+    require_finite("ShapeDef.surface_velocity", def.surface_velocity);
     validate("ShapeDef.material", def.material);
 }
 

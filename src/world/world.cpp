@@ -74,9 +74,10 @@ void link_shape(State& s, std::uint32_t shape, std::int32_t body) {
 void require_mass_in_range(const State& s, std::int32_t body, const Shape& shape, const ShapeDef& def) {
     const BodyMass& mass = s.mass[std::size_t(body)];
     if (!s.is_dynamic(body) || !mass.follows_shapes || mass.has_given_mass || !(def.density > 0)) return;
-    double sum = geometry_mass(make_geometry(shape, {}), def.density).mass;
+    double sum = geometry_mass(make_geometry(shape, {}), make_shape_data(shape), def.density).mass;
     for (std::int32_t i = s.bodies[std::size_t(body)].first_shape; i != none; i = s.shapes[std::size_t(i)].next)
-        sum += geometry_mass(s.geometry[std::size_t(i)], s.shapes[std::size_t(i)].density).mass;
+        sum += geometry_mass(s.geometry[std::size_t(i)], s.shape_data[std::size_t(i)], s.shapes[std::size_t(i)].density)
+                   .mass;
     if (!(sum >= smallest_mass && sum <= largest_mass))
         refuse("ShapeDef.density", to_text(def.density),
                "must give the body a mass from 1e-32 to 1e32 kg, not " + to_text(sum) + " kg");
@@ -248,19 +249,21 @@ ShapeId World::add_shape(BodyId id, const Shape& shape, const ShapeDef& def) {
     validate(shape);
     validate(def);
     State& s = impl_->state;
-    if (std::holds_alternative<Plane>(shape) && s.is_dynamic(b))
-        throw Error(ErrorCode::wrong_state, "World::add_shape shape", "Plane",
-                    "planes have no mass: add them to static or kinematic bodies");
+    if (is_surface(make_geometry(shape, {}).type) && s.is_dynamic(b))
+        throw Error(ErrorCode::wrong_state, "World::add_shape shape", shape_name(shape),
+                    "has no mass: add it to static or kinematic bodies, or its Hull to dynamic ones");
     require_slot(s.shape_slots, "World::add_shape");
     require_mass_in_range(s, b, shape, def);
     const std::uint32_t i = s.shape_slots.create();
-    make_room(s.geometry, i), make_room(s.shape_poses, i), make_room(s.shapes, i), make_room(s.materials, i);
+    make_room(s.geometry, i), make_room(s.shape_data, i), make_room(s.shape_poses, i), make_room(s.shapes, i),
+        make_room(s.materials, i);
     make_room(impl_->shape_of, i), make_room(impl_->def_of, i);
     impl_->shape_of[i] = shape;
     impl_->def_of[i] = def;
     impl_->def_of[i].rotation = checked_rotation("ShapeDef.rotation", def.rotation);
     const Transform pose{Position(def.position), impl_->def_of[i].rotation};
     s.geometry[i] = make_geometry(shape, pose);
+    s.shape_data[i] = make_shape_data(shape);
     s.materials[i] = def.material;
     s.shapes[i] = {};
     s.shapes[i].density = def.density;
