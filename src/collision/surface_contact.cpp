@@ -81,11 +81,11 @@ void find_hits(const Convex& a, const Surface& surface, double margin, std::vect
         for_each_triangle(data, lo, hi, [&](std::uint32_t index) {
             const Triangle t = triangle_of(data, index);
             TriangleHit hit{};
-            const TriangleFeature feature =
-                collide_triangle(a, {to_common(t.a), to_common(t.b), to_common(t.c)}, margin, {}, hit.manifold);
+            const Convex triangle = make_triangle(to_common(t.a), to_common(t.b), to_common(t.c));
+            const SurfaceContact contact = collide_surface(a, triangle, margin, {}, hit.manifold);
             if (hit.manifold.count == 0) return;
             hit.triangle = index;
-            hit.on_face = feature == TriangleFeature::face;
+            hit.on_face = contact.part == SurfaceContact::Part::face;
             hit.depth = -double(hit.manifold.points[0][3]);
             for (int i = 1; i < hit.manifold.count; ++i)
                 hit.depth = std::max(hit.depth, -double(hit.manifold.points[i][3]));
@@ -112,8 +112,8 @@ void write_manifold(SurfacePatch& patch, double size, Manifold& m) {
 
 } // namespace
 
-void collide_surface(const Convex& a, const Surface& surface, double margin, SurfaceScratch& scratch,
-                     std::vector<Manifold>& manifolds) {
+void collide_triangles(const Convex& a, const Surface& surface, double margin, SurfaceScratch& scratch,
+                       std::vector<Manifold>& manifolds) {
     manifolds.clear();
     find_hits(a, surface, margin, scratch.hits);
     std::sort(scratch.hits.begin(), scratch.hits.end(), [](const TriangleHit& p, const TriangleHit& q) {

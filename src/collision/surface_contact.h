@@ -46,7 +46,7 @@ struct SurfaceScratch {
 // All directions in which the shape touches the surface, or is nearer than `margin`: manifolds with different normals,
 // deepest first. Triangles in one plane count as one face, and nothing catches at the edges between them. `manifolds`
 // is emptied before.
-void collide_surface(const Convex& a, const Surface& surface, double margin, SurfaceScratch& scratch,
-                     std::vector<Manifold>& manifolds);
+void collide_triangles(const Convex& a, const Surface& surface, double margin, SurfaceScratch& scratch,
+                       std::vector<Manifold>& manifolds);
 
 } // namespace cairn

@@ -33,12 +33,12 @@ Manifold test_convex_pair(PairKind kind, const PosedShape& a, const PosedShape& 
         collide_convex(first, convex_of(b, offset), double(margin), to_double(guess), out);
         return out;
     }
-    const math::DMat3 axes = math::to_matrix(rotation_of(b.pose));
-    if (kind == PairKind::convex_plane)
-        collide_plane(first, axes.c1, -math::dot(axes.c1, offset), double(margin), out);
-    else
-        collide_rectangle(first, offset, axes, double(b.geometry.size.x), double(b.geometry.size.z), double(margin),
-                          to_double(guess), out);
+    if (kind == PairKind::convex_plane) {
+        const DVec3 up = math::to_matrix(rotation_of(b.pose)).c1;
+        collide_plane(first, up, -math::dot(up, offset), double(margin), out);
+    } else {
+        collide_surface(first, convex_of(b, offset), double(margin), to_double(guess), out);
+    }
     return out;
 }
 
@@ -46,7 +46,7 @@ void find_patches(const PosedShape& a, const PosedShape& surface, float margin, 
                   std::vector<Manifold>& hits) {
     const DVec3 offset = offset_between(a.pose, surface.pose);
     const Surface posed{surface.data, offset, math::to_matrix(rotation_of(surface.pose))};
-    collide_surface(convex_of(a, {}), posed, double(margin), scratch, hits);
+    collide_triangles(convex_of(a, {}), posed, double(margin), scratch, hits);
 }
 
 } // namespace cairn
