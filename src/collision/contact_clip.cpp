@@ -277,7 +277,7 @@ double edge_points(const Feature& first, const Feature& second, DVec3 n, double 
     if (is_b) t = unit((s * ab - bw) / bb);
     if (is_a) s = unit((t * ab + aw) / aa);
     const DVec3 p = a + s * da, q = b + t * db;
-    out.add({0.5 * (p + q), separation, base});
+    out.add({q - (0.5 * separation) * n, separation, base}); // exactly under the second, for seams
     return math::length((q - p) - dot(q - p, n) * n);
 }
 
