@@ -257,7 +257,8 @@ double edge_points(const Feature& first, const Feature& second, DVec3 n, double 
     const double aa = dot(da, da), bb = dot(db, db), ab = dot(da, db);
     const DVec3 w = b - a;
     if (is_a && is_b && aa * bb - ab * ab < parallel * parallel * aa * bb) {
-        // Side by side: the part of the first that the second covers.
+        // Side by side: the part of the first that the second covers. All points are exactly under the second, for
+        // seams.
         const double t0 = dot(w, da) / aa, t1 = t0 + ab / aa;
         const double start = std::max(0.0, std::min(t0, t1)), end = std::min(1.0, std::max(t0, t1));
         if (start < end) {
@@ -265,7 +266,7 @@ double edge_points(const Feature& first, const Feature& second, DVec3 n, double 
                 const double t = k == 0 ? start : end, s = (t - t0) / (t1 - t0);
                 const DVec3 p = a + t * da, q = b + s * db;
                 const double gap = dot(q - p, n);
-                out.add({p + (0.5 * gap) * n, gap, base + 1 + static_cast<std::uint32_t>(k)});
+                out.add({q - (0.5 * gap) * n, gap, base + 1 + static_cast<std::uint32_t>(k)});
             }
             return 0;
         }
@@ -277,7 +278,7 @@ double edge_points(const Feature& first, const Feature& second, DVec3 n, double 
     if (is_b) t = unit((s * ab - bw) / bb);
     if (is_a) s = unit((t * ab + aw) / aa);
     const DVec3 p = a + s * da, q = b + t * db;
-    out.add({q - (0.5 * separation) * n, separation, base}); // exactly under the second, for seams
+    out.add({q - (0.5 * separation) * n, separation, base});
     return math::length((q - p) - dot(q - p, n) * n);
 }
 
