@@ -35,10 +35,17 @@ struct Axis {
     double separation = none;
     int face = -1;
     bool is_second = false; // the face is b's
+    DVec3 on_a, on_b;       // the points of the shapes that are farthest along the normal and against it
     DVec3 touch;            // midway between the points of the cores that are nearest to each other
 };
 
 double separation_along(const Convex& a, const Convex& b, DVec3 n) { return dot(n, support(b, -n) - support(a, n)); }
+
+void measure(const Convex& a, const Convex& b, Axis& axis) {
+    axis.on_a = support(a, axis.normal);
+    axis.on_b = support(b, -axis.normal);
+    axis.separation = dot(axis.normal, axis.on_b - axis.on_a);
+}
 
 // The face of `c` along whose normal the shapes are farthest apart, if more than `floor`. p: some point of the other.
 Axis best_face(const Convex& c, const Convex& other, DVec3 p, double floor) {
@@ -48,7 +55,7 @@ Axis best_face(const Convex& c, const Convex& other, DVec3 p, double floor) {
         const DVec3 normal = face_normal(c, face), on_face = face_point(c, face);
         if (!(dot(normal, p - on_face) > best.separation)) return; // no other point is farther inside
         const double separation = dot(normal, support(other, -normal) - on_face);
-        if (separation > best.separation) best = {normal, separation, face, false, {}};
+        if (separation > best.separation) best = {normal, separation, face, false, {}, {}, {}};
     };
     if (c.kind == Convex::Kind::hull) {
         const DVec3 local = to_local(c, p - c.center);
@@ -82,7 +89,7 @@ bool find_axis(const Convex& a, const Convex& b, double margin, DVec3 guess, Axi
         axis.normal = r.normal;
         axis.touch = 0.5 * (r.on_a + pair.a.radius * r.normal + r.on_b - pair.b.radius * r.normal);
     }
-    axis.separation = separation_along(a, b, axis.normal);
+    measure(a, b, axis);
     return axis.separation <= margin;
 }
 
@@ -135,10 +142,10 @@ double face_preference(const Convex& a, const Convex& b, double extent) {
 // The face along whose normal the shapes are farthest apart, if that is about as good as the axis.
 Axis preferred_face(const Convex& a, const Convex& b, const Axis& axis, double preference, double extent) {
     const double floor = axis.separation - preference;
-    Axis face = best_face(a, b, support(b, -axis.normal), floor);
+    Axis face = best_face(a, b, axis.on_b, floor);
     const double second_floor = face.face < 0 ? floor : face.separation + second_face_tolerance * extent;
-    const Axis second = best_face(b, a, support(a, axis.normal), second_floor);
-    if (second.face >= 0) face = {-second.normal, second.separation, second.face, true, {}};
+    const Axis second = best_face(b, a, axis.on_a, second_floor);
+    if (second.face >= 0) face = {-second.normal, second.separation, second.face, true, {}, {}, {}};
     return face;
 }
 
@@ -162,7 +169,7 @@ bool contact_by_guess(const Convex& a, const Convex& b, double margin, DVec3 gue
     if (!(square > 0)) return false;
     Axis axis;
     axis.normal = (1 / std::sqrt(square)) * guess;
-    axis.separation = separation_along(a, b, axis.normal);
+    measure(a, b, axis);
     if (axis.separation > margin) return true;
     if (!a.is_sharp && !b.is_sharp) return false;
     const double extent = common_extent(a, b), preference = face_preference(a, b, extent);
@@ -260,7 +267,7 @@ void lift(const Convex& a, const Convex& polygon, double margin, Manifold& out) 
     const DVec3 up = polygon.axes.c1;
     const double separation = separation_along(a, polygon, -up);
     if (separation > margin) return;
-    const Axis face{-up, separation, 0, true, {}};
+    const Axis face{-up, separation, 0, true, {}, {}, {}};
     if (face_manifold(a, polygon, face, separation, a.extent, a.extent, margin, out)) return;
     ContactPoints points;
     const DVec3 m = middle(a);
@@ -290,7 +297,8 @@ SurfaceContact collide_surface(const Convex& a, const Convex& polygon, double ma
         // It would be pushed down: it has left the polygon, or is so much above it that it is pushed up.
         const double upward = separation_along(a, polygon, -up);
         if (axis.separation > 0.5 * upward || axis.separation > 0) return {};
-        axis = {-up, upward, -1, false, axis.touch};
+        axis.normal = -up;
+        measure(a, polygon, axis);
     }
     contact_along(a, polygon, axis, margin, out);
     return place_of(a, polygon, out);
