@@ -42,9 +42,7 @@ class HullChecker {
         (out << ... << parts);
         wrong_ = out.str();
     }
-    static bool less(math::Vec3 a, math::Vec3 b) {
-        return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
-    }
+    static bool less(math::Vec3 a, math::Vec3 b) { return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z; }
     math::DVec3 vertex(std::size_t i) const { return math::to_double(hull_.vertices[i]); }
     static double above(const HullFace& face, math::DVec3 p) {
         return math::dot(math::to_double(face.normal), p) - double(face.offset);
@@ -145,8 +143,8 @@ class HullChecker {
             for (const math::Vec3 p : points_) all = std::max(all, math::dot(d, math::to_double(p)));
             for (const math::Vec3 p : hull_.vertices) own = std::max(own, math::dot(d, math::to_double(p)));
             if (all - own > 2 * double(hull_.tolerance))
-                return wrong("the points reach ", all - own, " farther than the vertices, tolerance ",
-                             hull_.tolerance, " in direction ", d.x, " ", d.y, " ", d.z);
+                return wrong("the points reach ", all - own, " farther than the vertices, tolerance ", hull_.tolerance,
+                             " in direction ", d.x, " ", d.y, " ", d.z);
         }
     }
 
