@@ -52,7 +52,8 @@ struct HullData {
 //     tolerance = min(1e-5 E + min(2^-20 M, 1e-3 E), 0.05 thickness) + 2^-23 M. The second term lets faces stay flat
 //     whose corners were rounded to floats away from the origin, up to 1000 E; beyond, the points are taken as they
 //     are. The last term is the rounding of a plane's offset.
-//   - Each face is convex, and none of its corners is on the line of its neighbors. Triangles of a quarter of the
+//   - Each face is convex once its corners are moved by up to 2^-29 E (to the grid that decisions are exact on), and
+//     none of them is then on the line of its neighbors. Triangles of a quarter of the
 //     tolerance off a plane are one face wherever that gives a convex one.
 //   - Each corner of the core is below all planes by inset (1 - 1e-3) at least, and by inset (1 + 1e-3) at most below
 //     three of them, but for rounding to floats (2^-22 M).

@@ -113,11 +113,14 @@ class HullChecker {
                 const auto corner = [&](std::uint32_t k) { return vertex(hull_.loops[face.first + k % face.count]); };
                 if (std::fabs(above(face, corner(i))) > tolerance)
                     return wrong("a corner of face ", f, " is off its plane by ", above(face, corner(i)));
-                // Convex: all corners are left of each edge, in the plane of the face.
+                // Convex: all corners are left of each edge, in the plane of the face; but for the grid of the
+                // builder, which turns short edges.
                 const math::DVec3 edge = corner(i + 1) - corner(i);
                 const math::DVec3 out = math::normalized(math::cross(edge, normal));
+                const double turn = 0x1p-28 * extent_ / math::length(edge);
                 for (std::uint32_t k = 2; k < face.count; ++k)
-                    if (const double d = math::dot(out, corner(i + k) - corner(i)); d > 1e-7 * extent_)
+                    if (const double d = math::dot(out, corner(i + k) - corner(i));
+                        d > 1e-7 * extent_ + turn * math::length(corner(i + k) - corner(i)))
                         return wrong("face ", f, " is not convex: corner ", k, " of ", face.count, " after ", i, " by ",
                                      d);
             }

@@ -320,6 +320,18 @@ TEST(Hull, RefusesWhatFloatsCannotTellApartFarFromTheOrigin) {
     EXPECT_NE(refusal(points).find("largest coordinate"), std::string::npos);
 }
 
+// Found by fuzzing: two corners 4e-5 apart almost on a line with one far away. Where the line through the two goes is
+// decided on the grid, and floats see it turned by a little.
+TEST(Hull, ShortEdgesAreConvexUpToTheGrid) {
+    build_checked({{-1.99997902f, 0, 0},
+                   {0, 0, 0},
+                   {0, 0, 2.20000002e-05f},
+                   {-0.999969006f, -0.00999968965f, -0.999969006f},
+                   {-0.999994993f, -0.00999994949f, -0.999994993f},
+                   {-0.999994993f, -0.00999994949f, -0.999969006f},
+                   {-0.999969006f, 3.99999998e-08f, 2.00000095f}});
+}
+
 TEST(Hull, PublicClassTellsItsParts) {
     const std::vector<cairn::Vec3> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.1f, 0.1f, 0.1f}};
     const Hull hull(points);
