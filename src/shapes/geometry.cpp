@@ -194,6 +194,9 @@ struct MeshSupport {
 };
 
 DBounds mesh_bounds(const MeshData& mesh, const math::Mat3& m) {
+    const math::Mat3 upright;
+    if (m.c0 == upright.c0 && m.c1 == upright.c1 && m.c2 == upright.c2)
+        return {math::to_double(mesh.lo), math::to_double(mesh.hi)};
     const double slack = 0.25 * rounding * double(mesh.bounding_radius);
     auto reach = [&](DVec3 direction) {
         MeshSupport support{mesh, direction, slack};
