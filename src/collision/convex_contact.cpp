@@ -149,14 +149,27 @@ Axis preferred_face(const Convex& a, const Convex& b, const Axis& axis, double p
     return face;
 }
 
+// Inset cores round off edges: where those meet a round side, the axis is that of the shapes themselves.
+void sharpen(const Convex& a, const Convex& b, Axis& axis) {
+    if (!a.is_sharp || !b.is_sharp) return;
+    const CorePair pair{exact_core(a), exact_core(b)};
+    const GjkResult r = gjk_distance(pair, axis.normal, std::numeric_limits<double>::infinity());
+    Axis exact;
+    exact.normal = r.state == GjkResult::State::overlapping ? epa_depth(pair, r.simplex).normal : r.normal;
+    measure(a, b, exact);
+    if (exact.separation > axis.separation) axis = exact;
+}
+
 // Contact along an axis found from the cores, or along the normal of a face where that is about as good.
-void contact_along(const Convex& a, const Convex& b, const Axis& axis, double margin, Manifold& out) {
+void contact_along(const Convex& a, const Convex& b, Axis axis, double margin, Manifold& out) {
     const double extent = common_extent(a, b), preference = face_preference(a, b, extent);
     const Axis face = preferred_face(a, b, axis, preference, extent);
     if (face.face >= 0) {
         const double least = std::max(axis.separation, face.separation);
         if (least > margin) return;
         if (face_manifold(a, b, face, least, preference + rounding * extent, extent, margin, out)) return;
+        sharpen(a, b, axis);
+        if (axis.separation > margin) return;
     }
     edge_manifold(a, b, axis, extent, margin, out);
 }
