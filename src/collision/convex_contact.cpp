@@ -17,7 +17,7 @@ constexpr double none = -std::numeric_limits<double>::infinity();
 // The second shape's faces are the reference only where they are less deep by this part of the extent.
 constexpr double second_face_tolerance = 1e-4;
 // Where distances are exact, a normal is made that of a face within this part of the extent.
-constexpr double snap_tolerance = 1e-7;
+constexpr double snap_tolerance = 2e-3;
 // With a cylinder, this part of the tolerance for polytopes: round sides and rims have normals of their own.
 constexpr double round_part = 0.1;
 
