@@ -21,7 +21,9 @@ PictureRecorder::PictureRecorder(const scene::Scene& scene, std::filesystem::pat
     if (!video.empty()) video_ = std::make_unique<viewer::VideoWriter>(video, width, height, frames_per_second);
 }
 
-void PictureRecorder::draw(const World& world) { renderer_.draw(viewer::make_frame(world, appearances_, camera_)); }
+void PictureRecorder::draw(const World& world) {
+    renderer_.draw(viewer::make_frame(world, appearances_, camera_, {}, meshes_));
+}
 
 void PictureRecorder::add(const World& world) {
     if (!video_) return;

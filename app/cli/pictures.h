@@ -29,6 +29,7 @@ class PictureRecorder {
     std::filesystem::path png_;
     viewer::CameraPose camera_;
     std::vector<viewer::Appearance> appearances_;
+    viewer::MeshCache meshes_;
     viewer::HeadlessRenderer renderer_;
     std::unique_ptr<viewer::VideoWriter> video_;
     double start_ = 0.0;

@@ -26,6 +26,8 @@ viewer::CameraPose camera_of(const scene::Scene& scene) {
     return pose;
 }
 
+std::vector<std::string> viewer_file_types() { return {".gltf", ".glb"}; }
+
 viewer::LoadedScene load_for_viewer(const std::string& path) {
     scene::Scene scene = scene::load(scene::find_scene(path));
     viewer::LoadedScene loaded;

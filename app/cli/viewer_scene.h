@@ -11,6 +11,9 @@ std::vector<viewer::Appearance> appearances_of(const scene::Scene& scene);
 // The scene's own view, or one that shows all of it.
 viewer::CameraPose camera_of(const scene::Scene& scene);
 
+// Extensions of the files that `load_for_viewer` reads.
+std::vector<std::string> viewer_file_types();
+
 viewer::LoadedScene load_for_viewer(const std::string& path);
 
 } // namespace cairn::cli

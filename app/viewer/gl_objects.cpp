@@ -111,13 +111,13 @@ void GlProgram::set(const char* uniform, float value) const { glUniform1f(place_
 
 void GlProgram::set(const char* uniform, int value) const { glUniform1i(place_of(uniform), value); }
 
-GlMesh::GlMesh(const Mesh& mesh)
+GlMesh::GlMesh(const TriangleMesh& mesh)
     : vertices_(make_buffer()), indices_(make_buffer()), instances_(make_buffer()), array_(make_vertex_array()),
       plain_array_(make_vertex_array()), index_count_(int(mesh.indices.size())) {
     mesh_attributes(plain_array_, vertices_, indices_);
     glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(mesh.vertices.size() * sizeof(MeshVertex)), mesh.vertices.data(),
                  GL_STATIC_DRAW);
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(mesh.indices.size() * sizeof(std::uint16_t)), mesh.indices.data(),
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(mesh.indices.size() * sizeof(std::uint32_t)), mesh.indices.data(),
                  GL_STATIC_DRAW);
     mesh_attributes(array_, vertices_, indices_);
     glBindBuffer(GL_ARRAY_BUFFER, instances_.name());
@@ -137,12 +137,12 @@ void GlMesh::upload(const void* instances, std::size_t count) {
 void GlMesh::draw_instances() const {
     if (instance_count_ == 0) return;
     glBindVertexArray(array_.name());
-    glDrawElementsInstanced(GL_TRIANGLES, index_count_, GL_UNSIGNED_SHORT, nullptr, instance_count_);
+    glDrawElementsInstanced(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr, instance_count_);
 }
 
 void GlMesh::draw_once() const {
     glBindVertexArray(plain_array_.name());
-    glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_SHORT, nullptr);
+    glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
 }
 
 } // namespace cairn::viewer

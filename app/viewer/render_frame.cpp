@@ -26,14 +26,14 @@ Vec3 color_of(const WorldLayout& layout, const WorldMotion& motion, const ShapeL
         if (!motion.awake[shape.body]) return sleeping_color();
         return category_color(motion.islands.empty() ? 0u : motion.islands[shape.body]);
     case ColorMode::shape:
-        if (shape.type == ShapeType::sphere) return linear_color(0x0072b2);
-        if (shape.type == ShapeType::box) return linear_color(0xe69f00);
-        return static_color();
+        return shape_color(shape.type);
     case ColorMode::scene:
         break;
     }
     if (shape.color) return *shape.color;
     if (shape.type == ShapeType::plane) return ground_color();
+    if (shape.type == ShapeType::mesh) return surface_color();
+    if (shape.type == ShapeType::height_field) return terrain_color();
     return moving ? default_color(body.id.index()) : static_color();
 }
 
@@ -43,6 +43,23 @@ Transform interpolate(const Transform& from, const Transform& to, float fraction
     const float sign = glm::dot(from.rotation, to.rotation) < 0.0f ? -1.0f : 1.0f;
     const Quat mixed = from.rotation * (1.0f - fraction) + to.rotation * (sign * fraction);
     return {from.position + (to.position - from.position) * double(fraction), glm::normalize(mixed)};
+}
+
+// Where shapes of that kind are collected; the mesh of one of its own must be in its place already.
+std::vector<Instance>& instances_of(RenderFrame& frame, const ShapeLayout& shape) {
+    if (shape.mesh) return frame.meshes[*shape.mesh].instances;
+    switch (shape.type) {
+    case ShapeType::sphere:
+        return frame.spheres;
+    case ShapeType::box:
+        return frame.boxes;
+    case ShapeType::capsule:
+        return frame.capsules;
+    case ShapeType::cylinder:
+        return frame.cylinders;
+    default:
+        return frame.rectangles;
+    }
 }
 
 GroundPlane ground_of(const Position& point, const Quat& rotation, const Position& origin, const Vec3& color) {
@@ -84,6 +101,7 @@ RenderFrame make_frame(const WorldLayout& layout, const WorldMotion& previous, c
     std::vector<Transform> transforms(layout.bodies.size());
     for (std::size_t i = 0; i < transforms.size(); ++i)
         transforms[i] = interpolate(previous.transforms[i], current.transforms[i], fraction);
+    for (const auto& mesh : layout.meshes) frame.meshes.push_back({mesh, {}});
     for (const ShapeLayout& shape : layout.shapes) {
         const Transform& body = transforms[shape.body];
         const Position position = body.position + Position(body.rotation * shape.position);
@@ -100,21 +118,26 @@ RenderFrame make_frame(const WorldLayout& layout, const WorldMotion& previous, c
         instance.color = color;
         const BodyId id = layout.bodies[shape.body].id;
         instance.emphasis = options.selected && id == options.selected ? 1.0f : 0.0f;
-        if (shape.type == ShapeType::sphere)
-            frame.spheres.push_back(instance);
-        else if (shape.type == ShapeType::box)
-            frame.boxes.push_back(instance);
-        else
-            frame.rectangles.push_back(instance);
+        // Slopes are tinted where the color is ours to choose and means nothing.
+        if (shape.type == ShapeType::height_field && (shape.color || options.colors != ColorMode::scene))
+            instance.pattern = 0.0f;
+        instance.bound_radius = glm::length(shape.bound_center) + shape.bound_radius;
+        instances_of(frame, shape).push_back(instance);
     }
     return frame;
 }
 
 RenderFrame make_frame(const World& world, std::span<const Appearance> appearances, const CameraPose& camera,
-                       const FrameOptions& options) {
-    const WorldLayout layout = read_layout(world, appearances);
+                       const FrameOptions& options, MeshCache& meshes) {
+    const WorldLayout layout = read_layout(world, appearances, meshes);
     const WorldMotion motion = read_motion(world, layout, options.colors == ColorMode::island);
     return make_frame(layout, motion, motion, 1.0f, camera, options);
+}
+
+RenderFrame make_frame(const World& world, std::span<const Appearance> appearances, const CameraPose& camera,
+                       const FrameOptions& options) {
+    MeshCache meshes;
+    return make_frame(world, appearances, camera, options, meshes);
 }
 
 } // namespace cairn::viewer

@@ -4,7 +4,9 @@
 #pragma once
 
 #include "viewer/scene_source.h"
+#include "viewer/shape_meshes.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -20,8 +22,13 @@ struct ShapeLayout {
     ShapeType type = ShapeType::sphere;
     Vec3 position{0.0f, 0.0f, 0.0f}; ///< In the body's frame, meters.
     Quat rotation{1.0f, 0.0f, 0.0f, 0.0f};
-    Vec3 half_size{0.5f, 0.5f, 0.5f}; ///< Meters. Planes lie in their own xz, with their normal along y.
-    std::optional<Vec3> color;        ///< From the scene, linear.
+    /// Meters. Planes lie in their own xz, with their normal along y. Capsules and cylinders: lower radius, half
+    /// height, upper radius. Shapes with a mesh of their own: factors of its coordinates.
+    Vec3 half_size{0.5f, 0.5f, 0.5f};
+    std::optional<Vec3> color;           ///< From the scene, linear.
+    std::optional<std::size_t> mesh;     ///< Index into `WorldLayout::meshes`.
+    Vec3 bound_center{0.0f, 0.0f, 0.0f}; ///< A ball around the shape, in the shape's frame ...
+    float bound_radius = 0.0f;           ///< ... meters; infinite planes have none.
 };
 
 struct BodyLayout {
@@ -34,7 +41,8 @@ struct BodyLayout {
 struct WorldLayout {
     std::vector<BodyLayout> bodies;
     std::vector<ShapeLayout> shapes;
-    float least_mass = 1.0f, greatest_mass = 1.0f; ///< kg, among dynamic bodies of finite mass.
+    std::vector<std::shared_ptr<const ShapeMesh>> meshes; ///< Of the shapes that have one, each once.
+    float least_mass = 1.0f, greatest_mass = 1.0f;        ///< kg, among dynamic bodies of finite mass.
 };
 
 /// How every body of a layout stands and moves at one moment.
@@ -45,8 +53,9 @@ struct WorldMotion {
     std::vector<std::uint32_t> islands; ///< The least index of a dynamic body that each one is joined to by contacts.
 };
 
-/// Copies the layout. `appearances` of shapes that no longer exist are ignored.
-WorldLayout read_layout(const World& world, std::span<const Appearance> appearances);
+/// Copies the layout. `appearances` of shapes that no longer exist are ignored. `meshes` keeps what it has made for the
+/// next call, and drops what this world no longer has.
+WorldLayout read_layout(const World& world, std::span<const Appearance> appearances, MeshCache& meshes);
 /// Copies the motion of the bodies of a layout. Islands are found only if asked for, else `islands` is empty.
 WorldMotion read_motion(const World& world, const WorldLayout& layout, bool with_islands = false);
 
