@@ -32,7 +32,7 @@ TriangleMesh box_mesh();
 TriangleMesh rectangle_mesh();
 /// Two caps and the surface between them, of any two radii: 4 x rings x segments triangles. `corner`: the direction
 /// from the axis in x and z (zero at a pole), -1 or 1 in y for the lower or upper ball. `inset.x`: 0 where the ball
-/// meets the surface between them, 1 at its pole, in equal angles. `segments` >= 3, `rings` >= 1.
+/// meets the surface between them, 1 at its pole. `segments` >= 3, `rings` >= 1.
 TriangleMesh capsule_mesh(int segments, int rings);
 /// A cylinder of any two radii with beveled rims, shaded as if those were rounded: 8 x segments triangles. `corner` as
 /// in a capsule. `inset.x`: 0 in the middle of the end's disk, 1 at its rim, 2 at the end of the side. `segments` >= 3.

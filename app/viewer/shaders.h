@@ -114,9 +114,14 @@ vec3 rotate(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.
 // ball's part begins. Where one ball holds the other, it is all that is left.
 void place_capsule(vec3 size, out vec3 place, out vec3 normal) {
     float end = a_corner.y;
-    float seam = asin(clamp((size.x - size.z) / (2.0 * size.y), -1.0, 1.0));
-    float latitude = mix(seam, 1.57079632679 * end, a_inset.x);
-    normal = vec3(a_corner.x * cos(latitude), sin(latitude), a_corner.z * cos(latitude));
+    // Away from the axis and up: where the ball's part begins, in the middle, and at the pole. The middle comes from the
+    // formulas of half angles; asin() is good to four digits only on some drivers.
+    float height = clamp((size.x - size.z) / (2.0 * size.y), -1.0, 1.0);
+    vec2 seam = vec2(sqrt(1.0 - height * height), height);
+    vec2 middle = vec2(sqrt(0.5 - 0.5 * end * height), end * sqrt(0.5 + 0.5 * end * height));
+    float part = 2.0 * a_inset.x;
+    vec2 lean = normalize(part < 1.0 ? mix(seam, middle, part) : mix(middle, vec2(0.0, end), part - 1.0));
+    normal = vec3(a_corner.x * lean.x, lean.y, a_corner.z * lean.x);
     place = vec3(0.0, end * size.y, 0.0) + normal * (end < 0.0 ? size.x : size.z);
 }
 

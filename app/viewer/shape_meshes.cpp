@@ -95,8 +95,8 @@ TriangleMesh surface_triangles(std::span<const Vec3> vertices, std::span<const s
         const std::size_t first = mesh.vertices.size();
         for (const std::uint32_t corner : around) {
             const Vec3 normal = corner_normal(around, corner, normals, angles);
-            // Corners that look alike share a vertex.
-            std::size_t place = first;
+            // Corners that look alike share a vertex; where very many meet, not all of them are compared.
+            std::size_t place = std::max(first, mesh.vertices.size() - std::min(mesh.vertices.size(), most_smoothed));
             while (place < mesh.vertices.size() && glm::dot(mesh.vertices[place].normal, normal) < 0.99999f) ++place;
             if (place == mesh.vertices.size()) mesh.vertices.push_back({vertices[v], Vec3(0.0f), normal});
             mesh.indices[corner] = std::uint32_t(place);
