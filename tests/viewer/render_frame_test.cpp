@@ -7,6 +7,12 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <set>
+#include <span>
+#include <tuple>
+#include <vector>
+
 namespace {
 
 using namespace cairn;
@@ -27,6 +33,81 @@ TEST(RenderFrame, ShowsEveryShapeInItsPlace) {
     EXPECT_EQ(frame.boxes[1].color, Vec3(1.0f, 0.0f, 0.0f)); // the scene's own
     EXPECT_EQ(frame.spheres[0].position, Vec3(Position(0.5, 4.0, -1.0) - frame.origin));
     EXPECT_EQ(frame.spheres[0].half_size, Vec3(0.25f));
+}
+
+TEST(RenderFrame, RoundShapesComeWithTheirSizes) {
+    World world;
+    const BodyId body = world.create_body(test::body_at({0.0, 4.0, 0.0}));
+    world.add_shape(body, Capsule{0.5f, 0.25f, {}});
+    world.add_shape(body, Capsule{0.5f, 0.25f, 0.1f});
+    world.add_shape(body, Cylinder{0.3f, 0.6f, {}});
+    world.add_shape(body, cone(0.4f, 0.7f));
+    const RenderFrame frame = make_frame(world, {}, CameraPose{});
+    ASSERT_EQ(frame.capsules.size(), 2u);
+    ASSERT_EQ(frame.cylinders.size(), 2u);
+    EXPECT_EQ(frame.capsules[0].half_size, Vec3(0.25f, 0.5f, 0.25f)); // lower radius, half height, upper radius
+    EXPECT_EQ(frame.capsules[1].half_size, Vec3(0.25f, 0.5f, 0.1f));
+    EXPECT_EQ(frame.cylinders[0].half_size, Vec3(0.6f, 0.3f, 0.6f));
+    EXPECT_EQ(frame.cylinders[1].half_size, Vec3(0.4f, 0.7f, 0.0f));
+    EXPECT_FLOAT_EQ(frame.capsules[1].bound_radius, 0.75f);
+    EXPECT_FLOAT_EQ(frame.cylinders[0].bound_radius, std::hypot(0.3f, 0.6f));
+}
+
+TEST(RenderFrame, ShapesOfTheSameDataAreInstancesOfOneMesh) {
+    World world;
+    const Hull hull(test::cube_corners());
+    const cairn::Mesh surface = test::cube_surface();
+    const HeightField field = test::hills(5, 1.0f);
+    for (int i = 0; i < 3; ++i) world.add_shape(world.create_body(test::body_at({3.0 * i, 4.0, 0.0})), hull);
+    for (int i = 0; i < 2; ++i) world.add_shape(world.create_body(test::static_body()), surface);
+    world.add_shape(world.create_body(test::static_body()), field);
+    MeshCache meshes;
+    const RenderFrame frame = make_frame(world, {}, CameraPose{}, {}, meshes);
+    ASSERT_EQ(frame.meshes.size(), 3u);
+    EXPECT_EQ(frame.meshes[0].instances.size(), 3u);
+    EXPECT_EQ(frame.meshes[0].mesh->look, MeshLook::facets);
+    EXPECT_EQ(frame.meshes[0].instances[1].position, Vec3(Position(3.0, 4.0, 0.0) - frame.origin));
+    EXPECT_EQ(frame.meshes[1].instances.size(), 2u);
+    EXPECT_EQ(frame.meshes[1].mesh->look, MeshLook::surface);
+    EXPECT_EQ(frame.meshes[1].instances[0].color, surface_color());
+    EXPECT_EQ(frame.meshes[2].mesh->look, MeshLook::terrain);
+    EXPECT_EQ(frame.meshes[2].instances[0].color, terrain_color());
+    EXPECT_EQ(frame.meshes[2].instances[0].pattern, 1.0f);
+
+    // The next picture has the same meshes, not copies of them.
+    const RenderFrame next = make_frame(world, {}, CameraPose{}, {}, meshes);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(next.meshes[i].mesh, frame.meshes[i].mesh);
+}
+
+TEST(RenderFrame, SlopesAreNotTintedWhereColorsMeanSomething) {
+    World world;
+    const ShapeId field = world.add_shape(world.create_body(test::static_body()), test::hills(5, 1.0f));
+    FrameOptions options;
+    options.colors = ColorMode::mass;
+    EXPECT_EQ(make_frame(world, {}, CameraPose{}, options).meshes[0].instances[0].pattern, 0.0f);
+    const Appearance own{field, {0.1f, 0.2f, 0.3f}};
+    const Instance colored = make_frame(world, std::span(&own, 1), CameraPose{}).meshes[0].instances[0];
+    EXPECT_EQ(colored.pattern, 0.0f);
+    EXPECT_EQ(colored.color, own.color);
+}
+
+TEST(RenderFrame, EveryKindOfShapeHasAColorOfItsOwn) {
+    World world;
+    const BodyId body = world.create_body(test::body_at({0.0, 4.0, 0.0}));
+    for (const Shape& shape :
+         {Shape(Sphere{}), Shape(Box{}), Shape(Capsule{}), Shape(Cylinder{}), Shape(Hull(test::cube_corners()))})
+        world.add_shape(body, shape);
+    FrameOptions options;
+    options.colors = ColorMode::shape;
+    const RenderFrame frame = make_frame(world, {}, CameraPose{}, options);
+    std::set<std::tuple<float, float, float>> colors;
+    for (const auto* list :
+         {&frame.spheres, &frame.boxes, &frame.capsules, &frame.cylinders, &frame.meshes.at(0).instances}) {
+        ASSERT_EQ(list->size(), 1u);
+        const Vec3 color = list->front().color;
+        colors.insert({color.x, color.y, color.z});
+    }
+    EXPECT_EQ(colors.size(), 5u);
 }
 
 TEST(RenderFrame, RectangleLiesAlongItsTangent) {
@@ -61,7 +142,8 @@ TEST(RenderFrame, IslandsJoinTouchingBodiesOnly) {
     const BodyId upper = scene.world.create_body(test::body_at({0.0, 1.5, 0.0}));
     scene.world.add_shape(upper, Box{});
     for (int i = 0; i < 3; ++i) scene.world.step(1.0f / 60.0f);
-    const WorldLayout layout = read_layout(scene.world, {});
+    MeshCache meshes;
+    const WorldLayout layout = read_layout(scene.world, {}, meshes);
     const WorldMotion motion = read_motion(scene.world, layout, true);
     EXPECT_EQ(motion.islands[1], motion.islands[3]); // one on the other
     EXPECT_NE(motion.islands[1], motion.islands[2]); // both on the ground, which joins nothing
@@ -69,7 +151,8 @@ TEST(RenderFrame, IslandsJoinTouchingBodiesOnly) {
 
 TEST(RenderFrame, InterpolatesBetweenTwoStates) {
     const LoadedScene scene = test::boxes_on_plane(1);
-    const WorldLayout layout = read_layout(scene.world, {});
+    MeshCache meshes;
+    const WorldLayout layout = read_layout(scene.world, {}, meshes);
     const WorldMotion before = read_motion(scene.world, layout);
     WorldMotion after = before;
     after.transforms[1].position.x += 1.0;
@@ -118,6 +201,44 @@ TEST(FitCamera, LooksAtTheDynamicBodies) {
         EXPECT_LT(std::abs(device->x), 0.9f);
         EXPECT_LT(std::abs(device->y), 0.9f);
     }
+}
+
+TEST(FitCamera, StaysWithTheBodiesOnAHugeField) {
+    World world;
+    world.add_shape(world.create_body(test::static_body()), Plane{});
+    const BodyId ground = world.create_body(test::static_body());
+    world.add_shape(ground, test::hills(300, 100.0f)); // thirty kilometers
+    const BodyId body = world.create_body(test::body_at({4.0, 4.0, 0.0}));
+    world.add_shape(body, Capsule{0.5f, 0.25f, {}});
+    const CameraPose pose = fit_camera(world);
+    EXPECT_LT(glm::distance(pose.target, Position(4.0, 4.0, 0.0)), 0.1);
+    EXPECT_LT(glm::distance(pose.target, pose.position), 20.0);
+
+    world.destroy_body(body);
+    const CameraPose wide = fit_camera(world); // all that is left
+    EXPECT_LT(glm::distance(wide.target, Position(0.0)), 10.0);
+    EXPECT_GT(glm::distance(wide.target, wide.position), 1.0e4);
+    EXPECT_TRUE(std::isfinite(glm::distance(wide.target, wide.position)));
+
+    world.destroy_body(ground);
+    const CameraPose alone = fit_camera(world); // an infinite plane
+    EXPECT_LT(glm::distance(alone.target, alone.position), 100.0);
+}
+
+TEST(BoundingBall, HoldsEveryShape) {
+    World world;
+    const BodyId body = world.create_body(test::body_at({1.0, 2.0, 3.0}));
+    ShapeDef aside;
+    aside.position = {2.0f, 0.0f, 0.0f};
+    std::vector<Vec3> corners = test::cube_corners();
+    for (Vec3& corner : corners) corner += Vec3(0.0f, 5.0f, 0.0f); // far from the shape's origin
+    world.add_shape(body, Hull(corners), aside);
+    MeshCache meshes;
+    const WorldLayout layout = read_layout(world, {}, meshes);
+    const BoundingBall ball = bounding_ball(layout, read_motion(world, layout));
+    EXPECT_LT(glm::distance(ball.center, Position(3.0, 7.0, 3.0)), 1e-5);
+    EXPECT_GE(ball.radius, std::sqrt(3.0f) - 1e-5f);
+    EXPECT_LT(ball.radius, 3.1f);
 }
 
 } // namespace

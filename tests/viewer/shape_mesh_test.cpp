@@ -1,6 +1,8 @@
 // The triangles of hulls, meshes and height fields.
 #include "viewer/shape_meshes.h"
 
+#include "test_scene.h"
+
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
@@ -55,13 +57,8 @@ float least_agreement(const TriangleMesh& mesh) {
     return least;
 }
 
-const std::vector<Vec3> cube_corners{{-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {1, 1, -1},
-                                     {-1, -1, 1},  {1, -1, 1},  {-1, 1, 1},  {1, 1, 1}};
-const std::vector<std::uint32_t> cube_triangles{0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 4, 6, 0, 6, 2,
-                                                1, 3, 7, 1, 7, 5, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3};
-
 TEST(ShapeMeshes, HullsAreClosedFlatAndOutwards) {
-    const Hull cube(cube_corners);
+    const Hull cube(test::cube_corners());
     const TriangleMesh mesh = hull_triangles(cube);
     EXPECT_EQ(mesh.vertices.size(), 24u); // four for each face
     EXPECT_EQ(mesh.indices.size(), 36u);
@@ -71,7 +68,8 @@ TEST(ShapeMeshes, HullsAreClosedFlatAndOutwards) {
 }
 
 TEST(ShapeMeshes, SharpEdgesStaySharp) {
-    const TriangleMesh mesh = surface_triangles(cube_corners, cube_triangles);
+    const cairn::Mesh cube = test::cube_surface();
+    const TriangleMesh mesh = surface_triangles(cube.vertices(), cube.indices());
     EXPECT_EQ(mesh.vertices.size(), 24u);
     EXPECT_EQ(mesh.indices.size(), 36u);
     EXPECT_TRUE(is_closed(mesh));
@@ -156,13 +154,14 @@ TEST(ShapeMeshes, AHugeFieldIsDrawnCoarserButToItsEdges) {
 }
 
 TEST(ShapeMeshes, TheBallAroundAMeshHoldsItAll) {
-    const ShapeMesh mesh = make_shape_mesh(surface_triangles(cube_corners, cube_triangles), MeshLook::surface);
+    const cairn::Mesh cube = test::cube_surface();
+    const ShapeMesh mesh = make_shape_mesh(surface_triangles(cube.vertices(), cube.indices()), MeshLook::surface);
     EXPECT_LT(glm::length(mesh.center), 1e-6f);
     EXPECT_NEAR(mesh.radius, std::sqrt(3.0f), 1e-5f);
 }
 
 TEST(MeshCache, MakesTheMeshOfSharedDataOnceAndDropsWhatIsUnused) {
-    const Hull hull(cube_corners), same_data = hull, other(cube_corners);
+    const Hull hull(test::cube_corners()), same_data = hull, other(test::cube_corners());
     MeshCache cache;
     const auto mesh = cache.mesh_of(hull);
     EXPECT_EQ(cache.mesh_of(same_data), mesh);
