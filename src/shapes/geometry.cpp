@@ -78,7 +78,13 @@ struct GeometryMaker {
         set(ShapeType::cylinder, {c.radius, c.half_height, top},
             std::sqrt(c.half_height * c.half_height + widest * widest));
     }
-    void operator()(const Hull& hull) const { set(ShapeType::hull, {}, hull.data()->bounding_radius); }
+    void operator()(const Hull& hull) const {
+        const HullData& data = *hull.data();
+        g.middle = 0.5f * (data.lo + data.hi);
+        float square = 0;
+        for (const math::Vec3& v : data.vertices) square = std::max(square, math::dot(v - g.middle, v - g.middle));
+        set(ShapeType::hull, {}, std::sqrt(square));
+    }
     void operator()(const Mesh& mesh) const { set(ShapeType::mesh, {}, mesh.data()->bounding_radius); }
     void operator()(const HeightField& field) const { set(ShapeType::height_field, {}, field.data()->bounding_radius); }
 
@@ -108,97 +114,146 @@ ShapeData make_shape_data(const Shape& shape) {
     return {};
 }
 
-DBounds geometry_bounds(const Geometry& shape, const ShapeData&, DVec3 position, const math::Mat3& m) {
-    if (shape.type == ShapeType::plane) return {{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}};
-    DVec3 half;
-    if (shape.type == ShapeType::sphere) {
-        const double r = shape.size.x;
-        half = {r, r, r};
-    } else {
-        half = math::to_double(shape.size.x * math::abs(m.c0) + shape.size.y * math::abs(m.c1) +
-                               shape.size.z * math::abs(m.c2));
-    }
-    return {position - half, position + half};
-}
-
-MassSum geometry_mass(const Geometry& shape, const ShapeData&, float density) {
-    MassSum m;
-    m.center = math::to_double(shape.position);
-    const double rho = density;
-    DVec3 moments;
-    if (shape.type == ShapeType::sphere) {
-        const double r = shape.size.x;
-        m.mass = rho * (4.0 / 3.0) * 3.14159265358979323846 * r * r * r;
-        const double i = 0.4 * m.mass * r * r;
-        moments = {i, i, i};
-    } else if (shape.type == ShapeType::box) {
-        const DVec3 a = math::to_double(shape.size);
-        m.mass = rho * 8 * a.x * a.y * a.z;
-        const DVec3 s{a.x * a.x, a.y * a.y, a.z * a.z};
-        moments = (m.mass / 3) * DVec3{s.y + s.z, s.x + s.z, s.x + s.y};
-    }
-    m.inertia = math::rotated_diagonal(math::to_matrix(math::normalized(math::to_double(shape.rotation))), moments);
-    return m;
-}
-
 namespace {
 
-std::optional<ShapeRayHit> cast_sphere(double radius, DVec3 o, DVec3 d, double max_distance) {
-    // Nearest point of the line to the center first: no cancellation however far the origin is.
-    const double t = -math::dot(o, d);
-    const DVec3 nearest = o + t * d;
-    const double square = radius * radius - math::dot(nearest, nearest);
-    if (math::dot(o, o) < radius * radius || square < 0) return std::nullopt;
-    const double distance = t - std::sqrt(square);
-    if (distance < 0 || distance > max_distance) return std::nullopt;
-    return ShapeRayHit{distance, (1 / radius) * (o + distance * d)};
-}
+// What a rotation rounded to float and sums in float may take from a shape, as a part of its bounding radius.
+constexpr double rounding = 1e-6;
 
-std::optional<ShapeRayHit> cast_box(DVec3 half, DVec3 o, DVec3 d, double max_distance) {
-    double enter = -infinity, leave = infinity;
-    int axis = -1;
+// Relative to the position. Both balls.
+DBounds capsule_bounds(DVec3 size, const math::Mat3& m) {
+    DBounds b;
     for (int i = 0; i < 3; ++i) {
-        if (d[i] == 0) {
-            if (std::fabs(o[i]) > half[i]) return std::nullopt;
-            continue;
-        }
-        const double a = (-half[i] - o[i]) / d[i], b = (half[i] - o[i]) / d[i];
-        const double near = std::min(a, b), far = std::max(a, b);
-        if (near > enter) enter = near, axis = i;
-        leave = std::min(leave, far);
+        const double up = size.y * double(m.c1[i]);
+        b.lo[i] = std::min(up - size.z, -up - size.x);
+        b.hi[i] = std::max(up + size.z, -up + size.x);
     }
-    if (axis < 0 || enter > leave || enter < 0 || enter > max_distance) return std::nullopt;
-    DVec3 normal;
-    normal[axis] = d[axis] > 0 ? -1 : 1;
-    return ShapeRayHit{enter, normal};
+    return b;
 }
 
-std::optional<ShapeRayHit> cast_plane(const Geometry& shape, DVec3 o, DVec3 d, double max_distance) {
-    if (shape.type == ShapeType::plane && o.y < 0) return ShapeRayHit{0, {0, 1, 0}};
-    if (!(d.y < 0)) return std::nullopt; // one-sided
-    const double distance = -o.y / d.y;
-    if (distance < 0 || distance > max_distance) return std::nullopt;
-    const DVec3 p = o + distance * d;
-    if (shape.type == ShapeType::rectangle && (std::fabs(p.x) > shape.size.x || std::fabs(p.z) > shape.size.z))
-        return std::nullopt;
-    return ShapeRayHit{distance, {0, 1, 0}};
+// Both discs: along a world axis e, one of radius r that c0 and c2 span reaches r sqrt((c0 . e)^2 + (c2 . e)^2).
+DBounds cylinder_bounds(DVec3 size, const math::Mat3& m) {
+    DBounds b;
+    for (int i = 0; i < 3; ++i) {
+        const double x = double(m.c0[i]), z = double(m.c2[i]), up = size.y * double(m.c1[i]);
+        const double reach = std::sqrt(x * x + z * z), low = size.x * reach, top = size.z * reach;
+        b.lo[i] = std::min(up - top, -up - low);
+        b.hi[i] = std::max(up + top, -up + low);
+    }
+    return b;
+}
+
+DBounds hull_bounds(const HullData& hull, const math::Mat3& m) {
+    const math::Vec3* vertex = hull.vertices.data();
+    math::Vec3 lo = m * vertex[0], hi = lo;
+    for (std::size_t i = 1; i < hull.vertices.size(); ++i) {
+        const math::Vec3 v = m * vertex[i];
+        lo = math::min(lo, v);
+        hi = math::max(hi, v);
+    }
+    return {math::to_double(lo), math::to_double(hi)};
+}
+
+// The corners of a box, rotated.
+DBounds box_bounds(DVec3 lo, DVec3 hi, const math::Mat3& m) {
+    const DVec3 center = 0.5 * (lo + hi), half = 0.5 * (hi - lo);
+    DBounds b;
+    for (int i = 0; i < 3; ++i) {
+        const DVec3 row{double(m.c0[i]), double(m.c1[i]), double(m.c2[i])};
+        const double middle = math::dot(row, center), reach = math::dot(math::abs(row), half);
+        b.lo[i] = middle - reach;
+        b.hi[i] = middle + reach;
+    }
+    return b;
+}
+
+// How far a mesh reaches along a direction, to within `slack`: the child that may reach farthest first, so that the
+// others mostly need no look.
+struct MeshSupport {
+    const MeshData& mesh;
+    DVec3 direction;
+    double slack, best = -infinity;
+
+    void search(std::size_t level, std::size_t node) {
+        if (level == 0) {
+            const std::size_t first = 24 * node, last = std::min(first + 24, mesh.indices.size());
+            for (std::size_t i = first; i < last; ++i)
+                best = std::max(best, math::dot(direction, math::to_double(mesh.vertices[mesh.indices[i]])));
+            return;
+        }
+        const auto& children = mesh.levels[level - 1];
+        const std::size_t first = 8 * node, count = std::min<std::size_t>(8, children.size() - first);
+        double reach[8];
+        for (std::size_t i = 0; i < count; ++i) {
+            const MeshData::Box& box = children[first + i];
+            const DVec3 lo = math::to_double(box.lo), hi = math::to_double(box.hi);
+            reach[i] = 0.5 * (math::dot(direction, lo + hi) + math::dot(math::abs(direction), hi - lo));
+        }
+        for (;;) {
+            std::size_t farthest = 0;
+            for (std::size_t i = 1; i < count; ++i)
+                if (reach[i] > reach[farthest]) farthest = i;
+            if (!(reach[farthest] > best + slack)) return;
+            reach[farthest] = -infinity;
+            search(level - 1, first + farthest);
+        }
+    }
+};
+
+DBounds mesh_bounds(const MeshData& mesh, const math::Mat3& m) {
+    const double slack = 0.25 * rounding * double(mesh.bounding_radius);
+    auto reach = [&](DVec3 direction) {
+        MeshSupport support{mesh, direction, slack};
+        support.search(mesh.levels.size() - 1, 0);
+        return support.best;
+    };
+    DBounds b;
+    for (int i = 0; i < 3; ++i) {
+        const DVec3 row{double(m.c0[i]), double(m.c1[i]), double(m.c2[i])};
+        b.lo[i] = -reach(-row);
+        b.hi[i] = reach(row);
+    }
+    return b;
+}
+
+// Of its box: exact while it stands upright.
+DBounds height_field_bounds(const HeightFieldData& field, const math::Mat3& m) {
+    const double x = grid_half(field.columns, field.spacing_x), z = grid_half(field.rows, field.spacing_z);
+    return box_bounds({-x, double(field.least), -z}, {x, double(field.greatest), z}, m);
+}
+
+DBounds bounds_about_position(const Geometry& shape, const ShapeData& data, const math::Mat3& m) {
+    switch (shape.type) {
+    case ShapeType::capsule:
+        return capsule_bounds(math::to_double(shape.size), m);
+    case ShapeType::cylinder:
+        return cylinder_bounds(math::to_double(shape.size), m);
+    case ShapeType::hull:
+        return hull_bounds(hull_of(data), m);
+    case ShapeType::mesh:
+        return mesh_bounds(mesh_of(data), m);
+    default:
+        return height_field_bounds(height_field_of(data), m);
+    }
 }
 
 } // namespace
 
-std::optional<ShapeRayHit> cast_ray(const Geometry& shape, const ShapeData&, DVec3 position, math::Quat rotation,
-                                    DVec3 origin, DVec3 direction, double max_distance) {
-    const math::DQuat q = math::normalized(math::to_double(rotation));
-    const DVec3 o = math::rotate_back(q, origin - position), d = math::rotate_back(q, direction);
-    std::optional<ShapeRayHit> hit;
-    if (shape.type == ShapeType::sphere)
-        hit = cast_sphere(shape.size.x, o, d, max_distance);
-    else if (shape.type == ShapeType::box)
-        hit = cast_box(math::to_double(shape.size), o, d, max_distance);
-    else
-        hit = cast_plane(shape, o, d, max_distance);
-    if (hit) hit->normal = math::rotate(q, hit->normal);
-    return hit;
+DBounds geometry_bounds(const Geometry& shape, const ShapeData& data, DVec3 position, const math::Mat3& m) {
+    if (shape.type == ShapeType::plane) return {{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}};
+    if (shape.type == ShapeType::sphere) {
+        const double r = shape.size.x;
+        const DVec3 half{r, r, r};
+        return {position - half, position + half};
+    }
+    if (shape.type == ShapeType::box || shape.type == ShapeType::rectangle) {
+        const DVec3 half = math::to_double(shape.size.x * math::abs(m.c0) + shape.size.y * math::abs(m.c1) +
+                                           shape.size.z * math::abs(m.c2));
+        return {position - half, position + half};
+    }
+    const DBounds b = bounds_about_position(shape, data, m);
+    const double pad = rounding * double(shape.bounding_radius);
+    const DVec3 outward{pad, pad, pad};
+    return {position + b.lo - outward, position + b.hi + outward};
 }
 
 } // namespace cairn

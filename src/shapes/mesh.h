@@ -10,11 +10,16 @@
 
 namespace cairn {
 
+inline constexpr std::uint32_t no_triangle = 0xffffffff;
+
 // Triangles in kd order, 8 to a leaf; above them an implicit tree: node i of a level holds the bounds of nodes 8 i to
 // 8 i + 7 of the level below (level 0: of triangles).
 struct MeshData {
-    std::vector<math::Vec3> vertices;
+    std::vector<math::Vec3> vertices; // each at another place, in the order in which the triangles first use them
     std::vector<std::uint32_t> indices;
+    // The triangle across each edge (0: a-b, 1: b-c, 2: c-a), three a triangle. no_triangle where there is none, where
+    // more than two triangles share the edge, and where the other one is wound the other way round.
+    std::vector<std::uint32_t> neighbors;
     struct Box {
         math::Vec3 lo, hi;
     };
@@ -24,6 +29,8 @@ struct MeshData {
     float bounding_radius = 0; // about the origin of the shape's frame
 };
 
+// Cell (column, row) has triangles 2 (row (columns - 1) + column), on its side of least x, and the next, on its side of
+// greatest x.
 struct HeightFieldData {
     int columns = 0, rows = 0;
     float spacing_x = 0, spacing_z = 0;
@@ -34,9 +41,127 @@ struct HeightFieldData {
 
 // Throws Error(invalid_value) with fields "Mesh vertices" and "Mesh indices" (see Mesh in shape.h).
 MeshData build_mesh(std::span<const math::Vec3> vertices, std::span<const std::uint32_t> indices);
+// Throws Error(invalid_value) with fields "HeightField columns" and so on (see HeightField in shape.h).
+HeightFieldData build_height_field(int columns, int rows, float spacing_x, float spacing_z,
+                                   std::span<const float> heights);
 
 struct Triangle {
     math::Vec3 a, b, c; // counterclockwise as seen from outside
 };
+
+inline std::uint32_t triangle_count(const MeshData& mesh) { return std::uint32_t(mesh.indices.size() / 3); }
+inline std::uint32_t triangle_count(const HeightFieldData& field) {
+    return 2 * std::uint32_t(field.columns - 1) * std::uint32_t(field.rows - 1);
+}
+
+// Half the extent of the grid along an axis, and the place of a line of it; as a float it is what the corners of
+// triangles have.
+inline double grid_half(int lines, float spacing) { return 0.5 * (lines - 1) * double(spacing); }
+inline float grid_line(int lines, float spacing, int line) {
+    return float((line - 0.5 * (lines - 1)) * double(spacing));
+}
+
+inline Triangle triangle_of(const MeshData& mesh, std::uint32_t index) {
+    const std::uint32_t* corner = mesh.indices.data() + 3 * std::size_t(index);
+    return {mesh.vertices[corner[0]], mesh.vertices[corner[1]], mesh.vertices[corner[2]]};
+}
+
+// The cell that a triangle of a height field is a half of.
+struct FieldCell {
+    int column, row;
+    bool is_second;
+};
+inline FieldCell cell_of(const HeightFieldData& field, std::uint32_t index) {
+    const std::uint32_t cell = index / 2, width = std::uint32_t(field.columns - 1);
+    return {int(cell % width), int(cell / width), (index & 1) != 0};
+}
+
+inline Triangle triangle_of(const HeightFieldData& field, std::uint32_t index) {
+    const FieldCell cell = cell_of(field, index);
+    auto corner = [&](int right, int down) -> math::Vec3 {
+        const int column = cell.column + right, row = cell.row + down;
+        return {grid_line(field.columns, field.spacing_x, column),
+                field.heights[std::size_t(row) * std::size_t(field.columns) + std::size_t(column)],
+                grid_line(field.rows, field.spacing_z, row)};
+    };
+    if (cell.is_second) return {corner(0, 0), corner(1, 1), corner(1, 0)};
+    return {corner(0, 0), corner(0, 1), corner(1, 1)};
+}
+
+// The triangle across an edge (0: a-b, 1: b-c, 2: c-a), or no_triangle.
+inline std::uint32_t neighbor_of(const MeshData& mesh, std::uint32_t index, int edge) {
+    return mesh.neighbors[3 * std::size_t(index) + std::size_t(edge)];
+}
+inline std::uint32_t neighbor_of(const HeightFieldData& field, std::uint32_t index, int edge) {
+    const FieldCell cell = cell_of(field, index);
+    const std::uint32_t row_of_triangles = 2 * std::uint32_t(field.columns - 1);
+    if (cell.is_second) {
+        if (edge == 0) return index - 1;
+        if (edge == 1) return cell.column + 1 < field.columns - 1 ? index + 1 : no_triangle;
+        return cell.row > 0 ? index - 1 - row_of_triangles : no_triangle;
+    }
+    if (edge == 2) return index + 1;
+    if (edge == 0) return cell.column > 0 ? index - 1 : no_triangle;
+    return cell.row + 1 < field.rows - 1 ? index + 1 + row_of_triangles : no_triangle;
+}
+
+// Calls f(index of triangle), in ascending order, for each triangle whose bounds meet the box from lo to hi in the
+// shape's frame (touching counts).
+template <class F> void for_each_triangle(const MeshData& mesh, math::Vec3 lo, math::Vec3 hi, F&& f) {
+    auto meets = [&](math::Vec3 least, math::Vec3 greatest) {
+        return least.x <= hi.x && greatest.x >= lo.x && least.y <= hi.y && greatest.y >= lo.y && least.z <= hi.z &&
+               greatest.z >= lo.z;
+    };
+    const std::size_t top = mesh.levels.size() - 1;
+    std::size_t level = top, node = 0;
+    while (node < mesh.levels[level].size()) {
+        const MeshData::Box& box = mesh.levels[level][node];
+        if (meets(box.lo, box.hi)) {
+            if (level > 0) {
+                --level, node *= 8;
+                continue;
+            }
+            const std::size_t first = 8 * node, count = mesh.indices.size() / 3;
+            for (std::size_t i = first; i < first + 8 && i < count; ++i) {
+                const Triangle t = triangle_of(mesh, std::uint32_t(i));
+                if (meets(math::min(math::min(t.a, t.b), t.c), math::max(math::max(t.a, t.b), t.c)))
+                    f(std::uint32_t(i));
+            }
+        }
+        ++node; // the next one, or that of the lowest level that has no more of this parent's
+        while (level < top && node % 8 == 0) node /= 8, ++level;
+    }
+}
+
+// First and last cell along an axis that may meet an interval; first > last if none does.
+struct CellRange {
+    int first, last;
+};
+// Cells that come within rounding of the interval count.
+CellRange cells_between(int lines, float spacing, double lo, double hi);
+
+template <class F> void for_each_triangle(const HeightFieldData& field, math::Vec3 lo, math::Vec3 hi, F&& f) {
+    if (!(field.least <= hi.y && field.greatest >= lo.y)) return;
+    const CellRange across = cells_between(field.columns, field.spacing_x, lo.x, hi.x);
+    const CellRange along = cells_between(field.rows, field.spacing_z, lo.z, hi.z);
+    auto meets = [](int lines, float spacing, int cell, float least, float greatest) {
+        return grid_line(lines, spacing, cell) <= greatest && grid_line(lines, spacing, cell + 1) >= least;
+    };
+    for (int row = along.first; row <= along.last; ++row) {
+        if (!meets(field.rows, field.spacing_z, row, lo.z, hi.z)) continue;
+        const float* near = field.heights.data() + std::size_t(row) * std::size_t(field.columns);
+        const float* far = near + field.columns;
+        for (int column = across.first; column <= across.last; ++column) {
+            // The corners of the diagonal are of both halves.
+            const float p = near[column], q = far[column + 1], low = p < q ? p : q, high = p < q ? q : p;
+            const float others[2] = {far[column], near[column + 1]};
+            const std::uint32_t index =
+                2 * (std::uint32_t(row) * std::uint32_t(field.columns - 1) + std::uint32_t(column));
+            if (!meets(field.columns, field.spacing_x, column, lo.x, hi.x)) continue;
+            for (std::uint32_t half = 0; half < 2; ++half)
+                if ((low <= hi.y || others[half] <= hi.y) && (high >= lo.y || others[half] >= lo.y)) f(index + half);
+        }
+    }
+}
 
 } // namespace cairn
