@@ -29,6 +29,14 @@ struct ContactHit {
     float approach_speed; ///< m/s, > 0.
 };
 
+/// A shape began or ceased to overlap a trigger (ShapeDef::is_trigger). One of the two bodies is dynamic. Handles of
+/// what was removed are stale.
+struct TriggerEvent {
+    ShapeId trigger, other;
+    BodyId trigger_body, other_body;
+    bool inside; ///< true: it came in; false: it left, or one of the two was removed.
+};
+
 /// A body fell asleep or woke up.
 struct SleepEvent {
     BodyId body;
@@ -42,7 +50,8 @@ struct ContactPoint {
     float normal_impulse; ///< N s during the last step, >= 0. Divide by the step for the mean force.
 };
 
-/// A touching pair of shapes as it stood after the last step.
+/// A touching pair of shapes as it stood after the last step. A shape may touch a mesh or height field, and the
+/// surfaces of several of its faces, in several of these, one for each normal.
 struct Contact {
     ShapeId shape_a, shape_b;
     BodyId body_a, body_b;

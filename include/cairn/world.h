@@ -132,6 +132,9 @@ class World {
     Transform shape_transform(ShapeId shape) const; ///< In world space.
     Bounds shape_bounds(ShapeId shape) const;       ///< Tight; infinite for infinite planes.
     void set_material(ShapeId shape, const Material& material);
+    void set_filter(ShapeId shape, const CollisionFilter& filter);
+    /// See ShapeDef::surface_velocity. Throws (wrong_state) for a shape of a dynamic body.
+    void set_surface_velocity(ShapeId shape, const Vec3& velocity);
 
     // --- force fields
     ForceFieldId add_force_field(const ForceField& field);
@@ -149,6 +152,7 @@ class World {
     std::span<const ContactBegin> contact_begins() const noexcept;
     std::span<const ContactEnd> contact_ends() const noexcept;
     std::span<const ContactHit> contact_hits() const noexcept;
+    std::span<const TriggerEvent> trigger_events() const noexcept;
     std::span<const SleepEvent> sleep_events() const noexcept;
     std::vector<Contact> contacts() const;            ///< All touching pairs.
     std::vector<Contact> contacts(BodyId body) const; ///< Those of one body.

@@ -44,6 +44,28 @@ std::int32_t row_of(BinScratch& scratch, std::int32_t body) {
     return row;
 }
 
+// B of a contact with a surface that moves.
+std::int32_t conveyor_row(BinScratch& scratch, std::uint32_t contact) {
+    const std::int32_t row = std::int32_t(scratch.row_bodies.size());
+    scratch.row_bodies.push_back(none);
+    scratch.conveyor_rows.push_back({row, contact});
+    return row;
+}
+
+// The surface's velocity counts along the surface only: the shape itself stays where it is.
+void fill_conveyor_rows(const State& s, BinScratch& scratch) {
+    for (const ConveyorRow& conveyor : scratch.conveyor_rows) {
+        const ContactInfo& c = s.contacts[conveyor.contact];
+        const ContactRecord& r = s.records[conveyor.contact];
+        const BodyMotion& b = s.motion[std::size_t(c.body_b)];
+        const math::Vec3 n = math::to_vec(r.normal);
+        const math::Vec3 u =
+            math::rotate(shape_rotation(s.shape_poses[c.shape_b]), s.shape_traits[c.shape_b].surface_velocity);
+        const std::size_t row = std::size_t(conveyor.row);
+        scratch.velocity[row] = scratch.reference[row] = to_row(b.v + (u - math::dot(u, n) * n), b.w);
+    }
+}
+
 void add_lane(LaneLists& lanes, std::int32_t record, std::int32_t a, std::int32_t b) {
     lanes.record.push_back(record);
     lanes.row_a.push_back(a);
@@ -66,6 +88,7 @@ void fill_lanes(const State& s, const Bin& bin, BinScratch& scratch) {
     scratch.one_lanes.clear();
     scratch.four_lanes.clear();
     scratch.colors.clear();
+    scratch.conveyor_rows.clear();
     std::int32_t k = bin.first_contact;
     const std::int32_t end = bin.first_contact + bin.contact_count;
     while (k < end) {
@@ -75,7 +98,9 @@ void fill_lanes(const State& s, const Bin& bin, BinScratch& scratch) {
             const SortedContact& c = s.solver.sorted[std::size_t(k)];
             if (c.color != color) break;
             LaneLists& lanes = c.four_points ? scratch.four_lanes : scratch.one_lanes;
-            add_lane(lanes, std::int32_t(c.id), row_of(scratch, c.body_a), row_of(scratch, c.body_b));
+            const std::int32_t row_a = row_of(scratch, c.body_a);
+            const std::int32_t row_b = c.is_conveyor ? conveyor_row(scratch, c.id) : row_of(scratch, c.body_b);
+            add_lane(lanes, std::int32_t(c.id), row_a, row_b);
             if (color != overflow_color) continue;
             ++k; // alone in its run: it may share bodies with the next
             break;
@@ -132,6 +157,7 @@ void fill_rows(State& s, BinScratch& scratch, Crew* crew) {
         if (clamped > 0) clamped_speeds += clamped;
     });
     scratch.clamped_speeds += clamped_speeds;
+    fill_conveyor_rows(s, scratch);
 }
 
 // Moves a body by what its row has moved. What is not finite any more stops where it was, and is counted.

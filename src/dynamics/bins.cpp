@@ -54,7 +54,8 @@ void collect_contacts(State& s) {
                            c.substep_time,
                            c.color,
                            std::uint8_t(c.point_count != 1),
-                           c.bounces};
+                           c.bounces,
+                           c.is_conveyor};
         }
     });
 }

@@ -112,10 +112,18 @@ bool points_stay(const ContactRecord& r, const Float4* points, int count, math::
     return greatest < limit;
 }
 
-// From a sphere's center to the point midway between the surfaces; 0 for other shapes.
-float contact_radius(const State& s, std::uint32_t shape, float separation) {
+// A round surface does not turn with its body: how far it is to the point midway between the surfaces from the center
+// or axis that it is round about, with that normal; 0 where the surface is flat. For cones the mean radius.
+float contact_radius(const State& s, std::uint32_t shape, math::Vec3 normal, float separation) {
     const Geometry& g = s.geometry[shape];
-    return g.type == ShapeType::sphere ? g.size.x + 0.5f * separation : 0.0f;
+    if (g.type == ShapeType::sphere) return g.size.x + 0.5f * separation;
+    if (g.type != ShapeType::capsule && g.type != ShapeType::cylinder) return 0;
+    const float mean = 0.5f * (g.size.x + g.size.z);
+    if (g.type == ShapeType::capsule) return mean + 0.5f * separation;
+    const float* q = s.shape_poses[shape].q;
+    const float along = math::dot(normal, math::rotate(math::Quat{q[0], q[1], q[2], q[3]}, math::Vec3{0, 1, 0}));
+    constexpr float steepest = 0.5f; // of the cosine with the axis: beyond, it stands on its rim rather than rolls
+    return std::fabs(along) < steepest ? mean + 0.5f * separation : 0.0f;
 }
 
 } // namespace
@@ -149,9 +157,9 @@ void write_record(State& s, std::uint32_t id, const Manifold& m) {
     put(r.normal, normal);
     put(r.center_offset, math::to_float(s.motion[std::size_t(c.body_a)].x - s.motion[std::size_t(c.body_b)].x));
     for (int i = 0; i < kept; ++i) store4(point_of(r, i), points[i]);
-    if (c.kind <= PairKind::sphere_rectangle) {
-        r.radius_a = contact_radius(s, c.shape_a, m.points[0][3]);
-        r.radius_b = contact_radius(s, c.shape_b, m.points[0][3]);
+    if (c.kind <= PairKind::sphere_rectangle || c.kind >= PairKind::convex_plane) {
+        r.radius_a = contact_radius(s, c.shape_a, normal, m.points[0][3]);
+        r.radius_b = contact_radius(s, c.shape_b, normal, m.points[0][3]);
     }
     c.point_count = std::uint8_t(m.count);
     if (stay) return;

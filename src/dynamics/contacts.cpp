@@ -18,6 +18,7 @@ namespace {
 
 constexpr float unused = 1e30f;
 constexpr int pairs_per_chunk = 512, reports_per_chunk = 512; // for threads
+constexpr int convex_pairs_per_chunk = 32, groups_per_chunk = 8;
 
 bool moves(const State& s, std::int32_t body) {
     const BodyMotion& m = s.motion[std::size_t(body)];
@@ -26,37 +27,31 @@ bool moves(const State& s, std::int32_t body) {
 
 constexpr float most_turn = 0.25f; // of the radius: how far ahead a rotation is looked at
 
-// How far apart two shapes may be to count: what the next step can close.
-float contact_margin(const State& s, const ContactInfo& c, float dt) {
-    const BodyMotion &a = s.motion[std::size_t(c.body_a)], &b = s.motion[std::size_t(c.body_b)];
-    const float ra = s.bodies[std::size_t(c.body_a)].radius, rb = s.bodies[std::size_t(c.body_b)].radius;
-    const math::Vec3 v = b.v - a.v;
-    const float turn =
-        std::min(dt * math::length(a.w), most_turn) * ra + std::min(dt * math::length(b.w), most_turn) * rb;
-    return c.base_margin + dt * math::length(v) + turn;
-}
-
-// The greatest speed at which the points of a record approach.
-float approach_speed(const State& s, const ContactInfo& c, const ContactRecord& r) {
-    const BodyMotion &a = s.motion[std::size_t(c.body_a)], &b = s.motion[std::size_t(c.body_b)];
-    const math::Vec3 n = to_vec(r.normal), d = to_vec(r.center_offset);
-    float speed = 0;
-    for (int i = 0; i < c.point_count; ++i) {
-        const math::Vec3 arm = to_vec(point_of(r, i));
-        const math::Vec3 v = (b.v + math::cross(b.w, arm + d)) - (a.v + math::cross(a.w, arm));
-        speed = std::max(speed, -math::dot(n, v));
-    }
-    return speed;
-}
-
 float least_separation(const ContactInfo& c, const ContactRecord& r) {
     float least = unused;
     for (int i = 0; i < c.point_count; ++i) least = std::min(least, point_of(r, i)[3]);
     return least;
 }
 
+void note_trigger(State& s, ContactInfo& c, bool inside) {
+    c.touching = inside;
+    const bool a_is_trigger = s.shape_traits[c.shape_a].is_trigger;
+    const std::uint32_t trigger = a_is_trigger ? c.shape_a : c.shape_b, other = a_is_trigger ? c.shape_b : c.shape_a;
+    s.next_triggers.push_back({s.shape_id(trigger), s.shape_id(other), s.body_id(s.shapes[trigger].body),
+                               s.body_id(s.shapes[other].body), inside});
+}
+
+// Whether another patch of the same pair touches.
+bool pair_touches_elsewhere(const State& s, const ContactInfo& c) {
+    if (c.kind != PairKind::patch) return false;
+    for (std::int32_t p = s.contacts[std::size_t(c.related)].related; p != none; p = s.contacts[std::size_t(p)].next)
+        if (&s.contacts[std::size_t(p)] != &c && s.contacts[std::size_t(p)].touching) return true;
+    return false;
+}
+
 void end_touch(State& s, ContactInfo& c) {
     c.touching = 0;
+    if (pair_touches_elsewhere(s, c)) return;
     s.next_ends.push_back({s.shape_id(c.shape_a), s.shape_id(c.shape_b), s.body_id(c.body_a), s.body_id(c.body_b)});
 }
 
@@ -69,40 +64,16 @@ void begin_contact(State& s, ContactInfo& c, math::Vec3 normal) {
     c.load = c.force = first_load(s, c, normal);
 }
 
-// What is to be done with a pair, and what testing it has said, beside its record.
-enum Outcome : std::uint8_t {
-    apart,    // and was so; or has not been tested, and need not be solved
-    ended,    // apart, and was near
-    begun,    // near, and was apart
-    goes_on,  // near as before
-    may_wake, // likewise, with something asleep or moved from outside: to be looked at
-    skipped,  // asleep
-    to_test,  // + kind
-};
-
 bool is_asleep(const State& s, const ContactInfo& c) {
     return !s.is_awake(c.body_a) || (c.b_moves && !s.is_awake(c.body_b));
 }
 
-// One result of a kernel; others may be at work on other contacts.
-Outcome take_manifold(State& s, std::uint32_t id, const Manifold& m) {
-    ContactInfo& c = s.contacts[id];
-    c.tested_at = s.passes + 1;
-    if (m.count == 0) return c.point_count == 0 ? apart : ended;
-    const bool is_new = c.point_count == 0;
-    write_record(s, id, m);
-    ContactRecord& r = s.records[id];
-    if (!c.touching) r.approach_speed = approach_speed(s, c, r);
-    if (is_new) return begun;
-    return is_asleep(s, c) || (!c.b_moves && moves(s, c.body_b)) ? may_wake : goes_on;
-}
-
 // Up to PairBatch::capacity pairs of one kind, by their places among all.
-void test_pairs(State& s, int kind, int begin, int end, NarrowBatch& own, float dt) {
+void test_wide_pairs(State& s, PairKind kind, int begin, int end, NarrowBatch& own, float dt) {
     PairBatch& batch = own.pairs;
     const int count = end - begin, padded = (count + 7) & ~7;
-    const bool one_point = kind <= int(PairKind::sphere_rectangle);
-    const std::size_t record_size = one_point ? offsetof(ContactRecord, more_points) : sizeof(ContactRecord);
+    const std::size_t record_size =
+        kind <= PairKind::sphere_rectangle ? offsetof(ContactRecord, more_points) : sizeof(ContactRecord);
     const std::uint32_t* places = s.narrow.lists[std::size_t(kind)].data() + begin;
     std::uint32_t ids[PairBatch::capacity];
     for (int i = 0; i < count; ++i) ids[i] = s.narrow.candidates[places[i]];
@@ -116,7 +87,7 @@ void test_pairs(State& s, int kind, int begin, int end, NarrowBatch& own, float 
     }
     for (int i = count; i < padded; ++i)
         batch.first[i] = batch.first[0], batch.second[i] = batch.second[0], batch.margin[i] = batch.margin[0];
-    pair_kernel(kind)(s.shape_poses.data(), batch.first, batch.second, batch.margin, padded, own.manifolds);
+    wide_kernel(kind)(s.shape_poses.data(), batch.first, batch.second, batch.margin, padded, own.manifolds);
     for (int i = 0; i < count; ++i) {
         if (i + int(contacts_ahead) < count) {
             const char* record = reinterpret_cast<const char*>(&s.records[ids[i + int(contacts_ahead)]]);
@@ -126,7 +97,21 @@ void test_pairs(State& s, int kind, int begin, int end, NarrowBatch& own, float 
     }
 }
 
-// What changes more than the contact itself: islands, colors, sleep. One after the other, in order.
+// Pairs that no wide kernel tests, by their places among all.
+void test_convex_pairs(State& s, PairKind kind, int begin, int end, float dt) {
+    const std::vector<std::uint32_t>& places = s.narrow.lists[std::size_t(kind)];
+    for (int i = begin; i < end; ++i) {
+        const std::uint32_t place = places[std::size_t(i)], id = s.narrow.candidates[place];
+        const ContactInfo& c = s.contacts[id];
+        const math::Vec3 guess = c.point_count > 0 ? to_vec(s.records[id].normal) : math::Vec3{};
+        const Manifold m = test_convex_pair(kind, posed_shape(s, c.shape_a), posed_shape(s, c.shape_b), guess,
+                                            contact_margin(s, c, dt));
+        s.narrow.outcomes[place] = take_manifold(s, id, m);
+    }
+}
+
+} // namespace
+
 void follow_up(State& s, std::uint32_t id, std::uint8_t outcome, float dt) {
     if (outcome == apart) return;
     if (outcome == ended) {
@@ -135,6 +120,10 @@ void follow_up(State& s, std::uint32_t id, std::uint8_t outcome, float dt) {
     }
     if (outcome == skipped) {
         s.narrow.skipped.push_back(id);
+        return;
+    }
+    if (outcome == entered || outcome == left) {
+        note_trigger(s, s.contacts[id], outcome == entered);
         return;
     }
     if (outcome != goes_on) {
@@ -157,9 +146,12 @@ void follow_up(State& s, std::uint32_t id, std::uint8_t outcome, float dt) {
     s.solved.push_back(id);
 }
 
+namespace {
+
 std::uint8_t before_test(const State& s, const ContactInfo& c) {
     if (!c.b_moves && !s.is_awake(c.body_a) && !moves(s, c.body_b)) return c.point_count > 0 ? skipped : apart;
     if (!is_tested(s, c)) return std::uint8_t(to_test + int(c.kind));
+    if (c.is_trigger) return apart;
     return c.point_count > 0 ? goes_on : apart;
 }
 
@@ -185,8 +177,58 @@ void list_pairs(State& s) {
 
 } // namespace
 
+// The greatest speed at which the points of a record approach.
+float approach_speed(const State& s, const ContactInfo& c, const ContactRecord& r) {
+    const BodyMotion &a = s.motion[std::size_t(c.body_a)], &b = s.motion[std::size_t(c.body_b)];
+    const math::Vec3 n = to_vec(r.normal), d = to_vec(r.center_offset);
+    float speed = 0;
+    for (int i = 0; i < c.point_count; ++i) {
+        const math::Vec3 arm = to_vec(point_of(r, i));
+        const math::Vec3 v = (b.v + math::cross(b.w, arm + d)) - (a.v + math::cross(a.w, arm));
+        speed = std::max(speed, -math::dot(n, v));
+    }
+    return speed;
+}
+
+// How far apart two shapes may be to count: what the next step can close. Triggers do not look ahead.
+float contact_margin(const State& s, const ContactInfo& c, float dt) {
+    if (c.is_trigger) return 0;
+    const BodyMotion &a = s.motion[std::size_t(c.body_a)], &b = s.motion[std::size_t(c.body_b)];
+    const float ra = s.bodies[std::size_t(c.body_a)].radius, rb = s.bodies[std::size_t(c.body_b)].radius;
+    const math::Vec3 v = b.v - a.v;
+    const float turn =
+        std::min(dt * math::length(a.w), most_turn) * ra + std::min(dt * math::length(b.w), most_turn) * rb;
+    return c.base_margin + dt * math::length(v) + turn;
+}
+
+std::uint8_t take_manifold(State& s, std::uint32_t id, const Manifold& m) {
+    ContactInfo& c = s.contacts[id];
+    c.tested_at = s.passes + 1;
+    if (c.is_trigger) return trigger_outcome(c, m.count > 0);
+    if (m.count == 0) return c.point_count == 0 ? apart : ended;
+    const bool is_new = c.point_count == 0;
+    write_record(s, id, m);
+    ContactRecord& r = s.records[id];
+    if (!c.touching) r.approach_speed = approach_speed(s, c, r);
+    if (is_new) return begun;
+    return is_asleep(s, c) || (!c.b_moves && moves(s, c.body_b)) ? may_wake : goes_on;
+}
+
+std::uint8_t trigger_outcome(const ContactInfo& c, bool inside) {
+    if (inside == (c.touching != 0)) return apart;
+    return inside ? entered : left;
+}
+
 void end_contact(State& s, std::uint32_t id) {
     ContactInfo& c = s.contacts[id];
+    if (c.is_trigger) {
+        if (c.touching) note_trigger(s, c, false);
+        return;
+    }
+    if (is_group(c)) {
+        for_each_patch(s, id, [&](std::uint32_t patch) { end_patch(s, patch); });
+        return;
+    }
     if (c.point_count == 0) return;
     release_color(s, c);
     c.point_count = 0;
@@ -195,28 +237,55 @@ void end_contact(State& s, std::uint32_t id) {
     if (c.touching) end_touch(s, c);
 }
 
+namespace {
+
+void test_all(State& s, float dt) {
+    const auto for_kind = [&](PairKind kind, int per_chunk, auto&& test) {
+        s.crew->for_chunks(
+            int(s.narrow.lists[std::size_t(kind)].size()), per_chunk,
+            [&](int begin, int end, int thread) { test(begin, end, s.narrow.at_work[std::size_t(thread)]); });
+    };
+    for (int kind = 0; kind < wide_kinds; ++kind)
+        for_kind(PairKind(kind), PairBatch::capacity, [&](int begin, int end, NarrowBatch& own) {
+            test_wide_pairs(s, PairKind(kind), begin, end, own, dt);
+        });
+    for (const PairKind kind : {PairKind::convex_plane, PairKind::convex_rectangle, PairKind::convex_convex})
+        for_kind(kind, convex_pairs_per_chunk,
+                 [&](int begin, int end, NarrowBatch&) { test_convex_pairs(s, kind, begin, end, dt); });
+    begin_groups(s);
+    for_kind(PairKind::group, groups_per_chunk,
+             [&](int begin, int end, NarrowBatch& own) { test_groups(s, begin, end, own, dt); });
+    collect_fresh_patches(s);
+}
+
+} // namespace
+
 void update_contacts(State& s, float dt) {
     update_resting(s, dt);
     s.solved.clear();
     s.narrow.skipped.clear();
-    s.narrow.lists.resize(pair_kinds);
+    s.narrow.lists.resize(tested_kinds);
     s.narrow.at_work.resize(std::size_t(s.crew->threads()));
     list_pairs(s);
-    for (int kind = 0; kind < pair_kinds; ++kind) {
-        const int pairs = int(s.narrow.lists[std::size_t(kind)].size());
-        s.crew->for_chunks(pairs, PairBatch::capacity, [&](int begin, int end, int thread) {
-            test_pairs(s, kind, begin, end, s.narrow.at_work[std::size_t(thread)], dt);
-        });
+    test_all(s, dt);
+    for (std::size_t k = 0; k < s.narrow.candidates.size(); ++k) {
+        const std::uint32_t id = s.narrow.candidates[k];
+        if (is_group(s.contacts[id]))
+            follow_up_group(s, std::uint32_t(k), dt);
+        else
+            follow_up(s, id, s.narrow.outcomes[k], dt);
     }
-    for (std::size_t k = 0; k < s.narrow.candidates.size(); ++k)
-        follow_up(s, s.narrow.candidates[k], s.narrow.outcomes[k], dt);
+    drop_seams(s);
+    const auto push_solved = [&](std::uint32_t id) {
+        for_each_patch(s, id, [&](std::uint32_t contact) { s.solved.push_back(contact); });
+    };
     // Islands that were woken just now: nothing in them has moved, their records still hold.
     for (const std::int32_t key : s.waking)
         s.broad_phase.for_each_sleeping_pair(std::uint32_t(key), [&](std::uint32_t, std::uint32_t, std::uint32_t id) {
-            if (s.contacts[id].point_count > 0) s.solved.push_back(id);
+            if (s.contacts[id].point_count > 0) push_solved(id);
         });
     for (const std::uint32_t id : s.narrow.skipped)
-        if (s.is_awake(s.contacts[id].body_a)) s.solved.push_back(id);
+        if (s.is_awake(s.contacts[id].body_a)) push_solved(id);
 }
 
 namespace {
@@ -225,6 +294,7 @@ namespace {
 void begin_touch(State& s, std::uint32_t id) {
     ContactInfo& c = s.contacts[id];
     c.touching = 1;
+    if (pair_touches_elsewhere(s, c)) return;
     const ShapeId a = s.shape_id(c.shape_a), b = s.shape_id(c.shape_b);
     const BodyId body_a = s.body_id(c.body_a), body_b = s.body_id(c.body_b);
     s.begins.push_back({a, b, body_a, body_b});

@@ -3,6 +3,8 @@
 
 #include "dynamics/state.h"
 
+#include <optional>
+
 namespace cairn {
 
 // Runs the broad phase; creates contacts for new pairs, destroys those of pairs that ended.
@@ -32,8 +34,82 @@ ContactRecord advanced_record(const State& state, std::uint32_t contact);
 // Coefficients of the two materials together, by the rules of KHR_physics_rigid_bodies.
 void combine_materials(State& state, std::uint32_t contact);
 
-// Which kernel tests the two, or -1 when none does (two planes); `swapped`: b is the kernel's first shape.
-int pair_kind(ShapeType a, ShapeType b, bool& swapped);
-CollideKernel pair_kernel(int kind);
+// How the two are tested; nothing for two surfaces. `swapped`: b is the first shape of the test.
+std::optional<PairKind> pair_kind(ShapeType a, ShapeType b, bool& swapped);
+CollideKernel wide_kernel(PairKind kind);
+
+// An empty contact, in use; and its end.
+std::uint32_t new_contact(State& state);
+void free_contact(State& state, std::uint32_t contact);
+
+// Pairs of shapes that no wide kernel tests (convex_tests.cpp), with points up to `margin` meters apart. `guess`: the
+// normal of the last step, or zero.
+struct PosedShape {
+    const Geometry& geometry;
+    const ShapeData& data;
+    const ShapePose& pose;
+};
+Manifold test_convex_pair(PairKind kind, const PosedShape& a, const PosedShape& b, math::Vec3 guess, float margin);
+// All directions in which the convex shape `a` touches a mesh or height field, deepest first; `hits` is emptied before.
+void find_patches(const PosedShape& a, const PosedShape& surface, float margin, SurfaceScratch& scratch,
+                  std::vector<Manifold>& hits);
+
+inline PosedShape posed_shape(const State& s, std::uint32_t shape) {
+    return {s.geometry[shape], s.shape_data[shape], s.shape_poses[shape]};
+}
+
+// --- the tests of a step (contacts.cpp)
+
+// What is to be done with a pair, and what testing it has said, beside its record.
+enum Outcome : std::uint8_t {
+    apart,    // and was so; or has not been tested, and need not be solved
+    ended,    // apart, and was near
+    begun,    // near, and was apart
+    goes_on,  // near as before
+    may_wake, // likewise, with something asleep or moved from outside: to be looked at
+    skipped,  // asleep
+    entered,  // into a trigger
+    left,     // out of it
+    to_test,  // + PairKind
+};
+
+// How far apart two shapes may be to count: what the next step can close.
+float contact_margin(const State& state, const ContactInfo& contact, float dt);
+// One result of a test becomes the record of the contact; others may be at work on other contacts. An Outcome.
+std::uint8_t take_manifold(State& state, std::uint32_t contact, const Manifold& manifold);
+std::uint8_t trigger_outcome(const ContactInfo& contact, bool inside);
+// What changes more than the contact itself: islands, colors, sleep. One after the other, in order.
+void follow_up(State& state, std::uint32_t contact, std::uint8_t outcome, float dt);
+
+// --- groups (patches.cpp)
+
+// f(contact) for the patches of a group, or for the contact itself if it is none. f may free the contact.
+template <class F> void for_each_patch(const State& s, std::uint32_t id, F&& f) {
+    if (!is_group(s.contacts[id])) {
+        f(id);
+        return;
+    }
+    for (std::int32_t p = s.contacts[id].related; p != none;) {
+        const std::int32_t next = s.contacts[std::size_t(p)].next;
+        f(std::uint32_t(p));
+        p = next;
+    }
+}
+
+void begin_groups(State& state);
+// Tests groups, by their places in the list of groups. Others may be at work on other groups.
+void test_groups(State& state, int begin, int end, NarrowBatch& own, float dt);
+// Puts the patches that threads have found in the order of the groups.
+void collect_fresh_patches(State& state);
+// The group at that place among the candidates.
+void follow_up_group(State& state, std::uint32_t place, float dt);
+// Ends a patch, and takes it out of its group.
+void end_patch(State& state, std::uint32_t patch);
+
+// --- seams (seams.cpp)
+
+// A body that slides over several surfaces side by side must not bump into the edges between them: takes out of
+// State::solved what is an edge of one in the plane of another.
+void drop_seams(State& state);
 
 } // namespace cairn

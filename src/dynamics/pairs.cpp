@@ -13,17 +13,31 @@ constexpr float most_margin = 0.02f;       // m: contacts exist before they touc
 constexpr float margin_per_extent = 0.25f; // for small shapes
 constexpr float match_per_extent = 0.1f;
 
-float smallest_extent(const Geometry& g) {
+constexpr float unlimited = 1e9f; // m
+
+float smallest_extent(const Geometry& g, const ShapeData& data) {
     switch (g.type) {
     case ShapeType::sphere:
         return 2 * g.size.x;
     case ShapeType::box:
         return 2 * std::min({g.size.x, g.size.y, g.size.z});
-    default:
-        return 1e9f;
+    case ShapeType::capsule:
+        return 2 * std::max(g.size.x, g.size.z);
+    case ShapeType::cylinder:
+        return 2 * std::min(g.size.y, std::max(g.size.x, g.size.z));
+    case ShapeType::hull:
+        return hull_of(data).width;
+    case ShapeType::plane:
+    case ShapeType::rectangle:
+    case ShapeType::mesh:
+    case ShapeType::height_field:
+        break;
     }
+    return unlimited;
 }
-float largest_extent(const Geometry& g) { return g.type == ShapeType::plane ? 1e9f : g.bounding_radius; }
+float largest_extent(const Geometry& g) {
+    return g.type == ShapeType::plane || g.type >= ShapeType::mesh ? unlimited : g.bounding_radius;
+}
 
 float combine_values(float a, float b, CombineRule rule) {
     switch (rule) {
@@ -53,42 +67,40 @@ struct Sink final : PairSink {
             const BodyMass& m = s.mass[std::size_t(body)];
             return m.inverse_mass > 0 || !(m.inverse_inertia == math::Vec3{});
         };
-        if (!movable(body_a) && !movable(body_b)) return false;
+        const ShapeTraits &traits_a = s.shape_traits[a], &traits_b = s.shape_traits[b];
+        if (!may_meet(traits_a.filter, traits_b.filter)) return false;
+        const bool is_trigger = traits_a.is_trigger || traits_b.is_trigger;
+        if (!is_trigger && !movable(body_a) && !movable(body_b)) return false;
+        if (traits_a.is_trigger && traits_b.is_trigger) return false;
         bool swapped = false;
-        const int kind = pair_kind(s.geometry[a].type, s.geometry[b].type, swapped);
-        if (kind < 0) return false;
+        const std::optional<PairKind> kind = pair_kind(s.geometry[a].type, s.geometry[b].type, swapped);
+        if (!kind) return false;
         // A is the dynamic one; of two dynamic ones, the kernel's first.
         const bool b_is_a = a_moves && b_moves ? swapped : b_moves;
-        contact = create(b_is_a ? b : a, b_is_a ? a : b, PairKind(kind), swapped != b_is_a, a_moves && b_moves);
+        const bool flipped = swapped != b_is_a && int(*kind) < wide_kinds;
+        contact = create(b_is_a ? b : a, b_is_a ? a : b, *kind, flipped, a_moves && b_moves);
         return true;
     }
 
     void pair_lost(std::uint32_t, std::uint32_t, std::uint32_t contact) override {
         end_contact(s, contact);
-        s.contacts[contact].in_use = 0;
-        s.free_contacts.push_back(contact);
+        free_contact(s, contact);
     }
 
     std::uint32_t create(std::uint32_t shape_a, std::uint32_t shape_b, PairKind kind, bool flipped, bool b_moves) {
-        std::uint32_t id;
-        if (s.free_contacts.empty()) {
-            id = std::uint32_t(s.contacts.size());
-            s.contacts.emplace_back();
-            s.records.emplace_back();
-        } else {
-            id = s.free_contacts.back();
-            s.free_contacts.pop_back();
-        }
-        ContactInfo& c = s.contacts[id] = {};
-        s.records[id] = {};
+        const std::uint32_t id = new_contact(s);
+        ContactInfo& c = s.contacts[id];
         c.shape_a = shape_a, c.shape_b = shape_b;
         c.body_a = s.shapes[shape_a].body, c.body_b = s.shapes[shape_b].body;
         c.kind = kind;
         c.flipped = flipped;
         c.b_moves = b_moves;
-        c.in_use = 1;
+        const ShapeTraits &traits_a = s.shape_traits[shape_a], &traits_b = s.shape_traits[shape_b];
+        c.is_trigger = traits_a.is_trigger || traits_b.is_trigger;
+        c.is_conveyor = traits_b.has_surface_velocity;
         const Geometry &a = s.geometry[shape_a], &b = s.geometry[shape_b];
-        c.base_margin = std::min(most_margin, margin_per_extent * std::min(smallest_extent(a), smallest_extent(b)));
+        c.base_margin = std::min(most_margin, margin_per_extent * std::min(smallest_extent(a, s.shape_data[shape_a]),
+                                                                           smallest_extent(b, s.shape_data[shape_b])));
         c.match_tolerance = match_per_extent * std::min(largest_extent(a), largest_extent(b));
         combine_materials(s, id);
         return id;
@@ -97,19 +109,49 @@ struct Sink final : PairSink {
 
 } // namespace
 
-int pair_kind(ShapeType a, ShapeType b, bool& swapped) {
+std::optional<PairKind> pair_kind(ShapeType a, ShapeType b, bool& swapped) {
     swapped = a > b;
     if (swapped) std::swap(a, b);
-    if (a == ShapeType::sphere) return int(PairKind::sphere_sphere) + int(b);
-    if (a == ShapeType::box) return int(PairKind::box_box) + int(b) - int(ShapeType::box);
-    return -1;
+    if (is_surface(a) && is_surface(b)) return std::nullopt;
+    if (b >= ShapeType::mesh) return PairKind::group;
+    if (is_surface(a)) { // planes come before the newer convex shapes
+        swapped = !swapped;
+        std::swap(a, b);
+    }
+    if (a <= ShapeType::box && b <= ShapeType::rectangle) {
+        const PairKind first = a == ShapeType::sphere ? PairKind::sphere_sphere : PairKind::box_box;
+        return PairKind(int(first) + int(b) - int(a));
+    }
+    if (b == ShapeType::plane) return PairKind::convex_plane;
+    return b == ShapeType::rectangle ? PairKind::convex_rectangle : PairKind::convex_convex;
 }
 
-CollideKernel pair_kernel(int kind) {
+CollideKernel wide_kernel(PairKind kind) {
     const KernelTable& k = kernels();
-    const CollideKernel all[pair_kinds] = {k.sphere_sphere, k.sphere_box, k.sphere_plane, k.sphere_rectangle,
+    const CollideKernel all[wide_kinds] = {k.sphere_sphere, k.sphere_box, k.sphere_plane, k.sphere_rectangle,
                                            k.box_box,       k.box_plane,  k.box_rectangle};
-    return all[kind];
+    return all[int(kind)];
+}
+
+std::uint32_t new_contact(State& s) {
+    std::uint32_t id;
+    if (s.free_contacts.empty()) {
+        id = std::uint32_t(s.contacts.size());
+        s.contacts.emplace_back();
+        s.records.emplace_back();
+    } else {
+        id = s.free_contacts.back();
+        s.free_contacts.pop_back();
+    }
+    s.contacts[id] = {};
+    s.contacts[id].in_use = 1;
+    s.records[id] = {};
+    return id;
+}
+
+void free_contact(State& s, std::uint32_t id) {
+    s.contacts[id].in_use = 0;
+    s.free_contacts.push_back(id);
 }
 
 void combine_materials(State& s, std::uint32_t contact) {

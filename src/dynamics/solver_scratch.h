@@ -2,12 +2,14 @@
 #pragma once
 
 #include "collision/manifold.h"
+#include "collision/surface_contact.h"
 #include "kernels/solver_data.h"
 #include "math/bounds.h"
 #include "math/vec.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace cairn {
@@ -22,22 +24,39 @@ struct PairBatch {
     float margin[capacity];
 };
 
+// A patch that a group did not have, found at this place among the candidates.
+struct FreshPatch {
+    std::uint32_t place, order; // order: among those of the place
+    Manifold manifold;
+};
+
 // What a thread has at work.
 struct NarrowBatch {
     PairBatch pairs;
     Manifold manifolds[PairBatch::capacity];
+    SurfaceScratch surface;
+    std::vector<Manifold> hits;    // of one group
+    std::vector<FreshPatch> fresh; // of the groups of this thread
 };
 
 struct NarrowScratch {
     // Pairs to be tested, one list per PairKind: their places among the candidates.
     std::vector<std::vector<std::uint32_t>> lists;
-    std::vector<NarrowBatch> at_work;      // one per thread
-    std::vector<std::int32_t> awake;       // bodies
-    std::vector<std::int32_t> whirling;    // bodies that turn far in a step and have unequal moments of inertia
-    std::vector<std::uint32_t> skipped;    // contacts of sleeping bodies with kinematic ones at rest
-    std::vector<std::uint8_t> changes;     // by contact, of those that were solved: began or ceased to touch
-    std::vector<std::uint32_t> candidates; // contacts of all pairs, those of neighbors near each other
-    std::vector<std::uint8_t> outcomes;    // of each: what is to be done, what has come out (contacts.cpp)
+    std::vector<NarrowBatch> at_work;         // one per thread
+    std::vector<std::int32_t> awake;          // bodies
+    std::vector<std::int32_t> whirling;       // bodies that turn far in a step and have unequal moments of inertia
+    std::vector<std::uint32_t> skipped;       // contacts of sleeping bodies with kinematic ones at rest
+    std::vector<std::uint8_t> changes;        // by contact, of those that were solved: began or ceased to touch
+    std::vector<std::uint32_t> candidates;    // contacts of all pairs, those of neighbors near each other
+    std::vector<std::uint8_t> outcomes;       // of each: what is to be done, what has come out (contacts.h)
+    std::vector<std::uint8_t> patch_outcomes; // by contact, of patches of groups that were tested
+    std::vector<FreshPatch> fresh;            // of all threads, by place
+    std::size_t next_fresh = 0;               // the first of those that have not been followed up
+    // Seams (seams.cpp).
+    std::vector<std::int32_t> last_of_body; // in `fixed`
+    std::vector<std::pair<std::uint32_t, std::int32_t>> fixed;
+    std::vector<std::uint32_t> of_body;
+    std::vector<std::uint8_t> is_seam; // by contact, of those with what does not move by forces
 };
 
 // Blocks of one size, side by side.
@@ -56,8 +75,7 @@ struct SortedContact {
     std::int32_t body_a, body_b; // B: none if it does not move at all
     std::int32_t island;
     float substep_time; // s: that its impulses are for
-    std::uint8_t color, four_points, bounces;
-    std::uint8_t padding = 0;
+    std::uint8_t color, four_points, bounces, is_conveyor;
 };
 
 // One solver bin: islands that are solved together through all substeps.
@@ -75,6 +93,12 @@ struct SpinningRow {
     bool turns = false;
     math::DQuat end;
     math::DVec3 free_w;
+};
+
+// A row of one contact alone: B as its moving surface has it.
+struct ConveyorRow {
+    std::int32_t row;
+    std::uint32_t contact;
 };
 
 // A shape that has left its fat box.
@@ -105,6 +129,7 @@ struct BinScratch {
     std::vector<std::int32_t> row_bodies;                   // body of each row; none for fixed and padding
     std::vector<std::uint8_t> row_traits;                   // RowTrait
     std::vector<std::int32_t> touching_bodies, free_bodies; // of the islands: with and without a contact
+    std::vector<ConveyorRow> conveyor_rows;
     std::vector<SpinningRow> spinning_rows;
     std::vector<SpinBlock> spin_blocks;  // those that the kernel turns
     std::vector<std::int32_t> spin_rows; // of their lanes

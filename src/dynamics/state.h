@@ -82,17 +82,38 @@ struct alignas(32) ShapeLinks {
     std::uint32_t padding = 0;
 };
 
-// Which kernel tests a pair of shapes; the first shape's type comes no later in ShapeType than the second's.
+// What decides with whom a shape makes contacts.
+struct ShapeTraits {
+    CollisionFilter filter;
+    math::Vec3 surface_velocity; // in the shape's frame, m/s
+    std::uint8_t is_trigger = 0;
+    std::uint8_t has_surface_velocity = 0;
+    std::uint8_t padding[2] = {};
+};
+inline bool may_meet(const CollisionFilter& a, const CollisionFilter& b) {
+    return (a.layers & b.collides_with) != 0 && (b.layers & a.collides_with) != 0;
+}
+
+// How a pair of shapes is tested.
 enum class PairKind : std::uint8_t {
+    // By a wide kernel; the first shape's type comes no later in ShapeType than the second's.
     sphere_sphere,
     sphere_box,
     sphere_plane,
     sphere_rectangle,
     box_box,
     box_plane,
-    box_rectangle
+    box_rectangle,
+    // One at a time, A first (convex_tests.cpp).
+    convex_plane,
+    convex_rectangle,
+    convex_convex,
+    // Against the triangles of a mesh or height field: the contact of the pair is a group, and has patches, contacts of
+    // their own, one for each direction in which A touches it (patches.cpp).
+    group,
+    patch,
 };
-inline constexpr int pair_kinds = 7;
+inline constexpr int wide_kinds = 7, tested_kinds = 11;
 
 // What is known of a pair of shapes whose bounds overlap, beside its ContactRecord. Body A is dynamic.
 struct alignas(64) ContactInfo {
@@ -105,16 +126,20 @@ struct alignas(64) ContactInfo {
     std::uint8_t b_moves = 0;     // B is dynamic
     std::uint8_t touching = 0;    // a begin event was given
     std::uint8_t in_use = 0;
-    std::uint8_t bounces = 0;  // has any restitution
-    float match_tolerance = 0; // m: points closer than this to last step's are the same
-    float base_margin = 0;     // m
-    float force = 0;           // N: the normal force of the last step
-    float load = 0;            // N: the sustained one, without impacts
-    float substep_time = 0;    // s: that the impulses are for
-    std::uint32_t padding = 0;
+    std::uint8_t bounces = 0;     // has any restitution
+    float match_tolerance = 0;    // m: points closer than this to last step's are the same
+    float base_margin = 0;        // m
+    float force = 0;              // N: the normal force of the last step
+    float load = 0;               // N: the sustained one, without impacts
+    float substep_time = 0;       // s: that the impulses are for
+    std::uint8_t is_trigger = 0;  // never solved: only `touching` counts
+    std::uint8_t is_conveyor = 0; // B's surface moves
+    std::uint8_t padding[2] = {};
     std::uint64_t tested_at = 0; // the pass that last tested the pair; 0: none
-    std::uint64_t more_padding = 0;
+    std::int32_t related = none; // group: its first patch; patch: its group
+    std::int32_t next = none;    // patch: the next one of its group
 };
+inline bool is_group(const ContactInfo& c) { return c.kind == PairKind::group; }
 
 struct Island {
     std::int32_t first_body = none, last_body = none;
@@ -156,6 +181,7 @@ struct State {
     std::vector<ShapePose> shape_poses;
     std::vector<ShapeLinks> shapes;
     std::vector<Material> materials;
+    std::vector<ShapeTraits> shape_traits;
 
     std::vector<ContactRecord> records;
     std::vector<ContactInfo> contacts;
@@ -177,9 +203,11 @@ struct State {
     std::vector<ContactBegin> begins;
     std::vector<ContactEnd> ends;
     std::vector<ContactHit> hits;
+    std::vector<TriggerEvent> triggers;
     std::vector<SleepEvent> sleeps;
     // What will be read of the next step: what changes between two steps counts to the later one.
     std::vector<ContactEnd> next_ends;
+    std::vector<TriggerEvent> next_triggers;
     std::vector<SleepEvent> next_sleeps;
     std::uint64_t clamped_speeds = 0;
     Statistics statistics;

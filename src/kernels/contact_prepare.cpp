@@ -227,12 +227,11 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
     store(block.rolling_radius, rolling_radius);
     block.rolls = any(rolling_radius > zero());
     store(block.torsion_radius, torsion_radius);
-    if constexpr (N == 1) {
-        f32x8 radius_a, radius_b;
-        gather_field(record, offsetof(ContactRecord, radius_a), radius_a, radius_b, unused, unused);
-        store(block.radius_a, radius_a);
-        store(block.radius_b, radius_b);
-    }
+    f32x8 radius_a, radius_b;
+    gather_field(record, offsetof(ContactRecord, radius_a), radius_a, radius_b, unused, unused);
+    store(block.radius_a, radius_a);
+    store(block.radius_b, radius_b);
+    block.round = any((radius_a > zero()) | (radius_b > zero()));
 
     const Vec3x8 center = prepare_points<N>(block, record, normal, c, a, b, friction_margin);
     prepare_friction<N>(block, record, normal, d, center, a, b);

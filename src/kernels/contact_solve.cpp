@@ -79,7 +79,7 @@ CAIRN_INLINE void refresh_separations(ContactBlock<N>& block, const SolverPose* 
     const Vec3x8 delta_a = turned_back_difference(a.dq, normal), delta_b = turned_back_difference(b.dq, normal);
     const Vec3x8 difference = delta_b - delta_a, passed = a.dx - b.dx;
     f32x8 common = dot(delta_b, load3(block.d0)) - dot(normal, passed);
-    if constexpr (N == 1)
+    if (N == 1 || block.round)
         common += load(block.radius_a) * dot(delta_a, normal) + load(block.radius_b) * dot(delta_b, normal);
     const Vec3x8 e = cross(difference, normal);
     const f32x8 f = dot(difference, normal);

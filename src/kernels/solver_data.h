@@ -61,7 +61,7 @@ struct alignas(64) ContactRecord {
     float approach_speed;      // greatest approach speed of its points when it began, for hit events
     float total_friction[3];   // tangential impulse summed over the last step's substeps, on B
     float first_total;         // normal impulse of the first point, likewise
-    float radius_a, radius_b;  // one-point contacts: of a sphere, from its center to the point; 0 for others
+    float radius_a, radius_b;  // of a round surface, from its center or axis to the point; 0 for flat ones
     float padding[2];
 
     float more_points[3][4]; // unused: {0, 0, 0, 1e30}
@@ -85,7 +85,6 @@ template <int N> struct PointRows {
 // The only point is the friction center: its arm and height are found from that.
 template <> struct PointRows<1> {
     float separation0[1][8], total_impulse[1][8];
-    float radius_a[8], radius_b[8]; // of spheres, see refresh_separations
     float effective_mass[1][8], impulse[1][8], separation[1][8];
 };
 
@@ -104,11 +103,13 @@ template <int N> struct alignas(64) ContactBlock : PointRows<N> {
     std::uint8_t even;        // all tensors are multiples of 1: only their xx are kept
     std::uint8_t rolls;       // any rolling resistance
     std::uint8_t bounces;     // any restitution
+    std::uint8_t round;       // any round surface
     // Used by relax only.
-    alignas(32) float d0[3][8]; // d at the start of the step
-    float arm_b_square[8];      // of the friction center's arm for B, at the start of the step
-    float tangent[3][8];        // the second tangent is this x normal
-    float tangent_mass[3][8];   // inverse of the 2x2 tangential K: 11, 12, 22
+    alignas(32) float d0[3][8];     // d at the start of the step
+    float radius_a[8], radius_b[8]; // of round surfaces, see refresh_separations
+    float arm_b_square[8];          // of the friction center's arm for B, at the start of the step
+    float tangent[3][8];            // the second tangent is this x normal
+    float tangent_mass[3][8];       // inverse of the 2x2 tangential K: 11, 12, 22
     float torsion_mass[8], torsion_coupling[2][8];
     float friction[8], static_friction[8], torsion_radius[8];
     float tangent_impulse[2][8], torsion_impulse[8], total_tangent[2][8];

@@ -1,5 +1,5 @@
 // Convex shapes in a common frame, for the narrow phase and for queries: the farthest point in a direction, and the
-// face, edge or corner there.
+// faces.
 //
 // A shape is a core and a `radius` around it (Minkowski sum). Two shapes that touch are told apart by their cores,
 // which do not overlap as long as the shapes overlap less than their radii. A ball is a point with a radius, a capsule
@@ -14,21 +14,58 @@
 
 namespace cairn {
 
+// A solid of revolution about y: the hull of two discs.
+struct Frustum {
+    double low, low_radius, high, high_radius;
+};
+
 struct Convex {
-    enum class Kind : std::uint8_t { ball, box, capsule, cylinder, hull, triangle };
+    enum class Kind : std::uint8_t { ball, box, capsule, cylinder, hull, polygon };
     Kind kind = Kind::ball;
+    bool is_sharp = false;  // the shape itself has no radius: the core is inset
+    int corner_count = 0;   // of a polygon: 3 or 4
     math::DVec3 center;     // of the shape's frame, in the common frame
     math::DMat3 axes;       // of the shape's frame, in the common frame
     math::DVec3 size;       // as in Geometry
-    math::DVec3 corners[3]; // of a triangle, in the common frame
+    math::DVec3 corners[4]; // of a polygon, in the common frame
+    Frustum core{};         // of a cylinder
     const HullData* hull = nullptr;
-    double radius = 0;     // around the core
-    bool is_sharp = false; // the shape itself has no radius: the core is inset
+    double radius = 0; // around the core
+    double extent = 0; // the smallest half width; infinite for polygons
 };
 
-// For every type but planes, rectangles, meshes and height fields.
+// For every type but planes, meshes and height fields. A rectangle is a flat polygon.
 Convex make_convex(const Geometry& geometry, const ShapeData& data, math::DVec3 center, math::DQuat rotation);
 // Flat, solid on the side that sees the corners clockwise.
 Convex make_triangle(math::DVec3 a, math::DVec3 b, math::DVec3 c);
+
+// A shape as the distance algorithms see it: a core, and a radius that is added afterwards.
+struct Core {
+    const Convex* shape;
+    bool is_inset; // else a sharp shape is its own core
+    double radius;
+};
+inline Core inset_core(const Convex& c) { return {&c, true, c.radius}; }
+// The core that gives exact distances.
+inline Core exact_core(const Convex& c) { return {&c, false, c.is_sharp ? 0 : c.radius}; }
+
+// The point of the core that is farthest along d, which may have any length.
+math::DVec3 core_support(const Core& core, math::DVec3 d);
+// The point of the shape itself that is farthest along d.
+math::DVec3 support(const Convex& c, math::DVec3 d);
+// A point inside: the middle of the bounds.
+math::DVec3 middle(const Convex& c);
+
+// Flat faces: of boxes, hulls and polygons, and the ends of cylinders. A polygon has its front; number 1 is its back,
+// which touches but gives no direction.
+int face_count(const Convex& c);
+math::DVec3 face_normal(const Convex& c, int face);
+math::DVec3 face_point(const Convex& c, int face); // some point of it
+
+// From the common frame to the shape's and back.
+inline math::DVec3 to_local(const Convex& c, math::DVec3 v) {
+    return {math::dot(c.axes.c0, v), math::dot(c.axes.c1, v), math::dot(c.axes.c2, v)};
+}
+inline math::DVec3 hull_point(const Convex& c, math::Vec3 p) { return c.center + c.axes * math::to_double(p); }
 
 } // namespace cairn

@@ -78,7 +78,13 @@ struct GeometryMaker {
         set(ShapeType::cylinder, {c.radius, c.half_height, top},
             std::sqrt(c.half_height * c.half_height + widest * widest));
     }
-    void operator()(const Hull& hull) const { set(ShapeType::hull, {}, hull.data()->bounding_radius); }
+    void operator()(const Hull& hull) const {
+        const HullData& data = *hull.data();
+        g.middle = 0.5f * (data.lo + data.hi);
+        float square = 0;
+        for (const math::Vec3& v : data.vertices) square = std::max(square, math::dot(v - g.middle, v - g.middle));
+        set(ShapeType::hull, {}, std::sqrt(square));
+    }
     void operator()(const Mesh& mesh) const { set(ShapeType::mesh, {}, mesh.data()->bounding_radius); }
     void operator()(const HeightField& field) const { set(ShapeType::height_field, {}, field.data()->bounding_radius); }
 

@@ -38,7 +38,8 @@ struct Geometry {
     // sphere: radius in x; box: half extents; rectangle: half extents in x and z; capsule, cylinder: lower radius in x,
     // half height in y, upper radius in z
     math::Vec3 size;
-    float bounding_radius = 0; // about the shape's origin; 0 for the infinite plane
+    math::Vec3 middle;         // of its bounds: of hulls, which may lie anywhere in their frame
+    float bounding_radius = 0; // about `middle`; 0 for the infinite plane
     math::Vec3 position;       // of the shape's origin in the body's frame
     math::Quat rotation;
     std::uint32_t is_turned = 0; // the rotation is not the identity

@@ -258,6 +258,9 @@ void Body::set_type(BodyType type) {
         if (type == BodyType::dynamic && is_surface(s.geometry[std::size_t(i)].type))
             throw Error(ErrorCode::wrong_state, "Body::set_type", "dynamic",
                         "a body with a plane, mesh or height field cannot be dynamic");
+        if (type == BodyType::dynamic && s.shape_traits[std::size_t(i)].has_surface_velocity)
+            throw Error(ErrorCode::wrong_state, "Body::set_type", "dynamic",
+                        "a body with a surface velocity cannot be dynamic");
         shapes.push_back(std::uint32_t(i));
     }
     wake_around(s, a.index());

@@ -33,6 +33,18 @@ struct World::Impl {
     void require_idle(const char* call) const;
 };
 
+template <class T> void make_room(std::vector<T>& v, std::size_t index) {
+    if (v.size() <= index) v.resize(index + 1);
+}
+
+inline void require_slot(const SlotPool& pool, const char* what) {
+    if (pool.full())
+        throw Error(ErrorCode::wrong_state, what, std::to_string(pool.live_count()), "no more can exist in one world");
+}
+
+// Takes a shape out of the world; its body still lists it.
+void retire_shape(State& state, std::uint32_t shape);
+
 inline math::Vec3 to_math(const Vec3& v) { return {v.x, v.y, v.z}; }
 inline math::DVec3 to_math(const Position& v) { return {v.x, v.y, v.z}; }
 inline math::Quat to_math(const Quat& q) { return {q.x, q.y, q.z, q.w}; }

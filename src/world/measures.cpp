@@ -21,6 +21,8 @@ double summed_mass(const State& s, std::int32_t b) {
     return mass.inverse_mass > 0 ? double(mass.mass) : 0.0;
 }
 
+bool is_touching(const ContactInfo& c) { return c.in_use && c.touching && !c.is_trigger; }
+
 Contact make_contact(const State& s, std::uint32_t id) {
     const ContactInfo& c = s.contacts[id];
     const ContactRecord r = s.is_awake(c.body_a) ? advanced_record(s, id) : s.records[id];
@@ -93,7 +95,7 @@ std::vector<Contact> World::contacts() const {
     const State& s = impl_->state;
     std::vector<Contact> all;
     for (std::uint32_t id = 0; id < s.contacts.size(); ++id)
-        if (s.contacts[id].in_use && s.contacts[id].touching) all.push_back(make_contact(s, id));
+        if (is_touching(s.contacts[id])) all.push_back(make_contact(s, id));
     return all;
 }
 
@@ -103,7 +105,7 @@ std::vector<Contact> World::contacts(BodyId body) const {
     std::vector<Contact> all;
     for (std::uint32_t id = 0; id < s.contacts.size(); ++id) {
         const ContactInfo& c = s.contacts[id];
-        if (c.in_use && c.touching && (c.body_a == b || c.body_b == b)) all.push_back(make_contact(s, id));
+        if (is_touching(c) && (c.body_a == b || c.body_b == b)) all.push_back(make_contact(s, id));
     }
     return all;
 }
@@ -122,7 +124,8 @@ Statistics World::statistics() const {
     std::uint64_t colors = 0;
     for (const ContactInfo& c : s.contacts) {
         if (!c.in_use) continue;
-        ++t.candidate_pairs;
+        t.candidate_pairs += c.kind != PairKind::patch;
+        if (c.is_trigger) continue;
         if (c.color < 64) colors |= std::uint64_t(1) << c.color, t.overflow_contacts += c.color == 63;
         if (!c.touching) continue;
         ++t.contacts;

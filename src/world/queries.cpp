@@ -55,15 +55,26 @@ ShapePose make_pose(const Geometry& g, math::DVec3 position, math::Quat q) {
 }
 
 // By the narrow phase itself.
-bool shapes_overlap(ShapeType a, const ShapePose& pose_a, ShapeType b, const ShapePose& pose_b) {
+bool shapes_overlap(const PosedShape& a, const PosedShape& b) {
     bool swapped = false;
-    const int kind = pair_kind(a, b, swapped);
-    if (kind < 0) return false;
-    const ShapePose poses[2] = {swapped ? pose_b : pose_a, swapped ? pose_a : pose_b};
-    const std::uint32_t first[8] = {}, second[8] = {1, 1, 1, 1, 1, 1, 1, 1};
-    const float margin[8] = {};
+    const std::optional<PairKind> kind = pair_kind(a.geometry.type, b.geometry.type, swapped);
+    if (!kind) return false;
+    const PosedShape &first = swapped ? b : a, &second = swapped ? a : b;
+    if (*kind == PairKind::group) {
+        SurfaceScratch scratch;
+        std::vector<Manifold> hits;
+        find_patches(first, second, 0, scratch, hits);
+        return !hits.empty();
+    }
     Manifold out[8];
-    pair_kernel(kind)(poses, first, second, margin, 8, out);
+    if (int(*kind) < wide_kinds) {
+        const ShapePose poses[2] = {first.pose, second.pose};
+        const std::uint32_t firsts[8] = {}, seconds[8] = {1, 1, 1, 1, 1, 1, 1, 1};
+        const float margin[8] = {};
+        wide_kernel (*kind)(poses, firsts, seconds, margin, 8, out);
+    } else {
+        out[0] = test_convex_pair(*kind, first, second, {}, 0);
+    }
     for (int i = 0; i < out[0].count; ++i)
         if (out[0].points[i][3] <= 0) return true;
     return false;
@@ -116,7 +127,7 @@ std::vector<ShapeId> World::overlap(const Shape& shape, const Transform& pose) c
     std::vector<ShapeId> found;
     s.broad_phase.query_bounds(bounds, [&](std::uint32_t other) {
         if (bounds_overlap(bounds, cairn::shape_bounds(s, other)) &&
-            shapes_overlap(g.type, query, s.geometry[other].type, s.shape_poses[other]))
+            shapes_overlap({g, data, query}, posed_shape(s, other)))
             found.push_back(s.shape_id(other));
     });
     std::sort(found.begin(), found.end(), [](ShapeId a, ShapeId b) { return a.index() < b.index(); });

@@ -26,14 +26,15 @@ template <class Archive> void serialize_state(Archive& archive, State& s) {
         archive(s.pushed);
     archive(s.resting), archive(s.left_at), archive(s.kinematics);
     s.shape_slots.serialize(archive);
-    archive(s.geometry), archive(s.shape_poses), archive(s.shapes), archive(s.materials);
+    archive(s.geometry), archive(s.shape_poses), archive(s.shapes), archive(s.materials), archive(s.shape_traits);
     archive(s.records), archive(s.contacts), archive(s.free_contacts);
     archive(s.islands), archive(s.free_islands), archive(s.awake_islands);
     archive(s.falling_asleep), archive(s.waking);
     s.field_slots.serialize(archive);
     archive(s.fields), archive(s.dead_bodies), archive(s.dead_shapes);
     s.broad_phase.serialize(archive);
-    archive(s.clamped_speeds), archive(s.statistics), archive(s.next_ends), archive(s.next_sleeps);
+    archive(s.clamped_speeds), archive(s.statistics), archive(s.next_ends), archive(s.next_triggers),
+        archive(s.next_sleeps);
 }
 
 template <class Archive, class Impl> void serialize_all(Archive& archive, Impl& impl) {

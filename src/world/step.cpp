@@ -91,6 +91,8 @@ void World::step(float dt) {
     state.pushed.clear();
     state.ends.swap(state.next_ends);
     state.next_ends.clear();
+    state.triggers.swap(state.next_triggers);
+    state.next_triggers.clear();
     state.sleeps.swap(state.next_sleeps);
     state.next_sleeps.clear();
     times.total = clock.total();

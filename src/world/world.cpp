@@ -34,61 +34,6 @@ template <class Id> std::uint32_t checked_index(const char* field, Id id, std::u
     return id.index();
 }
 
-template <class T> void make_room(std::vector<T>& v, std::size_t index) {
-    if (v.size() <= index) v.resize(index + 1);
-}
-
-void require_slot(const SlotPool& pool, const char* what) {
-    if (pool.full())
-        throw Error(ErrorCode::wrong_state, what, std::to_string(pool.live_count()), "no more can exist in one world");
-}
-
-// Unlinks a shape from its body's list.
-void unlink_shape(State& s, std::uint32_t shape) {
-    ShapeLinks& links = s.shapes[shape];
-    BodyLinks& body = s.bodies[std::size_t(links.body)];
-    if (links.previous == none)
-        body.first_shape = links.next;
-    else
-        s.shapes[std::size_t(links.previous)].next = links.next;
-    if (links.next == none)
-        body.last_shape = links.previous;
-    else
-        s.shapes[std::size_t(links.next)].previous = links.previous;
-}
-
-void link_shape(State& s, std::uint32_t shape, std::int32_t body) {
-    ShapeLinks& links = s.shapes[shape];
-    BodyLinks& owner = s.bodies[std::size_t(body)];
-    links.body = body;
-    links.next = none;
-    links.previous = owner.last_shape;
-    if (owner.last_shape == none)
-        owner.first_shape = std::int32_t(shape);
-    else
-        s.shapes[std::size_t(owner.last_shape)].next = std::int32_t(shape);
-    owner.last_shape = std::int32_t(shape);
-}
-
-// What a density makes of the body's mass must be a mass that could have been given.
-void require_mass_in_range(const State& s, std::int32_t body, const Shape& shape, const ShapeDef& def) {
-    const BodyMass& mass = s.mass[std::size_t(body)];
-    if (!s.is_dynamic(body) || !mass.follows_shapes || mass.has_given_mass || !(def.density > 0)) return;
-    double sum = geometry_mass(make_geometry(shape, {}), make_shape_data(shape), def.density).mass;
-    for (std::int32_t i = s.bodies[std::size_t(body)].first_shape; i != none; i = s.shapes[std::size_t(i)].next)
-        sum += geometry_mass(s.geometry[std::size_t(i)], s.shape_data[std::size_t(i)], s.shapes[std::size_t(i)].density)
-                   .mass;
-    if (!(sum >= smallest_mass && sum <= largest_mass))
-        refuse("ShapeDef.density", to_text(def.density),
-               "must give the body a mass from 1e-32 to 1e32 kg, not " + to_text(sum) + " kg");
-}
-
-void retire_shape(State& s, std::uint32_t shape) {
-    s.broad_phase.remove(shape);
-    s.shape_slots.kill(shape);
-    s.dead_shapes.push_back(shape);
-}
-
 } // namespace
 
 World::Impl::Impl(const WorldDef& def) {
@@ -243,83 +188,6 @@ std::optional<BodyId> World::find_body(std::string_view name) const {
     return std::nullopt;
 }
 
-ShapeId World::add_shape(BodyId id, const Shape& shape, const ShapeDef& def) {
-    impl_->require_idle("World::add_shape");
-    const std::int32_t b = impl_->index_of(id);
-    validate(shape);
-    validate(def);
-    State& s = impl_->state;
-    if (is_surface(make_geometry(shape, {}).type) && s.is_dynamic(b))
-        throw Error(ErrorCode::wrong_state, "World::add_shape shape", shape_name(shape),
-                    "has no mass: add it to static or kinematic bodies, or its Hull to dynamic ones");
-    require_slot(s.shape_slots, "World::add_shape");
-    require_mass_in_range(s, b, shape, def);
-    const std::uint32_t i = s.shape_slots.create();
-    make_room(s.geometry, i), make_room(s.shape_data, i), make_room(s.shape_poses, i), make_room(s.shapes, i),
-        make_room(s.materials, i);
-    make_room(impl_->shape_of, i), make_room(impl_->def_of, i);
-    impl_->shape_of[i] = shape;
-    impl_->def_of[i] = def;
-    impl_->def_of[i].rotation = checked_rotation("ShapeDef.rotation", def.rotation);
-    const Transform pose{Position(def.position), impl_->def_of[i].rotation};
-    s.geometry[i] = make_geometry(shape, pose);
-    s.shape_data[i] = make_shape_data(shape);
-    s.materials[i] = def.material;
-    s.shapes[i] = {};
-    s.shapes[i].density = def.density;
-    link_shape(s, i, b);
-    refresh_mass(s, b);
-    place_shapes(s, b);
-    wake_body(s, b);
-    add_proxy(s, i);
-    if (!s.is_dynamic(b)) wake_around_shape(s, i);
-    return s.shape_id(i);
-}
-
-void World::remove_shape(ShapeId id) {
-    impl_->require_idle("World::remove_shape");
-    const std::uint32_t i = impl_->index_of(id);
-    State& s = impl_->state;
-    const std::int32_t b = s.shapes[i].body;
-    wake_around_shape(s, i);
-    wake_body(s, b);
-    unlink_shape(s, i);
-    retire_shape(s, i);
-    refresh_mass(s, b);
-    place_shapes(s, b);
-}
-
-BodyId World::body_of(ShapeId id) const { return impl_->state.body_id(impl_->state.shapes[impl_->index_of(id)].body); }
-const Shape& World::shape(ShapeId id) const { return impl_->shape_of[impl_->index_of(id)]; }
-const ShapeDef& World::shape_def(ShapeId id) const { return impl_->def_of[impl_->index_of(id)]; }
-
-Transform World::shape_transform(ShapeId id) const {
-    const std::uint32_t i = impl_->index_of(id);
-    const State& s = impl_->state;
-    // Of the shape as the user defined it: a plane's stored rotation includes the turn to its normal.
-    const BodyMotion& motion = s.motion[std::size_t(s.shapes[i].body)];
-    const math::DQuat q = motion.q * math::to_double(to_math(impl_->def_of[i].rotation));
-    return {to_public(shape_position(s.shape_poses[i])), to_public(math::to_float(math::normalized(q)))};
-}
-
-Bounds World::shape_bounds(ShapeId id) const {
-    const DBounds b = cairn::shape_bounds(impl_->state, impl_->index_of(id));
-    return {to_public(b.lo), to_public(b.hi)};
-}
-
-void World::set_material(ShapeId id, const Material& material) {
-    impl_->require_idle("World::set_material");
-    const std::uint32_t i = impl_->index_of(id);
-    validate("Material", material);
-    State& s = impl_->state;
-    s.materials[i] = material;
-    impl_->def_of[i].material = material;
-    wake_body(s, s.shapes[i].body);
-    wake_around_shape(s, i);
-    for (std::uint32_t c = 0; c < s.contacts.size(); ++c)
-        if (s.contacts[c].in_use && (s.contacts[c].shape_a == i || s.contacts[c].shape_b == i)) combine_materials(s, c);
-}
-
 ForceFieldId World::add_force_field(const ForceField& field) {
     impl_->require_idle("World::add_force_field");
     validate(field);
@@ -357,6 +225,7 @@ double World::time() const noexcept { return impl_->state.time; }
 std::span<const ContactBegin> World::contact_begins() const noexcept { return impl_->state.begins; }
 std::span<const ContactEnd> World::contact_ends() const noexcept { return impl_->state.ends; }
 std::span<const ContactHit> World::contact_hits() const noexcept { return impl_->state.hits; }
+std::span<const TriggerEvent> World::trigger_events() const noexcept { return impl_->state.triggers; }
 std::span<const SleepEvent> World::sleep_events() const noexcept { return impl_->state.sleeps; }
 std::string_view instruction_set() noexcept { return kernels().name; }
 

@@ -1,0 +1,179 @@
+#include "collision/contact_features.h"
+
+#include <limits>
+
+namespace cairn {
+
+using math::dot;
+using math::DVec3;
+
+namespace {
+
+// An edge is across a direction within this cosine.
+constexpr double across_tolerance = 1e-2;
+
+void hull_face(const Convex& c, int face, Feature& out) {
+    const HullFace& f = c.hull->faces[static_cast<std::size_t>(face)];
+    for (std::uint32_t i = 0; i < f.count; ++i)
+        out.points.add(hull_point(c, c.hull->vertices[c.hull->loops[f.first + i]]));
+}
+
+void box_face(const Convex& c, int face, Feature& out) {
+    const int i = face / 2;
+    DVec3 s = c.size[(i + 1) % 3] * c.axes.column((i + 1) % 3), t = c.size[(i + 2) % 3] * c.axes.column((i + 2) % 3);
+    if (face % 2 != 0) std::swap(s, t);
+    const DVec3 middle = c.center + c.size[i] * out.normal;
+    for (const DVec3& p : {middle + s + t, middle - s + t, middle - s - t, middle + s - t}) out.points.add(p);
+}
+
+// Of a cylinder: the line of its side in that direction across the axis.
+void side_line(const Convex& c, DVec3 n, Feature& out) {
+    const DVec3 local = to_local(c, n);
+    const double across = std::sqrt(local.x * local.x + local.z * local.z);
+    const DVec3 radial = across > 0 ? DVec3{local.x / across, 0, local.z / across} : DVec3{1, 0, 0};
+    out.kind = Feature::Kind::segment;
+    out.points.add(c.center + c.axes * (c.size.x * radial + DVec3{0, -c.size.y, 0}));
+    out.points.add(c.center + c.axes * (c.size.z * radial + DVec3{0, c.size.y, 0}));
+}
+
+void capsule_line(const Convex& c, DVec3 n, Feature& out) {
+    const DVec3 half = c.size.y * c.axes.c1;
+    out.kind = Feature::Kind::segment;
+    out.points.add(c.center - half + c.size.x * n);
+    out.points.add(c.center + half + c.size.z * n);
+}
+
+// The face that looks most along n among those that hold the farthest point along n.
+int supporting_face(const Convex& c, DVec3 n) {
+    if (c.kind == Convex::Kind::box) {
+        const DVec3 d = to_local(c, n), size = math::abs(d);
+        const int i = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+        return 2 * i + (d[i] < 0 ? 1 : 0);
+    }
+    if (c.kind == Convex::Kind::polygon) return dot(c.axes.c1, n) < 0 ? 1 : 0;
+    const HullData& hull = *c.hull;
+    const DVec3 d = to_local(c, n);
+    double most = -2;
+    int best = 0;
+    for (std::size_t i = 0; i < hull.faces.size(); ++i) {
+        const double along = dot(math::to_double(hull.faces[i].normal), d);
+        if (along > most) most = along, best = static_cast<int>(i);
+    }
+    const DVec3 farthest = to_local(c, support(c, n) - c.center);
+    const auto height = [&](const HullFace& f) { return dot(math::to_double(f.normal), farthest) - f.offset; };
+    const double slack = 1e-5 * c.extent;
+    if (height(hull.faces[static_cast<std::size_t>(best)]) > -slack) return best;
+    most = -2;
+    for (std::size_t i = 0; i < hull.faces.size(); ++i) {
+        const double along = dot(math::to_double(hull.faces[i].normal), d);
+        if (along > most && height(hull.faces[i]) > -slack) most = along, best = static_cast<int>(i);
+    }
+    return best;
+}
+
+void polytope_edge(const Convex& c, DVec3 n, Feature& out) {
+    const DVec3 from = support(c, n);
+    out.points.add(from);
+    double least = across_tolerance;
+    DVec3 to;
+    const auto offer = [&](DVec3 p) {
+        const DVec3 d = p - from;
+        const double along = std::fabs(dot(d, n)) / math::length(d);
+        if (along < least) least = along, to = p;
+    };
+    if (c.kind == Convex::Kind::box) {
+        const DVec3 local = to_local(c, from - c.center);
+        for (int i = 0; i < 3; ++i) offer(from - 2 * local[i] * c.axes.column(i));
+    } else if (c.kind == Convex::Kind::polygon) {
+        for (int i = 0; i < c.corner_count; ++i) {
+            const DVec3 p = c.corners[i], q = c.corners[(i + 1) % c.corner_count];
+            if (p == from) offer(q);
+            if (q == from) offer(p);
+        }
+    } else {
+        const HullData& hull = *c.hull;
+        const DVec3 local = to_local(c, n);
+        std::size_t vertex = 0;
+        double most = -std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < hull.vertices.size(); ++i) {
+            const double along = dot(math::to_double(hull.vertices[i]), local);
+            if (along > most) most = along, vertex = i;
+        }
+        out.index = static_cast<std::uint32_t>(vertex);
+        for (std::uint32_t i = hull.neighbor_start[vertex]; i < hull.neighbor_start[vertex + 1]; ++i)
+            offer(hull_point(c, hull.vertices[hull.neighbors[i]]));
+    }
+    if (least < across_tolerance) {
+        out.kind = Feature::Kind::segment;
+        out.points.add(to);
+    }
+}
+
+void reset(Feature& f) {
+    f.kind = Feature::Kind::point;
+    f.index = 0;
+    f.points.clear();
+}
+
+} // namespace
+
+void face_feature(const Convex& c, int face, Feature& out) {
+    reset(out);
+    out.kind = Feature::Kind::polygon;
+    out.index = static_cast<std::uint32_t>(face);
+    out.normal = face_normal(c, face);
+    switch (c.kind) {
+    case Convex::Kind::box:
+        return box_face(c, face, out);
+    case Convex::Kind::hull:
+        return hull_face(c, face, out);
+    case Convex::Kind::polygon:
+        for (int i = 0; i < c.corner_count; ++i) out.points.add(c.corners[face == 0 ? i : c.corner_count - 1 - i]);
+        return;
+    default:
+        out.kind = Feature::Kind::disc;
+        out.center = face_point(c, face);
+        out.radius = face == 0 ? c.size.z : c.size.x;
+        out.u = c.axes.c0;
+        out.v = math::cross(out.normal, out.u);
+    }
+}
+
+void incident_feature(const Convex& c, DVec3 n, Feature& out) {
+    reset(out);
+    switch (c.kind) {
+    case Convex::Kind::ball:
+        out.points.add(c.center + c.radius * n);
+        return;
+    case Convex::Kind::capsule:
+        return capsule_line(c, n, out);
+    case Convex::Kind::cylinder: {
+        // The end where it looks more along n than the side does.
+        const DVec3 local = to_local(c, n);
+        const double dr = c.size.x - c.size.z, side = std::sqrt(4 * c.size.y * c.size.y + dr * dr);
+        const double across = std::sqrt(local.x * local.x + local.z * local.z);
+        const double along_side = (2 * c.size.y * across + dr * local.y) / side;
+        const int end = local.y > 0 ? 0 : 1;
+        if (std::fabs(local.y) > along_side && (end == 0 ? c.size.z : c.size.x) > 0) return face_feature(c, end, out);
+        return side_line(c, n, out);
+    }
+    default:
+        return face_feature(c, supporting_face(c, n), out);
+    }
+}
+
+void edge_feature(const Convex& c, DVec3 n, Feature& out) {
+    reset(out);
+    if (c.kind == Convex::Kind::capsule || c.kind == Convex::Kind::cylinder) {
+        c.kind == Convex::Kind::capsule ? capsule_line(c, n, out) : side_line(c, n, out);
+        const DVec3 d = out.points[1] - out.points[0];
+        if (std::fabs(dot(d, n)) < across_tolerance * math::length(d)) return;
+        reset(out);
+        out.points.add(support(c, n));
+    } else if (c.kind == Convex::Kind::ball)
+        out.points.add(c.center + c.radius * n);
+    else
+        polytope_edge(c, n, out);
+}
+
+} // namespace cairn

@@ -1,0 +1,34 @@
+// The face, edge or point of a convex shape that looks along a direction, and where two of them meet.
+#pragma once
+
+#include "collision/contact_points.h"
+#include "shapes/convex.h"
+
+namespace cairn {
+
+struct Feature {
+    enum class Kind : std::uint8_t { point, segment, polygon, disc };
+    Kind kind = Kind::point;
+    std::uint32_t index = 0;        // which of its kind
+    Buffer<math::DVec3, 16> points; // on the surface of the shape; of a polygon counterclockwise as seen from outside
+    math::DVec3 normal;             // of a polygon or disc: unit, outward
+    math::DVec3 center, u, v;       // of a disc, and directions that span it
+    double radius = 0;
+};
+
+// A face as a polygon or disc.
+void face_feature(const Convex& c, int face, Feature& out);
+// The face, edge or side line that meets a face which looks along -n.
+void incident_feature(const Convex& c, math::DVec3 n, Feature& out);
+// The edge or side line across n where there is one within a hundredth, else the farthest point along n.
+void edge_feature(const Convex& c, math::DVec3 n, Feature& out);
+
+// Points between a reference face and an incident feature, measured along the outward normal of the reference face.
+// Points outside the face by less than a ten thousandth of it count as over it.
+void face_points(const Feature& reference, const Feature& incident, double extent, ContactPoints& out);
+
+// One or two points between segments or points, `separation` apart along n (from the first to the second); with two
+// they are as far apart as the segments are.
+void edge_points(const Feature& first, const Feature& second, math::DVec3 n, double separation, ContactPoints& out);
+
+} // namespace cairn

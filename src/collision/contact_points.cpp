@@ -1,0 +1,116 @@
+#include "collision/contact_points.h"
+
+#include <limits>
+
+namespace cairn {
+
+using math::dot;
+using math::DVec3;
+
+namespace {
+
+// As in kernels/face_clip.h: candidates that tie within this are taken in their order, so that rounding does not
+// change the choice from step to step; a third or fourth point lies farther than `thinnest` beside the others.
+constexpr double tie = 1 + 2e-4, thinnest = 1e-3;
+
+struct Chosen {
+    int count = 0;
+    std::size_t index[4] = {};
+};
+
+struct Flat {
+    double x, y;
+};
+
+// Chooses: the deepest point; the one farthest from it; on either side of the line through both the one that spans the
+// largest triangle; where one side is empty, the point farthest outside the triangle of the other three.
+class Reducer {
+  public:
+    Reducer(const ContactPoints& points, DVec3 normal, DVec3 center, double extent, double margin)
+        : points_(points), margin_(margin), extent_(extent) {
+        // Any frame will do: only distances and areas count.
+        const DVec3 axis = std::fabs(normal.x) < 0.5 ? DVec3{1, 0, 0} : DVec3{0, 1, 0};
+        const DVec3 e1 = math::normalized(math::cross(axis, normal)), e2 = math::cross(normal, e1);
+        for (const ContactPoint& p : points) {
+            const DVec3 d = p.position - center;
+            flat_.add({dot(d, e1), dot(d, e2)});
+        }
+    }
+
+    Chosen choose() {
+        Chosen r;
+        if (!deepest(r)) return r;
+        const double nearest = same_point_part * extent_;
+        double farthest = nearest * nearest;
+        if (!best(r, farthest, [&](Flat p) { return square(p, at(r, 0)); })) return r;
+        const Flat a = at(r, 0), b = at(r, 1);
+        const double least = std::max(thinnest * farthest, nearest * std::sqrt(farthest));
+        double area = least;
+        const bool has_left = best(r, area, [&](Flat p) { return cross(a, b, p); });
+        area = least;
+        const bool has_right = best(r, area, [&](Flat p) { return -cross(a, b, p); });
+        if (has_left == has_right) return r;
+        // One side is empty: beside the edge from the third point to either of the others.
+        const Flat c = at(r, 2);
+        const double sign = has_left ? 1 : -1;
+        area = least;
+        best(r, area, [&](Flat p) { return std::max(-sign * cross(b, c, p), -sign * cross(c, a, p)); });
+        return r;
+    }
+
+  private:
+    static double square(Flat p, Flat q) { return (p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y); }
+    static double cross(Flat a, Flat b, Flat p) { return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x); }
+    Flat at(const Chosen& r, int i) const { return flat_[r.index[i]]; }
+    bool counts(std::size_t i) const { return points_[i].separation <= margin_; }
+
+    bool deepest(Chosen& r) const {
+        double lowest = std::numeric_limits<double>::infinity(), outermost = -1;
+        for (std::size_t i = 0; i < points_.size(); ++i)
+            if (points_[i].separation < lowest) lowest = points_[i].separation;
+        for (std::size_t i = 0; i < points_.size(); ++i) {
+            const double d = square(flat_[i], {0, 0});
+            if (!counts(i) || !(points_[i].separation <= lowest + flat_contact_part * extent_)) continue;
+            if (d > outermost * tie) outermost = d, r.index[0] = i, r.count = 1;
+        }
+        return r.count == 1;
+    }
+    // Adds the point of the greatest measure above `least`.
+    template <class Measure> bool best(Chosen& r, double& least, Measure measure) const {
+        bool is_found = false;
+        for (std::size_t i = 0; i < points_.size(); ++i) {
+            const double value = counts(i) ? measure(flat_[i]) : 0;
+            if (value > least * tie) least = value, r.index[r.count] = i, is_found = true;
+        }
+        r.count += is_found ? 1 : 0;
+        return is_found;
+    }
+
+    const ContactPoints& points_;
+    Buffer<Flat, 32> flat_;
+    double margin_, extent_;
+};
+
+} // namespace
+
+void clear_manifold(Manifold& out) {
+    out = {};
+    for (auto& p : out.points) p[3] = 1e30f;
+}
+
+void write_manifold(const ContactPoints& points, DVec3 normal, DVec3 center, double extent, double margin, double least,
+                    Manifold& out) {
+    clear_manifold(out);
+    const Chosen chosen = Reducer(points, normal, center, extent, margin).choose();
+    if (chosen.count == 0) return;
+    out.count = chosen.count;
+    math::put(out.normal, math::to_float(normal));
+    for (int i = 0; i < chosen.count; ++i) {
+        const ContactPoint& p = points[chosen.index[i]];
+        math::put(out.points[i], math::to_float(p.position));
+        out.points[i][3] = static_cast<float>(p.separation < least ? least : p.separation);
+        out.features[i] = p.feature;
+    }
+}
+
+} // namespace cairn

@@ -1,0 +1,68 @@
+// The candidate points of a contact, and the choice of at most four that represent them.
+#pragma once
+
+#include "collision/manifold.h"
+#include "math/vec.h"
+
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace cairn {
+
+// A list of plain data; the first N are kept in place.
+template <class T, std::size_t N> class Buffer {
+    static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
+
+  public:
+    Buffer() {}
+    Buffer(const Buffer&) = delete;
+    Buffer& operator=(const Buffer&) = delete;
+    void add(const T& value) {
+        if (size_ < N)
+            new (storage_ + size_ * sizeof(T)) T(value);
+        else {
+            if (size_ == N) more_.assign(in_place(), in_place() + N);
+            more_.push_back(value);
+        }
+        ++size_;
+    }
+    void clear() { size_ = 0, more_.clear(); }
+    std::size_t size() const { return size_; }
+    T* data() { return size_ > N ? more_.data() : in_place(); }
+    const T* data() const { return const_cast<Buffer*>(this)->data(); }
+    T& operator[](std::size_t i) { return data()[i]; }
+    const T& operator[](std::size_t i) const { return data()[i]; }
+    T* begin() { return data(); }
+    T* end() { return data() + size_; }
+    const T* begin() const { return data(); }
+    const T* end() const { return data() + size_; }
+
+  private:
+    T* in_place() { return reinterpret_cast<T*>(storage_); }
+    std::size_t size_ = 0;
+    std::vector<T> more_;
+    alignas(T) std::byte storage_[N * sizeof(T)];
+};
+
+struct ContactPoint {
+    math::DVec3 position; // midway between the surfaces
+    double separation;
+    std::uint32_t feature;
+};
+using ContactPoints = Buffer<ContactPoint, 32>;
+
+void clear_manifold(Manifold& out);
+
+// Writes the points that are not farther apart than `margin`, reduced to four. `center`: near the middle of where the
+// contact may be; `extent`: the size of the smaller shape, for the tolerances; no separation is given as deeper than
+// `least`.
+void write_manifold(const ContactPoints& points, math::DVec3 normal, math::DVec3 center, double extent, double margin,
+                    double least, Manifold& out);
+
+// Points closer than this part of the extent are one point.
+constexpr double same_point_part = 1e-3;
+// Depths that differ by less than this part of it are equal.
+constexpr double flat_contact_part = 1e-4;
+
+} // namespace cairn

@@ -1,0 +1,242 @@
+#include "collision/convex_contact.h"
+
+#include "collision/contact_features.h"
+#include "shapes/epa.h"
+
+#include <limits>
+
+namespace cairn {
+
+using math::dot;
+using math::DVec3;
+
+namespace {
+
+constexpr double none = -std::numeric_limits<double>::infinity();
+
+// The second shape's faces are the reference only where they are less deep by this part of the extent.
+constexpr double second_face_tolerance = 1e-4;
+// Where distances are exact, a normal is made that of a face within this part of the extent.
+constexpr double snap_tolerance = 1e-7;
+// With a cylinder, this part of the tolerance for polytopes: round sides and rims have normals of their own.
+constexpr double round_part = 0.1;
+
+// A direction in which the shapes are separated, and the face that it is the normal of, if any.
+struct Axis {
+    DVec3 normal; // from a to b
+    double separation = none;
+    int face = -1;
+    bool is_second = false; // the face is b's
+};
+
+double separation_along(const Convex& a, const Convex& b, DVec3 n) { return dot(n, support(b, -n) - support(a, n)); }
+
+// The face of `c` along whose normal the shapes are farthest apart, if more than `floor`. p: some point of the other.
+Axis best_face(const Convex& c, const Convex& other, DVec3 p, double floor) {
+    Axis best;
+    best.separation = floor;
+    const auto try_face = [&](int face) {
+        const DVec3 normal = face_normal(c, face), on_face = face_point(c, face);
+        if (!(dot(normal, p - on_face) > best.separation)) return; // no other point is farther inside
+        const double separation = dot(normal, support(other, -normal) - on_face);
+        if (separation > best.separation) best = {normal, separation, face, false};
+    };
+    if (c.kind == Convex::Kind::hull) {
+        const DVec3 local = to_local(c, p - c.center);
+        const double slack = 1e-5 * c.hull->bounding_radius;
+        for (std::size_t i = 0; i < c.hull->faces.size(); ++i) {
+            const HullFace& f = c.hull->faces[i];
+            if (dot(math::to_double(f.normal), local) - f.offset > best.separation - slack) try_face(int(i));
+        }
+        return best;
+    }
+    for (int i = 0; i < face_count(c); ++i)
+        if (c.kind != Convex::Kind::cylinder || (i == 0 ? c.size.z : c.size.x) > 0) try_face(i);
+    return best;
+}
+
+// The direction between the cores; false when the shapes are farther apart than the margin.
+bool find_axis(const Convex& a, const Convex& b, double margin, DVec3 guess, Axis& axis) {
+    const bool is_exact = !a.is_sharp || !b.is_sharp;
+    const CorePair pair = is_exact ? CorePair{exact_core(a), exact_core(b)} : CorePair{inset_core(a), inset_core(b)};
+    GjkResult r = gjk_distance(pair, guess, margin + pair.a.radius + pair.b.radius);
+    if (r.state == GjkResult::State::far) {
+        // The corners of sharp shapes reach farther than the radius.
+        if (is_exact || separation_along(a, b, r.normal) > margin) return false;
+        r = gjk_distance(pair, r.normal, std::numeric_limits<double>::infinity());
+    }
+    axis.normal = r.state == GjkResult::State::overlapping ? epa_depth(pair, r.simplex).normal : r.normal;
+    axis.separation = separation_along(a, b, axis.normal);
+    return axis.separation <= margin;
+}
+
+// Edge against edge, or whatever lies farthest along the normal.
+void edge_manifold(const Convex& a, const Convex& b, const Axis& axis, double extent, double margin, Manifold& out) {
+    Feature first, second;
+    edge_feature(a, axis.normal, first);
+    edge_feature(b, -axis.normal, second);
+    ContactPoints points;
+    edge_points(first, second, axis.normal, axis.separation, points);
+    write_manifold(points, axis.normal, points[0].position, extent, margin, none, out);
+}
+
+bool face_manifold(const Convex& a, const Convex& b, const Axis& axis, double least, double tolerance, double extent,
+                   double margin, Manifold& out) {
+    const Convex &c = axis.is_second ? b : a, &other = axis.is_second ? a : b;
+    const DVec3 outward = axis.is_second ? -axis.normal : axis.normal;
+    Feature reference, incident;
+    face_feature(c, axis.face, reference);
+    incident_feature(other, -outward, incident);
+    ContactPoints points;
+    face_points(reference, incident, extent, points);
+    double reached = std::numeric_limits<double>::infinity();
+    for (const ContactPoint& p : points)
+        if (p.separation < reached) reached = p.separation;
+    if (!(reached <= least + tolerance)) return false;
+    write_manifold(points, axis.normal, other.center, extent, margin, least, out);
+    return out.count > 0;
+}
+
+double common_extent(const Convex& a, const Convex& b) {
+    const double extent = a.extent < b.extent ? a.extent : b.extent;
+    return extent < 1e30 ? extent : math::length(b.corners[1] - b.corners[0]);
+}
+
+// Faces are preferred where they are less separated by no more than this: they give up to four points.
+double face_preference(const Convex& a, const Convex& b, double extent) {
+    if (!a.is_sharp || !b.is_sharp) return snap_tolerance * extent;
+    const double inset = a.radius > 0 && b.radius > 0 ? std::min(a.radius, b.radius) : std::max(a.radius, b.radius);
+    const bool is_round = a.kind == Convex::Kind::cylinder || b.kind == Convex::Kind::cylinder;
+    return (is_round ? round_part : 1) * inset;
+}
+
+// Contact along an axis found from the cores, or along the normal of a face where that is about as good.
+void contact_along(const Convex& a, const Convex& b, const Axis& axis, double margin, Manifold& out) {
+    const double extent = common_extent(a, b), preference = face_preference(a, b, extent);
+    Axis face = best_face(a, b, support(b, -axis.normal), axis.separation - preference);
+    const double floor =
+        std::max(axis.separation - preference, face.separation + (face.face < 0 ? 0 : second_face_tolerance * extent));
+    Axis second = best_face(b, a, support(a, axis.normal), floor);
+    if (second.face >= 0) face = {-second.normal, second.separation, second.face, true};
+    if (face.face >= 0) {
+        const double least = std::max(axis.separation, face.separation);
+        if (least > margin) return;
+        if (face_manifold(a, b, face, least, preference + 1e-6 * extent, extent, margin, out)) return;
+    }
+    edge_manifold(a, b, axis, extent, margin, out);
+}
+
+} // namespace
+
+void collide_convex(const Convex& a, const Convex& b, double margin, DVec3 guess, Manifold& out) {
+    clear_manifold(out);
+    Axis axis;
+    if (find_axis(a, b, margin, guess, axis)) contact_along(a, b, axis, margin, out);
+}
+
+void collide_plane(const Convex& a, DVec3 up, double height, double margin, Manifold& out) {
+    clear_manifold(out);
+    const DVec3 origin = a.center - height * up; // of the plane
+    Feature lower;
+    incident_feature(a, -up, lower);
+    ContactPoints points;
+    const auto add = [&](DVec3 p) {
+        const double z = dot(p - origin, up);
+        points.add({p - (0.5 * z) * up, z, lower.index << 16 | static_cast<std::uint32_t>(points.size())});
+    };
+    if (lower.kind == Feature::Kind::disc) {
+        // A square under the disc: its rim is found as on any face.
+        const DVec3 e1 = math::to_double(math::any_orthogonal(math::to_float(up)));
+        const DVec3 x = (8 * lower.radius) * math::normalized(e1 - dot(e1, up) * up), z = math::cross(x, up);
+        const DVec3 under = lower.center - dot(lower.center - origin, up) * up;
+        Feature square;
+        square.kind = Feature::Kind::polygon;
+        square.normal = up;
+        for (const DVec3& p : {under - x - z, under - x + z, under + x + z, under + x - z}) square.points.add(p);
+        face_points(square, lower, a.extent, points);
+    } else
+        for (const DVec3& p : lower.points) add(p);
+    write_manifold(points, -up, a.center, a.extent, margin, none, out);
+}
+
+namespace {
+
+// Where the polygon holds a point, seen along its normal: on the face, or at the nearest edge or corner.
+SurfaceContact part_of(const Convex& polygon, DVec3 p, double extent) {
+    SurfaceContact r;
+    int outside = 0;
+    for (int i = 0; i < polygon.corner_count; ++i) {
+        const DVec3 from = polygon.corners[i], d = polygon.corners[(i + 1) % polygon.corner_count] - from;
+        const double length = math::length(d);
+        if (dot(math::cross(polygon.axes.c1, d), p - from) > 1e-4 * extent * length) continue;
+        if (++outside == 1) r.part = SurfaceContact::Part::edge, r.index = i;
+        const double along = dot(p - from, d);
+        if (along <= 1e-4 * extent * length) r.part = SurfaceContact::Part::corner, r.index = i;
+        if (along >= length * length - 1e-4 * extent * length)
+            r.part = SurfaceContact::Part::corner, r.index = (i + 1) % polygon.corner_count;
+    }
+    return r;
+}
+
+bool is_over(const Convex& polygon, DVec3 p) {
+    for (int i = 0; i < polygon.corner_count; ++i) {
+        const DVec3 from = polygon.corners[i], d = polygon.corners[(i + 1) % polygon.corner_count] - from;
+        if (dot(math::cross(polygon.axes.c1, d), p - from) < 0) return false;
+    }
+    return true;
+}
+
+// Pushed out along the normal, by the lower side; by the middle where that reaches beyond the polygon.
+void lift(const Convex& a, const Convex& polygon, double margin, Manifold& out) {
+    const DVec3 up = polygon.axes.c1;
+    const double separation = separation_along(a, polygon, -up);
+    if (separation > margin) return;
+    const Axis face{-up, separation, 0, true};
+    if (face_manifold(a, polygon, face, separation, a.extent, a.extent, margin, out)) return;
+    ContactPoints points;
+    const DVec3 m = middle(a);
+    const double height = dot(m - polygon.corners[0], up);
+    points.add({m + (0.5 * separation - height) * up, separation, 0xffff});
+    write_manifold(points, -up, m, a.extent, margin, none, out);
+}
+
+} // namespace
+
+SurfaceContact collide_surface(const Convex& a, const Convex& polygon, double margin, DVec3 guess, Manifold& out) {
+    clear_manifold(out);
+    const DVec3 up = polygon.axes.c1, m = middle(a);
+    const double height = dot(m - polygon.corners[0], up);
+    if (height < 0) {
+        double size = dot(support(a, up) - support(a, -up), up);
+        if (polygon.corner_count == 4) // a rectangle
+            size = 0.5 * std::min(math::length(polygon.corners[1] - polygon.corners[0]),
+                                  math::length(polygon.corners[2] - polygon.corners[1]));
+        if (-height < size && is_over(polygon, m)) lift(a, polygon, margin, out);
+        return {};
+    }
+    Axis axis;
+    if (!find_axis(a, polygon, margin, guess, axis)) return {};
+    constexpr double downward = 1e-3; // as in kernels/collide_box_rectangle.cpp
+    if (dot(axis.normal, up) > downward) {
+        // It would be pushed down: it has left the polygon, or is so much above it that it is pushed up.
+        const double upward = separation_along(a, polygon, -up);
+        if (axis.separation > 0.5 * upward || axis.separation > 0) return {};
+        axis = {-up, upward, -1, false};
+    }
+    contact_along(a, polygon, axis, margin, out);
+    if (out.count == 0) return {};
+    const DVec3 n{out.normal[0], out.normal[1], out.normal[2]};
+    if (dot(n, up) > downward) {
+        clear_manifold(out);
+        return {};
+    }
+    SurfaceContact r;
+    if (dot(n, up) > -(1 - 1e-6)) {
+        const float* p = out.points[0];
+        r = part_of(polygon, DVec3{p[0], p[1], p[2]} + (0.5 * p[3]) * n, a.extent);
+    }
+    r.cosine = -dot(n, up);
+    return r;
+}
+
+} // namespace cairn

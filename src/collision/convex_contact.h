@@ -1,0 +1,31 @@
+// Contacts between convex shapes of any kind, and between them and planes, rectangles and triangles.
+//
+// All shapes are given in one frame whose axes are those of the world and whose origin is near the first shape's
+// center. Points are made for surfaces up to `margin` apart. `guess`: a direction from the first to the second, such as
+// the normal of the last step, or zero.
+#pragma once
+
+#include "collision/manifold.h"
+#include "shapes/convex.h"
+
+namespace cairn {
+
+void collide_convex(const Convex& a, const Convex& b, double margin, math::DVec3 guess, Manifold& out);
+
+// Against an infinite half-space with the unit normal `up`; the center of `a` is `height` above it.
+void collide_plane(const Convex& a, math::DVec3 up, double height, double margin, Manifold& out);
+
+// Where on a one-sided polygon a contact is.
+struct SurfaceContact {
+    enum class Part : std::uint8_t { face, edge, corner };
+    Part part = Part::face;
+    int index = 0;     // of the edge (from corner i to the next) or of the corner
+    double cosine = 1; // between the push on the first shape and the normal of the polygon
+};
+
+// Against one side of a triangle or rectangle (Convex::Kind::polygon): it pushes the first shape only along its normal
+// or sideways. A shape whose middle is behind it is pushed out along the normal if the middle is over the polygon and
+// not deeper than the shape's own size along the normal; for a rectangle: not deeper than its smaller half extent.
+SurfaceContact collide_surface(const Convex& a, const Convex& polygon, double margin, math::DVec3 guess, Manifold& out);
+
+} // namespace cairn

@@ -1,0 +1,150 @@
+#include "collision/surface_contact.h"
+
+#include "collision/convex_contact.h"
+
+#include <algorithm>
+
+namespace cairn {
+
+using math::DVec3;
+
+namespace {
+
+constexpr double same_normal = 0.9998; // cosine, 1.1 degrees: triangles that are touched so are one patch
+constexpr double flatness = 1e-4;      // of the shape's size: how far out of a plane a point may be
+constexpr double same_point = 1e-3;    // likewise: points closer than this are one
+
+using Point = SurfacePatch::Point;
+
+double squared(DVec3 v) { return math::dot(v, v); }
+
+// The deepest point, the one farthest from it, and to both sides of the line between them the one that spans the
+// largest triangle with it (as for boxes, kernels/face_clip.h). The chosen ones come first. Returns their number.
+int reduce(Point* p, int count, DVec3 normal, double nearest) {
+    int chosen = 0;
+    const auto choose = [&](auto&& measure, double least) {
+        int best = -1;
+        for (int i = chosen; i < count; ++i)
+            if (const double m = measure(p[i]); m > least) least = m, best = i;
+        if (best < 0) return false;
+        std::swap(p[chosen], p[best]);
+        ++chosen;
+        return true;
+    };
+    choose([](const Point& q) { return -q.separation; }, -1e300);
+    if (!choose([&](const Point& q) { return squared(q.position - p[0].position); }, nearest * nearest)) return chosen;
+    const DVec3 along = p[1].position - p[0].position, aside = math::cross(normal, along);
+    const double least = nearest * math::length(along);
+    const auto area = [&](const Point& q) { return math::dot(aside, q.position - p[0].position); };
+    choose(area, least);
+    choose([&](const Point& q) { return -area(q); }, least);
+    return chosen;
+}
+
+DVec3 normal_of(const Manifold& m) { return math::to_double(math::to_vec(m.normal)); }
+DVec3 point_of(const Manifold& m, int i) { return math::to_double(math::to_vec(m.points[i])); }
+
+// Where the surface is at a point of a manifold.
+DVec3 foot_of(const Manifold& m, int i) { return point_of(m, i) + 0.5 * double(m.points[i][3]) * normal_of(m); }
+
+void add_points(SurfacePatch& patch, const Manifold& m, double size) {
+    if (patch.count + m.count > SurfacePatch::room)
+        patch.count = reduce(patch.points, patch.count, patch.normal, same_point * size);
+    for (int i = 0; i < m.count; ++i) patch.points[patch.count++] = {point_of(m, i), double(m.points[i][3])};
+}
+
+// An edge between triangles in the plane of a deeper patch is none: the shape slides over it.
+bool is_seam(const SurfacePatch& patch, const TriangleHit& hit, double size) {
+    if (hit.on_face) return false;
+    const double tolerance = flatness * size, deepest = std::max(patch.depth, 0.0) + tolerance;
+    for (int i = 0; i < hit.manifold.count; ++i) {
+        const double height = -math::dot(patch.normal, foot_of(hit.manifold, i) - patch.foot);
+        if (height > tolerance || height < -deepest) return false;
+    }
+    return true;
+}
+
+void find_hits(const Convex& a, const Surface& surface, double margin, std::vector<TriangleHit>& hits) {
+    hits.clear();
+    // Bounds of the shape in the frame of the surface.
+    math::Vec3 lo, hi;
+    for (int i = 0; i < 3; ++i) {
+        const DVec3 axis = surface.axes.column(i);
+        const double center = math::dot(axis, surface.center);
+        lo[i] = float(math::dot(axis, support(a, -axis)) - center - margin);
+        hi[i] = float(math::dot(axis, support(a, axis)) - center + margin);
+        const float rounding = 1e-6f * std::max(std::fabs(lo[i]), std::fabs(hi[i]));
+        lo[i] -= rounding, hi[i] += rounding;
+    }
+    const auto to_common = [&](math::Vec3 v) { return surface.center + surface.axes * math::to_double(v); };
+    const auto test = [&](const auto& data) {
+        for_each_triangle(data, lo, hi, [&](std::uint32_t index) {
+            const Triangle t = triangle_of(data, index);
+            TriangleHit hit{};
+            const Convex triangle = make_triangle(to_common(t.a), to_common(t.b), to_common(t.c));
+            const SurfaceContact contact = collide_surface(a, triangle, margin, {}, hit.manifold);
+            if (hit.manifold.count == 0) return;
+            hit.triangle = index;
+            hit.on_face = contact.part == SurfaceContact::Part::face;
+            hit.depth = -double(hit.manifold.points[0][3]);
+            for (int i = 1; i < hit.manifold.count; ++i)
+                hit.depth = std::max(hit.depth, -double(hit.manifold.points[i][3]));
+            hits.push_back(hit);
+        });
+    };
+    if (const auto* mesh = std::get_if<std::shared_ptr<const MeshData>>(&surface.data))
+        test(**mesh);
+    else
+        test(height_field_of(surface.data));
+}
+
+void write_manifold(SurfacePatch& patch, double size, Manifold& m) {
+    m = {};
+    math::put(m.normal, math::to_float(patch.normal));
+    m.count = reduce(patch.points, patch.count, patch.normal, same_point * size);
+    for (int i = 0; i < 4; ++i) {
+        const bool used = i < m.count;
+        math::put(m.points[i], used ? math::to_float(patch.points[i].position) : math::Vec3{});
+        m.points[i][3] = used ? float(patch.points[i].separation) : 1e30f;
+        m.features[i] = std::uint32_t(i);
+    }
+}
+
+} // namespace
+
+void collide_triangles(const Convex& a, const Surface& surface, double margin, SurfaceScratch& scratch,
+                       std::vector<Manifold>& manifolds) {
+    manifolds.clear();
+    find_hits(a, surface, margin, scratch.hits);
+    std::sort(scratch.hits.begin(), scratch.hits.end(), [](const TriangleHit& p, const TriangleHit& q) {
+        return p.depth != q.depth ? p.depth > q.depth : p.triangle < q.triangle;
+    });
+    const double size = 0.5 * math::length(support(a, surface.axes.c0) - support(a, -surface.axes.c0));
+    scratch.patches.clear();
+    for (const TriangleHit& hit : scratch.hits) {
+        const DVec3 normal = normal_of(hit.manifold);
+        SurfacePatch* same = nullptr;
+        bool seam = false;
+        for (SurfacePatch& patch : scratch.patches) {
+            if (math::dot(patch.normal, normal) > same_normal) {
+                same = &patch;
+                break;
+            }
+            seam = seam || is_seam(patch, hit, size);
+        }
+        if (!same) {
+            if (seam) continue;
+            same = &scratch.patches.emplace_back();
+            same->normal = normal;
+            same->foot = foot_of(hit.manifold, 0);
+            same->depth = hit.depth;
+        }
+        add_points(*same, hit.manifold, size);
+    }
+    for (SurfacePatch& patch : scratch.patches) {
+        manifolds.emplace_back();
+        write_manifold(patch, size, manifolds.back());
+    }
+}
+
+} // namespace cairn

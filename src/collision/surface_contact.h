@@ -1,0 +1,52 @@
+// A convex shape against the triangles of a mesh or height field.
+#pragma once
+
+#include "collision/manifold.h"
+#include "shapes/convex.h"
+
+#include <vector>
+
+namespace cairn {
+
+// A mesh or height field in the common frame of Convex.
+struct Surface {
+    const ShapeData& data;
+    math::DVec3 center; // of its own frame
+    math::DMat3 axes;
+};
+
+// What the shape has to do with one triangle.
+struct TriangleHit {
+    Manifold manifold;
+    double depth; // of the deepest point; negative when apart
+    std::uint32_t triangle;
+    bool on_face; // of the triangle, not at its edges
+};
+
+// One direction in which the shape touches the surface.
+struct SurfacePatch {
+    struct Point {
+        math::DVec3 position; // midway between the surfaces, relative to the shape's center
+        double separation;
+    };
+    static constexpr int room = 32; // enough for several triangles: a full one is reduced to four, and goes on
+    math::DVec3 normal;             // from the shape to the surface
+    math::DVec3 foot;               // where the surface is
+    double depth = 0;
+    int count = 0;
+    Point points[room];
+};
+
+// Working memory.
+struct SurfaceScratch {
+    std::vector<TriangleHit> hits;
+    std::vector<SurfacePatch> patches;
+};
+
+// All directions in which the shape touches the surface, or is nearer than `margin`: manifolds with different normals,
+// deepest first. Triangles in one plane count as one face, and nothing catches at the edges between them. `manifolds`
+// is emptied before.
+void collide_triangles(const Convex& a, const Surface& surface, double margin, SurfaceScratch& scratch,
+                       std::vector<Manifold>& manifolds);
+
+} // namespace cairn

@@ -1,0 +1,121 @@
+// Groups: pairs of a convex shape with a mesh or height field, and the patches in which they touch.
+#include "dynamics/coloring.h"
+#include "dynamics/contacts.h"
+#include "dynamics/islands.h"
+
+#include <algorithm>
+
+namespace cairn {
+
+using math::to_vec;
+
+namespace {
+
+constexpr float same_patch = 0.9f;      // cosine: normals that turn by less from one step to the next are one patch
+constexpr std::uint8_t not_found = 255; // in NarrowScratch::patch_outcomes
+
+// The patch of the group whose last normal was nearest to that of the manifold, among those not yet found.
+std::int32_t matching_patch(const State& s, const ContactInfo& group, const Manifold& m) {
+    std::int32_t best = none;
+    float nearest = same_patch;
+    for (std::int32_t p = group.related; p != none; p = s.contacts[std::size_t(p)].next) {
+        if (s.narrow.patch_outcomes[std::size_t(p)] != not_found) continue;
+        const float cosine = math::dot(to_vec(m.normal), to_vec(s.records[std::size_t(p)].normal));
+        if (cosine > nearest) nearest = cosine, best = p;
+    }
+    return best;
+}
+
+void test_group(State& s, std::uint32_t place, NarrowBatch& own, float dt) {
+    const std::uint32_t id = s.narrow.candidates[place];
+    ContactInfo& group = s.contacts[id];
+    find_patches(posed_shape(s, group.shape_a), posed_shape(s, group.shape_b), contact_margin(s, group, dt),
+                 own.surface, own.hits);
+    group.tested_at = s.passes + 1;
+    if (group.is_trigger) {
+        s.narrow.outcomes[place] = trigger_outcome(group, !own.hits.empty());
+        return;
+    }
+    s.narrow.outcomes[place] = group.point_count > 0 || !own.hits.empty() ? goes_on : apart;
+    for (std::int32_t p = group.related; p != none; p = s.contacts[std::size_t(p)].next)
+        s.narrow.patch_outcomes[std::size_t(p)] = not_found;
+    std::uint32_t order = 0;
+    for (const Manifold& hit : own.hits) {
+        const std::int32_t patch = matching_patch(s, group, hit);
+        if (patch == none)
+            own.fresh.push_back({place, order++, hit});
+        else
+            s.narrow.patch_outcomes[std::size_t(patch)] = take_manifold(s, std::uint32_t(patch), hit);
+    }
+    for (std::int32_t p = group.related; p != none; p = s.contacts[std::size_t(p)].next)
+        if (std::uint8_t& outcome = s.narrow.patch_outcomes[std::size_t(p)]; outcome == not_found) outcome = ended;
+}
+
+std::uint32_t create_patch(State& s, std::uint32_t group_id) {
+    const std::uint32_t id = new_contact(s);
+    ContactInfo &patch = s.contacts[id], &group = s.contacts[group_id];
+    patch = group;
+    patch.kind = PairKind::patch;
+    patch.point_count = 0;
+    patch.touching = 0;
+    patch.related = std::int32_t(group_id);
+    patch.next = group.related;
+    group.related = std::int32_t(id);
+    combine_materials(s, id);
+    return id;
+}
+
+} // namespace
+
+void begin_groups(State& s) {
+    s.narrow.patch_outcomes.resize(s.contacts.size());
+    for (NarrowBatch& own : s.narrow.at_work) own.fresh.clear();
+}
+
+void test_groups(State& s, int begin, int end, NarrowBatch& own, float dt) {
+    for (int i = begin; i < end; ++i)
+        test_group(s, s.narrow.lists[std::size_t(PairKind::group)][std::size_t(i)], own, dt);
+}
+
+void collect_fresh_patches(State& s) {
+    std::vector<FreshPatch>& all = s.narrow.fresh;
+    all.clear();
+    s.narrow.next_fresh = 0;
+    for (const NarrowBatch& own : s.narrow.at_work) all.insert(all.end(), own.fresh.begin(), own.fresh.end());
+    std::sort(all.begin(), all.end(), [](const FreshPatch& a, const FreshPatch& b) {
+        return a.place != b.place ? a.place < b.place : a.order < b.order;
+    });
+}
+
+void follow_up_group(State& s, std::uint32_t place, float dt) {
+    const std::uint32_t id = s.narrow.candidates[place];
+    const std::uint8_t outcome = s.narrow.outcomes[place];
+    if (outcome == apart || outcome == skipped || outcome == entered || outcome == left) {
+        follow_up(s, id, outcome, dt);
+        return;
+    }
+    const bool was_tested = s.contacts[id].tested_at == s.passes + 1;
+    for_each_patch(s, id, [&](std::uint32_t patch) {
+        follow_up(s, patch, was_tested ? s.narrow.patch_outcomes[patch] : std::uint8_t(goes_on), dt);
+        if (s.contacts[patch].point_count == 0) end_patch(s, patch);
+    });
+    for (std::size_t& k = s.narrow.next_fresh; k < s.narrow.fresh.size() && s.narrow.fresh[k].place == place; ++k) {
+        const std::uint32_t patch = create_patch(s, id);
+        follow_up(s, patch, take_manifold(s, patch, s.narrow.fresh[k].manifold), dt);
+        if (s.contacts[patch].point_count > 0) continue;
+        end_patch(s, patch); // left alone, as its body sleeps
+        s.contacts[id].tested_at = 0;
+    }
+    s.contacts[id].point_count = s.contacts[id].related == none ? 0 : 1;
+}
+
+void end_patch(State& s, std::uint32_t id) {
+    end_contact(s, id);
+    ContactInfo& group = s.contacts[std::size_t(s.contacts[id].related)];
+    std::int32_t* link = &group.related;
+    while (*link != std::int32_t(id)) link = &s.contacts[std::size_t(*link)].next;
+    *link = s.contacts[id].next;
+    free_contact(s, id);
+}
+
+} // namespace cairn

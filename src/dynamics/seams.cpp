@@ -1,0 +1,146 @@
+// Seams between surfaces that lie side by side: two boxes that make a floor, two tiles of terrain. What slides over one
+// meets the edge of the next before its face, and would bump into it although nothing stands out. A contact with
+// something immovable is left out where a deeper one of the same body has a plane that
+// - all the points of the contact lie in, and
+// - the other thing does not rise above.
+#include "dynamics/bodies.h"
+#include "dynamics/contacts.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace cairn {
+
+using math::to_vec;
+
+namespace {
+
+constexpr float same_normal = 0.9998f; // cosine: such a contact changes nothing
+constexpr float flatness = 1e-4f;      // of the body's radius: how far out of the plane a point may be
+
+// How far the shape reaches along n, from the point `from`.
+double reach(const State& s, std::uint32_t shape, math::DVec3 n, math::DVec3 from) {
+    const Geometry& g = s.geometry[shape];
+    const ShapePose& pose = s.shape_poses[shape];
+    const math::DVec3 d = math::rotate_back(math::to_double(shape_rotation(pose)), n);
+    const double center = math::dot(n, shape_position(pose) - from);
+    const auto of_box = [&](math::DVec3 half) {
+        return std::fabs(d.x) * half.x + std::fabs(d.y) * half.y + std::fabs(d.z) * half.z;
+    };
+    const auto of_bounds = [&](math::Vec3 lo, math::Vec3 hi) {
+        return math::dot(d, math::to_double(0.5f * (lo + hi))) + of_box(math::to_double(0.5f * (hi - lo)));
+    };
+    const math::DVec3 size = math::to_double(g.size);
+    const double across = std::sqrt(d.x * d.x + d.z * d.z);
+    switch (g.type) {
+    case ShapeType::sphere:
+        return center + size.x;
+    case ShapeType::box:
+    case ShapeType::rectangle:
+        return center + of_box(size);
+    case ShapeType::capsule:
+        return center + std::max(size.x - size.y * d.y, size.z + size.y * d.y);
+    case ShapeType::cylinder:
+        return center + std::max(size.x * across - size.y * d.y, size.z * across + size.y * d.y);
+    case ShapeType::hull: {
+        double most = -std::numeric_limits<double>::infinity();
+        for (const math::Vec3& v : hull_of(s.shape_data[shape]).vertices)
+            most = std::max(most, math::dot(d, math::to_double(v)));
+        return center + most;
+    }
+    case ShapeType::mesh:
+        return center + of_bounds(mesh_of(s.shape_data[shape]).lo, mesh_of(s.shape_data[shape]).hi);
+    case ShapeType::height_field: {
+        const HeightFieldData& field = height_field_of(s.shape_data[shape]);
+        const float x = 0.5f * float(field.columns - 1) * field.spacing_x;
+        const float z = 0.5f * float(field.rows - 1) * field.spacing_z;
+        return center + of_bounds({-x, field.least, -z}, {x, field.greatest, z});
+    }
+    case ShapeType::plane:
+        break;
+    }
+    return std::numeric_limits<double>::infinity();
+}
+
+// Where the other surface is, relative to the body's center of mass.
+math::Vec3 other_surface(const ContactRecord& r, int i) {
+    return to_vec(point_of(r, i)) + 0.5f * point_of(r, i)[3] * to_vec(r.normal);
+}
+
+// Whether `c` is an edge in the plane of the deeper contact.
+bool is_seam(const State& s, std::uint32_t deeper, std::uint32_t c, float depth) {
+    const ContactInfo &info = s.contacts[c], &over = s.contacts[deeper];
+    const ContactRecord &r = s.records[c], &plane = s.records[deeper];
+    const math::Vec3 up = -to_vec(plane.normal);
+    if (info.shape_b == over.shape_b || math::dot(up, to_vec(r.normal)) < -same_normal) return false;
+    const math::Vec3 origin = other_surface(plane, 0);
+    const float tolerance = flatness * s.bodies[std::size_t(info.body_a)].radius;
+    for (int i = 0; i < info.point_count; ++i) {
+        const float height = math::dot(up, other_surface(r, i) - origin);
+        if (height > tolerance || height < -depth - tolerance) return false;
+    }
+    const math::DVec3 point = s.motion[std::size_t(info.body_a)].x + math::to_double(origin);
+    return reach(s, info.shape_b, math::to_double(up), point) <= double(tolerance);
+}
+
+// Drops seams among the contacts of one body with what does not move by forces.
+void drop_seams_of_body(State& s, std::vector<std::uint32_t>& contacts) {
+    if (contacts.size() < 2) return;
+    const auto depth_of = [&](std::uint32_t id) {
+        const ContactInfo& c = s.contacts[id];
+        float least = point_of(s.records[id], 0)[3];
+        for (int i = 1; i < c.point_count; ++i) least = std::min(least, point_of(s.records[id], i)[3]);
+        return -least;
+    };
+    const math::Vec3 first = to_vec(s.records[contacts[0]].normal);
+    if (std::all_of(contacts.begin(), contacts.end(),
+                    [&](std::uint32_t id) { return math::dot(first, to_vec(s.records[id].normal)) > same_normal; }))
+        return;
+    std::sort(contacts.begin(), contacts.end(), [&](std::uint32_t a, std::uint32_t b) {
+        const float depth_a = depth_of(a), depth_b = depth_of(b);
+        return depth_a != depth_b ? depth_a > depth_b : a < b;
+    });
+    for (std::size_t k = 1; k < contacts.size(); ++k)
+        for (std::size_t j = 0; j < k; ++j) {
+            if (s.narrow.is_seam[contacts[j]]) continue;
+            if (!is_seam(s, contacts[j], contacts[k], std::max(depth_of(contacts[j]), 0.0f))) continue;
+            s.narrow.is_seam[contacts[k]] = 1;
+            forget_impulses(s.records[contacts[k]], s.contacts[contacts[k]].point_count);
+            break;
+        }
+}
+
+} // namespace
+
+void drop_seams(State& s) {
+    std::vector<std::int32_t>& last_of_body = s.narrow.last_of_body;
+    std::vector<std::pair<std::uint32_t, std::int32_t>>& fixed = s.narrow.fixed; // contact, one of the same body before
+    last_of_body.resize(s.bodies.size(), none);
+    s.narrow.is_seam.resize(s.contacts.size());
+    fixed.clear();
+    bool any_twice = false;
+    for (const std::uint32_t id : s.solved) {
+        const ContactInfo& c = s.contacts[id];
+        if (c.b_moves) continue;
+        s.narrow.is_seam[id] = 0;
+        std::int32_t& last = last_of_body[std::size_t(c.body_a)];
+        any_twice |= last != none;
+        fixed.emplace_back(id, last);
+        last = std::int32_t(fixed.size()) - 1;
+    }
+    for (std::size_t k = fixed.size(); k-- > 0;) {
+        std::int32_t& last = last_of_body[std::size_t(s.contacts[fixed[k].first].body_a)];
+        if (last == none) continue; // its body is done
+        if (any_twice) {
+            s.narrow.of_body.clear();
+            for (std::int32_t i = last; i != none; i = fixed[std::size_t(i)].second)
+                s.narrow.of_body.push_back(fixed[std::size_t(i)].first);
+            drop_seams_of_body(s, s.narrow.of_body);
+        }
+        last = none;
+    }
+    if (!any_twice) return;
+    std::erase_if(s.solved, [&](std::uint32_t id) { return !s.contacts[id].b_moves && s.narrow.is_seam[id] != 0; });
+}
+
+} // namespace cairn

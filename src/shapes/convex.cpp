@@ -1,0 +1,219 @@
+#include "shapes/convex.h"
+
+#include <limits>
+
+namespace cairn {
+
+using math::DVec3;
+
+namespace {
+
+// Inset of the core of sharp shapes: a part of the smallest half width, and at most so many meters.
+constexpr double inset_part = 0.05, greatest_inset = 0.02;
+
+double inset_for(double extent) { return std::min(inset_part * extent, greatest_inset); }
+
+// The frustum with its three surfaces moved inward by m. Of a cone, or one that is nearly so, the top is the tip.
+Frustum inset_frustum(double low_radius, double half, double high_radius, double m) {
+    const double difference = low_radius - high_radius;
+    const double side = m * std::sqrt(4 * half * half + difference * difference) / (2 * half);
+    const double slope = -difference / (2 * half); // of the radius
+    Frustum f{-half + m, low_radius + slope * m - side, half - m, high_radius - slope * m - side};
+    const double middle_radius = 0.5 * (low_radius + high_radius) - side; // at height 0
+    if (f.high_radius < 0) f.high = -middle_radius / slope, f.high_radius = 0;
+    if (f.low_radius < 0) f.low = -middle_radius / slope, f.low_radius = 0;
+    return f;
+}
+
+DVec3 frustum_support(const Frustum& f, DVec3 d) {
+    const double across = std::sqrt(d.x * d.x + d.z * d.z);
+    const bool is_high = d.y * f.high + across * f.high_radius > d.y * f.low + across * f.low_radius;
+    const double y = is_high ? f.high : f.low, r = is_high ? f.high_radius : f.low_radius;
+    if (!(across > 0)) return {0, y, 0};
+    const double s = r / across;
+    return {s * d.x, y, s * d.z};
+}
+
+DVec3 farthest(std::span<const math::Vec3> points, DVec3 d) {
+    double most = -std::numeric_limits<double>::infinity();
+    std::size_t best = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double along = math::dot(math::to_double(points[i]), d);
+        if (along > most) most = along, best = i;
+    }
+    return math::to_double(points[best]);
+}
+
+double signed_like(double value, double sign) { return sign < 0 ? -value : value; }
+
+DVec3 box_support(DVec3 half, DVec3 d) {
+    return {signed_like(half.x, d.x), signed_like(half.y, d.y), signed_like(half.z, d.z)};
+}
+
+DVec3 polygon_support(const Convex& c, DVec3 d) {
+    int best = 0;
+    for (int i = 1; i < c.corner_count; ++i)
+        if (math::dot(c.corners[i], d) > math::dot(c.corners[best], d)) best = i;
+    return c.corners[best];
+}
+
+// A capsule's core: a segment; of a tapered one the hull of a ball and a point.
+DVec3 capsule_support(const Convex& c, DVec3 d) {
+    const double length = c.size.x == c.size.z ? 0 : math::length(d);
+    const double low = c.size.x - c.radius, high = c.size.z - c.radius;
+    const bool is_high = d.y * c.size.y + length * high > -d.y * c.size.y + length * low;
+    const double r = is_high ? high : low;
+    const DVec3 end{0, is_high ? c.size.y : -c.size.y, 0};
+    return r > 0 && length > 0 ? end + (r / length) * d : end;
+}
+
+Convex make_polygon(std::span<const DVec3> corners) {
+    Convex r;
+    r.kind = Convex::Kind::polygon;
+    r.is_sharp = true;
+    r.extent = std::numeric_limits<double>::infinity();
+    r.corner_count = static_cast<int>(corners.size());
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        r.corners[i] = corners[i];
+        r.center += (1.0 / r.corner_count) * corners[i];
+    }
+    DVec3 normal = math::cross(r.corners[1] - r.corners[0], r.corners[2] - r.corners[0]);
+    const double length = math::length(normal);
+    normal = length > 0 ? (1 / length) * normal : DVec3{0, 1, 0};
+    DVec3 x = r.corners[1] - r.corners[0];
+    x = x - math::dot(x, normal) * normal;
+    const double along = math::length(x);
+    x = along > 0 ? (1 / along) * x : math::to_double(math::any_orthogonal(math::to_float(normal)));
+    r.axes = {x, normal, math::cross(x, normal)};
+    return r;
+}
+
+} // namespace
+
+Convex make_convex(const Geometry& geometry, const ShapeData& data, DVec3 center, math::DQuat rotation) {
+    Convex c;
+    c.center = center;
+    c.axes = math::to_matrix(rotation);
+    c.size = math::to_double(geometry.size);
+    const DVec3 s = c.size;
+    switch (geometry.type) {
+    case ShapeType::box:
+        c.kind = Convex::Kind::box;
+        c.is_sharp = true;
+        c.extent = std::min(s.x, std::min(s.y, s.z));
+        c.radius = inset_for(c.extent);
+        break;
+    case ShapeType::capsule:
+        c.kind = Convex::Kind::capsule;
+        c.radius = std::min(s.x, s.z);
+        c.extent = std::max(s.x, s.z);
+        break;
+    case ShapeType::cylinder:
+        c.kind = Convex::Kind::cylinder;
+        c.is_sharp = true;
+        c.extent = std::min(s.y, std::max(s.x, s.z));
+        c.radius = inset_for(c.extent);
+        c.core = inset_frustum(s.x, s.y, s.z, c.radius);
+        break;
+    case ShapeType::hull:
+        c.kind = Convex::Kind::hull;
+        c.is_sharp = true;
+        c.hull = &hull_of(data);
+        c.extent = 0.5 * c.hull->width;
+        c.radius = c.hull->inset;
+        break;
+    case ShapeType::rectangle: {
+        const DVec3 x = s.x * c.axes.c0, z = s.z * c.axes.c2;
+        return make_polygon(std::array{center - x - z, center - x + z, center + x + z, center + x - z});
+    }
+    default:
+        c.kind = Convex::Kind::ball;
+        c.radius = c.extent = s.x;
+    }
+    return c;
+}
+
+Convex make_triangle(DVec3 a, DVec3 b, DVec3 c) { return make_polygon(std::array{a, b, c}); }
+
+DVec3 core_support(const Core& core, DVec3 d) {
+    const Convex& c = *core.shape;
+    DVec3 local;
+    switch (c.kind) {
+    case Convex::Kind::ball:
+        return c.center;
+    case Convex::Kind::polygon:
+        return polygon_support(c, d);
+    case Convex::Kind::box: {
+        const double m = core.is_inset ? c.radius : 0;
+        local = box_support(c.size - DVec3{m, m, m}, to_local(c, d));
+        break;
+    }
+    case Convex::Kind::capsule:
+        local = capsule_support(c, to_local(c, d));
+        break;
+    case Convex::Kind::cylinder:
+        local =
+            frustum_support(core.is_inset ? c.core : Frustum{-c.size.y, c.size.x, c.size.y, c.size.z}, to_local(c, d));
+        break;
+    case Convex::Kind::hull:
+        local = farthest(core.is_inset ? c.hull->core : c.hull->vertices, to_local(c, d));
+        break;
+    }
+    return c.center + c.axes * local;
+}
+
+DVec3 support(const Convex& c, DVec3 d) {
+    const DVec3 p = core_support(exact_core(c), d);
+    if (c.is_sharp) return p;
+    const double length = math::length(d);
+    return length > 0 ? p + (c.radius / length) * d : p;
+}
+
+DVec3 middle(const Convex& c) {
+    if (c.kind != Convex::Kind::hull) return c.center;
+    return c.center + c.axes * (0.5 * (math::to_double(c.hull->lo) + math::to_double(c.hull->hi)));
+}
+
+int face_count(const Convex& c) {
+    switch (c.kind) {
+    case Convex::Kind::box:
+        return 6;
+    case Convex::Kind::cylinder:
+        return 2;
+    case Convex::Kind::polygon:
+        return 1;
+    case Convex::Kind::hull:
+        return static_cast<int>(c.hull->faces.size());
+    default:
+        return 0;
+    }
+}
+
+// Faces of a box: +x -x +y -y +z -z; of a cylinder: top, base.
+DVec3 face_normal(const Convex& c, int face) {
+    switch (c.kind) {
+    case Convex::Kind::box:
+        return face % 2 == 0 ? c.axes.column(face / 2) : -c.axes.column(face / 2);
+    case Convex::Kind::hull:
+        return math::normalized(c.axes * math::to_double(c.hull->faces[static_cast<std::size_t>(face)].normal));
+    default:
+        return face == 0 ? c.axes.c1 : -c.axes.c1;
+    }
+}
+
+DVec3 face_point(const Convex& c, int face) {
+    switch (c.kind) {
+    case Convex::Kind::box:
+        return c.center + c.size[face / 2] * face_normal(c, face);
+    case Convex::Kind::hull: {
+        const std::uint32_t first = c.hull->faces[static_cast<std::size_t>(face)].first;
+        return hull_point(c, c.hull->vertices[c.hull->loops[first]]);
+    }
+    case Convex::Kind::cylinder:
+        return c.center + c.size.y * face_normal(c, face);
+    default:
+        return c.corners[0];
+    }
+}
+
+} // namespace cairn

@@ -1,0 +1,184 @@
+#include "shapes/epa.h"
+
+#include <limits>
+
+namespace cairn {
+
+using math::cross;
+using math::dot;
+using math::DVec3;
+
+namespace {
+
+constexpr int most_points = 64, most_faces = 2 * most_points;
+constexpr double depth_tolerance = 1e-4;
+// As parts of the size of the difference: thinner is flat; lower than this above a plane is in it.
+constexpr double flat = 1e-9, coplanar = 1e-13;
+
+struct Polytope {
+    struct Face {
+        int corner[3]; // counterclockwise as seen from outside
+        DVec3 normal;
+        double distance; // of the plane from the origin, negative where the origin is outside
+    };
+    struct Edge {
+        int from, to;
+    };
+    int point_count = 0, face_count = 0;
+    DVec3 points[most_points];
+    Face faces[most_faces];
+    double size = 0;
+
+    bool add_face(int a, int b, int c) {
+        if (face_count == most_faces) return false;
+        const DVec3 ab = points[b] - points[a], ac = points[c] - points[a];
+        DVec3 normal = cross(ab, ac);
+        const double square = dot(normal, normal);
+        if (!(square > 1e-28 * dot(ab, ab) * dot(ac, ac))) return false;
+        normal = (1 / std::sqrt(square)) * normal;
+        faces[face_count++] = {{a, b, c}, normal, dot(normal, points[a])};
+        return true;
+    }
+    int nearest() const {
+        int best = 0;
+        for (int i = 1; i < face_count; ++i)
+            if (faces[i].distance < faces[best].distance) best = i;
+        return best;
+    }
+    // The hull with one more point; false when rounding leaves no clean surface.
+    bool add_point(DVec3 p);
+};
+
+bool Polytope::add_point(DVec3 p) {
+    if (point_count == most_points) return false;
+    // Edges of the faces that see the point; those that appear both ways are inside.
+    Edge edges[3 * most_faces];
+    int edge_count = 0, kept = 0;
+    for (int i = 0; i < face_count; ++i) {
+        const Face f = faces[i];
+        if (dot(f.normal, p) - f.distance <= -coplanar * size) {
+            faces[kept++] = f;
+            continue;
+        }
+        for (int k = 0; k < 3; ++k) {
+            const Edge e{f.corner[k], f.corner[(k + 1) % 3]};
+            int twin = 0;
+            while (twin < edge_count && !(edges[twin].from == e.to && edges[twin].to == e.from)) ++twin;
+            if (twin < edge_count)
+                edges[twin] = edges[--edge_count];
+            else
+                edges[edge_count++] = e;
+        }
+    }
+    face_count = kept;
+    // The rest must be one loop, or the surface would be torn.
+    if (edge_count < 3) return false;
+    int at = edges[0].to, steps = 1;
+    while (at != edges[0].from && steps <= edge_count) {
+        int next = 0;
+        while (next < edge_count && edges[next].from != at) ++next;
+        if (next == edge_count) return false;
+        at = edges[next].to;
+        ++steps;
+    }
+    if (steps != edge_count) return false;
+    points[point_count++] = p;
+    for (int i = 0; i < edge_count; ++i)
+        if (!add_face(edges[i].from, edges[i].to, point_count - 1)) return false;
+    return true;
+}
+
+DVec3 orthogonal(DVec3 n) {
+    const DVec3 axis = std::fabs(n.x) < 0.5 ? DVec3{1, 0, 0} : DVec3{0, 1, 0};
+    return math::normalized(cross(axis, n));
+}
+
+// The difference has no inside: any direction across it parts the cores, by nothing. The one that leads from the
+// middle of the first shape to that of the second is taken.
+Penetration part_flat(const CorePair& pair, int dimension, DVec3 axis) {
+    const DVec3 offset = middle(*pair.b.shape) - middle(*pair.a.shape);
+    if (dimension == 2) return {0, dot(axis, offset) < 0 ? -axis : axis};
+    const DVec3 across = dimension == 1 ? offset - dot(offset, axis) * axis : offset;
+    const double length = math::length(across);
+    if (length > 1e-9 * math::length(offset) && length > 0) return {0, (1 / length) * across};
+    return {0, dimension == 1 ? orthogonal(axis) : DVec3{0, 1, 0}};
+}
+
+// Four corners of the difference that span a solid. Else says how many dimensions they span, and the line or the
+// normal of the plane.
+int span_solid(const CorePair& pair, DVec3 (&p)[4], double& size, DVec3& axis) {
+    constexpr DVec3 sides[6] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+    p[0] = pair.support(sides[0]).w;
+    double farthest = 0;
+    size = math::length(p[0]);
+    for (const DVec3& side : sides) {
+        const DVec3 q = pair.support(side).w;
+        size = std::max(size, math::length(q));
+        if (math::length(q - p[0]) > farthest) farthest = math::length(q - p[0]), p[1] = q;
+    }
+    if (!(farthest > flat * size)) return 0;
+    axis = (1 / farthest) * (p[1] - p[0]);
+    const DVec3 e1 = orthogonal(axis), e2 = cross(axis, e1);
+    farthest = 0;
+    for (const DVec3& side : {e1, -e1, e2, -e2}) {
+        const DVec3 q = pair.support(side).w, d = q - p[0];
+        const double away = math::length(d - dot(d, axis) * axis);
+        if (away > farthest) farthest = away, p[2] = q;
+    }
+    if (!(farthest > flat * size)) return 1;
+    axis = math::normalized(cross(p[1] - p[0], p[2] - p[0]));
+    farthest = 0;
+    for (const DVec3& side : {axis, -axis}) {
+        const DVec3 q = pair.support(side).w;
+        const double away = std::fabs(dot(q - p[0], axis));
+        if (away > farthest) farthest = away, p[3] = q;
+    }
+    return farthest > flat * size ? 3 : 2;
+}
+
+} // namespace
+
+Penetration epa_depth(const CorePair& pair, const Simplex& start) {
+    Polytope polytope;
+    DVec3 p[4], axis;
+    bool is_solid = false;
+    if (start.count == 4) {
+        for (int i = 0; i < 4; ++i) {
+            p[i] = start.points[i].w;
+            polytope.size = std::max(polytope.size, math::length(p[i]));
+        }
+        const DVec3 normal = cross(p[1] - p[0], p[2] - p[0]);
+        const double volume = dot(normal, p[3] - p[0]);
+        is_solid = std::fabs(volume) > 1e-6 * math::length(normal) * math::length(p[3] - p[0]);
+    }
+    if (!is_solid) {
+        const int dimension = span_solid(pair, p, polytope.size, axis);
+        if (dimension < 3) return part_flat(pair, dimension, axis);
+    }
+    if (dot(cross(p[1] - p[0], p[2] - p[0]), p[3] - p[0]) > 0) std::swap(p[1], p[2]);
+    for (int i = 0; i < 4; ++i) polytope.points[i] = p[i];
+    polytope.point_count = 4;
+    bool is_clean = polytope.add_face(0, 1, 2) && polytope.add_face(0, 2, 3) && polytope.add_face(0, 3, 1) &&
+                    polytope.add_face(1, 3, 2);
+
+    // Every direction gives a depth that parts the cores; the least is kept.
+    Penetration best{std::numeric_limits<double>::infinity(), {0, 1, 0}};
+    const auto consider = [&](DVec3 direction) {
+        const DVec3 w = pair.support(direction).w;
+        const double depth = dot(w, direction);
+        if (depth < best.depth) best = {depth, direction};
+        return w;
+    };
+    if (!is_clean) consider(math::normalized(middle(*pair.b.shape) - middle(*pair.a.shape) + DVec3{0, 1e-30, 0}));
+    while (is_clean) {
+        const Polytope::Face nearest = polytope.faces[polytope.nearest()];
+        const DVec3 w = consider(nearest.normal);
+        const double depth = dot(w, nearest.normal);
+        if (depth - nearest.distance <= depth_tolerance * std::fabs(depth) + coplanar * polytope.size) break;
+        is_clean = polytope.add_point(w);
+    }
+    if (best.depth < 0) best.depth = 0;
+    return best;
+}
+
+} // namespace cairn

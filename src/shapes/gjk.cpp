@@ -1,0 +1,162 @@
+#include "shapes/gjk.h"
+
+#include <limits>
+
+namespace cairn {
+
+using math::cross;
+using math::dot;
+using math::DVec3;
+
+namespace {
+
+constexpr int most_iterations = 64;
+// The squared distance is known when it may shrink by less than this part of it: the direction is then known to about
+// the root of it.
+constexpr double gap_tolerance = 1e-12;
+// Cores closer than this part of their size overlap.
+constexpr double touching = 1e-10;
+// Rounding of a squared length, as part of it.
+constexpr double rounding = 1e-15;
+
+// The nearest point of a simplex as a choice of its corners (a bit each) and weights.
+struct Nearest {
+    double square = std::numeric_limits<double>::infinity();
+    DVec3 point;
+    int count = 0;
+    int corner[3] = {};
+    double weight[3] = {};
+};
+
+void offer(Nearest& best, const Nearest& other) {
+    if (other.square < best.square) best = other;
+}
+
+Nearest on_point(const Simplex& s, int i) {
+    const DVec3 p = s.points[i].w;
+    return {dot(p, p), p, 1, {i}, {1}};
+}
+
+Nearest on_segment(const Simplex& s, int i, int j) {
+    const DVec3 p = s.points[i].w, q = s.points[j].w, d = q - p;
+    const double along = -dot(p, d), square = dot(d, d);
+    if (!(along > 0)) return on_point(s, i);
+    if (!(along < square)) return on_point(s, j);
+    const double t = along / square;
+    const DVec3 v = p + t * d;
+    return {dot(v, v), v, 2, {i, j}, {1 - t, t}};
+}
+
+// Where the origin projects into the triangle, the point is its projection to the plane: the direction is then that
+// of the plane's normal, without the rounding of the weights.
+Nearest on_triangle(const Simplex& s, int i, int j, int k) {
+    const DVec3 a = s.points[i].w, b = s.points[j].w, c = s.points[k].w;
+    const DVec3 normal = cross(b - a, c - a);
+    const double square = dot(normal, normal);
+    const double wa = dot(cross(b, c), normal), wb = dot(cross(c, a), normal), wc = dot(cross(a, b), normal);
+    if (square > 0 && wa > 0 && wb > 0 && wc > 0) {
+        // The corner nearest to the origin has the least rounding.
+        const double aa = dot(a, a), bb = dot(b, b), cc = dot(c, c);
+        const DVec3 nearest = aa <= bb ? (aa <= cc ? a : c) : (bb <= cc ? b : c);
+        const double height = dot(nearest, normal), sum = wa + wb + wc;
+        return {height * height / square, (height / square) * normal, 3, {i, j, k}, {wa / sum, wb / sum, wc / sum}};
+    }
+    Nearest best = on_segment(s, i, j);
+    offer(best, on_segment(s, j, k));
+    offer(best, on_segment(s, k, i));
+    return best;
+}
+
+// False when the tetrahedron holds the origin. A flat one holds nothing.
+bool on_tetrahedron(const Simplex& s, Nearest& best) {
+    constexpr int faces[4][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 3, 2, 0}};
+    bool is_outside = false;
+    for (const auto& f : faces) {
+        const DVec3 a = s.points[f[0]].w, ab = s.points[f[1]].w - a, ac = s.points[f[2]].w - a;
+        const DVec3 normal = cross(ab, ac), inner = s.points[f[3]].w - a;
+        const double inside = dot(normal, inner), origin = -dot(normal, a);
+        const bool is_flat = inside * inside <= 1e-24 * dot(normal, normal) * dot(inner, inner);
+        if (!is_flat && (inside > 0 ? origin >= 0 : origin <= 0)) continue;
+        is_outside = true;
+        offer(best, on_triangle(s, f[0], f[1], f[2]));
+    }
+    return is_outside;
+}
+
+// Keeps the corners that span the nearest point.
+void keep(Simplex& s, const Nearest& n) {
+    const Simplex old = s;
+    s.count = n.count;
+    for (int i = 0; i < n.count; ++i) {
+        s.points[i] = old.points[n.corner[i]];
+        s.weights[i] = n.weight[i];
+    }
+    s.nearest = n.point;
+}
+
+void finish(GjkResult& r) {
+    const Simplex& s = r.simplex;
+    for (int i = 0; i < s.count; ++i) {
+        r.on_a += s.weights[i] * s.points[i].a;
+        r.on_b += s.weights[i] * s.points[i].b;
+    }
+    r.distance = math::length(s.nearest);
+    r.normal = (-1 / r.distance) * s.nearest;
+}
+
+} // namespace
+
+GjkResult gjk_distance(const CorePair& pair, DVec3 guess, double max_distance) {
+    GjkResult r;
+    Simplex& s = r.simplex;
+    if (!(dot(guess, guess) > 0)) guess = middle(*pair.b.shape) - middle(*pair.a.shape);
+    if (!(dot(guess, guess) > 0)) guess = {0, 1, 0};
+    s.points[0] = pair.support(guess);
+    s.weights[0] = 1;
+    s.count = 1;
+    s.nearest = s.points[0].w;
+    double square = dot(s.nearest, s.nearest), size = square;
+
+    r.state = GjkResult::State::apart;
+    for (int iteration = 0; iteration < most_iterations; ++iteration) {
+        if (!(square > touching * touching * size)) {
+            r.state = GjkResult::State::overlapping;
+            return r;
+        }
+        const DifferencePoint next = pair.support(-s.nearest);
+        const double along = dot(s.nearest, next.w), next_square = dot(next.w, next.w);
+        if (along > 0 && along * along > max_distance * max_distance * square) {
+            r.state = GjkResult::State::far;
+            r.distance = along / std::sqrt(square);
+            r.normal = (-1 / std::sqrt(square)) * s.nearest;
+            return r;
+        }
+        if (next_square > size) size = next_square;
+        if (square - along <= gap_tolerance * square + rounding * std::sqrt(square * size)) break;
+        bool is_known = false;
+        for (int i = 0; i < s.count; ++i) is_known = is_known || s.points[i].w == next.w;
+        if (is_known) break;
+
+        const Simplex before = s;
+        s.points[s.count++] = next;
+        Nearest best;
+        if (s.count == 2)
+            best = on_segment(s, 0, 1);
+        else if (s.count == 3)
+            best = on_triangle(s, 0, 1, 2);
+        else if (!on_tetrahedron(s, best)) {
+            r.state = GjkResult::State::overlapping;
+            return r;
+        }
+        if (!(best.square < square)) { // rounding: no nearer
+            s = before;
+            break;
+        }
+        keep(s, best);
+        square = best.square;
+    }
+    finish(r);
+    return r;
+}
+
+} // namespace cairn

@@ -1,0 +1,179 @@
+// Shapes: adding, changing and removing them. Every argument is checked before anything changes.
+#include "dynamics/bodies.h"
+#include "dynamics/contacts.h"
+#include "dynamics/finalize.h"
+#include "dynamics/islands.h"
+#include "world/impl.h"
+#include "world/validate.h"
+
+namespace cairn {
+
+namespace {
+
+// Unlinks a shape from its body's list.
+void unlink_shape(State& s, std::uint32_t shape) {
+    ShapeLinks& links = s.shapes[shape];
+    BodyLinks& body = s.bodies[std::size_t(links.body)];
+    if (links.previous == none)
+        body.first_shape = links.next;
+    else
+        s.shapes[std::size_t(links.previous)].next = links.next;
+    if (links.next == none)
+        body.last_shape = links.previous;
+    else
+        s.shapes[std::size_t(links.next)].previous = links.previous;
+}
+
+void link_shape(State& s, std::uint32_t shape, std::int32_t body) {
+    ShapeLinks& links = s.shapes[shape];
+    BodyLinks& owner = s.bodies[std::size_t(body)];
+    links.body = body;
+    links.next = none;
+    links.previous = owner.last_shape;
+    if (owner.last_shape == none)
+        owner.first_shape = std::int32_t(shape);
+    else
+        s.shapes[std::size_t(owner.last_shape)].next = std::int32_t(shape);
+    owner.last_shape = std::int32_t(shape);
+}
+
+// What a density makes of the body's mass must be a mass that could have been given.
+void require_mass_in_range(const State& s, std::int32_t body, const Shape& shape, const ShapeDef& def) {
+    const BodyMass& mass = s.mass[std::size_t(body)];
+    if (!s.is_dynamic(body) || !mass.follows_shapes || mass.has_given_mass || !(def.density > 0)) return;
+    double sum = geometry_mass(make_geometry(shape, {}), make_shape_data(shape), def.density).mass;
+    for (std::int32_t i = s.bodies[std::size_t(body)].first_shape; i != none; i = s.shapes[std::size_t(i)].next)
+        sum += geometry_mass(s.geometry[std::size_t(i)], s.shape_data[std::size_t(i)], s.shapes[std::size_t(i)].density)
+                   .mass;
+    if (!(sum >= smallest_mass && sum <= largest_mass))
+        refuse("ShapeDef.density", to_text(def.density),
+               "must give the body a mass from 1e-32 to 1e32 kg, not " + to_text(sum) + " kg");
+}
+
+void require_still_surface(const char* field, const Vec3& velocity) {
+    if (velocity != Vec3(0.0f))
+        throw Error(ErrorCode::wrong_state, field, to_text(velocity),
+                    "must be zero on a dynamic body: only surfaces of static and kinematic ones may move");
+}
+
+ShapeTraits make_traits(const ShapeDef& def) {
+    ShapeTraits traits;
+    traits.filter = def.filter;
+    traits.is_trigger = def.is_trigger;
+    traits.surface_velocity = to_math(def.surface_velocity);
+    traits.has_surface_velocity = !(traits.surface_velocity == math::Vec3{});
+    return traits;
+}
+
+} // namespace
+
+void retire_shape(State& s, std::uint32_t shape) {
+    s.broad_phase.remove(shape);
+    s.shape_slots.kill(shape);
+    s.dead_shapes.push_back(shape);
+}
+
+ShapeId World::add_shape(BodyId id, const Shape& shape, const ShapeDef& def) {
+    impl_->require_idle("World::add_shape");
+    const std::int32_t b = impl_->index_of(id);
+    validate(shape);
+    validate(def);
+    State& s = impl_->state;
+    if (is_surface(make_geometry(shape, {}).type) && s.is_dynamic(b))
+        throw Error(ErrorCode::wrong_state, "World::add_shape shape", shape_name(shape),
+                    "has no mass: add it to static or kinematic bodies, or its Hull to dynamic ones");
+    if (s.is_dynamic(b)) require_still_surface("ShapeDef.surface_velocity", def.surface_velocity);
+    require_slot(s.shape_slots, "World::add_shape");
+    require_mass_in_range(s, b, shape, def);
+    const std::uint32_t i = s.shape_slots.create();
+    make_room(s.geometry, i), make_room(s.shape_data, i), make_room(s.shape_poses, i), make_room(s.shapes, i),
+        make_room(s.materials, i), make_room(s.shape_traits, i);
+    make_room(impl_->shape_of, i), make_room(impl_->def_of, i);
+    impl_->shape_of[i] = shape;
+    impl_->def_of[i] = def;
+    impl_->def_of[i].rotation = checked_rotation("ShapeDef.rotation", def.rotation);
+    const Transform pose{Position(def.position), impl_->def_of[i].rotation};
+    s.geometry[i] = make_geometry(shape, pose);
+    s.shape_data[i] = make_shape_data(shape);
+    s.materials[i] = def.material;
+    s.shape_traits[i] = make_traits(def);
+    s.shapes[i] = {};
+    s.shapes[i].density = def.density;
+    link_shape(s, i, b);
+    refresh_mass(s, b);
+    place_shapes(s, b);
+    wake_body(s, b);
+    add_proxy(s, i);
+    if (!s.is_dynamic(b)) wake_around_shape(s, i);
+    return s.shape_id(i);
+}
+
+void World::remove_shape(ShapeId id) {
+    impl_->require_idle("World::remove_shape");
+    const std::uint32_t i = impl_->index_of(id);
+    State& s = impl_->state;
+    const std::int32_t b = s.shapes[i].body;
+    wake_around_shape(s, i);
+    wake_body(s, b);
+    unlink_shape(s, i);
+    retire_shape(s, i);
+    refresh_mass(s, b);
+    place_shapes(s, b);
+}
+
+BodyId World::body_of(ShapeId id) const { return impl_->state.body_id(impl_->state.shapes[impl_->index_of(id)].body); }
+const Shape& World::shape(ShapeId id) const { return impl_->shape_of[impl_->index_of(id)]; }
+const ShapeDef& World::shape_def(ShapeId id) const { return impl_->def_of[impl_->index_of(id)]; }
+
+Transform World::shape_transform(ShapeId id) const {
+    const std::uint32_t i = impl_->index_of(id);
+    const State& s = impl_->state;
+    // Of the shape as the user defined it: a plane's stored rotation includes the turn to its normal.
+    const BodyMotion& motion = s.motion[std::size_t(s.shapes[i].body)];
+    const math::DQuat q = motion.q * math::to_double(to_math(impl_->def_of[i].rotation));
+    return {to_public(shape_position(s.shape_poses[i])), to_public(math::to_float(math::normalized(q)))};
+}
+
+Bounds World::shape_bounds(ShapeId id) const {
+    const DBounds b = cairn::shape_bounds(impl_->state, impl_->index_of(id));
+    return {to_public(b.lo), to_public(b.hi)};
+}
+
+void World::set_material(ShapeId id, const Material& material) {
+    impl_->require_idle("World::set_material");
+    const std::uint32_t i = impl_->index_of(id);
+    validate("Material", material);
+    State& s = impl_->state;
+    s.materials[i] = material;
+    impl_->def_of[i].material = material;
+    wake_body(s, s.shapes[i].body);
+    wake_around_shape(s, i);
+    for (std::uint32_t c = 0; c < s.contacts.size(); ++c)
+        if (s.contacts[c].in_use && (s.contacts[c].shape_a == i || s.contacts[c].shape_b == i)) combine_materials(s, c);
+}
+
+void World::set_filter(ShapeId id, const CollisionFilter& filter) {
+    impl_->require_idle("World::set_filter");
+    const std::uint32_t i = impl_->index_of(id);
+    State& s = impl_->state;
+    s.shape_traits[i].filter = filter;
+    impl_->def_of[i].filter = filter;
+    wake_body(s, s.shapes[i].body);
+    wake_around_shape(s, i);
+    s.broad_phase.refilter(i);
+}
+
+void World::set_surface_velocity(ShapeId id, const Vec3& velocity) {
+    impl_->require_idle("World::set_surface_velocity");
+    const std::uint32_t i = impl_->index_of(id);
+    require_finite("World::set_surface_velocity velocity", velocity);
+    State& s = impl_->state;
+    if (s.is_dynamic(s.shapes[i].body)) require_still_surface("World::set_surface_velocity velocity", velocity);
+    impl_->def_of[i].surface_velocity = velocity;
+    s.shape_traits[i] = make_traits(impl_->def_of[i]);
+    wake_around_shape(s, i);
+    for (ContactInfo& c : s.contacts)
+        if (c.in_use && c.shape_b == i) c.is_conveyor = s.shape_traits[i].has_surface_velocity;
+}
+
+} // namespace cairn

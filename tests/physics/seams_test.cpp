@@ -1,0 +1,158 @@
+// Sliding over seams: what slides over many surfaces side by side loses no more speed than on one.
+#include "support.h"
+
+#include <array>
+
+namespace cairn_test {
+namespace {
+
+constexpr float friction = 0.05f, start_speed = 14.0f;
+constexpr float tile = 1.0f; // m
+constexpr int tiles = 100;
+
+// Slides in +x from x = 0; how fast it is after 100 m, and how high it ever got above its start.
+struct Slide {
+    double speed = 0, highest = 0, sideways = 0;
+};
+
+using Floor = void (*)(World&);
+
+void plane_floor(World& world) { add_ground(world, surface(friction)); }
+
+void box_floor(World& world) {
+    for (int i = -2; i < tiles + 4; ++i) {
+        BodyDef def;
+        def.type = BodyType::static_;
+        def.position = {(i + 0.5) * double(tile), -0.5, 0};
+        add_body(world, Box{{0.5f * tile, 0.5f, 5}}, def, surface(friction));
+    }
+}
+
+void mesh_floor(World& world) {
+    std::vector<Vec3> vertices;
+    std::vector<std::uint32_t> indices;
+    const int columns = tiles + 8, rows = 11;
+    for (int r = 0; r < rows; ++r)
+        for (int c = 0; c < columns; ++c) vertices.emplace_back(float(c - 3) * tile, 0.0f, float(r - 5) * tile);
+    for (std::uint32_t r = 0; r + 1 < std::uint32_t(rows); ++r)
+        for (std::uint32_t c = 0; c + 1 < std::uint32_t(columns); ++c) {
+            const std::uint32_t a = r * std::uint32_t(columns) + c, b = a + 1, d = a + std::uint32_t(columns),
+                                e = d + 1;
+            indices.insert(indices.end(), {a, d, e, a, e, b});
+        }
+    BodyDef def;
+    def.type = BodyType::static_;
+    add_body(world, Mesh(vertices, indices), def, surface(friction));
+}
+
+void field_floor(World& world) {
+    const int columns = tiles + 8, rows = 11;
+    const std::vector<float> heights(std::size_t(columns * rows), 0.0f);
+    BodyDef def;
+    def.type = BodyType::static_;
+    def.position = {0.5 * tiles, 0, 0};
+    add_body(world, HeightField(columns, rows, {tile, tile}, heights), def, surface(friction));
+}
+
+Slide slide(const Shape& shape, Floor floor, double height, const Quat& rotation, float speed) {
+    World world(without_sleep());
+    floor(world);
+    BodyDef def;
+    def.position = {0, height, 0.013};
+    def.rotation = rotation;
+    def.linear_velocity = {speed, 0, 0};
+    const BodyId id = add_body(world, shape, def, surface(friction));
+    Body body = world.body(id);
+    Slide result;
+    for (int i = 0; i < 3000 && body.position().x < 100; ++i) {
+        world.step(1.0f / 60.0f);
+        result.highest = std::max(result.highest, body.position().y - height);
+        result.sideways = std::max(result.sideways, std::fabs(body.position().z - 0.013));
+        if (body.linear_velocity().x < 0.1f) break;
+    }
+    result.speed = double(body.linear_velocity().x);
+    return result;
+}
+
+struct Slider {
+    const char* name;
+    Shape shape;
+    double height;
+    Quat rotation;
+};
+
+std::vector<Slider> sliders() {
+    const Quat upright(1, 0, 0, 0), lying = glm::angleAxis(float(pi / 2), Vec3(1, 0, 0)),
+                                    ahead = glm::angleAxis(float(pi / 2), Vec3(0, 0, 1));
+    const std::array<Vec3, 8> corners = {Vec3{-0.4f, -0.3f, -0.5f}, {0.4f, -0.3f, -0.5f}, {-0.4f, 0.3f, -0.5f},
+                                         {0.4f, 0.3f, -0.5f},       {-0.4f, -0.3f, 0.5f}, {0.4f, -0.3f, 0.5f},
+                                         {-0.4f, 0.3f, 0.5f},       {0.4f, 0.3f, 0.5f}};
+    return {{"sphere", Sphere{0.5f}, 0.5, upright},
+            {"box", Box{{0.4f, 0.3f, 0.5f}}, 0.3, upright},
+            {"capsule across", Capsule{0.5f, 0.25f, {}}, 0.25, lying},
+            {"capsule along", Capsule{0.5f, 0.25f, {}}, 0.25, ahead},
+            {"cylinder across", Cylinder{0.5f, 0.3f, {}}, 0.3, lying},
+            {"cylinder on end", Cylinder{0.3f, 0.4f, {}}, 0.3, upright},
+            {"hull", Hull(corners), 0.3, upright}};
+}
+
+void expect_as_on_a_plane(Floor floor, const char* name) {
+    for (const Slider& s : sliders()) {
+        for (const float speed : {14.0f, 11.0f}) {
+            const Slide on_plane = slide(s.shape, plane_floor, s.height, s.rotation, speed);
+            const Slide over_seams = slide(s.shape, floor, s.height, s.rotation, speed);
+            EXPECT_GT(on_plane.speed, 2) << s.name;
+            EXPECT_NEAR(over_seams.speed / on_plane.speed, 1, 0.01) << s.name << " over " << name << " at " << speed;
+            EXPECT_LT(over_seams.highest, 0.002) << s.name << " over " << name << " at " << speed;
+            EXPECT_LT(over_seams.sideways, 0.05) << s.name << " over " << name << " at " << speed;
+        }
+    }
+}
+
+TEST(Seams, NothingBumpsBetweenBoxes) { expect_as_on_a_plane(box_floor, "boxes"); }
+TEST(Seams, NothingBumpsOnAMesh) { expect_as_on_a_plane(mesh_floor, "a mesh"); }
+TEST(Seams, NothingBumpsOnAHeightField) { expect_as_on_a_plane(field_floor, "a height field"); }
+
+// What stands out is no seam: a box on a floor of boxes stops at a wall of the same kind, and at a low curb.
+TEST(Seams, WallsAndCurbsStandOut) {
+    for (const float height : {0.02f, 0.3f, 2.0f}) {
+        World world(without_sleep());
+        box_floor(world);
+        BodyDef def;
+        def.type = BodyType::static_;
+        def.position = {10.5, double(0.5f * height), 0};
+        add_body(world, Box{{0.5f, 0.5f * height, 5}}, def, surface(friction));
+        def.type = BodyType::dynamic;
+        def.position = {0, 0.3, 0};
+        def.linear_velocity = {5, 0, 0};
+        const BodyId box = add_body(world, Box{{0.4f, 0.3f, 0.5f}}, def, surface(friction));
+        run(world, 1.0f / 60.0f, 300);
+        EXPECT_LT(world.body(box).position().x, 9.65) << height;
+        EXPECT_GT(world.body(box).position().y, 0.29) << height;
+    }
+}
+
+// A box that lies with one edge in the corner between a floor and a wall sinks into neither.
+TEST(Seams, EdgeInACornerRestsOnBoth) {
+    World world(without_sleep());
+    add_ground(world, surface(0));
+    BodyDef def;
+    def.type = BodyType::static_;
+    def.position = {1, 1, 0};
+    add_body(world, Box{{0.5f, 1, 5}}, def, surface(0));
+    def.type = BodyType::dynamic;
+    const double reach = 0.5 * std::sqrt(2.0);
+    def.position = {0.5 - reach, reach, 0};
+    def.rotation = glm::angleAxis(float(pi / 4), Vec3(0, 0, 1));
+    const BodyId box = add_body(world, Box{}, def, surface(0));
+    for (int i = 0; i < 120; ++i) {
+        world.body(box).add_force({2000, -5000, 0});
+        world.step(1.0f / 60.0f);
+        for (const Contact& contact : world.contacts())
+            for (int k = 0; k < contact.point_count; ++k)
+                ASSERT_GT(contact.points[k].separation, -0.01) << "step " << i;
+    }
+}
+
+} // namespace
+} // namespace cairn_test

@@ -1,0 +1,215 @@
+// What the tests of convex shapes share: shapes posed at will, hulls made by hand, random numbers.
+#pragma once
+
+#include "shapes/convex.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace convex_test {
+
+using cairn::Convex;
+using cairn::math::cross;
+using cairn::math::dot;
+using cairn::math::DMat3;
+using cairn::math::DQuat;
+using cairn::math::DVec3;
+using cairn::math::length;
+using cairn::math::normalized;
+
+// The same numbers with every standard library.
+class Random {
+  public:
+    explicit Random(std::uint32_t seed) : engine_(seed) {}
+    double uniform(double low, double high) { return low + (high - low) * (engine_() / 4294967296.0); }
+    int below(int n) { return static_cast<int>(engine_() % static_cast<std::uint32_t>(n)); }
+    DVec3 direction() {
+        for (;;) {
+            const DVec3 v{uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)};
+            const double l = length(v);
+            if (l > 0.05 && l < 1.0) return (1.0 / l) * v;
+        }
+    }
+    DQuat rotation() {
+        for (;;) {
+            const DQuat q{uniform(-1, 1), uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)};
+            const double l = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
+            if (l > 0.01 && l < 1.0) return cairn::math::normalized(q);
+        }
+    }
+
+  private:
+    std::mt19937 engine_;
+};
+
+inline DQuat about(DVec3 axis, double angle) {
+    const double s = std::sin(angle / 2);
+    return {s * axis.x, s * axis.y, s * axis.z, std::cos(angle / 2)};
+}
+
+// A hull of which three faces meet at every corner, so that the core's corners are where the moved faces meet.
+inline std::shared_ptr<const cairn::HullData> make_hull(const std::vector<DVec3>& corners,
+                                                        const std::vector<std::vector<std::uint32_t>>& faces) {
+    auto hull = std::make_shared<cairn::HullData>();
+    DVec3 lo = corners[0], hi = corners[0];
+    for (DVec3 c : corners) {
+        hull->vertices.push_back(cairn::math::to_float(c));
+        lo = cairn::math::min(lo, c);
+        hi = cairn::math::max(hi, c);
+        hull->bounding_radius = std::max(hull->bounding_radius, float(length(c)));
+    }
+    hull->lo = cairn::math::to_float(lo);
+    hull->hi = cairn::math::to_float(hi);
+    const auto vertex = [&](std::size_t i) { return cairn::math::to_double(hull->vertices[i]); };
+    std::vector<DVec3> normals;
+    double width = 1e300;
+    for (const auto& loop : faces) {
+        DVec3 n;
+        for (std::size_t i = 0; i < loop.size(); ++i) n += cross(vertex(loop[i]), vertex(loop[(i + 1) % loop.size()]));
+        n = normalized(n);
+        normals.push_back(n);
+        cairn::HullFace face;
+        face.normal = cairn::math::to_float(n);
+        face.first = static_cast<std::uint32_t>(hull->loops.size());
+        face.count = static_cast<std::uint32_t>(loop.size());
+        double offset = -1e300, least = 1e300;
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            offset = std::max(offset, dot(n, vertex(i)));
+            least = std::min(least, dot(n, vertex(i)));
+        }
+        face.offset = static_cast<float>(offset);
+        width = std::min(width, offset - least);
+        for (std::uint32_t i : loop) hull->loops.push_back(i);
+        hull->faces.push_back(face);
+    }
+    hull->width = static_cast<float>(width);
+    hull->inset = static_cast<float>(std::min(0.02, 0.025 * width));
+    for (std::uint32_t v = 0; v < corners.size(); ++v) {
+        hull->neighbor_start.push_back(static_cast<std::uint32_t>(hull->neighbors.size()));
+        std::vector<std::size_t> around;
+        for (std::size_t f = 0; f < faces.size(); ++f)
+            for (std::size_t i = 0; i < faces[f].size(); ++i)
+                if (faces[f][i] == v) {
+                    hull->neighbors.push_back(faces[f][(i + 1) % faces[f].size()]);
+                    around.push_back(f);
+                }
+        // Cramer's rule.
+        const DVec3 n0 = normals[around[0]], n1 = normals[around[1]], n2 = normals[around[2]];
+        const DVec3 p = vertex(v);
+        const double m = hull->inset;
+        const DVec3 d{dot(n0, p) - m, dot(n1, p) - m, dot(n2, p) - m};
+        const double det = dot(n0, cross(n1, n2));
+        hull->core.push_back(cairn::math::to_float(
+            (1 / det) * (d.x * cross(n1, n2) + d.y * cross(n2, n0) + d.z * cross(n0, n1))));
+    }
+    hull->neighbor_start.push_back(static_cast<std::uint32_t>(hull->neighbors.size()));
+    return hull;
+}
+
+inline std::shared_ptr<const cairn::HullData> box_hull(DVec3 h) {
+    std::vector<DVec3> c;
+    for (int i = 0; i < 8; ++i) c.push_back({i & 1 ? h.x : -h.x, i & 2 ? h.y : -h.y, i & 4 ? h.z : -h.z});
+    return make_hull(c, {{1, 3, 7, 5}, {0, 4, 6, 2}, {2, 6, 7, 3}, {0, 1, 5, 4}, {4, 5, 7, 6}, {0, 2, 3, 1}});
+}
+inline std::shared_ptr<const cairn::HullData> tetrahedron(double s) {
+    return make_hull({{s, s, s}, {s, -s, -s}, {-s, s, -s}, {-s, -s, s}}, {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}});
+}
+// A prism of n sides that stands along y.
+inline std::shared_ptr<const cairn::HullData> prism(int n, double radius, double half_height, double top = 1) {
+    std::vector<DVec3> c;
+    std::vector<std::vector<std::uint32_t>> faces(2);
+    for (int i = 0; i < n; ++i) {
+        const double angle = 2 * 3.14159265358979324 * i / n;
+        c.push_back({radius * std::cos(angle), -half_height, radius * std::sin(angle)});
+        c.push_back({top * radius * std::cos(angle), half_height, top * radius * std::sin(angle)});
+        const auto k = static_cast<std::uint32_t>(2 * i), next = static_cast<std::uint32_t>(2 * ((i + 1) % n));
+        faces[0].push_back(k);
+        faces[1].insert(faces[1].begin(), k + 1);
+        faces.push_back({k, k + 1, next + 1, next});
+    }
+    return make_hull(c, faces);
+}
+// 20 corners.
+inline std::shared_ptr<const cairn::HullData> dodecahedron(double s) {
+    const double g = 1.6180339887498949, i = 1 / g;
+    std::vector<DVec3> c;
+    for (double x : {-1.0, 1.0})
+        for (double y : {-1.0, 1.0})
+            for (double z : {-1.0, 1.0}) c.push_back({s * x, s * y, s * z});
+    for (double p : {-g, g})
+        for (double q : {-i, i}) {
+            c.push_back({0, s * q, s * p});
+            c.push_back({s * q, s * p, 0});
+            c.push_back({s * p, 0, s * q});
+        }
+    std::vector<std::vector<std::uint32_t>> faces;
+    for (double p : {-g, g})
+        for (double q : {-1.0, 1.0})
+            for (int axis = 0; axis < 3; ++axis) {
+                DVec3 n;
+                n[axis] = p;
+                n[(axis + 1) % 3] = q;
+                n = normalized(n);
+                std::vector<std::pair<double, std::uint32_t>> around;
+                double most = 0;
+                for (DVec3 v : c) most = std::max(most, dot(n, v));
+                DVec3 e1 = normalized(cross(n, DVec3{0.3, 0.5, 0.7})), e2 = cross(n, e1);
+                for (std::uint32_t k = 0; k < c.size(); ++k)
+                    if (dot(n, c[k]) > most - 1e-6 * s)
+                        around.push_back({std::atan2(dot(e2, c[k]), dot(e1, c[k])), k});
+                if (around.size() != 5) continue;
+                std::sort(around.begin(), around.end());
+                faces.emplace_back();
+                for (auto& a : around) faces.back().push_back(a.second);
+            }
+    return make_hull(c, faces);
+}
+
+// A shape with what it shares, to be posed.
+struct Solid {
+    cairn::Geometry geometry;
+    cairn::ShapeData data;
+    Convex at(DVec3 center, DQuat q = {}) const { return make_convex(geometry, data, center, q); }
+};
+inline Solid solid(const cairn::Shape& shape) {
+    return {cairn::make_geometry(shape, {}), cairn::make_shape_data(shape)};
+}
+inline Solid ball(double r) { return solid(cairn::Sphere{float(r)}); }
+inline Solid box(double x, double y, double z) { return solid(cairn::Box{{float(x), float(y), float(z)}}); }
+inline Solid capsule(double half, double r) { return solid(cairn::Capsule{float(half), float(r)}); }
+inline Solid capsule(double half, double r, double top) {
+    return solid(cairn::Capsule{float(half), float(r), float(top)});
+}
+inline Solid cylinder(double half, double r) { return solid(cairn::Cylinder{float(half), float(r)}); }
+inline Solid cylinder(double half, double r, double top) {
+    return solid(cairn::Cylinder{float(half), float(r), float(top)});
+}
+inline Solid hull(std::shared_ptr<const cairn::HullData> data) {
+    cairn::Geometry g;
+    g.type = cairn::ShapeType::hull;
+    g.bounding_radius = data->bounding_radius;
+    return {g, std::move(data)};
+}
+
+// One of every kind, about `s` in size.
+inline Solid any_solid(Random& random, double s) {
+    const auto u = [&] { return s * random.uniform(0.2, 1); };
+    switch (random.below(9)) {
+    case 0: return ball(u());
+    case 1: return box(u(), u(), u());
+    case 2: return capsule(u(), u());
+    case 3: return capsule(u(), u(), u());
+    case 4: return cylinder(u(), u());
+    case 5: return cylinder(u(), u(), u());
+    case 6: return cylinder(u(), u(), 0);
+    case 7: return hull(tetrahedron(u()));
+    default: return hull(random.below(2) ? dodecahedron(0.5 * u()) : prism(3 + random.below(6), u(), u()));
+    }
+}
+
+} // namespace convex_test
