@@ -27,6 +27,7 @@ class PictureRecorder {
     void draw(const World& world);
 
     std::filesystem::path png_;
+    std::vector<viewer::Visual> visuals_;
     viewer::CameraPose camera_;
     std::vector<viewer::Appearance> appearances_;
     viewer::MeshCache meshes_;

@@ -4,6 +4,8 @@
 
 #include <glm/trigonometric.hpp>
 
+#include <memory>
+#include <unordered_map>
 #include <utility>
 
 namespace cairn::cli {
@@ -17,8 +19,24 @@ std::vector<viewer::Appearance> appearances_of(const scene::Scene& scene) {
     return appearances;
 }
 
-viewer::CameraPose camera_of(const scene::Scene& scene) {
-    if (!scene.info.camera) return viewer::fit_camera(scene.world);
+std::vector<viewer::Visual> visuals_of(const scene::Scene& scene) {
+    std::vector<viewer::Visual> visuals;
+    std::unordered_map<const scene::Surface*, std::shared_ptr<const viewer::ShapeMesh>> meshes;
+    for (const scene::VisualMesh& visual : scene.visuals) {
+        std::shared_ptr<const viewer::ShapeMesh>& mesh = meshes[visual.surface.get()];
+        if (!mesh) {
+            const scene::Surface& surface = *visual.surface;
+            mesh = std::make_shared<const viewer::ShapeMesh>(
+                viewer::make_shape_mesh(viewer::visual_triangles(surface.vertices, surface.normals, surface.indices),
+                                        viewer::MeshLook::visual));
+        }
+        visuals.push_back({visual.body, visual.local, mesh, visual.color});
+    }
+    return visuals;
+}
+
+viewer::CameraPose camera_of(const scene::Scene& scene, std::span<const viewer::Visual> visuals) {
+    if (!scene.info.camera) return viewer::fit_camera(scene.world, visuals);
     viewer::CameraPose pose;
     pose.position = scene.info.camera->position;
     pose.target = scene.info.camera->target;
@@ -32,7 +50,8 @@ viewer::LoadedScene load_for_viewer(const std::string& path) {
     scene::Scene scene = scene::load(scene::find_scene(path));
     viewer::LoadedScene loaded;
     loaded.appearances = appearances_of(scene);
-    loaded.camera = camera_of(scene);
+    loaded.visuals = visuals_of(scene);
+    loaded.camera = camera_of(scene, loaded.visuals);
     loaded.title = scene.info.title;
     loaded.hint = scene.info.hint;
     loaded.time_step = scene.info.time_step;

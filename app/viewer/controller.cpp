@@ -297,6 +297,7 @@ FrameOptions Controller::frame_options(const StageState& state) const {
     options.colors = colors;
     options.grid = grid;
     options.shadows = shadows;
+    options.visuals = visuals;
     options.selected = state.selected;
     return options;
 }

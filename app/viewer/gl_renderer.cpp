@@ -118,9 +118,11 @@ ShadowRegion shadow_region(const RenderFrame& frame) {
     for (const MeshInstances& group : frame.meshes) {
         if (group.mesh->look == MeshLook::facets) {
             include(group.instances);
-        } else if (!group.instances.empty()) { // mostly larger than what can be seen of it
-            const float seen = group.instances.front().bound_radius;
-            radius = std::max(radius, std::min(1.5f * distance, seen));
+            continue;
+        }
+        for (const Instance& instance : group.instances) { // mostly larger than what can be seen of it
+            const float needed = glm::length(instance.position - target) + instance.bound_radius;
+            radius = std::max(radius, std::min(1.5f * distance, needed));
         }
     }
     if (radius <= 0.0f) radius = 0.5f * reach;

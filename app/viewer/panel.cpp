@@ -242,6 +242,7 @@ void Panel::draw_view(const StageState& state, Controller& controller) {
     ImGui::Checkbox("grid", &controller.grid);
     ImGui::SameLine();
     ImGui::Checkbox("shadows", &controller.shadows);
+    if (!state.layout->visuals.empty()) ImGui::Checkbox("the file's own meshes", &controller.visuals);
 }
 
 void Panel::draw_spawn_tool(Controller& controller) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace cairn::viewer {
 
@@ -13,28 +14,36 @@ namespace {
 
 constexpr double grid_period = 100.0; // meters; every grid line repeats after this
 
-Vec3 color_of(const WorldLayout& layout, const WorldMotion& motion, const ShapeLayout& shape, ColorMode mode) {
-    const BodyLayout& body = layout.bodies[shape.body];
+// The color of all that belongs to a body, in the modes that color bodies.
+std::optional<Vec3> body_color(const WorldLayout& layout, const WorldMotion& motion, std::size_t index,
+                               ColorMode mode) {
+    const BodyLayout& body = layout.bodies[index];
     const bool moving = body.type == BodyType::dynamic;
     switch (mode) {
     case ColorMode::mass:
         return moving ? mass_ramp(mass_fraction(body.mass, layout.least_mass, layout.greatest_mass)) : static_color();
     case ColorMode::speed:
-        return body.type == BodyType::static_ ? static_color() : speed_ramp(speed_fraction(motion.speeds[shape.body]));
+        return body.type == BodyType::static_ ? static_color() : speed_ramp(speed_fraction(motion.speeds[index]));
     case ColorMode::island:
         if (!moving) return static_color();
-        if (!motion.awake[shape.body]) return sleeping_color();
-        return category_color(motion.islands.empty() ? 0u : motion.islands[shape.body]);
+        if (!motion.awake[index]) return sleeping_color();
+        return category_color(motion.islands.empty() ? 0u : motion.islands[index]);
     case ColorMode::shape:
-        return shape_color(shape.type);
     case ColorMode::scene:
         break;
     }
+    return std::nullopt;
+}
+
+Vec3 color_of(const WorldLayout& layout, const WorldMotion& motion, const ShapeLayout& shape, ColorMode mode) {
+    if (const auto color = body_color(layout, motion, shape.body, mode)) return *color;
+    if (mode == ColorMode::shape) return shape_color(shape.type);
     if (shape.color) return *shape.color;
     if (shape.type == ShapeType::plane) return ground_color();
     if (shape.type == ShapeType::mesh) return surface_color();
     if (shape.type == ShapeType::height_field) return terrain_color();
-    return moving ? default_color(body.id.index()) : static_color();
+    const BodyLayout& body = layout.bodies[shape.body];
+    return body.type == BodyType::dynamic ? default_color(body.id.index()) : static_color();
 }
 
 Transform interpolate(const Transform& from, const Transform& to, float fraction) {
@@ -73,6 +82,36 @@ GroundPlane ground_of(const Position& point, const Quat& rotation, const Positio
     return {Vec3(nearest), rotation, {along({1.0f, 0.0f, 0.0f}), along({0.0f, 0.0f, 1.0f})}, color};
 }
 
+Instance instance_at(const Position& position, const Quat& rotation, const Position& origin, const Vec3& color) {
+    Instance instance;
+    instance.position = Vec3(position - origin);
+    instance.rotation = {rotation.x, rotation.y, rotation.z, rotation.w};
+    instance.color = color;
+    return instance;
+}
+
+void add_visuals(RenderFrame& frame, const WorldLayout& layout, const WorldMotion& motion,
+                 std::span<const Transform> transforms, const FrameOptions& options) {
+    for (const VisualLayout& visual : layout.visuals) {
+        Transform pose = visual.local;
+        Vec3 color = visual.color;
+        bool is_selected = false;
+        if (visual.body) {
+            const Transform& body = transforms[*visual.body];
+            pose = {body.position + Position(body.rotation * Vec3(visual.local.position)),
+                    glm::normalize(body.rotation * visual.local.rotation)};
+            color = body_color(layout, motion, *visual.body, options.colors).value_or(visual.color);
+            is_selected = options.selected && layout.bodies[*visual.body].id == options.selected;
+        }
+        MeshInstances& group = frame.meshes[visual.mesh];
+        Instance instance = instance_at(pose.position, pose.rotation, frame.origin, color);
+        instance.half_size = Vec3(1.0f);
+        instance.emphasis = is_selected ? 1.0f : 0.0f;
+        instance.bound_radius = glm::length(group.mesh->center) + group.mesh->radius;
+        group.instances.push_back(instance);
+    }
+}
+
 } // namespace
 
 const char* name_of(ColorMode mode) {
@@ -102,7 +141,9 @@ RenderFrame make_frame(const WorldLayout& layout, const WorldMotion& previous, c
     for (std::size_t i = 0; i < transforms.size(); ++i)
         transforms[i] = interpolate(previous.transforms[i], current.transforms[i], fraction);
     for (const auto& mesh : layout.meshes) frame.meshes.push_back({mesh, {}});
+    if (options.visuals) add_visuals(frame, layout, current, transforms, options);
     for (const ShapeLayout& shape : layout.shapes) {
+        if (options.visuals && layout.bodies[shape.body].has_visuals) continue;
         const Transform& body = transforms[shape.body];
         const Position position = body.position + Position(body.rotation * shape.position);
         const Quat rotation = glm::normalize(body.rotation * shape.rotation);
@@ -111,11 +152,8 @@ RenderFrame make_frame(const WorldLayout& layout, const WorldMotion& previous, c
             frame.grounds.push_back(ground_of(position, rotation, frame.origin, color));
             continue;
         }
-        Instance instance;
-        instance.position = Vec3(position - frame.origin);
-        instance.rotation = {rotation.x, rotation.y, rotation.z, rotation.w};
+        Instance instance = instance_at(position, rotation, frame.origin, color);
         instance.half_size = shape.half_size;
-        instance.color = color;
         const BodyId id = layout.bodies[shape.body].id;
         instance.emphasis = options.selected && id == options.selected ? 1.0f : 0.0f;
         // Slopes are tinted where the color is ours to choose and means nothing.
@@ -128,8 +166,8 @@ RenderFrame make_frame(const WorldLayout& layout, const WorldMotion& previous, c
 }
 
 RenderFrame make_frame(const World& world, std::span<const Appearance> appearances, const CameraPose& camera,
-                       const FrameOptions& options, MeshCache& meshes) {
-    const WorldLayout layout = read_layout(world, appearances, meshes);
+                       const FrameOptions& options, MeshCache& meshes, std::span<const Visual> visuals) {
+    const WorldLayout layout = read_layout(world, appearances, meshes, visuals);
     const WorldMotion motion = read_motion(world, layout, options.colors == ColorMode::island);
     return make_frame(layout, motion, motion, 1.0f, camera, options);
 }

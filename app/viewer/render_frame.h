@@ -70,7 +70,8 @@ struct FrameOptions {
     ColorMode colors = ColorMode::scene;
     bool grid = true;
     bool shadows = true;
-    BodyId selected; ///< Highlighted; null for none.
+    bool visuals = true; ///< Bodies that have meshes of the scene's own are shown by these; else by their shapes.
+    BodyId selected;     ///< Highlighted; null for none.
 };
 
 /// The picture between two motions of one layout: `fraction` 0 shows `previous`, 1 shows `current`.
@@ -80,7 +81,7 @@ RenderFrame make_frame(const WorldLayout& layout, const WorldMotion& previous, c
 /// The picture of a world as it stands. `meshes` keeps the triangles of its hulls, meshes and height fields for the
 /// next picture; without it they are made anew.
 RenderFrame make_frame(const World& world, std::span<const Appearance> appearances, const CameraPose& camera,
-                       const FrameOptions& options, MeshCache& meshes);
+                       const FrameOptions& options, MeshCache& meshes, std::span<const Visual> visuals = {});
 RenderFrame make_frame(const World& world, std::span<const Appearance> appearances, const CameraPose& camera,
                        const FrameOptions& options = {});
 

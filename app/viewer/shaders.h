@@ -114,8 +114,8 @@ vec3 rotate(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.
 // ball's part begins. Where one ball holds the other, it is all that is left.
 void place_capsule(vec3 size, out vec3 place, out vec3 normal) {
     float end = a_corner.y;
-    // Away from the axis and up: where the ball's part begins, in the middle, and at the pole. The middle comes from the
-    // formulas of half angles; asin() is good to four digits only on some drivers.
+    // Away from the axis and up: where the ball's part begins, in the middle, and at the pole. The middle comes from
+    // the formulas of half angles; asin() is good to four digits only on some drivers.
     float height = clamp((size.x - size.z) / (2.0 * size.y), -1.0, 1.0);
     vec2 seam = vec2(sqrt(1.0 - height * height), height);
     vec2 middle = vec2(sqrt(0.5 - 0.5 * end * height), end * sqrt(0.5 + 0.5 * end * height));
@@ -229,6 +229,7 @@ void main() {
         float far = dot(ray, ray) / (u_fade * u_fade);
         haze = far / (1.0 + far);
     }
+    if (u_kind == 8) gloss = 0.5;
     if (u_kind >= 6 && !gl_FrontFacing) { // from behind
         normal = -normal;
         if (u_kind != 8) color *= 0.6;

@@ -138,6 +138,26 @@ TriangleMesh height_field_triangles(const HeightField& field) {
     return mesh;
 }
 
+TriangleMesh visual_triangles(std::span<const Vec3> vertices, std::span<const Vec3> normals,
+                              std::span<const std::uint32_t> indices) {
+    TriangleMesh mesh;
+    if (!normals.empty()) {
+        for (std::size_t i = 0; i < vertices.size(); ++i)
+            mesh.vertices.push_back({vertices[i], Vec3(0.0f), direction_of(normals[i])});
+        mesh.indices.assign(indices.begin(), indices.end());
+        return mesh;
+    }
+    for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
+        const Vec3 a = vertices[indices[i]], b = vertices[indices[i + 1]], c = vertices[indices[i + 2]];
+        const Vec3 normal = direction_of(glm::cross(b - a, c - a));
+        for (const Vec3& corner : {a, b, c}) {
+            mesh.indices.push_back(std::uint32_t(mesh.vertices.size()));
+            mesh.vertices.push_back({corner, Vec3(0.0f), normal});
+        }
+    }
+    return mesh;
+}
+
 ShapeMesh make_shape_mesh(TriangleMesh triangles, MeshLook look) {
     ShapeMesh mesh{std::move(triangles), look, Vec3(0.0f), 0.0f};
     if (mesh.triangles.vertices.empty()) return mesh;

@@ -43,6 +43,10 @@ TriangleMesh surface_triangles(std::span<const Vec3> vertices, std::span<const s
 TriangleMesh height_field_triangles(const HeightField& field);
 inline constexpr std::size_t most_heights = std::size_t(1) << 22;
 
+/// Triangles with the normals given, one for each vertex, or flat ones if there are none. All indices in range.
+TriangleMesh visual_triangles(std::span<const Vec3> vertices, std::span<const Vec3> normals,
+                              std::span<const std::uint32_t> indices);
+
 /// With `center` and `radius`.
 ShapeMesh make_shape_mesh(TriangleMesh triangles, MeshLook look);
 

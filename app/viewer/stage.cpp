@@ -248,7 +248,8 @@ void Stage::pull_grabbed() {
 void Stage::say(std::string text) { message_ = {message_.serial + 1, std::move(text)}; }
 
 void Stage::refresh_layout() {
-    layout_ = std::make_shared<const WorldLayout>(read_layout(scene_.world, scene_.appearances, meshes_));
+    layout_ =
+        std::make_shared<const WorldLayout>(read_layout(scene_.world, scene_.appearances, meshes_, scene_.visuals));
     refresh_motion();
     previous_ = current_; // the bodies of the step before may not match
 }

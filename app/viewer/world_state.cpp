@@ -62,22 +62,40 @@ struct ShapeReader {
 // Adds meshes to a layout, each once.
 class MeshList {
   public:
-    MeshList(WorldLayout& layout, MeshCache& cache) : layout_(layout), cache_(cache) {}
-    void give_mesh(ShapeLayout& shape, const Shape& source) {
-        const std::shared_ptr<const ShapeMesh> mesh = cache_.mesh_of(source);
-        if (!mesh) return;
+    explicit MeshList(WorldLayout& layout) : layout_(layout) {}
+    std::size_t add(const std::shared_ptr<const ShapeMesh>& mesh) {
         const auto [place, is_new] = places_.try_emplace(mesh.get(), layout_.meshes.size());
         if (is_new) layout_.meshes.push_back(mesh);
-        shape.mesh = place->second;
+        return place->second;
+    }
+    void give_mesh(ShapeLayout& shape, const std::shared_ptr<const ShapeMesh>& mesh) {
+        if (!mesh) return;
+        shape.mesh = add(mesh);
         shape.bound_center = mesh->center;
         shape.bound_radius = mesh->radius;
     }
 
   private:
     WorldLayout& layout_;
-    MeshCache& cache_;
     std::unordered_map<const ShapeMesh*, std::size_t> places_;
 };
+
+void add_visuals(WorldLayout& layout, MeshList& meshes, std::span<const Visual> visuals) {
+    if (visuals.empty()) return;
+    std::unordered_map<BodyId, std::size_t> bodies;
+    for (std::size_t i = 0; i < layout.bodies.size(); ++i) bodies.emplace(layout.bodies[i].id, i);
+    for (const Visual& visual : visuals) {
+        VisualLayout shown{std::nullopt, visual.local, 0, visual.color};
+        if (visual.body) {
+            const auto body = bodies.find(visual.body);
+            if (body == bodies.end()) continue;
+            shown.body = body->second;
+            layout.bodies[body->second].has_visuals = true;
+        }
+        shown.mesh = meshes.add(visual.mesh);
+        layout.visuals.push_back(shown);
+    }
+}
 
 ShapeLayout read_shape(const World& world, ShapeId id, std::size_t body) {
     const ShapeDef& def = world.shape_def(id);
@@ -116,11 +134,12 @@ std::vector<std::uint32_t> find_islands(const World& world, const WorldLayout& l
 
 } // namespace
 
-WorldLayout read_layout(const World& world, std::span<const Appearance> appearances, MeshCache& meshes) {
+WorldLayout read_layout(const World& world, std::span<const Appearance> appearances, MeshCache& meshes,
+                        std::span<const Visual> visuals) {
     std::unordered_map<ShapeId, Vec3> colors;
     for (const Appearance& appearance : appearances) colors.emplace(appearance.shape, appearance.color);
     WorldLayout layout;
-    MeshList mesh_list(layout, meshes);
+    MeshList mesh_list(layout);
     bool any_mass = false;
     for (const BodyId id : world.bodies()) {
         const Body body = world.body(id);
@@ -132,13 +151,14 @@ WorldLayout read_layout(const World& world, std::span<const Appearance> appearan
         }
         for (const ShapeId shape : body.shapes()) {
             layout.shapes.push_back(read_shape(world, shape, layout.bodies.size()));
-            mesh_list.give_mesh(layout.shapes.back(), world.shape(shape));
+            mesh_list.give_mesh(layout.shapes.back(), meshes.mesh_of(world.shape(shape)));
             const auto color = colors.find(shape);
             if (color != colors.end()) layout.shapes.back().color = color->second;
         }
-        layout.bodies.push_back({id, body.type(), mass, body.name()});
+        layout.bodies.push_back({id, body.type(), mass, body.name(), false});
     }
     meshes.drop_unused();
+    add_visuals(layout, mesh_list, visuals);
     return layout;
 }
 
@@ -171,8 +191,13 @@ struct Extent {
         least = glm::min(least, from);
         greatest = glm::max(greatest, to);
     }
+    void include_ball(const Position& center, double radius) { include(center - radius, center + radius); }
+    void include_visual(const Transform& pose, const ShapeMesh& mesh) {
+        include_ball(pose.position + Position(pose.rotation * mesh.center), double(mesh.radius));
+    }
+    bool is_empty() const { return least.x > greatest.x; }
     BoundingBall ball() const {
-        if (least.x > greatest.x) return {};
+        if (is_empty()) return {};
         return {(least + greatest) * 0.5, float(glm::length(greatest - least) * 0.5)};
     }
 };
@@ -189,12 +214,15 @@ BoundingBall bounding_ball(const WorldLayout& layout, const WorldMotion& motion)
         const Transform& body = motion.transforms[shape.body];
         const Vec3 in_body = shape.position + shape.rotation * shape.bound_center;
         const Position center = body.position + Position(body.rotation * in_body);
-        extent.include(center - double(shape.bound_radius), center + double(shape.bound_radius));
+        extent.include_ball(center, double(shape.bound_radius));
     }
+    if (extent.is_empty())
+        for (const VisualLayout& visual : layout.visuals)
+            if (!visual.body) extent.include_visual(visual.local, *layout.meshes[visual.mesh]);
     return extent.ball();
 }
 
-CameraPose fit_camera(const World& world) {
+CameraPose fit_camera(const World& world, std::span<const Visual> visuals) {
     Extent dynamic, all;
     for (const BodyId id : world.bodies()) {
         const Body body = world.body(id);
@@ -205,7 +233,10 @@ CameraPose fit_camera(const World& world) {
             if (body.type() == BodyType::dynamic) dynamic.include(bounds.min, bounds.max);
         }
     }
-    const BoundingBall ball = dynamic.least.x <= dynamic.greatest.x ? dynamic.ball() : all.ball();
+    if (all.is_empty())
+        for (const Visual& visual : visuals)
+            if (!visual.body) all.include_visual(visual.local, *visual.mesh);
+    const BoundingBall ball = dynamic.is_empty() ? all.ball() : dynamic.ball();
     OrbitCamera camera(CameraPose{ball.center + Position(0.6, 0.4, 1.0), ball.center, 0.785398f});
     camera.frame(ball.center, ball.radius);
     return camera.pose();

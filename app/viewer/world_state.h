@@ -36,12 +36,22 @@ struct BodyLayout {
     BodyType type = BodyType::dynamic;
     float mass = 0.0f; ///< kg; infinite for static and kinematic bodies.
     std::string name;
+    bool has_visuals = false; ///< Is shown by `WorldLayout::visuals` instead of by its shapes, where those are shown.
+};
+
+/// A mesh that came with the scene for its looks.
+struct VisualLayout {
+    std::optional<std::size_t> body; ///< Index into `WorldLayout::bodies`; absent: scenery.
+    Transform local;                 ///< In the body's frame; of scenery, in the world.
+    std::size_t mesh = 0;            ///< Index into `WorldLayout::meshes`.
+    Vec3 color{0.8f, 0.8f, 0.8f};    ///< Linear.
 };
 
 struct WorldLayout {
     std::vector<BodyLayout> bodies;
     std::vector<ShapeLayout> shapes;
-    std::vector<std::shared_ptr<const ShapeMesh>> meshes; ///< Of the shapes that have one, each once.
+    std::vector<VisualLayout> visuals;
+    std::vector<std::shared_ptr<const ShapeMesh>> meshes; ///< Of the shapes that have one, and of visuals, each once.
     float least_mass = 1.0f, greatest_mass = 1.0f;        ///< kg, among dynamic bodies of finite mass.
 };
 
@@ -53,13 +63,15 @@ struct WorldMotion {
     std::vector<std::uint32_t> islands; ///< The least index of a dynamic body that each one is joined to by contacts.
 };
 
-/// Copies the layout. `appearances` of shapes that no longer exist are ignored. `meshes` keeps what it has made for the
-/// next call, and drops what this world no longer has.
-WorldLayout read_layout(const World& world, std::span<const Appearance> appearances, MeshCache& meshes);
+/// Copies the layout. `appearances` and `visuals` of what no longer exists are ignored. `meshes` keeps what it has made
+/// for the next call, and drops what this world no longer has.
+WorldLayout read_layout(const World& world, std::span<const Appearance> appearances, MeshCache& meshes,
+                        std::span<const Visual> visuals = {});
 /// Copies the motion of the bodies of a layout. Islands are found only if asked for, else `islands` is empty.
 WorldMotion read_motion(const World& world, const WorldLayout& layout, bool with_islands = false);
 
-/// A smallest-effort ball around the dynamic bodies (or, without any, around all finite shapes).
+/// A smallest-effort ball around the dynamic bodies (or, without any, around all finite shapes, or, without those,
+/// around the scenery).
 struct BoundingBall {
     Position center{0.0, 0.0, 0.0};
     float radius = 5.0f; ///< Meters.
@@ -67,6 +79,6 @@ struct BoundingBall {
 BoundingBall bounding_ball(const WorldLayout& layout, const WorldMotion& motion);
 
 /// A view of the whole scene, for scenes that do not bring their own camera.
-CameraPose fit_camera(const World& world);
+CameraPose fit_camera(const World& world, std::span<const Visual> visuals = {});
 
 } // namespace cairn::viewer

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <set>
 #include <span>
 #include <tuple>
@@ -89,6 +90,51 @@ TEST(RenderFrame, SlopesAreNotTintedWhereColorsMeanSomething) {
     const Instance colored = make_frame(world, std::span(&own, 1), CameraPose{}).meshes[0].instances[0];
     EXPECT_EQ(colored.pattern, 0.0f);
     EXPECT_EQ(colored.color, own.color);
+}
+
+// A triangle for looks.
+std::shared_ptr<const ShapeMesh> some_visual() {
+    const std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    const std::vector<std::uint32_t> triangle{0, 1, 2};
+    return std::make_shared<const ShapeMesh>(make_shape_mesh(visual_triangles(points, {}, triangle), MeshLook::visual));
+}
+
+TEST(RenderFrame, VisualsStandForTheShapesOfTheirBodies) {
+    LoadedScene scene = test::boxes_on_plane(2);
+    const BodyId body = scene.world.bodies()[2];
+    scene.world.body(body).set_rotation(Quat(0.0f, 0.0f, 1.0f, 0.0f)); // half a turn about y
+    const auto mesh = some_visual();
+    const std::vector<Visual> visuals{
+        {body, {{0.25, 0.5, 0.0}, Quat(1.0f, 0.0f, 0.0f, 0.0f)}, mesh, {0.1f, 0.2f, 0.3f}},
+        {{}, {{7.0, 8.0, 9.0}, Quat(1.0f, 0.0f, 0.0f, 0.0f)}, mesh, {1.0f, 0.0f, 0.0f}}};
+    MeshCache meshes;
+    FrameOptions options;
+    options.selected = body;
+    const RenderFrame frame = make_frame(scene.world, {}, scene.camera, options, meshes, visuals);
+    EXPECT_EQ(frame.boxes.size(), 1u); // the other body has none
+    ASSERT_EQ(frame.meshes.size(), 1u);
+    ASSERT_EQ(frame.meshes[0].instances.size(), 2u);
+    const Instance& moving = frame.meshes[0].instances[0];
+    EXPECT_LT(glm::distance(Position(moving.position) + frame.origin, Position(1.75, 1.0, 0.0)), 1e-5);
+    EXPECT_NEAR(std::abs(moving.rotation.y), 1.0f, 1e-6f);
+    EXPECT_EQ(moving.color, Vec3(0.1f, 0.2f, 0.3f));
+    EXPECT_EQ(moving.emphasis, 1.0f);
+    const Instance& scenery = frame.meshes[0].instances[1];
+    EXPECT_EQ(Position(scenery.position) + frame.origin, Position(7.0, 8.0, 9.0));
+    EXPECT_EQ(scenery.emphasis, 0.0f);
+
+    options.visuals = false;
+    const RenderFrame shapes = make_frame(scene.world, {}, scene.camera, options, meshes, visuals);
+    EXPECT_EQ(shapes.boxes.size(), 2u);
+    EXPECT_TRUE(shapes.meshes.at(0).instances.empty());
+
+    options.visuals = true;
+    options.colors = ColorMode::mass;
+    EXPECT_EQ(make_frame(scene.world, {}, scene.camera, options, meshes, visuals).meshes[0].instances[0].color,
+              mass_ramp(0.5f));
+
+    scene.world.destroy_body(body); // takes its visual along
+    EXPECT_EQ(make_frame(scene.world, {}, scene.camera, {}, meshes, visuals).meshes[0].instances.size(), 1u);
 }
 
 TEST(RenderFrame, EveryKindOfShapeHasAColorOfItsOwn) {
@@ -223,6 +269,15 @@ TEST(FitCamera, StaysWithTheBodiesOnAHugeField) {
     world.destroy_body(ground);
     const CameraPose alone = fit_camera(world); // an infinite plane
     EXPECT_LT(glm::distance(alone.target, alone.position), 100.0);
+}
+
+TEST(FitCamera, LooksAtTheSceneryWhenThereIsNothingElse) {
+    const std::vector<Visual> visuals{{{}, {{70.0, 8.0, 9.0}, Quat(1.0f, 0.0f, 0.0f, 0.0f)}, some_visual(), {}}};
+    const World world;
+    EXPECT_LT(glm::distance(fit_camera(world, visuals).target, Position(70.5, 8.5, 9.0)), 0.1);
+    MeshCache meshes;
+    const WorldLayout layout = read_layout(world, {}, meshes, visuals);
+    EXPECT_LT(glm::distance(bounding_ball(layout, read_motion(world, layout)).center, Position(70.5, 8.5, 9.0)), 0.1);
 }
 
 TEST(BoundingBall, HoldsEveryShape) {

@@ -153,6 +153,21 @@ TEST(ShapeMeshes, AHugeFieldIsDrawnCoarserButToItsEdges) {
     EXPECT_GT(least_agreement(mesh), 0.9999f);
 }
 
+TEST(ShapeMeshes, VisualsKeepTheirNormalsOrAreFlat) {
+    const std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const std::vector<std::uint32_t> triangles{0, 1, 2, 0, 2, 3};
+    const std::vector<Vec3> normals{{0, 0, 2}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}};
+    const TriangleMesh shaded = visual_triangles(points, normals, triangles);
+    ASSERT_EQ(shaded.vertices.size(), 4u);
+    EXPECT_EQ(shaded.vertices[0].normal, Vec3(0.0f, 0.0f, 1.0f)); // of unit length
+    EXPECT_EQ(shaded.vertices[1].normal, Vec3(0.0f, 1.0f, 0.0f));
+    EXPECT_EQ(shaded.indices, triangles);
+    const TriangleMesh flat = visual_triangles(points, {}, triangles);
+    ASSERT_EQ(flat.vertices.size(), 6u);
+    EXPECT_EQ(flat.vertices[0].normal, Vec3(0.0f, 0.0f, 1.0f));
+    EXPECT_EQ(flat.vertices[5].normal, Vec3(1.0f, 0.0f, 0.0f));
+}
+
 TEST(ShapeMeshes, TheBallAroundAMeshHoldsItAll) {
     const cairn::Mesh cube = test::cube_surface();
     const ShapeMesh mesh = make_shape_mesh(surface_triangles(cube.vertices(), cube.indices()), MeshLook::surface);
