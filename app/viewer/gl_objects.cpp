@@ -134,10 +134,13 @@ void GlMesh::upload(const void* instances, std::size_t count) {
     glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(count * sizeof(Instance)), instances, GL_STREAM_DRAW);
 }
 
-void GlMesh::draw_instances() const {
+void GlMesh::draw_instances() const { draw_instances(0, std::size_t(index_count_)); }
+
+void GlMesh::draw_instances(std::size_t first, std::size_t count) const {
     if (instance_count_ == 0) return;
     glBindVertexArray(array_.name());
-    glDrawElementsInstanced(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr, instance_count_);
+    const void* offset = reinterpret_cast<const void*>(first * sizeof(std::uint32_t)); // by OpenGL's convention
+    glDrawElementsInstanced(GL_TRIANGLES, GLsizei(count), GL_UNSIGNED_INT, offset, instance_count_);
 }
 
 void GlMesh::draw_once() const {

@@ -67,6 +67,8 @@ class GlMesh {
     void upload(const void* instances, std::size_t count);
     /// Draws what was uploaded last.
     void draw_instances() const;
+    /// Draws only `count` indices of it, from number `first`.
+    void draw_instances(std::size_t first, std::size_t count) const;
     /// Draws the mesh itself, once.
     void draw_once() const;
 

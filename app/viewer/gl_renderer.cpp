@@ -1,5 +1,6 @@
 #include "viewer/gl_renderer.h"
 
+#include "viewer/culling.h"
 #include "viewer/gl_objects.h"
 #include "viewer/shaders.h"
 
@@ -156,7 +157,7 @@ struct GlRenderer::Impl {
     void upload_meshes(const RenderFrame& frame);
     void upload_sorted(GlMesh& mesh, const std::vector<Instance>& instances);
     void sort_by_distance(std::vector<Instance>& instances) const;
-    void draw_meshes(const GlProgram& program, const RenderFrame& frame) const;
+    void draw_meshes(const GlProgram& program, const RenderFrame& frame, const glm::mat4& clip) const;
     void draw_shadow_map(const RenderFrame& frame);
     void set_lighting(const GlProgram& program, const RenderFrame& frame) const;
     void draw_sky(const RenderFrame& frame, float aspect);
@@ -298,14 +299,20 @@ void GlRenderer::Impl::upload_meshes(const RenderFrame& frame) {
     for (auto& [source, loaded] : meshes) loaded.used = false;
 }
 
-void GlRenderer::Impl::draw_meshes(const GlProgram& program, const RenderFrame& frame) const {
+void GlRenderer::Impl::draw_meshes(const GlProgram& program, const RenderFrame& frame, const glm::mat4& clip) const {
+    const SidePlanes planes = side_planes(clip);
     for (const MeshInstances& group : frame.meshes) {
         if (group.instances.empty()) continue;
         const shaders::BodyKind kind = kind_of(group.mesh->look);
         const bool two_sided = kind != shaders::BodyKind::facets;
         program.set("u_kind", int(kind));
         if (two_sided) glDisable(GL_CULL_FACE);
-        meshes.at(group.mesh.get()).mesh.draw_instances();
+        const GlMesh& mesh = meshes.at(group.mesh.get()).mesh;
+        if (group.mesh->parts.size() == 1)
+            mesh.draw_instances();
+        else
+            for (const IndexRange& range : visible_ranges(*group.mesh, group.instances, planes))
+                mesh.draw_instances(range.first, range.count);
         if (two_sided) glEnable(GL_CULL_FACE);
     }
 }
@@ -328,7 +335,7 @@ void GlRenderer::Impl::draw_shadow_map(const RenderFrame& frame) {
     cylinders.draw();
     shadow.set("u_kind", int(shaders::BodyKind::box));
     boxes.draw_instances();
-    draw_meshes(shadow, frame);
+    draw_meshes(shadow, frame, shadow_clip_from_world);
     glDisable(GL_DEPTH_CLAMP);
     glDisable(GL_POLYGON_OFFSET_FILL);
 }
@@ -374,7 +381,7 @@ void GlRenderer::Impl::draw_bodies(const RenderFrame& frame) {
     boxes.draw_instances();
     body.set("u_kind", int(shaders::BodyKind::rectangle));
     rectangles.draw_instances();
-    draw_meshes(body, frame);
+    draw_meshes(body, frame, clip_from_world);
 }
 
 void GlRenderer::Impl::draw_grounds(const RenderFrame& frame) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -14,6 +15,8 @@ namespace cairn::viewer {
 
 namespace {
 
+constexpr std::size_t cells_per_tile = 64; // of a height field, along both edges: makes one part
+static_assert(2 * cells_per_tile * cells_per_tile == triangles_per_part);
 constexpr std::size_t most_smoothed = 64; // triangles at one vertex; where more meet, all stay flat
 
 // Unit; up where there is no direction.
@@ -50,6 +53,24 @@ Vec3 corner_normal(std::span<const std::uint32_t> around, std::uint32_t own, std
         if (corner == own || glm::dot(flat, other) > smooth_cosine) sum += other * angles[corner];
     }
     return direction_of(sum);
+}
+
+struct Ball {
+    Vec3 center{0.0f, 0.0f, 0.0f};
+    float radius = 0.0f;
+};
+
+// Around the middle of the bounds.
+template <class Range, class PlaceOf> Ball ball_around(const Range& range, const PlaceOf& place_of) {
+    if (std::empty(range)) return {};
+    Vec3 least = place_of(range[0]), greatest = least;
+    for (const auto& item : range) {
+        least = glm::min(least, place_of(item));
+        greatest = glm::max(greatest, place_of(item));
+    }
+    Ball ball{0.5f * (least + greatest), 0.0f};
+    for (const auto& item : range) ball.radius = std::max(ball.radius, glm::distance(place_of(item), ball.center));
+    return ball;
 }
 
 template <class Data> const void* address_of(const std::shared_ptr<const Data>& data) { return data.get(); }
@@ -129,12 +150,14 @@ TriangleMesh height_field_triangles(const HeightField& field) {
         }
     }
     mesh.indices.reserve(6 * (across - 1) * (along - 1));
-    for (std::size_t k = 0; k + 1 < along; ++k) {
-        for (std::size_t i = 0; i + 1 < across; ++i) {
-            const auto near = std::uint32_t(k * across + i), far = std::uint32_t(near + across);
-            mesh.indices.insert(mesh.indices.end(), {near, far, far + 1, near, far + 1, near + 1});
-        }
-    }
+    const auto add_cell = [&](std::size_t i, std::size_t k) {
+        const auto near = std::uint32_t(k * across + i), far = std::uint32_t(near + across);
+        mesh.indices.insert(mesh.indices.end(), {near, far, far + 1, near, far + 1, near + 1});
+    };
+    for (std::size_t k0 = 0; k0 + 1 < along; k0 += cells_per_tile)
+        for (std::size_t i0 = 0; i0 + 1 < across; i0 += cells_per_tile)
+            for (std::size_t k = k0; k < std::min(k0 + cells_per_tile, along - 1); ++k)
+                for (std::size_t i = i0; i < std::min(i0 + cells_per_tile, across - 1); ++i) add_cell(i, k);
     return mesh;
 }
 
@@ -159,16 +182,19 @@ TriangleMesh visual_triangles(std::span<const Vec3> vertices, std::span<const Ve
 }
 
 ShapeMesh make_shape_mesh(TriangleMesh triangles, MeshLook look) {
-    ShapeMesh mesh{std::move(triangles), look, Vec3(0.0f), 0.0f};
-    if (mesh.triangles.vertices.empty()) return mesh;
-    Vec3 least = mesh.triangles.vertices[0].corner, greatest = least;
-    for (const MeshVertex& vertex : mesh.triangles.vertices) {
-        least = glm::min(least, vertex.corner);
-        greatest = glm::max(greatest, vertex.corner);
+    ShapeMesh mesh;
+    mesh.triangles = std::move(triangles);
+    mesh.look = look;
+    const std::vector<std::uint32_t>& indices = mesh.triangles.indices;
+    constexpr std::size_t step = 3 * triangles_per_part;
+    for (std::size_t first = 0; first < indices.size(); first += step) {
+        const std::span part = std::span(indices).subspan(first, std::min(step, indices.size() - first));
+        const Ball ball = ball_around(part, [&](std::uint32_t i) { return mesh.triangles.vertices[i].corner; });
+        mesh.parts.push_back({first, part.size(), ball.center, ball.radius});
     }
-    mesh.center = 0.5f * (least + greatest);
-    for (const MeshVertex& vertex : mesh.triangles.vertices)
-        mesh.radius = std::max(mesh.radius, glm::distance(vertex.corner, mesh.center));
+    const Ball ball = ball_around(mesh.triangles.vertices, [](const MeshVertex& vertex) { return vertex.corner; });
+    mesh.center = ball.center;
+    mesh.radius = ball.radius;
     return mesh;
 }
 

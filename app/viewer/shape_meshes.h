@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace cairn::viewer {
 
@@ -21,11 +22,20 @@ enum class MeshLook {
     visual,  ///< Came with the scene for its looks.
 };
 
+/// A run of neighboring triangles, which is drawn or left out as a whole.
+struct MeshPart {
+    std::size_t first = 0, count = 0; ///< Of `TriangleMesh::indices`.
+    Vec3 center{0.0f, 0.0f, 0.0f};    ///< A ball that holds it, in the shape's frame ...
+    float radius = 0.0f;              ///< ... meters.
+};
+inline constexpr std::size_t triangles_per_part = 8192;
+
 struct ShapeMesh {
     TriangleMesh triangles; ///< `corner` in meters, in the shape's frame.
     MeshLook look = MeshLook::facets;
     Vec3 center{0.0f, 0.0f, 0.0f}; ///< Of the bounds, in the shape's frame, meters.
     float radius = 0.0f;           ///< A ball around `center` holds everything, meters.
+    std::vector<MeshPart> parts;   ///< All triangles, in order.
 };
 
 /// The faces of a hull, flat.
@@ -39,7 +49,7 @@ inline constexpr float smooth_cosine = 0.8660254f; // 30 degrees
 TriangleMesh surface_triangles(std::span<const Vec3> vertices, std::span<const std::uint32_t> indices);
 
 /// The triangles of a height field, shaded as one curved surface. Fields of more than `most_heights` heights are drawn
-/// with every second (third, ...) row and column, and their last ones.
+/// with every second (third, ...) row and column, and their last ones. Triangles of one part lie together.
 TriangleMesh height_field_triangles(const HeightField& field);
 inline constexpr std::size_t most_heights = std::size_t(1) << 22;
 
@@ -47,7 +57,7 @@ inline constexpr std::size_t most_heights = std::size_t(1) << 22;
 TriangleMesh visual_triangles(std::span<const Vec3> vertices, std::span<const Vec3> normals,
                               std::span<const std::uint32_t> indices);
 
-/// With `center` and `radius`.
+/// With bounds and parts.
 ShapeMesh make_shape_mesh(TriangleMesh triangles, MeshLook look);
 
 /// The meshes of the hulls, meshes and height fields of a world, each made once, when it is first asked for. Shapes
