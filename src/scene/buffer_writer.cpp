@@ -35,7 +35,13 @@ std::size_t BufferWriter::finish(std::size_t start, int target, Json accessor) {
     return accessors_.size() - 1;
 }
 
-std::size_t BufferWriter::add_vectors(std::span<const Vec3> values, bool with_bounds) {
+std::size_t BufferWriter::add_vertices(std::span<const Vec3> values, bool with_bounds) {
+    return add_vectors(values, vertex_target, with_bounds);
+}
+
+std::size_t BufferWriter::add_vectors(std::span<const Vec3> values) { return add_vectors(values, no_target, false); }
+
+std::size_t BufferWriter::add_vectors(std::span<const Vec3> values, int target, bool with_bounds) {
     const std::size_t start = bytes_.size();
     Vec3 low = values[0], high = values[0];
     for (const Vec3& v : values) {
@@ -48,7 +54,7 @@ std::size_t BufferWriter::add_vectors(std::span<const Vec3> values, bool with_bo
     Json accessor{
         {"bufferView", views_.size()}, {"componentType", float_number}, {"count", values.size()}, {"type", "VEC3"}};
     if (with_bounds) accessor["min"] = number_array(low), accessor["max"] = number_array(high);
-    return finish(start, vertex_target, std::move(accessor));
+    return finish(start, target, std::move(accessor));
 }
 
 std::size_t BufferWriter::add_quaternions(std::span<const Quat> values) {

@@ -15,7 +15,8 @@ namespace cairn::scene {
 class BufferWriter {
   public:
     // Each returns the index of the new accessor.
-    std::size_t add_vectors(std::span<const Vec3> values, bool with_bounds); // of vertices; bounds: for POSITION
+    std::size_t add_vertices(std::span<const Vec3> values, bool with_bounds); // bounds: for POSITION
+    std::size_t add_vectors(std::span<const Vec3> values);                    // of anything else
     std::size_t add_quaternions(std::span<const Quat> values);
     std::size_t add_indices(std::span<const std::uint32_t> values);
     std::size_t add_scalars(std::span<const float> values, bool with_bounds);
@@ -26,6 +27,7 @@ class BufferWriter {
     const std::string& bytes() const { return bytes_; }
 
   private:
+    std::size_t add_vectors(std::span<const Vec3> values, int target, bool with_bounds);
     void append(std::uint32_t word);
     void append(float value);
     std::size_t finish(std::size_t start, int target, nlohmann::ordered_json accessor);

@@ -211,7 +211,7 @@ std::size_t DefinitionWriter::collider_mesh(const Shape& shape) {
                                        : static_cast<const void*>(std::get<Mesh>(shape).data().get());
     if (const auto found = collider_meshes_.find(data); found != collider_meshes_.end()) return found->second;
     const std::span<const Vec3> vertices = hull != nullptr ? hull->vertices() : std::get<Mesh>(shape).vertices();
-    Json primitive{{"attributes", {{"POSITION", buffer_.add_vectors(vertices, true)}}}};
+    Json primitive{{"attributes", {{"POSITION", buffer_.add_vertices(vertices, true)}}}};
     primitive["indices"] = hull != nullptr ? buffer_.add_indices(triangles_of(*hull))
                                            : buffer_.add_indices(std::get<Mesh>(shape).indices());
     const std::size_t index = meshes_.index({{"primitives", Json::array({std::move(primitive)})}});
@@ -223,8 +223,8 @@ std::size_t DefinitionWriter::visual_mesh(const VisualMesh& visual) {
     Json& primitive = surface_primitives_[visual.surface.get()];
     if (primitive.is_null()) {
         const Surface& surface = *visual.surface;
-        primitive["attributes"]["POSITION"] = buffer_.add_vectors(surface.vertices, true);
-        if (!surface.normals.empty()) primitive["attributes"]["NORMAL"] = buffer_.add_vectors(surface.normals, false);
+        primitive["attributes"]["POSITION"] = buffer_.add_vertices(surface.vertices, true);
+        if (!surface.normals.empty()) primitive["attributes"]["NORMAL"] = buffer_.add_vertices(surface.normals, false);
         primitive["indices"] = buffer_.add_indices(surface.indices);
     }
     Json colored = primitive;
