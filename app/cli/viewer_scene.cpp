@@ -1,9 +1,11 @@
 #include "cli/viewer_scene.h"
 
+#include "scene/mesh_files.h"
 #include "viewer/world_state.h"
 
 #include <glm/trigonometric.hpp>
 
+#include <filesystem>
 #include <memory>
 #include <unordered_map>
 #include <utility>
@@ -44,10 +46,24 @@ viewer::CameraPose camera_of(const scene::Scene& scene, std::span<const viewer::
     return pose;
 }
 
-std::vector<std::string> viewer_file_types() { return {".gltf", ".glb"}; }
+std::vector<std::string> viewer_file_types() { return {".gltf", ".glb", ".obj", ".stl"}; }
+
+namespace {
+
+// A mesh alone becomes ground to drop bodies on: it is shown as it is, and stays where it is.
+scene::Scene load_any(const std::filesystem::path& path) {
+    if (!scene::is_mesh_file(path)) return scene::load(path);
+    scene::MeshImport import;
+    import.as_hull = false;
+    scene::Scene scene = scene::scene_of_mesh(scene::load_mesh_file(path), import, path.stem().string());
+    scene.info.hint = "U I O and J K L M drop bodies on it";
+    return scene;
+}
+
+} // namespace
 
 viewer::LoadedScene load_for_viewer(const std::string& path) {
-    scene::Scene scene = scene::load(scene::find_scene(path));
+    scene::Scene scene = load_any(scene::find_scene(path));
     viewer::LoadedScene loaded;
     loaded.appearances = appearances_of(scene);
     loaded.visuals = visuals_of(scene);
