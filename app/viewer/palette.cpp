@@ -77,6 +77,8 @@ Vec3 ground_color() { return linear_color(0x9fa39f); }
 
 Vec3 surface_color() { return linear_color(0xa89d89); }
 
+Vec3 trigger_color() { return linear_color(0xe8f4ff); }
+
 Vec3 terrain_color() { return linear_color(0x78836a); }
 
 Vec3 shape_color(ShapeType type) {

@@ -90,6 +90,17 @@ Instance instance_at(const Position& position, const Quat& rotation, const Posit
     return instance;
 }
 
+// The edges of the box around a trigger: nothing there can be touched, so nothing solid is drawn.
+void add_trigger(RenderFrame& frame, const ShapeLayout& shape, const Position& position, const Quat& rotation) {
+    const auto corner = [&](int i) {
+        const Vec3 signs(i & 1 ? 1.0f : -1.0f, i & 2 ? 1.0f : -1.0f, i & 4 ? 1.0f : -1.0f);
+        return Vec3(position - frame.origin) + rotation * (shape.bound_center + signs * shape.bound_extent);
+    };
+    for (int i = 0; i < 8; ++i)
+        for (const int axis : {1, 2, 4})
+            if (!(i & axis)) frame.lines.push_back({corner(i), corner(i | axis), trigger_color()});
+}
+
 void add_visuals(RenderFrame& frame, const WorldLayout& layout, const WorldMotion& motion,
                  std::span<const Transform> transforms, const FrameOptions& options) {
     for (const VisualLayout& visual : layout.visuals) {
@@ -143,10 +154,14 @@ RenderFrame make_frame(const WorldLayout& layout, const WorldMotion& previous, c
     for (const auto& mesh : layout.meshes) frame.meshes.push_back({mesh, {}});
     if (options.visuals) add_visuals(frame, layout, current, transforms, options);
     for (const ShapeLayout& shape : layout.shapes) {
-        if (options.visuals && layout.bodies[shape.body].has_visuals) continue;
+        if (options.visuals && layout.bodies[shape.body].has_visuals && !shape.is_trigger) continue;
         const Transform& body = transforms[shape.body];
         const Position position = body.position + Position(body.rotation * shape.position);
         const Quat rotation = glm::normalize(body.rotation * shape.rotation);
+        if (shape.is_trigger) {
+            if (shape.type != ShapeType::plane) add_trigger(frame, shape, position, rotation);
+            continue;
+        }
         const Vec3 color = color_of(layout, current, shape, options.colors);
         if (shape.type == ShapeType::plane) {
             frame.grounds.push_back(ground_of(position, rotation, frame.origin, color));

@@ -56,7 +56,7 @@ Vec3 corner_normal(std::span<const std::uint32_t> around, std::uint32_t own, std
 }
 
 struct Ball {
-    Vec3 center{0.0f, 0.0f, 0.0f};
+    Vec3 center{0.0f, 0.0f, 0.0f}, extent{0.0f, 0.0f, 0.0f};
     float radius = 0.0f;
 };
 
@@ -68,7 +68,7 @@ template <class Range, class PlaceOf> Ball ball_around(const Range& range, const
         least = glm::min(least, place_of(item));
         greatest = glm::max(greatest, place_of(item));
     }
-    Ball ball{0.5f * (least + greatest), 0.0f};
+    Ball ball{0.5f * (least + greatest), 0.5f * (greatest - least), 0.0f};
     for (const auto& item : range) ball.radius = std::max(ball.radius, glm::distance(place_of(item), ball.center));
     return ball;
 }
@@ -194,6 +194,7 @@ ShapeMesh make_shape_mesh(TriangleMesh triangles, MeshLook look) {
     }
     const Ball ball = ball_around(mesh.triangles.vertices, [](const MeshVertex& vertex) { return vertex.corner; });
     mesh.center = ball.center;
+    mesh.extent = ball.extent;
     mesh.radius = ball.radius;
     return mesh;
 }

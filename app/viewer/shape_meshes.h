@@ -34,6 +34,7 @@ struct ShapeMesh {
     TriangleMesh triangles; ///< `corner` in meters, in the shape's frame.
     MeshLook look = MeshLook::facets;
     Vec3 center{0.0f, 0.0f, 0.0f}; ///< Of the bounds, in the shape's frame, meters.
+    Vec3 extent{0.0f, 0.0f, 0.0f}; ///< Half of the bounds' edges, meters.
     float radius = 0.0f;           ///< A ball around `center` holds everything, meters.
     std::vector<MeshPart> parts;   ///< All triangles, in order.
 };

@@ -29,32 +29,36 @@ Quat plane_frame(const Plane& plane) {
 struct ShapeReader {
     ShapeLayout& layout;
 
-    void operator()(const Sphere& sphere) const { set(ShapeType::sphere, Vec3(sphere.radius), sphere.radius); }
-    void operator()(const Box& box) const { set(ShapeType::box, box.half_extents, glm::length(box.half_extents)); }
+    void operator()(const Sphere& sphere) const {
+        set(ShapeType::sphere, Vec3(sphere.radius), Vec3(sphere.radius), sphere.radius);
+    }
+    void operator()(const Box& box) const { set_box(ShapeType::box, box.half_extents); }
     void operator()(const Plane& plane) const {
         layout.rotation = layout.rotation * plane_frame(plane);
-        if (!plane.half_extents) return set(ShapeType::plane, layout.half_size, 0.0f);
-        const Vec3 half{plane.half_extents->x, 0.0f, plane.half_extents->y};
-        set(ShapeType::rectangle, half, glm::length(half));
+        layout.type = ShapeType::plane;
+        if (plane.half_extents) set_box(ShapeType::rectangle, {plane.half_extents->x, 0.0f, plane.half_extents->y});
     }
     void operator()(const Capsule& capsule) const {
-        const float top = capsule.radius_top.value_or(capsule.radius);
-        set(ShapeType::capsule, {capsule.radius, capsule.half_height, top},
-            capsule.half_height + std::max(capsule.radius, top));
+        const float top = capsule.radius_top.value_or(capsule.radius), wide = std::max(capsule.radius, top);
+        const float reach = capsule.half_height + wide;
+        set(ShapeType::capsule, {capsule.radius, capsule.half_height, top}, {wide, reach, wide}, reach);
     }
     void operator()(const Cylinder& cylinder) const {
-        const float top = cylinder.radius_top.value_or(cylinder.radius);
-        set(ShapeType::cylinder, {cylinder.radius, cylinder.half_height, top},
-            glm::length(glm::vec2(cylinder.half_height, std::max(cylinder.radius, top))));
+        const float top = cylinder.radius_top.value_or(cylinder.radius), wide = std::max(cylinder.radius, top);
+        set(ShapeType::cylinder, {cylinder.radius, cylinder.half_height, top}, {wide, cylinder.half_height, wide},
+            glm::length(glm::vec2(cylinder.half_height, wide)));
     }
-    void operator()(const Hull&) const { set(ShapeType::hull, Vec3(1.0f), 0.0f); }
-    void operator()(const Mesh&) const { set(ShapeType::mesh, Vec3(1.0f), 0.0f); }
-    void operator()(const HeightField&) const { set(ShapeType::height_field, Vec3(1.0f), 0.0f); }
+    // Their bounds come with their meshes.
+    void operator()(const Hull&) const { set(ShapeType::hull, Vec3(1.0f), Vec3(0.0f), 0.0f); }
+    void operator()(const Mesh&) const { set(ShapeType::mesh, Vec3(1.0f), Vec3(0.0f), 0.0f); }
+    void operator()(const HeightField&) const { set(ShapeType::height_field, Vec3(1.0f), Vec3(0.0f), 0.0f); }
 
   private:
-    void set(ShapeType type, const Vec3& half_size, float bound_radius) const {
+    void set_box(ShapeType type, const Vec3& half) const { set(type, half, half, glm::length(half)); }
+    void set(ShapeType type, const Vec3& half_size, const Vec3& bound_extent, float bound_radius) const {
         layout.type = type;
         layout.half_size = half_size;
+        layout.bound_extent = bound_extent;
         layout.bound_radius = bound_radius;
     }
 };
@@ -72,6 +76,7 @@ class MeshList {
         if (!mesh) return;
         shape.mesh = add(mesh);
         shape.bound_center = mesh->center;
+        shape.bound_extent = mesh->extent;
         shape.bound_radius = mesh->radius;
     }
 
@@ -103,6 +108,7 @@ ShapeLayout read_shape(const World& world, ShapeId id, std::size_t body) {
     layout.body = body;
     layout.position = def.position;
     layout.rotation = glm::normalize(def.rotation);
+    layout.is_trigger = def.is_trigger;
     std::visit(ShapeReader{layout}, world.shape(id));
     return layout;
 }

@@ -25,10 +25,14 @@ struct ShapeLayout {
     /// Meters. Planes lie in their own xz, with their normal along y. Capsules and cylinders: lower radius, half
     /// height, upper radius. Shapes with a mesh of their own: factors of its coordinates.
     Vec3 half_size{0.5f, 0.5f, 0.5f};
-    std::optional<Vec3> color;           ///< From the scene, linear.
-    std::optional<std::size_t> mesh;     ///< Index into `WorldLayout::meshes`.
+    std::optional<Vec3> color;       ///< From the scene, linear.
+    std::optional<std::size_t> mesh; ///< Index into `WorldLayout::meshes`.
+    bool is_trigger = false;
     Vec3 bound_center{0.0f, 0.0f, 0.0f}; ///< A ball around the shape, in the shape's frame ...
     float bound_radius = 0.0f;           ///< ... meters; infinite planes have none.
+    Vec3 bound_extent{0.0f, 0.0f, 0.0f}; ///< Half the edges of a box around `bound_center` that holds it, meters.
+};                                       ///< A ball around the shape, in the shape's frame ...
+float bound_radius = 0.0f;               ///< ... meters; infinite planes have none.
 };
 
 struct BodyLayout {

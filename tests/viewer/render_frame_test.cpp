@@ -4,6 +4,7 @@
 
 #include "test_scene.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
@@ -135,6 +136,28 @@ TEST(RenderFrame, VisualsStandForTheShapesOfTheirBodies) {
 
     scene.world.destroy_body(body); // takes its visual along
     EXPECT_EQ(make_frame(scene.world, {}, scene.camera, {}, meshes, visuals).meshes[0].instances.size(), 1u);
+}
+
+TEST(RenderFrame, TriggersAreOutlinesAndNothingSolid) {
+    World world;
+    ShapeDef trigger;
+    trigger.is_trigger = true;
+    trigger.position = {1.0f, 0.0f, 0.0f};
+    const BodyId gate = world.create_body(test::static_body());
+    world.add_shape(gate, Box{{0.5f, 2.0f, 3.0f}}, trigger);
+    const RenderFrame frame = make_frame(world, {}, CameraPose{});
+    EXPECT_TRUE(frame.boxes.empty());
+    ASSERT_EQ(frame.lines.size(), 12u); // the edges of a box
+    float length = 0.0f;
+    Vec3 least(1e9f), greatest(-1e9f);
+    for (const Line& line : frame.lines) {
+        length += glm::distance(line.from, line.to);
+        least = glm::min(least, glm::min(line.from, line.to));
+        greatest = glm::max(greatest, glm::max(line.from, line.to));
+    }
+    EXPECT_NEAR(length, 4.0f * (1.0f + 4.0f + 6.0f), 1e-4f);
+    EXPECT_LT(glm::distance(least + Vec3(frame.origin), Vec3(0.5f, -2.0f, -3.0f)), 1e-5f);
+    EXPECT_LT(glm::distance(greatest + Vec3(frame.origin), Vec3(1.5f, 2.0f, 3.0f)), 1e-5f);
 }
 
 TEST(RenderFrame, EveryKindOfShapeHasAColorOfItsOwn) {
