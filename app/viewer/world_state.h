@@ -31,8 +31,6 @@ struct ShapeLayout {
     Vec3 bound_center{0.0f, 0.0f, 0.0f}; ///< A ball around the shape, in the shape's frame ...
     float bound_radius = 0.0f;           ///< ... meters; infinite planes have none.
     Vec3 bound_extent{0.0f, 0.0f, 0.0f}; ///< Half the edges of a box around `bound_center` that holds it, meters.
-};                                       ///< A ball around the shape, in the shape's frame ...
-float bound_radius = 0.0f;               ///< ... meters; infinite planes have none.
 };
 
 struct BodyLayout {
