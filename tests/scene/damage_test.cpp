@@ -232,8 +232,9 @@ TEST(SceneDamage, SmallFilesCannotAskForEndlessMemory) {
     parts.mesh(0, -1, R"(,"mode":6)");
     parts.nodes = R"({"mesh":0})";
     for (int i = 1; i <= 1000; ++i) {
-        parts.nodes += R"(,{"mesh":0,"scale":[1,1,)" + std::to_string(i) + "]}";
-        parts.roots += "," + std::to_string(i);
+        const std::string number = std::to_string(i);
+        parts.nodes.append(R"(,{"mesh":0,"scale":[1,1,)").append(number).append("]}");
+        parts.roots.append(",").append(number);
     }
     try {
         load_text(parts.text());
@@ -247,8 +248,8 @@ TEST(SceneDamage, SmallFilesCannotAskForEndlessMemory) {
 
 TEST(SceneDamage, OddTexts) {
     const std::string whole = document({});
-    EXPECT_TRUE(survives("\xEF\xBB\xBF" + whole)); // a byte order mark
-    EXPECT_FALSE(survives("\xFE\xFF" + whole));
+    EXPECT_TRUE(survives(std::string("\xEF\xBB\xBF").append(whole))); // a byte order mark
+    EXPECT_FALSE(survives(std::string("\xFE\xFF").append(whole)));
     EXPECT_FALSE(survives(whole + std::string(1, '\0')));
     EXPECT_FALSE(survives(std::string(100, '\0')));
     EXPECT_FALSE(survives("{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"name\":\"\xC3\x28\"}]}"));
