@@ -225,6 +225,8 @@ class Builder {
         const std::optional<MassProperties> mass = read_mass(motion, body, world.scale);
         try {
             if (mass) body.set_mass_properties(*mass);
+            // Every shape moved the center of mass, and with it the origin by a rounding error.
+            if (body.position() != world.translation) body.set_position(world.translation);
             if (linear) body.set_linear_velocity(turned(world.rotation, *linear));
             if (angular) body.set_angular_velocity(turned(world.rotation, *angular));
         } catch (const Error& error) {

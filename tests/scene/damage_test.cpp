@@ -158,7 +158,7 @@ TEST(SceneDamage, CountsAndOffsetsThatLie) {
                    "the 2 nodes, got 2");
     expect_refused(";base64,", ";base32,",
                    "buffers[0].uri: must be a data URI in base64, got "
-                   "\"data:application/octet-stream;base32,AAAAAAAAAAAAAAAAAAAAAIA\"...");
+                   "\"data:application/octet-stream;base32,AAAAAAAAAAAAAAAAAACAPwA\"...");
 }
 
 TEST(SceneDamage, IndicesBeyondTheVertices) {
@@ -251,6 +251,7 @@ TEST(SceneDamage, OddTexts) {
     EXPECT_TRUE(survives(std::string("\xEF\xBB\xBF").append(whole))); // a byte order mark
     EXPECT_FALSE(survives(std::string("\xFE\xFF").append(whole)));
     EXPECT_FALSE(survives(whole + std::string(1, '\0')));
+    EXPECT_FALSE(survives(whole + std::string("\0 ", 2)));
     EXPECT_FALSE(survives(std::string(100, '\0')));
     EXPECT_FALSE(survives("{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"name\":\"\xC3\x28\"}]}"));
     EXPECT_FALSE(survives(std::string(10'000'000, '7')));
