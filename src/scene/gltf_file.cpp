@@ -142,7 +142,13 @@ GltfFile parse_gltf(std::span<const std::byte> bytes, const std::string& file) {
     if (bytes.empty()) fail(file, "is empty");
     Container parts{bytes, std::nullopt};
     if (bytes.size() >= 4 && little_endian_word(bytes, 0) == glb_magic) parts = open_container(bytes, file);
-    const std::string_view text(reinterpret_cast<const char*>(parts.json.data()), parts.json.size());
+    std::string_view text(reinterpret_cast<const char*>(parts.json.data()), parts.json.size());
+    // Chunks are filled up with blanks, or against the rules with zeros. Elsewhere a zero ends what the parser sees.
+    const bool is_container = parts.json.size() != bytes.size();
+    while (is_container && !text.empty() && text.back() == '\0') text.remove_suffix(1);
+    if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
+        fail(file, "is not valid JSON: has a zero byte at " + std::to_string(zero));
+    }
     if (is_deeper_than(text, max_json_depth)) {
         fail(file, "is nested more than " + std::to_string(max_json_depth) + " levels deep");
     }

@@ -20,6 +20,7 @@ class JointTable {
   public:
     explicit JointTable(const Value& document); // reads and checks all entries
     const JointRules& rules(const Value& index) const;
+    bool empty() const { return rules_.empty(); }
 
   private:
     std::optional<Value> entries_;

@@ -66,7 +66,7 @@ class Builder {
         for (const ForceField& field : scene_.info.force_fields) {
             scene_.force_fields.push_back(scene_.world.add_force_field(field));
         }
-        joint_frames_.resize(graph_.children.size());
+        if (!joints_.empty()) joint_frames_.resize(graph_.children.size());
         for (const std::size_t root : graph_.roots) visit(root, {});
         for (const std::size_t node : joint_nodes_) add_joint(node);
         if (!scene_.joints.empty()) {
@@ -151,10 +151,12 @@ class Builder {
         return true;
     }
 
+    // Where a joint could be fixed to this node, if the file has any joints.
     void note_joint(std::size_t index, const std::optional<Value>& physics, const Place& place) {
+        if (physics && physics->find("joint")) joint_nodes_.push_back(index);
+        if (joints_.empty()) return;
         const bool moves = place.body && scene_.world.body(*place.body).type() != BodyType::static_;
         joint_frames_[index] = moves ? JointFrame{place.body, place.in_body} : JointFrame{std::nullopt, place.world};
-        if (physics && physics->find("joint")) joint_nodes_.push_back(index);
     }
 
     void add_joint(std::size_t index) {
@@ -223,6 +225,8 @@ class Builder {
         const std::optional<MassProperties> mass = read_mass(motion, body, world.scale);
         try {
             if (mass) body.set_mass_properties(*mass);
+            // Every shape moved the center of mass, and with it the origin by a rounding error.
+            if (body.position() != world.translation) body.set_position(world.translation);
             if (linear) body.set_linear_velocity(turned(world.rotation, *linear));
             if (angular) body.set_angular_velocity(turned(world.rotation, *angular));
         } catch (const Error& error) {

@@ -55,7 +55,7 @@ TEST(SceneColumns, ATipBelowIsTurnedUp) {
     // A ray from above meets the base at y = 1, far from the axis.
     const auto hit = scene.world.cast_ray({0.9, 5, 0}, {0, -1, 0}, 10);
     ASSERT_TRUE(hit.has_value());
-    EXPECT_NEAR(hit->position.y, 1.0, 1e-6);
+    EXPECT_NEAR(hit->point.y, 1.0, 1e-6);
 }
 
 TEST(SceneColumns, UnevenScalesKeepThemRoundAndWarn) {
