@@ -157,16 +157,26 @@ class World {
     std::vector<Contact> contacts() const;            ///< All touching pairs.
     std::vector<Contact> contacts(BodyId body) const; ///< Those of one body.
 
-    // --- queries
+    // --- queries; `layers`: which shapes they see (query.h)
     /// The nearest shape that the ray meets within `max_distance`. `direction` need not be unit length. A ray
     /// that starts inside a shape does not meet that shape's surface from within, except planes' solid side.
-    std::optional<RayHit> cast_ray(const Position& origin, const Vec3& direction, double max_distance) const;
+    std::optional<RayHit> cast_ray(const Position& origin, const Vec3& direction, double max_distance,
+                                   std::uint64_t layers = all_layers) const;
     /// Every shape that the ray meets, nearest first.
-    std::vector<RayHit> cast_ray_all(const Position& origin, const Vec3& direction, double max_distance) const;
+    std::vector<RayHit> cast_ray_all(const Position& origin, const Vec3& direction, double max_distance,
+                                     std::uint64_t layers = all_layers) const;
+    /// The first shape that the given convex one meets when it moves by `way` (meters) from `start` without turning.
+    /// Planes, meshes and height fields are met from outside only, and cannot be cast themselves (invalid_value).
+    std::optional<ShapeCastHit> cast_shape(const Shape& shape, const Transform& start, const Vec3& way,
+                                           std::uint64_t layers = all_layers) const;
+    /// The shape nearest to a point, up to `max_distance` (meters, >= 0) away. What is below a plane is inside it;
+    /// meshes and height fields have no inside.
+    std::optional<ClosestPoint> closest_point(const Position& point, double max_distance,
+                                              std::uint64_t layers = all_layers) const;
     /// Shapes that overlap the given shape posed in the world, in order of slot index.
-    std::vector<ShapeId> overlap(const Shape& shape, const Transform& pose) const;
+    std::vector<ShapeId> overlap(const Shape& shape, const Transform& pose, std::uint64_t layers = all_layers) const;
     /// Shapes whose tight bounds overlap the box, in order of slot index.
-    std::vector<ShapeId> overlap_bounds(const Bounds& bounds) const;
+    std::vector<ShapeId> overlap_bounds(const Bounds& bounds, std::uint64_t layers = all_layers) const;
 
     // --- bulk reads, for renderers and bindings
     /// Writes the transform of each body of `ids`; `out` must have the same size.

@@ -45,6 +45,12 @@ inline void require_slot(const SlotPool& pool, const char* what) {
 // Takes a shape out of the world; its body still lists it.
 void retire_shape(State& state, std::uint32_t shape);
 
+// Whether a query of those layers sees the shape.
+inline bool is_seen(const State& s, std::uint32_t shape, std::uint64_t layers) {
+    const ShapeTraits& traits = s.shape_traits[shape];
+    return !traits.is_trigger && (layers == all_layers || (traits.filter.layers & layers) != 0);
+}
+
 inline math::Vec3 to_math(const Vec3& v) { return {v.x, v.y, v.z}; }
 inline math::DVec3 to_math(const Position& v) { return {v.x, v.y, v.z}; }
 inline math::Quat to_math(const Quat& q) { return {q.x, q.y, q.z, q.w}; }

@@ -82,12 +82,14 @@ bool shapes_overlap(const PosedShape& a, const PosedShape& b) {
 
 } // namespace
 
-std::optional<RayHit> World::cast_ray(const Position& origin, const Vec3& direction, double max_distance) const {
+std::optional<RayHit> World::cast_ray(const Position& origin, const Vec3& direction, double max_distance,
+                                      std::uint64_t layers) const {
     const Ray ray = checked_ray(origin, direction, max_distance);
     const State& s = impl_->state;
     std::optional<ShapeRayHit> best;
     std::uint32_t best_shape = 0;
     s.broad_phase.query_ray(ray.origin, ray.direction, ray.max_distance, [&](std::uint32_t shape, double max) {
+        if (!is_seen(s, shape, layers)) return max;
         const auto hit = cast_at_shape(s, shape, ray, max);
         // Of two at the same distance the one with the lower index counts, in whatever order they come.
         if (!hit || (best && hit->distance == best->distance && shape > best_shape)) return max;
@@ -99,11 +101,13 @@ std::optional<RayHit> World::cast_ray(const Position& origin, const Vec3& direct
     return to_hit(s, best_shape, ray, *best);
 }
 
-std::vector<RayHit> World::cast_ray_all(const Position& origin, const Vec3& direction, double max_distance) const {
+std::vector<RayHit> World::cast_ray_all(const Position& origin, const Vec3& direction, double max_distance,
+                                        std::uint64_t layers) const {
     const Ray ray = checked_ray(origin, direction, max_distance);
     const State& s = impl_->state;
     std::vector<RayHit> hits;
     s.broad_phase.query_ray(ray.origin, ray.direction, ray.max_distance, [&](std::uint32_t shape, double max) {
+        if (!is_seen(s, shape, layers)) return max;
         if (const auto hit = cast_at_shape(s, shape, ray, ray.max_distance))
             hits.push_back(to_hit(s, shape, ray, *hit));
         return max;
@@ -114,7 +118,7 @@ std::vector<RayHit> World::cast_ray_all(const Position& origin, const Vec3& dire
     return hits;
 }
 
-std::vector<ShapeId> World::overlap(const Shape& shape, const Transform& pose) const {
+std::vector<ShapeId> World::overlap(const Shape& shape, const Transform& pose, std::uint64_t layers) const {
     validate(shape);
     require_position("World::overlap pose.position", pose.position);
     const Quat rotation = checked_rotation("World::overlap pose.rotation", pose.rotation);
@@ -126,7 +130,7 @@ std::vector<ShapeId> World::overlap(const Shape& shape, const Transform& pose) c
     const State& s = impl_->state;
     std::vector<ShapeId> found;
     s.broad_phase.query_bounds(bounds, [&](std::uint32_t other) {
-        if (bounds_overlap(bounds, cairn::shape_bounds(s, other)) &&
+        if (is_seen(s, other, layers) && bounds_overlap(bounds, cairn::shape_bounds(s, other)) &&
             shapes_overlap({g, data, query}, posed_shape(s, other)))
             found.push_back(s.shape_id(other));
     });
@@ -134,7 +138,7 @@ std::vector<ShapeId> World::overlap(const Shape& shape, const Transform& pose) c
     return found;
 }
 
-std::vector<ShapeId> World::overlap_bounds(const Bounds& bounds) const {
+std::vector<ShapeId> World::overlap_bounds(const Bounds& bounds, std::uint64_t layers) const {
     for (int i = 0; i < 3; ++i)
         if (std::isnan(bounds.min[i]) || std::isnan(bounds.max[i]))
             refuse("World::overlap_bounds bounds", to_text(bounds.min), "must not be NaN");
@@ -143,7 +147,8 @@ std::vector<ShapeId> World::overlap_bounds(const Bounds& bounds) const {
     std::vector<ShapeId> found;
     if (box.lo.x > box.hi.x || box.lo.y > box.hi.y || box.lo.z > box.hi.z) return found;
     s.broad_phase.query_bounds(box, [&](std::uint32_t other) {
-        if (bounds_overlap(box, cairn::shape_bounds(s, other))) found.push_back(s.shape_id(other));
+        if (is_seen(s, other, layers) && bounds_overlap(box, cairn::shape_bounds(s, other)))
+            found.push_back(s.shape_id(other));
     });
     std::sort(found.begin(), found.end(), [](ShapeId a, ShapeId b) { return a.index() < b.index(); });
     return found;

@@ -1,0 +1,186 @@
+// Shape casts and closest points.
+#include "dynamics/bodies.h"
+#include "shapes/convex_query.h"
+#include "world/impl.h"
+#include "world/validate.h"
+
+#include <algorithm>
+
+namespace cairn {
+
+using math::DVec3;
+
+namespace {
+
+// A shape of the world in the frame of a query: axes of the world, origin where the query starts.
+struct PosedInQuery {
+    const Geometry& geometry;
+    const ShapeData& data;
+    DVec3 center;
+    math::DQuat rotation;
+
+    PosedInQuery(const State& s, std::uint32_t shape, DVec3 origin)
+        : geometry(s.geometry[shape]), data(s.shape_data[shape]), center(shape_position(s.shape_poses[shape]) - origin),
+          rotation(math::normalized(math::to_double(shape_rotation(s.shape_poses[shape])))) {}
+    DVec3 up() const { return math::rotate(rotation, DVec3{0, 1, 0}); }
+};
+
+// f(triangle as a convex) for those of a mesh or height field that meet the box, in the query's frame.
+template <class F> void for_each_triangle_near(const PosedInQuery& surface, DVec3 lo, DVec3 hi, F&& f) {
+    const math::DMat3 axes = math::to_matrix(surface.rotation);
+    const DVec3 middle = 0.5 * (lo + hi) - surface.center, half = 0.5 * (hi - lo);
+    math::Vec3 local_lo, local_hi;
+    for (int i = 0; i < 3; ++i) {
+        const DVec3 axis = axes.column(i), along = math::abs(axis);
+        const double center = math::dot(axis, middle), reach = math::dot(along, half);
+        const double slack = 1e-6 * (std::fabs(center) + reach);
+        local_lo[i] = float(std::max(center - reach - slack, -1e30));
+        local_hi[i] = float(std::min(center + reach + slack, 1e30));
+    }
+    const auto corner = [&](math::Vec3 v) { return surface.center + axes * math::to_double(v); };
+    const auto visit = [&](const auto& data) {
+        for_each_triangle(data, local_lo, local_hi, [&](std::uint32_t index) {
+            const Triangle t = triangle_of(data, index);
+            f(make_triangle(corner(t.a), corner(t.b), corner(t.c)));
+        });
+    };
+    if (surface.geometry.type == ShapeType::mesh)
+        visit(mesh_of(surface.data));
+    else
+        visit(height_field_of(surface.data));
+}
+
+// The first hit of a shape that starts at the query's origin.
+class ShapeCast {
+  public:
+    ShapeCast(const Convex& moving, DVec3 way) : moving_(moving), way_(way) {
+        for (int i = 0; i < 3; ++i) {
+            DVec3 axis;
+            axis[i] = 1;
+            const double low = support(moving, -axis)[i], high = support(moving, axis)[i];
+            lo_[i] = low + std::min(way[i], 0.0), hi_[i] = high + std::max(way[i], 0.0);
+        }
+    }
+    DVec3 lo() const { return lo_; }
+    DVec3 hi() const { return hi_; }
+
+    std::optional<ConvexHit> against(const PosedInQuery& still) const {
+        switch (still.geometry.type) {
+        case ShapeType::plane:
+            return against_plane(still.up(), still.center);
+        case ShapeType::rectangle:
+            if (!(math::dot(way_, still.up()) < 0)) return std::nullopt; // one-sided
+            break;
+        case ShapeType::mesh:
+        case ShapeType::height_field: {
+            std::optional<ConvexHit> best;
+            for_each_triangle_near(still, lo_, hi_, [&](const Convex& triangle) {
+                if (!(math::dot(way_, triangle.axes.c1) < 0)) return;
+                const auto hit = cast_convex(moving_, way_, triangle);
+                if (hit && (!best || hit->fraction < best->fraction)) best = hit;
+            });
+            return best;
+        }
+        default:
+            break;
+        }
+        return cast_convex(moving_, way_, make_convex(still.geometry, still.data, still.center, still.rotation));
+    }
+
+  private:
+    std::optional<ConvexHit> against_plane(DVec3 up, DVec3 origin) const {
+        const DVec3 lowest = support(moving_, -up);
+        const double height = math::dot(lowest - origin, up), fall = -math::dot(way_, up);
+        if (height > 0 && !(fall >= height)) return std::nullopt;
+        if (height == 0 && !(fall > 0)) return std::nullopt;
+        const double fraction = height > 0 ? height / fall : 0;
+        return ConvexHit{fraction, lowest + fraction * way_, up};
+    }
+
+    const Convex& moving_;
+    DVec3 way_, lo_, hi_;
+};
+
+// The point of a shape nearest to the query's origin, if nearer than `least`.
+struct Nearest {
+    DVec3 point;
+    double distance;
+};
+std::optional<Nearest> nearest_of(const PosedInQuery& shape, double least) {
+    const auto of_convex = [](const Convex& c) -> Nearest {
+        Convex point; // a ball without radius
+        const ClosestPoints closest = closest_points(point, c);
+        return closest.distance > 0 ? Nearest{closest.on_b, closest.distance} : Nearest{{}, 0};
+    };
+    std::optional<Nearest> best;
+    const auto consider = [&](const Nearest& n) {
+        if (n.distance <= (best ? best->distance : least)) best = n;
+    };
+    if (shape.geometry.type == ShapeType::plane) {
+        const DVec3 up = shape.up();
+        const double height = -math::dot(shape.center, up);
+        consider(height > 0 ? Nearest{-height * up, height} : Nearest{{}, 0});
+    } else if (shape.geometry.type >= ShapeType::mesh) {
+        const DVec3 reach{least, least, least};
+        for_each_triangle_near(shape, -reach, reach, [&](const Convex& triangle) {
+            const Nearest n = of_convex(triangle);
+            if (!best || n.distance < best->distance) consider(n);
+        });
+    } else {
+        consider(of_convex(make_convex(shape.geometry, shape.data, shape.center, shape.rotation)));
+    }
+    return best;
+}
+
+} // namespace
+
+std::optional<ShapeCastHit> World::cast_shape(const Shape& shape, const Transform& start, const Vec3& way,
+                                              std::uint64_t layers) const {
+    validate(shape);
+    require_position("World::cast_shape start.position", start.position);
+    const Quat rotation = checked_rotation("World::cast_shape start.rotation", start.rotation);
+    require_finite("World::cast_shape way", way);
+    const Geometry g = make_geometry(shape, {Position(0.0), rotation});
+    if (is_surface(g.type)) refuse("World::cast_shape shape", shape_name(shape), "must be a convex shape");
+    const ShapeData data = make_shape_data(shape);
+    const DVec3 origin = to_math(start.position);
+    const Convex moving = make_convex(g, data, {}, math::normalized(math::to_double(g.rotation)));
+    const ShapeCast cast(moving, math::to_double(to_math(way)));
+    const State& s = impl_->state;
+    std::optional<ConvexHit> best;
+    std::uint32_t met = 0;
+    s.broad_phase.query_bounds({origin + cast.lo(), origin + cast.hi()}, [&](std::uint32_t other) {
+        if (!is_seen(s, other, layers)) return;
+        const auto hit = cast.against(PosedInQuery(s, other, origin));
+        if (!hit || (best && (hit->fraction > best->fraction || (hit->fraction == best->fraction && other > met))))
+            return;
+        best = hit;
+        met = other;
+    });
+    if (!best) return std::nullopt;
+    return ShapeCastHit{s.shape_id(met), s.body_id(s.shapes[met].body), best->fraction, to_public(origin + best->point),
+                        to_public(math::to_float(best->normal))};
+}
+
+std::optional<ClosestPoint> World::closest_point(const Position& point, double max_distance,
+                                                 std::uint64_t layers) const {
+    require_position("World::closest_point point", point);
+    if (!(max_distance >= 0)) refuse("World::closest_point max_distance", to_text(max_distance), "must be >= 0");
+    const double most = std::min(max_distance, 1e15); // as far as positions reach
+    const DVec3 origin = to_math(point), reach{most, most, most};
+    const State& s = impl_->state;
+    std::optional<Nearest> best;
+    std::uint32_t nearest = 0;
+    s.broad_phase.query_bounds({origin - reach, origin + reach}, [&](std::uint32_t other) {
+        if (!is_seen(s, other, layers)) return;
+        const auto found = nearest_of(PosedInQuery(s, other, origin), best ? best->distance : most);
+        if (!found || (best && found->distance == best->distance && other > nearest)) return;
+        best = found;
+        nearest = other;
+    });
+    if (!best) return std::nullopt;
+    return ClosestPoint{s.shape_id(nearest), s.body_id(s.shapes[nearest].body), to_public(origin + best->point),
+                        best->distance};
+}
+
+} // namespace cairn
