@@ -11,7 +11,7 @@ namespace cairn::scene {
 namespace {
 
 // glTF 2.0, section 3.7.2.1.
-constexpr std::uint64_t mode_triangles = 4, mode_strip = 5, mode_fan = 6;
+constexpr std::uint64_t mode_triangles = 4, mode_strip = 5; // and 6, a fan
 
 // Every strip and fan as single triangles, wound as the format says.
 std::vector<std::uint32_t> single_triangles(const std::vector<std::uint32_t>& indices, std::uint64_t mode,
@@ -24,10 +24,10 @@ std::vector<std::uint32_t> single_triangles(const std::vector<std::uint32_t>& in
     }
     std::vector<std::uint32_t> result;
     for (std::size_t i = 0; i + 2 < indices.size(); ++i) {
-        if (mode == mode_fan) {
-            result.insert(result.end(), {indices[i + 1], indices[i + 2], indices[0]});
-        } else {
+        if (mode == mode_strip) {
             result.insert(result.end(), {indices[i], indices[i + 1 + i % 2], indices[i + 2 - i % 2]});
+        } else {
+            result.insert(result.end(), {indices[i + 1], indices[i + 2], indices[0]});
         }
     }
     return result;

@@ -92,6 +92,15 @@ TEST_F(KhrSamples, AllLoadAndRunForASecond) {
     }
 }
 
+TEST_F(KhrSamples, ListsCountTheBodiesThatLoadingMakes) {
+    for (const fs::path& file : files_) {
+        for (const scene::SceneEntry& entry : scene::list_scenes(file.parent_path())) {
+            if (entry.path != file) continue;
+            EXPECT_EQ(entry.bodies, scene::load(file).world.bodies().size()) << file;
+        }
+    }
+}
+
 TEST_F(KhrSamples, AreTheSameAfterBeingSaved) {
     for (const fs::path& file : files_) {
         SCOPED_TRACE(file.filename().string());
