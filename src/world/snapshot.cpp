@@ -2,6 +2,7 @@
 #include "core/archive.h"
 #include "core/hash.h"
 #include "world/impl.h"
+#include "world/validate.h"
 
 namespace cairn {
 
@@ -52,6 +53,7 @@ void World::Impl::set_shapes(const std::vector<Shape>& shapes) {
         return Error(ErrorCode::invalid_file, "Snapshot.shapes", "", "are not those of its bytes");
     };
     if (shapes.size() != s.geometry.size()) throw damaged();
+    for (const Shape& shape : shapes) validate(shape);
     for (std::size_t i = 0; i < shapes.size(); ++i)
         if (s.shape_slots.is_live(std::uint32_t(i)) && make_geometry(shapes[i], {}).type != s.geometry[i].type)
             throw damaged();

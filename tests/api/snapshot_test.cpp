@@ -172,7 +172,7 @@ struct Damage : testing::Test {
 
 TEST_F(Damage, CutOffAtEveryByteIsRefused) {
     for (std::size_t size = 0; size < good.bytes.size(); ++size) {
-        const Snapshot cut{{good.bytes.begin(), good.bytes.begin() + std::ptrdiff_t(size)}};
+        const Snapshot cut{{good.bytes.begin(), good.bytes.begin() + std::ptrdiff_t(size)}, good.shapes};
         ASSERT_TRUE(is_refused(target, cut, hash)) << "cut to " << size << " of " << good.bytes.size();
     }
 }
@@ -200,14 +200,46 @@ TEST_F(Damage, WhatIsAddedOrForeignIsRefused) {
     longer.bytes.push_back(std::byte{0});
     EXPECT_TRUE(is_refused(target, longer, hash));
     EXPECT_TRUE(is_refused(target, Snapshot{}, hash));
-    EXPECT_TRUE(is_refused(target, Snapshot{std::vector<std::byte>(1000, std::byte{0})}, hash));
-    EXPECT_EQ(refusal([&] { target.restore(Snapshot{std::vector<std::byte>(1000, std::byte{7})}); }),
+    EXPECT_TRUE(is_refused(target, Snapshot{std::vector<std::byte>(1000, std::byte{0}), {}}, hash));
+    EXPECT_EQ(refusal([&] {
+                  target.restore(Snapshot{std::vector<std::byte>(1000, std::byte{7}), {}});
+              }),
               "invalid_file | Snapshot | Snapshot: does not begin as a snapshot does");
     Snapshot other_build = good;
     other_build.bytes[8] ^= std::byte{1};
     EXPECT_EQ(refusal([&] { target.restore(other_build); }),
               "unsupported | Snapshot | Snapshot: was saved by another build of this library");
+    Snapshot other_shapes = good;
+    other_shapes.shapes.clear();
+    EXPECT_EQ(refusal([&] { target.restore(other_shapes); }),
+              "invalid_file | Snapshot.shapes | Snapshot.shapes: are not those of its bytes");
+    other_shapes = good;
+    for (Shape& shape : other_shapes.shapes) shape = Capsule{};
+    EXPECT_TRUE(is_refused(target, other_shapes, hash));
     EXPECT_TRUE(stays_sane(target, 30));
+}
+
+// Hulls, meshes and height fields come back with the world that had them, also into another world.
+TEST(Snapshots, SharedShapesComeBack) {
+    const std::vector<Vec3> points = {{-1, -1, -1}, {1, -1, -1}, {0, 1, 0}, {0, -1, 1}};
+    const std::vector<Vec3> square = {{-9, 0, -9}, {9, 0, -9}, {-9, 0, 9}, {9, 0, 9}};
+    const std::vector<std::uint32_t> triangles = {0, 2, 3, 0, 3, 1};
+    World world;
+    add_body(world, body_at({0, 0, 0}, BodyType::static_), Mesh(square, triangles));
+    add_body(world, body_at({30, 0, 0}, BodyType::static_), HeightField(3, 3, {5, 5}, std::vector<float>(9, 0.0f)));
+    for (const double x : {0.0, 30.0}) {
+        add_body(world, body_at({x, 3, 0}), Hull(points));
+        add_body(world, body_at({x + 2, 3, 0}), cone(0.5f, 0.5f));
+    }
+    run(world, 45);
+    const Snapshot snapshot = world.save();
+    World other;
+    other.restore(snapshot);
+    run(world, 120);
+    run(other, 120);
+    EXPECT_EQ(world.state_hash(), other.state_hash());
+    EXPECT_GT(other.contacts().size(), 3u);
+    EXPECT_TRUE(stays_sane(other, 30));
 }
 
 } // namespace

@@ -77,7 +77,9 @@ TEST(Shapes, EveryShapeRestsOnEveryGround) {
             EXPECT_LT(deepest_overlap(world), 0.002) << what;
             EXPECT_LT(glm::length(body.linear_velocity()), 0.02) << what;
             const Vec3 up = body.rotation() * Vec3(0, 1, 0), was = mover.rotation * Vec3(0, 1, 0);
-            if (!std::holds_alternative<Sphere>(mover.shape)) EXPECT_GT(glm::dot(up, was), 0.995f) << what;
+            if (!std::holds_alternative<Sphere>(mover.shape)) {
+                EXPECT_GT(glm::dot(up, was), 0.995f) << what;
+            }
         }
     }
 }
