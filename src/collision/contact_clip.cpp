@@ -128,13 +128,19 @@ void polygon_points(const Feature& reference, const Feature& incident, ContactPo
     }
 }
 
-// A disc seen as a polygon; its corners are where another disc has its four points.
-void disc_polygon(const Feature& disc, DVec3 u, Feature& out) {
+// A disc leans when one side of its rim is lower than its center by this.
+double lean(double extent) { return 0.5 * flat_contact_part * extent; }
+
+// A disc seen as a polygon that has its lowest point over the reference disc as a corner, or if it does not lean, the
+// four points of that.
+void disc_polygon(const Feature& disc, const Feature& reference, double extent, Feature& out) {
     constexpr double half = 0.70710678118654752, c = 0.92387953251128676, s = 0.38268343236508977;
     constexpr double circle[16][2] = {{1, 0},        {c, s},  {half, half},  {s, c},   {0, 1},         {-s, c},
                                       {-half, half}, {-c, s}, {-1, 0},       {-c, -s}, {-half, -half}, {-s, -c},
                                       {0, -1},       {s, -c}, {half, -half}, {c, -s}};
-    const DVec3 e1 = unit_or(u - dot(u, disc.normal) * disc.normal, disc.u), e2 = math::cross(disc.normal, e1);
+    DVec3 u = reference.normal - dot(reference.normal, disc.normal) * disc.normal;
+    if (!(math::length(u) * disc.radius > lean(extent))) u = reference.u - dot(reference.u, disc.normal) * disc.normal;
+    const DVec3 e1 = unit_or(u, disc.u), e2 = math::cross(disc.normal, e1);
     out.kind = Feature::Kind::polygon;
     out.index = disc.index;
     out.normal = disc.normal;
@@ -186,7 +192,7 @@ class DiscPoints {
         const double z0 = dot(other_.points[0] - disc_.center, other_.normal) / facing;
         const double gx = -dot(disc_.u, other_.normal) / facing, gy = -dot(disc_.v, other_.normal) / facing;
         const double slope = std::sqrt(gx * gx + gy * gy);
-        const bool leans = slope * disc_.radius > 0.5 * flat_contact_part * extent_;
+        const bool leans = slope * disc_.radius > lean(extent_);
         double x = -gx, y = -gy;
         if (!leans) x = corners_[1].x - corners_[0].x, y = corners_[1].y - corners_[0].y;
         const double length = std::sqrt(x * x + y * y);
@@ -232,7 +238,7 @@ void face_points(const Feature& reference, const Feature& incident, double exten
     using Kind = Feature::Kind;
     if (reference.kind == Kind::disc) {
         Feature polygon;
-        if (incident.kind == Kind::disc) disc_polygon(incident, reference.u, polygon);
+        if (incident.kind == Kind::disc) disc_polygon(incident, reference, extent, polygon);
         const Feature& other = incident.kind == Kind::disc ? polygon : incident;
         DiscPoints(reference, other, reference.normal, extent, out).find();
     } else if (incident.kind == Kind::disc) {
@@ -242,7 +248,7 @@ void face_points(const Feature& reference, const Feature& incident, double exten
     }
 }
 
-void edge_points(const Feature& first, const Feature& second, DVec3 n, double separation, ContactPoints& out) {
+double edge_points(const Feature& first, const Feature& second, DVec3 n, double separation, ContactPoints& out) {
     constexpr double parallel = 1e-2;
     const bool is_a = first.kind == Feature::Kind::segment, is_b = second.kind == Feature::Kind::segment;
     const std::uint32_t base = (first.index * 64 + second.index) << 17;
@@ -251,7 +257,8 @@ void edge_points(const Feature& first, const Feature& second, DVec3 n, double se
     const double aa = dot(da, da), bb = dot(db, db), ab = dot(da, db);
     const DVec3 w = b - a;
     if (is_a && is_b && aa * bb - ab * ab < parallel * parallel * aa * bb) {
-        // Side by side: the part of the first that the second covers.
+        // Side by side: the part of the first that the second covers. All points are exactly under the second, for
+        // seams.
         const double t0 = dot(w, da) / aa, t1 = t0 + ab / aa;
         const double start = std::max(0.0, std::min(t0, t1)), end = std::min(1.0, std::max(t0, t1));
         if (start < end) {
@@ -259,9 +266,9 @@ void edge_points(const Feature& first, const Feature& second, DVec3 n, double se
                 const double t = k == 0 ? start : end, s = (t - t0) / (t1 - t0);
                 const DVec3 p = a + t * da, q = b + s * db;
                 const double gap = dot(q - p, n);
-                out.add({p + (0.5 * gap) * n, gap, base + 1 + static_cast<std::uint32_t>(k)});
+                out.add({q - (0.5 * gap) * n, gap, base + 1 + static_cast<std::uint32_t>(k)});
             }
-            return;
+            return 0;
         }
     }
     const auto unit = [](double t) { return t < 0 ? 0.0 : t > 1 ? 1.0 : t; };
@@ -270,7 +277,9 @@ void edge_points(const Feature& first, const Feature& second, DVec3 n, double se
     if (is_a && is_b) s = determinant > 0 ? unit((aw * bb - ab * bw) / determinant) : 0.5;
     if (is_b) t = unit((s * ab - bw) / bb);
     if (is_a) s = unit((t * ab + aw) / aa);
-    out.add({0.5 * ((a + s * da) + (b + t * db)), separation, base});
+    const DVec3 p = a + s * da, q = b + t * db;
+    out.add({q - (0.5 * separation) * n, separation, base});
+    return math::length((q - p) - dot(q - p, n) * n);
 }
 
 } // namespace cairn

@@ -28,7 +28,7 @@ void edge_feature(const Convex& c, math::DVec3 n, Feature& out);
 void face_points(const Feature& reference, const Feature& incident, double extent, ContactPoints& out);
 
 // One or two points between segments or points, `separation` apart along n (from the first to the second); with two
-// they are as far apart as the segments are.
-void edge_points(const Feature& first, const Feature& second, math::DVec3 n, double separation, ContactPoints& out);
+// they are as far apart as the segments are. Returns how far a single point of the first is beside that of the second.
+double edge_points(const Feature& first, const Feature& second, math::DVec3 n, double separation, ContactPoints& out);
 
 } // namespace cairn

@@ -21,12 +21,16 @@ constexpr double snap_tolerance = 1e-7;
 // With a cylinder, this part of the tolerance for polytopes: round sides and rims have normals of their own.
 constexpr double round_part = 0.1;
 
+// Features that pass each other by more than this part of the extent do not touch there.
+constexpr double sideways_tolerance = 0.1;
+
 // A direction in which the shapes are separated, and the face that it is the normal of, if any.
 struct Axis {
     DVec3 normal; // from a to b
     double separation = none;
     int face = -1;
     bool is_second = false; // the face is b's
+    DVec3 touch;            // midway between the points of the cores that are nearest to each other
 };
 
 double separation_along(const Convex& a, const Convex& b, DVec3 n) { return dot(n, support(b, -n) - support(a, n)); }
@@ -39,7 +43,7 @@ Axis best_face(const Convex& c, const Convex& other, DVec3 p, double floor) {
         const DVec3 normal = face_normal(c, face), on_face = face_point(c, face);
         if (!(dot(normal, p - on_face) > best.separation)) return; // no other point is farther inside
         const double separation = dot(normal, support(other, -normal) - on_face);
-        if (separation > best.separation) best = {normal, separation, face, false};
+        if (separation > best.separation) best = {normal, separation, face, false, {}};
     };
     if (c.kind == Convex::Kind::hull) {
         const DVec3 local = to_local(c, p - c.center);
@@ -65,7 +69,14 @@ bool find_axis(const Convex& a, const Convex& b, double margin, DVec3 guess, Axi
         if (is_exact || separation_along(a, b, r.normal) > margin) return false;
         r = gjk_distance(pair, r.normal, std::numeric_limits<double>::infinity());
     }
-    axis.normal = r.state == GjkResult::State::overlapping ? epa_depth(pair, r.simplex).normal : r.normal;
+    if (r.state == GjkResult::State::overlapping) {
+        const Penetration p = epa_depth(pair, r.simplex);
+        axis.normal = p.normal;
+        axis.touch = 0.5 * (p.on_a + p.on_b);
+    } else {
+        axis.normal = r.normal;
+        axis.touch = 0.5 * (r.on_a + pair.a.radius * r.normal + r.on_b - pair.b.radius * r.normal);
+    }
     axis.separation = separation_along(a, b, axis.normal);
     return axis.separation <= margin;
 }
@@ -76,7 +87,9 @@ void edge_manifold(const Convex& a, const Convex& b, const Axis& axis, double ex
     edge_feature(a, axis.normal, first);
     edge_feature(b, -axis.normal, second);
     ContactPoints points;
-    edge_points(first, second, axis.normal, axis.separation, points);
+    const double sideways = edge_points(first, second, axis.normal, axis.separation, points);
+    // Not these features but the inside of a round or a tilted face: the cores know where.
+    if (sideways > sideways_tolerance * extent) points[0].position = axis.touch;
     write_manifold(points, axis.normal, points[0].position, extent, margin, none, out);
 }
 
@@ -117,7 +130,7 @@ void contact_along(const Convex& a, const Convex& b, const Axis& axis, double ma
     const double floor =
         std::max(axis.separation - preference, face.separation + (face.face < 0 ? 0 : second_face_tolerance * extent));
     Axis second = best_face(b, a, support(a, axis.normal), floor);
-    if (second.face >= 0) face = {-second.normal, second.separation, second.face, true};
+    if (second.face >= 0) face = {-second.normal, second.separation, second.face, true, {}};
     if (face.face >= 0) {
         const double least = std::max(axis.separation, face.separation);
         if (least > margin) return;
@@ -191,7 +204,7 @@ void lift(const Convex& a, const Convex& polygon, double margin, Manifold& out) 
     const DVec3 up = polygon.axes.c1;
     const double separation = separation_along(a, polygon, -up);
     if (separation > margin) return;
-    const Axis face{-up, separation, 0, true};
+    const Axis face{-up, separation, 0, true, {}};
     if (face_manifold(a, polygon, face, separation, a.extent, a.extent, margin, out)) return;
     ContactPoints points;
     const DVec3 m = middle(a);
@@ -221,7 +234,7 @@ SurfaceContact collide_surface(const Convex& a, const Convex& polygon, double ma
         // It would be pushed down: it has left the polygon, or is so much above it that it is pushed up.
         const double upward = separation_along(a, polygon, -up);
         if (axis.separation > 0.5 * upward || axis.separation > 0) return {};
-        axis = {-up, upward, -1, false};
+        axis = {-up, upward, -1, false, axis.touch};
     }
     contact_along(a, polygon, axis, margin, out);
     if (out.count == 0) return {};

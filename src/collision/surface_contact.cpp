@@ -10,9 +10,10 @@ using math::DVec3;
 
 namespace {
 
-constexpr double same_normal = 0.9998; // cosine, 1.1 degrees: triangles that are touched so are one patch
-constexpr double flatness = 1e-4;      // of the shape's size: how far out of a plane a point may be
-constexpr double same_point = 1e-3;    // likewise: points closer than this are one
+constexpr double same_patch = 0.02;  // difference of unit normals, 1.1 degrees: hits that are one patch
+constexpr double same_normal = 2e-4; // likewise: an edge that is touched so holds nothing up
+constexpr double flatness = 1e-4;    // of the shape's size: how far out of a plane a point may be
+constexpr double same_point = 1e-3;  // likewise: points closer than this are one
 
 using Point = SurfacePatch::Point;
 
@@ -44,6 +45,8 @@ int reduce(Point* p, int count, DVec3 normal, double nearest) {
 DVec3 normal_of(const Manifold& m) { return math::to_double(math::to_vec(m.normal)); }
 DVec3 point_of(const Manifold& m, int i) { return math::to_double(math::to_vec(m.points[i])); }
 
+bool is_near(DVec3 a, DVec3 b, double distance) { return squared(a - b) < distance * distance; }
+
 // Where the surface is at a point of a manifold.
 DVec3 foot_of(const Manifold& m, int i) { return point_of(m, i) + 0.5 * double(m.points[i][3]) * normal_of(m); }
 
@@ -55,7 +58,7 @@ void add_points(SurfacePatch& patch, const Manifold& m, double size) {
 
 // An edge between triangles in the plane of a deeper patch is none: the shape slides over it.
 bool is_seam(const SurfacePatch& patch, const TriangleHit& hit, double size) {
-    if (hit.on_face) return false;
+    if (hit.on_face || is_near(patch.normal, normal_of(hit.manifold), same_normal)) return false;
     const double tolerance = flatness * size, deepest = std::max(patch.depth, 0.0) + tolerance;
     for (int i = 0; i < hit.manifold.count; ++i) {
         const double height = -math::dot(patch.normal, foot_of(hit.manifold, i) - patch.foot);
@@ -123,18 +126,13 @@ void collide_triangles(const Convex& a, const Surface& surface, double margin, S
     scratch.patches.clear();
     for (const TriangleHit& hit : scratch.hits) {
         const DVec3 normal = normal_of(hit.manifold);
-        SurfacePatch* same = nullptr;
-        bool seam = false;
-        for (SurfacePatch& patch : scratch.patches) {
-            if (math::dot(patch.normal, normal) > same_normal) {
-                same = &patch;
-                break;
-            }
-            seam = seam || is_seam(patch, hit, size);
-        }
-        if (!same) {
-            if (seam) continue;
-            same = &scratch.patches.emplace_back();
+        const auto seam = std::find_if(scratch.patches.begin(), scratch.patches.end(),
+                                       [&](const SurfacePatch& patch) { return is_seam(patch, hit, size); });
+        if (seam != scratch.patches.end()) continue;
+        auto same = std::find_if(scratch.patches.begin(), scratch.patches.end(),
+                                 [&](const SurfacePatch& patch) { return is_near(patch.normal, normal, same_patch); });
+        if (same == scratch.patches.end()) {
+            same = scratch.patches.emplace(scratch.patches.end());
             same->normal = normal;
             same->foot = foot_of(hit.manifold, 0);
             same->depth = hit.depth;

@@ -15,8 +15,12 @@ using math::to_vec;
 
 namespace {
 
-constexpr float same_normal = 0.9998f; // cosine: such a contact changes nothing
-constexpr float flatness = 1e-4f;      // of the body's radius: how far out of the plane a point may be
+constexpr float same_normal = 2e-4f; // difference of unit vectors: such a contact changes nothing
+// How far out of the plane a point may be: so much of the sizes of both, as far as contact points on the rim of a face
+// are off, but no more than the larger part of the body's own radius.
+constexpr float flatness = 2e-4f, most_flatness = 5e-3f;
+
+bool is_same(math::Vec3 a, math::Vec3 b) { return math::dot(a - b, a - b) < same_normal * same_normal; }
 
 // How far the shape reaches along n, from the point `from`.
 double reach(const State& s, std::uint32_t shape, math::DVec3 n, math::DVec3 from) {
@@ -72,9 +76,11 @@ bool is_seam(const State& s, std::uint32_t deeper, std::uint32_t c, float depth)
     const ContactInfo &info = s.contacts[c], &over = s.contacts[deeper];
     const ContactRecord &r = s.records[c], &plane = s.records[deeper];
     const math::Vec3 up = -to_vec(plane.normal);
-    if (info.shape_b == over.shape_b || math::dot(up, to_vec(r.normal)) < -same_normal) return false;
+    if (info.shape_b == over.shape_b || is_same(to_vec(plane.normal), to_vec(r.normal))) return false;
     const math::Vec3 origin = other_surface(plane, 0);
-    const float tolerance = flatness * s.bodies[std::size_t(info.body_a)].radius;
+    const float radius = s.bodies[std::size_t(info.body_a)].radius;
+    const float tolerance =
+        std::min(flatness * (radius + s.geometry[info.shape_b].bounding_radius), most_flatness * radius);
     for (int i = 0; i < info.point_count; ++i) {
         const float height = math::dot(up, other_surface(r, i) - origin);
         if (height > tolerance || height < -depth - tolerance) return false;
@@ -94,7 +100,7 @@ void drop_seams_of_body(State& s, std::vector<std::uint32_t>& contacts) {
     };
     const math::Vec3 first = to_vec(s.records[contacts[0]].normal);
     if (std::all_of(contacts.begin(), contacts.end(),
-                    [&](std::uint32_t id) { return math::dot(first, to_vec(s.records[id].normal)) > same_normal; }))
+                    [&](std::uint32_t id) { return is_same(first, to_vec(s.records[id].normal)); }))
         return;
     std::sort(contacts.begin(), contacts.end(), [&](std::uint32_t a, std::uint32_t b) {
         const float depth_a = depth_of(a), depth_b = depth_of(b);

@@ -25,18 +25,18 @@ struct Polytope {
         int from, to;
     };
     int point_count = 0, face_count = 0;
-    DVec3 points[most_points];
+    DifferencePoint points[most_points];
     Face faces[most_faces];
     double size = 0;
 
     bool add_face(int a, int b, int c) {
         if (face_count == most_faces) return false;
-        const DVec3 ab = points[b] - points[a], ac = points[c] - points[a];
+        const DVec3 pa = points[a].w, ab = points[b].w - pa, ac = points[c].w - pa;
         DVec3 normal = cross(ab, ac);
         const double square = dot(normal, normal);
         if (!(square > 1e-28 * dot(ab, ab) * dot(ac, ac))) return false;
         normal = (1 / std::sqrt(square)) * normal;
-        faces[face_count++] = {{a, b, c}, normal, dot(normal, points[a])};
+        faces[face_count++] = {{a, b, c}, normal, dot(normal, pa)};
         return true;
     }
     int nearest() const {
@@ -46,17 +46,18 @@ struct Polytope {
         return best;
     }
     // The hull with one more point; false when rounding leaves no clean surface.
-    bool add_point(DVec3 p);
+    bool add_point(const DifferencePoint& p);
+    void witness(const Face& face, Penetration& out) const;
 };
 
-bool Polytope::add_point(DVec3 p) {
+bool Polytope::add_point(const DifferencePoint& p) {
     if (point_count == most_points) return false;
     // Edges of the faces that see the point; those that appear both ways are inside.
     Edge edges[3 * most_faces];
     int edge_count = 0, kept = 0;
     for (int i = 0; i < face_count; ++i) {
         const Face f = faces[i];
-        if (dot(f.normal, p) - f.distance <= -coplanar * size) {
+        if (dot(f.normal, p.w) - f.distance <= -coplanar * size) {
             faces[kept++] = f;
             continue;
         }
@@ -88,6 +89,20 @@ bool Polytope::add_point(DVec3 p) {
     return true;
 }
 
+// The points of the two cores at the origin's projection to the face. A face that it does not project to (it is then
+// not the nearest of the whole surface) gives the nearest of its weights.
+void Polytope::witness(const Face& face, Penetration& out) const {
+    const DifferencePoint &a = points[face.corner[0]], &b = points[face.corner[1]], &c = points[face.corner[2]];
+    const auto weight = [&](DVec3 p, DVec3 q) {
+        const double area = dot(cross(p, q), face.normal);
+        return area > 0 ? area : 0.0;
+    };
+    const double wa = weight(b.w, c.w), wb = weight(c.w, a.w), wc = weight(a.w, b.w), sum = wa + wb + wc;
+    if (!(sum > 0)) return;
+    out.on_a = (1 / sum) * (wa * a.a + wb * b.a + wc * c.a);
+    out.on_b = (1 / sum) * (wa * a.b + wb * b.b + wc * c.b);
+}
+
 DVec3 orthogonal(DVec3 n) {
     const DVec3 axis = std::fabs(n.x) < 0.5 ? DVec3{1, 0, 0} : DVec3{0, 1, 0};
     return math::normalized(cross(axis, n));
@@ -95,42 +110,44 @@ DVec3 orthogonal(DVec3 n) {
 
 // The difference has no inside: any direction across it parts the cores, by nothing. The one that leads from the
 // middle of the first shape to that of the second is taken.
-Penetration part_flat(const CorePair& pair, int dimension, DVec3 axis) {
+DVec3 part_flat(const CorePair& pair, int dimension, DVec3 axis) {
     const DVec3 offset = middle(*pair.b.shape) - middle(*pair.a.shape);
-    if (dimension == 2) return {0, dot(axis, offset) < 0 ? -axis : axis};
+    if (dimension == 2) return dot(axis, offset) < 0 ? -axis : axis;
     const DVec3 across = dimension == 1 ? offset - dot(offset, axis) * axis : offset;
     const double length = math::length(across);
-    if (length > 1e-9 * math::length(offset) && length > 0) return {0, (1 / length) * across};
-    return {0, dimension == 1 ? orthogonal(axis) : DVec3{0, 1, 0}};
+    if (length > 1e-9 * math::length(offset) && length > 0) return (1 / length) * across;
+    return dimension == 1 ? orthogonal(axis) : DVec3{0, 1, 0};
 }
 
 // Four corners of the difference that span a solid. Else says how many dimensions they span, and the line or the
 // normal of the plane.
-int span_solid(const CorePair& pair, DVec3 (&p)[4], double& size, DVec3& axis) {
+int span_solid(const CorePair& pair, DifferencePoint (&p)[4], double& size, DVec3& axis) {
     constexpr DVec3 sides[6] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
-    p[0] = pair.support(sides[0]).w;
+    p[0] = pair.support(sides[0]);
     double farthest = 0;
-    size = math::length(p[0]);
+    size = math::length(p[0].w);
     for (const DVec3& side : sides) {
-        const DVec3 q = pair.support(side).w;
-        size = std::max(size, math::length(q));
-        if (math::length(q - p[0]) > farthest) farthest = math::length(q - p[0]), p[1] = q;
+        const DifferencePoint q = pair.support(side);
+        const double away = math::length(q.w - p[0].w);
+        size = std::max(size, math::length(q.w));
+        if (away > farthest) farthest = away, p[1] = q;
     }
     if (!(farthest > flat * size)) return 0;
-    axis = (1 / farthest) * (p[1] - p[0]);
+    axis = (1 / farthest) * (p[1].w - p[0].w);
     const DVec3 e1 = orthogonal(axis), e2 = cross(axis, e1);
     farthest = 0;
     for (const DVec3& side : {e1, -e1, e2, -e2}) {
-        const DVec3 q = pair.support(side).w, d = q - p[0];
+        const DifferencePoint q = pair.support(side);
+        const DVec3 d = q.w - p[0].w;
         const double away = math::length(d - dot(d, axis) * axis);
         if (away > farthest) farthest = away, p[2] = q;
     }
     if (!(farthest > flat * size)) return 1;
-    axis = math::normalized(cross(p[1] - p[0], p[2] - p[0]));
+    axis = math::normalized(cross(p[1].w - p[0].w, p[2].w - p[0].w));
     farthest = 0;
     for (const DVec3& side : {axis, -axis}) {
-        const DVec3 q = pair.support(side).w;
-        const double away = std::fabs(dot(q - p[0], axis));
+        const DifferencePoint q = pair.support(side);
+        const double away = std::fabs(dot(q.w - p[0].w, axis));
         if (away > farthest) farthest = away, p[3] = q;
     }
     return farthest > flat * size ? 3 : 2;
@@ -140,44 +157,48 @@ int span_solid(const CorePair& pair, DVec3 (&p)[4], double& size, DVec3& axis) {
 
 Penetration epa_depth(const CorePair& pair, const Simplex& start) {
     Polytope polytope;
-    DVec3 p[4], axis;
+    DifferencePoint p[4];
+    DVec3 axis;
+    const auto volume = [&] { return dot(cross(p[1].w - p[0].w, p[2].w - p[0].w), p[3].w - p[0].w); };
     bool is_solid = false;
+    Penetration best{std::numeric_limits<double>::infinity(), {0, 1, 0}, start.points[0].a, start.points[0].b};
     if (start.count == 4) {
         for (int i = 0; i < 4; ++i) {
-            p[i] = start.points[i].w;
-            polytope.size = std::max(polytope.size, math::length(p[i]));
+            p[i] = start.points[i];
+            polytope.size = std::max(polytope.size, math::length(p[i].w));
         }
-        const DVec3 normal = cross(p[1] - p[0], p[2] - p[0]);
-        const double volume = dot(normal, p[3] - p[0]);
-        is_solid = std::fabs(volume) > 1e-6 * math::length(normal) * math::length(p[3] - p[0]);
+        const double area = math::length(cross(p[1].w - p[0].w, p[2].w - p[0].w));
+        is_solid = std::fabs(volume()) > 1e-6 * area * math::length(p[3].w - p[0].w);
     }
     if (!is_solid) {
         const int dimension = span_solid(pair, p, polytope.size, axis);
-        if (dimension < 3) return part_flat(pair, dimension, axis);
+        if (dimension < 3) {
+            best.normal = part_flat(pair, dimension, axis);
+            best.depth = 0;
+            return best;
+        }
     }
-    if (dot(cross(p[1] - p[0], p[2] - p[0]), p[3] - p[0]) > 0) std::swap(p[1], p[2]);
+    if (volume() > 0) std::swap(p[1], p[2]);
     for (int i = 0; i < 4; ++i) polytope.points[i] = p[i];
     polytope.point_count = 4;
     bool is_clean = polytope.add_face(0, 1, 2) && polytope.add_face(0, 2, 3) && polytope.add_face(0, 3, 1) &&
                     polytope.add_face(1, 3, 2);
 
     // Every direction gives a depth that parts the cores; the least is kept.
-    Penetration best{std::numeric_limits<double>::infinity(), {0, 1, 0}};
-    const auto consider = [&](DVec3 direction) {
-        const DVec3 w = pair.support(direction).w;
-        const double depth = dot(w, direction);
-        if (depth < best.depth) best = {depth, direction};
-        return w;
-    };
-    if (!is_clean) consider(math::normalized(middle(*pair.b.shape) - middle(*pair.a.shape) + DVec3{0, 1e-30, 0}));
     while (is_clean) {
         const Polytope::Face nearest = polytope.faces[polytope.nearest()];
-        const DVec3 w = consider(nearest.normal);
-        const double depth = dot(w, nearest.normal);
+        const DifferencePoint next = pair.support(nearest.normal);
+        const double depth = dot(next.w, nearest.normal);
+        if (depth < best.depth) {
+            best.depth = depth;
+            best.normal = nearest.normal;
+            polytope.witness(nearest, best);
+        }
         if (depth - nearest.distance <= depth_tolerance * std::fabs(depth) + coplanar * polytope.size) break;
-        is_clean = polytope.add_point(w);
+        is_clean = polytope.add_point(next);
     }
-    if (best.depth < 0) best.depth = 0;
+    if (!(best.depth > 0)) best.depth = 0;
+    if (best.depth > 1e300) best.depth = dot(pair.support(best.normal).w, best.normal);
     return best;
 }
 

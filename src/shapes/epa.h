@@ -9,6 +9,7 @@ namespace cairn {
 struct Penetration {
     double depth;       // of the cores, >= 0: moving b by depth * normal parts them
     math::DVec3 normal; // unit, from a to b
+    math::DVec3 on_a, on_b;
 };
 
 // The least depth within a relative 1e-4; after 64 corners the least found so far, which still parts them. `start`:

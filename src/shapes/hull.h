@@ -32,6 +32,10 @@ struct HullData {
     std::vector<math::Vec3> core;
     float inset = 0;
 
+    // How exact it is, m: the points that it was made of lie at most this far above the plane of any face, and the
+    // corners of a face at most this far off its plane.
+    float tolerance = 0;
+
     MassSum unit_mass;         // of density 1
     math::Vec3 lo, hi;         // bounds
     float bounding_radius = 0; // about the origin of the shape's frame

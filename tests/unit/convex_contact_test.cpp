@@ -1,7 +1,7 @@
 #include "collision/convex_contact.h"
 
-#include "shapes/gjk.h"
 #include "convex_test_support.h"
+#include "shapes/gjk.h"
 
 #include <gtest/gtest.h>
 
@@ -18,9 +18,7 @@ double deepest(const Manifold& m) {
     for (int i = 0; i < m.count; ++i) d = std::min(d, double(m.points[i][3]));
     return d;
 }
-double separation_along(const Convex& a, const Convex& b, DVec3 n) {
-    return dot(n, support(b, -n) - support(a, n));
-}
+double separation_along(const Convex& a, const Convex& b, DVec3 n) { return dot(n, support(b, -n) - support(a, n)); }
 // The greatest separation over all directions, by sampling and hill climbing.
 double greatest_separation(const Convex& a, const Convex& b, DVec3 hint, Random& random, DVec3& best) {
     struct Try {
@@ -65,50 +63,269 @@ std::string flaw(const Manifold& m, double margin) {
     return {};
 }
 
-TEST(ConvexContact, RandomPairsTouchAlongAUnitNormalByTheirTrueSeparation) {
+// How far a point is outside a shape.
+double outside(const Convex& c, DVec3 p) {
+    const Convex point = ball(1e-12).at(p);
+    const auto r = cairn::gjk_distance({exact_core(point), exact_core(c)}, {}, 1e300);
+    if (r.state == cairn::GjkResult::State::overlapping) return 0;
+    return std::max(0.0, r.distance - exact_core(c).radius);
+}
+// A manifold's faces may be preferred to a direction that is better by the inset of the cores.
+double preference(const Convex& a, const Convex& b) {
+    return a.is_sharp && b.is_sharp ? std::min(a.radius, b.radius) : 1e-6;
+}
+
+struct Pair {
+    Solid first, second;
+    DVec3 offset;
+    DQuat qa, qb;
+    Convex a() const { return first.at({}, qa); }
+    Convex b() const { return second.at(offset, qb); }
+};
+Pair random_pair(Random& random, double size_a = 1, double size_b = 1) {
+    Pair p{any_solid(random, size_a), any_solid(random, size_b), {}, {}, {}};
+    p.offset = random.uniform(0, 1.25 * (size_a + size_b)) * random.direction();
+    p.qa = random.rotation();
+    p.qb = random.rotation();
+    return p;
+}
+
+TEST(ConvexContact, RandomPairsTouchByTheirTrueSeparation) {
     Random random(1);
     int touching = 0;
-    double worst = 0, worst_late = 0, worst_away = 0;
-    for (int k = 0; k < 100000; ++k) {
-        const Solid sa = any_solid(random, 1), sb = any_solid(random, 1);
-        const Convex a = sa.at({}, random.rotation());
-        const Convex b = sb.at(random.uniform(0, 2.5) * random.direction(), random.rotation());
+    for (int k = 0; k < 20000; ++k) {
+        const Pair p = random_pair(random);
+        const Convex a = p.a(), b = p.b();
         const double margin = random.below(2) ? 0.02 : 0.3;
         Manifold m;
         collide_convex(a, b, margin, {}, m);
         ASSERT_EQ(flaw(m, margin), "") << k;
         if (m.count == 0) continue;
         ++touching;
-        const double s = separation_along(a, b, normal_of(m)), d = deepest(m) - s;
-        if (std::fabs(d) > worst) {
-            worst = std::fabs(d);
-            std::printf("%d: kinds %d %d off %g sep %g count %d\n", k, int(a.kind), int(b.kind), d, s, m.count);
-        }
-        if (k < 20000) {
-            DVec3 best;
-            const double t = greatest_separation(a, b, normal_of(m), random, best);
-            if (t - s > worst_late) {
-                worst_late = t - s;
-                std::printf("  %d: kinds %d %d true %g sep %g count %d angle %g core %g %g\n", k, int(a.kind), int(b.kind), t, s,
-                            m.count, dot(best, normal_of(m)), a.radius, b.radius);
-            }
-        }
+        const DVec3 n = normal_of(m);
+        EXPECT_NEAR(deepest(m), separation_along(a, b, n), 2 * preference(a, b) + 1e-6) << k;
         for (int i = 0; i < m.count; ++i) {
-            const DVec3 p = point_of(m, i);
-            const double z = m.points[i][3];
-            for (int side = 0; side < 2; ++side) {
-                const Convex point = ball(1e-9).at(side ? p + (0.5 * z) * normal_of(m) : p - (0.5 * z) * normal_of(m));
-                const auto r = cairn::gjk_distance({exact_core(point), exact_core(side ? b : a)}, {}, 1e9);
-                const double away = r.state == cairn::GjkResult::State::overlapping ? 0 : r.distance - (side?b:a).is_sharp*0 - ((side ? b : a).is_sharp ? 0 : (side ? b : a).radius);
-                if (away > worst_away) {
-                    worst_away = away;
-                    for (const Convex* c : {&a, &b}) std::printf("   size %g %g %g axis.n %g\n", c->size.x, c->size.y, c->size.z, dot(c->axes.c1, normal_of(m)));
-                    std::printf("    %d: kinds %d %d point %d of %d away %g side %d z %g s %g\n", k, int(a.kind), int(b.kind), i, m.count, away, side, z, s);
-                }
-            }
+            const double z = m.points[i][3], slack = z < -0.5 ? 0.15 : 0.03;
+            EXPECT_LT(outside(a, point_of(m, i) - (0.5 * z) * n), slack) << k;
+            EXPECT_LT(outside(b, point_of(m, i) + (0.5 * z) * n), slack) << k;
         }
     }
-    std::printf("%d touching, worst %g\n", touching, worst);
+    EXPECT_GT(touching, 10000);
+}
+
+TEST(ConvexContact, NoOtherDirectionPartsTheShapesMuchBetter) {
+    Random random(2);
+    double sum = 0;
+    int touching = 0;
+    for (int k = 0; k < 3000; ++k) {
+        const Pair p = random_pair(random);
+        const Convex a = p.a(), b = p.b();
+        Manifold m;
+        collide_convex(a, b, 0.1, {}, m);
+        // Not found to touch: truly apart.
+        DVec3 hint = m.count == 0 ? random.direction() : normal_of(m), best;
+        const double truth = greatest_separation(a, b, hint, random, best);
+        if (m.count == 0) {
+            EXPECT_GT(truth, 0.099) << k;
+            continue;
+        }
+        ++touching;
+        EXPECT_LT(truth, 0.1 + 0.03) << k;
+        const double less = truth - separation_along(a, b, normal_of(m));
+        EXPECT_LT(less, truth < -0.1 ? 0.05 : preference(a, b) + 0.002) << k << " true " << truth;
+        sum += std::max(0.0, less);
+    }
+    EXPECT_LT(sum / touching, 1e-3);
+}
+
+TEST(ConvexContact, ExchangingTheShapesTurnsTheNormalRound) {
+    Random random(3);
+    for (int k = 0; k < 5000; ++k) {
+        const Pair p = random_pair(random);
+        const Convex a = p.a(), b = p.b();
+        const Convex a2 = p.first.at(-p.offset, p.qa), b2 = p.second.at({}, p.qb);
+        Manifold m, swapped;
+        collide_convex(a, b, 0.05, {}, m);
+        collide_convex(b2, a2, 0.05, {}, swapped);
+        if ((m.count == 0) != (swapped.count == 0)) {
+            EXPECT_GT(std::min(deepest(m), deepest(swapped)), 0.045) << k;
+            continue;
+        }
+        if (m.count == 0) continue;
+        const double tolerance = 2 * preference(a, b) + 1e-4 + (deepest(m) < -0.1 ? 0.02 : 0);
+        EXPECT_NEAR(deepest(m), deepest(swapped), tolerance) << k;
+        EXPECT_NEAR(separation_along(a, b, normal_of(m)), separation_along(a, b, -normal_of(swapped)), tolerance) << k;
+    }
+}
+
+TEST(ConvexContact, ACommonMotionChangesNothing) {
+    Random random(4);
+    for (int k = 0; k < 5000; ++k) {
+        const Pair p = random_pair(random);
+        const DQuat turn = random.rotation();
+        Pair moved = p;
+        moved.offset = rotate(turn, p.offset);
+        moved.qa = turn * p.qa;
+        moved.qb = turn * p.qb;
+        Manifold m, other;
+        collide_convex(p.a(), p.b(), 0.05, {}, m);
+        collide_convex(moved.a(), moved.b(), 0.05, {}, other);
+        if (m.count == 0 || other.count == 0) {
+            EXPECT_GT(std::min(deepest(m), deepest(other)), 0.0499) << k;
+            continue;
+        }
+        const double tolerance = 2e-4 + (deepest(m) < -0.1 ? 0.02 : 0);
+        EXPECT_NEAR(deepest(m), deepest(other), tolerance + preference(p.a(), p.b())) << k;
+    }
+}
+
+// A shape on a floor of one kind or another, `gap` above it, leaning by `lean` about z.
+Manifold on_floor(const Solid& s, const Solid& floor, double half, double gap, DQuat q = {}, DVec3 guess = {}) {
+    Manifold m;
+    collide_convex(s.at({}, q), floor.at({0.1, -half - gap - 0.5, -0.05}), 0.02, guess, m);
+    return m;
+}
+const DQuat lying = about({0, 0, 1}, 1.5707963267948966);
+constexpr DVec3 y_axis{0, 1, 0};
+
+TEST(ConvexContact, ShapesAtRestHaveAllTheirPointsAndTheExactSeparation) {
+    const Solid floors[] = {box(3, 0.5, 3), hull(box_hull({3, 0.5, 3})), cylinder(0.5, 3)};
+    struct Rest {
+        const char* name;
+        Solid solid;
+        double half;
+        DQuat q;
+        int count;
+    };
+    const Rest rests[] = {{"box", box(0.5, 0.4, 0.3), 0.4, {}, 4},
+                          {"hull", hull(box_hull({0.5, 0.4, 0.3})), 0.4, {}, 4},
+                          {"hexagonal prism", hull(prism(6, 0.5, 0.25)), 0.25, {}, 4},
+                          {"prism on its side", hull(prism(4, 0.5, 0.25)), 0.5 * std::sqrt(0.5),
+                           about({0, 0, 1}, 0.78539816339744831) * about({1, 0, 0}, 1.5707963267948966), 4},
+                          {"cylinder", cylinder(0.5, 0.25), 0.5, {}, 4},
+                          {"cone", cylinder(0.5, 0.25, 0), 0.5, {}, 4},
+                          {"lying cylinder", cylinder(0.5, 0.25), 0.25, lying, 2},
+                          {"lying capsule", capsule(0.5, 0.25), 0.25, lying, 2},
+                          {"standing capsule", capsule(0.5, 0.25), 0.75, {}, 1},
+                          {"ball", ball(0.25), 0.25, {}, 1}};
+    for (const Solid& floor : floors)
+        for (const Rest& r : rests)
+            for (double gap : {-0.005, -1e-4, 0.0, 1e-4, 0.01})
+                for (double lean : {0.0, 1e-8, 1e-6, 1e-4}) {
+                    const DQuat q = about(normalized(DVec3{0.6, 0, 0.8}), lean) * r.q;
+                    const Manifold m = on_floor(r.solid, floor, r.half, gap, q);
+                    ASSERT_EQ(flaw(m, 0.02), "");
+                    EXPECT_EQ(m.count, r.count)
+                        << r.name << " gap " << gap << " lean " << lean << " floor " << int(floor.geometry.type);
+                    EXPECT_NEAR(m.normal[1], -1, 1e-6) << r.name << " gap " << gap << " lean " << lean;
+                    EXPECT_NEAR(deepest(m), gap - lean * 0.4, 1e-6 + 0.4 * lean) << r.name << " gap " << gap;
+                    for (int i = 0; i < m.count; ++i) {
+                        EXPECT_NEAR(m.points[i][1], -r.half - 0.5 * gap, 1e-6 + lean) << r.name;
+                    }
+                }
+}
+
+TEST(ConvexContact, PointsAtRestDoNotJump) {
+    Random random(6);
+    const Solid solids[] = {hull(box_hull({0.5, 0.4, 0.3})), hull(prism(6, 0.5, 0.4)), cylinder(0.4, 0.5),
+                            hull(dodecahedron(0.3))};
+    const double halves[] = {0.4, 0.4, 0.4, 0};
+    for (int s = 0; s < 3; ++s) {
+        Manifold last;
+        DVec3 guess;
+        for (int k = 0; k < 200; ++k) {
+            const DQuat q = about(random.direction(), random.uniform(0, 1e-6));
+            const Manifold m =
+                on_floor(solids[s], box(3, 0.5, 3), halves[s], -1e-4 + random.uniform(0, 1e-6), q, guess);
+            guess = normal_of(m);
+            ASSERT_EQ(m.count, 4);
+            for (int i = 0; i < 4 && k > 0; ++i) {
+                EXPECT_LT(length(point_of(m, i) - point_of(last, i)), 1e-5) << s << " step " << k;
+                EXPECT_EQ(m.features[i], last.features[i]);
+            }
+            last = m;
+        }
+    }
+}
+
+TEST(ConvexContact, TheFourPointsOfACylinderDoNotTurnWithIt) {
+    for (const Solid& floor : {box(3, 0.5, 3), hull(box_hull({3, 0.5, 3}))}) {
+        const Manifold first = on_floor(cylinder(0.5, 0.25), floor, 0.5, 0);
+        for (int k = 1; k < 50; ++k) {
+            const Manifold m = on_floor(cylinder(0.5, 0.25), floor, 0.5, 0, about(y_axis, 0.1 * k));
+            for (int i = 0; i < 4; ++i) EXPECT_LT(length(point_of(m, i) - point_of(first, i)), 1e-5);
+        }
+        // The corners of a square on the rim.
+        for (int i = 0; i < 4; ++i) EXPECT_NEAR(std::hypot(first.points[i][0], first.points[i][2]), 0.25, 1e-5);
+        EXPECT_NEAR(length(point_of(first, 0) - point_of(first, 1)), 0.5, 1e-5);
+        EXPECT_NEAR(length(point_of(first, 2) - point_of(first, 3)), 0.5, 1e-5);
+    }
+}
+
+TEST(ConvexContact, ALeaningCylinderTouchesFirstAtTheLowestPointOfItsRim) {
+    for (double angle : {0.01, 0.1, 0.5, 1.0, 1.4}) {
+        const DQuat q = about({0, 0, 1}, angle); // the axis leans to -x: the lowest point is at -x sin
+        const double x = -0.25 * std::cos(angle) + 0.5 * std::sin(angle),
+                     y = -0.25 * std::sin(angle) - 0.5 * std::cos(angle);
+        const Manifold m = on_floor(cylinder(0.5, 0.25), box(3, 0.5, 3), -y, -0.001, q);
+        ASSERT_GE(m.count, 1);
+        EXPECT_NEAR(m.normal[1], -1, 1e-6);
+        EXPECT_NEAR(m.points[0][0], x, 1e-5) << angle;
+        EXPECT_NEAR(m.points[0][2], 0, 1e-5) << angle;
+        EXPECT_NEAR(m.points[0][3], -0.001, 1e-6) << angle;
+    }
+}
+
+TEST(ConvexContact, CapsulesSideBySideTouchAtTwoPoints) {
+    Manifold m;
+    collide_convex(capsule(0.5, 0.2).at({}), capsule(0.4, 0.2).at({0.41, 0.3, 0}), 0.02, {}, m);
+    ASSERT_EQ(m.count, 2);
+    EXPECT_NEAR(m.normal[0], 1, 1e-7);
+    for (int i = 0; i < 2; ++i) {
+        EXPECT_NEAR(m.points[i][0], 0.205, 1e-7);
+        EXPECT_NEAR(m.points[i][3], 0.01, 1e-7);
+    }
+    EXPECT_NEAR(std::max(m.points[0][1], m.points[1][1]), 0.5, 1e-6);
+    EXPECT_NEAR(std::min(m.points[0][1], m.points[1][1]), -0.1, 1e-6);
+}
+
+TEST(ConvexContact, ABoxThatRestsOnALedgeByAMillimeterIsHeldFromBelow) {
+    Manifold m;
+    collide_convex(box(0.5, 0.5, 0.5).at({}), hull(box_hull({0.5, 0.5, 0.5})).at({0.999, -0.9999, 0}), 0.02, {}, m);
+    EXPECT_NEAR(m.normal[1], -1, 1e-6);
+    EXPECT_EQ(m.count, 4);
+}
+
+TEST(ConvexContact, ExtremeSizesAndPlacesGiveSoundManifolds) {
+    Random random(7);
+    for (int k = 0; k < 20000; ++k) {
+        const double size_a = std::array{1e-3, 1.0, 1e3}[std::size_t(random.below(3))];
+        const double size_b = random.below(3) == 0 ? size_a * 1e5 : size_a;
+        Pair p = random_pair(random, size_a, size_b);
+        switch (random.below(5)) {
+        case 0:
+            p.offset = {};
+            break;
+        case 1:
+            p.second = p.first, p.offset = {}, p.qb = p.qa;
+            break;
+        case 2:
+            p.qa = p.qb = {};
+            break;
+        case 3:
+            p.offset = (0.01 + random.uniform(0, 1)) * p.offset;
+            break;
+        default:
+            p.offset = random.uniform(0, 1e-9) * p.offset;
+        }
+        Manifold m;
+        collide_convex(p.a(), p.b(), 0.02 * size_a, random.direction(), m);
+        ASSERT_EQ(flaw(m, 0.02 * size_a), "") << k;
+        if (p.offset == DVec3{}) {
+            EXPECT_GE(m.count, 1) << k;
+            EXPECT_LT(deepest(m), 0) << k;
+        }
+    }
 }
 
 } // namespace

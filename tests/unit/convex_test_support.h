@@ -15,8 +15,8 @@ namespace convex_test {
 
 using cairn::Convex;
 using cairn::math::cross;
-using cairn::math::dot;
 using cairn::math::DMat3;
+using cairn::math::dot;
 using cairn::math::DQuat;
 using cairn::math::DVec3;
 using cairn::math::length;
@@ -104,8 +104,8 @@ inline std::shared_ptr<const cairn::HullData> make_hull(const std::vector<DVec3>
         const double m = hull->inset;
         const DVec3 d{dot(n0, p) - m, dot(n1, p) - m, dot(n2, p) - m};
         const double det = dot(n0, cross(n1, n2));
-        hull->core.push_back(cairn::math::to_float(
-            (1 / det) * (d.x * cross(n1, n2) + d.y * cross(n2, n0) + d.z * cross(n0, n1))));
+        hull->core.push_back(
+            cairn::math::to_float((1 / det) * (d.x * cross(n1, n2) + d.y * cross(n2, n0) + d.z * cross(n0, n1))));
     }
     hull->neighbor_start.push_back(static_cast<std::uint32_t>(hull->neighbors.size()));
     return hull;
@@ -160,8 +160,7 @@ inline std::shared_ptr<const cairn::HullData> dodecahedron(double s) {
                 for (DVec3 v : c) most = std::max(most, dot(n, v));
                 DVec3 e1 = normalized(cross(n, DVec3{0.3, 0.5, 0.7})), e2 = cross(n, e1);
                 for (std::uint32_t k = 0; k < c.size(); ++k)
-                    if (dot(n, c[k]) > most - 1e-6 * s)
-                        around.push_back({std::atan2(dot(e2, c[k]), dot(e1, c[k])), k});
+                    if (dot(n, c[k]) > most - 1e-6 * s) around.push_back({std::atan2(dot(e2, c[k]), dot(e1, c[k])), k});
                 if (around.size() != 5) continue;
                 std::sort(around.begin(), around.end());
                 faces.emplace_back();
@@ -200,15 +199,24 @@ inline Solid hull(std::shared_ptr<const cairn::HullData> data) {
 inline Solid any_solid(Random& random, double s) {
     const auto u = [&] { return s * random.uniform(0.2, 1); };
     switch (random.below(9)) {
-    case 0: return ball(u());
-    case 1: return box(u(), u(), u());
-    case 2: return capsule(u(), u());
-    case 3: return capsule(u(), u(), u());
-    case 4: return cylinder(u(), u());
-    case 5: return cylinder(u(), u(), u());
-    case 6: return cylinder(u(), u(), 0);
-    case 7: return hull(tetrahedron(u()));
-    default: return hull(random.below(2) ? dodecahedron(0.5 * u()) : prism(3 + random.below(6), u(), u()));
+    case 0:
+        return ball(u());
+    case 1:
+        return box(u(), u(), u());
+    case 2:
+        return capsule(u(), u());
+    case 3:
+        return capsule(u(), u(), u());
+    case 4:
+        return cylinder(u(), u());
+    case 5:
+        return cylinder(u(), u(), u());
+    case 6:
+        return cylinder(u(), u(), 0);
+    case 7:
+        return hull(tetrahedron(u()));
+    default:
+        return hull(random.below(2) ? dodecahedron(0.5 * u()) : prism(3 + random.below(6), u(), u()));
     }
 }
 

@@ -1,0 +1,303 @@
+// From points to a Hull: checks, the grid, triangles, faces, and what is computed from them.
+#include "shapes/hull_builder.h"
+
+#include "shapes/hull_exact.h"
+#include "shapes/hull_faces.h"
+
+#include <cairn/error.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string>
+
+namespace cairn {
+
+using math::DVec3;
+using math::Vec3;
+
+namespace hull {
+
+namespace {
+
+constexpr float largest_coordinate = 1e6f; // m
+constexpr double least_extent = 1e-6;      // m, as of other shapes
+constexpr double least_thickness = 1e-5;   // of the extent
+constexpr std::size_t most_points = std::size_t(1) << 30;
+
+std::string to_text(double value) {
+    char text[32];
+    const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, 6).ptr;
+    return {text, end};
+}
+
+[[noreturn]] void refuse(const std::string& value, const std::string& expected) {
+    throw Error(ErrorCode::invalid_value, "Hull points", value, expected);
+}
+
+struct Bounds {
+    DVec3 lo, hi;
+    double extent = 0;  // the longest side
+    double largest = 0; // coordinate, without its sign
+};
+
+Bounds check(std::span<const Vec3> points) {
+    if (points.size() < 4) refuse(std::to_string(points.size()), "must be 4 at least");
+    if (points.size() > most_points) refuse(std::to_string(points.size()), "must be 2^30 at most");
+    for (std::size_t i = 0; i < points.size(); ++i)
+        for (int k = 0; k < 3; ++k)
+            if (!(std::fabs(points[i][k]) <= largest_coordinate))
+                refuse("point " + std::to_string(i) + " with " + "xyz"[k] + " = " + to_text(points[i][k]),
+                       std::isfinite(points[i][k]) ? "must have coordinates from -1e6 to 1e6" : "must be finite");
+    Bounds r{math::to_double(points[0]), math::to_double(points[0])};
+    for (const Vec3 p : points) r.lo = math::min(r.lo, math::to_double(p)), r.hi = math::max(r.hi, math::to_double(p));
+    const DVec3 size = r.hi - r.lo, reach = math::max(math::abs(r.lo), math::abs(r.hi));
+    r.extent = std::max({size.x, size.y, size.z});
+    r.largest = std::max({reach.x, reach.y, reach.z});
+    if (!(r.extent >= least_extent))
+        refuse("an extent of " + to_text(r.extent) + " m", "must not all lie in one point (within 1e-6 m)");
+    return r;
+}
+
+void require_breadth(double breadth, double extent) {
+    if (!(breadth > least_thickness * extent))
+        refuse("a breadth of " + to_text(breadth) + " m in an extent of " + to_text(extent) + " m",
+               "must not all lie on one line (within 1e-5 of their extent)");
+}
+
+void require_thickness(double thickness, double extent) {
+    if (!(thickness > least_thickness * extent))
+        refuse("a thickness of " + to_text(thickness) + " m in an extent of " + to_text(extent) + " m",
+               "must not all lie in one plane (within 1e-5 of their extent)");
+}
+
+// The points on the grid: by a power of two, so that what is flat stays flat.
+struct Grid {
+    double scale = 1; // grid units per m
+    std::vector<GridPoint> points;
+};
+
+Grid make_grid(std::span<const Vec3> points, const Bounds& bounds) {
+    int exponent = 0;
+    std::frexp(bounds.extent, &exponent);
+    Grid grid{std::ldexp(1.0, grid_bits - exponent), {}};
+    grid.points.reserve(points.size());
+    auto rounded = [&](double x) { return std::int32_t(std::floor(x * grid.scale + 0.5)); };
+    for (const Vec3 p : points) {
+        const DVec3 d = math::to_double(p) - bounds.lo;
+        grid.points.push_back({rounded(d.x), rounded(d.y), rounded(d.z)});
+    }
+    return grid;
+}
+
+struct Polyhedron {
+    std::vector<std::uint32_t> sources; // of the vertices: which point each is
+    std::vector<GridPoint> points;      // the vertices
+    std::vector<Triangle> triangles;
+    std::vector<Face> faces;
+    std::vector<std::uint32_t> loops;
+};
+
+Polyhedron select(std::span<const GridPoint> points, const Triangulation& triangulation,
+                  std::span<const std::uint32_t> sources) {
+    Polyhedron r;
+    r.triangles = triangulation.triangles;
+    for (const std::uint32_t p : triangulation.points) {
+        r.points.push_back(points[p]);
+        r.sources.push_back(sources.empty() ? p : sources[p]);
+    }
+    return r;
+}
+
+// Joins triangles, and leaves out points that are then no corners, until all are. False if nothing solid is left.
+bool form_faces(Polyhedron& body, double plane_tolerance, double corner_tolerance) {
+    while (true) {
+        Faces faces = make_faces(body.points, body.triangles, plane_tolerance, corner_tolerance);
+        if (!faces.is_sound) return false;
+        if (faces.redundant.empty()) {
+            body.faces = std::move(faces.faces);
+            body.loops = std::move(faces.loops);
+            return true;
+        }
+        std::vector<bool> goes(body.points.size(), false);
+        for (const std::uint32_t p : faces.redundant) goes[p] = true;
+        std::vector<GridPoint> points;
+        std::vector<std::uint32_t> sources;
+        for (std::size_t p = 0; p < body.points.size(); ++p)
+            if (!goes[p]) points.push_back(body.points[p]), sources.push_back(body.sources[p]);
+        if (points.size() < 4) return false;
+        const Simplex simplex = first_simplex(points);
+        if (!(simplex.thickness > 0)) return false;
+        body = select(points, triangulate(points, simplex, 0), sources);
+    }
+}
+
+Climber make_climber(const Polyhedron& body) {
+    std::vector<DVec3> vertices;
+    for (const GridPoint p : body.points) vertices.push_back(to_double(p));
+    std::vector<Climber::Edge> edges;
+    for (const Triangle& t : body.triangles)
+        for (int k = 0; k < 3; ++k) edges.push_back({t.corners[k], t.corners[(k + 1) % 3]});
+    return {std::move(vertices), edges};
+}
+
+// As it will be stored.
+DVec3 float_normal(const Face& face) { return math::to_double(math::to_float(face.normal)); }
+
+// No corner of a face lies more than the tolerance below its plane, and none of the points more than that above it.
+bool is_within(const Polyhedron& body, const Climber& climber, const PointTree& left_out, double tolerance) {
+    for (const Face& face : body.faces) {
+        const DVec3 normal = float_normal(face);
+        const auto& vertices = climber.vertices();
+        const double offset = math::dot(normal, vertices[climber.farthest(normal, body.loops[face.first])]);
+        for (std::uint32_t i = 0; i < face.count; ++i)
+            if (math::dot(normal, vertices[body.loops[face.first + i]]) < offset - tolerance) return false;
+        if (left_out.farthest(normal, offset + tolerance).found) return false;
+    }
+    return true;
+}
+
+// Joining triangles may spoil more than its tolerance says, where many small steps add up. The result is therefore
+// checked, and made again with less tolerance if need be. With none it is exact, and only the points that were left
+// out at first are off, by a quarter of the tolerance at most.
+Polyhedron make_polyhedron(std::span<const GridPoint> points, const Simplex& simplex, double tolerance) {
+    const Triangulation start = triangulate(points, simplex, tolerance / 8);
+    for (const double part : {1.0, 1.0 / 8, 1.0 / 64, 0.0}) {
+        Polyhedron body = select(points, start, {});
+        if (!form_faces(body, part * tolerance / 4, part * tolerance / 64)) continue;
+        std::vector<std::uint32_t> left_out = start.left_out;
+        std::set_difference(start.points.begin(), start.points.end(), body.sources.begin(), body.sources.end(),
+                            std::back_inserter(left_out));
+        if (part == 0 || is_within(body, make_climber(body), PointTree(points, left_out), tolerance)) return body;
+    }
+    return {}; // not reached: the last part always returns
+}
+
+// Each loop from its least vertex on, and faces in order of their loops.
+void sort_faces(Polyhedron& body) {
+    for (const Face& face : body.faces) {
+        const auto first = body.loops.begin() + face.first, last = first + face.count;
+        std::rotate(first, std::min_element(first, last), last);
+    }
+    const auto& loops = body.loops;
+    std::sort(body.faces.begin(), body.faces.end(), [&](const Face& a, const Face& b) {
+        return std::lexicographical_compare(loops.begin() + a.first, loops.begin() + a.first + a.count,
+                                            loops.begin() + b.first, loops.begin() + b.first + b.count);
+    });
+}
+
+void fill_adjacency(HullData& hull) {
+    hull.neighbor_start.assign(hull.vertices.size() + 1, 0);
+    for (const std::uint32_t v : hull.loops) ++hull.neighbor_start[v + 1];
+    for (std::size_t v = 0; v < hull.vertices.size(); ++v) hull.neighbor_start[v + 1] += hull.neighbor_start[v];
+    hull.neighbors.resize(hull.loops.size());
+    std::vector<std::uint32_t> next(hull.neighbor_start.begin(), hull.neighbor_start.end() - 1);
+    for (const HullFace& face : hull.faces)
+        for (std::uint32_t i = 0; i < face.count; ++i) {
+            const std::uint32_t from = hull.loops[face.first + i], to = hull.loops[face.first + (i + 1) % face.count];
+            hull.neighbors[next[from]++] = to;
+        }
+    for (std::size_t v = 0; v < hull.vertices.size(); ++v)
+        std::sort(hull.neighbors.begin() + hull.neighbor_start[v], hull.neighbors.begin() + hull.neighbor_start[v + 1]);
+}
+
+// The least distance between the plane of a face and the vertex opposite. Faces are visited from neighbor to neighbor,
+// as the vertex opposite of one is near that of the next.
+float find_width(const HullData& hull, const Climber& climber) {
+    constexpr std::uint32_t unknown = ~std::uint32_t{};
+    std::vector<std::uint32_t> first(hull.vertices.size() + 1, 0), faces_at(hull.loops.size());
+    for (const std::uint32_t v : hull.loops) ++first[v + 1];
+    for (std::size_t v = 0; v < hull.vertices.size(); ++v) first[v + 1] += first[v];
+    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+    for (std::uint32_t f = 0; f < hull.faces.size(); ++f)
+        for (std::uint32_t i = 0; i < hull.faces[f].count; ++i) faces_at[next[hull.loops[hull.faces[f].first + i]]++] = f;
+    std::vector<std::uint32_t> opposite(hull.faces.size(), unknown), order{0};
+    std::vector<bool> is_visited(hull.vertices.size(), false);
+    double width = -1;
+    opposite[0] = 0;
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        const HullFace& face = hull.faces[order[k]];
+        const DVec3 normal = math::to_double(face.normal);
+        const std::uint32_t v = climber.farthest(-normal, opposite[order[k]]);
+        const double across = double(face.offset) - math::dot(normal, math::to_double(hull.vertices[v]));
+        if (width < 0 || across < width) width = across;
+        for (std::uint32_t i = face.first; i < face.first + face.count; ++i) {
+            const std::uint32_t corner = hull.loops[i];
+            if (is_visited[corner]) continue;
+            is_visited[corner] = true;
+            for (std::uint32_t j = first[corner]; j < first[corner + 1]; ++j)
+                if (opposite[faces_at[j]] == unknown) opposite[faces_at[j]] = v, order.push_back(faces_at[j]);
+        }
+    }
+    return float(width);
+}
+
+void fill_faces(HullData& hull, const Polyhedron& body, std::span<const Vec3> points) {
+    const Climber climber = make_climber(body);
+    for (const std::uint32_t p : body.sources) hull.vertices.push_back(points[p]);
+    hull.lo = hull.hi = hull.vertices[0];
+    double square = 0;
+    for (const Vec3 v : hull.vertices) {
+        hull.lo = math::min(hull.lo, v), hull.hi = math::max(hull.hi, v);
+        square = std::max(square, math::dot(math::to_double(v), math::to_double(v)));
+    }
+    hull.bounding_radius = float(std::sqrt(square) * (1 + 0x1p-23)); // not rounded down
+    for (const Face& face : body.faces) {
+        const DVec3 normal = float_normal(face);
+        const std::uint32_t top = climber.farthest(normal, body.loops[face.first]);
+        hull.faces.push_back({math::to_float(face.normal), float(math::dot(normal, math::to_double(hull.vertices[top]))),
+                              std::uint32_t(hull.loops.size()), face.count});
+        hull.loops.insert(hull.loops.end(), body.loops.begin() + face.first,
+                          body.loops.begin() + face.first + face.count);
+    }
+    hull.width = find_width(hull, climber);
+    fill_adjacency(hull);
+}
+
+} // namespace
+
+Climber::Climber(std::vector<DVec3> vertices, std::span<const Edge> edges)
+    : vertices_(std::move(vertices)), start_(vertices_.size() + 1, 0), neighbors_(edges.size()) {
+    for (const Edge& edge : edges) ++start_[edge.from + 1];
+    for (std::size_t v = 0; v < vertices_.size(); ++v) start_[v + 1] += start_[v];
+    std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
+    for (const Edge& edge : edges) neighbors_[next[edge.from]++] = edge.to;
+}
+
+std::uint32_t Climber::farthest(DVec3 direction, std::uint32_t start) const {
+    std::uint32_t best = start;
+    double height = math::dot(direction, vertices_[best]);
+    for (bool climbs = true; climbs;) {
+        climbs = false;
+        const std::uint32_t from = best;
+        for (std::uint32_t i = start_[from]; i < start_[from + 1]; ++i) {
+            const double h = math::dot(direction, vertices_[neighbors_[i]]);
+            if (h > height) height = h, best = neighbors_[i], climbs = true;
+        }
+    }
+    return best;
+}
+
+} // namespace hull
+
+HullData build_hull(std::span<const Vec3> points) {
+    using namespace hull;
+    const Bounds bounds = check(points);
+    const Grid grid = make_grid(points, bounds);
+    const Simplex simplex = first_simplex(grid.points);
+    require_breadth(simplex.breadth / grid.scale, bounds.extent);
+    require_thickness(simplex.thickness / grid.scale, bounds.extent);
+    const double noise = std::min(0x1p-20 * bounds.largest, 1e-3 * bounds.extent);
+    const double tolerance = std::min(1e-5 * bounds.extent + noise, 0.05 * simplex.thickness / grid.scale);
+    Polyhedron body = make_polyhedron(grid.points, simplex, tolerance * grid.scale);
+    sort_faces(body);
+    HullData r;
+    r.tolerance = float(tolerance + 0x1p-23 * bounds.largest);
+    fill_faces(r, body, points);
+    require_thickness(r.width, bounds.extent);
+    measure_mass(r);
+    inset_core(r);
+    return r;
+}
+
+} // namespace cairn

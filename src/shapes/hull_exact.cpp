@@ -1,0 +1,351 @@
+// Quickhull (Barber, Dobkin, Huhdanpaa: The Quickhull Algorithm for Convex Hulls, ACM TOMS 22, 1996), on a grid.
+//
+// A point outside sees some faces; they go, and a cone from their border (the horizon) to the point takes their place.
+// Each face keeps the points found above it, and the farthest of them is taken next. With exact sides the faces that a
+// point sees strictly are a disk and its horizon one simple loop: a point moved a little towards the inside sees the
+// same ones and is in general position. New faces have area, as a point on the line of a horizon edge would not see
+// the face that went. So there is no special case, and nothing to repair.
+#include "shapes/hull_exact.h"
+
+#include <algorithm>
+
+namespace cairn::hull {
+
+using math::DVec3;
+__extension__ typedef __int128 Int128; // not `using`: only this form is free of pedantic warnings everywhere
+
+namespace {
+
+constexpr std::uint32_t none = ~std::uint32_t{};
+// Distances of grid points from planes with exact normals are off by less than 1e-5 (2^30 x a few times 2^-53).
+constexpr double doubt = 1e-4;
+
+GridVector difference(GridPoint a, GridPoint b) {
+    return {std::int64_t(a.x) - b.x, std::int64_t(a.y) - b.y, std::int64_t(a.z) - b.z};
+}
+
+} // namespace
+
+GridVector area_vector(GridPoint a, GridPoint b, GridPoint c) {
+    const GridVector u = difference(b, a), v = difference(c, a);
+    return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+}
+
+int side_of(GridPoint a, GridPoint b, GridPoint c, GridPoint p) {
+    const GridVector n = area_vector(a, b, c), d = difference(p, a);
+    const Int128 side = Int128(n.x) * d.x + Int128(n.y) * d.y + Int128(n.z) * d.z;
+    return side > 0 ? 1 : side < 0 ? -1 : 0;
+}
+
+Simplex first_simplex(std::span<const GridPoint> points) {
+    Simplex r;
+    const auto count = std::uint32_t(points.size());
+    auto& [a, b, c, d] = r.corners;
+    for (std::uint32_t i = 1; i < count; ++i) {
+        const GridPoint p = points[i], q = points[a];
+        if (p.x < q.x || (p.x == q.x && (p.y < q.y || (p.y == q.y && p.z < q.z)))) a = i;
+    }
+    std::int64_t length = 0;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const GridVector v = difference(points[i], points[a]);
+        const std::int64_t square = v.x * v.x + v.y * v.y + v.z * v.z;
+        if (square > length) length = square, b = i;
+    }
+    if (length == 0) return r;
+    double area = 0;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const DVec3 v = to_double(area_vector(points[a], points[b], points[i]));
+        if (const double square = math::dot(v, v); square > area) area = square, c = i;
+    }
+    if (area == 0) return r;
+    r.breadth = std::sqrt(area / double(length));
+    const DVec3 normal = math::normalized(to_double(area_vector(points[a], points[b], points[c])));
+    const DVec3 origin = to_double(points[a]);
+    double above = 0, below = 0;
+    std::uint32_t highest = a, lowest = a;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const double height = math::dot(normal, to_double(points[i]) - origin);
+        if (height > above) above = height, highest = i;
+        if (height < below) below = height, lowest = i;
+    }
+    d = above > -below ? highest : lowest;
+    if (side_of(points[a], points[b], points[c], points[d]) != 0) r.thickness = above - below;
+    return r;
+}
+
+namespace {
+
+struct Face {
+    std::uint32_t corners[3], neighbors[3];
+    DVec3 normal;
+    double offset = 0;
+    std::uint32_t head = none;     // of the list of points above
+    std::uint32_t farthest = none; // of them
+    double height = 0;             // of that
+    std::uint32_t mark = 0;        // the number of the point that was last found to see it (or not)
+    bool seen = false, alive = true;
+};
+
+class Quickhull {
+  public:
+    Quickhull(std::span<const GridPoint> points, double tolerance)
+        : points_(points), tolerance_(tolerance), next_(points.size(), none), start_(points.size(), none) {}
+
+    Triangulation run(const Simplex& simplex) {
+        begin(simplex);
+        while (!pending_.empty()) {
+            const std::uint32_t face = pending_.back();
+            pending_.pop_back();
+            if (faces_[face].alive && faces_[face].farthest != none) add(face);
+        }
+        return result();
+    }
+
+  private:
+    double height(const Face& face, std::uint32_t p) const {
+        return math::dot(face.normal, to_double(points_[p])) - face.offset;
+    }
+    bool sees(std::uint32_t p, const Face& face) const {
+        const double h = height(face, p);
+        if (h > doubt || h < -doubt) return h > 0;
+        return side_of(points_[face.corners[0]], points_[face.corners[1]], points_[face.corners[2]], points_[p]) > 0;
+    }
+    // The point does not count as inside the hull grown by the tolerance.
+    bool is_above(std::uint32_t p, const Face& face, double h) const {
+        return tolerance_ > 0 ? h > tolerance_ : h > doubt || (h >= -doubt && sees(p, face));
+    }
+
+    std::uint32_t make_face(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        std::uint32_t index;
+        if (free_.empty()) {
+            index = std::uint32_t(faces_.size());
+            faces_.emplace_back();
+        } else {
+            index = free_.back();
+            free_.pop_back();
+        }
+        Face& face = faces_[index] = {};
+        face.corners[0] = a, face.corners[1] = b, face.corners[2] = c;
+        face.normal = math::normalized(to_double(area_vector(points_[a], points_[b], points_[c])));
+        face.offset = math::dot(face.normal, to_double(points_[a]));
+        return index;
+    }
+
+    void put_above(std::uint32_t index, std::uint32_t p, double h) {
+        Face& face = faces_[index];
+        next_[p] = face.head;
+        face.head = p;
+        if (face.farthest == none) pending_.push_back(index);
+        if (face.farthest == none || h > face.height || (h == face.height && p < face.farthest))
+            face.farthest = p, face.height = h;
+    }
+
+    // The distance of a point from a triangle, and the edge that it lies beyond most (3: none).
+    double distance(std::uint32_t p, const Face& face, int& exit) const {
+        const DVec3 at = to_double(points_[p]);
+        double most = 0, nearest = -1;
+        exit = 3;
+        for (int k = 0; k < 3; ++k) {
+            const DVec3 a = to_double(points_[face.corners[k]]), b = to_double(points_[face.corners[(k + 1) % 3]]);
+            const DVec3 edge = b - a, d = at - a;
+            const double length = math::length(edge), beyond = math::dot(math::cross(edge, face.normal), d) / length;
+            if (beyond > most) most = beyond, exit = k;
+            double t = math::dot(d, edge) / (length * length);
+            t = t < 0 ? 0 : t > 1 ? 1 : t;
+            const double away = math::length(d - t * edge);
+            if (nearest < 0 || away < nearest) nearest = away;
+        }
+        return exit == 3 ? std::fabs(height(face, p)) : nearest;
+    }
+
+    // Whether a point slightly above the face is near the surface there or a few triangles on. Height above a plane
+    // does not tell: where faces meet at a sharp edge, a point may be little above both and far from the body.
+    bool is_near(std::uint32_t p, std::uint32_t face) const {
+        for (double last = -1;;) {
+            int exit;
+            const double d = distance(p, faces_[face], exit);
+            if (d <= 2 * tolerance_) return true;
+            if (exit == 3 || (last >= 0 && d >= last)) return false;
+            last = d;
+            face = faces_[face].neighbors[exit];
+        }
+    }
+
+    // To the first face that it is above. A point that saw a face that went and sees none of the new ones is inside.
+    void assign(std::uint32_t p, std::span<const std::uint32_t> faces) {
+        std::uint32_t seen = none;
+        for (const std::uint32_t index : faces) {
+            const double h = height(faces_[index], p);
+            if (is_above(p, faces_[index], h)) return put_above(index, p, h);
+            if (tolerance_ > 0 && seen == none && h > -doubt && sees(p, faces_[index])) seen = index;
+        }
+        if (seen == none) return;
+        if (is_near(p, seen)) left_out_.push_back(p);
+        else put_above(seen, p, height(faces_[seen], p));
+    }
+
+    void begin(const Simplex& simplex) {
+        std::uint32_t a = simplex.corners[0], b = simplex.corners[1], c = simplex.corners[2], d = simplex.corners[3];
+        if (side_of(points_[a], points_[b], points_[c], points_[d]) > 0) std::swap(b, c);
+        const std::uint32_t corners[4][3] = {{a, b, c}, {a, d, b}, {b, d, c}, {c, d, a}};
+        const std::uint32_t neighbors[4][3] = {{1, 2, 3}, {3, 2, 0}, {1, 3, 0}, {2, 1, 0}};
+        for (int i = 0; i < 4; ++i) {
+            make_face(corners[i][0], corners[i][1], corners[i][2]);
+            std::copy_n(neighbors[i], 3, faces_[std::size_t(i)].neighbors);
+        }
+        const std::uint32_t all[] = {0, 1, 2, 3};
+        for (std::uint32_t p = 0; p < points_.size(); ++p)
+            if (p != a && p != b && p != c && p != d) assign(p, all);
+    }
+
+    // Finds what p sees, from a face that it does see, and the horizon.
+    void look(std::uint32_t p, std::uint32_t first) {
+        ++mark_;
+        seen_.assign(1, first);
+        horizon_.clear();
+        faces_[first].mark = mark_, faces_[first].seen = true;
+        for (std::size_t i = 0; i < seen_.size(); ++i)
+            for (int k = 0; k < 3; ++k) {
+                const Face& face = faces_[seen_[i]];
+                const std::uint32_t other = face.neighbors[k];
+                Face& neighbor = faces_[other];
+                if (neighbor.mark != mark_) {
+                    neighbor.mark = mark_;
+                    neighbor.seen = sees(p, neighbor);
+                    if (neighbor.seen) seen_.push_back(other);
+                }
+                if (!neighbor.seen) horizon_.push_back({face.corners[k], face.corners[(k + 1) % 3], other});
+            }
+    }
+
+    void add(std::uint32_t first) {
+        const std::uint32_t p = faces_[first].farthest;
+        look(p, first);
+        made_.clear();
+        for (const Edge& edge : horizon_) {
+            const std::uint32_t index = make_face(edge.from, edge.to, p);
+            made_.push_back(index);
+            faces_[index].neighbors[0] = edge.beyond;
+            Face& beyond = faces_[edge.beyond];
+            for (int k = 0; k < 3; ++k)
+                if (beyond.corners[k] == edge.to && beyond.corners[(k + 1) % 3] == edge.from)
+                    beyond.neighbors[k] = index;
+            start_[edge.from] = index;
+        }
+        for (const std::uint32_t index : made_) {
+            const std::uint32_t after = start_[faces_[index].corners[1]];
+            faces_[index].neighbors[1] = after;
+            faces_[after].neighbors[2] = index;
+        }
+        for (const std::uint32_t index : seen_) {
+            faces_[index].alive = false;
+            for (std::uint32_t q = faces_[index].head, after; q != none; q = after) {
+                after = next_[q];
+                if (q != p) assign(q, made_);
+            }
+        }
+        free_.insert(free_.end(), seen_.begin(), seen_.end());
+    }
+
+    Triangulation result() {
+        Triangulation r;
+        std::vector<std::uint32_t> number(points_.size(), none), triangle_of(faces_.size(), none);
+        std::uint32_t count = 0;
+        for (std::size_t i = 0; i < faces_.size(); ++i) {
+            if (!faces_[i].alive) continue;
+            triangle_of[i] = count++;
+            for (const std::uint32_t corner : faces_[i].corners) number[corner] = 0;
+        }
+        for (std::uint32_t p = 0; p < points_.size(); ++p)
+            if (number[p] == 0) {
+                number[p] = std::uint32_t(r.points.size());
+                r.points.push_back(p);
+            }
+        for (const Face& face : faces_) {
+            if (!face.alive) continue;
+            Triangle triangle;
+            for (int k = 0; k < 3; ++k) {
+                triangle.corners[k] = number[face.corners[k]];
+                triangle.neighbors[k] = triangle_of[face.neighbors[k]];
+            }
+            r.triangles.push_back(triangle);
+        }
+        r.left_out = std::move(left_out_);
+        return r;
+    }
+
+    struct Edge {
+        std::uint32_t from, to, beyond;
+    };
+
+    std::span<const GridPoint> points_;
+    double tolerance_;
+    std::vector<Face> faces_;
+    std::vector<std::uint32_t> free_, pending_;
+    std::vector<std::uint32_t> next_;  // of a point, in the list of its face
+    std::vector<std::uint32_t> start_; // of a point on the horizon: the new face whose edge begins there
+    std::vector<std::uint32_t> left_out_, seen_, made_;
+    std::vector<Edge> horizon_;
+    std::uint32_t mark_ = 0;
+};
+
+} // namespace
+
+Triangulation triangulate(std::span<const GridPoint> points, const Simplex& simplex, double tolerance) {
+    return Quickhull(points, tolerance).run(simplex);
+}
+
+PointTree::PointTree(std::span<const GridPoint> points, std::span<const std::uint32_t> chosen)
+    : points_(points), order_(chosen.begin(), chosen.end()) {
+    if (order_.empty()) return;
+    std::size_t nodes = 1;
+    for (std::size_t leaves = 1; leaves * 8 < order_.size(); leaves *= 2) nodes = 4 * leaves - 1;
+    nodes_.resize(nodes);
+    build(0, 0, std::uint32_t(order_.size()));
+}
+
+void PointTree::build(std::size_t node, std::uint32_t first, std::uint32_t count) {
+    DVec3 lo = to_double(points_[order_[first]]), hi = lo;
+    for (std::uint32_t i = 1; i < count; ++i) {
+        const DVec3 p = to_double(points_[order_[first + i]]);
+        lo = math::min(lo, p), hi = math::max(hi, p);
+    }
+    nodes_[node] = {0.5 * (lo + hi), 0.5 * (hi - lo), first, count};
+    if (2 * node + 2 >= nodes_.size()) return;
+    const DVec3 size = hi - lo;
+    const int axis = size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
+    const auto begin = order_.begin() + first, half = begin + count / 2;
+    std::nth_element(begin, half, begin + count, [&](std::uint32_t a, std::uint32_t b) {
+        const double u = to_double(points_[a])[axis], v = to_double(points_[b])[axis];
+        return u != v ? u < v : a < b;
+    });
+    build(2 * node + 1, first, count / 2);
+    build(2 * node + 2, first + count / 2, count - count / 2);
+}
+
+PointTree::Farthest PointTree::farthest(DVec3 normal, double least) const {
+    Farthest best{false, 0, least};
+    if (nodes_.empty()) return best;
+    const DVec3 sizes = math::abs(normal);
+    std::size_t stack[64], size = 0;
+    stack[size++] = 0;
+    while (size > 0) {
+        const std::size_t index = stack[--size];
+        const Node& node = nodes_[index];
+        // `doubt`: the bound is rounded otherwise than the points
+        if (math::dot(normal, node.middle) + math::dot(sizes, node.half) + doubt < best.reach) continue;
+        if (2 * index + 2 < nodes_.size()) {
+            stack[size++] = 2 * index + 1;
+            stack[size++] = 2 * index + 2;
+            continue;
+        }
+        for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+            const double reach = math::dot(normal, to_double(points_[order_[i]]));
+            if (reach > best.reach || (best.found && reach == best.reach && order_[i] < best.point))
+                best = {true, order_[i], reach};
+        }
+    }
+    return best;
+}
+
+} // namespace cairn::hull

@@ -1,0 +1,286 @@
+// Triangles that lie exactly in one plane are one facet: on a convex surface these are convex, and they are never cut.
+// Facets are then joined, the largest first, if what comes out is as good as a face: a disk, flat and convex within
+// the tolerance. Where a join fails a smaller tolerance is tried; a facet alone is always a face. Points that no face
+// needs are told to the caller, who leaves them out and comes back with a new triangulation.
+#include "shapes/hull_faces.h"
+
+#include <algorithm>
+
+namespace cairn::hull {
+
+using math::DVec3;
+
+namespace {
+
+constexpr std::uint32_t none = ~std::uint32_t{};
+
+struct Point2 {
+    double x = 0, y = 0;
+};
+Point2 operator-(Point2 a, Point2 b) { return {a.x - b.x, a.y - b.y}; }
+double dot(Point2 a, Point2 b) { return a.x * b.x + a.y * b.y; }
+double cross(Point2 a, Point2 b) { return a.x * b.y - a.y * b.x; }
+
+// Of p from the segment a b; negative on its left side.
+double beyond_segment(Point2 p, Point2 a, Point2 b) {
+    const Point2 e = b - a, d = p - a, f = p - b;
+    const double length = std::sqrt(dot(e, e));
+    if (length == 0) return std::sqrt(dot(d, d));
+    const double side = -cross(e, d) / length;
+    if (dot(d, e) >= 0 && dot(f, e) <= 0) return side;
+    const double distance = std::sqrt(std::min(dot(d, d), dot(f, f)));
+    return side < 0 ? -distance : distance;
+}
+
+struct Facet {
+    DVec3 area, normal; // area vector (twice the area) and its direction
+    std::uint32_t first = 0, count = 0; // triangles
+    bool is_taken = false;
+    std::uint32_t mark = 0;
+};
+
+class FaceMaker {
+  public:
+    FaceMaker(std::span<const GridPoint> points, std::span<const Triangle> triangles, double plane_tolerance,
+              double corner_tolerance)
+        : points_(points), triangles_(triangles), plane_tolerance_(plane_tolerance),
+          corner_tolerance_(corner_tolerance), facet_of_(triangles.size(), none), after_(points.size(), none),
+          faces_at_(points.size(), 0), is_kept_(points.size(), false), is_redundant_(points.size(), false) {}
+
+    Faces run() {
+        find_facets();
+        std::vector<std::uint32_t> order(facets_.size());
+        for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+        std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+            const double u = math::dot(facets_[a].area, facets_[a].area), v = math::dot(facets_[b].area, facets_[b].area);
+            return u != v ? u > v : a < b;
+        });
+        for (const std::uint32_t seed : order)
+            if (!facets_[seed].is_taken) make_face(seed);
+        find_redundant();
+        for (std::uint32_t p = 0; p < points_.size(); ++p)
+            if (is_redundant_[p]) out_.redundant.push_back(p);
+        return std::move(out_);
+    }
+
+  private:
+    struct Corner {
+        std::uint32_t at, before, after;
+    };
+
+    void find_facets() {
+        std::vector<std::uint32_t> order;
+        for (std::uint32_t seed = 0; seed < triangles_.size(); ++seed) {
+            if (facet_of_[seed] != none) continue;
+            const auto index = std::uint32_t(facets_.size());
+            Facet facet;
+            facet.first = std::uint32_t(by_facet_.size());
+            facet_of_[seed] = index;
+            by_facet_.push_back(seed);
+            const auto& a = triangles_[seed].corners;
+            for (std::size_t i = facet.first; i < by_facet_.size(); ++i) {
+                const Triangle& triangle = triangles_[by_facet_[i]];
+                const auto& c = triangle.corners;
+                facet.area += to_double(area_vector(points_[c[0]], points_[c[1]], points_[c[2]]));
+                for (const std::uint32_t other : triangle.neighbors) {
+                    if (facet_of_[other] != none) continue;
+                    const auto& d = triangles_[other].corners;
+                    bool is_flat = true;
+                    for (int k = 0; k < 3 && is_flat; ++k)
+                        is_flat = side_of(points_[a[0]], points_[a[1]], points_[a[2]], points_[d[k]]) == 0;
+                    if (!is_flat) continue;
+                    facet_of_[other] = index;
+                    by_facet_.push_back(other);
+                }
+            }
+            facet.count = std::uint32_t(by_facet_.size()) - facet.first;
+            facet.normal = math::normalized(facet.area);
+            facets_.push_back(facet);
+        }
+    }
+
+    std::span<const std::uint32_t> triangles_of(const Facet& facet) const {
+        return {by_facet_.data() + facet.first, facet.count};
+    }
+
+    // The facets around the seed that lie within the tolerance below its plane.
+    void grow(std::uint32_t seed, double tolerance) {
+        ++mark_;
+        region_.assign(1, seed);
+        facets_[seed].mark = mark_;
+        const DVec3 normal = facets_[seed].normal;
+        const double least =
+            math::dot(normal, to_double(points_[triangles_[triangles_of(facets_[seed])[0]].corners[0]])) - tolerance;
+        for (std::size_t i = 0; i < region_.size(); ++i)
+            for (const std::uint32_t t : triangles_of(facets_[region_[i]]))
+                for (const std::uint32_t neighbor : triangles_[t].neighbors) {
+                    Facet& facet = facets_[facet_of_[neighbor]];
+                    if (facet.is_taken || facet.mark == mark_) continue;
+                    // 0.5: slivers along an edge of the body go to the face that they are turned to
+                    bool fits = math::dot(facet.normal, normal) > 0.5;
+                    for (std::uint32_t k = 0; fits && k < 3 * facet.count; ++k) {
+                        const std::uint32_t corner = triangles_[by_facet_[facet.first + k / 3]].corners[k % 3];
+                        fits = math::dot(normal, to_double(points_[corner])) >= least;
+                    }
+                    if (!fits) continue;
+                    facet.mark = mark_;
+                    region_.push_back(facet_of_[neighbor]);
+                }
+    }
+
+    // The outline of the region. False if it is not one simple loop.
+    bool trace() {
+        std::size_t edges = 0;
+        bool is_simple = true;
+        std::uint32_t start = none;
+        touched_.clear();
+        for (const std::uint32_t index : region_)
+            for (const std::uint32_t t : triangles_of(facets_[index]))
+                for (int k = 0; k < 3; ++k) {
+                    if (facets_[facet_of_[triangles_[t].neighbors[k]]].mark == mark_) continue;
+                    const std::uint32_t from = triangles_[t].corners[k], to = triangles_[t].corners[(k + 1) % 3];
+                    is_simple = is_simple && after_[from] == none;
+                    after_[from] = to;
+                    touched_.push_back(from);
+                    start = std::min(start, from);
+                    ++edges;
+                }
+        loop_.clear();
+        if (is_simple && edges >= 3)
+            for (std::uint32_t p = start; loop_.size() <= edges;) {
+                loop_.push_back(p);
+                p = after_[p];
+                if (p == start || p == none) break;
+            }
+        for (const std::uint32_t p : touched_) after_[p] = none;
+        return is_simple && loop_.size() == edges && edges >= 3;
+    }
+
+    void flatten() {
+        DVec3 area;
+        for (const std::uint32_t index : region_) area += facets_[index].area;
+        normal_ = math::normalized(area);
+        const DVec3 axis = std::fabs(normal_.x) < 0.5 ? DVec3{1, 0, 0} : DVec3{0, 1, 0};
+        const DVec3 u = math::normalized(math::cross(axis, normal_)), v = math::cross(normal_, u);
+        const DVec3 origin = to_double(points_[loop_[0]]);
+        flat_.clear();
+        for (const std::uint32_t p : loop_) {
+            const DVec3 d = to_double(points_[p]) - origin;
+            flat_.push_back({math::dot(u, d), math::dot(v, d)});
+        }
+    }
+
+    // Every corner of the outline lies within the tolerance of its convex hull (Andrew's monotone chain), and in order.
+    bool is_convex(double tolerance) {
+        const auto count = std::uint32_t(flat_.size());
+        chain_.resize(count);
+        for (std::uint32_t i = 0; i < count; ++i) chain_[i] = i;
+        std::sort(chain_.begin(), chain_.end(), [&](std::uint32_t a, std::uint32_t b) {
+            const Point2 p = flat_[a], q = flat_[b];
+            return p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : a < b;
+        });
+        ring_.clear();
+        auto extend = [&](std::uint32_t i, std::size_t floor) {
+            while (ring_.size() >= floor + 2 && cross(flat_[ring_.back()] - flat_[ring_[ring_.size() - 2]],
+                                                      flat_[i] - flat_[ring_[ring_.size() - 2]]) <= 0)
+                ring_.pop_back();
+            ring_.push_back(i);
+        };
+        for (std::uint32_t k = 0; k < count; ++k) extend(chain_[k], 0);
+        const std::size_t lower = ring_.size() - 1;
+        for (std::uint32_t k = count - 1; k-- > 0;) extend(chain_[k], lower);
+        ring_.pop_back();
+        if (ring_.size() < 3) return false;
+        std::size_t turns = 0;
+        for (std::size_t k = 0; k < ring_.size(); ++k) {
+            const std::uint32_t from = ring_[k], to = ring_[(k + 1) % ring_.size()];
+            turns += from >= to;
+            for (std::uint32_t i = (from + 1) % count; i != to; i = (i + 1) % count)
+                if (std::fabs(beyond_segment(flat_[i], flat_[from], flat_[to])) > tolerance) return false;
+        }
+        return turns == 1;
+    }
+
+    void make_face(std::uint32_t seed) {
+        bool is_good = false;
+        double tolerance = plane_tolerance_;
+        for (int attempt = 0; attempt < 4 && tolerance > 0 && !is_good; ++attempt, tolerance *= 0.25) {
+            grow(seed, tolerance);
+            if (region_.size() == 1) break;
+            is_good = trace();
+            if (!is_good) continue;
+            flatten();
+            is_good = is_convex(tolerance);
+        }
+        if (!is_good) {
+            ++mark_;
+            region_.assign(1, seed);
+            facets_[seed].mark = mark_;
+            trace();
+            flatten();
+        }
+        for (const std::uint32_t index : region_) facets_[index].is_taken = true;
+        for (const std::uint32_t p : loop_) ++faces_at_[p];
+        out_.faces.push_back({normal_, std::uint32_t(out_.loops.size()), std::uint32_t(loop_.size())});
+        out_.loops.insert(out_.loops.end(), loop_.begin(), loop_.end());
+        note_blunt_corners();
+    }
+
+    // Corners that stick out too little, and those bent inward.
+    void note_blunt_corners() {
+        const std::size_t count = flat_.size();
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::size_t before = (i + count - 1) % count, after = (i + 1) % count;
+            const double beyond = beyond_segment(flat_[i], flat_[before], flat_[after]);
+            if (corner_tolerance_ > 0 && beyond <= corner_tolerance_)
+                blunt_.push_back({loop_[i], loop_[before], loop_[after]});
+            else if (beyond <= plane_tolerance_)
+                hardly_blunt_.push_back({loop_[i], loop_[before], loop_[after]});
+        }
+    }
+
+    void drop(std::span<const Corner> corners) {
+        for (const Corner& corner : corners) {
+            if (is_kept_[corner.at] || is_redundant_[corner.before] || is_redundant_[corner.after]) continue;
+            is_redundant_[corner.at] = true;
+            is_kept_[corner.before] = is_kept_[corner.after] = true;
+        }
+    }
+
+    // A point goes only while the neighbors on whose segment it lies stay: then the hull becomes smaller by no more
+    // than what the point stuck out. Points inside of faces go anyhow. A point between two faces goes if it is about on
+    // the line of their edge; it may not be where they meet at a sharp edge, and then these faces are of no use.
+    void find_redundant() {
+        for (std::uint32_t p = 0; p < points_.size(); ++p) is_redundant_[p] = faces_at_[p] == 0;
+        drop(blunt_);
+        std::erase_if(hardly_blunt_, [&](const Corner& corner) { return faces_at_[corner.at] != 2; });
+        drop(hardly_blunt_);
+        bool is_any = false;
+        for (const bool is : is_redundant_) is_any = is_any || is;
+        for (std::uint32_t p = 0; p < points_.size() && !is_any && out_.is_sound; ++p) out_.is_sound = faces_at_[p] >= 3;
+    }
+
+    std::span<const GridPoint> points_;
+    std::span<const Triangle> triangles_;
+    double plane_tolerance_, corner_tolerance_;
+    std::vector<Facet> facets_;
+    std::vector<std::uint32_t> facet_of_, by_facet_; // of a triangle; triangles facet by facet
+    std::uint32_t mark_ = 1;
+    std::vector<std::uint32_t> region_, loop_, touched_, chain_, ring_;
+    std::vector<std::uint32_t> after_; // of a point in the outline: the next one
+    std::vector<Point2> flat_;         // the outline in the plane of the face
+    DVec3 normal_;
+    std::vector<std::uint32_t> faces_at_; // how many faces meet in a point
+    std::vector<Corner> blunt_, hardly_blunt_;
+    std::vector<bool> is_kept_, is_redundant_;
+    Faces out_;
+};
+
+} // namespace
+
+Faces make_faces(std::span<const GridPoint> points, std::span<const Triangle> triangles, double plane_tolerance,
+                 double corner_tolerance) {
+    return FaceMaker(points, triangles, plane_tolerance, corner_tolerance).run();
+}
+
+} // namespace cairn::hull
