@@ -17,9 +17,9 @@ struct RunOptions {
     std::optional<double> time_step; // s; the scene's own otherwise
     std::optional<int> substeps;     // the scene's own otherwise
     std::optional<Integrator> integrator;
-    std::optional<int> threads;                  // all otherwise
-    std::filesystem::path csv, png, video, save; // empty: do not write
-    int width = 1280, height = 720;              // of pictures, pixels
+    std::optional<int> threads;                           // all otherwise
+    std::filesystem::path csv, png, video, save, animate; // empty: do not write
+    int width = 1280, height = 720;                       // of pictures, pixels
     bool json = false;
 };
 
@@ -31,6 +31,15 @@ struct ScenesOptions {
 };
 
 int scenes_command(const ScenesOptions& options);
+
+struct ConvertOptions {
+    std::filesystem::path input, output; // a scene, or an .obj or .stl file; .gltf or .glb
+    std::optional<bool> as_hull;         // of meshes; a hull otherwise
+    std::optional<double> scale;         // m of one unit of a mesh; 1 otherwise
+    std::optional<double> density;       // kg/m^3; 1000 otherwise
+};
+
+int convert_command(const ConvertOptions& options);
 
 struct ViewOptions {
     std::string scene;

@@ -15,6 +15,7 @@
 
 namespace {
 
+using cairn::cli::ConvertOptions;
 using cairn::cli::RunOptions;
 using cairn::cli::ScenesOptions;
 using cairn::cli::ViewOptions;
@@ -32,11 +33,11 @@ CLI::Validator between(double low, double high) {
         "(" + range + ")");
 }
 
-CLI::Validator one_of(std::vector<std::string> names) {
+CLI::Validator one_of(std::vector<std::string> names, const std::string& remark = {}) {
     return CLI::Validator(
-        [names](std::string& text) {
+        [names, remark](std::string& text) {
             if (std::find(names.begin(), names.end(), text) != names.end()) return std::string();
-            return fmt::format("must be one of {}, got {}", fmt::join(names, ", "), text);
+            return fmt::format("must be one of {}, got {}{}", fmt::join(names, ", "), text, remark);
         },
         "");
 }
@@ -64,7 +65,9 @@ void add_run(CLI::App& app, RunOptions& options) {
     run->add_option("--csv", options.csv, "Write positions and velocities of every body after every step");
     run->add_option("--png", options.png, "Write a picture of the end");
     run->add_option("--video", options.video, "Write a video, 60 frames a second (needs ffmpeg)");
-    run->add_option("--save", options.save, "Write the scene as it stands at the end (.gltf)");
+    run->add_option("--save", options.save, "Write the scene as it stands at the end (.gltf or .glb)");
+    run->add_option("--animate", options.animate,
+                    "Write the run as an animated .glb file, for viewers without physics");
     run->add_option("--width", options.width, "Of pictures and videos, pixels")->check(between(16, 8192));
     run->add_option("--height", options.height, "Of pictures and videos, pixels")->check(between(16, 8192));
     run->add_flag("--json", options.json, "Print the summary as one JSON object");
@@ -74,6 +77,23 @@ void add_scenes(CLI::App& app, ScenesOptions& options) {
     CLI::App* scenes = app.add_subcommand("scenes", "List the scenes.");
     scenes->add_option("folder", options.folder, "Where to look (default: the scenes that come with Cairn)");
     scenes->add_flag("--json", options.json, "Print one JSON array");
+}
+
+void add_convert(CLI::App& app, ConvertOptions& options) {
+    CLI::App* convert = app.add_subcommand("convert", "Write a scene in another form, or make one of a mesh.");
+    convert->add_option("in", options.input, "A scene (.gltf, .glb or its name), or a mesh (.obj, .stl)")->required();
+    convert->add_option("out", options.output, "The scene to write (.gltf or .glb)")->required();
+    convert
+        ->add_option_function<std::string>(
+            "--as", [&options](const std::string& name) { options.as_hull = name == "hull"; },
+            "What a mesh becomes: a dynamic body with its convex hull, or a static one with its triangles (hull or "
+            "mesh; "
+            "default hull)")
+        ->check(one_of({"hull", "mesh"}, "; there is no decomposition into convex parts"));
+    convert->add_option("--scale", options.scale, "Meters of one unit of a mesh (default 1)")
+        ->check(between(1e-9, 1e9));
+    convert->add_option("--density", options.density, "Of a mesh's hull, kg/m^3 (default 1000)")
+        ->check(between(1e-6, 1e9));
 }
 
 void add_view(CLI::App& app, ViewOptions& options) {
@@ -103,9 +123,11 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     RunOptions run;
     ScenesOptions scenes;
+    ConvertOptions convert;
     ViewOptions view;
     add_run(app, run);
     add_scenes(app, scenes);
+    add_convert(app, convert);
     add_view(app, view);
     try {
         app.parse(argc, argv);
@@ -119,6 +141,7 @@ int main(int argc, char** argv) {
     try {
         if (app.got_subcommand("run")) return cairn::cli::run_command(run);
         if (app.got_subcommand("scenes")) return cairn::cli::scenes_command(scenes);
+        if (app.got_subcommand("convert")) return cairn::cli::convert_command(convert);
         return cairn::cli::view_command(view);
     } catch (const std::exception& error) {
         return complain(error.what(), 1);

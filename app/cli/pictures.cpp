@@ -16,12 +16,14 @@ constexpr double tolerance = 1e-6;
 
 PictureRecorder::PictureRecorder(const scene::Scene& scene, std::filesystem::path png,
                                  const std::filesystem::path& video, int width, int height)
-    : png_(std::move(png)), camera_(camera_of(scene)), appearances_(appearances_of(scene)), renderer_(width, height),
-      start_(scene.world.time()) {
+    : png_(std::move(png)), visuals_(visuals_of(scene)), camera_(camera_of(scene, visuals_)),
+      appearances_(appearances_of(scene)), renderer_(width, height), start_(scene.world.time()) {
     if (!video.empty()) video_ = std::make_unique<viewer::VideoWriter>(video, width, height, frames_per_second);
 }
 
-void PictureRecorder::draw(const World& world) { renderer_.draw(viewer::make_frame(world, appearances_, camera_)); }
+void PictureRecorder::draw(const World& world) {
+    renderer_.draw(viewer::make_frame(world, appearances_, camera_, {}, meshes_, visuals_));
+}
 
 void PictureRecorder::add(const World& world) {
     if (!video_) return;

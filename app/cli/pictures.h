@@ -27,8 +27,10 @@ class PictureRecorder {
     void draw(const World& world);
 
     std::filesystem::path png_;
+    std::vector<viewer::Visual> visuals_;
     viewer::CameraPose camera_;
     std::vector<viewer::Appearance> appearances_;
+    viewer::MeshCache meshes_;
     viewer::HeadlessRenderer renderer_;
     std::unique_ptr<viewer::VideoWriter> video_;
     double start_ = 0.0;

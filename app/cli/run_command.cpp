@@ -4,6 +4,7 @@
 #include "cli/progress.h"
 #include "cli/trajectory_writer.h"
 
+#include "scene/animation.h"
 #include "scene/scene.h"
 
 #include <fmt/core.h>
@@ -69,10 +70,13 @@ Outcome simulate(const RunOptions& options, scene::Scene& scene, std::uint64_t s
     if (!options.png.empty() || !options.video.empty()) {
         pictures = std::make_unique<PictureRecorder>(scene, options.png, options.video, options.width, options.height);
     }
+    std::optional<scene::AnimationBaker> animation;
+    if (!options.animate.empty()) animation.emplace(scene);
     Outcome outcome;
     {
         ProgressLine progress(steps);
         if (csv) csv->add(scene.world);
+        if (animation) animation->add(scene.world);
         if (pictures) pictures->add(scene.world);
         for (std::uint64_t i = 0; i < steps && !interrupt.requested(); ++i) {
             const auto start = std::chrono::steady_clock::now();
@@ -81,6 +85,7 @@ Outcome simulate(const RunOptions& options, scene::Scene& scene, std::uint64_t s
             outcome.step_times.push_back(elapsed.count());
             outcome.max_penetration = std::max(outcome.max_penetration, scene.world.statistics().max_penetration);
             if (csv) csv->add(scene.world);
+            if (animation) animation->add(scene.world);
             if (pictures) pictures->add(scene.world);
             progress.show(i + 1);
         }
@@ -88,6 +93,7 @@ Outcome simulate(const RunOptions& options, scene::Scene& scene, std::uint64_t s
     }
     if (csv) csv->close();
     if (pictures) pictures->finish(scene.world);
+    if (animation) animation->write(options.animate);
     if (!options.save.empty()) scene::save(scene, options.save);
     return outcome;
 }

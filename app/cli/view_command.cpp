@@ -15,6 +15,7 @@ int view_command(const ViewOptions& options) {
         if (entry.error.empty()) window.scenes.push_back({entry.path.string(), entry.title});
     }
     window.loader = load_for_viewer;
+    window.file_types = viewer_file_types();
     window.width = options.width;
     window.height = options.height;
     window.exit_after = options.exit_after;

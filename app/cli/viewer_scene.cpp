@@ -1,9 +1,13 @@
 #include "cli/viewer_scene.h"
 
+#include "scene/mesh_files.h"
 #include "viewer/world_state.h"
 
 #include <glm/trigonometric.hpp>
 
+#include <filesystem>
+#include <memory>
+#include <unordered_map>
 #include <utility>
 
 namespace cairn::cli {
@@ -17,8 +21,24 @@ std::vector<viewer::Appearance> appearances_of(const scene::Scene& scene) {
     return appearances;
 }
 
-viewer::CameraPose camera_of(const scene::Scene& scene) {
-    if (!scene.info.camera) return viewer::fit_camera(scene.world);
+std::vector<viewer::Visual> visuals_of(const scene::Scene& scene) {
+    std::vector<viewer::Visual> visuals;
+    std::unordered_map<const scene::Surface*, std::shared_ptr<const viewer::ShapeMesh>> meshes;
+    for (const scene::VisualMesh& visual : scene.visuals) {
+        std::shared_ptr<const viewer::ShapeMesh>& mesh = meshes[visual.surface.get()];
+        if (!mesh) {
+            const scene::Surface& surface = *visual.surface;
+            mesh = std::make_shared<const viewer::ShapeMesh>(
+                viewer::make_shape_mesh(viewer::visual_triangles(surface.vertices, surface.normals, surface.indices),
+                                        viewer::MeshLook::visual));
+        }
+        visuals.push_back({visual.body, visual.local, mesh, visual.color});
+    }
+    return visuals;
+}
+
+viewer::CameraPose camera_of(const scene::Scene& scene, std::span<const viewer::Visual> visuals) {
+    if (!scene.info.camera) return viewer::fit_camera(scene.world, visuals);
     viewer::CameraPose pose;
     pose.position = scene.info.camera->position;
     pose.target = scene.info.camera->target;
@@ -26,11 +46,28 @@ viewer::CameraPose camera_of(const scene::Scene& scene) {
     return pose;
 }
 
+std::vector<std::string> viewer_file_types() { return {".gltf", ".glb", ".obj", ".stl"}; }
+
+namespace {
+
+// A mesh alone becomes ground to drop bodies on: it is shown as it is, and stays where it is.
+scene::Scene load_any(const std::filesystem::path& path) {
+    if (!scene::is_mesh_file(path)) return scene::load(path);
+    scene::MeshImport import;
+    import.as_hull = false;
+    scene::Scene scene = scene::scene_of_mesh(scene::load_mesh_file(path), import, path.stem().string());
+    scene.info.hint = "U I O and J K L M drop bodies on it";
+    return scene;
+}
+
+} // namespace
+
 viewer::LoadedScene load_for_viewer(const std::string& path) {
-    scene::Scene scene = scene::load(scene::find_scene(path));
+    scene::Scene scene = load_any(scene::find_scene(path));
     viewer::LoadedScene loaded;
     loaded.appearances = appearances_of(scene);
-    loaded.camera = camera_of(scene);
+    loaded.visuals = visuals_of(scene);
+    loaded.camera = camera_of(scene, loaded.visuals);
     loaded.title = scene.info.title;
     loaded.hint = scene.info.hint;
     loaded.time_step = scene.info.time_step;

@@ -4,12 +4,22 @@
 #include "scene/scene.h"
 #include "viewer/scene_source.h"
 
+#include <span>
+#include <string>
+#include <vector>
+
 namespace cairn::cli {
 
 std::vector<viewer::Appearance> appearances_of(const scene::Scene& scene);
 
+// The scene's meshes, those that share their triangles with one mesh.
+std::vector<viewer::Visual> visuals_of(const scene::Scene& scene);
+
 // The scene's own view, or one that shows all of it.
-viewer::CameraPose camera_of(const scene::Scene& scene);
+viewer::CameraPose camera_of(const scene::Scene& scene, std::span<const viewer::Visual> visuals);
+
+// Extensions of the files that `load_for_viewer` reads.
+std::vector<std::string> viewer_file_types();
 
 viewer::LoadedScene load_for_viewer(const std::string& path);
 

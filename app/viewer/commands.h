@@ -76,6 +76,10 @@ struct ReleaseGrab {
     bool click = false;
 };
 struct SelectNothing {};
+/// Shows a line to the person at the screen.
+struct Say {
+    std::string text;
+};
 /// Islands cost time to find, so they are found only while they are shown.
 struct ShowIslands {
     bool on = false;
@@ -85,11 +89,12 @@ struct ShowIslands {
 
 namespace cairn::viewer {
 
-using Command = std::variant<command::LoadScene, command::ResetScene, command::Spawn, command::Shoot,
-                             command::RemoveLast, command::RemoveSelected, command::SetForce, command::SetPull,
-                             command::SetFreeze, command::SetPaused, command::TogglePause, command::SingleStep,
-                             command::ChangeSpeed, command::SetSpeed, command::SetSettings, command::GrabBody,
-                             command::MoveGrab, command::ReleaseGrab, command::SelectNothing, command::ShowIslands>;
+using Command =
+    std::variant<command::LoadScene, command::ResetScene, command::Spawn, command::Shoot, command::RemoveLast,
+                 command::RemoveSelected, command::SetForce, command::SetPull, command::SetFreeze, command::SetPaused,
+                 command::TogglePause, command::SingleStep, command::ChangeSpeed, command::SetSpeed,
+                 command::SetSettings, command::GrabBody, command::MoveGrab, command::ReleaseGrab,
+                 command::SelectNothing, command::Say, command::ShowIslands>;
 
 /// A queue that many threads may fill and one empties.
 class CommandQueue {

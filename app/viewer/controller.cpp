@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <iterator>
 
 namespace cairn::viewer {
 
@@ -128,6 +130,19 @@ void Controller::perform_on_body(Action action) {
     case Action::add_small_sphere:
         post_(command::Spawn{small_sphere_preset(), above});
         break;
+    case Action::add_capsule:
+        post_(command::Spawn{preset_of(SpawnSettings::Kind::capsule), above});
+        break;
+    case Action::add_cylinder:
+        post_(command::Spawn{preset_of(SpawnSettings::Kind::cylinder), above});
+        break;
+    case Action::add_cone:
+        post_(command::Spawn{preset_of(SpawnSettings::Kind::cone), above});
+        break;
+    case Action::add_polyhedron:
+        polyhedra_ = polyhedra_ * 1664525u + 1013904223u; // Numerical Recipes' generator; its upper bits are good
+        post_(command::Spawn{preset_of(polyhedron_kinds[(polyhedra_ >> 16) % std::size(polyhedron_kinds)]), above});
+        break;
     case Action::shoot:
         post_(command::Shoot{tool, camera.cursor_ray(cursor_, aspect_)});
         break;
@@ -184,6 +199,9 @@ void Controller::perform(const Binding& binding) {
     case Action::toggle_shadows:
         shadows = !shadows;
         break;
+    case Action::toggle_visuals:
+        visuals = !visuals;
+        break;
     case Action::toggle_panel:
         panel = !panel;
         break;
@@ -232,6 +250,22 @@ void Controller::button_up(MouseButton button) {
     post_(command::ReleaseGrab{glm::length(moved) < click_slack});
 }
 
+void Controller::drop_files(std::span<const std::string> paths) {
+    if (paths.empty()) return;
+    const auto is_scene = [this](const std::string& path) {
+        std::string type = std::filesystem::path(path).extension().string();
+        for (char& letter : type)
+            if (letter >= 'A' && letter <= 'Z') letter = char(letter - 'A' + 'a');
+        return std::find(file_types_.begin(), file_types_.end(), type) != file_types_.end();
+    };
+    const auto found = std::find_if(paths.begin(), paths.end(), is_scene); // textures and buffers may come along
+    if (found != paths.end()) return post_(command::LoadScene{*found});
+    std::string types;
+    for (const std::string& type : file_types_) types += (types.empty() ? "" : ", ") + type;
+    const std::string name = std::filesystem::path(paths.front()).filename().string();
+    post_(command::Say{name + " is no scene: files of these types can be opened: " + types});
+}
+
 void Controller::update(const StageState& state) {
     state_ = state;
     scene_path_ = state.path;
@@ -263,6 +297,7 @@ FrameOptions Controller::frame_options(const StageState& state) const {
     options.colors = colors;
     options.grid = grid;
     options.shadows = shadows;
+    options.visuals = visuals;
     options.selected = state.selected;
     return options;
 }

@@ -14,6 +14,7 @@
 
 #include <functional>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,13 +29,16 @@ inline constexpr float force_key_acceleration = 40.0f;
 class Controller {
   public:
     using Post = std::function<void(Command)>;
-    Controller(Post post, std::vector<SceneItem> scenes) : post_(std::move(post)), scenes_(std::move(scenes)) {}
+    /// `file_types`: the extensions of files that can be opened, in small letters, with their points.
+    Controller(Post post, std::vector<SceneItem> scenes, std::vector<std::string> file_types = {})
+        : post_(std::move(post)), scenes_(std::move(scenes)), file_types_(std::move(file_types)) {}
 
     // --- what the picture shows; the panel changes these directly
     OrbitCamera camera;
     ColorMode colors = ColorMode::scene;
     bool grid = true, shadows = true, panel = true, help = false;
-    SpawnSettings tool; ///< Of the spawn tool.
+    bool visuals = true; ///< The meshes that came with the scene instead of what collides.
+    SpawnSettings tool;  ///< Of the spawn tool.
     bool quit = false;
     bool screenshot = false; ///< Asked for; whoever takes it clears this.
 
@@ -53,6 +57,8 @@ class Controller {
     void move_cursor(const glm::vec2& device, float aspect);
     void button_down(MouseButton button);
     void button_up(MouseButton button);
+    /// Files were dropped on the window: opens the first scene among them, or says why there is none.
+    void drop_files(std::span<const std::string> paths);
     void wheel(float notches) { camera.zoom(notches); }
     /// Modifiers now held: they constrain a drag.
     void set_constraint(DragConstraint constraint) { constraint_ = constraint; }
@@ -73,6 +79,8 @@ class Controller {
 
     Post post_;
     std::vector<SceneItem> scenes_;
+    std::vector<std::string> file_types_;
+    std::uint32_t polyhedra_ = 1;                      // state of a random generator
     std::map<std::string, Binding, std::less<>> held_; // by key, without modifiers
     Vec3 force_{0.0f, 0.0f, 0.0f};
     bool pulling_ = false, freezing_ = false;

@@ -111,13 +111,13 @@ void GlProgram::set(const char* uniform, float value) const { glUniform1f(place_
 
 void GlProgram::set(const char* uniform, int value) const { glUniform1i(place_of(uniform), value); }
 
-GlMesh::GlMesh(const Mesh& mesh)
+GlMesh::GlMesh(const TriangleMesh& mesh)
     : vertices_(make_buffer()), indices_(make_buffer()), instances_(make_buffer()), array_(make_vertex_array()),
       plain_array_(make_vertex_array()), index_count_(int(mesh.indices.size())) {
     mesh_attributes(plain_array_, vertices_, indices_);
     glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(mesh.vertices.size() * sizeof(MeshVertex)), mesh.vertices.data(),
                  GL_STATIC_DRAW);
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(mesh.indices.size() * sizeof(std::uint16_t)), mesh.indices.data(),
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(mesh.indices.size() * sizeof(std::uint32_t)), mesh.indices.data(),
                  GL_STATIC_DRAW);
     mesh_attributes(array_, vertices_, indices_);
     glBindBuffer(GL_ARRAY_BUFFER, instances_.name());
@@ -134,15 +134,18 @@ void GlMesh::upload(const void* instances, std::size_t count) {
     glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(count * sizeof(Instance)), instances, GL_STREAM_DRAW);
 }
 
-void GlMesh::draw_instances() const {
+void GlMesh::draw_instances() const { draw_instances(0, std::size_t(index_count_)); }
+
+void GlMesh::draw_instances(std::size_t first, std::size_t count) const {
     if (instance_count_ == 0) return;
     glBindVertexArray(array_.name());
-    glDrawElementsInstanced(GL_TRIANGLES, index_count_, GL_UNSIGNED_SHORT, nullptr, instance_count_);
+    const void* offset = reinterpret_cast<const void*>(first * sizeof(std::uint32_t)); // by OpenGL's convention
+    glDrawElementsInstanced(GL_TRIANGLES, GLsizei(count), GL_UNSIGNED_INT, offset, instance_count_);
 }
 
 void GlMesh::draw_once() const {
     glBindVertexArray(plain_array_.name());
-    glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_SHORT, nullptr);
+    glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
 }
 
 } // namespace cairn::viewer

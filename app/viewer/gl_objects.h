@@ -62,11 +62,13 @@ class GlProgram {
 /// A mesh on the graphics card, drawn many times by one call.
 class GlMesh {
   public:
-    explicit GlMesh(const Mesh& mesh);
+    explicit GlMesh(const TriangleMesh& mesh);
     /// Draws one copy for each element of `instances` (64 bytes each, see `Instance`).
     void upload(const void* instances, std::size_t count);
     /// Draws what was uploaded last.
     void draw_instances() const;
+    /// Draws only `count` indices of it, from number `first`.
+    void draw_instances(std::size_t first, std::size_t count) const;
     /// Draws the mesh itself, once.
     void draw_once() const;
 

@@ -1,5 +1,6 @@
 #include "viewer/gl_renderer.h"
 
+#include "viewer/culling.h"
 #include "viewer/gl_objects.h"
 #include "viewer/shaders.h"
 
@@ -12,7 +13,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace cairn::viewer {
@@ -24,12 +27,64 @@ constexpr int wanted_samples = 4;       // per pixel
 constexpr float fade_distances = 20.0f; // camera distances over which the ground fades
 constexpr float extent_fades = 12.0f;   // the ground ends after that many fading distances
 
-// Sphere meshes by how many pixels their radius covers.
-struct SphereDetail {
-    int subdivisions;
+// Meshes of round shapes by how many pixels their radius covers.
+struct Detail {
     float least_pixels;
+    int sphere_subdivisions;
+    int segments, rings; // of capsules; cylinders have the segments alone
 };
-constexpr std::array<SphereDetail, 4> sphere_details{{{1, 0.0f}, {2, 6.0f}, {3, 32.0f}, {4, 140.0f}}};
+constexpr std::array<Detail, 4> details{{{0.0f, 1, 12, 3}, {6.0f, 2, 24, 5}, {32.0f, 3, 48, 9}, {140.0f, 4, 96, 16}}};
+
+// A round shape in all its details, and the instances of each.
+class RoundMeshes {
+  public:
+    template <class Make> explicit RoundMeshes(Make make) {
+        for (const Detail& detail : details) meshes_.emplace_back(make(detail));
+    }
+    // `sort` puts instances in the order in which they are drawn; `pixels_of` tells how large one appears.
+    template <class Sort, class Pixels>
+    void upload(const std::vector<Instance>& instances, const Sort& sort, const Pixels& pixels_of) {
+        for (std::vector<Instance>& list : lists_) list.clear();
+        for (const Instance& instance : instances) {
+            const float pixels = pixels_of(instance);
+            std::size_t level = 0;
+            while (level + 1 < details.size() && pixels >= details[level + 1].least_pixels) ++level;
+            lists_[level].push_back(instance);
+        }
+        for (std::size_t i = 0; i < meshes_.size(); ++i) {
+            sort(lists_[i]);
+            meshes_[i].upload(lists_[i].data(), lists_[i].size());
+        }
+    }
+    void draw() const {
+        for (const GlMesh& mesh : meshes_) mesh.draw_instances();
+    }
+
+  private:
+    std::vector<GlMesh> meshes_;
+    std::array<std::vector<Instance>, details.size()> lists_;
+};
+
+// A mesh of a frame that is on the graphics card.
+struct LoadedMesh {
+    std::shared_ptr<const ShapeMesh> source; // keeps its address its own
+    GlMesh mesh;
+    bool used = true;
+};
+
+shaders::BodyKind kind_of(MeshLook look) {
+    switch (look) {
+    case MeshLook::facets:
+        return shaders::BodyKind::facets;
+    case MeshLook::surface:
+        return shaders::BodyKind::surface;
+    case MeshLook::terrain:
+        return shaders::BodyKind::terrain;
+    case MeshLook::visual:
+        break;
+    }
+    return shaders::BodyKind::visual;
+}
 
 std::string with_lighting(const char* fragment) { return std::string(shaders::lighting) + fragment; }
 
@@ -48,16 +103,29 @@ float grid_spacing(float camera_distance) {
 
 ShadowRegion shadow_region(const RenderFrame& frame) {
     const Vec3 target(frame.camera.target - frame.origin);
-    const float reach = 5.0f * std::max(0.1f, float(glm::length(frame.camera.position - frame.camera.target)));
+    const float distance = std::max(0.1f, float(glm::length(frame.camera.position - frame.camera.target)));
+    const float reach = 5.0f * distance;
     float radius = 0.0f;
     const auto include = [&](const std::vector<Instance>& instances) {
         for (const Instance& instance : instances) {
-            const float needed = glm::length(instance.position - target) + glm::length(instance.half_size);
+            const float needed = glm::length(instance.position - target) + instance.bound_radius;
             if (needed < reach) radius = std::max(radius, needed);
         }
     };
     include(frame.spheres);
     include(frame.boxes);
+    include(frame.capsules);
+    include(frame.cylinders);
+    for (const MeshInstances& group : frame.meshes) {
+        if (group.mesh->look == MeshLook::facets) {
+            include(group.instances);
+            continue;
+        }
+        for (const Instance& instance : group.instances) { // mostly larger than what can be seen of it
+            const float needed = glm::length(instance.position - target) + instance.bound_radius;
+            radius = std::max(radius, std::min(1.5f * distance, needed));
+        }
+    }
     if (radius <= 0.0f) radius = 0.5f * reach;
     constexpr float step = 1.3f; // coarse steps, so that the region seldom changes
     radius = std::pow(step, std::ceil(std::log(radius) / std::log(step)));
@@ -66,9 +134,9 @@ ShadowRegion shadow_region(const RenderFrame& frame) {
 
 struct GlRenderer::Impl {
     GlProgram body, shadow, ground, sky, lines;
-    std::array<GlMesh, sphere_details.size()> spheres;
-    std::array<std::vector<Instance>, sphere_details.size()> sphere_lists;
-    std::vector<Instance> box_list;
+    RoundMeshes spheres, capsules, cylinders;
+    std::unordered_map<const ShapeMesh*, LoadedMesh> meshes;
+    std::vector<Instance> sorted;
     GlMesh boxes, rectangles, square;
     GlObject line_array, line_buffer;
     GlObject shadow_texture, shadow_framebuffer;
@@ -85,8 +153,11 @@ struct GlRenderer::Impl {
     void make_shadow_map();
     void resize_target(int width, int height);
     void prepare(const RenderFrame& frame, float aspect);
-    void sort_instances(const RenderFrame& frame, int height);
+    void upload_instances(const RenderFrame& frame, int height);
+    void upload_meshes(const RenderFrame& frame);
+    void upload_sorted(GlMesh& mesh, const std::vector<Instance>& instances);
     void sort_by_distance(std::vector<Instance>& instances) const;
+    void draw_meshes(const GlProgram& program, const RenderFrame& frame, const glm::mat4& clip) const;
     void draw_shadow_map(const RenderFrame& frame);
     void set_lighting(const GlProgram& program, const RenderFrame& frame) const;
     void draw_sky(const RenderFrame& frame, float aspect);
@@ -101,9 +172,10 @@ GlRenderer::Impl::Impl()
       ground(shaders::desktop_header, shaders::ground_vertex, with_lighting(shaders::ground_fragment)),
       sky(shaders::desktop_header, shaders::sky_vertex, with_lighting(shaders::sky_fragment)),
       lines(shaders::desktop_header, shaders::line_vertex, shaders::line_fragment),
-      spheres{GlMesh(sphere_mesh(sphere_details[0].subdivisions)), GlMesh(sphere_mesh(sphere_details[1].subdivisions)),
-              GlMesh(sphere_mesh(sphere_details[2].subdivisions)), GlMesh(sphere_mesh(sphere_details[3].subdivisions))},
-      boxes(box_mesh()), rectangles(rectangle_mesh()), square(rectangle_mesh()), line_array(make_vertex_array()),
+      spheres([](const Detail& detail) { return GlMesh(sphere_mesh(detail.sphere_subdivisions)); }),
+      capsules([](const Detail& detail) { return GlMesh(capsule_mesh(detail.segments, detail.rings)); }),
+      cylinders([](const Detail& detail) { return GlMesh(cylinder_mesh(detail.segments)); }), boxes(box_mesh()),
+      rectangles(rectangle_mesh()), square(rectangle_mesh()), line_array(make_vertex_array()),
       line_buffer(make_buffer()) {
     glBindVertexArray(line_array.name());
     glBindBuffer(GL_ARRAY_BUFFER, line_buffer.name());
@@ -192,24 +264,57 @@ void GlRenderer::Impl::sort_by_distance(std::vector<Instance>& instances) const 
               [&](const Instance& a, const Instance& b) { return distance(a) < distance(b); });
 }
 
-void GlRenderer::Impl::sort_instances(const RenderFrame& frame, int height) {
-    for (std::vector<Instance>& list : sphere_lists) list.clear();
+void GlRenderer::Impl::upload_sorted(GlMesh& mesh, const std::vector<Instance>& instances) {
+    sorted = instances;
+    sort_by_distance(sorted);
+    mesh.upload(sorted.data(), sorted.size());
+}
+
+void GlRenderer::Impl::upload_instances(const RenderFrame& frame, int height) {
     const float pixels_per_slope = 0.5f * float(height) / std::tan(0.5f * frame.camera.vertical_fov);
-    for (const Instance& sphere : frame.spheres) {
-        const float distance = std::max(glm::length(sphere.position - eye), 1e-3f);
-        const float pixels = sphere.half_size.x / distance * pixels_per_slope;
-        std::size_t level = 0;
-        while (level + 1 < sphere_details.size() && pixels >= sphere_details[level + 1].least_pixels) ++level;
-        sphere_lists[level].push_back(sphere);
-    }
-    for (std::size_t i = 0; i < spheres.size(); ++i) {
-        sort_by_distance(sphere_lists[i]);
-        spheres[i].upload(sphere_lists[i].data(), sphere_lists[i].size());
-    }
-    box_list = frame.boxes;
-    sort_by_distance(box_list);
-    boxes.upload(box_list.data(), box_list.size());
+    const auto pixels_of = [&](const Instance& instance) {
+        const float distance = std::max(glm::length(instance.position - eye), 1e-3f);
+        return std::max(instance.half_size.x, instance.half_size.z) / distance * pixels_per_slope;
+    };
+    const auto sort = [this](std::vector<Instance>& instances) { sort_by_distance(instances); };
+    spheres.upload(frame.spheres, sort, pixels_of);
+    capsules.upload(frame.capsules, sort, pixels_of);
+    cylinders.upload(frame.cylinders, sort, pixels_of);
+    upload_sorted(boxes, frame.boxes);
     rectangles.upload(frame.rectangles.data(), frame.rectangles.size());
+    upload_meshes(frame);
+}
+
+// New meshes come to the graphics card, and those that this frame does not show leave it.
+void GlRenderer::Impl::upload_meshes(const RenderFrame& frame) {
+    for (const MeshInstances& group : frame.meshes) {
+        if (group.instances.empty()) continue;
+        auto place = meshes.find(group.mesh.get());
+        if (place == meshes.end())
+            place = meshes.emplace(group.mesh.get(), LoadedMesh{group.mesh, GlMesh(group.mesh->triangles)}).first;
+        place->second.used = true;
+        upload_sorted(place->second.mesh, group.instances);
+    }
+    std::erase_if(meshes, [](const auto& item) { return !item.second.used; });
+    for (auto& [source, loaded] : meshes) loaded.used = false;
+}
+
+void GlRenderer::Impl::draw_meshes(const GlProgram& program, const RenderFrame& frame, const glm::mat4& clip) const {
+    const SidePlanes planes = side_planes(clip);
+    for (const MeshInstances& group : frame.meshes) {
+        if (group.instances.empty()) continue;
+        const shaders::BodyKind kind = kind_of(group.mesh->look);
+        const bool two_sided = kind != shaders::BodyKind::facets;
+        program.set("u_kind", int(kind));
+        if (two_sided) glDisable(GL_CULL_FACE);
+        const GlMesh& mesh = meshes.at(group.mesh.get()).mesh;
+        if (group.mesh->parts.size() == 1)
+            mesh.draw_instances();
+        else
+            for (const IndexRange& range : visible_ranges(*group.mesh, group.instances, planes))
+                mesh.draw_instances(range.first, range.count);
+        if (two_sided) glEnable(GL_CULL_FACE);
+    }
 }
 
 void GlRenderer::Impl::draw_shadow_map(const RenderFrame& frame) {
@@ -221,8 +326,17 @@ void GlRenderer::Impl::draw_shadow_map(const RenderFrame& frame) {
     glPolygonOffset(1.5f, 2.0f);
     shadow.use();
     shadow.set("u_clip_from_world", shadow_clip_from_world);
-    for (const GlMesh& mesh : spheres) mesh.draw_instances();
+    glEnable(GL_DEPTH_CLAMP); // what stands between the region and the light throws its shadow too
+    shadow.set("u_kind", int(shaders::BodyKind::sphere));
+    spheres.draw();
+    shadow.set("u_kind", int(shaders::BodyKind::capsule));
+    capsules.draw();
+    shadow.set("u_kind", int(shaders::BodyKind::cylinder));
+    cylinders.draw();
+    shadow.set("u_kind", int(shaders::BodyKind::box));
     boxes.draw_instances();
+    draw_meshes(shadow, frame, shadow_clip_from_world);
+    glDisable(GL_DEPTH_CLAMP);
     glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
@@ -254,12 +368,20 @@ void GlRenderer::Impl::draw_sky(const RenderFrame& frame, float aspect) {
 
 void GlRenderer::Impl::draw_bodies(const RenderFrame& frame) {
     set_lighting(body, frame);
-    body.set("u_kind", 0);
-    for (const GlMesh& mesh : spheres) mesh.draw_instances();
-    body.set("u_kind", 1);
+    const float distance = camera.distance();
+    body.set("u_spacing", grid_spacing(distance));
+    body.set("u_fade", fade_distances * distance);
+    body.set("u_kind", int(shaders::BodyKind::sphere));
+    spheres.draw();
+    body.set("u_kind", int(shaders::BodyKind::capsule));
+    capsules.draw();
+    body.set("u_kind", int(shaders::BodyKind::cylinder));
+    cylinders.draw();
+    body.set("u_kind", int(shaders::BodyKind::box));
     boxes.draw_instances();
-    body.set("u_kind", 2);
+    body.set("u_kind", int(shaders::BodyKind::rectangle));
     rectangles.draw_instances();
+    draw_meshes(body, frame, clip_from_world);
 }
 
 void GlRenderer::Impl::draw_grounds(const RenderFrame& frame) {
@@ -309,7 +431,7 @@ void GlRenderer::draw(const RenderFrame& frame, int width, int height, unsigned 
     const float aspect = float(width) / float(height);
     impl.resize_target(width, height);
     impl.prepare(frame, aspect);
-    impl.sort_instances(frame, height);
+    impl.upload_instances(frame, height);
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);
     glDisable(GL_BLEND);

@@ -75,4 +75,33 @@ Vec3 sleeping_color() { return linear_color(0x6d737a); }
 
 Vec3 ground_color() { return linear_color(0x9fa39f); }
 
+Vec3 surface_color() { return linear_color(0xa89d89); }
+
+Vec3 trigger_color() { return linear_color(0xe8f4ff); }
+
+Vec3 terrain_color() { return linear_color(0x78836a); }
+
+Vec3 shape_color(ShapeType type) {
+    switch (type) { // Okabe and Ito (2008)
+    case ShapeType::sphere:
+        return linear_color(0x0072b2);
+    case ShapeType::box:
+        return linear_color(0xe69f00);
+    case ShapeType::capsule:
+        return linear_color(0x009e73);
+    case ShapeType::cylinder:
+        return linear_color(0xcc79a7);
+    case ShapeType::hull:
+        return linear_color(0xd55e00);
+    case ShapeType::mesh:
+        return surface_color();
+    case ShapeType::height_field:
+        return terrain_color();
+    case ShapeType::plane:
+    case ShapeType::rectangle:
+        break;
+    }
+    return static_color();
+}
+
 } // namespace cairn::viewer

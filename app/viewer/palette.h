@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cairn/math.h>
+#include <cairn/shape.h>
 
 #include <cstdint>
 
@@ -32,5 +33,11 @@ Vec3 default_color(std::uint32_t number);
 Vec3 static_color();
 Vec3 sleeping_color();
 Vec3 ground_color();
+Vec3 surface_color(); ///< Of triangle meshes.
+Vec3 trigger_color(); ///< Of lines.
+Vec3 terrain_color(); ///< Of the level parts of height fields.
+
+/// A color for every kind of shape; planes have that of static bodies.
+Vec3 shape_color(ShapeType type);
 
 } // namespace cairn::viewer

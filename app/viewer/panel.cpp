@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace cairn::viewer {
 
@@ -99,7 +100,9 @@ void draw_caption(const char* name, const std::string& text, const ImVec2& place
     ImGui::Begin(name, nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs |
                      ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
+    ImGui::PushTextWrapPos(0.7f * ImGui::GetIO().DisplaySize.x); // from the window's left edge
     ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
     ImGui::End();
 }
 
@@ -223,9 +226,15 @@ void Panel::draw_view(const StageState& state, Controller& controller) {
         ImGui::TextUnformatted("awake: a color for each island");
         break;
     case ColorMode::shape:
-        draw_swatch(linear_color(0x0072b2), "sphere");
-        draw_swatch(linear_color(0xe69f00), "box");
-        draw_swatch(static_color(), "plane");
+        for (const auto& [type, name] : {std::pair(ShapeType::sphere, "sphere"),
+                                         {ShapeType::box, "box"},
+                                         {ShapeType::capsule, "capsule"},
+                                         {ShapeType::cylinder, "cylinder, cone"},
+                                         {ShapeType::hull, "hull"},
+                                         {ShapeType::mesh, "mesh"},
+                                         {ShapeType::height_field, "height field"},
+                                         {ShapeType::plane, "plane"}})
+            draw_swatch(shape_color(type), name);
         break;
     case ColorMode::scene:
         break;
@@ -233,13 +242,18 @@ void Panel::draw_view(const StageState& state, Controller& controller) {
     ImGui::Checkbox("grid", &controller.grid);
     ImGui::SameLine();
     ImGui::Checkbox("shadows", &controller.shadows);
+    if (!state.layout->visuals.empty()) ImGui::Checkbox("the file's own meshes", &controller.visuals);
 }
 
 void Panel::draw_spawn_tool(Controller& controller) {
     if (!ImGui::CollapsingHeader("Spawn tool")) return;
     SpawnSettings& tool = controller.tool;
     int kind = int(tool.kind);
-    if (ImGui::Combo("shape", &kind, "box\0sphere\0")) tool.kind = SpawnSettings::Kind(kind);
+    const auto name = [](void*, int i, const char** text) {
+        *text = name_of(SpawnSettings::Kind(i));
+        return true;
+    };
+    if (ImGui::Combo("shape", &kind, name, nullptr, spawn_kind_count)) tool.kind = SpawnSettings::Kind(kind);
     constexpr ImGuiSliderFlags clamped = ImGuiSliderFlags_AlwaysClamp;
     ImGui::SliderFloat("size", &tool.size, 0.05f, 5.0f, "%.2f m", clamped | ImGuiSliderFlags_Logarithmic);
     ImGui::SliderFloat("density", &tool.density, 1.0f, 20000.0f, "%.0f kg/m3", clamped | ImGuiSliderFlags_Logarithmic);

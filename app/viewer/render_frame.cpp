@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace cairn::viewer {
 
@@ -13,28 +14,36 @@ namespace {
 
 constexpr double grid_period = 100.0; // meters; every grid line repeats after this
 
-Vec3 color_of(const WorldLayout& layout, const WorldMotion& motion, const ShapeLayout& shape, ColorMode mode) {
-    const BodyLayout& body = layout.bodies[shape.body];
+// The color of all that belongs to a body, in the modes that color bodies.
+std::optional<Vec3> body_color(const WorldLayout& layout, const WorldMotion& motion, std::size_t index,
+                               ColorMode mode) {
+    const BodyLayout& body = layout.bodies[index];
     const bool moving = body.type == BodyType::dynamic;
     switch (mode) {
     case ColorMode::mass:
         return moving ? mass_ramp(mass_fraction(body.mass, layout.least_mass, layout.greatest_mass)) : static_color();
     case ColorMode::speed:
-        return body.type == BodyType::static_ ? static_color() : speed_ramp(speed_fraction(motion.speeds[shape.body]));
+        return body.type == BodyType::static_ ? static_color() : speed_ramp(speed_fraction(motion.speeds[index]));
     case ColorMode::island:
         if (!moving) return static_color();
-        if (!motion.awake[shape.body]) return sleeping_color();
-        return category_color(motion.islands.empty() ? 0u : motion.islands[shape.body]);
+        if (!motion.awake[index]) return sleeping_color();
+        return category_color(motion.islands.empty() ? 0u : motion.islands[index]);
     case ColorMode::shape:
-        if (shape.type == ShapeType::sphere) return linear_color(0x0072b2);
-        if (shape.type == ShapeType::box) return linear_color(0xe69f00);
-        return static_color();
     case ColorMode::scene:
         break;
     }
+    return std::nullopt;
+}
+
+Vec3 color_of(const WorldLayout& layout, const WorldMotion& motion, const ShapeLayout& shape, ColorMode mode) {
+    if (const auto color = body_color(layout, motion, shape.body, mode)) return *color;
+    if (mode == ColorMode::shape) return shape_color(shape.type);
     if (shape.color) return *shape.color;
     if (shape.type == ShapeType::plane) return ground_color();
-    return moving ? default_color(body.id.index()) : static_color();
+    if (shape.type == ShapeType::mesh) return surface_color();
+    if (shape.type == ShapeType::height_field) return terrain_color();
+    const BodyLayout& body = layout.bodies[shape.body];
+    return body.type == BodyType::dynamic ? default_color(body.id.index()) : static_color();
 }
 
 Transform interpolate(const Transform& from, const Transform& to, float fraction) {
@@ -43,6 +52,23 @@ Transform interpolate(const Transform& from, const Transform& to, float fraction
     const float sign = glm::dot(from.rotation, to.rotation) < 0.0f ? -1.0f : 1.0f;
     const Quat mixed = from.rotation * (1.0f - fraction) + to.rotation * (sign * fraction);
     return {from.position + (to.position - from.position) * double(fraction), glm::normalize(mixed)};
+}
+
+// Where shapes of that kind are collected; the mesh of one of its own must be in its place already.
+std::vector<Instance>& instances_of(RenderFrame& frame, const ShapeLayout& shape) {
+    if (shape.mesh) return frame.meshes[*shape.mesh].instances;
+    switch (shape.type) {
+    case ShapeType::sphere:
+        return frame.spheres;
+    case ShapeType::box:
+        return frame.boxes;
+    case ShapeType::capsule:
+        return frame.capsules;
+    case ShapeType::cylinder:
+        return frame.cylinders;
+    default:
+        return frame.rectangles;
+    }
 }
 
 GroundPlane ground_of(const Position& point, const Quat& rotation, const Position& origin, const Vec3& color) {
@@ -54,6 +80,47 @@ GroundPlane ground_of(const Position& point, const Quat& rotation, const Positio
         return float(std::fmod(glm::dot(from_point, glm::dvec3(rotation * axis)), grid_period));
     };
     return {Vec3(nearest), rotation, {along({1.0f, 0.0f, 0.0f}), along({0.0f, 0.0f, 1.0f})}, color};
+}
+
+Instance instance_at(const Position& position, const Quat& rotation, const Position& origin, const Vec3& color) {
+    Instance instance;
+    instance.position = Vec3(position - origin);
+    instance.rotation = {rotation.x, rotation.y, rotation.z, rotation.w};
+    instance.color = color;
+    return instance;
+}
+
+// The edges of the box around a trigger: nothing there can be touched, so nothing solid is drawn.
+void add_trigger(RenderFrame& frame, const ShapeLayout& shape, const Position& position, const Quat& rotation) {
+    const auto corner = [&](int i) {
+        const Vec3 signs(i & 1 ? 1.0f : -1.0f, i & 2 ? 1.0f : -1.0f, i & 4 ? 1.0f : -1.0f);
+        return Vec3(position - frame.origin) + rotation * (shape.bound_center + signs * shape.bound_extent);
+    };
+    for (int i = 0; i < 8; ++i)
+        for (const int axis : {1, 2, 4})
+            if (!(i & axis)) frame.lines.push_back({corner(i), corner(i | axis), trigger_color()});
+}
+
+void add_visuals(RenderFrame& frame, const WorldLayout& layout, const WorldMotion& motion,
+                 std::span<const Transform> transforms, const FrameOptions& options) {
+    for (const VisualLayout& visual : layout.visuals) {
+        Transform pose = visual.local;
+        Vec3 color = visual.color;
+        bool is_selected = false;
+        if (visual.body) {
+            const Transform& body = transforms[*visual.body];
+            pose = {body.position + Position(body.rotation * Vec3(visual.local.position)),
+                    glm::normalize(body.rotation * visual.local.rotation)};
+            color = body_color(layout, motion, *visual.body, options.colors).value_or(visual.color);
+            is_selected = options.selected && layout.bodies[*visual.body].id == options.selected;
+        }
+        MeshInstances& group = frame.meshes[visual.mesh];
+        Instance instance = instance_at(pose.position, pose.rotation, frame.origin, color);
+        instance.half_size = Vec3(1.0f);
+        instance.emphasis = is_selected ? 1.0f : 0.0f;
+        instance.bound_radius = glm::length(group.mesh->center) + group.mesh->radius;
+        group.instances.push_back(instance);
+    }
 }
 
 } // namespace
@@ -84,37 +151,46 @@ RenderFrame make_frame(const WorldLayout& layout, const WorldMotion& previous, c
     std::vector<Transform> transforms(layout.bodies.size());
     for (std::size_t i = 0; i < transforms.size(); ++i)
         transforms[i] = interpolate(previous.transforms[i], current.transforms[i], fraction);
+    for (const auto& mesh : layout.meshes) frame.meshes.push_back({mesh, {}});
+    if (options.visuals) add_visuals(frame, layout, current, transforms, options);
     for (const ShapeLayout& shape : layout.shapes) {
+        if (options.visuals && layout.bodies[shape.body].has_visuals && !shape.is_trigger) continue;
         const Transform& body = transforms[shape.body];
         const Position position = body.position + Position(body.rotation * shape.position);
         const Quat rotation = glm::normalize(body.rotation * shape.rotation);
+        if (shape.is_trigger) {
+            if (shape.type != ShapeType::plane) add_trigger(frame, shape, position, rotation);
+            continue;
+        }
         const Vec3 color = color_of(layout, current, shape, options.colors);
         if (shape.type == ShapeType::plane) {
             frame.grounds.push_back(ground_of(position, rotation, frame.origin, color));
             continue;
         }
-        Instance instance;
-        instance.position = Vec3(position - frame.origin);
-        instance.rotation = {rotation.x, rotation.y, rotation.z, rotation.w};
+        Instance instance = instance_at(position, rotation, frame.origin, color);
         instance.half_size = shape.half_size;
-        instance.color = color;
         const BodyId id = layout.bodies[shape.body].id;
         instance.emphasis = options.selected && id == options.selected ? 1.0f : 0.0f;
-        if (shape.type == ShapeType::sphere)
-            frame.spheres.push_back(instance);
-        else if (shape.type == ShapeType::box)
-            frame.boxes.push_back(instance);
-        else
-            frame.rectangles.push_back(instance);
+        // Slopes are tinted where the color is ours to choose and means nothing.
+        if (shape.type == ShapeType::height_field && (shape.color || options.colors != ColorMode::scene))
+            instance.pattern = 0.0f;
+        instance.bound_radius = glm::length(shape.bound_center) + shape.bound_radius;
+        instances_of(frame, shape).push_back(instance);
     }
     return frame;
 }
 
 RenderFrame make_frame(const World& world, std::span<const Appearance> appearances, const CameraPose& camera,
-                       const FrameOptions& options) {
-    const WorldLayout layout = read_layout(world, appearances);
+                       const FrameOptions& options, MeshCache& meshes, std::span<const Visual> visuals) {
+    const WorldLayout layout = read_layout(world, appearances, meshes, visuals);
     const WorldMotion motion = read_motion(world, layout, options.colors == ColorMode::island);
     return make_frame(layout, motion, motion, 1.0f, camera, options);
+}
+
+RenderFrame make_frame(const World& world, std::span<const Appearance> appearances, const CameraPose& camera,
+                       const FrameOptions& options) {
+    MeshCache meshes;
+    return make_frame(world, appearances, camera, options, meshes);
 }
 
 } // namespace cairn::viewer

@@ -22,17 +22,23 @@ enum class ColorMode { scene, mass, speed, island, shape };
 inline constexpr int color_mode_count = 5;
 const char* name_of(ColorMode mode);
 
-/// One sphere, box or rectangle. Laid out as the renderer's instance buffer expects it: 16 floats.
+/// One shape. Laid out as the renderer's instance buffer expects it: 16 floats.
 struct Instance {
     Vec3 position{0.0f, 0.0f, 0.0f};            ///< Relative to `RenderFrame::origin`, meters.
     float emphasis = 0.0f;                      ///< 0 plain, 1 highlighted.
     glm::vec4 rotation{0.0f, 0.0f, 0.0f, 1.0f}; ///< Quaternion x, y, z, w.
-    Vec3 half_size{0.5f, 0.5f, 0.5f};
-    float pattern = 1.0f;         ///< How strong the pattern is that shows rotation, 0 to 1.
-    Vec3 color{0.8f, 0.8f, 0.8f}; ///< Linear.
-    float unused = 0.0f;
+    Vec3 half_size{0.5f, 0.5f, 0.5f};           ///< See `ShapeLayout::half_size`.
+    float pattern = 1.0f;                       ///< How strong the pattern is that shows rotation or slope, 0 to 1.
+    Vec3 color{0.8f, 0.8f, 0.8f};               ///< Linear.
+    float bound_radius = 0.0f;                  ///< Of a ball around `position` that holds it, meters.
 };
 static_assert(sizeof(Instance) == 64);
+
+/// All shapes that are drawn with one mesh.
+struct MeshInstances {
+    std::shared_ptr<const ShapeMesh> mesh;
+    std::vector<Instance> instances;
+};
 
 /// An infinite plane, drawn as a ground with a grid that fades.
 struct GroundPlane {
@@ -51,7 +57,8 @@ struct Line {
 struct RenderFrame {
     Position origin{0.0, 0.0, 0.0}; ///< World position that everything below is relative to.
     CameraPose camera;
-    std::vector<Instance> spheres, boxes, rectangles;
+    std::vector<Instance> spheres, boxes, rectangles, capsules, cylinders;
+    std::vector<MeshInstances> meshes;
     std::vector<GroundPlane> grounds;
     std::vector<Line> lines;
     bool grid = true; ///< Draw the lines of the ground.
@@ -63,14 +70,18 @@ struct FrameOptions {
     ColorMode colors = ColorMode::scene;
     bool grid = true;
     bool shadows = true;
-    BodyId selected; ///< Highlighted; null for none.
+    bool visuals = true; ///< Bodies that have meshes of the scene's own are shown by these; else by their shapes.
+    BodyId selected;     ///< Highlighted; null for none.
 };
 
 /// The picture between two motions of one layout: `fraction` 0 shows `previous`, 1 shows `current`.
 RenderFrame make_frame(const WorldLayout& layout, const WorldMotion& previous, const WorldMotion& current,
                        float fraction, const CameraPose& camera, const FrameOptions& options = {});
 
-/// The picture of a world as it stands.
+/// The picture of a world as it stands. `meshes` keeps the triangles of its hulls, meshes and height fields for the
+/// next picture; without it they are made anew.
+RenderFrame make_frame(const World& world, std::span<const Appearance> appearances, const CameraPose& camera,
+                       const FrameOptions& options, MeshCache& meshes, std::span<const Visual> visuals = {});
 RenderFrame make_frame(const World& world, std::span<const Appearance> appearances, const CameraPose& camera,
                        const FrameOptions& options = {});
 

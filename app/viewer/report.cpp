@@ -69,6 +69,7 @@ std::string report_json(const StageState& state, const Controller& controller, c
     json["colors"] = cairn::viewer::name_of(controller.colors);
     json["grid"] = controller.grid;
     json["shadows"] = controller.shadows;
+    json["visuals"] = controller.visuals;
     json["help"] = controller.help;
     json["panel"] = controller.panel;
     json["frames"] = facts.frames;

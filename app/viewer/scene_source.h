@@ -3,10 +3,12 @@
 #pragma once
 
 #include "viewer/camera.h"
+#include "viewer/shape_meshes.h"
 
 #include <cairn/cairn.h>
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -18,6 +20,14 @@ struct Appearance {
     Vec3 color{0.8f, 0.8f, 0.8f};
 };
 
+/// A mesh that the scene has for its looks. It moves with its body, whose shapes it stands for in the picture.
+struct Visual {
+    BodyId body;     ///< Null: scenery, which never moves.
+    Transform local; ///< In the frame of the body; of scenery, in the world.
+    std::shared_ptr<const ShapeMesh> mesh;
+    Vec3 color{0.8f, 0.8f, 0.8f}; ///< Linear.
+};
+
 /// A scene, ready to run.
 struct LoadedScene {
     World world;
@@ -26,6 +36,7 @@ struct LoadedScene {
     CameraPose camera;
     float time_step = 1.0f / 60.0f; ///< Seconds of one step, > 0.
     std::vector<Appearance> appearances;
+    std::vector<Visual> visuals{};
 };
 
 /// Loads the scene of that path. Throws `cairn::Error` (or any std::exception) if it cannot. It is called on the

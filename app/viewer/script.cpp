@@ -22,7 +22,7 @@ struct Grammar {
     Operand operand;
 };
 
-constexpr std::array<Grammar, 11> grammar{{
+constexpr std::array<Grammar, 12> grammar{{
     {"wait", ScriptLine::Kind::wait, Operand::number},
     {"key", ScriptLine::Kind::key, Operand::word},
     {"down", ScriptLine::Kind::down, Operand::word},
@@ -31,6 +31,7 @@ constexpr std::array<Grammar, 11> grammar{{
     {"press", ScriptLine::Kind::press, Operand::button},
     {"release", ScriptLine::Kind::release, Operand::button},
     {"wheel", ScriptLine::Kind::wheel, Operand::number},
+    {"drop", ScriptLine::Kind::drop, Operand::word},
     {"report", ScriptLine::Kind::report, Operand::word},
     {"picture", ScriptLine::Kind::picture, Operand::word},
     {"quit", ScriptLine::Kind::quit, Operand::nothing},

@@ -9,6 +9,7 @@
 ///     press left             hold a mouse button down ...
 ///     release left           ... and let it go (left, right or middle)
 ///     wheel -2               turn the wheel
+///     drop bridge.glb        drop a file on the window
 ///     report state.json      write the viewer's state
 ///     picture frame.png      save a picture
 ///     quit                   close the window
@@ -22,7 +23,7 @@
 namespace cairn::viewer {
 
 struct ScriptLine {
-    enum class Kind { wait, key, down, up, cursor, press, release, wheel, report, picture, quit };
+    enum class Kind { wait, key, down, up, cursor, press, release, wheel, drop, report, picture, quit };
     Kind kind = Kind::wait;
     std::string word;        ///< Key, button or file.
     double x = 0.0, y = 0.0; ///< Seconds, pixels or notches.

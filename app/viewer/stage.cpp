@@ -114,7 +114,7 @@ void Stage::operator()(const command::LoadScene& load) { take_scene(loader_(load
 void Stage::operator()(const command::ResetScene&) { take_scene(loader_(path_), std::string(path_)); }
 
 void Stage::operator()(const command::Spawn& spawn) {
-    add_body(spawn.settings, free_place(scene_.world, spawn.settings, spawn.position), Vec3(0.0f));
+    add_body(spawn.settings, spawner_.free_place(scene_.world, spawn.settings, spawn.position), Vec3(0.0f));
 }
 
 void Stage::operator()(const command::Shoot& shoot) {
@@ -123,7 +123,7 @@ void Stage::operator()(const command::Shoot& shoot) {
 }
 
 void Stage::add_body(const SpawnSettings& settings, const Position& position, const Vec3& velocity) {
-    order_.push_back(spawn(scene_.world, settings, position, velocity));
+    order_.push_back(spawner_.spawn(scene_.world, settings, position, velocity));
     refresh_layout();
 }
 
@@ -227,6 +227,8 @@ void Stage::operator()(const command::ReleaseGrab& release) {
 
 void Stage::operator()(const command::SelectNothing&) { selected_ = {}; }
 
+void Stage::operator()(const command::Say& words) { say(words.text); }
+
 void Stage::operator()(const command::ShowIslands& show) {
     with_islands_ = show.on;
     refresh_motion();
@@ -246,7 +248,8 @@ void Stage::pull_grabbed() {
 void Stage::say(std::string text) { message_ = {message_.serial + 1, std::move(text)}; }
 
 void Stage::refresh_layout() {
-    layout_ = std::make_shared<const WorldLayout>(read_layout(scene_.world, scene_.appearances));
+    layout_ =
+        std::make_shared<const WorldLayout>(read_layout(scene_.world, scene_.appearances, meshes_, scene_.visuals));
     refresh_motion();
     previous_ = current_; // the bodies of the step before may not match
 }

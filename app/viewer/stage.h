@@ -88,6 +88,7 @@ class Stage {
     void operator()(const command::MoveGrab& move);
     void operator()(const command::ReleaseGrab& release);
     void operator()(const command::SelectNothing&);
+    void operator()(const command::Say& words);
     void operator()(const command::ShowIslands& show);
 
   private:
@@ -105,6 +106,8 @@ class Stage {
     LoadedScene scene_;
     std::string path_;
     StepClock clock_;
+    Spawner spawner_;
+    MeshCache meshes_;
     std::vector<BodyId> order_; // dynamic bodies in the order in which they came; may hold stale ones
     std::optional<ForceFieldId> force_field_, pull_field_;
     Vec3 force_{0.0f, 0.0f, 0.0f};

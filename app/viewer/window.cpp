@@ -20,6 +20,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -135,7 +136,7 @@ class Application {
 Application::Application(const ViewerOptions& options)
     : options_(options), window_(open_window(options.width, options.height)),
       imgui_((install_callbacks(), window_.get())), physics_(options.loader, options.scene),
-      controller_([this](Command command) { physics_.post(std::move(command)); }, options.scenes) {
+      controller_([this](Command command) { physics_.post(std::move(command)); }, options.scenes, options.file_types) {
     if (!options.script.empty()) script_ = ScriptPlayer(load_script(options.script));
 }
 
@@ -154,6 +155,10 @@ void Application::install_callbacks() {
     });
     glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) { application(w)->on_cursor(x, y); });
     glfwSetScrollCallback(window, [](GLFWwindow* w, double, double notches) { application(w)->on_wheel(notches); });
+    glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
+        const std::vector<std::string> dropped(paths, paths + count);
+        application(w)->controller_.drop_files(dropped);
+    });
     glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
         if (!focused) application(w)->controller_.release_all();
     });
@@ -240,6 +245,9 @@ void Application::play(const ScriptLine& line) {
         break;
     case ScriptLine::Kind::wheel:
         controller_.wheel(float(line.x));
+        break;
+    case ScriptLine::Kind::drop:
+        controller_.drop_files(std::array{line.word});
         break;
     case ScriptLine::Kind::report:
         write_report(line.word);

@@ -25,25 +25,91 @@ Quat plane_frame(const Plane& plane) {
     return glm::normalize(glm::quat_cast(Mat3(tangent, normal, glm::cross(tangent, normal))));
 }
 
+// Type, size and bounds of a shape; planes also turn it.
+struct ShapeReader {
+    ShapeLayout& layout;
+
+    void operator()(const Sphere& sphere) const {
+        set(ShapeType::sphere, Vec3(sphere.radius), Vec3(sphere.radius), sphere.radius);
+    }
+    void operator()(const Box& box) const { set_box(ShapeType::box, box.half_extents); }
+    void operator()(const Plane& plane) const {
+        layout.rotation = layout.rotation * plane_frame(plane);
+        layout.type = ShapeType::plane;
+        if (plane.half_extents) set_box(ShapeType::rectangle, {plane.half_extents->x, 0.0f, plane.half_extents->y});
+    }
+    void operator()(const Capsule& capsule) const {
+        const float top = capsule.radius_top.value_or(capsule.radius), wide = std::max(capsule.radius, top);
+        const float reach = capsule.half_height + wide;
+        set(ShapeType::capsule, {capsule.radius, capsule.half_height, top}, {wide, reach, wide}, reach);
+    }
+    void operator()(const Cylinder& cylinder) const {
+        const float top = cylinder.radius_top.value_or(cylinder.radius), wide = std::max(cylinder.radius, top);
+        set(ShapeType::cylinder, {cylinder.radius, cylinder.half_height, top}, {wide, cylinder.half_height, wide},
+            glm::length(glm::vec2(cylinder.half_height, wide)));
+    }
+    // Their bounds come with their meshes.
+    void operator()(const Hull&) const { set(ShapeType::hull, Vec3(1.0f), Vec3(0.0f), 0.0f); }
+    void operator()(const Mesh&) const { set(ShapeType::mesh, Vec3(1.0f), Vec3(0.0f), 0.0f); }
+    void operator()(const HeightField&) const { set(ShapeType::height_field, Vec3(1.0f), Vec3(0.0f), 0.0f); }
+
+  private:
+    void set_box(ShapeType type, const Vec3& half) const { set(type, half, half, glm::length(half)); }
+    void set(ShapeType type, const Vec3& half_size, const Vec3& bound_extent, float bound_radius) const {
+        layout.type = type;
+        layout.half_size = half_size;
+        layout.bound_extent = bound_extent;
+        layout.bound_radius = bound_radius;
+    }
+};
+
+// Adds meshes to a layout, each once.
+class MeshList {
+  public:
+    explicit MeshList(WorldLayout& layout) : layout_(layout) {}
+    std::size_t add(const std::shared_ptr<const ShapeMesh>& mesh) {
+        const auto [place, is_new] = places_.try_emplace(mesh.get(), layout_.meshes.size());
+        if (is_new) layout_.meshes.push_back(mesh);
+        return place->second;
+    }
+    void give_mesh(ShapeLayout& shape, const std::shared_ptr<const ShapeMesh>& mesh) {
+        if (!mesh) return;
+        shape.mesh = add(mesh);
+        shape.bound_center = mesh->center;
+        shape.bound_extent = mesh->extent;
+        shape.bound_radius = mesh->radius;
+    }
+
+  private:
+    WorldLayout& layout_;
+    std::unordered_map<const ShapeMesh*, std::size_t> places_;
+};
+
+void add_visuals(WorldLayout& layout, MeshList& meshes, std::span<const Visual> visuals) {
+    if (visuals.empty()) return;
+    std::unordered_map<BodyId, std::size_t> bodies;
+    for (std::size_t i = 0; i < layout.bodies.size(); ++i) bodies.emplace(layout.bodies[i].id, i);
+    for (const Visual& visual : visuals) {
+        VisualLayout shown{std::nullopt, visual.local, 0, visual.color};
+        if (visual.body) {
+            const auto body = bodies.find(visual.body);
+            if (body == bodies.end()) continue;
+            shown.body = body->second;
+            layout.bodies[body->second].has_visuals = true;
+        }
+        shown.mesh = meshes.add(visual.mesh);
+        layout.visuals.push_back(shown);
+    }
+}
+
 ShapeLayout read_shape(const World& world, ShapeId id, std::size_t body) {
     const ShapeDef& def = world.shape_def(id);
     ShapeLayout layout;
     layout.body = body;
     layout.position = def.position;
     layout.rotation = glm::normalize(def.rotation);
-    const Shape& shape = world.shape(id);
-    if (const Sphere* sphere = std::get_if<Sphere>(&shape)) {
-        layout.type = ShapeType::sphere;
-        layout.half_size = Vec3(sphere->radius);
-    } else if (const Box* box = std::get_if<Box>(&shape)) {
-        layout.type = ShapeType::box;
-        layout.half_size = box->half_extents;
-    } else {
-        const Plane& plane = std::get<Plane>(shape);
-        layout.type = plane.half_extents ? ShapeType::rectangle : ShapeType::plane;
-        layout.rotation = layout.rotation * plane_frame(plane);
-        if (plane.half_extents) layout.half_size = {plane.half_extents->x, 0.0f, plane.half_extents->y};
-    }
+    layout.is_trigger = def.is_trigger;
+    std::visit(ShapeReader{layout}, world.shape(id));
     return layout;
 }
 
@@ -74,10 +140,12 @@ std::vector<std::uint32_t> find_islands(const World& world, const WorldLayout& l
 
 } // namespace
 
-WorldLayout read_layout(const World& world, std::span<const Appearance> appearances) {
+WorldLayout read_layout(const World& world, std::span<const Appearance> appearances, MeshCache& meshes,
+                        std::span<const Visual> visuals) {
     std::unordered_map<ShapeId, Vec3> colors;
     for (const Appearance& appearance : appearances) colors.emplace(appearance.shape, appearance.color);
     WorldLayout layout;
+    MeshList mesh_list(layout);
     bool any_mass = false;
     for (const BodyId id : world.bodies()) {
         const Body body = world.body(id);
@@ -89,11 +157,14 @@ WorldLayout read_layout(const World& world, std::span<const Appearance> appearan
         }
         for (const ShapeId shape : body.shapes()) {
             layout.shapes.push_back(read_shape(world, shape, layout.bodies.size()));
+            mesh_list.give_mesh(layout.shapes.back(), meshes.mesh_of(world.shape(shape)));
             const auto color = colors.find(shape);
             if (color != colors.end()) layout.shapes.back().color = color->second;
         }
-        layout.bodies.push_back({id, body.type(), mass, body.name()});
+        layout.bodies.push_back({id, body.type(), mass, body.name(), false});
     }
+    meshes.drop_unused();
+    add_visuals(layout, mesh_list, visuals);
     return layout;
 }
 
@@ -116,26 +187,62 @@ WorldMotion read_motion(const World& world, const WorldLayout& layout, bool with
     return motion;
 }
 
+namespace {
+
+// Grows a box, then gives the ball around it.
+struct Extent {
+    Position least{1e300}, greatest{-1e300};
+
+    void include(const Position& from, const Position& to) {
+        least = glm::min(least, from);
+        greatest = glm::max(greatest, to);
+    }
+    void include_ball(const Position& center, double radius) { include(center - radius, center + radius); }
+    void include_visual(const Transform& pose, const ShapeMesh& mesh) {
+        include_ball(pose.position + Position(pose.rotation * mesh.center), double(mesh.radius));
+    }
+    bool is_empty() const { return least.x > greatest.x; }
+    BoundingBall ball() const {
+        if (is_empty()) return {};
+        return {(least + greatest) * 0.5, float(glm::length(greatest - least) * 0.5)};
+    }
+};
+
+} // namespace
+
 BoundingBall bounding_ball(const WorldLayout& layout, const WorldMotion& motion) {
     const bool any_dynamic = std::any_of(layout.bodies.begin(), layout.bodies.end(),
                                          [](const BodyLayout& body) { return body.type == BodyType::dynamic; });
-    Position least(1e300), greatest(-1e300);
+    Extent extent;
     for (const ShapeLayout& shape : layout.shapes) {
         if (shape.type == ShapeType::plane) continue;
         if (any_dynamic && layout.bodies[shape.body].type != BodyType::dynamic) continue;
-        const Transform& transform = motion.transforms[shape.body];
-        const Position center = transform.position + Position(transform.rotation * shape.position);
-        const double radius = shape.type == ShapeType::sphere ? shape.half_size.x : glm::length(shape.half_size);
-        least = glm::min(least, center - radius);
-        greatest = glm::max(greatest, center + radius);
+        const Transform& body = motion.transforms[shape.body];
+        const Vec3 in_body = shape.position + shape.rotation * shape.bound_center;
+        const Position center = body.position + Position(body.rotation * in_body);
+        extent.include_ball(center, double(shape.bound_radius));
     }
-    if (least.x > greatest.x) return {};
-    return {(least + greatest) * 0.5, float(glm::length(greatest - least) * 0.5)};
+    if (extent.is_empty())
+        for (const VisualLayout& visual : layout.visuals)
+            if (!visual.body) extent.include_visual(visual.local, *layout.meshes[visual.mesh]);
+    return extent.ball();
 }
 
-CameraPose fit_camera(const World& world) {
-    const WorldLayout layout = read_layout(world, {});
-    const BoundingBall ball = bounding_ball(layout, read_motion(world, layout));
+CameraPose fit_camera(const World& world, std::span<const Visual> visuals) {
+    Extent dynamic, all;
+    for (const BodyId id : world.bodies()) {
+        const Body body = world.body(id);
+        for (const ShapeId shape : body.shapes()) {
+            const Bounds bounds = world.shape_bounds(shape);
+            if (!std::isfinite(bounds.min.x) || !std::isfinite(bounds.max.x)) continue; // an infinite plane
+            all.include(bounds.min, bounds.max);
+            if (body.type() == BodyType::dynamic) dynamic.include(bounds.min, bounds.max);
+        }
+    }
+    if (all.is_empty())
+        for (const Visual& visual : visuals)
+            if (!visual.body) all.include_visual(visual.local, *visual.mesh);
+    const BoundingBall ball = dynamic.is_empty() ? all.ball() : dynamic.ball();
     OrbitCamera camera(CameraPose{ball.center + Position(0.6, 0.4, 1.0), ball.center, 0.785398f});
     camera.frame(ball.center, ball.radius);
     return camera.pose();

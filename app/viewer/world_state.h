@@ -4,7 +4,9 @@
 #pragma once
 
 #include "viewer/scene_source.h"
+#include "viewer/shape_meshes.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -20,8 +22,15 @@ struct ShapeLayout {
     ShapeType type = ShapeType::sphere;
     Vec3 position{0.0f, 0.0f, 0.0f}; ///< In the body's frame, meters.
     Quat rotation{1.0f, 0.0f, 0.0f, 0.0f};
-    Vec3 half_size{0.5f, 0.5f, 0.5f}; ///< Meters. Planes lie in their own xz, with their normal along y.
-    std::optional<Vec3> color;        ///< From the scene, linear.
+    /// Meters. Planes lie in their own xz, with their normal along y. Capsules and cylinders: lower radius, half
+    /// height, upper radius. Shapes with a mesh of their own: factors of its coordinates.
+    Vec3 half_size{0.5f, 0.5f, 0.5f};
+    std::optional<Vec3> color;       ///< From the scene, linear.
+    std::optional<std::size_t> mesh; ///< Index into `WorldLayout::meshes`.
+    bool is_trigger = false;
+    Vec3 bound_center{0.0f, 0.0f, 0.0f}; ///< A ball around the shape, in the shape's frame ...
+    float bound_radius = 0.0f;           ///< ... meters; infinite planes have none.
+    Vec3 bound_extent{0.0f, 0.0f, 0.0f}; ///< Half the edges of a box around `bound_center` that holds it, meters.
 };
 
 struct BodyLayout {
@@ -29,12 +38,23 @@ struct BodyLayout {
     BodyType type = BodyType::dynamic;
     float mass = 0.0f; ///< kg; infinite for static and kinematic bodies.
     std::string name;
+    bool has_visuals = false; ///< Is shown by `WorldLayout::visuals` instead of by its shapes, where those are shown.
+};
+
+/// A mesh that came with the scene for its looks.
+struct VisualLayout {
+    std::optional<std::size_t> body; ///< Index into `WorldLayout::bodies`; absent: scenery.
+    Transform local;                 ///< In the body's frame; of scenery, in the world.
+    std::size_t mesh = 0;            ///< Index into `WorldLayout::meshes`.
+    Vec3 color{0.8f, 0.8f, 0.8f};    ///< Linear.
 };
 
 struct WorldLayout {
     std::vector<BodyLayout> bodies;
     std::vector<ShapeLayout> shapes;
-    float least_mass = 1.0f, greatest_mass = 1.0f; ///< kg, among dynamic bodies of finite mass.
+    std::vector<VisualLayout> visuals;
+    std::vector<std::shared_ptr<const ShapeMesh>> meshes; ///< Of the shapes that have one, and of visuals, each once.
+    float least_mass = 1.0f, greatest_mass = 1.0f;        ///< kg, among dynamic bodies of finite mass.
 };
 
 /// How every body of a layout stands and moves at one moment.
@@ -45,12 +65,15 @@ struct WorldMotion {
     std::vector<std::uint32_t> islands; ///< The least index of a dynamic body that each one is joined to by contacts.
 };
 
-/// Copies the layout. `appearances` of shapes that no longer exist are ignored.
-WorldLayout read_layout(const World& world, std::span<const Appearance> appearances);
+/// Copies the layout. `appearances` and `visuals` of what no longer exists are ignored. `meshes` keeps what it has made
+/// for the next call, and drops what this world no longer has.
+WorldLayout read_layout(const World& world, std::span<const Appearance> appearances, MeshCache& meshes,
+                        std::span<const Visual> visuals = {});
 /// Copies the motion of the bodies of a layout. Islands are found only if asked for, else `islands` is empty.
 WorldMotion read_motion(const World& world, const WorldLayout& layout, bool with_islands = false);
 
-/// A smallest-effort ball around the dynamic bodies (or, without any, around all finite shapes).
+/// A smallest-effort ball around the dynamic bodies (or, without any, around all finite shapes, or, without those,
+/// around the scenery).
 struct BoundingBall {
     Position center{0.0, 0.0, 0.0};
     float radius = 5.0f; ///< Meters.
@@ -58,6 +81,6 @@ struct BoundingBall {
 BoundingBall bounding_ball(const WorldLayout& layout, const WorldMotion& motion);
 
 /// A view of the whole scene, for scenes that do not bring their own camera.
-CameraPose fit_camera(const World& world);
+CameraPose fit_camera(const World& world, std::span<const Visual> visuals = {});
 
 } // namespace cairn::viewer

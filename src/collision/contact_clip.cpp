@@ -1,7 +1,5 @@
 #include "collision/contact_features.h"
 
-#include <limits>
-
 namespace cairn {
 
 using math::dot;
@@ -42,24 +40,32 @@ double size_of(const Polygon& polygon) {
     return size;
 }
 
-// How far a point is inside the border from a to b; borders without length hold everything.
-double inside(const Point3& a, const Point3& b, const Point3& p) {
-    const double dx = b.x - a.x, dy = b.y - a.y, length = std::sqrt(dx * dx + dy * dy);
-    return length > 0 ? (dx * (p.y - a.y) - dy * (p.x - a.x)) / length : 0;
+// The side of a polygon: how far a point is inside is nx x + ny y + offset. Sides without length hold everything.
+struct Border {
+    double nx, ny, offset;
+    double inside(const Point3& p) const { return nx * p.x + ny * p.y + offset; }
+};
+using Borders = Buffer<Border, 16>;
+
+void find_borders(const Polygon& polygon, Borders& out) {
+    const std::size_t n = polygon.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        const Point3 &a = polygon[i], &b = polygon[i + 1 < n ? i + 1 : 0];
+        const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
+        const double s = square > 0 ? 1 / std::sqrt(square) : 0;
+        out.add({-s * dy, s * dx, s * (dy * a.x - dx * a.y)});
+    }
 }
 
-bool is_within(const Polygon& polygon, const Point3& p, double slack) {
-    for (std::size_t i = 0; i < polygon.size(); ++i)
-        if (inside(polygon[i], polygon[(i + 1) % polygon.size()], p) < -slack) return false;
+bool is_within(const Borders& borders, const Point3& p, double slack) {
+    for (const Border& b : borders)
+        if (b.inside(p) < -slack) return false;
     return true;
 }
 
-Part cut_to_polygon(const Polygon& polygon, const Point3& p, const Point3& q, double slack) {
+Part cut_to_polygon(const Borders& borders, const Point3& p, const Point3& q, double slack) {
     Part part;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Point3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-        part.cut(inside(a, b, p) + slack, inside(a, b, q) + slack);
-    }
+    for (const Border& b : borders) part.cut(b.inside(p) + slack, b.inside(q) + slack);
     return part;
 }
 
@@ -101,14 +107,16 @@ void polygon_points(const Feature& reference, const Feature& incident, ContactPo
     for (const DVec3& p : reference.points) face.add(frame.to_frame(p));
     for (const DVec3& p : incident.points) other.add(frame.to_frame(p));
     const double slack = face_tolerance * size_of(face);
+    Borders borders;
+    find_borders(face, borders);
     const std::size_t n = other.size();
     if (n == 1) {
-        if (is_within(face, other[0], slack)) frame.add(out, other[0], from_edges);
+        if (is_within(borders, other[0], slack)) frame.add(out, other[0], from_edges);
         return;
     }
     for (std::size_t i = 0; i < (n == 2 ? 1 : n); ++i) {
-        const Point3 &p = other[i], &q = other[(i + 1) % n];
-        const Part part = cut_to_polygon(face, p, q, slack);
+        const Point3 &p = other[i], &q = other[i + 1 < n ? i + 1 : 0];
+        const Part part = cut_to_polygon(borders, p, q, slack);
         if (part.is_empty()) continue;
         const auto number = static_cast<std::uint32_t>(from_edges + 2 * i);
         frame.add(out, between(p, q, part.start), number);
@@ -119,10 +127,11 @@ void polygon_points(const Feature& reference, const Feature& incident, ContactPo
     if (n == 2 || !(m.z < -edge_on)) return;
     std::swap(other[0], other[n - 1]); // the other way round: counterclockwise from this side
     for (std::size_t i = 1; i < n - 1 - i; ++i) std::swap(other[i], other[n - 1 - i]);
-    const double within = face_tolerance * size_of(face);
+    borders.clear();
+    find_borders(other, borders);
     for (std::size_t i = 0; i < face.size(); ++i) {
         Point3 p = face[i];
-        if (!is_within(other, p, -within)) continue;
+        if (!is_within(borders, p, -slack)) continue;
         p.z = other[0].z - ((p.x - other[0].x) * m.x + (p.y - other[0].y) * m.y) / m.z;
         frame.add(out, p, static_cast<std::uint32_t>(from_corners + i));
     }
@@ -199,12 +208,13 @@ class DiscPoints {
         x = length > 0 ? x / length : 1, y = length > 0 ? y / length : 0;
         Polygon polygon; // counterclockwise as the disc sees it
         for (std::size_t i = corners_.size(); i-- > 0;) polygon.add(corners_[i]);
-        if (dot(m_, disc_.normal) < 0) return;
+        Borders borders;
+        find_borders(polygon, borders);
         const Point3 directions[4] = {{x, y, 0}, {-x, -y, 0}, {-y, x, 0}, {y, -x, 0}};
         for (std::uint32_t i = 0; i < 4; ++i) {
             Point3 p{disc_.radius * directions[i].x, disc_.radius * directions[i].y, 0};
             p.z = z0 + gx * p.x + gy * p.y;
-            if (is_within(polygon, p, face_tolerance * disc_.radius)) add(p, from_rim + (leans ? 4 : 0) + i);
+            if (is_within(borders, p, face_tolerance * disc_.radius)) add(p, from_rim + (leans ? 4 : 0) + i);
         }
     }
 

@@ -1,7 +1,5 @@
 #include "collision/contact_features.h"
 
-#include <limits>
-
 namespace cairn {
 
 using math::dot;
@@ -92,13 +90,7 @@ void polytope_edge(const Convex& c, DVec3 n, Feature& out) {
         }
     } else {
         const HullData& hull = *c.hull;
-        const DVec3 local = to_local(c, n);
-        std::size_t vertex = 0;
-        double most = -std::numeric_limits<double>::infinity();
-        for (std::size_t i = 0; i < hull.vertices.size(); ++i) {
-            const double along = dot(math::to_double(hull.vertices[i]), local);
-            if (along > most) most = along, vertex = i;
-        }
+        const std::size_t vertex = farthest_vertex(c, n);
         out.index = static_cast<std::uint32_t>(vertex);
         for (std::uint32_t i = hull.neighbor_start[vertex]; i < hull.neighbor_start[vertex + 1]; ++i)
             offer(hull_point(c, hull.vertices[hull.neighbors[i]]));

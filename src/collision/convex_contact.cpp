@@ -17,9 +17,14 @@ constexpr double none = -std::numeric_limits<double>::infinity();
 // The second shape's faces are the reference only where they are less deep by this part of the extent.
 constexpr double second_face_tolerance = 1e-4;
 // Where distances are exact, a normal is made that of a face within this part of the extent.
-constexpr double snap_tolerance = 1e-7;
+constexpr double snap_tolerance = 2e-3;
 // With a cylinder, this part of the tolerance for polytopes: round sides and rims have normals of their own.
 constexpr double round_part = 0.1;
+
+// Of lengths, as part of the extent.
+constexpr double rounding = 1e-6;
+// Of the distance of the cores: directions are within a ten thousandth.
+constexpr double direction_tolerance = 1e-8;
 
 // Features that pass each other by more than this part of the extent do not touch there.
 constexpr double sideways_tolerance = 0.1;
@@ -30,10 +35,17 @@ struct Axis {
     double separation = none;
     int face = -1;
     bool is_second = false; // the face is b's
+    DVec3 on_a, on_b;       // the points of the shapes that are farthest along the normal and against it
     DVec3 touch;            // midway between the points of the cores that are nearest to each other
 };
 
 double separation_along(const Convex& a, const Convex& b, DVec3 n) { return dot(n, support(b, -n) - support(a, n)); }
+
+void measure(const Convex& a, const Convex& b, Axis& axis) {
+    axis.on_a = support(a, axis.normal);
+    axis.on_b = support(b, -axis.normal);
+    axis.separation = dot(axis.normal, axis.on_b - axis.on_a);
+}
 
 // The face of `c` along whose normal the shapes are farthest apart, if more than `floor`. p: some point of the other.
 Axis best_face(const Convex& c, const Convex& other, DVec3 p, double floor) {
@@ -43,7 +55,7 @@ Axis best_face(const Convex& c, const Convex& other, DVec3 p, double floor) {
         const DVec3 normal = face_normal(c, face), on_face = face_point(c, face);
         if (!(dot(normal, p - on_face) > best.separation)) return; // no other point is farther inside
         const double separation = dot(normal, support(other, -normal) - on_face);
-        if (separation > best.separation) best = {normal, separation, face, false, {}};
+        if (separation > best.separation) best = {normal, separation, face, false, {}, {}, {}};
     };
     if (c.kind == Convex::Kind::hull) {
         const DVec3 local = to_local(c, p - c.center);
@@ -63,11 +75,11 @@ Axis best_face(const Convex& c, const Convex& other, DVec3 p, double floor) {
 bool find_axis(const Convex& a, const Convex& b, double margin, DVec3 guess, Axis& axis) {
     const bool is_exact = !a.is_sharp || !b.is_sharp;
     const CorePair pair = is_exact ? CorePair{exact_core(a), exact_core(b)} : CorePair{inset_core(a), inset_core(b)};
-    GjkResult r = gjk_distance(pair, guess, margin + pair.a.radius + pair.b.radius);
+    GjkResult r = gjk_distance(pair, guess, margin + pair.a.radius + pair.b.radius, direction_tolerance);
     if (r.state == GjkResult::State::far) {
         // The corners of sharp shapes reach farther than the radius.
         if (is_exact || separation_along(a, b, r.normal) > margin) return false;
-        r = gjk_distance(pair, r.normal, std::numeric_limits<double>::infinity());
+        r = gjk_distance(pair, r.normal, std::numeric_limits<double>::infinity(), direction_tolerance);
     }
     if (r.state == GjkResult::State::overlapping) {
         const Penetration p = epa_depth(pair, r.simplex);
@@ -77,7 +89,7 @@ bool find_axis(const Convex& a, const Convex& b, double margin, DVec3 guess, Axi
         axis.normal = r.normal;
         axis.touch = 0.5 * (r.on_a + pair.a.radius * r.normal + r.on_b - pair.b.radius * r.normal);
     }
-    axis.separation = separation_along(a, b, axis.normal);
+    measure(a, b, axis);
     return axis.separation <= margin;
 }
 
@@ -115,34 +127,77 @@ double common_extent(const Convex& a, const Convex& b) {
     return extent < 1e30 ? extent : math::length(b.corners[1] - b.corners[0]);
 }
 
+// The smaller inset or radius of the two, without that of polygons.
+double inset_part_of(const Convex& a, const Convex& b) {
+    return a.radius > 0 && b.radius > 0 ? std::min(a.radius, b.radius) : std::max(a.radius, b.radius);
+}
+
 // Faces are preferred where they are less separated by no more than this: they give up to four points.
 double face_preference(const Convex& a, const Convex& b, double extent) {
     if (!a.is_sharp || !b.is_sharp) return snap_tolerance * extent;
-    const double inset = a.radius > 0 && b.radius > 0 ? std::min(a.radius, b.radius) : std::max(a.radius, b.radius);
     const bool is_round = a.kind == Convex::Kind::cylinder || b.kind == Convex::Kind::cylinder;
-    return (is_round ? round_part : 1) * inset;
+    return (is_round ? round_part : 1) * inset_part_of(a, b);
+}
+
+// The face along whose normal the shapes are farthest apart, if that is about as good as the axis.
+Axis preferred_face(const Convex& a, const Convex& b, const Axis& axis, double preference, double extent) {
+    const double floor = axis.separation - preference;
+    Axis face = best_face(a, b, axis.on_b, floor);
+    const double second_floor = face.face < 0 ? floor : face.separation + second_face_tolerance * extent;
+    const Axis second = best_face(b, a, axis.on_a, second_floor);
+    if (second.face >= 0) face = {-second.normal, second.separation, second.face, true, {}, {}, {}};
+    return face;
+}
+
+// Inset cores round off edges: where those meet a round side, the axis is that of the shapes themselves.
+void sharpen(const Convex& a, const Convex& b, Axis& axis) {
+    if (!a.is_sharp || !b.is_sharp) return;
+    const CorePair pair{exact_core(a), exact_core(b)};
+    const GjkResult r = gjk_distance(pair, axis.normal, std::numeric_limits<double>::infinity());
+    Axis exact;
+    exact.normal = r.state == GjkResult::State::overlapping ? epa_depth(pair, r.simplex).normal : r.normal;
+    measure(a, b, exact);
+    if (exact.separation > axis.separation) axis = exact;
 }
 
 // Contact along an axis found from the cores, or along the normal of a face where that is about as good.
-void contact_along(const Convex& a, const Convex& b, const Axis& axis, double margin, Manifold& out) {
+void contact_along(const Convex& a, const Convex& b, Axis axis, double margin, Manifold& out) {
     const double extent = common_extent(a, b), preference = face_preference(a, b, extent);
-    Axis face = best_face(a, b, support(b, -axis.normal), axis.separation - preference);
-    const double floor =
-        std::max(axis.separation - preference, face.separation + (face.face < 0 ? 0 : second_face_tolerance * extent));
-    Axis second = best_face(b, a, support(a, axis.normal), floor);
-    if (second.face >= 0) face = {-second.normal, second.separation, second.face, true, {}};
+    const Axis face = preferred_face(a, b, axis, preference, extent);
     if (face.face >= 0) {
         const double least = std::max(axis.separation, face.separation);
         if (least > margin) return;
-        if (face_manifold(a, b, face, least, preference + 1e-6 * extent, extent, margin, out)) return;
+        if (face_manifold(a, b, face, least, preference + rounding * extent, extent, margin, out)) return;
+        sharpen(a, b, axis);
+        if (axis.separation > margin) return;
     }
     edge_manifold(a, b, axis, extent, margin, out);
+}
+
+// What the normal of the last step tells without the cores. True when the shapes are apart along it, or when a face
+// near it is the contact: its points come as near as any points can along the face's normal, so that no other
+// direction is better, nor any other face. Only while the overlap is shallow: deeper, edges might be better.
+bool contact_by_guess(const Convex& a, const Convex& b, double margin, DVec3 guess, Manifold& out) {
+    const double square = dot(guess, guess);
+    if (!(square > 0)) return false;
+    Axis axis;
+    axis.normal = (1 / std::sqrt(square)) * guess;
+    measure(a, b, axis);
+    if (axis.separation > margin) return true;
+    if (!a.is_sharp && !b.is_sharp) return false;
+    const double extent = common_extent(a, b), preference = face_preference(a, b, extent);
+    const Axis face = preferred_face(a, b, axis, preference, extent);
+    if (face.face < 0) return false;
+    if (face.separation > margin) return true;
+    if (face.separation < -inset_part_of(a, b)) return false;
+    return face_manifold(a, b, face, face.separation, preference + rounding * extent, extent, margin, out);
 }
 
 } // namespace
 
 void collide_convex(const Convex& a, const Convex& b, double margin, DVec3 guess, Manifold& out) {
     clear_manifold(out);
+    if (contact_by_guess(a, b, margin, guess, out)) return;
     Axis axis;
     if (find_axis(a, b, margin, guess, axis)) contact_along(a, b, axis, margin, out);
 }
@@ -199,12 +254,33 @@ bool is_over(const Convex& polygon, DVec3 p) {
     return true;
 }
 
+// A push counts as downward where its direction has this against the normal, as in kernels/collide_box_rectangle.cpp.
+constexpr double downward = 1e-3;
+
+// Where the contact is; one that would push down is none.
+SurfaceContact place_of(const Convex& a, const Convex& polygon, Manifold& out) {
+    if (out.count == 0) return {};
+    const DVec3 n{out.normal[0], out.normal[1], out.normal[2]};
+    const double cosine = -dot(n, polygon.axes.c1);
+    if (cosine < -downward) {
+        clear_manifold(out);
+        return {};
+    }
+    SurfaceContact r;
+    if (cosine < 1 - 1e-6) {
+        const float* p = out.points[0];
+        r = part_of(polygon, DVec3{p[0], p[1], p[2]} + (0.5 * p[3]) * n, a.extent);
+    }
+    r.cosine = cosine;
+    return r;
+}
+
 // Pushed out along the normal, by the lower side; by the middle where that reaches beyond the polygon.
 void lift(const Convex& a, const Convex& polygon, double margin, Manifold& out) {
     const DVec3 up = polygon.axes.c1;
     const double separation = separation_along(a, polygon, -up);
     if (separation > margin) return;
-    const Axis face{-up, separation, 0, true, {}};
+    const Axis face{-up, separation, 0, true, {}, {}, {}};
     if (face_manifold(a, polygon, face, separation, a.extent, a.extent, margin, out)) return;
     ContactPoints points;
     const DVec3 m = middle(a);
@@ -228,28 +304,17 @@ SurfaceContact collide_surface(const Convex& a, const Convex& polygon, double ma
         return {};
     }
     Axis axis;
+    if (contact_by_guess(a, polygon, margin, guess, out)) return place_of(a, polygon, out);
     if (!find_axis(a, polygon, margin, guess, axis)) return {};
-    constexpr double downward = 1e-3; // as in kernels/collide_box_rectangle.cpp
     if (dot(axis.normal, up) > downward) {
         // It would be pushed down: it has left the polygon, or is so much above it that it is pushed up.
         const double upward = separation_along(a, polygon, -up);
         if (axis.separation > 0.5 * upward || axis.separation > 0) return {};
-        axis = {-up, upward, -1, false, axis.touch};
+        axis.normal = -up;
+        measure(a, polygon, axis);
     }
     contact_along(a, polygon, axis, margin, out);
-    if (out.count == 0) return {};
-    const DVec3 n{out.normal[0], out.normal[1], out.normal[2]};
-    if (dot(n, up) > downward) {
-        clear_manifold(out);
-        return {};
-    }
-    SurfaceContact r;
-    if (dot(n, up) > -(1 - 1e-6)) {
-        const float* p = out.points[0];
-        r = part_of(polygon, DVec3{p[0], p[1], p[2]} + (0.5 * p[3]) * n, a.extent);
-    }
-    r.cosine = -dot(n, up);
-    return r;
+    return place_of(a, polygon, out);
 }
 
 } // namespace cairn

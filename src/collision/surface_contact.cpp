@@ -1,5 +1,6 @@
 #include "collision/surface_contact.h"
 
+#include "collision/contact_points.h"
 #include "collision/convex_contact.h"
 
 #include <algorithm>
@@ -13,34 +14,10 @@ namespace {
 constexpr double same_patch = 0.02;  // difference of unit normals, 1.1 degrees: hits that are one patch
 constexpr double same_normal = 2e-4; // likewise: an edge that is touched so holds nothing up
 constexpr double flatness = 1e-4;    // of the shape's size: how far out of a plane a point may be
-constexpr double same_point = 1e-3;  // likewise: points closer than this are one
-
-using Point = SurfacePatch::Point;
+constexpr double unlimited = 1e300;
+constexpr std::size_t none = ~std::size_t{}; // of the patches
 
 double squared(DVec3 v) { return math::dot(v, v); }
-
-// The deepest point, the one farthest from it, and to both sides of the line between them the one that spans the
-// largest triangle with it (as for boxes, kernels/face_clip.h). The chosen ones come first. Returns their number.
-int reduce(Point* p, int count, DVec3 normal, double nearest) {
-    int chosen = 0;
-    const auto choose = [&](auto&& measure, double least) {
-        int best = -1;
-        for (int i = chosen; i < count; ++i)
-            if (const double m = measure(p[i]); m > least) least = m, best = i;
-        if (best < 0) return false;
-        std::swap(p[chosen], p[best]);
-        ++chosen;
-        return true;
-    };
-    choose([](const Point& q) { return -q.separation; }, -1e300);
-    if (!choose([&](const Point& q) { return squared(q.position - p[0].position); }, nearest * nearest)) return chosen;
-    const DVec3 along = p[1].position - p[0].position, aside = math::cross(normal, along);
-    const double least = nearest * math::length(along);
-    const auto area = [&](const Point& q) { return math::dot(aside, q.position - p[0].position); };
-    choose(area, least);
-    choose([&](const Point& q) { return -area(q); }, least);
-    return chosen;
-}
 
 DVec3 normal_of(const Manifold& m) { return math::to_double(math::to_vec(m.normal)); }
 DVec3 point_of(const Manifold& m, int i) { return math::to_double(math::to_vec(m.points[i])); }
@@ -49,12 +26,6 @@ bool is_near(DVec3 a, DVec3 b, double distance) { return squared(a - b) < distan
 
 // Where the surface is at a point of a manifold.
 DVec3 foot_of(const Manifold& m, int i) { return point_of(m, i) + 0.5 * double(m.points[i][3]) * normal_of(m); }
-
-void add_points(SurfacePatch& patch, const Manifold& m, double size) {
-    if (patch.count + m.count > SurfacePatch::room)
-        patch.count = reduce(patch.points, patch.count, patch.normal, same_point * size);
-    for (int i = 0; i < m.count; ++i) patch.points[patch.count++] = {point_of(m, i), double(m.points[i][3])};
-}
 
 // An edge between triangles in the plane of a deeper patch is none: the shape slides over it.
 bool is_seam(const SurfacePatch& patch, const TriangleHit& hit, double size) {
@@ -101,16 +72,27 @@ void find_hits(const Convex& a, const Surface& surface, double margin, std::vect
         test(height_field_of(surface.data));
 }
 
-void write_manifold(SurfacePatch& patch, double size, Manifold& m) {
-    m = {};
-    math::put(m.normal, math::to_float(patch.normal));
-    m.count = reduce(patch.points, patch.count, patch.normal, same_point * size);
-    for (int i = 0; i < 4; ++i) {
-        const bool used = i < m.count;
-        math::put(m.points[i], used ? math::to_float(patch.points[i].position) : math::Vec3{});
-        m.points[i][3] = used ? float(patch.points[i].separation) : 1e30f;
-        m.features[i] = std::uint32_t(i);
+// The points of all hits of a patch, reduced to four; in turns, where there are very many.
+void write_patch(const SurfaceScratch& scratch, std::size_t patch, double extent, Manifold& out) {
+    constexpr std::size_t most = 28; // ContactPoints has room for four more
+    const DVec3 normal = scratch.patches[patch].normal;
+    ContactPoints points;
+    const auto add = [&](const Manifold& m) {
+        for (int i = 0; i < m.count; ++i)
+            points.add({point_of(m, i), double(m.points[i][3]), static_cast<std::uint32_t>(points.size())});
+    };
+    const auto reduce = [&] {
+        write_manifold(points, normal, {}, extent, unlimited, -unlimited, out);
+        points.clear();
+    };
+    for (const TriangleHit& hit : scratch.hits) {
+        if (hit.patch != patch) continue;
+        add(hit.manifold);
+        if (points.size() <= most) continue;
+        reduce();
+        add(out);
     }
+    reduce();
 }
 
 } // namespace
@@ -124,25 +106,20 @@ void collide_triangles(const Convex& a, const Surface& surface, double margin, S
     });
     const double size = 0.5 * math::length(support(a, surface.axes.c0) - support(a, -surface.axes.c0));
     scratch.patches.clear();
-    for (const TriangleHit& hit : scratch.hits) {
+    for (TriangleHit& hit : scratch.hits) {
+        hit.patch = none;
         const DVec3 normal = normal_of(hit.manifold);
         const auto seam = std::find_if(scratch.patches.begin(), scratch.patches.end(),
                                        [&](const SurfacePatch& patch) { return is_seam(patch, hit, size); });
         if (seam != scratch.patches.end()) continue;
-        auto same = std::find_if(scratch.patches.begin(), scratch.patches.end(),
-                                 [&](const SurfacePatch& patch) { return is_near(patch.normal, normal, same_patch); });
-        if (same == scratch.patches.end()) {
-            same = scratch.patches.emplace(scratch.patches.end());
-            same->normal = normal;
-            same->foot = foot_of(hit.manifold, 0);
-            same->depth = hit.depth;
-        }
-        add_points(*same, hit.manifold, size);
+        const auto same = std::find_if(scratch.patches.begin(), scratch.patches.end(), [&](const SurfacePatch& patch) {
+            return is_near(patch.normal, normal, same_patch);
+        });
+        hit.patch = std::size_t(same - scratch.patches.begin());
+        if (same == scratch.patches.end()) scratch.patches.push_back({normal, foot_of(hit.manifold, 0), hit.depth});
     }
-    for (SurfacePatch& patch : scratch.patches) {
-        manifolds.emplace_back();
-        write_manifold(patch, size, manifolds.back());
-    }
+    manifolds.resize(scratch.patches.size());
+    for (std::size_t i = 0; i < manifolds.size(); ++i) write_patch(scratch, i, a.extent, manifolds[i]);
 }
 
 } // namespace cairn

@@ -20,21 +20,15 @@ struct TriangleHit {
     Manifold manifold;
     double depth; // of the deepest point; negative when apart
     std::uint32_t triangle;
-    bool on_face; // of the triangle, not at its edges
+    bool on_face;      // of the triangle, not at its edges
+    std::size_t patch; // that it is a part of
 };
 
 // One direction in which the shape touches the surface.
 struct SurfacePatch {
-    struct Point {
-        math::DVec3 position; // midway between the surfaces, relative to the shape's center
-        double separation;
-    };
-    static constexpr int room = 32; // enough for several triangles: a full one is reduced to four, and goes on
-    math::DVec3 normal;             // from the shape to the surface
-    math::DVec3 foot;               // where the surface is
+    math::DVec3 normal; // from the shape to the surface
+    math::DVec3 foot;   // where the surface is
     double depth = 0;
-    int count = 0;
-    Point points[room];
 };
 
 // Working memory.

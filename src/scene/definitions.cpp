@@ -1,25 +1,20 @@
 #include "scene/definitions.h"
 
+#include "scene/document.h"
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace cairn::scene {
 
 namespace {
 
-std::optional<Value> document_array(const Value& document, const char* extension, const char* member) {
-    const auto extensions = document.find("extensions");
-    if (!extensions) return std::nullopt;
-    const auto found = extensions->find(extension);
-    if (!found) return std::nullopt;
-    return found->find(member);
-}
+constexpr int max_grid = 1 << 24; // columns or rows of a height field
 
-// The element of `array` that `index` refers to.
-Value element(const std::optional<Value>& array, const Value& index, const char* what) {
-    const std::size_t count = array ? array->size(max_definitions, what) : 0;
-    if (count == 0) index.fail(std::string("must be left out, as the file has no ") + what);
-    return (*array)[index.index(count, what)];
+std::optional<Value> document_array(const Value& document, const char* name, const char* member) {
+    const auto found = extension(document, name);
+    return found ? found->find(member) : std::nullopt;
 }
 
 float half_of(double size, const Value& place) {
@@ -76,49 +71,110 @@ CombineRule read_rule(const Value& value) {
     value.fail("must be \"average\", \"minimum\", \"maximum\" or \"multiply\"");
 }
 
-std::set<std::string> read_systems(const std::optional<Value>& list) {
-    std::set<std::string> systems;
-    if (!list) return systems;
-    const std::size_t count = list->size(1000, "systems");
-    for (std::size_t i = 0; i < count; ++i) systems.insert((*list)[i].text());
-    return systems;
-}
-
-struct Filter {
-    std::set<std::string> systems, with, not_with;
-    bool has_with = false;
-    std::optional<Value> place;
+// The sizes of a capsule or a cylinder; both have the same members.
+struct Column {
+    double height = 0.5, bottom = 0.25, top = 0.25;
 };
 
-// Whether `a` keeps `b` away, in the strict reading: whatever the draft leaves open counts as kept away.
-bool keeps_away(const Filter& a, const Filter& b) {
-    for (const std::string& system : b.systems) {
-        if (a.not_with.count(system) > 0 || (a.has_with && a.with.count(system) == 0)) return true;
+Column read_column(const Value& shape, const char* member) {
+    Column column;
+    const auto given = shape.find(member);
+    if (!given) return column;
+    if (const auto value = given->find("height")) column.height = value->number(positive_float);
+    if (const auto value = given->find("radiusBottom")) column.bottom = value->number(nonnegative_float);
+    if (const auto value = given->find("radiusTop")) column.top = value->number(nonnegative_float);
+    if (column.bottom == 0.0 && column.top == 0.0) given->fail("must have a radius at one end at least");
+    return column;
+}
+
+// A shape of the engine has its tip, if it has one, at the top: others are turned upside down.
+template <class Column3d> TurnedShape upright(Column column, const glm::dvec3& scale, const Value& shape) {
+    TurnedShape result;
+    if (column.bottom == 0.0) {
+        std::swap(column.bottom, column.top);
+        result.rotation = Quat(0.0f, 1.0f, 0.0f, 0.0f); // half a turn about x
     }
-    return a.has_with && b.systems.empty();
+    const double across = std::max(scale.x, scale.z);
+    Column3d made;
+    made.half_height = half_of(column.height * scale.y, shape);
+    made.radius = half_of(2.0 * column.bottom * across, shape);
+    if (column.top == 0.0) {
+        made.radius_top = 0.0f;
+    } else if (column.top != column.bottom) {
+        made.radius_top = half_of(2.0 * column.top * across, shape);
+    }
+    result.shape = made;
+    return result;
+}
+
+TurnedShape read_capsule(const Value& shape, const glm::dvec3& scale, std::vector<std::string>& warnings) {
+    if (scale.x != scale.y || scale.y != scale.z) {
+        warnings.push_back(shape.place() + "an unevenly scaled capsule keeps round ends: its height is scaled along y, "
+                                           "its radii by the larger of the scales along x and z");
+    }
+    return upright<Capsule>(read_column(shape, "capsule"), scale, shape);
+}
+
+TurnedShape read_cylinder(const Value& shape, const glm::dvec3& scale, std::vector<std::string>& warnings) {
+    if (scale.x != scale.z) {
+        warnings.push_back(shape.place() +
+                           "an unevenly scaled cylinder stays round: its radii are scaled by the larger "
+                           "of the scales along x and z");
+    }
+    return upright<Cylinder>(read_column(shape, "cylinder"), scale, shape);
+}
+
+Shape read_height_field(const Value& shape, const glm::dvec3& scale, Accessors& accessors) {
+    const auto field = extension(shape, "CAIRN_height_field");
+    if (!field) shape.fail("must have an extension \"CAIRN_height_field\"");
+    const int columns = field->require("columns").integer(2, max_grid),
+              rows = field->require("rows").integer(2, max_grid);
+    const Value spacing = field->require("spacing");
+    if (spacing.size(2, "numbers") != 2) spacing.fail("must be an array of 2 numbers");
+    const glm::vec2 step(2.0f * half_of(spacing[0].number(positive_float) * scale.x, spacing),
+                         2.0f * half_of(spacing[1].number(positive_float) * scale.z, spacing));
+    const Value index = field->require("heights");
+    const std::size_t count = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
+    if (accessors.count(index) != count) {
+        index.fail("must be the index of an accessor of columns times rows numbers, which is " + std::to_string(count));
+    }
+    std::vector<float> heights = accessors.scalars(index);
+    for (float& height : heights) {
+        const double scaled = height * scale.y;
+        if (!any_float.contains(scaled)) index.fail("must have heights that fit a float, with the scale of the node");
+        height = static_cast<float>(scaled) + 0.0f;
+    }
+    try {
+        return HeightField(columns, rows, step, heights);
+    } catch (const Error& error) {
+        field->fail(error);
+    }
 }
 
 } // namespace
 
 Definitions::Definitions(const Value& document)
     : shapes_(document_array(document, "KHR_implicit_shapes", "shapes")),
-      materials_(document_array(document, "KHR_physics_rigid_bodies", "physicsMaterials")),
-      filters_(document_array(document, "KHR_physics_rigid_bodies", "collisionFilters")) {}
+      materials_(document_array(document, "KHR_physics_rigid_bodies", "physicsMaterials")) {}
 
-Shape Definitions::shape(const Value& index, const glm::dvec3& scale, std::vector<std::string>& warnings) const {
-    const Value found = element(shapes_, index, "shapes");
+TurnedShape Definitions::shape(const Value& index, const glm::dvec3& scale, Accessors& accessors,
+                               std::vector<std::string>& warnings) const {
+    const Value found = element(shapes_, index, max_definitions, "shapes");
     const glm::dvec3 size = glm::abs(scale);
     const Value type = found.require("type");
     const std::string name = type.text();
-    if (name == "sphere") return read_sphere(found, size, warnings);
-    if (name == "box") return read_box(found, size);
-    if (name == "plane") return read_plane(found, size);
+    if (name == "sphere") return {read_sphere(found, size, warnings)};
+    if (name == "box") return {read_box(found, size)};
+    if (name == "plane") return {read_plane(found, size)};
+    if (name == "capsule") return read_capsule(found, size, warnings);
+    if (name == "cylinder") return read_cylinder(found, size, warnings);
+    if (name == "CAIRN_height_field") return {read_height_field(found, size, accessors)};
     type.refuse("shapes of the type \"" + name.substr(0, 40) +
-                "\" are not supported yet; there are sphere, box and plane");
+                "\" are not supported; there are sphere, box, capsule, cylinder, plane and CAIRN_height_field");
 }
 
 Substance Definitions::substance(const Value& index) const {
-    const Value found = element(materials_, index, "physics materials");
+    const Value found = element(materials_, index, max_definitions, "physics materials");
     Substance result;
     Material& material = result.material;
     if (const auto value = found.find("staticFriction")) material.static_friction = value->real(nonnegative_float);
@@ -126,42 +182,14 @@ Substance Definitions::substance(const Value& index) const {
     if (const auto value = found.find("restitution")) material.restitution = value->real({0.0, 1.0, false});
     if (const auto value = found.find("frictionCombine")) material.friction_combine = read_rule(*value);
     if (const auto value = found.find("restitutionCombine")) material.restitution_combine = read_rule(*value);
-    const auto extensions = found.find("extensions");
-    const auto own = extensions ? extensions->find("CAIRN_material") : std::nullopt;
+    const auto own = extension(found, "CAIRN_material");
     if (!own) return result;
     if (const auto value = own->find("density")) result.density = value->real(nonnegative_float);
     if (const auto value = own->find("rolling_friction")) material.rolling_friction = value->real(nonnegative_float);
     if (const auto value = own->find("torsional_friction"))
         material.torsional_friction = value->real(nonnegative_float);
+    if (const auto value = own->find("surface_velocity")) result.surface_velocity = value->float_vector3();
     return result;
-}
-
-void Definitions::use_filter(const std::optional<Value>& index) {
-    if (!index) {
-        some_without_filter_ = true;
-        return;
-    }
-    element(filters_, *index, "collision filters");
-    used_filters_.insert(index->index(max_definitions, "collision filters"));
-    if (used_filters_.size() > max_used_filters) {
-        index->fail("must be one of at most " + std::to_string(max_used_filters) + " collision filters in use");
-    }
-}
-
-void Definitions::refuse_separating_filters() const {
-    std::vector<Filter> filters;
-    if (some_without_filter_) filters.push_back({});
-    for (const std::size_t i : used_filters_) {
-        const Value value = (*filters_)[i];
-        const auto with = value.find("collideWithSystems");
-        filters.push_back({read_systems(value.find("collisionSystems")), read_systems(with),
-                           read_systems(value.find("notCollideWithSystems")), with.has_value(), value});
-    }
-    for (const Filter& a : filters) {
-        for (const Filter& b : filters) {
-            if (keeps_away(a, b)) a.place->refuse("collision filters that keep colliders apart are not supported yet");
-        }
-    }
 }
 
 } // namespace cairn::scene

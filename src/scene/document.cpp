@@ -9,8 +9,9 @@ namespace cairn::scene {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> understood{"KHR_physics_rigid_bodies", "KHR_implicit_shapes", "CAIRN_world",
-                                                     "CAIRN_body", "CAIRN_material"};
+constexpr std::array<std::string_view, 6> understood{
+    "KHR_physics_rigid_bodies", "KHR_implicit_shapes", "CAIRN_world", "CAIRN_body",
+    "CAIRN_material",           "CAIRN_height_field"};
 // Extensions of how things look, which no simulation depends on.
 constexpr std::array<std::string_view, 8> visual_prefixes{
     "KHR_lights_", "KHR_materials_", "KHR_texture_",           "KHR_mesh_quantization", "KHR_draco_mesh_compression",
@@ -52,6 +53,12 @@ std::optional<Value> default_scene(const Value& document) {
 std::optional<Value> extension(const Value& owner, const char* name) {
     const auto extensions = owner.find("extensions");
     return extensions ? extensions->find(name) : std::nullopt;
+}
+
+Value element(const std::optional<Value>& array, const Value& index, std::size_t limit, const char* what) {
+    const std::size_t count = array ? array->size(limit, what) : 0;
+    if (count == 0) index.fail(std::string("must be left out, as the file has no ") + what);
+    return (*array)[index.index(count, what)];
 }
 
 } // namespace cairn::scene

@@ -16,4 +16,7 @@ std::optional<Value> default_scene(const Value& document);
 // The extension object of that name on a node, a scene or anything else.
 std::optional<Value> extension(const Value& owner, const char* name);
 
+// The element of `array` (absent: of an empty one) that `index` refers to; `what` names the elements.
+Value element(const std::optional<Value>& array, const Value& index, std::size_t limit, const char* what);
+
 } // namespace cairn::scene

@@ -85,6 +85,19 @@ std::string Value::text() const {
     return text;
 }
 
+const std::string& Value::long_text() const {
+    if (!json_->is_string()) fail("must be a string");
+    return json_->get_ref<const std::string&>();
+}
+
+std::uint64_t Value::whole(std::uint64_t low, std::uint64_t high) const {
+    const double value = number();
+    if (value != std::floor(value) || value < static_cast<double>(low) || value > static_cast<double>(high)) {
+        fail("must be a whole number from " + std::to_string(low) + " to " + std::to_string(high));
+    }
+    return static_cast<std::uint64_t>(value);
+}
+
 std::size_t Value::index(std::size_t count, const char* what) const {
     if (!json_->is_number_unsigned()) fail(std::string("must be the index of one of the ") + what);
     const std::size_t value = json_->get<std::size_t>();
@@ -134,6 +147,11 @@ std::string Value::shown() const {
         for (const nlohmann::json& element : *json_) {
             if (element.is_structured()) return "an array of " + std::to_string(json_->size());
         }
+    }
+    if (json_->is_string() && json_->get_ref<const std::string&>().size() > longest) {
+        // Cut before it is escaped: buffers are long. The cut may fall into a letter, which is then left out.
+        const nlohmann::json start = json_->get_ref<const std::string&>().substr(0, longest);
+        return start.dump(-1, ' ', true, nlohmann::json::error_handler_t::ignore) + "...";
     }
     std::string text = json_->dump(-1, ' ', true); // ASCII only, so that it can be cut anywhere
     if (text.size() > longest) text = text.substr(0, longest) + "...";

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
@@ -56,10 +57,14 @@ class Value {
     float real(const Range& range = any_float) const { return static_cast<float>(number(range)); }
     bool boolean() const;
     std::string text() const;
+    // A text of any length, where it stands: the data of a buffer, for example.
+    const std::string& long_text() const;
     // An index into an array of `count` elements, called `what`.
     std::size_t index(std::size_t count, const char* what) const;
     // A whole number from `low` to `high`.
     int integer(int low, int high) const;
+    // Likewise, for sizes and offsets; `high` at most 2^53.
+    std::uint64_t whole(std::uint64_t low, std::uint64_t high) const;
 
     // Arrays of numbers of a fixed length.
     glm::dvec3 vector3(const Range& range = any_float) const;

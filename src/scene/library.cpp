@@ -23,8 +23,10 @@ std::size_t count_bodies(const Value& nodes, const NodeGraph& graph, std::size_t
         node.fail("must be at most " + std::to_string(max_node_depth) + " nodes below its root");
     const auto physics = extension(node, "KHR_physics_rigid_bodies");
     const bool has_motion = physics && physics->find("motion");
-    const bool begins_body = has_motion || (!in_body && extension(node, "CAIRN_body"));
-    const bool lone_collider = !begins_body && !in_body && physics && physics->find("collider");
+    const auto trigger = physics ? physics->find("trigger") : std::nullopt;
+    const bool is_marked = extension(node, "CAIRN_body") || (trigger && trigger->find("nodes"));
+    const bool begins_body = has_motion || (!in_body && is_marked);
+    const bool lone_collider = !begins_body && !in_body && physics && (physics->find("collider") || trigger);
     std::size_t bodies = begins_body || lone_collider ? 1 : 0;
     for (const std::size_t child : graph.children[index]) {
         bodies += count_bodies(nodes, graph, child, in_body || begins_body, depth + 1);
@@ -38,8 +40,9 @@ SceneEntry read_entry(const fs::path& path) {
     entry.name = path.stem().generic_string();
     try {
         const std::string file = path.filename().generic_string();
-        const nlohmann::json json = parse_gltf(read_file(path), file);
-        const Value document(json, file);
+        const std::vector<std::byte> bytes = read_file(path);
+        const GltfFile gltf = parse_gltf(bytes, file);
+        const Value document(gltf.json, file);
         check_document(document);
         const auto scene = default_scene(document);
         SceneInfo info;

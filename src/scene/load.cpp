@@ -1,23 +1,26 @@
 // From a document to a world. Nodes are walked from the roots down, in the order of the file, so that equal
 // files give equal worlds: handles, storage and all.
-#include "scene/definitions.h"
+#include "scene/colliders.h"
 #include "scene/document.h"
+#include "scene/filters.h"
 #include "scene/gltf_file.h"
+#include "scene/joints.h"
 #include "scene/node_graph.h"
 #include "scene/node_transform.h"
 #include "scene/scene.h"
+#include "scene/visuals.h"
 #include "scene/world_settings.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <utility>
 
 namespace cairn::scene {
 
 namespace {
 
-constexpr Range color_range{0.0, 1.0, false};
 constexpr std::size_t max_warnings = 100;
 
 // Where the walk stands.
@@ -27,6 +30,16 @@ struct Place {
     NodeTransform in_body;      // of the node above, seen from that body
     std::size_t depth = 0;
 };
+
+// A node that a joint may be fixed to.
+struct JointFrame {
+    std::optional<BodyId> body; // one with a motion
+    NodeTransform transform;    // in that body, else in the world
+};
+
+const NodeTransform at_body(const NodeTransform& world) {
+    return {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 0.0}, world.scale, false};
+}
 
 // A velocity from the node's axes, in which the file has it, to the world's: turned with the node, and not scaled.
 Vec3 turned(const glm::dquat& rotation, const glm::dvec3& v) {
@@ -43,17 +56,25 @@ Vec3 turned(const glm::dquat& rotation, const glm::dvec3& v) {
 
 class Builder {
   public:
-    Builder(const Value& document, WorldSettings settings, std::vector<std::string> warnings)
-        : document_(document), definitions_(document),
+    Builder(const Value& document, const Buffers& buffers, const NodeGraph& graph, WorldSettings settings,
+            std::vector<std::string> warnings)
+        : document_(document), graph_(graph), surfaces_(document, buffers, graph), colliders_(document, surfaces_),
+          visuals_(document, surfaces_), filters_(document), joints_(document),
           warnings_(std::move(warnings)), scene_{World(settings.world), std::move(settings.info), {}, {}, {}} {}
 
-    Scene build(const std::optional<Value>& scene) {
+    Scene build() {
         for (const ForceField& field : scene_.info.force_fields) {
             scene_.force_fields.push_back(scene_.world.add_force_field(field));
         }
-        graph_ = read_node_graph(document_, scene);
+        if (!joints_.empty()) joint_frames_.resize(graph_.children.size());
         for (const std::size_t root : graph_.roots) visit(root, {});
-        definitions_.refuse_separating_filters();
+        for (const std::size_t node : joint_nodes_) add_joint(node);
+        if (!scene_.joints.empty()) {
+            warnings_.push_back(
+                document_.place() + "has " + std::to_string(scene_.joints.size()) +
+                (scene_.joints.size() == 1 ? " joint, which does not act yet" : " joints, which do not act yet"));
+        }
+        scene_.collision_systems = filters_.names();
         if (warnings_.size() > max_warnings) {
             const std::size_t more = warnings_.size() - max_warnings;
             warnings_.resize(max_warnings);
@@ -78,29 +99,88 @@ class Builder {
 
         const auto physics = extension(here, "KHR_physics_rigid_bodies");
         const auto own = extension(here, "CAIRN_body");
-        if (physics) refuse_unsupported(*physics);
         const auto motion = physics ? physics->find("motion") : std::nullopt;
-        if (motion || (own && !place.body)) {
+        const auto collider = physics ? physics->find("collider") : std::nullopt;
+        const auto trigger = physics ? physics->find("trigger") : std::nullopt;
+        const bool is_group = trigger && check_group(*trigger, index);
+        if (motion || ((own || is_group) && !place.body)) {
             place.body = add_body(here, motion, own, place.world);
-            place.in_body = NodeTransform{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 0.0}, place.world.scale};
+            place.in_body = at_body(place.world);
         } else if (own) {
             own->fail("must stand on a node with a motion, or on one that no body holds already");
         }
-        if (const auto collider = physics ? physics->find("collider") : std::nullopt) {
-            if (place.body) {
-                add_collider(here, *collider, *place.body, place.in_body);
-            } else {
-                const BodyId alone = add_body(here, std::nullopt, std::nullopt, place.world);
-                add_collider(here, *collider, alone, {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 0.0}, place.world.scale});
-            }
+        std::optional<BodyId> body = place.body;
+        NodeTransform in_body = place.in_body;
+        if (!body && (collider || trigger)) { // a body of its own, which holds nothing of what is below
+            body = add_body(here, std::nullopt, std::nullopt, place.world);
+            in_body = at_body(place.world);
         }
+        if (collider) add_collider(here, *collider, *body, in_body);
+        if (trigger && !is_group) add_trigger(here, *trigger, *body, in_body);
+        visuals_.add(here, body, body ? in_body : place.world, scene_, warnings_);
+        note_joint(index, physics, place);
         for (const std::size_t child : graph_.children[index]) visit(child, place);
         if (motion) finish_motion(*motion, *place.body, place.world);
     }
 
-    static void refuse_unsupported(const Value& physics) {
-        if (const auto trigger = physics.find("trigger")) trigger->refuse("triggers are not supported yet");
-        if (const auto joint = physics.find("joint")) joint->refuse("joints are not supported yet");
+    // Whether a trigger is made of those on nodes below, instead of having a geometry.
+    bool check_group(const Value& trigger, std::size_t index) const {
+        const auto nodes = trigger.find("nodes");
+        if (!nodes) return false;
+        if (const auto geometry = trigger.find("geometry")) geometry->fail("must not stand beside nodes");
+        const std::size_t count = nodes->size(max_nodes, "nodes");
+        if (count == 0) nodes->fail("must not be empty");
+        std::set<std::size_t> below;
+        std::vector<std::size_t> open{index};
+        while (!open.empty()) {
+            const std::size_t next = open.back();
+            open.pop_back();
+            for (const std::size_t child : graph_.children[next]) {
+                below.insert(child);
+                open.push_back(child);
+            }
+        }
+        for (std::size_t i = 0; i < count; ++i) {
+            const Value entry = (*nodes)[i];
+            const std::size_t part = entry.index(graph_.children.size(), "nodes");
+            const auto physics = extension(node(part), "KHR_physics_rigid_bodies");
+            if (below.count(part) == 0 || !physics || !physics->find("trigger")) {
+                entry.fail("must be a node below this one that has a trigger");
+            }
+        }
+        return true;
+    }
+
+    // Where a joint could be fixed to this node, if the file has any joints.
+    void note_joint(std::size_t index, const std::optional<Value>& physics, const Place& place) {
+        if (physics && physics->find("joint")) joint_nodes_.push_back(index);
+        if (joints_.empty()) return;
+        const bool moves = place.body && scene_.world.body(*place.body).type() != BodyType::static_;
+        joint_frames_[index] = moves ? JointFrame{place.body, place.in_body} : JointFrame{std::nullopt, place.world};
+    }
+
+    void add_joint(std::size_t index) {
+        const Value here = node(index);
+        const Value joint = extension(here, "KHR_physics_rigid_bodies")->require("joint");
+        const JointRules& rules = joints_.rules(joint.require("joint"));
+        const Value connected = joint.require("connectedNode");
+        const std::size_t other = connected.index(graph_.children.size(), "nodes");
+        if (!joint_frames_[other]) connected.fail("must be the index of a node of the scene");
+        JointDescription made;
+        if (const auto name = here.find("name")) made.name = name->text();
+        made.limits = rules.limits;
+        made.drives = rules.drives;
+        if (const auto collide = joint.find("enableCollision")) made.enable_collision = collide->boolean();
+        const auto place = [&](std::size_t which, BodyId& body, Transform& frame) {
+            const JointFrame& found = *joint_frames_[which];
+            require_usable(found.transform, node(which));
+            if (found.body) body = *found.body;
+            frame = {found.transform.translation, Quat(found.transform.rotation)};
+        };
+        place(index, made.body_a, made.frame_a);
+        place(other, made.body_b, made.frame_b);
+        if (made.body_a == made.body_b) warnings_.push_back(joint.place() + "connects no two bodies that could move");
+        scene_.joints.push_back(std::move(made));
     }
 
     BodyId add_body(const Value& here, const std::optional<Value>& motion, const std::optional<Value>& own,
@@ -145,6 +225,8 @@ class Builder {
         const std::optional<MassProperties> mass = read_mass(motion, body, world.scale);
         try {
             if (mass) body.set_mass_properties(*mass);
+            // Every shape moved the center of mass, and with it the origin by a rounding error.
+            if (body.position() != world.translation) body.set_position(world.translation);
             if (linear) body.set_linear_velocity(turned(world.rotation, *linear));
             if (angular) body.set_angular_velocity(turned(world.rotation, *angular));
         } catch (const Error& error) {
@@ -193,70 +275,64 @@ class Builder {
     }
 
     void add_collider(const Value& here, const Value& collider, BodyId body, const NodeTransform& in_body) {
-        require_usable(in_body, here);
-        const Value geometry = collider.require("geometry");
-        if (const auto mesh = geometry.find("node")) {
-            mesh->refuse("meshes and convex hulls as colliders are not supported yet");
-        }
-        definitions_.use_filter(collider.find("collisionFilter"));
-        Substance substance;
-        if (const auto index = collider.find("physicsMaterial")) substance = definitions_.substance(*index);
-        const Value index = geometry.require("shape");
-        if (in_body.scale.x == 0.0 || in_body.scale.y == 0.0 || in_body.scale.z == 0.0) {
-            warnings_.push_back(collider.place() + "is disabled by a scale of zero");
-            return;
-        }
-        const Shape shape = definitions_.shape(index, in_body.scale, warnings_);
-        if (std::holds_alternative<Plane>(shape) && scene_.world.body(body).type() == BodyType::dynamic) {
-            collider.refuse("planes have no mass and may only belong to static and kinematic bodies");
-        }
         ShapeDef def;
-        def.position = Vec3(in_body.translation);
-        def.rotation = Quat(in_body.rotation);
-        def.density = substance.density;
-        def.material = substance.material;
-        try {
-            const ShapeId id = scene_.world.add_shape(body, shape, def);
-            if (const auto color = color_of(here)) scene_.appearances.push_back({body, id, *color});
-        } catch (const Error& error) {
-            collider.fail(error);
+        if (const auto index = collider.find("physicsMaterial")) {
+            const Substance substance = colliders_.substance(*index);
+            def.density = substance.density;
+            def.material = substance.material;
+            def.surface_velocity = substance.surface_velocity;
+            if (def.surface_velocity != Vec3(0.0f) && scene_.world.body(body).type() == BodyType::dynamic) {
+                index->refuse("a surface that moves by itself may only belong to static and kinematic bodies");
+            }
         }
+        add_shape(here, collider, body, in_body, def);
     }
 
-    // The node's own color, else that of the material of its mesh's first part.
-    std::optional<Vec3> color_of(const Value& here) const {
-        if (const auto extras = here.find("extras"); extras && extras->is_object()) {
-            if (const auto color = extras->find("cairn_color")) return color->float_vector3(color_range);
+    void add_trigger(const Value& here, const Value& trigger, BodyId body, const NodeTransform& in_body) {
+        ShapeDef def;
+        def.is_trigger = true;
+        def.density = 0.0f;
+        add_shape(here, trigger, body, in_body, def);
+    }
+
+    // What a collider and a trigger have in common.
+    void add_shape(const Value& here, const Value& owner, BodyId body, const NodeTransform& in_body, ShapeDef def) {
+        require_usable(in_body, here);
+        const Value geometry = owner.require("geometry");
+        if (const auto index = owner.find("collisionFilter")) def.filter = filters_.filter(*index);
+        if (in_body.scale.x == 0.0 || in_body.scale.y == 0.0 || in_body.scale.z == 0.0) {
+            warnings_.push_back(owner.place() + "is disabled by a scale of zero");
+            return;
         }
-        const auto mesh = here.find("mesh");
-        if (!mesh) return std::nullopt;
-        const Value meshes = document_.require("meshes");
-        const Value primitives =
-            meshes[mesh->index(meshes.size(max_definitions, "meshes"), "meshes")].require("primitives");
-        if (primitives.size(max_definitions, "primitives") == 0) primitives.fail("must not be empty");
-        const auto material = primitives[0].find("material");
-        if (!material) return std::nullopt;
-        const Value materials = document_.require("materials");
-        const Value found = materials[material->index(materials.size(max_definitions, "materials"), "materials")];
-        const auto roughness = found.find("pbrMetallicRoughness");
-        const auto color = roughness ? roughness->find("baseColorFactor") : std::nullopt;
-        if (!color) return std::nullopt;
-        if (color->size(4, "numbers") != 4) color->fail("must be an array of 4 numbers");
-        return Vec3((*color)[0].real(color_range), (*color)[1].real(color_range), (*color)[2].real(color_range));
+        const BodyType type = scene_.world.body(body).type();
+        const TurnedShape made = colliders_.shape(geometry, in_body.scale, type, warnings_);
+        def.position = Vec3(in_body.translation);
+        def.rotation = Quat(in_body.rotation) * made.rotation;
+        try {
+            const ShapeId id = scene_.world.add_shape(body, made.shape, def);
+            if (const auto color = visuals_.color(here)) scene_.appearances.push_back({body, id, *color});
+        } catch (const Error& error) {
+            owner.fail(error);
+        }
     }
 
     Value document_;
-    Definitions definitions_;
+    const NodeGraph& graph_;
+    Surfaces surfaces_;
+    Colliders colliders_;
+    Visuals visuals_;
+    Filters filters_;
+    JointTable joints_;
     std::vector<std::string> warnings_;
     Scene scene_;
-    NodeGraph graph_;
+    std::vector<std::optional<JointFrame>> joint_frames_; // by node; of those that the scene shows
+    std::vector<std::size_t> joint_nodes_;
 };
 
-} // namespace
-
-Scene load_from_memory(std::span<const std::byte> bytes, const std::string& name) {
-    const nlohmann::json json = parse_gltf(bytes, name);
-    const Value document(json, name);
+Scene load_bytes(std::span<const std::byte> bytes, const std::string& name,
+                 const std::optional<std::filesystem::path>& folder) {
+    const GltfFile gltf = parse_gltf(bytes, name);
+    const Value document(gltf.json, name);
     check_document(document);
     const auto scene = default_scene(document);
     const auto own = scene ? extension(*scene, "CAIRN_world") : std::nullopt;
@@ -266,12 +342,19 @@ Scene load_from_memory(std::span<const std::byte> bytes, const std::string& name
     if (settings.info.title.empty() && scene) {
         if (const auto title = scene->find("name")) settings.info.title = title->text();
     }
-    return Builder(document, std::move(settings), std::move(warnings)).build(scene);
+    const NodeGraph graph = read_node_graph(document, scene);
+    const Buffers buffers(document, gltf.binary, folder);
+    return Builder(document, buffers, graph, std::move(settings), std::move(warnings)).build();
+}
+
+} // namespace
+
+Scene load_from_memory(std::span<const std::byte> bytes, const std::string& name) {
+    return load_bytes(bytes, name, std::nullopt);
 }
 
 Scene load(const std::filesystem::path& path) {
-    const std::vector<std::byte> bytes = read_file(path);
-    return load_from_memory(bytes, path.filename().generic_string());
+    return load_bytes(read_file(path), path.filename().generic_string(), path.parent_path());
 }
 
 } // namespace cairn::scene

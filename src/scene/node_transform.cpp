@@ -84,6 +84,32 @@ NodeTransform compose(const NodeTransform& parent, const NodeTransform& child) {
     return result;
 }
 
+Affine affine(const glm::dvec3& scale) {
+    Affine result;
+    for (int i = 0; i < 3; ++i) result.linear[i] *= scale[i];
+    return result;
+}
+
+Affine read_affine(const Value& node) {
+    const NodeTransform parts = read_transform(node);
+    Affine result;
+    result.translation = parts.translation;
+    if (const auto matrix = node.find("matrix")) {
+        for (int column = 0; column < 3; ++column) {
+            for (int row = 0; row < 3; ++row) {
+                result.linear[column][row] = (*matrix)[static_cast<std::size_t>(4 * column + row)].number(any_float);
+            }
+        }
+        return result;
+    }
+    result.linear = glm::mat3_cast(parts.rotation) * affine(parts.scale).linear;
+    return result;
+}
+
+Affine compose(const Affine& parent, const Affine& child) {
+    return {parent.linear * child.linear, parent.linear * child.translation + parent.translation};
+}
+
 void require_usable(const NodeTransform& transform, const Value& node) {
     if (transform.is_skewed) {
         node.refuse("is skewed: a rotation below an uneven scale, which would bend its shapes");

@@ -19,6 +19,15 @@ NodeTransform read_transform(const Value& node);
 // `child` as seen from where `parent` is seen.
 NodeTransform compose(const NodeTransform& parent, const NodeTransform& child);
 
+// Any affine map: what a node does to a mesh, skewed or not.
+struct Affine {
+    glm::dmat3 linear{1.0};
+    glm::dvec3 translation{0.0, 0.0, 0.0};
+};
+Affine read_affine(const Value& node);
+Affine compose(const Affine& parent, const Affine& child);
+Affine affine(const glm::dvec3& scale); // nothing but a scale
+
 // Refuses a transform that no body or shape can have: skewed, or out of the range of a float.
 void require_usable(const NodeTransform& transform, const Value& node);
 

@@ -1,5 +1,6 @@
 // From a world to a document. Everything is written in the order of the world, one node to a line, with the
 // shortest numbers that read back the same: equal worlds give equal bytes.
+#include "scene/definition_writer.h"
 #include "scene/gltf_file.h"
 #include "scene/json_number.h"
 #include "scene/scene.h"
@@ -24,96 +25,60 @@ bool same(const MassProperties& a, const MassProperties& b) {
            a.inertia_orientation == b.inertia_orientation;
 }
 
-const char* rule_name(CombineRule rule) {
-    switch (rule) {
-    case CombineRule::average:
-        return "average";
-    case CombineRule::minimum:
-        return "minimum";
-    case CombineRule::maximum:
-        return "maximum";
-    case CombineRule::multiply:
-        return "multiply";
-    }
-    throw Error(ErrorCode::invalid_value, "CombineRule", std::to_string(static_cast<int>(rule)),
-                "must be a known rule");
-}
-
-// The file's planes face +y and are measured along x and z.
-Quat plane_frame(const Plane& plane) {
-    const glm::dvec3 up = glm::normalize(glm::dvec3(plane.normal));
-    const glm::dvec3 guess = plane.half_extents      ? glm::dvec3(plane.tangent)
-                             : std::fabs(up.x) < 0.9 ? glm::dvec3(1.0, 0.0, 0.0)
-                                                     : glm::dvec3(0.0, 0.0, 1.0);
-    const glm::dvec3 x = glm::normalize(guess - up * glm::dot(up, guess));
-    return Quat(glm::quat_cast(glm::dmat3(x, up, glm::cross(x, up))));
-}
-
-// The rotation of a shape as the file measures it.
-Quat file_rotation(const Shape& shape, const Quat& rotation) {
-    const Plane* plane = std::get_if<Plane>(&shape);
-    if (plane == nullptr) return rotation;
-    const bool turned =
-        plane->normal != Vec3(0.0f, 1.0f, 0.0f) || (plane->half_extents && plane->tangent != Vec3(1.0f, 0.0f, 0.0f));
-    return turned ? glm::normalize(rotation * plane_frame(*plane)) : rotation;
-}
-
-struct ShapeWriter {
-    Json operator()(const Sphere& sphere) const {
-        return {{"type", "sphere"}, {"sphere", {{"radius", shortest(sphere.radius)}}}};
-    }
-    Json operator()(const Box& box) const {
-        return {{"type", "box"}, {"box", {{"size", number_array(box.half_extents * 2.0f)}}}};
-    }
-    Json operator()(const Plane& plane) const {
-        Json json{{"type", "plane"}, {"plane", Json::object()}};
-        if (plane.half_extents) {
-            json["plane"] = {{"sizeX", shortest(plane.half_extents->x * 2.0f)},
-                             {"sizeZ", shortest(plane.half_extents->y * 2.0f)}};
-        }
-        return json;
-    }
-};
-
-// Definitions that nodes refer to by index, each listed once.
-class Table {
-  public:
-    std::size_t index(const Json& entry) {
-        const auto [found, is_new] = indices_.try_emplace(entry.dump(), lines_.size());
-        if (is_new) lines_.push_back(found->first);
-        return found->second;
-    }
-    const std::vector<std::string>& lines() const { return lines_; }
-
-  private:
-    std::unordered_map<std::string, std::size_t> indices_;
-    std::vector<std::string> lines_;
-};
-
 class Writer {
   public:
-    explicit Writer(const Scene& scene) : scene_(scene) {
+    explicit Writer(const Scene& scene) : scene_(scene), definitions_(scene) {
         for (const Appearance& appearance : scene.appearances) colors_[appearance.shape.bits] = appearance.color;
+        for (std::size_t i = 0; i < scene.visuals.size(); ++i) {
+            if (is_drawn(scene.visuals[i])) visuals_[scene.visuals[i].body.bits].push_back(i);
+        }
+        for (const BodyId id : scene_.world.bodies()) add_mesh_nodes(id);
+        for (const BodyId id : scene_.world.bodies()) add_body(id);
+        for (const VisualMesh& visual : scene_.visuals) {
+            if (visual.body.is_null() && is_drawn(visual)) roots_.push_back(add_visual(visual));
+        }
+        for (const JointDescription& joint : scene_.joints) add_joint(joint);
     }
 
-    std::string write() {
-        for (const BodyId id : scene_.world.bodies()) add_body(id);
+    std::string text() const { return document(true); }
+    std::string container() const { return glb_container(document(false), definitions_.buffer().bytes()); }
+
+  private:
+    std::string document(bool with_data) const {
         Json settings = write_world_settings(scene_.world.settings(), scene_.info);
         Json scene{{"nodes", roots_}, {"extensions", {{"CAIRN_world", std::move(settings)}}}};
         if (roots_.empty()) scene.erase("nodes"); // glTF has no empty arrays
         std::string text = "{\n\"asset\": {\"version\":\"2.0\",\"generator\":\"cairn\"},\n\"extensionsUsed\": " +
                            extensions_used().dump() + ",\n\"scene\": 0,\n\"scenes\": [\n" + scene.dump() + "\n]";
-        if (!nodes_.empty()) text += ",\n\"nodes\": " + lines(nodes_);
-        if (!shapes_.lines().empty()) {
-            text += ",\n\"extensions\": {\n\"KHR_implicit_shapes\": {\"shapes\": " + lines(shapes_.lines()) +
-                    "},\n\"KHR_physics_rigid_bodies\": {\"physicsMaterials\": " + lines(materials_.lines()) + "}\n}";
+        std::vector<std::string> nodes;
+        for (const Json& node : nodes_) nodes.push_back(node.is_null() ? "{}" : node.dump());
+        text += list("nodes", nodes) + list("meshes", definitions_.meshes().lines()) +
+                list("materials", definitions_.colors().lines());
+        if (const BufferWriter& buffer = definitions_.buffer(); !buffer.empty()) {
+            text += list("accessors", buffer.accessors()) + list("bufferViews", buffer.views());
+            Json entry{{"byteLength", buffer.bytes().size()}};
+            if (with_data) entry["uri"] = data_uri(buffer.bytes());
+            text += list("buffers", {entry.dump()});
         }
-        return text + "\n}\n";
+        return text + extensions() + "\n}\n";
     }
 
-  private:
-    static std::string lines(const std::vector<std::string>& entries) {
-        std::string text = "[";
+    // Members of the document's own extensions.
+    std::string extensions() const {
+        std::string shapes = list("shapes", definitions_.shapes().lines());
+        std::string physics = list("physicsMaterials", definitions_.materials().lines()) +
+                              list("collisionFilters", definitions_.filters().lines()) +
+                              list("physicsJoints", definitions_.joints().lines());
+        std::string text;
+        if (!shapes.empty()) text += ",\n\"KHR_implicit_shapes\": {" + shapes.substr(2) + "}";
+        if (!physics.empty()) text += ",\n\"KHR_physics_rigid_bodies\": {" + physics.substr(2) + "}";
+        return text.empty() ? "" : ",\n\"extensions\": {\n" + text.substr(2) + "\n}";
+    }
+
+    // A member that is an array, with a comma before it; nothing if it is empty.
+    static std::string list(const char* name, const std::vector<std::string>& entries) {
+        if (entries.empty()) return {};
+        std::string text = std::string(",\n\"") + name + "\": [";
         for (std::size_t i = 0; i < entries.size(); ++i) text += (i == 0 ? "\n" : ",\n") + entries[i];
         return text + "\n]";
     }
@@ -121,10 +86,27 @@ class Writer {
     Json extensions_used() const {
         Json used = Json::array({"CAIRN_world"});
         if (uses_body_extension_) used.push_back("CAIRN_body");
-        if (uses_material_extension_) used.push_back("CAIRN_material");
+        if (definitions_.uses_material_extension()) used.push_back("CAIRN_material");
+        if (definitions_.uses_height_fields()) used.push_back("CAIRN_height_field");
         if (!nodes_.empty()) used.push_back("KHR_physics_rigid_bodies");
-        if (!shapes_.lines().empty()) used.push_back("KHR_implicit_shapes");
+        if (!definitions_.shapes().lines().empty()) used.push_back("KHR_implicit_shapes");
         return used;
+    }
+
+    static bool is_drawn(const VisualMesh& visual) { return visual.surface && !visual.surface->indices.empty(); }
+
+    static bool needs_mesh(const Shape& shape) {
+        return std::holds_alternative<Hull>(shape) || std::holds_alternative<Mesh>(shape);
+    }
+
+    // Meshes of colliders hang on nodes that the scene does not show, as the draft has it.
+    void add_mesh_nodes(BodyId id) {
+        for (const ShapeId shape_id : scene_.world.body(id).shapes()) {
+            const Shape& shape = scene_.world.shape(shape_id);
+            if (!needs_mesh(shape)) continue;
+            const std::size_t mesh = definitions_.collider_mesh(shape);
+            if (mesh_nodes_.try_emplace(mesh, nodes_.size()).second) nodes_.push_back({{"mesh", mesh}});
+        }
     }
 
     void add_body(BodyId id) {
@@ -138,27 +120,32 @@ class Writer {
         const std::vector<ShapeId> shapes = body.shapes();
         const std::size_t index = nodes_.size();
         roots_.push_back(index);
+        node_of_[id.bits] = index;
         nodes_.emplace_back(); // its children follow it
         const bool is_alone = shapes.size() == 1 && stands_at_origin(shapes[0]);
+        Json children = Json::array();
         if (is_alone) {
-            physics["collider"] = collider(shapes[0]);
+            add_shape(shapes[0], physics);
             add_color(shapes[0], node);
-        } else if (!shapes.empty()) {
-            Json children = Json::array();
+        } else {
             for (const ShapeId shape : shapes) children.push_back(add_child(shape));
-            node["children"] = std::move(children);
         }
+        const auto visuals = visuals_.find(id.bits);
+        if (visuals != visuals_.end()) {
+            for (const std::size_t i : visuals->second) children.push_back(add_visual(scene_.visuals[i]));
+        }
+        // A static body is one body only by this mark, unless it is nothing but a collider.
+        const bool needs_mark = body.type() == BodyType::static_ && (!is_alone || !children.empty());
+        if (!children.empty()) node["children"] = std::move(children);
         if (!physics.empty()) node["extensions"]["KHR_physics_rigid_bodies"] = std::move(physics);
-        add_body_extension(body, is_alone, node);
-        nodes_[index] = node.dump();
+        add_body_extension(body, needs_mark, node);
+        nodes_[index] = std::move(node);
     }
 
-    void add_body_extension(const Body& body, bool is_alone, Json& node) {
+    void add_body_extension(const Body& body, bool needs_mark, Json& node) {
         Json own = Json::object();
         if (body.linear_damping() != 0.0f) own["linear_damping"] = shortest(body.linear_damping());
         if (body.angular_damping() != 0.0f) own["angular_damping"] = shortest(body.angular_damping());
-        // A static body whose colliders sit on other nodes is one body only by this mark.
-        const bool needs_mark = body.type() == BodyType::static_ && !is_alone;
         if (own.empty() && !needs_mark) return;
         node["extensions"]["CAIRN_body"] = std::move(own);
         uses_body_extension_ = true;
@@ -175,9 +162,9 @@ class Writer {
         Json node;
         if (!is_zero(def.position)) node["translation"] = number_array(def.position);
         if (!is_identity(rotation)) node["rotation"] = number_array(rotation);
-        node["extensions"]["KHR_physics_rigid_bodies"]["collider"] = collider(id);
+        add_shape(id, node["extensions"]["KHR_physics_rigid_bodies"]);
         add_color(id, node);
-        nodes_.push_back(node.dump());
+        nodes_.push_back(std::move(node));
         return nodes_.size() - 1;
     }
 
@@ -186,27 +173,63 @@ class Writer {
         if (found != colors_.end()) node["extras"]["cairn_color"] = number_array(found->second);
     }
 
-    Json collider(ShapeId id) {
-        const std::size_t shape = shapes_.index(std::visit(ShapeWriter{}, scene_.world.shape(id)));
-        return {{"geometry", {{"shape", shape}}}, {"physicsMaterial", material(scene_.world.shape_def(id))}};
+    // The collider or the trigger of a shape.
+    void add_shape(ShapeId id, Json& physics) {
+        const Shape& shape = scene_.world.shape(id);
+        const ShapeDef& def = scene_.world.shape_def(id);
+        Json json;
+        if (!needs_mesh(shape)) {
+            json["geometry"]["shape"] = definitions_.shape(shape);
+        } else {
+            json["geometry"]["node"] = mesh_nodes_.at(definitions_.collider_mesh(shape));
+            json["geometry"]["convexHull"] = std::holds_alternative<Hull>(shape);
+        }
+        if (!def.is_trigger) json["physicsMaterial"] = definitions_.material(shape, def);
+        if (const auto filter = definitions_.filter(def.filter)) json["collisionFilter"] = *filter;
+        physics[def.is_trigger ? "trigger" : "collider"] = std::move(json);
     }
 
-    std::size_t material(const ShapeDef& def) {
-        const Material& m = def.material;
-        Json json{{"staticFriction", shortest(m.static_friction)},
-                  {"dynamicFriction", shortest(m.dynamic_friction)},
-                  {"restitution", shortest(m.restitution)},
-                  {"frictionCombine", rule_name(m.friction_combine)},
-                  {"restitutionCombine", rule_name(m.restitution_combine)}};
-        Json own;
-        if (def.density != ShapeDef{}.density) own["density"] = shortest(def.density);
-        if (m.rolling_friction != 0.0f) own["rolling_friction"] = shortest(m.rolling_friction);
-        if (m.torsional_friction != 0.0f) own["torsional_friction"] = shortest(m.torsional_friction);
-        if (!own.empty()) {
-            json["extensions"]["CAIRN_material"] = std::move(own);
-            uses_material_extension_ = true;
+    std::size_t add_visual(const VisualMesh& visual) {
+        Json node{{"mesh", definitions_.visual_mesh(visual)}};
+        place(visual.local, node);
+        nodes_.push_back(std::move(node));
+        return nodes_.size() - 1;
+    }
+
+    static void place(const Transform& transform, Json& node) {
+        if (transform.position != Position(0.0)) node["translation"] = number_array(transform.position);
+        if (!is_identity(transform.rotation)) node["rotation"] = number_array(transform.rotation);
+    }
+
+    void add_joint(const JointDescription& joint) {
+        const auto is_gone = [&](BodyId body) { return !body.is_null() && !scene_.world.is_valid(body); };
+        if (is_gone(joint.body_a) || is_gone(joint.body_b)) return;
+        const std::size_t second = add_frame(joint.body_b, joint.frame_b);
+        const std::size_t first = add_frame(joint.body_a, joint.frame_a);
+        Json json{{"connectedNode", second}, {"joint", definitions_.joint(joint)}};
+        if (joint.enable_collision) json["enableCollision"] = true;
+        if (!joint.name.empty()) nodes_[first]["name"] = joint.name;
+        nodes_[first]["extensions"]["KHR_physics_rigid_bodies"]["joint"] = std::move(json);
+    }
+
+    // A node for the frame of a joint, below its body. What is fixed to a static body is fixed to the world.
+    std::size_t add_frame(BodyId id, Transform frame) {
+        Json node;
+        const bool moves = !id.is_null() && scene_.world.body(id).type() != BodyType::static_;
+        if (!id.is_null() && !moves) {
+            const Transform body = scene_.world.body(id).transform();
+            const glm::dquat rotation(body.rotation);
+            frame = {body.position + rotation * frame.position, body.rotation * frame.rotation};
         }
-        return materials_.index(json);
+        place(frame, node);
+        const std::size_t index = nodes_.size();
+        nodes_.push_back(std::move(node));
+        if (moves) {
+            nodes_[node_of_.at(id.bits)]["children"].push_back(index);
+        } else {
+            roots_.push_back(index);
+        }
+        return index;
     }
 
     Json motion(const Body& body) {
@@ -248,7 +271,8 @@ class Writer {
         const BodyId id = scratch_.create_body(def);
         bool has_mass = false;
         for (const ShapeId shape : body.shapes()) {
-            const ShapeDef& shape_def = scene_.world.shape_def(shape);
+            ShapeDef shape_def = scene_.world.shape_def(shape);
+            if (shape_def.is_trigger) shape_def.density = 0.0f; // as it is read
             has_mass = has_mass || shape_def.density > 0.0f;
             scratch_.add_shape(id, scene_.world.shape(shape), shape_def);
         }
@@ -260,32 +284,48 @@ class Writer {
 
     const Scene& scene_;
     World scratch_;
-    std::unordered_map<std::uint64_t, Vec3> colors_;
-    Table shapes_, materials_;
-    std::vector<std::string> nodes_;
+    DefinitionWriter definitions_;
+    std::unordered_map<std::uint64_t, Vec3> colors_;                      // by shape
+    std::unordered_map<std::uint64_t, std::vector<std::size_t>> visuals_; // by body
+    std::unordered_map<std::uint64_t, std::size_t> node_of_;              // by body
+    std::unordered_map<std::size_t, std::size_t> mesh_nodes_;             // by mesh
+    std::vector<Json> nodes_;
     std::vector<std::size_t> roots_;
-    bool uses_body_extension_ = false, uses_material_extension_ = false;
+    bool uses_body_extension_ = false;
 };
+
+// Reading rounds a little: the engine normalizes rotations, and keeps the center of mass rather than the origin of a
+// body. So the file is read and written again until it repeats, which it does after a step or two; where it
+// alternates, the least of its forms is taken. The next save starts in the same circle, and ends at the same form.
+std::vector<std::byte> stable_container(const Scene& scene) {
+    constexpr std::size_t most_rounds = 16;
+    std::vector<std::string> forms{Writer(scene).container()};
+    const auto bytes = [](const std::string& form) { return std::as_bytes(std::span(form.data(), form.size())); };
+    while (forms.size() < most_rounds) {
+        std::string next = Writer(load_from_memory(bytes(forms.back()), "saved scene")).container();
+        const auto found = std::find(forms.begin(), forms.end(), next);
+        if (found != forms.end()) {
+            const std::string& least = *std::min_element(found, forms.end());
+            return {bytes(least).begin(), bytes(least).end()};
+        }
+        forms.push_back(std::move(next));
+    }
+    return {bytes(forms.back()).begin(), bytes(forms.back()).end()};
+}
 
 } // namespace
 
-// Reading rounds a little: the engine normalizes rotations, and keeps the center of mass rather than the origin of a
-// body. So the text is read and written again until it repeats, which it does after a step or two; where it
-// alternates, the least of its forms is taken. The next save starts in the same circle, and ends at the same form.
 std::string save_to_string(const Scene& scene) {
-    constexpr std::size_t most_rounds = 16;
-    std::vector<std::string> forms{Writer(scene).write()};
-    while (forms.size() < most_rounds) {
-        const std::string& last = forms.back();
-        std::string next =
-            Writer(load_from_memory(std::as_bytes(std::span(last.data(), last.size())), "saved scene")).write();
-        const auto found = std::find(forms.begin(), forms.end(), next);
-        if (found != forms.end()) return *std::min_element(found, forms.end());
-        forms.push_back(std::move(next));
-    }
-    return forms.back();
+    return Writer(load_from_memory(stable_container(scene), "saved scene")).text();
 }
 
-void save(const Scene& scene, const std::filesystem::path& path) { write_file(path, save_to_string(scene)); }
+void save(const Scene& scene, const std::filesystem::path& path) {
+    if (path.extension() != ".glb") {
+        write_file(path, save_to_string(scene));
+        return;
+    }
+    const std::vector<std::byte> bytes = stable_container(scene);
+    write_file(path, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+}
 
 } // namespace cairn::scene

@@ -13,8 +13,11 @@
 
 #include <cairn/cairn.h>
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -46,6 +49,54 @@ struct Appearance {
     Vec3 color{1.0f, 1.0f, 1.0f}; ///< Linear red, green and blue, each 0 to 1.
 };
 
+/// Triangles to look at. It never changes once it is in a scene, so that many meshes may share it.
+struct Surface {
+    std::vector<Vec3> vertices;         ///< Meters.
+    std::vector<Vec3> normals;          ///< Unit length, one for each vertex; or none: draw flat triangles.
+    std::vector<std::uint32_t> indices; ///< Three a triangle, counterclockwise as seen from outside; all in range.
+};
+
+/// A mesh that the file has for looks. It plays no part in the simulation, and moves with its body. A body that has
+/// any is best shown by them instead of by its shapes.
+struct VisualMesh {
+    BodyId body;     ///< Null: scenery, which belongs to no body.
+    Transform local; ///< In the frame of the body; of scenery, in the world.
+    std::shared_ptr<const Surface> surface;
+    Vec3 color{1.0f, 1.0f, 1.0f}; ///< Linear red, green and blue, each 0 to 1.
+};
+
+enum class JointAxis : std::uint8_t { linear, angular };
+
+/// Keeps a distance (m) or an angle (rad) between the two frames of a joint in a range. With one axis: along or about
+/// it; with two: from the line of the remaining axis, or of the cone about it; with three: of points, or any turn.
+struct JointLimit {
+    JointAxis kind = JointAxis::linear;
+    std::array<bool, 3> axes{};     ///< x, y and z of the first frame; one to three of them.
+    std::optional<float> min, max;  ///< Absent: no bound on that side.
+    std::optional<float> stiffness; ///< N/m or N m/rad, >= 0; absent: rigid.
+    float damping = 0.0f;           ///< N s/m or N m s/rad, >= 0.
+};
+
+/// A damped spring or motor along or about one axis: pushes with stiffness x (position_target - position) + damping x
+/// (velocity_target - velocity).
+struct JointDrive {
+    JointAxis kind = JointAxis::linear;
+    bool is_acceleration = false;   ///< true: the above is an acceleration; false: a force or torque.
+    int axis = 0;                   ///< 0, 1 or 2, of the first frame.
+    std::optional<float> max_force; ///< N or N m, >= 0; absent: no bound.
+    float position_target = 0.0f, velocity_target = 0.0f, stiffness = 0.0f, damping = 0.0f;
+};
+
+/// A joint as the file describes it. Joints are kept and saved; they do not act yet.
+struct JointDescription {
+    std::string name;           ///< Of the node that has it.
+    BodyId body_a, body_b;      ///< Null: the world. The first is that of the node with the joint.
+    Transform frame_a, frame_b; ///< In the frames of the bodies; of the world, in its own.
+    std::vector<JointLimit> limits;
+    std::vector<JointDrive> drives;
+    bool enable_collision = false; ///< Whether the two bodies collide with each other.
+};
+
 /// A world and what came with it.
 struct Scene {
     World world;
@@ -53,19 +104,25 @@ struct Scene {
     std::vector<ForceFieldId> force_fields;
     std::vector<Appearance> appearances; ///< Only of shapes that have a color of their own.
     std::vector<std::string> warnings;   ///< What the file asks for that was done another way, or left out.
+    std::vector<VisualMesh> visuals{};
+    std::vector<JointDescription> joints{};
+    /// Names of the layers in the shapes' collision filters: the i-th is that of bit i + 1. Bit 0 is for what is in no
+    /// named layer. Others get a name of their number when they are saved.
+    std::vector<std::string> collision_systems{};
 };
 
 /// Reads a `.gltf` or `.glb` file; which of them it is shows in its first bytes, not in its name.
 Scene load(const std::filesystem::path& path);
 
-/// Reads a scene from memory. `name` stands for the file in messages.
+/// Reads a scene from memory. `name` stands for the file in messages. Buffers in other files are refused.
 Scene load_from_memory(std::span<const std::byte> bytes, const std::string& name);
 
-/// The scene as it stands now, as the text of a `.gltf` file. What `load` reads from it is saved again as the
-/// same bytes. Colors of shapes that have been removed are left out.
+/// The scene as it stands now, as the text of a `.gltf` file, with the data of meshes in it. What `load` reads from it
+/// is saved again as the same bytes. What belongs to shapes and bodies that have been removed is left out.
 std::string save_to_string(const Scene& scene);
 
-/// Writes `save_to_string` to a file: to a temporary beside it first, which then takes its name.
+/// Writes a scene to a file: a binary `.glb` if its name ends so, else `.gltf` as by `save_to_string`. It is written to
+/// a temporary beside it first, which then takes its name.
 void save(const Scene& scene, const std::filesystem::path& path);
 
 /// One line of a list of scenes.

@@ -53,6 +53,8 @@ inline Core exact_core(const Convex& c) { return {&c, false, c.is_sharp ? 0 : c.
 math::DVec3 core_support(const Core& core, math::DVec3 d);
 // The point of the shape itself that is farthest along d.
 math::DVec3 support(const Convex& c, math::DVec3 d);
+// Of a hull: the vertex there.
+std::size_t farthest_vertex(const Convex& c, math::DVec3 d);
 // A point inside: the middle of the bounds.
 math::DVec3 middle(const Convex& c);
 

@@ -89,18 +89,24 @@ bool Polytope::add_point(const DifferencePoint& p) {
     return true;
 }
 
-// The points of the two cores at the origin's projection to the face. A face that it does not project to (it is then
-// not the nearest of the whole surface) gives the nearest of its weights.
+// The points of the two cores at the origin's projection to the surface: of the triangles in the face's plane, the one
+// that holds it best.
 void Polytope::witness(const Face& face, Penetration& out) const {
-    const DifferencePoint &a = points[face.corner[0]], &b = points[face.corner[1]], &c = points[face.corner[2]];
-    const auto weight = [&](DVec3 p, DVec3 q) {
-        const double area = dot(cross(p, q), face.normal);
-        return area > 0 ? area : 0.0;
-    };
-    const double wa = weight(b.w, c.w), wb = weight(c.w, a.w), wc = weight(a.w, b.w), sum = wa + wb + wc;
-    if (!(sum > 0)) return;
-    out.on_a = (1 / sum) * (wa * a.a + wb * b.a + wc * c.a);
-    out.on_b = (1 / sum) * (wa * a.b + wb * b.b + wc * c.b);
+    double most = -1;
+    for (int i = 0; i < face_count; ++i) {
+        const Face& f = faces[i];
+        if (!(f.distance - face.distance <= 1e-9 * size) || !(dot(f.normal, face.normal) > 1 - 1e-9)) continue;
+        const DifferencePoint &a = points[f.corner[0]], &b = points[f.corner[1]], &c = points[f.corner[2]];
+        const double wa = dot(cross(b.w, c.w), f.normal), wb = dot(cross(c.w, a.w), f.normal),
+                     wc = dot(cross(a.w, b.w), f.normal), sum = wa + wb + wc;
+        const double least = std::min(wa, std::min(wb, wc)) / sum;
+        if (!(least > most)) continue;
+        most = least;
+        // Not quite within: the nearest of its weights.
+        const double ua = wa > 0 ? wa : 0, ub = wb > 0 ? wb : 0, uc = wc > 0 ? wc : 0, part = 1 / (ua + ub + uc);
+        out.on_a = part * (ua * a.a + ub * b.a + uc * c.a);
+        out.on_b = part * (ua * a.b + ub * b.b + uc * c.b);
+    }
 }
 
 DVec3 orthogonal(DVec3 n) {

@@ -142,15 +142,19 @@ DBounds cylinder_bounds(DVec3 size, const math::Mat3& m) {
     return b;
 }
 
+// Four floats side by side, of which three count; in C++ as gcc and clang have it.
+using Float4 = float __attribute__((vector_size(16)));
+
 DBounds hull_bounds(const HullData& hull, const math::Mat3& m) {
-    const math::Vec3* vertex = hull.vertices.data();
-    math::Vec3 lo = m * vertex[0], hi = lo;
-    for (std::size_t i = 1; i < hull.vertices.size(); ++i) {
-        const math::Vec3 v = m * vertex[i];
-        lo = math::min(lo, v);
-        hi = math::max(hi, v);
+    const Float4 c0{m.c0.x, m.c0.y, m.c0.z, 0}, c1{m.c1.x, m.c1.y, m.c1.z, 0}, c2{m.c2.x, m.c2.y, m.c2.z, 0};
+    constexpr float far = std::numeric_limits<float>::max();
+    Float4 lo{far, far, far, far}, hi = -lo;
+    for (const math::Vec3& v : hull.vertices) {
+        const Float4 p = v.x * c0 + v.y * c1 + v.z * c2;
+        lo = p < lo ? p : lo;
+        hi = p > hi ? p : hi;
     }
-    return {math::to_double(lo), math::to_double(hi)};
+    return {{double(lo[0]), double(lo[1]), double(lo[2])}, {double(hi[0]), double(hi[1]), double(hi[2])}};
 }
 
 // The corners of a box, rotated.
@@ -200,6 +204,9 @@ struct MeshSupport {
 };
 
 DBounds mesh_bounds(const MeshData& mesh, const math::Mat3& m) {
+    const math::Mat3 upright;
+    if (m.c0 == upright.c0 && m.c1 == upright.c1 && m.c2 == upright.c2)
+        return {math::to_double(mesh.lo), math::to_double(mesh.hi)};
     const double slack = 0.25 * rounding * double(mesh.bounding_radius);
     auto reach = [&](DVec3 direction) {
         MeshSupport support{mesh, direction, slack};

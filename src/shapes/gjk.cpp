@@ -11,9 +11,6 @@ using math::DVec3;
 namespace {
 
 constexpr int most_iterations = 64;
-// The squared distance is known when it may shrink by less than this part of it: the direction is then known to about
-// the root of it.
-constexpr double gap_tolerance = 1e-12;
 // Cores closer than this part of their size overlap.
 constexpr double touching = 1e-10;
 // Rounding of a squared length, as part of it.
@@ -67,16 +64,23 @@ Nearest on_triangle(const Simplex& s, int i, int j, int k) {
     return best;
 }
 
-// False when the tetrahedron holds the origin. A flat one holds nothing.
+// False when the tetrahedron holds the origin. Near convergence on a round shape its corners lie almost on one line;
+// what is within the rounding of a side counts as outside of it, so that such a splinter holds nothing.
 bool on_tetrahedron(const Simplex& s, Nearest& best) {
     constexpr int faces[4][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 3, 2, 0}};
+    constexpr double error = 1e-28; // the square of some roundings
+    double size = 0;
+    for (const DifferencePoint& p : s.points) size = std::max(size, dot(p.w, p.w));
     bool is_outside = false;
     for (const auto& f : faces) {
         const DVec3 a = s.points[f[0]].w, ab = s.points[f[1]].w - a, ac = s.points[f[2]].w - a;
         const DVec3 normal = cross(ab, ac), inner = s.points[f[3]].w - a;
         const double inside = dot(normal, inner), origin = -dot(normal, a);
-        const bool is_flat = inside * inside <= 1e-24 * dot(normal, normal) * dot(inner, inner);
-        if (!is_flat && (inside > 0 ? origin >= 0 : origin <= 0)) continue;
+        // Rounded corners move the normal by about size x sides.
+        const double sides = dot(ab, ab) + dot(ac, ac), slack = error * size * sides;
+        const bool is_flat = inside * inside <= slack * dot(inner, inner) + error * size * dot(ab, ab) * dot(ac, ac);
+        const bool is_near = origin * origin <= slack * size;
+        if (!is_flat && !is_near && (inside > 0) == (origin > 0)) continue;
         is_outside = true;
         offer(best, on_triangle(s, f[0], f[1], f[2]));
     }
@@ -106,7 +110,7 @@ void finish(GjkResult& r) {
 
 } // namespace
 
-GjkResult gjk_distance(const CorePair& pair, DVec3 guess, double max_distance) {
+GjkResult gjk_distance(const CorePair& pair, DVec3 guess, double max_distance, double tolerance) {
     GjkResult r;
     Simplex& s = r.simplex;
     if (!(dot(guess, guess) > 0)) guess = middle(*pair.b.shape) - middle(*pair.a.shape);
@@ -132,7 +136,7 @@ GjkResult gjk_distance(const CorePair& pair, DVec3 guess, double max_distance) {
             return r;
         }
         if (next_square > size) size = next_square;
-        if (square - along <= gap_tolerance * square + rounding * std::sqrt(square * size)) break;
+        if (square - along <= tolerance * square + rounding * std::sqrt(square * size)) break;
         bool is_known = false;
         for (int i = 0; i < s.count; ++i) is_known = is_known || s.points[i].w == next.w;
         if (is_known) break;

@@ -37,7 +37,8 @@ struct GjkResult {
 };
 
 // Cores that are proven farther apart than max_distance are `far`; then `normal` is a direction that proves it. Cores
-// closer than a ten billionth of their size overlap. `guess`: a direction from a to b, of any length.
-GjkResult gjk_distance(const CorePair& pair, math::DVec3 guess, double max_distance);
+// closer than a ten billionth of their size overlap. `guess`: a direction from a to b, of any length. The distance of
+// round shapes is within about half the relative `tolerance`, the normal within its root; that of polytopes is exact.
+GjkResult gjk_distance(const CorePair& pair, math::DVec3 guess, double max_distance, double tolerance = 1e-12);
 
 } // namespace cairn

@@ -42,7 +42,22 @@ struct HullData {
     float width = 0;           // least distance of two parallel planes that hold it between them (by its faces)
 };
 
-// The convex hull of the points. Throws Error(invalid_value) with field "Hull points" (see Hull in shape.h).
+// The convex hull of the points. Throws Error(invalid_value) with field "Hull points" (see Hull in shape.h); also when
+// the points are all within 1e-6 m of each other, and when they are thinner than 1e-6 of the largest coordinate (planes
+// are kept in floats, and would not be told apart).
+//
+// What holds for every result, with E the longest side of the bounds and M the largest coordinate:
+//   - The surface is closed, V - E + F = 2, and every vertex is one of the points and is in three faces at least.
+//   - No point is more than `tolerance` above the plane of a face, no corner of a face more than that off its plane.
+//     tolerance = min(1e-5 E + min(2^-20 M, 1e-3 E), 0.05 thickness) + 2^-23 M. The second term lets faces stay flat
+//     whose corners were rounded to floats away from the origin, up to 1000 E; beyond, the points are taken as they
+//     are. The last term is the rounding of a plane's offset.
+//   - Each face is convex once its corners are moved by up to 2^-29 E (to the grid that decisions are exact on), and
+//     none of them is then on the line of its neighbors. Triangles of a quarter of the
+//     tolerance off a plane are one face wherever that gives a convex one.
+//   - Each corner of the core is below all planes by inset (1 - 1e-3) at least, and by inset (1 + 1e-3) at most below
+//     three of them, but for rounding to floats (2^-22 M).
+// A walk along `neighbors` towards what is higher ends at most `tolerance` below the farthest vertex.
 HullData build_hull(std::span<const math::Vec3> points);
 
 } // namespace cairn

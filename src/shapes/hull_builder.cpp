@@ -23,6 +23,8 @@ namespace {
 constexpr float largest_coordinate = 1e6f; // m
 constexpr double least_extent = 1e-6;      // m, as of other shapes
 constexpr double least_thickness = 1e-5;   // of the extent
+// Of the largest coordinate: the offset of a plane is a float, and off by up to a tenth of this.
+constexpr double finest_plane = 1e-6;
 constexpr std::size_t most_points = std::size_t(1) << 30;
 
 std::string to_text(double value) {
@@ -65,10 +67,14 @@ void require_breadth(double breadth, double extent) {
                "must not all lie on one line (within 1e-5 of their extent)");
 }
 
-void require_thickness(double thickness, double extent) {
-    if (!(thickness > least_thickness * extent))
-        refuse("a thickness of " + to_text(thickness) + " m in an extent of " + to_text(extent) + " m",
+void require_thickness(double thickness, const Bounds& bounds) {
+    if (!(thickness > least_thickness * bounds.extent))
+        refuse("a thickness of at most " + to_text(thickness) + " m in an extent of " + to_text(bounds.extent) + " m",
                "must not all lie in one plane (within 1e-5 of their extent)");
+    if (!(thickness > finest_plane * bounds.largest))
+        refuse("a thickness of at most " + to_text(thickness) + " m with a coordinate of " + to_text(bounds.largest) +
+                   " m",
+               "must not all lie in one plane (within 1e-6 of the largest coordinate, as planes are kept in floats)");
 }
 
 // The points on the grid: by a power of two, so that what is flat stays flat.
@@ -210,7 +216,8 @@ float find_width(const HullData& hull, const Climber& climber) {
     for (std::size_t v = 0; v < hull.vertices.size(); ++v) first[v + 1] += first[v];
     std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
     for (std::uint32_t f = 0; f < hull.faces.size(); ++f)
-        for (std::uint32_t i = 0; i < hull.faces[f].count; ++i) faces_at[next[hull.loops[hull.faces[f].first + i]]++] = f;
+        for (std::uint32_t i = 0; i < hull.faces[f].count; ++i)
+            faces_at[next[hull.loops[hull.faces[f].first + i]]++] = f;
     std::vector<std::uint32_t> opposite(hull.faces.size(), unknown), order{0};
     std::vector<bool> is_visited(hull.vertices.size(), false);
     double width = -1;
@@ -245,7 +252,8 @@ void fill_faces(HullData& hull, const Polyhedron& body, std::span<const Vec3> po
     for (const Face& face : body.faces) {
         const DVec3 normal = float_normal(face);
         const std::uint32_t top = climber.farthest(normal, body.loops[face.first]);
-        hull.faces.push_back({math::to_float(face.normal), float(math::dot(normal, math::to_double(hull.vertices[top]))),
+        hull.faces.push_back({math::to_float(face.normal),
+                              float(math::dot(normal, math::to_double(hull.vertices[top]))),
                               std::uint32_t(hull.loops.size()), face.count});
         hull.loops.insert(hull.loops.end(), body.loops.begin() + face.first,
                           body.loops.begin() + face.first + face.count);
@@ -286,7 +294,7 @@ HullData build_hull(std::span<const Vec3> points) {
     const Grid grid = make_grid(points, bounds);
     const Simplex simplex = first_simplex(grid.points);
     require_breadth(simplex.breadth / grid.scale, bounds.extent);
-    require_thickness(simplex.thickness / grid.scale, bounds.extent);
+    require_thickness(simplex.thickness / grid.scale, bounds);
     const double noise = std::min(0x1p-20 * bounds.largest, 1e-3 * bounds.extent);
     const double tolerance = std::min(1e-5 * bounds.extent + noise, 0.05 * simplex.thickness / grid.scale);
     Polyhedron body = make_polyhedron(grid.points, simplex, tolerance * grid.scale);
@@ -294,7 +302,7 @@ HullData build_hull(std::span<const Vec3> points) {
     HullData r;
     r.tolerance = float(tolerance + 0x1p-23 * bounds.largest);
     fill_faces(r, body, points);
-    require_thickness(r.width, bounds.extent);
+    require_thickness(r.width, bounds);
     measure_mass(r);
     inset_core(r);
     return r;

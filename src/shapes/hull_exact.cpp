@@ -180,8 +180,10 @@ class Quickhull {
             if (tolerance_ > 0 && seen == none && h > -doubt && sees(p, faces_[index])) seen = index;
         }
         if (seen == none) return;
-        if (is_near(p, seen)) left_out_.push_back(p);
-        else put_above(seen, p, height(faces_[seen], p));
+        if (is_near(p, seen))
+            left_out_.push_back(p);
+        else
+            put_above(seen, p, height(faces_[seen], p));
     }
 
     void begin(const Simplex& simplex) {

@@ -33,7 +33,7 @@ double beyond_segment(Point2 p, Point2 a, Point2 b) {
 }
 
 struct Facet {
-    DVec3 area, normal; // area vector (twice the area) and its direction
+    DVec3 area, normal;                 // area vector (twice the area) and its direction
     std::uint32_t first = 0, count = 0; // triangles
     bool is_taken = false;
     std::uint32_t mark = 0;
@@ -52,7 +52,8 @@ class FaceMaker {
         std::vector<std::uint32_t> order(facets_.size());
         for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
         std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-            const double u = math::dot(facets_[a].area, facets_[a].area), v = math::dot(facets_[b].area, facets_[b].area);
+            const double u = math::dot(facets_[a].area, facets_[a].area),
+                         v = math::dot(facets_[b].area, facets_[b].area);
             return u != v ? u > v : a < b;
         });
         for (const std::uint32_t seed : order)
@@ -257,7 +258,8 @@ class FaceMaker {
         drop(hardly_blunt_);
         bool is_any = false;
         for (const bool is : is_redundant_) is_any = is_any || is;
-        for (std::uint32_t p = 0; p < points_.size() && !is_any && out_.is_sound; ++p) out_.is_sound = faces_at_[p] >= 3;
+        for (std::uint32_t p = 0; p < points_.size() && !is_any && out_.is_sound; ++p)
+            out_.is_sound = faces_at_[p] >= 3;
     }
 
     std::span<const GridPoint> points_;

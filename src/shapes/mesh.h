@@ -108,9 +108,10 @@ inline std::uint32_t neighbor_of(const HeightFieldData& field, std::uint32_t ind
 // Calls f(index of triangle), in ascending order, for each triangle whose bounds meet the box from lo to hi in the
 // shape's frame (touching counts).
 template <class F> void for_each_triangle(const MeshData& mesh, math::Vec3 lo, math::Vec3 hi, F&& f) {
+    // Without branches: which of the comparisons fails is anybody's guess.
     auto meets = [&](math::Vec3 least, math::Vec3 greatest) {
-        return least.x <= hi.x && greatest.x >= lo.x && least.y <= hi.y && greatest.y >= lo.y && least.z <= hi.z &&
-               greatest.z >= lo.z;
+        return bool(int(least.x <= hi.x) & int(greatest.x >= lo.x) & int(least.y <= hi.y) & int(greatest.y >= lo.y) &
+                    int(least.z <= hi.z) & int(greatest.z >= lo.z));
     };
     const std::size_t top = mesh.levels.size() - 1;
     std::size_t level = top, node = 0;

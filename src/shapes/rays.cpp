@@ -63,7 +63,7 @@ struct Chord {
         if (from > enter) enter = from, normal = n;
         if (to < leave) leave = to;
     }
-    void cut_none() { leave = -infinity; }
+    void cut_none() { enter = infinity, leave = -infinity; }
     bool is_empty() const { return !(enter <= leave); }
     // Below the plane normal . x = offset.
     void cut_below(DVec3 n, double offset, DVec3 o, DVec3 d) {

@@ -42,13 +42,13 @@ std::vector<NamedShape> grounds() {
     const std::vector<std::uint32_t> triangles = {0, 2, 3, 0, 3, 1};
     const std::array<Vec3, 8> slab = {Vec3{-6, -1, -6}, {6, -1, -6}, {-6, -1, 6}, {6, -1, 6},
                                       {-6, 0, -6},      {6, 0, -6},  {-6, 0, 6},  {6, 0, 6}};
-    return {{"sphere", Sphere{400.0f}, 400},
+    return {{"sphere", Sphere{6.0f}, 6},
             {"box", Box{{6, 1, 6}}, 1},
             {"plane", Plane{}, 0},
             {"rectangle", Plane{{0, 1, 0}, {1, 0, 0}, glm::vec2(6, 6)}, 0},
-            {"capsule", Capsule{6.0f, 20.0f, {}}, 20, lying},
+            {"capsule", Capsule{6.0f, 6.0f, {}}, 6, lying},
             {"cylinder on end", Cylinder{1.0f, 6.0f, {}}, 1},
-            {"cylinder lying", Cylinder{6.0f, 20.0f, {}}, 20, lying},
+            {"cylinder lying", Cylinder{6.0f, 6.0f, {}}, 6, lying},
             {"hull", Hull(slab), 0},
             {"mesh", Mesh(square, triangles), 0},
             {"height field", HeightField(7, 7, {2, 2}, std::vector<float>(49, 0.0f)), 0}};

@@ -57,7 +57,7 @@ class Cli : public testing::Test {
 };
 
 TEST_F(Cli, HelpOfEveryCommand) {
-    for (const char* arguments : {"--help", "run --help", "view --help", "scenes --help"}) {
+    for (const char* arguments : {"--help", "run --help", "view --help", "scenes --help", "convert --help"}) {
         const Result result = cairn(arguments);
         EXPECT_EQ(result.code, 0) << arguments;
         EXPECT_NE(result.out.find("Usage:"), std::string::npos) << arguments;
@@ -153,6 +153,59 @@ TEST_F(Cli, SavedScenesRunAgain) {
     ASSERT_EQ(cairn("run t_handles --frames 10 --save later.gltf").code, 0);
     const nlohmann::json on = nlohmann::json::parse(cairn("run later.gltf --frames 1 --json").out);
     EXPECT_EQ(on["bodies"], 3);
+}
+
+TEST_F(Cli, ConvertWritesBothForms) {
+    ASSERT_EQ(cairn("convert welcome there.glb").code, 0);
+    EXPECT_EQ(read_all(folder_ / "there.glb").substr(0, 4), "glTF");
+    ASSERT_EQ(cairn("convert there.glb back.gltf").code, 0);
+    ASSERT_EQ(cairn("convert back.gltf again.glb").code, 0);
+    EXPECT_EQ(read_all(folder_ / "again.glb"), read_all(folder_ / "there.glb"));
+    const nlohmann::json one = nlohmann::json::parse(cairn("run back.gltf --frames 20 --json").out);
+    const nlohmann::json other = nlohmann::json::parse(cairn("run there.glb --frames 20 --json").out);
+    EXPECT_EQ(one["hash"], other["hash"]);
+}
+
+const char* tetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+
+TEST_F(Cli, ConvertMakesScenesOfMeshes) {
+    std::ofstream(folder_ / "rock.obj") << tetrahedron;
+    ASSERT_EQ(cairn("convert rock.obj rock.gltf --scale 2 --density 600").code, 0);
+    const nlohmann::json hull = nlohmann::json::parse(read_all(folder_ / "rock.gltf"));
+    EXPECT_NE(hull.dump().find("\"convexHull\":true"), std::string::npos);
+    EXPECT_NE(hull.dump().find("\"motion\":{}"), std::string::npos);
+    EXPECT_EQ(nlohmann::json::parse(cairn("run rock.gltf --frames 1 --json").out)["bodies"], 1);
+    ASSERT_EQ(cairn("convert rock.obj rock.glb --as mesh").code, 0);
+    EXPECT_NE(read_all(folder_ / "rock.glb").find("\"convexHull\":false"), std::string::npos);
+}
+
+TEST_F(Cli, ConvertRefusesWhatItCannotDo) {
+    std::ofstream(folder_ / "rock.obj") << tetrahedron;
+    std::ofstream(folder_ / "bad.obj") << "v 0 0 0\nv 1 0\n";
+    std::ofstream(folder_ / "flat.obj") << "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n";
+    expect_one_line(cairn("convert rock.obj rock.gltf --as parts"), 2,
+                    "--as: must be one of hull, mesh, got parts; there is no decomposition into convex parts");
+    expect_one_line(cairn("convert rock.obj rock.gltf --scale 0"), 2, "--scale");
+    expect_one_line(cairn("convert rock.obj rock.obj"), 1, "rock.obj: must end in .gltf or .glb");
+    expect_one_line(cairn("convert welcome a.gltf --as mesh"), 1,
+                    "is a scene, and --as, --scale and --density are for");
+    expect_one_line(cairn("convert bad.obj a.gltf"), 1, "bad.obj:2: must have a number that fits a float, got \"\"");
+    expect_one_line(cairn("convert flat.obj a.gltf"), 1, "Hull points");
+    expect_one_line(cairn("convert missing.stl a.gltf"), 1, "missing.stl: there is no such file");
+    EXPECT_FALSE(fs::exists(folder_ / "a.gltf"));
+}
+
+// Read back by a program that knows glTF alone (check_animation.py).
+TEST_F(Cli, AnimationsPlayTheRun) {
+    for (const char* scene : {"welcome", "t_handles"}) {
+        SCOPED_TRACE(scene);
+        ASSERT_EQ(cairn(std::string("run ") + scene + " --frames 40 --animate run.glb --csv run.csv").code, 0);
+        const std::string line = "python3 '" CAIRN_TEST_CHECK_ANIMATION "' '" + (folder_ / "run.glb").string() + "' '" +
+                                 (folder_ / "run.csv").string() + "' >'" + (folder_ / ".out").string() + "' 2>&1";
+        EXPECT_EQ(std::system(line.c_str()), 0) << read_all(folder_ / ".out");
+        EXPECT_NE(read_all(folder_ / ".out").find("key frames agree"), std::string::npos);
+    }
+    expect_one_line(cairn("run t_handles --frames 1 --animate missing/a.glb"), 1, "missing/a.glb: cannot be written");
 }
 
 TEST_F(Cli, ScenesAreListed) {

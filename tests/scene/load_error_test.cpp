@@ -121,21 +121,31 @@ std::vector<Refused> refused_files() {
         {"ShapeOutOfRange", nodes_text(node("", R"("collider":{"geometry":{"shape":9}})")), invalid,
          at_collider + ".geometry.shape: must be the index of one of the 3 shapes, got 9"},
         {"ShapeMissing", nodes_text(node("", R"("collider":{"geometry":{}})")), invalid,
-         at_collider + ".geometry: must have a member \"shape\""},
+         at_collider + ".geometry: must have a member \"shape\" or \"node\", got an object"},
         {"GeometryMissing", nodes_text(node("", R"("collider":{})")), invalid,
          at_collider + ": must have a member \"geometry\""},
         {"NoShapes", shape_text(""), invalid,
          at_collider + ".geometry.shape: must be left out, as the file has no shapes, got 0"},
-        {"MeshCollider", nodes_text(node("", R"("collider":{"geometry":{"node":0}})")), unsupported,
-         at_collider + ".geometry.node: meshes and convex hulls as colliders are not supported yet"},
-        {"Trigger", nodes_text(node("", R"("trigger":{})")), unsupported,
-         "test.gltf: nodes[0].extensions.KHR_physics_rigid_bodies.trigger: triggers are not supported yet"},
-        {"Joint", nodes_text(node("", R"("joint":{})")), unsupported,
-         "test.gltf: nodes[0].extensions.KHR_physics_rigid_bodies.joint: joints are not supported yet"},
+        {"NodeWithoutAMesh", nodes_text(node("", R"("collider":{"geometry":{"node":0}})")), invalid,
+         at_collider + ".geometry.node: must be the index of a node with a mesh that has triangles, on itself or below "
+                       "it, got 0"},
+        {"NodeAndShape", nodes_text(node("", R"("collider":{"geometry":{"node":0,"shape":0}})")), invalid,
+         at_collider + ".geometry.node: must not stand beside a shape, got 0"},
+        {"TriggerWithoutGeometry", nodes_text(node("", R"("trigger":{})")), invalid,
+         "test.gltf: nodes[0].extensions.KHR_physics_rigid_bodies.trigger: must have a member \"geometry\""},
+        {"JointWithoutRules", nodes_text(node("", R"("joint":{"joint":0,"connectedNode":0})")), invalid,
+         "test.gltf: nodes[0].extensions.KHR_physics_rigid_bodies.joint.joint: must be left out, as the file has no "
+         "joints, got 0"},
         {"DynamicPlane", nodes_text(node("", R"("motion":{},)" + plane)), unsupported,
-         at_collider + ": planes have no mass and may only belong to static and kinematic bodies"},
-        {"Capsule", shape_text(R"({"type":"capsule"})"), unsupported,
-         at_shape + ".type: shapes of the type \"capsule\" are not supported yet; there are sphere, box and plane"},
+         at_collider + ".geometry: planes and height fields have no mass and may only belong to static and kinematic "
+                       "bodies"},
+        {"UnknownShape", shape_text(R"({"type":"torus"})"), unsupported,
+         at_shape + ".type: shapes of the type \"torus\" are not supported; there are sphere, box, capsule, cylinder, "
+                    "plane and CAIRN_height_field"},
+        {"PointlessCapsule", shape_text(R"({"type":"capsule","capsule":{"radiusBottom":0,"radiusTop":0}})"), invalid,
+         at_shape + ".capsule: must have a radius at one end at least, got an object"},
+        {"FlatCylinder", shape_text(R"({"type":"cylinder","cylinder":{"height":0}})"), invalid,
+         at_shape + ".cylinder.height: must be > 0, got 0"},
         {"TypeMissing", shape_text(R"({"sphere":{}})"), invalid, at_shape + ": must have a member \"type\""},
         {"ZeroRadius", shape_text(R"({"type":"sphere","sphere":{"radius":0}})"), invalid,
          at_shape + ".sphere.radius: must be > 0, got 0"},
@@ -230,12 +240,11 @@ TEST(SceneRefusedText, LongName) {
                  "nodes[0].name: must have at most 4096 bytes, got \"xxx");
 }
 
-TEST(SceneRefusedText, FiltersThatSeparate) {
+TEST(SceneRefusedText, FiltersThatSayBoth) {
     Parts parts;
-    parts.filters = R"({"collisionSystems":["a"],"notCollideWithSystems":["a"]})";
-    parts.nodes = node("", R"("collider":{"geometry":{"shape":0},"collisionFilter":0})");
-    expect_error([&] { load_text(document(parts)); }, unsupported,
-                 "test.gltf: extensions.KHR_physics_rigid_bodies.collisionFilters[0]: collision filters that keep");
+    parts.filters = R"({"collideWithSystems":["a"],"notCollideWithSystems":["a"]})";
+    expect_error([&] { load_text(document(parts)); }, invalid,
+                 "test.gltf: extensions.KHR_physics_rigid_bodies.collisionFilters[0].notCollideWithSystems: must not");
 }
 
 TEST(SceneRefusedText, ScalesThatMultiplyBeyondReason) {

@@ -240,13 +240,6 @@ TEST(SceneLoad, ColorsOfNodesAndOfMeshes) {
     EXPECT_EQ(scene.world.body_of(scene.appearances[1].shape), scene.appearances[1].body);
 }
 
-TEST(SceneLoad, FiltersThatLetEverythingCollide) {
-    Parts parts;
-    parts.filters = R"({"collisionSystems":["a"],"collideWithSystems":["a"]})";
-    parts.nodes = node("", R"("collider":{"geometry":{"shape":0},"collisionFilter":0})");
-    EXPECT_EQ(load_text(document(parts)).world.bodies().size(), 1u);
-}
-
 TEST(SceneLoad, BinaryContainer) {
     std::string json = document({});
     while (json.size() % 4 != 0) json += ' ';

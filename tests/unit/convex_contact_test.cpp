@@ -179,6 +179,30 @@ TEST(ConvexContact, ACommonMotionChangesNothing) {
     }
 }
 
+TEST(ConvexContact, TheNormalOfTheLastStepOnlySavesTime) {
+    Random random(5);
+    int touching = 0;
+    for (int k = 0; k < 20000; ++k) {
+        Pair p = random_pair(random);
+        Manifold last, cold, warm;
+        collide_convex(p.a(), p.b(), 0.02, {}, last);
+        // A step later, or a wrong guess.
+        p.offset += 0.01 * random.direction();
+        p.qa = about(random.direction(), 0.02) * p.qa;
+        const DVec3 guess = random.below(4) == 0 ? random.direction() : normal_of(last);
+        const Convex a = p.a(), b = p.b();
+        collide_convex(a, b, 0.02, {}, cold);
+        collide_convex(a, b, 0.02, guess, warm);
+        ASSERT_EQ(flaw(warm, 0.02), "") << k;
+        // Deep within each other the faces may differ; of shallow contacts the separation is the same.
+        const double tolerance = 2 * preference(a, b) + 1e-5;
+        if (deepest(cold) > 0.02 - tolerance || deepest(warm) > 0.02 - tolerance || deepest(cold) < -0.1) continue;
+        ++touching;
+        EXPECT_NEAR(deepest(cold), deepest(warm), tolerance) << k << " kinds " << int(a.kind) << " " << int(b.kind);
+    }
+    EXPECT_GT(touching, 500);
+}
+
 // A shape on a floor of one kind or another, `gap` above it, leaning by `lean` about z.
 Manifold on_floor(const Solid& s, const Solid& floor, double half, double gap, DQuat q = {}, DVec3 guess = {}) {
     Manifold m;

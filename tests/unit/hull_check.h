@@ -42,9 +42,7 @@ class HullChecker {
         (out << ... << parts);
         wrong_ = out.str();
     }
-    static bool less(math::Vec3 a, math::Vec3 b) {
-        return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
-    }
+    static bool less(math::Vec3 a, math::Vec3 b) { return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z; }
     math::DVec3 vertex(std::size_t i) const { return math::to_double(hull_.vertices[i]); }
     static double above(const HullFace& face, math::DVec3 p) {
         return math::dot(math::to_double(face.normal), p) - double(face.offset);
@@ -115,11 +113,14 @@ class HullChecker {
                 const auto corner = [&](std::uint32_t k) { return vertex(hull_.loops[face.first + k % face.count]); };
                 if (std::fabs(above(face, corner(i))) > tolerance)
                     return wrong("a corner of face ", f, " is off its plane by ", above(face, corner(i)));
-                // Convex: all corners are left of each edge, in the plane of the face.
+                // Convex: all corners are left of each edge, in the plane of the face; but for the grid of the
+                // builder, which turns short edges.
                 const math::DVec3 edge = corner(i + 1) - corner(i);
                 const math::DVec3 out = math::normalized(math::cross(edge, normal));
+                const double turn = 0x1p-28 * extent_ / math::length(edge);
                 for (std::uint32_t k = 2; k < face.count; ++k)
-                    if (const double d = math::dot(out, corner(i + k) - corner(i)); d > 1e-7 * extent_)
+                    if (const double d = math::dot(out, corner(i + k) - corner(i));
+                        d > 1e-7 * extent_ + turn * math::length(corner(i + k) - corner(i)))
                         return wrong("face ", f, " is not convex: corner ", k, " of ", face.count, " after ", i, " by ",
                                      d);
             }
@@ -145,8 +146,8 @@ class HullChecker {
             for (const math::Vec3 p : points_) all = std::max(all, math::dot(d, math::to_double(p)));
             for (const math::Vec3 p : hull_.vertices) own = std::max(own, math::dot(d, math::to_double(p)));
             if (all - own > 2 * double(hull_.tolerance))
-                return wrong("the points reach ", all - own, " farther than the vertices, tolerance ",
-                             hull_.tolerance, " in direction ", d.x, " ", d.y, " ", d.z);
+                return wrong("the points reach ", all - own, " farther than the vertices, tolerance ", hull_.tolerance,
+                             " in direction ", d.x, " ", d.y, " ", d.z);
         }
     }
 

@@ -5,6 +5,12 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include <iterator>
+#include <set>
+#include <string>
+#include <variant>
+#include <vector>
+
 namespace {
 
 using namespace cairn;
@@ -20,7 +26,8 @@ struct Desk {
                               posted.push_back(command);
                               stage.apply(command);
                           },
-                          {{"2", "two"}, {"5", "five"}, {"0", "none"}}};
+                          {{"2", "two"}, {"5", "five"}, {"0", "none"}},
+                          {".gltf", ".glb"}};
 
     Desk() { controller.update(stage.state()); }
     std::size_t bodies() const { return stage.state().layout->bodies.size(); }
@@ -45,6 +52,58 @@ TEST(Controller, KeysAddAndRemoveBodies) {
     EXPECT_EQ(desk.bodies(), 5u);
     desk.controller.key_down("", "Delete");
     EXPECT_EQ(desk.bodies(), 3u);
+}
+
+TEST(Controller, EveryShapeHasAKey) {
+    Desk desk;
+    const auto newest = [&desk] { return desk.stage.state().layout->shapes.back(); };
+    desk.controller.key_down("", "J");
+    EXPECT_EQ(newest().type, ShapeType::capsule);
+    desk.controller.key_down("", "K");
+    EXPECT_EQ(newest().type, ShapeType::cylinder);
+    EXPECT_GT(newest().half_size.z, 0.0f);
+    desk.controller.key_down("", "L");
+    EXPECT_EQ(newest().type, ShapeType::cylinder);
+    EXPECT_EQ(newest().half_size.z, 0.0f); // a cone
+    desk.controller.key_down("", "M");
+    EXPECT_EQ(newest().type, ShapeType::hull);
+    EXPECT_EQ(desk.bodies(), 7u);
+    EXPECT_EQ(desk.stage.state().message.text, "");
+}
+
+TEST(Controller, PolyhedraVaryAndShareTheirMeshes) {
+    Desk desk;
+    std::set<SpawnSettings::Kind> kinds;
+    for (int i = 0; i < 40; ++i) {
+        desk.controller.key_down("", "M");
+        kinds.insert(std::get<command::Spawn>(desk.posted.back()).settings.kind);
+    }
+    EXPECT_EQ(kinds.size(), std::size(polyhedron_kinds));
+    EXPECT_EQ(desk.bodies(), 43u);
+    EXPECT_EQ(desk.stage.state().layout->meshes.size(), std::size(polyhedron_kinds));
+}
+
+TEST(Controller, ADroppedSceneIsOpened) {
+    Desk desk;
+    desk.controller.drop_files(std::vector<std::string>{"/home/me/wood.png", "/home/me/Bridge.GLB"});
+    ASSERT_TRUE(std::holds_alternative<command::LoadScene>(desk.posted.back()));
+    EXPECT_EQ(std::get<command::LoadScene>(desk.posted.back()).path, "/home/me/Bridge.GLB");
+    // This loader cannot: the present scene stays, and a message says why.
+    EXPECT_EQ(desk.stage.state().path, "2");
+    EXPECT_EQ(desk.bodies(), 3u);
+    EXPECT_NE(desk.stage.state().message.text.find("Bridge.GLB"), std::string::npos);
+}
+
+TEST(Controller, ADroppedFileThatIsNoSceneLeavesAMessage) {
+    Desk desk;
+    desk.controller.drop_files(std::vector<std::string>{"/home/me/letter.txt"});
+    EXPECT_EQ(desk.stage.state().path, "2");
+    const std::string text = desk.stage.state().message.text;
+    EXPECT_NE(text.find("letter.txt"), std::string::npos);
+    EXPECT_NE(text.find(".gltf"), std::string::npos);
+    const std::size_t posted = desk.posted.size();
+    desk.controller.drop_files({});
+    EXPECT_EQ(desk.posted.size(), posted);
 }
 
 TEST(Controller, KeyRepeatAddsNothing) {

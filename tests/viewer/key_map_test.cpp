@@ -28,6 +28,18 @@ TEST(KeyMap, KeepsTheKeysOfTheFirstProgram) {
     EXPECT_EQ(action("X"), Action::freeze);
 }
 
+TEST(KeyMap, EveryActionHasAKeyAndEveryKeyIsExplained) {
+    std::string explained;
+    for (const KeyHelp& line : key_help()) explained += std::string(line.keys) + " ";
+    for (const char* key : {"U", "I", "O", "J", "K", "L", "M", "P", "V"}) {
+        EXPECT_TRUE(find_binding(key)) << key;
+        EXPECT_NE((" " + explained).find(std::string(" ") + key + " "), std::string::npos) << key;
+    }
+    std::set<Action> bound;
+    for (const Binding& binding : key_bindings()) bound.insert(binding.action);
+    for (int i = 0; i <= int(Action::quit); ++i) EXPECT_TRUE(bound.count(Action(i))) << i;
+}
+
 TEST(KeyMap, NoChordMeansTwoThings) {
     std::set<std::string> chords;
     for (const Binding& binding : key_bindings())

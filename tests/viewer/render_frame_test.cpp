@@ -4,8 +4,16 @@
 
 #include "test_scene.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <set>
+#include <span>
+#include <tuple>
+#include <vector>
 
 namespace {
 
@@ -27,6 +35,148 @@ TEST(RenderFrame, ShowsEveryShapeInItsPlace) {
     EXPECT_EQ(frame.boxes[1].color, Vec3(1.0f, 0.0f, 0.0f)); // the scene's own
     EXPECT_EQ(frame.spheres[0].position, Vec3(Position(0.5, 4.0, -1.0) - frame.origin));
     EXPECT_EQ(frame.spheres[0].half_size, Vec3(0.25f));
+}
+
+TEST(RenderFrame, RoundShapesComeWithTheirSizes) {
+    World world;
+    const BodyId body = world.create_body(test::body_at({0.0, 4.0, 0.0}));
+    world.add_shape(body, Capsule{0.5f, 0.25f, {}});
+    world.add_shape(body, Capsule{0.5f, 0.25f, 0.1f});
+    world.add_shape(body, Cylinder{0.3f, 0.6f, {}});
+    world.add_shape(body, cone(0.4f, 0.7f));
+    const RenderFrame frame = make_frame(world, {}, CameraPose{});
+    ASSERT_EQ(frame.capsules.size(), 2u);
+    ASSERT_EQ(frame.cylinders.size(), 2u);
+    EXPECT_EQ(frame.capsules[0].half_size, Vec3(0.25f, 0.5f, 0.25f)); // lower radius, half height, upper radius
+    EXPECT_EQ(frame.capsules[1].half_size, Vec3(0.25f, 0.5f, 0.1f));
+    EXPECT_EQ(frame.cylinders[0].half_size, Vec3(0.6f, 0.3f, 0.6f));
+    EXPECT_EQ(frame.cylinders[1].half_size, Vec3(0.4f, 0.7f, 0.0f));
+    EXPECT_FLOAT_EQ(frame.capsules[1].bound_radius, 0.75f);
+    EXPECT_FLOAT_EQ(frame.cylinders[0].bound_radius, std::hypot(0.3f, 0.6f));
+}
+
+TEST(RenderFrame, ShapesOfTheSameDataAreInstancesOfOneMesh) {
+    World world;
+    const Hull hull(test::cube_corners());
+    const cairn::Mesh surface = test::cube_surface();
+    const HeightField field = test::hills(5, 1.0f);
+    for (int i = 0; i < 3; ++i) world.add_shape(world.create_body(test::body_at({3.0 * i, 4.0, 0.0})), hull);
+    for (int i = 0; i < 2; ++i) world.add_shape(world.create_body(test::static_body()), surface);
+    world.add_shape(world.create_body(test::static_body()), field);
+    MeshCache meshes;
+    const RenderFrame frame = make_frame(world, {}, CameraPose{}, {}, meshes);
+    ASSERT_EQ(frame.meshes.size(), 3u);
+    EXPECT_EQ(frame.meshes[0].instances.size(), 3u);
+    EXPECT_EQ(frame.meshes[0].mesh->look, MeshLook::facets);
+    EXPECT_EQ(frame.meshes[0].instances[1].position, Vec3(Position(3.0, 4.0, 0.0) - frame.origin));
+    EXPECT_EQ(frame.meshes[1].instances.size(), 2u);
+    EXPECT_EQ(frame.meshes[1].mesh->look, MeshLook::surface);
+    EXPECT_EQ(frame.meshes[1].instances[0].color, surface_color());
+    EXPECT_EQ(frame.meshes[2].mesh->look, MeshLook::terrain);
+    EXPECT_EQ(frame.meshes[2].instances[0].color, terrain_color());
+    EXPECT_EQ(frame.meshes[2].instances[0].pattern, 1.0f);
+
+    // The next picture has the same meshes, not copies of them.
+    const RenderFrame next = make_frame(world, {}, CameraPose{}, {}, meshes);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(next.meshes[i].mesh, frame.meshes[i].mesh);
+}
+
+TEST(RenderFrame, SlopesAreNotTintedWhereColorsMeanSomething) {
+    World world;
+    const ShapeId field = world.add_shape(world.create_body(test::static_body()), test::hills(5, 1.0f));
+    FrameOptions options;
+    options.colors = ColorMode::mass;
+    EXPECT_EQ(make_frame(world, {}, CameraPose{}, options).meshes[0].instances[0].pattern, 0.0f);
+    const Appearance own{field, {0.1f, 0.2f, 0.3f}};
+    const Instance colored = make_frame(world, std::span(&own, 1), CameraPose{}).meshes[0].instances[0];
+    EXPECT_EQ(colored.pattern, 0.0f);
+    EXPECT_EQ(colored.color, own.color);
+}
+
+// A triangle for looks.
+std::shared_ptr<const ShapeMesh> some_visual() {
+    const std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    const std::vector<std::uint32_t> triangle{0, 1, 2};
+    return std::make_shared<const ShapeMesh>(make_shape_mesh(visual_triangles(points, {}, triangle), MeshLook::visual));
+}
+
+TEST(RenderFrame, VisualsStandForTheShapesOfTheirBodies) {
+    LoadedScene scene = test::boxes_on_plane(2);
+    const BodyId body = scene.world.bodies()[2];
+    scene.world.body(body).set_rotation(Quat(0.0f, 0.0f, 1.0f, 0.0f)); // half a turn about y
+    const auto mesh = some_visual();
+    const std::vector<Visual> visuals{
+        {body, {{0.25, 0.5, 0.0}, Quat(1.0f, 0.0f, 0.0f, 0.0f)}, mesh, {0.1f, 0.2f, 0.3f}},
+        {{}, {{7.0, 8.0, 9.0}, Quat(1.0f, 0.0f, 0.0f, 0.0f)}, mesh, {1.0f, 0.0f, 0.0f}}};
+    MeshCache meshes;
+    FrameOptions options;
+    options.selected = body;
+    const RenderFrame frame = make_frame(scene.world, {}, scene.camera, options, meshes, visuals);
+    EXPECT_EQ(frame.boxes.size(), 1u); // the other body has none
+    ASSERT_EQ(frame.meshes.size(), 1u);
+    ASSERT_EQ(frame.meshes[0].instances.size(), 2u);
+    const Instance& moving = frame.meshes[0].instances[0];
+    EXPECT_LT(glm::distance(Position(moving.position) + frame.origin, Position(1.75, 1.0, 0.0)), 1e-5);
+    EXPECT_NEAR(std::abs(moving.rotation.y), 1.0f, 1e-6f);
+    EXPECT_EQ(moving.color, Vec3(0.1f, 0.2f, 0.3f));
+    EXPECT_EQ(moving.emphasis, 1.0f);
+    const Instance& scenery = frame.meshes[0].instances[1];
+    EXPECT_EQ(Position(scenery.position) + frame.origin, Position(7.0, 8.0, 9.0));
+    EXPECT_EQ(scenery.emphasis, 0.0f);
+
+    options.visuals = false;
+    const RenderFrame shapes = make_frame(scene.world, {}, scene.camera, options, meshes, visuals);
+    EXPECT_EQ(shapes.boxes.size(), 2u);
+    EXPECT_TRUE(shapes.meshes.at(0).instances.empty());
+
+    options.visuals = true;
+    options.colors = ColorMode::mass;
+    EXPECT_EQ(make_frame(scene.world, {}, scene.camera, options, meshes, visuals).meshes[0].instances[0].color,
+              mass_ramp(0.5f));
+
+    scene.world.destroy_body(body); // takes its visual along
+    EXPECT_EQ(make_frame(scene.world, {}, scene.camera, {}, meshes, visuals).meshes[0].instances.size(), 1u);
+}
+
+TEST(RenderFrame, TriggersAreOutlinesAndNothingSolid) {
+    World world;
+    ShapeDef trigger;
+    trigger.is_trigger = true;
+    trigger.position = {1.0f, 0.0f, 0.0f};
+    const BodyId gate = world.create_body(test::static_body());
+    world.add_shape(gate, Box{{0.5f, 2.0f, 3.0f}}, trigger);
+    const RenderFrame frame = make_frame(world, {}, CameraPose{});
+    EXPECT_TRUE(frame.boxes.empty());
+    ASSERT_EQ(frame.lines.size(), 12u); // the edges of a box
+    float length = 0.0f;
+    Vec3 least(1e9f), greatest(-1e9f);
+    for (const Line& line : frame.lines) {
+        length += glm::distance(line.from, line.to);
+        least = glm::min(least, glm::min(line.from, line.to));
+        greatest = glm::max(greatest, glm::max(line.from, line.to));
+    }
+    EXPECT_NEAR(length, 4.0f * (1.0f + 4.0f + 6.0f), 1e-4f);
+    EXPECT_LT(glm::distance(least + Vec3(frame.origin), Vec3(0.5f, -2.0f, -3.0f)), 1e-5f);
+    EXPECT_LT(glm::distance(greatest + Vec3(frame.origin), Vec3(1.5f, 2.0f, 3.0f)), 1e-5f);
+}
+
+TEST(RenderFrame, EveryKindOfShapeHasAColorOfItsOwn) {
+    World world;
+    const BodyId body = world.create_body(test::body_at({0.0, 4.0, 0.0}));
+    for (const Shape& shape :
+         {Shape(Sphere{}), Shape(Box{}), Shape(Capsule{}), Shape(Cylinder{}), Shape(Hull(test::cube_corners()))})
+        world.add_shape(body, shape);
+    FrameOptions options;
+    options.colors = ColorMode::shape;
+    const RenderFrame frame = make_frame(world, {}, CameraPose{}, options);
+    std::set<std::tuple<float, float, float>> colors;
+    for (const auto* list :
+         {&frame.spheres, &frame.boxes, &frame.capsules, &frame.cylinders, &frame.meshes.at(0).instances}) {
+        ASSERT_EQ(list->size(), 1u);
+        const Vec3 color = list->front().color;
+        colors.insert({color.x, color.y, color.z});
+    }
+    EXPECT_EQ(colors.size(), 5u);
 }
 
 TEST(RenderFrame, RectangleLiesAlongItsTangent) {
@@ -61,7 +211,8 @@ TEST(RenderFrame, IslandsJoinTouchingBodiesOnly) {
     const BodyId upper = scene.world.create_body(test::body_at({0.0, 1.5, 0.0}));
     scene.world.add_shape(upper, Box{});
     for (int i = 0; i < 3; ++i) scene.world.step(1.0f / 60.0f);
-    const WorldLayout layout = read_layout(scene.world, {});
+    MeshCache meshes;
+    const WorldLayout layout = read_layout(scene.world, {}, meshes);
     const WorldMotion motion = read_motion(scene.world, layout, true);
     EXPECT_EQ(motion.islands[1], motion.islands[3]); // one on the other
     EXPECT_NE(motion.islands[1], motion.islands[2]); // both on the ground, which joins nothing
@@ -69,7 +220,8 @@ TEST(RenderFrame, IslandsJoinTouchingBodiesOnly) {
 
 TEST(RenderFrame, InterpolatesBetweenTwoStates) {
     const LoadedScene scene = test::boxes_on_plane(1);
-    const WorldLayout layout = read_layout(scene.world, {});
+    MeshCache meshes;
+    const WorldLayout layout = read_layout(scene.world, {}, meshes);
     const WorldMotion before = read_motion(scene.world, layout);
     WorldMotion after = before;
     after.transforms[1].position.x += 1.0;
@@ -118,6 +270,53 @@ TEST(FitCamera, LooksAtTheDynamicBodies) {
         EXPECT_LT(std::abs(device->x), 0.9f);
         EXPECT_LT(std::abs(device->y), 0.9f);
     }
+}
+
+TEST(FitCamera, StaysWithTheBodiesOnAHugeField) {
+    World world;
+    world.add_shape(world.create_body(test::static_body()), Plane{});
+    const BodyId ground = world.create_body(test::static_body());
+    world.add_shape(ground, test::hills(300, 100.0f)); // thirty kilometers
+    const BodyId body = world.create_body(test::body_at({4.0, 4.0, 0.0}));
+    world.add_shape(body, Capsule{0.5f, 0.25f, {}});
+    const CameraPose pose = fit_camera(world);
+    EXPECT_LT(glm::distance(pose.target, Position(4.0, 4.0, 0.0)), 0.1);
+    EXPECT_LT(glm::distance(pose.target, pose.position), 20.0);
+
+    world.destroy_body(body);
+    const CameraPose wide = fit_camera(world); // all that is left
+    EXPECT_LT(glm::distance(wide.target, Position(0.0)), 10.0);
+    EXPECT_GT(glm::distance(wide.target, wide.position), 1.0e4);
+    EXPECT_TRUE(std::isfinite(glm::distance(wide.target, wide.position)));
+
+    world.destroy_body(ground);
+    const CameraPose alone = fit_camera(world); // an infinite plane
+    EXPECT_LT(glm::distance(alone.target, alone.position), 100.0);
+}
+
+TEST(FitCamera, LooksAtTheSceneryWhenThereIsNothingElse) {
+    const std::vector<Visual> visuals{{{}, {{70.0, 8.0, 9.0}, Quat(1.0f, 0.0f, 0.0f, 0.0f)}, some_visual(), {}}};
+    const World world;
+    EXPECT_LT(glm::distance(fit_camera(world, visuals).target, Position(70.5, 8.5, 9.0)), 0.1);
+    MeshCache meshes;
+    const WorldLayout layout = read_layout(world, {}, meshes, visuals);
+    EXPECT_LT(glm::distance(bounding_ball(layout, read_motion(world, layout)).center, Position(70.5, 8.5, 9.0)), 0.1);
+}
+
+TEST(BoundingBall, HoldsEveryShape) {
+    World world;
+    const BodyId body = world.create_body(test::body_at({1.0, 2.0, 3.0}));
+    ShapeDef aside;
+    aside.position = {2.0f, 0.0f, 0.0f};
+    std::vector<Vec3> corners = test::cube_corners();
+    for (Vec3& corner : corners) corner += Vec3(0.0f, 5.0f, 0.0f); // far from the shape's origin
+    world.add_shape(body, Hull(corners), aside);
+    MeshCache meshes;
+    const WorldLayout layout = read_layout(world, {}, meshes);
+    const BoundingBall ball = bounding_ball(layout, read_motion(world, layout));
+    EXPECT_LT(glm::distance(ball.center, Position(3.0, 7.0, 3.0)), 1e-5);
+    EXPECT_GE(ball.radius, std::sqrt(3.0f) - 1e-5f);
+    EXPECT_LT(ball.radius, 3.1f);
 }
 
 } // namespace

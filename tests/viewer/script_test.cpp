@@ -21,8 +21,15 @@ TEST(Script, ReadsCommandsAndIgnoresComments) {
     EXPECT_EQ(script[3].x, 0.3);
 }
 
+TEST(Script, FilesCanBeDropped) {
+    const auto script = parse_script("drop /tmp/bridge.glb\n", "s");
+    ASSERT_EQ(script.size(), 1u);
+    EXPECT_EQ(script[0].kind, ScriptLine::Kind::drop);
+    EXPECT_EQ(script[0].word, "/tmp/bridge.glb");
+}
+
 TEST(Script, BadLinesAreNamed) {
-    for (const char* line : {"jump", "wait", "wait soon", "cursor 1", "press nose", "quit now", "key"}) {
+    for (const char* line : {"jump", "wait", "wait soon", "cursor 1", "press nose", "quit now", "key", "drop"}) {
         try {
             parse_script(std::string("key U\n") + line + "\n", "demo");
             ADD_FAILURE() << line;

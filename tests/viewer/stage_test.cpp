@@ -5,6 +5,9 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <string>
+
 namespace {
 
 using namespace cairn;
@@ -62,6 +65,62 @@ TEST(Stage, BadSpawnSettingsLeaveAMessageAndNoBody) {
     stage.apply(command::Spawn{settings, {0.0, 5.0, 0.0}});
     EXPECT_EQ(body_count(stage), 2u);
     EXPECT_NE(stage.state().message.text, "");
+}
+
+TEST(Stage, SpawnsEveryKindInEverySizeWithMass) {
+    Stage stage(test::load_boxes, "0");
+    for (const float size : {0.05f, 0.6f, 5.0f}) {
+        for (int kind = 0; kind < spawn_kind_count; ++kind) {
+            SpawnSettings settings = preset_of(SpawnSettings::Kind(kind));
+            settings.size = size;
+            stage.apply(command::Spawn{settings, {0.0, 5.0, 0.0}});
+            ASSERT_EQ(stage.state().message.text, "") << name_of(settings.kind);
+            const float mass = stage.state().layout->bodies.back().mass, cube = size * size * size * settings.density;
+            EXPECT_GT(mass, 0.1f * cube) << name_of(settings.kind);
+            EXPECT_LE(mass, 1.001f * cube) << name_of(settings.kind);
+            EXPECT_NE(std::string(name_of(settings.kind)), "");
+        }
+    }
+    EXPECT_EQ(body_count(stage), 1u + 3u * std::size_t(spawn_kind_count));
+}
+
+TEST(Stage, BadSizesOfPolyhedraAreRefusedToo) {
+    Stage stage(test::load_boxes, "0");
+    for (const float size : {0.0f, -1.0f, std::numeric_limits<float>::quiet_NaN()}) {
+        SpawnSettings settings = preset_of(SpawnSettings::Kind::rock);
+        settings.size = size;
+        const std::uint64_t before = stage.state().message.serial;
+        stage.apply(command::Spawn{settings, {0.0, 5.0, 0.0}});
+        EXPECT_EQ(stage.state().message.serial, before + 1);
+        EXPECT_EQ(body_count(stage), 1u);
+    }
+}
+
+TEST(Stage, MeshesAreMadeOnceAndLeaveWithTheirBodies) {
+    Stage stage(test::load_boxes, "0");
+    const SpawnSettings rock = preset_of(SpawnSettings::Kind::rock);
+    stage.apply(command::Spawn{rock, {0.0, 5.0, 0.0}});
+    const auto mesh = stage.state().layout->meshes.at(0);
+    stage.apply(command::Spawn{rock, {3.0, 5.0, 0.0}});
+    stage.apply(command::Spawn{box_preset(), {6.0, 5.0, 0.0}});
+    ASSERT_EQ(stage.state().layout->meshes.size(), 1u);
+    EXPECT_EQ(stage.state().layout->meshes[0], mesh);
+    for (int i = 0; i < 3; ++i) stage.apply(command::RemoveLast{});
+    EXPECT_TRUE(stage.state().layout->meshes.empty());
+    EXPECT_EQ(mesh.use_count(), 1); // nothing but this test holds it
+}
+
+TEST(Stage, EveryShapeIsPickedWhereItIs) {
+    Stage stage(test::load_boxes, "0");
+    for (int kind = 0; kind < spawn_kind_count; ++kind)
+        stage.apply(command::Spawn{preset_of(SpawnSettings::Kind(kind)), {2.0 * kind, 5.0, 0.0}});
+    for (int kind = 0; kind < spawn_kind_count; ++kind) {
+        stage.apply(command::GrabBody{{{2.0 * kind, 5.0, 10.0}, {0.0f, 0.0f, -1.0f}}, 1});
+        ASSERT_TRUE(stage.state().grab.holding) << name_of(SpawnSettings::Kind(kind));
+        EXPECT_EQ(stage.state().selected, stage.state().layout->bodies[std::size_t(kind) + 1].id);
+        EXPECT_LT(std::abs(stage.state().grab.start.z), 0.4);
+        stage.apply(command::ReleaseGrab{});
+    }
 }
 
 TEST(Stage, ShotBodiesFlyAlongTheRay) {

@@ -4,7 +4,10 @@
 
 #include "viewer/scene_source.h"
 
+#include <cmath>
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 namespace cairn::viewer::test {
 
@@ -40,6 +43,29 @@ inline LoadedScene boxes_on_plane(int boxes = 2) {
         scene.appearances.push_back({shape, {1.0f, 0.0f, 0.0f}});
     }
     return scene;
+}
+
+/// A box of two meters as points, in the order of the bits of their number.
+inline std::vector<Vec3> cube_corners() {
+    std::vector<Vec3> corners;
+    for (int i = 0; i < 8; ++i) corners.push_back({i & 1 ? 1.0f : -1.0f, i & 2 ? 1.0f : -1.0f, i & 4 ? 1.0f : -1.0f});
+    return corners;
+}
+
+/// Its surface, facing outwards.
+inline Mesh cube_surface() {
+    const std::vector<std::uint32_t> triangles{0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 4, 6, 0, 6, 2,
+                                               1, 3, 7, 1, 7, 5, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3};
+    return Mesh(cube_corners(), triangles);
+}
+
+/// Hills, `side` heights along each edge, `spacing` meters apart, up to a meter high.
+inline HeightField hills(int side, float spacing) {
+    std::vector<float> heights;
+    for (int row = 0; row < side; ++row)
+        for (int column = 0; column < side; ++column)
+            heights.push_back(std::sin(0.6f * spacing * float(column)) * std::cos(0.5f * spacing * float(row)));
+    return HeightField(side, side, {spacing, spacing}, heights);
 }
 
 /// Loads `boxes` boxes for the path "N", and fails for a path that is not a number.

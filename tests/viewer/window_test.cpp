@@ -106,8 +106,16 @@ void test_bodies(Driver& driver) {
     driver.check("I adds a large sphere", bodies(3));
     driver.key("o");
     driver.check("O adds a small sphere", bodies(4));
+    driver.key("j");
+    driver.check("J adds a capsule", bodies(5));
+    driver.key("k");
+    driver.check("K adds a cylinder", bodies(6));
+    driver.key("l");
+    driver.check("L adds a cone", bodies(7));
+    driver.key("m");
+    driver.check("M adds a polyhedron", bodies(8));
     driver.key("BackSpace");
-    driver.check("Backspace removes the last body", bodies(3));
+    driver.check("Backspace removes the last body", bodies(7));
     driver.key("Delete");
     driver.check("Delete resets the scene",
                  [](const Json& s) { return s.at("dynamic_count") == 1 && s.at("scene").at("loads") == 2; });
@@ -198,6 +206,8 @@ void test_picture_and_scenes(Driver& driver) {
     driver.check("Tab changes the colors", [](const Json& s) { return s.at("colors") == "mass"; });
     driver.key("g");
     driver.check("G hides the grid", [](const Json& s) { return s.at("grid") == false; });
+    driver.key("v");
+    driver.check("V shows what collides", [](const Json& s) { return s.at("visuals") == false; });
     driver.key("F1");
     driver.check("F1 shows the key map", [](const Json& s) { return s.at("help") == true; });
     driver.key("Escape");

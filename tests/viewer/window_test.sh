@@ -64,3 +64,21 @@ viewer=
 [ "$code" -eq 0 ] || { echo "FAILED  the viewer's exit code is $code"; exit 1; }
 [ -s "$folder/last.json" ] || { echo "FAILED  no report was written on exit"; exit 1; }
 echo "ok      the viewer quit and wrote its report"
+
+# Dropped files: one that cannot be opened leaves the scene and a message, one that can replaces it.
+sed 's/One box/Another box/' "$folder/scene.gltf" >"$folder/other.gltf"
+echo '{"asset": 1' >"$folder/broken.gltf"
+printf 'v 0 0 0\nv 0 0 4\nv 4 0 0\nf 1 2 3\n' >"$folder/ramp.obj"
+for step in "drop $folder/broken.gltf" 'wait 1' "report $folder/broken.json" \
+    "drop $folder/other.gltf" 'wait 1' "report $folder/other.json" "drop $folder/ramp.obj" 'wait 1' quit; do
+    echo "$step"
+done >"$folder/script"
+"$cairn" view "$folder/scene.gltf" --width 400 --height 300 --script "$folder/script" --report "$folder/last.json" \
+    --exit-after 60 || { echo "FAILED  the viewer that files were dropped on"; exit 1; }
+grep -q '"title": "One box"' "$folder/broken.json" && grep -q '"notice": ".*broken.gltf' "$folder/broken.json" ||
+    { echo "FAILED  a broken file must leave the scene and a message"; cat "$folder/broken.json"; exit 1; }
+for opened in other.json:'Another box' last.json:ramp; do
+    grep -q "\"title\": \"${opened#*:}\"" "$folder/${opened%%:*}" ||
+        { echo "FAILED  a dropped scene must be opened"; cat "$folder/${opened%%:*}"; exit 1; }
+done
+echo "ok      dropped files are opened, or refused with a message"

@@ -1,0 +1,44 @@
+#include "cli/commands.h"
+
+#include "scene/mesh_files.h"
+#include "scene/scene.h"
+
+#include <cairn/error.h>
+
+#include <fmt/core.h>
+
+#include <string>
+
+namespace cairn::cli {
+
+namespace {
+
+scene::Scene load_any(const ConvertOptions& options) {
+    if (scene::is_mesh_file(options.input)) {
+        scene::MeshImport import;
+        import.as_hull = options.as_hull.value_or(true);
+        import.scale = options.scale.value_or(1.0);
+        import.density = static_cast<float>(options.density.value_or(1000.0));
+        return scene::scene_of_mesh(scene::load_mesh_file(options.input), import, options.input.stem().string());
+    }
+    if (options.as_hull || options.scale || options.density) {
+        throw Error(ErrorCode::invalid_value, options.input.string(), {},
+                    "is a scene, and --as, --scale and --density are for .obj and .stl files");
+    }
+    return scene::load(scene::find_scene(options.input.string()));
+}
+
+} // namespace
+
+int convert_command(const ConvertOptions& options) {
+    const std::string extension = options.output.extension().string();
+    if (extension != ".gltf" && extension != ".glb") {
+        throw Error(ErrorCode::invalid_value, options.output.string(), {}, "must end in .gltf or .glb");
+    }
+    const scene::Scene scene = load_any(options);
+    for (const std::string& warning : scene.warnings) fmt::print(stderr, "cairn: warning: {}\n", warning);
+    scene::save(scene, options.output);
+    return 0;
+}
+
+} // namespace cairn::cli

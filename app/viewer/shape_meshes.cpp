@@ -1,0 +1,228 @@
+#include "viewer/shape_meshes.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace cairn::viewer {
+
+namespace {
+
+constexpr std::size_t cells_per_tile = 64; // of a height field, along both edges: makes one part
+static_assert(2 * cells_per_tile * cells_per_tile == triangles_per_part);
+constexpr std::size_t most_smoothed = 64; // triangles at one vertex; where more meet, all stay flat
+
+// Unit; up where there is no direction.
+Vec3 direction_of(const Vec3& v) {
+    const float length = glm::length(v);
+    return length > 0.0f && std::isfinite(length) ? v / length : Vec3(0.0f, 1.0f, 0.0f);
+}
+
+// The corners of triangles around each vertex: those of vertex v are corners[start[v]] to corners[start[v + 1] - 1].
+struct VertexCorners {
+    std::vector<std::uint32_t> start, corners;
+};
+
+VertexCorners corners_of(std::size_t vertex_count, std::span<const std::uint32_t> indices) {
+    VertexCorners result;
+    result.start.assign(vertex_count + 1, 0);
+    for (const std::uint32_t vertex : indices) ++result.start[vertex + 1];
+    for (std::size_t v = 0; v < vertex_count; ++v) result.start[v + 1] += result.start[v];
+    result.corners.resize(indices.size());
+    std::vector<std::uint32_t> next(result.start.begin(), result.start.end() - 1);
+    for (std::size_t i = 0; i < indices.size(); ++i) result.corners[next[indices[i]]++] = std::uint32_t(i);
+    return result;
+}
+
+// The normal of one corner: the mean of the triangles around the vertex that lean little against its own, weighted by
+// their angle there (Thuermer and Wuethrich 1998), so that it does not depend on how faces are cut into triangles.
+Vec3 corner_normal(std::span<const std::uint32_t> around, std::uint32_t own, std::span<const Vec3> normals,
+                   std::span<const float> angles) {
+    const Vec3& flat = normals[own / 3];
+    if (around.size() > most_smoothed) return flat;
+    Vec3 sum(0.0f);
+    for (const std::uint32_t corner : around) {
+        const Vec3& other = normals[corner / 3];
+        if (corner == own || glm::dot(flat, other) > smooth_cosine) sum += other * angles[corner];
+    }
+    return direction_of(sum);
+}
+
+struct Ball {
+    Vec3 center{0.0f, 0.0f, 0.0f}, extent{0.0f, 0.0f, 0.0f};
+    float radius = 0.0f;
+};
+
+// Around the middle of the bounds.
+template <class Range, class PlaceOf> Ball ball_around(const Range& range, const PlaceOf& place_of) {
+    if (std::empty(range)) return {};
+    Vec3 least = place_of(range[0]), greatest = least;
+    for (const auto& item : range) {
+        least = glm::min(least, place_of(item));
+        greatest = glm::max(greatest, place_of(item));
+    }
+    Ball ball{0.5f * (least + greatest), 0.5f * (greatest - least), 0.0f};
+    for (const auto& item : range) ball.radius = std::max(ball.radius, glm::distance(place_of(item), ball.center));
+    return ball;
+}
+
+template <class Data> const void* address_of(const std::shared_ptr<const Data>& data) { return data.get(); }
+
+} // namespace
+
+TriangleMesh hull_triangles(const Hull& hull) {
+    TriangleMesh mesh;
+    const auto vertices = hull.vertices();
+    for (std::size_t f = 0; f < hull.face_count(); ++f) {
+        const auto face = hull.face(f);
+        // Newell's formula: the mean over all corners, so that no three of them decide alone.
+        Vec3 normal(0.0f);
+        for (std::size_t i = 0; i < face.size(); ++i)
+            normal += glm::cross(vertices[face[i]] - vertices[face[0]],
+                                 vertices[face[(i + 1) % face.size()]] - vertices[face[0]]);
+        normal = direction_of(normal);
+        const auto first = std::uint32_t(mesh.vertices.size());
+        for (const std::uint32_t corner : face) mesh.vertices.push_back({vertices[corner], Vec3(0.0f), normal});
+        for (std::uint32_t i = 2; i < face.size(); ++i)
+            mesh.indices.insert(mesh.indices.end(), {first, first + i - 1, first + i});
+    }
+    return mesh;
+}
+
+TriangleMesh surface_triangles(std::span<const Vec3> vertices, std::span<const std::uint32_t> indices) {
+    std::vector<Vec3> normals(indices.size() / 3);
+    std::vector<float> angles(indices.size());
+    for (std::size_t t = 0; t < normals.size(); ++t) {
+        const std::array<Vec3, 3> p{vertices[indices[3 * t]], vertices[indices[3 * t + 1]],
+                                    vertices[indices[3 * t + 2]]};
+        normals[t] = direction_of(glm::cross(p[1] - p[0], p[2] - p[0]));
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vec3 u = direction_of(p[(k + 1) % 3] - p[k]), v = direction_of(p[(k + 2) % 3] - p[k]);
+            angles[3 * t + k] = std::acos(std::clamp(glm::dot(u, v), -1.0f, 1.0f));
+        }
+    }
+    const VertexCorners corners = corners_of(vertices.size(), indices);
+    TriangleMesh mesh;
+    mesh.indices.resize(indices.size());
+    for (std::size_t v = 0; v < vertices.size(); ++v) {
+        const std::span around(corners.corners.data() + corners.start[v], corners.start[v + 1] - corners.start[v]);
+        const std::size_t first = mesh.vertices.size();
+        for (const std::uint32_t corner : around) {
+            const Vec3 normal = corner_normal(around, corner, normals, angles);
+            // Corners that look alike share a vertex; where very many meet, not all of them are compared.
+            std::size_t place = std::max(first, mesh.vertices.size() - std::min(mesh.vertices.size(), most_smoothed));
+            while (place < mesh.vertices.size() && glm::dot(mesh.vertices[place].normal, normal) < 0.99999f) ++place;
+            if (place == mesh.vertices.size()) mesh.vertices.push_back({vertices[v], Vec3(0.0f), normal});
+            mesh.indices[corner] = std::uint32_t(place);
+        }
+    }
+    return mesh;
+}
+
+TriangleMesh height_field_triangles(const HeightField& field) {
+    const std::span<const float> heights = field.heights();
+    const glm::vec2 spacing = field.spacing();
+    const auto columns = std::size_t(field.columns()), rows = std::size_t(field.rows());
+    std::size_t stride = 1;
+    const auto lines = [&stride](std::size_t count) { return (count - 2) / stride + 2; }; // the last one included
+    while (lines(columns) * lines(rows) > most_heights) ++stride;
+    const std::size_t across = lines(columns), along = lines(rows);
+    const auto place = [&](std::size_t i, std::size_t k) {
+        const std::size_t c = std::min(i * stride, columns - 1), r = std::min(k * stride, rows - 1);
+        return Vec3((float(c) - 0.5f * float(columns - 1)) * spacing.x, heights[r * columns + c],
+                    (float(r) - 0.5f * float(rows - 1)) * spacing.y);
+    };
+    TriangleMesh mesh;
+    mesh.vertices.reserve(across * along);
+    for (std::size_t k = 0; k < along; ++k) {
+        for (std::size_t i = 0; i < across; ++i) {
+            // The normal from the slopes over the neighboring columns and rows.
+            const Vec3 dx = place(std::min(i + 1, across - 1), k) - place(i > 0 ? i - 1 : 0, k);
+            const Vec3 dz = place(i, std::min(k + 1, along - 1)) - place(i, k > 0 ? k - 1 : 0);
+            mesh.vertices.push_back({place(i, k), Vec3(0.0f), direction_of(glm::cross(dz, dx))});
+        }
+    }
+    mesh.indices.reserve(6 * (across - 1) * (along - 1));
+    const auto add_cell = [&](std::size_t i, std::size_t k) {
+        const auto near = std::uint32_t(k * across + i), far = std::uint32_t(near + across);
+        mesh.indices.insert(mesh.indices.end(), {near, far, far + 1, near, far + 1, near + 1});
+    };
+    for (std::size_t k0 = 0; k0 + 1 < along; k0 += cells_per_tile)
+        for (std::size_t i0 = 0; i0 + 1 < across; i0 += cells_per_tile)
+            for (std::size_t k = k0; k < std::min(k0 + cells_per_tile, along - 1); ++k)
+                for (std::size_t i = i0; i < std::min(i0 + cells_per_tile, across - 1); ++i) add_cell(i, k);
+    return mesh;
+}
+
+TriangleMesh visual_triangles(std::span<const Vec3> vertices, std::span<const Vec3> normals,
+                              std::span<const std::uint32_t> indices) {
+    TriangleMesh mesh;
+    if (!normals.empty()) {
+        for (std::size_t i = 0; i < vertices.size(); ++i)
+            mesh.vertices.push_back({vertices[i], Vec3(0.0f), direction_of(normals[i])});
+        mesh.indices.assign(indices.begin(), indices.end());
+        return mesh;
+    }
+    for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
+        const Vec3 a = vertices[indices[i]], b = vertices[indices[i + 1]], c = vertices[indices[i + 2]];
+        const Vec3 normal = direction_of(glm::cross(b - a, c - a));
+        for (const Vec3& corner : {a, b, c}) {
+            mesh.indices.push_back(std::uint32_t(mesh.vertices.size()));
+            mesh.vertices.push_back({corner, Vec3(0.0f), normal});
+        }
+    }
+    return mesh;
+}
+
+ShapeMesh make_shape_mesh(TriangleMesh triangles, MeshLook look) {
+    ShapeMesh mesh;
+    mesh.triangles = std::move(triangles);
+    mesh.look = look;
+    const std::vector<std::uint32_t>& indices = mesh.triangles.indices;
+    constexpr std::size_t step = 3 * triangles_per_part;
+    for (std::size_t first = 0; first < indices.size(); first += step) {
+        const std::span part = std::span(indices).subspan(first, std::min(step, indices.size() - first));
+        const Ball ball = ball_around(part, [&](std::uint32_t i) { return mesh.triangles.vertices[i].corner; });
+        mesh.parts.push_back({first, part.size(), ball.center, ball.radius});
+    }
+    const Ball ball = ball_around(mesh.triangles.vertices, [](const MeshVertex& vertex) { return vertex.corner; });
+    mesh.center = ball.center;
+    mesh.extent = ball.extent;
+    mesh.radius = ball.radius;
+    return mesh;
+}
+
+std::shared_ptr<const ShapeMesh> MeshCache::mesh_of(const Shape& shape) {
+    const Hull* hull = std::get_if<Hull>(&shape);
+    const Mesh* surface = std::get_if<Mesh>(&shape);
+    const HeightField* field = std::get_if<HeightField>(&shape);
+    const void* address = hull      ? address_of(hull->data())
+                          : surface ? address_of(surface->data())
+                          : field   ? address_of(field->data())
+                                    : nullptr;
+    if (!address) return nullptr;
+    if (const auto found = entries_.find(address); found != entries_.end()) {
+        found->second.used = true;
+        return found->second.mesh;
+    }
+    ShapeMesh mesh =
+        hull      ? make_shape_mesh(hull_triangles(*hull), MeshLook::facets)
+        : surface ? make_shape_mesh(surface_triangles(surface->vertices(), surface->indices()), MeshLook::surface)
+                  : make_shape_mesh(height_field_triangles(*field), MeshLook::terrain);
+    return entries_.emplace(address, Entry{shape, std::make_shared<const ShapeMesh>(std::move(mesh))})
+        .first->second.mesh;
+}
+
+void MeshCache::drop_unused() {
+    std::erase_if(entries_, [](const auto& item) { return !item.second.used; });
+    for (auto& [address, entry] : entries_) entry.used = false;
+}
+
+} // namespace cairn::viewer

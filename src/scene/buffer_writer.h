@@ -1,0 +1,39 @@
+// Arrays of numbers on their way into a file: one buffer, and the accessors that divide it.
+#pragma once
+
+#include <cairn/math.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace cairn::scene {
+
+class BufferWriter {
+  public:
+    // Each returns the index of the new accessor.
+    std::size_t add_vertices(std::span<const Vec3> values, bool with_bounds); // bounds: for POSITION
+    std::size_t add_vectors(std::span<const Vec3> values);                    // of anything else
+    std::size_t add_quaternions(std::span<const Quat> values);
+    std::size_t add_indices(std::span<const std::uint32_t> values);
+    std::size_t add_scalars(std::span<const float> values, bool with_bounds);
+
+    bool empty() const { return accessors_.empty(); }
+    const std::vector<std::string>& accessors() const { return accessors_; } // each a line of JSON
+    const std::vector<std::string>& views() const { return views_; }
+    const std::string& bytes() const { return bytes_; }
+
+  private:
+    std::size_t add_vectors(std::span<const Vec3> values, int target, bool with_bounds);
+    void append(std::uint32_t word);
+    void append(float value);
+    std::size_t finish(std::size_t start, int target, nlohmann::ordered_json accessor);
+
+    std::string bytes_;
+    std::vector<std::string> accessors_, views_;
+};
+
+} // namespace cairn::scene

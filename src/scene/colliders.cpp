@@ -1,0 +1,72 @@
+#include "scene/colliders.h"
+
+#include <algorithm>
+
+namespace cairn::scene {
+
+namespace {
+
+bool has_no_mass(const Shape& shape) {
+    return std::holds_alternative<Plane>(shape) || std::holds_alternative<Mesh>(shape) ||
+           std::holds_alternative<HeightField>(shape);
+}
+
+// Only the vertices that triangles use: others are no part of the surface.
+std::vector<Vec3> used_vertices(const Triangles& triangles) {
+    std::vector<bool> used(triangles.vertices.size(), false);
+    for (const std::uint32_t corner : triangles.indices) used[corner] = true;
+    std::vector<Vec3> result;
+    for (std::size_t i = 0; i < used.size(); ++i) {
+        if (used[i]) result.push_back(triangles.vertices[i]);
+    }
+    return result;
+}
+
+} // namespace
+
+TurnedShape Colliders::shape(const Value& geometry, const glm::dvec3& scale, BodyType type,
+                             std::vector<std::string>& warnings) {
+    const auto index = geometry.find("shape"), node = geometry.find("node");
+    if (index && node) node->fail("must not stand beside a shape");
+    const auto convex = geometry.find("convexHull");
+    bool is_hull = convex && convex->boolean();
+    if (node) {
+        if (!is_hull && type == BodyType::dynamic) {
+            warnings.push_back(geometry.place() + "a mesh on a dynamic body is taken as its convex hull");
+            is_hull = true;
+        }
+        return {mesh_shape(geometry, *node, scale, is_hull, warnings)};
+    }
+    if (!index) geometry.fail("must have a member \"shape\" or \"node\"");
+    TurnedShape made = implicit_shape(*index, scale, warnings);
+    if (has_no_mass(made.shape) && type == BodyType::dynamic) {
+        geometry.refuse("planes and height fields have no mass and may only belong to static and kinematic bodies");
+    }
+    return made;
+}
+
+TurnedShape Colliders::implicit_shape(const Value& index, const glm::dvec3& scale, std::vector<std::string>& warnings) {
+    const Key key{index.index(max_definitions, "shapes"), false, scale.x, scale.y, scale.z};
+    if (const auto known = height_fields_.find(key); known != height_fields_.end()) return {known->second};
+    const TurnedShape made = definitions_.shape(index, scale, surfaces_.accessors(), warnings);
+    if (std::holds_alternative<HeightField>(made.shape)) height_fields_.emplace(key, made.shape);
+    return made;
+}
+
+Shape Colliders::mesh_shape(const Value& geometry, const Value& node, const glm::dvec3& scale, bool is_hull,
+                            std::vector<std::string>& warnings) {
+    const Key key{node.index(max_nodes, "nodes"), is_hull, scale.x, scale.y, scale.z};
+    if (const auto known = meshes_.find(key); known != meshes_.end()) return known->second;
+    const Triangles triangles = surfaces_.geometry(node, affine(scale), warnings);
+    try {
+        const auto make = [&]() -> Shape {
+            if (is_hull) return Hull(used_vertices(triangles));
+            return Mesh(triangles.vertices, triangles.indices);
+        };
+        return meshes_.emplace(key, make()).first->second;
+    } catch (const Error& error) {
+        geometry.fail(error);
+    }
+}
+
+} // namespace cairn::scene

@@ -1,0 +1,71 @@
+// The definitions of a file that is written, which its nodes refer to by index: shapes, materials, filters, meshes.
+// Each is listed once.
+#pragma once
+
+#include "scene/buffer_writer.h"
+#include "scene/scene.h"
+
+#include <nlohmann/json.hpp>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace cairn::scene {
+
+// Lines of JSON.
+class Table {
+  public:
+    std::size_t index(const nlohmann::ordered_json& entry);
+    const std::vector<std::string>& lines() const { return lines_; }
+
+  private:
+    std::unordered_map<std::string, std::size_t> indices_; // looked up, never walked through
+    std::vector<std::string> lines_;
+};
+
+// The rotation of a shape as the file measures it: its planes face +y, and are measured along x and z.
+Quat file_rotation(const Shape& shape, const Quat& rotation);
+
+class DefinitionWriter {
+  public:
+    explicit DefinitionWriter(const Scene& scene);
+
+    // The index of a shape that is no hull and no mesh, in KHR_implicit_shapes.
+    std::size_t shape(const Shape& shape);
+    std::size_t material(const Shape& shape, const ShapeDef& def);
+    // Nothing for a filter that keeps nothing apart.
+    std::optional<std::size_t> filter(const CollisionFilter& filter);
+    std::size_t joint(const JointDescription& joint);
+    // The index of a glTF mesh with the triangles of a Hull or a Mesh.
+    std::size_t collider_mesh(const Shape& shape);
+    std::size_t visual_mesh(const VisualMesh& visual);
+
+    const Table& shapes() const { return shapes_; }
+    const Table& materials() const { return materials_; }
+    const Table& filters() const { return filters_; }
+    const Table& joints() const { return joints_; }
+    const Table& meshes() const { return meshes_; }
+    const Table& colors() const { return colors_; } // glTF materials
+    const BufferWriter& buffer() const { return buffer_; }
+    bool uses_material_extension() const { return uses_material_extension_; }
+    bool uses_height_fields() const { return !height_accessors_.empty(); }
+
+  private:
+    void name_layers(const Scene& scene);
+    nlohmann::ordered_json layer_names(std::uint64_t layers) const;
+    nlohmann::ordered_json height_field(const HeightField& field);
+
+    Table shapes_, materials_, filters_, joints_, meshes_, colors_;
+    BufferWriter buffer_;
+    // By the address of shared data: looked up, never walked through.
+    std::unordered_map<const void*, std::size_t> collider_meshes_, height_accessors_;
+    std::unordered_map<const void*, nlohmann::ordered_json> surface_primitives_;
+    std::map<std::size_t, std::string> layer_names_; // by bit; of layers in use
+    bool uses_material_extension_ = false;
+};
+
+} // namespace cairn::scene

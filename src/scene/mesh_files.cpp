@@ -1,0 +1,255 @@
+#include "scene/mesh_files.h"
+
+#include "scene/decimal.h"
+#include "scene/gltf_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <string_view>
+
+namespace cairn::scene {
+
+namespace {
+
+constexpr std::size_t most_numbers = std::size_t{1} << 28; // vertices, or indices
+
+// A text line by line, and word by word.
+class Lines {
+  public:
+    Lines(std::span<const std::byte> bytes, const std::string& name)
+        : rest_(reinterpret_cast<const char*>(bytes.data()), bytes.size()), name_(name) {
+        if (rest_.substr(0, 3) == "\xEF\xBB\xBF") rest_.remove_prefix(3);
+    }
+
+    bool next() {
+        if (rest_.empty()) return false;
+        const std::size_t end = rest_.find('\n');
+        line_ = rest_.substr(0, end);
+        rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+        ++number_;
+        return true;
+    }
+    // The next word of the line; empty at its end.
+    std::string_view word() {
+        const std::size_t start = line_.find_first_not_of(" \t\r\f\v");
+        if (start == std::string_view::npos) return line_ = {};
+        line_.remove_prefix(start);
+        const std::string_view found = line_.substr(0, line_.find_first_of(" \t\r\f\v"));
+        line_.remove_prefix(found.size());
+        return found;
+    }
+    float number() {
+        const std::string_view text = word();
+        const std::optional<double> value = parse_decimal(text);
+        if (!value || !(std::fabs(*value) <= static_cast<double>(std::numeric_limits<float>::max()))) {
+            fail("must have a number that fits a float", text);
+        }
+        return static_cast<float>(*value);
+    }
+    [[noreturn]] void fail(const std::string& expected, std::string_view found) const {
+        std::string shown;
+        for (const char c : found.substr(0, 40)) shown += c >= ' ' && c <= '~' ? c : '?';
+        throw Error(ErrorCode::invalid_file, name_ + ":" + std::to_string(number_), "\"" + shown + "\"", expected);
+    }
+
+  private:
+    std::string_view rest_, line_;
+    const std::string& name_;
+    std::size_t number_ = 0;
+};
+
+// A corner of a face, "7", "7/1", "7//3" or "-1/2/3": the vertex it refers to, counted from 1, or backwards from -1.
+std::uint32_t read_corner(std::string_view text, std::size_t vertices, const Lines& lines) {
+    const std::string_view index = text.substr(0, text.find('/'));
+    const bool is_negative = !index.empty() && index[0] == '-';
+    const std::string_view digits = index.substr(is_negative ? 1 : 0);
+    if (digits.empty() || digits.size() > 10 || digits.find_first_not_of("0123456789") != std::string_view::npos) {
+        lines.fail("must have the index of a vertex", text);
+    }
+    std::uint64_t value = 0;
+    for (const char c : digits) value = value * 10 + static_cast<std::uint64_t>(c - '0');
+    if (value == 0 || value > vertices) {
+        lines.fail("must have the index of one of the " + std::to_string(vertices) + " vertices so far", text);
+    }
+    return static_cast<std::uint32_t>(is_negative ? vertices - value : value - 1);
+}
+
+void require_triangles(const MeshFile& mesh, const std::string& name) {
+    if (mesh.indices.empty()) throw Error(ErrorCode::invalid_file, name, {}, "must have at least one triangle");
+}
+
+std::uint32_t word_at(std::span<const std::byte> bytes, std::size_t offset) {
+    std::uint32_t word = 0;
+    for (std::size_t i = 0; i < 4; ++i) word |= std::to_integer<std::uint32_t>(bytes[offset + i]) << (8 * i);
+    return word;
+}
+
+// 80 bytes of anything, the number of triangles, and 50 bytes for each: a normal, three corners, two bytes more.
+constexpr std::size_t stl_header = 84, stl_triangle = 50;
+
+MeshFile read_binary_stl(std::span<const std::byte> bytes, const std::string& name) {
+    const std::size_t count = word_at(bytes, 80);
+    if (count > (bytes.size() - stl_header) / stl_triangle) {
+        throw Error(ErrorCode::invalid_file, name, std::to_string(bytes.size()) + " bytes",
+                    "must have 84 bytes and 50 for each of its " + std::to_string(count) + " triangles");
+    }
+    MeshFile mesh;
+    mesh.vertices.reserve(count * 3);
+    for (std::size_t t = 0; t < count; ++t) {
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const std::size_t at = stl_header + stl_triangle * t + 12 * (corner + 1);
+            Vec3 vertex;
+            for (std::size_t i = 0; i < 3; ++i) {
+                const std::uint32_t bits = word_at(bytes, at + 4 * i);
+                float value = 0.0f;
+                std::memcpy(&value, &bits, sizeof value);
+                if (!std::isfinite(value)) {
+                    throw Error(ErrorCode::invalid_file, name, {},
+                                "must have finite numbers, and triangle " + std::to_string(t) + " does not");
+                }
+                vertex[static_cast<int>(i)] = value;
+            }
+            mesh.indices.push_back(static_cast<std::uint32_t>(mesh.vertices.size()));
+            mesh.vertices.push_back(vertex);
+        }
+    }
+    return mesh;
+}
+
+std::string lower_case(std::string_view text) {
+    std::string result(text);
+    for (char& c : result) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return result;
+}
+
+MeshFile read_ascii_stl(std::span<const std::byte> bytes, const std::string& name) {
+    MeshFile mesh;
+    Lines lines(bytes, name);
+    int corners = -1; // of the loop that is open; -1: none is
+    while (lines.next()) {
+        const std::string_view first = lines.word();
+        const std::string word = lower_case(first);
+        if (word == "vertex") {
+            if (corners < 0) lines.fail("must have vertices only between \"outer loop\" and \"endloop\"", first);
+            if (++corners > 3) lines.fail("must have three vertices in a loop", first);
+            Vec3 vertex;
+            for (int i = 0; i < 3; ++i) vertex[i] = lines.number();
+            mesh.indices.push_back(static_cast<std::uint32_t>(mesh.vertices.size()));
+            mesh.vertices.push_back(vertex);
+        } else if (word == "outer") {
+            if (corners >= 0) lines.fail("must close a loop before it opens the next", first);
+            corners = 0;
+        } else if (word == "endloop") {
+            if (corners != 3) lines.fail("must have three vertices in a loop", first);
+            corners = -1;
+        } else if (!word.empty() && word != "facet" && word != "endfacet" && word != "solid" && word != "endsolid") {
+            lines.fail("must be a line of an STL file", first);
+        }
+    }
+    if (corners >= 0) lines.fail("must close its last loop", "");
+    return mesh;
+}
+
+} // namespace
+
+MeshFile read_obj(std::span<const std::byte> bytes, const std::string& name) {
+    MeshFile mesh;
+    Lines lines(bytes, name);
+    while (lines.next()) {
+        const std::string_view word = lines.word();
+        if (word == "v") {
+            Vec3 vertex;
+            for (int i = 0; i < 3; ++i) vertex[i] = lines.number();
+            mesh.vertices.push_back(vertex);
+            if (mesh.vertices.size() > most_numbers) lines.fail("must not have more vertices", word);
+        } else if (word == "f") {
+            std::array<std::uint32_t, 2> ends{}; // the first corner and the last one so far
+            std::size_t count = 0;
+            for (std::string_view text = lines.word(); !text.empty(); text = lines.word()) {
+                const std::uint32_t corner = read_corner(text, mesh.vertices.size(), lines);
+                if (count == 0) ends[0] = corner;
+                if (count >= 2) mesh.indices.insert(mesh.indices.end(), {ends[0], ends[1], corner});
+                ends[1] = corner;
+                ++count;
+            }
+            if (count < 3) lines.fail("must have at least three corners in a face", word);
+            if (mesh.indices.size() > most_numbers) lines.fail("must not have more faces", word);
+        }
+    }
+    require_triangles(mesh, name);
+    return mesh;
+}
+
+MeshFile read_stl(std::span<const std::byte> bytes, const std::string& name) {
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    // Binary files may begin with "solid" too, but then their length gives them away.
+    const bool has_header = bytes.size() >= stl_header;
+    const bool is_exact = has_header && bytes.size() == stl_header + stl_triangle * std::size_t{word_at(bytes, 80)};
+    const bool is_ascii = !is_exact && lower_case(text.substr(0, 5)) == "solid";
+    if (!is_ascii && !has_header) {
+        throw Error(ErrorCode::invalid_file, name, {},
+                    bytes.empty() ? "is empty" : "is neither an ASCII STL file nor a whole binary one");
+    }
+    const MeshFile mesh = is_ascii ? read_ascii_stl(bytes, name) : read_binary_stl(bytes, name);
+    require_triangles(mesh, name);
+    return mesh;
+}
+
+bool is_mesh_file(const std::filesystem::path& path) {
+    const std::string extension = lower_case(path.extension().generic_string());
+    return extension == ".obj" || extension == ".stl";
+}
+
+MeshFile load_mesh_file(const std::filesystem::path& path) {
+    const std::string name = path.filename().generic_string(),
+                      extension = lower_case(path.extension().generic_string());
+    const std::vector<std::byte> bytes = read_file(path);
+    if (extension == ".obj") return read_obj(bytes, name);
+    if (extension == ".stl") return read_stl(bytes, name);
+    throw Error(ErrorCode::unsupported, name, {}, "must be an .obj or .stl file");
+}
+
+Scene scene_of_mesh(const MeshFile& mesh, const MeshImport& options, const std::string& name) {
+    if (!(options.scale > 0.0) || !std::isfinite(options.scale)) {
+        throw Error(ErrorCode::invalid_value, "MeshImport.scale", std::to_string(options.scale), "must be > 0");
+    }
+    if (!(options.density > 0.0f) || !std::isfinite(options.density)) {
+        throw Error(ErrorCode::invalid_value, "MeshImport.density", std::to_string(options.density), "must be > 0");
+    }
+    std::vector<Vec3> vertices;
+    for (const Vec3& v : mesh.vertices) vertices.push_back(Vec3(glm::dvec3(v) * options.scale));
+    Scene scene{World(), {}, {}, {}, {}};
+    scene.info.title = name;
+    BodyDef body;
+    body.name = name;
+    body.type = options.as_hull ? BodyType::dynamic : BodyType::static_;
+    ShapeDef def;
+    def.density = options.density;
+    try {
+        if (options.as_hull) {
+            // Only what faces use: an OBJ file may hold vertices that belong to nothing.
+            std::vector<bool> used(vertices.size(), false);
+            for (const std::uint32_t i : mesh.indices) used[i] = true;
+            std::vector<Vec3> corners;
+            for (std::size_t i = 0; i < used.size(); ++i) {
+                if (used[i]) corners.push_back(vertices[i]);
+            }
+            scene.world.add_shape(scene.world.create_body(body), Hull(corners), def);
+        } else {
+            const Mesh shape(vertices, mesh.indices);
+            if (shape.dropped_triangles() > 0) {
+                scene.warnings.push_back(name + ": " + std::to_string(shape.dropped_triangles()) +
+                                         " triangles without area are left out");
+            }
+            scene.world.add_shape(scene.world.create_body(body), shape, def);
+        }
+    } catch (const Error& error) {
+        throw Error(ErrorCode::invalid_file, name, {}, error.what());
+    }
+    return scene;
+}
+
+} // namespace cairn::scene

@@ -1,0 +1,47 @@
+/// \file mesh_files.h
+/// Triangle meshes from OBJ and STL files, as scenes of one body.
+#pragma once
+
+#include "scene/scene.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace cairn::scene {
+
+/// The triangles of a file, as they stand in it.
+struct MeshFile {
+    std::vector<Vec3> vertices;
+    std::vector<std::uint32_t> indices; ///< Three a triangle, counterclockwise as seen from outside.
+};
+
+/// Wavefront OBJ: `v` and `f` lines, with indices in any of its forms, also negative; polygons are cut into fans from
+/// their first corner. Groups count for nothing, other lines are skipped. `name` stands for the file in messages, which
+/// name the line. Throws `Error` (invalid_file).
+MeshFile read_obj(std::span<const std::byte> bytes, const std::string& name);
+
+/// STL, binary or ASCII. Normals are not read: the order of the corners says which side is outside. Throws `Error`
+/// (invalid_file).
+MeshFile read_stl(std::span<const std::byte> bytes, const std::string& name);
+
+/// Whether `load_mesh_file` reads files of that name: `.obj` and `.stl`, in any case.
+bool is_mesh_file(const std::filesystem::path& path);
+MeshFile load_mesh_file(const std::filesystem::path& path);
+
+/// What becomes of a mesh.
+struct MeshImport {
+    bool as_hull = true;     ///< A dynamic body with the convex hull; else a static one with the triangles.
+    double scale = 1.0;      ///< Meters of one unit of the file, > 0.
+    float density = 1000.0f; ///< kg/m^3, > 0; of hulls.
+};
+
+/// A scene with that mesh as its only body, `name`. There is no decomposition into convex parts: cut the mesh in a
+/// modelling program, and let one node have a collider for each part. Throws `Error`: `invalid_value` for a bad
+/// option, `invalid_file` for a mesh that has no such shape.
+Scene scene_of_mesh(const MeshFile& mesh, const MeshImport& options, const std::string& name);
+
+} // namespace cairn::scene

@@ -1,0 +1,64 @@
+// Triangles of the meshes of a document: for colliders, and for what is only looked at.
+#pragma once
+
+#include "scene/accessors.h"
+#include "scene/node_graph.h"
+#include "scene/node_transform.h"
+
+#include <cairn/math.h>
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cairn::scene {
+
+inline constexpr std::size_t max_meshes = 1'000'000;
+inline constexpr std::size_t max_primitives = 100'000; // of one mesh
+// Corners and indices of all colliders and visual meshes of a file together, each time that they are used.
+inline constexpr std::size_t max_surface_numbers = std::size_t{1} << 26;
+
+// One primitive of a mesh, as triangles.
+struct Triangles {
+    std::vector<Vec3> vertices;
+    std::vector<Vec3> normals; // one for each vertex, or none
+    std::vector<std::uint32_t> indices;
+    std::optional<Value> material; // the index of it
+};
+
+class Surfaces {
+  public:
+    // The graph must outlive this.
+    Surfaces(const Value& document, Buffers buffers, const NodeGraph& graph)
+        : meshes_(document.find("meshes")), nodes_(document.find("nodes")), accessors_(document, std::move(buffers)),
+          graph_(graph) {}
+
+    // The primitives of the mesh that `index` refers to, read once. Parts without triangles are left out, and noted in
+    // `warnings`.
+    const std::vector<Triangles>& mesh(const Value& index, std::vector<std::string>& warnings);
+
+    // The mesh of a node and those of the nodes below it (but not below another motion), in the frame of that node,
+    // then mapped by `map`: what a collider's geometry.node means. A mirror image keeps its outside outside.
+    Triangles geometry(const Value& node_index, const Affine& map, std::vector<std::string>& warnings);
+
+    // `triangles` mapped by `map`.
+    Triangles mapped(const Triangles& triangles, const Affine& map, const Value& place);
+
+    Accessors& accessors() { return accessors_; }
+
+  private:
+    std::vector<Triangles> read(const Value& mesh, std::vector<std::string>& warnings);
+    std::optional<Triangles> read_primitive(const Value& primitive, std::vector<std::string>& warnings);
+    void gather(std::size_t node, const Affine& map, std::size_t depth, Triangles& result,
+                std::vector<std::string>& warnings);
+
+    std::optional<Value> meshes_, nodes_;
+    Accessors accessors_;
+    const NodeGraph& graph_;
+    std::map<std::size_t, std::vector<Triangles>> read_;
+    std::size_t numbers_left_ = max_surface_numbers;
+};
+
+} // namespace cairn::scene

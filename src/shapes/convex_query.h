@@ -1,0 +1,34 @@
+// Questions about convex shapes beside contact: distance, containment, rays and sweeps.
+#pragma once
+
+#include "shapes/convex.h"
+
+#include <optional>
+
+namespace cairn {
+
+// The nearest points of two shapes, or where they overlap the points that are deepest within each other.
+struct ClosestPoints {
+    double distance;    // < 0: overlap by as much along the normal
+    math::DVec3 normal; // unit, from a to b
+    math::DVec3 on_a, on_b;
+};
+ClosestPoints closest_points(const Convex& a, const Convex& b);
+
+// The surface belongs to the shape, within rounding.
+bool contains(const Convex& c, math::DVec3 point);
+
+struct ConvexHit {
+    double fraction;    // of the way, 0 to 1
+    math::DVec3 point;  // of the still shape
+    math::DVec3 normal; // unit, out of the still shape
+};
+
+// Where a ray from `origin` over `way` meets the shape. Not met from within.
+std::optional<ConvexHit> cast_ray(const Convex& c, math::DVec3 origin, math::DVec3 way);
+
+// When a shape that moves by `way` without turning first touches another: within a millionth of the size of the smaller
+// one. Shapes that overlap from the start meet at 0; those that only touch meet at 0 unless they move apart.
+std::optional<ConvexHit> cast_convex(const Convex& moving, math::DVec3 way, const Convex& still);
+
+} // namespace cairn

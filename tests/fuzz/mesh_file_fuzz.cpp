@@ -1,0 +1,39 @@
+// Any bytes as an OBJ file and as an STL file: triangles whose indices are in range, or an Error. The first byte
+// chooses which.//
+//   clang++ -std=c++20 -g -O1 -ffp-contract=off -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined
+//       -Iinclude -Isrc -DCAIRN_SOURCE_SCENES='"scenes"' ... tests/fuzz/mesh_file_fuzz.cpp -o mesh_file_fuzz
+//   ./mesh_file_fuzz -max_len=4096 NEW_FOLDER tests/fuzz/corpus/mesh_file
+//
+// with all sources of the engine (one backend is enough) and of src/scene in place of the dots. The corpus also runs
+// with the tests, without a fuzzer (corpus_main.cpp).
+
+#include "scene/mesh_files.h"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <span>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace cairn;
+    if (size == 0) return 0;
+    const auto bytes = std::as_bytes(std::span(data + 1, size - 1));
+    try {
+        const scene::MeshFile mesh =
+            data[0] % 2 == 0 ? scene::read_obj(bytes, "fuzz.obj") : scene::read_stl(bytes, "fuzz.stl");
+        if (mesh.indices.empty() || mesh.indices.size() % 3 != 0) std::abort();
+        for (const std::uint32_t index : mesh.indices) {
+            if (index >= mesh.vertices.size()) std::abort();
+        }
+        for (const Vec3& v : mesh.vertices) {
+            if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z)) std::abort();
+        }
+        scene::MeshImport options;
+        options.as_hull = data[0] % 4 < 2;
+        scene::scene_of_mesh(mesh, options, "fuzz");
+    } catch (const Error&) {
+        return 0;
+    }
+    return 0;
+}

@@ -1,0 +1,48 @@
+// Any bytes as a scene file: it loads and takes a step, or is refused with an Error. What loads can be saved, and the
+// saved file loads again.//
+//   clang++ -std=c++20 -g -O1 -ffp-contract=off -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined
+//       -Iinclude -Isrc -DCAIRN_SOURCE_SCENES='"scenes"' ... tests/fuzz/scene_fuzz.cpp -o scene_fuzz
+//   ./scene_fuzz -max_len=4096 NEW_FOLDER tests/fuzz/corpus/scene
+//
+// with all sources of the engine (one backend is enough) and of src/scene in place of the dots. The corpus also runs
+// with the tests, without a fuzzer (corpus_main.cpp).
+
+#include "scene/scene.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <span>
+#include <string>
+
+namespace {
+
+// Small enough to be tried many times a second.
+constexpr std::size_t most_bodies = 50;
+
+std::span<const std::byte> as_bytes(const std::string& text) {
+    return std::as_bytes(std::span(text.data(), text.size()));
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace cairn;
+    std::string saved;
+    try {
+        scene::Scene scene = scene::load_from_memory(std::as_bytes(std::span(data, size)), "fuzz.glb");
+        if (scene.world.bodies().size() > most_bodies) return 0;
+        saved = scene::save_to_string(scene);
+        scene.world.step(1.0f / 60.0f);
+    } catch (const Error&) {
+        return 0;
+    }
+    try {
+        if (scene::save_to_string(scene::load_from_memory(as_bytes(saved), "saved")).empty()) std::abort();
+    } catch (const Error& error) {
+        std::fprintf(stderr, "what was saved is refused: %s\n%s\n", error.what(), saved.c_str());
+        std::abort();
+    }
+    return 0;
+}

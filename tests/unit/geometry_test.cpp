@@ -1,0 +1,293 @@
+// Bounds and masses of shapes.
+#include "geometry_test_support.h"
+
+#include <gtest/gtest.h>
+
+namespace cairn {
+
+namespace {
+
+using math::DVec3;
+using test::Random;
+using test::sample_of;
+
+constexpr double pi = 3.14159265358979323846;
+
+// Bounds must hold all points, and reach beyond the outermost by no more than `slack`.
+void expect_tight(const test::Sample& shape, const std::vector<DVec3>& points, double slack, Random& random) {
+    for (int round = 0; round < 50; ++round) {
+        const math::Quat q = round == 0 ? math::Quat{} : random.rotation();
+        const DVec3 position = random.point(100);
+        const DBounds b = geometry_bounds(shape.geometry, shape.data, position, math::to_matrix(q));
+        DVec3 lo{1e30, 1e30, 1e30}, hi = -lo;
+        for (const DVec3 p : points) {
+            const DVec3 world = position + math::rotate(math::normalized(math::to_double(q)), p);
+            lo = math::min(lo, world);
+            hi = math::max(hi, world);
+        }
+        for (int i = 0; i < 3; ++i) {
+            ASSERT_LE(b.lo[i], lo[i]);
+            ASSERT_GE(b.hi[i], hi[i]);
+            ASSERT_GT(b.lo[i], lo[i] - slack);
+            ASSERT_LT(b.hi[i], hi[i] + slack);
+        }
+    }
+}
+
+// Points of a ball in `count` directions near evenly spread (a Fibonacci spiral).
+void add_ball(std::vector<DVec3>& points, double y, double radius, int count) {
+    for (int i = 0; i < count; ++i) {
+        const double up = 1 - (2 * i + 1.0) / count, out = std::sqrt(1 - up * up), angle = 2.399963229728653 * i;
+        points.push_back({radius * out * std::cos(angle), y + radius * up, radius * out * std::sin(angle)});
+    }
+}
+
+void add_circle(std::vector<DVec3>& points, double y, double radius) {
+    for (int i = 0; i < 3600; ++i)
+        points.push_back({radius * std::cos(i * pi / 1800), y, radius * std::sin(i * pi / 1800)});
+}
+
+TEST(Bounds, OfCapsulesHoldBothBallsAndNoMore) {
+    Random random(1);
+    for (const Capsule& c :
+         {Capsule{0.5f, 0.25f}, Capsule{1.0f, 0.5f, 0.1f}, Capsule{0.2f, 0.1f, 0.9f}, Capsule{0.7f, 0.3f, 0.0f}}) {
+        std::vector<DVec3> points;
+        add_ball(points, -double(c.half_height), double(c.radius), 4000);
+        add_ball(points, double(c.half_height), double(c.radius_top.value_or(c.radius)), 4000);
+        expect_tight(sample_of(Shape(c)), points, 2e-3, random);
+    }
+}
+
+TEST(Bounds, OfUprightCapsulesAreExact) {
+    const test::Sample c = sample_of(Shape(Capsule{1.0f, 0.5f, 0.25f}));
+    const DBounds b = geometry_bounds(c.geometry, c.data, {10, 20, 30}, {});
+    EXPECT_NEAR(b.lo.x, 9.5, 3e-6);
+    EXPECT_NEAR(b.lo.y, 18.5, 3e-6);
+    EXPECT_NEAR(b.hi.y, 21.25, 3e-6);
+    EXPECT_NEAR(b.hi.z, 30.5, 3e-6);
+}
+
+TEST(Bounds, OfCylindersHoldBothDiscsAndNoMore) {
+    Random random(2);
+    for (const Cylinder& c : {Cylinder{0.5f, 0.5f}, Cylinder{0.01f, 2.0f}, Cylinder{3.0f, 0.02f},
+                              Cylinder{0.5f, 1.0f, 0.2f}, Cylinder{0.5f, 0.2f, 1.0f}, cone(0.5f, 1.0f)}) {
+        std::vector<DVec3> points;
+        add_circle(points, -double(c.half_height), double(c.radius));
+        add_circle(points, double(c.half_height), double(c.radius_top.value_or(c.radius)));
+        expect_tight(sample_of(Shape(c)), points, 1e-5, random);
+    }
+}
+
+TEST(Bounds, OfHullsHoldTheirCornersAndNoMore) {
+    Random random(3);
+    for (const int sides : {3, 10, 100}) {
+        const auto hull = test::prism(sides, {0.7, 1.5, 0.3}, 0.4);
+        std::vector<DVec3> points;
+        for (const math::Vec3 v : hull->vertices) points.push_back(math::to_double(v));
+        expect_tight(sample_of(hull), points, 5e-6, random);
+    }
+}
+
+TEST(Bounds, OfMeshesHoldTheirCornersAndNoMore) {
+    Random random(4);
+    std::vector<Vec3> vertices;
+    std::vector<std::uint32_t> indices;
+    for (std::uint32_t i = 0; i < 3000; ++i) {
+        const DVec3 p = scaled(random.direction(), DVec3{5, 1, 2});
+        vertices.push_back({p.x + random(-0.1, 0.1), p.y, p.z});
+        indices.push_back(i);
+    }
+    const Mesh mesh(vertices, indices);
+    std::vector<DVec3> points;
+    for (const Vec3& v : mesh.vertices()) points.push_back({v.x, v.y, v.z});
+    expect_tight(sample_of(Shape(mesh)), points, 2e-5, random);
+}
+
+TEST(Bounds, OfFlatMeshesThatLieAlongAnAxisAreTight) {
+    Random random(5);
+    std::vector<Vec3> vertices;
+    std::vector<std::uint32_t> indices;
+    for (std::uint32_t i = 0; i < 300; ++i) {
+        vertices.push_back({random(-1, 1), 0, random(-1, 1)});
+        indices.push_back(i);
+    }
+    const Mesh mesh(vertices, indices);
+    const test::Sample s = sample_of(Shape(mesh));
+    const DBounds b = geometry_bounds(s.geometry, s.data, {}, {});
+    EXPECT_NEAR(b.lo.y, 0, 2e-6);
+    EXPECT_NEAR(b.hi.y, 0, 2e-6);
+    EXPECT_NEAR(b.hi.x, double(mesh_of(s.data).hi.x), 3e-6);
+}
+
+TEST(Bounds, OfHeightFieldsHoldTheirCornersAndAreExactUpright) {
+    Random random(6);
+    std::vector<float> heights(12 * 7);
+    for (float& h : heights) h = float(random(3, 5));
+    const HeightField field(12, 7, {0.5f, 2.0f}, heights);
+    const test::Sample s = sample_of(Shape(field));
+    const HeightFieldData& data = height_field_of(s.data);
+    for (int round = 0; round < 50; ++round) {
+        const math::Quat q = random.rotation();
+        const DBounds b = geometry_bounds(s.geometry, s.data, {7, 8, 9}, math::to_matrix(q));
+        for (std::uint32_t i = 0; i < triangle_count(data); ++i) {
+            const Triangle t = triangle_of(data, i);
+            for (const math::Vec3 v : {t.a, t.b, t.c}) {
+                const DVec3 p = DVec3{7, 8, 9} + math::rotate(math::normalized(math::to_double(q)), math::to_double(v));
+                for (int k = 0; k < 3; ++k) ASSERT_TRUE(b.lo[k] <= p[k] && p[k] <= b.hi[k]);
+            }
+        }
+    }
+    const DBounds b = geometry_bounds(s.geometry, s.data, {}, {});
+    EXPECT_NEAR(b.lo.x, -2.75, 1e-5);
+    EXPECT_NEAR(b.hi.z, 6, 1e-5);
+    EXPECT_NEAR(b.lo.y, double(data.least), 1e-5);
+    EXPECT_NEAR(b.hi.y, double(data.greatest), 1e-5);
+}
+
+// Sums over slices, from the square of the radius at height y.
+template <class Square> MassSum sliced(double lo, double hi, Square&& square) {
+    constexpr int slices = 40000;
+    const double thickness = (hi - lo) / slices;
+    double volume = 0, first = 0, second = 0, axial = 0;
+    for (int i = 0; i < slices; ++i) {
+        const double y = lo + (i + 0.5) * thickness, r2 = std::max(0.0, square(y)), v = pi * r2 * thickness;
+        volume += v;
+        first += v * y;
+        second += v * y * y;
+        axial += v * r2 / 2;
+    }
+    MassSum m;
+    m.mass = volume;
+    m.center = {0, first / volume, 0};
+    const double across = axial / 2 + second - first * first / volume;
+    m.inertia = {across, 0, 0, axial, 0, across};
+    return m;
+}
+
+void expect_near(const MassSum& a, const MassSum& b, double relative) {
+    const double size = std::sqrt((b.inertia.xx + b.inertia.yy + b.inertia.zz) / b.mass);
+    EXPECT_NEAR(a.mass, b.mass, relative * b.mass);
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(a.center[i], b.center[i], relative * size);
+    const double scale = relative * b.mass * size * size;
+    EXPECT_NEAR(a.inertia.xx, b.inertia.xx, scale);
+    EXPECT_NEAR(a.inertia.yy, b.inertia.yy, scale);
+    EXPECT_NEAR(a.inertia.zz, b.inertia.zz, scale);
+    EXPECT_NEAR(a.inertia.xy, b.inertia.xy, scale);
+    EXPECT_NEAR(a.inertia.xz, b.inertia.xz, scale);
+    EXPECT_NEAR(a.inertia.yz, b.inertia.yz, scale);
+}
+
+MassSum mass_of(const Shape& shape, float density = 1, const Transform& pose = {}) {
+    return geometry_mass(make_geometry(shape, pose), make_shape_data(shape), density);
+}
+
+// The capsule is all balls between its two: those at (2 l - 1) h of radius a + (b - a) l, for l from 0 to 1. The
+// square of its radius at height y is the largest of a quadratic in l.
+MassSum sliced_capsule(const Capsule& c) {
+    const double h = double(c.half_height), a = double(c.radius), b = double(c.radius_top.value_or(c.radius));
+    auto square = [&](double y) {
+        auto of_ball = [&](double l) {
+            const double r = a + (b - a) * l, d = y - (2 * l - 1) * h;
+            return r * r - d * d;
+        };
+        double best = std::max(of_ball(0), of_ball(1));
+        const double curvature = (b - a) * (b - a) - 4 * h * h;
+        if (curvature < 0) {
+            const double l = -(a * (b - a) + 2 * h * (y + h)) / curvature;
+            if (l > 0 && l < 1) best = std::max(best, of_ball(l));
+        }
+        return best;
+    };
+    return sliced(std::min(-h - a, h - b), std::max(h + b, -h + a), square);
+}
+
+TEST(Mass, OfCapsulesIsThatOfTheirSlices) {
+    for (const Capsule& c : {Capsule{0.5f, 0.25f}, Capsule{2.0f, 0.1f}, Capsule{0.01f, 1.0f}, Capsule{1.0f, 0.5f, 0.2f},
+                             Capsule{1.0f, 0.2f, 0.5f}, Capsule{0.5f, 0.9f, 0.0f}, Capsule{0.5f, 0.1f, 1.05f},
+                             Capsule{0.5f, 0.1f, 1.09f}}) {
+        SCOPED_TRACE(testing::Message() << c.half_height << " " << c.radius << " " << c.radius_top.value_or(-1));
+        expect_near(mass_of(c), sliced_capsule(c), 1e-6);
+    }
+}
+
+TEST(Mass, OfACapsuleWhoseOneBallHoldsTheOtherIsThatOfTheBall) {
+    for (const bool upper : {false, true}) {
+        const Capsule c = upper ? Capsule{0.25f, 0.5f, 1.5f} : Capsule{0.25f, 1.5f, 0.5f};
+        MassSum ball = mass_of(Sphere{1.5f});
+        ball.center.y = upper ? 0.25 : -0.25;
+        expect_near(mass_of(c), ball, 1e-12);
+        expect_near(mass_of(c), sliced_capsule(c), 1e-6);
+    }
+}
+
+TEST(Mass, OfAFlatCapsuleIsThatOfABall) {
+    expect_near(mass_of(Capsule{1e-6f, 1.0f}), mass_of(Sphere{1.0f}), 3e-6);
+    expect_near(mass_of(Capsule{1e-6f, 1.0f, 1.0f + 1e-6f}), mass_of(Sphere{1.0f}), 5e-6);
+}
+
+TEST(Mass, OfATaperedCapsuleOfEqualRadiiIsThatOfAPlainOne) {
+    expect_near(mass_of(Capsule{0.5f, 0.25f, 0.25f}), mass_of(Capsule{0.5f, 0.25f}), 1e-14);
+    expect_near(mass_of(Capsule{0.5f, 0.25f, 0.25f + 3e-8f}), mass_of(Capsule{0.5f, 0.25f}), 1e-6);
+}
+
+TEST(Mass, OfCylindersAndConesIsThatOfTheirSlices) {
+    for (const Cylinder& c : {Cylinder{0.5f, 0.5f}, Cylinder{0.01f, 2.0f}, Cylinder{3.0f, 0.02f},
+                              Cylinder{0.5f, 1.0f, 0.2f}, Cylinder{0.5f, 0.2f, 1.0f}, cone(0.5f, 1.0f)}) {
+        const double h = double(c.half_height), a = double(c.radius), b = double(c.radius_top.value_or(c.radius));
+        const MassSum slices = sliced(-h, h, [&](double y) {
+            const double r = a + (b - a) * (y + h) / (2 * h);
+            return r * r;
+        });
+        expect_near(mass_of(c), slices, 1e-6);
+    }
+}
+
+TEST(Mass, OfAConeIsThatOfTheTextbook) {
+    const MassSum m = mass_of(cone(2.0f, 1.5f), 10);
+    const double mass = 10 * pi * 4 * 3 / 3;
+    EXPECT_NEAR(m.mass, mass, 1e-12 * mass);
+    EXPECT_NEAR(m.center.y, -0.75, 1e-12); // a quarter of its height above the base
+    EXPECT_NEAR(m.inertia.yy, 0.3 * mass * 4, 1e-10);
+    EXPECT_NEAR(m.inertia.xx, mass * (3.0 / 20 * 4 + 3.0 / 80 * 9), 1e-10);
+}
+
+TEST(Mass, OfATurnedShapeTurnsWithIt) {
+    // A quarter turn about z takes y to -x.
+    const Transform pose{{1, 2, 3}, {std::sqrt(0.5f), 0, 0, std::sqrt(0.5f)}};
+    const MassSum upright = mass_of(cone(0.5f, 1.0f), 3), turned = mass_of(cone(0.5f, 1.0f), 3, pose);
+    EXPECT_NEAR(turned.mass, upright.mass, 1e-12);
+    EXPECT_NEAR(turned.center.x, 1 - upright.center.y, 1e-6);
+    EXPECT_NEAR(turned.center.y, 2, 1e-6);
+    EXPECT_NEAR(turned.center.z, 3, 1e-6);
+    EXPECT_NEAR(turned.inertia.xx, upright.inertia.yy, 1e-6);
+    EXPECT_NEAR(turned.inertia.yy, upright.inertia.xx, 1e-6);
+    EXPECT_NEAR(turned.inertia.xy, 0, 1e-6);
+}
+
+TEST(Mass, OfAHullIsItsUnitMassTimesItsDensityTurned) {
+    HullData data = *test::prism(4, {1, 1, 1}, 0);
+    data.unit_mass = {2, {0.1, 0.2, 0.3}, {3, 0.5, 0.25, 4, 0.125, 5}};
+    const Hull hull(std::make_shared<const HullData>(data));
+    const Quat q = glm::normalize(Quat(0.3f, 0.5f, -0.4f, 0.7f));
+    const MassSum m = mass_of(hull, 7, {{1, 2, 3}, q});
+    EXPECT_NEAR(m.mass, 14, 1e-12);
+    // The same by turning the axes: I v = R (I0 (R^T v)).
+    const math::DQuat r = math::normalized(math::DQuat{double(q.x), double(q.y), double(q.z), double(q.w)});
+    const DVec3 center = DVec3{1, 2, 3} + math::rotate(r, data.unit_mass.center);
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(m.center[i], center[i], 1e-12);
+    for (const DVec3 v : {DVec3{1, 0, 0}, DVec3{0, 1, 0}, DVec3{0, 0, 1}}) {
+        const DVec3 expected = 7.0 * math::rotate(r, data.unit_mass.inertia * math::rotate_back(r, v));
+        const DVec3 got = m.inertia * v;
+        for (int i = 0; i < 3; ++i) EXPECT_NEAR(got[i], expected[i], 1e-12);
+    }
+}
+
+TEST(Mass, OfSurfacesIsNone) {
+    const Mesh mesh(std::vector<Vec3>{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}}, std::vector<std::uint32_t>{0, 1, 2});
+    EXPECT_EQ(mass_of(mesh, 1000).mass, 0);
+    EXPECT_EQ(mass_of(HeightField(2, 2, {1, 1}, std::vector<float>(4)), 1000).mass, 0);
+}
+
+} // namespace
+
+} // namespace cairn
