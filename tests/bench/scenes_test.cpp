@@ -99,7 +99,11 @@ TEST(BenchScenes, have_terrain_of_20000_triangles_that_is_the_same_everywhere) {
     const SurfaceMesh& mesh = make_scene("terrain").meshes.at(0);
     EXPECT_EQ(mesh.indices.size(), 3u * 20000);
     std::vector<BodyState> vertices;
-    for (const Vec3& vertex : mesh.vertices) vertices.push_back({cairn::Position(vertex), {}, {}, {}});
+    for (const Vec3& vertex : mesh.vertices) {
+        BodyState state;
+        state.position = cairn::Position(vertex);
+        vertices.push_back(state);
+    }
     EXPECT_EQ(hash_of(vertices), 12901602923110444153u);
 }
 
