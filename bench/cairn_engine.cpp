@@ -1,3 +1,4 @@
+#include "bench/cairn_world.h"
 #include "bench/engine.h"
 
 #include <cairn/cairn.h>
@@ -9,14 +10,11 @@ namespace {
 class CairnEngine final : public Engine {
   public:
     void build(const Scene& scene, const EngineSettings& settings) override {
-        WorldDef def;
-        def.gravity = scene.gravity;
-        def.enable_sleep = false;
+        WorldDef def = world_settings(scene);
         if (settings.substeps > 0) def.substeps = settings.substeps;
         world_.set_settings(def);
         world_.set_threads(settings.threads);
-        bodies_.reserve(scene.bodies.size());
-        for (const SceneBody& body : scene.bodies) add_body(scene, body);
+        bodies_ = add_bodies(scene, world_, Walls::boxes);
     }
 
     void step(float time_step) override { world_.step(time_step); }
@@ -45,32 +43,6 @@ class CairnEngine final : public Engine {
     }
 
   private:
-    void add_body(const Scene& scene, const SceneBody& body) {
-        BodyDef def;
-        def.type = body.motion == Motion::dynamic ? BodyType::dynamic
-                   : body.motion == Motion::fixed ? BodyType::static_
-                                                  : BodyType::kinematic;
-        def.position = Position(body.position);
-        def.rotation = body.rotation;
-        def.linear_velocity = body.linear_velocity;
-        def.angular_velocity = body.angular_velocity;
-        const BodyId id = world_.create_body(def);
-        bodies_.push_back(id);
-        for (std::size_t i = 0; i < body.part_count; ++i) {
-            const Part& part = scene.parts[body.first_part + i];
-            ShapeDef shape;
-            shape.position = part.position;
-            shape.rotation = part.rotation;
-            shape.density = body.density;
-            shape.material.static_friction = shape.material.dynamic_friction = scene.friction;
-            shape.material.restitution = scene.restitution;
-            if (part.shape == PartShape::sphere)
-                world_.add_shape(id, Sphere{part.radius}, shape);
-            else
-                world_.add_shape(id, Box{part.half_extents}, shape);
-        }
-    }
-
     World world_;
     std::vector<BodyId> bodies_;
 };

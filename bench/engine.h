@@ -12,11 +12,12 @@
 
 namespace cairn::bench {
 
-// Where a body of a scene is and how it moves, by its own frame, whose origin is its center of mass.
+// Where a body of a scene is and how it moves. Its frame is the one that its parts are placed in; the center of mass is
+// elsewhere where SceneBody::center_of_mass says so.
 struct BodyState {
-    Position position{0.0, 0.0, 0.0};
-    Quat rotation{1.0f, 0.0f, 0.0f, 0.0f};
-    Vec3 linear_velocity{0.0f, 0.0f, 0.0f};
+    Position position{0.0, 0.0, 0.0};       // of the origin of the body's frame
+    Quat rotation{1.0f, 0.0f, 0.0f, 0.0f};  // of the body's frame
+    Vec3 linear_velocity{0.0f, 0.0f, 0.0f}; // of the center of mass
     Vec3 angular_velocity{0.0f, 0.0f, 0.0f};
 };
 
@@ -54,6 +55,8 @@ struct EngineKind {
     std::string_view version;
     std::unique_ptr<Engine> (*make)();
     bool has_threads = false; // can step on more than one
+    // Why it cannot do a scene; empty if it can. Absent: it can do all.
+    std::string (*refusal)(const Scene& scene) = nullptr;
 };
 
 EngineKind cairn_engine();

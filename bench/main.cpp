@@ -1,7 +1,8 @@
-// `cairn_bench`: times Cairn and its peers on the same scenes, and judges what came out. A wrong call ends with one
-// line on stderr and exit code 2, an error at run time with one line and exit code 1.
+// `cairn_bench`: times Cairn and its peers on the same scenes, and judges what came out; or writes the scenes to files.
+// A wrong call ends with one line on stderr and exit code 2, an error at run time with one line and exit code 1.
 #include "bench/measure.h"
 #include "bench/report.h"
+#include "bench/save.h"
 
 #include <cairn/error.h>
 #include <cairn/world.h>
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <optional>
 
 namespace {
 
@@ -43,6 +45,7 @@ std::vector<std::string> missing_peers() {
 struct Options {
     cairn::bench::MeasureOptions measure;
     std::vector<std::string> engines;
+    std::optional<std::string> folder; // to save scenes in, instead of measuring them
     bool json = false, list = false;
 };
 
@@ -80,6 +83,8 @@ void add_options(CLI::App& app, Options& options) {
     app.add_option("--threads", measure.threads, "Numbers of threads, separated by commas (default: 1 and all)")
         ->delimiter(',')
         ->check(CLI::Range(1, 256));
+    app.add_option("--save", options.folder,
+                   "Measure nothing: write the scenes to this folder, as NAME.gltf that `cairn view` opens");
     app.add_flag("--json", options.json, "Print one JSON object instead of tables");
     app.add_flag("--list", options.list, "List the scenes and engines, and measure nothing");
 }
@@ -109,6 +114,12 @@ int run(Options& options) {
     }
     // Sizes are checked before anything is measured.
     for (const std::string& scene : options.measure.scenes) cairn::bench::check_size(scene, options.measure.size);
+    if (options.folder) {
+        for (const std::string& name : options.measure.scenes)
+            fmt::print("{}\n",
+                       save_scene(cairn::bench::make_scene(name, options.measure.size), *options.folder).string());
+        return 0;
+    }
     for (const std::string& name : options.engines)
         for (const EngineKind& kind : engine_kinds())
             if (kind.name == name) options.measure.engines.push_back(kind);

@@ -173,11 +173,16 @@ std::vector<Result> measure(const MeasureOptions& options, const Progress& progr
         Scene scene = make_scene(name, options.size);
         if (options.steps > 0) scene.steps = options.steps;
         std::vector<Entry> entries;
-        for (const EngineKind& kind : options.engines)
+        for (const EngineKind& kind : options.engines) {
+            if (const std::string why = kind.refusal ? kind.refusal(scene) : ""; !why.empty()) {
+                progress(name + ": without " + std::string(kind.name) + ", " + why);
+                continue;
+            }
             for (const int threads : kind.has_threads ? options.threads : std::vector<int>{1}) {
                 entries.push_back({kind, options.settings, {}});
                 entries.back().settings.threads = threads;
             }
+        }
         for (int round = 0; round < options.rounds; ++round)
             for (Entry& entry : entries) {
                 progress(name + ": round " + std::to_string(round + 1) + " of " + std::to_string(options.rounds) +

@@ -48,7 +48,8 @@ struct Result {
 
 using Progress = std::function<void(const std::string& line)>;
 
-// Per scene the engines take turns: A B A B. `progress` is told what begins. Throws SceneError and cairn::Error.
+// Per scene the engines take turns: A B A B. `progress` is told what begins, and
+// which engine cannot do a scene. Throws SceneError and cairn::Error.
 std::vector<Result> measure(const MeasureOptions& options, const Progress& progress);
 
 } // namespace cairn::bench

@@ -2,27 +2,12 @@
 #pragma once
 
 #include "bench/engine.h"
+#include "bench/overlap.h"
 #include "bench/scenes.h"
 
 #include <span>
 
 namespace cairn::bench {
-
-// A part where its body has put it.
-struct PlacedPart {
-    PartShape shape = PartShape::box;
-    Position center{0.0, 0.0, 0.0};
-    glm::dvec3 axes[3];                     // box: its unit axes in the world
-    glm::dvec3 half_extents{0.0, 0.0, 0.0}; // box, m
-    double radius = 0;                      // sphere, m
-    double bounding_radius = 0;             // m
-};
-
-PlacedPart place(const Part& part, const BodyState& body);
-
-// How deep two parts overlap: the least distance, in m, by which one would have to be moved so that they only touch.
-// Exact where they overlap; where they do not, it is negative and at most as far from zero as they are apart.
-double penetration(const PlacedPart& a, const PlacedPart& b);
 
 struct Penetrations {
     double greatest = 0; // m
@@ -31,7 +16,7 @@ struct Penetrations {
     std::size_t overlaps = 0;
 };
 
-// Over all pairs of parts that may move against each other. Bodies that are not finite are left out.
+// Over all pairs of parts of two bodies that may move against each other. Bodies that are not finite are left out.
 Penetrations measure_penetrations(const Scene& scene, std::span<const BodyState> states);
 
 struct Displacement {

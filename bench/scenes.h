@@ -4,6 +4,8 @@
 
 #include <cairn/math.h>
 
+#include <array>
+#include <cstdint>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -12,7 +14,7 @@
 
 namespace cairn::bench {
 
-enum class PartShape { sphere, box };
+enum class PartShape { sphere, box, capsule, cylinder, hull, mesh };
 
 enum class Motion {
     fixed,     // never moves
@@ -24,19 +26,42 @@ enum class Motion {
 struct Part {
     PartShape shape = PartShape::box;
     Vec3 half_extents{0.5f, 0.5f, 0.5f};   // box, m
-    float radius = 0.5f;                   // sphere, m
+    float radius = 0.5f;                   // sphere, capsule, cylinder, m
+    float half_height = 0.5f;              // cylinder, and capsule up to the centers of its balls; along y, m
+    std::size_t index = 0;                 // hull: in Scene::hulls; mesh: in Scene::meshes
     Vec3 position{0.0f, 0.0f, 0.0f};       // in the body's frame, m
     Quat rotation{1.0f, 0.0f, 0.0f, 0.0f}; // in the body's frame
+    // Box: not zero where it is a wall that only its face of this normal is needed of. A saved scene has that face
+    // alone, which one sees through from behind.
+    Vec3 inner_face{0.0f, 0.0f, 0.0f};
+};
+
+// A convex polyhedron; the center of its mass is the origin.
+struct ConvexHull {
+    std::vector<Vec3> points;                            // all are corners, no four in one plane
+    std::vector<std::array<std::uint32_t, 3>> triangles; // counterclockwise as seen from outside
+};
+
+// A surface of triangles over a grid in the xz plane, solid below. Vertex r * columns + c stands at
+// x = (c - (columns - 1) / 2) * spacing, z = (r - (rows - 1) / 2) * spacing.
+struct SurfaceMesh {
+    int columns = 0, rows = 0;
+    float spacing = 0.0f; // m
+    std::vector<Vec3> vertices;
+    // Three a triangle, counterclockwise as seen from above; two triangles a cell, row after row.
+    std::vector<std::uint32_t> indices;
 };
 
 struct SceneBody {
     Motion motion = Motion::dynamic;
-    std::size_t first_part = 0, part_count = 1; // of Scene::parts; dynamic bodies have one, at their center
+    std::size_t first_part = 0, part_count = 1; // of Scene::parts; parts may overlap, and each has its mass
     float density = 1000.0f;                    // kg/m^3
     float mass = 0.0f;                          // kg; 0 unless dynamic
-    Vec3 position{0.0f, 0.0f, 0.0f};            // m
+    Vec3 center_of_mass{0.0f, 0.0f, 0.0f};      // in the body's frame, m; of dynamic bodies
+    Mat3 inertia{0.0f};                         // about the center of mass, in the body's axes, kg m^2; likewise
+    Vec3 position{0.0f, 0.0f, 0.0f};            // of the origin of its frame, m
     Quat rotation{1.0f, 0.0f, 0.0f, 0.0f};
-    Vec3 linear_velocity{0.0f, 0.0f, 0.0f};  // m/s
+    Vec3 linear_velocity{0.0f, 0.0f, 0.0f};  // of the center of mass, m/s
     Vec3 angular_velocity{0.0f, 0.0f, 0.0f}; // rad/s
 };
 
@@ -51,7 +76,9 @@ struct Scene {
     std::size_t dynamic_count = 0;
     std::vector<Part> parts;
     std::vector<SceneBody> bodies;
-    // A body whose center leaves these bounds, or this distance from the line through `axis_point` along z, is lost.
+    std::vector<ConvexHull> hulls;
+    std::vector<SurfaceMesh> meshes;
+    // A body whose origin leaves these bounds, or this distance from the line through `axis_point` along z, is lost.
     Vec3 lower_bound{-1e9f, -0.5f, -1e9f}, upper_bound{1e9f, 1e9f, 1e9f};
     float axis_distance = 1e9f;
     Vec3 axis_point{0.0f, 0.0f, 0.0f};

@@ -1,5 +1,6 @@
 #include "bench/engine.h"
 
+#include <LinearMath/btConvexHullComputer.h>
 #include <btBulletDynamicsCommon.h>
 
 #include <cmath>
@@ -24,6 +25,8 @@ class BulletEngine final : public Engine {
         substeps_ = settings.substeps > 0 ? settings.substeps : 1;
         world_.setGravity(to_bullet(scene.gravity));
         bodies_.reserve(scene.bodies.size());
+        for (const ConvexHull& hull : scene.hulls) hulls_.push_back(make_hull(hull));
+        for (const SurfaceMesh& mesh : scene.meshes) meshes_.push_back(std::make_unique<Surface>(mesh));
         for (const SceneBody& body : scene.bodies) add_body(scene, body);
     }
 
@@ -39,7 +42,7 @@ class BulletEngine final : public Engine {
         states.resize(bodies_.size());
         for (std::size_t i = 0; i < bodies_.size(); ++i) {
             const btRigidBody& body = *bodies_[i];
-            const btTransform& pose = body.getCenterOfMassTransform();
+            const btTransform pose = body.getCenterOfMassTransform() * to_origin_[i];
             const btQuaternion q = pose.getRotation();
             states[i].position = Position(pose.getOrigin().x(), pose.getOrigin().y(), pose.getOrigin().z());
             states[i].rotation = Quat(static_cast<float>(q.w()), static_cast<float>(q.x()), static_cast<float>(q.y()),
@@ -81,31 +84,89 @@ class BulletEngine final : public Engine {
         driven.body->getMotionState()->setWorldTransform(pose);
     }
 
+    // The shape that Bullet reads from the scene's own arrays.
+    struct Surface {
+        explicit Surface(const SurfaceMesh& mesh)
+            : arrays(static_cast<int>(mesh.indices.size() / 3), indices_of(mesh), 3 * sizeof(std::uint32_t),
+                     static_cast<int>(mesh.vertices.size()), coordinates_of(mesh), sizeof(Vec3)),
+              shape(&arrays, true) {
+            shape.setMargin(0); // the triangles have none; bodies keep theirs
+        }
+        // Bullet asks for pointers to what it does not change.
+        static int* indices_of(const SurfaceMesh& mesh) {
+            return reinterpret_cast<int*>(const_cast<std::uint32_t*>(mesh.indices.data()));
+        }
+        static btScalar* coordinates_of(const SurfaceMesh& mesh) {
+            static_assert(sizeof(btScalar) == sizeof(float));
+            return const_cast<float*>(&mesh.vertices[0].x);
+        }
+        btTriangleIndexVertexArray arrays;
+        btBvhTriangleMeshShape shape;
+    };
+
+    // Bullet puts its margin around the points of a hull. Its faces are moved inward by as much first, so that they are
+    // where they should be in the end; the edges are rounded.
+    static std::unique_ptr<btConvexHullShape> make_hull(const ConvexHull& hull) {
+        btConvexHullComputer inset;
+        inset.compute(&hull.points[0].x, int{sizeof(Vec3)}, static_cast<int>(hull.points.size()),
+                      CONVEX_DISTANCE_MARGIN, 0);
+        auto shape = std::make_unique<btConvexHullShape>();
+        for (int i = 0; i < inset.vertices.size(); ++i) shape->addPoint(inset.vertices[i], false);
+        shape->recalcLocalAabb();
+        return shape;
+    }
+
     btCollisionShape* make_shape(const Part& part) {
-        if (part.shape == PartShape::sphere)
+        switch (part.shape) {
+        case PartShape::sphere:
             shapes_.push_back(std::make_unique<btSphereShape>(part.radius));
-        else
+            break;
+        case PartShape::box:
             shapes_.push_back(std::make_unique<btBoxShape>(to_bullet(part.half_extents)));
+            break;
+        case PartShape::capsule:
+            shapes_.push_back(std::make_unique<btCapsuleShape>(part.radius, 2 * part.half_height));
+            break;
+        case PartShape::cylinder:
+            shapes_.push_back(std::make_unique<btCylinderShape>(btVector3(part.radius, part.half_height, part.radius)));
+            break;
+        case PartShape::hull:
+            return hulls_[part.index].get();
+        case PartShape::mesh:
+            return &meshes_[part.index]->shape;
+        }
         return shapes_.back().get();
     }
 
-    btCollisionShape* make_shapes(const Scene& scene, const SceneBody& body) {
-        if (body.part_count == 1) return make_shape(scene.parts[body.first_part]);
+    // `to_origin`: from Bullet's frame of the body, at its center of mass along its principal axes, to its own frame.
+    btCollisionShape* make_shapes(const Scene& scene, const SceneBody& body, const btTransform& to_origin) {
+        const Part& first = scene.parts[body.first_part];
+        const btTransform first_at = to_origin * btTransform(to_bullet(first.rotation), to_bullet(first.position));
+        if (body.part_count == 1 && first_at == btTransform::getIdentity()) return make_shape(first);
         auto compound = std::make_unique<btCompoundShape>();
         for (std::size_t i = 0; i < body.part_count; ++i) {
             const Part& part = scene.parts[body.first_part + i];
-            compound->addChildShape(btTransform(to_bullet(part.rotation), to_bullet(part.position)), make_shape(part));
+            compound->addChildShape(to_origin * btTransform(to_bullet(part.rotation), to_bullet(part.position)),
+                                    make_shape(part));
         }
         shapes_.push_back(std::move(compound));
         return shapes_.back().get();
     }
 
     void add_body(const Scene& scene, const SceneBody& body) {
-        btCollisionShape* shape = make_shapes(scene, body);
         btVector3 inertia(0, 0, 0);
-        if (body.motion == Motion::dynamic) shape->calculateLocalInertia(body.mass, inertia);
-        motions_.push_back(
-            std::make_unique<btDefaultMotionState>(btTransform(to_bullet(body.rotation), to_bullet(body.position))));
+        btTransform principal = btTransform::getIdentity();
+        if (body.motion == Motion::dynamic) {
+            const Mat3& i = body.inertia; // symmetric
+            btMatrix3x3 tensor(i[0][0], i[0][1], i[0][2], i[1][0], i[1][1], i[1][2], i[2][0], i[2][1], i[2][2]);
+            tensor.diagonalize(principal.getBasis(), btScalar(1e-6), 50);
+            principal.setOrigin(to_bullet(body.center_of_mass));
+            inertia = btVector3(tensor[0][0], tensor[1][1], tensor[2][2]);
+        }
+        to_origin_.push_back(principal.inverse());
+        btCollisionShape* shape = make_shapes(scene, body, to_origin_.back());
+        motions_.push_back(std::make_unique<btDefaultMotionState>(
+            btTransform(to_bullet(body.rotation), to_bullet(body.position)) * principal));
         btRigidBody::btRigidBodyConstructionInfo info(body.mass, motions_.back().get(), shape, inertia);
         info.m_friction = std::sqrt(scene.friction); // Bullet multiplies the coefficients of a pair
         info.m_restitution = std::sqrt(scene.restitution);
@@ -125,6 +186,9 @@ class BulletEngine final : public Engine {
     std::vector<std::unique_ptr<btCollisionShape>> shapes_;
     std::vector<std::unique_ptr<btDefaultMotionState>> motions_;
     std::vector<std::unique_ptr<btRigidBody>> bodies_;
+    std::vector<std::unique_ptr<btConvexHullShape>> hulls_;
+    std::vector<std::unique_ptr<Surface>> meshes_;
+    std::vector<btTransform> to_origin_; // of every body
     std::vector<Driven> driven_;
     btDefaultCollisionConfiguration configuration_;
     btCollisionDispatcher dispatcher_{&configuration_};

@@ -1,7 +1,10 @@
 // ODE with QuickStep, its iterative solver, at its default settings.
 #include "bench/engine.h"
+#include "bench/rotate.h"
 
 #include <ode/ode.h>
+
+#include <cmath>
 
 namespace cairn::bench {
 
@@ -40,6 +43,8 @@ class OdeEngine final : public Engine {
         friction_ = scene.friction;
         restitution_ = scene.restitution;
         dWorldSetGravity(world_, scene.gravity.x, scene.gravity.y, scene.gravity.z);
+        for (const ConvexHull& hull : scene.hulls) hulls_.emplace_back(hull);
+        for (const SurfaceMesh& mesh : scene.meshes) meshes_.push_back(std::make_unique<Surface>(mesh));
         for (const SceneBody& body : scene.bodies) add_body(scene, body);
     }
 
@@ -59,9 +64,9 @@ class OdeEngine final : public Engine {
         for (std::size_t i = 0; i < bodies_.size(); ++i) {
             if (!bodies_[i]) continue;
             const dReal *p = dBodyGetPosition(bodies_[i]), *q = dBodyGetQuaternion(bodies_[i]);
-            states[i].position = Position(p[0], p[1], p[2]);
             states[i].rotation = Quat(static_cast<float>(q[0]), static_cast<float>(q[1]), static_cast<float>(q[2]),
                                       static_cast<float>(q[3]));
+            states[i].position = Position(p[0], p[1], p[2]) - rotate(states[i].rotation, Position(centers_of_mass_[i]));
             states[i].linear_velocity = from_ode(dBodyGetLinearVel(bodies_[i]));
             states[i].angular_velocity = from_ode(dBodyGetAngularVel(bodies_[i]));
         }
@@ -70,6 +75,38 @@ class OdeEngine final : public Engine {
     StepCounts counts() const override { return counts_; }
 
   private:
+    // A hull as ODE reads it: it copies nothing.
+    struct Polyhedron {
+        explicit Polyhedron(const ConvexHull& hull) {
+            for (const Vec3& point : hull.points)
+                for (int i = 0; i < 3; ++i) points.push_back(point[i]);
+            for (const auto& [a, b, c] : hull.triangles) {
+                const Position origin(hull.points[a]);
+                const Position normal =
+                    glm::normalize(glm::cross(Position(hull.points[b]) - origin, Position(hull.points[c]) - origin));
+                for (const double value : {normal.x, normal.y, normal.z, glm::dot(normal, origin)})
+                    planes.push_back(static_cast<dReal>(value));
+                polygons.insert(polygons.end(), {3, a, b, c});
+            }
+        }
+        std::vector<dReal> points, planes;
+        std::vector<unsigned> polygons;
+    };
+
+    // Likewise a mesh.
+    struct Surface {
+        explicit Surface(const SurfaceMesh& mesh) : indices(mesh.indices.begin(), mesh.indices.end()) {
+            dGeomTriMeshDataBuildSingle(data, mesh.vertices.data(), sizeof(Vec3),
+                                        static_cast<int>(mesh.vertices.size()), indices.data(),
+                                        static_cast<int>(indices.size()), 3 * sizeof(dTriIndex));
+        }
+        ~Surface() { dGeomTriMeshDataDestroy(data); }
+        Surface(const Surface&) = delete;
+        Surface& operator=(const Surface&) = delete;
+        std::vector<dTriIndex> indices;
+        dTriMeshDataID data = dGeomTriMeshDataCreate();
+    };
+
     void collide(dGeomID a, dGeomID b) {
         constexpr int most_points = 8;
         dContact found[most_points];
@@ -85,30 +122,50 @@ class OdeEngine final : public Engine {
         }
     }
 
+    dGeomID make_shape(const Part& part) {
+        const Vec3 size = 2.0f * part.half_extents;
+        switch (part.shape) {
+        case PartShape::sphere:
+            return dCreateSphere(space_, part.radius);
+        case PartShape::box:
+            break;
+        case PartShape::capsule:
+            return dCreateCapsule(space_, part.radius, 2 * part.half_height);
+        case PartShape::cylinder:
+            return dCreateCylinder(space_, part.radius, 2 * part.half_height);
+        case PartShape::hull: {
+            const Polyhedron& hull = hulls_[part.index];
+            return dCreateConvex(space_, hull.planes.data(), static_cast<unsigned>(hull.planes.size() / 4),
+                                 hull.points.data(), static_cast<unsigned>(hull.points.size() / 3),
+                                 hull.polygons.data());
+        }
+        case PartShape::mesh:
+            return dCreateTriMesh(space_, meshes_[part.index]->data, nullptr, nullptr, nullptr);
+        }
+        return dCreateBox(space_, size.x, size.y, size.z);
+    }
+
     // Fixed geometry belongs to no body and meets only what belongs to one.
     void add_part(const Part& part, const SceneBody& body, dBodyID made) {
-        const Vec3 size = 2.0f * part.half_extents;
-        const dGeomID shape = part.shape == PartShape::sphere ? dCreateSphere(space_, part.radius)
-                                                              : dCreateBox(space_, size.x, size.y, size.z);
+        const dGeomID shape = make_shape(part);
         constexpr unsigned long moving = 1, fixed = 2;
         dGeomSetCategoryBits(shape, made ? moving : fixed);
         dGeomSetCollideBits(shape, made ? moving | fixed : moving);
+        Quat rotation = part.rotation;
+        if (part.shape == PartShape::capsule || part.shape == PartShape::cylinder) {
+            const float half = std::sqrt(0.5f); // ODE's stand along z: a quarter turn from there to y
+            rotation = rotation * Quat(half, -half, 0.0f, 0.0f);
+        }
         if (made) {
+            const Vec3 at = part.position - body.center_of_mass; // which is the origin of ODE's body
             dGeomSetBody(shape, made);
-            dGeomSetOffsetPosition(shape, part.position.x, part.position.y, part.position.z);
-            dGeomSetOffsetQuaternion(shape, Rotation(part.rotation).q);
+            dGeomSetOffsetPosition(shape, at.x, at.y, at.z);
+            dGeomSetOffsetQuaternion(shape, Rotation(rotation).q);
         } else {
             const Vec3 at = Vec3(body.position) + body.rotation * part.position;
             dGeomSetPosition(shape, at.x, at.y, at.z);
-            dGeomSetQuaternion(shape, Rotation(body.rotation * part.rotation).q);
+            dGeomSetQuaternion(shape, Rotation(body.rotation * rotation).q);
         }
-        if (body.motion != Motion::dynamic) return;
-        dMass mass; // dynamic bodies have one part
-        if (part.shape == PartShape::sphere)
-            dMassSetSphereTotal(&mass, body.mass, part.radius);
-        else
-            dMassSetBoxTotal(&mass, body.mass, size.x, size.y, size.z);
-        dBodySetMass(made, &mass);
     }
 
     void add_body(const Scene& scene, const SceneBody& body) {
@@ -117,12 +174,20 @@ class OdeEngine final : public Engine {
         dBodyID made = nullptr;
         if (body.motion != Motion::fixed) {
             made = dBodyCreate(world_);
-            dBodySetPosition(made, body.position.x, body.position.y, body.position.z);
+            const Vec3 at = body.position + body.rotation * body.center_of_mass;
+            dBodySetPosition(made, at.x, at.y, at.z);
             dBodySetQuaternion(made, Rotation(body.rotation).q);
             dBodySetLinearVel(made, body.linear_velocity.x, body.linear_velocity.y, body.linear_velocity.z);
             dBodySetAngularVel(made, body.angular_velocity.x, body.angular_velocity.y, body.angular_velocity.z);
         }
+        if (body.motion == Motion::dynamic) {
+            const Mat3& i = body.inertia; // symmetric
+            dMass mass;
+            dMassSetParameters(&mass, body.mass, 0, 0, 0, i[0][0], i[1][1], i[2][2], i[0][1], i[0][2], i[1][2]);
+            dBodySetMass(made, &mass);
+        }
         bodies_.push_back(made);
+        centers_of_mass_.push_back(body.center_of_mass);
         for (std::size_t i = 0; i < body.part_count; ++i) add_part(scene.parts[body.first_part + i], body, made);
         if (body.motion == Motion::kinematic) dBodySetKinematic(made);
     }
@@ -131,7 +196,10 @@ class OdeEngine final : public Engine {
     dWorldID world_ = dWorldCreate();
     dSpaceID space_ = dHashSpaceCreate(nullptr);
     dJointGroupID contacts_ = dJointGroupCreate(0);
-    std::vector<dBodyID> bodies_; // none where fixed
+    std::vector<dBodyID> bodies_;       // none where fixed
+    std::vector<Vec3> centers_of_mass_; // in the frames of the bodies
+    std::vector<Polyhedron> hulls_;
+    std::vector<std::unique_ptr<Surface>> meshes_;
     std::vector<BodyState> states_at_start_;
     dReal friction_ = 0, restitution_ = 0;
     int substeps_ = 1;

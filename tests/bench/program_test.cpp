@@ -1,9 +1,14 @@
 // The program itself, run as a user would.
+#include "scene/scene.h"
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <string>
+#include <utility>
 
 #include <sys/wait.h>
 
@@ -60,6 +65,44 @@ TEST(BenchProgram, lists_scenes_and_engines) {
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_NE(outcome.output.find("many_pyramids"), std::string::npos);
     EXPECT_NE(outcome.output.find("cairn"), std::string::npos);
+}
+
+TEST(BenchProgram, saves_scenes_that_load_again_with_all_their_bodies) {
+    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "cairn_bench_saved";
+    std::filesystem::remove_all(folder);
+    const Outcome outcome =
+        run_bench("--scenes pile_mixed,tumbler,convex,terrain,props,capsules --n 20 --save " + folder.string());
+    ASSERT_EQ(outcome.exit_code, 0);
+    for (const char* name : {"pile_mixed", "tumbler", "convex", "terrain", "props", "capsules"}) {
+        const cairn::scene::Scene scene = cairn::scene::load(folder / (std::string(name) + ".gltf"));
+        std::size_t dynamic = 0;
+        for (const cairn::BodyId id : scene.world.bodies())
+            dynamic += scene.world.body(id).type() == cairn::BodyType::dynamic;
+        EXPECT_EQ(dynamic, 20u) << name;
+        const bool in_room = name != std::string("tumbler") && name != std::string("terrain");
+        EXPECT_EQ(scene.world.bodies().size(), in_room ? 25u : 21u) << name; // floor and four walls, or one piece
+        EXPECT_TRUE(scene.warnings.empty()) << name;
+        EXPECT_EQ(scene.world.settings().gravity.y, -10.0f);
+        EXPECT_FALSE(scene.info.title.empty());
+        ASSERT_TRUE(scene.info.camera) << name;
+        // Everything that moves is in the picture: within the angle of view around the middle.
+        const cairn::Position eye = scene.info.camera->position;
+        const glm::dvec3 forward = glm::normalize(scene.info.camera->target - eye);
+        const double half_angle = 0.5 * double(scene.info.camera->vertical_fov_degrees) * 3.14159265 / 180;
+        for (const cairn::BodyId id : scene.world.bodies()) {
+            const cairn::Body body = std::as_const(scene.world).body(id);
+            if (body.type() == cairn::BodyType::static_) continue;
+            EXPECT_GT(glm::dot(glm::normalize(body.position() - eye), forward), std::cos(half_angle)) << name;
+        }
+    }
+    std::filesystem::remove_all(folder);
+}
+
+TEST(BenchProgram, says_in_one_line_that_a_folder_cannot_be_used) {
+    const Outcome outcome = run_bench("--scenes tower --save /dev/null/scenes 2>&1");
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_NE(outcome.output.find("/dev/null/scenes"), std::string::npos);
+    EXPECT_EQ(outcome.output.find('\n'), outcome.output.size() - 1);
 }
 
 } // namespace

@@ -1,3 +1,4 @@
+#include "bench/mass.h"
 #include "bench/quality.h"
 #include "bench/scenes.h"
 
@@ -8,6 +9,7 @@
 namespace {
 
 using namespace cairn::bench;
+using cairn::Vec3;
 
 std::vector<BodyState> initial_states(const Scene& scene) {
     std::vector<BodyState> states;
@@ -19,7 +21,8 @@ std::vector<BodyState> initial_states(const Scene& scene) {
 TEST(BenchScenes, have_the_dynamic_bodies_that_their_names_promise) {
     const std::map<std::string_view, std::size_t> expected = {
         {"pile_spheres", 8000},  {"pile_boxes", 5000}, {"pile_mixed", 5000}, {"pyramid", 820},  {"large_pyramid", 5050},
-        {"many_pyramids", 5500}, {"tower", 40},        {"mass_ratio", 5},    {"tumbler", 2000},
+        {"many_pyramids", 5500}, {"tower", 40},        {"mass_ratio", 5},    {"tumbler", 2000}, {"convex", 1000},
+        {"terrain", 2000},       {"props", 1500},      {"capsules", 3000},
     };
     ASSERT_EQ(scene_kinds().size(), expected.size());
     for (const SceneKind& kind : scene_kinds()) {
@@ -68,6 +71,40 @@ TEST(BenchScenes, give_bodies_the_mass_of_their_shape) {
     const Scene boxes = make_scene("pile_boxes", 1);
     EXPECT_FLOAT_EQ(boxes.bodies.back().mass, 1000.0f);
     EXPECT_EQ(boxes.bodies.front().mass, 0.0f);
+}
+
+TEST(BenchScenes, drop_twenty_hulls_of_12_to_24_corners) {
+    const Scene scene = make_scene("convex");
+    ASSERT_EQ(scene.hulls.size(), 20u);
+    for (const ConvexHull& hull : scene.hulls) {
+        EXPECT_GE(hull.points.size(), 12u);
+        EXPECT_LE(hull.points.size(), 24u);
+        EXPECT_LT(glm::length(mass_of(hull).center), 1e-6);
+    }
+}
+
+TEST(BenchScenes, drop_compounds_of_3_to_7_parts_with_their_mass_off_their_origin) {
+    const Scene scene = make_scene("props");
+    bool is_off = false;
+    for (const SceneBody& body : scene.bodies) {
+        if (body.motion != Motion::dynamic) continue;
+        EXPECT_GE(body.part_count, 3u);
+        EXPECT_LE(body.part_count, 7u);
+        is_off = is_off || glm::length(body.center_of_mass) > 0.05f;
+    }
+    EXPECT_TRUE(is_off);
+}
+
+TEST(BenchScenes, have_terrain_of_20000_triangles_that_is_the_same_everywhere) {
+    const SurfaceMesh mesh = make_scene("terrain").meshes.at(0);
+    EXPECT_EQ(mesh.indices.size(), 3u * 20000);
+    std::vector<BodyState> vertices;
+    for (const Vec3& vertex : mesh.vertices) {
+        BodyState state;
+        state.position = cairn::Position(vertex);
+        vertices.push_back(state);
+    }
+    EXPECT_EQ(hash_of(vertices), 2354352866128397056u);
 }
 
 } // namespace

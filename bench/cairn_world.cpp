@@ -1,0 +1,91 @@
+#include "bench/cairn_world.h"
+
+namespace cairn::bench {
+
+namespace {
+
+// The shapes that parts share, made once.
+struct SharedShapes {
+    explicit SharedShapes(const Scene& scene) {
+        for (const ConvexHull& hull : scene.hulls) hulls.emplace_back(hull.points);
+        for (const SurfaceMesh& mesh : scene.meshes) meshes.emplace_back(mesh.vertices, mesh.indices);
+    }
+    std::vector<Hull> hulls;
+    std::vector<Mesh> meshes;
+};
+
+Shape shape_of(const Part& part, const SharedShapes& shared) {
+    switch (part.shape) {
+    case PartShape::sphere:
+        return Sphere{part.radius};
+    case PartShape::box:
+        break;
+    case PartShape::capsule:
+        return Capsule{part.half_height, part.radius, {}};
+    case PartShape::cylinder:
+        return Cylinder{part.half_height, part.radius, {}};
+    case PartShape::hull:
+        return shared.hulls[part.index];
+    case PartShape::mesh:
+        return shared.meshes[part.index];
+    }
+    return Box{part.half_extents};
+}
+
+// The one face of a box that looks along `normal`, an axis of the box. `center` becomes the face's.
+Plane face_of(const Part& box, Vec3& center) {
+    int axis = 0;
+    while (box.inner_face[axis] == 0.0f) ++axis;
+    const int next = (axis + 1) % 3, last = (axis + 2) % 3;
+    Plane face;
+    face.normal = box.inner_face;
+    face.tangent = Vec3(0.0f);
+    face.tangent[next] = 1.0f;
+    face.half_extents = glm::vec2(box.half_extents[next], box.half_extents[last]);
+    center += box.rotation * (box.inner_face * box.half_extents[axis]);
+    return face;
+}
+
+} // namespace
+
+WorldDef world_settings(const Scene& scene) {
+    WorldDef def;
+    def.gravity = scene.gravity;
+    def.enable_sleep = false;
+    return def;
+}
+
+std::vector<BodyId> add_bodies(const Scene& scene, World& world, Walls walls) {
+    const SharedShapes shared(scene);
+    std::vector<BodyId> bodies;
+    bodies.reserve(scene.bodies.size());
+    for (const SceneBody& body : scene.bodies) {
+        BodyDef def;
+        def.type = body.motion == Motion::dynamic ? BodyType::dynamic
+                   : body.motion == Motion::fixed ? BodyType::static_
+                                                  : BodyType::kinematic;
+        def.position = Position(body.position);
+        def.rotation = body.rotation;
+        def.linear_velocity = body.linear_velocity;
+        def.angular_velocity = body.angular_velocity;
+        bodies.push_back(world.create_body(def));
+        for (std::size_t i = 0; i < body.part_count; ++i) {
+            const Part& part = scene.parts[body.first_part + i];
+            ShapeDef shape;
+            shape.position = part.position;
+            shape.rotation = part.rotation;
+            shape.density = body.density;
+            shape.material.static_friction = shape.material.dynamic_friction = scene.friction;
+            shape.material.restitution = scene.restitution;
+            if (walls == Walls::rectangles && part.inner_face != Vec3(0.0f)) {
+                const Plane face = face_of(part, shape.position);
+                world.add_shape(bodies.back(), face, shape);
+            } else {
+                world.add_shape(bodies.back(), shape_of(part, shared), shape);
+            }
+        }
+    }
+    return bodies;
+}
+
+} // namespace cairn::bench
