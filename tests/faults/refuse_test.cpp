@@ -499,9 +499,9 @@ std::vector<Refusal> wrong_states() {
     add_row("move_to dynamic", on(&Stage::crate, [](Body b) { b.move_to({}, 1.0f); }), "Body::move_to", "", kinematic);
     add_row("move_to static", on(&Stage::ground, [](Body b) { b.move_to({}, 1.0f); }), "Body::move_to", "", kinematic);
     add_row("plane on dynamic", add(Plane{}), "World::add_shape shape", "Plane",
-            "planes have no mass: add them to static or kinematic bodies");
+            "has no mass: add it to static or kinematic bodies, or its Hull to dynamic ones");
     add_row("dynamic with plane", on(&Stage::ground, [](Body b) { b.set_type(BodyType::dynamic); }), "Body::set_type",
-            "dynamic", "a body with a plane cannot be dynamic");
+            "dynamic", "a body with a plane, mesh or height field cannot be dynamic");
     return rows;
 }
 

@@ -70,9 +70,10 @@ double outside(const Convex& c, DVec3 p) {
     if (r.state == cairn::GjkResult::State::overlapping) return 0;
     return std::max(0.0, r.distance - exact_core(c).radius);
 }
-// A manifold's faces may be preferred to a direction that is better by the inset of the cores.
+// A manifold's faces may be preferred to a direction that is better by the inset of the cores, or where those are exact
+// by a little.
 double preference(const Convex& a, const Convex& b) {
-    return a.is_sharp && b.is_sharp ? std::min(a.radius, b.radius) : 1e-6;
+    return a.is_sharp && b.is_sharp ? std::min(a.radius, b.radius) : 2e-3 * std::min(a.extent, b.extent);
 }
 
 struct Pair {
