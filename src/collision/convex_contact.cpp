@@ -76,6 +76,7 @@ bool find_axis(const Convex& a, const Convex& b, double margin, DVec3 guess, Axi
     const bool is_exact = !a.is_sharp || !b.is_sharp;
     const CorePair pair = is_exact ? CorePair{exact_core(a), exact_core(b)} : CorePair{inset_core(a), inset_core(b)};
     GjkResult r = gjk_distance(pair, guess, margin + pair.a.radius + pair.b.radius, direction_tolerance);
+    axis.normal = r.normal;
     if (r.state == GjkResult::State::far) {
         // The corners of sharp shapes reach farther than the radius.
         if (is_exact || separation_along(a, b, r.normal) > margin) return false;
@@ -197,9 +198,13 @@ bool contact_by_guess(const Convex& a, const Convex& b, double margin, DVec3 gue
 
 void collide_convex(const Convex& a, const Convex& b, double margin, DVec3 guess, Manifold& out) {
     clear_manifold(out);
-    if (contact_by_guess(a, b, margin, guess, out)) return;
-    Axis axis;
-    if (find_axis(a, b, margin, guess, axis)) contact_along(a, b, axis, margin, out);
+    if (!contact_by_guess(a, b, margin, guess, out)) {
+        Axis axis;
+        if (find_axis(a, b, margin, guess, axis)) contact_along(a, b, axis, margin, out);
+        if (out.count == 0) math::put(out.normal, math::to_float(axis.normal));
+    } else if (out.count == 0) {
+        math::put(out.normal, math::to_float(guess));
+    }
 }
 
 void collide_plane(const Convex& a, DVec3 up, double height, double margin, Manifold& out) {

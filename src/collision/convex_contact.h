@@ -10,6 +10,7 @@
 
 namespace cairn {
 
+// Where there are no points, the normal is a direction along which the shapes are apart.
 void collide_convex(const Convex& a, const Convex& b, double margin, math::DVec3 guess, Manifold& out);
 
 // Against an infinite half-space with the unit normal `up`; the center of `a` is `height` above it.

@@ -18,7 +18,7 @@ namespace {
 
 constexpr float unused = 1e30f;
 constexpr int pairs_per_chunk = 512, reports_per_chunk = 512; // for threads
-constexpr int convex_pairs_per_chunk = 32, groups_per_chunk = 8;
+constexpr int convex_pairs_per_chunk = 32, groups_per_chunk = 8, moved_pairs_per_chunk = 128;
 
 bool moves(const State& s, std::int32_t body) {
     const BodyMotion& m = s.motion[std::size_t(body)];
@@ -26,6 +26,19 @@ bool moves(const State& s, std::int32_t body) {
 }
 
 constexpr float most_turn = 0.25f; // of the radius: how far ahead a rotation is looked at
+
+// The greatest speed at which the points of a record approach.
+float approach_speed(const State& s, const ContactInfo& c, const ContactRecord& r) {
+    const BodyMotion &a = s.motion[std::size_t(c.body_a)], &b = s.motion[std::size_t(c.body_b)];
+    const math::Vec3 n = to_vec(r.normal), d = to_vec(r.center_offset);
+    float speed = 0;
+    for (int i = 0; i < c.point_count; ++i) {
+        const math::Vec3 arm = to_vec(point_of(r, i));
+        const math::Vec3 v = (b.v + math::cross(b.w, arm + d)) - (a.v + math::cross(a.w, arm));
+        speed = std::max(speed, -math::dot(n, v));
+    }
+    return speed;
+}
 
 float least_separation(const ContactInfo& c, const ContactRecord& r) {
     float least = unused;
@@ -68,6 +81,11 @@ bool is_asleep(const State& s, const ContactInfo& c) {
     return !s.is_awake(c.body_a) || (c.b_moves && !s.is_awake(c.body_b));
 }
 
+// The outcome of a contact that stays.
+std::uint8_t going_on(const State& s, const ContactInfo& c) {
+    return is_asleep(s, c) || (!c.b_moves && moves(s, c.body_b)) ? may_wake : goes_on;
+}
+
 // Up to PairBatch::capacity pairs of one kind, by their places among all.
 void test_wide_pairs(State& s, PairKind kind, int begin, int end, NarrowBatch& own, float dt) {
     PairBatch& batch = own.pairs;
@@ -103,10 +121,25 @@ void test_convex_pairs(State& s, PairKind kind, int begin, int end, float dt) {
     for (int i = begin; i < end; ++i) {
         const std::uint32_t place = places[std::size_t(i)], id = s.narrow.candidates[place];
         const ContactInfo& c = s.contacts[id];
-        const math::Vec3 guess = c.point_count > 0 ? to_vec(s.records[id].normal) : math::Vec3{};
+        const math::Vec3 guess = to_vec(s.records[id].normal);
         const Manifold m = test_convex_pair(kind, posed_shape(s, c.shape_a), posed_shape(s, c.shape_b), guess,
                                             contact_margin(s, c, dt));
         s.narrow.outcomes[place] = take_manifold(s, id, m);
+    }
+}
+
+// Pairs that were tested a short while ago, by their places among all.
+void move_contacts(State& s, int begin, int end) {
+    const std::vector<std::uint32_t>& places = s.narrow.to_move;
+    for (int i = begin; i < end; ++i) {
+        const std::uint32_t place = places[std::size_t(i)], id = s.narrow.candidates[place];
+        for_each_patch(s, id, [&](std::uint32_t contact) {
+            const ContactInfo& c = s.contacts[contact];
+            ContactRecord& r = s.records[contact];
+            r = advanced_record(s, contact);
+            if (!c.touching) r.approach_speed = approach_speed(s, c, r);
+        });
+        s.narrow.outcomes[place] = going_on(s, s.contacts[id]);
     }
 }
 
@@ -150,7 +183,11 @@ namespace {
 
 std::uint8_t before_test(const State& s, const ContactInfo& c) {
     if (!c.b_moves && !s.is_awake(c.body_a) && !moves(s, c.body_b)) return c.point_count > 0 ? skipped : apart;
-    if (!is_tested(s, c)) return std::uint8_t(to_test + int(c.kind));
+    if (!is_tested(s, c)) {
+        const bool is_moved = c.kind >= PairKind::convex_plane && !c.is_trigger && is_near(s, c);
+        if (!is_moved) return std::uint8_t(to_test + int(c.kind));
+        return c.point_count > 0 ? to_move : apart;
+    }
     if (c.is_trigger) return apart;
     return c.point_count > 0 ? goes_on : apart;
 }
@@ -170,25 +207,17 @@ void list_pairs(State& s) {
         }
     });
     for (auto& list : scratch.lists) list.clear();
-    for (std::size_t k = 0; k < scratch.candidates.size(); ++k)
-        if (const std::uint8_t outcome = scratch.outcomes[k]; outcome >= to_test)
+    scratch.to_move.clear();
+    for (std::size_t k = 0; k < scratch.candidates.size(); ++k) {
+        const std::uint8_t outcome = scratch.outcomes[k];
+        if (outcome >= to_test)
             scratch.lists[std::size_t(outcome - to_test)].push_back(std::uint32_t(k));
+        else if (outcome == to_move)
+            scratch.to_move.push_back(std::uint32_t(k));
+    }
 }
 
 } // namespace
-
-// The greatest speed at which the points of a record approach.
-float approach_speed(const State& s, const ContactInfo& c, const ContactRecord& r) {
-    const BodyMotion &a = s.motion[std::size_t(c.body_a)], &b = s.motion[std::size_t(c.body_b)];
-    const math::Vec3 n = to_vec(r.normal), d = to_vec(r.center_offset);
-    float speed = 0;
-    for (int i = 0; i < c.point_count; ++i) {
-        const math::Vec3 arm = to_vec(point_of(r, i));
-        const math::Vec3 v = (b.v + math::cross(b.w, arm + d)) - (a.v + math::cross(a.w, arm));
-        speed = std::max(speed, -math::dot(n, v));
-    }
-    return speed;
-}
 
 // How far apart two shapes may be to count: what the next step can close. Triggers do not look ahead.
 float contact_margin(const State& s, const ContactInfo& c, float dt) {
@@ -205,13 +234,15 @@ std::uint8_t take_manifold(State& s, std::uint32_t id, const Manifold& m) {
     ContactInfo& c = s.contacts[id];
     c.tested_at = s.passes + 1;
     if (c.is_trigger) return trigger_outcome(c, m.count > 0);
-    if (m.count == 0) return c.point_count == 0 ? apart : ended;
+    if (m.count == 0) {
+        math::put(s.records[id].normal, to_vec(m.normal)); // along which they are apart
+        return c.point_count == 0 ? apart : ended;
+    }
     const bool is_new = c.point_count == 0;
     write_record(s, id, m);
     ContactRecord& r = s.records[id];
     if (!c.touching) r.approach_speed = approach_speed(s, c, r);
-    if (is_new) return begun;
-    return is_asleep(s, c) || (!c.b_moves && moves(s, c.body_b)) ? may_wake : goes_on;
+    return is_new ? std::uint8_t(begun) : going_on(s, c);
 }
 
 std::uint8_t trigger_outcome(const ContactInfo& c, bool inside) {
@@ -252,6 +283,8 @@ void test_all(State& s, float dt) {
     for (const PairKind kind : {PairKind::convex_plane, PairKind::convex_rectangle, PairKind::convex_convex})
         for_kind(kind, convex_pairs_per_chunk,
                  [&](int begin, int end, NarrowBatch&) { test_convex_pairs(s, kind, begin, end, dt); });
+    s.crew->for_chunks(int(s.narrow.to_move.size()), moved_pairs_per_chunk,
+                       [&](int begin, int end, int) { move_contacts(s, begin, end); });
     begin_groups(s);
     for_kind(PairKind::group, groups_per_chunk,
              [&](int begin, int end, NarrowBatch& own) { test_groups(s, begin, end, own, dt); });

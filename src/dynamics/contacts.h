@@ -70,6 +70,7 @@ enum Outcome : std::uint8_t {
     skipped,  // asleep
     entered,  // into a trigger
     left,     // out of it
+    to_move,  // along with the bodies
     to_test,  // + PairKind
 };
 

@@ -69,7 +69,7 @@ void add_proxy(State& s, std::uint32_t shape) {
 }
 
 void update_proxies(State& s, std::int32_t b) {
-    s.left_at[std::size_t(b)] = s.passes + 1;
+    s.left_at[std::size_t(b)] = s.strayed_at[std::size_t(b)] = s.passes + 1;
     place_shapes(s, b);
     move_shapes(s, b, 0);
 }

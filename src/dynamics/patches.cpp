@@ -96,7 +96,7 @@ void follow_up_group(State& s, std::uint32_t place, float dt) {
     }
     const bool was_tested = s.contacts[id].tested_at == s.passes + 1;
     for_each_patch(s, id, [&](std::uint32_t patch) {
-        follow_up(s, patch, was_tested ? s.narrow.patch_outcomes[patch] : std::uint8_t(goes_on), dt);
+        follow_up(s, patch, was_tested ? s.narrow.patch_outcomes[patch] : outcome, dt);
         if (s.contacts[patch].point_count == 0) end_patch(s, patch);
     });
     for (std::size_t& k = s.narrow.next_fresh; k < s.narrow.fresh.size() && s.narrow.fresh[k].place == place; ++k) {

@@ -20,4 +20,9 @@ inline bool is_tested(const State& state, const ContactInfo& c) {
     return c.tested_at >= state.left_at[std::size_t(c.body_a)] && c.tested_at >= state.left_at[std::size_t(c.body_b)];
 }
 
+// Both bodies are nearly where they were when the pair was tested (rest.cpp): its points may be moved along with them.
+inline bool is_near(const State& s, const ContactInfo& c) {
+    return c.tested_at >= s.strayed_at[std::size_t(c.body_a)] && c.tested_at >= s.strayed_at[std::size_t(c.body_b)];
+}
+
 } // namespace cairn

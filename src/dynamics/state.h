@@ -172,7 +172,9 @@ struct State {
     std::vector<std::int32_t> pushed; // bodies with any
     std::vector<BodyLinks> bodies;
     std::vector<RestingPose> resting;
-    std::vector<std::uint64_t> left_at;   // the pass before which a body was last seen away from its resting pose
+    std::vector<std::uint64_t> left_at; // the pass before which a body was last seen away from its resting pose
+    std::vector<RestingPose> near;      // likewise, for contacts that are moved along while the body stays near
+    std::vector<std::uint64_t> strayed_at;
     std::vector<std::int32_t> kinematics; // kinematic bodies, in order of creation
 
     SlotPool shape_slots;

@@ -25,7 +25,7 @@ template <class Archive> void serialize_state(Archive& archive, State& s) {
     s.body_slots.serialize(archive);
     archive(s.motion), archive(s.mass), archive(s.body_settings), archive(s.forces), archive(s.bodies),
         archive(s.pushed);
-    archive(s.resting), archive(s.left_at), archive(s.kinematics);
+    archive(s.resting), archive(s.left_at), archive(s.near), archive(s.strayed_at), archive(s.kinematics);
     s.shape_slots.serialize(archive);
     archive(s.geometry), archive(s.shape_poses), archive(s.shapes), archive(s.materials), archive(s.shape_traits);
     archive(s.records), archive(s.contacts), archive(s.free_contacts);
