@@ -270,6 +270,52 @@ struct FreeTops : Scene {
     }
 };
 
+Hull rock(Numbers& numbers, int points) {
+    std::vector<Vec3> cloud;
+    for (int i = 0; i < points; ++i) cloud.push_back(0.5f * numbers.vector());
+    return Hull(cloud);
+}
+
+// All shapes on a height field and a mesh, one beside the other, with a conveyor, a trigger and two layers.
+struct AllShapes : Scene {
+    void build(World& world) override {
+        Numbers numbers(23);
+        std::vector<float> heights;
+        for (int i = 0; i < 17 * 17; ++i) heights.push_back(0.25f * numbers.next());
+        add_fixed(world, HeightField(17, 17, {1, 1}, heights));
+        std::vector<Vec3> vertices;
+        std::vector<std::uint32_t> indices;
+        for (std::uint32_t r = 0; r < 9; ++r)
+            for (std::uint32_t c = 0; c < 9; ++c)
+                vertices.emplace_back(2.0f * float(c), 0.3f * numbers.next(), 2.0f * float(r));
+        for (std::uint32_t r = 0; r < 8; ++r)
+            for (std::uint32_t c = 0; c < 8; ++c) {
+                const std::uint32_t a = 9 * r + c, b = a + 1, d = a + 9, e = d + 1;
+                indices.insert(indices.end(), {a, d, e, a, e, b});
+            }
+        add_fixed(world, Mesh(vertices, indices), {8, 0.1, -8});
+        ShapeDef belt;
+        belt.surface_velocity = {1, 0, 0.5f};
+        add_fixed(world, Box{{2, 0.2f, 8}}, {0, 0.3, 0}, belt);
+        ShapeDef zone;
+        zone.is_trigger = true;
+        add_fixed(world, Box{{4, 1, 4}}, {8, 1, 0}, zone);
+        const Hull rocks[] = {rock(numbers, 8), rock(numbers, 14), rock(numbers, 40)};
+        for (int i = 0; i < 200; ++i) {
+            BodyDef def;
+            def.position = Position(1.3 * (i % 10), 1 + 1.1 * (i / 40), 1.6 * (i / 10 % 4) - 2.4);
+            def.rotation = numbers.rotation();
+            const float size = 0.35f + 0.1f * numbers.next();
+            const Shape shapes[] = {Sphere{size},     Box{{size, 0.3f, size}},   Capsule{size, 0.2f, {}},
+                                    rocks[i % 3],     Cylinder{size, 0.3f, {}},  Capsule{size, 0.3f, 0.15f},
+                                    cone(0.4f, size), Cylinder{size, 0.3f, 0.2f}};
+            ShapeDef shape;
+            if (i % 16 == 5) shape.filter = {2, 1}; // they do not meet each other
+            add(world, shapes[i % 8], def, shape);
+        }
+    }
+};
+
 template <class T> Scene& make() {
     static T scene;
     return scene;
@@ -280,6 +326,7 @@ constexpr NamedScene all_scenes[] = {
     {"dominoes", make<Dominoes>, golden::dominoes},      {"materials", make<Materials>, golden::materials},
     {"tumbler", make<Tumbler>, golden::tumbler},         {"sleep_and_wake", make<SleepAndWake>, golden::sleep_and_wake},
     {"compounds", make<Compounds>, golden::compounds},   {"free_tops", make<FreeTops>, golden::free_tops},
+    {"all_shapes", make<AllShapes>, golden::all_shapes},
 };
 
 } // namespace
