@@ -47,27 +47,72 @@ void measure(const Convex& a, const Convex& b, Axis& axis) {
     axis.separation = dot(axis.normal, axis.on_b - axis.on_a);
 }
 
+// The face of a hull along whose normal another shape is farthest away. Any point of the other shape tells how far that
+// can be at most: faces that cannot be the one need not be measured.
+class HullFaceSearch {
+  public:
+    HullFaceSearch(const Convex& hull, const Convex& other, DVec3 p, double floor) : hull_(hull), other_(other) {
+        best_.separation = floor;
+        slack_ = 1e-5 * hull.hull->bounding_radius;
+        know(p);
+        know(middle(other));
+    }
+
+    Axis search() {
+        const std::vector<HullFace>& faces = hull_.hull->faces;
+        std::size_t first = faces.size();
+        double most = best_.separation - slack_;
+        for (std::size_t i = 0; i < faces.size(); ++i)
+            if (const double limit = limit_of(faces[i]); limit > most) most = limit, first = i;
+        if (first == faces.size()) return best_;
+        measure(first);
+        for (std::size_t i = 0; i < faces.size(); ++i)
+            if (i != first && limit_of(faces[i]) > best_.separation - slack_) measure(i);
+        return best_;
+    }
+
+  private:
+    static constexpr int most_known = 4;
+
+    void know(DVec3 point) {
+        if (count_ < most_known) known_[count_++] = to_local(hull_, point - hull_.center);
+    }
+    double limit_of(const HullFace& face) const {
+        const DVec3 n = math::to_double(face.normal);
+        double least = dot(n, known_[0]);
+        for (int k = 1; k < count_; ++k) {
+            const double along = dot(n, known_[k]);
+            least = along < least ? along : least;
+        }
+        return least - face.offset;
+    }
+    void measure(std::size_t i) {
+        const int face = static_cast<int>(i);
+        const DVec3 normal = face_normal(hull_, face), nearest = support(other_, -normal);
+        const double separation = dot(normal, nearest - face_point(hull_, face));
+        if (separation > best_.separation) best_ = {normal, separation, face, false, {}, {}, {}};
+        know(nearest);
+    }
+
+    const Convex &hull_, &other_;
+    Axis best_;
+    double slack_ = 0;
+    DVec3 known_[most_known]; // points of the other shape, in the hull's frame
+    int count_ = 0;
+};
+
 // The face of `c` along whose normal the shapes are farthest apart, if more than `floor`. p: some point of the other.
 Axis best_face(const Convex& c, const Convex& other, DVec3 p, double floor) {
+    if (c.kind == Convex::Kind::hull) return HullFaceSearch(c, other, p, floor).search();
     Axis best;
     best.separation = floor;
-    const auto try_face = [&](int face) {
-        const DVec3 normal = face_normal(c, face), on_face = face_point(c, face);
-        if (!(dot(normal, p - on_face) > best.separation)) return; // no other point is farther inside
+    for (int i = 0; i < face_count(c); ++i) {
+        if (c.kind == Convex::Kind::cylinder && !((i == 0 ? c.size.z : c.size.x) > 0)) continue;
+        const DVec3 normal = face_normal(c, i), on_face = face_point(c, i);
+        if (!(dot(normal, p - on_face) > best.separation)) continue; // no other point is farther inside
         const double separation = dot(normal, support(other, -normal) - on_face);
-        if (separation > best.separation) best = {normal, separation, face, false, {}, {}, {}};
-    };
-    if (c.kind == Convex::Kind::hull) {
-        const DVec3 local = to_local(c, p - c.center);
-        const double slack = 1e-5 * c.hull->bounding_radius;
-        for (std::size_t i = 0; i < c.hull->faces.size(); ++i) {
-            const HullFace& f = c.hull->faces[i];
-            if (dot(math::to_double(f.normal), local) - f.offset > best.separation - slack) try_face(int(i));
-        }
-        return best;
+        if (separation > best.separation) best = {normal, separation, i, false, {}, {}, {}};
     }
-    for (int i = 0; i < face_count(c); ++i)
-        if (c.kind != Convex::Kind::cylinder || (i == 0 ? c.size.z : c.size.x) > 0) try_face(i);
     return best;
 }
 

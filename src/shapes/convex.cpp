@@ -34,26 +34,6 @@ DVec3 frustum_support(const Frustum& f, DVec3 d) {
     return {s * d.x, y, s * d.z};
 }
 
-// Four independent searches side by side: the processor does not wait for one comparison before the next. Of equal
-// points the first counts.
-std::size_t farthest(std::span<const math::Vec3> points, DVec3 d) {
-    constexpr double none = -std::numeric_limits<double>::infinity();
-    double most[4] = {none, none, none, none};
-    std::size_t best[4] = {0, 0, 0, 0}, i = 0;
-    const auto offer = [&](std::size_t lane, std::size_t index) {
-        const double along = math::dot(math::to_double(points[index]), d);
-        best[lane] = along > most[lane] ? index : best[lane];
-        most[lane] = along > most[lane] ? along : most[lane];
-    };
-    for (; i + 4 <= points.size(); i += 4)
-        for (std::size_t lane = 0; lane < 4; ++lane) offer(lane, i + lane);
-    for (; i < points.size(); ++i) offer(i % 4, i);
-    for (std::size_t lane = 1; lane < 4; ++lane)
-        if (most[lane] > most[0] || (most[lane] == most[0] && best[lane] < best[0]))
-            most[0] = most[lane], best[0] = best[lane];
-    return best[0];
-}
-
 double signed_like(double value, double sign) { return sign < 0 ? -value : value; }
 
 DVec3 box_support(DVec3 half, DVec3 d) {
@@ -166,8 +146,9 @@ DVec3 core_support(const Core& core, DVec3 d) {
             frustum_support(core.is_inset ? c.core : Frustum{-c.size.y, c.size.x, c.size.y, c.size.z}, to_local(c, d));
         break;
     case Convex::Kind::hull: {
-        const auto& points = core.is_inset ? c.hull->core : c.hull->vertices;
-        local = math::to_double(points[farthest(points, to_local(c, d))]);
+        const DVec3 along = to_local(c, d);
+        local = math::to_double(core.is_inset ? c.hull->core[c.hull->core_columns.farthest(along)]
+                                              : c.hull->vertices[c.hull->vertex_columns.farthest(along)]);
         break;
     }
     }
@@ -181,7 +162,7 @@ DVec3 support(const Convex& c, DVec3 d) {
     return length > 0 ? p + (c.radius / length) * d : p;
 }
 
-std::size_t farthest_vertex(const Convex& c, DVec3 d) { return farthest(c.hull->vertices, to_local(c, d)); }
+std::size_t farthest_vertex(const Convex& c, DVec3 d) { return c.hull->vertex_columns.farthest(to_local(c, d)); }
 
 DVec3 middle(const Convex& c) {
     if (c.kind != Convex::Kind::hull) return c.center;
@@ -209,7 +190,7 @@ DVec3 face_normal(const Convex& c, int face) {
     case Convex::Kind::box:
         return face % 2 == 0 ? c.axes.column(face / 2) : -c.axes.column(face / 2);
     case Convex::Kind::hull:
-        return math::normalized(c.axes * math::to_double(c.hull->faces[static_cast<std::size_t>(face)].normal));
+        return c.axes * c.hull->unit_normals[static_cast<std::size_t>(face)];
     default:
         return face == 0 ? c.axes.c1 : -c.axes.c1;
     }

@@ -3,6 +3,7 @@
 
 #include "math/bounds.h"
 #include "math/vec.h"
+#include "shapes/columns.h"
 #include "shapes/mass.h"
 
 #include <cstdint>
@@ -36,11 +37,18 @@ struct HullData {
     // corners of a face at most this far off its plane.
     float tolerance = 0;
 
+    // The same, arranged for searches (see arrange).
+    Columns vertex_columns, core_columns;
+    std::vector<math::DVec3> unit_normals; // of the faces
+
     MassSum unit_mass;         // of density 1
     math::Vec3 lo, hi;         // bounds
     float bounding_radius = 0; // about the origin of the shape's frame
     float width = 0;           // least distance of two parallel planes that hold it between them (by its faces)
 };
+
+// Fills the columns and unit normals of a hull that is otherwise complete.
+void arrange(HullData& hull);
 
 // The convex hull of the points. Throws Error(invalid_value) with field "Hull points" (see Hull in shape.h); also when
 // the points are all within 1e-6 m of each other, and when they are thinner than 1e-6 of the largest coordinate (planes

@@ -305,7 +305,15 @@ HullData build_hull(std::span<const Vec3> points) {
     require_thickness(r.width, bounds);
     measure_mass(r);
     inset_core(r);
+    arrange(r);
     return r;
+}
+
+void arrange(HullData& hull) {
+    hull.vertex_columns = Columns(hull.vertices);
+    hull.core_columns = Columns(hull.core);
+    hull.unit_normals.clear();
+    for (const HullFace& face : hull.faces) hull.unit_normals.push_back(math::normalized(math::to_double(face.normal)));
 }
 
 } // namespace cairn

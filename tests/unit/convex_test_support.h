@@ -108,6 +108,7 @@ inline std::shared_ptr<const cairn::HullData> make_hull(const std::vector<DVec3>
             cairn::math::to_float((1 / det) * (d.x * cross(n1, n2) + d.y * cross(n2, n0) + d.z * cross(n0, n1))));
     }
     hull->neighbor_start.push_back(static_cast<std::uint32_t>(hull->neighbors.size()));
+    cairn::arrange(*hull);
     return hull;
 }
 
