@@ -51,40 +51,32 @@ void measure(const Convex& a, const Convex& b, Axis& axis) {
 // can be at most: faces that cannot be the one need not be measured.
 class HullFaceSearch {
   public:
-    HullFaceSearch(const Convex& hull, const Convex& other, DVec3 p, double floor) : hull_(hull), other_(other) {
+    // `toward`: roughly the direction of the other shape.
+    HullFaceSearch(const Convex& hull, const Convex& other, DVec3 toward, DVec3 p, double floor)
+        : hull_(hull), other_(other) {
         best_.separation = floor;
-        slack_ = 1e-5 * hull.hull->bounding_radius;
+        slack_ = 1e-5 * (hull.hull->bounding_radius + math::length(middle(other) - hull.center));
         know(p);
         know(middle(other));
+        first_ = hull.hull->normal_columns.farthest(to_local(hull, toward));
     }
 
     Axis search() {
-        const std::vector<HullFace>& faces = hull_.hull->faces;
-        std::size_t first = faces.size();
-        double most = best_.separation - slack_;
-        for (std::size_t i = 0; i < faces.size(); ++i)
-            if (const double limit = limit_of(faces[i]); limit > most) most = limit, first = i;
-        if (first == faces.size()) return best_;
-        measure(first);
-        for (std::size_t i = 0; i < faces.size(); ++i)
-            if (i != first && limit_of(faces[i]) > best_.separation - slack_) measure(i);
+        const PlaneColumns& planes = hull_.hull->plane_columns;
+        measure(first_);
+        for (std::size_t i = 0; i < planes.size(); i += PlaneColumns::width) {
+            const PlaneColumns::Floats limits = planes.below(i, {known_, count_});
+            for (std::size_t k = i; k < i + PlaneColumns::width && k < planes.size(); ++k)
+                if (double(limits[k - i]) > best_.separation - slack_ && k != first_) measure(k);
+        }
         return best_;
     }
 
   private:
-    static constexpr int most_known = 4;
+    static constexpr std::size_t most_known = 4;
 
     void know(DVec3 point) {
-        if (count_ < most_known) known_[count_++] = to_local(hull_, point - hull_.center);
-    }
-    double limit_of(const HullFace& face) const {
-        const DVec3 n = math::to_double(face.normal);
-        double least = dot(n, known_[0]);
-        for (int k = 1; k < count_; ++k) {
-            const double along = dot(n, known_[k]);
-            least = along < least ? along : least;
-        }
-        return least - face.offset;
+        if (count_ < most_known) known_[count_++] = math::to_float(to_local(hull_, point - hull_.center));
     }
     void measure(std::size_t i) {
         const int face = static_cast<int>(i);
@@ -97,13 +89,14 @@ class HullFaceSearch {
     const Convex &hull_, &other_;
     Axis best_;
     double slack_ = 0;
-    DVec3 known_[most_known]; // points of the other shape, in the hull's frame
-    int count_ = 0;
+    math::Vec3 known_[most_known]; // points of the other shape, in the hull's frame
+    std::size_t count_ = 0, first_ = 0;
 };
 
-// The face of `c` along whose normal the shapes are farthest apart, if more than `floor`. p: some point of the other.
-Axis best_face(const Convex& c, const Convex& other, DVec3 p, double floor) {
-    if (c.kind == Convex::Kind::hull) return HullFaceSearch(c, other, p, floor).search();
+// The face of `c` along whose normal the shapes are farthest apart, if more than `floor`. toward: roughly the
+// direction of the other; p: some point of it.
+Axis best_face(const Convex& c, const Convex& other, DVec3 toward, DVec3 p, double floor) {
+    if (c.kind == Convex::Kind::hull) return HullFaceSearch(c, other, toward, p, floor).search();
     Axis best;
     best.separation = floor;
     for (int i = 0; i < face_count(c); ++i) {
@@ -188,9 +181,9 @@ double face_preference(const Convex& a, const Convex& b, double extent) {
 // The face along whose normal the shapes are farthest apart, if that is about as good as the axis.
 Axis preferred_face(const Convex& a, const Convex& b, const Axis& axis, double preference, double extent) {
     const double floor = axis.separation - preference;
-    Axis face = best_face(a, b, axis.on_b, floor);
+    Axis face = best_face(a, b, axis.normal, axis.on_b, floor);
     const double second_floor = face.face < 0 ? floor : face.separation + second_face_tolerance * extent;
-    const Axis second = best_face(b, a, axis.on_a, second_floor);
+    const Axis second = best_face(b, a, -axis.normal, axis.on_a, second_floor);
     if (second.face >= 0) face = {-second.normal, second.separation, second.face, true, {}, {}, {}};
     return face;
 }

@@ -72,4 +72,21 @@ std::size_t Columns::farthest(DVec3 d) const {
     return best;
 }
 
+PlaneColumns::PlaneColumns(std::span<const math::Vec3> normals, std::span<const float> offsets)
+    : size_(normals.size()), offset_(offsets.begin(), offsets.end()) {
+    for (const math::Vec3& n : normals) x_.push_back(n.x), y_.push_back(n.y), z_.push_back(n.z);
+    while (x_.size() % width != 0) {
+        x_.push_back(x_.back()), y_.push_back(y_.back()), z_.push_back(z_.back());
+        offset_.push_back(offset_.back());
+    }
+}
+
+PlaneColumns::Floats PlaneColumns::below(std::size_t i, std::span<const math::Vec3> points) const {
+    const F4 x = load(&x_[i]), y = load(&y_[i]), z = load(&z_[i]);
+    const auto along = [&](math::Vec3 p) { return splat(p.x) * x + splat(p.y) * y + splat(p.z) * z; };
+    F4 least = along(points[0]);
+    for (std::size_t k = 1; k < points.size(); ++k) least = -greater(-along(points[k]), -least);
+    return least - load(&offset_[i]);
+}
+
 } // namespace cairn

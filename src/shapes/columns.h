@@ -25,4 +25,23 @@ class Columns {
     std::vector<float> x_, y_, z_; // padded to blocks by repeating the last point
 };
 
+// Planes n . x = offset, likewise.
+class PlaneColumns {
+  public:
+    static constexpr std::size_t width = 4;
+    using Floats = float __attribute__((vector_size(16)));
+
+    PlaneColumns() = default;
+    PlaneColumns(std::span<const math::Vec3> normals, std::span<const float> offsets);
+
+    std::size_t size() const { return size_; }
+    // How far each of planes i to i + width - 1 is below the lowest of the points, along its normal; beyond the last
+    // plane, that of the last. Rounding adds up to 1e-6 of the sizes.
+    Floats below(std::size_t i, std::span<const math::Vec3> points) const;
+
+  private:
+    std::size_t size_ = 0;
+    std::vector<float> x_, y_, z_, offset_; // padded to `width` by repeating the last plane
+};
+
 } // namespace cairn

@@ -38,7 +38,8 @@ struct HullData {
     float tolerance = 0;
 
     // The same, arranged for searches (see arrange).
-    Columns vertex_columns, core_columns;
+    Columns vertex_columns, core_columns, normal_columns;
+    PlaneColumns plane_columns;
     std::vector<math::DVec3> unit_normals; // of the faces
 
     MassSum unit_mass;         // of density 1

@@ -313,7 +313,15 @@ void arrange(HullData& hull) {
     hull.vertex_columns = Columns(hull.vertices);
     hull.core_columns = Columns(hull.core);
     hull.unit_normals.clear();
-    for (const HullFace& face : hull.faces) hull.unit_normals.push_back(math::normalized(math::to_double(face.normal)));
+    std::vector<Vec3> normals;
+    std::vector<float> offsets;
+    for (const HullFace& face : hull.faces) {
+        hull.unit_normals.push_back(math::normalized(math::to_double(face.normal)));
+        normals.push_back(face.normal);
+        offsets.push_back(face.offset);
+    }
+    hull.normal_columns = Columns(normals);
+    hull.plane_columns = PlaneColumns(normals, offsets);
 }
 
 } // namespace cairn
