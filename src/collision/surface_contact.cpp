@@ -56,7 +56,7 @@ void find_hits(const Convex& a, const Surface& surface, double margin, std::vect
             const Triangle t = triangle_of(data, index);
             TriangleHit hit{};
             const Convex triangle = make_triangle(to_common(t.a), to_common(t.b), to_common(t.c));
-            const SurfaceContact contact = collide_surface(a, triangle, margin, {}, hit.manifold);
+            const SurfaceContact contact = collide_surface(a, triangle, margin, -triangle.axes.c1, hit.manifold);
             if (hit.manifold.count == 0) return;
             hit.triangle = index;
             hit.on_face = contact.part == SurfaceContact::Part::face;
