@@ -15,6 +15,6 @@ inline constexpr std::uint64_t tumbler = 0x15355198e2b4bba5;
 inline constexpr std::uint64_t sleep_and_wake = 0x9c8824115a697d0e;
 inline constexpr std::uint64_t compounds = 0x342ec2febfe087c4;
 inline constexpr std::uint64_t free_tops = 0x0b19c28a9a0b95e3;
-inline constexpr std::uint64_t all_shapes = 0xa77465d4706e6889;
+inline constexpr std::uint64_t all_shapes = 0x43a2be04c91c33e1;
 
 } // namespace cairn_test::golden
