@@ -1,11 +1,9 @@
 // Fuzzes build_hull: any bytes are points, and either they are refused with an Error or the hull passes every check.
-//
-//   clang++ -std=c++20 -g -O1 -ffp-contract=off -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined
-//       -Iinclude -Isrc -Itests/unit src/shapes/hull*.cpp src/shapes/mass.cpp tests/fuzz/hull_fuzz.cpp -o hull_fuzz
-//   ./hull_fuzz -max_len=1200 NEW_FOLDER tests/fuzz/corpus/hull
+
 //
 // The first byte says how to read the others: as floats as they are, or as small whole numbers on a lattice (which
-// finds coplanar and collinear points much sooner), stretched, shifted or with a little noise.
+// finds coplanar and collinear points much sooner), stretched, shifted or with a little noise. `./dev fuzz` runs it;
+// its corpus also runs with the tests, without a fuzzer (corpus_main.cpp).
 #include "hull_check.h"
 
 #include <cairn/error.h>

@@ -1,12 +1,6 @@
 // Any bytes as an OBJ file and as an STL file: triangles whose indices are in range, or an Error. The first byte
-// chooses which.//
-//   clang++ -std=c++20 -g -O1 -ffp-contract=off -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined
-//       -Iinclude -Isrc -DCAIRN_SOURCE_SCENES='"scenes"' ... tests/fuzz/mesh_file_fuzz.cpp -o mesh_file_fuzz
-//   ./mesh_file_fuzz -max_len=4096 NEW_FOLDER tests/fuzz/corpus/mesh_file
-//
-// with all sources of the engine (one backend is enough) and of src/scene in place of the dots. The corpus also runs
-// with the tests, without a fuzzer (corpus_main.cpp).
-
+// chooses which. `./dev fuzz` runs it; its corpus also runs with
+// the tests, without a fuzzer (corpus_main.cpp).
 #include "scene/mesh_files.h"
 
 #include <cmath>

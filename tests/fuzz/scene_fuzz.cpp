@@ -1,12 +1,6 @@
 // Any bytes as a scene file: it loads and takes a step, or is refused with an Error. What loads can be saved, and the
-// saved file loads again.//
-//   clang++ -std=c++20 -g -O1 -ffp-contract=off -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined
-//       -Iinclude -Isrc -DCAIRN_SOURCE_SCENES='"scenes"' ... tests/fuzz/scene_fuzz.cpp -o scene_fuzz
-//   ./scene_fuzz -max_len=4096 NEW_FOLDER tests/fuzz/corpus/scene
-//
-// with all sources of the engine (one backend is enough) and of src/scene in place of the dots. The corpus also runs
-// with the tests, without a fuzzer (corpus_main.cpp).
-
+// saved file loads again. `./dev fuzz` runs it; its corpus also runs with
+// the tests, without a fuzzer (corpus_main.cpp).
 #include "scene/scene.h"
 
 #include <cstddef>
