@@ -10,6 +10,7 @@ import pathlib
 import sys
 
 import scenes_of_boxes as boxes
+import scenes_of_shapes as shapes
 
 SCENES = [
     ("01_open_plane", boxes.open_plane),
@@ -26,6 +27,16 @@ SCENES = [
     ("12_t_handles", boxes.t_handles),
     ("13_pile", boxes.pile),
     ("14_avalanche", boxes.avalanche),
+    ("15_marble_run", shapes.marble_run),
+    ("16_bowl_of_hulls", shapes.bowl_of_hulls),
+    ("17_wrecking_ball", shapes.wrecking_ball),
+    ("18_bowling", shapes.bowling),
+    ("19_eulers_disk", shapes.eulers_disk),
+    ("20_tippe_tops", shapes.tippe_tops),
+    ("21_gears", shapes.gears),
+    ("22_staircase", shapes.staircase),
+    ("23_conveyor_loop", shapes.conveyor_loop),
+    ("24_rolling_race", shapes.rolling_race),
     ("welcome", boxes.welcome),
 ]
 
