@@ -27,7 +27,7 @@ def marble_run():
         up = bowl_z - z
         land = (0.24 * up if up > 0 else -0.3 * up) + 1.6 * side * side / (1.6 + side * side)
         r = math.hypot(x, z - bowl_z)
-        rim = 0.9 * smooth((abs(x) - 3.2) / 1.3) + 1.2 * smooth((z - 5.4) / 1.4)
+        rim = 0.9 * smooth((abs(x) - 3.2) / 1.3) + 1.2 * smooth((z - 5.4) / 1.4) + 0.8 * smooth((-6.2 - z) / 0.8)
         return min(land + rim, -0.75 + 0.3 * r * r) + 1.0
 
     s.ground(color="#5F7A84")
@@ -38,19 +38,19 @@ def marble_run():
     for i in range(140):
         row, column = divmod(i, 20)
         x = (column - 9.5) * 0.36 + rng.uniform(-0.05, 0.05)
-        z = -6.5 + row * 0.36 + rng.uniform(-0.05, 0.05)
+        z = -5.9 + row * 0.36 + rng.uniform(-0.05, 0.05)
         s.body(large if i % 5 == 0 else ball, glass, (x, height(x, z) + 0.35, z), None, color=VIVID[rng.randrange(7)])
     return s
 
 
 def bowl_of_hulls():
     s = Scene("Bowl of polyhedra", "Regular solids and rocks fall into a bowl that is a triangle mesh.",
-              (4.2, 5.6, 6.6), (0, 1.3, 0), 40)
+              (4.3, 6.2, 7.4), (0, 1.2, 0), 40)
     rng = random.Random(16)
     s.ground(0.6, 0.1, "#77706A")
     # Up the outside, over the rim, and down the inside. The wall is thicker than what falls into it.
     inside = [(2.7 * t, 0.45 + 1.75 * t**2.2) for t in (i / 12 for i in range(12, -1, -1))]
-    outside = [(1.5, 0.0), (1.6, 0.12), (2.3, 0.6), (2.9, 1.3), (3.15, 2.2), (3.05, 2.28), (2.8, 2.28)]
+    outside = [(2.2, 0.0), (2.35, 0.15), (2.9, 0.6), (3.4, 1.4), (3.55, 2.15), (3.45, 2.25), (2.9, 2.25)]
     bowl = revolved([*outside, *inside], 56)
     s.fixed(s.mesh(*bowl), s.material(0.5, 0.1), (0, 0, 0), None, "bowl", "#C9B79C")
     kinds = [(s.hull(scaled(points, size)), color)
@@ -96,7 +96,7 @@ def wrecking_ball():
             s.body(brick, stone, ((k + shift - 2.75) * width, high * (level + 0.5), 0),
                    color=blend("#B4694B", "#8E4A36", ((5 * level + 3 * k) % 7) / 6))
         s.body(half, stone, ((-3.125 if shift else 3.125) * width + 0, high * (level + 0.5), 0), color="#A0583F")
-    iron = s.material(0.6, 0.05, 4000, rolling=0.05)
+    iron = s.material(0.6, 0.05, 4000, rolling=0.15)
     s.body(s.sphere(0.5), iron, (0.6, 1.2, 8.5), None, "wrecking ball", "#33373D", linearVelocity=[0, 2.9, -13])
     s.body(s.sphere(0.5), iron, (-10.4, 1.6, 17), None, "second ball", "#4A3A34", linearVelocity=[5.1, 6.9, -11.5])
     return s
@@ -288,7 +288,7 @@ def staircase():
     for k in range(steps):
         y, x = high - (high - floor) * (k + 1) / steps, -3 + 0.36 * k
         stairs += [(x, y), (x + 0.36, y)]
-    room.extruded(stairs[:-2], 0.0, -3.0)
+    room.extruded(stairs[:-1], 0.0, -3.0)
     room.extruded([(-5, high), (-3, high), (1.6, floor)], 3.0, 0.0)
     room.box((-5.2, 0, -3.2), (-5, 3.6, 3.2))
     room.box((-5, 0, -3.2), (5.2, 3.6, -3))
