@@ -159,11 +159,11 @@ def bowling():
 
 def eulers_disk():
     s = Scene("Euler's disk", "The lower a coin lies, the faster it runs around, until it stops at once.",
-              (0, 2.1, 3.5), (0, 0.0, 0.1), 38, time_step=1 / 240)
+              (0, 2.1, 3.5), (0, 0.0, 0.1), 38, time_step=1 / 480)
     s.ground(0.6, 0.0, "#4A5560")
     glass = s.material(0.9, 0.0, combine="minimum")
     s.fixed(s.cylinder(1.75, 0.1), glass, (0, 0.05, 0), None, "base", "#27313B")
-    metal = s.material(0.9, 0.0, 7800, combine="minimum", rolling=0.002)
+    metal = s.material(0.9, 0.0, 7800, combine="minimum", rolling=0.003, torsional=0.003)
 
     def disk(radius, thickness, lean, x, z, heading, name, color):
         # Steady motion with the middle at rest, thin disk: it turns about its diameter through the contact, and the
@@ -232,7 +232,7 @@ def gears():
     s.ground(0.6, 0.0, "#66706C")
     module, thick, base = 0.14, 0.3, 0.3
     smooth_metal = s.material(0.0, 0.0, 800, combine="multiply")
-    tube = s.mesh(*revolved([(0.5, 0), (0.5, base), (0.26, base), (0.26, 0)], 48))
+    tube = s.mesh(*revolved([(0.5, 0), (0.5, base), (0.26, base), (0.26, 0)], 24))
     shaft = s.cylinder(0.25, base - 0.05)
     # teeth, the gear that it meshes with, the direction from that one in degrees, color
     train = [(12, None, 0, RED), (24, 0, 200, SKY), (18, 0, 25, YELLOW), (12, 2, -50, GREEN), (30, 3, 0, PURPLE),
@@ -299,7 +299,7 @@ def staircase():
     s.fixed(s.mesh(room.vertices, room.triangles), s.material(0.45, 0.2), (0, 0, 0), None, "room", "#B9B2A6")
     kinds = [s.sphere(0.2), s.box(0.36, 0.36, 0.36), s.capsule(0.14, 0.3), s.cylinder(0.2, 0.3),
              s.hull(scaled(polyhedra()[3], 0.24)), s.cylinder(0.22, 0.36, 0.0), s.capsule(0.2, 0.2, 0.12)]
-    material = s.material(0.45, 0.3, 600, rolling=0.01)
+    material = s.material(0.45, 0.3, 600, rolling=0.03)
     for i in range(120):
         layer, cell = divmod(i, 30)
         row, column = divmod(cell, 3)
@@ -317,7 +317,7 @@ def conveyor_loop():
               (4.4, 5.0, 7.0), (-0.1, 0.4, 0.2), 40)
     rng = random.Random(23)
     s.ground(0.6, 0.0, "#6C7480")
-    half_x, half_z, width, top, speed = 3.6, 2.4, 1.2, 0.7, 1.4
+    half_x, half_z, width, top, speed = 3.8, 2.6, 1.4, 0.7, 1.4
     guide = s.material(0.0, 0.0, combine="multiply")
     # Each belt begins at a corner and ends beside the next one: middle x and z, size x and z, direction.
     belts = [
@@ -334,21 +334,24 @@ def conveyor_loop():
         s.fixed(rail, guide, (0, top + 0.05, sign * (half_z + 0.05)), None, "guide", YELLOW)
         s.fixed(rim, guide, (sign * (half_x + 0.05), top + 0.05, 0), None, "guide", YELLOW)
     inner_x, inner_z = 2 * (half_x - width), 2 * (half_z - width)
-    s.fixed(s.box(inner_x, 0.9, inner_z), guide, (0, top - 0.2, 0), None, "island", WALL)
+    s.fixed(s.box(inner_x, 1.2, inner_z), guide, (0, top, 0), None, "island", WALL)
     s.trigger(s.box(0.3, 0.9, width), (0, top + 0.45, -half_z + width / 2), None, "gate", GREEN)
     kinds = [s.box(0.42, 0.36, 0.42), s.capsule(0.15, 0.3), s.cylinder(0.2, 0.36), s.box(0.3, 0.3, 0.3),
              s.cylinder(0.18, 0.3, 0.12)]
     goods = s.material(0.5, 0.0, 400, rolling=0.01)
     colors = ["#C49A6C", SKY, ORANGE, "#A67C52", GREEN]
     for number, (_, x, z, size_x, size_z, (dx, dz)) in enumerate(belts):
-        count = int(max(size_x, size_z) / 0.6)
-        for k in range(2 * count):
-            layer, i = divmod(k, count)
-            along, across = (i - (count - 1) / 2) * 0.6, rng.uniform(-0.2, 0.2)
+        count = int(max(size_x, size_z) / 0.65)
+        for k in range(count + count // 2):
+            layer, i = (0, k) if k < count else (1, 2 * (k - count))
+            along, across = (i - (count - 1) / 2) * 0.65, rng.uniform(-0.2, 0.2)
             place = (x + abs(dx) * along + abs(dz) * across, top + 0.32 + 0.5 * layer,
                      z + abs(dz) * along + abs(dx) * across)
             kind = (i + 2 * layer + number) % 5
-            s.body(kinds[kind], goods, place, turn("y", rng.uniform(-15, 15)), color=colors[kind])
+            rotation = turn("y", rng.uniform(-15, 15))
+            if kind == 1:
+                rotation = multiply(rotation, turn("z", 90))
+            s.body(kinds[kind], goods, place, rotation, color=colors[kind])
     return s
 
 
