@@ -1,4 +1,4 @@
-"""Writes scene files: colors, rotations, and a class that collects bodies. docs/scene_format.md describes the format."""
+"""Colors, rotations, and a class that collects bodies and writes them as a file (docs/scene_format.md)."""
 
 import base64
 import json
@@ -73,7 +73,7 @@ class Scene:
         self.world = {"title": title, "hint": hint}
         self.world.update(settings)
         self.world["camera"] = {"position": list(camera), "target": list(target), "vertical_fov_degrees": fov}
-        self.nodes, self.roots, self.shapes, self.materials, self.filters = [], [], [], [], []
+        self.nodes, self.roots, self.shapes, self.materials = [], [], [], []
         self.meshes, self.accessors, self.views, self.data = [], [], [], b""
         self.used = ["KHR_physics_rigid_bodies", "KHR_implicit_shapes", "CAIRN_world"]
 
@@ -176,13 +176,9 @@ class Scene:
             self._use("CAIRN_material")
         return self._index(self.materials, entry)
 
-    def filter(self, layer, apart_from):
-        """For what is in a layer and does not meet some others."""
-        return self._index(self.filters, {"collisionSystems": [layer], "notCollideWithSystems": list(apart_from)})
-
     # Bodies.
 
-    def _node(self, shape, material, position, rotation, name, color, motion, only=None, trigger=False):
+    def _node(self, shape, material, position, rotation, name, color, motion, trigger=False):
         node = {}
         if name:
             node["name"] = name
@@ -198,8 +194,6 @@ class Scene:
             collider = {"geometry": geometry}
             if not trigger:
                 collider["physicsMaterial"] = material
-            if only is not None:
-                collider["collisionFilter"] = only
             physics["trigger" if trigger else "collider"] = collider
         node["extensions"] = {"KHR_physics_rigid_bodies": physics}
         if color:
@@ -207,11 +201,11 @@ class Scene:
         self.nodes.append(node)
         return len(self.nodes) - 1
 
-    def fixed(self, shape, material, position, rotation=None, name=None, color=None, only=None):
-        self.roots.append(self._node(shape, material, position, rotation, name, color, None, only))
+    def fixed(self, shape, material, position, rotation=None, name=None, color=None):
+        self.roots.append(self._node(shape, material, position, rotation, name, color, None))
 
     def trigger(self, shape, position, rotation=None, name=None, color=None):
-        self.roots.append(self._node(shape, None, position, rotation, name, color, None, None, True))
+        self.roots.append(self._node(shape, None, position, rotation, name, color, None, True))
 
     def body(self, shape, material, position, rotation=None, name=None, color=None, **motion):
         """motion: members of the node's motion, for example mass or linearVelocity (in the node's axes)."""
@@ -250,12 +244,11 @@ class Scene:
             data = "".join(f'"{key}": {lines(entries)},\n' for key, entries in (
                 ("meshes", self.meshes), ("accessors", self.accessors), ("bufferViews", self.views),
                 ("buffers", [{"byteLength": len(self.data), "uri": uri}])) if entries)
-        filters = f'"collisionFilters": {lines(self.filters)}, ' if self.filters else ""
         path.write_text(
             '{\n"asset": {"version":"2.0","generator":"tools/make_scenes.py"},\n'
             f'"extensionsUsed": {dump(self.used)},\n"scene": 0,\n"scenes": {lines([own])},\n'
             f'"nodes": {lines(self.nodes)},\n{data}"extensions": {{\n'
             f'"KHR_implicit_shapes": {{"shapes": {lines(self.shapes)}}},\n'
-            f'"KHR_physics_rigid_bodies": {{{filters}"physicsMaterials": {lines(self.materials)}}}\n}}\n}}\n',
+            f'"KHR_physics_rigid_bodies": {{"physicsMaterials": {lines(self.materials)}}}\n}}\n}}\n',
             encoding="utf-8",
         )

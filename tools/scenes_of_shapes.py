@@ -3,7 +3,7 @@
 import math
 import random
 
-from scene_writer import (BLACK, BLUE, DARK_STONE, GREEN, ORANGE, PURPLE, RED, SKY, STONE, VIVID, WALL, WHITE, WOOD,
+from scene_writer import (BLUE, DARK_STONE, GREEN, ORANGE, PURPLE, RED, SKY, STONE, VIVID, WALL, WHITE, WOOD,
                           YELLOW, Scene, any_turn, blend, multiply, rotate, short, turn)
 from solids import Triangles, on_circle, polyhedra, revolved, scaled
 
@@ -53,8 +53,8 @@ def bowl_of_hulls():
     outside = [(2.2, 0.0), (2.35, 0.15), (2.9, 0.6), (3.4, 1.4), (3.55, 2.15), (3.45, 2.25), (2.9, 2.25)]
     bowl = revolved([*outside, *inside], 56)
     s.fixed(s.mesh(*bowl), s.material(0.5, 0.1), (0, 0, 0), None, "bowl", "#C9B79C")
-    kinds = [(s.hull(scaled(points, size)), color)
-             for points, size, color in zip(polyhedra(), (0.42, 0.36, 0.37, 0.32, 0.32), (RED, SKY, YELLOW, BLUE, GREEN))]
+    sizes, colors = (0.42, 0.36, 0.37, 0.32, 0.32), (RED, SKY, YELLOW, BLUE, GREEN)
+    kinds = [(s.hull(scaled(points, size)), color) for points, size, color in zip(polyhedra(), sizes, colors)]
     for _ in range(3):
         rock = [rotate(any_turn(rng), (rng.uniform(0.24, 0.36), 0, 0)) for _ in range(15)]
         kinds.append((s.hull(rock), blend(STONE, DARK_STONE, rng.random())))
@@ -185,7 +185,7 @@ def eulers_disk():
 
 def tippe_tops():
     s = Scene("Tippe tops", "A top with a low center of mass that spins fast turns over, and rises on its stem.",
-              (0.2, 1.9, 4.0), (0.3, 0.1, -0.1), 38, time_step=1 / 240, sleep=False)
+              (0.3, 1.7, 3.5), (0.3, 0.05, -0.15), 40, time_step=1 / 240, sleep=False)
     s.ground(0.5, 0.0, "#5D6B66")
     radius, mass = 0.16, 1.0
     ball, stem, knob = s.sphere(radius), s.cylinder(0.035, 0.1, 0.026), s.sphere(0.028)
@@ -313,7 +313,8 @@ def staircase():
 
 
 def conveyor_loop():
-    s = Scene("Conveyor loop", "Four belts carry goods around and around, through a gate that is a trigger. Drop more with J K L M.",
+    s = Scene("Conveyor loop",
+              "Four belts carry goods around and around; the gate is a trigger. Drop more with J K L M.",
               (4.4, 5.0, 7.0), (-0.1, 0.4, 0.2), 40)
     rng = random.Random(23)
     s.ground(0.6, 0.0, "#6C7480")
@@ -356,7 +357,7 @@ def conveyor_loop():
 
 
 def rolling_race():
-    s = Scene("Rolling race", "Not size nor mass but shape decides. Guess the order, then press Delete and watch again.",
+    s = Scene("Rolling race", "Not size nor mass but shape decides who wins. Press Delete to watch again.",
               (6.6, 5.4, 11.6), (-0.1, 0.9, 0.6), 40)
     s.ground(0.6, 0.0, "#6F7B73")
     angle, length, lanes = 14, 11, 6
@@ -372,7 +373,8 @@ def rolling_race():
         return (x, place[1], foot + place[2])
 
     for i in range(lanes + 1):
-        s.fixed(s.box(0.05, 0.03, length), track, on_ramp((i - lanes / 2) * 1.2, length / 2, 0.015), tilt, "line", WHITE)
+        place = on_ramp((i - lanes / 2) * 1.2, length / 2, 0.015)
+        s.fixed(s.box(0.05, 0.03, length), track, place, tilt, "line", WHITE)
     ice = s.material(0.0, 0.0, 400, combine="minimum")
     lying = turn("z", 90)
     for row, size in enumerate((0.8, 1.0, 1.25)):
