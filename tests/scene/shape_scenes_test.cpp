@@ -1,0 +1,290 @@
+// What each of the scenes with shapes is there to show, and that nothing gets lost on the way.
+#include "scene/scene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace cairn;
+using scene::Scene;
+
+constexpr double pi = 3.14159265358979323846;
+const double gravity = double(9.81f);
+
+class ShapeScene : public testing::Test {
+  protected:
+    void load(const char* name) { scene_ = scene::load(std::string(CAIRN_TEST_SCENES "/") + name + ".gltf"); }
+    World& world() { return scene_.world; }
+    float time_step() const { return scene_.info.time_step; }
+    void run(int steps) {
+        for (int i = 0; i < steps; ++i) world().step(time_step());
+    }
+    Body named(const std::string& name) {
+        const auto id = world().find_body(name);
+        EXPECT_TRUE(id.has_value()) << name;
+        return world().body(*id);
+    }
+    std::vector<BodyId> dynamic_bodies() const {
+        std::vector<BodyId> bodies;
+        for (const BodyId id : scene_.world.bodies())
+            if (scene_.world.body(id).type() == BodyType::dynamic) bodies.push_back(id);
+        return bodies;
+    }
+    // The y axis of the body, in the world.
+    static Vec3 axis(const Body& body) { return body.rotation() * Vec3(0, 1, 0); }
+
+    // All bodies are near the origin and above `floor`; none of those at the end is deeper in another than `depth`.
+    void expect_sane(double reach, double floor, double depth) {
+        for (const BodyId id : dynamic_bodies()) {
+            const Body body = world().body(id);
+            const Position p = body.center_of_mass();
+            ASSERT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) << body.name();
+            EXPECT_LT(std::hypot(p.x, p.z), reach) << body.name();
+            EXPECT_GT(p.y, floor) << body.name();
+        }
+        for (const Contact& contact : world().contacts())
+            for (int i = 0; i < contact.point_count; ++i) EXPECT_GT(contact.points[i].separation, -depth);
+    }
+    void expect_slower_than(float speed) {
+        for (const BodyId id : dynamic_bodies())
+            EXPECT_LT(glm::length(world().body(id).linear_velocity()), speed) << world().body(id).name();
+    }
+    double energy() { return world().kinetic_energy() + world().potential_energy(); }
+
+    Scene scene_{.world = World(), .info = {}, .force_fields = {}, .appearances = {}, .warnings = {}};
+};
+
+TEST_F(ShapeScene, MarblesFindTheBowl) {
+    load("15_marble_run");
+    const double before = energy();
+    run(600);
+    EXPECT_LT(energy(), before);
+    expect_sane(10, 0.05, 0.002);
+    int in_bowl = 0;
+    for (const BodyId id : dynamic_bodies()) {
+        const Position p = world().body(id).position();
+        in_bowl += std::hypot(p.x, p.z - 4.4) < 1.6 ? 1 : 0;
+    }
+    EXPECT_GE(in_bowl, 130) << "of " << dynamic_bodies().size();
+}
+
+TEST_F(ShapeScene, PolyhedraComeToRestInTheBowl) {
+    load("16_bowl_of_hulls");
+    const double before = energy();
+    run(600);
+    EXPECT_LT(energy(), before);
+    expect_slower_than(0.15f);
+    expect_sane(2.7, 0.5, 0.006);
+}
+
+TEST_F(ShapeScene, TheCastleStandsUntilTheBallComes) {
+    load("17_wrecking_ball");
+    std::map<std::size_t, Position> start;
+    const std::vector<BodyId> bodies = dynamic_bodies();
+    for (std::size_t i = 0; i < bodies.size(); ++i) start[i] = world().body(bodies[i]).center_of_mass();
+    const auto moved = [&](double way, double from_x, double to_x) {
+        int count = 0;
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+            const Body body = world().body(bodies[i]);
+            if (body.name().empty() && start[i].x > from_x && start[i].x < to_x)
+                count += glm::distance(body.center_of_mass(), start[i]) > way ? 1 : 0;
+        }
+        return count;
+    };
+    run(35);
+    EXPECT_EQ(moved(0.005, -9, 9), 0);
+    run(565);
+    EXPECT_GE(moved(0.5, -1.9, 1.9), 30); // of the wall
+    EXPECT_GE(moved(0.5, -9, -1.9), 60);  // of the left tower
+    EXPECT_EQ(moved(0.5, 2.0, 9), 0);     // of the right one
+    expect_slower_than(0.15f);
+    expect_sane(20, 0.05, 0.01);
+}
+
+TEST_F(ShapeScene, PinsStandAndFall) {
+    load("18_bowling");
+    const std::vector<BodyId> bodies = dynamic_bodies();
+    std::map<BodyId, int> lane;
+    for (const BodyId id : bodies)
+        if (world().body(id).name().substr(0, 4) == "pin ")
+            lane[id] = int(std::floor((world().body(id).position().x + 2.625) / 1.75));
+    ASSERT_EQ(lane.size(), 30u);
+    const auto down = [&] {
+        std::array<int, 3> count{};
+        for (const auto& [id, number] : lane)
+            count[std::size_t(number)] += axis(world().body(id)).y < 0.95f || world().body(id).position().y < -0.05;
+        return count;
+    };
+    run(120);
+    EXPECT_EQ(down(), (std::array<int, 3>{0, 0, 0}));
+    run(480);
+    const auto [hook, straight, gutter] = down();
+    EXPECT_GE(hook, 8);
+    EXPECT_GE(straight, 5);
+    EXPECT_EQ(gutter, 0);
+    expect_sane(14, -0.7, 0.004);
+}
+
+// W^2 = 4 g / (a sin(lean)) for a thin disk whose middle is at rest: the lower, the faster. Rolling and torsional
+// friction take from the two parts of its spin in a ratio of their own, so that it lags behind.
+TEST_F(ShapeScene, EulersDiskRunsAroundFasterAsItSinks) {
+    load("19_eulers_disk");
+    const Body disk = named("disk");
+    const double radius = 0.5;
+    double last = 0;
+    int compared = 0;
+    for (int second = 0; second < 20; ++second) {
+        double turned = 0, lean = 0;
+        const int steps = int(std::lround(1 / time_step()));
+        Vec3 before = axis(disk);
+        for (int i = 0; i < steps; ++i) {
+            run(1);
+            const Vec3 now = axis(disk);
+            turned +=
+                std::atan2(double(before.z * now.x - before.x * now.z), double(before.x * now.x + before.z * now.z));
+            lean += std::acos(std::min(1.0, std::fabs(double(now.y)))) / steps;
+            before = now;
+        }
+        const double rate = std::fabs(turned);
+        if (lean > 0.5) continue; // it still gains the speed that it lags behind by
+        if (lean < 0.1) break;
+        EXPECT_NEAR(rate / std::sqrt(4 * gravity / (radius * std::sin(lean))), 0.85, 0.2) << "lean " << lean;
+        EXPECT_GT(rate, last) << "after " << second << " s";
+        last = rate;
+        ++compared;
+    }
+    EXPECT_GE(compared, 4);
+    run(8 * 480);
+    EXPECT_GT(std::fabs(axis(disk).y), 0.9999f);
+    EXPECT_LT(glm::length(disk.angular_velocity()), 0.01f);
+    expect_sane(1.8, 0.1, 0.002);
+}
+
+TEST_F(ShapeScene, TippeTopsTurnOverIfTheyAreFastAndLow) {
+    load("20_tippe_tops");
+    const auto name = [](const char* spin, const char* low) {
+        return std::string("top, ") + spin + " rad/s, center " + low + " radii low";
+    };
+    std::map<std::string, float> lowest;
+    for (int i = 0; i < 2400; ++i) {
+        run(1);
+        for (const BodyId id : dynamic_bodies()) {
+            float& least = lowest[std::string(world().body(id).name())];
+            least = std::min(least, axis(world().body(id)).y);
+        }
+    }
+    EXPECT_LT(lowest.at(name("130", "0.25")), -0.9f); // stands on its stem
+    EXPECT_LT(lowest.at(name("130", "0.12")), -0.9f);
+    EXPECT_EQ(lowest.at(name("15", "0.25")), 0.0f); // the slow ones stay as they are
+    EXPECT_EQ(lowest.at(name("15", "0.12")), 0.0f);
+    EXPECT_GT(lowest.at(name("130", "0.0")), -0.5f); // nothing to lift
+    expect_sane(12, 0.1, 0.003);
+}
+
+TEST_F(ShapeScene, GearsTurnByTheirTeeth) {
+    load("21_gears");
+    run(60);
+    std::map<BodyId, double> turned;
+    std::map<BodyId, Position> start;
+    constexpr int steps = 240;
+    for (int i = 0; i < steps; ++i) {
+        run(1);
+        for (const BodyId id : dynamic_bodies()) {
+            turned[id] += double(world().body(id).angular_velocity().y) * double(time_step());
+            start.try_emplace(id, world().body(id).position());
+        }
+    }
+    int count = 0;
+    for (const auto& [id, angle] : turned) {
+        const Body gear = world().body(id);
+        if (gear.name().substr(0, 8) != "gear of ") continue;
+        const int teeth = std::stoi(std::string(gear.name().substr(8)));
+        EXPECT_NEAR(std::fabs(angle) * teeth / (12 * 1.2 * steps * double(time_step())), 1, 0.02) << gear.name();
+        EXPECT_GT(axis(gear).y, 0.999f) << gear.name();
+        EXPECT_LT(glm::distance(gear.position(), start.at(id)), 0.06) << gear.name(); // the play of the bearings
+        ++count;
+    }
+    EXPECT_EQ(count, 6);
+    expect_sane(10, 0.2, 0.004);
+}
+
+TEST_F(ShapeScene, ThingsFindTheirWayDown) {
+    load("22_staircase");
+    const double before = energy();
+    run(600);
+    EXPECT_LT(energy(), before);
+    int down = 0;
+    for (const BodyId id : dynamic_bodies()) {
+        const Position p = world().body(id).position();
+        down += p.y < 1.5 ? 1 : 0;
+        EXPECT_TRUE(p.x > -5 && std::fabs(p.z) < 3.05 + (p.x > 5 ? 20 : 0)) << p.x << " " << p.z;
+    }
+    EXPECT_GE(down, 90);
+    expect_sane(15, 0.08, 0.005);
+}
+
+TEST_F(ShapeScene, BeltsCarryEverythingAroundForEver) {
+    load("23_conveyor_loop");
+    std::map<BodyId, int> passes;
+    for (int i = 0; i < 1800; ++i) {
+        run(1);
+        for (const TriggerEvent& event : world().trigger_events()) passes[event.other_body] += event.inside ? 1 : 0;
+    }
+    const std::vector<BodyId> bodies = dynamic_bodies();
+    EXPECT_EQ(passes.size(), bodies.size()) << "each came through the gate";
+    double speed = 0;
+    for (const BodyId id : bodies)
+        speed += double(glm::length(world().body(id).linear_velocity())) / double(bodies.size());
+    EXPECT_GT(speed, 0.7);
+    EXPECT_LT(speed, 1.5);
+    expect_sane(4.7, 0.75, 0.004);
+}
+
+// a = g sin(angle) / (1 + k), with the moment of inertia k m r^2; neither size nor mass is in it.
+TEST_F(ShapeScene, TheRaceIsWonByShape) {
+    load("24_rolling_race");
+    // A capsule with balls of radius 1 and a cylinder of length 2 between them.
+    const double tube = 2 * pi, balls = 4 * pi / 3;
+    const double k_capsule = (0.5 * tube + 0.4 * balls) / (tube + balls);
+    const std::vector<std::pair<std::string, double>> racers = {
+        {"box on ice", 0}, {"ball", 0.4}, {"capsule", k_capsule}, {"cylinder", 0.5}, {"tube", 1}};
+    const double way = 5, sine = std::sin(14 * pi / 180);
+    std::map<std::string, Position> start;
+    std::map<std::string, double> time;
+    for (const auto& [name, k] : racers)
+        for (const char* row : {" 1", " 2", " 3"}) start[name + row] = named(name + row).position();
+    const Position still = named("box 1").position();
+    for (int i = 1; i <= 240; ++i) {
+        const auto last = [&](const std::string& name) { return glm::distance(named(name).position(), start[name]); };
+        std::map<std::string, double> before;
+        for (const auto& [name, p] : start) before[name] = last(name);
+        run(1);
+        for (const auto& [name, p] : start)
+            if (const double now = last(name); now >= way && before[name] < way)
+                time[name] = (i - (now - way) / (now - before[name])) * double(time_step());
+    }
+    double latest_before = 0;
+    for (const auto& [name, k] : racers) {
+        double latest = 0;
+        for (const char* row : {" 1", " 2", " 3"}) {
+            ASSERT_TRUE(time.count(name + row) == 1) << name << row;
+            const double expected = std::sqrt(2 * way * (1 + k) / (gravity * sine));
+            EXPECT_NEAR(time[name + row] / expected, 1, 0.015) << name << row;
+            EXPECT_GT(time[name + row], latest_before) << name << row;
+            latest = std::max(latest, time[name + row]);
+        }
+        latest_before = latest;
+    }
+    EXPECT_LT(glm::distance(named("box 1").position(), still), 0.01); // friction above tan(angle)
+    run(360);
+    expect_sane(20, 0.1, 0.006);
+}
+
+} // namespace
