@@ -385,7 +385,10 @@ SurfaceContact collide_surface(const Convex& a, const Convex& polygon, double ma
         if (polygon.corner_count == 4) // a rectangle
             size = 0.5 * std::min(math::length(polygon.corners[1] - polygon.corners[0]),
                                   math::length(polygon.corners[2] - polygon.corners[1]));
-        if (-height < size && is_over(polygon, m)) lift(a, polygon, margin, out);
+        // What does not reach the front is not held: it may stand on the far side of a thin wall.
+        const double top = dot(support(a, up) - polygon.corners[0], up);
+        if (-height < size && (polygon.corner_count == 4 || top > 0) && is_over(polygon, m))
+            lift(a, polygon, margin, out);
         return {};
     }
     Axis axis;

@@ -148,5 +148,32 @@ TEST_P(RoundThings, CylinderRollsOnForEver) {
     }
 }
 
+// A wall that is thinner than what stands beside it, at a slant to the axes of its mesh: the far side is within the
+// bounds of the body, and the body behind it.
+TEST(Shapes, NothingIsPulledThroughThinWalls) {
+    const float c = std::sqrt(0.5f);
+    std::vector<Vec3> corners;
+    for (const float across : {-0.1f, 0.0f})
+        for (const float y : {0.0f, 3.0f})
+            for (const float along : {-2.0f, 2.0f}) corners.push_back({c * (across + along), y, c * (along - across)});
+    const std::vector<std::uint32_t> triangles = {0, 1, 3, 0, 3, 2, 4, 6, 7, 4, 7, 5, 0, 4, 5, 0, 5, 1,
+                                                  2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3};
+    const Shape shapes[] = {Box{{0.25f, 0.25f, 0.25f}}, Sphere{0.25f}, Cylinder{0.25f, 0.25f}, Capsule{0.1f, 0.15f}};
+    for (const Shape& shape : shapes)
+        for (const double distance : {0.361, 0.46, 0.6}) {
+            World world;
+            add_ground(world);
+            BodyDef wall;
+            wall.type = BodyType::static_;
+            add_body(world, Mesh(corners, triangles), wall);
+            BodyDef def;
+            def.position = {double(c) * distance, 0.25, -double(c) * distance};
+            const BodyId body = add_body(world, shape, def);
+            run(world, 1.0f / 60.0f, 60);
+            EXPECT_LT(glm::distance(world.body(body).position(), def.position), 0.002)
+                << shape.index() << " " << distance;
+        }
+}
+
 } // namespace
 } // namespace cairn_test
