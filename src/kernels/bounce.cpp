@@ -179,6 +179,28 @@ CAIRN_INLINE Vec3x8 impact_friction(const ContactBlock<N>& block, const Meeting<
     return scale * (p1 * t1 + p2 * t2);
 }
 
+// Resistance of the impact itself to spinning about the normal and to rolling: a couple, of at most what friction and
+// the rolling radius make of the impulses. Without it nothing that rests on a bouncing surface would ever cease to
+// roll: it rests by bouncing in every substep.
+template <int N>
+CAIRN_INLINE Vec3x8 impact_couple(const ContactBlock<N>& block, Vec3x8 normal, const f32x8* impulse, f32x8 sum,
+                                  const Velocityx8& a, const Velocityx8& b) {
+    f32x8 radius_load = load(block.torsion_radius) * sum;
+    if constexpr (N > 1) {
+        f32x8 levers = zero();
+        for (int i = 0; i < N; ++i) levers += load(block.lever[i]) * impulse[i];
+        radius_load = max(radius_load, levers);
+    }
+    const f32x8 limit = load(block.friction) * radius_load;
+    const Vec3x8 dw = b.w - a.w;
+    const f32x8 spin = clamp(-(load(block.torsion_mass) * dot(normal, dw)), -limit, limit);
+    if (!block.rolls) return spin * normal;
+    const Vec3x8 p = -(rolling_mass(block) * dw); // as in relax
+    const f32x8 most = load(block.rolling_radius) * sum;
+    const f32x8 scale = min(most / (sqrt(dot(p, p)) + splat(1e-20f)), one());
+    return spin * normal + scale * p;
+}
+
 CAIRN_INLINE void add_to_rows(SolverVelocity* rows, const std::uint32_t* row, const std::uint32_t* write,
                               const Velocityx8& change, f32x8 factor) {
     Velocityx8 r = gather_velocity(rows, row);
@@ -225,6 +247,9 @@ CAIRN_INLINE bool bounce_block(ContactBlock<N>& block, const SolverBodies& bodie
     b = {b.v + (load(block.mass_b) * sum) * m.normal, b.w + turned_b(block, torque_b)};
     const Vec3x8 p = impact_friction(block, m, sum, a, b);
     apply_friction(block, m.center, m.d, p, zero3(), a, b);
+    const Vec3x8 couple = impact_couple<N>(block, m.normal, impulse, sum, a, b);
+    a.w = a.w - turned_a(block, couple);
+    b.w = b.w + turned_b(block, couple);
     scatter_velocity(bodies.velocity, block.a, a);
     scatter_velocity(bodies.velocity, block.write_b, b);
     const Velocityx8 change_a = {a.v - before_a.v, a.w - before_a.w}, change_b = {b.v - before_b.v, b.w - before_b.w};

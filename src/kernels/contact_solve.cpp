@@ -326,14 +326,8 @@ CAIRN_INLINE void solve_friction(ContactBlock<N>& block, const PointSums& sums, 
 
 // Rolling resistance: a couple against the relative angular velocity, at most rolling radius x load.
 template <int N> CAIRN_INLINE void solve_rolling(ContactBlock<N>& block, f32x8 load_sum, Velocityx8& a, Velocityx8& b) {
-    constexpr int xx = 0, yy = 3, zz = 5;
-    auto sum = [&](int i) { return load(block.inertia_a[i]) + load(block.inertia_b[i]); };
     const Vec3x8 dw = b.w - a.w, old = load3(block.rolling_impulse);
-    const f32x8 trace = block.even ? (sum(xx) + sum(xx)) + sum(xx) : (sum(xx) + sum(yy)) + sum(zz);
-    // One mass for all directions, the smallest effective one that the trace guarantees: never overshoots.
-    const mask8 turns = trace > zero();
-    const f32x8 mass = select(turns, splat(3.0f) / select(turns, trace, one()), zero()) * splat(1.0f / 3.0f);
-    Vec3x8 p = old - mass * dw;
+    Vec3x8 p = old - rolling_mass(block) * dw;
     const f32x8 limit = load(block.rolling_radius) * load_sum;
     const f32x8 scale = min(limit / (sqrt(dot(p, p)) + splat(tiny)), one());
     p = scale * p;

@@ -93,6 +93,16 @@ template <int N> CAIRN_INLINE Vec3x8 turned_b(const ContactBlock<N>& block, Vec3
     return inertia_times(block.even, block.inertia_b, u);
 }
 
+// Against relative rolling: one mass for all directions, the smallest effective one that the trace guarantees, so that
+// it never overshoots.
+template <int N> CAIRN_INLINE f32x8 rolling_mass(const ContactBlock<N>& block) {
+    constexpr int xx = 0, yy = 3, zz = 5;
+    auto sum = [&](int i) { return load(block.inertia_a[i]) + load(block.inertia_b[i]); };
+    const f32x8 trace = block.even ? (sum(xx) + sum(xx)) + sum(xx) : (sum(xx) + sum(yy)) + sum(zz);
+    const mask8 turns = trace > zero();
+    return select(turns, splat(3.0f) / select(turns, trace, one()), zero()) * splat(1.0f / 3.0f);
+}
+
 // Applies the normal impulses S = sum of d_i and T = sum of j_i d_i to both bodies.
 template <int N>
 CAIRN_INLINE void apply_normal(const ContactBlock<N>& block, Vec3x8 normal, Vec3x8 c, f32x8 sum, Vec3x8 torque,

@@ -10,11 +10,11 @@ namespace cairn_test::golden {
 inline constexpr std::uint64_t mixed_pile = 0x7e107eff26676756;
 inline constexpr std::uint64_t pyramid = 0xe3660f19c2a3abab;
 inline constexpr std::uint64_t dominoes = 0xe77695fc42455b09;
-inline constexpr std::uint64_t materials = 0x42380649b4fb1333;
+inline constexpr std::uint64_t materials = 0x00e3c147674856fb;
 inline constexpr std::uint64_t tumbler = 0x15355198e2b4bba5;
 inline constexpr std::uint64_t sleep_and_wake = 0x9c8824115a697d0e;
 inline constexpr std::uint64_t compounds = 0x342ec2febfe087c4;
-inline constexpr std::uint64_t free_tops = 0x0b19c28a9a0b95e3;
+inline constexpr std::uint64_t free_tops = 0xe5d1c0db6b79d188;
 inline constexpr std::uint64_t all_shapes = 0x43a2be04c91c33e1;
 
 } // namespace cairn_test::golden

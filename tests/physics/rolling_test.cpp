@@ -79,5 +79,30 @@ TEST_P(Rolling, SlidingBallComesToRoll) {
     }
 }
 
+// Also where both materials bounce: what rests there does so by bouncing in every substep, and would roll and spin on
+// for ever if those impulses did not count.
+TEST(RollingResistance, StopsBallsOnBouncingGround) {
+    for (const float restitution : {0.0f, 0.05f, 0.5f}) {
+        World world(without_sleep());
+        Material material = surface(0.6f, restitution);
+        material.rolling_friction = 0.15f;
+        material.torsional_friction = 0.05f;
+        add_ground(world, material);
+        BodyDef def;
+        def.position = {0, double(radius), 0};
+        def.linear_velocity = {3, 0, 0};
+        def.angular_velocity = {0, 0, -6};
+        const BodyId ball = add_body(world, Sphere{radius}, def, material);
+        run(world, 1.0f / 60.0f, 30);
+        // The couple mu_r m g against (7/5) m r^2: v' = -(5/7) g mu_r / r.
+        EXPECT_NEAR(world.body(ball).linear_velocity().x, 3 - 0.5 * 5.0 / 7.0 * gravity * 0.15 / radius, 0.1)
+            << restitution;
+        world.body(ball).set_angular_velocity(world.body(ball).angular_velocity() + Vec3(0, 5, 0));
+        run(world, 1.0f / 60.0f, 120);
+        EXPECT_NEAR(world.body(ball).linear_velocity().x, 0, 1e-3) << restitution;
+        EXPECT_NEAR(world.body(ball).angular_velocity().y, 0, 1e-3) << restitution;
+    }
+}
+
 } // namespace
 } // namespace cairn_test
