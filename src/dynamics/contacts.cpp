@@ -235,7 +235,8 @@ std::uint8_t take_manifold(State& s, std::uint32_t id, const Manifold& m) {
     c.tested_at = s.passes + 1;
     if (c.is_trigger) return trigger_outcome(c, m.count > 0);
     if (m.count == 0) {
-        math::put(s.records[id].normal, to_vec(m.normal)); // along which they are apart
+        // Along which they are apart; wide kernels do not say.
+        if (c.kind == PairKind::convex_convex) math::put(s.records[id].normal, to_vec(m.normal));
         return c.point_count == 0 ? apart : ended;
     }
     const bool is_new = c.point_count == 0;
