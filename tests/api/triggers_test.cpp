@@ -97,7 +97,6 @@ TEST(Filters, ShapesMeetOnlyIfBothWant) {
 
 TEST(Filters, ChangingOneTakesEffectAtTheNextStep) {
     World world;
-    ShapeDef def;
     const BodyId ground = add_body(world, body_at({0, -1, 0}, BodyType::static_), Box{{5, 1, 5}});
     const BodyId ball = add_body(world, body_at({0, 0.5, 0}), Sphere{});
     run(world, 200);
