@@ -5,6 +5,7 @@
 // - the other thing does not rise above.
 #include "dynamics/bodies.h"
 #include "dynamics/contacts.h"
+#include "shapes/convex.h"
 
 #include <algorithm>
 #include <limits>
@@ -22,48 +23,30 @@ constexpr float flatness = 2e-4f, most_flatness = 5e-3f;
 
 bool is_same(math::Vec3 a, math::Vec3 b) { return math::dot(a - b, a - b) < same_normal * same_normal; }
 
-// How far the shape reaches along n, from the point `from`.
+// How far the shape reaches along n, from the point `from`; meshes and height fields by their bounds.
 double reach(const State& s, std::uint32_t shape, math::DVec3 n, math::DVec3 from) {
     const Geometry& g = s.geometry[shape];
     const ShapePose& pose = s.shape_poses[shape];
-    const math::DVec3 d = math::rotate_back(math::to_double(shape_rotation(pose)), n);
-    const double center = math::dot(n, shape_position(pose) - from);
-    const auto of_box = [&](math::DVec3 half) {
-        return std::fabs(d.x) * half.x + std::fabs(d.y) * half.y + std::fabs(d.z) * half.z;
-    };
+    const math::DVec3 center = shape_position(pose) - from;
+    const math::DQuat q = math::normalized(math::to_double(shape_rotation(pose)));
     const auto of_bounds = [&](math::Vec3 lo, math::Vec3 hi) {
-        return math::dot(d, math::to_double(0.5f * (lo + hi))) + of_box(math::to_double(0.5f * (hi - lo)));
+        const math::DVec3 d = math::rotate_back(q, n), middle = math::to_double(0.5f * (lo + hi));
+        return math::dot(n, center) + math::dot(d, middle) + math::dot(math::abs(d), math::to_double(0.5f * (hi - lo)));
     };
-    const math::DVec3 size = math::to_double(g.size);
-    const double across = std::sqrt(d.x * d.x + d.z * d.z);
     switch (g.type) {
-    case ShapeType::sphere:
-        return center + size.x;
-    case ShapeType::box:
-    case ShapeType::rectangle:
-        return center + of_box(size);
-    case ShapeType::capsule:
-        return center + std::max(size.x - size.y * d.y, size.z + size.y * d.y);
-    case ShapeType::cylinder:
-        return center + std::max(size.x * across - size.y * d.y, size.z * across + size.y * d.y);
-    case ShapeType::hull: {
-        double most = -std::numeric_limits<double>::infinity();
-        for (const math::Vec3& v : hull_of(s.shape_data[shape]).vertices)
-            most = std::max(most, math::dot(d, math::to_double(v)));
-        return center + most;
-    }
+    case ShapeType::plane:
+        return std::numeric_limits<double>::infinity();
     case ShapeType::mesh:
-        return center + of_bounds(mesh_of(s.shape_data[shape]).lo, mesh_of(s.shape_data[shape]).hi);
+        return of_bounds(mesh_of(s.shape_data[shape]).lo, mesh_of(s.shape_data[shape]).hi);
     case ShapeType::height_field: {
         const HeightFieldData& field = height_field_of(s.shape_data[shape]);
-        const float x = 0.5f * float(field.columns - 1) * field.spacing_x;
-        const float z = 0.5f * float(field.rows - 1) * field.spacing_z;
-        return center + of_bounds({-x, field.least, -z}, {x, field.greatest, z});
+        const float x = float(grid_half(field.columns, field.spacing_x));
+        const float z = float(grid_half(field.rows, field.spacing_z));
+        return of_bounds({-x, field.least, -z}, {x, field.greatest, z});
     }
-    case ShapeType::plane:
-        break;
+    default:
+        return math::dot(n, support(make_convex(g, s.shape_data[shape], center, q), n));
     }
-    return std::numeric_limits<double>::infinity();
 }
 
 // Where the other surface is, relative to the body's center of mass.
