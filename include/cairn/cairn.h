@@ -6,6 +6,7 @@
 #include <cairn/error.h>
 #include <cairn/events.h>
 #include <cairn/handle.h>
+#include <cairn/joint.h>
 #include <cairn/math.h>
 #include <cairn/query.h>
 #include <cairn/shape.h>

@@ -37,6 +37,16 @@ struct TriggerEvent {
     bool inside; ///< true: it came in; false: it left, or one of the two was removed.
 };
 
+/// A joint is gone: it broke under its load, or one of its bodies was destroyed. Its handle is stale.
+struct JointEvent {
+    JointId joint;
+    BodyId body_a, body_b;       ///< Null: the world.
+    bool broke;                  ///< false: a body was destroyed.
+    float force = 0.0f;          ///< N: at which it broke.
+    float torque = 0.0f;         ///< N m: likewise.
+    std::uint64_t user_data = 0; ///< Of its definition.
+};
+
 /// A body fell asleep or woke up.
 struct SleepEvent {
     BodyId body;

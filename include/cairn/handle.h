@@ -32,6 +32,7 @@ template <class Tag> struct Handle {
 
 using BodyId = Handle<struct BodyTag>;             ///< Names a body.
 using ShapeId = Handle<struct ShapeTag>;           ///< Names a shape on a body.
+using JointId = Handle<struct JointTag>;           ///< Names a joint.
 using ForceFieldId = Handle<struct ForceFieldTag>; ///< Names a force field.
 
 } // namespace cairn

@@ -6,6 +6,7 @@
 #include <cairn/error.h>
 #include <cairn/events.h>
 #include <cairn/handle.h>
+#include <cairn/joint.h>
 #include <cairn/math.h>
 #include <cairn/query.h>
 #include <cairn/shape.h>
@@ -113,7 +114,7 @@ class World {
 
     // --- bodies and shapes
     BodyId create_body(const BodyDef& def = {});
-    void destroy_body(BodyId body); ///< With its shapes; wakes what rested on it.
+    void destroy_body(BodyId body); ///< With its shapes and joints; wakes what rested on it.
     bool is_valid(BodyId body) const noexcept;
     Body body(BodyId body);
     const Body body(BodyId body) const;
@@ -136,6 +137,23 @@ class World {
     /// See ShapeDef::surface_velocity. Throws (wrong_state) for a shape of a dynamic body.
     void set_surface_velocity(ShapeId shape, const Vec3& velocity);
 
+    // --- joints
+    /// Joins two bodies, or a body and the world. Wakes them.
+    JointId create_joint(const JointDef& def);
+    /// The definition of a joint whose frames both lie at `anchor`, with x along `axis` (any non-zero vector; world
+    /// space), as the bodies stand now.
+    JointDef joint_at(BodyId body_a, BodyId body_b, const Position& anchor, const Vec3& axis, const Joint& joint) const;
+    void destroy_joint(JointId joint);
+    bool is_valid(JointId joint) const noexcept;
+    const JointDef& joint_def(JointId joint) const;
+    /// Changes limits, motors, springs, or the kind of the joint. Wakes its bodies.
+    void set_joint(JointId id, const Joint& joint);
+    void set_joint_strength(JointId joint, float break_force, float break_torque); ///< N and N m, > 0; may be infinite.
+    JointState joint_state(JointId joint) const;
+    std::vector<JointId> joints() const;            ///< All, in order of slot index.
+    std::vector<JointId> joints(BodyId body) const; ///< Those of one body, oldest first.
+    std::optional<JointId> find_joint(std::string_view name) const; ///< The first of that name.
+
     // --- force fields
     ForceFieldId add_force_field(const ForceField& field);
     void set_force_field(ForceFieldId id, const ForceField& field);
@@ -153,6 +171,7 @@ class World {
     std::span<const ContactEnd> contact_ends() const noexcept;
     std::span<const ContactHit> contact_hits() const noexcept;
     std::span<const TriggerEvent> trigger_events() const noexcept;
+    std::span<const JointEvent> joint_events() const noexcept;
     std::span<const SleepEvent> sleep_events() const noexcept;
     std::vector<Contact> contacts() const;            ///< All touching pairs.
     std::vector<Contact> contacts(BodyId body) const; ///< Those of one body.

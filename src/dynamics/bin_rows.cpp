@@ -2,6 +2,7 @@
 #include "dynamics/bodies.h"
 #include "dynamics/coloring.h"
 #include "dynamics/finalize.h"
+#include "dynamics/joints.h"
 #include "dynamics/solver.h"
 
 #include <algorithm>
@@ -28,20 +29,15 @@ void gather_bodies(State& s, const Bin& bin, BinScratch& scratch) {
         for (std::int32_t b = island.first_body; b != none; b = s.bodies[std::size_t(b)].next_in_island) {
             const BodyMass& mass = s.mass[std::size_t(b)];
             if (mass.inverse_mass > 0) island.weight += mass.mass * gravity;
-            (s.bodies[std::size_t(b)].contact_count == 0 ? scratch.free_bodies : scratch.touching_bodies).push_back(b);
+            const BodyLinks& links = s.bodies[std::size_t(b)];
+            const bool is_free = links.contact_count + links.joint_count == 0;
+            (is_free ? scratch.free_bodies : scratch.touching_bodies).push_back(b);
         }
     }
 }
 
-// Bodies get their rows when a contact first names them, so that contacts side by side have rows side by side.
 std::int32_t row_of(BinScratch& scratch, std::int32_t body) {
-    if (body == none) return fixed_row;
-    std::int32_t& row = scratch.row_of_body[std::size_t(body)];
-    if (row == none) {
-        row = std::int32_t(scratch.row_bodies.size());
-        scratch.row_bodies.push_back(body);
-    }
-    return row;
+    return body == none ? fixed_row : row_of_body(scratch, body);
 }
 
 // B of a contact with a surface that moves.
@@ -115,15 +111,6 @@ void fill_lanes(const State& s, const Bin& bin, BinScratch& scratch) {
         scratch.four_blocks.resize(scratch.four_lanes.record.size() / 8);
 }
 
-math::Sym3 contact_inverse_inertia(const BodyMotion& motion, const BodyMass& mass) {
-    const math::Vec3 d = mass.inverse_inertia;
-    const float least = std::min({d.x, d.y, d.z}), most = least / least_contact_moment;
-    if (mass.isotropic || !(least > 0) || std::max({d.x, d.y, d.z}) <= most) return world_inverse_inertia(motion, mass);
-    BodyMass rounder = mass;
-    rounder.inverse_inertia = {std::min(d.x, most), std::min(d.y, most), std::min(d.z, most)};
-    return world_inverse_inertia(motion, rounder);
-}
-
 // One body into its row; rows that are no bodies are all zero.
 void fill_row(State& s, BinScratch& scratch, std::size_t row, std::uint64_t& clamped_speeds) {
     const std::int32_t b = scratch.row_bodies[row];
@@ -142,8 +129,7 @@ void fill_row(State& s, BinScratch& scratch, std::size_t row, std::uint64_t& cla
 void fill_rows(State& s, BinScratch& scratch, Crew* crew) {
     while (scratch.row_bodies.size() % 8 != 0) scratch.row_bodies.push_back(none);
     const std::size_t rows = scratch.row_count();
-    const std::size_t blocks = (scratch.one_lanes.record.size() + scratch.four_lanes.record.size()) / 8;
-    const std::size_t all = rows + std::max(blocks, rows / 8);
+    const std::size_t all = rows + std::max(scratch.block_count(), rows / 8);
     scratch.velocity.assign(all, {});
     scratch.reference.assign(all, {});
     scratch.rounding.assign(all, {});
@@ -187,12 +173,31 @@ std::uint64_t scatter_body(State& s, const BinScratch& scratch, std::int32_t b, 
 
 } // namespace
 
+math::Sym3 contact_inverse_inertia(const BodyMotion& motion, const BodyMass& mass) {
+    const math::Vec3 d = mass.inverse_inertia;
+    const float least = std::min({d.x, d.y, d.z}), most = least / least_contact_moment;
+    if (mass.isotropic || !(least > 0) || std::max({d.x, d.y, d.z}) <= most) return world_inverse_inertia(motion, mass);
+    BodyMass rounder = mass;
+    rounder.inverse_inertia = {std::min(d.x, most), std::min(d.y, most), std::min(d.z, most)};
+    return world_inverse_inertia(motion, rounder);
+}
+
+std::int32_t row_of_body(BinScratch& scratch, std::int32_t body) {
+    std::int32_t& row = scratch.row_of_body[std::size_t(body)];
+    if (row == none) {
+        row = std::int32_t(scratch.row_bodies.size());
+        scratch.row_bodies.push_back(body);
+    }
+    return row;
+}
+
 void fill_bin(State& s, const Bin& bin, BinScratch& scratch, Crew* crew) {
     gather_bodies(s, bin, scratch);
     scratch.row_bodies.clear();
-    if (bin.contact_count == 0) return;
+    if (bin.contact_count + bin.joint_count == 0) return;
     scratch.row_bodies.assign(first_body_row, none);
     fill_lanes(s, bin, scratch);
+    fill_joint_lanes(s, scratch);
     for (const std::int32_t b : scratch.touching_bodies) row_of(scratch, b);
     fill_rows(s, scratch, crew);
 }

@@ -87,7 +87,8 @@ void pack_bins(State& s, float dt) {
         ++bin.island_count;
         bin.body_count += island.body_count;
         bin.contact_count += scratch.contacts_of_island[std::size_t(i)];
-        if (bin.contact_count >= bin_contacts || bin.body_count >= bin_bodies) open = none;
+        bin.joint_count += island.joint_count;
+        if (bin.contact_count + bin.joint_count >= bin_contacts || bin.body_count >= bin_bodies) open = none;
     }
 
     // Islands and contacts in bin order (counting sorts, stable).

@@ -260,6 +260,9 @@ void fill_spin_lane(const State& s, const BinScratch& scratch, std::int32_t row,
     for (int k = 0; k < 3; ++k) block.moments[k][lane] = mass.inertia[k];
     for (int k = 0; k < 3; ++k) block.inverse_moments[k][lane] = mass.inverse_inertia[k];
     for (int k = 0; k < 6; ++k) block.contact_inertia[k][lane] = float(inertia[k]);
+    if (s.bodies[b].joint_count == 0) return;
+    block.renewed[lane] = 1;
+    block.any_renewed = 1;
 }
 
 void fill_spin_blocks(const State& s, BinScratch& scratch, Crew* crew) {
@@ -409,6 +412,22 @@ void turn_spinning_rows(const State& s, BinScratch& scratch, float h) {
             math::to_float(math::normalized(turned_by(double(h) * contacts, r.end) * math::conjugate(start)));
         float* dq = scratch.pose[row].dq;
         dq[0] = turn.x, dq[1] = turn.y, dq[2] = turn.z, dq[3] = turn.w;
+    }
+}
+
+void renew_inertia(const State& s, BinScratch& scratch, Crew* crew) {
+    if (scratch.joints.empty()) return;
+    for_chunks(crew, spin_block_count(scratch), spin_blocks_per_chunk, [&](int begin, int end, int) {
+        kernels().solver.renew_inertia(scratch.spin_blocks.data() + begin, end - begin, scratch.pose.data(),
+                                       scratch.inertia.data());
+    });
+    for (const SpinningRow& r : scratch.spinning_rows) {
+        const std::size_t row = std::size_t(r.row), b = std::size_t(scratch.row_bodies[row]);
+        if (s.bodies[b].joint_count == 0) continue;
+        BodyMotion now = s.motion[b];
+        now.q = row_rotation(s, scratch, row);
+        const math::Sym3 i = contact_inverse_inertia(now, s.mass[b]);
+        scratch.inertia[row] = {s.mass[b].inverse_mass, i.xx, i.xy, i.xz, i.yy, i.yz, i.zz, 0};
     }
 }
 

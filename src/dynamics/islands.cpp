@@ -2,6 +2,7 @@
 
 #include "dynamics/bodies.h"
 #include "dynamics/contacts.h"
+#include "dynamics/joints.h"
 
 #include <algorithm>
 
@@ -116,15 +117,26 @@ void split_island(State& state, std::int32_t i) {
         const std::int32_t b = find_root(parent, number[std::size_t(contact.body_b)]);
         parent[std::size_t(std::max(a, b))] = std::min(a, b);
     }
+    for (const std::int32_t b : members)
+        for_each_joint(state, b, [&](std::uint32_t joint, int side) {
+            const std::int32_t other = other_body(state.joints[joint], side);
+            if (other == none || !state.is_dynamic(other)) return;
+            const std::int32_t a = find_root(parent, number[std::size_t(b)]);
+            const std::int32_t c = find_root(parent, number[std::size_t(other)]);
+            parent[std::size_t(std::max(a, c))] = std::min(a, c);
+        });
     Island& island = island_at(state, i);
     island.first_body = island.last_body = none;
-    island.body_count = 0;
+    island.body_count = island.joint_count = 0;
     island.lost_contact = 0;
     std::vector<std::int32_t> part(members.size(), none);
     for (std::size_t k = 0; k < members.size(); ++k) {
         const std::size_t root = std::size_t(find_root(parent, std::int32_t(k)));
         if (part[root] == none) part[root] = root == 0 ? i : new_island(state);
         append_body(state, part[root], members[k]);
+        for_each_joint(state, members[k], [&](std::uint32_t joint, int) {
+            if (joint_owner(state, state.joints[joint]) == members[k]) ++island_at(state, part[root]).joint_count;
+        });
     }
 }
 
@@ -170,6 +182,7 @@ void link_islands(State& state, std::int32_t body_a, std::int32_t body_b) {
     if (a == b) return;
     if (island_at(state, a).body_count < island_at(state, b).body_count) std::swap(a, b);
     append_all(state, a, b);
+    island_at(state, a).joint_count += island_at(state, b).joint_count;
     island_at(state, a).lost_contact |= island_at(state, b).lost_contact;
     island_at(state, a).wanted_substeps =
         std::max(island_at(state, a).wanted_substeps, island_at(state, b).wanted_substeps);

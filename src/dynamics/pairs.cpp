@@ -2,6 +2,7 @@
 #include "dynamics/coloring.h"
 #include "dynamics/contacts.h"
 #include "dynamics/islands.h"
+#include "dynamics/joints.h"
 
 #include <algorithm>
 
@@ -69,6 +70,7 @@ struct Sink final : PairSink {
         };
         const ShapeTraits &traits_a = s.shape_traits[a], &traits_b = s.shape_traits[b];
         if (!may_meet(traits_a.filter, traits_b.filter)) return false;
+        if (joint_forbids_contact(s, body_a, body_b)) return false;
         const bool is_trigger = traits_a.is_trigger || traits_b.is_trigger;
         if (!is_trigger && !movable(body_a) && !movable(body_b)) return false;
         if (traits_a.is_trigger && traits_b.is_trigger) return false;

@@ -2,6 +2,7 @@
 // by one thread.
 #include "dynamics/bodies.h"
 #include "dynamics/finalize.h"
+#include "dynamics/joints.h"
 #include "dynamics/solver.h"
 #include "math/rotation.h"
 
@@ -78,6 +79,26 @@ template <class F> void for_blocks(BinScratch& scratch, Crew* crew, F&& kernel) 
     }
 }
 
+// Calls kernel(its kernels, its blocks, count) for the blocks of every run of joint rows, or for chunks of them.
+template <class F> void for_joint_blocks(BinScratch& scratch, Crew* crew, F&& kernel) {
+    const JointKernels& k = kernels().joints;
+    for (const JointRun& run : scratch.joint_runs)
+        for_chunks(crew, run.count, blocks_per_chunk(crew, run.count), [&](int begin, int end, int) {
+            const std::size_t first = std::size_t(run.first + begin);
+            switch (run.type) {
+            case JointRowType::point:
+                kernel(k.point, scratch.point_blocks.data() + first, end - begin);
+                break;
+            case JointRowType::turn:
+                kernel(k.turn, scratch.turn_blocks.data() + first, end - begin);
+                break;
+            case JointRowType::axis:
+                kernel(k.axis, scratch.axis_blocks.data() + first, end - begin);
+                break;
+            }
+        });
+}
+
 // Position of the discrete path behind the stored velocity, see bounce.cpp.
 float velocity_offset(Integrator integrator) {
     switch (integrator) {
@@ -127,11 +148,13 @@ SolverBodies bodies_of(BinScratch& scratch) {
 
 void run_substeps(const State& s, const Bin& bin, BinScratch& scratch, Crew* crew, float dt) {
     using ForPoints = SolverKernels::ForPoints;
+    using ForRows = JointKernels::ForRows;
     const SolverKernels& k = kernels().solver;
     const float h = dt / float(bin.substeps);
     ContactSoftness softness;
     set_softness(softness, h, bin.substeps * s.split, s.settings.recovery_speed);
     const BounceSettings bounce{h, s.settings.restitution_speed, velocity_offset(s.settings.integrator)};
+    const JointSoftness joint_soft = joint_softness(h);
     const int rows = int(scratch.row_count());
     SolverVelocity* velocity = scratch.velocity.data();
     for (int substep = 0; substep < bin.substeps; ++substep) {
@@ -142,16 +165,27 @@ void run_substeps(const State& s, const Bin& bin, BinScratch& scratch, Crew* cre
             k.integrate_velocities(bodies, std::max(begin, int(first_body_row)), end, first);
         });
         if (bin.bounces) bounce_all(scratch, crew, bodies, bounce);
-        if (first)
+        if (first) {
+            for_joint_blocks(scratch, crew, [&](const ForRows& rows_of, void* blocks, int count) {
+                rows_of.warm_start(blocks, count, bodies, joint_soft);
+            });
             for_blocks(scratch, crew, [&](const ForPoints& points, const BlockRun& run) {
                 points.warm_start(blocks_of(scratch, run), run.count, velocity);
             });
+        }
+        for_joint_blocks(scratch, crew, [&](const ForRows& rows_of, void* blocks, int count) {
+            rows_of.solve(blocks, count, velocity, joint_soft);
+        });
         for_blocks(scratch, crew, [&](const ForPoints& points, const BlockRun& run) {
             points.solve(blocks_of(scratch, run), run.count, velocity, softness);
         });
         for_chunks(crew, rows, rows_per_chunk,
                    [&](int begin, int end, int) { k.integrate_poses(bodies, begin, end, h); });
         turn_spinning_rows(s, scratch, h);
+        renew_inertia(s, scratch, crew);
+        for_joint_blocks(scratch, crew, [&](const ForRows& rows_of, void* blocks, int count) {
+            rows_of.relax(blocks, count, bodies, joint_soft);
+        });
         for_blocks(scratch, crew, [&](const ForPoints& points, const BlockRun& run) {
             points.relax(blocks_of(scratch, run), run.count, bodies, softness);
         });
@@ -165,7 +199,8 @@ double milliseconds_since(std::chrono::steady_clock::time_point start) {
 void solve_bin(State& s, const Bin& bin, BinScratch& scratch, Crew* crew, float dt) {
     const auto start = std::chrono::steady_clock::now();
     fill_bin(s, bin, scratch, crew);
-    if (bin.contact_count > 0) {
+    if (bin.contact_count + bin.joint_count > 0) {
+        fill_joint_blocks(s, scratch, crew, dt / float(bin.substeps));
         prepare_free_motion(s, scratch, crew, dt / float(bin.substeps), bin.bounces);
         for_blocks(scratch, crew, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
             k.prepare(blocks_of(scratch, run), run.count, lanes_of(scratch, run), s.records.data(),
@@ -179,6 +214,7 @@ void solve_bin(State& s, const Bin& bin, BinScratch& scratch, Crew* crew, float 
             k.store(blocks_of(scratch, run), run.count, lanes_of(scratch, run), s.records.data(),
                     s.solver.reports.data());
         });
+        store_joints(s, scratch, crew, dt);
         scratch.solve_ms += milliseconds_since(start) - prepare_ms;
     }
     empty_bin(s, scratch, crew, dt);
@@ -187,12 +223,13 @@ void solve_bin(State& s, const Bin& bin, BinScratch& scratch, Crew* crew, float 
 // Those that are so large that one thread would keep the others waiting.
 void share_out_bins(SolverScratch& scratch, int threads) {
     std::int32_t contacts = 0;
-    for (const Bin& bin : scratch.bins) contacts += bin.contact_count;
+    for (const Bin& bin : scratch.bins) contacts += bin.contact_count + bin.joint_count;
     const std::int32_t limit = std::max(least_shared_contacts, contacts / threads);
     scratch.shared.clear();
     scratch.alone.clear();
     for (std::size_t i = 0; i < scratch.bins.size(); ++i)
-        (scratch.bins[i].contact_count > limit ? scratch.shared : scratch.alone).push_back(std::int32_t(i));
+        (scratch.bins[i].contact_count + scratch.bins[i].joint_count > limit ? scratch.shared : scratch.alone)
+            .push_back(std::int32_t(i));
 }
 
 // Kinematic bodies move by their velocity, once per step, in double.
@@ -210,15 +247,18 @@ void move_kinematics(State& s, float dt) {
 void collect(State& s) {
     SolverScratch& scratch = s.solver;
     scratch.escaped.clear();
+    s.overloaded_joints.clear();
     double prepare_ms = 0, solve_ms = 0;
     for (BinScratch& own : scratch.at_work) {
         scratch.escaped.insert(scratch.escaped.end(), own.escaped.begin(), own.escaped.end());
+        s.overloaded_joints.insert(s.overloaded_joints.end(), own.overloaded.begin(), own.overloaded.end());
         s.clamped_speeds += own.clamped_speeds;
         prepare_ms += own.prepare_ms;
         solve_ms += own.solve_ms;
     }
     std::sort(scratch.escaped.begin(), scratch.escaped.end(),
               [](const EscapedShape& a, const EscapedShape& b) { return a.shape < b.shape; });
+    std::sort(s.overloaded_joints.begin(), s.overloaded_joints.end());
     for (const EscapedShape& e : scratch.escaped) s.broad_phase.set_bounds(e.shape, e.bounds, e.displacement);
     s.solver.prepare_share = prepare_ms / std::max(prepare_ms + solve_ms, 1e-9);
 }
@@ -233,6 +273,7 @@ void solve_bins(State& s, float dt) {
     scratch.at_work.resize(std::size_t(threads));
     for (BinScratch& own : scratch.at_work) {
         own.escaped.clear();
+        own.overloaded.clear();
         own.clamped_speeds = 0;
         own.prepare_ms = own.solve_ms = 0;
     }

@@ -18,6 +18,9 @@ void solve_bins(State& state, float dt);
 
 // Lays out the rows and lanes of a bin, and fills them.
 void fill_bin(State& state, const Bin& bin, BinScratch& scratch, Crew* crew);
+// The row of a body. Bodies get theirs when a contact or joint first names them, so that contacts side by side have
+// rows side by side.
+std::int32_t row_of_body(BinScratch& scratch, std::int32_t body);
 // Moves the bodies by what their rows have moved, and finalizes them.
 void empty_bin(State& state, BinScratch& scratch, Crew* crew, float dt);
 
@@ -32,6 +35,10 @@ void update_free_motion(const State& state, BinScratch& scratch, Crew* crew, con
 // After the poses of a substep: the rotations of what turns by many radians in it, or has moments a millionth of
 // others, where single precision and a series for small angles do not do.
 void turn_spinning_rows(const State& state, BinScratch& scratch, float h);
+// After that: the inertia of what has joints, whose anchors turn with it.
+void renew_inertia(const State& state, BinScratch& scratch, Crew* crew);
+// The tensor that contacts and joints act on.
+math::Sym3 contact_inverse_inertia(const BodyMotion& motion, const BodyMass& mass);
 // After the last substep: the angular velocities that go with the angular momenta and rotations at its end.
 void finish_free_motion(BinScratch& scratch);
 // Contacts on a needle, with a moment a millionth of the others, would spin it up without end in single precision: for

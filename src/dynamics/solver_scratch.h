@@ -3,10 +3,12 @@
 
 #include "collision/manifold.h"
 #include "collision/surface_contact.h"
+#include "kernels/joint_data.h"
 #include "kernels/solver_data.h"
 #include "math/bounds.h"
 #include "math/vec.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -83,7 +85,7 @@ struct SortedContact {
 struct Bin {
     std::int32_t first_island = 0, island_count = 0; // in SolverScratch::bin_islands
     std::int32_t substeps = 0;
-    std::int32_t body_count = 0, contact_count = 0;
+    std::int32_t body_count = 0, contact_count = 0, joint_count = 0;
     std::int32_t first_contact = 0; // in SolverScratch::sorted
     bool bounces = false;           // any of its contacts has restitution
 };
@@ -115,6 +117,23 @@ struct LaneLists {
     void clear() { record.clear(), row_a.clear(), row_b.clear(); }
 };
 
+// Rows of joints: sorted by color, phase and form.
+enum class JointRowType : std::uint8_t { point, turn, axis };
+struct JointRow {
+    std::uint32_t key, joint;
+    JointRowType type;
+    std::uint8_t axis; // which of the joint's
+};
+struct JointLane {
+    std::int32_t joint, row_a, row_b; // none: empty
+    std::uint8_t axis;
+};
+// Blocks that may be solved side by side.
+struct JointRun {
+    JointRowType type;
+    std::int32_t first, count;
+};
+
 // What the free motion of a row's body asks for, besides falling.
 enum RowTrait : std::uint8_t {
     is_dynamic_row = 1,
@@ -143,15 +162,33 @@ struct BinScratch {
     std::vector<ContactBlock<1>> one_blocks;
     std::vector<ContactBlock<4>> four_blocks;
     std::vector<ColorRun> colors;
+    std::vector<std::uint32_t> joints; // of the bin
+    std::vector<JointRow> unsorted_joint_rows, joint_rows;
+    std::vector<std::uint32_t> joint_key_counts;
+    std::array<std::vector<JointLane>, 3> joint_lanes; // by JointRowType
+    std::vector<JointRun> joint_runs;
+    std::vector<PointBlock> point_blocks;
+    std::vector<TurnBlock> turn_blocks;
+    std::vector<AxisBlock> axis_blocks;
     bool drive_varies = false; // forces depend on the position
     bool bounces = false;      // `correction` is another than `free_correction`
 
-    std::vector<EscapedShape> escaped; // of all bins of the thread
+    std::vector<EscapedShape> escaped;     // of all bins of the thread
+    std::vector<std::uint32_t> overloaded; // likewise: joints that break
     std::uint64_t clamped_speeds = 0;
     double prepare_ms = 0, solve_ms = 0;
 
     std::size_t row_count() const { return row_bodies.size(); }
+    // Discard rows: of blocks of contacts with one point, with four, then of joints.
     std::int32_t first_discard_row() const { return std::int32_t(row_bodies.size()); }
+    std::int32_t first_joint_discard_row() const {
+        return first_discard_row() + std::int32_t((one_lanes.record.size() + four_lanes.record.size()) / 8);
+    }
+    std::size_t block_count() const {
+        std::size_t lanes = one_lanes.record.size() + four_lanes.record.size();
+        for (const std::vector<JointLane>& list : joint_lanes) lanes += list.size();
+        return lanes / 8;
+    }
 };
 
 struct SolverScratch {

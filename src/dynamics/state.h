@@ -5,6 +5,7 @@
 #include "collision/broad_phase.h"
 #include "collision/shape_pose.h"
 #include "core/slot_pool.h"
+#include "dynamics/joint_state.h"
 #include "dynamics/solver_scratch.h"
 #include "jobs/crew.h"
 #include "kernels/kernels.h"
@@ -69,10 +70,14 @@ struct BodyLinks {
     std::int32_t first_shape = none, last_shape = none;
     std::int32_t island = none; // dynamic bodies only
     std::int32_t next_in_island = none, previous_in_island = none;
-    float radius = 0;               // of the body about its center of mass; planes not counted
-    float quiet_time = 0;           // s that it has been slower than the sleep speed
-    std::int32_t contact_count = 0; // that are solved
-    std::uint64_t colors = 0;       // of its contacts, one bit each
+    float radius = 0;                                   // of the body about its center of mass; planes not counted
+    float quiet_time = 0;                               // s that it has been slower than the sleep speed
+    std::int32_t contact_count = 0;                     // that are solved
+    std::uint64_t colors = 0;                           // of its contacts, one bit each
+    std::uint64_t joint_colors = 0;                     // likewise
+    std::int32_t first_joint = none, last_joint = none; // ends: 2 x joint + side
+    std::int32_t joint_count = 0;                       // that are solved
+    std::int32_t padding = 0;
 };
 
 struct alignas(32) ShapeLinks {
@@ -152,6 +157,7 @@ struct Island {
     std::uint8_t padding = 0;
     std::int32_t substeps = 0;           // in the last step
     std::int32_t wanted_substeps = 0;    // by what it carries (substeps.cpp)
+    std::int32_t joint_count = 0;        // that are solved
     float weight = 0, greatest_load = 0; // N: of all bodies; on one contact
     float greatest_demand = 0;           // m/s^2: load over the reduced mass of the contact that carries it
     float least_quiet_time = 0, greatest_quiet_time = 0;
@@ -195,6 +201,9 @@ struct State {
     std::vector<std::int32_t> falling_asleep; // islands that the broad phase still holds as awake
     std::vector<std::int32_t> waking;         // keys that it still holds as sleeping
 
+    SlotPool joint_slots;
+    std::vector<JointInfo> joints;
+
     SlotPool field_slots;
     std::vector<ForceField> fields;
     std::vector<std::uint32_t> dead_bodies, dead_shapes; // recycled after the broad phase's update
@@ -206,10 +215,13 @@ struct State {
     std::vector<ContactEnd> ends;
     std::vector<ContactHit> hits;
     std::vector<TriggerEvent> triggers;
+    std::vector<JointEvent> joint_events;
     std::vector<SleepEvent> sleeps;
+    std::vector<std::uint32_t> overloaded_joints; // in ascending order
     // What will be read of the next step: what changes between two steps counts to the later one.
     std::vector<ContactEnd> next_ends;
     std::vector<TriggerEvent> next_triggers;
+    std::vector<JointEvent> next_joint_events;
     std::vector<SleepEvent> next_sleeps;
     std::uint64_t clamped_speeds = 0;
     Statistics statistics;
@@ -225,6 +237,9 @@ struct State {
     }
     ShapeId shape_id(std::uint32_t shape) const {
         return ShapeId::make(shape, shape_slots.generation(shape), world_id);
+    }
+    JointId joint_id(std::uint32_t joint) const {
+        return JointId::make(joint, joint_slots.generation(joint), world_id);
     }
     // Of the given number in a step, how many a pass takes.
     int in_pass(int substeps) const { return (substeps + split - 1) / split; }

@@ -4,6 +4,7 @@
 // one contact carries a good part of all the weight (its share): there n grows with the square root of the demand. The
 // rule looks at the scene alone, so that results do not depend on threads. docs/decisions/substeps.md has the
 // measurements.
+#include "dynamics/joints.h"
 #include "dynamics/solver.h"
 
 #include <algorithm>
@@ -42,7 +43,8 @@ void note_load(Island& island, ContactInfo& c, float force, float inverse_mass) 
 }
 
 int island_substeps(const State& s, Island& island) {
-    const int base = s.settings.substeps;
+    int base = s.settings.substeps;
+    if (s.settings.adaptive_substeps && island.joint_count > 0) base = std::max(base, joint_substeps);
     if (s.settings.adaptive_substeps && island.weight > 0) {
         const float share = std::min(island.greatest_load / (full_share * island.weight), 1.0f);
         const float wanted = substeps_per_demand * share * std::sqrt(island.greatest_demand);

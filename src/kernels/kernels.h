@@ -7,6 +7,7 @@
 #include "bvh/tree.h"
 #include "collision/manifold.h"
 #include "collision/shape_pose.h"
+#include "kernels/joint_data.h"
 #include "kernels/solver_data.h"
 
 #include <cstdint>
@@ -30,6 +31,7 @@ struct KernelTable {
     CollideKernel box_rectangle;
 
     SolverKernels solver;
+    JointKernels joints;
     BroadKernels broad;
 };
 

@@ -168,6 +168,8 @@ struct alignas(64) SpinBlock {
     float moments[3][8], inverse_moments[3][8];
     float contact_inertia[6][8];        // what contacts act on
     float momentum[3][8], free_w[3][8]; // after the substep's free motion, before contacts
+    float renewed[8];                   // 1: the inertia follows the poses, as joints need it; else it is of the start
+    std::uint8_t any_renewed;
 };
 
 struct SolverKernels {
@@ -189,6 +191,8 @@ struct SolverKernels {
     // The free turning of one substep: drive and correction of the rows, angular parts only.
     void (*spin)(SpinBlock* blocks, int count, const SolverBodies& bodies, SolverTwist* drive, SolverTwist* correction,
                  float h, bool first);
+    // After the poses of a substep: the inertia of rows in joints.
+    void (*renew_inertia)(SpinBlock* blocks, int count, const SolverPose* pose, SolverInertia* inertia);
     // After the last substep: the angular velocities that go with the angular momenta and the rotations then.
     void (*finish_spin)(const SpinBlock* blocks, int count, SolverVelocity* velocity, const SolverPose* pose);
 

@@ -37,6 +37,18 @@ template <class Row> CAIRN_INLINE void scatter_angular(Row* rows, const std::uin
 
 CAIRN_INLINE Vec3x8 scaled(Vec3x8 a, Vec3x8 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
 
+// R diag(d) R^T.
+CAIRN_INLINE Sym3x8 rotated_diagonal(const Mat3x8& r, Vec3x8 d) {
+    const Vec3x8 a = d.x * r.c0, b = d.y * r.c1, c = d.z * r.c2;
+    return {(a.x * r.c0.x + b.x * r.c1.x) + c.x * r.c2.x, (a.x * r.c0.y + b.x * r.c1.y) + c.x * r.c2.y,
+            (a.x * r.c0.z + b.x * r.c1.z) + c.x * r.c2.z, (a.y * r.c0.y + b.y * r.c1.y) + c.y * r.c2.y,
+            (a.y * r.c0.z + b.y * r.c1.z) + c.y * r.c2.z, (a.z * r.c0.z + b.z * r.c1.z) + c.z * r.c2.z};
+}
+CAIRN_INLINE Sym3x8 select(mask8 m, const Sym3x8& a, const Sym3x8& b) {
+    return {select(m, a.xx, b.xx), select(m, a.xy, b.xy), select(m, a.xz, b.xz),
+            select(m, a.yy, b.yy), select(m, a.yz, b.yz), select(m, a.zz, b.zz)};
+}
+
 // The diagonal tensor in the axes q, times v.
 CAIRN_INLINE Vec3x8 tensor(Quatx8 q, Vec3x8 diagonal, Vec3x8 v) {
     return rotate(q, scaled(diagonal, rotate_back(q, v)));
@@ -78,6 +90,30 @@ void spin(SpinBlock* blocks, int count, const SolverBodies& bodies, SolverTwist*
         }
         store3(block.momentum, left);
         store3(block.free_w, free);
+    }
+}
+
+void renew_inertia(SpinBlock* blocks, int count, const SolverPose* pose, SolverInertia* inertia) {
+    for (int k = 0; k < count; ++k) {
+        SpinBlock& block = blocks[k];
+        if (!block.any_renewed) continue;
+        const mask8 renewed = load(block.renewed) > zero();
+        const Quatx8 turn = gather_turn(pose, block.row);
+        const Mat3x8 axes = to_matrix(multiply(turn, {load3(block.axes), load(block.axes[3])}));
+        const Sym3x8 i = rotated_diagonal(axes, load3(block.moments)), old = load6(block.contact_inertia);
+        store6(block.contact_inertia, select(renewed, i, old));
+        float *low[8], *high[8];
+        for (int lane = 0; lane < 8; ++lane) {
+            low[lane] = &row_at(inertia, block.row[lane]).inverse_mass;
+            high[lane] = low[lane] + 4;
+        }
+        f32x8 mass, unused;
+        Sym3x8 was;
+        gather4(low, mass, was.xx, was.xy, was.xz);
+        gather4(high, was.yy, was.yz, was.zz, unused);
+        const Sym3x8 now = select(renewed, rotated_diagonal(axes, load3(block.inverse_moments)), was);
+        scatter4(low, mass, now.xx, now.xy, now.xz);
+        scatter4(high, now.yy, now.yz, now.zz, zero());
     }
 }
 

@@ -1,6 +1,7 @@
 // The kernel table of one instruction set.
 #include "kernels/broad.h"
 #include "kernels/collide.h"
+#include "kernels/joint.h"
 #include "kernels/kernels.h"
 #include "kernels/solver.h"
 
@@ -12,7 +13,7 @@ namespace cairn::CAIRN_ISA {
 extern const KernelTable table;
 const KernelTable table = {
     CAIRN_STRING(CAIRN_ISA), sphere_sphere,    sphere_box,      sphere_plane, sphere_rectangle, box_box, box_plane,
-    box_rectangle,           solver_kernels(), broad_kernels(),
+    box_rectangle,           solver_kernels(), joint_kernels(), broad_kernels(),
 };
 
 } // namespace cairn::CAIRN_ISA

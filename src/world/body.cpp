@@ -3,6 +3,7 @@
 #include "dynamics/contacts.h"
 #include "dynamics/finalize.h"
 #include "dynamics/islands.h"
+#include "dynamics/joints.h"
 #include "math/rotation.h"
 #include "world/impl.h"
 #include "world/validate.h"
@@ -268,10 +269,12 @@ void Body::set_type(BodyType type) {
     // All contacts end, and are found anew at the next step.
     for (const std::uint32_t i : shapes) s.broad_phase.remove(i);
     update_pairs(s);
+    for_each_joint(s, a.index(), [&](std::uint32_t joint, int) { deactivate_joint(s, joint); });
     if (settings.type == BodyType::dynamic) remove_from_island(s, a.index());
     std::erase(s.kinematics, a.index());
     settings.type = type;
     if (type == BodyType::dynamic) create_island(s, a.index());
+    for_each_joint(s, a.index(), [&](std::uint32_t joint, int) { activate_joint(s, joint); });
     if (type == BodyType::kinematic) s.kinematics.push_back(a.index());
     if (type == BodyType::static_) a.motion().v = a.motion().w = {};
     a.motion().turned = {};

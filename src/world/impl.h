@@ -19,15 +19,23 @@ struct World::Impl {
     std::vector<std::uint64_t> user_data; // by body
     std::vector<Shape> shape_of;          // by shape
     std::vector<ShapeDef> def_of;         // by shape
+    std::vector<JointDef> joint_defs;     // by joint
     std::atomic<bool> stepping{false};    // to notice calls from other threads
 
     // Checked lookups: throw Error(invalid_handle).
     std::int32_t index_of(BodyId id) const;
     std::uint32_t index_of(ShapeId id) const;
+    std::uint32_t index_of(JointId id) const;
     std::uint32_t index_of(ForceFieldId id) const;
 
     // The shapes of a snapshot: throws Error(invalid_file) unless they are those of the geometry that is there.
     void set_shapes(const std::vector<Shape>& shapes);
+
+    // Takes a joint out of the world; with an event, if it was not asked for.
+    void retire_joint(std::uint32_t joint, const std::optional<JointEvent>& event);
+    void retire_joints_of(std::int32_t body);
+    void break_joints(); // those whose load in the last step was too much
+    JointEvent joint_event(std::uint32_t joint, bool broke) const;
 
     // Throws Error(wrong_state) from inside a step or a query callback.
     void require_idle(const char* call) const;

@@ -15,7 +15,8 @@ std::uint64_t layout() {
     Hash64 hash;
     for (const std::size_t size :
          {sizeof(State), sizeof(BodyMotion), sizeof(RestingPose), sizeof(BodyMass), sizeof(ContactRecord),
-          sizeof(ContactInfo), sizeof(Island), sizeof(ShapePose), sizeof(Geometry), sizeof(ShapeDef), sizeof(WorldDef)})
+          sizeof(ContactInfo), sizeof(Island), sizeof(ShapePose), sizeof(Geometry), sizeof(ShapeDef), sizeof(WorldDef),
+          sizeof(JointInfo), sizeof(JointDef)})
         hash.add(size);
     return hash.value();
 }
@@ -31,11 +32,39 @@ template <class Archive> void serialize_state(Archive& archive, State& s) {
     archive(s.records), archive(s.contacts), archive(s.free_contacts);
     archive(s.islands), archive(s.free_islands), archive(s.awake_islands);
     archive(s.falling_asleep), archive(s.waking);
+    s.joint_slots.serialize(archive);
+    archive(s.joints);
     s.field_slots.serialize(archive);
     archive(s.fields), archive(s.dead_bodies), archive(s.dead_shapes);
     s.broad_phase.serialize(archive);
     archive(s.clamped_speeds), archive(s.statistics), archive(s.next_ends), archive(s.next_triggers),
-        archive(s.next_sleeps);
+        archive(s.next_joint_events), archive(s.next_sleeps);
+}
+
+template <class Archive, class T> void serialize_joint(Archive& archive, T& joint) { archive(joint); }
+template <class Archive> void serialize_joint(Archive& archive, GeneralJoint& joint) {
+    archive(joint.limits), archive(joint.drives);
+}
+
+// The alternative of that number, counted from `I`.
+template <std::size_t I = 0> void select_joint(Joint& joint, std::size_t index) {
+    if constexpr (I < std::variant_size_v<Joint>) {
+        if (index == I)
+            joint.emplace<I>();
+        else
+            select_joint<I + 1>(joint, index);
+    } else {
+        throw Error(ErrorCode::invalid_file, "Snapshot", "", "is damaged: a joint is of no kind");
+    }
+}
+
+template <class Archive> void serialize_joint_def(Archive& archive, JointDef& def) {
+    archive(def.body_a), archive(def.body_b), archive(def.frame_a), archive(def.frame_b), archive(def.enable_collision);
+    archive(def.break_force), archive(def.break_torque), archive(def.solver), archive(def.name), archive(def.user_data);
+    std::uint64_t kind = def.joint.index();
+    archive(kind);
+    if constexpr (Archive::reading) select_joint(def.joint, std::size_t(kind));
+    std::visit([&](auto& joint) { serialize_joint(archive, joint); }, def.joint);
 }
 
 template <class Archive, class Impl> void serialize_all(Archive& archive, Impl& impl) {
@@ -43,6 +72,8 @@ template <class Archive, class Impl> void serialize_all(Archive& archive, Impl& 
     archive(impl.user_data), archive(impl.def_of);
     impl.names.resize(impl.state.body_slots.size());
     for (std::string& name : impl.names) archive(name);
+    impl.joint_defs.resize(impl.state.joint_slots.size());
+    for (JointDef& def : impl.joint_defs) serialize_joint_def(archive, def);
 }
 
 } // namespace

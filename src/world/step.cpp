@@ -3,6 +3,7 @@
 #include "dynamics/contacts.h"
 #include "dynamics/finalize.h"
 #include "dynamics/islands.h"
+#include "dynamics/joints.h"
 #include "dynamics/rest.h"
 #include "dynamics/solver.h"
 #include "world/impl.h"
@@ -68,6 +69,7 @@ void World::step(float dt) {
     int passes = 1;
     for (int pass = 0; pass < passes; ++pass) {
         for (const std::int32_t island : state.awake_islands) state.islands[std::size_t(island)].kept_awake = 0;
+        wake_driven_joints(state);
         update_pairs(state);
         times.broad_phase += clock.lap();
         update_contacts(state, dt / float(passes));
@@ -82,6 +84,7 @@ void World::step(float dt) {
         times.solve += solve - prepare;
         finalize_kinematics(state, pass_dt);
         report_contacts(state, pass_dt);
+        impl_->break_joints();
         update_sleep(state);
         ++state.passes;
         times.finalize += clock.lap();
@@ -91,6 +94,8 @@ void World::step(float dt) {
     state.pushed.clear();
     state.ends.swap(state.next_ends);
     state.next_ends.clear();
+    state.joint_events.swap(state.next_joint_events);
+    state.next_joint_events.clear();
     state.triggers.swap(state.next_triggers);
     state.next_triggers.clear();
     state.sleeps.swap(state.next_sleeps);

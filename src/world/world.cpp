@@ -48,6 +48,9 @@ std::int32_t World::Impl::index_of(BodyId id) const {
 std::uint32_t World::Impl::index_of(ShapeId id) const {
     return checked_index("ShapeId", id, state.world_id, state.shape_slots);
 }
+std::uint32_t World::Impl::index_of(JointId id) const {
+    return checked_index("JointId", id, state.world_id, state.joint_slots);
+}
 std::uint32_t World::Impl::index_of(ForceFieldId id) const {
     return checked_index("ForceFieldId", id, state.world_id, state.field_slots);
 }
@@ -144,6 +147,7 @@ void World::destroy_body(BodyId id) {
     State& s = impl_->state;
     wake_around(s, b);
     wake_body(s, b);
+    impl_->retire_joints_of(b);
     for (std::int32_t shape = s.bodies[std::size_t(b)].first_shape; shape != none;
          shape = s.shapes[std::size_t(shape)].next)
         retire_shape(s, std::uint32_t(shape));

@@ -1,0 +1,27 @@
+// Where a joint's frames are, in double.
+#pragma once
+
+#include "dynamics/joints.h"
+
+namespace cairn {
+
+struct JointPlacement {
+    math::DVec3 arm_a, arm_b, gap; // from centers of mass to anchors (of the world: zero); from anchor A to anchor B
+    math::DQuat frame_a, frame_b;  // in the world
+};
+JointPlacement place_joint(const State& state, const JointInfo& joint);
+
+// An axis of a frame.
+inline math::Vec3 frame_axis(const math::DQuat& frame, int i) {
+    math::DVec3 e;
+    e[i] = 1;
+    return math::to_float(math::rotate(frame, e));
+}
+
+// Of frame B against A, in world axes.
+inline math::DQuat turn_of(const JointPlacement& p) { return math::normalized(p.frame_b * math::conjugate(p.frame_a)); }
+
+// From the ground point of a pulley to the anchor of that side.
+math::Vec3 pulley_reach(const State& state, const JointInfo& joint, int side, const JointPlacement& p);
+
+} // namespace cairn

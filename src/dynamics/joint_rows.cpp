@@ -1,0 +1,294 @@
+// The rows of joints in a solver bin: lanes, what is put into them, and what comes out.
+#include "dynamics/bodies.h"
+#include "dynamics/coloring.h"
+#include "dynamics/joint_placement.h"
+#include "dynamics/joints.h"
+#include "dynamics/solver.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace cairn {
+
+using math::DQuat;
+using math::DVec3;
+using math::put;
+
+namespace {
+
+constexpr int blocks_per_chunk = 4; // for threads
+
+// Within a color, rows of one joint come in phases: its axes one after the other, then its turn, then its point, which
+// so has the last word. Rows of one phase and form share blocks.
+constexpr std::uint32_t turn_phase = most_joint_axes, point_phase = turn_phase + 1, phases = point_phase + 1,
+                        forms = 16;
+
+std::uint32_t row_key(std::uint8_t color, std::uint32_t phase, std::uint32_t form) {
+    const std::uint32_t rank = color == overflow_color ? 0u : color + 1u;
+    return (rank * phases + phase) * forms + form;
+}
+constexpr std::uint32_t key_count = 64 * phases * forms;
+
+std::int32_t joint_row(BinScratch& scratch, const State& s, std::int32_t body) {
+    if (body == none || s.body_settings[std::size_t(body)].type == BodyType::static_) return fixed_row;
+    return row_of_body(scratch, body);
+}
+
+void collect_rows(const State& s, BinScratch& scratch) {
+    std::vector<JointRow>& rows = scratch.unsorted_joint_rows;
+    rows.clear();
+    scratch.joints.clear();
+    for (const std::int32_t body : scratch.touching_bodies) {
+        if (s.bodies[std::size_t(body)].joint_count == 0) continue;
+        for_each_joint(s, body, [&](std::uint32_t joint, int) {
+            const JointInfo& info = s.joints[joint];
+            if (joint_owner(s, info) != body) return;
+            scratch.joints.push_back(joint);
+            const JointRules& rules = info.rules;
+            for (std::uint32_t i = 0; i < rules.axis_count; ++i)
+                rows.push_back({row_key(info.color, i, std::uint32_t(rules.axes[i].kind)), joint, JointRowType::axis,
+                                std::uint8_t(i)});
+            if (rules.turn != JointLock::none)
+                rows.push_back(
+                    {row_key(info.color, turn_phase, std::uint32_t(rules.turn)), joint, JointRowType::turn, 0});
+            if (rules.point != JointLock::none)
+                rows.push_back(
+                    {row_key(info.color, point_phase, std::uint32_t(rules.point)), joint, JointRowType::point, 0});
+        });
+    }
+}
+
+// A counting sort, stable.
+void sort_rows(BinScratch& scratch) {
+    const std::vector<JointRow>& from = scratch.unsorted_joint_rows;
+    scratch.joint_key_counts.assign(key_count + 1, 0);
+    for (const JointRow& row : from) ++scratch.joint_key_counts[row.key + 1];
+    for (std::size_t k = 1; k <= key_count; ++k) scratch.joint_key_counts[k] += scratch.joint_key_counts[k - 1];
+    scratch.joint_rows.resize(from.size());
+    for (const JointRow& row : from) scratch.joint_rows[scratch.joint_key_counts[row.key]++] = row;
+}
+
+constexpr JointLane no_lane{none, fixed_row, fixed_row, 0};
+
+std::vector<JointLane>& lanes_for(BinScratch& scratch, JointRowType type) {
+    return scratch.joint_lanes[std::size_t(type)];
+}
+
+void set_lane(float (*p)[8], std::size_t lane, math::Vec3 v) { p[0][lane] = v.x, p[1][lane] = v.y, p[2][lane] = v.z; }
+void set_lane(float (*p)[8], std::size_t lane, const DQuat& q) {
+    p[0][lane] = float(q.x), p[1][lane] = float(q.y), p[2][lane] = float(q.z), p[3][lane] = float(q.w);
+}
+math::Vec3 get_lane(const float (*p)[8], std::size_t lane) { return {p[0][lane], p[1][lane], p[2][lane]}; }
+
+void fill_ends(const State& s, const BinScratch& scratch, JointEnds& ends, std::size_t lane, const JointLane& at,
+               std::uint32_t discard) {
+    auto writes = [&](std::int32_t row) {
+        const std::int32_t body = scratch.row_bodies[std::size_t(row)];
+        return body != none && s.is_dynamic(body) ? std::uint32_t(row) * row_bytes : discard;
+    };
+    ends.a[lane] = std::uint32_t(at.row_a) * row_bytes;
+    ends.b[lane] = std::uint32_t(at.row_b) * row_bytes;
+    ends.write_a[lane] = writes(at.row_a);
+    ends.write_b[lane] = writes(at.row_b);
+}
+
+void fill_lane(const State&, const JointInfo& joint, const JointLane&, const JointPlacement& p, PointBlock& b,
+               std::size_t lane, float) {
+    set_lane(b.arm_a0, lane, math::to_float(p.arm_a));
+    set_lane(b.arm_b0, lane, math::to_float(p.arm_b));
+    set_lane(b.gap0, lane, math::to_float(p.gap));
+    b.free_axis = joint.rules.point == JointLock::across;
+    if (b.free_axis) set_lane(b.axis0, lane, frame_axis(p.frame_a, joint.rules.point_column));
+    set_lane(b.impulse, lane, joint.point_impulse);
+}
+
+void fill_lane(const State&, const JointInfo& joint, const JointLane&, const JointPlacement& p, TurnBlock& b,
+               std::size_t lane, float) {
+    b.free_axis = joint.rules.turn == JointLock::across;
+    set_lane(b.turn0, lane, turn_of(p));
+    set_lane(b.axis_a0, lane, frame_axis(p.frame_a, joint.rules.turn_column));
+    set_lane(b.axis_b0, lane, frame_axis(p.frame_b, joint.rules.turn_column));
+    set_lane(b.impulse, lane, joint.turn_impulse);
+}
+
+void fill_axis_rule(AxisBlock& b, std::size_t lane, const JointAxisRule& rule, float h) {
+    b.lower[lane] = rule.has_limits ? rule.lower : -unlimited;
+    b.upper[lane] = rule.has_limits ? rule.upper : unlimited;
+    b.equation[lane] = rule.is_equation;
+    b.rigid_limit[lane] = rule.rigid_limit;
+    b.limit_stiffness[lane] = rule.limit_stiffness;
+    b.limit_damping[lane] = rule.limit_damping;
+    b.limit_relative[lane] = rule.limit_relative;
+    b.drive_stiffness[lane] = rule.drive_stiffness;
+    b.drive_damping[lane] = rule.drive_damping;
+    b.target_position[lane] = rule.target_position;
+    b.target_velocity[lane] = rule.target_velocity;
+    b.rigid_drive[lane] = rule.rigid_drive;
+    b.drive_relative[lane] = rule.drive_relative;
+    b.most_drive[lane] = rule.has_drive ? std::min(rule.most_drive * h, unlimited) : 0.0f;
+    b.most_friction[lane] = std::min(rule.friction * h, unlimited);
+    b.ratio_a[lane] = rule.ratio_a;
+    b.ratio_b[lane] = rule.ratio_b;
+    b.has_limits |= rule.has_limits;
+    b.has_drive |= rule.has_drive;
+    b.has_friction |= rule.friction > 0;
+}
+
+void fill_lane(const State& s, const JointInfo& joint, const JointLane& at, const JointPlacement& p, AxisBlock& b,
+               std::size_t lane, float h) {
+    const JointAxisRule& rule = joint.rules.axes[at.axis];
+    const JointAxisState& state = joint.axes[at.axis];
+    b.kind = rule.kind;
+    fill_axis_rule(b, lane, rule, h);
+    set_lane(b.arm_a0, lane, math::to_float(p.arm_a));
+    set_lane(b.arm_b0, lane, math::to_float(p.arm_b));
+    set_lane(b.gap0, lane, math::to_float(p.gap));
+    set_lane(b.turn0, lane, turn_of(p));
+    const bool is_pulley = rule.kind == AxisKind::pulley;
+    set_lane(b.axis_a0, lane, is_pulley ? pulley_reach(s, joint, 0, p) : frame_axis(p.frame_a, rule.column_a));
+    set_lane(b.axis_b0, lane, is_pulley ? pulley_reach(s, joint, 1, p) : frame_axis(p.frame_b, rule.column_b));
+    b.position[lane] = b.position0[lane] = state.position;
+    b.drive_impulse[lane] = state.drive;
+    b.friction_impulse[lane] = state.friction;
+    b.lower_impulse[lane] = state.lower;
+    b.upper_impulse[lane] = state.upper;
+}
+
+// Calls f(blocks, lanes, first discard row) for each of the three types of blocks.
+template <class F> void for_block_types(BinScratch& scratch, F&& f) {
+    const std::vector<JointLane>& points = lanes_for(scratch, JointRowType::point);
+    const std::vector<JointLane>& turns = lanes_for(scratch, JointRowType::turn);
+    const std::vector<JointLane>& axes = lanes_for(scratch, JointRowType::axis);
+    const std::int32_t first = scratch.first_joint_discard_row();
+    f(scratch.point_blocks, points, first);
+    f(scratch.turn_blocks, turns, first + std::int32_t(points.size() / 8));
+    f(scratch.axis_blocks, axes, first + std::int32_t((points.size() + turns.size()) / 8));
+}
+
+// Impulses are those of one substep.
+void rescale_impulses(JointInfo& joint, float h) {
+    if (joint.substep_time == h) return;
+    const float ratio = joint.substep_time > 0 ? h / joint.substep_time : 0.0f;
+    const float factor = ratio > 1e-3f && ratio < 1e3f ? ratio : 0.0f; // too different to say anything
+    joint.point_impulse = factor * joint.point_impulse;
+    joint.turn_impulse = factor * joint.turn_impulse;
+    for (JointAxisState& axis : joint.axes)
+        axis.drive *= factor, axis.friction *= factor, axis.lower *= factor, axis.upper *= factor;
+    joint.substep_time = h;
+}
+
+// --- and out again
+
+void take_lane(JointInfo& joint, const JointLane&, const PointBlock& b, std::size_t lane) {
+    joint.point_impulse = get_lane(b.impulse, lane);
+    joint.force += get_lane(b.total, lane);
+}
+void take_lane(JointInfo& joint, const JointLane&, const TurnBlock& b, std::size_t lane) {
+    joint.turn_impulse = get_lane(b.impulse, lane);
+    joint.torque += get_lane(b.total, lane);
+}
+void take_lane(JointInfo& joint, const JointLane& at, const AxisBlock& b, std::size_t lane) {
+    JointAxisState& axis = joint.axes[at.axis];
+    axis = {b.drive_impulse[lane], b.friction_impulse[lane], b.lower_impulse[lane], b.upper_impulse[lane],
+            b.position[lane]};
+    const float total = b.total[lane];
+    const math::Vec3 linear = get_lane(b.linear_b, lane), arm = get_lane(b.arm_b0, lane);
+    joint.force += total * linear;
+    joint.torque += total * (get_lane(b.angular_b, lane) - math::cross(arm, linear));
+}
+
+bool is_sound(const JointInfo& joint) {
+    float sum = math::dot(joint.force, {1, 1, 1}) + math::dot(joint.torque, {1, 1, 1});
+    sum += math::dot(joint.point_impulse, {1, 1, 1}) + math::dot(joint.turn_impulse, {1, 1, 1});
+    for (const JointAxisState& axis : joint.axes)
+        sum += axis.drive + axis.friction + axis.lower + axis.upper + axis.position;
+    return std::isfinite(sum);
+}
+
+// Of bodies that were stopped for being beyond the range of numbers.
+void forget_impulses(JointInfo& joint) {
+    joint.force = joint.torque = joint.point_impulse = joint.turn_impulse = {};
+    for (JointAxisState& axis : joint.axes) axis = {0, 0, 0, 0, std::isfinite(axis.position) ? axis.position : 0.0f};
+}
+
+} // namespace
+
+JointSoftness joint_softness(float h) {
+    // Softer ones lag behind, harder ones gain energy from 0.35 / h on.
+    constexpr float pi = 3.14159265358979f, frequency_times_h = 0.25f, damping_ratio = 2.0f;
+    const float omega_h = 2 * pi * frequency_times_h, a1 = 2 * damping_ratio + omega_h, a2 = omega_h * a1;
+    return {h, 1 / h, a2 / (1 + a2), omega_h / (a1 * h)};
+}
+
+void fill_joint_lanes(const State& s, BinScratch& scratch) {
+    for (std::vector<JointLane>& lanes : scratch.joint_lanes) lanes.clear();
+    scratch.joint_runs.clear();
+    collect_rows(s, scratch);
+    if (scratch.joints.empty()) return;
+    sort_rows(scratch);
+    const std::vector<JointRow>& rows = scratch.joint_rows;
+    for (std::size_t k = 0; k < rows.size();) {
+        std::vector<JointLane>& lanes = lanes_for(scratch, rows[k].type);
+        JointRun run{rows[k].type, std::int32_t(lanes.size() / 8), 0};
+        const std::uint32_t key = rows[k].key;
+        for (; k < rows.size() && rows[k].key == key; ++k) {
+            const JointInfo& joint = s.joints[rows[k].joint];
+            lanes.push_back({std::int32_t(rows[k].joint), joint_row(scratch, s, joint.body_a),
+                             joint_row(scratch, s, joint.body_b), rows[k].axis});
+            if (joint.color != overflow_color) continue;
+            ++k; // alone in its run: it may share bodies with the next
+            break;
+        }
+        while (lanes.size() % 8 != 0) lanes.push_back(no_lane);
+        run.count = std::int32_t(lanes.size() / 8) - run.first;
+        scratch.joint_runs.push_back(run);
+    }
+}
+
+void fill_joint_blocks(State& s, BinScratch& scratch, Crew* crew, float h) {
+    for (const std::uint32_t joint : scratch.joints) rescale_impulses(s.joints[joint], h);
+    for_block_types(scratch, [&](auto& blocks, const std::vector<JointLane>& lanes, std::int32_t first_discard) {
+        const std::size_t count = lanes.size() / 8;
+        if (blocks.size() < count) blocks.resize(count);
+        for_chunks(crew, int(count), blocks_per_chunk, [&](int begin, int end, int) {
+            for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
+                auto& block = blocks[k];
+                block = {};
+                const std::uint32_t discard = (std::uint32_t(first_discard) + std::uint32_t(k)) * row_bytes;
+                for (std::size_t lane = 0; lane < 8; ++lane) {
+                    const JointLane& at = lanes[8 * k + lane];
+                    fill_ends(s, scratch, block, lane, at, discard);
+                    if (at.joint == none) continue;
+                    const JointInfo& joint = s.joints[std::size_t(at.joint)];
+                    fill_lane(s, joint, at, place_joint(s, joint), block, lane, h);
+                }
+            }
+        });
+    });
+}
+
+void store_joints(State& s, BinScratch& scratch, Crew* crew, float dt) {
+    for (const std::uint32_t joint : scratch.joints) s.joints[joint].force = s.joints[joint].torque = {};
+    for_block_types(scratch, [&](auto& blocks, const std::vector<JointLane>& lanes, std::int32_t) {
+        for (std::size_t k = 0; k < lanes.size(); ++k)
+            if (lanes[k].joint != none)
+                take_lane(s.joints[std::size_t(lanes[k].joint)], lanes[k], blocks[k / 8], k % 8);
+    });
+    const float rate = 1 / dt;
+    for_chunks(crew, int(scratch.joints.size()), 8 * blocks_per_chunk, [&](int begin, int end, int) {
+        for (int k = begin; k < end; ++k) {
+            JointInfo& joint = s.joints[scratch.joints[std::size_t(k)]];
+            joint.force = rate * joint.force;
+            joint.torque = rate * joint.torque;
+            if (!is_sound(joint)) forget_impulses(joint);
+        }
+    });
+    for (const std::uint32_t index : scratch.joints) {
+        const JointInfo& joint = s.joints[index];
+        if (math::dot(joint.force, joint.force) > joint.break_force * joint.break_force ||
+            math::dot(joint.torque, joint.torque) > joint.break_torque * joint.break_torque)
+            scratch.overloaded.push_back(index);
+    }
+}
+
+} // namespace cairn

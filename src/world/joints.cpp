@@ -1,0 +1,248 @@
+// Joints: making, changing, reading and removing them. Every argument is checked before anything changes.
+#include "dynamics/joints.h"
+
+#include "dynamics/bodies.h"
+#include "dynamics/islands.h"
+#include "world/impl.h"
+#include "world/joint_rules.h"
+#include "world/validate.h"
+
+namespace cairn {
+
+namespace {
+
+void fill_frames(JointInfo& info, const JointDef& def) {
+    auto rotation = [](const Quat& q) { return math::normalized(math::to_double(to_math(q))); };
+    info.anchor_a = to_math(def.frame_a.position);
+    info.anchor_b = to_math(def.frame_b.position);
+    info.frame_a = rotation(def.frame_a.rotation);
+    info.frame_b = rotation(def.frame_b.rotation);
+    if (const auto* servo = std::get_if<ServoJoint>(&def.joint)) { // its target is where frame A is taken to be
+        info.anchor_a += math::rotate(info.frame_a, math::to_double(to_math(servo->position)));
+        info.frame_a = math::normalized(info.frame_a * rotation(servo->rotation));
+    }
+    if (const auto* pulley = std::get_if<PulleyJoint>(&def.joint)) {
+        info.ground_a = to_math(pulley->ground_a);
+        info.ground_b = to_math(pulley->ground_b);
+    }
+}
+
+math::DVec3 anchor_in_world(const State& s, std::int32_t body, math::DVec3 anchor) {
+    if (body == none) return anchor;
+    const BodyMotion& motion = s.motion[std::size_t(body)];
+    return motion.x + math::rotate(motion.q, anchor - math::to_double(s.mass[std::size_t(body)].center));
+}
+
+float pulley_length(const State& s, const JointInfo& info, const Joint& joint) {
+    const auto* pulley = std::get_if<PulleyJoint>(&joint);
+    if (!pulley) return 0;
+    const double a = math::length(anchor_in_world(s, info.body_a, info.anchor_a) - info.ground_a);
+    const double b = math::length(anchor_in_world(s, info.body_b, info.anchor_b) - info.ground_b);
+    return float(a + double(pulley->ratio) * b);
+}
+
+// Pairs of the two bodies' shapes are asked for anew at the next step.
+void refilter_pairs(State& s, const JointInfo& info) {
+    if (info.enable_collision || info.body_a == none || info.body_b == none) return;
+    for (std::int32_t i = s.bodies[std::size_t(info.body_a)].first_shape; i != none; i = s.shapes[std::size_t(i)].next)
+        s.broad_phase.refilter(std::uint32_t(i));
+}
+
+// Rows of another make begin without impulses.
+void set_rules(State& s, std::uint32_t index, const JointRules& rules) {
+    JointInfo& info = s.joints[index];
+    bool same =
+        info.rules.point == rules.point && info.rules.turn == rules.turn && info.rules.axis_count == rules.axis_count;
+    for (int i = 0; same && i < rules.axis_count; ++i) same = info.rules.axes[i].kind == rules.axes[i].kind;
+    info.rules = rules;
+    if (!same) {
+        info.point_impulse = info.turn_impulse = {};
+        for (JointAxisState& axis : info.axes) axis = {};
+    }
+    for (int i = 0; i < rules.axis_count; ++i) { // what is no more must not act on
+        JointAxisState& axis = info.axes[i];
+        if (!rules.axes[i].has_limits) axis.lower = axis.upper = 0;
+        if (!rules.axes[i].has_drive) axis.drive = 0;
+        if (!(rules.axes[i].friction > 0)) axis.friction = 0;
+    }
+    const JointPositions positions = joint_positions(s, index);
+    for (int i = 0; i < rules.axis_count; ++i) info.axes[i].position = positions.axes[i];
+}
+
+math::DQuat turn_from_x(math::DVec3 axis) {
+    if (axis.x < -0.999999) return {0, 0, 1, 0};
+    return math::normalized(math::DQuat{0, -axis.z, axis.y, 1 + axis.x});
+}
+
+} // namespace
+
+void World::Impl::retire_joint(std::uint32_t index, const std::optional<JointEvent>& event) {
+    State& s = state;
+    refilter_pairs(s, s.joints[index]);
+    deactivate_joint(s, index);
+    unlink_joint(s, index);
+    if (event) s.next_joint_events.push_back(*event);
+    s.joints[index] = {};
+    joint_defs[index] = {};
+    s.joint_slots.kill(index);
+    s.joint_slots.recycle(index);
+}
+
+JointEvent World::Impl::joint_event(std::uint32_t index, bool broke) const {
+    const JointInfo& info = state.joints[index];
+    const JointDef& def = joint_defs[index];
+    JointEvent event{state.joint_id(index), def.body_a, def.body_b, broke, 0, 0, def.user_data};
+    if (broke) event.force = math::length(info.force), event.torque = math::length(info.torque);
+    return event;
+}
+
+void World::Impl::retire_joints_of(std::int32_t body) {
+    std::vector<std::uint32_t> joints;
+    for_each_joint(state, body, [&](std::uint32_t joint, int) { joints.push_back(joint); });
+    for (const std::uint32_t joint : joints) retire_joint(joint, joint_event(joint, false));
+}
+
+void World::Impl::break_joints() {
+    for (const std::uint32_t joint : state.overloaded_joints) retire_joint(joint, joint_event(joint, true));
+    state.overloaded_joints.clear();
+}
+
+JointId World::create_joint(const JointDef& def) {
+    impl_->require_idle("World::create_joint");
+    State& s = impl_->state;
+    JointInfo info;
+    if (!def.body_a.is_null()) info.body_a = impl_->index_of(def.body_a);
+    if (!def.body_b.is_null()) info.body_b = impl_->index_of(def.body_b);
+    if (info.body_a == info.body_b)
+        refuse("JointDef.body_b", def.body_b.is_null() ? "null" : "that of body_a", "must be another body than body_a");
+    if (joint_owner(s, info) == none)
+        throw Error(ErrorCode::wrong_state, "World::create_joint", "", "one of the two bodies must be dynamic");
+    validate(def);
+    require_slot(s.joint_slots, "World::create_joint");
+    const std::uint32_t index = s.joint_slots.create();
+    make_room(s.joints, index), make_room(impl_->joint_defs, index);
+    JointDef& own = impl_->joint_defs[index] = def;
+    own.frame_a.rotation = checked_rotation("JointDef.frame_a.rotation", def.frame_a.rotation);
+    own.frame_b.rotation = checked_rotation("JointDef.frame_b.rotation", def.frame_b.rotation);
+    fill_frames(info, own);
+    info.in_use = 1;
+    info.enable_collision = def.enable_collision;
+    info.solver = std::uint8_t(def.solver);
+    info.break_force = def.break_force;
+    info.break_torque = def.break_torque;
+    s.joints[index] = info;
+    set_rules(s, index, make_rules(def.joint, pulley_length(s, info, def.joint)));
+    link_joint(s, index);
+    activate_joint(s, index);
+    refilter_pairs(s, info);
+    return s.joint_id(index);
+}
+
+JointDef World::joint_at(BodyId body_a, BodyId body_b, const Position& anchor, const Vec3& axis,
+                         const Joint& joint) const {
+    require_position("World::joint_at anchor", anchor);
+    require_finite("World::joint_at axis", axis);
+    const math::DVec3 along = math::to_double(to_math(axis));
+    if (!(math::dot(along, along) > 0)) refuse("World::joint_at axis", to_text(axis), "must not be zero");
+    const State& s = impl_->state;
+    const math::DQuat world = turn_from_x(math::normalized(along));
+    auto frame = [&](BodyId id) {
+        Transform t{anchor, to_public(math::to_float(world))};
+        if (id.is_null()) return t;
+        const std::int32_t body = impl_->index_of(id);
+        const math::DQuat& q = s.motion[std::size_t(body)].q;
+        t.position = to_public(math::rotate_back(q, to_math(anchor) - body_origin(s, body)));
+        t.rotation = to_public(math::to_float(math::normalized(math::conjugate(q) * world)));
+        return t;
+    };
+    JointDef def;
+    def.body_a = body_a, def.body_b = body_b;
+    def.frame_a = frame(body_a), def.frame_b = frame(body_b);
+    def.joint = joint;
+    return def;
+}
+
+void World::destroy_joint(JointId id) {
+    impl_->require_idle("World::destroy_joint");
+    impl_->retire_joint(impl_->index_of(id), std::nullopt);
+}
+
+bool World::is_valid(JointId id) const noexcept {
+    return id.world() == impl_->state.world_id && impl_->state.joint_slots.is_live(id.index(), id.generation());
+}
+
+const JointDef& World::joint_def(JointId id) const { return impl_->joint_defs[impl_->index_of(id)]; }
+
+void World::set_joint(JointId id, const Joint& joint) {
+    impl_->require_idle("World::set_joint");
+    const std::uint32_t index = impl_->index_of(id);
+    validate(joint);
+    State& s = impl_->state;
+    JointInfo& info = s.joints[index];
+    impl_->joint_defs[index].joint = joint;
+    fill_frames(info, impl_->joint_defs[index]);
+    set_rules(s, index, make_rules(joint, pulley_length(s, info, joint)));
+    if (const std::int32_t owner = joint_owner(s, info); owner != none) wake_body(s, owner);
+}
+
+void World::set_joint_strength(JointId id, float break_force, float break_torque) {
+    impl_->require_idle("World::set_joint_strength");
+    const std::uint32_t index = impl_->index_of(id);
+    JointDef& def = impl_->joint_defs[index];
+    JointDef changed = def;
+    changed.break_force = break_force;
+    changed.break_torque = break_torque;
+    validate(changed);
+    def = changed;
+    impl_->state.joints[index].break_force = break_force;
+    impl_->state.joints[index].break_torque = break_torque;
+}
+
+JointState World::joint_state(JointId id) const {
+    const std::uint32_t index = impl_->index_of(id);
+    const JointInfo& info = impl_->state.joints[index];
+    const JointPositions positions = joint_positions(impl_->state, index);
+    JointState state;
+    state.force = to_public(info.force);
+    state.torque = to_public(info.torque);
+    float linear = math::dot(positions.gap, positions.gap), angular = math::dot(positions.turn, positions.turn);
+    for (int i = 0; i < info.rules.axis_count; ++i) {
+        const JointAxisRule& rule = info.rules.axes[i];
+        if (!rule.is_lock) {
+            state.positions[std::size_t(state.position_count++)] = positions.axes[i];
+        } else if (rule.has_limits) {
+            const float error = positions.axes[i] - rule.lower;
+            (rule.kind == AxisKind::linear || rule.kind == AxisKind::rack ? linear : angular) += error * error;
+        }
+    }
+    state.linear_error = std::sqrt(linear);
+    state.angular_error = std::sqrt(angular);
+    return state;
+}
+
+std::vector<JointId> World::joints() const {
+    const State& s = impl_->state;
+    std::vector<JointId> ids;
+    ids.reserve(s.joint_slots.live_count());
+    for (std::uint32_t i = 0; i < s.joint_slots.size(); ++i)
+        if (s.joint_slots.is_live(i)) ids.push_back(s.joint_id(i));
+    return ids;
+}
+
+std::vector<JointId> World::joints(BodyId id) const {
+    std::vector<JointId> ids;
+    for_each_joint(impl_->state, impl_->index_of(id),
+                   [&](std::uint32_t joint, int) { ids.push_back(impl_->state.joint_id(joint)); });
+    return ids;
+}
+
+std::optional<JointId> World::find_joint(std::string_view name) const {
+    const State& s = impl_->state;
+    for (std::uint32_t i = 0; i < s.joint_slots.size(); ++i)
+        if (s.joint_slots.is_live(i) && impl_->joint_defs[i].name == name) return s.joint_id(i);
+    return std::nullopt;
+}
+
+std::span<const JointEvent> World::joint_events() const noexcept { return impl_->state.joint_events; }
+
+} // namespace cairn
