@@ -297,12 +297,14 @@ void relax(void* blocks, int count, const SolverBodies& bodies, const JointSoftn
     auto* all = static_cast<AxisBlock*>(blocks);
     for (int k = 0; k < count; ++k) {
         AxisBlock& b = all[k];
-        Ends8 e = gather_ends(bodies.velocity, b);
         const f32x8 before = load(b.position), p = net_impulse(b);
-        apply(b, load_jacobian(b), -p, e);
+        Ends8 change = {{zero3(), zero3()}, {zero3(), zero3()}};
+        apply(b, load_jacobian(b), -p, change);
         if (!b.even) renew_masses(b, bodies.inertia);
         const Jacobianx8 j = refresh(b, gather_poses(bodies.pose, b));
-        apply(b, j, p, e);
+        apply(b, j, p, change);
+        carry(bodies.reference, b, change);
+        Ends8 e = gather_ends(bodies.velocity, b);
         apply(b, j, act<false>(b, velocity_of(j, e), before, softness), e);
         store(b.total, load(b.total) + net_impulse(b));
         refresh_drive(b, splat(softness.h));

@@ -102,39 +102,39 @@ void solve(void* blocks, int count, SolverVelocity* velocity, const JointSoftnes
     }
 }
 
-template <bool FreeAxis> CAIRN_INLINE void relax_block(PointBlock& b, const SolverBodies& bodies) {
-    const Posesx8 poses = gather_poses(bodies.pose, b);
+// The impulse across the axis as it is now, and what the new arms and axis change of what is carried.
+template <bool FreeAxis>
+CAIRN_INLINE Vec3x8 turn_along(PointBlock& b, const Posesx8& poses, const SolverBodies& bodies) {
     const Vec3x8 old_a = load3(b.arm_a), old_b = load3(b.arm_b), old = load3(b.impulse);
-    Ends8 e = gather_ends(bodies.velocity, b);
     Vec3x8 p = old;
-    if (b.even) {
-        refresh<FreeAxis>(b, poses, load_masses(b));
-    } else { // what the bodies carry was turned by the inertia of then
-        e.a.w = e.a.w + load6(b.inertia_a) * cross(old_a, old);
-        e.b.w = e.b.w - load6(b.inertia_b) * cross(old_b, old);
-        refresh<FreeAxis>(b, poses, renew_masses(b, bodies.inertia));
-    }
     if constexpr (FreeAxis) {
         const Vec3x8 axis0 = load3(b.axis0);
         p = across(axis0 + turned_difference(poses.dq_a, axis0), old);
-        e.a.v = e.a.v - load(b.mass_a) * (p - old);
-        e.b.v = e.b.v + load(b.mass_b) * (p - old);
     }
-    const Vec3x8 arm_a = load3(b.arm_a), arm_b = load3(b.arm_b);
+    Vec3x8 wa, wb;
     if (b.even) {
-        Vec3x8 moment_a = cross(arm_a - old_a, p), moment_b = cross(arm_b - old_b, p);
-        if constexpr (FreeAxis) {
-            moment_a = moment_a + cross(old_a, p - old);
-            moment_b = moment_b + cross(old_b, p - old);
-        }
-        e.a.w = e.a.w - load(b.inertia_a[0]) * moment_a;
-        e.b.w = e.b.w + load(b.inertia_b[0]) * moment_b;
+        refresh<FreeAxis>(b, poses, load_masses(b));
+        wa = load(b.inertia_a[0]) * (cross(old_a, old) - cross(load3(b.arm_a), p));
+        wb = load(b.inertia_b[0]) * (cross(load3(b.arm_b), p) - cross(old_b, old));
     } else {
-        e.a.w = e.a.w - load6(b.inertia_a) * cross(arm_a, p);
-        e.b.w = e.b.w + load6(b.inertia_b) * cross(arm_b, p);
+        wa = load6(b.inertia_a) * cross(old_a, old);
+        wb = -(load6(b.inertia_b) * cross(old_b, old));
+        refresh<FreeAxis>(b, poses, renew_masses(b, bodies.inertia));
+        wa = wa - load6(b.inertia_a) * cross(load3(b.arm_a), p);
+        wb = wb + load6(b.inertia_b) * cross(load3(b.arm_b), p);
     }
-    const Vec3x8 d = -(load6(b.response) * slip_at(e, arm_a, arm_b));
-    p = p + d;
+    if constexpr (FreeAxis)
+        carry(bodies.reference, b, {{-(load(b.mass_a) * (p - old)), wa}, {load(b.mass_b) * (p - old), wb}});
+    else
+        carry_angular(bodies.reference, b, wa, wb);
+    return p;
+}
+
+template <bool FreeAxis> CAIRN_INLINE void relax_block(PointBlock& b, const SolverBodies& bodies) {
+    const Vec3x8 old = turn_along<FreeAxis>(b, gather_poses(bodies.pose, b), bodies);
+    const Vec3x8 arm_a = load3(b.arm_a), arm_b = load3(b.arm_b);
+    Ends8 e = gather_ends(bodies.velocity, b);
+    const Vec3x8 d = -(load6(b.response) * slip_at(e, arm_a, arm_b)), p = old + d;
     store3(b.impulse, p);
     store3(b.total, load3(b.total) + p);
     apply(b, arm_a, arm_b, d, e);

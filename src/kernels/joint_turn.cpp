@@ -65,19 +65,17 @@ void solve(void* blocks, int count, SolverVelocity* velocity, const JointSoftnes
 template <bool FreeAxis> CAIRN_INLINE void relax_block(TurnBlock& b, const SolverBodies& bodies) {
     const Posesx8 poses = gather_poses(bodies.pose, b);
     const Vec3x8 old = load3(b.impulse);
-    Ends8 e = gather_ends(bodies.velocity, b);
-    if (!b.even) {
-        e.a.w = e.a.w + load6(b.inertia_a) * old;
-        e.b.w = e.b.w - load6(b.inertia_b) * old;
-        renew_masses(b, bodies.inertia);
-    }
+    Vec3x8 wa = inertia_times(b.even, b.inertia_a, old), wb = -inertia_times(b.even, b.inertia_b, old);
+    if (!b.even) renew_masses(b, bodies.inertia);
     const Vec3x8 axis = refresh<FreeAxis>(b, poses, load_masses(b));
     Vec3x8 p = old;
     if constexpr (FreeAxis) p = across(axis, old);
-    if (!b.even)
-        apply(b, p, e);
-    else if constexpr (FreeAxis)
-        apply(b, p - old, e);
+    if (FreeAxis || !b.even) {
+        wa = wa - inertia_times(b.even, b.inertia_a, p);
+        wb = wb + inertia_times(b.even, b.inertia_b, p);
+        carry_angular(bodies.reference, b, wa, wb);
+    }
+    Ends8 e = gather_ends(bodies.velocity, b);
     const Vec3x8 d = -(load6(b.response) * (e.b.w - e.a.w));
     p = p + d;
     store3(b.impulse, p);
