@@ -196,6 +196,8 @@ void World::set_joint_strength(JointId id, float break_force, float break_torque
     def = changed;
     impl_->state.joints[index].break_force = break_force;
     impl_->state.joints[index].break_torque = break_torque;
+    if (const std::int32_t owner = joint_owner(impl_->state, impl_->state.joints[index]); owner != none)
+        wake_body(impl_->state, owner);
 }
 
 JointState World::joint_state(JointId id) const {
