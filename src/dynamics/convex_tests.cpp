@@ -35,8 +35,7 @@ Convex facing_polygon(const Convex& a, double reach, const PosedShape& rectangle
     DVec3 center = offset;
     const Geometry part = near_part(rectangle.geometry, center, rotation, middle(a), reach);
     const Convex polygon = make_convex(part, rectangle.data, center, rotation);
-    const bool is_behind =
-        part.is_double_sided && math::dot(polygon.axes.c1, middle(a) - polygon.center) < 0;
+    const bool is_behind = part.is_double_sided && math::dot(polygon.axes.c1, middle(a) - polygon.center) < 0;
     return is_behind ? reversed(polygon) : polygon;
 }
 

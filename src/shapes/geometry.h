@@ -54,8 +54,8 @@ inline bool is_strip(const Geometry& g) {
     return g.type == ShapeType::rectangle && (g.size.x == endless || g.size.z == endless);
 }
 
-// Of a strip the part near a point, as a rectangle at `center`: it reaches at least as far from there as it is wide, and
-// by `reach` farther. Other shapes stay as they are.
+// Of a strip the part near a point, as a rectangle at `center`: it reaches at least as far from there as it is wide,
+// and by `reach` farther. Other shapes stay as they are.
 Geometry near_part(const Geometry& g, math::DVec3& center, math::DQuat rotation, math::DVec3 point, double reach);
 
 // Shapes must be valid (see world/validate.h).

@@ -209,7 +209,8 @@ class RoundedHull {
         const DVec3 middle = math::normalized(m1 + m2), d = (1 / length) * along;
         const DVec3 side = math::cross(d, middle);
         // Directions u from -angle / 2 to angle / 2 about the middle one: integrals of u and u u^T.
-        const double half_sine = std::sqrt(std::max(0.0, 0.5 * (1 - cosine))), sine = std::sqrt(1 - half_sine * half_sine) * half_sine;
+        const double half_sine = std::sqrt(std::max(0.0, 0.5 * (1 - cosine))),
+                     sine = std::sqrt(1 - half_sine * half_sine) * half_sine;
         const DVec3 u = (2 * half_sine) * middle;
         const double uu = 0.5 * angle + sine, vv = 0.5 * angle - sine;
         const double r2 = r_ * r_, volume = 0.5 * r2 * angle * length, third = r2 * r_ / 3 * length;

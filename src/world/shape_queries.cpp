@@ -125,7 +125,8 @@ std::optional<Nearest> nearest_of(const PosedInQuery& shape, double least) {
     if (shape.geometry.type == ShapeType::plane) {
         const DVec3 up = shape.up();
         const double height = -math::dot(shape.center, up);
-        consider(height > 0 || shape.geometry.is_double_sided ? Nearest{-height * up, std::fabs(height)} : Nearest{{}, 0});
+        consider(height > 0 || shape.geometry.is_double_sided ? Nearest{-height * up, std::fabs(height)}
+                                                              : Nearest{{}, 0});
     } else if (shape.geometry.type >= ShapeType::mesh) {
         const DVec3 reach{least, least, least};
         for_each_triangle_near(shape, -reach, reach, [&](const Convex& triangle) {

@@ -299,9 +299,9 @@ TEST(Mass, OfARoundedBoxIsThatOfCubesOfSpace) {
 }
 
 TEST(Mass, OfRoundedCylindersIsThatOfTheirSlices) {
-    for (const Cylinder& c : {Cylinder{0.5f, 0.5f, {}, 0.2f}, Cylinder{0.5f, 1.0f, 0.2f, 0.05f},
-                              Cylinder{0.5f, 0.2f, 1.0f, 0.3f}, Cylinder{0.4f, 0.5f, 0.0f, 0.1f},
-                              Cylinder{0.01f, 1.0f, {}, 0.2f}, Cylinder{0.1f, 0.1f, 3.0f, 1.0f}}) {
+    for (const Cylinder& c :
+         {Cylinder{0.5f, 0.5f, {}, 0.2f}, Cylinder{0.5f, 1.0f, 0.2f, 0.05f}, Cylinder{0.5f, 0.2f, 1.0f, 0.3f},
+          Cylinder{0.4f, 0.5f, 0.0f, 0.1f}, Cylinder{0.01f, 1.0f, {}, 0.2f}, Cylinder{0.1f, 0.1f, 3.0f, 1.0f}}) {
         SCOPED_TRACE(testing::Message() << c.half_height << " " << c.radius << " " << c.rounding);
         const double h = double(c.half_height), a = double(c.radius), b = double(c.radius_top.value_or(c.radius));
         const double r = double(c.rounding);
