@@ -22,11 +22,11 @@ struct Sphere {
     float radius = 0.5f;
 };
 
-// Rounding. A Box, a Cylinder or a Hull with `rounding` r > 0 is that solid plus a ball of radius r: all that is
-// within r of the sharp solid (its Minkowski sum with the ball). It is larger by r on every side, its faces stay flat,
-// and its edges and corners are round with radius r. To keep the outer size, take r off the half extents.
-
 /// A box around the shape's origin. `half_extents` in meters, each > 0.
+///
+/// A Box, a Cylinder or a Hull with `rounding` r > 0 is that solid plus a ball of radius r: all that is within r of the
+/// sharp solid (its Minkowski sum with the ball). It is larger by r on every side, its faces stay flat, and its edges
+/// and corners are round with radius r. To keep the outer size, take r off the half extents.
 struct Box {
     Vec3 half_extents{0.5f, 0.5f, 0.5f}; ///< Of the sharp box: the rounding comes on top.
     float rounding = 0.0f;               ///< Meters, >= 0: radius of the ball that is added to the sharp box.
