@@ -55,6 +55,7 @@ class HullFaceSearch {
     HullFaceSearch(const Convex& hull, const Convex& other, DVec3 toward, DVec3 p, double floor)
         : hull_(hull), other_(other) {
         best_.separation = floor;
+        radius_ = outer_radius(hull);
         slack_ = 1e-5 * (hull.hull->bounding_radius + math::length(middle(other) - hull.center));
         know(p);
         know(middle(other));
@@ -62,12 +63,12 @@ class HullFaceSearch {
     }
 
     Axis search() {
-        const PlaneColumns& planes = hull_.hull->plane_columns;
+        const PlaneColumns& planes = hull_.hull->plane_columns; // of the core
         measure(first_);
         for (std::size_t i = 0; i < planes.size(); i += PlaneColumns::width) {
             const PlaneColumns::Floats limits = planes.below(i, {known_, count_});
             for (std::size_t k = i; k < i + PlaneColumns::width && k < planes.size(); ++k)
-                if (double(limits[k - i]) > best_.separation - slack_ && k != first_) measure(k);
+                if (double(limits[k - i]) > best_.separation + radius_ - slack_ && k != first_) measure(k);
         }
         return best_;
     }
@@ -88,7 +89,7 @@ class HullFaceSearch {
 
     const Convex &hull_, &other_;
     Axis best_;
-    double slack_ = 0;
+    double slack_ = 0, radius_ = 0;
     math::Vec3 known_[most_known]; // points of the other shape, in the hull's frame
     std::size_t count_ = 0, first_ = 0;
 };
@@ -210,7 +211,7 @@ double common_extent(const Convex& a, const Convex& b) {
 
 // The smaller inset or radius of the two, without that of polygons.
 double inset_part_of(const Convex& a, const Convex& b) {
-    return a.radius > 0 && b.radius > 0 ? std::min(a.radius, b.radius) : std::max(a.radius, b.radius);
+    return a.shallow > 0 && b.shallow > 0 ? std::min(a.shallow, b.shallow) : std::max(a.shallow, b.shallow);
 }
 
 // Faces are preferred where they are less separated by no more than this: they give up to four points.
@@ -265,7 +266,7 @@ bool contact_by_guess(const Convex& a, const Convex& b, double margin, DVec3 gue
     axis.normal = (1 / std::sqrt(square)) * guess;
     measure(a, b, axis);
     if (axis.separation > margin) return true;
-    if (!a.is_sharp && !b.is_sharp) return false;
+    if (face_count(a) == 0 && face_count(b) == 0) return false;
     const double extent = common_extent(a, b), preference = face_preference(a, b, extent);
     const Axis face = preferred_face(a, b, axis, preference, extent);
     if (face.face < 0) return false;

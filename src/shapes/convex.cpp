@@ -80,6 +80,18 @@ Convex make_polygon(std::span<const DVec3> corners) {
 
 } // namespace
 
+namespace {
+
+// The sharp shape that was made becomes the core.
+void round_off(Convex& c, double rounding) {
+    c.is_sharp = false;
+    c.shallow = rounding + c.radius;
+    c.radius = rounding;
+    c.extent += rounding;
+}
+
+} // namespace
+
 Convex make_convex(const Geometry& geometry, const ShapeData& data, DVec3 center, math::DQuat rotation) {
     Convex c;
     c.center = center;
@@ -120,10 +132,19 @@ Convex make_convex(const Geometry& geometry, const ShapeData& data, DVec3 center
         c.kind = Convex::Kind::ball;
         c.radius = c.extent = s.x;
     }
+    c.shallow = c.radius;
+    if (geometry.rounding > 0) round_off(c, double(geometry.rounding));
     return c;
 }
 
 Convex make_triangle(DVec3 a, DVec3 b, DVec3 c) { return make_polygon(std::array{a, b, c}); }
+
+Convex reversed(const Convex& polygon) {
+    DVec3 corners[4];
+    const int n = polygon.corner_count;
+    for (int i = 0; i < n; ++i) corners[i] = polygon.corners[n - 1 - i];
+    return make_polygon({corners, static_cast<std::size_t>(n)});
+}
 
 DVec3 core_support(const Core& core, DVec3 d) {
     const Convex& c = *core.shape;
@@ -196,7 +217,9 @@ DVec3 face_normal(const Convex& c, int face) {
     }
 }
 
-DVec3 face_point(const Convex& c, int face) {
+namespace {
+
+DVec3 core_face_point(const Convex& c, int face) {
     switch (c.kind) {
     case Convex::Kind::box:
         return c.center + c.size[face / 2] * face_normal(c, face);
@@ -209,6 +232,13 @@ DVec3 face_point(const Convex& c, int face) {
     default:
         return c.corners[0];
     }
+}
+
+} // namespace
+
+DVec3 face_point(const Convex& c, int face) {
+    const DVec3 p = core_face_point(c, face);
+    return c.is_sharp ? p : p + c.radius * face_normal(c, face);
 }
 
 } // namespace cairn

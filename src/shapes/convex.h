@@ -4,7 +4,8 @@
 // A shape is a core and a `radius` around it (Minkowski sum). Two shapes that touch are told apart by their cores,
 // which do not overlap as long as the shapes overlap less than their radii. A ball is a point with a radius, a capsule
 // a segment. Shapes with sharp edges have a core that is inset by the radius, and are themselves sharp: their cores
-// only give the direction of the contact, the shapes themselves the points.
+// only give the direction of the contact, the shapes themselves the points. Rounded shapes are their sharp self as the
+// core, and their rounding as the radius.
 #pragma once
 
 #include "math/vec.h"
@@ -30,14 +31,17 @@ struct Convex {
     math::DVec3 corners[4]; // of a polygon, in the common frame
     Frustum core{};         // of a cylinder
     const HullData* hull = nullptr;
-    double radius = 0; // around the core
-    double extent = 0; // the smallest half width; infinite for polygons
+    double radius = 0;  // around the core
+    double shallow = 0; // an overlap up to this is a small one: the radius, or of rounded shapes somewhat more
+    double extent = 0;  // the smallest half width; infinite for polygons
 };
 
 // For every type but planes, meshes and height fields. A rectangle is a flat polygon.
 Convex make_convex(const Geometry& geometry, const ShapeData& data, math::DVec3 center, math::DQuat rotation);
 // Flat, solid on the side that sees the corners clockwise.
 Convex make_triangle(math::DVec3 a, math::DVec3 b, math::DVec3 c);
+// A polygon that faces the other way.
+Convex reversed(const Convex& polygon);
 
 // A shape as the distance algorithms see it: a core, and a radius that is added afterwards.
 struct Core {
@@ -45,15 +49,19 @@ struct Core {
     bool is_inset; // else a sharp shape is its own core
     double radius;
 };
+// Only of sharp shapes.
 inline Core inset_core(const Convex& c) { return {&c, true, c.radius}; }
 // The core that gives exact distances.
 inline Core exact_core(const Convex& c) { return {&c, false, c.is_sharp ? 0 : c.radius}; }
+
+// What lies around the exact core.
+inline double outer_radius(const Convex& c) { return c.is_sharp ? 0 : c.radius; }
 
 // The point of the core that is farthest along d, which may have any length.
 math::DVec3 core_support(const Core& core, math::DVec3 d);
 // The point of the shape itself that is farthest along d.
 math::DVec3 support(const Convex& c, math::DVec3 d);
-// Of a hull: the vertex there.
+// Of a hull: the vertex of its exact core there.
 std::size_t farthest_vertex(const Convex& c, math::DVec3 d);
 // A point inside: the middle of the bounds.
 math::DVec3 middle(const Convex& c);
