@@ -187,20 +187,34 @@ void edge_manifold(const Convex& a, const Convex& b, const Axis& axis, double ex
     write_manifold(points, axis.normal, points[0].position, extent, margin, none, out);
 }
 
-bool face_manifold(const Convex& a, const Convex& b, const Axis& axis, double least, double tolerance, double extent,
-                   double margin, Manifold& out) {
-    const Convex &c = axis.is_second ? b : a, &other = axis.is_second ? a : b;
-    const DVec3 outward = axis.is_second ? -axis.normal : axis.normal;
-    Feature reference, incident;
-    face_feature(c, axis.face, reference);
-    incident_feature(other, -outward, incident);
+// The points of one pair of shapes between a face and what is opposite. They are asked for again with another axis, and
+// the face is mostly the same.
+struct FacePoints {
+    int face = -1;
+    bool is_second = false;
     ContactPoints points;
-    face_points(reference, incident, extent, points);
-    double reached = std::numeric_limits<double>::infinity();
-    for (const ContactPoint& p : points)
-        if (p.separation < reached) reached = p.separation;
-    if (!(reached <= least + tolerance)) return false;
-    write_manifold(points, axis.normal, other.center, extent, margin, least, out);
+    double reached = 0; // the least separation
+
+    void find(const Convex& c, const Convex& other, const Axis& axis, double extent) {
+        if (face == axis.face && is_second == axis.is_second) return;
+        face = axis.face, is_second = axis.is_second;
+        Feature reference, incident;
+        face_feature(c, axis.face, reference);
+        incident_feature(other, axis.is_second ? axis.normal : -axis.normal, incident);
+        points.clear();
+        face_points(reference, incident, extent, points);
+        reached = std::numeric_limits<double>::infinity();
+        for (const ContactPoint& p : points)
+            if (p.separation < reached) reached = p.separation;
+    }
+};
+
+bool face_manifold(const Convex& a, const Convex& b, const Axis& axis, double least, double tolerance, double extent,
+                   double margin, FacePoints& found, Manifold& out) {
+    const Convex &c = axis.is_second ? b : a, &other = axis.is_second ? a : b;
+    found.find(c, other, axis, extent);
+    if (!(found.reached <= least + tolerance)) return false;
+    write_manifold(found.points, axis.normal, other.center, extent, margin, least, out);
     return out.count > 0;
 }
 
@@ -243,13 +257,13 @@ void sharpen(const Convex& a, const Convex& b, Axis& axis) {
 }
 
 // Contact along an axis found from the cores, or along the normal of a face where that is about as good.
-void contact_along(const Convex& a, const Convex& b, Axis axis, double margin, Manifold& out) {
+void contact_along(const Convex& a, const Convex& b, Axis axis, double margin, FacePoints& found, Manifold& out) {
     const double extent = common_extent(a, b), preference = face_preference(a, b, extent);
     const Axis face = preferred_face(a, b, axis, preference, extent);
     if (face.face >= 0) {
         const double least = std::max(axis.separation, face.separation);
         if (least > margin) return;
-        if (face_manifold(a, b, face, least, preference + rounding * extent, extent, margin, out)) return;
+        if (face_manifold(a, b, face, least, preference + rounding * extent, extent, margin, found, out)) return;
         sharpen(a, b, axis);
         if (axis.separation > margin) return;
     }
@@ -259,7 +273,7 @@ void contact_along(const Convex& a, const Convex& b, Axis axis, double margin, M
 // What the normal of the last step tells without the cores. True when the shapes are apart along it, or when a face
 // near it is the contact: its points come as near as any points can along the face's normal, so that no other
 // direction is better, nor any other face. Only while the overlap is shallow: deeper, edges might be better.
-bool contact_by_guess(const Convex& a, const Convex& b, double margin, DVec3 guess, Manifold& out) {
+bool contact_by_guess(const Convex& a, const Convex& b, double margin, DVec3 guess, FacePoints& found, Manifold& out) {
     const double square = dot(guess, guess);
     if (!(square > 0)) return false;
     Axis axis;
@@ -272,16 +286,17 @@ bool contact_by_guess(const Convex& a, const Convex& b, double margin, DVec3 gue
     if (face.face < 0) return false;
     if (face.separation > margin) return true;
     if (face.separation < -inset_part_of(a, b)) return false;
-    return face_manifold(a, b, face, face.separation, preference + rounding * extent, extent, margin, out);
+    return face_manifold(a, b, face, face.separation, preference + rounding * extent, extent, margin, found, out);
 }
 
 } // namespace
 
 void collide_convex(const Convex& a, const Convex& b, double margin, DVec3 guess, Manifold& out) {
     clear_manifold(out);
-    if (!contact_by_guess(a, b, margin, guess, out)) {
+    FacePoints found;
+    if (!contact_by_guess(a, b, margin, guess, found, out)) {
         Axis axis;
-        if (find_axis(a, b, margin, guess, axis)) contact_along(a, b, axis, margin, out);
+        if (find_axis(a, b, margin, guess, axis)) contact_along(a, b, axis, margin, found, out);
         if (out.count == 0) math::put(out.normal, math::to_float(axis.normal));
     } else if (out.count == 0) {
         math::put(out.normal, math::to_float(guess));
@@ -367,7 +382,8 @@ void lift(const Convex& a, const Convex& polygon, double margin, Manifold& out) 
     const double separation = separation_along(a, polygon, -up);
     if (separation > margin) return;
     const Axis face{-up, separation, 0, true, {}, {}, {}};
-    if (face_manifold(a, polygon, face, separation, a.extent, a.extent, margin, out)) return;
+    FacePoints found;
+    if (face_manifold(a, polygon, face, separation, a.extent, a.extent, margin, found, out)) return;
     ContactPoints points;
     const DVec3 m = middle(a);
     const double height = dot(m - polygon.corners[0], up);
@@ -393,7 +409,8 @@ SurfaceContact collide_surface(const Convex& a, const Convex& polygon, double ma
         return {};
     }
     Axis axis;
-    if (contact_by_guess(a, polygon, margin, guess, out)) return place_of(a, polygon, out);
+    FacePoints found;
+    if (contact_by_guess(a, polygon, margin, guess, found, out)) return place_of(a, polygon, out);
     if (!find_axis(a, polygon, margin, guess, axis)) return {};
     if (dot(axis.normal, up) > downward) {
         // It would be pushed down: it has left the polygon, or is so much above it that it is pushed up.
@@ -402,7 +419,7 @@ SurfaceContact collide_surface(const Convex& a, const Convex& polygon, double ma
         axis.normal = -up;
         measure(a, polygon, axis);
     }
-    contact_along(a, polygon, axis, margin, out);
+    contact_along(a, polygon, axis, margin, found, out);
     return place_of(a, polygon, out);
 }
 
