@@ -203,7 +203,11 @@ std::optional<std::size_t> DefinitionWriter::filter(const CollisionFilter& filte
     return filters_.index(json);
 }
 
-std::size_t DefinitionWriter::joint(const JointDescription& joint) { return joints_.index(write_joint_rules(joint)); }
+std::size_t DefinitionWriter::joint(const JointDef& joint) {
+    const Json json = write_joint(joint);
+    uses_joint_extension_ = uses_joint_extension_ || json.contains("extensions");
+    return joints_.index(json);
+}
 
 std::size_t DefinitionWriter::collider_mesh(const Shape& shape) {
     const Hull* hull = std::get_if<Hull>(&shape);
