@@ -19,8 +19,8 @@ std::string drive(const std::string& type, const std::string& mode, int axis, co
 TEST(JointDrives, ASpringReachesItsTarget) {
     for (const char* mode : {"force", "acceleration"}) {
         for (const int axis : {0, 1, 2}) {
-            OneJoint one(joint_text(
-                drive("linear", mode, axis, R"(,"positionTarget":0.75,"stiffness":100,"velocityTarget":0,"damping":20)")));
+            OneJoint one(joint_text(drive(
+                "linear", mode, axis, R"(,"positionTarget":0.75,"stiffness":100,"velocityTarget":0,"damping":20)")));
             one.run(3.0);
             for (int i = 0; i < 3; ++i) EXPECT_NEAR(one.position()[i], i == axis ? 0.75 : 0.0, 1e-4) << mode << axis;
         }
@@ -56,9 +56,9 @@ TEST(JointDrives, AVelocityIsApproachedAtTheRateOfTheDamping) {
 
 TEST(JointDrives, AnAngleTurnsTheConnectedNode) {
     for (const double target : {0.5, -1.25}) {
-        OneJoint one(joint_text(hinge_about_x + drive("angular", "acceleration", 0,
-                                                      R"(,"stiffness":100,"damping":20,"positionTarget":)" +
-                                                          std::to_string(target))));
+        OneJoint one(joint_text(hinge_about_x +
+                                drive("angular", "acceleration", 0,
+                                      R"(,"stiffness":100,"damping":20,"positionTarget":)" + std::to_string(target))));
         one.run(3.0);
         EXPECT_NEAR(one.turned().x, target, 1e-3);
     }
@@ -69,7 +69,8 @@ TEST(JointDrives, AnAngleTurnsTheConnectedNode) {
 
 TEST(JointDrives, APositionIsThatOfTheConnectedNodeSeenFromTheNodeOfTheJoint) {
     // The joint on the ball's node, the world connected: the world shall be at +0.5, so that the ball goes to -0.5.
-    std::string text = joint_text(drive("linear", "acceleration", 0, R"(,"positionTarget":0.5,"stiffness":100,"damping":20)"));
+    std::string text =
+        joint_text(drive("linear", "acceleration", 0, R"(,"positionTarget":0.5,"stiffness":100,"damping":20)"));
     const std::string joint = R"("extensions":{"KHR_physics_rigid_bodies":{"joint":{"joint":0,"connectedNode":2}}})";
     text.erase(text.find("," + joint), joint.size() + 1);
     const std::string frame = R"("name":"frame")";
@@ -92,8 +93,9 @@ TEST(JointDrives, AreBoundedByTheirGreatestForce) {
     turned.run(1.0);
     EXPECT_NEAR(turned.spin().x, 2.0f, 0.02f);
     // Less than the weight: it sinks, with what is left.
-    OneJoint weak(joint_text(drive("linear", "force", 1, R"(,"maxForce":5,"positionTarget":0,"stiffness":1e6,"damping":1e4)"),
-                             "", "0,-9.81,0"));
+    OneJoint weak(
+        joint_text(drive("linear", "force", 1, R"(,"maxForce":5,"positionTarget":0,"stiffness":1e6,"damping":1e4)"), "",
+                   "0,-9.81,0"));
     weak.run(1.0);
     EXPECT_NEAR(weak.position().y, -0.5 * (9.81 - 5.0), 0.05);
     // A bound of 0 is none at all.

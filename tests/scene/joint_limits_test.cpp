@@ -64,8 +64,8 @@ TEST(JointLimits, TwoLinearAxesKeepADistanceFromALine) {
 }
 
 TEST(JointLimits, TwoLinearAxesKeepARing) {
-    OneJoint one(joint_text(R"("limits":[{"linearAxes":[0,2],"min":0.5,"max":0.75}])",
-                            R"(,"linearVelocity":[0.1,0,0])", "1,0,0"));
+    OneJoint one(joint_text(R"("limits":[{"linearAxes":[0,2],"min":0.5,"max":0.75}])", R"(,"linearVelocity":[0.1,0,0])",
+                            "1,0,0"));
     one.run(1.0);
     one.run(4.0, [&] {
         const double distance = glm::length(glm::dvec2(one.position().x, one.position().z));
@@ -147,8 +147,9 @@ TEST(JointLimits, TwoAngularAxesAreACone) {
 
 TEST(JointLimits, ThreeAngularAxesKeepAnyTurn) {
     for (const char* spin : {"2,0,0", "0,-2,0", "1,1,1.4142135"}) {
-        OneJoint one(joint_text(R"("limits":[{"linearAxes":[0,1,2],"min":0,"max":0},{"angularAxes":[0,1,2],"max":0.5}])",
-                                std::string(R"(,"angularVelocity":[)") + spin + "]"));
+        OneJoint one(
+            joint_text(R"("limits":[{"linearAxes":[0,1,2],"min":0,"max":0},{"angularAxes":[0,1,2],"max":0.5}])",
+                       std::string(R"(,"angularVelocity":[)") + spin + "]"));
         double most = 0;
         one.run(2.0, [&] { most = std::max(most, glm::length(one.turned())); });
         EXPECT_NEAR(most, 0.5, angle_tolerance) << spin;
@@ -157,8 +158,8 @@ TEST(JointLimits, ThreeAngularAxesKeepAnyTurn) {
 
 TEST(JointLimits, SoftLinearBoundsAreSprings) {
     // k x = m g; the rope of 0.25 m gives by 9.81 / 100.
-    OneJoint axis(joint_text(R"("limits":[{"linearAxes":[1],"min":0,"max":0,"stiffness":100,"damping":8}])", "",
-                             "0,-9.81,0"));
+    OneJoint axis(
+        joint_text(R"("limits":[{"linearAxes":[1],"min":0,"max":0,"stiffness":100,"damping":8}])", "", "0,-9.81,0"));
     axis.run(6.0);
     EXPECT_NEAR(axis.position().y, -0.0981, 5e-4);
     OneJoint rope(joint_text(R"("limits":[{"linearAxes":[0,1,2],"min":0,"max":0.25,"stiffness":100,"damping":8}])", "",
