@@ -1,6 +1,6 @@
 /// \file scene.h
 /// Scene files: glTF 2.0 with the Khronos drafts KHR_physics_rigid_bodies and KHR_implicit_shapes, and the
-/// world's own settings in CAIRN_world. docs/scene_format.md describes the format.
+/// world's own settings in CAIRN_world. docs/scene_format.md describes the format. Robots in URDF are read too.
 ///
 ///     cairn::scene::Scene scene = cairn::scene::load("scenes/welcome.gltf");
 ///     for (int i = 0; i < 600; ++i) scene.world.step(scene.info.time_step);
@@ -80,7 +80,7 @@ struct Scene {
     std::vector<std::string> collision_systems{};
 };
 
-/// Reads a `.gltf` or `.glb` file; which of them it is shows in its first bytes, not in its name.
+/// Reads a `.gltf`, `.glb` or URDF file (docs/urdf.md); which of them it is shows in its first bytes, not in its name.
 Scene load(const std::filesystem::path& path);
 
 /// Reads a scene from memory. `name` stands for the file in messages. Buffers in other files are refused.

@@ -3,6 +3,7 @@
 #include <cairn/error.h>
 
 #include <console_bridge/console.h>
+#include <tinyxml.h>
 #include <urdf_model/model.h>
 #include <urdf_parser/urdf_parser.h>
 
@@ -68,6 +69,15 @@ void check_depth(std::string_view text, const std::string& name) {
             }
         }
     }
+}
+
+// Where the text is no XML; urdfdom does not say.
+void check_syntax(const std::string& text, const std::string& name) {
+    TiXmlDocument document;
+    document.Parse(text.c_str());
+    if (!document.Error()) return;
+    throw Error(ErrorCode::invalid_file, name + ":" + std::to_string(document.ErrorRow()), {},
+                std::string("is not valid XML: ") + document.ErrorDesc());
 }
 
 // urdfdom says what is wrong to a log that all of the process shares.
@@ -160,6 +170,7 @@ urdf::ModelInterfaceSharedPtr parse_urdf(std::span<const std::byte> bytes, const
         throw Error(ErrorCode::invalid_file, name, {}, "must be text, without zero bytes");
     }
     check_depth(text, name);
+    check_syntax(text, name);
     static std::mutex one_at_a_time;
     const std::lock_guard lock(one_at_a_time);
     const Complaints complaints;

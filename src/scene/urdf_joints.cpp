@@ -147,7 +147,8 @@ void RobotJoints::add(const RobotPart& part) {
     def.name = joint.name;
     def.body_a = parent.body;
     def.body_b = part.body;
-    const Rigid along{{0.0, 0.0, 0.0}, turn_from_x(axis_of(joint, name_))};
+    Rigid along;
+    if (joint.type != urdf::Joint::FLOATING) along.rotation = turn_from_x(axis_of(joint, name_));
     const Rigid frame = part.frame * along;
     def.frame_a = (parent.body.is_null() ? parent.world * frame : frame).transform();
     def.frame_b = along.transform();

@@ -20,8 +20,8 @@ inline std::string joint_text(const std::string& rules, const std::string& motio
            R"("name":"joint","extensions":{"KHR_physics_rigid_bodies":{"joint":{"joint":0,"connectedNode":2}}}},)" +
            R"({"name":"ball","children":[2],"extensions":{"KHR_physics_rigid_bodies":{"motion":{"mass":1,)" +
            R"("inertiaDiagonal":[1,1,1])" + motion + R"(},"collider":{"geometry":{"shape":0}}}}},{)" + frames +
-           R"("name":"frame"}],"extensions":{"KHR_implicit_shapes":{"shapes":[{"type":"sphere","sphere":{"radius":0.1}}]},)" +
-           R"("KHR_physics_rigid_bodies":{"physicsJoints":[{)" + rules + "}]}}}";
+           R"("name":"frame"}],"extensions":{"KHR_implicit_shapes":{"shapes":[{"type":"sphere","sphere":{"radius":)" +
+           R"(0.1}}]},)" + R"("KHR_physics_rigid_bodies":{"physicsJoints":[{)" + rules + "}]}}}";
 }
 
 struct OneJoint {

@@ -301,13 +301,20 @@ TEST_F(JointTypes, LimitedHingeAndConeKeepTheirAngles) {
     EXPECT_GT(tilt, bound - 0.01);
 }
 
+// 1.57 rad/s about -z, faster and slower in turn, as its center of mass is 0.3 mm off the axis.
 TEST_F(JointTypes, VelocityMotorTurnsTheOtherWay) {
-    run(10.0, [] {});
-    const Vec3 w = body("Cube.017").angular_velocity();
-    std::printf("velocity motor: %.4f rad/s\n", w.z);
-    EXPECT_NEAR(w.z, -1.57f, 5e-3f);
-    EXPECT_NEAR(w.x, 0.0f, 5e-3f);
-    EXPECT_NEAR(w.y, 0.0f, 5e-3f);
+    double sum = 0, aside = 0;
+    int steps = 0;
+    run(10.0, [&] {
+        const Vec3 w = body("Cube.017").angular_velocity();
+        aside = std::max({aside, std::fabs(double(w.x)), std::fabs(double(w.y))});
+        if (world().time() < 6.0) return;
+        sum += double(w.z); // over a whole turn
+        ++steps;
+    });
+    std::printf("velocity motor: %.4f rad/s\n", sum / steps);
+    EXPECT_NEAR(sum / steps, -1.57, 5e-3);
+    EXPECT_LT(aside, 5e-3);
 }
 
 TEST_F(JointTypes, PositionMotorLifts) {
