@@ -1,5 +1,7 @@
 #include "viewer/shape_meshes.h"
 
+#include <cairn/triangles.h>
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -199,6 +201,30 @@ ShapeMesh make_shape_mesh(TriangleMesh triangles, MeshLook look) {
     return mesh;
 }
 
+TriangleMesh rounded_shape_triangles(const Shape& shape) {
+    const ShapeTriangles triangles = rounded_triangles(shape);
+    TriangleMesh mesh;
+    for (std::size_t i = 0; i < triangles.vertices.size(); ++i)
+        mesh.vertices.push_back({triangles.vertices[i], Vec3(0.0f), triangles.normals[i]});
+    mesh.indices = triangles.indices;
+    return mesh;
+}
+
+namespace {
+
+// What two rounded shapes of the same kind must share to look alike, beside their data.
+std::vector<float> sizes_of(const Shape& shape) {
+    const float rounding = rounding_of(shape);
+    if (!(rounding > 0.0f)) return {};
+    if (const Box* box = std::get_if<Box>(&shape))
+        return {rounding, box->half_extents.x, box->half_extents.y, box->half_extents.z};
+    if (const Cylinder* c = std::get_if<Cylinder>(&shape))
+        return {rounding, c->half_height, c->radius, c->radius_top.value_or(c->radius), 0.0f};
+    return {rounding};
+}
+
+} // namespace
+
 std::shared_ptr<const ShapeMesh> MeshCache::mesh_of(const Shape& shape) {
     const Hull* hull = std::get_if<Hull>(&shape);
     const Mesh* surface = std::get_if<Mesh>(&shape);
@@ -207,22 +233,23 @@ std::shared_ptr<const ShapeMesh> MeshCache::mesh_of(const Shape& shape) {
                           : surface ? address_of(surface->data())
                           : field   ? address_of(field->data())
                                     : nullptr;
-    if (!address) return nullptr;
-    if (const auto found = entries_.find(address); found != entries_.end()) {
+    const Key key{address, sizes_of(shape)};
+    if (!address && key.second.empty()) return nullptr;
+    if (const auto found = entries_.find(key); found != entries_.end()) {
         found->second.used = true;
         return found->second.mesh;
     }
     ShapeMesh mesh =
-        hull      ? make_shape_mesh(hull_triangles(*hull), MeshLook::facets)
+        !key.second.empty() ? make_shape_mesh(rounded_shape_triangles(shape), MeshLook::facets)
+        : hull              ? make_shape_mesh(hull_triangles(*hull), MeshLook::facets)
         : surface ? make_shape_mesh(surface_triangles(surface->vertices(), surface->indices()), MeshLook::surface)
                   : make_shape_mesh(height_field_triangles(*field), MeshLook::terrain);
-    return entries_.emplace(address, Entry{shape, std::make_shared<const ShapeMesh>(std::move(mesh))})
-        .first->second.mesh;
+    return entries_.emplace(key, Entry{shape, std::make_shared<const ShapeMesh>(std::move(mesh))}).first->second.mesh;
 }
 
 void MeshCache::drop_unused() {
     std::erase_if(entries_, [](const auto& item) { return !item.second.used; });
-    for (auto& [address, entry] : entries_) entry.used = false;
+    for (auto& [key, entry] : entries_) entry.used = false;
 }
 
 } // namespace cairn::viewer

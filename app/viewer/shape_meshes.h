@@ -1,5 +1,5 @@
 /// \file shape_meshes.h
-/// The triangles of shapes that have a form of their own: hulls, meshes and height fields.
+/// The triangles of shapes that have a form of their own: hulls, meshes, height fields, and what is rounded.
 #pragma once
 
 #include "viewer/meshes.h"
@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace cairn::viewer {
@@ -58,11 +59,14 @@ inline constexpr std::size_t most_heights = std::size_t(1) << 22;
 TriangleMesh visual_triangles(std::span<const Vec3> vertices, std::span<const Vec3> normals,
                               std::span<const std::uint32_t> indices);
 
+/// A rounded box, cylinder or hull (see `rounding_of`).
+TriangleMesh rounded_shape_triangles(const Shape& shape);
+
 /// With bounds and parts.
 ShapeMesh make_shape_mesh(TriangleMesh triangles, MeshLook look);
 
-/// The meshes of the hulls, meshes and height fields of a world, each made once, when it is first asked for. Shapes
-/// that share their data share their mesh.
+/// The meshes of the hulls, meshes, height fields and rounded shapes of a world, each made once, when it is first asked
+/// for. Shapes that share their data, or are alike, share their mesh.
 class MeshCache {
   public:
     /// Null for shapes of other types.
@@ -77,7 +81,8 @@ class MeshCache {
         std::shared_ptr<const ShapeMesh> mesh;
         bool used = true;
     };
-    std::map<const void*, Entry> entries_;
+    using Key = std::pair<const void*, std::vector<float>>; // shared data; sizes of what is rounded
+    std::map<Key, Entry> entries_;
 };
 
 } // namespace cairn::viewer

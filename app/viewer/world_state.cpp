@@ -13,6 +13,8 @@ namespace cairn::viewer {
 
 namespace {
 
+constexpr float strip_half_length = 1000.0f; // m: of rectangles that are infinite along one axis
+
 // The frame with y along the normal and x along the tangent.
 Quat plane_frame(const Plane& plane) {
     const Vec3 normal = glm::normalize(plane.normal);
@@ -36,7 +38,9 @@ struct ShapeReader {
     void operator()(const Plane& plane) const {
         layout.rotation = layout.rotation * plane_frame(plane);
         layout.type = ShapeType::plane;
-        if (plane.half_extents) set_box(ShapeType::rectangle, {plane.half_extents->x, 0.0f, plane.half_extents->y});
+        if (!plane.half_extents) return;
+        const glm::vec2 half = glm::min(*plane.half_extents, glm::vec2(strip_half_length));
+        set_box(ShapeType::rectangle, {half.x, 0.0f, half.y});
     }
     void operator()(const Capsule& capsule) const {
         const float top = capsule.radius_top.value_or(capsule.radius), wide = std::max(capsule.radius, top);
@@ -75,6 +79,7 @@ class MeshList {
     void give_mesh(ShapeLayout& shape, const std::shared_ptr<const ShapeMesh>& mesh) {
         if (!mesh) return;
         shape.mesh = add(mesh);
+        shape.half_size = Vec3(1.0f); // its coordinates are meters already
         shape.bound_center = mesh->center;
         shape.bound_extent = mesh->extent;
         shape.bound_radius = mesh->radius;

@@ -11,5 +11,6 @@
 #include <cairn/query.h>
 #include <cairn/shape.h>
 #include <cairn/snapshot.h>
+#include <cairn/triangles.h>
 #include <cairn/version.h>
 #include <cairn/world.h>

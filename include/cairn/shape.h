@@ -23,19 +23,29 @@ struct Sphere {
 };
 
 /// A box around the shape's origin. `half_extents` in meters, each > 0.
+///
+/// A Box, a Cylinder or a Hull with `rounding` r > 0 is that solid plus a ball of radius r: all that is within r of the
+/// sharp solid (its Minkowski sum with the ball). It is larger by r on every side, its faces stay flat, and its edges
+/// and corners are round with radius r. To keep the outer size, take r off the half extents.
 struct Box {
-    Vec3 half_extents{0.5f, 0.5f, 0.5f};
+    Vec3 half_extents{0.5f, 0.5f, 0.5f}; ///< Of the sharp box: the rounding comes on top.
+    float rounding = 0.0f;               ///< Meters, >= 0: radius of the ball that is added to the sharp box.
 };
 
 /// A plane through the shape's origin; solid is the side away from `normal`.
-/// Without `half_extents` it is an infinite half-space. With them it is a finite rectangle, `half_extents[0]`
-/// along the shape's `tangent` and `half_extents[1]` along normal x tangent; the rectangle is one-sided, and
-/// pushes along its normal whatever is above it or has sunk less than its own size below it.
+/// Without `half_extents` it is an infinite half-space. With them it is a rectangle, `half_extents[0]` along the
+/// shape's `tangent` and `half_extents[1]` along normal x tangent; the rectangle is one-sided, and pushes along its
+/// normal whatever is above it or has sunk less than its own size below it. Where one half extent is infinite, it is a
+/// strip: without ends along that axis.
+/// Double-sided, it is a sheet without thickness that holds things on both sides: an infinite one pushes a body to the
+/// side where its center of mass is, a rectangle or strip pushes a shape to the side where the shape's middle is. Rays
+/// and casts meet a sheet from either side, and nothing is inside of it.
 /// Planes have no mass: they may only be added to static and kinematic bodies.
 struct Plane {
     Vec3 normal{0.0f, 1.0f, 0.0f};           ///< Any non-zero finite vector; it is normalized.
     Vec3 tangent{1.0f, 0.0f, 0.0f};          ///< Only for the rectangle; made orthogonal to `normal`.
-    std::optional<glm::vec2> half_extents{}; ///< Meters, each > 0; absent for an infinite plane.
+    std::optional<glm::vec2> half_extents{}; ///< Meters, each > 0, one may be infinite; absent for an infinite plane.
+    bool double_sided = false;
 };
 
 /// The convex hull of two balls on the shape's y axis, their centers at -half_height and +half_height. Meters, all > 0
@@ -46,23 +56,29 @@ struct Capsule {
     std::optional<float> radius_top{}; ///< Of the upper ball: a tapered capsule.
 };
 
-/// A solid cylinder around the shape's y axis, from -half_height to +half_height. Meters, all > 0 (`radius_top` >= 0).
+/// A solid cylinder around the shape's y axis, from -half_height to +half_height. Meters, all > 0 (`radius_top` >= 0);
+/// without its rounding.
 struct Cylinder {
     float half_height = 0.5f;
     float radius = 0.5f;               ///< At both ends, or at the lower end if `radius_top` is given.
     std::optional<float> radius_top{}; ///< At the upper end: a tapered cylinder, or with 0 a cone.
+    float rounding = 0.0f;             ///< Meters, >= 0: radius of the ball that is added to the sharp cylinder.
 };
 
 /// A cone around the shape's y axis: base at -half_height, tip at +half_height.
 constexpr Cylinder cone(float radius, float half_height) { return {half_height, radius, 0.0f}; }
 
-/// A convex polyhedron. It never changes, so that copies share their data, and is cheap to copy.
+/// A convex polyhedron. Its corners never change, so that copies share their data, and it is cheap to copy.
 class Hull {
   public:
     /// The convex hull of any points, meters, in the shape's frame. Throws `Error` (invalid_value) when a coordinate
     /// is not finite or exceeds 1e6, when there are fewer than 4 points, or when they all lie in one point, on one
     /// line or in one plane (within a thousandth of a percent of their extent).
     explicit Hull(std::span<const Vec3> points);
+
+    /// Meters, >= 0: radius of the ball that is added to the sharp polyhedron. Not shared by copies. What the functions
+    /// below say is without it.
+    float rounding = 0.0f;
 
     std::span<const Vec3> vertices() const; ///< Corners, in a fixed order; points inside and on faces are left out.
     std::size_t face_count() const;         ///< Neighboring triangles of one plane are one face.

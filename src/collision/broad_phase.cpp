@@ -161,12 +161,12 @@ void BroadPhase::add(std::uint32_t shape, const DBounds& tight, Mobility mobilit
     note_touched(box);
 }
 
-void BroadPhase::add_plane(std::uint32_t shape, math::DVec3 point, math::Vec3 normal) {
+void BroadPhase::add_plane(std::uint32_t shape, math::DVec3 point, math::Vec3 normal, bool is_sheet) {
     if (shape_count_ == 0) choose_first_origin({point, point});
     Proxy& proxy = make_proxy(shape);
     proxy.state = State::plane;
     proxy.place = std::uint32_t(planes_.size());
-    planes_.push_back({point, math::to_double(normal), shape, 0});
+    planes_.push_back({point, math::to_double(normal), shape, is_sheet});
     all_dirty_ = 1;
 }
 
@@ -250,12 +250,17 @@ void BroadPhase::refilter(std::uint32_t shape) {
         note_touched(relative(fat_[shape]));
 }
 
-// Whether the box reaches into the half-space.
+// Whether the box reaches into the half-space, or through the sheet.
 bool BroadPhase::crosses(const Plane& plane, const TreeBox& box) const {
     const math::DVec3& n = plane.normal;
     const math::DVec3 deepest = {n.x > 0 ? box.lo[0] : box.hi[0], n.y > 0 ? box.lo[1] : box.hi[1],
                                  n.z > 0 ? box.lo[2] : box.hi[2]};
-    return !is_empty(box) && math::dot(n, deepest) <= math::dot(n, plane.point - origin_);
+    const double height = math::dot(n, plane.point - origin_);
+    if (is_empty(box) || !(math::dot(n, deepest) <= height)) return false;
+    if (!plane.is_sheet) return true;
+    const math::DVec3 highest = {n.x > 0 ? box.hi[0] : box.lo[0], n.y > 0 ? box.hi[1] : box.lo[1],
+                                 n.z > 0 ? box.hi[2] : box.lo[2]};
+    return math::dot(n, highest) >= height;
 }
 
 BroadPhase::Counts BroadPhase::counts() const {

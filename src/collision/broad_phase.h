@@ -57,8 +57,8 @@ class BroadPhase {
 
     // `kinematic` shapes make no pairs with fixed shapes, planes and other kinematic ones; ignored for fixed shapes.
     void add(std::uint32_t shape, const DBounds& tight, Mobility mobility, bool kinematic = false);
-    // A fixed half-space, solid below the plane through `point` with the unit `normal`.
-    void add_plane(std::uint32_t shape, math::DVec3 point, math::Vec3 normal);
+    // A fixed half-space, solid below the plane through `point` with the unit `normal`; or the plane alone, a sheet.
+    void add_plane(std::uint32_t shape, math::DVec3 point, math::Vec3 normal, bool is_sheet = false);
     void move_plane(std::uint32_t shape, math::DVec3 point, math::Vec3 normal);
     // Its pairs are reported lost at the next update.
     void remove(std::uint32_t shape);
@@ -136,7 +136,7 @@ class BroadPhase {
     };
     struct Plane {
         math::DVec3 point, normal;
-        std::uint32_t shape = 0, padding = 0;
+        std::uint32_t shape = 0, is_sheet = 0;
     };
     // A box that changed since the last update; flags are cleared and leaves marked from this list.
     struct Change {

@@ -63,11 +63,21 @@ bool is_within(const Borders& borders, const Point3& p, double slack) {
     return true;
 }
 
-Part cut_to_polygon(const Borders& borders, const Point3& p, const Point3& q, double slack) {
-    Part part;
-    for (const Border& b : borders) part.cut(b.inside(p) + slack, b.inside(q) + slack);
-    return part;
-}
+// How far points are inside each border of a polygon, with the slack: of the first point, of the second and so on.
+struct Heights {
+    Heights(const Borders& borders, const Polygon& points, double slack) : border_count(borders.size()) {
+        for (const Point3& p : points)
+            for (const Border& b : borders) values.add(b.inside(p) + slack);
+    }
+    Part cut(std::size_t p, std::size_t q) const {
+        Part part;
+        const double *at_p = values.data() + p * border_count, *at_q = values.data() + q * border_count;
+        for (std::size_t k = 0; k < border_count; ++k) part.cut(at_p[k], at_q[k]);
+        return part;
+    }
+    std::size_t border_count;
+    Buffer<double, 64> values;
+};
 
 Point3 between(const Point3& p, const Point3& q, double t) {
     return {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y), p.z + t * (q.z - p.z)};
@@ -114,9 +124,11 @@ void polygon_points(const Feature& reference, const Feature& incident, ContactPo
         if (is_within(borders, other[0], slack)) frame.add(out, other[0], from_edges);
         return;
     }
+    const Heights heights(borders, other, slack);
     for (std::size_t i = 0; i < (n == 2 ? 1 : n); ++i) {
-        const Point3 &p = other[i], &q = other[i + 1 < n ? i + 1 : 0];
-        const Part part = cut_to_polygon(borders, p, q, slack);
+        const std::size_t next = i + 1 < n ? i + 1 : 0;
+        const Point3 &p = other[i], &q = other[next];
+        const Part part = heights.cut(i, next);
         if (part.is_empty()) continue;
         const auto number = static_cast<std::uint32_t>(from_edges + 2 * i);
         frame.add(out, between(p, q, part.start), number);

@@ -57,7 +57,7 @@ int supporting_face(const Convex& c, DVec3 n) {
         const double along = dot(math::to_double(hull.faces[i].normal), d);
         if (along > most) most = along, best = static_cast<int>(i);
     }
-    const DVec3 farthest = to_local(c, support(c, n) - c.center);
+    const DVec3 farthest = to_local(c, core_support(exact_core(c), n) - c.center);
     const auto height = [&](const HullFace& f) { return dot(math::to_double(f.normal), farthest) - f.offset; };
     const double slack = 1e-5 * c.extent;
     if (height(hull.faces[static_cast<std::size_t>(best)]) > -slack) return best;
@@ -70,7 +70,7 @@ int supporting_face(const Convex& c, DVec3 n) {
 }
 
 void polytope_edge(const Convex& c, DVec3 n, Feature& out) {
-    const DVec3 from = support(c, n);
+    const DVec3 from = core_support(exact_core(c), n);
     out.points.add(from);
     double least = across_tolerance;
     DVec3 to;
@@ -107,9 +107,20 @@ void reset(Feature& f) {
     f.points.clear();
 }
 
-} // namespace
+void shift(Feature& f, DVec3 by) {
+    for (DVec3& p : f.points) p += by;
+    f.center += by;
+}
 
-void face_feature(const Convex& c, int face, Feature& out) {
+// From the core of a rounded shape to its surface where that looks along n: the whole feature is then as far along n as
+// its points are.
+void move_out(const Convex& c, DVec3 n, Feature& f) {
+    const bool has_core = c.kind != Convex::Kind::ball && c.kind != Convex::Kind::capsule;
+    if (has_core && !c.is_sharp) shift(f, c.radius * n);
+}
+
+// Of the core.
+void core_face(const Convex& c, int face, Feature& out) {
     reset(out);
     out.kind = Feature::Kind::polygon;
     out.index = static_cast<std::uint32_t>(face);
@@ -124,14 +135,14 @@ void face_feature(const Convex& c, int face, Feature& out) {
         return;
     default:
         out.kind = Feature::Kind::disc;
-        out.center = face_point(c, face);
+        out.center = c.center + c.size.y * out.normal;
         out.radius = face == 0 ? c.size.z : c.size.x;
         out.u = c.axes.c0;
         out.v = math::cross(out.normal, out.u);
     }
 }
 
-void incident_feature(const Convex& c, DVec3 n, Feature& out) {
+void core_incident(const Convex& c, DVec3 n, Feature& out) {
     reset(out);
     switch (c.kind) {
     case Convex::Kind::ball:
@@ -146,12 +157,24 @@ void incident_feature(const Convex& c, DVec3 n, Feature& out) {
         const double across = std::sqrt(local.x * local.x + local.z * local.z);
         const double along_side = (2 * c.size.y * across + dr * local.y) / side;
         const int end = local.y > 0 ? 0 : 1;
-        if (std::fabs(local.y) > along_side && (end == 0 ? c.size.z : c.size.x) > 0) return face_feature(c, end, out);
+        if (std::fabs(local.y) > along_side && (end == 0 ? c.size.z : c.size.x) > 0) return core_face(c, end, out);
         return side_line(c, n, out);
     }
     default:
-        return face_feature(c, supporting_face(c, n), out);
+        return core_face(c, supporting_face(c, n), out);
     }
+}
+
+} // namespace
+
+void face_feature(const Convex& c, int face, Feature& out) {
+    core_face(c, face, out);
+    move_out(c, out.normal, out);
+}
+
+void incident_feature(const Convex& c, DVec3 n, Feature& out) {
+    core_incident(c, n, out);
+    move_out(c, n, out);
 }
 
 void edge_feature(const Convex& c, DVec3 n, Feature& out) {
@@ -159,13 +182,15 @@ void edge_feature(const Convex& c, DVec3 n, Feature& out) {
     if (c.kind == Convex::Kind::capsule || c.kind == Convex::Kind::cylinder) {
         c.kind == Convex::Kind::capsule ? capsule_line(c, n, out) : side_line(c, n, out);
         const DVec3 d = out.points[1] - out.points[0];
-        if (std::fabs(dot(d, n)) < across_tolerance * math::length(d)) return;
+        if (std::fabs(dot(d, n)) < across_tolerance * math::length(d)) return move_out(c, n, out);
         reset(out);
         out.points.add(support(c, n));
     } else if (c.kind == Convex::Kind::ball)
         out.points.add(c.center + c.radius * n);
-    else
+    else {
         polytope_edge(c, n, out);
+        move_out(c, n, out);
+    }
 }
 
 } // namespace cairn

@@ -101,7 +101,11 @@ void clear_manifold(Manifold& out) {
 void write_manifold(const ContactPoints& points, DVec3 normal, DVec3 center, double extent, double margin, double least,
                     Manifold& out) {
     clear_manifold(out);
-    const Chosen chosen = Reducer(points, normal, center, extent, margin).choose();
+    Chosen chosen;
+    if (points.size() == 1)
+        chosen.count = points[0].separation <= margin ? 1 : 0;
+    else
+        chosen = Reducer(points, normal, center, extent, margin).choose();
     if (chosen.count == 0) return;
     out.count = chosen.count;
     math::put(out.normal, math::to_float(normal));

@@ -24,13 +24,14 @@ template <class T, std::size_t N> class Buffer {
         else {
             if (size_ == N) more_.assign(in_place(), in_place() + N);
             more_.push_back(value);
+            data_ = more_.data();
         }
         ++size_;
     }
-    void clear() { size_ = 0, more_.clear(); }
+    void clear() { size_ = 0, more_.clear(), data_ = in_place(); }
     std::size_t size() const { return size_; }
-    T* data() { return size_ > N ? more_.data() : in_place(); }
-    const T* data() const { return const_cast<Buffer*>(this)->data(); }
+    T* data() { return data_; }
+    const T* data() const { return data_; }
     T& operator[](std::size_t i) { return data()[i]; }
     const T& operator[](std::size_t i) const { return data()[i]; }
     T* begin() { return data(); }
@@ -40,9 +41,10 @@ template <class T, std::size_t N> class Buffer {
 
   private:
     T* in_place() { return reinterpret_cast<T*>(storage_); }
+    alignas(T) std::byte storage_[N * sizeof(T)];
+    T* data_ = in_place();
     std::size_t size_ = 0;
     std::vector<T> more_;
-    alignas(T) std::byte storage_[N * sizeof(T)];
 };
 
 struct ContactPoint {

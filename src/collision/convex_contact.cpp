@@ -55,6 +55,7 @@ class HullFaceSearch {
     HullFaceSearch(const Convex& hull, const Convex& other, DVec3 toward, DVec3 p, double floor)
         : hull_(hull), other_(other) {
         best_.separation = floor;
+        radius_ = outer_radius(hull);
         slack_ = 1e-5 * (hull.hull->bounding_radius + math::length(middle(other) - hull.center));
         know(p);
         know(middle(other));
@@ -62,12 +63,12 @@ class HullFaceSearch {
     }
 
     Axis search() {
-        const PlaneColumns& planes = hull_.hull->plane_columns;
+        const PlaneColumns& planes = hull_.hull->plane_columns; // of the core
         measure(first_);
         for (std::size_t i = 0; i < planes.size(); i += PlaneColumns::width) {
             const PlaneColumns::Floats limits = planes.below(i, {known_, count_});
             for (std::size_t k = i; k < i + PlaneColumns::width && k < planes.size(); ++k)
-                if (double(limits[k - i]) > best_.separation - slack_ && k != first_) measure(k);
+                if (double(limits[k - i]) > best_.separation + radius_ - slack_ && k != first_) measure(k);
         }
         return best_;
     }
@@ -88,7 +89,7 @@ class HullFaceSearch {
 
     const Convex &hull_, &other_;
     Axis best_;
-    double slack_ = 0;
+    double slack_ = 0, radius_ = 0;
     math::Vec3 known_[most_known]; // points of the other shape, in the hull's frame
     std::size_t count_ = 0, first_ = 0;
 };
@@ -186,20 +187,34 @@ void edge_manifold(const Convex& a, const Convex& b, const Axis& axis, double ex
     write_manifold(points, axis.normal, points[0].position, extent, margin, none, out);
 }
 
-bool face_manifold(const Convex& a, const Convex& b, const Axis& axis, double least, double tolerance, double extent,
-                   double margin, Manifold& out) {
-    const Convex &c = axis.is_second ? b : a, &other = axis.is_second ? a : b;
-    const DVec3 outward = axis.is_second ? -axis.normal : axis.normal;
-    Feature reference, incident;
-    face_feature(c, axis.face, reference);
-    incident_feature(other, -outward, incident);
+// The points of one pair of shapes between a face and what is opposite. They are asked for again with another axis, and
+// the face is mostly the same.
+struct FacePoints {
+    int face = -1;
+    bool is_second = false;
     ContactPoints points;
-    face_points(reference, incident, extent, points);
-    double reached = std::numeric_limits<double>::infinity();
-    for (const ContactPoint& p : points)
-        if (p.separation < reached) reached = p.separation;
-    if (!(reached <= least + tolerance)) return false;
-    write_manifold(points, axis.normal, other.center, extent, margin, least, out);
+    double reached = 0; // the least separation
+
+    void find(const Convex& c, const Convex& other, const Axis& axis, double extent) {
+        if (face == axis.face && is_second == axis.is_second) return;
+        face = axis.face, is_second = axis.is_second;
+        Feature reference, incident;
+        face_feature(c, axis.face, reference);
+        incident_feature(other, axis.is_second ? axis.normal : -axis.normal, incident);
+        points.clear();
+        face_points(reference, incident, extent, points);
+        reached = std::numeric_limits<double>::infinity();
+        for (const ContactPoint& p : points)
+            if (p.separation < reached) reached = p.separation;
+    }
+};
+
+bool face_manifold(const Convex& a, const Convex& b, const Axis& axis, double least, double tolerance, double extent,
+                   double margin, FacePoints& found, Manifold& out) {
+    const Convex &c = axis.is_second ? b : a, &other = axis.is_second ? a : b;
+    found.find(c, other, axis, extent);
+    if (!(found.reached <= least + tolerance)) return false;
+    write_manifold(found.points, axis.normal, other.center, extent, margin, least, out);
     return out.count > 0;
 }
 
@@ -210,7 +225,7 @@ double common_extent(const Convex& a, const Convex& b) {
 
 // The smaller inset or radius of the two, without that of polygons.
 double inset_part_of(const Convex& a, const Convex& b) {
-    return a.radius > 0 && b.radius > 0 ? std::min(a.radius, b.radius) : std::max(a.radius, b.radius);
+    return a.shallow > 0 && b.shallow > 0 ? std::min(a.shallow, b.shallow) : std::max(a.shallow, b.shallow);
 }
 
 // Faces are preferred where they are less separated by no more than this: they give up to four points.
@@ -242,13 +257,13 @@ void sharpen(const Convex& a, const Convex& b, Axis& axis) {
 }
 
 // Contact along an axis found from the cores, or along the normal of a face where that is about as good.
-void contact_along(const Convex& a, const Convex& b, Axis axis, double margin, Manifold& out) {
+void contact_along(const Convex& a, const Convex& b, Axis axis, double margin, FacePoints& found, Manifold& out) {
     const double extent = common_extent(a, b), preference = face_preference(a, b, extent);
     const Axis face = preferred_face(a, b, axis, preference, extent);
     if (face.face >= 0) {
         const double least = std::max(axis.separation, face.separation);
         if (least > margin) return;
-        if (face_manifold(a, b, face, least, preference + rounding * extent, extent, margin, out)) return;
+        if (face_manifold(a, b, face, least, preference + rounding * extent, extent, margin, found, out)) return;
         sharpen(a, b, axis);
         if (axis.separation > margin) return;
     }
@@ -258,29 +273,30 @@ void contact_along(const Convex& a, const Convex& b, Axis axis, double margin, M
 // What the normal of the last step tells without the cores. True when the shapes are apart along it, or when a face
 // near it is the contact: its points come as near as any points can along the face's normal, so that no other
 // direction is better, nor any other face. Only while the overlap is shallow: deeper, edges might be better.
-bool contact_by_guess(const Convex& a, const Convex& b, double margin, DVec3 guess, Manifold& out) {
+bool contact_by_guess(const Convex& a, const Convex& b, double margin, DVec3 guess, FacePoints& found, Manifold& out) {
     const double square = dot(guess, guess);
     if (!(square > 0)) return false;
     Axis axis;
     axis.normal = (1 / std::sqrt(square)) * guess;
     measure(a, b, axis);
     if (axis.separation > margin) return true;
-    if (!a.is_sharp && !b.is_sharp) return false;
+    if (face_count(a) == 0 && face_count(b) == 0) return false;
     const double extent = common_extent(a, b), preference = face_preference(a, b, extent);
     const Axis face = preferred_face(a, b, axis, preference, extent);
     if (face.face < 0) return false;
     if (face.separation > margin) return true;
     if (face.separation < -inset_part_of(a, b)) return false;
-    return face_manifold(a, b, face, face.separation, preference + rounding * extent, extent, margin, out);
+    return face_manifold(a, b, face, face.separation, preference + rounding * extent, extent, margin, found, out);
 }
 
 } // namespace
 
 void collide_convex(const Convex& a, const Convex& b, double margin, DVec3 guess, Manifold& out) {
     clear_manifold(out);
-    if (!contact_by_guess(a, b, margin, guess, out)) {
+    FacePoints found;
+    if (!contact_by_guess(a, b, margin, guess, found, out)) {
         Axis axis;
-        if (find_axis(a, b, margin, guess, axis)) contact_along(a, b, axis, margin, out);
+        if (find_axis(a, b, margin, guess, axis)) contact_along(a, b, axis, margin, found, out);
         if (out.count == 0) math::put(out.normal, math::to_float(axis.normal));
     } else if (out.count == 0) {
         math::put(out.normal, math::to_float(guess));
@@ -366,7 +382,8 @@ void lift(const Convex& a, const Convex& polygon, double margin, Manifold& out) 
     const double separation = separation_along(a, polygon, -up);
     if (separation > margin) return;
     const Axis face{-up, separation, 0, true, {}, {}, {}};
-    if (face_manifold(a, polygon, face, separation, a.extent, a.extent, margin, out)) return;
+    FacePoints found;
+    if (face_manifold(a, polygon, face, separation, a.extent, a.extent, margin, found, out)) return;
     ContactPoints points;
     const DVec3 m = middle(a);
     const double height = dot(m - polygon.corners[0], up);
@@ -392,7 +409,8 @@ SurfaceContact collide_surface(const Convex& a, const Convex& polygon, double ma
         return {};
     }
     Axis axis;
-    if (contact_by_guess(a, polygon, margin, guess, out)) return place_of(a, polygon, out);
+    FacePoints found;
+    if (contact_by_guess(a, polygon, margin, guess, found, out)) return place_of(a, polygon, out);
     if (!find_axis(a, polygon, margin, guess, axis)) return {};
     if (dot(axis.normal, up) > downward) {
         // It would be pushed down: it has left the polygon, or is so much above it that it is pushed up.
@@ -401,7 +419,7 @@ SurfaceContact collide_surface(const Convex& a, const Convex& polygon, double ma
         axis.normal = -up;
         measure(a, polygon, axis);
     }
-    contact_along(a, polygon, axis, margin, out);
+    contact_along(a, polygon, axis, margin, found, out);
     return place_of(a, polygon, out);
 }
 

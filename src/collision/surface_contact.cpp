@@ -38,6 +38,52 @@ bool is_seam(const SurfacePatch& patch, const TriangleHit& hit, double size) {
     return true;
 }
 
+// Tells triangles that a box surely does not touch, in the frame of the box and with few operations: only such that
+// collide_surface would find apart along the normal of the triangle or of a face of the box, or behind the triangle.
+class BoxFilter {
+  public:
+    BoxFilter(const Convex& box, const Surface& surface, double margin)
+        : half_(box.size), origin_(to_local(box, surface.center - box.center)),
+          slack_(1e-6 * box.extent + 1e-12 * math::length(origin_)), reach_(margin + slack_) {
+        for (int k = 0; k < 3; ++k) axes_[k] = to_local(box, surface.axes.column(k));
+    }
+
+    bool is_apart(const Triangle& t) const {
+        const DVec3 a = to_box(t.a), b = to_box(t.b), c = to_box(t.c);
+        const DVec3 normal = math::cross(b - a, c - a);
+        // Times the length of the normal: the height of the middle, and half the size of the box along the normal.
+        const double square = squared(normal), height = -math::dot(normal, a);
+        const double size = math::dot(half_, math::abs(normal));
+        if (height * height <= slack_ * slack_ * square) return false;
+        if (height < 0) return is_beyond(-height - size, slack_, square) || is_beside(a, b, c, normal);
+        return is_beyond(height - size, reach_, square) || is_out(a.x, b.x, c.x, half_.x) ||
+               is_out(a.y, b.y, c.y, half_.y) || is_out(a.z, b.z, c.z, half_.z);
+    }
+
+  private:
+    DVec3 to_box(math::Vec3 v) const {
+        return origin_ + double(v.x) * axes_[0] + double(v.y) * axes_[1] + double(v.z) * axes_[2];
+    }
+    static bool is_beyond(double gap, double least, double square) {
+        return gap > 0 && gap * gap > least * least * square;
+    }
+    bool is_out(double p, double q, double r, double half) const {
+        const double limit = half + reach_;
+        return (p > limit && q > limit && r > limit) || (p < -limit && q < -limit && r < -limit);
+    }
+    // The middle of the box is not over the triangle, as seen along the normal.
+    bool is_beside(DVec3 a, DVec3 b, DVec3 c, DVec3 normal) const {
+        const auto is_outside = [&](DVec3 from, DVec3 to) {
+            const DVec3 inward = math::cross(normal, to - from);
+            return is_beyond(math::dot(inward, from), slack_, squared(inward));
+        };
+        return is_outside(a, b) || is_outside(b, c) || is_outside(c, a);
+    }
+
+    DVec3 half_, origin_, axes_[3]; // of the surface's frame, as the box sees it
+    double slack_, reach_;
+};
+
 void find_hits(const Convex& a, const Surface& surface, double margin, std::vector<TriangleHit>& hits) {
     hits.clear();
     // Bounds of the shape in the frame of the surface.
@@ -51,9 +97,12 @@ void find_hits(const Convex& a, const Surface& surface, double margin, std::vect
         lo[i] -= rounding, hi[i] += rounding;
     }
     const auto to_common = [&](math::Vec3 v) { return surface.center + surface.axes * math::to_double(v); };
+    const bool is_box = a.kind == Convex::Kind::box && a.is_sharp; // rounded ones are left to the exact test
+    const BoxFilter filter(a, surface, margin);
     const auto test = [&](const auto& data) {
         for_each_triangle(data, lo, hi, [&](std::uint32_t index) {
             const Triangle t = triangle_of(data, index);
+            if (is_box && filter.is_apart(t)) return;
             TriangleHit hit{};
             const Convex triangle = make_triangle(to_common(t.a), to_common(t.b), to_common(t.c));
             const SurfaceContact contact = collide_surface(a, triangle, margin, -triangle.axes.c1, hit.manifold);

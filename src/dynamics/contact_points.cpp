@@ -113,17 +113,19 @@ bool points_stay(const ContactRecord& r, const Float4* points, int count, math::
 }
 
 // A round surface does not turn with its body: how far it is to the point midway between the surfaces from the center
-// or axis that it is round about, with that normal; 0 where the surface is flat. For cones the mean radius.
+// or axis that it is round about, with that normal; 0 where the surface is flat. For cones the mean radius. Rounded
+// shapes touch by a corner, an edge or a rim of their core, and what is around that; also where a face lies flat.
 float contact_radius(const State& s, std::uint32_t shape, math::Vec3 normal, float separation) {
     const Geometry& g = s.geometry[shape];
     if (g.type == ShapeType::sphere) return g.size.x + 0.5f * separation;
-    if (g.type != ShapeType::capsule && g.type != ShapeType::cylinder) return 0;
+    const float around = g.rounding > 0 ? g.rounding + 0.5f * separation : 0.0f;
+    if (g.type != ShapeType::capsule && g.type != ShapeType::cylinder) return around;
     const float mean = 0.5f * (g.size.x + g.size.z);
     if (g.type == ShapeType::capsule) return mean + 0.5f * separation;
     const float* q = s.shape_poses[shape].q;
     const float along = math::dot(normal, math::rotate(math::Quat{q[0], q[1], q[2], q[3]}, math::Vec3{0, 1, 0}));
     constexpr float steepest = 0.5f; // of the cosine with the axis: beyond, it stands on its rim rather than rolls
-    return std::fabs(along) < steepest ? mean + 0.5f * separation : 0.0f;
+    return std::fabs(along) < steepest ? mean + g.rounding + 0.5f * separation : around;
 }
 
 } // namespace

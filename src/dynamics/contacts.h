@@ -35,7 +35,7 @@ ContactRecord advanced_record(const State& state, std::uint32_t contact);
 void combine_materials(State& state, std::uint32_t contact);
 
 // How the two are tested; nothing for two surfaces. `swapped`: b is the first shape of the test.
-std::optional<PairKind> pair_kind(ShapeType a, ShapeType b, bool& swapped);
+std::optional<PairKind> pair_kind(const Geometry& a, const Geometry& b, bool& swapped);
 CollideKernel wide_kernel(PairKind kind);
 
 // An empty contact, in use; and its end.
@@ -48,6 +48,7 @@ struct PosedShape {
     const Geometry& geometry;
     const ShapeData& data;
     const ShapePose& pose;
+    math::Vec3 arm; // from the body's center of mass to the shape's origin
 };
 Manifold test_convex_pair(PairKind kind, const PosedShape& a, const PosedShape& b, math::Vec3 guess, float margin);
 // All directions in which the convex shape `a` touches a mesh or height field, deepest first; `hits` is emptied before.
@@ -55,7 +56,7 @@ void find_patches(const PosedShape& a, const PosedShape& surface, float margin, 
                   std::vector<Manifold>& hits);
 
 inline PosedShape posed_shape(const State& s, std::uint32_t shape) {
-    return {s.geometry[shape], s.shape_data[shape], s.shape_poses[shape]};
+    return {s.geometry[shape], s.shape_data[shape], s.shape_poses[shape], s.shapes[shape].arm};
 }
 
 // --- the tests of a step (contacts.cpp)

@@ -23,6 +23,22 @@ Convex convex_of(const PosedShape& shape, DVec3 center) {
     return make_convex(shape.geometry, shape.data, center, rotation_of(shape.pose));
 }
 
+// Sheets are seen from the side where the shape is: the center of mass of the body at an infinite plane, which nothing
+// can reach around; the middle of the shape at a rectangle, which a part of the body may well be on the other side of.
+DVec3 facing_normal(const PosedShape& a, const PosedShape& plane, DVec3 offset) {
+    const DVec3 up = math::to_matrix(rotation_of(plane.pose)).c1;
+    const bool is_behind = plane.geometry.is_double_sided && math::dot(up, -to_double(a.arm) - offset) < 0;
+    return is_behind ? -up : up;
+}
+Convex facing_polygon(const Convex& a, double reach, const PosedShape& rectangle, DVec3 offset) {
+    const math::DQuat rotation = rotation_of(rectangle.pose);
+    DVec3 center = offset;
+    const Geometry part = near_part(rectangle.geometry, center, rotation, middle(a), reach);
+    const Convex polygon = make_convex(part, rectangle.data, center, rotation);
+    const bool is_behind = part.is_double_sided && math::dot(polygon.axes.c1, middle(a) - polygon.center) < 0;
+    return is_behind ? reversed(polygon) : polygon;
+}
+
 } // namespace
 
 Manifold test_convex_pair(PairKind kind, const PosedShape& a, const PosedShape& b, math::Vec3 guess, float margin) {
@@ -34,10 +50,11 @@ Manifold test_convex_pair(PairKind kind, const PosedShape& a, const PosedShape& 
         return out;
     }
     if (kind == PairKind::convex_plane) {
-        const DVec3 up = math::to_matrix(rotation_of(b.pose)).c1;
+        const DVec3 up = facing_normal(a, b, offset);
         collide_plane(first, up, -math::dot(up, offset), double(margin), out);
     } else {
-        collide_surface(first, convex_of(b, offset), double(margin), to_double(guess), out);
+        const double reach = 2 * double(a.geometry.bounding_radius) + double(margin);
+        collide_surface(first, facing_polygon(first, reach, b, offset), double(margin), to_double(guess), out);
     }
     return out;
 }

@@ -70,7 +70,8 @@ void add_proxy(State& s, std::uint32_t shape) {
     const BodyType type = s.body_settings[std::size_t(body)].type;
     if (s.geometry[shape].type == ShapeType::plane) {
         const ShapePose& pose = s.shape_poses[shape];
-        s.broad_phase.add_plane(shape, shape_position(pose), normal_of_plane(pose));
+        s.broad_phase.add_plane(shape, shape_position(pose), normal_of_plane(pose),
+                                s.geometry[shape].is_double_sided != 0);
         return;
     }
     const auto mobility = type == BodyType::static_ ? BroadPhase::Mobility::fixed : BroadPhase::Mobility::awake;

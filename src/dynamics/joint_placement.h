@@ -10,6 +10,7 @@ struct JointPlacement {
     math::DQuat frame_a, frame_b;  // in the world
 };
 JointPlacement place_joint(const State& state, const JointInfo& joint);
+JointPlacement place_anchors(const State& state, const JointInfo& joint); // without the frames
 
 // An axis of a frame.
 inline math::Vec3 frame_axis(const math::DQuat& frame, int i) {

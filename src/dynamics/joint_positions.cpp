@@ -50,8 +50,9 @@ double turning_position(const JointAxisRule& rule, const DQuat& turn, DVec3 a, D
     }
 }
 
-double axis_position(const State& s, const JointInfo& joint, int i, const JointPlacement& p) {
-    const JointAxisRule& rule = joint.rules.axes[i];
+double axis_position(const State& s, std::uint32_t index, int i, const JointPlacement& p) {
+    const JointInfo& joint = s.joints[index];
+    const JointAxisRule& rule = s.joint_axes[index].rules[i];
     const DVec3 a = math::to_double(frame_axis(p.frame_a, rule.column_a)),
                 b = math::to_double(frame_axis(p.frame_b, rule.column_b));
     switch (rule.kind) {
@@ -67,28 +68,32 @@ double axis_position(const State& s, const JointInfo& joint, int i, const JointP
         return double(rule.ratio_a) * length_a + double(rule.ratio_b) * length_b;
     }
     default:
-        return turning_position(rule, turn_of(p), a, b, double(joint.axes[i].position));
+        return turning_position(rule, turn_of(p), a, b, double(s.joint_axes[index].states[i].position));
     }
 }
 
 } // namespace
 
-JointPlacement place_joint(const State& s, const JointInfo& joint) {
+JointPlacement place_anchors(const State& s, const JointInfo& joint) {
     JointPlacement p;
-    DVec3 at_a, at_b;
-    auto place = [&](std::int32_t body, DVec3 anchor, const DQuat& frame, DVec3& arm, DVec3& at, DQuat& turned) {
-        if (body == none) {
-            at = anchor, turned = frame;
-            return;
-        }
+    auto place = [&](std::int32_t body, DVec3 anchor, DVec3& arm) {
+        if (body == none) return anchor;
         const BodyMotion& motion = s.motion[std::size_t(body)];
         arm = math::rotate(motion.q, anchor - math::to_double(s.mass[std::size_t(body)].center));
-        at = motion.x + arm;
-        turned = motion.q * frame;
+        return motion.x + arm;
     };
-    place(joint.body_a, joint.anchor_a, joint.frame_a, p.arm_a, at_a, p.frame_a);
-    place(joint.body_b, joint.anchor_b, joint.frame_b, p.arm_b, at_b, p.frame_b);
-    p.gap = at_b - at_a;
+    const DVec3 at_a = place(joint.body_a, joint.anchor_a, p.arm_a);
+    p.gap = place(joint.body_b, joint.anchor_b, p.arm_b) - at_a;
+    return p;
+}
+
+JointPlacement place_joint(const State& s, const JointInfo& joint) {
+    JointPlacement p = place_anchors(s, joint);
+    auto turned = [&](std::int32_t body, const DQuat& frame) {
+        return body == none ? frame : s.motion[std::size_t(body)].q * frame;
+    };
+    p.frame_a = turned(joint.body_a, joint.frame_a);
+    p.frame_b = turned(joint.body_b, joint.frame_b);
     return p;
 }
 
@@ -103,7 +108,7 @@ JointPositions joint_positions(const State& s, std::uint32_t index) {
     const JointInfo& joint = s.joints[index];
     const JointPlacement p = place_joint(s, joint);
     JointPositions r{};
-    for (int i = 0; i < joint.rules.axis_count; ++i) r.axes[i] = float(axis_position(s, joint, i, p));
+    for (int i = 0; i < joint.rules.axis_count; ++i) r.axes[i] = float(axis_position(s, index, i, p));
     if (joint.rules.point != JointLock::none) {
         const DVec3 a = math::to_double(frame_axis(p.frame_a, joint.rules.point_column));
         r.gap = math::to_float(joint.rules.point == JointLock::full ? p.gap : p.gap - math::dot(a, p.gap) * a);

@@ -34,26 +34,35 @@ std::int32_t joint_row(BinScratch& scratch, const State& s, std::int32_t body) {
     return row_of_body(scratch, body);
 }
 
+// The rows of one joint, and those of its bodies.
+void collect_joint(const State& s, std::uint32_t joint, BinScratch& scratch) {
+    const JointInfo& info = s.joints[joint];
+    const JointLocks& rules = info.rules;
+    const std::int32_t a = joint_row(scratch, s, info.body_a), b = joint_row(scratch, s, info.body_b);
+    auto add = [&](std::uint32_t phase, std::uint32_t form, JointRowType type, std::uint32_t axis) {
+        scratch.unsorted_joint_rows.push_back({row_key(info.color, phase, form),
+                                               type,
+                                               info.color == overflow_color,
+                                               {std::int32_t(joint), a, b, std::uint8_t(axis)}});
+    };
+    for (std::uint32_t i = 0; i < rules.axis_count; ++i) {
+        const JointAxisRule& rule = s.joint_axes[joint].rules[i];
+        if (rule.has_limits || rule.has_drive || rule.friction > 0)
+            add(i, std::uint32_t(rule.kind), JointRowType::axis, i);
+    }
+    if (rules.turn != JointLock::none) add(turn_phase, std::uint32_t(rules.turn), JointRowType::turn, 0);
+    if (rules.point != JointLock::none) add(point_phase, std::uint32_t(rules.point), JointRowType::point, 0);
+}
+
 void collect_rows(const State& s, BinScratch& scratch) {
-    std::vector<JointRow>& rows = scratch.unsorted_joint_rows;
-    rows.clear();
+    scratch.unsorted_joint_rows.clear();
     scratch.joints.clear();
     for (const std::int32_t body : scratch.touching_bodies) {
         if (s.bodies[std::size_t(body)].joint_count == 0) continue;
         for_each_joint(s, body, [&](std::uint32_t joint, int) {
-            const JointInfo& info = s.joints[joint];
-            if (joint_owner(s, info) != body) return;
+            if (joint_owner(s, s.joints[joint]) != body) return;
             scratch.joints.push_back(joint);
-            const JointRules& rules = info.rules;
-            for (std::uint32_t i = 0; i < rules.axis_count; ++i)
-                rows.push_back({row_key(info.color, i, std::uint32_t(rules.axes[i].kind)), joint, JointRowType::axis,
-                                std::uint8_t(i)});
-            if (rules.turn != JointLock::none)
-                rows.push_back(
-                    {row_key(info.color, turn_phase, std::uint32_t(rules.turn)), joint, JointRowType::turn, 0});
-            if (rules.point != JointLock::none)
-                rows.push_back(
-                    {row_key(info.color, point_phase, std::uint32_t(rules.point)), joint, JointRowType::point, 0});
+            collect_joint(s, joint, scratch);
         });
     }
 }
@@ -92,18 +101,20 @@ void fill_ends(const State& s, const BinScratch& scratch, JointEnds& ends, std::
     ends.write_b[lane] = writes(at.row_b);
 }
 
-void fill_lane(const State&, const JointInfo& joint, const JointLane&, const JointPlacement& p, PointBlock& b,
-               std::size_t lane, float) {
+void fill_lane(const State& s, const JointLane& at, PointBlock& b, std::size_t lane, float) {
+    const JointInfo& joint = s.joints[std::size_t(at.joint)];
+    const JointPlacement p = place_anchors(s, joint);
     set_lane(b.arm_a0, lane, math::to_float(p.arm_a));
     set_lane(b.arm_b0, lane, math::to_float(p.arm_b));
     set_lane(b.gap0, lane, math::to_float(p.gap));
     b.free_axis = joint.rules.point == JointLock::across;
-    if (b.free_axis) set_lane(b.axis0, lane, frame_axis(p.frame_a, joint.rules.point_column));
+    if (b.free_axis) set_lane(b.axis0, lane, frame_axis(place_joint(s, joint).frame_a, joint.rules.point_column));
     set_lane(b.impulse, lane, joint.point_impulse);
 }
 
-void fill_lane(const State&, const JointInfo& joint, const JointLane&, const JointPlacement& p, TurnBlock& b,
-               std::size_t lane, float) {
+void fill_lane(const State& s, const JointLane& at, TurnBlock& b, std::size_t lane, float) {
+    const JointInfo& joint = s.joints[std::size_t(at.joint)];
+    const JointPlacement p = place_joint(s, joint);
     b.free_axis = joint.rules.turn == JointLock::across;
     set_lane(b.turn0, lane, turn_of(p));
     set_lane(b.axis_a0, lane, frame_axis(p.frame_a, joint.rules.turn_column));
@@ -134,10 +145,12 @@ void fill_axis_rule(AxisBlock& b, std::size_t lane, const JointAxisRule& rule, f
     b.has_friction |= rule.friction > 0;
 }
 
-void fill_lane(const State& s, const JointInfo& joint, const JointLane& at, const JointPlacement& p, AxisBlock& b,
-               std::size_t lane, float h) {
-    const JointAxisRule& rule = joint.rules.axes[at.axis];
-    const JointAxisState& state = joint.axes[at.axis];
+void fill_lane(const State& s, const JointLane& at, AxisBlock& b, std::size_t lane, float h) {
+    const JointInfo& joint = s.joints[std::size_t(at.joint)];
+    const JointPlacement p = place_joint(s, joint);
+    const JointAxes& axes = s.joint_axes[std::size_t(at.joint)];
+    const JointAxisRule& rule = axes.rules[at.axis];
+    const JointAxisState& state = axes.states[at.axis];
     b.kind = rule.kind;
     fill_axis_rule(b, lane, rule, h);
     set_lane(b.arm_a0, lane, math::to_float(p.arm_a));
@@ -165,57 +178,70 @@ template <class F> void for_block_types(BinScratch& scratch, F&& f) {
     f(scratch.axis_blocks, axes, first + std::int32_t((points.size() + turns.size()) / 8));
 }
 
-// Impulses are those of one substep.
-void rescale_impulses(JointInfo& joint, float h) {
+// Impulses are those of one substep. Forces are counted anew.
+void begin_joint(State& s, std::uint32_t index, float h) {
+    JointInfo& joint = s.joints[index];
+    joint.force = joint.torque = {};
     if (joint.substep_time == h) return;
     const float ratio = joint.substep_time > 0 ? h / joint.substep_time : 0.0f;
     const float factor = ratio > 1e-3f && ratio < 1e3f ? ratio : 0.0f; // too different to say anything
     joint.point_impulse = factor * joint.point_impulse;
     joint.turn_impulse = factor * joint.turn_impulse;
-    for (JointAxisState& axis : joint.axes)
+    for (int i = 0; i < joint.rules.axis_count; ++i) {
+        JointAxisState& axis = s.joint_axes[index].states[i];
         axis.drive *= factor, axis.friction *= factor, axis.lower *= factor, axis.upper *= factor;
+    }
     joint.substep_time = h;
 }
 
 // --- and out again
 
-void take_lane(JointInfo& joint, const JointLane&, const PointBlock& b, std::size_t lane) {
+void take_lane(State& s, const JointLane& at, const PointBlock& b, std::size_t lane) {
+    JointInfo& joint = s.joints[std::size_t(at.joint)];
     joint.point_impulse = get_lane(b.impulse, lane);
     joint.force += get_lane(b.total, lane);
 }
-void take_lane(JointInfo& joint, const JointLane&, const TurnBlock& b, std::size_t lane) {
+void take_lane(State& s, const JointLane& at, const TurnBlock& b, std::size_t lane) {
+    JointInfo& joint = s.joints[std::size_t(at.joint)];
     joint.turn_impulse = get_lane(b.impulse, lane);
     joint.torque += get_lane(b.total, lane);
 }
-void take_lane(JointInfo& joint, const JointLane& at, const AxisBlock& b, std::size_t lane) {
-    JointAxisState& axis = joint.axes[at.axis];
-    axis = {b.drive_impulse[lane], b.friction_impulse[lane], b.lower_impulse[lane], b.upper_impulse[lane],
-            b.position[lane]};
+void take_lane(State& s, const JointLane& at, const AxisBlock& b, std::size_t lane) {
+    JointInfo& joint = s.joints[std::size_t(at.joint)];
+    s.joint_axes[std::size_t(at.joint)].states[at.axis] = {b.drive_impulse[lane], b.friction_impulse[lane],
+                                                           b.lower_impulse[lane], b.upper_impulse[lane],
+                                                           b.position[lane]};
     const float total = b.total[lane];
     const math::Vec3 linear = get_lane(b.linear_b, lane), arm = get_lane(b.arm_b0, lane);
     joint.force += total * linear;
     joint.torque += total * (get_lane(b.angular_b, lane) - math::cross(arm, linear));
 }
 
-bool is_sound(const JointInfo& joint) {
-    float sum = math::dot(joint.force, {1, 1, 1}) + math::dot(joint.torque, {1, 1, 1});
-    sum += math::dot(joint.point_impulse, {1, 1, 1}) + math::dot(joint.turn_impulse, {1, 1, 1});
-    for (const JointAxisState& axis : joint.axes)
+bool is_sound(const State& s, std::uint32_t index) {
+    const JointInfo& joint = s.joints[index];
+    constexpr math::Vec3 ones{1, 1, 1};
+    float sum = math::dot(joint.force, ones) + math::dot(joint.torque, ones);
+    sum += math::dot(joint.point_impulse, ones) + math::dot(joint.turn_impulse, ones);
+    for (int i = 0; i < joint.rules.axis_count; ++i) {
+        const JointAxisState& axis = s.joint_axes[index].states[i];
         sum += axis.drive + axis.friction + axis.lower + axis.upper + axis.position;
+    }
     return std::isfinite(sum);
 }
 
 // Of bodies that were stopped for being beyond the range of numbers.
-void forget_impulses(JointInfo& joint) {
+void forget_impulses(State& s, std::uint32_t index) {
+    JointInfo& joint = s.joints[index];
     joint.force = joint.torque = joint.point_impulse = joint.turn_impulse = {};
-    for (JointAxisState& axis : joint.axes) axis = {0, 0, 0, 0, std::isfinite(axis.position) ? axis.position : 0.0f};
+    for (JointAxisState& axis : s.joint_axes[index].states)
+        axis = {0, 0, 0, 0, std::isfinite(axis.position) ? axis.position : 0.0f};
 }
 
 } // namespace
 
 JointSoftness joint_softness(float h) {
-    // Softer ones lag behind, harder ones gain energy from 0.35 / h on.
-    constexpr float pi = 3.14159265358979f, frequency_times_h = 0.25f, damping_ratio = 2.0f;
+    // Softer ones lag behind, harder ones gain energy: a hanging net from 0.35 / h on. At 0.28 / h it comes to rest.
+    constexpr float pi = 3.14159265358979f, frequency_times_h = 0.28f, damping_ratio = 2.0f;
     const float omega_h = 2 * pi * frequency_times_h, a1 = 2 * damping_ratio + omega_h, a2 = omega_h * a1;
     return {h, 1 / h, a2 / (1 + a2), omega_h / (a1 * h)};
 }
@@ -232,10 +258,8 @@ void fill_joint_lanes(const State& s, BinScratch& scratch) {
         JointRun run{rows[k].type, std::int32_t(lanes.size() / 8), 0};
         const std::uint32_t key = rows[k].key;
         for (; k < rows.size() && rows[k].key == key; ++k) {
-            const JointInfo& joint = s.joints[rows[k].joint];
-            lanes.push_back({std::int32_t(rows[k].joint), joint_row(scratch, s, joint.body_a),
-                             joint_row(scratch, s, joint.body_b), rows[k].axis});
-            if (joint.color != overflow_color) continue;
+            lanes.push_back(rows[k].lane);
+            if (!rows[k].stands_alone) continue;
             ++k; // alone in its run: it may share bodies with the next
             break;
         }
@@ -246,7 +270,7 @@ void fill_joint_lanes(const State& s, BinScratch& scratch) {
 }
 
 void fill_joint_blocks(State& s, BinScratch& scratch, Crew* crew, float h) {
-    for (const std::uint32_t joint : scratch.joints) rescale_impulses(s.joints[joint], h);
+    for (const std::uint32_t joint : scratch.joints) begin_joint(s, joint, h);
     for_block_types(scratch, [&](auto& blocks, const std::vector<JointLane>& lanes, std::int32_t first_discard) {
         const std::size_t count = lanes.size() / 8;
         if (blocks.size() < count) blocks.resize(count);
@@ -259,32 +283,24 @@ void fill_joint_blocks(State& s, BinScratch& scratch, Crew* crew, float h) {
                     const JointLane& at = lanes[8 * k + lane];
                     fill_ends(s, scratch, block, lane, at, discard);
                     if (at.joint == none) continue;
-                    const JointInfo& joint = s.joints[std::size_t(at.joint)];
-                    fill_lane(s, joint, at, place_joint(s, joint), block, lane, h);
+                    fill_lane(s, at, block, lane, h);
                 }
             }
         });
     });
 }
 
-void store_joints(State& s, BinScratch& scratch, Crew* crew, float dt) {
-    for (const std::uint32_t joint : scratch.joints) s.joints[joint].force = s.joints[joint].torque = {};
+void store_joints(State& s, BinScratch& scratch, float dt) {
     for_block_types(scratch, [&](auto& blocks, const std::vector<JointLane>& lanes, std::int32_t) {
         for (std::size_t k = 0; k < lanes.size(); ++k)
-            if (lanes[k].joint != none)
-                take_lane(s.joints[std::size_t(lanes[k].joint)], lanes[k], blocks[k / 8], k % 8);
+            if (lanes[k].joint != none) take_lane(s, lanes[k], blocks[k / 8], k % 8);
     });
     const float rate = 1 / dt;
-    for_chunks(crew, int(scratch.joints.size()), 8 * blocks_per_chunk, [&](int begin, int end, int) {
-        for (int k = begin; k < end; ++k) {
-            JointInfo& joint = s.joints[scratch.joints[std::size_t(k)]];
-            joint.force = rate * joint.force;
-            joint.torque = rate * joint.torque;
-            if (!is_sound(joint)) forget_impulses(joint);
-        }
-    });
     for (const std::uint32_t index : scratch.joints) {
-        const JointInfo& joint = s.joints[index];
+        JointInfo& joint = s.joints[index];
+        joint.force = rate * joint.force;
+        joint.torque = rate * joint.torque;
+        if (!is_sound(s, index)) forget_impulses(s, index);
         if (math::dot(joint.force, joint.force) > joint.break_force * joint.break_force ||
             math::dot(joint.torque, joint.torque) > joint.break_torque * joint.break_torque)
             scratch.overloaded.push_back(index);

@@ -33,28 +33,37 @@ struct JointAxisState {
     float position = 0;
 };
 
-struct JointRules {
+// What a joint holds beside its axes.
+struct JointLocks {
     JointLock point = JointLock::none, turn = JointLock::none;
     std::uint8_t point_column = 0, turn_column = 0; // the axis that is left free
     std::uint8_t axis_count = 0;
     std::uint8_t padding[3] = {};
+};
+struct JointRules {
+    JointLocks locks;
     JointAxisRule axes[most_joint_axes];
 };
 
-struct JointInfo {
-    math::DVec3 anchor_a, anchor_b; // in the bodies' frames; of the world, in its own
-    math::DQuat frame_a, frame_b;
-    math::DVec3 ground_a, ground_b;                          // of a pulley
-    std::int32_t body_a = -1, body_b = -1;                   // none: the world
-    std::int32_t next[2] = {-1, -1}, previous[2] = {-1, -1}; // ends in the lists of the bodies: 2 x joint + side
-    std::uint8_t color = 255;                                // no_color: neither body is dynamic
+// Of joints that have axes.
+struct JointAxes {
+    JointAxisRule rules[most_joint_axes];
+    JointAxisState states[most_joint_axes];
+};
+
+struct alignas(64) JointInfo {
+    math::DVec3 anchor_a, anchor_b;        // in the bodies' frames; of the world, in its own
+    std::int32_t body_a = -1, body_b = -1; // none: the world
+    std::uint8_t color = 255;              // no_color: neither body is dynamic
     std::uint8_t enable_collision = 0, in_use = 0, solver = 0;
-    float break_force = 0, break_torque = 0;
     float substep_time = 0; // s: that the impulses are for
-    math::Vec3 force, torque;
+    math::DQuat frame_a, frame_b;
+    JointLocks rules;
     math::Vec3 point_impulse, turn_impulse; // of the last substep
-    JointAxisState axes[most_joint_axes];
-    JointRules rules;
+    math::Vec3 force, torque;
+    float break_force = 0, break_torque = 0;
+    std::int32_t next[2] = {-1, -1}, previous[2] = {-1, -1}; // ends in the lists of the bodies: 2 x joint + side
+    math::DVec3 ground_a, ground_b;                          // of a pulley
 };
 
 } // namespace cairn

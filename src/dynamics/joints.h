@@ -41,7 +41,7 @@ void fill_joint_lanes(const State& state, BinScratch& scratch);
 // Positions, axes and impulses of the lanes; `h`: the substep.
 void fill_joint_blocks(State& state, BinScratch& scratch, Crew* crew, float h);
 // After the last substep: impulses and forces back to the joints.
-void store_joints(State& state, BinScratch& scratch, Crew* crew, float dt);
+void store_joints(State& state, BinScratch& scratch, float dt);
 JointSoftness joint_softness(float h);
 
 // The positions of a joint's axes, the gap between its anchors and the rotation error, as the bodies stand.

@@ -21,13 +21,13 @@ float smallest_extent(const Geometry& g, const ShapeData& data) {
     case ShapeType::sphere:
         return 2 * g.size.x;
     case ShapeType::box:
-        return 2 * std::min({g.size.x, g.size.y, g.size.z});
+        return 2 * (std::min({g.size.x, g.size.y, g.size.z}) + g.rounding);
     case ShapeType::capsule:
         return 2 * std::max(g.size.x, g.size.z);
     case ShapeType::cylinder:
-        return 2 * std::min(g.size.y, std::max(g.size.x, g.size.z));
+        return 2 * (std::min(g.size.y, std::max(g.size.x, g.size.z)) + g.rounding);
     case ShapeType::hull:
-        return hull_of(data).width;
+        return hull_of(data).width + 2 * g.rounding;
     case ShapeType::plane:
     case ShapeType::rectangle:
     case ShapeType::mesh:
@@ -37,7 +37,12 @@ float smallest_extent(const Geometry& g, const ShapeData& data) {
     return unlimited;
 }
 float largest_extent(const Geometry& g) {
-    return g.type == ShapeType::plane || g.type >= ShapeType::mesh ? unlimited : g.bounding_radius;
+    return g.type == ShapeType::plane || g.type >= ShapeType::mesh || is_strip(g) ? unlimited : g.bounding_radius;
+}
+
+// Wide kernels know sharp boxes, and surfaces that have ends and one side.
+bool has_wide_kernels(const Geometry& g) {
+    return g.type <= ShapeType::rectangle && !(g.rounding > 0) && !g.is_double_sided && !is_strip(g);
 }
 
 float combine_values(float a, float b, CombineRule rule) {
@@ -75,7 +80,7 @@ struct Sink final : PairSink {
         if (!is_trigger && !movable(body_a) && !movable(body_b)) return false;
         if (traits_a.is_trigger && traits_b.is_trigger) return false;
         bool swapped = false;
-        const std::optional<PairKind> kind = pair_kind(s.geometry[a].type, s.geometry[b].type, swapped);
+        const std::optional<PairKind> kind = pair_kind(s.geometry[a], s.geometry[b], swapped);
         if (!kind) return false;
         // A is the dynamic one; of two dynamic ones, the kernel's first.
         const bool b_is_a = a_moves && b_moves ? swapped : b_moves;
@@ -111,7 +116,8 @@ struct Sink final : PairSink {
 
 } // namespace
 
-std::optional<PairKind> pair_kind(ShapeType a, ShapeType b, bool& swapped) {
+std::optional<PairKind> pair_kind(const Geometry& first_shape, const Geometry& second_shape, bool& swapped) {
+    ShapeType a = first_shape.type, b = second_shape.type;
     swapped = a > b;
     if (swapped) std::swap(a, b);
     if (is_surface(a) && is_surface(b)) return std::nullopt;
@@ -120,7 +126,7 @@ std::optional<PairKind> pair_kind(ShapeType a, ShapeType b, bool& swapped) {
         swapped = !swapped;
         std::swap(a, b);
     }
-    if (a <= ShapeType::box && b <= ShapeType::rectangle) {
+    if (has_wide_kernels(first_shape) && has_wide_kernels(second_shape)) {
         const PairKind first = a == ShapeType::sphere ? PairKind::sphere_sphere : PairKind::box_box;
         return PairKind(int(first) + int(b) - int(a));
     }

@@ -27,7 +27,7 @@ bool is_same(math::Vec3 a, math::Vec3 b) { return math::dot(a - b, a - b) < same
 double reach(const State& s, std::uint32_t shape, math::DVec3 n, math::DVec3 from) {
     const Geometry& g = s.geometry[shape];
     const ShapePose& pose = s.shape_poses[shape];
-    const math::DVec3 center = shape_position(pose) - from;
+    math::DVec3 center = shape_position(pose) - from;
     const math::DQuat q = math::normalized(math::to_double(shape_rotation(pose)));
     const auto of_bounds = [&](math::Vec3 lo, math::Vec3 hi) {
         const math::DVec3 d = math::rotate_back(q, n), middle = math::to_double(0.5f * (lo + hi));
@@ -44,8 +44,10 @@ double reach(const State& s, std::uint32_t shape, math::DVec3 n, math::DVec3 fro
         const float z = float(grid_half(field.rows, field.spacing_z));
         return of_bounds({-x, field.least, -z}, {x, field.greatest, z});
     }
-    default:
-        return math::dot(n, support(make_convex(g, s.shape_data[shape], center, q), n));
+    default: {
+        const Geometry part = near_part(g, center, q, {}, 0);
+        return math::dot(n, support(make_convex(part, s.shape_data[shape], center, q), n));
+    }
     }
 }
 

@@ -214,7 +214,7 @@ void solve_bin(State& s, const Bin& bin, BinScratch& scratch, Crew* crew, float 
             k.store(blocks_of(scratch, run), run.count, lanes_of(scratch, run), s.records.data(),
                     s.solver.reports.data());
         });
-        store_joints(s, scratch, crew, dt);
+        store_joints(s, scratch, dt);
         scratch.solve_ms += milliseconds_since(start) - prepare_ms;
     }
     empty_bin(s, scratch, crew, dt);

@@ -119,14 +119,15 @@ struct LaneLists {
 
 // Rows of joints: sorted by color, phase and form.
 enum class JointRowType : std::uint8_t { point, turn, axis };
-struct JointRow {
-    std::uint32_t key, joint;
-    JointRowType type;
-    std::uint8_t axis; // which of the joint's
-};
 struct JointLane {
     std::int32_t joint, row_a, row_b; // none: empty
-    std::uint8_t axis;
+    std::uint8_t axis;                // which of the joint's
+};
+struct JointRow {
+    std::uint32_t key;
+    JointRowType type;
+    bool stands_alone; // found no color: its block has no other
+    JointLane lane;
 };
 // Blocks that may be solved side by side.
 struct JointRun {

@@ -203,6 +203,7 @@ struct State {
 
     SlotPool joint_slots;
     std::vector<JointInfo> joints;
+    std::vector<JointAxes> joint_axes; // by joint
 
     SlotPool field_slots;
     std::vector<ForceField> fields;

@@ -1,7 +1,7 @@
 // What the joint kernels share. The impulses of a substep are carried into the next as what the velocities have gained
-// over the reference (integrate.cpp), M^-1 J^T impulse. When a Jacobian is brought up to new poses, the reference is
-// changed by what that takes from it: the next substep then begins as if it had been warm started with the new
-// Jacobian. The velocities themselves stay what they are, or a pendulum would lose energy in every substep.
+// over the reference (integrate.cpp), M^-1 J^T impulse. When a Jacobian is brought up to new poses, the difference that
+// makes is left for the next solve: the substep then begins as if it had been warm started with the new Jacobian. The
+// velocities of now stay what they are, or a pendulum would lose energy in every substep.
 #pragma once
 
 #include "kernels/joint_data.h"
@@ -78,29 +78,6 @@ CAIRN_INLINE Ends8 gather_ends(const SolverVelocity* rows, const JointEnds& ends
 CAIRN_INLINE void scatter_ends(SolverVelocity* rows, const JointEnds& ends, const Ends8& e) {
     scatter_velocity(rows, ends.write_a, e.a);
     scatter_velocity(rows, ends.write_b, e.b);
-}
-
-// Adds to what is carried into the next substep.
-CAIRN_INLINE void carry_angular(SolverVelocity* reference, const JointEnds& ends, Vec3x8 wa, Vec3x8 wb) {
-    float *a[8], *b[8];
-    for (int i = 0; i < 8; ++i) {
-        a[i] = row_at(reference, ends.write_a[i]).w;
-        b[i] = row_at(reference, ends.write_b[i]).w;
-    }
-    Vec3x8 w;
-    f32x8 unused;
-    gather4(a, w.x, w.y, w.z, unused);
-    w = w - wa;
-    scatter4(a, w.x, w.y, w.z, zero());
-    gather4(b, w.x, w.y, w.z, unused);
-    w = w - wb;
-    scatter4(b, w.x, w.y, w.z, zero());
-}
-CAIRN_INLINE void carry(SolverVelocity* reference, const JointEnds& ends, const Ends8& change) {
-    const Velocityx8 a = gather_velocity(reference, ends.write_a);
-    scatter_velocity(reference, ends.write_a, {a.v - change.a.v, a.w - change.a.w});
-    const Velocityx8 b = gather_velocity(reference, ends.write_b);
-    scatter_velocity(reference, ends.write_b, {b.v - change.b.v, b.w - change.b.w});
 }
 
 CAIRN_INLINE f32x8 guarded_inverse(f32x8 x, mask8 valid) {

@@ -287,6 +287,8 @@ void solve(void* blocks, int count, SolverVelocity* velocity, const JointSoftnes
     for (int k = 0; k < count; ++k) {
         AxisBlock& b = all[k];
         Ends8 e = gather_ends(velocity, b);
+        e = {{e.a.v + load3(b.left[0]), e.a.w + load3(b.left[1])},
+             {e.b.v + load3(b.left[2]), e.b.w + load3(b.left[3])}};
         const Jacobianx8 j = load_jacobian(b);
         apply(b, j, act<true>(b, velocity_of(j, e), load(b.position), softness), e);
         scatter_ends(velocity, b, e);
@@ -303,7 +305,10 @@ void relax(void* blocks, int count, const SolverBodies& bodies, const JointSoftn
         if (!b.even) renew_masses(b, bodies.inertia);
         const Jacobianx8 j = refresh(b, gather_poses(bodies.pose, b));
         apply(b, j, p, change);
-        carry(bodies.reference, b, change);
+        store3(b.left[0], change.a.v);
+        store3(b.left[1], change.a.w);
+        store3(b.left[2], change.b.v);
+        store3(b.left[3], change.b.w);
         Ends8 e = gather_ends(bodies.velocity, b);
         apply(b, j, act<false>(b, velocity_of(j, e), before, softness), e);
         store(b.total, load(b.total) + net_impulse(b));

@@ -25,8 +25,10 @@ struct JointEnds {
 // Anchors: arm_a and arm_b from the centers of mass, gap from that of A to that of B. *0: at the start of the step.
 struct alignas(64) PointBlock : JointEnds {
     float arm_a[3][8], arm_b[3][8], gap[3][8];
-    float response[6][8]; // impulse per velocity: inverse of J M^-1 J^T, between the masks
-    float impulse[3][8];  // on B
+    float response[6][8];             // impulse per velocity: inverse of J M^-1 J^T, between the masks
+    float impulse[3][8];              // on B
+    float left_a[3][8], left_b[3][8]; // angular velocity left for the next solve
+    float left_linear[3][8];          // free_axis: likewise, change of the impulse
     float arm_a0[3][8], arm_b0[3][8], gap0[3][8];
     float axis0[3][8]; // free_axis: the direction that is left free, turns with A
     float total[3][8]; // impulse of all substeps
@@ -37,6 +39,7 @@ struct alignas(64) TurnBlock : JointEnds {
     float error[3][8]; // rotation vector that B has turned too far, across the free axis if there is one
     float response[6][8];
     float impulse[3][8];
+    float left_a[3][8], left_b[3][8];   // angular velocity left for the next solve
     float turn0[4][8];                  // of B's frame against A's, in world axes: x y z w
     float axis_a0[3][8], axis_b0[3][8]; // free_axis: as each body holds it
     float total[3][8];
@@ -65,7 +68,8 @@ inline constexpr float unlimited = 1e20f;
 struct alignas(64) AxisBlock : JointEnds {
     // The Jacobian.
     float linear_a[3][8], linear_b[3][8], angular_a[3][8], angular_b[3][8];
-    float mass[8]; // 1 / (J M^-1 J^T); 0 where nothing gives
+    float left[4][3][8]; // of v_A, w_A, v_B, w_B, for the next solve
+    float mass[8];       // 1 / (J M^-1 J^T); 0 where nothing gives
     float position[8];
 
     // Limits. `rigid_limit` is 1 where they are rigid: softness is that of all joints; else a damped spring of

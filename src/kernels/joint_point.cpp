@@ -93,6 +93,12 @@ void solve(void* blocks, int count, SolverVelocity* velocity, const JointSoftnes
     for (int k = 0; k < count; ++k) {
         PointBlock& b = all[k];
         Ends8 e = gather_ends(velocity, b);
+        e.a.w = e.a.w + load3(b.left_a);
+        e.b.w = e.b.w + load3(b.left_b);
+        if (b.free_axis) {
+            e.a.v = e.a.v - load(b.mass_a) * load3(b.left_linear);
+            e.b.v = e.b.v + load(b.mass_b) * load3(b.left_linear);
+        }
         const Vec3x8 arm_a = load3(b.arm_a), arm_b = load3(b.arm_b), p = load3(b.impulse);
         const Vec3x8 c = slip_at(e, arm_a, arm_b) + rate * load3(b.gap);
         const Vec3x8 d = -(scale * (load6(b.response) * c)) - rest * p;
@@ -123,10 +129,9 @@ CAIRN_INLINE Vec3x8 turn_along(PointBlock& b, const Posesx8& poses, const Solver
         wa = wa - load6(b.inertia_a) * cross(load3(b.arm_a), p);
         wb = wb + load6(b.inertia_b) * cross(load3(b.arm_b), p);
     }
-    if constexpr (FreeAxis)
-        carry(bodies.reference, b, {{-(load(b.mass_a) * (p - old)), wa}, {load(b.mass_b) * (p - old), wb}});
-    else
-        carry_angular(bodies.reference, b, wa, wb);
+    store3(b.left_a, wa);
+    store3(b.left_b, wb);
+    if constexpr (FreeAxis) store3(b.left_linear, p - old);
     return p;
 }
 

@@ -54,6 +54,8 @@ void solve(void* blocks, int count, SolverVelocity* velocity, const JointSoftnes
     for (int k = 0; k < count; ++k) {
         TurnBlock& b = all[k];
         Ends8 e = gather_ends(velocity, b);
+        e.a.w = e.a.w + load3(b.left_a);
+        e.b.w = e.b.w + load3(b.left_b);
         const Vec3x8 p = load3(b.impulse), c = (e.b.w - e.a.w) + rate * load3(b.error);
         const Vec3x8 d = -(scale * (load6(b.response) * c)) - rest * p;
         store3(b.impulse, p + d);
@@ -65,15 +67,14 @@ void solve(void* blocks, int count, SolverVelocity* velocity, const JointSoftnes
 template <bool FreeAxis> CAIRN_INLINE void relax_block(TurnBlock& b, const SolverBodies& bodies) {
     const Posesx8 poses = gather_poses(bodies.pose, b);
     const Vec3x8 old = load3(b.impulse);
-    Vec3x8 wa = inertia_times(b.even, b.inertia_a, old), wb = -inertia_times(b.even, b.inertia_b, old);
+    const Vec3x8 wa = inertia_times(b.even, b.inertia_a, old), wb = -inertia_times(b.even, b.inertia_b, old);
     if (!b.even) renew_masses(b, bodies.inertia);
     const Vec3x8 axis = refresh<FreeAxis>(b, poses, load_masses(b));
     Vec3x8 p = old;
     if constexpr (FreeAxis) p = across(axis, old);
     if (FreeAxis || !b.even) {
-        wa = wa - inertia_times(b.even, b.inertia_a, p);
-        wb = wb + inertia_times(b.even, b.inertia_b, p);
-        carry_angular(bodies.reference, b, wa, wb);
+        store3(b.left_a, wa - inertia_times(b.even, b.inertia_a, p));
+        store3(b.left_b, wb + inertia_times(b.even, b.inertia_b, p));
     }
     Ends8 e = gather_ends(bodies.velocity, b);
     const Vec3x8 d = -(load6(b.response) * (e.b.w - e.a.w));

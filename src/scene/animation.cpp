@@ -7,6 +7,7 @@
 #include "scene/tessellation.h"
 
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace cairn::scene {
@@ -33,24 +34,29 @@ Vec3 plain_color(BodyType type, std::size_t number) {
 struct ShapeKey {
     std::string operator()(const Sphere& s) const { return sizes("sphere", {s.radius}); }
     std::string operator()(const Box& b) const {
-        return sizes("box", {b.half_extents.x, b.half_extents.y, b.half_extents.z});
+        return sizes("box", {b.half_extents.x, b.half_extents.y, b.half_extents.z, b.rounding});
     }
     std::string operator()(const Plane& p) const {
-        const glm::vec2 half = p.half_extents.value_or(glm::vec2(0.0f));
-        return sizes("plane",
-                     {p.normal.x, p.normal.y, p.normal.z, p.tangent.x, p.tangent.y, p.tangent.z, half.x, half.y});
+        glm::vec2 half = p.half_extents.value_or(glm::vec2(0.0f));
+        for (int i = 0; i < 2; ++i) half[i] = std::isinf(half[i]) ? 0.0f : half[i]; // which no size is
+        return sizes("plane", {p.normal.x, p.normal.y, p.normal.z, p.tangent.x, p.tangent.y, p.tangent.z, half.x,
+                               half.y, p.double_sided ? 1.0f : 0.0f});
     }
     std::string operator()(const Capsule& c) const {
         return sizes("capsule", {c.half_height, c.radius, c.radius_top.value_or(c.radius)});
     }
     std::string operator()(const Cylinder& c) const {
-        return sizes("cylinder", {c.half_height, c.radius, c.radius_top.value_or(c.radius)});
+        return sizes("cylinder", {c.half_height, c.radius, c.radius_top.value_or(c.radius), c.rounding});
     }
-    template <class Shared> std::string operator()(const Shared& shape) const {
-        return "data " + std::to_string(reinterpret_cast<std::uintptr_t>(shape.data().get()));
+    std::string operator()(const Hull& hull) const {
+        return address(hull.data().get()) + sizes(" rounded", {hull.rounding});
     }
+    template <class Shared> std::string operator()(const Shared& shape) const { return address(shape.data().get()); }
 
   private:
+    static std::string address(const void* data) {
+        return "data " + std::to_string(reinterpret_cast<std::uintptr_t>(data));
+    }
     static std::string sizes(const char* kind, const std::vector<float>& values) {
         Json json = Json::array({kind});
         for (const float v : values) json.push_back(shortest(v));

@@ -1,6 +1,9 @@
 #include "scene/colliders.h"
 
+#include "scene/document.h"
+
 #include <algorithm>
+#include <utility>
 
 namespace cairn::scene {
 
@@ -35,7 +38,13 @@ TurnedShape Colliders::shape(const Value& geometry, const glm::dvec3& scale, Bod
             warnings.push_back(geometry.place() + "a mesh on a dynamic body is taken as its convex hull");
             is_hull = true;
         }
-        return {mesh_shape(geometry, *node, scale, is_hull, warnings)};
+        Shape shape = mesh_shape(geometry, *node, scale, is_hull, warnings);
+        if (auto* hull = std::get_if<Hull>(&shape)) {
+            hull->rounding = read_rounding(geometry, scale, warnings);
+        } else if (const auto own = extension(geometry, "CAIRN_shape")) {
+            warnings.push_back(own->place() + "is for boxes, cylinders and hulls, and is left out");
+        }
+        return {std::move(shape)};
     }
     if (!index) geometry.fail("must have a member \"shape\" or \"node\"");
     TurnedShape made = implicit_shape(*index, scale, warnings);

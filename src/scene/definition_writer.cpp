@@ -4,8 +4,11 @@
 #include "scene/joints.h"
 #include "scene/json_number.h"
 
+#include <cairn/triangles.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 namespace cairn::scene {
@@ -52,23 +55,27 @@ struct ShapeWriter {
         return {{"type", "sphere"}, {"sphere", {{"radius", shortest(sphere.radius)}}}};
     }
     Json operator()(const Box& box) const {
-        return {{"type", "box"}, {"box", {{"size", number_array(box.half_extents * 2.0f)}}}};
+        return rounded({{"type", "box"}, {"box", {{"size", number_array(box.half_extents * 2.0f)}}}}, box.rounding);
     }
     Json operator()(const Plane& plane) const {
         Json json{{"type", "plane"}, {"plane", Json::object()}};
-        if (plane.half_extents) {
-            json["plane"] = {{"sizeX", shortest(plane.half_extents->x * 2.0f)},
-                             {"sizeZ", shortest(plane.half_extents->y * 2.0f)}};
-        }
+        const glm::vec2 half = plane.half_extents.value_or(glm::vec2(std::numeric_limits<float>::infinity()));
+        if (!std::isinf(half.x)) json["plane"]["sizeX"] = shortest(half.x * 2.0f);
+        if (!std::isinf(half.y)) json["plane"]["sizeZ"] = shortest(half.y * 2.0f);
+        if (plane.double_sided) json["plane"]["doubleSided"] = true;
         return json;
     }
     Json operator()(const Capsule& capsule) const { return column("capsule", capsule); }
-    Json operator()(const Cylinder& cylinder) const { return column("cylinder", cylinder); }
+    Json operator()(const Cylinder& cylinder) const { return rounded(column("cylinder", cylinder), cylinder.rounding); }
     template <class Other> Json operator()(const Other&) const {
         throw Error(ErrorCode::invalid_value, "Shape", {}, "has no implicit form");
     }
 
   private:
+    static Json rounded(Json shape, float rounding) {
+        if (rounding > 0.0f) shape["extensions"]["CAIRN_shape"]["rounding"] = shortest(rounding);
+        return shape;
+    }
     template <class Column> static Json column(const char* name, const Column& shape) {
         return {{"type", name},
                 {name,
@@ -104,6 +111,7 @@ Quat file_rotation(const Shape& shape, const Quat& rotation) {
 DefinitionWriter::DefinitionWriter(const Scene& scene) { name_layers(scene); }
 
 std::size_t DefinitionWriter::shape(const Shape& shape) {
+    uses_shape_extension_ = uses_shape_extension_ || rounding_of(shape) > 0.0f;
     if (const auto* field = std::get_if<HeightField>(&shape)) return shapes_.index(height_field(*field));
     return shapes_.index(std::visit(ShapeWriter{}, shape));
 }

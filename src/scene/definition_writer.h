@@ -53,6 +53,7 @@ class DefinitionWriter {
     const BufferWriter& buffer() const { return buffer_; }
     bool uses_material_extension() const { return uses_material_extension_; }
     bool uses_joint_extension() const { return uses_joint_extension_; }
+    bool uses_shape_extension() const { return uses_shape_extension_; }
     bool uses_height_fields() const { return !height_accessors_.empty(); }
 
   private:
@@ -66,7 +67,7 @@ class DefinitionWriter {
     std::unordered_map<const void*, std::size_t> collider_meshes_, height_accessors_;
     std::unordered_map<const void*, nlohmann::ordered_json> surface_primitives_;
     std::map<std::size_t, std::string> layer_names_; // by bit; of layers in use
-    bool uses_material_extension_ = false, uses_joint_extension_ = false;
+    bool uses_material_extension_ = false, uses_joint_extension_ = false, uses_shape_extension_ = false;
 };
 
 } // namespace cairn::scene

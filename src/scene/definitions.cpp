@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace cairn::scene {
@@ -36,29 +37,29 @@ Shape read_sphere(const Value& shape, const glm::dvec3& scale, std::vector<std::
     return Sphere{half_of(2.0 * radius * std::max({scale.x, scale.y, scale.z}), shape)};
 }
 
-Shape read_box(const Value& shape, const glm::dvec3& scale) {
+Shape read_box(const Value& shape, const glm::dvec3& scale, std::vector<std::string>& warnings) {
     glm::dvec3 size{1.0, 1.0, 1.0};
     if (const auto box = shape.find("box")) {
         if (const auto given = box->find("size")) size = given->vector3(positive_float);
     }
     size *= scale;
-    return Box{{half_of(size.x, shape), half_of(size.y, shape), half_of(size.z, shape)}};
+    return Box{{half_of(size.x, shape), half_of(size.y, shape), half_of(size.z, shape)},
+               read_rounding(shape, scale, warnings)};
 }
 
 Shape read_plane(const Value& shape, const glm::dvec3& scale) {
     Plane result; // through the origin, facing +y
     const auto plane = shape.find("plane");
     if (!plane) return result;
-    if (const auto sides = plane->find("doubleSided"); sides && sides->boolean()) {
-        sides->refuse("planes are solid on one side here, so this must be false or left out");
-    }
-    const auto along_x = plane->find("sizeX"), along_z = plane->find("sizeZ");
-    if (!along_x && !along_z) return result;
-    if (!along_x || !along_z) {
-        plane->refuse("a plane that is infinite along one axis alone is not supported: give sizeX and sizeZ, or none");
-    }
-    result.half_extents = glm::vec2(half_of(along_x->number(positive_float) * scale.x, *along_x),
-                                    half_of(along_z->number(positive_float) * scale.z, *along_z));
+    if (const auto sides = plane->find("doubleSided")) result.double_sided = sides->boolean();
+    // Infinite without a size; some exporters write 0 for that.
+    const auto half = [&](const char* name, double factor) {
+        const auto size = plane->find(name);
+        const double along = size ? size->number(nonnegative_float) : 0.0;
+        return along > 0.0 ? half_of(along * factor, *size) : std::numeric_limits<float>::infinity();
+    };
+    const glm::vec2 extents(half("sizeX", scale.x), half("sizeZ", scale.z));
+    if (!std::isinf(extents.x) || !std::isinf(extents.y)) result.half_extents = extents;
     return result;
 }
 
@@ -121,7 +122,9 @@ TurnedShape read_cylinder(const Value& shape, const glm::dvec3& scale, std::vect
                            "an unevenly scaled cylinder stays round: its radii are scaled by the larger "
                            "of the scales along x and z");
     }
-    return upright<Cylinder>(read_column(shape, "cylinder"), scale, shape);
+    TurnedShape result = upright<Cylinder>(read_column(shape, "cylinder"), scale, shape);
+    std::get<Cylinder>(result.shape).rounding = read_rounding(shape, scale, warnings);
+    return result;
 }
 
 Shape read_height_field(const Value& shape, const glm::dvec3& scale, Accessors& accessors) {
@@ -153,6 +156,19 @@ Shape read_height_field(const Value& shape, const glm::dvec3& scale, Accessors& 
 
 } // namespace
 
+float read_rounding(const Value& place, const glm::dvec3& scale, std::vector<std::string>& warnings) {
+    const auto own = extension(place, "CAIRN_shape");
+    const auto given = own ? own->find("rounding") : std::nullopt;
+    if (!given) return 0.0f;
+    const glm::dvec3 size = glm::abs(scale);
+    const double radius = given->number(nonnegative_float) * std::max({size.x, size.y, size.z});
+    if (!nonnegative_float.contains(radius)) given->fail("must fit a float, with the scale of its node");
+    if (radius > 0.0 && (size.x != size.y || size.y != size.z)) {
+        warnings.push_back(given->place() + "unevenly scaled, it is taken as a ball of the largest scale");
+    }
+    return static_cast<float>(radius);
+}
+
 Definitions::Definitions(const Value& document)
     : shapes_(document_array(document, "KHR_implicit_shapes", "shapes")),
       materials_(document_array(document, "KHR_physics_rigid_bodies", "physicsMaterials")) {}
@@ -163,8 +179,11 @@ TurnedShape Definitions::shape(const Value& index, const glm::dvec3& scale, Acce
     const glm::dvec3 size = glm::abs(scale);
     const Value type = found.require("type");
     const std::string name = type.text();
+    if (const auto own = extension(found, "CAIRN_shape"); own && name != "box" && name != "cylinder") {
+        warnings.push_back(own->place() + "is for boxes, cylinders and hulls, and is left out");
+    }
     if (name == "sphere") return {read_sphere(found, size, warnings)};
-    if (name == "box") return {read_box(found, size)};
+    if (name == "box") return {read_box(found, size, warnings)};
     if (name == "plane") return {read_plane(found, size)};
     if (name == "capsule") return read_capsule(found, size, warnings);
     if (name == "cylinder") return read_cylinder(found, size, warnings);

@@ -26,6 +26,9 @@ struct TurnedShape {
     Quat rotation{1.0f, 0.0f, 0.0f, 0.0f};
 };
 
+// The rounding that CAIRN_shape on `place` (a box, a cylinder, the geometry of a hull) gives, scaled; 0 without.
+float read_rounding(const Value& place, const glm::dvec3& scale, std::vector<std::string>& warnings);
+
 class Definitions {
   public:
     explicit Definitions(const Value& document);

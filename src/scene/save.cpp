@@ -6,6 +6,8 @@
 #include "scene/scene.h"
 #include "scene/world_settings.h"
 
+#include <cairn/triangles.h>
+
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
@@ -89,6 +91,7 @@ class Writer {
         if (uses_body_extension_) used.push_back("CAIRN_body");
         if (definitions_.uses_material_extension()) used.push_back("CAIRN_material");
         if (definitions_.uses_joint_extension()) used.push_back("CAIRN_joint");
+        if (definitions_.uses_shape_extension() || uses_rounded_hulls_) used.push_back("CAIRN_shape");
         if (definitions_.uses_height_fields()) used.push_back("CAIRN_height_field");
         if (!nodes_.empty()) used.push_back("KHR_physics_rigid_bodies");
         if (!definitions_.shapes().lines().empty()) used.push_back("KHR_implicit_shapes");
@@ -185,6 +188,10 @@ class Writer {
         } else {
             json["geometry"]["node"] = mesh_nodes_.at(definitions_.collider_mesh(shape));
             json["geometry"]["convexHull"] = std::holds_alternative<Hull>(shape);
+            if (const float rounding = rounding_of(shape); rounding > 0.0f) {
+                json["geometry"]["extensions"]["CAIRN_shape"]["rounding"] = shortest(rounding);
+                uses_rounded_hulls_ = true;
+            }
         }
         if (!def.is_trigger) json["physicsMaterial"] = definitions_.material(shape, def);
         if (const auto filter = definitions_.filter(def.filter)) json["collisionFilter"] = *filter;
@@ -287,7 +294,7 @@ class Writer {
     std::unordered_map<std::size_t, std::size_t> mesh_nodes_;             // by mesh
     std::vector<Json> nodes_;
     std::vector<std::size_t> roots_;
-    bool uses_body_extension_ = false;
+    bool uses_body_extension_ = false, uses_rounded_hulls_ = false;
 };
 
 // Reading rounds a little: the engine normalizes rotations, and keeps the center of mass rather than the origin of a

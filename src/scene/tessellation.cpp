@@ -1,5 +1,7 @@
 #include "scene/tessellation.h"
 
+#include <cairn/triangles.h>
+
 #include <array>
 #include <cmath>
 #include <utility>
@@ -108,9 +110,11 @@ struct Tessellator {
                                  : std::fabs(up.x) < 0.9 ? glm::dvec3(1.0, 0.0, 0.0)
                                                          : glm::dvec3(0.0, 0.0, 1.0);
         const glm::dvec3 x = glm::normalize(guess - up * glm::dot(up, guess)), z = glm::cross(x, up);
-        const glm::dvec2 half(plane.half_extents.value_or(glm::vec2(plane_half_size)));
+        glm::dvec2 half(plane.half_extents.value_or(glm::vec2(plane_half_size)));
+        for (int i = 0; i < 2; ++i) half[i] = std::isinf(half[i]) ? double(plane_half_size) : half[i];
         const auto corner = [&](double s, double t) { return Vec3(x * (s * half.x) + z * (t * half.y)); };
         add_polygon({corner(-1, -1), corner(-1, 1), corner(1, 1), corner(1, -1)}, surface);
+        if (plane.double_sided) add_polygon({corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)}, surface);
     }
     void operator()(const Capsule& capsule) const {
         const double low = capsule.radius, high = capsule.radius_top.value_or(capsule.radius), h = capsule.half_height;
@@ -179,6 +183,13 @@ struct Tessellator {
 
 Surface tessellate(const Shape& shape) {
     Surface surface;
+    if (rounding_of(shape) > 0.0f) {
+        ShapeTriangles triangles = rounded_triangles(shape);
+        surface.vertices = std::move(triangles.vertices);
+        surface.normals = std::move(triangles.normals);
+        surface.indices = std::move(triangles.indices);
+        return surface;
+    }
     std::visit(Tessellator{surface}, shape);
     return surface;
 }

@@ -34,8 +34,7 @@ class RobotBuilder {
         scene_.info.title = model_.getName();
         walk();
         for (RobotPart& part : parts_) add_body(part);
-        RobotJoints joints(model_, name_, parts_, scene_);
-        joints.add();
+        RobotJoints(name_, parts_, scene_).add();
         return std::move(scene_);
     }
 

@@ -43,9 +43,8 @@ class RobotPose {
 
 class RobotJoints {
   public:
-    RobotJoints(const urdf::ModelInterface& model, const std::string& name, const std::vector<RobotPart>& parts,
-                Scene& scene)
-        : model_(model), name_(name), parts_(parts), scene_(scene) {}
+    RobotJoints(const std::string& name, const std::vector<RobotPart>& parts, Scene& scene)
+        : name_(name), parts_(parts), scene_(scene) {}
     void add();
 
   private:
@@ -53,7 +52,6 @@ class RobotJoints {
     void add_mimic(const RobotPart& part);
     const RobotPart* part_of(const std::string& joint) const;
 
-    const urdf::ModelInterface& model_;
     const std::string& name_;
     const std::vector<RobotPart>& parts_;
     Scene& scene_;

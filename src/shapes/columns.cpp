@@ -43,7 +43,8 @@ Columns::Columns(std::span<const math::Vec3> points) : size_(points.size()) {
 
 // First in floats: the greatest product, and all that may be it, as floats are only so exact. Then these in double.
 std::size_t Columns::farthest(DVec3 d) const {
-    const double greatest = std::fmax(std::fmax(std::fabs(d.x), std::fabs(d.y)), std::fabs(d.z));
+    const DVec3 size = math::abs(d);
+    const double greater_xy = size.x > size.y ? size.x : size.y, greatest = greater_xy > size.z ? greater_xy : size.z;
     if (!(greatest > 0)) return 0;
     const double scale = 1 / greatest;
     const F4 dx = splat(float(scale * d.x)), dy = splat(float(scale * d.y)), dz = splat(float(scale * d.z));
@@ -63,8 +64,10 @@ std::size_t Columns::farthest(DVec3 d) const {
     double best_along = -std::numeric_limits<double>::infinity();
     std::size_t best = 0;
     for (std::size_t i = 0; i < x_.size(); i += block) {
-        if (!any((along(i) >= least) | (along(i + 4) >= least))) continue;
+        const I4 may_be[2] = {along(i) >= least, along(i + 4) >= least};
+        if (!any(may_be[0] | may_be[1])) continue;
         for (std::size_t k = i; k < i + block && k < size_; ++k) {
+            if (may_be[(k - i) / 4][(k - i) % 4] == 0) continue;
             const double exact = math::dot(DVec3{x_[k], y_[k], z_[k]}, d);
             if (exact > best_along) best_along = exact, best = k;
         }

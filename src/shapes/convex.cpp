@@ -34,19 +34,6 @@ DVec3 frustum_support(const Frustum& f, DVec3 d) {
     return {s * d.x, y, s * d.z};
 }
 
-double signed_like(double value, double sign) { return sign < 0 ? -value : value; }
-
-DVec3 box_support(DVec3 half, DVec3 d) {
-    return {signed_like(half.x, d.x), signed_like(half.y, d.y), signed_like(half.z, d.z)};
-}
-
-DVec3 polygon_support(const Convex& c, DVec3 d) {
-    int best = 0;
-    for (int i = 1; i < c.corner_count; ++i)
-        if (math::dot(c.corners[i], d) > math::dot(c.corners[best], d)) best = i;
-    return c.corners[best];
-}
-
 // A capsule's core: a segment; of a tapered one the hull of a ball and a point.
 DVec3 capsule_support(const Convex& c, DVec3 d) {
     const double length = c.size.x == c.size.z ? 0 : math::length(d);
@@ -76,6 +63,18 @@ Convex make_polygon(std::span<const DVec3> corners) {
     x = along > 0 ? (1 / along) * x : math::to_double(math::any_orthogonal(math::to_float(normal)));
     r.axes = {x, normal, math::cross(x, normal)};
     return r;
+}
+
+} // namespace
+
+namespace {
+
+// The sharp shape that was made becomes the core.
+void round_off(Convex& c, double rounding) {
+    c.is_sharp = false;
+    c.shallow = rounding + c.radius;
+    c.radius = rounding;
+    c.extent += rounding;
 }
 
 } // namespace
@@ -120,24 +119,26 @@ Convex make_convex(const Geometry& geometry, const ShapeData& data, DVec3 center
         c.kind = Convex::Kind::ball;
         c.radius = c.extent = s.x;
     }
+    c.shallow = c.radius;
+    if (geometry.rounding > 0) round_off(c, double(geometry.rounding));
     return c;
 }
 
 Convex make_triangle(DVec3 a, DVec3 b, DVec3 c) { return make_polygon(std::array{a, b, c}); }
 
-DVec3 core_support(const Core& core, DVec3 d) {
+Convex reversed(const Convex& polygon) {
+    DVec3 corners[4];
+    const int n = polygon.corner_count;
+    for (int i = 0; i < n; ++i) corners[i] = polygon.corners[n - 1 - i];
+    return make_polygon({corners, static_cast<std::size_t>(n)});
+}
+
+DVec3 round_support(const Core& core, DVec3 d) {
     const Convex& c = *core.shape;
     DVec3 local;
     switch (c.kind) {
     case Convex::Kind::ball:
         return c.center;
-    case Convex::Kind::polygon:
-        return polygon_support(c, d);
-    case Convex::Kind::box: {
-        const double m = core.is_inset ? c.radius : 0;
-        local = box_support(c.size - DVec3{m, m, m}, to_local(c, d));
-        break;
-    }
     case Convex::Kind::capsule:
         local = capsule_support(c, to_local(c, d));
         break;
@@ -145,21 +146,12 @@ DVec3 core_support(const Core& core, DVec3 d) {
         local =
             frustum_support(core.is_inset ? c.core : Frustum{-c.size.y, c.size.x, c.size.y, c.size.z}, to_local(c, d));
         break;
-    case Convex::Kind::hull: {
-        const DVec3 along = to_local(c, d);
-        local = math::to_double(core.is_inset ? c.hull->core[c.hull->core_columns.farthest(along)]
-                                              : c.hull->vertices[c.hull->vertex_columns.farthest(along)]);
-        break;
-    }
+    case Convex::Kind::box:
+    case Convex::Kind::hull:
+    case Convex::Kind::polygon:
+        break; // not round: see core_support
     }
     return c.center + c.axes * local;
-}
-
-DVec3 support(const Convex& c, DVec3 d) {
-    const DVec3 p = core_support(exact_core(c), d);
-    if (c.is_sharp) return p;
-    const double length = math::length(d);
-    return length > 0 ? p + (c.radius / length) * d : p;
 }
 
 std::size_t farthest_vertex(const Convex& c, DVec3 d) { return c.hull->vertex_columns.farthest(to_local(c, d)); }
@@ -184,19 +176,9 @@ int face_count(const Convex& c) {
     }
 }
 
-// Faces of a box: +x -x +y -y +z -z; of a cylinder: top, base.
-DVec3 face_normal(const Convex& c, int face) {
-    switch (c.kind) {
-    case Convex::Kind::box:
-        return face % 2 == 0 ? c.axes.column(face / 2) : -c.axes.column(face / 2);
-    case Convex::Kind::hull:
-        return c.axes * c.hull->unit_normals[static_cast<std::size_t>(face)];
-    default:
-        return face == 0 ? c.axes.c1 : -c.axes.c1;
-    }
-}
+namespace {
 
-DVec3 face_point(const Convex& c, int face) {
+DVec3 core_face_point(const Convex& c, int face) {
     switch (c.kind) {
     case Convex::Kind::box:
         return c.center + c.size[face / 2] * face_normal(c, face);
@@ -209,6 +191,13 @@ DVec3 face_point(const Convex& c, int face) {
     default:
         return c.corners[0];
     }
+}
+
+} // namespace
+
+DVec3 face_point(const Convex& c, int face) {
+    const DVec3 p = core_face_point(c, face);
+    return c.is_sharp ? p : p + c.radius * face_normal(c, face);
 }
 
 } // namespace cairn

@@ -4,11 +4,13 @@
 // A shape is a core and a `radius` around it (Minkowski sum). Two shapes that touch are told apart by their cores,
 // which do not overlap as long as the shapes overlap less than their radii. A ball is a point with a radius, a capsule
 // a segment. Shapes with sharp edges have a core that is inset by the radius, and are themselves sharp: their cores
-// only give the direction of the contact, the shapes themselves the points.
+// only give the direction of the contact, the shapes themselves the points. Rounded shapes are their sharp self as the
+// core, and their rounding as the radius.
 #pragma once
 
 #include "math/vec.h"
 #include "shapes/geometry.h"
+#include "shapes/hull.h"
 
 #include <array>
 
@@ -30,14 +32,23 @@ struct Convex {
     math::DVec3 corners[4]; // of a polygon, in the common frame
     Frustum core{};         // of a cylinder
     const HullData* hull = nullptr;
-    double radius = 0; // around the core
-    double extent = 0; // the smallest half width; infinite for polygons
+    double radius = 0;  // around the core
+    double shallow = 0; // an overlap up to this is a small one: the radius, or of rounded shapes somewhat more
+    double extent = 0;  // the smallest half width; infinite for polygons
 };
 
 // For every type but planes, meshes and height fields. A rectangle is a flat polygon.
 Convex make_convex(const Geometry& geometry, const ShapeData& data, math::DVec3 center, math::DQuat rotation);
 // Flat, solid on the side that sees the corners clockwise.
 Convex make_triangle(math::DVec3 a, math::DVec3 b, math::DVec3 c);
+// A polygon that faces the other way.
+Convex reversed(const Convex& polygon);
+
+// From the common frame to the shape's and back.
+inline math::DVec3 to_local(const Convex& c, math::DVec3 v) {
+    return {math::dot(c.axes.c0, v), math::dot(c.axes.c1, v), math::dot(c.axes.c2, v)};
+}
+inline math::DVec3 hull_point(const Convex& c, math::Vec3 p) { return c.center + c.axes * math::to_double(p); }
 
 // A shape as the distance algorithms see it: a core, and a radius that is added afterwards.
 struct Core {
@@ -45,29 +56,67 @@ struct Core {
     bool is_inset; // else a sharp shape is its own core
     double radius;
 };
+// Only of sharp shapes.
 inline Core inset_core(const Convex& c) { return {&c, true, c.radius}; }
 // The core that gives exact distances.
 inline Core exact_core(const Convex& c) { return {&c, false, c.is_sharp ? 0 : c.radius}; }
 
-// The point of the core that is farthest along d, which may have any length.
-math::DVec3 core_support(const Core& core, math::DVec3 d);
+// What lies around the exact core.
+inline double outer_radius(const Convex& c) { return c.is_sharp ? 0 : c.radius; }
+
+// The farthest points of the shapes that are asked for most, along d, which may have any length.
+inline math::DVec3 box_support(const Convex& c, math::DVec3 half, math::DVec3 d) {
+    const math::DVec3 along = to_local(c, d);
+    const math::DVec3 local{along.x < 0 ? -half.x : half.x, along.y < 0 ? -half.y : half.y,
+                            along.z < 0 ? -half.z : half.z};
+    return c.center + c.axes * local;
+}
+inline math::DVec3 polygon_support(const Convex& c, math::DVec3 d) {
+    int best = 0;
+    double farthest = math::dot(c.corners[0], d);
+    for (int i = 1; i < c.corner_count; ++i) {
+        const double along = math::dot(c.corners[i], d);
+        if (along > farthest) farthest = along, best = i;
+    }
+    return c.corners[best];
+}
+inline math::DVec3 hull_support(const Convex& c, bool is_inset, math::DVec3 d) {
+    const math::DVec3 along = to_local(c, d);
+    return hull_point(c, is_inset ? c.hull->core[c.hull->core_columns.farthest(along)]
+                                  : c.hull->vertices[c.hull->vertex_columns.farthest(along)]);
+}
+math::DVec3 round_support(const Core& core, math::DVec3 d); // of balls, capsules and cylinders
+
+// The point of the core that is farthest along d.
+inline math::DVec3 core_support(const Core& core, math::DVec3 d) {
+    const Convex& c = *core.shape;
+    if (c.kind == Convex::Kind::hull) return hull_support(c, core.is_inset, d);
+    if (c.kind == Convex::Kind::polygon) return polygon_support(c, d);
+    if (c.kind != Convex::Kind::box) return round_support(core, d);
+    const double m = core.is_inset ? c.radius : 0;
+    return box_support(c, c.size - math::DVec3{m, m, m}, d);
+}
 // The point of the shape itself that is farthest along d.
-math::DVec3 support(const Convex& c, math::DVec3 d);
-// Of a hull: the vertex there.
+inline math::DVec3 support(const Convex& c, math::DVec3 d) {
+    const math::DVec3 p = core_support(exact_core(c), d);
+    if (c.is_sharp) return p;
+    const double length = math::length(d);
+    return length > 0 ? p + (c.radius / length) * d : p;
+}
+// Of a hull: the vertex of its exact core there.
 std::size_t farthest_vertex(const Convex& c, math::DVec3 d);
 // A point inside: the middle of the bounds.
 math::DVec3 middle(const Convex& c);
 
 // Flat faces: of boxes, hulls and polygons, and the ends of cylinders. A polygon has its front; number 1 is its back,
 // which touches but gives no direction.
+// Those of a box: +x -x +y -y +z -z; of a cylinder: top, base.
 int face_count(const Convex& c);
-math::DVec3 face_normal(const Convex& c, int face);
-math::DVec3 face_point(const Convex& c, int face); // some point of it
-
-// From the common frame to the shape's and back.
-inline math::DVec3 to_local(const Convex& c, math::DVec3 v) {
-    return {math::dot(c.axes.c0, v), math::dot(c.axes.c1, v), math::dot(c.axes.c2, v)};
+inline math::DVec3 face_normal(const Convex& c, int face) {
+    if (c.kind == Convex::Kind::hull) return c.axes * c.hull->unit_normals[static_cast<std::size_t>(face)];
+    if (c.kind == Convex::Kind::box) return face % 2 == 0 ? c.axes.column(face / 2) : -c.axes.column(face / 2);
+    return face == 0 ? c.axes.c1 : -c.axes.c1;
 }
-inline math::DVec3 hull_point(const Convex& c, math::Vec3 p) { return c.center + c.axes * math::to_double(p); }
+math::DVec3 face_point(const Convex& c, int face); // some point of it
 
 } // namespace cairn

@@ -58,16 +58,19 @@ struct GeometryMaker {
     void operator()(const Sphere& sphere) const { set(ShapeType::sphere, {sphere.radius, 0, 0}, sphere.radius); }
     void operator()(const Box& box) const {
         const math::Vec3 size{box.half_extents.x, box.half_extents.y, box.half_extents.z};
-        set(ShapeType::box, size, math::length(size));
+        set(ShapeType::box, size, math::length(size) + box.rounding);
+        g.rounding = box.rounding;
     }
     void operator()(const Plane& plane) const {
         g.rotation = math::normalized(g.rotation * plane_rotation(plane));
+        g.is_double_sided = plane.double_sided;
         if (!plane.half_extents) {
             set(ShapeType::plane, {}, 0);
             return;
         }
-        const math::Vec3 size{plane.half_extents->x, 0, plane.half_extents->y};
-        set(ShapeType::rectangle, size, math::length(size));
+        const auto half = [](float extent) { return std::isinf(extent) ? endless : extent; };
+        const math::Vec3 size{half(plane.half_extents->x), 0, half(plane.half_extents->y)};
+        set(ShapeType::rectangle, size, size.x == endless || size.z == endless ? 0.0f : math::length(size));
     }
     void operator()(const Capsule& c) const {
         const float top = c.radius_top.value_or(c.radius);
@@ -76,14 +79,16 @@ struct GeometryMaker {
     void operator()(const Cylinder& c) const {
         const float top = c.radius_top.value_or(c.radius), widest = std::max(c.radius, top);
         set(ShapeType::cylinder, {c.radius, c.half_height, top},
-            std::sqrt(c.half_height * c.half_height + widest * widest));
+            std::sqrt(c.half_height * c.half_height + widest * widest) + c.rounding);
+        g.rounding = c.rounding;
     }
     void operator()(const Hull& hull) const {
         const HullData& data = *hull.data();
         g.middle = 0.5f * (data.lo + data.hi);
         float square = 0;
         for (const math::Vec3& v : data.vertices) square = std::max(square, math::dot(v - g.middle, v - g.middle));
-        set(ShapeType::hull, {}, std::sqrt(square));
+        set(ShapeType::hull, {}, std::sqrt(square) + hull.rounding);
+        g.rounding = hull.rounding;
     }
     void operator()(const Mesh& mesh) const { set(ShapeType::mesh, {}, mesh.data()->bounding_radius); }
     void operator()(const HeightField& field) const { set(ShapeType::height_field, {}, field.data()->bounding_radius); }
@@ -105,6 +110,19 @@ Geometry make_geometry(const Shape& shape, const Transform& pose) {
     std::visit(GeometryMaker{g}, shape);
     g.is_turned = !(g.rotation.x == 0 && g.rotation.y == 0 && g.rotation.z == 0);
     return g;
+}
+
+Geometry near_part(const Geometry& g, DVec3& center, math::DQuat rotation, DVec3 point, double reach) {
+    if (!is_strip(g)) return g;
+    Geometry part = g;
+    const math::DMat3 axes = math::to_matrix(rotation);
+    for (const int i : {0, 2}) {
+        if (g.size[i] != endless) continue;
+        center += math::dot(axes.column(i), point - center) * axes.column(i);
+        part.size[i] = g.size[2 - i] + float(reach);
+    }
+    part.bounding_radius = math::length(part.size);
+    return part;
 }
 
 ShapeData make_shape_data(const Shape& shape) {
@@ -253,12 +271,13 @@ DBounds geometry_bounds(const Geometry& shape, const ShapeData& data, DVec3 posi
         return {position - half, position + half};
     }
     if (shape.type == ShapeType::box || shape.type == ShapeType::rectangle) {
-        const DVec3 half = math::to_double(shape.size.x * math::abs(m.c0) + shape.size.y * math::abs(m.c1) +
-                                           shape.size.z * math::abs(m.c2));
+        DVec3 half = math::to_double(shape.size.x * math::abs(m.c0) + shape.size.y * math::abs(m.c1) +
+                                     shape.size.z * math::abs(m.c2));
+        if (shape.rounding > 0) half += math::DVec3{shape.rounding, shape.rounding, shape.rounding};
         return {position - half, position + half};
     }
     const DBounds b = bounds_about_position(shape, data, m);
-    const double pad = rounding * double(shape.bounding_radius);
+    const double pad = rounding * double(shape.bounding_radius) + double(shape.rounding);
     const DVec3 outward{pad, pad, pad};
     return {position + b.lo - outward, position + b.hi + outward};
 }

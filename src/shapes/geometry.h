@@ -32,6 +32,9 @@ inline bool is_surface(ShapeType type) {
            type == ShapeType::height_field;
 }
 
+// Half the length of a strip, a rectangle that is infinite along one axis, m: farther than positions reach.
+inline constexpr float endless = 4e15f;
+
 // Planes and rectangles face along their own +y; capsules and cylinders stand along it.
 struct Geometry {
     ShapeType type = ShapeType::sphere;
@@ -39,11 +42,21 @@ struct Geometry {
     // half height in y, upper radius in z
     math::Vec3 size;
     math::Vec3 middle;         // of its bounds: of hulls, which may lie anywhere in their frame
-    float bounding_radius = 0; // about `middle`; 0 for the infinite plane
+    float bounding_radius = 0; // about `middle`, with the rounding; 0 for infinite planes and strips
     math::Vec3 position;       // of the shape's origin in the body's frame
     math::Quat rotation;
-    std::uint32_t is_turned = 0; // the rotation is not the identity
+    float rounding = 0;          // of boxes, cylinders and hulls: radius of a ball that is added to all of the above
+    std::uint16_t is_turned = 0; // the rotation is not the identity
+    std::uint16_t is_double_sided = 0; // of planes and rectangles
 };
+
+inline bool is_strip(const Geometry& g) {
+    return g.type == ShapeType::rectangle && (g.size.x == endless || g.size.z == endless);
+}
+
+// Of a strip the part near a point, as a rectangle at `center`: it reaches at least as far from there as it is wide,
+// and by `reach` farther. Other shapes stay as they are.
+Geometry near_part(const Geometry& g, math::DVec3& center, math::DQuat rotation, math::DVec3 point, double reach);
 
 // Shapes must be valid (see world/validate.h).
 Geometry make_geometry(const Shape& shape, const Transform& pose);

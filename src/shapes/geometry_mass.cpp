@@ -1,13 +1,14 @@
 // Mass properties of the solid shapes, in closed form.
+#include "math/angle.h"
 #include "shapes/geometry.h"
+#include "shapes/rounded_mass.h"
 
 namespace cairn {
 
 using math::DVec3;
+using math::pi;
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 // A body of revolution about y, of density 1: volume, first and second moment along y (integrals of y and y^2), and
 // moment of inertia about y. Sums of y are from `origin`.
@@ -64,12 +65,17 @@ math::DSym3 rotated(const math::DMat3& r, const math::DSym3& m) {
 // Of density 1, in the shape's frame.
 MassSum unit_mass(const Geometry& shape, const ShapeData& data) {
     const DVec3 size = math::to_double(shape.size);
+    const double rounding = shape.rounding;
     switch (shape.type) {
     case ShapeType::capsule:
         return capsule_mass(size);
+    case ShapeType::box:
+        return rounded_box_mass(size, rounding);
     case ShapeType::cylinder:
+        if (rounding > 0) return rounded_cylinder_mass(size, rounding);
         return frustum(-size.y, 2 * size.y, size.x, size.z);
     case ShapeType::hull:
+        if (rounding > 0) return rounded_hull_mass(hull_of(data), rounding);
         return hull_of(data).unit_mass;
     default:
         return {};
@@ -88,7 +94,7 @@ MassSum geometry_mass(const Geometry& shape, const ShapeData& data, float densit
         m.mass = rho * (4.0 / 3.0) * pi * r * r * r;
         const double i = 0.4 * m.mass * r * r;
         m.inertia = math::rotated_diagonal(rotation, DVec3{i, i, i});
-    } else if (shape.type == ShapeType::box) {
+    } else if (shape.type == ShapeType::box && !(shape.rounding > 0)) {
         const DVec3 a = math::to_double(shape.size);
         m.mass = rho * 8 * a.x * a.y * a.z;
         const DVec3 s{a.x * a.x, a.y * a.y, a.z * a.z};

@@ -89,12 +89,10 @@ bool on_tetrahedron(const Simplex& s, Nearest& best) {
 
 // Keeps the corners that span the nearest point.
 void keep(Simplex& s, const Nearest& n) {
-    const Simplex old = s;
+    DifferencePoint kept[3];
+    for (int i = 0; i < n.count; ++i) kept[i] = s.points[n.corner[i]];
     s.count = n.count;
-    for (int i = 0; i < n.count; ++i) {
-        s.points[i] = old.points[n.corner[i]];
-        s.weights[i] = n.weight[i];
-    }
+    for (int i = 0; i < n.count; ++i) s.points[i] = kept[i], s.weights[i] = n.weight[i];
     s.nearest = n.point;
 }
 
@@ -141,7 +139,6 @@ GjkResult gjk_distance(const CorePair& pair, DVec3 guess, double max_distance, d
         for (int i = 0; i < s.count; ++i) is_known = is_known || s.points[i].w == next.w;
         if (is_known) break;
 
-        const Simplex before = s;
         s.points[s.count++] = next;
         Nearest best;
         if (s.count == 2)
@@ -153,7 +150,7 @@ GjkResult gjk_distance(const CorePair& pair, DVec3 guess, double max_distance, d
             return r;
         }
         if (!(best.square < square)) { // rounding: no nearer
-            s = before;
+            --s.count;
             break;
         }
         keep(s, best);

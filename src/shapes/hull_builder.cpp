@@ -1,6 +1,7 @@
 // From points to a Hull: checks, the grid, triangles, faces, and what is computed from them.
 #include "shapes/hull_builder.h"
 
+#include "core/order.h"
 #include "shapes/hull_exact.h"
 #include "shapes/hull_faces.h"
 
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <optional>
 #include <string>
 
 namespace cairn {
@@ -25,6 +27,7 @@ constexpr double least_extent = 1e-6;      // m, as of other shapes
 constexpr double least_thickness = 1e-5;   // of the extent
 // Of the largest coordinate: the offset of a plane is a float, and off by up to a tenth of this.
 constexpr double finest_plane = 1e-6;
+constexpr std::size_t many_points = 1024; // more than the nearest caches hold, with what is made of them
 constexpr std::size_t most_points = std::size_t(1) << 30;
 
 std::string to_text(double value) {
@@ -96,12 +99,37 @@ Grid make_grid(std::span<const Vec3> points, const Bounds& bounds) {
     return grid;
 }
 
+// Where a grid point comes along a curve that fills space (Morton's): a bit of x, of y and of z in turn, from the top.
+std::uint32_t place_on_curve(GridPoint p) {
+    auto spread = [](std::int32_t x) {
+        auto bits = std::uint32_t(x) >> (grid_bits - 10) & 0x3ff;
+        bits = (bits | bits << 16) & 0x030000ff;
+        bits = (bits | bits << 8) & 0x0300f00f;
+        bits = (bits | bits << 4) & 0x030c30c3;
+        return (bits | bits << 2) & 0x09249249;
+    };
+    return spread(p.x) | spread(p.y) << 1 | spread(p.z) << 2;
+}
+
+// Neighbors in space become neighbors in memory.
+std::vector<Vec3> put_along_curve(std::span<const Vec3> points, std::span<const GridPoint> grid) {
+    std::vector<std::uint64_t> places;
+    places.reserve(points.size());
+    for (const GridPoint p : grid) places.push_back(place_on_curve(p));
+    std::vector<Vec3> r;
+    r.reserve(points.size());
+    for (const std::uint32_t i : order_by(places)) r.push_back(points[i]);
+    return r;
+}
+
 struct Polyhedron {
     std::vector<std::uint32_t> sources; // of the vertices: which point each is
     std::vector<GridPoint> points;      // the vertices
     std::vector<Triangle> triangles;
-    std::vector<Face> faces;
+    std::vector<Face> faces; // in order of their loops, and each of these from its least vertex on
     std::vector<std::uint32_t> loops;
+    std::optional<Climber> climber;  // on the triangles; made once the faces are
+    std::vector<std::uint32_t> tops; // the farthest vertex along the normal of each face
 };
 
 Polyhedron select(std::span<const GridPoint> points, const Triangulation& triangulation,
@@ -115,14 +143,58 @@ Polyhedron select(std::span<const GridPoint> points, const Triangulation& triang
     return r;
 }
 
+// Each loop from its least vertex on, and faces in order of their loops.
+void sort_faces(Polyhedron& body, const Faces& made) {
+    std::vector<std::uint32_t> starts; // of the loops
+    std::vector<std::uint64_t> edges;  // there: no two faces have an edge in the same direction
+    starts.reserve(made.faces.size()), edges.reserve(made.faces.size());
+    for (const Face& face : made.faces) {
+        std::uint32_t least = 0;
+        for (std::uint32_t i = 1; i < face.count; ++i)
+            if (made.loops[face.first + i] < made.loops[face.first + least]) least = i;
+        starts.push_back(least);
+        edges.push_back(std::uint64_t(made.loops[face.first + least]) << 32 |
+                        made.loops[face.first + (least + 1) % face.count]);
+    }
+    body.faces.reserve(made.faces.size()), body.loops.reserve(made.loops.size());
+    for (const std::uint32_t f : order_by(edges)) {
+        const Face& face = made.faces[f];
+        const auto first = made.loops.begin() + face.first, middle = first + starts[f], last = first + face.count;
+        body.faces.push_back({face.normal, std::uint32_t(body.loops.size()), face.count});
+        body.loops.insert(body.loops.end(), middle, last);
+        body.loops.insert(body.loops.end(), first, middle);
+    }
+}
+
+Climber make_climber(const Polyhedron& body) {
+    std::vector<DVec3> vertices;
+    vertices.reserve(body.points.size());
+    for (const GridPoint p : body.points) vertices.push_back(to_double(p));
+    std::vector<Climber::Edge> edges;
+    edges.reserve(3 * body.triangles.size());
+    for (const Triangle& t : body.triangles)
+        for (int k = 0; k < 3; ++k) edges.push_back({t.corners[k], t.corners[(k + 1) % 3]});
+    return {std::move(vertices), edges};
+}
+
+// The normal as it will be stored.
+DVec3 float_normal(const Face& face) { return math::to_double(math::to_float(face.normal)); }
+
+void climb(Polyhedron& body) {
+    body.climber = make_climber(body);
+    body.tops.reserve(body.faces.size());
+    for (const Face& face : body.faces)
+        body.tops.push_back(body.climber->farthest(float_normal(face), body.loops[face.first]));
+}
+
 // Joins triangles, and leaves out points that are then no corners, until all are. False if nothing solid is left.
 bool form_faces(Polyhedron& body, double plane_tolerance, double corner_tolerance) {
     while (true) {
-        Faces faces = make_faces(body.points, body.triangles, plane_tolerance, corner_tolerance);
+        const Faces faces = make_faces(body.points, body.triangles, plane_tolerance, corner_tolerance);
         if (!faces.is_sound) return false;
         if (faces.redundant.empty()) {
-            body.faces = std::move(faces.faces);
-            body.loops = std::move(faces.loops);
+            sort_faces(body, faces);
+            climb(body);
             return true;
         }
         std::vector<bool> goes(body.points.size(), false);
@@ -138,24 +210,13 @@ bool form_faces(Polyhedron& body, double plane_tolerance, double corner_toleranc
     }
 }
 
-Climber make_climber(const Polyhedron& body) {
-    std::vector<DVec3> vertices;
-    for (const GridPoint p : body.points) vertices.push_back(to_double(p));
-    std::vector<Climber::Edge> edges;
-    for (const Triangle& t : body.triangles)
-        for (int k = 0; k < 3; ++k) edges.push_back({t.corners[k], t.corners[(k + 1) % 3]});
-    return {std::move(vertices), edges};
-}
-
-// As it will be stored.
-DVec3 float_normal(const Face& face) { return math::to_double(math::to_float(face.normal)); }
-
 // No corner of a face lies more than the tolerance below its plane, and none of the points more than that above it.
-bool is_within(const Polyhedron& body, const Climber& climber, const PointTree& left_out, double tolerance) {
-    for (const Face& face : body.faces) {
+bool is_within(const Polyhedron& body, const PointTree& left_out, double tolerance) {
+    const auto& vertices = body.climber->vertices();
+    for (std::size_t f = 0; f < body.faces.size(); ++f) {
+        const Face& face = body.faces[f];
         const DVec3 normal = float_normal(face);
-        const auto& vertices = climber.vertices();
-        const double offset = math::dot(normal, vertices[climber.farthest(normal, body.loops[face.first])]);
+        const double offset = math::dot(normal, vertices[body.tops[f]]);
         for (std::uint32_t i = 0; i < face.count; ++i)
             if (math::dot(normal, vertices[body.loops[face.first + i]]) < offset - tolerance) return false;
         if (left_out.farthest(normal, offset + tolerance).found) return false;
@@ -174,22 +235,9 @@ Polyhedron make_polyhedron(std::span<const GridPoint> points, const Simplex& sim
         std::vector<std::uint32_t> left_out = start.left_out;
         std::set_difference(start.points.begin(), start.points.end(), body.sources.begin(), body.sources.end(),
                             std::back_inserter(left_out));
-        if (part == 0 || is_within(body, make_climber(body), PointTree(points, left_out), tolerance)) return body;
+        if (part == 0 || is_within(body, PointTree(points, left_out), tolerance)) return body;
     }
     return {}; // not reached: the last part always returns
-}
-
-// Each loop from its least vertex on, and faces in order of their loops.
-void sort_faces(Polyhedron& body) {
-    for (const Face& face : body.faces) {
-        const auto first = body.loops.begin() + face.first, last = first + face.count;
-        std::rotate(first, std::min_element(first, last), last);
-    }
-    const auto& loops = body.loops;
-    std::sort(body.faces.begin(), body.faces.end(), [&](const Face& a, const Face& b) {
-        return std::lexicographical_compare(loops.begin() + a.first, loops.begin() + a.first + a.count,
-                                            loops.begin() + b.first, loops.begin() + b.first + b.count);
-    });
 }
 
 void fill_adjacency(HullData& hull) {
@@ -240,7 +288,6 @@ float find_width(const HullData& hull, const Climber& climber) {
 }
 
 void fill_faces(HullData& hull, const Polyhedron& body, std::span<const Vec3> points) {
-    const Climber climber = make_climber(body);
     for (const std::uint32_t p : body.sources) hull.vertices.push_back(points[p]);
     hull.lo = hull.hi = hull.vertices[0];
     double square = 0;
@@ -249,16 +296,15 @@ void fill_faces(HullData& hull, const Polyhedron& body, std::span<const Vec3> po
         square = std::max(square, math::dot(math::to_double(v), math::to_double(v)));
     }
     hull.bounding_radius = float(std::sqrt(square) * (1 + 0x1p-23)); // not rounded down
-    for (const Face& face : body.faces) {
-        const DVec3 normal = float_normal(face);
-        const std::uint32_t top = climber.farthest(normal, body.loops[face.first]);
-        hull.faces.push_back({math::to_float(face.normal),
-                              float(math::dot(normal, math::to_double(hull.vertices[top]))),
-                              std::uint32_t(hull.loops.size()), face.count});
-        hull.loops.insert(hull.loops.end(), body.loops.begin() + face.first,
-                          body.loops.begin() + face.first + face.count);
+    hull.faces.reserve(body.faces.size());
+    for (std::size_t f = 0; f < body.faces.size(); ++f) {
+        const Face& face = body.faces[f];
+        const DVec3 top = math::to_double(hull.vertices[body.tops[f]]);
+        hull.faces.push_back(
+            {math::to_float(face.normal), float(math::dot(float_normal(face), top)), face.first, face.count});
     }
-    hull.width = find_width(hull, climber);
+    hull.loops = body.loops;
+    hull.width = find_width(hull, *body.climber);
     fill_adjacency(hull);
 }
 
@@ -291,14 +337,19 @@ std::uint32_t Climber::farthest(DVec3 direction, std::uint32_t start) const {
 HullData build_hull(std::span<const Vec3> points) {
     using namespace hull;
     const Bounds bounds = check(points);
-    const Grid grid = make_grid(points, bounds);
+    Grid grid = make_grid(points, bounds);
+    std::vector<Vec3> along_curve;
+    if (points.size() > many_points) {
+        along_curve = put_along_curve(points, grid.points);
+        points = along_curve;
+        grid = make_grid(points, bounds);
+    }
     const Simplex simplex = first_simplex(grid.points);
     require_breadth(simplex.breadth / grid.scale, bounds.extent);
     require_thickness(simplex.thickness / grid.scale, bounds);
     const double noise = std::min(0x1p-20 * bounds.largest, 1e-3 * bounds.extent);
     const double tolerance = std::min(1e-5 * bounds.extent + noise, 0.05 * simplex.thickness / grid.scale);
     Polyhedron body = make_polyhedron(grid.points, simplex, tolerance * grid.scale);
-    sort_faces(body);
     HullData r;
     r.tolerance = float(tolerance + 0x1p-23 * bounds.largest);
     fill_faces(r, body, points);

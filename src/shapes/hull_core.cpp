@@ -1,4 +1,5 @@
 // Mass of a polyhedron, and the polyhedron inside it whose faces are all moved inward.
+#include "core/order.h"
 #include "shapes/hull_builder.h"
 #include "shapes/hull_exact.h"
 
@@ -73,6 +74,7 @@ Rounding make_rounding(const HullData& hull) {
 // kept go. That makes the core smaller, never larger.
 std::vector<math::Vec3> weld(std::span<const DVec3> points, std::span<const Triangle> triangles, double distance) {
     std::vector<math::Vec3> r;
+    r.reserve(points.size());
     std::vector<bool> is_done(points.size(), false);
     std::vector<std::uint32_t> near;
     for (std::uint32_t seed = 0; seed < points.size(); ++seed) {
@@ -87,12 +89,18 @@ std::vector<math::Vec3> weld(std::span<const DVec3> points, std::span<const Tria
                 near.push_back(other);
             }
     }
-    auto before = [](math::Vec3 a, math::Vec3 b) {
-        return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
-    };
-    std::sort(r.begin(), r.end(), before);
-    r.erase(std::unique(r.begin(), r.end()), r.end());
-    return r;
+    std::vector<std::uint64_t> keys;
+    keys.reserve(r.size());
+    for (const math::Vec3 v : r) keys.push_back(std::uint64_t(order_key(v.x)) << 32 | order_key(v.y));
+    std::vector<math::Vec3> sorted;
+    sorted.reserve(r.size());
+    for (const std::uint32_t i : order_by(keys)) sorted.push_back(r[i]);
+    for (auto first = sorted.begin(), last = first; first != sorted.end(); first = last) {
+        while (last != sorted.end() && last->x == first->x && last->y == first->y) ++last;
+        if (last - first > 1) std::stable_sort(first, last, [](math::Vec3 a, math::Vec3 b) { return a.z < b.z; });
+    }
+    sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+    return sorted;
 }
 
 } // namespace
@@ -111,6 +119,7 @@ void inset_core(HullData& hull) {
     const double inset = float(std::min(0.04 * double(hull.width), 0.1 * depth));
     hull.inset = float(inset);
     std::vector<DVec3> dual;
+    dual.reserve(hull.faces.size());
     DVec3 lo, hi; // the origin is inside
     for (const HullFace& face : hull.faces) {
         const DVec3 n = math::to_double(face.normal);
@@ -124,9 +133,11 @@ void inset_core(HullData& hull) {
     const double scale = double((std::int64_t(1) << grid_bits) - 1) / std::max({size.x, size.y, size.z});
     auto rounded = [&](double x) { return std::int32_t(std::floor(x * scale + 0.5)); };
     std::vector<GridPoint> grid;
+    grid.reserve(dual.size());
     for (const DVec3 u : dual) grid.push_back({rounded(u.x - lo.x), rounded(u.y - lo.y), rounded(u.z - lo.z)});
     const Triangulation triangulation = triangulate(grid, first_simplex(grid), 0);
     std::vector<DVec3> corners;
+    corners.reserve(triangulation.triangles.size());
     for (const Triangle& t : triangulation.triangles) {
         const GridPoint a = grid[triangulation.points[t.corners[0]]];
         const DVec3 normal = math::normalized(to_double(

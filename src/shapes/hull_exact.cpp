@@ -7,6 +7,8 @@
 // the face that went. So there is no special case, and nothing to repair.
 #include "shapes/hull_exact.h"
 
+#include "shapes/mass.h"
+
 #include <algorithm>
 
 namespace cairn::hull {
@@ -75,28 +77,38 @@ Simplex first_simplex(std::span<const GridPoint> points) {
 
 namespace {
 
-struct Face {
-    std::uint32_t corners[3], neighbors[3];
+struct alignas(64) Face { // what is asked most fills a cache line
     DVec3 normal;
     double offset = 0;
-    std::uint32_t head = none;     // of the list of points above
-    std::uint32_t farthest = none; // of them
-    double height = 0;             // of that
-    std::uint32_t mark = 0;        // the number of the point that was last found to see it (or not)
+    std::uint32_t corners[3], neighbors[3];
+    std::uint32_t mark = 0; // the number of the point that was last found to see it (or not)
     bool seen = false, alive = true;
+};
+
+// The points above a face: a list, and the farthest of them.
+struct Above {
+    double height = 0; // of the farthest
+    std::uint32_t head = none, farthest = none;
+};
+
+struct FourPlanes {
+    double x[4]{}, y[4]{}, z[4]{}, offset[4] = {1e300, 1e300, 1e300, 1e300};
 };
 
 class Quickhull {
   public:
     Quickhull(std::span<const GridPoint> points, double tolerance)
-        : points_(points), tolerance_(tolerance), next_(points.size(), none), start_(points.size(), none) {}
+        : points_(points), tolerance_(tolerance), next_(points.size(), none), start_(points.size(), none) {
+        const std::size_t most = std::min<std::size_t>(2 * points.size(), 1 << 16); // no more, if these are few
+        faces_.reserve(most), above_.reserve(most);
+    }
 
     Triangulation run(const Simplex& simplex) {
         begin(simplex);
         while (!pending_.empty()) {
             const std::uint32_t face = pending_.back();
             pending_.pop_back();
-            if (faces_[face].alive && faces_[face].farthest != none) add(face);
+            if (faces_[face].alive && above_[face].farthest != none) add(face);
         }
         return result();
     }
@@ -105,14 +117,14 @@ class Quickhull {
     double height(const Face& face, std::uint32_t p) const {
         return math::dot(face.normal, to_double(points_[p])) - face.offset;
     }
-    bool sees(std::uint32_t p, const Face& face) const {
-        const double h = height(face, p);
+    bool sees(std::uint32_t p, const Face& face) const { return sees(p, face, height(face, p)); }
+    bool sees(std::uint32_t p, const Face& face, double h) const {
         if (h > doubt || h < -doubt) return h > 0;
         return side_of(points_[face.corners[0]], points_[face.corners[1]], points_[face.corners[2]], points_[p]) > 0;
     }
     // The point does not count as inside the hull grown by the tolerance.
     bool is_above(std::uint32_t p, const Face& face, double h) const {
-        return tolerance_ > 0 ? h > tolerance_ : h > doubt || (h >= -doubt && sees(p, face));
+        return tolerance_ > 0 ? h > tolerance_ : h > doubt || (h >= -doubt && sees(p, face, h));
     }
 
     std::uint32_t make_face(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
@@ -120,11 +132,14 @@ class Quickhull {
         if (free_.empty()) {
             index = std::uint32_t(faces_.size());
             faces_.emplace_back();
+            above_.emplace_back();
         } else {
             index = free_.back();
             free_.pop_back();
         }
-        Face& face = faces_[index] = {};
+        above_[index] = {};
+        Face& face = faces_[index];
+        face.mark = 0, face.alive = true;
         face.corners[0] = a, face.corners[1] = b, face.corners[2] = c;
         face.normal = math::normalized(to_double(area_vector(points_[a], points_[b], points_[c])));
         face.offset = math::dot(face.normal, to_double(points_[a]));
@@ -132,12 +147,12 @@ class Quickhull {
     }
 
     void put_above(std::uint32_t index, std::uint32_t p, double h) {
-        Face& face = faces_[index];
-        next_[p] = face.head;
-        face.head = p;
-        if (face.farthest == none) pending_.push_back(index);
-        if (face.farthest == none || h > face.height || (h == face.height && p < face.farthest))
-            face.farthest = p, face.height = h;
+        Above& above = above_[index];
+        next_[p] = above.head;
+        above.head = p;
+        if (above.farthest == none) pending_.push_back(index);
+        if (above.farthest == none || h > above.height || (h == above.height && p < above.farthest))
+            above.farthest = p, above.height = h;
     }
 
     // The distance of a point from a triangle, and the edge that it lies beyond most (3: none).
@@ -171,13 +186,35 @@ class Quickhull {
         }
     }
 
+    // The faces that points are about to be assigned to, four side by side; what is left over is below all points.
+    void take_planes(std::span<const std::uint32_t> faces) {
+        planes_.assign((faces.size() + 3) / 4, {});
+        for (std::size_t i = 0; i < faces.size(); ++i) {
+            const Face& face = faces_[faces[i]];
+            FourPlanes& four = planes_[i / 4];
+            four.x[i % 4] = face.normal.x, four.y[i % 4] = face.normal.y, four.z[i % 4] = face.normal.z;
+            four.offset[i % 4] = face.offset;
+        }
+    }
+
     // To the first face that it is above. A point that saw a face that went and sees none of the new ones is inside.
+    // Needs the planes of the faces.
     void assign(std::uint32_t p, std::span<const std::uint32_t> faces) {
+        const DVec3 at = to_double(points_[p]);
         std::uint32_t seen = none;
-        for (const std::uint32_t index : faces) {
-            const double h = height(faces_[index], p);
-            if (is_above(p, faces_[index], h)) return put_above(index, p, h);
-            if (tolerance_ > 0 && seen == none && h > -doubt && sees(p, faces_[index])) seen = index;
+        for (std::size_t i = 0; i < planes_.size(); ++i) {
+            const FourPlanes& four = planes_[i];
+            double heights[4];
+            for (int k = 0; k < 4; ++k) // as height() does it
+                heights[k] = (four.x[k] * at.x + four.y[k] * at.y + four.z[k] * at.z) - four.offset[k];
+            for (std::size_t k = 0; k < 4; ++k) {
+                const double h = heights[k];
+                if (h < -doubt) continue;
+                const std::uint32_t index = faces[4 * i + k];
+                const Face& face = faces_[index];
+                if (is_above(p, face, h)) return put_above(index, p, h);
+                if (tolerance_ > 0 && seen == none && h > -doubt && sees(p, face, h)) seen = index;
+            }
         }
         if (seen == none) return;
         if (is_near(p, seen))
@@ -196,6 +233,7 @@ class Quickhull {
             std::copy_n(neighbors[i], 3, faces_[std::size_t(i)].neighbors);
         }
         const std::uint32_t all[] = {0, 1, 2, 3};
+        take_planes(all);
         for (std::uint32_t p = 0; p < points_.size(); ++p)
             if (p != a && p != b && p != c && p != d) assign(p, all);
     }
@@ -221,7 +259,7 @@ class Quickhull {
     }
 
     void add(std::uint32_t first) {
-        const std::uint32_t p = faces_[first].farthest;
+        const std::uint32_t p = above_[first].farthest;
         look(p, first);
         made_.clear();
         for (const Edge& edge : horizon_) {
@@ -239,9 +277,10 @@ class Quickhull {
             faces_[index].neighbors[1] = after;
             faces_[after].neighbors[2] = index;
         }
+        take_planes(made_);
         for (const std::uint32_t index : seen_) {
             faces_[index].alive = false;
-            for (std::uint32_t q = faces_[index].head, after; q != none; q = after) {
+            for (std::uint32_t q = above_[index].head, after; q != none; q = after) {
                 after = next_[q];
                 if (q != p) assign(q, made_);
             }
@@ -263,6 +302,7 @@ class Quickhull {
                 number[p] = std::uint32_t(r.points.size());
                 r.points.push_back(p);
             }
+        r.triangles.reserve(count);
         for (const Face& face : faces_) {
             if (!face.alive) continue;
             Triangle triangle;
@@ -283,11 +323,13 @@ class Quickhull {
     std::span<const GridPoint> points_;
     double tolerance_;
     std::vector<Face> faces_;
+    std::vector<Above> above_; // of the faces
     std::vector<std::uint32_t> free_, pending_;
     std::vector<std::uint32_t> next_;  // of a point, in the list of its face
     std::vector<std::uint32_t> start_; // of a point on the horizon: the new face whose edge begins there
     std::vector<std::uint32_t> left_out_, seen_, made_;
     std::vector<Edge> horizon_;
+    std::vector<FourPlanes> planes_; // see take_planes
     std::uint32_t mark_ = 0;
 };
 
@@ -307,12 +349,29 @@ PointTree::PointTree(std::span<const GridPoint> points, std::span<const std::uin
 }
 
 void PointTree::build(std::size_t node, std::uint32_t first, std::uint32_t count) {
-    DVec3 lo = to_double(points_[order_[first]]), hi = lo;
-    for (std::uint32_t i = 1; i < count; ++i) {
+    DVec3 sum, lo = to_double(points_[order_[first]]), hi = lo;
+    for (std::uint32_t i = 0; i < count; ++i) {
         const DVec3 p = to_double(points_[order_[first + i]]);
-        lo = math::min(lo, p), hi = math::max(hi, p);
+        sum += p, lo = math::min(lo, p), hi = math::max(hi, p);
     }
-    nodes_[node] = {0.5 * (lo + hi), 0.5 * (hi - lo), first, count};
+    const DVec3 mean = (1.0 / count) * sum;
+    math::DSym3 spread;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const DVec3 d = to_double(points_[order_[first + i]]) - mean;
+        spread = spread + math::DSym3{d.x * d.x, d.x * d.y, d.x * d.z, d.y * d.y, d.y * d.z, d.z * d.z};
+    }
+    const math::DMat3 axes = math::to_matrix(diagonalize(spread).axes);
+    Node& made = nodes_[node] = {mean, {}, first, count};
+    for (int k = 0; k < 3; ++k) {
+        const DVec3 axis = axes.column(k);
+        double least = 0, most = 0;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const double d = math::dot(axis, to_double(points_[order_[first + i]]) - mean);
+            least = std::min(least, d), most = std::max(most, d);
+        }
+        made.middle += 0.5 * (least + most) * axis;
+        made.edges[k] = 0.5 * (most - least) * axis;
+    }
     if (2 * node + 2 >= nodes_.size()) return;
     const DVec3 size = hi - lo;
     const int axis = size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
@@ -328,14 +387,14 @@ void PointTree::build(std::size_t node, std::uint32_t first, std::uint32_t count
 PointTree::Farthest PointTree::farthest(DVec3 normal, double least) const {
     Farthest best{false, 0, least};
     if (nodes_.empty()) return best;
-    const DVec3 sizes = math::abs(normal);
     std::size_t stack[64], size = 0;
     stack[size++] = 0;
     while (size > 0) {
         const std::size_t index = stack[--size];
         const Node& node = nodes_[index];
-        // `doubt`: the bound is rounded otherwise than the points
-        if (math::dot(normal, node.middle) + math::dot(sizes, node.half) + doubt < best.reach) continue;
+        double bound = math::dot(normal, node.middle);
+        for (const DVec3 edge : node.edges) bound += std::fabs(math::dot(normal, edge));
+        if (bound + doubt < best.reach) continue; // `doubt`: it is rounded otherwise than the points
         if (2 * index + 2 < nodes_.size()) {
             stack[size++] = 2 * index + 1;
             stack[size++] = 2 * index + 2;

@@ -53,7 +53,8 @@ struct Triangulation {
 // every face, and twice that in any direction.
 Triangulation triangulate(std::span<const GridPoint> points, const Simplex& simplex, double tolerance);
 
-// Which of many points lies farthest in a direction: a tree of boxes, for questions that most points are no answer to.
+// Which of many points lies farthest in a direction: a tree of boxes, each turned as its points lie, for questions that
+// most points are no answer to.
 class PointTree {
   public:
     PointTree(std::span<const GridPoint> points, std::span<const std::uint32_t> chosen);
@@ -68,8 +69,8 @@ class PointTree {
 
   private:
     struct Node {
-        math::DVec3 middle, half;
-        std::uint32_t first, count; // children are 2 i + 1 and 2 i + 2
+        math::DVec3 middle, edges[3]; // a box along the principal axes of its points: thin where these are a surface
+        std::uint32_t first, count;   // children are 2 i + 1 and 2 i + 2
     };
     void build(std::size_t node, std::uint32_t first, std::uint32_t count);
 

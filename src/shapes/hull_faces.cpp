@@ -4,6 +4,8 @@
 // needs are told to the caller, who leaves them out and comes back with a new triangulation.
 #include "shapes/hull_faces.h"
 
+#include "core/order.h"
+
 #include <algorithm>
 
 namespace cairn::hull {
@@ -35,7 +37,7 @@ double beyond_segment(Point2 p, Point2 a, Point2 b) {
 struct Facet {
     DVec3 area, normal;                 // area vector (twice the area) and its direction
     std::uint32_t first = 0, count = 0; // triangles
-    bool is_taken = false;
+    bool is_taken = false, is_alone = false;
     std::uint32_t mark = 0;
 };
 
@@ -49,15 +51,17 @@ class FaceMaker {
 
     Faces run() {
         find_facets();
-        std::vector<std::uint32_t> order(facets_.size());
-        for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-        std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-            const double u = math::dot(facets_[a].area, facets_[a].area),
-                         v = math::dot(facets_[b].area, facets_[b].area);
-            return u != v ? u > v : a < b;
-        });
-        for (const std::uint32_t seed : order)
-            if (!facets_[seed].is_taken) make_face(seed);
+        find_alone();
+        out_.faces.reserve(facets_.size());
+        out_.loops.reserve(3 * facets_.size());
+        std::vector<std::uint32_t> others;
+        std::vector<std::uint64_t> sizes;
+        for (std::uint32_t i = 0; i < facets_.size(); ++i)
+            if (!facets_[i].is_alone) others.push_back(i), sizes.push_back(~order_key(size_of(facets_[i])));
+        for (const std::uint32_t i : order_by(sizes))
+            if (!facets_[others[i]].is_taken) make_face(others[i]);
+        for (Facet& facet : facets_)
+            if (facet.is_alone && !facet.is_taken) make_pointed_face(facet);
         find_redundant();
         for (std::uint32_t p = 0; p < points_.size(); ++p)
             if (is_redundant_[p]) out_.redundant.push_back(p);
@@ -70,7 +74,8 @@ class FaceMaker {
     };
 
     void find_facets() {
-        std::vector<std::uint32_t> order;
+        facets_.reserve(triangles_.size());
+        by_facet_.reserve(triangles_.size());
         for (std::uint32_t seed = 0; seed < triangles_.size(); ++seed) {
             if (facet_of_[seed] != none) continue;
             const auto index = std::uint32_t(facets_.size());
@@ -104,26 +109,57 @@ class FaceMaker {
         return {by_facet_.data() + facet.first, facet.count};
     }
 
+    double offset_of(const Facet& facet) const {
+        return math::dot(facet.normal, to_double(points_[triangles_[by_facet_[facet.first]].corners[0]]));
+    }
+
+    bool fits(const Facet& facet, DVec3 normal, double least) const {
+        // 0.5: slivers along an edge of the body go to the face that they are turned to
+        if (!(math::dot(facet.normal, normal) > 0.5)) return false;
+        for (const std::uint32_t t : triangles_of(facet))
+            for (const std::uint32_t corner : triangles_[t].corners)
+                if (!(math::dot(normal, to_double(points_[corner])) >= least)) return false;
+        return true;
+    }
+
+    static double size_of(const Facet& facet) { return math::dot(facet.area, facet.area); }
+
+    // When it is the turn of facet a, facet b is no longer to be had: a triangle alone, and the larger one.
+    bool is_gone(std::uint32_t b, std::uint32_t a) const {
+        if (!facets_[b].is_alone) return facets_[b].is_taken;
+        const double size_a = size_of(facets_[a]), size_b = size_of(facets_[b]);
+        return facets_[b].is_taken || size_b > size_a || (size_b == size_a && b < a);
+    }
+
+    // Pointed triangles that nothing will be joined to when it is their turn. On round bodies these are most. They need
+    // no order by size, and are gone through as they are stored.
+    void find_alone() {
+        for (std::uint32_t index = 0; index < facets_.size(); ++index) {
+            Facet& facet = facets_[index];
+            const double least = offset_of(facet) - plane_tolerance_;
+            facet.is_alone = is_pointed(facet);
+            if (!facet.is_alone) continue;
+            for (const std::uint32_t t : triangles_of(facet))
+                for (const std::uint32_t neighbor : triangles_[t].neighbors) {
+                    const std::uint32_t other = facet_of_[neighbor];
+                    if (other != index && fits(facets_[other], facet.normal, least)) facet.is_alone = false;
+                }
+        }
+    }
+
     // The facets around the seed that lie within the tolerance below its plane.
     void grow(std::uint32_t seed, double tolerance) {
         ++mark_;
         region_.assign(1, seed);
         facets_[seed].mark = mark_;
         const DVec3 normal = facets_[seed].normal;
-        const double least =
-            math::dot(normal, to_double(points_[triangles_[triangles_of(facets_[seed])[0]].corners[0]])) - tolerance;
+        const double least = offset_of(facets_[seed]) - tolerance;
         for (std::size_t i = 0; i < region_.size(); ++i)
             for (const std::uint32_t t : triangles_of(facets_[region_[i]]))
                 for (const std::uint32_t neighbor : triangles_[t].neighbors) {
                     Facet& facet = facets_[facet_of_[neighbor]];
-                    if (facet.is_taken || facet.mark == mark_) continue;
-                    // 0.5: slivers along an edge of the body go to the face that they are turned to
-                    bool fits = math::dot(facet.normal, normal) > 0.5;
-                    for (std::uint32_t k = 0; fits && k < 3 * facet.count; ++k) {
-                        const std::uint32_t corner = triangles_[by_facet_[facet.first + k / 3]].corners[k % 3];
-                        fits = math::dot(normal, to_double(points_[corner])) >= least;
-                    }
-                    if (!fits) continue;
+                    if (facet.mark == mark_ || is_gone(facet_of_[neighbor], seed)) continue;
+                    if (!fits(facet, normal, least)) continue;
                     facet.mark = mark_;
                     region_.push_back(facet_of_[neighbor]);
                 }
@@ -200,6 +236,30 @@ class FaceMaker {
                 if (std::fabs(beyond_segment(flat_[i], flat_[from], flat_[to])) > tolerance) return false;
         }
         return turns == 1;
+    }
+
+    // A triangle none of whose corners is blunt, whatever the rounding: most faces of round bodies are such.
+    bool is_pointed(const Facet& facet) const {
+        if (facet.count != 1) return false;
+        const auto& corners = triangles_[by_facet_[facet.first]].corners;
+        const DVec3 a = to_double(points_[corners[0]]), b = to_double(points_[corners[1]]),
+                    c = to_double(points_[corners[2]]);
+        const double longest =
+            std::max({math::dot(b - a, b - a), math::dot(c - b, c - b), math::dot(a - c, a - c)}); // squares
+        const double least = 1.001 * std::max(plane_tolerance_, corner_tolerance_) + 0.01;         // height
+        return math::dot(facet.area, facet.area) > least * least * longest;
+    }
+
+    // As it is; its corners are not blunt.
+    void make_pointed_face(Facet& facet) {
+        facet.is_taken = true;
+        const auto& corners = triangles_[by_facet_[facet.first]].corners;
+        const auto least = std::min_element(corners, corners + 3) - corners;
+        out_.faces.push_back({facet.normal, std::uint32_t(out_.loops.size()), 3});
+        for (std::ptrdiff_t k = least; k < least + 3; ++k) {
+            ++faces_at_[corners[k % 3]];
+            out_.loops.push_back(corners[k % 3]);
+        }
     }
 
     void make_face(std::uint32_t seed) {

@@ -1,6 +1,8 @@
 // Rays at shapes. That at meshes and height fields is in triangle_rays.cpp.
 #include "shapes/rays.h"
 
+#include "shapes/gjk.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -43,6 +45,8 @@ std::optional<ShapeRayHit> cast_box(DVec3 half, DVec3 o, DVec3 d, double max_dis
 }
 
 std::optional<ShapeRayHit> cast_plane(const Geometry& shape, DVec3 o, DVec3 d, double max_distance) {
+    const double side = shape.is_double_sided && o.y < 0 ? -1 : 1; // a sheet is met from where the ray starts
+    o.y *= side, d.y *= side;
     if (shape.type == ShapeType::plane && o.y < 0) return ShapeRayHit{0, {0, 1, 0}};
     if (!(d.y < 0)) return std::nullopt; // one-sided
     const double distance = -o.y / d.y;
@@ -50,7 +54,7 @@ std::optional<ShapeRayHit> cast_plane(const Geometry& shape, DVec3 o, DVec3 d, d
     const DVec3 p = o + distance * d;
     if (shape.type == ShapeType::rectangle && (std::fabs(p.x) > shape.size.x || std::fabs(p.z) > shape.size.z))
         return std::nullopt;
-    return ShapeRayHit{distance, {0, 1, 0}};
+    return ShapeRayHit{distance, {0, side, 0}};
 }
 
 // The part of a line that lies in a convex body, and the normal where it enters. Cut down side by side; when sides
@@ -168,11 +172,45 @@ Chord hull_chord(const HullData& hull, DVec3 o, DVec3 d) {
     return chord;
 }
 
+// With a ball added to the shape: from where the line enters a ball around everything, by Newton's method from below on
+// the distance to the core, which is a convex function of the way (conservative advancement). The line starts near the
+// shape, at o; the ray itself at the distance `start` along it.
+std::optional<ShapeRayHit> cast_rounded(const Geometry& shape, const ShapeData& data, DVec3 o, DVec3 d, double start,
+                                        double max_distance) {
+    constexpr int most_rounds = 64; // each at least halves what is left
+    const double radius = double(shape.rounding), size = double(shape.bounding_radius), tolerance = 1e-9 * size;
+    const DVec3 to_middle = math::to_double(shape.middle) - o;
+    const double nearest = math::dot(to_middle, d);
+    const DVec3 off = to_middle - nearest * d;
+    const double square = size * size * (1 + 1e-5) - math::dot(off, off);
+    if (!(square > 0)) return std::nullopt;
+    const double half = std::sqrt(square), last = std::min(nearest + half, start + max_distance);
+    double at = std::max(nearest - half, start);
+    const Convex convex = make_convex(shape, data, {}, {});
+    Convex point;
+    const CorePair pair{{&point, false, 0}, exact_core(convex)};
+    DVec3 normal; // outward
+    for (int round = 0; round < most_rounds && at <= last; ++round) {
+        point.center = o + at * d;
+        const GjkResult r = gjk_distance(pair, round > 0 ? -normal : DVec3{}, infinity);
+        const bool is_inside = r.state == GjkResult::State::overlapping || r.distance < radius - tolerance;
+        if (is_inside) return std::nullopt; // only where the ray starts there
+        normal = -r.normal;
+        const double speed = -math::dot(d, normal);
+        if (!(speed > 0)) return std::nullopt; // it passes or moves away
+        const double gap = r.distance - radius;
+        if (gap <= tolerance) return ShapeRayHit{at - start, normal};
+        at += (gap - 0.5 * tolerance) / speed; // so that the cores never meet
+    }
+    return std::nullopt;
+}
+
 std::optional<ShapeRayHit> cast_local(const Geometry& shape, const ShapeData& data, const LocalRay& ray) {
     const DVec3 o = ray.origin, d = ray.direction, size = math::to_double(shape.size);
     // The point of the line nearest to the shape's origin: no cancellation however far the ray's own is.
     const double start = math::dot(o, d);
     const DVec3 near = o - start * d;
+    if (shape.rounding > 0) return cast_rounded(shape, data, near, d, start, ray.max_distance);
     switch (shape.type) {
     case ShapeType::sphere:
         return cast_sphere(size.x, o, d, ray.max_distance);

@@ -17,22 +17,22 @@ class Builder {
     JointRules rules;
 
     JointAxisRule& add(AxisKind kind, int column_a = 0, int column_b = 0) {
-        JointAxisRule& rule = rules.axes[rules.axis_count++];
+        JointAxisRule& rule = rules.axes[rules.locks.axis_count++];
         rule = {};
         rule.kind = kind;
         rule.column_a = std::uint8_t(column_a);
         rule.column_b = std::uint8_t(column_b);
         return rule;
     }
-    void hold_point() { rules.point = JointLock::full; }
+    void hold_point() { rules.locks.point = JointLock::full; }
     void hold_point_across(int column) {
-        rules.point = JointLock::across;
-        rules.point_column = std::uint8_t(column);
+        rules.locks.point = JointLock::across;
+        rules.locks.point_column = std::uint8_t(column);
     }
-    void hold_turn() { rules.turn = JointLock::full; }
+    void hold_turn() { rules.locks.turn = JointLock::full; }
     void hold_turn_across(int column) {
-        rules.turn = JointLock::across;
-        rules.turn_column = std::uint8_t(column);
+        rules.locks.turn = JointLock::across;
+        rules.locks.turn_column = std::uint8_t(column);
     }
     void lock(AxisKind kind, int column_a, int column_b, float at = 0) {
         JointAxisRule& rule = add(kind, column_a, column_b);
@@ -176,7 +176,7 @@ int column_of(const JointLimit& limit) {
 }
 
 JointAxisRule& row_for(Builder& b, AxisKind kind, int column) {
-    for (int i = 0; i < b.rules.axis_count; ++i) {
+    for (int i = 0; i < b.rules.locks.axis_count; ++i) {
         JointAxisRule& rule = b.rules.axes[i];
         if (rule.kind == kind && rule.column_a == column && !rule.is_lock && !rule.has_drive) return rule;
     }

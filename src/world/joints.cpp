@@ -7,6 +7,9 @@
 #include "world/joint_rules.h"
 #include "world/validate.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace cairn {
 
 namespace {
@@ -51,22 +54,25 @@ void refilter_pairs(State& s, const JointInfo& info) {
 // Rows of another make begin without impulses.
 void set_rules(State& s, std::uint32_t index, const JointRules& rules) {
     JointInfo& info = s.joints[index];
+    JointAxes& axes = s.joint_axes[index];
+    const JointLocks& locks = rules.locks;
     bool same =
-        info.rules.point == rules.point && info.rules.turn == rules.turn && info.rules.axis_count == rules.axis_count;
-    for (int i = 0; same && i < rules.axis_count; ++i) same = info.rules.axes[i].kind == rules.axes[i].kind;
-    info.rules = rules;
+        info.rules.point == locks.point && info.rules.turn == locks.turn && info.rules.axis_count == locks.axis_count;
+    for (int i = 0; same && i < locks.axis_count; ++i) same = axes.rules[i].kind == rules.axes[i].kind;
+    info.rules = locks;
+    std::copy(std::begin(rules.axes), std::end(rules.axes), axes.rules);
     if (!same) {
         info.point_impulse = info.turn_impulse = {};
-        for (JointAxisState& axis : info.axes) axis = {};
+        for (JointAxisState& axis : axes.states) axis = {};
     }
-    for (int i = 0; i < rules.axis_count; ++i) { // what is no more must not act on
-        JointAxisState& axis = info.axes[i];
+    for (int i = 0; i < locks.axis_count; ++i) { // what is no more must not act on
+        JointAxisState& axis = axes.states[i];
         if (!rules.axes[i].has_limits) axis.lower = axis.upper = 0;
         if (!rules.axes[i].has_drive) axis.drive = 0;
         if (!(rules.axes[i].friction > 0)) axis.friction = 0;
     }
     const JointPositions positions = joint_positions(s, index);
-    for (int i = 0; i < rules.axis_count; ++i) info.axes[i].position = positions.axes[i];
+    for (int i = 0; i < locks.axis_count; ++i) axes.states[i].position = positions.axes[i];
 }
 
 // The rope's length counts from then on, also in the definition, so that it outlives a change of the joint and a file.
@@ -126,7 +132,7 @@ JointId World::create_joint(const JointDef& def) {
     validate(def);
     require_slot(s.joint_slots, "World::create_joint");
     const std::uint32_t index = s.joint_slots.create();
-    make_room(s.joints, index), make_room(impl_->joint_defs, index);
+    make_room(s.joints, index), make_room(s.joint_axes, index), make_room(impl_->joint_defs, index);
     JointDef& own = impl_->joint_defs[index] = def;
     own.frame_a.rotation = checked_rotation("JointDef.frame_a.rotation", def.frame_a.rotation);
     own.frame_b.rotation = checked_rotation("JointDef.frame_b.rotation", def.frame_b.rotation);
@@ -137,6 +143,7 @@ JointId World::create_joint(const JointDef& def) {
     info.break_force = def.break_force;
     info.break_torque = def.break_torque;
     s.joints[index] = info;
+    s.joint_axes[index] = {};
     const float length = pulley_length(s, info, own.joint);
     keep_pulley_length(own.joint, length);
     set_rules(s, index, make_rules(own.joint, length));
@@ -206,6 +213,8 @@ void World::set_joint_strength(JointId id, float break_force, float break_torque
     def = changed;
     impl_->state.joints[index].break_force = break_force;
     impl_->state.joints[index].break_torque = break_torque;
+    if (const std::int32_t owner = joint_owner(impl_->state, impl_->state.joints[index]); owner != none)
+        wake_body(impl_->state, owner);
 }
 
 JointState World::joint_state(JointId id) const {
@@ -217,7 +226,7 @@ JointState World::joint_state(JointId id) const {
     state.torque = to_public(info.torque);
     float linear = math::dot(positions.gap, positions.gap), angular = math::dot(positions.turn, positions.turn);
     for (int i = 0; i < info.rules.axis_count; ++i) {
-        const JointAxisRule& rule = info.rules.axes[i];
+        const JointAxisRule& rule = impl_->state.joint_axes[index].rules[i];
         if (!rule.is_lock) {
             state.positions[std::size_t(state.position_count++)] = positions.axes[i];
         } else if (rule.has_limits) {

@@ -57,7 +57,7 @@ ShapePose make_pose(const Geometry& g, math::DVec3 position, math::Quat q) {
 // By the narrow phase itself.
 bool shapes_overlap(const PosedShape& a, const PosedShape& b) {
     bool swapped = false;
-    const std::optional<PairKind> kind = pair_kind(a.geometry.type, b.geometry.type, swapped);
+    const std::optional<PairKind> kind = pair_kind(a.geometry, b.geometry, swapped);
     if (!kind) return false;
     const PosedShape &first = swapped ? b : a, &second = swapped ? a : b;
     if (*kind == PairKind::group) {
@@ -127,11 +127,12 @@ std::vector<ShapeId> World::overlap(const Shape& shape, const Transform& pose, s
     const ShapeData data = make_shape_data(shape);
     const DBounds bounds = geometry_bounds(g, data, position, math::to_matrix(g.rotation));
     const ShapePose query = make_pose(g, position, g.rotation);
+    const math::Vec3 arm = -math::rotate(g.rotation, g.middle); // of its middle, as it has no mass
     const State& s = impl_->state;
     std::vector<ShapeId> found;
     s.broad_phase.query_bounds(bounds, [&](std::uint32_t other) {
         if (is_seen(s, other, layers) && bounds_overlap(bounds, cairn::shape_bounds(s, other)) &&
-            shapes_overlap({g, data, query}, posed_shape(s, other)))
+            shapes_overlap({g, data, query, arm}, posed_shape(s, other)))
             found.push_back(s.shape_id(other));
     });
     std::sort(found.begin(), found.end(), [](ShapeId a, ShapeId b) { return a.index() < b.index(); });

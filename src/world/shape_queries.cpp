@@ -66,10 +66,13 @@ class ShapeCast {
 
     std::optional<ConvexHit> against(const PosedInQuery& still) const {
         switch (still.geometry.type) {
-        case ShapeType::plane:
-            return against_plane(still.up(), still.center);
+        case ShapeType::plane: {
+            const DVec3 up = still.up();
+            const bool is_behind = still.geometry.is_double_sided && math::dot(up, middle(moving_) - still.center) < 0;
+            return against_plane(is_behind ? -up : up, still.center);
+        }
         case ShapeType::rectangle:
-            if (!(math::dot(way_, still.up()) < 0)) return std::nullopt; // one-sided
+            if (!still.geometry.is_double_sided && !(math::dot(way_, still.up()) < 0)) return std::nullopt;
             break;
         case ShapeType::mesh:
         case ShapeType::height_field: {
@@ -84,7 +87,10 @@ class ShapeCast {
         default:
             break;
         }
-        return cast_convex(moving_, way_, make_convex(still.geometry, still.data, still.center, still.rotation));
+        DVec3 center = still.center;
+        const Geometry part =
+            near_part(still.geometry, center, still.rotation, 0.5 * (lo_ + hi_), math::length(hi_ - lo_));
+        return cast_convex(moving_, way_, make_convex(part, still.data, center, still.rotation));
     }
 
   private:
@@ -119,7 +125,8 @@ std::optional<Nearest> nearest_of(const PosedInQuery& shape, double least) {
     if (shape.geometry.type == ShapeType::plane) {
         const DVec3 up = shape.up();
         const double height = -math::dot(shape.center, up);
-        consider(height > 0 ? Nearest{-height * up, height} : Nearest{{}, 0});
+        consider(height > 0 || shape.geometry.is_double_sided ? Nearest{-height * up, std::fabs(height)}
+                                                              : Nearest{{}, 0});
     } else if (shape.geometry.type >= ShapeType::mesh) {
         const DVec3 reach{least, least, least};
         for_each_triangle_near(shape, -reach, reach, [&](const Convex& triangle) {
@@ -127,7 +134,9 @@ std::optional<Nearest> nearest_of(const PosedInQuery& shape, double least) {
             if (!best || n.distance < best->distance) consider(n);
         });
     } else {
-        consider(of_convex(make_convex(shape.geometry, shape.data, shape.center, shape.rotation)));
+        DVec3 center = shape.center;
+        const Geometry part = near_part(shape.geometry, center, shape.rotation, {}, 0);
+        consider(of_convex(make_convex(part, shape.data, center, shape.rotation)));
     }
     return best;
 }

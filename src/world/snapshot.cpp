@@ -16,7 +16,7 @@ std::uint64_t layout() {
     for (const std::size_t size :
          {sizeof(State), sizeof(BodyMotion), sizeof(RestingPose), sizeof(BodyMass), sizeof(ContactRecord),
           sizeof(ContactInfo), sizeof(Island), sizeof(ShapePose), sizeof(Geometry), sizeof(ShapeDef), sizeof(WorldDef),
-          sizeof(JointInfo), sizeof(JointDef)})
+          sizeof(JointInfo), sizeof(JointAxes), sizeof(JointDef)})
         hash.add(size);
     return hash.value();
 }
@@ -33,7 +33,7 @@ template <class Archive> void serialize_state(Archive& archive, State& s) {
     archive(s.islands), archive(s.free_islands), archive(s.awake_islands);
     archive(s.falling_asleep), archive(s.waking);
     s.joint_slots.serialize(archive);
-    archive(s.joints);
+    archive(s.joints), archive(s.joint_axes);
     s.field_slots.serialize(archive);
     archive(s.fields), archive(s.dead_bodies), archive(s.dead_shapes);
     s.broad_phase.serialize(archive);

@@ -136,13 +136,17 @@ struct ShapeValidator {
     void operator()(const Box& box) const {
         const char* names[] = {"Box.half_extents.x", "Box.half_extents.y", "Box.half_extents.z"};
         for (int i = 0; i < 3; ++i) require_size(names[i], box.half_extents[i]);
+        require_rounding("Box.rounding", box.rounding);
     }
     void operator()(const Plane& plane) const {
         require_direction("Plane.normal", plane.normal);
         if (!plane.half_extents) return;
         require_direction("Plane.tangent", plane.tangent);
-        require_size("Plane.half_extents.x", plane.half_extents->x);
-        require_size("Plane.half_extents.y", plane.half_extents->y);
+        const glm::vec2& half = *plane.half_extents;
+        if (std::isinf(half.x) && std::isinf(half.y))
+            refuse("Plane.half_extents", list_text(half, 2), "must be finite along one axis, or absent");
+        if (!(std::isinf(half.x) && half.x > 0)) require_size("Plane.half_extents.x", half.x);
+        if (!(std::isinf(half.y) && half.y > 0)) require_size("Plane.half_extents.y", half.y);
     }
     void operator()(const Capsule& capsule) const {
         require_size("Capsule.half_height", capsule.half_height);
@@ -153,9 +157,13 @@ struct ShapeValidator {
         require_size("Cylinder.half_height", cylinder.half_height);
         require_size("Cylinder.radius", cylinder.radius);
         if (cylinder.radius_top) require_tip("Cylinder.radius_top", *cylinder.radius_top);
+        require_rounding("Cylinder.rounding", cylinder.rounding);
     }
     // These were checked when they were made; but one that was moved from is empty.
-    void operator()(const Hull& hull) const { require_data("Hull", hull.data() != nullptr); }
+    void operator()(const Hull& hull) const {
+        require_data("Hull", hull.data() != nullptr);
+        require_rounding("Hull.rounding", hull.rounding);
+    }
     void operator()(const Mesh& mesh) const { require_data("Mesh", mesh.data() != nullptr); }
     void operator()(const HeightField& field) const { require_data("HeightField", field.data() != nullptr); }
 
@@ -164,6 +172,10 @@ struct ShapeValidator {
         require_finite(field, v);
         if (!(std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}) > 1e-30f))
             refuse(field, to_text(v), "must not be zero");
+    }
+    static void require_rounding(std::string_view field, float radius) {
+        if (!(radius >= 0 && radius <= largest_size))
+            refuse(field, to_text(radius), "must be a radius in meters from 0 (sharp) to 1e9");
     }
     static void require_tip(std::string_view field, float radius) {
         if (radius != 0) require_size(field, radius);

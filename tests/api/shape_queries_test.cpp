@@ -8,6 +8,10 @@ Hull tetrahedron() {
     const std::vector<Vec3> points = {{-1, -1, -1}, {1, -1, -1}, {0, -1, 1}, {0, 1, 0}};
     return Hull(points);
 }
+Hull rounded(Hull hull, float radius) {
+    hull.rounding = radius;
+    return hull;
+}
 Mesh square(float half) {
     const std::vector<Vec3> corners = {{-half, 0, -half}, {half, 0, -half}, {-half, 0, half}, {half, 0, half}};
     const std::vector<std::uint32_t> triangles = {0, 2, 3, 0, 3, 1};
@@ -29,6 +33,13 @@ std::vector<Still> still_shapes() {
             {"cylinder", Cylinder{0.5f, 0.75f, {}}, 0.5},
             {"cone", cone(0.5f, 0.5f), 0.5},
             {"hull", tetrahedron(), 1},
+            {"rounded box", Box{{1, 0.25f, 1}, 0.25f}, 0.5},
+            {"rounded cylinder", Cylinder{0.25f, 0.5f, {}, 0.25f}, 0.5},
+            {"rounded cone", Cylinder{0.5f, 0.5f, 0.0f, 0.25f}, 0.75},
+            {"rounded hull", rounded(tetrahedron(), 0.25f), 1.25},
+            {"sheet", Plane{{0, 1, 0}, {1, 0, 0}, {}, true}, 0},
+            {"rectangular sheet", Plane{{0, -1, 0}, {1, 0, 0}, glm::vec2(2, 2), true}, 0},
+            {"strip", Plane{{0, 1, 0}, {1, 0, 0}, glm::vec2(2, infinity)}, 0},
             {"mesh", square(3), 0},
             {"height field", HeightField(3, 3, {2, 2}, std::vector<float>(9, 0.25f)), 0.25}};
 }
@@ -47,7 +58,7 @@ TEST(ShapeCasts, BallThatFallsMeetsTheTopOfEveryShape) {
         EXPECT_GT(hit->normal.y, 0.99f) << still.name;
         EXPECT_FALSE(world.cast_shape(Sphere{0.25f}, at({100, 30, -50}), {0, -8, 0})) << still.name << ": too short";
         EXPECT_FALSE(world.cast_shape(Sphere{0.25f}, at({100, 30, -50}), {0, 20, 0})) << still.name << ": away";
-        if (std::string(still.name) != "plane") {
+        if (std::string(still.name) != "plane" && std::string(still.name) != "sheet") {
             EXPECT_FALSE(world.cast_shape(Sphere{0.25f}, at({110, 30, -50}), {0, -20, 0})) << still.name << ": beside";
         }
     }
@@ -62,6 +73,9 @@ TEST(ShapeCasts, EveryConvexShapeCanBeCast) {
                   {Capsule{0.5f, 0.25f, {}}, 0.75},
                   {Cylinder{0.4f, 0.3f, {}}, 0.4},
                   {cone(0.3f, 0.6f), 0.6},
+                  {Box{{0.2f, 0.3f, 0.4f}, 0.1f}, 0.4},
+                  {Cylinder{0.4f, 0.3f, {}, 0.1f}, 0.5},
+                  {rounded(tetrahedron(), 0.1f), 1.1},
                   {tetrahedron(), 1}};
     World world;
     add_body(world, body_at({0, 0, 0}, BodyType::static_), square(5));
@@ -117,6 +131,81 @@ TEST(ClosestPoints, InsideIsNoDistance) {
     EXPECT_EQ(found->point.x, 0.25);
     EXPECT_NE(refusal([&] { world.closest_point({0, 0, 0}, -1); }), "");
     EXPECT_NE(refusal([&] { world.closest_point({double(not_a_number), 0, 0}, 1); }), "");
+}
+
+// A double-sided plane is met from either side, and nothing is within it.
+TEST(Sheets, AreMetFromBothSides) {
+    const Plane sheets[] = {Plane{{0, 1, 0}, {1, 0, 0}, {}, true}, Plane{{0, 1, 0}, {1, 0, 0}, glm::vec2(2, 2), true},
+                            Plane{{0, 1, 0}, {1, 0, 0}, glm::vec2(2, infinity), true}};
+    for (const Plane& sheet : sheets) {
+        World world;
+        const BodyId body = add_body(world, body_at({0, 0, 0}, BodyType::static_), sheet);
+        for (const double side : {1.0, -1.0}) {
+            const auto ray = world.cast_ray({0.5, 3 * side, 0.5}, {0, float(-side), 0}, 10);
+            ASSERT_TRUE(ray) << side;
+            EXPECT_NEAR(ray->distance, 3, 1e-6);
+            EXPECT_NEAR(ray->normal.y, side, 1e-6);
+            EXPECT_FALSE(world.cast_ray({0.5, 3 * side, 0.5}, {0, float(side), 0}, 10)) << "away";
+            const auto cast = world.cast_shape(Box{}, at({0.5, 3 * side, 0.5}), {0, float(-10 * side), 0});
+            ASSERT_TRUE(cast) << side;
+            EXPECT_NEAR(cast->fraction, 0.25, 1e-5);
+            EXPECT_NEAR(cast->normal.y, side, 1e-5);
+            EXPECT_FALSE(world.cast_shape(Box{}, at({0.5, 3 * side, 0.5}), {0, float(10 * side), 0})) << "away";
+            const auto closest = world.closest_point({0.5, 3 * side, 0.5}, 10);
+            ASSERT_TRUE(closest);
+            EXPECT_NEAR(closest->distance, 3, 1e-6);
+            EXPECT_NEAR(closest->point.y, 0, 1e-6);
+            EXPECT_TRUE(world.overlap(Sphere{0.5f}, at({0, 0.6 * side, 0})).empty());
+            EXPECT_EQ(world.overlap(Sphere{0.5f}, at({0, 0.4 * side, 0})).size(), 1u);
+            EXPECT_TRUE(world.overlap(Box{}, at({0, 5 * side, 0})).empty()) << "no side of it is solid";
+        }
+        EXPECT_EQ(world.body(body).shapes().size(), 1u);
+    }
+}
+
+// Far from the middle of a strip, and beside it.
+TEST(Sheets, StripsAreMetAlongTheirWholeLength) {
+    World world;
+    add_body(world, body_at({0, 0, 0}, BodyType::static_), Plane{{0, 1, 0}, {1, 0, 0}, glm::vec2(infinity, 1)});
+    for (const double x : {-1e6, 0.0, 1e4, 1e9}) {
+        EXPECT_TRUE(world.cast_ray({x, 3, 0.9}, {0, -1, 0}, 10)) << x;
+        EXPECT_FALSE(world.cast_ray({x, 3, 1.1}, {0, -1, 0}, 10)) << x;
+        const auto cast = world.cast_shape(Sphere{0.5f}, at({x, 3, 0.9}), {0, -10, 0});
+        ASSERT_TRUE(cast) << x;
+        EXPECT_NEAR(cast->fraction, 0.25, 1e-5) << x;
+        EXPECT_FALSE(world.cast_shape(Sphere{0.5f}, at({x, 3, 1.6}), {0, -10, 0})) << x;
+        const auto closest = world.closest_point({x, 3, 5}, 10);
+        ASSERT_TRUE(closest) << x;
+        EXPECT_NEAR(closest->distance, 5, 1e-6) << x;
+        EXPECT_NEAR(closest->point.z, 1, 1e-6) << x;
+        EXPECT_NEAR(closest->point.x, x, 1e-6) << x;
+        EXPECT_EQ(world.overlap(Sphere{0.5f}, at({x, 0.4, 0.9})).size(), 1u) << x;
+        EXPECT_TRUE(world.overlap(Sphere{0.5f}, at({x, 0.4, 1.6})).empty()) << x;
+    }
+}
+
+TEST(Rounding, IsFeltByEveryQuery) {
+    World world;
+    add_body(world, body_at({0, 0, 0}, BodyType::static_), Box{{0.5f, 0.5f, 0.5f}, 0.25f});
+    // Towards a corner: the core's is at 0.5 in all, and the surface 0.25 beyond.
+    const double corner = std::sqrt(3.0) * 0.5 + 0.25, far = 4 / std::sqrt(3.0);
+    const auto ray = world.cast_ray({far, far, far}, {-1, -1, -1}, 10);
+    ASSERT_TRUE(ray);
+    EXPECT_NEAR(ray->distance, 4 - corner, 1e-6);
+    EXPECT_NEAR(ray->normal.x, std::sqrt(1.0 / 3), 1e-5);
+    const auto closest = world.closest_point({far, far, far}, 10);
+    ASSERT_TRUE(closest);
+    EXPECT_NEAR(closest->distance, 4 - corner, 1e-6);
+    const auto cast = world.cast_shape(Sphere{0.5f}, at({far, far, far}), Vec3(float(-far)));
+    ASSERT_TRUE(cast);
+    EXPECT_NEAR(cast->fraction * 4, 4 - corner - 0.5, 1e-5);
+    EXPECT_EQ(world.overlap(Sphere{0.5f}, at({1.24, 0, 0})).size(), 1u);
+    EXPECT_TRUE(world.overlap(Sphere{0.5f}, at({1.26, 0, 0})).empty());
+    EXPECT_TRUE(world.overlap(Box{{0.1f, 0.1f, 0.1f}}, at({0.8, 0.8, 0.8})).empty()) << "beside the round corner";
+    EXPECT_EQ(world.overlap(Box{{0.1f, 0.1f, 0.1f}}, at({0.8, 0.8, 0.8 - 0.5})).size(), 0u);
+    EXPECT_EQ(world.overlap(Box{{0.1f, 0.1f, 0.1f}}, at({0.72, 0.72, 0})).size(), 1u);
+    const Bounds bounds = world.shape_bounds(world.body(world.bodies()[0]).shapes()[0]);
+    EXPECT_NEAR(bounds.max.x, 0.75, 1e-5);
 }
 
 TEST(Layers, QueriesSeeOnlyTheirs) {

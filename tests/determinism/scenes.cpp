@@ -2,6 +2,7 @@
 
 #include "golden_hashes.h"
 
+#include <limits>
 #include <string>
 
 namespace cairn_test {
@@ -316,17 +317,48 @@ struct AllShapes : Scene {
     }
 };
 
+// Rounded shapes on hills and on a sheet, and between walls that are strips.
+class RoundedShapes final : public Scene {
+    void build(World& world) override {
+        Numbers numbers(23);
+        add_fixed(world, Plane{{0, 1, 0}, {1, 0, 0}, {}, true});
+        constexpr float endless = std::numeric_limits<float>::infinity();
+        add_fixed(world, Plane{{0, 0, 1}, {1, 0, 0}, glm::vec2(endless, 3), true}, {0, 0, -4});
+        add_fixed(world, Plane{{0, 0, -1}, {1, 0, 0}, glm::vec2(endless, 3)}, {0, 0, 4});
+        std::vector<float> heights(17 * 17);
+        for (float& height : heights) height = 0.3f * numbers.next();
+        add_fixed(world, HeightField(17, 17, {0.5f, 0.5f}, heights));
+        add_fixed(world, Box{{2, 0.1f, 2}, 0.1f}, {6, 0.4, 0});
+        Hull pebble = rock(numbers, 20);
+        pebble.rounding = 0.1f;
+        for (int i = 0; i < 120; ++i) {
+            BodyDef def;
+            def.position = Position(1.1 * (i % 8) - 2, 1 + 1.2 * (i / 40), 1.3 * (i / 8 % 5) - 2.6);
+            def.rotation = numbers.rotation();
+            const float size = 0.25f + 0.1f * numbers.next(), r = 0.08f;
+            const Shape shapes[] = {Box{{size, 0.2f, size}, r},    Cylinder{size, 0.2f, {}, r}, pebble,
+                                    Cylinder{size, 0.3f, 0.0f, r}, Box{{size, 0.2f, size}},     Sphere{size}};
+            add(world, shapes[i % 6], def);
+        }
+    }
+};
+
 template <class T> Scene& make() {
     static T scene;
     return scene;
 }
 
 constexpr NamedScene all_scenes[] = {
-    {"mixed_pile", make<MixedPile>, golden::mixed_pile}, {"pyramid", make<Pyramid>, golden::pyramid},
-    {"dominoes", make<Dominoes>, golden::dominoes},      {"materials", make<Materials>, golden::materials},
-    {"tumbler", make<Tumbler>, golden::tumbler},         {"sleep_and_wake", make<SleepAndWake>, golden::sleep_and_wake},
-    {"compounds", make<Compounds>, golden::compounds},   {"free_tops", make<FreeTops>, golden::free_tops},
+    {"mixed_pile", make<MixedPile>, golden::mixed_pile},
+    {"pyramid", make<Pyramid>, golden::pyramid},
+    {"dominoes", make<Dominoes>, golden::dominoes},
+    {"materials", make<Materials>, golden::materials},
+    {"tumbler", make<Tumbler>, golden::tumbler},
+    {"sleep_and_wake", make<SleepAndWake>, golden::sleep_and_wake},
+    {"compounds", make<Compounds>, golden::compounds},
+    {"free_tops", make<FreeTops>, golden::free_tops},
     {"all_shapes", make<AllShapes>, golden::all_shapes},
+    {"rounded_shapes", make<RoundedShapes>, golden::rounded_shapes},
 };
 
 } // namespace

@@ -341,8 +341,25 @@ std::vector<Refusal> shapes() {
         add_row(11, "box y", add(Box{{1.0f, s, 1.0f}}), "Box.half_extents.y");
         add_row(11, "box z", add(Box{{1.0f, 1.0f, s}}), "Box.half_extents.z");
         add_row(11, "overlap box", overlap_with(Box{{1.0f, 1.0f, s}}), "Box.half_extents.z");
+        if (std::isinf(s)) continue; // a strip
         add_row(11, "rectangle x", add_to_ground(rectangle({1.0f, 0.0f, 0.0f}, {s, 1.0f})), "Plane.half_extents.x");
         add_row(11, "rectangle y", add_to_ground(rectangle({1.0f, 0.0f, 0.0f}, {1.0f, s})), "Plane.half_extents.y");
+    }
+    rows.push_back(row(11, "rectangle without ends", add_to_ground(rectangle({1.0f, 0.0f, 0.0f}, {infinity, infinity})),
+                       "Plane.half_extents", "(inf, inf)", "must be finite along one axis, or absent"));
+    rows.push_back(row(11, "strip of negative length", add_to_ground(rectangle({1.0f, 0.0f, 0.0f}, {-infinity, 1.0f})),
+                       "Plane.half_extents.x", "-inf", must_be_a_size));
+    for (const BadSize& bad :
+         {BadSize{-1e-3f, "-0.001"}, BadSize{not_a_number, "nan"}, BadSize{infinity, "inf"}, BadSize{2e9f, "2e+09"}}) {
+        const std::string expected = "must be a radius in meters from 0 (sharp) to 1e9";
+        const std::vector<Vec3> corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+        Hull hull(corners);
+        hull.rounding = bad.size;
+        rows.push_back(
+            row(11, "rounding of a box", add(Box{Vec3(1.0f), bad.size}), "Box.rounding", bad.text, expected));
+        rows.push_back(row(11, "rounding of a cylinder", add(Cylinder{1, 1, {}, bad.size}), "Cylinder.rounding",
+                           bad.text, expected));
+        rows.push_back(row(11, "rounding of a hull", add(hull), "Hull.rounding", bad.text, expected));
     }
     rows.push_back(row(12, "plane of zero normal", add_to_ground(plane(Vec3(0.0f))), "Plane.normal", "(0, 0, 0)",
                        must_not_be_zero));

@@ -87,13 +87,18 @@ std::vector<Slider> sliders() {
     const std::array<Vec3, 8> corners = {Vec3{-0.4f, -0.3f, -0.5f}, {0.4f, -0.3f, -0.5f}, {-0.4f, 0.3f, -0.5f},
                                          {0.4f, 0.3f, -0.5f},       {-0.4f, -0.3f, 0.5f}, {0.4f, -0.3f, 0.5f},
                                          {-0.4f, 0.3f, 0.5f},       {0.4f, 0.3f, 0.5f}};
+    Hull rounded_hull(corners);
+    rounded_hull.rounding = 0.1f;
     return {{"sphere", Sphere{0.5f}, 0.5, upright},
             {"box", Box{{0.4f, 0.3f, 0.5f}}, 0.3, upright},
             {"capsule across", Capsule{0.5f, 0.25f, {}}, 0.25, lying},
             {"capsule along", Capsule{0.5f, 0.25f, {}}, 0.25, ahead},
             {"cylinder across", Cylinder{0.5f, 0.3f, {}}, 0.3, lying},
             {"cylinder on end", Cylinder{0.3f, 0.4f, {}}, 0.3, upright},
-            {"hull", Hull(corners), 0.3, upright}};
+            {"hull", Hull(corners), 0.3, upright},
+            {"rounded box", Box{{0.3f, 0.2f, 0.4f}, 0.1f}, 0.3, upright},
+            {"rounded cylinder on end", Cylinder{0.2f, 0.3f, {}, 0.1f}, 0.3, upright},
+            {"rounded hull", rounded_hull, 0.4, upright}};
 }
 
 // Where two boxes carry one line, each counts its friction at the middle of its part: long round things turn a little

@@ -190,6 +190,45 @@ TEST(SceneLoad, FinitePlane) {
     EXPECT_FLOAT_EQ(shape.half_extents->y, 3.0f);
 }
 
+TEST(SceneLoad, StripsAndSheets) {
+    Parts parts;
+    parts.shapes +=
+        R"(,{"type":"plane","plane":{"sizeX":4,"doubleSided":true}},{"type":"plane","plane":{"sizeX":0,"sizeZ":6}},
+        {"type":"plane","plane":{"sizeX":0,"sizeZ":0,"doubleSided":true}})";
+    for (int i = 3; i < 6; ++i) {
+        parts.nodes = node("", R"("collider":{"geometry":{"shape":)" + std::to_string(i) + "}}");
+        const Scene scene = load_text(document(parts));
+        const Plane shape = std::get<Plane>(scene.world.shape(only_body(scene).shapes().at(0)));
+        EXPECT_EQ(shape.double_sided, i != 4);
+        ASSERT_EQ(shape.half_extents.has_value(), i != 5);
+        if (i == 3) {
+            EXPECT_EQ(shape.half_extents->x, 2.0f);
+            EXPECT_TRUE(std::isinf(shape.half_extents->y));
+        } else if (i == 4) {
+            EXPECT_TRUE(std::isinf(shape.half_extents->x));
+            EXPECT_EQ(shape.half_extents->y, 3.0f);
+        }
+    }
+}
+
+TEST(SceneLoad, Rounding) {
+    Parts parts;
+    parts.shapes +=
+        R"(,{"type":"box","extensions":{"CAIRN_shape":{"rounding":0.1}}},
+        {"type":"cylinder","extensions":{"CAIRN_shape":{"rounding":0.2}}},
+        {"type":"sphere","extensions":{"CAIRN_shape":{"rounding":0.2}}})";
+    parts.nodes = node(R"("scale":[2,2,2],)", R"("collider":{"geometry":{"shape":3}})");
+    Scene scene = load_text(document(parts));
+    EXPECT_FLOAT_EQ(std::get<Box>(scene.world.shape(only_body(scene).shapes().at(0))).rounding, 0.2f);
+    EXPECT_TRUE(scene.warnings.empty());
+    parts.nodes = node(R"("scale":[2,1,2],)", R"("collider":{"geometry":{"shape":4}})");
+    scene = load_text(document(parts));
+    EXPECT_FLOAT_EQ(std::get<Cylinder>(scene.world.shape(only_body(scene).shapes().at(0))).rounding, 0.4f);
+    EXPECT_EQ(scene.warnings.size(), 1u) << "unevenly scaled";
+    parts.nodes = node("", R"("collider":{"geometry":{"shape":5}})");
+    EXPECT_EQ(load_text(document(parts)).warnings.size(), 1u) << "balls have no edges";
+}
+
 TEST(SceneLoad, WorldSettings) {
     Parts parts;
     parts.world = R"("title":"A title","hint":"A hint","gravity":[0,-1.62,0],"substeps":12,"adaptive_substeps":false,

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <ostream>
 #include <sstream>
 
@@ -189,6 +190,50 @@ Scene rich_scene() {
         node(R"("mesh":0,"translation":[0,0,20],)", R"("trigger":{"geometry":{"shape":3}})");
     parts.roots = "0,2,6,8,10";
     return load_text(parts.text());
+}
+
+TEST(SceneSave, RoundedShapes) {
+    Scene scene{World(), {}, {}, {}, {}};
+    const std::vector<Vec3> corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const Hull sharp(corners);
+    Hull round = sharp;
+    round.rounding = 0.3f;
+    const std::vector<Shape> shapes = {Box{{0.5f, 0.25f, 1}, 0.1f}, Cylinder{0.5f, 0.25f, 0.125f, 0.07f}, sharp, round};
+    for (const Shape& shape : shapes) {
+        BodyDef def;
+        def.position = {3 * double(scene.world.bodies().size()), 5, 0};
+        scene.world.add_shape(scene.world.create_body(def), shape);
+    }
+    expect_stable(scene);
+    const std::string text = scene::save_to_string(scene);
+    EXPECT_NE(text.find("\"CAIRN_shape\""), std::string::npos);
+    const World again = load_text(text).world;
+    std::vector<float> roundings;
+    for (const BodyId body : again.bodies())
+        roundings.push_back(rounding_of(again.shape(again.body(body).shapes().at(0))));
+    EXPECT_EQ(roundings, (std::vector<float>{0.1f, 0.07f, 0.0f, 0.3f}));
+}
+
+TEST(SceneSave, SheetsAndStrips) {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    Scene scene{World(), {}, {}, {}, {}};
+    const std::vector<Plane> planes = {Plane{{0, 1, 0}, {1, 0, 0}, {}, true},
+                                       Plane{{0, 1, 0}, {1, 0, 0}, glm::vec2(2, 3), true},
+                                       Plane{{0, 1, 0}, {1, 0, 0}, glm::vec2(infinity, 3), false},
+                                       Plane{{1, 0, 0}, {0, 0, 1}, glm::vec2(2, infinity), true}};
+    for (const Plane& plane : planes) {
+        BodyDef def;
+        def.type = BodyType::static_;
+        def.position = {3 * double(scene.world.bodies().size()), 5, 0};
+        scene.world.add_shape(scene.world.create_body(def), plane);
+    }
+    expect_stable(scene);
+    const World again = load_text(scene::save_to_string(scene)).world;
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+        const Plane plane = std::get<Plane>(again.shape(again.body(again.bodies()[i]).shapes().at(0)));
+        EXPECT_EQ(plane.double_sided, planes[i].double_sided) << i;
+        EXPECT_EQ(plane.half_extents, planes[i].half_extents) << i;
+    }
 }
 
 TEST(SceneSave, MeshesFiltersTriggersAndJoints) {

@@ -87,6 +87,7 @@ struct Scene {
         Vec3 velocity; // per step
         std::uint32_t island = 0;
         DVec3 point, normal;
+        bool is_sheet = false;
     };
 
     Random random;
@@ -134,13 +135,14 @@ struct Scene {
         broad.add(index, tight(s), kind == Kind::fixed ? Mobility::fixed : Mobility::awake, kinematic);
         return index;
     }
-    std::uint32_t add_plane(DVec3 point, DVec3 normal) {
+    std::uint32_t add_plane(DVec3 point, DVec3 normal, bool is_sheet = false) {
         const std::uint32_t index = new_index();
         shapes[index] = {};
         shapes[index].kind = Kind::plane;
         shapes[index].point = point;
         shapes[index].normal = normal;
-        broad.add_plane(index, point, math::to_float(normal));
+        shapes[index].is_sheet = is_sheet;
+        broad.add_plane(index, point, math::to_float(normal), is_sheet);
         return index;
     }
     void remove(std::uint32_t index) {
@@ -199,7 +201,10 @@ struct Scene {
         const DVec3& n = plane->normal;
         const DVec3 deepest = {n.x > 0 ? box.lo.x : box.hi.x, n.y > 0 ? box.lo.y : box.hi.y,
                                n.z > 0 ? box.lo.z : box.hi.z};
-        return math::dot(n, deepest - plane->point) <= by;
+        const DVec3 highest = {n.x > 0 ? box.hi.x : box.lo.x, n.y > 0 ? box.hi.y : box.lo.y,
+                               n.z > 0 ? box.hi.z : box.lo.z};
+        return math::dot(n, deepest - plane->point) <= by &&
+               (!plane->is_sheet || math::dot(n, highest - plane->point) >= -by);
     }
     void check() {
         EXPECT_FALSE(sink.lost_after_found);
@@ -292,6 +297,7 @@ inline void stir(Scene& scene, int step, std::map<std::uint32_t, std::vector<std
             scene.broad.set_bounds(i, Scene::tight(scene.shapes[i]));
         }
     if (step == 40) scene.add_plane(scene.offset - DVec3{4, 0, 0}, {0.6, 0.8, 0});
+    if (step == 55) scene.add_plane(scene.offset + DVec3{1, 0, 0}, {0, 0.6, -0.8}, true);
     if (step == 70)
         if (const std::uint32_t i = pick(Kind::plane); i != 0xffffffffu) scene.remove(i);
 }

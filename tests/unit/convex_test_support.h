@@ -196,10 +196,18 @@ inline Solid hull(std::shared_ptr<const cairn::HullData> data) {
     return {g, std::move(data)};
 }
 
+// With a ball added.
+inline Solid rounded(Solid s, double r) {
+    s.geometry.rounding = float(r);
+    s.geometry.bounding_radius += float(r);
+    return s;
+}
+
 // One of every kind, about `s` in size.
 inline Solid any_solid(Random& random, double s) {
     const auto u = [&] { return s * random.uniform(0.2, 1); };
-    switch (random.below(9)) {
+    const auto r = [&] { return s * (random.below(2) ? random.uniform(0.02, 0.1) : random.uniform(0.1, 0.5)); };
+    switch (random.below(13)) {
     case 0:
         return ball(u());
     case 1:
@@ -216,6 +224,14 @@ inline Solid any_solid(Random& random, double s) {
         return cylinder(u(), u(), 0);
     case 7:
         return hull(tetrahedron(u()));
+    case 8:
+        return rounded(box(u(), u(), u()), r());
+    case 9:
+        return rounded(cylinder(u(), u()), r());
+    case 10:
+        return rounded(cylinder(u(), u(), random.below(2) ? u() : 0), r());
+    case 11:
+        return rounded(hull(random.below(2) ? tetrahedron(u()) : prism(3 + random.below(6), u(), u())), r());
     default:
         return hull(random.below(2) ? dodecahedron(0.5 * u()) : prism(3 + random.below(6), u(), u()));
     }

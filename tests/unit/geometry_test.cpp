@@ -251,6 +251,146 @@ TEST(Mass, OfAConeIsThatOfTheTextbook) {
     EXPECT_NEAR(m.inertia.xx, mass * (3.0 / 20 * 4 + 3.0 / 80 * 9), 1e-10);
 }
 
+TEST(Mass, OfARoundedBoxIsThatOfSteinersFormula) {
+    const double a = 0.5, b = 0.25, c = 1.5, r = 0.125;
+    const MassSum m = mass_of(Box{{float(a), float(b), float(c)}, float(r)});
+    const double area = 8 * (a * b + b * c + c * a), mean_curvature = 2 * pi * (a + b + c); // its integral
+    EXPECT_NEAR(m.mass, 8 * a * b * c + area * r + mean_curvature * r * r + 4.0 / 3 * pi * r * r * r, 1e-12);
+}
+
+// Cubes of space, those on the surface by as much of them as is inside. `distance`: signed, to the surface.
+template <class Distance> MassSum cubes(Distance&& distance, double reach) {
+    constexpr int n = 120;
+    const double h = 2 * reach / n;
+    double volume = 0;
+    DVec3 first;
+    math::DSym3 s;
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j)
+            for (int k = 0; k < n; ++k) {
+                const DVec3 p{(i + 0.5) * h - reach, (j + 0.5) * h - reach, (k + 0.5) * h - reach};
+                const double v = h * h * h * std::clamp(0.5 - distance(p) / h, 0.0, 1.0);
+                volume += v;
+                first += v * p;
+                s = s + math::DSym3{v * p.x * p.x, v * p.x * p.y, v * p.x * p.z,
+                                    v * p.y * p.y, v * p.y * p.z, v * p.z * p.z};
+            }
+    MassSum m;
+    m.mass = volume;
+    m.center = (1 / volume) * first;
+    const DVec3 c = m.center;
+    s = s + math::DSym3{-volume * c.x * c.x, -volume * c.x * c.y, -volume * c.x * c.z,
+                        -volume * c.y * c.y, -volume * c.y * c.z, -volume * c.z * c.z};
+    m.inertia = {s.yy + s.zz, -s.xy, -s.xz, s.xx + s.zz, -s.yz, s.xx + s.yy};
+    return m;
+}
+
+TEST(Mass, OfARoundedBoxIsThatOfCubesOfSpace) {
+    for (const float r : {0.1f, 0.4f}) {
+        const DVec3 half{0.5, 0.3, 0.7};
+        const MassSum oracle = cubes(
+            [&](DVec3 p) {
+                const DVec3 q = math::abs(p) - half;
+                return math::length(math::max(q, DVec3{})) + std::min(0.0, std::max({q.x, q.y, q.z})) - double(r);
+            },
+            1.2);
+        expect_near(mass_of(Box{{0.5f, 0.3f, 0.7f}, r}), oracle, 5e-4);
+    }
+}
+
+TEST(Mass, OfRoundedCylindersIsThatOfTheirSlices) {
+    for (const Cylinder& c :
+         {Cylinder{0.5f, 0.5f, {}, 0.2f}, Cylinder{0.5f, 1.0f, 0.2f, 0.05f}, Cylinder{0.5f, 0.2f, 1.0f, 0.3f},
+          Cylinder{0.4f, 0.5f, 0.0f, 0.1f}, Cylinder{0.01f, 1.0f, {}, 0.2f}, Cylinder{0.1f, 0.1f, 3.0f, 1.0f}}) {
+        SCOPED_TRACE(testing::Message() << c.half_height << " " << c.radius << " " << c.rounding);
+        const double h = double(c.half_height), a = double(c.radius), b = double(c.radius_top.value_or(c.radius));
+        const double r = double(c.rounding);
+        // A ball at every point of the outline.
+        const MassSum slices = sliced(-h - r, h + r, [&](double y) {
+            const auto reach = [&](double t) {
+                const double up = y - (2 * t - 1) * h, square = r * r - up * up;
+                return square >= 0 ? a + (b - a) * t + std::sqrt(square) : 0;
+            };
+            // A concave function of t where it is not zero.
+            double lo = std::max(0.0, (y - r + h) / (2 * h)), hi = std::min(1.0, (y + r + h) / (2 * h));
+            for (int i = 0; i < 60; ++i) {
+                const double p = lo + (hi - lo) / 3, q = hi - (hi - lo) / 3;
+                (reach(p) < reach(q) ? lo : hi) = reach(p) < reach(q) ? p : q;
+            }
+            const double most = std::max(reach(lo), reach(hi));
+            return most * most;
+        });
+        expect_near(mass_of(c), slices, 1e-5);
+    }
+}
+
+Hull box_as_hull(const Vec3& half, float rounding) {
+    std::vector<Vec3> corners;
+    for (int i = 0; i < 8; ++i)
+        corners.push_back({i & 1 ? half.x : -half.x, i & 2 ? half.y : -half.y, i & 4 ? half.z : -half.z});
+    Hull hull(corners);
+    hull.rounding = rounding;
+    return hull;
+}
+
+TEST(Mass, OfARoundedHullOfABoxIsThatOfTheRoundedBox) {
+    for (const float r : {1e-3f, 0.25f, 4.0f})
+        expect_near(mass_of(box_as_hull({0.5f, 0.25f, 0.75f}, r)), mass_of(Box{{0.5f, 0.25f, 0.75f}, r}), 1e-6);
+}
+
+TEST(Mass, OfARoundedTetrahedronIsThatOfCubesOfSpace) {
+    const DVec3 c[4] = {{0.6, -0.4, -0.5}, {-0.7, -0.3, -0.2}, {0.1, 0.7, -0.3}, {0.2, 0.1, 0.6}};
+    std::vector<Vec3> points;
+    for (const DVec3& p : c) points.push_back({p.x, p.y, p.z});
+    Hull hull(points);
+    hull.rounding = 0.3f;
+    // The nearest point by alternating over barycentric weights is slow; each face, edge and corner is not.
+    const int faces[4][4] = {{0, 1, 2, 3}, {0, 1, 3, 2}, {0, 2, 3, 1}, {1, 2, 3, 0}};
+    const auto distance = [&](DVec3 p) {
+        double inside = -1e30, least = 1e30;
+        for (const auto& f : faces) {
+            const DVec3 a = c[f[0]], b = c[f[1]], d = c[f[2]];
+            DVec3 n = math::normalized(math::cross(b - a, d - a));
+            if (math::dot(n, c[f[3]] - a) > 0) n = -n;
+            const double height = math::dot(n, p - a);
+            inside = std::max(inside, height);
+            const DVec3 corners[3] = {a, b, d};
+            bool over = true;
+            for (int i = 0; i < 3; ++i) {
+                const DVec3 from = corners[i], along = corners[(i + 1) % 3] - from, third = corners[(i + 2) % 3] - from;
+                const DVec3 inward = third - (math::dot(third, along) / math::dot(along, along)) * along;
+                over = over && math::dot(inward, p - from) >= 0;
+                const double t = std::clamp(math::dot(p - from, along) / math::dot(along, along), 0.0, 1.0);
+                least = std::min(least, math::length(p - (from + t * along)));
+            }
+            if (over) least = std::min(least, std::fabs(height));
+        }
+        return (inside > 0 ? least : inside) - double(hull.rounding);
+    };
+    expect_near(mass_of(hull), cubes(distance, 1.1), 5e-4);
+}
+
+TEST(Bounds, OfRoundedShapesAreThoseOfTheSharpOnesGrownByTheRounding) {
+    Random random(7);
+    const auto check = [&](Shape sharp, Shape round, double r) {
+        const test::Sample a = sample_of(sharp), b = sample_of(round);
+        EXPECT_NEAR(double(b.geometry.bounding_radius), double(a.geometry.bounding_radius) + r, 1e-6);
+        for (int i = 0; i < 50; ++i) {
+            const math::Mat3 m = math::to_matrix(random.rotation());
+            const DVec3 position = random.point(10);
+            const DBounds p = geometry_bounds(a.geometry, a.data, position, m);
+            const DBounds q = geometry_bounds(b.geometry, b.data, position, m);
+            for (int k = 0; k < 3; ++k) {
+                ASSERT_NEAR(q.lo[k], p.lo[k] - r, 2e-6);
+                ASSERT_NEAR(q.hi[k], p.hi[k] + r, 2e-6);
+            }
+        }
+    };
+    check(Box{{0.5f, 0.3f, 0.7f}}, Box{{0.5f, 0.3f, 0.7f}, 0.25f}, 0.25);
+    check(Cylinder{0.5f, 0.3f, 0.7f}, Cylinder{0.5f, 0.3f, 0.7f, 0.25f}, 0.25);
+    check(box_as_hull({0.5f, 0.3f, 0.7f}, 0), box_as_hull({0.5f, 0.3f, 0.7f}, 0.25f), 0.25);
+}
+
 TEST(Mass, OfATurnedShapeTurnsWithIt) {
     // A quarter turn about z takes y to -x.
     const Transform pose{{1, 2, 3}, {std::sqrt(0.5f), 0, 0, std::sqrt(0.5f)}};

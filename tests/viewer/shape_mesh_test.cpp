@@ -67,6 +67,43 @@ TEST(ShapeMeshes, HullsAreClosedFlatAndOutwards) {
     EXPECT_GT(least_agreement(mesh), 0.9999f);
 }
 
+TEST(ShapeMeshes, RoundedShapesAreClosedSmoothAndFillTheirVolume) {
+    Hull hull(test::cube_corners()); // of 2 m
+    hull.rounding = 0.5f;
+    const float pi = 3.14159265f;
+    const struct {
+        Shape shape;
+        double volume;
+    } cases[] = {{hull, 8.0 + 24.0 * 0.5 + 6.0 * pi * 0.25 + 4.0 / 3.0 * pi * 0.125},
+                 {Box{{1.0f, 1.0f, 1.0f}, 0.5f}, 8.0 + 24.0 * 0.5 + 6.0 * pi * 0.25 + 4.0 / 3.0 * pi * 0.125},
+                 // Pappus: the rim is a quarter disc swept around, both ends together half a disc.
+                 {Cylinder{1.0f, 1.0f, {}, 0.25f},
+                  pi * 1.25 * 1.25 * 2.0 + 2.0 * pi * 0.25 + pi * (pi * 0.0625 + 4.0 / 3.0 * 0.25 * 0.0625)}};
+    for (const auto& c : cases) {
+        const TriangleMesh mesh = rounded_shape_triangles(c.shape);
+        EXPECT_TRUE(is_closed(mesh)) << c.shape.index();
+        EXPECT_NEAR(volume(mesh) / c.volume, 1.0, 0.012) << c.shape.index();
+        EXPECT_LT(volume(mesh), c.volume) << c.shape.index();
+        EXPECT_GT(least_agreement(mesh), 0.9f) << c.shape.index();
+    }
+    EXPECT_TRUE(rounded_shape_triangles(Box{}).indices.empty());
+}
+
+TEST(ShapeMeshes, RoundedShapesThatAreAlikeShareAMesh) {
+    MeshCache cache;
+    EXPECT_EQ(cache.mesh_of(Box{}), nullptr);
+    const auto first = cache.mesh_of(Box{Vec3(0.5f), 0.1f});
+    ASSERT_NE(first, nullptr);
+    EXPECT_NEAR(first->extent.x, 0.6f, 1e-6f);
+    EXPECT_EQ(cache.mesh_of(Box{Vec3(0.5f), 0.1f}), first);
+    EXPECT_NE(cache.mesh_of(Box{Vec3(0.5f), 0.2f}), first);
+    Hull hull(test::cube_corners());
+    const auto sharp = cache.mesh_of(hull);
+    hull.rounding = 0.1f;
+    EXPECT_NE(cache.mesh_of(hull), sharp);
+    EXPECT_EQ(cache.size(), 4u);
+}
+
 TEST(ShapeMeshes, SharpEdgesStaySharp) {
     const cairn::Mesh cube = test::cube_surface();
     const TriangleMesh mesh = surface_triangles(cube.vertices(), cube.indices());
