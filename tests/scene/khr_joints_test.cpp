@@ -259,8 +259,8 @@ TEST_F(JointTypes, PrismaticSlidesAlongTheTurningBody) {
         EXPECT_NEAR(world().joint_state(way).positions[0], -along, 6e-3); // of the connected node seen from the joint's
     });
     std::printf("prismatic: %.4f to %.4f m\n", least, most);
-    EXPECT_NEAR(least, -0.5, 0.01);
-    EXPECT_NEAR(most, 0.5, 0.01);
+    EXPECT_NEAR(least, -0.5, 0.02); // it is not measured at the joint, from which it tilts a little
+    EXPECT_NEAR(most, 0.5, 0.02);
 }
 
 TEST_F(JointTypes, StiffSpringHoldsAPointInABox) {
