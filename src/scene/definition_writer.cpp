@@ -98,7 +98,7 @@ std::vector<std::uint32_t> triangles_of(const Hull& hull) {
 } // namespace
 
 std::size_t Table::index(const Json& entry) {
-    const auto [found, is_new] = indices_.try_emplace(entry.dump(), lines_.size());
+    const auto [found, is_new] = indices_.try_emplace(json_text(entry), lines_.size());
     if (is_new) lines_.push_back(found->first);
     return found->second;
 }

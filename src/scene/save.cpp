@@ -52,16 +52,17 @@ class Writer {
         Json scene{{"nodes", roots_}, {"extensions", {{"CAIRN_world", std::move(settings)}}}};
         if (roots_.empty()) scene.erase("nodes"); // glTF has no empty arrays
         std::string text = "{\n\"asset\": {\"version\":\"2.0\",\"generator\":\"cairn\"},\n\"extensionsUsed\": " +
-                           extensions_used().dump() + ",\n\"scene\": 0,\n\"scenes\": [\n" + scene.dump() + "\n]";
+                           json_text(extensions_used()) + ",\n\"scene\": 0,\n\"scenes\": [\n" + json_text(scene) +
+                           "\n]";
         std::vector<std::string> nodes;
-        for (const Json& node : nodes_) nodes.push_back(node.is_null() ? "{}" : node.dump());
+        for (const Json& node : nodes_) nodes.push_back(node.is_null() ? "{}" : json_text(node));
         text += list("nodes", nodes) + list("meshes", definitions_.meshes().lines()) +
                 list("materials", definitions_.colors().lines());
         if (const BufferWriter& buffer = definitions_.buffer(); !buffer.empty()) {
             text += list("accessors", buffer.accessors()) + list("bufferViews", buffer.views());
             Json entry{{"byteLength", buffer.bytes().size()}};
             if (with_data) entry["uri"] = data_uri(buffer.bytes());
-            text += list("buffers", {entry.dump()});
+            text += list("buffers", {json_text(entry)});
         }
         return text + extensions() + "\n}\n";
     }

@@ -186,7 +186,12 @@ urdf::ModelInterfaceSharedPtr parse_urdf(std::span<const std::byte> bytes, const
         throw Error(ErrorCode::invalid_file, name, {},
                     why.empty() ? "must be a URDF file with a robot of at least one link" : why);
     }
-    check_tree(*model, name);
+    try {
+        check_tree(*model, name);
+    } catch (const Error&) { // links in a circle would keep each other forever
+        for (const auto& [key, link] : model->links_) link->child_links.clear();
+        throw;
+    }
     return model;
 }
 

@@ -371,6 +371,15 @@ TEST(SceneSave, JointsAndMeshesOfRemovedBodiesAreLeftOut) {
     EXPECT_EQ(again.visuals.size(), 2u);
 }
 
+TEST(SceneSave, NamesOfAnyBytesAreSaved) {
+    Scene scene{World(), {}, {}, {}, {}};
+    BodyDef def;
+    def.name = "caf\xe9"; // Latin-1
+    scene.world.create_body(def);
+    const Scene again = load_text(scene::save_to_string(scene));
+    EXPECT_EQ(again.world.body(again.world.bodies().at(0)).name(), "caf\xef\xbf\xbd");
+}
+
 TEST(SceneSave, EmptyWorld) { expect_stable(Scene{World(), {}, {}, {}, {}}); }
 
 TEST(SceneSave, WritesAFileAndLeavesNothingBeside) {
