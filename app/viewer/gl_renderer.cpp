@@ -2,6 +2,8 @@
 
 #include "viewer/culling.h"
 #include "viewer/gl_objects.h"
+#include "viewer/joint_drawing.h"
+#include "viewer/palette.h"
 #include "viewer/shaders.h"
 
 #include <cairn/error.h>
@@ -164,6 +166,8 @@ struct GlRenderer::Impl {
     void draw_bodies(const RenderFrame& frame);
     void draw_grounds(const RenderFrame& frame);
     void draw_lines(const RenderFrame& frame);
+    void draw_marks(const RenderFrame& frame, int height);
+    void upload_lines(const std::vector<Vec3>& vertices);
 };
 
 GlRenderer::Impl::Impl()
@@ -411,10 +415,53 @@ void GlRenderer::Impl::draw_lines(const RenderFrame& frame) {
     for (const Line& line : frame.lines) vertices.insert(vertices.end(), {line.from, line.color, line.to, line.color});
     lines.use();
     lines.set("u_clip_from_world", clip_from_world);
+    upload_lines(vertices);
+    glDrawArrays(GL_LINES, 0, GLsizei(2 * frame.lines.size()));
+}
+
+void GlRenderer::Impl::upload_lines(const std::vector<Vec3>& vertices) {
     glBindVertexArray(line_array.name());
     glBindBuffer(GL_ARRAY_BUFFER, line_buffer.name());
     glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(vertices.size() * sizeof(Vec3)), vertices.data(), GL_STREAM_DRAW);
-    glDrawArrays(GL_LINES, 0, GLsizei(2 * frame.lines.size()));
+}
+
+// Veils, then strokes: first what lies behind something, faintly, then the rest.
+void GlRenderer::Impl::draw_marks(const RenderFrame& frame, int height) {
+    if (frame.strokes.empty() && frame.veils.empty()) return;
+    constexpr float stroke_picture_height = 720.0f, veil_alpha = 0.22f, hidden_alpha = 0.4f;
+    const float pixel = 2.0f * std::tan(0.5f * frame.camera.vertical_fov) / stroke_picture_height;
+    std::vector<Vec3> vertices, band;
+    for (const Veil& veil : frame.veils)
+        for (const Vec3& corner : {veil.a, veil.b, veil.c}) vertices.insert(vertices.end(), {corner, srgb(veil.color)});
+    const GLsizei veil_vertices = GLsizei(vertices.size() / 2);
+    for (const Stroke& stroke : frame.strokes) {
+        Stroke drawn = stroke; // at least a pixel wide
+        drawn.width = std::max(drawn.width, stroke_picture_height / float(height));
+        band.clear();
+        add_band(band, drawn, eye, camera.forward(), pixel);
+        const Vec3 color = srgb(stroke.color);
+        for (const Vec3& corner : band) vertices.insert(vertices.end(), {corner, color});
+    }
+    lines.use();
+    lines.set("u_clip_from_world", clip_from_world);
+    upload_lines(vertices);
+    const GLsizei stroke_vertices = GLsizei(vertices.size() / 2) - veil_vertices;
+    glDisable(GL_CULL_FACE);
+    glDepthMask(GL_FALSE);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
+    for (const bool hidden : {true, false}) {
+        glDepthFunc(hidden ? GL_GREATER : GL_LEQUAL);
+        const float visible = hidden ? hidden_alpha : 1.0f;
+        glBlendColor(0.0f, 0.0f, 0.0f, veil_alpha * visible);
+        glDrawArrays(GL_TRIANGLES, 0, veil_vertices);
+        glBlendColor(0.0f, 0.0f, 0.0f, visible);
+        glDrawArrays(GL_TRIANGLES, veil_vertices, stroke_vertices);
+    }
+    glDepthFunc(GL_LESS);
+    glDisable(GL_BLEND);
+    glDepthMask(GL_TRUE);
+    glEnable(GL_CULL_FACE);
 }
 
 GlRenderer::GlRenderer() {
@@ -448,6 +495,7 @@ void GlRenderer::draw(const RenderFrame& frame, int width, int height, unsigned 
     impl.draw_grounds(frame);
     impl.draw_sky(frame, aspect); // only where nothing else is
     impl.draw_lines(frame);
+    impl.draw_marks(frame, height);
 
     glBindFramebuffer(GL_READ_FRAMEBUFFER, impl.target_framebuffer.name());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);

@@ -308,6 +308,7 @@ void Panel::draw(const StageState& state, Controller& controller, const WindowFa
         draw_time(state, controller);
         draw_scenes(state, controller);
         draw_view(state, controller);
+        joints_.draw(state, controller);
         draw_statistics(state, facts);
         draw_settings(controller);
         draw_spawn_tool(controller);
