@@ -20,6 +20,7 @@ namespace {
 constexpr float pi = std::numbers::pi_v<float>;
 constexpr float least_size = 0.008f, greatest_size = 0.08f; // of a drawing, as shares of its distance from the camera
 constexpr float size_of_reach = 0.55f;                      // of a drawing, as a share of the body's reach
+constexpr std::size_t most_strokes = 30000;                 // of joints in full
 constexpr float free_linear_error = 0.05f;                  // of the reach
 constexpr float free_angular_error = 0.1f;                  // rad
 
@@ -304,14 +305,22 @@ void draw_joints(RenderFrame& frame, const WorldLayout& layout, const WorldMotio
                  std::span<const Transform> bodies, JointId selected) {
     constexpr float width = 2.0f, bold = 3.2f; // pixels
     const Vec3 eye(frame.camera.position - frame.origin);
+    const Vec3 forward = glm::normalize(Vec3(frame.camera.target - frame.camera.position));
     for (std::size_t i = 0; i < motion.joints->size(); ++i) {
         const JointLayout& joint = (*motion.joints)[i];
         const JointFrames frames = frames_of(joint, bodies);
         const bool is_selected = joint.id == selected;
         const Vec3 color = is_selected ? Vec3(1.0f) : joint_color(joint, motion.joint_states[i]);
-        const float distance = glm::length(Vec3(frames.b.position - frame.origin) - eye);
+        const Vec3 offset = Vec3(frames.b.position - frame.origin) - eye;
+        const float distance = glm::length(offset);
         const float size = std::clamp(size_of_reach * joint.reach, least_size * distance, greatest_size * distance);
         JointPen pen(frame, frames, size, color, is_selected ? bold : width);
+        const bool is_tiny = size_of_reach * joint.reach < least_size * distance || frame.strokes.size() > most_strokes;
+        if (!is_selected && (is_tiny || glm::dot(offset, forward) < -joint.reach)) { // thousands must not cost time
+            pen.dot(pen.b.at, 1.5f);
+            if (std::holds_alternative<DistanceJoint>(joint.def.joint)) pen.line(pen.a.at, pen.b.at, 0.5f);
+            continue;
+        }
         for (const auto& [body, at] : {std::pair{joint.body_a, pen.a.at}, std::pair{joint.body_b, pen.b.at}})
             if (body && layout.bodies[*body].type != BodyType::static_)
                 pen.line(Vec3(bodies[*body].position - frame.origin), at, 0.5f);
@@ -338,7 +347,7 @@ void add_band(std::vector<Vec3>& triangles, const Stroke& stroke, const Vec3& ey
         triangles.insert(triangles.end(), {a, b, c, c, b, d});
         return;
     }
-    constexpr int sides = 12;
+    const int sides = stroke.width > 5.5f ? 12 : 4;
     const Vec3 u = glm::normalize(glm::cross(forward, std::abs(forward.y) < 0.9f ? Vec3(0, 1, 0) : Vec3(1, 0, 0)));
     const Vec3 v = glm::cross(u, forward);
     const float radius = half_width(stroke.from);

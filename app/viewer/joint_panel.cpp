@@ -21,7 +21,8 @@ namespace cairn::viewer {
 
 namespace {
 
-constexpr float lines_in_list = 6.5f; // half a line shows that there are more
+constexpr float window_width = 290.0f;
+constexpr float lines_in_list = 4.5f; // half a line shows that there are more
 constexpr float degree = 0.017453293f;
 constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float most_degrees = 360.0f, most_meters = 5.0f; // of the sliders; more can be typed
@@ -99,8 +100,8 @@ bool edit_limits(std::optional<JointRange>& limits, bool is_angle, float now) {
     if (changed) limits = is_on ? std::optional(JointRange{now - room, now + room, {}}) : std::nullopt;
     if (!limits) return changed;
     ImGui::PushID("limits");
-    for (const auto& [check, name, bound, free] : {std::tuple("least", "##least", &limits->lower, -infinity),
-                                                   {"greatest", "##greatest", &limits->upper, infinity}}) {
+    for (const auto& [check, name, bound, free] :
+         {std::tuple("from", "##from", &limits->lower, -infinity), {"to", "##to", &limits->upper, infinity}}) {
         bool is_bounded = std::isfinite(*bound);
         if (ImGui::Checkbox(check, &is_bounded)) {
             *bound = !is_bounded               ? free
@@ -279,8 +280,12 @@ std::string body_label(const StageState& state, const std::optional<std::size_t>
 
 } // namespace
 
-void JointPanel::draw_list(const StageState& state, Controller& controller) {
+void JointPanel::draw(const StageState& state, Controller& controller) {
+    if (!state.current->joints || state.current->joints->empty()) return;
     const auto& joints = *state.current->joints;
+    char title[48];
+    std::snprintf(title, sizeof title, "Joints (%zu)###joints", joints.size());
+    if (!ImGui::CollapsingHeader(title, ImGuiTreeNodeFlags_DefaultOpen)) return;
     const float lines = std::min(float(joints.size()), lines_in_list);
     ImGui::BeginChild("joint list", ImVec2(0.0f, lines * ImGui::GetTextLineHeightWithSpacing()));
     ImGuiListClipper clipper; // there may be thousands
@@ -334,28 +339,35 @@ void JointPanel::draw_strength(Controller& controller) {
         controller.post(command::SetJointSolver{edited_id_, JointSolver(solver)});
 }
 
-void JointPanel::draw(const StageState& state, Controller& controller) {
-    if (!state.current->joints || state.current->joints->empty()) return;
+void JointPanel::draw_selected(const StageState& state, Controller& controller, float scale, float top) {
+    if (!state.selected_joint || !state.current->joints) return;
     const auto& joints = *state.current->joints;
-    char title[48];
-    std::snprintf(title, sizeof title, "Joints (%zu)###joints", joints.size());
-    if (!ImGui::CollapsingHeader(title, ImGuiTreeNodeFlags_DefaultOpen)) return;
-    ImGui::Checkbox("draw joints", &controller.joints);
-    draw_list(state, controller);
     const auto selected = std::find_if(joints.begin(), joints.end(),
                                        [&](const JointLayout& joint) { return joint.id == state.selected_joint; });
-    if (selected == joints.end()) return ImGui::TextDisabled("select one here or by its anchor");
+    if (selected == joints.end()) return;
     const JointState& now = state.current->joint_states[std::size_t(selected - joints.begin())];
     if (edited_id_ != selected->id || !ImGui::IsAnyItemActive()) {
         edited_id_ = selected->id;
         edited_ = selected->def;
     }
-    ImGui::PushID("joint");
+    const ImGuiIO& io = ImGui::GetIO();
+    const float width = window_width * scale, margin = 12.0f * scale;
+    ImGui::SetNextWindowPos(ImVec2(io.DisplaySize.x - margin, top), ImGuiCond_Appearing, ImVec2(1.0f, 0.0f));
+    ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0f),
+                                        ImVec2(width, std::max(io.DisplaySize.y - top - margin, 64.0f)));
+    const std::string title = joint_label(selected->id, selected->def) + "###joint";
+    bool is_open = true;
+    ImGui::Begin(title.c_str(), &is_open, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings);
+    ImGui::PushItemWidth(0.52f * width);
     draw_facts(state, *selected, now);
+    ImGui::Separator();
     if (edit_joint(edited_.joint, now)) controller.post(command::SetJoint{edited_id_, edited_.joint});
+    ImGui::Separator();
     draw_strength(controller);
     if (ImGui::Button("Remove joint (D)")) controller.post(command::RemoveJoint{edited_id_});
-    ImGui::PopID();
+    ImGui::PopItemWidth();
+    ImGui::End();
+    if (!is_open) controller.post(command::SelectJoint{});
 }
 
 } // namespace cairn::viewer

@@ -8,11 +8,12 @@ namespace cairn::viewer {
 
 class JointPanel {
   public:
-    /// Inside the panel's window. Nothing for worlds without joints.
+    /// The list, inside the panel's window. Nothing for worlds without joints.
     void draw(const StageState& state, Controller& controller);
+    /// The window of the selected joint, at the right under `top`; nothing if none is selected.
+    void draw_selected(const StageState& state, Controller& controller, float scale, float top);
 
   private:
-    void draw_list(const StageState& state, Controller& controller);
     void draw_facts(const StageState& state, const JointLayout& joint, const JointState& now);
     void draw_strength(Controller& controller);
 
