@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_set>
 #include <variant>
+#include <vector>
 
 namespace cairn::viewer {
 
@@ -28,16 +30,45 @@ Position drag_target(const Ray& cursor, const Position& grabbed, const Vec3& for
     return target;
 }
 
-JointDef drag_joint(const Body& body, const Vec3& local_point, const DragSpring& spring) {
+namespace {
+
+constexpr float most_load = 100.0f; // of the body's own mass: a lever must not be torn off the machine it belongs to
+
+// The mass of the dynamic bodies that are joined to a body, directly or through others, without its own.
+float mass_joined_to(const World& world, BodyId body) {
+    std::vector<BodyId> found{body};
+    std::unordered_set<BodyId> known{body};
+    float mass = 0.0f;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        for (const JointId joint : world.joints(found[i])) {
+            const JointDef& def = world.joint_def(joint);
+            const BodyId other = def.body_a == found[i] ? def.body_b : def.body_a;
+            if (!other || world.body(other).type() != BodyType::dynamic || !known.insert(other).second) continue;
+            found.push_back(other);
+            mass += world.body(other).mass();
+        }
+    }
+    return mass;
+}
+
+} // namespace
+
+JointDef drag_joint(const World& world, BodyId body_id, const Vec3& local_point, const DragSpring& spring) {
+    const Body body = world.body(body_id);
     const Transform pose = body.transform();
+    const float mass = body.mass(), load = std::min(mass_joined_to(world, body_id), most_load * mass);
     JointDef def;
-    def.body_b = body.id();
+    def.body_b = body_id;
     def.frame_a.position = pose.position + Position(pose.rotation * local_point);
     def.frame_b.position = Position(local_point);
     def.enable_collision = true; // with what belongs to the world: nothing is let through
     ServoJoint servo;
     servo.linear = JointSpring::from_frequency(spring.frequency, 1.0f);
-    servo.max_force = spring.max_acceleration * body.mass();
+    if (std::isfinite(mass) && std::isfinite(load)) { // the engine scales by the mass of the body alone
+        servo.linear.stiffness *= 1.0f + load / mass;
+        servo.linear.damping *= 1.0f + load / mass;
+    }
+    servo.max_force = spring.max_acceleration * mass + spring.max_lift * load;
     // The body turns about the grabbed point, so the inertia about it counts (Steiner's theorem); the joint scales by
     // that about the center of mass.
     const Vec3 arm(def.frame_a.position - body.center_of_mass());

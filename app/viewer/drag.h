@@ -25,14 +25,16 @@ Position drag_target(const Ray& cursor, const Position& grabbed, const Vec3& for
 struct DragSpring {
     float frequency = 5.0f;           ///< Hz, > 0, of the undamped spring; it is critically damped.
     float max_stretch = 1.0f;         ///< m, > 0: a longer distance pulls no harder than this one.
-    float max_acceleration = 1000.0f; ///< m/s^2, > 0: times the body's mass, the greatest force along each axis.
+    float max_acceleration = 1000.0f; ///< m/s^2, > 0: times the body's mass, the greatest force along each axis ...
+    float max_lift = 50.0f;           ///< m/s^2, >= 0: ... and times the mass of what hangs on it by joints.
     float spin_damping = 3.0f;        ///< 1/s, >= 0: how fast the turning of a dragged body dies down.
 };
 
 /// The joint that drags a dynamic body by `local_point` (in the body's frame); its target is where that point is now.
-/// Its springs are those of accelerations, so heavy and light bodies follow alike; the engine steps them implicitly, so
-/// no time step makes them unstable; and what hangs on the body by other joints is pulled along.
-JointDef drag_joint(const Body& body, const Vec3& local_point, const DragSpring& spring = {});
+/// Its springs are those of accelerations, so heavy and light bodies follow alike, and a hand carries its puppet: what
+/// is joined to the body counts too, up to a hundred times its mass. The engine steps the springs implicitly, so no
+/// time step makes them unstable.
+JointDef drag_joint(const World& world, BodyId body, const Vec3& local_point, const DragSpring& spring = {});
 
 /// Where the grabbed point is now.
 Position dragged_point(const World& world, JointId drag);

@@ -219,7 +219,7 @@ void Stage::operator()(const command::GrabBody& grab) {
     grab_.body = hit->body;
     grab_.start = grab_.target = hit->point;
     grab_.local_point = glm::conjugate(pose.rotation) * Vec3(hit->point - pose.position);
-    drag_joint_ = scene_.world.create_joint(drag_joint(scene_.world.body(hit->body), grab_.local_point));
+    drag_joint_ = scene_.world.create_joint(drag_joint(scene_.world, hit->body, grab_.local_point));
 }
 
 void Stage::operator()(const command::MoveGrab& move) {
