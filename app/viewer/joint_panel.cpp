@@ -286,6 +286,9 @@ void JointPanel::draw(const StageState& state, Controller& controller) {
     char title[48];
     std::snprintf(title, sizeof title, "Joints (%zu)###joints", joints.size());
     if (!ImGui::CollapsingHeader(title, ImGuiTreeNodeFlags_DefaultOpen)) return;
+    ImGui::Checkbox("draw joints (T)", &controller.joints);
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("blue: bears little; yellow: about to break; red: does not hold; white: selected");
     const float lines = std::min(float(joints.size()), lines_in_list);
     ImGui::BeginChild("joint list", ImVec2(0.0f, lines * ImGui::GetTextLineHeightWithSpacing()));
     ImGuiListClipper clipper; // there may be thousands

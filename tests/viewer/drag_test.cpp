@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 namespace {
@@ -209,6 +210,21 @@ TEST(DragJoint, ABodyPullsWhatIsJoinedToIt) {
     EXPECT_LT(glm::distance(scene.held({0.5f, 0.0f, 0.0f}), Position(4.0, 0.0, 0.0)), 0.05);
     EXPECT_NEAR(scene.world.body(trailer).position().x, 1.5, 0.1);
     EXPECT_LT(scene.world.joint_state(scene.world.joints().front()).linear_error, 0.01f);
+}
+
+TEST(DragJoint, WhatCannotBeMovedStays) {
+    World world;
+    BodyDef def;
+    def.mass = std::numeric_limits<float>::infinity();
+    const BodyId body = world.create_body(def);
+    world.add_shape(body, Box{});
+    const JointId drag = world.create_joint(drag_joint(world, body, {0.5f, 0.5f, 0.0f}));
+    for (int i = 0; i < 30; ++i) {
+        pull_to(world, drag, {1.5, 0.5, 0.0});
+        world.step(dt);
+    }
+    EXPECT_EQ(world.body(body).position().x, 0.0);
+    EXPECT_EQ(world.body(body).rotation(), Quat(1.0f, 0.0f, 0.0f, 0.0f));
 }
 
 TEST(DragJoint, ABodyThatCannotTurnIsPulledToo) {
