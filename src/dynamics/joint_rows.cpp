@@ -1,6 +1,7 @@
 // The rows of joints in a solver bin: lanes, what is put into them, and what comes out.
 #include "dynamics/bodies.h"
 #include "dynamics/coloring.h"
+#include "dynamics/direct_joints.h"
 #include "dynamics/joint_placement.h"
 #include "dynamics/joints.h"
 #include "dynamics/solver.h"
@@ -45,9 +46,13 @@ void collect_rows(const State& s, BinScratch& scratch) {
             if (joint_owner(s, info) != body) return;
             scratch.joints.push_back(joint);
             const JointRules& rules = info.rules;
-            for (std::uint32_t i = 0; i < rules.axis_count; ++i)
+            const bool is_direct = s.direct.set_of_joint[joint] != none;
+            for (std::uint32_t i = 0; i < rules.axis_count; ++i) {
+                if (is_direct && is_direct_axis(rules.axes[i])) continue;
                 rows.push_back({row_key(info.color, i, std::uint32_t(rules.axes[i].kind)), joint, JointRowType::axis,
                                 std::uint8_t(i)});
+            }
+            if (is_direct) return;
             if (rules.turn != JointLock::none)
                 rows.push_back(
                     {row_key(info.color, turn_phase, std::uint32_t(rules.turn)), joint, JointRowType::turn, 0});
@@ -224,7 +229,8 @@ void fill_joint_lanes(const State& s, BinScratch& scratch) {
     for (std::vector<JointLane>& lanes : scratch.joint_lanes) lanes.clear();
     scratch.joint_runs.clear();
     collect_rows(s, scratch);
-    if (scratch.joints.empty()) return;
+    list_direct_sets(s, scratch);
+    if (scratch.unsorted_joint_rows.empty()) return;
     sort_rows(scratch);
     const std::vector<JointRow>& rows = scratch.joint_rows;
     for (std::size_t k = 0; k < rows.size();) {
@@ -265,6 +271,7 @@ void fill_joint_blocks(State& s, BinScratch& scratch, Crew* crew, float h) {
             }
         });
     });
+    fill_direct_rows(s, scratch, crew);
 }
 
 void store_joints(State& s, BinScratch& scratch, Crew* crew, float dt) {
@@ -274,6 +281,7 @@ void store_joints(State& s, BinScratch& scratch, Crew* crew, float dt) {
             if (lanes[k].joint != none)
                 take_lane(s.joints[std::size_t(lanes[k].joint)], lanes[k], blocks[k / 8], k % 8);
     });
+    store_direct_rows(s, scratch);
     const float rate = 1 / dt;
     for_chunks(crew, int(scratch.joints.size()), 8 * blocks_per_chunk, [&](int begin, int end, int) {
         for (int k = begin; k < end; ++k) {

@@ -55,7 +55,9 @@ void set_rules(State& s, std::uint32_t index, const JointRules& rules) {
         info.rules.point == rules.point && info.rules.turn == rules.turn && info.rules.axis_count == rules.axis_count;
     for (int i = 0; same && i < rules.axis_count; ++i) same = info.rules.axes[i].kind == rules.axes[i].kind;
     info.rules = rules;
+    ++s.joint_changes;
     if (!same) {
+        info.substep_time = 0;
         info.point_impulse = info.turn_impulse = {};
         for (JointAxisState& axis : info.axes) axis = {};
     }
