@@ -53,14 +53,16 @@ void add_stiffness(DirectBody& body, DVec3 arm, DVec3 impulse, double h) {
 }
 
 // The linear impulse on B.
-DVec3 force_of(const DirectRow& row) { return math::transposed_times(row.linear, row.impulse); }
+DVec3 force_of(const DirectRow& row, DVec3 impulse) {
+    return row.is_plain ? impulse : math::transposed_times(row.linear, impulse);
+}
 
 void find_stiffness(const SetView& v, double h) {
     for (std::size_t i = 0; i < v.set.bodies.size(); ++i) v.bodies[i].stiffness = {};
     for (std::size_t i = 0; i < v.set.nodes.size(); ++i) {
         if (v.set.nodes[i].rows == DirectRows::turn) continue;
         const std::int32_t* ends = v.set.nodes[i].body;
-        const DVec3 p = force_of(v.rows[i]);
+        const DVec3 p = force_of(v.rows[i], v.rows[i].impulse);
         add_stiffness(v.bodies[ends[0]], v.rows[i].arm_a, -p, h);
         add_stiffness(v.bodies[ends[1]], v.rows[i].arm_b, p, h);
     }
@@ -117,6 +119,7 @@ void write_velocities(const SetView& v, BinScratch& scratch) {
 
 void refresh_point(const JointRules& rules, DVec3 axis, DVec3 gap, DirectRow& r) {
     r.linear = math::identity_block();
+    r.is_plain = rules.point == JointLock::full;
     r.error = gap;
     if (rules.point == JointLock::across) {
         const DVec3 along = math::dot(axis, gap) * axis;
@@ -198,13 +201,19 @@ void refresh_row(const State& s, const SetView& v, std::size_t i) {
         refresh_axis(rules.axes[node.axis], axis_a, axis_b, gap, r);
 }
 
+void add_linear(Block& k, double inverse_mass, const DirectRow& row, const DirectRow& column) {
+    if (row.is_plain && column.is_plain)
+        for (int d = 0; d < 9; d += 4) k.m[d] += inverse_mass;
+    else
+        k += inverse_mass * math::times_transposed(row.linear, column.linear);
+}
+
 Block own_block(const State& s, const SetView& v, std::size_t i) {
     const DirectNode& node = v.set.nodes[i];
     DirectRow& r = v.rows[i];
     const DirectBody* ends[2] = {&v.bodies[node.body[0]], &v.bodies[node.body[1]]};
     Block k;
-    if (node.rows != DirectRows::turn)
-        k = (ends[0]->inverse_mass + ends[1]->inverse_mass) * math::times_transposed(r.linear, r.linear);
+    if (node.rows != DirectRows::turn) add_linear(k, ends[0]->inverse_mass + ends[1]->inverse_mass, r, r);
     for (int side = 0; side < 2; ++side) {
         r.response[side] = r.angular[side] * math::to_block(ends[side]->inverse_inertia);
         k += math::times_transposed(r.response[side], r.angular[side]);
@@ -228,7 +237,7 @@ void assemble(const State& s, const SetView& v) {
         if (v.set.nodes[c.row].rows == DirectRows::turn || v.set.nodes[c.column].rows == DirectRows::turn) continue;
         const double inverse_mass = v.bodies[v.set.nodes[c.row].body[c.row_side]].inverse_mass;
         const double signed_mass = c.row_side == c.column_side ? inverse_mass : -inverse_mass;
-        block += signed_mass * math::times_transposed(row.linear, column.linear);
+        add_linear(block, signed_mass, row, column);
     }
 }
 
@@ -268,7 +277,7 @@ void apply(const SetView& v, std::size_t i, DVec3 impulse) {
     const DirectRow& r = v.rows[i];
     DirectBody &a = v.bodies[node.body[0]], &b = v.bodies[node.body[1]];
     if (node.rows != DirectRows::turn) {
-        const DVec3 p = math::transposed_times(r.linear, impulse);
+        const DVec3 p = force_of(r, impulse);
         a.dv -= a.inverse_mass * p;
         b.dv += b.inverse_mass * p;
     }
@@ -282,7 +291,8 @@ DVec3 slip_of(const SetView& v, std::size_t i) {
     const DirectBody &a = v.bodies[node.body[0]], &b = v.bodies[node.body[1]];
     const DVec3 turning = r.angular[0] * (a.w + a.dw) + r.angular[1] * (b.w + b.dw);
     if (node.rows == DirectRows::turn) return turning;
-    return turning + r.linear * ((b.v + b.dv) - (a.v + a.dv));
+    const DVec3 slip = (b.v + b.dv) - (a.v + a.dv);
+    return turning + (r.is_plain ? slip : r.linear * slip);
 }
 
 // Impulses that take the velocities to -rate x error.
@@ -329,7 +339,7 @@ void solve_set(const SetView& v, BinScratch& scratch, double h) {
         const bool is_turning_axis =
             v.set.nodes[i].rows == DirectRows::axis && r.linear.m[0] == 0 && r.linear.m[1] == 0 && r.linear.m[2] == 0;
         const bool turns = v.set.nodes[i].rows == DirectRows::turn || is_turning_axis;
-        r.total += turns ? math::transposed_times(r.angular[1], r.impulse) : force_of(r);
+        r.total += turns ? math::transposed_times(r.angular[1], r.impulse) : force_of(r, r.impulse);
     }
     find_stiffness(v, h);
     write_velocities(v, scratch);
