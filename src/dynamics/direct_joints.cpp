@@ -20,6 +20,9 @@ constexpr double bias_of_equals = 0.5, bias_of_unequals = 0.2;
 constexpr float equal_mass_ratio = 10;
 // Of the turning that goes with the moment that geometric stiffness adds, lost in a substep.
 constexpr double stiffness_damping = 0.02;
+// m/s or rad/s. What a blow has torn apart comes together no faster than that, or a heavy mass that falls into a slack
+// chain would set it whirling without end.
+constexpr double fastest_return = 4;
 // Of the diagonal: in loops some rows say what others say already.
 constexpr double loop_compliance = 1e-6;
 
@@ -295,10 +298,15 @@ DVec3 slip_of(const SetView& v, std::size_t i) {
     return turning + (r.is_plain ? slip : r.linear * slip);
 }
 
+DVec3 return_speed(DVec3 v) {
+    const double square = math::dot(v, v);
+    return square > fastest_return * fastest_return ? (fastest_return / std::sqrt(square)) * v : v;
+}
+
 // Impulses that take the velocities to -rate x error.
 void solve_rows(const SetView& v, double rate) {
     const std::size_t n = v.set.nodes.size();
-    for (std::size_t i = 0; i < n; ++i) v.sought[i] = -(slip_of(v, i) + rate * v.rows[i].error);
+    for (std::size_t i = 0; i < n; ++i) v.sought[i] = -(slip_of(v, i) + return_speed(rate * v.rows[i].error));
     substitute(v);
     for (std::size_t i = 0; i < n; ++i) {
         apply(v, i, v.sought[i]);
@@ -333,7 +341,9 @@ void solve_set(const SetView& v, BinScratch& scratch, double h) {
         b.w = vector_of(scratch.velocity[std::size_t(b.row)].w);
         b.dv = b.dw = {};
     }
-    solve_rows(v, (v.set.mass_ratio <= equal_mass_ratio ? bias_of_equals : bias_of_unequals) / h);
+    const double rate = (v.set.mass_ratio <= equal_mass_ratio ? bias_of_equals : bias_of_unequals) / h;
+    solve_rows(v, rate);
+    find_stiffness(v, h);
     for (std::size_t i = 0; i < v.set.nodes.size(); ++i) {
         DirectRow& r = v.rows[i];
         const bool is_turning_axis =
@@ -341,7 +351,6 @@ void solve_set(const SetView& v, BinScratch& scratch, double h) {
         const bool turns = v.set.nodes[i].rows == DirectRows::turn || is_turning_axis;
         r.total += turns ? math::transposed_times(r.angular[1], r.impulse) : force_of(r, r.impulse);
     }
-    find_stiffness(v, h);
     write_velocities(v, scratch);
 }
 

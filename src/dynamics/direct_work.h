@@ -34,7 +34,7 @@ struct DirectRow {
     math::Block angular[2], response[2]; // J, and J I^-1
     math::DVec3 arm_a, arm_b;
     bool is_plain = false; // L is the unit matrix
-    math::DVec3 diagonal; // of the rows' matrix, before the elimination
+    math::DVec3 diagonal;  // of the rows' matrix, before the elimination
     math::DVec3 error, impulse;
     math::DVec3 total; // N s or N m s on B, world axes, over all substeps
 };

@@ -370,13 +370,94 @@ TEST(DirectJoints, SameBitsFromSnapshotsAndThreads) {
     for (int i = 0; i < 90; ++i) {
         if (i == 30)
             for (World* w : {&world, &threaded}) w->destroy_joint(w->joints()[5]);
-        if (i == 60)
-            for (int k = 0; k < 2; ++k) (k == 0 ? world : threaded).body(chains[k][3].ball).set_mass_from_shapes(50.0f);
+        if (i == 60) // by then both go by the same handles
+            for (World* w : {&world, &threaded}) w->body(chains[0][3].ball).set_mass_from_shapes(50.0f);
         world.step(dt);
         threaded.step(dt);
         ASSERT_EQ(world.state_hash(), threaded.state_hash()) << i;
-        if (i % 25 == 0) threaded.restore(world.snapshot());
+        if (i % 25 == 0) threaded.restore(world.save());
     }
+}
+
+// --- which joints the engine takes directly by itself: those runs have the bits of the solver that was asked for
+
+using Build = void (*)(World&, JointSolver);
+
+std::uint64_t hash_after(Build build, JointSolver solver) {
+    World world(without_sleep());
+    build(world, solver);
+    run(world, dt, 30);
+    return world.state_hash();
+}
+void expect_choice(Build build, JointSolver expected) {
+    const JointSolver other = expected == JointSolver::direct ? JointSolver::iterative : JointSolver::direct;
+    const std::uint64_t chosen = hash_after(build, JointSolver::automatic);
+    EXPECT_EQ(chosen, hash_after(build, expected));
+    EXPECT_NE(chosen, hash_after(build, other)); // or the test says nothing
+}
+
+TEST(JointSolverChoice, DirectForHeavyEnds) {
+    expect_choice([](World& w, JointSolver s) { add_chain(w, 3, 50, {}, 0.5, s); }, JointSolver::direct);
+}
+TEST(JointSolverChoice, DirectForLongChains) {
+    expect_choice([](World& w, JointSolver s) { add_chain(w, 12, 1, {}, 0.5, s); }, JointSolver::direct);
+}
+TEST(JointSolverChoice, IterativeForShortChainsOfEquals) {
+    expect_choice([](World& w, JointSolver s) { add_chain(w, 4, 1, {}, 0.5, s); }, JointSolver::iterative);
+}
+TEST(JointSolverChoice, DirectForFixedJointsInSeries) {
+    expect_choice(
+        [](World& w, JointSolver s) {
+            const BodyId a = add_dynamic(w, Box{}, {0.5, 0, 0}, 1), b = add_dynamic(w, Box{}, {1.5, 0, 0}, 1);
+            hold(w, {}, a, {0, 0, 0}, FixedJoint{}, s);
+            hold(w, a, b, {1, 0, 0}, FixedJoint{}, s);
+        },
+        JointSolver::direct);
+}
+TEST(JointSolverChoice, DirectForHingesInALoop) {
+    expect_choice(
+        [](World& w, JointSolver s) { // a four-bar linkage
+            const BodyId a = add_dynamic(w, Box{{0.1f, 0.5f, 0.1f}}, {0, 0.5, 0}, 1),
+                         b = add_dynamic(w, Box{{0.5f, 0.1f, 0.1f}}, {0.5, 1, 0}, 1),
+                         c = add_dynamic(w, Box{{0.1f, 0.5f, 0.1f}}, {1, 0.5, 0}, 1);
+            w.body(a).set_angular_velocity({0, 0, 1});
+            hold(w, {}, a, {0, 0, 0}, HingeJoint{}, s);
+            hold(w, a, b, {0, 1, 0}, HingeJoint{}, s);
+            hold(w, b, c, {1, 1, 0}, HingeJoint{}, s);
+            hold(w, c, {}, {1, 0, 0}, HingeJoint{}, s);
+        },
+        JointSolver::direct);
+}
+TEST(JointSolverChoice, IterativeForNets) {
+    expect_choice(
+        [](World& w, JointSolver s) {
+            constexpr int n = 16;
+            std::vector<BodyId> bodies;
+            for (int i = 0; i < n * n; ++i) {
+                const int x = i % n, z = i / n;
+                bodies.push_back(add_dynamic(w, Sphere{0.4f}, {double(x), 0, double(z)}, 1));
+                if (z == 0) hold(w, {}, bodies.back(), {double(x), 0, -0.5}, BallJoint{}, s);
+                if (z > 0) hold(w, bodies[std::size_t(i - n)], bodies.back(), {double(x), 0, z - 0.5}, BallJoint{}, s);
+                if (x > 0) hold(w, bodies[std::size_t(i - 1)], bodies.back(), {x - 0.5, 0, double(z)}, BallJoint{}, s);
+            }
+        },
+        JointSolver::iterative);
+}
+
+// A ball of 1,000 times a link swings so high that the chain goes slack, and is caught by it: a blow, which takes the
+// joints apart for a moment.
+TEST(DirectJoints, SlackChainCatchesItsBall) {
+    World world(without_sleep());
+    const Chain chain = add_chain(world, 20, 1000);
+    std::vector<BodyId> bodies = chain.links; // which would be crushed by the ball
+    bodies.push_back(chain.ball);
+    for (const BodyId body : bodies)
+        for (const ShapeId shape : world.body(body).shapes()) world.set_filter(shape, CollisionFilter{1, 0});
+    world.body(chain.ball).set_linear_velocity({21, 0, 0});
+    const double energy = world.kinetic_energy() + world.potential_energy();
+    EXPECT_LT(peak_gap(world, 20), 0.25);
+    EXPECT_LT(greatest_gap(world), 0.005);
+    EXPECT_LT(world.kinetic_energy() + world.potential_energy(), energy);
 }
 
 } // namespace
