@@ -104,7 +104,8 @@ void renew_inertia(SpinBlock* blocks, int count, const SolverVelocity* velocity,
         const Mat3x8 axes = to_matrix(multiply(turn, {load3(block.axes), load(block.axes[3])}));
         const Sym3x8 i = rotated_diagonal(axes, load3(block.moments)), old = load6(block.contact_inertia);
         // What has been added so far was added with the old one.
-        const Vec3x8 w = gather_angular(velocity, block.row), before = load3(block.free_w), was_l = load3(block.momentum);
+        const Vec3x8 w = gather_angular(velocity, block.row), before = load3(block.free_w),
+                     was_l = load3(block.momentum);
         store3(block.momentum, select(renewed, was_l + old * (w - before), was_l));
         store3(block.free_w, select(renewed, w, before));
         store6(block.contact_inertia, select(renewed, i, old));
