@@ -1,6 +1,7 @@
 // The rows of joints in a solver bin: lanes, what is put into them, and what comes out.
 #include "dynamics/bodies.h"
 #include "dynamics/coloring.h"
+#include "dynamics/direct_joints.h"
 #include "dynamics/joint_placement.h"
 #include "dynamics/joints.h"
 #include "dynamics/solver.h"
@@ -45,11 +46,14 @@ void collect_joint(const State& s, std::uint32_t joint, BinScratch& scratch) {
                                                info.color == overflow_color,
                                                {std::int32_t(joint), a, b, std::uint8_t(axis)}});
     };
+    const bool is_direct = s.direct.set_of_joint[joint] != none;
     for (std::uint32_t i = 0; i < rules.axis_count; ++i) {
         const JointAxisRule& rule = s.joint_axes[joint].rules[i];
+        if (is_direct && is_direct_axis(rule)) continue;
         if (rule.has_limits || rule.has_drive || rule.friction > 0)
             add(i, std::uint32_t(rule.kind), JointRowType::axis, i);
     }
+    if (is_direct) return;
     if (rules.turn != JointLock::none) add(turn_phase, std::uint32_t(rules.turn), JointRowType::turn, 0);
     if (rules.point != JointLock::none) add(point_phase, std::uint32_t(rules.point), JointRowType::point, 0);
 }
@@ -250,7 +254,8 @@ void fill_joint_lanes(const State& s, BinScratch& scratch) {
     for (std::vector<JointLane>& lanes : scratch.joint_lanes) lanes.clear();
     scratch.joint_runs.clear();
     collect_rows(s, scratch);
-    if (scratch.joints.empty()) return;
+    list_direct_sets(s, scratch);
+    if (scratch.unsorted_joint_rows.empty()) return;
     sort_rows(scratch);
     const std::vector<JointRow>& rows = scratch.joint_rows;
     for (std::size_t k = 0; k < rows.size();) {
@@ -288,6 +293,7 @@ void fill_joint_blocks(State& s, BinScratch& scratch, Crew* crew, float h) {
             }
         });
     });
+    fill_direct_rows(s, scratch, crew);
 }
 
 void store_joints(State& s, BinScratch& scratch, float dt) {
@@ -295,6 +301,7 @@ void store_joints(State& s, BinScratch& scratch, float dt) {
         for (std::size_t k = 0; k < lanes.size(); ++k)
             if (lanes[k].joint != none) take_lane(s, lanes[k], blocks[k / 8], k % 8);
     });
+    store_direct_rows(s, scratch);
     const float rate = 1 / dt;
     for (const std::uint32_t index : scratch.joints) {
         JointInfo& joint = s.joints[index];
