@@ -28,7 +28,6 @@ std::uint32_t row_key(std::uint8_t color, std::uint32_t phase, std::uint32_t for
     const std::uint32_t rank = color == overflow_color ? 0u : color + 1u;
     return (rank * phases + phase) * forms + form;
 }
-constexpr std::uint32_t key_count = 64 * phases * forms;
 
 std::int32_t joint_row(BinScratch& scratch, const State& s, std::int32_t body) {
     if (body == none || s.body_settings[std::size_t(body)].type == BodyType::static_) return fixed_row;
@@ -71,14 +70,20 @@ void collect_rows(const State& s, BinScratch& scratch) {
     }
 }
 
-// A counting sort, stable.
+// A counting sort, stable. Most bins have few keys of the many that there are.
 void sort_rows(BinScratch& scratch) {
     const std::vector<JointRow>& from = scratch.unsorted_joint_rows;
-    scratch.joint_key_counts.assign(key_count + 1, 0);
-    for (const JointRow& row : from) ++scratch.joint_key_counts[row.key + 1];
-    for (std::size_t k = 1; k <= key_count; ++k) scratch.joint_key_counts[k] += scratch.joint_key_counts[k - 1];
-    scratch.joint_rows.resize(from.size());
-    for (const JointRow& row : from) scratch.joint_rows[scratch.joint_key_counts[row.key]++] = row;
+    std::vector<JointRow>& to = scratch.joint_rows;
+    to.resize(from.size());
+    if (from.empty()) return;
+    const auto by_key = [](const JointRow& a, const JointRow& b) { return a.key < b.key; };
+    const auto [least, most] = std::minmax_element(from.begin(), from.end(), by_key);
+    const std::uint32_t first = least->key, keys = most->key - first + 1;
+    std::vector<std::uint32_t>& counts = scratch.joint_key_counts;
+    counts.assign(keys + 1, 0);
+    for (const JointRow& row : from) ++counts[row.key - first + 1];
+    for (std::size_t k = 1; k <= keys; ++k) counts[k] += counts[k - 1];
+    for (const JointRow& row : from) to[counts[row.key - first]++] = row;
 }
 
 constexpr JointLane no_lane{none, fixed_row, fixed_row, 0};
