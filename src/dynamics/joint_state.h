@@ -51,19 +51,23 @@ struct JointAxes {
     JointAxisState states[most_joint_axes];
 };
 
+// The first cache line is what bins are laid out from, and most of what a step begins and ends with.
 struct alignas(64) JointInfo {
-    math::DVec3 anchor_a, anchor_b;        // in the bodies' frames; of the world, in its own
-    std::int32_t body_a = -1, body_b = -1; // none: the world
-    std::uint8_t color = 255;              // no_color: neither body is dynamic
+    std::int32_t body_a = -1, body_b = -1;                   // none: the world
+    std::int32_t next[2] = {-1, -1}, previous[2] = {-1, -1}; // ends in the lists of the bodies: 2 x joint + side
+    JointLocks rules;
+    std::uint8_t color = 255; // no_color: neither body is dynamic
     std::uint8_t enable_collision = 0, in_use = 0, solver = 0;
     float substep_time = 0; // s: that the impulses are for
-    math::DQuat frame_a, frame_b;
-    JointLocks rules;
-    math::Vec3 point_impulse, turn_impulse; // of the last substep
-    math::Vec3 force, torque;
     float break_force = 0, break_torque = 0;
-    std::int32_t next[2] = {-1, -1}, previous[2] = {-1, -1}; // ends in the lists of the bodies: 2 x joint + side
-    math::DVec3 ground_a, ground_b;                          // of a pulley
+    math::Vec3 point_impulse; // of the last substep
+
+    math::DVec3 anchor_a, anchor_b; // in the bodies' frames; of the world, in its own
+    math::Vec3 force;
+    float padding = 0;
+    math::Vec3 torque, turn_impulse;
+    math::DQuat frame_a, frame_b;
+    math::DVec3 ground_a, ground_b; // of a pulley
 };
 
 } // namespace cairn

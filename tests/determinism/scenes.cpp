@@ -343,6 +343,113 @@ class RoundedShapes final : public Scene {
     }
 };
 
+JointControl control(float lower, float upper, float speed, float spring) {
+    JointControl c;
+    c.limits = JointRange{lower, upper, {}};
+    c.motor = JointMotor{};
+    c.motor->velocity = speed;
+    c.motor->max_force = 400;
+    if (spring > 0) c.motor->spring = JointSpring::from_frequency(spring, 0.5f);
+    c.friction = 2;
+    return c;
+}
+
+// All joints: pairs of boxes on the ground and hanging from the world, a chain, a net, a rope over pulleys and gears.
+class AllJoints final : public Scene {
+    static Joint joint(int kind) {
+        BallJoint ball;
+        ball.cone_angle = 0.7f;
+        ball.twist = JointRange{-0.5f, 0.5f, JointSpring::from_frequency(4, 0.2f)};
+        ball.friction = 1;
+        GeneralJoint general;
+        general.limits.push_back({JointAxis::linear, {true, false, true}, 0.0f, 0.4f, {}, 0});
+        general.limits.push_back({JointAxis::angular, {true, true, true}, 0.0f, 0.9f, 300.0f, 10});
+        general.drives.push_back({JointAxis::linear, true, 1, 500.0f, 0.2f, 0, 40, 4});
+        general.drives.push_back({JointAxis::angular, false, 2, {}, 0, 2, 0, 30});
+        WheelJoint wheel;
+        wheel.suspension = control(-0.2f, 0.2f, 0, 3);
+        wheel.steering = control(-0.4f, 0.4f, 1, 0);
+        wheel.spin.motor = JointMotor{9, 0, {}, 50};
+        ServoJoint servo;
+        servo.position = {0.3f, 0.1f, 0.2f};
+        servo.max_force = 3000;
+        const Joint all[] = {FixedJoint{},
+                             ball,
+                             HingeJoint{control(-1, 1, 2, 0)},
+                             SliderJoint{control(-0.3f, 0.5f, 0.4f, 0)},
+                             CylindricalJoint{control(-0.3f, 0.5f, 0, 2), control(-9, 9, 3, 0)},
+                             UniversalJoint{control(-0.6f, 0.6f, 1, 0), control(-0.5f, 0.5f, -1, 1)},
+                             DistanceJoint{control(0.2f, 1.3f, 0.3f, 0)},
+                             wheel,
+                             servo,
+                             general};
+        return all[kind];
+    }
+
+  public:
+    void build(World& world) override {
+        add_fixed(world, Plane{});
+        Numbers numbers(29);
+        for (int i = 0; i < 60; ++i) {
+            BodyDef def;
+            def.position = Position(2.2 * (i % 10), 1.5 + 1.4 * (i / 20), 2.1 * (i / 10 % 2));
+            def.rotation = numbers.rotation();
+            const BodyId a = add(world, Box{{0.4f, 0.2f, 0.3f}}, def);
+            def.position += Position(0.9, 0.1, 0.2);
+            def.rotation = numbers.rotation();
+            const BodyId b = add(world, i % 3 == 0 ? Shape(Sphere{0.3f}) : Shape(Box{{0.2f, 0.3f, 0.25f}}), def);
+            const Position anchor = def.position - Position(0.45, 0.05, 0.1);
+            world.create_joint(world.joint_at(i % 7 == 6 ? BodyId{} : a, b, anchor, numbers.vector(), joint(i % 10)));
+        }
+        build_net(world);
+        build_machine(world);
+    }
+
+  private:
+    static void build_net(World& world) {
+        std::vector<BodyId> ids;
+        for (int i = 0; i < 8 * 8; ++i) {
+            BodyDef def;
+            def.position = {0.6 * (i % 8) + 4, 7, 0.6 * (i / 8) + 6};
+            if (i < 8) def.type = BodyType::static_;
+            ids.push_back(add(world, Box{{0.2f, 0.1f, 0.2f}}, def));
+            auto join = [&](std::size_t other, const Position& offset) {
+                world.create_joint(
+                    world.joint_at(ids[other], ids.back(), def.position + offset, {1, 0, 0}, BallJoint{}));
+            };
+            if (i >= 8 && i % 8 > 0) join(ids.size() - 2, {-0.3, 0, 0});
+            if (i >= 8) join(ids.size() - 9, {0, 0, -0.3});
+        }
+    }
+    static void build_machine(World& world) {
+        BodyDef def;
+        def.position = {0, 3, -4};
+        const BodyId small = add(world, Cylinder{0.1f, 0.3f, {}}, def);
+        def.position = {0.9, 3, -4};
+        const BodyId large = add(world, Cylinder{0.1f, 0.6f, {}}, def);
+        HingeJoint motor;
+        motor.angle.motor = JointMotor{3, 0, {}, 100};
+        world.create_joint(world.joint_at({}, small, {0, 3, -4}, {0, 1, 0}, motor));
+        world.create_joint(world.joint_at({}, large, {0.9, 3, -4}, {0, 1, 0}, HingeJoint{}));
+        world.create_joint(world.joint_at(small, large, {0.45, 3, -4}, {0, 1, 0}, GearJoint{2}));
+        def.position = {1.55, 3, -4};
+        const BodyId rack = add(world, Box{{0.05f, 0.1f, 1.0f}}, def);
+        world.create_joint(world.joint_at({}, rack, def.position, {0, 0, 1}, SliderJoint{control(-0.8f, 0.8f, 0, 0)}));
+        JointDef pinion = world.joint_at(large, rack, {0.9, 3, -4}, {0, 1, 0}, RackJoint{0.6f});
+        pinion.frame_b = world.joint_at({}, rack, def.position, {0, 0, 1}, SliderJoint{}).frame_b;
+        world.create_joint(pinion);
+        def.position = {4, 2, -4};
+        const BodyId left = add(world, Box{{0.3f, 0.3f, 0.3f}}, def);
+        def.position = {6, 2, -4};
+        const BodyId right = add(world, Sphere{0.3f}, def);
+        JointDef rope;
+        rope.body_a = left, rope.body_b = right;
+        rope.joint = PulleyJoint{{4, 5, -4}, {6, 5, -4}, 1, {}};
+        rope.break_force = 1e6f;
+        world.create_joint(rope);
+    }
+};
+
 template <class T> Scene& make() {
     static T scene;
     return scene;
@@ -359,6 +466,7 @@ constexpr NamedScene all_scenes[] = {
     {"free_tops", make<FreeTops>, golden::free_tops},
     {"all_shapes", make<AllShapes>, golden::all_shapes},
     {"rounded_shapes", make<RoundedShapes>, golden::rounded_shapes},
+    {"all_joints", make<AllJoints>, golden::all_joints},
 };
 
 } // namespace
