@@ -22,7 +22,8 @@ extern "C" const char* __lsan_default_suppressions() { return "leak:liburdfdom_m
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace cairn;
-    const std::string text = "<" + std::string(reinterpret_cast<const char*>(data), size); // else it is no XML
+    std::string text(1, '<'); // else it is no XML
+    text.append(reinterpret_cast<const char*>(data), size);
     std::string saved;
     try {
         scene::Scene robot = scene::load_from_memory(std::as_bytes(std::span(text.data(), text.size())), "fuzz.urdf");
