@@ -45,7 +45,8 @@ void fill_row(const State& s, const DirectNode& node, DirectRow& r) {
         r.impulse = math::to_double(joint.turn_impulse);
         break;
     case DirectRows::axis:
-        column_a = s.joint_axes[node.joint].rules[node.axis].column_a, column_b = s.joint_axes[node.joint].rules[node.axis].column_b;
+        column_a = s.joint_axes[node.joint].rules[node.axis].column_a,
+        column_b = s.joint_axes[node.joint].rules[node.axis].column_b;
         r.at = double(s.joint_axes[node.joint].rules[node.axis].lower);
         r.impulse.x = double(s.joint_axes[node.joint].states[node.axis].lower);
         break;

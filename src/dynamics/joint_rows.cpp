@@ -249,8 +249,9 @@ void forget_impulses(State& s, std::uint32_t index) {
 } // namespace
 
 JointSoftness joint_softness(float h) {
-    // Softer ones lag behind, harder ones gain energy: a hanging net from 0.35 / h on. At 0.28 / h it comes to rest.
-    constexpr float pi = 3.14159265358979f, frequency_times_h = 0.28f, damping_ratio = 2.0f;
+    // Softer ones lag behind, harder ones gain energy: a hanging net from 0.35 / h on, an arm that servos hold from
+    // 0.28 / h on.
+    constexpr float pi = 3.14159265358979f, frequency_times_h = 0.25f, damping_ratio = 2.0f;
     const float omega_h = 2 * pi * frequency_times_h, a1 = 2 * damping_ratio + omega_h, a2 = omega_h * a1;
     return {h, 1 / h, a2 / (1 + a2), omega_h / (a1 * h)};
 }

@@ -6,7 +6,7 @@
 namespace cairn {
 
 // Islands with joints take at least so many substeps: the error of soft rows falls with their square.
-inline constexpr int joint_substeps = 10;
+inline constexpr int joint_substeps = 11;
 
 // The body that a joint counts to, in whose island it is; none if neither is dynamic.
 inline std::int32_t joint_owner(const State& s, const JointInfo& joint) {
