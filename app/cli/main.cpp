@@ -81,7 +81,9 @@ void add_scenes(CLI::App& app, ScenesOptions& options) {
 
 void add_convert(CLI::App& app, ConvertOptions& options) {
     CLI::App* convert = app.add_subcommand("convert", "Write a scene in another form, or make one of a mesh.");
-    convert->add_option("in", options.input, "A scene (.gltf, .glb or its name), or a mesh (.obj, .stl)")->required();
+    convert
+        ->add_option("in", options.input, "A scene (.gltf, .glb or its name), a robot (.urdf), or a mesh (.obj, .stl)")
+        ->required();
     convert->add_option("out", options.output, "The scene to write (.gltf or .glb)")->required();
     convert
         ->add_option_function<std::string>(

@@ -46,7 +46,7 @@ viewer::CameraPose camera_of(const scene::Scene& scene, std::span<const viewer::
     return pose;
 }
 
-std::vector<std::string> viewer_file_types() { return {".gltf", ".glb", ".obj", ".stl"}; }
+std::vector<std::string> viewer_file_types() { return {".gltf", ".glb", ".urdf", ".obj", ".stl"}; }
 
 namespace {
 

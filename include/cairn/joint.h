@@ -127,7 +127,8 @@ struct RackJoint {
 struct PulleyJoint {
     Position ground_a{0.0, 0.0, 0.0}, ground_b{0.0, 0.0, 0.0}; ///< World points from which the bodies hang.
     float ratio = 1.0f;                                        ///< > 0: of a block and tackle.
-    std::optional<float> length{};                             ///< m, > 0; absent: what it is when the joint is made.
+    /// m, > 0; absent: what it is when the joint is made, which `World::joint_def` then has.
+    std::optional<float> length{};
 };
 
 enum class JointAxis : std::uint8_t { linear, angular };

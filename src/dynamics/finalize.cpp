@@ -4,6 +4,7 @@
 #include "dynamics/islands.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace cairn {
 
@@ -30,6 +31,14 @@ void move_shapes(State& s, std::int32_t b, float dt) {
     });
 }
 
+// How far out a body's surface turns. One without shapes is as large as its inertia says.
+float surface_radius(const State& s, std::int32_t b) {
+    const float radius = s.bodies[std::size_t(b)].radius;
+    const BodyMass& mass = s.mass[std::size_t(b)];
+    if (radius > 0 || !(mass.inverse_mass > 0)) return radius;
+    return std::sqrt(std::max(mass.inertia.x, std::max(mass.inertia.y, mass.inertia.z)) * mass.inverse_mass);
+}
+
 } // namespace
 
 void finalize_body(State& s, std::int32_t b, float dt, std::vector<EscapedShape>& escaped) {
@@ -40,7 +49,7 @@ void finalize_body(State& s, std::int32_t b, float dt, std::vector<EscapedShape>
         if (!s.broad_phase.serves(shape, bounds, displacement)) escaped.push_back({shape, bounds, displacement});
     });
     BodyLinks& links = s.bodies[std::size_t(b)];
-    const float speed = math::length(motion.v) + math::length(motion.w) * links.radius;
+    const float speed = math::length(motion.v) + math::length(motion.w) * surface_radius(s, b);
     links.quiet_time = speed < s.settings.sleep_speed ? links.quiet_time + dt : 0;
 }
 

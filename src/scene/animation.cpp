@@ -60,7 +60,7 @@ struct ShapeKey {
     static std::string sizes(const char* kind, const std::vector<float>& values) {
         Json json = Json::array({kind});
         for (const float v : values) json.push_back(shortest(v));
-        return json.dump();
+        return json_text(json);
     }
 };
 
@@ -224,7 +224,7 @@ std::string AnimationBaker::container() const {
     add("accessors", parsed(buffer.accessors()));
     add("bufferViews", parsed(buffer.views()));
     if (!buffer.empty()) json["buffers"] = Json::array({{{"byteLength", buffer.bytes().size()}}});
-    return glb_container(json.dump(), buffer.bytes());
+    return glb_container(json_text(json), buffer.bytes());
 }
 
 void AnimationBaker::write(const std::filesystem::path& path) const { write_file(path, container()); }

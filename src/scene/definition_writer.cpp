@@ -98,7 +98,7 @@ std::vector<std::uint32_t> triangles_of(const Hull& hull) {
 } // namespace
 
 std::size_t Table::index(const Json& entry) {
-    const auto [found, is_new] = indices_.try_emplace(entry.dump(), lines_.size());
+    const auto [found, is_new] = indices_.try_emplace(json_text(entry), lines_.size());
     if (is_new) lines_.push_back(found->first);
     return found->second;
 }
@@ -211,7 +211,11 @@ std::optional<std::size_t> DefinitionWriter::filter(const CollisionFilter& filte
     return filters_.index(json);
 }
 
-std::size_t DefinitionWriter::joint(const JointDescription& joint) { return joints_.index(write_joint_rules(joint)); }
+std::size_t DefinitionWriter::joint(const JointDef& joint) {
+    const Json json = write_joint(joint);
+    uses_joint_extension_ = uses_joint_extension_ || json.contains("extensions");
+    return joints_.index(json);
+}
 
 std::size_t DefinitionWriter::collider_mesh(const Shape& shape) {
     const Hull* hull = std::get_if<Hull>(&shape);

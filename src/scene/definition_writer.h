@@ -39,7 +39,7 @@ class DefinitionWriter {
     std::size_t material(const Shape& shape, const ShapeDef& def);
     // Nothing for a filter that keeps nothing apart.
     std::optional<std::size_t> filter(const CollisionFilter& filter);
-    std::size_t joint(const JointDescription& joint);
+    std::size_t joint(const JointDef& joint);
     // The index of a glTF mesh with the triangles of a Hull or a Mesh.
     std::size_t collider_mesh(const Shape& shape);
     std::size_t visual_mesh(const VisualMesh& visual);
@@ -52,6 +52,7 @@ class DefinitionWriter {
     const Table& colors() const { return colors_; } // glTF materials
     const BufferWriter& buffer() const { return buffer_; }
     bool uses_material_extension() const { return uses_material_extension_; }
+    bool uses_joint_extension() const { return uses_joint_extension_; }
     bool uses_shape_extension() const { return uses_shape_extension_; }
     bool uses_height_fields() const { return !height_accessors_.empty(); }
 
@@ -66,7 +67,7 @@ class DefinitionWriter {
     std::unordered_map<const void*, std::size_t> collider_meshes_, height_accessors_;
     std::unordered_map<const void*, nlohmann::ordered_json> surface_primitives_;
     std::map<std::size_t, std::string> layer_names_; // by bit; of layers in use
-    bool uses_material_extension_ = false, uses_shape_extension_ = false;
+    bool uses_material_extension_ = false, uses_joint_extension_ = false, uses_shape_extension_ = false;
 };
 
 } // namespace cairn::scene

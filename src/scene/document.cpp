@@ -9,9 +9,9 @@ namespace cairn::scene {
 
 namespace {
 
-constexpr std::array<std::string_view, 7> understood{
-    "KHR_physics_rigid_bodies", "KHR_implicit_shapes", "CAIRN_world", "CAIRN_body",
-    "CAIRN_material",           "CAIRN_height_field",  "CAIRN_shape"};
+constexpr std::array<std::string_view, 8> understood{
+    "KHR_physics_rigid_bodies", "KHR_implicit_shapes", "CAIRN_world",        "CAIRN_body",
+    "CAIRN_material",           "CAIRN_joint",         "CAIRN_height_field", "CAIRN_shape"};
 // Extensions of how things look, which no simulation depends on.
 constexpr std::array<std::string_view, 8> visual_prefixes{
     "KHR_lights_", "KHR_materials_", "KHR_texture_",           "KHR_mesh_quantization", "KHR_draco_mesh_compression",

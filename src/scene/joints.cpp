@@ -2,7 +2,12 @@
 
 #include "scene/definitions.h"
 #include "scene/document.h"
+#include "scene/joint_types.h"
 #include "scene/json_number.h"
+
+#include <array>
+#include <cmath>
+#include <utility>
 
 namespace cairn::scene {
 
@@ -61,17 +66,49 @@ JointDrive read_drive(const Value& value) {
     return drive;
 }
 
-JointRules read_rules(const Value& value) {
-    JointRules rules;
+GeneralJoint read_general(const Value& value) {
+    GeneralJoint joint;
     if (const auto limits = value.find("limits")) {
         const std::size_t count = limits->size(max_rules, "limits");
-        for (std::size_t i = 0; i < count; ++i) rules.limits.push_back(read_limit((*limits)[i]));
+        for (std::size_t i = 0; i < count; ++i) joint.limits.push_back(read_limit((*limits)[i]));
     }
     if (const auto drives = value.find("drives")) {
         const std::size_t count = drives->size(max_rules, "drives");
-        for (std::size_t i = 0; i < count; ++i) rules.drives.push_back(read_drive((*drives)[i]));
+        for (std::size_t i = 0; i < count; ++i) joint.drives.push_back(read_drive((*drives)[i]));
     }
-    return rules;
+    return joint;
+}
+
+struct NamedSolver {
+    const char* name;
+    JointSolver solver;
+};
+constexpr std::array<NamedSolver, 3> solvers{{
+    {"automatic", JointSolver::automatic},
+    {"iterative", JointSolver::iterative},
+    {"direct", JointSolver::direct},
+}};
+
+JointSolver read_solver(const Value& value) {
+    const std::string name = value.text();
+    for (const NamedSolver& known : solvers) {
+        if (name == known.name) return known.solver;
+    }
+    value.fail("must be \"automatic\", \"iterative\" or \"direct\"");
+}
+
+JointDef read_joint(const Value& value) {
+    JointDef def;
+    def.joint = read_general(value); // checked even if another type is to replace it
+    const auto own = extension(value, "CAIRN_joint");
+    if (!own) return def;
+    if (const auto type = own->find("type"); type && !(type->is_string() && type->text() == "general")) {
+        def.joint = read_typed_joint(*own);
+    }
+    if (const auto force = own->find("break_force")) def.break_force = force->real(positive_float);
+    if (const auto torque = own->find("break_torque")) def.break_torque = torque->real(positive_float);
+    if (const auto solver = own->find("solver")) def.solver = read_solver(*solver);
+    return def;
 }
 
 nlohmann::ordered_json write_limit(const JointLimit& limit) {
@@ -80,8 +117,8 @@ nlohmann::ordered_json write_limit(const JointLimit& limit) {
     for (int i = 0; i < 3; ++i) {
         if (limit.axes[static_cast<std::size_t>(i)]) json[name].push_back(i);
     }
-    if (limit.min) json["min"] = shortest(*limit.min);
-    if (limit.max) json["max"] = shortest(*limit.max);
+    if (limit.min && std::isfinite(*limit.min)) json["min"] = shortest(*limit.min);
+    if (limit.max && std::isfinite(*limit.max)) json["max"] = shortest(*limit.max);
     if (limit.stiffness) json["stiffness"] = shortest(*limit.stiffness);
     if (limit.damping != 0.0f) json["damping"] = shortest(limit.damping);
     return json;
@@ -92,7 +129,7 @@ nlohmann::ordered_json write_drive(const JointDrive& drive) {
     json["type"] = drive.kind == JointAxis::linear ? "linear" : "angular";
     json["mode"] = drive.is_acceleration ? "acceleration" : "force";
     json["axis"] = drive.axis;
-    if (drive.max_force) json["maxForce"] = shortest(*drive.max_force);
+    if (drive.max_force && std::isfinite(*drive.max_force)) json["maxForce"] = shortest(*drive.max_force);
     // A target and its strength come together, as the draft's schema has it.
     if (drive.position_target != 0.0f || drive.stiffness != 0.0f) {
         json["positionTarget"] = shortest(drive.position_target);
@@ -107,22 +144,45 @@ nlohmann::ordered_json write_drive(const JointDrive& drive) {
 
 } // namespace
 
+int free_rows(const GeneralJoint& joint) {
+    std::array<std::array<bool, 3>, 2> locked{};
+    int rows = static_cast<int>(joint.drives.size());
+    for (const JointLimit& limit : joint.limits) {
+        const bool is_lock = !limit.stiffness && limit.min == 0.0f && limit.max == 0.0f;
+        if (!is_lock) ++rows;
+        for (std::size_t i = 0; is_lock && i < 3; ++i) {
+            if (limit.axes[i]) locked[static_cast<std::size_t>(limit.kind)][i] = true;
+        }
+    }
+    // Two or three locked axes are held together; a single one takes a row of its own.
+    for (const auto& axes : locked) {
+        if (axes[0] + axes[1] + axes[2] == 1) ++rows;
+    }
+    return rows;
+}
+
 JointTable::JointTable(const Value& document) {
     const auto physics = extension(document, "KHR_physics_rigid_bodies");
     entries_ = physics ? physics->find("physicsJoints") : std::nullopt;
     const std::size_t count = entries_ ? entries_->size(max_definitions, "joints") : 0;
-    for (std::size_t i = 0; i < count; ++i) rules_.push_back(read_rules((*entries_)[i]));
+    for (std::size_t i = 0; i < count; ++i) joints_.push_back(read_joint((*entries_)[i]));
 }
 
-const JointRules& JointTable::rules(const Value& index) const {
+const JointDef& JointTable::joint(const Value& index) const {
     element(entries_, index, max_definitions, "joints");
-    return rules_[index.index(rules_.size(), "joints")];
+    return joints_[index.index(joints_.size(), "joints")];
 }
 
-nlohmann::ordered_json write_joint_rules(const JointDescription& joint) {
+nlohmann::ordered_json write_joint(const JointDef& joint) {
     nlohmann::ordered_json json = nlohmann::ordered_json::object();
-    for (const JointLimit& limit : joint.limits) json["limits"].push_back(write_limit(limit));
-    for (const JointDrive& drive : joint.drives) json["drives"].push_back(write_drive(drive));
+    const GeneralJoint general = nearest_general_joint(joint.joint);
+    for (const JointLimit& limit : general.limits) json["limits"].push_back(write_limit(limit));
+    for (const JointDrive& drive : general.drives) json["drives"].push_back(write_drive(drive));
+    nlohmann::ordered_json own = write_typed_joint(joint.joint);
+    if (std::isfinite(joint.break_force)) own["break_force"] = shortest(joint.break_force);
+    if (std::isfinite(joint.break_torque)) own["break_torque"] = shortest(joint.break_torque);
+    if (joint.solver != JointSolver::automatic) own["solver"] = solvers[static_cast<std::size_t>(joint.solver)].name;
+    if (!own.empty()) json["extensions"]["CAIRN_joint"] = std::move(own);
     return json;
 }
 

@@ -1,4 +1,5 @@
-// Joints of KHR_physics_rigid_bodies, read and written.
+// Joints of KHR_physics_rigid_bodies, read and written, and CAIRN_joint, the extension object on them that says what
+// the draft has no words for.
 #pragma once
 
 #include "scene/json_value.h"
@@ -10,23 +11,23 @@
 
 namespace cairn::scene {
 
-// Limits and drives alone: an entry of physicsJoints.
-struct JointRules {
-    std::vector<JointLimit> limits;
-    std::vector<JointDrive> drives;
-};
+// How many limits and drives that are not plain locks a GeneralJoint may have.
+inline constexpr int most_free_rows = 8;
+int free_rows(const GeneralJoint& joint);
 
 class JointTable {
   public:
     explicit JointTable(const Value& document); // reads and checks all entries
-    const JointRules& rules(const Value& index) const;
-    bool empty() const { return rules_.empty(); }
+    // All of a joint but its name, its bodies and frames, and whether they collide.
+    const JointDef& joint(const Value& index) const;
+    bool empty() const { return joints_.empty(); }
 
   private:
     std::optional<Value> entries_;
-    std::vector<JointRules> rules_;
+    std::vector<JointDef> joints_;
 };
 
-nlohmann::ordered_json write_joint_rules(const JointDescription& joint);
+// Has a member "extensions" only if it needs CAIRN_joint.
+nlohmann::ordered_json write_joint(const JointDef& joint);
 
 } // namespace cairn::scene

@@ -33,4 +33,8 @@ nlohmann::ordered_json number_array(const Quat& q) {
     return nlohmann::ordered_json::array({written.x, written.y, written.z, written.w});
 }
 
+std::string json_text(const nlohmann::ordered_json& json) {
+    return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
 } // namespace cairn::scene

@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <string>
+
 namespace cairn::scene {
 
 // The double whose shortest decimal is also the float's: 0.1f becomes 0.1, not 0.10000000149011612.
@@ -20,5 +22,8 @@ nlohmann::ordered_json number_array(const Position& v);
 glm::dquat written_rotation(const Quat& q);
 // In the order of glTF: x, y, z, w.
 nlohmann::ordered_json number_array(const Quat& q);
+
+// As text on one line. Names are any bytes: what is not UTF-8 in them becomes U+FFFD.
+std::string json_text(const nlohmann::ordered_json& json);
 
 } // namespace cairn::scene

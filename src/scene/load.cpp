@@ -8,6 +8,8 @@
 #include "scene/node_graph.h"
 #include "scene/node_transform.h"
 #include "scene/scene.h"
+#include "scene/urdf.h"
+#include "scene/urdf_file.h"
 #include "scene/visuals.h"
 #include "scene/world_settings.h"
 
@@ -25,15 +27,17 @@ constexpr std::size_t max_warnings = 100;
 
 // Where the walk stands.
 struct Place {
-    NodeTransform world;        // of the node above
-    std::optional<BodyId> body; // that a collider here belongs to
-    NodeTransform in_body;      // of the node above, seen from that body
+    NodeTransform world;         // of the node above
+    std::optional<BodyId> body;  // that a collider here belongs to
+    NodeTransform in_body;       // of the node above, seen from that body
+    std::optional<BodyId> fixed; // the nearest static body above that is nothing but a collider or trigger
+    NodeTransform in_fixed;
     std::size_t depth = 0;
 };
 
 // A node that a joint may be fixed to.
 struct JointFrame {
-    std::optional<BodyId> body; // one with a motion
+    std::optional<BodyId> body; // the one that it moves with, or stands on
     NodeTransform transform;    // in that body, else in the world
 };
 
@@ -68,12 +72,9 @@ class Builder {
         }
         if (!joints_.empty()) joint_frames_.resize(graph_.children.size());
         for (const std::size_t root : graph_.roots) visit(root, {});
+        // In the order of the file, which is the one that they are saved in: it matters to the solver.
+        std::sort(joint_nodes_.begin(), joint_nodes_.end());
         for (const std::size_t node : joint_nodes_) add_joint(node);
-        if (!scene_.joints.empty()) {
-            warnings_.push_back(
-                document_.place() + "has " + std::to_string(scene_.joints.size()) +
-                (scene_.joints.size() == 1 ? " joint, which does not act yet" : " joints, which do not act yet"));
-        }
         scene_.collision_systems = filters_.names();
         if (warnings_.size() > max_warnings) {
             const std::size_t more = warnings_.size() - max_warnings;
@@ -95,6 +96,7 @@ class Builder {
         const NodeTransform local = read_transform(here);
         place.world = compose(place.world, local);
         if (place.body) place.in_body = compose(place.in_body, local);
+        if (place.fixed) place.in_fixed = compose(place.in_fixed, local);
         ++place.depth;
 
         const auto physics = extension(here, "KHR_physics_rigid_bodies");
@@ -114,6 +116,8 @@ class Builder {
         if (!body && (collider || trigger)) { // a body of its own, which holds nothing of what is below
             body = add_body(here, std::nullopt, std::nullopt, place.world);
             in_body = at_body(place.world);
+            place.fixed = body;
+            place.in_fixed = in_body;
         }
         if (collider) add_collider(here, *collider, *body, in_body);
         if (trigger && !is_group) add_trigger(here, *trigger, *body, in_body);
@@ -155,32 +159,53 @@ class Builder {
     void note_joint(std::size_t index, const std::optional<Value>& physics, const Place& place) {
         if (physics && physics->find("joint")) joint_nodes_.push_back(index);
         if (joints_.empty()) return;
-        const bool moves = place.body && scene_.world.body(*place.body).type() != BodyType::static_;
-        joint_frames_[index] = moves ? JointFrame{place.body, place.in_body} : JointFrame{std::nullopt, place.world};
+        joint_frames_[index] = place.body    ? JointFrame{place.body, place.in_body}
+                               : place.fixed ? JointFrame{place.fixed, place.in_fixed}
+                                             : JointFrame{std::nullopt, place.world};
     }
 
     void add_joint(std::size_t index) {
         const Value here = node(index);
         const Value joint = extension(here, "KHR_physics_rigid_bodies")->require("joint");
-        const JointRules& rules = joints_.rules(joint.require("joint"));
+        JointDef def = joints_.joint(joint.require("joint"));
         const Value connected = joint.require("connectedNode");
         const std::size_t other = connected.index(graph_.children.size(), "nodes");
         if (!joint_frames_[other]) connected.fail("must be the index of a node of the scene");
-        JointDescription made;
-        if (const auto name = here.find("name")) made.name = name->text();
-        made.limits = rules.limits;
-        made.drives = rules.drives;
-        if (const auto collide = joint.find("enableCollision")) made.enable_collision = collide->boolean();
+        if (const auto name = here.find("name")) def.name = name->text();
+        if (const auto collide = joint.find("enableCollision")) def.enable_collision = collide->boolean();
         const auto place = [&](std::size_t which, BodyId& body, Transform& frame) {
             const JointFrame& found = *joint_frames_[which];
             require_usable(found.transform, node(which));
             if (found.body) body = *found.body;
             frame = {found.transform.translation, Quat(found.transform.rotation)};
         };
-        place(index, made.body_a, made.frame_a);
-        place(other, made.body_b, made.frame_b);
-        if (made.body_a == made.body_b) warnings_.push_back(joint.place() + "connects no two bodies that could move");
-        scene_.joints.push_back(std::move(made));
+        place(index, def.body_a, def.frame_a);
+        place(other, def.body_b, def.frame_b);
+        if (const auto why = reason_to_idle(def)) {
+            warnings_.push_back(joint.place() + *why);
+            scene_.idle_joints.push_back(std::move(def));
+            return;
+        }
+        try {
+            scene_.world.create_joint(def);
+        } catch (const Error& error) {
+            joint.fail(error);
+        }
+    }
+
+    std::optional<std::string> reason_to_idle(const JointDef& def) const {
+        const auto is_dynamic = [&](BodyId body) {
+            return !body.is_null() && scene_.world.body(body).type() == BodyType::dynamic;
+        };
+        if (def.body_a == def.body_b || !(is_dynamic(def.body_a) || is_dynamic(def.body_b))) {
+            return "joins no two bodies of which one is dynamic, and does nothing";
+        }
+        const auto* general = std::get_if<GeneralJoint>(&def.joint);
+        if (general != nullptr && free_rows(*general) > most_free_rows) {
+            return "has more than " + std::to_string(most_free_rows) +
+                   " limits and drives that are not plain locks, and does nothing";
+        }
+        return std::nullopt;
     }
 
     BodyId add_body(const Value& here, const std::optional<Value>& motion, const std::optional<Value>& own,
@@ -331,6 +356,7 @@ class Builder {
 
 Scene load_bytes(std::span<const std::byte> bytes, const std::string& name,
                  const std::optional<std::filesystem::path>& folder) {
+    if (is_xml(bytes)) return load_urdf(bytes, name, folder);
     const GltfFile gltf = parse_gltf(bytes, name);
     const Value document(gltf.json, name);
     check_document(document);

@@ -39,7 +39,8 @@ class Writer {
         for (const VisualMesh& visual : scene_.visuals) {
             if (visual.body.is_null() && is_drawn(visual)) roots_.push_back(add_visual(visual));
         }
-        for (const JointDescription& joint : scene_.joints) add_joint(joint);
+        for (const JointId id : scene_.world.joints()) add_joint(scene_.world.joint_def(id));
+        for (const JointDef& joint : scene_.idle_joints) add_joint(joint);
     }
 
     std::string text() const { return document(true); }
@@ -51,16 +52,17 @@ class Writer {
         Json scene{{"nodes", roots_}, {"extensions", {{"CAIRN_world", std::move(settings)}}}};
         if (roots_.empty()) scene.erase("nodes"); // glTF has no empty arrays
         std::string text = "{\n\"asset\": {\"version\":\"2.0\",\"generator\":\"cairn\"},\n\"extensionsUsed\": " +
-                           extensions_used().dump() + ",\n\"scene\": 0,\n\"scenes\": [\n" + scene.dump() + "\n]";
+                           json_text(extensions_used()) + ",\n\"scene\": 0,\n\"scenes\": [\n" + json_text(scene) +
+                           "\n]";
         std::vector<std::string> nodes;
-        for (const Json& node : nodes_) nodes.push_back(node.is_null() ? "{}" : node.dump());
+        for (const Json& node : nodes_) nodes.push_back(node.is_null() ? "{}" : json_text(node));
         text += list("nodes", nodes) + list("meshes", definitions_.meshes().lines()) +
                 list("materials", definitions_.colors().lines());
         if (const BufferWriter& buffer = definitions_.buffer(); !buffer.empty()) {
             text += list("accessors", buffer.accessors()) + list("bufferViews", buffer.views());
             Json entry{{"byteLength", buffer.bytes().size()}};
             if (with_data) entry["uri"] = data_uri(buffer.bytes());
-            text += list("buffers", {entry.dump()});
+            text += list("buffers", {json_text(entry)});
         }
         return text + extensions() + "\n}\n";
     }
@@ -89,6 +91,7 @@ class Writer {
         Json used = Json::array({"CAIRN_world"});
         if (uses_body_extension_) used.push_back("CAIRN_body");
         if (definitions_.uses_material_extension()) used.push_back("CAIRN_material");
+        if (definitions_.uses_joint_extension()) used.push_back("CAIRN_joint");
         if (definitions_.uses_shape_extension() || uses_rounded_hulls_) used.push_back("CAIRN_shape");
         if (definitions_.uses_height_fields()) used.push_back("CAIRN_height_field");
         if (!nodes_.empty()) used.push_back("KHR_physics_rigid_bodies");
@@ -208,7 +211,7 @@ class Writer {
         if (!is_identity(transform.rotation)) node["rotation"] = number_array(transform.rotation);
     }
 
-    void add_joint(const JointDescription& joint) {
+    void add_joint(const JointDef& joint) {
         const auto is_gone = [&](BodyId body) { return !body.is_null() && !scene_.world.is_valid(body); };
         if (is_gone(joint.body_a) || is_gone(joint.body_b)) return;
         const std::size_t second = add_frame(joint.body_b, joint.frame_b);
@@ -219,22 +222,16 @@ class Writer {
         nodes_[first]["extensions"]["KHR_physics_rigid_bodies"]["joint"] = std::move(json);
     }
 
-    // A node for the frame of a joint, below its body. What is fixed to a static body is fixed to the world.
-    std::size_t add_frame(BodyId id, Transform frame) {
+    // A node for the frame of a joint, below its body.
+    std::size_t add_frame(BodyId id, const Transform& frame) {
         Json node;
-        const bool moves = !id.is_null() && scene_.world.body(id).type() != BodyType::static_;
-        if (!id.is_null() && !moves) {
-            const Transform body = scene_.world.body(id).transform();
-            const glm::dquat rotation(body.rotation);
-            frame = {body.position + rotation * frame.position, body.rotation * frame.rotation};
-        }
         place(frame, node);
         const std::size_t index = nodes_.size();
         nodes_.push_back(std::move(node));
-        if (moves) {
-            nodes_[node_of_.at(id.bits)]["children"].push_back(index);
-        } else {
+        if (id.is_null()) {
             roots_.push_back(index);
+        } else {
+            nodes_[node_of_.at(id.bits)]["children"].push_back(index);
         }
         return index;
     }

@@ -1,6 +1,6 @@
 /// \file scene.h
 /// Scene files: glTF 2.0 with the Khronos drafts KHR_physics_rigid_bodies and KHR_implicit_shapes, and the
-/// world's own settings in CAIRN_world. docs/scene_format.md describes the format.
+/// world's own settings in CAIRN_world. docs/scene_format.md describes the format. Robots in URDF are read too.
 ///
 ///     cairn::scene::Scene scene = cairn::scene::load("scenes/welcome.gltf");
 ///     for (int i = 0; i < 600; ++i) scene.world.step(scene.info.time_step);
@@ -13,7 +13,6 @@
 
 #include <cairn/cairn.h>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -65,38 +64,6 @@ struct VisualMesh {
     Vec3 color{1.0f, 1.0f, 1.0f}; ///< Linear red, green and blue, each 0 to 1.
 };
 
-enum class JointAxis : std::uint8_t { linear, angular };
-
-/// Keeps a distance (m) or an angle (rad) between the two frames of a joint in a range. With one axis: along or about
-/// it; with two: from the line of the remaining axis, or of the cone about it; with three: of points, or any turn.
-struct JointLimit {
-    JointAxis kind = JointAxis::linear;
-    std::array<bool, 3> axes{};     ///< x, y and z of the first frame; one to three of them.
-    std::optional<float> min, max;  ///< Absent: no bound on that side.
-    std::optional<float> stiffness; ///< N/m or N m/rad, >= 0; absent: rigid.
-    float damping = 0.0f;           ///< N s/m or N m s/rad, >= 0.
-};
-
-/// A damped spring or motor along or about one axis: pushes with stiffness x (position_target - position) + damping x
-/// (velocity_target - velocity).
-struct JointDrive {
-    JointAxis kind = JointAxis::linear;
-    bool is_acceleration = false;   ///< true: the above is an acceleration; false: a force or torque.
-    int axis = 0;                   ///< 0, 1 or 2, of the first frame.
-    std::optional<float> max_force; ///< N or N m, >= 0; absent: no bound.
-    float position_target = 0.0f, velocity_target = 0.0f, stiffness = 0.0f, damping = 0.0f;
-};
-
-/// A joint as the file describes it. Joints are kept and saved; they do not act yet.
-struct JointDescription {
-    std::string name;           ///< Of the node that has it.
-    BodyId body_a, body_b;      ///< Null: the world. The first is that of the node with the joint.
-    Transform frame_a, frame_b; ///< In the frames of the bodies; of the world, in its own.
-    std::vector<JointLimit> limits;
-    std::vector<JointDrive> drives;
-    bool enable_collision = false; ///< Whether the two bodies collide with each other.
-};
-
 /// A world and what came with it.
 struct Scene {
     World world;
@@ -105,13 +72,15 @@ struct Scene {
     std::vector<Appearance> appearances; ///< Only of shapes that have a color of their own.
     std::vector<std::string> warnings;   ///< What the file asks for that was done another way, or left out.
     std::vector<VisualMesh> visuals{};
-    std::vector<JointDescription> joints{};
+    /// Joints of the file that are not in the world: those that join no dynamic body, and those with more limits and
+    /// drives than a joint can have. They do nothing, and are saved with the others.
+    std::vector<JointDef> idle_joints{};
     /// Names of the layers in the shapes' collision filters: the i-th is that of bit i + 1. Bit 0 is for what is in no
     /// named layer. Others get a name of their number when they are saved.
     std::vector<std::string> collision_systems{};
 };
 
-/// Reads a `.gltf` or `.glb` file; which of them it is shows in its first bytes, not in its name.
+/// Reads a `.gltf`, `.glb` or URDF file (docs/urdf.md); which of them it is shows in its first bytes, not in its name.
 Scene load(const std::filesystem::path& path);
 
 /// Reads a scene from memory. `name` stands for the file in messages. Buffers in other files are refused.

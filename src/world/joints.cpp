@@ -75,6 +75,12 @@ void set_rules(State& s, std::uint32_t index, const JointRules& rules) {
     for (int i = 0; i < locks.axis_count; ++i) axes.states[i].position = positions.axes[i];
 }
 
+// The rope's length counts from then on, also in the definition, so that it outlives a change of the joint and a file.
+void keep_pulley_length(Joint& joint, float length) {
+    auto* pulley = std::get_if<PulleyJoint>(&joint);
+    if (pulley && !pulley->length && length > 0) pulley->length = length;
+}
+
 math::DQuat turn_from_x(math::DVec3 axis) {
     if (axis.x < -0.999999) return {0, 0, 1, 0};
     return math::normalized(math::DQuat{0, -axis.z, axis.y, 1 + axis.x});
@@ -138,7 +144,9 @@ JointId World::create_joint(const JointDef& def) {
     info.break_torque = def.break_torque;
     s.joints[index] = info;
     s.joint_axes[index] = {};
-    set_rules(s, index, make_rules(def.joint, pulley_length(s, info, def.joint)));
+    const float length = pulley_length(s, info, own.joint);
+    keep_pulley_length(own.joint, length);
+    set_rules(s, index, make_rules(own.joint, length));
     link_joint(s, index);
     activate_joint(s, index);
     refilter_pairs(s, info);
@@ -186,9 +194,11 @@ void World::set_joint(JointId id, const Joint& joint) {
     validate(joint);
     State& s = impl_->state;
     JointInfo& info = s.joints[index];
-    impl_->joint_defs[index].joint = joint;
+    Joint& own = impl_->joint_defs[index].joint = joint;
     fill_frames(info, impl_->joint_defs[index]);
-    set_rules(s, index, make_rules(joint, pulley_length(s, info, joint)));
+    const float length = pulley_length(s, info, own);
+    keep_pulley_length(own, length);
+    set_rules(s, index, make_rules(own, length));
     if (const std::int32_t owner = joint_owner(s, info); owner != none) wake_body(s, owner);
 }
 

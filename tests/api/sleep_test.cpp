@@ -36,6 +36,22 @@ TEST(Sleep, StackFallsAsleepAndCostsNothing) {
     EXPECT_EQ(asleep.world.state_hash(), hash);
 }
 
+// Links of robots often have an inertia and no shape.
+TEST(Sleep, ABodyWithoutShapesStaysAwakeWhileItTurns) {
+    WorldDef def;
+    def.gravity = {0.0f, 0.0f, 0.0f};
+    World world(def);
+    BodyDef body;
+    body.mass_properties = MassProperties{2.0f, {}, {0.5f, 0.02f, 0.5f}, {1.0f, 0.0f, 0.0f, 0.0f}};
+    body.angular_velocity = {0.0f, 0.2f, 0.0f}; // at 0.5 m: faster than 0.05 m/s
+    const BodyId turns = world.create_body(body);
+    body.angular_velocity = {0.0f, 0.05f, 0.0f};
+    const BodyId hardly = world.create_body(body);
+    run(world, 120);
+    EXPECT_EQ(world.body(turns).angular_velocity().y, 0.2f);
+    EXPECT_FALSE(world.body(hardly).is_awake());
+}
+
 TEST(Sleep, TakesTheGivenTimeAndSpeed) {
     for (const float time : {0.0f, 0.25f, 2.0f}) {
         WorldDef def;

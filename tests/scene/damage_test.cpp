@@ -58,7 +58,7 @@ TEST(SceneDamage, TheWholeFileLoads) {
     for (const std::string& file : {everything().container(), everything().text()}) {
         const Scene scene = load_text(file);
         EXPECT_EQ(scene.world.bodies().size(), 4u);
-        EXPECT_EQ(scene.joints.size(), 1u);
+        EXPECT_EQ(scene.world.joints().size(), 1u);
         EXPECT_EQ(scene.visuals.size(), 1u);
     }
 }

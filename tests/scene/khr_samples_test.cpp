@@ -81,8 +81,8 @@ TEST_F(KhrSamples, AllLoadAndRunForASecond) {
         }
         std::printf("%-36s %6zu ", file.filename().c_str(), scene.world.bodies().size());
         for (const int count : shapes) std::printf("%5d", count);
-        std::printf("  %8d %7zu %6zu %7zu %8zu\n", triggers, scene.collision_systems.size(), scene.joints.size(),
-                    scene.visuals.size(), scene.warnings.size());
+        std::printf("  %8d %7zu %6zu %7zu %8zu\n", triggers, scene.collision_systems.size(),
+                    scene.world.joints().size(), scene.visuals.size(), scene.warnings.size());
         for (const std::string& warning : scene.warnings) std::printf("    %s\n", warning.c_str());
         run(scene, 1.0f);
         for (const BodyId id : scene.world.bodies()) {
@@ -111,7 +111,7 @@ TEST_F(KhrSamples, AreTheSameAfterBeingSaved) {
         EXPECT_TRUE(scene::save_to_string(again) == first);
         EXPECT_EQ(again.world.bodies().size(), scene.world.bodies().size());
         EXPECT_EQ(again.visuals.size(), scene.visuals.size());
-        EXPECT_EQ(again.joints.size(), scene.joints.size());
+        EXPECT_EQ(again.world.joints().size(), scene.world.joints().size());
     }
 }
 

@@ -238,7 +238,7 @@ TEST(SceneSave, SheetsAndStrips) {
 
 TEST(SceneSave, MeshesFiltersTriggersAndJoints) {
     const Scene scene = rich_scene();
-    ASSERT_EQ(scene.joints.size(), 1u);
+    ASSERT_EQ(scene.world.joints().size(), 1u);
     ASSERT_EQ(scene.visuals.size(), 3u);
     const std::string first = scene::save_to_string(scene);
     const Scene again = load_text(first);
@@ -246,13 +246,14 @@ TEST(SceneSave, MeshesFiltersTriggersAndJoints) {
     EXPECT_TRUE(second == first) << first_difference(first, second);
     expect_same_world(scene.world, again.world);
     EXPECT_EQ(again.collision_systems, (std::vector<std::string>{"a", "b"})); // nothing is in system c
-    ASSERT_EQ(again.joints.size(), 1u);
-    EXPECT_EQ(again.joints[0].name, "pin");
-    EXPECT_TRUE(again.joints[0].enable_collision);
-    EXPECT_EQ(again.joints[0].drives.at(0).max_force, 7.0f);
-    EXPECT_EQ(again.joints[0].limits.at(0).stiffness, 9.0f);
-    EXPECT_EQ(again.world.body(again.joints[0].body_a).name(), "rocks");
-    EXPECT_NEAR(again.joints[0].frame_a.position.y, 1.0, 1e-6);
+    ASSERT_EQ(again.world.joints().size(), 1u);
+    const JointDef& joint = again.world.joint_def(again.world.joints()[0]);
+    EXPECT_EQ(joint.name, "pin");
+    EXPECT_TRUE(joint.enable_collision);
+    EXPECT_EQ(std::get<GeneralJoint>(joint.joint).drives.at(0).max_force, 7.0f);
+    EXPECT_EQ(std::get<GeneralJoint>(joint.joint).limits.at(0).stiffness, 9.0f);
+    EXPECT_EQ(again.world.body(joint.body_a).name(), "rocks");
+    EXPECT_NEAR(joint.frame_a.position.y, 1.0, 1e-6);
     ASSERT_EQ(again.visuals.size(), 3u);
     for (std::size_t i = 0; i < 3; ++i) {
         const auto same = std::find_if(again.visuals.begin(), again.visuals.end(), [&](const scene::VisualMesh& v) {
@@ -364,10 +365,19 @@ TEST(SceneSave, TorsionalFrictionOfZeroIsNotTheDefault) {
 
 TEST(SceneSave, JointsAndMeshesOfRemovedBodiesAreLeftOut) {
     Scene scene = rich_scene();
-    scene.world.destroy_body(scene.joints.at(0).body_a);
+    scene.world.destroy_body(scene.world.joint_def(scene.world.joints().at(0)).body_a);
     const Scene again = load_text(scene::save_to_string(scene));
-    EXPECT_TRUE(again.joints.empty());
+    EXPECT_TRUE(again.world.joints().empty());
     EXPECT_EQ(again.visuals.size(), 2u);
+}
+
+TEST(SceneSave, NamesOfAnyBytesAreSaved) {
+    Scene scene{World(), {}, {}, {}, {}};
+    BodyDef def;
+    def.name = "caf\xe9"; // Latin-1
+    scene.world.create_body(def);
+    const Scene again = load_text(scene::save_to_string(scene));
+    EXPECT_EQ(again.world.body(again.world.bodies().at(0)).name(), "caf\xef\xbf\xbd");
 }
 
 TEST(SceneSave, EmptyWorld) { expect_stable(Scene{World(), {}, {}, {}, {}}); }

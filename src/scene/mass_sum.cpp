@@ -1,0 +1,58 @@
+#include "scene/mass_sum.h"
+
+#include <cmath>
+
+namespace cairn::scene {
+
+namespace {
+
+// The inertia of a point of mass 1 at `d`.
+glm::dmat3 of_point(const glm::dvec3& d) { return glm::dmat3(glm::dot(d, d)) - glm::outerProduct(d, d); }
+
+} // namespace
+
+void MassSum::add(double mass, const glm::dmat3& inertia, const Rigid& at) {
+    const glm::dmat3 turn = glm::mat3_cast(at.rotation);
+    mass_ += mass;
+    moment_ += mass * at.position;
+    inertia_ += turn * inertia * glm::transpose(turn) + mass * of_point(at.position);
+}
+
+MassProperties MassSum::properties() const {
+    const glm::dvec3 center = moment_ / mass_;
+    const PrincipalAxes principal = principal_axes(inertia_ - mass_ * of_point(center));
+    MassProperties result;
+    result.mass = static_cast<float>(mass_);
+    result.center_of_mass = Vec3(center);
+    result.inertia_diagonal = Vec3(principal.values);
+    result.inertia_orientation = Quat(glm::normalize(glm::quat_cast(principal.axes)));
+    return result;
+}
+
+PrincipalAxes principal_axes(glm::dmat3 matrix) {
+    constexpr int most_sweeps = 50; // it takes about 5
+    glm::dmat3 axes(1.0);
+    for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+        const double off = std::fabs(matrix[0][1]) + std::fabs(matrix[0][2]) + std::fabs(matrix[1][2]);
+        const double size = std::fabs(matrix[0][0]) + std::fabs(matrix[1][1]) + std::fabs(matrix[2][2]);
+        if (!(off > 1e-15 * size)) break;
+        for (int p = 0; p < 2; ++p) {
+            for (int q = p + 1; q < 3; ++q) {
+                if (matrix[p][q] == 0.0) continue;
+                const double ratio = (matrix[q][q] - matrix[p][p]) / (2.0 * matrix[p][q]);
+                const double t = (ratio >= 0.0 ? 1.0 : -1.0) / (std::fabs(ratio) + std::sqrt(1.0 + ratio * ratio));
+                const double c = 1.0 / std::sqrt(1.0 + t * t), s = t * c;
+                glm::dmat3 turn(1.0);
+                turn[p][p] = turn[q][q] = c;
+                turn[q][p] = s;
+                turn[p][q] = -s;
+                matrix = glm::transpose(turn) * matrix * turn;
+                matrix[p][q] = matrix[q][p] = 0.0;
+                axes = axes * turn;
+            }
+        }
+    }
+    return {{matrix[0][0], matrix[1][1], matrix[2][2]}, axes};
+}
+
+} // namespace cairn::scene

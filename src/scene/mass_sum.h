@@ -1,0 +1,32 @@
+// Rigid parts added up to one: mass, center of mass, principal moments of inertia.
+#pragma once
+
+#include "scene/rigid.h"
+
+#include <cairn/body.h>
+
+namespace cairn::scene {
+
+class MassSum {
+  public:
+    // A part of `mass` (kg, > 0), whose center of mass and axes are at `at`; `inertia` (kg m^2) about them.
+    void add(double mass, const glm::dmat3& inertia, const Rigid& at);
+
+    double mass() const { return mass_; }
+    MassProperties properties() const;
+
+  private:
+    double mass_ = 0.0;
+    glm::dvec3 moment_{0.0, 0.0, 0.0}; // sum of mass times place
+    glm::dmat3 inertia_{0.0};          // about the origin
+};
+
+// Eigenvalues of a symmetric matrix, and the rotation whose columns are their axes (Jacobi, Golub and Van Loan,
+// Matrix Computations, section 8.5). A diagonal matrix keeps its axes.
+struct PrincipalAxes {
+    glm::dvec3 values;
+    glm::dmat3 axes;
+};
+PrincipalAxes principal_axes(glm::dmat3 matrix);
+
+} // namespace cairn::scene

@@ -1,0 +1,167 @@
+// From links and joints to bodies and joints. Links that fixed joints hold together are one body; the others stand
+// where they do with all joints at 0, or as near as their limits allow.
+#include "scene/urdf.h"
+
+#include "scene/mass_sum.h"
+#include "scene/urdf_file.h"
+#include "scene/urdf_joints.h"
+#include "scene/urdf_shapes.h"
+
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace cairn::scene {
+
+namespace {
+
+// URDF has z up; the world has y up.
+constexpr double half_turn_root = 0.70710678118654752440;
+const Rigid upright{{0.0, 0.0, 0.0}, {half_turn_root, -half_turn_root, 0.0, 0.0}};
+
+// What stands in for masses that a file does not give.
+constexpr double blank_mass = 1.0, blank_radius = 0.1;
+glm::dmat3 ball_inertia(double mass) { return glm::dmat3(0.4 * mass * blank_radius * blank_radius); }
+
+class RobotBuilder {
+  public:
+    RobotBuilder(const urdf::ModelInterface& model, std::string name,
+                 const std::optional<std::filesystem::path>& folder)
+        : model_(model), name_(std::move(name)), scene_{World(), {}, {}, {}, {}}, shapes_(name_, folder, scene_) {}
+
+    Scene build() {
+        scene_.info.title = model_.getName();
+        walk();
+        for (RobotPart& part : parts_) add_body(part);
+        RobotJoints(name_, parts_, scene_).add();
+        return std::move(scene_);
+    }
+
+  private:
+    std::string place(const urdf::Link& link) const { return name_ + ": link \"" + link.name + "\""; }
+
+    // Parts, from the root down.
+    void walk() {
+        struct Open {
+            urdf::LinkConstSharedPtr link;
+            std::size_t part;
+            Rigid in_part;
+        };
+        const urdf::LinkConstSharedPtr root = model_.getRoot();
+        parts_.push_back({});
+        parts_[0].world = upright;
+        parts_[0].is_world = root->name == "world";
+        std::vector<Open> open{{root, 0, {}}};
+        const RobotPose pose(model_, name_);
+        while (!open.empty()) {
+            const Open here = open.back();
+            open.pop_back();
+            parts_[here.part].links.push_back({here.link, here.in_part});
+            // The last first, so that the first is the next to be taken.
+            for (std::size_t i = here.link->child_joints.size(); i-- > 0;) {
+                const urdf::JointSharedPtr joint = here.link->child_joints[i];
+                const std::string at = name_ + ": joint \"" + joint->name + "\"";
+                const Rigid frame = here.in_part * rigid(joint->parent_to_joint_origin_transform, at);
+                const urdf::LinkConstSharedPtr child = model_.getLink(joint->child_link_name);
+                if (joint->type == urdf::Joint::FIXED) {
+                    open.push_back({child, here.part, frame});
+                    continue;
+                }
+                RobotPart part;
+                part.joint = joint;
+                part.parent = here.part;
+                part.frame = frame;
+                part.world = parts_[here.part].world * frame * pose.motion(*joint);
+                open.push_back({child, parts_.size(), {}});
+                parts_.push_back(std::move(part));
+            }
+        }
+    }
+
+    void add_body(RobotPart& part) {
+        bool has_shapes = false;
+        for (const auto& [link, at] : part.links) has_shapes = has_shapes || !link->collision_array.empty();
+        if (!part.is_world || has_shapes) {
+            BodyDef def;
+            def.type = part.is_world ? BodyType::static_ : BodyType::dynamic;
+            def.position = part.world.position;
+            def.rotation = Quat(part.world.rotation);
+            def.name = part.links.front().link->name;
+            if (!part.is_world) def.mass_properties = mass(part, has_shapes);
+            part.body = scene_.world.create_body(def);
+        }
+        const std::size_t first = scene_.visuals.size();
+        bool all_shown = true;
+        for (const auto& [link, at] : part.links) {
+            if (!part.body.is_null()) shapes_.add_shapes(*link, part.body, at);
+            const Rigid seen = part.body.is_null() ? part.world * at : at;
+            all_shown = shapes_.add_visuals(*link, part.body, seen) && all_shown;
+        }
+        // Half of the looks would hide the rest of the body; its shapes show all of it.
+        if (!all_shown && has_shapes) scene_.visuals.resize(first);
+    }
+
+    // Nothing if they follow from the shapes.
+    std::optional<MassProperties> mass(const RobotPart& part, bool has_shapes) {
+        MassSum sum;
+        for (const auto& [link, at] : part.links) {
+            if (link->inertial) add_mass(*link, at, sum);
+        }
+        if (sum.mass() > 0.0) return sum.properties();
+        const std::string where = place(*part.links.front().link);
+        if (has_shapes) {
+            scene_.warnings.push_back(where +
+                                      " has no inertial; its mass is that of its collision shapes at 1000 kg/m3");
+            return std::nullopt;
+        }
+        scene_.warnings.push_back(
+            where + " has neither inertial nor collision; it is taken as a ball of 1 kg and 0.1 m radius");
+        sum.add(blank_mass, ball_inertia(blank_mass), {});
+        return sum.properties();
+    }
+
+    void add_mass(const urdf::Link& link, const Rigid& at, MassSum& sum) {
+        const urdf::Inertial& inertial = *link.inertial;
+        const std::string where = place(link) + ": inertial";
+        const double m = inertial.mass;
+        if (!(m >= 0.0 && m <= 1e12)) {
+            throw Error(ErrorCode::invalid_file, where + ": mass", std::to_string(m), "must be >= 0, and finite");
+        }
+        glm::dmat3 inertia(inertial.ixx, inertial.ixy, inertial.ixz, inertial.ixy, inertial.iyy, inertial.iyz,
+                           inertial.ixz, inertial.iyz, inertial.izz);
+        double size = 0.0;
+        for (int i = 0; i < 9; ++i) size += std::fabs(inertia[i / 3][i % 3]);
+        if (!(size <= 1e18)) throw Error(ErrorCode::invalid_file, where + ": inertia", {}, "must be finite");
+        if (m == 0.0) return; // like no inertial at all
+        if (size == 0.0) {
+            scene_.warnings.push_back(where + " has an inertia of 0; that of a ball of 0.1 m radius is taken");
+            inertia = ball_inertia(m);
+        }
+        const glm::dvec3 values = principal_axes(inertia).values;
+        for (int i = 0; i < 3; ++i) {
+            if (!(values[i] > 0.0)) {
+                throw Error(ErrorCode::invalid_file, where + ": inertia",
+                            "a principal moment of " + std::to_string(values[i]) + " kg m2",
+                            "must have three positive principal moments");
+            }
+        }
+        sum.add(m, inertia, at * rigid(inertial.origin, where));
+    }
+
+    const urdf::ModelInterface& model_;
+    std::string name_;
+    Scene scene_;
+    RobotShapes shapes_;
+    std::vector<RobotPart> parts_;
+};
+
+} // namespace
+
+Scene load_urdf(std::span<const std::byte> bytes, const std::string& name,
+                const std::optional<std::filesystem::path>& folder) {
+    const urdf::ModelInterfaceSharedPtr model = parse_urdf(bytes, name);
+    return RobotBuilder(*model, name, folder).build();
+}
+
+} // namespace cairn::scene

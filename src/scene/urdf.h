@@ -1,0 +1,18 @@
+// Robots: scenes from URDF files. docs/urdf.md says what becomes of what.
+#pragma once
+
+#include "scene/scene.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace cairn::scene {
+
+// `name` stands for the file in messages; without a `folder`, meshes in other files are refused. Throws Error.
+Scene load_urdf(std::span<const std::byte> bytes, const std::string& name,
+                const std::optional<std::filesystem::path>& folder);
+
+} // namespace cairn::scene

@@ -1,0 +1,28 @@
+// URDF text, taken apart by urdfdom; and the files of meshes that it names.
+#pragma once
+
+#include <urdf_world/types.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace cairn::scene {
+
+// Whether the first character is that of an XML file.
+bool is_xml(std::span<const std::byte> bytes);
+
+// Links and joints are those of the file, each link with one parent at most, and all of them below the root. `name`
+// stands for the file in messages. Throws Error (invalid_file).
+urdf::ModelInterfaceSharedPtr parse_urdf(std::span<const std::byte> bytes, const std::string& name);
+
+// The file that a mesh's `filename` means: relative to the robot's folder, or package://NAME/PATH, where the package is
+// the folder above the robot's that has that name or a package.xml, else a folder of that name beside the robot, else
+// the robot's own. It must lie in the package or, without one, in the robot's folder or below it. `place` stands for
+// the element in messages. Throws Error.
+std::filesystem::path find_robot_mesh(const std::string& filename, const std::optional<std::filesystem::path>& folder,
+                                      const std::string& place);
+
+} // namespace cairn::scene

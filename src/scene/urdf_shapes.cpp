@@ -1,0 +1,182 @@
+#include "scene/urdf_shapes.h"
+
+#include "scene/mesh_files.h"
+#include "scene/tessellation.h"
+#include "scene/urdf_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace cairn::scene {
+
+namespace {
+
+constexpr double half_turn_root = 0.70710678118654752440; // sine and cosine of 45 degrees
+
+std::string text_of(double value) {
+    std::string text = std::to_string(value);
+    text.erase(text.find_last_not_of('0') + 1);
+    if (!text.empty() && text.back() == '.') text.pop_back();
+    return text;
+}
+
+float size(double value, const std::string& place, const char* attribute) {
+    if (!(value > 0.0 && value <= 1e6)) {
+        throw Error(ErrorCode::invalid_file, place + ": " + attribute, text_of(value),
+                    "must be > 0, and at most 1000000");
+    }
+    return static_cast<float>(value);
+}
+
+std::optional<Vec3> color_of(const urdf::Visual& visual) {
+    if (!visual.material) return std::nullopt;
+    const urdf::Color& c = visual.material->color;
+    const auto part = [](float v) { return v > 0.0f ? std::min(v, 1.0f) : 0.0f; };
+    return Vec3(part(c.r), part(c.g), part(c.b));
+}
+
+// Of the corners that triangles use.
+std::vector<Vec3> used_vertices(const Surface& surface) {
+    std::vector<bool> used(surface.vertices.size(), false);
+    for (const std::uint32_t i : surface.indices) used[i] = true;
+    std::vector<Vec3> result;
+    for (std::size_t i = 0; i < used.size(); ++i) {
+        if (used[i]) result.push_back(surface.vertices[i]);
+    }
+    return result;
+}
+
+} // namespace
+
+Rigid rigid(const urdf::Pose& pose, const std::string& place) {
+    const Rigid result{{pose.position.x, pose.position.y, pose.position.z},
+                       {pose.rotation.w, pose.rotation.x, pose.rotation.y, pose.rotation.z}};
+    for (int i = 0; i < 3; ++i) {
+        if (!(std::fabs(result.position[i]) <= 1e6)) {
+            throw Error(ErrorCode::invalid_file, place + ": origin xyz", text_of(result.position[i]),
+                        "must be within 1000000 m");
+        }
+    }
+    const double length = glm::dot(result.rotation, result.rotation);
+    if (!(length > 0.5 && length < 2.0)) {
+        throw Error(ErrorCode::invalid_file, place + ": origin rpy", {}, "must be three angles");
+    }
+    return result;
+}
+
+RobotShapes::Turned RobotShapes::shape(const urdf::Geometry& geometry, const std::string& place, bool is_static) {
+    switch (geometry.type) {
+    case urdf::Geometry::SPHERE:
+        return {Sphere{size(static_cast<const urdf::Sphere&>(geometry).radius, place, "sphere radius")}};
+    case urdf::Geometry::BOX: {
+        const urdf::Vector3& dim = static_cast<const urdf::Box&>(geometry).dim;
+        return {Box{0.5f * Vec3(size(dim.x, place, "box size"), size(dim.y, place, "box size"),
+                                size(dim.z, place, "box size"))}};
+    }
+    case urdf::Geometry::CYLINDER: { // theirs stands along z, ours along y
+        const auto& column = static_cast<const urdf::Cylinder&>(geometry);
+        return {Cylinder{0.5f * size(column.length, place, "cylinder length"),
+                         size(column.radius, place, "cylinder radius"), std::nullopt},
+                {half_turn_root, half_turn_root, 0.0, 0.0}};
+    }
+    case urdf::Geometry::MESH: {
+        const Surface& surface = triangles(static_cast<const urdf::Mesh&>(geometry), place);
+        try {
+            if (is_static) return {Mesh(surface.vertices, surface.indices)};
+            return {Hull(used_vertices(surface))};
+        } catch (const Error& error) {
+            throw Error(ErrorCode::invalid_file, place, {}, error.what());
+        }
+    }
+    }
+    throw Error(ErrorCode::unsupported, place, {}, "must be a box, a cylinder, a sphere or a mesh");
+}
+
+const Surface& RobotShapes::triangles(const urdf::Mesh& mesh, const std::string& place) {
+    const glm::dvec3 scale(mesh.scale.x, mesh.scale.y, mesh.scale.z);
+    for (int i = 0; i < 3; ++i) {
+        if (!(std::fabs(scale[i]) <= 1e6) || scale[i] == 0.0) {
+            throw Error(ErrorCode::invalid_file, place + ": mesh scale", text_of(scale[i]),
+                        "must not be 0, and finite");
+        }
+    }
+    const std::filesystem::path file = find_robot_mesh(mesh.filename, folder_, place + ": mesh filename");
+    std::shared_ptr<const Surface>& found = meshes_[{file.string(), scale.x, scale.y, scale.z}];
+    if (found) return *found;
+    if (!is_mesh_file(file)) {
+        throw Error(ErrorCode::unsupported, place + ": mesh filename", "\"" + mesh.filename.substr(0, 200) + "\"",
+                    "must be an .stl or .obj file");
+    }
+    MeshFile read = load_mesh_file(file);
+    Surface made;
+    for (const Vec3& v : read.vertices) made.vertices.push_back(Vec3(glm::dvec3(v) * scale));
+    made.indices = std::move(read.indices);
+    if (scale.x * scale.y * scale.z < 0.0) { // keep the outside out
+        for (std::size_t i = 0; i + 2 < made.indices.size(); i += 3) std::swap(made.indices[i], made.indices[i + 1]);
+    }
+    found = std::make_shared<const Surface>(std::move(made));
+    return *found;
+}
+
+void RobotShapes::add_shapes(const urdf::Link& link, BodyId body, const Rigid& at) {
+    const bool is_static = scene_.world.body(body).type() == BodyType::static_;
+    std::optional<Vec3> color;
+    for (const auto& visual : link.visual_array) {
+        if (!color) color = color_of(*visual);
+    }
+    for (std::size_t i = 0; i < link.collision_array.size(); ++i) {
+        const urdf::Collision& collision = *link.collision_array[i];
+        const std::string place = name_ + ": link \"" + link.name + "\": collision " + std::to_string(i + 1);
+        const Turned made = shape(*collision.geometry, place, is_static);
+        Rigid local = at * rigid(collision.origin, place);
+        local.rotation = local.rotation * made.rotation;
+        ShapeDef def;
+        def.position = Vec3(local.position);
+        def.rotation = Quat(glm::normalize(local.rotation));
+        try {
+            const ShapeId id = scene_.world.add_shape(body, made.shape, def);
+            if (color) scene_.appearances.push_back({body, id, *color});
+        } catch (const Error& error) {
+            throw Error(ErrorCode::invalid_file, place, {}, error.what());
+        }
+    }
+}
+
+std::shared_ptr<const Surface> RobotShapes::surface(const urdf::Geometry& geometry, const std::string& place,
+                                                    Rigid& local) {
+    if (geometry.type != urdf::Geometry::MESH) {
+        const Turned made = shape(geometry, place, true);
+        local.rotation = glm::normalize(local.rotation * made.rotation);
+        return std::make_shared<const Surface>(tessellate(made.shape));
+    }
+    const auto& mesh = static_cast<const urdf::Mesh&>(geometry);
+    triangles(mesh, place);
+    const std::filesystem::path file = find_robot_mesh(mesh.filename, folder_, place);
+    return meshes_.at({file.string(), mesh.scale.x, mesh.scale.y, mesh.scale.z});
+}
+
+bool RobotShapes::add_visuals(const urdf::Link& link, BodyId body, const Rigid& at) {
+    bool all_shown = true;
+    for (std::size_t i = 0; i < link.visual_array.size(); ++i) {
+        const urdf::Visual& visual = *link.visual_array[i];
+        const std::string place = name_ + ": link \"" + link.name + "\": visual " + std::to_string(i + 1);
+        try {
+            Rigid local = at * rigid(visual.origin, place);
+            VisualMesh made;
+            made.body = body;
+            made.surface = surface(*visual.geometry, place, local);
+            made.local = local.transform();
+            if (const auto color = color_of(visual)) made.color = *color;
+            scene_.visuals.push_back(std::move(made));
+        } catch (const Error& error) { // looks do not matter to the simulation
+            if (error.code() == ErrorCode::invalid_file) throw;
+            scene_.warnings.push_back(std::string(error.what()) + " (it is not shown)");
+            all_shown = false;
+        }
+    }
+    return all_shown;
+}
+
+} // namespace cairn::scene

@@ -1,0 +1,47 @@
+// Collision shapes and visuals of the links of a robot.
+#pragma once
+
+#include "scene/rigid.h"
+#include "scene/scene.h"
+
+#include <urdf_model/link.h>
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <tuple>
+
+namespace cairn::scene {
+
+// The pose of an `origin`. Throws Error naming `place` if it is not finite.
+Rigid rigid(const urdf::Pose& pose, const std::string& place);
+
+class RobotShapes {
+  public:
+    RobotShapes(std::string name, std::optional<std::filesystem::path> folder, Scene& scene)
+        : name_(std::move(name)), folder_(std::move(folder)), scene_(scene) {}
+
+    // The collision shapes of a link that stands at `at` in the frame of `body`.
+    void add_shapes(const urdf::Link& link, BodyId body, const Rigid& at);
+    // Its visuals; false if one of them cannot be shown, which a warning says.
+    bool add_visuals(const urdf::Link& link, BodyId body, const Rigid& at);
+
+  private:
+    struct Turned {
+        Shape shape;
+        glm::dquat rotation{1.0, 0.0, 0.0, 0.0}; // of the shape in the frame of the geometry
+    };
+    Turned shape(const urdf::Geometry& geometry, const std::string& place, bool is_static);
+    const Surface& triangles(const urdf::Mesh& mesh, const std::string& place);
+    std::shared_ptr<const Surface> surface(const urdf::Geometry& geometry, const std::string& place, Rigid& local);
+
+    std::string name_;
+    std::optional<std::filesystem::path> folder_;
+    Scene& scene_;
+    // By file and scale.
+    std::map<std::tuple<std::string, double, double, double>, std::shared_ptr<const Surface>> meshes_;
+};
+
+} // namespace cairn::scene

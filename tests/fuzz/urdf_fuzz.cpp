@@ -1,0 +1,42 @@
+// Any bytes as a URDF robot: it loads and takes a step, or is refused with an Error. What loads can be saved, and the
+// saved file loads again. `./dev fuzz` runs it; its corpus also runs with the tests, without a fuzzer
+// (corpus_main.cpp).
+#include "scene/scene.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <span>
+#include <string>
+
+namespace {
+
+// Small enough to be tried many times a second.
+constexpr std::size_t most_bodies = 50;
+
+} // namespace
+
+// urdfdom loses links that hang on each other in a circle, when it finds no root to return.
+extern "C" const char* __lsan_default_suppressions() { return "leak:liburdfdom_model\n"; }
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace cairn;
+    const std::string text = "<" + std::string(reinterpret_cast<const char*>(data), size); // else it is no XML
+    std::string saved;
+    try {
+        scene::Scene robot = scene::load_from_memory(std::as_bytes(std::span(text.data(), text.size())), "fuzz.urdf");
+        if (robot.world.bodies().size() > most_bodies) return 0;
+        saved = scene::save_to_string(robot);
+        robot.world.step(1.0f / 60.0f);
+    } catch (const Error&) {
+        return 0;
+    }
+    try {
+        scene::load_from_memory(std::as_bytes(std::span(saved.data(), saved.size())), "saved");
+    } catch (const Error& error) {
+        std::fprintf(stderr, "what was saved is refused: %s\n%s\n", error.what(), saved.c_str());
+        std::abort();
+    }
+    return 0;
+}
