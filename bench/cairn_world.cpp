@@ -46,6 +46,30 @@ Plane face_of(const Part& box, Vec3& center) {
     return face;
 }
 
+Joint joint_of(const SceneJoint& joint) {
+    if (joint.kind == JointKind::hinge) {
+        HingeJoint hinge;
+        if (joint.angle) hinge.angle.limits = JointRange{joint.angle->lower, joint.angle->upper, {}};
+        return hinge;
+    }
+    BallJoint ball;
+    if (joint.reach) {
+        ball.cone_angle = joint.reach->swing;
+        ball.twist = JointRange{-joint.reach->twist, joint.reach->twist, {}};
+    }
+    return ball;
+}
+
+void add_joint(const SceneJoint& joint, World& world, const std::vector<BodyId>& bodies) {
+    JointDef def;
+    def.body_a = bodies[joint.body_a];
+    def.body_b = bodies[joint.body_b];
+    def.frame_a = {Position(joint.anchor_a), joint.axes_a};
+    def.frame_b = {Position(joint.anchor_b), joint.axes_b};
+    def.joint = joint_of(joint);
+    world.create_joint(def);
+}
+
 } // namespace
 
 WorldDef world_settings(const Scene& scene) {
@@ -77,6 +101,7 @@ std::vector<BodyId> add_bodies(const Scene& scene, World& world, Walls walls) {
             shape.density = body.density;
             shape.material.static_friction = shape.material.dynamic_friction = scene.friction;
             shape.material.restitution = scene.restitution;
+            if (!scene.collides) shape.filter.collides_with = 0;
             if (walls == Walls::rectangles && part.inner_face != Vec3(0.0f)) {
                 const Plane face = face_of(part, shape.position);
                 world.add_shape(bodies.back(), face, shape);
@@ -85,6 +110,7 @@ std::vector<BodyId> add_bodies(const Scene& scene, World& world, Walls walls) {
             }
         }
     }
+    for (const SceneJoint& joint : scene.joints) add_joint(joint, world, bodies);
     return bodies;
 }
 

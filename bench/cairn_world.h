@@ -15,7 +15,7 @@ enum class Walls {
     rectangles, // of a part with Part::inner_face that face alone
 };
 
-// Adds the scene's bodies to a world, in their order.
+// Adds the scene's bodies to a world, in their order, and its joints.
 std::vector<BodyId> add_bodies(const Scene& scene, World& world, Walls walls);
 
 } // namespace cairn::bench

@@ -42,7 +42,7 @@ struct Round {
     std::optional<int> substeps;
     std::vector<std::pair<std::string, double>> stage_ms;
     std::optional<double> bytes;
-    double penetration_peak = 0;
+    double penetration_peak = 0, joint_error_peak = 0;
     std::vector<BodyState> states; // at the end
 };
 
@@ -95,6 +95,11 @@ Round run_round(const Scene& scene, const EngineKind& kind, const EngineSettings
         if ((step_count - 1 - i) % sample_interval == 0) {
             add_counts(round, engine->counts(), weight);
             add_stages(round, engine->stages(), weight);
+            if (!scene.joints.empty()) {
+                engine->read(round.states);
+                round.joint_error_peak =
+                    std::max(round.joint_error_peak, measure_joint_errors(scene, round.states).greatest);
+            }
         }
         for (const std::size_t quarter : {1, 2, 3, 4}) {
             if (i + 1 != std::max<std::size_t>(1, step_count * quarter / 4)) continue;
@@ -158,6 +163,8 @@ Result sum_up(const Scene& scene, const Entry& entry) {
     if (last.bytes) r.bytes_per_body = *last.bytes / static_cast<double>(scene.bodies.size());
     r.penetrations = measure_penetrations(scene, last.states);
     r.penetration_peak = last.penetration_peak;
+    if (!scene.joints.empty()) r.joint_errors = measure_joint_errors(scene, last.states);
+    r.joint_error_peak = last.joint_error_peak;
     if (scene.stands) r.displacement = measure_displacement(scene, last.states);
     r.kinetic_energy = measure_kinetic_energy(scene, last.states);
     r.lost = count_lost(scene, last.states);

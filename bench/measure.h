@@ -40,6 +40,8 @@ struct Result {
     // At the end of the last round, unless said otherwise.
     Penetrations penetrations;
     double penetration_peak = 0;              // greatest at each quarter of the run, m
+    std::optional<JointErrors> joint_errors;  // of scenes with joints
+    double joint_error_peak = 0;              // greatest at every tenth step, m
     std::optional<Displacement> displacement; // of scenes that should stand
     double kinetic_energy = 0;
     std::size_t lost = 0;

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <set>
+#include <utility>
 
 namespace cairn::bench {
 
@@ -32,6 +34,9 @@ Penetrations measure_penetrations(const Scene& scene, std::span<const BodyState>
     struct BodyPart : PlacedPart {
         std::size_t body;
     };
+    if (!scene.collides) return {};
+    std::set<std::pair<std::size_t, std::size_t>> joined;
+    for (const SceneJoint& joint : scene.joints) joined.insert(std::minmax(joint.body_a, joint.body_b));
     std::vector<BodyPart> dynamic, others;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         if (!is_finite(states[i])) continue;
@@ -46,6 +51,7 @@ Penetrations measure_penetrations(const Scene& scene, std::span<const BodyState>
         const double reach = a.bounding_radius + b.bounding_radius;
         const Vector offset = a.center - b.center;
         if (glm::dot(offset, offset) > reach * reach) return;
+        if (!joined.empty() && joined.count(std::minmax(a.body, b.body)) > 0) return;
         const double depth = penetration(a, b);
         if (depth > 0) depths.push_back(depth);
     };
@@ -70,6 +76,25 @@ Penetrations measure_penetrations(const Scene& scene, std::span<const BodyState>
     result.p99 = depths[static_cast<std::size_t>(0.99 * static_cast<double>(depths.size() - 1))];
     for (const double depth : depths) result.mean += depth / static_cast<double>(depths.size());
     return result;
+}
+
+JointErrors measure_joint_errors(const Scene& scene, std::span<const BodyState> states) {
+    const auto anchor = [&](std::size_t body, const Vec3& local) {
+        return states[body].position + rotate(states[body].rotation, Vector(local));
+    };
+    JointErrors errors;
+    double sum = 0;
+    std::size_t count = 0;
+    for (const SceneJoint& joint : scene.joints) {
+        if (!is_finite(states[joint.body_a]) || !is_finite(states[joint.body_b])) continue;
+        const double distance =
+            glm::length(anchor(joint.body_a, joint.anchor_a) - anchor(joint.body_b, joint.anchor_b));
+        errors.greatest = std::max(errors.greatest, distance);
+        sum += distance;
+        ++count;
+    }
+    if (count > 0) errors.mean = sum / static_cast<double>(count);
+    return errors;
 }
 
 Displacement measure_displacement(const Scene& scene, std::span<const BodyState> states) {

@@ -16,8 +16,16 @@ struct Penetrations {
     std::size_t overlaps = 0;
 };
 
-// Over all pairs of parts of two bodies that may move against each other. Bodies that are not finite are left out.
+// Over all pairs of parts of two bodies that may move against each other and collide. Bodies that are not finite are
+// left out.
 Penetrations measure_penetrations(const Scene& scene, std::span<const BodyState> states);
+
+struct JointErrors {
+    double greatest = 0, mean = 0; // m
+};
+
+// How far the two anchors of joints are apart. Joints of bodies that are not finite are left out.
+JointErrors measure_joint_errors(const Scene& scene, std::span<const BodyState> states);
 
 struct Displacement {
     double drift = 0; // greatest horizontal distance of any dynamic body from where it was built, m

@@ -45,6 +45,9 @@ nlohmann::json to_object(const Result& r) {
         {"penetration_mean", r.penetrations.mean},
         {"penetration_peak", r.penetration_peak},
         {"overlaps", r.penetrations.overlaps},
+        {"joint_error_max", r.joint_errors ? nlohmann::json(r.joint_errors->greatest) : nlohmann::json()},
+        {"joint_error_mean", r.joint_errors ? nlohmann::json(r.joint_errors->mean) : nlohmann::json()},
+        {"joint_error_peak", r.joint_errors ? nlohmann::json(r.joint_error_peak) : nlohmann::json()},
         {"drift", r.displacement ? nlohmann::json(r.displacement->drift) : nlohmann::json()},
         {"sag", r.displacement ? nlohmann::json(r.displacement->sag) : nlohmann::json()},
         {"kinetic_energy", r.kinetic_energy},
@@ -79,15 +82,19 @@ std::string to_tables(const std::vector<Result>& results) {
                        r.substeps ? fmt::format("{}", *r.substeps) : "-",
                        r.bytes_per_body ? fmt::format("{:.0f}", *r.bytes_per_body) : "-");
 
-    fmt::format_to(out, "\nQuality at the end (lengths in mm; peak: deepest overlap at each quarter of the run)\n");
-    fmt::format_to(out, "{:<14} {:<7} {:>2} {:>9} {:>9} {:>9} {:>10} {:>10} {:>12} {:>5} {:>6}\n", "scene", "engine",
-                   "T", "overlap", "99 %", "peak", "drift", "sag", "energy, J", "lost", "repeat");
+    fmt::format_to(
+        out, "\nQuality at the end (lengths in mm; overlap peak: deepest at each quarter of the run; gap: between "
+             "the anchors of a joint; gap peak: widest at every tenth step)\n");
+    fmt::format_to(out, "{:<14} {:<7} {:>2} {:>9} {:>9} {:>9} {:>9} {:>9} {:>10} {:>10} {:>12} {:>5} {:>6}\n", "scene",
+                   "engine", "T", "overlap", "99 %", "peak", "gap mean", "gap peak", "drift", "sag", "energy, J",
+                   "lost", "repeat");
     for (const Result& r : results)
-        fmt::format_to(out, "{:<14} {:<7} {:>2} {:>9} {:>9} {:>9} {:>10} {:>10} {:>12.5g} {:>5} {:>6}\n", r.scene,
-                       r.engine, r.threads, lengths(r.penetrations.greatest), lengths(r.penetrations.p99),
-                       lengths(r.penetration_peak), r.displacement ? lengths(r.displacement->drift) : "-",
-                       r.displacement ? lengths(r.displacement->sag) : "-", r.kinetic_energy, r.lost,
-                       r.repeatable ? "yes" : "no");
+        fmt::format_to(
+            out, "{:<14} {:<7} {:>2} {:>9} {:>9} {:>9} {:>9} {:>9} {:>10} {:>10} {:>12.5g} {:>5} {:>6}\n", r.scene,
+            r.engine, r.threads, lengths(r.penetrations.greatest), lengths(r.penetrations.p99),
+            lengths(r.penetration_peak), r.joint_errors ? lengths(r.joint_errors->mean) : "-",
+            r.joint_errors ? lengths(r.joint_error_peak) : "-", r.displacement ? lengths(r.displacement->drift) : "-",
+            r.displacement ? lengths(r.displacement->sag) : "-", r.kinetic_energy, r.lost, r.repeatable ? "yes" : "no");
 
     bool has_title = false;
     for (const Result& r : results) {

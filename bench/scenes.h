@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -65,6 +66,29 @@ struct SceneBody {
     Vec3 angular_velocity{0.0f, 0.0f, 0.0f}; // rad/s
 };
 
+enum class JointKind { ball, hinge };
+
+// How far a ball joint lets B turn against A, rad.
+struct SwingTwist {
+    float swing = 0; // greatest angle between the x axes of the two frames, less than pi / 2
+    float twist = 0; // greatest angle about the x axis, to either side
+};
+
+struct AngleRange {
+    float lower = 0, upper = 0; // rad
+};
+
+// Holds two bodies together, one of them dynamic; they do not collide with each other. It has a frame on each body,
+// whose x axis is that of a hinge. The frames coincide where the scene begins: all angles are 0 there.
+struct SceneJoint {
+    JointKind kind = JointKind::ball;
+    std::size_t body_a = 0, body_b = 0;
+    Vec3 anchor_a{0.0f, 0.0f, 0.0f}, anchor_b{0.0f, 0.0f, 0.0f}; // in the bodies' frames, m
+    Quat axes_a{1.0f, 0.0f, 0.0f, 0.0f}, axes_b{1.0f, 0.0f, 0.0f, 0.0f};
+    std::optional<SwingTwist> reach; // ball; absent: it turns freely
+    std::optional<AngleRange> angle; // hinge: of B against A about the x axis; likewise
+};
+
 struct Scene {
     std::string name;
     int steps = 600;
@@ -73,9 +97,11 @@ struct Scene {
     float friction = 0.6f;            // of every pair
     float restitution = 0.0f;         // of every pair
     bool stands = false;              // what is built should stay where it is
+    bool collides = true;             // false: nothing collides with anything
     std::size_t dynamic_count = 0;
     std::vector<Part> parts;
     std::vector<SceneBody> bodies;
+    std::vector<SceneJoint> joints;
     std::vector<ConvexHull> hulls;
     std::vector<SurfaceMesh> meshes;
     // A body whose origin leaves these bounds, or this distance from the line through `axis_point` along z, is lost.

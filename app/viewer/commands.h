@@ -76,6 +76,34 @@ struct ReleaseGrab {
     bool click = false;
 };
 struct SelectNothing {};
+/// What `MakeJoint` makes.
+enum class JoinKind { ball, hinge, fixed };
+/// Joins the body that the ray meets first to the selected one, at the point that it meets; a hinge turns about the
+/// surface's normal there. Without another selected body the joint is with the world.
+struct MakeJoint {
+    Ray ray;
+    JoinKind kind = JoinKind::ball;
+};
+/// Null: none.
+struct SelectJoint {
+    JointId joint;
+};
+/// Changes limits, motors, springs ... of a joint.
+struct SetJoint {
+    JointId joint;
+    Joint values;
+};
+struct SetJointStrength {
+    JointId joint;
+    float break_force, break_torque; ///< N and N m, > 0; may be infinite.
+};
+struct SetJointSolver {
+    JointId joint;
+    JointSolver solver = JointSolver::automatic;
+};
+struct RemoveJoint {
+    JointId joint;
+};
 /// Shows a line to the person at the screen.
 struct Say {
     std::string text;
@@ -94,7 +122,8 @@ using Command =
                  command::RemoveSelected, command::SetForce, command::SetPull, command::SetFreeze, command::SetPaused,
                  command::TogglePause, command::SingleStep, command::ChangeSpeed, command::SetSpeed,
                  command::SetSettings, command::GrabBody, command::MoveGrab, command::ReleaseGrab,
-                 command::SelectNothing, command::Say, command::ShowIslands>;
+                 command::SelectNothing, command::Say, command::ShowIslands, command::MakeJoint, command::SelectJoint,
+                 command::SetJoint, command::SetJointStrength, command::SetJointSolver, command::RemoveJoint>;
 
 /// A queue that many threads may fill and one empties.
 class CommandQueue {

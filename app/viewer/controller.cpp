@@ -14,6 +14,7 @@ namespace {
 constexpr float orbit_per_picture = 3.5f; // radians for a drag over the height of the picture
 constexpr float orbit_per_key = 0.06f;    // radians
 constexpr float click_slack = 0.01f;      // of the picture's height: a shorter movement is a click
+constexpr float joint_slack = 0.02f;      // likewise: this near an anchor a click is on the joint
 constexpr float spawn_height = 0.3f;      // above the target, in camera distances
 
 } // namespace
@@ -163,8 +164,52 @@ void Controller::perform_on_body(Action action) {
     }
 }
 
+bool Controller::perform_on_joint(Action action) {
+    const auto join = [&](command::JoinKind kind) {
+        post_(command::MakeJoint{camera.cursor_ray(cursor_, aspect_), kind});
+    };
+    switch (action) {
+    case Action::join_by_ball:
+        join(command::JoinKind::ball);
+        return true;
+    case Action::join_by_hinge:
+        join(command::JoinKind::hinge);
+        return true;
+    case Action::join_fixed:
+        join(command::JoinKind::fixed);
+        return true;
+    case Action::remove_joint:
+        post_(command::RemoveJoint{state_.selected_joint});
+        return true;
+    case Action::toggle_joints:
+        joints = !joints;
+        return true;
+    default:
+        return false;
+    }
+}
+
+// The joint with the anchor nearest to the cursor, among those near it; null if there is none, or joints are hidden.
+JointId Controller::joint_under_cursor() const {
+    JointId nearest;
+    if (!joints || !state_.current || !state_.current->joints) return nearest;
+    float least = joint_slack;
+    for (const JointLayout& joint : *state_.current->joints) {
+        const JointFrames frames = frames_of(joint, state_.current->transforms);
+        for (const Position& anchor : {frames.a.position, frames.b.position}) {
+            const auto device = camera.project(anchor, aspect_);
+            if (!device) continue;
+            const float distance = glm::length((*device - cursor_) * glm::vec2(aspect_, 1.0f) * 0.5f);
+            if (distance >= least) continue;
+            least = distance;
+            nearest = joint.id;
+        }
+    }
+    return nearest;
+}
+
 void Controller::perform(const Binding& binding) {
-    if (perform_on_camera(binding.action)) return;
+    if (perform_on_camera(binding.action) || perform_on_joint(binding.action)) return;
     switch (binding.action) {
     case Action::choose_scene:
         choose_scene(std::size_t(binding.argument));
@@ -247,7 +292,10 @@ void Controller::button_up(MouseButton button) {
     drag_ = Drag::none;
     if (button != MouseButton::left) return;
     const glm::vec2 moved = (cursor_ - pressed_at_) * glm::vec2(aspect_, 1.0f) * 0.5f;
-    post_(command::ReleaseGrab{glm::length(moved) < click_slack});
+    const bool click = glm::length(moved) < click_slack;
+    post_(command::ReleaseGrab{click});
+    if (!click) return;
+    if (const JointId joint = joint_under_cursor()) post_(command::SelectJoint{joint});
 }
 
 void Controller::drop_files(std::span<const std::string> paths) {
@@ -299,6 +347,8 @@ FrameOptions Controller::frame_options(const StageState& state) const {
     options.shadows = shadows;
     options.visuals = visuals;
     options.selected = state.selected;
+    options.joints = joints;
+    options.selected_joint = state.selected_joint;
     return options;
 }
 

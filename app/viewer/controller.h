@@ -38,6 +38,7 @@ class Controller {
     ColorMode colors = ColorMode::scene;
     bool grid = true, shadows = true, panel = true, help = false;
     bool visuals = true; ///< The meshes that came with the scene instead of what collides.
+    bool joints = true;  ///< Joints are drawn, and can be picked.
     SpawnSettings tool;  ///< Of the spawn tool.
     bool quit = false;
     bool screenshot = false; ///< Asked for; whoever takes it clears this.
@@ -74,6 +75,8 @@ class Controller {
     void perform(const Binding& binding);
     bool perform_on_camera(Action action);
     void perform_on_body(Action action);
+    bool perform_on_joint(Action action);
+    JointId joint_under_cursor() const;
     void change_scene(int by);
     void update_held();
 

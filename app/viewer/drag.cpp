@@ -1,21 +1,15 @@
 #include "viewer/drag.h"
 
 #include <glm/geometric.hpp>
-#include <glm/gtc/matrix_inverse.hpp>
 #include <glm/gtc/quaternion.hpp>
-#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_set>
+#include <variant>
+#include <vector>
 
 namespace cairn::viewer {
-
-namespace {
-
-// The matrix of the cross product: skew(v) * w = v x w.
-Mat3 skew(const Vec3& v) { return {0.0f, v.z, -v.y, -v.z, 0.0f, v.x, v.y, -v.x, 0.0f}; }
-
-} // namespace
 
 Position drag_target(const Ray& cursor, const Position& grabbed, const Vec3& forward, DragConstraint constraint,
                      double max_distance) {
@@ -36,42 +30,72 @@ Position drag_target(const Ray& cursor, const Position& grabbed, const Vec3& for
     return target;
 }
 
-// With the stretch x, the point's velocity v, the effective mass M and the force F over a step h, a spring of stiffness
-// k = M w^2 and damping c = 2 M w, taken implicitly, asks for
-//     F = -(k (x + h v') + c v'),  v' = v + h F / M   =>   F = -M (w^2 x + (w^2 h + 2 w) v) / (1 + 2 w h + w^2 h^2).
-// M is the inverse of K = 1/m + the turning part, a matrix, since pushing a body off its center turns it as well.
-DragForce drag_force(const Body& body, const Vec3& local_point, const Position& target, float dt,
-                     const DragSpring& spring) {
-    DragForce result;
-    const float mass = body.mass();
-    if (!std::isfinite(mass)) return result;
-    const Transform pose = body.transform();
-    result.point = pose.position + Position(pose.rotation * local_point);
-    const Vec3 arm(result.point - body.center_of_mass());
-    const Mat3 inertia = body.world_inertia();
-    const Mat3 arm_matrix = skew(arm);
-    Mat3 response = Mat3(1.0f / mass);
-    const float determinant = glm::determinant(inertia);
-    const bool turns = std::isfinite(determinant) && determinant > 0.0f; // else its rotation is locked
-    if (turns) response = response - arm_matrix * glm::inverse(inertia) * arm_matrix;
-    const Mat3 effective_mass = glm::inverse(response);
+namespace {
 
-    Vec3 stretch(result.point - target);
-    const float length = glm::length(stretch);
-    if (length > spring.max_stretch) stretch *= spring.max_stretch / length;
-    const float w = 6.2831853f * spring.frequency;
-    const Vec3 wanted = w * w * stretch + (w * w * dt + 2.0f * w) * body.velocity_at(result.point);
-    result.force = effective_mass * wanted * (-1.0f / (1.0f + 2.0f * w * dt + w * w * dt * dt));
-    if (turns) {
-        // The body turns about the grabbed point, so the inertia about it counts (Steiner). The torque acts on the
-        // inertia about the center of mass, though: the more they differ, the gentler one step must be.
-        const Mat3 about_point = inertia - mass * (arm_matrix * arm_matrix);
-        const float ratio = (about_point[0][0] + about_point[1][1] + about_point[2][2]) /
-                            (inertia[0][0] + inertia[1][1] + inertia[2][2]);
-        const float rate = spring.spin_damping / (1.0f + spring.spin_damping * dt * ratio);
-        result.torque = about_point * body.angular_velocity() * -rate;
+constexpr float most_load = 100.0f; // of the body's own mass: a lever must not be torn off the machine it belongs to
+
+// The mass of the dynamic bodies that are joined to a body, directly or through others, without its own.
+float mass_joined_to(const World& world, BodyId body) {
+    std::vector<BodyId> found{body};
+    std::unordered_set<BodyId> known{body};
+    float mass = 0.0f;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        for (const JointId joint : world.joints(found[i])) {
+            const JointDef& def = world.joint_def(joint);
+            const BodyId other = def.body_a == found[i] ? def.body_b : def.body_a;
+            if (!other || world.body(other).type() != BodyType::dynamic || !known.insert(other).second) continue;
+            found.push_back(other);
+            mass += world.body(other).mass();
+        }
     }
-    return result;
+    return mass;
+}
+
+} // namespace
+
+JointDef drag_joint(const World& world, BodyId body_id, const Vec3& local_point, const DragSpring& spring) {
+    const Body body = world.body(body_id);
+    const Transform pose = body.transform();
+    const float mass = body.mass(), load = std::min(mass_joined_to(world, body_id), most_load * mass);
+    JointDef def;
+    def.body_b = body_id;
+    def.frame_a.position = pose.position + Position(pose.rotation * local_point);
+    def.frame_b.position = Position(local_point);
+    def.enable_collision = true; // with what belongs to the world: nothing is let through
+    ServoJoint servo;
+    servo.linear = JointSpring::from_frequency(spring.frequency, 1.0f);
+    if (std::isfinite(mass) && std::isfinite(load)) { // the engine scales by the mass of the body alone
+        servo.linear.stiffness *= 1.0f + load / mass;
+        servo.linear.damping *= 1.0f + load / mass;
+    }
+    servo.max_force = spring.max_acceleration * mass + spring.max_lift * load;
+    // The body turns about the grabbed point, so the inertia about it counts (Steiner's theorem); the joint scales by
+    // that about the center of mass.
+    const Vec3 arm(def.frame_a.position - body.center_of_mass());
+    const Mat3 inertia = body.world_inertia();
+    const float trace = inertia[0][0] + inertia[1][1] + inertia[2][2];
+    const bool turns = std::isfinite(trace) && trace > 0.0f;
+    const float ratio = turns ? 1.0f + 2.0f * body.mass() * glm::dot(arm, arm) / trace : 0.0f;
+    servo.angular = {0.0f, spring.spin_damping * ratio, true};
+    def.joint = servo;
+    return def;
+}
+
+Position dragged_point(const World& world, JointId drag) {
+    const JointDef& def = world.joint_def(drag);
+    const Transform pose = world.body(def.body_b).transform();
+    return pose.position + Position(pose.rotation * Vec3(def.frame_b.position));
+}
+
+void pull_to(World& world, JointId drag, const Position& target, const DragSpring& spring) {
+    const JointDef& def = world.joint_def(drag);
+    const Position held = dragged_point(world, drag);
+    glm::dvec3 way = target - held;
+    const double length = glm::length(way);
+    if (length > double(spring.max_stretch)) way *= double(spring.max_stretch) / length;
+    ServoJoint servo = std::get<ServoJoint>(def.joint);
+    servo.position = Vec3(held + way - def.frame_a.position);
+    if (servo.position != std::get<ServoJoint>(def.joint).position) world.set_joint(drag, servo);
 }
 
 } // namespace cairn::viewer

@@ -1,5 +1,5 @@
 /// \file drag.h
-/// Moving a body by the mouse: a critically damped spring between the grabbed point and the cursor.
+/// Moving a body by the mouse: a servo joint between the world and the grabbed point.
 #pragma once
 
 #include "viewer/camera.h"
@@ -21,22 +21,25 @@ enum class DragConstraint {
 Position drag_target(const Ray& cursor, const Position& grabbed, const Vec3& forward, DragConstraint constraint,
                      double max_distance = 1000.0);
 
-/// The spring's tunables.
+/// The joint's tunables.
 struct DragSpring {
-    float frequency = 5.0f;    ///< Hz, > 0, of the undamped spring.
-    float max_stretch = 1.0f;  ///< m, > 0: a longer distance pulls no harder than this one.
-    float spin_damping = 3.0f; ///< 1/s, >= 0: how fast the turning of a dragged body dies down.
+    float frequency = 5.0f;           ///< Hz, > 0, of the undamped spring; it is critically damped.
+    float max_stretch = 1.0f;         ///< m, > 0: a longer distance pulls no harder than this one.
+    float max_acceleration = 1000.0f; ///< m/s^2, > 0: times the body's mass, the greatest force along each axis ...
+    float max_lift = 50.0f;           ///< m/s^2, >= 0: ... and times the mass of what hangs on it by joints.
+    float spin_damping = 3.0f;        ///< 1/s, >= 0: how fast the turning of a dragged body dies down.
 };
 
-/// The force for the next step at the body's point `local_point` (in the body's frame), and the torque that damps its
-/// spin. It is what one implicit Euler step of length `dt` of a critically damped spring exerts, scaled by the body's
-/// effective mass at the point, so heavy and light bodies follow alike and no time step makes it unstable.
-struct DragForce {
-    Vec3 force{0.0f, 0.0f, 0.0f};  ///< N.
-    Vec3 torque{0.0f, 0.0f, 0.0f}; ///< N m.
-    Position point{0.0, 0.0, 0.0}; ///< Where the force acts, world space.
-};
-DragForce drag_force(const Body& body, const Vec3& local_point, const Position& target, float dt,
-                     const DragSpring& spring = {});
+/// The joint that drags a dynamic body by `local_point` (in the body's frame); its target is where that point is now.
+/// Its springs are those of accelerations, so heavy and light bodies follow alike, and a hand carries its puppet: what
+/// is joined to the body counts too, up to a hundred times its mass. The engine steps the springs implicitly, so no
+/// time step makes them unstable.
+JointDef drag_joint(const World& world, BodyId body, const Vec3& local_point, const DragSpring& spring = {});
+
+/// Where the grabbed point is now.
+Position dragged_point(const World& world, JointId drag);
+
+/// To be called before every step: pulls the grabbed point towards `target`.
+void pull_to(World& world, JointId drag, const Position& target, const DragSpring& spring = {});
 
 } // namespace cairn::viewer

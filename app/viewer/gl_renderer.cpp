@@ -2,6 +2,8 @@
 
 #include "viewer/culling.h"
 #include "viewer/gl_objects.h"
+#include "viewer/joint_drawing.h"
+#include "viewer/palette.h"
 #include "viewer/shaders.h"
 
 #include <cairn/error.h>
@@ -14,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -164,6 +167,8 @@ struct GlRenderer::Impl {
     void draw_bodies(const RenderFrame& frame);
     void draw_grounds(const RenderFrame& frame);
     void draw_lines(const RenderFrame& frame);
+    void draw_marks(const RenderFrame& frame, int height);
+    void upload_lines(const std::vector<Vec3>& vertices);
 };
 
 GlRenderer::Impl::Impl()
@@ -411,10 +416,61 @@ void GlRenderer::Impl::draw_lines(const RenderFrame& frame) {
     for (const Line& line : frame.lines) vertices.insert(vertices.end(), {line.from, line.color, line.to, line.color});
     lines.use();
     lines.set("u_clip_from_world", clip_from_world);
+    upload_lines(vertices);
+    glDrawArrays(GL_LINES, 0, GLsizei(2 * frame.lines.size()));
+}
+
+void GlRenderer::Impl::upload_lines(const std::vector<Vec3>& vertices) {
     glBindVertexArray(line_array.name());
     glBindBuffer(GL_ARRAY_BUFFER, line_buffer.name());
     glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(vertices.size() * sizeof(Vec3)), vertices.data(), GL_STREAM_DRAW);
-    glDrawArrays(GL_LINES, 0, GLsizei(2 * frame.lines.size()));
+}
+
+// Veils, then strokes with a dark rim that parts them from bodies of their color: first what lies behind something,
+// faintly, then the rest.
+void GlRenderer::Impl::draw_marks(const RenderFrame& frame, int height) {
+    if (frame.strokes.empty() && frame.veils.empty()) return;
+    constexpr float stroke_picture_height = 720.0f, rim = 2.0f;
+    constexpr float veil_alpha = 0.22f, rim_alpha = 0.3f, hidden_alpha = 0.4f;
+    const float pixel = 2.0f * std::tan(0.5f * frame.camera.vertical_fov) / stroke_picture_height;
+    std::vector<Vec3> vertices, band;
+    for (const Veil& veil : frame.veils)
+        for (const Vec3& corner : {veil.a, veil.b, veil.c}) vertices.insert(vertices.end(), {corner, srgb(veil.color)});
+    const GLsizei veils_end = GLsizei(vertices.size() / 2);
+    const auto add_strokes = [&](float wider, std::optional<Vec3> color) {
+        for (const Stroke& stroke : frame.strokes) {
+            Stroke drawn = stroke; // at least a pixel wide
+            drawn.width = std::max(drawn.width, stroke_picture_height / float(height)) + wider;
+            band.clear();
+            add_band(band, drawn, eye, camera.forward(), pixel);
+            const Vec3 shown = color.value_or(srgb(stroke.color));
+            for (const Vec3& corner : band) vertices.insert(vertices.end(), {corner, shown});
+        }
+        return GLsizei(vertices.size() / 2);
+    };
+    const GLsizei rims_end = add_strokes(rim, Vec3(0.05f, 0.08f, 0.12f)), strokes_end = add_strokes(0.0f, std::nullopt);
+    lines.use();
+    lines.set("u_clip_from_world", clip_from_world);
+    upload_lines(vertices);
+    glDisable(GL_CULL_FACE);
+    glDepthMask(GL_FALSE);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
+    const auto draw = [](GLsizei from, GLsizei to, float alpha) {
+        glBlendColor(0.0f, 0.0f, 0.0f, alpha);
+        glDrawArrays(GL_TRIANGLES, from, to - from);
+    };
+    glDepthFunc(GL_GREATER);
+    draw(0, veils_end, veil_alpha * hidden_alpha);
+    draw(rims_end, strokes_end, hidden_alpha);
+    glDepthFunc(GL_LEQUAL);
+    draw(0, veils_end, veil_alpha);
+    draw(veils_end, rims_end, rim_alpha);
+    draw(rims_end, strokes_end, 1.0f);
+    glDepthFunc(GL_LESS);
+    glDisable(GL_BLEND);
+    glDepthMask(GL_TRUE);
+    glEnable(GL_CULL_FACE);
 }
 
 GlRenderer::GlRenderer() {
@@ -448,6 +504,7 @@ void GlRenderer::draw(const RenderFrame& frame, int width, int height, unsigned 
     impl.draw_grounds(frame);
     impl.draw_sky(frame, aspect); // only where nothing else is
     impl.draw_lines(frame);
+    impl.draw_marks(frame, height);
 
     glBindFramebuffer(GL_READ_FRAMEBUFFER, impl.target_framebuffer.name());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);

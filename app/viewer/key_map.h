@@ -24,6 +24,10 @@ enum class Action {
     remove_last,
     remove_selected,
     select_nothing,
+    join_by_ball,
+    join_by_hinge,
+    join_fixed,
+    remove_joint,
     force_x,
     force_y,
     force_z, // while held; argument: sign
@@ -45,6 +49,7 @@ enum class Action {
     toggle_grid,
     toggle_shadows,
     toggle_visuals,
+    toggle_joints,
     toggle_panel,
     toggle_help,
     screenshot,

@@ -30,6 +30,7 @@ template <std::size_t N> Vec3 ramp(const std::array<std::uint32_t, N>& stops, fl
 constexpr std::array<std::uint32_t, 5> mass_stops{0x2c5fa8, 0x74add1, 0xf1ead2, 0xf08a54, 0xb81d2c};
 // After Matplotlib's viridis, which is perceptually even; its dark end is lifted, to show shading.
 constexpr std::array<std::uint32_t, 5> speed_stops{0x58358a, 0x3b528b, 0x21918c, 0x5ec962, 0xfde725};
+constexpr std::array<std::uint32_t, 3> joint_stops{0x35b6ff, 0xc8f0c0, 0xffd21f};
 // After Okabe and Ito (2008), softened.
 constexpr std::array<std::uint32_t, 7> calm_colors{0xd9853b, 0x4d94b8, 0x5a9a7a, 0xc9b458,
                                                    0x3f6d94, 0xb8604a, 0x9a7ba6};
@@ -48,6 +49,10 @@ Vec3 srgb(const Vec3& linear) {
 Vec3 mass_ramp(float fraction) { return ramp(mass_stops, fraction); }
 
 Vec3 speed_ramp(float fraction) { return ramp(speed_stops, fraction); }
+
+Vec3 joint_ramp(float fraction) { return ramp(joint_stops, fraction); }
+
+Vec3 joint_error_color() { return linear_color(0xff2a2a); }
 
 float mass_fraction(float mass, float least, float greatest) {
     if (!std::isfinite(mass)) return 1.0f;

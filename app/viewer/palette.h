@@ -30,6 +30,10 @@ Vec3 category_color(std::uint32_t number);
 /// A calm color for bodies that the scene gives none.
 Vec3 default_color(std::uint32_t number);
 
+/// Blue (0, unloaded) over white-green to yellow (1, about to break): for joints, over any body.
+Vec3 joint_ramp(float fraction);
+Vec3 joint_error_color();
+
 Vec3 static_color();
 Vec3 sleeping_color();
 Vec3 ground_color();

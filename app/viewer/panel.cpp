@@ -93,8 +93,9 @@ void draw_help(float scale) {
     ImGui::End();
 }
 
-void draw_caption(const char* name, const std::string& text, const ImVec2& place, const ImVec2& pivot) {
-    if (text.empty()) return;
+// Returns the height of the box; 0 without a text.
+float draw_caption(const char* name, const std::string& text, const ImVec2& place, const ImVec2& pivot) {
+    if (text.empty()) return 0.0f;
     ImGui::SetNextWindowPos(place, ImGuiCond_Always, pivot);
     ImGui::SetNextWindowBgAlpha(0.72f);
     ImGui::Begin(name, nullptr,
@@ -103,7 +104,9 @@ void draw_caption(const char* name, const std::string& text, const ImVec2& place
     ImGui::PushTextWrapPos(0.7f * ImGui::GetIO().DisplaySize.x); // from the window's left edge
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
+    const float height = ImGui::GetWindowHeight();
     ImGui::End();
+    return height;
 }
 
 std::string present_state(const StageState& state) {
@@ -309,13 +312,16 @@ void Panel::draw(const StageState& state, Controller& controller, const WindowFa
         draw_scenes(state, controller);
         draw_view(state, controller);
         draw_statistics(state, facts);
+        joints_.draw(state, controller);
         draw_settings(controller);
         draw_spawn_tool(controller);
         ImGui::PopItemWidth();
         ImGui::End();
     }
     const std::string title = state.title + (state.hint.empty() ? "" : "\n" + state.hint);
-    draw_caption("##title", title, ImVec2(io.DisplaySize.x - margin, margin), ImVec2(1.0f, 0.0f));
+    const float title_height =
+        draw_caption("##title", title, ImVec2(io.DisplaySize.x - margin, margin), ImVec2(1.0f, 0.0f));
+    if (controller.panel) joints_.draw_selected(state, controller, scale, 2.0f * margin + title_height);
     draw_caption("##state", present_state(state), ImVec2(io.DisplaySize.x - margin, io.DisplaySize.y - margin),
                  ImVec2(1.0f, 1.0f));
     draw_caption("##notice", facts.notice, ImVec2(0.5f * io.DisplaySize.x, io.DisplaySize.y - margin),

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "viewer/controller.h"
+#include "viewer/joint_panel.h"
 #include "viewer/report.h"
 
 #include <string>
@@ -24,6 +25,7 @@ class Panel {
     void draw_statistics(const StageState& state, const WindowFacts& facts);
 
     WorldDef settings_; // as edited; follows the world while nothing is being edited
+    JointPanel joints_;
     float speed_octave_ = 0.0f;
     std::uint64_t shown_scene_ = 0; // the list has been scrolled to the scene of this serial number
 };

@@ -1,5 +1,6 @@
 #include "viewer/render_frame.h"
 
+#include "viewer/joint_drawing.h"
 #include "viewer/palette.h"
 
 #include <glm/geometric.hpp>
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace cairn::viewer {
 
@@ -177,13 +179,16 @@ RenderFrame make_frame(const WorldLayout& layout, const WorldMotion& previous, c
         instance.bound_radius = glm::length(shape.bound_center) + shape.bound_radius;
         instances_of(frame, shape).push_back(instance);
     }
+    if (options.joints && current.joints) draw_joints(frame, layout, current, transforms, options.selected_joint);
     return frame;
 }
 
 RenderFrame make_frame(const World& world, std::span<const Appearance> appearances, const CameraPose& camera,
                        const FrameOptions& options, MeshCache& meshes, std::span<const Visual> visuals) {
     const WorldLayout layout = read_layout(world, appearances, meshes, visuals);
-    const WorldMotion motion = read_motion(world, layout, options.colors == ColorMode::island);
+    std::shared_ptr<const std::vector<JointLayout>> joints;
+    if (options.joints) joints = std::make_shared<const std::vector<JointLayout>>(read_joints(world, layout));
+    const WorldMotion motion = read_motion(world, layout, options.colors == ColorMode::island, std::move(joints));
     return make_frame(layout, motion, motion, 1.0f, camera, options);
 }
 

@@ -54,6 +54,20 @@ struct Line {
     Vec3 color{1.0f, 1.0f, 1.0f};
 };
 
+/// A stroke of constant width that is seen through everything, fainter where it is hidden. `from` = `to`: a dot.
+/// Relative to `RenderFrame::origin`.
+struct Stroke {
+    Vec3 from, to;
+    Vec3 color{1.0f, 1.0f, 1.0f};
+    float width = 2.0f; ///< Pixels of a picture 720 pixels high; of a dot, its diameter.
+};
+
+/// A thin colored triangle, seen from both sides. Relative to `RenderFrame::origin`.
+struct Veil {
+    Vec3 a, b, c;
+    Vec3 color{1.0f, 1.0f, 1.0f};
+};
+
 struct RenderFrame {
     Position origin{0.0, 0.0, 0.0}; ///< World position that everything below is relative to.
     CameraPose camera;
@@ -61,6 +75,8 @@ struct RenderFrame {
     std::vector<MeshInstances> meshes;
     std::vector<GroundPlane> grounds;
     std::vector<Line> lines;
+    std::vector<Stroke> strokes;
+    std::vector<Veil> veils;
     bool grid = true; ///< Draw the lines of the ground.
     bool shadows = true;
     Vec3 light_direction{-0.60f, 0.74f, 0.30f}; ///< Unit or not, towards the light; fixed in the world.
@@ -72,6 +88,8 @@ struct FrameOptions {
     bool shadows = true;
     bool visuals = true; ///< Bodies that have meshes of the scene's own are shown by these; else by their shapes.
     BodyId selected;     ///< Highlighted; null for none.
+    bool joints = false; ///< Draw the joints (joint_drawing.h).
+    JointId selected_joint;
 };
 
 /// The picture between two motions of one layout: `fraction` 0 shows `previous`, 1 shows `current`.

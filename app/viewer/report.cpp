@@ -1,6 +1,11 @@
 #include "viewer/report.h"
 
+#include "viewer/joint_info.h"
+
 #include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <vector>
 
 namespace cairn::viewer {
 
@@ -34,6 +39,25 @@ Json body_json(const StageState& state, std::size_t i, const OrbitCamera& camera
     json["awake"] = state.current->awake[i] != 0;
     const float aspect = float(facts.width) / float(std::max(facts.height, 1));
     if (const auto device = camera.project(position, aspect))
+        json["screen"] = {(0.5f + 0.5f * device->x) * float(facts.width),
+                          (0.5f - 0.5f * device->y) * float(facts.height)};
+    return json;
+}
+
+Json joint_json(const StageState& state, std::size_t i, const OrbitCamera& camera, const WindowFacts& facts) {
+    const JointLayout& joint = (*state.current->joints)[i];
+    const JointState& now = state.current->joint_states[i];
+    Json json;
+    json["index"] = joint.id.index();
+    json["name"] = joint.def.name;
+    json["kind"] = cairn::viewer::name_of(joint.def.joint);
+    json["positions"] = std::vector<float>(now.positions.begin(), now.positions.begin() + now.position_count);
+    json["force"] = triple(now.force);
+    json["torque"] = triple(now.torque);
+    json["linear_error"] = now.linear_error;
+    json["angular_error"] = now.angular_error;
+    const float aspect = float(facts.width) / float(std::max(facts.height, 1));
+    if (const auto device = camera.project(frames_of(joint, state.current->transforms).b.position, aspect))
         json["screen"] = {(0.5f + 0.5f * device->x) * float(facts.width),
                           (0.5f - 0.5f * device->y) * float(facts.height)};
     return json;
@@ -77,6 +101,11 @@ std::string report_json(const StageState& state, const Controller& controller, c
     json["size"] = {facts.width, facts.height};
     json["notice"] = facts.notice;
     json["bodies"] = std::move(bodies);
+    json["joints_shown"] = controller.joints;
+    json["selected_joint"] = state.selected_joint ? Json(state.selected_joint.index()) : Json();
+    json["joints"] = Json::array();
+    for (std::size_t i = 0; i < state.current->joint_states.size(); ++i)
+        json["joints"].push_back(joint_json(state, i, controller.camera, facts));
     return json.dump(1) + "\n";
 }
 

@@ -17,8 +17,9 @@ struct WindowFacts {
 };
 
 /// One JSON object: `scene`, `body_count`, `bodies` (index, name, type, position, speed, awake, and `screen`, the
-/// pixel where the middle appears, from the top left), `selected`, `dragging`, `paused`, `speed`, `camera`, `frames`
-/// ...
+/// pixel where the middle appears, from the top left), `selected`, `dragging`, `joints`
+/// (index, name, kind, positions, force, torque, errors, `screen`), `selected_joint`, `paused`, `speed`, `camera`,
+/// `frames` ...
 std::string report_json(const StageState& state, const Controller& controller, const WindowFacts& facts);
 
 } // namespace cairn::viewer

@@ -36,6 +36,8 @@ void Stage::take_scene(LoadedScene scene, const std::string& path) {
     force_ = Vec3(0.0f);
     frozen_ = false;
     selected_ = {};
+    selected_joint_ = {};
+    drag_joint_ = {}; // it went with its world
     grab_ = {grab_.serial, false, {}, {}, {}, {}};
     step_milliseconds_ = 0.0;
     refresh_layout();
@@ -78,6 +80,7 @@ void Stage::step() {
     step_milliseconds_ = step_milliseconds_ == 0.0
                              ? milliseconds
                              : step_milliseconds_ + newest_step_weight * (milliseconds - step_milliseconds_);
+    report_broken();
     previous_ = current_;
     refresh_motion();
 }
@@ -104,6 +107,7 @@ StageState Stage::state() const {
     state.time_step = clock_.time_step();
     state.remainder = clock_.remainder();
     state.selected = selected_;
+    state.selected_joint = selected_joint_;
     state.grab = grab_;
     state.message = message_;
     return state;
@@ -205,6 +209,7 @@ void Stage::operator()(const command::SetSpeed& speed) { clock_.set_speed(speed.
 void Stage::operator()(const command::SetSettings& settings) { scene_.world.set_settings(settings.settings); }
 
 void Stage::operator()(const command::GrabBody& grab) {
+    let_go();
     grab_ = {grab.serial, false, {}, {}, {}, {}};
     const auto hit = scene_.world.cast_ray(grab.ray.origin, grab.ray.direction, pick_distance);
     if (!hit || scene_.world.body(hit->body).type() != BodyType::dynamic) return;
@@ -214,6 +219,7 @@ void Stage::operator()(const command::GrabBody& grab) {
     grab_.body = hit->body;
     grab_.start = grab_.target = hit->point;
     grab_.local_point = glm::conjugate(pose.rotation) * Vec3(hit->point - pose.position);
+    drag_joint_ = scene_.world.create_joint(drag_joint(scene_.world, hit->body, grab_.local_point));
 }
 
 void Stage::operator()(const command::MoveGrab& move) {
@@ -221,11 +227,20 @@ void Stage::operator()(const command::MoveGrab& move) {
 }
 
 void Stage::operator()(const command::ReleaseGrab& release) {
-    if (release.click && !grab_.body) selected_ = {};
+    if (release.click && !grab_.body) (*this)(command::SelectNothing{});
     grab_.holding = false;
+    let_go();
 }
 
-void Stage::operator()(const command::SelectNothing&) { selected_ = {}; }
+void Stage::let_go() {
+    if (drag_joint_ && scene_.world.is_valid(drag_joint_)) scene_.world.destroy_joint(drag_joint_);
+    drag_joint_ = {};
+}
+
+void Stage::operator()(const command::SelectNothing&) {
+    selected_ = {};
+    selected_joint_ = {};
+}
 
 void Stage::operator()(const command::Say& words) { say(words.text); }
 
@@ -235,14 +250,11 @@ void Stage::operator()(const command::ShowIslands& show) {
 }
 
 void Stage::pull_grabbed() {
-    if (!scene_.world.is_valid(grab_.body)) {
+    if (!scene_.world.is_valid(drag_joint_)) {
         grab_.holding = false;
         return say("The dragged body is gone.");
     }
-    Body body = scene_.world.body(grab_.body);
-    const DragForce pull = drag_force(body, grab_.local_point, grab_.target, float(clock_.time_step()));
-    body.add_force_at(pull.force, pull.point);
-    body.add_torque(pull.torque);
+    pull_to(scene_.world, drag_joint_, grab_.target);
 }
 
 void Stage::say(std::string text) { message_ = {message_.serial + 1, std::move(text)}; }
@@ -250,12 +262,13 @@ void Stage::say(std::string text) { message_ = {message_.serial + 1, std::move(t
 void Stage::refresh_layout() {
     layout_ =
         std::make_shared<const WorldLayout>(read_layout(scene_.world, scene_.appearances, meshes_, scene_.visuals));
+    refresh_joints();
     refresh_motion();
     previous_ = current_; // the bodies of the step before may not match
 }
 
 void Stage::refresh_motion() {
-    current_ = std::make_shared<const WorldMotion>(read_motion(scene_.world, *layout_, with_islands_));
+    current_ = std::make_shared<const WorldMotion>(read_motion(scene_.world, *layout_, with_islands_, joints_));
 }
 
 } // namespace cairn::viewer

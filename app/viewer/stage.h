@@ -47,6 +47,7 @@ struct StageState {
     double speed = 1.0, real_time_factor = 0.0, time_step = 1.0 / 60.0;
     double remainder = 0.0; ///< Simulated seconds by which real time is ahead of `current`.
     BodyId selected;
+    JointId selected_joint;
     Grab grab;
     Message message;
 };
@@ -90,6 +91,12 @@ class Stage {
     void operator()(const command::SelectNothing&);
     void operator()(const command::Say& words);
     void operator()(const command::ShowIslands& show);
+    void operator()(const command::MakeJoint& make);
+    void operator()(const command::SelectJoint& select);
+    void operator()(const command::SetJoint& joint);
+    void operator()(const command::SetJointStrength& strength);
+    void operator()(const command::SetJointSolver& solver);
+    void operator()(const command::RemoveJoint& joint);
 
   private:
     void take_scene(LoadedScene scene, const std::string& path);
@@ -98,8 +105,11 @@ class Stage {
     void add_body(const SpawnSettings& settings, const Position& position, const Vec3& velocity);
     void update_field(std::optional<ForceFieldId>& id, const ForceField& field, bool on);
     void pull_grabbed();
+    void let_go();
+    void report_broken();
     void hold_still();
     void refresh_layout();
+    void refresh_joints();
     void refresh_motion();
 
     SceneLoader loader_;
@@ -113,10 +123,13 @@ class Stage {
     Vec3 force_{0.0f, 0.0f, 0.0f};
     bool frozen_ = false, with_islands_ = false;
     BodyId selected_;
+    JointId selected_joint_;
     Grab grab_;
+    JointId drag_joint_; // ours, not the scene's: no list shows it
     Message message_;
     std::uint64_t scene_serial_ = 0;
     std::shared_ptr<const WorldLayout> layout_;
+    std::shared_ptr<const std::vector<JointLayout>> joints_;
     std::shared_ptr<const WorldMotion> previous_, current_;
     double step_milliseconds_ = 0.0;
 };

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numeric>
 #include <unordered_map>
+#include <utility>
 
 namespace cairn::viewer {
 
@@ -133,12 +134,14 @@ std::vector<std::uint32_t> find_islands(const World& world, const WorldLayout& l
         if (layout.bodies[i].type == BodyType::dynamic) dynamic_bodies.emplace(layout.bodies[i].id, std::uint32_t(i));
     std::vector<std::uint32_t> parents(layout.bodies.size());
     std::iota(parents.begin(), parents.end(), 0u);
-    for (const Contact& contact : world.contacts()) {
-        const auto a = dynamic_bodies.find(contact.body_a), b = dynamic_bodies.find(contact.body_b);
-        if (a == dynamic_bodies.end() || b == dynamic_bodies.end()) continue;
+    const auto join = [&](BodyId body_a, BodyId body_b) {
+        const auto a = dynamic_bodies.find(body_a), b = dynamic_bodies.find(body_b);
+        if (a == dynamic_bodies.end() || b == dynamic_bodies.end()) return;
         const std::uint32_t root_a = find_root(parents, a->second), root_b = find_root(parents, b->second);
         parents[std::max(root_a, root_b)] = std::min(root_a, root_b);
-    }
+    };
+    for (const Contact& contact : world.contacts()) join(contact.body_a, contact.body_b);
+    for (const JointId joint : world.joints()) join(world.joint_def(joint).body_a, world.joint_def(joint).body_b);
     for (std::uint32_t i = 0; i < parents.size(); ++i) parents[i] = find_root(parents, i);
     return parents;
 }
@@ -173,7 +176,8 @@ WorldLayout read_layout(const World& world, std::span<const Appearance> appearan
     return layout;
 }
 
-WorldMotion read_motion(const World& world, const WorldLayout& layout, bool with_islands) {
+WorldMotion read_motion(const World& world, const WorldLayout& layout, bool with_islands,
+                        std::shared_ptr<const std::vector<JointLayout>> joints) {
     const std::size_t count = layout.bodies.size();
     WorldMotion motion;
     motion.transforms.resize(count);
@@ -189,6 +193,10 @@ WorldMotion read_motion(const World& world, const WorldLayout& layout, bool with
         motion.awake[i] = body.is_awake() ? 1 : 0;
     }
     if (with_islands) motion.islands = find_islands(world, layout);
+    motion.joints = std::move(joints);
+    if (!motion.joints) return motion;
+    motion.joint_states.reserve(motion.joints->size());
+    for (const JointLayout& joint : *motion.joints) motion.joint_states.push_back(world.joint_state(joint.id));
     return motion;
 }
 

@@ -3,6 +3,7 @@
 /// The layout (which bodies and shapes there are) changes only by commands; the motion changes with every step.
 #pragma once
 
+#include "viewer/joint_layout.h"
 #include "viewer/scene_source.h"
 #include "viewer/shape_meshes.h"
 
@@ -60,17 +61,22 @@ struct WorldLayout {
 /// How every body of a layout stands and moves at one moment.
 struct WorldMotion {
     std::vector<Transform> transforms;
-    std::vector<float> speeds;          ///< m/s, of the centers of mass.
-    std::vector<std::uint8_t> awake;    ///< 1 or 0.
-    std::vector<std::uint32_t> islands; ///< The least index of a dynamic body that each one is joined to by contacts.
+    std::vector<float> speeds;       ///< m/s, of the centers of mass.
+    std::vector<std::uint8_t> awake; ///< 1 or 0.
+    /// The least index of a dynamic body that each one is joined to by contacts and joints.
+    std::vector<std::uint32_t> islands;
+    std::shared_ptr<const std::vector<JointLayout>> joints; ///< Null: not asked for.
+    std::vector<JointState> joint_states;                   ///< One for each of `joints`.
 };
 
 /// Copies the layout. `appearances` and `visuals` of what no longer exists are ignored. `meshes` keeps what it has made
 /// for the next call, and drops what this world no longer has.
 WorldLayout read_layout(const World& world, std::span<const Appearance> appearances, MeshCache& meshes,
                         std::span<const Visual> visuals = {});
-/// Copies the motion of the bodies of a layout. Islands are found only if asked for, else `islands` is empty.
-WorldMotion read_motion(const World& world, const WorldLayout& layout, bool with_islands = false);
+/// Copies the motion of the bodies of a layout, and of the joints that are given. Islands are found only if asked for,
+/// else `islands` is empty.
+WorldMotion read_motion(const World& world, const WorldLayout& layout, bool with_islands = false,
+                        std::shared_ptr<const std::vector<JointLayout>> joints = nullptr);
 
 /// A smallest-effort ball around the dynamic bodies (or, without any, around all finite shapes, or, without those,
 /// around the scenery).

@@ -18,6 +18,7 @@ Vec3 from_bullet(const btVector3& v) {
 class BulletEngine final : public Engine {
   public:
     ~BulletEngine() override {
+        for (const auto& joint : joints_) world_.removeConstraint(joint.get());
         for (const auto& body : bodies_) world_.removeRigidBody(body.get());
     }
 
@@ -28,6 +29,7 @@ class BulletEngine final : public Engine {
         for (const ConvexHull& hull : scene.hulls) hulls_.push_back(make_hull(hull));
         for (const SurfaceMesh& mesh : scene.meshes) meshes_.push_back(std::make_unique<Surface>(mesh));
         for (const SceneBody& body : scene.bodies) add_body(scene, body);
+        for (const SceneJoint& joint : scene.joints) add_joint(joint);
     }
 
     void step(float time_step) override {
@@ -179,13 +181,45 @@ class BulletEngine final : public Engine {
             made->setCollisionFlags(made->getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
             driven_.push_back({made, to_bullet(body.linear_velocity), to_bullet(body.angular_velocity)});
         }
-        world_.addRigidBody(made); // in Bullet's own groups, so that what is static does not meet what is static
+        if (scene.collides)
+            world_.addRigidBody(made); // in Bullet's own groups, so that what is static does not meet what is static
+        else
+            world_.addRigidBody(made, btBroadphaseProxy::DefaultFilter, 0);
+    }
+
+    // Bullet's hinges turn about their z axis, and count angles the other way.
+    std::unique_ptr<btTypedConstraint> make_hinge(const SceneJoint& joint, const btTransform& at_a,
+                                                  const btTransform& at_b) {
+        const btTransform z_to_x(btQuaternion(btVector3(0, 1, 0), SIMD_HALF_PI));
+        auto hinge = std::make_unique<btHingeConstraint>(*bodies_[joint.body_a], *bodies_[joint.body_b], at_a * z_to_x,
+                                                         at_b * z_to_x);
+        if (joint.angle) hinge->setLimit(-joint.angle->upper, -joint.angle->lower);
+        return hinge;
+    }
+
+    void add_joint(const SceneJoint& joint) {
+        const btTransform at_a =
+            to_origin_[joint.body_a] * btTransform(to_bullet(joint.axes_a), to_bullet(joint.anchor_a));
+        const btTransform at_b =
+            to_origin_[joint.body_b] * btTransform(to_bullet(joint.axes_b), to_bullet(joint.anchor_b));
+        btRigidBody &a = *bodies_[joint.body_a], &b = *bodies_[joint.body_b];
+        if (joint.kind == JointKind::hinge) {
+            joints_.push_back(make_hinge(joint, at_a, at_b));
+        } else if (joint.reach) {
+            auto ball = std::make_unique<btConeTwistConstraint>(a, b, at_a, at_b);
+            ball->setLimit(joint.reach->swing, joint.reach->swing, joint.reach->twist);
+            joints_.push_back(std::move(ball));
+        } else {
+            joints_.push_back(std::make_unique<btPoint2PointConstraint>(a, b, at_a.getOrigin(), at_b.getOrigin()));
+        }
+        world_.addConstraint(joints_.back().get(), true); // the two do not collide
     }
 
     int substeps_ = 1;
     std::vector<std::unique_ptr<btCollisionShape>> shapes_;
     std::vector<std::unique_ptr<btDefaultMotionState>> motions_;
     std::vector<std::unique_ptr<btRigidBody>> bodies_;
+    std::vector<std::unique_ptr<btTypedConstraint>> joints_;
     std::vector<std::unique_ptr<btConvexHullShape>> hulls_;
     std::vector<std::unique_ptr<Surface>> meshes_;
     std::vector<btTransform> to_origin_; // of every body

@@ -46,6 +46,7 @@ class OdeEngine final : public Engine {
         for (const ConvexHull& hull : scene.hulls) hulls_.emplace_back(hull);
         for (const SurfaceMesh& mesh : scene.meshes) meshes_.push_back(std::make_unique<Surface>(mesh));
         for (const SceneBody& body : scene.bodies) add_body(scene, body);
+        for (const SceneJoint& joint : scene.joints) add_joint(scene, joint);
     }
 
     void step(float time_step) override {
@@ -108,6 +109,8 @@ class OdeEngine final : public Engine {
     };
 
     void collide(dGeomID a, dGeomID b) {
+        const dBodyID body_a = dGeomGetBody(a), body_b = dGeomGetBody(b);
+        if (has_joints_ && body_a && body_b && dAreConnectedExcluding(body_a, body_b, dJointTypeContact)) return;
         constexpr int most_points = 8;
         dContact found[most_points];
         const int count = dCollide(a, b, most_points, &found[0].geom, sizeof(dContact));
@@ -118,7 +121,7 @@ class OdeEngine final : public Engine {
             found[i].surface.mode = dContactApprox1 | dContactBounce; // friction by the normal force
             found[i].surface.mu = friction_;
             found[i].surface.bounce = restitution_;
-            dJointAttach(dJointCreateContact(world_, contacts_, &found[i]), dGeomGetBody(a), dGeomGetBody(b));
+            dJointAttach(dJointCreateContact(world_, contacts_, &found[i]), body_a, body_b);
         }
     }
 
@@ -146,11 +149,11 @@ class OdeEngine final : public Engine {
     }
 
     // Fixed geometry belongs to no body and meets only what belongs to one.
-    void add_part(const Part& part, const SceneBody& body, dBodyID made) {
+    void add_part(const Scene& scene, const Part& part, const SceneBody& body, dBodyID made) {
         const dGeomID shape = make_shape(part);
         constexpr unsigned long moving = 1, fixed = 2;
         dGeomSetCategoryBits(shape, made ? moving : fixed);
-        dGeomSetCollideBits(shape, made ? moving | fixed : moving);
+        dGeomSetCollideBits(shape, !scene.collides ? 0 : made ? moving | fixed : moving);
         Quat rotation = part.rotation;
         if (part.shape == PartShape::capsule || part.shape == PartShape::cylinder) {
             const float half = std::sqrt(0.5f); // ODE's stand along z: a quarter turn from there to y
@@ -188,8 +191,50 @@ class OdeEngine final : public Engine {
         }
         bodies_.push_back(made);
         centers_of_mass_.push_back(body.center_of_mass);
-        for (std::size_t i = 0; i < body.part_count; ++i) add_part(scene.parts[body.first_part + i], body, made);
+        for (std::size_t i = 0; i < body.part_count; ++i) add_part(scene, scene.parts[body.first_part + i], body, made);
         if (body.motion == Motion::kinematic) dBodySetKinematic(made);
+    }
+
+    // ODE's angles are those of its first body against the second: B comes first.
+    void add_joint(const Scene& scene, const SceneJoint& joint) {
+        has_joints_ = true;
+        const SceneBody& of_b = scene.bodies[joint.body_b];
+        const Vec3 at = of_b.position + of_b.rotation * joint.anchor_b;
+        const auto axis_of = [&](Vec3 axis) { return of_b.rotation * (joint.axes_b * axis); };
+        const Vec3 x = axis_of({1, 0, 0}), y = axis_of({0, 1, 0});
+        const dBodyID a = bodies_[joint.body_a], b = bodies_[joint.body_b];
+        if (joint.kind == JointKind::hinge) {
+            const dJointID hinge = dJointCreateHinge(world_, nullptr);
+            dJointAttach(hinge, b, a);
+            dJointSetHingeAnchor(hinge, at.x, at.y, at.z);
+            dJointSetHingeAxis(hinge, x.x, x.y, x.z);
+            if (!joint.angle) return;
+            dJointSetHingeParam(hinge, dParamLoStop, joint.angle->lower);
+            dJointSetHingeParam(hinge, dParamHiStop, joint.angle->upper);
+            return;
+        }
+        const dJointID ball = dJointCreateBall(world_, nullptr);
+        dJointAttach(ball, b, a);
+        dJointSetBallAnchor(ball, at.x, at.y, at.z);
+        if (joint.reach) limit_turn(b, a, *joint.reach, x, y);
+    }
+
+    // ODE's ball joints have no limits; a motor without power beside them has stops for three Euler angles: the twist
+    // about B's axis, and two swings, whose range is so a square, not a cone.
+    void limit_turn(dBodyID b, dBodyID a, const SwingTwist& reach, Vec3 x, Vec3 y) {
+        const dJointID stops = dJointCreateAMotor(world_, nullptr);
+        dJointAttach(stops, b, a);
+        dJointSetAMotorMode(stops, dAMotorEuler);
+        constexpr int of_first_body = 1, of_second_body = 2;
+        dJointSetAMotorAxis(stops, 0, of_first_body, x.x, x.y, x.z);
+        dJointSetAMotorAxis(stops, 2, of_second_body, y.x, y.y, y.z);
+        const auto set_range = [&](int low, int high, float greatest) {
+            dJointSetAMotorParam(stops, low, -greatest);
+            dJointSetAMotorParam(stops, high, greatest);
+        };
+        set_range(dParamLoStop1, dParamHiStop1, reach.twist);
+        set_range(dParamLoStop2, dParamHiStop2, reach.swing);
+        set_range(dParamLoStop3, dParamHiStop3, reach.swing);
     }
 
     Library library_;
@@ -202,6 +247,7 @@ class OdeEngine final : public Engine {
     std::vector<std::unique_ptr<Surface>> meshes_;
     std::vector<BodyState> states_at_start_;
     dReal friction_ = 0, restitution_ = 0;
+    bool has_joints_ = false;
     int substeps_ = 1;
     StepCounts counts_;
 };

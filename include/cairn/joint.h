@@ -168,7 +168,10 @@ using Joint = std::variant<FixedJoint, BallJoint, HingeJoint, SliderJoint, Cylin
 enum class JointSolver : std::uint8_t {
     automatic, ///< Direct in chains, machines and under high mass ratios as long as it pays, else iterative.
     iterative, ///< 8 joints at a time, one after the other, with the contacts. For nets and heaps of many joints.
-    direct,    ///< All direct joints of an island at once. For chains, machines, and what must not give at all.
+    /// All direct joints that hang together at once. For chains, machines, and what must not give at all. Limits,
+    /// motors, friction, springs, gears, racks and pulleys stay iterative; so do all of a net of thousands of joints,
+    /// whose factorization would not end.
+    direct,
 };
 
 /// Everything needed to make a joint.

@@ -150,8 +150,8 @@ class World {
     void set_joint(JointId id, const Joint& joint);
     void set_joint_strength(JointId joint, float break_force, float break_torque); ///< N and N m, > 0; may be infinite.
     JointState joint_state(JointId joint) const;
-    std::vector<JointId> joints() const;            ///< All, in order of slot index.
-    std::vector<JointId> joints(BodyId body) const; ///< Those of one body, oldest first.
+    std::vector<JointId> joints() const;                            ///< All, in order of slot index.
+    std::vector<JointId> joints(BodyId body) const;                 ///< Those of one body, oldest first.
     std::optional<JointId> find_joint(std::string_view name) const; ///< The first of that name.
 
     // --- force fields

@@ -47,6 +47,7 @@ void set_mass(State& state, std::int32_t body, const MassProperties& properties)
     const bool dynamic = state.is_dynamic(body);
     mass.inverse_mass = dynamic ? reciprocal(mass.mass) : 0;
     mass.inverse_inertia = dynamic ? math::Vec3{reciprocal(p.x), reciprocal(p.y), reciprocal(p.z)} : math::Vec3{};
+    if (state.bodies[std::size_t(body)].first_joint != none) ++state.joint_changes;
     mass.isotropic = is_isotropic(mass.inertia) || mass.inverse_inertia == math::Vec3{};
 }
 

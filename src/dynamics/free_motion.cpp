@@ -418,8 +418,8 @@ void turn_spinning_rows(const State& s, BinScratch& scratch, float h) {
 void renew_inertia(const State& s, BinScratch& scratch, Crew* crew) {
     if (scratch.joints.empty()) return;
     for_chunks(crew, spin_block_count(scratch), spin_blocks_per_chunk, [&](int begin, int end, int) {
-        kernels().solver.renew_inertia(scratch.spin_blocks.data() + begin, end - begin, scratch.pose.data(),
-                                       scratch.inertia.data());
+        kernels().solver.renew_inertia(scratch.spin_blocks.data() + begin, end - begin, scratch.velocity.data(),
+                                       scratch.pose.data(), scratch.inertia.data());
     });
     for (const SpinningRow& r : scratch.spinning_rows) {
         const std::size_t row = std::size_t(r.row), b = std::size_t(scratch.row_bodies[row]);

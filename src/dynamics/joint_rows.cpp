@@ -1,6 +1,7 @@
 // The rows of joints in a solver bin: lanes, what is put into them, and what comes out.
 #include "dynamics/bodies.h"
 #include "dynamics/coloring.h"
+#include "dynamics/direct_joints.h"
 #include "dynamics/joint_placement.h"
 #include "dynamics/joints.h"
 #include "dynamics/solver.h"
@@ -27,7 +28,6 @@ std::uint32_t row_key(std::uint8_t color, std::uint32_t phase, std::uint32_t for
     const std::uint32_t rank = color == overflow_color ? 0u : color + 1u;
     return (rank * phases + phase) * forms + form;
 }
-constexpr std::uint32_t key_count = 64 * phases * forms;
 
 std::int32_t joint_row(BinScratch& scratch, const State& s, std::int32_t body) {
     if (body == none || s.body_settings[std::size_t(body)].type == BodyType::static_) return fixed_row;
@@ -45,11 +45,14 @@ void collect_joint(const State& s, std::uint32_t joint, BinScratch& scratch) {
                                                info.color == overflow_color,
                                                {std::int32_t(joint), a, b, std::uint8_t(axis)}});
     };
+    const bool is_direct = s.direct.set_of_joint[joint] != none;
     for (std::uint32_t i = 0; i < rules.axis_count; ++i) {
         const JointAxisRule& rule = s.joint_axes[joint].rules[i];
+        if (is_direct && is_direct_axis(rule)) continue;
         if (rule.has_limits || rule.has_drive || rule.friction > 0)
             add(i, std::uint32_t(rule.kind), JointRowType::axis, i);
     }
+    if (is_direct) return;
     if (rules.turn != JointLock::none) add(turn_phase, std::uint32_t(rules.turn), JointRowType::turn, 0);
     if (rules.point != JointLock::none) add(point_phase, std::uint32_t(rules.point), JointRowType::point, 0);
 }
@@ -67,14 +70,20 @@ void collect_rows(const State& s, BinScratch& scratch) {
     }
 }
 
-// A counting sort, stable.
+// A counting sort, stable. Most bins have few keys of the many that there are.
 void sort_rows(BinScratch& scratch) {
     const std::vector<JointRow>& from = scratch.unsorted_joint_rows;
-    scratch.joint_key_counts.assign(key_count + 1, 0);
-    for (const JointRow& row : from) ++scratch.joint_key_counts[row.key + 1];
-    for (std::size_t k = 1; k <= key_count; ++k) scratch.joint_key_counts[k] += scratch.joint_key_counts[k - 1];
-    scratch.joint_rows.resize(from.size());
-    for (const JointRow& row : from) scratch.joint_rows[scratch.joint_key_counts[row.key]++] = row;
+    std::vector<JointRow>& to = scratch.joint_rows;
+    to.resize(from.size());
+    if (from.empty()) return;
+    const auto by_key = [](const JointRow& a, const JointRow& b) { return a.key < b.key; };
+    const auto [least, most] = std::minmax_element(from.begin(), from.end(), by_key);
+    const std::uint32_t first = least->key, keys = most->key - first + 1;
+    std::vector<std::uint32_t>& counts = scratch.joint_key_counts;
+    counts.assign(keys + 1, 0);
+    for (const JointRow& row : from) ++counts[row.key - first + 1];
+    for (std::size_t k = 1; k <= keys; ++k) counts[k] += counts[k - 1];
+    for (const JointRow& row : from) to[counts[row.key - first]++] = row;
 }
 
 constexpr JointLane no_lane{none, fixed_row, fixed_row, 0};
@@ -250,7 +259,8 @@ void fill_joint_lanes(const State& s, BinScratch& scratch) {
     for (std::vector<JointLane>& lanes : scratch.joint_lanes) lanes.clear();
     scratch.joint_runs.clear();
     collect_rows(s, scratch);
-    if (scratch.joints.empty()) return;
+    list_direct_sets(s, scratch);
+    if (scratch.unsorted_joint_rows.empty()) return;
     sort_rows(scratch);
     const std::vector<JointRow>& rows = scratch.joint_rows;
     for (std::size_t k = 0; k < rows.size();) {
@@ -288,6 +298,7 @@ void fill_joint_blocks(State& s, BinScratch& scratch, Crew* crew, float h) {
             }
         });
     });
+    fill_direct_rows(s, scratch, crew);
 }
 
 void store_joints(State& s, BinScratch& scratch, float dt) {
@@ -295,6 +306,7 @@ void store_joints(State& s, BinScratch& scratch, float dt) {
         for (std::size_t k = 0; k < lanes.size(); ++k)
             if (lanes[k].joint != none) take_lane(s, lanes[k], blocks[k / 8], k % 8);
     });
+    store_direct_rows(s, scratch);
     const float rate = 1 / dt;
     for (const std::uint32_t index : scratch.joints) {
         JointInfo& joint = s.joints[index];

@@ -66,6 +66,7 @@ void unlink_joint(State& s, std::uint32_t joint) {
 void activate_joint(State& s, std::uint32_t index) {
     JointInfo& joint = s.joints[index];
     const std::int32_t owner = joint_owner(s, joint);
+    ++s.joint_changes;
     if (owner == none) return;
     joint.color = free_color(s, joint);
     const bool a = is_solved(s, joint.body_a), b = is_solved(s, joint.body_b);
@@ -84,6 +85,7 @@ void activate_joint(State& s, std::uint32_t index) {
 void deactivate_joint(State& s, std::uint32_t index) {
     JointInfo& joint = s.joints[index];
     const std::int32_t owner = joint_owner(s, joint);
+    ++s.joint_changes;
     if (owner == none || joint.color == no_color) return;
     wake_body(s, owner);
     Island& island = s.islands[std::size_t(s.bodies[std::size_t(owner)].island)];

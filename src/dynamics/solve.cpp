@@ -1,6 +1,7 @@
 // Bins: gather, substeps, scatter. A large bin is solved by all threads together, color by color; of the others, each
 // by one thread.
 #include "dynamics/bodies.h"
+#include "dynamics/direct_joints.h"
 #include "dynamics/finalize.h"
 #include "dynamics/joints.h"
 #include "dynamics/solver.h"
@@ -164,6 +165,7 @@ void run_substeps(const State& s, const Bin& bin, BinScratch& scratch, Crew* cre
         for_chunks(crew, rows, rows_per_chunk, [&](int begin, int end, int) {
             k.integrate_velocities(bodies, std::max(begin, int(first_body_row)), end, first);
         });
+        begin_direct_substep(s, scratch, crew, h, first);
         if (bin.bounces) bounce_all(scratch, crew, bodies, bounce);
         if (first) {
             for_joint_blocks(scratch, crew, [&](const ForRows& rows_of, void* blocks, int count) {
@@ -176,6 +178,7 @@ void run_substeps(const State& s, const Bin& bin, BinScratch& scratch, Crew* cre
         for_joint_blocks(scratch, crew, [&](const ForRows& rows_of, void* blocks, int count) {
             rows_of.solve(blocks, count, velocity, joint_soft);
         });
+        solve_direct_rows(s, scratch, crew, h);
         for_blocks(scratch, crew, [&](const ForPoints& points, const BlockRun& run) {
             points.solve(blocks_of(scratch, run), run.count, velocity, softness);
         });
@@ -267,6 +270,7 @@ void collect(State& s) {
 
 void solve_bins(State& s, float dt) {
     SolverScratch& scratch = s.solver;
+    update_direct_sets(s);
     Crew* const crew = s.crew.get();
     const int threads = crew->threads();
     scratch.reports.resize(s.records.size());

@@ -3,6 +3,7 @@
 
 #include "collision/manifold.h"
 #include "collision/surface_contact.h"
+#include "dynamics/direct_work.h"
 #include "kernels/joint_data.h"
 #include "kernels/solver_data.h"
 #include "math/bounds.h"
@@ -171,6 +172,7 @@ struct BinScratch {
     std::vector<PointBlock> point_blocks;
     std::vector<TurnBlock> turn_blocks;
     std::vector<AxisBlock> axis_blocks;
+    DirectWork direct;
     bool drive_varies = false; // forces depend on the position
     bool bounces = false;      // `correction` is another than `free_correction`
 

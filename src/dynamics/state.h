@@ -5,6 +5,7 @@
 #include "collision/broad_phase.h"
 #include "collision/shape_pose.h"
 #include "core/slot_pool.h"
+#include "dynamics/direct_sets.h"
 #include "dynamics/joint_state.h"
 #include "dynamics/solver_scratch.h"
 #include "jobs/crew.h"
@@ -231,6 +232,8 @@ struct State {
     NarrowScratch narrow;
     std::vector<std::uint32_t> solved; // contacts to solve in this step
     SolverScratch solver;
+    DirectSets direct;
+    std::uint64_t joint_changes = 0; // of joints, and of the masses of what is jointed
     std::unique_ptr<Crew> crew = std::make_unique<Crew>(1);
 
     BodyId body_id(std::int32_t body) const {

@@ -20,7 +20,8 @@ int bounce_contacts(void* blocks, int count, const SolverBodies& bodies, const B
 void integrate_velocities(const SolverBodies& bodies, int begin, int end, bool first);
 void spin(SpinBlock* blocks, int count, const SolverBodies& bodies, SolverTwist* drive, SolverTwist* correction,
           float h, bool first);
-void renew_inertia(SpinBlock* blocks, int count, const SolverPose* pose, SolverInertia* inertia);
+void renew_inertia(SpinBlock* blocks, int count, const SolverVelocity* velocity, const SolverPose* pose,
+                   SolverInertia* inertia);
 void finish_spin(const SpinBlock* blocks, int count, SolverVelocity* velocity, const SolverPose* pose);
 void integrate_poses(const SolverBodies& bodies, int begin, int end, float h);
 

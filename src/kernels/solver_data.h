@@ -167,7 +167,7 @@ struct alignas(64) SpinBlock {
     float axes[4][8];     // principal axes in the world at the start of the step, x y z w
     float moments[3][8], inverse_moments[3][8];
     float contact_inertia[6][8];        // what contacts act on
-    float momentum[3][8], free_w[3][8]; // after the substep's free motion, before contacts
+    float momentum[3][8], free_w[3][8]; // after the substep's free motion, or when the inertia was renewed
     float renewed[8];                   // 1: the inertia follows the poses, as joints need it; else it is of the start
     std::uint8_t any_renewed;
 };
@@ -192,7 +192,8 @@ struct SolverKernels {
     void (*spin)(SpinBlock* blocks, int count, const SolverBodies& bodies, SolverTwist* drive, SolverTwist* correction,
                  float h, bool first);
     // After the poses of a substep: the inertia of rows in joints.
-    void (*renew_inertia)(SpinBlock* blocks, int count, const SolverPose* pose, SolverInertia* inertia);
+    void (*renew_inertia)(SpinBlock* blocks, int count, const SolverVelocity* velocity, const SolverPose* pose,
+                          SolverInertia* inertia);
     // After the last substep: the angular velocities that go with the angular momenta and the rotations then.
     void (*finish_spin)(const SpinBlock* blocks, int count, SolverVelocity* velocity, const SolverPose* pose);
 

@@ -56,7 +56,8 @@ CAIRN_INLINE Vec3x8 tensor(Quatx8 q, Vec3x8 diagonal, Vec3x8 v) {
 
 // L now, with what the contacts have added since the last free motion.
 CAIRN_INLINE Vec3x8 momentum_now(const SpinBlock& block, Quatx8 turn, Quatx8 axes, Vec3x8 w, bool first) {
-    const mask8 followed = turn.w > splat(first ? 2.0f : most_turn_cosine);
+    mask8 followed = turn.w > splat(first ? 2.0f : most_turn_cosine);
+    if (block.any_renewed && !first) followed = followed | (load(block.renewed) > zero());
     Vec3x8 momentum = zero3();
     if (!all(followed)) momentum = tensor(axes, load3(block.moments), w);
     if (first) return momentum;
@@ -93,7 +94,8 @@ void spin(SpinBlock* blocks, int count, const SolverBodies& bodies, SolverTwist*
     }
 }
 
-void renew_inertia(SpinBlock* blocks, int count, const SolverPose* pose, SolverInertia* inertia) {
+void renew_inertia(SpinBlock* blocks, int count, const SolverVelocity* velocity, const SolverPose* pose,
+                   SolverInertia* inertia) {
     for (int k = 0; k < count; ++k) {
         SpinBlock& block = blocks[k];
         if (!block.any_renewed) continue;
@@ -101,6 +103,11 @@ void renew_inertia(SpinBlock* blocks, int count, const SolverPose* pose, SolverI
         const Quatx8 turn = gather_turn(pose, block.row);
         const Mat3x8 axes = to_matrix(multiply(turn, {load3(block.axes), load(block.axes[3])}));
         const Sym3x8 i = rotated_diagonal(axes, load3(block.moments)), old = load6(block.contact_inertia);
+        // What has been added so far was added with the old one.
+        const Vec3x8 w = gather_angular(velocity, block.row), before = load3(block.free_w),
+                     was_l = load3(block.momentum);
+        store3(block.momentum, select(renewed, was_l + old * (w - before), was_l));
+        store3(block.free_w, select(renewed, w, before));
         store6(block.contact_inertia, select(renewed, i, old));
         float *low[8], *high[8];
         for (int lane = 0; lane < 8; ++lane) {

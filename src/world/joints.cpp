@@ -61,7 +61,9 @@ void set_rules(State& s, std::uint32_t index, const JointRules& rules) {
     for (int i = 0; same && i < locks.axis_count; ++i) same = axes.rules[i].kind == rules.axes[i].kind;
     info.rules = locks;
     std::copy(std::begin(rules.axes), std::end(rules.axes), axes.rules);
+    ++s.joint_changes;
     if (!same) {
+        info.substep_time = 0;
         info.point_impulse = info.turn_impulse = {};
         for (JointAxisState& axis : axes.states) axis = {};
     }

@@ -53,6 +53,38 @@ TEST(BenchProgram, reports_every_engine_on_every_scene) {
     EXPECT_TRUE(has_cairn_tower);
 }
 
+TEST(BenchProgram, reports_how_far_the_anchors_of_joints_come_apart) {
+    const Outcome outcome =
+        run_bench("--scenes joint_swing,ragdolls,tower --n 5 --steps 60 --rounds 1 --threads 1 --json 2>/dev/null");
+    ASSERT_EQ(outcome.exit_code, 0);
+    const auto results = nlohmann::json::parse(outcome.output).at("results");
+    for (const auto& result : results) {
+        EXPECT_EQ(result.at("lost"), 0);
+        if (result.at("scene") == "tower") {
+            EXPECT_TRUE(result.at("joint_error_peak").is_null());
+            continue;
+        }
+        EXPECT_GT(result.at("joint_error_peak"), 0);
+        EXPECT_GE(result.at("joint_error_peak"), result.at("joint_error_max"));
+        EXPECT_GE(result.at("joint_error_max"), result.at("joint_error_mean"));
+        EXPECT_LT(result.at("joint_error_peak"), result.at("engine") == "cairn" ? 0.01 : 0.5);
+    }
+}
+
+TEST(BenchProgram, saves_what_joints_hold_with_all_its_bodies) {
+    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "cairn_bench_saved_joints";
+    std::filesystem::remove_all(folder);
+    ASSERT_EQ(run_bench("--scenes joint_grid,ragdolls --n 3 --save " + folder.string()).exit_code, 0);
+    cairn::scene::Scene net = cairn::scene::load(folder / "joint_grid.gltf");
+    EXPECT_EQ(net.world.bodies().size(), 9u);
+    // Even one in the other they do not collide.
+    net.world.body(net.world.bodies().back()).set_position(net.world.body(net.world.bodies()[4]).position());
+    net.world.step(net.info.time_step);
+    EXPECT_TRUE(net.world.contacts().empty());
+    EXPECT_EQ(cairn::scene::load(folder / "ragdolls.gltf").world.bodies().size(), 5u + 33);
+    std::filesystem::remove_all(folder);
+}
+
 TEST(BenchProgram, refuses_what_it_does_not_know) {
     EXPECT_EQ(run_bench("--scenes nowhere 2>/dev/null").exit_code, 2);
     EXPECT_EQ(run_bench("--engines nobody 2>/dev/null").exit_code, 2);

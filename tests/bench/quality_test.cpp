@@ -23,6 +23,38 @@ TEST(BenchPenetration, of_a_scene_covers_every_kind_of_pair_once) {
     EXPECT_NEAR(p.mean, 0.02, 1e-6);
 }
 
+std::vector<BodyState> states_at_start(const Scene& scene) {
+    std::vector<BodyState> states;
+    for (const SceneBody& body : scene.bodies) states.push_back({Position(body.position), body.rotation, {}, {}});
+    return states;
+}
+
+TEST(BenchQuality, measures_the_distance_between_the_anchors_of_joints) {
+    const Scene scene = make_scene("joint_grid", 2); // bodies 0 and 2 fixed; joints 0-1, 2-3, 1-3
+    ASSERT_EQ(scene.joints.size(), 3u);
+    std::vector<BodyState> states = states_at_start(scene);
+    EXPECT_EQ(measure_joint_errors(scene, states).greatest, 0.0);
+    states[1].position.y -= 0.03;
+    EXPECT_NEAR(measure_joint_errors(scene, states).greatest, 0.03, 1e-12);
+    EXPECT_NEAR(measure_joint_errors(scene, states).mean, 0.02, 1e-12);
+    states[1].position.y += 0.03;
+    // A quarter turn about z: the anchors 0.5 m above and beside the center go where the others are not.
+    states[1].rotation = cairn::Quat(std::sqrt(0.5f), 0, 0, std::sqrt(0.5f));
+    EXPECT_NEAR(measure_joint_errors(scene, states).greatest, std::sqrt(0.5), 1e-6);
+    states[1].position.x = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(measure_joint_errors(scene, states).greatest, 0.0); // of 2-3, the only one left
+}
+
+TEST(BenchPenetration, leaves_out_what_does_not_collide) {
+    Scene scene = make_scene("ragdolls", 1); // limbs overlap where they are joined
+    std::vector<BodyState> states = states_at_start(scene);
+    EXPECT_EQ(measure_penetrations(scene, states).overlaps, 0u);
+    scene.joints.pop_back(); // a knee
+    EXPECT_EQ(measure_penetrations(scene, states).overlaps, 1u);
+    scene.collides = false;
+    EXPECT_EQ(measure_penetrations(scene, states).overlaps, 0u);
+}
+
 TEST(BenchQuality, tells_drift_from_sag) {
     const Scene scene = make_scene("tower", 2);
     std::vector<BodyState> states;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 
 namespace {
@@ -20,9 +21,10 @@ std::vector<BodyState> initial_states(const Scene& scene) {
 
 TEST(BenchScenes, have_the_dynamic_bodies_that_their_names_promise) {
     const std::map<std::string_view, std::size_t> expected = {
-        {"pile_spheres", 8000},  {"pile_boxes", 5000}, {"pile_mixed", 5000}, {"pyramid", 820},  {"large_pyramid", 5050},
-        {"many_pyramids", 5500}, {"tower", 40},        {"mass_ratio", 5},    {"tumbler", 2000}, {"convex", 1000},
-        {"terrain", 2000},       {"props", 1500},      {"capsules", 3000},
+        {"pile_spheres", 8000},  {"pile_boxes", 5000},    {"pile_mixed", 5000},  {"pyramid", 820},
+        {"large_pyramid", 5050}, {"many_pyramids", 5500}, {"tower", 40},         {"mass_ratio", 5},
+        {"tumbler", 2000},       {"convex", 1000},        {"terrain", 2000},     {"props", 1500},
+        {"capsules", 3000},      {"joint_grid", 4032},    {"joint_swing", 4032}, {"ragdolls", 5500},
     };
     ASSERT_EQ(scene_kinds().size(), expected.size());
     for (const SceneKind& kind : scene_kinds()) {
@@ -63,6 +65,63 @@ TEST(BenchScenes, begin_without_overlaps_and_within_their_bounds) {
         EXPECT_EQ(count_lost(scene, states), 0u) << kind.name;
         EXPECT_EQ(measure_kinetic_energy(scene, states), 0.0) << kind.name; // the drum is not dynamic
     }
+}
+
+TEST(BenchScenes, begin_with_the_frames_of_every_joint_in_one_place) {
+    for (const SceneKind& kind : scene_kinds()) {
+        const Scene scene = make_scene(kind.name);
+        EXPECT_LT(measure_joint_errors(scene, initial_states(scene)).greatest, 1e-5) << kind.name;
+        for (const SceneJoint& joint : scene.joints) {
+            const SceneBody &a = scene.bodies.at(joint.body_a), &b = scene.bodies.at(joint.body_b);
+            ASSERT_TRUE(a.motion == Motion::dynamic || b.motion == Motion::dynamic) << kind.name;
+            const cairn::Quat turn = glm::conjugate(a.rotation * joint.axes_a) * (b.rotation * joint.axes_b);
+            ASSERT_LT(glm::length(Vec3(turn.x, turn.y, turn.z)), 1e-6f) << kind.name;
+        }
+    }
+}
+
+TEST(BenchScenes, join_every_sphere_of_a_net_to_its_neighbors) {
+    for (const char* name : {"joint_grid", "joint_swing"}) {
+        const Scene scene = make_scene(name);
+        EXPECT_EQ(scene.joints.size(), 64u * 63 + 63 * 63) << name;
+        EXPECT_FALSE(scene.collides);
+        std::vector<int> joints_of(scene.bodies.size());
+        for (const SceneJoint& joint : scene.joints) {
+            const Vec3 way = scene.bodies[joint.body_b].position - scene.bodies[joint.body_a].position;
+            EXPECT_FLOAT_EQ(glm::length(way), 1.0f);
+            ++joints_of[joint.body_a], ++joints_of[joint.body_b];
+        }
+        for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+            EXPECT_GE(joints_of[i], scene.bodies[i].motion == Motion::fixed ? 1 : 2) << name;
+    }
+}
+
+TEST(BenchScenes, drop_ragdolls_of_11_bodies_whose_masses_are_one_to_ten) {
+    const Scene scene = make_scene("ragdolls", 7);
+    ASSERT_EQ(scene.dynamic_count, 77u);
+    ASSERT_EQ(scene.joints.size(), 70u);
+    const std::size_t walls = scene.bodies.size() - scene.dynamic_count;
+    float least = 1e9f, greatest = 0, sum = 0;
+    for (std::size_t i = walls; i < walls + 11; ++i) {
+        least = std::min(least, scene.bodies[i].mass);
+        greatest = std::max(greatest, scene.bodies[i].mass);
+        sum += scene.bodies[i].mass;
+    }
+    EXPECT_NEAR(greatest / least, 10, 0.5);
+    EXPECT_NEAR(sum, 76, 2);
+    std::size_t hinges = 0;
+    std::vector<bool> hangs(scene.bodies.size());
+    for (const SceneJoint& joint : scene.joints) {
+        hinges += joint.kind == JointKind::hinge;
+        EXPECT_EQ((joint.body_a - walls) / 11, (joint.body_b - walls) / 11); // of one ragdoll
+        EXPECT_FALSE(hangs[joint.body_b]);                                   // a tree, from the pelvis
+        hangs[joint.body_b] = true;
+        EXPECT_TRUE(joint.kind == JointKind::hinge ? joint.angle.has_value() : joint.reach.has_value());
+        const AngleRange range = joint.angle.value_or(AngleRange{});
+        EXPECT_TRUE(range.lower <= 0 && range.upper >= 0);
+    }
+    EXPECT_EQ(hinges, 28u);
+    EXPECT_EQ(std::count(hangs.begin(), hangs.end(), true), 70);
 }
 
 TEST(BenchScenes, give_bodies_the_mass_of_their_shape) {

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
+#include <vector>
 
 namespace {
 
@@ -57,6 +59,7 @@ TEST(DragTarget, ALongRayIsCutShort) {
 struct Floating {
     World world{WorldDef{.gravity = {0.0f, 0.0f, 0.0f}, .enable_sleep = false}};
     BodyId body;
+    JointId drag;
 
     explicit Floating(float mass, const Vec3& velocity = Vec3(0.0f)) {
         BodyDef def;
@@ -70,17 +73,15 @@ struct Floating {
         return pose.position + Position(pose.rotation * local);
     }
     void pull(const Vec3& local, const Position& target, int steps, float step = dt) {
+        if (!drag) drag = world.create_joint(drag_joint(world, body, local));
         for (int i = 0; i < steps; ++i) {
-            Body handle = world.body(body);
-            const DragForce force = drag_force(handle, local, target, step);
-            handle.add_force_at(force.force, force.point);
-            handle.add_torque(force.torque);
+            pull_to(world, drag, target);
             world.step(step);
         }
     }
 };
 
-TEST(DragForce, HeavyAndLightBodiesFollowAlike) {
+TEST(DragJoint, HeavyAndLightBodiesFollowAlike) {
     const Position target(0.4, 0.8, -0.3);
     Floating light(0.01f), heavy(10000.0f);
     for (int i = 0; i < 60; ++i) {
@@ -91,7 +92,7 @@ TEST(DragForce, HeavyAndLightBodiesFollowAlike) {
     EXPECT_LT(glm::distance(heavy.held(Vec3(0.0f)), target), 0.01);
 }
 
-TEST(DragForce, ArrivesWithoutOvershooting) {
+TEST(DragJoint, ArrivesWithoutOvershooting) {
     Floating scene(5.0f);
     const Position target(0.8, 0.0, 0.0);
     double farthest = 0.0;
@@ -103,7 +104,7 @@ TEST(DragForce, ArrivesWithoutOvershooting) {
     EXPECT_GT(farthest, 0.79);
 }
 
-TEST(DragForce, AnOffCenterPointArrivesAndTheSpinDiesDown) {
+TEST(DragJoint, AnOffCenterPointArrivesAndTheSpinDiesDown) {
     Floating scene(5.0f, {0.0f, 3.0f, 0.0f});
     const Vec3 corner(0.5f, 0.5f, 0.5f);
     const Position target(2.0, 1.0, 1.0);
@@ -112,19 +113,133 @@ TEST(DragForce, AnOffCenterPointArrivesAndTheSpinDiesDown) {
     EXPECT_LT(glm::length(scene.world.body(scene.body).angular_velocity()), 0.1f);
 }
 
-TEST(DragForce, StaysFiniteWithVeryLongSteps) {
+TEST(DragJoint, StaysFiniteWithVeryLongSteps) {
     Floating scene(1.0f, {5.0f, 0.0f, 0.0f});
     scene.pull({0.5f, 0.0f, 0.0f}, {3.0, 0.0, 0.0}, 100, 0.5f);
     EXPECT_LT(glm::distance(scene.held({0.5f, 0.0f, 0.0f}), Position(3.0, 0.0, 0.0)), 1.0);
 }
 
-TEST(DragForce, ImmovableBodiesFeelNothing) {
+TEST(DragJoint, FollowsATargetFarAwayNoFasterThanNearby) {
+    Floating scene(2.0f);
+    float fastest = 0.0f;
+    for (int i = 0; i < 60; ++i) {
+        scene.pull(Vec3(0.0f), {500.0, 0.0, 0.0}, 1);
+        fastest = std::max(fastest, glm::length(scene.world.body(scene.body).linear_velocity()));
+    }
+    EXPECT_LT(fastest, 20.0f); // half the angular frequency times the longest stretch
+    EXPECT_GT(scene.held(Vec3(0.0f)).x, 8.0);
+}
+
+TEST(DragJoint, HoldsABodyAgainstItsWeight) {
+    Floating scene(3.0f);
+    WorldDef settings = scene.world.settings();
+    settings.gravity = {0.0f, -9.81f, 0.0f};
+    scene.world.set_settings(settings);
+    scene.pull({0.0f, 0.5f, 0.0f}, {0.0, 2.0, 0.0}, 180);
+    EXPECT_LT(glm::distance(scene.held({0.0f, 0.5f, 0.0f}), Position(0.0, 2.0, 0.0)), 0.02); // g / omega^2 = 1 cm
+}
+
+// One kilogram at the foot of a tower.
+TEST(DragJoint, PullingALightBoxFromUnderHeavyOnesThrowsNothingAway) {
+    for (const float mass : {15.0f, 2000.0f}) {
+        World world;
+        world.add_shape(world.create_body(test::static_body()), Plane{});
+        std::vector<BodyId> boxes;
+        for (int i = 0; i < 4; ++i) {
+            BodyDef def;
+            def.position = {0.0, 0.5 + 1.0 * i, 0.0};
+            def.mass = i == 0 ? 1.0f : mass;
+            boxes.push_back(world.create_body(def));
+            world.add_shape(boxes.back(), Box{});
+        }
+        for (int i = 0; i < 60; ++i) world.step(dt);
+        const JointId drag = world.create_joint(drag_joint(world, boxes[0], {0.5f, 0.0f, 0.5f}));
+        float fastest = 0.0f;
+        for (int i = 0; i < 240; ++i) {
+            pull_to(world, drag, {6.0, i % 40 < 20 ? 0.5 : 2.0, 3.0});
+            world.step(dt);
+            for (std::size_t k = 1; k < boxes.size(); ++k)
+                fastest = std::max(fastest, glm::length(world.body(boxes[k]).linear_velocity()));
+        }
+        EXPECT_LT(fastest, 12.0f) << mass; // they fall from a few meters
+        for (const BodyId box : boxes) {
+            EXPECT_LT(glm::length(Vec3(world.body(box).position())), 12.0f) << mass;
+            EXPECT_GT(world.body(box).position().y, 0.0) << mass;
+        }
+        // Six tons hold it by friction; forty-five kilograms do not.
+        EXPECT_EQ(glm::length(Vec3(world.body(boxes[0]).position())) > 4.0f, mass < 100.0f) << mass;
+    }
+}
+
+// Half a kilogram carries seventy that hang on it.
+TEST(DragJoint, AHandCarriesItsPuppet) {
     World world;
-    const BodyId floor = world.create_body(test::static_body());
-    world.add_shape(floor, Plane{});
-    const DragForce force = drag_force(world.body(floor), Vec3(0.0f), {5.0, 0.0, 0.0}, dt);
-    EXPECT_EQ(force.force, Vec3(0.0f));
-    EXPECT_EQ(force.torque, Vec3(0.0f));
+    BodyDef hand;
+    hand.position = {0.0, 3.0, 0.0};
+    hand.mass = 0.5f;
+    BodyDef trunk;
+    trunk.position = {0.0, 2.0, 0.0};
+    trunk.mass = 70.0f;
+    const BodyId upper = world.create_body(hand), lower = world.create_body(trunk);
+    world.add_shape(upper, Sphere{0.1f});
+    world.add_shape(lower, Box{{0.2f, 0.4f, 0.1f}});
+    const JointId wrist =
+        world.create_joint(world.joint_at(upper, lower, {0.0, 2.9, 0.0}, {0.0f, 1.0f, 0.0f}, BallJoint{}));
+    const JointId drag = world.create_joint(drag_joint(world, upper, Vec3(0.0f)));
+    const Position target(0.5, 4.0, 0.0);
+    float gap = 0.0f;
+    for (int i = 0; i < 600; ++i) {
+        pull_to(world, drag, target);
+        world.step(dt);
+        gap = std::max(gap, world.joint_state(wrist).linear_error);
+    }
+    EXPECT_LT(glm::distance(dragged_point(world, drag), target), 0.1);
+    EXPECT_LT(gap, 0.05f);
+}
+
+TEST(DragJoint, ABodyPullsWhatIsJoinedToIt) {
+    Floating scene(1.0f);
+    BodyDef def;
+    def.position = {-2.0, 0.0, 0.0};
+    def.mass = 4.0f;
+    const BodyId trailer = scene.world.create_body(def);
+    scene.world.add_shape(trailer, Box{{0.5f, 0.5f, 0.5f}});
+    scene.world.create_joint(
+        scene.world.joint_at(scene.body, trailer, {-1.0, 0.0, 0.0}, {1.0f, 0.0f, 0.0f}, BallJoint{}));
+    scene.pull({0.5f, 0.0f, 0.0f}, {4.0, 0.0, 0.0}, 180);
+    EXPECT_LT(glm::distance(scene.held({0.5f, 0.0f, 0.0f}), Position(4.0, 0.0, 0.0)), 0.05);
+    EXPECT_NEAR(scene.world.body(trailer).position().x, 1.5, 0.1);
+    EXPECT_LT(scene.world.joint_state(scene.world.joints().front()).linear_error, 0.01f);
+}
+
+TEST(DragJoint, WhatCannotBeMovedStays) {
+    World world;
+    BodyDef def;
+    def.mass = std::numeric_limits<float>::infinity();
+    const BodyId body = world.create_body(def);
+    world.add_shape(body, Box{});
+    const JointId drag = world.create_joint(drag_joint(world, body, {0.5f, 0.5f, 0.0f}));
+    for (int i = 0; i < 30; ++i) {
+        pull_to(world, drag, {1.5, 0.5, 0.0});
+        world.step(dt);
+    }
+    EXPECT_EQ(world.body(body).position().x, 0.0);
+    EXPECT_EQ(world.body(body).rotation(), Quat(1.0f, 0.0f, 0.0f, 0.0f));
+}
+
+TEST(DragJoint, ABodyThatCannotTurnIsPulledToo) {
+    World world(WorldDef{.gravity = {0.0f, 0.0f, 0.0f}, .enable_sleep = false});
+    BodyDef def;
+    def.mass_properties = MassProperties{2.0f, {0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}, {1.0f, 0.0f, 0.0f, 0.0f}};
+    const BodyId body = world.create_body(def);
+    world.add_shape(body, Box{});
+    const JointId drag = world.create_joint(drag_joint(world, body, {0.5f, 0.5f, 0.0f}));
+    for (int i = 0; i < 120; ++i) {
+        pull_to(world, drag, {1.5, 0.5, 0.0});
+        world.step(dt);
+    }
+    EXPECT_NEAR(world.body(body).position().x, 1.0, 0.01);
+    EXPECT_EQ(world.body(body).rotation(), Quat(1.0f, 0.0f, 0.0f, 0.0f));
 }
 
 } // namespace

@@ -75,6 +75,40 @@ TEST(HeadlessRenderer, DrawsSkyBodyGroundAndShadow) {
     EXPECT_NEAR(mean_at(renderer, camera, {-1.0, 0.0, 0.0}).sum(), lit.sum(), 0.05 * lit.sum());
 }
 
+TEST(HeadlessRenderer, StrokesAreSeenThroughBodiesButFainter) {
+    const LoadedScene scene = test::boxes_on_plane(1);
+    HeadlessRenderer renderer(width, height);
+    const CameraPose pose{{0.0, 2.0, 6.0}, {0.0, 0.5, 0.0}};
+    const OrbitCamera camera(pose);
+    RenderFrame frame = make_frame(scene.world, scene.appearances, pose);
+    const auto blue_at = [&](const Position& point) { return mean_at(renderer, camera, point).blue; };
+    const Position inside(0.0, 0.5, 0.0), before(0.0, 0.5, 0.6), beside(1.5, 1.5, 0.0);
+    renderer.draw(frame);
+    const double plain = blue_at(inside);
+    const auto with_dot = [&](const Position& at) {
+        RenderFrame marked = frame;
+        const Vec3 place(at - frame.origin);
+        marked.strokes.push_back({place, place, {0.0f, 0.0f, 1.0f}, 60.0f});
+        renderer.draw(marked);
+        return blue_at(at);
+    };
+    EXPECT_GT(with_dot(before), 240.0);
+    const double hidden = with_dot(inside);
+    EXPECT_GT(hidden, plain + 30.0);
+    EXPECT_LT(hidden, 200.0);
+    // A veil lets through what is behind it, from either side.
+    const Color sky = (renderer.draw(frame), mean_at(renderer, camera, beside));
+    for (const float way : {-1.0f, 1.0f}) {
+        RenderFrame veiled = frame;
+        const Vec3 at(beside - frame.origin);
+        veiled.veils.push_back({at + Vec3(-way, -1, 0), at + Vec3(way, -1, 0), at + Vec3(0, 1, 0), {1.0f, 0.0f, 0.0f}});
+        renderer.draw(veiled);
+        const Color seen = mean_at(renderer, camera, beside);
+        EXPECT_LT(seen.blue, sky.blue - 15.0);
+        EXPECT_GT(seen.blue, 0.5 * sky.blue);
+    }
+}
+
 TEST(HeadlessRenderer, EdgesAreSmooth) {
     LoadedScene scene = test::boxes_on_plane(0);
     const BodyId ball = scene.world.create_body(test::body_at({0.0, 3.0, 0.0}));

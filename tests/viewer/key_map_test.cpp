@@ -31,7 +31,7 @@ TEST(KeyMap, KeepsTheKeysOfTheFirstProgram) {
 TEST(KeyMap, EveryActionHasAKeyAndEveryKeyIsExplained) {
     std::string explained;
     for (const KeyHelp& line : key_help()) explained += std::string(line.keys) + " ";
-    for (const char* key : {"U", "I", "O", "J", "K", "L", "M", "P", "V"}) {
+    for (const char* key : {"U", "I", "O", "J", "K", "L", "M", "P", "V", "B", "Y", "W", "D", "T"}) {
         EXPECT_TRUE(find_binding(key)) << key;
         EXPECT_NE((" " + explained).find(std::string(" ") + key + " "), std::string::npos) << key;
     }

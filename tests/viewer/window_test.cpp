@@ -165,9 +165,51 @@ void test_mouse(Driver& driver) {
     driver.check("the wheel zooms", [](const Json& s) { return camera_at(s, 2) < 7.9; });
 }
 
+void test_joints(Driver& driver) {
+    const auto joints = [](std::size_t count) {
+        return [count](const Json& s) { return s.at("joints").size() == count; };
+    };
+    driver.key("Delete");
+    driver.key("Home");
+    driver.check("reset before the joints",
+                 [](const Json& s) { return s.at("scene").at("loads") == 3 && std::abs(crate_at(s, 1) - 0.5) < 0.01; });
+    const Json start = driver.state();
+    const double x = crate(start).at("screen").at(0).get<double>(), y = crate(start).at("screen").at(1).get<double>();
+    driver.cursor(x, y - 20);
+    driver.key("w");
+    driver.check("W fixes the body under the cursor to the world", [](const Json& s) {
+        return s.at("joints").size() == 1 && s.at("joints").at(0).at("kind") == "fixed" && s.at("selected_joint") == 0;
+    });
+    driver.press();
+    driver.check("a drag is no joint of the scene",
+                 [](const Json& s) { return s.at("dragging") == true && s.at("joints").size() == 1; });
+    driver.cursor(x + 40, y - 120);
+    pause_for(0.5);
+    driver.let_go();
+    driver.check("the fixed body has stayed", [](const Json& s) {
+        return s.at("dragging") == false && std::abs(crate_at(s, 1) - 0.5) < 0.05 && std::abs(crate_at(s, 0)) < 0.05;
+    });
+    driver.key("Escape");
+    driver.check("Escape selects no joint", [](const Json& s) { return s.at("selected_joint").is_null(); });
+    const Json anchor = driver.state().at("joints").at(0).at("screen");
+    driver.cursor(anchor.at(0).get<double>(), anchor.at(1).get<double>());
+    driver.xdotool("click 1");
+    driver.check("a click on an anchor selects the joint", [](const Json& s) { return s.at("selected_joint") == 0; });
+    driver.key("d");
+    driver.check("D removes it", joints(0));
+    driver.key("b");
+    driver.check("B makes a ball joint", joints(1));
+    driver.key("y");
+    driver.check("Y makes a hinge", joints(2));
+    driver.key("t");
+    driver.check("T hides the joints", [](const Json& s) { return s.at("joints_shown") == false; });
+    driver.key("t");
+    driver.check("T shows them", [](const Json& s) { return s.at("joints_shown") == true; });
+}
+
 void test_forces(Driver& driver) {
     driver.key("Delete");
-    driver.check("reset before the forces", [](const Json& s) { return s.at("scene").at("loads") == 3; });
+    driver.check("reset before the forces", [](const Json& s) { return s.at("scene").at("loads") == 4; });
     struct ForceKey {
         const char* name;
         std::size_t axis;
@@ -215,11 +257,11 @@ void test_picture_and_scenes(Driver& driver) {
     driver.key("F2");
     driver.check("F2 hides the panel", [](const Json& s) { return s.at("panel") == false; });
     driver.key("1");
-    driver.check("1 chooses the first scene", [](const Json& s) { return s.at("scene").at("loads") == 4; });
+    driver.check("1 chooses the first scene", [](const Json& s) { return s.at("scene").at("loads") == 5; });
     const std::string first = driver.state().at("scene").at("path").get<std::string>();
     driver.key("2");
     driver.check("2 chooses the second scene", [&](const Json& s) {
-        return s.at("scene").at("loads") == 5 && s.at("scene").at("path").get<std::string>() > first;
+        return s.at("scene").at("loads") == 6 && s.at("scene").at("path").get<std::string>() > first;
     });
 }
 
@@ -240,6 +282,7 @@ int main(int argc, char** argv) {
     if (driver.failures() == 0) {
         test_time(driver);
         test_mouse(driver);
+        test_joints(driver);
         test_forces(driver);
         test_picture_and_scenes(driver);
     }

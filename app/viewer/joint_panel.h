@@ -1,0 +1,24 @@
+/// \file joint_panel.h
+/// The part of the panel that lists joints and edits the selected one.
+#pragma once
+
+#include "viewer/controller.h"
+
+namespace cairn::viewer {
+
+class JointPanel {
+  public:
+    /// The list, inside the panel's window. Nothing for worlds without joints.
+    void draw(const StageState& state, Controller& controller);
+    /// The window of the selected joint, at the right under `top`; nothing if none is selected.
+    void draw_selected(const StageState& state, Controller& controller, float scale, float top);
+
+  private:
+    void draw_facts(const StageState& state, const JointLayout& joint, const JointState& now);
+    void draw_strength(Controller& controller);
+
+    JointId edited_id_; // of the joint that `edited_` is a copy of
+    JointDef edited_;   // follows the world while nothing is being edited
+};
+
+} // namespace cairn::viewer

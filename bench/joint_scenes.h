@@ -1,0 +1,12 @@
+// Scenes of bodies that joints hold together.
+#pragma once
+
+#include "bench/builder.h"
+
+namespace cairn::bench {
+
+void joint_grid(Builder& b, int size);
+void joint_swing(Builder& b, int size);
+void ragdolls(Builder& b, int size);
+
+} // namespace cairn::bench

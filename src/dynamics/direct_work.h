@@ -1,0 +1,56 @@
+// Working memory of the direct solver: the numbers of the sets in one bin.
+#pragma once
+
+#include "math/block.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace cairn {
+
+// A body of a set: what is of the step, and what is of the substep.
+struct DirectBody {
+    std::int32_t row = 0;
+    bool by_forces = false;
+    double inverse_mass = 0;
+    math::DVec3 moments, inverse_moments; // principal
+    math::DQuat axes0;                    // principal axes at the start of the step
+    math::DVec3 center;                   // how far the center of mass has moved since
+    math::DQuat turn;                     // and the body turned
+    math::DMat3 axes;                     // principal axes now
+    math::DVec3 stiffness;                // geometric: least moments about the principal axes, kg m^2
+    math::DSym3 inverse_inertia;
+    math::DVec3 v, w;
+    math::DVec3 dv, dw; // what the impulses add
+};
+
+// Three rows: c = L (v_B - v_A) + J_B w_B + J_A w_A is to be -rate x error.
+struct DirectRow {
+    math::DVec3 arm_a0, arm_b0, gap0; // from the centers of mass to the anchors, and from A's to B's
+    math::DVec3 axis_a0, axis_b0;
+    math::DQuat turn0;                   // of frame B against A
+    double at = 0;                       // axis rows: the position that is held
+    math::Block linear;                  // L
+    math::Block angular[2], response[2]; // J, and J I^-1
+    math::DVec3 arm_a, arm_b;
+    bool is_plain = false; // L is the unit matrix
+    math::DVec3 diagonal;  // of the rows' matrix, before the elimination
+    math::DVec3 error, impulse;
+    math::DVec3 total; // N s or N m s on B, world axes, over all substeps
+};
+
+struct DirectSolve {
+    std::int32_t set = 0;
+    std::size_t first_body = 0, first_row = 0, first_block = 0;
+    bool is_new = false; // some joint has no impulse of a last substep
+};
+
+struct DirectWork {
+    std::vector<DirectSolve> sets;
+    std::vector<DirectBody> bodies;
+    std::vector<DirectRow> rows;
+    std::vector<math::Block> diagonal, lower; // of the factor; by node and by block
+    std::vector<math::DVec3> sought;          // by node
+};
+
+} // namespace cairn

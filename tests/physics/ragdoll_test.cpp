@@ -1,0 +1,169 @@
+// A ragdoll of 11 bodies, whose masses are as 1 to 10, must stay together whatever happens to it.
+#include "support.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace cairn_test {
+namespace {
+
+// 1.66 m tall, 76 kg. It stands along y, looks along z, and has its arms down; the origin is the middle of its height.
+class Ragdoll {
+  public:
+    Ragdoll(World& world, const Position& position, const Quat& rotation, const Vec3& velocity)
+        : world_(world), position_(position), rotation_(rotation), velocity_(velocity) {
+        const BodyId pelvis = add(Box{{0.14f, 0.1f, 0.1f}}, {0, 0, 0});
+        const BodyId chest = add(Box{{0.17f, 0.17f, 0.1f}}, {0, 0.29f, 0});
+        const BodyId head = add(Capsule{0.03f, 0.1f, {}}, {0, 0.63f, 0});
+        ball(pelvis, chest, {0, 0.11f, 0}, {0, 1, 0}, 35, 30);
+        ball(chest, head, {0, 0.48f, 0}, {0, 1, 0}, 40, 50);
+        for (const float side : {-1.0f, 1.0f}) {
+            const float arm = side * 0.245f, leg = side * 0.09f;
+            const BodyId upper_arm = add(Capsule{0.11f, 0.055f, {}}, {arm, 0.3f, 0});
+            const BodyId forearm = add(Capsule{0.11f, 0.05f, {}}, {arm, 0.08f, 0});
+            ball(chest, upper_arm, {arm, 0.41f, 0}, {0, -1, 0}, 75, 45);
+            hinge(upper_arm, forearm, {arm, 0.19f, 0}, -140, 0);
+            const BodyId thigh = add(Capsule{0.18f, 0.075f, {}}, {leg, -0.3f, 0});
+            const BodyId shin = add(Capsule{0.18f, 0.06f, {}}, {leg, -0.66f, 0});
+            ball(pelvis, thigh, {leg, -0.12f, 0}, {0, -1, 0}, 60, 30);
+            hinge(thigh, shin, {leg, -0.48f, 0}, 0, 130);
+        }
+    }
+
+    // How far the two anchors of any joint are apart, m, from the poses alone.
+    double gap() const {
+        double greatest = 0;
+        for (const JointId joint : joints_) {
+            const JointDef& def = world_.joint_def(joint);
+            greatest =
+                std::max(greatest, glm::length(anchor(def.body_a, def.frame_a) - anchor(def.body_b, def.frame_b)));
+        }
+        return greatest;
+    }
+    // How far any hinge is beyond its limits, rad.
+    double excess() const {
+        double greatest = 0;
+        for (const JointId joint : joints_) {
+            const auto* hinge = std::get_if<HingeJoint>(&world_.joint_def(joint).joint);
+            if (!hinge) continue;
+            const float angle = world_.joint_state(joint).positions[0];
+            greatest = std::max(
+                {greatest, double(hinge->angle.limits->lower - angle), double(angle - hinge->angle.limits->upper)});
+        }
+        return greatest;
+    }
+    const std::vector<BodyId>& bodies() const { return bodies_; }
+
+  private:
+    Position anchor(BodyId id, const Transform& frame) const {
+        const Body body = std::as_const(world_).body(id);
+        return body.position() + Position(body.rotation() * Vec3(frame.position));
+    }
+    Position place(Vec3 at) const { return position_ + Position(rotation_ * (at + Vec3(0, 0.07f, 0))); }
+    BodyId add(const Shape& shape, Vec3 at) {
+        BodyDef def;
+        def.position = place(at);
+        def.rotation = rotation_;
+        def.linear_velocity = velocity_;
+        bodies_.push_back(add_body(world_, shape, def, surface(0.6f)));
+        return bodies_.back();
+    }
+    void join(BodyId a, BodyId b, Vec3 at, Vec3 axis, const Joint& joint) {
+        joints_.push_back(world_.create_joint(world_.joint_at(a, b, place(at), rotation_ * axis, joint)));
+    }
+    static JointRange degrees(float lower, float upper) {
+        return {float(radians(double(lower))), float(radians(double(upper))), {}};
+    }
+    void ball(BodyId a, BodyId b, Vec3 at, Vec3 axis, float swing, float twist) {
+        BallJoint joint;
+        joint.cone_angle = float(radians(double(swing)));
+        joint.twist = degrees(-twist, twist);
+        join(a, b, at, axis, joint);
+    }
+    void hinge(BodyId a, BodyId b, Vec3 at, float lower, float upper) {
+        HingeJoint joint;
+        joint.angle.limits = degrees(lower, upper);
+        join(a, b, at, {1, 0, 0}, joint);
+    }
+
+    World& world_;
+    Position position_;
+    Quat rotation_;
+    Vec3 velocity_;
+    std::vector<BodyId> bodies_;
+    std::vector<JointId> joints_;
+};
+
+// A floor, and a wall whose face is x = 0.
+void add_walls(World& world) {
+    BodyDef def;
+    def.type = BodyType::static_;
+    def.position = {0, -1, 0};
+    add_body(world, Box{{200, 1, 200}}, def, surface(0.6f));
+    def.position = {1, 10, 0};
+    add_body(world, Box{{1, 10, 200}}, def, surface(0.6f));
+}
+
+struct Throw {
+    std::string name;
+    Quat attitude;
+    int substeps;    // of the world
+    double most_gap; // m, at the impact
+};
+
+class ThrownRagdoll : public testing::TestWithParam<Throw> {};
+
+const Quat head_first = glm::angleAxis(float(-0.5 * pi), Vec3(0, 0, 1)),
+           feet_first = glm::angleAxis(float(0.5 * pi), Vec3(0, 0, 1)),
+           across = glm::angleAxis(float(-0.5 * pi), Vec3(0, 1, 0)),
+           askew = glm::angleAxis(0.7f, glm::normalize(Vec3(1, 2, 3)));
+// Lengthwise is worst: the whole body is behind one joint. By default a part moves 83 mm in a substep at this speed,
+// and a substep passes the stop on by one joint only.
+INSTANTIATE_TEST_SUITE_P(AtAWall, ThrownRagdoll,
+                         testing::Values(Throw{"HeadFirst", head_first, 6, 0.15},
+                                         Throw{"FeetFirst", feet_first, 6, 0.15}, Throw{"Across", across, 6, 0.05},
+                                         Throw{"Askew", askew, 6, 0.05},
+                                         Throw{"HeadFirstInSmallSubsteps", head_first, 16, 0.05},
+                                         Throw{"FeetFirstInSmallSubsteps", feet_first, 16, 0.05},
+                                         Throw{"AskewInSmallSubsteps", askew, 16, 0.05}),
+                         [](const auto& info) { return info.param.name; });
+
+TEST_P(ThrownRagdoll, StaysTogetherAt50MetersPerSecond) {
+    WorldDef settings = without_sleep();
+    settings.substeps = GetParam().substeps;
+    World world(settings);
+    add_walls(world);
+    const Ragdoll ragdoll(world, {-3, 2, 0}, GetParam().attitude, {50, 0, 0});
+    const double energy = world.kinetic_energy();
+    double peak = 0;
+    bool has_hit = false;
+    for (int i = 0; i < 64; ++i) { // it hits at the third step or the fourth
+        world.step(1.0f / 60);
+        peak = std::max(peak, ragdoll.gap());
+        EXPECT_LT(ragdoll.excess(), 0.15) << i;
+        EXPECT_LT(world.kinetic_energy(), 1.001 * energy + 100) << i;
+        has_hit = has_hit || !world.contacts().empty();
+    }
+    EXPECT_TRUE(has_hit);
+    EXPECT_LT(peak, GetParam().most_gap);
+    EXPECT_LT(ragdoll.gap(), 0.005); // a second later
+    for (const BodyId body : ragdoll.bodies()) EXPECT_LT(world.body(body).position().x, 0);
+}
+
+TEST(Ragdoll, DroppedOnTheGroundComesToRestInOnePiece) {
+    World world;
+    add_walls(world);
+    const Ragdoll ragdoll(world, {-5, 3, 0}, askew, {0, 0, 0});
+    double peak = 0;
+    for (int i = 0; i < 600; ++i) {
+        world.step(1.0f / 60);
+        peak = std::max(peak, ragdoll.gap());
+    }
+    EXPECT_LT(peak, 0.01);
+    EXPECT_LT(ragdoll.gap(), 0.0005);
+    EXPECT_LT(ragdoll.excess(), 0.005);
+    EXPECT_EQ(world.statistics().awake_bodies, 0u);
+}
+
+} // namespace
+} // namespace cairn_test
