@@ -78,14 +78,15 @@ def ragdolls():
     steps, rise, tread, width = 6, 0.4, 0.75, 5.0
     for k in range(steps):
         high, x = rise * (steps - k), -3.2 + tread * k
-        long = tread if k else 3.0
+        long = tread if k else 3.4
         s.fixed(s.box(long, high, width), stone, (x + (0 if k else (tread - long) / 2), high / 2, 0), None, "step",
                 blend("#B9B2A6", "#8E959B", k / (steps - 1)))
     cloth = s.material(0.5, 0.0, 950)
     for i in range(20):
-        layer, cell = divmod(i, 4)
+        layer, cell = divmod(i, 8)
         tilt = multiply(turn("y", rng.uniform(0, 360)), turn("x", rng.uniform(-35, 35)))
-        place = (-3.9 + rng.uniform(-0.25, 0.25), rise * steps + 1.3 + 1.9 * layer, (cell - 1.5) * 1.15)
+        row, column = divmod(cell, 4)
+        place = (-3.5 - 1.4 * row, rise * steps + 1.15 + 1.9 * layer, (column - 1.5) * 1.25)
         skin = blend("#F0C9A0", "#7A4E32", rng.random())
         shirt = VIVID[i % 7]
         ragdoll(s, cloth, place, tilt, (shirt, blend(shirt, "#1D2733", 0.7), skin), (2.6, 0, 0), i + 1)
@@ -163,6 +164,7 @@ def ball_and_chain():
     s.ground(0.6, 0.0, "#7A756B")
     stone, steel, brick = s.material(0.6, 0.0, 2400), s.material(0.4, 0.0, 7800), s.material(0.6, 0.0, 1800)
     pivot, lean, count, step, radius = (0.0, 8.2, 0.0), 68, 16, 0.32, 0.7
+    s.meet("chain", never="chain")
     s.fixed(s.box(2.4, 0.5, 2.4), stone, (0, 0.25, -4.2), None, "crane", DARK_STONE)
     s.fixed(s.box(0.7, 8.6, 0.7), stone, (0, 4.8, -4.2), None, "crane", YELLOW)
     s.fixed(s.box(0.5, 0.6, 6.6), stone, (0, 8.8, -2.6), None, "crane", YELLOW)
@@ -174,7 +176,6 @@ def ball_and_chain():
     spin = between((0, -1, 0), way)
     last, long, thick = None, step + 0.1, 0.035
     sides, ends = chain_link(s, long, thick, 0.13)
-    s.meet("chain", never="chain")
     for i in range(count):
         middle = [p + w * (i + 0.5) * step for p, w in zip(pivot, way)]
         color = "#54606B" if i % 2 else "#3B444D"
@@ -223,7 +224,7 @@ def cars():
         a = math.radians(angle)
         radius = 6.3
         place, heading = (radius * math.cos(a), 1.35, -radius * math.sin(a)), turn("y", angle + 90)
-        car(s, place, heading, color, number + 1, 13)
+        car(s, place, heading, color, number + 1, 17.5)
     return s
 
 

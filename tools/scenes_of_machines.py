@@ -37,10 +37,10 @@ def jansen(phase):
 
 def walker():
     s = Scene("Walker", "Eight legs of Theo Jansen's linkage, one motor. It walks by itself.",
-              (1.0, 3.6, 9.0), (1.0, 0.8, 0), 42, sleep=False)
+              (0.8, 3.9, 11.0), (0, 1.0, 0), 42, sleep=False)
     s.ground(0.9, 0.0, "#C8B48A")
-    unit = 0.016
-    axle = 91.5 * unit
+    unit, begin = 0.016, -4.2
+    axle = 91.8 * unit + 0.062  # the lowest foot is on the ground
     bone, frame = s.material(0.9, 0.0, 450), s.material(0.5, 0.0, 600)
     s.meet("walker", never="walker")
     layers = [(-0.95, 0.0), (-0.45, math.pi), (0.45, math.pi), (0.95, 0.0)]
@@ -189,8 +189,8 @@ def robot():
 
     s.meet("arm", never="arm")
     drum = s.cylinder(0.17, 0.36)
-    base = link(((0, 0.35, 0), shoulder), 0.16, "base", 40,
-                [(s.cylinder(0.3, 0.2), (0, 0.32, 0), dark), (drum, shoulder, dark, lying)])
+    base = link(((0, 0.4, 0), shoulder), 0.16, "base", 40,
+                [(s.cylinder(0.3, 0.18), (0, 0.32, 0), dark), (drum, shoulder, dark, lying)])
     upper = link((shoulder, elbow), 0.11, "upper arm", 18, [(s.cylinder(0.14, 0.32), elbow, dark, lying)])
     mid = [0.45 * e + 0.55 * w for e, w in zip(elbow, wrist)]
     fore = link((elbow, mid), 0.1, "forearm", 9)
@@ -234,30 +234,31 @@ def chain_reaction():
     for z in (-0.28, 0.28):
         s.fixed(s.box(1.5, 0.24, 0.06), slick, (first - 0.66, shelf + 0.35, z), lean, "rail", "#8A6239")
     s.body(s.sphere(0.16), heavy, (first - 1.02, shelf + 0.66, 0), None, "first ball", RED)
-    stone = s.material(0.4, 0.0, 800)
+    stone = s.material(0.4, 0.0, 1600)
     for k in range(11):
         s.body(s.box(0.08, 0.56, 0.3), stone, (first + 0.5 + 0.28 * k, shelf + 0.28, 0), None, f"domino {k + 1}",
                blend(YELLOW, RED, k / 10))
-    s.body(s.sphere(0.2), s.material(0.5, 0.0, 3000, rolling=0.01), (first + 3.82, shelf + 0.2, 0), None, "second ball", BLUE)
+    s.body(s.sphere(0.2), s.material(0.5, 0.0, 1500, rolling=0.001), (first + 3.82, shelf + 0.2, 0), None, "second ball", BLUE)
     # The seesaw: its right end is down until the ball comes.
     pivot = (0.7, 1.35, 0)
+    s.meet("seesaw", never="seesaw")
     s.fixed(s.hull([(x, y, z) for x, y in ((-0.45, 0), (0.45, 0), (0, pivot[1])) for z in (-0.3, 0.3)]), wood,
             (pivot[0], 0, 0), None, "stand", "#8A6239")
     tilt = turn("z", -14)
-    s.meet("seesaw", never="seesaw")
-    plank = s.compound([(s.box(3.4, 0.1, 0.6), (0, 0, 0), GREEN), (s.box(0.3, 0.3, 0.5), (1.3, -0.2, 0), DARK_STONE),
+    plank = s.compound([(s.box(3.4, 0.1, 0.6), (0, 0, 0), GREEN), (s.box(0.4, 0.4, 0.5), (1.25, -0.25, 0), DARK_STONE),
                         (s.box(0.06, 0.4, 0.6), (-1.67, 0.2, 0), GREEN)]
                        + [(s.box(1.2, 0.3, 0.06), (-1.1, 0.2, z), GREEN) for z in (-0.27, 0.27)], wood, pivot, tilt, "seesaw")
     s.joint(None, plank, joints.hinge(joints.control(0, math.radians(28))), pivot, "z", name="seesaw")
+    s.meet(None)
     # The hammer leans to the left until the seesaw lifts its tail.
-    axle, arm = (2.95, 2.0, 0), 1.1
+    axle, arm = (2.8, 2.0, 0), 1.1
     lean = turn("z", 6)
     place, spin, length = along((0, 0, 0), (-0.62, -0.4, 0))
     hammer = s.compound([(s.box(0.1, arm, 0.1), (0, arm / 2, 0), "#8A6239"), (s.box(0.42, 0.26, 0.26), (0, arm, 0), DARK_STONE),
-                         (s.capsule(0.05, length), place, "#8A6239", spin), (s.cylinder(0.09, 0.5), (0, 0, 0), ORANGE, turn("x", 90))],
+                         (s.capsule(0.05, length), place, "#8A6239", spin), (s.cylinder(0.09, 0.64), (0, 0, 0), ORANGE, turn("x", 90))],
                         s.material(0.3, 0.0, 1200), axle, lean, "hammer")
     s.joint(None, hammer, joints.hinge(joints.control(math.radians(-98), 0)), axle, "z", name="hammer")
-    for z in (-0.36, 0.36):
+    for z in (-0.4, 0.4):
         s.fixed(s.box(0.14, axle[1] + 0.1, 0.1), wood, (axle[0], (axle[1] + 0.1) / 2, z), None, "post", "#8A6239")
     catch_ball(s, wood, heavy)
     return s
@@ -265,7 +266,7 @@ def chain_reaction():
 
 def catch_ball(s, wood, heavy):
     """The end of the line: a slide lets a ball fall into a pan, which pulls up a flag."""
-    start, level, drop = 3.85, 1.85, 4.82
+    start, level, drop = 3.72, 1.85, 4.69
     way = joints.slider(joints.control(0, 0.6, friction=25))
     s.meet("slide", never="frame")
     slide = s.compound([(s.box(0.08, 0.75, 0.56), (0, 0.375, 0), PURPLE)]
