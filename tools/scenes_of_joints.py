@@ -71,7 +71,7 @@ def ragdoll(s, material, place, rotation, colors, velocity, number):
 
 def ragdolls():
     s = Scene("Ragdolls", "Twenty figures of eleven bodies tumble down the steps. Pull one up by its hand.",
-              (7.6, 5.6, 9.6), (0.4, 1.1, 0), 40)
+              (6.0, 5.9, 9.4), (-0.8, 1.4, 0.2), 43)
     rng = random.Random(25)
     s.ground(0.7, 0.0, "#66727A")
     stone = s.material(0.5, 0.0)
@@ -97,13 +97,14 @@ def ragdolls():
 
 def bridge():
     s = Scene("Suspension bridge", "The planks hang from two chains; a ball of 1.4 tons rolls across.",
-              (1.8, 6.2, 16.5), (0, 3.2, 0), 40)
+              (2.2, 6.6, 18.5), (0.4, 3.2, 0), 41)
     s.ground(0.7, 0.0, "#4E7391")
     stone, steel, wood = s.material(0.7, 0.0, 2400), s.material(0.5, 0.0, 7800), s.material(0.7, 0.0, 700)
     planks, step, deck, wide = 24, 0.6, 2.6, 2.8
     half, side, top = planks * step / 2, 1.45, 6.0
     for sign in (-1, 1):
-        s.fixed(s.box(6, deck, 6), stone, (sign * (half + 3.03), deck / 2, 0), None, "bank", "#86906F")
+        long = 6 if sign < 0 else 1.2
+        s.fixed(s.box(long, deck, 6), stone, (sign * (half + 0.03 + long / 2), deck / 2, 0), None, "bank", "#86906F")
         for z in (-side - 0.35, side + 0.35):
             s.fixed(s.box(0.5, top + 0.3, 0.4), stone, (sign * (half + 0.3), (top + 0.3) / 2, z), None, "tower", STONE)
         s.fixed(s.box(0.5, 0.35, 2 * side + 1.1), stone, (sign * (half + 0.3), top + 0.4, 0), None, "tower", STONE)
@@ -145,9 +146,9 @@ def bridge():
     s.body(s.sphere(0.875), rolling, (-half - 1.9, deck + 0.875, 0), None, "ball", RED, linearVelocity=[2.6, 0, 0],
            angularVelocity=[0, 0, short(-2.6 / 0.875, 4)])
     # A hollow for the ball on the other bank.
-    for x in (1.2, 3.2):
-        s.fixed(s.cylinder(0.12, wide), stone, (half + x + 0.5, deck + 0.04, 0), turn("x", 90), "sill", DARK_STONE)
-    s.fixed(s.box(0.4, 1.6, wide), stone, (half + 4.6, deck + 0.8, 0), None, "buffer", YELLOW)
+    mud = s.material(0.7, 0.0, rolling=0.15)
+    s.fixed(s.box(4.8, deck - 0.35, 6), mud, (half + 3.63, (deck - 0.35) / 2, 0), None, "hollow", "#7A7252")
+    s.fixed(s.box(0.4, 1.6, wide), stone, (half + 4.9, deck + 0.45, 0), None, "buffer", YELLOW)
     return s
 
 
@@ -160,10 +161,10 @@ def chain_link(s, length, thick, wide):
 
 def ball_and_chain():
     s = Scene("Ball and chain", "A ball of 3 tons on links of 9 kg each swings into a wall.",
-              (-3.0, 4.6, 15.2), (0.4, 3.5, 0), 42)
+              (-8.6, 5.0, 13.2), (-0.4, 3.9, 0), 42)
     s.ground(0.6, 0.0, "#7A756B")
     stone, steel, brick = s.material(0.6, 0.0, 2400), s.material(0.4, 0.0, 7800), s.material(0.6, 0.0, 1800)
-    pivot, lean, count, step, radius = (0.0, 8.2, 0.0), 68, 16, 0.32, 0.7
+    pivot, lean, count, step, radius = (0.0, 8.2, 0.0), 68, 18, 0.32, 0.7
     s.meet("chain", never="chain")
     s.fixed(s.box(2.4, 0.5, 2.4), stone, (0, 0.25, -4.2), None, "crane", DARK_STONE)
     s.fixed(s.box(0.7, 8.6, 0.7), stone, (0, 4.8, -4.2), None, "crane", YELLOW)
@@ -193,10 +194,10 @@ def ball_and_chain():
     s.meet(None)
     long, high, deep = 0.7, 0.35, 0.4
     for row in range(11):
-        for k in range(7 if row % 2 == 0 else 8):
+        for k in range(5 if row % 2 == 0 else 6):
             # Half bricks at the ends of every other row.
-            half = row % 2 == 1 and k in (0, 7)
-            z = (k - 3) * long if row % 2 == 0 else (k - 3.5) * long + (0.25 * long if k == 0 else -0.25 * long) * half
+            half = row % 2 == 1 and k in (0, 5)
+            z = (k - 2) * long if row % 2 == 0 else (k - 2.5) * long + (0.25 * long if k == 0 else -0.25 * long) * half
             color = blend("#B5533C", "#8E3B2E", (row * 3 + k * 5) % 7 / 6)
             s.body(s.box(deep, high, (long / 2 if half else long) - 0.01), brick, (1.1, (row + 0.5) * high, z), None,
                    f"brick {row + 1}", color)

@@ -37,7 +37,7 @@ def jansen(phase):
 
 def walker():
     s = Scene("Walker", "Eight legs of Theo Jansen's linkage, one motor. It walks by itself.",
-              (0.8, 3.9, 11.0), (0, 1.0, 0), 42, sleep=False)
+              (0.6, 3.4, 9.6), (0, 0.9, 0), 42, sleep=False)
     s.ground(0.9, 0.0, "#C8B48A")
     unit, begin = 0.016, -4.2
     axle = 91.8 * unit + 0.062  # the lowest foot is on the ground
@@ -47,8 +47,8 @@ def walker():
     deck = [(s.box(0.1, 0.1, 2.2), (sign * A * unit, axle - L * unit, 0), "#39424E") for sign in (-1, 1)]
     deck += [(s.box(2 * A * unit, 0.1, 0.12), (0, axle - L * unit, z), "#39424E") for z in (-0.2, 0.2)]
     deck += [(s.box(0.5, 0.3, 0.34), (0, axle - L * unit - 0.12, 0), ORANGE)]
-    middle = (0, axle - L * unit, 0)
-    body = s.compound([(shape, (x, y - middle[1], z), color) for shape, (x, y, z), color in deck], frame, middle, None,
+    height = axle - L * unit
+    body = s.compound([(shape, (x, y - height, z), color) for shape, (x, y, z), color in deck], frame, (begin, height, 0), None,
                       "body")
     shaft = s.cylinder(0.04, 2.1)
     parts = [(shaft, (0, 0, 0), "#B9C0C6", turn("x", 90))]
@@ -56,19 +56,24 @@ def walker():
         end = (M * unit * math.cos(phase), M * unit * math.sin(phase), z)
         place, spin, length = along((0, 0, z), end)
         parts.append((s.capsule(0.045, length), place, RED, spin))
-    crank = s.compound(parts, frame, (0, axle, 0), None, "crank")
-    s.joint(body, crank, joints.hinge(joints.control(velocity=-3.0), solver="direct"), (0, axle, 0), "z", name="motor")
+    crank = s.compound(parts, frame, (begin, axle, 0), None, "crank")
+    s.joint(body, crank, joints.hinge(joints.control(velocity=-2.0), solver="direct"), (begin, axle, 0), "z", name="motor")
     for z, phase in layers:
         for side in (1, -1):
-            leg(s, body, crank, z, phase, side, unit, axle, bone)
+            leg(s, body, crank, z, phase, side, unit, (begin, axle), bone)
     s.meet(None)
+    # Blocks in its way, light enough to be kicked aside.
+    light, block = s.material(0.6, 0.0, 60), s.box(0.18, 0.18, 0.18)
+    for k in range(24):
+        row, column = divmod(k, 4)
+        s.body(block, light, (-1.2 + 0.95 * row, 0.09, (column - 1.5) * 0.7 + 0.17 * (row % 2)), turn("y", 37 * k % 90), None, VIVID[k % 7])
     return s
 
 
 def leg(s, body, crank, z, phase, side, unit, axle, bone):
     # A leg to the right is the mirror image of one whose crank is at the mirrored angle.
     points = jansen(phase if side == 1 else math.pi - phase)
-    points = {name: (side * x * unit, y * unit + axle, z) for name, (x, y) in points.items()}
+    points = {name: (side * x * unit + axle[0], y * unit + axle[1], z) for name, (x, y) in points.items()}
     name = f"{'left' if side == 1 else 'right'} leg {z}"
 
     def plate(corners, color, what, ends=()):
@@ -76,7 +81,7 @@ def leg(s, body, crank, z, phase, side, unit, axle, bone):
         parts = []
         for first, second in zip(corners, corners[1:] + corners[:1] if len(corners) > 2 else corners[1:]):
             place, spin, length = along(points[first], points[second])
-            parts.append((s.capsule(0.03, length), [p - m for p, m in zip(place, middle)], color, spin))
+            parts.append((s.capsule(0.036, length), [p - m for p, m in zip(place, middle)], color, spin))
         for end in ends:
             parts.append((s.sphere(0.06), [p - m for p, m in zip(points[end], middle)], "#2A2E35"))
         return s.compound(parts, bone, middle, None, f"{what} {name}")
@@ -102,7 +107,7 @@ def clock():
     s.meet("clock", never="clock")
     for k in range(48):
         a = 2 * math.pi * k / 48
-        s.fixed(s.box(0.36, 0.16, 0.3), wood, (2.45 * math.sin(a), high + 2.45 * math.cos(a), 0), turn("z", 90 - math.degrees(a)), "rim",
+        s.fixed(s.box(0.24, 0.345, 0.3), wood, (2.45 * math.sin(a), high + 2.45 * math.cos(a), 0), turn("z", 90 - math.degrees(a)), "rim",
                 "#6B4426")
     for k in range(12):
         a = 2 * math.pi * k / 12
@@ -156,14 +161,6 @@ def clock():
     for a, b, first, second, ratio in ((driver, minute, fast, center, 4), (minute, middle, center, side, 3),
                                        (middle, hour, side, center, 4)):
         s.joint(a, b, joints.gear(ratio), (*first, 0), "z", (*second, 0), name=f"gear 1 : {ratio}")
-    # A pendulum of 2 s for company.
-    pivot, length = (0, 2.0, -0.5), 0.994
-    lean = turn("z", 14)
-    rod, bob = s.cylinder(0.02, length), s.cylinder(0.2, 0.06)
-    swung = s.compound([(rod, (0, length / 2, 0), "#8C8C94"), (bob, (0, 0, 0), "#D2A94A", turn("x", 90))], brass,
-                       [p + q for p, q in zip(pivot, rotate(lean, (0, -length, 0)))], lean, "pendulum", mass=5,
-                       centerOfMass=[0, 0, 0], inertiaDiagonal=[0.001, 0.001, 0.001])
-    s.joint(None, swung, joints.hinge(), pivot, "z", name="pendulum")
     s.meet(None)
     return s
 
@@ -172,7 +169,7 @@ def clock():
 
 def robot():
     s = Scene("Robot arm", "Six axes hold a tray level while the arm turns. Push it: the servos bring it back.",
-              (4.2, 3.0, 5.2), (0, 1.05, 0), 40, sleep=False, substeps=24)
+              (3.3, 2.7, 4.2), (0, 1.0, 0), 42, sleep=False, substeps=24)
     s.ground(0.6, 0.0, "#58626B")
     steel, grip = s.material(0.5, 0.0, 1000), s.material(0.8, 0.0, 400)
     s.fixed(s.cylinder(0.45, 0.2), steel, (0, 0.1, 0), None, "stand", DARK_STONE)
@@ -201,7 +198,7 @@ def robot():
     way = along(elbow, wrist)
     forward = rotate(way[1], (0, 1, 0))
     servo = joints.hinge(joints.control(position=0, to=joints.spring(100000, 10000)))
-    s.joint(None, base, joints.hinge(joints.control(velocity=0.6)), (0, 0.2, 0), "y", name="axis 1")
+    s.joint(None, base, joints.hinge(joints.control(velocity=0.6, most=60)), (0, 0.2, 0), "y", name="axis 1")
     for number, (a, b, at, axis) in enumerate(((base, upper, shoulder, "z"), (upper, fore, elbow, "z"),
                                                (fore, roll, mid, forward), (roll, pitch, wrist, "z"),
                                                (pitch, tray, hand, "y"))):
@@ -220,7 +217,7 @@ def robot():
 
 def chain_reaction():
     s = Scene("Chain reaction", "A ball, dominoes, a seesaw, a hammer, a slide, a pan: the flag rises at the end.",
-              (0.2, 3.3, 13.5), (0.2, 2.0, 0), 40)
+              (0.2, 3.3, 12.6), (0.2, 1.95, 0), 40)
     s.ground(0.6, 0.0, "#5E6F78")
     wood, slick = s.material(0.5, 0.0, 600), s.material(0.15, 0.0, 600)
     heavy = s.material(0.4, 0.0, 2500, rolling=0.002)
@@ -282,7 +279,7 @@ def catch_ball(s, wood, heavy):
     s.fixed(s.box(2.0, 0.1, 0.1), wood, (start + 1.0, level + 0.03, -0.36), None, "rail", "#8A6239")
     s.fixed(s.box(0.12, level, 0.12), wood, (start + 1.9, level / 2, -0.36), None, "post", "#8A6239")
     s.meet(None)
-    s.body(s.sphere(0.18), heavy, (drop, level + 0.24, 0), None, "third ball", SKY)
+    s.body(s.sphere(0.18), heavy, (drop, level + 0.24, 0), None, "third ball", SKY, mass=20)
     metal = s.material(0.5, 0.0, 300)
     mast, pole, pan_y, top = 5.75, 6.6, 1.3, 3.95
     s.meet("lift", never="lift")
@@ -294,9 +291,9 @@ def catch_ball(s, wood, heavy):
                      + [(s.box(0.06, 0.26, 0.6), (x, 0.13, 0), RED) for x in (-0.27, 0.27)]
                      + [(s.box(0.6, 0.26, 0.06), (0, 0.13, z), RED) for z in (-0.27, 0.27)]
                      + [(s.box(mast - drop - 0.2, 0.08, 0.08), ((mast - drop + 0.3) / 2, 0, 0), RED)], metal, (drop, pan_y, 0),
-                     None, "pan", mass=4)
+                     None, "pan", mass=20)
     flag = s.compound([(s.box(0.08, 0.5, 0.08), (0, 0, 0), WHITE), (s.box(0.75, 0.5, 0.04), (0.4, 0, 0), RED),
-                       (s.box(0.76, 0.14, 0.05), (0.4, 0, 0), WHITE)], metal, (pole, 0.5, 0), None, "flag", mass=5)
+                       (s.box(0.76, 0.14, 0.05), (0.4, 0, 0), WHITE)], metal, (pole, 0.5, 0), None, "flag", mass=14)
     fall = pan_y - 0.2
     s.joint(None, pan, joints.slider(joints.control(-fall, 0, friction=4)), (mast, pan_y, 0), "y", name="pan")
     s.joint(None, flag, joints.slider(joints.control(0, 2 * fall + 0.1, friction=4)), (pole, 0.5, 0), "y", name="flag")
