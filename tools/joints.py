@@ -8,12 +8,6 @@ def spring(stiffness, damping):
     return {"stiffness": stiffness, "damping": damping}
 
 
-def swing(hertz, ratio):
-    """The spring with which what the joint moves swings, relative to its mass."""
-    omega = 2 * math.pi * hertz
-    return {"stiffness": round(omega * omega, 4), "damping": round(2 * ratio * omega, 4), "is_acceleration": True}
-
-
 def control(lower=None, upper=None, velocity=None, position=None, to=None, most=None, friction=None):
     """What acts along an axis: a range; a motor with a velocity, or with a position and a spring `to` it; `most` force;
     friction."""
@@ -70,13 +64,8 @@ def _entry(kind, limits, drives, members, strength=None, solver=None):
     return {**made, "extensions": {"CAIRN_joint": own}}
 
 
-def fixed(**how):
-    """how, here and below: `strength`, the force that breaks it, and `solver`."""
-    return _entry("fixed", [_lock("linear", 0, 1, 2), _lock("angular", 0, 1, 2)], [], {}, **how)
-
-
 def ball(cone=None, twist=None, friction=None, **how):
-    """cone: the greatest angle between the x axes, degrees. twist: about them, to either side, degrees."""
+    """how, here and below: `strength`, the force that breaks it, and `solver`. cone: the greatest angle between the x axes, degrees. twist: about them, to either side, degrees."""
     limits, members = [_lock("linear", 0, 1, 2)], {}
     if cone is not None:
         members["cone_angle"] = round(math.radians(cone), 6)
@@ -118,5 +107,5 @@ def gear(ratio):
     return _entry("gear", [], [], {"ratio": ratio})
 
 
-def pulley(ground_a, ground_b):
-    return _entry("pulley", [], [], {"ground_a": list(ground_a), "ground_b": list(ground_b)})
+def pulley(ground_a, ground_b, ratio=1):
+    return _entry("pulley", [], [], {"ground_a": list(ground_a), "ground_b": list(ground_b), "ratio": ratio})

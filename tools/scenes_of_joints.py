@@ -4,8 +4,8 @@ import math
 import random
 
 import joints
-from scene_writer import (BLACK, BLUE, DARK_STONE, GREEN, ORANGE, PURPLE, RED, SKY, STONE, VIVID, WALL, WHITE, WOOD,
-                          YELLOW, Scene, any_turn, between, blend, multiply, rotate, short, turn)
+from scene_writer import (BLUE, DARK_STONE, RED, STONE, VIVID, WOOD, YELLOW, Scene, between, blend, multiply, rotate,
+                          short, turn)
 
 
 def along(first, second):
@@ -147,8 +147,8 @@ def bridge():
            angularVelocity=[0, 0, short(-2.6 / 0.875, 4)])
     # A hollow for the ball on the other bank.
     mud = s.material(0.7, 0.0, rolling=0.15)
-    s.fixed(s.box(4.8, deck - 0.35, 6), mud, (half + 3.63, (deck - 0.35) / 2, 0), None, "hollow", "#7A7252")
-    s.fixed(s.box(0.4, 1.6, wide), stone, (half + 4.9, deck + 0.45, 0), None, "buffer", YELLOW)
+    s.fixed(s.box(3.6, deck - 0.35, 6), mud, (half + 3.03, (deck - 0.35) / 2, 0), None, "hollow", "#7A7252")
+    s.fixed(s.box(0.4, 1.6, wide), stone, (half + 3.4, deck + 0.2, 0), None, "buffer", YELLOW)
     return s
 
 
@@ -173,7 +173,6 @@ def ball_and_chain():
     s.fixed(s.cylinder(0.12, 0.5), stone, (0, 8.35, 0), None, "hook", DARK_STONE)
     a = math.radians(lean)
     way = (-math.sin(a), -math.cos(a), 0)
-    spin = turn("z", 90 + 90 - lean - 90)
     spin = between((0, -1, 0), way)
     last, long, thick = None, step + 0.1, 0.035
     sides, ends = chain_link(s, long, thick, 0.13)
@@ -249,7 +248,7 @@ def car(s, place, heading, color, number, steer):
                  (s.box(0.32, 0.285, 0.06), (0, 0, 0), "#7C858D")]
         axle = multiply(heading, turn("x", 90))
         tire = s.compound(parts, rubber, hub, axle, f"{name} {number}", mass=25)
-        suspension = joints.control(-0.16, 0.14, position=-0.0, to=joints.spring(26000, 2400))
+        suspension = joints.control(-0.16, 0.14, to=joints.spring(26000, 2400))
         drive = joints.control(velocity=-9.5, most=420) if x < 0 else joints.control(friction=2)
         steering = None
         if x > 0:

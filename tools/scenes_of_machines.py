@@ -3,8 +3,8 @@
 import math
 
 import joints
-from scene_writer import (BLUE, DARK_STONE, GREEN, ORANGE, PURPLE, RED, SKY, STONE, VIVID, WHITE, WOOD, YELLOW, Scene,
-                          blend, multiply, rotate, short, turn)
+from scene_writer import (BLUE, DARK_STONE, GREEN, ORANGE, PURPLE, RED, SKY, VIVID, WHITE, WOOD, YELLOW, Scene, blend,
+                          multiply, rotate, turn)
 from scenes_of_joints import along
 from scenes_of_shapes import gear_tooth
 
@@ -297,7 +297,6 @@ def catch_ball(s, wood, heavy):
     fall = pan_y - 0.2
     s.joint(None, pan, joints.slider(joints.control(-fall, 0, friction=4)), (mast, pan_y, 0), "y", name="pan")
     s.joint(None, flag, joints.slider(joints.control(0, 2 * fall + 0.1, friction=4)), (pole, 0.5, 0), "y", name="flag")
-    pull = joints.pulley((mast, top, 0), (pole, top, 0))
-    pull["extensions"]["CAIRN_joint"]["ratio"] = 0.5
+    pull = joints.pulley((mast, top, 0), (pole, top, 0), 0.5)
     s.joint(pan, flag, pull, (mast, pan_y, 0), "x", (pole, 0.5, 0), name="rope")
     s.meet(None)
