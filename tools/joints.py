@@ -65,7 +65,8 @@ def _entry(kind, limits, drives, members, strength=None, solver=None):
 
 
 def ball(cone=None, twist=None, friction=None, **how):
-    """how, here and below: `strength`, the force that breaks it, and `solver`. cone: the greatest angle between the x axes, degrees. twist: about them, to either side, degrees."""
+    """how, here and below: `strength`, the force that breaks it, and `solver`. cone: the greatest
+    angle between the x axes, degrees. twist: about them, to either side, degrees."""
     limits, members = [_lock("linear", 0, 1, 2)], {}
     if cone is not None:
         members["cone_angle"] = round(math.radians(cone), 6)

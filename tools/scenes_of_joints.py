@@ -1,4 +1,4 @@
-"""Scenes of joints: chains, bridges, wheels on springs, legs, gears, servos. The machines are in scenes_of_machines.py."""
+"""Scenes of joints: ragdolls, a bridge, a chain, cars. The machines are in scenes_of_machines.py."""
 
 import math
 import random
@@ -160,7 +160,7 @@ def chain_link(s, length, thick, wide):
 
 
 def ball_and_chain():
-    s = Scene("Ball and chain", "A ball of 3 tons on links of 9 kg each swings into a wall.",
+    s = Scene("Ball and chain", "A ball of 3 tons on links of 34 kg each swings into a wall.",
               (-8.6, 5.0, 13.2), (-0.4, 3.9, 0), 42)
     s.ground(0.6, 0.0, "#7A756B")
     stone, steel, brick = s.material(0.6, 0.0, 2400), s.material(0.4, 0.0, 7800), s.material(0.6, 0.0, 1800)
@@ -237,7 +237,8 @@ def car(s, place, heading, color, number, steer):
     dark, paint = "#2A2E35", s.material(0.4, 0.0, 300)
     body = s.compound([(s.box(2.7, 0.3, 1.0), (0, 0, 0), color), (s.box(1.2, 0.42, 0.94), (-0.2, 0.36, 0), "#DCE6EC"),
                        (s.box(1.1, 0.08, 0.96), (-0.2, 0.6, 0), color),
-                       (s.box(0.1, 0.12, 1.1), (1.38, -0.06, 0), dark), (s.box(0.1, 0.12, 1.1), (-1.38, -0.06, 0), dark)],
+                       (s.box(0.1, 0.12, 1.1), (1.38, -0.06, 0), dark),
+                       (s.box(0.1, 0.12, 1.1), (-1.38, -0.06, 0), dark)],
                       paint, place, heading, f"car {number}", mass=900, centerOfMass=[0, -0.15, 0],
                       inertiaDiagonal=[160, 700, 640])
     rubber = s.material(1.1, 0.0, 250, combine="maximum")

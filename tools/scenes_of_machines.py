@@ -48,7 +48,8 @@ def walker():
     deck += [(s.box(2 * A * unit, 0.1, 0.12), (0, axle - L * unit, z), "#39424E") for z in (-0.2, 0.2)]
     deck += [(s.box(0.5, 0.3, 0.34), (0, axle - L * unit - 0.12, 0), ORANGE)]
     height = axle - L * unit
-    body = s.compound([(shape, (x, y - height, z), color) for shape, (x, y, z), color in deck], frame, (begin, height, 0), None,
+    body = s.compound([(shape, (x, y - height, z), color) for shape, (x, y, z), color in deck], frame,
+                      (begin, height, 0), None,
                       "body")
     shaft = s.cylinder(0.04, 2.1)
     parts = [(shaft, (0, 0, 0), "#B9C0C6", turn("x", 90))]
@@ -57,7 +58,8 @@ def walker():
         place, spin, length = along((0, 0, z), end)
         parts.append((s.capsule(0.045, length), place, RED, spin))
     crank = s.compound(parts, frame, (begin, axle, 0), None, "crank")
-    s.joint(body, crank, joints.hinge(joints.control(velocity=-2.0), solver="direct"), (begin, axle, 0), "z", name="motor")
+    s.joint(body, crank, joints.hinge(joints.control(velocity=-2.0), solver="direct"), (begin, axle, 0), "z",
+            name="motor")
     for z, phase in layers:
         for side in (1, -1):
             leg(s, body, crank, z, phase, side, unit, (begin, axle), bone)
@@ -66,7 +68,8 @@ def walker():
     light, block = s.material(0.6, 0.0, 60), s.box(0.18, 0.18, 0.18)
     for k in range(24):
         row, column = divmod(k, 4)
-        s.body(block, light, (-1.2 + 0.95 * row, 0.09, (column - 1.5) * 0.7 + 0.17 * (row % 2)), turn("y", 37 * k % 90), None, VIVID[k % 7])
+        place = (-1.2 + 0.95 * row, 0.09, (column - 1.5) * 0.7 + 0.17 * (row % 2))
+        s.body(block, light, place, turn("y", 37 * k % 90), None, VIVID[k % 7])
     return s
 
 
@@ -107,8 +110,8 @@ def clock():
     s.meet("clock", never="clock")
     for k in range(48):
         a = 2 * math.pi * k / 48
-        s.fixed(s.box(0.24, 0.345, 0.3), wood, (2.45 * math.sin(a), high + 2.45 * math.cos(a), 0), turn("z", 90 - math.degrees(a)), "rim",
-                "#6B4426")
+        s.fixed(s.box(0.24, 0.345, 0.3), wood, (2.45 * math.sin(a), high + 2.45 * math.cos(a), 0),
+                turn("z", 90 - math.degrees(a)), "rim", "#6B4426")
     for k in range(12):
         a = 2 * math.pi * k / 12
         long = 0.34 if k % 3 == 0 else 0.2
@@ -143,13 +146,15 @@ def clock():
 
     down, left = math.degrees(lift), 180 + 40
     minute = s.compound(wheel(48, 0.05, -0.25, 0, "#B08D3C") + wheel(12, 0.05, -0.1, 0, "#D2A94A")
-                        + hand(2.15, 0.07, 0.34, "#F2EFE8") + [(s.cylinder(0.05, 0.62), (0, 0, 0.04), "#8C8C94", turn("x", 90))],
+                        + hand(2.15, 0.07, 0.34, "#F2EFE8")
+                        + [(s.cylinder(0.05, 0.62), (0, 0, 0.04), "#8C8C94", turn("x", 90))],
                         brass, (*center, 0), None, "minute hand")
     hour = s.compound(wheel(48, 0.04, 0.05, 0, "#C77C4E") + hand(1.55, 0.11, 0.26, RED), brass, (*center, 0), None,
                       "hour hand")
     middle = s.compound(wheel(36, 0.05, -0.1, mate(12, 0, 36, down), "#8FA3AD")
                         + wheel(12, 0.04, 0.05, mate(48, 0, 12, down), "#B5C4CC")
-                        + [(s.cylinder(0.04, 0.4), (0, 0, 0), "#8C8C94", turn("x", 90))], brass, (*side, 0), None, "motion work")
+                        + [(s.cylinder(0.04, 0.4), (0, 0, 0), "#8C8C94", turn("x", 90))], brass, (*side, 0), None,
+                        "motion work")
     driver = s.compound(wheel(12, 0.05, -0.25, mate(48, 0, 12, left), SKY)
                         + [(s.cylinder(0.04, 0.3), (0, 0, -0.2), "#8C8C94", turn("x", 90))], brass, (*fast, 0), None,
                         "driver")
@@ -207,7 +212,8 @@ def robot():
     glass = s.material(0.6, 0.0, 500)
     top = hand[1] + 0.145
     for k, (x, z) in enumerate(((-0.11, -0.11), (0.11, -0.11), (-0.11, 0.11), (0.11, 0.11))):
-        s.body(s.box(0.16, 0.16, 0.16), glass, (hand[0] + x, top + 0.08, hand[2] + z), None, f"cube {k + 1}", VIVID[k + 1])
+        s.body(s.box(0.16, 0.16, 0.16), glass, (hand[0] + x, top + 0.08, hand[2] + z), None,
+               f"cube {k + 1}", VIVID[k + 1])
     s.body(s.box(0.4, 0.04, 0.4), glass, (hand[0], top + 0.18, hand[2]), None, "board", WOOD)
     s.body(s.cylinder(0.12, 0.24, 0.0), glass, (hand[0], top + 0.32, hand[2]), None, "cone", RED)
     return s
@@ -235,7 +241,8 @@ def chain_reaction():
     for k in range(11):
         s.body(s.box(0.08, 0.56, 0.3), stone, (first + 0.5 + 0.28 * k, shelf + 0.28, 0), None, f"domino {k + 1}",
                blend(YELLOW, RED, k / 10))
-    s.body(s.sphere(0.2), s.material(0.5, 0.0, 1500, rolling=0.001), (first + 3.82, shelf + 0.2, 0), None, "second ball", BLUE)
+    light = s.material(0.5, 0.0, 1500, rolling=0.001)
+    s.body(s.sphere(0.2), light, (first + 3.82, shelf + 0.2, 0), None, "second ball", BLUE)
     # The seesaw: its right end is down until the ball comes.
     pivot = (0.7, 1.35, 0)
     s.meet("seesaw", never="seesaw")
@@ -244,15 +251,18 @@ def chain_reaction():
     tilt = turn("z", -14)
     plank = s.compound([(s.box(3.4, 0.1, 0.6), (0, 0, 0), GREEN), (s.box(0.4, 0.4, 0.5), (1.25, -0.25, 0), DARK_STONE),
                         (s.box(0.06, 0.4, 0.6), (-1.67, 0.2, 0), GREEN)]
-                       + [(s.box(1.2, 0.3, 0.06), (-1.1, 0.2, z), GREEN) for z in (-0.27, 0.27)], wood, pivot, tilt, "seesaw")
+                       + [(s.box(1.2, 0.3, 0.06), (-1.1, 0.2, z), GREEN) for z in (-0.27, 0.27)], wood, pivot, tilt,
+                       "seesaw")
     s.joint(None, plank, joints.hinge(joints.control(0, math.radians(28))), pivot, "z", name="seesaw")
     s.meet(None)
     # The hammer leans to the left until the seesaw lifts its tail.
     axle, arm = (2.8, 2.0, 0), 1.1
     lean = turn("z", 6)
     place, spin, length = along((0, 0, 0), (-0.62, -0.4, 0))
-    hammer = s.compound([(s.box(0.1, arm, 0.1), (0, arm / 2, 0), "#8A6239"), (s.box(0.42, 0.26, 0.26), (0, arm, 0), DARK_STONE),
-                         (s.capsule(0.05, length), place, "#8A6239", spin), (s.cylinder(0.09, 0.64), (0, 0, 0), ORANGE, turn("x", 90))],
+    hammer = s.compound([(s.box(0.1, arm, 0.1), (0, arm / 2, 0), "#8A6239"),
+                         (s.box(0.42, 0.26, 0.26), (0, arm, 0), DARK_STONE),
+                         (s.capsule(0.05, length), place, "#8A6239", spin),
+                         (s.cylinder(0.09, 0.64), (0, 0, 0), ORANGE, turn("x", 90))],
                         s.material(0.3, 0.0, 1200), axle, lean, "hammer")
     s.joint(None, hammer, joints.hinge(joints.control(math.radians(-98), 0)), axle, "z", name="hammer")
     for z in (-0.4, 0.4):
@@ -290,8 +300,8 @@ def catch_ball(s, wood, heavy):
     pan = s.compound([(s.box(0.6, 0.06, 0.6), (0, 0, 0), RED)]
                      + [(s.box(0.06, 0.26, 0.6), (x, 0.13, 0), RED) for x in (-0.27, 0.27)]
                      + [(s.box(0.6, 0.26, 0.06), (0, 0.13, z), RED) for z in (-0.27, 0.27)]
-                     + [(s.box(mast - drop - 0.2, 0.08, 0.08), ((mast - drop + 0.3) / 2, 0, 0), RED)], metal, (drop, pan_y, 0),
-                     None, "pan", mass=20)
+                     + [(s.box(mast - drop - 0.2, 0.08, 0.08), ((mast - drop + 0.3) / 2, 0, 0), RED)],
+                     metal, (drop, pan_y, 0), None, "pan", mass=20)
     flag = s.compound([(s.box(0.08, 0.5, 0.08), (0, 0, 0), WHITE), (s.box(0.75, 0.5, 0.04), (0.4, 0, 0), RED),
                        (s.box(0.76, 0.14, 0.05), (0.4, 0, 0), WHITE)], metal, (pole, 0.5, 0), None, "flag", mass=14)
     fall = pan_y - 0.2

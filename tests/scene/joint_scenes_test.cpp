@@ -69,7 +69,7 @@ TEST_F(JointScene, RagdollsFallDownTheStepsAndKeepTheirLimbs) {
     load("25_ragdolls");
     ASSERT_EQ(joints_.size(), 200u);
     run(8);
-    EXPECT_LT(worst_, 0.02); // when they land with 6 m/s
+    EXPECT_LT(worst_, 0.016); // when they land with 6 m/s
     EXPECT_LT(error_now(), 0.001);
     int down = 0;
     for (int i = 1; i <= 20; ++i) down += body("chest " + std::to_string(i)).position().y < 2.4 ? 1 : 0;
@@ -99,7 +99,7 @@ TEST_F(JointScene, TheBridgeCarriesTheBall) {
         for (const int i : {6, 12, 13, 18})
             lowest_plank = std::min(lowest_plank, body("plank " + std::to_string(i)).position().y);
     });
-    EXPECT_LT(worst_, 0.003);
+    EXPECT_LT(worst_, 0.002);
     EXPECT_GT(lowest, 2.6 + 0.875 - 0.3); // the deck is at 2.6 m
     EXPECT_LT(lowest, 2.6 + 0.875 - 0.02);
     EXPECT_GT(lowest_plank, 2.53 - 0.3);
@@ -124,7 +124,7 @@ TEST_F(JointScene, TheBallBreaksTheWallAndTheChainHolds) {
     EXPECT_EQ(moved(0.02), 0);
     EXPECT_LT(worst_, 0.0002); // 0.02 mm in the swing
     run(8.8);
-    EXPECT_LT(worst_, 0.01); // when it hits the wall
+    EXPECT_LT(worst_, 0.004); // when it hits the wall
     EXPECT_GE(moved(0.5), 25) << "of " << start.size();
     EXPECT_LT(glm::distance(body("ball").position(), Position(0, 8.2, 0)), 18 * 0.32 + 0.72 + 0.001);
 }
@@ -146,7 +146,7 @@ TEST_F(JointScene, CarsDriveAroundOverBumps) {
         }
         low = std::min(low, position_of("rear left 1")), high = std::max(high, position_of("rear left 1"));
     });
-    EXPECT_LT(worst_, 0.003);
+    EXPECT_LT(worst_, 0.002);
     for (std::size_t i = 0; i < 3; ++i) {
         EXPECT_GT(way[i], 50) << name(i);
         EXPECT_GT(least[i], 0.9) << name(i);
@@ -163,7 +163,7 @@ TEST_F(JointScene, TheWalkerWalks) {
         low = std::min(low, walker.position().y), high = std::max(high, walker.position().y);
         least = std::min(least, upright(walker));
     });
-    EXPECT_LT(worst_, 0.006);
+    EXPECT_LT(worst_, 0.005);
     EXPECT_GT(walker.position().x - start.x, 5.5);
     EXPECT_LT(std::fabs(walker.position().z), 1.0);
     EXPECT_GT(low, start.y - 0.05); // as level as Jansen's legs are
@@ -185,7 +185,7 @@ TEST_F(JointScene, TheHandsOfTheClockKeepTwelveToOne) {
     });
     EXPECT_NEAR(minute, -6 * pi, 0.005);
     EXPECT_NEAR(12 * hour, minute, 0.005);
-    EXPECT_LT(worst_, 0.0002);
+    EXPECT_LT(worst_, 0.0001);
 }
 
 TEST_F(JointScene, OneThingSetsOffTheNext) {
@@ -228,7 +228,7 @@ TEST_F(JointScene, TheRobotHoldsTheTrayLevel) {
         for (int axis = 2; axis <= 6; ++axis)
             EXPECT_LT(std::fabs(position_of("axis " + std::to_string(axis))), 0.006) << axis;
     });
-    EXPECT_LT(worst_, 0.0005);
+    EXPECT_LT(worst_, 0.0001);
     EXPECT_NEAR(turned, 0.6 * 12 - 0.25, 0.15); // it takes most of a second to come to its speed
     EXPECT_GT(least, std::cos(0.7 * pi / 180));
     const Position offset = cone.position() - tray.position();
