@@ -10,6 +10,8 @@ import pathlib
 import sys
 
 import scenes_of_boxes as boxes
+import scenes_of_joints as hung
+import scenes_of_machines as machines
 import scenes_of_shapes as shapes
 
 SCENES = [
@@ -37,6 +39,14 @@ SCENES = [
     ("22_staircase", shapes.staircase),
     ("23_conveyor_loop", shapes.conveyor_loop),
     ("24_rolling_race", shapes.rolling_race),
+    ("25_ragdolls", hung.ragdolls),
+    ("26_suspension_bridge", hung.bridge),
+    ("27_ball_and_chain", hung.ball_and_chain),
+    ("28_cars", hung.cars),
+    ("29_walker", machines.walker),
+    ("30_clock", machines.clock),
+    ("31_chain_reaction", machines.chain_reaction),
+    ("32_robot_arm", machines.robot),
     ("welcome", boxes.welcome),
 ]
 

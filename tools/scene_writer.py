@@ -49,6 +49,17 @@ def rotate(q, v):
     return (x, y, z)
 
 
+def between(first, second):
+    """The least rotation from one unit vector to another."""
+    cross = [first[1] * second[2] - first[2] * second[1], first[2] * second[0] - first[0] * second[2],
+             first[0] * second[1] - first[1] * second[0]]
+    w = 1 + sum(a * b for a, b in zip(first, second))
+    if w < 1e-9:  # half a turn, about any axis across
+        cross, w = ([0, first[2], -first[1]] if abs(first[0]) < 0.9 else [-first[2], 0, first[0]]), 0
+    length = math.sqrt(sum(c * c for c in cross) + w * w)
+    return tuple(c / length for c in cross) + (w / length,)
+
+
 def any_turn(rng):
     """A random rotation."""
     z, angle = rng.uniform(-1, 1), rng.uniform(0, 2 * math.pi)
@@ -74,6 +85,7 @@ class Scene:
         self.world.update(settings)
         self.world["camera"] = {"position": list(camera), "target": list(target), "vertical_fov_degrees": fov}
         self.nodes, self.roots, self.shapes, self.materials = [], [], [], []
+        self.joints, self.filters, self.filter = [], [], None
         self.meshes, self.accessors, self.views, self.data = [], [], [], b""
         self.used = ["KHR_physics_rigid_bodies", "KHR_implicit_shapes", "CAIRN_world"]
 
@@ -176,6 +188,13 @@ class Scene:
             self._use("CAIRN_material")
         return self._index(self.materials, entry)
 
+    def meet(self, system, never=None):
+        """What is made from now on is in a collision system, and does not meet what is in the system `never`. Without
+        a system, it meets everything."""
+        entry = {"collisionSystems": [system], "notCollideWithSystems": [never]} if never else {
+            "collisionSystems": [system]}
+        self.filter = None if system is None else self._index(self.filters, entry)
+
     # Bodies.
 
     def _node(self, shape, material, position, rotation, name, color, motion, trigger=False):
@@ -194,6 +213,8 @@ class Scene:
             collider = {"geometry": geometry}
             if not trigger:
                 collider["physicsMaterial"] = material
+            if self.filter is not None:
+                collider["collisionFilter"] = self.filter
             physics["trigger" if trigger else "collider"] = collider
         node["extensions"] = {"KHR_physics_rigid_bodies": physics}
         if color:
@@ -203,6 +224,7 @@ class Scene:
 
     def fixed(self, shape, material, position, rotation=None, name=None, color=None):
         self.roots.append(self._node(shape, material, position, rotation, name, color, None))
+        return self.roots[-1]
 
     def trigger(self, shape, position, rotation=None, name=None, color=None):
         self.roots.append(self._node(shape, None, position, rotation, name, color, None, True))
@@ -210,6 +232,7 @@ class Scene:
     def body(self, shape, material, position, rotation=None, name=None, color=None, **motion):
         """motion: members of the node's motion, for example mass or linearVelocity (in the node's axes)."""
         self.roots.append(self._node(shape, material, position, rotation, name, color, motion))
+        return self.roots[-1]
 
     def compound(self, parts, material, position, rotation=None, name=None, **motion):
         """parts: (shape, position, color) in the body's frame, and a rotation if the part has one."""
@@ -219,6 +242,7 @@ class Scene:
             self._node(shape, material, place, *(spin or [None]), None, color, None)
             for shape, place, color, *spin in parts
         ]
+        return index
 
     def ground(self, friction=0.6, restitution=0.0, color="#6F7B73"):
         self.fixed(self.plane(), self.material(friction, restitution), (0, 0, 0), name="ground", color=color)
@@ -233,6 +257,46 @@ class Scene:
         for side, sign in (("back", -1), ("front", 1)):
             self.fixed(along_x, material, (0, y, sign * z), name=f"{side} wall", color=color)
 
+    # Joints.
+
+    def joint(self, a, b, joint, place, axis="x", place_b=None, name=None, collide=False):
+        """joint: what the module `joints` makes. a, b: what the bodies above return; None for the world. axis: the x
+        axis of both frames, or a rotation of them. place, place_b: of their origins in the world, the same if there is
+        one alone."""
+        self._use("CAIRN_joint")
+        rotation = {"x": (0, 0, 0, 1)}.get(axis, axis)
+        if len(rotation) < 4:
+            axis = {"y": (0, 1, 0), "z": (0, 0, 1)}.get(axis, axis)
+            rotation = between((1, 0, 0), axis)
+        first = self._frame(a, place, rotation)
+        second = self._frame(b, place if place_b is None else place_b, rotation)
+        entry = {"connectedNode": second, "joint": self._index(self.joints, joint)}
+        if collide:
+            entry["enableCollision"] = True
+        if name:
+            self.nodes[first]["name"] = name
+        self.nodes[first]["extensions"] = {"KHR_physics_rigid_bodies": {"joint": entry}}
+
+    def _frame(self, body, place, rotation):
+        """A node at that place in the world, below that body."""
+        siblings = self.roots
+        if body is not None:
+            above = self.nodes[body]
+            siblings = above.setdefault("children", [])
+            x, y, z, w = above.get("rotation", (0, 0, 0, 1))
+            back = (-x, -y, -z, w)
+            place = rotate(back, [p - q for p, q in zip(place, above.get("translation", (0, 0, 0)))])
+            rotation = multiply(back, rotation)
+        node = {}
+        place, rotation = [short(p, 6) for p in place], [short(q, 8) for q in rotation]
+        if any(place):
+            node["translation"] = place
+        if any(rotation[:3]):
+            node["rotation"] = rotation
+        self.nodes.append(node)
+        siblings.append(len(self.nodes) - 1)
+        return len(self.nodes) - 1
+
     def write(self, path):
         def lines(entries):
             return "[\n" + ",\n".join(dump(e) for e in entries) + "\n]"
@@ -244,11 +308,15 @@ class Scene:
             data = "".join(f'"{key}": {lines(entries)},\n' for key, entries in (
                 ("meshes", self.meshes), ("accessors", self.accessors), ("bufferViews", self.views),
                 ("buffers", [{"byteLength": len(self.data), "uri": uri}])) if entries)
+        physics = f'"physicsMaterials": {lines(self.materials)}'
+        for key, entries in (("collisionFilters", self.filters), ("physicsJoints", self.joints)):
+            if entries:
+                physics += f',\n"{key}": {lines(entries)}'
         path.write_text(
             '{\n"asset": {"version":"2.0","generator":"tools/make_scenes.py"},\n'
             f'"extensionsUsed": {dump(self.used)},\n"scene": 0,\n"scenes": {lines([own])},\n'
             f'"nodes": {lines(self.nodes)},\n{data}"extensions": {{\n'
             f'"KHR_implicit_shapes": {{"shapes": {lines(self.shapes)}}},\n'
-            f'"KHR_physics_rigid_bodies": {{"physicsMaterials": {lines(self.materials)}}}\n}}\n}}\n',
+            f'"KHR_physics_rigid_bodies": {{{physics}}}\n}}\n}}\n',
             encoding="utf-8",
         )
