@@ -65,10 +65,10 @@ def walker():
             leg(s, body, crank, z, phase, side, unit, (begin, axle), bone)
     s.meet(None)
     # Blocks in its way, light enough to be kicked aside.
-    light, block = s.material(0.6, 0.0, 60), s.box(0.18, 0.18, 0.18)
+    light, block = s.material(0.6, 0.0, 60), s.box(0.09, 0.09, 0.09)
     for k in range(24):
         row, column = divmod(k, 4)
-        place = (-1.2 + 0.95 * row, 0.09, (column - 1.5) * 0.7 + 0.17 * (row % 2))
+        place = (-1.2 + 0.95 * row, 0.045, (column - 1.5) * 0.7 + 0.17 * (row % 2))
         s.body(block, light, place, turn("y", 37 * k % 90), None, VIVID[k % 7])
     return s
 
