@@ -51,13 +51,8 @@ void fill_row(const State& s, const DirectNode& node, DirectRow& r) {
         r.impulse.x = double(s.joint_axes[node.joint].states[node.axis].lower);
         break;
     }
-    auto axis_of = [](const math::DQuat& frame, int column) {
-        DVec3 e;
-        e[column] = 1;
-        return math::rotate(frame, e);
-    };
-    r.axis_a0 = axis_of(p.frame_a, column_a);
-    r.axis_b0 = axis_of(p.frame_b, column_b);
+    r.axis_a0 = exact_frame_axis(p.frame_a, column_a);
+    r.axis_b0 = exact_frame_axis(p.frame_b, column_b);
 }
 
 } // namespace

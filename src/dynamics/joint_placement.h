@@ -13,11 +13,12 @@ JointPlacement place_joint(const State& state, const JointInfo& joint);
 JointPlacement place_anchors(const State& state, const JointInfo& joint); // without the frames
 
 // An axis of a frame.
-inline math::Vec3 frame_axis(const math::DQuat& frame, int i) {
+inline math::DVec3 exact_frame_axis(const math::DQuat& frame, int i) {
     math::DVec3 e;
     e[i] = 1;
-    return math::to_float(math::rotate(frame, e));
+    return math::rotate(frame, e);
 }
+inline math::Vec3 frame_axis(const math::DQuat& frame, int i) { return math::to_float(exact_frame_axis(frame, i)); }
 
 // Of frame B against A, in world axes.
 inline math::DQuat turn_of(const JointPlacement& p) { return math::normalized(p.frame_b * math::conjugate(p.frame_a)); }

@@ -25,15 +25,11 @@ CAIRN_INLINE Sym3x8 sum(const Sym3x8& a, const Sym3x8& b) {
     return {a.xx + b.xx, a.xy + b.xy, a.xz + b.xz, a.yy + b.yy, a.yz + b.yz, a.zz + b.zz};
 }
 
-CAIRN_INLINE Vec3x8 torque_of(bool even, const float (*inertia)[8], Vec3x8 u) {
-    return inertia_times(even, inertia, u);
-}
-
 CAIRN_INLINE void apply(const PointBlock& b, Vec3x8 arm_a, Vec3x8 arm_b, Vec3x8 p, Ends8& e) {
     e.a.v = e.a.v - load(b.mass_a) * p;
     e.b.v = e.b.v + load(b.mass_b) * p;
-    e.a.w = e.a.w - torque_of(b.even, b.inertia_a, cross(arm_a, p));
-    e.b.w = e.b.w + torque_of(b.even, b.inertia_b, cross(arm_b, p));
+    e.a.w = e.a.w - inertia_times(b.even, b.inertia_a, cross(arm_a, p));
+    e.b.w = e.b.w + inertia_times(b.even, b.inertia_b, cross(arm_b, p));
 }
 CAIRN_INLINE Vec3x8 slip_at(const Ends8& e, Vec3x8 arm_a, Vec3x8 arm_b) {
     return (e.b.v - e.a.v) + (cross(e.b.w, arm_b) - cross(e.a.w, arm_a));

@@ -1,5 +1,7 @@
 // The joints of the draft's samples and conformance files, which CAIRN_KHR_SAMPLES names the folder of: they do what
 // their names and their READMEs say.
+#include "khr_samples.h"
+
 #include "scene/scene.h"
 
 #include <gtest/gtest.h>
@@ -20,26 +22,7 @@ namespace fs = std::filesystem;
 
 constexpr float dt = 1.0f / 60.0f;
 
-class KhrJoints : public testing::Test {
-  protected:
-    void SetUp() override {
-        const char* chosen = std::getenv("CAIRN_KHR_SAMPLES");
-        if (chosen == nullptr || !fs::is_directory(chosen)) {
-            GTEST_SKIP() << "set CAIRN_KHR_SAMPLES to a folder with the drafts' samples";
-        }
-        folder_ = chosen;
-    }
-
-    scene::Scene load(const std::string& name) const {
-        for (const auto& entry : fs::recursive_directory_iterator(folder_)) {
-            if (entry.path().filename() == name + ".gltf") return scene::load(entry.path());
-        }
-        throw Error(ErrorCode::io, name, {}, "there is no such sample");
-    }
-
-  private:
-    fs::path folder_;
-};
+class KhrJoints : public KhrSampleTest {};
 
 // A file of two boxes and a joint, of which the second is dynamic.
 struct TwoBoxes {

@@ -1,5 +1,7 @@
 // The samples and conformance files of the Khronos drafts. They are not part of this project: the environment
 // variable CAIRN_KHR_SAMPLES names the folder that holds them.
+#include "khr_samples.h"
+
 #include "scene/scene.h"
 
 #include <gtest/gtest.h>
@@ -21,29 +23,7 @@ namespace fs = std::filesystem;
 
 constexpr float dt = 1.0f / 60.0f;
 
-class KhrSamples : public testing::Test {
-  protected:
-    void SetUp() override {
-        const char* chosen = std::getenv("CAIRN_KHR_SAMPLES");
-        if (chosen == nullptr || !fs::is_directory(chosen)) {
-            GTEST_SKIP() << "set CAIRN_KHR_SAMPLES to a folder with the drafts' samples";
-        }
-        for (const auto& entry : fs::recursive_directory_iterator(chosen)) {
-            if (entry.path().extension() == ".gltf") files_.push_back(entry.path());
-        }
-        std::sort(files_.begin(), files_.end());
-        ASSERT_FALSE(files_.empty());
-    }
-
-    scene::Scene load(const std::string& name) const {
-        for (const fs::path& file : files_) {
-            if (file.stem() == name) return scene::load(file);
-        }
-        throw Error(ErrorCode::io, name, {}, "there is no such sample");
-    }
-
-    std::vector<fs::path> files_;
-};
+class KhrSamples : public KhrSampleTest {};
 
 void run(
     scene::Scene& scene, float seconds, const std::function<void()>& after_step = [] {}) {
