@@ -34,7 +34,7 @@ void take_final_name(const fs::path& temporary, const fs::path& path) {
     if (!error) return;
     std::error_code ignored; // the first error is the one to tell
     fs::remove(temporary, ignored);
-    throw Error(ErrorCode::io, path.string(), error.message(), "must be writable");
+    throw Error(ErrorCode::io, path.string(), {}, "cannot be written: " + error.message());
 }
 
 void write_file(const fs::path& path, std::string_view content) {
@@ -48,7 +48,7 @@ void write_file(const fs::path& path, std::string_view content) {
         const std::string reason = errno != 0 ? std::strerror(errno) : "write failed";
         std::error_code ignored;
         fs::remove(temporary, ignored);
-        throw Error(ErrorCode::io, path.string(), reason, "must be writable");
+        throw Error(ErrorCode::io, path.string(), {}, "cannot be written: " + reason);
     }
     take_final_name(temporary, path);
 }

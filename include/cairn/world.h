@@ -93,7 +93,9 @@ int hardware_threads() noexcept;
 /// A world. Handles carry the number of their world; numbers repeat after 65,535 worlds, and a restored world has that
 /// of the one that was saved. A `Body` accessor refers to the World object: it must not be used after that was moved
 /// or destroyed. Worlds are independent of each other; one world must not be used by two threads at a time, except
-/// for the const members, which may run on many threads while no non-const member runs.
+/// for the const members, which may run on many threads while no non-const member runs: calls that would change a world
+/// in mid-step throw (wrong_state). Where memory runs out, std::bad_alloc arrives, and the world is either as it was,
+/// or refuses everything (wrong_state) until `restore` makes it whole again.
 class World {
   public:
     explicit World(const WorldDef& def = {});

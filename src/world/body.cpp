@@ -74,7 +74,7 @@ math::DVec3 inverse_inertia_times(const Access& a, math::DVec3 v) {
     [[maybe_unused]] State& s = a.s
 #define CAIRN_CHANGE(call)                                                                                             \
     CAIRN_ACCESS;                                                                                                      \
-    impl.require_idle(call)
+    World::Impl::Change change(impl, call)
 
 BodyType Body::type() const {
     CAIRN_ACCESS;
@@ -182,16 +182,19 @@ void Body::set_transform(const Position& position, const Quat& rotation) {
     CAIRN_CHANGE("Body::set_transform");
     require_position("Body::set_transform position", position);
     const Quat q = checked_rotation("Body::set_transform rotation", rotation);
+    change.begin();
     move_body(a, to_math(position), math::to_double(to_math(q)));
 }
 void Body::set_position(const Position& position) {
     CAIRN_CHANGE("Body::set_position");
     require_position("Body::set_position", position);
+    change.begin();
     move_body(a, to_math(position), a.motion().q);
 }
 void Body::set_rotation(const Quat& rotation) {
     CAIRN_CHANGE("Body::set_rotation");
     const Quat q = checked_rotation("Body::set_rotation", rotation);
+    change.begin();
     move_body(a, body_origin(s, a.index()), math::to_double(to_math(q)));
 }
 
@@ -199,6 +202,7 @@ void Body::set_linear_velocity(const Vec3& velocity) {
     CAIRN_CHANGE("Body::set_linear_velocity");
     require_finite("Body::set_linear_velocity", velocity);
     require_moving(a, "Body::set_linear_velocity");
+    change.begin();
     a.motion().v = to_math(velocity);
     a.motion().v_rest = {};
     if (clamp_velocity(s.settings, a.motion().v, a.motion().w)) ++s.clamped_speeds;
@@ -208,6 +212,7 @@ void Body::set_angular_velocity(const Vec3& velocity) {
     CAIRN_CHANGE("Body::set_angular_velocity");
     require_finite("Body::set_angular_velocity", velocity);
     require_moving(a, "Body::set_angular_velocity");
+    change.begin();
     a.motion().w = to_math(velocity);
     a.motion().w_rest = {};
     if (clamp_velocity(s.settings, a.motion().v, a.motion().w)) ++s.clamped_speeds;
@@ -224,6 +229,7 @@ void Body::move_to(const Transform& target, float seconds) {
     const math::DQuat q = math::normalized(math::to_double(to_math(rotation)));
     const math::DVec3 x = to_math(target.position) + math::rotate(q, math::to_double(a.mass().center));
     const math::DVec3 turn = math::to_rotation_vector(q * math::conjugate(a.motion().q));
+    change.begin();
     a.motion().v = math::to_float((1 / double(seconds)) * (x - a.motion().x));
     a.motion().w = math::to_float((1 / double(seconds)) * turn);
     if (clamp_velocity(s.settings, a.motion().v, a.motion().w)) ++s.clamped_speeds;
@@ -232,6 +238,7 @@ void Body::move_to(const Transform& target, float seconds) {
 void Body::set_gravity_scale(float scale) {
     CAIRN_CHANGE("Body::set_gravity_scale");
     require_finite("Body::set_gravity_scale", scale);
+    change.begin();
     s.body_settings[a.b].gravity_scale = scale;
     wake_body(s, a.index());
 }
@@ -239,12 +246,14 @@ void Body::set_damping(float linear, float angular) {
     CAIRN_CHANGE("Body::set_damping");
     require_at_least("Body::set_damping linear", linear, 0);
     require_at_least("Body::set_damping angular", angular, 0);
+    change.begin();
     s.body_settings[a.b].linear_damping = linear;
     s.body_settings[a.b].angular_damping = angular;
     wake_body(s, a.index());
 }
 void Body::set_allow_sleep(bool allow) {
     CAIRN_CHANGE("Body::set_allow_sleep");
+    change.begin();
     s.body_settings[a.b].allow_sleep = allow;
     wake_body(s, a.index());
 }
@@ -264,6 +273,7 @@ void Body::set_type(BodyType type) {
                         "a body with a surface velocity cannot be dynamic");
         shapes.push_back(std::uint32_t(i));
     }
+    change.begin();
     wake_around(s, a.index());
     wake_body(s, a.index());
     // All contacts end, and are found anew at the next step.
@@ -291,6 +301,7 @@ void Body::set_mass_properties(const MassProperties& properties) {
     CAIRN_CHANGE("Body::set_mass_properties");
     validate("MassProperties", properties);
     require_dynamic(a, "Body::set_mass_properties");
+    change.begin();
     a.mass().follows_shapes = 0;
     set_mass(s, a.index(), properties);
     place_shapes(s, a.index());
@@ -304,6 +315,7 @@ void Body::set_mass_from_shapes(std::optional<float> mass) {
         validate("Body::set_mass_from_shapes", check);
     }
     require_dynamic(a, "Body::set_mass_from_shapes");
+    change.begin();
     a.mass().follows_shapes = 1;
     a.mass().has_given_mass = mass.has_value();
     s.body_settings[a.b].given_mass = mass.value_or(0.0f);
@@ -313,6 +325,7 @@ void Body::set_mass_from_shapes(std::optional<float> mass) {
 }
 void Body::wake() {
     CAIRN_CHANGE("Body::wake");
+    change.begin();
     wake_body(s, a.index());
 }
 
@@ -320,6 +333,7 @@ void Body::add_force(const Vec3& force) {
     CAIRN_CHANGE("Body::add_force");
     require_finite("Body::add_force force", force);
     require_dynamic(a, "Body::add_force");
+    change.begin();
     pushed(a).force += math::to_double(to_math(force));
     wake_body(s, a.index());
 }
@@ -329,6 +343,7 @@ void Body::add_force_at(const Vec3& force, const Position& point) {
     require_position("Body::add_force_at point", point);
     require_dynamic(a, "Body::add_force_at");
     const math::DVec3 f = math::to_double(to_math(force));
+    change.begin();
     pushed(a).force += f;
     pushed(a).torque += math::cross(to_math(point) - a.motion().x, f);
     wake_body(s, a.index());
@@ -337,6 +352,7 @@ void Body::add_torque(const Vec3& torque) {
     CAIRN_CHANGE("Body::add_torque");
     require_finite("Body::add_torque torque", torque);
     require_dynamic(a, "Body::add_torque");
+    change.begin();
     pushed(a).torque += math::to_double(to_math(torque));
     wake_body(s, a.index());
 }
@@ -344,6 +360,7 @@ void Body::apply_impulse(const Vec3& impulse) {
     CAIRN_CHANGE("Body::apply_impulse");
     require_finite("Body::apply_impulse impulse", impulse);
     require_dynamic(a, "Body::apply_impulse");
+    change.begin();
     add_velocity(a, double(a.mass().inverse_mass) * math::to_double(to_math(impulse)), {});
 }
 void Body::apply_impulse_at(const Vec3& impulse, const Position& point) {
@@ -352,6 +369,7 @@ void Body::apply_impulse_at(const Vec3& impulse, const Position& point) {
     require_position("Body::apply_impulse_at point", point);
     require_dynamic(a, "Body::apply_impulse_at");
     const math::DVec3 p = math::to_double(to_math(impulse));
+    change.begin();
     add_velocity(a, double(a.mass().inverse_mass) * p,
                  inverse_inertia_times(a, math::cross(to_math(point) - a.motion().x, p)));
 }
@@ -359,6 +377,7 @@ void Body::apply_angular_impulse(const Vec3& impulse) {
     CAIRN_CHANGE("Body::apply_angular_impulse");
     require_finite("Body::apply_angular_impulse impulse", impulse);
     require_dynamic(a, "Body::apply_angular_impulse");
+    change.begin();
     add_velocity(a, {}, inverse_inertia_times(a, math::to_double(to_math(impulse))));
 }
 

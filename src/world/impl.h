@@ -6,6 +6,7 @@
 #include <cairn/world.h>
 
 #include <atomic>
+#include <exception>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct World::Impl {
     std::vector<ShapeDef> def_of;         // by shape
     std::vector<JointDef> joint_defs;     // by joint
     std::atomic<bool> stepping{false};    // to notice calls from other threads
+    const char* failed_call = nullptr;    // what ran out of memory half way; null: nothing has
 
     // Checked lookups: throw Error(invalid_handle).
     std::int32_t index_of(BodyId id) const;
@@ -37,8 +39,37 @@ struct World::Impl {
     void break_joints(); // those whose load in the last step was too much
     JointEvent joint_event(std::uint32_t joint, bool broke) const;
 
-    // Throws Error(wrong_state) from inside a step or a query callback.
+    // Throws Error(wrong_state) while another thread is in a step.
     void require_idle(const char* call) const;
+    // Throws Error(wrong_state) after a call has run out of memory half way.
+    void require_whole(const char* call) const;
+    const State& whole(const char* call) const {
+        require_whole(call);
+        return state;
+    }
+
+    // A call that changes the world: allowed between steps only. What has been checked is done; from `begin` on, only
+    // running out of memory can stop it half way, and then the world is good for nothing but `World::restore`.
+    class Change {
+      public:
+        Change(Impl& impl, const char* call) : impl_(impl), call_(call) {
+            impl.require_idle(call);
+            impl.require_whole(call);
+        }
+        ~Change() {
+            if (begun_ && std::uncaught_exceptions() > exceptions_) impl_.failed_call = call_;
+        }
+        Change(const Change&) = delete;
+        Change& operator=(const Change&) = delete;
+
+        void begin() { begun_ = true; }
+
+      private:
+        Impl& impl_;
+        const char* call_;
+        int exceptions_ = std::uncaught_exceptions();
+        bool begun_ = false;
+    };
 };
 
 template <class T> void make_room(std::vector<T>& v, std::size_t index) {

@@ -122,7 +122,7 @@ void World::Impl::break_joints() {
 }
 
 JointId World::create_joint(const JointDef& def) {
-    impl_->require_idle("World::create_joint");
+    Impl::Change change(*impl_, "World::create_joint");
     State& s = impl_->state;
     JointInfo info;
     if (!def.body_a.is_null()) info.body_a = impl_->index_of(def.body_a);
@@ -133,6 +133,7 @@ JointId World::create_joint(const JointDef& def) {
         throw Error(ErrorCode::wrong_state, "World::create_joint", "", "one of the two bodies must be dynamic");
     validate(def);
     require_slot(s.joint_slots, "World::create_joint");
+    change.begin();
     const std::uint32_t index = s.joint_slots.create();
     make_room(s.joints, index), make_room(s.joint_axes, index), make_room(impl_->joint_defs, index);
     JointDef& own = impl_->joint_defs[index] = def;
@@ -180,8 +181,10 @@ JointDef World::joint_at(BodyId body_a, BodyId body_b, const Position& anchor, c
 }
 
 void World::destroy_joint(JointId id) {
-    impl_->require_idle("World::destroy_joint");
-    impl_->retire_joint(impl_->index_of(id), std::nullopt);
+    Impl::Change change(*impl_, "World::destroy_joint");
+    const std::uint32_t index = impl_->index_of(id);
+    change.begin();
+    impl_->retire_joint(index, std::nullopt);
 }
 
 bool World::is_valid(JointId id) const noexcept {
@@ -191,10 +194,11 @@ bool World::is_valid(JointId id) const noexcept {
 const JointDef& World::joint_def(JointId id) const { return impl_->joint_defs[impl_->index_of(id)]; }
 
 void World::set_joint(JointId id, const Joint& joint) {
-    impl_->require_idle("World::set_joint");
+    Impl::Change change(*impl_, "World::set_joint");
     const std::uint32_t index = impl_->index_of(id);
     validate(joint);
     State& s = impl_->state;
+    change.begin();
     JointInfo& info = s.joints[index];
     Joint& own = impl_->joint_defs[index].joint = joint;
     fill_frames(info, impl_->joint_defs[index]);
@@ -205,13 +209,14 @@ void World::set_joint(JointId id, const Joint& joint) {
 }
 
 void World::set_joint_strength(JointId id, float break_force, float break_torque) {
-    impl_->require_idle("World::set_joint_strength");
+    Impl::Change change(*impl_, "World::set_joint_strength");
     const std::uint32_t index = impl_->index_of(id);
     JointDef& def = impl_->joint_defs[index];
     JointDef changed = def;
     changed.break_force = break_force;
     changed.break_torque = break_torque;
     validate(changed);
+    change.begin();
     def = changed;
     impl_->state.joints[index].break_force = break_force;
     impl_->state.joints[index].break_torque = break_torque;
@@ -242,7 +247,7 @@ JointState World::joint_state(JointId id) const {
 }
 
 std::vector<JointId> World::joints() const {
-    const State& s = impl_->state;
+    const State& s = impl_->whole("World::joints");
     std::vector<JointId> ids;
     ids.reserve(s.joint_slots.live_count());
     for (std::uint32_t i = 0; i < s.joint_slots.size(); ++i)
@@ -258,7 +263,7 @@ std::vector<JointId> World::joints(BodyId id) const {
 }
 
 std::optional<JointId> World::find_joint(std::string_view name) const {
-    const State& s = impl_->state;
+    const State& s = impl_->whole("World::find_joint");
     for (std::uint32_t i = 0; i < s.joint_slots.size(); ++i)
         if (s.joint_slots.is_live(i) && impl_->joint_defs[i].name == name) return s.joint_id(i);
     return std::nullopt;

@@ -44,13 +44,14 @@ Contact make_contact(const State& s, std::uint32_t id) {
 } // namespace
 
 double World::kinetic_energy() const {
+    const State& s = impl_->whole("World::kinetic_energy");
     double sum = 0;
-    for_each_dynamic(impl_->state, [&](std::int32_t b) { sum += cairn::kinetic_energy(impl_->state, b); });
+    for_each_dynamic(s, [&](std::int32_t b) { sum += cairn::kinetic_energy(s, b); });
     return sum;
 }
 
 double World::potential_energy() const {
-    const State& s = impl_->state;
+    const State& s = impl_->whole("World::potential_energy");
     const math::DVec3 g = math::to_double(to_math(s.settings.gravity));
     double sum = 0;
     for_each_dynamic(s, [&](std::int32_t b) {
@@ -61,7 +62,7 @@ double World::potential_energy() const {
 }
 
 glm::dvec3 World::linear_momentum() const {
-    const State& s = impl_->state;
+    const State& s = impl_->whole("World::linear_momentum");
     math::DVec3 sum;
     for_each_dynamic(s,
                      [&](std::int32_t b) { sum += summed_mass(s, b) * math::to_double(s.motion[std::size_t(b)].v); });
@@ -69,7 +70,7 @@ glm::dvec3 World::linear_momentum() const {
 }
 
 glm::dvec3 World::angular_momentum() const {
-    const State& s = impl_->state;
+    const State& s = impl_->whole("World::angular_momentum");
     math::DVec3 sum;
     for_each_dynamic(s, [&](std::int32_t b) {
         const BodyMotion& m = s.motion[std::size_t(b)];
@@ -81,7 +82,7 @@ glm::dvec3 World::angular_momentum() const {
 }
 
 std::uint64_t World::state_hash() const {
-    const State& s = impl_->state;
+    const State& s = impl_->whole("World::state_hash");
     Hash64 hash;
     for (std::uint32_t i = 0; i < s.body_slots.size(); ++i) {
         if (!s.body_slots.is_live(i)) continue;
@@ -92,7 +93,7 @@ std::uint64_t World::state_hash() const {
 }
 
 std::vector<Contact> World::contacts() const {
-    const State& s = impl_->state;
+    const State& s = impl_->whole("World::contacts");
     std::vector<Contact> all;
     for (std::uint32_t id = 0; id < s.contacts.size(); ++id)
         if (is_touching(s.contacts[id])) all.push_back(make_contact(s, id));
@@ -101,7 +102,7 @@ std::vector<Contact> World::contacts() const {
 
 std::vector<Contact> World::contacts(BodyId body) const {
     const std::int32_t b = impl_->index_of(body);
-    const State& s = impl_->state;
+    const State& s = impl_->whole("World::contacts");
     std::vector<Contact> all;
     for (std::uint32_t id = 0; id < s.contacts.size(); ++id) {
         const ContactInfo& c = s.contacts[id];
@@ -111,7 +112,7 @@ std::vector<Contact> World::contacts(BodyId body) const {
 }
 
 Statistics World::statistics() const {
-    const State& s = impl_->state;
+    const State& s = impl_->whole("World::statistics");
     Statistics t = s.statistics;
     t.steps = s.steps;
     t.time = s.time;

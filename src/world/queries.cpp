@@ -85,7 +85,7 @@ bool shapes_overlap(const PosedShape& a, const PosedShape& b) {
 std::optional<RayHit> World::cast_ray(const Position& origin, const Vec3& direction, double max_distance,
                                       std::uint64_t layers) const {
     const Ray ray = checked_ray(origin, direction, max_distance);
-    const State& s = impl_->state;
+    const State& s = impl_->whole("World::cast_ray");
     std::optional<ShapeRayHit> best;
     std::uint32_t best_shape = 0;
     s.broad_phase.query_ray(ray.origin, ray.direction, ray.max_distance, [&](std::uint32_t shape, double max) {
@@ -104,7 +104,7 @@ std::optional<RayHit> World::cast_ray(const Position& origin, const Vec3& direct
 std::vector<RayHit> World::cast_ray_all(const Position& origin, const Vec3& direction, double max_distance,
                                         std::uint64_t layers) const {
     const Ray ray = checked_ray(origin, direction, max_distance);
-    const State& s = impl_->state;
+    const State& s = impl_->whole("World::cast_ray_all");
     std::vector<RayHit> hits;
     s.broad_phase.query_ray(ray.origin, ray.direction, ray.max_distance, [&](std::uint32_t shape, double max) {
         if (!is_seen(s, shape, layers)) return max;
@@ -128,7 +128,7 @@ std::vector<ShapeId> World::overlap(const Shape& shape, const Transform& pose, s
     const DBounds bounds = geometry_bounds(g, data, position, math::to_matrix(g.rotation));
     const ShapePose query = make_pose(g, position, g.rotation);
     const math::Vec3 arm = -math::rotate(g.rotation, g.middle); // of its middle, as it has no mass
-    const State& s = impl_->state;
+    const State& s = impl_->whole("World::overlap");
     std::vector<ShapeId> found;
     s.broad_phase.query_bounds(bounds, [&](std::uint32_t other) {
         if (is_seen(s, other, layers) && bounds_overlap(bounds, cairn::shape_bounds(s, other)) &&
@@ -144,7 +144,7 @@ std::vector<ShapeId> World::overlap_bounds(const Bounds& bounds, std::uint64_t l
         if (std::isnan(bounds.min[i]) || std::isnan(bounds.max[i]))
             refuse("World::overlap_bounds bounds", to_text(bounds.min), "must not be NaN");
     const DBounds box{to_math(bounds.min), to_math(bounds.max)};
-    const State& s = impl_->state;
+    const State& s = impl_->whole("World::overlap_bounds");
     std::vector<ShapeId> found;
     if (box.lo.x > box.hi.x || box.lo.y > box.hi.y || box.lo.z > box.hi.z) return found;
     s.broad_phase.query_bounds(box, [&](std::uint32_t other) {
@@ -159,7 +159,7 @@ void World::read_transforms(std::span<const BodyId> ids, std::span<Transform> ou
     if (ids.size() != out.size())
         refuse("World::read_transforms out", std::to_string(out.size()),
                "must have as many elements as ids (" + std::to_string(ids.size()) + ")");
-    const State& s = impl_->state;
+    const State& s = impl_->whole("World::read_transforms");
     for (std::size_t i = 0; i < ids.size(); ++i) {
         const std::int32_t b = impl_->index_of(ids[i]);
         out[i] = {to_public(body_origin(s, b)), to_public(math::to_float(s.motion[std::size_t(b)].q))};

@@ -155,7 +155,7 @@ std::optional<ShapeCastHit> World::cast_shape(const Shape& shape, const Transfor
     const DVec3 origin = to_math(start.position);
     const Convex moving = make_convex(g, data, {}, math::normalized(math::to_double(g.rotation)));
     const ShapeCast cast(moving, math::to_double(to_math(way)));
-    const State& s = impl_->state;
+    const State& s = impl_->whole("World::cast_shape");
     std::optional<ConvexHit> best;
     std::uint32_t met = 0;
     s.broad_phase.query_bounds({origin + cast.lo(), origin + cast.hi()}, [&](std::uint32_t other) {
@@ -177,7 +177,7 @@ std::optional<ClosestPoint> World::closest_point(const Position& point, double m
     if (!(max_distance >= 0)) refuse("World::closest_point max_distance", to_text(max_distance), "must be >= 0");
     const double most = std::min(max_distance, 1e15); // as far as positions reach
     const DVec3 origin = to_math(point), reach{most, most, most};
-    const State& s = impl_->state;
+    const State& s = impl_->whole("World::closest_point");
     std::optional<Nearest> best;
     std::uint32_t nearest = 0;
     s.broad_phase.query_bounds({origin - reach, origin + reach}, [&](std::uint32_t other) {

@@ -74,7 +74,7 @@ void retire_shape(State& s, std::uint32_t shape) {
 }
 
 ShapeId World::add_shape(BodyId id, const Shape& shape, const ShapeDef& def) {
-    impl_->require_idle("World::add_shape");
+    Impl::Change change(*impl_, "World::add_shape");
     const std::int32_t b = impl_->index_of(id);
     validate(shape);
     validate(def);
@@ -85,6 +85,7 @@ ShapeId World::add_shape(BodyId id, const Shape& shape, const ShapeDef& def) {
     if (s.is_dynamic(b)) require_still_surface("ShapeDef.surface_velocity", def.surface_velocity);
     require_slot(s.shape_slots, "World::add_shape");
     require_mass_in_range(s, b, shape, def);
+    change.begin();
     const std::uint32_t i = s.shape_slots.create();
     make_room(s.geometry, i), make_room(s.shape_data, i), make_room(s.shape_poses, i), make_room(s.shapes, i),
         make_room(s.materials, i), make_room(s.shape_traits, i);
@@ -109,10 +110,11 @@ ShapeId World::add_shape(BodyId id, const Shape& shape, const ShapeDef& def) {
 }
 
 void World::remove_shape(ShapeId id) {
-    impl_->require_idle("World::remove_shape");
+    Impl::Change change(*impl_, "World::remove_shape");
     const std::uint32_t i = impl_->index_of(id);
     State& s = impl_->state;
     const std::int32_t b = s.shapes[i].body;
+    change.begin();
     wake_around_shape(s, i);
     wake_body(s, b);
     unlink_shape(s, i);
@@ -140,10 +142,11 @@ Bounds World::shape_bounds(ShapeId id) const {
 }
 
 void World::set_material(ShapeId id, const Material& material) {
-    impl_->require_idle("World::set_material");
+    Impl::Change change(*impl_, "World::set_material");
     const std::uint32_t i = impl_->index_of(id);
     validate("Material", material);
     State& s = impl_->state;
+    change.begin();
     s.materials[i] = material;
     impl_->def_of[i].material = material;
     wake_body(s, s.shapes[i].body);
@@ -153,9 +156,10 @@ void World::set_material(ShapeId id, const Material& material) {
 }
 
 void World::set_filter(ShapeId id, const CollisionFilter& filter) {
-    impl_->require_idle("World::set_filter");
+    Impl::Change change(*impl_, "World::set_filter");
     const std::uint32_t i = impl_->index_of(id);
     State& s = impl_->state;
+    change.begin();
     s.shape_traits[i].filter = filter;
     impl_->def_of[i].filter = filter;
     wake_body(s, s.shapes[i].body);
@@ -164,11 +168,12 @@ void World::set_filter(ShapeId id, const CollisionFilter& filter) {
 }
 
 void World::set_surface_velocity(ShapeId id, const Vec3& velocity) {
-    impl_->require_idle("World::set_surface_velocity");
+    Impl::Change change(*impl_, "World::set_surface_velocity");
     const std::uint32_t i = impl_->index_of(id);
     require_finite("World::set_surface_velocity velocity", velocity);
     State& s = impl_->state;
     if (s.is_dynamic(s.shapes[i].body)) require_still_surface("World::set_surface_velocity velocity", velocity);
+    change.begin();
     impl_->def_of[i].surface_velocity = velocity;
     s.shape_traits[i] = make_traits(impl_->def_of[i]);
     wake_around_shape(s, i);

@@ -95,6 +95,7 @@ void World::Impl::set_shapes(const std::vector<Shape>& shapes) {
 
 Snapshot World::save() const {
     impl_->require_idle("World::save");
+    impl_->require_whole("World::save");
     Snapshot snapshot;
     ArchiveWriter body(snapshot.bytes);
     body(magic);

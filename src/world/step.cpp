@@ -57,12 +57,13 @@ int split_step(State& state, float whirl, float dt) {
 } // namespace
 
 void World::step(float dt) {
-    impl_->require_idle("World::step");
+    Impl::Change change(*impl_, "World::step");
     if (!(dt > 0) || !std::isfinite(dt)) refuse("World::step dt", to_text(dt), "must be finite and > 0");
     State& state = impl_->state;
     StageTimes& times = state.statistics.times;
     StageClock clock;
     const Busy busy(impl_->stepping);
+    change.begin();
     state.begins.clear();
     state.hits.clear();
     times = {};

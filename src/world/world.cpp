@@ -43,20 +43,30 @@ World::Impl::Impl(const WorldDef& def) {
 }
 
 std::int32_t World::Impl::index_of(BodyId id) const {
+    require_whole("BodyId");
     return std::int32_t(checked_index("BodyId", id, state.world_id, state.body_slots));
 }
 std::uint32_t World::Impl::index_of(ShapeId id) const {
+    require_whole("ShapeId");
     return checked_index("ShapeId", id, state.world_id, state.shape_slots);
 }
 std::uint32_t World::Impl::index_of(JointId id) const {
+    require_whole("JointId");
     return checked_index("JointId", id, state.world_id, state.joint_slots);
 }
 std::uint32_t World::Impl::index_of(ForceFieldId id) const {
+    require_whole("ForceFieldId");
     return checked_index("ForceFieldId", id, state.world_id, state.field_slots);
 }
 void World::Impl::require_idle(const char* call) const {
     if (stepping)
         throw Error(ErrorCode::wrong_state, call, "", "not allowed while a step or a query of this world runs");
+}
+void World::Impl::require_whole(const char* call) const {
+    if (failed_call)
+        throw Error(ErrorCode::wrong_state, call, "",
+                    std::string("refused: the world ran out of memory in ") + failed_call +
+                        " and is incomplete. Restore a snapshot, or make a new world");
 }
 
 World::World(const WorldDef& def) : impl_(std::make_unique<Impl>(def)) {}
@@ -67,10 +77,11 @@ World& World::operator=(World&&) noexcept = default;
 const WorldDef& World::settings() const noexcept { return impl_->state.settings; }
 
 void World::set_settings(const WorldDef& def) {
-    impl_->require_idle("World::set_settings");
+    Impl::Change change(*impl_, "World::set_settings");
     validate(def);
     State& s = impl_->state;
     const bool wakes = def.gravity != s.settings.gravity || (s.settings.enable_sleep && !def.enable_sleep);
+    change.begin();
     s.settings = def;
     if (!wakes) return;
     for (std::size_t i = 0; i < s.islands.size(); ++i)
@@ -79,7 +90,7 @@ void World::set_settings(const WorldDef& def) {
 }
 
 void World::set_threads(int count) {
-    impl_->require_idle("World::set_threads");
+    Impl::Change change(*impl_, "World::set_threads");
     if (count < 1 || count > Crew::most_threads)
         refuse("World::set_threads count", std::to_string(count), "must be 1 to 256");
     if (count == threads()) return;
@@ -96,10 +107,11 @@ int hardware_threads() noexcept { return std::clamp(int(std::thread::hardware_co
 int World::threads() const noexcept { return impl_->state.crew->threads(); }
 
 BodyId World::create_body(const BodyDef& def) {
-    impl_->require_idle("World::create_body");
+    Impl::Change change(*impl_, "World::create_body");
     validate(def);
     State& s = impl_->state;
     require_slot(s.body_slots, "World::create_body");
+    change.begin();
     const std::size_t b = s.body_slots.create();
     make_room(s.motion, b), make_room(s.mass, b), make_room(s.body_settings, b), make_room(s.forces, b);
     make_room(s.bodies, b), make_room(s.resting, b), make_room(s.left_at, b), make_room(s.near, b),
@@ -142,9 +154,10 @@ BodyId World::create_body(const BodyDef& def) {
 }
 
 void World::destroy_body(BodyId id) {
-    impl_->require_idle("World::destroy_body");
+    Impl::Change change(*impl_, "World::destroy_body");
     const std::int32_t b = impl_->index_of(id);
     State& s = impl_->state;
+    change.begin();
     wake_around(s, b);
     wake_body(s, b);
     impl_->retire_joints_of(b);
@@ -178,7 +191,7 @@ const Body World::body(BodyId id) const {
 }
 
 std::vector<BodyId> World::bodies() const {
-    const State& s = impl_->state;
+    const State& s = impl_->whole("World::bodies");
     std::vector<BodyId> ids;
     ids.reserve(s.body_slots.live_count());
     for (std::uint32_t i = 0; i < s.body_slots.size(); ++i)
@@ -187,17 +200,18 @@ std::vector<BodyId> World::bodies() const {
 }
 
 std::optional<BodyId> World::find_body(std::string_view name) const {
-    const State& s = impl_->state;
+    const State& s = impl_->whole("World::find_body");
     for (std::uint32_t i = 0; i < s.body_slots.size(); ++i)
         if (s.body_slots.is_live(i) && impl_->names[i] == name) return s.body_id(std::int32_t(i));
     return std::nullopt;
 }
 
 ForceFieldId World::add_force_field(const ForceField& field) {
-    impl_->require_idle("World::add_force_field");
+    Impl::Change change(*impl_, "World::add_force_field");
     validate(field);
     State& s = impl_->state;
     require_slot(s.field_slots, "World::add_force_field");
+    change.begin();
     const std::uint32_t i = s.field_slots.create();
     make_room(s.fields, i);
     const ForceFieldId id = ForceFieldId::make(i, s.field_slots.generation(i), s.world_id);
@@ -206,19 +220,21 @@ ForceFieldId World::add_force_field(const ForceField& field) {
 }
 
 void World::set_force_field(ForceFieldId id, const ForceField& field) {
-    impl_->require_idle("World::set_force_field");
+    Impl::Change change(*impl_, "World::set_force_field");
     const std::uint32_t i = impl_->index_of(id);
     validate(field);
     State& s = impl_->state;
+    change.begin();
     s.fields[i] = field;
     for (std::size_t k = 0; k < s.islands.size(); ++k)
         if (s.islands[k].in_use) wake_island(s, std::int32_t(k));
 }
 
 void World::remove_force_field(ForceFieldId id) {
-    impl_->require_idle("World::remove_force_field");
+    Impl::Change change(*impl_, "World::remove_force_field");
     const std::uint32_t i = impl_->index_of(id);
     State& s = impl_->state;
+    change.begin();
     s.field_slots.kill(i);
     s.field_slots.recycle(i);
     for (std::size_t k = 0; k < s.islands.size(); ++k)

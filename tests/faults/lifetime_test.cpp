@@ -1,8 +1,11 @@
-// Handles that name nothing, and worlds that are gone: rows 42 to 46 of the list of faults.
+// Handles that name nothing, and worlds that are gone: rows 42 to 48 of the list of faults.
 #include "../api/test_world.h"
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <functional>
+#include <thread>
 #include <type_traits>
 #include <vector>
 
@@ -292,6 +295,48 @@ TEST(Row45, EventsOfAStepChangeInNoCallBetweenSteps) {
     EXPECT_EQ(world.contact_ends().size(), 0u) << "contacts end in the next step";
     world.step(frame);
     EXPECT_EQ(world.contact_ends().size(), 3u);
+}
+
+// --- row 48
+
+// The other thread's call comes while the step runs for certain: a step of a crowd takes much longer than its threads
+// take to start.
+TEST(Row48, CallsFromAnotherThreadDuringAStepAreRefused) {
+    World world(WorldDef{});
+    for (int i = 0; i < 500; ++i) {
+        BodyDef def;
+        def.position = {1e-3 * i, 0, 0};
+        world.add_shape(world.create_body(def), Sphere{});
+    }
+    const BodyId first = world.bodies().front();
+    std::atomic<bool> begun = false, done = false;
+    std::thread stepper([&] {
+        begun = true;
+        world.step(1.0f / 60);
+        done = true;
+    });
+    while (!begun) std::this_thread::yield();
+    std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    int refused = 0;
+    const auto expect_refused = [&](const auto& call) {
+        try {
+            call();
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ErrorCode::wrong_state);
+            EXPECT_NE(std::string(error.what()).find("while a step"), std::string::npos) << error.what();
+            ++refused;
+        }
+    };
+    EXPECT_FALSE(done) << "the step was too quick for this test";
+    expect_refused([&] { world.create_body(); });
+    expect_refused([&] { world.destroy_body(first); });
+    expect_refused([&] { world.step(1.0f / 60); });
+    expect_refused([&] { world.save(); });
+    expect_refused([&] { world.set_settings({}); });
+    EXPECT_EQ(refused, 5);
+    stepper.join();
+    EXPECT_EQ(world.bodies().size(), 500u);
+    EXPECT_EQ(world.step_count(), 1u);
 }
 
 // --- row 46

@@ -221,6 +221,35 @@ TEST_F(Cli, ScenesAreListed) {
     }
 }
 
+// A file takes its name only once it is complete.
+TEST_F(Cli, KilledInMidWriteTheOldFileIsWhole) {
+    std::ofstream(folder_ / "out.csv") << "old\n";
+    const Result result =
+        cairn("run t_handles --seconds 100000 --csv out.csv", "timeout --signal=KILL --foreground 0.5");
+    EXPECT_EQ(result.code, 137);
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(read_all(folder_ / "out.csv"), "old\n");
+}
+
+// A limit on the size of files is met as a full disk is: in mid-write.
+TEST_F(Cli, NoRoomForAFileIsAnErrorAndTheOldOneIsKept) {
+    const std::string limit = "trap '' XFSZ; ulimit -f 8;"; // 4 KiB
+    for (const char* option : {"--csv out.csv", "--save out.gltf", "--animate out.glb", "--png out.png"}) {
+        const std::string name = std::string(option).substr(std::string(option).find(' ') + 1);
+        std::ofstream(folder_ / name) << "old\n";
+        const Result result = cairn(std::string("run pyramid --frames 60 ") + option, limit);
+        expect_one_line(result, 1, name + ": cannot be written");
+        EXPECT_EQ(read_all(folder_ / name), "old\n") << name;
+    }
+    std::size_t files = 0;
+    for (const auto& entry : fs::directory_iterator(folder_)) files += entry.path().filename().string()[0] != '.';
+    EXPECT_EQ(files, 4u) << "something was left behind";
+}
+
+TEST_F(Cli, NoDisplayIsOneLine) {
+    expect_one_line(cairn("view welcome", "env -u DISPLAY -u WAYLAND_DISPLAY"), 1, "display");
+}
+
 TEST_F(Cli, FullDiskIsAnError) {
     if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full on this system";
     const std::string line =

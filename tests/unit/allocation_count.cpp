@@ -6,19 +6,28 @@
 
 namespace {
 std::atomic<std::size_t> count{0};
+constexpr std::size_t never = std::size_t(-1);
+std::atomic<std::size_t> failing{never}; // the value of `count` at which an allocation fails
+
+void count_allocation() {
+    std::size_t now = count++;
+    if (failing.compare_exchange_strong(now, never)) throw std::bad_alloc();
+}
 } // namespace
 
 namespace cairn {
 std::size_t allocation_count() { return count; }
+void fail_allocation_after(std::size_t successes) { failing = count + successes; }
+bool stop_failing() { return failing.exchange(never) == never; }
 } // namespace cairn
 
 void* operator new(std::size_t size) {
-    ++count;
+    count_allocation();
     if (void* p = std::malloc(size ? size : 1)) return p;
     throw std::bad_alloc();
 }
 void* operator new(std::size_t size, std::align_val_t alignment) {
-    ++count;
+    count_allocation();
     const std::size_t step = std::size_t(alignment);
     if (void* p = std::aligned_alloc(step, (size + step - 1) / step * step)) return p;
     throw std::bad_alloc();

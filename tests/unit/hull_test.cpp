@@ -171,6 +171,16 @@ TEST(Hull, SameBitsForTheSamePointsAndTheSameBodyInAnyOrder) {
     EXPECT_NEAR(a.unit_mass.mass, c.unit_mass.mass, 1e-12);
 }
 
+TEST(Hull, AMillionPointsGiveTheHullOfTheirCorners) {
+    Random random(29);
+    Points points = make_points(1'000'000, [&](int) { return random.in_cube(); });
+    float most = 0;
+    for (const auto& p : points) most = std::max({most, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+    const Points corners = box_corners({most, most, most});
+    points.insert(points.end(), corners.begin(), corners.end());
+    EXPECT_EQ(build_checked(points).vertices.size(), 8u);
+}
+
 TEST(Hull, DuplicatesChangeNothing) {
     const Points once = box_corners({1, 2, 3});
     Points often;

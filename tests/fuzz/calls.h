@@ -1,0 +1,95 @@
+// Sequences of calls of the API that bytes spell out, on three worlds side by side: one with a single thread, one with
+// several, and one that is saved and restored again and again. All three must stay the same, bit by bit, and obey what
+// holds of every world.
+#pragma once
+
+#include <cairn/cairn.h>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace cairn_fuzz {
+
+using namespace cairn;
+
+// Numbers out of bytes; zeros after the last.
+class Bytes {
+  public:
+    explicit Bytes(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
+
+    bool is_empty() const { return bytes_.empty(); }
+    int pick(int n) { return next() % n; }                             // 0 to n - 1
+    float unit() { return float(std::int8_t(next())) / 128.0f; }       // -1 to 1
+    float size() { return 0.05f + float(next() & 63) / 64.0f * 0.5f; } // m
+    Vec3 vector(float length) {
+        const float x = unit(), y = unit(), z = unit();
+        return length * Vec3(x, y, z);
+    }
+    Quat rotation() {
+        const float x = unit(), y = unit(), z = unit();
+        return {1.0f, x, y, z};
+    }
+    Position place() { return Position(vector(4.0f)) + Position(0, 3, 0); }
+
+  private:
+    int next() {
+        if (bytes_.empty()) return 0;
+        const int value = bytes_.front();
+        bytes_ = bytes_.subspan(1);
+        return value;
+    }
+    std::span<const std::uint8_t> bytes_;
+};
+
+class Calls {
+  public:
+    // No more steps than that are taken, however many the bytes ask for.
+    explicit Calls(std::span<const std::uint8_t> bytes, std::uint64_t most_steps = 400);
+
+    // Runs until the bytes are used up. Throws std::logic_error where something does not hold that must.
+    void run();
+    std::uint64_t steps() const { return worlds_[0].step_count(); }
+
+  private:
+    static constexpr std::size_t single = 0, threaded = 1, restored = 2;
+
+    // Calls f(world) for each; all must answer alike, and refuse alike.
+    template <class F> void each(F&& f);
+    BodyId body();
+    Body first(BodyId id) { return worlds_[single].body(id); }
+    bool is(BodyId id, BodyType type) { return first(id).type() == type; }
+    Shape shape();
+    Shape surface();
+    Joint joint();
+
+    void call();
+    void create();
+    void destroy();
+    void add_shape(BodyId id);
+    void remove_shape();
+    void move();
+    void push();
+    void change_body();
+    void change_shape();
+    void join();
+    void change_joint();
+    void change_fields();
+    void change_settings();
+    void query();
+    void save_and_restore();
+    void call_wrongly();
+    void step();
+    void check_step(double energy, double depth, float dt);
+
+    Bytes bytes_;
+    std::uint64_t most_steps_;
+    std::vector<World> worlds_;
+    BodyId ground_;
+    std::vector<BodyId> bodies_, dead_;
+    std::vector<ForceFieldId> fields_;
+    double pushed_ = 0; // N m of work that forces may do per meter, since the last step
+};
+
+} // namespace cairn_fuzz

@@ -1,0 +1,17 @@
+// Fuzzes the API: any bytes are a sequence of calls (calls.h), run on one thread, on several, and with the world saved
+// and restored in between.
+#include "calls.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    try {
+        cairn_fuzz::Calls({data, size}).run();
+    } catch (const std::exception& broken) {
+        std::fprintf(stderr, "%s\n", broken.what());
+        std::abort();
+    }
+    return 0;
+}
