@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 
 namespace cairn {
 
@@ -146,13 +147,24 @@ void fill_rows(State& s, BinScratch& scratch, Crew* crew) {
     fill_conveyor_rows(s, scratch);
 }
 
+// Cuts a way to what the world's greatest speed allows. Within a step nothing else bounds it: joints that contradict
+// each other, or whose bodies were put far apart, pull without limit.
+bool cut_way(const WorldDef& settings, float dt, math::DVec3& dx, math::Quat& dq) {
+    const double most = double(settings.max_linear_speed) * double(dt), square = math::dot(dx, dx);
+    const float turn = ((dq.x * dq.x + dq.y * dq.y) + dq.z * dq.z) + dq.w * dq.w;
+    const bool is_far = square > most * most, is_turn = turn > 0.25f && turn < 4.0f;
+    if (is_far) dx = (most / std::sqrt(square)) * dx;
+    if (!is_turn) dq = {};
+    return is_far || !is_turn;
+}
+
 // Moves a body by what its row has moved. What is not finite any more stops where it was, and is counted.
-std::uint64_t scatter_body(State& s, const BinScratch& scratch, std::int32_t b, std::size_t row) {
+std::uint64_t scatter_body(State& s, const BinScratch& scratch, std::int32_t b, std::size_t row, float dt) {
     const SolverVelocity& velocity = scratch.velocity[row];
     const SolverPose& pose = scratch.pose[row];
     BodyMotion& motion = s.motion[std::size_t(b)];
-    const math::DVec3 dx = math::to_double(math::Vec3{pose.dx[0], pose.dx[1], pose.dx[2]});
-    const math::Quat dq{pose.dq[0], pose.dq[1], pose.dq[2], pose.dq[3]};
+    math::DVec3 dx = math::to_double(math::Vec3{pose.dx[0], pose.dx[1], pose.dx[2]});
+    math::Quat dq{pose.dq[0], pose.dq[1], pose.dq[2], pose.dq[3]};
     math::Vec3 v{velocity.v[0], velocity.v[1], velocity.v[2]}, w{velocity.w[0], velocity.w[1], velocity.w[2]};
     const math::DVec3 sum = (dx + math::to_double(v)) + math::to_double(w);
     const double sum_q = ((double(dq.x) + dq.y) + dq.z) + dq.w;
@@ -161,6 +173,7 @@ std::uint64_t scatter_body(State& s, const BinScratch& scratch, std::int32_t b, 
         motion.turned = {};
         return 1;
     }
+    const bool was_cut = cut_way(s.settings, dt, dx, dq);
     motion.x += dx;
     motion.q = math::normalized(math::to_double(dq) * motion.q);
     motion.turned = dq;
@@ -168,7 +181,7 @@ std::uint64_t scatter_body(State& s, const BinScratch& scratch, std::int32_t b, 
     const bool clamped = clamp_velocity(s.settings, v, w);
     motion.v = v;
     motion.w = w;
-    return clamped ? 1 : 0;
+    return clamped || was_cut ? 1 : 0;
 }
 
 } // namespace
@@ -212,7 +225,7 @@ void empty_bin(State& s, BinScratch& scratch, Crew* crew, float dt) {
             if (b == none) continue;
             scratch.row_of_body[std::size_t(b)] = none;
             if (!s.is_dynamic(b)) continue;
-            own.clamped_speeds += scatter_body(s, scratch, b, std::size_t(row));
+            own.clamped_speeds += scatter_body(s, scratch, b, std::size_t(row), dt);
             finalize_body(s, b, dt, own.escaped);
         }
     });

@@ -238,7 +238,20 @@ bool is_sound(const State& s, std::uint32_t index) {
     return std::isfinite(sum);
 }
 
-// Of bodies that were stopped for being beyond the range of numbers.
+// Whether a body of the joint has become faster than the world allows. It will be slowed down: what made it so must not
+// be carried into the next step.
+bool is_too_fast(const State& s, const BinScratch& scratch, std::uint32_t index) {
+    const JointInfo& joint = s.joints[index];
+    const float v_most = s.settings.max_linear_speed, w_most = s.settings.max_angular_speed;
+    for (const std::int32_t body : {joint.body_a, joint.body_b}) {
+        if (body == none || scratch.row_of_body[std::size_t(body)] == none) continue;
+        const SolverVelocity& row = scratch.velocity[std::size_t(scratch.row_of_body[std::size_t(body)])];
+        const math::Vec3 v = math::to_vec(row.v), w = math::to_vec(row.w);
+        if (!(math::dot(v, v) <= v_most * v_most && math::dot(w, w) <= w_most * w_most)) return true;
+    }
+    return false;
+}
+
 void forget_impulses(State& s, std::uint32_t index) {
     JointInfo& joint = s.joints[index];
     joint.force = joint.torque = joint.point_impulse = joint.turn_impulse = {};
@@ -313,7 +326,7 @@ void store_joints(State& s, BinScratch& scratch, float dt) {
         JointInfo& joint = s.joints[index];
         joint.force = rate * joint.force;
         joint.torque = rate * joint.torque;
-        if (!is_sound(s, index)) forget_impulses(s, index);
+        if (!is_sound(s, index) || is_too_fast(s, scratch, index)) forget_impulses(s, index);
         if (math::dot(joint.force, joint.force) > joint.break_force * joint.break_force ||
             math::dot(joint.torque, joint.torque) > joint.break_torque * joint.break_torque)
             scratch.overloaded.push_back(index);

@@ -89,7 +89,8 @@ class Calls {
     BodyId ground_;
     std::vector<BodyId> bodies_, dead_;
     std::vector<ForceFieldId> fields_;
-    double pushed_ = 0; // N m of work that forces may do per meter, since the last step
+    double pushed_ = 0;   // N: the sum of the forces since the last step
+    bool placed_ = false; // whether anything was put somewhere since then, where it may overlap
 };
 
 } // namespace cairn_fuzz
