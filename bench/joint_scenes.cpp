@@ -115,6 +115,30 @@ Quat turned_by(Vec3 rotation) {
 
 } // namespace
 
+// Level at first, on hinges along z.
+void chain(Builder& b, int size) {
+    b.scene.steps = 300;
+    b.scene.collides = false;
+    b.scene.lower_bound.y = -1e9f;
+    constexpr float half = 0.25f; // of a link's length, m
+    const Quat to_x(std::sqrt(0.5f), 0.0f, 0.0f, -std::sqrt(0.5f)),
+        x_to_z(std::sqrt(0.5f), 0.0f, -std::sqrt(0.5f), 0.0f);
+    b.sphere(Motion::fixed, {0, 0, 0}, 0.1f);
+    for (int i = 0; i < size; ++i) {
+        b.body(Motion::dynamic, {(2 * static_cast<float>(i) + 1) * half, 0, 0}, upright_capsule(0.05f, half - 0.05f),
+               1000, to_x);
+        SceneJoint joint;
+        joint.kind = JointKind::hinge;
+        joint.body_a = static_cast<std::size_t>(i);
+        joint.body_b = joint.body_a + 1;
+        joint.anchor_a = i == 0 ? Vec3(0.0f) : Vec3(0, half, 0);
+        joint.anchor_b = {0, -half, 0};
+        joint.axes_a = i == 0 ? x_to_z : glm::conjugate(to_x) * x_to_z;
+        joint.axes_b = glm::conjugate(to_x) * x_to_z;
+        b.scene.joints.push_back(joint);
+    }
+}
+
 void joint_grid(Builder& b, int size) { net(b, size, {0, -1, 0}); }
 void joint_swing(Builder& b, int size) { net(b, size, {0, 0, 1}); }
 

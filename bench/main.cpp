@@ -1,5 +1,6 @@
 // `cairn_bench`: times Cairn and its peers on the same scenes, and judges what came out; or writes the scenes to files.
 // A wrong call ends with one line on stderr and exit code 2, an error at run time with one line and exit code 1.
+#include "bench/consistency.h"
 #include "bench/measure.h"
 #include "bench/report.h"
 #include "bench/save.h"
@@ -46,7 +47,7 @@ struct Options {
     cairn::bench::MeasureOptions measure;
     std::vector<std::string> engines;
     std::optional<std::string> folder; // to save scenes in, instead of measuring them
-    bool json = false, list = false;
+    bool json = false, list = false, consistency = false;
 };
 
 std::vector<std::string> scene_names() {
@@ -85,6 +86,8 @@ void add_options(CLI::App& app, Options& options) {
         ->check(CLI::Range(1, 256));
     app.add_option("--save", options.folder,
                    "Measure nothing: write the scenes to this folder, as NAME.gltf that `cairn view` opens");
+    app.add_flag("--consistency", options.consistency,
+                 "Measure how the answers depend on the time step instead (Erez et al. 2015); takes minutes");
     app.add_flag("--json", options.json, "Print one JSON object instead of tables");
     app.add_flag("--list", options.list, "List the scenes and engines, and measure nothing");
 }
@@ -107,6 +110,18 @@ int complain(std::string text, int code) {
     return code;
 }
 
+void show_progress(const std::string& line) { fmt::print(stderr, "{}\n", line); }
+
+std::string times(const Options& options) {
+    const auto results = cairn::bench::measure(options.measure, show_progress);
+    return options.json ? cairn::bench::to_json(results) : cairn::bench::to_tables(results);
+}
+
+std::string consistency(const Options& options) {
+    const auto points = cairn::bench::measure_consistency({options.measure.engines}, show_progress);
+    return options.json ? consistency_json(points) : consistency_tables(points);
+}
+
 int run(Options& options) {
     if (options.list) {
         fmt::print("{}", listing());
@@ -124,9 +139,7 @@ int run(Options& options) {
         for (const EngineKind& kind : engine_kinds())
             if (kind.name == name) options.measure.engines.push_back(kind);
     for (const std::string& peer : missing_peers()) fmt::print(stderr, "built without {}, which was not found\n", peer);
-    const auto results =
-        cairn::bench::measure(options.measure, [](const std::string& line) { fmt::print(stderr, "{}\n", line); });
-    const std::string text = options.json ? cairn::bench::to_json(results) : cairn::bench::to_tables(results);
+    const std::string text = options.consistency ? consistency(options) : times(options);
     const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
     if (!written || std::fflush(stdout) != 0) return complain("stdout cannot be written", 1);
     return 0;

@@ -91,6 +91,7 @@ constexpr SceneKind kinds[] = {
     {"terrain", "boxes fall on hills of 20,000 triangles", "bodies", 2000, most_bodies},
     {"props", "tables, chairs and jacks of 3 to 7 boxes and spheres fall into a room", "bodies", 1500, most_bodies},
     {"capsules", "capsules and cylinders of many sizes fall into a room", "bodies", 3000, most_bodies},
+    {"chain", "links on hinges fall and swing; nothing collides", "links", 20, 10000},
     {"joint_grid", "a net of spheres hangs on its upper edge; nothing collides", "spheres in a row", 64, 1000},
     {"joint_swing", "a level net of spheres falls and swings on one edge; nothing collides", "spheres in a row", 64,
      1000},
@@ -98,8 +99,8 @@ constexpr SceneKind kinds[] = {
 };
 // In the same order.
 constexpr void (*builders[])(Builder&, int) = {
-    pile_spheres, pile_boxes, pile_mixed, one_pyramid, one_pyramid, many_pyramids, tower,       mass_ratio,
-    tumbler,      convex,     terrain,    props,       capsules,    joint_grid,    joint_swing, ragdolls};
+    pile_spheres, pile_boxes, pile_mixed, one_pyramid, one_pyramid, many_pyramids, tower,       mass_ratio, tumbler,
+    convex,       terrain,    props,      capsules,    chain,       joint_grid,    joint_swing, ragdolls};
 static_assert(std::size(kinds) == std::size(builders));
 
 } // namespace
