@@ -361,7 +361,7 @@ void drop_box_on_corner(Result& result, double step) {
     auto add = [&](const char* quantity, double right, double measured) {
         result.rows.push_back({quantity, step, right, measured, round_off, Bar::relative, ""});
     };
-    add("velocity upwards of a box that hit with a corner, m/s", v0.y + impulse / mass, v.y);
+    add("vertical velocity of a box that hit with a corner, m/s", v0.y + impulse / mass, v.y);
     add("its velocity along the plane, m/s", glm::length(glm::dvec2(v0.x, v0.z)), glm::length(glm::dvec2(v.x, v.z)));
     add("its angular momentum, kg m^2/s", glm::length(expected), glm::length(momentum));
     result.rows.push_back({"difference of its angular momentum from the formula, relative", step, 0,

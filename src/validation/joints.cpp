@@ -93,7 +93,7 @@ void add_double_pendulum_rows(Result& result) {
         World world(without_sleep());
         const DoublePendulum pendulum = add_double_pendulum(world, JointSolver::direct);
         double least = 0, greatest = -std::numeric_limits<double>::infinity();
-        Curve curve{"steps of " + step_text(step), {}, {}, false};
+        Curve curve{"steps of " + step_text(step) + " s", {}, {}, false};
         const int steps = int(std::lround(seconds / step)), every = std::max(1, steps / 300);
         for (int i = 1; i <= steps; ++i) {
             world.step(float(step));
@@ -240,7 +240,7 @@ void add_chain_rows(Result& result) {
                                seen.greatest / link_length, 0.01, Bar::at_most, ""});
         result.rows.push_back(
             {"chain: change of energy in 10 s, of the swing", step, 0, change / swing, 0.02, Bar::absolute, ""});
-        plot.curves.push_back({"steps of " + step_text(step), seen.times, seen.gaps, false});
+        plot.curves.push_back({"steps of " + step_text(step) + " s", seen.times, seen.gaps, false});
     }
     result.plots.push_back(plot);
 }
@@ -257,7 +257,7 @@ void add_net_rows(Result& result) {
                             "greatest gap, mm",
                             false,
                             false,
-                            {{"steps of " + step_text(step), seen.times, seen.gaps, false}}});
+                            {{"steps of " + step_text(step) + " s", seen.times, seen.gaps, false}}});
 }
 
 } // namespace

@@ -1,10 +1,14 @@
 // The list of all cases. Their laws are those of docs/validation.md.
 #include "validation/cases.h"
 
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
 namespace cairn::validation {
 
 std::span<const Case> cases() {
-    static constexpr Case all[] = {
+    static constexpr Case listed[] = {
         // --- free motion and joints
         {1, "free_fall", "Free fall with each integrator",
          "y = y0 - g t^2 / 2 -+ g h t / 2 with substeps of h: semi-implicit Euler falls ahead of the exact path, "
@@ -51,7 +55,12 @@ std::span<const Case> cases() {
         // --- structures
         // --- literature
     };
-    return all;
+    static const std::vector<Case> by_number = [] {
+        std::vector<Case> sorted(std::begin(listed), std::end(listed));
+        std::sort(sorted.begin(), sorted.end(), [](const Case& a, const Case& b) { return a.number < b.number; });
+        return sorted;
+    }();
+    return by_number;
 }
 
 } // namespace cairn::validation
