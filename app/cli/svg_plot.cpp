@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace cairn::cli {
@@ -19,7 +20,8 @@ using validation::Plot;
 constexpr double width = 480, plot_height = 300;               // without the legend
 constexpr double left = 66, right = 18, top = 36, bottom = 50; // margins of the axes
 constexpr double legend_line = 18, character = 6.1;            // of text at 11 pixels
-constexpr double least_slope_fit = 0.98;                       // squared correlation for a slope to mean something
+constexpr double least_local_slope = 0.75; // of that at the coarsest steps; below it rounding rules the error
+constexpr double least_slope_fit = 0.98;   // squared correlation for a slope to mean something
 constexpr const char* ink = "#33383f";
 constexpr const char* expected_color = "#a9b0ba";
 constexpr std::array<const char*, 6> colors = {"#1f6fb2", "#d1495b", "#2f8f6b", "#8657a8", "#d98a1f", "#4a4f57"};
@@ -60,6 +62,7 @@ Axis fit_axis(const Plot& plot, bool along_x) {
         const double around = axis.log ? 0.5 : std::max(1e-9, 0.1 * std::fabs(high));
         low -= around, high += around;
     }
+    if (along_x && !axis.log && low > 0 && low < 0.1 * high) low = 0; // time begins there
     const double room = along_x ? (axis.log ? 0.04 : 0.0) : 0.06;
     axis.low = low - room * (high - low);
     axis.high = high + room * (high - low);
@@ -114,24 +117,38 @@ std::vector<Tick> log_ticks(const Axis& axis) {
     return ticks;
 }
 
-// Of a straight line through the logarithms, by least squares; nothing where the points are on none.
+// Of a straight line through the logarithms, by least squares: from the right, as far as the error shrinks. Beyond that
+// rounding rules. Nothing where the points are on no line.
 std::optional<double> fitted_slope(const Plot& plot, const Curve& curve) {
     if (!plot.log_x || !plot.log_y) return std::nullopt;
-    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0, syy = 0;
-    for (std::size_t i = 0; i < curve.x.size(); ++i) {
-        if (!can_show(plot, curve.x[i], curve.y[i])) continue;
-        const double x = std::log10(curve.x[i]), y = std::log10(curve.y[i]);
-        n += 1, sx += x, sy += y, sxx += x * x, sxy += x * y, syy += y * y;
-    }
-    const double xx = n * sxx - sx * sx, xy = n * sxy - sx * sy, yy = n * syy - sy * sy;
-    if (n < 3 || xx <= 0 || yy <= 0 || xy * xy < least_slope_fit * xx * yy) return std::nullopt;
+    std::vector<std::pair<double, double>> points;
+    for (std::size_t i = 0; i < curve.x.size(); ++i)
+        if (can_show(plot, curve.x[i], curve.y[i])) points.emplace_back(std::log10(curve.x[i]), std::log10(curve.y[i]));
+    std::sort(points.rbegin(), points.rend());
+    const auto slope_after = [&](std::size_t i) {
+        return (points[i].second - points[i + 1].second) / (points[i].first - points[i + 1].first);
+    };
+    if (points.size() < 3 || slope_after(0) <= 0) return std::nullopt;
+    std::size_t count = 2;
+    while (count < points.size() && slope_after(count - 1) > least_local_slope * slope_after(0)) ++count;
+    points.resize(count);
+    double sx = 0, sy = 0, sxx = 0, sxy = 0, syy = 0;
+    for (const auto& [x, y] : points) sx += x, sy += y, sxx += x * x, sxy += x * y, syy += y * y;
+    const double n = double(count), xx = n * sxx - sx * sx, xy = n * sxy - sx * sy, yy = n * syy - sy * sy;
+    if (count < 3 || xx <= 0 || yy <= 0 || xy * xy < least_slope_fit * xx * yy) return std::nullopt;
     return xy / xx;
 }
+
+// Of a curve's marks and of the lines between them. Curves that lie on each other are all seen: those drawn first are
+// wider. `later`: how many with marks are drawn after it.
+double mark_radius(std::size_t later) { return 3 + 0.9 * double(later); }
+double join_width(std::size_t later) { return 1.2 + 1.1 * double(later); }
 
 struct LegendEntry {
     std::string text;
     const char* color;
     bool as_points, is_expected;
+    std::size_t later; // curves with marks that come after it
     double x = 0, y = 0;
 };
 
@@ -154,7 +171,7 @@ void draw_axes(std::string& out, const Plot& plot, const Axis& x, const Axis& y)
         out += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>", at, y.at_low + 16,
                            tick.label);
     }
-    for (const Tick& tick : y.log ? log_ticks(y) : linear_ticks(y, 5)) {
+    for (const Tick& tick : y.log ? log_ticks(y) : linear_ticks(y, 6)) {
         const double at = y.pixel(tick.value);
         const bool is_zero = !y.log && std::fabs(tick.value) < 1e-12;
         out += fmt::format("<path d=\"M{:.1f} {:.1f}H{:.1f}\" stroke=\"{}\"/>", x.at_low, at, x.at_high,
@@ -190,19 +207,20 @@ void draw_line(std::string& out, const Plot& plot, const Curve& curve, const Axi
 }
 
 void draw_points(std::string& out, const Plot& plot, const Curve& curve, const Axis& x, const Axis& y,
-                 const char* color) {
+                 const char* color, double radius) {
     for (std::size_t i = 0; i < curve.x.size(); ++i)
         if (can_show(plot, curve.x[i], curve.y[i]))
-            out += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.2\" fill=\"{}\" stroke=\"white\"/>",
-                               x.pixel(curve.x[i]), y.pixel(curve.y[i]), color);
+            out += fmt::format(
+                "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" fill=\"{}\" stroke=\"white\" stroke-width=\"0.8\"/>",
+                x.pixel(curve.x[i]), y.pixel(curve.y[i]), radius, color);
 }
 
 void draw_legend(std::string& out, const std::vector<LegendEntry>& entries) {
     for (const LegendEntry& entry : entries) {
         const double y = entry.y + 8;
         if (entry.as_points)
-            out +=
-                fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.6\" fill=\"{}\"/>", entry.x + 9, y, entry.color);
+            out += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" fill=\"{}\"/>", entry.x + 9, y,
+                               mark_radius(entry.later), entry.color);
         else
             out += fmt::format("<path d=\"M{:.1f} {:.1f}h18\" stroke=\"{}\" stroke-width=\"{}\"/>", entry.x, y,
                                entry.color, entry.is_expected ? 4 : 2);
@@ -239,7 +257,11 @@ std::string svg_plot(const Plot& plot) {
         const std::optional<double> slope = fitted_slope(plot, curve);
         const char* color = is_expected(curve) ? expected_color : colors[next_color++ % colors.size()];
         legend.push_back({curve.label + (slope ? fmt::format(" (slope {:.2f})", *slope) : ""), color, curve.as_points,
-                          is_expected(curve)});
+                          is_expected(curve), 0});
+    }
+    for (std::size_t i = legend.size(), later = 0; i-- > 0;) {
+        legend[i].later = later;
+        if (legend[i].as_points) ++later;
     }
     const double height = plot_height + lay_out(legend);
     std::string out = fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
@@ -255,10 +277,11 @@ std::string svg_plot(const Plot& plot) {
         const Curve& curve = plot.curves[i];
         const bool joins_points = curve.as_points && plot.log_x && plot.log_y;
         if (!legend[i].is_expected && (!curve.as_points || joins_points))
-            draw_line(out, plot, curve, x, y, legend[i].color, joins_points ? 1.2 : 1.6);
+            draw_line(out, plot, curve, x, y, legend[i].color, joins_points ? join_width(legend[i].later) : 1.6);
     }
     for (std::size_t i = 0; i < plot.curves.size(); ++i)
-        if (plot.curves[i].as_points) draw_points(out, plot, plot.curves[i], x, y, legend[i].color);
+        if (plot.curves[i].as_points)
+            draw_points(out, plot, plot.curves[i], x, y, legend[i].color, mark_radius(legend[i].later));
     draw_legend(out, legend);
     return out + "</svg>";
 }

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <string_view>
 
 namespace cairn::cli {
 
@@ -26,7 +27,8 @@ using validation::Row;
 constexpr const char* style = R"(
 :root { color-scheme: light; }
 * { box-sizing: border-box; }
-body { margin: 0; background: #f5f6f8; color: #23272e; font: 15px/1.5 system-ui, "Segoe UI", Helvetica, Arial, sans-serif; }
+body { margin: 0; background: #f5f6f8; color: #23272e; }
+body { font: 15px/1.5 system-ui, "Segoe UI", Helvetica, Arial, sans-serif; }
 main { max-width: 1080px; margin: 0 auto; padding: 32px 24px 64px; }
 h1 { font-size: 28px; margin: 0 0 4px; letter-spacing: -0.01em; }
 h2 { font-size: 20px; margin: 0 0 4px; letter-spacing: -0.01em; }
@@ -39,6 +41,7 @@ section { background: white; border: 1px solid #e1e4e9; border-radius: 8px; padd
 table { border-collapse: collapse; width: 100%; font-size: 13px; font-variant-numeric: tabular-nums; }
 th { text-align: left; font-weight: 600; color: #68707b; border-bottom: 1px solid #cfd4db; padding: 4px 10px 4px 0; }
 td { border-bottom: 1px solid #eef0f3; padding: 3px 10px 3px 0; vertical-align: top; }
+sup { line-height: 0; font-size: 0.75em; }
 td.number, th.number { text-align: right; white-space: nowrap; padding-left: 6px; }
 td.bar { white-space: nowrap; color: #68707b; }
 tr.new td { border-top: 1px solid #cfd4db; }
@@ -78,6 +81,25 @@ double share_of_bar(const Row& row) {
     }
     if (std::isfinite(share)) return share;
     return row.passes() ? 0 : std::numeric_limits<double>::infinity(); // a bar of zero, or not a number
+}
+
+// Escaped, with x^2 as a superscript and -+ as one sign.
+std::string formula(std::string_view law) {
+    const std::string text = escaped(law);
+    std::string out;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text.compare(i, 2, "-+") == 0) {
+            out += "∓", ++i;
+        } else if (text[i] != '^') {
+            out += text[i];
+        } else {
+            const std::size_t end = text.find_first_not_of("-0123456789n", i + 1);
+            const std::size_t length = std::min(end, text.size()) - (i + 1);
+            out += "<sup>" + text.substr(i + 1, length) + "</sup>";
+            i += length;
+        }
+    }
+    return out;
 }
 
 void add_row(std::string& out, const Row& row, bool is_new) {
@@ -129,7 +151,7 @@ void add_case(std::string& out, const Measured& measured) {
     const validation::Case& entry = *measured.entry;
     const Count count = count_rows(measured.result);
     out += fmt::format("<section id=\"{}\"><h2><span class=\"number\">{}</span>{}</h2><p class=\"quiet\">{}</p>\n",
-                       escaped(entry.name), entry.number, escaped(entry.title), escaped(entry.law));
+                       escaped(entry.name), entry.number, escaped(entry.title), formula(entry.law));
     if (!measured.result.plots.empty()) {
         out += "<div class=\"plots\">\n";
         for (const validation::Plot& plot : measured.result.plots) out += svg_plot(plot) + "\n";
@@ -158,7 +180,7 @@ std::string page(const std::vector<Measured>& cases) {
     out +=
         fmt::format("<p>{} rows. A row passes if what was measured lies within its bar of what is expected; the small "
                     "bars beside the rows show how much of it is used. Where both axes of a plot are logarithmic, "
-                    "the slope fitted to a curve is the order of the error in the time step.</p>\n",
+                    "the slope fitted to a curve, as far as it falls with the step, is the order of the error.</p>\n",
                     count_text(all));
     out += "<nav><table><thead><tr><th></th><th>Case</th><th>Rows</th></tr></thead><tbody>\n";
     for (const Measured& measured : cases)

@@ -60,9 +60,9 @@ Plot error_plot(const char* title, const char* y_label) { return {title, "time s
 Result measure_free_fall() {
     constexpr double seconds = 2;
     Result result;
-    Plot energy{"Energy in free fall, steps of 1/60 s", "time, s", "energy - exact, J/kg", false, false, {}};
-    Plot position = error_plot("Where it is after 2 s", "error of the position, m");
-    Plot final_energy = error_plot("Its energy after 2 s", "error of the energy, J/kg");
+    Plot energy{"Free fall: energy, steps of 1/60 s", "time, s", "energy gained, J/kg", false, false, {}};
+    Plot position = error_plot("Free fall: position after 2 s", "error of the position, m");
+    Plot final_energy = error_plot("Free fall: energy after 2 s", "error of the energy, J/kg");
     for (const NamedIntegrator& integrator : integrators) {
         for (const double step : time_steps) {
             const Fall f = fall(integrator.kind, step, seconds);
@@ -131,8 +131,8 @@ Flight throw_ball(const NamedIntegrator& integrator, double step) {
 Result measure_projectile() {
     const double v = launch_speed * std::sqrt(0.5);
     Result result;
-    Plot path{"Path, steps of 1/60 s", "x, m", "height, m", false, false, {}};
-    Plot error = error_plot("Where it lands", "error of the range, m");
+    Plot path{"Projectile: path, steps of 1/60 s", "x, m", "height, m", false, false, {}};
+    Plot error = error_plot("Projectile: where it lands", "error of the range, m");
     Curve exact{"expected: y = x - g x^2 / (2 v_x^2)", {}, {}, false};
     for (double x = 0; x <= 2 * v * v / gravity; x += 0.5) {
         exact.x.push_back(x);
@@ -176,6 +176,7 @@ namespace {
 // A ball of 1 kg on a spring of 1 Hz: a field that attracts in proportion to the distance.
 struct Oscillator {
     static constexpr double omega = 2 * pi;
+    static constexpr double moment = 1.125; // s, when neither the position nor the velocity is 0
     World world;
     BodyId ball;
     double spring = double(float(omega * omega)); // N/m
@@ -257,16 +258,16 @@ void add_runge_kutta_loss(Result& result) {
 
 void add_orders(Result& result) {
     auto energy = [](Integrator integrator, double step) { return Oscillator(integrator).energy_error(step, 1); };
-    auto position = [](double step) { return Oscillator(Integrator::rk4).position_error(step, 1.25); };
+    auto position = [](double step) { return Oscillator(Integrator::rk4).position_error(step, Oscillator::moment); };
     constexpr double fine = 1.0 / 8000, coarse = 1.0 / 4000;
     for (int i = 0; i < 2; ++i) {
         const double order = std::log2(energy(integrators[i].kind, coarse) / energy(integrators[i].kind, fine));
         result.rows.push_back({std::string("order of the error of energy, ") + integrators[i].name, fine, 1, order,
                                0.01, Bar::relative, "from 1/4000 to 1/8000 s"});
     }
-    result.rows.push_back({"order of the error of the position, Runge-Kutta 4", 1.0 / 64, 4,
-                           std::log2(position(1.0 / 32) / position(1.0 / 64)), 0.01, Bar::relative,
-                           "from 1/32 to 1/64 s"});
+    result.rows.push_back({"order of the error of the position, Runge-Kutta 4", 1.0 / 512, 4,
+                           std::log2(position(1.0 / 256) / position(1.0 / 512)), 0.01, Bar::relative,
+                           "from 1/256 to 1/512 s"});
 }
 
 } // namespace
@@ -278,10 +279,10 @@ Result measure_oscillator() {
     add_runge_kutta_loss(result);
     add_orders(result);
     Plot history{
-        "Energy of an oscillator of 1 Hz, steps of 1/60 s", "time, s", "energy / energy at the start", false, true, {}};
-    Plot energy = error_plot("Greatest error of its energy in 1 s", "relative error of the energy");
-    Plot position = error_plot("Where it is after 1.25 s", "error of the position, m");
-    constexpr double steps[] = {1.0 / 16, 1.0 / 32, 1.0 / 60, 1.0 / 120, 1.0 / 240, 1.0 / 480, 1.0 / 1000, 1.0 / 2000};
+        "Oscillator of 1 Hz: energy, steps of 1/60 s", "time, s", "energy / energy at the start", false, true, {}};
+    Plot energy = error_plot("Oscillator: energy, greatest error in 1 s", "relative error of the energy");
+    Plot position = error_plot("Oscillator: position after 1.125 s", "error of the position, m");
+    constexpr double steps[] = {1.0 / 32, 1.0 / 64, 1.0 / 128, 1.0 / 256, 1.0 / 512, 1.0 / 1024, 1.0 / 2048};
     for (const NamedIntegrator& integrator : integrators) {
         Oscillator oscillator(integrator.kind);
         const double start = oscillator.energy();
@@ -297,7 +298,7 @@ Result measure_oscillator() {
             energies.x.push_back(step);
             energies.y.push_back(Oscillator(integrator.kind).energy_error(step, 1));
             positions.x.push_back(step);
-            positions.y.push_back(Oscillator(integrator.kind).position_error(step, 1.25));
+            positions.y.push_back(Oscillator(integrator.kind).position_error(step, Oscillator::moment));
         }
         energy.curves.push_back(energies);
         position.curves.push_back(positions);

@@ -161,15 +161,15 @@ Curve spin_curve(const Watched& watched, const char* label, bool as_points) {
 
 // How the three integrators keep what should stay, by the length of the step.
 void add_plots(Result& result, const Thrown& thrown, double seconds, double error_seconds, const std::string& name) {
-    Plot spin{"Spin about the middle axis, steps of 1/60 s", "time, s", "rad/s", false, false, {}};
+    Plot spin{name + ": spin about the middle axis, steps of 1/60 s", "time, s", "rad/s", false, false, {}};
     const std::string within = " in " + text(error_seconds) + " s", after = " after " + text(error_seconds) + " s";
     auto error_plot = [&](const std::string& title, const char* y_label) {
         return Plot{title, "time step, s", y_label, true, true, {}};
     };
-    Plot energy = error_plot(name + ", rotational energy" + within, "greatest relative error");
-    Plot momentum = error_plot(name + ", angular momentum" + within, "greatest relative error");
-    Plot rotation = error_plot(name + ", orientation" + after, "error, rad");
-    Plot position = error_plot(name + ", position" + after, "error, m");
+    Plot energy = error_plot(name + ": rotational energy" + within, "greatest relative error");
+    Plot momentum = error_plot(name + ": angular momentum" + within, "greatest relative error");
+    Plot rotation = error_plot(name + ": orientation" + after, "error, rad");
+    Plot position = error_plot(name + ": position" + after, "error, m");
     spin.curves.push_back(reference_curve(thrown, seconds));
     for (const NamedIntegrator& integrator : integrators) {
         spin.curves.push_back(spin_curve(watch(thrown, integrator.kind, 1.0 / 60, seconds), integrator.name,
@@ -210,7 +210,7 @@ Result measure_free_top() {
         result.rows.push_back(
             {"change of the energy in 51 s, relative", step, 0, watched.energy_error, 1e-4, Bar::at_most, ""});
     }
-    add_plots(result, free_top(), 51, 20, "Top");
+    add_plots(result, free_top(), 51, 10, "Top");
     return result;
 }
 
@@ -231,7 +231,7 @@ Result measure_tumbling_box() {
         result.rows.push_back({"change of the angular momentum in 10 s, relative", step, 0, watched.momentum_error,
                                1e-4, Bar::at_most, ""});
     }
-    add_plots(result, tumbling_box(), 10, 5, "Box");
+    add_plots(result, tumbling_box(), 10, 1, "Box");
     return result;
 }
 
