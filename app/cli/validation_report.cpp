@@ -29,14 +29,14 @@ constexpr const char* style = R"(
 * { box-sizing: border-box; }
 body { margin: 0; background: #f5f6f8; color: #23272e; }
 body { font: 15px/1.5 system-ui, "Segoe UI", Helvetica, Arial, sans-serif; }
-main { max-width: 1080px; margin: 0 auto; padding: 32px 24px 64px; }
+main { max-width: 1320px; margin: 0 auto; padding: 32px 24px 64px; }
 h1 { font-size: 28px; margin: 0 0 4px; letter-spacing: -0.01em; }
 h2 { font-size: 20px; margin: 0 0 4px; letter-spacing: -0.01em; }
 h2 .number { color: #8a919b; font-weight: 400; margin-right: 6px; }
 p { margin: 0 0 12px; max-width: 75ch; }
 .quiet { color: #68707b; }
 section { background: white; border: 1px solid #e1e4e9; border-radius: 8px; padding: 22px 24px; margin-top: 22px; }
-.plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(430px, 1fr)); gap: 14px; margin: 14px 0; }
+.plots { display: grid; grid-template-columns: repeat(auto-fill, minmax(370px, 1fr)); gap: 14px; margin: 14px 0; }
 .plots svg { width: 100%; max-width: 560px; height: auto; display: block; }
 table { border-collapse: collapse; width: 100%; font-size: 13px; font-variant-numeric: tabular-nums; }
 th { text-align: left; font-weight: 600; color: #68707b; border-bottom: 1px solid #cfd4db; padding: 4px 10px 4px 0; }
@@ -53,6 +53,7 @@ tr.fail td { background: #fdecea; }
 .meter { display: inline-block; width: 72px; height: 7px; border-radius: 3px; background: #e6e9ed; overflow: hidden; }
 .meter i { display: block; height: 100%; background: #2f8f6b; }
 .fail .meter i { background: #b3261e; }
+nav table { max-width: 640px; }
 nav table td { padding: 4px 10px 4px 0; }
 a { color: #1f5f99; text-decoration: none; }
 a:hover { text-decoration: underline; }

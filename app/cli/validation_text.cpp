@@ -112,17 +112,26 @@ std::string markdown_report(const std::vector<Measured>& cases) {
         for (const char c : text) result += c == '|' ? std::string("\\|") : std::string(1, c);
         return result;
     };
-    std::string text = "| case | quantity | step, s | expected | measured | bar | |\n|---|---|---|---|---|---|---|\n";
+    const Count count = count_rows(cases);
+    std::string text =
+        fmt::format("# Rows of `cairn validate`, as measured\n\n{} of {} rows pass.\n", count.passed, count.rows);
     for (const Measured& measured : cases) {
-        std::string name = fmt::format("{} {}", measured.entry->number, measured.entry->name), last;
+        text += fmt::format("\n## {} {}\n\n{}.\n\n| quantity | step, s | expected | measured | bar | |\n"
+                            "|---|---|---|---|---|---|\n",
+                            measured.entry->number, measured.entry->name, measured.entry->title);
+        std::string last;
         for (const Row& row : measured.result.rows) {
-            const std::string verdict = row.passes() ? "" : "**fails**";
-            text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", name,
-                                row.quantity == last ? "" : cell(row.quantity), step_text(row.time_step),
-                                number_text(row.expected), number_text(row.measured), bar_text(row), verdict);
-            name.clear();
+            const std::string note = row.note.empty() ? "" : " (" + cell(row.note) + ")";
+            text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", row.quantity == last ? "" : cell(row.quantity),
+                                step_text(row.time_step), number_text(row.expected), number_text(row.measured),
+                                bar_text(row), (row.passes() ? "pass" : "**FAIL**") + note);
             last = row.quantity;
         }
+        if (measured.result.published.empty()) continue;
+        text += "\n| published | engine | value | source |\n|---|---|---|---|\n";
+        for (const Published& other : measured.result.published)
+            text += fmt::format("| {} | {} | {} | {} |\n", cell(other.quantity), cell(other.engine), cell(other.value),
+                                cell(other.source));
     }
     return text;
 }

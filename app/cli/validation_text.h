@@ -29,7 +29,7 @@ std::string text_report(const std::vector<Measured>& cases);
 // One JSON object: the rows, what others have published, and the counts.
 std::string json_report(const std::vector<Measured>& cases);
 
-// All rows as one table for pages in Markdown.
+// All rows as a page in Markdown.
 std::string markdown_report(const std::vector<Measured>& cases);
 
 } // namespace cairn::cli
