@@ -75,16 +75,17 @@ inline DoublePendulum add_double_pendulum(World& world, JointSolver solver) {
     return pendulum;
 }
 
-// n x n balls of 1 kg, 1 m apart in a horizontal plane and joined to their neighbors; the first row hangs from the
-// world.
-inline void add_net(World& world, int n, JointSolver solver = JointSolver::automatic) {
+// n x n balls of 1 kg, 1 m apart in rows along x and columns along `down`, and joined to their neighbors; the first row
+// hangs from the world.
+inline void add_net(World& world, int n, const glm::dvec3& down, JointSolver solver = JointSolver::automatic) {
     std::vector<BodyId> bodies;
     for (int i = 0; i < n * n; ++i) {
-        const double x = i % n, z = i / n;
+        const glm::dvec3 at = glm::dvec3(i % n, 0, 0) + double(i / n) * down;
         const BodyId above = i >= n ? bodies[std::size_t(i - n)] : BodyId{};
-        bodies.push_back(add_dynamic(world, Sphere{0.4f}, {x, 0, z}, 1));
-        hold(world, above, bodies.back(), {x, 0, z - 0.5}, BallJoint{}, solver);
-        if (i % n > 0) hold(world, bodies[std::size_t(i - 1)], bodies.back(), {x - 0.5, 0, z}, BallJoint{}, solver);
+        bodies.push_back(add_dynamic(world, Sphere{0.4f}, at, 1));
+        hold(world, above, bodies.back(), at - 0.5 * down, BallJoint{}, solver);
+        if (i % n == 0) continue;
+        hold(world, bodies[std::size_t(i - 1)], bodies.back(), at - glm::dvec3(0.5, 0, 0), BallJoint{}, solver);
     }
 }
 

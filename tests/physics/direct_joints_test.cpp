@@ -303,7 +303,7 @@ TEST(JointSolverChoice, DirectForHingesInALoop) {
         JointSolver::direct);
 }
 TEST(JointSolverChoice, IterativeForNets) {
-    expect_choice([](World& w, JointSolver s) { add_net(w, 16, s); }, JointSolver::iterative);
+    expect_choice([](World& w, JointSolver s) { add_net(w, 16, {0, 0, 1}, s); }, JointSolver::iterative);
 }
 
 // A ball of 1,000 times a link swings so high that the chain goes slack, and is caught by it: a blow, which takes the
