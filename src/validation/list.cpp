@@ -7,6 +7,28 @@ std::span<const Case> cases() {
     static constexpr Case all[] = {
         // --- free motion and joints
         // --- friction
+        {8, "rolling_down", "Rolling down a slope without slipping",
+         "a = g sin(angle) / (1 + I / (m r^2)): 5/7 of g sin(angle) for a ball, 2/3 for a cylinder (Newton and Euler, "
+         "with the condition v = r w)",
+         measure_rolling_down},
+        {9, "roll_or_slip", "The least friction to roll",
+         "mu = tan(angle) / (1 + m r^2 / I): 2/7 of tan(angle) for a ball, 1/3 for a cylinder (Coulomb's bound on the "
+         "friction that rolling asks for)",
+         measure_roll_or_slip},
+        {10, "slope", "A box that sticks to a slope, or slides down",
+         "sticks where tan(angle) <= mu; else a = g (sin(angle) - mu cos(angle)) (Coulomb)", measure_slope},
+        {11, "tipping", "A cube that tips over",
+         "tips where the vertical through its center leaves its base: tan(angle) > width / height", measure_tipping},
+        {12, "sliding_stop", "Sliding to a stop, for every heading", "way = v^2 / (2 mu g) (Coulomb)",
+         measure_sliding_stop},
+        {16, "slide_to_roll", "A sliding ball that comes to roll",
+         "t = 2 v / (7 mu g), way = 12 v^2 / (49 mu g), then 5/7 v (G. Coriolis, Theorie mathematique des effets du "
+         "jeu de billard, 1835)",
+         measure_slide_to_roll},
+        {24, "spinning_box", "A box that slides and spins",
+         "Coulomb's law at each of its four corners, which carry a quarter of the weight each; integrated in steps of "
+         "0.1 ms",
+         measure_spinning_box},
         // --- collisions
         // --- structures
         // --- literature
