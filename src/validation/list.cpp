@@ -30,6 +30,23 @@ std::span<const Case> cases() {
          "0.1 ms",
          measure_spinning_box},
         // --- collisions
+        {13, "bounces", "A ball that bounces to rest",
+         "height of bounce n: e^2n; time until rest: sqrt(2 h / g) (1 + e) / (1 - e) (Newton's law of restitution); "
+         "with e = 1 the energy stays",
+         measure_bounces},
+        {14, "head_on", "Head-on impacts of balls",
+         "v1 = (m1 - e m2) v / (m1 + m2), v2 = (1 + e) m1 v / (m1 + m2) (momentum and Newton's law of restitution)",
+         measure_head_on},
+        {15, "oblique", "An oblique impact of balls without friction",
+         "the second leaves along the line of centers, 30 degrees off, with v cos 30; the first at a right angle to it "
+         "with v sin 30 (momentum and energy)",
+         measure_oblique},
+        {18, "cradle", "Newton's cradle",
+         "as many balls leave, as fast, as came in (momentum and energy, impact after impact)", measure_cradle},
+        {19, "closed_pile", "What a closed pile keeps",
+         "momentum and angular momentum stay, whatever restitution and friction are; with e = 1 and mu = 0 the energy "
+         "does",
+         measure_closed_pile},
         // --- structures
         // --- literature
     };
