@@ -1,6 +1,7 @@
 // Impacts: single ones, rows of balls, and what a closed pile of them keeps (rows 13, 14, 15, 18 and 19).
 #include "validation/cases.h"
 #include "validation/measures.h"
+#include "validation/text.h"
 #include "validation/worlds.h"
 
 #include <random>
@@ -9,13 +10,6 @@
 
 namespace cairn::validation {
 namespace {
-
-std::string number_label(double value) {
-    std::string text = std::to_string(value);
-    while (text.back() == '0') text.pop_back();
-    if (text.back() == '.') text.pop_back();
-    return text;
-}
 
 // A ball of radius 0.5 m whose lowest point is 1 m above the ground.
 struct Drop {
@@ -44,7 +38,7 @@ void measure_bounces_of(double e, double dt, Result& result, Plot& heights) {
     Drop drop(e, dt);
     const double total = std::sqrt(2 / gravity) * (1 + e) / (1 - e);
     Farthest ratio{1};
-    Curve tops{"e = " + number_label(e) + ", dt = 1/" + std::to_string(steps_in(1, dt)) + " s", {}, {}, true};
+    Curve tops{"e = " + text(e) + ", dt = " + step_text(dt), {}, {}, true};
     double last_speed = 0, end = 0, expected = 1;
     for (int i = 1; i <= steps_in(total + 1, dt); ++i) {
         drop.world.step(float(dt));
@@ -59,7 +53,7 @@ void measure_bounces_of(double e, double dt, Result& result, Plot& heights) {
         last_speed = drop.speed();
         if (drop.height() > 1e-5) end = i * dt + drop.flight();
     }
-    const std::string name = "e = " + number_label(e);
+    const std::string name = "e = " + text(e);
     // What it rises to later is lower than 1 cm.
     result.rows.push_back({name + ": height of a bounce over e^2n, the farthest off", dt, 1,
                            expected < 0.01 ? ratio.value : std::nan(""), 0.01});
@@ -77,7 +71,7 @@ Result measure_bounces() {
     for (const double dt : time_steps)
         for (const double e : {0.5, 0.8, 0.9}) measure_bounces_of(e, dt, result, heights);
     for (const double e : {0.5, 0.8, 0.9}) {
-        Curve law{"e^2n, e = " + number_label(e), {}, {}};
+        Curve law{"e^2n, e = " + text(e), {}, {}};
         for (double n = 0, height = 1; height > 0.01; ++n, height *= e * e) {
             law.x.push_back(n);
             law.y.push_back(height);
@@ -88,7 +82,7 @@ Result measure_bounces() {
     for (const double dt : time_steps) {
         Drop drop(1, dt);
         double least = 1e9, most = 0;
-        Curve curve{"dt = 1/" + std::to_string(steps_in(1, dt)) + " s", {}, {}};
+        Curve curve{"dt = " + step_text(dt), {}, {}};
         for (int i = 0; i < steps_in(20, dt); ++i) {
             drop.world.step(float(dt));
             least = std::min(least, drop.top());
@@ -146,8 +140,7 @@ Result measure_head_on() {
             run(world, float(dt), steps_in(1, dt));
             const double v1 = (1 - pair.restitution * pair.ratio) / (1 + pair.ratio);
             const double v2 = (1 + pair.restitution) / (1 + pair.ratio);
-            const std::string name =
-                "masses 1:" + number_label(pair.ratio) + ", e = " + number_label(pair.restitution) + ": ";
+            const std::string name = "masses 1:" + text(pair.ratio) + ", e = " + text(pair.restitution) + ": ";
             result.rows.push_back({name + "first, m/s", dt, v1, speed_x(world, first), 1e-4, Bar::absolute});
             result.rows.push_back({name + "second, m/s", dt, v2, speed_x(world, second), 1e-4, Bar::absolute});
             if (dt != time_steps[0] || pair.restitution != 1) continue;
@@ -212,7 +205,7 @@ Result measure_cradle() {
                     const double off = std::fabs(speed_x(world, balls[std::size_t(i)]) - expected);
                     if (!(off <= leak)) leak = off;
                 }
-                result.rows.push_back({std::to_string(incoming) + " in at 1 m/s, gaps of " + number_label(gap * 1000) +
+                result.rows.push_back({std::to_string(incoming) + " in at 1 m/s, gaps of " + text(gap * 1000) +
                                            " mm: greatest error of a ball's speed, m/s",
                                        dt, 0, leak, 0.01, Bar::at_most});
             }
@@ -307,10 +300,8 @@ void measure_momenta(const Pile& pile, double dt, Result& result, Plot& plot) {
         World world{without_gravity()};
         pile.add(world, surface(friction, restitution));
         const Momenta start(world);
-        Curve curve{std::string(pile.name) + ", e = " + number_label(double(restitution)) +
-                        ", mu = " + number_label(double(friction)),
-                    {},
-                    {}};
+        Curve curve{
+            std::string(pile.name) + ", e = " + text(double(restitution)) + ", mu = " + text(double(friction)), {}, {}};
         bool touched = false;
         for (int i = 1; i <= 120; ++i) {
             world.step(float(dt));

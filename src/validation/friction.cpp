@@ -1,6 +1,7 @@
 // What sticks, slides, tips, rolls and spins on slopes and on the level (rows 8 to 12, 16 and 24).
 #include "validation/cases.h"
 #include "validation/measures.h"
+#include "validation/text.h"
 #include "validation/worlds.h"
 
 #include <string>
@@ -56,8 +57,6 @@ OnSlope cube_on_slope(double degrees, double friction) { return {degrees, fricti
 
 glm::dvec3 direction(double degrees) { return {std::cos(radians(degrees)), 0, std::sin(radians(degrees))}; }
 
-std::string steps_label(double dt) { return "dt = 1/" + std::to_string(steps_in(1, dt)) + " s"; }
-
 } // namespace
 
 Result measure_rolling_down() {
@@ -68,7 +67,7 @@ Result measure_rolling_down() {
         const double acceleration = gravity * std::sin(radians(roll_angle)) / (1 + roller.inertia);
         for (const double dt : time_steps) {
             OnSlope scene = on_slope(roller, 0.6);
-            Curve curve{name + ", " + steps_label(dt), {}, {}, true};
+            Curve curve{name + ", dt = " + step_text(dt), {}, {}, true};
             const int half = steps_in(0.5, dt);
             double first = 0;
             for (int i = 1; i <= 3 * half; ++i) {
@@ -109,7 +108,7 @@ Result measure_roll_or_slip() {
                                             [&](double friction) { return std::fabs(slip(friction, dt)) > 0.001; });
             result.rows.push_back({std::string(roller.name) + ": least friction to roll", dt, least, found, 0.02});
         }
-        Curve seen{std::string(roller.name) + ", " + steps_label(time_steps[0]), {}, {}, true};
+        Curve seen{std::string(roller.name) + ", dt = " + step_text(time_steps[0]), {}, {}, true};
         Curve law{std::string(roller.name) + ", closed form", {}, {}};
         for (int i = 0; i <= 24; ++i) {
             const double friction = (0.4 + 0.05 * i) * least;
@@ -152,7 +151,7 @@ Result measure_slope() {
                                (sliding.speed() - first) / (steps_in(1, dt) * dt), 0.01});
     }
     Plot plot{"A box on a slope, mu = tan 30 degrees", "slope, degrees", "way in 2 s, m", false, false, {}};
-    plot.curves = {{steps_label(time_steps[0]), {}, {}, true}, {"closed form", {}, {}}};
+    plot.curves = {{"dt = " + step_text(time_steps[0]), {}, {}, true}, {"closed form", {}, {}}};
     for (double degrees = 28; degrees <= 32; degrees += 0.125) {
         const double a = gravity * (std::sin(radians(degrees)) - friction * std::cos(radians(degrees)));
         for (Curve& curve : plot.curves) curve.x.push_back(degrees);
@@ -272,7 +271,8 @@ Result measure_slide_to_roll() {
                 const glm::dvec3 spin(world.body(ball).angular_velocity());
                 return glm::dot(glm::cross(spin, {0, double(radius), 0}), along);
             };
-            Curve going{"speed, " + steps_label(dt), {}, {}, true}, turning{"r w, " + steps_label(dt), {}, {}, true};
+            Curve going{"speed, dt = " + step_text(dt), {}, {}, true},
+                turning{"r w, dt = " + step_text(dt), {}, {}, true};
             const int sliding = steps_in(0.2, dt), all = steps_in(0.6, dt);
             double until = 0;
             for (int i = 1; i <= all; ++i) {
@@ -348,7 +348,8 @@ Result measure_spinning_box() {
             const FourCorners law(friction, std::sqrt(0.5), 1.0 / 6, radians(heading), speed, spin);
             SlidingBox scene(float(friction), heading, speed, float(spin));
             double stopped = 0;
-            Curve going{"speed, " + steps_label(dt), {}, {}, true}, turning{"spin, " + steps_label(dt), {}, {}, true};
+            Curve going{"speed, dt = " + step_text(dt), {}, {}, true},
+                turning{"spin, dt = " + step_text(dt), {}, {}, true};
             for (int i = 1; i <= steps_in(2, dt); ++i) {
                 scene.world.step(float(dt));
                 if (scene.speed() > 0.01) stopped = i * dt;

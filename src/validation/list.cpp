@@ -48,6 +48,13 @@ std::span<const Case> cases() {
          "does",
          measure_closed_pile},
         // --- structures
+        {20, "stack_forces", "Forces in a stack", "under k boxes: k m g (balance of forces)", measure_stack_forces},
+        {21, "moved_worlds", "The same run elsewhere, or turned",
+         "the laws do not depend on place and heading: what is at p is at R p + s when all began so",
+         measure_moved_worlds},
+        {22, "towers", "What must stand",
+         "statics: balance with friction 0.6, so nothing moves; each run with and without sleeping, the worse counts",
+         measure_towers},
         // --- literature
     };
     return all;
