@@ -56,6 +56,18 @@ std::span<const Case> cases() {
          "statics: balance with friction 0.6, so nothing moves; each run with and without sleeping, the worse counts",
          measure_towers},
         // --- literature
+        {25, "rolling_benchmark", "SimBenchmark: balls roll on a box that is pushed",
+         "(F - mu (M + 25 m) g) = M a_box + 25 m a_ball with a_box = 7/2 a_ball, for every heading of the force "
+         "(Coulomb; D. Kang and J. Hwangbo, SimBenchmark, 2018)",
+         measure_rolling_benchmark},
+        {26, "bouncing_benchmark", "SimBenchmark: elastic balls",
+         "the energy stays: 49 balls of 10 kg, dropped from 5 m, for 20 s (SimBenchmark, 2018)",
+         measure_bouncing_benchmark},
+        {27, "pile_benchmark", "SimBenchmark: 666, a pile of balls",
+         "nothing overlaps: 216 balls without friction and restitution, 10 s (SimBenchmark, 2018)",
+         measure_pile_benchmark},
+        {28, "kapla_benchmark", "SimBenchmark: a Kapla tower",
+         "statics: the tower stands, 60,000 steps of 0.01 s (SimBenchmark, 2018)", measure_kapla_benchmark},
     };
     return all;
 }
