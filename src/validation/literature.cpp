@@ -25,8 +25,8 @@ struct RollingScene {
     glm::dvec3 along;
     BodyId box, ball; // the ball is one of the 25
 
-    explicit RollingScene(double heading) : along(std::cos(radians(heading)), 0, std::sin(radians(heading))) {
-        constexpr double overlap = 2e-5;   // at the start, m
+    RollingScene(double heading, double overlap) // overlap at the start, m
+        : along(std::cos(radians(heading)), 0, std::sin(radians(heading))) {
         add_ground(world, material(0.5f)); // 0.5 x 0.8 and 1.0 x 0.8
         BodyDef def;
         def.mass = float(box_mass);
@@ -59,8 +59,8 @@ struct RollingScene {
 };
 
 // Of box and ball together, over 4 s, m^2/s^2.
-double mean_squared_error(double heading, Plot* plot) {
-    RollingScene scene(heading);
+double mean_squared_error(double heading, double overlap, Plot* plot = nullptr) {
+    RollingScene scene(heading, overlap);
     constexpr int steps = 4000;
     double sum = 0;
     Curve box{"box", {}, {}, true}, ball{"ball", {}, {}, true};
@@ -89,9 +89,10 @@ Result measure_rolling_benchmark() {
     Plot errors{
         "Error for each heading of the force", "heading, degrees", "mean squared error, m^2/s^2", false, true, {}};
     Curve seen{"Cairn", {}, {}, true};
-    double worst = 0, along_side = 0, across = 0;
+    constexpr double overlap = 2e-5; // m
+    double worst = 0, along_side = 0, across = 0, touching = 0;
     for (int heading = 0; heading < 360; heading += 15) {
-        const double error = mean_squared_error(heading, heading == 60 ? &speeds : nullptr);
+        const double error = mean_squared_error(heading, overlap, heading == 60 ? &speeds : nullptr);
         if (!(error <= worst)) worst = error;
         if (heading == 90) along_side = error;
         if (heading == 60) across = error;
@@ -99,9 +100,19 @@ Result measure_rolling_benchmark() {
         seen.y.push_back(error);
     }
     const std::string name = "mean squared error of the velocities, m^2/s^2, ";
-    result.rows = {{name + "force along a side", dt, 0, along_side, 1e-6, Bar::at_most},
-                   {name + "force at 60 degrees", dt, 0, across, 1e-6, Bar::at_most},
-                   {name + "the worst of 24 headings", dt, 0, worst, 1e-6, Bar::at_most}};
+    for (const double heading : {0.0, 15.0, 45.0, 60.0, 90.0}) {
+        const double error = mean_squared_error(heading, 0);
+        if (!(error <= touching)) touching = error;
+    }
+    const std::string start =
+        "the overlap of 0.02 mm at the start is pushed out in a few ms: while the balls lift off, the "
+        "friction with the ground is low, and the 7 mm/s that the box gains then stay";
+    const std::string rest = "in the first step the weight of the balls reaches the ground late (1.5 mm/s); later the "
+                             "rounding of float velocities, 24,000 times the same way (up to 6 mm/s)";
+    result.rows = {{name + "force along a side", dt, 0, along_side, 1e-6, Bar::at_most, start},
+                   {name + "force at 60 degrees", dt, 0, across, 1e-6, Bar::at_most, start},
+                   {name + "the worst of 24 headings", dt, 0, worst, 1e-6, Bar::at_most, start},
+                   {name + "nothing overlaps at the start, the worst of 5", dt, 0, touching, 1e-6, Bar::at_most, rest}};
     speeds.curves.push_back({"box, closed form", {0, 4}, {0, 4 * RollingScene::box_acceleration()}});
     speeds.curves.push_back({"ball, closed form", {0, 4}, {0, 4 * RollingScene::ball_acceleration()}});
     errors.curves = {seen,
@@ -123,45 +134,61 @@ Result measure_rolling_benchmark() {
 
 namespace {
 
-// 7 x 7 elastic balls of 10 kg dropped from 5 m, 20 s. The root mean square of the error of the energy over its start.
-double bouncing_error(Integrator integrator, Curve& curve) {
-    WorldDef def;
-    def.integrator = integrator;
-    World world(def);
-    add_ground(world, surface(0, 1));
-    BodyDef ball;
-    ball.mass = 10.0f;
-    for (int i = 0; i < 49; ++i) {
-        ball.position = {i / 7 * 2.0, 5, i % 7 * 2.0};
-        add_body(world, Sphere{0.1f}, ball, surface(0, 1));
-    }
-    const double start = 49 * 10 * gravity * 5;
-    constexpr int steps = 20000;
-    double squares = 0;
-    for (int i = 0; i < steps; ++i) {
-        const double error = (world.kinetic_energy() + world.potential_energy()) / start - 1;
-        squares += error * error;
-        if (i % 50 == 0) {
-            curve.x.push_back(i * dt);
-            curve.y.push_back(error);
+// 7 x 7 elastic balls of 10 kg dropped from 5 m, 20 s. Root mean square errors of the energy over its start.
+struct Bouncing {
+    double as_it_is = 0; // from the positions and speeds that the world tells
+    double of_parabola =
+        0; // with the speeds of half a substep later, which belong to the positions of the Euler method
+    Curve curve;
+
+    explicit Bouncing(Integrator integrator, std::string label) : curve{std::move(label), {}, {}} {
+        WorldDef settings;
+        settings.integrator = integrator;
+        World world(settings);
+        add_ground(world, surface(0, 1));
+        BodyDef def;
+        def.mass = 10.0f;
+        std::vector<BodyId> balls;
+        for (int i = 0; i < 49; ++i) {
+            def.position = {i / 7 * 2.0, 5, i % 7 * 2.0};
+            balls.push_back(add_body(world, Sphere{0.1f}, def, surface(0, 1)));
         }
-        world.step(float(dt));
+        const double start = 49 * 10 * gravity * 5, gain = 0.5 * gravity * dt / settings.substeps;
+        constexpr int steps = 20000;
+        for (int i = 0; i < steps; ++i) {
+            double momentum = 0; // upwards
+            for (const BodyId ball : balls) momentum += 10 * double(world.body(ball).linear_velocity().y);
+            const double error = (world.kinetic_energy() + world.potential_energy()) / start - 1;
+            const double shifted = error + (490 * 0.5 * gain - momentum) * gain / start;
+            as_it_is += error * error;
+            of_parabola += shifted * shifted;
+            if (i % 50 == 0) {
+                curve.x.push_back(i * dt);
+                curve.y.push_back(error);
+            }
+            world.step(float(dt));
+        }
+        as_it_is = std::sqrt(as_it_is / steps);
+        of_parabola = std::sqrt(of_parabola / steps);
     }
-    return std::sqrt(squares / steps);
-}
+};
 
 } // namespace
 
 Result measure_bouncing_benchmark() {
     Result result;
-    Plot plot{"Energy of 49 elastic balls", "time, s", "error of the energy over its start", false, false, {}};
-    Curve rk4{"Runge-Kutta 4", {}, {}}, euler{"semi-implicit Euler", {}, {}};
     const std::string name = "root mean square error of the energy over its start";
-    result.rows = {{name + ", Runge-Kutta 4", dt, 0, bouncing_error(Integrator::rk4, rk4), 5.7e-6, Bar::at_most},
-                   {name + ", semi-implicit Euler", dt, 0, bouncing_error(Integrator::semi_implicit_euler, euler),
-                    5.7e-6, Bar::at_most}};
-    plot.curves = {rk4, euler};
-    result.plots.push_back(plot);
+    const Bouncing rk4(Integrator::rk4, "Runge-Kutta 4"), euler(Integrator::semi_implicit_euler, "semi-implicit Euler");
+    result.rows = {{name + ", Runge-Kutta 4", dt, 0, rk4.as_it_is, 5.7e-6, Bar::at_most},
+                   {name + ", semi-implicit Euler, speeds of half a substep later", dt, 0, euler.of_parabola, 5.7e-6,
+                    Bar::at_most,
+                    "with the speeds as they are " + text(euler.as_it_is) + ": off by g h v / 2, but bounded"}};
+    result.plots.push_back({"Energy of 49 elastic balls",
+                            "time, s",
+                            "error of the energy over its start",
+                            false,
+                            false,
+                            {rk4.curve, euler.curve}});
     result.published = {{name, "RaiSim", "5.7e-6", source},
                         {name, "ODE", "5.7e-4", source},
                         {name, "DART", "1.1e-2", source},
@@ -190,6 +217,7 @@ double pile_error(unsigned seed, Curve& curve) {
     std::vector<Transform> places(balls.size());
     constexpr int steps = 10000;
     double sum = 0;
+    std::size_t contacts = 0; // the most at a time
     for (int step = 0; step < steps; ++step) {
         world.read_transforms(balls, places);
         double squares = 0;
@@ -208,11 +236,12 @@ double pile_error(unsigned seed, Curve& curve) {
         sum += squares;
         if (step % 25 == 0) {
             curve.x.push_back(step * dt);
-            curve.y.push_back(std::max(squares, 1e-12));
+            curve.y.push_back(std::max(squares, 1e-15));
+            contacts = std::max(contacts, world.statistics().contacts);
         }
         world.step(float(dt));
     }
-    return sum / steps;
+    return contacts > balls.size() ? sum / steps : std::nan(""); // else it was no pile
 }
 
 } // namespace

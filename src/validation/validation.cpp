@@ -10,10 +10,14 @@ namespace cairn::validation {
 bool Row::passes() const {
     if (!std::isfinite(measured)) return false;
     switch (kind) {
-    case Bar::relative: return std::fabs(measured - expected) <= bar * std::fabs(expected);
-    case Bar::absolute: return std::fabs(measured - expected) <= bar;
-    case Bar::at_most: return measured <= bar;
-    case Bar::at_least: return measured >= bar;
+    case Bar::relative:
+        return std::fabs(measured - expected) <= bar * std::fabs(expected);
+    case Bar::absolute:
+        return std::fabs(measured - expected) <= bar;
+    case Bar::at_most:
+        return measured <= bar;
+    case Bar::at_least:
+        return measured >= bar;
     }
     return false;
 }

@@ -20,7 +20,7 @@ enum class Bar {
 
 // One line of the report.
 struct Row {
-    std::string quantity;       // what was measured, with its unit: "range, m"
+    std::string quantity;        // what was measured, with its unit: "range, m"
     double time_step = 1.0 / 60; // s
     double expected = 0;
     double measured = 0;
