@@ -38,7 +38,7 @@ void measure_bounces_of(double e, double dt, Result& result, Plot& heights) {
     Drop drop(e, dt);
     const double total = std::sqrt(2 / gravity) * (1 + e) / (1 - e);
     Farthest ratio{1};
-    Curve tops{"e = " + text(e) + ", dt = " + step_text(dt), {}, {}, true};
+    Curve tops{"e = " + text(e) + ", dt = " + step_text(dt) + " s", {}, {}, true};
     double last_speed = 0, end = 0, expected = 1;
     for (int i = 1; i <= steps_in(total + 1, dt); ++i) {
         drop.world.step(float(dt));
@@ -82,7 +82,7 @@ Result measure_bounces() {
     for (const double dt : time_steps) {
         Drop drop(1, dt);
         double least = 1e9, most = 0;
-        Curve curve{"dt = " + step_text(dt), {}, {}};
+        Curve curve{"dt = " + step_text(dt) + " s", {}, {}};
         for (int i = 0; i < steps_in(20, dt); ++i) {
             drop.world.step(float(dt));
             least = std::min(least, drop.top());

@@ -67,7 +67,7 @@ Result measure_rolling_down() {
         const double acceleration = gravity * std::sin(radians(roll_angle)) / (1 + roller.inertia);
         for (const double dt : time_steps) {
             OnSlope scene = on_slope(roller, 0.6);
-            Curve curve{name + ", dt = " + step_text(dt), {}, {}, true};
+            Curve curve{name + ", dt = " + step_text(dt) + " s", {}, {}, true};
             const int half = steps_in(0.5, dt);
             double first = 0;
             for (int i = 1; i <= 3 * half; ++i) {
@@ -108,7 +108,7 @@ Result measure_roll_or_slip() {
                                             [&](double friction) { return std::fabs(slip(friction, dt)) > 0.001; });
             result.rows.push_back({std::string(roller.name) + ": least friction to roll", dt, least, found, 0.02});
         }
-        Curve seen{std::string(roller.name) + ", dt = " + step_text(time_steps[0]), {}, {}, true};
+        Curve seen{std::string(roller.name) + ", dt = " + step_text(time_steps[0]) + " s", {}, {}, true};
         Curve law{std::string(roller.name) + ", closed form", {}, {}};
         for (int i = 0; i <= 24; ++i) {
             const double friction = (0.4 + 0.05 * i) * least;
@@ -151,7 +151,7 @@ Result measure_slope() {
                                (sliding.speed() - first) / (steps_in(1, dt) * dt), 0.01});
     }
     Plot plot{"A box on a slope, mu = tan 30 degrees", "slope, degrees", "way in 2 s, m", false, false, {}};
-    plot.curves = {{"dt = " + step_text(time_steps[0]), {}, {}, true}, {"closed form", {}, {}}};
+    plot.curves = {{"dt = " + step_text(time_steps[0]) + " s", {}, {}, true}, {"closed form", {}, {}}};
     for (double degrees = 28; degrees <= 32; degrees += 0.125) {
         const double a = gravity * (std::sin(radians(degrees)) - friction * std::cos(radians(degrees)));
         for (Curve& curve : plot.curves) curve.x.push_back(degrees);
@@ -271,8 +271,8 @@ Result measure_slide_to_roll() {
                 const glm::dvec3 spin(world.body(ball).angular_velocity());
                 return glm::dot(glm::cross(spin, {0, double(radius), 0}), along);
             };
-            Curve going{"speed, dt = " + step_text(dt), {}, {}, true},
-                turning{"r w, dt = " + step_text(dt), {}, {}, true};
+            Curve going{"speed, dt = " + step_text(dt) + " s", {}, {}, true},
+                turning{"r w, dt = " + step_text(dt) + " s", {}, {}, true};
             const int sliding = steps_in(0.2, dt), all = steps_in(0.6, dt);
             double until = 0;
             for (int i = 1; i <= all; ++i) {
@@ -348,8 +348,8 @@ Result measure_spinning_box() {
             const FourCorners law(friction, std::sqrt(0.5), 1.0 / 6, radians(heading), speed, spin);
             SlidingBox scene(float(friction), heading, speed, float(spin));
             double stopped = 0;
-            Curve going{"speed, dt = " + step_text(dt), {}, {}, true},
-                turning{"spin, dt = " + step_text(dt), {}, {}, true};
+            Curve going{"speed, dt = " + step_text(dt) + " s", {}, {}, true},
+                turning{"spin, dt = " + step_text(dt) + " s", {}, {}, true};
             for (int i = 1; i <= steps_in(2, dt); ++i) {
                 scene.world.step(float(dt));
                 if (scene.speed() > 0.01) stopped = i * dt;

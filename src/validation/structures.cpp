@@ -73,7 +73,7 @@ Result measure_stack_forces() {
                 if (contact.body_a == stack.boxes[i] || contact.body_b == stack.boxes[i]) upper = i;
             force[upper] += normal_impulse(contact) / dt;
         }
-        Curve seen{"dt = " + step_text(dt), {}, {}, true};
+        Curve seen{"dt = " + step_text(dt) + " s", {}, {}, true};
         std::size_t worst = 0;
         auto law = [](std::size_t level) { return double(count - level) * double(density) * gravity; };
         for (std::size_t level = 0; level < count; ++level) {

@@ -14,11 +14,11 @@ inline std::string text(double value) {
     return buffer;
 }
 
-// A length of the step: "1/60 s".
+// A length of the step in seconds: "1/60", or a decimal where it is no whole part of a second.
 inline std::string step_text(double seconds) {
     const double per_second = std::round(1 / seconds);
-    if (std::fabs(seconds * per_second - 1) < 1e-6) return "1/" + text(per_second) + " s";
-    return text(seconds) + " s";
+    if (per_second > 1 && std::fabs(seconds * per_second - 1) < 1e-6) return "1/" + text(per_second);
+    return text(seconds);
 }
 
 } // namespace cairn::validation
