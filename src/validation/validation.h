@@ -26,7 +26,7 @@ struct Row {
     double measured = 0;
     double bar = 0;
     Bar kind = Bar::relative;
-    std::string note; // why a row cannot hold, or what is special about it; empty: nothing to say
+    std::string note{}; // why a row cannot hold, or what is special about it; empty: nothing to say
 
     // False where the measurement is not a finite number.
     bool passes() const;
@@ -35,7 +35,7 @@ struct Row {
 // One line, or cloud of points, of a plot.
 struct Curve {
     std::string label;
-    std::vector<double> x, y; // as many of one as of the other
+    std::vector<double> x{}, y{}; // as many of one as of the other
     bool as_points = false;
 };
 
