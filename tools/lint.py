@@ -10,7 +10,12 @@ import sys
 # A file may include its own room and those before it. docs/architecture.md tells what each is for.
 ROOMS = ["core", "simd", "math", "jobs", "shapes", "bvh", "collision", "kernels", "dynamics", "world"]
 # What only uses the public headers, and what it may include beside them.
-USERS = {"src/scene": {"scene"}, "app/viewer": {"viewer"}, "app/cli": {"cli", "scene", "viewer"}}
+USERS = {
+    "src/scene": {"scene"},
+    "src/validation": {"validation"},
+    "app/viewer": {"viewer"},
+    "app/cli": {"cli", "scene", "validation", "viewer"},
+}
 # Kernel sources are compiled once per instruction set: they see plain data only.
 KERNEL_MAY = {"core", "simd", "math", "bvh", "collision", "kernels"}
 MAX_LINES, MAX_COLUMNS = 600, 120

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace cairn::cli {
 
@@ -49,6 +50,15 @@ struct ViewOptions {
 };
 
 int view_command(const ViewOptions& options);
+
+struct ValidateOptions {
+    std::vector<std::string> cases; // names or numbers; empty: all
+    std::filesystem::path report;   // a folder; empty: do not write
+    bool json = false;
+};
+
+// 1 if any row fails.
+int validate_command(const ValidateOptions& options);
 
 // Prints to stdout; throws Error (io) if that fails, for example because the disk is full.
 void print(const std::string& text);

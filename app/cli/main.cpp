@@ -1,6 +1,7 @@
 // The `cairn` command: reads the command line and hands over. A wrong call ends with one line on stderr and exit
 // code 2, an error at run time with one line and exit code 1.
 #include "cli/commands.h"
+#include "validation/validation.h"
 
 #include <cairn/version.h>
 
@@ -18,6 +19,7 @@ namespace {
 using cairn::cli::ConvertOptions;
 using cairn::cli::RunOptions;
 using cairn::cli::ScenesOptions;
+using cairn::cli::ValidateOptions;
 using cairn::cli::ViewOptions;
 
 // CLI11's own range check lets NaN through.
@@ -109,6 +111,27 @@ void add_view(CLI::App& app, ViewOptions& options) {
     view->add_option("--script", options.script, "Play inputs from a file");
 }
 
+CLI::Validator case_name() {
+    return CLI::Validator(
+        [](std::string& text) {
+            if (cairn::validation::find_case(text) != nullptr) return std::string();
+            std::vector<std::string> names;
+            for (const cairn::validation::Case& entry : cairn::validation::cases())
+                names.push_back(fmt::format("{} {}", entry.number, entry.name));
+            return fmt::format("must be the name or number of a case ({}), got {}", fmt::join(names, ", "), text);
+        },
+        "");
+}
+
+void add_validate(CLI::App& app, ValidateOptions& options) {
+    CLI::App* validate = app.add_subcommand("validate", "Measure the physics against closed forms.");
+    validate->add_option("--case", options.cases, "Only this case, by name or number; may be given several times")
+        ->allow_extra_args(false)
+        ->check(case_name());
+    validate->add_option("--report", options.report, "Write a page with plots into this folder");
+    validate->add_flag("--json", options.json, "Print one JSON object");
+}
+
 int complain(const std::string& text, int code) {
     std::string line = text;
     std::replace(line.begin(), line.end(), '\n', ' ');
@@ -126,10 +149,12 @@ int main(int argc, char** argv) {
     RunOptions run;
     ScenesOptions scenes;
     ConvertOptions convert;
+    ValidateOptions validate;
     ViewOptions view;
     add_run(app, run);
     add_scenes(app, scenes);
     add_convert(app, convert);
+    add_validate(app, validate);
     add_view(app, view);
     try {
         app.parse(argc, argv);
@@ -144,6 +169,7 @@ int main(int argc, char** argv) {
         if (app.got_subcommand("run")) return cairn::cli::run_command(run);
         if (app.got_subcommand("scenes")) return cairn::cli::scenes_command(scenes);
         if (app.got_subcommand("convert")) return cairn::cli::convert_command(convert);
+        if (app.got_subcommand("validate")) return cairn::cli::validate_command(validate);
         return cairn::cli::view_command(view);
     } catch (const std::exception& error) {
         return complain(error.what(), 1);

@@ -9,7 +9,7 @@ namespace cairn::cli {
 // Draws on stderr, at most ten times a second, and only if that is a terminal. The line is cleared in the end.
 class ProgressLine {
   public:
-    explicit ProgressLine(std::uint64_t total);
+    explicit ProgressLine(std::uint64_t total, const char* unit = "steps"); // unit: of what it counts
     ~ProgressLine();
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
@@ -17,6 +17,7 @@ class ProgressLine {
 
   private:
     std::uint64_t total_;
+    const char* unit_;
     bool on_terminal_, drawn_ = false;
     std::chrono::steady_clock::time_point next_;
 };

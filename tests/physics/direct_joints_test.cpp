@@ -1,6 +1,7 @@
 // Joints that are solved directly: what hangs on chains, bridges and machines. Unless a test says otherwise, joints
 // leave the choice of the solver to the engine. docs/decisions/direct_joints.md has the rule and the numbers.
 #include "support.h"
+#include "validation/joined_worlds.h"
 
 #include <algorithm>
 #include <limits>
@@ -12,29 +13,6 @@ namespace {
 
 constexpr float dt = 1.0f / 60;
 
-BodyId add_dynamic(World& world, const Shape& shape, const Position& at, float mass, float angle = 0) {
-    BodyDef def;
-    def.position = at;
-    def.rotation = glm::angleAxis(angle, Vec3(0, 0, 1));
-    def.mass = mass;
-    return add_body(world, shape, def);
-}
-JointId hold(World& world, BodyId a, BodyId b, const Position& at, const Joint& joint,
-             JointSolver solver = JointSolver::automatic) {
-    JointDef def = world.joint_at(a, b, at, {0, 0, 1}, joint);
-    def.solver = solver;
-    return world.create_joint(def);
-}
-// m; not finite where anything is not.
-double greatest_gap(const World& world) {
-    double greatest = 0;
-    for (const JointId joint : world.joints()) {
-        const double gap = double(world.joint_state(joint).linear_error);
-        if (!std::isfinite(gap)) return gap;
-        greatest = std::max(greatest, gap);
-    }
-    return greatest;
-}
 double peak_gap(World& world, double seconds) {
     double peak = 0;
     for (int i = 0; i < int(seconds / double(dt)) && std::isfinite(peak); ++i) {
@@ -43,30 +21,6 @@ double peak_gap(World& world, double seconds) {
         peak = std::isfinite(gap) ? std::max(peak, gap) : gap;
     }
     return peak;
-}
-
-// Links of 0.5 m and 1 kg down from a point, at an angle from the vertical, and a ball of 1 m at the end.
-struct Chain {
-    std::vector<BodyId> links;
-    BodyId ball;
-};
-Chain add_chain(World& world, int count, float end_mass, const glm::dvec3& from = {}, double angle = 0,
-                JointSolver solver = JointSolver::automatic) {
-    constexpr double length = 0.5;
-    const glm::dvec3 along(std::sin(angle), -std::cos(angle), 0);
-    Chain chain;
-    BodyId above;
-    for (int i = 0; i < count; ++i) {
-        const glm::dvec3 top = from + (length * i) * along;
-        chain.links.push_back(
-            add_dynamic(world, Box{{0.05f, 0.25f, 0.05f}}, top + 0.5 * length * along, 1, float(angle)));
-        hold(world, above, chain.links.back(), top, BallJoint{}, solver);
-        above = chain.links.back();
-    }
-    const glm::dvec3 end = from + (length * count) * along;
-    chain.ball = add_dynamic(world, Sphere{0.6f}, end + 0.6 * along, end_mass);
-    hold(world, above, chain.ball, end, BallJoint{}, solver);
-    return chain;
 }
 
 class HeavyChain : public testing::TestWithParam<float> {};
@@ -170,87 +124,7 @@ TEST(DirectJoints, BridgeCarriesAHeavyBall) {
     EXPECT_GT(world.body(ball).position().y, world.body(bridge.planks[25]).position().y);
 }
 
-// Two rods of 1 m from the horizontal. What semi-implicit Euler stores are the velocities half a substep ago: its
-// energy is that of the path with them moved on.
-TEST(DirectJoints, DoublePendulumKeepsItsEnergy) {
-    World world(without_sleep());
-    BodyId rods[2], above;
-    for (int i = 0; i < 2; ++i) {
-        rods[i] = add_dynamic(world, Box{{0.5f, 0.05f, 0.05f}}, {0.5 + i, 0, 0}, 1);
-        hold(world, above, rods[i], {double(i), 0, 0}, BallJoint{}, JointSolver::direct);
-        above = rods[i];
-    }
-    const double swing = 2 * gravity;
-    double least = 0, greatest = -std::numeric_limits<double>::infinity();
-    for (int i = 0; i < 60 * 60; ++i) {
-        world.step(dt);
-        const double half = 0.5 * double(dt) / world.statistics().max_substeps;
-        double energy = world.kinetic_energy() + world.potential_energy();
-        for (const BodyId rod : rods) energy -= half * gravity * double(world.body(rod).linear_velocity().y);
-        least = std::min(least, energy), greatest = std::max(greatest, energy);
-    }
-    EXPECT_LT(greatest, 1e-4 * swing);
-    EXPECT_GT(least, -0.02 * swing); // -1.3 %
-}
-
 class BothSolvers : public testing::TestWithParam<JointSolver> {};
-
-struct Swing {
-    double degrees, period; // row 4: of a point at 1 m
-};
-
-// Row 4, as a hinged box of 0.1 m whose moment of inertia counts.
-TEST_P(BothSolvers, HingedPendulumHasItsPeriod) {
-    for (const Swing swing : {Swing{10, 2.00989}, {30, 2.04099}, {45, 2.08626}, {90, 2.36784}}) {
-        World world(without_sleep());
-        const double angle = radians(swing.degrees);
-        const BodyId bob =
-            add_dynamic(world, Box{{0.05f, 0.05f, 0.05f}}, {std::sin(angle), -std::cos(angle), 0}, 1, float(angle));
-        hold(world, BodyId{}, bob, {0, 0, 0}, HingeJoint{}, GetParam());
-        double before = angle, first = 0, last = 0;
-        int crossings = 0;
-        for (int i = 1; crossings < 11; ++i) {
-            world.step(dt);
-            const Position at = world.body(bob).position();
-            const double now = std::atan2(at.x, -at.y);
-            if (before < 0 && now >= 0) {
-                last = (i - now / (now - before)) * double(dt);
-                if (crossings++ == 0) first = last;
-            }
-            before = now;
-        }
-        const double expected = swing.period * std::sqrt(1 + 0.01 / 6);
-        EXPECT_NEAR((last - first) / 10, expected, 1e-3 * expected) << swing.degrees;
-    }
-}
-
-// Row 7: a disk of 1 kg and 0.1 m on an arm of 0.1 m, from steady precession.
-TEST_P(BothSolvers, GyroscopePrecesses) {
-    for (const double spin : {200.0, 100.0}) {
-        World world(without_sleep());
-        const double rate = gravity * 0.1 / (0.005 * spin);
-        BodyDef def;
-        def.position = {0.1, 0, 0};
-        MassProperties disk;
-        disk.inertia_diagonal = {0.005f, 0.0025f, 0.0025f};
-        def.mass_properties = disk;
-        def.angular_velocity = {float(spin), float(rate), 0};
-        def.linear_velocity = {0, 0, float(-0.1 * rate)};
-        const BodyId body = world.create_body(def);
-        hold(world, BodyId{}, body, {0, 0, 0}, BallJoint{}, GetParam());
-        double turned = 0, before = 0, lowest = 0;
-        for (int i = 0; i < 300; ++i) {
-            world.step(dt);
-            const Position at = world.body(body).position();
-            const double now = std::atan2(-at.z, at.x);
-            turned += std::remainder(now - before, 2 * pi);
-            before = now;
-            lowest = std::min(lowest, at.y);
-        }
-        EXPECT_NEAR(turned / 5, rate, 0.01 * rate) << spin;
-        EXPECT_GT(lowest, -0.005) << spin;
-    }
-}
 
 // What a joint reports is what holds the weight.
 TEST_P(BothSolvers, ForceIsTheWeight) {
@@ -429,19 +303,7 @@ TEST(JointSolverChoice, DirectForHingesInALoop) {
         JointSolver::direct);
 }
 TEST(JointSolverChoice, IterativeForNets) {
-    expect_choice(
-        [](World& w, JointSolver s) {
-            constexpr int n = 16;
-            std::vector<BodyId> bodies;
-            for (int i = 0; i < n * n; ++i) {
-                const int x = i % n, z = i / n;
-                bodies.push_back(add_dynamic(w, Sphere{0.4f}, {double(x), 0, double(z)}, 1));
-                if (z == 0) hold(w, {}, bodies.back(), {double(x), 0, -0.5}, BallJoint{}, s);
-                if (z > 0) hold(w, bodies[std::size_t(i - n)], bodies.back(), {double(x), 0, z - 0.5}, BallJoint{}, s);
-                if (x > 0) hold(w, bodies[std::size_t(i - 1)], bodies.back(), {x - 0.5, 0, double(z)}, BallJoint{}, s);
-            }
-        },
-        JointSolver::iterative);
+    expect_choice([](World& w, JointSolver s) { add_net(w, 16, {0, 0, 1}, s); }, JointSolver::iterative);
 }
 
 // A ball of 1,000 times a link swings so high that the chain goes slack, and is caught by it: a blow, which takes the

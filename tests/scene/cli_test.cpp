@@ -57,7 +57,8 @@ class Cli : public testing::Test {
 };
 
 TEST_F(Cli, HelpOfEveryCommand) {
-    for (const char* arguments : {"--help", "run --help", "view --help", "scenes --help", "convert --help"}) {
+    for (const char* arguments :
+         {"--help", "run --help", "view --help", "scenes --help", "convert --help", "validate --help"}) {
         const Result result = cairn(arguments);
         EXPECT_EQ(result.code, 0) << arguments;
         EXPECT_NE(result.out.find("Usage:"), std::string::npos) << arguments;
@@ -248,6 +249,79 @@ TEST_F(Cli, NoRoomForAFileIsAnErrorAndTheOldOneIsKept) {
 
 TEST_F(Cli, NoDisplayIsOneLine) {
     expect_one_line(cairn("view welcome", "env -u DISPLAY -u WAYLAND_DISPLAY"), 1, "display");
+}
+
+TEST_F(Cli, ValidatePrintsATable) {
+    const Result result = cairn("validate --case free_fall --case 17 --case impulses");
+    EXPECT_EQ(result.code, 0) << result.out;
+    EXPECT_EQ(result.err, "");
+    EXPECT_EQ(result.out.substr(0, 11), "1 free_fall");
+    EXPECT_NE(result.out.find("\n17 impulses"), std::string::npos);
+    EXPECT_EQ(result.out.find("3 oscillator"), std::string::npos);
+    std::size_t rows = 0;
+    for (std::size_t at = 0; (at = result.out.find(" pass\n", at)) != std::string::npos; ++at) ++rows;
+    --rows; // the last line
+    const std::string last = std::to_string(rows) + " of " + std::to_string(rows) + " rows pass\n";
+    ASSERT_GT(result.out.size(), last.size());
+    EXPECT_EQ(result.out.substr(result.out.size() - last.size()), last);
+}
+
+TEST_F(Cli, ValidateKnowsItsCases) {
+    const Result result = cairn("validate --case pendulums");
+    expect_one_line(result, 2, "--case: must be the name or number of a case (1 free_fall, 2 projectile, ");
+    EXPECT_NE(result.err.find("4 pendulum"), std::string::npos);
+    EXPECT_NE(result.err.find("got pendulums"), std::string::npos);
+    expect_one_line(cairn("validate --case 17 --case 99"), 2, "got 99");
+    expect_one_line(cairn("validate 17"), 2, "17");
+}
+
+TEST_F(Cli, ValidateAsJson) {
+    const Result result = cairn("validate --case tumbling_box --json");
+    const nlohmann::json json = nlohmann::json::parse(result.out);
+    ASSERT_GT(json["rows"].size(), 10u);
+    std::size_t passed = 0;
+    for (const nlohmann::json& row : json["rows"]) {
+        EXPECT_EQ(row["number"], 6);
+        EXPECT_EQ(row["case"], "tumbling_box");
+        EXPECT_FALSE(row["quantity"].get<std::string>().empty());
+        for (const char* key : {"dt", "bar"}) EXPECT_GT(row[key].get<double>(), 0) << key;
+        for (const char* key : {"expected", "measured"}) EXPECT_TRUE(row[key].is_number()) << key;
+        EXPECT_TRUE(row["note"].is_string());
+        passed += row["pass"].get<bool>() ? 1 : 0;
+    }
+    EXPECT_EQ(json["total"], json["rows"].size());
+    EXPECT_EQ(json["passed"], passed);
+    EXPECT_EQ(result.code, passed == json["rows"].size() ? 0 : 1);
+    EXPECT_TRUE(json["published"].is_array());
+    EXPECT_EQ(cairn("validate --case 6 --json").out, result.out); // the same digits again
+}
+
+TEST_F(Cli, ValidateWritesAReport) {
+    const Result result = cairn("validate --case 1 --case 17 --report new/report");
+    EXPECT_EQ(result.code, 0) << result.err;
+    const std::string page = read_all(folder_ / "new/report/index.html");
+    EXPECT_EQ(page.substr(0, 15), "<!DOCTYPE html>");
+    EXPECT_EQ(page.substr(page.size() - 8), "</html>\n");
+    for (const char* outside : {"src=", "url(", "@import", "<script", "<link"})
+        EXPECT_EQ(page.find(outside), std::string::npos) << outside;
+    EXPECT_NE(page.find("<section id=\"impulses\">"), std::string::npos);
+    EXPECT_NE(page.find("(slope 1.00)"), std::string::npos); // of Euler's error in free fall
+    EXPECT_EQ(page.find("nan"), std::string::npos);
+    const std::string plot = read_all(folder_ / "new/report/free_fall_1.svg");
+    EXPECT_EQ(plot.substr(0, 4), "<svg");
+    EXPECT_EQ(plot.substr(plot.size() - 7), "</svg>\n");
+    EXPECT_NE(page.find(plot.substr(0, plot.size() - 1)), std::string::npos); // the page has it inside
+    const std::string table = read_all(folder_ / "new/report/table.md");
+    EXPECT_NE(table.find("\n## 17 impulses\n"), std::string::npos);
+    for (const fs::directory_entry& file : fs::directory_iterator(folder_ / "new/report"))
+        EXPECT_NE(file.path().filename().string().front(), '.') << file.path(); // nothing half written is left
+}
+
+TEST_F(Cli, ValidateRefusesAFolderThatCannotBe) {
+    std::ofstream(folder_ / "file") << "text";
+    expect_one_line(cairn("validate --case 17 --report file"), 1, "file: cannot take a report");
+    expect_one_line(cairn("validate --case 17 --report file/report"), 1, "file/report: cannot take a report");
+    EXPECT_EQ(read_all(folder_ / "file"), "text");
 }
 
 TEST_F(Cli, FullDiskIsAnError) {

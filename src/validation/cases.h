@@ -1,0 +1,46 @@
+// The cases by the files that measure them; validation.cpp lists them.
+#pragma once
+
+#include "validation/validation.h"
+
+namespace cairn::validation {
+
+// free_motion.cpp, joints.cpp
+Result measure_free_fall();
+Result measure_projectile();
+Result measure_oscillator();
+Result measure_pendulum();
+Result measure_free_top();
+Result measure_tumbling_box();
+Result measure_gyroscope();
+Result measure_impulses();
+Result measure_chain_and_net();
+
+// friction.cpp
+Result measure_rolling_down();
+Result measure_roll_or_slip();
+Result measure_slope();
+Result measure_tipping();
+Result measure_sliding_stop();
+Result measure_slide_to_roll();
+Result measure_spinning_box();
+
+// collisions.cpp
+Result measure_bounces();
+Result measure_head_on();
+Result measure_oblique();
+Result measure_cradle();
+Result measure_closed_pile();
+
+// structures.cpp
+Result measure_stack_forces();
+Result measure_moved_worlds();
+Result measure_towers();
+
+// literature.cpp
+Result measure_rolling_benchmark();
+Result measure_bouncing_benchmark();
+Result measure_pile_benchmark();
+Result measure_kapla_benchmark();
+
+} // namespace cairn::validation
