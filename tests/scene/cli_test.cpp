@@ -209,6 +209,20 @@ TEST_F(Cli, AnimationsPlayTheRun) {
     expect_one_line(cairn("run t_handles --frames 1 --animate missing/a.glb"), 1, "missing/a.glb: cannot be written");
 }
 
+// And by one that many people use. `./dev test` fetches it where there is npm.
+TEST_F(Cli, AnimationsPlayTheRunInThreeJs) {
+    const fs::path reader = CAIRN_TEST_THREE;
+    if (!fs::exists(reader / "node_modules")) GTEST_SKIP() << "three.js is not there: npm ci in " << reader;
+    for (const char* scene : {"welcome", "t_handles", "ragdolls"}) {
+        SCOPED_TRACE(scene);
+        ASSERT_EQ(cairn(std::string("run ") + scene + " --frames 40 --animate run.glb --csv run.csv").code, 0);
+        const std::string line = "cd '" + folder_.string() + "' && node '" + (reader / "check_animation.mjs").string() +
+                                 "' run.glb run.csv >.out 2>&1";
+        EXPECT_EQ(std::system(line.c_str()), 0) << read_all(folder_ / ".out");
+        EXPECT_NE(read_all(folder_ / ".out").find("poses agree"), std::string::npos);
+    }
+}
+
 TEST_F(Cli, ScenesAreListed) {
     const Result result = cairn("scenes");
     EXPECT_EQ(result.code, 0);
