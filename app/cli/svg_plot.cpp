@@ -27,7 +27,10 @@ constexpr const char* ink = "#33383f";
 constexpr const char* expected_color = "#a9b0ba";
 constexpr std::array<const char*, 6> colors = {"#1f6fb2", "#d1495b", "#2f8f6b", "#8657a8", "#d98a1f", "#4a4f57"};
 
-bool is_expected(const Curve& curve) { return curve.label.rfind("expected", 0) == 0; }
+// What is compared with: known by its name.
+bool is_expected(const Curve& curve) {
+    return curve.label.find("expected") != std::string::npos || curve.label.find("closed form") != std::string::npos;
+}
 
 // One axis: from values to pixels.
 struct Axis {
@@ -91,9 +94,15 @@ std::vector<Tick> linear_ticks(const Axis& axis, double wanted) {
             step = factor * decade;
             break;
         }
+    // As many decimals as tell two ticks apart; powers of ten where that makes no readable number.
+    const double size = std::max(std::fabs(axis.low), std::fabs(axis.high));
+    const int decimals = std::max(0, int(std::ceil(-std::log10(step) - 1e-9)));
+    const auto label = [&](double value) {
+        return size >= 1e-3 && size < 1e6 && decimals <= 7 ? fmt::format("{:.{}f}", value, decimals) : plain(value);
+    };
     std::vector<Tick> ticks;
     for (double k = std::ceil(axis.low / step - 1e-9); k * step <= axis.high + 1e-9 * step; ++k)
-        ticks.push_back({k * step, plain(k * step)});
+        ticks.push_back({k * step, label(k == 0 ? 0.0 : k * step)});
     return ticks;
 }
 
@@ -147,7 +156,7 @@ double join_width(std::size_t later) { return 1.2 + 1.1 * double(later); }
 
 struct LegendEntry {
     std::string text;
-    const char* color;
+    const char *color, *dashes; // dashes: an attribute, or empty
     bool as_points, is_expected;
     std::size_t later; // curves with marks that come after it
     double x = 0, y = 0;
@@ -193,7 +202,7 @@ void draw_axes(std::string& out, const Plot& plot, const Axis& x, const Axis& y)
 }
 
 void draw_line(std::string& out, const Plot& plot, const Curve& curve, const Axis& x, const Axis& y, const char* color,
-               double stroke) {
+               double stroke, const char* dashes) {
     std::string path;
     bool pen_down = false;
     for (std::size_t i = 0; i < curve.x.size(); ++i) {
@@ -203,8 +212,9 @@ void draw_line(std::string& out, const Plot& plot, const Curve& curve, const Axi
         pen_down = visible;
     }
     if (!path.empty())
-        out += fmt::format("<path d=\"{}\" stroke=\"{}\" stroke-width=\"{}\" fill=\"none\" stroke-linejoin=\"round\"/>",
-                           path, color, stroke);
+        out +=
+            fmt::format("<path d=\"{}\" stroke=\"{}\" stroke-width=\"{}\" fill=\"none\" stroke-linejoin=\"round\"{}/>",
+                        path, color, stroke, dashes);
 }
 
 void draw_points(std::string& out, const Plot& plot, const Curve& curve, const Axis& x, const Axis& y,
@@ -223,8 +233,8 @@ void draw_legend(std::string& out, const std::vector<LegendEntry>& entries) {
             out += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" fill=\"{}\"/>", entry.x + 9, y,
                                mark_radius(entry.later), entry.color);
         else
-            out += fmt::format("<path d=\"M{:.1f} {:.1f}h18\" stroke=\"{}\" stroke-width=\"{}\"/>", entry.x, y,
-                               entry.color, entry.is_expected ? 4 : 2);
+            out += fmt::format("<path d=\"M{:.1f} {:.1f}h18\" stroke=\"{}\" stroke-width=\"{}\"{}/>", entry.x, y,
+                               entry.color, entry.is_expected ? 4 : 2, entry.dashes);
         out += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", entry.x + 24, y + 4, escaped(entry.text));
     }
 }
@@ -256,9 +266,10 @@ std::string svg_plot(const Plot& plot) {
     std::size_t next_color = 0;
     for (const Curve& curve : plot.curves) {
         const std::optional<double> slope = fitted_slope(plot, curve);
+        const char* dashes = next_color >= colors.size() ? " stroke-dasharray=\"5 3\"" : "";
         const char* color = is_expected(curve) ? expected_color : colors[next_color++ % colors.size()];
-        legend.push_back({curve.label + (slope ? fmt::format(" (slope {:.2f})", *slope) : ""), color, curve.as_points,
-                          is_expected(curve), 0});
+        legend.push_back({curve.label + (slope ? fmt::format(" (slope {:.2f})", *slope) : ""), color, dashes,
+                          curve.as_points, is_expected(curve), 0});
     }
     for (std::size_t i = legend.size(), later = 0; i-- > 0;) {
         legend[i].later = later;
@@ -273,12 +284,13 @@ std::string svg_plot(const Plot& plot) {
     draw_axes(out, plot, x, y);
     // Wide lines of what is expected lie below, points above.
     for (std::size_t i = 0; i < plot.curves.size(); ++i)
-        if (legend[i].is_expected) draw_line(out, plot, plot.curves[i], x, y, legend[i].color, 4);
+        if (legend[i].is_expected) draw_line(out, plot, plot.curves[i], x, y, legend[i].color, 4, "");
     for (std::size_t i = 0; i < plot.curves.size(); ++i) {
         const Curve& curve = plot.curves[i];
         const bool joins_points = curve.as_points && plot.log_x && plot.log_y;
         if (!legend[i].is_expected && (!curve.as_points || joins_points))
-            draw_line(out, plot, curve, x, y, legend[i].color, joins_points ? join_width(legend[i].later) : 1.6);
+            draw_line(out, plot, curve, x, y, legend[i].color, joins_points ? join_width(legend[i].later) : 1.6,
+                      legend[i].dashes);
     }
     for (std::size_t i = 0; i < plot.curves.size(); ++i)
         if (plot.curves[i].as_points)

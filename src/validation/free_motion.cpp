@@ -1,6 +1,7 @@
 // Motion without contacts, and impulses on free bodies.
 #include "validation/cases.h"
 #include "validation/integrators.h"
+#include "validation/measures.h"
 #include "validation/text.h"
 #include "validation/worlds.h"
 
@@ -19,8 +20,6 @@ WorldDef settings_with(Integrator integrator) {
     def.integrator = integrator;
     return def;
 }
-
-int steps_in(double seconds, double step) { return int(std::lround(seconds / step)); }
 
 // --- free fall
 

@@ -306,7 +306,7 @@ namespace {
 // in small explicit steps. `reach`: from the center to a corner; `inertia` over the mass, m^2.
 struct FourCorners {
     double way = 0, time = 0;
-    Curve speeds{"Coulomb at four corners", {}, {}}, spins{"Coulomb at four corners, spin", {}, {}};
+    Curve speeds{"expected speed: Coulomb at four corners", {}, {}}, spins{"expected spin", {}, {}};
 
     FourCorners(double friction, double reach, double inertia, double heading, double speed, double spin) {
         constexpr double h = 1e-4;

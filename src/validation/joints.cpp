@@ -1,6 +1,7 @@
 // Pendulums, a gyroscope, a chain and a net: bodies held by joints.
 #include "validation/cases.h"
 #include "validation/joined_worlds.h"
+#include "validation/measures.h"
 #include "validation/text.h"
 
 #include <algorithm>
@@ -102,7 +103,7 @@ void add_double_pendulum_rows(Result& result) {
         const DoublePendulum pendulum = add_double_pendulum(world, JointSolver::direct);
         double least = 0, greatest = -std::numeric_limits<double>::infinity();
         Curve curve{"steps of " + step_text(step) + " s", {}, {}, false};
-        const int steps = int(std::lround(seconds / step)), every = std::max(1, steps / 300);
+        const int steps = steps_in(seconds, step), every = std::max(1, steps / 300);
         for (int i = 1; i <= steps; ++i) {
             world.step(float(step));
             const double half = 0.5 * step / world.statistics().max_substeps;
@@ -159,7 +160,7 @@ Precession precess(double spin, double step, double seconds, JointSolver solver)
     hold(world, BodyId{}, body, {0, 0, 0}, BallJoint{}, solver);
     Precession result;
     double turned = 0, before = 0;
-    const int steps = int(std::lround(seconds / step)), every = std::max(1, steps / 200);
+    const int steps = steps_in(seconds, step), every = std::max(1, steps / 200);
     for (int i = 1; i <= steps; ++i) {
         world.step(float(step));
         const Position at = world.body(body).position();
@@ -215,7 +216,7 @@ struct Stretch {
 
 Stretch watch(World& world, double step, double seconds) {
     Stretch result;
-    const int steps = int(std::lround(seconds / step)), every = std::max(1, steps / 150);
+    const int steps = steps_in(seconds, step), every = std::max(1, steps / 150);
     double since_last = 0;
     for (int i = 1; i <= steps; ++i) {
         world.step(float(step));

@@ -1,6 +1,7 @@
 // Torque-free rotation of bodies with three different moments of inertia.
 #include "validation/cases.h"
 #include "validation/integrators.h"
+#include "validation/measures.h"
 #include "validation/text.h"
 #include "validation/worlds.h"
 
@@ -110,7 +111,7 @@ Watched watch(const Thrown& thrown, Integrator integrator, double step, double s
     const double turning = rotational_energy(world.body(id));
     result.energy = world.kinetic_energy();
     result.momentum = glm::length(momentum);
-    const int steps = int(std::lround(seconds / dt));
+    const int steps = steps_in(seconds, dt);
     for (int i = 1; i <= steps; ++i) {
         const double before = spin_about_middle_axis(world.body(id));
         world.step(float(step));

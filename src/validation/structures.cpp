@@ -86,7 +86,7 @@ Result measure_stack_forces() {
         result.rows.push_back({"force under box " + std::to_string(worst + 1) + ", the farthest off, N", dt, law(worst),
                                force[worst], 0.01});
     }
-    plot.curves.push_back({"(N - k) m g", {0, count}, {0, count * double(density) * gravity}});
+    plot.curves.push_back({"expected: (N - k) m g", {0, count}, {0, count * double(density) * gravity}});
     result.plots.push_back(plot);
     return result;
 }
