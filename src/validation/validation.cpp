@@ -7,17 +7,17 @@
 
 namespace cairn::validation {
 
-bool Row::passes() const {
+bool Row::keeps(double bound) const {
     if (!std::isfinite(measured)) return false;
     switch (kind) {
     case Bar::relative:
-        return std::fabs(measured - expected) <= bar * std::fabs(expected);
+        return std::fabs(measured - expected) <= bound * std::fabs(expected);
     case Bar::absolute:
-        return std::fabs(measured - expected) <= bar;
+        return std::fabs(measured - expected) <= bound;
     case Bar::at_most:
-        return measured <= bar;
+        return measured <= bound;
     case Bar::at_least:
-        return measured >= bar;
+        return measured >= bound;
     }
     return false;
 }
