@@ -151,7 +151,7 @@ std::optional<double> fitted_slope(const Plot& plot, const Curve& curve) {
 
 // Of a curve's marks and of the lines between them. Curves that lie on each other are all seen: those drawn first are
 // wider. `later`: how many with marks are drawn after it.
-double mark_radius(std::size_t later) { return 3 + 0.9 * double(later); }
+double mark_radius(std::size_t later) { return 3 + 1.3 * double(later); }
 double join_width(std::size_t later) { return 1.2 + 1.1 * double(later); }
 
 struct LegendEntry {
