@@ -18,7 +18,7 @@ using validation::Curve;
 using validation::Plot;
 
 constexpr double width = 480, plot_height = 300;               // without the legend
-constexpr double left = 66, right = 18, top = 36, bottom = 50; // margins of the axes
+constexpr double left = 78, right = 18, top = 36, bottom = 50; // margins of the axes
 constexpr double legend_line = 18, character = 6.1;            // of text at 11 pixels
 // Of the slope between two points to that before, with ever shorter steps; below it rounding rules.
 constexpr double least_slope_change = 0.7;
@@ -151,7 +151,7 @@ std::optional<double> fitted_slope(const Plot& plot, const Curve& curve) {
 
 // Of a curve's marks and of the lines between them. Curves that lie on each other are all seen: those drawn first are
 // wider. `later`: how many with marks are drawn after it.
-double mark_radius(std::size_t later) { return 3 + 0.9 * double(later); }
+double mark_radius(std::size_t later) { return 3 + 1.3 * double(later); }
 double join_width(std::size_t later) { return 1.2 + 1.1 * double(later); }
 
 struct LegendEntry {
@@ -266,7 +266,7 @@ std::string svg_plot(const Plot& plot) {
     std::size_t next_color = 0;
     for (const Curve& curve : plot.curves) {
         const std::optional<double> slope = fitted_slope(plot, curve);
-        const char* dashes = next_color >= colors.size() ? " stroke-dasharray=\"5 3\"" : "";
+        const char* dashes = next_color >= colors.size() && !is_expected(curve) ? " stroke-dasharray=\"5 3\"" : "";
         const char* color = is_expected(curve) ? expected_color : colors[next_color++ % colors.size()];
         legend.push_back({curve.label + (slope ? fmt::format(" (slope {:.2f})", *slope) : ""), color, dashes,
                           curve.as_points, is_expected(curve), 0});
