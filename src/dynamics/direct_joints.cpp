@@ -334,58 +334,24 @@ void begin_set(const State& s, const SetView& v, BinScratch& scratch, double h, 
     write_velocities(v, scratch);
 }
 
-void take_velocities(const SetView& v, const BinScratch& scratch) {
+void solve_set(const SetView& v, BinScratch& scratch, double h) {
     for (std::size_t i = 0; i < v.set.bodies.size(); ++i) {
         DirectBody& b = v.bodies[i];
         b.v = vector_of(scratch.velocity[std::size_t(b.row)].v);
         b.w = vector_of(scratch.velocity[std::size_t(b.row)].w);
         b.dv = b.dw = {};
     }
-}
-
-// The impulse on B, in world axes, to what the step has given.
-void add_to_total(const DirectNode& node, DirectRow& r, DVec3 impulse) {
-    const bool is_turning_axis =
-        node.rows == DirectRows::axis && r.linear.m[0] == 0 && r.linear.m[1] == 0 && r.linear.m[2] == 0;
-    const bool turns = node.rows == DirectRows::turn || is_turning_axis;
-    r.total += turns ? math::transposed_times(r.angular[1], impulse) : force_of(r, impulse);
-}
-
-void solve_set(const SetView& v, BinScratch& scratch, double h) {
-    take_velocities(v, scratch);
     const double rate = (v.set.mass_ratio <= equal_mass_ratio ? bias_of_equals : bias_of_unequals) / h;
     solve_rows(v, rate);
     find_stiffness(v, h);
-    for (std::size_t i = 0; i < v.set.nodes.size(); ++i) add_to_total(v.set.nodes[i], v.rows[i], v.rows[i].impulse);
-    write_velocities(v, scratch);
-}
-
-void begin_impact(const State& s, const SetView& v, const BinScratch& scratch) {
-    place_bodies(v, scratch);
-    for (std::size_t i = 0; i < v.set.nodes.size(); ++i) refresh_row(s, v, i);
-    stiffen_bodies(v);
-    assemble(s, v);
-    factorize(v);
-    for (std::size_t i = 0; i < v.set.nodes.size(); ++i) v.rows[i].carried = v.rows[i].impulse;
-}
-
-void strike_set(const SetView& v, BinScratch& scratch) {
-    take_velocities(v, scratch);
-    solve_rows(v, 0);
-    for (std::size_t i = 0; i < v.set.bodies.size(); ++i) {
-        const DirectBody& b = v.bodies[i];
-        if (!b.by_forces) continue;
-        SolverVelocity& velocity = scratch.velocity[std::size_t(b.row)];
-        put(velocity.v, math::to_float(b.v + b.dv)), put(velocity.w, math::to_float(b.w + b.dw));
-    }
-}
-
-void end_impact(const SetView& v) {
     for (std::size_t i = 0; i < v.set.nodes.size(); ++i) {
         DirectRow& r = v.rows[i];
-        add_to_total(v.set.nodes[i], r, r.impulse - r.carried);
-        r.impulse = r.carried;
+        const bool is_turning_axis =
+            v.set.nodes[i].rows == DirectRows::axis && r.linear.m[0] == 0 && r.linear.m[1] == 0 && r.linear.m[2] == 0;
+        const bool turns = v.set.nodes[i].rows == DirectRows::turn || is_turning_axis;
+        r.total += turns ? math::transposed_times(r.angular[1], r.impulse) : force_of(r, r.impulse);
     }
+    write_velocities(v, scratch);
 }
 
 template <class F> void for_sets(const State& s, BinScratch& scratch, Crew* crew, F&& work) {
@@ -400,15 +366,6 @@ template <class F> void for_sets(const State& s, BinScratch& scratch, Crew* crew
     });
 }
 
-// The sets of islands that are struck and have not settled.
-template <class F> void for_struck_sets(const State& s, BinScratch& scratch, Crew* crew, F&& work) {
-    const ImpactWork& impact = scratch.impact;
-    for_sets(s, scratch, crew, [&](const SetView& v) {
-        const std::int32_t island = s.bodies[std::size_t(v.set.bodies[1])].island; // [0] is none
-        if (island != none && impact.islands[std::size_t(island)] == ImpactWork::struck) work(v);
-    });
-}
-
 } // namespace
 
 void begin_direct_substep(const State& s, BinScratch& scratch, Crew* crew, float h, bool first) {
@@ -417,21 +374,6 @@ void begin_direct_substep(const State& s, BinScratch& scratch, Crew* crew, float
 
 void solve_direct_rows(const State& s, BinScratch& scratch, Crew* crew, float h) {
     for_sets(s, scratch, crew, [&](const SetView& v) { solve_set(v, scratch, double(h)); });
-}
-
-void begin_direct_impact(const State& s, BinScratch& scratch, Crew* crew) {
-    for_struck_sets(s, scratch, crew, [&](const SetView& v) { begin_impact(s, v, scratch); });
-}
-
-void strike_direct_sets(const State& s, BinScratch& scratch, Crew* crew) {
-    for_struck_sets(s, scratch, crew, [&](const SetView& v) { strike_set(v, scratch); });
-}
-
-void end_direct_impact(const State& s, BinScratch& scratch, Crew* crew) {
-    for_struck_sets(s, scratch, crew, [&](const SetView& v) {
-        strike_set(v, scratch); // contacts had the last word
-        end_impact(v);
-    });
 }
 
 } // namespace cairn

@@ -20,12 +20,6 @@ void begin_direct_substep(const State& state, BinScratch& scratch, Crew* crew, f
 // Then, once: what is missing of the impulses.
 void solve_direct_rows(const State& state, BinScratch& scratch, Crew* crew, float h);
 
-// An impact (impacts.cpp): the sets of the islands that are struck, at the poses now. Each pass takes their velocities
-// to zero; at the end the impulses of the impact are counted and given up: they are not carried.
-void begin_direct_impact(const State& state, BinScratch& scratch, Crew* crew);
-void strike_direct_sets(const State& state, BinScratch& scratch, Crew* crew);
-void end_direct_impact(const State& state, BinScratch& scratch, Crew* crew);
-
 // After the last substep: impulses and forces (as impulses of the whole step) back to the joints.
 void store_direct_rows(State& state, BinScratch& scratch);
 

@@ -36,8 +36,7 @@ struct DirectRow {
     bool is_plain = false; // L is the unit matrix
     math::DVec3 diagonal;  // of the rows' matrix, before the elimination
     math::DVec3 error, impulse;
-    math::DVec3 carried; // while an impact is solved: the impulse without it
-    math::DVec3 total;   // N s or N m s on B, world axes, over all substeps
+    math::DVec3 total; // N s or N m s on B, world axes, over all substeps
 };
 
 struct DirectSolve {

@@ -1,7 +1,6 @@
 #include "dynamics/impacts.h"
 
 #include "dynamics/block_runs.h"
-#include "dynamics/direct_joints.h"
 
 #include <cmath>
 
@@ -116,7 +115,7 @@ void list_rows(const State& s, BinScratch& scratch) {
     work.last = work.before;
 }
 
-void strike_all(const State& s, BinScratch& scratch, Crew* crew, float h) {
+void strike_all(BinScratch& scratch, Crew* crew, float h) {
     ImpactWork& work = scratch.impact;
     SolverVelocity* const velocity = scratch.velocity.data();
     for_joint_runs(scratch, crew, [&](const JointRun& run) {
@@ -125,7 +124,6 @@ void strike_all(const State& s, BinScratch& scratch, Crew* crew, float h) {
             k.strike(blocks, impacts, run.count, velocity, 1 / h);
         });
     });
-    strike_direct_sets(s, scratch, crew);
     for_blocks(scratch, crew, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
         void* const impacts = run.four_points ? static_cast<void*>(work.four_blocks.data() + run.first)
                                               : static_cast<void*>(work.one_blocks.data() + run.first);
@@ -193,13 +191,11 @@ void solve_impacts(const State& s, BinScratch& scratch, Crew* crew, float h, std
     mark_islands(s, scratch);
     activate_lanes(s, scratch, true);
     list_rows(s, scratch);
-    begin_direct_impact(s, scratch, crew);
-    for (int pass = 0; pass < most_passes; ++pass) {
-        strike_all(s, scratch, crew, h);
-        if (!settle_islands(s, scratch)) break;
+    bool settled = false;
+    for (int pass = 0; pass < most_passes && !settled; ++pass) {
+        strike_all(scratch, crew, h);
+        settled = !settle_islands(s, scratch);
     }
-    for (const std::int32_t island : work.marked) work.islands[std::size_t(island)] = ImpactWork::struck;
-    end_direct_impact(s, scratch, crew);
     add_to_references(scratch);
     for (const std::int32_t island : work.marked) work.islands[std::size_t(island)] = ImpactWork::untouched;
 }

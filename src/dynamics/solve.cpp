@@ -107,13 +107,17 @@ void run_substeps(const State& s, const Bin& bin, BinScratch& scratch, Crew* cre
     ContactSoftness softness;
     set_softness(softness, h, bin.substeps * s.split, s.settings.recovery_speed);
     const BounceSettings bounce{h, s.settings.restitution_speed, velocity_offset(s.settings.integrator)};
-    softness.impact_speed = bin.joint_count > 0 ? impact_speed : no_impact_speed;
-    const JointSoftness joint_soft = joint_softness(h);
+    JointSoftness joint_soft = joint_softness(h);
+    // Not where joints are solved directly: a body that is much heavier than what it hits does not settle in the
+    // passes.
+    const bool stops_impacts = bin.joint_count > 0 && scratch.direct.sets.empty();
+    softness.impact_speed = stops_impacts ? impact_speed : no_impact_speed;
+    if (!stops_impacts) joint_soft.impact_speed = joint_soft.impact_spin = no_impact_speed;
     const int rows = int(scratch.row_count());
     SolverVelocity* velocity = scratch.velocity.data();
+    std::atomic<int> struck = 0;
     for (int substep = 0; substep < bin.substeps; ++substep) {
         const bool first = substep == 0;
-        std::atomic<int> struck = 0;
         const SolverBodies bodies = bodies_of(scratch);
         update_free_motion(s, scratch, crew, bodies, h, first);
         for_chunks(crew, rows, rows_per_chunk, [&](int begin, int end, int) {

@@ -195,10 +195,13 @@ CAIRN_INLINE int leave_impacts(ContactBlock<N>& block, Vec3x8 normal, f32x8& sum
     f32x8 v[N];
     normal_velocities<N>(block, rows.a, rows.b, normal, cross(load3(block.d), normal), v);
     mask8 struck = mask_from_bits(0);
+    f32x8 carried = zero();
     for (int i = 0; i < N; ++i) {
+        carried += rows.old[i];
         const f32x8 closing = v[i] + max(load(block.separation[i]), zero()) * splat(softness.inverse_h);
         struck = struck | ((rows.impulse[i] > rows.old[i]) & (closing < -speed));
     }
+    struck = struck & (sum > carried); // what jolts under a load is left to that
     block.struck = std::uint8_t(block.struck | bits(struck));
     if (!any(struck)) return 0;
     sum = select(struck, zero(), sum);

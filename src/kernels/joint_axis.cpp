@@ -236,7 +236,7 @@ CAIRN_INLINE f32x8 limit(float* impulse, const LimitSoftness& softness, f32x8 ma
     const f32x8 bias = select(apart, gap * inverse_h, softness.rate * spring_gap);
     const f32x8 p = scale * (old - mass * (v + bias));
     f32x8 bounded = select(equation, p, max(p, zero()));
-    const mask8 hit = (v + max(gap, zero()) * inverse_h < -impact_speed) & (bounded > old);
+    const mask8 hit = (v + max(gap, zero()) * inverse_h < -impact_speed) & (bounded > old + old);
     struck = struck | hit;
     bounded = select(hit, old, bounded);
     store(impulse, bounded);
