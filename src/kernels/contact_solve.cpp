@@ -210,7 +210,7 @@ CAIRN_INLINE int leave_impacts(ContactBlock<N>& block, Vec3x8 normal, f32x8& sum
     return 1;
 }
 
-template <int N>
+template <int N, bool Watched>
 CAIRN_INLINE int end_solve(ContactBlock<N>& block, SolverVelocity* velocity, const ContactSoftness& softness,
                            Rows<N>& rows) {
     f32x8 sum = zero();
@@ -218,18 +218,21 @@ CAIRN_INLINE int end_solve(ContactBlock<N>& block, SolverVelocity* velocity, con
     const Vec3x8 normal = load3(block.normal);
     for (int i = 0; i < N; ++i) {
         const f32x8 d = rows.impulse[i] - rows.old[i];
+        store(block.impulse[i], rows.impulse[i]);
         sum += d;
         torque = torque + d * arm_of(block, normal, i);
     }
-    const int struck = leave_impacts<N>(block, normal, sum, torque, rows, softness);
-    for (int i = 0; i < N; ++i) store(block.impulse[i], rows.impulse[i]);
+    int struck = 0;
+    if constexpr (Watched) struck = leave_impacts<N>(block, normal, sum, torque, rows, softness);
+    if (struck)
+        for (int i = 0; i < N; ++i) store(block.impulse[i], rows.impulse[i]);
     apply_normal(block, normal, cross(load3(block.d), normal), sum, torque, rows.a, rows.b);
     scatter_velocity(velocity, block.a, rows.a);
     scatter_velocity(velocity, block.write_b, rows.b);
     return struck;
 }
 
-template <int N, int M>
+template <int N, int M, bool Watched>
 CAIRN_INLINE int solve_some(ContactBlock<N>* blocks, SolverVelocity* velocity, const ContactSoftness& softness) {
     Rows<N> rows[M];
     int struck = 0;
@@ -237,18 +240,26 @@ CAIRN_INLINE int solve_some(ContactBlock<N>* blocks, SolverVelocity* velocity, c
     for (int m = 0; m < M; ++m) begin_solve<N>(blocks[m], velocity, softness, rows[m]);
     sweep_points<N, M, true>(blocks, rows);
 #pragma GCC unroll 4
-    for (int m = 0; m < M; ++m) struck += end_solve<N>(blocks[m], velocity, softness, rows[m]);
+    for (int m = 0; m < M; ++m) struck += end_solve<N, Watched>(blocks[m], velocity, softness, rows[m]);
     return struck;
 }
 
 // One sweep with soft constraints: overlap is pushed out at a rate and with a compliance given by `softness`;
 // a gap is closed no faster than it takes one substep to close it.
+template <int N, bool Watched>
+int solve_all(ContactBlock<N>* all, int count, SolverVelocity* velocity, const ContactSoftness& softness) {
+    int k = 0, struck = 0;
+    for (; k + 3 < count; k += 4) struck += solve_some<N, 4, Watched>(all + k, velocity, softness);
+    for (; k < count; ++k) struck += solve_some<N, 1, Watched>(all + k, velocity, softness);
+    return struck;
+}
+// Where nothing is an impact, none is looked for: that costs registers.
+bool looks_for_impacts(const ContactSoftness& softness) { return softness.impact_speed < 1e20f; }
+
 template <int N> int solve(void* blocks, int count, SolverVelocity* velocity, const ContactSoftness& softness) {
     auto* all = static_cast<ContactBlock<N>*>(blocks);
-    int k = 0, struck = 0;
-    for (; k + 3 < count; k += 4) struck += solve_some<N, 4>(all + k, velocity, softness);
-    for (; k < count; ++k) struck += solve_some<N, 1>(all + k, velocity, softness);
-    return struck;
+    return looks_for_impacts(softness) ? solve_all<N, true>(all, count, velocity, softness)
+                                       : solve_all<N, false>(all, count, velocity, softness);
 }
 
 // The rigid sweep: only approach beyond the gap is stopped. Not that of contacts that will bounce: they must arrive
@@ -281,24 +292,31 @@ struct PointSums {
     f32x8 lever_load; // sum of lever times impulse
 };
 
-template <int N>
+template <int N, bool Watched>
 CAIRN_INLINE PointSums apply_relax(ContactBlock<N>& block, Vec3x8 normal, const ContactSoftness& softness,
                                    Rows<N>& rows, int& struck) {
     PointSums sums = {zero(), zero()};
     f32x8 sum = zero();
     Vec3x8 torque = zero3();
     for (int i = 0; i < N; ++i) {
-        const f32x8 d = rows.impulse[i] - rows.old[i];
-        sum += d;
-        torque = torque + d * arm_of(block, normal, i);
-    }
-    struck += leave_impacts<N>(block, normal, sum, torque, rows, softness);
-    for (int i = 0; i < N; ++i) {
-        const f32x8 impulse = rows.impulse[i];
+        const f32x8 impulse = rows.impulse[i], d = impulse - rows.old[i];
         store(block.impulse[i], impulse);
         store(block.total_impulse[i], load(block.total_impulse[i]) + impulse);
+        sum += d;
+        torque = torque + d * arm_of(block, normal, i);
         sums.load += impulse;
         if constexpr (N > 1) sums.lever_load += load(block.lever[i]) * impulse;
+    }
+    if (Watched && leave_impacts<N>(block, normal, sum, torque, rows, softness)) {
+        ++struck;
+        sums = {zero(), zero()};
+        for (int i = 0; i < N; ++i) {
+            const f32x8 impulse = rows.impulse[i], too_much = load(block.impulse[i]) - impulse;
+            store(block.impulse[i], impulse);
+            store(block.total_impulse[i], load(block.total_impulse[i]) - too_much);
+            sums.load += impulse;
+            if constexpr (N > 1) sums.lever_load += load(block.lever[i]) * impulse;
+        }
     }
     apply_normal(block, normal, cross(load3(block.d), normal), sum, torque, rows.a, rows.b);
     return sums;
@@ -367,7 +385,7 @@ template <int N> CAIRN_INLINE void solve_rolling(ContactBlock<N>& block, f32x8 l
     b.w = b.w + turned_b(block, change);
 }
 
-template <int N, int M>
+template <int N, int M, bool Watched>
 CAIRN_INLINE int relax_some(ContactBlock<N>* blocks, const SolverBodies& bodies, const ContactSoftness& softness) {
     const f32x8 inverse_h = splat(softness.inverse_h);
     int struck = 0;
@@ -377,7 +395,8 @@ CAIRN_INLINE int relax_some(ContactBlock<N>* blocks, const SolverBodies& bodies,
     sweep_points<N, M, false>(blocks, rows);
     PointSums sums[M];
 #pragma GCC unroll 4
-    for (int m = 0; m < M; ++m) sums[m] = apply_relax<N>(blocks[m], load3(blocks[m].normal), softness, rows[m], struck);
+    for (int m = 0; m < M; ++m)
+        sums[m] = apply_relax<N, Watched>(blocks[m], load3(blocks[m].normal), softness, rows[m], struck);
 #pragma GCC unroll 4
     for (int m = 0; m < M; ++m) solve_friction<N>(blocks[m], sums[m], load3(blocks[m].normal), rows[m].a, rows[m].b);
 #pragma GCC unroll 4
@@ -390,12 +409,17 @@ CAIRN_INLINE int relax_some(ContactBlock<N>* blocks, const SolverBodies& bodies,
     return struck;
 }
 
+template <int N, bool Watched>
+int relax_all(ContactBlock<N>* all, int count, const SolverBodies& bodies, const ContactSoftness& softness) {
+    int k = 0, struck = 0;
+    for (; k + 1 < count; k += 2) struck += relax_some<N, 2, Watched>(all + k, bodies, softness);
+    if (k < count) struck += relax_some<N, 1, Watched>(all + k, bodies, softness);
+    return struck;
+}
 template <int N> int relax(void* blocks, int count, const SolverBodies& bodies, const ContactSoftness& softness) {
     auto* all = static_cast<ContactBlock<N>*>(blocks);
-    int k = 0, struck = 0;
-    for (; k + 1 < count; k += 2) struck += relax_some<N, 2>(all + k, bodies, softness);
-    if (k < count) struck += relax_some<N, 1>(all + k, bodies, softness);
-    return struck;
+    return looks_for_impacts(softness) ? relax_all<N, true>(all, count, bodies, softness)
+                                       : relax_all<N, false>(all, count, bodies, softness);
 }
 
 template <int N> SolverKernels::ForPoints contact_kernels() {
