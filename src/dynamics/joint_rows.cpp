@@ -2,6 +2,7 @@
 #include "dynamics/bodies.h"
 #include "dynamics/coloring.h"
 #include "dynamics/direct_joints.h"
+#include "dynamics/impacts.h"
 #include "dynamics/joint_placement.h"
 #include "dynamics/joints.h"
 #include "dynamics/solver.h"
@@ -266,7 +267,7 @@ JointSoftness joint_softness(float h) {
     // 0.28 / h on.
     constexpr float pi = 3.14159265358979f, frequency_times_h = 0.25f, damping_ratio = 2.0f;
     const float omega_h = 2 * pi * frequency_times_h, a1 = 2 * damping_ratio + omega_h, a2 = omega_h * a1;
-    return {h, 1 / h, a2 / (1 + a2), omega_h / (a1 * h)};
+    return {h, 1 / h, a2 / (1 + a2), omega_h / (a1 * h), impact_speed, impact_spin};
 }
 
 void fill_joint_lanes(const State& s, BinScratch& scratch) {

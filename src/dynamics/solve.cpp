@@ -1,8 +1,10 @@
 // Bins: gather, substeps, scatter. A large bin is solved by all threads together, color by color; of the others, each
 // by one thread.
+#include "dynamics/block_runs.h"
 #include "dynamics/bodies.h"
 #include "dynamics/direct_joints.h"
 #include "dynamics/finalize.h"
+#include "dynamics/impacts.h"
 #include "dynamics/joints.h"
 #include "dynamics/solver.h"
 #include "math/rotation.h"
@@ -41,13 +43,6 @@ void set_softness(ContactSoftness& s, float h, int substeps, float recovery_spee
     s.on_immovable = spring(2 * frequency);
 }
 
-const SolverKernels::ForPoints& kernels_for(const BlockRun& run) {
-    return run.four_points ? kernels().solver.four_points : kernels().solver.one_point;
-}
-void* blocks_of(BinScratch& scratch, const BlockRun& run) {
-    if (run.four_points) return scratch.four_blocks.data() + run.first;
-    return scratch.one_blocks.data() + run.first;
-}
 ContactLanes lanes_of(const BinScratch& scratch, const BlockRun& run) {
     const LaneLists& lanes = run.four_points ? scratch.four_lanes : scratch.one_lanes;
     const std::size_t at = std::size_t(run.first) * 8;
@@ -55,49 +50,6 @@ ContactLanes lanes_of(const BinScratch& scratch, const BlockRun& run) {
     const std::size_t before = run.four_points ? scratch.one_lanes.record.size() / 8 : 0;
     return {lanes.record.data() + at, lanes.row_a.data() + at, lanes.row_b.data() + at,
             scratch.first_discard_row() + std::int32_t(before) + run.first};
-}
-
-// Two chunks for each thread, so that they end together; whole groups of the four blocks that are solved side by side.
-// Handing out fewer blocks than these takes longer than solving them.
-int blocks_per_chunk(const Crew* crew, int count) {
-    constexpr int side_by_side = 4, least_handed_out = 12;
-    if (!crew || count < least_handed_out) return count;
-    return (count / (2 * crew->threads()) + side_by_side) / side_by_side * side_by_side;
-}
-
-// Calls kernel(its kernels, run) for the blocks of every color, one color after the other, or for chunks of them.
-template <class F> void for_blocks(BinScratch& scratch, Crew* crew, F&& kernel) {
-    auto work = [&](const BlockRun& run, int begin, int end) {
-        const BlockRun part{run.four_points, run.first + begin, end - begin};
-        if (part.count > 0) kernel(kernels_for(part), part);
-    };
-    for (const ColorRun& color : scratch.colors) {
-        const int fours = color.four_points.count, all = fours + color.one_point.count;
-        for_chunks(crew, all, blocks_per_chunk(crew, all), [&](int begin, int end, int) {
-            work(color.four_points, std::min(begin, fours), std::min(end, fours));
-            work(color.one_point, std::max(begin, fours) - fours, std::max(end, fours) - fours);
-        });
-    }
-}
-
-// Calls kernel(its kernels, its blocks, count) for the blocks of every run of joint rows, or for chunks of them.
-template <class F> void for_joint_blocks(BinScratch& scratch, Crew* crew, F&& kernel) {
-    const JointKernels& k = kernels().joints;
-    for (const JointRun& run : scratch.joint_runs)
-        for_chunks(crew, run.count, blocks_per_chunk(crew, run.count), [&](int begin, int end, int) {
-            const std::size_t first = std::size_t(run.first + begin);
-            switch (run.type) {
-            case JointRowType::point:
-                kernel(k.point, scratch.point_blocks.data() + first, end - begin);
-                break;
-            case JointRowType::turn:
-                kernel(k.turn, scratch.turn_blocks.data() + first, end - begin);
-                break;
-            case JointRowType::axis:
-                kernel(k.axis, scratch.axis_blocks.data() + first, end - begin);
-                break;
-            }
-        });
 }
 
 // Position of the discrete path behind the stored velocity, see bounce.cpp.
@@ -155,9 +107,15 @@ void run_substeps(const State& s, const Bin& bin, BinScratch& scratch, Crew* cre
     ContactSoftness softness;
     set_softness(softness, h, bin.substeps * s.split, s.settings.recovery_speed);
     const BounceSettings bounce{h, s.settings.restitution_speed, velocity_offset(s.settings.integrator)};
-    const JointSoftness joint_soft = joint_softness(h);
+    JointSoftness joint_soft = joint_softness(h);
+    // Not where joints are solved directly: a body that is much heavier than what it hits does not settle in the
+    // passes.
+    const bool stops_impacts = bin.joint_count > 0 && scratch.direct.sets.empty();
+    softness.impact_speed = stops_impacts ? impact_speed : no_impact_speed;
+    if (!stops_impacts) joint_soft.impact_speed = joint_soft.impact_spin = no_impact_speed;
     const int rows = int(scratch.row_count());
     SolverVelocity* velocity = scratch.velocity.data();
+    std::atomic<int> struck = 0;
     for (int substep = 0; substep < bin.substeps; ++substep) {
         const bool first = substep == 0;
         const SolverBodies bodies = bodies_of(scratch);
@@ -180,8 +138,10 @@ void run_substeps(const State& s, const Bin& bin, BinScratch& scratch, Crew* cre
         });
         solve_direct_rows(s, scratch, crew, h);
         for_blocks(scratch, crew, [&](const ForPoints& points, const BlockRun& run) {
-            points.solve(blocks_of(scratch, run), run.count, velocity, softness);
+            const int count = points.solve(blocks_of(scratch, run), run.count, velocity, softness);
+            if (count > 0) struck += count;
         });
+        solve_impacts(s, scratch, crew, h, struck);
         for_chunks(crew, rows, rows_per_chunk,
                    [&](int begin, int end, int) { k.integrate_poses(bodies, begin, end, h); });
         turn_spinning_rows(s, scratch, h);
@@ -190,8 +150,10 @@ void run_substeps(const State& s, const Bin& bin, BinScratch& scratch, Crew* cre
             rows_of.relax(blocks, count, bodies, joint_soft);
         });
         for_blocks(scratch, crew, [&](const ForPoints& points, const BlockRun& run) {
-            points.relax(blocks_of(scratch, run), run.count, bodies, softness);
+            const int count = points.relax(blocks_of(scratch, run), run.count, bodies, softness);
+            if (count > 0) struck += count;
         });
+        solve_impacts(s, scratch, crew, h, struck);
     }
 }
 

@@ -99,6 +99,19 @@ struct SpinningRow {
     math::DVec3 free_w;
 };
 
+// An impact that a bin has at work (impacts.cpp).
+struct ImpactWork {
+    enum Stage : std::uint8_t { untouched, struck, settled };
+    std::vector<Stage> islands;             // by island
+    std::vector<std::int32_t> marked;       // islands that are struck or settled
+    std::vector<float> changes;             // of those: of the last pass, m/s
+    std::vector<std::int32_t> rows, places; // rows of those, and the place of their island among them
+    std::vector<SolverVelocity> before, last;
+    std::vector<ContactImpact<1>> one_blocks;
+    std::vector<ContactImpact<4>> four_blocks;
+    std::array<std::vector<JointImpact>, 3> joint_blocks; // by JointRowType
+};
+
 // A row of one contact alone: B as its moving surface has it.
 struct ConveyorRow {
     std::int32_t row;
@@ -173,6 +186,7 @@ struct BinScratch {
     std::vector<TurnBlock> turn_blocks;
     std::vector<AxisBlock> axis_blocks;
     DirectWork direct;
+    ImpactWork impact;
     bool drive_varies = false; // forces depend on the position
     bool bounces = false;      // `correction` is another than `free_correction`
 

@@ -15,14 +15,6 @@ constexpr float tiny = 1e-20f;
 // Shares of B's arm: how far two bodies must pass each other to count, and how far it counts in one step.
 constexpr float least_passing = 1e-6f, most_passing = 0.4f;
 
-template <int N>
-CAIRN_INLINE void normal_velocities(const ContactBlock<N>& block, const Velocityx8& a, const Velocityx8& b,
-                                    Vec3x8 normal, Vec3x8 c, f32x8* v) {
-    const Vec3x8 dw = b.w - a.w;
-    const f32x8 common = dot(normal, b.v - a.v) + dot(c, b.w);
-    for (int i = 0; i < N; ++i) v[i] = common + dot(arm_of(block, normal, i), dw);
-}
-
 struct Posex8 {
     Vec3x8 dx;
     Quatx8 dq;
@@ -193,7 +185,34 @@ CAIRN_INLINE void begin_solve(ContactBlock<N>& block, const SolverVelocity* velo
     }
 }
 
-template <int N> CAIRN_INLINE void end_solve(ContactBlock<N>& block, SolverVelocity* velocity, Rows<N>& rows) {
+// Whether anything hits the contact, faster than the speed at which that is an impact: those lanes stay as they were.
+// Seldom true, so it is looked for where the sums are at hand, by how much the velocity of a body would change.
+template <int N>
+CAIRN_INLINE int leave_impacts(ContactBlock<N>& block, Vec3x8 normal, f32x8& sum, Vec3x8& torque, Rows<N>& rows,
+                               const ContactSoftness& softness) {
+    const f32x8 speed = splat(softness.impact_speed);
+    if (!any(max(load(block.mass_a), load(block.mass_b)) * sum > speed)) return 0;
+    f32x8 v[N];
+    normal_velocities<N>(block, rows.a, rows.b, normal, cross(load3(block.d), normal), v);
+    mask8 struck = mask_from_bits(0);
+    f32x8 carried = zero();
+    for (int i = 0; i < N; ++i) {
+        carried += rows.old[i];
+        const f32x8 closing = v[i] + max(load(block.separation[i]), zero()) * splat(softness.inverse_h);
+        struck = struck | ((rows.impulse[i] > rows.old[i]) & (closing < -speed));
+    }
+    struck = struck & (sum > carried); // what jolts under a load is left to that
+    block.struck = std::uint8_t(block.struck | bits(struck));
+    if (!any(struck)) return 0;
+    sum = select(struck, zero(), sum);
+    torque = select(struck, zero3(), torque);
+    for (int i = 0; i < N; ++i) rows.impulse[i] = select(struck, rows.old[i], rows.impulse[i]);
+    return 1;
+}
+
+template <int N, bool Watched>
+CAIRN_INLINE int end_solve(ContactBlock<N>& block, SolverVelocity* velocity, const ContactSoftness& softness,
+                           Rows<N>& rows) {
     f32x8 sum = zero();
     Vec3x8 torque = zero3();
     const Vec3x8 normal = load3(block.normal);
@@ -203,28 +222,44 @@ template <int N> CAIRN_INLINE void end_solve(ContactBlock<N>& block, SolverVeloc
         sum += d;
         torque = torque + d * arm_of(block, normal, i);
     }
+    int struck = 0;
+    if constexpr (Watched) struck = leave_impacts<N>(block, normal, sum, torque, rows, softness);
+    if (struck)
+        for (int i = 0; i < N; ++i) store(block.impulse[i], rows.impulse[i]);
     apply_normal(block, normal, cross(load3(block.d), normal), sum, torque, rows.a, rows.b);
     scatter_velocity(velocity, block.a, rows.a);
     scatter_velocity(velocity, block.write_b, rows.b);
+    return struck;
 }
 
-template <int N, int M>
-CAIRN_INLINE void solve_some(ContactBlock<N>* blocks, SolverVelocity* velocity, const ContactSoftness& softness) {
+template <int N, int M, bool Watched>
+CAIRN_INLINE int solve_some(ContactBlock<N>* blocks, SolverVelocity* velocity, const ContactSoftness& softness) {
     Rows<N> rows[M];
+    int struck = 0;
 #pragma GCC unroll 4
     for (int m = 0; m < M; ++m) begin_solve<N>(blocks[m], velocity, softness, rows[m]);
     sweep_points<N, M, true>(blocks, rows);
 #pragma GCC unroll 4
-    for (int m = 0; m < M; ++m) end_solve<N>(blocks[m], velocity, rows[m]);
+    for (int m = 0; m < M; ++m) struck += end_solve<N, Watched>(blocks[m], velocity, softness, rows[m]);
+    return struck;
 }
 
 // One sweep with soft constraints: overlap is pushed out at a rate and with a compliance given by `softness`;
 // a gap is closed no faster than it takes one substep to close it.
-template <int N> void solve(void* blocks, int count, SolverVelocity* velocity, const ContactSoftness& softness) {
+template <int N, bool Watched>
+int solve_all(ContactBlock<N>* all, int count, SolverVelocity* velocity, const ContactSoftness& softness) {
+    int k = 0, struck = 0;
+    for (; k + 3 < count; k += 4) struck += solve_some<N, 4, Watched>(all + k, velocity, softness);
+    for (; k < count; ++k) struck += solve_some<N, 1, Watched>(all + k, velocity, softness);
+    return struck;
+}
+// Where nothing is an impact, none is looked for: that costs registers.
+bool looks_for_impacts(const ContactSoftness& softness) { return softness.impact_speed < 1e20f; }
+
+template <int N> int solve(void* blocks, int count, SolverVelocity* velocity, const ContactSoftness& softness) {
     auto* all = static_cast<ContactBlock<N>*>(blocks);
-    int k = 0;
-    for (; k + 3 < count; k += 4) solve_some<N, 4>(all + k, velocity, softness);
-    for (; k < count; ++k) solve_some<N, 1>(all + k, velocity, softness);
+    return looks_for_impacts(softness) ? solve_all<N, true>(all, count, velocity, softness)
+                                       : solve_all<N, false>(all, count, velocity, softness);
 }
 
 // The rigid sweep: only approach beyond the gap is stopped. Not that of contacts that will bounce: they must arrive
@@ -257,7 +292,9 @@ struct PointSums {
     f32x8 lever_load; // sum of lever times impulse
 };
 
-template <int N> CAIRN_INLINE PointSums apply_relax(ContactBlock<N>& block, Vec3x8 normal, Rows<N>& rows) {
+template <int N, bool Watched>
+CAIRN_INLINE PointSums apply_relax(ContactBlock<N>& block, Vec3x8 normal, const ContactSoftness& softness,
+                                   Rows<N>& rows, int& struck) {
     PointSums sums = {zero(), zero()};
     f32x8 sum = zero();
     Vec3x8 torque = zero3();
@@ -269,6 +306,17 @@ template <int N> CAIRN_INLINE PointSums apply_relax(ContactBlock<N>& block, Vec3
         torque = torque + d * arm_of(block, normal, i);
         sums.load += impulse;
         if constexpr (N > 1) sums.lever_load += load(block.lever[i]) * impulse;
+    }
+    if (Watched && leave_impacts<N>(block, normal, sum, torque, rows, softness)) {
+        ++struck;
+        sums = {zero(), zero()};
+        for (int i = 0; i < N; ++i) {
+            const f32x8 impulse = rows.impulse[i], too_much = load(block.impulse[i]) - impulse;
+            store(block.impulse[i], impulse);
+            store(block.total_impulse[i], load(block.total_impulse[i]) - too_much);
+            sums.load += impulse;
+            if constexpr (N > 1) sums.lever_load += load(block.lever[i]) * impulse;
+        }
     }
     apply_normal(block, normal, cross(load3(block.d), normal), sum, torque, rows.a, rows.b);
     return sums;
@@ -337,15 +385,18 @@ template <int N> CAIRN_INLINE void solve_rolling(ContactBlock<N>& block, f32x8 l
     b.w = b.w + turned_b(block, change);
 }
 
-template <int N, int M>
-CAIRN_INLINE void relax_some(ContactBlock<N>* blocks, const SolverBodies& bodies, f32x8 inverse_h) {
+template <int N, int M, bool Watched>
+CAIRN_INLINE int relax_some(ContactBlock<N>* blocks, const SolverBodies& bodies, const ContactSoftness& softness) {
+    const f32x8 inverse_h = splat(softness.inverse_h);
+    int struck = 0;
     Rows<N> rows[M];
 #pragma GCC unroll 4
     for (int m = 0; m < M; ++m) begin_relax<N>(blocks[m], bodies, inverse_h, rows[m]);
     sweep_points<N, M, false>(blocks, rows);
     PointSums sums[M];
 #pragma GCC unroll 4
-    for (int m = 0; m < M; ++m) sums[m] = apply_relax<N>(blocks[m], load3(blocks[m].normal), rows[m]);
+    for (int m = 0; m < M; ++m)
+        sums[m] = apply_relax<N, Watched>(blocks[m], load3(blocks[m].normal), softness, rows[m], struck);
 #pragma GCC unroll 4
     for (int m = 0; m < M; ++m) solve_friction<N>(blocks[m], sums[m], load3(blocks[m].normal), rows[m].a, rows[m].b);
 #pragma GCC unroll 4
@@ -355,19 +406,25 @@ CAIRN_INLINE void relax_some(ContactBlock<N>* blocks, const SolverBodies& bodies
         scatter_velocity(bodies.velocity, block.a, rows[m].a);
         scatter_velocity(bodies.velocity, block.write_b, rows[m].b);
     }
+    return struck;
 }
 
-template <int N> void relax(void* blocks, int count, const SolverBodies& bodies, const ContactSoftness& softness) {
+template <int N, bool Watched>
+int relax_all(ContactBlock<N>* all, int count, const SolverBodies& bodies, const ContactSoftness& softness) {
+    int k = 0, struck = 0;
+    for (; k + 1 < count; k += 2) struck += relax_some<N, 2, Watched>(all + k, bodies, softness);
+    if (k < count) struck += relax_some<N, 1, Watched>(all + k, bodies, softness);
+    return struck;
+}
+template <int N> int relax(void* blocks, int count, const SolverBodies& bodies, const ContactSoftness& softness) {
     auto* all = static_cast<ContactBlock<N>*>(blocks);
-    const f32x8 inverse_h = splat(softness.inverse_h);
-    int k = 0;
-    for (; k + 1 < count; k += 2) relax_some<N, 2>(all + k, bodies, inverse_h);
-    if (k < count) relax_some<N, 1>(all + k, bodies, inverse_h);
+    return looks_for_impacts(softness) ? relax_all<N, true>(all, count, bodies, softness)
+                                       : relax_all<N, false>(all, count, bodies, softness);
 }
 
 template <int N> SolverKernels::ForPoints contact_kernels() {
-    return {prepare_contacts<N>, warm_start<N>,   solve<N>,         relax<N>,
-            bounce_contacts<N>,  refresh_arms<N>, store_contacts<N>};
+    return {prepare_contacts<N>, warm_start<N>,      solve<N>,        relax<N>,
+            strike_contacts<N>,  bounce_contacts<N>, refresh_arms<N>, store_contacts<N>};
 }
 
 } // namespace

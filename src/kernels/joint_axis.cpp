@@ -208,6 +208,11 @@ CAIRN_INLINE f32x8 drive(AxisBlock& b, f32x8 k, f32x8 v, f32x8 h) {
     return p - old;
 }
 
+CAIRN_INLINE bool is_linear(AxisKind kind) {
+    return kind == AxisKind::linear || kind == AxisKind::radial || kind == AxisKind::distance ||
+           kind == AxisKind::rack || kind == AxisKind::pulley;
+}
+
 struct LimitSoftness {
     f32x8 scale, rate;
 };
@@ -222,14 +227,18 @@ template <bool Soft> CAIRN_INLINE LimitSoftness limit_softness(const AxisBlock& 
 }
 
 // One limit: v is the velocity away from it, gap how far it is, spring_gap what a spring has been stretched by.
+// What comes closer faster than impact_speed is left alone, and its lane added to `struck`.
 CAIRN_INLINE f32x8 limit(float* impulse, const LimitSoftness& softness, f32x8 mass, f32x8 v, f32x8 gap,
-                         f32x8 spring_gap, mask8 equation, f32x8 inverse_h) {
+                         f32x8 spring_gap, mask8 equation, f32x8 inverse_h, f32x8 impact_speed, mask8& struck) {
     const f32x8 old = load(impulse);
     const mask8 apart = and_not(gap > zero(), equation);
     const f32x8 scale = select(apart, one(), softness.scale);
     const f32x8 bias = select(apart, gap * inverse_h, softness.rate * spring_gap);
     const f32x8 p = scale * (old - mass * (v + bias));
-    const f32x8 bounded = select(equation, p, max(p, zero()));
+    f32x8 bounded = select(equation, p, max(p, zero()));
+    const mask8 hit = (v + max(gap, zero()) * inverse_h < -impact_speed) & (bounded > old + old);
+    struck = struck | hit;
+    bounded = select(hit, old, bounded);
     store(impulse, bounded);
     return bounded - old;
 }
@@ -256,12 +265,17 @@ template <bool Soft> CAIRN_INLINE f32x8 act(AxisBlock& b, f32x8 v, f32x8 before,
     if (b.has_limits) {
         const LimitSoftness soft = limit_softness<Soft>(b, k, softness);
         const f32x8 x = load(b.position), lower = load(b.lower), upper = load(b.upper);
-        const mask8 equation = load(b.equation) > zero();
-        const f32x8 up = limit(b.lower_impulse, soft, mass, v, x - lower, before - lower, equation, inverse_h);
+        const mask8 equation = load(b.equation) > zero(), rigid = load(b.rigid_limit) > zero();
+        const f32x8 fastest = splat(is_linear(b.kind) ? softness.impact_speed : softness.impact_spin);
+        const f32x8 impact_speed = select(and_not(rigid & gives, equation), fastest, splat(unlimited));
+        mask8 struck = mask_from_bits(b.struck);
+        const f32x8 up =
+            limit(b.lower_impulse, soft, mass, v, x - lower, before - lower, equation, inverse_h, impact_speed, struck);
         v += k * up;
         const f32x8 beyond = select(equation, splat(unlimited), upper);
-        const f32x8 down =
-            limit(b.upper_impulse, soft, mass, -v, beyond - x, beyond - before, mask_from_bits(0), inverse_h);
+        const f32x8 down = limit(b.upper_impulse, soft, mass, -v, beyond - x, beyond - before, mask_from_bits(0),
+                                 inverse_h, impact_speed, struck);
+        b.struck = std::uint8_t(bits(struck));
         sum += up - down;
     }
     return select(gives, sum, zero());
@@ -317,8 +331,36 @@ void relax(void* blocks, int count, const SolverBodies& bodies, const JointSoftn
     }
 }
 
+// Rigid limits and equations; drives and friction give no impulses.
+void strike(void* blocks, JointImpact* impacts, int count, SolverVelocity* velocity, float inverse_h) {
+    auto* all = static_cast<AxisBlock*>(blocks);
+    for (int k = 0; k < count; ++k) {
+        AxisBlock& b = all[k];
+        if (!impacts[k].active || !b.has_limits) continue;
+        Ends8 e = gather_ends(velocity, b);
+        const Jacobianx8 j = load_jacobian(b);
+        const f32x8 mass = load(b.mass), wanted = splat(impact_relaxation) * mass, ih = splat(inverse_h);
+        const mask8 active = mask_from_bits(impacts[k].active) & (load(b.rigid_limit) > zero()) & (mass > zero());
+        const mask8 equation = load(b.equation) > zero(), bounded = and_not(active, equation);
+        const f32x8 x = load(b.position), old_up = load(impacts[k].lower), old_down = load(impacts[k].upper);
+        f32x8 v = velocity_of(j, e);
+        f32x8 up = max(old_up - wanted * (v + max(x - load(b.lower), zero()) * ih), zero());
+        up = select(bounded, up, zero());
+        v += guarded_inverse(mass, active) * (up - old_up);
+        f32x8 down = max(old_down - wanted * (max(load(b.upper) - x, zero()) * ih - v), zero());
+        down = select(bounded, down, zero());
+        const f32x8 held = select(active & equation, -(wanted * v), zero());
+        const f32x8 d = held + ((up - old_up) - (down - old_down));
+        store(impacts[k].lower, up);
+        store(impacts[k].upper, down);
+        store(b.total, load(b.total) + d);
+        apply(b, j, d, e);
+        scatter_ends(velocity, b, e);
+    }
+}
+
 } // namespace
 
-JointKernels::ForRows axis_kernels() { return {warm_start, solve, relax}; }
+JointKernels::ForRows axis_kernels() { return {warm_start, solve, relax, strike}; }
 
 } // namespace cairn::CAIRN_ISA

@@ -10,8 +10,9 @@ namespace cairn {
 // Softness of rigid rows for a substep of h seconds.
 struct JointSoftness {
     float h, inverse_h;
-    float scale; // of the rigid impulse
-    float rate;  // 1/s: speed at which an error is taken back, before that scale
+    float scale;                     // of the rigid impulse
+    float rate;                      // 1/s: speed at which an error is taken back, before that scale
+    float impact_speed, impact_spin; // m/s, rad/s: faster approaches to a limit are left to the passes of an impact
 };
 
 // The bodies of 8 rows: row offsets in bytes, and where velocities go: the row itself, or the discard row of the block
@@ -91,6 +92,13 @@ struct alignas(64) AxisBlock : JointEnds {
     float ratio_a[8], ratio_b[8], position0[8];
     AxisKind kind;
     std::uint8_t even, has_limits, has_drive, has_friction;
+    std::uint8_t struck; // lanes, as bits, whose limits are left to the passes of an impact
+};
+
+// What an impact gives to the limits of an axis block; of the others, which lanes take part.
+struct alignas(64) JointImpact {
+    float lower[8], upper[8];
+    std::uint8_t active; // lanes, as bits
 };
 
 struct JointKernels {
@@ -101,6 +109,8 @@ struct JointKernels {
         void (*warm_start)(void* blocks, int count, const SolverBodies& bodies, const JointSoftness& softness);
         void (*solve)(void* blocks, int count, SolverVelocity* velocity, const JointSoftness& softness);
         void (*relax)(void* blocks, int count, const SolverBodies& bodies, const JointSoftness& softness);
+        // One pass of an impact.
+        void (*strike)(void* blocks, JointImpact* impacts, int count, SolverVelocity* velocity, float inverse_h);
     } point, turn, axis;
 };
 

@@ -148,9 +148,24 @@ void relax(void* blocks, int count, const SolverBodies& bodies, const JointSoftn
         all[k].free_axis ? relax_block<true>(all[k], bodies) : relax_block<false>(all[k], bodies);
 }
 
+void strike(void* blocks, JointImpact* impacts, int count, SolverVelocity* velocity, float) {
+    auto* all = static_cast<PointBlock*>(blocks);
+    for (int k = 0; k < count; ++k) {
+        if (!impacts[k].active) continue;
+        PointBlock& b = all[k];
+        const Vec3x8 arm_a = load3(b.arm_a), arm_b = load3(b.arm_b);
+        Ends8 e = gather_ends(velocity, b);
+        const Vec3x8 p = splat(-impact_relaxation) * (load6(b.response) * slip_at(e, arm_a, arm_b));
+        const Vec3x8 d = select(mask_from_bits(impacts[k].active), p, zero3());
+        store3(b.total, load3(b.total) + d);
+        apply(b, arm_a, arm_b, d, e);
+        scatter_ends(velocity, b, e);
+    }
+}
+
 } // namespace
 
-JointKernels::ForRows point_kernels() { return {warm_start, solve, relax}; }
+JointKernels::ForRows point_kernels() { return {warm_start, solve, relax, strike}; }
 
 JointKernels joint_kernels() { return {point_kernels(), turn_kernels(), axis_kernels()}; }
 

@@ -91,8 +91,22 @@ void relax(void* blocks, int count, const SolverBodies& bodies, const JointSoftn
         all[k].free_axis ? relax_block<true>(all[k], bodies) : relax_block<false>(all[k], bodies);
 }
 
+void strike(void* blocks, JointImpact* impacts, int count, SolverVelocity* velocity, float) {
+    auto* all = static_cast<TurnBlock*>(blocks);
+    for (int k = 0; k < count; ++k) {
+        if (!impacts[k].active) continue;
+        TurnBlock& b = all[k];
+        Ends8 e = gather_ends(velocity, b);
+        const Vec3x8 p = splat(-impact_relaxation) * (load6(b.response) * (e.b.w - e.a.w));
+        const Vec3x8 d = select(mask_from_bits(impacts[k].active), p, zero3());
+        store3(b.total, load3(b.total) + d);
+        apply(b, d, e);
+        scatter_ends(velocity, b, e);
+    }
+}
+
 } // namespace
 
-JointKernels::ForRows turn_kernels() { return {warm_start, solve, relax}; }
+JointKernels::ForRows turn_kernels() { return {warm_start, solve, relax, strike}; }
 
 } // namespace cairn::CAIRN_ISA

@@ -17,6 +17,8 @@ void store_contacts(const void* blocks, int count, const ContactLanes& lanes, Co
                     ContactReport* reports);
 template <int N>
 int bounce_contacts(void* blocks, int count, const SolverBodies& bodies, const BounceSettings& settings);
+template <int N>
+void strike_contacts(void* blocks, void* impacts, int count, SolverVelocity* velocity, float inverse_h);
 void integrate_velocities(const SolverBodies& bodies, int begin, int end, bool first);
 void spin(SpinBlock* blocks, int count, const SolverBodies& bodies, SolverTwist* drive, SolverTwist* correction,
           float h, bool first);
@@ -24,6 +26,9 @@ void renew_inertia(SpinBlock* blocks, int count, const SolverVelocity* velocity,
                    SolverInertia* inertia);
 void finish_spin(const SpinBlock* blocks, int count, SolverVelocity* velocity, const SolverPose* pose);
 void integrate_poses(const SolverBodies& bodies, int begin, int end, float h);
+
+// Over-relaxation of the passes of an impact: they converge several times as fast as with 1.
+inline constexpr float impact_relaxation = 1.5f;
 
 // Velocities of 8 bodies.
 struct Velocityx8 {
@@ -82,6 +87,15 @@ template <int N> CAIRN_INLINE Vec3x8 arm_of(const ContactBlock<N>& block, Vec3x8
 }
 template <int N> CAIRN_INLINE Vec3x8 second_tangent(const ContactBlock<N>& block, Vec3x8 normal) {
     return cross(load3(block.tangent), normal);
+}
+
+// Opening velocities of the points; c = d x normal.
+template <int N>
+CAIRN_INLINE void normal_velocities(const ContactBlock<N>& block, const Velocityx8& a, const Velocityx8& b,
+                                    Vec3x8 normal, Vec3x8 c, f32x8* v) {
+    const Vec3x8 dw = b.w - a.w;
+    const f32x8 common = dot(normal, b.v - a.v) + dot(c, b.w);
+    for (int i = 0; i < N; ++i) v[i] = common + dot(arm_of(block, normal, i), dw);
 }
 
 // Inverse inertia times a vector, of A and of B.

@@ -104,6 +104,7 @@ template <int N> struct alignas(64) ContactBlock : PointRows<N> {
     std::uint8_t rolls;       // any rolling resistance
     std::uint8_t bounces;     // any restitution
     std::uint8_t round;       // any round surface
+    std::uint8_t struck;      // lanes, as bits, that are left to the passes of an impact
     // Used by relax only.
     alignas(32) float d0[3][8];     // d at the start of the step
     float radius_a[8], radius_b[8]; // of round surfaces, see refresh_separations
@@ -125,6 +126,13 @@ struct ContactSoftness {
         float fastest_push; // m/s: likewise
     };
     Spring on_movable, on_immovable; // by what B is
+    float impact_speed;              // m/s: faster approaches are left to the passes of an impact
+};
+
+// What an impact gives to a block, beside the impulses that are carried from substep to substep (impact.cpp).
+template <int N> struct alignas(64) ContactImpact {
+    float impulse[N][8], tangent[2][8];
+    std::uint8_t active; // lanes, as bits, that take part
 };
 
 // What a step has done to one contact, beside its record.
@@ -179,8 +187,11 @@ struct SolverKernels {
                         const SolverInertia* inertia, float friction_margin);
         void (*warm_start)(const void* blocks, int count, SolverVelocity* velocity);
         // `bounce` changes velocity_correction, which must be there.
-        void (*solve)(void* blocks, int count, SolverVelocity* velocity, const ContactSoftness& softness);
-        void (*relax)(void* blocks, int count, const SolverBodies& bodies, const ContactSoftness& softness);
+        // `solve` and `relax` return the number of blocks with lanes that were struck.
+        int (*solve)(void* blocks, int count, SolverVelocity* velocity, const ContactSoftness& softness);
+        int (*relax)(void* blocks, int count, const SolverBodies& bodies, const ContactSoftness& softness);
+        // One pass of an impact; `impacts`: an array of ContactImpact, beside the blocks.
+        void (*strike)(void* blocks, void* impacts, int count, SolverVelocity* velocity, float inverse_h);
         int (*bounce)(void* blocks, int count, const SolverBodies& bodies, const BounceSettings& settings);
         void (*refresh_arms)(void* blocks, int count, const SolverBodies& bodies, float h);
         // Records and reports are indexed by the contact.
