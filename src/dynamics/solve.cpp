@@ -84,8 +84,8 @@ template <class F> void for_blocks(BinScratch& scratch, Crew* crew, F&& kernel) 
 template <class F> void for_joint_blocks(BinScratch& scratch, Crew* crew, F&& kernel) {
     const JointKernels& k = kernels().joints;
     for (const JointRun& run : scratch.joint_runs)
-        for_chunks(crew, run.count, blocks_per_chunk(crew, run.count), [&](int begin, int end, int) {
-            const std::size_t first = std::size_t(run.first + begin);
+        for_chunks(crew, int(run.count), blocks_per_chunk(crew, int(run.count)), [&](int begin, int end, int) {
+            const std::size_t first = std::size_t(run.first) + std::size_t(begin);
             switch (run.type) {
             case JointRowType::point:
                 kernel(k.point, scratch.point_blocks.data() + first, end - begin);

@@ -118,22 +118,23 @@ struct LaneLists {
     void clear() { record.clear(), row_a.clear(), row_b.clear(); }
 };
 
-// Rows of joints: sorted by color, phase and form.
+// Rows of joints, those of one joint side by side. They are solved by color, phase and form (joint_rows.cpp).
 enum class JointRowType : std::uint8_t { point, turn, axis };
-struct JointLane {
-    std::int32_t joint, row_a, row_b; // none: empty
-    std::uint8_t axis;                // which of the joint's
-};
+inline constexpr int joint_row_types = 3;
 struct JointRow {
-    std::uint32_t key;
-    JointRowType type;
-    bool stands_alone; // found no color: its block has no other
-    JointLane lane;
+    std::uint32_t joint = 0;
+    std::uint32_t lane = 0; // among those of its type
+    std::uint16_t key = 0;
+    JointRowType type = JointRowType::point;
+    std::uint8_t axis : 3 = 0; // which of the joint's
+    std::uint8_t has_limits : 1 = 0, has_drive : 1 = 0, has_friction : 1 = 0;
 };
 // Blocks that may be solved side by side.
 struct JointRun {
     JointRowType type;
-    std::int32_t first, count;
+    std::uint8_t empty_lanes; // of the last block
+    std::uint16_t key;
+    std::uint32_t first, count;
 };
 
 // What the free motion of a row's body asks for, besides falling.
@@ -164,10 +165,11 @@ struct BinScratch {
     std::vector<ContactBlock<1>> one_blocks;
     std::vector<ContactBlock<4>> four_blocks;
     std::vector<ColorRun> colors;
-    std::vector<std::uint32_t> joints; // of the bin
-    std::vector<JointRow> unsorted_joint_rows, joint_rows;
+    std::vector<std::uint32_t> joints;          // of the bin
+    std::vector<std::uint32_t> first_joint_row; // of each of them, and one more: the end
+    std::vector<JointRow> joint_rows;
     std::vector<std::uint32_t> joint_key_counts;
-    std::array<std::vector<JointLane>, 3> joint_lanes; // by JointRowType
+    std::array<std::uint32_t, joint_row_types> joint_blocks = {}; // how many, by JointRowType
     std::vector<JointRun> joint_runs;
     std::vector<PointBlock> point_blocks;
     std::vector<TurnBlock> turn_blocks;
@@ -188,9 +190,9 @@ struct BinScratch {
         return first_discard_row() + std::int32_t((one_lanes.record.size() + four_lanes.record.size()) / 8);
     }
     std::size_t block_count() const {
-        std::size_t lanes = one_lanes.record.size() + four_lanes.record.size();
-        for (const std::vector<JointLane>& list : joint_lanes) lanes += list.size();
-        return lanes / 8;
+        std::size_t blocks = (one_lanes.record.size() + four_lanes.record.size()) / 8;
+        for (const std::uint32_t count : joint_blocks) blocks += count;
+        return blocks;
     }
 };
 
