@@ -38,57 +38,51 @@ JointRowType type_of(std::uint32_t key) {
     return phase == point_phase ? JointRowType::point : phase == turn_phase ? JointRowType::turn : JointRowType::axis;
 }
 
-// Bodies get their rows when joints first name them.
-void name_body(BinScratch& scratch, const State& s, std::int32_t body) {
-    if (body != none && s.body_settings[std::size_t(body)].type != BodyType::static_) row_of_body(scratch, body);
+void name_body(const State& s, std::int32_t body, JointLayout& layout) {
+    if (body != none && s.body_settings[std::size_t(body)].type == BodyType::kinematic)
+        layout.kinematic_bodies.push_back(body);
 }
 
-// The rows of one joint, and those of its bodies.
-void collect_joint(const State& s, std::uint32_t joint, BinScratch& scratch) {
+// The rows of one joint.
+void collect_joint(const State& s, std::uint32_t joint, JointLayout& layout) {
     const JointInfo& info = s.joints[joint];
     const JointLocks& rules = info.rules;
-    name_body(scratch, s, info.body_a);
-    name_body(scratch, s, info.body_b);
-    auto add = [&](std::uint32_t phase, std::uint32_t form, JointRowType type, std::uint32_t axis) {
+    name_body(s, info.body_a, layout);
+    name_body(s, info.body_b, layout);
+    auto add = [&](std::uint32_t phase, std::uint32_t form, JointRowType type, std::uint32_t axis) -> JointRow& {
         JointRow row;
         row.joint = joint;
         row.key = std::uint16_t(row_key(info.color, phase, form));
         row.type = type;
         row.axis = axis & 7;
-        if (type == JointRowType::axis) {
-            const JointAxisRule& rule = s.joint_axes[joint].rules[axis];
-            row.has_limits = rule.has_limits != 0;
-            row.has_drive = rule.has_drive != 0;
-            row.has_friction = rule.friction > 0;
-        }
-        scratch.joint_rows.push_back(row);
+        return layout.rows.emplace_back(row);
     };
     const bool is_direct = s.direct.set_of_joint[joint] != none;
     for (std::uint32_t i = 0; i < rules.axis_count; ++i) {
         const JointAxisRule& rule = s.joint_axes[joint].rules[i];
         if (is_direct && is_direct_axis(rule)) continue;
-        if (rule.has_limits || rule.has_drive || rule.friction > 0)
-            add(i, std::uint32_t(rule.kind), JointRowType::axis, i);
+        if (!rule.has_limits && !rule.has_drive && !(rule.friction > 0)) continue;
+        JointRow& row = add(i, std::uint32_t(rule.kind), JointRowType::axis, i);
+        row.has_limits = rule.has_limits != 0;
+        row.has_drive = rule.has_drive != 0;
+        row.has_friction = rule.friction > 0;
     }
     if (is_direct) return;
     if (rules.turn != JointLock::none) add(turn_phase, std::uint32_t(rules.turn), JointRowType::turn, 0);
     if (rules.point != JointLock::none) add(point_phase, std::uint32_t(rules.point), JointRowType::point, 0);
 }
 
-void collect_rows(const State& s, BinScratch& scratch) {
-    scratch.joints.clear();
-    scratch.first_joint_row.clear();
-    scratch.joint_rows.clear();
-    for (const std::int32_t body : scratch.touching_bodies) {
+void collect_rows(const State& s, JointLayout& layout) {
+    for (const std::int32_t body : layout.bodies) {
         if (s.bodies[std::size_t(body)].joint_count == 0) continue;
         for_each_joint(s, body, [&](std::uint32_t joint, int side) {
             if (side == 1 && joint_owner(s, s.joints[joint]) != body) return;
-            scratch.joints.push_back(joint);
-            scratch.first_joint_row.push_back(std::uint32_t(scratch.joint_rows.size()));
-            collect_joint(s, joint, scratch);
+            layout.joints.push_back(joint);
+            layout.first_row.push_back(std::uint32_t(layout.rows.size()));
+            collect_joint(s, joint, layout);
         });
     }
-    scratch.first_joint_row.push_back(std::uint32_t(scratch.joint_rows.size()));
+    layout.first_row.push_back(std::uint32_t(layout.rows.size()));
 }
 
 template <class F> void for_blocks_of(BinScratch& scratch, JointRowType type, F&& f) {
@@ -102,34 +96,34 @@ template <class F> void for_blocks_of(BinScratch& scratch, JointRowType type, F&
     }
 }
 
-void add_run(BinScratch& scratch, std::uint32_t key, std::uint32_t rows) {
+void add_run(JointLayout& layout, std::uint32_t key, std::uint32_t rows) {
     const JointRowType type = type_of(key);
-    std::uint32_t& blocks = scratch.joint_blocks[std::size_t(type)];
+    std::uint32_t& blocks = layout.blocks[std::size_t(type)];
     const std::uint32_t count = (rows + 7) / 8;
-    scratch.joint_runs.push_back({type, std::uint8_t(8 * count - rows), std::uint16_t(key), blocks, count});
+    layout.runs.push_back({type, std::uint8_t(8 * count - rows), std::uint16_t(key), blocks, count});
     blocks += count;
 }
 
 // Lays the rows into blocks, sorted by their keys (a counting sort, stable), and gives each its lane. Most bins have
 // few keys of the many that there are.
-void lay_out_rows(BinScratch& scratch) {
-    std::vector<JointRow>& rows = scratch.joint_rows;
+void lay_out_rows(JointLayout& layout, std::vector<std::uint32_t>& lanes) {
+    std::vector<JointRow>& rows = layout.rows;
+    if (rows.empty()) return;
     std::uint32_t least = rows[0].key, most = least;
     for (const JointRow& row : rows) {
         least = std::min(least, std::uint32_t(row.key));
         most = std::max(most, std::uint32_t(row.key));
     }
-    std::vector<std::uint32_t>& lanes = scratch.joint_key_counts;
     lanes.assign(most - least + 1, 0);
     for (const JointRow& row : rows) ++lanes[row.key - least];
     for (std::uint32_t key = least; key <= most; ++key) {
         std::uint32_t& count = lanes[key - least];
         if (count == 0) continue;
-        const std::uint32_t first = 8 * scratch.joint_blocks[std::size_t(type_of(key))];
+        const std::uint32_t first = 8 * layout.blocks[std::size_t(type_of(key))];
         if (stands_alone(key)) // they may share bodies
-            for (std::uint32_t k = 0; k < count; ++k) add_run(scratch, key, 1);
+            for (std::uint32_t k = 0; k < count; ++k) add_run(layout, key, 1);
         else
-            add_run(scratch, key, count);
+            add_run(layout, key, count);
         count = first; // from now on: the next free lane
     }
     for (JointRow& row : rows) {
@@ -246,7 +240,7 @@ template <class Block> void open_run(const JointRun& run, std::vector<Block>& bl
 }
 
 std::array<std::uint32_t, joint_row_types> first_discard_rows(const BinScratch& scratch) {
-    const auto& count = scratch.joint_blocks;
+    const auto& count = scratch.joint_layout->blocks;
     const std::uint32_t first = std::uint32_t(scratch.first_joint_discard_row());
     return {first, first + count[0], first + count[0] + count[1]};
 }
@@ -255,14 +249,14 @@ template <class Block> void make_room(std::vector<Block>& blocks, std::size_t co
 }
 
 void open_blocks(BinScratch& scratch) {
-    make_room(scratch.point_blocks, scratch.joint_blocks[0]);
-    make_room(scratch.turn_blocks, scratch.joint_blocks[1]);
-    make_room(scratch.axis_blocks, scratch.joint_blocks[2]);
+    make_room(scratch.point_blocks, scratch.joint_layout->blocks[0]);
+    make_room(scratch.turn_blocks, scratch.joint_layout->blocks[1]);
+    make_room(scratch.axis_blocks, scratch.joint_layout->blocks[2]);
     const auto first_discard = first_discard_rows(scratch);
-    for (const JointRun& run : scratch.joint_runs)
+    for (const JointRun& run : scratch.joint_layout->runs)
         for_blocks_of(scratch, run.type,
                       [&](auto& blocks) { open_run(run, blocks, first_discard[std::size_t(run.type)]); });
-    for (const JointRow& row : scratch.joint_rows) {
+    for (const JointRow& row : scratch.joint_layout->rows) {
         if (row.type != JointRowType::axis) continue;
         AxisBlock& b = scratch.axis_blocks[row.lane / 8];
         b.has_limits |= row.has_limits;
@@ -339,9 +333,8 @@ void end_joint(State& s, BinScratch& scratch, std::uint32_t index, float rate) {
     joint.force = rate * joint.force;
     if (has_torque(joint)) joint.torque = rate * joint.torque;
     if (!is_sound(s, index)) forget_impulses(s, index);
-    const bool is_wrenched =
-        has_torque(joint) && math::dot(joint.torque, joint.torque) > joint.break_torque * joint.break_torque;
-    if (is_wrenched || math::dot(joint.force, joint.force) > joint.break_force * joint.break_force)
+    const auto is_more = [](math::Vec3 v, float most) { return math::dot(v, v) > most * most; };
+    if (is_more(joint.force, joint.break_force) || (has_torque(joint) && is_more(joint.torque, joint.break_torque)))
         scratch.overloaded.push_back(index);
 }
 
@@ -355,23 +348,34 @@ JointSoftness joint_softness(float h) {
     return {h, 1 / h, a2 / (1 + a2), omega_h / (a1 * h)};
 }
 
-void fill_joint_lanes(const State& s, BinScratch& scratch) {
-    scratch.joint_blocks = {};
-    scratch.joint_runs.clear();
-    collect_rows(s, scratch);
+void fill_joint_lanes(State& s, const Bin& bin, BinScratch& scratch) {
+    JointLayout& layout = s.solver.joint_layouts[std::size_t(&bin - s.solver.bins.data())];
+    scratch.joint_layout = &layout;
+    if (bin.joint_count == 0) {
+        if (!layout.joints.empty()) layout = {};
+    } else if (layout.valid_for != s.joint_changes || layout.bodies != scratch.touching_bodies) {
+        layout.bodies = scratch.touching_bodies;
+        layout.kinematic_bodies.clear(), layout.joints.clear(), layout.first_row.clear(), layout.rows.clear();
+        layout.runs.clear();
+        layout.blocks = {};
+        collect_rows(s, layout);
+        lay_out_rows(layout, scratch.joint_key_counts);
+        layout.valid_for = s.joint_changes;
+    }
+    for (const std::int32_t body : layout.kinematic_bodies) row_of_body(scratch, body);
     list_direct_sets(s, scratch);
-    if (!scratch.joint_rows.empty()) lay_out_rows(scratch);
 }
 
 void fill_joint_blocks(State& s, BinScratch& scratch, Crew* crew, float h) {
     open_blocks(scratch);
+    const JointLayout& layout = *scratch.joint_layout;
     const auto first_discard = first_discard_rows(scratch);
     // Joint by joint: neighbors share bodies, and rows go to one block of each color at a time.
-    for_chunks(crew, int(scratch.joints.size()), joints_per_chunk, [&](int begin, int end, int) {
+    for_chunks(crew, int(layout.joints.size()), joints_per_chunk, [&](int begin, int end, int) {
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
-            begin_joint(s, scratch.joints[k], h);
-            for (std::uint32_t i = scratch.first_joint_row[k]; i < scratch.first_joint_row[k + 1]; ++i) {
-                const JointRow& row = scratch.joint_rows[i];
+            begin_joint(s, layout.joints[k], h);
+            for (std::uint32_t i = layout.first_row[k]; i < layout.first_row[k + 1]; ++i) {
+                const JointRow& row = layout.rows[i];
                 const std::uint32_t block = row.lane / 8, lane = row.lane % 8;
                 const std::uint32_t discard = (first_discard[std::size_t(row.type)] + block) * row_bytes;
                 for_blocks_of(scratch, row.type, [&](auto& blocks) {
@@ -385,14 +389,15 @@ void fill_joint_blocks(State& s, BinScratch& scratch, Crew* crew, float h) {
 }
 
 void store_joints(State& s, BinScratch& scratch, float dt) {
+    const JointLayout& layout = *scratch.joint_layout;
     const float rate = 1 / dt;
-    for (std::size_t k = 0; k < scratch.joints.size(); ++k) {
-        for (std::uint32_t i = scratch.first_joint_row[k]; i < scratch.first_joint_row[k + 1]; ++i) {
-            const JointRow& row = scratch.joint_rows[i];
+    for (std::size_t k = 0; k < layout.joints.size(); ++k) {
+        for (std::uint32_t i = layout.first_row[k]; i < layout.first_row[k + 1]; ++i) {
+            const JointRow& row = layout.rows[i];
             for_blocks_of(scratch, row.type,
                           [&](auto& blocks) { take_lane(s, row, blocks[row.lane / 8], row.lane % 8); });
         }
-        if (s.direct.set_of_joint[scratch.joints[k]] == none) end_joint(s, scratch, scratch.joints[k], rate);
+        if (s.direct.set_of_joint[layout.joints[k]] == none) end_joint(s, scratch, layout.joints[k], rate);
     }
     store_direct_rows(s, scratch);
     for (const DirectSolve& solve : scratch.direct.sets)

@@ -83,7 +83,7 @@ template <class F> void for_blocks(BinScratch& scratch, Crew* crew, F&& kernel) 
 // Calls kernel(its kernels, its blocks, count) for the blocks of every run of joint rows, or for chunks of them.
 template <class F> void for_joint_blocks(BinScratch& scratch, Crew* crew, F&& kernel) {
     const JointKernels& k = kernels().joints;
-    for (const JointRun& run : scratch.joint_runs)
+    for (const JointRun& run : scratch.joint_layout->runs)
         for_chunks(crew, int(run.count), blocks_per_chunk(crew, int(run.count)), [&](int begin, int end, int) {
             const std::size_t first = std::size_t(run.first) + std::size_t(begin);
             switch (run.type) {
@@ -275,6 +275,7 @@ void solve_bins(State& s, float dt) {
     const int threads = crew->threads();
     scratch.reports.resize(s.records.size());
     scratch.at_work.resize(std::size_t(threads));
+    if (scratch.joint_layouts.size() < scratch.bins.size()) scratch.joint_layouts.resize(scratch.bins.size());
     for (BinScratch& own : scratch.at_work) {
         own.escaped.clear();
         own.overloaded.clear();

@@ -137,6 +137,18 @@ struct JointRun {
     std::uint32_t first, count;
 };
 
+// How the joints of a bin lie in its blocks. It is kept from step to step: mostly nothing of it changes.
+struct JointLayout {
+    std::uint64_t valid_for = ~std::uint64_t(0); // State::joint_changes
+    std::vector<std::int32_t> bodies;            // of the bin, those that are touched
+    std::vector<std::int32_t> kinematic_bodies;  // that joints name
+    std::vector<std::uint32_t> joints;           // of the bin
+    std::vector<std::uint32_t> first_row;        // of each of them, and one more: the end
+    std::vector<JointRow> rows;
+    std::array<std::uint32_t, joint_row_types> blocks = {}; // how many, by JointRowType
+    std::vector<JointRun> runs;
+};
+
 // What the free motion of a row's body asks for, besides falling.
 enum RowTrait : std::uint8_t {
     is_dynamic_row = 1,
@@ -165,12 +177,8 @@ struct BinScratch {
     std::vector<ContactBlock<1>> one_blocks;
     std::vector<ContactBlock<4>> four_blocks;
     std::vector<ColorRun> colors;
-    std::vector<std::uint32_t> joints;          // of the bin
-    std::vector<std::uint32_t> first_joint_row; // of each of them, and one more: the end
-    std::vector<JointRow> joint_rows;
+    const JointLayout* joint_layout = nullptr;
     std::vector<std::uint32_t> joint_key_counts;
-    std::array<std::uint32_t, joint_row_types> joint_blocks = {}; // how many, by JointRowType
-    std::vector<JointRun> joint_runs;
     std::vector<PointBlock> point_blocks;
     std::vector<TurnBlock> turn_blocks;
     std::vector<AxisBlock> axis_blocks;
@@ -191,7 +199,7 @@ struct BinScratch {
     }
     std::size_t block_count() const {
         std::size_t blocks = (one_lanes.record.size() + four_lanes.record.size()) / 8;
-        for (const std::uint32_t count : joint_blocks) blocks += count;
+        for (const std::uint32_t count : joint_layout->blocks) blocks += count;
         return blocks;
     }
 };
@@ -202,6 +210,7 @@ struct SolverScratch {
     std::vector<std::uint32_t> key_counts, keys; // counting sort of contacts
     std::vector<SortedContact> unsorted, sorted;
     std::vector<ContactReport> reports;      // by contact, of those that were solved
+    std::vector<JointLayout> joint_layouts;  // by bin
     std::vector<std::int32_t> shared, alone; // bins that all threads solve together, and those that one does
     std::vector<BinScratch> at_work;         // one per thread
     std::vector<EscapedShape> escaped;

@@ -27,17 +27,17 @@ CAIRN_INLINE Sym3x8 sum(const Sym3x8& a, const Sym3x8& b) {
     return {a.xx + b.xx, a.xy + b.xy, a.xz + b.xz, a.yy + b.yy, a.yz + b.yz, a.zz + b.zz};
 }
 
-template <bool Even> CAIRN_INLINE Vec3x8 turned_a(const PointBlock& b, Vec3x8 u) {
+template <bool Even> CAIRN_INLINE Vec3x8 times_inertia_a(const PointBlock& b, Vec3x8 u) {
     return Even ? load(b.even_a) * u : load6(b.rest.inertia_a) * u;
 }
-template <bool Even> CAIRN_INLINE Vec3x8 turned_b(const PointBlock& b, Vec3x8 u) {
+template <bool Even> CAIRN_INLINE Vec3x8 times_inertia_b(const PointBlock& b, Vec3x8 u) {
     return Even ? load(b.even_b) * u : load6(b.rest.inertia_b) * u;
 }
 template <bool Even> CAIRN_INLINE void apply(const PointBlock& b, Vec3x8 arm_a, Vec3x8 arm_b, Vec3x8 p, Ends8& e) {
     e.a.v = e.a.v - load(b.mass_a) * p;
     e.b.v = e.b.v + load(b.mass_b) * p;
-    e.a.w = e.a.w - turned_a<Even>(b, cross(arm_a, p));
-    e.b.w = e.b.w + turned_b<Even>(b, cross(arm_b, p));
+    e.a.w = e.a.w - times_inertia_a<Even>(b, cross(arm_a, p));
+    e.b.w = e.b.w + times_inertia_b<Even>(b, cross(arm_b, p));
 }
 CAIRN_INLINE Vec3x8 slip_at(const Ends8& e, Vec3x8 arm_a, Vec3x8 arm_b) {
     return (e.b.v - e.a.v) + (cross(e.b.w, arm_b) - cross(e.a.w, arm_a));
@@ -163,10 +163,11 @@ CAIRN_INLINE void leave_change(PointBlock& b, const Pointx8& point, Vec3x8 p, Ve
         store3(b.left_b, load(b.even_b) * cross(point.arm_b - old_b, p));
         return;
     }
-    const Vec3x8 before_a = turned_a<Even>(b, cross(old_a, old)), before_b = turned_b<Even>(b, cross(old_b, old));
+    const Vec3x8 before_a = times_inertia_a<Even>(b, cross(old_a, old)),
+                 before_b = times_inertia_b<Even>(b, cross(old_b, old));
     if constexpr (!Even) renew_masses(b, inertia);
-    store3(b.left_a, before_a - turned_a<Even>(b, cross(point.arm_a, p)));
-    store3(b.left_b, turned_b<Even>(b, cross(point.arm_b, p)) - before_b);
+    store3(b.left_a, before_a - times_inertia_a<Even>(b, cross(point.arm_a, p)));
+    store3(b.left_b, times_inertia_b<Even>(b, cross(point.arm_b, p)) - before_b);
     if constexpr (FreeAxis) store3(b.left_linear, p - old);
 }
 
