@@ -210,7 +210,7 @@ void fill_bin(State& s, const Bin& bin, BinScratch& scratch, Crew* crew) {
     if (bin.contact_count + bin.joint_count == 0) return;
     scratch.row_bodies.assign(first_body_row, none);
     fill_lanes(s, bin, scratch);
-    fill_joint_lanes(s, scratch);
+    fill_joint_lanes(s, bin, scratch);
     for (const std::int32_t b : scratch.touching_bodies) row_of(scratch, b);
     fill_rows(s, scratch, crew);
 }

@@ -42,10 +42,15 @@ template <class F> void for_blocks(BinScratch& scratch, Crew* crew, F&& kernel) 
 
 // Calls f(run) for every run of joint rows, or for chunks of them.
 template <class F> void for_joint_runs(BinScratch& scratch, Crew* crew, F&& f) {
-    for (const JointRun& run : scratch.joint_runs)
-        for_chunks(crew, run.count, blocks_per_chunk(crew, run.count), [&](int begin, int end, int) {
-            f(JointRun{run.type, run.first + begin, end - begin});
+    for (const JointRun& run : scratch.joint_layout->runs) {
+        const int count = int(run.count);
+        for_chunks(crew, count, blocks_per_chunk(crew, count), [&](int begin, int end, int) {
+            JointRun part = run;
+            part.first += std::uint32_t(begin);
+            part.count = std::uint32_t(end - begin);
+            f(part);
         });
+    }
 }
 
 // Calls kernel(its kernels, its blocks) for the blocks of a run.
@@ -69,7 +74,7 @@ template <class F> void with_joint_blocks(BinScratch& scratch, const JointRun& r
 template <class F> void for_joint_blocks(BinScratch& scratch, Crew* crew, F&& kernel) {
     for_joint_runs(scratch, crew, [&](const JointRun& run) {
         with_joint_blocks(scratch, run,
-                          [&](const JointKernels::ForRows& k, void* blocks) { kernel(k, blocks, run.count); });
+                          [&](const JointKernels::ForRows& k, void* blocks) { kernel(k, blocks, int(run.count)); });
     });
 }
 

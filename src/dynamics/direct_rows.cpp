@@ -61,7 +61,7 @@ void list_direct_sets(const State& s, BinScratch& scratch) {
     DirectWork& work = scratch.direct;
     work.sets.clear();
     std::size_t bodies = 0, rows = 0, blocks = 0;
-    for (const std::uint32_t joint : scratch.joints) {
+    for (const std::uint32_t joint : scratch.joint_layout->joints) {
         const std::int32_t index = s.direct.set_of_joint[joint];
         if (index == none || s.direct.sets[std::size_t(index)].joints[0] != joint) continue;
         const DirectSet& set = s.direct.sets[std::size_t(index)];

@@ -416,7 +416,7 @@ void turn_spinning_rows(const State& s, BinScratch& scratch, float h) {
 }
 
 void renew_inertia(const State& s, BinScratch& scratch, Crew* crew) {
-    if (scratch.joints.empty()) return;
+    if (scratch.joint_layout->joints.empty()) return;
     for_chunks(crew, spin_block_count(scratch), spin_blocks_per_chunk, [&](int begin, int end, int) {
         kernels().solver.renew_inertia(scratch.spin_blocks.data() + begin, end - begin, scratch.velocity.data(),
                                        scratch.pose.data(), scratch.inertia.data());

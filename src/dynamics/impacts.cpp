@@ -1,6 +1,7 @@
 #include "dynamics/impacts.h"
 
 #include "dynamics/block_runs.h"
+#include "dynamics/joints.h"
 
 #include <cmath>
 
@@ -17,6 +18,18 @@ std::int32_t island_of_row(const State& s, const BinScratch& scratch, std::int32
     return body == none ? none : s.bodies[std::size_t(body)].island;
 }
 
+// By lane, for each type of joint rows; none where there is no joint.
+void find_joint_islands(const State& s, BinScratch& scratch) {
+    const JointLayout& layout = *scratch.joint_layout;
+    for (std::size_t type = 0; type < joint_row_types; ++type)
+        scratch.impact.joint_islands[type].assign(8 * std::size_t(layout.blocks[type]), none);
+    for (const JointRow& row : layout.rows) {
+        const std::int32_t owner = joint_owner(s, s.joints[row.joint]);
+        const std::int32_t island = owner == none ? none : s.bodies[std::size_t(owner)].island;
+        scratch.impact.joint_islands[std::size_t(row.type)][row.lane] = island;
+    }
+}
+
 // Calls f(blocks, impacts, count, island of a lane) for each type of blocks.
 template <class F> void for_block_types(const State& s, BinScratch& scratch, F&& f) {
     ImpactWork& work = scratch.impact;
@@ -26,17 +39,14 @@ template <class F> void for_block_types(const State& s, BinScratch& scratch, F&&
         };
     };
     const auto joints = [&](JointRowType type) {
-        return [&, type](std::size_t lane) {
-            const JointLane& at = scratch.joint_lanes[std::size_t(type)][lane];
-            if (at.joint == none) return none;
-            const std::int32_t island = island_of_row(s, scratch, at.row_a);
-            return island != none ? island : island_of_row(s, scratch, at.row_b);
-        };
+        return [&, type](std::size_t lane) { return work.joint_islands[std::size_t(type)][lane]; };
     };
     const auto joint_impacts = [&](JointRowType type) -> std::vector<JointImpact>& {
         return work.joint_blocks[std::size_t(type)];
     };
-    const auto joint_count = [&](JointRowType type) { return scratch.joint_lanes[std::size_t(type)].size() / 8; };
+    const auto joint_count = [&](JointRowType type) {
+        return std::size_t(scratch.joint_layout->blocks[std::size_t(type)]);
+    };
     f(scratch.one_blocks, work.one_blocks, scratch.one_lanes.record.size() / 8, contacts(scratch.one_lanes));
     f(scratch.four_blocks, work.four_blocks, scratch.four_lanes.record.size() / 8, contacts(scratch.four_lanes));
     f(scratch.point_blocks, joint_impacts(JointRowType::point), joint_count(JointRowType::point),
@@ -56,7 +66,7 @@ template <class Block> std::uint8_t* struck_lanes(Block& block) {
 }
 
 bool any_limit_struck(const BinScratch& scratch) {
-    const std::size_t count = scratch.joint_lanes[std::size_t(JointRowType::axis)].size() / 8;
+    const std::size_t count = scratch.joint_layout->blocks[std::size_t(JointRowType::axis)];
     for (std::size_t k = 0; k < count; ++k)
         if (scratch.axis_blocks[k].struck) return true;
     return false;
@@ -65,6 +75,7 @@ bool any_limit_struck(const BinScratch& scratch) {
 void mark_islands(const State& s, BinScratch& scratch) {
     ImpactWork& work = scratch.impact;
     if (work.islands.size() < s.islands.size()) work.islands.resize(s.islands.size(), ImpactWork::untouched);
+    work.place_of.resize(work.islands.size());
     work.marked.clear();
     for_block_types(s, scratch, [&](auto& blocks, auto&, std::size_t count, auto&& island_of) {
         for (std::size_t k = 0; k < count; ++k) {
@@ -74,6 +85,7 @@ void mark_islands(const State& s, BinScratch& scratch) {
                 const std::int32_t island = (*lanes >> i) & 1 ? island_of(8 * k + i) : none;
                 if (island == none || work.islands[std::size_t(island)] != ImpactWork::untouched) continue;
                 work.islands[std::size_t(island)] = ImpactWork::struck;
+                work.place_of[std::size_t(island)] = std::int32_t(work.marked.size());
                 work.marked.push_back(island);
             }
             *lanes = 0;
@@ -107,9 +119,8 @@ void list_rows(const State& s, BinScratch& scratch) {
     for (std::size_t row = 0; row < scratch.row_count(); ++row) {
         const std::int32_t island = island_of_row(s, scratch, std::int32_t(row));
         if (island == none || work.islands[std::size_t(island)] != ImpactWork::struck) continue;
-        const auto place = std::find(work.marked.begin(), work.marked.end(), island);
         work.rows.push_back(std::int32_t(row));
-        work.places.push_back(std::int32_t(place - work.marked.begin()));
+        work.places.push_back(work.place_of[std::size_t(island)]);
         work.before.push_back(scratch.velocity[row]);
     }
     work.last = work.before;
@@ -121,7 +132,7 @@ void strike_all(BinScratch& scratch, Crew* crew, float h) {
     for_joint_runs(scratch, crew, [&](const JointRun& run) {
         JointImpact* const impacts = work.joint_blocks[std::size_t(run.type)].data() + run.first;
         with_joint_blocks(scratch, run, [&](const JointKernels::ForRows& k, void* blocks) {
-            k.strike(blocks, impacts, run.count, velocity, 1 / h);
+            k.strike(blocks, impacts, int(run.count), velocity, 1 / h);
         });
     });
     for_blocks(scratch, crew, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
@@ -188,6 +199,7 @@ void solve_impacts(const State& s, BinScratch& scratch, Crew* crew, float h, std
     if (struck_contacts == 0 && !any_limit_struck(scratch)) return;
     struck_contacts = 0;
     ImpactWork& work = scratch.impact;
+    find_joint_islands(s, scratch);
     mark_islands(s, scratch);
     activate_lanes(s, scratch, true);
     list_rows(s, scratch);

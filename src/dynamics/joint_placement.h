@@ -5,12 +5,14 @@
 
 namespace cairn {
 
-struct JointPlacement {
+struct JointAnchors {
     math::DVec3 arm_a, arm_b, gap; // from centers of mass to anchors (of the world: zero); from anchor A to anchor B
-    math::DQuat frame_a, frame_b;  // in the world
 };
+struct JointPlacement : JointAnchors {
+    math::DQuat frame_a, frame_b; // in the world
+};
+JointAnchors place_anchors(const State& state, const JointInfo& joint);
 JointPlacement place_joint(const State& state, const JointInfo& joint);
-JointPlacement place_anchors(const State& state, const JointInfo& joint); // without the frames
 
 // An axis of a frame.
 inline math::DVec3 exact_frame_axis(const math::DQuat& frame, int i) {

@@ -74,8 +74,8 @@ double axis_position(const State& s, std::uint32_t index, int i, const JointPlac
 
 } // namespace
 
-JointPlacement place_anchors(const State& s, const JointInfo& joint) {
-    JointPlacement p;
+JointAnchors place_anchors(const State& s, const JointInfo& joint) {
+    JointAnchors p;
     auto place = [&](std::int32_t body, DVec3 anchor, DVec3& arm) {
         if (body == none) return anchor;
         const BodyMotion& motion = s.motion[std::size_t(body)];
@@ -88,7 +88,7 @@ JointPlacement place_anchors(const State& s, const JointInfo& joint) {
 }
 
 JointPlacement place_joint(const State& s, const JointInfo& joint) {
-    JointPlacement p = place_anchors(s, joint);
+    JointPlacement p{place_anchors(s, joint), {}, {}};
     auto turned = [&](std::int32_t body, const DQuat& frame) {
         return body == none ? frame : s.motion[std::size_t(body)].q * frame;
     };

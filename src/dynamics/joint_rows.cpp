@@ -18,79 +18,120 @@ using math::put;
 
 namespace {
 
-constexpr int blocks_per_chunk = 4; // for threads
+constexpr int joints_per_chunk = 64; // for threads
 
 // Within a color, rows of one joint come in phases: its axes one after the other, then its turn, then its point, which
 // so has the last word. Rows of one phase and form share blocks.
 constexpr std::uint32_t turn_phase = most_joint_axes, point_phase = turn_phase + 1, phases = point_phase + 1,
-                        forms = 16;
+                        forms = 16, keys_per_color = phases * forms;
 
+// First those that found no color, of which each is solved alone, then the colors.
 std::uint32_t row_key(std::uint8_t color, std::uint32_t phase, std::uint32_t form) {
     const std::uint32_t rank = color == overflow_color ? 0u : color + 1u;
     return (rank * phases + phase) * forms + form;
 }
-
-std::int32_t joint_row(BinScratch& scratch, const State& s, std::int32_t body) {
-    if (body == none || s.body_settings[std::size_t(body)].type == BodyType::static_) return fixed_row;
-    return row_of_body(scratch, body);
+bool stands_alone(std::uint32_t key) { return key < keys_per_color; }
+// Whether rows with that key may have ends that do not move by forces.
+bool may_be_fixed(std::uint32_t key) { return stands_alone(key) || key / keys_per_color > first_fixed_color; }
+std::uint32_t form_of(std::uint32_t key) { return key % forms; }
+JointRowType type_of(std::uint32_t key) {
+    const std::uint32_t phase = key / forms % phases;
+    return phase == point_phase ? JointRowType::point : phase == turn_phase ? JointRowType::turn : JointRowType::axis;
 }
 
-// The rows of one joint, and those of its bodies.
-void collect_joint(const State& s, std::uint32_t joint, BinScratch& scratch) {
+void name_body(const State& s, std::int32_t body, JointLayout& layout) {
+    if (body != none && s.body_settings[std::size_t(body)].type == BodyType::kinematic)
+        layout.kinematic_bodies.push_back(body);
+}
+
+// The rows of one joint.
+void collect_joint(const State& s, std::uint32_t joint, JointLayout& layout) {
     const JointInfo& info = s.joints[joint];
     const JointLocks& rules = info.rules;
-    const std::int32_t a = joint_row(scratch, s, info.body_a), b = joint_row(scratch, s, info.body_b);
-    auto add = [&](std::uint32_t phase, std::uint32_t form, JointRowType type, std::uint32_t axis) {
-        scratch.unsorted_joint_rows.push_back({row_key(info.color, phase, form),
-                                               type,
-                                               info.color == overflow_color,
-                                               {std::int32_t(joint), a, b, std::uint8_t(axis)}});
+    name_body(s, info.body_a, layout);
+    name_body(s, info.body_b, layout);
+    auto add = [&](std::uint32_t phase, std::uint32_t form, JointRowType type, std::uint32_t axis) -> JointRow& {
+        JointRow row;
+        row.joint = joint;
+        row.key = std::uint16_t(row_key(info.color, phase, form));
+        row.type = type;
+        row.axis = axis & 7;
+        return layout.rows.emplace_back(row);
     };
     const bool is_direct = s.direct.set_of_joint[joint] != none;
     for (std::uint32_t i = 0; i < rules.axis_count; ++i) {
         const JointAxisRule& rule = s.joint_axes[joint].rules[i];
         if (is_direct && is_direct_axis(rule)) continue;
-        if (rule.has_limits || rule.has_drive || rule.friction > 0)
-            add(i, std::uint32_t(rule.kind), JointRowType::axis, i);
+        if (!rule.has_limits && !rule.has_drive && !(rule.friction > 0)) continue;
+        JointRow& row = add(i, std::uint32_t(rule.kind), JointRowType::axis, i);
+        row.has_limits = rule.has_limits != 0;
+        row.has_drive = rule.has_drive != 0;
+        row.has_friction = rule.friction > 0;
     }
     if (is_direct) return;
     if (rules.turn != JointLock::none) add(turn_phase, std::uint32_t(rules.turn), JointRowType::turn, 0);
     if (rules.point != JointLock::none) add(point_phase, std::uint32_t(rules.point), JointRowType::point, 0);
 }
 
-void collect_rows(const State& s, BinScratch& scratch) {
-    scratch.unsorted_joint_rows.clear();
-    scratch.joints.clear();
-    for (const std::int32_t body : scratch.touching_bodies) {
+void collect_rows(const State& s, JointLayout& layout) {
+    for (const std::int32_t body : layout.bodies) {
         if (s.bodies[std::size_t(body)].joint_count == 0) continue;
-        for_each_joint(s, body, [&](std::uint32_t joint, int) {
-            if (joint_owner(s, s.joints[joint]) != body) return;
-            scratch.joints.push_back(joint);
-            collect_joint(s, joint, scratch);
+        for_each_joint(s, body, [&](std::uint32_t joint, int side) {
+            if (side == 1 && joint_owner(s, s.joints[joint]) != body) return;
+            layout.joints.push_back(joint);
+            layout.first_row.push_back(std::uint32_t(layout.rows.size()));
+            collect_joint(s, joint, layout);
         });
+    }
+    layout.first_row.push_back(std::uint32_t(layout.rows.size()));
+}
+
+template <class F> void for_blocks_of(BinScratch& scratch, JointRowType type, F&& f) {
+    switch (type) {
+    case JointRowType::point:
+        return f(scratch.point_blocks);
+    case JointRowType::turn:
+        return f(scratch.turn_blocks);
+    case JointRowType::axis:
+        return f(scratch.axis_blocks);
     }
 }
 
-// A counting sort, stable. Most bins have few keys of the many that there are.
-void sort_rows(BinScratch& scratch) {
-    const std::vector<JointRow>& from = scratch.unsorted_joint_rows;
-    std::vector<JointRow>& to = scratch.joint_rows;
-    to.resize(from.size());
-    if (from.empty()) return;
-    const auto by_key = [](const JointRow& a, const JointRow& b) { return a.key < b.key; };
-    const auto [least, most] = std::minmax_element(from.begin(), from.end(), by_key);
-    const std::uint32_t first = least->key, keys = most->key - first + 1;
-    std::vector<std::uint32_t>& counts = scratch.joint_key_counts;
-    counts.assign(keys + 1, 0);
-    for (const JointRow& row : from) ++counts[row.key - first + 1];
-    for (std::size_t k = 1; k <= keys; ++k) counts[k] += counts[k - 1];
-    for (const JointRow& row : from) to[counts[row.key - first]++] = row;
+void add_run(JointLayout& layout, std::uint32_t key, std::uint32_t rows) {
+    const JointRowType type = type_of(key);
+    std::uint32_t& blocks = layout.blocks[std::size_t(type)];
+    const std::uint32_t count = (rows + 7) / 8;
+    layout.runs.push_back({type, std::uint8_t(8 * count - rows), std::uint16_t(key), blocks, count});
+    blocks += count;
 }
 
-constexpr JointLane no_lane{none, fixed_row, fixed_row, 0};
-
-std::vector<JointLane>& lanes_for(BinScratch& scratch, JointRowType type) {
-    return scratch.joint_lanes[std::size_t(type)];
+// Lays the rows into blocks, sorted by their keys (a counting sort, stable), and gives each its lane. Most bins have
+// few keys of the many that there are.
+void lay_out_rows(JointLayout& layout, std::vector<std::uint32_t>& lanes) {
+    std::vector<JointRow>& rows = layout.rows;
+    if (rows.empty()) return;
+    std::uint32_t least = rows[0].key, most = least;
+    for (const JointRow& row : rows) {
+        least = std::min(least, std::uint32_t(row.key));
+        most = std::max(most, std::uint32_t(row.key));
+    }
+    lanes.assign(most - least + 1, 0);
+    for (const JointRow& row : rows) ++lanes[row.key - least];
+    for (std::uint32_t key = least; key <= most; ++key) {
+        std::uint32_t& count = lanes[key - least];
+        if (count == 0) continue;
+        const std::uint32_t first = 8 * layout.blocks[std::size_t(type_of(key))];
+        if (stands_alone(key)) // they may share bodies
+            for (std::uint32_t k = 0; k < count; ++k) add_run(layout, key, 1);
+        else
+            add_run(layout, key, count);
+        count = first; // from now on: the next free lane
+    }
+    for (JointRow& row : rows) {
+        std::uint32_t& lane = lanes[row.key - least];
+        row.lane = lane;
+        lane += stands_alone(row.key) ? 8 : 1;
+    }
 }
 
 void set_lane(float (*p)[8], std::size_t lane, math::Vec3 v) { p[0][lane] = v.x, p[1][lane] = v.y, p[2][lane] = v.z; }
@@ -99,33 +140,39 @@ void set_lane(float (*p)[8], std::size_t lane, const DQuat& q) {
 }
 math::Vec3 get_lane(const float (*p)[8], std::size_t lane) { return {p[0][lane], p[1][lane], p[2][lane]}; }
 
-void fill_ends(const State& s, const BinScratch& scratch, JointEnds& ends, std::size_t lane, const JointLane& at,
-               std::uint32_t discard) {
-    auto writes = [&](std::int32_t row) {
-        const std::int32_t body = scratch.row_bodies[std::size_t(row)];
-        return body != none && s.is_dynamic(body) ? std::uint32_t(row) * row_bytes : discard;
-    };
-    ends.a[lane] = std::uint32_t(at.row_a) * row_bytes;
-    ends.b[lane] = std::uint32_t(at.row_b) * row_bytes;
-    ends.write_a[lane] = writes(at.row_a);
-    ends.write_b[lane] = writes(at.row_b);
+// What does not move by forces is read, if it moves at all, but not written to.
+void fill_end(const State& s, const BinScratch& scratch, std::int32_t body, std::uint32_t discard, std::uint32_t& reads,
+              std::uint32_t& writes) {
+    reads = std::uint32_t(fixed_row) * row_bytes, writes = discard;
+    if (body == none) return;
+    const BodyType type = s.body_settings[std::size_t(body)].type;
+    if (type == BodyType::static_) return;
+    reads = std::uint32_t(scratch.row_of_body[std::size_t(body)]) * row_bytes;
+    if (type == BodyType::dynamic) writes = reads;
 }
 
-void fill_lane(const State& s, const JointLane& at, PointBlock& b, std::size_t lane, float) {
-    const JointInfo& joint = s.joints[std::size_t(at.joint)];
-    const JointPlacement p = place_anchors(s, joint);
+template <class Block>
+void fill_ends(const State& s, const BinScratch& scratch, Block& b, std::size_t lane, const JointInfo& joint,
+               std::uint32_t discard) {
+    std::uint32_t write_a = 0, write_b = 0;
+    fill_end(s, scratch, joint.body_a, discard, b.a[lane], write_a);
+    fill_end(s, scratch, joint.body_b, discard, b.b[lane], write_b);
+    if (b.redirects) b.rest.write_a[lane] = write_a, b.rest.write_b[lane] = write_b;
+}
+
+void fill_lane(const State& s, const JointRow& row, PointBlock& b, std::size_t lane, float) {
+    const JointInfo& joint = s.joints[row.joint];
+    const JointAnchors p = place_anchors(s, joint);
     set_lane(b.arm_a0, lane, math::to_float(p.arm_a));
     set_lane(b.arm_b0, lane, math::to_float(p.arm_b));
     set_lane(b.gap0, lane, math::to_float(p.gap));
-    b.free_axis = joint.rules.point == JointLock::across;
     if (b.free_axis) set_lane(b.axis0, lane, frame_axis(place_joint(s, joint).frame_a, joint.rules.point_column));
     set_lane(b.impulse, lane, joint.point_impulse);
 }
 
-void fill_lane(const State& s, const JointLane& at, TurnBlock& b, std::size_t lane, float) {
-    const JointInfo& joint = s.joints[std::size_t(at.joint)];
+void fill_lane(const State& s, const JointRow& row, TurnBlock& b, std::size_t lane, float) {
+    const JointInfo& joint = s.joints[row.joint];
     const JointPlacement p = place_joint(s, joint);
-    b.free_axis = joint.rules.turn == JointLock::across;
     set_lane(b.turn0, lane, turn_of(p));
     set_lane(b.axis_a0, lane, frame_axis(p.frame_a, joint.rules.turn_column));
     set_lane(b.axis_b0, lane, frame_axis(p.frame_b, joint.rules.turn_column));
@@ -150,18 +197,13 @@ void fill_axis_rule(AxisBlock& b, std::size_t lane, const JointAxisRule& rule, f
     b.most_friction[lane] = std::min(rule.friction * h, unlimited);
     b.ratio_a[lane] = rule.ratio_a;
     b.ratio_b[lane] = rule.ratio_b;
-    b.has_limits |= rule.has_limits;
-    b.has_drive |= rule.has_drive;
-    b.has_friction |= rule.friction > 0;
 }
 
-void fill_lane(const State& s, const JointLane& at, AxisBlock& b, std::size_t lane, float h) {
-    const JointInfo& joint = s.joints[std::size_t(at.joint)];
+void fill_lane(const State& s, const JointRow& row, AxisBlock& b, std::size_t lane, float h) {
+    const JointInfo& joint = s.joints[row.joint];
     const JointPlacement p = place_joint(s, joint);
-    const JointAxes& axes = s.joint_axes[std::size_t(at.joint)];
-    const JointAxisRule& rule = axes.rules[at.axis];
-    const JointAxisState& state = axes.states[at.axis];
-    b.kind = rule.kind;
+    const JointAxisRule& rule = s.joint_axes[row.joint].rules[row.axis];
+    const JointAxisState& state = s.joint_axes[row.joint].states[row.axis];
     fill_axis_rule(b, lane, rule, h);
     set_lane(b.arm_a0, lane, math::to_float(p.arm_a));
     set_lane(b.arm_b0, lane, math::to_float(p.arm_b));
@@ -177,21 +219,61 @@ void fill_lane(const State& s, const JointLane& at, AxisBlock& b, std::size_t la
     b.upper_impulse[lane] = state.upper;
 }
 
-// Calls f(blocks, lanes, first discard row) for each of the three types of blocks.
-template <class F> void for_block_types(BinScratch& scratch, F&& f) {
-    const std::vector<JointLane>& points = lanes_for(scratch, JointRowType::point);
-    const std::vector<JointLane>& turns = lanes_for(scratch, JointRowType::turn);
-    const std::vector<JointLane>& axes = lanes_for(scratch, JointRowType::axis);
-    const std::int32_t first = scratch.first_joint_discard_row();
-    f(scratch.point_blocks, points, first);
-    f(scratch.turn_blocks, turns, first + std::int32_t(points.size() / 8));
-    f(scratch.axis_blocks, axes, first + std::int32_t((points.size() + turns.size()) / 8));
+// Before their lanes are filled: what a block says of all of its lanes, and lanes that stay empty. What is not filled
+// in, the warm start sets.
+void open_block(PointBlock& b, std::uint32_t form) { b.free_axis = JointLock(form) == JointLock::across; }
+void open_block(TurnBlock& b, std::uint32_t form) { b.free_axis = JointLock(form) == JointLock::across; }
+void open_block(AxisBlock& b, std::uint32_t form) {
+    b.kind = AxisKind(form);
+    b.has_limits = b.has_drive = b.has_friction = b.struck = 0;
 }
+template <class Block> void open_run(const JointRun& run, std::vector<Block>& blocks, std::uint32_t first_discard) {
+    for (std::uint32_t k = run.first; k < run.first + run.count; ++k) {
+        Block& b = blocks[k];
+        const bool is_full = k + 1 < run.first + run.count || run.empty_lanes == 0;
+        if (!is_full) b = {};
+        const std::uint32_t discard = (first_discard + k) * row_bytes;
+        for (std::size_t lane = is_full ? 8 : 8 - run.empty_lanes; lane < 8; ++lane)
+            b.a[lane] = b.b[lane] = b.rest.write_a[lane] = b.rest.write_b[lane] = discard;
+        b.redirects = may_be_fixed(run.key);
+        open_block(b, form_of(run.key));
+    }
+}
+
+std::array<std::uint32_t, joint_row_types> first_discard_rows(const BinScratch& scratch) {
+    const auto& count = scratch.joint_layout->blocks;
+    const std::uint32_t first = std::uint32_t(scratch.first_joint_discard_row());
+    return {first, first + count[0], first + count[0] + count[1]};
+}
+template <class Block> void make_room(std::vector<Block>& blocks, std::size_t count) {
+    if (blocks.size() < count) blocks.resize(count);
+}
+
+void open_blocks(BinScratch& scratch) {
+    make_room(scratch.point_blocks, scratch.joint_layout->blocks[0]);
+    make_room(scratch.turn_blocks, scratch.joint_layout->blocks[1]);
+    make_room(scratch.axis_blocks, scratch.joint_layout->blocks[2]);
+    const auto first_discard = first_discard_rows(scratch);
+    for (const JointRun& run : scratch.joint_layout->runs)
+        for_blocks_of(scratch, run.type,
+                      [&](auto& blocks) { open_run(run, blocks, first_discard[std::size_t(run.type)]); });
+    for (const JointRow& row : scratch.joint_layout->rows) {
+        if (row.type != JointRowType::axis) continue;
+        AxisBlock& b = scratch.axis_blocks[row.lane / 8];
+        b.has_limits |= row.has_limits;
+        b.has_drive |= row.has_drive;
+        b.has_friction |= row.has_friction;
+    }
+}
+
+// Whether anything but the point of a joint gives it a torque: else what it has of those is never touched.
+bool has_torque(const JointInfo& joint) { return joint.rules.turn != JointLock::none || joint.rules.axis_count > 0; }
 
 // Impulses are those of one substep. Forces are counted anew.
 void begin_joint(State& s, std::uint32_t index, float h) {
     JointInfo& joint = s.joints[index];
-    joint.force = joint.torque = {};
+    joint.force = {};
+    if (has_torque(joint)) joint.torque = {};
     if (joint.substep_time == h) return;
     const float ratio = joint.substep_time > 0 ? h / joint.substep_time : 0.0f;
     const float factor = ratio > 1e-3f && ratio < 1e3f ? ratio : 0.0f; // too different to say anything
@@ -206,21 +288,20 @@ void begin_joint(State& s, std::uint32_t index, float h) {
 
 // --- and out again
 
-void take_lane(State& s, const JointLane& at, const PointBlock& b, std::size_t lane) {
-    JointInfo& joint = s.joints[std::size_t(at.joint)];
+void take_lane(State& s, const JointRow& row, const PointBlock& b, std::size_t lane) {
+    JointInfo& joint = s.joints[row.joint];
     joint.point_impulse = get_lane(b.impulse, lane);
     joint.force += get_lane(b.total, lane);
 }
-void take_lane(State& s, const JointLane& at, const TurnBlock& b, std::size_t lane) {
-    JointInfo& joint = s.joints[std::size_t(at.joint)];
+void take_lane(State& s, const JointRow& row, const TurnBlock& b, std::size_t lane) {
+    JointInfo& joint = s.joints[row.joint];
     joint.turn_impulse = get_lane(b.impulse, lane);
     joint.torque += get_lane(b.total, lane);
 }
-void take_lane(State& s, const JointLane& at, const AxisBlock& b, std::size_t lane) {
-    JointInfo& joint = s.joints[std::size_t(at.joint)];
-    s.joint_axes[std::size_t(at.joint)].states[at.axis] = {b.drive_impulse[lane], b.friction_impulse[lane],
-                                                           b.lower_impulse[lane], b.upper_impulse[lane],
-                                                           b.position[lane]};
+void take_lane(State& s, const JointRow& row, const AxisBlock& b, std::size_t lane) {
+    JointInfo& joint = s.joints[row.joint];
+    s.joint_axes[row.joint].states[row.axis] = {b.drive_impulse[lane], b.friction_impulse[lane], b.lower_impulse[lane],
+                                                b.upper_impulse[lane], b.position[lane]};
     const float total = b.total[lane];
     const math::Vec3 linear = get_lane(b.linear_b, lane), arm = get_lane(b.arm_b0, lane);
     joint.force += total * linear;
@@ -230,8 +311,8 @@ void take_lane(State& s, const JointLane& at, const AxisBlock& b, std::size_t la
 bool is_sound(const State& s, std::uint32_t index) {
     const JointInfo& joint = s.joints[index];
     constexpr math::Vec3 ones{1, 1, 1};
-    float sum = math::dot(joint.force, ones) + math::dot(joint.torque, ones);
-    sum += math::dot(joint.point_impulse, ones) + math::dot(joint.turn_impulse, ones);
+    float sum = math::dot(joint.force, ones) + math::dot(joint.point_impulse, ones);
+    if (has_torque(joint)) sum += math::dot(joint.torque, ones) + math::dot(joint.turn_impulse, ones);
     for (int i = 0; i < joint.rules.axis_count; ++i) {
         const JointAxisState& axis = s.joint_axes[index].states[i];
         sum += axis.drive + axis.friction + axis.lower + axis.upper + axis.position;
@@ -260,6 +341,17 @@ void forget_impulses(State& s, std::uint32_t index) {
         axis = {0, 0, 0, 0, std::isfinite(axis.position) ? axis.position : 0.0f};
 }
 
+// All its impulses are counted.
+void end_joint(State& s, BinScratch& scratch, std::uint32_t index, float rate) {
+    JointInfo& joint = s.joints[index];
+    joint.force = rate * joint.force;
+    if (has_torque(joint)) joint.torque = rate * joint.torque;
+    if (!is_sound(s, index) || is_too_fast(s, scratch, index)) forget_impulses(s, index);
+    const auto is_more = [](math::Vec3 v, float most) { return math::dot(v, v) > most * most; };
+    if (is_more(joint.force, joint.break_force) || (has_torque(joint) && is_more(joint.torque, joint.break_torque)))
+        scratch.overloaded.push_back(index);
+}
+
 } // namespace
 
 JointSoftness joint_softness(float h) {
@@ -270,68 +362,61 @@ JointSoftness joint_softness(float h) {
     return {h, 1 / h, a2 / (1 + a2), omega_h / (a1 * h), impact_speed, impact_spin};
 }
 
-void fill_joint_lanes(const State& s, BinScratch& scratch) {
-    for (std::vector<JointLane>& lanes : scratch.joint_lanes) lanes.clear();
-    scratch.joint_runs.clear();
-    collect_rows(s, scratch);
-    list_direct_sets(s, scratch);
-    if (scratch.unsorted_joint_rows.empty()) return;
-    sort_rows(scratch);
-    const std::vector<JointRow>& rows = scratch.joint_rows;
-    for (std::size_t k = 0; k < rows.size();) {
-        std::vector<JointLane>& lanes = lanes_for(scratch, rows[k].type);
-        JointRun run{rows[k].type, std::int32_t(lanes.size() / 8), 0};
-        const std::uint32_t key = rows[k].key;
-        for (; k < rows.size() && rows[k].key == key; ++k) {
-            lanes.push_back(rows[k].lane);
-            if (!rows[k].stands_alone) continue;
-            ++k; // alone in its run: it may share bodies with the next
-            break;
-        }
-        while (lanes.size() % 8 != 0) lanes.push_back(no_lane);
-        run.count = std::int32_t(lanes.size() / 8) - run.first;
-        scratch.joint_runs.push_back(run);
+void fill_joint_lanes(State& s, const Bin& bin, BinScratch& scratch) {
+    JointLayout& layout = s.solver.joint_layouts[std::size_t(&bin - s.solver.bins.data())];
+    scratch.joint_layout = &layout;
+    if (bin.joint_count == 0) {
+        if (!layout.joints.empty()) layout = {};
+    } else if (layout.valid_for != s.joint_changes || layout.bodies != scratch.touching_bodies) {
+        layout.bodies = scratch.touching_bodies;
+        layout.kinematic_bodies.clear(), layout.joints.clear(), layout.first_row.clear(), layout.rows.clear();
+        layout.runs.clear();
+        layout.blocks = {};
+        collect_rows(s, layout);
+        lay_out_rows(layout, scratch.joint_key_counts);
+        layout.valid_for = s.joint_changes;
     }
+    for (const std::int32_t body : layout.kinematic_bodies) row_of_body(scratch, body);
+    list_direct_sets(s, scratch);
 }
 
 void fill_joint_blocks(State& s, BinScratch& scratch, Crew* crew, float h) {
-    for (const std::uint32_t joint : scratch.joints) begin_joint(s, joint, h);
-    for_block_types(scratch, [&](auto& blocks, const std::vector<JointLane>& lanes, std::int32_t first_discard) {
-        const std::size_t count = lanes.size() / 8;
-        if (blocks.size() < count) blocks.resize(count);
-        for_chunks(crew, int(count), blocks_per_chunk, [&](int begin, int end, int) {
-            for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
-                auto& block = blocks[k];
-                block = {};
-                const std::uint32_t discard = (std::uint32_t(first_discard) + std::uint32_t(k)) * row_bytes;
-                for (std::size_t lane = 0; lane < 8; ++lane) {
-                    const JointLane& at = lanes[8 * k + lane];
-                    fill_ends(s, scratch, block, lane, at, discard);
-                    if (at.joint == none) continue;
-                    fill_lane(s, at, block, lane, h);
-                }
+    open_blocks(scratch);
+    const JointLayout& layout = *scratch.joint_layout;
+    const auto first_discard = first_discard_rows(scratch);
+    // Joint by joint: neighbors share bodies, and rows go to one block of each color at a time.
+    for_chunks(crew, int(layout.joints.size()), joints_per_chunk, [&](int begin, int end, int) {
+        for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
+            begin_joint(s, layout.joints[k], h);
+            for (std::uint32_t i = layout.first_row[k]; i < layout.first_row[k + 1]; ++i) {
+                const JointRow& row = layout.rows[i];
+                const std::uint32_t block = row.lane / 8, lane = row.lane % 8;
+                const std::uint32_t discard = (first_discard[std::size_t(row.type)] + block) * row_bytes;
+                for_blocks_of(scratch, row.type, [&](auto& blocks) {
+                    fill_ends(s, scratch, blocks[block], lane, s.joints[row.joint], discard);
+                    fill_lane(s, row, blocks[block], lane, h);
+                });
             }
-        });
+        }
     });
     fill_direct_rows(s, scratch, crew);
 }
 
 void store_joints(State& s, BinScratch& scratch, float dt) {
-    for_block_types(scratch, [&](auto& blocks, const std::vector<JointLane>& lanes, std::int32_t) {
-        for (std::size_t k = 0; k < lanes.size(); ++k)
-            if (lanes[k].joint != none) take_lane(s, lanes[k], blocks[k / 8], k % 8);
-    });
-    store_direct_rows(s, scratch);
+    const JointLayout& layout = *scratch.joint_layout;
     const float rate = 1 / dt;
-    for (const std::uint32_t index : scratch.joints) {
-        JointInfo& joint = s.joints[index];
-        joint.force = rate * joint.force;
-        joint.torque = rate * joint.torque;
-        if (!is_sound(s, index) || is_too_fast(s, scratch, index)) forget_impulses(s, index);
-        if (math::dot(joint.force, joint.force) > joint.break_force * joint.break_force ||
-            math::dot(joint.torque, joint.torque) > joint.break_torque * joint.break_torque)
-            scratch.overloaded.push_back(index);
+    for (std::size_t k = 0; k < layout.joints.size(); ++k) {
+        for (std::uint32_t i = layout.first_row[k]; i < layout.first_row[k + 1]; ++i) {
+            const JointRow& row = layout.rows[i];
+            for_blocks_of(scratch, row.type,
+                          [&](auto& blocks) { take_lane(s, row, blocks[row.lane / 8], row.lane % 8); });
+        }
+        if (s.direct.set_of_joint[layout.joints[k]] == none) end_joint(s, scratch, layout.joints[k], rate);
     }
+    store_direct_rows(s, scratch);
+    for (const DirectSolve& solve : scratch.direct.sets)
+        for (const std::uint32_t joint : s.direct.sets[std::size_t(solve.set)].joints)
+            end_joint(s, scratch, joint, rate);
 }
 
 } // namespace cairn

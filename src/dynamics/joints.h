@@ -37,7 +37,7 @@ void wake_driven_joints(State& state);
 // --- rows in a bin (joint_rows.cpp)
 
 // Joints of the bin's islands, laid into blocks of 8 lanes color by color.
-void fill_joint_lanes(const State& state, BinScratch& scratch);
+void fill_joint_lanes(State& state, const Bin& bin, BinScratch& scratch);
 // Positions, axes and impulses of the lanes; `h`: the substep.
 void fill_joint_blocks(State& state, BinScratch& scratch, Crew* crew, float h);
 // After the last substep: impulses and forces back to the joints.

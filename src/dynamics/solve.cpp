@@ -237,6 +237,7 @@ void solve_bins(State& s, float dt) {
     const int threads = crew->threads();
     scratch.reports.resize(s.records.size());
     scratch.at_work.resize(std::size_t(threads));
+    if (scratch.joint_layouts.size() < scratch.bins.size()) scratch.joint_layouts.resize(scratch.bins.size());
     for (BinScratch& own : scratch.at_work) {
         own.escaped.clear();
         own.overloaded.clear();

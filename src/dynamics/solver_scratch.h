@@ -103,13 +103,15 @@ struct SpinningRow {
 struct ImpactWork {
     enum Stage : std::uint8_t { untouched, struck, settled };
     std::vector<Stage> islands;             // by island
+    std::vector<std::int32_t> place_of;     // by island: its place in `marked`
     std::vector<std::int32_t> marked;       // islands that are struck or settled
     std::vector<float> changes;             // of those: of the last pass, m/s
     std::vector<std::int32_t> rows, places; // rows of those, and the place of their island among them
     std::vector<SolverVelocity> before, last;
     std::vector<ContactImpact<1>> one_blocks;
     std::vector<ContactImpact<4>> four_blocks;
-    std::array<std::vector<JointImpact>, 3> joint_blocks; // by JointRowType
+    std::array<std::vector<JointImpact>, 3> joint_blocks;   // by JointRowType
+    std::array<std::vector<std::int32_t>, 3> joint_islands; // likewise, by lane
 };
 
 // A row of one contact alone: B as its moving surface has it.
@@ -131,22 +133,35 @@ struct LaneLists {
     void clear() { record.clear(), row_a.clear(), row_b.clear(); }
 };
 
-// Rows of joints: sorted by color, phase and form.
+// Rows of joints, those of one joint side by side. They are solved by color, phase and form (joint_rows.cpp).
 enum class JointRowType : std::uint8_t { point, turn, axis };
-struct JointLane {
-    std::int32_t joint, row_a, row_b; // none: empty
-    std::uint8_t axis;                // which of the joint's
-};
+inline constexpr int joint_row_types = 3;
 struct JointRow {
-    std::uint32_t key;
-    JointRowType type;
-    bool stands_alone; // found no color: its block has no other
-    JointLane lane;
+    std::uint32_t joint = 0;
+    std::uint32_t lane = 0; // among those of its type
+    std::uint16_t key = 0;
+    JointRowType type = JointRowType::point;
+    std::uint8_t axis : 3 = 0; // which of the joint's
+    std::uint8_t has_limits : 1 = 0, has_drive : 1 = 0, has_friction : 1 = 0;
 };
 // Blocks that may be solved side by side.
 struct JointRun {
     JointRowType type;
-    std::int32_t first, count;
+    std::uint8_t empty_lanes; // of the last block
+    std::uint16_t key;
+    std::uint32_t first, count;
+};
+
+// How the joints of a bin lie in its blocks. It is kept from step to step: mostly nothing of it changes.
+struct JointLayout {
+    std::uint64_t valid_for = ~std::uint64_t(0); // State::joint_changes
+    std::vector<std::int32_t> bodies;            // of the bin, those that are touched
+    std::vector<std::int32_t> kinematic_bodies;  // that joints name
+    std::vector<std::uint32_t> joints;           // of the bin
+    std::vector<std::uint32_t> first_row;        // of each of them, and one more: the end
+    std::vector<JointRow> rows;
+    std::array<std::uint32_t, joint_row_types> blocks = {}; // how many, by JointRowType
+    std::vector<JointRun> runs;
 };
 
 // What the free motion of a row's body asks for, besides falling.
@@ -177,11 +192,8 @@ struct BinScratch {
     std::vector<ContactBlock<1>> one_blocks;
     std::vector<ContactBlock<4>> four_blocks;
     std::vector<ColorRun> colors;
-    std::vector<std::uint32_t> joints; // of the bin
-    std::vector<JointRow> unsorted_joint_rows, joint_rows;
+    const JointLayout* joint_layout = nullptr;
     std::vector<std::uint32_t> joint_key_counts;
-    std::array<std::vector<JointLane>, 3> joint_lanes; // by JointRowType
-    std::vector<JointRun> joint_runs;
     std::vector<PointBlock> point_blocks;
     std::vector<TurnBlock> turn_blocks;
     std::vector<AxisBlock> axis_blocks;
@@ -202,9 +214,9 @@ struct BinScratch {
         return first_discard_row() + std::int32_t((one_lanes.record.size() + four_lanes.record.size()) / 8);
     }
     std::size_t block_count() const {
-        std::size_t lanes = one_lanes.record.size() + four_lanes.record.size();
-        for (const std::vector<JointLane>& list : joint_lanes) lanes += list.size();
-        return lanes / 8;
+        std::size_t blocks = (one_lanes.record.size() + four_lanes.record.size()) / 8;
+        for (const std::uint32_t count : joint_layout->blocks) blocks += count;
+        return blocks;
     }
 };
 
@@ -214,6 +226,7 @@ struct SolverScratch {
     std::vector<std::uint32_t> key_counts, keys; // counting sort of contacts
     std::vector<SortedContact> unsorted, sorted;
     std::vector<ContactReport> reports;      // by contact, of those that were solved
+    std::vector<JointLayout> joint_layouts;  // by bin
     std::vector<std::int32_t> shared, alone; // bins that all threads solve together, and those that one does
     std::vector<BinScratch> at_work;         // one per thread
     std::vector<EscapedShape> escaped;

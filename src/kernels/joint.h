@@ -27,23 +27,38 @@ CAIRN_INLINE void gather_mass(const SolverInertia* rows, const std::uint32_t* of
     for (int k = 0; k < 8; ++k) p[k] += 4;
     gather4(p, i.yy, i.yz, i.zz, unused);
 }
-CAIRN_INLINE Massesx8 load_masses(const JointEnds& ends) {
-    return {load(ends.mass_a), load(ends.mass_b), load6(ends.inertia_a), load6(ends.inertia_b)};
-}
-CAIRN_INLINE Massesx8 renew_masses(JointEnds& ends, const SolverInertia* rows) {
+template <class Block> CAIRN_INLINE Massesx8 renew_masses(Block& block, const SolverInertia* rows) {
     Massesx8 m;
-    gather_mass(rows, ends.a, m.mass_a, m.inertia_a);
-    gather_mass(rows, ends.b, m.mass_b, m.inertia_b);
-    store(ends.mass_a, m.mass_a);
-    store(ends.mass_b, m.mass_b);
-    store6(ends.inertia_a, m.inertia_a);
-    store6(ends.inertia_b, m.inertia_b);
+    gather_mass(rows, block.a, m.mass_a, m.inertia_a);
+    gather_mass(rows, block.b, m.mass_b, m.inertia_b);
+    store(block.mass_a, m.mass_a);
+    store(block.mass_b, m.mass_b);
+    store6(block.rest.inertia_a, m.inertia_a);
+    store6(block.rest.inertia_b, m.inertia_b);
     return m;
 }
 // Whether all tensors are multiples of 1.
 CAIRN_INLINE bool is_even(const Sym3x8& m) {
     const mask8 even = (m.xx == m.yy) & (m.xx == m.zz) & (m.xy == zero()) & (m.xz == zero()) & (m.yz == zero());
     return all(even);
+}
+// At the start of a step. Of even tensors only the moments are kept.
+template <class Block> CAIRN_INLINE Massesx8 first_masses(Block& block, const SolverInertia* rows) {
+    const Massesx8 m = renew_masses(block, rows);
+    block.even = is_even(m.inertia_a) && is_even(m.inertia_b);
+    store(block.even_a, m.inertia_a.xx);
+    store(block.even_b, m.inertia_b.xx);
+    return m;
+}
+template <class Block> CAIRN_INLINE Massesx8 load_masses(const Block& block) {
+    return {load(block.mass_a), load(block.mass_b), load6(block.rest.inertia_a), load6(block.rest.inertia_b)};
+}
+// Inverse inertia times a vector, of A and of B.
+template <class Block> CAIRN_INLINE Vec3x8 turned_a(const Block& block, Vec3x8 u) {
+    return block.even ? load(block.even_a) * u : load6(block.rest.inertia_a) * u;
+}
+template <class Block> CAIRN_INLINE Vec3x8 turned_b(const Block& block, Vec3x8 u) {
+    return block.even ? load(block.even_b) * u : load6(block.rest.inertia_b) * u;
 }
 
 struct Posesx8 {
@@ -75,9 +90,9 @@ struct Ends8 {
 CAIRN_INLINE Ends8 gather_ends(const SolverVelocity* rows, const JointEnds& ends) {
     return {gather_velocity(rows, ends.a), gather_velocity(rows, ends.b)};
 }
-CAIRN_INLINE void scatter_ends(SolverVelocity* rows, const JointEnds& ends, const Ends8& e) {
-    scatter_velocity(rows, ends.write_a, e.a);
-    scatter_velocity(rows, ends.write_b, e.b);
+template <class Block> CAIRN_INLINE void scatter_ends(SolverVelocity* rows, const Block& block, const Ends8& e) {
+    scatter_velocity(rows, block.redirects ? block.rest.write_a : block.a, e.a);
+    scatter_velocity(rows, block.redirects ? block.rest.write_b : block.b, e.b);
 }
 
 CAIRN_INLINE f32x8 guarded_inverse(f32x8 x, mask8 valid) {

@@ -42,8 +42,8 @@ CAIRN_INLINE Jacobianx8 load_jacobian(const AxisBlock& b) {
 CAIRN_INLINE void apply(const AxisBlock& b, const Jacobianx8& j, f32x8 p, Ends8& e) {
     e.a.v = e.a.v + load(b.mass_a) * (p * j.linear_a);
     e.b.v = e.b.v + load(b.mass_b) * (p * j.linear_b);
-    e.a.w = e.a.w + inertia_times(b.even, b.inertia_a, p * j.angular_a);
-    e.b.w = e.b.w + inertia_times(b.even, b.inertia_b, p * j.angular_b);
+    e.a.w = e.a.w + turned_a(b, p * j.angular_a);
+    e.b.w = e.b.w + turned_b(b, p * j.angular_b);
 }
 CAIRN_INLINE f32x8 velocity_of(const Jacobianx8& j, const Ends8& e) {
     return (dot(j.linear_a, e.a.v) + dot(j.linear_b, e.b.v)) + (dot(j.angular_a, e.a.w) + dot(j.angular_b, e.b.w));
@@ -176,8 +176,7 @@ CAIRN_INLINE Jacobianx8 refresh(AxisBlock& b, const Posesx8& poses) {
     store3(b.angular_b, j.angular_b);
     store(b.position, row.position);
     const f32x8 k = (load(b.mass_a) * dot(j.linear_a, j.linear_a) + load(b.mass_b) * dot(j.linear_b, j.linear_b)) +
-                    (dot(j.angular_a, inertia_times(b.even, b.inertia_a, j.angular_a)) +
-                     dot(j.angular_b, inertia_times(b.even, b.inertia_b, j.angular_b)));
+                    (dot(j.angular_a, turned_a(b, j.angular_a)) + dot(j.angular_b, turned_b(b, j.angular_b)));
     store(b.mass, guarded_inverse(k, k > splat(tiny)));
     return j;
 }
@@ -285,10 +284,10 @@ void warm_start(void* blocks, int count, const SolverBodies& bodies, const Joint
     auto* all = static_cast<AxisBlock*>(blocks);
     for (int k = 0; k < count; ++k) {
         AxisBlock& b = all[k];
-        const Massesx8 masses = renew_masses(b, bodies.inertia);
-        b.even = is_even(masses.inertia_a) && is_even(masses.inertia_b);
+        first_masses(b, bodies.inertia);
         const Jacobianx8 j = refresh(b, gather_poses(bodies.pose, b));
         refresh_drive(b, splat(softness.h));
+        for (auto& left : b.left) store3(left, zero3());
         store(b.total, zero());
         Ends8 e = gather_ends(bodies.velocity, b);
         apply(b, j, net_impulse(b), e);

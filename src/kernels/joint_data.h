@@ -15,25 +15,35 @@ struct JointSoftness {
     float impact_speed, impact_spin; // m/s, rad/s: faster approaches to a limit are left to the passes of an impact
 };
 
-// The bodies of 8 rows: row offsets in bytes, and where velocities go: the row itself, or the discard row of the block
-// for what does not move by forces. What they weigh is gathered anew in each substep.
+// The bodies of 8 rows: row offsets in bytes, and what they weigh. Blocks are read in every substep, in large islands
+// from the third-level cache: what all of them use comes first.
 struct JointEnds {
-    std::uint32_t a[8], b[8], write_a[8], write_b[8];
+    std::uint32_t a[8], b[8];
     alignas(32) float mass_a[8];
-    float mass_b[8], inertia_a[6][8], inertia_b[6][8];
+    float mass_b[8], even_a[8], even_b[8]; // inverse; even_*: moments of inertia, where all tensors are multiples of 1
+};
+// Where velocities go where that is not the row they came from: what does not move by forces has the discard row of the
+// block. And tensors that are not multiples of 1, gathered anew in each substep.
+struct JointEndsRest {
+    std::uint32_t write_a[8], write_b[8];
+    alignas(32) float inertia_a[6][8];
+    float inertia_b[6][8];
 };
 
 // Anchors: arm_a and arm_b from the centers of mass, gap from that of A to that of B. *0: at the start of the step.
 struct alignas(64) PointBlock : JointEnds {
     float arm_a[3][8], arm_b[3][8], gap[3][8];
-    float response[6][8];             // impulse per velocity: inverse of J M^-1 J^T, between the masks
     float impulse[3][8];              // on B
+    float response[6][8];             // impulse per velocity: inverse of J M^-1 J^T, between the masks
     float left_a[3][8], left_b[3][8]; // angular velocity left for the next solve
-    float left_linear[3][8];          // free_axis: likewise, change of the impulse
-    float arm_a0[3][8], arm_b0[3][8], gap0[3][8];
-    float axis0[3][8]; // free_axis: the direction that is left free, turns with A
+    std::uint8_t free_axis, even, redirects;
+    // Used by relax only.
+    alignas(64) float arm_a0[3][8], arm_b0[3][8], gap0[3][8];
     float total[3][8]; // impulse of all substeps
-    std::uint8_t free_axis, even;
+    // Used where tensors are uneven, or an axis is left free.
+    JointEndsRest rest;
+    float left_linear[3][8]; // free_axis: left for the next solve, change of the impulse
+    float axis0[3][8];       // free_axis: the direction that is left free, turns with A
 };
 
 struct alignas(64) TurnBlock : JointEnds {
@@ -44,7 +54,8 @@ struct alignas(64) TurnBlock : JointEnds {
     float turn0[4][8];                  // of B's frame against A's, in world axes: x y z w
     float axis_a0[3][8], axis_b0[3][8]; // free_axis: as each body holds it
     float total[3][8];
-    std::uint8_t free_axis, even;
+    std::uint8_t free_axis, even, redirects;
+    JointEndsRest rest;
 };
 
 // What the position of an axis row is.
@@ -91,8 +102,9 @@ struct alignas(64) AxisBlock : JointEnds {
     float arm_a0[3][8], arm_b0[3][8], gap0[3][8], turn0[4][8], axis_a0[3][8], axis_b0[3][8];
     float ratio_a[8], ratio_b[8], position0[8];
     AxisKind kind;
-    std::uint8_t even, has_limits, has_drive, has_friction;
+    std::uint8_t even, redirects, has_limits, has_drive, has_friction;
     std::uint8_t struck; // lanes, as bits, whose limits are left to the passes of an impact
+    JointEndsRest rest;
 };
 
 // What an impact gives to the limits of an axis block; of the others, which lanes take part.

@@ -7,8 +7,8 @@ namespace cairn::CAIRN_ISA {
 namespace {
 
 CAIRN_INLINE void apply(const TurnBlock& b, Vec3x8 p, Ends8& e) {
-    e.a.w = e.a.w - inertia_times(b.even, b.inertia_a, p);
-    e.b.w = e.b.w + inertia_times(b.even, b.inertia_b, p);
+    e.a.w = e.a.w - turned_a(b, p);
+    e.b.w = e.b.w + turned_b(b, p);
 }
 
 // Error and response of the poses now; the axis that is left free, if any.
@@ -30,12 +30,13 @@ template <bool FreeAxis> CAIRN_INLINE Vec3x8 refresh(TurnBlock& b, const Posesx8
 }
 
 template <bool FreeAxis> void warm_start_block(TurnBlock& b, const SolverBodies& bodies) {
-    const Massesx8 masses = renew_masses(b, bodies.inertia);
-    b.even = is_even(masses.inertia_a) && is_even(masses.inertia_b);
+    const Massesx8 masses = first_masses(b, bodies.inertia);
     const Vec3x8 axis = refresh<FreeAxis>(b, gather_poses(bodies.pose, b), masses);
     Vec3x8 p = load3(b.impulse);
     if constexpr (FreeAxis) p = across(axis, p);
     store3(b.impulse, p);
+    store3(b.left_a, zero3());
+    store3(b.left_b, zero3());
     store3(b.total, zero3());
     Ends8 e = gather_ends(bodies.velocity, b);
     apply(b, p, e);
@@ -67,14 +68,14 @@ void solve(void* blocks, int count, SolverVelocity* velocity, const JointSoftnes
 template <bool FreeAxis> CAIRN_INLINE void relax_block(TurnBlock& b, const SolverBodies& bodies) {
     const Posesx8 poses = gather_poses(bodies.pose, b);
     const Vec3x8 old = load3(b.impulse);
-    const Vec3x8 wa = inertia_times(b.even, b.inertia_a, old), wb = -inertia_times(b.even, b.inertia_b, old);
+    const Vec3x8 wa = turned_a(b, old), wb = -turned_b(b, old);
     if (!b.even) renew_masses(b, bodies.inertia);
     const Vec3x8 axis = refresh<FreeAxis>(b, poses, load_masses(b));
     Vec3x8 p = old;
     if constexpr (FreeAxis) p = across(axis, old);
     if (FreeAxis || !b.even) {
-        store3(b.left_a, wa - inertia_times(b.even, b.inertia_a, p));
-        store3(b.left_b, wb + inertia_times(b.even, b.inertia_b, p));
+        store3(b.left_a, wa - turned_a(b, p));
+        store3(b.left_b, wb + turned_b(b, p));
     }
     Ends8 e = gather_ends(bodies.velocity, b);
     const Vec3x8 d = -(load6(b.response) * (e.b.w - e.a.w));

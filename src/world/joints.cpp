@@ -67,7 +67,8 @@ void set_rules(State& s, std::uint32_t index, const JointRules& rules) {
         info.point_impulse = info.turn_impulse = {};
         for (JointAxisState& axis : axes.states) axis = {};
     }
-    for (int i = 0; i < locks.axis_count; ++i) { // what is no more must not act on
+    if (locks.turn == JointLock::none && locks.axis_count == 0) info.torque = {}; // nothing counts it any more
+    for (int i = 0; i < locks.axis_count; ++i) {                                  // what is no more must not act on
         JointAxisState& axis = axes.states[i];
         if (!rules.axes[i].has_limits) axis.lower = axis.upper = 0;
         if (!rules.axes[i].has_drive) axis.drive = 0;

@@ -443,6 +443,47 @@ TEST(Joints, SnapshotsHoldThem) {
     EXPECT_EQ(std::get<GeneralJoint>(def.joint).drives[0].stiffness, 10);
 }
 
+// How joints lie in the solver's blocks is kept from step to step. A world that was just restored has nothing kept.
+TEST(Joints, ChangesCountAtOnceAsInAWorldJustRestored) {
+    World world;
+    std::vector<BodyId> balls;
+    std::vector<JointId> joints;
+    for (int i = 0; i < 40; ++i) {
+        const int column = i % 10, row = i / 10;
+        balls.push_back(add_body(world, body_at({double(column), 0, double(row)}), Sphere{0.2f}));
+        const auto join = [&](std::size_t other, const Joint& type) {
+            const Position middle = 0.5 * (world.body(balls[other]).position() + world.body(balls.back()).position());
+            joints.push_back(world.create_joint(world.joint_at(balls[other], balls.back(), middle, {1, 0, 0}, type)));
+        };
+        const std::size_t last = balls.size() - 1;
+        if (column > 0) join(last - 1, i % 4 == 1 ? Joint(HingeJoint{limited(-1, 1)}) : Joint(BallJoint{}));
+        if (row > 0) join(last - 10, BallJoint{});
+    }
+    const std::function<void()> changes[] = {
+        [&] { world.body(balls[0]).set_type(BodyType::kinematic); },
+        [&] {
+            world.body(balls[0]).set_linear_velocity({0, 1, 0});
+        },
+        [&] { world.body(balls[9]).set_type(BodyType::static_); },
+        [&] { world.destroy_joint(joints[20]); },
+        [&] { world.set_joint(joints[5], HingeJoint{driven(2, 50)}); },
+        [&] {
+            world.create_joint(world.joint_at(balls[39], {}, {9, 0, 3}, {0, 1, 0}, BallJoint{}));
+        },
+        [&] { world.body(balls[0]).set_type(BodyType::static_); },
+        [&] { world.destroy_body(balls[15]); },
+        [&] { world.body(balls[9]).set_type(BodyType::dynamic); },
+    };
+    for (const auto& change : changes) {
+        for (int i = 0; i < 5; ++i) world.step(frame);
+        change();
+        World copy;
+        copy.restore(world.save());
+        for (int i = 0; i < 5; ++i) world.step(frame), copy.step(frame);
+        ASSERT_EQ(world.state_hash(), copy.state_hash()) << "change " << &change - changes;
+    }
+}
+
 // --- refusals
 
 TEST(Joints, RefuseBadArgumentsAndLeaveTheWorldAsItWas) {

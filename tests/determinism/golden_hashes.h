@@ -17,6 +17,6 @@ inline constexpr std::uint64_t compounds = 0x342ec2febfe087c4;
 inline constexpr std::uint64_t free_tops = 0xe5d1c0db6b79d188;
 inline constexpr std::uint64_t all_shapes = 0x43a2be04c91c33e1;
 inline constexpr std::uint64_t rounded_shapes = 0x82cedddc7606485e;
-inline constexpr std::uint64_t all_joints = 0x2a3435821705c9d0;
+inline constexpr std::uint64_t all_joints = 0xf04f793d050c4f40;
 
 } // namespace cairn_test::golden
