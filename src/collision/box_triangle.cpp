@@ -102,11 +102,16 @@ BoxOnTriangles::Verdict BoxOnTriangles::test(const Triangle& triangle, BoxHit& h
                              !(along_normal > box_face.separation + second_face_tolerance * extent_);
     const double least = is_box_face ? box_face.separation : along_normal;
     if (std::max(least, along_normal) > margin_) return Verdict::apart;
-    if (least < -inset_) return Verdict::unsure;
+    best_face_ = {};
+    if (least < -inset_) return Verdict::beyond_faces;
     find_borders();
     hit.count = 0;
     const double reached = is_box_face ? on_box(box_face, hit) : on_triangle(hit);
-    if (hit.count == 0 || !(reached <= least + (inset_ + rounding * extent_))) return Verdict::unsure;
+    if (hit.count == 0 || !(reached <= least + (inset_ + rounding * extent_))) {
+        if (!border_is_near()) return Verdict::apart;
+        best_face_ = {is_box_face ? 2 * box_face.axis + (box_face.sign < 0 ? 1 : 0) : 0, !is_box_face, reached};
+        return Verdict::beyond_faces;
+    }
     if (is_box_face && box_face.sign * normal_[box_face.axis] > downward) return Verdict::apart; // it would push down
     return Verdict::touching;
 }
@@ -120,6 +125,20 @@ bool BoxOnTriangles::is_beside() const {
         if (is_beyond(dot(inward, corners_[e]), slack_, dot(inward, inward))) return true;
     }
     return false;
+}
+
+// What a triangle has beyond faces is at its border.
+bool BoxOnTriangles::border_is_near() const {
+    Sides<3, 6> sides;
+    for (int c = 0; c < 3; ++c)
+        for (int i = 0; i < 3; ++i) {
+            const double reach = half_[i] + (margin_ + inset_); // as far as points may be from where faces say
+            sides.inside[c][2 * i] = reach - corners_[c][i];
+            sides.inside[c][2 * i + 1] = reach + corners_[c][i];
+        }
+    sides.mark();
+    double start, end;
+    return sides.cut(0, 1, start, end) || sides.cut(1, 2, start, end) || sides.cut(2, 0, start, end);
 }
 
 // Along whose normal the triangle is farthest.

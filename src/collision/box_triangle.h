@@ -1,9 +1,9 @@
 // A sharp box against the front of triangles, in the frame of the box: what collide_surface would say, with a fraction
 // of its operations. Most triangles of a mesh are apart from the box, or are touched along the normal of a face of one
-// of the two, and this tells so; what remains, such as edges that cross, is left to collide_surface.
+// of the two, and this tells so; what remains, such as edges that cross, is left to the test of all convex shapes.
 #pragma once
 
-#include "shapes/convex.h"
+#include "collision/convex_contact.h"
 #include "shapes/mesh.h"
 
 namespace cairn {
@@ -25,13 +25,16 @@ struct BoxHit {
 
 class BoxOnTriangles {
   public:
-    enum class Verdict : std::uint8_t { apart, touching, unsure };
+    // beyond_faces: for collide_surface_beyond; unsure: for collide_surface.
+    enum class Verdict : std::uint8_t { apart, touching, beyond_faces, unsure };
 
     // The frame of the triangles, in that in which the box is given.
     BoxOnTriangles(const Convex& box, math::DVec3 center, const math::DMat3& axes, double margin);
 
     // Writes `hit` where they touch.
     Verdict test(const Triangle& triangle, BoxHit& hit);
+    // After beyond_faces.
+    const FaceReach& best_face() const { return best_face_; }
 
   private:
     struct Face {
@@ -42,6 +45,7 @@ class BoxOnTriangles {
 
     void to_box(math::Vec3 vertex, double (&out)[3]) const;
     bool is_beside() const;
+    bool border_is_near() const;
     Face best_box_face() const;
     void find_borders();
     double on_triangle(BoxHit& hit) const;
@@ -56,6 +60,7 @@ class BoxOnTriangles {
     double extent_, inset_;            // as in Convex
     double corners_[3][3], normal_[3]; // of the triangle; the normal has any length until the triangle is near
     double square_, height_;           // of the normal; of the box's middle over the triangle
+    FaceReach best_face_;
     double inward_[3][3], lengths_[3]; // across the edges, as long as they are; and their lengths
 };
 

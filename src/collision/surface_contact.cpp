@@ -18,6 +18,7 @@ constexpr double flatness = 1e-4;    // of the shape's size: how far out of a pl
 constexpr double unlimited = 1e300;
 constexpr std::size_t none = ~std::size_t{}; // of the patches
 
+bool is_sharp_box(const Convex& c) { return c.kind == Convex::Kind::box && c.is_sharp; }
 double squared(DVec3 v) { return math::dot(v, v); }
 
 bool is_near(DVec3 a, DVec3 b, double distance) { return squared(a - b) < distance * distance; }
@@ -61,32 +62,43 @@ void add_hit(const Manifold& found, const SurfaceContact& contact, std::uint32_t
 void find_hits(const Convex& a, const Surface& surface, double margin, SurfaceScratch& scratch) {
     scratch.hits.clear();
     scratch.points.clear();
+    const bool is_box = is_sharp_box(a);
     // Bounds of the shape in the frame of the surface.
     math::Vec3 lo, hi;
     for (int i = 0; i < 3; ++i) {
         const DVec3 axis = surface.axes.column(i);
         const double center = math::dot(axis, surface.center);
-        lo[i] = float(math::dot(axis, support(a, -axis)) - center - margin);
-        hi[i] = float(math::dot(axis, support(a, axis)) - center + margin);
+        double least, greatest;
+        if (is_box) {
+            const double middle = math::dot(axis, a.center), half = math::dot(a.size, math::abs(to_local(a, axis)));
+            least = middle - half, greatest = middle + half;
+        } else
+            least = math::dot(axis, support(a, -axis)), greatest = math::dot(axis, support(a, axis));
+        lo[i] = float(least - center - margin);
+        hi[i] = float(greatest - center + margin);
         const float rounding = 1e-6f * std::max(std::fabs(lo[i]), std::fabs(hi[i]));
         lo[i] -= rounding, hi[i] += rounding;
     }
     const auto to_common = [&](math::Vec3 v) { return surface.center + surface.axes * math::to_double(v); };
-    const bool is_box = a.kind == Convex::Kind::box && a.is_sharp;
     BoxOnTriangles box(a, surface.center, surface.axes, margin);
     const auto test = [&](const auto& data) {
         for_each_triangle(data, lo, hi, [&](std::uint32_t index) {
             const Triangle t = triangle_of(data, index);
+            using Verdict = BoxOnTriangles::Verdict;
+            Verdict verdict = Verdict::unsure;
             if (is_box) {
-                using Verdict = BoxOnTriangles::Verdict;
-                BoxHit found;
-                const Verdict verdict = box.test(t, found);
-                if (verdict == Verdict::touching) add_hit(a, found, index, scratch);
-                if (verdict != Verdict::unsure) return;
+                BoxHit hit;
+                verdict = box.test(t, hit);
+                if (verdict == Verdict::touching) add_hit(a, hit, index, scratch);
+                if (verdict == Verdict::touching || verdict == Verdict::apart) return;
             }
             const Convex triangle = make_triangle(to_common(t.a), to_common(t.b), to_common(t.c));
+            const DVec3 guess = -triangle.axes.c1;
             Manifold found;
-            const SurfaceContact contact = collide_surface(a, triangle, margin, -triangle.axes.c1, found);
+            const SurfaceContact contact =
+                verdict == Verdict::beyond_faces
+                    ? collide_surface_beyond(box.best_face(), a, triangle, margin, guess, found)
+                    : collide_surface(a, triangle, margin, guess, found);
             if (found.count > 0) add_hit(found, contact, index, scratch);
         });
     };
@@ -130,7 +142,9 @@ void collide_triangles(const Convex& a, const Surface& surface, double margin, S
     std::sort(scratch.hits.begin(), scratch.hits.end(), [](const TriangleHit& p, const TriangleHit& q) {
         return p.depth != q.depth ? p.depth > q.depth : p.triangle < q.triangle;
     });
-    const double size = 0.5 * math::length(support(a, surface.axes.c0) - support(a, -surface.axes.c0));
+    const DVec3 axis = surface.axes.c0;
+    const double size =
+        is_sharp_box(a) ? math::length(a.size) : 0.5 * math::length(support(a, axis) - support(a, -axis));
     scratch.patches.clear();
     for (TriangleHit& hit : scratch.hits) {
         hit.patch = none;
