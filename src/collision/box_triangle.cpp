@@ -257,20 +257,26 @@ double BoxOnTriangles::on_box(const Face& face, BoxHit& hit) const {
         offer(p[j] + start * dj, p[k] + start * dk, at_z[e] + start * dz);
         if (end < 1) offer(p[j] + end * dj, p[k] + end * dk, at_z[e] + end * dz);
     }
-    // Corners of the face over the triangle.
+    // Corners of the face over the triangle, around it from ++ to -+ and so on.
     if (std::fabs(normal_[i]) > edge_on) {
         const double around = normal_[i] > 0 ? 1 : -1;
+        Sides<4, 3> borders;
+        for (int e = 0; e < 3; ++e) {
+            const double(&p)[3] = corners_[e], (&q)[3] = corners_[(e + 1) % 3];
+            const double ej = around * (q[j] - p[j]), ek = around * (q[k] - p[k]);
+            const double middle = ek * p[j] - ej * p[k] - slack * std::sqrt(ej * ej + ek * ek);
+            const double u = -ek * hj, v = ej * hk;
+            borders.inside[0][e] = middle + u + v;
+            borders.inside[1][e] = middle - u + v;
+            borders.inside[2][e] = middle - u - v;
+            borders.inside[3][e] = middle + u - v;
+        }
+        borders.mark();
         for (int c = 0; c < 4; ++c) {
+            if (borders.outside[c] != 0) continue;
             const double pj = c == 0 || c == 3 ? hj : -hj, pk = c < 2 ? hk : -hk;
-            bool is_over = true;
-            for (int e = 0; e < 3 && is_over; ++e) {
-                const double(&p)[3] = corners_[e], (&q)[3] = corners_[(e + 1) % 3];
-                const double ej = q[j] - p[j], ek = q[k] - p[k];
-                const double inside = around * (ej * (pk - p[k]) - ek * (pj - p[j]));
-                is_over = inside >= 0 && inside * inside >= slack * slack * (ej * ej + ek * ek);
-            }
             const double pi = -(height_ + normal_[j] * pj + normal_[k] * pk) / normal_[i];
-            if (is_over) offer(pj, pk, sign * pi - hi);
+            offer(pj, pk, sign * pi - hi);
         }
     }
     double normal[3] = {0, 0, 0};

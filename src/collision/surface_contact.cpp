@@ -39,8 +39,10 @@ bool is_seam(const SurfaceScratch& scratch, const SurfacePatch& patch, const Tri
 // The hit of one triangle, in the frame of the shape `a`.
 void add_hit(const Convex& a, const BoxHit& found, std::uint32_t triangle, SurfaceScratch& scratch) {
     const auto first = static_cast<std::uint32_t>(scratch.points.size());
+    scratch.points.resize(first + std::size_t(found.count));
     for (int i = 0; i < found.count; ++i)
-        scratch.points.push_back({a.center + a.axes * found.points[i].position, found.points[i].separation});
+        scratch.points[first + std::size_t(i)] = {a.center + a.axes * found.points[i].position,
+                                                  found.points[i].separation};
     scratch.hits.push_back({a.axes * found.normal, a.center + a.axes * found.foot, -found.separation, first,
                             static_cast<std::uint32_t>(found.count), triangle, found.on_face, none});
 }
@@ -81,13 +83,13 @@ void find_hits(const Convex& a, const Surface& surface, double margin, SurfaceSc
     }
     const auto to_common = [&](math::Vec3 v) { return surface.center + surface.axes * math::to_double(v); };
     BoxOnTriangles box(a, surface.center, surface.axes, margin);
+    BoxHit hit; // of one triangle after the other
     const auto test = [&](const auto& data) {
         for_each_triangle(data, lo, hi, [&](std::uint32_t index) {
             const Triangle t = triangle_of(data, index);
             using Verdict = BoxOnTriangles::Verdict;
             Verdict verdict = Verdict::unsure;
             if (is_box) {
-                BoxHit hit;
                 verdict = box.test(t, hit);
                 if (verdict == Verdict::touching) add_hit(a, hit, index, scratch);
                 if (verdict == Verdict::touching || verdict == Verdict::apart) return;
