@@ -15,8 +15,8 @@ inline constexpr std::uint64_t tumbler = 0x15355198e2b4bba5;
 inline constexpr std::uint64_t sleep_and_wake = 0x9c8824115a697d0e;
 inline constexpr std::uint64_t compounds = 0x342ec2febfe087c4;
 inline constexpr std::uint64_t free_tops = 0xe5d1c0db6b79d188;
-inline constexpr std::uint64_t all_shapes = 0x43a2be04c91c33e1;
-inline constexpr std::uint64_t rounded_shapes = 0x82cedddc7606485e;
+inline constexpr std::uint64_t all_shapes = 0xa5b68acad659779f;
+inline constexpr std::uint64_t rounded_shapes = 0xeb898c0b94ab8cb6;
 inline constexpr std::uint64_t all_joints = 0x2a3435821705c9d0;
 
 } // namespace cairn_test::golden

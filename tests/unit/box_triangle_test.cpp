@@ -33,7 +33,10 @@ Trial any_trial(Random& random) {
               float(size * random.uniform(0.1, 0.5))};
     t.margin = 0.02 * size;
     const double reach = std::array{0.3, 1.0, 10.0, 1000.0}[std::size_t(random.below(4))];
-    const auto corner = [&] { return reach * random.uniform(0.1, 1) * random.direction(); };
+    const auto corner = [&] {
+        const double distance = reach * random.uniform(0.1, 1);
+        return distance * random.direction();
+    };
     const DVec3 a = corner(), b = corner(), c = corner();
     t.triangle = {cairn::math::to_float(a), cairn::math::to_float(b), cairn::math::to_float(c)};
     t.axes = cairn::math::to_matrix(random.rotation());
