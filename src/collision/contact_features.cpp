@@ -51,17 +51,12 @@ int supporting_face(const Convex& c, DVec3 n) {
     if (c.kind == Convex::Kind::polygon) return dot(c.axes.c1, n) < 0 ? 1 : 0;
     const HullData& hull = *c.hull;
     const DVec3 d = to_local(c, n);
-    double most = -2;
-    int best = 0;
-    for (std::size_t i = 0; i < hull.faces.size(); ++i) {
-        const double along = dot(math::to_double(hull.faces[i].normal), d);
-        if (along > most) most = along, best = static_cast<int>(i);
-    }
+    int best = static_cast<int>(hull.normal_columns.farthest(d));
     const DVec3 farthest = to_local(c, core_support(exact_core(c), n) - c.center);
     const auto height = [&](const HullFace& f) { return dot(math::to_double(f.normal), farthest) - f.offset; };
     const double slack = 1e-5 * c.extent;
     if (height(hull.faces[static_cast<std::size_t>(best)]) > -slack) return best;
-    most = -2;
+    double most = -2;
     for (std::size_t i = 0; i < hull.faces.size(); ++i) {
         const double along = dot(math::to_double(hull.faces[i].normal), d);
         if (along > most && height(hull.faces[i]) > -slack) most = along, best = static_cast<int>(i);

@@ -18,22 +18,25 @@ struct Chosen {
     std::size_t index[4] = {};
 };
 
+// A point that counts, seen along the normal.
 struct Flat {
-    double x, y;
+    double x, y, separation;
+    std::size_t index;
 };
 
 // Chooses: the deepest point; the one farthest from it; on either side of the line through both the one that spans the
 // largest triangle; where one side is empty, the point farthest outside the triangle of the other three.
 class Reducer {
   public:
-    Reducer(const ContactPoints& points, DVec3 normal, DVec3 center, double extent, double margin)
-        : points_(points), margin_(margin), extent_(extent) {
+    Reducer(const ContactPoints& points, DVec3 normal, DVec3 center, double extent, double margin) : extent_(extent) {
         // Any frame will do: only distances and areas count.
         const DVec3 axis = std::fabs(normal.x) < 0.5 ? DVec3{1, 0, 0} : DVec3{0, 1, 0};
         const DVec3 e1 = math::normalized(math::cross(axis, normal)), e2 = math::cross(normal, e1);
-        for (const ContactPoint& p : points) {
-            const DVec3 d = p.position - center;
-            flat_.add({dot(d, e1), dot(d, e2)});
+        const ContactPoint* p = points.data();
+        for (std::size_t i = 0, n = points.size(); i < n; ++i) {
+            if (!(p[i].separation <= margin)) continue;
+            const DVec3 d = p[i].position - center;
+            flat_.add({dot(d, e1), dot(d, e2), p[i].separation, i});
         }
     }
 
@@ -42,53 +45,64 @@ class Reducer {
         if (!deepest(r)) return r;
         const double nearest = same_point_part * extent_;
         double farthest = nearest * nearest;
-        if (!best(r, farthest, [&](Flat p) { return square(p, at(r, 0)); })) return r;
-        const Flat a = at(r, 0), b = at(r, 1);
+        const Flat a = at(r, 0);
+        if (!best(r, farthest, [=](const Flat& p) { return square(p, a); })) return finish(r);
+        const Flat b = at(r, 1);
         const double least = std::max(thinnest * farthest, nearest * std::sqrt(farthest));
         double area = least;
-        const bool has_left = best(r, area, [&](Flat p) { return cross(a, b, p); });
+        const bool has_left = best(r, area, [=](const Flat& p) { return cross(a, b, p); });
         area = least;
-        const bool has_right = best(r, area, [&](Flat p) { return -cross(a, b, p); });
-        if (has_left == has_right) return r;
+        const bool has_right = best(r, area, [=](const Flat& p) { return -cross(a, b, p); });
+        if (has_left == has_right) return finish(r);
         // One side is empty: beside the edge from the third point to either of the others.
         const Flat c = at(r, 2);
         const double sign = has_left ? 1 : -1;
         area = least;
-        best(r, area, [&](Flat p) { return std::max(-sign * cross(b, c, p), -sign * cross(c, a, p)); });
-        return r;
+        best(r, area, [=](const Flat& p) { return std::max(-sign * cross(b, c, p), -sign * cross(c, a, p)); });
+        return finish(r);
     }
 
   private:
-    static double square(Flat p, Flat q) { return (p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y); }
-    static double cross(Flat a, Flat b, Flat p) { return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x); }
-    Flat at(const Chosen& r, int i) const { return flat_[r.index[i]]; }
-    bool counts(std::size_t i) const { return points_[i].separation <= margin_; }
+    static double square(const Flat& p, const Flat& q) { return (p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y); }
+    static double cross(const Flat& a, const Flat& b, const Flat& p) {
+        return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+    }
+    const Flat& at(const Chosen& r, int i) const { return flat_[r.index[i]]; }
+    // From places among those that count to places among all.
+    Chosen finish(const Chosen& chosen) const {
+        Chosen r = chosen;
+        for (int i = 0; i < r.count; ++i) r.index[i] = at(chosen, i).index;
+        return r;
+    }
 
     bool deepest(Chosen& r) const {
         double lowest = std::numeric_limits<double>::infinity(), outermost = -1;
-        for (std::size_t i = 0; i < points_.size(); ++i)
-            if (points_[i].separation < lowest) lowest = points_[i].separation;
-        for (std::size_t i = 0; i < points_.size(); ++i) {
-            const double d = square(flat_[i], {0, 0});
-            if (!counts(i) || !(points_[i].separation <= lowest + flat_contact_part * extent_)) continue;
+        const Flat* p = flat_.data();
+        const std::size_t n = flat_.size();
+        for (std::size_t i = 0; i < n; ++i)
+            if (p[i].separation < lowest) lowest = p[i].separation;
+        for (std::size_t i = 0; i < n; ++i) {
+            if (!(p[i].separation <= lowest + flat_contact_part * extent_)) continue;
+            const double d = p[i].x * p[i].x + p[i].y * p[i].y;
             if (d > outermost * tie) outermost = d, r.index[0] = i, r.count = 1;
         }
         return r.count == 1;
     }
     // Adds the point of the greatest measure above `least`.
     template <class Measure> bool best(Chosen& r, double& least, Measure measure) const {
+        const Flat* p = flat_.data();
+        const std::size_t n = flat_.size();
         bool is_found = false;
-        for (std::size_t i = 0; i < points_.size(); ++i) {
-            const double value = counts(i) ? measure(flat_[i]) : 0;
+        for (std::size_t i = 0; i < n; ++i) {
+            const double value = measure(p[i]);
             if (value > least * tie) least = value, r.index[r.count] = i, is_found = true;
         }
         r.count += is_found ? 1 : 0;
         return is_found;
     }
 
-    const ContactPoints& points_;
     Buffer<Flat, 32> flat_;
-    double margin_, extent_;
+    double extent_;
 };
 
 } // namespace

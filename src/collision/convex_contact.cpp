@@ -188,32 +188,33 @@ void edge_manifold(const Convex& a, const Convex& b, const Axis& axis, double ex
 }
 
 // The points of one pair of shapes between a face and what is opposite. They are asked for again with another axis, and
-// the face is mostly the same.
+// the face is mostly the same, and how far its points reach is mostly enough.
 struct FacePoints {
-    int face = -1;
-    bool is_second = false;
+    FaceReach known;
+    bool is_found = false; // else only how far they reach may be known
     ContactPoints points;
-    double reached = 0; // the least separation
 
+    bool is_of(const Axis& axis) const { return known.face == axis.face && known.is_second == axis.is_second; }
     void find(const Convex& c, const Convex& other, const Axis& axis, double extent) {
-        if (face == axis.face && is_second == axis.is_second) return;
-        face = axis.face, is_second = axis.is_second;
+        is_found = true;
+        known.face = axis.face, known.is_second = axis.is_second;
         Feature reference, incident;
         face_feature(c, axis.face, reference);
         incident_feature(other, axis.is_second ? axis.normal : -axis.normal, incident);
         points.clear();
         face_points(reference, incident, extent, points);
-        reached = std::numeric_limits<double>::infinity();
+        known.reached = std::numeric_limits<double>::infinity();
         for (const ContactPoint& p : points)
-            if (p.separation < reached) reached = p.separation;
+            if (p.separation < known.reached) known.reached = p.separation;
     }
 };
 
 bool face_manifold(const Convex& a, const Convex& b, const Axis& axis, double least, double tolerance, double extent,
                    double margin, FacePoints& found, Manifold& out) {
     const Convex &c = axis.is_second ? b : a, &other = axis.is_second ? a : b;
-    found.find(c, other, axis, extent);
-    if (!(found.reached <= least + tolerance)) return false;
+    if (!found.is_of(axis)) found.find(c, other, axis, extent);
+    if (!(found.known.reached <= least + tolerance)) return false;
+    if (!found.is_found) found.find(c, other, axis, extent);
     write_manifold(found.points, axis.normal, other.center, extent, margin, least, out);
     return out.count > 0;
 }
@@ -391,6 +392,23 @@ void lift(const Convex& a, const Convex& polygon, double margin, Manifold& out) 
     write_manifold(points, -up, m, a.extent, margin, none, out);
 }
 
+// A contact with the front of a polygon, that the guess does not tell.
+SurfaceContact contact_from_cores(const Convex& a, const Convex& polygon, double margin, DVec3 guess, FacePoints& found,
+                                  Manifold& out) {
+    const DVec3 up = polygon.axes.c1;
+    Axis axis;
+    if (!find_axis(a, polygon, margin, guess, axis)) return {};
+    if (dot(axis.normal, up) > downward) {
+        // It would be pushed down: it has left the polygon, or is so much above it that it is pushed up.
+        const double upward = separation_along(a, polygon, -up);
+        if (axis.separation > 0.5 * upward || axis.separation > 0) return {};
+        axis.normal = -up;
+        measure(a, polygon, axis);
+    }
+    contact_along(a, polygon, axis, margin, found, out);
+    return place_of(a, polygon, out);
+}
+
 } // namespace
 
 SurfaceContact collide_surface(const Convex& a, const Convex& polygon, double margin, DVec3 guess, Manifold& out) {
@@ -408,19 +426,17 @@ SurfaceContact collide_surface(const Convex& a, const Convex& polygon, double ma
             lift(a, polygon, margin, out);
         return {};
     }
-    Axis axis;
     FacePoints found;
     if (contact_by_guess(a, polygon, margin, guess, found, out)) return place_of(a, polygon, out);
-    if (!find_axis(a, polygon, margin, guess, axis)) return {};
-    if (dot(axis.normal, up) > downward) {
-        // It would be pushed down: it has left the polygon, or is so much above it that it is pushed up.
-        const double upward = separation_along(a, polygon, -up);
-        if (axis.separation > 0.5 * upward || axis.separation > 0) return {};
-        axis.normal = -up;
-        measure(a, polygon, axis);
-    }
-    contact_along(a, polygon, axis, margin, found, out);
-    return place_of(a, polygon, out);
+    return contact_from_cores(a, polygon, margin, guess, found, out);
+}
+
+SurfaceContact collide_surface_beyond(const FaceReach& known, const Convex& a, const Convex& polygon, double margin,
+                                      DVec3 guess, Manifold& out) {
+    clear_manifold(out);
+    FacePoints found;
+    found.known = known;
+    return contact_from_cores(a, polygon, margin, guess, found, out);
 }
 
 } // namespace cairn

@@ -29,4 +29,15 @@ struct SurfaceContact {
 // not deeper than the shape's own size along the normal; for a rectangle: not deeper than its smaller half extent.
 SurfaceContact collide_surface(const Convex& a, const Convex& polygon, double margin, math::DVec3 guess, Manifold& out);
 
+// What is known of the best face of a pair of shapes.
+struct FaceReach {
+    int face = -1;          // as in Convex; -1: nothing
+    bool is_second = false; // of the second shape
+    double reached = 0;     // the least separation of the points between the face and what is opposite
+};
+// Likewise, where the middle of `a` is in front of the polygon and the faces that are met along the normal of the
+// polygon are known not to make the contact.
+SurfaceContact collide_surface_beyond(const FaceReach& known, const Convex& a, const Convex& polygon, double margin,
+                                      math::DVec3 guess, Manifold& out);
+
 } // namespace cairn

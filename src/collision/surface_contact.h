@@ -17,11 +17,19 @@ struct Surface {
 
 // What the shape has to do with one triangle.
 struct TriangleHit {
-    Manifold manifold;
-    double depth; // of the deepest point; negative when apart
+    math::DVec3 normal;                     // from the shape to the triangle
+    math::DVec3 foot;                       // where the triangle is, at the first of the points
+    double depth;                           // of the deepest point; negative when apart
+    std::uint32_t first_point, point_count; // in SurfaceScratch::points
     std::uint32_t triangle;
     bool on_face;      // of the triangle, not at its edges
     std::size_t patch; // that it is a part of
+};
+
+// A point of a hit: midway between the surfaces.
+struct SurfacePoint {
+    math::DVec3 position;
+    double separation;
 };
 
 // One direction in which the shape touches the surface.
@@ -34,6 +42,7 @@ struct SurfacePatch {
 // Working memory.
 struct SurfaceScratch {
     std::vector<TriangleHit> hits;
+    std::vector<SurfacePoint> points;
     std::vector<SurfacePatch> patches;
 };
 
