@@ -127,8 +127,8 @@ int measure_rollbacks(const std::vector<int>& thread_counts) {
                    result.joints, threads);
         fmt::print("  ms: mean {:.2f}, median {:.2f}, 99 % below {:.2f}, worst {:.2f}; {} above 16.67\n",
                    sum / double(ms.size()), ms[ms.size() / 2], ms[ms.size() * 99 / 100], ms.back(), late);
-        fmt::print("  ms: restore {:.3f}, each of {} steps {:.3f}, save {:.3f}\n", result.restore, options.frames,
-                   result.step, result.save);
+        fmt::print("  ms: restore {:.3f}, each of {} steps {:.3f}, save {:.3f}; of the processor in all {:.2f}\n",
+                   result.restore, options.frames, result.step, result.save, result.processor);
         const double n = double(result.bodies);
         const cairn::SnapshotSizes& sizes = result.sizes;
         fmt::print("  snapshot: {} bytes; per body {:.0f} for its state, {:.0f} contacts, {:.0f} joints, {:.0f} broad "

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 
 namespace cairn::bench {
 
@@ -80,6 +81,7 @@ RollbackResult measure_rollback(const RollbackOptions& options) {
     Snapshot known = world.save();                              // the last frame of which everything is known
     for (int i = 0; i < options.frames; ++i) world.step(frame); // a guess: nobody pushes
     for (int r = 0; r < options.rollbacks; ++r) {
+        const std::clock_t processor = std::clock();
         Stopwatch watch;
         world.restore(known);
         const double restore = watch.lap();
@@ -90,6 +92,7 @@ RollbackResult measure_rollback(const RollbackOptions& options) {
         const double save = watch.lap();
         for (int i = 1; i < options.frames; ++i) world.step(frame);
         const double steps = first + watch.lap();
+        result.processor += 1000.0 * double(std::clock() - processor) / CLOCKS_PER_SEC;
         result.milliseconds.push_back(restore + steps + save);
         result.restore += restore, result.save += save, result.step += steps / options.frames;
 
@@ -103,6 +106,7 @@ RollbackResult measure_rollback(const RollbackOptions& options) {
         result.most_awake = std::max(result.most_awake, awake);
     }
     result.restore /= options.rollbacks, result.save /= options.rollbacks, result.step /= options.rollbacks;
+    result.processor /= options.rollbacks;
     result.contacts = straight.statistics().contacts;
     result.joints = straight.joints().size();
     result.sizes = known.sizes();
