@@ -1,8 +1,12 @@
-// Writing state to bytes and reading it back, with one `serialize(archive)` per class for both directions.
+// Writing state to bytes and reading it back, with one `serialize(archive)` per class for both directions. Elements of
+// vectors are packed: of each only the 32-bit words that are others than foretold, by default those of the element
+// before. That is exact whatever is foretold, as long as writing and reading foretell the same.
 #pragma once
 
 #include <cairn/error.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -12,6 +16,19 @@
 
 namespace cairn {
 
+namespace archive_detail {
+
+template <class T> inline constexpr bool is_packed = sizeof(T) % 4 == 0 && sizeof(T) > 8;
+template <class T> using Words = std::array<std::uint32_t, sizeof(T) / 4>;
+
+// Words come in groups with a mask each of those that differ, a bit for each word.
+inline constexpr std::size_t group = 32;
+constexpr std::size_t mask_size(std::size_t words) { return (words + 7) / 8; }
+template <class T>
+inline constexpr std::size_t most_packed_size = sizeof(T) + 4 * ((sizeof(T) / 4 + group - 1) / group);
+
+} // namespace archive_detail
+
 class ArchiveWriter {
   public:
     static constexpr bool reading = false;
@@ -19,9 +36,22 @@ class ArchiveWriter {
 
     template <class T> void operator()(const std::vector<T>& v) {
         static_assert(std::is_trivially_copyable_v<T>);
-        const std::uint64_t size = v.size();
-        raw(&size, sizeof size);
-        raw(v.data(), v.size() * sizeof(T));
+        if constexpr (archive_detail::is_packed<T>) {
+            write(v, [&](std::size_t i) -> const T* { return i > 0 ? &v[i - 1] : nullptr; });
+        } else {
+            const std::uint64_t size = v.size();
+            raw(&size, sizeof size);
+            raw(v.data(), v.size() * sizeof(T));
+        }
+    }
+    // `foretell(i)`: what element i will likely be, from what has been written before this vector.
+    template <class T, class F> void foretold(const std::vector<T>& v, const F& foretell) {
+        static_assert(std::is_trivially_copyable_v<T> && archive_detail::is_packed<T>);
+        T expected;
+        write(v, [&](std::size_t i) -> const T* {
+            expected = foretell(i);
+            return &expected;
+        });
     }
     void operator()(const std::string& s) {
         const std::uint64_t size = s.size();
@@ -32,7 +62,38 @@ class ArchiveWriter {
     requires std::is_trivially_copyable_v<T>
     void operator()(const T& value) { raw(&value, sizeof value); }
 
+    std::size_t size() const noexcept { return out_.size(); }
+
   private:
+    template <class T, class Expected> void write(const std::vector<T>& v, Expected&& expected) {
+        const std::uint64_t count = v.size();
+        raw(&count, sizeof count);
+        const std::size_t at = out_.size();
+        out_.resize(at + v.size() * archive_detail::most_packed_size<T>);
+        std::byte* to = out_.data() + at;
+        for (std::size_t i = 0; i < v.size(); ++i) to = pack(v[i], expected(i), to);
+        out_.resize(std::size_t(to - out_.data()));
+    }
+    // `expected`: null for zeros.
+    template <class T> static std::byte* pack(const T& value, const T* expected, std::byte* to) {
+        archive_detail::Words<T> now, before{};
+        std::memcpy(now.data(), static_cast<const void*>(&value), sizeof value);
+        if (expected) std::memcpy(before.data(), static_cast<const void*>(expected), sizeof value);
+        for (std::size_t first = 0; first < now.size(); first += archive_detail::group) {
+            const std::size_t count = std::min(now.size() - first, archive_detail::group);
+            std::byte* const place = to;
+            to += archive_detail::mask_size(count);
+            std::uint32_t mask = 0;
+            for (std::size_t k = 0; k < count; ++k) {
+                const std::uint32_t differs = now[first + k] != before[first + k];
+                mask |= differs << k;
+                std::memcpy(to, &now[first + k], 4); // kept if the next one goes behind it
+                to += 4 * differs;
+            }
+            std::memcpy(place, &mask, archive_detail::mask_size(count));
+        }
+        return to;
+    }
     void raw(const void* data, std::size_t size) {
         if (size == 0) return;
         const std::size_t at = out_.size();
@@ -50,8 +111,21 @@ class ArchiveReader {
 
     template <class T> void operator()(std::vector<T>& v) {
         static_assert(std::is_trivially_copyable_v<T>);
-        v.resize(count(sizeof(T)));
-        raw(v.data(), v.size() * sizeof(T));
+        if constexpr (archive_detail::is_packed<T>) {
+            v.resize(count(1));
+            for (std::size_t i = 0; i < v.size(); ++i) unpack(v[i], i > 0 ? &v[i - 1] : nullptr);
+        } else {
+            v.resize(count(sizeof(T)));
+            raw(v.data(), v.size() * sizeof(T));
+        }
+    }
+    template <class T, class F> void foretold(std::vector<T>& v, const F& foretell) {
+        static_assert(std::is_trivially_copyable_v<T> && archive_detail::is_packed<T>);
+        v.resize(count(1));
+        for (std::size_t i = 0; i < v.size(); ++i) {
+            const T expected = foretell(i);
+            unpack(v[i], &expected);
+        }
     }
     void operator()(std::string& s) {
         s.resize(count(1));
@@ -64,11 +138,24 @@ class ArchiveReader {
     std::size_t bytes_left() const noexcept { return left_; }
 
   private:
+    // Of elements that take so many bytes at least.
     std::size_t count(std::size_t element) {
         std::uint64_t n = 0;
         raw(&n, sizeof n);
         if (n > left_ / element) throw_short();
         return std::size_t(n);
+    }
+    template <class T> void unpack(T& value, const T* expected) {
+        archive_detail::Words<T> words{};
+        if (expected) std::memcpy(words.data(), static_cast<const void*>(expected), sizeof value);
+        for (std::size_t first = 0; first < words.size(); first += archive_detail::group) {
+            const std::size_t count = std::min(words.size() - first, archive_detail::group);
+            std::uint32_t mask = 0;
+            raw(&mask, archive_detail::mask_size(count));
+            if (count < 32 && (mask >> count) != 0) throw_short();
+            for (; mask != 0; mask &= mask - 1) raw(&words[first + std::size_t(__builtin_ctz(mask))], 4);
+        }
+        std::memcpy(static_cast<void*>(&value), words.data(), sizeof value);
     }
     void raw(void* out, std::size_t size) {
         if (size > left_) throw_short();

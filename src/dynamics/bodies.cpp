@@ -90,9 +90,7 @@ void place_shapes(State& state, std::int32_t body) {
     place_each_shape(state, body, [&](std::uint32_t s, const math::Mat3& rotation) {
         const Geometry& geometry = state.geometry[s];
         const math::Vec3 middle = state.shapes[s].arm + rotation * math::rotate(geometry.rotation, geometry.middle);
-        float* size = state.shape_poses[s].size;
-        size[0] = geometry.size.x, size[1] = geometry.size.y, size[2] = geometry.size.z;
-        size[3] = geometry.bounding_radius;
+        size_shape(state.shape_poses[s], geometry);
         radius = std::max(radius, math::length(middle) + geometry.bounding_radius);
     });
     state.bodies[std::size_t(body)].radius = radius;

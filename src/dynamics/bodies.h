@@ -15,6 +15,20 @@ void set_mass(State& state, std::int32_t body, const MassProperties& properties)
 // Recomputes world poses and arms of a body's shapes, and the body's radius, after its pose or shapes changed.
 void place_shapes(State& state, std::int32_t body);
 
+// The pose of a shape whose middle is at `position`, on a body with the rotation `q`; its size stays.
+inline void pose_shape(ShapePose& pose, const Geometry& geometry, math::DVec3 position, math::Quat q) {
+    for (int i = 0; i < 3; ++i) {
+        pose.high[i] = float(position[i]);
+        pose.low[i] = float(position[i] - double(pose.high[i]));
+    }
+    const math::Quat r = geometry.is_turned ? q * geometry.rotation : q;
+    pose.q[0] = r.x, pose.q[1] = r.y, pose.q[2] = r.z, pose.q[3] = r.w;
+}
+inline void size_shape(ShapePose& pose, const Geometry& geometry) {
+    pose.size[0] = geometry.size.x, pose.size[1] = geometry.size.y, pose.size[2] = geometry.size.z;
+    pose.size[3] = geometry.bounding_radius;
+}
+
 // Puts one shape where its body is. The step's inner loop.
 inline void place_shape(State& state, std::uint32_t shape, const BodyMotion& motion, const math::Mat3& rotation,
                         math::Quat q, math::Vec3 center) {
@@ -22,14 +36,7 @@ inline void place_shape(State& state, std::uint32_t shape, const BodyMotion& mot
     math::Vec3 arm;
     if (!(geometry.position == center)) arm = rotation * (geometry.position - center);
     state.shapes[shape].arm = arm;
-    const math::DVec3 position = motion.x + math::to_double(arm);
-    ShapePose& pose = state.shape_poses[shape];
-    for (int i = 0; i < 3; ++i) {
-        pose.high[i] = float(position[i]);
-        pose.low[i] = float(position[i] - double(pose.high[i]));
-    }
-    const math::Quat r = geometry.is_turned ? q * geometry.rotation : q;
-    pose.q[0] = r.x, pose.q[1] = r.y, pose.q[2] = r.z, pose.q[3] = r.w;
+    pose_shape(state.shape_poses[shape], geometry, motion.x + math::to_double(arm), q);
 }
 
 // Puts all shapes of a body where it is; f(shape, rotation of the body) after each.

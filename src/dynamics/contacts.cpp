@@ -8,7 +8,6 @@
 #include "dynamics/solver.h"
 
 #include <algorithm>
-#include <atomic>
 
 namespace cairn {
 
@@ -359,7 +358,7 @@ bool take_report(State& s, const SortedContact& sorted, float dt) {
 } // namespace
 
 void report_contacts(State& s, float dt) {
-    std::atomic<float> deepest = 0;
+    float deepest = 0; // raised by all threads
     std::vector<std::uint8_t>& changes = s.narrow.changes;
     changes.resize(s.contacts.size());
     const std::vector<SortedContact>& sorted = s.solver.sorted;
@@ -373,7 +372,7 @@ void report_contacts(State& s, float dt) {
         }
         raise(deepest, own);
     });
-    s.statistics.max_penetration = double(deepest.load());
+    s.statistics.max_penetration = double(deepest);
     for (const std::uint32_t id : s.solved) {
         if (!changes[id]) continue;
         ContactInfo& c = s.contacts[id];

@@ -38,8 +38,8 @@ void note_load(Island& island, ContactInfo& c, float force, float inverse_mass) 
     // More than the weight of all comes from being squeezed between immovable things: no stiffness helps there.
     const float load = std::min(c.load, most_of_weight * island.weight);
     const float stiffness = c.b_moves ? 1.0f : immovable_stiffness;
-    raise(std::atomic_ref(island.greatest_load), load);
-    raise(std::atomic_ref(island.greatest_demand), load * (inverse_mass / stiffness));
+    raise(island.greatest_load, load);
+    raise(island.greatest_demand, load * (inverse_mass / stiffness));
 }
 
 int island_substeps(const State& s, Island& island) {

@@ -20,6 +20,15 @@ void pause() {
 #endif
 }
 
+// The program's signals are for the program's own threads.
+void leave_signals_alone() {
+#if defined(__unix__)
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, nullptr);
+#endif
+}
+
 } // namespace
 
 Crew::Crew(int threads) : ranges_(std::size_t(std::max(threads, 1))) {
@@ -102,10 +111,7 @@ void Crew::run(int first, int end, int grain, Work work, const void* context) {
 }
 
 void Crew::help(int thread) {
-    // The program's signals are for the program's own threads.
-    sigset_t all;
-    sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, nullptr);
+    leave_signals_alone();
     while (!ends_.load(std::memory_order_relaxed)) {
         const std::uint64_t seen = stage_.load(std::memory_order_acquire);
         while (take_chunk(thread)) {}

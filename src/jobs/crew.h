@@ -84,10 +84,12 @@ class Crew {
     std::vector<std::thread> workers_;
 };
 
-// The greatest of what several threads say.
-template <class AtomicFloat> void raise(AtomicFloat&& greatest, float value) {
-    float seen = greatest.load(std::memory_order_relaxed);
-    while (seen < value && !greatest.compare_exchange_weak(seen, value, std::memory_order_relaxed)) {}
+// The greatest of what several threads say. Compilers' builtins: the library of Emscripten 3.1 has no std::atomic_ref.
+inline void raise(float& greatest, float value) {
+    float seen;
+    __atomic_load(&greatest, &seen, __ATOMIC_RELAXED);
+    while (seen < value &&
+           !__atomic_compare_exchange(&greatest, &seen, &value, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {}
 }
 
 // Crew::for_chunks with a crew that may be none: then all at once.

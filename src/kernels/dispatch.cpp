@@ -11,7 +11,9 @@ namespace cairn {
     namespace isa {                                                                                                    \
     extern const KernelTable table;                                                                                    \
     }
+#ifdef CAIRN_HAS_SCALAR
 CAIRN_DECLARE_TABLE(scalar)
+#endif
 #ifdef CAIRN_HAS_SSE2
 CAIRN_DECLARE_TABLE(sse2)
 #endif
@@ -20,6 +22,9 @@ CAIRN_DECLARE_TABLE(avx2)
 #endif
 #ifdef CAIRN_HAS_NEON
 CAIRN_DECLARE_TABLE(neon)
+#endif
+#ifdef CAIRN_HAS_SIMD128
+CAIRN_DECLARE_TABLE(simd128)
 #endif
 
 namespace {
@@ -37,15 +42,20 @@ const KernelTable* available(int i) noexcept {
 #ifdef CAIRN_HAS_NEON
     tables[count++] = &neon::table;
 #endif
+#ifdef CAIRN_HAS_SIMD128
+    tables[count++] = &simd128::table;
+#endif
+#ifdef CAIRN_HAS_SCALAR
     tables[count++] = &scalar::table;
+#endif
     return i < count ? tables[i] : nullptr;
 }
 
 const KernelTable& choose() noexcept {
     const char* wanted = std::getenv("CAIRN_ISA");
-    if (!wanted || !*wanted) return *available(0);
-    if (const KernelTable* table = kernels_named(wanted)) return *table;
-    std::fprintf(stderr, "cairn: CAIRN_ISA=%s is not available here; the choices are", wanted);
+    const KernelTable* const table = wanted && *wanted ? kernels_named(wanted) : available(0);
+    if (table) return *table;
+    std::fprintf(stderr, "cairn: CAIRN_ISA=%s is not available here; the choices are", wanted ? wanted : "");
     for (int i = 0; available(i); ++i) std::fprintf(stderr, " %s", available(i)->name);
     std::fprintf(stderr, "\n");
     std::exit(2);

@@ -4,11 +4,11 @@
 #include "core/order.h"
 #include "shapes/hull_exact.h"
 #include "shapes/hull_faces.h"
+#include "shapes/refuse.h"
 
 #include <cairn/error.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -30,12 +30,6 @@ constexpr double finest_plane = 1e-6;
 constexpr std::size_t many_points = 1024; // more than the nearest caches hold, with what is made of them
 constexpr std::size_t most_points = std::size_t(1) << 30;
 
-std::string to_text(double value) {
-    char text[32];
-    const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, 6).ptr;
-    return {text, end};
-}
-
 [[noreturn]] void refuse(const std::string& value, const std::string& expected) {
     throw Error(ErrorCode::invalid_value, "Hull points", value, expected);
 }
@@ -52,7 +46,7 @@ Bounds check(std::span<const Vec3> points) {
     for (std::size_t i = 0; i < points.size(); ++i)
         for (int k = 0; k < 3; ++k)
             if (!(std::fabs(points[i][k]) <= largest_coordinate))
-                refuse("point " + std::to_string(i) + " with " + "xyz"[k] + " = " + to_text(points[i][k]),
+                refuse("point " + std::to_string(i) + " with " + "xyz"[k] + " = " + number_text(points[i][k]),
                        std::isfinite(points[i][k]) ? "must have coordinates from -1e6 to 1e6" : "must be finite");
     Bounds r{math::to_double(points[0]), math::to_double(points[0])};
     for (const Vec3 p : points) r.lo = math::min(r.lo, math::to_double(p)), r.hi = math::max(r.hi, math::to_double(p));
@@ -60,23 +54,24 @@ Bounds check(std::span<const Vec3> points) {
     r.extent = std::max({size.x, size.y, size.z});
     r.largest = std::max({reach.x, reach.y, reach.z});
     if (!(r.extent >= least_extent))
-        refuse("an extent of " + to_text(r.extent) + " m", "must not all lie in one point (within 1e-6 m)");
+        refuse("an extent of " + number_text(r.extent) + " m", "must not all lie in one point (within 1e-6 m)");
     return r;
 }
 
 void require_breadth(double breadth, double extent) {
     if (!(breadth > least_thickness * extent))
-        refuse("a breadth of " + to_text(breadth) + " m in an extent of " + to_text(extent) + " m",
+        refuse("a breadth of " + number_text(breadth) + " m in an extent of " + number_text(extent) + " m",
                "must not all lie on one line (within 1e-5 of their extent)");
 }
 
 void require_thickness(double thickness, const Bounds& bounds) {
     if (!(thickness > least_thickness * bounds.extent))
-        refuse("a thickness of at most " + to_text(thickness) + " m in an extent of " + to_text(bounds.extent) + " m",
+        refuse("a thickness of at most " + number_text(thickness) + " m in an extent of " + number_text(bounds.extent) +
+                   " m",
                "must not all lie in one plane (within 1e-5 of their extent)");
     if (!(thickness > finest_plane * bounds.largest))
-        refuse("a thickness of at most " + to_text(thickness) + " m with a coordinate of " + to_text(bounds.largest) +
-                   " m",
+        refuse("a thickness of at most " + number_text(thickness) + " m with a coordinate of " +
+                   number_text(bounds.largest) + " m",
                "must not all lie in one plane (within 1e-6 of the largest coordinate, as planes are kept in floats)");
 }
 

@@ -7,6 +7,8 @@
 
 #include <atomic>
 #include <exception>
+#include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -30,6 +32,10 @@ struct World::Impl {
     std::uint32_t index_of(JointId id) const;
     std::uint32_t index_of(ForceFieldId id) const;
 
+    // For snapshots: those of the last one if nothing has changed. May be called from many threads.
+    std::shared_ptr<const SnapshotDefinitions> definitions();
+    std::mutex last_definitions_mutex;
+    std::shared_ptr<const SnapshotDefinitions> last_definitions;
     // The shapes of a snapshot: throws Error(invalid_file) unless they are those of the geometry that is there.
     void set_shapes(const std::vector<Shape>& shapes);
 

@@ -1,14 +1,44 @@
 // Saving a world and bringing it back.
 #include "core/archive.h"
 #include "core/hash.h"
+#include "dynamics/bodies.h"
 #include "world/impl.h"
 #include "world/validate.h"
+
+#include <algorithm>
+#include <array>
+#include <mutex>
+#include <type_traits>
 
 namespace cairn {
 
 namespace {
 
-constexpr std::uint64_t magic = 0x31306e7269616321ull; // "!cairn01"
+constexpr std::uint64_t magic = 0x32306e7269616321ull; // "!cairn02"
+
+// What comes before the state.
+struct Header {
+    std::uint64_t magic = 0, layout = 0;
+    std::uint64_t definitions = 0;                                       // their hash
+    std::uint64_t checksum = 0;                                          // of all that follows
+    std::uint64_t bodies = 0, contacts = 0, joints = 0, broad_phase = 0; // bytes
+};
+
+[[noreturn]] void throw_damaged() {
+    throw Error(ErrorCode::invalid_file, "Snapshot", "", "is damaged: its checksum does not fit");
+}
+
+// Where a shape is if its body was not put elsewhere since the last step.
+ShapePose expected_pose(const State& s, std::size_t shape) {
+    ShapePose pose{};
+    const std::int32_t body = s.shapes[shape].body;
+    if (shape >= s.geometry.size() || std::uint32_t(body) >= s.motion.size()) return pose;
+    const Geometry& g = s.geometry[shape];
+    const BodyMotion& motion = s.motion[std::size_t(body)];
+    pose_shape(pose, g, motion.x + math::to_double(s.shapes[shape].arm), math::to_float(motion.q));
+    size_shape(pose, g);
+    return pose;
+}
 
 // Layouts that a snapshot depends on: one from another build is refused rather than misread.
 std::uint64_t layout() {
@@ -21,25 +51,90 @@ std::uint64_t layout() {
     return hash.value();
 }
 
-template <class Archive> void serialize_state(Archive& archive, State& s) {
-    archive(s.world_id), archive(s.settings), archive(s.steps), archive(s.passes), archive(s.time);
-    s.body_slots.serialize(archive);
-    archive(s.motion), archive(s.mass), archive(s.body_settings), archive(s.forces), archive(s.bodies),
-        archive(s.pushed);
-    archive(s.resting), archive(s.left_at), archive(s.near), archive(s.strayed_at), archive(s.kinematics);
-    s.shape_slots.serialize(archive);
-    archive(s.geometry), archive(s.shape_poses), archive(s.shapes), archive(s.materials), archive(s.shape_traits);
-    archive(s.records), archive(s.contacts), archive(s.free_contacts);
+std::uint64_t hash_of(const std::vector<std::byte>& bytes) {
+    Hash64 sum;
+    sum.add_bytes(bytes.data(), bytes.size());
+    return sum.value();
+}
+
+std::uint64_t checksum_of(Header header, const std::vector<std::byte>& snapshot) {
+    Hash64 sum;
+    header.checksum = 0;
+    sum.add_bytes(&header, sizeof header);
+    sum.add_bytes(snapshot.data() + sizeof header, snapshot.size() - sizeof header);
+    return sum.value();
+}
+
+// --- what steps change
+
+template <class Archive> void serialize_bodies(Archive& archive, State& s) {
+    archive(s.motion), archive(s.forces), archive(s.pushed), archive(s.bodies);
+    archive.foretold(s.resting, [&](std::size_t i) { return RestingPose{s.motion[i].x, s.motion[i].q}; });
+    archive.foretold(s.near, [&](std::size_t i) { return s.resting[i]; });
+    archive(s.left_at), archive(s.strayed_at);
+    archive(s.shapes);
+    archive.foretold(s.shape_poses, [&](std::size_t i) { return expected_pose(s, i); });
     archive(s.islands), archive(s.free_islands), archive(s.awake_islands);
     archive(s.falling_asleep), archive(s.waking);
-    s.joint_slots.serialize(archive);
-    archive(s.joints), archive(s.joint_axes);
-    s.field_slots.serialize(archive);
-    archive(s.fields), archive(s.dead_bodies), archive(s.dead_shapes);
-    s.broad_phase.serialize(archive);
+}
+
+template <class Archive> void serialize_contacts(Archive& archive, State& s) {
+    archive(s.records), archive(s.contacts), archive(s.free_contacts);
+}
+
+// Without what a joint is defined by.
+JointInfo moving_part(const JointInfo& joint) {
+    JointInfo moving = joint;
+    moving.anchor_a = moving.anchor_b = moving.ground_a = moving.ground_b = {};
+    moving.frame_a = moving.frame_b = {};
+    return moving;
+}
+
+template <class Archive> void serialize_joints(Archive& archive, State& s) {
+    std::vector<JointInfo> moving;
+    std::vector<std::array<JointAxisState, most_joint_axes>> states(s.joint_axes.size());
+    if constexpr (!Archive::reading) {
+        for (const JointInfo& joint : s.joints) moving.push_back(moving_part(joint));
+        for (std::size_t i = 0; i < states.size(); ++i)
+            std::copy_n(s.joint_axes[i].states, most_joint_axes, states[i].begin());
+    }
+    archive(moving), archive(states);
+    if constexpr (Archive::reading) {
+        if (moving.size() != s.joints.size() || states.size() != s.joint_axes.size()) throw_damaged();
+        for (std::size_t i = 0; i < moving.size(); ++i) {
+            const JointInfo defined = s.joints[i];
+            JointInfo& joint = s.joints[i] = moving[i];
+            joint.anchor_a = defined.anchor_a, joint.anchor_b = defined.anchor_b;
+            joint.ground_a = defined.ground_a, joint.ground_b = defined.ground_b;
+            joint.frame_a = defined.frame_a, joint.frame_b = defined.frame_b;
+        }
+        for (std::size_t i = 0; i < states.size(); ++i)
+            std::copy_n(states[i].begin(), most_joint_axes, s.joint_axes[i].states);
+    }
+}
+
+template <class Archive> void serialize_counters(Archive& archive, State& s) {
+    archive(s.steps), archive(s.passes), archive(s.time);
     archive(s.clamped_speeds), archive(s.statistics), archive(s.next_ends), archive(s.next_triggers),
         archive(s.next_joint_events), archive(s.next_sleeps);
 }
+
+// `size_so_far()`, to measure the parts by when writing.
+template <class Archive, class F> void serialize_state(Archive& archive, State& s, Header& header, F&& size_so_far) {
+    std::size_t last = size_so_far();
+    auto part = [&](std::uint64_t& size) {
+        const std::size_t now = size_so_far();
+        size = now - last;
+        last = now;
+    };
+    serialize_bodies(archive, s), part(header.bodies);
+    serialize_contacts(archive, s), part(header.contacts);
+    serialize_joints(archive, s), part(header.joints);
+    s.broad_phase.serialize(archive), part(header.broad_phase);
+    serialize_counters(archive, s);
+}
+
+// --- what they do not change
 
 template <class Archive, class T> void serialize_joint(Archive& archive, T& joint) { archive(joint); }
 template <class Archive> void serialize_joint(Archive& archive, GeneralJoint& joint) {
@@ -54,7 +149,7 @@ template <std::size_t I = 0> void select_joint(Joint& joint, std::size_t index) 
         else
             select_joint<I + 1>(joint, index);
     } else {
-        throw Error(ErrorCode::invalid_file, "Snapshot", "", "is damaged: a joint is of no kind");
+        throw_damaged();
     }
 }
 
@@ -67,13 +162,69 @@ template <class Archive> void serialize_joint_def(Archive& archive, JointDef& de
     std::visit([&](auto& joint) { serialize_joint(archive, joint); }, def.joint);
 }
 
-template <class Archive, class Impl> void serialize_all(Archive& archive, Impl& impl) {
-    serialize_state(archive, impl.state);
+template <class Archive> void serialize_defined_joints(Archive& archive, State& s) {
+    struct Defined {
+        math::DVec3 anchor_a, anchor_b, ground_a, ground_b;
+        math::DQuat frame_a, frame_b;
+    };
+    std::vector<Defined> defined(s.joints.size());
+    std::vector<std::array<JointAxisRule, most_joint_axes>> rules(s.joint_axes.size());
+    if constexpr (!Archive::reading) {
+        for (std::size_t i = 0; i < defined.size(); ++i) {
+            const JointInfo& joint = s.joints[i];
+            defined[i] = {joint.anchor_a, joint.anchor_b, joint.ground_a, joint.ground_b, joint.frame_a, joint.frame_b};
+        }
+        for (std::size_t i = 0; i < rules.size(); ++i)
+            std::copy_n(s.joint_axes[i].rules, most_joint_axes, rules[i].begin());
+    }
+    archive(defined), archive(rules);
+    if constexpr (Archive::reading) {
+        s.joints.resize(defined.size()), s.joint_axes.resize(rules.size());
+        for (std::size_t i = 0; i < defined.size(); ++i) {
+            JointInfo& joint = s.joints[i];
+            joint.anchor_a = defined[i].anchor_a, joint.anchor_b = defined[i].anchor_b;
+            joint.ground_a = defined[i].ground_a, joint.ground_b = defined[i].ground_b;
+            joint.frame_a = defined[i].frame_a, joint.frame_b = defined[i].frame_b;
+        }
+        for (std::size_t i = 0; i < rules.size(); ++i)
+            std::copy_n(rules[i].begin(), most_joint_axes, s.joint_axes[i].rules);
+    }
+}
+
+template <class Archive, class Impl> void serialize_definitions(Archive& archive, Impl& impl) {
+    State& s = impl.state;
+    archive(s.world_id), archive(s.settings);
+    s.body_slots.serialize(archive), s.shape_slots.serialize(archive);
+    s.joint_slots.serialize(archive), s.field_slots.serialize(archive);
+    archive(s.mass), archive(s.body_settings), archive(s.kinematics), archive(s.dead_bodies), archive(s.dead_shapes);
+    archive(s.geometry), archive(s.materials), archive(s.shape_traits), archive(s.fields);
+    serialize_defined_joints(archive, s);
     archive(impl.user_data), archive(impl.def_of);
-    impl.names.resize(impl.state.body_slots.size());
+    impl.names.resize(s.body_slots.size());
     for (std::string& name : impl.names) archive(name);
-    impl.joint_defs.resize(impl.state.joint_slots.size());
+    impl.joint_defs.resize(s.joint_slots.size());
     for (JointDef& def : impl.joint_defs) serialize_joint_def(archive, def);
+}
+
+bool is_same(const Sphere& a, const Sphere& b) { return a.radius == b.radius; }
+bool is_same(const Box& a, const Box& b) { return a.half_extents == b.half_extents && a.rounding == b.rounding; }
+bool is_same(const Plane& a, const Plane& b) {
+    return a.normal == b.normal && a.tangent == b.tangent && a.half_extents == b.half_extents &&
+           a.double_sided == b.double_sided;
+}
+bool is_same(const Capsule& a, const Capsule& b) {
+    return a.half_height == b.half_height && a.radius == b.radius && a.radius_top == b.radius_top;
+}
+bool is_same(const Cylinder& a, const Cylinder& b) {
+    return a.half_height == b.half_height && a.radius == b.radius && a.radius_top == b.radius_top &&
+           a.rounding == b.rounding;
+}
+bool is_same(const Hull& a, const Hull& b) { return a.data() == b.data() && a.rounding == b.rounding; }
+bool is_same(const Mesh& a, const Mesh& b) { return a.data() == b.data(); }
+bool is_same(const HeightField& a, const HeightField& b) { return a.data() == b.data(); }
+bool is_same(const Shape& a, const Shape& b) {
+    return a.index() == b.index() &&
+           std::visit([&](const auto& shape) { return is_same(shape, std::get<std::decay_t<decltype(shape)>>(b)); }, a);
 }
 
 } // namespace
@@ -81,7 +232,7 @@ template <class Archive, class Impl> void serialize_all(Archive& archive, Impl& 
 void World::Impl::set_shapes(const std::vector<Shape>& shapes) {
     State& s = state;
     const auto damaged = [] {
-        return Error(ErrorCode::invalid_file, "Snapshot.shapes", "", "are not those of its bytes");
+        return Error(ErrorCode::invalid_file, "Snapshot.definitions", "", "has other shapes than its bytes tell of");
     };
     if (shapes.size() != s.geometry.size()) throw damaged();
     for (const Shape& shape : shapes) validate(shape);
@@ -93,39 +244,78 @@ void World::Impl::set_shapes(const std::vector<Shape>& shapes) {
     for (const Shape& shape : shapes) s.shape_data.push_back(make_shape_data(shape));
 }
 
+std::shared_ptr<const SnapshotDefinitions> World::Impl::definitions() {
+    auto now = std::make_shared<SnapshotDefinitions>();
+    ArchiveWriter archive(now->bytes);
+    serialize_definitions(archive, *this); // a writer changes nothing
+    const std::lock_guard lock(last_definitions_mutex);
+    const bool is_unchanged =
+        last_definitions && last_definitions->bytes == now->bytes &&
+        std::equal(shape_of.begin(), shape_of.end(), last_definitions->shapes.begin(), last_definitions->shapes.end(),
+                   [](const Shape& a, const Shape& b) { return is_same(a, b); });
+    if (!is_unchanged) {
+        now->shapes = shape_of;
+        last_definitions = std::move(now);
+    }
+    return last_definitions;
+}
+
 Snapshot World::save() const {
     impl_->require_idle("World::save");
     impl_->require_whole("World::save");
     Snapshot snapshot;
-    ArchiveWriter body(snapshot.bytes);
-    body(magic);
-    body(layout());
-    body(std::uint64_t{0}); // checksum, below
-    const std::size_t header = snapshot.bytes.size();
-    serialize_all(body, *impl_); // a writer changes nothing
-    snapshot.shapes = impl_->shape_of;
-    Hash64 sum;
-    sum.add_bytes(snapshot.bytes.data() + header, snapshot.bytes.size() - header);
-    const std::uint64_t value = sum.value();
-    std::memcpy(snapshot.bytes.data() + header - sizeof value, &value, sizeof value);
+    snapshot.definitions = impl_->definitions();
+    Header header;
+    snapshot.bytes.resize(sizeof header);
+    ArchiveWriter archive(snapshot.bytes);
+    serialize_state(archive, impl_->state, header, [&] { return snapshot.bytes.size(); }); // changes nothing
+    header.magic = magic;
+    header.layout = layout();
+    header.definitions = hash_of(snapshot.definitions->bytes);
+    header.checksum = checksum_of(header, snapshot.bytes);
+    std::memcpy(snapshot.bytes.data(), &header, sizeof header);
+    snapshot.bytes.shrink_to_fit();
     return snapshot;
+}
+
+namespace {
+
+Header read_header(const Snapshot& snapshot) {
+    Header header;
+    ArchiveReader(snapshot.bytes.data(), snapshot.bytes.size())(header);
+    if (header.magic != magic)
+        throw Error(ErrorCode::invalid_file, "Snapshot", "", "does not begin as a snapshot does");
+    if (header.layout != layout())
+        throw Error(ErrorCode::unsupported, "Snapshot", "", "was saved by another build of this library");
+    return header;
+}
+
+} // namespace
+
+SnapshotSizes Snapshot::sizes() const {
+    const Header header = read_header(*this);
+    SnapshotSizes sizes;
+    sizes.bodies = std::size_t(header.bodies), sizes.contacts = std::size_t(header.contacts);
+    sizes.joints = std::size_t(header.joints), sizes.broad_phase = std::size_t(header.broad_phase);
+    sizes.other = bytes.size() - sizes.bodies - sizes.contacts - sizes.joints - sizes.broad_phase;
+    if (definitions) sizes.definitions = definitions->bytes.size() + definitions->shapes.size() * sizeof(Shape);
+    return sizes;
 }
 
 void World::restore(const Snapshot& snapshot) {
     impl_->require_idle("World::restore");
-    ArchiveReader reader(snapshot.bytes.data(), snapshot.bytes.size());
-    std::uint64_t found_magic = 0, found_layout = 0, checksum = 0;
-    reader(found_magic), reader(found_layout), reader(checksum);
-    if (found_magic != magic) throw Error(ErrorCode::invalid_file, "Snapshot", "", "does not begin as a snapshot does");
-    if (found_layout != layout())
-        throw Error(ErrorCode::unsupported, "Snapshot", "", "was saved by another build of this library");
-    Hash64 sum;
-    sum.add_bytes(snapshot.bytes.data() + (snapshot.bytes.size() - reader.bytes_left()), reader.bytes_left());
-    if (sum.value() != checksum)
-        throw Error(ErrorCode::invalid_file, "Snapshot", "", "is damaged: its checksum does not fit");
+    Header header = read_header(snapshot);
+    if (checksum_of(header, snapshot.bytes) != header.checksum) throw_damaged();
+    const std::shared_ptr<const SnapshotDefinitions>& definitions = snapshot.definitions;
+    if (!definitions || hash_of(definitions->bytes) != header.definitions)
+        throw Error(ErrorCode::invalid_file, "Snapshot.definitions", "", "are not those of its bytes");
     auto fresh = std::make_unique<Impl>(impl_->state.settings);
-    serialize_all(reader, *fresh);
-    fresh->set_shapes(snapshot.shapes);
+    ArchiveReader defined(definitions->bytes.data(), definitions->bytes.size());
+    serialize_definitions(defined, *fresh);
+    fresh->set_shapes(definitions->shapes);
+    fresh->last_definitions = definitions;
+    ArchiveReader reader(snapshot.bytes.data() + sizeof header, snapshot.bytes.size() - sizeof header);
+    serialize_state(reader, fresh->state, header, [] { return 0; });
     fresh->state.crew = std::move(impl_->state.crew);
     impl_ = std::move(fresh);
 }

@@ -1,6 +1,8 @@
 // Saving a world, bringing it back, and refusing what is damaged.
 #include "test_world.h"
 
+#include <cstdio>
+#include <memory>
 #include <random>
 #include <vector>
 
@@ -127,6 +129,98 @@ TEST(Snapshot, SavedTwiceIsTheSameBytesAndChangesNothing) {
     EXPECT_LT(first.bytes.size(), std::size_t(1) << 20);
 }
 
+TEST(Snapshot, SharesWhatStepsDoNotChangeUntilItIsChanged) {
+    World world;
+    fill(world);
+    run(world, 20);
+    const Snapshot first = world.save();
+    run(world, 20);
+    world.body(world.bodies()[3]).set_linear_velocity({0, 1, 0});
+    Snapshot last = world.save();
+    EXPECT_EQ(first.definitions, last.definitions);
+    EXPECT_FALSE(first.bytes == last.bytes);
+    World copy;
+    copy.restore(first);
+    EXPECT_EQ(copy.save().definitions, first.definitions);
+    // Each of these is a change, and one only.
+    const auto changes = [&](auto&& change) {
+        change();
+        const Snapshot now = world.save();
+        EXPECT_NE(now.definitions, last.definitions);
+        EXPECT_EQ(world.save().definitions, now.definitions);
+        last = now;
+    };
+    const BodyId body = world.bodies()[2];
+    changes([&] { world.body(body).set_name("other"); });
+    changes([&] { world.body(body).set_gravity_scale(2); });
+    changes([&] { world.set_material(world.body(body).shapes()[0], Material{.restitution = 0.5f}); });
+    changes([&] { world.add_shape(body, Sphere{0.1f}); });
+    changes([&] { world.add_force_field({}); });
+    changes([&] { world.create_joint(world.joint_at({}, body, {0, 5, 0}, {1, 0, 0}, BallJoint{})); });
+    changes([&] { world.destroy_body(world.bodies()[9]); });
+    changes([&] {
+        WorldDef settings = world.settings();
+        settings.substeps = 9;
+        world.set_settings(settings);
+    });
+    copy.restore(first);
+    EXPECT_EQ(copy.body(body).name(), "body 1");
+    EXPECT_EQ(copy.body(body).shapes().size(), 1u);
+    EXPECT_EQ(copy.settings().substeps, WorldDef{}.substeps);
+}
+
+// The same slot with the same number, and hulls that differ in nothing that a hull's size and mass tell.
+TEST(Snapshot, KnowsAnotherHullInTheSamePlace) {
+    const std::vector<Vec3> points = {{-1, -1, -1}, {1, -1, -1}, {0, 1, 0}, {0, -1, 1}};
+    World world;
+    const BodyId body = world.create_body({});
+    const Snapshot before = world.save();
+    world.add_shape(body, Hull(points));
+    const Snapshot first = world.save();
+    world.restore(before);
+    world.add_shape(body, Hull(points));
+    const Snapshot second = world.save();
+    EXPECT_NE(first.definitions, second.definitions);
+    EXPECT_TRUE(first.definitions->bytes == second.definitions->bytes);
+}
+
+// A heap of 500 balls and boxes, some six pairs to a body.
+struct Heap : testing::Test {
+    World world;
+    void SetUp() override {
+        add_ground(world);
+        for (int i = 0; i < 500; ++i) {
+            BodyDef def = body_at(
+                {0.8 * (i % 6) - 2 + 0.1 * (i % 7), 0.6 + 0.8 * (i / 36), 0.8 * (i / 6 % 6) - 2 + 0.1 * (i % 5)});
+            def.rotation = Quat(1, 0.1f * float(i % 3), 0.2f * float(i % 4), 0.1f * float(i % 5));
+            add_body(world, def, i % 2 ? Shape(Box{{0.3f, 0.3f, 0.3f}}) : Shape(Sphere{0.35f}));
+        }
+    }
+};
+
+TEST_F(Heap, TakesAtMost300BytesForTheStateOfABody) {
+    for (int i = 0; i < 8; ++i) {
+        run(world, 60);
+        const Statistics now = world.statistics();
+        const Snapshot snapshot = world.save();
+        const SnapshotSizes sizes = snapshot.sizes();
+        const auto per = [](std::size_t bytes, std::size_t count) { return double(bytes) / double(count); };
+        std::printf(
+            "after %3d steps, %zu awake, %zu contacts, %zu pairs: bodies %.0f, contacts %.0f, broad phase %.0f, "
+            "all %.0f bytes per body; contacts %.0f bytes per pair; definitions %.0f\n",
+            60 * (i + 1), now.awake_bodies, now.contacts, now.candidate_pairs, per(sizes.bodies, 500),
+            per(sizes.contacts, 500), per(sizes.broad_phase, 500), per(snapshot.bytes.size(), 500),
+            per(sizes.contacts, now.candidate_pairs), per(sizes.definitions, 500));
+        EXPECT_LE(per(sizes.bodies, now.bodies), 300.0);
+        EXPECT_LE(per(sizes.broad_phase, now.bodies), 300.0);
+        EXPECT_LE(per(sizes.contacts, now.candidate_pairs), 300.0);
+        EXPECT_EQ(sizes.joints, 16u); // two empty lists
+        EXPECT_LE(sizes.other, 2000u);
+        EXPECT_EQ(sizes.bodies + sizes.contacts + sizes.joints + sizes.broad_phase + sizes.other,
+                  snapshot.bytes.size());
+    }
+}
+
 TEST(Snapshot, EmptyWorldAndWorldWithoutShapes) {
     World empty, copy;
     add_crate(copy, {});
@@ -147,7 +241,7 @@ testing::AssertionResult is_refused(World& world, const Snapshot& damaged, std::
     } catch (const Error& error) {
         if (error.code() != ErrorCode::invalid_file && error.code() != ErrorCode::unsupported)
             return testing::AssertionFailure() << "wrong code: " << error.what();
-        if (error.field() != "Snapshot" && error.field() != "Snapshot.shapes")
+        if (error.field() != "Snapshot" && error.field() != "Snapshot.definitions")
             return testing::AssertionFailure() << "wrong field: " << error.field();
         if (world.state_hash() != hash) return testing::AssertionFailure() << "the world has changed";
         return testing::AssertionSuccess();
@@ -173,7 +267,7 @@ struct Damage : testing::Test {
 
 TEST_F(Damage, CutOffAtEveryByteIsRefused) {
     for (std::size_t size = 0; size < good.bytes.size(); ++size) {
-        const Snapshot cut{{good.bytes.begin(), good.bytes.begin() + std::ptrdiff_t(size)}, good.shapes};
+        const Snapshot cut{{good.bytes.begin(), good.bytes.begin() + std::ptrdiff_t(size)}, good.definitions};
         ASSERT_TRUE(is_refused(target, cut, hash)) << "cut to " << size << " of " << good.bytes.size();
     }
 }
@@ -183,7 +277,7 @@ TEST_F(Damage, AnyFlippedBitIsRefused) {
     Snapshot damaged = good;
     // All bits of the header, and a sample of the rest.
     std::vector<std::size_t> bits;
-    for (std::size_t bit = 0; bit < 8 * 32; ++bit) bits.push_back(bit);
+    for (std::size_t bit = 0; bit < 8 * 64; ++bit) bits.push_back(bit);
     std::uniform_int_distribution<std::size_t> any(0, 8 * good.bytes.size() - 1);
     for (int i = 0; i < 5000; ++i) bits.push_back(any(random));
     for (const std::size_t bit : bits) {
@@ -193,6 +287,18 @@ TEST_F(Damage, AnyFlippedBitIsRefused) {
         damaged.bytes[bit / 8] ^= mask;
     }
     target.restore(damaged);
+    EXPECT_EQ(target.state_hash(), source.state_hash());
+}
+
+TEST_F(Damage, AnyFlippedBitOfTheDefinitionsIsRefused) {
+    const auto damaged = std::make_shared<SnapshotDefinitions>(*good.definitions);
+    for (std::size_t bit = 0; bit < 8 * damaged->bytes.size(); ++bit) {
+        const std::byte mask = std::byte(1u << (bit % 8));
+        damaged->bytes[bit / 8] ^= mask;
+        ASSERT_TRUE(is_refused(target, Snapshot{good.bytes, damaged}, hash)) << "bit " << bit;
+        damaged->bytes[bit / 8] ^= mask;
+    }
+    target.restore(Snapshot{good.bytes, damaged});
     EXPECT_EQ(target.state_hash(), source.state_hash());
 }
 
@@ -210,13 +316,21 @@ TEST_F(Damage, WhatIsAddedOrForeignIsRefused) {
     other_build.bytes[8] ^= std::byte{1};
     EXPECT_EQ(refusal([&] { target.restore(other_build); }),
               "unsupported | Snapshot | Snapshot: was saved by another build of this library");
-    Snapshot other_shapes = good;
-    other_shapes.shapes.clear();
-    EXPECT_EQ(refusal([&] { target.restore(other_shapes); }),
-              "invalid_file | Snapshot.shapes | Snapshot.shapes: are not those of its bytes");
-    other_shapes = good;
-    for (Shape& shape : other_shapes.shapes) shape = Capsule{};
-    EXPECT_TRUE(is_refused(target, other_shapes, hash));
+    Snapshot without = good;
+    without.definitions = nullptr;
+    EXPECT_EQ(refusal([&] { target.restore(without); }),
+              "invalid_file | Snapshot.definitions | Snapshot.definitions: are not those of its bytes");
+    auto other_shapes = std::make_shared<SnapshotDefinitions>(*good.definitions);
+    other_shapes->shapes.clear();
+    EXPECT_EQ(refusal([&] {
+                  target.restore(Snapshot{good.bytes, other_shapes});
+              }),
+              "invalid_file | Snapshot.definitions | Snapshot.definitions: has other shapes than its bytes tell of");
+    other_shapes = std::make_shared<SnapshotDefinitions>(*good.definitions);
+    for (Shape& shape : other_shapes->shapes) shape = Capsule{};
+    EXPECT_TRUE(is_refused(target, Snapshot{good.bytes, other_shapes}, hash));
+    EXPECT_TRUE(is_refused(target, Snapshot{good.bytes, target.save().definitions}, hash));
+    EXPECT_THROW((void)Snapshot{}.sizes(), Error);
     EXPECT_TRUE(stays_sane(target, 30));
 }
 

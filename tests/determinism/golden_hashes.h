@@ -7,16 +7,21 @@
 
 namespace cairn_test::golden {
 
-inline constexpr std::uint64_t mixed_pile = 0x7e107eff26676756;
-inline constexpr std::uint64_t pyramid = 0xe3660f19c2a3abab;
-inline constexpr std::uint64_t dominoes = 0xe77695fc42455b09;
-inline constexpr std::uint64_t materials = 0x00e3c147674856fb;
-inline constexpr std::uint64_t tumbler = 0x15355198e2b4bba5;
-inline constexpr std::uint64_t sleep_and_wake = 0x9c8824115a697d0e;
-inline constexpr std::uint64_t compounds = 0x342ec2febfe087c4;
-inline constexpr std::uint64_t free_tops = 0xe5d1c0db6b79d188;
-inline constexpr std::uint64_t all_shapes = 0x43a2be04c91c33e1;
-inline constexpr std::uint64_t rounded_shapes = 0x82cedddc7606485e;
-inline constexpr std::uint64_t all_joints = 0xf04f793d050c4f40;
+inline constexpr std::uint64_t mixed_pile = 0xabd963793bfcae63;
+inline constexpr std::uint64_t pyramid = 0x0d9a025798bb1721;
+inline constexpr std::uint64_t dominoes = 0xeee8eae10c6ba5f1;
+inline constexpr std::uint64_t materials = 0x9e1481cb98b7aaa7;
+inline constexpr std::uint64_t tumbler = 0xc112cad745dc80b7;
+inline constexpr std::uint64_t sleep_and_wake = 0x370e9c9b621a435e;
+inline constexpr std::uint64_t compounds = 0x027c405812d8b02a;
+inline constexpr std::uint64_t free_tops = 0xbb76e390fd67d031;
+inline constexpr std::uint64_t explicit_euler = 0x55c2f474356f770f;
+inline constexpr std::uint64_t whirl = 0xaf08dfe2623c0a26;
+inline constexpr std::uint64_t changes = 0xa49d27e8e870ca71;
+inline constexpr std::uint64_t all_shapes = 0xf7370311ee37a1dc;
+inline constexpr std::uint64_t rounded_shapes = 0xbd39f19775b10852;
+inline constexpr std::uint64_t surfaces = 0xfd686dce238434ba;
+inline constexpr std::uint64_t all_joints = 0xaf3bcc864a54cdda;
+inline constexpr std::uint64_t chains = 0x6f9516c85f66ea76;
 
 } // namespace cairn_test::golden

@@ -34,7 +34,7 @@ struct NamedScene {
 
 inline void PrintTo(const NamedScene& scene, std::ostream* out) { *out << scene.name; } // for the test's reports
 
-inline constexpr int golden_steps = 300;
+inline constexpr int golden_steps = 600;
 
 std::span<const NamedScene> scenes();
 const NamedScene* find_scene(std::string_view name);

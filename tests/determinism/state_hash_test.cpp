@@ -1,5 +1,4 @@
 // The same inputs give the same bits: in every instruction set, in every run, and as recorded.
-#include "own_program.h"
 #include "scenes.h"
 
 #include <gtest/gtest.h>
@@ -7,6 +6,7 @@
 #include <array>
 #include <cinttypes>
 #include <cstdio>
+#include <string>
 #include <sys/wait.h>
 
 namespace cairn_test {
@@ -21,13 +21,15 @@ struct ChildResult {
     std::string instruction_set, hash;
 };
 
+// Runs cairn_hashes, which ./dev determinism builds for other machines too.
 ChildResult run_child(const std::string& instruction_set, const std::string& scene) {
-    const std::string command = "CAIRN_ISA=" + instruction_set + " '" + own_program + "' --hash " + scene + " 2>&1";
+    const std::string command = "CAIRN_ISA=" + instruction_set + " '" CAIRN_HASHES "' --steps " +
+                                std::to_string(golden_steps) + " " + scene + " 2>&1";
     ChildResult result;
     std::FILE* pipe = popen(command.c_str(), "r");
     if (!pipe) return result;
     std::array<char, 64> isa{}, hash{};
-    const int read = std::fscanf(pipe, "%63s %63s", isa.data(), hash.data());
+    const int read = std::fscanf(pipe, "%63s %*s %*s %63s", isa.data(), hash.data());
     const int status = pclose(pipe);
     if (read == 2 && WIFEXITED(status)) result = {WEXITSTATUS(status), isa.data(), hash.data()};
     return result;

@@ -112,6 +112,7 @@ void expect_all_refuse(World& world, BodyId body, ShapeId shape, ForceFieldId fi
         EXPECT_NE(message.find(", got 0x"), std::string::npos) << call.name << ": " << message;
     }
     EXPECT_TRUE(world.save().bytes == before.bytes);
+    EXPECT_EQ(world.save().definitions, before.definitions);
 }
 
 struct Stage {
@@ -163,6 +164,7 @@ TEST(Row42, StaleAccessorsAreRefusedByEveryCall) {
                 << name << ": " << message;
         }
         EXPECT_TRUE(stage.world.save().bytes == before.bytes);
+        EXPECT_EQ(stage.world.save().definitions, before.definitions);
     };
     expect_refusals();
     stage.world.step(frame);

@@ -542,7 +542,9 @@ TEST_P(Refused, NamesFieldValueAndExpectationAndLeavesTheWorldAsItWas) {
     }
     EXPECT_TRUE(thrown) << "row " << refusal.row << ", " << refusal.name << ": accepted";
     EXPECT_EQ(stage.world.state_hash(), hash);
-    EXPECT_TRUE(stage.world.save().bytes == before.bytes) << "the refused call has changed something";
+    const Snapshot after = stage.world.save();
+    EXPECT_TRUE(after.bytes == before.bytes) << "the refused call has changed something";
+    EXPECT_EQ(after.definitions, before.definitions) << "the refused call has changed something";
 }
 
 // Row, running number, and what the call was, in letters that a test name may have.
