@@ -18,10 +18,10 @@ inline constexpr std::uint64_t free_tops = 0xbb76e390fd67d031;
 inline constexpr std::uint64_t explicit_euler = 0x55c2f474356f770f;
 inline constexpr std::uint64_t whirl = 0xaf08dfe2623c0a26;
 inline constexpr std::uint64_t changes = 0xa49d27e8e870ca71;
-inline constexpr std::uint64_t all_shapes = 0xf7370311ee37a1dc;
-inline constexpr std::uint64_t rounded_shapes = 0xbd39f19775b10852;
-inline constexpr std::uint64_t surfaces = 0xfd686dce238434ba;
-inline constexpr std::uint64_t all_joints = 0xaf3bcc864a54cdda;
-inline constexpr std::uint64_t chains = 0x6f9516c85f66ea76;
+inline constexpr std::uint64_t all_shapes = 0x4de5b34ab3e5070f;
+inline constexpr std::uint64_t rounded_shapes = 0xd5bebeefce6c9d7b;
+inline constexpr std::uint64_t surfaces = 0x45e59f01d066c1f6;
+inline constexpr std::uint64_t all_joints = 0x322754d244694d25;
+inline constexpr std::uint64_t chains = 0xdedf26019abee7ca;
 
 } // namespace cairn_test::golden
