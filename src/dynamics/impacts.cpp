@@ -57,19 +57,12 @@ template <class F> void for_block_types(const State& s, BinScratch& scratch, F&&
       joints(JointRowType::axis));
 }
 
-// Points and turns of joints cannot be struck.
+// Joints cannot be struck.
 template <class Block> std::uint8_t* struck_lanes(Block& block) {
-    if constexpr (std::is_same_v<Block, PointBlock> || std::is_same_v<Block, TurnBlock>)
-        return nullptr;
-    else
+    if constexpr (requires { block.struck; })
         return &block.struck;
-}
-
-bool any_limit_struck(const BinScratch& scratch) {
-    const std::size_t count = scratch.joint_layout->blocks[std::size_t(JointRowType::axis)];
-    for (std::size_t k = 0; k < count; ++k)
-        if (scratch.axis_blocks[k].struck) return true;
-    return false;
+    else
+        return nullptr;
 }
 
 void mark_islands(const State& s, BinScratch& scratch) {
@@ -196,7 +189,7 @@ void add_to_references(BinScratch& scratch) {
 } // namespace
 
 void solve_impacts(const State& s, BinScratch& scratch, Crew* crew, float h, std::atomic<int>& struck_contacts) {
-    if (struck_contacts == 0 && !any_limit_struck(scratch)) return;
+    if (struck_contacts == 0) return;
     struck_contacts = 0;
     ImpactWork& work = scratch.impact;
     find_joint_islands(s, scratch);

@@ -1,5 +1,5 @@
-// Impacts in islands with joints: what hits a contact or a limit of a joint is stopped at once, by passes over all rows
-// of its island. docs/solver.md says why.
+// Impacts in islands with joints: what hits a contact is stopped at once, by passes over all rows of its island.
+// docs/solver.md says why.
 #pragma once
 
 #include "dynamics/state.h"
@@ -9,8 +9,7 @@
 
 namespace cairn {
 
-// m/s, rad/s: slower approaches are left to the solver.
-inline constexpr float impact_speed = 0.5f, impact_spin = 2.0f;
+inline constexpr float impact_speed = 0.5f; // m/s: slower approaches are left to the solver
 inline constexpr float no_impact_speed = 1e30f;
 
 // After the solver has gone over all rows of a bin. `struck_contacts`: whether it left any block's to be solved here;

@@ -225,7 +225,7 @@ void open_block(PointBlock& b, std::uint32_t form) { b.free_axis = JointLock(for
 void open_block(TurnBlock& b, std::uint32_t form) { b.free_axis = JointLock(form) == JointLock::across; }
 void open_block(AxisBlock& b, std::uint32_t form) {
     b.kind = AxisKind(form);
-    b.has_limits = b.has_drive = b.has_friction = b.struck = 0;
+    b.has_limits = b.has_drive = b.has_friction = 0;
 }
 template <class Block> void open_run(const JointRun& run, std::vector<Block>& blocks, std::uint32_t first_discard) {
     for (std::uint32_t k = run.first; k < run.first + run.count; ++k) {
@@ -359,7 +359,7 @@ JointSoftness joint_softness(float h) {
     // 0.28 / h on.
     constexpr float pi = 3.14159265358979f, frequency_times_h = 0.25f, damping_ratio = 2.0f;
     const float omega_h = 2 * pi * frequency_times_h, a1 = 2 * damping_ratio + omega_h, a2 = omega_h * a1;
-    return {h, 1 / h, a2 / (1 + a2), omega_h / (a1 * h), impact_speed, impact_spin};
+    return {h, 1 / h, a2 / (1 + a2), omega_h / (a1 * h)};
 }
 
 void fill_joint_lanes(State& s, const Bin& bin, BinScratch& scratch) {

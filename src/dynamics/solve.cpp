@@ -107,12 +107,12 @@ void run_substeps(const State& s, const Bin& bin, BinScratch& scratch, Crew* cre
     ContactSoftness softness;
     set_softness(softness, h, bin.substeps * s.split, s.settings.recovery_speed);
     const BounceSettings bounce{h, s.settings.restitution_speed, velocity_offset(s.settings.integrator)};
-    JointSoftness joint_soft = joint_softness(h);
+    const JointSoftness joint_soft = joint_softness(h);
     // Not where joints are solved directly: a body that is much heavier than what it hits does not settle in the
-    // passes.
-    const bool stops_impacts = bin.joint_count > 0 && scratch.direct.sets.empty();
+    // passes. Nor where kinematic bodies drive joints: the passes would stop what they drive.
+    const bool stops_impacts =
+        bin.joint_count > 0 && scratch.direct.sets.empty() && scratch.joint_layout->kinematic_bodies.empty();
     softness.impact_speed = stops_impacts ? impact_speed : no_impact_speed;
-    if (!stops_impacts) joint_soft.impact_speed = joint_soft.impact_spin = no_impact_speed;
     const int rows = int(scratch.row_count());
     SolverVelocity* velocity = scratch.velocity.data();
     std::atomic<int> struck = 0;

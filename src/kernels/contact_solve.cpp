@@ -201,9 +201,13 @@ CAIRN_INLINE int leave_impacts(ContactBlock<N>& block, Vec3x8 normal, f32x8& sum
         const f32x8 closing = v[i] + max(load(block.separation[i]), zero()) * splat(softness.inverse_h);
         struck = struck | ((rows.impulse[i] > rows.old[i]) & (closing < -speed));
     }
-    struck = struck & (sum > carried); // what jolts under a load is left to that
-    block.struck = std::uint8_t(block.struck | bits(struck));
+    // What jolts under a load is left to that. So is what hits again and again: it is driven. A contact is struck in
+    // solve, which lets it close its gap, and in relax, once it is closed.
+    struck = and_not(struck & (sum > carried), mask_from_bits(block.struck_twice));
     if (!any(struck)) return 0;
+    block.struck_twice = std::uint8_t(block.struck_twice | (block.struck_once & bits(struck)));
+    block.struck_once = std::uint8_t(block.struck_once | bits(struck));
+    block.struck = std::uint8_t(block.struck | bits(struck));
     sum = select(struck, zero(), sum);
     torque = select(struck, zero3(), torque);
     for (int i = 0; i < N; ++i) rows.impulse[i] = select(struck, rows.old[i], rows.impulse[i]);

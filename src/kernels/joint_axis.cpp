@@ -207,11 +207,6 @@ CAIRN_INLINE f32x8 drive(AxisBlock& b, f32x8 k, f32x8 v, f32x8 h) {
     return p - old;
 }
 
-CAIRN_INLINE bool is_linear(AxisKind kind) {
-    return kind == AxisKind::linear || kind == AxisKind::radial || kind == AxisKind::distance ||
-           kind == AxisKind::rack || kind == AxisKind::pulley;
-}
-
 struct LimitSoftness {
     f32x8 scale, rate;
 };
@@ -226,18 +221,14 @@ template <bool Soft> CAIRN_INLINE LimitSoftness limit_softness(const AxisBlock& 
 }
 
 // One limit: v is the velocity away from it, gap how far it is, spring_gap what a spring has been stretched by.
-// What comes closer faster than impact_speed is left alone, and its lane added to `struck`.
 CAIRN_INLINE f32x8 limit(float* impulse, const LimitSoftness& softness, f32x8 mass, f32x8 v, f32x8 gap,
-                         f32x8 spring_gap, mask8 equation, f32x8 inverse_h, f32x8 impact_speed, mask8& struck) {
+                         f32x8 spring_gap, mask8 equation, f32x8 inverse_h) {
     const f32x8 old = load(impulse);
     const mask8 apart = and_not(gap > zero(), equation);
     const f32x8 scale = select(apart, one(), softness.scale);
     const f32x8 bias = select(apart, gap * inverse_h, softness.rate * spring_gap);
     const f32x8 p = scale * (old - mass * (v + bias));
-    f32x8 bounded = select(equation, p, max(p, zero()));
-    const mask8 hit = (v + max(gap, zero()) * inverse_h < -impact_speed) & (bounded > old + old);
-    struck = struck | hit;
-    bounded = select(hit, old, bounded);
+    const f32x8 bounded = select(equation, p, max(p, zero()));
     store(impulse, bounded);
     return bounded - old;
 }
@@ -264,17 +255,12 @@ template <bool Soft> CAIRN_INLINE f32x8 act(AxisBlock& b, f32x8 v, f32x8 before,
     if (b.has_limits) {
         const LimitSoftness soft = limit_softness<Soft>(b, k, softness);
         const f32x8 x = load(b.position), lower = load(b.lower), upper = load(b.upper);
-        const mask8 equation = load(b.equation) > zero(), rigid = load(b.rigid_limit) > zero();
-        const f32x8 fastest = splat(is_linear(b.kind) ? softness.impact_speed : softness.impact_spin);
-        const f32x8 impact_speed = select(and_not(rigid & gives, equation), fastest, splat(unlimited));
-        mask8 struck = mask_from_bits(b.struck);
-        const f32x8 up =
-            limit(b.lower_impulse, soft, mass, v, x - lower, before - lower, equation, inverse_h, impact_speed, struck);
+        const mask8 equation = load(b.equation) > zero();
+        const f32x8 up = limit(b.lower_impulse, soft, mass, v, x - lower, before - lower, equation, inverse_h);
         v += k * up;
         const f32x8 beyond = select(equation, splat(unlimited), upper);
-        const f32x8 down = limit(b.upper_impulse, soft, mass, -v, beyond - x, beyond - before, mask_from_bits(0),
-                                 inverse_h, impact_speed, struck);
-        b.struck = std::uint8_t(bits(struck));
+        const f32x8 down =
+            limit(b.upper_impulse, soft, mass, -v, beyond - x, beyond - before, mask_from_bits(0), inverse_h);
         sum += up - down;
     }
     return select(gives, sum, zero());

@@ -10,9 +10,8 @@ namespace cairn {
 // Softness of rigid rows for a substep of h seconds.
 struct JointSoftness {
     float h, inverse_h;
-    float scale;                     // of the rigid impulse
-    float rate;                      // 1/s: speed at which an error is taken back, before that scale
-    float impact_speed, impact_spin; // m/s, rad/s: faster approaches to a limit are left to the passes of an impact
+    float scale; // of the rigid impulse
+    float rate;  // 1/s: speed at which an error is taken back, before that scale
 };
 
 // The bodies of 8 rows: row offsets in bytes, and what they weigh. Blocks are read in every substep, in large islands
@@ -103,7 +102,6 @@ struct alignas(64) AxisBlock : JointEnds {
     float ratio_a[8], ratio_b[8], position0[8];
     AxisKind kind;
     std::uint8_t even, redirects, has_limits, has_drive, has_friction;
-    std::uint8_t struck; // lanes, as bits, whose limits are left to the passes of an impact
     JointEndsRest rest;
 };
 

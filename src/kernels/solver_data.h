@@ -98,13 +98,14 @@ template <int N> struct alignas(64) ContactBlock : PointRows<N> {
     float normal[3][8];
     float d[3][8]; // x_A - x_B as of the last poses
     float mass_a[8], mass_b[8], inertia_a[6][8], inertia_b[6][8];
-    float moved_moment[3][8]; // on B, of the impulses carried over, as d has changed
-    std::uint8_t moved;       // whether moved_moment holds anything
-    std::uint8_t even;        // all tensors are multiples of 1: only their xx are kept
-    std::uint8_t rolls;       // any rolling resistance
-    std::uint8_t bounces;     // any restitution
-    std::uint8_t round;       // any round surface
-    std::uint8_t struck;      // lanes, as bits, that are left to the passes of an impact
+    float moved_moment[3][8];               // on B, of the impulses carried over, as d has changed
+    std::uint8_t moved;                     // whether moved_moment holds anything
+    std::uint8_t even;                      // all tensors are multiples of 1: only their xx are kept
+    std::uint8_t rolls;                     // any rolling resistance
+    std::uint8_t bounces;                   // any restitution
+    std::uint8_t round;                     // any round surface
+    std::uint8_t struck;                    // lanes, as bits, that are left to the passes of an impact
+    std::uint8_t struck_once, struck_twice; // likewise, in this step
     // Used by relax only.
     alignas(32) float d0[3][8];     // d at the start of the step
     float radius_a[8], radius_b[8]; // of round surfaces, see refresh_separations

@@ -21,7 +21,7 @@ inline constexpr std::uint64_t changes = 0xa49d27e8e870ca71;
 inline constexpr std::uint64_t all_shapes = 0x4de5b34ab3e5070f;
 inline constexpr std::uint64_t rounded_shapes = 0xd5bebeefce6c9d7b;
 inline constexpr std::uint64_t surfaces = 0x45e59f01d066c1f6;
-inline constexpr std::uint64_t all_joints = 0x322754d244694d25;
-inline constexpr std::uint64_t chains = 0xdedf26019abee7ca;
+inline constexpr std::uint64_t all_joints = 0x104b90ae57cd21be;
+inline constexpr std::uint64_t chains = 0x9b8724a500f081f7;
 
 } // namespace cairn_test::golden
