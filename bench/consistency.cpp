@@ -14,7 +14,7 @@ struct ConsistencyScene {
     const char* name;
     int size;
 };
-constexpr ConsistencyScene scenes[] = {{"capsules", 27}, {"tower", 10}, {"chain", 5}};
+constexpr ConsistencyScene scenes[] = {{"pile_boxes", 27}, {"tower", 10}, {"chain", 5}};
 constexpr double shortest_step = 0.001 / 64, piece_time = 0.128, between_pieces = 0.256; // s
 constexpr int doublings = 11;                                                            // to 32 ms
 
@@ -61,7 +61,7 @@ std::vector<States> reference_states(const EngineKind& kind, const Scene& scene,
     const auto engine = kind.make();
     engine->build(scene, {});
     const int steps = int(std::lround(between_pieces / shortest_step));
-    std::vector<States> states(std::size_t(pieces));
+    std::vector<States> states(static_cast<std::size_t>(pieces));
     for (States& state : states) {
         for (int i = 0; i < steps; ++i) engine->step(float(shortest_step));
         engine->read(state);

@@ -25,7 +25,7 @@ struct ConsistencyOptions {
     int pieces = 10; // states along the reference run that are restarted from
 };
 
-// On a pile of 27 capsules, a tower of 10 boxes and a chain of 5 hinges, at steps of 1/64, 1/32, ..., 32 ms.
+// On a pile of 27 boxes, a tower of 10 boxes and a chain of 5 hinges, at steps of 1/64, 1/32, ..., 32 ms.
 std::vector<ConsistencyPoint> measure_consistency(const ConsistencyOptions& options, const Progress& progress);
 
 // {"consistency": [{scene, engine, time_step, deviation, real_time_factor}, ...]}

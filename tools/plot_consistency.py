@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 COLORS = {"cairn": "#2f7d6b", "bullet": "#c9772d", "ode": "#8a5aa8"}
-TITLES = {"capsules": "a pile of 27 capsules", "tower": "a tower of 10 boxes", "chain": "a chain of 5 hinges"}
+TITLES = {"pile_boxes": "a pile of 27 boxes", "tower": "a tower of 10 boxes", "chain": "a chain of 5 hinges"}
 WIDTH, HEIGHT, LEFT, TOP, GAP = 270, 260, 64, 48, 66
 FLOOR = 1e-9  # m: what deviates less is drawn there
 
