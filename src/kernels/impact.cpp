@@ -1,4 +1,4 @@
-// Impacts. What hits a contact or a limit of a joint, faster than the solver should stop it within its soft passes, is
+// Impacts. What hits a contact, faster than the solver should stop it within its soft passes, is
 // stopped by passes of its own, rigid ones, repeated until nothing changes (impacts.cpp). Their impulses begin at zero
 // and are not carried into the next substep. docs/solver.md says why.
 #include "kernels/solver.h"
