@@ -20,7 +20,7 @@ constexpr const char* source = "SimBenchmark, 2018";
 
 // A box of 20 x 1 x 20 m and 10 kg with 5 x 5 balls on it, pushed with 150 N along `heading` (degrees).
 struct RollingScene {
-    static constexpr double force = 150, box_mass = 10, ball_mass = 1, box_friction = 0.4, ball_friction = 0.8;
+    static constexpr double force = 150, box_mass = 10, ball_mass = 1, box_friction = 0.4;
     World world{without_sleep()};
     glm::dvec3 along;
     BodyId box, ball; // the ball is one of the 25
