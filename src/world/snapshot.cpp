@@ -191,13 +191,39 @@ template <class Archive> void serialize_defined_joints(Archive& archive, State& 
     }
 }
 
+// Field by field: what lies between the fields is whatever the caller's memory held.
+template <class Archive> void serialize_materials(Archive& archive, std::vector<Material>& materials) {
+    struct Fields {
+        float numbers[5];
+        CombineRule friction_combine, restitution_combine;
+        std::uint8_t padding[2];
+    };
+    std::vector<Fields> fields(materials.size());
+    if constexpr (!Archive::reading)
+        for (std::size_t i = 0; i < fields.size(); ++i) {
+            const Material& m = materials[i];
+            fields[i] = {
+                {m.static_friction, m.dynamic_friction, m.restitution, m.rolling_friction, m.torsional_friction},
+                m.friction_combine,
+                m.restitution_combine,
+                {}};
+        }
+    archive(fields);
+    if constexpr (Archive::reading) {
+        materials.clear();
+        for (const Fields& f : fields)
+            materials.push_back({f.numbers[0], f.numbers[1], f.numbers[2], f.numbers[3], f.numbers[4],
+                                 f.friction_combine, f.restitution_combine});
+    }
+}
+
 template <class Archive, class Impl> void serialize_definitions(Archive& archive, Impl& impl) {
     State& s = impl.state;
     archive(s.world_id), archive(s.settings);
     s.body_slots.serialize(archive), s.shape_slots.serialize(archive);
     s.joint_slots.serialize(archive), s.field_slots.serialize(archive);
     archive(s.mass), archive(s.body_settings), archive(s.kinematics), archive(s.dead_bodies), archive(s.dead_shapes);
-    archive(s.geometry), archive(s.materials), archive(s.shape_traits), archive(s.fields);
+    archive(s.geometry), serialize_materials(archive, s.materials), archive(s.shape_traits), archive(s.fields);
     serialize_defined_joints(archive, s);
     archive(impl.user_data), archive(impl.def_of);
     impl.names.resize(s.body_slots.size());

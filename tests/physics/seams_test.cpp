@@ -6,7 +6,7 @@
 namespace cairn_test {
 namespace {
 
-constexpr float friction = 0.05f, start_speed = 14.0f;
+constexpr float friction = 0.05f;
 constexpr float tile = 1.0f; // m
 constexpr int tiles = 100;
 
