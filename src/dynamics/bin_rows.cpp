@@ -17,7 +17,29 @@ constexpr int rows_per_chunk = 128; // for threads
 
 SolverVelocity to_row(math::Vec3 v, math::Vec3 w) { return {{v.x, v.y, v.z}, 0, {w.x, w.y, w.z}, 0}; }
 
-// Bodies of the bin's islands, and what the islands weigh.
+// The mass of an island, and how it moves.
+class IslandSum {
+  public:
+    void add(const BodyMass& mass, const BodyMotion& motion) {
+        if (!(mass.inverse_mass > 0)) return;
+        const math::DVec3 v = math::to_double(motion.v);
+        mass_ += double(mass.mass);
+        momentum_ += double(mass.mass) * v;
+        energy_ += double(mass.mass) * math::dot(v, v);
+    }
+    void put(Island& island, float gravity) const {
+        island.weight = float(mass_) * gravity;
+        if (!(mass_ > 0)) return;
+        const math::DVec3 mean = (1 / mass_) * momentum_;
+        island.unrest = float(std::sqrt(std::max(energy_ / mass_ - math::dot(mean, mean), 0.0)));
+    }
+
+  private:
+    double mass_ = 0, energy_ = 0;
+    math::DVec3 momentum_;
+};
+
+// Bodies of the bin's islands, what the islands weigh, and how they move.
 void gather_bodies(State& s, const Bin& bin, BinScratch& scratch) {
     const auto& g = s.settings.gravity;
     const float gravity = math::length(math::Vec3{g.x, g.y, g.z});
@@ -26,14 +48,14 @@ void gather_bodies(State& s, const Bin& bin, BinScratch& scratch) {
     scratch.free_bodies.clear();
     for (std::int32_t k = 0; k < bin.island_count; ++k) {
         Island& island = s.islands[std::size_t(s.solver.bin_islands[std::size_t(bin.first_island + k)])];
-        island.weight = 0;
+        IslandSum sum;
         for (std::int32_t b = island.first_body; b != none; b = s.bodies[std::size_t(b)].next_in_island) {
-            const BodyMass& mass = s.mass[std::size_t(b)];
-            if (mass.inverse_mass > 0) island.weight += mass.mass * gravity;
+            sum.add(s.mass[std::size_t(b)], s.motion[std::size_t(b)]);
             const BodyLinks& links = s.bodies[std::size_t(b)];
             const bool is_free = links.contact_count + links.joint_count == 0;
             (is_free ? scratch.free_bodies : scratch.touching_bodies).push_back(b);
         }
+        sum.put(island, gravity);
     }
 }
 

@@ -1,6 +1,7 @@
 // The narrow phase.
 #include "dynamics/contacts.h"
 
+#include "collision/far_apart.h"
 #include "dynamics/bodies.h"
 #include "dynamics/coloring.h"
 #include "dynamics/islands.h"
@@ -76,6 +77,13 @@ void begin_contact(State& s, ContactInfo& c, math::Vec3 normal) {
     c.load = c.force = first_load(s, c, normal);
 }
 
+// The outcome of a pair that is found apart.
+std::uint8_t take_distance(const State& s, ContactInfo& c) {
+    c.tested_at = s.passes + 1;
+    if (c.is_trigger) return trigger_outcome(c, false);
+    return c.point_count == 0 ? apart : ended;
+}
+
 bool is_asleep(const State& s, const ContactInfo& c) {
     return !s.is_awake(c.body_a) || (c.b_moves && !s.is_awake(c.body_b));
 }
@@ -114,15 +122,34 @@ void test_wide_pairs(State& s, PairKind kind, int begin, int end, NarrowBatch& o
     }
 }
 
+void prefetch_pair(const State& s, const ContactInfo& c) {
+    for (const std::uint32_t shape : {c.shape_a, c.shape_b}) {
+        __builtin_prefetch(&s.shape_poses[shape]);
+        __builtin_prefetch(&s.geometry[shape]);
+    }
+    for (const std::int32_t body : {c.body_a, c.body_b}) {
+        __builtin_prefetch(&s.motion[std::size_t(body)].v);
+        __builtin_prefetch(&s.bodies[std::size_t(body)].radius);
+    }
+}
+
 // Pairs that no wide kernel tests, by their places among all.
 void test_convex_pairs(State& s, PairKind kind, int begin, int end, float dt) {
     const std::vector<std::uint32_t>& places = s.narrow.lists[std::size_t(kind)];
+    constexpr int ahead = int(contacts_ahead);
+    const auto contact_at = [&](int i) { return s.narrow.candidates[places[std::size_t(i)]]; };
     for (int i = begin; i < end; ++i) {
+        if (i + 2 * ahead < end) __builtin_prefetch(&s.contacts[contact_at(i + 2 * ahead)]);
+        if (i + ahead < end) prefetch_pair(s, s.contacts[contact_at(i + ahead)]);
         const std::uint32_t place = places[std::size_t(i)], id = s.narrow.candidates[place];
-        const ContactInfo& c = s.contacts[id];
-        const math::Vec3 guess = to_vec(s.records[id].normal);
-        const Manifold m = test_convex_pair(kind, posed_shape(s, c.shape_a), posed_shape(s, c.shape_b), guess,
-                                            contact_margin(s, c, dt));
+        ContactInfo& c = s.contacts[id];
+        const PosedShape a = posed_shape(s, c.shape_a), b = posed_shape(s, c.shape_b);
+        const float margin = contact_margin(s, c, dt);
+        if (kind == PairKind::convex_convex && are_far_apart(a.geometry, a.pose, b.geometry, b.pose, margin)) {
+            s.narrow.outcomes[place] = take_distance(s, c);
+            continue;
+        }
+        const Manifold m = test_convex_pair(kind, a, b, to_vec(s.records[id].normal), margin);
         s.narrow.outcomes[place] = take_manifold(s, id, m);
     }
 }
@@ -231,13 +258,13 @@ float contact_margin(const State& s, const ContactInfo& c, float dt) {
 
 std::uint8_t take_manifold(State& s, std::uint32_t id, const Manifold& m) {
     ContactInfo& c = s.contacts[id];
-    c.tested_at = s.passes + 1;
-    if (c.is_trigger) return trigger_outcome(c, m.count > 0);
     if (m.count == 0) {
         // Along which they are apart; wide kernels do not say.
-        if (c.kind == PairKind::convex_convex) math::put(s.records[id].normal, to_vec(m.normal));
-        return c.point_count == 0 ? apart : ended;
+        if (c.kind == PairKind::convex_convex && !c.is_trigger) math::put(s.records[id].normal, to_vec(m.normal));
+        return take_distance(s, c);
     }
+    c.tested_at = s.passes + 1;
+    if (c.is_trigger) return trigger_outcome(c, true);
     const bool is_new = c.point_count == 0;
     write_record(s, id, m);
     ContactRecord& r = s.records[id];

@@ -87,7 +87,7 @@ void update_resting(State& s, float dt) {
 float whirl_in_contact(const State& s) {
     float fastest = 0;
     for (const std::int32_t b : s.narrow.whirling)
-        if (s.bodies[std::size_t(b)].contact_count > 0)
+        if (const BodyLinks& links = s.bodies[std::size_t(b)]; links.contact_count > 0 && links.joint_count == 0)
             fastest = std::max(fastest, math::length(s.motion[std::size_t(b)].w));
     return fastest;
 }

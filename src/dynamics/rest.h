@@ -12,7 +12,8 @@ void update_resting(State& state, float dt);
 
 // The greatest angular speed of a body that turns by more than a radian in the step, has unequal moments of inertia and
 // touches something; 0 if none does. The inertia and the arms of its contacts are then wrong before the step ends, and
-// would give it energy without end.
+// would give it energy without end. Not of bodies in joints: their inertia is renewed in each substep, and a hand that
+// whirls in a heap of ragdolls would have all contacts of the world found anew.
 float whirl_in_contact(const State& state);
 
 // Neither body has moved by more than a small part of a micrometer (rest.cpp) since the pair was tested.

@@ -116,6 +116,7 @@ void run_substeps(const State& s, const Bin& bin, BinScratch& scratch, Crew* cre
     const int rows = int(scratch.row_count());
     SolverVelocity* velocity = scratch.velocity.data();
     std::atomic<int> struck = 0;
+    scratch.impact.has_components = false;
     for (int substep = 0; substep < bin.substeps; ++substep) {
         const bool first = substep == 0;
         const SolverBodies bodies = bodies_of(scratch);

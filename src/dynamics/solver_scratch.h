@@ -4,6 +4,7 @@
 #include "collision/manifold.h"
 #include "collision/surface_contact.h"
 #include "dynamics/direct_work.h"
+#include "dynamics/impact_work.h"
 #include "kernels/joint_data.h"
 #include "kernels/solver_data.h"
 #include "math/bounds.h"
@@ -97,21 +98,6 @@ struct SpinningRow {
     bool turns = false;
     math::DQuat end;
     math::DVec3 free_w;
-};
-
-// An impact that a bin has at work (impacts.cpp).
-struct ImpactWork {
-    enum Stage : std::uint8_t { untouched, struck, settled };
-    std::vector<Stage> islands;             // by island
-    std::vector<std::int32_t> place_of;     // by island: its place in `marked`
-    std::vector<std::int32_t> marked;       // islands that are struck or settled
-    std::vector<float> changes;             // of those: of the last pass, m/s
-    std::vector<std::int32_t> rows, places; // rows of those, and the place of their island among them
-    std::vector<SolverVelocity> before, last;
-    std::vector<ContactImpact<1>> one_blocks;
-    std::vector<ContactImpact<4>> four_blocks;
-    std::array<std::vector<JointImpact>, 3> joint_blocks;   // by JointRowType
-    std::array<std::vector<std::int32_t>, 3> joint_islands; // likewise, by lane
 };
 
 // A row of one contact alone: B as its moving surface has it.

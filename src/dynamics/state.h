@@ -161,6 +161,7 @@ struct Island {
     std::int32_t joint_count = 0;        // that are solved
     float weight = 0, greatest_load = 0; // N: of all bodies; on one contact
     float greatest_demand = 0;           // m/s^2: load over the reduced mass of the contact that carries it
+    float unrest = 0;                    // m/s: mean square of the speeds about that of the whole, its root
     float least_quiet_time = 0, greatest_quiet_time = 0;
 };
 

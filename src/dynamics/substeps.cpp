@@ -20,6 +20,8 @@ constexpr float immovable_stiffness = 4.0f;  // contacts with what does not move
 constexpr float most_of_weight = 1.2f;
 constexpr int rounding = 8, most_adaptive_substeps = 128;
 constexpr float least_use = 0.5f; // a number is kept until this share of it would do
+// m/s: what is tossed about more than that is no structure, and its loads are impacts, however long they last.
+constexpr float most_unrest = 2.0f;
 
 } // namespace
 
@@ -32,8 +34,9 @@ float first_load(const State& s, const ContactInfo& c, math::Vec3 normal) {
 }
 
 void note_load(Island& island, ContactInfo& c, float force, float inverse_mass) {
-    // The lesser of two steps: impacts last one step, loads stay.
-    c.load += load_gain * (std::min(force, c.force) - c.load);
+    // The lesser of two steps: impacts last one step, loads stay. Of what is tossed about, they only fall.
+    const float most = island.unrest > most_unrest ? c.load : force;
+    c.load += load_gain * (std::min({force, c.force, most}) - c.load);
     c.force = force;
     // More than the weight of all comes from being squeezed between immovable things: no stiffness helps there.
     const float load = std::min(c.load, most_of_weight * island.weight);
@@ -50,7 +53,8 @@ int island_substeps(const State& s, Island& island) {
         const float wanted = substeps_per_demand * share * std::sqrt(island.greatest_demand);
         const int rounded = (int(std::min(wanted, float(most_adaptive_substeps))) + rounding - 1) / rounding * rounding;
         const int now = island.wanted_substeps;
-        const bool keep = rounded <= now && wanted > least_use * float(now);
+        const bool keep =
+            (rounded <= now && wanted > least_use * float(now)) || (rounded > now && island.unrest > most_unrest);
         if (!keep) island.wanted_substeps = wanted > float(base) ? rounded : 0;
     } else {
         island.wanted_substeps = 0;

@@ -179,5 +179,22 @@ TEST(Ragdoll, DroppedOnTheGroundComesToRestInOnePiece) {
     EXPECT_EQ(world.statistics().awake_bodies, 0u);
 }
 
+// The blows of a heap that lands last many steps, and one hand carries more than the whole weight: that is no tower.
+TEST(Ragdoll, HeapThatLandsIsNotSolvedAsATower) {
+    World world(without_sleep());
+    add_walls(world);
+    std::vector<Ragdoll> heap;
+    heap.reserve(24);
+    for (int i = 0; i < 24; ++i)
+        heap.emplace_back(world, Position(-4 + i % 2, 1 + 0.65 * (i / 2), 0),
+                          glm::angleAxis(float(0.5 * pi), Vec3(1, 0, 0)), Vec3(0, -12, 0));
+    int most = 0;
+    for (int i = 0; i < 27; ++i) { // the upper ones land last
+        world.step(1.0f / 60);
+        most = std::max(most, world.statistics().max_substeps);
+    }
+    EXPECT_LE(most, 16); // it was 56
+}
+
 } // namespace
 } // namespace cairn_test

@@ -1,0 +1,58 @@
+#include "collision/far_apart.h"
+
+#include <algorithm>
+
+namespace cairn {
+
+using math::dot;
+
+namespace {
+
+// What rounding, and directions of segments that are nearly parallel, may take from a distance, as part of the sizes.
+constexpr float slack_part = 4e-3f;
+
+// A segment, and how far the shape reaches beyond it.
+struct Bar {
+    math::Vec3 center, half;
+    float radius;
+};
+
+Bar bar_around(const Geometry& g, const ShapePose& pose, math::Vec3 center) {
+    const math::Quat q{pose.q[0], pose.q[1], pose.q[2], pose.q[3]};
+    if (g.type == ShapeType::capsule)
+        return {center, math::rotate(q, math::Vec3{0, g.size.y, 0}), std::max(g.size.x, g.size.z)};
+    if (g.type == ShapeType::sphere) return {center, {}, g.size.x};
+    return {center + math::rotate(q, g.middle), {}, g.bounding_radius};
+}
+
+float within(float t) { return std::min(std::max(t, -1.0f), 1.0f); }
+
+// Square of the distance of two segments (as Ericson, "Real-Time Collision Detection", 2005, section 5.1.9, but from
+// their middles: parameters from -1 to 1).
+float square_distance(const Bar& a, const Bar& b) {
+    const math::Vec3 r = a.center - b.center;
+    const float uu = dot(a.half, a.half), vv = dot(b.half, b.half), uv = dot(a.half, b.half);
+    const float ur = dot(a.half, r), vr = dot(b.half, r);
+    float s = 0, t = 0;
+    if (const float determinant = uu * vv - uv * uv; determinant > 1e-6f * uu * vv)
+        s = within((uv * vr - ur * vv) / determinant);
+    if (vv > 0) t = within((uv * s + vr) / vv);
+    if (uu > 0) s = within((uv * t - ur) / uu);
+    const math::Vec3 between = r + s * a.half - t * b.half;
+    return dot(between, between);
+}
+
+} // namespace
+
+bool are_far_apart(const Geometry& a, const ShapePose& pose_a, const Geometry& b, const ShapePose& pose_b,
+                   float margin) {
+    const auto vector = [](const float* p) { return math::to_vec(p); };
+    const math::Vec3 offset = (vector(pose_b.high) - vector(pose_a.high)) + (vector(pose_b.low) - vector(pose_a.low));
+    const Bar first = bar_around(a, pose_a, {}), second = bar_around(b, pose_b, offset);
+    const float reach = first.radius + second.radius;
+    const float sizes = reach + math::length(first.half) + math::length(second.half);
+    const float least = reach + margin + slack_part * sizes;
+    return square_distance(first, second) > least * least;
+}
+
+} // namespace cairn
