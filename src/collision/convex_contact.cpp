@@ -66,7 +66,7 @@ class HullFaceSearch {
         const PlaneColumns& planes = hull_.hull->plane_columns; // of the core
         measure(first_);
         for (std::size_t i = 0; i < planes.size(); i += PlaneColumns::width) {
-            const PlaneColumns::Floats limits = planes.below(i, {known_, count_});
+            const columns::F4 limits = planes.below(i, {known_, count_});
             for (std::size_t k = i; k < i + PlaneColumns::width && k < planes.size(); ++k)
                 if (double(limits[k - i]) > best_.separation + radius_ - slack_ && k != first_) measure(k);
         }

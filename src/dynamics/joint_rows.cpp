@@ -320,17 +320,25 @@ bool is_sound(const State& s, std::uint32_t index) {
     return std::isfinite(sum);
 }
 
-// Whether a body of the joint has become faster than the world allows. It will be slowed down: what made it so must not
-// be carried into the next step.
+// Whether a body has become faster than the world allows. It will be slowed down: what made it so must not be carried
+// into the next step.
+bool is_too_fast(const WorldDef& settings, const SolverVelocity& row) {
+    const float v_most = settings.max_linear_speed, w_most = settings.max_angular_speed;
+    const math::Vec3 v = math::to_vec(row.v), w = math::to_vec(row.w);
+    return !(math::dot(v, v) <= v_most * v_most && math::dot(w, w) <= w_most * w_most);
+}
 bool is_too_fast(const State& s, const BinScratch& scratch, std::uint32_t index) {
     const JointInfo& joint = s.joints[index];
-    const float v_most = s.settings.max_linear_speed, w_most = s.settings.max_angular_speed;
     for (const std::int32_t body : {joint.body_a, joint.body_b}) {
         if (body == none || scratch.row_of_body[std::size_t(body)] == none) continue;
-        const SolverVelocity& row = scratch.velocity[std::size_t(scratch.row_of_body[std::size_t(body)])];
-        const math::Vec3 v = math::to_vec(row.v), w = math::to_vec(row.w);
-        if (!(math::dot(v, v) <= v_most * v_most && math::dot(w, w) <= w_most * w_most)) return true;
+        const std::size_t row = std::size_t(scratch.row_of_body[std::size_t(body)]);
+        if (is_too_fast(s.settings, scratch.velocity[row])) return true;
     }
+    return false;
+}
+bool any_is_too_fast(const State& s, const BinScratch& scratch) {
+    for (std::size_t row = 0; row < scratch.row_count(); ++row)
+        if (is_too_fast(s.settings, scratch.velocity[row])) return true;
     return false;
 }
 
@@ -341,12 +349,12 @@ void forget_impulses(State& s, std::uint32_t index) {
         axis = {0, 0, 0, 0, std::isfinite(axis.position) ? axis.position : 0.0f};
 }
 
-// All its impulses are counted.
-void end_joint(State& s, BinScratch& scratch, std::uint32_t index, float rate) {
+// All its impulses are counted. `may_be_fast`: some body of the bin is too fast.
+void end_joint(State& s, BinScratch& scratch, std::uint32_t index, float rate, bool may_be_fast) {
     JointInfo& joint = s.joints[index];
     joint.force = rate * joint.force;
     if (has_torque(joint)) joint.torque = rate * joint.torque;
-    if (!is_sound(s, index) || is_too_fast(s, scratch, index)) forget_impulses(s, index);
+    if (!is_sound(s, index) || (may_be_fast && is_too_fast(s, scratch, index))) forget_impulses(s, index);
     const auto is_more = [](math::Vec3 v, float most) { return math::dot(v, v) > most * most; };
     if (is_more(joint.force, joint.break_force) || (has_torque(joint) && is_more(joint.torque, joint.break_torque)))
         scratch.overloaded.push_back(index);
@@ -405,18 +413,19 @@ void fill_joint_blocks(State& s, BinScratch& scratch, Crew* crew, float h) {
 void store_joints(State& s, BinScratch& scratch, float dt) {
     const JointLayout& layout = *scratch.joint_layout;
     const float rate = 1 / dt;
+    const bool may_be_fast = !layout.joints.empty() && any_is_too_fast(s, scratch);
     for (std::size_t k = 0; k < layout.joints.size(); ++k) {
         for (std::uint32_t i = layout.first_row[k]; i < layout.first_row[k + 1]; ++i) {
             const JointRow& row = layout.rows[i];
             for_blocks_of(scratch, row.type,
                           [&](auto& blocks) { take_lane(s, row, blocks[row.lane / 8], row.lane % 8); });
         }
-        if (s.direct.set_of_joint[layout.joints[k]] == none) end_joint(s, scratch, layout.joints[k], rate);
+        if (s.direct.set_of_joint[layout.joints[k]] == none) end_joint(s, scratch, layout.joints[k], rate, may_be_fast);
     }
     store_direct_rows(s, scratch);
     for (const DirectSolve& solve : scratch.direct.sets)
         for (const std::uint32_t joint : s.direct.sets[std::size_t(solve.set)].joints)
-            end_joint(s, scratch, joint, rate);
+            end_joint(s, scratch, joint, rate, may_be_fast);
 }
 
 } // namespace cairn

@@ -10,21 +10,11 @@ using math::DVec3;
 
 namespace {
 
-using F4 = float __attribute__((vector_size(16)));
+using namespace columns;
 using I4 = std::int32_t __attribute__((vector_size(16)));
 
-constexpr std::size_t block = 8;
+constexpr std::size_t block = 8, most_kept = 4;
 
-F4 load(const float* p) {
-    F4 v;
-    std::memcpy(&v, p, sizeof v);
-    return v;
-}
-F4 splat(float s) { return F4{s, s, s, s}; }
-F4 greater(F4 a, F4 b) {
-    const I4 m = a > b;
-    return (F4)((m & (I4)a) | (~m & (I4)b));
-}
 bool any(I4 m) {
     std::int64_t halves[2];
     std::memcpy(halves, &m, sizeof m);
@@ -41,33 +31,49 @@ Columns::Columns(std::span<const math::Vec3> points) : size_(points.size()) {
     while (x_.size() % block != 0) x_.push_back(x_.back()), y_.push_back(y_.back()), z_.push_back(z_.back());
 }
 
-// First in floats: the greatest product, and all that may be it, as floats are only so exact. Then these in double.
+// First in floats: the greatest product, and all that may be it, as floats are only so exact. If these are several,
+// they are compared in double.
 std::size_t Columns::farthest(DVec3 d) const {
     const DVec3 size = math::abs(d);
     const double greater_xy = size.x > size.y ? size.x : size.y, greatest = greater_xy > size.z ? greater_xy : size.z;
     if (!(greatest > 0)) return 0;
     const double scale = 1 / greatest;
     const F4 dx = splat(float(scale * d.x)), dy = splat(float(scale * d.y)), dz = splat(float(scale * d.z));
+    F4 kept[2 * most_kept]; // of the first blocks: most hulls have no more
     const auto along = [&](std::size_t i) { return load(&x_[i]) * dx + load(&y_[i]) * dy + load(&z_[i]) * dz; };
-    F4 most = along(0), more = along(4);
-    for (std::size_t i = block; i < x_.size(); i += block) {
-        most = greater(along(i), most);
-        more = greater(along(i + 4), more);
+    const std::size_t blocks = x_.size() / block, in_kept = blocks < most_kept ? blocks : most_kept;
+    F4 most = splat(-std::numeric_limits<float>::infinity()), more = most;
+    for (std::size_t i = 0; i < in_kept; ++i) {
+        kept[2 * i] = along(block * i), kept[2 * i + 1] = along(block * i + 4);
+        most = greater(kept[2 * i], most), more = greater(kept[2 * i + 1], more);
     }
+    for (std::size_t i = in_kept; i < blocks; ++i)
+        most = greater(along(block * i), most), more = greater(along(block * i + 4), more);
     most = greater(more, most);
-    float top = most[0];
-    for (int i = 1; i < 4; ++i) top = most[i] > top ? most[i] : top;
+    const float first = most[0] > most[1] ? most[0] : most[1], last = most[2] > most[3] ? most[2] : most[3];
     // Three products of factors up to 1 and largest_, each of them and their sums rounded: 6 x 2^-24 at most for each
     // of two points.
-    const float error = 2.4e-6f * largest_;
-    const F4 least = splat(top - error);
+    const float least = (first > last ? first : last) - 2.4e-6f * largest_;
+    I4 count = {}, places = {}, place = {0, 1, 2, 3};
+    for (std::size_t i = 0; i < 2 * blocks; ++i) {
+        const I4 may_be = (i < 2 * in_kept ? kept[i] : along(4 * i)) >= splat(least);
+        count -= may_be, places |= may_be & place, place += 4;
+    }
+    if (count[0] + count[1] + count[2] + count[3] == 1)
+        return std::size_t(places[0] | places[1] | places[2] | places[3]);
+    return farthest_of(d, scale, least);
+}
+
+// Of those that are at least so far along scale x d, in floats.
+std::size_t Columns::farthest_of(DVec3 d, double scale, float least) const {
+    const F4 dx = splat(float(scale * d.x)), dy = splat(float(scale * d.y)), dz = splat(float(scale * d.z));
     double best_along = -std::numeric_limits<double>::infinity();
     std::size_t best = 0;
-    for (std::size_t i = 0; i < x_.size(); i += block) {
-        const I4 may_be[2] = {along(i) >= least, along(i + 4) >= least};
-        if (!any(may_be[0] | may_be[1])) continue;
-        for (std::size_t k = i; k < i + block && k < size_; ++k) {
-            if (may_be[(k - i) / 4][(k - i) % 4] == 0) continue;
+    for (std::size_t i = 0; i < x_.size(); i += 4) {
+        const I4 may_be = load(&x_[i]) * dx + load(&y_[i]) * dy + load(&z_[i]) * dz >= splat(least);
+        if (!any(may_be)) continue;
+        for (std::size_t k = i; k < i + 4 && k < size_; ++k) {
+            if (may_be[k - i] == 0) continue;
             const double exact = math::dot(DVec3{x_[k], y_[k], z_[k]}, d);
             if (exact > best_along) best_along = exact, best = k;
         }
@@ -82,14 +88,6 @@ PlaneColumns::PlaneColumns(std::span<const math::Vec3> normals, std::span<const 
         x_.push_back(x_.back()), y_.push_back(y_.back()), z_.push_back(z_.back());
         offset_.push_back(offset_.back());
     }
-}
-
-PlaneColumns::Floats PlaneColumns::below(std::size_t i, std::span<const math::Vec3> points) const {
-    const F4 x = load(&x_[i]), y = load(&y_[i]), z = load(&z_[i]);
-    const auto along = [&](math::Vec3 p) { return splat(p.x) * x + splat(p.y) * y + splat(p.z) * z; };
-    F4 least = along(points[0]);
-    for (std::size_t k = 1; k < points.size(); ++k) least = -greater(-along(points[k]), -least);
-    return least - load(&offset_[i]);
 }
 
 } // namespace cairn

@@ -4,10 +4,25 @@
 #include "math/vec.h"
 
 #include <cstddef>
+#include <cstring>
 #include <span>
 #include <vector>
 
 namespace cairn {
+
+namespace columns {
+
+using F4 = float __attribute__((vector_size(16)));
+inline F4 load(const float* p) {
+    F4 v;
+    std::memcpy(&v, p, sizeof v);
+    return v;
+}
+inline F4 splat(float s) { return F4{s, s, s, s}; }
+inline F4 greater(F4 a, F4 b) { return a > b ? a : b; }
+inline F4 lesser(F4 a, F4 b) { return a < b ? a : b; }
+
+} // namespace columns
 
 class Columns {
   public:
@@ -20,6 +35,8 @@ class Columns {
     std::size_t farthest(math::DVec3 d) const;
 
   private:
+    std::size_t farthest_of(math::DVec3 d, double scale, float least) const;
+
     std::size_t size_ = 0;
     float largest_ = 0;            // of all coordinates
     std::vector<float> x_, y_, z_; // padded to blocks by repeating the last point
@@ -29,7 +46,6 @@ class Columns {
 class PlaneColumns {
   public:
     static constexpr std::size_t width = 4;
-    using Floats = float __attribute__((vector_size(16)));
 
     PlaneColumns() = default;
     PlaneColumns(std::span<const math::Vec3> normals, std::span<const float> offsets);
@@ -37,7 +53,14 @@ class PlaneColumns {
     std::size_t size() const { return size_; }
     // How far each of planes i to i + width - 1 is below the lowest of the points, along its normal; beyond the last
     // plane, that of the last. Rounding adds up to 1e-6 of the sizes.
-    Floats below(std::size_t i, std::span<const math::Vec3> points) const;
+    columns::F4 below(std::size_t i, std::span<const math::Vec3> points) const {
+        using namespace columns;
+        const F4 x = load(&x_[i]), y = load(&y_[i]), z = load(&z_[i]);
+        const auto along = [&](math::Vec3 p) { return splat(p.x) * x + splat(p.y) * y + splat(p.z) * z; };
+        F4 least = along(points[0]);
+        for (std::size_t k = 1; k < points.size(); ++k) least = lesser(along(points[k]), least);
+        return least - load(&offset_[i]);
+    }
 
   private:
     std::size_t size_ = 0;
