@@ -206,12 +206,7 @@ template <class Block, class Impact> class RunCopy {
 // What joints hold to what was struck, and all contacts of that.
 void copy_joints(const State& s, BinScratch& scratch) {
     ImpactWork& work = scratch.impact;
-    std::int32_t first_discard = scratch.first_joint_discard_row();
-    std::array<std::int32_t, joint_row_types> discards{};
-    for (std::size_t type = 0; type < joint_row_types; ++type) {
-        discards[type] = first_discard;
-        first_discard += std::int32_t(scratch.joint_layout->blocks[type]);
-    }
+    const auto discards = scratch.first_joint_discard_rows();
     for (const JointRun& run : scratch.joint_layout->runs) {
         const std::vector<std::int32_t>& components = work.joint_component[std::size_t(run.type)];
         const std::int32_t discard = discards[std::size_t(run.type)];

@@ -240,11 +240,6 @@ template <class Block> void open_run(const JointRun& run, std::vector<Block>& bl
     }
 }
 
-std::array<std::uint32_t, joint_row_types> first_discard_rows(const BinScratch& scratch) {
-    const auto& count = scratch.joint_layout->blocks;
-    const std::uint32_t first = std::uint32_t(scratch.first_joint_discard_row());
-    return {first, first + count[0], first + count[0] + count[1]};
-}
 template <class Block> void make_room(std::vector<Block>& blocks, std::size_t count) {
     if (blocks.size() < count) blocks.resize(count);
 }
@@ -253,10 +248,11 @@ void open_blocks(BinScratch& scratch) {
     make_room(scratch.point_blocks, scratch.joint_layout->blocks[0]);
     make_room(scratch.turn_blocks, scratch.joint_layout->blocks[1]);
     make_room(scratch.axis_blocks, scratch.joint_layout->blocks[2]);
-    const auto first_discard = first_discard_rows(scratch);
+    const auto first_discard = scratch.first_joint_discard_rows();
     for (const JointRun& run : scratch.joint_layout->runs)
-        for_blocks_of(scratch, run.type,
-                      [&](auto& blocks) { open_run(run, blocks, first_discard[std::size_t(run.type)]); });
+        for_blocks_of(scratch, run.type, [&](auto& blocks) {
+            open_run(run, blocks, std::uint32_t(first_discard[std::size_t(run.type)]));
+        });
     for (const JointRow& row : scratch.joint_layout->rows) {
         if (row.type != JointRowType::axis) continue;
         AxisBlock& b = scratch.axis_blocks[row.lane / 8];
@@ -391,7 +387,7 @@ void fill_joint_lanes(State& s, const Bin& bin, BinScratch& scratch) {
 void fill_joint_blocks(State& s, BinScratch& scratch, Crew* crew, float h) {
     open_blocks(scratch);
     const JointLayout& layout = *scratch.joint_layout;
-    const auto first_discard = first_discard_rows(scratch);
+    const auto first_discard = scratch.first_joint_discard_rows();
     // Joint by joint: neighbors share bodies, and rows go to one block of each color at a time.
     for_chunks(crew, int(layout.joints.size()), joints_per_chunk, [&](int begin, int end, int) {
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
@@ -399,7 +395,7 @@ void fill_joint_blocks(State& s, BinScratch& scratch, Crew* crew, float h) {
             for (std::uint32_t i = layout.first_row[k]; i < layout.first_row[k + 1]; ++i) {
                 const JointRow& row = layout.rows[i];
                 const std::uint32_t block = row.lane / 8, lane = row.lane % 8;
-                const std::uint32_t discard = (first_discard[std::size_t(row.type)] + block) * row_bytes;
+                const std::uint32_t discard = (std::uint32_t(first_discard[std::size_t(row.type)]) + block) * row_bytes;
                 for_blocks_of(scratch, row.type, [&](auto& blocks) {
                     fill_ends(s, scratch, blocks[block], lane, s.joints[row.joint], discard);
                     fill_lane(s, row, blocks[block], lane, h);

@@ -196,8 +196,11 @@ struct BinScratch {
     std::size_t row_count() const { return row_bodies.size(); }
     // Discard rows: of blocks of contacts with one point, with four, then of joints.
     std::int32_t first_discard_row() const { return std::int32_t(row_bodies.size()); }
-    std::int32_t first_joint_discard_row() const {
-        return first_discard_row() + std::int32_t((one_lanes.record.size() + four_lanes.record.size()) / 8);
+    std::array<std::int32_t, joint_row_types> first_joint_discard_rows() const { // by JointRowType
+        const std::int32_t first =
+            first_discard_row() + std::int32_t((one_lanes.record.size() + four_lanes.record.size()) / 8);
+        const auto& count = joint_layout->blocks;
+        return {first, first + std::int32_t(count[0]), first + std::int32_t(count[0] + count[1])};
     }
     std::size_t block_count() const {
         std::size_t blocks = (one_lanes.record.size() + four_lanes.record.size()) / 8;
