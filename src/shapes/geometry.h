@@ -38,6 +38,7 @@ inline constexpr float endless = 4e15f;
 // Planes and rectangles face along their own +y; capsules and cylinders stand along it.
 struct Geometry {
     ShapeType type = ShapeType::sphere;
+    std::uint8_t padding[3] = {}; // snapshots are compared byte by byte
     // sphere: radius in x; box: half extents; rectangle: half extents in x and z; capsule, cylinder: lower radius in x,
     // half height in y, upper radius in z
     math::Vec3 size;

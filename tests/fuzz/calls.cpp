@@ -358,14 +358,15 @@ void Calls::call_wrongly() {
 void Calls::step() {
     if (steps() >= most_steps_) return;
     const float dt = bytes_.pick(8) ? 1.0f / 60 : 1.0f / 120;
-    const double energy = worlds_[single].kinetic_energy(), depth = deepest(worlds_[single]);
+    const Before before = {worlds_[single].kinetic_energy(), deepest(worlds_[single]),
+                           !worlds_[single].joints().empty()};
     each([&](World& world) { world.step(dt); });
-    check_step(energy, depth, dt);
+    check_step(before, dt);
     pushed_ = 0;
     placed_ = false;
 }
 
-void Calls::check_step(double energy, double depth, float dt) {
+void Calls::check_step(const Before& before, float dt) {
     const World& world = worlds_[single];
     require(world.state_hash() == worlds_[threaded].state_hash(), "another number of threads, another world");
     require(world.state_hash() == worlds_[restored].state_hash(), "the restored world went another way");
@@ -380,7 +381,7 @@ void Calls::check_step(double energy, double depth, float dt) {
         require(std::isfinite(world.joint_state(id).linear_error), "the state of a joint is not finite");
 
     // What gravity, forces and the parting of overlaps can have added. Motors and moving bodies may add more.
-    bool is_driven = !world.joints().empty() || !fields_.empty(); // a field may be endless at its center
+    bool is_driven = before.has_joints || !fields_.empty(); // a field may be endless at its center
     double given = 0;
     const double acceleration = 20, parting = 2.0 * double(world.settings().recovery_speed);
     for (const BodyId id : expected) {
@@ -394,14 +395,15 @@ void Calls::check_step(double energy, double depth, float dt) {
         given += mass * (acceleration * double(dt) * (v + acceleration * double(dt)) + parting * (parting + v));
         given += pushed_ * (v + 1) * double(dt);
     }
-    require(is_driven || world.kinetic_energy() <= 1.5 * energy + given + pushed_,
-            "energy from nothing: " + std::to_string(energy) + " J, then " + std::to_string(world.kinetic_energy()) +
-                " J, of which " + std::to_string(given) + " J may have been given");
+    require(is_driven || world.kinetic_energy() <= 1.5 * before.energy + given + pushed_,
+            "energy from nothing: " + std::to_string(before.energy) + " J, then " +
+                std::to_string(world.kinetic_energy()) + " J, of which " + std::to_string(given) +
+                " J may have been given");
     double fastest = 0;
     for (const BodyId id : bodies_) fastest = std::max(fastest, double(glm::length(world.body(id).linear_velocity())));
-    require(is_driven || placed_ || deepest(world) <= depth + 2 * fastest * double(dt) + 0.1,
-            "bodies sink into each other: " + std::to_string(depth) + " m, then " + std::to_string(deepest(world)) +
-                " m at " + std::to_string(fastest) + " m/s");
+    require(is_driven || placed_ || deepest(world) <= before.depth + 2 * fastest * double(dt) + 0.1,
+            "bodies sink into each other: " + std::to_string(before.depth) + " m, then " +
+                std::to_string(deepest(world)) + " m at " + std::to_string(fastest) + " m/s");
 }
 
 void Calls::call() {

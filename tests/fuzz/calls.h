@@ -81,7 +81,11 @@ class Calls {
     void save_and_restore();
     void call_wrongly();
     void step();
-    void check_step(double energy, double depth, float dt);
+    struct Before { // a step
+        double energy, depth;
+        bool has_joints; // they may break in it
+    };
+    void check_step(const Before& before, float dt);
 
     Bytes bytes_;
     std::uint64_t most_steps_;

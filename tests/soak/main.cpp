@@ -3,6 +3,8 @@
 //
 // usage: cairn_soak [STEPS]   Default: 1,000,000. Prints a line for each tenth; exit status 1 if anything does not
 // hold.
+#include "../sanitized.h"
+
 #include <cairn/cairn.h>
 
 #include <algorithm>
@@ -22,14 +24,6 @@ namespace {
 using namespace cairn;
 
 constexpr std::size_t least_bodies = 20, most_bodies = 40;
-// Sanitizers keep what was freed for a while.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool keeps_freed_memory = true;
-#elif defined(__has_feature)
-constexpr bool keeps_freed_memory = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
-#else
-constexpr bool keeps_freed_memory = false;
-#endif
 constexpr int tenths = 10, warm_up = 20000;
 constexpr double room = 3, top = 12; // m: half the width of the room, and how high bodies begin
 
@@ -186,7 +180,7 @@ int main(int argc, char** argv) {
     const Tenth &first = all[0], &last = all[tenths - 1];
     const double growth = last.megabytes / first.megabytes - 1, slower = last.microseconds / first.microseconds - 1;
     std::printf("memory %+.2f %%, time of a step %+.1f %%, since the first tenth\n", 100 * growth, 100 * slower);
-    const bool is_flat = keeps_freed_memory || growth <= 0.01;
+    const bool is_flat = cairn_test::is_sanitized || growth <= 0.01;
     constexpr double most_slower = 0.5; // the latter leaves room for a busy machine
     return is_flat && slower <= most_slower ? 0 : 1;
 }
