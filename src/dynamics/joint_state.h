@@ -61,6 +61,7 @@ struct alignas(64) JointInfo {
     float substep_time = 0; // s: that the impulses are for
     float break_force = 0, break_torque = 0;
     math::Vec3 point_impulse; // of the last substep
+    float line_padding = 0;   // snapshots keep all bytes: none of them may be left to chance
 
     math::DVec3 anchor_a, anchor_b; // in the bodies' frames; of the world, in its own
     math::Vec3 force;
@@ -68,6 +69,8 @@ struct alignas(64) JointInfo {
     math::Vec3 torque, turn_impulse;
     math::DQuat frame_a, frame_b;
     math::DVec3 ground_a, ground_b; // of a pulley
+    double tail_padding[7] = {};
 };
+static_assert(sizeof(JointInfo) == 320);
 
 } // namespace cairn
