@@ -46,8 +46,8 @@ float square_distance(const Bar& a, const Bar& b) {
 
 bool are_far_apart(const Geometry& a, const ShapePose& pose_a, const Geometry& b, const ShapePose& pose_b,
                    float margin) {
-    const auto vector = [](const float* p) { return math::to_vec(p); };
-    const math::Vec3 offset = (vector(pose_b.high) - vector(pose_a.high)) + (vector(pose_b.low) - vector(pose_a.low));
+    const math::Vec3 offset =
+        (math::to_vec(pose_b.high) - math::to_vec(pose_a.high)) + (math::to_vec(pose_b.low) - math::to_vec(pose_a.low));
     const Bar first = bar_around(a, pose_a, {}), second = bar_around(b, pose_b, offset);
     const float reach = first.radius + second.radius;
     const float sizes = reach + math::length(first.half) + math::length(second.half);

@@ -12,9 +12,7 @@
 
 namespace cairn {
 
-template <class BlockType, class ImpactType> struct StruckBlocks {
-    using Block = BlockType;
-    using Impact = ImpactType;
+template <class Block, class Impact> struct StruckBlocks {
     struct Lane {
         std::uint32_t source; // the lane of the bin that it is a copy of
         std::int32_t island;  // its place in ImpactWork::islands

@@ -18,7 +18,7 @@ constexpr float settled_change = 0.005f, settled_spin = 0.02f;
 // The types of blocks, as in ImpactWork::blocks: first those of joints, by JointRowType.
 constexpr int one_point_type = joint_row_types, four_points_type = joint_row_types + 1;
 
-// Calls f(its blocks in the bin, its struck blocks, the index of the type) for one type of blocks.
+// Calls f(its blocks in the bin, its struck blocks) for one type of blocks.
 template <class F> void with_type(BinScratch& scratch, int type, F&& f) {
     auto& blocks = scratch.impact.blocks;
     switch (type) {
