@@ -51,8 +51,9 @@ int supporting_face(const Convex& c, DVec3 n) {
     if (c.kind == Convex::Kind::polygon) return dot(c.axes.c1, n) < 0 ? 1 : 0;
     const HullData& hull = *c.hull;
     const DVec3 d = to_local(c, n);
-    int best = static_cast<int>(hull.normal_columns.farthest(d));
-    const DVec3 farthest = to_local(c, core_support(exact_core(c), n) - c.center);
+    int best = static_cast<int>(hull.normal_columns.nearly_farthest(d));
+    const math::Vec3& farthest_vertex = hull.vertices[hull.vertex_columns.nearly_farthest(d)];
+    const DVec3 farthest = math::to_double(farthest_vertex);
     const auto height = [&](const HullFace& f) { return dot(math::to_double(f.normal), farthest) - f.offset; };
     const double slack = 1e-5 * c.extent;
     if (height(hull.faces[static_cast<std::size_t>(best)]) > -slack) return best;

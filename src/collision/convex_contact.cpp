@@ -23,6 +23,12 @@ constexpr double round_part = 0.1;
 
 // Of lengths, as part of the extent.
 constexpr double rounding = 1e-6;
+// Cosine with the normal of the last step: the face that this was the normal of has turned by less in one step. And by
+// how much more the second shape's face must look along it.
+constexpr double same_face = 0.999, tie_of_faces = 1e-6;
+// Of the smaller inset: how deep a face may be that has not been compared with the others, and of the preference for
+// faces: how much deeper it may be than its points reach.
+constexpr double unsearched_depth = 0.5, unsearched_reach = 0.3;
 // Of the distance of the cores: directions are within a ten thousandth.
 constexpr double direction_tolerance = 1e-8;
 
@@ -39,11 +45,13 @@ struct Axis {
     DVec3 touch;            // midway between the points of the cores that are nearest to each other
 };
 
-double separation_along(const Convex& a, const Convex& b, DVec3 n) { return dot(n, support(b, -n) - support(a, n)); }
+double separation_along(const Convex& a, const Convex& b, DVec3 n) {
+    return dot(n, near_support(b, -n) - near_support(a, n));
+}
 
 void measure(const Convex& a, const Convex& b, Axis& axis) {
-    axis.on_a = support(a, axis.normal);
-    axis.on_b = support(b, -axis.normal);
+    axis.on_a = near_support(a, axis.normal);
+    axis.on_b = near_support(b, -axis.normal);
     axis.separation = dot(axis.normal, axis.on_b - axis.on_a);
 }
 
@@ -59,7 +67,7 @@ class HullFaceSearch {
         slack_ = 1e-5 * (hull.hull->bounding_radius + math::length(middle(other) - hull.center));
         know(p);
         know(middle(other));
-        first_ = hull.hull->normal_columns.farthest(to_local(hull, toward));
+        first_ = hull.hull->normal_columns.nearly_farthest(to_local(hull, toward));
     }
 
     Axis search() {
@@ -81,7 +89,7 @@ class HullFaceSearch {
     }
     void measure(std::size_t i) {
         const int face = static_cast<int>(i);
-        const DVec3 normal = face_normal(hull_, face), nearest = support(other_, -normal);
+        const DVec3 normal = face_normal(hull_, face), nearest = near_support(other_, -normal);
         const double separation = dot(normal, nearest - face_point(hull_, face));
         if (separation > best_.separation) best_ = {normal, separation, face, false, {}, {}, {}};
         know(nearest);
@@ -104,7 +112,7 @@ Axis best_face(const Convex& c, const Convex& other, DVec3 toward, DVec3 p, doub
         if (c.kind == Convex::Kind::cylinder && !((i == 0 ? c.size.z : c.size.x) > 0)) continue;
         const DVec3 normal = face_normal(c, i), on_face = face_point(c, i);
         if (!(dot(normal, p - on_face) > best.separation)) continue; // no other point is farther inside
-        const double separation = dot(normal, support(other, -normal) - on_face);
+        const double separation = dot(normal, near_support(other, -normal) - on_face);
         if (separation > best.separation) best = {normal, separation, i, false, {}, {}, {}};
     }
     return best;
@@ -271,6 +279,60 @@ void contact_along(const Convex& a, const Convex& b, Axis axis, double margin, F
     edge_manifold(a, b, axis, extent, margin, out);
 }
 
+// The face of `c` that looks most along n, if any looks nearly there.
+int face_along(const Convex& c, DVec3 n, double& cosine) {
+    int face = -1;
+    switch (c.kind) {
+    case Convex::Kind::hull:
+        face = static_cast<int>(c.hull->normal_columns.nearly_farthest(to_local(c, n)));
+        break;
+    case Convex::Kind::box: {
+        const DVec3 d = to_local(c, n), size = math::abs(d);
+        const int i = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+        face = 2 * i + (d[i] < 0 ? 1 : 0);
+        break;
+    }
+    case Convex::Kind::cylinder:
+        face = dot(c.axes.c1, n) > 0 ? 0 : 1;
+        if (!((face == 0 ? c.size.z : c.size.x) > 0)) return -1;
+        break;
+    case Convex::Kind::polygon:
+        face = 0;
+        break;
+    case Convex::Kind::ball:
+    case Convex::Kind::capsule:
+        return -1;
+    }
+    cosine = dot(face_normal(c, face), n);
+    return cosine > same_face ? face : -1;
+}
+
+// Whether the face that was the contact in the last step still is: its points come as near as any can along its
+// normal, so that no other direction separates the shapes more. True as well when they are apart along it; there are no
+// points then, and the normal is that. The other
+// faces need not be looked at. Only where the shapes hardly overlap: deeper, another face may be less deep.
+bool contact_by_last_face(const Convex& a, const Convex& b, double margin, DVec3 guess, FacePoints& found,
+                          Manifold& out) {
+    double cosine_a = 0, cosine_b = 0;
+    const int face_a = face_along(a, guess, cosine_a), face_b = face_along(b, -guess, cosine_b);
+    if (face_a < 0 && face_b < 0) return false;
+    Axis axis;
+    axis.is_second = face_a < 0 || (face_b >= 0 && cosine_b > cosine_a + tie_of_faces);
+    axis.face = axis.is_second ? face_b : face_a;
+    const Convex &c = axis.is_second ? b : a, &other = axis.is_second ? a : b;
+    const DVec3 outward = face_normal(c, axis.face);
+    axis.normal = axis.is_second ? -outward : outward;
+    axis.separation = dot(outward, near_support(other, -outward) - face_point(c, axis.face));
+    if (axis.separation > margin) {
+        math::put(out.normal, math::to_float(axis.normal));
+        return true;
+    }
+    if (axis.separation < -unsearched_depth * inset_part_of(a, b)) return false;
+    const double extent = common_extent(a, b);
+    const double tolerance = unsearched_reach * face_preference(a, b, extent) + rounding * extent;
+    return face_manifold(a, b, axis, axis.separation, tolerance, extent, margin, found, out);
+}
+
 // What the normal of the last step tells without the cores. True when the shapes are apart along it, or when a face
 // near it is the contact: its points come as near as any points can along the face's normal, so that no other
 // direction is better, nor any other face. Only while the overlap is shallow: deeper, edges might be better.
@@ -279,12 +341,15 @@ bool contact_by_guess(const Convex& a, const Convex& b, double margin, DVec3 gue
     if (!(square > 0)) return false;
     Axis axis;
     axis.normal = (1 / std::sqrt(square)) * guess;
+    if (contact_by_last_face(a, b, margin, axis.normal, found, out)) return true;
     measure(a, b, axis);
+    math::put(out.normal, math::to_float(axis.normal));
     if (axis.separation > margin) return true;
     if (face_count(a) == 0 && face_count(b) == 0) return false;
     const double extent = common_extent(a, b), preference = face_preference(a, b, extent);
     const Axis face = preferred_face(a, b, axis, preference, extent);
     if (face.face < 0) return false;
+    math::put(out.normal, math::to_float(face.normal));
     if (face.separation > margin) return true;
     if (face.separation < -inset_part_of(a, b)) return false;
     return face_manifold(a, b, face, face.separation, preference + rounding * extent, extent, margin, found, out);
@@ -299,8 +364,6 @@ void collide_convex(const Convex& a, const Convex& b, double margin, DVec3 guess
         Axis axis;
         if (find_axis(a, b, margin, guess, axis)) contact_along(a, b, axis, margin, found, out);
         if (out.count == 0) math::put(out.normal, math::to_float(axis.normal));
-    } else if (out.count == 0) {
-        math::put(out.normal, math::to_float(guess));
     }
 }
 
@@ -416,12 +479,12 @@ SurfaceContact collide_surface(const Convex& a, const Convex& polygon, double ma
     const DVec3 up = polygon.axes.c1, m = middle(a);
     const double height = dot(m - polygon.corners[0], up);
     if (height < 0) {
-        double size = dot(support(a, up) - support(a, -up), up);
+        double size = dot(near_support(a, up) - near_support(a, -up), up);
         if (polygon.corner_count == 4) // a rectangle
             size = 0.5 * std::min(math::length(polygon.corners[1] - polygon.corners[0]),
                                   math::length(polygon.corners[2] - polygon.corners[1]));
         // What does not reach the front is not held: it may stand on the far side of a thin wall.
-        const double top = dot(support(a, up) - polygon.corners[0], up);
+        const double top = dot(near_support(a, up) - polygon.corners[0], up);
         if (-height < size && (polygon.corner_count == 4 || top > 0) && is_over(polygon, m))
             lift(a, polygon, margin, out);
         return {};

@@ -64,6 +64,26 @@ std::size_t Columns::farthest(DVec3 d) const {
     return farthest_of(d, scale, least);
 }
 
+std::size_t Columns::nearly_farthest(DVec3 unit) const {
+    const F4 dx = splat(float(unit.x)), dy = splat(float(unit.y)), dz = splat(float(unit.z));
+    const auto along = [&](std::size_t i) { return load(&x_[i]) * dx + load(&y_[i]) * dy + load(&z_[i]) * dz; };
+    F4 most = along(0), more = along(4);
+    I4 place = {0, 1, 2, 3}, next_place = {4, 5, 6, 7};
+    I4 best = place, better = next_place;
+    for (std::size_t i = block; i < x_.size(); i += block) {
+        place += 8, next_place += 8;
+        const F4 first = along(i), second = along(i + 4);
+        const I4 is_farther = first > most, is_further = second > more;
+        most = is_farther ? first : most, more = is_further ? second : more;
+        best = is_farther ? place : best, better = is_further ? next_place : better;
+    }
+    const I4 is_farther = more > most;
+    most = is_farther ? more : most, best = is_farther ? better : best;
+    const int low = most[1] > most[0] ? 1 : 0, high = most[3] > most[2] ? 3 : 2;
+    const auto found = std::size_t(best[most[high] > most[low] ? high : low]);
+    return found < size_ ? found : size_ - 1; // one of those that repeat the last
+}
+
 // Of those that are at least so far along scale x d, in floats.
 std::size_t Columns::farthest_of(DVec3 d, double scale, float least) const {
     const F4 dx = splat(float(scale * d.x)), dy = splat(float(scale * d.y)), dz = splat(float(scale * d.z));

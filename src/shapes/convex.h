@@ -103,6 +103,12 @@ inline math::DVec3 support(const Convex& c, math::DVec3 d) {
     const double length = math::length(d);
     return length > 0 ? p + (c.radius / length) * d : p;
 }
+// Likewise along a unit vector, quickly: of a hull some point within 3e-6 of its size of the farthest.
+inline math::DVec3 near_support(const Convex& c, math::DVec3 unit) {
+    if (c.kind != Convex::Kind::hull) return support(c, unit);
+    const math::DVec3 p = hull_point(c, c.hull->vertices[c.hull->vertex_columns.nearly_farthest(to_local(c, unit))]);
+    return c.is_sharp ? p : p + c.radius * unit;
+}
 // Of a hull: the vertex of its exact core there.
 std::size_t farthest_vertex(const Convex& c, math::DVec3 d);
 // A point inside: the middle of the bounds.
