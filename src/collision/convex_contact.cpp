@@ -313,8 +313,11 @@ int face_along(const Convex& c, DVec3 n, double& cosine) {
 // faces need not be looked at. Only where the shapes hardly overlap: deeper, another face may be less deep.
 bool contact_by_last_face(const Convex& a, const Convex& b, double margin, DVec3 guess, FacePoints& found,
                           Manifold& out) {
+    const double square = dot(guess, guess);
+    if (!(square > 0)) return false;
+    const DVec3 last = (1 / std::sqrt(square)) * guess;
     double cosine_a = 0, cosine_b = 0;
-    const int face_a = face_along(a, guess, cosine_a), face_b = face_along(b, -guess, cosine_b);
+    const int face_a = face_along(a, last, cosine_a), face_b = face_along(b, -last, cosine_b);
     if (face_a < 0 && face_b < 0) return false;
     Axis axis;
     axis.is_second = face_a < 0 || (face_b >= 0 && cosine_b > cosine_a + tie_of_faces);
@@ -341,7 +344,6 @@ bool contact_by_guess(const Convex& a, const Convex& b, double margin, DVec3 gue
     if (!(square > 0)) return false;
     Axis axis;
     axis.normal = (1 / std::sqrt(square)) * guess;
-    if (contact_by_last_face(a, b, margin, axis.normal, found, out)) return true;
     measure(a, b, axis);
     math::put(out.normal, math::to_float(axis.normal));
     if (axis.separation > margin) return true;
@@ -360,6 +362,7 @@ bool contact_by_guess(const Convex& a, const Convex& b, double margin, DVec3 gue
 void collide_convex(const Convex& a, const Convex& b, double margin, DVec3 guess, Manifold& out) {
     clear_manifold(out);
     FacePoints found;
+    if (contact_by_last_face(a, b, margin, guess, found, out)) return;
     if (!contact_by_guess(a, b, margin, guess, found, out)) {
         Axis axis;
         if (find_axis(a, b, margin, guess, axis)) contact_along(a, b, axis, margin, found, out);
