@@ -26,9 +26,9 @@ constexpr double rounding = 1e-6;
 // Cosine with the normal of the last step: the face that this was the normal of has turned by less in one step. And by
 // how much more the second shape's face must look along it.
 constexpr double same_face = 0.999, tie_of_faces = 1e-6;
-// Of the smaller inset: how deep a face may be that has not been compared with the others, and of the preference for
-// faces: how much deeper it may be than its points reach.
-constexpr double unsearched_depth = 0.5, unsearched_reach = 0.3;
+// Of the preference for faces: how much deeper a face that has not been compared with the others may be than its points
+// reach.
+constexpr double unsearched_reach = 0.3;
 // Of the distance of the cores: directions are within a ten thousandth.
 constexpr double direction_tolerance = 1e-8;
 
@@ -307,10 +307,19 @@ int face_along(const Convex& c, DVec3 n, double& cosine) {
     return cosine > same_face ? face : -1;
 }
 
+// Whether the points span a triangle that is wider than `width` everywhere.
+bool is_wide(const Manifold& m, double width) {
+    if (m.count < 3) return false;
+    const DVec3 a = math::to_double(math::to_vec(m.points[0])), u = math::to_double(math::to_vec(m.points[1])) - a,
+                v = math::to_double(math::to_vec(m.points[2])) - a, w = v - u, across = math::cross(u, v);
+    const double longest = std::max(dot(u, u), std::max(dot(v, v), dot(w, w)));
+    return dot(across, across) > width * width * longest;
+}
+
 // Whether the face that was the contact in the last step still is: its points come as near as any can along its
 // normal, so that no other direction separates the shapes more. True as well when they are apart along it; there are no
-// points then, and the normal is that. The other
-// faces need not be looked at. Only where the shapes hardly overlap: deeper, another face may be less deep.
+// points then, and the normal is that. The other faces need not be looked at. Where the shapes overlap, they do so by
+// more than that along any direction across points that are wide apart; of others the faces are compared.
 bool contact_by_last_face(const Convex& a, const Convex& b, double margin, DVec3 guess, FacePoints& found,
                           Manifold& out) {
     const double square = dot(guess, guess);
@@ -330,10 +339,13 @@ bool contact_by_last_face(const Convex& a, const Convex& b, double margin, DVec3
         math::put(out.normal, math::to_float(axis.normal));
         return true;
     }
-    if (axis.separation < -unsearched_depth * inset_part_of(a, b)) return false;
+    if (axis.separation < -inset_part_of(a, b)) return false;
     const double extent = common_extent(a, b);
     const double tolerance = unsearched_reach * face_preference(a, b, extent) + rounding * extent;
-    return face_manifold(a, b, axis, axis.separation, tolerance, extent, margin, found, out);
+    if (!face_manifold(a, b, axis, axis.separation, tolerance, extent, margin, found, out)) return false;
+    if (axis.separation >= 0 || is_wide(out, -axis.separation)) return true;
+    clear_manifold(out);
+    return false;
 }
 
 // What the normal of the last step tells without the cores. True when the shapes are apart along it, or when a face
@@ -345,14 +357,18 @@ bool contact_by_guess(const Convex& a, const Convex& b, double margin, DVec3 gue
     Axis axis;
     axis.normal = (1 / std::sqrt(square)) * guess;
     measure(a, b, axis);
-    math::put(out.normal, math::to_float(axis.normal));
-    if (axis.separation > margin) return true;
+    if (axis.separation > margin) {
+        math::put(out.normal, math::to_float(axis.normal));
+        return true;
+    }
     if (face_count(a) == 0 && face_count(b) == 0) return false;
     const double extent = common_extent(a, b), preference = face_preference(a, b, extent);
     const Axis face = preferred_face(a, b, axis, preference, extent);
     if (face.face < 0) return false;
-    math::put(out.normal, math::to_float(face.normal));
-    if (face.separation > margin) return true;
+    if (face.separation > margin) {
+        math::put(out.normal, math::to_float(face.normal));
+        return true;
+    }
     if (face.separation < -inset_part_of(a, b)) return false;
     return face_manifold(a, b, face, face.separation, preference + rounding * extent, extent, margin, found, out);
 }
