@@ -195,19 +195,19 @@ struct MeshSupport {
     DVec3 direction;
     double slack, best = -infinity;
 
-    void search(std::size_t level, std::size_t node) {
+    // The boxes of a block.
+    void search(std::size_t level, std::size_t block) {
         if (level == 0) {
-            const std::size_t first = 24 * node, last = std::min(first + 24, mesh.indices.size());
+            const std::size_t first = 24 * block, last = std::min(first + 24, mesh.indices.size());
             for (std::size_t i = first; i < last; ++i)
                 best = std::max(best, math::dot(direction, math::to_double(mesh.vertices[mesh.indices[i]])));
             return;
         }
-        const auto& children = mesh.levels[level - 1];
-        const std::size_t first = 8 * node, count = std::min<std::size_t>(8, children.size() - first);
+        const BoxBlock& boxes = mesh.levels[level][block];
+        const std::size_t count = std::min<std::size_t>(8, mesh.levels[level - 1].size() - 8 * block);
         double reach[8];
         for (std::size_t i = 0; i < count; ++i) {
-            const MeshData::Box& box = children[first + i];
-            const DVec3 lo = math::to_double(box.lo), hi = math::to_double(box.hi);
+            const DVec3 lo = math::to_double(boxes.lo_of(i)), hi = math::to_double(boxes.hi_of(i));
             reach[i] = 0.5 * (math::dot(direction, lo + hi) + math::dot(math::abs(direction), hi - lo));
         }
         for (;;) {
@@ -216,7 +216,7 @@ struct MeshSupport {
                 if (reach[i] > reach[farthest]) farthest = i;
             if (!(reach[farthest] > best + slack)) return;
             reach[farthest] = -infinity;
-            search(level - 1, first + farthest);
+            search(level - 1, 8 * block + farthest);
         }
     }
 };

@@ -16,7 +16,10 @@ using math::Vec3;
 namespace {
 
 using Corners = std::array<std::uint32_t, 3>;
-using Box = MeshData::Box;
+
+struct Box {
+    Vec3 lo, hi;
+};
 
 constexpr float farthest = 1e6f;                                 // m
 constexpr std::size_t most_indices = 3 * (std::size_t(1) << 28); // so that three times a triangle's index fits
@@ -131,11 +134,13 @@ void build_levels(MeshData& mesh) {
     }
     do {
         std::vector<Box> parents((boxes.size() + 7) / 8);
+        std::vector<BoxBlock> blocks(parents.size());
         for (std::size_t i = 0; i < boxes.size(); ++i) {
             Box& parent = parents[i / 8];
             parent = i % 8 == 0 ? boxes[i] : Box{math::min(parent.lo, boxes[i].lo), math::max(parent.hi, boxes[i].hi)};
+            blocks[i / 8].set(i % 8, boxes[i].lo, boxes[i].hi);
         }
-        mesh.levels.push_back(parents);
+        mesh.levels.push_back(std::move(blocks));
         boxes.swap(parents);
     } while (boxes.size() > 1);
     mesh.lo = boxes[0].lo;

@@ -3,8 +3,10 @@
 
 #include "math/bounds.h"
 #include "math/vec.h"
+#include "shapes/columns.h"
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -12,19 +14,44 @@ namespace cairn {
 
 inline constexpr std::uint32_t no_triangle = 0xffffffff;
 
-// Triangles in kd order, 8 to a leaf; above them an implicit tree: node i of a level holds the bounds of nodes 8 i to
-// 8 i + 7 of the level below (level 0: of triangles).
+// Eight boxes that are looked at together. Of those that are not there none meets anything.
+struct BoxBlock {
+    float lo[3][8], hi[3][8]; // by axis
+
+    BoxBlock() {
+        for (int axis = 0; axis < 3; ++axis)
+            for (int i = 0; i < 8; ++i) lo[axis][i] = hi[axis][i] = std::numeric_limits<float>::quiet_NaN();
+    }
+    void set(std::size_t i, math::Vec3 least, math::Vec3 greatest) {
+        for (int axis = 0; axis < 3; ++axis) lo[axis][i] = least[axis], hi[axis][i] = greatest[axis];
+    }
+    math::Vec3 lo_of(std::size_t i) const { return {lo[0][i], lo[1][i], lo[2][i]}; }
+    math::Vec3 hi_of(std::size_t i) const { return {hi[0][i], hi[1][i], hi[2][i]}; }
+    // A bit for each of those that meet the box from `least` to `greatest` (touching counts).
+    unsigned meets(math::Vec3 least, math::Vec3 greatest) const {
+        using I4 = std::int32_t __attribute__((vector_size(16)));
+        const auto half = [&](int from) {
+            I4 all = {-1, -1, -1, -1};
+            for (int axis = 0; axis < 3; ++axis)
+                all &= (columns::load(&lo[axis][from]) <= columns::splat(greatest[axis])) &
+                       (columns::load(&hi[axis][from]) >= columns::splat(least[axis]));
+            return all;
+        };
+        const I4 bits = (half(0) & I4{1, 2, 4, 8}) | (half(4) & I4{16, 32, 64, 128});
+        return unsigned(bits[0] | bits[1] | bits[2] | bits[3]);
+    }
+};
+
+// Triangles in kd order; above them an implicit tree: box i of a level holds boxes 8 i to 8 i + 7 of the level below,
+// which are a block of that. Level 0: of triangles.
 struct MeshData {
     std::vector<math::Vec3> vertices; // each at another place, in the order in which the triangles first use them
     std::vector<std::uint32_t> indices;
     // The triangle across each edge (0: a-b, 1: b-c, 2: c-a), three a triangle. no_triangle where there is none, where
     // more than two triangles share the edge, and where the other one is wound the other way round.
     std::vector<std::uint32_t> neighbors;
-    struct Box {
-        math::Vec3 lo, hi;
-    };
-    std::vector<std::vector<Box>> levels; // the last has one box
-    std::uint64_t dropped = 0;            // triangles without area
+    std::vector<std::vector<BoxBlock>> levels; // the last has one block
+    std::uint64_t dropped = 0;                 // triangles without area
     math::Vec3 lo, hi;
     float bounding_radius = 0; // about the origin of the shape's frame
 };
@@ -108,29 +135,25 @@ inline std::uint32_t neighbor_of(const HeightFieldData& field, std::uint32_t ind
 // Calls f(index of triangle), in ascending order, for each triangle whose bounds meet the box from lo to hi in the
 // shape's frame (touching counts).
 template <class F> void for_each_triangle(const MeshData& mesh, math::Vec3 lo, math::Vec3 hi, F&& f) {
-    // Without branches: which of the comparisons fails is anybody's guess.
-    auto meets = [&](math::Vec3 least, math::Vec3 greatest) {
-        return bool(int(least.x <= hi.x) & int(greatest.x >= lo.x) & int(least.y <= hi.y) & int(greatest.y >= lo.y) &
-                    int(least.z <= hi.z) & int(greatest.z >= lo.z));
-    };
+    constexpr std::size_t most_levels = 11; // of eight boxes each: there are fewer than 2^32 triangles
+    unsigned left[most_levels];             // of the block that is looked at in each level
+    std::size_t blocks[most_levels];
     const std::size_t top = mesh.levels.size() - 1;
-    std::size_t level = top, node = 0;
-    while (node < mesh.levels[level].size()) {
-        const MeshData::Box& box = mesh.levels[level][node];
-        if (meets(box.lo, box.hi)) {
-            if (level > 0) {
-                --level, node *= 8;
-                continue;
-            }
-            const std::size_t first = 8 * node, count = mesh.indices.size() / 3;
-            for (std::size_t i = first; i < first + 8 && i < count; ++i) {
-                const Triangle t = triangle_of(mesh, std::uint32_t(i));
-                if (meets(math::min(math::min(t.a, t.b), t.c), math::max(math::max(t.a, t.b), t.c)))
-                    f(std::uint32_t(i));
-            }
+    std::size_t level = top;
+    blocks[top] = 0, left[top] = mesh.levels[top][0].meets(lo, hi);
+    for (;;) {
+        if (left[level] == 0) {
+            if (level++ == top) return;
+            continue;
         }
-        ++node; // the next one, or that of the lowest level that has no more of this parent's
-        while (level < top && node % 8 == 0) node /= 8, ++level;
+        const std::size_t box = 8 * blocks[level] + std::size_t(__builtin_ctz(left[level]));
+        left[level] &= left[level] - 1;
+        if (level == 0) {
+            f(std::uint32_t(box));
+            continue;
+        }
+        --level;
+        blocks[level] = box, left[level] = mesh.levels[level][box].meets(lo, hi);
     }
 }
 

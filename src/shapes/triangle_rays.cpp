@@ -79,7 +79,7 @@ struct BoxRay {
     DVec3 origin, inverse;
 
     // The distance at which it enters the box (at least 0), or infinity.
-    double enter(const MeshData::Box& box, double max_distance) const {
+    double enter(math::Vec3 least, math::Vec3 greatest, double max_distance) const {
         double near = 0, far = max_distance;
         auto cut = [&](double lo, double hi, double o, double scale) {
             const double a = (lo - o) * scale, b = (hi - o) * scale;
@@ -88,9 +88,9 @@ struct BoxRay {
             if (first > near) near = first;
             if (last < far) far = last;
         };
-        cut(double(box.lo.x), double(box.hi.x), origin.x, inverse.x);
-        cut(double(box.lo.y), double(box.hi.y), origin.y, inverse.y);
-        cut(double(box.lo.z), double(box.hi.z), origin.z, inverse.z);
+        cut(double(least.x), double(greatest.x), origin.x, inverse.x);
+        cut(double(least.y), double(greatest.y), origin.y, inverse.y);
+        cut(double(least.z), double(greatest.z), origin.z, inverse.z);
         constexpr double few_roundings = 1e-14;
         return near <= far + few_roundings * (near + std::fabs(far)) ? near : infinity;
     }
@@ -103,30 +103,30 @@ template <int z> Nearest search_mesh(const MeshData& mesh, const LocalRay& ray) 
     Nearest nearest{ray.max_distance};
     struct Entry {
         double enter;
-        std::uint32_t level, node;
+        std::uint32_t level, block; // the block of boxes, or of triangles at level 0, that is below it
     };
     Entry stack[8 * 12]; // up to 8 of each level, and there are fewer than 12 of those
     int depth = 0;
     const std::uint32_t top = std::uint32_t(mesh.levels.size()) - 1;
-    stack[depth++] = {boxes.enter(mesh.levels[top][0], nearest.distance), top, 0};
+    stack[depth++] = {boxes.enter(mesh.lo, mesh.hi, nearest.distance), top, 0};
     while (depth > 0) {
         const Entry entry = stack[--depth];
         if (entry.enter > nearest.distance * (1 + 1e-14) || entry.enter == infinity) continue;
         if (entry.level == 0) {
-            const std::uint32_t first = 8 * entry.node, last = std::min(first + 8, triangle_count(mesh));
+            const std::uint32_t first = 8 * entry.block, last = std::min(first + 8, triangle_count(mesh));
             for (std::uint32_t i = first; i < last; ++i)
                 if (double distance; at.meets(triangle_of(mesh, i), distance)) nearest.offer(distance, i);
             continue;
         }
-        const std::vector<MeshData::Box>& children = mesh.levels[entry.level - 1];
-        const std::uint32_t first = 8 * entry.node, last = std::min(first + 8, std::uint32_t(children.size()));
+        const BoxBlock& block = mesh.levels[entry.level][entry.block];
+        const std::uint32_t first = 8 * entry.block, below = std::uint32_t(mesh.levels[entry.level - 1].size());
         const int bottom = depth;
-        for (std::uint32_t i = first; i < last; ++i) {
-            const Entry child{boxes.enter(children[i], nearest.distance), entry.level - 1, i};
-            if (child.enter == infinity) continue;
+        for (std::uint32_t i = first; i < std::min(first + 8, below); ++i) {
+            const double enter = boxes.enter(block.lo_of(i - first), block.hi_of(i - first), nearest.distance);
+            if (enter == infinity) continue;
             int place = depth++; // the nearest last, as it is to be taken first
-            for (; place > bottom && stack[place - 1].enter < child.enter; --place) stack[place] = stack[place - 1];
-            stack[place] = child;
+            for (; place > bottom && stack[place - 1].enter < enter; --place) stack[place] = stack[place - 1];
+            stack[place] = {enter, entry.level - 1, i};
         }
     }
     return nearest;

@@ -112,23 +112,28 @@ TEST(MeshBuild, PutsBoxesOverAllThatIsBelowThem) {
     Random random(2);
     for (const std::size_t count : {1u, 8u, 9u, 65u, 512u, 513u, 3000u}) {
         const MeshData mesh = build(test::random_soup(random, count, 5));
-        std::vector<MeshData::Box> below;
+        struct Box {
+            math::Vec3 lo, hi;
+        };
+        std::vector<Box> boxes;
         for (std::uint32_t i = 0; i < triangle_count(mesh); ++i) {
             const Triangle t = triangle_of(mesh, i);
-            below.push_back({math::min(math::min(t.a, t.b), t.c), math::max(math::max(t.a, t.b), t.c)});
+            boxes.push_back({math::min(math::min(t.a, t.b), t.c), math::max(math::max(t.a, t.b), t.c)});
         }
         for (const auto& level : mesh.levels) {
-            ASSERT_EQ(level.size(), (below.size() + 7) / 8);
-            for (std::size_t i = 0; i < level.size(); ++i) {
-                MeshData::Box box = below[8 * i];
-                for (std::size_t k = 8 * i; k < std::min(8 * i + 8, below.size()); ++k)
-                    box = {math::min(box.lo, below[k].lo), math::max(box.hi, below[k].hi)};
-                ASSERT_TRUE(box.lo == level[i].lo && box.hi == level[i].hi);
+            ASSERT_EQ(level.size(), (boxes.size() + 7) / 8);
+            std::vector<Box> above(level.size());
+            for (std::size_t i = 0; i < boxes.size(); ++i) {
+                ASSERT_TRUE(level[i / 8].lo_of(i % 8) == boxes[i].lo && level[i / 8].hi_of(i % 8) == boxes[i].hi);
+                Box& box = above[i / 8];
+                box = i % 8 == 0 ? boxes[i] : Box{math::min(box.lo, boxes[i].lo), math::max(box.hi, boxes[i].hi)};
             }
-            below = level;
+            for (std::size_t i = boxes.size(); i < 8 * level.size(); ++i)
+                ASSERT_EQ(level[i / 8].meets({-1e6f, -1e6f, -1e6f}, {1e6f, 1e6f, 1e6f}) >> (i % 8) & 1, 0u);
+            boxes = above;
         }
-        ASSERT_EQ(mesh.levels.back().size(), 1u);
-        EXPECT_TRUE(mesh.levels.back()[0].lo == mesh.lo && mesh.levels.back()[0].hi == mesh.hi);
+        ASSERT_EQ(boxes.size(), 1u);
+        EXPECT_TRUE(boxes[0].lo == mesh.lo && boxes[0].hi == mesh.hi);
     }
 }
 
@@ -143,7 +148,10 @@ TEST(MeshBuild, PutsTrianglesNearEachOtherInOneLeaf) {
     const MeshData mesh = build(soup);
     EXPECT_EQ(triangle_count(mesh), 19800u);
     double sum = 0;
-    for (const MeshData::Box& box : mesh.levels[0]) sum += double(math::length(box.hi - box.lo));
+    for (std::size_t leaf = 0; leaf < mesh.levels[0].size(); ++leaf) {
+        const BoxBlock& leaves = mesh.levels[1][leaf / 8];
+        sum += double(math::length(leaves.hi_of(leaf % 8) - leaves.lo_of(leaf % 8)));
+    }
     EXPECT_LT(sum / double(mesh.levels[0].size()), 0.15);
 }
 
