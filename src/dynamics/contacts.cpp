@@ -118,7 +118,7 @@ void test_wide_pairs(State& s, PairKind kind, int begin, int end, NarrowBatch& o
             const char* record = reinterpret_cast<const char*>(&s.records[ids[i + int(contacts_ahead)]]);
             for (std::size_t at = 0; at < record_size; at += 64) __builtin_prefetch(record + at);
         }
-        s.narrow.outcomes[places[i]] = take_manifold(s, ids[i], own.manifolds[i]);
+        s.narrow.outcomes[places[i]] = take_manifold(s, ids[i], own.manifolds[i], dt);
     }
 }
 
@@ -150,7 +150,7 @@ void test_convex_pairs(State& s, PairKind kind, int begin, int end, float dt) {
             continue;
         }
         const Manifold m = test_convex_pair(kind, a, b, to_vec(s.records[id].normal), margin);
-        s.narrow.outcomes[place] = take_manifold(s, id, m);
+        s.narrow.outcomes[place] = take_manifold(s, id, m, dt);
     }
 }
 
@@ -256,9 +256,34 @@ float contact_margin(const State& s, const ContactInfo& c, float dt) {
     return c.base_margin + dt * math::length(v) + turn;
 }
 
-std::uint8_t take_manifold(State& s, std::uint32_t id, const Manifold& m) {
+// Such contacts would have nothing to do in the solver: they are half of all while a heap lands.
+bool stays_apart(const State& s, const ContactInfo& c, const Manifold& m, float dt) {
+    if (c.is_trigger) return false;
+    float least = m.points[0][3];
+    for (int i = 1; i < m.count; ++i) least = std::min(least, m.points[i][3]);
+    if (least <= c.base_margin) return false;
+    const std::int32_t first = c.flipped ? c.body_b : c.body_a, second = c.flipped ? c.body_a : c.body_b;
+    const BodyMotion &a = s.motion[std::size_t(first)], &b = s.motion[std::size_t(second)];
+    const math::Vec3 n = to_vec(m.normal), d = math::to_float(a.x - b.x);
+    const math::Vec3 center = s.shapes[c.flipped ? c.shape_b : c.shape_a].arm;
+    float speed = 0;
+    for (int i = 0; i < m.count; ++i) {
+        const math::Vec3 arm = center + to_vec(m.points[i]);
+        const math::Vec3 v = (b.v + math::cross(b.w, arm + d)) - (a.v + math::cross(a.w, arm));
+        speed = std::max(speed, -math::dot(n, v));
+    }
+    // What a rotation adds to the way of a point beyond its speed.
+    const auto bend = [&](const BodyMotion& body, float radius) {
+        const float turn = std::min(dt * math::length(body.w), most_turn);
+        return 0.5f * turn * turn * radius;
+    };
+    const float more = bend(a, s.bodies[std::size_t(first)].radius) + bend(b, s.bodies[std::size_t(second)].radius);
+    return least > c.base_margin + dt * speed + more;
+}
+
+std::uint8_t take_manifold(State& s, std::uint32_t id, const Manifold& m, float dt) {
     ContactInfo& c = s.contacts[id];
-    if (m.count == 0) {
+    if (m.count == 0 || stays_apart(s, c, m, dt)) {
         // Along which they are apart; wide kernels do not say.
         if (c.kind == PairKind::convex_convex && !c.is_trigger) math::put(s.records[id].normal, to_vec(m.normal));
         return take_distance(s, c);

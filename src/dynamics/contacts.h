@@ -77,8 +77,11 @@ enum Outcome : std::uint8_t {
 
 // How far apart two shapes may be to count: what the next step can close.
 float contact_margin(const State& state, const ContactInfo& contact, float dt);
+// Whether points that are beyond where contacts begin do not come near each other in the next step either, as the
+// bodies move now.
+bool stays_apart(const State& state, const ContactInfo& contact, const Manifold& manifold, float dt);
 // One result of a test becomes the record of the contact; others may be at work on other contacts. An Outcome.
-std::uint8_t take_manifold(State& state, std::uint32_t contact, const Manifold& manifold);
+std::uint8_t take_manifold(State& state, std::uint32_t contact, const Manifold& manifold, float dt);
 std::uint8_t trigger_outcome(const ContactInfo& contact, bool inside);
 // What changes more than the contact itself: islands, colors, sleep. One after the other, in order.
 void follow_up(State& state, std::uint32_t contact, std::uint8_t outcome, float dt);

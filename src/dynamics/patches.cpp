@@ -41,11 +41,12 @@ void test_group(State& s, std::uint32_t place, NarrowBatch& own, float dt) {
         s.narrow.patch_outcomes[std::size_t(p)] = not_found;
     std::uint32_t order = 0;
     for (const Manifold& hit : own.hits) {
+        if (stays_apart(s, group, hit, dt)) continue;
         const std::int32_t patch = matching_patch(s, group, hit);
         if (patch == none)
             own.fresh.push_back({place, order++, hit});
         else
-            s.narrow.patch_outcomes[std::size_t(patch)] = take_manifold(s, std::uint32_t(patch), hit);
+            s.narrow.patch_outcomes[std::size_t(patch)] = take_manifold(s, std::uint32_t(patch), hit, dt);
     }
     for (std::int32_t p = group.related; p != none; p = s.contacts[std::size_t(p)].next)
         if (std::uint8_t& outcome = s.narrow.patch_outcomes[std::size_t(p)]; outcome == not_found) outcome = ended;
@@ -101,7 +102,7 @@ void follow_up_group(State& s, std::uint32_t place, float dt) {
     });
     for (std::size_t& k = s.narrow.next_fresh; k < s.narrow.fresh.size() && s.narrow.fresh[k].place == place; ++k) {
         const std::uint32_t patch = create_patch(s, id);
-        follow_up(s, patch, take_manifold(s, patch, s.narrow.fresh[k].manifold), dt);
+        follow_up(s, patch, take_manifold(s, patch, s.narrow.fresh[k].manifold, dt), dt);
         if (s.contacts[patch].point_count > 0) continue;
         end_patch(s, patch); // left alone, as its body sleeps
         s.contacts[id].tested_at = 0;

@@ -21,7 +21,7 @@ constexpr float most_of_weight = 1.2f;
 constexpr int rounding = 8, most_adaptive_substeps = 128;
 constexpr float least_use = 0.5f; // a number is kept until this share of it would do
 // m/s: what is tossed about more than that is no structure, and its loads are impacts, however long they last.
-constexpr float most_unrest = 2.0f;
+constexpr float most_unrest = 1.0f;
 
 } // namespace
 
