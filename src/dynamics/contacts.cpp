@@ -26,6 +26,9 @@ bool moves(const State& s, std::int32_t body) {
 }
 
 constexpr float most_turn = 0.25f; // of the radius: how far ahead a rotation is looked at
+// Of the relative speed: what hits others in the step may come to move in any direction. Without it, boxes in a closed
+// box gain 6 % of energy instead of 4 % (validation, closed_pile).
+constexpr float redirected = 0.5f;
 
 // The greatest speed at which the points of a record approach.
 float approach_speed(const State& s, const ContactInfo& c, const ContactRecord& r) {
@@ -256,7 +259,7 @@ float contact_margin(const State& s, const ContactInfo& c, float dt) {
     return c.base_margin + dt * math::length(v) + turn;
 }
 
-// Such contacts would have nothing to do in the solver: they are half of all while a heap lands.
+// Such contacts would have nothing to do in the solver: they are up to half of all while a heap lands.
 bool stays_apart(const State& s, const ContactInfo& c, const Manifold& m, float dt) {
     if (c.is_trigger) return false;
     float least = m.points[0][3];
@@ -278,7 +281,7 @@ bool stays_apart(const State& s, const ContactInfo& c, const Manifold& m, float 
         return 0.5f * turn * turn * radius;
     };
     const float more = bend(a, s.bodies[std::size_t(first)].radius) + bend(b, s.bodies[std::size_t(second)].radius);
-    return least > c.base_margin + dt * speed + more;
+    return least > c.base_margin + dt * (speed + redirected * math::length(b.v - a.v)) + more;
 }
 
 std::uint8_t take_manifold(State& s, std::uint32_t id, const Manifold& m, float dt) {
