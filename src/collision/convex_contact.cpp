@@ -1,6 +1,7 @@
 #include "collision/convex_contact.h"
 
 #include "collision/contact_features.h"
+#include "shapes/box_triangle_distance.h"
 #include "shapes/epa.h"
 
 #include <limits>
@@ -159,9 +160,25 @@ bool axis_of_segments(const Convex& a, const Convex& b, Axis& axis) {
     return true;
 }
 
+// Between a sharp box, inset by so much, and a triangle. False where EPA must look: they are others, or they meet.
+bool axis_of_box_and_triangle(const Convex& a, double inset, const Convex& b, Axis& axis) {
+    if (a.kind != Convex::Kind::box || !a.is_sharp || b.kind != Convex::Kind::polygon || b.corner_count != 3)
+        return false;
+    DVec3 corners[3], on_a, on_b;
+    for (int i = 0; i < 3; ++i) corners[i] = to_local(a, b.corners[i] - a.center);
+    const DVec3 core = a.size - DVec3{inset, inset, inset};
+    if (!nearest_of_box_and_triangle(core, corners, on_a, on_b)) return false;
+    const DVec3 between = on_b - on_a;
+    axis.normal = a.axes * ((1 / math::length(between)) * between);
+    axis.touch = a.center + a.axes * (0.5 * (on_a + on_b)) + (0.5 * inset) * axis.normal;
+    measure(a, b, axis);
+    return true;
+}
+
 // The direction between the cores; false when the shapes are farther apart than the margin.
 bool find_axis(const Convex& a, const Convex& b, double margin, DVec3 guess, Axis& axis) {
-    if (axis_of_segments(a, b, axis)) return axis.separation <= margin;
+    if (axis_of_segments(a, b, axis) || axis_of_box_and_triangle(a, a.radius, b, axis))
+        return axis.separation <= margin;
     const bool is_exact = !a.is_sharp || !b.is_sharp;
     const CorePair pair = is_exact ? CorePair{exact_core(a), exact_core(b)} : CorePair{inset_core(a), inset_core(b)};
     GjkResult r = gjk_distance(pair, guess, margin + pair.a.radius + pair.b.radius, direction_tolerance);
@@ -257,11 +274,13 @@ Axis preferred_face(const Convex& a, const Convex& b, const Axis& axis, double p
 // Inset cores round off edges: where those meet a round side, the axis is that of the shapes themselves.
 void sharpen(const Convex& a, const Convex& b, Axis& axis) {
     if (!a.is_sharp || !b.is_sharp) return;
-    const CorePair pair{exact_core(a), exact_core(b)};
-    const GjkResult r = gjk_distance(pair, axis.normal, std::numeric_limits<double>::infinity());
     Axis exact;
-    exact.normal = r.state == GjkResult::State::overlapping ? epa_depth(pair, r.simplex).normal : r.normal;
-    measure(a, b, exact);
+    if (!axis_of_box_and_triangle(a, 0, b, exact)) {
+        const CorePair pair{exact_core(a), exact_core(b)};
+        const GjkResult r = gjk_distance(pair, axis.normal, std::numeric_limits<double>::infinity());
+        exact.normal = r.state == GjkResult::State::overlapping ? epa_depth(pair, r.simplex).normal : r.normal;
+        measure(a, b, exact);
+    }
     if (exact.separation > axis.separation) axis = exact;
 }
 

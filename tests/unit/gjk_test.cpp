@@ -1,5 +1,6 @@
 // Distance, depth and sweeps of convex shapes, against all pairs of features and all separating axes.
 #include "convex_test_support.h"
+#include "shapes/box_triangle_distance.h"
 #include "shapes/convex_query.h"
 #include "shapes/epa.h"
 #include "shapes/gjk.h"
@@ -238,6 +239,40 @@ TEST(ConvexQuery, SweepsOfOverlappingShapesStopAtOnceAndThoseThatPartGoFree) {
     EXPECT_FALSE(cast_convex(c.at({0, 1, 0}), {0, 1, 0}, b.at({})));
     EXPECT_FALSE(cast_convex(c.at({0, 1.0001, 0}), {1, 0, 0}, b.at({})));
     EXPECT_TRUE(cast_convex(c.at({0, 1.0001, 0}), {1, -0.1, 0}, b.at({})));
+}
+
+TEST(BoxTriangleDistance, IsThatOfGjk) {
+    Random random(6);
+    int apart = 0, meeting = 0;
+    for (int k = 0; k < 100000; ++k) {
+        const DVec3 half{random.uniform(0.01, 1), random.uniform(0.01, 1), random.uniform(0.01, 1)};
+        const DVec3 place = random.uniform(0, 2) * random.direction();
+        const double size = random.uniform(0.05, 3);
+        DVec3 corners[3];
+        for (DVec3& c : corners) c = place + random.uniform(0, size) * random.direction();
+        if (k % 5 == 0) corners[k % 3][k % 2] = half[k % 2]; // in the plane of a face
+        if (k % 7 == 0) corners[1][2] = corners[2][2];       // an edge along two faces
+        if (length(cross(corners[1] - corners[0], corners[2] - corners[0])) < 1e-6) continue;
+        const Convex a = box(half.x, half.y, half.z).at({}),
+                     b = cairn::make_triangle(corners[0], corners[1], corners[2]);
+        const cairn::CorePair pair{exact_core(a), exact_core(b)};
+        const auto r = gjk_distance(pair, b.center, 1e30);
+        DVec3 on_box, on_triangle;
+        const bool is_apart = cairn::nearest_of_box_and_triangle(half, corners, on_box, on_triangle);
+        if (r.state == cairn::GjkResult::State::apart && r.distance > 1e-7) {
+            ASSERT_TRUE(is_apart) << k;
+            ASSERT_NEAR(length(on_triangle - on_box), r.distance, 1e-9) << k;
+            if (r.distance > 1e-3) {
+                ASSERT_LT(length((1 / r.distance) * (on_triangle - on_box) - r.normal), 1e-5) << k;
+            }
+            ++apart;
+        } else if (r.state == cairn::GjkResult::State::overlapping && epa_depth(pair, r.simplex).depth > 1e-7) {
+            ASSERT_FALSE(is_apart) << k;
+            ++meeting;
+        }
+    }
+    EXPECT_GT(apart, 20000);
+    EXPECT_GT(meeting, 20000);
 }
 
 } // namespace
