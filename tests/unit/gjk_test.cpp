@@ -258,7 +258,7 @@ TEST(BoxTriangleDistance, IsThatOfGjk) {
         const cairn::CorePair pair{exact_core(a), exact_core(b)};
         const auto r = gjk_distance(pair, b.center, 1e30);
         DVec3 on_box, on_triangle;
-        const bool is_apart = cairn::nearest_of_box_and_triangle(half, corners, on_box, on_triangle);
+        const bool is_apart = cairn::nearest_of_box_and_triangle(a.size, corners, on_box, on_triangle);
         if (r.state == cairn::GjkResult::State::apart && r.distance > 1e-7) {
             ASSERT_TRUE(is_apart) << k;
             ASSERT_NEAR(length(on_triangle - on_box), r.distance, 1e-9) << k;
