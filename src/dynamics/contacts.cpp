@@ -356,7 +356,11 @@ void update_contacts(State& s, float dt) {
     s.narrow.at_work.resize(std::size_t(s.crew->threads()));
     list_pairs(s);
     test_all(s, dt);
-    for (std::size_t k = 0; k < s.narrow.candidates.size(); ++k) {
+    const std::size_t count = s.narrow.candidates.size();
+    for (std::size_t k = 0; k < count; ++k) {
+        if (k + contacts_ahead < count && s.narrow.outcomes[k + contacts_ahead] != apart)
+            __builtin_prefetch(&s.contacts[s.narrow.candidates[k + contacts_ahead]]);
+        if (s.narrow.outcomes[k] == apart) continue; // most are: the contact need not be looked at
         const std::uint32_t id = s.narrow.candidates[k];
         if (is_group(s.contacts[id]))
             follow_up_group(s, std::uint32_t(k), dt);
