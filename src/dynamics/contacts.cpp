@@ -97,8 +97,7 @@ std::uint8_t going_on(const State& s, const ContactInfo& c) {
 void test_wide_pairs(State& s, PairKind kind, int begin, int end, NarrowBatch& own, float dt) {
     PairBatch& batch = own.pairs;
     const int count = end - begin, padded = (count + 7) & ~7;
-    const std::size_t record_size =
-        kind <= PairKind::sphere_rectangle ? offsetof(ContactRecord, more_points) : sizeof(ContactRecord);
+    const std::size_t record_size = has_one_point(kind) ? offsetof(ContactRecord, more_points) : sizeof(ContactRecord);
     const std::uint32_t* places = s.narrow.lists[std::size_t(kind)].data() + begin;
     std::uint32_t ids[PairBatch::capacity];
     for (int i = 0; i < count; ++i) ids[i] = s.narrow.candidates[places[i]];
