@@ -113,8 +113,8 @@ void test_wide_pairs(State& s, PairKind kind, int begin, int end, NarrowBatch& o
         batch.first[i] = batch.first[0], batch.second[i] = batch.second[0], batch.margin[i] = batch.margin[0];
     wide_kernel(kind)(s.shape_poses.data(), batch.first, batch.second, batch.margin, padded, own.manifolds);
     for (int i = 0; i < count; ++i) {
-        if (i + int(contacts_ahead) < count) {
-            const char* record = reinterpret_cast<const char*>(&s.records[ids[i + int(contacts_ahead)]]);
+        if (const int next = i + int(contacts_ahead); next < count && own.manifolds[next].count > 0) {
+            const char* record = reinterpret_cast<const char*>(&s.records[ids[next]]);
             for (std::size_t at = 0; at < record_size; at += 64) __builtin_prefetch(record + at);
         }
         s.narrow.outcomes[places[i]] = take_manifold(s, ids[i], own.manifolds[i]);
