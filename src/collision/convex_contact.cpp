@@ -119,47 +119,6 @@ Axis best_face(const Convex& c, const Convex& other, DVec3 toward, DVec3 p, doub
     return best;
 }
 
-// The core of a ball or of a capsule with equal ends: both ends of a segment.
-bool segment_of(const Convex& c, DVec3 (&ends)[2]) {
-    const bool is_capsule = c.kind == Convex::Kind::capsule && c.size.x == c.size.z;
-    if (!is_capsule && c.kind != Convex::Kind::ball) return false;
-    const DVec3 half = is_capsule ? c.size.y * c.axes.c1 : DVec3{};
-    ends[0] = c.center - half, ends[1] = c.center + half;
-    return true;
-}
-
-// The nearest points of two segments (Ericson, "Real-Time Collision Detection", 2005, section 5.1.9).
-void nearest_points(const DVec3 (&a)[2], const DVec3 (&b)[2], DVec3& on_a, DVec3& on_b) {
-    const auto unit = [](double t) { return t < 0 ? 0.0 : t > 1 ? 1.0 : t; };
-    const DVec3 u = a[1] - a[0], v = b[1] - b[0], r = a[0] - b[0];
-    const double uu = dot(u, u), vv = dot(v, v), uv = dot(u, v), ur = dot(u, r), vr = dot(v, r);
-    double s = 0, t = 0;
-    if (uu > 0) {
-        const double determinant = uu * vv - uv * uv;
-        s = determinant > 1e-12 * uu * vv ? unit((uv * vr - ur * vv) / determinant) : 0.5;
-    }
-    if (vv > 0) t = unit((uv * s + vr) / vv);
-    if (uu > 0) s = unit((uv * t - ur) / uu);
-    on_a = a[0] + s * u;
-    on_b = b[0] + t * v;
-}
-
-// Between balls and capsules. False where GJK must look: they are no such shapes, or their cores meet.
-bool axis_of_segments(const Convex& a, const Convex& b, Axis& axis) {
-    DVec3 ends_a[2], ends_b[2], on_a, on_b;
-    if (!segment_of(a, ends_a) || !segment_of(b, ends_b)) return false;
-    nearest_points(ends_a, ends_b, on_a, on_b);
-    const DVec3 between = on_b - on_a;
-    const double distance = math::length(between);
-    if (!(distance > 1e-6 * (a.radius + b.radius))) return false;
-    axis.normal = (1 / distance) * between;
-    axis.on_a = on_a + a.radius * axis.normal;
-    axis.on_b = on_b - b.radius * axis.normal;
-    axis.separation = distance - (a.radius + b.radius);
-    axis.touch = 0.5 * (axis.on_a + axis.on_b);
-    return true;
-}
-
 // Between a sharp box, inset by so much, and a triangle. False where EPA must look: they are others, or they meet.
 bool axis_of_box_and_triangle(const Convex& a, double inset, const Convex& b, Axis& axis) {
     if (a.kind != Convex::Kind::box || !a.is_sharp || b.kind != Convex::Kind::polygon || b.corner_count != 3)
@@ -177,8 +136,7 @@ bool axis_of_box_and_triangle(const Convex& a, double inset, const Convex& b, Ax
 
 // The direction between the cores; false when the shapes are farther apart than the margin.
 bool find_axis(const Convex& a, const Convex& b, double margin, DVec3 guess, Axis& axis) {
-    if (axis_of_segments(a, b, axis) || axis_of_box_and_triangle(a, a.radius, b, axis))
-        return axis.separation <= margin;
+    if (axis_of_box_and_triangle(a, a.radius, b, axis)) return axis.separation <= margin;
     const bool is_exact = !a.is_sharp || !b.is_sharp;
     const CorePair pair = is_exact ? CorePair{exact_core(a), exact_core(b)} : CorePair{inset_core(a), inset_core(b)};
     GjkResult r = gjk_distance(pair, guess, margin + pair.a.radius + pair.b.radius, direction_tolerance);

@@ -15,7 +15,8 @@ struct alignas(64) ShapePose {
     float low[4];  // x y z, [3] unused (0)
     float q[4];    // rotation x y z w, unit
     float size[4]; // sphere: {radius, 0, 0, radius}; box: {half extents, bounding radius}; rectangle: {half x, 0, half
-                   // z, ..}; infinite plane: {0, 0, 0, 0}. Planes and rectangles face along their local +y.
+                   // z, ..}; infinite plane: {0, 0, 0, 0}; capsule: {lower radius, half height, upper radius, ..}.
+                   // Planes and rectangles face along their local +y, capsules stand along it.
 };
 
 } // namespace cairn

@@ -159,7 +159,7 @@ void write_record(State& s, std::uint32_t id, const Manifold& m) {
     put(r.normal, normal);
     put(r.center_offset, math::to_float(s.motion[std::size_t(c.body_a)].x - s.motion[std::size_t(c.body_b)].x));
     for (int i = 0; i < kept; ++i) store4(point_of(r, i), points[i]);
-    if (c.kind <= PairKind::sphere_rectangle || c.kind >= PairKind::convex_plane) {
+    if (may_be_round(c.kind)) {
         r.radius_a = contact_radius(s, c.shape_a, normal, m.points[0][3]);
         r.radius_b = contact_radius(s, c.shape_b, normal, m.points[0][3]);
     }

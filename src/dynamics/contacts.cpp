@@ -100,8 +100,7 @@ std::uint8_t going_on(const State& s, const ContactInfo& c) {
 void test_wide_pairs(State& s, PairKind kind, int begin, int end, NarrowBatch& own, float dt) {
     PairBatch& batch = own.pairs;
     const int count = end - begin, padded = (count + 7) & ~7;
-    const std::size_t record_size =
-        kind <= PairKind::sphere_rectangle ? offsetof(ContactRecord, more_points) : sizeof(ContactRecord);
+    const std::size_t record_size = has_one_point(kind) ? offsetof(ContactRecord, more_points) : sizeof(ContactRecord);
     const std::uint32_t* places = s.narrow.lists[std::size_t(kind)].data() + begin;
     std::uint32_t ids[PairBatch::capacity];
     for (int i = 0; i < count; ++i) ids[i] = s.narrow.candidates[places[i]];
@@ -117,8 +116,8 @@ void test_wide_pairs(State& s, PairKind kind, int begin, int end, NarrowBatch& o
         batch.first[i] = batch.first[0], batch.second[i] = batch.second[0], batch.margin[i] = batch.margin[0];
     wide_kernel(kind)(s.shape_poses.data(), batch.first, batch.second, batch.margin, padded, own.manifolds);
     for (int i = 0; i < count; ++i) {
-        if (i + int(contacts_ahead) < count) {
-            const char* record = reinterpret_cast<const char*>(&s.records[ids[i + int(contacts_ahead)]]);
+        if (const int next = i + int(contacts_ahead); next < count && own.manifolds[next].count > 0) {
+            const char* record = reinterpret_cast<const char*>(&s.records[ids[next]]);
             for (std::size_t at = 0; at < record_size; at += 64) __builtin_prefetch(record + at);
         }
         s.narrow.outcomes[places[i]] = take_manifold(s, ids[i], own.manifolds[i], dt);

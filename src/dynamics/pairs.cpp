@@ -40,10 +40,28 @@ float largest_extent(const Geometry& g) {
     return g.type == ShapeType::plane || g.type >= ShapeType::mesh || is_strip(g) ? unlimited : g.bounding_radius;
 }
 
-// Wide kernels know sharp boxes, and surfaces that have ends and one side.
+// Wide kernels know balls, sharp boxes, capsules with equal ends, and surfaces that have ends and one side.
 bool has_wide_kernels(const Geometry& g) {
+    if (g.type == ShapeType::capsule) return g.size.x == g.size.z;
     return g.type <= ShapeType::rectangle && !(g.rounding > 0) && !g.is_double_sided && !is_strip(g);
 }
+
+// In the order of PairKind.
+struct WideTest {
+    ShapeType first, second;
+    CollideKernel KernelTable::*kernel;
+};
+constexpr WideTest wide_tests[wide_kinds] = {
+    {ShapeType::sphere, ShapeType::sphere, &KernelTable::sphere_sphere},
+    {ShapeType::sphere, ShapeType::box, &KernelTable::sphere_box},
+    {ShapeType::sphere, ShapeType::plane, &KernelTable::sphere_plane},
+    {ShapeType::sphere, ShapeType::rectangle, &KernelTable::sphere_rectangle},
+    {ShapeType::sphere, ShapeType::capsule, &KernelTable::sphere_capsule},
+    {ShapeType::box, ShapeType::box, &KernelTable::box_box},
+    {ShapeType::box, ShapeType::plane, &KernelTable::box_plane},
+    {ShapeType::box, ShapeType::rectangle, &KernelTable::box_rectangle},
+    {ShapeType::capsule, ShapeType::capsule, &KernelTable::capsule_capsule},
+};
 
 float combine_values(float a, float b, CombineRule rule) {
     switch (rule) {
@@ -126,20 +144,14 @@ std::optional<PairKind> pair_kind(const Geometry& first_shape, const Geometry& s
         swapped = !swapped;
         std::swap(a, b);
     }
-    if (has_wide_kernels(first_shape) && has_wide_kernels(second_shape)) {
-        const PairKind first = a == ShapeType::sphere ? PairKind::sphere_sphere : PairKind::box_box;
-        return PairKind(int(first) + int(b) - int(a));
-    }
+    if (has_wide_kernels(first_shape) && has_wide_kernels(second_shape))
+        for (int kind = 0; kind < wide_kinds; ++kind)
+            if (wide_tests[kind].first == a && wide_tests[kind].second == b) return PairKind(kind);
     if (b == ShapeType::plane) return PairKind::convex_plane;
     return b == ShapeType::rectangle ? PairKind::convex_rectangle : PairKind::convex_convex;
 }
 
-CollideKernel wide_kernel(PairKind kind) {
-    const KernelTable& k = kernels();
-    const CollideKernel all[wide_kinds] = {k.sphere_sphere, k.sphere_box, k.sphere_plane, k.sphere_rectangle,
-                                           k.box_box,       k.box_plane,  k.box_rectangle};
-    return all[int(kind)];
-}
+CollideKernel wide_kernel(PairKind kind) { return kernels().*wide_tests[int(kind)].kernel; }
 
 std::uint32_t new_contact(State& s) {
     std::uint32_t id;

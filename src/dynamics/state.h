@@ -102,14 +102,16 @@ inline bool may_meet(const CollisionFilter& a, const CollisionFilter& b) {
 
 // How a pair of shapes is tested.
 enum class PairKind : std::uint8_t {
-    // By a wide kernel; the first shape's type comes no later in ShapeType than the second's.
+    // By a wide kernel (pairs.cpp).
     sphere_sphere,
     sphere_box,
     sphere_plane,
     sphere_rectangle,
+    sphere_capsule,
     box_box,
     box_plane,
     box_rectangle,
+    capsule_capsule,
     // One at a time, A first (convex_tests.cpp).
     convex_plane,
     convex_rectangle,
@@ -119,7 +121,9 @@ enum class PairKind : std::uint8_t {
     group,
     patch,
 };
-inline constexpr int wide_kinds = 7, tested_kinds = 11;
+inline constexpr int wide_kinds = 9, tested_kinds = 13;
+inline bool has_one_point(PairKind k) { return k <= PairKind::sphere_capsule; }
+inline bool may_be_round(PairKind k) { return k < PairKind::box_box || k > PairKind::box_rectangle; }
 
 // What is known of a pair of shapes whose bounds overlap, beside its ContactRecord. Body A is dynamic.
 struct alignas(64) ContactInfo {

@@ -16,8 +16,10 @@ void sphere_sphere(CAIRN_COLLIDE_PARAMETERS);
 void sphere_box(CAIRN_COLLIDE_PARAMETERS);
 void sphere_plane(CAIRN_COLLIDE_PARAMETERS);
 void sphere_rectangle(CAIRN_COLLIDE_PARAMETERS);
+void sphere_capsule(CAIRN_COLLIDE_PARAMETERS);
 void box_box(CAIRN_COLLIDE_PARAMETERS);
 void box_plane(CAIRN_COLLIDE_PARAMETERS);
 void box_rectangle(CAIRN_COLLIDE_PARAMETERS);
+void capsule_capsule(CAIRN_COLLIDE_PARAMETERS);
 
 } // namespace cairn::CAIRN_ISA

@@ -37,6 +37,16 @@ CAIRN_INLINE Vec3x8 offset_between(const ShapePosex8& a, const ShapePosex8& b) {
     return (b.high - a.high) + (b.low - a.low);
 }
 
+CAIRN_INLINE Vec3x8 up() { return {zero(), one(), zero()}; }
+
+// v / |v|, and `fallback` where the square of v is not more than `least`; the length is written too.
+CAIRN_INLINE Vec3x8 direction(Vec3x8 v, f32x8 least, Vec3x8 fallback, f32x8& length) {
+    const f32x8 squared = dot(v, v);
+    const mask8 defined = squared > least;
+    length = sqrt(squared);
+    return select(defined, (one() / select(defined, length, one())) * v, fallback);
+}
+
 // A float with the given bits in every lane; only to be moved, never computed with.
 CAIRN_INLINE f32x8 splat_bits(std::uint32_t b) {
     float f;

@@ -1,4 +1,4 @@
-// Spheres against everything, 8 pairs at a time.
+// Spheres against spheres, boxes, planes and rectangles, 8 pairs at a time.
 #include "kernels/collide.h"
 #include "kernels/collide_common.h"
 
@@ -10,25 +10,13 @@ namespace {
 // surface, coincide.
 constexpr float no_direction = 1e-30f;
 
-// v / |v|, and `fallback` where v is zero; the length is written too.
-CAIRN_INLINE Vec3x8 direction(Vec3x8 v, Vec3x8 fallback, f32x8& length) {
-    const f32x8 squared = dot(v, v);
-    const mask8 defined = squared > splat(no_direction);
-    length = sqrt(select(defined, squared, one()));
-    const Vec3x8 n = select(defined, (one() / length) * v, fallback);
-    length = select(defined, length, zero());
-    return n;
-}
-
-CAIRN_INLINE Vec3x8 up() { return {zero(), one(), zero()}; }
-
 } // namespace
 
 void sphere_sphere(CAIRN_COLLIDE_PARAMETERS) {
     for (int k = 0; k < count; k += 8) {
         const ShapePosex8 a = gather_shapes(poses, first + k), b = gather_shapes(poses, second + k);
         f32x8 distance;
-        const Vec3x8 normal = direction(offset_between(a, b), up(), distance);
+        const Vec3x8 normal = direction(offset_between(a, b), splat(no_direction), up(), distance);
         const f32x8 separation = distance - (a.radius + b.radius);
         write_sphere_manifolds(out + k, separation <= load_unaligned(margin + k), normal, a.radius, separation);
     }
@@ -52,7 +40,7 @@ void sphere_box(CAIRN_COLLIDE_PARAMETERS) {
         const f32x8 face_distance = -max(select(by_x, gx, select(by_y, gy, gz)), zero());
 
         f32x8 distance;
-        const Vec3x8 normal = -rotate(b.q, direction(outward, face, distance));
+        const Vec3x8 normal = -rotate(b.q, direction(outward, splat(no_direction), face, distance));
         const f32x8 separation = select(outside, distance, face_distance) - a.radius;
         write_sphere_manifolds(out + k, separation <= load_unaligned(margin + k), normal, a.radius, separation);
     }
@@ -79,7 +67,7 @@ void sphere_rectangle(CAIRN_COLLIDE_PARAMETERS) {
         const mask8 sunk = (abs(p.x) < hx) & (abs(p.z) < hz) & (-p.y < min(hx, hz));
         const Vec3x8 outward = {p.x - clamp(p.x, -hx, hx), p.y, p.z - clamp(p.z, -hz, hz)};
         f32x8 distance;
-        const Vec3x8 away = direction(outward, up(), distance);
+        const Vec3x8 away = direction(outward, splat(no_direction), up(), distance);
         const Vec3x8 normal = -rotate(b.q, select(above, away, up()));
         const f32x8 separation = select(above, distance, p.y) - a.radius;
         const mask8 touching = (above | sunk) & (separation <= load_unaligned(margin + k));

@@ -26,9 +26,11 @@ struct KernelTable {
     CollideKernel sphere_box;       // first: sphere, second: box
     CollideKernel sphere_plane;     // first: sphere, second: infinite plane
     CollideKernel sphere_rectangle; // first: sphere, second: finite rectangle
+    CollideKernel sphere_capsule;   // capsules: with equal ends
     CollideKernel box_box;
     CollideKernel box_plane;
     CollideKernel box_rectangle;
+    CollideKernel capsule_capsule;
 
     SolverKernels solver;
     JointKernels joints;

@@ -14,7 +14,7 @@ namespace cairn {
 
 namespace {
 
-constexpr std::uint64_t magic = 0x32306e7269616321ull; // "!cairn02"
+constexpr std::uint64_t magic = 0x33306e7269616321ull; // "!cairn03"
 
 // What comes before the state.
 struct Header {

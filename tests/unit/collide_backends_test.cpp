@@ -8,7 +8,7 @@ using namespace collide_test;
 
 namespace {
 
-enum class Kind { sphere, box, plane, rectangle };
+enum class Kind { sphere, box, plane, rectangle, capsule };
 
 // Random or exactly aligned: positions on a grid of eighths, quarter turns, sizes of a half or a quarter, so that
 // shapes touch exactly, share edges and corners, or lie in each other.
@@ -31,6 +31,8 @@ ShapePose any_shape(Random& random, Kind kind, const Vec& around, bool aligned) 
         return plane(position, q);
     case Kind::rectangle:
         return rectangle(position, q, 2 * size(), 2 * size());
+    case Kind::capsule:
+        return capsule(position, q, size(), size());
     }
     return {};
 }
@@ -85,8 +87,14 @@ TEST(CollideBackends, SpherePlane) { expect_equal_bits(&cairn::KernelTable::sphe
 TEST(CollideBackends, SphereRectangle) {
     expect_equal_bits(&cairn::KernelTable::sphere_rectangle, Kind::sphere, Kind::rectangle);
 }
+TEST(CollideBackends, SphereCapsule) {
+    expect_equal_bits(&cairn::KernelTable::sphere_capsule, Kind::sphere, Kind::capsule);
+}
 TEST(CollideBackends, BoxBox) { expect_equal_bits(&cairn::KernelTable::box_box, Kind::box, Kind::box); }
 TEST(CollideBackends, BoxPlane) { expect_equal_bits(&cairn::KernelTable::box_plane, Kind::box, Kind::plane); }
 TEST(CollideBackends, BoxRectangle) {
     expect_equal_bits(&cairn::KernelTable::box_rectangle, Kind::box, Kind::rectangle);
+}
+TEST(CollideBackends, CapsuleCapsule) {
+    expect_equal_bits(&cairn::KernelTable::capsule_capsule, Kind::capsule, Kind::capsule);
 }

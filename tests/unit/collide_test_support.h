@@ -80,6 +80,10 @@ inline ShapePose box(const Vec& position, const Quat& q, const Vec& half) {
                      {static_cast<float>(half[0]), static_cast<float>(half[1]), static_cast<float>(half[2]),
                       static_cast<float>(length(half))});
 }
+inline ShapePose capsule(const Vec& position, const Quat& q, double radius, double half) {
+    const float r = static_cast<float>(radius), h = static_cast<float>(half);
+    return make_pose(position, q, {r, h, r, r + h});
+}
 inline ShapePose plane(const Vec& position, const Quat& q) { return make_pose(position, q, {0, 0, 0, 0}); }
 inline ShapePose rectangle(const Vec& position, const Quat& q, double hx, double hz) {
     return box(position, q, {hx, 0, hz});
