@@ -30,6 +30,8 @@ constexpr double same_face = 0.999, tie_of_faces = 1e-6;
 // Of the preference for faces: how much deeper a face that has not been compared with the others may be than its points
 // reach.
 constexpr double unsearched_reach = 0.3;
+// Of an overlap: how far from the border of a face its points must be for the other faces to be out of the question.
+constexpr double least_amid = 2;
 // Of the distance of the cores: directions are within a ten thousandth.
 constexpr double direction_tolerance = 1e-8;
 
@@ -175,13 +177,14 @@ void edge_manifold(const Convex& a, const Convex& b, const Axis& axis, double ex
 struct FacePoints {
     FaceReach known;
     bool is_found = false; // else only how far they reach may be known
+    Feature reference;     // the face
     ContactPoints points;
 
     bool is_of(const Axis& axis) const { return known.face == axis.face && known.is_second == axis.is_second; }
     void find(const Convex& c, const Convex& other, const Axis& axis, double extent) {
         is_found = true;
         known.face = axis.face, known.is_second = axis.is_second;
-        Feature reference, incident;
+        Feature incident;
         face_feature(c, axis.face, reference);
         incident_feature(other, axis.is_second ? axis.normal : -axis.normal, incident);
         points.clear();
@@ -189,6 +192,27 @@ struct FacePoints {
         known.reached = std::numeric_limits<double>::infinity();
         for (const ContactPoint& p : points)
             if (p.separation < known.reached) known.reached = p.separation;
+    }
+
+    // Whether the middle of the points that reach so far is farther from the border of the face than `distance`.
+    bool are_amid(double reach, double distance) const {
+        DVec3 sum;
+        double count = 0;
+        for (const ContactPoint& p : points)
+            if (p.separation <= reach) sum += p.position, count += 1;
+        if (!(count > 0)) return false;
+        const DVec3 middle = (1 / count) * sum;
+        if (reference.kind == Feature::Kind::disc) {
+            const DVec3 d = middle - reference.center, across = d - dot(d, reference.normal) * reference.normal;
+            return math::length(across) < reference.radius - distance;
+        }
+        const std::size_t n = reference.points.size();
+        for (std::size_t i = 0; i < n; ++i) {
+            const DVec3 p = reference.points[i], edge = reference.points[i + 1 < n ? i + 1 : 0] - p;
+            const double inside = dot(math::cross(reference.normal, edge), middle - p);
+            if (!(inside > 0 && inside * inside > distance * distance * dot(edge, edge))) return false;
+        }
+        return true;
     }
 };
 
@@ -284,19 +308,12 @@ int face_along(const Convex& c, DVec3 n, double& cosine) {
     return cosine > same_face ? face : -1;
 }
 
-// Whether the points span a triangle that is wider than `width` everywhere.
-bool is_wide(const Manifold& m, double width) {
-    if (m.count < 3) return false;
-    const DVec3 a = math::to_double(math::to_vec(m.points[0])), u = math::to_double(math::to_vec(m.points[1])) - a,
-                v = math::to_double(math::to_vec(m.points[2])) - a, w = v - u, across = math::cross(u, v);
-    const double longest = std::max(dot(u, u), std::max(dot(v, v), dot(w, w)));
-    return dot(across, across) > width * width * longest;
-}
-
 // Whether the face that was the contact in the last step still is: its points come as near as any can along its
 // normal, so that no other direction separates the shapes more. True as well when they are apart along it; there are no
-// points then, and the normal is that. The other faces need not be looked at. Where the shapes overlap, they do so by
-// more than that along any direction across points that are wide apart; of others the faces are compared.
+// points then, and the normal is that. The other faces need not be looked at.
+//
+// Where the shapes overlap by d, a direction at an angle f to the normal makes that d cos(f) + b sin(f) at least, if
+// the points are b away from the border of the face: not less than d as long as b > d tan(f / 2).
 bool contact_by_last_face(const Convex& a, const Convex& b, double margin, DVec3 guess, FacePoints& found,
                           Manifold& out) {
     const double square = dot(guess, guess);
@@ -320,7 +337,7 @@ bool contact_by_last_face(const Convex& a, const Convex& b, double margin, DVec3
     const double extent = common_extent(a, b);
     const double tolerance = unsearched_reach * face_preference(a, b, extent) + rounding * extent;
     if (!face_manifold(a, b, axis, axis.separation, tolerance, extent, margin, found, out)) return false;
-    if (axis.separation >= 0 || is_wide(out, -axis.separation)) return true;
+    if (axis.separation >= 0 || found.are_amid(axis.separation + tolerance, least_amid * -axis.separation)) return true;
     clear_manifold(out);
     return false;
 }
