@@ -13,7 +13,7 @@ namespace {
 
 constexpr int most_passes = 48;
 // m/s, rad/s: an island whose bodies change by less in a pass has settled.
-constexpr float settled_change = 0.005f, settled_spin = 0.02f;
+constexpr float settled_change = 0.02f, settled_spin = 0.08f;
 
 // The types of blocks, as in ImpactWork::blocks: first those of joints, by JointRowType.
 constexpr int one_point_type = joint_row_types, four_points_type = joint_row_types + 1;

@@ -9,7 +9,7 @@
 
 namespace cairn {
 
-inline constexpr float impact_speed = 0.5f; // m/s: slower approaches are left to the solver
+inline constexpr float impact_speed = 0.75f; // m/s: slower approaches are left to the solver
 inline constexpr float no_impact_speed = 1e30f;
 
 // After the solver has gone over all rows of a bin. `struck_contacts`: whether it left any block's to be solved here;
