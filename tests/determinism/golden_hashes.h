@@ -7,21 +7,21 @@
 
 namespace cairn_test::golden {
 
-inline constexpr std::uint64_t mixed_pile = 0xec25a9dbe99ae89b;
-inline constexpr std::uint64_t pyramid = 0x90f5c625fa958a00;
+inline constexpr std::uint64_t mixed_pile = 0x89424f810e3bac60;
+inline constexpr std::uint64_t pyramid = 0x15333d72dbbdc946;
 inline constexpr std::uint64_t dominoes = 0xeee8eae10c6ba5f1;
-inline constexpr std::uint64_t materials = 0x86328996a0608146;
-inline constexpr std::uint64_t tumbler = 0xc50ceb5431240b5b;
-inline constexpr std::uint64_t sleep_and_wake = 0x370e9c9b621a435e;
-inline constexpr std::uint64_t compounds = 0x46cc14b011e311da;
-inline constexpr std::uint64_t free_tops = 0xbb76e390fd67d031;
-inline constexpr std::uint64_t explicit_euler = 0x55c2f474356f770f;
-inline constexpr std::uint64_t whirl = 0xaf08dfe2623c0a26;
-inline constexpr std::uint64_t changes = 0x0e0b086b26337ed1;
-inline constexpr std::uint64_t all_shapes = 0x01c7d58b1b8cf83a;
-inline constexpr std::uint64_t rounded_shapes = 0xeaefac33a62a86d7;
-inline constexpr std::uint64_t surfaces = 0xd58fc0af3051eb07;
-inline constexpr std::uint64_t all_joints = 0xb8414822ca3718b5;
-inline constexpr std::uint64_t chains = 0x07cbdbadf0292ff9;
+inline constexpr std::uint64_t materials = 0xa0342a0263266e64;
+inline constexpr std::uint64_t tumbler = 0x4ef9097059fdefdc;
+inline constexpr std::uint64_t sleep_and_wake = 0x3c526d723e61a75d;
+inline constexpr std::uint64_t compounds = 0x861187a091e97eed;
+inline constexpr std::uint64_t free_tops = 0xf5c622a5d71064b4;
+inline constexpr std::uint64_t explicit_euler = 0xf058e3e63e42374a;
+inline constexpr std::uint64_t whirl = 0xb4e34a88a7798943;
+inline constexpr std::uint64_t changes = 0xe57baec6684a0464;
+inline constexpr std::uint64_t all_shapes = 0x95d5d73debd77dcb;
+inline constexpr std::uint64_t rounded_shapes = 0xf7e2db3e99c36f31;
+inline constexpr std::uint64_t surfaces = 0x273eda5d870f0c28;
+inline constexpr std::uint64_t all_joints = 0xa091c07b03b372d4;
+inline constexpr std::uint64_t chains = 0x7a4c4291557c2b4a;
 
 } // namespace cairn_test::golden
