@@ -30,6 +30,8 @@ constexpr double same_face = 0.999, tie_of_faces = 1e-6;
 // Of the preference for faces: how much deeper a face that has not been compared with the others may be than its points
 // reach.
 constexpr double unsearched_reach = 0.3;
+// The sine of the angle at which axes cross.
+constexpr double least_crossing = 1e-2;
 // Of an overlap: how far from the border of a face its points must be for the other faces to be out of the question.
 constexpr double least_amid = 2;
 // Of the distance of the cores: directions are within a ten thousandth.
@@ -367,10 +369,39 @@ bool contact_by_guess(const Convex& a, const Convex& b, double margin, DVec3 gue
     return face_manifold(a, b, face, face.separation, preference + rounding * extent, extent, margin, found, out);
 }
 
+// Cylinders, and capsules with equal ends.
+bool has_straight_side(const Convex& c) {
+    const bool is_cylinder = c.kind == Convex::Kind::cylinder && c.is_sharp;
+    return (is_cylinder || c.kind == Convex::Kind::capsule) && c.size.x == c.size.z && c.size.y > 0;
+}
+
+// Whether two such shapes whose axes cross at an angle are nearest to each other between their ends: along the normal
+// of both axes then, or they are apart along it. Where they overlap, the ends are out of the question if they are
+// farther than that away (contact_by_last_face).
+bool contact_by_sides(const Convex& a, const Convex& b, double margin, Manifold& out) {
+    if (!has_straight_side(a) || !has_straight_side(b)) return false;
+    const DVec3 u = a.axes.c1, v = b.axes.c1, r = b.center - a.center, across = math::cross(u, v);
+    const double square = dot(across, across);
+    if (!(square > least_crossing * least_crossing)) return false;
+    const double uv = dot(u, v), ur = dot(u, r), vr = dot(v, r);
+    const double s = (ur - uv * vr) / square, t = (uv * ur - vr) / square; // from the centers, in meters
+    const double side = dot(across, r) < 0 ? -1 : 1;
+    const DVec3 n = (side / std::sqrt(square)) * across;
+    const double separation = dot(n, r) - (a.size.x + b.size.x), room = least_amid * std::max(-separation, 0.0);
+    if (!(std::fabs(s) < a.size.y - room && std::fabs(t) < b.size.y - room)) return false;
+    math::put(out.normal, math::to_float(n));
+    if (separation > margin) return true;
+    ContactPoints points;
+    points.add({a.center + s * u + (a.size.x + 0.5 * separation) * n, separation, 0});
+    write_manifold(points, n, points[0].position, common_extent(a, b), margin, none, out);
+    return true;
+}
+
 } // namespace
 
 void collide_convex(const Convex& a, const Convex& b, double margin, DVec3 guess, Manifold& out) {
     clear_manifold(out);
+    if (contact_by_sides(a, b, margin, out)) return;
     FacePoints found;
     if (contact_by_last_face(a, b, margin, guess, found, out)) return;
     if (!contact_by_guess(a, b, margin, guess, found, out)) {

@@ -19,8 +19,15 @@ struct Bar {
 
 Bar bar_around(const Geometry& g, const ShapePose& pose, math::Vec3 center) {
     const math::Quat q{pose.q[0], pose.q[1], pose.q[2], pose.q[3]};
-    if (g.type == ShapeType::capsule)
-        return {center, math::rotate(q, math::Vec3{0, g.size.y, 0}), std::max(g.size.x, g.size.z)};
+    if (g.type == ShapeType::capsule || g.type == ShapeType::cylinder)
+        return {center, math::rotate(q, math::Vec3{0, g.size.y, 0}), std::max(g.size.x, g.size.z) + g.rounding};
+    if (g.type == ShapeType::box) { // along its longest axis
+        const math::Vec3 h = g.size;
+        const int i = h.x >= h.y && h.x >= h.z ? 0 : h.y >= h.z ? 1 : 2;
+        math::Vec3 half, rest = h;
+        half[i] = h[i], rest[i] = 0;
+        return {center, math::rotate(q, half), math::length(rest) + g.rounding};
+    }
     if (g.type == ShapeType::sphere) return {center, {}, g.size.x};
     return {center + math::rotate(q, g.middle), {}, g.bounding_radius};
 }

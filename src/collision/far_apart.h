@@ -6,7 +6,7 @@
 
 namespace cairn {
 
-// Whether capsules around the shapes (spheres around those that are no capsules) are more than `margin` meters apart.
+// Whether capsules around the shapes (spheres around hulls) are more than `margin` meters apart.
 // May say no where they are; never yes where they are not.
 bool are_far_apart(const Geometry& a, const ShapePose& pose_a, const Geometry& b, const ShapePose& pose_b,
                    float margin);

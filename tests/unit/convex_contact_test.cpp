@@ -1,6 +1,7 @@
 #include "collision/convex_contact.h"
 
 #include "convex_test_support.h"
+#include "shapes/epa.h"
 #include "shapes/gjk.h"
 
 #include <gtest/gtest.h>
@@ -354,6 +355,36 @@ TEST(ConvexContact, ExtremeSizesAndPlacesGiveSoundManifolds) {
             EXPECT_LT(deepest(m), 0) << k;
         }
     }
+}
+
+// Where cylinders and capsules cross, no direction parts them sooner than the one across both axes.
+TEST(ConvexContact, CrossingSidesAreAsFarApartAsGjkAndEpaSay) {
+    Random random(9);
+    int beside = 0, overlapping = 0;
+    for (int k = 0; k < 40000; ++k) {
+        const double half_a = random.uniform(0.1, 1), half_b = random.uniform(0.1, 1), ra = random.uniform(0.02, 0.3),
+                     rb = random.uniform(0.02, 0.3);
+        const Solid sa = cylinder(half_a, ra), sb = random.below(2) ? cylinder(half_b, rb) : capsule(half_b, rb);
+        const DVec3 offset = random.uniform(0, ra + rb + 0.1) * random.direction();
+        const Convex a = sa.at({}, random.rotation()), b = sb.at(offset, random.rotation());
+        Manifold m;
+        collide_convex(a, b, 1, {}, m);
+        if (m.count != 1) continue;
+        const DVec3 n = cairn::math::to_double(cairn::math::to_vec(m.normal));
+        if (std::fabs(dot(n, a.axes.c1)) > 1e-6 || std::fabs(dot(n, b.axes.c1)) > 1e-6) continue;
+        const cairn::CorePair pair{exact_core(a), exact_core(b)};
+        const auto r = gjk_distance(pair, offset, 1e300);
+        const double radii = exact_core(a).radius + exact_core(b).radius;
+        const bool is_over = r.state == cairn::GjkResult::State::overlapping;
+        const double distance = is_over ? -epa_depth(pair, r.simplex).depth - radii : r.distance - radii;
+        ASSERT_NEAR(double(m.points[0][3]), distance, 2e-3 * (ra + rb)) << k; // EPA's own error, of round shapes
+        if (!is_over) {
+            ASSERT_NEAR(double(m.points[0][3]), distance, 1e-6) << k;
+        }
+        ++(is_over ? overlapping : beside);
+    }
+    EXPECT_GT(beside, 2000);
+    EXPECT_GT(overlapping, 1000);
 }
 
 } // namespace
