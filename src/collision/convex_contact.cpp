@@ -34,8 +34,9 @@ constexpr double unsearched_reach = 0.3;
 constexpr double least_crossing = 1e-2;
 // Of an overlap: how far from the border of a face its points must be for the other faces to be out of the question.
 constexpr double least_amid = 2;
-// Of the distance of the cores: directions are within a ten thousandth.
-constexpr double direction_tolerance = 1e-8;
+// Of the distance of the cores: directions are within a thousandth. Round shapes come nearer by a factor in each turn
+// of GJK, polytopes are exact at once: 1e-8 took 13 turns for cylinders and capsules, and a third more instructions.
+constexpr double direction_tolerance = 1e-6;
 
 // Features that pass each other by more than this part of the extent do not touch there.
 constexpr double sideways_tolerance = 0.1;
