@@ -17,10 +17,10 @@ inline constexpr std::uint64_t compounds = 0x861187a091e97eed;
 inline constexpr std::uint64_t free_tops = 0xf5c622a5d71064b4;
 inline constexpr std::uint64_t explicit_euler = 0xf058e3e63e42374a;
 inline constexpr std::uint64_t whirl = 0xb4e34a88a7798943;
-inline constexpr std::uint64_t changes = 0xe57baec6684a0464;
-inline constexpr std::uint64_t all_shapes = 0x95d5d73debd77dcb;
-inline constexpr std::uint64_t rounded_shapes = 0xf7e2db3e99c36f31;
-inline constexpr std::uint64_t surfaces = 0x273eda5d870f0c28;
+inline constexpr std::uint64_t changes = 0x8244b2bedb6dabe1;
+inline constexpr std::uint64_t all_shapes = 0xe8b628e77b418f36;
+inline constexpr std::uint64_t rounded_shapes = 0xc0e33c3adba634ca;
+inline constexpr std::uint64_t surfaces = 0x1d0e481c32699620;
 inline constexpr std::uint64_t all_joints = 0xa091c07b03b372d4;
 inline constexpr std::uint64_t chains = 0x7a4c4291557c2b4a;
 
