@@ -124,15 +124,22 @@ void test_wide_pairs(State& s, PairKind kind, int begin, int end, NarrowBatch& o
     }
 }
 
-void prefetch_pair(const State& s, const ContactInfo& c) {
+void prefetch_pair(const State& s, std::uint32_t id) {
+    const ContactInfo& c = s.contacts[id];
     for (const std::uint32_t shape : {c.shape_a, c.shape_b}) {
         __builtin_prefetch(&s.shape_poses[shape]);
         __builtin_prefetch(&s.geometry[shape]);
+        __builtin_prefetch(&s.geometry[shape].is_double_sided);
+        __builtin_prefetch(&s.shape_data[shape]);
+        __builtin_prefetch(&s.shapes[shape]);
     }
     for (const std::int32_t body : {c.body_a, c.body_b}) {
         __builtin_prefetch(&s.motion[std::size_t(body)].v);
         __builtin_prefetch(&s.bodies[std::size_t(body)].radius);
     }
+    const char* record = reinterpret_cast<const char*>(&s.records[id]);
+    const std::size_t size = c.point_count > 0 ? sizeof(ContactRecord) : 64;
+    for (std::size_t at = 0; at < size; at += 64) __builtin_prefetch(record + at);
 }
 
 // Pairs that no wide kernel tests, by their places among all.
@@ -142,7 +149,7 @@ void test_convex_pairs(State& s, PairKind kind, int begin, int end, float dt) {
     const auto contact_at = [&](int i) { return s.narrow.candidates[places[std::size_t(i)]]; };
     for (int i = begin; i < end; ++i) {
         if (i + 2 * ahead < end) __builtin_prefetch(&s.contacts[contact_at(i + 2 * ahead)]);
-        if (i + ahead < end) prefetch_pair(s, s.contacts[contact_at(i + ahead)]);
+        if (i + ahead < end) prefetch_pair(s, contact_at(i + ahead));
         const std::uint32_t place = places[std::size_t(i)], id = s.narrow.candidates[place];
         ContactInfo& c = s.contacts[id];
         const PosedShape a = posed_shape(s, c.shape_a), b = posed_shape(s, c.shape_b);
