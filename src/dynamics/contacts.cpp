@@ -124,24 +124,6 @@ void test_wide_pairs(State& s, PairKind kind, int begin, int end, NarrowBatch& o
     }
 }
 
-void prefetch_pair(const State& s, std::uint32_t id) {
-    const ContactInfo& c = s.contacts[id];
-    for (const std::uint32_t shape : {c.shape_a, c.shape_b}) {
-        __builtin_prefetch(&s.shape_poses[shape]);
-        __builtin_prefetch(&s.geometry[shape]);
-        __builtin_prefetch(&s.geometry[shape].is_double_sided);
-        __builtin_prefetch(&s.shape_data[shape]);
-        __builtin_prefetch(&s.shapes[shape]);
-    }
-    for (const std::int32_t body : {c.body_a, c.body_b}) {
-        __builtin_prefetch(&s.motion[std::size_t(body)].v);
-        __builtin_prefetch(&s.bodies[std::size_t(body)].radius);
-    }
-    const char* record = reinterpret_cast<const char*>(&s.records[id]);
-    const std::size_t size = c.point_count > 0 ? sizeof(ContactRecord) : 64;
-    for (std::size_t at = 0; at < size; at += 64) __builtin_prefetch(record + at);
-}
-
 // Pairs that no wide kernel tests, by their places among all.
 void test_convex_pairs(State& s, PairKind kind, int begin, int end, float dt) {
     const std::vector<std::uint32_t>& places = s.narrow.lists[std::size_t(kind)];
@@ -179,6 +161,30 @@ void move_contacts(State& s, int begin, int end) {
 }
 
 } // namespace
+
+void prefetch_record(const State& s, std::uint32_t id) {
+    const char* record = reinterpret_cast<const char*>(&s.records[id]);
+    for (std::size_t at = 0; at < sizeof(ContactRecord); at += 64) __builtin_prefetch(record + at);
+}
+
+void prefetch_pair(const State& s, std::uint32_t id) {
+    const ContactInfo& c = s.contacts[id];
+    for (const std::uint32_t shape : {c.shape_a, c.shape_b}) {
+        __builtin_prefetch(&s.shape_poses[shape]);
+        __builtin_prefetch(&s.geometry[shape]);
+        __builtin_prefetch(&s.geometry[shape].is_double_sided);
+        __builtin_prefetch(&s.shape_data[shape]);
+        __builtin_prefetch(&s.shapes[shape]);
+    }
+    for (const std::int32_t body : {c.body_a, c.body_b}) {
+        __builtin_prefetch(&s.motion[std::size_t(body)].v);
+        __builtin_prefetch(&s.bodies[std::size_t(body)].radius);
+    }
+    if (c.point_count > 0)
+        prefetch_record(s, id);
+    else
+        __builtin_prefetch(&s.records[id]);
+}
 
 void follow_up(State& s, std::uint32_t id, std::uint8_t outcome, float dt) {
     if (outcome == apart) return;

@@ -74,8 +74,21 @@ void begin_groups(State& s) {
 }
 
 void test_groups(State& s, int begin, int end, NarrowBatch& own, float dt) {
-    for (int i = begin; i < end; ++i)
-        test_group(s, s.narrow.lists[std::size_t(PairKind::group)][std::size_t(i)], own, dt);
+    const std::vector<std::uint32_t>& places = s.narrow.lists[std::size_t(PairKind::group)];
+    constexpr std::size_t ahead = 4;
+    const auto contact_at = [&](std::size_t i) { return s.narrow.candidates[places[i]]; };
+    for (std::size_t i = std::size_t(begin); i < std::size_t(end); ++i) {
+        if (i + 2 * ahead < places.size()) __builtin_prefetch(&s.contacts[contact_at(i + 2 * ahead)]);
+        if (i + ahead < places.size()) {
+            const std::uint32_t next = contact_at(i + ahead);
+            prefetch_pair(s, next);
+            if (const std::int32_t patch = s.contacts[next].related; patch != none) {
+                __builtin_prefetch(&s.contacts[std::size_t(patch)]);
+                prefetch_record(s, std::uint32_t(patch));
+            }
+        }
+        test_group(s, places[i], own, dt);
+    }
 }
 
 void collect_fresh_patches(State& s) {
