@@ -1,0 +1,65 @@
+// What flies past is no contact, and what flies at something is one in time.
+#include "support.h"
+
+namespace cairn_test {
+namespace {
+
+WorldDef weightless() {
+    WorldDef settings = without_sleep();
+    settings.gravity = {0, 0, 0};
+    return settings;
+}
+
+// Bodies in contact are one island, from when they may touch within the step. One body lies still, 1 m high, the other
+// is `gap` above it after a step (in its first, a body is not looked for where it flies to): at 12 m/s it covers 0.2 m.
+bool meet(const Shape& shape, double gap, Vec3 velocity) {
+    World world(weightless());
+    BodyDef def;
+    def.type = BodyType::dynamic;
+    add_body(world, shape, def, surface(0.5f));
+    constexpr float step = 1.0f / 60;
+    def.position = Position(0, 1 + gap, 0) - Position(step * velocity);
+    def.linear_velocity = velocity;
+    add_body(world, shape, def, surface(0.5f));
+    world.step(step);
+    world.step(step);
+    return world.statistics().islands == 1;
+}
+
+TEST(NearMiss, WhatPassesByIsNoContact) {
+    const Shape shapes[] = {Sphere{0.5f}, Box{{0.5f, 0.5f, 0.5f}}, Capsule{0.3f, 0.2f}, Cylinder{0.5f, 0.5f}};
+    for (const Shape& shape : shapes) {
+        const std::size_t type = shape.index();
+        EXPECT_FALSE(meet(shape, 0.15, {12, 0, 0})) << type;
+        EXPECT_FALSE(meet(shape, 0.15, {0, 0, 12})) << type;
+        EXPECT_TRUE(meet(shape, 0.15, {0, -12, 0})) << type;
+        EXPECT_TRUE(meet(shape, 0.15, {7, -7, 0})) << type;
+        EXPECT_TRUE(meet(shape, 0.1, {12, 0, 0})) << type; // within half of that, it may be hit and turn
+    }
+}
+
+TEST(NearMiss, WhatTurnsIntoSomethingIsSeen) {
+    // A rod above a box whose end swings down at 15 m/s while its middle goes up.
+    World world(weightless());
+    BodyDef def;
+    def.type = BodyType::static_;
+    def.position = {0, -1, 0};
+    add_body(world, Box{{50, 1, 50}}, def, surface(0.5f));
+    def.type = BodyType::dynamic;
+    def.position = {0, 1.1, 0};
+    def.rotation = glm::angleAxis(float(pi / 2), Vec3(0, 0, 1));
+    def.linear_velocity = {0, 1, 0};
+    def.angular_velocity = {0, 0, 15};
+    const Body rod = world.body(add_body(world, Capsule{1.0f, 0.1f}, def, surface(0.5f)));
+    double lowest = 10;
+    for (int i = 0; i < 120; ++i) {
+        world.step(1.0f / 60);
+        const double end = std::fabs((rod.rotation() * Vec3(0, 1, 0)).y);
+        lowest = std::min(lowest, rod.position().y - end - 0.1);
+    }
+    EXPECT_GT(lowest, -0.02);
+    EXPECT_LT(lowest, 0.3);
+}
+
+} // namespace
+} // namespace cairn_test
