@@ -20,6 +20,8 @@ DBounds bounds_of(const State& s, std::uint32_t shape, const math::Mat3& rotatio
 
 math::Vec3 normal_of_plane(const ShapePose& pose) { return math::rotate(shape_rotation(pose), math::Vec3{0, 1, 0}); }
 
+constexpr float usual_step = 1.0f / 60; // s: what comes between two steps does not know how long the next one is
+
 void move_shapes(State& s, std::int32_t b, float dt) {
     const math::Vec3 displacement = dt * s.motion[std::size_t(b)].v;
     place_each_shape(s, b, [&](std::uint32_t shape, const math::Mat3& rotation) {
@@ -75,13 +77,17 @@ void add_proxy(State& s, std::uint32_t shape) {
         return;
     }
     const auto mobility = type == BodyType::static_ ? BroadPhase::Mobility::fixed : BroadPhase::Mobility::awake;
-    s.broad_phase.add(shape, shape_bounds(s, shape), mobility, type == BodyType::kinematic);
+    const DBounds bounds = shape_bounds(s, shape);
+    s.broad_phase.add(shape, bounds, mobility, type == BodyType::kinematic);
+    s.broad_phase.set_bounds(shape, bounds, usual_step * s.motion[std::size_t(body)].v);
 }
 
 void update_proxies(State& s, std::int32_t b) {
     s.left_at[std::size_t(b)] = s.strayed_at[std::size_t(b)] = s.passes + 1;
     place_shapes(s, b);
-    move_shapes(s, b, 0);
+    sweep_proxies(s, b);
 }
+
+void sweep_proxies(State& s, std::int32_t b) { move_shapes(s, b, usual_step); }
 
 } // namespace cairn

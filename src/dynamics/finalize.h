@@ -15,6 +15,10 @@ void finalize_kinematics(State& state, float dt);
 // Places a body's shapes and tells the broad phase, for a body that was moved from outside a step.
 void update_proxies(State& state, std::int32_t body);
 
+// Tells the broad phase where a body flies to whose velocity was set from outside a step: it would find what is hit in
+// the first step only after that.
+void sweep_proxies(State& state, std::int32_t body);
+
 // Puts a shape into the broad phase, by its type and its body's.
 void add_proxy(State& state, std::uint32_t shape);
 

@@ -58,6 +58,7 @@ void add_velocity(const Access& a, math::DVec3 dv, math::DVec3 dw) {
     const bool angular = add(m.w, dw, a.s.settings.max_angular_speed);
     if (linear || angular) ++a.s.clamped_speeds;
     wake_body(a.s, a.index());
+    sweep_proxies(a.s, a.index());
 }
 
 math::DVec3 inverse_inertia_times(const Access& a, math::DVec3 v) {
@@ -207,6 +208,7 @@ void Body::set_linear_velocity(const Vec3& velocity) {
     a.motion().v_rest = {};
     if (clamp_velocity(s.settings, a.motion().v, a.motion().w)) ++s.clamped_speeds;
     wake_body(s, a.index());
+    sweep_proxies(s, a.index());
 }
 void Body::set_angular_velocity(const Vec3& velocity) {
     CAIRN_CHANGE("Body::set_angular_velocity");
@@ -233,6 +235,7 @@ void Body::move_to(const Transform& target, float seconds) {
     a.motion().v = math::to_float((1 / double(seconds)) * (x - a.motion().x));
     a.motion().w = math::to_float((1 / double(seconds)) * turn);
     if (clamp_velocity(s.settings, a.motion().v, a.motion().w)) ++s.clamped_speeds;
+    sweep_proxies(s, a.index());
 }
 
 void Body::set_gravity_scale(float scale) {

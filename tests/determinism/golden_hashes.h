@@ -8,7 +8,7 @@
 namespace cairn_test::golden {
 
 inline constexpr std::uint64_t mixed_pile = 0x89424f810e3bac60;
-inline constexpr std::uint64_t pyramid = 0x15333d72dbbdc946;
+inline constexpr std::uint64_t pyramid = 0xe57e86bacf665f9b;
 inline constexpr std::uint64_t dominoes = 0xeee8eae10c6ba5f1;
 inline constexpr std::uint64_t materials = 0xa0342a0263266e64;
 inline constexpr std::uint64_t tumbler = 0x4ef9097059fdefdc;
