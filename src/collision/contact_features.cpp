@@ -43,11 +43,7 @@ void capsule_line(const Convex& c, DVec3 n, Feature& out) {
 
 // The face that looks most along n among those that hold the farthest point along n.
 int supporting_face(const Convex& c, DVec3 n) {
-    if (c.kind == Convex::Kind::box) {
-        const DVec3 d = to_local(c, n), size = math::abs(d);
-        const int i = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-        return 2 * i + (d[i] < 0 ? 1 : 0);
-    }
+    if (c.kind == Convex::Kind::box) return box_face_along(to_local(c, n));
     if (c.kind == Convex::Kind::polygon) return dot(c.axes.c1, n) < 0 ? 1 : 0;
     const HullData& hull = *c.hull;
     const DVec3 d = to_local(c, n);

@@ -290,12 +290,9 @@ int face_along(const Convex& c, DVec3 n, double& cosine) {
     case Convex::Kind::hull:
         face = static_cast<int>(c.hull->normal_columns.nearly_farthest(to_local(c, n)));
         break;
-    case Convex::Kind::box: {
-        const DVec3 d = to_local(c, n), size = math::abs(d);
-        const int i = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-        face = 2 * i + (d[i] < 0 ? 1 : 0);
+    case Convex::Kind::box:
+        face = box_face_along(to_local(c, n));
         break;
-    }
     case Convex::Kind::cylinder:
         face = dot(c.axes.c1, n) > 0 ? 0 : 1;
         if (!((face == 0 ? c.size.z : c.size.x) > 0)) return -1;

@@ -124,5 +124,11 @@ inline math::DVec3 face_normal(const Convex& c, int face) {
     return face == 0 ? c.axes.c1 : -c.axes.c1;
 }
 math::DVec3 face_point(const Convex& c, int face); // some point of it
+// The face of a box that looks most along a direction in its frame.
+inline int box_face_along(math::DVec3 local) {
+    const math::DVec3 size = math::abs(local);
+    const int i = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    return 2 * i + (local[i] < 0 ? 1 : 0);
+}
 
 } // namespace cairn
