@@ -30,17 +30,24 @@ constexpr float most_turn = 0.25f; // of the radius: how far ahead a rotation is
 // box gain 6 % of energy instead of 4 % (validation, closed_pile).
 constexpr float redirected = 0.5f;
 
-// The greatest speed at which the points of a record approach.
-float approach_speed(const State& s, const ContactInfo& c, const ContactRecord& r) {
-    const BodyMotion &a = s.motion[std::size_t(c.body_a)], &b = s.motion[std::size_t(c.body_b)];
-    const math::Vec3 n = to_vec(r.normal), d = to_vec(r.center_offset);
+// The greatest speed at which points approach along the normal n from a to b. arm_of(i): from the center of a to a
+// point; d: from that of b to that of a.
+template <class F>
+float greatest_approach(const BodyMotion& a, const BodyMotion& b, math::Vec3 n, math::Vec3 d, int count, F&& arm_of) {
     float speed = 0;
-    for (int i = 0; i < c.point_count; ++i) {
-        const math::Vec3 arm = to_vec(point_of(r, i));
+    for (int i = 0; i < count; ++i) {
+        const math::Vec3 arm = arm_of(i);
         const math::Vec3 v = (b.v + math::cross(b.w, arm + d)) - (a.v + math::cross(a.w, arm));
         speed = std::max(speed, -math::dot(n, v));
     }
     return speed;
+}
+
+// Of the points of a record.
+float approach_speed(const State& s, const ContactInfo& c, const ContactRecord& r) {
+    const BodyMotion &a = s.motion[std::size_t(c.body_a)], &b = s.motion[std::size_t(c.body_b)];
+    return greatest_approach(a, b, to_vec(r.normal), to_vec(r.center_offset), c.point_count,
+                             [&](int i) { return to_vec(point_of(r, i)); });
 }
 
 float least_separation(const ContactInfo& c, const ContactRecord& r) {
@@ -116,10 +123,8 @@ void test_wide_pairs(State& s, PairKind kind, int begin, int end, NarrowBatch& o
         batch.first[i] = batch.first[0], batch.second[i] = batch.second[0], batch.margin[i] = batch.margin[0];
     wide_kernel(kind)(s.shape_poses.data(), batch.first, batch.second, batch.margin, padded, own.manifolds);
     for (int i = 0; i < count; ++i) {
-        if (const int next = i + int(contacts_ahead); next < count && own.manifolds[next].count > 0) {
-            const char* record = reinterpret_cast<const char*>(&s.records[ids[next]]);
-            for (std::size_t at = 0; at < record_size; at += 64) __builtin_prefetch(record + at);
-        }
+        if (const int next = i + int(contacts_ahead); next < count && own.manifolds[next].count > 0)
+            prefetch_record(s, ids[next], record_size);
         s.narrow.outcomes[places[i]] = take_manifold(s, ids[i], own.manifolds[i], dt);
     }
 }
@@ -162,9 +167,9 @@ void move_contacts(State& s, int begin, int end) {
 
 } // namespace
 
-void prefetch_record(const State& s, std::uint32_t id) {
+void prefetch_record(const State& s, std::uint32_t id, std::size_t size) {
     const char* record = reinterpret_cast<const char*>(&s.records[id]);
-    for (std::size_t at = 0; at < sizeof(ContactRecord); at += 64) __builtin_prefetch(record + at);
+    for (std::size_t at = 0; at < size; at += 64) __builtin_prefetch(record + at);
 }
 
 void prefetch_pair(const State& s, std::uint32_t id) {
@@ -279,14 +284,9 @@ bool stays_apart(const State& s, const ContactInfo& c, const Manifold& m, float 
     if (least <= c.base_margin) return false;
     const std::int32_t first = c.flipped ? c.body_b : c.body_a, second = c.flipped ? c.body_a : c.body_b;
     const BodyMotion &a = s.motion[std::size_t(first)], &b = s.motion[std::size_t(second)];
-    const math::Vec3 n = to_vec(m.normal), d = math::to_float(a.x - b.x);
     const math::Vec3 center = s.shapes[c.flipped ? c.shape_b : c.shape_a].arm;
-    float speed = 0;
-    for (int i = 0; i < m.count; ++i) {
-        const math::Vec3 arm = center + to_vec(m.points[i]);
-        const math::Vec3 v = (b.v + math::cross(b.w, arm + d)) - (a.v + math::cross(a.w, arm));
-        speed = std::max(speed, -math::dot(n, v));
-    }
+    const float speed = greatest_approach(a, b, to_vec(m.normal), math::to_float(a.x - b.x), m.count,
+                                          [&](int i) { return center + to_vec(m.points[i]); });
     // What a rotation adds to the way of a point beyond its speed.
     const auto bend = [&](const BodyMotion& body, float radius) {
         const float turn = std::min(dt * math::length(body.w), most_turn);

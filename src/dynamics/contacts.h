@@ -77,7 +77,7 @@ enum Outcome : std::uint8_t {
 
 // Asks the cache for what the test of a pair of convex shapes, or of one with a surface, begins with.
 void prefetch_pair(const State& state, std::uint32_t contact);
-void prefetch_record(const State& state, std::uint32_t contact);
+void prefetch_record(const State& state, std::uint32_t contact, std::size_t size = sizeof(ContactRecord));
 // How far apart two shapes may be to count: what the next step can close.
 float contact_margin(const State& state, const ContactInfo& contact, float dt);
 // Whether points that are beyond where contacts begin do not come near each other in the next step either, as the
