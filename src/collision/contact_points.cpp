@@ -1,5 +1,6 @@
 #include "collision/contact_points.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace cairn {
@@ -18,14 +19,18 @@ struct Chosen {
     std::size_t index[4] = {};
 };
 
-// A point that counts, seen along the normal.
+// A point that counts, seen along the normal. `nearness`, from 0 to 1: that of the surfaces there.
 struct Flat {
     double x, y, separation;
     std::size_t index;
+    double nearness;
 };
 
 // Chooses: the deepest point; the one farthest from it; on either side of the line through both the one that spans the
-// largest triangle; where one side is empty, the point farthest outside the triangle of the other three.
+// largest triangle; where one side is empty, the point farthest outside the triangle of the other three. All of them
+// weighed by nearness: a box that lies on three peaks of a mesh must not lose one of them to others that are farther
+// out and do not touch, or it falls to and fro. Between planes it changes nothing: there, what is twice as far out is
+// at most twice as far apart.
 class Reducer {
   public:
     Reducer(const ContactPoints& points, DVec3 normal, DVec3 center, double extent, double margin) : extent_(extent) {
@@ -33,11 +38,16 @@ class Reducer {
         const DVec3 axis = std::fabs(normal.x) < 0.5 ? DVec3{1, 0, 0} : DVec3{0, 1, 0};
         const DVec3 e1 = math::normalized(math::cross(axis, normal)), e2 = math::cross(normal, e1);
         const ContactPoint* p = points.data();
+        double lowest = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0, n = points.size(); i < n; ++i) {
             if (!(p[i].separation <= margin)) continue;
             const DVec3 d = p[i].position - center;
-            flat_.add({dot(d, e1), dot(d, e2), p[i].separation, i});
+            flat_.add({dot(d, e1), dot(d, e2), p[i].separation, i, 1});
+            lowest = std::min(lowest, p[i].separation);
         }
+        const double touching = std::max(lowest, 0.0), flat = flat_contact_part * extent;
+        for (Flat& f : flat_)
+            if (f.separation > touching) f.nearness = flat / (flat + (f.separation - touching));
     }
 
     Chosen choose() {
@@ -88,14 +98,17 @@ class Reducer {
         }
         return r.count == 1;
     }
-    // Adds the point of the greatest measure above `least`.
+    // Adds, of the points whose measure is above `least`, the one where it weighs most; `least` becomes its measure.
     template <class Measure> bool best(Chosen& r, double& least, Measure measure) const {
         const Flat* p = flat_.data();
         const std::size_t n = flat_.size();
+        const double bar = least * tie;
+        double most = 0;
         bool is_found = false;
         for (std::size_t i = 0; i < n; ++i) {
-            const double value = measure(p[i]);
-            if (value > least * tie) least = value, r.index[r.count] = i, is_found = true;
+            const double value = measure(p[i]), weighed = p[i].nearness * value;
+            if (value > bar && weighed > most * tie)
+                most = weighed, least = value, r.index[r.count] = i, is_found = true;
         }
         r.count += is_found ? 1 : 0;
         return is_found;

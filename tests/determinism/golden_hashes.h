@@ -16,11 +16,11 @@ inline constexpr std::uint64_t sleep_and_wake = 0x3c526d723e61a75d;
 inline constexpr std::uint64_t compounds = 0x861187a091e97eed;
 inline constexpr std::uint64_t free_tops = 0xf5c622a5d71064b4;
 inline constexpr std::uint64_t explicit_euler = 0xf058e3e63e42374a;
-inline constexpr std::uint64_t whirl = 0xb4e34a88a7798943;
-inline constexpr std::uint64_t changes = 0x8244b2bedb6dabe1;
-inline constexpr std::uint64_t all_shapes = 0xe8b628e77b418f36;
-inline constexpr std::uint64_t rounded_shapes = 0xc0e33c3adba634ca;
-inline constexpr std::uint64_t surfaces = 0x1d0e481c32699620;
+inline constexpr std::uint64_t whirl = 0xc5d146c6393c1104;
+inline constexpr std::uint64_t changes = 0xcca0bcb6aae3e00a;
+inline constexpr std::uint64_t all_shapes = 0x4054c4590688b736;
+inline constexpr std::uint64_t rounded_shapes = 0xd2d2868ed2ab4a8f;
+inline constexpr std::uint64_t surfaces = 0x2d7b8b42fb5c732f;
 inline constexpr std::uint64_t all_joints = 0xa091c07b03b372d4;
 inline constexpr std::uint64_t chains = 0x7a4c4291557c2b4a;
 
