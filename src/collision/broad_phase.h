@@ -41,7 +41,7 @@ class BroadPhase {
     // A fat box contains the tight bounds with this added on every side, m, swept along the expected displacement.
     static constexpr double required_margin = 0.01;
     // A new fat box adds the smaller of these to the required bounds: m, and in units of the largest extent.
-    static constexpr double fat_margin = 0.05, fat_fraction = 0.125;
+    static constexpr double fat_margin = 0.01, fat_fraction = 0.025;
     // An awake shape is large when it is this many times the median size.
     static constexpr float large_ratio = 8.0f;
     // The origin of the trees moves when the middle of the awake shapes is farther from it, m.

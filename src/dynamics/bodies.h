@@ -3,6 +3,8 @@
 
 #include "dynamics/state.h"
 
+#include <algorithm>
+
 namespace cairn {
 
 // Recomputes the mass of a body from its shapes, if it follows them, and with it the center of mass. The body's
@@ -50,6 +52,16 @@ template <class F> void place_each_shape(State& state, std::int32_t body, F&& f)
         place_shape(state, std::uint32_t(s), motion, rotation, q, center);
         f(std::uint32_t(s), rotation);
     }
+}
+
+// Of what a body turns in a step, rad: how much is looked ahead at. What whirls meets things within it anyhow.
+inline float looked_ahead(float turn) {
+    constexpr float most = 0.25f;
+    return std::min(turn, most);
+}
+// How far that moves any point of a body, m.
+inline float turn_reach(const State& s, std::int32_t body, float dt) {
+    return looked_ahead(dt * math::length(s.motion[std::size_t(body)].w)) * s.bodies[std::size_t(body)].radius;
 }
 
 inline math::DVec3 shape_position(const ShapePose& pose) {

@@ -175,10 +175,13 @@ ContactRecord advanced_record(const State& s, std::uint32_t id) {
     const math::Vec3 n = to_vec(r.normal), d = to_vec(r.center_offset);
     const math::Quat qa = s.motion[std::size_t(c.body_a)].turned, qb = s.motion[std::size_t(c.body_b)].turned;
     const math::Vec3 offset = math::to_float(s.motion[std::size_t(c.body_a)].x - s.motion[std::size_t(c.body_b)].x);
+    const math::Vec3 round_a = r.radius_a * n, round_b = r.radius_b * n;
     for (int i = 0; i < c.point_count; ++i) {
         float* const point = point_of(r, i);
         const math::Vec3 arm = to_vec(point);
-        const math::Vec3 now_a = math::rotate(qa, arm), now_b = math::rotate(qb, arm + d);
+        // What is round does not turn with its body.
+        const math::Vec3 now_a = math::rotate(qa, arm - round_a) + round_a;
+        const math::Vec3 now_b = math::rotate(qb, arm + d + round_b) - round_b;
         // Anchors that were one point: how far they have come apart, B's relative to A's.
         point[3] += math::dot(n, now_b - offset - now_a);
         put(point, 0.5f * (now_a + (now_b - offset))); // midway between the two

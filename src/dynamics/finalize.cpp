@@ -10,12 +10,18 @@ namespace cairn {
 
 namespace {
 
-// Of a shape that is no infinite plane, of a body with that rotation.
-DBounds bounds_of(const State& s, std::uint32_t shape, const math::Mat3& rotation) {
+// How far the shape's surface moves as its body turns in the next step, m. Balls in the middle of their bodies stay.
+double turn_of_shape(const State& s, std::uint32_t shape, float turn) {
+    return s.geometry[shape].type == ShapeType::sphere && s.shapes[shape].arm == math::Vec3{} ? 0.0 : double(turn);
+}
+
+// Of a shape that is no infinite plane, of a body with that rotation that turns in the next step by so many meters.
+DBounds bounds_of(const State& s, std::uint32_t shape, const math::Mat3& rotation, float turn) {
     const Geometry& geometry = s.geometry[shape];
     const ShapePose& pose = s.shape_poses[shape];
-    return geometry_bounds(geometry, s.shape_data[shape], shape_position(pose),
-                           geometry.is_turned ? math::to_matrix(shape_rotation(pose)) : rotation);
+    return grown(geometry_bounds(geometry, s.shape_data[shape], shape_position(pose),
+                                 geometry.is_turned ? math::to_matrix(shape_rotation(pose)) : rotation),
+                 turn_of_shape(s, shape, turn));
 }
 
 math::Vec3 normal_of_plane(const ShapePose& pose) { return math::rotate(shape_rotation(pose), math::Vec3{0, 1, 0}); }
@@ -24,12 +30,13 @@ constexpr float usual_step = 1.0f / 60; // s: what comes between two steps does 
 
 void move_shapes(State& s, std::int32_t b, float dt) {
     const math::Vec3 displacement = dt * s.motion[std::size_t(b)].v;
+    const float turn = turn_reach(s, b, dt);
     place_each_shape(s, b, [&](std::uint32_t shape, const math::Mat3& rotation) {
         const ShapePose& pose = s.shape_poses[shape];
         if (s.geometry[shape].type == ShapeType::plane)
             s.broad_phase.move_plane(shape, shape_position(pose), normal_of_plane(pose));
         else
-            s.broad_phase.set_bounds(shape, bounds_of(s, shape, rotation), displacement);
+            s.broad_phase.set_bounds(shape, bounds_of(s, shape, rotation, turn), displacement);
     });
 }
 
@@ -46,8 +53,9 @@ float surface_radius(const State& s, std::int32_t b) {
 void finalize_body(State& s, std::int32_t b, float dt, std::vector<EscapedShape>& escaped) {
     const BodyMotion& motion = s.motion[std::size_t(b)];
     const math::Vec3 displacement = dt * motion.v;
+    const float turn = turn_reach(s, b, dt);
     place_each_shape(s, b, [&](std::uint32_t shape, const math::Mat3& rotation) { // none of them a plane: it is dynamic
-        const DBounds bounds = bounds_of(s, shape, rotation);
+        const DBounds bounds = bounds_of(s, shape, rotation, turn);
         if (!s.broad_phase.serves(shape, bounds, displacement)) escaped.push_back({shape, bounds, displacement});
     });
     BodyLinks& links = s.bodies[std::size_t(b)];
@@ -79,7 +87,8 @@ void add_proxy(State& s, std::uint32_t shape) {
     const auto mobility = type == BodyType::static_ ? BroadPhase::Mobility::fixed : BroadPhase::Mobility::awake;
     const DBounds bounds = shape_bounds(s, shape);
     s.broad_phase.add(shape, bounds, mobility, type == BodyType::kinematic);
-    s.broad_phase.set_bounds(shape, bounds, usual_step * s.motion[std::size_t(body)].v);
+    s.broad_phase.set_bounds(shape, grown(bounds, turn_of_shape(s, shape, turn_reach(s, body, usual_step))),
+                             usual_step * s.motion[std::size_t(body)].v);
 }
 
 void update_proxies(State& s, std::int32_t b) {

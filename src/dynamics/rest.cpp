@@ -53,7 +53,12 @@ void update_resting(State& s, float dt) {
         s.near[std::size_t(b)] = {motion.x, motion.q};
         s.strayed_at[std::size_t(b)] = pass;
     };
-    s.narrow.whirling.clear();
+    const bool is_first = s.passes == s.first_pass; // what whirls is asked once a step
+    if (is_first) {
+        for (const std::int32_t b : s.narrow.whirling) s.narrow.whirls[std::size_t(b)] = 0;
+        s.narrow.whirls.resize(s.bodies.size());
+        s.narrow.whirling.clear();
+    }
     std::vector<std::int32_t>& awake = s.narrow.awake;
     awake.clear();
     for (const std::int32_t i : s.awake_islands)
@@ -67,9 +72,10 @@ void update_resting(State& s, float dt) {
             const std::int32_t b = awake[k];
             const BodyMotion& motion = s.motion[std::size_t(b)];
             if (!rests(s.resting[std::size_t(b)], motion, s.bodies[std::size_t(b)].radius, shift, speed)) leave(b);
-            if (math::dot(motion.w, motion.w) > most_square && !s.mass[std::size_t(b)].isotropic) {
+            if (is_first && math::dot(motion.w, motion.w) > most_square && !s.mass[std::size_t(b)].isotropic) {
                 const std::lock_guard lock(whirling);
                 s.narrow.whirling.push_back(b); // in any order
+                s.narrow.whirls[std::size_t(b)] = 1;
             }
         }
     });

@@ -50,6 +50,7 @@ struct NarrowScratch {
     std::vector<NarrowBatch> at_work;         // one per thread
     std::vector<std::int32_t> awake;          // bodies
     std::vector<std::int32_t> whirling;       // bodies that turn far in a step and have unequal moments of inertia
+    std::vector<std::uint8_t> whirls;         // by body: whether it is one of them
     std::vector<std::uint32_t> skipped;       // contacts of sleeping bodies with kinematic ones at rest
     std::vector<std::uint8_t> changes;        // by contact, of those that were solved: began or ceased to touch
     std::vector<std::uint32_t> candidates;    // contacts of all pairs, those of neighbors near each other

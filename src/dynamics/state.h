@@ -172,8 +172,9 @@ struct Island {
 struct State {
     WorldDef settings;
     std::uint64_t steps = 0;
-    std::uint64_t passes = 0; // a step is one pass, or several (world/step.cpp)
-    int split = 1;            // passes of the step under way
+    std::uint64_t passes = 0;     // a step is one pass, or several (world/step.cpp)
+    int split = 1;                // passes of the step under way
+    std::uint64_t first_pass = 0; // of the step under way: `passes` at its start
     double time = 0;
 
     SlotPool body_slots;

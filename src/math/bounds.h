@@ -9,4 +9,10 @@ struct DBounds {
     math::DVec3 lo, hi;
 };
 
+// With so much more on every side, m.
+inline DBounds grown(const DBounds& b, double by) {
+    const math::DVec3 more{by, by, by};
+    return {b.lo - more, b.hi + more};
+}
+
 } // namespace cairn

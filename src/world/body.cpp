@@ -219,6 +219,7 @@ void Body::set_angular_velocity(const Vec3& velocity) {
     a.motion().w_rest = {};
     if (clamp_velocity(s.settings, a.motion().v, a.motion().w)) ++s.clamped_speeds;
     wake_body(s, a.index());
+    sweep_proxies(s, a.index());
 }
 
 void Body::move_to(const Transform& target, float seconds) {

@@ -67,6 +67,7 @@ void World::step(float dt) {
     state.begins.clear();
     state.hits.clear();
     times = {};
+    state.first_pass = state.passes;
     int passes = 1;
     for (int pass = 0; pass < passes; ++pass) {
         for (const std::int32_t island : state.awake_islands) state.islands[std::size_t(island)].kept_awake = 0;
