@@ -14,7 +14,7 @@ namespace cairn {
 
 namespace {
 
-constexpr std::uint64_t magic = 0x33306e7269616321ull; // "!cairn03"
+constexpr std::uint64_t magic = 0x34306e7269616321ull; // "!cairn04"
 
 // What comes before the state.
 struct Header {
@@ -191,41 +191,87 @@ template <class Archive> void serialize_defined_joints(Archive& archive, State& 
     }
 }
 
-// Field by field: what lies between the fields is whatever the caller's memory held.
-template <class Archive> void serialize_materials(Archive& archive, std::vector<Material>& materials) {
-    struct Fields {
-        float numbers[5];
-        CombineRule friction_combine, restitution_combine;
-        std::uint8_t padding[2];
-    };
-    std::vector<Fields> fields(materials.size());
+// What lies between the fields of a struct of the user's is whatever the caller's memory held. Such structs are saved
+// field by field; `padding` fills the gaps with zeros.
+struct MaterialFields {
+    float numbers[5];
+    CombineRule friction_combine, restitution_combine;
+    std::uint8_t padding[2];
+};
+MaterialFields fields_of(const Material& m) {
+    return {{m.static_friction, m.dynamic_friction, m.restitution, m.rolling_friction, m.torsional_friction},
+            m.friction_combine,
+            m.restitution_combine,
+            {}};
+}
+Material from_fields(const MaterialFields& f) {
+    return {f.numbers[0], f.numbers[1],       f.numbers[2],         f.numbers[3],
+            f.numbers[4], f.friction_combine, f.restitution_combine};
+}
+
+struct ShapeDefFields {
+    CollisionFilter filter;
+    std::uint64_t user_data;
+    Vec3 position;
+    Quat rotation;
+    float density;
+    MaterialFields material;
+    Vec3 surface_velocity;
+    std::uint32_t is_trigger;
+};
+static_assert(sizeof(ShapeDefFields) == 96);
+ShapeDefFields fields_of(const ShapeDef& d) {
+    return {d.filter,  d.user_data,           d.position,         d.rotation,
+            d.density, fields_of(d.material), d.surface_velocity, d.is_trigger ? 1u : 0u};
+}
+ShapeDef from_fields(const ShapeDefFields& f) {
+    return {f.position, f.rotation,        f.density,          from_fields(f.material),
+            f.filter,   f.is_trigger != 0, f.surface_velocity, f.user_data};
+}
+
+struct ForceFieldFields {
+    Position center;
+    Vec3 direction;
+    float strength, exponent;
+    ForceField::Kind kind;
+    std::uint8_t is_force, padding[2];
+};
+static_assert(sizeof(ForceFieldFields) == 48);
+ForceFieldFields fields_of(const ForceField& f) {
+    return {f.center, f.direction, f.strength, f.exponent, f.kind, std::uint8_t(f.is_force ? 1 : 0), {}};
+}
+ForceField from_fields(const ForceFieldFields& f) {
+    return {f.kind, f.direction, f.center, f.strength, f.exponent, f.is_force != 0};
+}
+
+template <class Archive> void serialize_settings(Archive& archive, WorldDef& d) {
+    archive(d.gravity), archive(d.substeps), archive(d.adaptive_substeps), archive(d.integrator);
+    archive(d.enable_sleep), archive(d.sleep_speed), archive(d.sleep_time);
+    archive(d.restitution_speed), archive(d.hit_speed), archive(d.recovery_speed);
+    archive(d.max_linear_speed), archive(d.max_angular_speed);
+}
+
+template <class Archive, class T> void serialize_fields(Archive& archive, std::vector<T>& values) {
+    std::vector<decltype(fields_of(values[0]))> fields;
     if constexpr (!Archive::reading)
-        for (std::size_t i = 0; i < fields.size(); ++i) {
-            const Material& m = materials[i];
-            fields[i] = {
-                {m.static_friction, m.dynamic_friction, m.restitution, m.rolling_friction, m.torsional_friction},
-                m.friction_combine,
-                m.restitution_combine,
-                {}};
-        }
+        for (const T& value : values) fields.push_back(fields_of(value));
     archive(fields);
     if constexpr (Archive::reading) {
-        materials.clear();
-        for (const Fields& f : fields)
-            materials.push_back({f.numbers[0], f.numbers[1], f.numbers[2], f.numbers[3], f.numbers[4],
-                                 f.friction_combine, f.restitution_combine});
+        values.clear();
+        for (const auto& f : fields) values.push_back(from_fields(f));
     }
 }
 
 template <class Archive, class Impl> void serialize_definitions(Archive& archive, Impl& impl) {
     State& s = impl.state;
-    archive(s.world_id), archive(s.settings);
+    archive(s.world_id), serialize_settings(archive, s.settings);
     s.body_slots.serialize(archive), s.shape_slots.serialize(archive);
     s.joint_slots.serialize(archive), s.field_slots.serialize(archive);
     archive(s.mass), archive(s.body_settings), archive(s.kinematics), archive(s.dead_bodies), archive(s.dead_shapes);
-    archive(s.geometry), serialize_materials(archive, s.materials), archive(s.shape_traits), archive(s.fields);
+    archive(s.geometry), serialize_fields(archive, s.materials), archive(s.shape_traits);
+    serialize_fields(archive, s.fields);
     serialize_defined_joints(archive, s);
-    archive(impl.user_data), archive(impl.def_of);
+    archive(impl.user_data), serialize_fields(archive, impl.def_of);
     impl.names.resize(s.body_slots.size());
     for (std::string& name : impl.names) archive(name);
     impl.joint_defs.resize(s.joint_slots.size());

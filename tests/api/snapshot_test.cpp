@@ -2,6 +2,7 @@
 #include "test_world.h"
 
 #include <cstdio>
+#include <cstring>
 #include <memory>
 #include <random>
 #include <vector>
@@ -182,6 +183,26 @@ TEST(Snapshot, KnowsAnotherHullInTheSamePlace) {
     const Snapshot second = world.save();
     EXPECT_NE(first.definitions, second.definitions);
     EXPECT_TRUE(first.definitions->bytes == second.definitions->bytes);
+}
+
+// What lies between the fields of a struct came along as whatever the caller's memory held.
+TEST(Snapshot, DoesNotKnowWhatLiesBetweenTheFieldsOfADefinition) {
+    World world;
+    const Snapshot empty = world.save();
+    const auto saved = [&](std::uint8_t garbage) {
+        alignas(WorldDef) std::byte settings[sizeof(WorldDef)];
+        alignas(ShapeDef) std::byte shape[sizeof(ShapeDef)];
+        alignas(ForceField) std::byte field[sizeof(ForceField)];
+        std::memset(settings, garbage, sizeof settings);
+        std::memset(shape, garbage, sizeof shape);
+        std::memset(field, garbage, sizeof field);
+        world.restore(empty);
+        world.set_settings(*new (settings) WorldDef);
+        world.add_shape(world.create_body({}), Box{}, *new (shape) ShapeDef);
+        world.add_force_field(*new (field) ForceField);
+        return world.save().definitions->bytes;
+    };
+    EXPECT_TRUE(saved(0) == saved(0xff));
 }
 
 // A heap of 500 balls and boxes, some six pairs to a body.
