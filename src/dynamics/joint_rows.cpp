@@ -160,23 +160,39 @@ void fill_ends(const State& s, const BinScratch& scratch, Block& b, std::size_t 
     if (b.redirects) b.rest.write_a[lane] = write_a, b.rest.write_b[lane] = write_b;
 }
 
-void fill_lane(const State& s, const JointRow& row, PointBlock& b, std::size_t lane, float) {
-    const JointInfo& joint = s.joints[row.joint];
-    const JointAnchors p = place_anchors(s, joint);
-    set_lane(b.arm_a0, lane, math::to_float(p.arm_a));
-    set_lane(b.arm_b0, lane, math::to_float(p.arm_b));
-    set_lane(b.gap0, lane, math::to_float(p.gap));
-    if (b.free_axis) set_lane(b.axis0, lane, frame_axis(place_joint(s, joint).frame_a, joint.rules.point_column));
-    set_lane(b.impulse, lane, joint.point_impulse);
+// Whether anything but the point of a joint gives it a torque: else what it has of those is never touched.
+bool has_torque(const JointInfo& joint) { return joint.rules.turn != JointLock::none || joint.rules.axis_count > 0; }
+
+// Where a joint is at the start of the step, for all of its rows.
+struct PlacedJoint {
+    const JointInfo& info;
+    JointPlacement p; // of joints of a mere point only the anchors
+    DQuat turn;
+};
+PlacedJoint placed(const State& s, std::uint32_t joint) {
+    PlacedJoint r{s.joints[joint], {}, {}};
+    if (has_torque(r.info) || r.info.rules.point == JointLock::across) {
+        r.p = place_joint(s, r.info);
+        r.turn = turn_of(r.p);
+    } else {
+        static_cast<JointAnchors&>(r.p) = place_anchors(s, r.info);
+    }
+    return r;
 }
 
-void fill_lane(const State& s, const JointRow& row, TurnBlock& b, std::size_t lane, float) {
-    const JointInfo& joint = s.joints[row.joint];
-    const JointPlacement p = place_joint(s, joint);
-    set_lane(b.turn0, lane, turn_of(p));
-    set_lane(b.axis_a0, lane, frame_axis(p.frame_a, joint.rules.turn_column));
-    set_lane(b.axis_b0, lane, frame_axis(p.frame_b, joint.rules.turn_column));
-    set_lane(b.impulse, lane, joint.turn_impulse);
+void fill_lane(const State&, const JointRow&, const PlacedJoint& joint, PointBlock& b, std::size_t lane, float) {
+    set_lane(b.arm_a0, lane, math::to_float(joint.p.arm_a));
+    set_lane(b.arm_b0, lane, math::to_float(joint.p.arm_b));
+    set_lane(b.gap0, lane, math::to_float(joint.p.gap));
+    if (b.free_axis) set_lane(b.axis0, lane, frame_axis(joint.p.frame_a, joint.info.rules.point_column));
+    set_lane(b.impulse, lane, joint.info.point_impulse);
+}
+
+void fill_lane(const State&, const JointRow&, const PlacedJoint& joint, TurnBlock& b, std::size_t lane, float) {
+    set_lane(b.turn0, lane, joint.turn);
+    set_lane(b.axis_a0, lane, frame_axis(joint.p.frame_a, joint.info.rules.turn_column));
+    set_lane(b.axis_b0, lane, frame_axis(joint.p.frame_b, joint.info.rules.turn_column));
+    set_lane(b.impulse, lane, joint.info.turn_impulse);
 }
 
 void fill_axis_rule(AxisBlock& b, std::size_t lane, const JointAxisRule& rule, float h) {
@@ -199,19 +215,18 @@ void fill_axis_rule(AxisBlock& b, std::size_t lane, const JointAxisRule& rule, f
     b.ratio_b[lane] = rule.ratio_b;
 }
 
-void fill_lane(const State& s, const JointRow& row, AxisBlock& b, std::size_t lane, float h) {
-    const JointInfo& joint = s.joints[row.joint];
-    const JointPlacement p = place_joint(s, joint);
+void fill_lane(const State& s, const JointRow& row, const PlacedJoint& joint, AxisBlock& b, std::size_t lane, float h) {
+    const JointPlacement& p = joint.p;
     const JointAxisRule& rule = s.joint_axes[row.joint].rules[row.axis];
     const JointAxisState& state = s.joint_axes[row.joint].states[row.axis];
     fill_axis_rule(b, lane, rule, h);
     set_lane(b.arm_a0, lane, math::to_float(p.arm_a));
     set_lane(b.arm_b0, lane, math::to_float(p.arm_b));
     set_lane(b.gap0, lane, math::to_float(p.gap));
-    set_lane(b.turn0, lane, turn_of(p));
+    set_lane(b.turn0, lane, joint.turn);
     const bool is_pulley = rule.kind == AxisKind::pulley;
-    set_lane(b.axis_a0, lane, is_pulley ? pulley_reach(s, joint, 0, p) : frame_axis(p.frame_a, rule.column_a));
-    set_lane(b.axis_b0, lane, is_pulley ? pulley_reach(s, joint, 1, p) : frame_axis(p.frame_b, rule.column_b));
+    set_lane(b.axis_a0, lane, is_pulley ? pulley_reach(s, joint.info, 0, p) : frame_axis(p.frame_a, rule.column_a));
+    set_lane(b.axis_b0, lane, is_pulley ? pulley_reach(s, joint.info, 1, p) : frame_axis(p.frame_b, rule.column_b));
     b.position[lane] = b.position0[lane] = state.position;
     b.drive_impulse[lane] = state.drive;
     b.friction_impulse[lane] = state.friction;
@@ -261,9 +276,6 @@ void open_blocks(BinScratch& scratch) {
         b.has_friction |= row.has_friction;
     }
 }
-
-// Whether anything but the point of a joint gives it a torque: else what it has of those is never touched.
-bool has_torque(const JointInfo& joint) { return joint.rules.turn != JointLock::none || joint.rules.axis_count > 0; }
 
 // Impulses are those of one substep. Forces are counted anew.
 void begin_joint(State& s, std::uint32_t index, float h) {
@@ -392,13 +404,15 @@ void fill_joint_blocks(State& s, BinScratch& scratch, Crew* crew, float h) {
     for_chunks(crew, int(layout.joints.size()), joints_per_chunk, [&](int begin, int end, int) {
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
             begin_joint(s, layout.joints[k], h);
+            if (layout.first_row[k] == layout.first_row[k + 1]) continue;
+            const PlacedJoint joint = placed(s, layout.joints[k]);
             for (std::uint32_t i = layout.first_row[k]; i < layout.first_row[k + 1]; ++i) {
                 const JointRow& row = layout.rows[i];
                 const std::uint32_t block = row.lane / 8, lane = row.lane % 8;
                 const std::uint32_t discard = (std::uint32_t(first_discard[std::size_t(row.type)]) + block) * row_bytes;
                 for_blocks_of(scratch, row.type, [&](auto& blocks) {
-                    fill_ends(s, scratch, blocks[block], lane, s.joints[row.joint], discard);
-                    fill_lane(s, row, blocks[block], lane, h);
+                    fill_ends(s, scratch, blocks[block], lane, joint.info, discard);
+                    fill_lane(s, row, joint, blocks[block], lane, h);
                 });
             }
         }
