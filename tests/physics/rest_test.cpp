@@ -73,7 +73,7 @@ TEST(Rest, SlowCreepIsNotLost) { // a hundredth of a millimeter per second
 }
 
 // Of the points where a box lies on a mesh four are kept. They had been the outermost ones, whether they touched or
-// not: 79 of 83 boxes that lay alone on the hills of the benchmark fell to and fro between their peaks without end.
+// not: 84 of 93 boxes that lay alone on the hills of the benchmark fell to and fro between their peaks without end.
 TEST(Rest, BoxesThatLieOnThreePeaksOfATerrainComeToRest) {
     World world(without_sleep());
     constexpr int columns = 161;
