@@ -55,6 +55,13 @@ double separation_along(const Convex& a, const Convex& b, DVec3 n) {
     return dot(n, near_support(b, -n) - near_support(a, n));
 }
 
+// No contact: the shapes are that far apart along the normal.
+bool put_apart(Manifold& out, DVec3 normal, double separation) {
+    math::put(out.normal, math::to_float(normal));
+    out.points[0][3] = static_cast<float>(separation);
+    return true;
+}
+
 void measure(const Convex& a, const Convex& b, Axis& axis) {
     axis.on_a = near_support(a, axis.normal);
     axis.on_b = near_support(b, -axis.normal);
@@ -148,7 +155,8 @@ bool find_axis(const Convex& a, const Convex& b, double margin, DVec3 guess, Axi
     axis.normal = r.normal;
     if (r.state == GjkResult::State::far) {
         // The corners of sharp shapes reach farther than the radius.
-        if (is_exact || separation_along(a, b, r.normal) > margin) return false;
+        axis.separation = separation_along(a, b, r.normal);
+        if (is_exact || axis.separation > margin) return false;
         r = gjk_distance(pair, r.normal, std::numeric_limits<double>::infinity(), direction_tolerance);
     }
     if (r.state == GjkResult::State::overlapping) {
@@ -329,10 +337,7 @@ bool contact_by_last_face(const Convex& a, const Convex& b, double margin, DVec3
     const DVec3 outward = face_normal(c, axis.face);
     axis.normal = axis.is_second ? -outward : outward;
     axis.separation = dot(outward, near_support(other, -outward) - face_point(c, axis.face));
-    if (axis.separation > margin) {
-        math::put(out.normal, math::to_float(axis.normal));
-        return true;
-    }
+    if (axis.separation > margin) return put_apart(out, axis.normal, axis.separation);
     if (axis.separation < -inset_part_of(a, b)) return false;
     const double extent = common_extent(a, b);
     const double tolerance = unsearched_reach * face_preference(a, b, extent) + rounding * extent;
@@ -351,18 +356,12 @@ bool contact_by_guess(const Convex& a, const Convex& b, double margin, DVec3 gue
     Axis axis;
     axis.normal = (1 / std::sqrt(square)) * guess;
     measure(a, b, axis);
-    if (axis.separation > margin) {
-        math::put(out.normal, math::to_float(axis.normal));
-        return true;
-    }
+    if (axis.separation > margin) return put_apart(out, axis.normal, axis.separation);
     if (face_count(a) == 0 && face_count(b) == 0) return false;
     const double extent = common_extent(a, b), preference = face_preference(a, b, extent);
     const Axis face = preferred_face(a, b, axis, preference, extent);
     if (face.face < 0) return false;
-    if (face.separation > margin) {
-        math::put(out.normal, math::to_float(face.normal));
-        return true;
-    }
+    if (face.separation > margin) return put_apart(out, face.normal, face.separation);
     if (face.separation < -inset_part_of(a, b)) return false;
     return face_manifold(a, b, face, face.separation, preference + rounding * extent, extent, margin, found, out);
 }
@@ -387,8 +386,7 @@ bool contact_by_sides(const Convex& a, const Convex& b, double margin, Manifold&
     const DVec3 n = (side / std::sqrt(square)) * across;
     const double separation = dot(n, r) - (a.size.x + b.size.x), room = least_amid * std::max(-separation, 0.0);
     if (!(std::fabs(s) < a.size.y - room && std::fabs(t) < b.size.y - room)) return false;
-    math::put(out.normal, math::to_float(n));
-    if (separation > margin) return true;
+    if (separation > margin) return put_apart(out, n, separation);
     ContactPoints points;
     points.add({a.center + s * u + (a.size.x + 0.5 * separation) * n, separation, 0});
     write_manifold(points, n, points[0].position, common_extent(a, b), margin, none, out);
@@ -405,7 +403,9 @@ void collide_convex(const Convex& a, const Convex& b, double margin, DVec3 guess
     if (!contact_by_guess(a, b, margin, guess, found, out)) {
         Axis axis;
         if (find_axis(a, b, margin, guess, axis)) contact_along(a, b, axis, margin, found, out);
-        if (out.count == 0) math::put(out.normal, math::to_float(axis.normal));
+        if (out.count > 0) return;
+        math::put(out.normal, math::to_float(axis.normal));
+        if (axis.separation > margin) put_apart(out, axis.normal, axis.separation);
     }
 }
 

@@ -51,15 +51,13 @@ float square_distance(const Bar& a, const Bar& b) {
 
 } // namespace
 
-bool are_far_apart(const Geometry& a, const ShapePose& pose_a, const Geometry& b, const ShapePose& pose_b,
-                   float margin) {
+float least_distance(const Geometry& a, const ShapePose& pose_a, const Geometry& b, const ShapePose& pose_b) {
     const math::Vec3 offset =
         (math::to_vec(pose_b.high) - math::to_vec(pose_a.high)) + (math::to_vec(pose_b.low) - math::to_vec(pose_a.low));
     const Bar first = bar_around(a, pose_a, {}), second = bar_around(b, pose_b, offset);
     const float reach = first.radius + second.radius;
     const float sizes = reach + math::length(first.half) + math::length(second.half);
-    const float least = reach + margin + slack_part * sizes;
-    return square_distance(first, second) > least * least;
+    return std::sqrt(square_distance(first, second)) - (reach + slack_part * sizes);
 }
 
 } // namespace cairn

@@ -6,9 +6,8 @@
 
 namespace cairn {
 
-// Whether capsules around the shapes (spheres around hulls) are more than `margin` meters apart.
-// May say no where they are; never yes where they are not.
-bool are_far_apart(const Geometry& a, const ShapePose& pose_a, const Geometry& b, const ShapePose& pose_b,
-                   float margin);
+// How far apart two shapes are at least, in meters: as far as capsules around them (spheres around hulls). Negative
+// where those overlap.
+float least_distance(const Geometry& a, const ShapePose& pose_a, const Geometry& b, const ShapePose& pose_b);
 
 } // namespace cairn

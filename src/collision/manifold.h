@@ -10,7 +10,8 @@ struct alignas(32) Manifold {
     float normal[3];    // unit, from the first shape to the second
     std::int32_t count; // 0 when the shapes are further apart than the margin
     // x y z: the point midway between the two surfaces, relative to the first shape's center, world axes.
-    // [3]: separation along the normal in meters, negative when overlapping. Points beyond `count` are {0,0,0,1e30}.
+    // [3]: separation along the normal in meters, negative when overlapping. Points beyond `count` are {0,0,0,1e30};
+    // but where there are none, [3] of the first is how far apart the shapes are at least, if the test has found that.
     float points[4][4];
     std::uint32_t features[4]; // which features meet; a tie-break for matching points between steps
 };

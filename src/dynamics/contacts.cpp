@@ -87,9 +87,28 @@ void begin_contact(State& s, ContactInfo& c, math::Vec3 normal) {
     c.load = c.force = first_load(s, c, normal);
 }
 
-// The outcome of a pair that is found apart.
-std::uint8_t take_distance(const State& s, ContactInfo& c) {
+// Planes have no end, and the distance of a mesh is not found.
+bool has_distance(PairKind kind) {
+    switch (kind) {
+    case PairKind::sphere_sphere:
+    case PairKind::sphere_box:
+    case PairKind::sphere_capsule:
+    case PairKind::box_box:
+    case PairKind::capsule_capsule:
+    case PairKind::convex_convex:
+        return true;
+    default:
+        return false;
+    }
+}
+
+// The outcome of a pair that is found apart, by so many meters at least if that is known.
+std::uint8_t take_distance(State& s, std::uint32_t id, float distance) {
+    ContactInfo& c = s.contacts[id];
     c.tested_at = s.passes + 1;
+    if (distance > c.base_margin && distance < unused && has_distance(c.kind))
+        s.apart_pairs[id].until =
+            (s.way[std::size_t(c.body_a)] + s.way[std::size_t(c.body_b)]) + double(distance - c.base_margin);
     if (c.is_trigger) return trigger_outcome(c, false);
     return c.point_count == 0 ? apart : ended;
 }
@@ -138,12 +157,15 @@ void test_convex_pairs(State& s, PairKind kind, int begin, int end, float dt) {
         if (i + 2 * ahead < end) __builtin_prefetch(&s.contacts[contact_at(i + 2 * ahead)]);
         if (i + ahead < end) prefetch_pair(s, contact_at(i + ahead));
         const std::uint32_t place = places[std::size_t(i)], id = s.narrow.candidates[place];
-        ContactInfo& c = s.contacts[id];
+        const ContactInfo& c = s.contacts[id];
         const PosedShape a = posed_shape(s, c.shape_a), b = posed_shape(s, c.shape_b);
         const float margin = contact_margin(s, c, dt);
-        if (kind == PairKind::convex_convex && are_far_apart(a.geometry, a.pose, b.geometry, b.pose, margin)) {
-            s.narrow.outcomes[place] = take_distance(s, c);
-            continue;
+        if (kind == PairKind::convex_convex) {
+            const float distance = least_distance(a.geometry, a.pose, b.geometry, b.pose);
+            if (distance > margin) {
+                s.narrow.outcomes[place] = take_distance(s, id, distance);
+                continue;
+            }
         }
         const Manifold m = test_convex_pair(kind, a, b, to_vec(s.records[id].normal), margin);
         s.narrow.outcomes[place] = take_manifold(s, id, m, dt);
@@ -259,9 +281,12 @@ void list_pairs(State& s) {
     scratch.outcomes.resize(scratch.candidates.size());
     s.crew->for_chunks(int(scratch.candidates.size()), pairs_per_chunk, [&](int begin, int end, int) {
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
-            if (k + contacts_ahead < std::size_t(end))
+            const auto is_apart = [&](std::size_t at) { return stays_apart(s, s.apart_pairs[scratch.candidates[at]]); };
+            if (k + 2 * contacts_ahead < std::size_t(end))
+                __builtin_prefetch(&s.apart_pairs[scratch.candidates[k + 2 * contacts_ahead]]);
+            if (k + contacts_ahead < std::size_t(end) && !is_apart(k + contacts_ahead))
                 __builtin_prefetch(&s.contacts[scratch.candidates[k + contacts_ahead]]);
-            scratch.outcomes[k] = before_test(s, s.contacts[scratch.candidates[k]]);
+            scratch.outcomes[k] = is_apart(k) ? std::uint8_t(apart) : before_test(s, s.contacts[scratch.candidates[k]]);
         }
     });
     for (auto& list : scratch.lists) list.clear();
@@ -309,9 +334,10 @@ std::uint8_t take_manifold(State& s, std::uint32_t id, const Manifold& m, float 
     if (m.count == 0 || stays_apart(s, c, m, dt)) {
         // Along which they are apart; wide kernels do not say.
         if (c.kind == PairKind::convex_convex && !c.is_trigger) math::put(s.records[id].normal, to_vec(m.normal));
-        return take_distance(s, c);
+        return take_distance(s, id, m.count == 0 ? m.points[0][3] : 0.0f);
     }
     c.tested_at = s.passes + 1;
+    s.apart_pairs[id].until = 0;
     if (c.is_trigger) return trigger_outcome(c, true);
     const bool is_new = c.point_count == 0;
     write_record(s, id, m);

@@ -127,6 +127,7 @@ struct Sink final : PairSink {
         c.base_margin = std::min(most_margin, margin_per_extent * std::min(smallest_extent(a, s.shape_data[shape_a]),
                                                                            smallest_extent(b, s.shape_data[shape_b])));
         c.match_tolerance = match_per_extent * std::min(largest_extent(a), largest_extent(b));
+        s.apart_pairs[id] = {0, c.body_a, c.body_b};
         combine_materials(s, id);
         return id;
     }
@@ -159,6 +160,7 @@ std::uint32_t new_contact(State& s) {
         id = std::uint32_t(s.contacts.size());
         s.contacts.emplace_back();
         s.records.emplace_back();
+        s.apart_pairs.emplace_back();
     } else {
         id = s.free_contacts.back();
         s.free_contacts.pop_back();
@@ -166,6 +168,7 @@ std::uint32_t new_contact(State& s) {
     s.contacts[id] = {};
     s.contacts[id].in_use = 1;
     s.records[id] = {};
+    s.apart_pairs[id] = {};
     return id;
 }
 

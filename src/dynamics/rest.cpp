@@ -1,5 +1,7 @@
 #include "dynamics/rest.h"
 
+#include "dynamics/bodies.h"
+
 #include <algorithm>
 #include <mutex>
 
@@ -33,6 +35,17 @@ bool is_at(const RestingPose& pose, const BodyMotion& motion, float radius, doub
     return is_within(motion.x - pose.x, most) && 4 * turn * double(radius) * double(radius) <= most * most;
 }
 
+// How far any point of a body is from where it was in that pose, at most. Unit quaternions that are d apart differ by
+// an angle of 4 asin(d / 2), which is not more than pi d.
+double way_from(const RestingPose& pose, const BodyMotion& motion, float radius) {
+    constexpr double pi = 3.14159265358979;
+    const math::DQuat& p = pose.q;
+    const math::DQuat& q = motion.q;
+    const double difference =
+        (q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y) + (q.z - p.z) * (q.z - p.z) + (q.w - p.w) * (q.w - p.w);
+    return math::length(motion.x - pose.x) + pi * std::sqrt(difference) * double(radius);
+}
+
 bool rests(const RestingPose& pose, const BodyMotion& motion, float radius, double shift, double speed) {
     return is_at(pose, motion, radius, shift * std::min(radius, 1.0f)) && is_within(math::to_double(motion.v), speed) &&
            is_within(double(radius) * math::to_double(motion.w), speed);
@@ -40,18 +53,30 @@ bool rests(const RestingPose& pose, const BodyMotion& motion, float radius, doub
 
 } // namespace
 
+void count_way(State& s, std::int32_t b) {
+    const BodyMotion& motion = s.motion[std::size_t(b)];
+    RestingPose& pose = s.resting[std::size_t(b)];
+    s.way[std::size_t(b)] += way_from(pose, motion, s.bodies[std::size_t(b)].radius);
+    pose = {motion.x, motion.q};
+    s.ahead[std::size_t(b)] = s.way[std::size_t(b)];
+}
+
 void update_resting(State& s, float dt) {
     const double h = double(dt) / s.in_pass(s.settings.substeps);
     const double shift = most_shift * sinking * h * h, speed = most_step * shift / double(dt);
     const std::uint64_t pass = s.passes + 1;
     auto leave = [&](std::int32_t b) {
         const BodyMotion& motion = s.motion[std::size_t(b)];
-        s.resting[std::size_t(b)] = {motion.x, motion.q};
+        count_way(s, b);
         s.left_at[std::size_t(b)] = pass;
         const float radius = s.bodies[std::size_t(b)].radius;
         if (is_at(s.near[std::size_t(b)], motion, radius, nearness * double(radius))) return;
         s.near[std::size_t(b)] = {motion.x, motion.q};
         s.strayed_at[std::size_t(b)] = pass;
+    };
+    const auto look_ahead = [&](std::int32_t b) {
+        s.ahead[std::size_t(b)] =
+            s.way[std::size_t(b)] + double(dt * math::length(s.motion[std::size_t(b)].v) + turn_reach(s, b, dt));
     };
     const bool is_first = s.passes == s.first_pass; // what whirls is asked once a step
     if (is_first) {
@@ -72,6 +97,7 @@ void update_resting(State& s, float dt) {
             const std::int32_t b = awake[k];
             const BodyMotion& motion = s.motion[std::size_t(b)];
             if (!rests(s.resting[std::size_t(b)], motion, s.bodies[std::size_t(b)].radius, shift, speed)) leave(b);
+            look_ahead(b);
             if (is_first && math::dot(motion.w, motion.w) > most_square && !s.mass[std::size_t(b)].isotropic) {
                 const std::lock_guard lock(whirling);
                 s.narrow.whirling.push_back(b); // in any order
@@ -87,6 +113,7 @@ void update_resting(State& s, float dt) {
                            motion.q.x == pose.q.x && motion.q.y == pose.q.y && motion.q.z == pose.q.z &&
                            motion.q.w == pose.q.w;
         if (!still) leave(b);
+        look_ahead(b);
     }
 }
 

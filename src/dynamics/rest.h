@@ -26,4 +26,12 @@ inline bool is_near(const State& s, const ContactInfo& c) {
     return c.tested_at >= s.strayed_at[std::size_t(c.body_a)] && c.tested_at >= s.strayed_at[std::size_t(c.body_b)];
 }
 
+// The pair was found so far apart that it cannot come near in this pass.
+inline bool stays_apart(const State& s, const ApartPair& pair) {
+    return pair.until > 0 && s.ahead[std::size_t(pair.body_a)] + s.ahead[std::size_t(pair.body_b)] < pair.until;
+}
+
+// Counts the way of a body that has been put elsewhere and that no pass moves.
+void count_way(State& state, std::int32_t body);
+
 } // namespace cairn

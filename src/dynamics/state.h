@@ -151,6 +151,13 @@ struct alignas(64) ContactInfo {
 };
 inline bool is_group(const ContactInfo& c) { return c.kind == PairKind::group; }
 
+// What need not be tested of a pair that was found apart: it stays so until the ways of its bodies together reach that
+// far (State::ahead).
+struct ApartPair {
+    double until = 0; // m
+    std::int32_t body_a = none, body_b = none;
+};
+
 struct Island {
     std::int32_t first_body = none, last_body = none;
     std::int32_t body_count = 0;
@@ -188,6 +195,8 @@ struct State {
     std::vector<std::uint64_t> left_at; // the pass before which a body was last seen away from its resting pose
     std::vector<RestingPose> near;      // likewise, for contacts that are moved along while the body stays near
     std::vector<std::uint64_t> strayed_at;
+    // How far any point of a body has moved since it was made, m, at most; and how far it will have after this pass.
+    std::vector<double> way, ahead;
     std::vector<std::int32_t> kinematics; // kinematic bodies, in order of creation
 
     SlotPool shape_slots;
@@ -200,6 +209,7 @@ struct State {
 
     std::vector<ContactRecord> records;
     std::vector<ContactInfo> contacts;
+    std::vector<ApartPair> apart_pairs; // by contact
     std::vector<std::uint32_t> free_contacts;
 
     std::vector<Island> islands;

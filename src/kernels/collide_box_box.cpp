@@ -34,7 +34,7 @@ void test_axes(const BoxBatch& batch, int count, BoxContactList& faces, BoxConta
         }
         mask8 touching = greatest <= margin;
         if (!any(touching)) {
-            clear_manifolds(batch.out + k, touching);
+            clear_manifolds(batch.out + k, touching, greatest);
             continue;
         }
 
@@ -47,7 +47,7 @@ void test_axes(const BoxBatch& batch, int count, BoxContactList& faces, BoxConta
                 edge = select(m, splat(static_cast<float>(3 * i + j)), edge);
             }
         touching = touching & (edge_separation <= margin);
-        clear_manifolds(batch.out + k, touching);
+        clear_manifolds(batch.out + k, touching, max(greatest, edge_separation));
         const mask8 by_edge = edge_separation > greatest + (splat(edge_tolerance) * p.smallest + p.error);
         append(faces, edges, k, touching, by_edge, face, edge, max(greatest, edge_separation),
                edge_separation > greatest);

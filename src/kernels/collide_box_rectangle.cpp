@@ -66,7 +66,7 @@ void test_axes(const BoxBatch& batch, int count, BoxContactList& faces, BoxConta
         const f32x8 separation = max(greatest, edge_separation);
         const mask8 leaves = edge.blocked > min(splat(0.5f) * separation, zero());
         const mask8 touching = (and_not(above, leaves) | and_not(sunk, above)) & (separation <= margin);
-        clear_manifolds(batch.out + k, touching);
+        clear_manifolds(batch.out + k, touching, splat(unused_separation));
         if (!any(touching)) continue;
         const mask8 by_edge = edge_separation > greatest + (splat(edge_tolerance) * p.smallest + p.error);
         append(faces, edges, k, touching, by_edge, face.axis, edge.axis, separation, edge_separation > greatest);

@@ -96,15 +96,16 @@ CAIRN_INLINE ContactPointx8 select(mask8 m, const ContactPointx8& a, const Conta
             (m & a.present) | and_not(b.present, m)};
 }
 
-// Of two points those that are present.
-CAIRN_INLINE void write_two(Manifold* out, Vec3x8 normal, const ContactPointx8& first, const ContactPointx8& second) {
+// Of two points those that are present; `apart`: how far the capsules are apart at least, where neither is.
+CAIRN_INLINE void write_two(Manifold* out, Vec3x8 normal, const ContactPointx8& first, const ContactPointx8& second,
+                            f32x8 apart) {
     Manifold* lane[8];
     for (int i = 0; i < 8; ++i) lane[i] = out + i;
     const mask8 none = zero() > zero();
     const ContactPointx8 unused = {zero3(), zero(), zero(), none};
     ContactPointx8 last = second;
     last.present = second.present & first.present;
-    write_manifolds(lane, normal, {select(first.present, first, second), last, unused, unused});
+    write_manifolds(lane, normal, {select(first.present, first, second), last, unused, unused}, apart);
 }
 
 } // namespace
@@ -119,7 +120,8 @@ void sphere_capsule(CAIRN_COLLIDE_PARAMETERS) {
         f32x8 distance;
         const Vec3x8 normal = direction(between, least, any_across(c.axis), distance);
         const f32x8 separation = distance - (a.radius + c.radius);
-        write_sphere_manifolds(out + k, separation <= load_unaligned(margin + k), normal, a.radius, separation);
+        write_sphere_manifolds(out + k, separation <= load_unaligned(margin + k), normal, a.radius, separation,
+                               separation);
     }
 }
 
@@ -140,7 +142,7 @@ void capsule_capsule(CAIRN_COLLIDE_PARAMETERS) {
                                 (start.present | end.present) & touching;
         const ContactPointx8 single = point_under(p, t, normal, separation, touching, 0);
         end.present = end.present & lie_along;
-        write_two(out + k, normal, select(lie_along, start, single), end);
+        write_two(out + k, normal, select(lie_along, start, single), end, separation);
     }
 }
 

@@ -61,8 +61,10 @@ struct ContactPointx8 {
     mask8 present;
 };
 
-// Writes up to four points per lane to *out[lane]. A point may only be present where all before it are.
-CAIRN_INLINE void write_manifolds(Manifold* const* out, Vec3x8 normal, const ContactPointx8 (&points)[4]) {
+// Writes up to four points per lane to *out[lane]. A point may only be present where all before it are. `apart`: how
+// far the shapes are apart at least, where no point is present.
+CAIRN_INLINE void write_manifolds(Manifold* const* out, Vec3x8 normal, const ContactPointx8 (&points)[4],
+                                  f32x8 apart = splat(unused_separation)) {
     float* row[8];
     f32x8 count = splat_bits(0), feature[4];
     for (int k = 0; k < 4; ++k) count = select(points[k].present, splat_bits(static_cast<std::uint32_t>(k + 1)), count);
@@ -71,7 +73,7 @@ CAIRN_INLINE void write_manifolds(Manifold* const* out, Vec3x8 normal, const Con
     scatter4(row, normal.x, normal.y, normal.z, count);
     for (int k = 0; k < 4; ++k) {
         const Vec3x8 p = select(points[k].present, points[k].position, zero3());
-        const f32x8 s = select(points[k].present, points[k].separation, splat(unused_separation));
+        const f32x8 s = select(points[k].present, points[k].separation, k == 0 ? apart : splat(unused_separation));
         feature[k] = select(points[k].present, points[k].feature, splat_bits(0));
         for (int i = 0; i < 8; ++i) row[i] = out[i]->points[k];
         scatter4(row, p.x, p.y, p.z, s);
@@ -81,14 +83,15 @@ CAIRN_INLINE void write_manifolds(Manifold* const* out, Vec3x8 normal, const Con
 }
 
 // The manifold of a sphere of the given radius (the first shape), whose surface is `separation` away from the
-// other shape's along `normal`.
-CAIRN_INLINE void write_sphere_manifolds(Manifold* out, mask8 touching, Vec3x8 normal, f32x8 radius, f32x8 separation) {
+// other shape's along `normal`. `apart`: how far it is from that at least, where it does not touch.
+CAIRN_INLINE void write_sphere_manifolds(Manifold* out, mask8 touching, Vec3x8 normal, f32x8 radius, f32x8 separation,
+                                         f32x8 apart) {
     Manifold* lane[8];
     for (int i = 0; i < 8; ++i) lane[i] = out + i;
     const mask8 none = zero() > zero();
     const ContactPointx8 unused = {zero3(), zero(), zero(), none};
     const Vec3x8 middle = (radius + splat(0.5f) * separation) * normal;
-    write_manifolds(lane, normal, {{middle, separation, zero(), touching}, unused, unused, unused});
+    write_manifolds(lane, normal, {{middle, separation, zero(), touching}, unused, unused, unused}, apart);
 }
 
 } // namespace cairn::CAIRN_ISA

@@ -18,7 +18,8 @@ void sphere_sphere(CAIRN_COLLIDE_PARAMETERS) {
         f32x8 distance;
         const Vec3x8 normal = direction(offset_between(a, b), splat(no_direction), up(), distance);
         const f32x8 separation = distance - (a.radius + b.radius);
-        write_sphere_manifolds(out + k, separation <= load_unaligned(margin + k), normal, a.radius, separation);
+        write_sphere_manifolds(out + k, separation <= load_unaligned(margin + k), normal, a.radius, separation,
+                               separation);
     }
 }
 
@@ -42,7 +43,8 @@ void sphere_box(CAIRN_COLLIDE_PARAMETERS) {
         f32x8 distance;
         const Vec3x8 normal = -rotate(b.q, direction(outward, splat(no_direction), face, distance));
         const f32x8 separation = select(outside, distance, face_distance) - a.radius;
-        write_sphere_manifolds(out + k, separation <= load_unaligned(margin + k), normal, a.radius, separation);
+        write_sphere_manifolds(out + k, separation <= load_unaligned(margin + k), normal, a.radius, separation,
+                               separation);
     }
 }
 
@@ -51,7 +53,8 @@ void sphere_plane(CAIRN_COLLIDE_PARAMETERS) {
         const ShapePosex8 a = gather_shapes(poses, first + k), b = gather_shapes(poses, second + k);
         const Vec3x8 normal = -rotate(b.q, up());
         const f32x8 separation = dot(normal, offset_between(a, b)) - a.radius;
-        write_sphere_manifolds(out + k, separation <= load_unaligned(margin + k), normal, a.radius, separation);
+        write_sphere_manifolds(out + k, separation <= load_unaligned(margin + k), normal, a.radius, separation,
+                               separation);
     }
 }
 
@@ -71,7 +74,8 @@ void sphere_rectangle(CAIRN_COLLIDE_PARAMETERS) {
         const Vec3x8 normal = -rotate(b.q, select(above, away, up()));
         const f32x8 separation = select(above, distance, p.y) - a.radius;
         const mask8 touching = (above | sunk) & (separation <= load_unaligned(margin + k));
-        write_sphere_manifolds(out + k, touching, normal, a.radius, separation);
+        write_sphere_manifolds(out + k, touching, normal, a.radius, separation,
+                               select(above, separation, splat(unused_separation)));
     }
 }
 

@@ -14,7 +14,7 @@ namespace cairn {
 
 namespace {
 
-constexpr std::uint64_t magic = 0x34306e7269616321ull; // "!cairn04"
+constexpr std::uint64_t magic = 0x35306e7269616321ull; // "!cairn05"
 
 // What comes before the state.
 struct Header {
@@ -45,8 +45,8 @@ std::uint64_t layout() {
     Hash64 hash;
     for (const std::size_t size :
          {sizeof(State), sizeof(BodyMotion), sizeof(RestingPose), sizeof(BodyMass), sizeof(ContactRecord),
-          sizeof(ContactInfo), sizeof(Island), sizeof(ShapePose), sizeof(Geometry), sizeof(ShapeDef), sizeof(WorldDef),
-          sizeof(JointInfo), sizeof(JointAxes), sizeof(JointDef)})
+          sizeof(ContactInfo), sizeof(ApartPair), sizeof(Island), sizeof(ShapePose), sizeof(Geometry), sizeof(ShapeDef),
+          sizeof(WorldDef), sizeof(JointInfo), sizeof(JointAxes), sizeof(JointDef)})
         hash.add(size);
     return hash.value();
 }
@@ -71,7 +71,7 @@ template <class Archive> void serialize_bodies(Archive& archive, State& s) {
     archive(s.motion), archive(s.forces), archive(s.pushed), archive(s.bodies);
     archive.foretold(s.resting, [&](std::size_t i) { return RestingPose{s.motion[i].x, s.motion[i].q}; });
     archive.foretold(s.near, [&](std::size_t i) { return s.resting[i]; });
-    archive(s.left_at), archive(s.strayed_at);
+    archive(s.left_at), archive(s.strayed_at), archive(s.way), archive(s.ahead);
     archive(s.shapes);
     archive.foretold(s.shape_poses, [&](std::size_t i) { return expected_pose(s, i); });
     archive(s.islands), archive(s.free_islands), archive(s.awake_islands);
@@ -79,7 +79,7 @@ template <class Archive> void serialize_bodies(Archive& archive, State& s) {
 }
 
 template <class Archive> void serialize_contacts(Archive& archive, State& s) {
-    archive(s.records), archive(s.contacts), archive(s.free_contacts);
+    archive(s.records), archive(s.contacts), archive(s.apart_pairs), archive(s.free_contacts);
 }
 
 // Without what a joint is defined by.

@@ -102,5 +102,74 @@ TEST(NearMiss, WhatTurnsAtSomethingMeetsItInTheFirstStep) {
     }
 }
 
+// How far apart two shapes were is kept, and they are not tested again before they can have come near. However they do.
+// Two rods lie side by side, half a meter apart, aslant: their bounds overlap from the first.
+TEST(NearMiss, WhatWasFarApartIsMetHoweverItComesNear) {
+    struct Approach {
+        const char* name;
+        BodyType type; // of the first; the other is dynamic
+        void (*come_near)(World& world, Body first, Body other);
+    };
+    const Approach approaches[] = {
+        {"put near", BodyType::static_,
+         [](World&, Body, Body other) {
+             other.set_position({0.06, 0.06, 0});
+         }},
+        {"static put near", BodyType::static_,
+         [](World&, Body first, Body) {
+             first.set_position({0.32, 0.32, 0});
+         }},
+        {"kinematic put near", BodyType::kinematic,
+         [](World&, Body first, Body) {
+             first.set_position({0.32, 0.32, 0});
+         }},
+        {"turned", BodyType::static_,
+         [](World&, Body, Body other) { other.set_rotation(glm::angleAxis(float(3 * pi / 4), Vec3(0, 0, 1))); }},
+        {"driven", BodyType::kinematic,
+         [](World&, Body first, Body) {
+             first.set_linear_velocity({5, 5, 0});
+         }},
+        {"thrown", BodyType::dynamic,
+         [](World&, Body first, Body) {
+             first.set_linear_velocity({5, 5, 0});
+         }},
+        {"hit", BodyType::dynamic,
+         [](World&, Body, Body other) { other.apply_impulse(other.mass() * Vec3(-5, -5, 0)); }},
+        {"turning", BodyType::static_,
+         [](World&, Body, Body other) {
+             other.set_angular_velocity({0, 0, 20});
+         }},
+        {"falling", BodyType::static_,
+         [](World& world, Body, Body) {
+             WorldDef settings = world.settings();
+             settings.gravity = {-200, -200, 0};
+             world.set_settings(settings);
+         }},
+    };
+    const Shape shapes[] = {Capsule{0.5f, 0.05f}, Box{{0.05f, 0.5f, 0.05f}}, Cylinder{0.5f, 0.05f}};
+    for (const Shape& shape : shapes)
+        for (const Approach& approach : approaches) {
+            SCOPED_TRACE(testing::Message() << approach.name << " " << shape.index());
+            World world(weightless());
+            BodyDef def;
+            def.rotation = glm::angleAxis(float(pi / 4), Vec3(0, 0, 1));
+            def.type = approach.type;
+            const BodyId first = add_body(world, shape, def, surface(0.5f));
+            def.type = BodyType::dynamic;
+            def.position = {0.38, 0.38, 0};
+            const BodyId other = add_body(world, shape, def, surface(0.5f));
+            for (int i = 0; i < 5; ++i) world.step(1.0f / 60);
+            EXPECT_EQ(world.statistics().contacts, 0u);
+            approach.come_near(world, world.body(first), world.body(other));
+            std::size_t contacts = 0;
+            for (int i = 0; i < 8; ++i) {
+                world.step(1.0f / 60);
+                contacts = std::max(contacts, world.statistics().contacts);
+                EXPECT_LT(world.statistics().max_penetration, 0.07) << i;
+            }
+            EXPECT_GT(contacts, 0u);
+        }
+}
+
 } // namespace
 } // namespace cairn_test

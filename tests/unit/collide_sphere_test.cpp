@@ -21,14 +21,16 @@ struct Expected {
 void compare(const char* name, const cairn::KernelTable* table, cairn::CollideKernel kernel, const Pairs& pairs,
              Expected (*oracle)(const Frame&, const Frame&, double), int least_touching) {
     const std::vector<Manifold> manifolds = run(kernel, pairs);
-    int touching = 0;
+    int touching = 0, apart = 0;
     for (int i = 0; i < pairs.count(); ++i) {
         const Manifold& m = manifolds[static_cast<std::size_t>(i)];
         const Frame a = frame_of(pairs.first(i)), b = frame_of(pairs.second(i));
         const Expected e = oracle(a, b, pairs.margin(i));
         ASSERT_EQ(flaw(m, pairs.margin(i)), "") << name << ", " << table->name << ", pair " << i;
         touching += m.count;
+        if (said_apart(m) > 0) ++apart;
         const double tolerance = 1e-6 * (1.0 + length(b.center - a.center) + length(b.half) + a.half[0]);
+        ASSERT_LE(said_apart(m), e.separation + tolerance) << name << ", " << table->name << ", pair " << i;
         if (std::fabs(e.separation - pairs.margin(i)) < tolerance || !e.clear) continue;
         ASSERT_EQ(m.count, e.touching ? 1 : 0)
             << name << ", " << table->name << ", pair " << i << ", separation " << e.separation;
@@ -40,6 +42,7 @@ void compare(const char* name, const cairn::KernelTable* table, cairn::CollideKe
             << name << ", " << table->name << ", pair " << i;
     }
     EXPECT_GE(touching, least_touching) << name << ", " << table->name;
+    EXPECT_GT(apart, 500) << name << ", " << table->name << ": the distance is known";
 }
 
 Expected expect_sphere_sphere(const Frame& a, const Frame& b, double limit) {

@@ -173,6 +173,9 @@ inline double deepest_of(const Manifold& m) {
     return d;
 }
 
+// How far apart the shapes are at least, by a manifold without points; -1e30 where it does not say.
+inline double said_apart(const Manifold& m) { return m.count == 0 && m.points[0][3] < 1e30f ? m.points[0][3] : -1e30; }
+
 // What holds of every manifold. Returns a text that says what does not, empty when all is well.
 inline std::string flaw(const Manifold& m, double margin) {
     if (m.count < 0 || m.count > 4) return "count " + std::to_string(m.count);
@@ -182,7 +185,8 @@ inline std::string flaw(const Manifold& m, double margin) {
         const bool used = k < m.count;
         for (int c = 0; c < 3; ++c)
             if (used ? !std::isfinite(m.points[k][c]) : m.points[k][c] != 0.0f) return "point " + std::to_string(k);
-        if (used ? !(m.points[k][3] <= static_cast<float>(margin)) : m.points[k][3] != 1e30f)
+        const bool says_apart = m.count == 0 && k == 0 && m.points[k][3] > static_cast<float>(margin);
+        if (used ? !(m.points[k][3] <= static_cast<float>(margin)) : !says_apart && m.points[k][3] != 1e30f)
             return "separation " + std::to_string(m.points[k][3]);
         if (!used && m.features[k] != 0) return "feature " + std::to_string(k);
         for (int i = 0; i < k && used; ++i)
