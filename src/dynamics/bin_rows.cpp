@@ -226,13 +226,13 @@ std::int32_t row_of_body(BinScratch& scratch, std::int32_t body) {
     return row;
 }
 
-void fill_bin(State& s, const Bin& bin, BinScratch& scratch, Crew* crew) {
+void fill_bin(State& s, const Bin& bin, BinScratch& scratch, Crew* crew, float dt) {
     gather_bodies(s, bin, scratch);
     scratch.row_bodies.clear();
     if (bin.contact_count + bin.joint_count == 0) return;
     scratch.row_bodies.assign(first_body_row, none);
     fill_lanes(s, bin, scratch);
-    fill_joint_lanes(s, bin, scratch);
+    fill_joint_lanes(s, bin, scratch, crew, dt);
     for (const std::int32_t b : scratch.touching_bodies) row_of(scratch, b);
     fill_rows(s, scratch, crew);
 }

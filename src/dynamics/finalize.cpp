@@ -2,6 +2,7 @@
 
 #include "dynamics/bodies.h"
 #include "dynamics/islands.h"
+#include "dynamics/joints.h"
 #include "dynamics/rest.h"
 
 #include <algorithm>
@@ -95,6 +96,7 @@ void add_proxy(State& s, std::uint32_t shape) {
 void update_proxies(State& s, std::int32_t b) {
     s.left_at[std::size_t(b)] = s.strayed_at[std::size_t(b)] = s.passes + 1;
     if (s.body_settings[std::size_t(b)].type == BodyType::static_) count_way(s, b);
+    forget_slack(s, b);
     place_shapes(s, b);
     sweep_proxies(s, b);
 }

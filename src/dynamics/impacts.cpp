@@ -67,6 +67,7 @@ void find_components(const State& s, BinScratch& scratch) {
     for (std::size_t type = 0; type < joint_row_types; ++type)
         work.joint_component[type].assign(8 * std::size_t(layout.blocks[type]), none);
     for (const JointRow& joint_row : layout.rows) {
+        if (joint_row.idle) continue;
         const std::int32_t row = row_of(joint_owner(s, s.joints[joint_row.joint]));
         work.joint_component[std::size_t(joint_row.type)][joint_row.lane] =
             row == none ? none : component[std::size_t(row)];

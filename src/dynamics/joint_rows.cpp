@@ -67,6 +67,7 @@ void collect_joint(const State& s, std::uint32_t joint, JointLayout& layout) {
         row.has_limits = rule.has_limits != 0;
         row.has_drive = rule.has_drive != 0;
         row.has_friction = rule.friction > 0;
+        row.may_idle = may_be_out_of_reach(rules, s.joint_axes[joint], rule);
     }
     if (is_direct) return;
     if (rules.turn != JointLock::none) add(turn_phase, std::uint32_t(rules.turn), JointRowType::turn, 0);
@@ -109,14 +110,18 @@ void add_run(JointLayout& layout, std::uint32_t key, std::uint32_t rows) {
 // few keys of the many that there are.
 void lay_out_rows(JointLayout& layout, std::vector<std::uint32_t>& lanes) {
     std::vector<JointRow>& rows = layout.rows;
-    if (rows.empty()) return;
-    std::uint32_t least = rows[0].key, most = least;
+    layout.runs.clear();
+    layout.blocks = {};
+    std::uint32_t least = ~0u, most = 0;
     for (const JointRow& row : rows) {
+        if (row.idle) continue;
         least = std::min(least, std::uint32_t(row.key));
         most = std::max(most, std::uint32_t(row.key));
     }
+    if (least > most) return;
     lanes.assign(most - least + 1, 0);
-    for (const JointRow& row : rows) ++lanes[row.key - least];
+    for (const JointRow& row : rows)
+        if (!row.idle) ++lanes[row.key - least];
     for (std::uint32_t key = least; key <= most; ++key) {
         std::uint32_t& count = lanes[key - least];
         if (count == 0) continue;
@@ -128,6 +133,7 @@ void lay_out_rows(JointLayout& layout, std::vector<std::uint32_t>& lanes) {
         count = first; // from now on: the next free lane
     }
     for (JointRow& row : rows) {
+        if (row.idle) continue;
         std::uint32_t& lane = lanes[row.key - least];
         row.lane = lane;
         lane += stands_alone(row.key) ? 8 : 1;
@@ -166,18 +172,23 @@ bool has_torque(const JointInfo& joint) { return joint.rules.turn != JointLock::
 // Where a joint is at the start of the step, for all of its rows.
 struct PlacedJoint {
     const JointInfo& info;
-    JointPlacement p; // of joints of a mere point only the anchors
+    JointPlacement p; // where frames are not needed, only the anchors
     DQuat turn;
 };
-PlacedJoint placed(const State& s, std::uint32_t joint) {
+PlacedJoint placed(const State& s, std::uint32_t joint, bool with_frames) {
     PlacedJoint r{s.joints[joint], {}, {}};
-    if (has_torque(r.info) || r.info.rules.point == JointLock::across) {
+    if (with_frames) {
         r.p = place_joint(s, r.info);
         r.turn = turn_of(r.p);
     } else {
         static_cast<JointAnchors&>(r.p) = place_anchors(s, r.info);
     }
     return r;
+}
+
+bool needs_frames(const State& s, const JointRow& row) {
+    if (row.type != JointRowType::point) return !row.idle;
+    return s.joints[row.joint].rules.point == JointLock::across;
 }
 
 void fill_lane(const State&, const JointRow&, const PlacedJoint& joint, PointBlock& b, std::size_t lane, float) {
@@ -269,7 +280,7 @@ void open_blocks(BinScratch& scratch) {
             open_run(run, blocks, std::uint32_t(first_discard[std::size_t(run.type)]));
         });
     for (const JointRow& row : scratch.joint_layout->rows) {
-        if (row.type != JointRowType::axis) continue;
+        if (row.type != JointRowType::axis || row.idle) continue;
         AxisBlock& b = scratch.axis_blocks[row.lane / 8];
         b.has_limits |= row.has_limits;
         b.has_drive |= row.has_drive;
@@ -309,7 +320,7 @@ void take_lane(State& s, const JointRow& row, const TurnBlock& b, std::size_t la
 void take_lane(State& s, const JointRow& row, const AxisBlock& b, std::size_t lane) {
     JointInfo& joint = s.joints[row.joint];
     s.joint_axes[row.joint].states[row.axis] = {b.drive_impulse[lane], b.friction_impulse[lane], b.lower_impulse[lane],
-                                                b.upper_impulse[lane], b.position[lane]};
+                                                b.upper_impulse[lane], b.position[lane],         0};
     const float total = b.total[lane];
     const math::Vec3 linear = get_lane(b.linear_b, lane), arm = get_lane(b.arm_b0, lane);
     joint.force += total * linear;
@@ -354,7 +365,7 @@ void forget_impulses(State& s, std::uint32_t index) {
     JointInfo& joint = s.joints[index];
     joint.force = joint.torque = joint.point_impulse = joint.turn_impulse = {};
     for (JointAxisState& axis : s.joint_axes[index].states)
-        axis = {0, 0, 0, 0, std::isfinite(axis.position) ? axis.position : 0.0f};
+        axis = {0, 0, 0, 0, std::isfinite(axis.position) ? axis.position : 0.0f, 0};
 }
 
 // All its impulses are counted. `may_be_fast`: some body of the bin is too fast.
@@ -378,20 +389,20 @@ JointSoftness joint_softness(float h) {
     return {h, 1 / h, a2 / (1 + a2), omega_h / (a1 * h)};
 }
 
-void fill_joint_lanes(State& s, const Bin& bin, BinScratch& scratch) {
+void fill_joint_lanes(State& s, const Bin& bin, BinScratch& scratch, Crew* crew, float dt) {
     JointLayout& layout = s.solver.joint_layouts[std::size_t(&bin - s.solver.bins.data())];
     scratch.joint_layout = &layout;
+    bool is_new = false;
     if (bin.joint_count == 0) {
         if (!layout.joints.empty()) layout = {};
     } else if (layout.valid_for != s.joint_changes || layout.bodies != scratch.touching_bodies) {
         layout.bodies = scratch.touching_bodies;
         layout.kinematic_bodies.clear(), layout.joints.clear(), layout.first_row.clear(), layout.rows.clear();
-        layout.runs.clear();
-        layout.blocks = {};
         collect_rows(s, layout);
-        lay_out_rows(layout, scratch.joint_key_counts);
         layout.valid_for = s.joint_changes;
+        is_new = true;
     }
+    if (update_idle_rows(s, layout, crew, dt) || is_new) lay_out_rows(layout, scratch.joint_key_counts);
     for (const std::int32_t body : layout.kinematic_bodies) row_of_body(scratch, body);
     list_direct_sets(s, scratch);
 }
@@ -405,9 +416,13 @@ void fill_joint_blocks(State& s, BinScratch& scratch, Crew* crew, float h) {
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
             begin_joint(s, layout.joints[k], h);
             if (layout.first_row[k] == layout.first_row[k + 1]) continue;
-            const PlacedJoint joint = placed(s, layout.joints[k]);
+            bool with_frames = false;
+            for (std::uint32_t i = layout.first_row[k]; i < layout.first_row[k + 1]; ++i)
+                with_frames = with_frames || needs_frames(s, layout.rows[i]);
+            const PlacedJoint joint = placed(s, layout.joints[k], with_frames);
             for (std::uint32_t i = layout.first_row[k]; i < layout.first_row[k + 1]; ++i) {
                 const JointRow& row = layout.rows[i];
+                if (row.idle) continue;
                 const std::uint32_t block = row.lane / 8, lane = row.lane % 8;
                 const std::uint32_t discard = (std::uint32_t(first_discard[std::size_t(row.type)]) + block) * row_bytes;
                 for_blocks_of(scratch, row.type, [&](auto& blocks) {
@@ -427,6 +442,7 @@ void store_joints(State& s, BinScratch& scratch, float dt) {
     for (std::size_t k = 0; k < layout.joints.size(); ++k) {
         for (std::uint32_t i = layout.first_row[k]; i < layout.first_row[k + 1]; ++i) {
             const JointRow& row = layout.rows[i];
+            if (row.idle) continue;
             for_blocks_of(scratch, row.type,
                           [&](auto& blocks) { take_lane(s, row, blocks[row.lane / 8], row.lane % 8); });
         }

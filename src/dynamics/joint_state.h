@@ -31,6 +31,9 @@ struct JointAxisRule {
 struct JointAxisState {
     float drive = 0, friction = 0, lower = 0, upper = 0; // N s of the last substep
     float position = 0;
+    // How far the position may be from there before limits count, which are not solved until then (joint_idle.cpp).
+    // 0: they are; < 0: likewise, and the position is that of a pose that the bodies have been taken from.
+    float slack = 0;
 };
 
 // What a joint holds beside its axes.

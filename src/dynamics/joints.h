@@ -37,12 +37,21 @@ void wake_driven_joints(State& state);
 // --- rows in a bin (joint_rows.cpp)
 
 // Joints of the bin's islands, laid into blocks of 8 lanes color by color.
-void fill_joint_lanes(State& state, const Bin& bin, BinScratch& scratch);
+void fill_joint_lanes(State& state, const Bin& bin, BinScratch& scratch, Crew* crew, float dt);
 // Positions, axes and impulses of the lanes; `h`: the substep.
 void fill_joint_blocks(State& state, BinScratch& scratch, Crew* crew, float h);
 // After the last substep: impulses and forces back to the joints.
 void store_joints(State& state, BinScratch& scratch, float dt);
 JointSoftness joint_softness(float h);
+
+// --- limits that are out of reach (joint_idle.cpp)
+
+// Whether that is looked for: of mere limits of an angle.
+bool may_be_out_of_reach(const JointLocks& locks, const JointAxes& axes, const JointAxisRule& rule);
+// Once in a pass. True if other rows than before are left out of the solver.
+bool update_idle_rows(State& state, JointLayout& layout, Crew* crew, float dt);
+// The body has been put elsewhere.
+void forget_slack(State& state, std::int32_t body);
 
 // The positions of a joint's axes, the gap between its anchors and the rotation error, as the bodies stand.
 struct JointPositions {

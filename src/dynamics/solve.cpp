@@ -164,7 +164,7 @@ double milliseconds_since(std::chrono::steady_clock::time_point start) {
 
 void solve_bin(State& s, const Bin& bin, BinScratch& scratch, Crew* crew, float dt) {
     const auto start = std::chrono::steady_clock::now();
-    fill_bin(s, bin, scratch, crew);
+    fill_bin(s, bin, scratch, crew, dt);
     if (bin.contact_count + bin.joint_count > 0) {
         fill_joint_blocks(s, scratch, crew, dt / float(bin.substeps));
         prepare_free_motion(s, scratch, crew, dt / float(bin.substeps), bin.bounces);

@@ -17,7 +17,7 @@ void solve_bins(State& state, float dt);
 // --- one bin (bin_rows.cpp)
 
 // Lays out the rows and lanes of a bin, and fills them.
-void fill_bin(State& state, const Bin& bin, BinScratch& scratch, Crew* crew);
+void fill_bin(State& state, const Bin& bin, BinScratch& scratch, Crew* crew, float dt);
 // The row of a body. Bodies get theirs when a contact or joint first names them, so that contacts side by side have
 // rows side by side.
 std::int32_t row_of_body(BinScratch& scratch, std::int32_t body);

@@ -130,6 +130,7 @@ struct JointRow {
     JointRowType type = JointRowType::point;
     std::uint8_t axis : 3 = 0; // which of the joint's
     std::uint8_t has_limits : 1 = 0, has_drive : 1 = 0, has_friction : 1 = 0;
+    std::uint8_t may_idle : 1 = 0, idle : 1 = 0; // mere limits, now out of reach: the row has no lane
 };
 // Blocks that may be solved side by side.
 struct JointRun {

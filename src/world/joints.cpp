@@ -75,7 +75,7 @@ void set_rules(State& s, std::uint32_t index, const JointRules& rules) {
         if (!(rules.axes[i].friction > 0)) axis.friction = 0;
     }
     const JointPositions positions = joint_positions(s, index);
-    for (int i = 0; i < locks.axis_count; ++i) axes.states[i].position = positions.axes[i];
+    for (int i = 0; i < locks.axis_count; ++i) axes.states[i].position = positions.axes[i], axes.states[i].slack = 0;
 }
 
 // The rope's length counts from then on, also in the definition, so that it outlives a change of the joint and a file.
