@@ -51,6 +51,16 @@ float turning_speed(const State& s, const JointInfo& joint) {
     return more_turn * math::length(w(joint.body_b) - w(joint.body_a)) + impact_share * by_impact;
 }
 
+constexpr std::size_t joints_ahead = 4;
+void prefetch(const State& s, std::uint32_t joint) {
+    __builtin_prefetch(&s.joints[joint]);
+    const JointAxes& axes = s.joint_axes[joint];
+    __builtin_prefetch(&axes.rules[0]);
+    __builtin_prefetch(&axes.rules[1]);
+    __builtin_prefetch(&axes.rules[2]);
+    __builtin_prefetch(&axes.states[0]);
+}
+
 // Whether the row need not be solved; keeps its slack.
 bool is_out_of_reach(const JointAxisRule& rule, JointAxisState& state, float by_turn, float turned, float speed,
                      float dt) {
@@ -88,6 +98,7 @@ bool update_idle_rows(State& s, JointLayout& layout, Crew* crew, float dt) {
     for_chunks(crew, int(layout.joints.size()), joints_per_chunk, [&](int begin, int end, int) {
         bool changed = false;
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
+            if (k + joints_ahead < std::size_t(end)) prefetch(s, layout.joints[k + joints_ahead]);
             const JointInfo& joint = s.joints[layout.joints[k]];
             float turned = -1, speed = 0;
             for (std::uint32_t i = layout.first_row[k]; i < layout.first_row[k + 1]; ++i) {

@@ -169,6 +169,14 @@ void fill_ends(const State& s, const BinScratch& scratch, Block& b, std::size_t 
 // Whether anything but the point of a joint gives it a torque: else what it has of those is never touched.
 bool has_torque(const JointInfo& joint) { return joint.rules.turn != JointLock::none || joint.rules.axis_count > 0; }
 
+// Asks the cache for all of a joint.
+constexpr std::size_t joints_ahead = 4;
+void prefetch_joint(const State& s, std::uint32_t joint) {
+    const char* const info = reinterpret_cast<const char*>(&s.joints[joint]);
+    for (std::size_t at = 0; at < sizeof(JointInfo); at += 64) __builtin_prefetch(info + at);
+    __builtin_prefetch(&s.joint_axes[joint].states[0]);
+}
+
 // Where a joint is at the start of the step, for all of its rows.
 struct PlacedJoint {
     const JointInfo& info;
@@ -414,6 +422,7 @@ void fill_joint_blocks(State& s, BinScratch& scratch, Crew* crew, float h) {
     // Joint by joint: neighbors share bodies, and rows go to one block of each color at a time.
     for_chunks(crew, int(layout.joints.size()), joints_per_chunk, [&](int begin, int end, int) {
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
+            if (k + joints_ahead < std::size_t(end)) prefetch_joint(s, layout.joints[k + joints_ahead]);
             begin_joint(s, layout.joints[k], h);
             if (layout.first_row[k] == layout.first_row[k + 1]) continue;
             bool with_frames = false;
@@ -440,6 +449,7 @@ void store_joints(State& s, BinScratch& scratch, float dt) {
     const float rate = 1 / dt;
     const bool may_be_fast = !layout.joints.empty() && any_is_too_fast(s, scratch);
     for (std::size_t k = 0; k < layout.joints.size(); ++k) {
+        if (k + joints_ahead < layout.joints.size()) prefetch_joint(s, layout.joints[k + joints_ahead]);
         for (std::uint32_t i = layout.first_row[k]; i < layout.first_row[k + 1]; ++i) {
             const JointRow& row = layout.rows[i];
             if (row.idle) continue;
