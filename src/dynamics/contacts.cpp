@@ -183,6 +183,7 @@ void move_contacts(State& s, int begin, int end) {
             r = advanced_record(s, contact);
             if (!c.touching) r.approach_speed = approach_speed(s, c, r);
         });
+        s.contacts[id].tested_at = s.passes + 1; // as good as tested: while both rest, it need not be moved again
         s.narrow.outcomes[place] = going_on(s, s.contacts[id]);
     }
 }

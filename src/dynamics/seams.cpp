@@ -76,7 +76,10 @@ bool is_seam(const State& s, std::uint32_t deeper, std::uint32_t c, float depth)
 
 // Drops seams among the contacts of one body with what does not move by forces.
 void drop_seams_of_body(State& s, std::vector<std::uint32_t>& contacts) {
-    if (contacts.size() < 2) return;
+    const std::uint32_t shape = s.contacts[contacts[0]].shape_b;
+    if (std::all_of(contacts.begin(), contacts.end(),
+                    [&](std::uint32_t id) { return s.contacts[id].shape_b == shape; }))
+        return;
     const auto depth_of = [&](std::uint32_t id) {
         const ContactInfo& c = s.contacts[id];
         float least = point_of(s.records[id], 0)[3];
@@ -109,20 +112,20 @@ void drop_seams(State& s) {
     last_of_body.resize(s.bodies.size(), none);
     s.narrow.is_seam.resize(s.contacts.size());
     fixed.clear();
-    bool any_twice = false;
+    bool any_seams = false; // some body lies on two shapes: those of one mesh have none between them
     for (const std::uint32_t id : s.solved) {
         const ContactInfo& c = s.contacts[id];
         if (c.b_moves) continue;
         s.narrow.is_seam[id] = 0;
         std::int32_t& last = last_of_body[std::size_t(c.body_a)];
-        any_twice |= last != none;
+        any_seams |= last != none && s.contacts[fixed[std::size_t(last)].first].shape_b != c.shape_b;
         fixed.emplace_back(id, last);
         last = std::int32_t(fixed.size()) - 1;
     }
     for (std::size_t k = fixed.size(); k-- > 0;) {
         std::int32_t& last = last_of_body[std::size_t(s.contacts[fixed[k].first].body_a)];
         if (last == none) continue; // its body is done
-        if (any_twice) {
+        if (any_seams) {
             s.narrow.of_body.clear();
             for (std::int32_t i = last; i != none; i = fixed[std::size_t(i)].second)
                 s.narrow.of_body.push_back(fixed[std::size_t(i)].first);
@@ -130,7 +133,7 @@ void drop_seams(State& s) {
         }
         last = none;
     }
-    if (!any_twice) return;
+    if (!any_seams) return;
     std::erase_if(s.solved, [&](std::uint32_t id) { return !s.contacts[id].b_moves && s.narrow.is_seam[id] != 0; });
 }
 
