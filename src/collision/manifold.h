@@ -13,7 +13,10 @@ struct alignas(32) Manifold {
     // [3]: separation along the normal in meters, negative when overlapping. Points beyond `count` are {0,0,0,1e30};
     // but where there are none, [3] of the first is how far apart the shapes are at least, if the test has found that.
     float points[4][4];
-    std::uint32_t features[4]; // which features meet; a tie-break for matching points between steps
+    std::uint32_t features[4]; // which features meet; their lowest bytes are what the next step knows (no_features)
 };
+
+// The features of no point, as they are kept for the next step: a byte of each point, the first point's lowest.
+inline constexpr std::uint32_t no_features = 0xffffffffu;
 
 } // namespace cairn

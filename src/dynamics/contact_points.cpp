@@ -112,6 +112,12 @@ bool points_stay(const ContactRecord& r, const Float4* points, int count, math::
     return greatest < limit;
 }
 
+std::uint32_t packed_features(const Manifold& m) {
+    std::uint32_t packed = no_features;
+    for (int i = m.count - 1; i >= 0; --i) packed = packed << 8 | (m.features[i] & 255u);
+    return packed;
+}
+
 // A round surface does not turn with its body: how far it is to the point midway between the surfaces from the center
 // or axis that it is round about, with that normal; 0 where the surface is flat. For cones the mean radius. Rounded
 // shapes touch by a corner, an edge or a rim of their core, and what is around that; also where a face lies flat.
@@ -164,6 +170,7 @@ void write_record(State& s, std::uint32_t id, const Manifold& m) {
         r.radius_b = contact_radius(s, c.shape_b, normal, m.points[0][3]);
     }
     c.point_count = std::uint8_t(m.count);
+    r.features = packed_features(m);
     if (stay) return;
     forget_impulses(r, m.count);
     if (old.count > 0) match_points(old, c.match_tolerance, m.count, r);

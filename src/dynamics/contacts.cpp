@@ -127,6 +127,7 @@ void test_wide_pairs(State& s, PairKind kind, int begin, int end, NarrowBatch& o
     PairBatch& batch = own.pairs;
     const int count = end - begin, padded = (count + 7) & ~7;
     const std::size_t record_size = has_one_point(kind) ? offsetof(ContactRecord, more_points) : sizeof(ContactRecord);
+    const bool keeps_features = kind == PairKind::box_box;
     const std::uint32_t* places = s.narrow.lists[std::size_t(kind)].data() + begin;
     std::uint32_t ids[PairBatch::capacity];
     for (int i = 0; i < count; ++i) ids[i] = s.narrow.candidates[places[i]];
@@ -136,11 +137,14 @@ void test_wide_pairs(State& s, PairKind kind, int begin, int end, NarrowBatch& o
         batch.first[i] = c.flipped ? c.shape_b : c.shape_a;
         batch.second[i] = c.flipped ? c.shape_a : c.shape_b;
         batch.margin[i] = contact_margin(s, c, dt);
+        batch.kept[i] = keeps_features && c.point_count > 0 ? s.records[ids[i]].features : no_features;
         __builtin_prefetch(&s.shapes[c.shape_a]); // for write_record
     }
-    for (int i = count; i < padded; ++i)
-        batch.first[i] = batch.first[0], batch.second[i] = batch.second[0], batch.margin[i] = batch.margin[0];
-    wide_kernel(kind)(s.shape_poses.data(), batch.first, batch.second, batch.margin, padded, own.manifolds);
+    for (int i = count; i < padded; ++i) {
+        batch.first[i] = batch.first[0], batch.second[i] = batch.second[0];
+        batch.margin[i] = batch.margin[0], batch.kept[i] = batch.kept[0];
+    }
+    wide_kernel(kind)(s.shape_poses.data(), batch.first, batch.second, batch.margin, batch.kept, padded, own.manifolds);
     for (int i = 0; i < count; ++i) {
         if (const int next = i + int(contacts_ahead); next < count && own.manifolds[next].count > 0)
             prefetch_record(s, ids[next], record_size);

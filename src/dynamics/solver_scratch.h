@@ -26,6 +26,7 @@ struct PairBatch {
     static constexpr int capacity = 256;
     std::uint32_t first[capacity], second[capacity];
     float margin[capacity];
+    std::uint32_t kept[capacity]; // features of the last step, for box_box alone
 };
 
 // A patch that a group did not have, found at this place among the candidates.

@@ -16,6 +16,9 @@ constexpr int batch_pairs = 512;
 constexpr float edge_tolerance = 5e-2f;
 // The second shape's faces are the reference only where they are less deep by this part of it.
 constexpr float second_face_tolerance = 1e-4f;
+// The reference face of the last step stays the reference until another is less deep by this part of it. Without that,
+// the faces of two boxes that lie flat on each other take turns, and with them the points.
+constexpr float kept_face = 3e-3f;
 // The error of a projected length, as part of the sum of all half extents.
 constexpr float projection_error = 5e-7f;
 // Edges whose cross product is shorter than this are parallel: they have no axis of their own.
@@ -130,6 +133,7 @@ struct BoxBatch {
     const ShapePose* poses;
     const std::uint32_t *first, *second;
     const float* margin;
+    const std::uint32_t* kept; // null: nothing
     Manifold* out;
 };
 struct ListedPairs {
@@ -137,10 +141,13 @@ struct ListedPairs {
     std::uint32_t first[8], second[8];
     Manifold* out[8];
 };
+CAIRN_INLINE const BoxContact& listed_at(const BoxContactList& list, int i) {
+    return list.contacts[i < list.count ? i : list.count - 1];
+}
 CAIRN_INLINE ListedPairs gather_listed(const BoxBatch& batch, const BoxContactList& list, int k) {
     ListedPairs r;
     for (int i = 0; i < 8; ++i) {
-        const BoxContact& c = list.contacts[k + i < list.count ? k + i : list.count - 1];
+        const BoxContact& c = listed_at(list, k + i);
         r.face[i] = c.face;
         r.edge[i] = c.edge;
         r.separation[i] = c.separation;
@@ -150,6 +157,24 @@ CAIRN_INLINE ListedPairs gather_listed(const BoxBatch& batch, const BoxContactLi
         r.out[i] = batch.out + c.pair;
     }
     return r;
+}
+
+// Of the features of the last step, lane by lane: byte number `byte`, without the lowest bits. The lowest byte of a
+// feature is 16 * face + the candidate's number, or 128 + edge.
+CAIRN_INLINE f32x8 kept_bytes(const std::uint32_t* features, int byte, int lowest_bits) {
+    alignas(32) float lane[8];
+    for (int i = 0; i < 8; ++i)
+        lane[i] = static_cast<float>(static_cast<std::int32_t>((features[i] >> (8 * byte) & 255u) >> lowest_bits));
+    return load(lane);
+}
+
+// The numbers of the candidates of eight listed faces that were kept in the last step. Where another face was the
+// reference, and beyond the kept points, they are none of theirs.
+CAIRN_INLINE void gather_kept(const BoxBatch& batch, const BoxContactList& list, int k, f32x8 face, f32x8 (&index)[4]) {
+    std::uint32_t features[8];
+    for (int i = 0; i < 8; ++i)
+        features[i] = batch.kept != nullptr ? batch.kept[listed_at(list, k + i).pair] : no_features;
+    for (int j = 0; j < 4; ++j) index[j] = kept_bytes(features, j, 0) - splat(16.0f) * face;
 }
 
 // A feature number: small integers as the mantissa bits of 2^23.
@@ -226,8 +251,15 @@ template <bool flat> void face_manifolds(const BoxBatch& batch, const BoxContact
         const FaceFrame f = face_frame<flat>(p, face);
         const auto candidates = clip(f.faces, load(listed.margin), p.error);
         const f32x8 nearest = splat(same_point) * p.smallest + splat(4.0f) * p.error;
-        ReducedPoints points = reduce(candidates, nearest, splat(flat_contact) * p.smallest);
-        if (flat) lift_by_center(f, least, points);
+        const f32x8 even = splat(flat_contact) * p.smallest;
+        ReducedPoints points = reduce(candidates, nearest, even);
+        if (flat) {
+            lift_by_center(f, least, points);
+        } else {
+            f32x8 kept[4];
+            gather_kept(batch, faces, k, face, kept);
+            prefer(kept, candidates, splat(kept_depth) * p.smallest, even, points);
+        }
 
         ContactPointx8 contact[4];
         for (int i = 0; i < 4; ++i) {

@@ -9,8 +9,8 @@
 namespace cairn::CAIRN_ISA {
 
 #define CAIRN_COLLIDE_PARAMETERS                                                                                       \
-    const ShapePose *poses, const std::uint32_t *first, const std::uint32_t *second, const float *margin, int count,   \
-        Manifold *out
+    const ShapePose *poses, const std::uint32_t *first, const std::uint32_t *second, const float *margin,              \
+        [[maybe_unused]] const std::uint32_t *kept, int count, Manifold *out
 
 void sphere_sphere(CAIRN_COLLIDE_PARAMETERS);
 void sphere_box(CAIRN_COLLIDE_PARAMETERS);

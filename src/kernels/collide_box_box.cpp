@@ -7,31 +7,42 @@ namespace cairn::CAIRN_ISA {
 
 namespace {
 
+// The reference faces of the last step; other numbers: none.
+CAIRN_INLINE f32x8 kept_faces(const BoxBatch& batch, int k) {
+    return batch.kept != nullptr ? kept_bytes(batch.kept + k, 0, 4) : splat(15.0f);
+}
+
+// A face is preferred where its separation, and more if it was the reference in the last step, is the greatest.
+struct FaceChoicex8 {
+    f32x8 kept, bonus; // the reference face of the last step, and what it has ahead of the others
+    f32x8 preferred = splat(no_separation), greatest = splat(no_separation), face = zero();
+
+    void add(int number, f32x8 separation) {
+        const f32x8 n = splat(static_cast<float>(number)), s = select(kept == n, separation + bonus, separation);
+        const mask8 m = s > preferred;
+        preferred = select(m, s, preferred);
+        face = select(m, n, face);
+        greatest = max(greatest, separation);
+    }
+};
+
 void test_axes(const BoxBatch& batch, int count, BoxContactList& faces, BoxContactList& edges) {
     for (int k = 0; k < count; k += 8) {
         const BoxPairx8 p = gather_boxes<false>(batch.poses, batch.first + k, batch.second + k);
         const RelativeBoxx8 q = relate(p);
         const f32x8 margin = load_unaligned(batch.margin + k);
 
-        // Of the faces, `face` is the preferred and `greatest` the true maximum.
-        f32x8 preferred = splat(no_separation), face = zero();
+        FaceChoicex8 choice = {kept_faces(batch, k), splat(kept_face) * p.smallest};
         for (int i = 0; i < 3; ++i) {
             const f32x8 radius = p.hb[0] * q.absolute[i][0] + p.hb[1] * q.absolute[i][1] + p.hb[2] * q.absolute[i][2];
-            const f32x8 s = abs(q.ta[i]) - (p.ha[i] + radius);
-            const mask8 m = s > preferred;
-            preferred = select(m, s, preferred);
-            face = select(m, splat(static_cast<float>(i)), face);
+            choice.add(i, abs(q.ta[i]) - (p.ha[i] + radius));
         }
-        f32x8 greatest = preferred;
-        preferred = preferred + (splat(second_face_tolerance) * p.smallest + p.error);
+        choice.preferred = choice.preferred + (splat(second_face_tolerance) * p.smallest + p.error);
         for (int j = 0; j < 3; ++j) {
             const f32x8 radius = p.ha[0] * q.absolute[0][j] + p.ha[1] * q.absolute[1][j] + p.ha[2] * q.absolute[2][j];
-            const f32x8 s = abs(q.tb[j]) - (p.hb[j] + radius);
-            const mask8 m = s > preferred;
-            preferred = select(m, s, preferred);
-            face = select(m, splat(static_cast<float>(3 + j)), face);
-            greatest = max(greatest, s);
+            choice.add(3 + j, abs(q.tb[j]) - (p.hb[j] + radius));
         }
+        const f32x8 greatest = choice.greatest;
         mask8 touching = greatest <= margin;
         if (!any(touching)) {
             clear_manifolds(batch.out + k, touching, greatest);
@@ -49,7 +60,7 @@ void test_axes(const BoxBatch& batch, int count, BoxContactList& faces, BoxConta
         touching = touching & (edge_separation <= margin);
         clear_manifolds(batch.out + k, touching, max(greatest, edge_separation));
         const mask8 by_edge = edge_separation > greatest + (splat(edge_tolerance) * p.smallest + p.error);
-        append(faces, edges, k, touching, by_edge, face, edge, max(greatest, edge_separation),
+        append(faces, edges, k, touching, by_edge, choice.face, edge, max(greatest, edge_separation),
                edge_separation > greatest);
     }
 }
@@ -58,7 +69,8 @@ void test_axes(const BoxBatch& batch, int count, BoxContactList& faces, BoxConta
 
 void box_box(CAIRN_COLLIDE_PARAMETERS) {
     for (int start = 0; start < count; start += batch_pairs) {
-        const BoxBatch batch = {poses, first + start, second + start, margin + start, out + start};
+        const std::uint32_t* const batch_kept = kept != nullptr ? kept + start : nullptr;
+        const BoxBatch batch = {poses, first + start, second + start, margin + start, batch_kept, out + start};
         BoxContactList faces, edges;
         test_axes(batch, count - start < batch_pairs ? count - start : batch_pairs, faces, edges);
         face_manifolds<false>(batch, faces, edges);

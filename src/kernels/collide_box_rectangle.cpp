@@ -77,7 +77,7 @@ void test_axes(const BoxBatch& batch, int count, BoxContactList& faces, BoxConta
 
 void box_rectangle(CAIRN_COLLIDE_PARAMETERS) {
     for (int start = 0; start < count; start += batch_pairs) {
-        const BoxBatch batch = {poses, first + start, second + start, margin + start, out + start};
+        const BoxBatch batch = {poses, first + start, second + start, margin + start, nullptr, out + start};
         BoxContactList faces, edges;
         test_axes(batch, count - start < batch_pairs ? count - start : batch_pairs, faces, edges);
         face_manifolds<true>(batch, faces, edges);

@@ -111,6 +111,73 @@ template <int N> CAIRN_INLINE ReducedPoints reduce(const CandidatePoints<N>& c, 
     return r;
 }
 
+// Points that were chosen in the last step serve as long as none of the others is deeper by this part of the smallest
+// half extent,
+constexpr float kept_depth = 1e-2f;
+// and they span this part at least of what the best choice would.
+constexpr float kept_area = 0.7f;
+
+// Twice the area that four points span.
+CAIRN_INLINE f32x8 spanned(const ReducedPoints& r) {
+    f32x8 x[4], y[4]; // from the first
+    for (int k = 1; k < 4; ++k) {
+        x[k] = select(r.present[k], r.x[k] - r.x[0], zero());
+        y[k] = select(r.present[k], r.y[k] - r.y[0], zero());
+    }
+    // Whichever pairs of them are the diagonals.
+    const auto area = [&](int k, int i, int j) { return abs(x[k] * (y[j] - y[i]) - y[k] * (x[j] - x[i])); };
+    return max(max(area(1, 2, 3), area(2, 1, 3)), area(3, 1, 2));
+}
+
+// Puts the choice of the last step in place of a fresh one where it still serves. The fresh one follows every tremor:
+// where eight corners of two faces touch, which four are best changes from step to step, and nothing that is held so
+// comes to rest. `kept`: the numbers of those candidates; others: none.
+template <int N>
+CAIRN_INLINE void prefer(const f32x8 (&kept)[4], const CandidatePoints<N>& c, f32x8 depth, f32x8 flat,
+                         ReducedPoints& fresh) {
+    f32x8 z[N], lowest = splat(unused_separation);
+    for (int i = 0; i < N; ++i) {
+        z[i] = select(c.valid[i], c.z[i], splat(unused_separation));
+        lowest = min(lowest, z[i]);
+    }
+    ReducedPoints r;
+    f32x8 kept_lowest = splat(unused_separation);
+    mask8 gone = zero() > zero();
+    for (int k = 0; k < 4; ++k) {
+        r.index[k] = kept[k];
+        r.x[k] = r.y[k] = zero();
+        r.z[k] = splat(unused_separation);
+        for (int i = 0; i < N; ++i) {
+            const mask8 m = r.index[k] == splat(static_cast<float>(i));
+            r.x[k] = select(m, c.x[i], r.x[k]);
+            r.y[k] = select(m, c.y[i], r.y[k]);
+            r.z[k] = select(m, z[i], r.z[k]);
+        }
+        r.present[k] = r.z[k] < splat(unused_separation);
+        gone = gone | and_not(r.index[k] < splat(static_cast<float>(N)), r.present[k]);
+        kept_lowest = min(kept_lowest, r.z[k]);
+    }
+    const mask8 enough =
+        r.present[2] & (kept_lowest <= lowest + depth) & (spanned(r) >= splat(kept_area) * spanned(fresh));
+    // The same points are put in order anew, the deepest first, where that is no longer the first: they are solved one
+    // after the other, and in a fixed order make a tower of 40 drift.
+    mask8 same = fresh.present[2] & (r.z[0] > lowest + flat);
+    for (int k = 0; k < 4; ++k) {
+        mask8 found = r.index[0] == fresh.index[k];
+        for (int i = 1; i < 4; ++i) found = found | (r.index[i] == fresh.index[k]);
+        same = and_not(same, and_not(fresh.present[k], found));
+    }
+    same = and_not(same, r.present[3] ^ fresh.present[3]);
+    const mask8 serves = and_not(and_not(enough, gone), same);
+    for (int k = 0; k < 4; ++k) {
+        fresh.x[k] = select(serves, r.x[k], fresh.x[k]);
+        fresh.y[k] = select(serves, r.y[k], fresh.y[k]);
+        fresh.z[k] = select(serves, r.z[k], fresh.z[k]);
+        fresh.index[k] = select(serves, r.index[k], fresh.index[k]);
+        fresh.present[k] = and_not(fresh.present[k], serves) | (serves & r.present[k]);
+    }
+}
+
 // A rectangle |x| <= hx, |y| <= hy in the plane z = 0, and the parallelogram center +- u +- v.
 struct FacePair {
     f32x8 hx, hy;

@@ -15,9 +15,10 @@
 namespace cairn {
 
 // Tests `count` pairs (a multiple of 8; pad by repeating any valid pair) of shapes poses[first[i]] and
-// poses[second[i]], and writes out[i]. Points are made up to margin[i] meters apart.
+// poses[second[i]], and writes out[i]. Points are made up to margin[i] meters apart. kept[i], of box_box alone: the
+// features of the last step (see ContactRecord), which are preferred; null: none.
 using CollideKernel = void (*)(const ShapePose* poses, const std::uint32_t* first, const std::uint32_t* second,
-                               const float* margin, int count, Manifold* out);
+                               const float* margin, const std::uint32_t* kept, int count, Manifold* out);
 
 struct KernelTable {
     const char* name; // "avx2", "sse2", "neon", "scalar"

@@ -71,7 +71,7 @@ bool shapes_overlap(const PosedShape& a, const PosedShape& b) {
         const ShapePose poses[2] = {first.pose, second.pose};
         const std::uint32_t firsts[8] = {}, seconds[8] = {1, 1, 1, 1, 1, 1, 1, 1};
         const float margin[8] = {};
-        wide_kernel (*kind)(poses, firsts, seconds, margin, 8, out);
+        wide_kernel (*kind)(poses, firsts, seconds, margin, nullptr, 8, out);
     } else {
         out[0] = test_convex_pair(*kind, first, second, {}, 0);
     }

@@ -7,21 +7,21 @@
 
 namespace cairn_test::golden {
 
-inline constexpr std::uint64_t mixed_pile = 0x1f16b85e3c5a8d17;
-inline constexpr std::uint64_t pyramid = 0x4d942564e804fda1;
-inline constexpr std::uint64_t dominoes = 0xcae104241a20ada1;
-inline constexpr std::uint64_t materials = 0x675e4161d36cf847;
-inline constexpr std::uint64_t tumbler = 0xc0a4b650d9a0233f;
-inline constexpr std::uint64_t sleep_and_wake = 0x3c526d723e61a75d;
-inline constexpr std::uint64_t compounds = 0x58ae63993f7c458b;
-inline constexpr std::uint64_t free_tops = 0x915af4b40fa0cbe4;
-inline constexpr std::uint64_t explicit_euler = 0xebdd018a8e84a5c2;
+inline constexpr std::uint64_t mixed_pile = 0xc06e90e4c51c7949;
+inline constexpr std::uint64_t pyramid = 0x99acdf905d2e6c27;
+inline constexpr std::uint64_t dominoes = 0xca1e1bc90cff3c32;
+inline constexpr std::uint64_t materials = 0x072a502fa474d954;
+inline constexpr std::uint64_t tumbler = 0xfb8a2e280a89dfbb;
+inline constexpr std::uint64_t sleep_and_wake = 0xf8ee3c0ec5b85fcb;
+inline constexpr std::uint64_t compounds = 0x2fefb04d5781c181;
+inline constexpr std::uint64_t free_tops = 0x7424415fa1add17c;
+inline constexpr std::uint64_t explicit_euler = 0x55a88828db5c3519;
 inline constexpr std::uint64_t whirl = 0x201d5e54a5f114bd;
-inline constexpr std::uint64_t changes = 0x4dd7bfe3675f864f;
-inline constexpr std::uint64_t all_shapes = 0x89cb724a728ab7f7;
+inline constexpr std::uint64_t changes = 0x68b26e0422f32814;
+inline constexpr std::uint64_t all_shapes = 0x597498f7b0758fcd;
 inline constexpr std::uint64_t rounded_shapes = 0xa83be539ef931534;
-inline constexpr std::uint64_t surfaces = 0x3f0e818eccd43c05;
-inline constexpr std::uint64_t all_joints = 0x622fb1ee5bc9428d;
-inline constexpr std::uint64_t chains = 0xce26631f5cf062e7;
+inline constexpr std::uint64_t surfaces = 0x59ecfb94122c74d5;
+inline constexpr std::uint64_t all_joints = 0x54bbd5aad4bf9a06;
+inline constexpr std::uint64_t chains = 0x2cedb788b6744939;
 
 } // namespace cairn_test::golden

@@ -103,5 +103,31 @@ TEST(Rest, BoxesThatLieOnThreePeaksOfATerrainComeToRest) {
     EXPECT_EQ(moving, 0);
 }
 
+// Up to eight corners of two faces touch, and four are kept. Chosen afresh in each step, they followed the tremor.
+TEST(Rest, AHeapOfEqualBoxesComesToRest) {
+    World world(without_sleep());
+    BodyDef fixed;
+    fixed.type = BodyType::static_;
+    fixed.position = {0, -1, 0};
+    add_body(world, Box{{10, 1, 10}}, fixed, {});
+    for (const double side : {-1.0, 1.0}) {
+        fixed.position = {4.5 * side, 10, 0};
+        add_body(world, Box{{1, 10, 6}}, fixed, {});
+        fixed.position = {0, 10, 4.5 * side};
+        add_body(world, Box{{6, 10, 1}}, fixed, {});
+    }
+    std::vector<BodyId> boxes;
+    for (int i = 0; i < 160; ++i) {
+        BodyDef def;
+        def.position = {1.8 * (i % 4) - 2.7, 1 + 1.8 * (i / 16), 1.8 * (i / 4 % 4) - 2.7};
+        def.rotation = glm::angleAxis(0.7f * float(i), glm::normalize(glm::vec3(1 + i % 3, i % 5, i % 7)));
+        boxes.push_back(add_body(world, Box{}, def, {}));
+    }
+    run(world, 1.0f / 60, 480);
+    int moving = 0;
+    for (const BodyId box : boxes) moving += glm::length(world.body(box).linear_velocity()) > 1e-3f ? 1 : 0;
+    EXPECT_EQ(moving, 0);
+}
+
 } // namespace
 } // namespace cairn_test

@@ -319,3 +319,74 @@ TEST(CollideBoxBox, ScalesFromMillimetersToKilometers) {
         }
     }
 }
+
+namespace {
+
+// Two cubes face to face, the upper one turned by 40 degrees, so that eight corners touch, sunk by a millimeter, and
+// tilted by up to `tilt`.
+Pairs turned_cubes(Random& random, double tilt) {
+    const Vec half = {0.5, 0.5, 0.5};
+    const Vec turn = {0, 0.7, 0}, tilted = turn + random.uniform(0, tilt) * random.direction();
+    Pairs pairs;
+    pairs.add(box({0, 0, 0}, about(random.direction(), random.uniform(0, tilt)), half),
+              box({0, 0.999, 0}, about((1 / length(tilted)) * tilted, length(tilted)), half), usual_margin);
+    return pairs;
+}
+
+std::array<std::uint32_t, 4> in_any_order(std::uint32_t features) {
+    std::array<std::uint32_t, 4> sorted{};
+    for (std::size_t k = 0; k < 4; ++k) sorted[k] = features >> (8 * k) & 255u;
+    std::sort(sorted.begin(), sorted.end());
+    return sorted;
+}
+
+// Twice the area of the points, seen along the normal.
+double spanned(const Manifold& m) {
+    double most = 0;
+    for (int i = 0; i < m.count; ++i)
+        for (int j = 0; j < m.count; ++j)
+            for (int k = 0; k < m.count; ++k)
+                for (int l = 0; l < m.count; ++l)
+                    most = std::max(most, dot(cross(point_of(m, j) - point_of(m, i), point_of(m, l) - point_of(m, k)),
+                                              normal_of(m)));
+    return most;
+}
+
+} // namespace
+
+// Chosen afresh in each step they follow the tremor: 2,850 of 5,000 boxes in a heap went on without end.
+TEST(CollideBoxBox, PointsAndReferenceFaceStayThroughATremor) {
+    for (const cairn::KernelTable* table : backends()) {
+        Random random(19);
+        std::uint32_t kept = kept_features(run(table->box_box, turned_cubes(random, 0))[0]);
+        const auto first = in_any_order(kept);
+        int fresh_changes = 0;
+        for (int step = 0; step < 1000; ++step) {
+            const Pairs pairs = turned_cubes(random, 1e-3);
+            fresh_changes += in_any_order(kept_features(run(table->box_box, pairs)[0])) != first;
+            kept = kept_features(run(table->box_box, pairs, {kept})[0]);
+            ASSERT_EQ(in_any_order(kept), first) << table->name << ", step " << step;
+        }
+        EXPECT_GT(fresh_changes, 200) << table->name;
+    }
+}
+
+TEST(CollideBoxBox, PointsAreChosenAfreshWhereTheOldOnesNoLongerServe) {
+    for (const cairn::KernelTable* table : backends()) {
+        Random random(23);
+        const std::uint32_t first = kept_features(run(table->box_box, turned_cubes(random, 0))[0]);
+        int changes = 0;
+        for (int trial = 0; trial < 2000; ++trial) {
+            const Pairs pairs = turned_cubes(random, 0.05);
+            const Manifold fresh = run(table->box_box, pairs)[0], kept = run(table->box_box, pairs, {first})[0];
+            ASSERT_EQ(flaw(kept, usual_margin), "") << table->name << ", trial " << trial;
+            ASSERT_LE(deepest_of(kept), deepest_of(fresh) + 0.0051) << table->name << ", trial " << trial;
+            changes += in_any_order(kept_features(kept)) != in_any_order(first);
+            // Along another face's normal other points count.
+            if ((kept.features[0] ^ fresh.features[0]) >> 4) continue;
+            ASSERT_GE(spanned(kept), 0.69 * spanned(fresh)) << table->name << ", trial " << trial;
+        }
+        EXPECT_GT(changes, 500) << table->name;
+        EXPECT_LT(changes, 2000) << table->name;
+    }
+}

@@ -135,7 +135,9 @@ struct Pairs {
     double margin(int i) const { return margins[static_cast<std::size_t>(i)]; }
 };
 
-inline std::vector<Manifold> run(cairn::CollideKernel kernel, const Pairs& pairs) {
+// `kept`: features of the last step, one for each pair, or none at all.
+inline std::vector<Manifold> run(cairn::CollideKernel kernel, const Pairs& pairs,
+                                 std::vector<std::uint32_t> kept = {}) {
     std::vector<std::uint32_t> first, second;
     std::vector<float> margins;
     const int padded = (pairs.count() + 7) / 8 * 8;
@@ -145,10 +147,18 @@ inline std::vector<Manifold> run(cairn::CollideKernel kernel, const Pairs& pairs
         second.push_back(static_cast<std::uint32_t>(2 * pair + 1));
         margins.push_back(pairs.margins[static_cast<std::size_t>(pair)]);
     }
+    if (!kept.empty()) kept.resize(static_cast<std::size_t>(padded), kept[0]);
     std::vector<Manifold> out(static_cast<std::size_t>(padded));
-    kernel(pairs.poses.data(), first.data(), second.data(), margins.data(), padded, out.data());
+    kernel(pairs.poses.data(), first.data(), second.data(), margins.data(), kept.empty() ? nullptr : kept.data(),
+           padded, out.data());
     out.resize(static_cast<std::size_t>(pairs.count()));
     return out;
+}
+// What a contact record keeps of a manifold for the next step.
+inline std::uint32_t kept_features(const Manifold& m) {
+    std::uint32_t kept = 0;
+    for (int k = 0; k < 4; ++k) kept |= (k < m.count ? m.features[k] & 255u : 255u) << (8 * k);
+    return kept;
 }
 inline Manifold run_one(cairn::CollideKernel kernel, const ShapePose& a, const ShapePose& b, float margin) {
     Pairs pairs;
