@@ -187,7 +187,6 @@ void move_contacts(State& s, int begin, int end) {
             r = advanced_record(s, contact);
             if (!c.touching) r.approach_speed = approach_speed(s, c, r);
         });
-        s.contacts[id].tested_at = s.passes + 1; // as good as tested: while both rest, it need not be moved again
         s.narrow.outcomes[place] = going_on(s, s.contacts[id]);
     }
 }
@@ -418,6 +417,8 @@ void update_contacts(State& s, float dt) {
         else
             follow_up(s, id, s.narrow.outcomes[k], dt);
     }
+    // What was moved along is as good as tested: while both bodies rest, it need not be moved again.
+    for (const std::uint32_t k : s.narrow.to_move) s.contacts[s.narrow.candidates[k]].tested_at = s.passes + 1;
     drop_seams(s);
     const auto push_solved = [&](std::uint32_t id) {
         for_each_patch(s, id, [&](std::uint32_t contact) { s.solved.push_back(contact); });
