@@ -95,6 +95,7 @@ bool has_distance(PairKind kind) {
     case PairKind::sphere_capsule:
     case PairKind::box_box:
     case PairKind::capsule_capsule:
+    case PairKind::box_capsule:
     case PairKind::convex_convex:
         return true;
     default:

@@ -61,6 +61,7 @@ constexpr WideTest wide_tests[wide_kinds] = {
     {ShapeType::box, ShapeType::plane, &KernelTable::box_plane},
     {ShapeType::box, ShapeType::rectangle, &KernelTable::box_rectangle},
     {ShapeType::capsule, ShapeType::capsule, &KernelTable::capsule_capsule},
+    {ShapeType::box, ShapeType::capsule, &KernelTable::box_capsule},
 };
 
 float combine_values(float a, float b, CombineRule rule) {

@@ -112,6 +112,7 @@ enum class PairKind : std::uint8_t {
     box_plane,
     box_rectangle,
     capsule_capsule,
+    box_capsule,
     // One at a time, A first (convex_tests.cpp).
     convex_plane,
     convex_rectangle,
@@ -121,7 +122,7 @@ enum class PairKind : std::uint8_t {
     group,
     patch,
 };
-inline constexpr int wide_kinds = 9, tested_kinds = 13;
+inline constexpr int wide_kinds = 10, tested_kinds = 14;
 inline bool has_one_point(PairKind k) { return k <= PairKind::sphere_capsule; }
 inline bool may_be_round(PairKind k) { return k < PairKind::box_box || k > PairKind::box_rectangle; }
 

@@ -331,23 +331,4 @@ template <bool flat> void edge_manifolds(const BoxBatch& batch, const BoxContact
     }
 }
 
-// Empty manifolds for the lanes that do not touch, as the shapes are so far apart at least.
-CAIRN_INLINE void clear_manifolds(Manifold* out, mask8 touching, f32x8 apart) {
-    static constexpr Manifold empty = {{0.0f, 0.0f, 0.0f},
-                                       0,
-                                       {{0.0f, 0.0f, 0.0f, unused_separation},
-                                        {0.0f, 0.0f, 0.0f, unused_separation},
-                                        {0.0f, 0.0f, 0.0f, unused_separation},
-                                        {0.0f, 0.0f, 0.0f, unused_separation}},
-                                       {0, 0, 0, 0}};
-    alignas(32) float separation[8];
-    store(separation, apart);
-    const int touch = bits(touching);
-    for (int i = 0; i < 8; ++i) {
-        if ((touch >> i & 1) != 0) continue;
-        out[i] = empty;
-        out[i].points[0][3] = separation[i];
-    }
-}
-
 } // namespace cairn::CAIRN_ISA

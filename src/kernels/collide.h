@@ -21,5 +21,6 @@ void box_box(CAIRN_COLLIDE_PARAMETERS);
 void box_plane(CAIRN_COLLIDE_PARAMETERS);
 void box_rectangle(CAIRN_COLLIDE_PARAMETERS);
 void capsule_capsule(CAIRN_COLLIDE_PARAMETERS);
+void box_capsule(CAIRN_COLLIDE_PARAMETERS);
 
 } // namespace cairn::CAIRN_ISA

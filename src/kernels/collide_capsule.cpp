@@ -1,27 +1,14 @@
-// Capsules whose ends are equal, 8 pairs at a time: all that is within a radius of a segment.
+// Capsules whose ends are equal against each other and against balls, 8 pairs at a time: all that is within a radius of
+// a segment.
+#include "kernels/capsule.h"
 #include "kernels/collide.h"
-#include "kernels/face_clip.h"
 
 namespace cairn::CAIRN_ISA {
 
 namespace {
 
-// Segments nearer to each other than this part of the sizes cross: the direction between them is mostly rounding.
-constexpr float crossing = 1e-5f;
-// Axes are side by side where the square of the sine between them is less, as in collision/contact_clip.cpp.
-constexpr float side_by_side = 1e-4f;
 // Below this it is rounding.
 constexpr float parallel = 1e-12f;
-
-struct Capsulex8 {
-    Vec3x8 axis; // unit
-    f32x8 half, radius;
-    f32x8 length() const { return half + radius; } // half of it, with the ends
-};
-
-CAIRN_INLINE Capsulex8 capsule_of(const ShapePosex8& shape) {
-    return {to_matrix(shape.q).c1, shape.size.y, shape.size.x};
-}
 
 // Some direction across a unit vector.
 CAIRN_INLINE Vec3x8 any_across(Vec3x8 v) {
@@ -29,8 +16,6 @@ CAIRN_INLINE Vec3x8 any_across(Vec3x8 v) {
     const Vec3x8 across = {select(by_x, zero(), v.z), select(by_x, -v.z, zero()), select(by_x, v.y, -v.x)};
     return (one() / sqrt(dot(across, across))) * across;
 }
-
-CAIRN_INLINE f32x8 square(f32x8 a) { return a * a; }
 
 // Two axes: places on them are given by their way from the middle, s on the first and t on the second.
 struct AxisPairx8 {
@@ -89,23 +74,6 @@ CAIRN_INLINE ContactPointx8 end_point(const AxisPairx8& p, f32x8 s, Vec3x8 norma
     const f32x8 t = (s - p.along_a) / select(p.square_sine < splat(side_by_side), p.cosine, one());
     const f32x8 separation = dot(p.between(s, t), normal) - (p.a.radius + p.b.radius);
     return point_under(p, t, normal, separation, separation <= limit, feature);
-}
-
-CAIRN_INLINE ContactPointx8 select(mask8 m, const ContactPointx8& a, const ContactPointx8& b) {
-    return {select(m, a.position, b.position), select(m, a.separation, b.separation), select(m, a.feature, b.feature),
-            (m & a.present) | and_not(b.present, m)};
-}
-
-// Of two points those that are present; `apart`: how far the capsules are apart at least, where neither is.
-CAIRN_INLINE void write_two(Manifold* out, Vec3x8 normal, const ContactPointx8& first, const ContactPointx8& second,
-                            f32x8 apart) {
-    Manifold* lane[8];
-    for (int i = 0; i < 8; ++i) lane[i] = out + i;
-    const mask8 none = zero() > zero();
-    const ContactPointx8 unused = {zero3(), zero(), zero(), none};
-    ContactPointx8 last = second;
-    last.present = second.present & first.present;
-    write_manifolds(lane, normal, {select(first.present, first, second), last, unused, unused}, apart);
 }
 
 } // namespace

@@ -82,6 +82,25 @@ CAIRN_INLINE void write_manifolds(Manifold* const* out, Vec3x8 normal, const Con
     scatter4(row, feature[0], feature[1], feature[2], feature[3]);
 }
 
+// Empty manifolds for the lanes that do not touch, as the shapes are so far apart at least.
+CAIRN_INLINE void clear_manifolds(Manifold* out, mask8 touching, f32x8 apart) {
+    static constexpr Manifold empty = {{0.0f, 0.0f, 0.0f},
+                                       0,
+                                       {{0.0f, 0.0f, 0.0f, unused_separation},
+                                        {0.0f, 0.0f, 0.0f, unused_separation},
+                                        {0.0f, 0.0f, 0.0f, unused_separation},
+                                        {0.0f, 0.0f, 0.0f, unused_separation}},
+                                       {0, 0, 0, 0}};
+    alignas(32) float separation[8];
+    store(separation, apart);
+    const int touch = bits(touching);
+    for (int i = 0; i < 8; ++i) {
+        if ((touch >> i & 1) != 0) continue;
+        out[i] = empty;
+        out[i].points[0][3] = separation[i];
+    }
+}
+
 // The manifold of a sphere of the given radius (the first shape), whose surface is `separation` away from the
 // other shape's along `normal`. `apart`: how far it is from that at least, where it does not touch.
 CAIRN_INLINE void write_sphere_manifolds(Manifold* out, mask8 touching, Vec3x8 normal, f32x8 radius, f32x8 separation,

@@ -32,6 +32,7 @@ struct KernelTable {
     CollideKernel box_plane;
     CollideKernel box_rectangle;
     CollideKernel capsule_capsule;
+    CollideKernel box_capsule; // first: box, second: capsule
 
     SolverKernels solver;
     JointKernels joints;

@@ -14,7 +14,7 @@ namespace cairn {
 
 namespace {
 
-constexpr std::uint64_t magic = 0x35306e7269616321ull; // "!cairn05"
+constexpr std::uint64_t magic = 0x36306e7269616321ull; // "!cairn06"
 
 // What comes before the state.
 struct Header {

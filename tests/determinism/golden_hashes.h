@@ -16,12 +16,12 @@ inline constexpr std::uint64_t sleep_and_wake = 0xf8ee3c0ec5b85fcb;
 inline constexpr std::uint64_t compounds = 0x2fefb04d5781c181;
 inline constexpr std::uint64_t free_tops = 0x7424415fa1add17c;
 inline constexpr std::uint64_t explicit_euler = 0x55a88828db5c3519;
-inline constexpr std::uint64_t whirl = 0x06476dd5a11efd0e;
-inline constexpr std::uint64_t changes = 0xb1bb96f2d2a95e6f;
-inline constexpr std::uint64_t all_shapes = 0x364c13e95f6a5fd8;
+inline constexpr std::uint64_t whirl = 0xeafbe7e85b794236;
+inline constexpr std::uint64_t changes = 0xb08d4ab8d32c8668;
+inline constexpr std::uint64_t all_shapes = 0xbc5bf33866685011;
 inline constexpr std::uint64_t rounded_shapes = 0x653645792c4bfd48;
 inline constexpr std::uint64_t surfaces = 0x1a3d4917c02bba0c;
 inline constexpr std::uint64_t all_joints = 0x54bbd5aad4bf9a06;
-inline constexpr std::uint64_t chains = 0x2cedb788b6744939;
+inline constexpr std::uint64_t chains = 0x911914e8eb2d30c1;
 
 } // namespace cairn_test::golden

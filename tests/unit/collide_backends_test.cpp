@@ -113,3 +113,4 @@ TEST(CollideBackends, BoxRectangle) {
 TEST(CollideBackends, CapsuleCapsule) {
     expect_equal_bits(&cairn::KernelTable::capsule_capsule, Kind::capsule, Kind::capsule);
 }
+TEST(CollideBackends, BoxCapsule) { expect_equal_bits(&cairn::KernelTable::box_capsule, Kind::box, Kind::capsule); }

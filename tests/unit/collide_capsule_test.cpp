@@ -1,43 +1,14 @@
 // The capsule kernels of every backend against the nearest points of the axes, found in double precision; how many
 // points there are, against the convex test.
-#include "collide_test_support.h"
-#include "collision/convex_contact.h"
+#include "collide_convex_support.h"
 
 #include <algorithm>
 #include <string>
 
 using namespace collide_test;
 using cairn::ShapeType;
-using cairn::math::DQuat;
-using cairn::math::DVec3;
 
 namespace {
-
-cairn::Convex convex_of(const ShapePose& pose, ShapeType type, DVec3 center) {
-    cairn::Geometry g;
-    g.type = type;
-    g.size = {pose.size[0], pose.size[1], pose.size[2]};
-    g.bounding_radius = pose.size[3];
-    return make_convex(g, {}, center,
-                       normalized(DQuat{double(pose.q[0]), double(pose.q[1]), double(pose.q[2]), double(pose.q[3])}));
-}
-DVec3 offset_between(const ShapePose& a, const ShapePose& b) {
-    const Vec d = frame_of(b).center - frame_of(a).center;
-    return {d[0], d[1], d[2]};
-}
-
-// The second shape is a capsule.
-Manifold scalar_result(const Pairs& pairs, int i, ShapeType first) {
-    const ShapePose &a = pairs.first(i), &b = pairs.second(i);
-    const DVec3 offset = offset_between(a, b);
-    Manifold m;
-    collide_convex(convex_of(a, first, {}), convex_of(b, ShapeType::capsule, offset), pairs.margin(i), {}, m);
-    return m;
-}
-
-Vec nearest_on(const Frame& c, const Vec& p) {
-    return c.center + std::clamp(dot(c.axis[1], p - c.center), -c.half[1], c.half[1]) * c.axis[1];
-}
 
 // How two capsules (or balls: their half length is 0) lie to each other.
 struct Placed {
@@ -125,13 +96,6 @@ std::string disagreement(const Placed& at, double margin, const Manifold& m, con
             if (std::fabs(separation_of(*some, k) - margin) < 0.01 * shift + 10 * tolerance) return {};
     return m.count == other.count ? "" : "count";
 }
-
-Quat times(const Quat& p, const Quat& q) {
-    const Vec a = {p[0], p[1], p[2]}, b = {q[0], q[1], q[2]}, v = p[3] * b + q[3] * a + cross(a, b);
-    return {v[0], v[1], v[2], p[3] * q[3] - dot(a, b)};
-}
-
-Vec axis_of(const Quat& q) { return frame_of(capsule({}, q, 1, 1)).axis[1]; }
 
 // Millimeters, meters, hundred meters; slender and stout; also a second one of another size.
 struct Size {
