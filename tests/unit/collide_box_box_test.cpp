@@ -128,7 +128,7 @@ void expect_agreement(const char* name, const Pairs& pairs, int least_touching) 
         }
         EXPECT_EQ(wrong, 0) << name << ", " << table->name;
         EXPECT_GE(touching, least_touching) << name << ", " << table->name;
-        EXPECT_GT(apart, 100) << name << ", " << table->name << ": the distance is known";
+        EXPECT_GT(apart, 50) << name << ", " << table->name << ": the distance is known";
     }
 }
 
