@@ -303,6 +303,8 @@ void list_pairs(State& s) {
         else if (outcome == to_move)
             scratch.to_move.push_back(std::uint32_t(k));
     }
+    s.statistics.tested_pairs = scratch.to_move.size();
+    for (const auto& list : scratch.lists) s.statistics.tested_pairs += list.size();
 }
 
 } // namespace

@@ -160,6 +160,8 @@ TEST(NearMiss, WhatWasFarApartIsMetHoweverItComesNear) {
             const BodyId other = add_body(world, shape, def, surface(0.5f));
             for (int i = 0; i < 5; ++i) world.step(1.0f / 60);
             EXPECT_EQ(world.statistics().contacts, 0u);
+            EXPECT_EQ(world.statistics().candidate_pairs, 1u);
+            EXPECT_EQ(world.statistics().tested_pairs, 0u);
             approach.come_near(world, world.body(first), world.body(other));
             std::size_t contacts = 0;
             for (int i = 0; i < 8; ++i) {
