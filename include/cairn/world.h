@@ -74,9 +74,9 @@ struct Statistics {
     /// Of those, how many the last step has looked at: tested, or moved along with their bodies. The others were well
     /// apart, at rest or asleep.
     std::size_t tested_pairs = 0;
-    std::size_t contacts = 0;        ///< Touching pairs of shapes, asleep ones included.
-    std::size_t contact_points = 0;  ///< Their points.
-    std::size_t islands = 0;         ///< Awake islands.
+    std::size_t contacts = 0;       ///< Touching pairs of shapes, asleep ones included.
+    std::size_t contact_points = 0; ///< Their points.
+    std::size_t islands = 0;        ///< Awake islands.
     std::size_t sleeping_islands = 0;
     std::size_t colors = 0;
     std::size_t overflow_contacts = 0; ///< Contacts that found no free color, solved one by one.

@@ -51,7 +51,7 @@ float turning_speed(const State& s, const JointInfo& joint) {
     return more_turn * math::length(w(joint.body_b) - w(joint.body_a)) + impact_share * by_impact;
 }
 
-constexpr std::size_t joints_ahead = 4;
+// Asks the cache for what is looked at of a joint here.
 void prefetch(const State& s, std::uint32_t joint) {
     __builtin_prefetch(&s.joints[joint]);
     const JointAxes& axes = s.joint_axes[joint];

@@ -170,7 +170,6 @@ void fill_ends(const State& s, const BinScratch& scratch, Block& b, std::size_t 
 bool has_torque(const JointInfo& joint) { return joint.rules.turn != JointLock::none || joint.rules.axis_count > 0; }
 
 // Asks the cache for all of a joint.
-constexpr std::size_t joints_ahead = 4;
 void prefetch_joint(const State& s, std::uint32_t joint) {
     const char* const info = reinterpret_cast<const char*>(&s.joints[joint]);
     for (std::size_t at = 0; at < sizeof(JointInfo); at += 64) __builtin_prefetch(info + at);

@@ -31,7 +31,8 @@ inline bool stays_apart(const State& s, const ApartPair& pair) {
     return pair.until > 0 && s.ahead[std::size_t(pair.body_a)] + s.ahead[std::size_t(pair.body_b)] < pair.until;
 }
 
-// Counts the way of a body that has been put elsewhere and that no pass moves.
+// Adds to the way of a body how far it is from its resting pose, which then is the pose it has. update_resting does so
+// for all that move; to be called for a static body that is put elsewhere.
 void count_way(State& state, std::int32_t body);
 
 } // namespace cairn

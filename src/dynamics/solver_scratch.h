@@ -20,6 +20,7 @@ namespace cairn {
 
 // Contacts lie scattered: so many before one is looked at, the cache is asked for it.
 inline constexpr std::size_t contacts_ahead = 8;
+inline constexpr std::size_t joints_ahead = 4; // likewise
 
 // Pairs on their way through a kernel.
 struct PairBatch {
