@@ -69,56 +69,80 @@ void measure(const Convex& a, const Convex& b, Axis& axis) {
 }
 
 // The face of a hull along whose normal another shape is farthest away. Any point of the other shape tells how far that
-// can be at most: faces that cannot be the one need not be measured.
+// can be at most: the face of which that is the most is measured, which gives another point, and so on, until no other
+// can be the one.
 class HullFaceSearch {
   public:
-    // `toward`: roughly the direction of the other shape.
-    HullFaceSearch(const Convex& hull, const Convex& other, DVec3 toward, DVec3 p, double floor)
-        : hull_(hull), other_(other) {
+    // p: some point of the other shape; best one that is near.
+    HullFaceSearch(const Convex& hull, const Convex& other, DVec3 p, double floor) : hull_(hull), other_(other), p_(p) {
         best_.separation = floor;
-        radius_ = outer_radius(hull);
         slack_ = 1e-5 * (hull.hull->bounding_radius + math::length(middle(other) - hull.center));
-        know(p);
-        know(middle(other));
-        first_ = hull.hull->normal_columns.nearly_farthest(to_local(hull, toward));
     }
 
     Axis search() {
-        const PlaneColumns& planes = hull_.hull->plane_columns; // of the core
-        measure(first_);
-        for (std::size_t i = 0; i < planes.size(); i += PlaneColumns::width) {
-            const columns::F4 limits = planes.below(i, {known_, count_});
-            for (std::size_t k = i; k < i + PlaneColumns::width && k < planes.size(); ++k)
-                if (double(limits[k - i]) > best_.separation + radius_ - slack_ && k != first_) measure(k);
-        }
+        for (std::size_t i = 0; i < hull_.hull->plane_columns.size(); i += at_once) search_from(i);
         return best_;
     }
 
   private:
-    static constexpr std::size_t most_known = 4;
+    static constexpr std::size_t width = PlaneColumns::width, at_once = 16 * width; // faces
+    using F4 = columns::F4;
 
-    void know(DVec3 point) {
-        if (count_ < most_known) known_[count_++] = math::to_float(to_local(hull_, point - hull_.center));
+    math::Vec3 local(DVec3 point) const { return math::to_float(to_local(hull_, point - hull_.center)); }
+    // What a limit must exceed for the face to be looked at.
+    float bar() const { return static_cast<float>(best_.separation - outer_radius(hull_) - slack_); }
+
+    // Among the faces from there on.
+    void search_from(std::size_t first) {
+        const PlaneColumns& planes = hull_.hull->plane_columns; // of the core
+        const std::size_t blocks = (std::min(planes.size() - first, at_once) + width - 1) / width;
+        const math::Vec3 p = local(p_), q = local(middle(other_));
+        F4 limits[at_once / width], most = columns::splat(-std::numeric_limits<float>::infinity());
+        for (std::size_t i = 0; i < blocks; ++i) {
+            const std::size_t plane = first + i * width;
+            limits[i] = columns::lesser(planes.above(plane, p), planes.above(plane, q));
+            most = columns::greater(limits[i], most);
+        }
+        for (float greatest = columns::greatest_of(most); greatest > bar(); greatest = columns::greatest_of(most)) {
+            const std::size_t face = take(limits, greatest);
+            const math::Vec3 nearest = local(measure(static_cast<int>(first + face)));
+            most = columns::splat(-std::numeric_limits<float>::infinity());
+            for (std::size_t i = 0; i < blocks; ++i) {
+                limits[i] = columns::lesser(planes.above(first + i * width, nearest), limits[i]);
+                most = columns::greater(limits[i], most);
+            }
+        }
     }
-    void measure(std::size_t i) {
-        const int face = static_cast<int>(i);
+
+    // The place of a limit, which is then done with.
+    static std::size_t take(F4* limits, float limit) {
+        std::size_t i = 0;
+        while (!(columns::greatest_of(limits[i]) == limit)) ++i;
+        for (std::size_t k = 0; k < width; ++k)
+            if (limits[i][k] == limit) {
+                limits[i][k] = -std::numeric_limits<float>::infinity();
+                return i * width + k;
+            }
+        return i * width;
+    }
+
+    // The point of the other shape that is nearest to the face.
+    DVec3 measure(int face) {
         const DVec3 normal = face_normal(hull_, face), nearest = near_support(other_, -normal);
         const double separation = dot(normal, nearest - face_point(hull_, face));
         if (separation > best_.separation) best_ = {normal, separation, face, false, {}, {}, {}};
-        know(nearest);
+        return nearest;
     }
 
     const Convex &hull_, &other_;
+    DVec3 p_;
     Axis best_;
-    double slack_ = 0, radius_ = 0;
-    math::Vec3 known_[most_known]; // points of the other shape, in the hull's frame
-    std::size_t count_ = 0, first_ = 0;
+    double slack_ = 0;
 };
 
-// The face of `c` along whose normal the shapes are farthest apart, if more than `floor`. toward: roughly the
-// direction of the other; p: some point of it.
-Axis best_face(const Convex& c, const Convex& other, DVec3 toward, DVec3 p, double floor) {
-    if (c.kind == Convex::Kind::hull) return HullFaceSearch(c, other, toward, p, floor).search();
+// The face of `c` along whose normal the shapes are farthest apart, if more than `floor`. p: some point of the other.
+Axis best_face(const Convex& c, const Convex& other, DVec3 p, double floor) {
+    if (c.kind == Convex::Kind::hull) return HullFaceSearch(c, other, p, floor).search();
     Axis best;
     best.separation = floor;
     for (int i = 0; i < face_count(c); ++i) {
@@ -257,9 +281,9 @@ double face_preference(const Convex& a, const Convex& b, double extent) {
 // The face along whose normal the shapes are farthest apart, if that is about as good as the axis.
 Axis preferred_face(const Convex& a, const Convex& b, const Axis& axis, double preference, double extent) {
     const double floor = axis.separation - preference;
-    Axis face = best_face(a, b, axis.normal, axis.on_b, floor);
+    Axis face = best_face(a, b, axis.on_b, floor);
     const double second_floor = face.face < 0 ? floor : face.separation + second_face_tolerance * extent;
-    const Axis second = best_face(b, a, -axis.normal, axis.on_a, second_floor);
+    const Axis second = best_face(b, a, axis.on_a, second_floor);
     if (second.face >= 0) face = {-second.normal, second.separation, second.face, true, {}, {}, {}};
     return face;
 }

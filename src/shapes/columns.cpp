@@ -50,10 +50,9 @@ std::size_t Columns::farthest(DVec3 d) const {
     for (std::size_t i = in_kept; i < blocks; ++i)
         most = greater(along(block * i), most), more = greater(along(block * i + 4), more);
     most = greater(more, most);
-    const float first = most[0] > most[1] ? most[0] : most[1], last = most[2] > most[3] ? most[2] : most[3];
     // Three products of factors up to 1 and largest_, each of them and their sums rounded: 6 x 2^-24 at most for each
     // of two points.
-    const float least = (first > last ? first : last) - 2.4e-6f * largest_;
+    const float least = greatest_of(most) - 2.4e-6f * largest_;
     I4 count = {}, places = {}, place = {0, 1, 2, 3};
     for (std::size_t i = 0; i < 2 * blocks; ++i) {
         const I4 may_be = (i < 2 * in_kept ? kept[i] : along(4 * i)) >= splat(least);
@@ -106,7 +105,7 @@ PlaneColumns::PlaneColumns(std::span<const math::Vec3> normals, std::span<const 
     for (const math::Vec3& n : normals) x_.push_back(n.x), y_.push_back(n.y), z_.push_back(n.z);
     while (x_.size() % width != 0) {
         x_.push_back(x_.back()), y_.push_back(y_.back()), z_.push_back(z_.back());
-        offset_.push_back(offset_.back());
+        offset_.push_back(std::numeric_limits<float>::infinity());
     }
 }
 

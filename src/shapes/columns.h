@@ -21,6 +21,10 @@ inline F4 load(const float* p) {
 inline F4 splat(float s) { return F4{s, s, s, s}; }
 inline F4 greater(F4 a, F4 b) { return a > b ? a : b; }
 inline F4 lesser(F4 a, F4 b) { return a < b ? a : b; }
+inline float greatest_of(F4 v) {
+    const float low = v[0] > v[1] ? v[0] : v[1], high = v[2] > v[3] ? v[2] : v[3];
+    return low > high ? low : high;
+}
 
 } // namespace columns
 
@@ -54,20 +58,16 @@ class PlaneColumns {
     PlaneColumns(std::span<const math::Vec3> normals, std::span<const float> offsets);
 
     std::size_t size() const { return size_; }
-    // How far each of planes i to i + width - 1 is below the lowest of the points, along its normal; beyond the last
-    // plane, that of the last. Rounding adds up to 1e-6 of the sizes.
-    columns::F4 below(std::size_t i, std::span<const math::Vec3> points) const {
+    // How far a point is above each of planes i to i + width - 1; beyond the last plane infinitely far below. Rounding
+    // adds up to 1e-6 of the sizes.
+    columns::F4 above(std::size_t i, math::Vec3 p) const {
         using namespace columns;
-        const F4 x = load(&x_[i]), y = load(&y_[i]), z = load(&z_[i]);
-        const auto along = [&](math::Vec3 p) { return splat(p.x) * x + splat(p.y) * y + splat(p.z) * z; };
-        F4 least = along(points[0]);
-        for (std::size_t k = 1; k < points.size(); ++k) least = lesser(along(points[k]), least);
-        return least - load(&offset_[i]);
+        return splat(p.x) * load(&x_[i]) + splat(p.y) * load(&y_[i]) + splat(p.z) * load(&z_[i]) - load(&offset_[i]);
     }
 
   private:
     std::size_t size_ = 0;
-    std::vector<float> x_, y_, z_, offset_; // padded to `width` by repeating the last plane
+    std::vector<float> x_, y_, z_, offset_; // padded to `width`
 };
 
 } // namespace cairn
