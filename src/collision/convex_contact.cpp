@@ -1,5 +1,6 @@
 #include "collision/convex_contact.h"
 
+#include "collision/contact_axis.h"
 #include "collision/contact_features.h"
 #include "shapes/box_triangle_distance.h"
 #include "shapes/epa.h"
@@ -24,9 +25,6 @@ constexpr double round_part = 0.1;
 
 // Of lengths, as part of the extent.
 constexpr double rounding = 1e-6;
-// Cosine with the normal of the last step: the face that this was the normal of has turned by less in one step. And by
-// how much more the second shape's face must look along it.
-constexpr double same_face = 0.999, tie_of_faces = 1e-6;
 // Of the preference for faces: how much deeper a face that has not been compared with the others may be than its points
 // reach.
 constexpr double unsearched_reach = 0.3;
@@ -41,118 +39,11 @@ constexpr double direction_tolerance = 1e-6;
 // Features that pass each other by more than this part of the extent do not touch there.
 constexpr double sideways_tolerance = 0.1;
 
-// A direction in which the shapes are separated, and the face that it is the normal of, if any.
-struct Axis {
-    DVec3 normal; // from a to b
-    double separation = none;
-    int face = -1;
-    bool is_second = false; // the face is b's
-    DVec3 on_a, on_b;       // the points of the shapes that are farthest along the normal and against it
-    DVec3 touch;            // midway between the points of the cores that are nearest to each other
-};
-
-double separation_along(const Convex& a, const Convex& b, DVec3 n) {
-    return dot(n, near_support(b, -n) - near_support(a, n));
-}
-
 // No contact: the shapes are that far apart along the normal.
 bool put_apart(Manifold& out, DVec3 normal, double separation) {
     math::put(out.normal, math::to_float(normal));
     out.points[0][3] = static_cast<float>(separation);
     return true;
-}
-
-void measure(const Convex& a, const Convex& b, Axis& axis) {
-    axis.on_a = near_support(a, axis.normal);
-    axis.on_b = near_support(b, -axis.normal);
-    axis.separation = dot(axis.normal, axis.on_b - axis.on_a);
-}
-
-// The face of a hull along whose normal another shape is farthest away. Any point of the other shape tells how far that
-// can be at most: the face of which that is the most is measured, which gives another point, and so on, until no other
-// can be the one.
-class HullFaceSearch {
-  public:
-    // p: some point of the other shape; best one that is near.
-    HullFaceSearch(const Convex& hull, const Convex& other, DVec3 p, double floor) : hull_(hull), other_(other), p_(p) {
-        best_.separation = floor;
-        slack_ = 1e-5 * (hull.hull->bounding_radius + math::length(middle(other) - hull.center));
-    }
-
-    Axis search() {
-        for (std::size_t i = 0; i < hull_.hull->plane_columns.size(); i += at_once) search_from(i);
-        return best_;
-    }
-
-  private:
-    static constexpr std::size_t width = PlaneColumns::width, at_once = 16 * width; // faces
-    using F4 = columns::F4;
-
-    math::Vec3 local(DVec3 point) const { return math::to_float(to_local(hull_, point - hull_.center)); }
-    // What a limit must exceed for the face to be looked at.
-    float bar() const { return static_cast<float>(best_.separation - outer_radius(hull_) - slack_); }
-
-    // Among the faces from there on.
-    void search_from(std::size_t first) {
-        const PlaneColumns& planes = hull_.hull->plane_columns; // of the core
-        const std::size_t blocks = (std::min(planes.size() - first, at_once) + width - 1) / width;
-        const math::Vec3 p = local(p_), q = local(middle(other_));
-        F4 limits[at_once / width], most = columns::splat(-std::numeric_limits<float>::infinity());
-        for (std::size_t i = 0; i < blocks; ++i) {
-            const std::size_t plane = first + i * width;
-            limits[i] = columns::lesser(planes.above(plane, p), planes.above(plane, q));
-            most = columns::greater(limits[i], most);
-        }
-        for (float greatest = columns::greatest_of(most); greatest > bar(); greatest = columns::greatest_of(most)) {
-            const std::size_t face = take(limits, greatest);
-            const math::Vec3 nearest = local(measure(static_cast<int>(first + face)));
-            most = columns::splat(-std::numeric_limits<float>::infinity());
-            for (std::size_t i = 0; i < blocks; ++i) {
-                limits[i] = columns::lesser(planes.above(first + i * width, nearest), limits[i]);
-                most = columns::greater(limits[i], most);
-            }
-        }
-    }
-
-    // The place of a limit, which is then done with.
-    static std::size_t take(F4* limits, float limit) {
-        std::size_t i = 0;
-        while (!(columns::greatest_of(limits[i]) == limit)) ++i;
-        for (std::size_t k = 0; k < width; ++k)
-            if (limits[i][k] == limit) {
-                limits[i][k] = -std::numeric_limits<float>::infinity();
-                return i * width + k;
-            }
-        return i * width;
-    }
-
-    // The point of the other shape that is nearest to the face.
-    DVec3 measure(int face) {
-        const DVec3 normal = face_normal(hull_, face), nearest = near_support(other_, -normal);
-        const double separation = dot(normal, nearest - face_point(hull_, face));
-        if (separation > best_.separation) best_ = {normal, separation, face, false, {}, {}, {}};
-        return nearest;
-    }
-
-    const Convex &hull_, &other_;
-    DVec3 p_;
-    Axis best_;
-    double slack_ = 0;
-};
-
-// The face of `c` along whose normal the shapes are farthest apart, if more than `floor`. p: some point of the other.
-Axis best_face(const Convex& c, const Convex& other, DVec3 p, double floor) {
-    if (c.kind == Convex::Kind::hull) return HullFaceSearch(c, other, p, floor).search();
-    Axis best;
-    best.separation = floor;
-    for (int i = 0; i < face_count(c); ++i) {
-        if (c.kind == Convex::Kind::cylinder && !((i == 0 ? c.size.z : c.size.x) > 0)) continue;
-        const DVec3 normal = face_normal(c, i), on_face = face_point(c, i);
-        if (!(dot(normal, p - on_face) > best.separation)) continue; // no other point is farther inside
-        const double separation = dot(normal, near_support(other, -normal) - on_face);
-        if (separation > best.separation) best = {normal, separation, i, false, {}, {}, {}};
-    }
-    return best;
 }
 
 // Between a sharp box, inset by so much, and a triangle. False where EPA must look: they are others, or they meet.
@@ -170,11 +61,19 @@ bool axis_of_box_and_triangle(const Convex& a, double inset, const Convex& b, Ax
     return true;
 }
 
-// The direction between the cores; false when the shapes are farther apart than the margin.
-bool find_axis(const Convex& a, const Convex& b, double margin, DVec3 guess, Axis& axis) {
+// Of which the nearest points are looked for.
+bool is_by_exact_cores(const Convex& a, const Convex& b) { return !a.is_sharp || !b.is_sharp; }
+CorePair cores_of(const Convex& a, const Convex& b) {
+    if (is_by_exact_cores(a, b)) return {exact_core(a), exact_core(b)};
+    return {inset_core(a), inset_core(b)};
+}
+
+// The direction between the cores; false when the shapes are farther apart than the margin. `met`: what is nearest.
+bool find_axis(const Convex& a, const Convex& b, double margin, DVec3 guess, Axis& axis, ContactMemory& met) {
+    met = nothing_met;
     if (axis_of_box_and_triangle(a, a.radius, b, axis)) return axis.separation <= margin;
-    const bool is_exact = !a.is_sharp || !b.is_sharp;
-    const CorePair pair = is_exact ? CorePair{exact_core(a), exact_core(b)} : CorePair{inset_core(a), inset_core(b)};
+    const bool is_exact = is_by_exact_cores(a, b);
+    const CorePair pair = cores_of(a, b);
     GjkResult r = gjk_distance(pair, guess, margin + pair.a.radius + pair.b.radius, direction_tolerance);
     axis.normal = r.normal;
     if (r.state == GjkResult::State::far) {
@@ -189,6 +88,7 @@ bool find_axis(const Convex& a, const Convex& b, double margin, DVec3 guess, Axi
         axis.touch = 0.5 * (p.on_a + p.on_b);
     } else {
         axis.normal = r.normal;
+        met = memory_of_edges(pair, r);
         axis.touch = 0.5 * (r.on_a + pair.a.radius * r.normal + r.on_b - pair.b.radius * r.normal);
     }
     measure(a, b, axis);
@@ -301,43 +201,19 @@ void sharpen(const Convex& a, const Convex& b, Axis& axis) {
     if (exact.separation > axis.separation) axis = exact;
 }
 
-// Contact along an axis found from the cores, or along the normal of a face where that is about as good.
-void contact_along(const Convex& a, const Convex& b, Axis axis, double margin, FacePoints& found, Manifold& out) {
+// Contact along an axis found from the cores, or along the normal of a face where that is about as good: true then.
+bool contact_along(const Convex& a, const Convex& b, Axis axis, double margin, FacePoints& found, Manifold& out) {
     const double extent = common_extent(a, b), preference = face_preference(a, b, extent);
     const Axis face = preferred_face(a, b, axis, preference, extent);
     if (face.face >= 0) {
         const double least = std::max(axis.separation, face.separation);
-        if (least > margin) return;
-        if (face_manifold(a, b, face, least, preference + rounding * extent, extent, margin, found, out)) return;
+        if (least > margin) return false;
+        if (face_manifold(a, b, face, least, preference + rounding * extent, extent, margin, found, out)) return true;
         sharpen(a, b, axis);
-        if (axis.separation > margin) return;
+        if (axis.separation > margin) return false;
     }
     edge_manifold(a, b, axis, extent, margin, out);
-}
-
-// The face of `c` that looks most along n, if any looks nearly there.
-int face_along(const Convex& c, DVec3 n, double& cosine) {
-    int face = -1;
-    switch (c.kind) {
-    case Convex::Kind::hull:
-        face = static_cast<int>(c.hull->normal_columns.nearly_farthest(to_local(c, n)));
-        break;
-    case Convex::Kind::box:
-        face = box_face_along(to_local(c, n));
-        break;
-    case Convex::Kind::cylinder:
-        face = dot(c.axes.c1, n) > 0 ? 0 : 1;
-        if (!((face == 0 ? c.size.z : c.size.x) > 0)) return -1;
-        break;
-    case Convex::Kind::polygon:
-        face = 0;
-        break;
-    case Convex::Kind::ball:
-    case Convex::Kind::capsule:
-        return -1;
-    }
-    cosine = dot(face_normal(c, face), n);
-    return cosine > same_face ? face : -1;
+    return false;
 }
 
 // Whether the face that was the contact in the last step still is: its points come as near as any can along its
@@ -346,17 +222,10 @@ int face_along(const Convex& c, DVec3 n, double& cosine) {
 //
 // Where the shapes overlap by d, a direction at an angle f to the normal makes that d cos(f) + b sin(f) at least, if
 // the points are b away from the border of the face: not less than d as long as b > d tan(f / 2).
-bool contact_by_last_face(const Convex& a, const Convex& b, double margin, DVec3 guess, FacePoints& found,
+bool contact_by_last_face(const Convex& a, const Convex& b, double margin, ContactMemory memory, FacePoints& found,
                           Manifold& out) {
-    const double square = dot(guess, guess);
-    if (!(square > 0)) return false;
-    const DVec3 last = (1 / std::sqrt(square)) * guess;
-    double cosine_a = 0, cosine_b = 0;
-    const int face_a = face_along(a, last, cosine_a), face_b = face_along(b, -last, cosine_b);
-    if (face_a < 0 && face_b < 0) return false;
     Axis axis;
-    axis.is_second = face_a < 0 || (face_b >= 0 && cosine_b > cosine_a + tie_of_faces);
-    axis.face = axis.is_second ? face_b : face_a;
+    if (!face_of_memory(memory, a, b, axis)) return false;
     const Convex &c = axis.is_second ? b : a, &other = axis.is_second ? a : b;
     const DVec3 outward = face_normal(c, axis.face);
     axis.normal = axis.is_second ? -outward : outward;
@@ -419,18 +288,28 @@ bool contact_by_sides(const Convex& a, const Convex& b, double margin, Manifold&
 
 } // namespace
 
-void collide_convex(const Convex& a, const Convex& b, double margin, DVec3 guess, Manifold& out) {
+void collide_convex(const Convex& a, const Convex& b, double margin, DVec3 guess, ContactMemory& memory,
+                    Manifold& out) {
     clear_manifold(out);
     if (contact_by_sides(a, b, margin, out)) return;
     FacePoints found;
-    if (contact_by_last_face(a, b, margin, guess, found, out)) return;
-    if (!contact_by_guess(a, b, margin, guess, found, out)) {
-        Axis axis;
-        if (find_axis(a, b, margin, guess, axis)) contact_along(a, b, axis, margin, found, out);
-        if (out.count > 0) return;
-        math::put(out.normal, math::to_float(axis.normal));
-        if (axis.separation > margin) put_apart(out, axis.normal, axis.separation);
+    if (contact_by_last_face(a, b, margin, memory, found, out)) return;
+    Axis axis;
+    if (axis_of_edges(memory, cores_of(a, b), axis)) {
+        measure(a, b, axis);
+    } else {
+        memory = nothing_met;
+        if (contact_by_guess(a, b, margin, guess, found, out)) {
+            if (out.count > 0) memory = memory_of_face(found.known.face, found.known.is_second);
+            return;
+        }
+        find_axis(a, b, margin, guess, axis, memory);
     }
+    if (axis.separation <= margin && contact_along(a, b, axis, margin, found, out))
+        memory = memory_of_face(found.known.face, found.known.is_second);
+    if (out.count > 0) return;
+    math::put(out.normal, math::to_float(axis.normal));
+    if (axis.separation > margin) put_apart(out, axis.normal, axis.separation);
 }
 
 void collide_plane(const Convex& a, DVec3 up, double height, double margin, Manifold& out) {
@@ -526,7 +405,8 @@ SurfaceContact contact_from_cores(const Convex& a, const Convex& polygon, double
                                   Manifold& out) {
     const DVec3 up = polygon.axes.c1;
     Axis axis;
-    if (!find_axis(a, polygon, margin, guess, axis)) return {};
+    ContactMemory met;
+    if (!find_axis(a, polygon, margin, guess, axis, met)) return {};
     if (dot(axis.normal, up) > downward) {
         // It would be pushed down: it has left the polygon, or is so much above it that it is pushed up.
         const double upward = separation_along(a, polygon, -up);

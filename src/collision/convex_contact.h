@@ -5,13 +5,16 @@
 // the normal of the last step, or zero.
 #pragma once
 
+#include "collision/contact_memory.h"
 #include "collision/manifold.h"
 #include "shapes/convex.h"
 
 namespace cairn {
 
-// Where there are no points, the normal is a direction along which the shapes are apart.
-void collide_convex(const Convex& a, const Convex& b, double margin, math::DVec3 guess, Manifold& out);
+// Where there are no points, the normal is a direction along which the shapes are apart. `memory`: of the last test of
+// the two, or nothing_met; then of this one.
+void collide_convex(const Convex& a, const Convex& b, double margin, math::DVec3 guess, ContactMemory& memory,
+                    Manifold& out);
 
 // Against an infinite half-space with the unit normal `up`; the center of `a` is `height` above it.
 void collide_plane(const Convex& a, math::DVec3 up, double height, double margin, Manifold& out);

@@ -1,6 +1,7 @@
 // From pairs of bounds to contact records: who touches whom, where, and with which impulses to begin.
 #pragma once
 
+#include "collision/contact_memory.h"
 #include "dynamics/state.h"
 
 #include <optional>
@@ -43,14 +44,15 @@ std::uint32_t new_contact(State& state);
 void free_contact(State& state, std::uint32_t contact);
 
 // Pairs of shapes that no wide kernel tests (convex_tests.cpp), with points up to `margin` meters apart. `guess`: the
-// normal of the last step, or zero.
+// normal of the last step, or zero; `memory`: see collide_convex.
 struct PosedShape {
     const Geometry& geometry;
     const ShapeData& data;
     const ShapePose& pose;
     math::Vec3 arm; // from the body's center of mass to the shape's origin
 };
-Manifold test_convex_pair(PairKind kind, const PosedShape& a, const PosedShape& b, math::Vec3 guess, float margin);
+Manifold test_convex_pair(PairKind kind, const PosedShape& a, const PosedShape& b, math::Vec3 guess, float margin,
+                          ContactMemory& memory);
 // All directions in which the convex shape `a` touches a mesh or height field, deepest first; `hits` is emptied before.
 void find_patches(const PosedShape& a, const PosedShape& surface, float margin, SurfaceScratch& scratch,
                   std::vector<Manifold>& hits);

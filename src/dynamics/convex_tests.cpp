@@ -41,12 +41,13 @@ Convex facing_polygon(const Convex& a, double reach, const PosedShape& rectangle
 
 } // namespace
 
-Manifold test_convex_pair(PairKind kind, const PosedShape& a, const PosedShape& b, math::Vec3 guess, float margin) {
+Manifold test_convex_pair(PairKind kind, const PosedShape& a, const PosedShape& b, math::Vec3 guess, float margin,
+                          ContactMemory& memory) {
     const DVec3 offset = offset_between(a.pose, b.pose);
     const Convex first = convex_of(a, {});
     Manifold out{};
     if (kind == PairKind::convex_convex) {
-        collide_convex(first, convex_of(b, offset), double(margin), to_double(guess), out);
+        collide_convex(first, convex_of(b, offset), double(margin), to_double(guess), memory, out);
         return out;
     }
     if (kind == PairKind::convex_plane) {

@@ -176,6 +176,11 @@ int face_count(const Convex& c) {
     }
 }
 
+bool has_face(const Convex& c, int face) {
+    if (face < 0 || face >= face_count(c)) return false;
+    return c.kind != Convex::Kind::cylinder || (face == 0 ? c.size.z : c.size.x) > 0;
+}
+
 namespace {
 
 DVec3 core_face_point(const Convex& c, int face) {

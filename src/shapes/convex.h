@@ -118,6 +118,7 @@ math::DVec3 middle(const Convex& c);
 // which touches but gives no direction.
 // Those of a box: +x -x +y -y +z -z; of a cylinder: top, base.
 int face_count(const Convex& c);
+bool has_face(const Convex& c, int face); // the tip of a cone is none
 inline math::DVec3 face_normal(const Convex& c, int face) {
     if (c.kind == Convex::Kind::hull) return c.axes * c.hull->unit_normals[static_cast<std::size_t>(face)];
     if (c.kind == Convex::Kind::box) return face % 2 == 0 ? c.axes.column(face / 2) : -c.axes.column(face / 2);

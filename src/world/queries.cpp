@@ -73,7 +73,8 @@ bool shapes_overlap(const PosedShape& a, const PosedShape& b) {
         const float margin[8] = {};
         wide_kernel (*kind)(poses, firsts, seconds, margin, nullptr, 8, out);
     } else {
-        out[0] = test_convex_pair(*kind, first, second, {}, 0);
+        ContactMemory memory = nothing_met;
+        out[0] = test_convex_pair(*kind, first, second, {}, 0, memory);
     }
     for (int i = 0; i < out[0].count; ++i)
         if (out[0].points[i][3] <= 0) return true;

@@ -25,8 +25,10 @@ inline cairn::math::DVec3 offset_between(const ShapePose& a, const ShapePose& b)
 inline Manifold scalar_result(const Pairs& pairs, int i, cairn::ShapeType first) {
     const ShapePose &a = pairs.first(i), &b = pairs.second(i);
     const cairn::math::DVec3 offset = offset_between(a, b);
+    cairn::ContactMemory memory = cairn::nothing_met;
     Manifold m;
-    collide_convex(convex_of(a, first, {}), convex_of(b, cairn::ShapeType::capsule, offset), pairs.margin(i), {}, m);
+    collide_convex(convex_of(a, first, {}), convex_of(b, cairn::ShapeType::capsule, offset), pairs.margin(i), {},
+                   memory, m);
     return m;
 }
 

@@ -9,8 +9,14 @@
 namespace {
 
 using namespace convex_test;
-using cairn::collide_convex;
+using cairn::ContactMemory;
 using cairn::Manifold;
+
+// Without anything known of a last step.
+void collide_convex(const Convex& a, const Convex& b, double margin, DVec3 guess, Manifold& out) {
+    ContactMemory memory = cairn::nothing_met;
+    cairn::collide_convex(a, b, margin, guess, memory, out);
+}
 
 DVec3 normal_of(const Manifold& m) { return {m.normal[0], m.normal[1], m.normal[2]}; }
 DVec3 point_of(const Manifold& m, int i) { return {m.points[i][0], m.points[i][1], m.points[i][2]}; }
@@ -212,6 +218,38 @@ TEST(ConvexContact, TheNormalOfTheLastStepOnlySavesTime) {
         EXPECT_NEAR(deepest(cold), deepest(warm), tolerance) << k << " kinds " << int(a.kind) << " " << int(b.kind);
     }
     EXPECT_GT(touching, 500);
+}
+
+TEST(ConvexContact, WhatMetInTheLastStepOnlySavesTime) {
+    Random random(15);
+    int touching = 0, faces = 0, edges = 0;
+    for (int k = 0; k < 4000; ++k) {
+        Pair p = random_pair(random);
+        const DVec3 way = 0.01 * random.direction(), axis = random.direction();
+        ContactMemory memory = cairn::nothing_met;
+        DVec3 guess;
+        for (int step = 0; step < 8; ++step) {
+            const Convex a = p.a(), b = p.b();
+            if (random.below(16) == 0) memory = ContactMemory(random.below(1 << 30)); // of other shapes, or none
+            const ContactMemory last = memory;
+            Manifold cold, warm;
+            collide_convex(a, b, 0.02, {}, cold);
+            cairn::collide_convex(a, b, 0.02, guess, memory, warm);
+            ASSERT_EQ(flaw(warm, 0.02), "") << k;
+            if (warm.count > 0 && memory == last && memory != cairn::nothing_met)
+                ++(a.kind == Convex::Kind::hull && b.kind == Convex::Kind::hull && memory >> 28 == 3 ? edges : faces);
+            guess = normal_of(warm);
+            p.offset += way;
+            p.qa = about(axis, 0.02) * p.qa;
+            const double tolerance = 2 * preference(a, b) + 1e-5;
+            if (deepest(cold) > 0.02 - tolerance || deepest(warm) > 0.02 - tolerance || deepest(cold) < -0.1) continue;
+            ++touching;
+            EXPECT_NEAR(deepest(cold), deepest(warm), tolerance) << k << " kinds " << int(a.kind) << " " << int(b.kind);
+        }
+    }
+    EXPECT_GT(touching, 1000);
+    EXPECT_GT(faces, 200);
+    EXPECT_GT(edges, 20);
 }
 
 // A shape on a floor of one kind or another, `gap` above it, leaning by `lean` about z.

@@ -1,0 +1,99 @@
+#include "collision/contact_axis.h"
+
+#include "shapes/columns.h"
+
+namespace cairn {
+
+using math::dot;
+using math::DVec3;
+
+namespace {
+
+// The face of a hull along whose normal another shape is farthest away. Any point of the other shape tells how far that
+// can be at most: the face of which that is the most is measured, which gives another point, and so on, until no other
+// can be the one.
+class HullFaceSearch {
+  public:
+    HullFaceSearch(const Convex& hull, const Convex& other, DVec3 p, double floor) : hull_(hull), other_(other), p_(p) {
+        best_.separation = floor;
+        slack_ = 1e-5 * (hull.hull->bounding_radius + math::length(middle(other) - hull.center));
+    }
+
+    Axis search() {
+        for (std::size_t i = 0; i < hull_.hull->plane_columns.size(); i += at_once) search_from(i);
+        return best_;
+    }
+
+  private:
+    static constexpr std::size_t width = PlaneColumns::width, at_once = 16 * width; // faces
+    using F4 = columns::F4;
+
+    math::Vec3 local(DVec3 point) const { return math::to_float(to_local(hull_, point - hull_.center)); }
+    // What a limit must exceed for the face to be looked at.
+    float bar() const { return static_cast<float>(best_.separation - outer_radius(hull_) - slack_); }
+
+    // Among the faces from there on.
+    void search_from(std::size_t first) {
+        const PlaneColumns& planes = hull_.hull->plane_columns; // of the core
+        const std::size_t blocks = (std::min(planes.size() - first, at_once) + width - 1) / width;
+        const math::Vec3 p = local(p_), q = local(middle(other_));
+        F4 limits[at_once / width], most = columns::splat(-std::numeric_limits<float>::infinity());
+        for (std::size_t i = 0; i < blocks; ++i) {
+            const std::size_t plane = first + i * width;
+            limits[i] = columns::lesser(planes.above(plane, p), planes.above(plane, q));
+            most = columns::greater(limits[i], most);
+        }
+        for (float greatest = columns::greatest_of(most); greatest > bar(); greatest = columns::greatest_of(most)) {
+            const std::size_t face = take(limits, greatest);
+            const math::Vec3 nearest = local(measure(static_cast<int>(first + face)));
+            most = columns::splat(-std::numeric_limits<float>::infinity());
+            for (std::size_t i = 0; i < blocks; ++i) {
+                limits[i] = columns::lesser(planes.above(first + i * width, nearest), limits[i]);
+                most = columns::greater(limits[i], most);
+            }
+        }
+    }
+
+    // The place of a limit, which is then done with.
+    static std::size_t take(F4* limits, float limit) {
+        std::size_t i = 0;
+        while (!(columns::greatest_of(limits[i]) == limit)) ++i;
+        for (std::size_t k = 0; k < width; ++k)
+            if (limits[i][k] == limit) {
+                limits[i][k] = -std::numeric_limits<float>::infinity();
+                return i * width + k;
+            }
+        return i * width;
+    }
+
+    // The point of the other shape that is nearest to the face.
+    DVec3 measure(int face) {
+        const DVec3 normal = face_normal(hull_, face), nearest = near_support(other_, -normal);
+        const double separation = dot(normal, nearest - face_point(hull_, face));
+        if (separation > best_.separation) best_ = {normal, separation, face, false, {}, {}, {}};
+        return nearest;
+    }
+
+    const Convex &hull_, &other_;
+    DVec3 p_;
+    Axis best_;
+    double slack_ = 0;
+};
+
+} // namespace
+
+Axis best_face(const Convex& c, const Convex& other, DVec3 p, double floor) {
+    if (c.kind == Convex::Kind::hull) return HullFaceSearch(c, other, p, floor).search();
+    Axis best;
+    best.separation = floor;
+    for (int i = 0; i < face_count(c); ++i) {
+        if (!has_face(c, i)) continue;
+        const DVec3 normal = face_normal(c, i), on_face = face_point(c, i);
+        if (!(dot(normal, p - on_face) > best.separation)) continue; // no other point is farther inside
+        const double separation = dot(normal, near_support(other, -normal) - on_face);
+        if (separation > best.separation) best = {normal, separation, i, false, {}, {}, {}};
+    }
+    return best;
+}
+
+} // namespace cairn

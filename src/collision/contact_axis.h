@@ -1,0 +1,34 @@
+// Directions in which two convex shapes may be separated: how far, and by which face.
+#pragma once
+
+#include "shapes/convex.h"
+
+#include <limits>
+
+namespace cairn {
+
+// A direction in which the shapes are separated, and the face that it is the normal of, if any.
+struct Axis {
+    math::DVec3 normal; // from a to b
+    double separation = -std::numeric_limits<double>::infinity();
+    int face = -1;
+    bool is_second = false; // the face is b's
+    math::DVec3 on_a, on_b; // the points of the shapes that are farthest along the normal and against it
+    math::DVec3 touch;      // midway between the points of the cores that are nearest to each other
+};
+
+inline double separation_along(const Convex& a, const Convex& b, math::DVec3 n) {
+    return math::dot(n, near_support(b, -n) - near_support(a, n));
+}
+// The points of the shapes along the axis, and how far they are apart.
+inline void measure(const Convex& a, const Convex& b, Axis& axis) {
+    axis.on_a = near_support(a, axis.normal);
+    axis.on_b = near_support(b, -axis.normal);
+    axis.separation = math::dot(axis.normal, axis.on_b - axis.on_a);
+}
+
+// The face of `c` along whose normal the shapes are farthest apart, if more than `floor`. p: some point of the other,
+// best one that is near.
+Axis best_face(const Convex& c, const Convex& other, math::DVec3 p, double floor);
+
+} // namespace cairn
