@@ -14,8 +14,8 @@ namespace {
 // can be the one.
 class HullFaceSearch {
   public:
-    HullFaceSearch(const Convex& hull, const Convex& other, DVec3 p, double floor) : hull_(hull), other_(other), p_(p) {
-        best_.separation = floor;
+    HullFaceSearch(const Convex& hull, const Convex& other, DVec3 p, const Axis& floor)
+        : hull_(hull), other_(other), p_(p), best_(floor) {
         slack_ = 1e-5 * (hull.hull->bounding_radius + math::length(middle(other) - hull.center));
     }
 
@@ -26,6 +26,7 @@ class HullFaceSearch {
 
   private:
     static constexpr std::size_t width = PlaneColumns::width, at_once = 16 * width; // faces
+    static constexpr float done = -std::numeric_limits<float>::infinity();
     using F4 = columns::F4;
 
     math::Vec3 local(DVec3 point) const { return math::to_float(to_local(hull_, point - hull_.center)); }
@@ -37,16 +38,16 @@ class HullFaceSearch {
         const PlaneColumns& planes = hull_.hull->plane_columns; // of the core
         const std::size_t blocks = (std::min(planes.size() - first, at_once) + width - 1) / width;
         const math::Vec3 p = local(p_), q = local(middle(other_));
-        F4 limits[at_once / width], most = columns::splat(-std::numeric_limits<float>::infinity());
-        for (std::size_t i = 0; i < blocks; ++i) {
-            const std::size_t plane = first + i * width;
-            limits[i] = columns::lesser(planes.above(plane, p), planes.above(plane, q));
-            most = columns::greater(limits[i], most);
-        }
+        F4 limits[at_once / width];
+        for (std::size_t i = 0; i < blocks; ++i)
+            limits[i] = columns::lesser(planes.above(first + i * width, p), planes.above(first + i * width, q));
+        if (const std::size_t known = std::size_t(best_.face) - first; best_.face >= int(first) && known < at_once)
+            limits[known / width][known % width] = done;
+        F4 most = limits[0];
+        for (std::size_t i = 1; i < blocks; ++i) most = columns::greater(limits[i], most);
         for (float greatest = columns::greatest_of(most); greatest > bar(); greatest = columns::greatest_of(most)) {
-            const std::size_t face = take(limits, greatest);
-            const math::Vec3 nearest = local(measure(static_cast<int>(first + face)));
-            most = columns::splat(-std::numeric_limits<float>::infinity());
+            const math::Vec3 nearest = local(measure(static_cast<int>(first + take(limits, greatest))));
+            most = columns::splat(done);
             for (std::size_t i = 0; i < blocks; ++i) {
                 limits[i] = columns::lesser(planes.above(first + i * width, nearest), limits[i]);
                 most = columns::greater(limits[i], most);
@@ -57,13 +58,11 @@ class HullFaceSearch {
     // The place of a limit, which is then done with.
     static std::size_t take(F4* limits, float limit) {
         std::size_t i = 0;
-        while (!(columns::greatest_of(limits[i]) == limit)) ++i;
-        for (std::size_t k = 0; k < width; ++k)
-            if (limits[i][k] == limit) {
-                limits[i][k] = -std::numeric_limits<float>::infinity();
-                return i * width + k;
-            }
-        return i * width;
+        while (!columns::any(limits[i] == columns::splat(limit))) ++i;
+        std::size_t k = 0;
+        while (limits[i][k] != limit) ++k;
+        limits[i][k] = done;
+        return i * width + k;
     }
 
     // The point of the other shape that is nearest to the face.
@@ -82,10 +81,9 @@ class HullFaceSearch {
 
 } // namespace
 
-Axis best_face(const Convex& c, const Convex& other, DVec3 p, double floor) {
+Axis best_face(const Convex& c, const Convex& other, DVec3 p, const Axis& floor) {
     if (c.kind == Convex::Kind::hull) return HullFaceSearch(c, other, p, floor).search();
-    Axis best;
-    best.separation = floor;
+    Axis best = floor;
     for (int i = 0; i < face_count(c); ++i) {
         if (!has_face(c, i)) continue;
         const DVec3 normal = face_normal(c, i), on_face = face_point(c, i);

@@ -27,8 +27,8 @@ inline void measure(const Convex& a, const Convex& b, Axis& axis) {
     axis.separation = math::dot(axis.normal, axis.on_b - axis.on_a);
 }
 
-// The face of `c` along whose normal the shapes are farthest apart, if more than `floor`. p: some point of the other,
-// best one that is near.
-Axis best_face(const Convex& c, const Convex& other, math::DVec3 p, double floor);
+// The face of `c` along whose normal the shapes are farthest apart, if more than `floor`: that is one of its faces as
+// well, or none with the separation that others must exceed. p: some point of the other, best one that is near.
+Axis best_face(const Convex& c, const Convex& other, math::DVec3 p, const Axis& floor);
 
 } // namespace cairn

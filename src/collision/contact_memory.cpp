@@ -75,9 +75,10 @@ ContactMemory memory_of_face(int face, bool is_second) {
 bool face_of_memory(ContactMemory memory, const Convex& a, const Convex& b, Axis& axis) {
     const std::uint32_t kind = memory >> kind_shift;
     if (kind != of_first && kind != of_second) return false;
-    axis.is_second = kind == of_second;
-    axis.face = static_cast<int>(memory & ((1u << kind_shift) - 1));
-    return has_face(axis.is_second ? b : a, axis.face);
+    const int face = static_cast<int>(memory & ((1u << kind_shift) - 1));
+    if (!has_face(kind == of_second ? b : a, face)) return false;
+    axis.face = face, axis.is_second = kind == of_second;
+    return true;
 }
 
 ContactMemory memory_of_edges(const CorePair& cores, const GjkResult& found) {

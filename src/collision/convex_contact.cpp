@@ -178,12 +178,18 @@ double face_preference(const Convex& a, const Convex& b, double extent) {
     return (is_round ? round_part : 1) * inset_part_of(a, b);
 }
 
-// The face along whose normal the shapes are farthest apart, if that is about as good as the axis.
+// The face along whose normal the shapes are farthest apart, if that is about as good as the axis; which may be such a
+// face itself.
 Axis preferred_face(const Convex& a, const Convex& b, const Axis& axis, double preference, double extent) {
-    const double floor = axis.separation - preference;
-    Axis face = best_face(a, b, axis.on_b, floor);
-    const double second_floor = face.face < 0 ? floor : face.separation + second_face_tolerance * extent;
-    const Axis second = best_face(b, a, axis.on_a, second_floor);
+    const double tolerance = second_face_tolerance * extent;
+    const bool is_first = axis.face >= 0 && !axis.is_second, is_second = axis.face >= 0 && axis.is_second;
+    Axis floor;
+    floor.separation = axis.separation - (is_second ? tolerance : preference);
+    Axis face = best_face(a, b, axis.on_b, is_first ? axis : floor);
+    if (face.face >= 0) floor.separation = face.separation + tolerance;
+    const bool is_better = is_second && axis.separation > floor.separation;
+    if (is_better) floor = axis, floor.normal = -axis.normal;
+    const Axis second = best_face(b, a, axis.on_a, floor);
     if (second.face >= 0) face = {-second.normal, second.separation, second.face, true, {}, {}, {}};
     return face;
 }
@@ -218,18 +224,19 @@ bool contact_along(const Convex& a, const Convex& b, Axis axis, double margin, F
 
 // Whether the face that was the contact in the last step still is: its points come as near as any can along its
 // normal, so that no other direction separates the shapes more. True as well when they are apart along it; there are no
-// points then, and the normal is that. The other faces need not be looked at.
+// points then, and the normal is that. The other faces need not be looked at. `axis`: of that face, if it is one.
 //
 // Where the shapes overlap by d, a direction at an angle f to the normal makes that d cos(f) + b sin(f) at least, if
 // the points are b away from the border of the face: not less than d as long as b > d tan(f / 2).
-bool contact_by_last_face(const Convex& a, const Convex& b, double margin, ContactMemory memory, FacePoints& found,
-                          Manifold& out) {
-    Axis axis;
+bool contact_by_last_face(const Convex& a, const Convex& b, double margin, ContactMemory memory, Axis& axis,
+                          FacePoints& found, Manifold& out) {
     if (!face_of_memory(memory, a, b, axis)) return false;
     const Convex &c = axis.is_second ? b : a, &other = axis.is_second ? a : b;
     const DVec3 outward = face_normal(c, axis.face);
     axis.normal = axis.is_second ? -outward : outward;
-    axis.separation = dot(outward, near_support(other, -outward) - face_point(c, axis.face));
+    const DVec3 on_face = face_point(c, axis.face), nearest = near_support(other, -outward);
+    axis.on_a = axis.is_second ? nearest : on_face, axis.on_b = axis.is_second ? on_face : nearest;
+    axis.separation = dot(axis.normal, axis.on_b - axis.on_a);
     if (axis.separation > margin) return put_apart(out, axis.normal, axis.separation);
     if (axis.separation < -inset_part_of(a, b)) return false;
     const double extent = common_extent(a, b);
@@ -242,13 +249,16 @@ bool contact_by_last_face(const Convex& a, const Convex& b, double margin, Conta
 
 // What the normal of the last step tells without the cores. True when the shapes are apart along it, or when a face
 // near it is the contact: its points come as near as any points can along the face's normal, so that no other
-// direction is better, nor any other face. Only while the overlap is shallow: deeper, edges might be better.
-bool contact_by_guess(const Convex& a, const Convex& b, double margin, DVec3 guess, FacePoints& found, Manifold& out) {
-    const double square = dot(guess, guess);
-    if (!(square > 0)) return false;
-    Axis axis;
-    axis.normal = (1 / std::sqrt(square)) * guess;
-    measure(a, b, axis);
+// direction is better, nor any other face. Only while the overlap is shallow: deeper, edges might be better. `axis`: of
+// the face of the last step, or of none.
+bool contact_by_guess(const Convex& a, const Convex& b, double margin, Axis axis, DVec3 guess, FacePoints& found,
+                      Manifold& out) {
+    if (axis.face < 0) {
+        const double square = dot(guess, guess);
+        if (!(square > 0)) return false;
+        axis.normal = (1 / std::sqrt(square)) * guess;
+        measure(a, b, axis);
+    }
     if (axis.separation > margin) return put_apart(out, axis.normal, axis.separation);
     if (face_count(a) == 0 && face_count(b) == 0) return false;
     const double extent = common_extent(a, b), preference = face_preference(a, b, extent);
@@ -293,13 +303,13 @@ void collide_convex(const Convex& a, const Convex& b, double margin, DVec3 guess
     clear_manifold(out);
     if (contact_by_sides(a, b, margin, out)) return;
     FacePoints found;
-    if (contact_by_last_face(a, b, margin, memory, found, out)) return;
-    Axis axis;
+    Axis last, axis;
+    if (contact_by_last_face(a, b, margin, memory, last, found, out)) return;
     if (axis_of_edges(memory, cores_of(a, b), axis)) {
         measure(a, b, axis);
     } else {
         memory = nothing_met;
-        if (contact_by_guess(a, b, margin, guess, found, out)) {
+        if (contact_by_guess(a, b, margin, last, guess, found, out)) {
             if (out.count > 0) memory = memory_of_face(found.known.face, found.known.is_second);
             return;
         }
@@ -436,7 +446,7 @@ SurfaceContact collide_surface(const Convex& a, const Convex& polygon, double ma
         return {};
     }
     FacePoints found;
-    if (contact_by_guess(a, polygon, margin, guess, found, out)) return place_of(a, polygon, out);
+    if (contact_by_guess(a, polygon, margin, {}, guess, found, out)) return place_of(a, polygon, out);
     return contact_from_cores(a, polygon, margin, guess, found, out);
 }
 

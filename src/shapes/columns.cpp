@@ -1,6 +1,5 @@
 #include "shapes/columns.h"
 
-#include <cstdint>
 #include <cstring>
 #include <limits>
 
@@ -11,15 +10,8 @@ using math::DVec3;
 namespace {
 
 using namespace columns;
-using I4 = std::int32_t __attribute__((vector_size(16)));
 
 constexpr std::size_t block = 8, most_kept = 4;
-
-bool any(I4 m) {
-    std::int64_t halves[2];
-    std::memcpy(halves, &m, sizeof m);
-    return (halves[0] | halves[1]) != 0;
-}
 
 } // namespace
 

@@ -4,6 +4,7 @@
 #include "math/vec.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <span>
 #include <vector>
@@ -13,6 +14,7 @@ namespace cairn {
 namespace columns {
 
 using F4 = float __attribute__((vector_size(16)));
+using I4 = std::int32_t __attribute__((vector_size(16)));
 inline F4 load(const float* p) {
     F4 v;
     std::memcpy(&v, p, sizeof v);
@@ -21,6 +23,11 @@ inline F4 load(const float* p) {
 inline F4 splat(float s) { return F4{s, s, s, s}; }
 inline F4 greater(F4 a, F4 b) { return a > b ? a : b; }
 inline F4 lesser(F4 a, F4 b) { return a < b ? a : b; }
+inline bool any(I4 m) {
+    std::int64_t halves[2];
+    std::memcpy(halves, &m, sizeof m);
+    return (halves[0] | halves[1]) != 0;
+}
 inline float greatest_of(F4 v) {
     const float low = v[0] > v[1] ? v[0] : v[1], high = v[2] > v[3] ? v[2] : v[3];
     return low > high ? low : high;
