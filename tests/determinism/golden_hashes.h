@@ -17,10 +17,10 @@ inline constexpr std::uint64_t compounds = 0x2fefb04d5781c181;
 inline constexpr std::uint64_t free_tops = 0x7424415fa1add17c;
 inline constexpr std::uint64_t explicit_euler = 0x55a88828db5c3519;
 inline constexpr std::uint64_t whirl = 0x38568c28613c446b;
-inline constexpr std::uint64_t changes = 0xb08d4ab8d32c8668;
-inline constexpr std::uint64_t all_shapes = 0xb30f47dce22a766f;
-inline constexpr std::uint64_t rounded_shapes = 0x653645792c4bfd48;
-inline constexpr std::uint64_t surfaces = 0x1a3d4917c02bba0c;
+inline constexpr std::uint64_t changes = 0xb3774d38bad2931b;
+inline constexpr std::uint64_t all_shapes = 0x7c47d1fc8ca25c42;
+inline constexpr std::uint64_t rounded_shapes = 0x15255c29227276e3;
+inline constexpr std::uint64_t surfaces = 0x0df8dd4f66084169;
 inline constexpr std::uint64_t all_joints = 0x54bbd5aad4bf9a06;
 inline constexpr std::uint64_t chains = 0x911914e8eb2d30c1;
 
