@@ -71,20 +71,25 @@ TreeRay BroadPhase::to_ray(math::DVec3 origin, math::DVec3 direction) const {
     return ray;
 }
 
-// Whether the fat box may stay: it contains the required bounds, and is not far larger than a new one would be. False
-// for what is no number.
-bool BroadPhase::fat_serves(const DBounds& fat, const DBounds& tight, math::Vec3 displacement) {
+// The fat box may stay while it contains the required bounds, and is not far larger than a new one would be. Not for
+// what is no number.
+double BroadPhase::fat_room(const DBounds& fat, const DBounds& tight, math::Vec3 displacement) {
     const math::DVec3 extent = tight.hi - tight.lo, motion = math::to_double(displacement);
     const double size = std::max(std::max(extent.x, extent.y), extent.z);
     const double margin = std::min(fat_margin, fat_fraction * size);
-    bool serves = true;
+    double least = std::numeric_limits<double>::infinity();
     for (int axis = 0; axis < 3; ++axis) {
         const double lo = tight.lo[axis] - required_margin + std::min(motion[axis], 0.0);
         const double hi = tight.hi[axis] + required_margin + std::max(motion[axis], 0.0);
         const double room = (fat.hi[axis] - fat.lo[axis]) - (hi - lo);
-        serves &= lo >= fat.lo[axis] && hi <= fat.hi[axis] && room <= 6 * margin + 2 * std::fabs(motion[axis]);
+        // Both bounds, the displacement twice more, and the margin with the size change what is too large.
+        const double until_too_large = 0.2 * (6 * margin + 2 * std::fabs(motion[axis]) - room);
+        for (const double way : {lo - fat.lo[axis], fat.hi[axis] - hi, until_too_large}) {
+            if (!(way >= 0)) return -1;
+            least = std::min(least, way);
+        }
     }
-    return serves;
+    return least;
 }
 
 DBounds BroadPhase::new_fat(const DBounds& tight, math::Vec3 displacement) {
@@ -229,7 +234,7 @@ void BroadPhase::write_box(std::uint32_t shape) {
 }
 
 void BroadPhase::set_bounds(std::uint32_t shape, const DBounds& tight, math::Vec3 displacement) {
-    if (fat_serves(fat_[shape], tight, displacement)) return;
+    if (room(shape, tight, displacement) >= 0) return;
     fat_[shape] = new_fat(tight, displacement);
     write_box(shape);
 }

@@ -65,9 +65,10 @@ class BroadPhase {
     // A shape of any kind but a plane has moved. `displacement` is the motion expected over the next step, m: the
     // pairs cover it.
     void set_bounds(std::uint32_t shape, const DBounds& tight, math::Vec3 displacement = {});
-    // Whether set_bounds would change nothing: the fat box still contains them. May be asked from many threads.
-    bool serves(std::uint32_t shape, const DBounds& tight, math::Vec3 displacement) const {
-        return fat_serves(fat_[shape], tight, displacement);
+    // set_bounds would change nothing, as the fat box still contains them, until these bounds and the displacement have
+    // changed by so much together, m; less than 0 if it would. May be asked from many threads.
+    double room(std::uint32_t shape, const DBounds& tight, math::Vec3 displacement) const {
+        return fat_room(fat_[shape], tight, displacement);
     }
     void set_bounds(std::span<const std::uint32_t> shapes, std::span<const DBounds> tight,
                     std::span<const math::Vec3> displacements);
@@ -170,7 +171,7 @@ class BroadPhase {
     void note_change(std::uint32_t shape, const TreeBox& before);
     void note_touched(const TreeBox& box) { touched_.push_back(box); }
     void write_box(std::uint32_t shape);
-    static bool fat_serves(const DBounds& fat, const DBounds& tight, math::Vec3 displacement);
+    static double fat_room(const DBounds& fat, const DBounds& tight, math::Vec3 displacement);
     static DBounds new_fat(const DBounds& tight, math::Vec3 displacement);
     void choose_first_origin(const DBounds& bounds);
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace cairn {
 
@@ -33,6 +34,7 @@ constexpr float usual_step = 1.0f / 60; // s: what comes between two steps does 
 void move_shapes(State& s, std::int32_t b, float dt) {
     const math::Vec3 displacement = dt * s.motion[std::size_t(b)].v;
     const float turn = turn_reach(s, b, dt);
+    s.served[std::size_t(b)].room = -1;
     place_each_shape(s, b, [&](std::uint32_t shape, const math::Mat3& rotation) {
         const ShapePose& pose = s.shape_poses[shape];
         if (s.geometry[shape].type == ShapeType::plane)
@@ -41,6 +43,8 @@ void move_shapes(State& s, std::int32_t b, float dt) {
             s.broad_phase.set_bounds(shape, bounds_of(s, shape, rotation, turn), displacement);
     });
 }
+
+constexpr double rounding = 1e-5; // of bounds, as part of a body's size
 
 // How far out a body's surface turns. One without shapes is as large as its inertia says.
 float surface_radius(const State& s, std::int32_t b) {
@@ -56,11 +60,21 @@ void finalize_body(State& s, std::int32_t b, float dt, std::vector<EscapedShape>
     const BodyMotion& motion = s.motion[std::size_t(b)];
     const math::Vec3 displacement = dt * motion.v;
     const float turn = turn_reach(s, b, dt);
-    place_each_shape(s, b, [&](std::uint32_t shape, const math::Mat3& rotation) { // none of them a plane: it is dynamic
-        const DBounds bounds = bounds_of(s, shape, rotation, turn);
-        if (!s.broad_phase.serves(shape, bounds, displacement)) escaped.push_back({shape, bounds, displacement});
-    });
     BodyLinks& links = s.bodies[std::size_t(b)];
+    ServedPose& served = s.served[std::size_t(b)];
+    const double ahead = double(turn + math::length(displacement));
+    if (served.room >= 0 && way_from(served.pose, motion, links.radius) + ahead <= served.room) {
+        place_shapes(s, b);
+    } else {
+        double room = std::numeric_limits<double>::infinity();
+        place_each_shape(s, b, [&](std::uint32_t shape, const math::Mat3& rotation) { // no plane: the body is dynamic
+            const DBounds bounds = bounds_of(s, shape, rotation, turn);
+            const double own = s.broad_phase.room(shape, bounds, displacement);
+            if (own < 0) escaped.push_back({shape, bounds, displacement});
+            room = std::min(room, own);
+        });
+        served = {{motion.x, motion.q}, room - ahead - rounding * double(links.radius)};
+    }
     const float speed = math::length(motion.v) + math::length(motion.w) * surface_radius(s, b);
     links.quiet_time = speed < s.settings.sleep_speed ? links.quiet_time + dt : 0;
 }
@@ -79,6 +93,7 @@ void finalize_kinematics(State& s, float dt) {
 
 void add_proxy(State& s, std::uint32_t shape) {
     const std::int32_t body = s.shapes[shape].body;
+    s.served[std::size_t(body)].room = -1;
     const BodyType type = s.body_settings[std::size_t(body)].type;
     if (s.geometry[shape].type == ShapeType::plane) {
         const ShapePose& pose = s.shape_poses[shape];

@@ -25,24 +25,11 @@ constexpr int bodies_per_chunk = 1024; // for threads
 
 bool is_within(math::DVec3 v, double most) { return math::dot(v, v) <= most * most; }
 
-// Of two unit quaternions: the square of how far they are apart.
-double square_difference(const math::DQuat& p, const math::DQuat& q) {
-    return (q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y) + (q.z - p.z) * (q.z - p.z) +
-           (q.w - p.w) * (q.w - p.w);
-}
-
 // Whether every point of a body is within `most` of where it is in that pose.
 bool is_at(const RestingPose& pose, const BodyMotion& motion, float radius, double most) {
     // A turn by a small angle a changes the unit quaternion by a / 2.
     const double turn = square_difference(pose.q, motion.q);
     return is_within(motion.x - pose.x, most) && 4 * turn * double(radius) * double(radius) <= most * most;
-}
-
-// How far any point of a body is from where it was in that pose, at most. Unit quaternions that are d apart differ by
-// an angle of 4 asin(d / 2), which is not more than pi d.
-double way_from(const RestingPose& pose, const BodyMotion& motion, float radius) {
-    constexpr double pi = 3.14159265358979;
-    return math::length(motion.x - pose.x) + pi * std::sqrt(square_difference(pose.q, motion.q)) * double(radius);
 }
 
 bool rests(const RestingPose& pose, const BodyMotion& motion, float radius, double shift, double speed) {

@@ -4,6 +4,8 @@
 
 #include "dynamics/state.h"
 
+#include <cmath>
+
 namespace cairn {
 
 // Notes, at the start of a pass, which awake and kinematic bodies have left the pose they rested in or are about to,
@@ -15,6 +17,19 @@ void update_resting(State& state, float dt);
 // would give it energy without end. Not of bodies in joints: their inertia is renewed in each substep, and a hand that
 // whirls in a heap of ragdolls would have all contacts of the world found anew.
 float whirl_in_contact(const State& state);
+
+// Of two unit quaternions: the square of how far they are apart.
+inline double square_difference(const math::DQuat& p, const math::DQuat& q) {
+    return (q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y) + (q.z - p.z) * (q.z - p.z) +
+           (q.w - p.w) * (q.w - p.w);
+}
+
+// How far any point of a body is from where it was in that pose, at most. Unit quaternions that are d apart differ by
+// an angle of 4 asin(d / 2), which is not more than pi d.
+inline double way_from(const RestingPose& pose, const BodyMotion& motion, float radius) {
+    constexpr double pi = 3.14159265358979;
+    return math::length(motion.x - pose.x) + pi * std::sqrt(square_difference(pose.q, motion.q)) * double(radius);
+}
 
 // Neither body has moved by more than a small part of a micrometer (rest.cpp) since the pair was tested.
 inline bool is_tested(const State& state, const ContactInfo& c) {

@@ -126,6 +126,13 @@ inline constexpr int wide_kinds = 10, tested_kinds = 14;
 inline bool has_one_point(PairKind k) { return k <= PairKind::sphere_capsule; }
 inline bool may_be_round(PairKind k) { return k < PairKind::box_box || k > PairKind::box_rectangle; }
 
+// A pose of a body in which all its fat boxes serve; and until they might not, how far its points may move, m, with
+// what is looked ahead in either pose. Only saves time: not part of a snapshot.
+struct ServedPose {
+    RestingPose pose;
+    double room = -1;
+};
+
 // What is known of a pair of shapes whose bounds overlap, beside its ContactRecord. Body A is dynamic.
 struct alignas(64) ContactInfo {
     std::uint32_t shape_a = 0, shape_b = 0;
@@ -198,6 +205,7 @@ struct State {
     std::vector<std::uint64_t> strayed_at;
     // How far any point of a body has moved since it was made, m, at most; and how far it will have after this pass.
     std::vector<double> way, ahead;
+    std::vector<ServedPose> served;
     std::vector<std::int32_t> kinematics; // kinematic bodies, in order of creation
 
     SlotPool shape_slots;

@@ -72,6 +72,7 @@ template <class Archive> void serialize_bodies(Archive& archive, State& s) {
     archive.foretold(s.resting, [&](std::size_t i) { return RestingPose{s.motion[i].x, s.motion[i].q}; });
     archive.foretold(s.near, [&](std::size_t i) { return s.resting[i]; });
     archive(s.left_at), archive(s.strayed_at), archive(s.way), archive(s.ahead);
+    if constexpr (Archive::reading) s.served.assign(s.bodies.size(), {});
     archive(s.shapes);
     archive.foretold(s.shape_poses, [&](std::size_t i) { return expected_pose(s, i); });
     archive(s.islands), archive(s.free_islands), archive(s.awake_islands);
