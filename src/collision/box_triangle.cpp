@@ -1,5 +1,8 @@
 #include "collision/box_triangle.h"
 
+#include "collision/contact_points.h"
+#include "kernels/kernels.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -9,12 +12,10 @@ using math::DVec3;
 
 namespace {
 
-// As in contact_clip.cpp and convex_contact.cpp.
-constexpr double face_tolerance = 1e-4, second_face_tolerance = 1e-4, rounding = 1e-6, edge_on = 1e-2, downward = 1e-3;
+// As in contact_clip.cpp.
+constexpr double face_tolerance = 1e-4, edge_on = 1e-2;
 // As in contact_points.cpp.
-constexpr double tie = 1 + 2e-4, flat_contact = 1e-4;
-// At a cosine this near to 1 a contact is on the face of the triangle wherever it is.
-constexpr double same_direction = 1 - 1e-6;
+constexpr double tie = 1 + 2e-4;
 
 double dot(const double (&a)[3], const double (&b)[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 void cross(const double (&a)[3], const double (&b)[3], double (&out)[3]) {
@@ -60,60 +61,59 @@ template <int corners, int sides> struct Sides {
 } // namespace
 
 BoxOnTriangles::BoxOnTriangles(const Convex& box, DVec3 center, const math::DMat3& axes, double margin)
-    : margin_(margin), extent_(box.extent), inset_(box.radius) {
-    const DVec3 origin = to_local(box, center - box.center);
-    put(half_, box.size);
-    put(origin_, origin);
-    for (int k = 0; k < 3; ++k) put(axes_[k], to_local(box, axes.column(k)));
-    slack_ = 1e-6 * box.extent + 1e-12 * math::length(origin);
+    : half_(frame_.half), margin_(margin), slack_(1e-6 * box.extent + 1e-12 * math::length(center - box.center)),
+      extent_(box.extent), inset_(box.radius) {
+    put(frame_.half, box.size);
+    put(frame_.origin, to_local(box, center - box.center));
+    for (int k = 0; k < 3; ++k) put(frame_.axes[k], to_local(box, axes.column(k)));
+    frame_.margin = margin_, frame_.slack = slack_, frame_.extent = extent_, frame_.inset = inset_;
+    batch_.count = 0;
 }
 
-void BoxOnTriangles::to_box(math::Vec3 v, double (&out)[3]) const {
-    for (int i = 0; i < 3; ++i)
-        out[i] = origin_[i] + double(v.x) * axes_[0][i] + double(v.y) * axes_[1][i] + double(v.z) * axes_[2][i];
+void BoxOnTriangles::add(const Triangle& triangle, std::uint32_t index) {
+    const int n = batch_.count++;
+    batch_.index[n] = index;
+    const math::Vec3 corners[3] = {triangle.a, triangle.b, triangle.c};
+    for (int c = 0; c < 3; ++c)
+        for (int axis = 0; axis < 3; ++axis) batch_.vertices[c][axis][n] = corners[c][axis];
 }
 
-BoxOnTriangles::Verdict BoxOnTriangles::test(const Triangle& triangle, BoxHit& hit) {
-    to_box(triangle.a, corners_[0]);
-    to_box(triangle.b, corners_[1]);
-    to_box(triangle.c, corners_[2]);
-    double ab[3], ac[3];
-    difference(corners_[1], corners_[0], ab);
-    difference(corners_[2], corners_[0], ac);
-    cross(ab, ac, normal_);
-    square_ = dot(normal_, normal_);
-    // Times the length of the normal: the height of the middle, and half the size of the box along the normal.
-    height_ = -dot(normal_, corners_[0]);
-    const double size =
-        half_[0] * std::fabs(normal_[0]) + half_[1] * std::fabs(normal_[1]) + half_[2] * std::fabs(normal_[2]);
-    if (height_ * height_ <= slack_ * slack_ * square_) return Verdict::unsure; // on which side?
-    if (height_ < 0)
-        return is_beyond(-height_ - size, slack_, square_) || is_beside() ? Verdict::apart : Verdict::unsure;
-    if (is_beyond(height_ - size, margin_ + slack_, square_)) return Verdict::apart;
-    const Face box_face = best_box_face();
-    if (box_face.separation > margin_ + slack_) return Verdict::apart;
+double BoxOnTriangles::look() {
+    for (int n = batch_.count; n % 4 != 0; ++n) // what the kernel looks at beyond the last
+        for (auto& corner : batch_.vertices)
+            for (auto& along : corner) along[n] = along[n - 1];
+    kernels().see_triangles(frame_, batch_);
+    return batch_.distance;
+}
 
-    const double length = std::sqrt(square_), scale = 1 / length;
-    for (double& x : normal_) x *= scale;
-    height_ *= scale;
-    // The same choice, and the same doubts, as in convex_contact.cpp.
-    const double along_normal = height_ - size * scale;
-    const bool is_box_face = box_face.separation > along_normal - inset_ &&
-                             !(along_normal > box_face.separation + second_face_tolerance * extent_);
-    const double least = is_box_face ? box_face.separation : along_normal;
-    if (std::max(least, along_normal) > margin_) return Verdict::apart;
+void BoxOnTriangles::take(int i) {
+    for (int c = 0; c < 3; ++c)
+        for (int axis = 0; axis < 3; ++axis) corners_[c][axis] = batch_.corners[c][axis][i];
+    for (int axis = 0; axis < 3; ++axis) normal_[axis] = batch_.normal[axis][i];
+    square_ = batch_.square[i], height_ = batch_.height[i], along_normal_ = batch_.along_normal[i];
+}
+
+BoxOnTriangles::Verdict BoxOnTriangles::test(int i, BoxHit& hit) {
+    const TriangleView view = batch_.view[i];
+    if (view == TriangleView::apart) return Verdict::apart;
+    if (view == TriangleView::level) return Verdict::unsure;
+    take(i);
+    if (view == TriangleView::behind) return is_beside() ? Verdict::apart : Verdict::unsure;
+    const Face box_face{batch_.along_box[i], batch_.box_face[i] / 2, batch_.box_face[i] % 2 == 0 ? 1.0 : -1.0};
     best_face_ = {};
-    if (least < -inset_) return Verdict::beyond_faces;
     find_borders();
+    if (view == TriangleView::deep) return beyond_faces(box_face, hit);
+    // The same choice, and the same doubts, as in convex_contact.cpp.
+    const bool is_triangle = view == TriangleView::on_triangle;
+    const double least = is_triangle ? along_normal_ : box_face.separation;
     hit.count = 0;
-    const double reached = is_box_face ? on_box(box_face, hit) : on_triangle(hit);
+    const double reached = is_triangle ? on_triangle(hit) : on_box(box_face, hit);
     if (hit.count == 0 || !(reached <= least + (inset_ + rounding * extent_))) {
         if (!border_is_near()) return Verdict::apart;
-        best_face_ = {is_box_face ? 2 * box_face.axis + (box_face.sign < 0 ? 1 : 0) : 0, !is_box_face, reached};
-        return Verdict::beyond_faces;
+        best_face_ = reach_of(box_face, is_triangle, reached);
+        return beyond_faces(box_face, hit);
     }
-    if (is_box_face && box_face.sign * normal_[box_face.axis] > downward) return Verdict::apart; // it would push down
-    return Verdict::touching;
+    return pushes_down(hit) ? Verdict::apart : Verdict::touching;
 }
 
 // The middle of the box is not over the triangle, as seen along the normal.
@@ -139,18 +139,6 @@ bool BoxOnTriangles::border_is_near() const {
     sides.mark();
     double start, end;
     return sides.cut(0, 1, start, end) || sides.cut(1, 2, start, end) || sides.cut(2, 0, start, end);
-}
-
-// Along whose normal the triangle is farthest.
-BoxOnTriangles::Face BoxOnTriangles::best_box_face() const {
-    Face best{-std::numeric_limits<double>::infinity(), 0, 1};
-    for (int i = 0; i < 3; ++i) {
-        const double a = corners_[0][i], b = corners_[1][i], c = corners_[2][i];
-        const double above = std::min(std::min(a, b), c) - half_[i], below = -std::max(std::max(a, b), c) - half_[i];
-        if (above > best.separation) best = {above, i, 1};
-        if (below > best.separation) best = {below, i, -1};
-    }
-    return best;
 }
 
 void BoxOnTriangles::find_borders() {
@@ -294,7 +282,7 @@ void BoxOnTriangles::choose_deepest(const Face& face, double reached, BoxHit& hi
     double outermost = -1;
     int best = 0;
     for (int n = 0; n < hit.count; ++n) {
-        if (!(hit.points[n].separation <= reached + flat_contact * extent_)) continue;
+        if (!(hit.points[n].separation <= reached + flat_contact_part * extent_)) continue;
         const double dj = hit.points[n].position[j] - middle_j, dk = hit.points[n].position[k] - middle_k;
         const double d = dj * dj + dk * dk;
         if (d > outermost * tie) outermost = d, best = n;

@@ -126,7 +126,7 @@ void clear_manifold(Manifold& out) {
 }
 
 void write_manifold(const ContactPoints& points, DVec3 normal, DVec3 center, double extent, double margin, double least,
-                    Manifold& out) {
+                    Manifold& out, const Placement& frame) {
     clear_manifold(out);
     Chosen chosen;
     if (points.size() == 1)
@@ -135,10 +135,10 @@ void write_manifold(const ContactPoints& points, DVec3 normal, DVec3 center, dou
         chosen = Reducer(points, normal, center, extent, margin).choose();
     if (chosen.count == 0) return;
     out.count = chosen.count;
-    math::put(out.normal, math::to_float(normal));
+    math::put(out.normal, math::to_float(frame.turned(normal)));
     for (int i = 0; i < chosen.count; ++i) {
         const ContactPoint& p = points[chosen.index[i]];
-        math::put(out.points[i], math::to_float(p.position));
+        math::put(out.points[i], math::to_float(frame.placed(p.position)));
         out.points[i][3] = static_cast<float>(p.separation < least ? least : p.separation);
         out.features[i] = p.feature;
     }

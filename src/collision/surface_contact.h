@@ -1,8 +1,8 @@
 // A convex shape against the triangles of a mesh or height field.
 #pragma once
 
+#include "collision/box_triangle.h"
 #include "collision/manifold.h"
-#include "shapes/convex.h"
 
 #include <vector>
 
@@ -15,7 +15,7 @@ struct Surface {
     math::DMat3 axes;
 };
 
-// What the shape has to do with one triangle.
+// What the shape has to do with one triangle, in the frame of boxes, for other shapes in the common one.
 struct TriangleHit {
     math::DVec3 normal;                     // from the shape to the triangle
     math::DVec3 foot;                       // where the triangle is, at the first of the points
@@ -26,11 +26,8 @@ struct TriangleHit {
     std::size_t patch; // that it is a part of
 };
 
-// A point of a hit: midway between the surfaces.
-struct SurfacePoint {
-    math::DVec3 position;
-    double separation;
-};
+// A point of a hit.
+using SurfacePoint = BoxHit::Point;
 
 // One direction in which the shape touches the surface.
 struct SurfacePatch {
@@ -42,14 +39,16 @@ struct SurfacePatch {
 // Working memory.
 struct SurfaceScratch {
     std::vector<TriangleHit> hits;
+    std::vector<std::uint32_t> order; // of hits: the deepest first
     std::vector<SurfacePoint> points;
     std::vector<SurfacePatch> patches;
 };
 
 // All directions in which the shape touches the surface, or is nearer than `margin`: manifolds with different normals,
 // deepest first. Triangles in one plane count as one face, and nothing catches at the edges between them. `manifolds`
-// is emptied before.
-void collide_triangles(const Convex& a, const Surface& surface, double margin, SurfaceScratch& scratch,
-                       std::vector<Manifold>& manifolds);
+// is emptied before. Where there are none, returns how far apart they are at least, as far as has been looked: `reach`,
+// at least the margin, at most.
+double collide_triangles(const Convex& a, const Surface& surface, double margin, double reach, SurfaceScratch& scratch,
+                         std::vector<Manifold>& manifolds);
 
 } // namespace cairn

@@ -7,6 +7,7 @@
 #include "bvh/tree.h"
 #include "collision/manifold.h"
 #include "collision/shape_pose.h"
+#include "collision/triangle_batch.h"
 #include "kernels/joint_data.h"
 #include "kernels/solver_data.h"
 
@@ -33,6 +34,8 @@ struct KernelTable {
     CollideKernel box_rectangle;
     CollideKernel capsule_capsule;
     CollideKernel box_capsule; // first: box, second: capsule
+    // What can be said of triangles and a box by their faces alone.
+    void (*see_triangles)(const BoxFrame& box, TriangleBatch& batch);
 
     SolverKernels solver;
     JointKernels joints;
