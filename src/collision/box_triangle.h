@@ -33,16 +33,29 @@ class BoxOnTriangles {
     // The frame of the triangles, in that in which the box is given.
     BoxOnTriangles(const Convex& box, math::DVec3 center, const math::DMat3& axes, double margin);
 
-    // Triangles are taken in until there are so many, looked at together, and then tested one by one.
+    // Triangles are taken in until there are so many, looked at together, and then tested.
     static constexpr int most = TriangleBatch::capacity;
     int count() const { return batch_.count; }
     void add(const Triangle& triangle, std::uint32_t index);
-    std::uint32_t index(int i) const { return batch_.index[i]; }
     // Returns how far all are apart from the box at least, where that is more than nothing.
     double look();
-    // Writes `hit` where they touch.
-    Verdict test(int i, BoxHit& hit);
-    void clear() { batch_.count = 0; }
+    // f(index, verdict, hit) for all that are not apart; there is a hit where they touch. They are gone then.
+    template <class F> void test(F&& f) {
+        BoxHit hit;
+        const auto tell = [&](int i, Verdict verdict) {
+            if (verdict != Verdict::apart) f(batch_.index[i], verdict, hit);
+        };
+        for (const bool is_triangle : {false, true}) {
+            const List& list = is_triangle ? on_triangle_ : on_box_;
+            for (int first = 0; first < list.count; first += 4) {
+                touch(is_triangle, list.which + first, touches_);
+                for (int lane = 0; lane < 4 && first + lane < list.count; ++lane)
+                    tell(list.which[first + lane], on_face(is_triangle, list.which[first + lane], lane, hit));
+            }
+        }
+        for (int k = 0; k < others_.count; ++k) tell(others_.which[k], on_no_face(others_.which[k], hit));
+        batch_.count = 0;
+    }
 
     // After beyond_faces.
     const FaceReach& best_face() const { return best_face_; }
@@ -65,39 +78,46 @@ class BoxOnTriangles {
     // At a cosine this near to 1 a contact is on the face of the triangle wherever it is.
     static constexpr double same_direction = 1 - 1e-6;
 
+    struct List {
+        int which[most + 3]; // filled up to a multiple of four
+        int count = 0;
+    };
+
     void take(int i);
+    void touch(bool is_triangle, const int* which, FaceTouches& out) const;
+    Verdict on_face(bool is_triangle, int i, int lane, BoxHit& hit);
+    Verdict on_no_face(int i, BoxHit& hit);
+    void write(const FaceTouches& touches, bool is_triangle, int i, int lane, BoxHit& hit) const;
+    Face box_face(int i) const {
+        return {batch_.along_box[i], batch_.box_face[i] / 2, batch_.box_face[i] % 2 == 0 ? 1.0 : -1.0};
+    }
     bool pushes_down(const BoxHit& hit) const { return math::dot(hit.normal, up()) > downward; }
     bool is_beside() const;
     bool border_is_near() const;
-    void find_borders();
-    double on_triangle(BoxHit& hit) const;
-    double on_box(const Face& face, BoxHit& hit) const;
-    void choose_deepest(const Face& face, double reached, BoxHit& hit) const;
-    bool is_inside(math::DVec3 foot) const;
-    void add(BoxHit& hit, const double (&position)[3], double separation) const;
-
     // Beyond faces (box_triangle_edges.cpp).
     math::DVec3 corner(int i) const { return {corners_[i][0], corners_[i][1], corners_[i][2]}; }
     math::DVec3 up() const { return {normal_[0], normal_[1], normal_[2]}; }
     math::DVec3 half() const { return {half_[0], half_[1], half_[2]}; }
-    Verdict beyond_faces(const Face& box_face, BoxHit& hit);
+    bool is_inside(math::DVec3 foot) const;
+    Verdict beyond_faces(BoxHit& hit);
     bool find_axis(double inset, Axis& axis) const;
-    bool touches_face(const Face& face, bool is_triangle, double least, BoxHit& hit);
+    bool touches_face(bool is_triangle, double least, BoxHit& hit);
     Verdict on_edges(const Axis& axis, BoxHit& hit) const;
-    FaceReach reach_of(const Face& box_face, bool is_triangle, double reached) const {
-        return {is_triangle ? 0 : 2 * box_face.axis + (box_face.sign < 0 ? 1 : 0), is_triangle, reached};
+    FaceReach reach_of(bool is_triangle, double reached) const {
+        return {is_triangle ? 0 : int(batch_.box_face[tested_]), is_triangle, reached};
     }
 
     BoxFrame frame_;
     TriangleBatch batch_;
+    List on_box_, on_triangle_, others_; // of the batch, by what is to be done with them
+    FaceTouches touches_;
     const double (&half_)[3];
     const double margin_, slack_, extent_, inset_;
     // Of the triangle that is tested.
+    int tested_;
     double corners_[3][3], normal_[3]; // the normal is unit
-    double square_, height_;           // of the normal as a product of edges; of the box's middle over the triangle
     double along_normal_;              // how far they are apart
     FaceReach best_face_;
-    double inward_[3][3], lengths_[3]; // across the edges, as long as they are; and their lengths
 };
 
 } // namespace cairn

@@ -63,12 +63,15 @@ bool BoxOnTriangles::find_axis(double inset, Axis& axis) const {
 }
 
 // Whether the face is the contact after all: its points reach as far as an axis that has been found leaves room for.
-bool BoxOnTriangles::touches_face(const Face& face, bool is_triangle, double least, BoxHit& hit) {
-    const FaceReach asked = reach_of(face, is_triangle, 0);
+bool BoxOnTriangles::touches_face(bool is_triangle, double least, BoxHit& hit) {
+    const FaceReach asked = reach_of(is_triangle, 0);
     if (best_face_.face != asked.face || best_face_.is_second != asked.is_second) {
+        const int alone[4] = {tested_, tested_, tested_, tested_};
+        FaceTouches touches;
+        touch(is_triangle, alone, touches);
+        best_face_ = reach_of(is_triangle, touches.reached[0]);
         hit.count = 0;
-        best_face_ = asked;
-        best_face_.reached = is_triangle ? on_triangle(hit) : on_box(face, hit);
+        if (touches.present[0] != 0) write(touches, is_triangle, tested_, 0, hit);
     }
     if (hit.count == 0 || !(best_face_.reached <= least + (inset_ + rounding * extent_))) return false;
     for (BoxHit::Point* p = hit.points; p != hit.points + hit.count; ++p)
@@ -100,7 +103,8 @@ BoxOnTriangles::Verdict BoxOnTriangles::on_edges(const Axis& axis, BoxHit& hit) 
     return Verdict::touching;
 }
 
-BoxOnTriangles::Verdict BoxOnTriangles::beyond_faces(const Face& box_face, BoxHit& hit) {
+BoxOnTriangles::Verdict BoxOnTriangles::beyond_faces(BoxHit& hit) {
+    const Face box_face = this->box_face(tested_);
     Axis axis;
     if (!find_axis(inset_, axis)) return Verdict::beyond_faces;
     if (axis.separation > margin_) return Verdict::apart;
@@ -116,8 +120,7 @@ BoxOnTriangles::Verdict BoxOnTriangles::beyond_faces(const Face& box_face, BoxHi
     if (is_box_face || is_triangle) {
         const double least = std::max(axis.separation, is_triangle ? along_normal_ : box_face.separation);
         if (least > margin_) return Verdict::apart;
-        if (touches_face(box_face, is_triangle, least, hit))
-            return pushes_down(hit) ? Verdict::apart : Verdict::touching;
+        if (touches_face(is_triangle, least, hit)) return pushes_down(hit) ? Verdict::apart : Verdict::touching;
         // Inset cores round off edges: where those meet a face, the axis is that of the shapes themselves.
         Axis exact;
         if (!find_axis(0, exact)) return Verdict::beyond_faces;

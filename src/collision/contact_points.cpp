@@ -45,6 +45,7 @@ class Reducer {
             flat_.add({dot(d, e1), dot(d, e2), p[i].separation, i, 1});
             lowest = std::min(lowest, p[i].separation);
         }
+        lowest_ = lowest;
         const double touching = std::max(lowest, 0.0), flat = flat_contact_part * extent;
         for (Flat& f : flat_)
             if (f.separation > touching) f.nearness = flat / (flat + (f.separation - touching));
@@ -59,15 +60,13 @@ class Reducer {
         if (!best(r, farthest, [=](const Flat& p) { return square(p, a); })) return finish(r);
         const Flat b = at(r, 1);
         const double least = std::max(thinnest * farthest, nearest * std::sqrt(farthest));
-        double area = least;
-        const bool has_left = best(r, area, [=](const Flat& p) { return cross(a, b, p); });
-        area = least;
-        const bool has_right = best(r, area, [=](const Flat& p) { return -cross(a, b, p); });
+        bool has_left = false, has_right = false;
+        best_on_sides(r, least, a, b, has_left, has_right);
         if (has_left == has_right) return finish(r);
         // One side is empty: beside the edge from the third point to either of the others.
         const Flat c = at(r, 2);
         const double sign = has_left ? 1 : -1;
-        area = least;
+        double area = least;
         best(r, area, [=](const Flat& p) { return std::max(-sign * cross(b, c, p), -sign * cross(c, a, p)); });
         return finish(r);
     }
@@ -86,13 +85,11 @@ class Reducer {
     }
 
     bool deepest(Chosen& r) const {
-        double lowest = std::numeric_limits<double>::infinity(), outermost = -1;
+        double outermost = -1;
         const Flat* p = flat_.data();
         const std::size_t n = flat_.size();
-        for (std::size_t i = 0; i < n; ++i)
-            if (p[i].separation < lowest) lowest = p[i].separation;
         for (std::size_t i = 0; i < n; ++i) {
-            if (!(p[i].separation <= lowest + flat_contact_part * extent_)) continue;
+            if (!(p[i].separation <= lowest_ + flat_contact_part * extent_)) continue;
             const double d = p[i].x * p[i].x + p[i].y * p[i].y;
             if (d > outermost * tie) outermost = d, r.index[0] = i, r.count = 1;
         }
@@ -114,8 +111,27 @@ class Reducer {
         return is_found;
     }
 
+    // The same on both sides of the line from a to b at once.
+    void best_on_sides(Chosen& r, double least, const Flat& a, const Flat& b, bool& has_left, bool& has_right) const {
+        const Flat* p = flat_.data();
+        const std::size_t n = flat_.size();
+        const double bar = least * tie;
+        double left = 0, right = 0;
+        std::size_t at_left = n, at_right = n;
+        for (std::size_t i = 0; i < n; ++i) {
+            const double value = cross(a, b, p[i]), size = std::fabs(value);
+            if (!(size > bar)) continue;
+            const double weighed = p[i].nearness * size;
+            double& most = value > 0 ? left : right;
+            if (weighed > most * tie) most = weighed, (value > 0 ? at_left : at_right) = i;
+        }
+        has_left = at_left < n, has_right = at_right < n;
+        if (has_left) r.index[r.count++] = at_left;
+        if (has_right) r.index[r.count++] = at_right;
+    }
+
     Buffer<Flat, 32> flat_;
-    double extent_;
+    double extent_, lowest_ = std::numeric_limits<double>::infinity();
 };
 
 } // namespace

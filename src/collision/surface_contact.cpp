@@ -114,18 +114,16 @@ class HitSearch {
         const Bounds bounds = bounds_of(a_, surface_, reach);
         BoxOnTriangles box(a_, surface_.center, surface_.axes, margin_);
         double distance = reach;
-        BoxHit hit;
         const auto test_all = [&](const auto& data) {
             distance = std::min(distance, box.look());
-            for (int i = 0; i < box.count(); ++i) {
-                using Verdict = BoxOnTriangles::Verdict;
-                const Verdict verdict = box.test(i, hit);
-                if (verdict == Verdict::touching) add_hit(hit, box.index(i), scratch_);
-                if (verdict == Verdict::touching || verdict == Verdict::apart) continue;
-                test(triangle_of(data, box.index(i)), box.index(i),
-                     verdict == Verdict::beyond_faces ? &box.best_face() : nullptr);
-            }
-            box.clear();
+            using Verdict = BoxOnTriangles::Verdict;
+            box.test([&](std::uint32_t index, Verdict verdict, const BoxHit& hit) {
+                if (verdict == Verdict::touching)
+                    add_hit(hit, index, scratch_);
+                else
+                    test(triangle_of(data, index), index,
+                         verdict == Verdict::beyond_faces ? &box.best_face() : nullptr);
+            });
         };
         with_data(surface_, [&](const auto& data) {
             for_each_triangle(data, bounds.lo, bounds.hi, [&](std::uint32_t index) {

@@ -13,10 +13,23 @@ namespace cairn::CAIRN_ISA {
 
 extern const KernelTable table;
 const KernelTable table = {
-    CAIRN_STRING(CAIRN_ISA), sphere_sphere,   sphere_box,      sphere_plane,
-    sphere_rectangle,        sphere_capsule,  box_box,         box_plane,
-    box_rectangle,           capsule_capsule, box_capsule,     see_triangles,
-    solver_kernels(),        joint_kernels(), broad_kernels(),
+    CAIRN_STRING(CAIRN_ISA),
+    sphere_sphere,
+    sphere_box,
+    sphere_plane,
+    sphere_rectangle,
+    sphere_capsule,
+    box_box,
+    box_plane,
+    box_rectangle,
+    capsule_capsule,
+    box_capsule,
+    see_triangles,
+    touch_on_box,
+    touch_on_triangle,
+    solver_kernels(),
+    joint_kernels(),
+    broad_kernels(),
 };
 
 } // namespace cairn::CAIRN_ISA
