@@ -123,7 +123,7 @@ void BoxOnTriangles::write(const FaceTouches& touches, bool is_triangle, int i, 
         hit.points[hit.count++] = {place(n), touches.separation[n][lane]};
     }
     hit.separation = touches.reached[lane];
-    BoxHit::Point deepest = hit.points[0];
+    SurfacePoint deepest = hit.points[0];
     if (is_triangle) {
         hit.normal = {-batch_.normal[0][i], -batch_.normal[1][i], -batch_.normal[2][i]};
         hit.on_face = true;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "collision/convex_contact.h"
+#include "collision/flat_points.h"
 #include "collision/triangle_batch.h"
 #include "shapes/mesh.h"
 
@@ -12,12 +13,8 @@ namespace cairn {
 
 // Where a box touches a triangle, in the frame of the box.
 struct BoxHit {
-    struct Point {
-        math::DVec3 position; // midway between the surfaces
-        double separation;
-    };
     // The ends of four cut edges and three corners, or of three edges and four corners; those within the margin.
-    Point points[11];
+    SurfacePoint points[11];
     int count = 0;
     math::DVec3 normal;    // from the box to the triangle
     math::DVec3 foot;      // of the deepest point: where the triangle is
@@ -99,6 +96,9 @@ class BoxOnTriangles {
     math::DVec3 up() const { return {normal_[0], normal_[1], normal_[2]}; }
     math::DVec3 half() const { return {half_[0], half_[1], half_[2]}; }
     bool is_inside(math::DVec3 foot) const;
+    bool is_on_face(const BoxHit& hit) const {
+        return -math::dot(hit.normal, up()) >= same_direction || is_inside(hit.foot);
+    }
     Verdict beyond_faces(BoxHit& hit);
     bool find_axis(double inset, Axis& axis) const;
     bool touches_face(bool is_triangle, double least, BoxHit& hit);

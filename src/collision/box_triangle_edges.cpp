@@ -74,9 +74,12 @@ bool BoxOnTriangles::touches_face(bool is_triangle, double least, BoxHit& hit) {
         if (touches.present[0] != 0) write(touches, is_triangle, tested_, 0, hit);
     }
     if (hit.count == 0 || !(best_face_.reached <= least + (inset_ + rounding * extent_))) return false;
-    for (BoxHit::Point* p = hit.points; p != hit.points + hit.count; ++p)
-        p->separation = std::max(p->separation, least);
-    hit.separation = std::max(hit.separation, least);
+    for (SurfacePoint* p = hit.points; p != hit.points + hit.count; ++p) p->separation = std::max(p->separation, least);
+    if (hit.separation < least) {
+        hit.foot += (0.5 * (least - hit.separation)) * hit.normal;
+        hit.on_face = is_on_face(hit);
+        hit.separation = least;
+    }
     return true;
 }
 
@@ -96,10 +99,10 @@ BoxOnTriangles::Verdict BoxOnTriangles::on_edges(const Axis& axis, BoxHit& hit) 
     if (hit.count == 0) return Verdict::apart;
     // Of two that are equally deep the second, as in contact_points.cpp.
     const bool is_second = hit.count == 2 && hit.points[1].separation <= hit.separation + flat_contact_part * extent_;
-    const BoxHit::Point& deepest = hit.points[is_second ? 1 : 0];
+    const SurfacePoint& deepest = hit.points[is_second ? 1 : 0];
     hit.normal = n;
     hit.foot = deepest.position + (0.5 * deepest.separation) * n;
-    hit.on_face = -dot(n, up()) >= same_direction || is_inside(hit.foot);
+    hit.on_face = is_on_face(hit);
     return Verdict::touching;
 }
 

@@ -54,27 +54,13 @@ struct ContactPoint {
 };
 using ContactPoints = Buffer<ContactPoint, 32>;
 
-// Where a frame is in the common one; as it comes, it is that.
-struct Placement {
-    math::DVec3 center;
-    math::DMat3 axes;
-    bool is_common = true;
-
-    math::DVec3 turned(math::DVec3 v) const { return is_common ? v : axes * v; }
-    math::DVec3 placed(math::DVec3 p) const { return is_common ? p : center + axes * p; }
-    math::DVec3 turned_back(math::DVec3 v) const {
-        return is_common ? v : math::DVec3{math::dot(axes.c0, v), math::dot(axes.c1, v), math::dot(axes.c2, v)};
-    }
-    math::DVec3 placed_back(math::DVec3 p) const { return is_common ? p : turned_back(p - center); }
-};
-
 void clear_manifold(Manifold& out);
 
 // Writes the points that are not farther apart than `margin`, reduced to four. `center`: near the middle of where the
 // contact may be; `extent`: the size of the smaller shape, for the tolerances; no separation is given as deeper than
-// `least`. `frame`: that of the points, the normal and the center.
+// `least`.
 void write_manifold(const ContactPoints& points, math::DVec3 normal, math::DVec3 center, double extent, double margin,
-                    double least, Manifold& out, const Placement& frame = {});
+                    double least, Manifold& out);
 
 // Points closer than this part of the extent are one point.
 constexpr double same_point_part = 1e-3;

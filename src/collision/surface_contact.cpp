@@ -12,11 +12,24 @@ using math::DVec3;
 
 namespace {
 
-constexpr double same_patch = 0.02;  // difference of unit normals, 1.1 degrees: hits that are one patch
-constexpr double same_normal = 2e-4; // likewise: an edge that is touched so holds nothing up
-constexpr double flatness = 1e-4;    // of the shape's size: how far out of a plane a point may be
-constexpr double unlimited = 1e300;
+constexpr double same_patch = 0.02;          // difference of unit normals, 1.1 degrees: hits that are one patch
+constexpr double same_normal = 2e-4;         // likewise: an edge that is touched so holds nothing up
+constexpr double flatness = 1e-4;            // of the shape's size: how far out of a plane a point may be
 constexpr std::size_t none = ~std::size_t{}; // of the patches
+
+// Where the frame of the hits is in the common one: as it comes, it is that.
+struct Placement {
+    DVec3 center;
+    math::DMat3 axes;
+    bool is_common = true;
+
+    DVec3 turned(DVec3 v) const { return is_common ? v : axes * v; }
+    DVec3 placed(DVec3 p) const { return is_common ? p : center + axes * p; }
+    DVec3 turned_back(DVec3 v) const {
+        return is_common ? v : DVec3{math::dot(axes.c0, v), math::dot(axes.c1, v), math::dot(axes.c2, v)};
+    }
+    DVec3 placed_back(DVec3 p) const { return is_common ? p : turned_back(p - center); }
+};
 
 bool is_sharp_box(const Convex& c) { return c.kind == Convex::Kind::box && c.is_sharp; }
 double squared(DVec3 v) { return math::dot(v, v); }
@@ -154,31 +167,33 @@ class HitSearch {
     SurfaceScratch& scratch_;
 };
 
-// The points of all hits of a patch, reduced to four; in turns, where there are very many.
-void write_patch(const SurfaceScratch& scratch, std::size_t patch, const Placement& frame, double extent,
-                 Manifold& out) {
-    constexpr std::size_t most = 32; // that ContactPoints has room for
+// The points of all hits of a patch, reduced to four.
+void write_patch(SurfaceScratch& scratch, std::size_t patch, const Placement& frame, double extent, Manifold& out) {
     const DVec3 normal = scratch.patches[patch].normal;
-    ContactPoints points;
-    const auto add = [&](DVec3 position, double separation) {
-        points.add({position, separation, static_cast<std::uint32_t>(points.size())});
-    };
-    const auto reduce = [&] {
-        write_manifold(points, normal, {}, extent, unlimited, -unlimited, out, frame);
-        points.clear();
-    };
+    const FlatFrame flat(normal, {});
+    if (scratch.flat.size() < scratch.points.size()) {
+        scratch.flat.resize(scratch.points.size());
+        scratch.which.resize(scratch.points.size());
+    }
+    std::size_t count = 0;
     for (const std::uint32_t k : scratch.order) {
         const TriangleHit& hit = scratch.hits[k];
         if (hit.patch != patch) continue;
-        if (points.size() + hit.point_count > most) {
-            reduce();
-            for (int i = 0; i < out.count; ++i)
-                add(frame.placed_back(math::to_double(math::to_vec(out.points[i]))), double(out.points[i][3]));
+        for (std::uint32_t i = hit.first_point; i < hit.first_point + hit.point_count; ++i) {
+            scratch.flat[count] = flat.flat(scratch.points[i].position, scratch.points[i].separation);
+            scratch.which[count++] = i;
         }
-        for (std::uint32_t i = hit.first_point; i < hit.first_point + hit.point_count; ++i)
-            add(scratch.points[i].position, scratch.points[i].separation);
     }
-    reduce();
+    const Chosen chosen = choose_points({scratch.flat.data(), count}, extent);
+    clear_manifold(out);
+    out.count = chosen.count;
+    math::put(out.normal, math::to_float(frame.turned(normal)));
+    for (int i = 0; i < chosen.count; ++i) {
+        const SurfacePoint& p = scratch.points[scratch.which[chosen.index[i]]];
+        math::put(out.points[i], math::to_float(frame.placed(p.position)));
+        out.points[i][3] = static_cast<float>(p.separation);
+        out.features[i] = static_cast<std::uint32_t>(chosen.index[i]);
+    }
 }
 
 } // namespace

@@ -1,8 +1,9 @@
 // A convex shape against the triangles of a mesh or height field.
 #pragma once
 
-#include "collision/box_triangle.h"
+#include "collision/flat_points.h"
 #include "collision/manifold.h"
+#include "shapes/convex.h"
 
 #include <vector>
 
@@ -26,9 +27,6 @@ struct TriangleHit {
     std::size_t patch; // that it is a part of
 };
 
-// A point of a hit.
-using SurfacePoint = BoxHit::Point;
-
 // One direction in which the shape touches the surface.
 struct SurfacePatch {
     math::DVec3 normal; // from the shape to the surface
@@ -42,6 +40,8 @@ struct SurfaceScratch {
     std::vector<std::uint32_t> order; // of hits: the deepest first
     std::vector<SurfacePoint> points;
     std::vector<SurfacePatch> patches;
+    std::vector<FlatPoint> flat;      // of one patch
+    std::vector<std::uint32_t> which; // of points they are
 };
 
 // All directions in which the shape touches the surface, or is nearer than `margin`: manifolds with different normals,

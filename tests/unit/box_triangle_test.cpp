@@ -3,6 +3,7 @@
 #include "collision/contact_points.h"
 #include "collision/convex_contact.h"
 #include "convex_test_support.h"
+#include "shapes/box_triangle_distance.h"
 
 #include <gtest/gtest.h>
 
@@ -159,6 +160,32 @@ TEST(BoxOnTriangle, WhatIsBeyondItsFacesIsFoundWithoutThem) {
     }
     EXPECT_GT(found, 5000);
     EXPECT_GT(touching, 2000);
+}
+
+// What is farther apart may be left alone for some steps.
+TEST(BoxOnTriangle, TellsHowFarApartAtLeast) {
+    Random random(3);
+    int apart = 0;
+    double told = 0, all = 0;
+    for (int k = 0; k < 30000; ++k) {
+        Trial t = any_trial(random);
+        t.center += random.uniform(0, 1) * random.direction();
+        BoxOnTriangles box(t.box, t.center, t.axes, t.margin);
+        box.add(t.triangle, 0);
+        const double least = box.look();
+        const Convex triangle = triangle_of(t);
+        DVec3 corners[3], on_box, on_triangle;
+        for (int i = 0; i < 3; ++i) corners[i] = to_local(t.box, triangle.corners[i] - t.box.center);
+        double distance = 0;
+        if (nearest_of_box_and_triangle(t.box.size, corners, on_box, on_triangle))
+            distance = length(on_triangle - on_box);
+        ASSERT_LE(least, distance + 1e-9 * (1 + length(t.center))) << k;
+        if (distance < t.margin) continue;
+        ++apart;
+        told += std::max(least, 0.0), all += distance;
+    }
+    EXPECT_GT(apart, 5000);
+    EXPECT_GT(told, 0.7 * all);
 }
 
 } // namespace
