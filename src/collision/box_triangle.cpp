@@ -1,7 +1,6 @@
 #include "collision/box_triangle.h"
 
 #include "collision/contact_points.h"
-#include "kernels/kernels.h"
 
 #include <algorithm>
 #include <limits>
@@ -57,9 +56,10 @@ template <int corners, int sides> struct Sides {
 
 } // namespace
 
-BoxOnTriangles::BoxOnTriangles(const Convex& box, DVec3 center, const math::DMat3& axes, double margin)
-    : half_(frame_.half), margin_(margin), slack_(1e-6 * box.extent + 1e-12 * math::length(center - box.center)),
-      extent_(box.extent), inset_(box.radius) {
+BoxOnTriangles::BoxOnTriangles(const TriangleKernels& kernels, const Convex& box, DVec3 center, const math::DMat3& axes,
+                               double margin)
+    : kernels_(kernels), half_(frame_.half), margin_(margin),
+      slack_(1e-6 * box.extent + 1e-12 * math::length(center - box.center)), extent_(box.extent), inset_(box.radius) {
     put(frame_.half, box.size);
     put(frame_.origin, to_local(box, center - box.center));
     for (int k = 0; k < 3; ++k) put(frame_.axes[k], to_local(box, axes.column(k)));
@@ -79,7 +79,7 @@ double BoxOnTriangles::look() {
     for (int n = batch_.count; n % 4 != 0; ++n) // what the kernel looks at beyond the last
         for (auto& corner : batch_.vertices)
             for (auto& along : corner) along[n] = along[n - 1];
-    kernels().see_triangles(frame_, batch_);
+    kernels_.see(frame_, batch_);
     for (List* list : {&on_box_, &on_triangle_, &others_}) list->count = 0;
     for (int i = 0; i < batch_.count; ++i) {
         const TriangleView view = batch_.view[i];
@@ -103,8 +103,7 @@ void BoxOnTriangles::take(int i) {
 }
 
 void BoxOnTriangles::touch(bool is_triangle, const int* which, FaceTouches& out) const {
-    const KernelTable& table = kernels();
-    (is_triangle ? table.touch_on_triangle : table.touch_on_box)(frame_, batch_, which, out);
+    (is_triangle ? kernels_.touch_on_triangle : kernels_.touch_on_box)(frame_, batch_, which, out);
 }
 
 // The points of a lane of the kernel, which has some.

@@ -28,7 +28,8 @@ class BoxOnTriangles {
     enum class Verdict : std::uint8_t { apart, touching, beyond_faces, unsure };
 
     // The frame of the triangles, in that in which the box is given.
-    BoxOnTriangles(const Convex& box, math::DVec3 center, const math::DMat3& axes, double margin);
+    BoxOnTriangles(const TriangleKernels& kernels, const Convex& box, math::DVec3 center, const math::DMat3& axes,
+                   double margin);
 
     // Triangles are taken in until there are so many, looked at together, and then tested.
     static constexpr int most = TriangleBatch::capacity;
@@ -107,6 +108,7 @@ class BoxOnTriangles {
         return {is_triangle ? 0 : int(batch_.box_face[tested_]), is_triangle, reached};
     }
 
+    const TriangleKernels& kernels_;
     BoxFrame frame_;
     TriangleBatch batch_;
     List on_box_, on_triangle_, others_; // of the batch, by what is to be done with them

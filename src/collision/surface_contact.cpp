@@ -123,9 +123,9 @@ class HitSearch {
         });
         return distance;
     }
-    double search_around_box(double reach) {
+    double search_around_box(const TriangleKernels& kernels, double reach) {
         const Bounds bounds = bounds_of(a_, surface_, reach);
-        BoxOnTriangles box(a_, surface_.center, surface_.axes, margin_);
+        BoxOnTriangles box(kernels, a_, surface_.center, surface_.axes, margin_);
         double distance = reach;
         const auto test_all = [&](const auto& data) {
             distance = std::min(distance, box.look());
@@ -198,8 +198,8 @@ void write_patch(SurfaceScratch& scratch, std::size_t patch, const Placement& fr
 
 } // namespace
 
-double collide_triangles(const Convex& a, const Surface& surface, double margin, double reach, SurfaceScratch& scratch,
-                         std::vector<Manifold>& manifolds) {
+double collide_triangles(const TriangleKernels& kernels, const Convex& a, const Surface& surface, double margin,
+                         double reach, SurfaceScratch& scratch, std::vector<Manifold>& manifolds) {
     manifolds.clear();
     scratch.hits.clear();
     scratch.points.clear();
@@ -207,7 +207,7 @@ double collide_triangles(const Convex& a, const Surface& surface, double margin,
     // Hits of boxes are in their frame.
     const Placement frame = is_box ? Placement{a.center, a.axes, false} : Placement{};
     HitSearch search(a, surface, margin, frame, scratch);
-    const double distance = is_box ? search.search_around_box(reach) : search.search(reach);
+    const double distance = is_box ? search.search_around_box(kernels, reach) : search.search(reach);
     if (scratch.hits.empty()) return distance;
     scratch.order.resize(scratch.hits.size());
     for (std::uint32_t i = 0; i < scratch.order.size(); ++i) scratch.order[i] = i;

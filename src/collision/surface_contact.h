@@ -9,6 +9,8 @@
 
 namespace cairn {
 
+struct TriangleKernels;
+
 // A mesh or height field in the common frame of Convex.
 struct Surface {
     const ShapeData& data;
@@ -48,7 +50,7 @@ struct SurfaceScratch {
 // deepest first. Triangles in one plane count as one face, and nothing catches at the edges between them. `manifolds`
 // is emptied before. Where there are none, returns how far apart they are at least, as far as has been looked: `reach`,
 // at least the margin, at most.
-double collide_triangles(const Convex& a, const Surface& surface, double margin, double reach, SurfaceScratch& scratch,
-                         std::vector<Manifold>& manifolds);
+double collide_triangles(const TriangleKernels& kernels, const Convex& a, const Surface& surface, double margin,
+                         double reach, SurfaceScratch& scratch, std::vector<Manifold>& manifolds);
 
 } // namespace cairn

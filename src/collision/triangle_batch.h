@@ -56,4 +56,12 @@ struct FaceTouches {
     std::int64_t on_face[4]; // likewise: it is not at the edges of the triangle
 };
 
+struct TriangleKernels {
+    // What can be said of triangles and a box by their faces alone.
+    void (*see)(const BoxFrame& box, TriangleBatch& batch);
+    // Where four triangles of the batch touch the face of the box that looks at them, or the box their own.
+    void (*touch_on_box)(const BoxFrame& box, const TriangleBatch& batch, const int* which, FaceTouches& out);
+    void (*touch_on_triangle)(const BoxFrame& box, const TriangleBatch& batch, const int* which, FaceTouches& out);
+};
+
 } // namespace cairn

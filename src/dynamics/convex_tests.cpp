@@ -63,7 +63,8 @@ float find_patches(const PosedShape& a, const PosedShape& surface, float margin,
                    std::vector<Manifold>& hits) {
     const DVec3 offset = offset_between(a.pose, surface.pose);
     const Surface posed{surface.data, offset, math::to_matrix(rotation_of(surface.pose))};
-    return float(collide_triangles(convex_of(a, {}), posed, double(margin), double(reach), scratch, hits));
+    return float(
+        collide_triangles(kernels().triangles, convex_of(a, {}), posed, double(margin), double(reach), scratch, hits));
 }
 
 } // namespace cairn

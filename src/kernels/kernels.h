@@ -34,15 +34,11 @@ struct KernelTable {
     CollideKernel box_rectangle;
     CollideKernel capsule_capsule;
     CollideKernel box_capsule; // first: box, second: capsule
-    // What can be said of triangles and a box by their faces alone.
-    void (*see_triangles)(const BoxFrame& box, TriangleBatch& batch);
-    // Where four triangles of the batch touch the face of the box that looks at them, or the box their own.
-    void (*touch_on_box)(const BoxFrame& box, const TriangleBatch& batch, const int* which, FaceTouches& out);
-    void (*touch_on_triangle)(const BoxFrame& box, const TriangleBatch& batch, const int* which, FaceTouches& out);
 
     SolverKernels solver;
     JointKernels joints;
     BroadKernels broad;
+    TriangleKernels triangles;
 };
 
 // The chosen table.

@@ -24,12 +24,10 @@ const KernelTable table = {
     box_rectangle,
     capsule_capsule,
     box_capsule,
-    see_triangles,
-    touch_on_box,
-    touch_on_triangle,
     solver_kernels(),
     joint_kernels(),
     broad_kernels(),
+    {see_triangles, touch_on_box, touch_on_triangle},
 };
 
 } // namespace cairn::CAIRN_ISA

@@ -182,10 +182,10 @@ TEST(NearMiss, WhatFliesOverAMeshIsLeftAloneUntilItCanMeetIt) {
             box.set_linear_velocity({-12, 0, 0});
         },
         [](World&, Body box, Body) {
-            box.set_position({-5.5, 6, 0});
+            box.set_position({-5.55, 6, 0});
         },
         [](World&, Body, Body valley) {
-            valley.set_position({4.5, 0, 0});
+            valley.set_position({5.55, 0, 0});
         },
         [](World& world, Body, Body) {
             WorldDef settings = world.settings();
