@@ -270,27 +270,26 @@ void face_points(const Feature& reference, const Feature& incident, double exten
     }
 }
 
-double edge_points(const Feature& first, const Feature& second, DVec3 n, double separation, ContactPoints& out) {
+EdgePoints edge_points(const EdgeLine& first, const EdgeLine& second, DVec3 n, double separation) {
     constexpr double parallel = 1e-2;
-    const bool is_a = first.kind == Feature::Kind::segment, is_b = second.kind == Feature::Kind::segment;
-    const std::uint32_t base = (first.index * 64 + second.index) << 17;
-    const DVec3 a = first.points[0], b = second.points[0];
-    const DVec3 da = is_a ? first.points[1] - a : DVec3{}, db = is_b ? second.points[1] - b : DVec3{};
+    const DVec3 a = first.from, b = second.from, da = first.way, db = second.way, w = b - a;
     const double aa = dot(da, da), bb = dot(db, db), ab = dot(da, db);
-    const DVec3 w = b - a;
+    const bool is_a = aa > 0, is_b = bb > 0;
+    EdgePoints out;
     if (is_a && is_b && aa * bb - ab * ab < parallel * parallel * aa * bb) {
         // Side by side: the part of the first that the second covers. All points are exactly under the second, for
         // seams.
         const double t0 = dot(w, da) / aa, t1 = t0 + ab / aa;
         const double start = std::max(0.0, std::min(t0, t1)), end = std::min(1.0, std::max(t0, t1));
         if (start < end) {
+            out.count = 2;
             for (int k = 0; k < 2; ++k) {
                 const double t = k == 0 ? start : end, s = (t - t0) / (t1 - t0);
                 const DVec3 p = a + t * da, q = b + s * db;
                 const double gap = dot(q - p, n);
-                out.add({q - (0.5 * gap) * n, gap, base + 1 + static_cast<std::uint32_t>(k)});
+                out.points[k] = {q - (0.5 * gap) * n, gap};
             }
-            return 0;
+            return out;
         }
     }
     const auto unit = [](double t) { return t < 0 ? 0.0 : t > 1 ? 1.0 : t; };
@@ -300,8 +299,22 @@ double edge_points(const Feature& first, const Feature& second, DVec3 n, double 
     if (is_b) t = unit((s * ab - bw) / bb);
     if (is_a) s = unit((t * ab + aw) / aa);
     const DVec3 p = a + s * da, q = b + t * db;
-    out.add({q - (0.5 * separation) * n, separation, base});
-    return math::length((q - p) - dot(q - p, n) * n);
+    out.count = 1;
+    out.points[0] = {q - (0.5 * separation) * n, separation};
+    out.sideways = math::length((q - p) - dot(q - p, n) * n);
+    return out;
+}
+
+double edge_points(const Feature& first, const Feature& second, DVec3 n, double separation, ContactPoints& out) {
+    const auto line = [](const Feature& f) {
+        return EdgeLine{f.points[0], f.kind == Feature::Kind::segment ? f.points[1] - f.points[0] : DVec3{}};
+    };
+    const std::uint32_t base = (first.index * 64 + second.index) << 17;
+    const EdgePoints found = edge_points(line(first), line(second), n, separation);
+    for (int i = 0; i < found.count; ++i)
+        out.add({found.points[i].position, found.points[i].separation,
+                 found.count == 1 ? base : base + 1 + static_cast<std::uint32_t>(i)});
+    return found.sideways;
 }
 
 } // namespace cairn

@@ -27,8 +27,23 @@ void edge_feature(const Convex& c, math::DVec3 n, Feature& out);
 // Points outside the face by less than a ten thousandth of it count as over it.
 void face_points(const Feature& reference, const Feature& incident, double extent, ContactPoints& out);
 
+// A segment, or a point where it leads nowhere.
+struct EdgeLine {
+    math::DVec3 from, way;
+};
+struct EdgePoints {
+    struct Point {
+        math::DVec3 position; // midway
+        double separation;
+    };
+    Point points[2];
+    int count = 0;
+    double sideways = 0; // how far a single point of the first is beside that of the second
+};
 // One or two points between segments or points, `separation` apart along n (from the first to the second); with two
-// they are as far apart as the segments are. Returns how far a single point of the first is beside that of the second.
+// they are as far apart as the segments are.
+EdgePoints edge_points(const EdgeLine& first, const EdgeLine& second, math::DVec3 n, double separation);
+// Likewise of features; returns EdgePoints::sideways.
 double edge_points(const Feature& first, const Feature& second, math::DVec3 n, double separation, ContactPoints& out);
 
 } // namespace cairn

@@ -1,5 +1,7 @@
 #include "collision/contact_points.h"
 
+#include "collision/flat_points.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -14,18 +16,6 @@ namespace {
 // change the choice from step to step; a third or fourth point lies farther than `thinnest` beside the others.
 constexpr double tie = 1 + 2e-4, thinnest = 1e-3;
 
-struct Chosen {
-    int count = 0;
-    std::size_t index[4] = {};
-};
-
-// A point that counts, seen along the normal. `nearness`, from 0 to 1: that of the surfaces there.
-struct Flat {
-    double x, y, separation;
-    std::size_t index;
-    double nearness;
-};
-
 // Chooses: the deepest point; the one farthest from it; on either side of the line through both the one that spans the
 // largest triangle; where one side is empty, the point farthest outside the triangle of the other three. All of them
 // weighed by nearness: a box that lies on three peaks of a mesh must not lose one of them to others that are farther
@@ -33,21 +23,11 @@ struct Flat {
 // at most twice as far apart.
 class Reducer {
   public:
-    Reducer(const ContactPoints& points, DVec3 normal, DVec3 center, double extent, double margin) : extent_(extent) {
-        // Any frame will do: only distances and areas count.
-        const DVec3 axis = std::fabs(normal.x) < 0.5 ? DVec3{1, 0, 0} : DVec3{0, 1, 0};
-        const DVec3 e1 = math::normalized(math::cross(axis, normal)), e2 = math::cross(normal, e1);
-        const ContactPoint* p = points.data();
-        double lowest = std::numeric_limits<double>::infinity();
-        for (std::size_t i = 0, n = points.size(); i < n; ++i) {
-            if (!(p[i].separation <= margin)) continue;
-            const DVec3 d = p[i].position - center;
-            flat_.add({dot(d, e1), dot(d, e2), p[i].separation, i, 1});
-            lowest = std::min(lowest, p[i].separation);
-        }
-        const double touching = std::max(lowest, 0.0), flat = flat_contact_part * extent;
-        for (Flat& f : flat_)
-            if (f.separation > touching) f.nearness = flat / (flat + (f.separation - touching));
+    Reducer(std::span<FlatPoint> points, double extent) : points_(points), extent_(extent) {
+        for (const FlatPoint& p : points) lowest_ = std::min(lowest_, p.separation);
+        const double touching = std::max(lowest_, 0.0), flat = flat_contact_part * extent;
+        for (FlatPoint& p : points)
+            p.nearness = p.separation > touching ? flat / (flat + (p.separation - touching)) : 1;
     }
 
     Chosen choose() {
@@ -55,44 +35,36 @@ class Reducer {
         if (!deepest(r)) return r;
         const double nearest = same_point_part * extent_;
         double farthest = nearest * nearest;
-        const Flat a = at(r, 0);
-        if (!best(r, farthest, [=](const Flat& p) { return square(p, a); })) return finish(r);
-        const Flat b = at(r, 1);
+        const FlatPoint a = at(r, 0);
+        if (!best(r, farthest, [=](const FlatPoint& p) { return square(p, a); })) return r;
+        const FlatPoint b = at(r, 1);
         const double least = std::max(thinnest * farthest, nearest * std::sqrt(farthest));
-        double area = least;
-        const bool has_left = best(r, area, [=](const Flat& p) { return cross(a, b, p); });
-        area = least;
-        const bool has_right = best(r, area, [=](const Flat& p) { return -cross(a, b, p); });
-        if (has_left == has_right) return finish(r);
+        bool has_left = false, has_right = false;
+        best_on_sides(r, least, a, b, has_left, has_right);
+        if (has_left == has_right) return r;
         // One side is empty: beside the edge from the third point to either of the others.
-        const Flat c = at(r, 2);
+        const FlatPoint c = at(r, 2);
         const double sign = has_left ? 1 : -1;
-        area = least;
-        best(r, area, [=](const Flat& p) { return std::max(-sign * cross(b, c, p), -sign * cross(c, a, p)); });
-        return finish(r);
-    }
-
-  private:
-    static double square(const Flat& p, const Flat& q) { return (p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y); }
-    static double cross(const Flat& a, const Flat& b, const Flat& p) {
-        return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
-    }
-    const Flat& at(const Chosen& r, int i) const { return flat_[r.index[i]]; }
-    // From places among those that count to places among all.
-    Chosen finish(const Chosen& chosen) const {
-        Chosen r = chosen;
-        for (int i = 0; i < r.count; ++i) r.index[i] = at(chosen, i).index;
+        double area = least;
+        best(r, area, [=](const FlatPoint& p) { return std::max(-sign * cross(b, c, p), -sign * cross(c, a, p)); });
         return r;
     }
 
+  private:
+    static double square(const FlatPoint& p, const FlatPoint& q) {
+        return (p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y);
+    }
+    static double cross(const FlatPoint& a, const FlatPoint& b, const FlatPoint& p) {
+        return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+    }
+    const FlatPoint& at(const Chosen& r, int i) const { return points_[r.index[i]]; }
+
     bool deepest(Chosen& r) const {
-        double lowest = std::numeric_limits<double>::infinity(), outermost = -1;
-        const Flat* p = flat_.data();
-        const std::size_t n = flat_.size();
-        for (std::size_t i = 0; i < n; ++i)
-            if (p[i].separation < lowest) lowest = p[i].separation;
+        double outermost = -1;
+        const FlatPoint* p = points_.data();
+        const std::size_t n = points_.size();
         for (std::size_t i = 0; i < n; ++i) {
-            if (!(p[i].separation <= lowest + flat_contact_part * extent_)) continue;
+            if (!(p[i].separation <= lowest_ + flat_contact_part * extent_)) continue;
             const double d = p[i].x * p[i].x + p[i].y * p[i].y;
             if (d > outermost * tie) outermost = d, r.index[0] = i, r.count = 1;
         }
@@ -100,8 +72,8 @@ class Reducer {
     }
     // Adds, of the points whose measure is above `least`, the one where it weighs most; `least` becomes its measure.
     template <class Measure> bool best(Chosen& r, double& least, Measure measure) const {
-        const Flat* p = flat_.data();
-        const std::size_t n = flat_.size();
+        const FlatPoint* p = points_.data();
+        const std::size_t n = points_.size();
         const double bar = least * tie;
         double most = 0;
         bool is_found = false;
@@ -114,11 +86,42 @@ class Reducer {
         return is_found;
     }
 
-    Buffer<Flat, 32> flat_;
-    double extent_;
+    // The same on both sides of the line from a to b at once.
+    void best_on_sides(Chosen& r, double least, const FlatPoint& a, const FlatPoint& b, bool& has_left,
+                       bool& has_right) const {
+        const FlatPoint* p = points_.data();
+        const std::size_t n = points_.size();
+        const double bar = least * tie;
+        double left = 0, right = 0;
+        std::size_t at_left = n, at_right = n;
+        for (std::size_t i = 0; i < n; ++i) {
+            const double value = cross(a, b, p[i]), size = std::fabs(value);
+            if (!(size > bar)) continue;
+            const double weighed = p[i].nearness * size;
+            double& most = value > 0 ? left : right;
+            if (weighed > most * tie) most = weighed, (value > 0 ? at_left : at_right) = i;
+        }
+        has_left = at_left < n, has_right = at_right < n;
+        if (has_left) r.index[r.count++] = at_left;
+        if (has_right) r.index[r.count++] = at_right;
+    }
+
+    std::span<FlatPoint> points_;
+    double extent_, lowest_ = std::numeric_limits<double>::infinity();
 };
 
 } // namespace
+
+FlatFrame::FlatFrame(DVec3 normal, DVec3 middle) : center(middle) {
+    // Any frame will do: only distances and areas count.
+    const DVec3 axis = std::fabs(normal.x) < 0.5 ? DVec3{1, 0, 0} : DVec3{0, 1, 0};
+    e1 = math::normalized(math::cross(axis, normal)), e2 = math::cross(normal, e1);
+}
+
+Chosen choose_points(std::span<FlatPoint> points, double extent) {
+    if (points.size() > 1) return Reducer(points, extent).choose();
+    return {static_cast<int>(points.size()), {}};
+}
 
 void clear_manifold(Manifold& out) {
     out = {};
@@ -129,15 +132,25 @@ void write_manifold(const ContactPoints& points, DVec3 normal, DVec3 center, dou
                     Manifold& out) {
     clear_manifold(out);
     Chosen chosen;
-    if (points.size() == 1)
+    Buffer<std::size_t, 32> which; // of those that count
+    if (points.size() == 1) {
         chosen.count = points[0].separation <= margin ? 1 : 0;
-    else
-        chosen = Reducer(points, normal, center, extent, margin).choose();
+        which.add(0);
+    } else {
+        const FlatFrame frame(normal, center);
+        Buffer<FlatPoint, 32> flat;
+        for (std::size_t i = 0; i < points.size(); ++i)
+            if (points[i].separation <= margin) {
+                flat.add(frame.flat(points[i].position, points[i].separation));
+                which.add(i);
+            }
+        chosen = choose_points({flat.data(), flat.size()}, extent);
+    }
     if (chosen.count == 0) return;
     out.count = chosen.count;
     math::put(out.normal, math::to_float(normal));
     for (int i = 0; i < chosen.count; ++i) {
-        const ContactPoint& p = points[chosen.index[i]];
+        const ContactPoint& p = points[which[chosen.index[i]]];
         math::put(out.points[i], math::to_float(p.position));
         out.points[i][3] = static_cast<float>(p.separation < least ? least : p.separation);
         out.features[i] = p.feature;

@@ -12,11 +12,24 @@ using math::DVec3;
 
 namespace {
 
-constexpr double same_patch = 0.02;  // difference of unit normals, 1.1 degrees: hits that are one patch
-constexpr double same_normal = 2e-4; // likewise: an edge that is touched so holds nothing up
-constexpr double flatness = 1e-4;    // of the shape's size: how far out of a plane a point may be
-constexpr double unlimited = 1e300;
+constexpr double same_patch = 0.02;          // difference of unit normals, 1.1 degrees: hits that are one patch
+constexpr double same_normal = 2e-4;         // likewise: an edge that is touched so holds nothing up
+constexpr double flatness = 1e-4;            // of the shape's size: how far out of a plane a point may be
 constexpr std::size_t none = ~std::size_t{}; // of the patches
+
+// Where the frame of the hits is in the common one: as it comes, it is that.
+struct Placement {
+    DVec3 center;
+    math::DMat3 axes;
+    bool is_common = true;
+
+    DVec3 turned(DVec3 v) const { return is_common ? v : axes * v; }
+    DVec3 placed(DVec3 p) const { return is_common ? p : center + axes * p; }
+    DVec3 turned_back(DVec3 v) const {
+        return is_common ? v : DVec3{math::dot(axes.c0, v), math::dot(axes.c1, v), math::dot(axes.c2, v)};
+    }
+    DVec3 placed_back(DVec3 p) const { return is_common ? p : turned_back(p - center); }
+};
 
 bool is_sharp_box(const Convex& c) { return c.kind == Convex::Kind::box && c.is_sharp; }
 double squared(DVec3 v) { return math::dot(v, v); }
@@ -36,24 +49,23 @@ bool is_seam(const SurfaceScratch& scratch, const SurfacePatch& patch, const Tri
     return true;
 }
 
-// The hit of one triangle, in the frame of the shape `a`.
-void add_hit(const Convex& a, const BoxHit& found, std::uint32_t triangle, SurfaceScratch& scratch) {
+// The hit of one triangle.
+void add_hit(const BoxHit& found, std::uint32_t triangle, SurfaceScratch& scratch) {
     const auto first = static_cast<std::uint32_t>(scratch.points.size());
-    scratch.points.resize(first + std::size_t(found.count));
-    for (int i = 0; i < found.count; ++i)
-        scratch.points[first + std::size_t(i)] = {a.center + a.axes * found.points[i].position,
-                                                  found.points[i].separation};
-    scratch.hits.push_back({a.axes * found.normal, a.center + a.axes * found.foot, -found.separation, first,
-                            static_cast<std::uint32_t>(found.count), triangle, found.on_face, none});
+    scratch.points.insert(scratch.points.end(), found.points, found.points + found.count);
+    scratch.hits.push_back({found.normal, found.foot, -found.separation, first, static_cast<std::uint32_t>(found.count),
+                            triangle, found.on_face, none});
 }
-void add_hit(const Manifold& found, const SurfaceContact& contact, std::uint32_t triangle, SurfaceScratch& scratch) {
+// Of a manifold in the common frame.
+void add_hit(const Manifold& found, const SurfaceContact& contact, const Placement& frame, std::uint32_t triangle,
+             SurfaceScratch& scratch) {
     const auto first = static_cast<std::uint32_t>(scratch.points.size());
-    const DVec3 normal = math::to_double(math::to_vec(found.normal));
+    const DVec3 normal = frame.turned_back(math::to_double(math::to_vec(found.normal)));
     double least = double(found.points[0][3]);
     for (int i = 0; i < found.count; ++i) {
         const double separation = double(found.points[i][3]);
         least = std::min(least, separation);
-        scratch.points.push_back({math::to_double(math::to_vec(found.points[i])), separation});
+        scratch.points.push_back({frame.placed_back(math::to_double(math::to_vec(found.points[i]))), separation});
     }
     const SurfacePoint& p = scratch.points[first];
     scratch.hits.push_back({normal, p.position + 0.5 * p.separation * normal, -least, first,
@@ -61,95 +73,153 @@ void add_hit(const Manifold& found, const SurfaceContact& contact, std::uint32_t
                             contact.part == SurfaceContact::Part::face, none});
 }
 
-void find_hits(const Convex& a, const Surface& surface, double margin, SurfaceScratch& scratch) {
-    scratch.hits.clear();
-    scratch.points.clear();
-    const bool is_box = is_sharp_box(a);
-    // Bounds of the shape in the frame of the surface.
+struct Bounds {
     math::Vec3 lo, hi;
+};
+
+// Of the shape and what is nearer to it than `reach`, in the frame of the surface.
+Bounds bounds_of(const Convex& a, const Surface& surface, double reach) {
+    Bounds bounds;
     for (int i = 0; i < 3; ++i) {
         const DVec3 axis = surface.axes.column(i);
         const double center = math::dot(axis, surface.center);
         double least, greatest;
-        if (is_box) {
+        if (is_sharp_box(a)) {
             const double middle = math::dot(axis, a.center), half = math::dot(a.size, math::abs(to_local(a, axis)));
             least = middle - half, greatest = middle + half;
         } else
             least = math::dot(axis, support(a, -axis)), greatest = math::dot(axis, support(a, axis));
-        lo[i] = float(least - center - margin);
-        hi[i] = float(greatest - center + margin);
-        const float rounding = 1e-6f * std::max(std::fabs(lo[i]), std::fabs(hi[i]));
-        lo[i] -= rounding, hi[i] += rounding;
+        float &lo = bounds.lo[i], &hi = bounds.hi[i];
+        lo = float(least - center - reach);
+        hi = float(greatest - center + reach);
+        const float rounding = 1e-6f * std::max(std::fabs(lo), std::fabs(hi));
+        lo -= rounding, hi += rounding;
     }
-    const auto to_common = [&](math::Vec3 v) { return surface.center + surface.axes * math::to_double(v); };
-    BoxOnTriangles box(a, surface.center, surface.axes, margin);
-    BoxHit hit; // of one triangle after the other
-    const auto test = [&](const auto& data) {
-        for_each_triangle(data, lo, hi, [&](std::uint32_t index) {
-            const Triangle t = triangle_of(data, index);
-            using Verdict = BoxOnTriangles::Verdict;
-            Verdict verdict = Verdict::unsure;
-            if (is_box) {
-                verdict = box.test(t, hit);
-                if (verdict == Verdict::touching) add_hit(a, hit, index, scratch);
-                if (verdict == Verdict::touching || verdict == Verdict::apart) return;
-            }
-            const Convex triangle = make_triangle(to_common(t.a), to_common(t.b), to_common(t.c));
-            const DVec3 guess = -triangle.axes.c1;
-            Manifold found;
-            const SurfaceContact contact =
-                verdict == Verdict::beyond_faces
-                    ? collide_surface_beyond(box.best_face(), a, triangle, margin, guess, found)
-                    : collide_surface(a, triangle, margin, guess, found);
-            if (found.count > 0) add_hit(found, contact, index, scratch);
-        });
-    };
-    if (const auto* mesh = std::get_if<std::shared_ptr<const MeshData>>(&surface.data))
-        test(**mesh);
-    else
-        test(height_field_of(surface.data));
+    return bounds;
 }
 
-// The points of all hits of a patch, reduced to four; in turns, where there are very many.
-void write_patch(const SurfaceScratch& scratch, std::size_t patch, double extent, Manifold& out) {
-    constexpr std::size_t most = 32; // that ContactPoints has room for
-    const DVec3 normal = scratch.patches[patch].normal;
-    ContactPoints points;
-    const auto add = [&](DVec3 position, double separation) {
-        points.add({position, separation, static_cast<std::uint32_t>(points.size())});
-    };
-    const auto reduce = [&] {
-        write_manifold(points, normal, {}, extent, unlimited, -unlimited, out);
-        points.clear();
-    };
-    for (const TriangleHit& hit : scratch.hits) {
-        if (hit.patch != patch) continue;
-        if (points.size() + hit.point_count > most) {
-            reduce();
-            for (int i = 0; i < out.count; ++i)
-                add(math::to_double(math::to_vec(out.points[i])), double(out.points[i][3]));
-        }
-        for (std::uint32_t i = hit.first_point; i < hit.first_point + hit.point_count; ++i)
-            add(scratch.points[i].position, scratch.points[i].separation);
+// f(data) for the mesh or height field.
+template <class F> void with_data(const Surface& surface, F&& f) {
+    if (const auto* mesh = std::get_if<std::shared_ptr<const MeshData>>(&surface.data))
+        f(**mesh);
+    else
+        f(height_field_of(surface.data));
+}
+
+// Finds the hits of a shape of any kind; returns how far it is apart from all triangles at least.
+class HitSearch {
+  public:
+    HitSearch(const Convex& a, const Surface& surface, double margin, const Placement& frame, SurfaceScratch& scratch)
+        : a_(a), surface_(surface), margin_(margin), frame_(frame), scratch_(scratch) {}
+
+    double search(double reach) {
+        const Bounds bounds = bounds_of(a_, surface_, reach);
+        double distance = reach;
+        with_data(surface_, [&](const auto& data) {
+            for_each_triangle(data, bounds.lo, bounds.hi, [&](std::uint32_t index) {
+                test(triangle_of(data, index), index);
+                distance = 0;
+            });
+        });
+        return distance;
     }
-    reduce();
+    double search_around_box(const TriangleKernels& kernels, double reach) {
+        const Bounds bounds = bounds_of(a_, surface_, reach);
+        BoxOnTriangles box(kernels, a_, surface_.center, surface_.axes, margin_);
+        double distance = reach;
+        const auto test_all = [&](const auto& data) {
+            distance = std::min(distance, box.look());
+            using Verdict = BoxOnTriangles::Verdict;
+            box.test([&](std::uint32_t index, Verdict verdict, const BoxHit& hit) {
+                if (verdict == Verdict::touching)
+                    add_hit(hit, index, scratch_);
+                else
+                    test(triangle_of(data, index), index,
+                         verdict == Verdict::beyond_faces ? &box.best_face() : nullptr);
+            });
+        };
+        with_data(surface_, [&](const auto& data) {
+            for_each_triangle(data, bounds.lo, bounds.hi, [&](std::uint32_t index) {
+                if (box.count() == BoxOnTriangles::most) test_all(data);
+                box.add(triangle_of(data, index), index);
+            });
+            if (box.count() > 0) test_all(data);
+        });
+        return distance;
+    }
+
+  private:
+    // By the test of all convex shapes. beyond: what is known of the faces, if they do not make the contact.
+    void test(const Triangle& t, std::uint32_t index, const FaceReach* beyond = nullptr) {
+        const auto to_common = [&](math::Vec3 v) { return surface_.center + surface_.axes * math::to_double(v); };
+        const Convex triangle = make_triangle(to_common(t.a), to_common(t.b), to_common(t.c));
+        const DVec3 guess = -triangle.axes.c1;
+        Manifold found;
+        const SurfaceContact contact = beyond ? collide_surface_beyond(*beyond, a_, triangle, margin_, guess, found)
+                                              : collide_surface(a_, triangle, margin_, guess, found);
+        if (found.count > 0) add_hit(found, contact, frame_, index, scratch_);
+    }
+
+    const Convex& a_;
+    const Surface& surface_;
+    double margin_;
+    const Placement& frame_;
+    SurfaceScratch& scratch_;
+};
+
+// The points of all hits of a patch, reduced to four.
+void write_patch(SurfaceScratch& scratch, std::size_t patch, const Placement& frame, double extent, Manifold& out) {
+    const DVec3 normal = scratch.patches[patch].normal;
+    const FlatFrame flat(normal, {});
+    if (scratch.flat.size() < scratch.points.size()) {
+        scratch.flat.resize(scratch.points.size());
+        scratch.which.resize(scratch.points.size());
+    }
+    std::size_t count = 0;
+    for (const std::uint32_t k : scratch.order) {
+        const TriangleHit& hit = scratch.hits[k];
+        if (hit.patch != patch) continue;
+        for (std::uint32_t i = hit.first_point; i < hit.first_point + hit.point_count; ++i) {
+            scratch.flat[count] = flat.flat(scratch.points[i].position, scratch.points[i].separation);
+            scratch.which[count++] = i;
+        }
+    }
+    const Chosen chosen = choose_points({scratch.flat.data(), count}, extent);
+    clear_manifold(out);
+    out.count = chosen.count;
+    math::put(out.normal, math::to_float(frame.turned(normal)));
+    for (int i = 0; i < chosen.count; ++i) {
+        const SurfacePoint& p = scratch.points[scratch.which[chosen.index[i]]];
+        math::put(out.points[i], math::to_float(frame.placed(p.position)));
+        out.points[i][3] = static_cast<float>(p.separation);
+        out.features[i] = static_cast<std::uint32_t>(chosen.index[i]);
+    }
 }
 
 } // namespace
 
-void collide_triangles(const Convex& a, const Surface& surface, double margin, SurfaceScratch& scratch,
-                       std::vector<Manifold>& manifolds) {
+double collide_triangles(const TriangleKernels& kernels, const Convex& a, const Surface& surface, double margin,
+                         double reach, SurfaceScratch& scratch, std::vector<Manifold>& manifolds) {
     manifolds.clear();
-    find_hits(a, surface, margin, scratch);
-    std::sort(scratch.hits.begin(), scratch.hits.end(), [](const TriangleHit& p, const TriangleHit& q) {
+    scratch.hits.clear();
+    scratch.points.clear();
+    const bool is_box = is_sharp_box(a);
+    // Hits of boxes are in their frame.
+    const Placement frame = is_box ? Placement{a.center, a.axes, false} : Placement{};
+    HitSearch search(a, surface, margin, frame, scratch);
+    const double distance = is_box ? search.search_around_box(kernels, reach) : search.search(reach);
+    if (scratch.hits.empty()) return distance;
+    scratch.order.resize(scratch.hits.size());
+    for (std::uint32_t i = 0; i < scratch.order.size(); ++i) scratch.order[i] = i;
+    std::sort(scratch.order.begin(), scratch.order.end(), [&](std::uint32_t i, std::uint32_t k) {
+        const TriangleHit &p = scratch.hits[i], &q = scratch.hits[k];
         return p.depth != q.depth ? p.depth > q.depth : p.triangle < q.triangle;
     });
     const DVec3 axis = surface.axes.c0;
-    const double size =
-        is_sharp_box(a) ? math::length(a.size) : 0.5 * math::length(support(a, axis) - support(a, -axis));
+    const double size = is_box ? math::length(a.size) : 0.5 * math::length(support(a, axis) - support(a, -axis));
     scratch.patches.clear();
-    for (TriangleHit& hit : scratch.hits) {
-        hit.patch = none;
+    for (const std::uint32_t k : scratch.order) {
+        TriangleHit& hit = scratch.hits[k];
         const auto seam = std::find_if(scratch.patches.begin(), scratch.patches.end(),
                                        [&](const SurfacePatch& patch) { return is_seam(scratch, patch, hit, size); });
         if (seam != scratch.patches.end()) continue;
@@ -160,7 +230,8 @@ void collide_triangles(const Convex& a, const Surface& surface, double margin, S
         if (same == scratch.patches.end()) scratch.patches.push_back({hit.normal, hit.foot, hit.depth});
     }
     manifolds.resize(scratch.patches.size());
-    for (std::size_t i = 0; i < manifolds.size(); ++i) write_patch(scratch, i, a.extent, manifolds[i]);
+    for (std::size_t i = 0; i < manifolds.size(); ++i) write_patch(scratch, i, frame, a.extent, manifolds[i]);
+    return 0;
 }
 
 } // namespace cairn

@@ -1,12 +1,15 @@
 // A convex shape against the triangles of a mesh or height field.
 #pragma once
 
+#include "collision/flat_points.h"
 #include "collision/manifold.h"
 #include "shapes/convex.h"
 
 #include <vector>
 
 namespace cairn {
+
+struct TriangleKernels;
 
 // A mesh or height field in the common frame of Convex.
 struct Surface {
@@ -15,7 +18,7 @@ struct Surface {
     math::DMat3 axes;
 };
 
-// What the shape has to do with one triangle.
+// What the shape has to do with one triangle, in the frame of boxes, for other shapes in the common one.
 struct TriangleHit {
     math::DVec3 normal;                     // from the shape to the triangle
     math::DVec3 foot;                       // where the triangle is, at the first of the points
@@ -24,12 +27,6 @@ struct TriangleHit {
     std::uint32_t triangle;
     bool on_face;      // of the triangle, not at its edges
     std::size_t patch; // that it is a part of
-};
-
-// A point of a hit: midway between the surfaces.
-struct SurfacePoint {
-    math::DVec3 position;
-    double separation;
 };
 
 // One direction in which the shape touches the surface.
@@ -42,14 +39,18 @@ struct SurfacePatch {
 // Working memory.
 struct SurfaceScratch {
     std::vector<TriangleHit> hits;
+    std::vector<std::uint32_t> order; // of hits: the deepest first
     std::vector<SurfacePoint> points;
     std::vector<SurfacePatch> patches;
+    std::vector<FlatPoint> flat;      // of one patch
+    std::vector<std::uint32_t> which; // of points they are
 };
 
 // All directions in which the shape touches the surface, or is nearer than `margin`: manifolds with different normals,
 // deepest first. Triangles in one plane count as one face, and nothing catches at the edges between them. `manifolds`
-// is emptied before.
-void collide_triangles(const Convex& a, const Surface& surface, double margin, SurfaceScratch& scratch,
-                       std::vector<Manifold>& manifolds);
+// is emptied before. Where there are none, returns how far apart they are at least, as far as has been looked: `reach`,
+// at least the margin, at most.
+double collide_triangles(const TriangleKernels& kernels, const Convex& a, const Surface& surface, double margin,
+                         double reach, SurfaceScratch& scratch, std::vector<Manifold>& manifolds);
 
 } // namespace cairn

@@ -87,7 +87,7 @@ void begin_contact(State& s, ContactInfo& c, math::Vec3 normal) {
     c.load = c.force = first_load(s, c, normal);
 }
 
-// Planes have no end, and the distance of a mesh is not found.
+// Planes have no end.
 bool has_distance(PairKind kind) {
     switch (kind) {
     case PairKind::sphere_sphere:
@@ -97,21 +97,11 @@ bool has_distance(PairKind kind) {
     case PairKind::capsule_capsule:
     case PairKind::box_capsule:
     case PairKind::convex_convex:
+    case PairKind::group:
         return true;
     default:
         return false;
     }
-}
-
-// The outcome of a pair that is found apart, by so many meters at least if that is known.
-std::uint8_t take_distance(State& s, std::uint32_t id, float distance) {
-    ContactInfo& c = s.contacts[id];
-    c.tested_at = s.passes + 1;
-    if (distance > c.base_margin && distance < unused && has_distance(c.kind))
-        s.apart_pairs[id].until =
-            (s.way[std::size_t(c.body_a)] + s.way[std::size_t(c.body_b)]) + double(distance - c.base_margin);
-    if (c.is_trigger) return trigger_outcome(c, false);
-    return c.point_count == 0 ? apart : ended;
 }
 
 bool is_asleep(const State& s, const ContactInfo& c) {
@@ -336,6 +326,16 @@ bool stays_apart(const State& s, const ContactInfo& c, const Manifold& m, float 
     };
     const float more = bend(a, s.bodies[std::size_t(first)].radius) + bend(b, s.bodies[std::size_t(second)].radius);
     return least > c.base_margin + dt * (speed + redirected * math::length(b.v - a.v)) + more;
+}
+
+std::uint8_t take_distance(State& s, std::uint32_t id, float distance) {
+    ContactInfo& c = s.contacts[id];
+    c.tested_at = s.passes + 1;
+    if (distance > c.base_margin && distance < unused && has_distance(c.kind))
+        s.apart_pairs[id].until =
+            (s.way[std::size_t(c.body_a)] + s.way[std::size_t(c.body_b)]) + double(distance - c.base_margin);
+    if (c.is_trigger) return trigger_outcome(c, false);
+    return c.point_count == 0 ? apart : ended;
 }
 
 std::uint8_t take_manifold(State& s, std::uint32_t id, const Manifold& m, float dt) {

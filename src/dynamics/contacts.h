@@ -54,8 +54,9 @@ struct PosedShape {
 Manifold test_convex_pair(PairKind kind, const PosedShape& a, const PosedShape& b, math::Vec3 guess, float margin,
                           ContactMemory& memory);
 // All directions in which the convex shape `a` touches a mesh or height field, deepest first; `hits` is emptied before.
-void find_patches(const PosedShape& a, const PosedShape& surface, float margin, SurfaceScratch& scratch,
-                  std::vector<Manifold>& hits);
+// Where there are none, returns how far apart they are at least; nothing farther than `reach` is looked at.
+float find_patches(const PosedShape& a, const PosedShape& surface, float margin, float reach, SurfaceScratch& scratch,
+                   std::vector<Manifold>& hits);
 
 inline PosedShape posed_shape(const State& s, std::uint32_t shape) {
     return {s.geometry[shape], s.shape_data[shape], s.shape_poses[shape], s.shapes[shape].arm};
@@ -87,6 +88,8 @@ float contact_margin(const State& state, const ContactInfo& contact, float dt);
 bool stays_apart(const State& state, const ContactInfo& contact, const Manifold& manifold, float dt);
 // One result of a test becomes the record of the contact; others may be at work on other contacts. An Outcome.
 std::uint8_t take_manifold(State& state, std::uint32_t contact, const Manifold& manifold, float dt);
+// Likewise of a pair that is found apart, by so many meters at least if that is known.
+std::uint8_t take_distance(State& state, std::uint32_t contact, float distance);
 std::uint8_t trigger_outcome(const ContactInfo& contact, bool inside);
 // What changes more than the contact itself: islands, colors, sleep. One after the other, in order.
 void follow_up(State& state, std::uint32_t contact, std::uint8_t outcome, float dt);

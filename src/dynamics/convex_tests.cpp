@@ -60,11 +60,12 @@ Manifold test_convex_pair(PairKind kind, const PosedShape& a, const PosedShape& 
     return out;
 }
 
-void find_patches(const PosedShape& a, const PosedShape& surface, float margin, SurfaceScratch& scratch,
-                  std::vector<Manifold>& hits) {
+float find_patches(const PosedShape& a, const PosedShape& surface, float margin, float reach, SurfaceScratch& scratch,
+                   std::vector<Manifold>& hits) {
     const DVec3 offset = offset_between(a.pose, surface.pose);
     const Surface posed{surface.data, offset, math::to_matrix(rotation_of(surface.pose))};
-    collide_triangles(convex_of(a, {}), posed, double(margin), scratch, hits);
+    return float(
+        collide_triangles(kernels().triangles, convex_of(a, {}), posed, double(margin), double(reach), scratch, hits));
 }
 
 } // namespace cairn

@@ -12,6 +12,7 @@ using math::to_vec;
 namespace {
 
 constexpr float same_patch = 0.9f;      // cosine: normals that turn by less from one step to the next are one patch
+constexpr float looked_ahead_steps = 3; // for what is apart
 constexpr std::uint8_t not_found = 255; // in NarrowScratch::patch_outcomes
 
 // The patch of the group whose last normal was nearest to that of the manifold, among those not yet found.
@@ -26,17 +27,30 @@ std::int32_t matching_patch(const State& s, const ContactInfo& group, const Mani
     return best;
 }
 
+// How far to look for triangles. What is apart is left alone as long as nothing in that reach can be met: it is looked
+// for as far as the bodies come in some steps, which costs less than looking in each.
+float reach_of(const ContactInfo& group, float margin) {
+    if (group.point_count > 0) return margin;
+    return margin + looked_ahead_steps * std::max(margin - group.base_margin, 0.0f);
+}
+
 void test_group(State& s, std::uint32_t place, NarrowBatch& own, float dt) {
     const std::uint32_t id = s.narrow.candidates[place];
     ContactInfo& group = s.contacts[id];
-    find_patches(posed_shape(s, group.shape_a), posed_shape(s, group.shape_b), contact_margin(s, group, dt),
-                 own.surface, own.hits);
+    const float margin = contact_margin(s, group, dt);
+    const float distance = find_patches(posed_shape(s, group.shape_a), posed_shape(s, group.shape_b), margin,
+                                        reach_of(group, margin), own.surface, own.hits);
+    if (own.hits.empty() && group.point_count == 0) {
+        s.narrow.outcomes[place] = take_distance(s, id, distance);
+        return;
+    }
     group.tested_at = s.passes + 1;
+    s.apart_pairs[id].until = 0;
     if (group.is_trigger) {
         s.narrow.outcomes[place] = trigger_outcome(group, !own.hits.empty());
         return;
     }
-    s.narrow.outcomes[place] = group.point_count > 0 || !own.hits.empty() ? goes_on : apart;
+    s.narrow.outcomes[place] = goes_on;
     for (std::int32_t p = group.related; p != none; p = s.contacts[std::size_t(p)].next)
         s.narrow.patch_outcomes[std::size_t(p)] = not_found;
     std::uint32_t order = 0;

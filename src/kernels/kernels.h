@@ -7,6 +7,7 @@
 #include "bvh/tree.h"
 #include "collision/manifold.h"
 #include "collision/shape_pose.h"
+#include "collision/triangle_batch.h"
 #include "kernels/joint_data.h"
 #include "kernels/solver_data.h"
 
@@ -37,6 +38,7 @@ struct KernelTable {
     SolverKernels solver;
     JointKernels joints;
     BroadKernels broad;
+    TriangleKernels triangles;
 };
 
 // The chosen table.

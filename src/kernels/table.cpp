@@ -1,4 +1,5 @@
 // The kernel table of one instruction set.
+#include "kernels/box_triangles.h"
 #include "kernels/broad.h"
 #include "kernels/collide.h"
 #include "kernels/joint.h"
@@ -12,10 +13,21 @@ namespace cairn::CAIRN_ISA {
 
 extern const KernelTable table;
 const KernelTable table = {
-    CAIRN_STRING(CAIRN_ISA), sphere_sphere,   sphere_box,  sphere_plane,
-    sphere_rectangle,        sphere_capsule,  box_box,     box_plane,
-    box_rectangle,           capsule_capsule, box_capsule, solver_kernels(),
-    joint_kernels(),         broad_kernels(),
+    CAIRN_STRING(CAIRN_ISA),
+    sphere_sphere,
+    sphere_box,
+    sphere_plane,
+    sphere_rectangle,
+    sphere_capsule,
+    box_box,
+    box_plane,
+    box_rectangle,
+    capsule_capsule,
+    box_capsule,
+    solver_kernels(),
+    joint_kernels(),
+    broad_kernels(),
+    {see_triangles, touch_on_box, touch_on_triangle},
 };
 
 } // namespace cairn::CAIRN_ISA

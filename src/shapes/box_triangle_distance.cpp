@@ -1,6 +1,7 @@
 // The nearest points are on an edge of the triangle, or they are a corner of the box and a point inside the triangle.
 #include "shapes/box_triangle_distance.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace cairn {
@@ -22,6 +23,18 @@ struct Segment {
     double rise(double t) const {
         const DVec3 p = from + t * way;
         return dot(way, p - clamped(p, half));
+    }
+
+    // The square of how far the bounds of the segment are from the box: no point of it is nearer.
+    double bound() const {
+        const DVec3 to = from + way;
+        double square = 0;
+        for (int i = 0; i < 3; ++i) {
+            const double above = std::min(from[i], to[i]) - half[i], below = -std::max(from[i], to[i]) - half[i];
+            const double d = std::max(above, below);
+            if (d > 0) square += d * d;
+        }
+        return square;
     }
 
     double nearest() const {
@@ -59,6 +72,7 @@ bool nearest_of_box_and_triangle(DVec3 half, const DVec3 (&corners)[3], DVec3& o
     const DVec3 edges[3] = {corners[1] - corners[0], corners[2] - corners[1], corners[0] - corners[2]};
     for (int e = 0; e < 3; ++e) {
         const Segment segment{corners[e], edges[e], half};
+        if (segment.bound() > least) continue;
         const DVec3 p = segment.from + segment.nearest() * segment.way;
         offer(clamped(p, half), p);
     }

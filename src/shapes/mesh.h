@@ -37,8 +37,10 @@ struct BoxBlock {
                        (columns::load(&hi[axis][from]) >= columns::splat(least[axis]));
             return all;
         };
-        const I4 bits = (half(0) & I4{1, 2, 4, 8}) | (half(4) & I4{16, 32, 64, 128});
-        return unsigned(bits[0] | bits[1] | bits[2] | bits[3]);
+        using Pair = std::uint64_t __attribute__((vector_size(16)));
+        const auto bits = reinterpret_cast<Pair>((half(0) & I4{1, 2, 4, 8}) | (half(4) & I4{16, 32, 64, 128}));
+        const std::uint64_t all = bits[0] | bits[1];
+        return unsigned((all | all >> 32) & 255);
     }
 };
 

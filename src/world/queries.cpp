@@ -63,7 +63,7 @@ bool shapes_overlap(const PosedShape& a, const PosedShape& b) {
     if (*kind == PairKind::group) {
         SurfaceScratch scratch;
         std::vector<Manifold> hits;
-        find_patches(first, second, 0, scratch, hits);
+        find_patches(first, second, 0, 0, scratch, hits);
         return !hits.empty();
     }
     Manifold out[8];

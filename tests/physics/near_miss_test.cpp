@@ -173,5 +173,55 @@ TEST(NearMiss, WhatWasFarApartIsMetHoweverItComesNear) {
         }
 }
 
+// A box that flies along a valley, whose bounds it is in, at 0.2 m a step, until something brings it to one of the
+// walls: triangles are looked for as far as it comes in some steps, and then not again before it has come that far.
+TEST(NearMiss, WhatFliesOverAMeshIsLeftAloneUntilItCanMeetIt) {
+    using Turn = void (*)(World & world, Body box, Body valley);
+    const Turn turns[] = {
+        [](World&, Body box, Body) {
+            box.set_linear_velocity({-12, 0, 0});
+        },
+        [](World&, Body box, Body) {
+            box.set_position({-5.55, 6, 0});
+        },
+        [](World&, Body, Body valley) {
+            valley.set_position({5.55, 0, 0});
+        },
+        [](World& world, Body, Body) {
+            WorldDef settings = world.settings();
+            settings.gravity = {0, -200, 0};
+            world.set_settings(settings);
+        },
+    };
+    for (const Turn turn : turns) {
+        World world(weightless());
+        const Vec3 corners[] = {{-10, 10, -50}, {-10, 10, 50}, {0, 0, -50}, {0, 0, 50}, {10, 10, -50}, {10, 10, 50}};
+        const std::uint32_t triangles[] = {0, 1, 2, 1, 3, 2, 2, 3, 4, 3, 5, 4};
+        BodyDef def;
+        def.type = BodyType::static_;
+        const BodyId valley = add_body(world, Mesh(corners, triangles), def, surface(0.5f));
+        def.type = BodyType::dynamic;
+        def.position = {0, 6, -20};
+        def.linear_velocity = {0, 0, 12};
+        const BodyId box = add_body(world, Box{{0.25f, 0.25f, 0.25f}}, def, surface(0.5f));
+        std::size_t tested = 0;
+        for (int i = 0; i < 100; ++i) {
+            world.step(1.0f / 60);
+            EXPECT_EQ(world.statistics().candidate_pairs, 1u);
+            EXPECT_EQ(world.statistics().contacts, 0u);
+            tested += world.statistics().tested_pairs;
+        }
+        EXPECT_LE(tested, 34u);
+        turn(world, world.body(box), world.body(valley));
+        std::size_t contacts = 0;
+        for (int i = 0; i < 60; ++i) {
+            world.step(1.0f / 60);
+            contacts = std::max(contacts, world.statistics().contacts);
+            EXPECT_LT(world.statistics().max_penetration, 0.07) << i;
+        }
+        EXPECT_GT(contacts, 0u);
+    }
+}
+
 } // namespace
 } // namespace cairn_test

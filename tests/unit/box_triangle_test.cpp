@@ -3,6 +3,8 @@
 #include "collision/contact_points.h"
 #include "collision/convex_contact.h"
 #include "convex_test_support.h"
+#include "kernels/kernels.h"
+#include "shapes/box_triangle_distance.h"
 
 #include <gtest/gtest.h>
 
@@ -64,6 +66,15 @@ Trial any_trial(Random& random) {
     return t;
 }
 
+// Of the triangle of the trial alone.
+Verdict verdict_of(BoxOnTriangles& box, const Trial& t, BoxHit& hit) {
+    box.add(t.triangle, 0);
+    box.look();
+    Verdict found = Verdict::apart;
+    box.test([&](std::uint32_t, Verdict verdict, const BoxHit& at) { found = verdict, hit = at; });
+    return found;
+}
+
 struct Found {
     Manifold manifold;
     SurfaceContact contact;
@@ -91,7 +102,8 @@ TEST(BoxOnTriangle, SaysWhatTheTestOfAllConvexShapesSays) {
     for (int k = 0; k < 100000; ++k) {
         const Trial t = any_trial(random);
         BoxHit hit;
-        const Verdict verdict = BoxOnTriangles(t.box, t.center, t.axes, t.margin).test(t.triangle, hit);
+        BoxOnTriangles box(cairn::kernels().triangles, t.box, t.center, t.axes, t.margin);
+        const Verdict verdict = verdict_of(box, t, hit);
         ++verdicts[int(verdict)];
         if (verdict != Verdict::apart && verdict != Verdict::touching) continue;
         const Found f = by_the_long_way(t);
@@ -131,9 +143,9 @@ TEST(BoxOnTriangle, WhatIsBeyondItsFacesIsFoundWithoutThem) {
     int found = 0, touching = 0;
     for (int k = 0; k < 100000; ++k) {
         const Trial t = any_trial(random);
-        BoxOnTriangles box(t.box, t.center, t.axes, t.margin);
+        BoxOnTriangles box(cairn::kernels().triangles, t.box, t.center, t.axes, t.margin);
         BoxHit hit;
-        if (box.test(t.triangle, hit) != Verdict::beyond_faces) continue;
+        if (verdict_of(box, t, hit) != Verdict::beyond_faces) continue;
         const Found f = by_the_long_way(t);
         const Convex triangle = triangle_of(t);
         Manifold m;
@@ -149,6 +161,32 @@ TEST(BoxOnTriangle, WhatIsBeyondItsFacesIsFoundWithoutThem) {
     }
     EXPECT_GT(found, 5000);
     EXPECT_GT(touching, 2000);
+}
+
+// What is farther apart may be left alone for some steps.
+TEST(BoxOnTriangle, TellsHowFarApartAtLeast) {
+    Random random(3);
+    int apart = 0;
+    double told = 0, all = 0;
+    for (int k = 0; k < 30000; ++k) {
+        Trial t = any_trial(random);
+        t.center += random.uniform(0, 1) * random.direction();
+        BoxOnTriangles box(cairn::kernels().triangles, t.box, t.center, t.axes, t.margin);
+        box.add(t.triangle, 0);
+        const double least = box.look();
+        const Convex triangle = triangle_of(t);
+        DVec3 corners[3], on_box, on_triangle;
+        for (int i = 0; i < 3; ++i) corners[i] = to_local(t.box, triangle.corners[i] - t.box.center);
+        double distance = 0;
+        if (cairn::nearest_of_box_and_triangle(t.box.size, corners, on_box, on_triangle))
+            distance = length(on_triangle - on_box);
+        ASSERT_LE(least, distance + 1e-9 * (1 + length(t.center))) << k;
+        if (distance < t.margin) continue;
+        ++apart;
+        told += std::max(least, 0.0), all += distance;
+    }
+    EXPECT_GT(apart, 5000);
+    EXPECT_GT(told, 0.4 * all);
 }
 
 } // namespace
