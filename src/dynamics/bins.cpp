@@ -10,13 +10,14 @@ namespace {
 
 constexpr std::int32_t bin_contacts = 300; // enough to fill lanes, and few, so that threads end together
 constexpr std::int32_t bin_bodies = 4096;
-constexpr std::uint32_t keys_per_bin = 128; // color, and one point or more
+constexpr std::uint32_t keys_per_bin = 256; // color, whether it bears anything, and one point or more
 constexpr int contacts_per_chunk = 512;     // for threads
 
-// Overflow first, then moving pairs by color, then pairs with what does not move.
+// Overflow first, then moving pairs by color, then pairs with what does not move. Within a color no two share a body
+// that moves: those that bore nothing in the last step come last, so that whole blocks have nothing to do.
 std::uint32_t order_key(const SortedContact& c) {
     const std::uint32_t rank = c.color == overflow_color ? 0u : c.color + 1u;
-    return 2 * rank + (c.four_points ? 0u : 1u);
+    return 4 * rank + (rank > 0 && c.is_idle ? 2u : 0u) + (c.four_points ? 0u : 1u);
 }
 
 // Impulses are those of one substep: with another length of substep they are others.
@@ -55,7 +56,8 @@ void collect_contacts(State& s) {
                            c.color,
                            std::uint8_t(c.point_count != 1),
                            c.bounces,
-                           c.is_conveyor};
+                           c.is_conveyor,
+                           !(c.force > 0)};
         }
     });
 }

@@ -15,11 +15,11 @@ namespace cairn {
 template <class Block, class Impact> struct StruckBlocks {
     struct Lane {
         std::uint32_t source; // the lane of the bin that it is a copy of
-        std::int32_t island;  // its place in ImpactWork::islands
+        std::int32_t group;   // its place in ImpactWork::groups
     };
     std::vector<Block> blocks;
     std::vector<Impact> impacts; // beside them
-    std::vector<Lane> lanes;     // 8 for each block; without an island: empty
+    std::vector<Lane> lanes;     // 8 for each block; without a group: empty
 
     void clear() { blocks.clear(), impacts.clear(), lanes.clear(); }
 };
@@ -31,22 +31,39 @@ struct StruckRun {
 };
 
 struct ImpactWork {
-    // Bodies that joints hold together, by row: the lowest row of them. Found once in a step that has impacts.
+    // Bodies that joints hold together, by row: the lowest row of them; fixed_row for what does not move by forces.
+    // Found once in a step that has impacts.
     std::vector<std::int32_t> component;
-    std::array<std::vector<std::int32_t>, 3> joint_component; // by JointRowType and lane; none where there is no joint
+    // By JointRowType and lane; fixed_row where there is no joint.
+    std::array<std::vector<std::int32_t>, 3> joint_component;
     bool has_components = false;
 
-    std::vector<std::uint8_t> is_struck, is_listed; // by row: the component of that row is struck; the row is in `rows`
+    std::vector<std::uint8_t> is_struck, is_listed; // by row: its component is struck; it is in `rows`
 
-    struct StruckIsland {
-        std::int32_t island;
+    // Rows that contacts and joints of this impact connect.
+    struct Group {
+        std::size_t begin, end; // in `rows`
         bool is_settled;
-        float change; // in the last pass, in units of what counts as settled
     };
-    std::vector<StruckIsland> islands;
-    std::vector<std::int32_t> place_of;       // by island of the world: its place in `islands`, or none
-    std::vector<std::int32_t> rows, places;   // the rows that may change, and the places of their islands
-    std::vector<SolverVelocity> before, last; // of those
+    std::vector<Group> groups;
+    std::vector<std::int32_t> group, place_of;   // by row: parents, of which the roots stand for groups; their places
+    std::vector<std::int32_t> rows, sorted_rows; // the rows that may change
+    std::vector<SolverVelocity> before, last;    // of those
+
+    // The lanes that take part, run by run.
+    struct ListedLane {
+        std::uint32_t source; // the lane of the bin
+        std::int32_t group;   // any of its rows, then its place in `groups`
+        std::uint8_t form;
+    };
+    struct ListedRun {
+        int type;
+        std::uint32_t first;    // block of the bin
+        std::size_t begin, end; // in `listed`
+    };
+    std::vector<ListedLane> listed;
+    std::vector<ListedRun> listed_runs;
+
     std::tuple<StruckBlocks<PointBlock, JointImpact>, StruckBlocks<TurnBlock, JointImpact>,
                StruckBlocks<AxisBlock, JointImpact>, StruckBlocks<ContactBlock<1>, ContactImpact<1>>,
                StruckBlocks<ContactBlock<4>, ContactImpact<4>>>

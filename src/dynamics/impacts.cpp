@@ -3,7 +3,8 @@
 #include "dynamics/block_runs.h"
 #include "dynamics/joints.h"
 
-#include <cmath>
+#include <algorithm>
+#include <bit>
 #include <cstring>
 #include <numeric>
 
@@ -12,8 +13,8 @@ namespace cairn {
 namespace {
 
 constexpr int most_passes = 48;
-// m/s, rad/s: an island whose bodies change by less in a pass has settled.
-constexpr float settled_change = 0.02f, settled_spin = 0.08f;
+// m/s, rad/s: a group whose bodies change by less in a pass has settled.
+constexpr SettledChange settled = {0.02f, 0.08f};
 
 // The types of blocks, as in ImpactWork::blocks: first those of joints, by JointRowType.
 constexpr int one_point_type = joint_row_types, four_points_type = joint_row_types + 1;
@@ -47,6 +48,10 @@ std::int32_t root_of(std::vector<std::int32_t>& parent, std::int32_t row) {
     }
     return row;
 }
+void unite(std::vector<std::int32_t>& parent, std::int32_t a, std::int32_t b) {
+    const std::int32_t root_a = root_of(parent, a), root_b = root_of(parent, b);
+    parent[std::size_t(std::max(root_a, root_b))] = std::min(root_a, root_b);
+}
 
 void find_components(const State& s, BinScratch& scratch) {
     ImpactWork& work = scratch.impact;
@@ -59,78 +64,119 @@ void find_components(const State& s, BinScratch& scratch) {
     };
     for (const std::uint32_t joint : layout.joints) {
         const std::int32_t a = row_of(s.joints[joint].body_a), b = row_of(s.joints[joint].body_b);
-        if (a == none || b == none) continue;
-        const std::int32_t root_a = root_of(component, a), root_b = root_of(component, b);
-        component[std::size_t(std::max(root_a, root_b))] = std::min(root_a, root_b);
+        if (a != none && b != none) unite(component, a, b);
     }
-    for (std::size_t row = 0; row < component.size(); ++row) component[row] = root_of(component, std::int32_t(row));
+    for (std::size_t row = 0; row < component.size(); ++row) {
+        const std::int32_t body = scratch.row_bodies[row];
+        const bool moves = body != none && s.is_dynamic(body);
+        component[row] = moves ? root_of(component, std::int32_t(row)) : fixed_row;
+    }
     for (std::size_t type = 0; type < joint_row_types; ++type)
-        work.joint_component[type].assign(8 * std::size_t(layout.blocks[type]), none);
+        work.joint_component[type].assign(8 * std::size_t(layout.blocks[type]), fixed_row);
     for (const JointRow& joint_row : layout.rows) {
         if (joint_row.idle) continue;
         const std::int32_t row = row_of(joint_owner(s, s.joints[joint_row.joint]));
         work.joint_component[std::size_t(joint_row.type)][joint_row.lane] =
-            row == none ? none : component[std::size_t(row)];
+            row == none ? fixed_row : component[std::size_t(row)];
     }
     work.has_components = true;
 }
 
-// Of the two bodies of a contact, none where a row is no body that moves by forces.
-struct ContactComponents {
-    std::int32_t a, b;
-};
-ContactComponents components_of(const State& s, const BinScratch& scratch, const LaneLists& lanes, std::size_t lane) {
-    const auto of = [&](std::int32_t row) {
-        const std::int32_t body = scratch.row_bodies[std::size_t(row)];
-        return body != none && s.is_dynamic(body) ? scratch.impact.component[std::size_t(row)] : none;
-    };
-    return {of(lanes.row_a[lane]), of(lanes.row_b[lane])};
-}
-
-// Both bodies of a struck contact, and all that joints hold to them.
-template <class Block>
-void mark_struck(const State& s, BinScratch& scratch, const LaneLists& lanes, std::vector<Block>& blocks) {
+// Both bodies of a struck contact.
+template <class Block> void mark_struck(BinScratch& scratch, const LaneLists& lanes, std::vector<Block>& blocks) {
+    ImpactWork& work = scratch.impact;
     for (std::size_t k = 0; k < lanes.record.size() / 8; ++k) {
         const unsigned struck = blocks[k].struck;
         blocks[k].struck = 0;
         for (std::size_t i = 0; struck >> i; ++i) {
             if (!((struck >> i) & 1) || lanes.record[8 * k + i] == none) continue;
-            const ContactComponents of = components_of(s, scratch, lanes, 8 * k + i);
-            for (const std::int32_t component : {of.a, of.b})
-                if (component != none) scratch.impact.is_struck[std::size_t(component)] = 1;
+            for (const std::int32_t row : {lanes.row_a[8 * k + i], lanes.row_b[8 * k + i]})
+                work.is_struck[std::size_t(work.component[std::size_t(row)])] = 1;
         }
+    }
+    work.is_struck[fixed_row] = 0;
+}
+
+void list_row(ImpactWork& work, std::int32_t row) {
+    if (work.component[std::size_t(row)] == fixed_row || work.is_listed[std::size_t(row)]) return;
+    work.is_listed[std::size_t(row)] = 1;
+    work.rows.push_back(row);
+}
+
+// All that joints hold to what was struck.
+void list_joints(BinScratch& scratch) {
+    ImpactWork& work = scratch.impact;
+    for (std::size_t row = 0; row < scratch.row_count(); ++row) {
+        const std::int32_t component = work.component[row];
+        work.is_struck[row] = work.is_struck[std::size_t(component)];
+        if (!work.is_struck[row]) continue;
+        work.group[row] = component;
+        list_row(work, std::int32_t(row));
+    }
+    for (const JointRun& run : scratch.joint_layout->runs) {
+        const std::vector<std::int32_t>& components = work.joint_component[std::size_t(run.type)];
+        const std::size_t begin = work.listed.size();
+        for (std::size_t lane = 8 * run.first; lane < 8 * (std::size_t(run.first) + run.count); ++lane)
+            if (work.is_struck[std::size_t(components[lane])])
+                work.listed.push_back({std::uint32_t(lane), components[lane], 0});
+        work.listed_runs.push_back({int(run.type), run.first, begin, work.listed.size()});
     }
 }
 
-void list_row(const State& s, BinScratch& scratch, std::int32_t row) {
+// And all contacts of that.
+void list_contacts(BinScratch& scratch, const BlockRun& run, const LaneLists& lanes) {
     ImpactWork& work = scratch.impact;
-    const std::int32_t body = scratch.row_bodies[std::size_t(row)];
-    if (body == none || !s.is_dynamic(body) || work.is_listed[std::size_t(row)]) return;
-    work.is_listed[std::size_t(row)] = 1;
-    const std::int32_t island = s.bodies[std::size_t(body)].island;
-    std::int32_t& place = work.place_of[std::size_t(island)];
-    if (place == none) {
-        place = std::int32_t(work.islands.size());
-        work.islands.push_back({island, false, 0});
+    const std::size_t begin = work.listed.size();
+    for (std::size_t lane = 8 * std::size_t(run.first); lane < 8 * std::size_t(run.first + run.count); ++lane) {
+        const std::int32_t a = lanes.row_a[lane], b = lanes.row_b[lane];
+        if (!work.is_struck[std::size_t(a)] && !work.is_struck[std::size_t(b)]) continue;
+        list_row(work, a);
+        list_row(work, b);
+        const bool a_moves = work.component[std::size_t(a)] != fixed_row;
+        if (a_moves && work.component[std::size_t(b)] != fixed_row) unite(work.group, a, b);
+        work.listed.push_back({std::uint32_t(lane), a_moves ? a : b, 0});
     }
-    work.rows.push_back(row);
-    work.places.push_back(place);
-    work.before.push_back(scratch.velocity[std::size_t(row)]);
+    work.listed_runs.push_back(
+        {run.four_points ? four_points_type : one_point_type, std::uint32_t(run.first), begin, work.listed.size()});
+}
+
+// What contacts or joints that take part do not connect, even over others, cannot strike each other: it settles each
+// for itself. The rows of a group are put side by side.
+void find_groups(BinScratch& scratch) {
+    ImpactWork& work = scratch.impact;
+    work.place_of.assign(scratch.row_count(), none);
+    const auto place_of = [&](std::int32_t row) -> std::int32_t& {
+        return work.place_of[std::size_t(root_of(work.group, row))];
+    };
+    for (const std::int32_t row : work.rows) {
+        std::int32_t& place = place_of(row);
+        if (place == none) {
+            place = std::int32_t(work.groups.size());
+            work.groups.push_back({0, 0, false});
+        }
+        ++work.groups[std::size_t(place)].end;
+    }
+    std::size_t begin = 0;
+    for (ImpactWork::Group& group : work.groups) {
+        const std::size_t count = group.end;
+        group.begin = group.end = begin;
+        begin += count;
+    }
+    work.sorted_rows.resize(work.rows.size());
+    for (const std::int32_t row : work.rows) work.sorted_rows[work.groups[std::size_t(place_of(row))].end++] = row;
+    work.rows.swap(work.sorted_rows);
+    for (const std::int32_t row : work.rows) work.before.push_back(scratch.velocity[std::size_t(row)]);
+    work.last = work.before;
+    for (ImpactWork::ListedLane& lane : work.listed) lane.group = place_of(lane.group);
 }
 
 // --- blocks of their own
 
-// Whether lanes of both may lie in one block.
-bool are_alike(const PointBlock& a, const PointBlock& b) {
-    return a.even == b.even && a.free_axis == b.free_axis && a.redirects == b.redirects;
-}
-bool are_alike(const TurnBlock& a, const TurnBlock& b) {
-    return a.even == b.even && a.free_axis == b.free_axis && a.redirects == b.redirects;
-}
-bool are_alike(const AxisBlock& a, const AxisBlock& b) {
-    return a.even == b.even && a.redirects == b.redirects && a.has_limits == b.has_limits;
-}
-template <int N> bool are_alike(const ContactBlock<N>& a, const ContactBlock<N>& b) { return a.even == b.even; }
+// Lanes of blocks of one form may lie in one block. What is not in it is the same in the whole run.
+std::uint8_t form_of(const PointBlock& b) { return b.even; }
+std::uint8_t form_of(const TurnBlock& b) { return b.even; }
+std::uint8_t form_of(const AxisBlock& b) { return std::uint8_t(b.even | b.has_limits << 1); }
+template <int N> std::uint8_t form_of(const ContactBlock<N>& b) { return b.even; }
 
 // Where a body's velocity goes that does not move by forces: none of its own business, but that of the block.
 template <class Block> void redirect(Block& b, std::size_t lane, std::uint32_t first_discard, std::uint32_t discard) {
@@ -163,107 +209,71 @@ template <class Block> void copy_lane(Block& to, std::size_t lane, const Block& 
         if (at != flags) std::memcpy(target + at + number * lane, source + at + number * from_lane, number);
 }
 
-// Copies lanes of one run of the bin's blocks, which begins at `first`.
-template <class Block, class Impact> class RunCopy {
-  public:
-    RunCopy(BinScratch& scratch, std::vector<Block>& from, StruckBlocks<Block, Impact>& to, std::size_t first,
-            std::int32_t first_discard_row)
-        : from_(from), to_(to), first_(first), begin_(to.blocks.size()),
-          first_discard_(std::uint32_t(scratch.row_count()) * row_bytes),
-          own_discard_((std::uint32_t(first_discard_row) + std::uint32_t(first)) * row_bytes) {}
-
-    // There are never more blocks than in the bin, so that each has a discard row there.
-    void add(std::size_t source, std::int32_t island) {
-        const Block& block = from_[source / 8];
-        if (to_.blocks.size() == begin_ || used_ == 8 || !are_alike(block, to_.blocks.back())) open(block);
-        Block& target = to_.blocks.back();
-        copy_lane(target, used_, block, source % 8);
-        redirect(target, used_, first_discard_, discard());
-        to_.lanes[8 * (to_.blocks.size() - 1) + used_] = {std::uint32_t(source), island};
-        to_.impacts.back().active = std::uint8_t(to_.impacts.back().active | 1u << used_);
-        ++used_;
-    }
-    void end(int type, std::vector<StruckRun>& runs) {
-        const std::size_t count = to_.blocks.size() - begin_;
-        if (count > 0) runs.push_back({type, std::uint32_t(begin_), std::uint32_t(count)});
-    }
-
-  private:
-    void open(const Block& like) {
-        to_.blocks.push_back(like);
-        to_.impacts.push_back({});
-        to_.lanes.insert(to_.lanes.end(), 8, {0, none});
-        used_ = 0;
-        empty_lanes(to_.blocks.back(), discard());
-    }
-    std::uint32_t discard() const { return own_discard_ + std::uint32_t(to_.blocks.size() - 1 - begin_) * row_bytes; }
-
-    std::vector<Block>& from_;
-    StruckBlocks<Block, Impact>& to_;
-    std::size_t first_, begin_, used_ = 0;
-    std::uint32_t first_discard_, own_discard_;
-};
-
-// What joints hold to what was struck, and all contacts of that.
-void copy_joints(const State& s, BinScratch& scratch) {
+// Copies lanes of one run of the bin's blocks, by form and group. There are never more blocks than in the bin, so that
+// each has a discard row there.
+template <class Block, class Impact>
+void copy_run(BinScratch& scratch, const ImpactWork::ListedRun& run, const std::vector<Block>& from,
+              StruckBlocks<Block, Impact>& to, std::int32_t first_discard_row) {
     ImpactWork& work = scratch.impact;
-    const auto discards = scratch.first_joint_discard_rows();
-    for (const JointRun& run : scratch.joint_layout->runs) {
-        const std::vector<std::int32_t>& components = work.joint_component[std::size_t(run.type)];
-        const std::int32_t discard = discards[std::size_t(run.type)];
-        with_type(scratch, int(run.type), [&](auto& from, auto& to) {
-            RunCopy copy(scratch, from, to, run.first, discard);
-            for (std::size_t lane = 8 * run.first; lane < 8 * (std::size_t(run.first) + run.count); ++lane) {
-                const std::int32_t component = components[lane];
-                if (component == none || !work.is_struck[std::size_t(component)]) continue;
-                const std::int32_t body = scratch.row_bodies[std::size_t(component)];
-                copy.add(lane, work.place_of[std::size_t(s.bodies[std::size_t(body)].island)]);
-            }
-            copy.end(int(run.type), work.runs);
-        });
+    const auto begin = work.listed.begin() + std::ptrdiff_t(run.begin),
+               end = work.listed.begin() + std::ptrdiff_t(run.end);
+    for (auto lane = begin; lane != end; ++lane) lane->form = form_of(from[lane->source / 8]);
+    std::sort(begin, end, [](const ImpactWork::ListedLane& a, const ImpactWork::ListedLane& b) {
+        return std::tie(a.form, a.group, a.source) < std::tie(b.form, b.group, b.source);
+    });
+    const std::size_t first = to.blocks.size();
+    const std::uint32_t first_discard = std::uint32_t(scratch.row_count()) * row_bytes;
+    std::uint32_t discard = (std::uint32_t(first_discard_row) + run.first) * row_bytes;
+    std::size_t used = 8;
+    for (auto lane = begin; lane != end; ++lane, ++used) {
+        const Block& block = from[lane->source / 8];
+        if (used == 8 || lane->form != std::prev(lane)->form) {
+            if (to.blocks.size() > first) discard += row_bytes;
+            to.blocks.push_back(block);
+            to.impacts.push_back({});
+            to.lanes.insert(to.lanes.end(), 8, {0, none});
+            empty_lanes(to.blocks.back(), discard);
+            used = 0;
+        }
+        copy_lane(to.blocks.back(), used, block, lane->source % 8);
+        redirect(to.blocks.back(), used, first_discard, discard);
+        to.lanes[8 * (to.blocks.size() - 1) + used] = {lane->source, lane->group};
+        to.impacts.back().active = std::uint8_t(to.impacts.back().active | 1u << used);
     }
+    const std::size_t count = to.blocks.size() - first;
+    if (count > 0) work.runs.push_back({run.type, std::uint32_t(first), std::uint32_t(count)});
 }
 
-template <class Block, class Impact>
-void copy_contacts(const State& s, BinScratch& scratch, const BlockRun& run, const LaneLists& lanes,
-                   std::int32_t first_discard, std::vector<Block>& from, StruckBlocks<Block, Impact>& to) {
-    ImpactWork& work = scratch.impact;
-    RunCopy copy(scratch, from, to, std::size_t(run.first), first_discard);
-    for (std::size_t lane = 8 * std::size_t(run.first); lane < 8 * std::size_t(run.first + run.count); ++lane) {
-        if (lanes.record[lane] == none) continue;
-        const ContactComponents of = components_of(s, scratch, lanes, lane);
-        const auto is_struck = [&](std::int32_t c) { return c != none && work.is_struck[std::size_t(c)]; };
-        if (!is_struck(of.a) && !is_struck(of.b)) continue;
-        list_row(s, scratch, lanes.row_a[lane]);
-        list_row(s, scratch, lanes.row_b[lane]);
-        const std::int32_t body = scratch.row_bodies[std::size_t(lanes.row_a[lane])];
-        copy.add(lane, work.place_of[std::size_t(s.bodies[std::size_t(body)].island)]);
+void copy_listed(BinScratch& scratch) {
+    const std::int32_t ones = scratch.first_discard_row(),
+                       fours = ones + std::int32_t(scratch.one_lanes.record.size() / 8);
+    const auto joints = scratch.first_joint_discard_rows();
+    const std::int32_t discards[] = {joints[0], joints[1], joints[2], ones, fours};
+    for (const ImpactWork::ListedRun& run : scratch.impact.listed_runs) {
+        const std::int32_t discard = discards[run.type];
+        with_type(scratch, run.type, [&](auto& from, auto& to) { copy_run(scratch, run, from, to, discard); });
     }
-    copy.end(run.four_points ? four_points_type : one_point_type, work.runs);
 }
 
 void begin_impact(const State& s, BinScratch& scratch) {
     ImpactWork& work = scratch.impact;
     if (!work.has_components) find_components(s, scratch);
     for_types(scratch, [](auto&, auto& struck) { struck.clear(); });
-    work.runs.clear(), work.islands.clear(), work.rows.clear(), work.places.clear(), work.before.clear();
+    work.runs.clear(), work.groups.clear(), work.rows.clear(), work.before.clear();
+    work.listed.clear(), work.listed_runs.clear();
     work.is_struck.assign(scratch.row_count(), 0);
     work.is_listed.assign(scratch.row_count(), 0);
-    if (work.place_of.size() < s.islands.size()) work.place_of.resize(s.islands.size(), none);
-    mark_struck(s, scratch, scratch.one_lanes, scratch.one_blocks);
-    mark_struck(s, scratch, scratch.four_lanes, scratch.four_blocks);
-    for (std::size_t row = 0; row < scratch.row_count(); ++row)
-        if (work.is_struck[std::size_t(work.component[row])]) list_row(s, scratch, std::int32_t(row));
-    copy_joints(s, scratch);
-    const std::int32_t discard = scratch.first_discard_row();
-    const std::int32_t fours = discard + std::int32_t(scratch.one_lanes.record.size() / 8);
+    work.group.resize(scratch.row_count());
+    std::iota(work.group.begin(), work.group.end(), 0);
+    mark_struck(scratch, scratch.one_lanes, scratch.one_blocks);
+    mark_struck(scratch, scratch.four_lanes, scratch.four_blocks);
+    list_joints(scratch);
     for (const ColorRun& color : scratch.colors) {
-        copy_contacts(s, scratch, color.four_points, scratch.four_lanes, fours, scratch.four_blocks,
-                      std::get<four_points_type>(work.blocks));
-        copy_contacts(s, scratch, color.one_point, scratch.one_lanes, discard, scratch.one_blocks,
-                      std::get<one_point_type>(work.blocks));
+        list_contacts(scratch, color.four_points, scratch.four_lanes);
+        list_contacts(scratch, color.one_point, scratch.one_lanes);
     }
-    work.last = work.before;
+    find_groups(scratch);
+    copy_listed(scratch);
 }
 
 // --- passes
@@ -291,45 +301,30 @@ void strike_all(BinScratch& scratch, Crew* crew, float h) {
         });
 }
 
-// In units of what counts as settled.
-float change_of(const SolverVelocity& now, const SolverVelocity& last) {
-    float most = 0;
-    for (int i = 0; i < 3; ++i) {
-        const float v = std::fabs(now.v[i] - last.v[i]) * (1 / settled_change);
-        const float w = std::fabs(now.w[i] - last.w[i]) * (1 / settled_spin);
-        most = std::max({most, v, w});
-    }
-    return most;
-}
-
-// Lanes of islands that have settled take part no longer.
+// Lanes of groups that have settled take part no longer.
 void retire_lanes(BinScratch& scratch) {
-    const std::vector<ImpactWork::StruckIsland>& islands = scratch.impact.islands;
+    const std::vector<ImpactWork::Group>& groups = scratch.impact.groups;
     for_types(scratch, [&](auto&, auto& struck) {
         for (std::size_t k = 0; k < struck.impacts.size(); ++k)
-            for (std::size_t i = 0; i < 8; ++i) {
-                const std::int32_t place = struck.lanes[8 * k + i].island;
-                if (place == none || !islands[std::size_t(place)].is_settled) continue;
+            for (unsigned left = struck.impacts[k].active; left != 0; left &= left - 1) {
+                const unsigned i = unsigned(std::countr_zero(left));
+                if (!groups[std::size_t(struck.lanes[8 * k + i].group)].is_settled) continue;
                 struck.impacts[k].active = std::uint8_t(struck.impacts[k].active & ~(1u << i));
             }
     });
 }
 
-// Islands that have settled leave, each for itself, so that none depends on others. Whether any is left.
-bool settle_islands(BinScratch& scratch) {
+// Groups that have settled leave. Whether any is left.
+bool settle_groups(BinScratch& scratch) {
     ImpactWork& work = scratch.impact;
-    for (ImpactWork::StruckIsland& island : work.islands) island.change = 0;
-    for (std::size_t i = 0; i < work.rows.size(); ++i) {
-        const SolverVelocity& now = scratch.velocity[std::size_t(work.rows[i])];
-        float& change = work.islands[std::size_t(work.places[i])].change;
-        change = std::max(change, change_of(now, work.last[i]));
-        work.last[i] = now;
-    }
     bool any_left = false, any_settled = false;
-    for (ImpactWork::StruckIsland& island : work.islands) {
-        if (island.is_settled) continue;
-        island.is_settled = !(island.change >= 1);
-        (island.is_settled ? any_settled : any_left) = true;
+    for (ImpactWork::Group& group : work.groups) {
+        if (group.is_settled) continue;
+        const float change =
+            kernels().solver.change_since(scratch.velocity.data(), work.rows.data() + group.begin,
+                                          int(group.end - group.begin), work.last.data() + group.begin, settled);
+        group.is_settled = !(change >= 1);
+        (group.is_settled ? any_settled : any_left) = true;
     }
     if (any_left && any_settled) retire_lanes(scratch);
     return any_left;
@@ -375,8 +370,7 @@ void take_all_totals(BinScratch& scratch) {
     for_types(scratch, [](auto& blocks, auto& struck) {
         for (std::size_t i = 0; i < struck.lanes.size(); ++i) {
             const std::size_t source = struck.lanes[i].source;
-            if (struck.lanes[i].island != none)
-                take_totals(blocks[source / 8], source % 8, struck.blocks[i / 8], i % 8);
+            if (struck.lanes[i].group != none) take_totals(blocks[source / 8], source % 8, struck.blocks[i / 8], i % 8);
         }
     });
 }
@@ -387,15 +381,12 @@ void solve_impacts(const State& s, BinScratch& scratch, Crew* crew, float h, std
     if (struck_contacts == 0) return;
     struck_contacts = 0;
     begin_impact(s, scratch);
-    bool settled = false;
-    for (int pass = 0; pass < most_passes && !settled; ++pass) {
+    for (int pass = 0; pass < most_passes; ++pass) {
         strike_all(scratch, crew, h);
-        settled = !settle_islands(scratch);
+        if (!settle_groups(scratch)) break;
     }
     add_to_references(scratch);
     take_all_totals(scratch);
-    for (const ImpactWork::StruckIsland& island : scratch.impact.islands)
-        scratch.impact.place_of[std::size_t(island.island)] = none;
 }
 
 } // namespace cairn

@@ -1,4 +1,4 @@
-// Impacts in islands with joints: what hits a contact is stopped at once, by passes over all rows of its island.
+// Impacts in islands with joints: what hits a contact is stopped at once, by passes over all rows near it.
 // docs/solver.md says why.
 #pragma once
 

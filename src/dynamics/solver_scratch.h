@@ -84,6 +84,7 @@ struct SortedContact {
     std::int32_t island;
     float substep_time; // s: that its impulses are for
     std::uint8_t color, four_points, bounces, is_conveyor;
+    std::uint8_t is_idle; // bore nothing in the last step
 };
 
 // One solver bin: islands that are solved together through all substeps.

@@ -41,6 +41,10 @@ CAIRN_INLINE void strike_block(ContactBlock<N>& block, ContactImpact<N>& impact,
     normal_velocities<N>(block, a, b, normal, c, v);
     for (int i = 0; i < N; ++i) old[i] = load(impact.impulse[i]);
     strike_points<N>(block, active, v, inverse_h, old, impulse);
+    const f32x8 old1 = load(impact.tangent[0]), old2 = load(impact.tangent[1]);
+    mask8 idle = (old1 == zero()) & (old2 == zero());
+    for (int i = 0; i < N; ++i) idle = idle & (old[i] == zero()) & (impulse[i] == zero());
+    if (all(idle)) return; // without a load there is no friction
     for (int i = 0; i < N; ++i) {
         const f32x8 change = impulse[i] - old[i];
         store(impact.impulse[i], impulse[i]);
@@ -54,13 +58,12 @@ CAIRN_INLINE void strike_block(ContactBlock<N>& block, ContactImpact<N>& impact,
     const Vec3x8 t1 = load3(block.tangent), t2 = second_tangent(block, normal);
     const Vec3x8 slip = (b.v - a.v) + cross(b.w - a.w, center) + cross(b.w, d);
     const f32x8 x = dot(slip, t1), y = dot(slip, t2), m12 = load(block.tangent_mass[1]);
-    const f32x8 old1 = load(impact.tangent[0]), old2 = load(impact.tangent[1]);
     f32x8 p1 = old1 - (load(block.tangent_mass[0]) * x + m12 * y);
     f32x8 p2 = old2 - (m12 * x + load(block.tangent_mass[2]) * y);
     const f32x8 size = sqrt(p1 * p1 + p2 * p2), limit = load(block.friction) * load_sum;
     const f32x8 scale = min(limit / (size + splat(1e-20f)), one());
-    p1 = select(active, scale * p1, zero());
-    p2 = select(active, scale * p2, zero());
+    p1 = select(active, scale * p1, old1);
+    p2 = select(active, scale * p2, old2);
     store(impact.tangent[0], p1);
     store(impact.tangent[1], p2);
     store(block.total_tangent[0], load(block.total_tangent[0]) + (p1 - old1));
@@ -78,6 +81,25 @@ void strike_contacts(void* blocks, void* impacts, int count, SolverVelocity* vel
     auto* given = static_cast<ContactImpact<N>*>(impacts);
     for (int k = 0; k < count; ++k)
         if (given[k].active) strike_block<N>(all[k], given[k], velocity, splat(inverse_h));
+}
+
+float change_since(const SolverVelocity* velocity, const std::int32_t* rows, int count, SolverVelocity* last,
+                   SettledChange settled) {
+    static_assert(sizeof(SolverVelocity) == 8 * sizeof(float));
+    const float v = 1 / settled.v, w = 1 / settled.w;
+    alignas(32) const float units[8] = {v, v, v, 0, w, w, w, 0};
+    const f32x8 unit = load(units);
+    f32x8 most = zero();
+    for (int i = 0; i < count; ++i) {
+        const f32x8 now = load(velocity[rows[i]].v);
+        most = max(unit * abs(now - load(last[i].v)), most);
+        store(last[i].v, now);
+    }
+    alignas(32) float lanes[8];
+    float greatest = 0;
+    store(lanes, most);
+    for (const float lane : lanes) greatest = lane > greatest ? lane : greatest;
+    return greatest;
 }
 
 template void strike_contacts<1>(void*, void*, int, SolverVelocity*, float);

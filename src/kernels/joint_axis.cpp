@@ -330,10 +330,10 @@ void strike(void* blocks, JointImpact* impacts, int count, SolverVelocity* veloc
         const f32x8 x = load(b.position), old_up = load(impacts[k].lower), old_down = load(impacts[k].upper);
         f32x8 v = velocity_of(j, e);
         f32x8 up = max(old_up - wanted * (v + max(x - load(b.lower), zero()) * ih), zero());
-        up = select(bounded, up, zero());
+        up = select(bounded, up, old_up);
         v += guarded_inverse(mass, active) * (up - old_up);
         f32x8 down = max(old_down - wanted * (max(load(b.upper) - x, zero()) * ih - v), zero());
-        down = select(bounded, down, zero());
+        down = select(bounded, down, old_down);
         const f32x8 held = select(active & equation, -(wanted * v), zero());
         const f32x8 d = held + ((up - old_up) - (down - old_down));
         store(impacts[k].lower, up);

@@ -19,6 +19,8 @@ template <int N>
 int bounce_contacts(void* blocks, int count, const SolverBodies& bodies, const BounceSettings& settings);
 template <int N>
 void strike_contacts(void* blocks, void* impacts, int count, SolverVelocity* velocity, float inverse_h);
+float change_since(const SolverVelocity* velocity, const std::int32_t* rows, int count, SolverVelocity* last,
+                   SettledChange settled);
 void integrate_velocities(const SolverBodies& bodies, int begin, int end, bool first);
 void spin(SpinBlock* blocks, int count, const SolverBodies& bodies, SolverTwist* drive, SolverTwist* correction,
           float h, bool first);

@@ -182,6 +182,11 @@ struct alignas(64) SpinBlock {
     std::uint8_t any_renewed;
 };
 
+// m/s, rad/s: bodies that change by less in a pass of an impact have settled.
+struct SettledChange {
+    float v, w;
+};
+
 struct SolverKernels {
     // The blocks argument of each is an array of ContactBlock<1> or ContactBlock<4>.
     struct ForPoints {
@@ -200,6 +205,10 @@ struct SolverKernels {
         void (*store)(const void* blocks, int count, const ContactLanes& lanes, ContactRecord* records,
                       ContactReport* reports);
     } one_point, four_points;
+
+    // The greatest change of some rows since `last`, in units of `settled`; `last` becomes what they are.
+    float (*change_since)(const SolverVelocity* velocity, const std::int32_t* rows, int count, SolverVelocity* last,
+                          SettledChange settled);
 
     // The free turning of one substep: drive and correction of the rows, angular parts only.
     void (*spin)(SpinBlock* blocks, int count, const SolverBodies& bodies, SolverTwist* drive, SolverTwist* correction,
