@@ -17,10 +17,10 @@ inline constexpr std::uint64_t compounds = 0x0bf2010dedc7ecfd;
 inline constexpr std::uint64_t free_tops = 0x7424415fa1add17c;
 inline constexpr std::uint64_t explicit_euler = 0x55a88828db5c3519;
 inline constexpr std::uint64_t whirl = 0x38568c28613c446b;
-inline constexpr std::uint64_t changes = 0xb08d4ab8d32c8668;
-inline constexpr std::uint64_t all_shapes = 0x3ac769daaae76166;
-inline constexpr std::uint64_t rounded_shapes = 0xbbaef1a17221891f;
-inline constexpr std::uint64_t surfaces = 0x1a3d4917c02bba0c;
+inline constexpr std::uint64_t changes = 0xb3774d38bad2931b;
+inline constexpr std::uint64_t all_shapes = 0xa6bb27c6b2c74b7f;
+inline constexpr std::uint64_t rounded_shapes = 0xe9f35804f330e5f8;
+inline constexpr std::uint64_t surfaces = 0x0df8dd4f66084169;
 inline constexpr std::uint64_t all_joints = 0xab80c6d734f64c66;
 inline constexpr std::uint64_t chains = 0x911914e8eb2d30c1;
 
