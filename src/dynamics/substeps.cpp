@@ -18,10 +18,17 @@ constexpr float load_gain = 0.25f;           // of the low-pass filter over step
 constexpr float full_share = 1.0f / 3.0f;    // of the island's weight on one contact: slender
 constexpr float immovable_stiffness = 4.0f;  // contacts with what does not move are so much stiffer
 constexpr float most_of_weight = 1.2f;
-constexpr int rounding = 8, most_adaptive_substeps = 128;
-constexpr float least_use = 0.5f; // a number is kept until this share of it would do
+constexpr int most_adaptive_substeps = 128;
+// A number is kept until this share of it would do, or that share of the base.
+constexpr float least_use = 0.5f, least_of_base = 0.8f;
 // m/s: what is tossed about more than that is no structure, and its loads are impacts, however long they last.
 constexpr float most_unrest = 1.0f;
+
+// Up to a multiple of 8, as islands of one number are solved together; few are not made half as many again.
+int rounded_up(float wanted) {
+    const int least = wanted <= 12 ? 4 : 8;
+    return (int(std::min(wanted, float(most_adaptive_substeps))) + least - 1) / least * least;
+}
 
 } // namespace
 
@@ -51,10 +58,9 @@ int island_substeps(const State& s, Island& island) {
     if (s.settings.adaptive_substeps && island.weight > 0) {
         const float share = std::min(island.greatest_load / (full_share * island.weight), 1.0f);
         const float wanted = substeps_per_demand * share * std::sqrt(island.greatest_demand);
-        const int rounded = (int(std::min(wanted, float(most_adaptive_substeps))) + rounding - 1) / rounding * rounding;
-        const int now = island.wanted_substeps;
-        const bool keep =
-            (rounded <= now && wanted > least_use * float(now)) || (rounded > now && island.unrest > most_unrest);
+        const int rounded = rounded_up(wanted), now = island.wanted_substeps;
+        const float least = std::max(least_use * float(now), least_of_base * float(base));
+        const bool keep = (rounded <= now && wanted > least) || (rounded > now && island.unrest > most_unrest);
         if (!keep) island.wanted_substeps = wanted > float(base) ? rounded : 0;
     } else {
         island.wanted_substeps = 0;
