@@ -15,8 +15,6 @@ constexpr std::uint32_t of_first = 1, of_second = 2, of_edges = 3;
 constexpr int corner_bits = 7, kind_shift = 4 * corner_bits;
 constexpr std::uint32_t most_corners = 1u << corner_bits;
 
-// Edges that cross at less than this sine are side by side.
-constexpr double least_crossing = 1e-2;
 // No other corner is farther along the axis than an edge by more than this part of the extent.
 constexpr double farther = 1e-6;
 

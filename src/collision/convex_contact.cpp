@@ -28,8 +28,6 @@ constexpr double rounding = 1e-6;
 // Of the preference for faces: how much deeper a face that has not been compared with the others may be than its points
 // reach.
 constexpr double unsearched_reach = 0.3;
-// The sine of the angle at which axes cross.
-constexpr double least_crossing = 1e-2;
 // Of an overlap: how far from the border of a face its points must be for the other faces to be out of the question.
 constexpr double least_amid = 2;
 // Of the distance of the cores: directions are within a thousandth. Round shapes come nearer by a factor in each turn

@@ -165,7 +165,7 @@ void test_convex_pairs(State& s, PairKind kind, int begin, int end, float dt) {
         ContactMemory memory = s.records[id].features;
         const Manifold m = test_convex_pair(kind, a, b, to_vec(s.records[id].normal), margin, memory);
         s.narrow.outcomes[place] = take_manifold(s, id, m, dt);
-        if (kind == PairKind::convex_convex) s.records[id].features = memory;
+        if (kind == PairKind::convex_convex) s.records[id].features = memory; // also of those that are apart
     }
 }
 

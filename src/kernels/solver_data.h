@@ -62,7 +62,8 @@ struct alignas(64) ContactRecord {
     float total_friction[3];   // tangential impulse summed over the last step's substeps, on B
     float first_total;         // normal impulse of the first point, likewise
     float radius_a, radius_b;  // of a round surface, from its center or axis to the point; 0 for flat ones
-    std::uint32_t features;    // the lowest byte of each point's feature, the first point's lowest; or no_features
+    std::uint32_t features;    // the lowest byte of each point's feature, the first point's lowest; or no_features; of
+                               // two convex shapes that no wide kernel tests: a ContactMemory
     float padding;
 
     float more_points[3][4]; // unused: {0, 0, 0, 1e30}

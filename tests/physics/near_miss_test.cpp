@@ -24,6 +24,17 @@ bool meet(const Shape& shape, double gap, Vec3 velocity) {
     return world.statistics().islands == 1;
 }
 
+// Something touches within so many steps, and nothing goes far into anything.
+void expect_to_meet(World& world, int steps) {
+    std::size_t contacts = 0;
+    for (int i = 0; i < steps; ++i) {
+        world.step(1.0f / 60);
+        contacts = std::max(contacts, world.statistics().contacts);
+        EXPECT_LT(world.statistics().max_penetration, 0.07) << i;
+    }
+    EXPECT_GT(contacts, 0u);
+}
+
 TEST(NearMiss, WhatPassesByIsNoContact) {
     const Shape shapes[] = {Sphere{0.5f}, Box{{0.5f, 0.5f, 0.5f}}, Capsule{0.3f, 0.2f}, Cylinder{0.5f, 0.5f}};
     for (const Shape& shape : shapes) {
@@ -163,13 +174,7 @@ TEST(NearMiss, WhatWasFarApartIsMetHoweverItComesNear) {
             EXPECT_EQ(world.statistics().candidate_pairs, 1u);
             EXPECT_EQ(world.statistics().tested_pairs, 0u);
             approach.come_near(world, world.body(first), world.body(other));
-            std::size_t contacts = 0;
-            for (int i = 0; i < 8; ++i) {
-                world.step(1.0f / 60);
-                contacts = std::max(contacts, world.statistics().contacts);
-                EXPECT_LT(world.statistics().max_penetration, 0.07) << i;
-            }
-            EXPECT_GT(contacts, 0u);
+            expect_to_meet(world, 8);
         }
 }
 
@@ -213,13 +218,7 @@ TEST(NearMiss, WhatFliesOverAMeshIsLeftAloneUntilItCanMeetIt) {
         }
         EXPECT_LE(tested, 34u);
         turn(world, world.body(box), world.body(valley));
-        std::size_t contacts = 0;
-        for (int i = 0; i < 60; ++i) {
-            world.step(1.0f / 60);
-            contacts = std::max(contacts, world.statistics().contacts);
-            EXPECT_LT(world.statistics().max_penetration, 0.07) << i;
-        }
-        EXPECT_GT(contacts, 0u);
+        expect_to_meet(world, 60);
     }
 }
 
