@@ -78,7 +78,7 @@ void pack_bins(State& s, float dt) {
     scratch.open_bins.assign(std::size_t(most_substeps) + 1, none);
     for (const std::int32_t i : s.awake_islands) {
         Island& island = s.islands[std::size_t(i)];
-        island.substeps = island_substeps(s, island);
+        island.substeps = island_substeps(s, island, scratch.contacts_of_island[std::size_t(i)]);
         std::int32_t& open = scratch.open_bins[std::size_t(island.substeps)];
         if (open == none) {
             open = std::int32_t(scratch.bins.size());

@@ -166,6 +166,7 @@ struct ApartPair {
     std::int32_t body_a = none, body_b = none;
 };
 
+inline constexpr float unknown_demand = 1e5f; // high: what joints bear is not known before they are solved
 struct Island {
     std::int32_t first_body = none, last_body = none;
     std::int32_t body_count = 0;
@@ -181,6 +182,8 @@ struct Island {
     float weight = 0, greatest_load = 0; // N: of all bodies; on one contact
     float greatest_demand = 0;           // m/s^2: load over the reduced mass of the contact that carries it
     float unrest = 0;                    // m/s: mean square of the speeds about that of the whole, its root
+    float joint_demand = unknown_demand; // m/s^2: mean square of the joints' forces over the masses, its root
+    std::int32_t joint_substeps = 0;     // that its joints ask for at rest; 0: it is not, or has none
     float least_quiet_time = 0, greatest_quiet_time = 0;
 };
 
