@@ -83,11 +83,10 @@ void find_components(const State& s, BinScratch& scratch) {
 }
 
 // Both bodies of a struck contact.
-template <class Block> void mark_struck(BinScratch& scratch, const LaneLists& lanes, std::vector<Block>& blocks) {
+template <class Block> void mark_struck(BinScratch& scratch, const LaneLists& lanes, const std::vector<Block>& blocks) {
     ImpactWork& work = scratch.impact;
     for (std::size_t k = 0; k < lanes.record.size() / 8; ++k) {
         const unsigned struck = blocks[k].struck;
-        blocks[k].struck = 0;
         for (std::size_t i = 0; struck >> i; ++i) {
             if (!((struck >> i) & 1) || lanes.record[8 * k + i] == none) continue;
             for (const std::int32_t row : {lanes.row_a[8 * k + i], lanes.row_b[8 * k + i]})
@@ -103,12 +102,16 @@ void list_row(ImpactWork& work, std::int32_t row) {
     work.rows.push_back(row);
 }
 
-// All that joints hold to what was struck.
+// All that joints hold to what was struck, and how fast its bodies are.
 void list_joints(BinScratch& scratch) {
     ImpactWork& work = scratch.impact;
+    work.speed.assign(scratch.row_count(), 0);
     for (std::size_t row = 0; row < scratch.row_count(); ++row) {
         const std::int32_t component = work.component[row];
         work.is_struck[row] = work.is_struck[std::size_t(component)];
+        const float speed = math::length(math::to_vec(scratch.velocity[row].v));
+        float& greatest = work.speed[component == fixed_row ? row : std::size_t(component)];
+        greatest = std::max(greatest, speed);
         if (!work.is_struck[row]) continue;
         work.group[row] = component;
         list_row(work, std::int32_t(row));
@@ -123,19 +126,37 @@ void list_joints(BinScratch& scratch) {
     }
 }
 
-// And all contacts of that.
-void list_contacts(BinScratch& scratch, const BlockRun& run, const LaneLists& lanes) {
+float speed_of(const ImpactWork& work, std::int32_t row) {
+    const std::int32_t component = work.component[std::size_t(row)];
+    return work.speed[std::size_t(component == fixed_row ? row : component)];
+}
+
+// Contacts are there for what may meet within the whole step; in this substep they close at that speed only.
+template <class Block> float closing_speed(const Block& b, std::size_t lane, float h) {
+    float least = b.separation[0][lane];
+    for (const auto& separation : b.separation) least = std::min(least, separation[lane]);
+    return least / h;
+}
+
+// And all contacts of that which the impact may close.
+template <class Block>
+void list_contacts(BinScratch& scratch, const BlockRun& run, const LaneLists& lanes, std::vector<Block>& blocks,
+                   float h) {
     ImpactWork& work = scratch.impact;
     const std::size_t begin = work.listed.size();
     for (std::size_t lane = 8 * std::size_t(run.first); lane < 8 * std::size_t(run.first + run.count); ++lane) {
         const std::int32_t a = lanes.row_a[lane], b = lanes.row_b[lane];
         if (!work.is_struck[std::size_t(a)] && !work.is_struck[std::size_t(b)]) continue;
+        const Block& block = blocks[lane / 8];
+        const bool is_struck = (block.struck >> lane % 8 & 1) != 0;
+        if (!is_struck && closing_speed(block, lane % 8, h) > speed_of(work, a) + speed_of(work, b)) continue;
         list_row(work, a);
         list_row(work, b);
         const bool a_moves = work.component[std::size_t(a)] != fixed_row;
         if (a_moves && work.component[std::size_t(b)] != fixed_row) unite(work.group, a, b);
         work.listed.push_back({std::uint32_t(lane), a_moves ? a : b, 0});
     }
+    for (std::int32_t k = run.first; k < run.first + run.count; ++k) blocks[std::size_t(k)].struck = 0;
     work.listed_runs.push_back(
         {run.four_points ? four_points_type : one_point_type, std::uint32_t(run.first), begin, work.listed.size()});
 }
@@ -255,7 +276,7 @@ void copy_listed(BinScratch& scratch) {
     }
 }
 
-void begin_impact(const State& s, BinScratch& scratch) {
+void begin_impact(const State& s, BinScratch& scratch, float h) {
     ImpactWork& work = scratch.impact;
     if (!work.has_components) find_components(s, scratch);
     for_types(scratch, [](auto&, auto& struck) { struck.clear(); });
@@ -269,8 +290,8 @@ void begin_impact(const State& s, BinScratch& scratch) {
     mark_struck(scratch, scratch.four_lanes, scratch.four_blocks);
     list_joints(scratch);
     for (const ColorRun& color : scratch.colors) {
-        list_contacts(scratch, color.four_points, scratch.four_lanes);
-        list_contacts(scratch, color.one_point, scratch.one_lanes);
+        list_contacts(scratch, color.four_points, scratch.four_lanes, scratch.four_blocks, h);
+        list_contacts(scratch, color.one_point, scratch.one_lanes, scratch.one_blocks, h);
     }
     find_groups(scratch);
     copy_listed(scratch);
@@ -380,7 +401,7 @@ void take_all_totals(BinScratch& scratch) {
 void solve_impacts(const State& s, BinScratch& scratch, Crew* crew, float h, std::atomic<int>& struck_contacts) {
     if (struck_contacts == 0) return;
     struck_contacts = 0;
-    begin_impact(s, scratch);
+    begin_impact(s, scratch, h);
     for (int pass = 0; pass < most_passes; ++pass) {
         strike_all(scratch, crew, h);
         if (!settle_groups(scratch)) break;

@@ -211,5 +211,27 @@ TEST(Ragdoll, HeapThatLandsIsNotSolvedAsATower) {
     EXPECT_LE(most, 16); // it was 56
 }
 
+// What moves takes 11 substeps so that its motion is true; what lies there only has to hold together.
+TEST(Ragdoll, HeapTakesFewerSubstepsOnceItRests) {
+    World world(without_sleep());
+    add_walls(world);
+    std::vector<Ragdoll> heap;
+    heap.reserve(25);
+    for (int i = 0; i < 24; ++i)
+        heap.emplace_back(world, Position(-4 + i % 2, 0.5 + 0.65 * (i / 2), 0),
+                          glm::angleAxis(float(0.5 * pi), Vec3(1, 0, 0)), Vec3(0, -2, 0));
+    run(world, 1.0f / 60, 20);
+    EXPECT_GE(world.statistics().max_substeps, 11);
+    run(world, 1.0f / 60, 400);
+    EXPECT_EQ(world.statistics().max_substeps, 8);
+    for (const Ragdoll& ragdoll : heap) {
+        EXPECT_LT(ragdoll.gap(), 0.004);
+        EXPECT_LT(ragdoll.excess(), 0.02);
+    }
+    heap.emplace_back(world, Position(-3.5, 4, 0), askew, Vec3(0, -50, 0));
+    run(world, 1.0f / 60, 5);
+    EXPECT_GE(world.statistics().max_substeps, 11);
+}
+
 } // namespace
 } // namespace cairn_test

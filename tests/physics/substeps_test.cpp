@@ -1,0 +1,65 @@
+// How many substeps islands take (docs/decisions/substeps.md).
+#include "support.h"
+
+namespace cairn_test {
+namespace {
+
+BodyId add_box(World& world, const Position& position, float mass) {
+    BodyDef def;
+    def.position = position;
+    def.mass = mass;
+    return add_body(world, Box{}, def, surface(0.6f));
+}
+
+// A deck of planks on balls between two banks, with a load on each of them.
+int substeps_of_loaded_deck(float load) {
+    World world(without_sleep());
+    const BodyId ground = add_ground(world, surface(0.6f));
+    constexpr int planks = 6;
+    BodyId last = ground;
+    for (int i = 0; i <= planks; ++i) {
+        BodyDef def;
+        def.position = {i, 3, 0};
+        const BodyId next = i == planks ? ground : add_body(world, Box{{0.45f, 0.1f, 0.5f}}, def, surface(0.6f));
+        for (const double z : {-0.5, 0.5}) {
+            JointDef joint = world.joint_at(last, next, {i - 0.5, 3, z}, {1, 0, 0}, BallJoint{});
+            joint.solver = JointSolver::iterative;
+            world.create_joint(joint);
+        }
+        last = next;
+    }
+    for (int i = 0; i < planks; ++i)
+        for (int k = 0; k < 3; ++k) add_box(world, {i, 3.6 + 1.001 * k, 0}, load / 3);
+    run(world, 1.0f / 60, 300);
+    return world.statistics().max_substeps;
+}
+
+TEST(Substeps, OfADeckGrowWithItsLoad) {
+    const int light = substeps_of_loaded_deck(1), heavy = substeps_of_loaded_deck(1000);
+    EXPECT_GE(light, 8);
+    EXPECT_GE(heavy, 11);
+    EXPECT_LT(light, heavy);
+}
+
+// One body that is pressed hard is neither a tower nor what a heap needs more substeps for.
+TEST(Substeps, OfAHeapAreNotThoseOfOneBodyThatIsSqueezed) {
+    World world(without_sleep());
+    add_ground(world, surface(0.6f));
+    for (int i = 0; i < 100; ++i) { // each lies on four others: one heap
+        const double shift = i / 25 % 2 * 0.5 - 2;
+        add_box(world, {1.001 * (i % 5) + shift, 0.5 + i / 25, 1.001 * (i / 5 % 5) + shift}, 1000);
+    }
+    BodyDef def;
+    def.position = {0, 4.1, 0};
+    const BodyId pressed = add_body(world, Box{{0.1f, 0.1f, 0.1f}}, def, surface(0.6f));
+    const float weight = 100 * 1000 * 9.81f, mass = world.body(pressed).mass();
+    ASSERT_NEAR(mass, 8, 0.1);
+    for (int i = 0; i < 120; ++i) {
+        world.body(pressed).add_force({0, -0.038f * weight, 0});
+        world.step(1.0f / 60);
+    }
+    EXPECT_EQ(world.statistics().max_substeps, WorldDef{}.substeps);
+}
+
+} // namespace
+} // namespace cairn_test
