@@ -181,6 +181,7 @@ struct alignas(64) SpinBlock {
     float momentum[3][8], free_w[3][8]; // after the substep's free motion, or when the inertia was renewed
     float renewed[8];                   // 1: the inertia follows the poses, as joints need it; else it is of the start
     std::uint8_t any_renewed;
+    std::uint8_t turns; // its rows have a drive or a correction
 };
 
 // m/s, rad/s: bodies that change by less in a pass of an impact have settled.

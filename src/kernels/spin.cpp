@@ -13,6 +13,9 @@ namespace {
 // Cosine of half the angle up to which a body may have turned in a step for L to be followed: beyond, the inertia that
 // contacts act on says nothing about the one that it has.
 constexpr float most_turn_cosine = 0.9f;
+// rad/s: slower bodies are left as they are until the end of the step. In 1/60 s the axis of such a turn would go
+// astray by less than 1e-4 of itself, and what the pose is off is not seen in single precision.
+constexpr float calm_speed = 0.004f;
 
 CAIRN_INLINE Quatx8 gather_turn(const SolverPose* pose, const std::uint32_t* offset) {
     const float* p[8];
@@ -65,32 +68,49 @@ CAIRN_INLINE Vec3x8 momentum_now(const SpinBlock& block, Quatx8 turn, Quatx8 axe
     return select(followed, tracked, momentum);
 }
 
+// What a substep adds to the angular velocities, and what the midpoint differs from the end.
+struct Turn {
+    Vec3x8 change, correction;
+};
+CAIRN_INLINE Turn free_turn(Quatx8 q, Vec3x8 inverse_moments, Vec3x8 momentum, Vec3x8 w, float h, mask8 calm) {
+    Vec3x8 middle = tensor(q, inverse_moments, momentum);
+    for (int iteration = 0; iteration < 2; ++iteration)
+        middle = tensor(turned_by(splat(0.125f * h) * middle, q), inverse_moments, momentum);
+    const Vec3x8 end = tensor(turned_by(splat(0.25f * h) * middle, q), inverse_moments, momentum);
+    return {select(calm, zero3(), end - w), select(calm, zero3(), middle - end)};
+}
+
 } // namespace
 
 void spin(SpinBlock* blocks, int count, const SolverBodies& bodies, SolverTwist* drive, SolverTwist* correction,
           float h, bool first) {
-    const f32x8 eighth = splat(0.125f * h), quarter = splat(0.25f * h);
     for (int k = 0; k < count; ++k) {
         SpinBlock& block = blocks[k];
-        const Vec3x8 w = gather_angular(bodies.velocity, block.row), inverse = load3(block.inverse_moments);
+        const Vec3x8 w = gather_angular(bodies.velocity, block.row);
+        mask8 calm = dot(w, w) < splat(calm_speed * calm_speed);
+        Vec3x8 factor;
+        if (bodies.damping) {
+            factor = gather_angular(bodies.damping, block.row);
+            calm = calm & (factor.x == one());
+        }
+        if (all(calm) && !first && !block.turns) continue;
         const Quatx8 turn = gather_turn(bodies.pose, block.row);
         const Quatx8 q = multiply(turn, {load3(block.axes), load(block.axes[3])});
         const Vec3x8 momentum = momentum_now(block, turn, q, w, first);
-        Vec3x8 middle = tensor(q, inverse, momentum);
-        for (int iteration = 0; iteration < 2; ++iteration)
-            middle = tensor(turned_by(eighth * middle, q), inverse, momentum);
-        const Vec3x8 end = tensor(turned_by(quarter * middle, q), inverse, momentum), change = end - w;
-        scatter_angular(drive, block.row, change);
-        scatter_angular(correction, block.row, middle - end);
+        Turn now = {zero3(), zero3()};
+        if (!all(calm)) now = free_turn(q, load3(block.inverse_moments), momentum, w, h, calm);
+        block.turns = !all(calm);
+        scatter_angular(drive, block.row, now.change);
+        scatter_angular(correction, block.row, now.correction);
         // To the bit what integrate_velocities will make of it.
-        Vec3x8 free = w + change, left = momentum;
+        Vec3x8 free = w + now.change, left = momentum;
         if (bodies.damping) {
-            const Vec3x8 factor = gather_angular(bodies.damping, block.row);
             free = scaled(free, factor);
             left = scaled(left, factor);
         }
-        store3(block.momentum, left);
-        store3(block.free_w, free);
+        const mask8 kept = first ? mask_from_bits(0) : calm; // what contacts add to them is added later
+        store3(block.momentum, select(kept, load3(block.momentum), left));
+        store3(block.free_w, select(kept, load3(block.free_w), free));
     }
 }
 

@@ -1,4 +1,5 @@
-// Balls that rolling resistance stops. How they roll without it are cases 8, 9 and 16 of the validation.
+// Balls that rolling resistance stops, and bodies that turn slowly. How balls roll without resistance are
+// cases 8, 9 and 16 of the validation.
 #include "support.h"
 
 namespace cairn_test {
@@ -28,6 +29,25 @@ TEST(RollingResistance, StopsBallsOnBouncingGround) {
         run(world, 1.0f / 60.0f, 120);
         EXPECT_NEAR(world.body(ball).linear_velocity().x, 0, 1e-3) << restitution;
         EXPECT_NEAR(world.body(ball).angular_velocity().y, 0, 1e-3) << restitution;
+    }
+}
+
+// Slow turns are not followed within a step: the momentum must be the same at its end. (Joined to another body at its
+// center, which takes nothing from it, as free bodies go another way.)
+TEST(SlowTurn, KeepsItsAngularMomentum) {
+    for (const float speed : {0.001f, 0.0035f, 0.0045f, 0.05f}) {
+        WorldDef settings = without_sleep();
+        settings.gravity = {0, 0, 0};
+        World world(settings);
+        BodyDef def;
+        const BodyId other = add_body(world, Sphere{}, def);
+        def.angular_velocity = speed * glm::normalize(Vec3(1, 2, 3));
+        const BodyId body = add_body(world, Box{{1, 0.5f, 0.3f}}, def);
+        world.create_joint(world.joint_at(other, body, {0, 0, 0}, {1, 0, 0}, BallJoint{}));
+        const Vec3 before = world.body(body).angular_momentum();
+        run(world, 1.0f / 60, 6000);
+        EXPECT_LT(glm::length(world.body(body).angular_momentum() - before), 5e-4f * glm::length(before)) << speed;
+        EXPECT_GT(glm::angle(world.body(body).rotation()), 0.05f);
     }
 }
 
