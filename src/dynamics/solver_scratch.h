@@ -168,6 +168,7 @@ enum RowTrait : std::uint8_t {
 struct BinScratch {
     std::vector<std::int32_t> row_of_body;                  // none: in no row
     std::vector<std::int32_t> row_bodies;                   // body of each row; none for fixed and padding
+    std::vector<std::uint64_t> row_marks;                   // to sort them
     std::vector<std::uint8_t> row_traits;                   // RowTrait
     std::vector<std::int32_t> touching_bodies, free_bodies; // of the islands: with and without a contact
     std::vector<ConveyorRow> conveyor_rows;
