@@ -57,6 +57,7 @@ struct NarrowScratch {
     std::vector<std::uint8_t> changes;        // by contact, of those that were solved: began or ceased to touch
     std::vector<std::uint32_t> candidates;    // contacts of all pairs, those of neighbors near each other
     std::vector<std::uint8_t> outcomes;       // of each: what is to be done, what has come out (contacts.h)
+    std::vector<std::uint32_t> open;          // places among the candidates of those not known to stay apart
     std::vector<std::uint8_t> patch_outcomes; // by contact, of patches of groups that were tested
     std::vector<FreshPatch> fresh;            // of all threads, by place
     std::size_t next_fresh = 0;               // the first of those that have not been followed up
