@@ -38,6 +38,25 @@ inline std::vector<std::uint32_t> order_by(std::span<const std::uint64_t> keys) 
     return order;
 }
 
+// Sorts numbers >= 0 of which no two are equal; `marks` is working memory. Where they lie close together, by a bit for
+// each number there might be.
+inline void sort_distinct(std::vector<std::int32_t>& numbers, std::vector<std::uint64_t>& marks) {
+    if (numbers.empty()) return;
+    const auto [least, most] = std::minmax_element(numbers.begin(), numbers.end());
+    const std::int32_t first = *least / 64;
+    const std::size_t words = std::size_t(*most / 64 - first) + 1;
+    if (words > numbers.size()) {
+        std::sort(numbers.begin(), numbers.end());
+        return;
+    }
+    marks.assign(words, 0);
+    for (const std::int32_t n : numbers) marks[std::size_t(n / 64 - first)] |= std::uint64_t(1) << (n % 64);
+    std::size_t k = 0;
+    for (std::size_t word = 0; word < words; ++word)
+        for (std::uint64_t bits = marks[word]; bits != 0; bits &= bits - 1)
+            numbers[k++] = 64 * (first + std::int32_t(word)) + __builtin_ctzll(bits);
+}
+
 // Keys in the order of the numbers; -0 and 0 are one.
 inline std::uint64_t order_key(double x) {
     std::uint64_t bits;

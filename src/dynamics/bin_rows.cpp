@@ -1,4 +1,5 @@
 // The rows and lanes of a bin: bodies and contacts in, and bodies out again.
+#include "core/order.h"
 #include "dynamics/bodies.h"
 #include "dynamics/coloring.h"
 #include "dynamics/finalize.h"
@@ -57,6 +58,15 @@ void gather_bodies(State& s, const Bin& bin, BinScratch& scratch) {
         }
         sum.put(island, gravity);
     }
+}
+
+// Bodies get their rows in the order of their indices, as they lie in memory (decisions/cache.md).
+void number_rows(BinScratch& scratch) {
+    scratch.row_bodies = scratch.touching_bodies;
+    sort_distinct(scratch.row_bodies, scratch.row_marks);
+    scratch.row_bodies.insert(scratch.row_bodies.begin(), std::size_t(first_body_row), none);
+    for (std::size_t row = first_body_row; row < scratch.row_bodies.size(); ++row)
+        scratch.row_of_body[std::size_t(scratch.row_bodies[row])] = std::int32_t(row);
 }
 
 std::int32_t row_of(BinScratch& scratch, std::int32_t body) {
@@ -230,10 +240,9 @@ void fill_bin(State& s, const Bin& bin, BinScratch& scratch, Crew* crew, float d
     gather_bodies(s, bin, scratch);
     scratch.row_bodies.clear();
     if (bin.contact_count + bin.joint_count == 0) return;
-    scratch.row_bodies.assign(first_body_row, none);
+    number_rows(scratch);
     fill_lanes(s, bin, scratch);
     fill_joint_lanes(s, bin, scratch, crew, dt);
-    for (const std::int32_t b : scratch.touching_bodies) row_of(scratch, b);
     fill_rows(s, scratch, crew);
 }
 

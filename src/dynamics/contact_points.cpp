@@ -176,9 +176,7 @@ void write_record(State& s, std::uint32_t id, const Manifold& m) {
     if (old.count > 0) match_points(old, c.match_tolerance, m.count, r);
 }
 
-ContactRecord advanced_record(const State& s, std::uint32_t id) {
-    const ContactInfo& c = s.contacts[id];
-    ContactRecord r = s.records[id];
+void advance_record(const State& s, const ContactInfo& c, ContactRecord& r) {
     const math::Vec3 n = to_vec(r.normal), d = to_vec(r.center_offset);
     const math::Quat qa = s.motion[std::size_t(c.body_a)].turned, qb = s.motion[std::size_t(c.body_b)].turned;
     const math::Vec3 offset = math::to_float(s.motion[std::size_t(c.body_a)].x - s.motion[std::size_t(c.body_b)].x);
@@ -194,6 +192,11 @@ ContactRecord advanced_record(const State& s, std::uint32_t id) {
         put(point, 0.5f * (now_a + (now_b - offset))); // midway between the two
     }
     put(r.center_offset, offset);
+}
+
+ContactRecord advanced_record(const State& s, std::uint32_t id) {
+    ContactRecord r = s.records[id];
+    advance_record(s, s.contacts[id], r);
     return r;
 }
 

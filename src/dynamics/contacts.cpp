@@ -137,8 +137,12 @@ void test_wide_pairs(State& s, PairKind kind, int begin, int end, NarrowBatch& o
     }
     wide_kernel(kind)(s.shape_poses.data(), batch.first, batch.second, batch.margin, batch.kept, padded, own.manifolds);
     for (int i = 0; i < count; ++i) {
-        if (const int next = i + int(contacts_ahead); next < count && own.manifolds[next].count > 0)
+        if (const int next = i + int(contacts_ahead); next < count && own.manifolds[next].count > 0) {
             prefetch_record(s, ids[next], record_size);
+            if (may_be_round(kind))
+                for (const std::uint32_t shape : {batch.first[next], batch.second[next]})
+                    __builtin_prefetch(&s.geometry[shape]);
+        }
         s.narrow.outcomes[places[i]] = take_manifold(s, ids[i], own.manifolds[i], dt);
     }
 }
@@ -169,18 +173,34 @@ void test_convex_pairs(State& s, PairKind kind, int begin, int end, float dt) {
     }
 }
 
+// Asks the cache for what moving a contact along begins with: of a group, for its first patch.
+void prefetch_moved(const State& s, std::uint32_t id) {
+    const ContactInfo& c = s.contacts[id];
+    for (const std::int32_t body : {c.body_a, c.body_b}) __builtin_prefetch(&s.motion[std::size_t(body)]);
+    if (!is_group(c)) {
+        prefetch_record(s, id, c.point_count > 1 ? sizeof(ContactRecord) : offsetof(ContactRecord, more_points));
+    } else if (c.related != none) {
+        __builtin_prefetch(&s.contacts[std::size_t(c.related)]);
+        prefetch_record(s, std::uint32_t(c.related));
+    }
+}
+
 // Pairs that were tested a short while ago, by their places among all.
 void move_contacts(State& s, int begin, int end) {
     const std::vector<std::uint32_t>& places = s.narrow.to_move;
+    constexpr int ahead = int(contacts_ahead);
+    const auto contact_at = [&](int i) { return s.narrow.candidates[places[std::size_t(i)]]; };
     for (int i = begin; i < end; ++i) {
-        const std::uint32_t place = places[std::size_t(i)], id = s.narrow.candidates[place];
+        if (i + 2 * ahead < end) __builtin_prefetch(&s.contacts[contact_at(i + 2 * ahead)]);
+        if (i + ahead < end) prefetch_moved(s, contact_at(i + ahead));
+        const std::uint32_t id = contact_at(i);
         for_each_patch(s, id, [&](std::uint32_t contact) {
             const ContactInfo& c = s.contacts[contact];
             ContactRecord& r = s.records[contact];
-            r = advanced_record(s, contact);
+            advance_record(s, c, r);
             if (!c.touching) r.approach_speed = approach_speed(s, c, r);
         });
-        s.narrow.outcomes[place] = going_on(s, s.contacts[id]);
+        s.narrow.outcomes[places[std::size_t(i)]] = going_on(s, s.contacts[id]);
     }
 }
 
@@ -277,23 +297,33 @@ void list_pairs(State& s) {
         [&](std::uint32_t, std::uint32_t, std::uint32_t id) { scratch.candidates.push_back(id); });
     scratch.outcomes.resize(scratch.candidates.size());
     s.crew->for_chunks(int(scratch.candidates.size()), pairs_per_chunk, [&](int begin, int end, int) {
+        // What stays apart, as most do, shows without the contact; those of the others are on their way meanwhile.
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
-            const auto is_apart = [&](std::size_t at) { return stays_apart(s, s.apart_pairs[scratch.candidates[at]]); };
             if (k + 2 * contacts_ahead < std::size_t(end))
                 __builtin_prefetch(&s.apart_pairs[scratch.candidates[k + 2 * contacts_ahead]]);
-            if (k + contacts_ahead < std::size_t(end) && !is_apart(k + contacts_ahead))
-                __builtin_prefetch(&s.contacts[scratch.candidates[k + contacts_ahead]]);
-            scratch.outcomes[k] = is_apart(k) ? std::uint8_t(apart) : before_test(s, s.contacts[scratch.candidates[k]]);
+            const std::uint32_t id = scratch.candidates[k];
+            const bool is_apart = stays_apart(s, s.apart_pairs[id]);
+            scratch.outcomes[k] = is_apart ? apart : to_test;
+            if (!is_apart) __builtin_prefetch(&s.contacts[id]);
         }
+        for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k)
+            if (scratch.outcomes[k] != apart) scratch.outcomes[k] = before_test(s, s.contacts[scratch.candidates[k]]);
     });
+    scratch.open.resize(scratch.candidates.size());
+    std::size_t open = 0;
+    for (std::size_t k = 0; k < scratch.candidates.size(); ++k) { // without a branch: none could guess
+        scratch.open[open] = std::uint32_t(k);
+        open += scratch.outcomes[k] != apart;
+    }
+    scratch.open.resize(open);
     for (auto& list : scratch.lists) list.clear();
     scratch.to_move.clear();
-    for (std::size_t k = 0; k < scratch.candidates.size(); ++k) {
+    for (const std::uint32_t k : scratch.open) {
         const std::uint8_t outcome = scratch.outcomes[k];
         if (outcome >= to_test)
-            scratch.lists[std::size_t(outcome - to_test)].push_back(std::uint32_t(k));
+            scratch.lists[std::size_t(outcome - to_test)].push_back(k);
         else if (outcome == to_move)
-            scratch.to_move.push_back(std::uint32_t(k));
+            scratch.to_move.push_back(k);
     }
     s.statistics.tested_pairs = scratch.to_move.size();
     for (const auto& list : scratch.lists) s.statistics.tested_pairs += list.size();
@@ -411,14 +441,14 @@ void update_contacts(State& s, float dt) {
     s.narrow.at_work.resize(std::size_t(s.crew->threads()));
     list_pairs(s);
     test_all(s, dt);
-    const std::size_t count = s.narrow.candidates.size();
-    for (std::size_t k = 0; k < count; ++k) {
-        if (k + contacts_ahead < count && s.narrow.outcomes[k + contacts_ahead] != apart)
-            __builtin_prefetch(&s.contacts[s.narrow.candidates[k + contacts_ahead]]);
-        if (s.narrow.outcomes[k] == apart) continue; // most are: the contact need not be looked at
-        const std::uint32_t id = s.narrow.candidates[k];
+    const std::vector<std::uint32_t>& open = s.narrow.open;
+    for (std::size_t i = 0; i < open.size(); ++i) {
+        if (i + contacts_ahead < open.size() && s.narrow.outcomes[open[i + contacts_ahead]] != apart)
+            __builtin_prefetch(&s.contacts[s.narrow.candidates[open[i + contacts_ahead]]]);
+        const std::uint32_t k = open[i], id = s.narrow.candidates[k];
+        if (s.narrow.outcomes[k] == apart) continue; // the contact need not be looked at
         if (is_group(s.contacts[id]))
-            follow_up_group(s, std::uint32_t(k), dt);
+            follow_up_group(s, k, dt);
         else
             follow_up(s, id, s.narrow.outcomes[k], dt);
     }
@@ -481,7 +511,11 @@ void report_contacts(State& s, float dt) {
     s.crew->for_chunks(int(sorted.size()), reports_per_chunk, [&](int begin, int end, int) {
         float own = 0;
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
-            if (k + contacts_ahead < std::size_t(end)) __builtin_prefetch(&s.contacts[sorted[k + contacts_ahead].id]);
+            if (k + contacts_ahead < std::size_t(end)) {
+                const std::uint32_t next = sorted[k + contacts_ahead].id;
+                __builtin_prefetch(&s.contacts[next]);
+                __builtin_prefetch(&s.solver.reports[next]);
+            }
             const std::uint32_t id = sorted[k].id;
             changes[id] = take_report(s, sorted[k], dt);
             own = std::max(own, -s.solver.reports[id].separation);

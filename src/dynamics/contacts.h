@@ -29,7 +29,9 @@ inline float total_of(const ContactRecord& r, int i) { return i == 0 ? r.first_t
 void write_record(State& state, std::uint32_t contact, const Manifold& manifold);
 // `count`: how many points it has.
 void forget_impulses(ContactRecord& record, int count);
-// A record that was written at the start of the last step, moved to the poses at its end.
+// Moves a record that was written at the start of the last step to the poses at its end.
+void advance_record(const State& state, const ContactInfo& contact, ContactRecord& record);
+// That of a contact, so moved.
 ContactRecord advanced_record(const State& state, std::uint32_t contact);
 
 // Coefficients of the two materials together, by the rules of KHR_physics_rigid_bodies.

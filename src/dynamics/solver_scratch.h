@@ -57,6 +57,7 @@ struct NarrowScratch {
     std::vector<std::uint8_t> changes;        // by contact, of those that were solved: began or ceased to touch
     std::vector<std::uint32_t> candidates;    // contacts of all pairs, those of neighbors near each other
     std::vector<std::uint8_t> outcomes;       // of each: what is to be done, what has come out (contacts.h)
+    std::vector<std::uint32_t> open;          // places among the candidates of those not known to stay apart
     std::vector<std::uint8_t> patch_outcomes; // by contact, of patches of groups that were tested
     std::vector<FreshPatch> fresh;            // of all threads, by place
     std::size_t next_fresh = 0;               // the first of those that have not been followed up
@@ -168,6 +169,7 @@ enum RowTrait : std::uint8_t {
 struct BinScratch {
     std::vector<std::int32_t> row_of_body;                  // none: in no row
     std::vector<std::int32_t> row_bodies;                   // body of each row; none for fixed and padding
+    std::vector<std::uint64_t> row_marks;                   // to sort them
     std::vector<std::uint8_t> row_traits;                   // RowTrait
     std::vector<std::int32_t> touching_bodies, free_bodies; // of the islands: with and without a contact
     std::vector<ConveyorRow> conveyor_rows;

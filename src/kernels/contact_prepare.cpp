@@ -275,6 +275,7 @@ void store_contacts(const void* blocks, int count, const ContactLanes& lanes, Co
     auto* block = static_cast<const ContactBlock<N>*>(blocks);
     alignas(32) float discarded[4];
     for (int k = 0; k < count; ++k) {
+        if (k + 1 < count) prefetch_records<N>(lanes.record + 8 * (k + 1), records);
         const ContactBlock<N>& b = block[k];
         const std::int32_t* ids = lanes.record + 8 * k;
         float *impulses[8], *friction[8], *totals[8], *more_totals[8];
