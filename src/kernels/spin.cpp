@@ -87,7 +87,7 @@ void spin(SpinBlock* blocks, int count, const SolverBodies& bodies, SolverTwist*
     for (int k = 0; k < count; ++k) {
         SpinBlock& block = blocks[k];
         const Vec3x8 w = gather_angular(bodies.velocity, block.row);
-        mask8 calm = dot(w, w) < splat(calm_speed * calm_speed);
+        mask8 calm = (dot(w, w) < splat(calm_speed * calm_speed)) & (load(block.renewed) == zero());
         Vec3x8 factor;
         if (bodies.damping) {
             factor = gather_angular(bodies.damping, block.row);

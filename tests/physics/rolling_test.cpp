@@ -32,20 +32,23 @@ TEST(RollingResistance, StopsBallsOnBouncingGround) {
     }
 }
 
-// Slow turns are not followed within a step: the momentum must be the same at its end. (Joined to another body at its
-// center, which takes nothing from it, as free bodies go another way.)
+// Slow turns are not followed within a step: the momentum must be the same at its end. The ball has three different
+// moments and hovers over the ground, near enough to be solved with it: free bodies go another way.
 TEST(SlowTurn, KeepsItsAngularMomentum) {
     for (const float speed : {0.001f, 0.0035f, 0.0045f, 0.05f}) {
         WorldDef settings = without_sleep();
         settings.gravity = {0, 0, 0};
         World world(settings);
+        add_ground(world);
         BodyDef def;
-        const BodyId other = add_body(world, Sphere{}, def);
+        def.position = {0, double(radius) + 0.005, 0};
         def.angular_velocity = speed * glm::normalize(Vec3(1, 2, 3));
-        const BodyId body = add_body(world, Box{{1, 0.5f, 0.3f}}, def);
-        world.create_joint(world.joint_at(other, body, {0, 0, 0}, {1, 0, 0}, BallJoint{}));
+        def.mass_properties = MassProperties{};
+        def.mass_properties->inertia_diagonal = {1, 2, 2.5f};
+        const BodyId body = add_body(world, Sphere{radius}, def);
         const Vec3 before = world.body(body).angular_momentum();
         run(world, 1.0f / 60, 6000);
+        EXPECT_GT(world.statistics().colors, 0u) << "without a contact nothing is tested";
         EXPECT_LT(glm::length(world.body(body).angular_momentum() - before), 5e-4f * glm::length(before)) << speed;
         EXPECT_GT(glm::angle(world.body(body).rotation()), 0.05f);
     }
