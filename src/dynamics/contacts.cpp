@@ -123,7 +123,10 @@ void test_wide_pairs(State& s, PairKind kind, int begin, int end, NarrowBatch& o
     std::uint32_t ids[PairBatch::capacity];
     for (int i = 0; i < count; ++i) ids[i] = s.narrow.candidates[places[i]];
     for (int i = 0; i < count; ++i) {
-        if (i + int(contacts_ahead) < count) __builtin_prefetch(&s.contacts[ids[i + int(contacts_ahead)]]);
+        if (const int next = i + int(contacts_ahead); next < count) {
+            __builtin_prefetch(&s.contacts[ids[next]]);
+            if (keeps_features) __builtin_prefetch(&s.records[ids[next]].features);
+        }
         const ContactInfo& c = s.contacts[ids[i]];
         batch.first[i] = c.flipped ? c.shape_b : c.shape_a;
         batch.second[i] = c.flipped ? c.shape_a : c.shape_b;
@@ -147,10 +150,11 @@ void test_wide_pairs(State& s, PairKind kind, int begin, int end, NarrowBatch& o
 void test_convex_pairs(State& s, PairKind kind, int begin, int end, float dt) {
     const std::vector<std::uint32_t>& places = s.narrow.lists[std::size_t(kind)];
     constexpr int ahead = int(contacts_ahead);
+    const int count = int(places.size()); // the next chunk begins at once
     const auto contact_at = [&](int i) { return s.narrow.candidates[places[std::size_t(i)]]; };
     for (int i = begin; i < end; ++i) {
-        if (i + 2 * ahead < end) __builtin_prefetch(&s.contacts[contact_at(i + 2 * ahead)]);
-        if (i + ahead < end) prefetch_pair(s, contact_at(i + ahead));
+        if (i + 2 * ahead < count) __builtin_prefetch(&s.contacts[contact_at(i + 2 * ahead)]);
+        if (i + ahead < count) prefetch_pair(s, contact_at(i + ahead));
         const std::uint32_t place = places[std::size_t(i)], id = s.narrow.candidates[place];
         const ContactInfo& c = s.contacts[id];
         const PosedShape a = posed_shape(s, c.shape_a), b = posed_shape(s, c.shape_b);
@@ -169,11 +173,24 @@ void test_convex_pairs(State& s, PairKind kind, int begin, int end, float dt) {
     }
 }
 
+// Asks the cache for what moving the points of a pair along needs.
+void prefetch_move(const State& s, std::uint32_t id) {
+    const ContactInfo& c = s.contacts[id];
+    for (const std::int32_t body : {c.body_a, c.body_b}) __builtin_prefetch(&s.motion[std::size_t(body)]);
+    if (!is_group(c)) prefetch_record(s, id);
+}
+
 // Pairs that were tested a short while ago, by their places among all.
 void move_contacts(State& s, int begin, int end) {
     const std::vector<std::uint32_t>& places = s.narrow.to_move;
-    for (int i = begin; i < end; ++i) {
-        const std::uint32_t place = places[std::size_t(i)], id = s.narrow.candidates[place];
+    const std::size_t count = places.size();
+    const auto contact_at = [&](std::size_t i) { return s.narrow.candidates[places[i]]; };
+    for (std::size_t i = std::size_t(begin); i < std::size_t(end); ++i) {
+        if (i + 2 * contacts_ahead < count) __builtin_prefetch(&s.contacts[contact_at(i + 2 * contacts_ahead)]);
+        if (i + contacts_ahead < count) prefetch_move(s, contact_at(i + contacts_ahead));
+        for (int n = 0; n < patches_at_hand; ++n)
+            if (i + patch_ahead(n) < count) prefetch_patch(s, contact_at(i + patch_ahead(n)), n, true);
+        const std::uint32_t place = places[i], id = s.narrow.candidates[place];
         for_each_patch(s, id, [&](std::uint32_t contact) {
             const ContactInfo& c = s.contacts[contact];
             ContactRecord& r = s.records[contact];
@@ -206,8 +223,19 @@ void prefetch_pair(const State& s, std::uint32_t id) {
     }
     if (c.point_count > 0)
         prefetch_record(s, id);
-    else
+    else { // what is kept of those that are apart
         __builtin_prefetch(&s.records[id]);
+        __builtin_prefetch(&s.records[id].features);
+    }
+}
+
+void prefetch_patch(const State& s, std::uint32_t id, int n, bool with_record) {
+    if (!is_group(s.contacts[id])) return;
+    std::int32_t patch = s.contacts[id].related;
+    for (; n > 0 && patch != none; --n) patch = s.contacts[std::size_t(patch)].next;
+    if (patch == none) return;
+    __builtin_prefetch(&s.contacts[std::size_t(patch)]);
+    if (with_record) prefetch_record(s, std::uint32_t(patch));
 }
 
 void follow_up(State& s, std::uint32_t id, std::uint8_t outcome, float dt) {
@@ -415,6 +443,9 @@ void update_contacts(State& s, float dt) {
     for (std::size_t k = 0; k < count; ++k) {
         if (k + contacts_ahead < count && s.narrow.outcomes[k + contacts_ahead] != apart)
             __builtin_prefetch(&s.contacts[s.narrow.candidates[k + contacts_ahead]]);
+        for (int n = 0; n < patches_at_hand; ++n)
+            if (const std::size_t at = k + patch_ahead(n); at < count && s.narrow.outcomes[at] != apart)
+                prefetch_patch(s, s.narrow.candidates[at], n, false);
         if (s.narrow.outcomes[k] == apart) continue; // most are: the contact need not be looked at
         const std::uint32_t id = s.narrow.candidates[k];
         if (is_group(s.contacts[id]))

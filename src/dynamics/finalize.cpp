@@ -79,6 +79,27 @@ void finalize_body(State& s, std::int32_t b, float dt, std::vector<EscapedShape>
     links.quiet_time = speed < s.settings.sleep_speed ? links.quiet_time + dt : 0;
 }
 
+void prefetch_body(const State& s, std::int32_t b) {
+    __builtin_prefetch(&s.motion[std::size_t(b)].x);
+    __builtin_prefetch(&s.motion[std::size_t(b)].q);
+    __builtin_prefetch(&s.mass[std::size_t(b)]);
+    __builtin_prefetch(&s.bodies[std::size_t(b)].first_shape);
+    __builtin_prefetch(&s.bodies[std::size_t(b)].padding);
+    __builtin_prefetch(&s.served[std::size_t(b)].pose);
+    __builtin_prefetch(&s.served[std::size_t(b)].room);
+}
+
+void prefetch_shape_of(const State& s, std::int32_t b) {
+    const std::int32_t first = s.bodies[std::size_t(b)].first_shape;
+    if (first == none) return;
+    const auto shape = std::size_t(first);
+    __builtin_prefetch(&s.shapes[shape]);
+    __builtin_prefetch(&s.shape_poses[shape]);
+    __builtin_prefetch(&s.geometry[shape]);
+    __builtin_prefetch(&s.geometry[shape].is_double_sided);
+    __builtin_prefetch(&s.broad_phase.fat_bounds(std::uint32_t(shape)));
+}
+
 void finalize_kinematics(State& s, float dt) {
     for (const std::int32_t b : s.kinematics) {
         const BodyMotion& motion = s.motion[std::size_t(b)];
