@@ -1,4 +1,5 @@
 // The rows and lanes of a bin: bodies and contacts in, and bodies out again.
+#include "core/cache.h"
 #include "dynamics/bodies.h"
 #include "dynamics/coloring.h"
 #include "dynamics/finalize.h"
@@ -164,9 +165,9 @@ void fill_rows(State& s, BinScratch& scratch, Crew* crew) {
         std::uint64_t clamped = 0;
         for (int row = begin; row < end; ++row) {
             if (const auto ahead = std::size_t(row) + bodies_ahead; ahead < rows && scratch.row_bodies[ahead] != none) {
-                __builtin_prefetch(&s.motion[std::size_t(scratch.row_bodies[ahead])].x);
-                __builtin_prefetch(&s.motion[std::size_t(scratch.row_bodies[ahead])].q);
-                __builtin_prefetch(&s.mass[std::size_t(scratch.row_bodies[ahead])]);
+                ask_cache(&s.motion[std::size_t(scratch.row_bodies[ahead])].x);
+                ask_cache(&s.motion[std::size_t(scratch.row_bodies[ahead])].q);
+                ask_cache(&s.mass[std::size_t(scratch.row_bodies[ahead])]);
             }
             fill_row(s, scratch, std::size_t(row), clamped);
         }

@@ -2,6 +2,7 @@
 #include "dynamics/contacts.h"
 
 #include "collision/far_apart.h"
+#include "core/cache.h"
 #include "dynamics/bodies.h"
 #include "dynamics/coloring.h"
 #include "dynamics/islands.h"
@@ -124,15 +125,15 @@ void test_wide_pairs(State& s, PairKind kind, int begin, int end, NarrowBatch& o
     for (int i = 0; i < count; ++i) ids[i] = s.narrow.candidates[places[i]];
     for (int i = 0; i < count; ++i) {
         if (const int next = i + int(contacts_ahead); next < count) {
-            __builtin_prefetch(&s.contacts[ids[next]]);
-            if (keeps_features) __builtin_prefetch(&s.records[ids[next]].features);
+            ask_cache(&s.contacts[ids[next]]);
+            if (keeps_features) ask_cache(&s.records[ids[next]].features);
         }
         const ContactInfo& c = s.contacts[ids[i]];
         batch.first[i] = c.flipped ? c.shape_b : c.shape_a;
         batch.second[i] = c.flipped ? c.shape_a : c.shape_b;
         batch.margin[i] = contact_margin(s, c, dt);
         batch.kept[i] = keeps_features && c.point_count > 0 ? s.records[ids[i]].features : no_features;
-        __builtin_prefetch(&s.shapes[c.shape_a]); // for write_record
+        ask_cache(&s.shapes[c.shape_a]); // for write_record
     }
     for (int i = count; i < padded; ++i) {
         batch.first[i] = batch.first[0], batch.second[i] = batch.second[0];
@@ -153,7 +154,7 @@ void test_convex_pairs(State& s, PairKind kind, int begin, int end, float dt) {
     const int count = int(places.size()); // the next chunk begins at once
     const auto contact_at = [&](int i) { return s.narrow.candidates[places[std::size_t(i)]]; };
     for (int i = begin; i < end; ++i) {
-        if (i + 2 * ahead < count) __builtin_prefetch(&s.contacts[contact_at(i + 2 * ahead)]);
+        if (i + 2 * ahead < count) ask_cache(&s.contacts[contact_at(i + 2 * ahead)]);
         if (i + ahead < count) prefetch_pair(s, contact_at(i + ahead));
         const std::uint32_t place = places[std::size_t(i)], id = s.narrow.candidates[place];
         const ContactInfo& c = s.contacts[id];
@@ -176,7 +177,7 @@ void test_convex_pairs(State& s, PairKind kind, int begin, int end, float dt) {
 // Asks the cache for what moving the points of a pair along needs.
 void prefetch_move(const State& s, std::uint32_t id) {
     const ContactInfo& c = s.contacts[id];
-    for (const std::int32_t body : {c.body_a, c.body_b}) __builtin_prefetch(&s.motion[std::size_t(body)]);
+    for (const std::int32_t body : {c.body_a, c.body_b}) ask_cache(&s.motion[std::size_t(body)]);
     if (!is_group(c)) prefetch_record(s, id);
 }
 
@@ -186,7 +187,7 @@ void move_contacts(State& s, int begin, int end) {
     const std::size_t count = places.size();
     const auto contact_at = [&](std::size_t i) { return s.narrow.candidates[places[i]]; };
     for (std::size_t i = std::size_t(begin); i < std::size_t(end); ++i) {
-        if (i + 2 * contacts_ahead < count) __builtin_prefetch(&s.contacts[contact_at(i + 2 * contacts_ahead)]);
+        if (i + 2 * contacts_ahead < count) ask_cache(&s.contacts[contact_at(i + 2 * contacts_ahead)]);
         if (i + contacts_ahead < count) prefetch_move(s, contact_at(i + contacts_ahead));
         for (int n = 0; n < patches_at_hand; ++n)
             if (i + patch_ahead(n) < count) prefetch_patch(s, contact_at(i + patch_ahead(n)), n, true);
@@ -205,27 +206,27 @@ void move_contacts(State& s, int begin, int end) {
 
 void prefetch_record(const State& s, std::uint32_t id, std::size_t size) {
     const char* record = reinterpret_cast<const char*>(&s.records[id]);
-    for (std::size_t at = 0; at < size; at += 64) __builtin_prefetch(record + at);
+    for (std::size_t at = 0; at < size; at += 64) ask_cache(record + at);
 }
 
 void prefetch_pair(const State& s, std::uint32_t id) {
     const ContactInfo& c = s.contacts[id];
     for (const std::uint32_t shape : {c.shape_a, c.shape_b}) {
-        __builtin_prefetch(&s.shape_poses[shape]);
-        __builtin_prefetch(&s.geometry[shape]);
-        __builtin_prefetch(&s.geometry[shape].is_double_sided);
-        __builtin_prefetch(&s.shape_data[shape]);
-        __builtin_prefetch(&s.shapes[shape]);
+        ask_cache(&s.shape_poses[shape]);
+        ask_cache(&s.geometry[shape]);
+        ask_cache(&s.geometry[shape].is_double_sided);
+        ask_cache(&s.shape_data[shape]);
+        ask_cache(&s.shapes[shape]);
     }
     for (const std::int32_t body : {c.body_a, c.body_b}) {
-        __builtin_prefetch(&s.motion[std::size_t(body)].v);
-        __builtin_prefetch(&s.bodies[std::size_t(body)].radius);
+        ask_cache(&s.motion[std::size_t(body)].v);
+        ask_cache(&s.bodies[std::size_t(body)].radius);
     }
     if (c.point_count > 0)
         prefetch_record(s, id);
     else { // what is kept of those that are apart
-        __builtin_prefetch(&s.records[id]);
-        __builtin_prefetch(&s.records[id].features);
+        ask_cache(&s.records[id]);
+        ask_cache(&s.records[id].features);
     }
 }
 
@@ -234,7 +235,7 @@ void prefetch_patch(const State& s, std::uint32_t id, int n, bool with_record) {
     std::int32_t patch = s.contacts[id].related;
     for (; n > 0 && patch != none; --n) patch = s.contacts[std::size_t(patch)].next;
     if (patch == none) return;
-    __builtin_prefetch(&s.contacts[std::size_t(patch)]);
+    ask_cache(&s.contacts[std::size_t(patch)]);
     if (with_record) prefetch_record(s, std::uint32_t(patch));
 }
 
@@ -308,9 +309,9 @@ void list_pairs(State& s) {
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
             const auto is_apart = [&](std::size_t at) { return stays_apart(s, s.apart_pairs[scratch.candidates[at]]); };
             if (k + 2 * contacts_ahead < std::size_t(end))
-                __builtin_prefetch(&s.apart_pairs[scratch.candidates[k + 2 * contacts_ahead]]);
+                ask_cache(&s.apart_pairs[scratch.candidates[k + 2 * contacts_ahead]]);
             if (k + contacts_ahead < std::size_t(end) && !is_apart(k + contacts_ahead))
-                __builtin_prefetch(&s.contacts[scratch.candidates[k + contacts_ahead]]);
+                ask_cache(&s.contacts[scratch.candidates[k + contacts_ahead]]);
             scratch.outcomes[k] = is_apart(k) ? std::uint8_t(apart) : before_test(s, s.contacts[scratch.candidates[k]]);
         }
     });
@@ -442,7 +443,7 @@ void update_contacts(State& s, float dt) {
     const std::size_t count = s.narrow.candidates.size();
     for (std::size_t k = 0; k < count; ++k) {
         if (k + contacts_ahead < count && s.narrow.outcomes[k + contacts_ahead] != apart)
-            __builtin_prefetch(&s.contacts[s.narrow.candidates[k + contacts_ahead]]);
+            ask_cache(&s.contacts[s.narrow.candidates[k + contacts_ahead]]);
         for (int n = 0; n < patches_at_hand; ++n)
             if (const std::size_t at = k + patch_ahead(n); at < count && s.narrow.outcomes[at] != apart)
                 prefetch_patch(s, s.narrow.candidates[at], n, false);
@@ -512,7 +513,7 @@ void report_contacts(State& s, float dt) {
     s.crew->for_chunks(int(sorted.size()), reports_per_chunk, [&](int begin, int end, int) {
         float own = 0;
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
-            if (k + contacts_ahead < std::size_t(end)) __builtin_prefetch(&s.contacts[sorted[k + contacts_ahead].id]);
+            if (k + contacts_ahead < std::size_t(end)) ask_cache(&s.contacts[sorted[k + contacts_ahead].id]);
             const std::uint32_t id = sorted[k].id;
             changes[id] = take_report(s, sorted[k], dt);
             own = std::max(own, -s.solver.reports[id].separation);

@@ -1,5 +1,6 @@
 #include "dynamics/finalize.h"
 
+#include "core/cache.h"
 #include "dynamics/bodies.h"
 #include "dynamics/islands.h"
 #include "dynamics/joints.h"
@@ -80,24 +81,24 @@ void finalize_body(State& s, std::int32_t b, float dt, std::vector<EscapedShape>
 }
 
 void prefetch_body(const State& s, std::int32_t b) {
-    __builtin_prefetch(&s.motion[std::size_t(b)].x);
-    __builtin_prefetch(&s.motion[std::size_t(b)].q);
-    __builtin_prefetch(&s.mass[std::size_t(b)]);
-    __builtin_prefetch(&s.bodies[std::size_t(b)].first_shape);
-    __builtin_prefetch(&s.bodies[std::size_t(b)].padding);
-    __builtin_prefetch(&s.served[std::size_t(b)].pose);
-    __builtin_prefetch(&s.served[std::size_t(b)].room);
+    ask_cache(&s.motion[std::size_t(b)].x);
+    ask_cache(&s.motion[std::size_t(b)].q);
+    ask_cache(&s.mass[std::size_t(b)]);
+    ask_cache(&s.bodies[std::size_t(b)].first_shape);
+    ask_cache(&s.bodies[std::size_t(b)].padding);
+    ask_cache(&s.served[std::size_t(b)].pose);
+    ask_cache(&s.served[std::size_t(b)].room);
 }
 
 void prefetch_shape_of(const State& s, std::int32_t b) {
     const std::int32_t first = s.bodies[std::size_t(b)].first_shape;
     if (first == none) return;
     const auto shape = std::size_t(first);
-    __builtin_prefetch(&s.shapes[shape]);
-    __builtin_prefetch(&s.shape_poses[shape]);
-    __builtin_prefetch(&s.geometry[shape]);
-    __builtin_prefetch(&s.geometry[shape].is_double_sided);
-    __builtin_prefetch(&s.broad_phase.fat_bounds(std::uint32_t(shape)));
+    ask_cache(&s.shapes[shape]);
+    ask_cache(&s.shape_poses[shape]);
+    ask_cache(&s.geometry[shape]);
+    ask_cache(&s.geometry[shape].is_double_sided);
+    ask_cache(&s.broad_phase.fat_bounds(std::uint32_t(shape)));
 }
 
 void finalize_kinematics(State& s, float dt) {

@@ -1,5 +1,6 @@
 #include "dynamics/rest.h"
 
+#include "core/cache.h"
 #include "dynamics/bodies.h"
 
 #include <algorithm>
@@ -25,10 +26,10 @@ constexpr int bodies_per_chunk = 1024;  // for threads
 constexpr std::size_t bodies_ahead = 8; // that are asked for in time
 
 void prefetch_poses(const State& s, std::int32_t b) {
-    __builtin_prefetch(&s.motion[std::size_t(b)].x);
-    __builtin_prefetch(&s.motion[std::size_t(b)].q);
-    __builtin_prefetch(&s.resting[std::size_t(b)]);
-    __builtin_prefetch(&s.near[std::size_t(b)]);
+    ask_cache(&s.motion[std::size_t(b)].x);
+    ask_cache(&s.motion[std::size_t(b)].q);
+    ask_cache(&s.resting[std::size_t(b)]);
+    ask_cache(&s.near[std::size_t(b)]);
 }
 
 bool is_within(math::DVec3 v, double most) { return math::dot(v, v) <= most * most; }

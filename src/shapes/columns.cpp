@@ -70,8 +70,14 @@ std::size_t Columns::nearly_farthest(DVec3 unit) const {
     }
     const I4 is_farther = more > most;
     most = is_farther ? more : most, best = is_farther ? better : best;
-    const int low = most[1] > most[0] ? 1 : 0, high = most[3] > most[2] ? 3 : 2;
-    const auto found = std::size_t(best[most[high] > most[low] ? high : low]);
+    // The first of the farthest, without branches: which of the four it is cannot be foreseen.
+    const auto offer = [&](F4 other, I4 other_place) {
+        const I4 is_better = other > most;
+        most = is_better ? other : most, best = is_better ? other_place : best;
+    };
+    offer(__builtin_shufflevector(most, most, 1, 0, 3, 2), __builtin_shufflevector(best, best, 1, 0, 3, 2));
+    offer(__builtin_shufflevector(most, most, 2, 3, 0, 1), __builtin_shufflevector(best, best, 2, 3, 0, 1));
+    const auto found = std::size_t(best[0]);
     return found < size_ ? found : size_ - 1; // one of those that repeat the last
 }
 
