@@ -1,5 +1,4 @@
 // The rows and lanes of a bin: bodies and contacts in, and bodies out again.
-#include "core/cache.h"
 #include "dynamics/bodies.h"
 #include "dynamics/coloring.h"
 #include "dynamics/finalize.h"
@@ -164,11 +163,8 @@ void fill_rows(State& s, BinScratch& scratch, Crew* crew) {
     for_chunks(crew, int(rows), rows_per_chunk, [&](int begin, int end, int) {
         std::uint64_t clamped = 0;
         for (int row = begin; row < end; ++row) {
-            if (const auto ahead = std::size_t(row) + bodies_ahead; ahead < rows && scratch.row_bodies[ahead] != none) {
-                ask_cache(&s.motion[std::size_t(scratch.row_bodies[ahead])].x);
-                ask_cache(&s.motion[std::size_t(scratch.row_bodies[ahead])].q);
-                ask_cache(&s.mass[std::size_t(scratch.row_bodies[ahead])]);
-            }
+            if (const auto ahead = std::size_t(row) + bodies_ahead; ahead < rows && scratch.row_bodies[ahead] != none)
+                prefetch_motion(s, scratch.row_bodies[ahead]);
             fill_row(s, scratch, std::size_t(row), clamped);
         }
         if (clamped > 0) clamped_speeds += clamped;

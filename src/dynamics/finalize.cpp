@@ -80,10 +80,15 @@ void finalize_body(State& s, std::int32_t b, float dt, std::vector<EscapedShape>
     links.quiet_time = speed < s.settings.sleep_speed ? links.quiet_time + dt : 0;
 }
 
-void prefetch_body(const State& s, std::int32_t b) {
+void prefetch_motion(const State& s, std::int32_t b) {
     ask_cache(&s.motion[std::size_t(b)].x);
     ask_cache(&s.motion[std::size_t(b)].q);
     ask_cache(&s.mass[std::size_t(b)]);
+    ask_cache(&s.body_settings[std::size_t(b)]);
+}
+
+void prefetch_body(const State& s, std::int32_t b) {
+    prefetch_motion(s, b);
     ask_cache(&s.bodies[std::size_t(b)].first_shape);
     ask_cache(&s.bodies[std::size_t(b)].padding);
     ask_cache(&s.served[std::size_t(b)].pose);
