@@ -79,7 +79,7 @@ void round_off(Convex& c, double rounding) {
 
 } // namespace
 
-Convex make_convex(const Geometry& geometry, const ShapeData& data, DVec3 center, math::DQuat rotation) {
+Convex make_convex(const Geometry& geometry, const ShapeData& data, const DVec3& center, const math::DQuat& rotation) {
     Convex c;
     c.center = center;
     c.axes = math::to_matrix(rotation);
