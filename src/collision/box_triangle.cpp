@@ -67,12 +67,10 @@ BoxOnTriangles::BoxOnTriangles(const TriangleKernels& kernels, const Convex& box
     batch_.count = 0;
 }
 
-void BoxOnTriangles::add(const Triangle& triangle, std::uint32_t index) {
-    const int n = batch_.count++;
-    batch_.index[n] = index;
+void BoxOnTriangles::place(const Triangle& triangle, int i) {
     const math::Vec3 corners[3] = {triangle.a, triangle.b, triangle.c};
     for (int c = 0; c < 3; ++c)
-        for (int axis = 0; axis < 3; ++axis) batch_.vertices[c][axis][n] = corners[c][axis];
+        for (int axis = 0; axis < 3; ++axis) batch_.vertices[c][axis][i] = corners[c][axis];
 }
 
 double BoxOnTriangles::look() {

@@ -34,9 +34,13 @@ class BoxOnTriangles {
     // Triangles are taken in until there are so many, looked at together, and then tested.
     static constexpr int most = TriangleBatch::capacity;
     int count() const { return batch_.count; }
-    void add(const Triangle& triangle, std::uint32_t index);
-    // Returns how far all are apart from the box at least, where that is more than nothing.
-    double look();
+    void add(std::uint32_t index) { batch_.index[batch_.count++] = index; }
+    // Returns how far all are apart from the box at least, where that is more than nothing. triangle_at(index): they
+    // are read all together, as they may lie anywhere in memory.
+    template <class F> double look(F&& triangle_at) {
+        for (int i = 0; i < batch_.count; ++i) place(triangle_at(batch_.index[i]), i);
+        return look();
+    }
     // f(index, verdict, hit) for all that are not apart; there is a hit where they touch. They are gone then.
     template <class F> void test(F&& f) {
         BoxHit hit;
@@ -81,6 +85,8 @@ class BoxOnTriangles {
         int count = 0;
     };
 
+    void place(const Triangle& triangle, int i);
+    double look();
     void take(int i);
     void touch(bool is_triangle, const int* which, FaceTouches& out) const;
     Verdict on_face(bool is_triangle, int i, int lane, BoxHit& hit);

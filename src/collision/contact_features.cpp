@@ -42,7 +42,7 @@ void capsule_line(const Convex& c, DVec3 n, Feature& out) {
 }
 
 // The face that looks most along n among those that hold the farthest point along n.
-int supporting_face(const Convex& c, DVec3 n) {
+int supporting_face(const Convex& c, const DVec3& n) {
     if (c.kind == Convex::Kind::box) return box_face_along(to_local(c, n));
     if (c.kind == Convex::Kind::polygon) return dot(c.axes.c1, n) < 0 ? 1 : 0;
     const HullData& hull = *c.hull;
@@ -134,7 +134,7 @@ void core_face(const Convex& c, int face, Feature& out) {
     }
 }
 
-void core_incident(const Convex& c, DVec3 n, Feature& out) {
+void core_incident(const Convex& c, const DVec3& n, Feature& out) {
     reset(out);
     switch (c.kind) {
     case Convex::Kind::ball:
@@ -164,7 +164,7 @@ void face_feature(const Convex& c, int face, Feature& out) {
     move_out(c, out.normal, out);
 }
 
-void incident_feature(const Convex& c, DVec3 n, Feature& out) {
+void incident_feature(const Convex& c, const DVec3& n, Feature& out) {
     core_incident(c, n, out);
     move_out(c, n, out);
 }

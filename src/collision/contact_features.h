@@ -19,7 +19,7 @@ struct Feature {
 // A face as a polygon or disc.
 void face_feature(const Convex& c, int face, Feature& out);
 // The face, edge or side line that meets a face which looks along -n.
-void incident_feature(const Convex& c, math::DVec3 n, Feature& out);
+void incident_feature(const Convex& c, const math::DVec3& n, Feature& out);
 // The edge or side line across n where there is one within a hundredth, else the farthest point along n.
 void edge_feature(const Convex& c, math::DVec3 n, Feature& out);
 

@@ -112,7 +112,7 @@ class Reducer {
 
 } // namespace
 
-FlatFrame::FlatFrame(DVec3 normal, DVec3 middle) : center(middle) {
+FlatFrame::FlatFrame(const DVec3& normal, const DVec3& middle) : center(middle) {
     // Any frame will do: only distances and areas count.
     const DVec3 axis = std::fabs(normal.x) < 0.5 ? DVec3{1, 0, 0} : DVec3{0, 1, 0};
     e1 = math::normalized(math::cross(axis, normal)), e2 = math::cross(normal, e1);
@@ -128,8 +128,8 @@ void clear_manifold(Manifold& out) {
     for (auto& p : out.points) p[3] = 1e30f;
 }
 
-void write_manifold(const ContactPoints& points, DVec3 normal, DVec3 center, double extent, double margin, double least,
-                    Manifold& out) {
+void write_manifold(const ContactPoints& points, const DVec3& normal, const DVec3& center, double extent, double margin,
+                    double least, Manifold& out) {
     clear_manifold(out);
     Chosen chosen;
     Buffer<std::size_t, 32> which; // of those that count

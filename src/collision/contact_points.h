@@ -59,8 +59,8 @@ void clear_manifold(Manifold& out);
 // Writes the points that are not farther apart than `margin`, reduced to four. `center`: near the middle of where the
 // contact may be; `extent`: the size of the smaller shape, for the tolerances; no separation is given as deeper than
 // `least`.
-void write_manifold(const ContactPoints& points, math::DVec3 normal, math::DVec3 center, double extent, double margin,
-                    double least, Manifold& out);
+void write_manifold(const ContactPoints& points, const math::DVec3& normal, const math::DVec3& center, double extent,
+                    double margin, double least, Manifold& out);
 
 // Points closer than this part of the extent are one point.
 constexpr double same_point_part = 1e-3;

@@ -21,7 +21,7 @@ struct FlatPoint {
 };
 struct FlatFrame {
     // `middle`: near that of where the contact may be.
-    FlatFrame(math::DVec3 normal, math::DVec3 middle);
+    FlatFrame(const math::DVec3& normal, const math::DVec3& middle);
     FlatPoint flat(math::DVec3 position, double separation) const {
         const math::DVec3 d = position - center;
         return {math::dot(d, e1), math::dot(d, e2), separation, 1};

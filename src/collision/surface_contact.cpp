@@ -128,7 +128,7 @@ class HitSearch {
         BoxOnTriangles box(kernels, a_, surface_.center, surface_.axes, margin_);
         double distance = reach;
         const auto test_all = [&](const auto& data) {
-            distance = std::min(distance, box.look());
+            distance = std::min(distance, box.look([&](std::uint32_t index) { return triangle_of(data, index); }));
             using Verdict = BoxOnTriangles::Verdict;
             box.test([&](std::uint32_t index, Verdict verdict, const BoxHit& hit) {
                 if (verdict == Verdict::touching)
@@ -141,7 +141,7 @@ class HitSearch {
         with_data(surface_, [&](const auto& data) {
             for_each_triangle(data, bounds.lo, bounds.hi, [&](std::uint32_t index) {
                 if (box.count() == BoxOnTriangles::most) test_all(data);
-                box.add(triangle_of(data, index), index);
+                box.add(index);
             });
             if (box.count() > 0) test_all(data);
         });

@@ -172,7 +172,11 @@ void fill_rows(State& s, BinScratch& scratch, Crew* crew) {
     std::atomic<std::uint64_t> clamped_speeds = 0;
     for_chunks(crew, int(rows), rows_per_chunk, [&](int begin, int end, int) {
         std::uint64_t clamped = 0;
-        for (int row = begin; row < end; ++row) fill_row(s, scratch, std::size_t(row), clamped);
+        for (int row = begin; row < end; ++row) {
+            if (const auto ahead = std::size_t(row) + bodies_ahead; ahead < rows && scratch.row_bodies[ahead] != none)
+                prefetch_motion(s, scratch.row_bodies[ahead]);
+            fill_row(s, scratch, std::size_t(row), clamped);
+        }
         if (clamped > 0) clamped_speeds += clamped;
     });
     scratch.clamped_speeds += clamped_speeds;
@@ -216,6 +220,15 @@ std::uint64_t scatter_body(State& s, const BinScratch& scratch, std::int32_t b, 
     return clamped || was_cut ? 1 : 0;
 }
 
+// Of a list of bodies of which that at a place comes next; some are none.
+void prefetch_ahead(const State& s, const std::vector<std::int32_t>& bodies, std::size_t place) {
+    const auto with_body_at = [&](std::size_t at, auto&& f) {
+        if (at < bodies.size() && bodies[at] != none) f(s, bodies[at]);
+    };
+    with_body_at(place + bodies_ahead, prefetch_body);
+    with_body_at(place + bodies_ahead / 2, prefetch_shape_of);
+}
+
 } // namespace
 
 math::Sym3 contact_inverse_inertia(const BodyMotion& motion, const BodyMass& mass) {
@@ -252,6 +265,7 @@ void empty_bin(State& s, BinScratch& scratch, Crew* crew, float dt) {
     for_chunks(crew, rows, rows_per_chunk, [&](int begin, int end, int thread) {
         BinScratch& own = crew ? threads[std::size_t(thread)] : scratch;
         for (int row = begin; row < end; ++row) {
+            prefetch_ahead(s, scratch.row_bodies, std::size_t(row));
             const std::int32_t b = scratch.row_bodies[std::size_t(row)];
             if (b == none) continue;
             scratch.row_of_body[std::size_t(b)] = none;
@@ -263,6 +277,7 @@ void empty_bin(State& s, BinScratch& scratch, Crew* crew, float dt) {
     for_chunks(crew, int(scratch.free_bodies.size()), rows_per_chunk, [&](int begin, int end, int thread) {
         BinScratch& own = crew ? threads[std::size_t(thread)] : scratch;
         for (int k = begin; k < end; ++k) {
+            prefetch_ahead(s, scratch.free_bodies, std::size_t(k));
             const std::int32_t b = scratch.free_bodies[std::size_t(k)];
             own.clamped_speeds += move_free_body(s, b, dt);
             finalize_body(s, b, dt, own.escaped);

@@ -1,4 +1,5 @@
 // Packing islands into bins and sorting their contacts.
+#include "core/cache.h"
 #include "dynamics/coloring.h"
 #include "dynamics/solver.h"
 
@@ -44,7 +45,7 @@ void collect_contacts(State& s) {
     contacts.resize(s.solved.size());
     s.crew->for_chunks(int(s.solved.size()), contacts_per_chunk, [&](int begin, int end, int) {
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
-            if (k + contacts_ahead < std::size_t(end)) __builtin_prefetch(&s.contacts[s.solved[k + contacts_ahead]]);
+            if (k + contacts_ahead < std::size_t(end)) ask_cache(&s.contacts[s.solved[k + contacts_ahead]]);
             const std::uint32_t id = s.solved[k];
             const ContactInfo& c = s.contacts[id];
             const bool moves = c.b_moves || s.body_settings[std::size_t(c.body_b)].type == BodyType::kinematic;

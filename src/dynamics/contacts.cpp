@@ -2,6 +2,7 @@
 #include "dynamics/contacts.h"
 
 #include "collision/far_apart.h"
+#include "core/cache.h"
 #include "dynamics/bodies.h"
 #include "dynamics/coloring.h"
 #include "dynamics/islands.h"
@@ -123,13 +124,16 @@ void test_wide_pairs(State& s, PairKind kind, int begin, int end, NarrowBatch& o
     std::uint32_t ids[PairBatch::capacity];
     for (int i = 0; i < count; ++i) ids[i] = s.narrow.candidates[places[i]];
     for (int i = 0; i < count; ++i) {
-        if (i + int(contacts_ahead) < count) __builtin_prefetch(&s.contacts[ids[i + int(contacts_ahead)]]);
+        if (const int next = i + int(contacts_ahead); next < count) {
+            ask_cache(&s.contacts[ids[next]]);
+            if (keeps_features) ask_cache(&s.records[ids[next]].features);
+        }
         const ContactInfo& c = s.contacts[ids[i]];
         batch.first[i] = c.flipped ? c.shape_b : c.shape_a;
         batch.second[i] = c.flipped ? c.shape_a : c.shape_b;
         batch.margin[i] = contact_margin(s, c, dt);
         batch.kept[i] = keeps_features && c.point_count > 0 ? s.records[ids[i]].features : no_features;
-        __builtin_prefetch(&s.shapes[c.shape_a]); // for write_record
+        ask_cache(&s.shapes[c.shape_a]); // for write_record
     }
     for (int i = count; i < padded; ++i) {
         batch.first[i] = batch.first[0], batch.second[i] = batch.second[0];
@@ -140,8 +144,7 @@ void test_wide_pairs(State& s, PairKind kind, int begin, int end, NarrowBatch& o
         if (const int next = i + int(contacts_ahead); next < count && own.manifolds[next].count > 0) {
             prefetch_record(s, ids[next], record_size);
             if (may_be_round(kind))
-                for (const std::uint32_t shape : {batch.first[next], batch.second[next]})
-                    __builtin_prefetch(&s.geometry[shape]);
+                for (const std::uint32_t shape : {batch.first[next], batch.second[next]}) ask_cache(&s.geometry[shape]);
         }
         s.narrow.outcomes[places[i]] = take_manifold(s, ids[i], own.manifolds[i], dt);
     }
@@ -151,10 +154,11 @@ void test_wide_pairs(State& s, PairKind kind, int begin, int end, NarrowBatch& o
 void test_convex_pairs(State& s, PairKind kind, int begin, int end, float dt) {
     const std::vector<std::uint32_t>& places = s.narrow.lists[std::size_t(kind)];
     constexpr int ahead = int(contacts_ahead);
+    const int count = int(places.size()); // the next chunk begins at once
     const auto contact_at = [&](int i) { return s.narrow.candidates[places[std::size_t(i)]]; };
     for (int i = begin; i < end; ++i) {
-        if (i + 2 * ahead < end) __builtin_prefetch(&s.contacts[contact_at(i + 2 * ahead)]);
-        if (i + ahead < end) prefetch_pair(s, contact_at(i + ahead));
+        if (i + 2 * ahead < count) ask_cache(&s.contacts[contact_at(i + 2 * ahead)]);
+        if (i + ahead < count) prefetch_pair(s, contact_at(i + ahead));
         const std::uint32_t place = places[std::size_t(i)], id = s.narrow.candidates[place];
         const ContactInfo& c = s.contacts[id];
         const PosedShape a = posed_shape(s, c.shape_a), b = posed_shape(s, c.shape_b);
@@ -173,26 +177,24 @@ void test_convex_pairs(State& s, PairKind kind, int begin, int end, float dt) {
     }
 }
 
-// Asks the cache for what moving a contact along begins with: of a group, for its first patch.
-void prefetch_moved(const State& s, std::uint32_t id) {
+// Asks the cache for what moving the points of a pair along needs.
+void prefetch_move(const State& s, std::uint32_t id) {
     const ContactInfo& c = s.contacts[id];
-    for (const std::int32_t body : {c.body_a, c.body_b}) __builtin_prefetch(&s.motion[std::size_t(body)]);
-    if (!is_group(c)) {
+    for (const std::int32_t body : {c.body_a, c.body_b}) ask_cache(&s.motion[std::size_t(body)]);
+    if (!is_group(c))
         prefetch_record(s, id, c.point_count > 1 ? sizeof(ContactRecord) : offsetof(ContactRecord, more_points));
-    } else if (c.related != none) {
-        __builtin_prefetch(&s.contacts[std::size_t(c.related)]);
-        prefetch_record(s, std::uint32_t(c.related));
-    }
 }
 
 // Pairs that were tested a short while ago, by their places among all.
 void move_contacts(State& s, int begin, int end) {
     const std::vector<std::uint32_t>& places = s.narrow.to_move;
-    constexpr int ahead = int(contacts_ahead);
-    const auto contact_at = [&](int i) { return s.narrow.candidates[places[std::size_t(i)]]; };
-    for (int i = begin; i < end; ++i) {
-        if (i + 2 * ahead < end) __builtin_prefetch(&s.contacts[contact_at(i + 2 * ahead)]);
-        if (i + ahead < end) prefetch_moved(s, contact_at(i + ahead));
+    const std::size_t count = places.size();
+    const auto contact_at = [&](std::size_t i) { return s.narrow.candidates[places[i]]; };
+    for (std::size_t i = std::size_t(begin); i < std::size_t(end); ++i) {
+        if (i + 2 * contacts_ahead < count) ask_cache(&s.contacts[contact_at(i + 2 * contacts_ahead)]);
+        if (i + contacts_ahead < count) prefetch_move(s, contact_at(i + contacts_ahead));
+        for (int n = 0; n < patches_at_hand; ++n)
+            if (i + patch_ahead(n) < count) prefetch_patch(s, contact_at(i + patch_ahead(n)), n, true);
         const std::uint32_t id = contact_at(i);
         for_each_patch(s, id, [&](std::uint32_t contact) {
             const ContactInfo& c = s.contacts[contact];
@@ -208,26 +210,37 @@ void move_contacts(State& s, int begin, int end) {
 
 void prefetch_record(const State& s, std::uint32_t id, std::size_t size) {
     const char* record = reinterpret_cast<const char*>(&s.records[id]);
-    for (std::size_t at = 0; at < size; at += 64) __builtin_prefetch(record + at);
+    for (std::size_t at = 0; at < size; at += 64) ask_cache(record + at);
 }
 
 void prefetch_pair(const State& s, std::uint32_t id) {
     const ContactInfo& c = s.contacts[id];
     for (const std::uint32_t shape : {c.shape_a, c.shape_b}) {
-        __builtin_prefetch(&s.shape_poses[shape]);
-        __builtin_prefetch(&s.geometry[shape]);
-        __builtin_prefetch(&s.geometry[shape].is_double_sided);
-        __builtin_prefetch(&s.shape_data[shape]);
-        __builtin_prefetch(&s.shapes[shape]);
+        ask_cache(&s.shape_poses[shape]);
+        ask_cache(&s.geometry[shape]);
+        ask_cache(&s.geometry[shape].is_double_sided);
+        ask_cache(&s.shape_data[shape]);
+        ask_cache(&s.shapes[shape]);
     }
     for (const std::int32_t body : {c.body_a, c.body_b}) {
-        __builtin_prefetch(&s.motion[std::size_t(body)].v);
-        __builtin_prefetch(&s.bodies[std::size_t(body)].radius);
+        ask_cache(&s.motion[std::size_t(body)].v);
+        ask_cache(&s.bodies[std::size_t(body)].radius);
     }
     if (c.point_count > 0)
         prefetch_record(s, id);
-    else
-        __builtin_prefetch(&s.records[id]);
+    else { // what is kept of those that are apart
+        ask_cache(&s.records[id]);
+        ask_cache(&s.records[id].features);
+    }
+}
+
+void prefetch_patch(const State& s, std::uint32_t id, int n, bool with_record) {
+    if (!is_group(s.contacts[id])) return;
+    std::int32_t patch = s.contacts[id].related;
+    for (; n > 0 && patch != none; --n) patch = s.contacts[std::size_t(patch)].next;
+    if (patch == none) return;
+    ask_cache(&s.contacts[std::size_t(patch)]);
+    if (with_record) prefetch_record(s, std::uint32_t(patch));
 }
 
 void follow_up(State& s, std::uint32_t id, std::uint8_t outcome, float dt) {
@@ -300,11 +313,11 @@ void list_pairs(State& s) {
         // What stays apart, as most do, shows without the contact; those of the others are on their way meanwhile.
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
             if (k + 2 * contacts_ahead < std::size_t(end))
-                __builtin_prefetch(&s.apart_pairs[scratch.candidates[k + 2 * contacts_ahead]]);
+                ask_cache(&s.apart_pairs[scratch.candidates[k + 2 * contacts_ahead]]);
             const std::uint32_t id = scratch.candidates[k];
             const bool is_apart = stays_apart(s, s.apart_pairs[id]);
             scratch.outcomes[k] = is_apart ? apart : to_test;
-            if (!is_apart) __builtin_prefetch(&s.contacts[id]);
+            if (!is_apart) ask_cache(&s.contacts[id]);
         }
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k)
             if (scratch.outcomes[k] != apart) scratch.outcomes[k] = before_test(s, s.contacts[scratch.candidates[k]]);
@@ -444,7 +457,10 @@ void update_contacts(State& s, float dt) {
     const std::vector<std::uint32_t>& open = s.narrow.open;
     for (std::size_t i = 0; i < open.size(); ++i) {
         if (i + contacts_ahead < open.size() && s.narrow.outcomes[open[i + contacts_ahead]] != apart)
-            __builtin_prefetch(&s.contacts[s.narrow.candidates[open[i + contacts_ahead]]]);
+            ask_cache(&s.contacts[s.narrow.candidates[open[i + contacts_ahead]]]);
+        for (int n = 0; n < patches_at_hand; ++n)
+            if (const std::size_t at = i + patch_ahead(n); at < open.size() && s.narrow.outcomes[open[at]] != apart)
+                prefetch_patch(s, s.narrow.candidates[open[at]], n, false);
         const std::uint32_t k = open[i], id = s.narrow.candidates[k];
         if (s.narrow.outcomes[k] == apart) continue; // the contact need not be looked at
         if (is_group(s.contacts[id]))
@@ -513,8 +529,8 @@ void report_contacts(State& s, float dt) {
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
             if (k + contacts_ahead < std::size_t(end)) {
                 const std::uint32_t next = sorted[k + contacts_ahead].id;
-                __builtin_prefetch(&s.contacts[next]);
-                __builtin_prefetch(&s.solver.reports[next]);
+                ask_cache(&s.contacts[next]);
+                ask_cache(&s.solver.reports[next]);
             }
             const std::uint32_t id = sorted[k].id;
             changes[id] = take_report(s, sorted[k], dt);

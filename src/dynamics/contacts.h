@@ -83,6 +83,11 @@ enum Outcome : std::uint8_t {
 // Asks the cache for what the test of a pair of convex shapes, or of one with a surface, begins with.
 void prefetch_pair(const State& state, std::uint32_t contact);
 void prefetch_record(const State& state, std::uint32_t contact, std::size_t size = sizeof(ContactRecord));
+// Likewise for the patch number n of a group, which is found along those before it: each is asked for somewhat later
+// than the one before. Nothing for contacts that are no groups.
+inline constexpr int patches_at_hand = 3;
+inline constexpr std::size_t patch_ahead(int n) { return std::size_t(2 * (patches_at_hand - n)); }
+void prefetch_patch(const State& state, std::uint32_t contact, int n, bool with_record);
 // How far apart two shapes may be to count: what the next step can close.
 float contact_margin(const State& state, const ContactInfo& contact, float dt);
 // Whether points that are beyond where contacts begin do not come near each other in the next step either, as the

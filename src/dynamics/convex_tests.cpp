@@ -19,7 +19,7 @@ DVec3 offset_between(const ShapePose& a, const ShapePose& b) {
 math::DQuat rotation_of(const ShapePose& pose) {
     return math::normalized(math::DQuat{pose.q[0], pose.q[1], pose.q[2], pose.q[3]});
 }
-Convex convex_of(const PosedShape& shape, DVec3 center) {
+Convex convex_of(const PosedShape& shape, const DVec3& center) {
     return make_convex(shape.geometry, shape.data, center, rotation_of(shape.pose));
 }
 

@@ -1,5 +1,6 @@
 #include "dynamics/finalize.h"
 
+#include "core/cache.h"
 #include "dynamics/bodies.h"
 #include "dynamics/islands.h"
 #include "dynamics/joints.h"
@@ -77,6 +78,32 @@ void finalize_body(State& s, std::int32_t b, float dt, std::vector<EscapedShape>
     }
     const float speed = math::length(motion.v) + math::length(motion.w) * surface_radius(s, b);
     links.quiet_time = speed < s.settings.sleep_speed ? links.quiet_time + dt : 0;
+}
+
+void prefetch_motion(const State& s, std::int32_t b) {
+    ask_cache(&s.motion[std::size_t(b)].x);
+    ask_cache(&s.motion[std::size_t(b)].q);
+    ask_cache(&s.mass[std::size_t(b)]);
+    ask_cache(&s.body_settings[std::size_t(b)]);
+}
+
+void prefetch_body(const State& s, std::int32_t b) {
+    prefetch_motion(s, b);
+    ask_cache(&s.bodies[std::size_t(b)].first_shape);
+    ask_cache(&s.bodies[std::size_t(b)].padding);
+    ask_cache(&s.served[std::size_t(b)].pose);
+    ask_cache(&s.served[std::size_t(b)].room);
+}
+
+void prefetch_shape_of(const State& s, std::int32_t b) {
+    const std::int32_t first = s.bodies[std::size_t(b)].first_shape;
+    if (first == none) return;
+    const auto shape = std::size_t(first);
+    ask_cache(&s.shapes[shape]);
+    ask_cache(&s.shape_poses[shape]);
+    ask_cache(&s.geometry[shape]);
+    ask_cache(&s.geometry[shape].is_double_sided);
+    ask_cache(&s.broad_phase.fat_bounds(std::uint32_t(shape)));
 }
 
 void finalize_kinematics(State& s, float dt) {

@@ -9,6 +9,13 @@ namespace cairn {
 // broad phase is told later.
 void finalize_body(State& state, std::int32_t body, float dt, std::vector<EscapedShape>& escaped);
 
+// Asks the cache for how a body moves; for all that the end of a step needs of a dynamic one; and then, with that at
+// hand, of its first shape.
+inline constexpr std::size_t bodies_ahead = 8;
+void prefetch_motion(const State& state, std::int32_t body);
+void prefetch_body(const State& state, std::int32_t body);
+void prefetch_shape_of(const State& state, std::int32_t body);
+
 // Kinematic bodies.
 void finalize_kinematics(State& state, float dt);
 

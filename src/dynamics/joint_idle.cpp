@@ -1,5 +1,6 @@
 // Limits that are out of reach. Most limits of a heap of ragdolls bear nothing: their rows are left out of the solver
 // as long as the bodies have not turned far enough against each other to come near them.
+#include "core/cache.h"
 #include "dynamics/block_runs.h"
 #include "dynamics/joints.h"
 
@@ -53,12 +54,12 @@ float turning_speed(const State& s, const JointInfo& joint) {
 
 // Asks the cache for what is looked at of a joint here.
 void prefetch(const State& s, std::uint32_t joint) {
-    __builtin_prefetch(&s.joints[joint]);
+    ask_cache(&s.joints[joint]);
     const JointAxes& axes = s.joint_axes[joint];
-    __builtin_prefetch(&axes.rules[0]);
-    __builtin_prefetch(&axes.rules[1]);
-    __builtin_prefetch(&axes.rules[2]);
-    __builtin_prefetch(&axes.states[0]);
+    ask_cache(&axes.rules[0]);
+    ask_cache(&axes.rules[1]);
+    ask_cache(&axes.rules[2]);
+    ask_cache(&axes.states[0]);
 }
 
 // Whether the row need not be solved; keeps its slack.

@@ -1,4 +1,5 @@
 // The rows of joints in a solver bin: lanes, what is put into them, and what comes out.
+#include "core/cache.h"
 #include "dynamics/bodies.h"
 #include "dynamics/coloring.h"
 #include "dynamics/direct_joints.h"
@@ -172,8 +173,8 @@ bool has_torque(const JointInfo& joint) { return joint.rules.turn != JointLock::
 // Asks the cache for all of a joint.
 void prefetch_joint(const State& s, std::uint32_t joint) {
     const char* const info = reinterpret_cast<const char*>(&s.joints[joint]);
-    for (std::size_t at = 0; at < sizeof(JointInfo); at += 64) __builtin_prefetch(info + at);
-    __builtin_prefetch(&s.joint_axes[joint].states[0]);
+    for (std::size_t at = 0; at < sizeof(JointInfo); at += 64) ask_cache(info + at);
+    ask_cache(&s.joint_axes[joint].states[0]);
 }
 
 // Where a joint is at the start of the step, for all of its rows.

@@ -1,4 +1,5 @@
 // Groups: pairs of a convex shape with a mesh or height field, and the patches in which they touch.
+#include "core/cache.h"
 #include "dynamics/coloring.h"
 #include "dynamics/contacts.h"
 #include "dynamics/islands.h"
@@ -92,15 +93,10 @@ void test_groups(State& s, int begin, int end, NarrowBatch& own, float dt) {
     constexpr std::size_t ahead = 4;
     const auto contact_at = [&](std::size_t i) { return s.narrow.candidates[places[i]]; };
     for (std::size_t i = std::size_t(begin); i < std::size_t(end); ++i) {
-        if (i + 2 * ahead < places.size()) __builtin_prefetch(&s.contacts[contact_at(i + 2 * ahead)]);
-        if (i + ahead < places.size()) {
-            const std::uint32_t next = contact_at(i + ahead);
-            prefetch_pair(s, next);
-            if (const std::int32_t patch = s.contacts[next].related; patch != none) {
-                __builtin_prefetch(&s.contacts[std::size_t(patch)]);
-                prefetch_record(s, std::uint32_t(patch));
-            }
-        }
+        if (i + 2 * ahead < places.size()) ask_cache(&s.contacts[contact_at(i + 2 * ahead)]);
+        if (i + ahead < places.size()) prefetch_pair(s, contact_at(i + ahead));
+        for (int n = 0; n < patches_at_hand; ++n)
+            if (i + patch_ahead(n) < places.size()) prefetch_patch(s, contact_at(i + patch_ahead(n)), n, true);
         test_group(s, places[i], own, dt);
     }
 }

@@ -1,5 +1,6 @@
 #include "dynamics/rest.h"
 
+#include "core/cache.h"
 #include "dynamics/bodies.h"
 
 #include <algorithm>
@@ -21,7 +22,15 @@ constexpr double nearness = 1e-3;
 
 constexpr float most_turn = 1.0f; // radians in a step
 
-constexpr int bodies_per_chunk = 1024; // for threads
+constexpr int bodies_per_chunk = 1024;  // for threads
+constexpr std::size_t bodies_ahead = 8; // that are asked for in time
+
+void prefetch_poses(const State& s, std::int32_t b) {
+    ask_cache(&s.motion[std::size_t(b)].x);
+    ask_cache(&s.motion[std::size_t(b)].q);
+    ask_cache(&s.resting[std::size_t(b)]);
+    ask_cache(&s.near[std::size_t(b)]);
+}
 
 bool is_within(math::DVec3 v, double most) { return math::dot(v, v) <= most * most; }
 
@@ -80,6 +89,7 @@ void update_resting(State& s, float dt) {
     std::mutex whirling;
     s.crew->for_chunks(int(awake.size()), bodies_per_chunk, [&](int begin, int end, int) {
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
+            if (k + bodies_ahead < awake.size()) prefetch_poses(s, awake[k + bodies_ahead]);
             const std::int32_t b = awake[k];
             const BodyMotion& motion = s.motion[std::size_t(b)];
             if (!rests(s.resting[std::size_t(b)], motion, s.bodies[std::size_t(b)].radius, shift, speed)) leave(b);

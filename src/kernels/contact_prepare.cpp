@@ -1,4 +1,5 @@
 // Building contact blocks from contact records, and writing the impulses back.
+#include "core/cache.h"
 #include "kernels/solver.h"
 
 #include <cstddef>
@@ -170,7 +171,7 @@ template <int N> CAIRN_INLINE void prefetch_records(const std::int32_t* ids, con
     constexpr std::size_t used = N == 1 ? offsetof(ContactRecord, more_points) : sizeof(ContactRecord);
     for (int i = 0; i < 8; ++i) {
         const char* record = reinterpret_cast<const char*>(records + (ids[i] >= 0 ? ids[i] : 0));
-        for (std::size_t at = 0; at < used; at += 64) __builtin_prefetch(record + at);
+        for (std::size_t at = 0; at < used; at += 64) ask_cache(record + at);
     }
 }
 

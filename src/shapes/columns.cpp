@@ -25,7 +25,7 @@ Columns::Columns(std::span<const math::Vec3> points) : size_(points.size()) {
 
 // First in floats: the greatest product, and all that may be it, as floats are only so exact. If these are several,
 // they are compared in double.
-std::size_t Columns::farthest(DVec3 d) const {
+std::size_t Columns::farthest(const DVec3& d) const {
     const DVec3 size = math::abs(d);
     const double greater_xy = size.x > size.y ? size.x : size.y, greatest = greater_xy > size.z ? greater_xy : size.z;
     if (!(greatest > 0)) return 0;
@@ -55,7 +55,7 @@ std::size_t Columns::farthest(DVec3 d) const {
     return farthest_of(d, scale, least);
 }
 
-std::size_t Columns::nearly_farthest(DVec3 unit) const {
+std::size_t Columns::nearly_farthest(const DVec3& unit) const {
     const F4 dx = splat(float(unit.x)), dy = splat(float(unit.y)), dz = splat(float(unit.z));
     const auto along = [&](std::size_t i) { return load(&x_[i]) * dx + load(&y_[i]) * dy + load(&z_[i]) * dz; };
     F4 most = along(0), more = along(4);
@@ -70,13 +70,19 @@ std::size_t Columns::nearly_farthest(DVec3 unit) const {
     }
     const I4 is_farther = more > most;
     most = is_farther ? more : most, best = is_farther ? better : best;
-    const int low = most[1] > most[0] ? 1 : 0, high = most[3] > most[2] ? 3 : 2;
-    const auto found = std::size_t(best[most[high] > most[low] ? high : low]);
+    // The first of the farthest, without branches: which of the four it is cannot be foreseen.
+    const auto offer = [&](F4 other, I4 other_place) {
+        const I4 is_better = other > most;
+        most = is_better ? other : most, best = is_better ? other_place : best;
+    };
+    offer(__builtin_shufflevector(most, most, 1, 0, 3, 2), __builtin_shufflevector(best, best, 1, 0, 3, 2));
+    offer(__builtin_shufflevector(most, most, 2, 3, 0, 1), __builtin_shufflevector(best, best, 2, 3, 0, 1));
+    const auto found = std::size_t(best[0]);
     return found < size_ ? found : size_ - 1; // one of those that repeat the last
 }
 
 // Of those that are at least so far along scale x d, in floats.
-std::size_t Columns::farthest_of(DVec3 d, double scale, float least) const {
+std::size_t Columns::farthest_of(const DVec3& d, double scale, float least) const {
     const F4 dx = splat(float(scale * d.x)), dy = splat(float(scale * d.y)), dz = splat(float(scale * d.z));
     double best_along = -std::numeric_limits<double>::infinity();
     std::size_t best = 0;

@@ -41,15 +41,16 @@ class Columns {
     explicit Columns(std::span<const math::Vec3> points);
 
     std::size_t size() const { return size_; }
+    // Directions come by reference: a copy of one that was just computed stalls the processor.
     // The point farthest along d, which may have any length: exactly that of dot products in double, of equal ones the
     // first.
-    std::size_t farthest(math::DVec3 d) const;
+    std::size_t farthest(const math::DVec3& d) const;
     // Likewise by dot products in floats, in half the time: one of those points that are within 3e-6 of the largest
     // coordinate of the farthest. `unit`: of length 1.
-    std::size_t nearly_farthest(math::DVec3 unit) const;
+    std::size_t nearly_farthest(const math::DVec3& unit) const;
 
   private:
-    std::size_t farthest_of(math::DVec3 d, double scale, float least) const;
+    std::size_t farthest_of(const math::DVec3& d, double scale, float least) const;
 
     std::size_t size_ = 0;
     float largest_ = 0;            // of all coordinates

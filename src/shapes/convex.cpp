@@ -79,7 +79,7 @@ void round_off(Convex& c, double rounding) {
 
 } // namespace
 
-Convex make_convex(const Geometry& geometry, const ShapeData& data, DVec3 center, math::DQuat rotation) {
+Convex make_convex(const Geometry& geometry, const ShapeData& data, const DVec3& center, const math::DQuat& rotation) {
     Convex c;
     c.center = center;
     c.axes = math::to_matrix(rotation);
@@ -113,7 +113,8 @@ Convex make_convex(const Geometry& geometry, const ShapeData& data, DVec3 center
         break;
     case ShapeType::rectangle: {
         const DVec3 x = s.x * c.axes.c0, z = s.z * c.axes.c2;
-        return make_polygon(std::array{center - x - z, center - x + z, center + x + z, center + x - z});
+        c = make_polygon(std::array{center - x - z, center - x + z, center + x + z, center + x - z});
+        break;
     }
     default:
         c.kind = Convex::Kind::ball;

@@ -38,7 +38,8 @@ struct Convex {
 };
 
 // For every type but planes, meshes and height fields. A rectangle is a flat polygon.
-Convex make_convex(const Geometry& geometry, const ShapeData& data, math::DVec3 center, math::DQuat rotation);
+Convex make_convex(const Geometry& geometry, const ShapeData& data, const math::DVec3& center,
+                   const math::DQuat& rotation);
 // Flat, solid on the side that sees the corners clockwise.
 Convex make_triangle(math::DVec3 a, math::DVec3 b, math::DVec3 c);
 // A polygon that faces the other way.

@@ -1,6 +1,7 @@
 // Triangle meshes and height fields. What a Mesh and a HeightField share: made once, never changed.
 #pragma once
 
+#include "core/cache.h"
 #include "math/bounds.h"
 #include "math/vec.h"
 #include "shapes/columns.h"
@@ -27,6 +28,10 @@ struct BoxBlock {
     }
     math::Vec3 lo_of(std::size_t i) const { return {lo[0][i], lo[1][i], lo[2][i]}; }
     math::Vec3 hi_of(std::size_t i) const { return {hi[0][i], hi[1][i], hi[2][i]}; }
+    // Asks the cache for all of it.
+    void ask() const {
+        for (const float* p : {&lo[0][0], &lo[2][0], &hi[1][0], &hi[2][7]}) ask_cache(p);
+    }
     // A bit for each of those that meet the box from `least` to `greatest` (touching counts).
     unsigned meets(math::Vec3 least, math::Vec3 greatest) const {
         using I4 = std::int32_t __attribute__((vector_size(16)));
@@ -156,6 +161,9 @@ template <class F> void for_each_triangle(const MeshData& mesh, math::Vec3 lo, m
         }
         --level;
         blocks[level] = box, left[level] = mesh.levels[level][box].meets(lo, hi);
+        if (level == 0) continue;
+        for (unsigned ahead = left[level]; ahead != 0; ahead &= ahead - 1) // all of them at once
+            mesh.levels[level - 1][8 * box + std::size_t(__builtin_ctz(ahead))].ask();
     }
 }
 

@@ -68,8 +68,8 @@ Trial any_trial(Random& random) {
 
 // Of the triangle of the trial alone.
 Verdict verdict_of(BoxOnTriangles& box, const Trial& t, BoxHit& hit) {
-    box.add(t.triangle, 0);
-    box.look();
+    box.add(0);
+    box.look([&](std::uint32_t) { return t.triangle; });
     Verdict found = Verdict::apart;
     box.test([&](std::uint32_t, Verdict verdict, const BoxHit& at) { found = verdict, hit = at; });
     return found;
@@ -172,8 +172,8 @@ TEST(BoxOnTriangle, TellsHowFarApartAtLeast) {
         Trial t = any_trial(random);
         t.center += random.uniform(0, 1) * random.direction();
         BoxOnTriangles box(cairn::kernels().triangles, t.box, t.center, t.axes, t.margin);
-        box.add(t.triangle, 0);
-        const double least = box.look();
+        box.add(0);
+        const double least = box.look([&](std::uint32_t) { return t.triangle; });
         const Convex triangle = triangle_of(t);
         DVec3 corners[3], on_box, on_triangle;
         for (int i = 0; i < 3; ++i) corners[i] = to_local(t.box, triangle.corners[i] - t.box.center);
