@@ -33,9 +33,10 @@ void rescale_impulses(ContactInfo& c, ContactRecord& r, float h) {
     c.substep_time = h;
 }
 
-void open_bin(SolverScratch& scratch, std::int32_t substeps) {
+void open_bin(SolverScratch& scratch, const Island& island) {
     Bin bin;
-    bin.substeps = substeps;
+    bin.substeps = island.substeps;
+    bin.rests = island.joint_substeps > 0;
     scratch.bins.push_back(bin);
 }
 
@@ -75,15 +76,15 @@ void pack_bins(State& s, float dt) {
     collect_contacts(s);
     for (const SortedContact& c : scratch.unsorted) ++scratch.contacts_of_island[std::size_t(c.island)];
 
-    // One bin is open for each number of substeps; it closes when it is full.
-    scratch.open_bins.assign(std::size_t(most_substeps) + 1, none);
+    // One bin is open for each number of substeps, and another for heaps at rest; it closes when it is full.
+    scratch.open_bins.assign(2 * (std::size_t(most_substeps) + 1), none);
     for (const std::int32_t i : s.awake_islands) {
         Island& island = s.islands[std::size_t(i)];
         island.substeps = island_substeps(s, island, scratch.contacts_of_island[std::size_t(i)]);
-        std::int32_t& open = scratch.open_bins[std::size_t(island.substeps)];
+        std::int32_t& open = scratch.open_bins[2 * std::size_t(island.substeps) + (island.joint_substeps > 0)];
         if (open == none) {
             open = std::int32_t(scratch.bins.size());
-            open_bin(scratch, island.substeps);
+            open_bin(scratch, island);
         }
         Bin& bin = scratch.bins[std::size_t(open)];
         scratch.bin_of_island[std::size_t(i)] = open;

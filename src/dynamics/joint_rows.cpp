@@ -66,6 +66,7 @@ void collect_joint(const State& s, std::uint32_t joint, JointLayout& layout) {
         if (!rule.has_limits && !rule.has_drive && !(rule.friction > 0)) continue;
         JointRow& row = add(i, std::uint32_t(rule.kind), JointRowType::axis, i);
         row.has_limits = rule.has_limits != 0;
+        row.has_soft_limits = rule.has_limits && !rule.rigid_limit;
         row.has_drive = rule.has_drive != 0;
         row.has_friction = rule.friction > 0;
         row.may_idle = may_be_out_of_reach(rules, s.joint_axes[joint], rule);
@@ -219,17 +220,21 @@ void fill_axis_rule(AxisBlock& b, std::size_t lane, const JointAxisRule& rule, f
     b.upper[lane] = rule.has_limits ? rule.upper : unlimited;
     b.equation[lane] = rule.is_equation;
     b.rigid_limit[lane] = rule.rigid_limit;
-    b.limit_stiffness[lane] = rule.limit_stiffness;
-    b.limit_damping[lane] = rule.limit_damping;
-    b.limit_relative[lane] = rule.limit_relative;
-    b.drive_stiffness[lane] = rule.drive_stiffness;
-    b.drive_damping[lane] = rule.drive_damping;
-    b.target_position[lane] = rule.target_position;
-    b.target_velocity[lane] = rule.target_velocity;
-    b.rigid_drive[lane] = rule.rigid_drive;
-    b.drive_relative[lane] = rule.drive_relative;
-    b.most_drive[lane] = rule.has_drive ? std::min(rule.most_drive * h, unlimited) : 0.0f;
     b.most_friction[lane] = std::min(rule.friction * h, unlimited);
+    if (b.has_soft_limits) {
+        b.limit_stiffness[lane] = rule.limit_stiffness;
+        b.limit_damping[lane] = rule.limit_damping;
+        b.limit_relative[lane] = rule.limit_relative;
+    }
+    if (b.has_drive) {
+        b.drive_stiffness[lane] = rule.drive_stiffness;
+        b.drive_damping[lane] = rule.drive_damping;
+        b.target_position[lane] = rule.target_position;
+        b.target_velocity[lane] = rule.target_velocity;
+        b.rigid_drive[lane] = rule.rigid_drive;
+        b.drive_relative[lane] = rule.drive_relative;
+        b.most_drive[lane] = rule.has_drive ? std::min(rule.most_drive * h, unlimited) : 0.0f;
+    }
     b.ratio_a[lane] = rule.ratio_a;
     b.ratio_b[lane] = rule.ratio_b;
 }
@@ -259,7 +264,7 @@ void open_block(PointBlock& b, std::uint32_t form) { b.free_axis = JointLock(for
 void open_block(TurnBlock& b, std::uint32_t form) { b.free_axis = JointLock(form) == JointLock::across; }
 void open_block(AxisBlock& b, std::uint32_t form) {
     b.kind = AxisKind(form);
-    b.has_limits = b.has_drive = b.has_friction = 0;
+    b.has_limits = b.has_soft_limits = b.has_drive = b.has_friction = 0;
 }
 template <class Block> void open_run(const JointRun& run, std::vector<Block>& blocks, std::uint32_t first_discard) {
     for (std::uint32_t k = run.first; k < run.first + run.count; ++k) {
@@ -291,6 +296,7 @@ void open_blocks(BinScratch& scratch) {
         if (row.type != JointRowType::axis || row.idle) continue;
         AxisBlock& b = scratch.axis_blocks[row.lane / 8];
         b.has_limits |= row.has_limits;
+        b.has_soft_limits |= row.has_soft_limits;
         b.has_drive |= row.has_drive;
         b.has_friction |= row.has_friction;
     }
@@ -389,12 +395,12 @@ void end_joint(State& s, BinScratch& scratch, std::uint32_t index, float rate, b
 
 } // namespace
 
-JointSoftness joint_softness(float h) {
+JointSoftness joint_softness(float h, bool rests) {
     // Softer ones lag behind, harder ones gain energy: a hanging net from 0.35 / h on, an arm that servos hold from
-    // 0.28 / h on.
-    constexpr float pi = 3.14159265358979f, frequency_times_h = 0.25f, damping_ratio = 2.0f;
-    const float omega_h = 2 * pi * frequency_times_h, a1 = 2 * damping_ratio + omega_h, a2 = omega_h * a1;
-    return {h, 1 / h, a2 / (1 + a2), omega_h / (a1 * h)};
+    // 0.28 / h on. In a heap at rest there is none to be gained.
+    constexpr float pi = 3.14159265358979f, damping_ratio = 2.0f;
+    const float omega_h = 2 * pi * (rests ? 0.375f : 0.25f), a1 = 2 * damping_ratio + omega_h, a2 = omega_h * a1;
+    return {h, 1 / h, a2 / (1 + a2), omega_h / (a1 * h), slow_turns(rests).still_sine};
 }
 
 void fill_joint_lanes(State& s, const Bin& bin, BinScratch& scratch, Crew* crew, float dt) {

@@ -107,7 +107,7 @@ void run_substeps(const State& s, const Bin& bin, BinScratch& scratch, Crew* cre
     ContactSoftness softness;
     set_softness(softness, h, bin.substeps * s.split, s.settings.recovery_speed);
     const BounceSettings bounce{h, s.settings.restitution_speed, velocity_offset(s.settings.integrator)};
-    const JointSoftness joint_soft = joint_softness(h);
+    const JointSoftness joint_soft = joint_softness(h, bin.rests);
     // Not where joints are solved directly: a body that is much heavier than what it hits does not settle in the
     // passes. Nor where kinematic bodies drive joints: the passes would stop what they drive.
     const bool stops_impacts =
@@ -165,6 +165,7 @@ double milliseconds_since(std::chrono::steady_clock::time_point start) {
 void solve_bin(State& s, const Bin& bin, BinScratch& scratch, Crew* crew, float dt) {
     const auto start = std::chrono::steady_clock::now();
     fill_bin(s, bin, scratch, crew, dt);
+    scratch.slow = slow_turns(bin.rests);
     if (bin.contact_count + bin.joint_count > 0) {
         fill_joint_blocks(s, scratch, crew, dt / float(bin.substeps));
         prepare_free_motion(s, scratch, crew, dt / float(bin.substeps), bin.bounces);

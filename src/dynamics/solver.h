@@ -29,6 +29,8 @@ void empty_bin(State& state, BinScratch& scratch, Crew* crew, float dt);
 // Fills drive, damping and correction of the bin's rows for substeps of h seconds. `bounces`: there must be
 // corrections, because something else will add to them.
 void prepare_free_motion(const State& state, BinScratch& scratch, Crew* crew, float h, bool bounces);
+// What is slow in a bin that `rests`, or in another.
+SlowTurns slow_turns(bool rests);
 // At the start of each substep: what of them depends on the pose or the velocity.
 void update_free_motion(const State& state, BinScratch& scratch, Crew* crew, const SolverBodies& bodies, float h,
                         bool first);

@@ -95,6 +95,7 @@ struct Bin {
     std::int32_t body_count = 0, contact_count = 0, joint_count = 0;
     std::int32_t first_contact = 0; // in SolverScratch::sorted
     bool bounces = false;           // any of its contacts has restitution
+    bool rests = false;             // its islands are heaps of jointed bodies at rest (substeps.cpp)
 };
 
 // A row with unequal moments of inertia that the wide kernel does not turn, and where its free motion ends.
@@ -134,6 +135,7 @@ struct JointRow {
     JointRowType type = JointRowType::point;
     std::uint8_t axis : 3 = 0; // which of the joint's
     std::uint8_t has_limits : 1 = 0, has_drive : 1 = 0, has_friction : 1 = 0;
+    std::uint8_t has_soft_limits : 1 = 0;
     std::uint8_t may_idle : 1 = 0, idle : 1 = 0; // mere limits, now out of reach: the row has no lane
 };
 // Blocks that may be solved side by side.
@@ -176,6 +178,8 @@ struct BinScratch {
     std::vector<SpinningRow> spinning_rows;
     std::vector<SpinBlock> spin_blocks;  // those that the kernel turns
     std::vector<std::int32_t> spin_rows; // of their lanes
+    std::vector<std::int32_t> slow_rows; // those of them that turn slowly
+    SlowTurns slow;
     // Rows, then the discard rows: one for each block.
     std::vector<SolverVelocity> velocity, reference, rounding;
     std::vector<SolverPose> pose;

@@ -25,8 +25,8 @@ constexpr float least_use = 0.5f, least_of_base = 0.8f;
 // m/s: what is tossed about more than that is no structure, and its loads are impacts, however long they last.
 constexpr float most_unrest = 1.0f;
 
-constexpr float substeps_per_joint_demand = 0.5f; // likewise: a hanging net of 64 x 64 asks for the usual 11
-constexpr float least_joint_substeps = 8;         // with 6, limits in a heap of 20 ragdolls gave 0.023 rad
+constexpr float substeps_per_joint_demand = 1.0f / 3; // likewise
+constexpr float least_joint_substeps = 6;
 constexpr std::int32_t least_heap_joints = 100;
 constexpr float most_spare_substeps = 1.5f;            // before fewer are taken
 constexpr float rest_begins = 0.25f, rest_ends = 0.5f; // m/s: unrest of a heap that comes to rest, or is stirred up
@@ -46,7 +46,8 @@ float joint_demand(const State& s, const JointInfo& joint) {
 }
 
 // Of what swings on its joints more substeps keep the motion true. Of a heap at rest, where each joint has a contact to
-// go with it, they only keep the joints together. (In small ones they cost little, and let limbs come to rest sooner.)
+// go with it, they only keep the joints together, and stiffer joints do that as well (joint_softness). (In small ones
+// substeps cost little, and let limbs come to rest sooner.)
 int substeps_of_joints(Island& island, std::int32_t contacts) {
     const bool rests = island.unrest < (island.joint_substeps > 0 ? rest_ends : rest_begins);
     if (!rests || island.joint_count < least_heap_joints || contacts < island.joint_count) {
@@ -103,6 +104,8 @@ int island_substeps(const State& s, Island& island, std::int32_t contacts) {
     int base = s.settings.substeps;
     if (s.settings.adaptive_substeps && island.joint_count > 0)
         base = std::max(base, substeps_of_joints(island, contacts));
+    else
+        island.joint_substeps = 0;
     if (s.settings.adaptive_substeps && island.weight > 0) {
         const float part = std::min(island.greatest_load / (full_share * island.weight), 1.0f);
         const float share = std::max(part - least_share, 0.0f) / (1 - least_share);

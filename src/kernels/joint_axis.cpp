@@ -211,6 +211,7 @@ struct LimitSoftness {
     f32x8 scale, rate;
 };
 template <bool Soft> CAIRN_INLINE LimitSoftness limit_softness(const AxisBlock& b, f32x8 k, const JointSoftness& s) {
+    if (!b.has_soft_limits) return {splat(Soft ? s.scale : 1.0f), splat(Soft ? s.rate : 0.0f)};
     const f32x8 h = splat(s.h), relative = load(b.limit_relative), mass = load(b.mass);
     const f32x8 stiffness = load(b.limit_stiffness), damping = load(b.limit_damping);
     const f32x8 g = spring_gain(stiffness, damping, relative, mass, h), kg = k * g;
@@ -272,8 +273,9 @@ void warm_start(void* blocks, int count, const SolverBodies& bodies, const Joint
         AxisBlock& b = all[k];
         first_masses(b, bodies.inertia);
         const Jacobianx8 j = refresh(b, gather_poses(bodies.pose, b));
+        store(b.position0, load(b.position));
         refresh_drive(b, splat(softness.h));
-        for (auto& left : b.left) store3(left, zero3());
+        b.leaves = 0;
         store(b.total, zero());
         Ends8 e = gather_ends(bodies.velocity, b);
         apply(b, j, net_impulse(b), e);
@@ -286,28 +288,63 @@ void solve(void* blocks, int count, SolverVelocity* velocity, const JointSoftnes
     for (int k = 0; k < count; ++k) {
         AxisBlock& b = all[k];
         Ends8 e = gather_ends(velocity, b);
-        e = {{e.a.v + load3(b.left[0]), e.a.w + load3(b.left[1])},
-             {e.b.v + load3(b.left[2]), e.b.w + load3(b.left[3])}};
+        if (b.leaves)
+            e = {{e.a.v + load3(b.left[0]), e.a.w + load3(b.left[1])},
+                 {e.b.v + load3(b.left[2]), e.b.w + load3(b.left[3])}};
         const Jacobianx8 j = load_jacobian(b);
         apply(b, j, act<true>(b, velocity_of(j, e), load(b.position), softness), e);
         scatter_ends(velocity, b, e);
     }
 }
 
+// Whether small turns change the Jacobian by as little as themselves.
+CAIRN_INLINE bool is_steady(const AxisBlock& b) {
+    switch (b.kind) {
+    case AxisKind::linear:
+    case AxisKind::twist:
+    case AxisKind::perpendicular:
+    case AxisKind::cross_a:
+    case AxisKind::cross_b:
+        return true;
+    case AxisKind::swing: { // not where both axes are nearly one
+        const f32x8 angle = load(b.position);
+        return all(((angle > splat(0.1f)) & (angle < splat(3.0f))) | (load(b.mass) == zero()));
+    }
+    default:
+        return false;
+    }
+}
+// The position by the Jacobian that there is, to first order in the turns.
+CAIRN_INLINE Jacobianx8 carry_on(AxisBlock& b, const Posesx8& poses) {
+    const Jacobianx8 j = load_jacobian(b);
+    const Ends8 way = {{poses.dx_a, poses.dq_a.v + poses.dq_a.v}, {poses.dx_b, poses.dq_b.v + poses.dq_b.v}};
+    store(b.position, load(b.position0) + velocity_of(j, way));
+    b.leaves = 0;
+    return j;
+}
+CAIRN_INLINE Jacobianx8 renew(AxisBlock& b, const Posesx8& poses, const SolverInertia* inertia) {
+    const f32x8 p = net_impulse(b);
+    Ends8 change = {{zero3(), zero3()}, {zero3(), zero3()}};
+    apply(b, load_jacobian(b), -p, change);
+    if (!b.even) renew_masses(b, inertia);
+    const Jacobianx8 j = refresh(b, poses);
+    apply(b, j, p, change);
+    store3(b.left[0], change.a.v);
+    store3(b.left[1], change.a.w);
+    store3(b.left[2], change.b.v);
+    store3(b.left[3], change.b.w);
+    b.leaves = 1;
+    return j;
+}
+
 void relax(void* blocks, int count, const SolverBodies& bodies, const JointSoftness& softness) {
     auto* all = static_cast<AxisBlock*>(blocks);
     for (int k = 0; k < count; ++k) {
         AxisBlock& b = all[k];
-        const f32x8 before = load(b.position), p = net_impulse(b);
-        Ends8 change = {{zero3(), zero3()}, {zero3(), zero3()}};
-        apply(b, load_jacobian(b), -p, change);
-        if (!b.even) renew_masses(b, bodies.inertia);
-        const Jacobianx8 j = refresh(b, gather_poses(bodies.pose, b));
-        apply(b, j, p, change);
-        store3(b.left[0], change.a.v);
-        store3(b.left[1], change.a.w);
-        store3(b.left[2], change.b.v);
-        store3(b.left[3], change.b.w);
+        const f32x8 before = load(b.position);
+        const Posesx8 poses = gather_poses(bodies.pose, b);
+        const bool keeps = are_still(poses, softness.still_sine) && is_steady(b);
+        const Jacobianx8 j = keeps ? carry_on(b, poses) : renew(b, poses, bodies.inertia);
         Ends8 e = gather_ends(bodies.velocity, b);
         apply(b, j, act<false>(b, velocity_of(j, e), before, softness), e);
         store(b.total, load(b.total) + net_impulse(b));

@@ -12,6 +12,8 @@ struct JointSoftness {
     float h, inverse_h;
     float scale; // of the rigid impulse
     float rate;  // 1/s: speed at which an error is taken back, before that scale
+    // Sine of half the angle up to which both bodies may have turned in the step for a row to keep its Jacobian, or 0.
+    float still_sine;
 };
 
 // The bodies of 8 rows: row offsets in bytes, and what they weigh. Blocks are read in every substep, in large islands
@@ -36,6 +38,7 @@ struct alignas(64) PointBlock : JointEnds {
     float response[6][8];             // impulse per velocity: inverse of J M^-1 J^T, between the masks
     float left_a[3][8], left_b[3][8]; // angular velocity left for the next solve
     std::uint8_t free_axis, even, redirects;
+    std::uint8_t leaves; // whether left_* hold anything
     // Used by relax only.
     alignas(64) float arm_a0[3][8], arm_b0[3][8], gap0[3][8];
     float total[3][8]; // impulse of all substeps
@@ -54,6 +57,7 @@ struct alignas(64) TurnBlock : JointEnds {
     float axis_a0[3][8], axis_b0[3][8]; // free_axis: as each body holds it
     float total[3][8];
     std::uint8_t free_axis, even, redirects;
+    std::uint8_t leaves; // whether left_* hold anything
     JointEndsRest rest;
 };
 
@@ -101,7 +105,7 @@ struct alignas(64) AxisBlock : JointEnds {
     float arm_a0[3][8], arm_b0[3][8], gap0[3][8], turn0[4][8], axis_a0[3][8], axis_b0[3][8];
     float ratio_a[8], ratio_b[8], position0[8];
     AxisKind kind;
-    std::uint8_t even, redirects, has_limits, has_drive, has_friction;
+    std::uint8_t even, redirects, leaves, has_limits, has_soft_limits, has_drive, has_friction;
     JointEndsRest rest;
 };
 

@@ -110,10 +110,8 @@ template <bool FreeAxis, bool Even> CAIRN_INLINE void warm_start_block(PointBloc
     if constexpr (FreeAxis) {
         p = across(point.axis, p);
         store3(b.impulse, p);
-        store3(b.left_linear, zero3());
     }
-    store3(b.left_a, zero3());
-    store3(b.left_b, zero3());
+    b.leaves = 0;
     store3(b.total, zero3());
     Ends8 e = gather_ends(bodies.velocity, b);
     apply<Even>(b, point.arm_a, point.arm_b, p, e);
@@ -131,11 +129,13 @@ void warm_start(void* blocks, int count, const SolverBodies& bodies, const Joint
 template <bool FreeAxis, bool Even>
 CAIRN_INLINE void solve_block(PointBlock& b, SolverVelocity* velocity, f32x8 rate, f32x8 scale, f32x8 rest) {
     Ends8 e = gather_ends(velocity, b);
-    e.a.w = e.a.w + load3(b.left_a);
-    e.b.w = e.b.w + load3(b.left_b);
-    if constexpr (FreeAxis) {
-        e.a.v = e.a.v - load(b.mass_a) * load3(b.left_linear);
-        e.b.v = e.b.v + load(b.mass_b) * load3(b.left_linear);
+    if (b.leaves) {
+        e.a.w = e.a.w + load3(b.left_a);
+        e.b.w = e.b.w + load3(b.left_b);
+        if constexpr (FreeAxis) {
+            e.a.v = e.a.v - load(b.mass_a) * load3(b.left_linear);
+            e.b.v = e.b.v + load(b.mass_b) * load3(b.left_linear);
+        }
     }
     const Vec3x8 arm_a = load3(b.arm_a), arm_b = load3(b.arm_b), p = load3(b.impulse);
     const Vec3x8 c = slip_at(e, arm_a, arm_b) + rate * load3(b.gap);
@@ -157,6 +157,7 @@ void solve(void* blocks, int count, SolverVelocity* velocity, const JointSoftnes
 template <bool FreeAxis, bool Even>
 CAIRN_INLINE void leave_change(PointBlock& b, const Pointx8& point, Vec3x8 p, Vec3x8 old,
                                const SolverInertia* inertia) {
+    b.leaves = 1;
     const Vec3x8 old_a = load3(b.arm_a), old_b = load3(b.arm_b);
     if constexpr (Even && !FreeAxis) {
         store3(b.left_a, load(b.even_a) * cross(old_a - point.arm_a, p));
@@ -171,24 +172,45 @@ CAIRN_INLINE void leave_change(PointBlock& b, const Pointx8& point, Vec3x8 p, Ve
     if constexpr (FreeAxis) store3(b.left_linear, p - old);
 }
 
-template <bool FreeAxis, bool Even> CAIRN_INLINE void relax_block(PointBlock& b, const SolverBodies& bodies) {
-    const Pointx8 point = point_now<FreeAxis>(b, gather_poses(bodies.pose, b));
+// The impulse without softness that stops what slips.
+template <bool Even>
+CAIRN_INLINE void stop_slip(PointBlock& b, const SolverBodies& bodies, Vec3x8 arm_a, Vec3x8 arm_b,
+                            const Sym3x8& response, Vec3x8 carried) {
+    Ends8 e = gather_ends(bodies.velocity, b);
+    const Vec3x8 d = -(response * slip_at(e, arm_a, arm_b)), p = carried + d;
+    store3(b.impulse, p);
+    store3(b.total, load3(b.total) + p);
+    apply<Even>(b, arm_a, arm_b, d, e);
+    scatter_ends(bodies.velocity, b, e);
+}
+
+// With the arms that there are. The gap is right to first order in the turns.
+template <bool Even>
+CAIRN_INLINE void relax_still_block(PointBlock& b, const SolverBodies& bodies, const Posesx8& poses) {
+    const Vec3x8 turn_a = poses.dq_a.v + poses.dq_a.v, turn_b = poses.dq_b.v + poses.dq_b.v;
+    const Vec3x8 change = cross(turn_b, load3(b.arm_b0)) - cross(turn_a, load3(b.arm_a0));
+    store3(b.gap, load3(b.gap0) + ((poses.dx_b - poses.dx_a) + change));
+    b.leaves = 0;
+    stop_slip<Even>(b, bodies, load3(b.arm_a), load3(b.arm_b), load6(b.response), load3(b.impulse));
+}
+
+template <bool FreeAxis, bool Even>
+CAIRN_INLINE void relax_block(PointBlock& b, const SolverBodies& bodies, float still_sine) {
+    const Posesx8 poses = gather_poses(bodies.pose, b);
+    if (!FreeAxis && are_still(poses, still_sine)) return relax_still_block<Even>(b, bodies, poses);
+    const Pointx8 point = point_now<FreeAxis>(b, poses);
     const Vec3x8 old = load3(b.impulse), carried = FreeAxis ? across(point.axis, old) : old;
     leave_change<FreeAxis, Even>(b, point, carried, old, bodies.inertia);
     const Sym3x8 response = response_of<FreeAxis, Even>(b, point);
     keep(b, point, response);
-    Ends8 e = gather_ends(bodies.velocity, b);
-    const Vec3x8 d = -(response * slip_at(e, point.arm_a, point.arm_b)), p = carried + d;
-    store3(b.impulse, p);
-    store3(b.total, load3(b.total) + p);
-    apply<Even>(b, point.arm_a, point.arm_b, d, e);
-    scatter_ends(bodies.velocity, b, e);
+    stop_slip<Even>(b, bodies, point.arm_a, point.arm_b, response, carried);
 }
 
-void relax(void* blocks, int count, const SolverBodies& bodies, const JointSoftness&) {
+void relax(void* blocks, int count, const SolverBodies& bodies, const JointSoftness& softness) {
     auto* all = static_cast<PointBlock*>(blocks);
     for (int k = 0; k < count; ++k)
-        for_form(all[k], [&](auto free_axis, auto even) { relax_block<free_axis, even>(all[k], bodies); });
+        for_form(all[k],
+                 [&](auto free_axis, auto even) { relax_block<free_axis, even>(all[k], bodies, softness.still_sine); });
 }
 
 void strike(void* blocks, JointImpact* impacts, int count, SolverVelocity* velocity, float) {

@@ -35,8 +35,7 @@ template <bool FreeAxis> void warm_start_block(TurnBlock& b, const SolverBodies&
     Vec3x8 p = load3(b.impulse);
     if constexpr (FreeAxis) p = across(axis, p);
     store3(b.impulse, p);
-    store3(b.left_a, zero3());
-    store3(b.left_b, zero3());
+    b.leaves = 0;
     store3(b.total, zero3());
     Ends8 e = gather_ends(bodies.velocity, b);
     apply(b, p, e);
@@ -55,8 +54,10 @@ void solve(void* blocks, int count, SolverVelocity* velocity, const JointSoftnes
     for (int k = 0; k < count; ++k) {
         TurnBlock& b = all[k];
         Ends8 e = gather_ends(velocity, b);
-        e.a.w = e.a.w + load3(b.left_a);
-        e.b.w = e.b.w + load3(b.left_b);
+        if (b.leaves) {
+            e.a.w = e.a.w + load3(b.left_a);
+            e.b.w = e.b.w + load3(b.left_b);
+        }
         const Vec3x8 p = load3(b.impulse), c = (e.b.w - e.a.w) + rate * load3(b.error);
         const Vec3x8 d = -(scale * (load6(b.response) * c)) - rest * p;
         store3(b.impulse, p + d);
@@ -65,9 +66,27 @@ void solve(void* blocks, int count, SolverVelocity* velocity, const JointSoftnes
     }
 }
 
-template <bool FreeAxis> CAIRN_INLINE void relax_block(TurnBlock& b, const SolverBodies& bodies) {
+// The impulse without softness that stops what turns.
+CAIRN_INLINE void stop_turn(TurnBlock& b, const SolverBodies& bodies, Vec3x8 carried) {
+    Ends8 e = gather_ends(bodies.velocity, b);
+    const Vec3x8 d = -(load6(b.response) * (e.b.w - e.a.w)), p = carried + d;
+    store3(b.impulse, p);
+    store3(b.total, load3(b.total) + p);
+    apply(b, d, e);
+    scatter_ends(bodies.velocity, b, e);
+}
+
+template <bool FreeAxis> CAIRN_INLINE void relax_block(TurnBlock& b, const SolverBodies& bodies, float still_sine) {
     const Posesx8 poses = gather_poses(bodies.pose, b);
     const Vec3x8 old = load3(b.impulse);
+    if (FreeAxis && are_still(poses, still_sine)) {
+        // The response still serves; the error is right to first order in the turns.
+        const Vec3x8 a0 = load3(b.axis_a0), b0 = load3(b.axis_b0);
+        const Vec3x8 turn_a = poses.dq_a.v + poses.dq_a.v, turn_b = poses.dq_b.v + poses.dq_b.v;
+        store3(b.error, cross(a0 + cross(turn_a, a0), b0 + cross(turn_b, b0)));
+        b.leaves = 0;
+        return stop_turn(b, bodies, old);
+    }
     const Vec3x8 wa = turned_a(b, old), wb = -turned_b(b, old);
     if (!b.even) renew_masses(b, bodies.inertia);
     const Vec3x8 axis = refresh<FreeAxis>(b, poses, load_masses(b));
@@ -76,20 +95,17 @@ template <bool FreeAxis> CAIRN_INLINE void relax_block(TurnBlock& b, const Solve
     if (FreeAxis || !b.even) {
         store3(b.left_a, wa - turned_a(b, p));
         store3(b.left_b, wb + turned_b(b, p));
+        b.leaves = 1;
     }
-    Ends8 e = gather_ends(bodies.velocity, b);
-    const Vec3x8 d = -(load6(b.response) * (e.b.w - e.a.w));
-    p = p + d;
-    store3(b.impulse, p);
-    store3(b.total, load3(b.total) + p);
-    apply(b, d, e);
-    scatter_ends(bodies.velocity, b, e);
+    stop_turn(b, bodies, p);
 }
 
-void relax(void* blocks, int count, const SolverBodies& bodies, const JointSoftness&) {
+void relax(void* blocks, int count, const SolverBodies& bodies, const JointSoftness& softness) {
     auto* all = static_cast<TurnBlock*>(blocks);
+    const float still_sine = softness.still_sine;
     for (int k = 0; k < count; ++k)
-        all[k].free_axis ? relax_block<true>(all[k], bodies) : relax_block<false>(all[k], bodies);
+        all[k].free_axis ? relax_block<true>(all[k], bodies, still_sine)
+                         : relax_block<false>(all[k], bodies, still_sine);
 }
 
 void strike(void* blocks, JointImpact* impacts, int count, SolverVelocity* velocity, float) {

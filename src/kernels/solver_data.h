@@ -184,6 +184,13 @@ struct alignas(64) SpinBlock {
     std::uint8_t turns; // its rows have a drive or a correction
 };
 
+// What turns so slowly that this is not followed within a step, see spin.cpp.
+struct SlowTurns {
+    float speed;           // rad/s, of bodies that are in no joint
+    float speed_in_joints; // rad/s, of others, or 0
+    float still_sine;      // of half the angle up to which they may have turned to keep their inertia, or 0
+};
+
 // m/s, rad/s: bodies that change by less in a pass of an impact have settled.
 struct SettledChange {
     float v, w;
@@ -214,10 +221,10 @@ struct SolverKernels {
 
     // The free turning of one substep: drive and correction of the rows, angular parts only.
     void (*spin)(SpinBlock* blocks, int count, const SolverBodies& bodies, SolverTwist* drive, SolverTwist* correction,
-                 float h, bool first);
+                 float h, bool first, const SlowTurns& slow);
     // After the poses of a substep: the inertia of rows in joints.
     void (*renew_inertia)(SpinBlock* blocks, int count, const SolverVelocity* velocity, const SolverPose* pose,
-                          SolverInertia* inertia);
+                          SolverInertia* inertia, float still_sine);
     // After the last substep: the angular velocities that go with the angular momenta and the rotations then.
     void (*finish_spin)(const SpinBlock* blocks, int count, SolverVelocity* velocity, const SolverPose* pose);
 

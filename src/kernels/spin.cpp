@@ -13,10 +13,6 @@ namespace {
 // Cosine of half the angle up to which a body may have turned in a step for L to be followed: beyond, the inertia that
 // contacts act on says nothing about the one that it has.
 constexpr float most_turn_cosine = 0.9f;
-// rad/s: slower bodies are left as they are until the end of the step. In 1/60 s the axis of such a turn would go
-// astray by less than 1e-4 of itself, and what the pose is off is not seen in single precision.
-constexpr float calm_speed = 0.004f;
-
 CAIRN_INLINE Quatx8 gather_turn(const SolverPose* pose, const std::uint32_t* offset) {
     const float* p[8];
     Quatx8 q;
@@ -83,11 +79,14 @@ CAIRN_INLINE Turn free_turn(Quatx8 q, Vec3x8 inverse_moments, Vec3x8 momentum, V
 } // namespace
 
 void spin(SpinBlock* blocks, int count, const SolverBodies& bodies, SolverTwist* drive, SolverTwist* correction,
-          float h, bool first) {
+          float h, bool first, const SlowTurns& slow) {
+    const f32x8 outside = splat(slow.speed * slow.speed),
+                in_joints = splat(slow.speed_in_joints * slow.speed_in_joints);
     for (int k = 0; k < count; ++k) {
         SpinBlock& block = blocks[k];
         const Vec3x8 w = gather_angular(bodies.velocity, block.row);
-        mask8 calm = (dot(w, w) < splat(calm_speed * calm_speed)) & (load(block.renewed) == zero());
+        // What is calm is left as it is until the end of the step.
+        mask8 calm = dot(w, w) < select(load(block.renewed) > zero(), in_joints, outside);
         Vec3x8 factor;
         if (bodies.damping) {
             factor = gather_angular(bodies.damping, block.row);
@@ -115,12 +114,13 @@ void spin(SpinBlock* blocks, int count, const SolverBodies& bodies, SolverTwist*
 }
 
 void renew_inertia(SpinBlock* blocks, int count, const SolverVelocity* velocity, const SolverPose* pose,
-                   SolverInertia* inertia) {
+                   SolverInertia* inertia, float still_sine) {
     for (int k = 0; k < count; ++k) {
         SpinBlock& block = blocks[k];
         if (!block.any_renewed) continue;
-        const mask8 renewed = load(block.renewed) > zero();
         const Quatx8 turn = gather_turn(pose, block.row);
+        const mask8 renewed = and_not(load(block.renewed) > zero(), is_still(turn, still_sine));
+        if (!any(renewed)) continue;
         const Mat3x8 axes = to_matrix(multiply(turn, {load3(block.axes), load(block.axes[3])}));
         const Sym3x8 i = rotated_diagonal(axes, load3(block.moments)), old = load6(block.contact_inertia);
         // What has been added so far was added with the old one.

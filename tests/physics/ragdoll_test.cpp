@@ -223,7 +223,7 @@ TEST(Ragdoll, HeapTakesFewerSubstepsOnceItRests) {
     run(world, 1.0f / 60, 20);
     EXPECT_GE(world.statistics().max_substeps, 11);
     run(world, 1.0f / 60, 400);
-    EXPECT_EQ(world.statistics().max_substeps, 8);
+    EXPECT_EQ(world.statistics().max_substeps, 6);
     for (const Ragdoll& ragdoll : heap) {
         EXPECT_LT(ragdoll.gap(), 0.004);
         EXPECT_LT(ragdoll.excess(), 0.02);

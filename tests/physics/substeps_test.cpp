@@ -39,8 +39,9 @@ int substeps_of_loaded_deck(float load) {
 }
 
 TEST(Substeps, OfADeckAtRestGrowWithItsLoad) {
-    EXPECT_EQ(substeps_of_loaded_deck(30), 8);
-    EXPECT_EQ(substeps_of_loaded_deck(6000), 11);
+    EXPECT_EQ(substeps_of_loaded_deck(30), 6);
+    EXPECT_EQ(substeps_of_loaded_deck(20000), 8);
+    EXPECT_EQ(substeps_of_loaded_deck(80000), 11);
 }
 
 // One body that is pressed hard is neither a tower nor what a heap needs more substeps for.
