@@ -109,8 +109,9 @@ void polygon_points(const Feature& reference, const Feature& incident, ContactPo
     Frame frame;
     frame.origin = reference.points[0];
     frame.normal = reference.normal;
-    frame.e1 = unit_or(reference.points[1] - reference.points[0],
-                       math::to_double(math::any_orthogonal(math::to_float(frame.normal))));
+    const DVec3 edge = reference.points[1] - reference.points[0];
+    frame.e1 = edge == DVec3{} ? math::to_double(math::any_orthogonal(math::to_float(frame.normal)))
+                               : (1 / math::length(edge)) * edge;
     frame.e2 = math::cross(frame.normal, frame.e1);
     frame.feature = feature_base(reference, incident);
     Polygon face, other;

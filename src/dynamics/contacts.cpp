@@ -309,26 +309,29 @@ void list_pairs(State& s) {
     s.broad_phase.for_each_pair(
         [&](std::uint32_t, std::uint32_t, std::uint32_t id) { scratch.candidates.push_back(id); });
     scratch.outcomes.resize(scratch.candidates.size());
+    // What stays apart, as most do, shows without the contact. Without a branch: none could guess.
     s.crew->for_chunks(int(scratch.candidates.size()), pairs_per_chunk, [&](int begin, int end, int) {
-        // What stays apart, as most do, shows without the contact; those of the others are on their way meanwhile.
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
             if (k + 2 * contacts_ahead < std::size_t(end))
                 ask_cache(&s.apart_pairs[scratch.candidates[k + 2 * contacts_ahead]]);
-            const std::uint32_t id = scratch.candidates[k];
-            const bool is_apart = stays_apart(s, s.apart_pairs[id]);
-            scratch.outcomes[k] = is_apart ? apart : to_test;
-            if (!is_apart) ask_cache(&s.contacts[id]);
+            scratch.outcomes[k] = stays_apart(s, s.apart_pairs[scratch.candidates[k]]) ? apart : to_test;
         }
-        for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k)
-            if (scratch.outcomes[k] != apart) scratch.outcomes[k] = before_test(s, s.contacts[scratch.candidates[k]]);
     });
     scratch.open.resize(scratch.candidates.size());
     std::size_t open = 0;
-    for (std::size_t k = 0; k < scratch.candidates.size(); ++k) { // without a branch: none could guess
+    for (std::size_t k = 0; k < scratch.candidates.size(); ++k) {
         scratch.open[open] = std::uint32_t(k);
         open += scratch.outcomes[k] != apart;
     }
     scratch.open.resize(open);
+    s.crew->for_chunks(int(open), pairs_per_chunk, [&](int begin, int end, int) {
+        for (std::size_t i = std::size_t(begin); i < std::size_t(end); ++i) {
+            if (i + contacts_ahead < std::size_t(end))
+                ask_cache(&s.contacts[scratch.candidates[scratch.open[i + contacts_ahead]]]);
+            const std::uint32_t k = scratch.open[i];
+            scratch.outcomes[k] = before_test(s, s.contacts[scratch.candidates[k]]);
+        }
+    });
     for (auto& list : scratch.lists) list.clear();
     scratch.to_move.clear();
     for (const std::uint32_t k : scratch.open) {

@@ -34,7 +34,10 @@ DVec3 cut(DVec3 v, double most) {
     return v;
 }
 
-DQuat turned_by(DVec3 u, const DQuat& q) { return math::normalized(math::from_rotation_vector(u) * q); }
+DQuat turned_by(DVec3 u, const DQuat& q) {
+    if (u == DVec3{}) return q; // not even by a rounding
+    return math::normalized(math::from_rotation_vector(u) * q);
+}
 
 struct Spin {
     DVec3 moments, inverse_moments; // principal
@@ -483,9 +486,11 @@ std::uint64_t move_free_body(State& s, std::int32_t b, float dt) {
         clamped |= math::dot(u, u) > most * most;
         return cut(u, most);
     };
+    const bool force_varies = fields_vary(s);
+    Increment change = linear_increment(s, load, x, v, h);
     for (int substep = 0; substep < substeps; ++substep) {
         if (mass.inverse_mass > 0) {
-            const Increment change = linear_increment(s, load, x, v, h);
+            if (force_varies && substep > 0) change = linear_increment(s, load, x, v, h);
             v = limited(linear * (v + cut(change.velocity, most_v)), most_v);
             x += h * (v + cut(change.correction, most_v));
         }

@@ -38,7 +38,7 @@ struct ImpactWork {
     std::array<std::vector<std::int32_t>, 3> joint_component;
     bool has_components = false;
 
-    std::vector<float> speed; // by component, m/s: of its fastest body; by row, of what does not move by forces
+    std::vector<float> square_speed; // by component, m^2/s^2: of its fastest body; by row, of what no force moves
     std::vector<std::uint8_t> is_struck, is_listed; // by row: its component is struck; it is in `rows`
 
     // Rows that contacts and joints of this impact connect.

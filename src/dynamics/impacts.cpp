@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
 #include <numeric>
 
 namespace cairn {
@@ -105,13 +104,13 @@ void list_row(ImpactWork& work, std::int32_t row) {
 // All that joints hold to what was struck, and how fast its bodies are.
 void list_joints(BinScratch& scratch) {
     ImpactWork& work = scratch.impact;
-    work.speed.assign(scratch.row_count(), 0);
+    work.square_speed.assign(scratch.row_count(), 0);
     for (std::size_t row = 0; row < scratch.row_count(); ++row) {
         const std::int32_t component = work.component[row];
         work.is_struck[row] = work.is_struck[std::size_t(component)];
-        const float speed = math::length(math::to_vec(scratch.velocity[row].v));
-        float& greatest = work.speed[component == fixed_row ? row : std::size_t(component)];
-        greatest = std::max(greatest, speed);
+        const math::Vec3 v = math::to_vec(scratch.velocity[row].v);
+        float& greatest = work.square_speed[component == fixed_row ? row : std::size_t(component)];
+        greatest = std::max(greatest, math::dot(v, v));
         if (!work.is_struck[row]) continue;
         work.group[row] = component;
         list_row(work, std::int32_t(row));
@@ -128,7 +127,7 @@ void list_joints(BinScratch& scratch) {
 
 float speed_of(const ImpactWork& work, std::int32_t row) {
     const std::int32_t component = work.component[std::size_t(row)];
-    return work.speed[std::size_t(component == fixed_row ? row : component)];
+    return std::sqrt(work.square_speed[std::size_t(component == fixed_row ? row : component)]);
 }
 
 // Contacts are there for what may meet within the whole step; in this substep they close at that speed only.
@@ -219,15 +218,78 @@ template <class Block> void empty_lanes(Block& b, std::uint32_t discard) {
     }
 }
 
-// All of a block but its flags is rows of eight numbers, one for each lane.
-template <class Block> void copy_lane(Block& to, std::size_t lane, const Block& from, std::size_t from_lane) {
-    constexpr std::size_t number = 4, row = 8 * number;
-    static_assert(sizeof(Block) % row == 0);
-    char* const target = reinterpret_cast<char*>(&to);
-    const char* const source = reinterpret_cast<const char*>(&from);
-    const std::size_t flags = std::size_t(reinterpret_cast<const char*>(&from.even) - source) / row * row;
-    for (std::size_t at = 0; at < sizeof(Block); at += row)
-        if (at != flags) std::memcpy(target + at + number * lane, source + at + number * from_lane, number);
+// What `strike` reads of a lane.
+template <class T> void take_row(T (&to)[8], std::size_t lane, const T (&from)[8], std::size_t from_lane) {
+    to[lane] = from[from_lane];
+}
+template <std::size_t N>
+void take_rows(float (&to)[N][8], std::size_t lane, const float (&from)[N][8], std::size_t from_lane) {
+    for (std::size_t i = 0; i < N; ++i) to[i][lane] = from[i][from_lane];
+}
+template <class Block> void copy_bodies(Block& to, std::size_t lane, const Block& from, std::size_t from_lane) {
+    take_row(to.a, lane, from.a, from_lane);
+    take_row(to.b, lane, from.b, from_lane);
+    take_row(to.mass_a, lane, from.mass_a, from_lane);
+    take_row(to.mass_b, lane, from.mass_b, from_lane);
+}
+template <class Block> void copy_ends(Block& to, std::size_t lane, const Block& from, std::size_t from_lane) {
+    copy_bodies(to, lane, from, from_lane);
+    take_row(to.even_a, lane, from.even_a, from_lane);
+    take_row(to.even_b, lane, from.even_b, from_lane);
+    take_row(to.rest.write_a, lane, from.rest.write_a, from_lane);
+    take_row(to.rest.write_b, lane, from.rest.write_b, from_lane);
+    if (from.even) return;
+    take_rows(to.rest.inertia_a, lane, from.rest.inertia_a, from_lane);
+    take_rows(to.rest.inertia_b, lane, from.rest.inertia_b, from_lane);
+}
+void copy_lane(PointBlock& to, std::size_t lane, const PointBlock& from, std::size_t from_lane) {
+    copy_ends(to, lane, from, from_lane);
+    take_rows(to.arm_a, lane, from.arm_a, from_lane);
+    take_rows(to.arm_b, lane, from.arm_b, from_lane);
+    take_rows(to.response, lane, from.response, from_lane);
+    take_rows(to.total, lane, from.total, from_lane);
+}
+void copy_lane(TurnBlock& to, std::size_t lane, const TurnBlock& from, std::size_t from_lane) {
+    copy_ends(to, lane, from, from_lane);
+    take_rows(to.response, lane, from.response, from_lane);
+    take_rows(to.total, lane, from.total, from_lane);
+}
+void copy_lane(AxisBlock& to, std::size_t lane, const AxisBlock& from, std::size_t from_lane) {
+    copy_ends(to, lane, from, from_lane);
+    take_rows(to.linear_a, lane, from.linear_a, from_lane);
+    take_rows(to.linear_b, lane, from.linear_b, from_lane);
+    take_rows(to.angular_a, lane, from.angular_a, from_lane);
+    take_rows(to.angular_b, lane, from.angular_b, from_lane);
+    take_row(to.mass, lane, from.mass, from_lane);
+    take_row(to.position, lane, from.position, from_lane);
+    take_row(to.lower, lane, from.lower, from_lane);
+    take_row(to.upper, lane, from.upper, from_lane);
+    take_row(to.equation, lane, from.equation, from_lane);
+    take_row(to.rigid_limit, lane, from.rigid_limit, from_lane);
+    take_row(to.total, lane, from.total, from_lane);
+}
+template <int N>
+void copy_lane(ContactBlock<N>& to, std::size_t lane, const ContactBlock<N>& from, std::size_t from_lane) {
+    copy_bodies(to, lane, from, from_lane);
+    take_row(to.write_b, lane, from.write_b, from_lane);
+    take_rows(to.inertia_a, lane, from.inertia_a, from_lane);
+    take_rows(to.inertia_b, lane, from.inertia_b, from_lane);
+    if constexpr (N > 1) {
+        for (std::size_t i = 0; i < N; ++i) take_rows(to.arm[i], lane, from.arm[i], from_lane);
+        take_rows(to.share, lane, from.share, from_lane);
+    }
+    take_rows(to.effective_mass, lane, from.effective_mass, from_lane);
+    take_rows(to.impulse, lane, from.impulse, from_lane);
+    take_rows(to.separation, lane, from.separation, from_lane);
+    take_rows(to.total_impulse, lane, from.total_impulse, from_lane);
+    take_rows(to.center, lane, from.center, from_lane);
+    take_rows(to.normal, lane, from.normal, from_lane);
+    take_rows(to.d, lane, from.d, from_lane);
+    take_rows(to.tangent, lane, from.tangent, from_lane);
+    take_rows(to.tangent_mass, lane, from.tangent_mass, from_lane);
+    take_row(to.friction, lane, from.friction, from_lane);
+    take_row(to.restitution, lane, from.restitution, from_lane);
+    take_rows(to.total_tangent, lane, from.total_tangent, from_lane);
 }
 
 // Copies lanes of one run of the bin's blocks, by form and group. There are never more blocks than in the bin, so that
@@ -371,10 +433,6 @@ void add_to_references(BinScratch& scratch) {
     }
 }
 
-template <std::size_t N>
-void take_rows(float (&to)[N][8], std::size_t lane, const float (&from)[N][8], std::size_t from_lane) {
-    for (std::size_t i = 0; i < N; ++i) to[i][lane] = from[i][from_lane];
-}
 template <int N>
 void take_totals(ContactBlock<N>& to, std::size_t lane, const ContactBlock<N>& from, std::size_t from_lane) {
     take_rows(to.total_impulse, lane, from.total_impulse, from_lane);

@@ -148,24 +148,16 @@ void set_lane(float (*p)[8], std::size_t lane, const DQuat& q) {
 }
 math::Vec3 get_lane(const float (*p)[8], std::size_t lane) { return {p[0][lane], p[1][lane], p[2][lane]}; }
 
-// What does not move by forces is read, if it moves at all, but not written to.
-void fill_end(const State& s, const BinScratch& scratch, std::int32_t body, std::uint32_t discard, std::uint32_t& reads,
-              std::uint32_t& writes) {
-    reads = std::uint32_t(fixed_row) * row_bytes, writes = discard;
-    if (body == none) return;
+// The row of a joint's end, as an offset. What does not move by forces is read, if it moves at all, but not written to.
+struct JointEnd {
+    std::uint32_t row = std::uint32_t(fixed_row) * row_bytes;
+    bool is_written = false;
+};
+JointEnd joint_end(const State& s, const BinScratch& scratch, std::int32_t body) {
+    if (body == none) return {};
     const BodyType type = s.body_settings[std::size_t(body)].type;
-    if (type == BodyType::static_) return;
-    reads = std::uint32_t(scratch.row_of_body[std::size_t(body)]) * row_bytes;
-    if (type == BodyType::dynamic) writes = reads;
-}
-
-template <class Block>
-void fill_ends(const State& s, const BinScratch& scratch, Block& b, std::size_t lane, const JointInfo& joint,
-               std::uint32_t discard) {
-    std::uint32_t write_a = 0, write_b = 0;
-    fill_end(s, scratch, joint.body_a, discard, b.a[lane], write_a);
-    fill_end(s, scratch, joint.body_b, discard, b.b[lane], write_b);
-    if (b.redirects) b.rest.write_a[lane] = write_a, b.rest.write_b[lane] = write_b;
+    if (type == BodyType::static_) return {};
+    return {std::uint32_t(scratch.row_of_body[std::size_t(body)]) * row_bytes, type == BodyType::dynamic};
 }
 
 // Whether anything but the point of a joint gives it a torque: else what it has of those is never touched.
@@ -181,11 +173,13 @@ void prefetch_joint(const State& s, std::uint32_t joint) {
 // Where a joint is at the start of the step, for all of its rows.
 struct PlacedJoint {
     const JointInfo& info;
+    JointEnd a, b;
     JointPlacement p; // where frames are not needed, only the anchors
     DQuat turn;
 };
-PlacedJoint placed(const State& s, std::uint32_t joint, bool with_frames) {
-    PlacedJoint r{s.joints[joint], {}, {}};
+PlacedJoint placed(const State& s, const BinScratch& scratch, std::uint32_t joint, bool with_frames) {
+    PlacedJoint r{s.joints[joint], {}, {}, {}, {}};
+    r.a = joint_end(s, scratch, r.info.body_a), r.b = joint_end(s, scratch, r.info.body_b);
     if (with_frames) {
         r.p = place_joint(s, r.info);
         r.turn = turn_of(r.p);
@@ -193,6 +187,13 @@ PlacedJoint placed(const State& s, std::uint32_t joint, bool with_frames) {
         static_cast<JointAnchors&>(r.p) = place_anchors(s, r.info);
     }
     return r;
+}
+
+template <class Block> void fill_ends(const PlacedJoint& joint, Block& b, std::size_t lane, std::uint32_t discard) {
+    b.a[lane] = joint.a.row, b.b[lane] = joint.b.row;
+    if (!b.redirects) return;
+    b.rest.write_a[lane] = joint.a.is_written ? joint.a.row : discard;
+    b.rest.write_b[lane] = joint.b.is_written ? joint.b.row : discard;
 }
 
 bool needs_frames(const State& s, const JointRow& row) {
@@ -434,14 +435,14 @@ void fill_joint_blocks(State& s, BinScratch& scratch, Crew* crew, float h) {
             bool with_frames = false;
             for (std::uint32_t i = layout.first_row[k]; i < layout.first_row[k + 1]; ++i)
                 with_frames = with_frames || needs_frames(s, layout.rows[i]);
-            const PlacedJoint joint = placed(s, layout.joints[k], with_frames);
+            const PlacedJoint joint = placed(s, scratch, layout.joints[k], with_frames);
             for (std::uint32_t i = layout.first_row[k]; i < layout.first_row[k + 1]; ++i) {
                 const JointRow& row = layout.rows[i];
                 if (row.idle) continue;
                 const std::uint32_t block = row.lane / 8, lane = row.lane % 8;
                 const std::uint32_t discard = (std::uint32_t(first_discard[std::size_t(row.type)]) + block) * row_bytes;
                 for_blocks_of(scratch, row.type, [&](auto& blocks) {
-                    fill_ends(s, scratch, blocks[block], lane, joint.info, discard);
+                    fill_ends(joint, blocks[block], lane, discard);
                     fill_lane(s, row, joint, blocks[block], lane, h);
                 });
             }

@@ -41,9 +41,9 @@ inline bool is_near(const State& s, const ContactInfo& c) {
     return c.tested_at >= s.strayed_at[std::size_t(c.body_a)] && c.tested_at >= s.strayed_at[std::size_t(c.body_b)];
 }
 
-// The pair was found so far apart that it cannot come near in this pass.
+// The pair was found so far apart that it cannot come near in this pass. (`until` is 0 if it was not: no way is less.)
 inline bool stays_apart(const State& s, const ApartPair& pair) {
-    return pair.until > 0 && s.ahead[std::size_t(pair.body_a)] + s.ahead[std::size_t(pair.body_b)] < pair.until;
+    return s.ahead[std::size_t(pair.body_a)] + s.ahead[std::size_t(pair.body_b)] < pair.until;
 }
 
 // Adds to the way of a body how far it is from its resting pose, which then is the pose it has. update_resting does so
