@@ -1,6 +1,7 @@
 // Packing islands into bins and sorting their contacts.
 #include "core/cache.h"
 #include "dynamics/coloring.h"
+#include "dynamics/joints.h"
 #include "dynamics/solver.h"
 
 #include <algorithm>
@@ -80,7 +81,10 @@ void pack_bins(State& s, float dt) {
     scratch.open_bins.assign(2 * (std::size_t(most_substeps) + 1), none);
     for (const std::int32_t i : s.awake_islands) {
         Island& island = s.islands[std::size_t(i)];
-        island.substeps = island_substeps(s, island, scratch.contacts_of_island[std::size_t(i)]);
+        const std::int32_t own_contacts = scratch.contacts_of_island[std::size_t(i)];
+        island.flies = flies(s, island, own_contacts);
+        island.flight += island.flies;
+        island.substeps = island_substeps(s, island, own_contacts);
         std::int32_t& open = scratch.open_bins[2 * std::size_t(island.substeps) + (island.joint_substeps > 0)];
         if (open == none) {
             open = std::int32_t(scratch.bins.size());
@@ -90,8 +94,8 @@ void pack_bins(State& s, float dt) {
         scratch.bin_of_island[std::size_t(i)] = open;
         ++bin.island_count;
         bin.body_count += island.body_count;
-        bin.contact_count += scratch.contacts_of_island[std::size_t(i)];
-        bin.joint_count += island.joint_count;
+        bin.contact_count += own_contacts;
+        bin.joint_count += solved_joints(island);
         if (bin.contact_count + bin.joint_count >= bin_contacts || bin.body_count >= bin_bodies) open = none;
     }
 

@@ -139,6 +139,7 @@ void update_proxies(State& s, std::int32_t b) {
     s.left_at[std::size_t(b)] = s.strayed_at[std::size_t(b)] = s.passes + 1;
     if (s.body_settings[std::size_t(b)].type == BodyType::static_) count_way(s, b);
     forget_slack(s, b);
+    end_flight(s, b);
     place_shapes(s, b);
     sweep_proxies(s, b);
 }

@@ -19,6 +19,8 @@ namespace {
 // held by friction, but the energy of a free top depends on it.
 constexpr double least_turn_free = 1e-6, least_turn_in_contact = 1e-5;
 
+constexpr double most_even_turn = 0.25; // rad
+
 constexpr int rows_per_chunk = 256, spin_blocks_per_chunk = 4; // for threads
 
 struct Increment {
@@ -134,12 +136,6 @@ Increment linear_increment(const State& s, const Load& load, DVec3 x, DVec3 v, d
     const DVec3 a4 = acceleration(x + h * v + (h * h / 2) * a2);
     const DVec3 dv = (h / 6) * (a1 + 2.0 * a2 + 2.0 * a3 + a4);
     return {dv, (h / 6) * (a1 + a2 + a3) - dv};
-}
-
-bool any_field(const State& s) {
-    for (std::uint32_t i = 0; i < s.fields.size(); ++i)
-        if (s.field_slots.is_live(i)) return true;
-    return false;
 }
 
 bool fields_vary(const State& s) {
@@ -304,6 +300,12 @@ void prepare_damping(const State& s, BinScratch& scratch, float h) {
 }
 
 } // namespace
+
+bool any_field(const State& s) {
+    for (std::uint32_t i = 0; i < s.fields.size(); ++i)
+        if (s.field_slots.is_live(i)) return true;
+    return false;
+}
 
 DVec3 field_acceleration(const State& s, DVec3 x, float gravity_scale, double inverse_mass) {
     const auto& g = s.settings.gravity;
@@ -487,6 +489,9 @@ std::uint64_t move_free_body(State& s, std::int32_t b, float dt) {
         return cut(u, most);
     };
     const bool force_varies = fields_vary(s);
+    // About one axis: by one rotation, where its series holds to rounding.
+    const bool turns_evenly = !(angular < 1) && !s.is_pushed(b) && !precesses(mass, w, h, least_turn_free) &&
+                              double(dt) * double(dt) * math::dot(w, w) < most_even_turn * most_even_turn;
     Increment change = linear_increment(s, load, x, v, h);
     for (int substep = 0; substep < substeps; ++substep) {
         if (mass.inverse_mass > 0) {
@@ -494,12 +499,14 @@ std::uint64_t move_free_body(State& s, std::int32_t b, float dt) {
             v = limited(linear * (v + cut(change.velocity, most_v)), most_v);
             x += h * (v + cut(change.correction, most_v));
         }
+        if (turns_evenly) continue;
         const Increment turn = precesses(mass, w, h, least_turn_free)
                                    ? gyroscopic_increment(s, spin, q, w, spin.to_world(q, spin.moments, w), torque, h)
                                    : torque_increment(s, b, spin, q, h);
         w = limited(angular * (w + cut(turn.velocity, most_w)), most_w);
         q = turned_by(h * (w + cut(turn.correction, most_w)), q);
     }
+    if (turns_evenly) q = turned_by(double(dt) * w, q);
     clamped_speeds += clamped;
     if (!(math::is_finite(x) && math::is_finite(q) && math::is_finite(v) && math::is_finite(w))) {
         ++clamped_speeds; // beyond the range of numbers: it stops where it is

@@ -80,6 +80,7 @@ void activate_joint(State& s, std::uint32_t index) {
     else
         wake_body(s, owner);
     ++s.islands[std::size_t(s.bodies[std::size_t(owner)].island)].joint_count;
+    end_flight(s, owner);
 }
 
 void deactivate_joint(State& s, std::uint32_t index) {

@@ -45,10 +45,21 @@ void store_joints(State& state, BinScratch& scratch, float dt);
 // `rests`: of a heap that does.
 JointSoftness joint_softness(float h, bool rests);
 
+// --- what falls side by side (flight.cpp)
+
+// After a pass in which the joints of an island were solved: whether they bore anything.
+void note_flight(const State& state, Island& island, const std::uint32_t* joints);
+inline std::int32_t solved_joints(const Island& island) { return island.flies ? 0 : island.joint_count; }
+// Whether an island with so many contacts can do without its joints in this pass.
+bool flies(const State& state, const Island& island, std::int32_t contacts);
+// A joint in the island of that body has changed, or what it holds has been put elsewhere.
+void end_flight(State& state, std::int32_t body);
+
 // --- limits that are out of reach (joint_idle.cpp)
 
-// Whether that is looked for: of mere limits of an angle.
-bool may_be_out_of_reach(const JointLocks& locks, const JointAxes& axes, const JointAxisRule& rule);
+// By how much the position of an axis changes, at most, by the angle that the bodies turn by against each other. Of
+// mere limits of an angle; 0: of all else, that is not looked at.
+float reach_by_turn(const JointLocks& locks, const JointAxes& axes, const JointAxisRule& rule);
 // Once in a pass. True if other rows than before are left out of the solver.
 bool update_idle_rows(State& state, JointLayout& layout, Crew* crew, float dt);
 // The body has been put elsewhere.

@@ -51,6 +51,7 @@ std::uint8_t row_traits(const State& state, std::int32_t body);
 // A body that nothing touches: a whole step, in double. What the rounding of its velocities leaves over is kept.
 // Returns how often a speed was cut.
 std::uint64_t move_free_body(State& state, std::int32_t body, float dt);
+bool any_field(const State& state);
 // Gravity and fields at a point, m/s^2 (for a body of that mass and gravity scale).
 math::DVec3 field_acceleration(const State& state, math::DVec3 x, float gravity_scale, double inverse_mass);
 

@@ -87,7 +87,8 @@ void note_joint_loads(State& s, const Bin& bin, const JointLayout& layout) {
     auto joint = layout.joints.begin(); // they lie in the order of the islands
     for (std::int32_t k = 0; k < bin.island_count; ++k) {
         Island& island = s.islands[std::size_t(s.solver.bin_islands[std::size_t(bin.first_island + k)])];
-        if (island.joint_count == 0) continue;
+        if (solved_joints(island) == 0) continue;
+        note_flight(s, island, &*joint);
         bool any_direct = false; // what they bear says nothing about the others
         double sum = 0;
         for (const auto end = joint + island.joint_count; joint != end; ++joint) {
@@ -102,7 +103,7 @@ void note_joint_loads(State& s, const Bin& bin, const JointLayout& layout) {
 
 int island_substeps(const State& s, Island& island, std::int32_t contacts) {
     int base = s.settings.substeps;
-    if (s.settings.adaptive_substeps && island.joint_count > 0)
+    if (s.settings.adaptive_substeps && solved_joints(island) > 0)
         base = std::max(base, substeps_of_joints(island, contacts));
     else
         island.joint_substeps = 0;
