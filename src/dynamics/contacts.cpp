@@ -10,6 +10,7 @@
 #include "dynamics/solver.h"
 
 #include <algorithm>
+#include <atomic>
 
 namespace cairn {
 
@@ -193,7 +194,7 @@ void move_contacts(State& s, int begin, int end) {
     for (std::size_t i = std::size_t(begin); i < std::size_t(end); ++i) {
         if (i + 2 * contacts_ahead < count) ask_cache(&s.contacts[contact_at(i + 2 * contacts_ahead)]);
         if (i + contacts_ahead < count) prefetch_move(s, contact_at(i + contacts_ahead));
-        for (int n = 0; n < patches_at_hand; ++n)
+        for (int n = 0; n < patches_at_hand && s.narrow.any_groups; ++n)
             if (i + patch_ahead(n) < count) prefetch_patch(s, contact_at(i + patch_ahead(n)), n, true);
         const std::uint32_t id = contact_at(i);
         for_each_patch(s, id, [&](std::uint32_t contact) {
@@ -294,12 +295,37 @@ bool is_found(const State& s, const ContactInfo& c) {
 std::uint8_t before_test(const State& s, const ContactInfo& c) {
     if (!c.b_moves && !s.is_awake(c.body_a) && !moves(s, c.body_b)) return c.point_count > 0 ? skipped : apart;
     if (!is_tested(s, c)) {
-        const bool is_moved = (c.kind >= PairKind::box_capsule && !c.is_trigger && is_near(s, c)) || is_found(s, c);
+        const bool is_moved = (c.kind >= PairKind::capsule_capsule && !c.is_trigger && is_near(s, c)) || is_found(s, c);
         if (!is_moved) return std::uint8_t(to_test + int(c.kind));
         return c.point_count > 0 ? to_move : apart;
     }
     if (c.is_trigger) return apart;
     return c.point_count > 0 ? goes_on : apart;
+}
+
+// What stays apart, as most do, shows without the contact. Without a branch: none could guess. (Outcomes are bytes,
+// which may be anything for the compiler: it would look up the arrays anew after each.)
+void list_open_pairs(State& s) {
+    NarrowScratch& scratch = s.narrow;
+    const std::uint32_t* const candidates = scratch.candidates.data();
+    const ApartPair* const pairs = s.apart_pairs.data();
+    const double* const ahead = s.ahead.data();
+    std::uint8_t* const outcomes = scratch.outcomes.data();
+    s.crew->for_chunks(int(scratch.candidates.size()), pairs_per_chunk, [=](int begin, int end, int) {
+        static_assert(apart == 0);
+        for (int k = begin; k < end; ++k) {
+            ask_cache(&pairs[candidates[std::min(k + 2 * int(contacts_ahead), end - 1)]]);
+            outcomes[k] = std::uint8_t(to_test * int(!stays_apart(ahead, pairs[candidates[k]])));
+        }
+    });
+    scratch.open.resize(scratch.candidates.size());
+    std::uint32_t* const open = scratch.open.data();
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < scratch.candidates.size(); ++k) {
+        open[count] = std::uint32_t(k);
+        count += outcomes[k] != apart;
+    }
+    scratch.open.resize(count);
 }
 
 // Sorts the pairs that may have moved into the lists of their kinds.
@@ -309,29 +335,22 @@ void list_pairs(State& s) {
     s.broad_phase.for_each_pair(
         [&](std::uint32_t, std::uint32_t, std::uint32_t id) { scratch.candidates.push_back(id); });
     scratch.outcomes.resize(scratch.candidates.size());
-    // What stays apart, as most do, shows without the contact. Without a branch: none could guess.
-    s.crew->for_chunks(int(scratch.candidates.size()), pairs_per_chunk, [&](int begin, int end, int) {
-        for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
-            if (k + 2 * contacts_ahead < std::size_t(end))
-                ask_cache(&s.apart_pairs[scratch.candidates[k + 2 * contacts_ahead]]);
-            scratch.outcomes[k] = stays_apart(s, s.apart_pairs[scratch.candidates[k]]) ? apart : to_test;
-        }
-    });
-    scratch.open.resize(scratch.candidates.size());
-    std::size_t open = 0;
-    for (std::size_t k = 0; k < scratch.candidates.size(); ++k) {
-        scratch.open[open] = std::uint32_t(k);
-        open += scratch.outcomes[k] != apart;
-    }
-    scratch.open.resize(open);
+    list_open_pairs(s);
+    const std::size_t open = scratch.open.size();
+    std::atomic<bool> any_groups = false;
     s.crew->for_chunks(int(open), pairs_per_chunk, [&](int begin, int end, int) {
+        bool any = false;
         for (std::size_t i = std::size_t(begin); i < std::size_t(end); ++i) {
             if (i + contacts_ahead < std::size_t(end))
                 ask_cache(&s.contacts[scratch.candidates[scratch.open[i + contacts_ahead]]]);
             const std::uint32_t k = scratch.open[i];
-            scratch.outcomes[k] = before_test(s, s.contacts[scratch.candidates[k]]);
+            const ContactInfo& c = s.contacts[scratch.candidates[k]];
+            any |= is_group(c);
+            scratch.outcomes[k] = before_test(s, c);
         }
+        if (any) any_groups = true;
     });
+    scratch.any_groups = any_groups;
     for (auto& list : scratch.lists) list.clear();
     scratch.to_move.clear();
     for (const std::uint32_t k : scratch.open) {
@@ -351,7 +370,8 @@ void list_pairs(State& s) {
 float contact_margin(const State& s, const ContactInfo& c, float dt) {
     if (c.is_trigger) return 0;
     const BodyMotion &a = s.motion[std::size_t(c.body_a)], &b = s.motion[std::size_t(c.body_b)];
-    return c.base_margin + dt * math::length(b.v - a.v) + (turn_reach(s, c.body_a, dt) + turn_reach(s, c.body_b, dt));
+    return c.base_margin + dt * math::length(b.v - a.v) +
+           (s.narrow.turn_reach[std::size_t(c.body_a)] + s.narrow.turn_reach[std::size_t(c.body_b)]);
 }
 
 // Such contacts would have nothing to do in the solver: they are up to half of all while a heap lands.
@@ -461,7 +481,7 @@ void update_contacts(State& s, float dt) {
     for (std::size_t i = 0; i < open.size(); ++i) {
         if (i + contacts_ahead < open.size() && s.narrow.outcomes[open[i + contacts_ahead]] != apart)
             ask_cache(&s.contacts[s.narrow.candidates[open[i + contacts_ahead]]]);
-        for (int n = 0; n < patches_at_hand; ++n)
+        for (int n = 0; n < patches_at_hand && s.narrow.any_groups; ++n)
             if (const std::size_t at = i + patch_ahead(n); at < open.size() && s.narrow.outcomes[open[at]] != apart)
                 prefetch_patch(s, s.narrow.candidates[open[at]], n, false);
         const std::uint32_t k = open[i], id = s.narrow.candidates[k];

@@ -16,9 +16,9 @@ constexpr int joints_per_chunk = 128; // for threads
 // How far bodies may turn against each other in a pass: more than their angular velocities at its start say, rad; and
 // what flies at something is turned by the impact, by a share of its speed over its radius. Who is hit harder gets
 // beyond the limit by a little, and is brought back in the next pass.
-constexpr float more_turn = 1.5f, least_reach = 0.1f, impact_share = 0.25f;
+constexpr float more_turn = 1.5f, least_reach = 0.03f, impact_share = 0.25f;
 // A row that has been at work is left out only where there is some more room, so that rows do not come and go.
-constexpr float more_room = 0.05f;
+constexpr float more_room = 0.02f;
 // A twist is counted on from the last known one, which must be less than half a turn away.
 constexpr float most_slack = 2.0f;
 // Of a swing, rad: the twist of what swings by that changes by less than twice the angle that bodies turn by, 1 / cos
@@ -56,10 +56,8 @@ float turning_speed(const State& s, const JointInfo& joint) {
 void prefetch(const State& s, std::uint32_t joint) {
     ask_cache(&s.joints[joint]);
     const JointAxes& axes = s.joint_axes[joint];
-    ask_cache(&axes.rules[0]);
-    ask_cache(&axes.rules[1]);
-    ask_cache(&axes.rules[2]);
     ask_cache(&axes.states[0]);
+    ask_cache(&axes.states[most_joint_axes - 1]);
 }
 
 // Whether the row need not be solved; keeps its slack.
@@ -89,9 +87,9 @@ float change_by_turn(const JointLocks& locks, const JointAxes& axes, const Joint
 
 } // namespace
 
-bool may_be_out_of_reach(const JointLocks& locks, const JointAxes& axes, const JointAxisRule& rule) {
+float reach_by_turn(const JointLocks& locks, const JointAxes& axes, const JointAxisRule& rule) {
     const bool has_more = rule.has_drive || rule.friction > 0 || rule.is_equation;
-    return rule.has_limits && !has_more && change_by_turn(locks, axes, rule) > 0;
+    return rule.has_limits && !has_more ? change_by_turn(locks, axes, rule) : 0;
 }
 
 bool update_idle_rows(State& s, JointLayout& layout, Crew* crew, float dt) {
@@ -104,12 +102,11 @@ bool update_idle_rows(State& s, JointLayout& layout, Crew* crew, float dt) {
             float turned = -1, speed = 0;
             for (std::uint32_t i = layout.first_row[k]; i < layout.first_row[k + 1]; ++i) {
                 JointRow& row = layout.rows[i];
-                if (!row.may_idle) continue;
+                if (row.reach_by_turn == 0) continue;
                 if (turned < 0) turned = turned_against_each_other(s, joint), speed = turning_speed(s, joint);
                 JointAxes& axes = s.joint_axes[row.joint];
-                const JointAxisRule& rule = axes.rules[row.axis];
-                const bool idle = is_out_of_reach(rule, axes.states[row.axis], change_by_turn(joint.rules, axes, rule),
-                                                  turned, speed, dt);
+                const bool idle =
+                    is_out_of_reach(axes.rules[row.axis], axes.states[row.axis], row.reach_by_turn, turned, speed, dt);
                 changed |= idle != bool(row.idle);
                 row.idle = idle;
             }

@@ -69,7 +69,7 @@ void collect_joint(const State& s, std::uint32_t joint, JointLayout& layout) {
         row.has_soft_limits = rule.has_limits && !rule.rigid_limit;
         row.has_drive = rule.has_drive != 0;
         row.has_friction = rule.friction > 0;
-        row.may_idle = may_be_out_of_reach(rules, s.joint_axes[joint], rule);
+        row.reach_by_turn = reach_by_turn(rules, s.joint_axes[joint], rule);
     }
     if (is_direct) return;
     if (rules.turn != JointLock::none) add(turn_phase, std::uint32_t(rules.turn), JointRowType::turn, 0);

@@ -70,9 +70,10 @@ void update_resting(State& s, float dt) {
         s.strayed_at[std::size_t(b)] = pass;
     };
     const auto look_ahead = [&](std::int32_t b) {
-        s.ahead[std::size_t(b)] =
-            s.way[std::size_t(b)] + double(dt * math::length(s.motion[std::size_t(b)].v) + turn_reach(s, b, dt));
+        const float reach = s.narrow.turn_reach[std::size_t(b)] = turn_reach(s, b, dt);
+        s.ahead[std::size_t(b)] = s.way[std::size_t(b)] + double(dt * math::length(s.motion[std::size_t(b)].v) + reach);
     };
+    s.narrow.turn_reach.assign(s.bodies.size(), 0); // of what does not move
     const bool is_first = s.passes == s.first_pass; // what whirls is asked once a step
     if (is_first) {
         for (const std::int32_t b : s.narrow.whirling) s.narrow.whirls[std::size_t(b)] = 0;

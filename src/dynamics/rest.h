@@ -42,8 +42,9 @@ inline bool is_near(const State& s, const ContactInfo& c) {
 }
 
 // The pair was found so far apart that it cannot come near in this pass. (`until` is 0 if it was not: no way is less.)
-inline bool stays_apart(const State& s, const ApartPair& pair) {
-    return s.ahead[std::size_t(pair.body_a)] + s.ahead[std::size_t(pair.body_b)] < pair.until;
+// `ahead`: State::ahead.
+inline bool stays_apart(const double* ahead, const ApartPair& pair) {
+    return ahead[pair.body_a] + ahead[pair.body_b] < pair.until;
 }
 
 // Adds to the way of a body how far it is from its resting pose, which then is the pose it has. update_resting does so

@@ -52,12 +52,14 @@ struct NarrowScratch {
     std::vector<NarrowBatch> at_work;         // one per thread
     std::vector<std::int32_t> awake;          // bodies
     std::vector<std::int32_t> whirling;       // bodies that turn far in a step and have unequal moments of inertia
+    std::vector<float> turn_reach;            // by body, m: bodies.h
     std::vector<std::uint8_t> whirls;         // by body: whether it is one of them
     std::vector<std::uint32_t> skipped;       // contacts of sleeping bodies with kinematic ones at rest
     std::vector<std::uint8_t> changes;        // by contact, of those that were solved: began or ceased to touch
     std::vector<std::uint32_t> candidates;    // contacts of all pairs, those of neighbors near each other
     std::vector<std::uint8_t> outcomes;       // of each: what is to be done, what has come out (contacts.h)
     std::vector<std::uint32_t> open;          // places among the candidates of those not known to stay apart
+    bool any_groups = false;                  // among those
     std::vector<std::uint8_t> patch_outcomes; // by contact, of patches of groups that were tested
     std::vector<FreshPatch> fresh;            // of all threads, by place
     std::size_t next_fresh = 0;               // the first of those that have not been followed up
@@ -136,7 +138,8 @@ struct JointRow {
     std::uint8_t axis : 3 = 0; // which of the joint's
     std::uint8_t has_limits : 1 = 0, has_drive : 1 = 0, has_friction : 1 = 0;
     std::uint8_t has_soft_limits : 1 = 0;
-    std::uint8_t may_idle : 1 = 0, idle : 1 = 0; // mere limits, now out of reach: the row has no lane
+    std::uint8_t idle : 1 = 0; // mere limits, now out of reach: the row has no lane
+    float reach_by_turn = 0;   // 0: never idle (joint_idle.cpp)
 };
 // Blocks that may be solved side by side.
 struct JointRun {
