@@ -355,9 +355,9 @@ void relax(void* blocks, int count, const SolverBodies& bodies, const JointSoftn
 
 // Rigid limits and equations; drives and friction give no impulses.
 void strike(void* blocks, JointImpact* impacts, int count, SolverVelocity* velocity, float inverse_h) {
-    auto* all = static_cast<AxisBlock*>(blocks);
+    auto* given = static_cast<AxisBlock*>(blocks);
     for (int k = 0; k < count; ++k) {
-        AxisBlock& b = all[k];
+        AxisBlock& b = given[k];
         if (!impacts[k].active || !b.has_limits) continue;
         Ends8 e = gather_ends(velocity, b);
         const Jacobianx8 j = load_jacobian(b);
@@ -375,6 +375,7 @@ void strike(void* blocks, JointImpact* impacts, int count, SolverVelocity* veloc
         const f32x8 d = held + ((up - old_up) - (down - old_down));
         store(impacts[k].lower, up);
         store(impacts[k].upper, down);
+        if (all(d == zero())) continue; // out of reach
         store(b.total, load(b.total) + d);
         apply(b, j, d, e);
         scatter_ends(velocity, b, e);
