@@ -1,5 +1,5 @@
-// An impact goes over what joints hold to the struck bodies, and over the contacts of that. A large bin has some dozens
-// of impacts in a step, each of which strikes few of its bodies: so what each row has is found once in a step, and an
+// An impact goes over what joints hold to the struck bodies, and over the contacts of that. A large bin has several
+// impacts in a step, each of which strikes few of its bodies. So what each row has is found once in a step, and an
 // impact looks only at what it strikes.
 #include "dynamics/impact_lists.h"
 
@@ -88,7 +88,7 @@ void begin_lists(const State& s, BinScratch& scratch) {
     if (work.has_components) {
         for (const std::int32_t row : work.rows) work.group[std::size_t(row)] = none;
         for (const std::int32_t component : work.struck) work.is_struck[std::size_t(component)] = 0;
-        for (const std::int32_t component : work.measured) work.speed[std::size_t(component)] = unknown_speed;
+        for (const std::int32_t row : work.measured) work.speed[std::size_t(row)] = unknown_speed;
     } else {
         find_components(s, scratch);
         find_sides(scratch.one_lanes, scratch.row_count(), work.one_sides_of);
@@ -140,21 +140,28 @@ void list_joints(BinScratch& scratch, std::int32_t row) {
     });
 }
 
-// Of the fastest body of a component, or of what no force moves.
-float speed_of(BinScratch& scratch, std::int32_t row) {
+float square_speed(const BinScratch& scratch, std::size_t row) {
+    const math::Vec3 v = math::to_vec(scratch.velocity[row].v);
+    return math::dot(v, v);
+}
+float measured_speed(BinScratch& scratch, std::int32_t holder) {
     ImpactWork& work = scratch.impact;
-    const auto square = [&](std::size_t of) {
-        const math::Vec3 v = math::to_vec(scratch.velocity[of].v);
-        return math::dot(v, v);
-    };
-    const std::int32_t component = work.component[std::size_t(row)];
-    if (component == fixed_row) return std::sqrt(std::max(0.0f, square(std::size_t(row))));
-    float& speed = work.speed[std::size_t(component)];
-    if (speed != unknown_speed) return speed;
+    work.measured.push_back(holder);
     float greatest = 0;
-    work.rows_of.for_each(component, [&](std::size_t of) { greatest = std::max(greatest, square(of)); });
-    work.measured.push_back(component);
-    return speed = std::sqrt(greatest);
+    if (work.component[std::size_t(holder)] == fixed_row)
+        greatest = std::max(greatest, square_speed(scratch, std::size_t(holder)));
+    else
+        work.rows_of.for_each(holder,
+                              [&](std::size_t row) { greatest = std::max(greatest, square_speed(scratch, row)); });
+    return std::sqrt(greatest);
+}
+// Of the fastest body of its component, or of what no force moves.
+float speed_of(BinScratch& scratch, std::int32_t row) {
+    const std::int32_t component = scratch.impact.component[std::size_t(row)];
+    const std::int32_t holder = component == fixed_row ? row : component;
+    float& speed = scratch.impact.speed[std::size_t(holder)];
+    if (speed == unknown_speed) speed = measured_speed(scratch, holder);
+    return speed;
 }
 
 // Contacts are there for what may meet within the whole step; in this substep they close at that speed only.
@@ -208,14 +215,15 @@ void put_together(std::vector<Part>& parts, std::vector<Item>& items, std::vecto
 // for itself.
 void find_groups(BinScratch& scratch) {
     ImpactWork& work = scratch.impact;
-    const auto place_of = [&](std::int32_t row) -> std::int32_t& {
-        return work.place_of[std::size_t(root_of(work.group, row))];
-    };
-    for (const std::int32_t row : work.rows)
-        if (std::int32_t& place = place_of(row); place == none) {
+    for (const std::int32_t row : work.rows) {
+        std::int32_t& place = work.place_of[std::size_t(root_of(work.group, row))];
+        if (place == none) {
             place = std::int32_t(work.groups.size());
             work.groups.push_back({0, 0, false});
         }
+        work.place_of[std::size_t(row)] = place;
+    }
+    const auto place_of = [&](std::int32_t row) { return work.place_of[std::size_t(row)]; };
     put_together(work.groups, work.rows, work.sorted_rows, place_of);
     for (const std::int32_t row : work.rows) work.before.push_back(scratch.velocity[std::size_t(row)]);
     work.last = work.before;

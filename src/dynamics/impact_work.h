@@ -1,5 +1,5 @@
-// An impact that a bin has at work (impacts.cpp). Few lanes of a large bin take part: they are copied into blocks of
-// their own, side by side, as they are gone over many times.
+// An impact that a bin has at work (impacts.cpp, impact_lists.cpp). Few lanes of a large bin take part: they are copied
+// into blocks of their own, side by side, as they are gone over many times.
 #pragma once
 
 #include "kernels/joint_data.h"
@@ -58,11 +58,13 @@ struct ImpactWork {
     RowLists one_sides_of, four_sides_of; // by row: lanes of contacts where it is A, x 2; where it is B, x 2 + 1
     std::array<std::vector<std::uint32_t>, block_types> run_of_block; // its place in `listed_runs`
 
-    // What is known of components in this impact, by component; outside of it all are as at first.
-    std::vector<std::uint8_t> is_struck;
-    std::vector<float> speed;                   // m/s: of its fastest body; negative: not asked for yet
-    std::vector<std::int32_t> struck, measured; // those of which it is known
-    std::vector<std::uint8_t*> struck_lanes;    // ContactBlock::struck of the blocks where it is not 0
+    // What is known of components in this impact; the next one takes it back.
+    std::vector<std::uint8_t> is_struck; // by component
+    std::vector<std::int32_t> struck;    // those of which it is true
+    // m/s: of its fastest body, or by row: of what no force moves; negative where it has not been measured.
+    std::vector<float> speed;
+    std::vector<std::int32_t> measured;      // those where it has
+    std::vector<std::uint8_t*> struck_lanes; // ContactBlock::struck of the blocks where it is not 0
 
     // Rows that contacts and joints of this impact connect.
     struct Group {
