@@ -1,11 +1,10 @@
 #include "dynamics/impacts.h"
 
 #include "dynamics/block_runs.h"
-#include "dynamics/joints.h"
+#include "dynamics/impact_lists.h"
 
 #include <algorithm>
 #include <bit>
-#include <numeric>
 
 namespace cairn {
 
@@ -14,9 +13,6 @@ namespace {
 constexpr int most_passes = 32;
 // m/s, rad/s: a group whose bodies change by less in a pass has settled.
 constexpr SettledChange settled = {0.02f, 0.08f};
-
-// The types of blocks, as in ImpactWork::blocks: first those of joints, by JointRowType.
-constexpr int one_point_type = joint_row_types, four_points_type = joint_row_types + 1;
 
 // Calls f(its blocks in the bin, its struck blocks) for one type of blocks.
 template <class F> void with_type(BinScratch& scratch, int type, F&& f) {
@@ -36,158 +32,6 @@ template <class F> void with_type(BinScratch& scratch, int type, F&& f) {
 }
 template <class F> void for_types(BinScratch& scratch, F&& f) {
     for (int type = 0; type <= four_points_type; ++type) with_type(scratch, type, f);
-}
-
-// --- which bodies and rows take part
-
-std::int32_t root_of(std::vector<std::int32_t>& parent, std::int32_t row) {
-    while (parent[std::size_t(row)] != row) {
-        parent[std::size_t(row)] = parent[std::size_t(parent[std::size_t(row)])];
-        row = parent[std::size_t(row)];
-    }
-    return row;
-}
-void unite(std::vector<std::int32_t>& parent, std::int32_t a, std::int32_t b) {
-    const std::int32_t root_a = root_of(parent, a), root_b = root_of(parent, b);
-    parent[std::size_t(std::max(root_a, root_b))] = std::min(root_a, root_b);
-}
-
-void find_components(const State& s, BinScratch& scratch) {
-    ImpactWork& work = scratch.impact;
-    const JointLayout& layout = *scratch.joint_layout;
-    std::vector<std::int32_t>& component = work.component;
-    component.resize(scratch.row_count());
-    std::iota(component.begin(), component.end(), 0);
-    const auto row_of = [&](std::int32_t body) {
-        return body != none && s.is_dynamic(body) ? scratch.row_of_body[std::size_t(body)] : none;
-    };
-    for (const std::uint32_t joint : layout.joints) {
-        const std::int32_t a = row_of(s.joints[joint].body_a), b = row_of(s.joints[joint].body_b);
-        if (a != none && b != none) unite(component, a, b);
-    }
-    for (std::size_t row = 0; row < component.size(); ++row) {
-        const std::int32_t body = scratch.row_bodies[row];
-        const bool moves = body != none && s.is_dynamic(body);
-        component[row] = moves ? root_of(component, std::int32_t(row)) : fixed_row;
-    }
-    for (std::size_t type = 0; type < joint_row_types; ++type)
-        work.joint_component[type].assign(8 * std::size_t(layout.blocks[type]), fixed_row);
-    for (const JointRow& joint_row : layout.rows) {
-        if (joint_row.idle) continue;
-        const std::int32_t row = row_of(joint_owner(s, s.joints[joint_row.joint]));
-        work.joint_component[std::size_t(joint_row.type)][joint_row.lane] =
-            row == none ? fixed_row : component[std::size_t(row)];
-    }
-    work.has_components = true;
-}
-
-// Both bodies of a struck contact.
-template <class Block> void mark_struck(BinScratch& scratch, const LaneLists& lanes, const std::vector<Block>& blocks) {
-    ImpactWork& work = scratch.impact;
-    for (std::size_t k = 0; k < lanes.record.size() / 8; ++k) {
-        const unsigned struck = blocks[k].struck;
-        for (std::size_t i = 0; struck >> i; ++i) {
-            if (!((struck >> i) & 1) || lanes.record[8 * k + i] == none) continue;
-            for (const std::int32_t row : {lanes.row_a[8 * k + i], lanes.row_b[8 * k + i]})
-                work.is_struck[std::size_t(work.component[std::size_t(row)])] = 1;
-        }
-    }
-    work.is_struck[fixed_row] = 0;
-}
-
-void list_row(ImpactWork& work, std::int32_t row) {
-    if (work.component[std::size_t(row)] == fixed_row || work.is_listed[std::size_t(row)]) return;
-    work.is_listed[std::size_t(row)] = 1;
-    work.rows.push_back(row);
-}
-
-// All that joints hold to what was struck, and how fast its bodies are.
-void list_joints(BinScratch& scratch) {
-    ImpactWork& work = scratch.impact;
-    work.square_speed.assign(scratch.row_count(), 0);
-    for (std::size_t row = 0; row < scratch.row_count(); ++row) {
-        const std::int32_t component = work.component[row];
-        work.is_struck[row] = work.is_struck[std::size_t(component)];
-        const math::Vec3 v = math::to_vec(scratch.velocity[row].v);
-        float& greatest = work.square_speed[component == fixed_row ? row : std::size_t(component)];
-        greatest = std::max(greatest, math::dot(v, v));
-        if (!work.is_struck[row]) continue;
-        work.group[row] = component;
-        list_row(work, std::int32_t(row));
-    }
-    for (const JointRun& run : scratch.joint_layout->runs) {
-        const std::vector<std::int32_t>& components = work.joint_component[std::size_t(run.type)];
-        const std::size_t begin = work.listed.size();
-        for (std::size_t lane = 8 * run.first; lane < 8 * (std::size_t(run.first) + run.count); ++lane)
-            if (work.is_struck[std::size_t(components[lane])])
-                work.listed.push_back({std::uint32_t(lane), components[lane], 0});
-        work.listed_runs.push_back({int(run.type), run.first, begin, work.listed.size()});
-    }
-}
-
-float speed_of(const ImpactWork& work, std::int32_t row) {
-    const std::int32_t component = work.component[std::size_t(row)];
-    return std::sqrt(work.square_speed[std::size_t(component == fixed_row ? row : component)]);
-}
-
-// Contacts are there for what may meet within the whole step; in this substep they close at that speed only.
-template <class Block> float closing_speed(const Block& b, std::size_t lane, float h) {
-    float least = b.separation[0][lane];
-    for (const auto& separation : b.separation) least = std::min(least, separation[lane]);
-    return least / h;
-}
-
-// And all contacts of that which the impact may close.
-template <class Block>
-void list_contacts(BinScratch& scratch, const BlockRun& run, const LaneLists& lanes, std::vector<Block>& blocks,
-                   float h) {
-    ImpactWork& work = scratch.impact;
-    const std::size_t begin = work.listed.size();
-    for (std::size_t lane = 8 * std::size_t(run.first); lane < 8 * std::size_t(run.first + run.count); ++lane) {
-        const std::int32_t a = lanes.row_a[lane], b = lanes.row_b[lane];
-        if (!work.is_struck[std::size_t(a)] && !work.is_struck[std::size_t(b)]) continue;
-        const Block& block = blocks[lane / 8];
-        const bool is_struck = (block.struck >> lane % 8 & 1) != 0;
-        if (!is_struck && closing_speed(block, lane % 8, h) > speed_of(work, a) + speed_of(work, b)) continue;
-        list_row(work, a);
-        list_row(work, b);
-        const bool a_moves = work.component[std::size_t(a)] != fixed_row;
-        if (a_moves && work.component[std::size_t(b)] != fixed_row) unite(work.group, a, b);
-        work.listed.push_back({std::uint32_t(lane), a_moves ? a : b, 0});
-    }
-    for (std::int32_t k = run.first; k < run.first + run.count; ++k) blocks[std::size_t(k)].struck = 0;
-    work.listed_runs.push_back(
-        {run.four_points ? four_points_type : one_point_type, std::uint32_t(run.first), begin, work.listed.size()});
-}
-
-// What contacts or joints that take part do not connect, even over others, cannot strike each other: it settles each
-// for itself. The rows of a group are put side by side.
-void find_groups(BinScratch& scratch) {
-    ImpactWork& work = scratch.impact;
-    work.place_of.assign(scratch.row_count(), none);
-    const auto place_of = [&](std::int32_t row) -> std::int32_t& {
-        return work.place_of[std::size_t(root_of(work.group, row))];
-    };
-    for (const std::int32_t row : work.rows) {
-        std::int32_t& place = place_of(row);
-        if (place == none) {
-            place = std::int32_t(work.groups.size());
-            work.groups.push_back({0, 0, false});
-        }
-        ++work.groups[std::size_t(place)].end;
-    }
-    std::size_t begin = 0;
-    for (ImpactWork::Group& group : work.groups) {
-        const std::size_t count = group.end;
-        group.begin = group.end = begin;
-        begin += count;
-    }
-    work.sorted_rows.resize(work.rows.size());
-    for (const std::int32_t row : work.rows) work.sorted_rows[work.groups[std::size_t(place_of(row))].end++] = row;
-    work.rows.swap(work.sorted_rows);
-    for (const std::int32_t row : work.rows) work.before.push_back(scratch.velocity[std::size_t(row)]);
-    work.last = work.before;
-    for (ImpactWork::ListedLane& lane : work.listed) lane.group = place_of(lane.group);
 }
 
 // --- blocks of their own
@@ -323,8 +167,7 @@ void copy_run(BinScratch& scratch, const ImpactWork::ListedRun& run, const std::
         to.lanes[8 * (to.blocks.size() - 1) + used] = {lane->source, lane->group};
         to.impacts.back().active = std::uint8_t(to.impacts.back().active | 1u << used);
     }
-    const std::size_t count = to.blocks.size() - first;
-    if (count > 0) work.runs.push_back({run.type, std::uint32_t(first), std::uint32_t(count)});
+    work.runs.push_back({run.type, std::uint32_t(first), std::uint32_t(to.blocks.size() - first)});
 }
 
 void copy_listed(BinScratch& scratch) {
@@ -333,29 +176,16 @@ void copy_listed(BinScratch& scratch) {
     const auto joints = scratch.first_joint_discard_rows();
     const std::int32_t discards[] = {joints[0], joints[1], joints[2], ones, fours};
     for (const ImpactWork::ListedRun& run : scratch.impact.listed_runs) {
+        if (run.begin == run.end) continue;
         const std::int32_t discard = discards[run.type];
         with_type(scratch, run.type, [&](auto& from, auto& to) { copy_run(scratch, run, from, to, discard); });
     }
 }
 
 void begin_impact(const State& s, BinScratch& scratch, float h) {
-    ImpactWork& work = scratch.impact;
-    if (!work.has_components) find_components(s, scratch);
     for_types(scratch, [](auto&, auto& struck) { struck.clear(); });
-    work.runs.clear(), work.groups.clear(), work.rows.clear(), work.before.clear();
-    work.listed.clear(), work.listed_runs.clear();
-    work.is_struck.assign(scratch.row_count(), 0);
-    work.is_listed.assign(scratch.row_count(), 0);
-    work.group.resize(scratch.row_count());
-    std::iota(work.group.begin(), work.group.end(), 0);
-    mark_struck(scratch, scratch.one_lanes, scratch.one_blocks);
-    mark_struck(scratch, scratch.four_lanes, scratch.four_blocks);
-    list_joints(scratch);
-    for (const ColorRun& color : scratch.colors) {
-        list_contacts(scratch, color.four_points, scratch.four_lanes, scratch.four_blocks, h);
-        list_contacts(scratch, color.one_point, scratch.one_lanes, scratch.one_blocks, h);
-    }
-    find_groups(scratch);
+    scratch.impact.runs.clear();
+    list_impact(s, scratch, h);
     copy_listed(scratch);
 }
 
