@@ -18,10 +18,10 @@ inline constexpr std::uint64_t free_tops = 0x7424415fa1add17c;
 inline constexpr std::uint64_t explicit_euler = 0x5175db0019a7b88b;
 inline constexpr std::uint64_t whirl = 0xc155cfa21ea31c4f;
 inline constexpr std::uint64_t changes = 0x1cd45b5b0ed08cce;
-inline constexpr std::uint64_t all_shapes = 0x9b77c7268012873c;
+inline constexpr std::uint64_t all_shapes = 0xbe4181e03aa0a28d;
 inline constexpr std::uint64_t rounded_shapes = 0xfff1ba2a1e355cd7;
 inline constexpr std::uint64_t surfaces = 0x7eaf74e1d69f9b76;
 inline constexpr std::uint64_t all_joints = 0x94accbab7e7e0204;
-inline constexpr std::uint64_t chains = 0x0c4ddc7adf0641fc;
+inline constexpr std::uint64_t chains = 0x7dd17dda5b414ee9;
 
 } // namespace cairn_test::golden

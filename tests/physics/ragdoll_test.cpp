@@ -229,8 +229,12 @@ TEST(Ragdoll, HeapTakesFewerSubstepsOnceItRests) {
         EXPECT_LT(ragdoll.excess(), 0.02);
     }
     heap.emplace_back(world, Position(-3.5, 6, 0), askew, Vec3(0, -50, 0));
-    run(world, 1.0f / 60, 5);
-    EXPECT_GE(world.statistics().max_substeps, 11);
+    int most = 0; // 6 as well for what flies and does not turn
+    for (int i = 0; i < 12; ++i) {
+        world.step(1.0f / 60);
+        most = std::max(most, world.statistics().max_substeps);
+    }
+    EXPECT_GE(most, 11);
     run(world, 1.0f / 60, 60);
     for (const Ragdoll& ragdoll : heap) EXPECT_LT(ragdoll.gap(), 0.01);
 }
