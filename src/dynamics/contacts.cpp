@@ -227,12 +227,7 @@ void prefetch_pair(const State& s, std::uint32_t id) {
         ask_cache(&s.motion[std::size_t(body)].v);
         ask_cache(&s.bodies[std::size_t(body)].radius);
     }
-    if (c.point_count > 0)
-        prefetch_record(s, id);
-    else { // what is kept of those that are apart
-        ask_cache(&s.records[id]);
-        ask_cache(&s.records[id].features);
-    }
+    prefetch_record(s, id); // all of it: another thread may be about to say how many points there are
 }
 
 void prefetch_patch(const State& s, std::uint32_t id, int n, bool with_record) {
