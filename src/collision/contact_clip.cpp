@@ -109,9 +109,8 @@ void polygon_points(const Feature& reference, const Feature& incident, ContactPo
     Frame frame;
     frame.origin = reference.points[0];
     frame.normal = reference.normal;
-    const DVec3 edge = reference.points[1] - reference.points[0];
-    frame.e1 = edge == DVec3{} ? math::to_double(math::any_orthogonal(math::to_float(frame.normal)))
-                               : (1 / math::length(edge)) * edge;
+    frame.e1 = unit_or(reference.points[1] - reference.points[0], {});
+    if (frame.e1 == DVec3{}) frame.e1 = math::to_double(math::any_orthogonal(math::to_float(frame.normal)));
     frame.e2 = math::cross(frame.normal, frame.e1);
     frame.feature = feature_base(reference, incident);
     Polygon face, other;
