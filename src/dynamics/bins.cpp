@@ -37,7 +37,7 @@ void rescale_impulses(ContactInfo& c, ContactRecord& r, float h) {
 void open_bin(SolverScratch& scratch, const Island& island) {
     Bin bin;
     bin.substeps = island.substeps;
-    bin.rests = island.joint_substeps > 0;
+    bin.rests = island.joints_rest != 0;
     scratch.bins.push_back(bin);
 }
 
@@ -85,7 +85,7 @@ void pack_bins(State& s, float dt) {
         island.flies = flies(s, island, own_contacts);
         island.flight += island.flies;
         island.substeps = island_substeps(s, island, own_contacts);
-        std::int32_t& open = scratch.open_bins[2 * std::size_t(island.substeps) + (island.joint_substeps > 0)];
+        std::int32_t& open = scratch.open_bins[2 * std::size_t(island.substeps) + std::size_t(island.joints_rest)];
         if (open == none) {
             open = std::int32_t(scratch.bins.size());
             open_bin(scratch, island);

@@ -93,6 +93,7 @@ float reach_by_turn(const JointLocks& locks, const JointAxes& axes, const JointA
 }
 
 bool update_idle_rows(State& s, JointLayout& layout, Crew* crew, float dt) {
+    if (!layout.may_idle) return false;
     std::atomic<bool> any_changed = false;
     for_chunks(crew, int(layout.joints.size()), joints_per_chunk, [&](int begin, int end, int) {
         bool changed = false;

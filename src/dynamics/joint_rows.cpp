@@ -70,6 +70,7 @@ void collect_joint(const State& s, std::uint32_t joint, JointLayout& layout) {
         row.has_drive = rule.has_drive != 0;
         row.has_friction = rule.friction > 0;
         row.reach_by_turn = reach_by_turn(rules, s.joint_axes[joint], rule);
+        layout.may_idle |= row.reach_by_turn != 0;
     }
     if (is_direct) return;
     if (rules.turn != JointLock::none) add(turn_phase, std::uint32_t(rules.turn), JointRowType::turn, 0);
@@ -163,11 +164,14 @@ JointEnd joint_end(const State& s, const BinScratch& scratch, std::int32_t body)
 // Whether anything but the point of a joint gives it a torque: else what it has of those is never touched.
 bool has_torque(const JointInfo& joint) { return joint.rules.turn != JointLock::none || joint.rules.axis_count > 0; }
 
-// Asks the cache for all of a joint.
-void prefetch_joint(const State& s, std::uint32_t joint) {
+// Asks the cache for what is needed of the joint at that place of the layout: of mere points, the first two lines.
+void prefetch_joint(const State& s, const JointLayout& layout, std::size_t place) {
+    if (place >= layout.joints.size()) return;
+    const std::uint32_t joint = layout.joints[place], first = layout.first_row[place];
+    const bool is_point = layout.first_row[place + 1] == first + 1 && layout.rows[first].type == JointRowType::point;
     const char* const info = reinterpret_cast<const char*>(&s.joints[joint]);
-    for (std::size_t at = 0; at < sizeof(JointInfo); at += 64) ask_cache(info + at);
-    ask_cache(&s.joint_axes[joint].states[0]);
+    for (std::size_t at = 0; at < (is_point ? 128 : sizeof(JointInfo)); at += 64) ask_cache(info + at);
+    if (!is_point) ask_cache(&s.joint_axes[joint].states[0]);
 }
 
 // Where a joint is at the start of the step, for all of its rows.
@@ -394,6 +398,17 @@ void end_joint(State& s, BinScratch& scratch, std::uint32_t index, float rate, b
         scratch.overloaded.push_back(index);
 }
 
+// In m/s^2, by its force and the masses of both bodies.
+float joint_demand(const State& s, const BinScratch& scratch, std::uint32_t index) {
+    const JointInfo& joint = s.joints[index];
+    float inverse_mass = 0;
+    for (const std::int32_t body : {joint.body_a, joint.body_b}) {
+        const std::int32_t row = body == none ? none : scratch.row_of_body[std::size_t(body)];
+        if (row != none) inverse_mass += scratch.inertia[std::size_t(row)].inverse_mass;
+    }
+    return math::length(joint.force) * inverse_mass;
+}
+
 } // namespace
 
 JointSoftness joint_softness(float h, bool rests) {
@@ -413,6 +428,7 @@ void fill_joint_lanes(State& s, const Bin& bin, BinScratch& scratch, Crew* crew,
     } else if (layout.valid_for != s.joint_changes || layout.bodies != scratch.touching_bodies) {
         layout.bodies = scratch.touching_bodies;
         layout.kinematic_bodies.clear(), layout.joints.clear(), layout.first_row.clear(), layout.rows.clear();
+        layout.may_idle = false;
         collect_rows(s, layout);
         layout.valid_for = s.joint_changes;
         is_new = true;
@@ -429,7 +445,7 @@ void fill_joint_blocks(State& s, BinScratch& scratch, Crew* crew, float h) {
     // Joint by joint: neighbors share bodies, and rows go to one block of each color at a time.
     for_chunks(crew, int(layout.joints.size()), joints_per_chunk, [&](int begin, int end, int) {
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
-            if (k + joints_ahead < std::size_t(end)) prefetch_joint(s, layout.joints[k + joints_ahead]);
+            prefetch_joint(s, layout, k + joints_ahead);
             begin_joint(s, layout.joints[k], h);
             if (layout.first_row[k] == layout.first_row[k + 1]) continue;
             bool with_frames = false;
@@ -455,15 +471,19 @@ void store_joints(State& s, BinScratch& scratch, float dt) {
     const JointLayout& layout = *scratch.joint_layout;
     const float rate = 1 / dt;
     const bool may_be_fast = !layout.joints.empty() && any_is_too_fast(s, scratch);
+    scratch.joint_demands.resize(layout.joints.size());
     for (std::size_t k = 0; k < layout.joints.size(); ++k) {
-        if (k + joints_ahead < layout.joints.size()) prefetch_joint(s, layout.joints[k + joints_ahead]);
+        prefetch_joint(s, layout, k + joints_ahead);
         for (std::uint32_t i = layout.first_row[k]; i < layout.first_row[k + 1]; ++i) {
             const JointRow& row = layout.rows[i];
             if (row.idle) continue;
             for_blocks_of(scratch, row.type,
                           [&](auto& blocks) { take_lane(s, row, blocks[row.lane / 8], row.lane % 8); });
         }
-        if (s.direct.set_of_joint[layout.joints[k]] == none) end_joint(s, scratch, layout.joints[k], rate, may_be_fast);
+        scratch.joint_demands[k] = unknown_demand;
+        if (s.direct.set_of_joint[layout.joints[k]] != none) continue; // ended below
+        end_joint(s, scratch, layout.joints[k], rate, may_be_fast);
+        scratch.joint_demands[k] = joint_demand(s, scratch, layout.joints[k]);
     }
     store_direct_rows(s, scratch);
     for (const DirectSolve& solve : scratch.direct.sets)

@@ -182,7 +182,7 @@ void solve_bin(State& s, const Bin& bin, BinScratch& scratch, Crew* crew, float 
                     s.solver.reports.data());
         });
         store_joints(s, scratch, dt);
-        if (bin.joint_count > 0) note_joint_loads(s, bin, *scratch.joint_layout);
+        if (bin.joint_count > 0) note_joint_loads(s, bin, scratch);
         scratch.solve_ms += milliseconds_since(start) - prepare_ms;
     }
     empty_bin(s, scratch, crew, dt);

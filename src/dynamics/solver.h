@@ -60,7 +60,7 @@ inline constexpr int most_substeps = 256;
 // Substeps of an island with so many contacts in this pass, by what it carried in the last steps (substeps.cpp).
 int island_substeps(const State& state, Island& island, std::int32_t contacts);
 // After a step: takes note of what the joints of the bin's islands bore.
-void note_joint_loads(State& state, const Bin& bin, const JointLayout& layout);
+void note_joint_loads(State& state, const Bin& bin, const BinScratch& scratch);
 // What a contact that begins may have to carry: the weight of the body above. Normal from A to B.
 float first_load(const State& state, const ContactInfo& contact, math::Vec3 normal);
 // After a step: the normal force that a contact carried, and the sum of the inverse masses that bore it. Others may be

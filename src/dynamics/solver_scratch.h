@@ -157,6 +157,7 @@ struct JointLayout {
     std::vector<std::uint32_t> joints;           // of the bin
     std::vector<std::uint32_t> first_row;        // of each of them, and one more: the end
     std::vector<JointRow> rows;
+    bool may_idle = false; // any of them
     std::array<std::uint32_t, joint_row_types> blocks = {}; // how many, by JointRowType
     std::vector<JointRun> runs;
 };
@@ -194,6 +195,7 @@ struct BinScratch {
     std::vector<ColorRun> colors;
     const JointLayout* joint_layout = nullptr;
     std::vector<std::uint32_t> joint_key_counts;
+    std::vector<float> joint_demands; // of each joint in the layout: force over mass, m/s^2
     std::vector<PointBlock> point_blocks;
     std::vector<TurnBlock> turn_blocks;
     std::vector<AxisBlock> axis_blocks;

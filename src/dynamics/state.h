@@ -184,7 +184,8 @@ struct Island {
     float greatest_demand = 0;           // m/s^2: load over the reduced mass of the contact that carries it
     float unrest = 0;                    // m/s: mean square of the speeds about that of the whole, its root
     float joint_demand = unknown_demand; // m/s^2: mean square of the joints' forces over the masses, its root
-    std::int32_t joint_substeps = 0;     // that its joints ask for at rest; 0: it is not, or has none
+    std::int32_t joint_substeps = 0;     // that its joints ask for, if they are many
+    std::int32_t joints_rest = 0;        // 1: they are many, in a heap at rest
     float least_quiet_time = 0, greatest_quiet_time = 0;
 };
 

@@ -15,6 +15,7 @@ namespace {
 
 constexpr float substeps_per_demand = 0.95f; // n = this x sqrt(demand in m/s^2) at 60 steps per second
 constexpr float load_gain = 0.25f;           // of the low-pass filter over steps
+constexpr float least_load = 1e-12f;         // N: less is none; numbers that fade away take processors long to add
 constexpr float full_share = 1.0f / 3.0f;    // of the island's weight on one contact: slender
 constexpr float least_share = 0.125f;        // of that: what is squeezed somewhere in a heap is no structure
 constexpr float immovable_stiffness = 4.0f;  // contacts with what does not move are so much stiffer
@@ -25,9 +26,11 @@ constexpr float least_use = 0.5f, least_of_base = 0.8f;
 // m/s: what is tossed about more than that is no structure, and its loads are impacts, however long they last.
 constexpr float most_unrest = 1.0f;
 
-constexpr float substeps_per_joint_demand = 1.0f / 3; // likewise
-constexpr float least_joint_substeps = 6;
-constexpr std::int32_t least_heap_joints = 100;
+constexpr float substeps_per_joint_demand = 1.0f / 3; // likewise, of a heap at rest
+constexpr float least_substeps_at_rest = 6;
+constexpr int few_joint_substeps = 8;                        // of many joints in motion
+constexpr float most_demand = 3000, demand_to_return = 1000; // m/s^2: above they take all, until below that again
+constexpr std::int32_t many_joints = 100;
 constexpr float most_spare_substeps = 1.5f;            // before fewer are taken
 constexpr float rest_begins = 0.25f, rest_ends = 0.5f; // m/s: unrest of a heap that comes to rest, or is stirred up
 
@@ -37,28 +40,30 @@ int rounded_up(float wanted) {
     return (int(std::min(wanted, float(most_adaptive_substeps))) + least - 1) / least * least;
 }
 
-// Of a joint, in m/s^2.
-float joint_demand(const State& s, const JointInfo& joint) {
-    float inverse_mass = 0;
-    for (const std::int32_t body : {joint.body_a, joint.body_b})
-        if (body != none && s.is_dynamic(body)) inverse_mass += s.mass[std::size_t(body)].inverse_mass;
-    return math::length(joint.force) * inverse_mass;
+// Of many joints in motion. The number does not follow what they bear: each change of it changes the gaps of all joints,
+// and a hanging net that bounces was kept bouncing. In a heap they bear impacts, which say nothing.
+int substeps_in_motion(const Island& island, bool is_heap) {
+    const float most = island.joint_substeps == joint_substeps ? demand_to_return : most_demand;
+    return !is_heap && island.joint_demand > most ? joint_substeps : few_joint_substeps;
 }
 
-// Of what swings on its joints more substeps keep the motion true. Of a heap at rest, where each joint has a contact to
-// go with it, they only keep the joints together, and stiffer joints do that as well (joint_softness). (In small ones
-// substeps cost little, and let limbs come to rest sooner.)
-int substeps_of_joints(Island& island, std::int32_t contacts) {
-    const bool rests = island.unrest < (island.joint_substeps > 0 ? rest_ends : rest_begins);
-    if (!rests || island.joint_count < least_heap_joints || contacts < island.joint_count) {
-        island.joint_substeps = 0;
-        return joint_substeps;
-    }
-    const float wanted = std::max(substeps_per_joint_demand * std::sqrt(island.joint_demand), least_joint_substeps);
+// Of many joints in a heap at rest: there stiffer joints keep together what few substeps would not (joint_softness).
+int substeps_at_rest(const Island& island) {
+    const float wanted = std::max(substeps_per_joint_demand * std::sqrt(island.joint_demand), least_substeps_at_rest);
     const float now = float(island.joint_substeps);
-    if (wanted > now || wanted < now - most_spare_substeps)
-        island.joint_substeps = int(std::ceil(std::min(wanted, float(joint_substeps))));
-    return island.joint_substeps;
+    const bool keep = wanted <= now && wanted >= now - most_spare_substeps;
+    return keep ? island.joint_substeps : int(std::ceil(std::min(wanted, float(joint_substeps))));
+}
+
+// Few joints always take the most, which costs little: so what swings on them moves as it should, and limbs come to rest
+// sooner.
+int substeps_of_joints(Island& island, std::int32_t contacts) {
+    const bool is_heap = contacts >= island.joint_count, is_large = island.joint_count >= many_joints;
+    island.joints_rest = is_large && is_heap && island.unrest < (island.joints_rest ? rest_ends : rest_begins);
+    island.joint_substeps = !is_large            ? 0
+                            : island.joints_rest ? substeps_at_rest(island)
+                                                 : substeps_in_motion(island, is_heap);
+    return is_large ? island.joint_substeps : joint_substeps;
 }
 
 } // namespace
@@ -75,6 +80,7 @@ void note_load(Island& island, ContactInfo& c, float force, float inverse_mass) 
     // The lesser of two steps: impacts last one step, loads stay. Of what is tossed about, they only fall.
     const float most = island.unrest > most_unrest ? c.load : force;
     c.load += load_gain * (std::min({force, c.force, most}) - c.load);
+    if (c.load < least_load) c.load = 0;
     c.force = force;
     // More than the weight of all comes from being squeezed between immovable things: no stiffness helps there.
     const float load = std::min(c.load, most_of_weight * island.weight);
@@ -83,17 +89,17 @@ void note_load(Island& island, ContactInfo& c, float force, float inverse_mass) 
     raise(island.greatest_demand, load * (inverse_mass / stiffness));
 }
 
-void note_joint_loads(State& s, const Bin& bin, const JointLayout& layout) {
-    auto joint = layout.joints.begin(); // they lie in the order of the islands
-    for (std::int32_t k = 0; k < bin.island_count; ++k) {
-        Island& island = s.islands[std::size_t(s.solver.bin_islands[std::size_t(bin.first_island + k)])];
+void note_joint_loads(State& s, const Bin& bin, const BinScratch& scratch) {
+    std::size_t k = 0; // they lie in the order of the islands
+    for (std::int32_t i = 0; i < bin.island_count; ++i) {
+        Island& island = s.islands[std::size_t(s.solver.bin_islands[std::size_t(bin.first_island + i)])];
         if (solved_joints(island) == 0) continue;
-        note_flight(s, island, &*joint);
+        note_flight(s, island, &scratch.joint_layout->joints[k]);
         bool any_direct = false; // what they bear says nothing about the others
         double sum = 0;
-        for (const auto end = joint + island.joint_count; joint != end; ++joint) {
-            const double demand = double(joint_demand(s, s.joints[*joint]));
-            any_direct |= s.direct.set_of_joint[*joint] != none;
+        for (const std::size_t end = k + std::size_t(island.joint_count); k < end; ++k) {
+            const double demand = double(scratch.joint_demands[k]);
+            any_direct |= demand == unknown_demand;
             sum += demand * demand;
         }
         const float now = any_direct ? unknown_demand : float(std::sqrt(sum / island.joint_count));
@@ -106,7 +112,7 @@ int island_substeps(const State& s, Island& island, std::int32_t contacts) {
     if (s.settings.adaptive_substeps && solved_joints(island) > 0)
         base = std::max(base, substeps_of_joints(island, contacts));
     else
-        island.joint_substeps = 0;
+        island.joint_substeps = island.joints_rest = 0;
     if (s.settings.adaptive_substeps && island.weight > 0) {
         const float part = std::min(island.greatest_load / (full_share * island.weight), 1.0f);
         const float share = std::max(part - least_share, 0.0f) / (1 - least_share);
