@@ -155,6 +155,8 @@ void fill_row(State& s, BinScratch& scratch, std::size_t row, std::uint64_t& cla
     if (!is_dynamic) return;
     scratch.row_traits[row] = row_traits(s, b);
     const BodyMass& mass = s.mass[std::size_t(b)];
+    scratch.inertia[row].inverse_mass = mass.inverse_mass;
+    if (scratch.row_traits[row] & spins_wide) return; // the kernel finds it (prepare_free_motion)
     const math::Sym3 i = contact_inverse_inertia(motion, mass);
     scratch.inertia[row] = {mass.inverse_mass, i.xx, i.xy, i.xz, i.yy, i.yz, i.zz, 0};
 }

@@ -65,7 +65,7 @@ void finalize_body(State& s, std::int32_t b, float dt, std::vector<EscapedShape>
     ServedPose& served = s.served[std::size_t(b)];
     const double ahead = double(turn + math::length(displacement));
     if (served.room >= 0 && way_from(served.pose, motion, links.radius) + ahead <= served.room) {
-        place_shapes(s, b);
+        place_each_shape(s, b, [](std::uint32_t, const math::Mat3&) {});
     } else {
         double room = std::numeric_limits<double>::infinity();
         place_each_shape(s, b, [&](std::uint32_t shape, const math::Mat3& rotation) { // no plane: the body is dynamic

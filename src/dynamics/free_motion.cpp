@@ -222,18 +222,6 @@ void spin_row(const State& s, BinScratch& scratch, SpinningRow& r, float h) {
     write_angular(s, scratch, row, change);
 }
 
-// Inverse of a symmetric positive definite matrix, by cofactors.
-math::DSym3 inverse(const math::DSym3& m) {
-    const double xx = m.yy * m.zz - m.yz * m.yz, xy = m.xz * m.yz - m.xy * m.zz, xz = m.xy * m.yz - m.xz * m.yy;
-    const double scale = 1 / (m.xx * xx + m.xy * xy + m.xz * xz);
-    return {scale * xx,
-            scale * xy,
-            scale * xz,
-            scale * (m.xx * m.zz - m.xz * m.xz),
-            scale * (m.xy * m.xz - m.xx * m.yz),
-            scale * (m.xx * m.yy - m.xy * m.xy)};
-}
-
 // Explicit Euler is kept as it stands, needles have another inertia in contacts than in free motion, and torques may be
 // of any size: those are left to the scalar code.
 bool kernel_spins(const State& s, std::int32_t b) {
@@ -246,19 +234,14 @@ bool kernel_spins(const State& s, std::int32_t b) {
 
 int spin_block_count(const BinScratch& scratch) { return int((scratch.spin_rows.size() + 7) / 8); }
 
-void fill_spin_lane(const State& s, const BinScratch& scratch, std::int32_t row, SpinBlock& block, std::size_t lane) {
-    const std::size_t b = std::size_t(scratch.row_bodies[std::size_t(row)]);
+void fill_spin_lane(const State& s, std::size_t b, std::int32_t row, SpinBlock& block, std::size_t lane) {
     const BodyMass& mass = s.mass[b];
     const math::Quat axes = math::to_float(math::normalized(s.motion[b].q * math::to_double(mass.principal)));
-    const SolverInertia& i = scratch.inertia[std::size_t(row)];
-    const math::DSym3 c = inverse({i.xx, i.xy, i.xz, i.yy, i.yz, i.zz});
     const float q[4] = {axes.x, axes.y, axes.z, axes.w};
-    const double inertia[6] = {c.xx, c.xy, c.xz, c.yy, c.yz, c.zz};
     block.row[lane] = std::uint32_t(row) * row_bytes;
     for (int k = 0; k < 4; ++k) block.axes[k][lane] = q[k];
     for (int k = 0; k < 3; ++k) block.moments[k][lane] = mass.inertia[k];
     for (int k = 0; k < 3; ++k) block.inverse_moments[k][lane] = mass.inverse_inertia[k];
-    for (int k = 0; k < 6; ++k) block.contact_inertia[k][lane] = float(inertia[k]);
     if (s.bodies[b].joint_count == 0) return;
     block.renewed[lane] = 1;
     block.any_renewed = 1;
@@ -274,9 +257,12 @@ void fill_spin_blocks(const State& s, BinScratch& scratch, Crew* crew) {
             for (std::size_t lane = 0; lane < 8; ++lane) {
                 const std::size_t at = std::size_t(k) * 8 + lane;
                 block.row[lane] = discard, block.axes[3][lane] = 1;
-                if (at < scratch.spin_rows.size()) fill_spin_lane(s, scratch, scratch.spin_rows[at], block, lane);
+                if (at >= scratch.spin_rows.size()) continue;
+                const std::int32_t row = scratch.spin_rows[at];
+                fill_spin_lane(s, std::size_t(scratch.row_bodies[std::size_t(row)]), row, block, lane);
             }
         }
+        kernels().solver.begin_spin(scratch.spin_blocks.data() + begin, end - begin, scratch.inertia.data());
     });
 }
 

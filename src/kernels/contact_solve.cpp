@@ -458,7 +458,7 @@ template <int N> SolverKernels::ForPoints contact_kernels() {
 } // namespace
 
 SolverKernels solver_kernels() {
-    return {contact_kernels<1>(), contact_kernels<4>(), change_since,         spin,
+    return {contact_kernels<1>(), contact_kernels<4>(), change_since,         begin_spin,     spin,
             renew_inertia,        finish_spin,          integrate_velocities, integrate_poses};
 }
 

@@ -22,6 +22,7 @@ void strike_contacts(void* blocks, void* impacts, int count, SolverVelocity* vel
 float change_since(const SolverVelocity* velocity, const std::int32_t* rows, int count, SolverVelocity* last,
                    SettledChange settled);
 void integrate_velocities(const SolverBodies& bodies, int begin, int end, bool first);
+void begin_spin(SpinBlock* blocks, int count, SolverInertia* inertia);
 void spin(SpinBlock* blocks, int count, const SolverBodies& bodies, SolverTwist* drive, SolverTwist* correction,
           float h, bool first, const SlowTurns& slow);
 void renew_inertia(SpinBlock* blocks, int count, const SolverVelocity* velocity, const SolverPose* pose,

@@ -219,6 +219,8 @@ struct SolverKernels {
     float (*change_since)(const SolverVelocity* velocity, const std::int32_t* rows, int count, SolverVelocity* last,
                           SettledChange settled);
 
+    // At the start of a step: their inertia, from the axes and moments.
+    void (*begin_spin)(SpinBlock* blocks, int count, SolverInertia* inertia);
     // The free turning of one substep: drive and correction of the rows, angular parts only.
     void (*spin)(SpinBlock* blocks, int count, const SolverBodies& bodies, SolverTwist* drive, SolverTwist* correction,
                  float h, bool first, const SlowTurns& slow);

@@ -53,6 +53,22 @@ CAIRN_INLINE Vec3x8 tensor(Quatx8 q, Vec3x8 diagonal, Vec3x8 v) {
     return rotate(q, scaled(diagonal, rotate_back(q, v)));
 }
 
+// Into the rows: the inverse inertia of a diagonal one in those axes.
+CAIRN_INLINE void write_inverse_inertia(const SpinBlock& block, const Mat3x8& axes, mask8 lanes, SolverInertia* rows) {
+    float *low[8], *high[8];
+    for (int lane = 0; lane < 8; ++lane) {
+        low[lane] = &row_at(rows, block.row[lane]).inverse_mass;
+        high[lane] = low[lane] + 4;
+    }
+    f32x8 mass, unused;
+    Sym3x8 was;
+    gather4(low, mass, was.xx, was.xy, was.xz);
+    gather4(high, was.yy, was.yz, was.zz, unused);
+    const Sym3x8 now = select(lanes, rotated_diagonal(axes, load3(block.inverse_moments)), was);
+    scatter4(low, mass, now.xx, now.xy, now.xz);
+    scatter4(high, now.yy, now.yz, now.zz, zero());
+}
+
 // L now, with what the contacts have added since the last free motion.
 CAIRN_INLINE Vec3x8 momentum_now(const SpinBlock& block, Quatx8 turn, Quatx8 axes, Vec3x8 w, bool first) {
     mask8 followed = turn.w > splat(first ? 2.0f : most_turn_cosine);
@@ -77,6 +93,15 @@ CAIRN_INLINE Turn free_turn(Quatx8 q, Vec3x8 inverse_moments, Vec3x8 momentum, V
 }
 
 } // namespace
+
+void begin_spin(SpinBlock* blocks, int count, SolverInertia* inertia) {
+    for (int k = 0; k < count; ++k) {
+        SpinBlock& block = blocks[k];
+        const Mat3x8 axes = to_matrix({load3(block.axes), load(block.axes[3])});
+        store6(block.contact_inertia, rotated_diagonal(axes, load3(block.moments)));
+        write_inverse_inertia(block, axes, mask_from_bits(255), inertia);
+    }
+}
 
 void spin(SpinBlock* blocks, int count, const SolverBodies& bodies, SolverTwist* drive, SolverTwist* correction,
           float h, bool first, const SlowTurns& slow) {
@@ -129,18 +154,7 @@ void renew_inertia(SpinBlock* blocks, int count, const SolverVelocity* velocity,
         store3(block.momentum, select(renewed, was_l + old * (w - before), was_l));
         store3(block.free_w, select(renewed, w, before));
         store6(block.contact_inertia, select(renewed, i, old));
-        float *low[8], *high[8];
-        for (int lane = 0; lane < 8; ++lane) {
-            low[lane] = &row_at(inertia, block.row[lane]).inverse_mass;
-            high[lane] = low[lane] + 4;
-        }
-        f32x8 mass, unused;
-        Sym3x8 was;
-        gather4(low, mass, was.xx, was.xy, was.xz);
-        gather4(high, was.yy, was.yz, was.zz, unused);
-        const Sym3x8 now = select(renewed, rotated_diagonal(axes, load3(block.inverse_moments)), was);
-        scatter4(low, mass, now.xx, now.xy, now.xz);
-        scatter4(high, now.yy, now.yz, now.zz, zero());
+        write_inverse_inertia(block, axes, renewed, inertia);
     }
 }
 
