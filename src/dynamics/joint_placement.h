@@ -11,7 +11,18 @@ struct JointAnchors {
 struct JointPlacement : JointAnchors {
     math::DQuat frame_a, frame_b; // in the world
 };
-JointAnchors place_anchors(const State& state, const JointInfo& joint);
+inline JointAnchors place_anchors(const State& s, const JointInfo& joint) {
+    JointAnchors p;
+    auto place = [&](std::int32_t body, math::DVec3 anchor, math::DVec3& arm) {
+        if (body == none) return anchor;
+        const BodyMotion& motion = s.motion[std::size_t(body)];
+        arm = math::rotate(motion.q, anchor - math::to_double(s.mass[std::size_t(body)].center));
+        return motion.x + arm;
+    };
+    const math::DVec3 at_a = place(joint.body_a, joint.anchor_a, p.arm_a);
+    p.gap = place(joint.body_b, joint.anchor_b, p.arm_b) - at_a;
+    return p;
+}
 JointPlacement place_joint(const State& state, const JointInfo& joint);
 
 // An axis of a frame.

@@ -74,19 +74,6 @@ double axis_position(const State& s, std::uint32_t index, int i, const JointPlac
 
 } // namespace
 
-JointAnchors place_anchors(const State& s, const JointInfo& joint) {
-    JointAnchors p;
-    auto place = [&](std::int32_t body, DVec3 anchor, DVec3& arm) {
-        if (body == none) return anchor;
-        const BodyMotion& motion = s.motion[std::size_t(body)];
-        arm = math::rotate(motion.q, anchor - math::to_double(s.mass[std::size_t(body)].center));
-        return motion.x + arm;
-    };
-    const DVec3 at_a = place(joint.body_a, joint.anchor_a, p.arm_a);
-    p.gap = place(joint.body_b, joint.anchor_b, p.arm_b) - at_a;
-    return p;
-}
-
 JointPlacement place_joint(const State& s, const JointInfo& joint) {
     JointPlacement p{place_anchors(s, joint), {}, {}};
     auto turned = [&](std::int32_t body, const DQuat& frame) {

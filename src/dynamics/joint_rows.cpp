@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <type_traits>
 
 namespace cairn {
 
@@ -57,6 +58,7 @@ void collect_joint(const State& s, std::uint32_t joint, JointLayout& layout) {
         row.key = std::uint16_t(row_key(info.color, phase, form));
         row.type = type;
         row.axis = axis & 7;
+        layout.only_points &= type == JointRowType::point;
         return layout.rows.emplace_back(row);
     };
     const bool is_direct = s.direct.set_of_joint[joint] != none;
@@ -164,36 +166,30 @@ JointEnd joint_end(const State& s, const BinScratch& scratch, std::int32_t body)
 // Whether anything but the point of a joint gives it a torque: else what it has of those is never touched.
 bool has_torque(const JointInfo& joint) { return joint.rules.turn != JointLock::none || joint.rules.axis_count > 0; }
 
-// Asks the cache for what is needed of the joint at that place of the layout: of mere points, the first two lines.
+// Asks the cache for what is needed of the joint at that place of the layout.
 void prefetch_joint(const State& s, const JointLayout& layout, std::size_t place) {
     if (place >= layout.joints.size()) return;
-    const std::uint32_t joint = layout.joints[place], first = layout.first_row[place];
-    const bool is_point = layout.first_row[place + 1] == first + 1 && layout.rows[first].type == JointRowType::point;
+    const std::uint32_t joint = layout.joints[place];
     const char* const info = reinterpret_cast<const char*>(&s.joints[joint]);
-    for (std::size_t at = 0; at < (is_point ? 128 : sizeof(JointInfo)); at += 64) ask_cache(info + at);
-    if (!is_point) ask_cache(&s.joint_axes[joint].states[0]);
+    ask_cache(info), ask_cache(info + 64);
+    if (layout.only_points) return;
+    for (std::size_t at = 128; at < sizeof(JointInfo); at += 64) ask_cache(info + at);
+    ask_cache(&s.joint_axes[joint].states[0]);
 }
 
-// Where a joint is at the start of the step, for all of its rows.
-struct PlacedJoint {
-    const JointInfo& info;
-    JointEnd a, b;
-    JointPlacement p; // where frames are not needed, only the anchors
+// Where a joint is at the start of the step, for all of its rows: with its frames, or where those are not needed, only
+// its anchors.
+struct FramedPlacement : JointPlacement {
     DQuat turn;
 };
-PlacedJoint placed(const State& s, const BinScratch& scratch, std::uint32_t joint, bool with_frames) {
-    PlacedJoint r{s.joints[joint], {}, {}, {}, {}};
-    r.a = joint_end(s, scratch, r.info.body_a), r.b = joint_end(s, scratch, r.info.body_b);
-    if (with_frames) {
-        r.p = place_joint(s, r.info);
-        r.turn = turn_of(r.p);
-    } else {
-        static_cast<JointAnchors&>(r.p) = place_anchors(s, r.info);
-    }
-    return r;
-}
+template <class Placement> struct PlacedJoint {
+    const JointInfo& info;
+    JointEnd a, b;
+    Placement p;
+};
 
-template <class Block> void fill_ends(const PlacedJoint& joint, Block& b, std::size_t lane, std::uint32_t discard) {
+template <class Placement, class Block>
+void fill_ends(const PlacedJoint<Placement>& joint, Block& b, std::size_t lane, std::uint32_t discard) {
     b.a[lane] = joint.a.row, b.b[lane] = joint.b.row;
     if (!b.redirects) return;
     b.rest.write_a[lane] = joint.a.is_written ? joint.a.row : discard;
@@ -205,19 +201,26 @@ bool needs_frames(const State& s, const JointRow& row) {
     return s.joints[row.joint].rules.point == JointLock::across;
 }
 
-void fill_lane(const State&, const JointRow&, const PlacedJoint& joint, PointBlock& b, std::size_t lane, float) {
+void fill_lane(const State&, const JointRow&, const PlacedJoint<JointAnchors>& joint, PointBlock& b, std::size_t lane,
+               float) {
     set_lane(b.arm_a0, lane, math::to_float(joint.p.arm_a));
     set_lane(b.arm_b0, lane, math::to_float(joint.p.arm_b));
     set_lane(b.gap0, lane, math::to_float(joint.p.gap));
-    if (b.free_axis) set_lane(b.axis0, lane, frame_axis(joint.p.frame_a, joint.info.rules.point_column));
     set_lane(b.impulse, lane, joint.info.point_impulse);
 }
+void fill_lane(const State& s, const JointRow& row, const PlacedJoint<FramedPlacement>& joint, PointBlock& b,
+               std::size_t lane, float h) {
+    fill_lane(s, row, PlacedJoint<JointAnchors>{joint.info, joint.a, joint.b, joint.p}, b, lane, h);
+    if (b.free_axis) set_lane(b.axis0, lane, frame_axis(joint.p.frame_a, joint.info.rules.point_column));
+}
 
-void fill_lane(const State&, const JointRow&, const PlacedJoint& joint, TurnBlock& b, std::size_t lane, float) {
-    set_lane(b.turn0, lane, joint.turn);
+void fill_lane(const State&, const JointRow&, const PlacedJoint<FramedPlacement>& joint, TurnBlock& b, std::size_t lane,
+               float) {
+    set_lane(b.turn0, lane, joint.p.turn);
+    set_lane(b.impulse, lane, joint.info.turn_impulse);
+    if (!b.free_axis) return;
     set_lane(b.axis_a0, lane, frame_axis(joint.p.frame_a, joint.info.rules.turn_column));
     set_lane(b.axis_b0, lane, frame_axis(joint.p.frame_b, joint.info.rules.turn_column));
-    set_lane(b.impulse, lane, joint.info.turn_impulse);
 }
 
 void fill_axis_rule(AxisBlock& b, std::size_t lane, const JointAxisRule& rule, float h) {
@@ -244,15 +247,16 @@ void fill_axis_rule(AxisBlock& b, std::size_t lane, const JointAxisRule& rule, f
     b.ratio_b[lane] = rule.ratio_b;
 }
 
-void fill_lane(const State& s, const JointRow& row, const PlacedJoint& joint, AxisBlock& b, std::size_t lane, float h) {
-    const JointPlacement& p = joint.p;
+void fill_lane(const State& s, const JointRow& row, const PlacedJoint<FramedPlacement>& joint, AxisBlock& b,
+               std::size_t lane, float h) {
+    const FramedPlacement& p = joint.p;
     const JointAxisRule& rule = s.joint_axes[row.joint].rules[row.axis];
     const JointAxisState& state = s.joint_axes[row.joint].states[row.axis];
     fill_axis_rule(b, lane, rule, h);
     set_lane(b.arm_a0, lane, math::to_float(p.arm_a));
     set_lane(b.arm_b0, lane, math::to_float(p.arm_b));
     set_lane(b.gap0, lane, math::to_float(p.gap));
-    set_lane(b.turn0, lane, joint.turn);
+    set_lane(b.turn0, lane, p.turn);
     const bool is_pulley = rule.kind == AxisKind::pulley;
     set_lane(b.axis_a0, lane, is_pulley ? pulley_reach(s, joint.info, 0, p) : frame_axis(p.frame_a, rule.column_a));
     set_lane(b.axis_b0, lane, is_pulley ? pulley_reach(s, joint.info, 1, p) : frame_axis(p.frame_b, rule.column_b));
@@ -261,6 +265,27 @@ void fill_lane(const State& s, const JointRow& row, const PlacedJoint& joint, Ax
     b.friction_impulse[lane] = state.friction;
     b.lower_impulse[lane] = state.lower;
     b.upper_impulse[lane] = state.upper;
+}
+
+// The rows of the joint at that place of the layout.
+template <class Placement>
+void fill_rows_of(const State& s, BinScratch& scratch, std::size_t place, const PlacedJoint<Placement>& joint, float h) {
+    const JointLayout& layout = *scratch.joint_layout;
+    const auto first_discard = scratch.first_joint_discard_rows();
+    for (std::uint32_t i = layout.first_row[place]; i < layout.first_row[place + 1]; ++i) {
+        const JointRow& row = layout.rows[i];
+        if (row.idle) continue;
+        const std::uint32_t block = row.lane / 8, lane = row.lane % 8;
+        const std::uint32_t discard = (std::uint32_t(first_discard[std::size_t(row.type)]) + block) * row_bytes;
+        const auto fill = [&](auto& blocks) {
+            fill_ends(joint, blocks[block], lane, discard);
+            fill_lane(s, row, joint, blocks[block], lane, h);
+        };
+        if constexpr (std::is_same_v<Placement, JointAnchors>)
+            fill(scratch.point_blocks); // nothing else does without frames
+        else
+            for_blocks_of(scratch, row.type, fill);
+    }
 }
 
 // Before their lanes are filled: what a block says of all of its lanes, and lanes that stay empty. What is not filled
@@ -428,7 +453,7 @@ void fill_joint_lanes(State& s, const Bin& bin, BinScratch& scratch, Crew* crew,
     } else if (layout.valid_for != s.joint_changes || layout.bodies != scratch.touching_bodies) {
         layout.bodies = scratch.touching_bodies;
         layout.kinematic_bodies.clear(), layout.joints.clear(), layout.first_row.clear(), layout.rows.clear();
-        layout.may_idle = false;
+        layout.may_idle = false, layout.only_points = true;
         collect_rows(s, layout);
         layout.valid_for = s.joint_changes;
         is_new = true;
@@ -441,26 +466,22 @@ void fill_joint_lanes(State& s, const Bin& bin, BinScratch& scratch, Crew* crew,
 void fill_joint_blocks(State& s, BinScratch& scratch, Crew* crew, float h) {
     open_blocks(scratch);
     const JointLayout& layout = *scratch.joint_layout;
-    const auto first_discard = scratch.first_joint_discard_rows();
     // Joint by joint: neighbors share bodies, and rows go to one block of each color at a time.
     for_chunks(crew, int(layout.joints.size()), joints_per_chunk, [&](int begin, int end, int) {
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
             prefetch_joint(s, layout, k + joints_ahead);
             begin_joint(s, layout.joints[k], h);
             if (layout.first_row[k] == layout.first_row[k + 1]) continue;
+            const JointInfo& info = s.joints[layout.joints[k]];
+            const JointEnd a = joint_end(s, scratch, info.body_a), b = joint_end(s, scratch, info.body_b);
             bool with_frames = false;
             for (std::uint32_t i = layout.first_row[k]; i < layout.first_row[k + 1]; ++i)
                 with_frames = with_frames || needs_frames(s, layout.rows[i]);
-            const PlacedJoint joint = placed(s, scratch, layout.joints[k], with_frames);
-            for (std::uint32_t i = layout.first_row[k]; i < layout.first_row[k + 1]; ++i) {
-                const JointRow& row = layout.rows[i];
-                if (row.idle) continue;
-                const std::uint32_t block = row.lane / 8, lane = row.lane % 8;
-                const std::uint32_t discard = (std::uint32_t(first_discard[std::size_t(row.type)]) + block) * row_bytes;
-                for_blocks_of(scratch, row.type, [&](auto& blocks) {
-                    fill_ends(joint, blocks[block], lane, discard);
-                    fill_lane(s, row, joint, blocks[block], lane, h);
-                });
+            if (with_frames) {
+                const JointPlacement p = place_joint(s, info);
+                fill_rows_of<FramedPlacement>(s, scratch, k, {info, a, b, {p, turn_of(p)}}, h);
+            } else {
+                fill_rows_of<JointAnchors>(s, scratch, k, {info, a, b, place_anchors(s, info)}, h);
             }
         }
     });

@@ -157,7 +157,8 @@ struct JointLayout {
     std::vector<std::uint32_t> joints;           // of the bin
     std::vector<std::uint32_t> first_row;        // of each of them, and one more: the end
     std::vector<JointRow> rows;
-    bool may_idle = false; // any of them
+    bool may_idle = false;   // any of them
+    bool only_points = true; // all are
     std::array<std::uint32_t, joint_row_types> blocks = {}; // how many, by JointRowType
     std::vector<JointRun> runs;
 };
