@@ -133,7 +133,7 @@ void test_wide_pairs(State& s, PairKind kind, int begin, int end, NarrowBatch& o
         batch.first[i] = c.flipped ? c.shape_b : c.shape_a;
         batch.second[i] = c.flipped ? c.shape_a : c.shape_b;
         batch.margin[i] = contact_margin(s, c, dt);
-        batch.kept[i] = keeps_features && c.point_count > 0 ? s.records[ids[i]].features : no_features;
+        batch.kept[i] = keeps_features && c.force > 0 ? s.records[ids[i]].features : no_features;
         ask_cache(&s.shapes[c.shape_a]); // for write_record
     }
     for (int i = count; i < padded; ++i) {

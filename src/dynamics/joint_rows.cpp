@@ -269,7 +269,8 @@ void fill_lane(const State& s, const JointRow& row, const PlacedJoint<FramedPlac
 
 // The rows of the joint at that place of the layout.
 template <class Placement>
-void fill_rows_of(const State& s, BinScratch& scratch, std::size_t place, const PlacedJoint<Placement>& joint, float h) {
+void fill_rows_of(const State& s, BinScratch& scratch, std::size_t place, const PlacedJoint<Placement>& joint,
+                  float h) {
     const JointLayout& layout = *scratch.joint_layout;
     const auto first_discard = scratch.first_joint_discard_rows();
     for (std::uint32_t i = layout.first_row[place]; i < layout.first_row[place + 1]; ++i) {

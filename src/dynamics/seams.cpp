@@ -3,6 +3,8 @@
 // something immovable is left out where a deeper one of the same body has a plane that
 // - all the points of the contact lie in, and
 // - the other thing does not rise above.
+// And what rolls along the seam itself touches both: where one of them carries the whole line, the other is left out.
+// Each counts its friction in the middle of its part, and would turn it aside.
 #include "dynamics/bodies.h"
 #include "dynamics/contacts.h"
 #include "shapes/convex.h"
@@ -74,12 +76,45 @@ bool is_seam(const State& s, std::uint32_t deeper, std::uint32_t c, float depth)
     return reach(s, info.shape_b, math::to_double(up), point) <= double(tolerance);
 }
 
+// The next step finds it as if for the first time: its face is not preferred once the body is over it.
+void drop(State& s, std::uint32_t c) {
+    s.narrow.is_seam[c] = 1;
+    forget_impulses(s.records[c], s.contacts[c].point_count);
+    s.records[c].features = no_features;
+}
+
+// Whether the points of `c` lie on the line that another contact with the same normal carries.
+bool is_covered(const State& s, std::uint32_t line, std::uint32_t c) {
+    const ContactInfo &info = s.contacts[c], &over = s.contacts[line];
+    const ContactRecord &r = s.records[c], &whole = s.records[line];
+    if (over.point_count != 2 || info.point_count > 2 || info.shape_b == over.shape_b) return false;
+    if (!is_same(to_vec(whole.normal), to_vec(r.normal))) return false;
+    const math::Vec3 from = to_vec(point_of(whole, 0)), along = to_vec(point_of(whole, 1)) - from;
+    const float square = math::dot(along, along), tolerance = flatness * s.bodies[std::size_t(info.body_a)].radius;
+    for (int i = 0; i < info.point_count; ++i) {
+        const math::Vec3 to = to_vec(point_of(r, i)) - from;
+        const float part = square > 0 ? std::clamp(math::dot(to, along) / square, 0.0f, 1.0f) : 0.0f;
+        const math::Vec3 off = to - part * along;
+        if (math::dot(off, off) > tolerance * tolerance) return false;
+    }
+    return true;
+}
+void drop_covered(State& s, const std::vector<std::uint32_t>& contacts) {
+    for (const std::uint32_t c : contacts)
+        for (const std::uint32_t line : contacts) {
+            if (line == c || s.narrow.is_seam[line] || !is_covered(s, line, c)) continue;
+            drop(s, c);
+            break;
+        }
+}
+
 // Drops seams among the contacts of one body with what does not move by forces.
 void drop_seams_of_body(State& s, std::vector<std::uint32_t>& contacts) {
     const std::uint32_t shape = s.contacts[contacts[0]].shape_b;
     if (std::all_of(contacts.begin(), contacts.end(),
                     [&](std::uint32_t id) { return s.contacts[id].shape_b == shape; }))
         return;
+    drop_covered(s, contacts);
     const auto depth_of = [&](std::uint32_t id) {
         const ContactInfo& c = s.contacts[id];
         float least = point_of(s.records[id], 0)[3];
@@ -94,14 +129,17 @@ void drop_seams_of_body(State& s, std::vector<std::uint32_t>& contacts) {
         const float depth_a = depth_of(a), depth_b = depth_of(b);
         return depth_a != depth_b ? depth_a > depth_b : a < b;
     });
+    const auto drop_if_seam = [&](std::size_t j, std::size_t k) {
+        if (s.narrow.is_seam[contacts[j]] || s.narrow.is_seam[contacts[k]]) return;
+        if (is_seam(s, contacts[j], contacts[k], std::max(depth_of(contacts[j]), 0.0f))) drop(s, contacts[k]);
+    };
     for (std::size_t k = 1; k < contacts.size(); ++k)
-        for (std::size_t j = 0; j < k; ++j) {
-            if (s.narrow.is_seam[contacts[j]]) continue;
-            if (!is_seam(s, contacts[j], contacts[k], std::max(depth_of(contacts[j]), 0.0f))) continue;
-            s.narrow.is_seam[contacts[k]] = 1;
-            forget_impulses(s.records[contacts[k]], s.contacts[contacts[k]].point_count);
-            break;
-        }
+        for (std::size_t j = 0; j < k; ++j) drop_if_seam(j, k);
+    // Just beyond an edge, its side may be the deeper one by a rounding error or a slight tilt.
+    const float slack = flatness * s.bodies[std::size_t(s.contacts[contacts[0]].body_a)].radius;
+    for (std::size_t k = 0; k + 1 < contacts.size(); ++k)
+        for (std::size_t j = k + 1; j < contacts.size() && depth_of(contacts[j]) + slack > depth_of(contacts[k]); ++j)
+            drop_if_seam(j, k);
 }
 
 } // namespace

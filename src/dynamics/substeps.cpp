@@ -28,9 +28,9 @@ constexpr float most_unrest = 1.0f;
 
 constexpr float substeps_per_joint_demand = 1.0f / 3; // likewise, of a heap at rest
 constexpr float least_substeps_at_rest = 6;
-constexpr int few_joint_substeps = 8;                        // of many joints in motion
-constexpr float most_demand = 3000, demand_to_return = 1000; // m/s^2: above they take all, until below that again
-constexpr std::int32_t many_joints = 100;
+constexpr int few_joint_substeps = 8;                       // of many joints in motion
+constexpr float most_demand = 1000, demand_to_return = 400; // m/s^2: above they take all, until below that again
+constexpr std::int32_t many_in_heap = 100, many_joints = 1000;
 constexpr float most_spare_substeps = 1.5f;            // before fewer are taken
 constexpr float rest_begins = 0.25f, rest_ends = 0.5f; // m/s: unrest of a heap that comes to rest, or is stirred up
 
@@ -40,11 +40,12 @@ int rounded_up(float wanted) {
     return (int(std::min(wanted, float(most_adaptive_substeps))) + least - 1) / least * least;
 }
 
-// Of many joints in motion. The number does not follow what they bear: each change of it changes the gaps of all joints,
-// and a hanging net that bounces was kept bouncing. In a heap they bear impacts, which say nothing.
+// Of many joints in motion. The number does not follow closely what they bear: each change of it changes the gaps of
+// all joints, and a hanging net that bounced was kept bouncing. In a heap they bear impacts, which say nothing.
 int substeps_in_motion(const Island& island, bool is_heap) {
     const float most = island.joint_substeps == joint_substeps ? demand_to_return : most_demand;
-    return !is_heap && island.joint_demand > most ? joint_substeps : few_joint_substeps;
+    const bool bears_much = !is_heap && island.joint_demand < unknown_demand && island.joint_demand > most;
+    return bears_much ? joint_substeps : few_joint_substeps;
 }
 
 // Of many joints in a heap at rest: there stiffer joints keep together what few substeps would not (joint_softness).
@@ -55,10 +56,11 @@ int substeps_at_rest(const Island& island) {
     return keep ? island.joint_substeps : int(std::ceil(std::min(wanted, float(joint_substeps))));
 }
 
-// Few joints always take the most, which costs little: so what swings on them moves as it should, and limbs come to rest
-// sooner.
+// Few joints always take the most, which costs little: so what swings on them moves as it should, and limbs come to
+// rest sooner. In a heap each joint has a contact to go with it.
 int substeps_of_joints(Island& island, std::int32_t contacts) {
-    const bool is_heap = contacts >= island.joint_count, is_large = island.joint_count >= many_joints;
+    const bool is_heap = contacts >= island.joint_count;
+    const bool is_large = island.joint_count >= (is_heap ? many_in_heap : many_joints);
     island.joints_rest = is_large && is_heap && island.unrest < (island.joints_rest ? rest_ends : rest_begins);
     island.joint_substeps = !is_large            ? 0
                             : island.joints_rest ? substeps_at_rest(island)
@@ -103,7 +105,10 @@ void note_joint_loads(State& s, const Bin& bin, const BinScratch& scratch) {
             sum += demand * demand;
         }
         const float now = any_direct ? unknown_demand : float(std::sqrt(sum / island.joint_count));
-        island.joint_demand += load_gain * (std::min(now, unknown_demand) - island.joint_demand);
+        if (island.joint_demand == unknown_demand)
+            island.joint_demand = std::min(now, unknown_demand);
+        else
+            island.joint_demand += load_gain * (std::min(now, unknown_demand) - island.joint_demand);
     }
 }
 

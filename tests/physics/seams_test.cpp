@@ -101,26 +101,34 @@ std::vector<Slider> sliders() {
             {"rounded hull", rounded_hull, 0.4, upright}};
 }
 
-// Where two boxes carry one line, each counts its friction at the middle of its part: long round things turn a little
-// (docs/known_limits.md).
-void expect_as_on_a_plane(Floor floor, const char* name, double cylinder_loss = 0.01, double sideways = 0.05) {
+// Of these speeds, some let a step end just beyond a seam, or with a line of contact right above one.
+constexpr std::array speeds = {14.0f, 12.0f, 11.7f, 11.0f, 10.3f};
+
+void expect_as_on_a_plane(Floor floor, const char* name) {
     for (const Slider& s : sliders()) {
-        const bool is_cylinder = std::string(s.name) == "cylinder across";
-        for (const float speed : {14.0f, 11.0f}) {
+        for (const float speed : speeds) {
             const Slide on_plane = slide(s.shape, plane_floor, s.height, s.rotation, speed);
             const Slide over_seams = slide(s.shape, floor, s.height, s.rotation, speed);
-            const std::string what = std::string(s.name) + " over " + name + " at " + std::to_string(int(speed));
-            EXPECT_GT(on_plane.speed, 2) << what;
-            EXPECT_NEAR(over_seams.speed / on_plane.speed, 1, is_cylinder ? cylinder_loss : 0.01) << what;
-            EXPECT_LT(over_seams.highest, is_cylinder ? cylinder_loss : 0.002) << what;
-            EXPECT_LT(over_seams.sideways, sideways) << what;
+            const std::string what = std::string(s.name) + " over " + name + " at " + std::to_string(speed);
+            EXPECT_NEAR(over_seams.speed, on_plane.speed, 0.01 * on_plane.speed) << what;
+            EXPECT_LT(over_seams.highest, 0.002) << what;
+            EXPECT_LT(over_seams.sideways, 0.08) << what;
         }
     }
 }
 
-TEST(Seams, NothingBumpsBetweenBoxes) { expect_as_on_a_plane(box_floor, "boxes", 0.1, 8); }
+TEST(Seams, NothingBumpsBetweenBoxes) { expect_as_on_a_plane(box_floor, "boxes"); }
 TEST(Seams, NothingBumpsOnAMesh) { expect_as_on_a_plane(mesh_floor, "a mesh"); }
 TEST(Seams, NothingBumpsOnAHeightField) { expect_as_on_a_plane(field_floor, "a height field"); }
+
+// The face that was nearest before it was passed is no longer the one that is met: boxes stopped dead at one in a
+// hundred seams.
+TEST(Seams, BoxThatHasJustPassedOneDoesNotRunIntoItsSide) {
+    for (int i = 0; i < 40; ++i) {
+        const float speed = 10.0f + 0.07f * float(i);
+        EXPECT_GT(slide(Box{{0.4f, 0.3f, 0.5f}}, box_floor, 0.3, Quat(1, 0, 0, 0), speed).speed, 1) << speed;
+    }
+}
 
 // What stands out is no seam: a box on a floor of boxes stops at a wall of the same kind, and at a low curb.
 TEST(Seams, WallsAndCurbsStandOut) {

@@ -41,8 +41,43 @@ int substeps_of_loaded_deck(float load) {
 
 TEST(Substeps, OfADeckAtRestGrowWithItsLoad) {
     EXPECT_EQ(substeps_of_loaded_deck(30), 7);
-    EXPECT_EQ(substeps_of_loaded_deck(300), 8);
+    EXPECT_EQ(substeps_of_loaded_deck(800), 9);
     EXPECT_EQ(substeps_of_loaded_deck(20000), 11);
+}
+
+// A net of so many rows that hangs from its upper edge; its last row pulls with that many times its weight.
+World hanging_net(int rows, float pull) {
+    World world(without_sleep());
+    constexpr int columns = 24;
+    std::vector<BodyId> above;
+    for (int row = 0; row < rows; ++row) {
+        std::vector<BodyId> now;
+        for (int column = 0; column < columns; ++column) {
+            BodyDef def;
+            def.type = row == 0 ? BodyType::static_ : BodyType::dynamic;
+            def.position = {column, -row, 0};
+            def.gravity_scale = row + 1 == rows ? pull : 1.0f;
+            now.push_back(add_body(world, Sphere{0.3f}, def, surface(0)));
+            const auto join = [&](BodyId other, const Position& anchor) {
+                world.create_joint(world.joint_at(other, now.back(), anchor, {1, 0, 0}, BallJoint{}));
+            };
+            if (row > 0) join(above[std::size_t(column)], {column, -row + 0.5, 0});
+            if (column > 0 && row > 0) join(now[std::size_t(column) - 1], {column - 0.5, -row, 0});
+        }
+        above = now;
+    }
+    return world;
+}
+
+TEST(Substeps, OfManyJointsAreFewerUnlessTheyBearMuch) {
+    const auto substeps = [](int rows, float pull) {
+        World world = hanging_net(rows, pull);
+        run(world, 1.0f / 60, 60);
+        return world.statistics().max_substeps;
+    };
+    EXPECT_EQ(substeps(12, 1), 11);
+    EXPECT_EQ(substeps(28, 1), 8);
+    EXPECT_EQ(substeps(28, 200), 11);
 }
 
 // One body that is pressed hard is neither a tower nor what a heap needs more substeps for.
