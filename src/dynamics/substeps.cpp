@@ -61,7 +61,9 @@ int substeps_at_rest(const Island& island) {
 int substeps_of_joints(Island& island, std::int32_t contacts) {
     const bool is_heap = contacts >= island.joint_count;
     const bool is_large = island.joint_count >= (is_heap ? many_in_heap : many_joints);
-    island.joints_rest = is_large && is_heap && island.unrest < (island.joints_rest ? rest_ends : rest_begins);
+    const bool did_rest = island.joints_rest != 0;
+    island.joints_rest = is_large && is_heap && island.unrest < (did_rest ? rest_ends : rest_begins);
+    if (island.joints_rest && !did_rest) island.joint_substeps = 0; // the number in motion says nothing
     island.joint_substeps = !is_large            ? 0
                             : island.joints_rest ? substeps_at_rest(island)
                                                  : substeps_in_motion(island, is_heap);
