@@ -267,12 +267,11 @@ void fill_lane(const State& s, const JointRow& row, const PlacedJoint<FramedPlac
     b.upper_impulse[lane] = state.upper;
 }
 
-// The rows of the joint at that place of the layout.
+// The rows of the joint at that place of the layout. `first_discard`: rows, by JointRowType.
 template <class Placement>
-void fill_rows_of(const State& s, BinScratch& scratch, std::size_t place, const PlacedJoint<Placement>& joint,
-                  float h) {
+void fill_rows_of(const State& s, BinScratch& scratch, const std::array<std::int32_t, joint_row_types>& first_discard,
+                  std::size_t place, const PlacedJoint<Placement>& joint, float h) {
     const JointLayout& layout = *scratch.joint_layout;
-    const auto first_discard = scratch.first_joint_discard_rows();
     for (std::uint32_t i = layout.first_row[place]; i < layout.first_row[place + 1]; ++i) {
         const JointRow& row = layout.rows[i];
         if (row.idle) continue;
@@ -467,6 +466,7 @@ void fill_joint_lanes(State& s, const Bin& bin, BinScratch& scratch, Crew* crew,
 void fill_joint_blocks(State& s, BinScratch& scratch, Crew* crew, float h) {
     open_blocks(scratch);
     const JointLayout& layout = *scratch.joint_layout;
+    const auto discard = scratch.first_joint_discard_rows();
     // Joint by joint: neighbors share bodies, and rows go to one block of each color at a time.
     for_chunks(crew, int(layout.joints.size()), joints_per_chunk, [&](int begin, int end, int) {
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
@@ -480,9 +480,9 @@ void fill_joint_blocks(State& s, BinScratch& scratch, Crew* crew, float h) {
                 with_frames = with_frames || needs_frames(s, layout.rows[i]);
             if (with_frames) {
                 const JointPlacement p = place_joint(s, info);
-                fill_rows_of<FramedPlacement>(s, scratch, k, {info, a, b, {p, turn_of(p)}}, h);
+                fill_rows_of<FramedPlacement>(s, scratch, discard, k, {info, a, b, {p, turn_of(p)}}, h);
             } else {
-                fill_rows_of<JointAnchors>(s, scratch, k, {info, a, b, place_anchors(s, info)}, h);
+                fill_rows_of<JointAnchors>(s, scratch, discard, k, {info, a, b, place_anchors(s, info)}, h);
             }
         }
     });
