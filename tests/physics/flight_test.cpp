@@ -106,6 +106,27 @@ TEST(Flight, EndsByWhateverPulls) {
     }
 }
 
+// In the step in which one half is stopped, the other one feels it.
+TEST(Flight, EndsWithTheFirstContact) {
+    Flying rod;
+    BodyDef def;
+    def.type = BodyType::static_;
+    def.position = {0.7, 998, 0};
+    add_body(rod.world, Box{}, def, surface(0.5f));
+    const float fall = 9.81f * dt; // in a step
+    float right = rod.world.body(rod.right).linear_velocity().y, left = right;
+    bool is_stopped = false;
+    for (int i = 0; i < 60 && !is_stopped; ++i) {
+        rod.world.step(dt);
+        const float right_now = rod.world.body(rod.right).linear_velocity().y;
+        const float left_now = rod.world.body(rod.left).linear_velocity().y;
+        is_stopped = right_now > right - fall + 0.5f;
+        EXPECT_EQ(is_stopped, left_now > left - fall + 0.05f) << i;
+        right = right_now, left = left_now;
+    }
+    EXPECT_TRUE(is_stopped);
+}
+
 TEST(Flight, EndsWhereAHalfIsPutElsewhere) {
     Flying rod;
     rod.world.body(rod.left).set_position(rod.world.body(rod.left).position() + Position(0, 0, 0.1));
