@@ -1,7 +1,7 @@
 // Seams between surfaces that lie side by side: two boxes that make a floor, two tiles of terrain. What slides over one
 // meets the edge of the next before its face, and would bump into it although nothing stands out. A contact with
 // something immovable is left out where a deeper one of the same body has a plane that
-// - all the points of the contact lie in, and
+// - all the points of the contact lie in, or nothing of the body is below, and
 // - the other thing does not rise above.
 // And what rolls along the seam itself touches both: where one of them carries the whole line, the other is left out.
 // Each counts its friction in the middle of its part, and would turn it aside.
@@ -68,12 +68,16 @@ bool is_seam(const State& s, std::uint32_t deeper, std::uint32_t c, float depth)
     const float radius = s.bodies[std::size_t(info.body_a)].radius;
     const float tolerance =
         std::min(flatness * (radius + s.geometry[info.shape_b].bounding_radius), most_flatness * radius);
+    bool is_in_plane = true;
     for (int i = 0; i < info.point_count; ++i) {
         const float height = math::dot(up, other_surface(r, i) - origin);
-        if (height > tolerance || height < -depth - tolerance) return false;
+        is_in_plane = is_in_plane && height <= tolerance && height >= -depth - tolerance;
     }
-    const math::DVec3 point = s.motion[std::size_t(info.body_a)].x + math::to_double(origin);
-    return reach(s, info.shape_b, math::to_double(up), point) <= double(tolerance);
+    const math::DVec3 point = s.motion[std::size_t(info.body_a)].x + math::to_double(origin), n = math::to_double(up);
+    // Sharp edges that are still apart meet as rounded ones would, somewhere beside the plane. But if all of the body
+    // is above it, what is below can only be met in it.
+    if (!is_in_plane && reach(s, info.shape_a, -n, point) > double(depth + tolerance)) return false;
+    return reach(s, info.shape_b, n, point) <= double(tolerance);
 }
 
 // The next step finds it as if for the first time: its face is not preferred once the body is over it.
