@@ -5,7 +5,8 @@
 
 namespace cairn {
 
-// Islands with joints take at least so many substeps: the error of soft rows falls with their square.
+// Islands with joints take so many substeps, unless they have many (substeps.cpp): the error of soft rows falls with
+// their square.
 inline constexpr int joint_substeps = 11;
 
 // The body that a joint counts to, in whose island it is; none if neither is dynamic.

@@ -44,8 +44,7 @@ int rounded_up(float wanted) {
 // all joints, and a hanging net that bounced was kept bouncing. In a heap they bear impacts, which say nothing.
 int substeps_in_motion(const Island& island, bool is_heap) {
     const float most = island.joint_substeps == joint_substeps ? demand_to_return : most_demand;
-    const bool bears_much = !is_heap && island.joint_demand < unknown_demand && island.joint_demand > most;
-    return bears_much ? joint_substeps : few_joint_substeps;
+    return !is_heap && island.joint_demand > most ? joint_substeps : few_joint_substeps;
 }
 
 // Of many joints in a heap at rest: there stiffer joints keep together what few substeps would not (joint_softness).
