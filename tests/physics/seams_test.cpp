@@ -104,25 +104,26 @@ std::vector<Slider> sliders() {
 // Of these speeds, some let a step end just beyond a seam, or with a line of contact right above one.
 constexpr std::array speeds = {14.0f, 12.0f, 11.7f, 11.0f, 10.3f};
 
-void expect_as_on_a_plane(Floor floor, const char* name) {
+void expect_as_on_a_plane(Floor floor, const char* name, double sideways = 0.05) {
     for (const Slider& s : sliders()) {
         for (const float speed : speeds) {
             const Slide on_plane = slide(s.shape, plane_floor, s.height, s.rotation, speed);
             const Slide over_seams = slide(s.shape, floor, s.height, s.rotation, speed);
             const std::string what = std::string(s.name) + " over " + name + " at " + std::to_string(speed);
+            EXPECT_GT(on_plane.speed, 2) << what;
             EXPECT_NEAR(over_seams.speed, on_plane.speed, 0.01 * on_plane.speed) << what;
             EXPECT_LT(over_seams.highest, 0.002) << what;
-            EXPECT_LT(over_seams.sideways, 0.08) << what;
+            EXPECT_LT(over_seams.sideways, sideways) << what;
         }
     }
 }
 
-TEST(Seams, NothingBumpsBetweenBoxes) { expect_as_on_a_plane(box_floor, "boxes"); }
+TEST(Seams, NothingBumpsBetweenBoxes) { expect_as_on_a_plane(box_floor, "boxes", 0.08); }
 TEST(Seams, NothingBumpsOnAMesh) { expect_as_on_a_plane(mesh_floor, "a mesh"); }
 TEST(Seams, NothingBumpsOnAHeightField) { expect_as_on_a_plane(field_floor, "a height field"); }
 
-// The face that was nearest before it was passed is no longer the one that is met: boxes stopped dead at one in a
-// hundred seams.
+// The face that was nearest before it was passed is no longer the one that is met: in 4 of 14 such slides the box
+// stopped dead.
 TEST(Seams, BoxThatHasJustPassedOneDoesNotRunIntoItsSide) {
     for (int i = 0; i < 40; ++i) {
         const float speed = 10.0f + 0.07f * float(i);
@@ -161,7 +162,7 @@ Slide slide_askew(const Slider& s, Floor floor, float speed, float towards, floa
 }
 
 // Edges that are still apart meet as if they were rounded, beside the plane of the floor: cylinders were thrown up by
-// half a meter. (Friction that is shared out among several tiles turns long round things a little.)
+// 0.6 m. (Friction that is shared out among several tiles turns long round things a little.)
 TEST(Seams, NothingBumpsAskewOverTiles) {
     for (const Slider& s : sliders())
         for (int i = 0; i < 12; ++i) {
