@@ -254,7 +254,7 @@ std::int32_t row_of_body(BinScratch& scratch, std::int32_t body) {
 void fill_bin(State& s, const Bin& bin, BinScratch& scratch, Crew* crew, float dt) {
     gather_bodies(s, bin, scratch);
     scratch.row_bodies.clear();
-    if (bin.contact_count + bin.joint_count == 0) return;
+    if (scratch.touching_bodies.empty() && bin.contact_count + bin.joint_count == 0) return;
     number_rows(scratch);
     fill_lanes(s, bin, scratch);
     fill_joint_lanes(s, bin, scratch, crew, dt);

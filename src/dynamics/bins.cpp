@@ -1,6 +1,7 @@
 // Packing islands into bins and sorting their contacts.
 #include "core/cache.h"
 #include "dynamics/coloring.h"
+#include "dynamics/contacts.h"
 #include "dynamics/joints.h"
 #include "dynamics/solver.h"
 
@@ -34,6 +35,16 @@ void rescale_impulses(ContactInfo& c, ContactRecord& r, float h) {
     c.substep_time = h;
 }
 
+// What bounces passes on more than is looked for.
+bool may_be_idle(const ContactInfo& c) { return !(c.force > 0) && !c.touching && !c.bounces; }
+
+// What collecting a contact reads, beside itself.
+void prefetch_solved(const State& s, std::uint32_t id, bool may_leave_out) {
+    const ContactInfo& c = s.contacts[id];
+    ask_cache(&s.bodies[std::size_t(c.body_a)].island);
+    if (may_leave_out && may_be_idle(c)) prefetch_record(s, id);
+}
+
 void open_bin(SolverScratch& scratch, const Island& island) {
     Bin bin;
     bin.substeps = island.substeps;
@@ -42,12 +53,14 @@ void open_bin(SolverScratch& scratch, const Island& island) {
 }
 
 // All that is needed of the contacts to be solved, side by side: they lie scattered.
-void collect_contacts(State& s) {
+void collect_contacts(State& s, float dt, bool may_leave_out) {
     std::vector<SortedContact>& contacts = s.solver.unsorted;
     contacts.resize(s.solved.size());
     s.crew->for_chunks(int(s.solved.size()), contacts_per_chunk, [&](int begin, int end, int) {
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
-            if (k + contacts_ahead < std::size_t(end)) ask_cache(&s.contacts[s.solved[k + contacts_ahead]]);
+            if (k + 4 * contacts_ahead < std::size_t(end)) ask_cache(&s.contacts[s.solved[k + 4 * contacts_ahead]]);
+            if (k + 2 * contacts_ahead < std::size_t(end))
+                prefetch_solved(s, s.solved[k + 2 * contacts_ahead], may_leave_out);
             const std::uint32_t id = s.solved[k];
             const ContactInfo& c = s.contacts[id];
             const bool moves = c.b_moves || s.body_settings[std::size_t(c.body_b)].type == BodyType::kinematic;
@@ -60,7 +73,10 @@ void collect_contacts(State& s) {
                            std::uint8_t(c.point_count != 1),
                            c.bounces,
                            c.is_conveyor,
-                           !(c.force > 0)};
+                           !(c.force > 0),
+                           0,
+                           0};
+            if (may_leave_out && may_be_idle(c)) contacts[k].spare = spare_gap(s, contacts[k], dt);
         }
     });
 }
@@ -72,10 +88,17 @@ void pack_bins(State& s, float dt) {
     scratch.bins.clear();
     // Of awake islands only: there may be many more that sleep.
     scratch.contacts_of_island.resize(s.islands.size());
+    scratch.solved_of_island.resize(s.islands.size());
     scratch.bin_of_island.resize(s.islands.size());
-    for (const std::int32_t i : s.awake_islands) scratch.contacts_of_island[std::size_t(i)] = 0;
-    collect_contacts(s);
-    for (const SortedContact& c : scratch.unsorted) ++scratch.contacts_of_island[std::size_t(c.island)];
+    for (const std::int32_t i : s.awake_islands)
+        scratch.contacts_of_island[std::size_t(i)] = scratch.solved_of_island[std::size_t(i)] = 0;
+    const bool may_leave_out = find_fast(s, dt);
+    collect_contacts(s, dt, may_leave_out);
+    if (may_leave_out) leave_out_idle(s, dt);
+    for (const SortedContact& c : scratch.unsorted) {
+        ++scratch.contacts_of_island[std::size_t(c.island)];
+        scratch.solved_of_island[std::size_t(c.island)] += !c.is_left_out;
+    }
 
     // One bin is open for each number of substeps, and another for heaps at rest; it closes when it is full.
     scratch.open_bins.assign(2 * (std::size_t(most_substeps) + 1), none);
@@ -94,7 +117,7 @@ void pack_bins(State& s, float dt) {
         scratch.bin_of_island[std::size_t(i)] = open;
         ++bin.island_count;
         bin.body_count += island.body_count;
-        bin.contact_count += own_contacts;
+        bin.contact_count += scratch.solved_of_island[std::size_t(i)];
         bin.joint_count += solved_joints(island);
         if (bin.contact_count + bin.joint_count >= bin_contacts || bin.body_count >= bin_bodies) open = none;
     }
@@ -117,15 +140,17 @@ void pack_bins(State& s, float dt) {
     scratch.keys.resize(scratch.unsorted.size());
     for (std::size_t k = 0; k < scratch.unsorted.size(); ++k) {
         const SortedContact& c = scratch.unsorted[k];
+        if (c.is_left_out) continue;
         const std::uint32_t key =
             std::uint32_t(scratch.bin_of_island[std::size_t(c.island)]) * keys_per_bin + order_key(c);
         scratch.keys[k] = key;
         ++scratch.key_counts[key + 1];
     }
     for (std::size_t k = 1; k < scratch.key_counts.size(); ++k) scratch.key_counts[k] += scratch.key_counts[k - 1];
-    scratch.sorted.resize(scratch.unsorted.size());
+    scratch.sorted.resize(std::size_t(contacts));
     for (std::size_t k = 0; k < scratch.unsorted.size(); ++k) {
         const SortedContact& c = scratch.unsorted[k];
+        if (c.is_left_out) continue;
         const std::uint32_t key = scratch.keys[k];
         Bin& bin = scratch.bins[key / keys_per_bin];
         const float h = dt / float(bin.substeps);

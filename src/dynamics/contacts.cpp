@@ -557,8 +557,9 @@ void report_contacts(State& s, float dt) {
         raise(deepest, own);
     });
     s.statistics.max_penetration = double(deepest);
-    for (const std::uint32_t id : s.solved) {
-        if (!changes[id]) continue;
+    for (const SortedContact& solved : s.solver.unsorted) {
+        if (solved.is_left_out || !changes[solved.id]) continue;
+        const std::uint32_t id = solved.id;
         ContactInfo& c = s.contacts[id];
         if (c.touching)
             end_touch(s, c);

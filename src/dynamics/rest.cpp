@@ -30,6 +30,7 @@ void prefetch_poses(const State& s, std::int32_t b) {
     ask_cache(&s.motion[std::size_t(b)].q);
     ask_cache(&s.resting[std::size_t(b)]);
     ask_cache(&s.near[std::size_t(b)]);
+    ask_cache(&s.mass[std::size_t(b)]);
 }
 
 bool is_within(math::DVec3 v, double most) { return math::dot(v, v) <= most * most; }
@@ -71,9 +72,14 @@ void update_resting(State& s, float dt) {
     };
     const auto look_ahead = [&](std::int32_t b) {
         const float reach = s.narrow.turn_reach[std::size_t(b)] = turn_reach(s, b, dt);
-        s.ahead[std::size_t(b)] = s.way[std::size_t(b)] + double(dt * math::length(s.motion[std::size_t(b)].v) + reach);
+        const float way = dt * math::length(s.motion[std::size_t(b)].v);
+        s.ahead[std::size_t(b)] = s.way[std::size_t(b)] + double(way + reach);
+        const float turn = dt * math::length(s.motion[std::size_t(b)].w) * s.bodies[std::size_t(b)].radius;
+        const float mass = s.is_dynamic(b) ? s.mass[std::size_t(b)].mass : 0;
+        s.narrow.movers[std::size_t(b)] = {way + turn, mass > 0 ? mass : heaviest, mass};
     };
     s.narrow.turn_reach.assign(s.bodies.size(), 0); // of what does not move
+    s.narrow.movers.assign(s.bodies.size(), {});
     const bool is_first = s.passes == s.first_pass; // what whirls is asked once a step
     if (is_first) {
         for (const std::int32_t b : s.narrow.whirling) s.narrow.whirls[std::size_t(b)] = 0;

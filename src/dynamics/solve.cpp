@@ -166,7 +166,7 @@ void solve_bin(State& s, const Bin& bin, BinScratch& scratch, Crew* crew, float 
     const auto start = std::chrono::steady_clock::now();
     fill_bin(s, bin, scratch, crew, dt);
     scratch.slow = slow_turns(bin.rests);
-    if (bin.contact_count + bin.joint_count > 0) {
+    if (scratch.row_count() > 0) {
         fill_joint_blocks(s, scratch, crew, dt / float(bin.substeps));
         prepare_free_motion(s, scratch, crew, dt / float(bin.substeps), bin.bounces);
         for_blocks(scratch, crew, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {

@@ -11,6 +11,17 @@ namespace cairn {
 // and number of points. Impulses of contacts whose substeps have another length than in the last step are scaled.
 void pack_bins(State& state, float dt);
 
+// --- contacts without anything to do (idle_contacts.cpp)
+
+// Lists what moves fast. False if that is so much that no contact is left out in this step.
+bool find_fast(State& state, float dt);
+// Of a contact that bore nothing: how much farther apart its points are than they may come in the step, m; or 0.
+float spare_gap(const State& state, const SortedContact& contact, float dt);
+// Marks those of SolverScratch::unsorted that stay apart, however their bodies and those around them move in the step.
+void leave_out_idle(State& state, float dt);
+
+// ---
+
 // Solves all bins: velocities, poses, impulses; moves kinematic bodies. Finalizes all bodies (finalize.h).
 void solve_bins(State& state, float dt);
 

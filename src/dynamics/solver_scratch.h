@@ -45,14 +45,29 @@ struct NarrowBatch {
     std::vector<FreshPatch> fresh; // of the groups of this thread
 };
 
+inline constexpr float heaviest = 1e30f; // kg: as good as immovable
+// How far the points of a body may move in a pass, m, and what moves it: itself, or also what pushes it
+// (idle_contacts.cpp). Masses in kg, 0 of what does not move by forces.
+struct Mover {
+    float reach = 0, mass = 0, own_mass = 0;
+};
+
+// What follows pushes: bodies that push, contacts by body.
+struct PushScratch {
+    std::vector<std::int32_t> fast;
+    std::vector<std::uint32_t> first, contacts; // places among the unsorted ones
+};
+
 struct NarrowScratch {
     // Pairs to be tested, one list per PairKind: their places among the candidates.
     std::vector<std::vector<std::uint32_t>> lists;
-    std::vector<std::uint32_t> to_move;       // likewise: tested before, to be moved along
-    std::vector<NarrowBatch> at_work;         // one per thread
-    std::vector<std::int32_t> awake;          // bodies
-    std::vector<std::int32_t> whirling;       // bodies that turn far in a step and have unequal moments of inertia
-    std::vector<float> turn_reach;            // by body, m: bodies.h
+    std::vector<std::uint32_t> to_move; // likewise: tested before, to be moved along
+    std::vector<NarrowBatch> at_work;   // one per thread
+    std::vector<std::int32_t> awake;    // bodies
+    std::vector<std::int32_t> whirling; // bodies that turn far in a step and have unequal moments of inertia
+    std::vector<float> turn_reach;      // by body, m: bodies.h
+    std::vector<Mover> movers;          // by body
+    PushScratch pushes;
     std::vector<std::uint8_t> whirls;         // by body: whether it is one of them
     std::vector<std::uint32_t> skipped;       // contacts of sleeping bodies with kinematic ones at rest
     std::vector<std::uint8_t> changes;        // by contact, of those that were solved: began or ceased to touch
@@ -87,7 +102,9 @@ struct SortedContact {
     std::int32_t island;
     float substep_time; // s: that its impulses are for
     std::uint8_t color, four_points, bounces, is_conveyor;
-    std::uint8_t is_idle; // bore nothing in the last step
+    std::uint8_t is_idle;     // bore nothing in the last step
+    std::uint8_t is_left_out; // of the solver (idle_contacts.cpp)
+    float spare;              // m: how much farther apart than what may meet, or 0
 };
 
 // One solver bin: islands that are solved together through all substeps.
@@ -157,8 +174,8 @@ struct JointLayout {
     std::vector<std::uint32_t> joints;           // of the bin
     std::vector<std::uint32_t> first_row;        // of each of them, and one more: the end
     std::vector<JointRow> rows;
-    bool may_idle = false;   // any of them
-    bool only_points = true; // all are
+    bool may_idle = false;                                  // any of them
+    bool only_points = true;                                // all are
     std::array<std::uint32_t, joint_row_types> blocks = {}; // how many, by JointRowType
     std::vector<JointRun> runs;
 };
@@ -228,9 +245,11 @@ struct BinScratch {
 
 struct SolverScratch {
     std::vector<Bin> bins;
-    std::vector<std::int32_t> bin_of_island, bin_islands, contacts_of_island, open_bins;
-    std::vector<std::uint32_t> key_counts, keys; // counting sort of contacts
+    std::vector<std::int32_t> bin_of_island, bin_islands, open_bins;
+    std::vector<std::int32_t> contacts_of_island, solved_of_island; // with and without those that are left out
+    std::vector<std::uint32_t> key_counts, keys;                    // counting sort of contacts
     std::vector<SortedContact> unsorted, sorted;
+    std::vector<std::uint32_t> idle;         // places in `unsorted` of contacts that may have nothing to do
     std::vector<ContactReport> reports;      // by contact, of those that were solved
     std::vector<JointLayout> joint_layouts;  // by bin
     std::vector<std::int32_t> shared, alone; // bins that all threads solve together, and those that one does

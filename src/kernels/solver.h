@@ -72,13 +72,18 @@ CAIRN_INLINE Quatx8 multiply(Quatx8 a, Quatx8 b) {
     return {a.w * b.v + (b.w * a.v + cross(a.v, b.v)), a.w * b.w - dot(a.v, b.v)};
 }
 
-// q turned on by the rotation vector 4 u. With x = |u|, tan x = x (1 + x^2/3 + 2 x^4/15 + 17 x^6/315 + ...), so the
-// unnormalized quaternion (u tan(x) / x, 1) turns by 2 x up to O(x^9), and its square by 4 x. Beyond four radians the
-// axis is all that counts.
-CAIRN_INLINE Quatx8 turned_by(Vec3x8 u, Quatx8 q) {
+// tan |u| in the direction of u: with x = |u|, tan x = x (1 + x^2/3 + 2 x^4/15 + 17 x^6/315 + ...). The quaternion
+// (t, 1) of that, unnormalized, turns by 2 x up to O(x^9), and its square (2 t, 1 - t^2) by 4 x. Beyond four radians
+// the axis is all that counts.
+CAIRN_INLINE Vec3x8 half_tangent(Vec3x8 u) {
     const f32x8 x2 = min(dot(u, u), one());
     const f32x8 series = splat(1.0f / 3.0f) + x2 * (splat(2.0f / 15.0f) + x2 * splat(17.0f / 315.0f));
-    const Vec3x8 t = (one() + x2 * series) * u;
+    return (one() + x2 * series) * u;
+}
+
+// q turned on by the rotation vector 4 u.
+CAIRN_INLINE Quatx8 turned_by(Vec3x8 u, Quatx8 q) {
+    const Vec3x8 t = half_tangent(u);
     const Quatx8 r = multiply({t + t, one() - dot(t, t)}, q);
     const f32x8 scale = one() / sqrt(dot(r.v, r.v) + r.w * r.w);
     return {scale * r.v, scale * r.w};

@@ -80,16 +80,26 @@ CAIRN_INLINE Vec3x8 momentum_now(const SpinBlock& block, Quatx8 turn, Quatx8 axe
     return select(followed, tracked, momentum);
 }
 
+// In the frame of the principal axes: the angular velocity that goes with the momentum once the axes have turned by the
+// rotation vector 4 u.
+CAIRN_INLINE Vec3x8 velocity_after(Vec3x8 u, Vec3x8 inverse_moments, Vec3x8 momentum) {
+    const Vec3x8 t = half_tangent(u);
+    const f32x8 square = dot(t, t), scale = one() / (one() + square);
+    const Quatx8 turn = {scale * (t + t), scale * (one() - square)};
+    return rotate(turn, scaled(inverse_moments, rotate_back(turn, momentum)));
+}
+
 // What a substep adds to the angular velocities, and what the midpoint differs from the end.
 struct Turn {
     Vec3x8 change, correction;
 };
 CAIRN_INLINE Turn free_turn(Quatx8 q, Vec3x8 inverse_moments, Vec3x8 momentum, Vec3x8 w, float h, mask8 calm) {
-    Vec3x8 middle = tensor(q, inverse_moments, momentum);
-    for (int iteration = 0; iteration < 2; ++iteration)
-        middle = tensor(turned_by(splat(0.125f * h) * middle, q), inverse_moments, momentum);
-    const Vec3x8 end = tensor(turned_by(splat(0.25f * h) * middle, q), inverse_moments, momentum);
-    return {select(calm, zero3(), end - w), select(calm, zero3(), middle - end)};
+    const Vec3x8 l = rotate_back(q, momentum), start = scaled(inverse_moments, l);
+    // Half a substep ahead: by Euler's equations to first order, and from there once more.
+    Vec3x8 middle = start + splat(0.5f * h) * scaled(inverse_moments, cross(l, start));
+    middle = velocity_after(splat(0.125f * h) * middle, inverse_moments, l);
+    const Vec3x8 end = velocity_after(splat(0.25f * h) * middle, inverse_moments, l);
+    return {select(calm, zero3(), rotate(q, end) - w), select(calm, zero3(), rotate(q, middle - end))};
 }
 
 } // namespace

@@ -1,0 +1,78 @@
+// Contacts of bodies at rest that are apart are left out of the solver (dynamics/idle_contacts.cpp); but not where
+// something is about to be pushed.
+#include "support.h"
+
+namespace cairn_test {
+namespace {
+
+constexpr float dt = 1.0f / 60;
+constexpr double gap = 0.008; // more than what may touch, less than the margin of a contact
+
+BodyId add_box(World& world, Position position, float density, Vec3 velocity = {}) {
+    BodyDef def;
+    def.type = BodyType::dynamic;
+    def.position = position;
+    def.linear_velocity = velocity;
+    const BodyId body = world.create_body(def);
+    ShapeDef shape;
+    shape.density = density;
+    shape.material = surface(0.2f);
+    world.add_shape(body, Box{{0.5f, 0.5f, 0.5f}}, shape);
+    return body;
+}
+
+// A row along which a hit goes on, and others that stand by: contacts are left out where little moves.
+std::vector<BodyId> add_row(World& world) {
+    add_ground(world, surface(0.2f));
+    for (int i = 0; i < 100; ++i) // in pairs
+        add_box(world, {3.0 * (i / 2 % 10) + i % 2 * (1 + gap), 0.5, 10 + 3.0 * (i / 20)}, 1000);
+    std::vector<BodyId> row;
+    for (int i = 0; i < 8; ++i) row.push_back(add_box(world, {i * (1 + gap), 0.5, 0}, 1000));
+    return row;
+}
+
+double deepest_overlap(World& world, int steps) {
+    double deepest = 0;
+    for (int i = 0; i < steps; ++i) {
+        world.step(dt);
+        deepest = std::max(deepest, world.statistics().max_penetration);
+    }
+    return deepest;
+}
+
+TEST(IdleContacts, WhatStandsBesideOthersMeetsThemWhenTheRowIsHit) {
+    for (const float density : {1000.0f, 100000.0f}) {
+        World world(without_sleep());
+        add_row(world);
+        EXPECT_LT(deepest_overlap(world, 60), 0.001);
+        add_box(world, {-1.5, 0.5, 0}, density, {10, 0, 0});
+        EXPECT_LT(deepest_overlap(world, 60), density > 1000 ? 0.025 : 0.002) << density;
+    }
+}
+
+TEST(IdleContacts, WhatAKinematicBodyPushesMeetsWhatIsBesideIt) {
+    World world(without_sleep());
+    add_row(world);
+    EXPECT_LT(deepest_overlap(world, 60), 0.001);
+    const BodyId pusher = add_box(world, {-1.5, 0.6, 0}, 1000);
+    world.body(pusher).set_type(BodyType::kinematic);
+    world.body(pusher).set_linear_velocity({4, 0, 0});
+    EXPECT_LT(deepest_overlap(world, 60), 0.006);
+}
+
+TEST(IdleContacts, WhatIsDraggedAlongMeetsWhatIsBesideIt) {
+    World world(without_sleep());
+    const std::vector<BodyId> row = add_row(world);
+    for (int i = 0; i < 8; i += 2) {
+        JointDef joint;
+        joint.body_a = row[std::size_t(i)], joint.body_b = row[std::size_t(i) + 1];
+        joint.frame_b.position = {-1 - gap, 0, 0};
+        world.create_joint(joint);
+    }
+    EXPECT_LT(deepest_overlap(world, 60), 0.001);
+    add_box(world, {-1.5, 0.5, 0}, 1000, {10, 0, 0});
+    EXPECT_LT(deepest_overlap(world, 60), 0.001);
+}
+
+} // namespace
+} // namespace cairn_test
