@@ -17,6 +17,16 @@ float way_of_fall(const State& s, float dt) {
     const auto& g = s.settings.gravity;
     return dt * dt * math::length(math::Vec3{g.x, g.y, g.z});
 }
+// Likewise, of the forces that were asked for in this step.
+float way_of_forces(const State& s, std::int32_t body, float dt) {
+    const BodyForces& f = s.forces[std::size_t(body)];
+    const BodyMass& mass = s.mass[std::size_t(body)];
+    const math::Vec3 i = mass.inverse_inertia;
+    const double speed =
+        math::length(f.force) * double(mass.inverse_mass) +
+        math::length(f.torque) * double(std::max({i.x, i.y, i.z}) * s.bodies[std::size_t(body)].radius);
+    return dt * dt * float(speed);
+}
 // What is slower pushes its like no farther than there is room for.
 float least_push(const State& s, float dt) { return 4 * way_of_fall(s, dt); }
 // It is looked for what is pushed only where at least one contact in so many may be left out.
@@ -93,6 +103,8 @@ float reach_of(const State& s, std::int32_t a, std::int32_t b) {
 } // namespace
 
 bool find_fast(State& s, float dt) {
+    if (any_field(s)) return false; // what it does to a body depends on where that is
+    for (const std::int32_t b : s.pushed) s.narrow.movers[std::size_t(b)].reach += way_of_forces(s, b, dt);
     const float least = least_push(s, dt);
     std::vector<std::int32_t>& fast = s.narrow.pushes.fast;
     fast.clear();

@@ -60,6 +60,23 @@ TEST(IdleContacts, WhatAKinematicBodyPushesMeetsWhatIsBesideIt) {
     EXPECT_LT(deepest_overlap(world, 60), 0.006);
 }
 
+TEST(IdleContacts, WhatAForceBeginsToMoveMeetsWhatIsBesideIt) {
+    for (const bool by_gravity : {false, true}) {
+        World world(without_sleep());
+        const std::vector<BodyId> row = add_row(world);
+        EXPECT_LT(deepest_overlap(world, 60), 0.001);
+        Body first = world.body(row[0]);
+        if (by_gravity) {
+            WorldDef settings = without_sleep();
+            settings.gravity = {5, -9.81f, 0};
+            world.set_settings(settings);
+            first.set_gravity_scale(30);
+        } else
+            first.add_force(first.mass() * Vec3(300, 0, 0));
+        EXPECT_LT(deepest_overlap(world, 2), 0.002) << by_gravity;
+    }
+}
+
 TEST(IdleContacts, WhatIsDraggedAlongMeetsWhatIsBesideIt) {
     World world(without_sleep());
     const std::vector<BodyId> row = add_row(world);
