@@ -88,6 +88,8 @@ class Pushes {
 
     void push_on(const Mover& by, std::int32_t other) {
         Mover& mover = s_.narrow.movers[std::size_t(other)];
+        if (mover.mass == 0 && s_.is_dynamic(other)) // it has been woken in this pass
+            mover.mass = mover.own_mass = s_.mass[std::size_t(other)].mass;
         if (push(by, mover) && mover.reach > least_) work_.fast.push_back(other);
     }
 

@@ -71,7 +71,7 @@ void update_resting(State& s, float dt) {
         s.strayed_at[std::size_t(b)] = pass;
     };
     const auto& g = s.settings.gravity;
-    const float fall = dt * dt * math::length(math::Vec3{g.x, g.y, g.z}); // and half of that from rest
+    const float fall = dt * dt * math::length(math::Vec3{g.x, g.y, g.z}); // at most, and half of it from rest
     const auto look_ahead = [&](std::int32_t b) {
         const float reach = s.narrow.turn_reach[std::size_t(b)] = turn_reach(s, b, dt);
         const float way = dt * math::length(s.motion[std::size_t(b)].v);

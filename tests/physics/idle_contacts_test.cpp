@@ -25,7 +25,8 @@ BodyId add_box(World& world, Position position, float density, Vec3 velocity = {
 std::vector<BodyId> add_row(World& world) {
     add_ground(world, surface(0.2f));
     for (int i = 0; i < 100; ++i) // in pairs
-        add_box(world, {3.0 * (i / 2 % 10) + i % 2 * (1 + gap), 0.5, 10 + 3.0 * (i / 20)}, 1000);
+        world.body(add_box(world, {3.0 * (i / 2 % 10) + i % 2 * (1 + gap), 0.5, 10 + 3.0 * (i / 20)}, 1000))
+            .set_allow_sleep(false);
     std::vector<BodyId> row;
     for (int i = 0; i < 8; ++i) row.push_back(add_box(world, {i * (1 + gap), 0.5, 0}, 1000));
     return row;
@@ -48,6 +49,15 @@ TEST(IdleContacts, WhatStandsBesideOthersMeetsThemWhenTheRowIsHit) {
         add_box(world, {-1.5, 0.5, 0}, density, {10, 0, 0});
         EXPECT_LT(deepest_overlap(world, 60), density > 1000 ? 0.025 : 0.002) << density;
     }
+}
+
+TEST(IdleContacts, WhatSleepsBesideOthersMeetsThemWhenTheRowIsHit) {
+    World world(WorldDef{});
+    add_row(world);
+    EXPECT_LT(deepest_overlap(world, 120), 0.001);
+    EXPECT_GT(world.statistics().sleeping_islands, 0u);
+    add_box(world, {-1.5, 0.5, 0}, 1000, {10, 0, 0});
+    EXPECT_LT(deepest_overlap(world, 60), 0.002);
 }
 
 TEST(IdleContacts, WhatAKinematicBodyPushesMeetsWhatIsBesideIt) {
