@@ -38,13 +38,6 @@ void rescale_impulses(ContactInfo& c, ContactRecord& r, float h) {
 // What bounces passes on more than is looked for.
 bool may_be_idle(const ContactInfo& c) { return !(c.force > 0) && !c.touching && !c.bounces; }
 
-// What collecting a contact reads, beside itself.
-void prefetch_solved(const State& s, std::uint32_t id, bool may_leave_out) {
-    const ContactInfo& c = s.contacts[id];
-    ask_cache(&s.bodies[std::size_t(c.body_a)].island);
-    if (may_leave_out && may_be_idle(c)) prefetch_record(s, id);
-}
-
 void open_bin(SolverScratch& scratch, const Island& island) {
     Bin bin;
     bin.substeps = island.substeps;
@@ -60,7 +53,7 @@ void collect_contacts(State& s, float dt, bool may_leave_out) {
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
             if (k + 4 * contacts_ahead < std::size_t(end)) ask_cache(&s.contacts[s.solved[k + 4 * contacts_ahead]]);
             if (k + 2 * contacts_ahead < std::size_t(end))
-                prefetch_solved(s, s.solved[k + 2 * contacts_ahead], may_leave_out);
+                ask_cache(&s.bodies[std::size_t(s.contacts[s.solved[k + 2 * contacts_ahead]].body_a)].island);
             const std::uint32_t id = s.solved[k];
             const ContactInfo& c = s.contacts[id];
             const bool moves = c.b_moves || s.body_settings[std::size_t(c.body_b)].type == BodyType::kinematic;

@@ -2,6 +2,7 @@
 #include "dynamics/contacts.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 namespace cairn {
@@ -145,6 +146,14 @@ void forget_impulses(ContactRecord& r, int count) {
     r.torsion_impulse = 0;
 }
 
+// The upper half of a float is one with eight bits.
+void note_gap(ContactInfo& c, const ContactRecord& r) {
+    float gap = r.first_point[3];
+    for (int i = 1; i < c.point_count; ++i) gap = std::min(gap, point_of(r, i)[3]);
+    c.gap = gap > 0 ? std::uint16_t(std::bit_cast<std::uint32_t>(gap) >> 16) : std::uint16_t(0);
+}
+float noted_gap(const ContactInfo& c) { return std::bit_cast<float>(std::uint32_t(c.gap) << 16); }
+
 void write_record(State& s, std::uint32_t id, const Manifold& m) {
     ContactInfo& c = s.contacts[id];
     ContactRecord& r = s.records[id];
@@ -170,6 +179,7 @@ void write_record(State& s, std::uint32_t id, const Manifold& m) {
         r.radius_b = contact_radius(s, c.shape_b, normal, m.points[0][3]);
     }
     c.point_count = std::uint8_t(m.count);
+    note_gap(c, r);
     r.features = packed_features(m);
     if (stay) return;
     forget_impulses(r, m.count);

@@ -198,9 +198,10 @@ void move_contacts(State& s, int begin, int end) {
             if (i + patch_ahead(n) < count) prefetch_patch(s, contact_at(i + patch_ahead(n)), n, true);
         const std::uint32_t id = contact_at(i);
         for_each_patch(s, id, [&](std::uint32_t contact) {
-            const ContactInfo& c = s.contacts[contact];
+            ContactInfo& c = s.contacts[contact];
             ContactRecord& r = s.records[contact];
             advance_record(s, c, r);
+            note_gap(c, r);
             if (!c.touching) r.approach_speed = approach_speed(s, c, r);
         });
         s.narrow.outcomes[places[std::size_t(i)]] = going_on(s, s.contacts[id]);

@@ -73,9 +73,10 @@ void append_all(State& state, std::int32_t into, std::int32_t from) {
 // island wakes within a step.
 void settle_contacts(State& state) {
     for (const std::uint32_t id : state.solved) {
-        const ContactInfo& contact = state.contacts[id];
-        if (contact.in_use && contact.point_count > 0 && !state.is_awake(contact.body_a))
-            state.records[id] = advanced_record(state, id);
+        ContactInfo& contact = state.contacts[id];
+        if (!contact.in_use || contact.point_count == 0 || state.is_awake(contact.body_a)) continue;
+        state.records[id] = advanced_record(state, id);
+        note_gap(contact, state.records[id]);
     }
 }
 
