@@ -38,10 +38,12 @@ void rescale_impulses(ContactInfo& c, ContactRecord& r, float h) {
 // What bounces passes on more than is looked for.
 bool may_be_idle(const ContactInfo& c) { return !(c.force > 0) && !c.touching && !c.bounces; }
 
+bool has_joints_at_rest(const Island& island) { return island.rest_substeps > 0 && solved_joints(island) > 0; }
+
 void open_bin(SolverScratch& scratch, const Island& island) {
     Bin bin;
     bin.substeps = island.substeps;
-    bin.rests = island.joints_rest != 0;
+    bin.rests = has_joints_at_rest(island);
     scratch.bins.push_back(bin);
 }
 
@@ -101,7 +103,8 @@ void pack_bins(State& s, float dt) {
         island.flies = flies(s, island, own_contacts);
         island.flight += island.flies;
         island.substeps = island_substeps(s, island, own_contacts);
-        std::int32_t& open = scratch.open_bins[2 * std::size_t(island.substeps) + std::size_t(island.joints_rest)];
+        std::int32_t& open =
+            scratch.open_bins[2 * std::size_t(island.substeps) + std::size_t(has_joints_at_rest(island))];
         if (open == none) {
             open = std::int32_t(scratch.bins.size());
             open_bin(scratch, island);

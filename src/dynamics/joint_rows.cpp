@@ -436,12 +436,15 @@ float joint_demand(const State& s, const BinScratch& scratch, std::uint32_t inde
 
 } // namespace
 
-JointSoftness joint_softness(float h, bool rests) {
+JointSoftness joint_softness(const State& s, const Bin& bin, float h) {
     // Softer ones lag behind, harder ones gain energy: a hanging net from 0.35 / h on, an arm that servos hold from
-    // 0.28 / h on. In a heap at rest there is none to be gained.
+    // 0.28 / h on, and of planks on balls that rest, some under loads, from 0.45 / h on. Where a net takes fewer
+    // substeps than others (substeps.cpp), its joints are as stiff as with 8.
     constexpr float pi = 3.14159265358979f, damping_ratio = 2.0f;
-    const float omega_h = 2 * pi * (rests ? 0.375f : 0.25f), a1 = 2 * damping_ratio + omega_h, a2 = omega_h * a1;
-    return {h, 1 / h, a2 / (1 + a2), omega_h / (a1 * h), slow_turns(rests).still_sine};
+    const bool is_net = s.settings.adaptive_substeps && bin.substeps * s.split < 8;
+    const float omega_h = 2 * pi * (bin.rests ? 0.375f : is_net ? 2.0f / 7 : 0.25f);
+    const float a1 = 2 * damping_ratio + omega_h, a2 = omega_h * a1;
+    return {h, 1 / h, a2 / (1 + a2), omega_h / (a1 * h), slow_turns(bin.rests).still_sine};
 }
 
 void fill_joint_lanes(State& s, const Bin& bin, BinScratch& scratch, Crew* crew, float dt) {

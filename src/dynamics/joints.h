@@ -43,8 +43,7 @@ void fill_joint_lanes(State& state, const Bin& bin, BinScratch& scratch, Crew* c
 void fill_joint_blocks(State& state, BinScratch& scratch, Crew* crew, float h);
 // After the last substep: impulses and forces back to the joints.
 void store_joints(State& state, BinScratch& scratch, float dt);
-// `rests`: of a heap that does.
-JointSoftness joint_softness(float h, bool rests);
+JointSoftness joint_softness(const State& state, const Bin& bin, float h);
 
 // --- what falls side by side (flight.cpp)
 

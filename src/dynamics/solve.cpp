@@ -26,10 +26,11 @@ constexpr int rows_per_chunk = 512; // for threads
 
 // Catto's soft constraint ("Soft Constraints", GDC 2011) as a spring of that frequency (Hz) and damping ratio, in a
 // substep of h seconds, of so many in a step. The frequency follows the substep, uncapped: docs/solver.md says why.
-void set_softness(ContactSoftness& s, float h, int substeps, float recovery_speed) {
+// `rests`: where joints hold a heap at rest together.
+void set_softness(ContactSoftness& s, float h, int substeps, bool rests, float recovery_speed) {
     constexpr float damping_ratio = 10.0f;
     // Substeps in a period. Few substeps are for islands that bear the stiffer contact (decisions/substeps.md).
-    constexpr int fewest = 6, most = 8;
+    const int fewest = rests ? 4 : 6, most = 8;
     auto spring = [&](float frequency) {
         const float omega = 2 * pi * frequency;
         const float a1 = 2 * damping_ratio + h * omega, a2 = h * omega * a1;
@@ -105,9 +106,9 @@ void run_substeps(const State& s, const Bin& bin, BinScratch& scratch, Crew* cre
     const SolverKernels& k = kernels().solver;
     const float h = dt / float(bin.substeps);
     ContactSoftness softness;
-    set_softness(softness, h, bin.substeps * s.split, s.settings.recovery_speed);
+    set_softness(softness, h, bin.substeps * s.split, bin.rests, s.settings.recovery_speed);
     const BounceSettings bounce{h, s.settings.restitution_speed, velocity_offset(s.settings.integrator)};
-    const JointSoftness joint_soft = joint_softness(h, bin.rests);
+    const JointSoftness joint_soft = joint_softness(s, bin, h);
     // Not where joints are solved directly: a body that is much heavier than what it hits does not settle in the
     // passes. Nor where kinematic bodies drive joints: the passes would stop what they drive.
     const bool stops_impacts =

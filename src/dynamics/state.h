@@ -184,8 +184,9 @@ struct Island {
     float greatest_demand = 0;           // m/s^2: load over the reduced mass of the contact that carries it
     float unrest = 0;                    // m/s: mean square of the speeds about that of the whole, its root
     float joint_demand = unknown_demand; // m/s^2: mean square of the joints' forces over the masses, its root
-    std::int32_t joint_substeps = 0;     // that its joints ask for, if they are many
-    std::int32_t joints_rest = 0;        // 1: they are many, in a heap at rest
+    std::int32_t joint_substeps = 0;     // that its joints ask for in motion
+    std::int32_t rest_substeps = 0;      // of a heap at rest; 0: it is none
+    std::int32_t was_tossed = 0;         // 1: it is a heap that was stirred up
     float least_quiet_time = 0, greatest_quiet_time = 0;
 };
 

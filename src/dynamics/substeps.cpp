@@ -26,11 +26,14 @@ constexpr float least_use = 0.5f, least_of_base = 0.8f;
 // m/s: what is tossed about more than that is no structure, and its loads are impacts, however long they last.
 constexpr float most_unrest = 1.0f;
 
-constexpr float substeps_per_joint_demand = 1.0f / 3; // likewise, of a heap at rest
-constexpr float least_substeps_at_rest = 6;
-constexpr int few_joint_substeps = 8;                       // of many joints in motion
-constexpr float most_demand = 1000, demand_to_return = 400; // m/s^2: above they take all, until below that again
+constexpr int net_substeps = 7, heap_substeps = 8;          // of many joints in motion
+constexpr float most_demand = 1000, demand_to_return = 400; // m/s^2: above they take more, until below that again
 constexpr std::int32_t many_in_heap = 100, many_joints = 1000;
+
+// Of a heap at rest, likewise.
+constexpr float substeps_per_heap_demand = 0.32f, substeps_per_joint_demand = 1.0f / 3;
+constexpr float usual_substeps = 6, tossed_part = 2.0f / 3;
+constexpr std::int32_t many_contacts = 256;
 constexpr float most_spare_substeps = 1.5f;            // before fewer are taken
 constexpr float rest_begins = 0.25f, rest_ends = 0.5f; // m/s: unrest of a heap that comes to rest, or is stirred up
 
@@ -40,33 +43,59 @@ int rounded_up(float wanted) {
     return (int(std::min(wanted, float(most_adaptive_substeps))) + least - 1) / least * least;
 }
 
-// Of many joints in motion. The number does not follow closely what they bear: each change of it changes the gaps of
-// all joints, and a hanging net that bounced was kept bouncing. In a heap they bear impacts, which say nothing.
-int substeps_in_motion(const Island& island, bool is_heap) {
-    const float most = island.joint_substeps == joint_substeps ? demand_to_return : most_demand;
-    return !is_heap && island.joint_demand > most ? joint_substeps : few_joint_substeps;
+// Many contacts, and one to go with each joint, if there are any: then many joints.
+bool is_heap(const Island& island, std::int32_t contacts) {
+    const std::int32_t joints = solved_joints(island);
+    return joints == 0 ? contacts >= many_contacts : joints >= many_in_heap && contacts >= joints;
 }
 
-// Of many joints in a heap at rest: there stiffer joints keep together what few substeps would not (joint_softness).
-int substeps_at_rest(const Island& island) {
-    const float wanted = std::max(substeps_per_joint_demand * std::sqrt(island.joint_demand), least_substeps_at_rest);
-    const float now = float(island.joint_substeps);
+// What was tossed into a heap takes fewer than what was built as it stands: no stone of a castle must move, and a heap
+// lies as it fell. Of heaps without joints the most loaded contact tells how few, as those of all sink together; of
+// those with joints the joints do, as some limb is always squeezed.
+int substeps_at_rest(const State& s, const Island& island) {
+    const float usual = float(s.settings.substeps), part = island.was_tossed ? tossed_part : 1.0f;
+    float wanted = part * usual;
+    if (solved_joints(island) == 0) {
+        const float by_contacts = substeps_per_heap_demand * std::sqrt(island.greatest_demand);
+        wanted = std::clamp(by_contacts * (usual / usual_substeps), wanted, usual);
+    } else {
+        const float by_joints = substeps_per_joint_demand * std::sqrt(island.joint_demand);
+        wanted = std::max(wanted, std::min(part * by_joints, float(joint_substeps)));
+    }
+    const float now = float(island.rest_substeps);
     const bool keep = wanted <= now && wanted >= now - most_spare_substeps;
-    return keep ? island.joint_substeps : int(std::ceil(std::min(wanted, float(joint_substeps))));
+    return keep ? island.rest_substeps : int(std::ceil(wanted));
 }
 
 // Few joints always take the most, which costs little: so what swings on them moves as it should, and limbs come to
-// rest sooner. In a heap each joint has a contact to go with it.
-int substeps_of_joints(Island& island, std::int32_t contacts) {
-    const bool is_heap = contacts >= island.joint_count;
-    const bool is_large = island.joint_count >= (is_heap ? many_in_heap : many_joints);
-    const bool did_rest = island.joints_rest != 0;
-    island.joints_rest = is_large && is_heap && island.unrest < (did_rest ? rest_ends : rest_begins);
-    if (island.joints_rest && !did_rest) island.joint_substeps = 0; // the number in motion says nothing
-    island.joint_substeps = !is_large            ? 0
-                            : island.joints_rest ? substeps_at_rest(island)
-                                                 : substeps_in_motion(island, is_heap);
-    return is_large ? island.joint_substeps : joint_substeps;
+// rest sooner. The number of many does not follow closely what they bear: each change of it changes the gaps of all
+// joints, and a hanging net that bounced was kept bouncing. In a heap they bear impacts, which say nothing.
+int substeps_in_motion(const State& s, Island& island, bool is_heap) {
+    const std::int32_t joints = solved_joints(island);
+    if (joints == 0) return s.settings.substeps;
+    int n = joint_substeps;
+    if (is_heap || joints >= many_joints) {
+        const float most = island.joint_substeps == joint_substeps ? demand_to_return : most_demand;
+        n = is_heap ? heap_substeps : island.joint_demand > most ? joint_substeps : net_substeps;
+    }
+    island.joint_substeps = n;
+    return std::max(n, s.settings.substeps);
+}
+
+// Without regard to what is slender.
+int base_substeps(const State& s, Island& island, std::int32_t contacts) {
+    if (!s.settings.adaptive_substeps) {
+        island.joint_substeps = island.rest_substeps = 0;
+        return s.settings.substeps;
+    }
+    const bool heap = is_heap(island, contacts);
+    if (heap && island.unrest > most_unrest) island.was_tossed = 1;
+    if (!heap || !(island.unrest < (island.rest_substeps > 0 ? rest_ends : rest_begins))) {
+        island.rest_substeps = 0;
+        return substeps_in_motion(s, island, heap);
+    }
+    island.joint_substeps = 0;
+    return island.rest_substeps = substeps_at_rest(s, island);
 }
 
 } // namespace
@@ -114,19 +143,15 @@ void note_joint_loads(State& s, const Bin& bin, const BinScratch& scratch) {
 }
 
 int island_substeps(const State& s, Island& island, std::int32_t contacts) {
-    int base = s.settings.substeps;
-    if (s.settings.adaptive_substeps && solved_joints(island) > 0)
-        base = std::max(base, substeps_of_joints(island, contacts));
-    else
-        island.joint_substeps = island.joints_rest = 0;
+    const int base = base_substeps(s, island, contacts), usual = std::max(base, s.settings.substeps);
     if (s.settings.adaptive_substeps && island.weight > 0) {
         const float part = std::min(island.greatest_load / (full_share * island.weight), 1.0f);
         const float share = std::max(part - least_share, 0.0f) / (1 - least_share);
         const float wanted = substeps_per_demand * share * std::sqrt(island.greatest_demand);
         const int rounded = rounded_up(wanted), now = island.wanted_substeps;
-        const float least = std::max(least_use * float(now), least_of_base * float(base));
+        const float least = std::max(least_use * float(now), least_of_base * float(usual));
         const bool keep = (rounded <= now && wanted > least) || (rounded > now && island.unrest > most_unrest);
-        if (!keep) island.wanted_substeps = wanted > float(base) ? rounded : 0;
+        if (!keep) island.wanted_substeps = wanted > float(usual) ? rounded : 0;
     } else {
         island.wanted_substeps = 0;
     }
