@@ -27,7 +27,7 @@ constexpr float least_use = 0.5f, least_of_base = 0.8f;
 constexpr float most_unrest = 1.0f;
 
 constexpr int net_substeps = 7, heap_substeps = 8;          // of many joints in motion
-constexpr float most_demand = 1000, demand_to_return = 400; // m/s^2: above they take more, until below that again
+constexpr float most_demand = 1000, demand_to_return = 900; // m/s^2: above they take more, until below that again
 constexpr std::int32_t many_in_heap = 100, many_joints = 1000;
 
 // Of a heap at rest, likewise.
