@@ -18,7 +18,7 @@ constexpr double sinking = 10.0, most_shift = 0.01, most_step = 0.25;
 // How far any point of a body may be from where its contacts were found, as a share of its radius. Points that are
 // moved along instead keep their normal: what they miss is of second order, a shift of half a millimeter times a turn
 // of a thousandth; and corners that come near are found at latest when they are that much nearer.
-constexpr double nearness = 1e-3;
+constexpr double nearness = 3e-3;
 
 constexpr float most_turn = 1.0f; // radians in a step
 

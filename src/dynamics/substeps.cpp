@@ -31,10 +31,10 @@ constexpr float most_demand = 1000, demand_to_return = 900; // m/s^2: above they
 constexpr std::int32_t many_in_heap = 100, many_joints = 1000;
 
 // Of a heap at rest, likewise.
-constexpr float substeps_per_heap_demand = 0.32f, substeps_per_joint_demand = 1.0f / 3;
+constexpr float substeps_per_heap_demand = 0.21f, substeps_per_joint_demand = 1.0f / 3;
 constexpr float usual_substeps = 6, tossed_part = 2.0f / 3;
 constexpr std::int32_t many_contacts = 256;
-constexpr float most_spare_substeps = 1.5f;            // before fewer are taken
+constexpr float most_spare_substeps = 1.5f, least_spare_substeps = 0.1f; // before fewer are taken
 constexpr float rest_begins = 0.25f, rest_ends = 0.5f; // m/s: unrest of a heap that comes to rest, or is stirred up
 
 // Up to a multiple of 8, as islands of one number are solved together; few are not made half as many again.
@@ -53,18 +53,17 @@ bool is_heap(const Island& island, std::int32_t contacts) {
 // lies as it fell. Of heaps without joints the most loaded contact tells how few, as those of all sink together; of
 // those with joints the joints do, as some limb is always squeezed.
 int substeps_at_rest(const State& s, const Island& island) {
-    const float usual = float(s.settings.substeps), part = island.was_tossed ? tossed_part : 1.0f;
-    float wanted = part * usual;
+    const float usual = float(s.settings.substeps), least = (island.was_tossed ? tossed_part : 1.0f) * usual;
+    float wanted = 0, most = usual;
     if (solved_joints(island) == 0) {
-        const float by_contacts = substeps_per_heap_demand * std::sqrt(island.greatest_demand);
-        wanted = std::clamp(by_contacts * (usual / usual_substeps), wanted, usual);
+        wanted = substeps_per_heap_demand * std::sqrt(island.greatest_demand) * (usual / usual_substeps);
     } else {
-        const float by_joints = substeps_per_joint_demand * std::sqrt(island.joint_demand);
-        wanted = std::max(wanted, std::min(part * by_joints, float(joint_substeps)));
+        wanted = substeps_per_joint_demand * std::sqrt(island.joint_demand) * (least / usual);
+        most = std::max(float(joint_substeps), usual);
     }
     const float now = float(island.rest_substeps);
-    const bool keep = wanted <= now && wanted >= now - most_spare_substeps;
-    return keep ? island.rest_substeps : int(std::ceil(wanted));
+    const bool keep = wanted <= now && wanted >= std::max(now - most_spare_substeps, least - least_spare_substeps);
+    return keep ? island.rest_substeps : int(std::ceil(std::clamp(wanted, least, most)));
 }
 
 // Few joints always take the most, which costs little: so what swings on them moves as it should, and limbs come to

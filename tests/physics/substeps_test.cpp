@@ -40,7 +40,7 @@ int substeps_of_loaded_deck(float load) {
 }
 
 TEST(Substeps, OfADeckAtRestGrowWithItsLoad) {
-    EXPECT_EQ(substeps_of_loaded_deck(30), 7);
+    EXPECT_EQ(substeps_of_loaded_deck(30), 6);
     EXPECT_EQ(substeps_of_loaded_deck(800), 9);
     EXPECT_EQ(substeps_of_loaded_deck(20000), 11);
 }
