@@ -291,9 +291,10 @@ bool is_found(const State& s, const ContactInfo& c) {
 std::uint8_t before_test(const State& s, const ContactInfo& c) {
     if (!c.b_moves && !s.is_awake(c.body_a) && !moves(s, c.body_b)) return c.point_count > 0 ? skipped : apart;
     if (!is_tested(s, c)) {
-        const bool is_moved = (c.kind >= PairKind::box_capsule && !c.is_trigger && is_near(s, c)) || is_found(s, c);
-        if (!is_moved) return std::uint8_t(to_test + int(c.kind));
-        return c.point_count > 0 ? to_move : apart;
+        if (is_found(s, c)) return c.point_count > 0 ? to_move : apart;
+        // What has no points is tested: they may come near each other on the way, the more so the larger they are.
+        if (c.kind >= PairKind::box_capsule && c.point_count > 0 && is_near(s, c)) return to_move;
+        return std::uint8_t(to_test + int(c.kind));
     }
     if (c.is_trigger) return apart;
     return c.point_count > 0 ? goes_on : apart;

@@ -15,10 +15,11 @@ namespace {
 // be, as a share of that way in one step: the solver cannot see a creep as slow as that.
 constexpr double sinking = 10.0, most_shift = 0.01, most_step = 0.25;
 
-// How far any point of a body may be from where its contacts were found, as a share of its radius. Points that are
-// moved along instead keep their normal: what they miss is of second order, a shift of half a millimeter times a turn
-// of a thousandth; and corners that come near are found at latest when they are that much nearer.
-constexpr double nearness = 3e-3;
+// How far any point of a body may be from where its contacts were found, as a share of its radius, and in meters at
+// most. Points that are moved along instead keep their normal: what they miss is of second order, a shift of a
+// millimeter times a turn of three thousandths; and corners that come near are found at latest when they are that much
+// nearer.
+constexpr double nearness = 3e-3, most_nearness = 5e-3;
 
 constexpr float most_turn = 1.0f; // radians in a step
 
@@ -66,7 +67,7 @@ void update_resting(State& s, float dt) {
         count_way(s, b);
         s.left_at[std::size_t(b)] = pass;
         const float radius = s.bodies[std::size_t(b)].radius;
-        if (is_at(s.near[std::size_t(b)], motion, radius, nearness * double(radius))) return;
+        if (is_at(s.near[std::size_t(b)], motion, radius, std::min(nearness * double(radius), most_nearness))) return;
         s.near[std::size_t(b)] = {motion.x, motion.q};
         s.strayed_at[std::size_t(b)] = pass;
     };
