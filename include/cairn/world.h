@@ -34,7 +34,8 @@ struct WorldDef {
     Vec3 gravity{0.0f, -9.81f, 0.0f}; ///< m/s^2, finite.
     int substeps = 6;                 ///< Solver substeps of one step, 1 to 256. Stiff islands (high mass ratios,
                                       ///< tall stacks) get more by themselves; see `adaptive_substeps`.
-    bool adaptive_substeps = true;    ///< Raise the substeps of islands whose mass ratio or height asks for it.
+    bool adaptive_substeps = true;    ///< Raise the substeps of islands whose mass ratio or height asks for it, and
+                                      ///< take two thirds of them in large heaps that fell and have come to rest.
     Integrator integrator = Integrator::semi_implicit_euler;
     bool enable_sleep = true;          ///< Islands at rest stop costing time.
     float sleep_speed = 0.05f;         ///< m/s; a body slower than this at its surface may sleep. >= 0.
