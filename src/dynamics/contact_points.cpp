@@ -2,7 +2,6 @@
 #include "dynamics/contacts.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstring>
 
 namespace cairn {
@@ -150,9 +149,16 @@ void forget_impulses(ContactRecord& r, int count) {
 void note_gap(ContactInfo& c, const ContactRecord& r) {
     float gap = r.first_point[3];
     for (int i = 1; i < c.point_count; ++i) gap = std::min(gap, point_of(r, i)[3]);
-    c.gap = gap > 0 ? std::uint16_t(std::bit_cast<std::uint32_t>(gap) >> 16) : std::uint16_t(0);
+    std::uint32_t bits = 0;
+    if (gap > 0) std::memcpy(&bits, &gap, sizeof bits);
+    c.gap = std::uint16_t(bits >> 16);
 }
-float noted_gap(const ContactInfo& c) { return std::bit_cast<float>(std::uint32_t(c.gap) << 16); }
+float noted_gap(const ContactInfo& c) {
+    const std::uint32_t bits = std::uint32_t(c.gap) << 16;
+    float gap;
+    std::memcpy(&gap, &bits, sizeof gap);
+    return gap;
+}
 
 void write_record(State& s, std::uint32_t id, const Manifold& m) {
     ContactInfo& c = s.contacts[id];
