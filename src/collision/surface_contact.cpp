@@ -12,7 +12,7 @@ using math::DVec3;
 
 namespace {
 
-constexpr double same_patch = 0.02;          // difference of unit normals, 1.1 degrees: hits that are one patch
+constexpr double same_patch = 0.12;          // difference of unit normals, 7 degrees: hits that are one patch
 constexpr double same_normal = 2e-4;         // likewise: an edge that is touched so holds nothing up
 constexpr double flatness = 1e-4;            // of the shape's size: how far out of a plane a point may be
 constexpr std::size_t none = ~std::size_t{}; // of the patches

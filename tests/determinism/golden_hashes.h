@@ -18,9 +18,9 @@ inline constexpr std::uint64_t free_tops = 0x246ba73d00d3c8e6;
 inline constexpr std::uint64_t explicit_euler = 0x0cc1f769a04e7678;
 inline constexpr std::uint64_t whirl = 0x7cb5409bfa324e78;
 inline constexpr std::uint64_t changes = 0x08c7ab6e049243a4;
-inline constexpr std::uint64_t all_shapes = 0x0999230976805c50;
-inline constexpr std::uint64_t rounded_shapes = 0x702b81e81bf87823;
-inline constexpr std::uint64_t surfaces = 0x8b1e0ca88c1e3871;
+inline constexpr std::uint64_t all_shapes = 0xedf523eac01eac17;
+inline constexpr std::uint64_t rounded_shapes = 0x19727e27ef314f0a;
+inline constexpr std::uint64_t surfaces = 0xfc77848c8216c103;
 inline constexpr std::uint64_t all_joints = 0x311eb2f2fd4db665;
 inline constexpr std::uint64_t chains = 0x9c36db1896dbd2d5;
 
