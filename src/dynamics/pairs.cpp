@@ -10,7 +10,7 @@ namespace cairn {
 
 namespace {
 
-constexpr float most_margin = 0.02f;       // m: contacts exist before they touch
+constexpr float most_margin = 0.01f;       // m: contacts exist before they touch
 constexpr float margin_per_extent = 0.25f; // for small shapes
 constexpr float match_per_extent = 0.1f;
 

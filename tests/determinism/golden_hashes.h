@@ -7,21 +7,21 @@
 
 namespace cairn_test::golden {
 
-inline constexpr std::uint64_t mixed_pile = 0xa8125643baef7d1c;
-inline constexpr std::uint64_t pyramid = 0x637e301f15ca3dca;
-inline constexpr std::uint64_t dominoes = 0xe07b02311dbe3c64;
-inline constexpr std::uint64_t materials = 0xbbfaa8caa6a8e20c;
-inline constexpr std::uint64_t tumbler = 0x282bee566e79e6c1;
-inline constexpr std::uint64_t sleep_and_wake = 0x4f3ba895eadb07bc;
-inline constexpr std::uint64_t compounds = 0xa153603c69ef5261;
-inline constexpr std::uint64_t free_tops = 0x246ba73d00d3c8e6;
-inline constexpr std::uint64_t explicit_euler = 0x0cc1f769a04e7678;
-inline constexpr std::uint64_t whirl = 0x7cb5409bfa324e78;
-inline constexpr std::uint64_t changes = 0x08c7ab6e049243a4;
-inline constexpr std::uint64_t all_shapes = 0xedf523eac01eac17;
-inline constexpr std::uint64_t rounded_shapes = 0x19727e27ef314f0a;
-inline constexpr std::uint64_t surfaces = 0xfc77848c8216c103;
-inline constexpr std::uint64_t all_joints = 0x311eb2f2fd4db665;
-inline constexpr std::uint64_t chains = 0x9c36db1896dbd2d5;
+inline constexpr std::uint64_t mixed_pile = 0x44a376e1cb471c18;
+inline constexpr std::uint64_t pyramid = 0xa5c1fd36cfe176fd;
+inline constexpr std::uint64_t dominoes = 0xcd6493645981d84e;
+inline constexpr std::uint64_t materials = 0xc57bdad6cbf5c4fd;
+inline constexpr std::uint64_t tumbler = 0xa7451dddd4a6dda1;
+inline constexpr std::uint64_t sleep_and_wake = 0x806df4e00fd95c36;
+inline constexpr std::uint64_t compounds = 0x4a29d78b3a92dd4f;
+inline constexpr std::uint64_t free_tops = 0xe32cec2b97e2e1ef;
+inline constexpr std::uint64_t explicit_euler = 0x775513aead366006;
+inline constexpr std::uint64_t whirl = 0x4b507c8030ff7706;
+inline constexpr std::uint64_t changes = 0x3ed678f51c71c28f;
+inline constexpr std::uint64_t all_shapes = 0x44ff6351110f143a;
+inline constexpr std::uint64_t rounded_shapes = 0xf85dca74637284f6;
+inline constexpr std::uint64_t surfaces = 0xe64a31d3e8324569;
+inline constexpr std::uint64_t all_joints = 0x689deaa16836d5bc;
+inline constexpr std::uint64_t chains = 0xab710d6013f45231;
 
 } // namespace cairn_test::golden
