@@ -145,10 +145,15 @@ void forget_impulses(ContactRecord& r, int count) {
     r.torsion_impulse = 0;
 }
 
+float least_separation(const ContactInfo& c, const ContactRecord& r) {
+    float least = r.first_point[3];
+    for (int i = 1; i < c.point_count; ++i) least = std::min(least, point_of(r, i)[3]);
+    return least;
+}
+
 // The upper half of a float is one with eight bits.
 void note_gap(ContactInfo& c, const ContactRecord& r) {
-    float gap = r.first_point[3];
-    for (int i = 1; i < c.point_count; ++i) gap = std::min(gap, point_of(r, i)[3]);
+    const float gap = least_separation(c, r);
     std::uint32_t bits = 0;
     if (gap > 0) std::memcpy(&bits, &gap, sizeof bits);
     c.gap = std::uint16_t(bits >> 16);

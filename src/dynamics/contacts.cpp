@@ -52,12 +52,6 @@ float approach_speed(const State& s, const ContactInfo& c, const ContactRecord& 
                              [&](int i) { return to_vec(point_of(r, i)); });
 }
 
-float least_separation(const ContactInfo& c, const ContactRecord& r) {
-    float least = unused;
-    for (int i = 0; i < c.point_count; ++i) least = std::min(least, point_of(r, i)[3]);
-    return least;
-}
-
 void note_trigger(State& s, ContactInfo& c, bool inside) {
     c.touching = inside;
     const bool a_is_trigger = s.shape_traits[c.shape_a].is_trigger;

@@ -27,6 +27,8 @@ inline float total_of(const ContactRecord& r, int i) { return i == 0 ? r.first_t
 
 // Writes the record of a contact from the kernel's manifold, which has points. Impulses go on where points stay.
 void write_record(State& state, std::uint32_t contact, const Manifold& manifold);
+// Of the points of a contact that has some.
+float least_separation(const ContactInfo& contact, const ContactRecord& record);
 // Notes the least gap of its points: what bears nothing is told apart without a look at its record.
 void note_gap(ContactInfo& contact, const ContactRecord& record);
 // The least gap as it was noted, rounded down; 0 where they overlap.

@@ -119,12 +119,7 @@ void drop_seams_of_body(State& s, std::vector<std::uint32_t>& contacts) {
                     [&](std::uint32_t id) { return s.contacts[id].shape_b == shape; }))
         return;
     drop_covered(s, contacts);
-    const auto depth_of = [&](std::uint32_t id) {
-        const ContactInfo& c = s.contacts[id];
-        float least = point_of(s.records[id], 0)[3];
-        for (int i = 1; i < c.point_count; ++i) least = std::min(least, point_of(s.records[id], i)[3]);
-        return -least;
-    };
+    const auto depth_of = [&](std::uint32_t id) { return -least_separation(s.contacts[id], s.records[id]); };
     const math::Vec3 first = to_vec(s.records[contacts[0]].normal);
     if (std::all_of(contacts.begin(), contacts.end(),
                     [&](std::uint32_t id) { return is_same(first, to_vec(s.records[id].normal)); }))
