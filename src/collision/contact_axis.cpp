@@ -67,10 +67,11 @@ class HullFaceSearch {
 
     // The point of the other shape that is nearest to the face.
     DVec3 measure(int face) {
-        const DVec3 normal = face_normal(hull_, face), nearest = near_support(other_, -normal);
-        const double separation = dot(normal, nearest - face_point(hull_, face));
-        if (separation > best_.separation) best_ = {normal, separation, face, false, {}, {}, {}};
-        return nearest;
+        const DVec3 normal = face_normal(hull_, face);
+        const NearSupport nearest = near_support(other_, -normal);
+        const double separation = dot(normal, nearest.point - face_point(hull_, face));
+        if (separation > best_.separation) best_ = {normal, separation, face, false, nearest.vertex, {}, {}, {}};
+        return nearest.point;
     }
 
     const Convex &hull_, &other_;
@@ -88,8 +89,9 @@ Axis best_face(const Convex& c, const Convex& other, DVec3 p, const Axis& floor)
         if (!has_face(c, i)) continue;
         const DVec3 normal = face_normal(c, i), on_face = face_point(c, i);
         if (!(dot(normal, p - on_face) > best.separation)) continue; // no other point is farther inside
-        const double separation = dot(normal, near_support(other, -normal) - on_face);
-        if (separation > best.separation) best = {normal, separation, i, false, {}, {}, {}};
+        const NearSupport nearest = near_support(other, -normal);
+        const double separation = dot(normal, nearest.point - on_face);
+        if (separation > best.separation) best = {normal, separation, i, false, nearest.vertex, {}, {}, {}};
     }
     return best;
 }

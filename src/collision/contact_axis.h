@@ -15,18 +15,19 @@ struct Axis {
     math::DVec3 normal; // from a to b
     double separation = -std::numeric_limits<double>::infinity();
     int face = -1;
-    bool is_second = false; // the face is b's
+    bool is_second = false;        // the face is b's
+    int opposite = unknown_vertex; // of the other shape, if it is a hull: its vertex that is nearest to the face
     math::DVec3 on_a, on_b; // the points of the shapes that are farthest along the normal and against it
     math::DVec3 touch;      // midway between the points of the cores that are nearest to each other
 };
 
 inline double separation_along(const Convex& a, const Convex& b, math::DVec3 n) {
-    return math::dot(n, near_support(b, -n) - near_support(a, n));
+    return math::dot(n, near_support(b, -n).point - near_support(a, n).point);
 }
 // The points of the shapes along the axis, and how far they are apart.
 inline void measure(const Convex& a, const Convex& b, Axis& axis) {
-    axis.on_a = near_support(a, axis.normal);
-    axis.on_b = near_support(b, -axis.normal);
+    axis.on_a = near_support(a, axis.normal).point;
+    axis.on_b = near_support(b, -axis.normal).point;
     axis.separation = math::dot(axis.normal, axis.on_b - axis.on_a);
 }
 

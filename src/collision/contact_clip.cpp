@@ -1,4 +1,6 @@
-#include "collision/contact_features.h"
+#include "collision/face_outline.h"
+
+#include <algorithm>
 
 namespace cairn {
 
@@ -20,132 +22,95 @@ struct Point3 {
 };
 using Polygon = Buffer<Point3, 16>;
 
-// The part of p + t (q - p), 0 <= t <= 1, within a polygon that is counterclockwise in x and y.
-struct Part {
-    double start = 0, end = 1;
-    bool is_empty() const { return start > end; }
-    void cut(double at_p, double at_q) { // heights inside a border
-        if (at_p < 0 && at_q < 0)
-            start = 2;
-        else if (at_p < 0)
-            start = std::max(start, at_p / (at_p - at_q));
-        else if (at_q < 0)
-            end = std::min(end, at_p / (at_p - at_q));
-    }
-};
-
-double size_of(const Polygon& polygon) {
-    double size = 0;
-    for (const Point3& p : polygon) size = std::max(size, std::max(std::fabs(p.x), std::fabs(p.y)));
-    return size;
-}
-
-// The side of a polygon: how far a point is inside is nx x + ny y + offset. Sides without length hold everything.
-struct Border {
-    double nx, ny, offset;
-    double inside(const Point3& p) const { return nx * p.x + ny * p.y + offset; }
-};
-using Borders = Buffer<Border, 16>;
-
-void find_borders(const Polygon& polygon, Borders& out) {
-    const std::size_t n = polygon.size();
-    for (std::size_t i = 0; i < n; ++i) {
-        const Point3 &a = polygon[i], &b = polygon[i + 1 < n ? i + 1 : 0];
-        const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
-        const double s = square > 0 ? 1 / std::sqrt(square) : 0;
-        out.add({-s * dy, s * dx, s * (dy * a.x - dx * a.y)});
-    }
-}
-
-bool is_within(const Borders& borders, const Point3& p, double slack) {
-    for (const Border& b : borders)
-        if (b.inside(p) < -slack) return false;
-    return true;
-}
-
-// How far points are inside each border of a polygon, with the slack: of the first point, of the second and so on.
-struct Heights {
-    Heights(const Borders& borders, const Polygon& points, double slack) : border_count(borders.size()) {
-        for (const Point3& p : points)
-            for (const Border& b : borders) values.add(b.inside(p) + slack);
-    }
-    Part cut(std::size_t p, std::size_t q) const {
-        Part part;
-        const double *at_p = values.data() + p * border_count, *at_q = values.data() + q * border_count;
-        for (std::size_t k = 0; k < border_count; ++k) part.cut(at_p[k], at_q[k]);
-        return part;
-    }
-    std::size_t border_count;
-    Buffer<double, 64> values;
-};
-
 Point3 between(const Point3& p, const Point3& q, double t) {
     return {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y), p.z + t * (q.z - p.z)};
 }
-
-// The frame of a face: its corner or center, two directions along it and the normal.
-struct Frame {
-    DVec3 origin, e1, e2, normal;
-    std::uint32_t feature; // added to that of each point
-    Point3 to_frame(DVec3 p) const {
-        const DVec3 d = p - origin;
-        return {dot(d, e1), dot(d, e2), dot(d, normal)};
-    }
-    void add(ContactPoints& out, const Point3& p, std::uint32_t number) const {
-        out.add({origin + p.x * e1 + p.y * e2 + (0.5 * p.z) * normal, p.z, feature + number});
-    }
-};
 
 DVec3 unit_or(DVec3 v, DVec3 other) {
     const double length = math::length(v);
     return length > 0 ? (1 / length) * v : other;
 }
 
-std::uint32_t feature_base(const Feature& reference, const Feature& incident) {
-    return (reference.index * 64 + incident.index) << 17;
+std::uint32_t feature_base(std::uint32_t reference, std::uint32_t incident) { return (reference * 64 + incident) << 17; }
+
+// How far the corners of a feature are inside the sides of a face.
+class Inside {
+  public:
+    Inside(std::span<const SideBlock> sides, const Polygon& corners, double slack) : blocks_(sides.size()) {
+        for (const Point3& p : corners)
+            for (const SideBlock& block : sides) {
+                Four four;
+                four.outside = block.inside(p.x, p.y, slack, four.value);
+                any_outside |= four.outside;
+                values_.add(four);
+            }
+    }
+
+    // The part of the edge from corner p to q that is inside; false if there is none.
+    bool cut(std::size_t p, std::size_t q, double& start, double& end) const {
+        start = 0, end = 1;
+        const Four *at_p = values_.data() + p * blocks_, *at_q = values_.data() + q * blocks_;
+        for (std::size_t i = 0; i < blocks_; ++i) {
+            const Four &from = at_p[i], &to = at_q[i];
+            if ((from.outside & to.outside) != 0) return false;
+            for (unsigned crossed = from.outside | to.outside; crossed != 0; crossed &= crossed - 1) {
+                const int k = __builtin_ctz(crossed);
+                const double t = from.value[k] / (from.value[k] - to.value[k]);
+                if ((from.outside >> k & 1) != 0)
+                    start = std::max(start, t);
+                else
+                    end = std::min(end, t);
+            }
+        }
+        return start <= end;
+    }
+
+    unsigned any_outside = 0;
+
+  private:
+    struct Four {
+        double value[SideBlock::width];
+        unsigned outside; // a bit for each
+    };
+    std::size_t blocks_;
+    Buffer<Four, 16> values_; // block by block of the first corner, of the second and so on
+};
+
+// Which of four corners of the reference face are beyond a side of the incident one, or less inside than `slack`; seen
+// from the front of the reference face, the incident one is clockwise.
+unsigned beyond_side(const SideBlock& corners, const Point3& p, const Point3& q, double slack) {
+    using namespace sides;
+    const double dx = q.x - p.x, dy = q.y - p.y;
+    // Rather than by the length of the side, which takes a root: by up to 1.4 times as much.
+    const D2 least = splat(slack * (std::fabs(dx) + std::fabs(dy)));
+    unsigned beyond = 0;
+    for (std::size_t k = 0; k < SideBlock::width; k += 2) {
+        const D2 x = load(corners.x + k) - splat(p.x), y = load(corners.y + k) - splat(p.y);
+        beyond |= negative(splat(dy) * x - splat(dx) * y - least) << k;
+    }
+    return beyond;
 }
 
-void polygon_points(const Feature& reference, const Feature& incident, ContactPoints& out) {
-    Frame frame;
-    frame.origin = reference.points[0];
-    frame.normal = reference.normal;
-    frame.e1 = unit_or(reference.points[1] - reference.points[0], {});
-    if (frame.e1 == DVec3{}) frame.e1 = math::to_double(math::any_orthogonal(math::to_float(frame.normal)));
-    frame.e2 = math::cross(frame.normal, frame.e1);
-    frame.feature = feature_base(reference, incident);
-    Polygon face, other;
-    for (const DVec3& p : reference.points) face.add(frame.to_frame(p));
-    for (const DVec3& p : incident.points) other.add(frame.to_frame(p));
-    const double slack = face_tolerance * size_of(face);
-    Borders borders;
-    find_borders(face, borders);
-    const std::size_t n = other.size();
-    if (n == 1) {
-        if (is_within(borders, other[0], slack)) frame.add(out, other[0], from_edges);
-        return;
-    }
-    const Heights heights(borders, other, slack);
-    for (std::size_t i = 0; i < (n == 2 ? 1 : n); ++i) {
-        const std::size_t next = i + 1 < n ? i + 1 : 0;
-        const Point3 &p = other[i], &q = other[next];
-        const Part part = heights.cut(i, next);
-        if (part.is_empty()) continue;
-        const auto number = static_cast<std::uint32_t>(from_edges + 2 * i);
-        frame.add(out, between(p, q, part.start), number);
-        // The end of an edge is the start of the next.
-        if (part.end < 1 || n == 2) frame.add(out, between(p, q, part.end), number + 1);
-    }
+// The corners of the face that are over the incident polygon.
+void add_corners(const FaceOutline& face, const Feature& incident, const Polygon& other, double slack,
+                 ContactPoints& out) {
+    const ContactFrame& frame = face.frame;
     const DVec3 m{dot(incident.normal, frame.e1), dot(incident.normal, frame.e2), dot(incident.normal, frame.normal)};
-    if (n == 2 || !(m.z < -edge_on)) return;
-    std::swap(other[0], other[n - 1]); // the other way round: counterclockwise from this side
-    for (std::size_t i = 1; i < n - 1 - i; ++i) std::swap(other[i], other[n - 1 - i]);
-    borders.clear();
-    find_borders(other, borders);
-    for (std::size_t i = 0; i < face.size(); ++i) {
-        Point3 p = face[i];
-        if (!is_within(borders, p, -slack)) continue;
-        p.z = other[0].z - ((p.x - other[0].x) * m.x + (p.y - other[0].y) * m.y) / m.z;
-        frame.add(out, p, static_cast<std::uint32_t>(from_corners + i));
+    if (!(m.z < -edge_on)) return;
+    const std::size_t n = other.size();
+    const double slope_x = m.x / m.z, slope_y = m.y / m.z;
+    for (std::size_t first = 0; first < face.corner_count; first += SideBlock::width) {
+        const SideBlock& corners = face.sides[first / SideBlock::width];
+        const std::size_t count = std::min(face.corner_count - first, SideBlock::width);
+        unsigned over = (1u << count) - 1;
+        for (std::size_t i = 0; i < n && over != 0; ++i)
+            over &= ~beyond_side(corners, other[i], other[i + 1 < n ? i + 1 : 0], slack);
+        for (; over != 0; over &= over - 1) {
+            const auto k = static_cast<std::size_t>(__builtin_ctz(over));
+            const double x = corners.x[k], y = corners.y[k];
+            const double z = other[0].z - ((x - other[0].x) * slope_x + (y - other[0].y) * slope_y);
+            out.list.add({x, y, z, frame.feature + static_cast<std::uint32_t>(from_corners + first + k)});
+        }
     }
 }
 
@@ -173,8 +138,8 @@ void disc_polygon(const Feature& disc, const Feature& reference, double extent, 
 class DiscPoints {
   public:
     DiscPoints(const Feature& disc, const Feature& other, DVec3 m, double extent, ContactPoints& out)
-        : disc_(disc), other_(other), m_(m), cosine_(dot(m, disc.normal)), extent_(extent), out_(out),
-          base_(feature_base(disc, other)) {
+        : disc_(disc), other_(other), m_(m), cosine_(dot(m, disc.normal)), extent_(extent), out_(out) {
+        out.frame = {disc.center, disc.u, disc.v, m, feature_base(disc.index, other.index)};
         for (const DVec3& p : other.points) {
             const DVec3 d = p - disc.center;
             const double z = dot(d, disc.normal) / cosine_;
@@ -203,7 +168,7 @@ class DiscPoints {
     static double square(const Point3& p) { return p.x * p.x + p.y * p.y; }
     double wide() const { return (1 + face_tolerance) * disc_.radius; }
     void add(const Point3& p, std::uint32_t number) {
-        out_.add({disc_.center + p.x * disc_.u + p.y * disc_.v + (0.5 * p.z) * m_, p.z, base_ + number});
+        out_.list.add({p.x, p.y, p.z, out_.frame.feature + number});
     }
 
     // Four points of the rim. They do not turn with the disc: on a face they keep to its first edge, and as soon as the
@@ -220,13 +185,19 @@ class DiscPoints {
         x = length > 0 ? x / length : 1, y = length > 0 ? y / length : 0;
         Polygon polygon; // counterclockwise as the disc sees it
         for (std::size_t i = corners_.size(); i-- > 0;) polygon.add(corners_[i]);
-        Borders borders;
-        find_borders(polygon, borders);
+        Buffer<SideBlock, 4> sides;
+        make_sides(polygon, [&](const SideBlock& block) { sides.add(block); });
+        const auto is_within = [&](const Point3& p) {
+            double inside[SideBlock::width];
+            for (const SideBlock& block : sides)
+                if (block.inside(p.x, p.y, face_tolerance * disc_.radius, inside) != 0) return false;
+            return true;
+        };
         const Point3 directions[4] = {{x, y, 0}, {-x, -y, 0}, {-y, x, 0}, {y, -x, 0}};
         for (std::uint32_t i = 0; i < 4; ++i) {
             Point3 p{disc_.radius * directions[i].x, disc_.radius * directions[i].y, 0};
             p.z = z0 + gx * p.x + gy * p.y;
-            if (is_within(borders, p, face_tolerance * disc_.radius)) add(p, from_rim + (leans ? 4 : 0) + i);
+            if (is_within(p)) add(p, from_rim + (leans ? 4 : 0) + i);
         }
     }
 
@@ -250,23 +221,51 @@ class DiscPoints {
     DVec3 m_;
     double cosine_, extent_;
     ContactPoints& out_;
-    std::uint32_t base_;
     Polygon corners_; // of the other feature, seen along m in the plane of the disc
 };
 
 } // namespace
 
-void face_points(const Feature& reference, const Feature& incident, double extent, ContactPoints& out) {
+void outline_points(const FaceOutline& face, const Feature& incident, ContactPoints& out) {
+    out.frame = face.frame;
+    out.frame.feature = feature_base(face.index, incident.index);
+    Polygon other;
+    for (const DVec3& p : incident.points) {
+        const DVec3 q = face.frame.to_frame(p);
+        other.add({q.x, q.y, q.z});
+    }
+    const auto add = [&](const Point3& p, std::size_t number) {
+        out.list.add({p.x, p.y, p.z, out.frame.feature + static_cast<std::uint32_t>(number)});
+    };
+    const double slack = face_tolerance * face.size;
+    const Inside inside(face.sides, other, slack);
+    const std::size_t n = other.size();
+    if (n == 1) {
+        if (inside.any_outside == 0) add(other[0], from_edges);
+        return;
+    }
+    for (std::size_t i = 0; i < (n == 2 ? 1 : n); ++i) {
+        const std::size_t next = i + 1 < n ? i + 1 : 0;
+        double start, end;
+        if (!inside.cut(i, next, start, end)) continue;
+        add(between(other[i], other[next], start), from_edges + 2 * i);
+        // The end of an edge is the start of the next.
+        if (end < 1 || n == 2) add(between(other[i], other[next], end), from_edges + 2 * i + 1);
+    }
+    // A polygon that is on the face altogether has no corner of it inside.
+    if (n > 2 && inside.any_outside != 0) add_corners(face, incident, other, slack, out);
+}
+
+void disc_points(const Feature& reference, const Feature& incident, double extent, ContactPoints& out) {
     using Kind = Feature::Kind;
-    if (reference.kind == Kind::disc) {
-        Feature polygon;
-        if (incident.kind == Kind::disc) disc_polygon(incident, reference, extent, polygon);
-        const Feature& other = incident.kind == Kind::disc ? polygon : incident;
-        DiscPoints(reference, other, reference.normal, extent, out).find();
-    } else if (incident.kind == Kind::disc) {
+    if (reference.kind != Kind::disc) {
         DiscPoints(incident, reference, -reference.normal, extent, out).find();
+    } else if (incident.kind == Kind::disc) {
+        Feature polygon;
+        disc_polygon(incident, reference, extent, polygon);
+        DiscPoints(reference, polygon, reference.normal, extent, out).find();
     } else {
-        polygon_points(reference, incident, out);
+        DiscPoints(reference, incident, reference.normal, extent, out).find();
     }
 }
 
@@ -309,11 +308,16 @@ double edge_points(const Feature& first, const Feature& second, DVec3 n, double 
     const auto line = [](const Feature& f) {
         return EdgeLine{f.points[0], f.kind == Feature::Kind::segment ? f.points[1] - f.points[0] : DVec3{}};
     };
-    const std::uint32_t base = (first.index * 64 + second.index) << 17;
+    const std::uint32_t base = feature_base(first.index, second.index);
     const EdgePoints found = edge_points(line(first), line(second), n, separation);
-    for (int i = 0; i < found.count; ++i)
-        out.add({found.points[i].position, found.points[i].separation,
-                 found.count == 1 ? base : base + 1 + static_cast<std::uint32_t>(i)});
+    const auto on_first = [&](int i) { return found.points[i].position - (0.5 * found.points[i].separation) * n; };
+    out.frame.origin = on_first(0), out.frame.normal = n;
+    out.list.add({0, 0, found.points[0].separation, found.count == 1 ? base : base + 1});
+    if (found.count == 2) {
+        const DVec3 way = on_first(1) - on_first(0);
+        out.frame.e1 = unit_or(way, {}), out.frame.e2 = math::cross(n, out.frame.e1);
+        out.list.add({math::length(way), 0, found.points[1].separation, base + 2});
+    }
     return found.sideways;
 }
 

@@ -41,24 +41,25 @@ void capsule_line(const Convex& c, DVec3 n, Feature& out) {
     out.points.add(c.center + half + c.size.z * n);
 }
 
-// The face that looks most along n among those that hold the farthest point along n.
-int supporting_face(const Convex& c, const DVec3& n) {
-    if (c.kind == Convex::Kind::box) return box_face_along(to_local(c, n));
-    if (c.kind == Convex::Kind::polygon) return dot(c.axes.c1, n) < 0 ? 1 : 0;
+// The face that looks most along n among those that meet in the vertex that is farthest along n.
+int face_of_hull(const Convex& c, const DVec3& n, int vertex) {
     const HullData& hull = *c.hull;
     const DVec3 d = to_local(c, n);
-    int best = static_cast<int>(hull.normal_columns.nearly_farthest(d));
-    const math::Vec3& farthest_vertex = hull.vertices[hull.vertex_columns.nearly_farthest(d)];
-    const DVec3 farthest = math::to_double(farthest_vertex);
-    const auto height = [&](const HullFace& f) { return dot(math::to_double(f.normal), farthest) - f.offset; };
-    const double slack = 1e-5 * c.extent;
-    if (height(hull.faces[static_cast<std::size_t>(best)]) > -slack) return best;
+    const std::size_t v = vertex != unknown_vertex ? static_cast<std::size_t>(vertex) : hull.vertex_columns.nearly_farthest(d);
+    int best = 0;
     double most = -2;
-    for (std::size_t i = 0; i < hull.faces.size(); ++i) {
-        const double along = dot(math::to_double(hull.faces[i].normal), d);
-        if (along > most && height(hull.faces[i]) > -slack) most = along, best = static_cast<int>(i);
+    for (std::uint32_t i = hull.neighbor_start[v]; i < hull.neighbor_start[v + 1]; ++i) {
+        const std::uint32_t face = hull.faces_at[i];
+        const double along = dot(hull.unit_normals[face], d);
+        best = along > most ? static_cast<int>(face) : best;
+        most = along > most ? along : most;
     }
     return best;
+}
+int supporting_face(const Convex& c, const DVec3& n, int vertex) {
+    if (c.kind == Convex::Kind::box) return box_face_along(to_local(c, n));
+    if (c.kind == Convex::Kind::polygon) return dot(c.axes.c1, n) < 0 ? 1 : 0;
+    return face_of_hull(c, n, vertex);
 }
 
 void polytope_edge(const Convex& c, DVec3 n, Feature& out) {
@@ -134,7 +135,7 @@ void core_face(const Convex& c, int face, Feature& out) {
     }
 }
 
-void core_incident(const Convex& c, const DVec3& n, Feature& out) {
+void core_incident(const Convex& c, const DVec3& n, int vertex, Feature& out) {
     reset(out);
     switch (c.kind) {
     case Convex::Kind::ball:
@@ -153,7 +154,7 @@ void core_incident(const Convex& c, const DVec3& n, Feature& out) {
         return side_line(c, n, out);
     }
     default:
-        return core_face(c, supporting_face(c, n), out);
+        return core_face(c, supporting_face(c, n, vertex), out);
     }
 }
 
@@ -164,8 +165,8 @@ void face_feature(const Convex& c, int face, Feature& out) {
     move_out(c, out.normal, out);
 }
 
-void incident_feature(const Convex& c, const DVec3& n, Feature& out) {
-    core_incident(c, n, out);
+void incident_feature(const Convex& c, const DVec3& n, int vertex, Feature& out) {
+    core_incident(c, n, vertex, out);
     move_out(c, n, out);
 }
 

@@ -18,14 +18,20 @@ struct Feature {
 
 // A face as a polygon or disc.
 void face_feature(const Convex& c, int face, Feature& out);
-// The face, edge or side line that meets a face which looks along -n.
-void incident_feature(const Convex& c, const math::DVec3& n, Feature& out);
+// The face, edge or side line that meets a face which looks along -n. `vertex`: of a hull the farthest along n, or
+// unknown_vertex.
+void incident_feature(const Convex& c, const math::DVec3& n, int vertex, Feature& out);
 // The edge or side line across n where there is one within a hundredth, else the farthest point along n.
 void edge_feature(const Convex& c, math::DVec3 n, Feature& out);
 
+struct FaceOutline;
+
 // Points between a reference face and an incident feature, measured along the outward normal of the reference face.
-// Points outside the face by less than a ten thousandth of it count as over it.
-void face_points(const Feature& reference, const Feature& incident, double extent, ContactPoints& out);
+// Points outside the face by less than a ten thousandth of it count as over it. `out` is empty before.
+// Where the incident feature is no disc:
+void outline_points(const FaceOutline& reference, const Feature& incident, ContactPoints& out);
+// Where one of them is:
+void disc_points(const Feature& reference, const Feature& incident, double extent, ContactPoints& out);
 
 // A segment, or a point where it leads nowhere.
 struct EdgeLine {

@@ -131,27 +131,29 @@ void clear_manifold(Manifold& out) {
 void write_manifold(const ContactPoints& points, const DVec3& normal, const DVec3& center, double extent, double margin,
                     double least, Manifold& out) {
     clear_manifold(out);
-    Chosen chosen;
+    const ContactPoint* const list = points.list.data();
+    const std::size_t n = points.list.size();
+    Buffer<FlatPoint, 32> flat;
     Buffer<std::size_t, 32> which; // of those that count
-    if (points.size() == 1) {
-        chosen.count = points[0].separation <= margin ? 1 : 0;
-        which.add(0);
-    } else {
-        const FlatFrame frame(normal, center);
-        Buffer<FlatPoint, 32> flat;
-        for (std::size_t i = 0; i < points.size(); ++i)
-            if (points[i].separation <= margin) {
-                flat.add(frame.flat(points[i].position, points[i].separation));
-                which.add(i);
-            }
-        chosen = choose_points({flat.data(), flat.size()}, extent);
+    DVec3 middle;
+    if (n > 1) {
+        const ContactFrame& f = points.frame;
+        const DVec3 d = center - f.origin, across = math::cross(f.e1, f.e2);
+        const DVec3 in_plane = d - (dot(d, across) / dot(f.normal, across)) * f.normal;
+        middle = {dot(in_plane, f.e1), dot(in_plane, f.e2), 0};
     }
+    for (std::size_t i = 0; i < n; ++i)
+        if (list[i].separation <= margin) {
+            flat.add({list[i].x - middle.x, list[i].y - middle.y, list[i].separation, 1});
+            which.add(i);
+        }
+    const Chosen chosen = choose_points({flat.data(), flat.size()}, extent);
     if (chosen.count == 0) return;
     out.count = chosen.count;
     math::put(out.normal, math::to_float(normal));
     for (int i = 0; i < chosen.count; ++i) {
-        const ContactPoint& p = points[which[chosen.index[i]]];
-        math::put(out.points[i], math::to_float(p.position));
+        const ContactPoint& p = list[which[chosen.index[i]]];
+        math::put(out.points[i], math::to_float(points.position(p)));
         out.points[i][3] = static_cast<float>(p.separation < least ? least : p.separation);
         out.features[i] = p.feature;
     }

@@ -2,57 +2,39 @@
 #pragma once
 
 #include "collision/manifold.h"
+#include "core/buffer.h"
 #include "math/vec.h"
-
-#include <cstddef>
-#include <type_traits>
-#include <vector>
 
 namespace cairn {
 
-// A list of plain data; the first N are kept in place.
-template <class T, std::size_t N> class Buffer {
-    static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
+// A frame in the plane of a face or at an edge. Heights are measured along the normal of the contact, which a disc
+// that leans has not quite at right angles to its plane.
+struct ContactFrame {
+    math::DVec3 origin, e1, e2; // unit vectors, at right angles
+    math::DVec3 normal;
+    std::uint32_t feature = 0; // added to that of each point
 
-  public:
-    Buffer() {}
-    Buffer(const Buffer&) = delete;
-    Buffer& operator=(const Buffer&) = delete;
-    void add(const T& value) {
-        if (size_ < N)
-            new (storage_ + size_ * sizeof(T)) T(value);
-        else {
-            if (size_ == N) more_.assign(in_place(), in_place() + N);
-            more_.push_back(value);
-            data_ = more_.data();
-        }
-        ++size_;
+    math::DVec3 to_frame(math::DVec3 p) const {
+        const math::DVec3 d = p - origin;
+        return {math::dot(d, e1), math::dot(d, e2), math::dot(d, normal)};
     }
-    void clear() { size_ = 0, more_.clear(), data_ = in_place(); }
-    std::size_t size() const { return size_; }
-    T* data() { return data_; }
-    const T* data() const { return data_; }
-    T& operator[](std::size_t i) { return data()[i]; }
-    const T& operator[](std::size_t i) const { return data()[i]; }
-    T* begin() { return data(); }
-    T* end() { return data() + size_; }
-    const T* begin() const { return data(); }
-    const T* end() const { return data() + size_; }
-
-  private:
-    T* in_place() { return reinterpret_cast<T*>(storage_); }
-    alignas(T) std::byte storage_[N * sizeof(T)];
-    T* data_ = in_place();
-    std::size_t size_ = 0;
-    std::vector<T> more_;
 };
 
 struct ContactPoint {
-    math::DVec3 position; // midway between the surfaces
-    double separation;
+    double x, y, separation;
     std::uint32_t feature;
 };
-using ContactPoints = Buffer<ContactPoint, 32>;
+
+struct ContactPoints {
+    ContactFrame frame;
+    Buffer<ContactPoint, 32> list;
+
+    // Midway between the surfaces.
+    math::DVec3 position(double x, double y, double separation) const {
+        return frame.origin + x * frame.e1 + y * frame.e2 + (0.5 * separation) * frame.normal;
+    }
+    math::DVec3 position(const ContactPoint& p) const { return position(p.x, p.y, p.separation); }
+};
 
 void clear_manifold(Manifold& out);
 

@@ -1,7 +1,8 @@
 #include "collision/convex_contact.h"
 
 #include "collision/contact_axis.h"
-#include "collision/contact_features.h"
+#include "collision/face_outline.h"
+#include "collision/flat_points.h"
 #include "shapes/box_triangle_distance.h"
 #include "shapes/epa.h"
 
@@ -101,8 +102,18 @@ void edge_manifold(const Convex& a, const Convex& b, const Axis& axis, double ex
     ContactPoints points;
     const double sideways = edge_points(first, second, axis.normal, axis.separation, points);
     // Not these features but the inside of a round or a tilted face: the cores know where.
-    if (sideways > sideways_tolerance * extent) points[0].position = axis.touch;
-    write_manifold(points, axis.normal, points[0].position, extent, margin, none, out);
+    if (sideways > sideways_tolerance * extent)
+        points.frame.origin = axis.touch - (0.5 * points.list[0].separation) * axis.normal;
+    write_manifold(points, axis.normal, points.frame.origin, extent, margin, none, out);
+}
+
+// A contact of one point.
+void point_manifold(DVec3 position, DVec3 normal, double separation, std::uint32_t feature, double extent,
+                    double margin, Manifold& out) {
+    ContactPoints points;
+    points.frame.origin = position - (0.5 * separation) * normal, points.frame.normal = normal;
+    points.list.add({0, 0, separation, feature});
+    write_manifold(points, normal, position, extent, margin, none, out);
 }
 
 // The points of one pair of shapes between a face and what is opposite. They are asked for again with another axis, and
@@ -110,7 +121,8 @@ void edge_manifold(const Convex& a, const Convex& b, const Axis& axis, double ex
 struct FacePoints {
     FaceReach known;
     bool is_found = false; // else only how far they reach may be known
-    Feature reference;     // the face
+    Feature disc;          // the face, if it is one,
+    FaceOutline outline;   // or if it has corners
     ContactPoints points;
 
     bool is_of(const Axis& axis) const { return known.face == axis.face && known.is_second == axis.is_second; }
@@ -118,34 +130,33 @@ struct FacePoints {
         is_found = true;
         known.face = axis.face, known.is_second = axis.is_second;
         Feature incident;
-        face_feature(c, axis.face, reference);
-        incident_feature(other, axis.is_second ? axis.normal : -axis.normal, incident);
-        points.clear();
-        face_points(reference, incident, extent, points);
+        incident_feature(other, axis.is_second ? axis.normal : -axis.normal, axis.opposite, incident);
+        points.list.clear();
+        const bool is_disc = c.kind == Convex::Kind::cylinder;
+        if (is_disc || incident.kind == Feature::Kind::disc) {
+            face_feature(c, axis.face, disc);
+            disc_points(disc, incident, extent, points);
+        }
+        if (!is_disc) {
+            outline.find(c, axis.face);
+            if (incident.kind != Feature::Kind::disc) outline_points(outline, incident, points);
+        }
         known.reached = std::numeric_limits<double>::infinity();
-        for (const ContactPoint& p : points)
+        for (const ContactPoint& p : points.list)
             if (p.separation < known.reached) known.reached = p.separation;
     }
 
     // Whether the middle of the points that reach so far is farther from the border of the face than `distance`.
-    bool are_amid(double reach, double distance) const {
-        DVec3 sum;
-        double count = 0;
-        for (const ContactPoint& p : points)
-            if (p.separation <= reach) sum += p.position, count += 1;
+    bool are_amid(const Convex& c, double reach, double distance) const {
+        double x = 0, y = 0, z = 0, count = 0;
+        for (const ContactPoint& p : points.list)
+            if (p.separation <= reach) x += p.x, y += p.y, z += p.separation, count += 1;
         if (!(count > 0)) return false;
-        const DVec3 middle = (1 / count) * sum;
-        if (reference.kind == Feature::Kind::disc) {
-            const DVec3 d = middle - reference.center, across = d - dot(d, reference.normal) * reference.normal;
-            return math::length(across) < reference.radius - distance;
-        }
-        const std::size_t n = reference.points.size();
-        for (std::size_t i = 0; i < n; ++i) {
-            const DVec3 p = reference.points[i], edge = reference.points[i + 1 < n ? i + 1 : 0] - p;
-            const double inside = dot(math::cross(reference.normal, edge), middle - p);
-            if (!(inside > 0 && inside * inside > distance * distance * dot(edge, edge))) return false;
-        }
-        return true;
+        const double part = 1 / count;
+        const DVec3 middle = points.position(part * x, part * y, part * z);
+        if (c.kind != Convex::Kind::cylinder) return outline.holds(middle, distance);
+        const DVec3 d = middle - disc.center, across = d - dot(d, disc.normal) * disc.normal;
+        return math::length(across) < disc.radius - distance;
     }
 };
 
@@ -188,7 +199,7 @@ Axis preferred_face(const Convex& a, const Convex& b, const Axis& axis, double p
     const bool is_better = is_second && axis.separation > floor.separation;
     if (is_better) floor = axis, floor.normal = -axis.normal;
     const Axis second = best_face(b, a, axis.on_a, floor);
-    if (second.face >= 0) face = {-second.normal, second.separation, second.face, true, {}, {}, {}};
+    if (second.face >= 0) face = {-second.normal, second.separation, second.face, true, second.opposite, {}, {}, {}};
     return face;
 }
 
@@ -232,15 +243,17 @@ bool contact_by_last_face(const Convex& a, const Convex& b, double margin, Conta
     const Convex &c = axis.is_second ? b : a, &other = axis.is_second ? a : b;
     const DVec3 outward = face_normal(c, axis.face);
     axis.normal = axis.is_second ? -outward : outward;
-    const DVec3 on_face = face_point(c, axis.face), nearest = near_support(other, -outward);
-    axis.on_a = axis.is_second ? nearest : on_face, axis.on_b = axis.is_second ? on_face : nearest;
+    const DVec3 on_face = face_point(c, axis.face);
+    const NearSupport nearest = near_support(other, -outward);
+    axis.opposite = nearest.vertex;
+    axis.on_a = axis.is_second ? nearest.point : on_face, axis.on_b = axis.is_second ? on_face : nearest.point;
     axis.separation = dot(axis.normal, axis.on_b - axis.on_a);
     if (axis.separation > margin) return put_apart(out, axis.normal, axis.separation);
     if (axis.separation < -inset_part_of(a, b)) return false;
     const double extent = common_extent(a, b);
     const double tolerance = unsearched_reach * face_preference(a, b, extent) + rounding * extent;
     if (!face_manifold(a, b, axis, axis.separation, tolerance, extent, margin, found, out)) return false;
-    if (axis.separation >= 0 || found.are_amid(axis.separation + tolerance, least_amid * -axis.separation)) return true;
+    if (axis.separation >= 0 || found.are_amid(c, axis.separation + tolerance, least_amid * -axis.separation)) return true;
     clear_manifold(out);
     return false;
 }
@@ -288,9 +301,8 @@ bool contact_by_sides(const Convex& a, const Convex& b, double margin, Manifold&
     const double separation = dot(n, r) - (a.size.x + b.size.x), room = least_amid * std::max(-separation, 0.0);
     if (!(std::fabs(s) < a.size.y - room && std::fabs(t) < b.size.y - room)) return false;
     if (separation > margin) return put_apart(out, n, separation);
-    ContactPoints points;
-    points.add({a.center + s * u + (a.size.x + 0.5 * separation) * n, separation, 0});
-    write_manifold(points, n, points[0].position, common_extent(a, b), margin, none, out);
+    const DVec3 position = a.center + s * u + (a.size.x + 0.5 * separation) * n;
+    point_manifold(position, n, separation, 0, common_extent(a, b), margin, out);
     return true;
 }
 
@@ -324,12 +336,8 @@ void collide_plane(const Convex& a, DVec3 up, double height, double margin, Mani
     clear_manifold(out);
     const DVec3 origin = a.center - height * up; // of the plane
     Feature lower;
-    incident_feature(a, -up, lower);
+    incident_feature(a, -up, unknown_vertex, lower);
     ContactPoints points;
-    const auto add = [&](DVec3 p) {
-        const double z = dot(p - origin, up);
-        points.add({p - (0.5 * z) * up, z, lower.index << 16 | static_cast<std::uint32_t>(points.size())});
-    };
     if (lower.kind == Feature::Kind::disc) {
         // A square under the disc: its rim is found as on any face.
         const DVec3 e1 = math::to_double(math::any_orthogonal(math::to_float(up)));
@@ -339,9 +347,15 @@ void collide_plane(const Convex& a, DVec3 up, double height, double margin, Mani
         square.kind = Feature::Kind::polygon;
         square.normal = up;
         for (const DVec3& p : {under - x - z, under - x + z, under + x + z, under + x - z}) square.points.add(p);
-        face_points(square, lower, a.extent, points);
-    } else
-        for (const DVec3& p : lower.points) add(p);
+        disc_points(square, lower, a.extent, points);
+    } else {
+        const FlatFrame flat(up, origin);
+        points.frame = {origin, flat.e1, flat.e2, up};
+        for (const DVec3& p : lower.points) {
+            const DVec3 q = points.frame.to_frame(p);
+            points.list.add({q.x, q.y, q.z, lower.index << 16 | static_cast<std::uint32_t>(points.list.size())});
+        }
+    }
     write_manifold(points, -up, a.center, a.extent, margin, none, out);
 }
 
@@ -398,14 +412,13 @@ void lift(const Convex& a, const Convex& polygon, double margin, Manifold& out) 
     const DVec3 up = polygon.axes.c1;
     const double separation = separation_along(a, polygon, -up);
     if (separation > margin) return;
-    const Axis face{-up, separation, 0, true, {}, {}, {}};
+    const Axis face{-up, separation, 0, true, unknown_vertex, {}, {}, {}};
     FacePoints found;
     if (face_manifold(a, polygon, face, separation, a.extent, a.extent, margin, found, out)) return;
-    ContactPoints points;
     const DVec3 m = middle(a);
     const double height = dot(m - polygon.corners[0], up);
-    points.add({m + (0.5 * separation - height) * up, separation, 0xffff});
-    write_manifold(points, -up, m, a.extent, margin, none, out);
+    const DVec3 position = m + (0.5 * separation - height) * up;
+    point_manifold(position, -up, separation, 0xffff, a.extent, margin, out);
 }
 
 // A contact with the front of a polygon, that the guess does not tell.
@@ -433,12 +446,12 @@ SurfaceContact collide_surface(const Convex& a, const Convex& polygon, double ma
     const DVec3 up = polygon.axes.c1, m = middle(a);
     const double height = dot(m - polygon.corners[0], up);
     if (height < 0) {
-        double size = dot(near_support(a, up) - near_support(a, -up), up);
+        double size = dot(near_support(a, up).point - near_support(a, -up).point, up);
         if (polygon.corner_count == 4) // a rectangle
             size = 0.5 * std::min(math::length(polygon.corners[1] - polygon.corners[0]),
                                   math::length(polygon.corners[2] - polygon.corners[1]));
         // What does not reach the front is not held: it may stand on the far side of a thin wall.
-        const double top = dot(near_support(a, up) - polygon.corners[0], up);
+        const double top = dot(near_support(a, up).point - polygon.corners[0], up);
         if (-height < size && (polygon.corner_count == 4 || top > 0) && is_over(polygon, m))
             lift(a, polygon, margin, out);
         return {};

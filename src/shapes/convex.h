@@ -104,11 +104,17 @@ inline math::DVec3 support(const Convex& c, math::DVec3 d) {
     const double length = math::length(d);
     return length > 0 ? p + (c.radius / length) * d : p;
 }
-// Likewise along a unit vector, quickly: of a hull some point within 3e-6 of its size of the farthest.
-inline math::DVec3 near_support(const Convex& c, math::DVec3 unit) {
-    if (c.kind != Convex::Kind::hull) return support(c, unit);
-    const math::DVec3 p = hull_point(c, c.hull->vertices[c.hull->vertex_columns.nearly_farthest(to_local(c, unit))]);
-    return c.is_sharp ? p : p + c.radius * unit;
+// Likewise along a unit vector, quickly: of a hull some vertex within 3e-6 of its size of the farthest.
+inline constexpr int unknown_vertex = -1;
+struct NearSupport {
+    math::DVec3 point;
+    int vertex = unknown_vertex; // of a hull
+};
+inline NearSupport near_support(const Convex& c, math::DVec3 unit) {
+    if (c.kind != Convex::Kind::hull) return {support(c, unit)};
+    const std::size_t vertex = c.hull->vertex_columns.nearly_farthest(to_local(c, unit));
+    const math::DVec3 p = hull_point(c, c.hull->vertices[vertex]);
+    return {c.is_sharp ? p : p + c.radius * unit, static_cast<int>(vertex)};
 }
 // Of a hull: the vertex of its exact core there.
 std::size_t farthest_vertex(const Convex& c, math::DVec3 d);

@@ -5,6 +5,7 @@
 #include "math/vec.h"
 #include "shapes/columns.h"
 #include "shapes/mass.h"
+#include "shapes/sides.h"
 
 #include <cstdint>
 #include <span>
@@ -20,6 +21,13 @@ struct HullFace {
     std::uint32_t first = 0, count = 0;
 };
 
+// A face in its own plane: about its first corner, with x along e1, a unit vector in the plane.
+struct HullOutline {
+    math::DVec3 e1;
+    double size = 0;              // the largest coordinate of a corner
+    std::uint32_t first_side = 0; // in HullData::sides: the blocks of its sides
+};
+
 struct HullData {
     std::vector<math::Vec3> vertices;
     std::vector<HullFace> faces; // triangles of one plane are one face
@@ -27,6 +35,7 @@ struct HullData {
     // The vertices that share an edge with vertex i: neighbors[neighbor_start[i]] to
     // neighbors[neighbor_start[i + 1] - 1]. neighbor_start has one entry more than vertices.
     std::vector<std::uint32_t> neighbor_start, neighbors;
+    std::vector<std::uint32_t> faces_at; // likewise the faces that meet in vertex i: as many as it has neighbors
 
     // The polyhedron with every face moved inward by `inset`, m (> 0; a small part of its width): its corners, in no
     // particular relation to `vertices`. Two hulls that touch are found apart by their cores.
@@ -38,9 +47,11 @@ struct HullData {
     float tolerance = 0;
 
     // The same, arranged for searches (see arrange).
-    Columns vertex_columns, core_columns, normal_columns;
+    Columns vertex_columns, core_columns;
     PlaneColumns plane_columns;
     std::vector<math::DVec3> unit_normals; // of the faces
+    std::vector<HullOutline> outlines;     // likewise
+    std::vector<SideBlock> sides;
 
     MassSum unit_mass;         // of density 1
     math::Vec3 lo, hi;         // bounds
@@ -48,7 +59,7 @@ struct HullData {
     float width = 0;           // least distance of two parallel planes that hold it between them (by its faces)
 };
 
-// Fills the columns and unit normals of a hull that is otherwise complete.
+// Fills the columns, unit normals and outlines of a hull that is otherwise complete.
 void arrange(HullData& hull);
 
 // The convex hull of the points. Throws Error(invalid_value) with field "Hull points" (see Hull in shape.h); also when

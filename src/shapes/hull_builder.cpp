@@ -240,12 +240,16 @@ void fill_adjacency(HullData& hull) {
     for (const std::uint32_t v : hull.loops) ++hull.neighbor_start[v + 1];
     for (std::size_t v = 0; v < hull.vertices.size(); ++v) hull.neighbor_start[v + 1] += hull.neighbor_start[v];
     hull.neighbors.resize(hull.loops.size());
+    hull.faces_at.resize(hull.loops.size());
     std::vector<std::uint32_t> next(hull.neighbor_start.begin(), hull.neighbor_start.end() - 1);
-    for (const HullFace& face : hull.faces)
+    for (std::uint32_t f = 0; f < hull.faces.size(); ++f) {
+        const HullFace& face = hull.faces[f];
         for (std::uint32_t i = 0; i < face.count; ++i) {
             const std::uint32_t from = hull.loops[face.first + i], to = hull.loops[face.first + (i + 1) % face.count];
-            hull.neighbors[next[from]++] = to;
+            const std::uint32_t at = next[from]++;
+            hull.neighbors[at] = to, hull.faces_at[at] = f;
         }
+    }
     for (std::size_t v = 0; v < hull.vertices.size(); ++v)
         std::sort(hull.neighbors.begin() + hull.neighbor_start[v], hull.neighbors.begin() + hull.neighbor_start[v + 1]);
 }
@@ -254,13 +258,6 @@ void fill_adjacency(HullData& hull) {
 // as the vertex opposite of one is near that of the next.
 float find_width(const HullData& hull, const Climber& climber) {
     constexpr std::uint32_t unknown = ~std::uint32_t{};
-    std::vector<std::uint32_t> first(hull.vertices.size() + 1, 0), faces_at(hull.loops.size());
-    for (const std::uint32_t v : hull.loops) ++first[v + 1];
-    for (std::size_t v = 0; v < hull.vertices.size(); ++v) first[v + 1] += first[v];
-    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-    for (std::uint32_t f = 0; f < hull.faces.size(); ++f)
-        for (std::uint32_t i = 0; i < hull.faces[f].count; ++i)
-            faces_at[next[hull.loops[hull.faces[f].first + i]]++] = f;
     std::vector<std::uint32_t> opposite(hull.faces.size(), unknown), order{0};
     std::vector<bool> is_visited(hull.vertices.size(), false);
     double width = -1;
@@ -275,8 +272,9 @@ float find_width(const HullData& hull, const Climber& climber) {
             const std::uint32_t corner = hull.loops[i];
             if (is_visited[corner]) continue;
             is_visited[corner] = true;
-            for (std::uint32_t j = first[corner]; j < first[corner + 1]; ++j)
-                if (opposite[faces_at[j]] == unknown) opposite[faces_at[j]] = v, order.push_back(faces_at[j]);
+            for (std::uint32_t j = hull.neighbor_start[corner]; j < hull.neighbor_start[corner + 1]; ++j)
+                if (const std::uint32_t f = hull.faces_at[j]; opposite[f] == unknown)
+                    opposite[f] = v, order.push_back(f);
         }
     }
     return float(width);
@@ -299,8 +297,8 @@ void fill_faces(HullData& hull, const Polyhedron& body, std::span<const Vec3> po
             {math::to_float(face.normal), float(math::dot(float_normal(face), top)), face.first, face.count});
     }
     hull.loops = body.loops;
-    hull.width = find_width(hull, *body.climber);
     fill_adjacency(hull);
+    hull.width = find_width(hull, *body.climber);
 }
 
 } // namespace
@@ -355,18 +353,39 @@ HullData build_hull(std::span<const Vec3> points) {
     return r;
 }
 
+namespace {
+
+// The face in its plane.
+void outline(HullData& hull, const HullFace& face, DVec3 normal) {
+    const auto corner = [&](std::uint32_t i) { return math::to_double(hull.vertices[hull.loops[face.first + i]]); };
+    HullOutline r;
+    r.e1 = direction_in_plane(corner(1) - corner(0), normal);
+    r.first_side = std::uint32_t(hull.sides.size());
+    const DVec3 e2 = math::cross(normal, r.e1);
+    std::vector<FlatCorner> flat;
+    for (std::uint32_t i = 0; i < face.count; ++i) {
+        const DVec3 d = corner(i) - corner(0);
+        flat.push_back({math::dot(d, r.e1), math::dot(d, e2)});
+        r.size = std::max(r.size, std::max(std::fabs(flat.back().x), std::fabs(flat.back().y)));
+    }
+    make_sides(flat, [&](const SideBlock& block) { hull.sides.push_back(block); });
+    hull.outlines.push_back(r);
+}
+
+} // namespace
+
 void arrange(HullData& hull) {
     hull.vertex_columns = Columns(hull.vertices);
     hull.core_columns = Columns(hull.core);
-    hull.unit_normals.clear();
+    hull.unit_normals.clear(), hull.outlines.clear(), hull.sides.clear();
     std::vector<Vec3> normals;
     std::vector<float> offsets;
     for (const HullFace& face : hull.faces) {
         hull.unit_normals.push_back(math::normalized(math::to_double(face.normal)));
+        outline(hull, face, hull.unit_normals.back());
         normals.push_back(face.normal);
         offsets.push_back(face.offset);
     }
-    hull.normal_columns = Columns(normals);
     hull.plane_columns = PlaneColumns(normals, offsets);
 }
 

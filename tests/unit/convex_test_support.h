@@ -96,6 +96,7 @@ inline std::shared_ptr<const cairn::HullData> make_hull(const std::vector<DVec3>
             for (std::size_t i = 0; i < faces[f].size(); ++i)
                 if (faces[f][i] == v) {
                     hull->neighbors.push_back(faces[f][(i + 1) % faces[f].size()]);
+                    hull->faces_at.push_back(static_cast<std::uint32_t>(f));
                     around.push_back(f);
                 }
         // Cramer's rule.
