@@ -57,10 +57,11 @@ class HullFaceSearch {
 
     // The place of a limit, which is then done with.
     static std::size_t take(F4* limits, float limit) {
+        const F4 wanted = columns::splat(limit);
         std::size_t i = 0;
-        while (!columns::any(limits[i] == columns::splat(limit))) ++i;
-        std::size_t k = 0;
-        while (limits[i][k] != limit) ++k;
+        unsigned places = columns::bits(limits[i] == wanted);
+        while (places == 0) places = columns::bits(limits[++i] == wanted);
+        const auto k = static_cast<std::size_t>(__builtin_ctz(places));
         limits[i][k] = done;
         return i * width + k;
     }

@@ -301,16 +301,18 @@ EdgePoints edge_points(const EdgeLine& first, const EdgeLine& second, DVec3 n, d
     out.count = 1;
     out.points[0] = {q - (0.5 * separation) * n, separation};
     out.sideways = math::length((q - p) - dot(q - p, n) * n);
+    out.is_cross = is_a && is_b && s > 0 && s < 1 && t > 0 && t < 1;
     return out;
 }
 
-double edge_points(const Feature& first, const Feature& second, DVec3 n, double separation, ContactPoints& out) {
+EdgePoints edge_points(const Feature& first, const Feature& second, DVec3 n, double separation, ContactPoints& out) {
     const auto line = [](const Feature& f) {
         return EdgeLine{f.points[0], f.kind == Feature::Kind::segment ? f.points[1] - f.points[0] : DVec3{}};
     };
     const std::uint32_t base = feature_base(first.index, second.index);
     const EdgePoints found = edge_points(line(first), line(second), n, separation);
     const auto on_first = [&](int i) { return found.points[i].position - (0.5 * found.points[i].separation) * n; };
+    out.list.clear();
     out.frame.origin = on_first(0), out.frame.normal = n;
     out.list.add({0, 0, found.points[0].separation, found.count == 1 ? base : base + 1});
     if (found.count == 2) {
@@ -318,7 +320,7 @@ double edge_points(const Feature& first, const Feature& second, DVec3 n, double 
         out.frame.e1 = unit_or(way, {}), out.frame.e2 = math::cross(n, out.frame.e1);
         out.list.add({math::length(way), 0, found.points[1].separation, base + 2});
     }
-    return found.sideways;
+    return found;
 }
 
 } // namespace cairn

@@ -62,8 +62,15 @@ int supporting_face(const Convex& c, const DVec3& n, int vertex) {
     return face_of_hull(c, n, vertex);
 }
 
+// The farthest point of the core along n, and the edge from there that is most across n.
 void polytope_edge(const Convex& c, DVec3 n, Feature& out) {
-    const DVec3 from = core_support(exact_core(c), n);
+    DVec3 from;
+    if (c.kind == Convex::Kind::hull) {
+        const std::size_t vertex = c.hull->vertex_columns.nearly_farthest(to_local(c, n));
+        from = hull_point(c, c.hull->vertices[vertex]);
+        out.index = static_cast<std::uint32_t>(vertex);
+    } else
+        from = core_support(exact_core(c), n);
     out.points.add(from);
     double least = across_tolerance;
     DVec3 to;
@@ -83,9 +90,7 @@ void polytope_edge(const Convex& c, DVec3 n, Feature& out) {
         }
     } else {
         const HullData& hull = *c.hull;
-        const std::size_t vertex = farthest_vertex(c, n);
-        out.index = static_cast<std::uint32_t>(vertex);
-        for (std::uint32_t i = hull.neighbor_start[vertex]; i < hull.neighbor_start[vertex + 1]; ++i)
+        for (std::uint32_t i = hull.neighbor_start[out.index]; i < hull.neighbor_start[out.index + 1]; ++i)
             offer(hull_point(c, hull.vertices[hull.neighbors[i]]));
     }
     if (least < across_tolerance) {

@@ -44,12 +44,14 @@ struct EdgePoints {
     };
     Point points[2];
     int count = 0;
-    double sideways = 0; // how far a single point of the first is beside that of the second
+    double sideways = 0;  // how far a single point of the first is beside that of the second
+    bool is_cross = false; // both are between the ends
 };
 // One or two points between segments or points, `separation` apart along n (from the first to the second); with two
 // they are as far apart as the segments are.
 EdgePoints edge_points(const EdgeLine& first, const EdgeLine& second, math::DVec3 n, double separation);
-// Likewise of features; returns EdgePoints::sideways.
-double edge_points(const Feature& first, const Feature& second, math::DVec3 n, double separation, ContactPoints& out);
+// Likewise of features.
+EdgePoints edge_points(const Feature& first, const Feature& second, math::DVec3 n, double separation,
+                       ContactPoints& out);
 
 } // namespace cairn

@@ -63,8 +63,10 @@ bool axis_of_box_and_triangle(const Convex& a, double inset, const Convex& b, Ax
 // Of which the nearest points are looked for.
 bool is_by_exact_cores(const Convex& a, const Convex& b) { return !a.is_sharp || !b.is_sharp; }
 CorePair cores_of(const Convex& a, const Convex& b) {
-    if (is_by_exact_cores(a, b)) return {exact_core(a), exact_core(b)};
-    return {inset_core(a), inset_core(b)};
+    const bool is_exact = is_by_exact_cores(a, b);
+    CorePair pair{is_exact ? exact_core(a) : inset_core(a), is_exact ? exact_core(b) : inset_core(b)};
+    pair.a.is_quick = pair.b.is_quick = true;
+    return pair;
 }
 
 // The direction between the cores; false when the shapes are farther apart than the margin. `met`: what is nearest.
@@ -95,17 +97,28 @@ bool find_axis(const Convex& a, const Convex& b, double margin, DVec3 guess, Axi
 }
 
 // Edge against edge, or whatever lies farthest along the normal.
-void edge_manifold(const Convex& a, const Convex& b, const Axis& axis, double extent, double margin, Manifold& out) {
-    Feature first, second;
-    edge_feature(a, axis.normal, first);
-    edge_feature(b, -axis.normal, second);
+struct EdgeContact {
     ContactPoints points;
-    const double sideways = edge_points(first, second, axis.normal, axis.separation, points);
-    // Not these features but the inside of a round or a tilted face: the cores know where.
-    if (sideways > sideways_tolerance * extent)
-        points.frame.origin = axis.touch - (0.5 * points.list[0].separation) * axis.normal;
-    write_manifold(points, axis.normal, points.frame.origin, extent, margin, none, out);
-}
+    EdgePoints found;
+
+    void find(const Convex& a, const Convex& b, const Axis& axis) {
+        Feature first, second;
+        edge_feature(a, axis.normal, first);
+        edge_feature(b, -axis.normal, second);
+        found = edge_points(first, second, axis.normal, axis.separation, points);
+    }
+    // Whether the shapes are nearest to each other there: between the ends of two edges that the axis is across, if
+    // nothing overlaps.
+    bool is_nearest(const Axis& axis, double extent) const {
+        return axis.separation >= 0 && found.is_cross && found.sideways <= rounding * extent;
+    }
+    void write(const Axis& axis, double extent, double margin, Manifold& out) {
+        // Not these features but the inside of a round or a tilted face: the cores know where.
+        if (found.sideways > sideways_tolerance * extent)
+            points.frame.origin = axis.touch - (0.5 * points.list[0].separation) * axis.normal;
+        write_manifold(points, axis.normal, points.frame.origin, extent, margin, none, out);
+    }
+};
 
 // A contact of one point.
 void point_manifold(DVec3 position, DVec3 normal, double separation, std::uint32_t feature, double extent,
@@ -116,9 +129,24 @@ void point_manifold(DVec3 position, DVec3 normal, double separation, std::uint32
     write_manifold(points, normal, position, extent, margin, none, out);
 }
 
+// The best face of one shape of a pair (best_face), which is asked for again with another axis.
+class FaceSearch {
+  public:
+    Axis find(const Convex& c, const Convex& other, DVec3 p, const Axis& floor) {
+        const bool is_known = best_.face >= 0 || floor.separation >= floor_;
+        if (!is_known) floor_ = floor.separation, best_ = best_face(c, other, p, floor);
+        return best_.face >= 0 && best_.separation > floor.separation ? best_ : floor;
+    }
+
+  private:
+    Axis best_; // of all
+    double floor_ = std::numeric_limits<double>::infinity(); // else none is farther
+};
+
 // The points of one pair of shapes between a face and what is opposite. They are asked for again with another axis, and
 // the face is mostly the same, and how far its points reach is mostly enough.
 struct FacePoints {
+    FaceSearch on_a, on_b;
     FaceReach known;
     bool is_found = false; // else only how far they reach may be known
     Feature disc;          // the face, if it is one,
@@ -189,45 +217,54 @@ double face_preference(const Convex& a, const Convex& b, double extent) {
 
 // The face along whose normal the shapes are farthest apart, if that is about as good as the axis; which may be such a
 // face itself.
-Axis preferred_face(const Convex& a, const Convex& b, const Axis& axis, double preference, double extent) {
+Axis preferred_face(const Convex& a, const Convex& b, const Axis& axis, double preference, double extent,
+                    FacePoints& found) {
     const double tolerance = second_face_tolerance * extent;
     const bool is_first = axis.face >= 0 && !axis.is_second, is_second = axis.face >= 0 && axis.is_second;
     Axis floor;
     floor.separation = axis.separation - (is_second ? tolerance : preference);
-    Axis face = best_face(a, b, axis.on_b, is_first ? axis : floor);
+    Axis face = found.on_a.find(a, b, axis.on_b, is_first ? axis : floor);
     if (face.face >= 0) floor.separation = face.separation + tolerance;
     const bool is_better = is_second && axis.separation > floor.separation;
     if (is_better) floor = axis, floor.normal = -axis.normal;
-    const Axis second = best_face(b, a, axis.on_a, floor);
+    const Axis second = found.on_b.find(b, a, axis.on_a, floor);
     if (second.face >= 0) face = {-second.normal, second.separation, second.face, true, second.opposite, {}, {}, {}};
     return face;
 }
 
-// Inset cores round off edges: where those meet a round side, the axis is that of the shapes themselves.
-void sharpen(const Convex& a, const Convex& b, Axis& axis) {
-    if (!a.is_sharp || !b.is_sharp) return;
+// Inset cores round off edges: where those meet a round side, the axis is that of the shapes themselves. True if it is
+// another then.
+bool sharpen(const Convex& a, const Convex& b, Axis& axis) {
+    if (!a.is_sharp || !b.is_sharp) return false;
     Axis exact;
     if (!axis_of_box_and_triangle(a, 0, b, exact)) {
-        const CorePair pair{exact_core(a), exact_core(b)};
+        CorePair pair{exact_core(a), exact_core(b)};
+        pair.a.is_quick = pair.b.is_quick = true;
         const GjkResult r = gjk_distance(pair, axis.normal, std::numeric_limits<double>::infinity());
         exact.normal = r.state == GjkResult::State::overlapping ? epa_depth(pair, r.simplex).normal : r.normal;
         measure(a, b, exact);
     }
-    if (exact.separation > axis.separation) axis = exact;
+    if (!(exact.separation > axis.separation)) return false;
+    axis = exact;
+    return true;
 }
 
 // Contact along an axis found from the cores, or along the normal of a face where that is about as good: true then.
 bool contact_along(const Convex& a, const Convex& b, Axis axis, double margin, FacePoints& found, Manifold& out) {
     const double extent = common_extent(a, b), preference = face_preference(a, b, extent);
-    const Axis face = preferred_face(a, b, axis, preference, extent);
+    const Axis face = preferred_face(a, b, axis, preference, extent, found);
     if (face.face >= 0) {
         const double least = std::max(axis.separation, face.separation);
         if (least > margin) return false;
         if (face_manifold(a, b, face, least, preference + rounding * extent, extent, margin, found, out)) return true;
-        sharpen(a, b, axis);
-        if (axis.separation > margin) return false;
     }
-    edge_manifold(a, b, axis, extent, margin, out);
+    EdgeContact edges;
+    edges.find(a, b, axis);
+    if (face.face >= 0 && !edges.is_nearest(axis, extent) && sharpen(a, b, axis)) {
+        if (axis.separation > margin) return false;
+        edges.find(a, b, axis);
+    }
+    edges.write(axis, extent, margin, out);
     return false;
 }
 
@@ -273,7 +310,7 @@ bool contact_by_guess(const Convex& a, const Convex& b, double margin, Axis axis
     if (axis.separation > margin) return put_apart(out, axis.normal, axis.separation);
     if (face_count(a) == 0 && face_count(b) == 0) return false;
     const double extent = common_extent(a, b), preference = face_preference(a, b, extent);
-    const Axis face = preferred_face(a, b, axis, preference, extent);
+    const Axis face = preferred_face(a, b, axis, preference, extent, found);
     if (face.face < 0) return false;
     if (face.separation > margin) return put_apart(out, face.normal, face.separation);
     if (face.separation < -inset_part_of(a, b)) return false;

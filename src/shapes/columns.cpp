@@ -55,30 +55,28 @@ std::size_t Columns::farthest(const DVec3& d) const {
     return farthest_of(d, scale, least);
 }
 
-std::size_t Columns::nearly_farthest(const DVec3& unit) const {
-    const F4 dx = splat(float(unit.x)), dy = splat(float(unit.y)), dz = splat(float(unit.z));
-    const auto along = [&](std::size_t i) { return load(&x_[i]) * dx + load(&y_[i]) * dy + load(&z_[i]) * dz; };
-    F4 most = along(0), more = along(4);
-    I4 place = {0, 1, 2, 3}, next_place = {4, 5, 6, 7};
-    I4 best = place, better = next_place;
-    for (std::size_t i = block; i < x_.size(); i += block) {
-        place += 8, next_place += 8;
-        const F4 first = along(i), second = along(i + 4);
-        const I4 is_farther = first > most, is_further = second > more;
-        most = is_farther ? first : most, more = is_further ? second : more;
-        best = is_farther ? place : best, better = is_further ? next_place : better;
+std::size_t Columns::nearly_farthest(const DVec3& d) const {
+    constexpr std::size_t at_once = 8;
+    const F4 dx = splat(float(d.x)), dy = splat(float(d.y)), dz = splat(float(d.z));
+    F4 products[at_once];
+    float farthest = -std::numeric_limits<float>::infinity();
+    std::size_t best = 0;
+    for (std::size_t first = 0; first < x_.size(); first += 4 * at_once) {
+        const std::size_t left = (x_.size() - first) / 4, count = left < at_once ? left : at_once;
+        F4 most = splat(farthest);
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::size_t i = first + 4 * k;
+            products[k] = load(&x_[i]) * dx + load(&y_[i]) * dy + load(&z_[i]) * dz;
+            most = greater(products[k], most);
+        }
+        most = spread_greatest(most);
+        if (!(most[0] > farthest)) continue;
+        farthest = most[0];
+        unsigned places = 0;
+        for (std::size_t k = 0; k < count; ++k) places |= bits(products[k] == most) << (4 * k);
+        best = first + static_cast<std::size_t>(__builtin_ctz(places));
     }
-    const I4 is_farther = more > most;
-    most = is_farther ? more : most, best = is_farther ? better : best;
-    // The first of the farthest, without branches: which of the four it is cannot be foreseen.
-    const auto offer = [&](F4 other, I4 other_place) {
-        const I4 is_better = other > most;
-        most = is_better ? other : most, best = is_better ? other_place : best;
-    };
-    offer(__builtin_shufflevector(most, most, 1, 0, 3, 2), __builtin_shufflevector(best, best, 1, 0, 3, 2));
-    offer(__builtin_shufflevector(most, most, 2, 3, 0, 1), __builtin_shufflevector(best, best, 2, 3, 0, 1));
-    const auto found = std::size_t(best[0]);
-    return found < size_ ? found : size_ - 1; // one of those that repeat the last
+    return best;
 }
 
 // Of those that are at least so far along scale x d, in floats.

@@ -8,6 +8,9 @@
 #include <cstring>
 #include <span>
 #include <vector>
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
 
 namespace cairn {
 
@@ -28,10 +31,20 @@ inline bool any(I4 m) {
     std::memcpy(halves, &m, sizeof m);
     return (halves[0] | halves[1]) != 0;
 }
-inline float greatest_of(F4 v) {
-    const float low = v[0] > v[1] ? v[0] : v[1], high = v[2] > v[3] ? v[2] : v[3];
-    return low > high ? low : high;
+// A bit for each of the four.
+inline unsigned bits(I4 m) {
+#if defined(__SSE2__)
+    return static_cast<unsigned>(_mm_movemask_ps(reinterpret_cast<__m128>(m)));
+#else
+    return static_cast<unsigned>((m[0] & 1) | (m[1] & 2) | (m[2] & 4) | (m[3] & 8));
+#endif
 }
+// In each of the four.
+inline F4 spread_greatest(F4 v) {
+    const F4 both = greater(v, __builtin_shufflevector(v, v, 2, 3, 0, 1));
+    return greater(both, __builtin_shufflevector(both, both, 1, 0, 3, 2));
+}
+inline float greatest_of(F4 v) { return spread_greatest(v)[0]; }
 
 } // namespace columns
 
@@ -45,9 +58,9 @@ class Columns {
     // The point farthest along d, which may have any length: exactly that of dot products in double, of equal ones the
     // first.
     std::size_t farthest(const math::DVec3& d) const;
-    // Likewise by dot products in floats, in half the time: one of those points that are within 3e-6 of the largest
-    // coordinate of the farthest. `unit`: of length 1.
-    std::size_t nearly_farthest(const math::DVec3& unit) const;
+    // Likewise by dot products in floats, in a third of the time: one of those points that are within 3e-6 of the
+    // largest coordinate of the farthest. The length of d must be such that floats hold the products.
+    std::size_t nearly_farthest(const math::DVec3& d) const;
 
   private:
     std::size_t farthest_of(const math::DVec3& d, double scale, float least) const;

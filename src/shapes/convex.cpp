@@ -155,8 +155,6 @@ DVec3 round_support(const Core& core, DVec3 d) {
     return c.center + c.axes * local;
 }
 
-std::size_t farthest_vertex(const Convex& c, DVec3 d) { return c.hull->vertex_columns.farthest(to_local(c, d)); }
-
 DVec3 middle(const Convex& c) {
     if (c.kind != Convex::Kind::hull) return c.center;
     return c.center + c.axes * (0.5 * (math::to_double(c.hull->lo) + math::to_double(c.hull->hi)));

@@ -56,6 +56,7 @@ struct Core {
     const Convex* shape;
     bool is_inset; // else a sharp shape is its own core
     double radius;
+    bool is_quick = false; // of a hull: corners within 3e-6 of its size of the farthest will do
 };
 // Only of sharp shapes.
 inline Core inset_core(const Convex& c) { return {&c, true, c.radius}; }
@@ -81,17 +82,19 @@ inline math::DVec3 polygon_support(const Convex& c, math::DVec3 d) {
     }
     return c.corners[best];
 }
-inline math::DVec3 hull_support(const Convex& c, bool is_inset, math::DVec3 d) {
-    const math::DVec3 along = to_local(c, d);
-    return hull_point(c, is_inset ? c.hull->core[c.hull->core_columns.farthest(along)]
-                                  : c.hull->vertices[c.hull->vertex_columns.farthest(along)]);
+inline math::DVec3 hull_support(const Core& core, math::DVec3 d) {
+    const HullData& hull = *core.shape->hull;
+    const Columns& columns = core.is_inset ? hull.core_columns : hull.vertex_columns;
+    const math::DVec3 along = to_local(*core.shape, d);
+    const std::size_t i = core.is_quick ? columns.nearly_farthest(along) : columns.farthest(along);
+    return hull_point(*core.shape, (core.is_inset ? hull.core : hull.vertices)[i]);
 }
 math::DVec3 round_support(const Core& core, math::DVec3 d); // of balls, capsules and cylinders
 
 // The point of the core that is farthest along d.
 inline math::DVec3 core_support(const Core& core, math::DVec3 d) {
     const Convex& c = *core.shape;
-    if (c.kind == Convex::Kind::hull) return hull_support(c, core.is_inset, d);
+    if (c.kind == Convex::Kind::hull) return hull_support(core, d);
     if (c.kind == Convex::Kind::polygon) return polygon_support(c, d);
     if (c.kind != Convex::Kind::box) return round_support(core, d);
     const double m = core.is_inset ? c.radius : 0;
@@ -116,8 +119,6 @@ inline NearSupport near_support(const Convex& c, math::DVec3 unit) {
     const math::DVec3 p = hull_point(c, c.hull->vertices[vertex]);
     return {c.is_sharp ? p : p + c.radius * unit, static_cast<int>(vertex)};
 }
-// Of a hull: the vertex of its exact core there.
-std::size_t farthest_vertex(const Convex& c, math::DVec3 d);
 // A point inside: the middle of the bounds.
 math::DVec3 middle(const Convex& c);
 

@@ -161,7 +161,9 @@ int span_solid(const CorePair& pair, DifferencePoint (&p)[4], double& size, DVec
 
 } // namespace
 
-Penetration epa_depth(const CorePair& pair, const Simplex& start) {
+Penetration epa_depth(const CorePair& cores, const Simplex& start) {
+    CorePair pair = cores;
+    pair.a.is_quick = pair.b.is_quick = false; // it ends where no corner is farther
     Polytope polytope;
     DifferencePoint p[4];
     DVec3 axis;
