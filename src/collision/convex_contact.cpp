@@ -7,6 +7,7 @@
 #include "shapes/epa.h"
 
 #include <limits>
+#include <optional>
 
 namespace cairn {
 
@@ -133,13 +134,16 @@ void point_manifold(DVec3 position, DVec3 normal, double separation, std::uint32
 class FaceSearch {
   public:
     Axis find(const Convex& c, const Convex& other, DVec3 p, const Axis& floor) {
-        const bool is_known = best_.face >= 0 || floor.separation >= floor_;
-        if (!is_known) floor_ = floor.separation, best_ = best_face(c, other, p, floor);
-        return best_.face >= 0 && best_.separation > floor.separation ? best_ : floor;
+        if (!best_ && !(floor.separation >= floor_)) {
+            const Axis found = best_face(c, other, p, floor);
+            floor_ = floor.separation;
+            if (found.face >= 0) best_ = found;
+        }
+        return best_ && best_->separation > floor.separation ? *best_ : floor;
     }
 
   private:
-    Axis best_; // of all
+    std::optional<Axis> best_; // of all
     double floor_ = std::numeric_limits<double>::infinity(); // else none is farther
 };
 
@@ -149,8 +153,8 @@ struct FacePoints {
     FaceSearch on_a, on_b;
     FaceReach known;
     bool is_found = false; // else only how far they reach may be known
-    Feature disc;          // the face, if it is one,
-    FaceOutline outline;   // or if it has corners
+    std::optional<Feature> disc; // the face, if it or what is opposite is one
+    FaceOutline outline;         // of a face with corners
     ContactPoints points;
 
     bool is_of(const Axis& axis) const { return known.face == axis.face && known.is_second == axis.is_second; }
@@ -162,8 +166,9 @@ struct FacePoints {
         points.list.clear();
         const bool is_disc = c.kind == Convex::Kind::cylinder;
         if (is_disc || incident.kind == Feature::Kind::disc) {
-            face_feature(c, axis.face, disc);
-            disc_points(disc, incident, extent, points);
+            disc.emplace();
+            face_feature(c, axis.face, *disc);
+            disc_points(*disc, incident, extent, points);
         }
         if (!is_disc) {
             outline.find(c, axis.face);
@@ -183,8 +188,8 @@ struct FacePoints {
         const double part = 1 / count;
         const DVec3 middle = points.position(part * x, part * y, part * z);
         if (c.kind != Convex::Kind::cylinder) return outline.holds(middle, distance);
-        const DVec3 d = middle - disc.center, across = d - dot(d, disc.normal) * disc.normal;
-        return math::length(across) < disc.radius - distance;
+        const DVec3 d = middle - disc->center, across = d - dot(d, disc->normal) * disc->normal;
+        return math::length(across) < disc->radius - distance;
     }
 };
 
@@ -350,8 +355,9 @@ void collide_convex(const Convex& a, const Convex& b, double margin, DVec3 guess
     clear_manifold(out);
     if (contact_by_sides(a, b, margin, out)) return;
     FacePoints found;
-    Axis last, axis;
+    Axis last;
     if (contact_by_last_face(a, b, margin, memory, last, found, out)) return;
+    Axis axis;
     if (axis_of_edges(memory, cores_of(a, b), axis)) {
         measure(a, b, axis);
     } else {

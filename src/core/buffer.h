@@ -2,9 +2,8 @@
 #pragma once
 
 #include <cstddef>
-#include <new>
+#include <cstring>
 #include <type_traits>
-#include <vector>
 
 namespace cairn {
 
@@ -16,33 +15,42 @@ template <class T, std::size_t N> class Buffer {
     Buffer() {}
     Buffer(const Buffer&) = delete;
     Buffer& operator=(const Buffer&) = delete;
-    void add(const T& value) {
-        if (size_ < N)
-            new (storage_ + size_ * sizeof(T)) T(value);
-        else {
-            if (size_ == N) more_.assign(in_place(), in_place() + N);
-            more_.push_back(value);
-            data_ = more_.data();
-        }
-        ++size_;
+    ~Buffer() {
+        if (data_ != in_place()) delete[] reinterpret_cast<Place*>(data_);
     }
-    void clear() { size_ = 0, more_.clear(), data_ = in_place(); }
+    void add(const T& value) {
+        if (size_ < room_)
+            data_[size_++] = value;
+        else
+            add_beyond(value);
+    }
+    void clear() { size_ = 0; }
     std::size_t size() const { return size_; }
     T* data() { return data_; }
     const T* data() const { return data_; }
-    T& operator[](std::size_t i) { return data()[i]; }
-    const T& operator[](std::size_t i) const { return data()[i]; }
-    T* begin() { return data(); }
-    T* end() { return data() + size_; }
-    const T* begin() const { return data(); }
-    const T* end() const { return data() + size_; }
+    T& operator[](std::size_t i) { return data_[i]; }
+    const T& operator[](std::size_t i) const { return data_[i]; }
+    T* begin() { return data_; }
+    T* end() { return data_ + size_; }
+    const T* begin() const { return data_; }
+    const T* end() const { return data_ + size_; }
 
   private:
+    struct alignas(T) Place {
+        std::byte bytes[sizeof(T)];
+    };
     T* in_place() { return reinterpret_cast<T*>(storage_); }
+    [[gnu::noinline]] void add_beyond(const T value) { // a copy: it may be one of those that move
+        T* const more = reinterpret_cast<T*>(new Place[2 * room_]);
+        std::memcpy(static_cast<void*>(more), data_, size_ * sizeof(T));
+        if (data_ != in_place()) delete[] reinterpret_cast<Place*>(data_);
+        data_ = more, room_ *= 2;
+        data_[size_++] = value;
+    }
+
     alignas(T) std::byte storage_[N * sizeof(T)];
     T* data_ = in_place();
-    std::size_t size_ = 0;
-    std::vector<T> more_;
+    std::size_t size_ = 0, room_ = N;
 };
 
 } // namespace cairn

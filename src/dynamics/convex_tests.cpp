@@ -45,7 +45,7 @@ Manifold test_convex_pair(PairKind kind, const PosedShape& a, const PosedShape& 
                           ContactMemory& memory) {
     const DVec3 offset = offset_between(a.pose, b.pose);
     const Convex first = convex_of(a, {});
-    Manifold out{};
+    Manifold out;
     if (kind == PairKind::convex_convex) {
         collide_convex(first, convex_of(b, offset), double(margin), to_double(guess), memory, out);
         return out;

@@ -22,6 +22,7 @@ struct Frustum {
 };
 
 struct Convex {
+    Convex() {}
     enum class Kind : std::uint8_t { ball, box, capsule, cylinder, hull, polygon };
     Kind kind = Kind::ball;
     bool is_sharp = false;  // the shape itself has no radius: the core is inset
@@ -29,8 +30,10 @@ struct Convex {
     math::DVec3 center;     // of the shape's frame, in the common frame
     math::DMat3 axes;       // of the shape's frame, in the common frame
     math::DVec3 size;       // as in Geometry
-    math::DVec3 corners[4]; // of a polygon, in the common frame
-    Frustum core{};         // of a cylinder
+    union {                     // without values for other kinds: clearing them takes as long as all the rest
+        math::DVec3 corners[4]; // of a polygon, in the common frame
+        Frustum core;           // of a cylinder
+    };
     const HullData* hull = nullptr;
     double radius = 0;  // around the core
     double shallow = 0; // an overlap up to this is a small one: the radius, or of rounded shapes somewhat more
