@@ -14,12 +14,12 @@ namespace {
 // can be the one.
 class HullFaceSearch {
   public:
-    HullFaceSearch(const Convex& hull, const Convex& other, DVec3 p, const Axis& floor)
+    HullFaceSearch(const Convex& hull, const Convex& other, const DVec3& p, const FaceAxis& floor)
         : hull_(hull), other_(other), p_(p), best_(floor) {
         slack_ = 1e-5 * (hull.hull->bounding_radius + math::length(middle(other) - hull.center));
     }
 
-    Axis search() {
+    FaceAxis search() {
         for (std::size_t i = 0; i < hull_.hull->plane_columns.size(); i += at_once) search_from(i);
         return best_;
     }
@@ -71,28 +71,28 @@ class HullFaceSearch {
         const DVec3 normal = face_normal(hull_, face);
         const NearSupport nearest = near_support(other_, -normal);
         const double separation = dot(normal, nearest.point - face_point(hull_, face));
-        if (separation > best_.separation) best_ = {normal, separation, face, false, nearest.vertex, {}, {}, {}};
+        if (separation > best_.separation) best_ = {normal, separation, face, false, nearest.vertex};
         return nearest.point;
     }
 
     const Convex &hull_, &other_;
     DVec3 p_;
-    Axis best_;
+    FaceAxis best_;
     double slack_ = 0;
 };
 
 } // namespace
 
-Axis best_face(const Convex& c, const Convex& other, DVec3 p, const Axis& floor) {
+FaceAxis best_face(const Convex& c, const Convex& other, const DVec3& p, const FaceAxis& floor) {
     if (c.kind == Convex::Kind::hull) return HullFaceSearch(c, other, p, floor).search();
-    Axis best = floor;
+    FaceAxis best = floor;
     for (int i = 0; i < face_count(c); ++i) {
         if (!has_face(c, i)) continue;
         const DVec3 normal = face_normal(c, i), on_face = face_point(c, i);
         if (!(dot(normal, p - on_face) > best.separation)) continue; // no other point is farther inside
         const NearSupport nearest = near_support(other, -normal);
         const double separation = dot(normal, nearest.point - on_face);
-        if (separation > best.separation) best = {normal, separation, i, false, nearest.vertex, {}, {}, {}};
+        if (separation > best.separation) best = {normal, separation, i, false, nearest.vertex};
     }
     return best;
 }

@@ -11,12 +11,14 @@ namespace cairn {
 inline constexpr double least_crossing = 1e-2;
 
 // A direction in which the shapes are separated, and the face that it is the normal of, if any.
-struct Axis {
+struct FaceAxis {
     math::DVec3 normal; // from a to b
     double separation = -std::numeric_limits<double>::infinity();
     int face = -1;
     bool is_second = false;        // the face is b's
     int opposite = unknown_vertex; // of the other shape, if it is a hull: its vertex that is nearest to the face
+};
+struct Axis : FaceAxis {
     math::DVec3 on_a, on_b; // the points of the shapes that are farthest along the normal and against it
     math::DVec3 touch;      // midway between the points of the cores that are nearest to each other
 };
@@ -33,6 +35,6 @@ inline void measure(const Convex& a, const Convex& b, Axis& axis) {
 
 // The face of `c` along whose normal the shapes are farthest apart, if more than `floor`: that is one of its faces as
 // well, or none with the separation that others must exceed. p: some point of the other, best one that is near.
-Axis best_face(const Convex& c, const Convex& other, math::DVec3 p, const Axis& floor);
+FaceAxis best_face(const Convex& c, const Convex& other, const math::DVec3& p, const FaceAxis& floor);
 
 } // namespace cairn

@@ -133,9 +133,9 @@ void point_manifold(DVec3 position, DVec3 normal, double separation, std::uint32
 // The best face of one shape of a pair (best_face), which is asked for again with another axis.
 class FaceSearch {
   public:
-    Axis find(const Convex& c, const Convex& other, DVec3 p, const Axis& floor) {
+    FaceAxis find(const Convex& c, const Convex& other, const DVec3& p, const FaceAxis& floor) {
         if (!best_ && !(floor.separation >= floor_)) {
-            const Axis found = best_face(c, other, p, floor);
+            const FaceAxis found = best_face(c, other, p, floor);
             floor_ = floor.separation;
             if (found.face >= 0) best_ = found;
         }
@@ -143,7 +143,7 @@ class FaceSearch {
     }
 
   private:
-    std::optional<Axis> best_; // of all
+    std::optional<FaceAxis> best_; // of all
     double floor_ = std::numeric_limits<double>::infinity(); // else none is farther
 };
 
@@ -157,8 +157,8 @@ struct FacePoints {
     FaceOutline outline;         // of a face with corners
     ContactPoints points;
 
-    bool is_of(const Axis& axis) const { return known.face == axis.face && known.is_second == axis.is_second; }
-    void find(const Convex& c, const Convex& other, const Axis& axis, double extent) {
+    bool is_of(const FaceAxis& axis) const { return known.face == axis.face && known.is_second == axis.is_second; }
+    void find(const Convex& c, const Convex& other, const FaceAxis& axis, double extent) {
         is_found = true;
         known.face = axis.face, known.is_second = axis.is_second;
         Feature incident;
@@ -193,7 +193,7 @@ struct FacePoints {
     }
 };
 
-bool face_manifold(const Convex& a, const Convex& b, const Axis& axis, double least, double tolerance, double extent,
+bool face_manifold(const Convex& a, const Convex& b, const FaceAxis& axis, double least, double tolerance, double extent,
                    double margin, FacePoints& found, Manifold& out) {
     const Convex &c = axis.is_second ? b : a, &other = axis.is_second ? a : b;
     if (!found.is_of(axis)) found.find(c, other, axis, extent);
@@ -222,18 +222,18 @@ double face_preference(const Convex& a, const Convex& b, double extent) {
 
 // The face along whose normal the shapes are farthest apart, if that is about as good as the axis; which may be such a
 // face itself.
-Axis preferred_face(const Convex& a, const Convex& b, const Axis& axis, double preference, double extent,
+FaceAxis preferred_face(const Convex& a, const Convex& b, const Axis& axis, double preference, double extent,
                     FacePoints& found) {
     const double tolerance = second_face_tolerance * extent;
     const bool is_first = axis.face >= 0 && !axis.is_second, is_second = axis.face >= 0 && axis.is_second;
-    Axis floor;
+    FaceAxis floor;
     floor.separation = axis.separation - (is_second ? tolerance : preference);
-    Axis face = found.on_a.find(a, b, axis.on_b, is_first ? axis : floor);
+    FaceAxis face = found.on_a.find(a, b, axis.on_b, is_first ? static_cast<const FaceAxis&>(axis) : floor);
     if (face.face >= 0) floor.separation = face.separation + tolerance;
     const bool is_better = is_second && axis.separation > floor.separation;
     if (is_better) floor = axis, floor.normal = -axis.normal;
-    const Axis second = found.on_b.find(b, a, axis.on_a, floor);
-    if (second.face >= 0) face = {-second.normal, second.separation, second.face, true, second.opposite, {}, {}, {}};
+    const FaceAxis second = found.on_b.find(b, a, axis.on_a, floor);
+    if (second.face >= 0) face = {-second.normal, second.separation, second.face, true, second.opposite};
     return face;
 }
 
@@ -257,7 +257,7 @@ bool sharpen(const Convex& a, const Convex& b, Axis& axis) {
 // Contact along an axis found from the cores, or along the normal of a face where that is about as good: true then.
 bool contact_along(const Convex& a, const Convex& b, Axis axis, double margin, FacePoints& found, Manifold& out) {
     const double extent = common_extent(a, b), preference = face_preference(a, b, extent);
-    const Axis face = preferred_face(a, b, axis, preference, extent, found);
+    const FaceAxis face = preferred_face(a, b, axis, preference, extent, found);
     if (face.face >= 0) {
         const double least = std::max(axis.separation, face.separation);
         if (least > margin) return false;
@@ -315,7 +315,7 @@ bool contact_by_guess(const Convex& a, const Convex& b, double margin, Axis axis
     if (axis.separation > margin) return put_apart(out, axis.normal, axis.separation);
     if (face_count(a) == 0 && face_count(b) == 0) return false;
     const double extent = common_extent(a, b), preference = face_preference(a, b, extent);
-    const Axis face = preferred_face(a, b, axis, preference, extent, found);
+    const FaceAxis face = preferred_face(a, b, axis, preference, extent, found);
     if (face.face < 0) return false;
     if (face.separation > margin) return put_apart(out, face.normal, face.separation);
     if (face.separation < -inset_part_of(a, b)) return false;
@@ -455,7 +455,7 @@ void lift(const Convex& a, const Convex& polygon, double margin, Manifold& out) 
     const DVec3 up = polygon.axes.c1;
     const double separation = separation_along(a, polygon, -up);
     if (separation > margin) return;
-    const Axis face{-up, separation, 0, true, unknown_vertex, {}, {}, {}};
+    const FaceAxis face{-up, separation, 0, true, unknown_vertex};
     FacePoints found;
     if (face_manifold(a, polygon, face, separation, a.extent, a.extent, margin, found, out)) return;
     const DVec3 m = middle(a);

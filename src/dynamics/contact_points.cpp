@@ -13,10 +13,22 @@ namespace {
 
 constexpr float unused = 1e30f;
 
-// What is kept of a contact's last step to warm start the next.
+// Four floats side by side: a point and its separation.
+using Float4 = float __attribute__((vector_size(16)));
+Float4 load4(const float* p) {
+    Float4 v;
+    std::memcpy(&v, p, sizeof(v));
+    return v;
+}
+void store4(float* p, Float4 v) { std::memcpy(p, &v, sizeof(v)); }
+
+float sum3(Float4 v) { return v[0] + v[1] + v[2]; }
+
+// What is kept of a contact's last step to warm start the next. Beyond the last point, arms are far away.
 struct OldPoints {
     int count;
-    math::Vec3 normal, arm[4], friction;
+    math::Vec3 normal, friction;
+    Float4 x, y, z; // of the arms
     float impulse[4], torsion;
 };
 
@@ -26,20 +38,21 @@ struct OldPoints {
 void match_points(const OldPoints& old, float tolerance, int count, ContactRecord& r) {
     const float limit = tolerance * tolerance;
     unsigned taken = 0, unmatched = 0;
-    auto square_distance = [&](int i, int k) {
-        const math::Vec3 e = to_vec(point_of(r, i)) - old.arm[k];
-        return math::dot(e, e);
-    };
     for (int i = 0; i < count; ++i) {
+        const float* p = point_of(r, i);
+        const Float4 dx = p[0] - old.x, dy = p[1] - old.y, dz = p[2] - old.z;
+        float square[4];
+        store4(square, dx * dx + dy * dy + dz * dz);
         int match = -1;
         // Mostly the order stays as well.
-        if (i < old.count && !(taken & (1u << i)) && square_distance(i, i) < 0.0625f * limit) {
+        if (i < old.count && !(taken & (1u << i)) && square[i] < 0.0625f * limit) {
             match = i;
         } else {
             float nearest = limit;
             for (int k = 0; k < old.count; ++k) {
-                const float square = square_distance(i, k);
-                if (square < nearest && !(taken & (1u << k))) nearest = square, match = k;
+                const bool is_nearer = (square[k] < nearest) & !(taken >> k & 1);
+                nearest = is_nearer ? square[k] : nearest;
+                match = is_nearer ? k : match;
             }
         }
         if (match < 0) {
@@ -69,23 +82,20 @@ OldPoints old_points(const ContactRecord& r, int count, math::Quat turned) {
     old.normal = to_vec(r.normal);
     old.friction = to_vec(r.friction_impulse);
     old.torsion = r.torsion_impulse;
-    for (int k = 0; k < count; ++k) {
-        old.arm[k] = math::rotate(turned, to_vec(point_of(r, k)));
-        old.impulse[k] = r.impulses[k];
-    }
+    const Float4 far_away{unused, unused, unused, unused};
+    Float4 p[4];
+    for (int k = 0; k < 4; ++k) p[k] = k < count ? load4(point_of(r, k)) : far_away, old.impulse[k] = r.impulses[k];
+    // Turned on their side: from four points to four coordinates each of x, y and z.
+    const Float4 xy01 = __builtin_shufflevector(p[0], p[1], 0, 4, 1, 5), z01 = __builtin_shufflevector(p[0], p[1], 2, 6, 3, 7);
+    const Float4 xy23 = __builtin_shufflevector(p[2], p[3], 0, 4, 1, 5), z23 = __builtin_shufflevector(p[2], p[3], 2, 6, 3, 7);
+    const Float4 x = __builtin_shufflevector(xy01, xy23, 0, 1, 4, 5), y = __builtin_shufflevector(xy01, xy23, 2, 3, 6, 7);
+    const Float4 z = __builtin_shufflevector(z01, z23, 0, 1, 4, 5);
+    const math::Mat3 m = math::to_matrix(turned);
+    old.x = m.c0.x * x + m.c1.x * y + m.c2.x * z;
+    old.y = m.c0.y * x + m.c1.y * y + m.c2.y * z;
+    old.z = m.c0.z * x + m.c1.z * y + m.c2.z * z;
     return old;
 }
-
-// Four floats side by side: a point and its separation.
-using Float4 = float __attribute__((vector_size(16)));
-Float4 load4(const float* p) {
-    Float4 v;
-    std::memcpy(&v, p, sizeof(v));
-    return v;
-}
-void store4(float* p, Float4 v) { std::memcpy(p, &v, sizeof(v)); }
-
-float sum3(Float4 v) { return v[0] + v[1] + v[2]; }
 
 // Whether each point is where the old one of the same number is, in A's frame: then all impulses stay as they are.
 // That is the common case, and this its short way.
