@@ -70,8 +70,9 @@ class HullFaceSearch {
     DVec3 measure(int face) {
         const DVec3 normal = face_normal(hull_, face);
         const NearSupport nearest = near_support(other_, -normal);
-        const double separation = dot(normal, nearest.point - face_point(hull_, face));
-        if (separation > best_.separation) best_ = {normal, separation, face, false, nearest.vertex};
+        const DVec3 on_face = face_point(hull_, face);
+        const double separation = dot(normal, nearest.point - on_face);
+        if (separation > best_.separation) best_ = {normal, separation, face, false, nearest.vertex, on_face};
         return nearest.point;
     }
 
@@ -92,7 +93,7 @@ FaceAxis best_face(const Convex& c, const Convex& other, const DVec3& p, const F
         if (!(dot(normal, p - on_face) > best.separation)) continue; // no other point is farther inside
         const NearSupport nearest = near_support(other, -normal);
         const double separation = dot(normal, nearest.point - on_face);
-        if (separation > best.separation) best = {normal, separation, i, false, nearest.vertex};
+        if (separation > best.separation) best = {normal, separation, i, false, nearest.vertex, on_face};
     }
     return best;
 }

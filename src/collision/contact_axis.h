@@ -17,6 +17,7 @@ struct FaceAxis {
     int face = -1;
     bool is_second = false;        // the face is b's
     int opposite = unknown_vertex; // of the other shape, if it is a hull: its vertex that is nearest to the face
+    math::DVec3 on_face;           // some point of the face
 };
 struct Axis : FaceAxis {
     math::DVec3 on_a, on_b; // the points of the shapes that are farthest along the normal and against it

@@ -39,10 +39,9 @@ class Inside {
     Inside(std::span<const SideBlock> sides, const Polygon& corners, double slack) : blocks_(sides.size()) {
         for (const Point3& p : corners)
             for (const SideBlock& block : sides) {
-                Four four;
+                Four& four = values_.add_unset();
                 four.outside = block.inside(p.x, p.y, slack, four.value);
                 any_outside |= four.outside;
-                values_.add(four);
             }
     }
 
@@ -232,7 +231,8 @@ void outline_points(const FaceOutline& face, const Feature& incident, ContactPoi
     Polygon other;
     for (const DVec3& p : incident.points) {
         const DVec3 q = face.frame.to_frame(p);
-        other.add({q.x, q.y, q.z});
+        Point3& to = other.add_unset();
+        to.x = q.x, to.y = q.y, to.z = q.z;
     }
     const auto add = [&](const Point3& p, std::size_t number) {
         out.list.add({p.x, p.y, p.z, out.frame.feature + static_cast<std::uint32_t>(number)});

@@ -171,7 +171,7 @@ struct FacePoints {
             disc_points(*disc, incident, extent, points);
         }
         if (!is_disc) {
-            outline.find(c, axis.face);
+            outline.find(c, axis.face, axis.is_second ? -axis.normal : axis.normal, axis.on_face);
             if (incident.kind != Feature::Kind::disc) outline_points(outline, incident, points);
         }
         known.reached = std::numeric_limits<double>::infinity();
@@ -233,7 +233,7 @@ FaceAxis preferred_face(const Convex& a, const Convex& b, const Axis& axis, doub
     const bool is_better = is_second && axis.separation > floor.separation;
     if (is_better) floor = axis, floor.normal = -axis.normal;
     const FaceAxis second = found.on_b.find(b, a, axis.on_a, floor);
-    if (second.face >= 0) face = {-second.normal, second.separation, second.face, true, second.opposite};
+    if (second.face >= 0) face = {-second.normal, second.separation, second.face, true, second.opposite, second.on_face};
     return face;
 }
 
@@ -285,7 +285,7 @@ bool contact_by_last_face(const Convex& a, const Convex& b, double margin, Conta
     const Convex &c = axis.is_second ? b : a, &other = axis.is_second ? a : b;
     const DVec3 outward = face_normal(c, axis.face);
     axis.normal = axis.is_second ? -outward : outward;
-    const DVec3 on_face = face_point(c, axis.face);
+    const DVec3 on_face = axis.on_face = face_point(c, axis.face);
     const NearSupport nearest = near_support(other, -outward);
     axis.opposite = nearest.vertex;
     axis.on_a = axis.is_second ? nearest.point : on_face, axis.on_b = axis.is_second ? on_face : nearest.point;
@@ -455,7 +455,7 @@ void lift(const Convex& a, const Convex& polygon, double margin, Manifold& out) 
     const DVec3 up = polygon.axes.c1;
     const double separation = separation_along(a, polygon, -up);
     if (separation > margin) return;
-    const FaceAxis face{-up, separation, 0, true, unknown_vertex};
+    const FaceAxis face{-up, separation, 0, true, unknown_vertex, polygon.corners[0]};
     FacePoints found;
     if (face_manifold(a, polygon, face, separation, a.extent, a.extent, margin, found, out)) return;
     const DVec3 m = middle(a);

@@ -5,7 +5,7 @@ namespace cairn {
 using math::dot;
 using math::DVec3;
 
-void FaceOutline::find(const Convex& c, int face) {
+void FaceOutline::find(const Convex& c, int face, const DVec3& normal, const DVec3& on_face) {
     index = static_cast<std::uint32_t>(face);
     if (c.kind == Convex::Kind::hull) {
         const HullData& hull = *c.hull;
@@ -13,9 +13,9 @@ void FaceOutline::find(const Convex& c, int face) {
         const HullOutline& outline = hull.outlines[f];
         corner_count = hull.faces[f].count, size = outline.size;
         sides = {&hull.sides[outline.first_side], (corner_count + SideBlock::width - 1) / SideBlock::width};
-        frame.normal = face_normal(c, face), frame.e1 = c.axes * outline.e1;
+        frame.normal = normal, frame.e1 = c.axes * outline.e1;
         frame.e2 = math::cross(frame.normal, frame.e1);
-        frame.origin = face_point(c, face);
+        frame.origin = on_face;
         return;
     }
     Feature polygon;

@@ -15,7 +15,8 @@ struct FaceOutline {
     double size = 0; // the largest coordinate of a corner
     std::span<const SideBlock> sides;
 
-    void find(const Convex& c, int face);
+    // `normal`, `on_face`: as of face_normal and face_point.
+    void find(const Convex& c, int face, const math::DVec3& normal, const math::DVec3& on_face);
 
     // Whether a point, seen along the normal, is farther inside of every side than so much.
     bool holds(const math::DVec3& p, double distance) const;

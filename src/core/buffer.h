@@ -24,6 +24,11 @@ template <class T, std::size_t N> class Buffer {
         else
             add_beyond(value);
     }
+    // One more, without a value.
+    T& add_unset() {
+        if (size_ == room_) grow();
+        return data_[size_++];
+    }
     void clear() { size_ = 0; }
     std::size_t size() const { return size_; }
     T* data() { return data_; }
@@ -41,11 +46,14 @@ template <class T, std::size_t N> class Buffer {
     };
     T* in_place() { return reinterpret_cast<T*>(storage_); }
     [[gnu::noinline]] void add_beyond(const T value) { // a copy: it may be one of those that move
+        grow();
+        data_[size_++] = value;
+    }
+    [[gnu::noinline]] void grow() {
         T* const more = reinterpret_cast<T*>(new Place[2 * room_]);
         std::memcpy(static_cast<void*>(more), data_, size_ * sizeof(T));
         if (data_ != in_place()) delete[] reinterpret_cast<Place*>(data_);
         data_ = more, room_ *= 2;
-        data_[size_++] = value;
     }
 
     alignas(T) std::byte storage_[N * sizeof(T)];

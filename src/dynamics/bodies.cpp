@@ -87,9 +87,11 @@ void refresh_mass(State& state, std::int32_t body) {
 
 void place_shapes(State& state, std::int32_t body) {
     float radius = 0;
-    place_each_shape(state, body, [&](std::uint32_t s, const math::Mat3& rotation) {
+    const math::Quat q = math::to_float(state.motion[std::size_t(body)].q);
+    place_each_shape(state, body, [&](std::uint32_t s) {
         const Geometry& geometry = state.geometry[s];
-        const math::Vec3 middle = state.shapes[s].arm + rotation * math::rotate(geometry.rotation, geometry.middle);
+        const math::Vec3 in_body = math::rotate(geometry.rotation, geometry.middle);
+        const math::Vec3 middle = state.shapes[s].arm + math::rotate(q, in_body);
         size_shape(state.shape_poses[s], geometry);
         radius = std::max(radius, math::length(middle) + geometry.bounding_radius);
     });

@@ -32,25 +32,23 @@ inline void size_shape(ShapePose& pose, const Geometry& geometry) {
 }
 
 // Puts one shape where its body is. The step's inner loop.
-inline void place_shape(State& state, std::uint32_t shape, const BodyMotion& motion, const math::Mat3& rotation,
-                        math::Quat q, math::Vec3 center) {
+inline void place_shape(State& state, std::uint32_t shape, const BodyMotion& motion, math::Quat q, math::Vec3 center) {
     const Geometry& geometry = state.geometry[shape];
     math::Vec3 arm;
-    if (!(geometry.position == center)) arm = rotation * (geometry.position - center);
+    if (!(geometry.position == center)) arm = math::rotate(q, geometry.position - center);
     state.shapes[shape].arm = arm;
     pose_shape(state.shape_poses[shape], geometry, motion.x + math::to_double(arm), q);
 }
 
-// Puts all shapes of a body where it is; f(shape, rotation of the body) after each.
+// Puts all shapes of a body where it is; f(shape) after each.
 template <class F> void place_each_shape(State& state, std::int32_t body, F&& f) {
     const BodyMotion& motion = state.motion[std::size_t(body)];
     const math::Quat q = math::to_float(motion.q);
-    const math::Mat3 rotation = math::to_matrix(q);
     const math::Vec3 center = state.mass[std::size_t(body)].center;
     for (std::int32_t s = state.bodies[std::size_t(body)].first_shape; s != none;
          s = state.shapes[std::size_t(s)].next) {
-        place_shape(state, std::uint32_t(s), motion, rotation, q, center);
-        f(std::uint32_t(s), rotation);
+        place_shape(state, std::uint32_t(s), motion, q, center);
+        f(std::uint32_t(s));
     }
 }
 

@@ -19,12 +19,11 @@ double turn_of_shape(const State& s, std::uint32_t shape, float turn) {
     return s.geometry[shape].type == ShapeType::sphere && s.shapes[shape].arm == math::Vec3{} ? 0.0 : double(turn);
 }
 
-// Of a shape that is no infinite plane, of a body with that rotation that turns in the next step by so many meters.
-DBounds bounds_of(const State& s, std::uint32_t shape, const math::Mat3& rotation, float turn) {
-    const Geometry& geometry = s.geometry[shape];
+// Of a shape that is no infinite plane, of a body that turns in the next step by so many meters.
+DBounds bounds_of(const State& s, std::uint32_t shape, float turn) {
     const ShapePose& pose = s.shape_poses[shape];
-    return grown(geometry_bounds(geometry, s.shape_data[shape], shape_position(pose),
-                                 geometry.is_turned ? math::to_matrix(shape_rotation(pose)) : rotation),
+    return grown(geometry_bounds(s.geometry[shape], s.shape_data[shape], shape_position(pose),
+                                 math::to_matrix(shape_rotation(pose))),
                  turn_of_shape(s, shape, turn));
 }
 
@@ -36,12 +35,12 @@ void move_shapes(State& s, std::int32_t b, float dt) {
     const math::Vec3 displacement = dt * s.motion[std::size_t(b)].v;
     const float turn = turn_reach(s, b, dt);
     s.served[std::size_t(b)].room = -1;
-    place_each_shape(s, b, [&](std::uint32_t shape, const math::Mat3& rotation) {
+    place_each_shape(s, b, [&](std::uint32_t shape) {
         const ShapePose& pose = s.shape_poses[shape];
         if (s.geometry[shape].type == ShapeType::plane)
             s.broad_phase.move_plane(shape, shape_position(pose), normal_of_plane(pose));
         else
-            s.broad_phase.set_bounds(shape, bounds_of(s, shape, rotation, turn), displacement);
+            s.broad_phase.set_bounds(shape, bounds_of(s, shape, turn), displacement);
     });
 }
 
@@ -59,24 +58,25 @@ float surface_radius(const State& s, std::int32_t b) {
 
 void finalize_body(State& s, std::int32_t b, float dt, std::vector<EscapedShape>& escaped) {
     const BodyMotion& motion = s.motion[std::size_t(b)];
-    const math::Vec3 displacement = dt * motion.v;
     const float turn = turn_reach(s, b, dt);
     BodyLinks& links = s.bodies[std::size_t(b)];
     ServedPose& served = s.served[std::size_t(b)];
-    const double ahead = double(turn + math::length(displacement));
+    const float velocity = math::length(motion.v);
+    const double ahead = double(turn + dt * velocity);
     if (served.room >= 0 && way_from(served.pose, motion, links.radius) + ahead <= served.room) {
-        place_each_shape(s, b, [](std::uint32_t, const math::Mat3&) {});
+        place_each_shape(s, b, [](std::uint32_t) {});
     } else {
+        const math::Vec3 displacement = dt * motion.v;
         double room = std::numeric_limits<double>::infinity();
-        place_each_shape(s, b, [&](std::uint32_t shape, const math::Mat3& rotation) { // no plane: the body is dynamic
-            const DBounds bounds = bounds_of(s, shape, rotation, turn);
+        place_each_shape(s, b, [&](std::uint32_t shape) { // no plane: the body is dynamic
+            const DBounds bounds = bounds_of(s, shape, turn);
             const double own = s.broad_phase.room(shape, bounds, displacement);
             if (own < 0) escaped.push_back({shape, bounds, displacement});
             room = std::min(room, own);
         });
         served = {{motion.x, motion.q}, room - ahead - rounding * double(links.radius)};
     }
-    const float speed = math::length(motion.v) + math::length(motion.w) * surface_radius(s, b);
+    const float speed = velocity + math::length(motion.w) * surface_radius(s, b);
     links.quiet_time = speed < s.settings.sleep_speed ? links.quiet_time + dt : 0;
 }
 

@@ -114,10 +114,6 @@ void drop_covered(State& s, const std::vector<std::uint32_t>& contacts) {
 
 // Drops seams among the contacts of one body with what does not move by forces.
 void drop_seams_of_body(State& s, std::vector<std::uint32_t>& contacts) {
-    const std::uint32_t shape = s.contacts[contacts[0]].shape_b;
-    if (std::all_of(contacts.begin(), contacts.end(),
-                    [&](std::uint32_t id) { return s.contacts[id].shape_b == shape; }))
-        return;
     drop_covered(s, contacts);
     const auto depth_of = [&](std::uint32_t id) { return -least_separation(s.contacts[id], s.records[id]); };
     const math::Vec3 first = to_vec(s.records[contacts[0]].normal);
@@ -145,27 +141,32 @@ void drop_seams_of_body(State& s, std::vector<std::uint32_t>& contacts) {
 
 void drop_seams(State& s) {
     std::vector<std::int32_t>& last_of_body = s.narrow.last_of_body;
-    std::vector<std::pair<std::uint32_t, std::int32_t>>& fixed = s.narrow.fixed; // contact, one of the same body before
+    std::vector<FixedContact>& fixed = s.narrow.fixed;
     last_of_body.resize(s.bodies.size(), none);
     s.narrow.is_seam.resize(s.contacts.size());
     fixed.clear();
-    bool any_seams = false; // some body lies on two shapes: those of one mesh have none between them
+    bool any_seams = false;
     for (const std::uint32_t id : s.solved) {
         const ContactInfo& c = s.contacts[id];
         if (c.b_moves) continue;
         s.narrow.is_seam[id] = 0;
         std::int32_t& last = last_of_body[std::size_t(c.body_a)];
-        any_seams |= last != none && s.contacts[fixed[std::size_t(last)].first].shape_b != c.shape_b;
-        fixed.emplace_back(id, last);
+        bool on_several = false;
+        if (last != none) {
+            const FixedContact& before = fixed[std::size_t(last)];
+            on_several = before.on_several || s.contacts[before.contact].shape_b != c.shape_b;
+        }
+        any_seams |= on_several;
+        fixed.push_back({id, last, on_several});
         last = std::int32_t(fixed.size()) - 1;
     }
     for (std::size_t k = fixed.size(); k-- > 0;) {
-        std::int32_t& last = last_of_body[std::size_t(s.contacts[fixed[k].first].body_a)];
+        std::int32_t& last = last_of_body[std::size_t(s.contacts[fixed[k].contact].body_a)];
         if (last == none) continue; // its body is done
-        if (any_seams) {
+        if (fixed[std::size_t(last)].on_several) {
             s.narrow.of_body.clear();
-            for (std::int32_t i = last; i != none; i = fixed[std::size_t(i)].second)
-                s.narrow.of_body.push_back(fixed[std::size_t(i)].first);
+            for (std::int32_t i = last; i != none; i = fixed[std::size_t(i)].before)
+                s.narrow.of_body.push_back(fixed[std::size_t(i)].contact);
             drop_seams_of_body(s, s.narrow.of_body);
         }
         last = none;

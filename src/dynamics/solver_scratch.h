@@ -58,6 +58,13 @@ struct PushScratch {
     std::vector<std::uint32_t> first, contacts; // places among the unsorted ones
 };
 
+// A contact with what does not move by forces, for seams.cpp.
+struct FixedContact {
+    std::uint32_t contact;
+    std::int32_t before; // the one of the same body before it
+    bool on_several;     // whether these are with more than one shape
+};
+
 struct NarrowScratch {
     // Pairs to be tested, one list per PairKind: their places among the candidates.
     std::vector<std::vector<std::uint32_t>> lists;
@@ -80,7 +87,7 @@ struct NarrowScratch {
     std::size_t next_fresh = 0;               // the first of those that have not been followed up
     // Seams (seams.cpp).
     std::vector<std::int32_t> last_of_body; // in `fixed`
-    std::vector<std::pair<std::uint32_t, std::int32_t>> fixed;
+    std::vector<FixedContact> fixed;
     std::vector<std::uint32_t> of_body;
     std::vector<std::uint8_t> is_seam; // by contact, of those with what does not move by forces
 };
