@@ -31,7 +31,9 @@ DVec3 unit_or(DVec3 v, DVec3 other) {
     return length > 0 ? (1 / length) * v : other;
 }
 
-std::uint32_t feature_base(std::uint32_t reference, std::uint32_t incident) { return (reference * 64 + incident) << 17; }
+std::uint32_t feature_base(std::uint32_t reference, std::uint32_t incident) {
+    return (reference * 64 + incident) << 17;
+}
 
 // How far the corners of a feature are inside the sides of a face.
 class Inside {
@@ -166,9 +168,7 @@ class DiscPoints {
   private:
     static double square(const Point3& p) { return p.x * p.x + p.y * p.y; }
     double wide() const { return (1 + face_tolerance) * disc_.radius; }
-    void add(const Point3& p, std::uint32_t number) {
-        out_.list.add({p.x, p.y, p.z, out_.frame.feature + number});
-    }
+    void add(const Point3& p, std::uint32_t number) { out_.list.add({p.x, p.y, p.z, out_.frame.feature + number}); }
 
     // Four points of the rim. They do not turn with the disc: on a face they keep to its first edge, and as soon as the
     // disc leans to one side the first is the lowest.

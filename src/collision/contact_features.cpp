@@ -45,7 +45,8 @@ void capsule_line(const Convex& c, DVec3 n, Feature& out) {
 int face_of_hull(const Convex& c, const DVec3& n, int vertex) {
     const HullData& hull = *c.hull;
     const DVec3 d = to_local(c, n);
-    const std::size_t v = vertex != unknown_vertex ? static_cast<std::size_t>(vertex) : hull.vertex_columns.nearly_farthest(d);
+    const std::size_t v =
+        vertex != unknown_vertex ? static_cast<std::size_t>(vertex) : hull.vertex_columns.nearly_farthest(d);
     int best = 0;
     double most = -2;
     for (std::uint32_t i = hull.neighbor_start[v]; i < hull.neighbor_start[v + 1]; ++i) {

@@ -44,7 +44,7 @@ struct EdgePoints {
     };
     Point points[2];
     int count = 0;
-    double sideways = 0;  // how far a single point of the first is beside that of the second
+    double sideways = 0;   // how far a single point of the first is beside that of the second
     bool is_cross = false; // both are between the ends
 };
 // One or two points between segments or points, `separation` apart along n (from the first to the second); with two

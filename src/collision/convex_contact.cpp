@@ -143,7 +143,7 @@ class FaceSearch {
     }
 
   private:
-    std::optional<FaceAxis> best_; // of all
+    std::optional<FaceAxis> best_;                           // of all
     double floor_ = std::numeric_limits<double>::infinity(); // else none is farther
 };
 
@@ -152,7 +152,7 @@ class FaceSearch {
 struct FacePoints {
     FaceSearch on_a, on_b;
     FaceReach known;
-    bool is_found = false; // else only how far they reach may be known
+    bool is_found = false;       // else only how far they reach may be known
     std::optional<Feature> disc; // the face, if it or what is opposite is one
     FaceOutline outline;         // of a face with corners
     ContactPoints points;
@@ -193,8 +193,8 @@ struct FacePoints {
     }
 };
 
-bool face_manifold(const Convex& a, const Convex& b, const FaceAxis& axis, double least, double tolerance, double extent,
-                   double margin, FacePoints& found, Manifold& out) {
+bool face_manifold(const Convex& a, const Convex& b, const FaceAxis& axis, double least, double tolerance,
+                   double extent, double margin, FacePoints& found, Manifold& out) {
     const Convex &c = axis.is_second ? b : a, &other = axis.is_second ? a : b;
     if (!found.is_of(axis)) found.find(c, other, axis, extent);
     if (!(found.known.reached <= least + tolerance)) return false;
@@ -223,7 +223,7 @@ double face_preference(const Convex& a, const Convex& b, double extent) {
 // The face along whose normal the shapes are farthest apart, if that is about as good as the axis; which may be such a
 // face itself.
 FaceAxis preferred_face(const Convex& a, const Convex& b, const Axis& axis, double preference, double extent,
-                    FacePoints& found) {
+                        FacePoints& found) {
     const double tolerance = second_face_tolerance * extent;
     const bool is_first = axis.face >= 0 && !axis.is_second, is_second = axis.face >= 0 && axis.is_second;
     FaceAxis floor;
@@ -233,7 +233,8 @@ FaceAxis preferred_face(const Convex& a, const Convex& b, const Axis& axis, doub
     const bool is_better = is_second && axis.separation > floor.separation;
     if (is_better) floor = axis, floor.normal = -axis.normal;
     const FaceAxis second = found.on_b.find(b, a, axis.on_a, floor);
-    if (second.face >= 0) face = {-second.normal, second.separation, second.face, true, second.opposite, second.on_face};
+    if (second.face >= 0)
+        face = {-second.normal, second.separation, second.face, true, second.opposite, second.on_face};
     return face;
 }
 
@@ -295,7 +296,8 @@ bool contact_by_last_face(const Convex& a, const Convex& b, double margin, Conta
     const double extent = common_extent(a, b);
     const double tolerance = unsearched_reach * face_preference(a, b, extent) + rounding * extent;
     if (!face_manifold(a, b, axis, axis.separation, tolerance, extent, margin, found, out)) return false;
-    if (axis.separation >= 0 || found.are_amid(c, axis.separation + tolerance, least_amid * -axis.separation)) return true;
+    if (axis.separation >= 0 || found.are_amid(c, axis.separation + tolerance, least_amid * -axis.separation))
+        return true;
     clear_manifold(out);
     return false;
 }

@@ -86,9 +86,12 @@ OldPoints old_points(const ContactRecord& r, int count, math::Quat turned) {
     Float4 p[4];
     for (int k = 0; k < 4; ++k) p[k] = k < count ? load4(point_of(r, k)) : far_away, old.impulse[k] = r.impulses[k];
     // Turned on their side: from four points to four coordinates each of x, y and z.
-    const Float4 xy01 = __builtin_shufflevector(p[0], p[1], 0, 4, 1, 5), z01 = __builtin_shufflevector(p[0], p[1], 2, 6, 3, 7);
-    const Float4 xy23 = __builtin_shufflevector(p[2], p[3], 0, 4, 1, 5), z23 = __builtin_shufflevector(p[2], p[3], 2, 6, 3, 7);
-    const Float4 x = __builtin_shufflevector(xy01, xy23, 0, 1, 4, 5), y = __builtin_shufflevector(xy01, xy23, 2, 3, 6, 7);
+    const Float4 xy01 = __builtin_shufflevector(p[0], p[1], 0, 4, 1, 5),
+                 z01 = __builtin_shufflevector(p[0], p[1], 2, 6, 3, 7);
+    const Float4 xy23 = __builtin_shufflevector(p[2], p[3], 0, 4, 1, 5),
+                 z23 = __builtin_shufflevector(p[2], p[3], 2, 6, 3, 7);
+    const Float4 x = __builtin_shufflevector(xy01, xy23, 0, 1, 4, 5),
+                 y = __builtin_shufflevector(xy01, xy23, 2, 3, 6, 7);
     const Float4 z = __builtin_shufflevector(z01, z23, 0, 1, 4, 5);
     const math::Mat3 m = math::to_matrix(turned);
     old.x = m.c0.x * x + m.c1.x * y + m.c2.x * z;

@@ -25,11 +25,11 @@ struct Convex {
     Convex() {}
     enum class Kind : std::uint8_t { ball, box, capsule, cylinder, hull, polygon };
     Kind kind = Kind::ball;
-    bool is_sharp = false;  // the shape itself has no radius: the core is inset
-    int corner_count = 0;   // of a polygon: 3 or 4
-    math::DVec3 center;     // of the shape's frame, in the common frame
-    math::DMat3 axes;       // of the shape's frame, in the common frame
-    math::DVec3 size;       // as in Geometry
+    bool is_sharp = false;      // the shape itself has no radius: the core is inset
+    int corner_count = 0;       // of a polygon: 3 or 4
+    math::DVec3 center;         // of the shape's frame, in the common frame
+    math::DMat3 axes;           // of the shape's frame, in the common frame
+    math::DVec3 size;           // as in Geometry
     union {                     // without values for other kinds: clearing them takes as long as all the rest
         math::DVec3 corners[4]; // of a polygon, in the common frame
         Frustum core;           // of a cylinder
