@@ -20,6 +20,9 @@ CAIRN_DECLARE_TABLE(sse2)
 #ifdef CAIRN_HAS_AVX2
 CAIRN_DECLARE_TABLE(avx2)
 #endif
+#ifdef CAIRN_HAS_AVX512
+CAIRN_DECLARE_TABLE(avx512)
+#endif
 #ifdef CAIRN_HAS_NEON
 CAIRN_DECLARE_TABLE(neon)
 #endif
@@ -31,8 +34,12 @@ namespace {
 
 // Best first; only those that this machine can run.
 const KernelTable* available(int i) noexcept {
-    const KernelTable* tables[4] = {};
+    const KernelTable* tables[5] = {};
     int count = 0;
+#ifdef CAIRN_HAS_AVX512
+    if (__builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw"))
+        tables[count++] = &avx512::table;
+#endif
 #ifdef CAIRN_HAS_AVX2
     if (__builtin_cpu_supports("avx2")) tables[count++] = &avx2::table;
 #endif

@@ -1,4 +1,5 @@
-// AVX2 backend: one 256-bit register.
+// AVX2 backend: one 256-bit register. With AVX-512 (CAIRN_SIMD_AVX512) there are 32 of them, and masks have registers
+// of their own.
 #pragma once
 
 #include <immintrin.h>
@@ -9,7 +10,11 @@ struct f32x8 {
     __m256 v;
 };
 struct mask8 {
+#if defined(CAIRN_SIMD_AVX512)
+    __mmask8 v;
+#else
     __m256 v;
+#endif
 };
 
 CAIRN_INLINE f32x8 splat(float s) { return {_mm256_set1_ps(s)}; }
@@ -21,6 +26,22 @@ CAIRN_INLINE f32x8 operator-(f32x8 a, f32x8 b) { return {_mm256_sub_ps(a.v, b.v)
 CAIRN_INLINE f32x8 operator*(f32x8 a, f32x8 b) { return {_mm256_mul_ps(a.v, b.v)}; }
 CAIRN_INLINE f32x8 operator/(f32x8 a, f32x8 b) { return {_mm256_div_ps(a.v, b.v)}; }
 CAIRN_INLINE f32x8 operator-(f32x8 a) { return {_mm256_xor_ps(a.v, _mm256_set1_ps(-0.0f))}; }
+CAIRN_INLINE f32x8 abs(f32x8 a) { return {_mm256_andnot_ps(_mm256_set1_ps(-0.0f), a.v)}; }
+CAIRN_INLINE f32x8 sqrt(f32x8 a) { return {_mm256_sqrt_ps(a.v)}; }
+CAIRN_INLINE f32x8 max(f32x8 a, f32x8 b) { return {_mm256_max_ps(a.v, b.v)}; }
+CAIRN_INLINE f32x8 min(f32x8 a, f32x8 b) { return {_mm256_min_ps(a.v, b.v)}; }
+#if defined(CAIRN_SIMD_AVX512)
+CAIRN_INLINE mask8 operator<(f32x8 a, f32x8 b) { return {_mm256_cmp_ps_mask(a.v, b.v, _CMP_LT_OQ)}; }
+CAIRN_INLINE mask8 operator>(f32x8 a, f32x8 b) { return {_mm256_cmp_ps_mask(a.v, b.v, _CMP_GT_OQ)}; }
+CAIRN_INLINE mask8 operator==(f32x8 a, f32x8 b) { return {_mm256_cmp_ps_mask(a.v, b.v, _CMP_EQ_OQ)}; }
+CAIRN_INLINE mask8 operator&(mask8 a, mask8 b) { return {_kand_mask8(a.v, b.v)}; }
+CAIRN_INLINE mask8 operator|(mask8 a, mask8 b) { return {_kor_mask8(a.v, b.v)}; }
+CAIRN_INLINE mask8 operator^(mask8 a, mask8 b) { return {_kxor_mask8(a.v, b.v)}; }
+CAIRN_INLINE mask8 and_not(mask8 a, mask8 b) { return {_kandn_mask8(b.v, a.v)}; } // a and not b
+CAIRN_INLINE f32x8 select(mask8 m, f32x8 a, f32x8 b) { return {_mm256_mask_blend_ps(m.v, b.v, a.v)}; }
+CAIRN_INLINE int bits(mask8 m) { return static_cast<int>(_cvtmask8_u32(m.v)); }
+CAIRN_INLINE mask8 mask_from_bits(int b) { return {_cvtu32_mask8(static_cast<unsigned>(b) & 255u)}; }
+#else
 CAIRN_INLINE mask8 operator<(f32x8 a, f32x8 b) { return {_mm256_cmp_ps(a.v, b.v, _CMP_LT_OQ)}; }
 CAIRN_INLINE mask8 operator>(f32x8 a, f32x8 b) { return {_mm256_cmp_ps(a.v, b.v, _CMP_GT_OQ)}; }
 CAIRN_INLINE mask8 operator==(f32x8 a, f32x8 b) { return {_mm256_cmp_ps(a.v, b.v, _CMP_EQ_OQ)}; }
@@ -29,15 +50,12 @@ CAIRN_INLINE mask8 operator|(mask8 a, mask8 b) { return {_mm256_or_ps(a.v, b.v)}
 CAIRN_INLINE mask8 operator^(mask8 a, mask8 b) { return {_mm256_xor_ps(a.v, b.v)}; }
 CAIRN_INLINE mask8 and_not(mask8 a, mask8 b) { return {_mm256_andnot_ps(b.v, a.v)}; } // a and not b
 CAIRN_INLINE f32x8 select(mask8 m, f32x8 a, f32x8 b) { return {_mm256_blendv_ps(b.v, a.v, m.v)}; }
-CAIRN_INLINE f32x8 abs(f32x8 a) { return {_mm256_andnot_ps(_mm256_set1_ps(-0.0f), a.v)}; }
-CAIRN_INLINE f32x8 sqrt(f32x8 a) { return {_mm256_sqrt_ps(a.v)}; }
-CAIRN_INLINE f32x8 max(f32x8 a, f32x8 b) { return {_mm256_max_ps(a.v, b.v)}; }
-CAIRN_INLINE f32x8 min(f32x8 a, f32x8 b) { return {_mm256_min_ps(a.v, b.v)}; }
 CAIRN_INLINE int bits(mask8 m) { return _mm256_movemask_ps(m.v); }
 CAIRN_INLINE mask8 mask_from_bits(int b) {
     const __m256i bit = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
     return {_mm256_castsi256_ps(_mm256_cmpeq_epi32(_mm256_and_si256(_mm256_set1_epi32(b), bit), bit))};
 }
+#endif
 
 // Rows of 4 floats (16-byte aligned) at p[0..7] become 4 columns of 8 lanes, and back.
 CAIRN_INLINE void gather4(const float* const* p, f32x8& a, f32x8& b, f32x8& c, f32x8& d) {
