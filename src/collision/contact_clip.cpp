@@ -140,7 +140,7 @@ class DiscPoints {
   public:
     DiscPoints(const Feature& disc, const Feature& other, DVec3 m, double extent, ContactPoints& out)
         : disc_(disc), other_(other), m_(m), cosine_(dot(m, disc.normal)), extent_(extent), out_(out) {
-        out.frame = {disc.center, disc.u, disc.v, m, feature_base(disc.index, other.index)};
+        out.frame = {disc.center, disc.u, disc.v, m, feature_base(disc.index, other.index), true};
         for (const DVec3& p : other.points) {
             const DVec3 d = p - disc.center;
             const double z = dot(d, disc.normal) / cosine_;

@@ -138,9 +138,12 @@ void write_manifold(const ContactPoints& points, const DVec3& normal, const DVec
     DVec3 middle;
     if (n > 1) {
         const ContactFrame& f = points.frame;
-        const DVec3 d = center - f.origin, across = math::cross(f.e1, f.e2);
-        const DVec3 in_plane = d - (dot(d, across) / dot(f.normal, across)) * f.normal;
-        middle = {dot(in_plane, f.e1), dot(in_plane, f.e2), 0};
+        DVec3 d = center - f.origin;
+        if (f.leans) { // to the plane along the normal
+            const DVec3 across = math::cross(f.e1, f.e2);
+            d -= (dot(d, across) / dot(f.normal, across)) * f.normal;
+        }
+        middle = {dot(d, f.e1), dot(d, f.e2), 0};
     }
     for (std::size_t i = 0; i < n; ++i)
         if (list[i].separation <= margin) {

@@ -7,12 +7,13 @@
 
 namespace cairn {
 
-// A frame in the plane of a face or at an edge. Heights are measured along the normal of the contact, which a disc
-// that leans has not quite at right angles to its plane.
+// A frame in the plane of a face or at an edge. Heights are measured along the normal of the contact, which is that of
+// the plane but for discs that lean.
 struct ContactFrame {
     math::DVec3 origin, e1, e2; // unit vectors, at right angles
     math::DVec3 normal;
     std::uint32_t feature = 0; // added to that of each point
+    bool leans = false;        // the normal is not at right angles to the plane
 
     math::DVec3 to_frame(math::DVec3 p) const {
         const math::DVec3 d = p - origin;

@@ -76,6 +76,18 @@ void collect_contacts(State& s, float dt, bool may_leave_out) {
     });
 }
 
+// Contacts of one island mostly follow each other: they are counted in registers.
+void count_contacts(SolverScratch& scratch) {
+    const std::vector<SortedContact>& contacts = scratch.unsorted;
+    for (std::size_t k = 0; k < contacts.size();) {
+        const std::int32_t island = contacts[k].island;
+        std::int32_t count = 0, solved = 0;
+        for (; k < contacts.size() && contacts[k].island == island; ++k) ++count, solved += !contacts[k].is_left_out;
+        scratch.contacts_of_island[std::size_t(island)] += count;
+        scratch.solved_of_island[std::size_t(island)] += solved;
+    }
+}
+
 } // namespace
 
 void pack_bins(State& s, float dt) {
@@ -90,10 +102,7 @@ void pack_bins(State& s, float dt) {
     const bool may_leave_out = find_fast(s, dt);
     collect_contacts(s, dt, may_leave_out);
     if (may_leave_out) leave_out_idle(s, dt);
-    for (const SortedContact& c : scratch.unsorted) {
-        ++scratch.contacts_of_island[std::size_t(c.island)];
-        scratch.solved_of_island[std::size_t(c.island)] += !c.is_left_out;
-    }
+    count_contacts(scratch);
 
     // One bin is open for each number of substeps, and another for heaps at rest; it closes when it is full.
     scratch.open_bins.assign(2 * (std::size_t(most_substeps) + 1), none);

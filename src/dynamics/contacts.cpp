@@ -304,10 +304,16 @@ void list_open_pairs(State& s) {
     std::uint8_t* const outcomes = scratch.outcomes.data();
     s.crew->for_chunks(int(scratch.candidates.size()), pairs_per_chunk, [=](int begin, int end, int) {
         static_assert(apart == 0);
-        for (int k = begin; k < end; ++k) {
-            ask_cache(&pairs[candidates[std::min(k + 2 * int(contacts_ahead), end - 1)]]);
+        const auto look_at = [=](int k) {
             outcomes[k] = std::uint8_t(to_test * int(!stays_apart(ahead, pairs[candidates[k]])));
+        };
+        constexpr int early = 2 * int(contacts_ahead);
+        int k = begin;
+        for (; k < end - early; ++k) {
+            ask_cache(&pairs[candidates[k + early]]);
+            look_at(k);
         }
+        for (; k < end; ++k) look_at(k);
     });
     scratch.open.resize(scratch.candidates.size());
     std::uint32_t* const open = scratch.open.data();
@@ -479,6 +485,8 @@ void update_contacts(State& s, float dt) {
         if (s.narrow.outcomes[k] == apart) continue; // the contact need not be looked at
         if (is_group(s.contacts[id]))
             follow_up_group(s, k, dt);
+        else if (s.narrow.outcomes[k] == goes_on) // as most do
+            s.solved.push_back(id);
         else
             follow_up(s, id, s.narrow.outcomes[k], dt);
     }

@@ -229,7 +229,7 @@ bool kernel_spins(const State& s, std::int32_t b) {
     const math::Vec3& i = mass.inertia;
     return s.settings.integrator != Integrator::explicit_euler && !s.is_pushed(b) && mass.inverse_inertia.x > 0 &&
            mass.inverse_inertia.y > 0 && mass.inverse_inertia.z > 0 &&
-           std::min({i.x, i.y, i.z}) > least_contact_moment * std::max({i.x, i.y, i.z});
+           std::min(i.x, std::min(i.y, i.z)) > least_contact_moment * std::max(i.x, std::max(i.y, i.z));
 }
 
 int spin_block_count(const BinScratch& scratch) { return int((scratch.spin_rows.size() + 7) / 8); }

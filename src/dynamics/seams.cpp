@@ -74,15 +74,16 @@ bool is_seam(const State& s, std::uint32_t deeper, std::uint32_t c, float depth)
         is_in_plane = is_in_plane && height <= tolerance && height >= -depth - tolerance;
     }
     const math::DVec3 point = s.motion[std::size_t(info.body_a)].x + math::to_double(origin), n = math::to_double(up);
+    if (reach(s, info.shape_b, n, point) > double(tolerance)) return false;
     // Sharp edges that are still apart meet as rounded ones would, somewhere beside the plane. But if all of the body
     // is above it, what is below can only be met in it.
-    if (!is_in_plane && reach(s, info.shape_a, -n, point) > double(depth + tolerance)) return false;
-    return reach(s, info.shape_b, n, point) <= double(tolerance);
+    return is_in_plane || reach(s, info.shape_a, -n, point) <= double(depth + tolerance);
 }
 
 // The next step finds it as if for the first time: its face is not preferred once the body is over it.
 void drop(State& s, std::uint32_t c) {
     s.narrow.is_seam[c] = 1;
+    s.narrow.any_seams = true;
     forget_impulses(s.records[c], s.contacts[c].point_count);
     s.records[c].features = no_features;
 }
@@ -145,7 +146,7 @@ void drop_seams(State& s) {
     last_of_body.resize(s.bodies.size(), none);
     s.narrow.is_seam.resize(s.contacts.size());
     fixed.clear();
-    bool any_seams = false;
+    s.narrow.any_seams = false;
     for (const std::uint32_t id : s.solved) {
         const ContactInfo& c = s.contacts[id];
         if (c.b_moves) continue;
@@ -156,7 +157,6 @@ void drop_seams(State& s) {
             const FixedContact& before = fixed[std::size_t(last)];
             on_several = before.on_several || s.contacts[before.contact].shape_b != c.shape_b;
         }
-        any_seams |= on_several;
         fixed.push_back({id, last, on_several});
         last = std::int32_t(fixed.size()) - 1;
     }
@@ -171,7 +171,7 @@ void drop_seams(State& s) {
         }
         last = none;
     }
-    if (!any_seams) return;
+    if (!s.narrow.any_seams) return;
     std::erase_if(s.solved, [&](std::uint32_t id) { return !s.contacts[id].b_moves && s.narrow.is_seam[id] != 0; });
 }
 

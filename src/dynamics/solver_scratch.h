@@ -90,6 +90,7 @@ struct NarrowScratch {
     std::vector<FixedContact> fixed;
     std::vector<std::uint32_t> of_body;
     std::vector<std::uint8_t> is_seam; // by contact, of those with what does not move by forces
+    bool any_seams = false;            // among those
 };
 
 // Blocks of one size, side by side.

@@ -110,7 +110,7 @@ float first_load(const State& s, const ContactInfo& c, math::Vec3 normal) {
 void note_load(Island& island, ContactInfo& c, float force, float inverse_mass) {
     // The lesser of two steps: impacts last one step, loads stay. Of what is tossed about, they only fall.
     const float most = island.unrest > most_unrest ? c.load : force;
-    c.load += load_gain * (std::min({force, c.force, most}) - c.load);
+    c.load += load_gain * (std::min(std::min(force, c.force), most) - c.load);
     if (c.load < least_load) c.load = 0;
     c.force = force;
     // More than the weight of all comes from being squeezed between immovable things: no stiffness helps there.
