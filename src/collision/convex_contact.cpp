@@ -31,7 +31,7 @@ constexpr double rounding = 1e-6;
 // reach.
 constexpr double unsearched_reach = 0.3;
 // Of an overlap: how far from the border of a face its points must be for the other faces to be out of the question.
-constexpr double least_amid = 2;
+constexpr double least_amid = 1.2;
 // Of the distance of the cores: directions are within a thousandth. Round shapes come nearer by a factor in each turn
 // of GJK, polytopes are exact at once: 1e-8 took 13 turns for cylinders and capsules, and a third more instructions.
 constexpr double direction_tolerance = 1e-6;

@@ -478,12 +478,16 @@ std::uint64_t move_free_body(State& s, std::int32_t b, float dt) {
     // About one axis: by one rotation, where its series holds to rounding.
     const bool turns_evenly = !(angular < 1) && !s.is_pushed(b) && !precesses(mass, w, h, least_turn_free) &&
                               double(dt) * double(dt) * math::dot(w, w) < most_even_turn * most_even_turn;
-    Increment change = linear_increment(s, load, x, v, h);
+    const auto linear_change = [&] {
+        const Increment change = linear_increment(s, load, x, v, h);
+        return Increment{cut(change.velocity, most_v), cut(change.correction, most_v)};
+    };
+    Increment change = linear_change();
     for (int substep = 0; substep < substeps; ++substep) {
         if (mass.inverse_mass > 0) {
-            if (force_varies && substep > 0) change = linear_increment(s, load, x, v, h);
-            v = limited(linear * (v + cut(change.velocity, most_v)), most_v);
-            x += h * (v + cut(change.correction, most_v));
+            if (force_varies && substep > 0) change = linear_change();
+            v = limited(linear * (v + change.velocity), most_v);
+            x += h * (v + change.correction);
         }
         if (turns_evenly) continue;
         const Increment turn = precesses(mass, w, h, least_turn_free)

@@ -79,6 +79,17 @@ std::size_t Columns::nearly_farthest(const DVec3& d) const {
     return best;
 }
 
+Columns::Range Columns::range(const math::Vec3& d) const {
+    const F4 dx = splat(d.x), dy = splat(d.y), dz = splat(d.z);
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    F4 most = splat(-infinity), least = splat(infinity);
+    for (std::size_t i = 0; i < x_.size(); i += 4) {
+        const F4 along = load(&x_[i]) * dx + load(&y_[i]) * dy + load(&z_[i]) * dz;
+        most = greater(along, most), least = lesser(along, least);
+    }
+    return {-greatest_of(-least), greatest_of(most)};
+}
+
 // Of those that are at least so far along scale x d, in floats.
 std::size_t Columns::farthest_of(const DVec3& d, double scale, float least) const {
     const F4 dx = splat(float(scale * d.x)), dy = splat(float(scale * d.y)), dz = splat(float(scale * d.z));

@@ -160,19 +160,13 @@ DBounds cylinder_bounds(DVec3 size, const math::Mat3& m) {
     return b;
 }
 
-// Four floats side by side, of which three count; in C++ as gcc and clang have it.
-using Float4 = float __attribute__((vector_size(16)));
-
 DBounds hull_bounds(const HullData& hull, const math::Mat3& m) {
-    const Float4 c0{m.c0.x, m.c0.y, m.c0.z, 0}, c1{m.c1.x, m.c1.y, m.c1.z, 0}, c2{m.c2.x, m.c2.y, m.c2.z, 0};
-    constexpr float far = std::numeric_limits<float>::max();
-    Float4 lo{far, far, far, far}, hi = -lo;
-    for (const math::Vec3& v : hull.vertices) {
-        const Float4 p = v.x * c0 + v.y * c1 + v.z * c2;
-        lo = p < lo ? p : lo;
-        hi = p > hi ? p : hi;
+    DBounds b;
+    for (int i = 0; i < 3; ++i) {
+        const Columns::Range r = hull.vertex_columns.range({m.c0[i], m.c1[i], m.c2[i]});
+        b.lo[i] = double(r.least), b.hi[i] = double(r.greatest);
     }
-    return {{double(lo[0]), double(lo[1]), double(lo[2])}, {double(hi[0]), double(hi[1]), double(hi[2])}};
+    return b;
 }
 
 // The corners of a box, rotated.
