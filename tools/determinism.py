@@ -39,14 +39,17 @@ class Cell:
     needs_cpu: str = ""  # a flag of /proc/cpuinfo, for all of its kernels
 
 
+NEEDED_FLAGS = {"avx2": "avx2", "avx512": "avx512vl"}  # of /proc/cpuinfo, by kernels
+
 CELLS = [
-    Cell("gcc", "release", [], "c++", {"scalar": [1], "sse2": [1, 4], "avx2": [1, 2, 3, 4, 5, 6, 7, 8]}),
+    Cell("gcc", "release", [], "c++",
+         {"scalar": [1], "sse2": [1, 4], "avx2": [1, 2, 3, 4, 5, 6, 7, 8], "avx512": [1, 4]}),
     Cell("v4", "v4", [], "c++", {"avx2": [1, 4]}, needs_cpu="avx512vl"),
-    Cell("clang", "clang", ["clang"], "clang++", {"scalar": [1], "sse2": [1], "avx2": [1, 4]}),
+    Cell("clang", "clang", ["clang"], "clang++", {"scalar": [1], "sse2": [1], "avx2": [1, 4], "avx512": [1]}),
     Cell("aarch64", "aarch64", ["g++-aarch64-linux-gnu", "qemu-user"], "aarch64-linux-gnu-g++",
          {"scalar": [4], "neon": [1]}, run=["qemu-aarch64", "-L", "/usr/aarch64-linux-gnu"]),
     Cell("mingw", "mingw", ["g++-mingw-w64-x86-64", "wine64"], "x86_64-w64-mingw32-g++-posix",
-         {"scalar": [1], "sse2": [1], "avx2": [1, 4]}, run=["/usr/lib/wine/wine64"], program="cairn_hashes.exe",
+         {"scalar": [1], "sse2": [1], "avx2": [1, 4], "avx512": [1]}, run=["/usr/lib/wine/wine64"], program="cairn_hashes.exe",
          environment={"WINEDEBUG": "-all", "WINEDLLOVERRIDES": "mscoree,mshtml,winemenubuilder.exe=",
                       "WINEPREFIX": str(ROOT / "build" / "mingw" / "wine")}),
     Cell("wasm", "wasm", ["emscripten", "nodejs"], "em++", {"simd128": [1, 4]},
@@ -100,7 +103,8 @@ def run(cell, kernels, threads):
 def run_all(cells, flags, jobs):
     """(cell, kernels, threads) -> scene -> hash, in the order of the cells."""
     runs = [(cell, kernels, threads) for cell in cells for kernels, counts in cell.kernels.items() for threads in counts
-            if not (cell.name in ("gcc", "clang", "mingw") and kernels == "avx2" and "avx2" not in flags)]
+            if not (cell.name in ("gcc", "clang", "mingw") and kernels in NEEDED_FLAGS
+                    and NEEDED_FLAGS[kernels] not in flags)]
     for cell in cells:
         if "WINEPREFIX" in cell.environment:  # made by one program before several start
             command([*cell.run, "wineboot", "-i"], cell.environment, "setting up wine")
@@ -180,16 +184,16 @@ def main():
     if arguments.packages:
         print(*sorted({package for cell in cells for package in cell.packages}))
         return 0
-    flags, notes = cpu_flags(), ["There are no kernels of 16 lanes: v4 is all of the engine compiled with "
-                                 "-march=x86-64-v4, AVX-512 with 8 lanes."]
+    flags, notes = cpu_flags(), ["There are no kernels of 16 lanes: avx512 has 8, and v4 is all of the engine "
+                                 "compiled with -march=x86-64-v4."]
     for cell in [cell for cell in cells if cell.needs_cpu and cell.needs_cpu not in flags]:
         if names:
             print(f"determinism: {cell.name}: this processor has no {cell.needs_cpu}", file=sys.stderr)
             return 1
         notes.append(f"Not run: {cell.name}, because this processor has no {cell.needs_cpu}.")
         cells.remove(cell)
-    if "avx2" not in flags:
-        notes.append("Not run: the kernels avx2, because this processor has none.")
+    notes += [f"Not run: the kernels {kernels}, because this processor has no {flag}."
+              for kernels, flag in NEEDED_FLAGS.items() if flag not in flags]
     try:
         for cell in cells:
             build(cell, arguments.jobs)

@@ -87,8 +87,9 @@ struct Statistics {
     StageTimes times;
 };
 
-/// Which instruction set the kernels of this process use: "avx2", "sse2" or "scalar". Chosen at start-up from
-/// what the CPU offers; the environment variable CAIRN_ISA forces one. Results do not depend on it.
+/// Which instruction set the kernels of this process use: "avx512", "avx2", "sse2", "neon", "simd128" or "scalar".
+/// Chosen at start-up from what the CPU offers; the environment variable CAIRN_ISA forces one. Results do not depend on
+/// it.
 std::string_view instruction_set() noexcept;
 
 /// The number of threads that this machine runs at a time, 1 to 256: a good argument for `World::set_threads`.

@@ -22,7 +22,7 @@ using CollideKernel = void (*)(const ShapePose* poses, const std::uint32_t* firs
                                const float* margin, const std::uint32_t* kept, int count, Manifold* out);
 
 struct KernelTable {
-    const char* name; // "avx2", "sse2", "neon", "scalar"
+    const char* name; // "avx512", "avx2", "sse2", "neon", "simd128", "scalar"
 
     CollideKernel sphere_sphere;
     CollideKernel sphere_box;       // first: sphere, second: box

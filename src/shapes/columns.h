@@ -61,7 +61,7 @@ class Columns {
     // Likewise by dot products in floats, in a third of the time: one of those points that are within 3e-6 of the
     // largest coordinate of the farthest. The length of d must be such that floats hold the products.
     std::size_t nearly_farthest(const math::DVec3& d) const;
-    // The least and the greatest dot product with d.
+    // The least and the greatest dot product with d, as floats.
     struct Range {
         float least, greatest;
     };

@@ -44,9 +44,9 @@ std::string hexadecimal(std::uint64_t value) {
 TEST_P(Determinism, EveryInstructionSetGivesTheSameState) {
     const std::string here = hexadecimal(hash_after(GetParam().make(), golden_steps));
 #if defined(__x86_64__)
-    const std::vector<std::string> sets = __builtin_cpu_supports("avx2")
-                                              ? std::vector<std::string>{"scalar", "sse2", "avx2"}
-                                              : std::vector<std::string>{"scalar", "sse2"};
+    std::vector<std::string> sets{"scalar", "sse2"};
+    if (__builtin_cpu_supports("avx2")) sets.push_back("avx2");
+    if (__builtin_cpu_supports("avx512vl")) sets.push_back("avx512");
 #elif defined(__aarch64__)
     const std::vector<std::string> sets{"scalar", "neon"};
 #else

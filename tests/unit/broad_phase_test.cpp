@@ -82,7 +82,7 @@ TEST(BroadPhase, TwoRunsAreEqual) { EXPECT_TRUE(run_log(32, nullptr, false) == r
 
 TEST(BroadPhase, InstructionSetsAreEqual) {
     const std::vector<std::uint32_t> reference = run_log(33, "scalar", false);
-    for (const char* isa : {"sse2", "avx2", "neon"})
+    for (const char* isa : {"sse2", "avx2", "avx512", "neon"})
         EXPECT_TRUE(!kernels_named(isa) || reference == run_log(33, isa, false)) << isa;
 }
 

@@ -169,7 +169,7 @@ inline Manifold run_one(cairn::CollideKernel kernel, const ShapePose& a, const S
 // Every kernel table of this build that this machine can run.
 inline std::vector<const cairn::KernelTable*> backends() {
     std::vector<const cairn::KernelTable*> r;
-    for (const char* name : {"scalar", "sse2", "avx2", "neon"})
+    for (const char* name : {"scalar", "sse2", "avx2", "avx512", "neon"})
         if (const cairn::KernelTable* table = cairn::kernels_named(name)) r.push_back(table);
     return r;
 }

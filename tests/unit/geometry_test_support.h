@@ -40,6 +40,7 @@ inline std::shared_ptr<const HullData> prism(int sides, DVec3 scale, double slan
         hull->vertices.push_back(math::to_float(v));
         square = std::max(square, math::dot(v, v));
     }
+    hull->vertex_columns = Columns(hull->vertices);
     hull->bounding_radius = float(std::sqrt(square) * (1 + 1e-7));
     auto add_face = [&](std::initializer_list<std::uint32_t> corners) {
         const auto* c = corners.begin();
