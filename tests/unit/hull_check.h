@@ -28,6 +28,8 @@ class HullChecker {
         check_vertices();
         if (wrong_.empty()) check_topology();
         if (wrong_.empty()) check_faces();
+        if (wrong_.empty()) check_faces_at();
+        if (wrong_.empty()) check_outlines();
         if (wrong_.empty()) check_support();
         if (wrong_.empty()) check_numbers();
         if (wrong_.empty()) check_core();
@@ -125,6 +127,55 @@ class HullChecker {
                                      d);
             }
         }
+    }
+
+    // The faces at a vertex are those with it in their loops.
+    void check_faces_at() {
+        std::vector<std::set<std::uint32_t>> faces(hull_.vertices.size());
+        for (std::uint32_t f = 0; f < hull_.faces.size(); ++f)
+            for (std::uint32_t i = 0; i < hull_.faces[f].count; ++i)
+                faces[hull_.loops[hull_.faces[f].first + i]].insert(f);
+        if (hull_.faces_at.size() != hull_.neighbors.size()) return wrong("faces_at has a wrong size");
+        for (std::size_t v = 0; v < faces.size(); ++v)
+            if (std::set<std::uint32_t>(hull_.faces_at.begin() + hull_.neighbor_start[v],
+                                        hull_.faces_at.begin() + hull_.neighbor_start[v + 1]) != faces[v])
+                return wrong("faces at vertex ", v, " are wrong");
+    }
+
+    // In its own plane each corner of a face is where its vertex is, on its two sides and inside of all others; but for
+    // what it is off the plane, and for what the builder's grid turns short sides.
+    void check_outlines() {
+        const double near = 1e-9 * extent_ + rounding_;
+        for (std::size_t f = 0; f < hull_.faces.size(); ++f) {
+            const HullFace& face = hull_.faces[f];
+            const HullOutline& outline = hull_.outlines.at(f);
+            const math::DVec3 e1 = outline.e1, e2 = math::cross(hull_.unit_normals.at(f), e1);
+            double size = 0;
+            for (std::uint32_t i = 0; i < face.count; ++i) {
+                const SideBlock& own = hull_.sides.at(outline.first_side + i / SideBlock::width);
+                const double x = own.x[i % SideBlock::width], y = own.y[i % SideBlock::width];
+                const math::DVec3 d = vertex(hull_.loops[face.first + i]) - vertex(hull_.loops[face.first]);
+                if (std::fabs(math::dot(d, e1) - x) > near || std::fabs(math::dot(d, e2) - y) > near)
+                    return wrong("corner ", i, " of the outline of face ", f, " is not where its vertex is");
+                size = std::max({size, std::fabs(x), std::fabs(y)});
+                const unsigned count = (face.count + SideBlock::width - 1) / SideBlock::width;
+                for (unsigned k = 0; k < count * SideBlock::width; ++k) {
+                    double inside[SideBlock::width];
+                    hull_.sides.at(outline.first_side + k / SideBlock::width).inside(x, y, 0, inside);
+                    const double distance = inside[k % SideBlock::width];
+                    const bool on_side = k == i || (k + 1) % face.count == i;
+                    if (k < face.count && on_side ? std::fabs(distance) > near : distance < -allowed_turn(face, k))
+                        return wrong("corner ", i, " of face ", f, " is ", distance, " inside of side ", k);
+                }
+            }
+            if (std::fabs(size - outline.size) > near) return wrong("size of the outline of face ", f);
+        }
+    }
+    double allowed_turn(const HullFace& face, std::uint32_t side) const {
+        if (side >= face.count) return 0;
+        const math::DVec3 edge =
+            vertex(hull_.loops[face.first + (side + 1) % face.count]) - vertex(hull_.loops[face.first + side]);
+        return 1e-7 * extent_ + double(hull_.tolerance) + 0x1p-28 * extent_ / math::length(edge) * extent_ * 2;
     }
 
     // In no direction do the points reach noticeably farther than the vertices.
