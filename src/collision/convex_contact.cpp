@@ -63,11 +63,13 @@ bool axis_of_box_and_triangle(const Convex& a, double inset, const Convex& b, Ax
 
 // Of which the nearest points are looked for.
 bool is_by_exact_cores(const Convex& a, const Convex& b) { return !a.is_sharp || !b.is_sharp; }
+CorePair quick_pair(Core a, Core b) {
+    a.is_quick = b.is_quick = true;
+    return {a, b};
+}
 CorePair cores_of(const Convex& a, const Convex& b) {
-    const bool is_exact = is_by_exact_cores(a, b);
-    CorePair pair{is_exact ? exact_core(a) : inset_core(a), is_exact ? exact_core(b) : inset_core(b)};
-    pair.a.is_quick = pair.b.is_quick = true;
-    return pair;
+    if (is_by_exact_cores(a, b)) return quick_pair(exact_core(a), exact_core(b));
+    return quick_pair(inset_core(a), inset_core(b));
 }
 
 // The direction between the cores; false when the shapes are farther apart than the margin. `met`: what is nearest.
@@ -244,8 +246,7 @@ bool sharpen(const Convex& a, const Convex& b, Axis& axis) {
     if (!a.is_sharp || !b.is_sharp) return false;
     Axis exact;
     if (!axis_of_box_and_triangle(a, 0, b, exact)) {
-        CorePair pair{exact_core(a), exact_core(b)};
-        pair.a.is_quick = pair.b.is_quick = true;
+        const CorePair pair = quick_pair(exact_core(a), exact_core(b));
         const GjkResult r = gjk_distance(pair, axis.normal, std::numeric_limits<double>::infinity());
         exact.normal = r.state == GjkResult::State::overlapping ? epa_depth(pair, r.simplex).normal : r.normal;
         measure(a, b, exact);

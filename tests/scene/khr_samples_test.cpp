@@ -126,8 +126,9 @@ TEST_F(KhrSamples, ColliderMatrix) {
         std::printf("%-36s top %7.4f, least height %7.4f, at the end %7.4f, fastest %.3f then %.3f\n",
                     file.filename().c_str(), top, least, height(scene, moving[0]), double(before), double(after));
         EXPECT_GT(least, top - 0.02); // those that slide a little on a ball of 10 m go down with it
-        // A flat face rocks on that ball, and nothing damps it but what its corners strike.
-        EXPECT_LT(after, 0.2f);
+        // On that ball a tetrahedron rocks, and nothing damps it. All others come to rest.
+        const std::string name = file.stem().string();
+        EXPECT_LT(after, name.ends_with("_05") || name.ends_with("_17") ? 0.2f : 0.01f);
         EXPECT_LT(after, 1.1f * before + 0.01f);
     }
     EXPECT_GT(files, 0);
