@@ -8,8 +8,8 @@
 #include "collision/manifold.h"
 #include "collision/shape_pose.h"
 #include "collision/triangle_batch.h"
-#include "kernels/joint_data.h"
-#include "kernels/solver_data.h"
+#include "kernels/solve/joint_data.h"
+#include "kernels/solve/solver_data.h"
 
 #include <cstdint>
 

@@ -1,10 +1,10 @@
 // The kernel table of one instruction set.
-#include "kernels/box_triangles.h"
-#include "kernels/broad.h"
-#include "kernels/collide.h"
-#include "kernels/joint.h"
+#include "kernels/broad/broad.h"
+#include "kernels/collide/box_triangles.h"
+#include "kernels/collide/collide.h"
 #include "kernels/kernels.h"
-#include "kernels/solver.h"
+#include "kernels/solve/joint.h"
+#include "kernels/solve/solver.h"
 
 namespace cairn::CAIRN_ISA {
 

@@ -1,10 +1,14 @@
 // The accessor to one body.
-#include "dynamics/bodies.h"
-#include "dynamics/contacts.h"
-#include "dynamics/finalize.h"
-#include "dynamics/islands.h"
-#include "dynamics/joints.h"
+#include "bodies/bodies.h"
+#include "bodies/finalize.h"
+#include "contacts/pairs.h"
+#include "islands/islands.h"
+#include "joints/free_fall.h"
+#include "joints/idle_limits.h"
+#include "joints/joints.h"
 #include "math/rotation.h"
+#include "state/joint_links.h"
+#include "state/state.h"
 #include "world/impl.h"
 #include "world/validate.h"
 
@@ -173,6 +177,8 @@ void move_body(const Access& a, math::DVec3 origin, const math::DQuat& rotation)
     wake_around(a.s, a.index());
     wake_body(a.s, a.index());
     set_pose(a.s, a.index(), origin, rotation);
+    forget_slack(a.s, a.index());
+    end_flight(a.s, a.index());
     update_proxies(a.s, a.index());
     wake_around(a.s, a.index());
 }

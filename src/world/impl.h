@@ -1,7 +1,7 @@
 // What a World holds: the simulation, and what only users see of it.
 #pragma once
 
-#include "dynamics/state.h"
+#include "state/state.h"
 
 #include <cairn/world.h>
 

@@ -1,7 +1,7 @@
 // From a joint's definition to the rows that the solver has of it.
 #pragma once
 
-#include "dynamics/joint_state.h"
+#include "state/joint_state.h"
 
 #include <cairn/world.h>
 

@@ -1,8 +1,11 @@
 // Joints: making, changing, reading and removing them. Every argument is checked before anything changes.
-#include "dynamics/joints.h"
+#include "joints/joints.h"
+#include "bodies/bodies.h"
+#include "islands/islands.h"
+#include "joints/free_fall.h"
+#include "joints/joint_positions.h"
+#include "state/joint_links.h"
 
-#include "dynamics/bodies.h"
-#include "dynamics/islands.h"
 #include "world/impl.h"
 #include "world/joint_rules.h"
 #include "world/validate.h"

@@ -1,7 +1,9 @@
 // Energies, momenta, contacts, counts and the state hash.
+#include "bodies/bodies.h"
+#include "contacts/contact_record.h"
+#include "contacts/prefetch.h"
 #include "core/hash.h"
-#include "dynamics/bodies.h"
-#include "dynamics/contacts.h"
+#include "state/state.h"
 #include "world/impl.h"
 
 #include <algorithm>

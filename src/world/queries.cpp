@@ -1,6 +1,8 @@
 // Ray casts and overlap tests.
-#include "dynamics/bodies.h"
-#include "dynamics/contacts.h"
+#include "bodies/bodies.h"
+#include "contacts/convex_tests.h"
+#include "contacts/pairs.h"
+#include "state/state.h"
 #include "world/impl.h"
 #include "world/validate.h"
 

@@ -1,5 +1,5 @@
 // Shape casts and closest points.
-#include "dynamics/bodies.h"
+#include "bodies/bodies.h"
 #include "shapes/convex_query.h"
 #include "world/impl.h"
 #include "world/validate.h"

@@ -1,7 +1,7 @@
 // Saving a world and bringing it back.
+#include "bodies/bodies.h"
 #include "core/archive.h"
 #include "core/hash.h"
-#include "dynamics/bodies.h"
 #include "world/impl.h"
 #include "world/validate.h"
 

@@ -1,11 +1,15 @@
-// One step, top to bottom. Each line is a stage; each stage is a file in dynamics/. A step is one pass through them;
-// while something whirls and touches (see dynamics/rest.h), it is several.
-#include "dynamics/contacts.h"
-#include "dynamics/finalize.h"
-#include "dynamics/islands.h"
-#include "dynamics/joints.h"
-#include "dynamics/rest.h"
-#include "dynamics/solver.h"
+// One step, top to bottom. Each line is a stage; each stage is a file. A step is one pass through them; while
+// something whirls and touches (see bodies/rest.h), it is several.
+#include "bodies/finalize.h"
+#include "bodies/rest.h"
+#include "contacts/contact_update.h"
+#include "contacts/narrow_phase.h"
+#include "contacts/pairs.h"
+#include "islands/islands.h"
+#include "joints/joints.h"
+#include "solver/island_batches.h"
+#include "solver/solve.h"
+#include "state/state.h"
 #include "world/impl.h"
 #include "world/validate.h"
 
@@ -85,9 +89,10 @@ void World::step(float dt) {
         times.prepare += prepare;
         times.solve += solve - prepare;
         finalize_kinematics(state, pass_dt);
+        wake_around_moving_planes(state);
         report_contacts(state, pass_dt);
         impl_->break_joints();
-        update_sleep(state);
+        if (update_sleep(state)) settle_sleeping_contacts(state);
         ++state.passes;
         times.finalize += clock.lap();
     }

@@ -1,6 +1,6 @@
 #include "world/validate.h"
 
-#include "dynamics/solver.h"
+#include "islands/substeps.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,10 @@
 // Bodies, shapes and fields: making, changing and removing them. Every argument is checked before anything changes.
-#include "dynamics/bodies.h"
-#include "dynamics/contacts.h"
-#include "dynamics/finalize.h"
-#include "dynamics/islands.h"
+#include "bodies/bodies.h"
+#include "bodies/finalize.h"
+#include "contacts/contact_update.h"
+#include "contacts/prefetch.h"
+#include "islands/islands.h"
+#include "state/state.h"
 #include "world/impl.h"
 #include "world/validate.h"
 

@@ -1,4 +1,4 @@
-// Contacts of bodies at rest that are apart are left out of the solver (dynamics/idle_contacts.cpp); but not where
+// Contacts of bodies at rest that are apart are left out of the solver (solver/idle_contacts.cpp); but not where
 // something is about to be pushed.
 #include "support.h"
 

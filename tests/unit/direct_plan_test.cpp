@@ -1,5 +1,5 @@
 // The order of elimination and the fill of the direct solver of joints, against elimination on a dense matrix of bits.
-#include "dynamics/direct_plan.h"
+#include "joints/direct_plan.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
-// What contacts carry on the average (dynamics/substeps.cpp).
-#include "dynamics/solver.h"
+// What contacts carry on the average (islands/substeps.cpp).
+#include "bodies/integrators.h"
+#include "islands/substeps.h"
 
 #include <gtest/gtest.h>
 

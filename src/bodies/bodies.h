@@ -1,0 +1,97 @@
+// Mass, poses and bounds of bodies and their shapes.
+#pragma once
+
+#include "state/state.h"
+
+#include <algorithm>
+
+namespace cairn {
+
+// Recomputes the mass of a body from its shapes, if it follows them, and with it the center of mass. The body's
+// origin and the velocity field of its material stay where they are.
+void refresh_mass(State& state, std::int32_t body);
+
+// Gives a body these mass properties; the center of mass moves, the body's origin does not.
+void set_mass(State& state, std::int32_t body, const MassProperties& properties);
+
+// Recomputes world poses and arms of a body's shapes, and the body's radius, after its pose or shapes changed.
+void place_shapes(State& state, std::int32_t body);
+
+// The pose of a shape whose middle is at `position`, on a body with the rotation `q`; its size stays.
+inline void pose_shape(ShapePose& pose, const Geometry& geometry, math::DVec3 position, math::Quat q) {
+    for (int i = 0; i < 3; ++i) {
+        pose.high[i] = float(position[i]);
+        pose.low[i] = float(position[i] - double(pose.high[i]));
+    }
+    const math::Quat r = geometry.is_turned ? q * geometry.rotation : q;
+    pose.q[0] = r.x, pose.q[1] = r.y, pose.q[2] = r.z, pose.q[3] = r.w;
+}
+inline void size_shape(ShapePose& pose, const Geometry& geometry) {
+    pose.size[0] = geometry.size.x, pose.size[1] = geometry.size.y, pose.size[2] = geometry.size.z;
+    pose.size[3] = geometry.bounding_radius;
+}
+
+// Puts one shape where its body is. The step's inner loop.
+inline void place_shape(State& state, std::uint32_t shape, const BodyMotion& motion, math::Quat q, math::Vec3 center) {
+    const Geometry& geometry = state.geometry[shape];
+    math::Vec3 arm;
+    if (!(geometry.position == center)) arm = math::rotate(q, geometry.position - center);
+    state.shapes[shape].arm = arm;
+    pose_shape(state.shape_poses[shape], geometry, motion.x + math::to_double(arm), q);
+}
+
+// Puts all shapes of a body where it is; f(shape) after each.
+template <class F> void place_each_shape(State& state, std::int32_t body, F&& f) {
+    const BodyMotion& motion = state.motion[std::size_t(body)];
+    const math::Quat q = math::to_float(motion.q);
+    const math::Vec3 center = state.mass[std::size_t(body)].center;
+    for (std::int32_t s = state.bodies[std::size_t(body)].first_shape; s != none;
+         s = state.shapes[std::size_t(s)].next) {
+        place_shape(state, std::uint32_t(s), motion, q, center);
+        f(std::uint32_t(s));
+    }
+}
+
+// Of what a body turns in a step, rad: how much is looked ahead at. What whirls meets things within it anyhow.
+inline float looked_ahead(float turn) {
+    constexpr float most = 0.25f;
+    return std::min(turn, most);
+}
+// How far that moves any point of a body, m.
+inline float turn_reach(const State& s, std::int32_t body, float dt) {
+    return looked_ahead(dt * math::length(s.motion[std::size_t(body)].w)) * s.bodies[std::size_t(body)].radius;
+}
+
+inline math::DVec3 shape_position(const ShapePose& pose) {
+    return {double(pose.high[0]) + pose.low[0], double(pose.high[1]) + pose.low[1], double(pose.high[2]) + pose.low[2]};
+}
+inline math::Quat shape_rotation(const ShapePose& pose) { return {pose.q[0], pose.q[1], pose.q[2], pose.q[3]}; }
+
+inline DBounds shape_bounds(const State& state, std::uint32_t shape) {
+    const ShapePose& pose = state.shape_poses[shape];
+    return geometry_bounds(state.geometry[shape], state.shape_data[shape], shape_position(pose),
+                           math::to_matrix(shape_rotation(pose)));
+}
+
+// Origin of the body's frame, world.
+math::DVec3 body_origin(const State& state, std::int32_t body);
+// Puts the body's origin there.
+void set_pose(State& state, std::int32_t body, math::DVec3 origin, math::DQuat rotation);
+
+// World tensors about the center of mass.
+math::Sym3 world_inverse_inertia(const BodyMotion& motion, const BodyMass& mass);
+math::DSym3 world_inertia(const BodyMotion& motion, const BodyMass& mass);
+
+// J; 0 for static and kinematic bodies, and for the immovable part of others.
+double kinetic_energy(const State& state, std::int32_t body);
+
+// Cuts velocities to the maximum; true if anything was cut.
+bool cut_velocity(const WorldDef& settings, math::Vec3& v, math::Vec3& w);
+inline bool clamp_velocity(const WorldDef& settings, math::Vec3& v, math::Vec3& w) {
+    // Mostly both are far from it.
+    const float most_v = 0.5f * settings.max_linear_speed, most_w = 0.5f * settings.max_angular_speed;
+    if (math::dot(v, v) < most_v * most_v && math::dot(w, w) < most_w * most_w) return false;
+    return cut_velocity(settings, v, w);
+}
+
+} // namespace cairn

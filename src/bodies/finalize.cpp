@@ -1,0 +1,142 @@
+#include "bodies/finalize.h"
+
+#include "bodies/bodies.h"
+#include "bodies/rest.h"
+
+#include "core/cache.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cairn {
+
+namespace {
+
+// How far the shape's surface moves as its body turns in the next step, m. Balls in the middle of their bodies stay.
+double turn_of_shape(const State& s, std::uint32_t shape, float turn) {
+    return s.geometry[shape].type == ShapeType::sphere && s.shapes[shape].arm == math::Vec3{} ? 0.0 : double(turn);
+}
+
+// Of a shape that is no infinite plane, of a body that turns in the next step by so many meters.
+DBounds bounds_of(const State& s, std::uint32_t shape, float turn) {
+    const ShapePose& pose = s.shape_poses[shape];
+    return grown(geometry_bounds(s.geometry[shape], s.shape_data[shape], shape_position(pose),
+                                 math::to_matrix(shape_rotation(pose))),
+                 turn_of_shape(s, shape, turn));
+}
+
+math::Vec3 normal_of_plane(const ShapePose& pose) { return math::rotate(shape_rotation(pose), math::Vec3{0, 1, 0}); }
+
+constexpr float usual_step = 1.0f / 60; // s: what comes between two steps does not know how long the next one is
+
+void move_shapes(State& s, std::int32_t b, float dt) {
+    const math::Vec3 displacement = dt * s.motion[std::size_t(b)].v;
+    const float turn = turn_reach(s, b, dt);
+    s.served[std::size_t(b)].room = -1;
+    place_each_shape(s, b, [&](std::uint32_t shape) {
+        const ShapePose& pose = s.shape_poses[shape];
+        if (s.geometry[shape].type == ShapeType::plane)
+            s.broad_phase.move_plane(shape, shape_position(pose), normal_of_plane(pose));
+        else
+            s.broad_phase.set_bounds(shape, bounds_of(s, shape, turn), displacement);
+    });
+}
+
+constexpr double rounding = 1e-5; // of bounds, as part of a body's size
+
+// How far out a body's surface turns. One without shapes is as large as its inertia says.
+float surface_radius(const State& s, std::int32_t b) {
+    const float radius = s.bodies[std::size_t(b)].radius;
+    const BodyMass& mass = s.mass[std::size_t(b)];
+    if (radius > 0 || !(mass.inverse_mass > 0)) return radius;
+    return std::sqrt(std::max(mass.inertia.x, std::max(mass.inertia.y, mass.inertia.z)) * mass.inverse_mass);
+}
+
+} // namespace
+
+void finalize_body(State& s, std::int32_t b, float dt, std::vector<EscapedShape>& escaped) {
+    const BodyMotion& motion = s.motion[std::size_t(b)];
+    const float turn = turn_reach(s, b, dt);
+    BodyLinks& links = s.bodies[std::size_t(b)];
+    ServedPose& served = s.served[std::size_t(b)];
+    const float velocity = math::length(motion.v);
+    const double ahead = double(turn + dt * velocity);
+    if (served.room >= 0 && way_from(served.pose, motion, links.radius) + ahead <= served.room) {
+        place_each_shape(s, b, [](std::uint32_t) {});
+    } else {
+        const math::Vec3 displacement = dt * motion.v;
+        double room = std::numeric_limits<double>::infinity();
+        place_each_shape(s, b, [&](std::uint32_t shape) { // no plane: the body is dynamic
+            const DBounds bounds = bounds_of(s, shape, turn);
+            const double own = s.broad_phase.room(shape, bounds, displacement);
+            if (own < 0) escaped.push_back({shape, bounds, displacement});
+            room = std::min(room, own);
+        });
+        served = {{motion.x, motion.q}, room - ahead - rounding * double(links.radius)};
+    }
+    const float speed = velocity + math::length(motion.w) * surface_radius(s, b);
+    links.quiet_time = speed < s.settings.sleep_speed ? links.quiet_time + dt : 0;
+}
+
+void prefetch_motion(const State& s, std::int32_t b) {
+    ask_cache(&s.motion[std::size_t(b)].x);
+    ask_cache(&s.motion[std::size_t(b)].q);
+    ask_cache(&s.mass[std::size_t(b)]);
+    ask_cache(&s.body_settings[std::size_t(b)]);
+}
+
+void prefetch_body(const State& s, std::int32_t b) {
+    prefetch_motion(s, b);
+    ask_cache(&s.bodies[std::size_t(b)].first_shape);
+    ask_cache(&s.bodies[std::size_t(b)].padding);
+    ask_cache(&s.served[std::size_t(b)].pose);
+    ask_cache(&s.served[std::size_t(b)].room);
+}
+
+void prefetch_shape_of(const State& s, std::int32_t b) {
+    const std::int32_t first = s.bodies[std::size_t(b)].first_shape;
+    if (first == none) return;
+    const auto shape = std::size_t(first);
+    ask_cache(&s.shapes[shape]);
+    ask_cache(&s.shape_poses[shape]);
+    ask_cache(&s.geometry[shape]);
+    ask_cache(&s.geometry[shape].is_double_sided);
+    ask_cache(&s.broad_phase.fat_bounds(std::uint32_t(shape)));
+}
+
+void finalize_kinematics(State& s, float dt) {
+    for (const std::int32_t b : s.kinematics) {
+        const BodyMotion& motion = s.motion[std::size_t(b)];
+        if (motion.v == math::Vec3{} && motion.w == math::Vec3{}) continue;
+        move_shapes(s, b, dt);
+    }
+}
+
+void add_proxy(State& s, std::uint32_t shape) {
+    const std::int32_t body = s.shapes[shape].body;
+    s.served[std::size_t(body)].room = -1;
+    const BodyType type = s.body_settings[std::size_t(body)].type;
+    if (s.geometry[shape].type == ShapeType::plane) {
+        const ShapePose& pose = s.shape_poses[shape];
+        s.broad_phase.add_plane(shape, shape_position(pose), normal_of_plane(pose),
+                                s.geometry[shape].is_double_sided != 0);
+        return;
+    }
+    const auto mobility = type == BodyType::static_ ? BroadPhase::Mobility::fixed : BroadPhase::Mobility::awake;
+    const DBounds bounds = shape_bounds(s, shape);
+    s.broad_phase.add(shape, bounds, mobility, type == BodyType::kinematic);
+    s.broad_phase.set_bounds(shape, grown(bounds, turn_of_shape(s, shape, turn_reach(s, body, usual_step))),
+                             usual_step * s.motion[std::size_t(body)].v);
+}
+
+void update_proxies(State& s, std::int32_t b) {
+    s.left_at[std::size_t(b)] = s.strayed_at[std::size_t(b)] = s.passes + 1;
+    if (s.body_settings[std::size_t(b)].type == BodyType::static_) count_way(s, b);
+    place_shapes(s, b);
+    sweep_proxies(s, b);
+}
+
+void sweep_proxies(State& s, std::int32_t b) { move_shapes(s, b, usual_step); }
+
+} // namespace cairn

@@ -1,0 +1,32 @@
+// After the solver: shapes to their new places, bounds to the broad phase, time at rest measured.
+#pragma once
+
+#include "state/state.h"
+
+namespace cairn {
+
+// One dynamic body; others may be at work on other bodies. Shapes that have left their fat boxes go to `escaped`: the
+// broad phase is told later.
+void finalize_body(State& state, std::int32_t body, float dt, std::vector<EscapedShape>& escaped);
+
+// Asks the cache for how a body moves; for all that the end of a step needs of a dynamic one; and then, with that at
+// hand, of its first shape.
+inline constexpr std::size_t bodies_ahead = 8;
+void prefetch_motion(const State& state, std::int32_t body);
+void prefetch_body(const State& state, std::int32_t body);
+void prefetch_shape_of(const State& state, std::int32_t body);
+
+// Kinematic bodies.
+void finalize_kinematics(State& state, float dt);
+
+// Places a body's shapes and tells the broad phase, for a body that was moved from outside a step.
+void update_proxies(State& state, std::int32_t body);
+
+// Tells the broad phase where a body flies to whose velocity was set from outside a step: it would find what is hit in
+// the first step only after that.
+void sweep_proxies(State& state, std::int32_t body);
+
+// Puts a shape into the broad phase, by its type and its body's.
+void add_proxy(State& state, std::uint32_t shape);
+
+} // namespace cairn

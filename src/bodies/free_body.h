@@ -1,0 +1,11 @@
+// A body that nothing touches.
+#pragma once
+
+#include "state/state.h"
+
+namespace cairn {
+
+// A whole step, in double. What the rounding of its velocities leaves over is kept. Returns how often a speed was cut.
+std::uint64_t move_free_body(State& state, std::int32_t body, float dt);
+
+} // namespace cairn

@@ -1,0 +1,65 @@
+// Motion without contacts: gravity, fields, forces, and the torque-free turning of bodies with unequal moments of
+// inertia. Each integrator yields a change of velocity ("drive"), and a correction that turns the velocity at the
+// end of the substep into the one that moves the pose; contacts work with any of them.
+#pragma once
+
+#include "math/rotation.h"
+#include "state/state.h"
+
+namespace cairn {
+
+// Contacts on a needle, with a moment a millionth of the others, would spin it up without end in single precision: for
+// them no moment is less than this share of the greatest. (A rod 20 times as long as thick has 0.5 %.)
+inline constexpr float least_contact_moment = 0.005f;
+
+// Slower rotations (radians per substep) have no gyroscopic part worth computing. It makes no difference to what is
+// held by friction, but the energy of a free top depends on it.
+inline constexpr double least_turn_free = 1e-6, least_turn_in_contact = 1e-5;
+
+struct Increment {
+    math::DVec3 velocity, correction;
+};
+
+// Cut, so that forces of any size leave finite velocities.
+math::DVec3 cut(math::DVec3 v, double most);
+math::DQuat turned_by(math::DVec3 u, const math::DQuat& q);
+
+struct Spin {
+    math::DVec3 moments, inverse_moments; // principal
+    math::DQuat principal;
+    math::DVec3 to_world(const math::DQuat& q, math::DVec3 diagonal, math::DVec3 v) const {
+        const math::DQuat axes = q * principal;
+        return math::rotate(axes, math::scaled(diagonal, math::rotate_back(axes, v)));
+    }
+};
+Spin spin_of(const BodyMass& mass);
+
+// What acts on one body, apart from contacts.
+struct Load {
+    math::DVec3 force_acceleration;
+    float gravity_scale, inverse_mass;
+};
+Load load_on(const State& state, std::int32_t body);
+
+Increment linear_increment(const State& state, const Load& load, math::DVec3 x, math::DVec3 v, double h);
+// Whether a body has a gyroscopic part: unequal moments, and turns faster than `least` in a substep.
+bool precesses(const BodyMass& mass, math::DVec3 w, double h, double least);
+// For a body at rotation q with the angular velocity w and the angular momentum that goes with it.
+Increment gyroscopic_increment(const State& state, const Spin& spin, const math::DQuat& q, math::DVec3 w,
+                               math::DVec3 momentum, math::DVec3 torque, double h);
+// The torque alone.
+Increment torque_increment(const State& state, std::int32_t body, const Spin& spin, const math::DQuat& q, double h);
+
+bool any_field(const State& state);
+// Whether forces depend on the position.
+bool fields_vary(const State& state);
+// Gravity and fields at a point, m/s^2 (for a body of that mass and gravity scale).
+math::DVec3 field_acceleration(const State& state, math::DVec3 x, float gravity_scale, double inverse_mass);
+
+// The factor exp(-c h) for a damping rate c: one over the first terms of exp(c h), so it never changes sign.
+float damping_factor(float rate, float h);
+
+// The tensor that contacts and joints act on.
+math::Sym3 contact_inverse_inertia(const BodyMotion& motion, const BodyMass& mass);
+
+} // namespace cairn

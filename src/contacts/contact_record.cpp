@@ -1,0 +1,241 @@
+// The points of a contact: from the kernel's manifold to the record, with the impulses of the last step.
+#include "contacts/contact_record.h"
+
+#include "contacts/contact_update.h"
+#include "contacts/prefetch.h"
+#include "state/state.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace cairn {
+
+using math::put;
+using math::to_vec;
+
+namespace {
+
+constexpr float unused = 1e30f;
+
+// Four floats side by side: a point and its separation.
+using Float4 = float __attribute__((vector_size(16)));
+Float4 load4(const float* p) {
+    Float4 v;
+    std::memcpy(&v, p, sizeof(v));
+    return v;
+}
+void store4(float* p, Float4 v) { std::memcpy(p, &v, sizeof(v)); }
+
+float sum3(Float4 v) { return v[0] + v[1] + v[2]; }
+
+// What is kept of a contact's last step to warm start the next. Beyond the last point, arms are far away.
+struct OldPoints {
+    int count;
+    math::Vec3 normal, friction;
+    Float4 x, y, z; // of the arms
+    float impulse[4], torsion;
+};
+
+// Gives the new points the impulses of the old ones at the same places in A's frame. What the old points without a
+// successor carried is shared among the new ones without a predecessor: otherwise a contact that changes from four
+// points to one lets its load drop for a substep, and a heap never comes to rest.
+void match_points(const OldPoints& old, float tolerance, int count, ContactRecord& r) {
+    const float limit = tolerance * tolerance;
+    unsigned taken = 0, unmatched = 0;
+    for (int i = 0; i < count; ++i) {
+        const float* p = point_of(r, i);
+        const Float4 dx = p[0] - old.x, dy = p[1] - old.y, dz = p[2] - old.z;
+        float square[4];
+        store4(square, dx * dx + dy * dy + dz * dz);
+        int match = -1;
+        // Mostly the order stays as well.
+        if (i < old.count && !(taken & (1u << i)) && square[i] < 0.0625f * limit) {
+            match = i;
+        } else {
+            float nearest = limit;
+            for (int k = 0; k < old.count; ++k) {
+                const bool is_nearer = (square[k] < nearest) & !(taken >> k & 1);
+                nearest = is_nearer ? square[k] : nearest;
+                match = is_nearer ? k : match;
+            }
+        }
+        if (match < 0) {
+            unmatched |= 1u << i;
+            continue;
+        }
+        taken |= 1u << match;
+        r.impulses[i] = old.impulse[match];
+    }
+    if (unmatched != 0 && math::dot(old.normal, to_vec(r.normal)) > 0.7f) {
+        float left = 0;
+        for (int k = 0; k < old.count; ++k)
+            if (!(taken & (1u << k))) left += old.impulse[k];
+        left /= float(__builtin_popcount(unmatched));
+        for (int i = 0; i < count; ++i)
+            if (unmatched & (1u << i)) r.impulses[i] = left;
+        taken |= 1;
+    }
+    if (taken == 0) return;
+    put(r.friction_impulse, old.friction);
+    r.torsion_impulse = old.torsion;
+}
+
+OldPoints old_points(const ContactRecord& r, int count, math::Quat turned) {
+    OldPoints old;
+    old.count = count;
+    old.normal = to_vec(r.normal);
+    old.friction = to_vec(r.friction_impulse);
+    old.torsion = r.torsion_impulse;
+    const Float4 far_away{unused, unused, unused, unused};
+    Float4 p[4];
+    for (int k = 0; k < 4; ++k) p[k] = k < count ? load4(point_of(r, k)) : far_away, old.impulse[k] = r.impulses[k];
+    // Turned on their side: from four points to four coordinates each of x, y and z.
+    const Float4 xy01 = __builtin_shufflevector(p[0], p[1], 0, 4, 1, 5),
+                 z01 = __builtin_shufflevector(p[0], p[1], 2, 6, 3, 7);
+    const Float4 xy23 = __builtin_shufflevector(p[2], p[3], 0, 4, 1, 5),
+                 z23 = __builtin_shufflevector(p[2], p[3], 2, 6, 3, 7);
+    const Float4 x = __builtin_shufflevector(xy01, xy23, 0, 1, 4, 5),
+                 y = __builtin_shufflevector(xy01, xy23, 2, 3, 6, 7);
+    const Float4 z = __builtin_shufflevector(z01, z23, 0, 1, 4, 5);
+    const math::Mat3 m = math::to_matrix(turned);
+    old.x = m.c0.x * x + m.c1.x * y + m.c2.x * z;
+    old.y = m.c0.y * x + m.c1.y * y + m.c2.y * z;
+    old.z = m.c0.z * x + m.c1.z * y + m.c2.z * z;
+    return old;
+}
+
+// Whether each point is where the old one of the same number is, in A's frame: then all impulses stay as they are.
+// That is the common case, and this its short way.
+bool points_stay(const ContactRecord& r, const Float4* points, int count, math::Quat turned, float tolerance) {
+    const float limit = 0.0625f * tolerance * tolerance;
+    // Mostly it shows without turning anything: a turn moves a vector by at most 2 |imaginary part| times its length.
+    Float4 moved = {}, size = {};
+    for (int i = 0; i < count; ++i) {
+        const Float4 old = load4(point_of(r, i)), difference = points[i] - old;
+        moved += difference * difference;
+        size += old * old;
+    }
+    const float turn = turned.x * turned.x + turned.y * turned.y + turned.z * turned.z;
+    if (sum3(moved) < 0.49f * limit && 4 * turn * sum3(size) < 0.0625f * limit) return true;
+
+    const math::Mat3 m = math::to_matrix(turned);
+    const Float4 x = {m.c0.x, m.c0.y, m.c0.z}, y = {m.c1.x, m.c1.y, m.c1.z}, z = {m.c2.x, m.c2.y, m.c2.z};
+    float greatest = 0;
+    for (int i = 0; i < count; ++i) {
+        const float* old = point_of(r, i);
+        const Float4 difference = points[i] - (old[0] * x + old[1] * y + old[2] * z);
+        greatest = std::max(greatest, sum3(difference * difference));
+    }
+    return greatest < limit;
+}
+
+std::uint32_t packed_features(const Manifold& m) {
+    std::uint32_t packed = no_features;
+    for (int i = m.count - 1; i >= 0; --i) packed = packed << 8 | (m.features[i] & 255u);
+    return packed;
+}
+
+// A round surface does not turn with its body: how far it is to the point midway between the surfaces from the center
+// or axis that it is round about, with that normal; 0 where the surface is flat. For cones the mean radius. Rounded
+// shapes touch by a corner, an edge or a rim of their core, and what is around that; also where a face lies flat.
+float contact_radius(const State& s, std::uint32_t shape, math::Vec3 normal, float separation) {
+    const Geometry& g = s.geometry[shape];
+    if (g.type == ShapeType::sphere) return g.size.x + 0.5f * separation;
+    const float around = g.rounding > 0 ? g.rounding + 0.5f * separation : 0.0f;
+    if (g.type != ShapeType::capsule && g.type != ShapeType::cylinder) return around;
+    const float mean = 0.5f * (g.size.x + g.size.z);
+    if (g.type == ShapeType::capsule) return mean + 0.5f * separation;
+    const float* q = s.shape_poses[shape].q;
+    const float along = math::dot(normal, math::rotate(math::Quat{q[0], q[1], q[2], q[3]}, math::Vec3{0, 1, 0}));
+    constexpr float steepest = 0.5f; // of the cosine with the axis: beyond, it stands on its rim rather than rolls
+    return std::fabs(along) < steepest ? mean + g.rounding + 0.5f * separation : around;
+}
+
+} // namespace
+
+void forget_impulses(ContactRecord& r, int count) {
+    for (int i = 0; i < 4; ++i) r.impulses[i] = 0;
+    r.first_total = 0;
+    if (count > 1) put(r.more_totals, {});
+    put(r.friction_impulse, {});
+    put(r.total_friction, {});
+    r.torsion_impulse = 0;
+}
+
+float least_separation(const ContactInfo& c, const ContactRecord& r) {
+    float least = r.first_point[3];
+    for (int i = 1; i < c.point_count; ++i) least = std::min(least, point_of(r, i)[3]);
+    return least;
+}
+
+// The upper half of a float is one with eight bits.
+void note_gap(ContactInfo& c, const ContactRecord& r) {
+    const float gap = least_separation(c, r);
+    std::uint32_t bits = 0;
+    if (gap > 0) std::memcpy(&bits, &gap, sizeof bits);
+    c.gap = std::uint16_t(bits >> 16);
+}
+float noted_gap(const ContactInfo& c) {
+    const std::uint32_t bits = std::uint32_t(c.gap) << 16;
+    float gap;
+    std::memcpy(&gap, &bits, sizeof gap);
+    return gap;
+}
+
+void write_record(State& s, std::uint32_t id, const Manifold& m) {
+    ContactInfo& c = s.contacts[id];
+    ContactRecord& r = s.records[id];
+    math::Vec3 normal = to_vec(m.normal), offset = s.shapes[c.shape_a].arm;
+    if (c.flipped) {
+        const ShapePose &a = s.shape_poses[c.shape_a], &b = s.shape_poses[c.shape_b];
+        offset = offset - ((to_vec(a.high) - to_vec(b.high)) + (to_vec(a.low) - to_vec(b.low)));
+        normal = -normal;
+    }
+    Float4 points[4];
+    const int kept = m.count == 1 ? 1 : 4;
+    for (int i = 0; i < kept; ++i)
+        points[i] = i < m.count ? load4(m.points[i]) + Float4{offset.x, offset.y, offset.z} : Float4{0, 0, 0, unused};
+    const math::Quat turned = s.motion[std::size_t(c.body_a)].turned;
+    const bool stay = m.count == c.point_count && points_stay(r, points, kept, turned, c.match_tolerance);
+    OldPoints old;
+    if (!stay) old = old_points(r, c.point_count, turned);
+    put(r.normal, normal);
+    put(r.center_offset, math::to_float(s.motion[std::size_t(c.body_a)].x - s.motion[std::size_t(c.body_b)].x));
+    for (int i = 0; i < kept; ++i) store4(point_of(r, i), points[i]);
+    if (may_be_round(c.kind)) {
+        r.radius_a = contact_radius(s, c.shape_a, normal, m.points[0][3]);
+        r.radius_b = contact_radius(s, c.shape_b, normal, m.points[0][3]);
+    }
+    c.point_count = std::uint8_t(m.count);
+    note_gap(c, r);
+    r.features = packed_features(m);
+    if (stay) return;
+    forget_impulses(r, m.count);
+    if (old.count > 0) match_points(old, c.match_tolerance, m.count, r);
+}
+
+void advance_record(const State& s, const ContactInfo& c, ContactRecord& r) {
+    const math::Vec3 n = to_vec(r.normal), d = to_vec(r.center_offset);
+    const math::Quat qa = s.motion[std::size_t(c.body_a)].turned, qb = s.motion[std::size_t(c.body_b)].turned;
+    const math::Vec3 offset = math::to_float(s.motion[std::size_t(c.body_a)].x - s.motion[std::size_t(c.body_b)].x);
+    const math::Vec3 round_a = r.radius_a * n, round_b = r.radius_b * n;
+    for (int i = 0; i < c.point_count; ++i) {
+        float* const point = point_of(r, i);
+        const math::Vec3 arm = to_vec(point);
+        // What is round does not turn with its body.
+        const math::Vec3 now_a = math::rotate(qa, arm - round_a) + round_a;
+        const math::Vec3 now_b = math::rotate(qb, arm + d + round_b) - round_b;
+        // Anchors that were one point: how far they have come apart, B's relative to A's.
+        point[3] += math::dot(n, now_b - offset - now_a);
+        put(point, 0.5f * (now_a + (now_b - offset))); // midway between the two
+    }
+    put(r.center_offset, offset);
+}
+
+ContactRecord advanced_record(const State& s, std::uint32_t id) {
+    ContactRecord r = s.records[id];
+    advance_record(s, s.contacts[id], r);
+    return r;
+}
+
+} // namespace cairn

@@ -1,0 +1,28 @@
+// The points of a contact: from the kernel's manifold to the record, with the impulses of the last step.
+#pragma once
+
+#include "state/state.h"
+
+namespace cairn {
+
+// Arm and separation of a point; its normal impulse summed over the last step's substeps.
+inline const float* point_of(const ContactRecord& r, int i) { return i == 0 ? r.first_point : r.more_points[i - 1]; }
+inline float* point_of(ContactRecord& r, int i) { return i == 0 ? r.first_point : r.more_points[i - 1]; }
+inline float total_of(const ContactRecord& r, int i) { return i == 0 ? r.first_total : r.more_totals[i - 1]; }
+
+// Writes the record of a contact from the kernel's manifold, which has points. Impulses go on where points stay.
+void write_record(State& state, std::uint32_t contact, const Manifold& manifold);
+// Of the points of a contact that has some.
+float least_separation(const ContactInfo& contact, const ContactRecord& record);
+// Notes the least gap of its points: what bears nothing is told apart without a look at its record.
+void note_gap(ContactInfo& contact, const ContactRecord& record);
+// The least gap as it was noted, rounded down; 0 where they overlap.
+float noted_gap(const ContactInfo& contact);
+// `count`: how many points it has.
+void forget_impulses(ContactRecord& record, int count);
+// Moves a record that was written at the start of the last step to the poses at its end.
+void advance_record(const State& state, const ContactInfo& contact, ContactRecord& record);
+// That of a contact, so moved.
+ContactRecord advanced_record(const State& state, std::uint32_t contact);
+
+} // namespace cairn

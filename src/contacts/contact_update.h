@@ -1,0 +1,51 @@
+// What the test of a pair makes of its contact: record, events, islands, colors, sleep.
+#pragma once
+
+#include "state/state.h"
+
+namespace cairn {
+
+// What is to be done with a pair, and what testing it has said, beside its record.
+enum Outcome : std::uint8_t {
+    apart,    // and was so; or has not been tested, and need not be solved
+    ended,    // apart, and was near
+    begun,    // near, and was apart
+    goes_on,  // near as before
+    may_wake, // likewise, with something asleep or moved from outside: to be looked at
+    skipped,  // asleep
+    entered,  // into a trigger
+    left,     // out of it
+    to_move,  // along with the bodies
+    to_test,  // + PairKind
+};
+
+// How far apart two shapes may be to count: what the next step can close.
+float contact_margin(const State& state, const ContactInfo& contact, float dt);
+// Whether points that are beyond where contacts begin do not come near each other in the next step either, as the
+// bodies move now.
+bool stays_apart(const State& state, const ContactInfo& contact, const Manifold& manifold, float dt);
+// One result of a test becomes the record of the contact; others may be at work on other contacts. An Outcome.
+std::uint8_t take_manifold(State& state, std::uint32_t contact, const Manifold& manifold, float dt);
+// Likewise of a pair that is found apart, by so many meters at least if that is known.
+std::uint8_t take_distance(State& state, std::uint32_t contact, float distance);
+std::uint8_t trigger_outcome(const ContactInfo& contact, bool inside);
+// What changes more than the contact itself: islands, colors, sleep. One after the other, in order.
+void follow_up(State& state, std::uint32_t contact, std::uint8_t outcome, float dt);
+
+// A contact is no longer solved: an end event if it touched, and its island may fall apart.
+void end_contact(State& state, std::uint32_t contact);
+
+// The outcome of a contact that stays.
+std::uint8_t going_on(const State& state, const ContactInfo& contact);
+bool moves(const State& state, std::int32_t body);
+// Of the points of a record, the greatest speed at which they approach.
+float approach_speed(const State& state, const ContactInfo& contact, const ContactRecord& record);
+
+// After the solver: begin, end and hit events, sustained loads, counts.
+void report_contacts(State& state, float dt);
+
+// The records of contacts that fell asleep are brought up to the final poses: they are used as they are if the
+// island wakes within a step.
+void settle_sleeping_contacts(State& state);
+
+} // namespace cairn

@@ -1,0 +1,72 @@
+// Tests of pairs that no wide kernel does: one at a time, in double, about the center of A.
+#include "contacts/convex_tests.h"
+
+#include "collision/convex_contact.h"
+#include "collision/surface_contact.h"
+
+namespace cairn {
+
+using math::DVec3;
+using math::to_double;
+using math::to_vec;
+
+namespace {
+
+// From the center of A to the center of B; exact, however far from the origin both are.
+DVec3 offset_between(const ShapePose& a, const ShapePose& b) {
+    return (to_double(to_vec(b.high)) - to_double(to_vec(a.high))) +
+           (to_double(to_vec(b.low)) - to_double(to_vec(a.low)));
+}
+math::DQuat rotation_of(const ShapePose& pose) {
+    return math::normalized(math::DQuat{pose.q[0], pose.q[1], pose.q[2], pose.q[3]});
+}
+Convex convex_of(const PosedShape& shape, const DVec3& center) {
+    return make_convex(shape.geometry, shape.data, center, rotation_of(shape.pose));
+}
+
+// Sheets are seen from the side where the shape is: the center of mass of the body at an infinite plane, which nothing
+// can reach around; the middle of the shape at a rectangle, which a part of the body may well be on the other side of.
+DVec3 facing_normal(const PosedShape& a, const PosedShape& plane, DVec3 offset) {
+    const DVec3 up = math::to_matrix(rotation_of(plane.pose)).c1;
+    const bool is_behind = plane.geometry.is_double_sided && math::dot(up, -to_double(a.arm) - offset) < 0;
+    return is_behind ? -up : up;
+}
+Convex facing_polygon(const Convex& a, double reach, const PosedShape& rectangle, DVec3 offset) {
+    const math::DQuat rotation = rotation_of(rectangle.pose);
+    DVec3 center = offset;
+    const Geometry part = near_part(rectangle.geometry, center, rotation, middle(a), reach);
+    const Convex polygon = make_convex(part, rectangle.data, center, rotation);
+    const bool is_behind = part.is_double_sided && math::dot(polygon.axes.c1, middle(a) - polygon.center) < 0;
+    return is_behind ? reversed(polygon) : polygon;
+}
+
+} // namespace
+
+Manifold test_convex_pair(PairKind kind, const PosedShape& a, const PosedShape& b, math::Vec3 guess, float margin,
+                          ContactMemory& memory) {
+    const DVec3 offset = offset_between(a.pose, b.pose);
+    const Convex first = convex_of(a, {});
+    Manifold out;
+    if (kind == PairKind::convex_convex) {
+        collide_convex(first, convex_of(b, offset), double(margin), to_double(guess), memory, out);
+        return out;
+    }
+    if (kind == PairKind::convex_plane) {
+        const DVec3 up = facing_normal(a, b, offset);
+        collide_plane(first, up, -math::dot(up, offset), double(margin), out);
+    } else {
+        const double reach = 2 * double(a.geometry.bounding_radius) + double(margin);
+        collide_surface(first, facing_polygon(first, reach, b, offset), double(margin), to_double(guess), out);
+    }
+    return out;
+}
+
+float find_patches(const PosedShape& a, const PosedShape& surface, float margin, float reach, SurfaceScratch& scratch,
+                   std::vector<Manifold>& hits) {
+    const DVec3 offset = offset_between(a.pose, surface.pose);
+    const Surface posed{surface.data, offset, math::to_matrix(rotation_of(surface.pose))};
+    return float(
+        collide_triangles(kernels().triangles, convex_of(a, {}), posed, double(margin), double(reach), scratch, hits));
+}
+
+} // namespace cairn

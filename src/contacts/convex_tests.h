@@ -1,0 +1,28 @@
+// Tests of pairs of shapes that no wide kernel does.
+#pragma once
+
+#include "collision/contact_memory.h"
+#include "state/state.h"
+
+namespace cairn {
+
+// Pairs of shapes that no wide kernel tests (convex_tests.cpp), with points up to `margin` meters apart. `guess`: the
+// normal of the last step, or zero; `memory`: see collide_convex.
+struct PosedShape {
+    const Geometry& geometry;
+    const ShapeData& data;
+    const ShapePose& pose;
+    math::Vec3 arm; // from the body's center of mass to the shape's origin
+};
+Manifold test_convex_pair(PairKind kind, const PosedShape& a, const PosedShape& b, math::Vec3 guess, float margin,
+                          ContactMemory& memory);
+// All directions in which the convex shape `a` touches a mesh or height field, deepest first; `hits` is emptied before.
+// Where there are none, returns how far apart they are at least; nothing farther than `reach` is looked at.
+float find_patches(const PosedShape& a, const PosedShape& surface, float margin, float reach, SurfaceScratch& scratch,
+                   std::vector<Manifold>& hits);
+
+inline PosedShape posed_shape(const State& s, std::uint32_t shape) {
+    return {s.geometry[shape], s.shape_data[shape], s.shape_poses[shape], s.shapes[shape].arm};
+}
+
+} // namespace cairn

@@ -1,0 +1,182 @@
+// Seams between surfaces that lie side by side: two boxes that make a floor, two tiles of terrain. What slides over one
+// meets the edge of the next before its face, and would bump into it although nothing stands out. A contact with
+// something immovable is left out where a deeper one of the same body has a plane that
+// - all the points of the contact lie in, or nothing of the body is below, and
+// - the other thing does not rise above.
+// And what rolls along the seam itself touches both: where one of them carries the whole line, the other is left out.
+// Each counts its friction in the middle of its part, and would turn it aside.
+#include "contacts/internal_edges.h"
+
+#include "bodies/bodies.h"
+#include "contacts/contact_record.h"
+#include "contacts/contact_update.h"
+#include "shapes/convex.h"
+#include "state/state.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace cairn {
+
+using math::to_vec;
+
+namespace {
+
+constexpr float same_normal = 2e-4f; // difference of unit vectors: such a contact changes nothing
+// How far out of the plane a point may be: so much of the sizes of both, as far as contact points on the rim of a face
+// are off, but no more than the larger part of the body's own radius.
+constexpr float flatness = 2e-4f, most_flatness = 5e-3f;
+
+bool is_same(math::Vec3 a, math::Vec3 b) { return math::dot(a - b, a - b) < same_normal * same_normal; }
+
+// How far the shape reaches along n, from the point `from`; meshes and height fields by their bounds.
+double reach(const State& s, std::uint32_t shape, math::DVec3 n, math::DVec3 from) {
+    const Geometry& g = s.geometry[shape];
+    const ShapePose& pose = s.shape_poses[shape];
+    math::DVec3 center = shape_position(pose) - from;
+    const math::DQuat q = math::normalized(math::to_double(shape_rotation(pose)));
+    const auto of_bounds = [&](math::Vec3 lo, math::Vec3 hi) {
+        const math::DVec3 d = math::rotate_back(q, n), middle = math::to_double(0.5f * (lo + hi));
+        return math::dot(n, center) + math::dot(d, middle) + math::dot(math::abs(d), math::to_double(0.5f * (hi - lo)));
+    };
+    switch (g.type) {
+    case ShapeType::plane:
+        return std::numeric_limits<double>::infinity();
+    case ShapeType::mesh:
+        return of_bounds(mesh_of(s.shape_data[shape]).lo, mesh_of(s.shape_data[shape]).hi);
+    case ShapeType::height_field: {
+        const HeightFieldData& field = height_field_of(s.shape_data[shape]);
+        const float x = float(grid_half(field.columns, field.spacing_x));
+        const float z = float(grid_half(field.rows, field.spacing_z));
+        return of_bounds({-x, field.least, -z}, {x, field.greatest, z});
+    }
+    default: {
+        const Geometry part = near_part(g, center, q, {}, 0);
+        return math::dot(n, support(make_convex(part, s.shape_data[shape], center, q), n));
+    }
+    }
+}
+
+// Where the other surface is, relative to the body's center of mass.
+math::Vec3 other_surface(const ContactRecord& r, int i) {
+    return to_vec(point_of(r, i)) + 0.5f * point_of(r, i)[3] * to_vec(r.normal);
+}
+
+// Whether `c` is an edge in the plane of the deeper contact.
+bool is_seam(const State& s, std::uint32_t deeper, std::uint32_t c, float depth) {
+    const ContactInfo &info = s.contacts[c], &over = s.contacts[deeper];
+    const ContactRecord &r = s.records[c], &plane = s.records[deeper];
+    const math::Vec3 up = -to_vec(plane.normal);
+    if (info.shape_b == over.shape_b || is_same(to_vec(plane.normal), to_vec(r.normal))) return false;
+    const math::Vec3 origin = other_surface(plane, 0);
+    const float radius = s.bodies[std::size_t(info.body_a)].radius;
+    const float tolerance =
+        std::min(flatness * (radius + s.geometry[info.shape_b].bounding_radius), most_flatness * radius);
+    bool is_in_plane = true;
+    for (int i = 0; i < info.point_count; ++i) {
+        const float height = math::dot(up, other_surface(r, i) - origin);
+        is_in_plane = is_in_plane && height <= tolerance && height >= -depth - tolerance;
+    }
+    const math::DVec3 point = s.motion[std::size_t(info.body_a)].x + math::to_double(origin), n = math::to_double(up);
+    if (reach(s, info.shape_b, n, point) > double(tolerance)) return false;
+    // Sharp edges that are still apart meet as rounded ones would, somewhere beside the plane. But if all of the body
+    // is above it, what is below can only be met in it.
+    return is_in_plane || reach(s, info.shape_a, -n, point) <= double(depth + tolerance);
+}
+
+// The next step finds it as if for the first time: its face is not preferred once the body is over it.
+void drop(State& s, std::uint32_t c) {
+    s.narrow.is_seam[c] = 1;
+    s.narrow.any_seams = true;
+    forget_impulses(s.records[c], s.contacts[c].point_count);
+    s.records[c].features = no_features;
+}
+
+// Whether the points of `c` lie on the line that another contact with the same normal carries.
+bool is_covered(const State& s, std::uint32_t line, std::uint32_t c) {
+    const ContactInfo &info = s.contacts[c], &over = s.contacts[line];
+    const ContactRecord &r = s.records[c], &whole = s.records[line];
+    if (over.point_count != 2 || info.point_count > 2 || info.shape_b == over.shape_b) return false;
+    if (!is_same(to_vec(whole.normal), to_vec(r.normal))) return false;
+    const math::Vec3 from = to_vec(point_of(whole, 0)), along = to_vec(point_of(whole, 1)) - from;
+    const float square = math::dot(along, along), tolerance = flatness * s.bodies[std::size_t(info.body_a)].radius;
+    for (int i = 0; i < info.point_count; ++i) {
+        const math::Vec3 to = to_vec(point_of(r, i)) - from;
+        const float part = square > 0 ? std::clamp(math::dot(to, along) / square, 0.0f, 1.0f) : 0.0f;
+        const math::Vec3 off = to - part * along;
+        if (math::dot(off, off) > tolerance * tolerance) return false;
+    }
+    return true;
+}
+void drop_covered(State& s, const std::vector<std::uint32_t>& contacts) {
+    for (const std::uint32_t c : contacts)
+        for (const std::uint32_t line : contacts) {
+            if (line == c || s.narrow.is_seam[line] || !is_covered(s, line, c)) continue;
+            drop(s, c);
+            break;
+        }
+}
+
+// Drops seams among the contacts of one body with what does not move by forces.
+void drop_seams_of_body(State& s, std::vector<std::uint32_t>& contacts) {
+    drop_covered(s, contacts);
+    const auto depth_of = [&](std::uint32_t id) { return -least_separation(s.contacts[id], s.records[id]); };
+    const math::Vec3 first = to_vec(s.records[contacts[0]].normal);
+    if (std::all_of(contacts.begin(), contacts.end(),
+                    [&](std::uint32_t id) { return is_same(first, to_vec(s.records[id].normal)); }))
+        return;
+    std::sort(contacts.begin(), contacts.end(), [&](std::uint32_t a, std::uint32_t b) {
+        const float depth_a = depth_of(a), depth_b = depth_of(b);
+        return depth_a != depth_b ? depth_a > depth_b : a < b;
+    });
+    const auto drop_if_seam = [&](std::size_t j, std::size_t k) {
+        if (s.narrow.is_seam[contacts[j]] || s.narrow.is_seam[contacts[k]]) return;
+        if (is_seam(s, contacts[j], contacts[k], std::max(depth_of(contacts[j]), 0.0f))) drop(s, contacts[k]);
+    };
+    for (std::size_t k = 1; k < contacts.size(); ++k)
+        for (std::size_t j = 0; j < k; ++j) drop_if_seam(j, k);
+    // Just beyond an edge, its side may be the deeper one by a rounding error or a slight tilt.
+    const float slack = flatness * s.bodies[std::size_t(s.contacts[contacts[0]].body_a)].radius;
+    for (std::size_t k = 0; k + 1 < contacts.size(); ++k)
+        for (std::size_t j = k + 1; j < contacts.size() && depth_of(contacts[j]) + slack > depth_of(contacts[k]); ++j)
+            drop_if_seam(j, k);
+}
+
+} // namespace
+
+void drop_seams(State& s) {
+    std::vector<std::int32_t>& last_of_body = s.narrow.last_of_body;
+    std::vector<FixedContact>& fixed = s.narrow.fixed;
+    last_of_body.resize(s.bodies.size(), none);
+    s.narrow.is_seam.resize(s.contacts.size());
+    fixed.clear();
+    s.narrow.any_seams = false;
+    for (const std::uint32_t id : s.solved) {
+        const ContactInfo& c = s.contacts[id];
+        if (c.b_moves) continue;
+        s.narrow.is_seam[id] = 0;
+        std::int32_t& last = last_of_body[std::size_t(c.body_a)];
+        bool on_several = false;
+        if (last != none) {
+            const FixedContact& before = fixed[std::size_t(last)];
+            on_several = before.on_several || s.contacts[before.contact].shape_b != c.shape_b;
+        }
+        fixed.push_back({id, last, on_several});
+        last = std::int32_t(fixed.size()) - 1;
+    }
+    for (std::size_t k = fixed.size(); k-- > 0;) {
+        std::int32_t& last = last_of_body[std::size_t(s.contacts[fixed[k].contact].body_a)];
+        if (last == none) continue; // its body is done
+        if (fixed[std::size_t(last)].on_several) {
+            s.narrow.of_body.clear();
+            for (std::int32_t i = last; i != none; i = fixed[std::size_t(i)].before)
+                s.narrow.of_body.push_back(fixed[std::size_t(i)].contact);
+            drop_seams_of_body(s, s.narrow.of_body);
+        }
+        last = none;
+    }
+    if (!s.narrow.any_seams) return;
+    std::erase_if(s.solved, [&](std::uint32_t id) { return !s.contacts[id].b_moves && s.narrow.is_seam[id] != 0; });
+}
+
+} // namespace cairn

@@ -1,0 +1,12 @@
+// Edges between surfaces that lie side by side.
+#pragma once
+
+#include "state/state.h"
+
+namespace cairn {
+
+// A body that slides over several surfaces side by side must not bump into the edges between them: takes out of
+// State::solved what is an edge of one in the plane of another.
+void drop_seams(State& state);
+
+} // namespace cairn

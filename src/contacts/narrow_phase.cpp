@@ -1,0 +1,274 @@
+#include "contacts/narrow_phase.h"
+
+#include "bodies/rest.h"
+#include "collision/far_apart.h"
+#include "contacts/contact_record.h"
+#include "contacts/contact_update.h"
+#include "contacts/convex_tests.h"
+#include "contacts/internal_edges.h"
+#include "contacts/pairs.h"
+#include "contacts/patches.h"
+#include "contacts/prefetch.h"
+#include "core/cache.h"
+
+#include <algorithm>
+#include <atomic>
+
+namespace cairn {
+
+using math::to_vec;
+
+namespace {
+
+constexpr int pairs_per_chunk = 512; // for threads
+constexpr int convex_pairs_per_chunk = 32, groups_per_chunk = 8, moved_pairs_per_chunk = 128;
+
+constexpr float little_turn = 0.1f; // rad in a pass: contacts may be moved along
+
+// Up to PairBatch::capacity pairs of one kind, by their places among all.
+void test_wide_pairs(State& s, PairKind kind, int begin, int end, NarrowBatch& own, float dt) {
+    PairBatch& batch = own.pairs;
+    const int count = end - begin, padded = (count + 7) & ~7;
+    const std::size_t record_size = has_one_point(kind) ? offsetof(ContactRecord, more_points) : sizeof(ContactRecord);
+    const bool keeps_features = kind == PairKind::box_box;
+    const std::uint32_t* places = s.narrow.lists[std::size_t(kind)].data() + begin;
+    std::uint32_t ids[PairBatch::capacity];
+    for (int i = 0; i < count; ++i) ids[i] = s.narrow.candidates[places[i]];
+    for (int i = 0; i < count; ++i) {
+        if (const int next = i + int(contacts_ahead); next < count) {
+            ask_cache(&s.contacts[ids[next]]);
+            if (keeps_features) ask_cache(&s.records[ids[next]].features);
+        }
+        const ContactInfo& c = s.contacts[ids[i]];
+        batch.first[i] = c.flipped ? c.shape_b : c.shape_a;
+        batch.second[i] = c.flipped ? c.shape_a : c.shape_b;
+        batch.margin[i] = contact_margin(s, c, dt);
+        batch.kept[i] = keeps_features && c.force > 0 ? s.records[ids[i]].features : no_features;
+        ask_cache(&s.shapes[c.shape_a]); // for write_record
+    }
+    for (int i = count; i < padded; ++i) {
+        batch.first[i] = batch.first[0], batch.second[i] = batch.second[0];
+        batch.margin[i] = batch.margin[0], batch.kept[i] = batch.kept[0];
+    }
+    wide_kernel(kind)(s.shape_poses.data(), batch.first, batch.second, batch.margin, batch.kept, padded, own.manifolds);
+    for (int i = 0; i < count; ++i) {
+        if (const int next = i + int(contacts_ahead); next < count && own.manifolds[next].count > 0) {
+            prefetch_record(s, ids[next], record_size);
+            if (may_be_round(kind))
+                for (const std::uint32_t shape : {batch.first[next], batch.second[next]}) ask_cache(&s.geometry[shape]);
+        }
+        s.narrow.outcomes[places[i]] = take_manifold(s, ids[i], own.manifolds[i], dt);
+    }
+}
+
+// Pairs that no wide kernel tests, by their places among all.
+void test_convex_pairs(State& s, PairKind kind, int begin, int end, float dt) {
+    const std::vector<std::uint32_t>& places = s.narrow.lists[std::size_t(kind)];
+    constexpr int ahead = int(contacts_ahead);
+    const int count = int(places.size()); // the next chunk begins at once
+    const auto contact_at = [&](int i) { return s.narrow.candidates[places[std::size_t(i)]]; };
+    for (int i = begin; i < end; ++i) {
+        if (i + 2 * ahead < count) ask_cache(&s.contacts[contact_at(i + 2 * ahead)]);
+        if (i + ahead < count) prefetch_pair(s, contact_at(i + ahead));
+        const std::uint32_t place = places[std::size_t(i)], id = s.narrow.candidates[place];
+        const ContactInfo& c = s.contacts[id];
+        const PosedShape a = posed_shape(s, c.shape_a), b = posed_shape(s, c.shape_b);
+        const float margin = contact_margin(s, c, dt);
+        if (kind == PairKind::convex_convex && c.point_count == 0) {
+            const float distance = least_distance(a.geometry, a.pose, b.geometry, b.pose);
+            if (distance > margin) {
+                s.narrow.outcomes[place] = take_distance(s, id, distance);
+                continue;
+            }
+        }
+        ContactMemory memory = s.records[id].features;
+        const Manifold m = test_convex_pair(kind, a, b, to_vec(s.records[id].normal), margin, memory);
+        s.narrow.outcomes[place] = take_manifold(s, id, m, dt);
+        if (kind == PairKind::convex_convex) s.records[id].features = memory; // also of those that are apart
+    }
+}
+
+// Asks the cache for what moving the points of a pair along needs.
+void prefetch_move(const State& s, std::uint32_t id) {
+    const ContactInfo& c = s.contacts[id];
+    for (const std::int32_t body : {c.body_a, c.body_b}) ask_cache(&s.motion[std::size_t(body)]);
+    if (!is_group(c))
+        prefetch_record(s, id, c.point_count > 1 ? sizeof(ContactRecord) : offsetof(ContactRecord, more_points));
+}
+
+// Pairs that were tested a short while ago, by their places among all.
+void move_contacts(State& s, int begin, int end) {
+    const std::vector<std::uint32_t>& places = s.narrow.to_move;
+    const std::size_t count = places.size();
+    const auto contact_at = [&](std::size_t i) { return s.narrow.candidates[places[i]]; };
+    for (std::size_t i = std::size_t(begin); i < std::size_t(end); ++i) {
+        if (i + 2 * contacts_ahead < count) ask_cache(&s.contacts[contact_at(i + 2 * contacts_ahead)]);
+        if (i + contacts_ahead < count) prefetch_move(s, contact_at(i + contacts_ahead));
+        for (int n = 0; n < patches_at_hand && s.narrow.any_groups; ++n)
+            if (i + patch_ahead(n) < count) prefetch_patch(s, contact_at(i + patch_ahead(n)), n, true);
+        const std::uint32_t id = contact_at(i);
+        for_each_patch(s, id, [&](std::uint32_t contact) {
+            ContactInfo& c = s.contacts[contact];
+            ContactRecord& r = s.records[contact];
+            advance_record(s, c, r);
+            note_gap(c, r);
+            if (!c.touching) r.approach_speed = approach_speed(s, c, r);
+        });
+        s.narrow.outcomes[places[std::size_t(i)]] = going_on(s, s.contacts[id]);
+    }
+}
+
+// Whether the first pass of the step has tested the pair, as far as the whole step reaches, and its points may be moved
+// along. What whirls is tested in each pass.
+bool is_found(const State& s, const ContactInfo& c) {
+    if (s.passes == s.first_pass || c.tested_at != s.first_pass + 1 || c.is_trigger) return false;
+    const auto turns_little = [&](std::int32_t body) {
+        const math::Quat q = s.motion[std::size_t(body)].turned; // in the last pass
+        return !s.narrow.whirls[std::size_t(body)] &&
+               4 * (q.x * q.x + q.y * q.y + q.z * q.z) < little_turn * little_turn;
+    };
+    return turns_little(c.body_a) && turns_little(c.body_b);
+}
+
+std::uint8_t before_test(const State& s, const ContactInfo& c) {
+    if (!c.b_moves && !s.is_awake(c.body_a) && !moves(s, c.body_b)) return c.point_count > 0 ? skipped : apart;
+    if (!is_tested(s, c)) {
+        if (is_found(s, c)) return c.point_count > 0 ? to_move : apart;
+        // What has no points is tested: they may come near each other on the way, the more so the larger they are.
+        if (c.kind >= PairKind::box_capsule && c.point_count > 0 && is_near(s, c)) return to_move;
+        return std::uint8_t(to_test + int(c.kind));
+    }
+    if (c.is_trigger) return apart;
+    return c.point_count > 0 ? goes_on : apart;
+}
+
+// What stays apart, as most do, shows without the contact. Without a branch: none could guess. (Outcomes are bytes,
+// which may be anything for the compiler: it would look up the arrays anew after each.)
+void list_open_pairs(State& s) {
+    NarrowScratch& scratch = s.narrow;
+    const std::uint32_t* const candidates = scratch.candidates.data();
+    const ApartPair* const pairs = s.apart_pairs.data();
+    const double* const ahead = s.ahead.data();
+    std::uint8_t* const outcomes = scratch.outcomes.data();
+    s.crew->for_chunks(int(scratch.candidates.size()), pairs_per_chunk, [=](int begin, int end, int) {
+        static_assert(apart == 0);
+        const auto look_at = [=](int k) {
+            outcomes[k] = std::uint8_t(to_test * int(!stays_apart(ahead, pairs[candidates[k]])));
+        };
+        constexpr int early = 2 * int(contacts_ahead);
+        int k = begin;
+        for (; k < end - early; ++k) {
+            ask_cache(&pairs[candidates[k + early]]);
+            look_at(k);
+        }
+        for (; k < end; ++k) look_at(k);
+    });
+    scratch.open.resize(scratch.candidates.size());
+    std::uint32_t* const open = scratch.open.data();
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < scratch.candidates.size(); ++k) {
+        open[count] = std::uint32_t(k);
+        count += outcomes[k] != apart;
+    }
+    scratch.open.resize(count);
+}
+
+// Sorts the pairs that may have moved into the lists of their kinds.
+void list_pairs(State& s) {
+    NarrowScratch& scratch = s.narrow;
+    scratch.candidates.clear();
+    s.broad_phase.for_each_pair(
+        [&](std::uint32_t, std::uint32_t, std::uint32_t id) { scratch.candidates.push_back(id); });
+    scratch.outcomes.resize(scratch.candidates.size());
+    list_open_pairs(s);
+    const std::size_t open = scratch.open.size();
+    std::atomic<bool> any_groups = false;
+    s.crew->for_chunks(int(open), pairs_per_chunk, [&](int begin, int end, int) {
+        bool any = false;
+        for (std::size_t i = std::size_t(begin); i < std::size_t(end); ++i) {
+            if (i + contacts_ahead < std::size_t(end))
+                ask_cache(&s.contacts[scratch.candidates[scratch.open[i + contacts_ahead]]]);
+            const std::uint32_t k = scratch.open[i];
+            const ContactInfo& c = s.contacts[scratch.candidates[k]];
+            any |= is_group(c);
+            scratch.outcomes[k] = before_test(s, c);
+        }
+        if (any) any_groups = true;
+    });
+    scratch.any_groups = any_groups;
+    for (auto& list : scratch.lists) list.clear();
+    scratch.to_move.clear();
+    for (const std::uint32_t k : scratch.open) {
+        const std::uint8_t outcome = scratch.outcomes[k];
+        if (outcome >= to_test)
+            scratch.lists[std::size_t(outcome - to_test)].push_back(k);
+        else if (outcome == to_move)
+            scratch.to_move.push_back(k);
+    }
+    s.statistics.tested_pairs = scratch.to_move.size();
+    for (const auto& list : scratch.lists) s.statistics.tested_pairs += list.size();
+}
+
+void test_all(State& s, float dt) {
+    const auto for_kind = [&](PairKind kind, int per_chunk, auto&& test) {
+        s.crew->for_chunks(
+            int(s.narrow.lists[std::size_t(kind)].size()), per_chunk,
+            [&](int begin, int end, int thread) { test(begin, end, s.narrow.at_work[std::size_t(thread)]); });
+    };
+    for (int kind = 0; kind < wide_kinds; ++kind)
+        for_kind(PairKind(kind), PairBatch::capacity, [&](int begin, int end, NarrowBatch& own) {
+            test_wide_pairs(s, PairKind(kind), begin, end, own, dt);
+        });
+    for (const PairKind kind : {PairKind::convex_plane, PairKind::convex_rectangle, PairKind::convex_convex})
+        for_kind(kind, convex_pairs_per_chunk,
+                 [&](int begin, int end, NarrowBatch&) { test_convex_pairs(s, kind, begin, end, dt); });
+    s.crew->for_chunks(int(s.narrow.to_move.size()), moved_pairs_per_chunk,
+                       [&](int begin, int end, int) { move_contacts(s, begin, end); });
+    begin_groups(s);
+    for_kind(PairKind::group, groups_per_chunk,
+             [&](int begin, int end, NarrowBatch& own) { test_groups(s, begin, end, own, dt); });
+    collect_fresh_patches(s);
+}
+
+} // namespace
+
+void update_contacts(State& s, float dt) {
+    update_resting(s, dt);
+    s.solved.clear();
+    s.narrow.skipped.clear();
+    s.narrow.lists.resize(tested_kinds);
+    s.narrow.at_work.resize(std::size_t(s.crew->threads()));
+    list_pairs(s);
+    test_all(s, dt);
+    const std::vector<std::uint32_t>& open = s.narrow.open;
+    for (std::size_t i = 0; i < open.size(); ++i) {
+        if (i + contacts_ahead < open.size() && s.narrow.outcomes[open[i + contacts_ahead]] != apart)
+            ask_cache(&s.contacts[s.narrow.candidates[open[i + contacts_ahead]]]);
+        for (int n = 0; n < patches_at_hand && s.narrow.any_groups; ++n)
+            if (const std::size_t at = i + patch_ahead(n); at < open.size() && s.narrow.outcomes[open[at]] != apart)
+                prefetch_patch(s, s.narrow.candidates[open[at]], n, false);
+        const std::uint32_t k = open[i], id = s.narrow.candidates[k];
+        if (s.narrow.outcomes[k] == apart) continue; // the contact need not be looked at
+        if (is_group(s.contacts[id]))
+            follow_up_group(s, k, dt);
+        else if (s.narrow.outcomes[k] == goes_on) // as most do
+            s.solved.push_back(id);
+        else
+            follow_up(s, id, s.narrow.outcomes[k], dt);
+    }
+    // What was moved along is as good as tested: while both bodies rest, it need not be moved again.
+    for (const std::uint32_t k : s.narrow.to_move) s.contacts[s.narrow.candidates[k]].tested_at = s.passes + 1;
+    drop_seams(s);
+    const auto push_solved = [&](std::uint32_t id) {
+        for_each_patch(s, id, [&](std::uint32_t contact) { s.solved.push_back(contact); });
+    };
+    // Islands that were woken just now: nothing in them has moved, their records still hold.
+    for (const std::int32_t key : s.waking)
+        s.broad_phase.for_each_sleeping_pair(std::uint32_t(key), [&](std::uint32_t, std::uint32_t, std::uint32_t id) {
+            if (s.contacts[id].point_count > 0) push_solved(id);
+        });
+    for (const std::uint32_t id : s.narrow.skipped)
+        if (s.is_awake(s.contacts[id].body_a)) push_solved(id);
+}
+
+} // namespace cairn

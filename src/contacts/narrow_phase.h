@@ -1,0 +1,12 @@
+// The narrow phase: from pairs of bounds to contact records.
+#pragma once
+
+#include "state/state.h"
+
+namespace cairn {
+
+// The narrow phase: tests all pairs that may have moved, writes their records, begins and ends contacts in the
+// islands and colors, wakes what is hit, and lists in State::solved what the solver has to do.
+void update_contacts(State& state, float dt);
+
+} // namespace cairn

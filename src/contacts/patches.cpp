@@ -1,0 +1,151 @@
+// Groups: pairs of a convex shape with a mesh or height field, and the patches in which they touch.
+#include "contacts/patches.h"
+
+#include "contacts/contact_update.h"
+#include "contacts/convex_tests.h"
+#include "contacts/pairs.h"
+#include "contacts/prefetch.h"
+#include "core/cache.h"
+#include "islands/coloring.h"
+#include "islands/islands.h"
+#include "state/state.h"
+
+#include <algorithm>
+
+namespace cairn {
+
+using math::to_vec;
+
+namespace {
+
+constexpr float same_patch = 0.9f;      // cosine: normals that turn by less from one step to the next are one patch
+constexpr float looked_ahead_steps = 3; // for what is apart
+constexpr std::uint8_t not_found = 255; // in NarrowScratch::patch_outcomes
+
+// The patch of the group whose last normal was nearest to that of the manifold, among those not yet found.
+std::int32_t matching_patch(const State& s, const ContactInfo& group, const Manifold& m) {
+    std::int32_t best = none;
+    float nearest = same_patch;
+    for (std::int32_t p = group.related; p != none; p = s.contacts[std::size_t(p)].next) {
+        if (s.narrow.patch_outcomes[std::size_t(p)] != not_found) continue;
+        const float cosine = math::dot(to_vec(m.normal), to_vec(s.records[std::size_t(p)].normal));
+        if (cosine > nearest) nearest = cosine, best = p;
+    }
+    return best;
+}
+
+// How far to look for triangles. What is apart is left alone as long as nothing in that reach can be met: it is looked
+// for as far as the bodies come in some steps, which costs less than looking in each.
+float reach_of(const ContactInfo& group, float margin) {
+    if (group.point_count > 0) return margin;
+    return margin + looked_ahead_steps * std::max(margin - group.base_margin, 0.0f);
+}
+
+void test_group(State& s, std::uint32_t place, NarrowBatch& own, float dt) {
+    const std::uint32_t id = s.narrow.candidates[place];
+    ContactInfo& group = s.contacts[id];
+    const float margin = contact_margin(s, group, dt);
+    const float distance = find_patches(posed_shape(s, group.shape_a), posed_shape(s, group.shape_b), margin,
+                                        reach_of(group, margin), own.surface, own.hits);
+    if (own.hits.empty() && group.point_count == 0) {
+        s.narrow.outcomes[place] = take_distance(s, id, distance);
+        return;
+    }
+    group.tested_at = s.passes + 1;
+    s.apart_pairs[id].until = 0;
+    if (group.is_trigger) {
+        s.narrow.outcomes[place] = trigger_outcome(group, !own.hits.empty());
+        return;
+    }
+    s.narrow.outcomes[place] = goes_on;
+    for (std::int32_t p = group.related; p != none; p = s.contacts[std::size_t(p)].next)
+        s.narrow.patch_outcomes[std::size_t(p)] = not_found;
+    std::uint32_t order = 0;
+    for (const Manifold& hit : own.hits) {
+        if (stays_apart(s, group, hit, dt)) continue;
+        const std::int32_t patch = matching_patch(s, group, hit);
+        if (patch == none)
+            own.fresh.push_back({place, order++, hit});
+        else
+            s.narrow.patch_outcomes[std::size_t(patch)] = take_manifold(s, std::uint32_t(patch), hit, dt);
+    }
+    for (std::int32_t p = group.related; p != none; p = s.contacts[std::size_t(p)].next)
+        if (std::uint8_t& outcome = s.narrow.patch_outcomes[std::size_t(p)]; outcome == not_found) outcome = ended;
+}
+
+std::uint32_t create_patch(State& s, std::uint32_t group_id) {
+    const std::uint32_t id = new_contact(s);
+    ContactInfo &patch = s.contacts[id], &group = s.contacts[group_id];
+    patch = group;
+    patch.kind = PairKind::patch;
+    patch.point_count = 0;
+    patch.touching = 0;
+    patch.related = std::int32_t(group_id);
+    patch.next = group.related;
+    group.related = std::int32_t(id);
+    combine_materials(s, id);
+    return id;
+}
+
+} // namespace
+
+void begin_groups(State& s) {
+    s.narrow.patch_outcomes.resize(s.contacts.size());
+    for (NarrowBatch& own : s.narrow.at_work) own.fresh.clear();
+}
+
+void test_groups(State& s, int begin, int end, NarrowBatch& own, float dt) {
+    const std::vector<std::uint32_t>& places = s.narrow.lists[std::size_t(PairKind::group)];
+    constexpr std::size_t ahead = 4;
+    const auto contact_at = [&](std::size_t i) { return s.narrow.candidates[places[i]]; };
+    for (std::size_t i = std::size_t(begin); i < std::size_t(end); ++i) {
+        if (i + 2 * ahead < places.size()) ask_cache(&s.contacts[contact_at(i + 2 * ahead)]);
+        if (i + ahead < places.size()) prefetch_pair(s, contact_at(i + ahead));
+        for (int n = 0; n < patches_at_hand; ++n)
+            if (i + patch_ahead(n) < places.size()) prefetch_patch(s, contact_at(i + patch_ahead(n)), n, true);
+        test_group(s, places[i], own, dt);
+    }
+}
+
+void collect_fresh_patches(State& s) {
+    std::vector<FreshPatch>& all = s.narrow.fresh;
+    all.clear();
+    s.narrow.next_fresh = 0;
+    for (const NarrowBatch& own : s.narrow.at_work) all.insert(all.end(), own.fresh.begin(), own.fresh.end());
+    std::sort(all.begin(), all.end(), [](const FreshPatch& a, const FreshPatch& b) {
+        return a.place != b.place ? a.place < b.place : a.order < b.order;
+    });
+}
+
+void follow_up_group(State& s, std::uint32_t place, float dt) {
+    const std::uint32_t id = s.narrow.candidates[place];
+    const std::uint8_t outcome = s.narrow.outcomes[place];
+    if (outcome == apart || outcome == skipped || outcome == entered || outcome == left) {
+        follow_up(s, id, outcome, dt);
+        return;
+    }
+    const bool was_tested = s.contacts[id].tested_at == s.passes + 1;
+    for_each_patch(s, id, [&](std::uint32_t patch) {
+        follow_up(s, patch, was_tested ? s.narrow.patch_outcomes[patch] : outcome, dt);
+        if (s.contacts[patch].point_count == 0) end_patch(s, patch);
+    });
+    for (std::size_t& k = s.narrow.next_fresh; k < s.narrow.fresh.size() && s.narrow.fresh[k].place == place; ++k) {
+        const std::uint32_t patch = create_patch(s, id);
+        follow_up(s, patch, take_manifold(s, patch, s.narrow.fresh[k].manifold, dt), dt);
+        if (s.contacts[patch].point_count > 0) continue;
+        end_patch(s, patch); // left alone, as its body sleeps
+        s.contacts[id].tested_at = 0;
+    }
+    s.contacts[id].point_count = s.contacts[id].related == none ? 0 : 1;
+}
+
+void end_patch(State& s, std::uint32_t id) {
+    end_contact(s, id);
+    ContactInfo& group = s.contacts[std::size_t(s.contacts[id].related)];
+    std::int32_t* link = &group.related;
+    while (*link != std::int32_t(id)) link = &s.contacts[std::size_t(*link)].next;
+    *link = s.contacts[id].next;
+    free_contact(s, id);
+}
+
+} // namespace cairn

@@ -1,0 +1,31 @@
+// Groups: pairs of a convex shape with a mesh or height field, and the patches in which they touch.
+#pragma once
+
+#include "state/state.h"
+
+namespace cairn {
+
+// f(contact) for the patches of a group, or for the contact itself if it is none. f may free the contact.
+template <class F> void for_each_patch(const State& s, std::uint32_t id, F&& f) {
+    if (!is_group(s.contacts[id])) {
+        f(id);
+        return;
+    }
+    for (std::int32_t p = s.contacts[id].related; p != none;) {
+        const std::int32_t next = s.contacts[std::size_t(p)].next;
+        f(std::uint32_t(p));
+        p = next;
+    }
+}
+
+void begin_groups(State& state);
+// Tests groups, by their places in the list of groups. Others may be at work on other groups.
+void test_groups(State& state, int begin, int end, NarrowBatch& own, float dt);
+// Puts the patches that threads have found in the order of the groups.
+void collect_fresh_patches(State& state);
+// The group at that place among the candidates.
+void follow_up_group(State& state, std::uint32_t place, float dt);
+// Ends a patch, and takes it out of its group.
+void end_patch(State& state, std::uint32_t patch);
+
+} // namespace cairn

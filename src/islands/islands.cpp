@@ -1,0 +1,298 @@
+#include "islands/islands.h"
+
+#include "bodies/bodies.h"
+#include "state/joint_links.h"
+#include "state/state.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cairn {
+
+namespace {
+
+Island& island_at(State& state, std::int32_t i) { return state.islands[std::size_t(i)]; }
+BodyLinks& body_at(State& state, std::int32_t i) { return state.bodies[std::size_t(i)]; }
+
+std::int32_t new_island(State& state) {
+    std::int32_t i;
+    if (state.free_islands.empty()) {
+        i = std::int32_t(state.islands.size());
+        state.islands.emplace_back();
+    } else {
+        i = state.free_islands.back();
+        state.free_islands.pop_back();
+        island_at(state, i) = {};
+    }
+    Island& island = island_at(state, i);
+    island.in_use = 1;
+    island.position = std::int32_t(state.awake_islands.size());
+    state.awake_islands.push_back(i);
+    return i;
+}
+
+// Takes an island out of the list of awake ones.
+void leave_awake_list(State& state, std::int32_t i) {
+    Island& island = island_at(state, i);
+    const std::int32_t last = state.awake_islands.back();
+    state.awake_islands[std::size_t(island.position)] = last;
+    island_at(state, last).position = island.position;
+    state.awake_islands.pop_back();
+    island.position = none;
+}
+
+void free_island(State& state, std::int32_t i) {
+    if (island_at(state, i).position != none) leave_awake_list(state, i);
+    island_at(state, i) = {};
+    state.free_islands.push_back(i);
+}
+
+void append_body(State& state, std::int32_t i, std::int32_t body) {
+    Island& island = island_at(state, i);
+    BodyLinks& links = body_at(state, body);
+    links.island = i;
+    links.previous_in_island = island.last_body;
+    links.next_in_island = none;
+    if (island.last_body == none)
+        island.first_body = body;
+    else
+        body_at(state, island.last_body).next_in_island = body;
+    island.last_body = body;
+    ++island.body_count;
+}
+
+void append_all(State& state, std::int32_t into, std::int32_t from) {
+    for (std::int32_t b = island_at(state, from).first_body; b != none;) {
+        const std::int32_t next = body_at(state, b).next_in_island;
+        append_body(state, into, b);
+        b = next;
+    }
+}
+
+void put_to_sleep(State& state, std::int32_t i) {
+    leave_awake_list(state, i);
+    Island& island = island_at(state, i);
+    for (std::int32_t b = island.first_body; b != none; b = body_at(state, b).next_in_island) {
+        BodyMotion& motion = state.motion[std::size_t(b)];
+        motion.v = motion.w = motion.v_rest = motion.w_rest = {};
+        state.next_sleeps.push_back({state.body_id(b), true});
+    }
+    state.falling_asleep.push_back(i);
+}
+
+// --- splitting
+
+std::int32_t find_root(std::vector<std::int32_t>& parent, std::int32_t i) {
+    while (parent[std::size_t(i)] != i) {
+        parent[std::size_t(i)] = parent[std::size_t(parent[std::size_t(i)])];
+        i = parent[std::size_t(i)];
+    }
+    return i;
+}
+
+void split_island(State& state, std::int32_t i) {
+    // Number the bodies in list order; the root of a part is its first body.
+    std::vector<std::int32_t> members, parent;
+    std::vector<std::int32_t>& number = state.solver.member_numbers;
+    number.resize(state.bodies.size());
+    for (std::int32_t b = island_at(state, i).first_body; b != none; b = body_at(state, b).next_in_island) {
+        number[std::size_t(b)] = std::int32_t(members.size());
+        parent.push_back(std::int32_t(members.size()));
+        members.push_back(b);
+    }
+    for (const std::uint32_t id : state.solved) {
+        const ContactInfo& contact = state.contacts[id];
+        if (!contact.in_use || contact.point_count == 0 || !contact.b_moves) continue;
+        if (body_at(state, contact.body_a).island != i) continue;
+        const std::int32_t a = find_root(parent, number[std::size_t(contact.body_a)]);
+        const std::int32_t b = find_root(parent, number[std::size_t(contact.body_b)]);
+        parent[std::size_t(std::max(a, b))] = std::min(a, b);
+    }
+    for (const std::int32_t b : members)
+        for_each_joint(state, b, [&](std::uint32_t joint, int side) {
+            const std::int32_t other = other_body(state.joints[joint], side);
+            if (other == none || !state.is_dynamic(other)) return;
+            const std::int32_t a = find_root(parent, number[std::size_t(b)]);
+            const std::int32_t c = find_root(parent, number[std::size_t(other)]);
+            parent[std::size_t(std::max(a, c))] = std::min(a, c);
+        });
+    Island& island = island_at(state, i);
+    island.first_body = island.last_body = none;
+    island.body_count = island.joint_count = 0;
+    island.lost_contact = 0;
+    island.flight = 0;
+    std::vector<std::int32_t> part(members.size(), none);
+    for (std::size_t k = 0; k < members.size(); ++k) {
+        const std::size_t root = std::size_t(find_root(parent, std::int32_t(k)));
+        if (part[root] == none) part[root] = root == 0 ? i : new_island(state);
+        append_body(state, part[root], members[k]);
+        for_each_joint(state, members[k], [&](std::uint32_t joint, int) {
+            if (joint_owner(state, state.joints[joint]) == members[k]) ++island_at(state, part[root]).joint_count;
+        });
+    }
+}
+
+void measure_rest(State& state, std::int32_t i) {
+    Island& island = island_at(state, i);
+    float least = 1e30f, greatest = 0;
+    bool allowed = true;
+    for (std::int32_t b = island.first_body; b != none; b = body_at(state, b).next_in_island) {
+        const float quiet = body_at(state, b).quiet_time;
+        least = std::min(least, quiet);
+        greatest = std::max(greatest, quiet);
+        allowed = allowed && state.body_settings[std::size_t(b)].allow_sleep;
+    }
+    island.least_quiet_time = allowed && !island.kept_awake ? least : 0;
+    island.greatest_quiet_time = greatest;
+}
+
+} // namespace
+
+void create_island(State& state, std::int32_t body) { append_body(state, new_island(state), body); }
+
+void remove_from_island(State& state, std::int32_t body) {
+    BodyLinks& links = body_at(state, body);
+    const std::int32_t i = links.island;
+    Island& island = island_at(state, i);
+    if (links.previous_in_island == none)
+        island.first_body = links.next_in_island;
+    else
+        body_at(state, links.previous_in_island).next_in_island = links.next_in_island;
+    if (links.next_in_island == none)
+        island.last_body = links.previous_in_island;
+    else
+        body_at(state, links.next_in_island).previous_in_island = links.previous_in_island;
+    links.island = links.next_in_island = links.previous_in_island = none;
+    island.lost_contact = 1;
+    if (--island.body_count == 0) free_island(state, i);
+}
+
+namespace {
+
+void add_joints(Island& island, const Island& other) {
+    island.flight = 0;
+    const double here = double(island.joint_demand), there = double(other.joint_demand);
+    const std::int32_t count = island.joint_count + other.joint_count;
+    if (other.joint_count > 0)
+        island.joint_demand =
+            float(std::sqrt((island.joint_count * here * here + other.joint_count * there * there) / count));
+    island.joint_count = count;
+}
+
+} // namespace
+
+void link_islands(State& state, std::int32_t body_a, std::int32_t body_b) {
+    std::int32_t a = body_at(state, body_a).island, b = body_at(state, body_b).island;
+    wake_island(state, a);
+    wake_island(state, b);
+    if (a == b) return;
+    if (island_at(state, a).body_count < island_at(state, b).body_count) std::swap(a, b);
+    append_all(state, a, b);
+    add_joints(island_at(state, a), island_at(state, b));
+    island_at(state, a).lost_contact |= island_at(state, b).lost_contact;
+    island_at(state, a).wanted_substeps =
+        std::max(island_at(state, a).wanted_substeps, island_at(state, b).wanted_substeps);
+    free_island(state, b);
+}
+
+void wake_island(State& state, std::int32_t i) {
+    Island& island = island_at(state, i);
+    if (island.position != none) return;
+    island.position = std::int32_t(state.awake_islands.size());
+    state.awake_islands.push_back(i);
+    for (std::int32_t b = island.first_body; b != none; b = body_at(state, b).next_in_island) {
+        body_at(state, b).quiet_time = 0;
+        state.motion[std::size_t(b)].turned = {};
+        state.next_sleeps.push_back({state.body_id(b), false});
+    }
+    island.kept_awake = 1; // for this step
+    if (island.key == none) {
+        std::erase(state.falling_asleep, i);
+        return;
+    }
+    state.waking.push_back(island.key);
+    island.key = none;
+}
+
+void wake_body(State& state, std::int32_t body) {
+    const std::int32_t island = body_at(state, body).island;
+    if (island == none) return;
+    body_at(state, body).quiet_time = 0;
+    wake_island(state, island);
+}
+
+void wake_around_shape(State& state, std::uint32_t shape) {
+    if (state.awake_islands.size() + state.free_islands.size() == state.islands.size()) return; // nothing sleeps
+    constexpr double reach = 0.05; // m: further than any contact at rest
+    DBounds bounds = shape_bounds(state, shape);
+    bounds.lo = bounds.lo - math::DVec3{reach, reach, reach};
+    bounds.hi = bounds.hi + math::DVec3{reach, reach, reach};
+    const std::int32_t body = state.shapes[shape].body;
+    std::vector<std::int32_t> found;
+    state.broad_phase.query_bounds(bounds, [&](std::uint32_t other) {
+        const std::int32_t near = state.shapes[other].body;
+        if (near != body && state.is_dynamic(near) && !state.is_awake(near)) found.push_back(near);
+    });
+    std::sort(found.begin(), found.end());
+    for (const std::int32_t near : found) wake_body(state, near);
+}
+
+void wake_around(State& state, std::int32_t body) {
+    for (std::int32_t s = body_at(state, body).first_shape; s != none; s = state.shapes[std::size_t(s)].next)
+        wake_around_shape(state, std::uint32_t(s));
+}
+
+void wake_around_moving_planes(State& state) {
+    for (const std::int32_t b : state.kinematics) {
+        const BodyMotion& motion = state.motion[std::size_t(b)];
+        if (motion.v == math::Vec3{} && motion.w == math::Vec3{}) continue;
+        for (std::int32_t s = body_at(state, b).first_shape; s != none; s = state.shapes[std::size_t(s)].next)
+            if (state.geometry[std::size_t(s)].type == ShapeType::plane) wake_around_shape(state, std::uint32_t(s));
+    }
+}
+
+bool update_sleep(State& state) {
+    if (!state.settings.enable_sleep) return false;
+    const float needed = state.settings.sleep_time;
+    std::int32_t to_split = none;
+    float quietest = needed;
+    bool any_sleeps = false;
+    for (const std::int32_t i : state.awake_islands) {
+        measure_rest(state, i);
+        const Island& island = island_at(state, i);
+        if (island.lost_contact && island.greatest_quiet_time >= quietest && island.body_count > 1 &&
+            (to_split == none || island.greatest_quiet_time > quietest)) {
+            to_split = i;
+            quietest = island.greatest_quiet_time;
+        }
+        if (island.body_count == 1) island_at(state, i).lost_contact = 0;
+    }
+    for (std::size_t k = state.awake_islands.size(); k-- > 0;) {
+        const std::int32_t i = state.awake_islands[k];
+        const Island& island = island_at(state, i);
+        if (island.lost_contact || island.least_quiet_time < needed) continue;
+        put_to_sleep(state, i);
+        any_sleeps = true;
+    }
+    if (to_split != none) split_island(state, to_split);
+    return any_sleeps;
+}
+
+void flush_sleep(State& state) {
+    for (const std::int32_t key : state.waking) state.broad_phase.wake(std::uint32_t(key));
+    state.waking.clear();
+    if (state.falling_asleep.empty()) return;
+    std::vector<std::uint32_t> shapes;
+    for (const std::int32_t i : state.falling_asleep) {
+        Island& island = island_at(state, i);
+        shapes.clear();
+        for (std::int32_t b = island.first_body; b != none; b = body_at(state, b).next_in_island)
+            for (std::int32_t s = body_at(state, b).first_shape; s != none; s = state.shapes[std::size_t(s)].next)
+                shapes.push_back(std::uint32_t(s));
+        island.key = i;
+        state.broad_phase.put_to_sleep(std::uint32_t(i), shapes);
+    }
+    state.falling_asleep.clear();
+}
+
+} // namespace cairn

@@ -1,0 +1,33 @@
+// Islands: dynamic bodies connected by contacts. They are kept from step to step: merged when a contact begins
+// (the smaller is relabeled), split only when something in them has come to rest after a contact was lost. An
+// island falls asleep and wakes as a whole. Static and kinematic bodies belong to none.
+#pragma once
+
+#include "state/state.h"
+
+namespace cairn {
+
+void create_island(State& state, std::int32_t body);      // of one awake body
+void remove_from_island(State& state, std::int32_t body); // which may leave the island empty: then it is gone
+
+// The bodies of an active contact are in one island from now on; if one of the two was asleep, it wakes.
+void link_islands(State& state, std::int32_t body_a, std::int32_t body_b);
+
+// Wakes the island of a dynamic body (nothing happens if it is awake), and starts its time of rest anew.
+void wake_body(State& state, std::int32_t body);
+void wake_island(State& state, std::int32_t island);
+
+// Wakes what may rest on a body, or on one shape, that is about to change.
+void wake_around(State& state, std::int32_t body);
+void wake_around_shape(State& state, std::uint32_t shape);
+
+// After finalize: planes make no pairs with what sleeps, so what sleeps at a kinematic one that moves is looked for.
+void wake_around_moving_planes(State& state);
+
+// After finalize: splits at most one island, puts those at rest to sleep. Returns whether any fell asleep.
+bool update_sleep(State& state);
+
+// Tells the broad phase who slept and woke since its last update.
+void flush_sleep(State& state);
+
+} // namespace cairn

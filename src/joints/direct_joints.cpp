@@ -1,0 +1,378 @@
+#include "joints/direct_joints.h"
+
+#include "state/state.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace cairn {
+
+using math::Block;
+using math::DVec3;
+using math::put;
+
+namespace {
+
+// Share of an error that is taken back in a substep. The more, the less energy is lost; but with it the heavy end of a
+// chain of light links gains some.
+constexpr double bias_of_equals = 0.5, bias_of_unequals = 0.2;
+constexpr float equal_mass_ratio = 10;
+// Of the turning that goes with the moment that geometric stiffness adds, lost in a substep.
+constexpr double stiffness_damping = 0.02;
+// m/s or rad/s. What a blow has torn apart comes together no faster than that, or a heavy mass that falls into a slack
+// chain would set it whirling without end.
+constexpr double fastest_return = 4;
+// Of the diagonal: in loops some rows say what others say already.
+constexpr double loop_compliance = 1e-6;
+
+// One set, and the numbers of it.
+struct SetView {
+    const DirectSet& set;
+    DirectBody* bodies;
+    DirectRow* rows;
+    Block *diagonal, *lower;
+    DVec3* sought;
+    bool is_new;
+};
+
+DVec3 vector_of(const float* p) { return math::to_double(math::to_vec(p)); }
+
+// --- bodies
+
+// A body under tension resists turning away from it: with the impulse p on it at the arm r, a turn by u changes the
+// torque by (u x r) x p = (r.p) u less r (p.u). In a velocity solver that acts a substep late, and makes it unstable
+// where h^2 times the stiffness exceeds the inertia. The inertia is raised to that.
+void add_stiffness(DirectBody& body, DVec3 arm, DVec3 impulse, double h) {
+    const auto along = [&](DVec3 v) {
+        return DVec3{math::dot(body.axes.c0, v), math::dot(body.axes.c1, v), math::dot(body.axes.c2, v)};
+    };
+    const DVec3 r = along(arm), p = h * along(impulse);
+    const double all = math::dot(r, p);
+    for (int i = 0; i < 3; ++i) {
+        const double k = all - r[i] * p[i];
+        if (k > 0) body.stiffness[i] += k;
+    }
+}
+
+// The linear impulse on B.
+DVec3 force_of(const DirectRow& row, DVec3 impulse) {
+    return row.is_plain ? impulse : math::transposed_times(row.linear, impulse);
+}
+
+void find_stiffness(const SetView& v, double h) {
+    for (std::size_t i = 0; i < v.set.bodies.size(); ++i) v.bodies[i].stiffness = {};
+    for (std::size_t i = 0; i < v.set.nodes.size(); ++i) {
+        if (v.set.nodes[i].rows == DirectRows::turn) continue;
+        const std::int32_t* ends = v.set.nodes[i].body;
+        const DVec3 p = force_of(v.rows[i], v.rows[i].impulse);
+        add_stiffness(v.bodies[ends[0]], v.rows[i].arm_a, -p, h);
+        add_stiffness(v.bodies[ends[1]], v.rows[i].arm_b, p, h);
+    }
+}
+
+void place_bodies(const SetView& v, const BinScratch& scratch) {
+    for (std::size_t i = 0; i < v.set.bodies.size(); ++i) {
+        DirectBody& b = v.bodies[i];
+        const SolverPose& pose = scratch.pose[std::size_t(b.row)];
+        b.center = vector_of(pose.dx);
+        b.turn = math::normalized(math::DQuat{pose.dq[0], pose.dq[1], pose.dq[2], pose.dq[3]});
+        b.v = vector_of(scratch.velocity[std::size_t(b.row)].v);
+        b.w = vector_of(scratch.velocity[std::size_t(b.row)].w);
+        b.dv = b.dw = {};
+        if (b.by_forces) b.axes = math::to_matrix(b.turn * b.axes0);
+    }
+}
+
+// The inertia with its geometric stiffness, and the loss of turning that goes with what that adds.
+void stiffen_bodies(const SetView& v) {
+    for (std::size_t i = 0; i < v.set.bodies.size(); ++i) {
+        DirectBody& b = v.bodies[i];
+        if (!b.by_forces) continue;
+        DVec3 inverse = b.inverse_moments, lost;
+        for (int k = 0; k < 3; ++k) {
+            if (!(b.stiffness[k] > b.moments[k]) || !(inverse[k] > 0)) continue;
+            inverse[k] = 1 / b.stiffness[k];
+            const double w = math::dot(b.axes.column(k), b.w);
+            lost[k] = stiffness_damping * (1 - b.moments[k] * inverse[k]) * w;
+        }
+        b.inverse_inertia = math::rotated_diagonal(b.axes, inverse);
+        b.dw -= b.axes * lost;
+    }
+}
+
+// What the rows' bodies have gained goes to velocity and reference alike: it is not carried.
+void write_velocities(const SetView& v, BinScratch& scratch) {
+    auto write = [](float* velocity, float* reference, float* rounding, DVec3 change) {
+        const DVec3 was = vector_of(velocity), base = vector_of(reference);
+        const math::Vec3 now = math::to_float(was + change), moved = math::to_float(base + change);
+        const DVec3 kept = ((was - base) - (math::to_double(now) - math::to_double(moved))) + vector_of(rounding);
+        put(velocity, now), put(reference, moved), put(rounding, math::to_float(kept));
+    };
+    for (std::size_t i = 0; i < v.set.bodies.size(); ++i) {
+        const DirectBody& b = v.bodies[i];
+        if (!b.by_forces) continue;
+        const std::size_t row = std::size_t(b.row);
+        write(scratch.velocity[row].v, scratch.reference[row].v, scratch.rounding[row].v, b.dv);
+        write(scratch.velocity[row].w, scratch.reference[row].w, scratch.rounding[row].w, b.dw);
+    }
+}
+
+// --- rows
+
+void refresh_point(const JointLocks& rules, DVec3 axis, DVec3 gap, DirectRow& r) {
+    r.linear = math::identity_block();
+    r.is_plain = rules.point == JointLock::full;
+    r.error = gap;
+    if (rules.point == JointLock::across) {
+        const DVec3 along = math::dot(axis, gap) * axis;
+        r.arm_a += along;
+        r.error = gap - along;
+        r.linear = math::across_block(axis);
+        r.impulse = r.linear * r.impulse;
+        r.angular[0] = r.linear * math::cross_block(r.arm_a);
+        r.angular[1] = -(r.linear * math::cross_block(r.arm_b));
+        return;
+    }
+    r.angular[0] = math::cross_block(r.arm_a);
+    r.angular[1] = -math::cross_block(r.arm_b);
+}
+
+void refresh_turn(const JointLocks& rules, DVec3 axis_a, DVec3 axis_b, const math::DQuat& turn, DirectRow& r) {
+    r.linear = {};
+    r.angular[1] = math::identity_block();
+    if (rules.turn == JointLock::across) {
+        r.angular[1] = math::across_block(axis_a);
+        r.error = math::cross(axis_a, axis_b);
+        r.impulse = r.angular[1] * r.impulse;
+    } else {
+        r.error = (turn.w < 0 ? -2.0 : 2.0) * turn.vector();
+    }
+    r.angular[0] = -r.angular[1];
+}
+
+void refresh_axis(const JointAxisRule& rule, DVec3 axis_a, DVec3 axis_b, DVec3 gap, DirectRow& r) {
+    DVec3 u = axis_a;
+    double position = 0;
+    if (rule.kind == AxisKind::perpendicular) {
+        const DVec3 turning = math::cross(axis_b, axis_a);
+        r.linear = {};
+        r.angular[0] = math::row_block(-turning);
+        r.angular[1] = math::row_block(turning);
+        r.error = {math::dot(axis_a, axis_b) - r.at, 0, 0};
+        return;
+    }
+    if (rule.kind == AxisKind::distance) {
+        position = math::length(gap);
+        u = position > 0 ? (1 / position) * gap : DVec3{1, 0, 0};
+    } else {
+        position = math::dot(axis_a, gap);
+        r.arm_a += gap;
+    }
+    r.linear = math::row_block(u);
+    r.angular[0] = math::row_block(-math::cross(r.arm_a, u));
+    r.angular[1] = math::row_block(math::cross(r.arm_b, u));
+    r.error = {position - r.at, 0, 0};
+}
+
+// The directions that a node leaves free have a diagonal of their own.
+Block free_directions(const DirectNode& node, const JointLocks& rules, const DirectRow& r, const Block& k) {
+    const double size = k.m[0] + k.m[4] + k.m[8];
+    const double scale = size > 0 ? size : 1.0;
+    if (node.rows == DirectRows::axis) return {{0, 0, 0, 0, scale, 0, 0, 0, scale}};
+    const bool is_point = node.rows == DirectRows::point;
+    if ((is_point ? rules.point : rules.turn) != JointLock::across) return {};
+    Block free = math::identity_block();
+    free += -(is_point ? r.linear : r.angular[1]);
+    return scale * free;
+}
+
+// Jacobian, error and own block of one node.
+void refresh_row(const State& s, const SetView& v, std::size_t i) {
+    const DirectNode& node = v.set.nodes[i];
+    DirectRow& r = v.rows[i];
+    const JointLocks& rules = s.joints[node.joint].rules;
+    const DirectBody &a = v.bodies[node.body[0]], &b = v.bodies[node.body[1]];
+    r.arm_a = math::rotate(a.turn, r.arm_a0), r.arm_b = math::rotate(b.turn, r.arm_b0);
+    const DVec3 gap = r.gap0 + ((b.center - a.center) + ((r.arm_b - r.arm_b0) - (r.arm_a - r.arm_a0)));
+    const DVec3 axis_a = math::rotate(a.turn, r.axis_a0), axis_b = math::rotate(b.turn, r.axis_b0);
+    if (node.rows == DirectRows::point)
+        refresh_point(rules, axis_a, gap, r);
+    else if (node.rows == DirectRows::turn)
+        refresh_turn(rules, axis_a, axis_b, b.turn * r.turn0 * math::conjugate(a.turn), r);
+    else
+        refresh_axis(s.joint_axes[node.joint].rules[node.axis], axis_a, axis_b, gap, r);
+}
+
+void add_linear(Block& k, double inverse_mass, const DirectRow& row, const DirectRow& column) {
+    if (row.is_plain && column.is_plain)
+        for (int d = 0; d < 9; d += 4) k.m[d] += inverse_mass;
+    else
+        k += inverse_mass * math::times_transposed(row.linear, column.linear);
+}
+
+Block own_block(const State& s, const SetView& v, std::size_t i) {
+    const DirectNode& node = v.set.nodes[i];
+    DirectRow& r = v.rows[i];
+    const DirectBody* ends[2] = {&v.bodies[node.body[0]], &v.bodies[node.body[1]]};
+    Block k;
+    if (node.rows != DirectRows::turn) add_linear(k, ends[0]->inverse_mass + ends[1]->inverse_mass, r, r);
+    for (int side = 0; side < 2; ++side) {
+        r.response[side] = r.angular[side] * math::to_block(ends[side]->inverse_inertia);
+        k += math::times_transposed(r.response[side], r.angular[side]);
+    }
+    k += free_directions(node, s.joints[node.joint].rules, r, k);
+    r.diagonal = {k.m[0], k.m[4], k.m[8]};
+    if (v.set.has_loops)
+        for (int d = 0; d < 9; d += 4) k.m[d] *= 1 + loop_compliance;
+    return k;
+}
+
+// --- the matrix
+
+void assemble(const State& s, const SetView& v) {
+    for (std::size_t i = 0; i < v.set.nodes.size(); ++i) v.diagonal[i] = own_block(s, v, i);
+    std::fill(v.lower, v.lower + v.set.plan.block_count(), Block{});
+    for (const DirectCoupling& c : v.set.plan.couplings) {
+        const DirectRow &row = v.rows[c.row], &column = v.rows[c.column];
+        Block& block = v.lower[c.block];
+        block += math::times_transposed(row.response[c.row_side], column.angular[c.column_side]);
+        if (v.set.nodes[c.row].rows == DirectRows::turn || v.set.nodes[c.column].rows == DirectRows::turn) continue;
+        const double inverse_mass = v.bodies[v.set.nodes[c.row].body[c.row_side]].inverse_mass;
+        const double signed_mass = c.row_side == c.column_side ? inverse_mass : -inverse_mass;
+        add_linear(block, signed_mass, row, column);
+    }
+}
+
+// The blocks of the diagonal become the inverses of the pivots.
+void factorize(const SetView& v) {
+    const DirectPlan& plan = v.set.plan;
+    const std::uint32_t* product = plan.products.data();
+    for (std::size_t k = 0; k < plan.node_count(); ++k) {
+        const Block inverse = v.diagonal[k] = math::inverse_of(v.diagonal[k], v.rows[k].diagonal);
+        const std::size_t begin = plan.first[k];
+        for (std::size_t a = plan.first[k + 1]; a-- > begin;) {
+            const Block scaled = v.lower[a] * inverse;
+            math::subtract_times_transposed(v.diagonal[plan.rows[a]], scaled, v.lower[a]);
+            for (std::size_t b = begin; b < a; ++b)
+                math::subtract_times_transposed(v.lower[*product++], scaled, v.lower[b]);
+            v.lower[a] = scaled;
+        }
+    }
+}
+
+void substitute(const SetView& v) {
+    const DirectPlan& plan = v.set.plan;
+    for (std::size_t k = 0; k < plan.node_count(); ++k) {
+        const DVec3 y = v.sought[k];
+        for (std::size_t a = plan.first[k]; a < plan.first[k + 1]; ++a) v.sought[plan.rows[a]] -= v.lower[a] * y;
+    }
+    for (std::size_t k = plan.node_count(); k-- > 0;) {
+        DVec3 z = v.diagonal[k] * v.sought[k];
+        for (std::size_t a = plan.first[k]; a < plan.first[k + 1]; ++a)
+            z -= math::transposed_times(v.lower[a], v.sought[plan.rows[a]]);
+        v.sought[k] = z;
+    }
+}
+
+void apply(const SetView& v, std::size_t i, DVec3 impulse) {
+    const DirectNode& node = v.set.nodes[i];
+    const DirectRow& r = v.rows[i];
+    DirectBody &a = v.bodies[node.body[0]], &b = v.bodies[node.body[1]];
+    if (node.rows != DirectRows::turn) {
+        const DVec3 p = force_of(r, impulse);
+        a.dv -= a.inverse_mass * p;
+        b.dv += b.inverse_mass * p;
+    }
+    a.dw += math::transposed_times(r.response[0], impulse);
+    b.dw += math::transposed_times(r.response[1], impulse);
+}
+
+DVec3 slip_of(const SetView& v, std::size_t i) {
+    const DirectNode& node = v.set.nodes[i];
+    const DirectRow& r = v.rows[i];
+    const DirectBody &a = v.bodies[node.body[0]], &b = v.bodies[node.body[1]];
+    const DVec3 turning = r.angular[0] * (a.w + a.dw) + r.angular[1] * (b.w + b.dw);
+    if (node.rows == DirectRows::turn) return turning;
+    const DVec3 slip = (b.v + b.dv) - (a.v + a.dv);
+    return turning + (r.is_plain ? slip : r.linear * slip);
+}
+
+DVec3 return_speed(DVec3 v) {
+    const double square = math::dot(v, v);
+    return square > fastest_return * fastest_return ? (fastest_return / std::sqrt(square)) * v : v;
+}
+
+// Impulses that take the velocities to -rate x error.
+void solve_rows(const SetView& v, double rate) {
+    const std::size_t n = v.set.nodes.size();
+    for (std::size_t i = 0; i < n; ++i) v.sought[i] = -(slip_of(v, i) + return_speed(rate * v.rows[i].error));
+    substitute(v);
+    for (std::size_t i = 0; i < n; ++i) {
+        apply(v, i, v.sought[i]);
+        v.rows[i].impulse += v.sought[i];
+    }
+}
+
+void begin_set(const State& s, const SetView& v, BinScratch& scratch, double h, bool first) {
+    const std::size_t n = v.set.nodes.size();
+    place_bodies(v, scratch);
+    for (std::size_t i = 0; i < n; ++i) refresh_row(s, v, i);
+    if (first && v.is_new) { // the tension must be known before anything turns
+        stiffen_bodies(v);
+        assemble(s, v);
+        factorize(v);
+        for (std::size_t i = 0; i < n; ++i) v.rows[i].impulse = {};
+        solve_rows(v, 0);
+        for (std::size_t i = 0; i < v.set.bodies.size(); ++i) v.bodies[i].dv = v.bodies[i].dw = {};
+    }
+    if (first) find_stiffness(v, h);
+    stiffen_bodies(v);
+    assemble(s, v);
+    factorize(v);
+    for (std::size_t i = 0; i < n; ++i) apply(v, i, v.rows[i].impulse);
+    write_velocities(v, scratch);
+}
+
+void solve_set(const SetView& v, BinScratch& scratch, double h) {
+    for (std::size_t i = 0; i < v.set.bodies.size(); ++i) {
+        DirectBody& b = v.bodies[i];
+        b.v = vector_of(scratch.velocity[std::size_t(b.row)].v);
+        b.w = vector_of(scratch.velocity[std::size_t(b.row)].w);
+        b.dv = b.dw = {};
+    }
+    const double rate = (v.set.mass_ratio <= equal_mass_ratio ? bias_of_equals : bias_of_unequals) / h;
+    solve_rows(v, rate);
+    find_stiffness(v, h);
+    for (std::size_t i = 0; i < v.set.nodes.size(); ++i) {
+        DirectRow& r = v.rows[i];
+        const bool is_turning_axis =
+            v.set.nodes[i].rows == DirectRows::axis && r.linear.m[0] == 0 && r.linear.m[1] == 0 && r.linear.m[2] == 0;
+        const bool turns = v.set.nodes[i].rows == DirectRows::turn || is_turning_axis;
+        r.total += turns ? math::transposed_times(r.angular[1], r.impulse) : force_of(r, r.impulse);
+    }
+    write_velocities(v, scratch);
+}
+
+template <class F> void for_sets(const State& s, BinScratch& scratch, Crew* crew, F&& work) {
+    DirectWork& w = scratch.direct;
+    for_chunks(crew, int(w.sets.size()), 1, [&](int begin, int end, int) {
+        for (int k = begin; k < end; ++k) {
+            const DirectSolve& solve = w.sets[std::size_t(k)];
+            work(SetView{s.direct.sets[std::size_t(solve.set)], w.bodies.data() + solve.first_body,
+                         w.rows.data() + solve.first_row, w.diagonal.data() + solve.first_row,
+                         w.lower.data() + solve.first_block, w.sought.data() + solve.first_row, solve.is_new});
+        }
+    });
+}
+
+} // namespace
+
+void begin_direct_substep(const State& s, BinScratch& scratch, Crew* crew, float h, bool first) {
+    for_sets(s, scratch, crew, [&](const SetView& v) { begin_set(s, v, scratch, double(h), first); });
+}
+
+void solve_direct_rows(const State& s, BinScratch& scratch, Crew* crew, float h) {
+    for_sets(s, scratch, crew, [&](const SetView& v) { solve_set(v, scratch, double(h)); });
+}
+
+} // namespace cairn

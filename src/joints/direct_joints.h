@@ -1,0 +1,26 @@
+// The direct solver of joints: all rows of a set at once, by a block L D L^T factorization in each substep.
+//
+// With the rows' Jacobian J, the matrix is A = J M^-1 J^T (Baraff 1996, "Linear-time dynamics using Lagrange
+// multipliers", has the idea for trees; here any graph in an order of least fill). Velocities come from J v = -rate x
+// error. Light bodies under great tension need more: docs/decisions/direct_joints.md derives the geometric stiffness.
+#pragma once
+
+#include "state/state.h"
+
+namespace cairn {
+
+// The sets whose joints are in the bin, and rows for their bodies. Before the rows are filled.
+void list_direct_sets(const State& state, BinScratch& scratch);
+// Positions, axes and impulses of their rows. After the rows are filled.
+void fill_direct_rows(const State& state, BinScratch& scratch, Crew* crew);
+
+// In each substep, after the free motion of its velocities: the matrix of the poses now and its factors, and the
+// impulses of the last substep. They are not carried through the reference.
+void begin_direct_substep(const State& state, BinScratch& scratch, Crew* crew, float h, bool first);
+// Then, once: what is missing of the impulses.
+void solve_direct_rows(const State& state, BinScratch& scratch, Crew* crew, float h);
+
+// After the last substep: impulses and forces (as impulses of the whole step) back to the joints.
+void store_direct_rows(State& state, BinScratch& scratch);
+
+} // namespace cairn

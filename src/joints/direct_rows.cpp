@@ -1,0 +1,123 @@
+// What goes into the direct solver at the start of a step, and what comes out at its end.
+#include "bodies/bodies.h"
+#include "bodies/integrators.h"
+#include "joints/direct_joints.h"
+#include "joints/joint_placement.h"
+#include "state/state.h"
+
+#include <algorithm>
+
+namespace cairn {
+
+using math::DVec3;
+
+namespace {
+
+void fill_body(const State& s, const BinScratch& scratch, std::int32_t body, DirectBody& b) {
+    b = {};
+    if (body == none) return;
+    b.row = scratch.row_of_body[std::size_t(body)];
+    b.by_forces = s.is_dynamic(body);
+    if (!b.by_forces) return;
+    const BodyMass& mass = s.mass[std::size_t(body)];
+    b.inverse_mass = double(mass.inverse_mass);
+    b.axes0 = math::normalized(s.motion[std::size_t(body)].q * math::to_double(mass.principal));
+    const float greatest = std::max({mass.inertia.x, mass.inertia.y, mass.inertia.z});
+    for (int i = 0; i < 3; ++i) {
+        b.moments[i] = double(std::max(mass.inertia[i], least_contact_moment * greatest));
+        b.inverse_moments[i] = mass.inverse_inertia[i] > 0 ? 1 / b.moments[i] : 0.0;
+    }
+}
+
+void fill_row(const State& s, const DirectNode& node, DirectRow& r) {
+    const JointInfo& joint = s.joints[node.joint];
+    const JointPlacement p = place_joint(s, joint);
+    r = {};
+    r.arm_a0 = p.arm_a, r.arm_b0 = p.arm_b, r.gap0 = p.gap;
+    r.turn0 = turn_of(p);
+    int column_a = 0, column_b = 0;
+    switch (node.rows) {
+    case DirectRows::point:
+        column_a = column_b = joint.rules.point_column;
+        r.impulse = math::to_double(joint.point_impulse);
+        break;
+    case DirectRows::turn:
+        column_a = column_b = joint.rules.turn_column;
+        r.impulse = math::to_double(joint.turn_impulse);
+        break;
+    case DirectRows::axis:
+        column_a = s.joint_axes[node.joint].rules[node.axis].column_a,
+        column_b = s.joint_axes[node.joint].rules[node.axis].column_b;
+        r.at = double(s.joint_axes[node.joint].rules[node.axis].lower);
+        r.impulse.x = double(s.joint_axes[node.joint].states[node.axis].lower);
+        break;
+    }
+    r.axis_a0 = exact_frame_axis(p.frame_a, column_a);
+    r.axis_b0 = exact_frame_axis(p.frame_b, column_b);
+}
+
+} // namespace
+
+void list_direct_sets(const State& s, BinScratch& scratch) {
+    DirectWork& work = scratch.direct;
+    work.sets.clear();
+    std::size_t bodies = 0, rows = 0, blocks = 0;
+    for (const std::uint32_t joint : scratch.joint_layout->joints) {
+        const std::int32_t index = s.direct.set_of_joint[joint];
+        if (index == none || s.direct.sets[std::size_t(index)].joints[0] != joint) continue;
+        const DirectSet& set = s.direct.sets[std::size_t(index)];
+        bool is_new = false;
+        for (const std::uint32_t member : set.joints) is_new |= !(s.joints[member].substep_time > 0);
+        work.sets.push_back({index, bodies, rows, blocks, is_new});
+        for (std::size_t i = 1; i < set.bodies.size(); ++i) row_of_body(scratch, set.bodies[i]);
+        bodies += set.bodies.size(), rows += set.nodes.size(), blocks += set.plan.block_count();
+    }
+    if (work.bodies.size() < bodies) work.bodies.resize(bodies);
+    if (work.rows.size() < rows) work.rows.resize(rows);
+    if (work.diagonal.size() < rows) work.diagonal.resize(rows), work.sought.resize(rows);
+    if (work.lower.size() < blocks) work.lower.resize(blocks);
+}
+
+void fill_direct_rows(const State& s, BinScratch& scratch, Crew* crew) {
+    DirectWork& work = scratch.direct;
+    for_chunks(crew, int(work.sets.size()), 1, [&](int begin, int end, int) {
+        for (int k = begin; k < end; ++k) {
+            const DirectSolve& solve = work.sets[std::size_t(k)];
+            const DirectSet& set = s.direct.sets[std::size_t(solve.set)];
+            for (std::size_t i = 0; i < set.bodies.size(); ++i)
+                fill_body(s, scratch, set.bodies[i], work.bodies[solve.first_body + i]);
+            for (std::size_t i = 0; i < set.nodes.size(); ++i)
+                fill_row(s, set.nodes[i], work.rows[solve.first_row + i]);
+        }
+    });
+}
+
+void store_direct_rows(State& s, BinScratch& scratch) {
+    for (const DirectSolve& solve : scratch.direct.sets) {
+        const DirectSet& set = s.direct.sets[std::size_t(solve.set)];
+        for (std::size_t i = 0; i < set.nodes.size(); ++i) {
+            const DirectRow& row = scratch.direct.rows[solve.first_row + i];
+            const DirectNode& node = set.nodes[i];
+            JointInfo& joint = s.joints[node.joint];
+            const math::Vec3 impulse = math::to_float(row.impulse), total = math::to_float(row.total);
+            bool is_force = true;
+            switch (node.rows) {
+            case DirectRows::point:
+                joint.point_impulse = impulse;
+                break;
+            case DirectRows::turn:
+                joint.turn_impulse = impulse;
+                is_force = false;
+                break;
+            case DirectRows::axis:
+                s.joint_axes[node.joint].states[node.axis].lower = impulse.x;
+                s.joint_axes[node.joint].states[node.axis].upper = 0;
+                is_force = s.joint_axes[node.joint].rules[node.axis].kind != AxisKind::perpendicular;
+                break;
+            }
+            (is_force ? joint.force : joint.torque) += total;
+        }
+    }
+}
+
+} // namespace cairn

@@ -1,0 +1,265 @@
+#include "joints/direct_sets.h"
+
+#include "joints/direct_plan.h"
+
+#include "state/joint_links.h"
+
+#include <algorithm>
+
+namespace cairn {
+
+namespace {
+
+// Where the direct solver pays by itself. Beyond these blocks and nodes the iterative one is cheaper by far.
+constexpr std::size_t most_nodes = 240, most_blocks_per_node = 4;
+constexpr float least_mass_ratio = 10; // of a body to a lighter one that hangs between others
+constexpr int least_chain = 8;         // joints
+// What it takes where users ask for it.
+constexpr std::size_t most_blocks = std::size_t(1) << 18, most_products = std::size_t(1) << 22;
+
+bool moves_by_forces(const State& s, std::int32_t body) { return body != none && s.is_dynamic(body); }
+bool moves(const State& s, std::int32_t body) {
+    return body != none && s.body_settings[std::size_t(body)].type != BodyType::static_;
+}
+
+bool may_be_direct(const State& s, std::uint32_t index) {
+    const JointInfo& joint = s.joints[index];
+    if (!joint.in_use || JointSolver(joint.solver) == JointSolver::iterative || joint_owner(s, joint) == none)
+        return false;
+    bool holds = joint.rules.point != JointLock::none || joint.rules.turn != JointLock::none;
+    for (int i = 0; i < joint.rules.axis_count; ++i) holds |= is_direct_axis(s.joint_axes[index].rules[i]);
+    return holds;
+}
+
+// Finds the sets: those of joints that are connected through bodies that move by forces.
+class Finder {
+  public:
+    explicit Finder(State& s) : s_(s) {}
+
+    void find_all() {
+        DirectSets& direct = s_.direct;
+        old_sets_.swap(direct.sets);
+        old_set_of_joint_.swap(direct.set_of_joint);
+        direct.sets.clear();
+        direct.set_of_joint.assign(s_.joints.size(), none);
+        seen_.assign(s_.joints.size(), 0);
+        number_.assign(s_.bodies.size(), none);
+        for (std::uint32_t joint = 0; joint < s_.joints.size(); ++joint) {
+            if (seen_[joint] || !may_be_direct(s_, joint)) continue;
+            gather(joint);
+            // Where the rule says no to the whole, what users ask for remains.
+            if (rule_takes(set_))
+                take();
+            else
+                for (const std::uint32_t member : set_.joints) rest_.push_back(member);
+        }
+        only_asked_for_ = true;
+        for (const std::uint32_t joint : rest_) seen_[joint] = 0;
+        std::sort(rest_.begin(), rest_.end());
+        for (const std::uint32_t joint : rest_) {
+            if (seen_[joint] || !is_wanted(joint)) continue;
+            gather(joint);
+            if (plan(most_blocks, most_products)) take();
+        }
+    }
+
+  private:
+    bool is_wanted(std::uint32_t joint) const {
+        const bool is_asked_for = JointSolver(s_.joints[joint].solver) == JointSolver::direct;
+        return may_be_direct(s_, joint) && (!only_asked_for_ || is_asked_for);
+    }
+
+    // The set of a joint, into set_.
+    void gather(std::uint32_t first) {
+        set_ = {};
+        std::vector<std::int32_t> open;
+        auto reach = [&](std::uint32_t joint) {
+            if (seen_[joint] || !is_wanted(joint)) return;
+            seen_[joint] = 1;
+            set_.joints.push_back(joint);
+            for (const std::int32_t body : {s_.joints[joint].body_a, s_.joints[joint].body_b}) {
+                if (!moves(s_, body) || number_[std::size_t(body)] != none) continue;
+                number_[std::size_t(body)] = 0;
+                set_.bodies.push_back(body);
+                if (moves_by_forces(s_, body)) open.push_back(body);
+            }
+        };
+        reach(first);
+        while (!open.empty()) {
+            const std::int32_t body = open.back();
+            open.pop_back();
+            for_each_joint(s_, body, [&](std::uint32_t joint, int) { reach(joint); });
+        }
+        std::sort(set_.joints.begin(), set_.joints.end());
+        std::sort(set_.bodies.begin(), set_.bodies.end());
+        set_.bodies.insert(set_.bodies.begin(), none);
+        for (std::size_t i = 1; i < set_.bodies.size(); ++i) number_[std::size_t(set_.bodies[i])] = std::int32_t(i);
+        list_nodes();
+        measure();
+        for (std::size_t i = 1; i < set_.bodies.size(); ++i) number_[std::size_t(set_.bodies[i])] = none;
+    }
+
+    std::int32_t number_of(std::int32_t body) const { return moves(s_, body) ? number_[std::size_t(body)] : 0; }
+
+    void list_nodes() {
+        for (const std::uint32_t joint : set_.joints) {
+            const JointInfo& info = s_.joints[joint];
+            DirectNode node{joint, DirectRows::point, 0, {number_of(info.body_a), number_of(info.body_b)}};
+            if (info.rules.point != JointLock::none) set_.found.push_back(node);
+            node.rows = DirectRows::turn;
+            if (info.rules.turn != JointLock::none) set_.found.push_back(node);
+            node.rows = DirectRows::axis;
+            for (std::uint8_t i = 0; i < info.rules.axis_count; ++i) {
+                if (!is_direct_axis(s_.joint_axes[joint].rules[i])) continue;
+                node.axis = i;
+                set_.found.push_back(node);
+            }
+        }
+        for (const DirectNode& node : set_.found) {
+            DirectEnds& ends = set_.ends.emplace_back();
+            for (int side = 0; side < 2; ++side)
+                ends.body[side] =
+                    moves_by_forces(s_, set_.bodies[std::size_t(node.body[side])]) ? node.body[side] : none;
+        }
+    }
+
+    // All that does not move counts as one body.
+    void measure() {
+        std::size_t moving = 0;
+        float least = 0, greatest = 0;
+        bool is_held = false;
+        for (std::size_t i = 1; i < set_.bodies.size(); ++i) {
+            if (!moves_by_forces(s_, set_.bodies[i])) continue;
+            ++moving;
+            const float mass = s_.mass[std::size_t(set_.bodies[i])].mass;
+            least = least > 0 && least <= mass ? least : mass;
+            greatest = greatest >= mass ? greatest : mass;
+        }
+        for (const std::uint32_t joint : set_.joints)
+            is_held |= !moves_by_forces(s_, s_.joints[joint].body_a) || !moves_by_forces(s_, s_.joints[joint].body_b);
+        set_.has_loops = set_.joints.size() >= moving + std::size_t(is_held);
+        set_.mass_ratio = least > 0 ? greatest / least : 1;
+    }
+
+    // --- the rule for joints that leave it to the engine
+
+    bool rule_takes(const DirectSet& set) {
+        bool all_asked_for = true;
+        for (const std::uint32_t joint : set.joints)
+            all_asked_for &= JointSolver(s_.joints[joint].solver) == JointSolver::direct;
+        if (all_asked_for) return plan(most_blocks, most_products);
+        if (set.found.size() > most_nodes || !pays(set)) return false;
+        return plan(most_blocks_per_node * set.found.size(), most_products);
+    }
+
+    bool pays(const DirectSet& set) {
+        // Ends of the joints at each body that moves by forces.
+        std::vector<std::vector<std::uint32_t>> at(set.bodies.size());
+        bool turns = false;
+        for (const std::uint32_t joint : set.joints) {
+            const JointInfo& info = s_.joints[joint];
+            turns |= info.rules.turn != JointLock::none;
+            for (const std::int32_t body : {info.body_a, info.body_b})
+                if (moves_by_forces(s_, body)) at[place_of(set, body)].push_back(joint);
+        }
+        if (set.has_loops && turns) return true; // a machine
+        float heaviest = 0;
+        for (const std::int32_t body : set.bodies)
+            if (moves_by_forces(s_, body)) heaviest = std::max(heaviest, s_.mass[std::size_t(body)].mass);
+        for (std::size_t i = 1; i < at.size(); ++i) {
+            if (at[i].size() < 2) continue;
+            if (heaviest > least_mass_ratio * s_.mass[std::size_t(set.bodies[i])].mass) return true;
+            int fixed = 0;
+            for (const std::uint32_t joint : at[i]) {
+                const JointLocks& rules = s_.joints[joint].rules;
+                fixed += rules.point == JointLock::full && rules.turn == JointLock::full;
+            }
+            if (fixed >= 2) return true; // in series
+        }
+        return longest_chain(set, at) > least_chain;
+    }
+
+    static std::size_t place_of(const DirectSet& set, std::int32_t body) {
+        return std::size_t(std::lower_bound(set.bodies.begin() + 1, set.bodies.end(), body) - set.bodies.begin());
+    }
+
+    // Joints between the two bodies furthest from each other, found by two searches (exact in trees), and one more
+    // where the end of it is held.
+    int longest_chain(const DirectSet& set, const std::vector<std::vector<std::uint32_t>>& at) {
+        std::size_t end = 1;
+        while (!moves_by_forces(s_, set.bodies[end])) ++end;
+        int length = 0;
+        for (int search = 0; search < 2; ++search) {
+            std::vector<int> distance(set.bodies.size(), none);
+            std::vector<std::size_t> reached{end};
+            distance[end] = 0;
+            for (std::size_t k = 0; k < reached.size(); ++k)
+                for (const std::uint32_t joint : at[reached[k]])
+                    for (const std::int32_t body : {s_.joints[joint].body_a, s_.joints[joint].body_b}) {
+                        if (!moves_by_forces(s_, body)) continue;
+                        const std::size_t other = place_of(set, body);
+                        if (distance[other] != none) continue;
+                        distance[other] = distance[reached[k]] + 1;
+                        reached.push_back(other);
+                    }
+            end = reached.back();
+            length = distance[end];
+        }
+        return length;
+    }
+
+    // --- plans
+
+    bool plan(std::size_t blocks, std::size_t products) {
+        const std::int32_t old = set_.joints[0] < old_set_of_joint_.size() ? old_set_of_joint_[set_.joints[0]] : none;
+        if (old != none && old_sets_[std::size_t(old)].found == set_.found &&
+            old_sets_[std::size_t(old)].ends == set_.ends) {
+            set_.nodes = std::move(old_sets_[std::size_t(old)].nodes);
+            set_.plan = std::move(old_sets_[std::size_t(old)].plan);
+            old_sets_[std::size_t(old)].found.clear();
+            return set_.plan.block_count() <= blocks;
+        }
+        std::vector<std::uint32_t> order;
+        if (!make_direct_plan(set_.ends, blocks, products, set_.plan, order)) return false;
+        for (const std::uint32_t i : order) set_.nodes.push_back(set_.found[i]);
+        return true;
+    }
+
+    void take() {
+        const std::int32_t index = std::int32_t(s_.direct.sets.size());
+        for (const std::uint32_t joint : set_.joints) s_.direct.set_of_joint[joint] = index;
+        s_.direct.sets.push_back(std::move(set_));
+    }
+
+    State& s_;
+    DirectSet set_;
+    std::vector<DirectSet> old_sets_;
+    std::vector<std::int32_t> old_set_of_joint_;
+    std::vector<std::uint8_t> seen_;   // by joint
+    std::vector<std::int32_t> number_; // by body
+    std::vector<std::uint32_t> rest_;
+    bool only_asked_for_ = false;
+};
+
+} // namespace
+
+bool is_direct_axis(const JointAxisRule& rule) {
+    if (!rule.has_limits || !rule.is_equation || !rule.rigid_limit || rule.has_drive || rule.friction > 0) return false;
+    switch (rule.kind) {
+    case AxisKind::perpendicular:
+    case AxisKind::linear:
+        return true;
+    case AxisKind::distance:
+        return rule.lower > 0;
+    default:
+        return false;
+    }
+}
+
+void update_direct_sets(State& s) {
+    if (s.direct.valid_for == s.joint_changes) return;
+    Finder(s).find_all();
+    s.direct.valid_for = s.joint_changes;
+}
+
+} // namespace cairn

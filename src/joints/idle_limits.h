@@ -1,0 +1,16 @@
+// Limits that are out of reach.
+#pragma once
+
+#include "state/joint_links.h"
+
+namespace cairn {
+
+// By how much the position of an axis changes, at most, by the angle that the bodies turn by against each other. Of
+// mere limits of an angle; 0: of all else, that is not looked at.
+float reach_by_turn(const JointLocks& locks, const JointAxes& axes, const JointAxisRule& rule);
+// Once in a pass. True if other rows than before are left out of the solver.
+bool update_idle_rows(State& state, JointLayout& layout, Crew* crew, float dt);
+// The body has been put elsewhere.
+void forget_slack(State& state, std::int32_t body);
+
+} // namespace cairn

@@ -1,0 +1,150 @@
+// The layout of joint rows: blocks of one color, phase and form.
+
+#include "joints/joint_layout.h"
+
+#include "islands/coloring.h"
+#include "joints/direct_joints.h"
+#include "joints/direct_sets.h"
+#include "joints/idle_limits.h"
+#include "state/joint_links.h"
+
+#include <algorithm>
+
+namespace cairn {
+
+namespace {
+
+// Within a color, rows of one joint come in phases: its axes one after the other, then its turn, then its point, which
+// so has the last word. Rows of one phase and form share blocks.
+constexpr std::uint32_t turn_phase = most_joint_axes, point_phase = turn_phase + 1, phases = point_phase + 1,
+                        forms = 16, keys_per_color = phases * forms;
+
+// First those that found no color, of which each is solved alone, then the colors.
+std::uint32_t row_key(std::uint8_t color, std::uint32_t phase, std::uint32_t form) {
+    const std::uint32_t rank = color == overflow_color ? 0u : color + 1u;
+    return (rank * phases + phase) * forms + form;
+}
+bool stands_alone(std::uint32_t key) { return key < keys_per_color; }
+JointRowType type_of(std::uint32_t key) {
+    const std::uint32_t phase = key / forms % phases;
+    return phase == point_phase ? JointRowType::point : phase == turn_phase ? JointRowType::turn : JointRowType::axis;
+}
+
+void name_body(const State& s, std::int32_t body, JointLayout& layout) {
+    if (body != none && s.body_settings[std::size_t(body)].type == BodyType::kinematic)
+        layout.kinematic_bodies.push_back(body);
+}
+
+// The rows of one joint.
+void collect_joint(const State& s, std::uint32_t joint, JointLayout& layout) {
+    const JointInfo& info = s.joints[joint];
+    const JointLocks& rules = info.rules;
+    name_body(s, info.body_a, layout);
+    name_body(s, info.body_b, layout);
+    auto add = [&](std::uint32_t phase, std::uint32_t form, JointRowType type, std::uint32_t axis) -> JointRow& {
+        JointRow row;
+        row.joint = joint;
+        row.key = std::uint16_t(row_key(info.color, phase, form));
+        row.type = type;
+        row.axis = axis & 7;
+        layout.only_points &= type == JointRowType::point;
+        return layout.rows.emplace_back(row);
+    };
+    const bool is_direct = s.direct.set_of_joint[joint] != none;
+    for (std::uint32_t i = 0; i < rules.axis_count; ++i) {
+        const JointAxisRule& rule = s.joint_axes[joint].rules[i];
+        if (is_direct && is_direct_axis(rule)) continue;
+        if (!rule.has_limits && !rule.has_drive && !(rule.friction > 0)) continue;
+        JointRow& row = add(i, std::uint32_t(rule.kind), JointRowType::axis, i);
+        row.has_limits = rule.has_limits != 0;
+        row.has_soft_limits = rule.has_limits && !rule.rigid_limit;
+        row.has_drive = rule.has_drive != 0;
+        row.has_friction = rule.friction > 0;
+        row.reach_by_turn = reach_by_turn(rules, s.joint_axes[joint], rule);
+        layout.may_idle |= row.reach_by_turn != 0;
+    }
+    if (is_direct) return;
+    if (rules.turn != JointLock::none) add(turn_phase, std::uint32_t(rules.turn), JointRowType::turn, 0);
+    if (rules.point != JointLock::none) add(point_phase, std::uint32_t(rules.point), JointRowType::point, 0);
+}
+
+void collect_rows(const State& s, JointLayout& layout) {
+    for (const std::int32_t body : layout.bodies) {
+        if (s.bodies[std::size_t(body)].joint_count == 0) continue;
+        for_each_joint(s, body, [&](std::uint32_t joint, int side) {
+            if (side == 1 && joint_owner(s, s.joints[joint]) != body) return;
+            layout.joints.push_back(joint);
+            layout.first_row.push_back(std::uint32_t(layout.rows.size()));
+            collect_joint(s, joint, layout);
+        });
+    }
+    layout.first_row.push_back(std::uint32_t(layout.rows.size()));
+}
+
+void add_run(JointLayout& layout, std::uint32_t key, std::uint32_t rows) {
+    const JointRowType type = type_of(key);
+    std::uint32_t& blocks = layout.blocks[std::size_t(type)];
+    const std::uint32_t count = (rows + 7) / 8;
+    layout.runs.push_back({type, std::uint8_t(8 * count - rows), std::uint16_t(key), blocks, count});
+    blocks += count;
+}
+
+// Lays the rows into blocks, sorted by their keys (a counting sort, stable), and gives each its lane. Most bins have
+// few keys of the many that there are.
+void lay_out_rows(JointLayout& layout, std::vector<std::uint32_t>& lanes) {
+    std::vector<JointRow>& rows = layout.rows;
+    layout.runs.clear();
+    layout.blocks = {};
+    std::uint32_t least = ~0u, most = 0;
+    for (const JointRow& row : rows) {
+        if (row.idle) continue;
+        least = std::min(least, std::uint32_t(row.key));
+        most = std::max(most, std::uint32_t(row.key));
+    }
+    if (least > most) return;
+    lanes.assign(most - least + 1, 0);
+    for (const JointRow& row : rows)
+        if (!row.idle) ++lanes[row.key - least];
+    for (std::uint32_t key = least; key <= most; ++key) {
+        std::uint32_t& count = lanes[key - least];
+        if (count == 0) continue;
+        const std::uint32_t first = 8 * layout.blocks[std::size_t(type_of(key))];
+        if (stands_alone(key)) // they may share bodies
+            for (std::uint32_t k = 0; k < count; ++k) add_run(layout, key, 1);
+        else
+            add_run(layout, key, count);
+        count = first; // from now on: the next free lane
+    }
+    for (JointRow& row : rows) {
+        if (row.idle) continue;
+        std::uint32_t& lane = lanes[row.key - least];
+        row.lane = lane;
+        lane += stands_alone(row.key) ? 8 : 1;
+    }
+}
+
+} // namespace
+
+bool may_be_fixed(std::uint32_t key) { return stands_alone(key) || key / keys_per_color > first_fixed_color; }
+std::uint32_t joint_form_of(std::uint32_t key) { return key % forms; }
+
+void fill_joint_lanes(State& s, const Bin& bin, BinScratch& scratch, Crew* crew, float dt) {
+    JointLayout& layout = s.solver.joint_layouts[std::size_t(&bin - s.solver.bins.data())];
+    scratch.joint_layout = &layout;
+    bool is_new = false;
+    if (bin.joint_count == 0) {
+        if (!layout.joints.empty()) layout = {};
+    } else if (layout.valid_for != s.joint_changes || layout.bodies != scratch.touching_bodies) {
+        layout.bodies = scratch.touching_bodies;
+        layout.kinematic_bodies.clear(), layout.joints.clear(), layout.first_row.clear(), layout.rows.clear();
+        layout.may_idle = false, layout.only_points = true;
+        collect_rows(s, layout);
+        layout.valid_for = s.joint_changes;
+        is_new = true;
+    }
+    if (update_idle_rows(s, layout, crew, dt) || is_new) lay_out_rows(layout, scratch.joint_key_counts);
+    for (const std::int32_t body : layout.kinematic_bodies) row_of_body(scratch, body);
+    list_direct_sets(s, scratch);
+}
+
+} // namespace cairn

@@ -1,0 +1,388 @@
+// The rows of joints in a solver bin: what is put into them, and what comes out.
+
+#include "joints/joint_rows.h"
+
+#include "core/cache.h"
+#include "joints/direct_joints.h"
+#include "joints/joint_layout.h"
+#include "joints/joint_placement.h"
+#include "state/joint_links.h"
+
+#include <algorithm>
+#include <cstring>
+#include <type_traits>
+
+namespace cairn {
+
+using math::DQuat;
+using math::DVec3;
+using math::put;
+
+namespace {
+
+constexpr int joints_per_chunk = 64; // for threads
+
+template <class F> void for_blocks_of(BinScratch& scratch, JointRowType type, F&& f) {
+    switch (type) {
+    case JointRowType::point:
+        return f(scratch.point_blocks);
+    case JointRowType::turn:
+        return f(scratch.turn_blocks);
+    case JointRowType::axis:
+        return f(scratch.axis_blocks);
+    }
+}
+
+void set_lane(float (*p)[8], std::size_t lane, math::Vec3 v) { p[0][lane] = v.x, p[1][lane] = v.y, p[2][lane] = v.z; }
+void set_lane(float (*p)[8], std::size_t lane, const DQuat& q) {
+    p[0][lane] = float(q.x), p[1][lane] = float(q.y), p[2][lane] = float(q.z), p[3][lane] = float(q.w);
+}
+math::Vec3 get_lane(const float (*p)[8], std::size_t lane) { return {p[0][lane], p[1][lane], p[2][lane]}; }
+
+// The row of a joint's end, as an offset. What does not move by forces is read, if it moves at all, but not written to.
+struct JointEnd {
+    std::uint32_t row = std::uint32_t(fixed_row) * row_bytes;
+    bool is_written = false;
+};
+JointEnd joint_end(const State& s, const BinScratch& scratch, std::int32_t body) {
+    if (body == none) return {};
+    const BodyType type = s.body_settings[std::size_t(body)].type;
+    if (type == BodyType::static_) return {};
+    return {std::uint32_t(scratch.row_of_body[std::size_t(body)]) * row_bytes, type == BodyType::dynamic};
+}
+
+// Whether anything but the point of a joint gives it a torque: else what it has of those is never touched.
+bool has_torque(const JointInfo& joint) { return joint.rules.turn != JointLock::none || joint.rules.axis_count > 0; }
+
+// Asks the cache for what is needed of the joint at that place of the layout.
+void prefetch_joint(const State& s, const JointLayout& layout, std::size_t place) {
+    if (place >= layout.joints.size()) return;
+    const std::uint32_t joint = layout.joints[place];
+    const char* const info = reinterpret_cast<const char*>(&s.joints[joint]);
+    ask_cache(info), ask_cache(info + 64);
+    if (layout.only_points) return;
+    for (std::size_t at = 128; at < sizeof(JointInfo); at += 64) ask_cache(info + at);
+    ask_cache(&s.joint_axes[joint].states[0]);
+}
+
+// Where a joint is at the start of the step, for all of its rows: with its frames, or where those are not needed, only
+// its anchors.
+struct FramedPlacement : JointPlacement {
+    DQuat turn;
+};
+template <class Placement> struct PlacedJoint {
+    const JointInfo& info;
+    JointEnd a, b;
+    Placement p;
+};
+
+template <class Placement, class Block>
+void fill_ends(const PlacedJoint<Placement>& joint, Block& b, std::size_t lane, std::uint32_t discard) {
+    b.a[lane] = joint.a.row, b.b[lane] = joint.b.row;
+    if (!b.redirects) return;
+    b.rest.write_a[lane] = joint.a.is_written ? joint.a.row : discard;
+    b.rest.write_b[lane] = joint.b.is_written ? joint.b.row : discard;
+}
+
+bool needs_frames(const State& s, const JointRow& row) {
+    if (row.type != JointRowType::point) return !row.idle;
+    return s.joints[row.joint].rules.point == JointLock::across;
+}
+
+void fill_lane(const State&, const JointRow&, const PlacedJoint<JointAnchors>& joint, PointBlock& b, std::size_t lane,
+               float) {
+    set_lane(b.arm_a0, lane, math::to_float(joint.p.arm_a));
+    set_lane(b.arm_b0, lane, math::to_float(joint.p.arm_b));
+    set_lane(b.gap0, lane, math::to_float(joint.p.gap));
+    set_lane(b.impulse, lane, joint.info.point_impulse);
+}
+void fill_lane(const State& s, const JointRow& row, const PlacedJoint<FramedPlacement>& joint, PointBlock& b,
+               std::size_t lane, float h) {
+    fill_lane(s, row, PlacedJoint<JointAnchors>{joint.info, joint.a, joint.b, joint.p}, b, lane, h);
+    if (b.free_axis) set_lane(b.axis0, lane, frame_axis(joint.p.frame_a, joint.info.rules.point_column));
+}
+
+void fill_lane(const State&, const JointRow&, const PlacedJoint<FramedPlacement>& joint, TurnBlock& b, std::size_t lane,
+               float) {
+    set_lane(b.turn0, lane, joint.p.turn);
+    set_lane(b.impulse, lane, joint.info.turn_impulse);
+    if (!b.free_axis) return;
+    set_lane(b.axis_a0, lane, frame_axis(joint.p.frame_a, joint.info.rules.turn_column));
+    set_lane(b.axis_b0, lane, frame_axis(joint.p.frame_b, joint.info.rules.turn_column));
+}
+
+void fill_axis_rule(AxisBlock& b, std::size_t lane, const JointAxisRule& rule, float h) {
+    b.lower[lane] = rule.has_limits ? rule.lower : -unlimited;
+    b.upper[lane] = rule.has_limits ? rule.upper : unlimited;
+    b.equation[lane] = rule.is_equation;
+    b.rigid_limit[lane] = rule.rigid_limit;
+    b.most_friction[lane] = std::min(rule.friction * h, unlimited);
+    if (b.has_soft_limits) {
+        b.limit_stiffness[lane] = rule.limit_stiffness;
+        b.limit_damping[lane] = rule.limit_damping;
+        b.limit_relative[lane] = rule.limit_relative;
+    }
+    if (b.has_drive) {
+        b.drive_stiffness[lane] = rule.drive_stiffness;
+        b.drive_damping[lane] = rule.drive_damping;
+        b.target_position[lane] = rule.target_position;
+        b.target_velocity[lane] = rule.target_velocity;
+        b.rigid_drive[lane] = rule.rigid_drive;
+        b.drive_relative[lane] = rule.drive_relative;
+        b.most_drive[lane] = rule.has_drive ? std::min(rule.most_drive * h, unlimited) : 0.0f;
+    }
+    b.ratio_a[lane] = rule.ratio_a;
+    b.ratio_b[lane] = rule.ratio_b;
+}
+
+void fill_lane(const State& s, const JointRow& row, const PlacedJoint<FramedPlacement>& joint, AxisBlock& b,
+               std::size_t lane, float h) {
+    const FramedPlacement& p = joint.p;
+    const JointAxisRule& rule = s.joint_axes[row.joint].rules[row.axis];
+    const JointAxisState& state = s.joint_axes[row.joint].states[row.axis];
+    fill_axis_rule(b, lane, rule, h);
+    set_lane(b.arm_a0, lane, math::to_float(p.arm_a));
+    set_lane(b.arm_b0, lane, math::to_float(p.arm_b));
+    set_lane(b.gap0, lane, math::to_float(p.gap));
+    set_lane(b.turn0, lane, p.turn);
+    const bool is_pulley = rule.kind == AxisKind::pulley;
+    set_lane(b.axis_a0, lane, is_pulley ? pulley_reach(s, joint.info, 0, p) : frame_axis(p.frame_a, rule.column_a));
+    set_lane(b.axis_b0, lane, is_pulley ? pulley_reach(s, joint.info, 1, p) : frame_axis(p.frame_b, rule.column_b));
+    b.position[lane] = b.position0[lane] = state.position;
+    b.drive_impulse[lane] = state.drive;
+    b.friction_impulse[lane] = state.friction;
+    b.lower_impulse[lane] = state.lower;
+    b.upper_impulse[lane] = state.upper;
+}
+
+// The rows of the joint at that place of the layout. `first_discard`: rows, by JointRowType.
+template <class Placement>
+void fill_rows_of(const State& s, BinScratch& scratch, const std::array<std::int32_t, joint_row_types>& first_discard,
+                  std::size_t place, const PlacedJoint<Placement>& joint, float h) {
+    const JointLayout& layout = *scratch.joint_layout;
+    for (std::uint32_t i = layout.first_row[place]; i < layout.first_row[place + 1]; ++i) {
+        const JointRow& row = layout.rows[i];
+        if (row.idle) continue;
+        const std::uint32_t block = row.lane / 8, lane = row.lane % 8;
+        const std::uint32_t discard = (std::uint32_t(first_discard[std::size_t(row.type)]) + block) * row_bytes;
+        const auto fill = [&](auto& blocks) {
+            fill_ends(joint, blocks[block], lane, discard);
+            fill_lane(s, row, joint, blocks[block], lane, h);
+        };
+        if constexpr (std::is_same_v<Placement, JointAnchors>)
+            fill(scratch.point_blocks); // nothing else does without frames
+        else
+            for_blocks_of(scratch, row.type, fill);
+    }
+}
+
+// Before their lanes are filled: what a block says of all of its lanes, and lanes that stay empty. What is not filled
+// in, the warm start sets.
+void open_block(PointBlock& b, std::uint32_t form) { b.free_axis = JointLock(form) == JointLock::across; }
+void open_block(TurnBlock& b, std::uint32_t form) { b.free_axis = JointLock(form) == JointLock::across; }
+void open_block(AxisBlock& b, std::uint32_t form) {
+    b.kind = AxisKind(form);
+    b.has_limits = b.has_soft_limits = b.has_drive = b.has_friction = 0;
+}
+template <class Block> void open_run(const JointRun& run, std::vector<Block>& blocks, std::uint32_t first_discard) {
+    for (std::uint32_t k = run.first; k < run.first + run.count; ++k) {
+        Block& b = blocks[k];
+        const bool is_full = k + 1 < run.first + run.count || run.empty_lanes == 0;
+        if (!is_full) b = {};
+        const std::uint32_t discard = (first_discard + k) * row_bytes;
+        for (std::size_t lane = is_full ? 8 : 8 - run.empty_lanes; lane < 8; ++lane)
+            b.a[lane] = b.b[lane] = b.rest.write_a[lane] = b.rest.write_b[lane] = discard;
+        b.redirects = may_be_fixed(run.key);
+        open_block(b, joint_form_of(run.key));
+    }
+}
+
+template <class Block> void make_room(std::vector<Block>& blocks, std::size_t count) {
+    if (blocks.size() < count) blocks.resize(count);
+}
+
+void open_blocks(BinScratch& scratch) {
+    make_room(scratch.point_blocks, scratch.joint_layout->blocks[0]);
+    make_room(scratch.turn_blocks, scratch.joint_layout->blocks[1]);
+    make_room(scratch.axis_blocks, scratch.joint_layout->blocks[2]);
+    const auto first_discard = scratch.first_joint_discard_rows();
+    for (const JointRun& run : scratch.joint_layout->runs)
+        for_blocks_of(scratch, run.type, [&](auto& blocks) {
+            open_run(run, blocks, std::uint32_t(first_discard[std::size_t(run.type)]));
+        });
+    for (const JointRow& row : scratch.joint_layout->rows) {
+        if (row.type != JointRowType::axis || row.idle) continue;
+        AxisBlock& b = scratch.axis_blocks[row.lane / 8];
+        b.has_limits |= row.has_limits;
+        b.has_soft_limits |= row.has_soft_limits;
+        b.has_drive |= row.has_drive;
+        b.has_friction |= row.has_friction;
+    }
+}
+
+// Impulses are those of one substep. Forces are counted anew.
+void begin_joint(State& s, std::uint32_t index, float h) {
+    JointInfo& joint = s.joints[index];
+    joint.force = {};
+    if (has_torque(joint)) joint.torque = {};
+    if (joint.substep_time == h) return;
+    const float ratio = joint.substep_time > 0 ? h / joint.substep_time : 0.0f;
+    const float factor = ratio > 1e-3f && ratio < 1e3f ? ratio : 0.0f; // too different to say anything
+    joint.point_impulse = factor * joint.point_impulse;
+    joint.turn_impulse = factor * joint.turn_impulse;
+    for (int i = 0; i < joint.rules.axis_count; ++i) {
+        JointAxisState& axis = s.joint_axes[index].states[i];
+        axis.drive *= factor, axis.friction *= factor, axis.lower *= factor, axis.upper *= factor;
+    }
+    joint.substep_time = h;
+}
+
+// --- and out again
+
+void take_lane(State& s, const JointRow& row, const PointBlock& b, std::size_t lane) {
+    JointInfo& joint = s.joints[row.joint];
+    joint.point_impulse = get_lane(b.impulse, lane);
+    joint.force += get_lane(b.total, lane);
+}
+void take_lane(State& s, const JointRow& row, const TurnBlock& b, std::size_t lane) {
+    JointInfo& joint = s.joints[row.joint];
+    joint.turn_impulse = get_lane(b.impulse, lane);
+    joint.torque += get_lane(b.total, lane);
+}
+void take_lane(State& s, const JointRow& row, const AxisBlock& b, std::size_t lane) {
+    JointInfo& joint = s.joints[row.joint];
+    s.joint_axes[row.joint].states[row.axis] = {b.drive_impulse[lane], b.friction_impulse[lane], b.lower_impulse[lane],
+                                                b.upper_impulse[lane], b.position[lane],         0};
+    const float total = b.total[lane];
+    const math::Vec3 linear = get_lane(b.linear_b, lane), arm = get_lane(b.arm_b0, lane);
+    joint.force += total * linear;
+    joint.torque += total * (get_lane(b.angular_b, lane) - math::cross(arm, linear));
+}
+
+bool is_sound(const State& s, std::uint32_t index) {
+    const JointInfo& joint = s.joints[index];
+    constexpr math::Vec3 ones{1, 1, 1};
+    float sum = math::dot(joint.force, ones) + math::dot(joint.point_impulse, ones);
+    if (has_torque(joint)) sum += math::dot(joint.torque, ones) + math::dot(joint.turn_impulse, ones);
+    for (int i = 0; i < joint.rules.axis_count; ++i) {
+        const JointAxisState& axis = s.joint_axes[index].states[i];
+        sum += axis.drive + axis.friction + axis.lower + axis.upper + axis.position;
+    }
+    return std::isfinite(sum);
+}
+
+// Whether a body has become faster than the world allows. It will be slowed down: what made it so must not be carried
+// into the next step.
+bool is_too_fast(const WorldDef& settings, const SolverVelocity& row) {
+    const float v_most = settings.max_linear_speed, w_most = settings.max_angular_speed;
+    const math::Vec3 v = math::to_vec(row.v), w = math::to_vec(row.w);
+    return !(math::dot(v, v) <= v_most * v_most && math::dot(w, w) <= w_most * w_most);
+}
+bool is_too_fast(const State& s, const BinScratch& scratch, std::uint32_t index) {
+    const JointInfo& joint = s.joints[index];
+    for (const std::int32_t body : {joint.body_a, joint.body_b}) {
+        if (body == none || scratch.row_of_body[std::size_t(body)] == none) continue;
+        const std::size_t row = std::size_t(scratch.row_of_body[std::size_t(body)]);
+        if (is_too_fast(s.settings, scratch.velocity[row])) return true;
+    }
+    return false;
+}
+bool any_is_too_fast(const State& s, const BinScratch& scratch) {
+    for (std::size_t row = 0; row < scratch.row_count(); ++row)
+        if (is_too_fast(s.settings, scratch.velocity[row])) return true;
+    return false;
+}
+
+void forget_impulses(State& s, std::uint32_t index) {
+    JointInfo& joint = s.joints[index];
+    joint.force = joint.torque = joint.point_impulse = joint.turn_impulse = {};
+    for (JointAxisState& axis : s.joint_axes[index].states)
+        axis = {0, 0, 0, 0, std::isfinite(axis.position) ? axis.position : 0.0f, 0};
+}
+
+// All its impulses are counted. `may_be_fast`: some body of the bin is too fast.
+void end_joint(State& s, BinScratch& scratch, std::uint32_t index, float rate, bool may_be_fast) {
+    JointInfo& joint = s.joints[index];
+    joint.force = rate * joint.force;
+    if (has_torque(joint)) joint.torque = rate * joint.torque;
+    if (!is_sound(s, index) || (may_be_fast && is_too_fast(s, scratch, index))) forget_impulses(s, index);
+    const auto is_more = [](math::Vec3 v, float most) { return math::dot(v, v) > most * most; };
+    if (is_more(joint.force, joint.break_force) || (has_torque(joint) && is_more(joint.torque, joint.break_torque)))
+        scratch.overloaded.push_back(index);
+}
+
+// In m/s^2, by its force and the masses of both bodies.
+float joint_demand(const State& s, const BinScratch& scratch, std::uint32_t index) {
+    const JointInfo& joint = s.joints[index];
+    float inverse_mass = 0;
+    for (const std::int32_t body : {joint.body_a, joint.body_b}) {
+        const std::int32_t row = body == none ? none : scratch.row_of_body[std::size_t(body)];
+        if (row != none) inverse_mass += scratch.inertia[std::size_t(row)].inverse_mass;
+    }
+    return math::length(joint.force) * inverse_mass;
+}
+
+} // namespace
+
+JointSoftness joint_softness(const State& s, const Bin& bin, float h) {
+    // Softer ones lag behind, harder ones gain energy: a hanging net from 0.35 / h on, an arm that servos hold from
+    // 0.28 / h on, and of planks on balls that rest, some under loads, from 0.45 / h on. Where a net takes fewer
+    // substeps than others (substeps.cpp), its joints are as stiff as with 8.
+    constexpr float pi = 3.14159265358979f, damping_ratio = 2.0f;
+    const bool is_net = s.settings.adaptive_substeps && bin.substeps * s.split < 8;
+    const float omega_h = 2 * pi * (bin.rests ? 0.375f : is_net ? 2.0f / 7 : 0.25f);
+    const float a1 = 2 * damping_ratio + omega_h, a2 = omega_h * a1;
+    return {h, 1 / h, a2 / (1 + a2), omega_h / (a1 * h), slow_turns(bin.rests).still_sine};
+}
+
+void fill_joint_blocks(State& s, BinScratch& scratch, Crew* crew, float h) {
+    open_blocks(scratch);
+    const JointLayout& layout = *scratch.joint_layout;
+    const auto discard = scratch.first_joint_discard_rows();
+    // Joint by joint: neighbors share bodies, and rows go to one block of each color at a time.
+    for_chunks(crew, int(layout.joints.size()), joints_per_chunk, [&](int begin, int end, int) {
+        for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
+            prefetch_joint(s, layout, k + joints_ahead);
+            begin_joint(s, layout.joints[k], h);
+            if (layout.first_row[k] == layout.first_row[k + 1]) continue;
+            const JointInfo& info = s.joints[layout.joints[k]];
+            const JointEnd a = joint_end(s, scratch, info.body_a), b = joint_end(s, scratch, info.body_b);
+            bool with_frames = false;
+            for (std::uint32_t i = layout.first_row[k]; i < layout.first_row[k + 1]; ++i)
+                with_frames = with_frames || needs_frames(s, layout.rows[i]);
+            if (with_frames) {
+                const JointPlacement p = place_joint(s, info);
+                fill_rows_of<FramedPlacement>(s, scratch, discard, k, {info, a, b, {p, turn_of(p)}}, h);
+            } else {
+                fill_rows_of<JointAnchors>(s, scratch, discard, k, {info, a, b, place_anchors(s, info)}, h);
+            }
+        }
+    });
+    fill_direct_rows(s, scratch, crew);
+}
+
+void store_joints(State& s, BinScratch& scratch, float dt) {
+    const JointLayout& layout = *scratch.joint_layout;
+    const float rate = 1 / dt;
+    const bool may_be_fast = !layout.joints.empty() && any_is_too_fast(s, scratch);
+    scratch.joint_demands.resize(layout.joints.size());
+    for (std::size_t k = 0; k < layout.joints.size(); ++k) {
+        prefetch_joint(s, layout, k + joints_ahead);
+        for (std::uint32_t i = layout.first_row[k]; i < layout.first_row[k + 1]; ++i) {
+            const JointRow& row = layout.rows[i];
+            if (row.idle) continue;
+            for_blocks_of(scratch, row.type,
+                          [&](auto& blocks) { take_lane(s, row, blocks[row.lane / 8], row.lane % 8); });
+        }
+        scratch.joint_demands[k] = unknown_demand;
+        if (s.direct.set_of_joint[layout.joints[k]] != none) continue; // ended below
+        end_joint(s, scratch, layout.joints[k], rate, may_be_fast);
+        scratch.joint_demands[k] = joint_demand(s, scratch, layout.joints[k]);
+    }
+    store_direct_rows(s, scratch);
+    for (const DirectSolve& solve : scratch.direct.sets)
+        for (const std::uint32_t joint : s.direct.sets[std::size_t(solve.set)].joints)
+            end_joint(s, scratch, joint, rate, may_be_fast);
+}
+
+} // namespace cairn

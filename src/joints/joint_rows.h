@@ -1,0 +1,14 @@
+// The rows of joints in a solver bin: what is put into them, and what comes out.
+#pragma once
+
+#include "state/state.h"
+
+namespace cairn {
+
+// Positions, axes and impulses of the lanes; `h`: the substep.
+void fill_joint_blocks(State& state, BinScratch& scratch, Crew* crew, float h);
+// After the last substep: impulses and forces back to the joints.
+void store_joints(State& state, BinScratch& scratch, float dt);
+JointSoftness joint_softness(const State& state, const Bin& bin, float h);
+
+} // namespace cairn

@@ -1,0 +1,36 @@
+// What the broad-phase kernels share.
+#pragma once
+
+#include "kernels/broad/broad.h"
+#include "simd/wide_math.h"
+
+namespace cairn::CAIRN_ISA {
+
+// One box in all lanes.
+struct WideBox {
+    Vec3x8 lo, hi;
+};
+
+CAIRN_INLINE WideBox splat(const TreeBox& box) {
+    return {{splat(box.lo[0]), splat(box.lo[1]), splat(box.lo[2])},
+            {splat(box.hi[0]), splat(box.hi[1]), splat(box.hi[2])}};
+}
+CAIRN_INLINE WideBox splat_lane(const Node8& node, unsigned lane) {
+    return {{splat(node.lo[0][lane]), splat(node.lo[1][lane]), splat(node.lo[2][lane])},
+            {splat(node.hi[0][lane]), splat(node.hi[1][lane]), splat(node.hi[2][lane])}};
+}
+
+// Lanes that meet the box (touching counts), as bits: those that are not apart on any axis.
+CAIRN_INLINE int hits(Vec3x8 lo, Vec3x8 hi, const WideBox& box) {
+    const mask8 apart = (lo.x > box.hi.x) | (hi.x < box.lo.x) | (lo.y > box.hi.y) | (hi.y < box.lo.y) |
+                        (lo.z > box.hi.z) | (hi.z < box.lo.z);
+    return 255 ^ bits(apart);
+}
+CAIRN_INLINE int hits(const Node8& node, const WideBox& box) { return hits(load3(node.lo), load3(node.hi), box); }
+
+void find_rows(const Node8& a, const TreeBox& bounds_a, std::uint32_t leaf_a, bool forward, const Node8* leaves,
+               const LeafList& list, std::uint32_t list_count, std::uint32_t key_base, RowBuffer& rows);
+std::uint32_t find_others(const Node8& a, const TreeBox& bounds_a, const Node8* const* leaves, std::uint32_t leaf_count,
+                          std::uint32_t* out);
+
+} // namespace cairn::CAIRN_ISA

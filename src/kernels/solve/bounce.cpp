@@ -1,0 +1,278 @@
+// Restitution. Contacts that will be reached within this substep, faster than the threshold, bounce before the
+// solver sees them. Contacts are taken one after another with the velocities that they then have, and the pass
+// is repeated until nothing bounces, so that an impact travels through a row of touching balls (Newton's cradle).
+//
+// Energy and time are exact for a constant closing acceleration a. The discrete path is a parabola; its closing speed
+// at the start of the substep is the stored speed |v| (which has this substep's h a in it already) less o h a, where
+// o = 1/2 for semi-implicit Euler, which moves with the velocity of the end of the substep; 1 for exact integration;
+// 3/2 for explicit Euler. From u = |v| - o h a at a gap s, the surface is met with w = sqrt(u^2 + 2 a s) after
+// t = 2 s / (u + w), left with e w, and at the end of the substep the speed is e w - a (h - t), (1 - o) h a more in the
+// stored convention, and the gap e w (h - t) - a (h - t)^2 / 2. What the pose must move beside the stored velocity to
+// get there goes to velocity_correction.
+//
+// The impulse acts where the bodies are when they meet, with arms, normal and couplings of that moment: so that neither
+// energy nor angular momentum is gained or lost by having looked too early.
+#include "kernels/solve/solver.h"
+
+namespace cairn::CAIRN_ISA {
+
+namespace {
+
+constexpr int point_sweeps = 12; // Gauss-Seidel sweeps over the four points of one bouncing contact
+
+// Two bodies as they will meet.
+template <int N> struct Meeting {
+    Vec3x8 normal, d; // d: from B's center of mass to A's
+    Vec3x8 center;    // arm of the friction center, for A
+    Vec3x8 arm_a[N];  // r_i x normal
+    Vec3x8 arm_b[N];  // (r_i + d) x normal
+    f32x8 v[N];       // normal velocities, closing ones negative
+    f32x8 correction; // of the poses' velocities, in units of the change of velocity
+};
+
+CAIRN_INLINE Velocityx8 gather_twist(const SolverTwist* rows, const std::uint32_t* row) {
+    return gather_velocity(reinterpret_cast<const SolverVelocity*>(rows), row);
+}
+
+struct Rebound {
+    f32x8 velocity;   // stored at the end of the substep, opening
+    f32x8 correction; // to move the pose by, beside it
+};
+
+CAIRN_INLINE Rebound rebound(f32x8 approach, f32x8 gap, f32x8 acceleration, f32x8 restitution, f32x8 other_correction,
+                             const BounceSettings& settings) {
+    const f32x8 h = splat(settings.h), ah = acceleration * h, offset = splat(settings.velocity_offset);
+    const f32x8 u = max(approach - offset * ah, zero());
+    const f32x8 w = sqrt(u * u + splat(2.0f) * acceleration * gap);
+    const f32x8 t = min(splat(2.0f) * gap / max(u + w, splat(1e-20f)), h), left = h - t;
+    const f32x8 leave = restitution * w;
+    const f32x8 end_gap = max(left * (leave - splat(0.5f) * acceleration * left), zero());
+    // It does not come down again in the same substep: what is that slow stays on the surface.
+    const f32x8 velocity = max(leave - acceleration * left + (one() - offset) * ah, zero());
+    return {velocity, (end_gap - gap) / h - velocity - other_correction};
+}
+
+// What the two bodies have besides their velocities.
+struct Surroundings {
+    Velocityx8 drive_a, drive_b, other_a, other_b; // other: corrections of their poses' velocities so far
+};
+
+template <int N> CAIRN_INLINE void find_velocities(const Velocityx8& a, const Velocityx8& b, Meeting<N>& m) {
+    const f32x8 common = dot(m.normal, b.v - a.v);
+    for (int i = 0; i < N; ++i) m.v[i] = common + (dot(m.arm_b[i], b.w) - dot(m.arm_a[i], a.w));
+}
+
+// As they are at the start of the substep.
+template <int N>
+CAIRN_INLINE Meeting<N> meeting_now(const ContactBlock<N>& block, const Velocityx8& a, const Velocityx8& b) {
+    Meeting<N> m;
+    m.normal = load3(block.normal);
+    m.d = load3(block.d);
+    m.center = load3(block.center);
+    m.correction = zero();
+    const Vec3x8 c = cross(m.d, m.normal);
+    for (int i = 0; i < N; ++i) {
+        m.arm_a[i] = arm_of(block, m.normal, i);
+        m.arm_b[i] = m.arm_a[i] + c;
+    }
+    find_velocities(a, b, m);
+    return m;
+}
+
+// The velocity that a point should leave with.
+template <int N>
+CAIRN_INLINE Rebound rebound_of(const ContactBlock<N>& block, const Meeting<N>& m, int i, const Surroundings& around,
+                                const BounceSettings& settings) {
+    const f32x8 acceleration = max((dot(m.arm_a[i], around.drive_a.w) - dot(m.arm_b[i], around.drive_b.w) -
+                                    dot(m.normal, around.drive_b.v - around.drive_a.v)) *
+                                       splat(1.0f / settings.h),
+                                   zero());
+    const f32x8 other = dot(m.normal, around.other_b.v - around.other_a.v) +
+                        (dot(m.arm_b[i], around.other_b.w) - dot(m.arm_a[i], around.other_a.w));
+    return rebound(-m.v[i], max(load(block.separation[i]), zero()), acceleration, load(block.restitution), other,
+                   settings);
+}
+
+// By how much each point's arm for A will have moved when B has passed A by -`passed`. The point stays with the sphere
+// or, between two boxes, midway, and with A where B cannot move; between two spheres the normal turns with the line of
+// centers.
+template <int N> CAIRN_INLINE Vec3x8 turn_to_impact(const ContactBlock<N>& block, Vec3x8 passed, Vec3x8& normal) {
+    const f32x8 box_share = select(load(block.mass_b) == zero(), zero(), splat(0.5f));
+    if constexpr (N == 1) {
+        const f32x8 radius_a = load(block.radius_a), radius_b = load(block.radius_b);
+        const mask8 round_a = radius_a > zero(), round_b = radius_b > zero(), both = round_a & round_b;
+        const Vec3x8 centers = (radius_a + radius_b) * normal - passed;
+        const f32x8 square = dot(centers, centers);
+        const mask8 turns = both & (square > zero());
+        const Vec3x8 turned = (one() / sqrt(select(turns, square, one()))) * centers;
+        const Vec3x8 shift = radius_a * (turned - normal);
+        const f32x8 share = select(round_a, zero(), select(round_b, one(), box_share));
+        normal = select(turns, turned, normal);
+        return select(turns, shift, -(share * passed));
+    } else {
+        return -(box_share * passed);
+    }
+}
+
+template <int N>
+CAIRN_INLINE Meeting<N> meeting_later(const ContactBlock<N>& block, const Meeting<N>& now, const Velocityx8& a,
+                                      const Velocityx8& b, const Surroundings& around, float h) {
+    Meeting<N> m = now;
+    const Vec3x8 passed = splat(h) * (around.other_a.v - around.other_b.v) - (splat(h) * now.correction) * (a.v - b.v);
+    const Vec3x8 shift = turn_to_impact(block, passed, m.normal);
+    m.d = now.d + passed;
+    m.center = now.center + shift;
+    const Vec3x8 c = cross(m.d, m.normal), moved = cross(shift, m.normal);
+    for (int i = 0; i < N; ++i) {
+        m.arm_a[i] = N == 1 ? cross(m.center, m.normal) : now.arm_a[i] + moved;
+        m.arm_b[i] = m.arm_a[i] + c;
+    }
+    find_velocities(a, b, m);
+    return m;
+}
+
+// The impulses that make the arriving points leave as they should: Gauss-Seidel on the couplings of the meeting.
+template <int N>
+CAIRN_INLINE void find_impulses(const ContactBlock<N>& block, Meeting<N>& m, const f32x8* target, const mask8* arrives,
+                                f32x8* impulse) {
+    const f32x8 mass = load(block.mass_a) + load(block.mass_b);
+    f32x8 k[N][N], inverse[N];
+    for (int i = 0; i < N; ++i) {
+        const Vec3x8 ia = turned_a(block, m.arm_a[i]), ib = turned_b(block, m.arm_b[i]);
+        for (int j = 0; j < N; ++j) k[j][i] = mass + (dot(m.arm_a[j], ia) + dot(m.arm_b[j], ib));
+        inverse[i] = select(arrives[i], one() / max(k[i][i], splat(1e-35f)), zero());
+        impulse[i] = zero();
+    }
+    for (int sweep = 0; sweep < (N > 1 ? point_sweeps : 1); ++sweep)
+        for (int i = 0; i < N; ++i) {
+            const f32x8 next = max(impulse[i] + inverse[i] * (target[i] - m.v[i]), zero()), d = next - impulse[i];
+            impulse[i] = next;
+            for (int j = 0; j < N; ++j) m.v[j] += k[j][i] * d;
+        }
+}
+
+// Points that will touch within this substep, and fast enough.
+template <int N>
+CAIRN_INLINE mask8 arriving(const ContactBlock<N>& block, const Meeting<N>& m, const BounceSettings& settings,
+                            mask8* arrives) {
+    mask8 lanes = zero() > one();
+    for (int i = 0; i < N; ++i) {
+        arrives[i] = (load(block.effective_mass[i]) > zero()) & (m.v[i] < splat(-settings.threshold)) &
+                     (load(block.separation[i]) + splat(settings.h) * m.v[i] <= zero()) &
+                     (load(block.restitution) > zero());
+        lanes = lanes | arrives[i];
+    }
+    return lanes;
+}
+
+// Coulomb friction of the impact itself, at the friction center, from rest.
+template <int N>
+CAIRN_INLINE Vec3x8 impact_friction(const ContactBlock<N>& block, const Meeting<N>& m, f32x8 load_sum,
+                                    const Velocityx8& a, const Velocityx8& b) {
+    const Vec3x8 t1 = load3(block.tangent), t2 = second_tangent(block, load3(block.normal));
+    const Vec3x8 slip = (b.v - a.v) + cross(b.w - a.w, m.center) + cross(b.w, m.d);
+    const f32x8 x = dot(slip, t1), y = dot(slip, t2);
+    const f32x8 m12 = load(block.tangent_mass[1]);
+    f32x8 p1 = -(load(block.tangent_mass[0]) * x + m12 * y), p2 = -(m12 * x + load(block.tangent_mass[2]) * y);
+    const f32x8 size = sqrt(p1 * p1 + p2 * p2), limit = load(block.friction) * load_sum;
+    const f32x8 scale = min(limit / (size + splat(1e-20f)), one());
+    return scale * (p1 * t1 + p2 * t2);
+}
+
+// Resistance of the impact itself to spinning about the normal and to rolling: a couple, of at most what friction and
+// the rolling radius make of the impulses. Without it nothing that rests on a bouncing surface would ever cease to
+// roll: it rests by bouncing in every substep.
+template <int N>
+CAIRN_INLINE Vec3x8 impact_couple(const ContactBlock<N>& block, Vec3x8 normal, const f32x8* impulse, f32x8 sum,
+                                  const Velocityx8& a, const Velocityx8& b) {
+    f32x8 radius_load = load(block.torsion_radius) * sum;
+    if constexpr (N > 1) {
+        f32x8 levers = zero();
+        for (int i = 0; i < N; ++i) levers += load(block.lever[i]) * impulse[i];
+        radius_load = max(radius_load, levers);
+    }
+    const f32x8 limit = load(block.friction) * radius_load;
+    const Vec3x8 dw = b.w - a.w;
+    const f32x8 spin = clamp(-(load(block.torsion_mass) * dot(normal, dw)), -limit, limit);
+    if (!block.rolls) return spin * normal;
+    const Vec3x8 p = -(rolling_mass(block) * dw); // as in relax
+    const f32x8 most = load(block.rolling_radius) * sum;
+    const f32x8 scale = min(most / (sqrt(dot(p, p)) + splat(1e-20f)), one());
+    return spin * normal + scale * p;
+}
+
+CAIRN_INLINE void add_to_rows(SolverVelocity* rows, const std::uint32_t* row, const std::uint32_t* write,
+                              const Velocityx8& change, f32x8 factor) {
+    Velocityx8 r = gather_velocity(rows, row);
+    r = {r.v + factor * change.v, r.w + factor * change.w};
+    scatter_velocity(rows, write, r);
+}
+
+// One block; whether anything bounced.
+template <int N>
+CAIRN_INLINE bool bounce_block(ContactBlock<N>& block, const SolverBodies& bodies, const BounceSettings& settings) {
+    if (!block.bounces) return false;
+    Velocityx8 a = gather_velocity(bodies.velocity, block.a), b = gather_velocity(bodies.velocity, block.b);
+    Meeting<N> now = meeting_now(block, a, b);
+    mask8 arrives[N];
+    if (!any(arriving(block, now, settings, arrives))) return false;
+    const Surroundings around = {gather_twist(bodies.drive, block.a), gather_twist(bodies.drive, block.b),
+                                 gather_twist(bodies.velocity_correction, block.a),
+                                 gather_twist(bodies.velocity_correction, block.b)};
+    f32x8 change = zero(), correction = zero(), target[N], impulse[N], sum = zero();
+    for (int i = 0; i < N; ++i) {
+        const Rebound r = rebound_of(block, now, i, around, settings);
+        change += select(arrives[i], r.velocity - now.v[i], zero());
+        correction += select(arrives[i], r.correction, zero());
+    }
+    now.correction = select(change > zero(), correction / max(change, splat(1e-20f)), zero());
+    Meeting<N> m = meeting_later(block, now, a, b, around, settings.h);
+    mask8 bounces = zero() > one();
+    for (int i = 0; i < N; ++i) {
+        arrives[i] = arrives[i] & (m.v[i] < splat(-settings.threshold));
+        bounces = bounces | arrives[i];
+        target[i] = rebound_of(block, m, i, around, settings).velocity;
+    }
+    if (!any(bounces)) return false;
+    find_impulses(block, m, target, arrives, impulse);
+    Vec3x8 torque_a = zero3(), torque_b = zero3();
+    for (int i = 0; i < N; ++i) {
+        sum += impulse[i];
+        torque_a = torque_a + impulse[i] * m.arm_a[i];
+        torque_b = torque_b + impulse[i] * m.arm_b[i];
+        store(block.total_impulse[i], load(block.total_impulse[i]) + impulse[i]);
+    }
+    const Velocityx8 before_a = a, before_b = b;
+    a = {a.v - (load(block.mass_a) * sum) * m.normal, a.w - turned_a(block, torque_a)};
+    b = {b.v + (load(block.mass_b) * sum) * m.normal, b.w + turned_b(block, torque_b)};
+    const Vec3x8 p = impact_friction(block, m, sum, a, b);
+    apply_friction(block, m.center, m.d, p, zero3(), a, b);
+    const Vec3x8 couple = impact_couple<N>(block, m.normal, impulse, sum, a, b);
+    a.w = a.w - turned_a(block, couple);
+    b.w = b.w + turned_b(block, couple);
+    scatter_velocity(bodies.velocity, block.a, a);
+    scatter_velocity(bodies.velocity, block.write_b, b);
+    const Velocityx8 change_a = {a.v - before_a.v, a.w - before_a.w}, change_b = {b.v - before_b.v, b.w - before_b.w};
+    // The same change to the reference: the bounce is over, and must not be carried into the next substep.
+    add_to_rows(bodies.reference, block.a, block.a, change_a, one());
+    add_to_rows(bodies.reference, block.b, block.write_b, change_b, one());
+    auto* corrections = reinterpret_cast<SolverVelocity*>(bodies.velocity_correction);
+    add_to_rows(corrections, block.a, block.a, change_a, now.correction);
+    add_to_rows(corrections, block.b, block.write_b, change_b, now.correction);
+    return true;
+}
+
+} // namespace
+
+template <int N>
+int bounce_contacts(void* blocks, int count, const SolverBodies& bodies, const BounceSettings& settings) {
+    auto* all = static_cast<ContactBlock<N>*>(blocks);
+    int bounced = 0;
+    for (int k = 0; k < count; ++k) bounced += bounce_block<N>(all[k], bodies, settings);
+    return bounced;
+}
+
+template int bounce_contacts<1>(void*, int, const SolverBodies&, const BounceSettings&);
+template int bounce_contacts<4>(void*, int, const SolverBodies&, const BounceSettings&);
+
+} // namespace cairn::CAIRN_ISA

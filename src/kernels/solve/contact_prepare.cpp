@@ -1,0 +1,308 @@
+// Building contact blocks from contact records, and writing the impulses back.
+#include "core/cache.h"
+#include "kernels/solve/solver.h"
+
+#include <cstddef>
+
+namespace cairn::CAIRN_ISA {
+
+namespace {
+
+constexpr float unused_separation = 1e9f; // points at least this far apart are not there
+constexpr float least_friction_weight = 0.01f;
+alignas(64) const ContactRecord empty_record = {
+    .normal = {0, 1, 0},
+    .friction = 0,
+    .center_offset = {},
+    .restitution = 0,
+    .first_point = {0, 0, 0, 1e30f},
+    .impulses = {},
+    .friction_impulse = {},
+    .torsion_impulse = 0,
+    .static_friction = 0,
+    .rolling_radius = 0,
+    .torsion_radius = 0,
+    .approach_speed = 0,
+    .total_friction = {},
+    .first_total = 0,
+    .radius_a = 0,
+    .radius_b = 0,
+    .features = 0,
+    .padding = 0,
+    .more_points = {{0, 0, 0, 1e30f}, {0, 0, 0, 1e30f}, {0, 0, 0, 1e30f}},
+    .more_totals = {},
+    .more_padding = 0,
+};
+
+// Where a point is in a record.
+CAIRN_INLINE std::size_t point_offset(int i) {
+    return i == 0 ? offsetof(ContactRecord, first_point)
+                  : offsetof(ContactRecord, more_points) + 16 * std::size_t(i - 1);
+}
+
+struct Inertiax8 {
+    f32x8 inverse_mass;
+    Sym3x8 inverse_inertia;
+};
+
+CAIRN_INLINE bool is_movable(const SolverInertia& i) {
+    return i.inverse_mass > 0.0f || i.xx > 0.0f || i.yy > 0.0f || i.zz > 0.0f;
+}
+
+CAIRN_INLINE Inertiax8 gather_inertia(const SolverInertia* rows, const std::int32_t* row) {
+    const float* p[8];
+    Inertiax8 r;
+    f32x8 unused;
+    Sym3x8& m = r.inverse_inertia;
+    for (int i = 0; i < 8; ++i) p[i] = &rows[row[i]].inverse_mass;
+    gather4(p, r.inverse_mass, m.xx, m.xy, m.xz);
+    for (int i = 0; i < 8; ++i) p[i] += 4;
+    gather4(p, m.yy, m.yz, m.zz, unused);
+    return r;
+}
+
+// The reciprocal of x where x > 0, else 0.
+CAIRN_INLINE f32x8 safe_reciprocal(f32x8 x) {
+    const mask8 positive = x > zero();
+    return select(positive, one() / select(positive, x, one()), zero());
+}
+
+CAIRN_INLINE void gather_field(const ContactRecord* const* record, std::size_t offset, f32x8& x, f32x8& y, f32x8& z,
+                               f32x8& w) {
+    const float* p[8];
+    for (int i = 0; i < 8; ++i)
+        p[i] = reinterpret_cast<const float*>(reinterpret_cast<const char*>(record[i]) + offset);
+    gather4(p, x, y, z, w);
+}
+
+// Normal rows: arms, the matrix K of the points' normal velocities, and the friction center.
+template <int N>
+CAIRN_INLINE Vec3x8 prepare_points(ContactBlock<N>& block, const ContactRecord* const* record, Vec3x8 normal, Vec3x8 c,
+                                   const Inertiax8& a, const Inertiax8& b, float friction_margin) {
+    const f32x8 mass_sum = a.inverse_mass + b.inverse_mass;
+    Vec3x8 r[N], j[N], ia_j[N], ib_j[N], center = zero3();
+    f32x8 mass[N], coupling[N][N]; // K_ij, i < j
+    f32x8 weight_sum = zero();
+    for (int i = 0; i < N; ++i) {
+        f32x8 s;
+        gather_field(record, point_offset(i), r[i].x, r[i].y, r[i].z, s);
+        const mask8 used = s < splat(unused_separation);
+        // Points that are further apart than the margin hardly count for the friction center.
+        f32x8 weight = clamp(splat(2.0f) - s * splat(1.0f / friction_margin), splat(least_friction_weight), one());
+        weight = select(used, weight, zero());
+        center = center + weight * r[i];
+        weight_sum += weight;
+        j[i] = cross(r[i], normal);
+        ia_j[i] = a.inverse_inertia * j[i];
+        ib_j[i] = b.inverse_inertia * (j[i] + c);
+        if constexpr (N > 1) {
+            store3(block.arm[i], j[i]);
+            store(block.height[i], dot(r[i], normal));
+        }
+        store(block.separation0[i], s);
+        store(block.separation[i], s);
+        store(block.total_impulse[i], zero());
+        for (int k = 0; k < i; ++k) coupling[k][i] = mass_sum + dot(ia_j[k], j[i]) + dot(ib_j[k], j[i] + c);
+        const f32x8 k_ii = mass_sum + dot(ia_j[i], j[i]) + dot(ib_j[i], j[i] + c);
+        mass[i] = select(used, safe_reciprocal(k_ii), zero());
+        store(block.effective_mass[i], mass[i]);
+    }
+    if constexpr (N == 1) {
+        store3(block.center, r[0]);
+        return r[0];
+    } else {
+        for (int i = 0; i < N; ++i)
+            for (int k = 0; k < N; ++k)
+                if (k != i) store(block.share[share_index<N>(k, i)], mass[k] * coupling[k < i ? k : i][k < i ? i : k]);
+        center = safe_reciprocal(weight_sum) * center;
+        store3(block.center, center);
+        for (int i = 0; i < N; ++i) {
+            const Vec3x8 e = r[i] - center;
+            const mask8 used = load(block.separation0[i]) < splat(unused_separation);
+            store(block.lever[i], select(used, sqrt(dot(e, e)), zero()));
+        }
+        return center;
+    }
+}
+
+// Tangential and torsional rows at the friction center.
+template <int N>
+CAIRN_INLINE void prepare_friction(ContactBlock<N>& block, const ContactRecord* const* record, Vec3x8 normal, Vec3x8 d,
+                                   Vec3x8 center, const Inertiax8& a, const Inertiax8& b) {
+    // Any tangent will do: the friction limit is round.
+    const mask8 steep = abs(normal.x) < splat(0.5f);
+    const Vec3x8 axis = {select(steep, one(), zero()), select(steep, zero(), one()), zero()};
+    Vec3x8 t1 = cross(axis, normal);
+    t1 = safe_reciprocal(sqrt(dot(t1, t1))) * t1;
+    const Vec3x8 t2 = cross(t1, normal);
+    store3(block.tangent, t1);
+
+    Vec3x8 impulse;
+    f32x8 torsion;
+    gather_field(record, offsetof(ContactRecord, friction_impulse), impulse.x, impulse.y, impulse.z, torsion);
+    store(block.tangent_impulse[0], dot(impulse, t1));
+    store(block.tangent_impulse[1], dot(impulse, t2));
+    store(block.torsion_impulse, torsion);
+    store(block.total_tangent[0], zero());
+    store(block.total_tangent[1], zero());
+    store3(block.rolling_impulse, zero3());
+
+    const Vec3x8 center_b = center + d;
+    store(block.arm_b_square, dot(center_b, center_b));
+    const Vec3x8 a1 = cross(center, t1), a2 = cross(center, t2), b1 = cross(center_b, t1), b2 = cross(center_b, t2);
+    const Vec3x8 ia_1 = a.inverse_inertia * a1, ia_2 = a.inverse_inertia * a2;
+    const Vec3x8 ib_1 = b.inverse_inertia * b1, ib_2 = b.inverse_inertia * b2;
+    const f32x8 mass_sum = a.inverse_mass + b.inverse_mass;
+    const f32x8 k11 = mass_sum + dot(a1, ia_1) + dot(b1, ib_1), k22 = mass_sum + dot(a2, ia_2) + dot(b2, ib_2);
+    const f32x8 k12 = dot(a1, ia_2) + dot(b1, ib_2);
+    const f32x8 inverse_determinant = safe_reciprocal(k11 * k22 - k12 * k12);
+    store(block.tangent_mass[0], inverse_determinant * k22);
+    store(block.tangent_mass[1], -(inverse_determinant * k12));
+    store(block.tangent_mass[2], inverse_determinant * k11);
+
+    const Vec3x8 ia_n = a.inverse_inertia * normal, ib_n = b.inverse_inertia * normal;
+    store(block.torsion_mass, safe_reciprocal(dot(normal, ia_n) + dot(normal, ib_n)));
+    store(block.torsion_coupling[0], dot(a1, ia_n) + dot(b1, ib_n));
+    store(block.torsion_coupling[1], dot(a2, ia_n) + dot(b2, ib_n));
+}
+
+// The contacts of one color lie scattered among the records.
+template <int N> CAIRN_INLINE void prefetch_records(const std::int32_t* ids, const ContactRecord* records) {
+    constexpr std::size_t used = N == 1 ? offsetof(ContactRecord, more_points) : sizeof(ContactRecord);
+    for (int i = 0; i < 8; ++i) {
+        const char* record = reinterpret_cast<const char*>(records + (ids[i] >= 0 ? ids[i] : 0));
+        for (std::size_t at = 0; at < used; at += 64) ask_cache(record + at);
+    }
+}
+
+CAIRN_INLINE mask8 is_even(const Sym3x8& m) {
+    const f32x8 none = zero();
+    return (m.xx == m.yy) & (m.xx == m.zz) & (m.xy == none) & (m.xz == none) & (m.yz == none);
+}
+
+template <int N> CAIRN_INLINE void store_inertia(ContactBlock<N>& block, const Sym3x8& a, const Sym3x8& b) {
+    block.even = all(is_even(a) & is_even(b));
+    if (block.even) {
+        store(block.inertia_a[0], a.xx);
+        store(block.inertia_b[0], b.xx);
+    } else {
+        store6(block.inertia_a, a);
+        store6(block.inertia_b, b);
+    }
+}
+
+template <int N>
+CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids, const std::int32_t* row_a,
+                                const std::int32_t* row_b, const ContactRecord* records, const SolverInertia* inertia,
+                                std::int32_t discard_row, float friction_margin) {
+    const std::uint32_t discard = std::uint32_t(discard_row) * row_bytes;
+    const ContactRecord* record[8];
+    for (int i = 0; i < 8; ++i) {
+        record[i] = ids[i] >= 0 ? records + ids[i] : &empty_record;
+        block.a[i] = ids[i] >= 0 ? std::uint32_t(row_a[i]) * row_bytes : discard;
+        block.b[i] = ids[i] >= 0 ? std::uint32_t(row_b[i]) * row_bytes : discard;
+        block.write_b[i] = is_movable(inertia[row_b[i]]) ? block.b[i] : discard;
+    }
+    block.moved = block.struck = block.struck_once = block.struck_twice = 0;
+    const Inertiax8 a = gather_inertia(inertia, row_a), b = gather_inertia(inertia, row_b);
+    Vec3x8 normal, d;
+    f32x8 friction, restitution;
+    gather_field(record, offsetof(ContactRecord, normal), normal.x, normal.y, normal.z, friction);
+    gather_field(record, offsetof(ContactRecord, center_offset), d.x, d.y, d.z, restitution);
+    const Vec3x8 c = cross(d, normal);
+    store3(block.normal, normal);
+    store3(block.d0, d);
+    store3(block.d, d);
+    store(block.friction, friction);
+    store(block.restitution, restitution);
+    block.bounces = any(restitution > zero());
+    store(block.mass_a, a.inverse_mass);
+    store(block.mass_b, b.inverse_mass);
+    store_inertia(block, a.inverse_inertia, b.inverse_inertia);
+
+    f32x8 impulse[4], static_friction, rolling_radius, torsion_radius, unused;
+    gather_field(record, offsetof(ContactRecord, impulses), impulse[0], impulse[1], impulse[2], impulse[3]);
+    for (int i = 0; i < N; ++i) store(block.impulse[i], impulse[i]);
+    gather_field(record, offsetof(ContactRecord, static_friction), static_friction, rolling_radius, torsion_radius,
+                 unused);
+    store(block.static_friction, static_friction);
+    store(block.rolling_radius, rolling_radius);
+    block.rolls = any(rolling_radius > zero());
+    store(block.torsion_radius, torsion_radius);
+    f32x8 radius_a, radius_b;
+    gather_field(record, offsetof(ContactRecord, radius_a), radius_a, radius_b, unused, unused);
+    store(block.radius_a, radius_a);
+    store(block.radius_b, radius_b);
+    block.round = any((radius_a > zero()) | (radius_b > zero()));
+
+    const Vec3x8 center = prepare_points<N>(block, record, normal, c, a, b, friction_margin);
+    prepare_friction<N>(block, record, normal, d, center, a, b);
+}
+
+} // namespace
+
+template <int N>
+void prepare_contacts(void* blocks, int count, const ContactLanes& lanes, const ContactRecord* records,
+                      const SolverInertia* inertia, float friction_margin) {
+    auto* block = static_cast<ContactBlock<N>*>(blocks);
+    for (int k = 0; k < count; ++k) {
+        if (k + 1 < count) prefetch_records<N>(lanes.record + 8 * (k + 1), records);
+        prepare_block<N>(block[k], lanes.record + 8 * k, lanes.row_a + 8 * k, lanes.row_b + 8 * k, records, inertia,
+                         lanes.first_discard + k, friction_margin);
+    }
+}
+
+// Sums and minima over the points, to one report for each lane.
+template <int N>
+CAIRN_INLINE void store_reports(const ContactBlock<N>& block, const std::int32_t* ids, Vec3x8 friction_impulse,
+                                ContactReport* reports) {
+    f32x8 impulse = load(block.total_impulse[0]), separation = load(block.separation0[0]);
+    for (int i = 1; i < N; ++i) {
+        impulse += load(block.total_impulse[i]);
+        separation = min(separation, load(block.separation0[i]));
+    }
+    impulse += zero() * ((friction_impulse.x + friction_impulse.y) + friction_impulse.z);
+    alignas(32) float impulses[8], separations[8], inverse_masses[8];
+    store(impulses, impulse);
+    store(separations, separation);
+    store(inverse_masses, load(block.mass_a) + load(block.mass_b));
+    for (int i = 0; i < 8; ++i)
+        if (ids[i] >= 0) reports[ids[i]] = {impulses[i], separations[i], inverse_masses[i]};
+}
+
+template <int N>
+void store_contacts(const void* blocks, int count, const ContactLanes& lanes, ContactRecord* records,
+                    ContactReport* reports) {
+    auto* block = static_cast<const ContactBlock<N>*>(blocks);
+    alignas(32) float discarded[4];
+    for (int k = 0; k < count; ++k) {
+        if (k + 1 < count) prefetch_records<N>(lanes.record + 8 * (k + 1), records);
+        const ContactBlock<N>& b = block[k];
+        const std::int32_t* ids = lanes.record + 8 * k;
+        float *impulses[8], *friction[8], *totals[8], *more_totals[8];
+        for (int i = 0; i < 8; ++i) {
+            impulses[i] = ids[i] >= 0 ? records[ids[i]].impulses : discarded;
+            friction[i] = ids[i] >= 0 ? records[ids[i]].friction_impulse : discarded;
+            totals[i] = ids[i] >= 0 ? records[ids[i]].total_friction : discarded;
+            more_totals[i] = ids[i] >= 0 ? records[ids[i]].more_totals : discarded;
+        }
+        f32x8 impulse[4];
+        for (int i = 0; i < 4; ++i) impulse[i] = i < N ? load(b.impulse[i < N ? i : 0]) : zero();
+        scatter4(impulses, impulse[0], impulse[1], impulse[2], impulse[3]);
+        const Vec3x8 t1 = load3(b.tangent), t2 = second_tangent(b, load3(b.normal));
+        const Vec3x8 p = load(b.tangent_impulse[0]) * t1 + load(b.tangent_impulse[1]) * t2;
+        scatter4(friction, p.x, p.y, p.z, load(b.torsion_impulse));
+        const Vec3x8 sum = load(b.total_tangent[0]) * t1 + load(b.total_tangent[1]) * t2;
+        scatter4(totals, sum.x, sum.y, sum.z, load(b.total_impulse[0]));
+        if constexpr (N > 1)
+            scatter4(more_totals, load(b.total_impulse[1]), load(b.total_impulse[2]), load(b.total_impulse[3]), zero());
+        store_reports<N>(b, ids, p, reports);
+    }
+}
+
+template void prepare_contacts<1>(void*, int, const ContactLanes&, const ContactRecord*, const SolverInertia*, float);
+template void prepare_contacts<4>(void*, int, const ContactLanes&, const ContactRecord*, const SolverInertia*, float);
+template void store_contacts<1>(const void*, int, const ContactLanes&, ContactRecord*, ContactReport*);
+template void store_contacts<4>(const void*, int, const ContactLanes&, ContactRecord*, ContactReport*);
+
+} // namespace cairn::CAIRN_ISA

@@ -1,0 +1,465 @@
+// The contact solver's inner loops: warm start, solve (with soft bias) and relax (without), 8 contacts at a
+// time. The method is the soft step of Catto ("Solver2D", 2024) with three exact reductions; the derivation
+// is in docs/solver.md. In short, for the points i of one contact, with arms j_i for body A and j_i + c for B:
+//   normal velocity   v_i  = n.(vB - vA) + c.wB + j_i.(wB - wA)
+//   coupling          K_ij = 1/mA + 1/mB + j_i.IA^-1 j_j + (j_i + c).IB^-1 (j_j + c)
+// so the points are swept on four numbers alone (see Rows), and the bodies change once:
+//   vA -= n S/mA, vB += n S/mB, wA -= IA^-1 T, wB += IB^-1 (T + S c),  S = sum d_i, T = sum j_i d_i.
+#include "kernels/solve/solver.h"
+
+namespace cairn::CAIRN_ISA {
+
+namespace {
+
+constexpr float tiny = 1e-20f;
+// Shares of B's arm: how far two bodies must pass each other to count, and how far it counts in one step.
+constexpr float least_passing = 1e-6f, most_passing = 0.4f;
+
+struct Posex8 {
+    Vec3x8 dx;
+    Quatx8 dq;
+};
+CAIRN_INLINE Posex8 gather_pose(const SolverPose* rows, const std::uint32_t* offset) {
+    const float* p[8];
+    Posex8 r;
+    f32x8 unused;
+    for (int i = 0; i < 8; ++i) p[i] = row_at(rows, offset[i]).dx;
+    gather4(p, r.dx.x, r.dx.y, r.dx.z, unused);
+    for (int i = 0; i < 8; ++i) p[i] += 4;
+    gather4(p, r.dq.v.x, r.dq.v.y, r.dq.v.z, r.dq.w);
+    return r;
+}
+CAIRN_INLINE Vec3x8 turned_back_difference(Quatx8 q, Vec3x8 n) {
+    const Vec3x8 g = cross(q.v, n);
+    return splat(2.0f) * (cross(q.v, g) - q.w * g);
+}
+// Brings d up to the new poses, so that both bodies are pushed at one point of the world and angular momentum is
+// kept while they pass each other. What is carried into the next substep was pushed at the old d: the moment that is
+// missing since is left for the next `solve`. Nothing is done where nothing has moved.
+template <int N> CAIRN_INLINE void refresh_arm(ContactBlock<N>& block, Vec3x8 normal, Vec3x8 passed) {
+    const Vec3x8 d0 = load3(block.d0), old = load3(block.d);
+    const f32x8 arm_square = load(block.arm_b_square);
+    Vec3x8 d = d0 + passed, change = d - old;
+    if (!any(dot(change, change) > splat(least_passing * least_passing) * arm_square)) return;
+    // Only as far as the couplings K, which are those of the start, still fit.
+    const f32x8 limit = splat(most_passing * most_passing) * arm_square, square = dot(passed, passed);
+    const mask8 far = square > limit;
+    if (any(far)) {
+        d = d0 + select(far, sqrt(limit / select(far, square, one())), one()) * passed;
+        change = d - old;
+    }
+    store3(block.d, d);
+    f32x8 carried = zero();
+    for (int i = 0; i < N; ++i) carried += load(block.impulse[i]);
+    const f32x8 p1 = load(block.tangent_impulse[0]), p2 = load(block.tangent_impulse[1]);
+    if (all((carried == zero()) & (p1 == zero()) & (p2 == zero()))) return;
+    const Vec3x8 p = p1 * load3(block.tangent) + p2 * second_tangent(block, normal);
+    const Vec3x8 moment = cross(change, carried * normal + p);
+    store3(block.moved_moment, block.moved ? load3(block.moved_moment) + moment : moment);
+    block.moved = 1;
+}
+
+// Separations now, from the motion of both bodies since the start of the step. Exact: the normal, not the
+// anchors, is rotated back, and by differences so that nothing cancels: with
+// delta(q) = R(q)^T n - n = 2 (q x (q x n) - q_w (q x n)) and D = delta(qB) - delta(qA),
+// s_i = s0_i + n.(dxB - dxA) + delta(qB).d + (r_i.n)(D.n) + j_i.(D x n).
+// The surface of a sphere does not turn with it: only its center, a radius R from the point, is a point of the body.
+// Turning the material point would lift it by R (1 - cos), and a rolling ball would lose its weight; R (delta.n) per
+// sphere takes that out again.
+template <int N>
+CAIRN_INLINE void refresh_separations(ContactBlock<N>& block, const SolverPose* pose, Vec3x8 normal, f32x8* s) {
+    const Posex8 a = gather_pose(pose, block.a), b = gather_pose(pose, block.b);
+    const Vec3x8 delta_a = turned_back_difference(a.dq, normal), delta_b = turned_back_difference(b.dq, normal);
+    const Vec3x8 difference = delta_b - delta_a, passed = a.dx - b.dx;
+    f32x8 common = dot(delta_b, load3(block.d0)) - dot(normal, passed);
+    if (N == 1 || block.round)
+        common += load(block.radius_a) * dot(delta_a, normal) + load(block.radius_b) * dot(delta_b, normal);
+    const Vec3x8 e = cross(difference, normal);
+    const f32x8 f = dot(difference, normal);
+    for (int i = 0; i < N; ++i) {
+        f32x8 height;
+        if constexpr (N == 1)
+            height = dot(load3(block.center), normal);
+        else
+            height = load(block.height[i]);
+        s[i] = load(block.separation0[i]) + (common + (height * f + dot(arm_of(block, normal, i), e)));
+        store(block.separation[i], s[i]);
+    }
+    refresh_arm(block, normal, passed);
+}
+
+// After bounces: to where their corrections will have moved the bodies.
+template <int N> void refresh_arms(void* blocks, int count, const SolverBodies& bodies, float h) {
+    auto* all = static_cast<ContactBlock<N>*>(blocks);
+    auto* correction = reinterpret_cast<const SolverVelocity*>(bodies.velocity_correction);
+    for (int k = 0; k < count; ++k) {
+        ContactBlock<N>& block = all[k];
+        const Vec3x8 shift =
+            splat(h) * (gather_velocity(correction, block.a).v - gather_velocity(correction, block.b).v);
+        const Vec3x8 passed = gather_pose(bodies.pose, block.a).dx - gather_pose(bodies.pose, block.b).dx;
+        refresh_arm(block, load3(block.normal), passed + shift);
+    }
+}
+
+template <int N> void warm_start(const void* blocks, int count, SolverVelocity* velocity) {
+    auto* all = static_cast<const ContactBlock<N>*>(blocks);
+    for (int k = 0; k < count; ++k) {
+        const ContactBlock<N>& block = all[k];
+        Velocityx8 a = gather_velocity(velocity, block.a), b = gather_velocity(velocity, block.b);
+        const Vec3x8 normal = load3(block.normal), d = load3(block.d), t1 = load3(block.tangent),
+                     t2 = second_tangent(block, normal);
+        f32x8 sum = zero();
+        Vec3x8 torque = zero3();
+        for (int i = 0; i < N; ++i) {
+            const f32x8 impulse = load(block.impulse[i]);
+            sum += impulse;
+            torque = torque + impulse * arm_of(block, normal, i);
+        }
+        apply_normal(block, normal, cross(d, normal), sum, torque, a, b);
+        const Vec3x8 p = load(block.tangent_impulse[0]) * t1 + load(block.tangent_impulse[1]) * t2;
+        apply_friction(block, load3(block.center), d, p, load(block.torsion_impulse) * normal, a, b);
+        scatter_velocity(velocity, block.a, a);
+        scatter_velocity(velocity, block.write_b, b);
+    }
+}
+
+// The normal rows of a block at work. A soft row with compliance asks for
+//   impulse_i' = impulse_i - m_i scale_i (v_i + bias_i) - (1 - scale_i) impulse_i = scale_i wanted_i,
+//   wanted_i = impulse_i - m_i (v_i + bias_i),
+// and what is applied is the part of it that pushes; scale is 1 for a rigid row. An own change d of the impulse does
+// not alter `wanted`, as m_i K_ii = 1; a change of another point by d takes m_i K_ij d from it. So the points can be
+// swept without looking at the bodies again.
+template <int N> struct Rows {
+    Velocityx8 a, b;
+    f32x8 wanted[N], impulse[N], old[N], scale[N];
+};
+
+// Lanes that bear nothing, and still will not: the bodies are left as they are. In a heap that is half of all contacts.
+template <int N> CAIRN_INLINE mask8 is_idle(const Rows<N>& rows) {
+    mask8 lanes = (rows.impulse[0] == zero()) & (rows.wanted[0] <= zero());
+    for (int i = 1; i < N; ++i) lanes = lanes & (rows.impulse[i] == zero()) & (rows.wanted[i] <= zero());
+    return lanes;
+}
+
+// Sweeps over the points of M contacts at once: each is a chain of dependent operations, and chains side by side
+// take little more than the time of one. The second sweep is needed: after one, the corner that came first carries
+// most, and a box that falls flat tips and slides by 5 cm (0.25 mm with two).
+template <int N, int M, bool Soft> CAIRN_INLINE void sweep_points(const ContactBlock<N>* blocks, Rows<N>* rows) {
+    constexpr int visits = N == 1 ? 1 : 2 * N;
+#pragma GCC unroll 8 // so that rows stay in registers
+    for (int k = 0; k < visits; ++k) {
+        const int i = k % N;
+        f32x8 d[M];
+#pragma GCC unroll 4
+        for (int m = 0; m < M; ++m) {
+            f32x8 impulse = max(rows[m].wanted[i], zero());
+            if constexpr (Soft) impulse = rows[m].scale[i] * impulse;
+            d[m] = impulse - rows[m].impulse[i];
+            rows[m].impulse[i] = impulse;
+        }
+        if constexpr (N > 1)
+#pragma GCC unroll 4
+            for (int j = 0; j < N; ++j)
+#pragma GCC unroll 4
+                for (int m = 0; m < M; ++m)
+                    if (j > i || (j < i && k < N)) // only what will be read needs to be kept up
+                        rows[m].wanted[j] = rows[m].wanted[j] - load(blocks[m].share[share_index<N>(j, i)]) * d[m];
+    }
+}
+
+template <int N>
+CAIRN_INLINE void begin_solve(ContactBlock<N>& block, const SolverVelocity* velocity, const ContactSoftness& softness,
+                              Rows<N>& rows) {
+    rows.a = gather_velocity(velocity, block.a);
+    rows.b = gather_velocity(velocity, block.b);
+    if (block.moved) rows.b.w = rows.b.w + turned_b(block, load3(block.moved_moment));
+    const mask8 immovable = load(block.mass_b) == zero();
+    const ContactSoftness::Spring &fixed = softness.on_immovable, &other = softness.on_movable;
+    const f32x8 push_rate = select(immovable, splat(fixed.push_rate), splat(other.push_rate));
+    const f32x8 fastest = select(immovable, splat(-fixed.fastest_push), splat(-other.fastest_push));
+    const f32x8 softened = select(immovable, splat(fixed.scale), splat(other.scale));
+    const f32x8 inverse_h = splat(softness.inverse_h);
+    f32x8 v[N];
+    const Vec3x8 normal = load3(block.normal);
+    normal_velocities<N>(block, rows.a, rows.b, normal, cross(load3(block.d), normal), v);
+    for (int i = 0; i < N; ++i) {
+        const f32x8 s = load(block.separation[i]), mass = load(block.effective_mass[i]);
+        const mask8 apart = s > zero();
+        const f32x8 bias = select(apart, s * inverse_h, max(push_rate * s, fastest));
+        rows.scale[i] = select(apart, one(), softened);
+        rows.old[i] = rows.impulse[i] = load(block.impulse[i]);
+        rows.wanted[i] = rows.old[i] - mass * (v[i] + bias);
+    }
+}
+
+// Whether anything hits the contact, faster than the speed at which that is an impact: those lanes stay as they were.
+// Seldom true, so it is looked for where the sums are at hand, by how much the velocity of a body would change.
+template <int N>
+CAIRN_INLINE int leave_impacts(ContactBlock<N>& block, Vec3x8 normal, f32x8& sum, Vec3x8& torque, Rows<N>& rows,
+                               const ContactSoftness& softness) {
+    const f32x8 speed = splat(softness.impact_speed);
+    if (!any(max(load(block.mass_a), load(block.mass_b)) * sum > speed)) return 0;
+    f32x8 v[N];
+    normal_velocities<N>(block, rows.a, rows.b, normal, cross(load3(block.d), normal), v);
+    mask8 struck = mask_from_bits(0);
+    f32x8 carried = zero();
+    for (int i = 0; i < N; ++i) {
+        carried += rows.old[i];
+        const f32x8 closing = v[i] + max(load(block.separation[i]), zero()) * splat(softness.inverse_h);
+        struck = struck | ((rows.impulse[i] > rows.old[i]) & (closing < -speed));
+    }
+    // What jolts under a load is left to that. So is what hits again and again: it is driven. A contact is struck in
+    // solve, which lets it close its gap, and in relax, once it is closed.
+    struck = and_not(struck & (sum > carried), mask_from_bits(block.struck_twice));
+    if (!any(struck)) return 0;
+    block.struck_twice = std::uint8_t(block.struck_twice | (block.struck_once & bits(struck)));
+    block.struck_once = std::uint8_t(block.struck_once | bits(struck));
+    block.struck = std::uint8_t(block.struck | bits(struck));
+    sum = select(struck, zero(), sum);
+    torque = select(struck, zero3(), torque);
+    for (int i = 0; i < N; ++i) rows.impulse[i] = select(struck, rows.old[i], rows.impulse[i]);
+    return 1;
+}
+
+template <int N, bool Watched>
+CAIRN_INLINE int end_solve(ContactBlock<N>& block, SolverVelocity* velocity, const ContactSoftness& softness,
+                           Rows<N>& rows) {
+    f32x8 sum = zero();
+    Vec3x8 torque = zero3();
+    const Vec3x8 normal = load3(block.normal);
+    for (int i = 0; i < N; ++i) {
+        const f32x8 d = rows.impulse[i] - rows.old[i];
+        store(block.impulse[i], rows.impulse[i]);
+        sum += d;
+        torque = torque + d * arm_of(block, normal, i);
+    }
+    int struck = 0;
+    if constexpr (Watched) struck = leave_impacts<N>(block, normal, sum, torque, rows, softness);
+    if (struck)
+        for (int i = 0; i < N; ++i) store(block.impulse[i], rows.impulse[i]);
+    apply_normal(block, normal, cross(load3(block.d), normal), sum, torque, rows.a, rows.b);
+    scatter_velocity(velocity, block.a, rows.a);
+    scatter_velocity(velocity, block.write_b, rows.b);
+    return struck;
+}
+
+template <int N, int M, bool Watched>
+CAIRN_INLINE int solve_some(ContactBlock<N>* blocks, SolverVelocity* velocity, const ContactSoftness& softness) {
+    Rows<N> rows[M];
+    int struck = 0;
+#pragma GCC unroll 4
+    for (int m = 0; m < M; ++m) begin_solve<N>(blocks[m], velocity, softness, rows[m]);
+    mask8 idle = is_idle(rows[0]);
+    int moved = blocks[0].moved;
+    for (int m = 1; m < M; ++m) idle = idle & is_idle(rows[m]), moved |= blocks[m].moved;
+    if (!moved && all(idle)) return 0;
+    for (int m = 0; m < M; ++m) blocks[m].moved = 0;
+    sweep_points<N, M, true>(blocks, rows);
+#pragma GCC unroll 4
+    for (int m = 0; m < M; ++m) struck += end_solve<N, Watched>(blocks[m], velocity, softness, rows[m]);
+    return struck;
+}
+
+// One sweep with soft constraints: overlap is pushed out at a rate and with a compliance given by `softness`;
+// a gap is closed no faster than it takes one substep to close it.
+template <int N, bool Watched>
+int solve_all(ContactBlock<N>* all, int count, SolverVelocity* velocity, const ContactSoftness& softness) {
+    int k = 0, struck = 0;
+    for (; k + 3 < count; k += 4) struck += solve_some<N, 4, Watched>(all + k, velocity, softness);
+    for (; k < count; ++k) struck += solve_some<N, 1, Watched>(all + k, velocity, softness);
+    return struck;
+}
+// Where nothing is an impact, none is looked for: that costs registers.
+bool looks_for_impacts(const ContactSoftness& softness) { return softness.impact_speed < 1e20f; }
+
+template <int N> int solve(void* blocks, int count, SolverVelocity* velocity, const ContactSoftness& softness) {
+    auto* all = static_cast<ContactBlock<N>*>(blocks);
+    return looks_for_impacts(softness) ? solve_all<N, true>(all, count, velocity, softness)
+                                       : solve_all<N, false>(all, count, velocity, softness);
+}
+
+// The rigid sweep: only approach beyond the gap is stopped. Not that of contacts that will bounce: they must arrive
+// with all of their speed.
+template <int N>
+CAIRN_INLINE void begin_relax(ContactBlock<N>& block, const SolverBodies& bodies, f32x8 inverse_h, Rows<N>& rows) {
+    constexpr float never = -1e30f;
+    const Vec3x8 normal = load3(block.normal);
+    f32x8 s[N], v[N];
+    refresh_separations<N>(block, bodies.pose, normal, s);
+    rows.a = gather_velocity(bodies.velocity, block.a);
+    rows.b = gather_velocity(bodies.velocity, block.b);
+    normal_velocities<N>(block, rows.a, rows.b, normal, cross(load3(block.d), normal), v);
+    for (int i = 0; i < N; ++i) {
+        rows.old[i] = rows.impulse[i] = load(block.impulse[i]);
+        rows.wanted[i] = rows.old[i] - load(block.effective_mass[i]) * (v[i] + max(s[i], zero()) * inverse_h);
+    }
+    if (block.bounces) {
+        const mask8 bounces = load(block.restitution) > zero();
+        for (int i = 0; i < N; ++i) {
+            const mask8 flies = bounces & (s[i] > zero()) & (rows.old[i] <= zero());
+            rows.wanted[i] = select(flies, splat(never), rows.wanted[i]);
+        }
+    }
+}
+
+// Lanes that bear no friction of any kind.
+template <int N> CAIRN_INLINE mask8 is_frictionless(const ContactBlock<N>& block) {
+    mask8 lanes = (load(block.tangent_impulse[0]) == zero()) & (load(block.tangent_impulse[1]) == zero()) &
+                  (load(block.torsion_impulse) == zero());
+    if (block.rolls)
+        for (const auto& impulse : block.rolling_impulse) lanes = lanes & (load(impulse) == zero());
+    return lanes;
+}
+
+// The sums over the points of one contact.
+struct PointSums {
+    f32x8 load;       // total normal impulse, for friction
+    f32x8 lever_load; // sum of lever times impulse
+};
+
+template <int N, bool Watched>
+CAIRN_INLINE PointSums apply_relax(ContactBlock<N>& block, Vec3x8 normal, const ContactSoftness& softness,
+                                   Rows<N>& rows, int& struck) {
+    PointSums sums = {zero(), zero()};
+    f32x8 sum = zero();
+    Vec3x8 torque = zero3();
+    for (int i = 0; i < N; ++i) {
+        const f32x8 impulse = rows.impulse[i], d = impulse - rows.old[i];
+        store(block.impulse[i], impulse);
+        store(block.total_impulse[i], load(block.total_impulse[i]) + impulse);
+        sum += d;
+        torque = torque + d * arm_of(block, normal, i);
+        sums.load += impulse;
+        if constexpr (N > 1) sums.lever_load += load(block.lever[i]) * impulse;
+    }
+    if (Watched && leave_impacts<N>(block, normal, sum, torque, rows, softness)) {
+        ++struck;
+        sums = {zero(), zero()};
+        for (int i = 0; i < N; ++i) {
+            const f32x8 impulse = rows.impulse[i], too_much = load(block.impulse[i]) - impulse;
+            store(block.impulse[i], impulse);
+            store(block.total_impulse[i], load(block.total_impulse[i]) - too_much);
+            sums.load += impulse;
+            if constexpr (N > 1) sums.lever_load += load(block.lever[i]) * impulse;
+        }
+    }
+    apply_normal(block, normal, cross(load3(block.d), normal), sum, torque, rows.a, rows.b);
+    return sums;
+}
+
+// Friction at the friction center. Two tangential rows and the torsional row share one ellipsoidal limit, the
+// limit surface of Goyal, Ruina and Papadopoulos (1991) in the form of Howe and Cutkosky (1996): with r the
+// radius of the pressed points, n1^2 + n2^2 + (nw / r)^2 <= (friction x load)^2. While it sticks, the rows are
+// solved with their own masses; once it slides, with one common mass, so that friction opposes the slip.
+template <int N>
+CAIRN_INLINE void solve_friction(ContactBlock<N>& block, const PointSums& sums, Vec3x8 normal, Velocityx8& a,
+                                 Velocityx8& b) {
+    const Vec3x8 center = load3(block.center), d = load3(block.d), t1 = load3(block.tangent), t2 = cross(t1, normal);
+    const Vec3x8 dw = b.w - a.w;
+    const Vec3x8 slip = (b.v - a.v) + cross(dw, center) + cross(b.w, d);
+    const f32x8 x = dot(slip, t1), y = dot(slip, t2), spin = dot(normal, dw);
+    const f32x8 m11 = load(block.tangent_mass[0]), m12 = load(block.tangent_mass[1]), m22 = load(block.tangent_mass[2]);
+    const f32x8 mw = load(block.torsion_mass);
+    const f32x8 old1 = load(block.tangent_impulse[0]), old2 = load(block.tangent_impulse[1]);
+    const f32x8 oldw = load(block.torsion_impulse);
+
+    f32x8 radius = load(block.torsion_radius);
+    if constexpr (N > 1) radius = max(sums.lever_load / max(sums.load, splat(tiny)), radius);
+    const mask8 has_radius = radius > splat(1e-6f);
+    const f32x8 inverse_radius = select(has_radius, one() / select(has_radius, radius, one()), zero());
+
+    // Sticking.
+    f32x8 nw = select(has_radius, oldw - mw * spin, zero());
+    const f32x8 xs = x + load(block.torsion_coupling[0]) * (nw - oldw),
+                ys = y + load(block.torsion_coupling[1]) * (nw - oldw);
+    f32x8 n1 = old1 - (m11 * xs + m12 * ys), n2 = old2 - (m12 * xs + m22 * ys);
+    const f32x8 qw = nw * inverse_radius, static_limit = load(block.static_friction) * sums.load;
+    const mask8 slides = (n1 * n1 + n2 * n2 + qw * qw) > static_limit * static_limit;
+
+    if (any(slides)) {
+        f32x8 mass = min(m11, m22);
+        mass = select(has_radius, min(mass, mw * inverse_radius * inverse_radius), mass);
+        const f32x8 c1 = old1 - mass * x, c2 = old2 - mass * y;
+        const f32x8 cw = select(has_radius, oldw * inverse_radius - mass * (radius * spin), zero());
+        const f32x8 limit = load(block.friction) * sums.load;
+        const f32x8 scale = min(limit / (sqrt(c1 * c1 + c2 * c2 + cw * cw) + splat(tiny)), one());
+        n1 = select(slides, scale * c1, n1);
+        n2 = select(slides, scale * c2, n2);
+        nw = select(slides, scale * cw * radius, nw);
+    }
+
+    store(block.tangent_impulse[0], n1);
+    store(block.tangent_impulse[1], n2);
+    store(block.total_tangent[0], load(block.total_tangent[0]) + n1);
+    store(block.total_tangent[1], load(block.total_tangent[1]) + n2);
+    store(block.torsion_impulse, nw);
+    const Vec3x8 p = (n1 - old1) * t1 + (n2 - old2) * t2;
+    apply_friction(block, center, d, p, (nw - oldw) * normal, a, b);
+}
+
+// Rolling resistance: a couple against the relative angular velocity, at most rolling radius x load.
+template <int N> CAIRN_INLINE void solve_rolling(ContactBlock<N>& block, f32x8 load_sum, Velocityx8& a, Velocityx8& b) {
+    const Vec3x8 dw = b.w - a.w, old = load3(block.rolling_impulse);
+    Vec3x8 p = old - rolling_mass(block) * dw;
+    const f32x8 limit = load(block.rolling_radius) * load_sum;
+    const f32x8 scale = min(limit / (sqrt(dot(p, p)) + splat(tiny)), one());
+    p = scale * p;
+    store3(block.rolling_impulse, p);
+    const Vec3x8 change = p - old;
+    a.w = a.w - turned_a(block, change);
+    b.w = b.w + turned_b(block, change);
+}
+
+template <int N, int M, bool Watched>
+CAIRN_INLINE int relax_some(ContactBlock<N>* blocks, const SolverBodies& bodies, const ContactSoftness& softness) {
+    const f32x8 inverse_h = splat(softness.inverse_h);
+    int struck = 0;
+    Rows<N> rows[M];
+#pragma GCC unroll 4
+    for (int m = 0; m < M; ++m) begin_relax<N>(blocks[m], bodies, inverse_h, rows[m]);
+    mask8 idle = is_idle(rows[0]) & is_frictionless(blocks[0]);
+    for (int m = 1; m < M; ++m) idle = idle & is_idle(rows[m]) & is_frictionless(blocks[m]);
+    if (all(idle)) return 0; // without a load there is no friction
+    sweep_points<N, M, false>(blocks, rows);
+    PointSums sums[M];
+#pragma GCC unroll 4
+    for (int m = 0; m < M; ++m)
+        sums[m] = apply_relax<N, Watched>(blocks[m], load3(blocks[m].normal), softness, rows[m], struck);
+#pragma GCC unroll 4
+    for (int m = 0; m < M; ++m) solve_friction<N>(blocks[m], sums[m], load3(blocks[m].normal), rows[m].a, rows[m].b);
+#pragma GCC unroll 4
+    for (int m = 0; m < M; ++m) {
+        ContactBlock<N>& block = blocks[m];
+        if (block.rolls) solve_rolling<N>(block, sums[m].load, rows[m].a, rows[m].b);
+        scatter_velocity(bodies.velocity, block.a, rows[m].a);
+        scatter_velocity(bodies.velocity, block.write_b, rows[m].b);
+    }
+    return struck;
+}
+
+template <int N, bool Watched>
+int relax_all(ContactBlock<N>* all, int count, const SolverBodies& bodies, const ContactSoftness& softness) {
+    int k = 0, struck = 0;
+    for (; k + 1 < count; k += 2) struck += relax_some<N, 2, Watched>(all + k, bodies, softness);
+    if (k < count) struck += relax_some<N, 1, Watched>(all + k, bodies, softness);
+    return struck;
+}
+template <int N> int relax(void* blocks, int count, const SolverBodies& bodies, const ContactSoftness& softness) {
+    auto* all = static_cast<ContactBlock<N>*>(blocks);
+    return looks_for_impacts(softness) ? relax_all<N, true>(all, count, bodies, softness)
+                                       : relax_all<N, false>(all, count, bodies, softness);
+}
+
+template <int N> SolverKernels::ForPoints contact_kernels() {
+    return {prepare_contacts<N>, warm_start<N>,      solve<N>,        relax<N>,
+            strike_contacts<N>,  bounce_contacts<N>, refresh_arms<N>, store_contacts<N>};
+}
+
+} // namespace
+
+SolverKernels solver_kernels() {
+    return {contact_kernels<1>(), contact_kernels<4>(), change_since,         begin_spin,     spin,
+            renew_inertia,        finish_spin,          integrate_velocities, integrate_poses};
+}
+
+} // namespace cairn::CAIRN_ISA

@@ -1,0 +1,108 @@
+// Impacts. What hits a contact, faster than the solver should stop it within its soft passes, is
+// stopped by passes of its own, rigid ones, repeated until nothing changes (impacts.cpp). Their impulses begin at zero
+// and are not carried into the next substep. docs/solver.md says why.
+#include "kernels/solve/solver.h"
+
+namespace cairn::CAIRN_ISA {
+
+namespace {
+
+// The wanted impulses of the points, and those that they get: over-relaxed, and swept as in solve.
+template <int N>
+CAIRN_INLINE void strike_points(const ContactBlock<N>& block, mask8 active, const f32x8* v, f32x8 inverse_h,
+                                const f32x8* old, f32x8* impulse) {
+    f32x8 wanted[N];
+    const mask8 bounces = load(block.restitution) > zero();
+    for (int i = 0; i < N; ++i) {
+        const f32x8 s = load(block.separation[i]), mass = splat(impact_relaxation) * load(block.effective_mass[i]);
+        // As in relax: what will bounce must arrive with all of its speed.
+        const mask8 flies = bounces & (s > zero()) & (load(block.impulse[i]) <= zero());
+        impulse[i] = old[i];
+        wanted[i] = select(and_not(active, flies), old[i] - mass * (v[i] + max(s, zero()) * inverse_h), old[i]);
+    }
+    for (int sweep = 0; sweep < (N > 1 ? 2 : 1); ++sweep)
+        for (int i = 0; i < N; ++i) {
+            const f32x8 next = max(wanted[i], zero()), d = next - impulse[i];
+            impulse[i] = next;
+            if constexpr (N > 1)
+                for (int j = 0; j < N; ++j)
+                    if (j != i) wanted[j] = wanted[j] - load(block.share[share_index<N>(j, i)]) * d;
+        }
+}
+
+template <int N>
+CAIRN_INLINE void strike_block(ContactBlock<N>& block, ContactImpact<N>& impact, SolverVelocity* velocity,
+                               f32x8 inverse_h) {
+    const mask8 active = mask_from_bits(impact.active);
+    Velocityx8 a = gather_velocity(velocity, block.a), b = gather_velocity(velocity, block.b);
+    const Vec3x8 normal = load3(block.normal), d = load3(block.d), c = cross(d, normal), center = load3(block.center);
+    f32x8 v[N], old[N], impulse[N], sum = zero(), load_sum = zero();
+    Vec3x8 torque = zero3();
+    normal_velocities<N>(block, a, b, normal, c, v);
+    for (int i = 0; i < N; ++i) old[i] = load(impact.impulse[i]);
+    strike_points<N>(block, active, v, inverse_h, old, impulse);
+    const f32x8 old1 = load(impact.tangent[0]), old2 = load(impact.tangent[1]);
+    mask8 idle = (old1 == zero()) & (old2 == zero());
+    for (int i = 0; i < N; ++i) idle = idle & (old[i] == zero()) & (impulse[i] == zero());
+    if (all(idle)) return; // without a load there is no friction
+    for (int i = 0; i < N; ++i) {
+        const f32x8 change = impulse[i] - old[i];
+        store(impact.impulse[i], impulse[i]);
+        store(block.total_impulse[i], load(block.total_impulse[i]) + change);
+        sum += change;
+        load_sum += impulse[i];
+        torque = torque + change * arm_of(block, normal, i);
+    }
+    apply_normal(block, normal, c, sum, torque, a, b);
+    // Coulomb friction of the impact itself, at the friction center.
+    const Vec3x8 t1 = load3(block.tangent), t2 = second_tangent(block, normal);
+    const Vec3x8 slip = (b.v - a.v) + cross(b.w - a.w, center) + cross(b.w, d);
+    const f32x8 x = dot(slip, t1), y = dot(slip, t2), m12 = load(block.tangent_mass[1]);
+    f32x8 p1 = old1 - (load(block.tangent_mass[0]) * x + m12 * y);
+    f32x8 p2 = old2 - (m12 * x + load(block.tangent_mass[2]) * y);
+    const f32x8 size = sqrt(p1 * p1 + p2 * p2), limit = load(block.friction) * load_sum;
+    const f32x8 scale = min(limit / (size + splat(1e-20f)), one());
+    p1 = select(active, scale * p1, old1);
+    p2 = select(active, scale * p2, old2);
+    store(impact.tangent[0], p1);
+    store(impact.tangent[1], p2);
+    store(block.total_tangent[0], load(block.total_tangent[0]) + (p1 - old1));
+    store(block.total_tangent[1], load(block.total_tangent[1]) + (p2 - old2));
+    apply_friction(block, center, d, (p1 - old1) * t1 + (p2 - old2) * t2, zero3(), a, b);
+    scatter_velocity(velocity, block.a, a);
+    scatter_velocity(velocity, block.write_b, b);
+}
+
+} // namespace
+
+template <int N>
+void strike_contacts(void* blocks, void* impacts, int count, SolverVelocity* velocity, float inverse_h) {
+    auto* all = static_cast<ContactBlock<N>*>(blocks);
+    auto* given = static_cast<ContactImpact<N>*>(impacts);
+    for (int k = 0; k < count; ++k)
+        if (given[k].active) strike_block<N>(all[k], given[k], velocity, splat(inverse_h));
+}
+
+float change_since(const SolverVelocity* velocity, const std::int32_t* rows, int count, SolverVelocity* last,
+                   SettledChange settled) {
+    static_assert(sizeof(SolverVelocity) == 8 * sizeof(float));
+    const float v = 1 / settled.v, w = 1 / settled.w;
+    alignas(32) const float units[8] = {v, v, v, 0, w, w, w, 0};
+    const f32x8 unit = load(units);
+    f32x8 most = zero();
+    for (int i = 0; i < count; ++i) {
+        const f32x8 now = load(velocity[rows[i]].v);
+        most = max(unit * abs(now - load(last[i].v)), most);
+        store(last[i].v, now);
+    }
+    alignas(32) float lanes[8];
+    float greatest = 0;
+    store(lanes, most);
+    for (const float lane : lanes) greatest = lane > greatest ? lane : greatest;
+    return greatest;
+}
+
+template void strike_contacts<1>(void*, void*, int, SolverVelocity*, float);
+template void strike_contacts<4>(void*, void*, int, SolverVelocity*, float);
+
+} // namespace cairn::CAIRN_ISA

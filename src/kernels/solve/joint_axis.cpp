@@ -1,0 +1,389 @@
+// Axis rows: one direction of motion, with limits, a drive and friction, which share one velocity scalar. Each kind
+// says what the position is and how it changes with the velocities: J = (linear_a, angular_a, linear_b, angular_b).
+#include "kernels/solve/joint.h"
+
+#include <initializer_list>
+
+namespace cairn::CAIRN_ISA {
+
+namespace {
+
+constexpr float pi = 3.14159265358979f;
+constexpr float tiny = 1e-20f, least_length = 1e-6f;
+
+// The angle of (x, y), -pi to pi. One halving, tan(a / 2) = t / (1 + sqrt(1 + t^2)), and the series; error below 2e-7.
+CAIRN_INLINE f32x8 angle_of(f32x8 y, f32x8 x) {
+    const f32x8 ax = abs(x), ay = abs(y);
+    const mask8 steep = ay > ax;
+    const f32x8 t = select(steep, ax, ay) / (select(steep, ay, ax) + splat(tiny));
+    const f32x8 u = t / (one() + sqrt(one() + t * t)), u2 = u * u;
+    f32x8 series = splat(-1.0f / 15.0f);
+    for (const float c : {1.0f / 13, -1.0f / 11, 1.0f / 9, -1.0f / 7, 1.0f / 5, -1.0f / 3})
+        series = splat(c) + u2 * series;
+    f32x8 angle = (u + u) * (one() + u2 * series);
+    angle = select(steep, splat(0.5f * pi) - angle, angle);
+    angle = select(x < zero(), splat(pi) - angle, angle);
+    return select(y < zero(), -angle, angle);
+}
+// The nearest whole number: beyond 2^23 floats have no fraction.
+CAIRN_INLINE f32x8 rounded(f32x8 x) {
+    const f32x8 big = splat(12582912.0f); // 1.5 * 2^23
+    return (clamp(x, splat(-1e6f), splat(1e6f)) + big) - big;
+}
+
+CAIRN_INLINE Vec3x8 unit(Vec3x8 v, f32x8 length) { return guarded_inverse(length, length > splat(least_length)) * v; }
+
+struct Jacobianx8 {
+    Vec3x8 linear_a, angular_a, linear_b, angular_b;
+};
+CAIRN_INLINE Jacobianx8 load_jacobian(const AxisBlock& b) {
+    return {load3(b.linear_a), load3(b.angular_a), load3(b.linear_b), load3(b.angular_b)};
+}
+CAIRN_INLINE void apply(const AxisBlock& b, const Jacobianx8& j, f32x8 p, Ends8& e) {
+    e.a.v = e.a.v + load(b.mass_a) * (p * j.linear_a);
+    e.b.v = e.b.v + load(b.mass_b) * (p * j.linear_b);
+    e.a.w = e.a.w + turned_a(b, p * j.angular_a);
+    e.b.w = e.b.w + turned_b(b, p * j.angular_b);
+}
+CAIRN_INLINE f32x8 velocity_of(const Jacobianx8& j, const Ends8& e) {
+    return (dot(j.linear_a, e.a.v) + dot(j.linear_b, e.b.v)) + (dot(j.angular_a, e.a.w) + dot(j.angular_b, e.b.w));
+}
+CAIRN_INLINE f32x8 net_impulse(const AxisBlock& b) {
+    return (load(b.drive_impulse) + load(b.friction_impulse)) + (load(b.lower_impulse) - load(b.upper_impulse));
+}
+
+// Of the poses now.
+struct Geometryx8 {
+    const Posesx8& poses;
+    Vec3x8 arm_a, arm_b, gap, axis_a, axis_b;
+};
+CAIRN_INLINE Geometryx8 geometry_of(const AxisBlock& b, const Posesx8& poses) {
+    const Vec3x8 arm_a0 = load3(b.arm_a0), arm_b0 = load3(b.arm_b0);
+    const Vec3x8 change_a = turned_difference(poses.dq_a, arm_a0), change_b = turned_difference(poses.dq_b, arm_b0);
+    const Vec3x8 axis_a0 = load3(b.axis_a0), axis_b0 = load3(b.axis_b0);
+    return {poses,
+            arm_a0 + change_a,
+            arm_b0 + change_b,
+            load3(b.gap0) + ((poses.dx_b - poses.dx_a) + (change_b - change_a)),
+            axis_a0 + turned_difference(poses.dq_a, axis_a0),
+            axis_b0 + turned_difference(poses.dq_b, axis_b0)};
+}
+
+CAIRN_INLINE Jacobianx8 linear_jacobian(const Geometryx8& g, Vec3x8 d) {
+    return {-d, -cross(g.arm_a + g.gap, d), d, cross(g.arm_b, d)};
+}
+CAIRN_INLINE Jacobianx8 angular_jacobian(Vec3x8 a) { return {zero3(), -a, zero3(), a}; }
+
+// How far the body has turned about the axis since the start of the step.
+CAIRN_INLINE f32x8 angle_about(Quatx8 dq, Vec3x8 axis) { return splat(2.0f) * angle_of(dot(dq.v, axis), dq.w); }
+// The rotation vector, the short way round.
+CAIRN_INLINE Vec3x8 rotation_vector(Quatx8 q) {
+    const f32x8 sign = select(q.w < zero(), splat(-1.0f), one()), sine = sqrt(dot(q.v, q.v));
+    const f32x8 factor = select(sine > splat(least_length), angle_of(sine, abs(q.w)) / (sine + splat(tiny)), one());
+    return ((sign + sign) * factor) * q.v;
+}
+
+struct Rowx8 {
+    Jacobianx8 jacobian;
+    f32x8 position;
+};
+
+CAIRN_INLINE Rowx8 pulley_row(const AxisBlock& b, const Geometryx8& g) {
+    // axis_a0 and axis_b0 reach from the fixed points to the anchors at the start of the step; they do not turn.
+    const Vec3x8 reach_a = load3(b.axis_a0) + (g.poses.dx_a + (g.arm_a - load3(b.arm_a0)));
+    const Vec3x8 reach_b = load3(b.axis_b0) + (g.poses.dx_b + (g.arm_b - load3(b.arm_b0)));
+    const f32x8 length_a = sqrt(dot(reach_a, reach_a)), length_b = sqrt(dot(reach_b, reach_b));
+    const f32x8 ra = load(b.ratio_a), rb = load(b.ratio_b);
+    const Vec3x8 da = ra * unit(reach_a, length_a), db = rb * unit(reach_b, length_b);
+    return {{da, cross(g.arm_a, da), db, cross(g.arm_b, db)}, ra * length_a + rb * length_b};
+}
+
+// Counted on beyond full turns.
+CAIRN_INLINE f32x8 counted_angle(const AxisBlock& b, f32x8 angle) {
+    return angle + splat(2 * pi) * rounded((load(b.position) - angle) * splat(0.5f / pi));
+}
+CAIRN_INLINE f32x8 angle_between(Vec3x8 u, Vec3x8 w, Vec3x8 n) { return angle_of(dot(n, cross(u, w)), dot(u, w)); }
+
+CAIRN_INLINE Rowx8 turning_row(const AxisBlock& b, const Geometryx8& g) {
+    const Quatx8 turn = turn_now(g.poses, load_quat(b.turn0));
+    switch (b.kind) {
+    case AxisKind::twist: {
+        const f32x8 angle = splat(2.0f) * angle_of(dot(turn.v, g.axis_a), turn.w);
+        // The rate of the twist angle is that of the relative rotation along (a + b) / (1 + a.b).
+        const f32x8 s = one() / max(one() + dot(g.axis_a, g.axis_b), splat(0.1f));
+        return {angular_jacobian(s * (g.axis_a + g.axis_b)), counted_angle(b, angle)};
+    }
+    case AxisKind::cross_a:
+        return {angular_jacobian(g.axis_a),
+                counted_angle(b, angle_between(rotate_back(turn, g.axis_b), g.axis_b, g.axis_a))};
+    case AxisKind::cross_b:
+        return {angular_jacobian(g.axis_b),
+                counted_angle(b, angle_between(g.axis_a, rotate(turn, g.axis_a), g.axis_b))};
+    case AxisKind::turn: {
+        const Vec3x8 r = rotation_vector(turn);
+        const f32x8 angle = sqrt(dot(r, r));
+        return {angular_jacobian(unit(r, angle)), angle};
+    }
+    default: // rotation
+        return {angular_jacobian(g.axis_a), dot(rotation_vector(turn), g.axis_a)};
+    }
+}
+
+CAIRN_INLINE Rowx8 row_of(const AxisBlock& b, const Geometryx8& g) {
+    switch (b.kind) {
+    case AxisKind::linear:
+        return {linear_jacobian(g, g.axis_a), dot(g.axis_a, g.gap)};
+    case AxisKind::radial: {
+        const Vec3x8 off = across(g.axis_a, g.gap);
+        const f32x8 distance = sqrt(dot(off, off));
+        return {linear_jacobian(g, unit(off, distance)), distance};
+    }
+    case AxisKind::distance: {
+        const f32x8 distance = sqrt(dot(g.gap, g.gap));
+        return {linear_jacobian(g, unit(g.gap, distance)), distance};
+    }
+    case AxisKind::swing: {
+        const Vec3x8 u = cross(g.axis_a, g.axis_b);
+        const f32x8 sine = sqrt(dot(u, u));
+        return {angular_jacobian(unit(u, sine)), angle_of(sine, dot(g.axis_a, g.axis_b))};
+    }
+    case AxisKind::perpendicular:
+        return {angular_jacobian(cross(g.axis_b, g.axis_a)), dot(g.axis_a, g.axis_b)};
+    case AxisKind::gear: {
+        const f32x8 ra = load(b.ratio_a), rb = load(b.ratio_b);
+        const f32x8 way = ra * angle_about(g.poses.dq_a, g.axis_a) + rb * angle_about(g.poses.dq_b, g.axis_b);
+        return {{zero3(), ra * g.axis_a, zero3(), rb * g.axis_b}, load(b.position0) + way};
+    }
+    case AxisKind::rack: {
+        const f32x8 ra = load(b.ratio_a), rb = load(b.ratio_b);
+        const f32x8 way = ra * angle_about(g.poses.dq_a, g.axis_a) + rb * dot(g.axis_b, g.poses.dx_b);
+        return {{zero3(), ra * g.axis_a, rb * g.axis_b, zero3()}, load(b.position0) + way};
+    }
+    case AxisKind::pulley:
+        return pulley_row(b, g);
+    default:
+        return turning_row(b, g);
+    }
+}
+
+// Jacobian, mass and position of the poses now.
+CAIRN_INLINE Jacobianx8 refresh(AxisBlock& b, const Posesx8& poses) {
+    const Rowx8 row = row_of(b, geometry_of(b, poses));
+    const Jacobianx8& j = row.jacobian;
+    store3(b.linear_a, j.linear_a);
+    store3(b.angular_a, j.angular_a);
+    store3(b.linear_b, j.linear_b);
+    store3(b.angular_b, j.angular_b);
+    store(b.position, row.position);
+    const f32x8 k = (load(b.mass_a) * dot(j.linear_a, j.linear_a) + load(b.mass_b) * dot(j.linear_b, j.linear_b)) +
+                    (dot(j.angular_a, turned_a(b, j.angular_a)) + dot(j.angular_b, turned_b(b, j.angular_b)));
+    store(b.mass, guarded_inverse(k, k > splat(tiny)));
+    return j;
+}
+
+// The pull of the drive's spring on the position now.
+CAIRN_INLINE void refresh_drive(AxisBlock& b, f32x8 h) {
+    if (!b.has_drive) return;
+    const f32x8 unit_of = select(load(b.drive_relative) > zero(), load(b.mass), one());
+    const f32x8 k = load(b.drive_stiffness) * unit_of, d = load(b.drive_damping) * unit_of;
+    store(b.drive_pull, h * (k * (load(b.target_position) - load(b.position)) + d * load(b.target_velocity)));
+}
+
+// A damped spring of stiffness k and damping d that acts at the end of the substep is a row of softness g = h (h k +
+// d): its impulse is p = g ((pull / g) - v).
+CAIRN_INLINE f32x8 spring_gain(f32x8 stiffness, f32x8 damping, f32x8 relative, f32x8 mass, f32x8 h) {
+    return h * (h * stiffness + damping) * select(relative > zero(), mass, one());
+}
+
+CAIRN_INLINE f32x8 drive(AxisBlock& b, f32x8 k, f32x8 v, f32x8 h) {
+    const f32x8 mass = load(b.mass), old = load(b.drive_impulse), most = load(b.most_drive);
+    const f32x8 g = spring_gain(load(b.drive_stiffness), load(b.drive_damping), load(b.drive_relative), mass, h);
+    const mask8 rigid = load(b.rigid_drive) > zero();
+    const f32x8 yields = one() / (k * g + one());
+    const f32x8 gain = select(rigid, mass, g * yields), ease = select(rigid, zero(), yields);
+    const f32x8 aim = select(rigid, load(b.target_velocity), zero());
+    const f32x8 p = clamp((old - gain * (v - aim)) - ease * (old - load(b.drive_pull)), -most, most);
+    store(b.drive_impulse, p);
+    return p - old;
+}
+
+struct LimitSoftness {
+    f32x8 scale, rate;
+};
+template <bool Soft> CAIRN_INLINE LimitSoftness limit_softness(const AxisBlock& b, f32x8 k, const JointSoftness& s) {
+    if (!b.has_soft_limits) return {splat(Soft ? s.scale : 1.0f), splat(Soft ? s.rate : 0.0f)};
+    const f32x8 h = splat(s.h), relative = load(b.limit_relative), mass = load(b.mass);
+    const f32x8 stiffness = load(b.limit_stiffness), damping = load(b.limit_damping);
+    const f32x8 g = spring_gain(stiffness, damping, relative, mass, h), kg = k * g;
+    const mask8 rigid = load(b.rigid_limit) > zero();
+    const f32x8 rate = stiffness / max(h * stiffness + damping, splat(tiny));
+    return {select(rigid, splat(Soft ? s.scale : 1.0f), kg / (kg + one())),
+            select(rigid, splat(Soft ? s.rate : 0.0f), rate)};
+}
+
+// One limit: v is the velocity away from it, gap how far it is, spring_gap what a spring has been stretched by.
+CAIRN_INLINE f32x8 limit(float* impulse, const LimitSoftness& softness, f32x8 mass, f32x8 v, f32x8 gap,
+                         f32x8 spring_gap, mask8 equation, f32x8 inverse_h) {
+    const f32x8 old = load(impulse);
+    const mask8 apart = and_not(gap > zero(), equation);
+    const f32x8 scale = select(apart, one(), softness.scale);
+    const f32x8 bias = select(apart, gap * inverse_h, softness.rate * spring_gap);
+    const f32x8 p = scale * (old - mass * (v + bias));
+    const f32x8 bounded = select(equation, p, max(p, zero()));
+    store(impulse, bounded);
+    return bounded - old;
+}
+
+// All that acts along the row, one after the other; returns the sum of what was added. `before`: the position before
+// the poses of this substep, for springs.
+template <bool Soft> CAIRN_INLINE f32x8 act(AxisBlock& b, f32x8 v, f32x8 before, const JointSoftness& softness) {
+    const f32x8 mass = load(b.mass), h = splat(softness.h), inverse_h = splat(softness.inverse_h);
+    const mask8 gives = mass > zero();
+    const f32x8 k = guarded_inverse(mass, gives);
+    f32x8 sum = zero();
+    if (b.has_drive) {
+        const f32x8 d = drive(b, k, v, h);
+        sum += d;
+        v += k * d;
+    }
+    if (b.has_friction) {
+        const f32x8 most = load(b.most_friction), old = load(b.friction_impulse);
+        const f32x8 p = clamp(old - mass * v, -most, most), d = p - old;
+        store(b.friction_impulse, p);
+        sum += d;
+        v += k * d;
+    }
+    if (b.has_limits) {
+        const LimitSoftness soft = limit_softness<Soft>(b, k, softness);
+        const f32x8 x = load(b.position), lower = load(b.lower), upper = load(b.upper);
+        const mask8 equation = load(b.equation) > zero();
+        const f32x8 up = limit(b.lower_impulse, soft, mass, v, x - lower, before - lower, equation, inverse_h);
+        v += k * up;
+        const f32x8 beyond = select(equation, splat(unlimited), upper);
+        const f32x8 down =
+            limit(b.upper_impulse, soft, mass, -v, beyond - x, beyond - before, mask_from_bits(0), inverse_h);
+        sum += up - down;
+    }
+    return select(gives, sum, zero());
+}
+
+void warm_start(void* blocks, int count, const SolverBodies& bodies, const JointSoftness& softness) {
+    auto* all = static_cast<AxisBlock*>(blocks);
+    for (int k = 0; k < count; ++k) {
+        AxisBlock& b = all[k];
+        first_masses(b, bodies.inertia);
+        const Jacobianx8 j = refresh(b, gather_poses(bodies.pose, b));
+        store(b.position0, load(b.position));
+        refresh_drive(b, splat(softness.h));
+        b.leaves = 0;
+        store(b.total, zero());
+        Ends8 e = gather_ends(bodies.velocity, b);
+        apply(b, j, net_impulse(b), e);
+        scatter_ends(bodies.velocity, b, e);
+    }
+}
+
+void solve(void* blocks, int count, SolverVelocity* velocity, const JointSoftness& softness) {
+    auto* all = static_cast<AxisBlock*>(blocks);
+    for (int k = 0; k < count; ++k) {
+        AxisBlock& b = all[k];
+        Ends8 e = gather_ends(velocity, b);
+        if (b.leaves)
+            e = {{e.a.v + load3(b.left[0]), e.a.w + load3(b.left[1])},
+                 {e.b.v + load3(b.left[2]), e.b.w + load3(b.left[3])}};
+        const Jacobianx8 j = load_jacobian(b);
+        apply(b, j, act<true>(b, velocity_of(j, e), load(b.position), softness), e);
+        scatter_ends(velocity, b, e);
+    }
+}
+
+// Whether small turns change the Jacobian by as little as themselves.
+CAIRN_INLINE bool is_steady(const AxisBlock& b) {
+    switch (b.kind) {
+    case AxisKind::linear:
+    case AxisKind::twist:
+    case AxisKind::perpendicular:
+    case AxisKind::cross_a:
+    case AxisKind::cross_b:
+        return true;
+    case AxisKind::swing: { // not where both axes are nearly one
+        const f32x8 angle = load(b.position);
+        return all(((angle > splat(0.1f)) & (angle < splat(3.0f))) | (load(b.mass) == zero()));
+    }
+    default:
+        return false;
+    }
+}
+// The position by the Jacobian that there is, to first order in the turns.
+CAIRN_INLINE Jacobianx8 carry_on(AxisBlock& b, const Posesx8& poses) {
+    const Jacobianx8 j = load_jacobian(b);
+    const Ends8 way = {{poses.dx_a, poses.dq_a.v + poses.dq_a.v}, {poses.dx_b, poses.dq_b.v + poses.dq_b.v}};
+    store(b.position, load(b.position0) + velocity_of(j, way));
+    b.leaves = 0;
+    return j;
+}
+CAIRN_INLINE Jacobianx8 renew(AxisBlock& b, const Posesx8& poses, const SolverInertia* inertia) {
+    const f32x8 p = net_impulse(b);
+    Ends8 change = {{zero3(), zero3()}, {zero3(), zero3()}};
+    apply(b, load_jacobian(b), -p, change);
+    if (!b.even) renew_masses(b, inertia);
+    const Jacobianx8 j = refresh(b, poses);
+    apply(b, j, p, change);
+    store3(b.left[0], change.a.v);
+    store3(b.left[1], change.a.w);
+    store3(b.left[2], change.b.v);
+    store3(b.left[3], change.b.w);
+    b.leaves = 1;
+    return j;
+}
+
+void relax(void* blocks, int count, const SolverBodies& bodies, const JointSoftness& softness) {
+    auto* all = static_cast<AxisBlock*>(blocks);
+    for (int k = 0; k < count; ++k) {
+        AxisBlock& b = all[k];
+        const f32x8 before = load(b.position);
+        const Posesx8 poses = gather_poses(bodies.pose, b);
+        const bool keeps = are_still(poses, softness.still_sine) && is_steady(b);
+        const Jacobianx8 j = keeps ? carry_on(b, poses) : renew(b, poses, bodies.inertia);
+        Ends8 e = gather_ends(bodies.velocity, b);
+        apply(b, j, act<false>(b, velocity_of(j, e), before, softness), e);
+        store(b.total, load(b.total) + net_impulse(b));
+        refresh_drive(b, splat(softness.h));
+        scatter_ends(bodies.velocity, b, e);
+    }
+}
+
+// Rigid limits and equations; drives and friction give no impulses.
+void strike(void* blocks, JointImpact* impacts, int count, SolverVelocity* velocity, float inverse_h) {
+    auto* given = static_cast<AxisBlock*>(blocks);
+    for (int k = 0; k < count; ++k) {
+        AxisBlock& b = given[k];
+        if (!impacts[k].active || !b.has_limits) continue;
+        Ends8 e = gather_ends(velocity, b);
+        const Jacobianx8 j = load_jacobian(b);
+        const f32x8 mass = load(b.mass), wanted = splat(impact_relaxation) * mass, ih = splat(inverse_h);
+        const mask8 active = mask_from_bits(impacts[k].active) & (load(b.rigid_limit) > zero()) & (mass > zero());
+        const mask8 equation = load(b.equation) > zero(), bounded = and_not(active, equation);
+        const f32x8 x = load(b.position), old_up = load(impacts[k].lower), old_down = load(impacts[k].upper);
+        f32x8 v = velocity_of(j, e);
+        f32x8 up = max(old_up - wanted * (v + max(x - load(b.lower), zero()) * ih), zero());
+        up = select(bounded, up, old_up);
+        v += guarded_inverse(mass, active) * (up - old_up);
+        f32x8 down = max(old_down - wanted * (max(load(b.upper) - x, zero()) * ih - v), zero());
+        down = select(bounded, down, old_down);
+        const f32x8 held = select(active & equation, -(wanted * v), zero());
+        const f32x8 d = held + ((up - old_up) - (down - old_down));
+        store(impacts[k].lower, up);
+        store(impacts[k].upper, down);
+        if (all(d == zero())) continue; // out of reach
+        store(b.total, load(b.total) + d);
+        apply(b, j, d, e);
+        scatter_ends(velocity, b, e);
+    }
+}
+
+} // namespace
+
+JointKernels::ForRows axis_kernels() { return {warm_start, solve, relax, strike}; }
+
+} // namespace cairn::CAIRN_ISA

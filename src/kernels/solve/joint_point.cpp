@@ -1,0 +1,237 @@
+// Points: the anchors of two bodies are kept together, in all directions or across an axis of A. With p the impulse on
+// B, c = (v_B + w_B x r_B) - (v_A + w_A x r_A) and K = (1/m_A + 1/m_B) 1 - [r_A] I_A^-1 [r_A] - [r_B] I_B^-1 [r_B].
+// Where an axis is left free, r_A reaches to the anchor of B along it, and both c and p are taken across it.
+#include "kernels/solve/joint.h"
+
+#include <type_traits>
+
+namespace cairn::CAIRN_ISA {
+
+namespace {
+
+// -[r] m [r], for a symmetric m.
+CAIRN_INLINE Sym3x8 squared_arm(const Sym3x8& m, Vec3x8 r) {
+    // The columns of m [r]: m (r x e_i) negated, and again crossed with r.
+    const Vec3x8 x = m * Vec3x8{zero(), r.z, -r.y}, y = m * Vec3x8{-r.z, zero(), r.x},
+                 z = m * Vec3x8{r.y, -r.x, zero()};
+    // e_i . (r x ...) with signs so that the result is positive.
+    return {r.z * x.y - r.y * x.z, r.z * y.y - r.y * y.z, r.z * z.y - r.y * z.z,
+            r.x * y.z - r.z * y.x, r.x * z.z - r.z * z.x, r.y * z.x - r.x * z.y};
+}
+CAIRN_INLINE Sym3x8 even_squared_arm(f32x8 i, Vec3x8 r) {
+    const Vec3x8 s = i * r;
+    const f32x8 xx = s.x * r.x, yy = s.y * r.y, zz = s.z * r.z;
+    return {yy + zz, -(s.x * r.y), -(s.x * r.z), xx + zz, -(s.y * r.z), xx + yy};
+}
+CAIRN_INLINE Sym3x8 sum(const Sym3x8& a, const Sym3x8& b) {
+    return {a.xx + b.xx, a.xy + b.xy, a.xz + b.xz, a.yy + b.yy, a.yz + b.yz, a.zz + b.zz};
+}
+
+template <bool Even> CAIRN_INLINE Vec3x8 times_inertia_a(const PointBlock& b, Vec3x8 u) {
+    return Even ? load(b.even_a) * u : load6(b.rest.inertia_a) * u;
+}
+template <bool Even> CAIRN_INLINE Vec3x8 times_inertia_b(const PointBlock& b, Vec3x8 u) {
+    return Even ? load(b.even_b) * u : load6(b.rest.inertia_b) * u;
+}
+template <bool Even> CAIRN_INLINE void apply(const PointBlock& b, Vec3x8 arm_a, Vec3x8 arm_b, Vec3x8 p, Ends8& e) {
+    e.a.v = e.a.v - load(b.mass_a) * p;
+    e.b.v = e.b.v + load(b.mass_b) * p;
+    e.a.w = e.a.w - times_inertia_a<Even>(b, cross(arm_a, p));
+    e.b.w = e.b.w + times_inertia_b<Even>(b, cross(arm_b, p));
+}
+CAIRN_INLINE Vec3x8 slip_at(const Ends8& e, Vec3x8 arm_a, Vec3x8 arm_b) {
+    return (e.b.v - e.a.v) + (cross(e.b.w, arm_b) - cross(e.a.w, arm_a));
+}
+
+// A block as it lies between two loads and stores: arms, gap and the axis that is left free, of the poses now.
+struct Pointx8 {
+    Vec3x8 arm_a, arm_b, gap, axis;
+};
+template <bool FreeAxis> CAIRN_INLINE void reach_along_axis(Pointx8& point) {
+    if constexpr (FreeAxis) {
+        const Vec3x8 along = dot(point.axis, point.gap) * point.axis;
+        point.arm_a = point.arm_a + along;
+        point.gap = point.gap - along;
+    }
+}
+template <bool FreeAxis> CAIRN_INLINE Pointx8 point_at_start(const PointBlock& b) {
+    Pointx8 point{load3(b.arm_a0), load3(b.arm_b0), load3(b.gap0), FreeAxis ? load3(b.axis0) : zero3()};
+    reach_along_axis<FreeAxis>(point);
+    return point;
+}
+template <bool FreeAxis> CAIRN_INLINE Pointx8 point_now(const PointBlock& b, const Posesx8& poses) {
+    const Vec3x8 arm_a0 = load3(b.arm_a0), arm_b0 = load3(b.arm_b0);
+    const Vec3x8 change_a = turned_difference(poses.dq_a, arm_a0), change_b = turned_difference(poses.dq_b, arm_b0);
+    Pointx8 point{arm_a0 + change_a, arm_b0 + change_b,
+                  load3(b.gap0) + ((poses.dx_b - poses.dx_a) + (change_b - change_a)), zero3()};
+    if constexpr (FreeAxis) {
+        const Vec3x8 axis0 = load3(b.axis0);
+        point.axis = axis0 + turned_difference(poses.dq_a, axis0);
+    }
+    reach_along_axis<FreeAxis>(point);
+    return point;
+}
+
+template <bool FreeAxis, bool Even> CAIRN_INLINE Sym3x8 response_of(const PointBlock& b, const Pointx8& point) {
+    const f32x8 m = load(b.mass_a) + load(b.mass_b);
+    Sym3x8 k = {m, zero(), zero(), m, zero(), m};
+    if constexpr (Even)
+        k = sum(k, sum(even_squared_arm(load(b.even_a), point.arm_a), even_squared_arm(load(b.even_b), point.arm_b)));
+    else
+        k = sum(k, sum(squared_arm(load6(b.rest.inertia_a), point.arm_a),
+                       squared_arm(load6(b.rest.inertia_b), point.arm_b)));
+    if constexpr (FreeAxis)
+        return inverse_across(k, point.axis);
+    else
+        return inverse(k);
+}
+CAIRN_INLINE void keep(PointBlock& b, const Pointx8& point, const Sym3x8& response) {
+    store3(b.arm_a, point.arm_a);
+    store3(b.arm_b, point.arm_b);
+    store3(b.gap, point.gap);
+    store6(b.response, response);
+}
+
+// Calls f with whether an axis is left free, and whether tensors are even, as constants.
+template <class F> CAIRN_INLINE void for_form(PointBlock& b, F&& f) {
+    using Yes = std::true_type;
+    using No = std::false_type;
+    if (b.free_axis)
+        b.even ? f(Yes{}, Yes{}) : f(Yes{}, No{});
+    else
+        b.even ? f(No{}, Yes{}) : f(No{}, No{});
+}
+
+// Poses are those of the start of the step.
+template <bool FreeAxis, bool Even> CAIRN_INLINE void warm_start_block(PointBlock& b, const SolverBodies& bodies) {
+    const Pointx8 point = point_at_start<FreeAxis>(b);
+    keep(b, point, response_of<FreeAxis, Even>(b, point));
+    Vec3x8 p = load3(b.impulse);
+    if constexpr (FreeAxis) {
+        p = across(point.axis, p);
+        store3(b.impulse, p);
+    }
+    b.leaves = 0;
+    store3(b.total, zero3());
+    Ends8 e = gather_ends(bodies.velocity, b);
+    apply<Even>(b, point.arm_a, point.arm_b, p, e);
+    scatter_ends(bodies.velocity, b, e);
+}
+
+void warm_start(void* blocks, int count, const SolverBodies& bodies, const JointSoftness&) {
+    auto* all = static_cast<PointBlock*>(blocks);
+    for (int k = 0; k < count; ++k) {
+        first_masses(all[k], bodies.inertia);
+        for_form(all[k], [&](auto free_axis, auto even) { warm_start_block<free_axis, even>(all[k], bodies); });
+    }
+}
+
+template <bool FreeAxis, bool Even>
+CAIRN_INLINE void solve_block(PointBlock& b, SolverVelocity* velocity, f32x8 rate, f32x8 scale, f32x8 rest) {
+    Ends8 e = gather_ends(velocity, b);
+    if (b.leaves) {
+        e.a.w = e.a.w + load3(b.left_a);
+        e.b.w = e.b.w + load3(b.left_b);
+        if constexpr (FreeAxis) {
+            e.a.v = e.a.v - load(b.mass_a) * load3(b.left_linear);
+            e.b.v = e.b.v + load(b.mass_b) * load3(b.left_linear);
+        }
+    }
+    const Vec3x8 arm_a = load3(b.arm_a), arm_b = load3(b.arm_b), p = load3(b.impulse);
+    const Vec3x8 c = slip_at(e, arm_a, arm_b) + rate * load3(b.gap);
+    const Vec3x8 d = -(scale * (load6(b.response) * c)) - rest * p;
+    store3(b.impulse, p + d);
+    apply<Even>(b, arm_a, arm_b, d, e);
+    scatter_ends(velocity, b, e);
+}
+
+void solve(void* blocks, int count, SolverVelocity* velocity, const JointSoftness& softness) {
+    auto* all = static_cast<PointBlock*>(blocks);
+    const f32x8 rate = splat(softness.rate), scale = splat(softness.scale), rest = splat(1 - softness.scale);
+    for (int k = 0; k < count; ++k)
+        for_form(all[k],
+                 [&](auto free_axis, auto even) { solve_block<free_axis, even>(all[k], velocity, rate, scale, rest); });
+}
+
+// What the new arms and axis change of the impulse that is carried, `p` of `old`, is left for the next solve.
+template <bool FreeAxis, bool Even>
+CAIRN_INLINE void leave_change(PointBlock& b, const Pointx8& point, Vec3x8 p, Vec3x8 old,
+                               const SolverInertia* inertia) {
+    b.leaves = 1;
+    const Vec3x8 old_a = load3(b.arm_a), old_b = load3(b.arm_b);
+    if constexpr (Even && !FreeAxis) {
+        store3(b.left_a, load(b.even_a) * cross(old_a - point.arm_a, p));
+        store3(b.left_b, load(b.even_b) * cross(point.arm_b - old_b, p));
+        return;
+    }
+    const Vec3x8 before_a = times_inertia_a<Even>(b, cross(old_a, old)),
+                 before_b = times_inertia_b<Even>(b, cross(old_b, old));
+    if constexpr (!Even) renew_masses(b, inertia);
+    store3(b.left_a, before_a - times_inertia_a<Even>(b, cross(point.arm_a, p)));
+    store3(b.left_b, times_inertia_b<Even>(b, cross(point.arm_b, p)) - before_b);
+    if constexpr (FreeAxis) store3(b.left_linear, p - old);
+}
+
+// The impulse without softness that stops what slips.
+template <bool Even>
+CAIRN_INLINE void stop_slip(PointBlock& b, const SolverBodies& bodies, Vec3x8 arm_a, Vec3x8 arm_b,
+                            const Sym3x8& response, Vec3x8 carried) {
+    Ends8 e = gather_ends(bodies.velocity, b);
+    const Vec3x8 d = -(response * slip_at(e, arm_a, arm_b)), p = carried + d;
+    store3(b.impulse, p);
+    store3(b.total, load3(b.total) + p);
+    apply<Even>(b, arm_a, arm_b, d, e);
+    scatter_ends(bodies.velocity, b, e);
+}
+
+// With the arms that there are. The gap is right to first order in the turns.
+template <bool Even>
+CAIRN_INLINE void relax_still_block(PointBlock& b, const SolverBodies& bodies, const Posesx8& poses) {
+    const Vec3x8 turn_a = poses.dq_a.v + poses.dq_a.v, turn_b = poses.dq_b.v + poses.dq_b.v;
+    const Vec3x8 change = cross(turn_b, load3(b.arm_b0)) - cross(turn_a, load3(b.arm_a0));
+    store3(b.gap, load3(b.gap0) + ((poses.dx_b - poses.dx_a) + change));
+    b.leaves = 0;
+    stop_slip<Even>(b, bodies, load3(b.arm_a), load3(b.arm_b), load6(b.response), load3(b.impulse));
+}
+
+template <bool FreeAxis, bool Even>
+CAIRN_INLINE void relax_block(PointBlock& b, const SolverBodies& bodies, float still_sine) {
+    const Posesx8 poses = gather_poses(bodies.pose, b);
+    if (!FreeAxis && are_still(poses, still_sine)) return relax_still_block<Even>(b, bodies, poses);
+    const Pointx8 point = point_now<FreeAxis>(b, poses);
+    const Vec3x8 old = load3(b.impulse), carried = FreeAxis ? across(point.axis, old) : old;
+    leave_change<FreeAxis, Even>(b, point, carried, old, bodies.inertia);
+    const Sym3x8 response = response_of<FreeAxis, Even>(b, point);
+    keep(b, point, response);
+    stop_slip<Even>(b, bodies, point.arm_a, point.arm_b, response, carried);
+}
+
+void relax(void* blocks, int count, const SolverBodies& bodies, const JointSoftness& softness) {
+    auto* all = static_cast<PointBlock*>(blocks);
+    for (int k = 0; k < count; ++k)
+        for_form(all[k],
+                 [&](auto free_axis, auto even) { relax_block<free_axis, even>(all[k], bodies, softness.still_sine); });
+}
+
+void strike(void* blocks, JointImpact* impacts, int count, SolverVelocity* velocity, float) {
+    auto* all = static_cast<PointBlock*>(blocks);
+    for (int k = 0; k < count; ++k) {
+        if (!impacts[k].active) continue;
+        PointBlock& b = all[k];
+        const Vec3x8 arm_a = load3(b.arm_a), arm_b = load3(b.arm_b);
+        Ends8 e = gather_ends(velocity, b);
+        const Vec3x8 p = splat(-impact_relaxation) * (load6(b.response) * slip_at(e, arm_a, arm_b));
+        const Vec3x8 d = select(mask_from_bits(impacts[k].active), p, zero3());
+        store3(b.total, load3(b.total) + d);
+        b.even ? apply<true>(b, arm_a, arm_b, d, e) : apply<false>(b, arm_a, arm_b, d, e);
+        scatter_ends(velocity, b, e);
+    }
+}
+
+} // namespace
+
+JointKernels::ForRows point_kernels() { return {warm_start, solve, relax, strike}; }
+
+JointKernels joint_kernels() { return {point_kernels(), turn_kernels(), axis_kernels()}; }
+
+} // namespace cairn::CAIRN_ISA

@@ -1,0 +1,129 @@
+// Turns: B's frame is kept from turning against A's, about all axes or about those across one. With p the angular
+// impulse on B, c = w_B - w_A and K = I_A^-1 + I_B^-1.
+#include "kernels/solve/joint.h"
+
+namespace cairn::CAIRN_ISA {
+
+namespace {
+
+CAIRN_INLINE void apply(const TurnBlock& b, Vec3x8 p, Ends8& e) {
+    e.a.w = e.a.w - turned_a(b, p);
+    e.b.w = e.b.w + turned_b(b, p);
+}
+
+// Error and response of the poses now; the axis that is left free, if any.
+template <bool FreeAxis> CAIRN_INLINE Vec3x8 refresh(TurnBlock& b, const Posesx8& poses, const Massesx8& masses) {
+    const Sym3x8 &i = masses.inertia_a, &j = masses.inertia_b;
+    const Sym3x8 k = {i.xx + j.xx, i.xy + j.xy, i.xz + j.xz, i.yy + j.yy, i.yz + j.yz, i.zz + j.zz};
+    if constexpr (FreeAxis) {
+        const Vec3x8 a0 = load3(b.axis_a0), b0 = load3(b.axis_b0);
+        const Vec3x8 axis = a0 + turned_difference(poses.dq_a, a0), held = b0 + turned_difference(poses.dq_b, b0);
+        store3(b.error, cross(axis, held));
+        store6(b.response, inverse_across(k, axis));
+        return axis;
+    } else {
+        const Quatx8 turn = turn_now(poses, load_quat(b.turn0));
+        store3(b.error, select(turn.w < zero(), splat(-2.0f), splat(2.0f)) * turn.v);
+        store6(b.response, inverse(k));
+        return zero3();
+    }
+}
+
+template <bool FreeAxis> void warm_start_block(TurnBlock& b, const SolverBodies& bodies) {
+    const Massesx8 masses = first_masses(b, bodies.inertia);
+    const Vec3x8 axis = refresh<FreeAxis>(b, gather_poses(bodies.pose, b), masses);
+    Vec3x8 p = load3(b.impulse);
+    if constexpr (FreeAxis) p = across(axis, p);
+    store3(b.impulse, p);
+    b.leaves = 0;
+    store3(b.total, zero3());
+    Ends8 e = gather_ends(bodies.velocity, b);
+    apply(b, p, e);
+    scatter_ends(bodies.velocity, b, e);
+}
+
+void warm_start(void* blocks, int count, const SolverBodies& bodies, const JointSoftness&) {
+    auto* all = static_cast<TurnBlock*>(blocks);
+    for (int k = 0; k < count; ++k)
+        all[k].free_axis ? warm_start_block<true>(all[k], bodies) : warm_start_block<false>(all[k], bodies);
+}
+
+void solve(void* blocks, int count, SolverVelocity* velocity, const JointSoftness& softness) {
+    auto* all = static_cast<TurnBlock*>(blocks);
+    const f32x8 rate = splat(softness.rate), scale = splat(softness.scale), rest = splat(1 - softness.scale);
+    for (int k = 0; k < count; ++k) {
+        TurnBlock& b = all[k];
+        Ends8 e = gather_ends(velocity, b);
+        if (b.leaves) {
+            e.a.w = e.a.w + load3(b.left_a);
+            e.b.w = e.b.w + load3(b.left_b);
+        }
+        const Vec3x8 p = load3(b.impulse), c = (e.b.w - e.a.w) + rate * load3(b.error);
+        const Vec3x8 d = -(scale * (load6(b.response) * c)) - rest * p;
+        store3(b.impulse, p + d);
+        apply(b, d, e);
+        scatter_ends(velocity, b, e);
+    }
+}
+
+// The impulse without softness that stops what turns.
+CAIRN_INLINE void stop_turn(TurnBlock& b, const SolverBodies& bodies, Vec3x8 carried) {
+    Ends8 e = gather_ends(bodies.velocity, b);
+    const Vec3x8 d = -(load6(b.response) * (e.b.w - e.a.w)), p = carried + d;
+    store3(b.impulse, p);
+    store3(b.total, load3(b.total) + p);
+    apply(b, d, e);
+    scatter_ends(bodies.velocity, b, e);
+}
+
+template <bool FreeAxis> CAIRN_INLINE void relax_block(TurnBlock& b, const SolverBodies& bodies, float still_sine) {
+    const Posesx8 poses = gather_poses(bodies.pose, b);
+    const Vec3x8 old = load3(b.impulse);
+    if (FreeAxis && are_still(poses, still_sine)) {
+        // The response still serves; the error is right to first order in the turns.
+        const Vec3x8 a0 = load3(b.axis_a0), b0 = load3(b.axis_b0);
+        const Vec3x8 turn_a = poses.dq_a.v + poses.dq_a.v, turn_b = poses.dq_b.v + poses.dq_b.v;
+        store3(b.error, cross(a0 + cross(turn_a, a0), b0 + cross(turn_b, b0)));
+        b.leaves = 0;
+        return stop_turn(b, bodies, old);
+    }
+    const Vec3x8 wa = turned_a(b, old), wb = -turned_b(b, old);
+    if (!b.even) renew_masses(b, bodies.inertia);
+    const Vec3x8 axis = refresh<FreeAxis>(b, poses, load_masses(b));
+    Vec3x8 p = old;
+    if constexpr (FreeAxis) p = across(axis, old);
+    if (FreeAxis || !b.even) {
+        store3(b.left_a, wa - turned_a(b, p));
+        store3(b.left_b, wb + turned_b(b, p));
+        b.leaves = 1;
+    }
+    stop_turn(b, bodies, p);
+}
+
+void relax(void* blocks, int count, const SolverBodies& bodies, const JointSoftness& softness) {
+    auto* all = static_cast<TurnBlock*>(blocks);
+    const float still_sine = softness.still_sine;
+    for (int k = 0; k < count; ++k)
+        all[k].free_axis ? relax_block<true>(all[k], bodies, still_sine)
+                         : relax_block<false>(all[k], bodies, still_sine);
+}
+
+void strike(void* blocks, JointImpact* impacts, int count, SolverVelocity* velocity, float) {
+    auto* all = static_cast<TurnBlock*>(blocks);
+    for (int k = 0; k < count; ++k) {
+        if (!impacts[k].active) continue;
+        TurnBlock& b = all[k];
+        Ends8 e = gather_ends(velocity, b);
+        const Vec3x8 p = splat(-impact_relaxation) * (load6(b.response) * (e.b.w - e.a.w));
+        const Vec3x8 d = select(mask_from_bits(impacts[k].active), p, zero3());
+        store3(b.total, load3(b.total) + d);
+        apply(b, d, e);
+        scatter_ends(velocity, b, e);
+    }
+}
+
+} // namespace
+
+JointKernels::ForRows turn_kernels() { return {warm_start, solve, relax, strike}; }
+
+} // namespace cairn::CAIRN_ISA

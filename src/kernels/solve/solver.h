@@ -1,0 +1,156 @@
+// The solver kernels of one instruction set, and what they share.
+#pragma once
+
+#include "kernels/solve/solver_data.h"
+#include "simd/wide_math.h"
+
+#include <type_traits>
+
+namespace cairn::CAIRN_ISA {
+
+SolverKernels solver_kernels();
+template <int N>
+void prepare_contacts(void* blocks, int count, const ContactLanes& lanes, const ContactRecord* records,
+                      const SolverInertia* inertia, float friction_margin);
+template <int N>
+void store_contacts(const void* blocks, int count, const ContactLanes& lanes, ContactRecord* records,
+                    ContactReport* reports);
+template <int N>
+int bounce_contacts(void* blocks, int count, const SolverBodies& bodies, const BounceSettings& settings);
+template <int N>
+void strike_contacts(void* blocks, void* impacts, int count, SolverVelocity* velocity, float inverse_h);
+float change_since(const SolverVelocity* velocity, const std::int32_t* rows, int count, SolverVelocity* last,
+                   SettledChange settled);
+void integrate_velocities(const SolverBodies& bodies, int begin, int end, bool first);
+void begin_spin(SpinBlock* blocks, int count, SolverInertia* inertia);
+void spin(SpinBlock* blocks, int count, const SolverBodies& bodies, SolverTwist* drive, SolverTwist* correction,
+          float h, bool first, const SlowTurns& slow);
+void renew_inertia(SpinBlock* blocks, int count, const SolverVelocity* velocity, const SolverPose* pose,
+                   SolverInertia* inertia, float still_sine);
+void finish_spin(const SpinBlock* blocks, int count, SolverVelocity* velocity, const SolverPose* pose);
+void integrate_poses(const SolverBodies& bodies, int begin, int end, float h);
+
+// Over-relaxation of the passes of an impact: they converge several times as fast as with 1.
+inline constexpr float impact_relaxation = 1.5f;
+
+// Lanes that have turned, in the step so far, by less than twice the angle of that sine.
+CAIRN_INLINE mask8 is_still(Quatx8 turn, float still_sine) {
+    return dot(turn.v, turn.v) < splat(still_sine * still_sine);
+}
+
+// Velocities of 8 bodies.
+struct Velocityx8 {
+    Vec3x8 v, w;
+};
+
+// The row at an offset in bytes: counting rows would take a shift for every lane.
+template <class Row> CAIRN_INLINE Row& row_at(Row* rows, std::uint32_t offset) {
+    static_assert(sizeof(Row) == row_bytes);
+    using Byte = std::conditional_t<std::is_const_v<Row>, const char, char>;
+    return *reinterpret_cast<Row*>(reinterpret_cast<Byte*>(rows) + offset);
+}
+
+CAIRN_INLINE Velocityx8 gather_velocity(const SolverVelocity* rows, const std::uint32_t* offset) {
+    const float* p[8];
+    Velocityx8 r;
+    f32x8 unused;
+    for (int i = 0; i < 8; ++i) p[i] = row_at(rows, offset[i]).v;
+    gather4(p, r.v.x, r.v.y, r.v.z, unused);
+    for (int i = 0; i < 8; ++i) p[i] += 4;
+    gather4(p, r.w.x, r.w.y, r.w.z, unused);
+    return r;
+}
+CAIRN_INLINE void scatter_velocity(SolverVelocity* rows, const std::uint32_t* offset, const Velocityx8& a) {
+    float* p[8];
+    for (int i = 0; i < 8; ++i) p[i] = row_at(rows, offset[i]).v;
+    scatter4(p, a.v.x, a.v.y, a.v.z, zero());
+    for (int i = 0; i < 8; ++i) p[i] += 4;
+    scatter4(p, a.w.x, a.w.y, a.w.z, zero());
+}
+
+CAIRN_INLINE Quatx8 multiply(Quatx8 a, Quatx8 b) {
+    return {a.w * b.v + (b.w * a.v + cross(a.v, b.v)), a.w * b.w - dot(a.v, b.v)};
+}
+
+// tan |u| in the direction of u: with x = |u|, tan x = x (1 + x^2/3 + 2 x^4/15 + 17 x^6/315 + ...). The quaternion
+// (t, 1) of that, unnormalized, turns by 2 x up to O(x^9), and its square (2 t, 1 - t^2) by 4 x. Beyond four radians
+// the axis is all that counts.
+CAIRN_INLINE Vec3x8 half_tangent(Vec3x8 u) {
+    const f32x8 x2 = min(dot(u, u), one());
+    const f32x8 series = splat(1.0f / 3.0f) + x2 * (splat(2.0f / 15.0f) + x2 * splat(17.0f / 315.0f));
+    return (one() + x2 * series) * u;
+}
+
+// q turned on by the rotation vector 4 u.
+CAIRN_INLINE Quatx8 turned_by(Vec3x8 u, Quatx8 q) {
+    const Vec3x8 t = half_tangent(u);
+    const Quatx8 r = multiply({t + t, one() - dot(t, t)}, q);
+    const f32x8 scale = one() / sqrt(dot(r.v, r.v) + r.w * r.w);
+    return {scale * r.v, scale * r.w};
+}
+
+// Where a block keeps K_ji / K_jj: what an impulse of 1 at point i takes from that wanted at point j.
+template <int N> constexpr int share_index(int j, int i) { return j * (N - 1) + (i < j ? i : i - 1); }
+
+template <int N> CAIRN_INLINE Vec3x8 arm_of(const ContactBlock<N>& block, Vec3x8 normal, int i) {
+    if constexpr (N == 1)
+        return cross(load3(block.center), normal);
+    else
+        return load3(block.arm[i]);
+}
+template <int N> CAIRN_INLINE Vec3x8 second_tangent(const ContactBlock<N>& block, Vec3x8 normal) {
+    return cross(load3(block.tangent), normal);
+}
+
+// Opening velocities of the points; c = d x normal.
+template <int N>
+CAIRN_INLINE void normal_velocities(const ContactBlock<N>& block, const Velocityx8& a, const Velocityx8& b,
+                                    Vec3x8 normal, Vec3x8 c, f32x8* v) {
+    const Vec3x8 dw = b.w - a.w;
+    const f32x8 common = dot(normal, b.v - a.v) + dot(c, b.w);
+    for (int i = 0; i < N; ++i) v[i] = common + dot(arm_of(block, normal, i), dw);
+}
+
+// Inverse inertia times a vector, of A and of B.
+CAIRN_INLINE Vec3x8 inertia_times(bool even, const float (*inertia)[8], Vec3x8 u) {
+    return even ? load(inertia[0]) * u : load6(inertia) * u;
+}
+template <int N> CAIRN_INLINE Vec3x8 turned_a(const ContactBlock<N>& block, Vec3x8 u) {
+    return inertia_times(block.even, block.inertia_a, u);
+}
+template <int N> CAIRN_INLINE Vec3x8 turned_b(const ContactBlock<N>& block, Vec3x8 u) {
+    return inertia_times(block.even, block.inertia_b, u);
+}
+
+// Against relative rolling: one mass for all directions, the smallest effective one that the trace guarantees, so that
+// it never overshoots.
+template <int N> CAIRN_INLINE f32x8 rolling_mass(const ContactBlock<N>& block) {
+    constexpr int xx = 0, yy = 3, zz = 5;
+    auto sum = [&](int i) { return load(block.inertia_a[i]) + load(block.inertia_b[i]); };
+    const f32x8 trace = block.even ? (sum(xx) + sum(xx)) + sum(xx) : (sum(xx) + sum(yy)) + sum(zz);
+    const mask8 turns = trace > zero();
+    return select(turns, splat(3.0f) / select(turns, trace, one()), zero()) * splat(1.0f / 3.0f);
+}
+
+// Applies the normal impulses S = sum of d_i and T = sum of j_i d_i to both bodies.
+template <int N>
+CAIRN_INLINE void apply_normal(const ContactBlock<N>& block, Vec3x8 normal, Vec3x8 c, f32x8 sum, Vec3x8 torque,
+                               Velocityx8& a, Velocityx8& b) {
+    a.v = a.v - (load(block.mass_a) * sum) * normal;
+    b.v = b.v + (load(block.mass_b) * sum) * normal;
+    a.w = a.w - turned_a(block, torque);
+    b.w = b.w + turned_b(block, torque + sum * c);
+}
+
+// Applies the impulse p at the friction center, and the couple about the normal, to both bodies.
+template <int N>
+CAIRN_INLINE void apply_friction(const ContactBlock<N>& block, Vec3x8 center, Vec3x8 d, Vec3x8 p, Vec3x8 couple,
+                                 Velocityx8& a, Velocityx8& b) {
+    const Vec3x8 torque_a = cross(center, p) + couple;
+    a.v = a.v - load(block.mass_a) * p;
+    b.v = b.v + load(block.mass_b) * p;
+    a.w = a.w - turned_a(block, torque_a);
+    b.w = b.w + turned_b(block, torque_a + cross(d, p));
+}
+
+} // namespace cairn::CAIRN_ISA

@@ -1,0 +1,182 @@
+// The torque-free turning of bodies with unequal moments of inertia that touch something, 8 at a time. (Free bodies are
+// turned in double, in bodies/integrators.cpp.) The angular momentum L is followed through the step: contacts act on
+// the inertia that the solver has, of the start of the step, and what they add to L is that inertia times what they add
+// to the angular velocity w. Taking I w with the inertia of now instead would lose a part of every impulse.
+//
+// The turn is the midpoint rule on L: w = R I^-1 R^T L at the rotation R half a substep ahead.
+#include "kernels/solve/solver.h"
+
+namespace cairn::CAIRN_ISA {
+
+namespace {
+
+// Cosine of half the angle up to which a body may have turned in a step for L to be followed: beyond, the inertia that
+// contacts act on says nothing about the one that it has.
+constexpr float most_turn_cosine = 0.9f;
+CAIRN_INLINE Quatx8 gather_turn(const SolverPose* pose, const std::uint32_t* offset) {
+    const float* p[8];
+    Quatx8 q;
+    for (int i = 0; i < 8; ++i) p[i] = row_at(pose, offset[i]).dq;
+    gather4(p, q.v.x, q.v.y, q.v.z, q.w);
+    return q;
+}
+template <class Row> CAIRN_INLINE Vec3x8 gather_angular(const Row* rows, const std::uint32_t* offset) {
+    const float* p[8];
+    Vec3x8 w;
+    f32x8 unused;
+    for (int i = 0; i < 8; ++i) p[i] = row_at(rows, offset[i]).w;
+    gather4(p, w.x, w.y, w.z, unused);
+    return w;
+}
+template <class Row> CAIRN_INLINE void scatter_angular(Row* rows, const std::uint32_t* offset, Vec3x8 w) {
+    float* p[8];
+    for (int i = 0; i < 8; ++i) p[i] = row_at(rows, offset[i]).w;
+    scatter4(p, w.x, w.y, w.z, zero());
+}
+
+CAIRN_INLINE Vec3x8 scaled(Vec3x8 a, Vec3x8 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
+
+// R diag(d) R^T.
+CAIRN_INLINE Sym3x8 rotated_diagonal(const Mat3x8& r, Vec3x8 d) {
+    const Vec3x8 a = d.x * r.c0, b = d.y * r.c1, c = d.z * r.c2;
+    return {(a.x * r.c0.x + b.x * r.c1.x) + c.x * r.c2.x, (a.x * r.c0.y + b.x * r.c1.y) + c.x * r.c2.y,
+            (a.x * r.c0.z + b.x * r.c1.z) + c.x * r.c2.z, (a.y * r.c0.y + b.y * r.c1.y) + c.y * r.c2.y,
+            (a.y * r.c0.z + b.y * r.c1.z) + c.y * r.c2.z, (a.z * r.c0.z + b.z * r.c1.z) + c.z * r.c2.z};
+}
+CAIRN_INLINE Sym3x8 select(mask8 m, const Sym3x8& a, const Sym3x8& b) {
+    return {select(m, a.xx, b.xx), select(m, a.xy, b.xy), select(m, a.xz, b.xz),
+            select(m, a.yy, b.yy), select(m, a.yz, b.yz), select(m, a.zz, b.zz)};
+}
+
+// The diagonal tensor in the axes q, times v.
+CAIRN_INLINE Vec3x8 tensor(Quatx8 q, Vec3x8 diagonal, Vec3x8 v) {
+    return rotate(q, scaled(diagonal, rotate_back(q, v)));
+}
+
+// Into the rows: the inverse inertia of a diagonal one in those axes.
+CAIRN_INLINE void write_inverse_inertia(const SpinBlock& block, const Mat3x8& axes, mask8 lanes, SolverInertia* rows) {
+    float *low[8], *high[8];
+    for (int lane = 0; lane < 8; ++lane) {
+        low[lane] = &row_at(rows, block.row[lane]).inverse_mass;
+        high[lane] = low[lane] + 4;
+    }
+    f32x8 mass, unused;
+    Sym3x8 was;
+    gather4(low, mass, was.xx, was.xy, was.xz);
+    gather4(high, was.yy, was.yz, was.zz, unused);
+    const Sym3x8 now = select(lanes, rotated_diagonal(axes, load3(block.inverse_moments)), was);
+    scatter4(low, mass, now.xx, now.xy, now.xz);
+    scatter4(high, now.yy, now.yz, now.zz, zero());
+}
+
+// L now, with what the contacts have added since the last free motion.
+CAIRN_INLINE Vec3x8 momentum_now(const SpinBlock& block, Quatx8 turn, Quatx8 axes, Vec3x8 w, bool first) {
+    mask8 followed = turn.w > splat(first ? 2.0f : most_turn_cosine);
+    if (block.any_renewed && !first) followed = followed | (load(block.renewed) > zero());
+    Vec3x8 momentum = zero3();
+    if (!all(followed)) momentum = tensor(axes, load3(block.moments), w);
+    if (first) return momentum;
+    const Vec3x8 tracked = load3(block.momentum) + load6(block.contact_inertia) * (w - load3(block.free_w));
+    return select(followed, tracked, momentum);
+}
+
+// In the frame of the principal axes: the angular velocity that goes with the momentum once the axes have turned by the
+// rotation vector 4 u.
+CAIRN_INLINE Vec3x8 velocity_after(Vec3x8 u, Vec3x8 inverse_moments, Vec3x8 momentum) {
+    const Vec3x8 t = half_tangent(u);
+    const f32x8 square = dot(t, t), scale = one() / (one() + square);
+    const Quatx8 turn = {scale * (t + t), scale * (one() - square)};
+    return rotate(turn, scaled(inverse_moments, rotate_back(turn, momentum)));
+}
+
+// What a substep adds to the angular velocities, and what the midpoint differs from the end.
+struct Turn {
+    Vec3x8 change, correction;
+};
+CAIRN_INLINE Turn free_turn(Quatx8 q, Vec3x8 inverse_moments, Vec3x8 momentum, Vec3x8 w, float h, mask8 calm) {
+    const Vec3x8 l = rotate_back(q, momentum), start = scaled(inverse_moments, l);
+    // Half a substep ahead: by Euler's equations to first order, and from there once more.
+    Vec3x8 middle = start + splat(0.5f * h) * scaled(inverse_moments, cross(l, start));
+    middle = velocity_after(splat(0.125f * h) * middle, inverse_moments, l);
+    const Vec3x8 end = velocity_after(splat(0.25f * h) * middle, inverse_moments, l);
+    return {select(calm, zero3(), rotate(q, end) - w), select(calm, zero3(), rotate(q, middle - end))};
+}
+
+} // namespace
+
+void begin_spin(SpinBlock* blocks, int count, SolverInertia* inertia) {
+    for (int k = 0; k < count; ++k) {
+        SpinBlock& block = blocks[k];
+        const Mat3x8 axes = to_matrix({load3(block.axes), load(block.axes[3])});
+        store6(block.contact_inertia, rotated_diagonal(axes, load3(block.moments)));
+        write_inverse_inertia(block, axes, mask_from_bits(255), inertia);
+    }
+}
+
+void spin(SpinBlock* blocks, int count, const SolverBodies& bodies, SolverTwist* drive, SolverTwist* correction,
+          float h, bool first, const SlowTurns& slow) {
+    const f32x8 outside = splat(slow.speed * slow.speed),
+                in_joints = splat(slow.speed_in_joints * slow.speed_in_joints);
+    for (int k = 0; k < count; ++k) {
+        SpinBlock& block = blocks[k];
+        const Vec3x8 w = gather_angular(bodies.velocity, block.row);
+        // What is calm is left as it is until the end of the step.
+        mask8 calm = dot(w, w) < select(load(block.renewed) > zero(), in_joints, outside);
+        Vec3x8 factor;
+        if (bodies.damping) {
+            factor = gather_angular(bodies.damping, block.row);
+            calm = calm & (factor.x == one());
+        }
+        if (all(calm) && !first && !block.turns) continue;
+        const Quatx8 turn = gather_turn(bodies.pose, block.row);
+        const Quatx8 q = multiply(turn, {load3(block.axes), load(block.axes[3])});
+        const Vec3x8 momentum = momentum_now(block, turn, q, w, first);
+        Turn now = {zero3(), zero3()};
+        if (!all(calm)) now = free_turn(q, load3(block.inverse_moments), momentum, w, h, calm);
+        block.turns = !all(calm);
+        scatter_angular(drive, block.row, now.change);
+        scatter_angular(correction, block.row, now.correction);
+        // To the bit what integrate_velocities will make of it.
+        Vec3x8 free = w + now.change, left = momentum;
+        if (bodies.damping) {
+            free = scaled(free, factor);
+            left = scaled(left, factor);
+        }
+        const mask8 kept = first ? mask_from_bits(0) : calm; // what contacts add to them is added later
+        store3(block.momentum, select(kept, load3(block.momentum), left));
+        store3(block.free_w, select(kept, load3(block.free_w), free));
+    }
+}
+
+void renew_inertia(SpinBlock* blocks, int count, const SolverVelocity* velocity, const SolverPose* pose,
+                   SolverInertia* inertia, float still_sine) {
+    for (int k = 0; k < count; ++k) {
+        SpinBlock& block = blocks[k];
+        if (!block.any_renewed) continue;
+        const Quatx8 turn = gather_turn(pose, block.row);
+        const mask8 renewed = and_not(load(block.renewed) > zero(), is_still(turn, still_sine));
+        if (!any(renewed)) continue;
+        const Mat3x8 axes = to_matrix(multiply(turn, {load3(block.axes), load(block.axes[3])}));
+        const Sym3x8 i = rotated_diagonal(axes, load3(block.moments)), old = load6(block.contact_inertia);
+        // What has been added so far was added with the old one.
+        const Vec3x8 w = gather_angular(velocity, block.row), before = load3(block.free_w),
+                     was_l = load3(block.momentum);
+        store3(block.momentum, select(renewed, was_l + old * (w - before), was_l));
+        store3(block.free_w, select(renewed, w, before));
+        store6(block.contact_inertia, select(renewed, i, old));
+        write_inverse_inertia(block, axes, renewed, inertia);
+    }
+}
+
+void finish_spin(const SpinBlock* blocks, int count, SolverVelocity* velocity, const SolverPose* pose) {
+    for (int k = 0; k < count; ++k) {
+        const SpinBlock& block = blocks[k];
+        const Vec3x8 w = gather_angular(velocity, block.row);
+        const Quatx8 turn = gather_turn(pose, block.row);
+        const Quatx8 q = multiply(turn, {load3(block.axes), load(block.axes[3])});
+        const Vec3x8 momentum = momentum_now(block, turn, q, w, false);
+        scatter_angular(velocity, block.row, tensor(q, load3(block.inverse_moments), momentum));
+    }
+}
+
+} // namespace cairn::CAIRN_ISA

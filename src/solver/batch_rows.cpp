@@ -1,0 +1,278 @@
+// The rows and lanes of a bin: bodies and contacts in, and bodies out again.
+#include "solver/batch_rows.h"
+
+#include "bodies/bodies.h"
+#include "bodies/finalize.h"
+#include "bodies/free_body.h"
+#include "bodies/integrators.h"
+#include "core/order.h"
+#include "islands/coloring.h"
+#include "joints/free_fall.h"
+#include "joints/joint_layout.h"
+#include "solver/row_motion.h"
+#include "state/state.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace cairn {
+
+namespace {
+
+constexpr int rows_per_chunk = 128; // for threads
+
+SolverVelocity to_row(math::Vec3 v, math::Vec3 w) { return {{v.x, v.y, v.z}, 0, {w.x, w.y, w.z}, 0}; }
+
+// The mass of an island, and how it moves.
+class IslandSum {
+  public:
+    void add(const BodyMass& mass, const BodyMotion& motion) {
+        if (!(mass.inverse_mass > 0)) return;
+        const math::DVec3 v = math::to_double(motion.v);
+        mass_ += double(mass.mass);
+        momentum_ += double(mass.mass) * v;
+        energy_ += double(mass.mass) * math::dot(v, v);
+    }
+    void put(Island& island, float gravity) const {
+        island.weight = float(mass_) * gravity;
+        if (!(mass_ > 0)) return;
+        const math::DVec3 mean = (1 / mass_) * momentum_;
+        island.unrest = float(std::sqrt(std::max(energy_ / mass_ - math::dot(mean, mean), 0.0)));
+    }
+
+  private:
+    double mass_ = 0, energy_ = 0;
+    math::DVec3 momentum_;
+};
+
+// Bodies of the bin's islands, what the islands weigh, and how they move.
+void gather_bodies(State& s, const Bin& bin, BinScratch& scratch) {
+    const auto& g = s.settings.gravity;
+    const float gravity = math::length(math::Vec3{g.x, g.y, g.z});
+    scratch.row_of_body.resize(s.bodies.size(), none);
+    scratch.touching_bodies.clear();
+    scratch.free_bodies.clear();
+    for (std::int32_t k = 0; k < bin.island_count; ++k) {
+        Island& island = s.islands[std::size_t(s.solver.bin_islands[std::size_t(bin.first_island + k)])];
+        IslandSum sum;
+        for (std::int32_t b = island.first_body; b != none; b = s.bodies[std::size_t(b)].next_in_island) {
+            sum.add(s.mass[std::size_t(b)], s.motion[std::size_t(b)]);
+            const BodyLinks& links = s.bodies[std::size_t(b)];
+            const bool is_free = island.flies || links.contact_count + links.joint_count == 0;
+            (is_free ? scratch.free_bodies : scratch.touching_bodies).push_back(b);
+        }
+        sum.put(island, gravity);
+    }
+}
+
+// Bodies get their rows in the order of their indices, as they lie in memory (decisions/cache.md).
+void number_rows(BinScratch& scratch) {
+    scratch.row_bodies = scratch.touching_bodies;
+    sort_distinct(scratch.row_bodies, scratch.row_marks);
+    scratch.row_bodies.insert(scratch.row_bodies.begin(), std::size_t(first_body_row), none);
+    for (std::size_t row = first_body_row; row < scratch.row_bodies.size(); ++row)
+        scratch.row_of_body[std::size_t(scratch.row_bodies[row])] = std::int32_t(row);
+}
+
+std::int32_t row_of(BinScratch& scratch, std::int32_t body) {
+    return body == none ? fixed_row : row_of_body(scratch, body);
+}
+
+// B of a contact with a surface that moves.
+std::int32_t conveyor_row(BinScratch& scratch, std::uint32_t contact) {
+    const std::int32_t row = std::int32_t(scratch.row_bodies.size());
+    scratch.row_bodies.push_back(none);
+    scratch.conveyor_rows.push_back({row, contact});
+    return row;
+}
+
+// The surface's velocity counts along the surface only: the shape itself stays where it is.
+void fill_conveyor_rows(const State& s, BinScratch& scratch) {
+    for (const ConveyorRow& conveyor : scratch.conveyor_rows) {
+        const ContactInfo& c = s.contacts[conveyor.contact];
+        const ContactRecord& r = s.records[conveyor.contact];
+        const BodyMotion& b = s.motion[std::size_t(c.body_b)];
+        const math::Vec3 n = math::to_vec(r.normal);
+        const math::Vec3 u =
+            math::rotate(shape_rotation(s.shape_poses[c.shape_b]), s.shape_traits[c.shape_b].surface_velocity);
+        const std::size_t row = std::size_t(conveyor.row);
+        scratch.velocity[row] = scratch.reference[row] = to_row(b.v + (u - math::dot(u, n) * n), b.w);
+    }
+}
+
+void add_lane(LaneLists& lanes, std::int32_t record, std::int32_t a, std::int32_t b) {
+    lanes.record.push_back(record);
+    lanes.row_a.push_back(a);
+    lanes.row_b.push_back(b);
+}
+void pad_lanes(LaneLists& lanes) {
+    while (lanes.record.size() % 8 != 0) add_lane(lanes, -1, fixed_row, fixed_row);
+}
+
+BlockRun begin_run(const LaneLists& lanes, bool four_points) {
+    return {four_points, std::int32_t(lanes.record.size() / 8), 0};
+}
+void end_run(LaneLists& lanes, BlockRun& run) {
+    pad_lanes(lanes);
+    run.count = std::int32_t(lanes.record.size() / 8) - run.first;
+}
+
+// Lays the bin's contacts into blocks of 8 lanes, color by color.
+void fill_lanes(const State& s, const Bin& bin, BinScratch& scratch) {
+    scratch.one_lanes.clear();
+    scratch.four_lanes.clear();
+    scratch.colors.clear();
+    scratch.conveyor_rows.clear();
+    std::int32_t k = bin.first_contact;
+    const std::int32_t end = bin.first_contact + bin.contact_count;
+    while (k < end) {
+        const std::uint8_t color = s.solver.sorted[std::size_t(k)].color;
+        ColorRun runs{begin_run(scratch.four_lanes, true), begin_run(scratch.one_lanes, false)};
+        for (; k < end; ++k) {
+            const SortedContact& c = s.solver.sorted[std::size_t(k)];
+            if (c.color != color) break;
+            LaneLists& lanes = c.four_points ? scratch.four_lanes : scratch.one_lanes;
+            const std::int32_t row_a = row_of(scratch, c.body_a);
+            const std::int32_t row_b = c.is_conveyor ? conveyor_row(scratch, c.id) : row_of(scratch, c.body_b);
+            add_lane(lanes, std::int32_t(c.id), row_a, row_b);
+            if (color != overflow_color) continue;
+            ++k; // alone in its run: it may share bodies with the next
+            break;
+        }
+        end_run(scratch.four_lanes, runs.four_points);
+        end_run(scratch.one_lanes, runs.one_point);
+        scratch.colors.push_back(runs);
+    }
+    if (scratch.one_blocks.size() * 8 < scratch.one_lanes.record.size())
+        scratch.one_blocks.resize(scratch.one_lanes.record.size() / 8);
+    if (scratch.four_blocks.size() * 8 < scratch.four_lanes.record.size())
+        scratch.four_blocks.resize(scratch.four_lanes.record.size() / 8);
+}
+
+// One body into its row; rows that are no bodies are all zero.
+void fill_row(State& s, BinScratch& scratch, std::size_t row, std::uint64_t& clamped_speeds) {
+    const std::int32_t b = scratch.row_bodies[row];
+    if (b == none) return;
+    BodyMotion& motion = s.motion[std::size_t(b)];
+    const bool is_dynamic = s.is_dynamic(b); // kinematic ones may be in other bins as well
+    if (is_dynamic && clamp_velocity(s.settings, motion.v, motion.w)) ++clamped_speeds;
+    scratch.velocity[row] = scratch.reference[row] = to_row(motion.v, motion.w);
+    if (!is_dynamic) return;
+    scratch.row_traits[row] = row_traits(s, b);
+    const BodyMass& mass = s.mass[std::size_t(b)];
+    scratch.inertia[row].inverse_mass = mass.inverse_mass;
+    if (scratch.row_traits[row] & spins_wide) return; // the kernel finds it (prepare_free_motion)
+    const math::Sym3 i = contact_inverse_inertia(motion, mass);
+    scratch.inertia[row] = {mass.inverse_mass, i.xx, i.xy, i.xz, i.yy, i.yz, i.zz, 0};
+}
+
+void fill_rows(State& s, BinScratch& scratch, Crew* crew) {
+    while (scratch.row_bodies.size() % 8 != 0) scratch.row_bodies.push_back(none);
+    const std::size_t rows = scratch.row_count();
+    const std::size_t all = rows + std::max(scratch.block_count(), rows / 8);
+    scratch.velocity.assign(all, {});
+    scratch.reference.assign(all, {});
+    scratch.rounding.assign(all, {});
+    scratch.pose.assign(all, {{0, 0, 0}, 0, {0, 0, 0, 1}});
+    scratch.inertia.assign(all, {});
+    scratch.row_traits.assign(rows, 0);
+    std::atomic<std::uint64_t> clamped_speeds = 0;
+    for_chunks(crew, int(rows), rows_per_chunk, [&](int begin, int end, int) {
+        std::uint64_t clamped = 0;
+        for (int row = begin; row < end; ++row) {
+            if (const auto ahead = std::size_t(row) + bodies_ahead; ahead < rows && scratch.row_bodies[ahead] != none)
+                prefetch_motion(s, scratch.row_bodies[ahead]);
+            fill_row(s, scratch, std::size_t(row), clamped);
+        }
+        if (clamped > 0) clamped_speeds += clamped;
+    });
+    scratch.clamped_speeds += clamped_speeds;
+    fill_conveyor_rows(s, scratch);
+}
+
+// Cuts a way to what the world's greatest speed allows. Within a step nothing else bounds it: joints that contradict
+// each other, or whose bodies were put far apart, pull without limit.
+bool cut_way(const WorldDef& settings, float dt, math::DVec3& dx, math::Quat& dq) {
+    const double most = double(settings.max_linear_speed) * double(dt), square = math::dot(dx, dx);
+    const float turn = ((dq.x * dq.x + dq.y * dq.y) + dq.z * dq.z) + dq.w * dq.w;
+    const bool is_far = square > most * most, is_turn = turn > 0.25f && turn < 4.0f;
+    if (is_far) dx = (most / std::sqrt(square)) * dx;
+    if (!is_turn) dq = {};
+    return is_far || !is_turn;
+}
+
+// Moves a body by what its row has moved. What is not finite any more stops where it was, and is counted.
+std::uint64_t scatter_body(State& s, const BinScratch& scratch, std::int32_t b, std::size_t row, float dt) {
+    const SolverVelocity& velocity = scratch.velocity[row];
+    const SolverPose& pose = scratch.pose[row];
+    BodyMotion& motion = s.motion[std::size_t(b)];
+    math::DVec3 dx = math::to_double(math::Vec3{pose.dx[0], pose.dx[1], pose.dx[2]});
+    math::Quat dq{pose.dq[0], pose.dq[1], pose.dq[2], pose.dq[3]};
+    math::Vec3 v{velocity.v[0], velocity.v[1], velocity.v[2]}, w{velocity.w[0], velocity.w[1], velocity.w[2]};
+    const math::DVec3 sum = (dx + math::to_double(v)) + math::to_double(w);
+    const double sum_q = ((double(dq.x) + dq.y) + dq.z) + dq.w;
+    if (0 * ((sum.x + sum.y) + (sum.z + sum_q)) != 0) {
+        motion.v = motion.w = {};
+        motion.turned = {};
+        return 1;
+    }
+    const bool was_cut = cut_way(s.settings, dt, dx, dq);
+    motion.x += dx;
+    motion.q = math::normalized(math::to_double(dq) * motion.q);
+    motion.turned = dq;
+    motion.v_rest = motion.w_rest = {};
+    const bool clamped = clamp_velocity(s.settings, v, w);
+    motion.v = v;
+    motion.w = w;
+    return clamped || was_cut ? 1 : 0;
+}
+
+// Of a list of bodies of which that at a place comes next; some are none.
+void prefetch_ahead(const State& s, const std::vector<std::int32_t>& bodies, std::size_t place) {
+    const auto with_body_at = [&](std::size_t at, auto&& f) {
+        if (at < bodies.size() && bodies[at] != none) f(s, bodies[at]);
+    };
+    with_body_at(place + bodies_ahead, prefetch_body);
+    with_body_at(place + bodies_ahead / 2, prefetch_shape_of);
+}
+
+} // namespace
+
+void fill_bin(State& s, const Bin& bin, BinScratch& scratch, Crew* crew, float dt) {
+    gather_bodies(s, bin, scratch);
+    scratch.row_bodies.clear();
+    if (scratch.touching_bodies.empty() && bin.contact_count + bin.joint_count == 0) return;
+    number_rows(scratch);
+    fill_lanes(s, bin, scratch);
+    fill_joint_lanes(s, bin, scratch, crew, dt);
+    fill_rows(s, scratch, crew);
+}
+
+void empty_bin(State& s, BinScratch& scratch, Crew* crew, float dt) {
+    std::vector<BinScratch>& threads = s.solver.at_work;
+    const int rows = int(scratch.row_count());
+    for_chunks(crew, rows, rows_per_chunk, [&](int begin, int end, int thread) {
+        BinScratch& own = crew ? threads[std::size_t(thread)] : scratch;
+        for (int row = begin; row < end; ++row) {
+            prefetch_ahead(s, scratch.row_bodies, std::size_t(row));
+            const std::int32_t b = scratch.row_bodies[std::size_t(row)];
+            if (b == none) continue;
+            scratch.row_of_body[std::size_t(b)] = none;
+            if (!s.is_dynamic(b)) continue;
+            own.clamped_speeds += scatter_body(s, scratch, b, std::size_t(row), dt);
+            finalize_body(s, b, dt, own.escaped);
+        }
+    });
+    for_chunks(crew, int(scratch.free_bodies.size()), rows_per_chunk, [&](int begin, int end, int thread) {
+        BinScratch& own = crew ? threads[std::size_t(thread)] : scratch;
+        for (int k = begin; k < end; ++k) {
+            prefetch_ahead(s, scratch.free_bodies, std::size_t(k));
+            const std::int32_t b = scratch.free_bodies[std::size_t(k)];
+            own.clamped_speeds += move_free_body(s, b, dt);
+            finalize_body(s, b, dt, own.escaped);
+        }
+    });
+}
+
+} // namespace cairn

@@ -1,0 +1,12 @@
+// What takes part in an impact.
+#pragma once
+
+#include "state/state.h"
+
+namespace cairn {
+
+// Lists the rows, the groups and the lanes of an impact in scratch.impact, and takes the blocks' marks of what was
+// struck.
+void list_impact(const State& state, BinScratch& scratch, float h);
+
+} // namespace cairn

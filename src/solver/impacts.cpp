@@ -1,0 +1,301 @@
+#include "solver/impacts.h"
+
+#include "solver/block_runs.h"
+#include "solver/impact_lists.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace cairn {
+
+namespace {
+
+constexpr int most_passes = 48;
+// m/s, rad/s: a group whose bodies change by less in a pass has settled.
+constexpr SettledChange settled = {0.02f, 0.08f};
+
+// Calls f(its blocks in the bin, its struck blocks) for one type of blocks.
+template <class F> void with_type(BinScratch& scratch, int type, F&& f) {
+    auto& blocks = scratch.impact.blocks;
+    switch (type) {
+    case int(JointRowType::point):
+        return f(scratch.point_blocks, std::get<0>(blocks));
+    case int(JointRowType::turn):
+        return f(scratch.turn_blocks, std::get<1>(blocks));
+    case int(JointRowType::axis):
+        return f(scratch.axis_blocks, std::get<2>(blocks));
+    case one_point_type:
+        return f(scratch.one_blocks, std::get<one_point_type>(blocks));
+    default:
+        return f(scratch.four_blocks, std::get<four_points_type>(blocks));
+    }
+}
+template <class F> void for_types(BinScratch& scratch, F&& f) {
+    for (int type = 0; type <= four_points_type; ++type) with_type(scratch, type, f);
+}
+
+// --- blocks of their own
+
+// Lanes of blocks of one form may lie in one block. What is not in it is the same in the whole run.
+std::uint8_t form_of(const PointBlock& b) { return b.even; }
+std::uint8_t form_of(const TurnBlock& b) { return b.even; }
+std::uint8_t form_of(const AxisBlock& b) { return std::uint8_t(b.even | b.has_limits << 1); }
+template <int N> std::uint8_t form_of(const ContactBlock<N>& b) { return b.even; }
+
+// Where a body's velocity goes that does not move by forces: none of its own business, but that of the block.
+template <class Block> void redirect(Block& b, std::size_t lane, std::uint32_t first_discard, std::uint32_t discard) {
+    const auto move = [&](std::uint32_t& row) {
+        if (row >= first_discard) row = discard;
+    };
+    if constexpr (requires { b.write_b; })
+        move(b.write_b[lane]);
+    else if (b.redirects)
+        move(b.rest.write_a[lane]), move(b.rest.write_b[lane]);
+}
+template <class Block> void empty_lanes(Block& b, std::uint32_t discard) {
+    for (std::size_t lane = 0; lane < 8; ++lane) {
+        b.a[lane] = b.b[lane] = discard;
+        if constexpr (requires { b.write_b; })
+            b.write_b[lane] = discard;
+        else
+            b.rest.write_a[lane] = b.rest.write_b[lane] = discard;
+    }
+}
+
+// What `strike` reads of a lane.
+template <class T> void take_row(T (&to)[8], std::size_t lane, const T (&from)[8], std::size_t from_lane) {
+    to[lane] = from[from_lane];
+}
+template <std::size_t N>
+void take_rows(float (&to)[N][8], std::size_t lane, const float (&from)[N][8], std::size_t from_lane) {
+    for (std::size_t i = 0; i < N; ++i) to[i][lane] = from[i][from_lane];
+}
+template <class Block> void copy_bodies(Block& to, std::size_t lane, const Block& from, std::size_t from_lane) {
+    take_row(to.a, lane, from.a, from_lane);
+    take_row(to.b, lane, from.b, from_lane);
+    take_row(to.mass_a, lane, from.mass_a, from_lane);
+    take_row(to.mass_b, lane, from.mass_b, from_lane);
+}
+template <class Block> void copy_ends(Block& to, std::size_t lane, const Block& from, std::size_t from_lane) {
+    copy_bodies(to, lane, from, from_lane);
+    take_row(to.even_a, lane, from.even_a, from_lane);
+    take_row(to.even_b, lane, from.even_b, from_lane);
+    take_row(to.rest.write_a, lane, from.rest.write_a, from_lane);
+    take_row(to.rest.write_b, lane, from.rest.write_b, from_lane);
+    if (from.even) return;
+    take_rows(to.rest.inertia_a, lane, from.rest.inertia_a, from_lane);
+    take_rows(to.rest.inertia_b, lane, from.rest.inertia_b, from_lane);
+}
+void copy_lane(PointBlock& to, std::size_t lane, const PointBlock& from, std::size_t from_lane) {
+    copy_ends(to, lane, from, from_lane);
+    take_rows(to.arm_a, lane, from.arm_a, from_lane);
+    take_rows(to.arm_b, lane, from.arm_b, from_lane);
+    take_rows(to.response, lane, from.response, from_lane);
+    take_rows(to.total, lane, from.total, from_lane);
+}
+void copy_lane(TurnBlock& to, std::size_t lane, const TurnBlock& from, std::size_t from_lane) {
+    copy_ends(to, lane, from, from_lane);
+    take_rows(to.response, lane, from.response, from_lane);
+    take_rows(to.total, lane, from.total, from_lane);
+}
+void copy_lane(AxisBlock& to, std::size_t lane, const AxisBlock& from, std::size_t from_lane) {
+    copy_ends(to, lane, from, from_lane);
+    take_rows(to.linear_a, lane, from.linear_a, from_lane);
+    take_rows(to.linear_b, lane, from.linear_b, from_lane);
+    take_rows(to.angular_a, lane, from.angular_a, from_lane);
+    take_rows(to.angular_b, lane, from.angular_b, from_lane);
+    take_row(to.mass, lane, from.mass, from_lane);
+    take_row(to.position, lane, from.position, from_lane);
+    take_row(to.lower, lane, from.lower, from_lane);
+    take_row(to.upper, lane, from.upper, from_lane);
+    take_row(to.equation, lane, from.equation, from_lane);
+    take_row(to.rigid_limit, lane, from.rigid_limit, from_lane);
+    take_row(to.total, lane, from.total, from_lane);
+}
+template <int N>
+void copy_lane(ContactBlock<N>& to, std::size_t lane, const ContactBlock<N>& from, std::size_t from_lane) {
+    copy_bodies(to, lane, from, from_lane);
+    take_row(to.write_b, lane, from.write_b, from_lane);
+    take_rows(to.inertia_a, lane, from.inertia_a, from_lane);
+    take_rows(to.inertia_b, lane, from.inertia_b, from_lane);
+    if constexpr (N > 1) {
+        for (std::size_t i = 0; i < N; ++i) take_rows(to.arm[i], lane, from.arm[i], from_lane);
+        take_rows(to.share, lane, from.share, from_lane);
+    }
+    take_rows(to.effective_mass, lane, from.effective_mass, from_lane);
+    take_rows(to.impulse, lane, from.impulse, from_lane);
+    take_rows(to.separation, lane, from.separation, from_lane);
+    take_rows(to.total_impulse, lane, from.total_impulse, from_lane);
+    take_rows(to.center, lane, from.center, from_lane);
+    take_rows(to.normal, lane, from.normal, from_lane);
+    take_rows(to.d, lane, from.d, from_lane);
+    take_rows(to.tangent, lane, from.tangent, from_lane);
+    take_rows(to.tangent_mass, lane, from.tangent_mass, from_lane);
+    take_row(to.friction, lane, from.friction, from_lane);
+    take_row(to.restitution, lane, from.restitution, from_lane);
+    take_rows(to.total_tangent, lane, from.total_tangent, from_lane);
+}
+
+// Copies lanes of one run of the bin's blocks, by form and group. There are never more blocks than in the bin, so that
+// each has a discard row there.
+template <class Block, class Impact>
+void copy_run(BinScratch& scratch, const ImpactWork::ListedRun& run, const std::vector<Block>& from,
+              StruckBlocks<Block, Impact>& to, std::int32_t first_discard_row) {
+    ImpactWork& work = scratch.impact;
+    const auto begin = work.listed.begin() + std::ptrdiff_t(run.begin),
+               end = work.listed.begin() + std::ptrdiff_t(run.end);
+    for (auto lane = begin; lane != end; ++lane) lane->form = form_of(from[lane->source / 8]);
+    std::sort(begin, end, [](const ImpactWork::ListedLane& a, const ImpactWork::ListedLane& b) {
+        return std::tie(a.form, a.group, a.source) < std::tie(b.form, b.group, b.source);
+    });
+    const std::size_t first = to.blocks.size();
+    const std::uint32_t first_discard = std::uint32_t(scratch.row_count()) * row_bytes;
+    std::uint32_t discard = (std::uint32_t(first_discard_row) + run.first) * row_bytes;
+    std::size_t used = 8;
+    for (auto lane = begin; lane != end; ++lane, ++used) {
+        const Block& block = from[lane->source / 8];
+        if (used == 8 || lane->form != std::prev(lane)->form) {
+            if (to.blocks.size() > first) discard += row_bytes;
+            to.blocks.push_back(block);
+            to.impacts.push_back({});
+            to.lanes.insert(to.lanes.end(), 8, {0, none});
+            empty_lanes(to.blocks.back(), discard);
+            used = 0;
+        }
+        copy_lane(to.blocks.back(), used, block, lane->source % 8);
+        redirect(to.blocks.back(), used, first_discard, discard);
+        to.lanes[8 * (to.blocks.size() - 1) + used] = {lane->source, lane->group};
+        to.impacts.back().active = std::uint8_t(to.impacts.back().active | 1u << used);
+    }
+    work.runs.push_back({run.type, std::uint32_t(first), std::uint32_t(to.blocks.size() - first)});
+}
+
+void copy_listed(BinScratch& scratch) {
+    const std::int32_t ones = scratch.first_discard_row(),
+                       fours = ones + std::int32_t(scratch.one_lanes.record.size() / 8);
+    const auto joints = scratch.first_joint_discard_rows();
+    const std::int32_t discards[] = {joints[0], joints[1], joints[2], ones, fours};
+    for (const ImpactWork::ListedRun& run : scratch.impact.listed_runs) {
+        if (run.begin == run.end) continue;
+        const std::int32_t discard = discards[run.type];
+        with_type(scratch, run.type, [&](auto& from, auto& to) { copy_run(scratch, run, from, to, discard); });
+    }
+}
+
+void begin_impact(const State& s, BinScratch& scratch, float h) {
+    for_types(scratch, [](auto&, auto& struck) { struck.clear(); });
+    scratch.impact.runs.clear();
+    list_impact(s, scratch, h);
+    copy_listed(scratch);
+}
+
+// --- passes
+
+void strike_run(BinScratch& scratch, int type, std::size_t first, int count, float h) {
+    SolverVelocity* const velocity = scratch.velocity.data();
+    with_type(scratch, type, [&](auto&, auto& struck) {
+        auto* const blocks = struck.blocks.data() + first;
+        auto* const impacts = struck.impacts.data() + first;
+        if constexpr (std::is_same_v<std::remove_pointer_t<decltype(impacts)>, JointImpact>) {
+            const JointKernels& k = kernels().joints;
+            const JointKernels::ForRows* const rows[] = {&k.point, &k.turn, &k.axis};
+            rows[type]->strike(blocks, impacts, count, velocity, 1 / h);
+        } else {
+            const SolverKernels& k = kernels().solver;
+            (type == four_points_type ? k.four_points : k.one_point).strike(blocks, impacts, count, velocity, 1 / h);
+        }
+    });
+}
+
+void strike_all(BinScratch& scratch, Crew* crew, float h) {
+    for (const StruckRun& run : scratch.impact.runs)
+        for_chunks(crew, int(run.count), blocks_per_chunk(crew, int(run.count)), [&](int begin, int end, int) {
+            strike_run(scratch, run.type, run.first + std::size_t(begin), end - begin, h);
+        });
+}
+
+// Lanes of groups that have settled take part no longer.
+void retire_lanes(BinScratch& scratch) {
+    const std::vector<ImpactWork::Group>& groups = scratch.impact.groups;
+    for_types(scratch, [&](auto&, auto& struck) {
+        for (std::size_t k = 0; k < struck.impacts.size(); ++k)
+            for (unsigned left = struck.impacts[k].active; left != 0; left &= left - 1) {
+                const unsigned i = unsigned(std::countr_zero(left));
+                if (!groups[std::size_t(struck.lanes[8 * k + i].group)].is_settled) continue;
+                struck.impacts[k].active = std::uint8_t(struck.impacts[k].active & ~(1u << i));
+            }
+    });
+}
+
+// Groups that have settled leave. Whether any is left.
+bool settle_groups(BinScratch& scratch) {
+    ImpactWork& work = scratch.impact;
+    bool any_left = false, any_settled = false;
+    for (ImpactWork::Group& group : work.groups) {
+        if (group.is_settled) continue;
+        const float change =
+            kernels().solver.change_since(scratch.velocity.data(), work.rows.data() + group.begin,
+                                          int(group.end - group.begin), work.last.data() + group.begin, settled);
+        group.is_settled = !(change >= 1);
+        (group.is_settled ? any_settled : any_left) = true;
+    }
+    if (any_left && any_settled) retire_lanes(scratch);
+    return any_left;
+}
+
+// --- and back
+
+// What an impact has changed goes to the reference too, and is not carried. Likewise what the rounding leaves over.
+void add_to_references(BinScratch& scratch) {
+    const ImpactWork& work = scratch.impact;
+    const auto add = [](const float* before, const float* now, float* reference, float* rounding) {
+        for (int i = 0; i < 3; ++i) {
+            const double carried = (double(before[i]) - double(reference[i])) + double(rounding[i]);
+            reference[i] = float(double(reference[i]) + (double(now[i]) - double(before[i])));
+            rounding[i] = float(carried - (double(now[i]) - double(reference[i])));
+        }
+    };
+    for (std::size_t i = 0; i < work.rows.size(); ++i) {
+        const std::size_t row = std::size_t(work.rows[i]);
+        const SolverVelocity& now = scratch.velocity[row];
+        add(work.before[i].v, now.v, scratch.reference[row].v, scratch.rounding[row].v);
+        add(work.before[i].w, now.w, scratch.reference[row].w, scratch.rounding[row].w);
+    }
+}
+
+template <int N>
+void take_totals(ContactBlock<N>& to, std::size_t lane, const ContactBlock<N>& from, std::size_t from_lane) {
+    take_rows(to.total_impulse, lane, from.total_impulse, from_lane);
+    take_rows(to.total_tangent, lane, from.total_tangent, from_lane);
+}
+template <class Block> void take_totals(Block& to, std::size_t lane, const Block& from, std::size_t from_lane) {
+    take_rows(to.total, lane, from.total, from_lane);
+}
+void take_totals(AxisBlock& to, std::size_t lane, const AxisBlock& from, std::size_t from_lane) {
+    to.total[lane] = from.total[from_lane];
+}
+
+void take_all_totals(BinScratch& scratch) {
+    for_types(scratch, [](auto& blocks, auto& struck) {
+        for (std::size_t i = 0; i < struck.lanes.size(); ++i) {
+            const std::size_t source = struck.lanes[i].source;
+            if (struck.lanes[i].group != none) take_totals(blocks[source / 8], source % 8, struck.blocks[i / 8], i % 8);
+        }
+    });
+}
+
+} // namespace
+
+void solve_impacts(const State& s, BinScratch& scratch, Crew* crew, float h, std::atomic<int>& struck_contacts) {
+    if (struck_contacts == 0) return;
+    struck_contacts = 0;
+    begin_impact(s, scratch, h);
+    for (int pass = 0; pass < most_passes; ++pass) {
+        strike_all(scratch, crew, h);
+        if (!settle_groups(scratch)) break;
+    }
+    add_to_references(scratch);
+    take_all_totals(scratch);
+}
+
+} // namespace cairn

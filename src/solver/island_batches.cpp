@@ -1,0 +1,173 @@
+// Packing islands into bins and sorting their contacts.
+#include "solver/island_batches.h"
+
+#include "contacts/contact_update.h"
+#include "core/cache.h"
+#include "islands/coloring.h"
+#include "islands/substeps.h"
+#include "joints/free_fall.h"
+#include "solver/idle_contacts.h"
+#include "state/joint_links.h"
+#include "state/state.h"
+
+#include <algorithm>
+
+namespace cairn {
+
+namespace {
+
+constexpr std::int32_t bin_contacts = 300; // enough to fill lanes, and few, so that threads end together
+constexpr std::int32_t bin_bodies = 4096;
+constexpr std::uint32_t keys_per_bin = 256; // color, whether it bears anything, and one point or more
+constexpr int contacts_per_chunk = 512;     // for threads
+
+// Overflow first, then moving pairs by color, then pairs with what does not move. Within a color no two share a body
+// that moves: those that bore nothing in the last step come last, so that whole blocks have nothing to do.
+std::uint32_t order_key(const SortedContact& c) {
+    const std::uint32_t rank = c.color == overflow_color ? 0u : c.color + 1u;
+    return 4 * rank + (rank > 0 && c.is_idle ? 2u : 0u) + (c.four_points ? 0u : 1u);
+}
+
+// Impulses are those of one substep: with another length of substep they are others.
+void rescale_impulses(ContactInfo& c, ContactRecord& r, float h) {
+    if (c.substep_time > 0) {
+        const float ratio = h / c.substep_time;
+        const float factor = ratio > 1e-3f && ratio < 1e3f ? ratio : 0.0f; // too different to say anything
+        for (float& impulse : r.impulses) impulse *= factor;
+        for (float& impulse : r.friction_impulse) impulse *= factor;
+        r.torsion_impulse *= factor;
+    }
+    c.substep_time = h;
+}
+
+// What bounces passes on more than is looked for.
+bool may_be_idle(const ContactInfo& c) { return !(c.force > 0) && !c.touching && !c.bounces; }
+
+bool has_joints_at_rest(const Island& island) { return island.rest_substeps > 0 && solved_joints(island) > 0; }
+
+void open_bin(SolverScratch& scratch, const Island& island) {
+    Bin bin;
+    bin.substeps = island.substeps;
+    bin.rests = has_joints_at_rest(island);
+    scratch.bins.push_back(bin);
+}
+
+// All that is needed of the contacts to be solved, side by side: they lie scattered.
+void collect_contacts(State& s, float dt, bool may_leave_out) {
+    std::vector<SortedContact>& contacts = s.solver.unsorted;
+    contacts.resize(s.solved.size());
+    s.crew->for_chunks(int(s.solved.size()), contacts_per_chunk, [&](int begin, int end, int) {
+        for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
+            if (k + 4 * contacts_ahead < std::size_t(end)) ask_cache(&s.contacts[s.solved[k + 4 * contacts_ahead]]);
+            if (k + 2 * contacts_ahead < std::size_t(end))
+                ask_cache(&s.bodies[std::size_t(s.contacts[s.solved[k + 2 * contacts_ahead]].body_a)].island);
+            const std::uint32_t id = s.solved[k];
+            const ContactInfo& c = s.contacts[id];
+            const bool moves = c.b_moves || s.body_settings[std::size_t(c.body_b)].type == BodyType::kinematic;
+            contacts[k] = {id,
+                           c.body_a,
+                           moves ? c.body_b : none,
+                           s.bodies[std::size_t(c.body_a)].island,
+                           c.substep_time,
+                           c.color,
+                           std::uint8_t(c.point_count != 1),
+                           c.bounces,
+                           c.is_conveyor,
+                           !(c.force > 0),
+                           0,
+                           0};
+            if (may_leave_out && may_be_idle(c)) contacts[k].spare = spare_gap(s, contacts[k], dt);
+        }
+    });
+}
+
+// Contacts of one island mostly follow each other: they are counted in registers.
+void count_contacts(SolverScratch& scratch) {
+    const std::vector<SortedContact>& contacts = scratch.unsorted;
+    for (std::size_t k = 0; k < contacts.size();) {
+        const std::int32_t island = contacts[k].island;
+        std::int32_t count = 0, solved = 0;
+        for (; k < contacts.size() && contacts[k].island == island; ++k) ++count, solved += !contacts[k].is_left_out;
+        scratch.contacts_of_island[std::size_t(island)] += count;
+        scratch.solved_of_island[std::size_t(island)] += solved;
+    }
+}
+
+} // namespace
+
+void pack_bins(State& s, float dt) {
+    SolverScratch& scratch = s.solver;
+    scratch.bins.clear();
+    // Of awake islands only: there may be many more that sleep.
+    scratch.contacts_of_island.resize(s.islands.size());
+    scratch.solved_of_island.resize(s.islands.size());
+    scratch.bin_of_island.resize(s.islands.size());
+    for (const std::int32_t i : s.awake_islands)
+        scratch.contacts_of_island[std::size_t(i)] = scratch.solved_of_island[std::size_t(i)] = 0;
+    const bool may_leave_out = find_fast(s, dt);
+    collect_contacts(s, dt, may_leave_out);
+    if (may_leave_out) leave_out_idle(s, dt);
+    count_contacts(scratch);
+
+    // One bin is open for each number of substeps, and another for heaps at rest; it closes when it is full.
+    scratch.open_bins.assign(2 * (std::size_t(most_substeps) + 1), none);
+    for (const std::int32_t i : s.awake_islands) {
+        Island& island = s.islands[std::size_t(i)];
+        const std::int32_t own_contacts = scratch.contacts_of_island[std::size_t(i)];
+        island.flies = flies(s, island, own_contacts);
+        island.flight += island.flies;
+        island.substeps = island_substeps(s, island, own_contacts);
+        std::int32_t& open =
+            scratch.open_bins[2 * std::size_t(island.substeps) + std::size_t(has_joints_at_rest(island))];
+        if (open == none) {
+            open = std::int32_t(scratch.bins.size());
+            open_bin(scratch, island);
+        }
+        Bin& bin = scratch.bins[std::size_t(open)];
+        scratch.bin_of_island[std::size_t(i)] = open;
+        ++bin.island_count;
+        bin.body_count += island.body_count;
+        bin.contact_count += scratch.solved_of_island[std::size_t(i)];
+        bin.joint_count += solved_joints(island);
+        if (bin.contact_count + bin.joint_count >= bin_contacts || bin.body_count >= bin_bodies) open = none;
+    }
+
+    // Islands and contacts in bin order (counting sorts, stable).
+    std::int32_t islands = 0, contacts = 0;
+    for (Bin& bin : scratch.bins) {
+        bin.first_island = islands;
+        bin.first_contact = contacts;
+        islands += bin.island_count;
+        contacts += bin.contact_count;
+        bin.island_count = 0;
+    }
+    scratch.bin_islands.resize(std::size_t(islands));
+    for (const std::int32_t i : s.awake_islands) {
+        Bin& bin = scratch.bins[std::size_t(scratch.bin_of_island[std::size_t(i)])];
+        scratch.bin_islands[std::size_t(bin.first_island + bin.island_count++)] = i;
+    }
+    scratch.key_counts.assign(scratch.bins.size() * keys_per_bin + 1, 0);
+    scratch.keys.resize(scratch.unsorted.size());
+    for (std::size_t k = 0; k < scratch.unsorted.size(); ++k) {
+        const SortedContact& c = scratch.unsorted[k];
+        if (c.is_left_out) continue;
+        const std::uint32_t key =
+            std::uint32_t(scratch.bin_of_island[std::size_t(c.island)]) * keys_per_bin + order_key(c);
+        scratch.keys[k] = key;
+        ++scratch.key_counts[key + 1];
+    }
+    for (std::size_t k = 1; k < scratch.key_counts.size(); ++k) scratch.key_counts[k] += scratch.key_counts[k - 1];
+    scratch.sorted.resize(std::size_t(contacts));
+    for (std::size_t k = 0; k < scratch.unsorted.size(); ++k) {
+        const SortedContact& c = scratch.unsorted[k];
+        if (c.is_left_out) continue;
+        const std::uint32_t key = scratch.keys[k];
+        Bin& bin = scratch.bins[key / keys_per_bin];
+        const float h = dt / float(bin.substeps);
+        if (c.substep_time != h) rescale_impulses(s.contacts[c.id], s.records[c.id], h);
+        bin.bounces |= c.bounces != 0;
+        scratch.sorted[scratch.key_counts[key]++] = c;
+    }
+}
+
+} // namespace cairn

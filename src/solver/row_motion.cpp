@@ -1,0 +1,236 @@
+
+#include "solver/row_motion.h"
+
+#include "bodies/bodies.h"
+#include "bodies/integrators.h"
+
+#include <algorithm>
+
+namespace cairn {
+
+using math::DQuat;
+using math::DVec3;
+using math::put;
+
+namespace {
+
+constexpr int rows_per_chunk = 256, spin_blocks_per_chunk = 4; // for threads
+
+DVec3 row_vector(const float* p) { return math::to_double(math::to_vec(p)); }
+
+void write_linear(const State& s, BinScratch& scratch, std::size_t row, const Increment& change) {
+    put(scratch.drive[row].v, math::to_float(cut(change.velocity, s.settings.max_linear_speed)));
+    if (!scratch.free_correction.empty())
+        put(scratch.free_correction[row].v, math::to_float(cut(change.correction, s.settings.max_linear_speed)));
+}
+void write_angular(const State& s, BinScratch& scratch, std::size_t row, const Increment& change) {
+    put(scratch.drive[row].w, math::to_float(cut(change.velocity, s.settings.max_angular_speed)));
+    if (!scratch.free_correction.empty())
+        put(scratch.free_correction[row].w, math::to_float(cut(change.correction, s.settings.max_angular_speed)));
+}
+
+DQuat row_rotation(const State& s, const BinScratch& scratch, std::size_t row) {
+    const float* dq = scratch.pose[row].dq;
+    return math::normalized(DQuat{dq[0], dq[1], dq[2], dq[3]} * s.motion[std::size_t(scratch.row_bodies[row])].q);
+}
+
+// One row that the kernel does not do.
+void spin_row(const State& s, BinScratch& scratch, SpinningRow& r, float h) {
+    const std::size_t row = std::size_t(r.row);
+    const std::int32_t b = scratch.row_bodies[row];
+    const BodyMass& mass = s.mass[std::size_t(b)];
+    const DVec3 w = row_vector(scratch.velocity[row].w);
+    const DQuat q = row_rotation(s, scratch, row);
+    const Spin spin = spin_of(mass);
+    r.turns = precesses(mass, w, h, least_turn_in_contact);
+    if (!r.turns) {
+        write_angular(s, scratch, row, torque_increment(s, b, spin, q, h));
+        return;
+    }
+    const Increment change =
+        gyroscopic_increment(s, spin, q, w, spin.to_world(q, spin.moments, w), s.forces[std::size_t(b)].torque, h);
+    r.free_w = w + change.velocity;
+    r.end = turned_by(double(h) * (r.free_w + change.correction), q);
+    write_angular(s, scratch, row, change);
+}
+
+// Explicit Euler is kept as it stands, needles have another inertia in contacts than in free motion, and torques may be
+// of any size: those are left to the scalar code.
+bool kernel_spins(const State& s, std::int32_t b) {
+    const BodyMass& mass = s.mass[std::size_t(b)];
+    const math::Vec3& i = mass.inertia;
+    return s.settings.integrator != Integrator::explicit_euler && !s.is_pushed(b) && mass.inverse_inertia.x > 0 &&
+           mass.inverse_inertia.y > 0 && mass.inverse_inertia.z > 0 &&
+           std::min(i.x, std::min(i.y, i.z)) > least_contact_moment * std::max(i.x, std::max(i.y, i.z));
+}
+
+int spin_block_count(const BinScratch& scratch) { return int((scratch.spin_rows.size() + 7) / 8); }
+
+void fill_spin_lane(const State& s, std::size_t b, std::int32_t row, SpinBlock& block, std::size_t lane) {
+    const BodyMass& mass = s.mass[b];
+    const math::Quat axes = math::to_float(math::normalized(s.motion[b].q * math::to_double(mass.principal)));
+    const float q[4] = {axes.x, axes.y, axes.z, axes.w};
+    block.row[lane] = std::uint32_t(row) * row_bytes;
+    for (int k = 0; k < 4; ++k) block.axes[k][lane] = q[k];
+    for (int k = 0; k < 3; ++k) block.moments[k][lane] = mass.inertia[k];
+    for (int k = 0; k < 3; ++k) block.inverse_moments[k][lane] = mass.inverse_inertia[k];
+    if (s.bodies[b].joint_count == 0) return;
+    block.renewed[lane] = 1;
+    block.any_renewed = 1;
+}
+
+void fill_spin_blocks(const State& s, BinScratch& scratch, Crew* crew) {
+    const int blocks = spin_block_count(scratch);
+    if (scratch.spin_blocks.size() < std::size_t(blocks)) scratch.spin_blocks.resize(std::size_t(blocks));
+    for_chunks(crew, blocks, spin_blocks_per_chunk, [&](int begin, int end, int) {
+        for (int k = begin; k < end; ++k) {
+            SpinBlock& block = scratch.spin_blocks[std::size_t(k)] = {};
+            const std::uint32_t discard = std::uint32_t(scratch.first_discard_row() + k) * row_bytes;
+            for (std::size_t lane = 0; lane < 8; ++lane) {
+                const std::size_t at = std::size_t(k) * 8 + lane;
+                block.row[lane] = discard, block.axes[3][lane] = 1;
+                if (at >= scratch.spin_rows.size()) continue;
+                const std::int32_t row = scratch.spin_rows[at];
+                fill_spin_lane(s, std::size_t(scratch.row_bodies[std::size_t(row)]), row, block, lane);
+            }
+        }
+        kernels().solver.begin_spin(scratch.spin_blocks.data() + begin, end - begin, scratch.inertia.data());
+    });
+}
+
+void prepare_damping(const State& s, BinScratch& scratch, float h) {
+    scratch.damping.clear();
+    for (std::size_t row = 0; row < scratch.row_traits.size(); ++row) {
+        if (!(scratch.row_traits[row] & is_damped)) continue;
+        if (scratch.damping.empty()) scratch.damping.assign(scratch.velocity.size(), {{1, 1, 1}, 1, {1, 1, 1}, 1});
+        const BodySettings& settings = s.body_settings[std::size_t(scratch.row_bodies[row])];
+        const float linear = damping_factor(settings.linear_damping, h),
+                    angular = damping_factor(settings.angular_damping, h);
+        put(scratch.damping[row].v, {linear, linear, linear});
+        put(scratch.damping[row].w, {angular, angular, angular});
+    }
+}
+
+} // namespace
+
+std::uint8_t row_traits(const State& s, std::int32_t b) {
+    const BodySettings& settings = s.body_settings[std::size_t(b)];
+    const BodyMass& mass = s.mass[std::size_t(b)];
+    int traits = is_dynamic_row;
+    if (mass.inverse_mass > 0 && settings.gravity_scale == 1.0f && !s.is_pushed(b)) traits |= falls_plainly;
+    if (settings.linear_damping > 0 || settings.angular_damping > 0) traits |= is_damped;
+    if (!mass.isotropic) traits |= kernel_spins(s, b) ? spins_wide : spins_alone;
+    return std::uint8_t(traits);
+}
+
+// Those that are quick first: blocks of slow ones have little to do.
+void list_spinning_rows(BinScratch& scratch) {
+    scratch.spinning_rows.clear();
+    scratch.spin_rows.clear();
+    scratch.slow_rows.clear();
+    const float slow = std::max(scratch.slow.speed, scratch.slow.speed_in_joints);
+    for (std::size_t row = 0; row < scratch.row_traits.size(); ++row) {
+        if (scratch.row_traits[row] & spins_wide) {
+            const math::Vec3 w = math::to_vec(scratch.velocity[row].w);
+            (math::dot(w, w) < slow * slow ? scratch.slow_rows : scratch.spin_rows).push_back(std::int32_t(row));
+        }
+        if (scratch.row_traits[row] & spins_alone) scratch.spinning_rows.push_back({std::int32_t(row), false, {}, {}});
+    }
+    scratch.spin_rows.insert(scratch.spin_rows.end(), scratch.slow_rows.begin(), scratch.slow_rows.end());
+}
+
+void prepare_free_motion(const State& s, BinScratch& scratch, Crew* crew, float h, bool bounces) {
+    const std::size_t rows = scratch.row_bodies.size(), all = scratch.velocity.size();
+    scratch.drive.assign(all, {});
+    scratch.free_correction.clear();
+    scratch.drive_varies = fields_vary(s);
+    scratch.bounces = bounces;
+    prepare_damping(s, scratch, h);
+    list_spinning_rows(scratch);
+    fill_spin_blocks(s, scratch, crew);
+    if (!scratch.spinning_rows.empty() || !scratch.spin_rows.empty() || bounces ||
+        s.settings.integrator != Integrator::semi_implicit_euler)
+        scratch.free_correction.assign(all, {});
+    if (bounces) scratch.correction.resize(all); // filled in each substep
+    // Of most bodies.
+    const bool only_gravity = !any_field(s);
+    const Increment fall = only_gravity ? linear_increment(s, {{}, 1.0f, 0.0f}, {}, {}, h) : Increment{};
+    auto drive_row = [&](std::size_t row) {
+        const std::uint8_t traits = scratch.row_traits[row];
+        if (!(traits & is_dynamic_row)) return;
+        if (only_gravity && (traits & falls_plainly)) {
+            write_linear(s, scratch, row, fall);
+            return;
+        }
+        // What varies is computed at the start of each substep.
+        const std::int32_t b = scratch.row_bodies[row];
+        const BodyMotion& motion = s.motion[std::size_t(b)];
+        const BodyMass& mass = s.mass[std::size_t(b)];
+        if (mass.inverse_mass > 0 && !scratch.drive_varies)
+            write_linear(s, scratch, row, linear_increment(s, load_on(s, b), motion.x, math::to_double(motion.v), h));
+        if (mass.isotropic && s.is_pushed(b))
+            write_angular(s, scratch, row, torque_increment(s, b, spin_of(mass), motion.q, h));
+    };
+    for_chunks(crew, int(rows), rows_per_chunk, [&](int begin, int end, int) {
+        for (int row = begin; row < end; ++row) drive_row(std::size_t(row));
+    });
+}
+
+void update_free_motion(const State& s, BinScratch& scratch, Crew* crew, const SolverBodies& bodies, float h,
+                        bool first) {
+    if (scratch.drive_varies)
+        for (std::size_t row = 0; row < scratch.row_bodies.size(); ++row) {
+            const std::int32_t b = scratch.row_bodies[row];
+            if (b == none || !s.is_dynamic(b) || !(s.mass[std::size_t(b)].inverse_mass > 0)) continue;
+            const DVec3 x = s.motion[std::size_t(b)].x + row_vector(scratch.pose[row].dx);
+            write_linear(s, scratch, row,
+                         linear_increment(s, load_on(s, b), x, row_vector(scratch.velocity[row].v), h));
+        }
+    for (SpinningRow& row : scratch.spinning_rows) spin_row(s, scratch, row, h);
+    if (!scratch.spin_rows.empty())
+        for_chunks(crew, spin_block_count(scratch), spin_blocks_per_chunk, [&](int begin, int end, int) {
+            kernels().solver.spin(scratch.spin_blocks.data() + begin, end - begin, bodies, scratch.drive.data(),
+                                  scratch.free_correction.data(), h, first, scratch.slow);
+        });
+    if (scratch.bounces) scratch.correction = scratch.free_correction;
+}
+
+void turn_spinning_rows(const State& s, BinScratch& scratch, float h) {
+    for (const SpinningRow& r : scratch.spinning_rows) {
+        if (!r.turns) continue;
+        const std::size_t row = std::size_t(r.row);
+        DVec3 contacts = row_vector(scratch.velocity[row].w) - r.free_w;
+        if (scratch.bounces)
+            contacts += row_vector(scratch.correction[row].w) - row_vector(scratch.free_correction[row].w);
+        const DQuat start = s.motion[std::size_t(scratch.row_bodies[row])].q;
+        const math::Quat turn =
+            math::to_float(math::normalized(turned_by(double(h) * contacts, r.end) * math::conjugate(start)));
+        float* dq = scratch.pose[row].dq;
+        dq[0] = turn.x, dq[1] = turn.y, dq[2] = turn.z, dq[3] = turn.w;
+    }
+}
+
+void renew_inertia(const State& s, BinScratch& scratch, Crew* crew) {
+    if (scratch.joint_layout->joints.empty()) return;
+    for_chunks(crew, spin_block_count(scratch), spin_blocks_per_chunk, [&](int begin, int end, int) {
+        kernels().solver.renew_inertia(scratch.spin_blocks.data() + begin, end - begin, scratch.velocity.data(),
+                                       scratch.pose.data(), scratch.inertia.data(), scratch.slow.still_sine);
+    });
+    for (const SpinningRow& r : scratch.spinning_rows) {
+        const std::size_t row = std::size_t(r.row), b = std::size_t(scratch.row_bodies[row]);
+        const DVec3 turn = row_vector(scratch.pose[row].dq);
+        const double still = double(scratch.slow.still_sine);
+        if (s.bodies[b].joint_count == 0 || math::dot(turn, turn) < still * still) continue;
+        BodyMotion now = s.motion[b];
+        now.q = row_rotation(s, scratch, row);
+        const math::Sym3 i = contact_inverse_inertia(now, s.mass[b]);
+        scratch.inertia[row] = {s.mass[b].inverse_mass, i.xx, i.xy, i.xz, i.yy, i.yz, i.zz, 0};
+    }
+}
+
+void finish_free_motion(BinScratch& scratch) {
+    kernels().solver.finish_spin(scratch.spin_blocks.data(), spin_block_count(scratch), scratch.velocity.data(),
+                                 scratch.pose.data());
+}
+
+} // namespace cairn

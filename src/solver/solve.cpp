@@ -1,0 +1,273 @@
+// Bins: gather, substeps, scatter. A large bin is solved by all threads together, color by color; of the others, each
+// by one thread.
+#include "solver/solve.h"
+
+#include "bodies/bodies.h"
+#include "bodies/finalize.h"
+#include "islands/substeps.h"
+#include "joints/direct_joints.h"
+#include "joints/direct_sets.h"
+#include "joints/joint_loads.h"
+#include "joints/joint_rows.h"
+#include "math/rotation.h"
+#include "solver/batch_rows.h"
+#include "solver/block_runs.h"
+#include "solver/impacts.h"
+#include "solver/row_motion.h"
+#include "state/state.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+
+namespace cairn {
+
+namespace {
+
+constexpr float friction_margin = 0.005f; // m: points closer than this share the friction fully
+constexpr int most_bounce_passes = 32;
+constexpr float pi = 3.14159265358979f;
+// Bins with fewer contacts are not worth being solved together.
+constexpr std::int32_t least_shared_contacts = 512;
+constexpr int rows_per_chunk = 512; // for threads
+
+// Catto's soft constraint ("Soft Constraints", GDC 2011) as a spring of that frequency (Hz) and damping ratio, in a
+// substep of h seconds, of so many in a step. The frequency follows the substep, uncapped: docs/solver.md says why.
+// `rests`: where joints hold a heap at rest together.
+void set_softness(ContactSoftness& s, float h, int substeps, bool rests, float recovery_speed) {
+    constexpr float damping_ratio = 10.0f;
+    // Substeps in a period. Few substeps are for islands that bear the stiffer contact (decisions/substeps.md).
+    const int fewest = rests ? 4 : 6, most = 8;
+    auto spring = [&](float frequency) {
+        const float omega = 2 * pi * frequency;
+        const float a1 = 2 * damping_ratio + h * omega, a2 = h * omega * a1;
+        const float scale = a2 / (1 + a2);
+        return ContactSoftness::Spring{scale, omega / a1, recovery_speed / scale};
+    };
+    s.h = h;
+    s.inverse_h = 1 / h;
+    const float frequency = 1 / (float(std::clamp(substeps, fewest, most)) * h);
+    s.on_movable = spring(frequency);
+    s.on_immovable = spring(2 * frequency);
+}
+
+ContactLanes lanes_of(const BinScratch& scratch, const BlockRun& run) {
+    const LaneLists& lanes = run.four_points ? scratch.four_lanes : scratch.one_lanes;
+    const std::size_t at = std::size_t(run.first) * 8;
+    // Discard rows: first those of the blocks with one point.
+    const std::size_t before = run.four_points ? scratch.one_lanes.record.size() / 8 : 0;
+    return {lanes.record.data() + at, lanes.row_a.data() + at, lanes.row_b.data() + at,
+            scratch.first_discard_row() + std::int32_t(before) + run.first};
+}
+
+// Position of the discrete path behind the stored velocity, see bounce.cpp.
+float velocity_offset(Integrator integrator) {
+    switch (integrator) {
+    case Integrator::semi_implicit_euler:
+        return 0.5f;
+    case Integrator::rk4:
+        return 1.0f;
+    case Integrator::explicit_euler:
+        return 1.5f;
+    }
+    return 0;
+}
+
+void refresh_all(BinScratch& scratch, Crew* crew, const SolverBodies& bodies, float h) {
+    for_blocks(scratch, crew, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
+        k.refresh_arms(blocks_of(scratch, run), run.count, bodies, h);
+    });
+}
+
+void bounce_all(BinScratch& scratch, Crew* crew, const SolverBodies& bodies, const BounceSettings& settings) {
+    for (int pass = 0; pass < most_bounce_passes; ++pass) {
+        std::atomic<int> bounced = 0;
+        for_blocks(scratch, crew, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
+            const int count = k.bounce(blocks_of(scratch, run), run.count, bodies, settings);
+            if (count > 0) bounced += count;
+        });
+        if (bounced == 0) {
+            if (pass > 0) refresh_all(scratch, crew, bodies, settings.h);
+            return;
+        }
+    }
+    refresh_all(scratch, crew, bodies, settings.h);
+}
+
+SolverBodies bodies_of(BinScratch& scratch) {
+    SolverTwist* const free = scratch.free_correction.empty() ? nullptr : scratch.free_correction.data();
+    SolverTwist* const correction = scratch.bounces ? scratch.correction.data() : free;
+    return {scratch.velocity.data(),
+            scratch.reference.data(),
+            scratch.rounding.data(),
+            scratch.pose.data(),
+            scratch.inertia.data(),
+            scratch.drive.data(),
+            scratch.damping.empty() ? nullptr : scratch.damping.data(),
+            correction};
+}
+
+void run_substeps(const State& s, const Bin& bin, BinScratch& scratch, Crew* crew, float dt) {
+    using ForPoints = SolverKernels::ForPoints;
+    using ForRows = JointKernels::ForRows;
+    const SolverKernels& k = kernels().solver;
+    const float h = dt / float(bin.substeps);
+    ContactSoftness softness;
+    set_softness(softness, h, bin.substeps * s.split, bin.rests, s.settings.recovery_speed);
+    const BounceSettings bounce{h, s.settings.restitution_speed, velocity_offset(s.settings.integrator)};
+    const JointSoftness joint_soft = joint_softness(s, bin, h);
+    // Not where joints are solved directly: a body that is much heavier than what it hits does not settle in the
+    // passes. Nor where kinematic bodies drive joints: the passes would stop what they drive.
+    const bool stops_impacts =
+        bin.joint_count > 0 && scratch.direct.sets.empty() && scratch.joint_layout->kinematic_bodies.empty();
+    softness.impact_speed = stops_impacts ? impact_speed : no_impact_speed;
+    const int rows = int(scratch.row_count());
+    SolverVelocity* velocity = scratch.velocity.data();
+    std::atomic<int> struck = 0;
+    scratch.impact.has_components = false;
+    for (int substep = 0; substep < bin.substeps; ++substep) {
+        const bool first = substep == 0;
+        const SolverBodies bodies = bodies_of(scratch);
+        update_free_motion(s, scratch, crew, bodies, h, first);
+        for_chunks(crew, rows, rows_per_chunk, [&](int begin, int end, int) {
+            k.integrate_velocities(bodies, std::max(begin, int(first_body_row)), end, first);
+        });
+        begin_direct_substep(s, scratch, crew, h, first);
+        if (bin.bounces) bounce_all(scratch, crew, bodies, bounce);
+        if (first) {
+            for_joint_blocks(scratch, crew, [&](const ForRows& rows_of, void* blocks, int count) {
+                rows_of.warm_start(blocks, count, bodies, joint_soft);
+            });
+            for_blocks(scratch, crew, [&](const ForPoints& points, const BlockRun& run) {
+                points.warm_start(blocks_of(scratch, run), run.count, velocity);
+            });
+        }
+        for_joint_blocks(scratch, crew, [&](const ForRows& rows_of, void* blocks, int count) {
+            rows_of.solve(blocks, count, velocity, joint_soft);
+        });
+        solve_direct_rows(s, scratch, crew, h);
+        for_blocks(scratch, crew, [&](const ForPoints& points, const BlockRun& run) {
+            const int count = points.solve(blocks_of(scratch, run), run.count, velocity, softness);
+            if (count > 0) struck += count;
+        });
+        solve_impacts(s, scratch, crew, h, struck);
+        for_chunks(crew, rows, rows_per_chunk,
+                   [&](int begin, int end, int) { k.integrate_poses(bodies, begin, end, h); });
+        turn_spinning_rows(s, scratch, h);
+        renew_inertia(s, scratch, crew);
+        for_joint_blocks(scratch, crew, [&](const ForRows& rows_of, void* blocks, int count) {
+            rows_of.relax(blocks, count, bodies, joint_soft);
+        });
+        for_blocks(scratch, crew, [&](const ForPoints& points, const BlockRun& run) {
+            const int count = points.relax(blocks_of(scratch, run), run.count, bodies, softness);
+            if (count > 0) struck += count;
+        });
+        solve_impacts(s, scratch, crew, h, struck);
+    }
+}
+
+double milliseconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+void solve_bin(State& s, const Bin& bin, BinScratch& scratch, Crew* crew, float dt) {
+    const auto start = std::chrono::steady_clock::now();
+    fill_bin(s, bin, scratch, crew, dt);
+    scratch.slow = slow_turns(bin.rests);
+    if (scratch.row_count() > 0) {
+        fill_joint_blocks(s, scratch, crew, dt / float(bin.substeps));
+        prepare_free_motion(s, scratch, crew, dt / float(bin.substeps), bin.bounces);
+        for_blocks(scratch, crew, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
+            k.prepare(blocks_of(scratch, run), run.count, lanes_of(scratch, run), s.records.data(),
+                      scratch.inertia.data(), friction_margin);
+        });
+        const double prepare_ms = milliseconds_since(start);
+        scratch.prepare_ms += prepare_ms;
+        run_substeps(s, bin, scratch, crew, dt);
+        finish_free_motion(scratch);
+        for_blocks(scratch, crew, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
+            k.store(blocks_of(scratch, run), run.count, lanes_of(scratch, run), s.records.data(),
+                    s.solver.reports.data());
+        });
+        store_joints(s, scratch, dt);
+        if (bin.joint_count > 0) note_joint_loads(s, bin, scratch);
+        scratch.solve_ms += milliseconds_since(start) - prepare_ms;
+    }
+    empty_bin(s, scratch, crew, dt);
+}
+
+// Those that are so large that one thread would keep the others waiting.
+void share_out_bins(SolverScratch& scratch, int threads) {
+    std::int32_t contacts = 0;
+    for (const Bin& bin : scratch.bins) contacts += bin.contact_count + bin.joint_count;
+    const std::int32_t limit = std::max(least_shared_contacts, contacts / threads);
+    scratch.shared.clear();
+    scratch.alone.clear();
+    for (std::size_t i = 0; i < scratch.bins.size(); ++i)
+        (scratch.bins[i].contact_count + scratch.bins[i].joint_count > limit ? scratch.shared : scratch.alone)
+            .push_back(std::int32_t(i));
+}
+
+// Kinematic bodies move by their velocity, once per step, in double.
+void move_kinematics(State& s, float dt) {
+    for (const std::int32_t b : s.kinematics) {
+        BodyMotion& motion = s.motion[std::size_t(b)];
+        const math::DQuat turn = math::from_rotation_vector(double(dt) * math::to_double(motion.w));
+        motion.x += double(dt) * math::to_double(motion.v);
+        motion.q = math::normalized(turn * motion.q);
+        motion.turned = math::to_float(turn);
+    }
+}
+
+// What the threads have gathered, in an order that does not depend on them.
+void collect(State& s) {
+    SolverScratch& scratch = s.solver;
+    scratch.escaped.clear();
+    s.overloaded_joints.clear();
+    double prepare_ms = 0, solve_ms = 0;
+    for (BinScratch& own : scratch.at_work) {
+        scratch.escaped.insert(scratch.escaped.end(), own.escaped.begin(), own.escaped.end());
+        s.overloaded_joints.insert(s.overloaded_joints.end(), own.overloaded.begin(), own.overloaded.end());
+        s.clamped_speeds += own.clamped_speeds;
+        prepare_ms += own.prepare_ms;
+        solve_ms += own.solve_ms;
+    }
+    std::sort(scratch.escaped.begin(), scratch.escaped.end(),
+              [](const EscapedShape& a, const EscapedShape& b) { return a.shape < b.shape; });
+    std::sort(s.overloaded_joints.begin(), s.overloaded_joints.end());
+    for (const EscapedShape& e : scratch.escaped) s.broad_phase.set_bounds(e.shape, e.bounds, e.displacement);
+    s.solver.prepare_share = prepare_ms / std::max(prepare_ms + solve_ms, 1e-9);
+}
+
+} // namespace
+
+void solve_bins(State& s, float dt) {
+    SolverScratch& scratch = s.solver;
+    update_direct_sets(s);
+    Crew* const crew = s.crew.get();
+    const int threads = crew->threads();
+    scratch.reports.resize(s.records.size());
+    scratch.at_work.resize(std::size_t(threads));
+    if (scratch.joint_layouts.size() < scratch.bins.size()) scratch.joint_layouts.resize(scratch.bins.size());
+    for (BinScratch& own : scratch.at_work) {
+        own.escaped.clear();
+        own.overloaded.clear();
+        own.clamped_speeds = 0;
+        own.prepare_ms = own.solve_ms = 0;
+    }
+    for (const std::int32_t b : s.kinematics)
+        if (BodyMotion& motion = s.motion[std::size_t(b)]; clamp_velocity(s.settings, motion.v, motion.w))
+            ++s.clamped_speeds;
+    share_out_bins(scratch, threads);
+    for (const std::int32_t i : scratch.shared)
+        solve_bin(s, scratch.bins[std::size_t(i)], scratch.at_work[0], crew, dt);
+    for_chunks(crew, int(scratch.alone.size()), 1, [&](int begin, int end, int thread) {
+        for (int k = begin; k < end; ++k)
+            solve_bin(s, scratch.bins[std::size_t(scratch.alone[std::size_t(k)])], scratch.at_work[std::size_t(thread)],
+                      nullptr, dt);
+    });
+    collect(s);
+    move_kinematics(s, dt);
+}
+
+} // namespace cairn

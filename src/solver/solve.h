@@ -1,0 +1,12 @@
+// The solver: islands packed into bins, each bin gathered into dense rows and blocks and solved through all of its
+// substeps. docs/solver.md explains the method.
+#pragma once
+
+#include "state/state.h"
+
+namespace cairn {
+
+// Solves all bins: velocities, poses, impulses; moves kinematic bodies. Finalizes all bodies (finalize.h).
+void solve_bins(State& state, float dt);
+
+} // namespace cairn

@@ -1,0 +1,77 @@
+// What is known of a body: where it is, how it moves, its mass, and the lists that it is in.
+#pragma once
+
+#include "math/vec.h"
+#include "state/none.h"
+
+#include <cairn/world.h>
+
+#include <cstdint>
+
+namespace cairn {
+
+// Where a body is and how it moves. Rotations are double: the rounding of a float one gives a free top 0.4 % of
+// energy in a minute. The first cache line is what the narrow phase reads.
+struct alignas(64) BodyMotion {
+    math::DVec3 x; // center of mass, world
+    math::Vec3 v, w;
+    math::Quat turned; // rotation of the last step, for matching contact points
+
+    math::DQuat q;             // of the body's frame
+    math::Vec3 v_rest, w_rest; // what rounding has left over of v and w, while nothing touches the body
+    std::uint64_t padding = 0;
+};
+
+// Where a body came to rest: while it stays there, the contacts it has need not be found anew.
+struct RestingPose {
+    math::DVec3 x;
+    math::DQuat q;
+};
+
+struct alignas(64) BodyMass {
+    float mass = 0, inverse_mass = 0;    // an inverse of 0 means immovable
+    math::Vec3 inertia, inverse_inertia; // principal
+    math::Quat principal;                // from principal axes to the body's frame
+    math::Vec3 center;                   // center of mass in the body's frame
+    std::uint8_t isotropic = 1;          // all moments equal: no gyroscopic torque
+    std::uint8_t follows_shapes = 1;     // recomputed when shapes change
+    std::uint8_t has_given_mass = 0;     // ... scaled to BodySettings::given_mass
+    std::uint8_t padding = 0;
+};
+
+struct BodySettings {
+    float gravity_scale = 1, linear_damping = 0, angular_damping = 0;
+    float given_mass = 0; // kg, if BodyMass::has_given_mass
+    BodyType type = BodyType::dynamic;
+    std::uint8_t allow_sleep = 1;
+    std::uint8_t padding[2] = {};
+};
+
+// What the user pushes with during the next step. Double, so that no sum of floats overflows.
+struct BodyForces {
+    math::DVec3 force, torque;
+    std::uint64_t any = 0;
+};
+
+struct BodyLinks {
+    std::int32_t first_shape = none, last_shape = none;
+    std::int32_t island = none; // dynamic bodies only
+    std::int32_t next_in_island = none, previous_in_island = none;
+    float radius = 0;                                   // of the body about its center of mass; planes not counted
+    float quiet_time = 0;                               // s that it has been slower than the sleep speed
+    std::int32_t contact_count = 0;                     // that are solved
+    std::uint64_t colors = 0;                           // of its contacts, one bit each
+    std::uint64_t joint_colors = 0;                     // likewise
+    std::int32_t first_joint = none, last_joint = none; // ends: 2 x joint + side
+    std::int32_t joint_count = 0;                       // that are solved
+    std::int32_t padding = 0;
+};
+
+// A pose of a body in which all its fat boxes serve; and until they might not, how far its points may move, m, with
+// what is looked ahead in either pose. Only saves time: not part of a snapshot.
+struct ServedPose {
+    RestingPose pose;
+    double room = -1;
+};
+
+} // namespace cairn

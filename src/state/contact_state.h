@@ -1,0 +1,69 @@
+// What is known of a pair of shapes whose bounds overlap.
+#pragma once
+
+#include "state/none.h"
+
+#include <cstdint>
+
+namespace cairn {
+
+// How a pair of shapes is tested.
+enum class PairKind : std::uint8_t {
+    // By a wide kernel (pairs.cpp).
+    sphere_sphere,
+    sphere_box,
+    sphere_plane,
+    sphere_rectangle,
+    sphere_capsule,
+    box_box,
+    box_plane,
+    box_rectangle,
+    capsule_capsule,
+    box_capsule,
+    // One at a time, A first (convex_tests.cpp).
+    convex_plane,
+    convex_rectangle,
+    convex_convex,
+    // Against the triangles of a mesh or height field: the contact of the pair is a group, and has patches, contacts of
+    // their own, one for each direction in which A touches it (patches.cpp).
+    group,
+    patch,
+};
+inline constexpr int wide_kinds = 10, tested_kinds = 14;
+inline bool has_one_point(PairKind k) { return k <= PairKind::sphere_capsule; }
+inline bool may_be_round(PairKind k) { return k < PairKind::box_box || k > PairKind::box_rectangle; }
+
+// What is known of a pair of shapes whose bounds overlap, beside its ContactRecord. Body A is dynamic.
+struct alignas(64) ContactInfo {
+    std::uint32_t shape_a = 0, shape_b = 0;
+    std::int32_t body_a = none, body_b = none;
+    PairKind kind = PairKind::sphere_sphere;
+    std::uint8_t flipped = 0;     // A is the kernel's second shape
+    std::uint8_t point_count = 0; // 0: too far apart to be solved
+    std::uint8_t color = 255;     // none
+    std::uint8_t b_moves = 0;     // B is dynamic
+    std::uint8_t touching = 0;    // a begin event was given
+    std::uint8_t in_use = 0;
+    std::uint8_t bounces = 0;     // has any restitution
+    float match_tolerance = 0;    // m: points closer than this to last step's are the same
+    float base_margin = 0;        // m
+    float force = 0;              // N: the normal force of the last step
+    float load = 0;               // N: the sustained one, without impacts
+    float substep_time = 0;       // s: that the impulses are for
+    std::uint8_t is_trigger = 0;  // never solved: only `touching` counts
+    std::uint8_t is_conveyor = 0; // B's surface moves
+    std::uint16_t gap = 0;        // between its points at the start of the step (spare_gap)
+    std::uint64_t tested_at = 0;  // the pass that last tested the pair; 0: none
+    std::int32_t related = none;  // group: its first patch; patch: its group
+    std::int32_t next = none;     // patch: the next one of its group
+};
+inline bool is_group(const ContactInfo& c) { return c.kind == PairKind::group; }
+
+// What need not be tested of a pair that was found apart: it stays so until the ways of its bodies together reach that
+// far (State::ahead).
+struct ApartPair {
+    double until = 0; // m
+    std::int32_t body_a = none, body_b = none;
+};
+
+} // namespace cairn

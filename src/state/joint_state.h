@@ -1,0 +1,79 @@
+// What is known of a joint: frames, rows, and the impulses of the last substep that start the next.
+#pragma once
+
+#include "kernels/solve/joint_data.h"
+#include "math/vec.h"
+
+#include <cstdint>
+
+namespace cairn {
+
+inline constexpr int most_joint_axes = 8;
+
+// What the point or the turn of a joint holds.
+enum class JointLock : std::uint8_t { none, across, full };
+
+// One axis row, as the definition asks for.
+struct JointAxisRule {
+    AxisKind kind = AxisKind::linear;
+    std::uint8_t column_a = 0, column_b = 0; // which axes of the frames
+    std::uint8_t is_equation = 0;            // lower = upper
+    std::uint8_t has_limits = 0, has_drive = 0, rigid_limit = 1, limit_relative = 0, rigid_drive = 0,
+                 drive_relative = 0;
+    std::uint8_t is_lock = 0; // a part of what the joint is, not a position that users ask for
+    std::uint8_t padding = 0;
+    float lower = -unlimited, upper = unlimited, limit_stiffness = 0, limit_damping = 0;
+    float drive_stiffness = 0, drive_damping = 0, target_position = 0, target_velocity = 0, most_drive = 0;
+    float friction = 0;
+    float ratio_a = 1, ratio_b = 1;
+};
+
+struct JointAxisState {
+    float drive = 0, friction = 0, lower = 0, upper = 0; // N s of the last substep
+    float position = 0;
+    // How far the position may be from there before limits count, which are not solved until then (joint_idle.cpp).
+    // 0: they are; < 0: likewise, and the position is that of a pose that the bodies have been taken from.
+    float slack = 0;
+};
+
+// What a joint holds beside its axes.
+struct JointLocks {
+    JointLock point = JointLock::none, turn = JointLock::none;
+    std::uint8_t point_column = 0, turn_column = 0; // the axis that is left free
+    std::uint8_t axis_count = 0;
+    std::uint8_t padding[3] = {};
+};
+struct JointRules {
+    JointLocks locks;
+    JointAxisRule axes[most_joint_axes];
+};
+
+// Of joints that have axes.
+struct JointAxes {
+    JointAxisRule rules[most_joint_axes];
+    JointAxisState states[most_joint_axes];
+};
+
+// The first cache line is what bins are laid out from, and most of what a step begins and ends with.
+struct alignas(64) JointInfo {
+    std::int32_t body_a = -1, body_b = -1;                   // none: the world
+    std::int32_t next[2] = {-1, -1}, previous[2] = {-1, -1}; // ends in the lists of the bodies: 2 x joint + side
+    JointLocks rules;
+    std::uint8_t color = 255; // no_color: neither body is dynamic
+    std::uint8_t enable_collision = 0, in_use = 0, solver = 0;
+    float substep_time = 0; // s: that the impulses are for
+    float break_force = 0, break_torque = 0;
+    math::Vec3 point_impulse; // of the last substep
+    float line_padding = 0;   // snapshots keep all bytes: none of them may be left to chance
+
+    math::DVec3 anchor_a, anchor_b; // in the bodies' frames; of the world, in its own
+    math::Vec3 force;
+    float padding = 0;
+    math::Vec3 torque, turn_impulse;
+    math::DQuat frame_a, frame_b;
+    math::DVec3 ground_a, ground_b; // of a pulley
+    double tail_padding[7] = {};
+};
+static_assert(sizeof(JointInfo) == 320);
+
+} // namespace cairn

@@ -1,0 +1,87 @@
+// Working memory of the narrow phase. Buffers keep their capacity, so that a steady step allocates nothing.
+#pragma once
+
+#include "collision/manifold.h"
+#include "collision/surface_contact.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace cairn {
+
+// Contacts lie scattered: so many before one is looked at, the cache is asked for it.
+inline constexpr std::size_t contacts_ahead = 8;
+
+// Pairs on their way through a kernel.
+struct PairBatch {
+    static constexpr int capacity = 256;
+    std::uint32_t first[capacity], second[capacity];
+    float margin[capacity];
+    std::uint32_t kept[capacity]; // features of the last step, for box_box alone
+};
+
+// A patch that a group did not have, found at this place among the candidates.
+struct FreshPatch {
+    std::uint32_t place, order; // order: among those of the place
+    Manifold manifold;
+};
+
+// What a thread has at work.
+struct NarrowBatch {
+    PairBatch pairs;
+    Manifold manifolds[PairBatch::capacity];
+    SurfaceScratch surface;
+    std::vector<Manifold> hits;    // of one group
+    std::vector<FreshPatch> fresh; // of the groups of this thread
+};
+
+inline constexpr float heaviest = 1e30f; // kg: as good as immovable
+// How far the points of a body may move in a pass, m, and what moves it: itself, or also what pushes it
+// (idle_contacts.cpp). Masses in kg, 0 of what does not move by forces.
+struct Mover {
+    float reach = 0, mass = 0, own_mass = 0;
+};
+
+// What follows pushes: bodies that push, contacts by body.
+struct PushScratch {
+    std::vector<std::int32_t> fast;
+    std::vector<std::uint32_t> first, contacts; // places among the unsorted ones
+};
+
+// A contact with what does not move by forces, for seams.cpp.
+struct FixedContact {
+    std::uint32_t contact;
+    std::int32_t before; // the one of the same body before it
+    bool on_several;     // whether these are with more than one shape
+};
+
+struct NarrowScratch {
+    // Pairs to be tested, one list per PairKind: their places among the candidates.
+    std::vector<std::vector<std::uint32_t>> lists;
+    std::vector<std::uint32_t> to_move; // likewise: tested before, to be moved along
+    std::vector<NarrowBatch> at_work;   // one per thread
+    std::vector<std::int32_t> awake;    // bodies
+    std::vector<std::int32_t> whirling; // bodies that turn far in a step and have unequal moments of inertia
+    std::vector<float> turn_reach;      // by body, m: bodies.h
+    std::vector<Mover> movers;          // by body
+    PushScratch pushes;
+    std::vector<std::uint8_t> whirls;         // by body: whether it is one of them
+    std::vector<std::uint32_t> skipped;       // contacts of sleeping bodies with kinematic ones at rest
+    std::vector<std::uint8_t> changes;        // by contact, of those that were solved: began or ceased to touch
+    std::vector<std::uint32_t> candidates;    // contacts of all pairs, those of neighbors near each other
+    std::vector<std::uint8_t> outcomes;       // of each: what is to be done, what has come out (contacts.h)
+    std::vector<std::uint32_t> open;          // places among the candidates of those not known to stay apart
+    bool any_groups = false;                  // among those
+    std::vector<std::uint8_t> patch_outcomes; // by contact, of patches of groups that were tested
+    std::vector<FreshPatch> fresh;            // of all threads, by place
+    std::size_t next_fresh = 0;               // the first of those that have not been followed up
+    // Seams (seams.cpp).
+    std::vector<std::int32_t> last_of_body; // in `fixed`
+    std::vector<FixedContact> fixed;
+    std::vector<std::uint32_t> of_body;
+    std::vector<std::uint8_t> is_seam; // by contact, of those with what does not move by forces
+    bool any_seams = false;            // among those
+};
+
+} // namespace cairn

@@ -1,0 +1,10 @@
+// The index of nothing.
+#pragma once
+
+#include <cstdint>
+
+namespace cairn {
+
+inline constexpr std::int32_t none = -1;
+
+} // namespace cairn

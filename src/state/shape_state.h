@@ -1,0 +1,32 @@
+// What is known of a shape beside its geometry and pose.
+#pragma once
+
+#include "math/vec.h"
+#include "state/none.h"
+
+#include <cairn/world.h>
+
+#include <cstdint>
+
+namespace cairn {
+
+struct alignas(32) ShapeLinks {
+    std::int32_t body = none, next = none, previous = none; // the shapes of a body, in order of creation
+    float density = 0;
+    math::Vec3 arm; // from the body's center of mass to the shape's origin, world axes
+    std::uint32_t padding = 0;
+};
+
+// What decides with whom a shape makes contacts.
+struct ShapeTraits {
+    CollisionFilter filter;
+    math::Vec3 surface_velocity; // in the shape's frame, m/s
+    std::uint8_t is_trigger = 0;
+    std::uint8_t has_surface_velocity = 0;
+    std::uint8_t padding[2] = {};
+};
+inline bool may_meet(const CollisionFilter& a, const CollisionFilter& b) {
+    return (a.layers & b.collides_with) != 0 && (b.layers & a.collides_with) != 0;
+}
+
+} // namespace cairn

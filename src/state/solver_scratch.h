@@ -1,0 +1,216 @@
+// Working memory of the solver. Buffers keep their capacity, so that a steady step allocates nothing.
+#pragma once
+
+#include "kernels/solve/joint_data.h"
+#include "kernels/solve/solver_data.h"
+#include "math/bounds.h"
+#include "math/vec.h"
+#include "state/direct_work.h"
+#include "state/impact_work.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace cairn {
+
+inline constexpr std::size_t joints_ahead = 4; // so many before one is looked at, the cache is asked for it
+
+// Blocks of one size, side by side.
+struct BlockRun {
+    bool four_points;
+    std::int32_t first, count;
+};
+// The blocks of one color in a bin.
+struct ColorRun {
+    BlockRun four_points, one_point;
+};
+
+// A contact to be solved, sorted by bin, color and size.
+struct SortedContact {
+    std::uint32_t id;
+    std::int32_t body_a, body_b; // B: none if it does not move at all
+    std::int32_t island;
+    float substep_time; // s: that its impulses are for
+    std::uint8_t color, four_points, bounces, is_conveyor;
+    std::uint8_t is_idle;     // bore nothing in the last step
+    std::uint8_t is_left_out; // of the solver (idle_contacts.cpp)
+    float spare;              // m: how much farther apart than what may meet, or 0
+};
+
+// One solver bin: islands that are solved together through all substeps.
+struct Bin {
+    std::int32_t first_island = 0, island_count = 0; // in SolverScratch::bin_islands
+    std::int32_t substeps = 0;
+    std::int32_t body_count = 0, contact_count = 0, joint_count = 0;
+    std::int32_t first_contact = 0; // in SolverScratch::sorted
+    bool bounces = false;           // any of its contacts has restitution
+    bool rests = false;             // its islands are heaps of jointed bodies at rest (substeps.cpp)
+};
+
+// A row with unequal moments of inertia that the wide kernel does not turn, and where its free motion ends.
+struct SpinningRow {
+    std::int32_t row;
+    bool turns = false;
+    math::DQuat end;
+    math::DVec3 free_w;
+};
+
+// A row of one contact alone: B as its moving surface has it.
+struct ConveyorRow {
+    std::int32_t row;
+    std::uint32_t contact;
+};
+
+// A shape that has left its fat box.
+struct EscapedShape {
+    std::uint32_t shape;
+    DBounds bounds;
+    math::Vec3 displacement;
+};
+
+// Lanes of a list of blocks, filled bin by bin.
+struct LaneLists {
+    std::vector<std::int32_t> record, row_a, row_b;
+    void clear() { record.clear(), row_a.clear(), row_b.clear(); }
+};
+
+// Rows of joints, those of one joint side by side. They are solved by color, phase and form (joint_rows.cpp).
+enum class JointRowType : std::uint8_t { point, turn, axis };
+inline constexpr int joint_row_types = 3;
+struct JointRow {
+    std::uint32_t joint = 0;
+    std::uint32_t lane = 0; // among those of its type
+    std::uint16_t key = 0;
+    JointRowType type = JointRowType::point;
+    std::uint8_t axis : 3 = 0; // which of the joint's
+    std::uint8_t has_limits : 1 = 0, has_drive : 1 = 0, has_friction : 1 = 0;
+    std::uint8_t has_soft_limits : 1 = 0;
+    std::uint8_t idle : 1 = 0; // mere limits, now out of reach: the row has no lane
+    float reach_by_turn = 0;   // 0: never idle (joint_idle.cpp)
+};
+// Blocks that may be solved side by side.
+struct JointRun {
+    JointRowType type;
+    std::uint8_t empty_lanes; // of the last block
+    std::uint16_t key;
+    std::uint32_t first, count;
+};
+
+// How the joints of a bin lie in its blocks. It is kept from step to step: mostly nothing of it changes.
+struct JointLayout {
+    std::uint64_t valid_for = ~std::uint64_t(0); // State::joint_changes
+    std::vector<std::int32_t> bodies;            // of the bin, those that are touched
+    std::vector<std::int32_t> kinematic_bodies;  // that joints name
+    std::vector<std::uint32_t> joints;           // of the bin
+    std::vector<std::uint32_t> first_row;        // of each of them, and one more: the end
+    std::vector<JointRow> rows;
+    bool may_idle = false;                                  // any of them
+    bool only_points = true;                                // all are
+    std::array<std::uint32_t, joint_row_types> blocks = {}; // how many, by JointRowType
+    std::vector<JointRun> runs;
+};
+
+// What the free motion of a row's body asks for, besides falling.
+enum RowTrait : std::uint8_t {
+    is_dynamic_row = 1,
+    falls_plainly = 2, // gravity alone, to its full extent
+    is_damped = 4,
+    spins_wide = 8, // unequal moments, turned by the kernel
+    spins_alone = 16,
+};
+
+// The bin that a thread has at work.
+struct BinScratch {
+    std::vector<std::int32_t> row_of_body;                  // none: in no row
+    std::vector<std::int32_t> row_bodies;                   // body of each row; none for fixed and padding
+    std::vector<std::uint64_t> row_marks;                   // to sort them
+    std::vector<std::uint8_t> row_traits;                   // RowTrait
+    std::vector<std::int32_t> touching_bodies, free_bodies; // of the islands: with and without a contact
+    std::vector<ConveyorRow> conveyor_rows;
+    std::vector<SpinningRow> spinning_rows;
+    std::vector<SpinBlock> spin_blocks;  // those that the kernel turns
+    std::vector<std::int32_t> spin_rows; // of their lanes
+    std::vector<std::int32_t> slow_rows; // those of them that turn slowly
+    SlowTurns slow;
+    // Rows, then the discard rows: one for each block.
+    std::vector<SolverVelocity> velocity, reference, rounding;
+    std::vector<SolverPose> pose;
+    std::vector<SolverInertia> inertia;
+    std::vector<SolverTwist> drive, damping, correction, free_correction;
+    LaneLists one_lanes, four_lanes;
+    std::vector<ContactBlock<1>> one_blocks;
+    std::vector<ContactBlock<4>> four_blocks;
+    std::vector<ColorRun> colors;
+    const JointLayout* joint_layout = nullptr;
+    std::vector<std::uint32_t> joint_key_counts;
+    std::vector<float> joint_demands; // of each joint in the layout: force over mass, m/s^2
+    std::vector<PointBlock> point_blocks;
+    std::vector<TurnBlock> turn_blocks;
+    std::vector<AxisBlock> axis_blocks;
+    DirectWork direct;
+    ImpactWork impact;
+    bool drive_varies = false; // forces depend on the position
+    bool bounces = false;      // `correction` is another than `free_correction`
+
+    std::vector<EscapedShape> escaped;     // of all bins of the thread
+    std::vector<std::uint32_t> overloaded; // likewise: joints that break
+    std::uint64_t clamped_speeds = 0;
+    double prepare_ms = 0, solve_ms = 0;
+
+    std::size_t row_count() const { return row_bodies.size(); }
+    // Discard rows: of blocks of contacts with one point, with four, then of joints.
+    std::int32_t first_discard_row() const { return std::int32_t(row_bodies.size()); }
+    std::array<std::int32_t, joint_row_types> first_joint_discard_rows() const { // by JointRowType
+        const std::int32_t first =
+            first_discard_row() + std::int32_t((one_lanes.record.size() + four_lanes.record.size()) / 8);
+        const auto& count = joint_layout->blocks;
+        return {first, first + std::int32_t(count[0]), first + std::int32_t(count[0] + count[1])};
+    }
+    std::size_t block_count() const {
+        std::size_t blocks = (one_lanes.record.size() + four_lanes.record.size()) / 8;
+        for (const std::uint32_t count : joint_layout->blocks) blocks += count;
+        return blocks;
+    }
+};
+
+// The row of a body. Bodies get theirs when a contact or joint first names them, so that contacts side by side have
+// rows side by side.
+inline std::int32_t row_of_body(BinScratch& scratch, std::int32_t body) {
+    std::int32_t& row = scratch.row_of_body[std::size_t(body)];
+    if (row < 0) {
+        row = std::int32_t(scratch.row_bodies.size());
+        scratch.row_bodies.push_back(body);
+    }
+    return row;
+}
+
+// What is slow in a bin that `rests`, or in another.
+inline SlowTurns slow_turns(bool rests) {
+    // In 1/60 s the axis of such a turn goes astray by less than 1e-4 of itself, and what the pose is off is not seen
+    // in single precision. Joints would show it (the period of a pendulum), but not in a heap at rest: there it is a
+    // thousandth, or what friction does to a body in a millisecond.
+    SlowTurns slow{0.004f, 0.0f, 0.0f};
+    if (rests) slow = {0.05f, 0.05f, 0.001f};
+    return slow;
+}
+
+struct SolverScratch {
+    std::vector<Bin> bins;
+    std::vector<std::int32_t> bin_of_island, bin_islands, open_bins;
+    std::vector<std::int32_t> contacts_of_island, solved_of_island; // with and without those that are left out
+    std::vector<std::uint32_t> key_counts, keys;                    // counting sort of contacts
+    std::vector<SortedContact> unsorted, sorted;
+    std::vector<std::uint32_t> idle;         // places in `unsorted` of contacts that may have nothing to do
+    std::vector<ContactReport> reports;      // by contact, of those that were solved
+    std::vector<JointLayout> joint_layouts;  // by bin
+    std::vector<std::int32_t> shared, alone; // bins that all threads solve together, and those that one does
+    std::vector<BinScratch> at_work;         // one per thread
+    std::vector<EscapedShape> escaped;
+    std::vector<std::int32_t> member_numbers; // by body, while an island is split
+    double prepare_share = 0;                 // of the last solve_bins' time
+};
+
+} // namespace cairn

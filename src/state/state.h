@@ -1,0 +1,127 @@
+// Everything that a simulation consists of. Bodies, shapes, contacts and islands live in arrays at stable
+// indices; stages (one file each) are functions on this state. Handles, names and events live above, in world/.
+#pragma once
+
+#include "collision/broad_phase.h"
+#include "collision/shape_pose.h"
+#include "core/slot_pool.h"
+#include "jobs/crew.h"
+#include "kernels/kernels.h"
+#include "kernels/solve/solver_data.h"
+#include "math/vec.h"
+#include "shapes/geometry.h"
+#include "state/body_state.h"
+#include "state/contact_state.h"
+#include "state/direct_sets.h"
+#include "state/island_state.h"
+#include "state/joint_state.h"
+#include "state/narrow_scratch.h"
+#include "state/shape_state.h"
+#include "state/solver_scratch.h"
+
+#include <cairn/world.h>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace cairn {
+
+struct State {
+    WorldDef settings;
+    std::uint64_t steps = 0;
+    std::uint64_t passes = 0;     // a step is one pass, or several (world/step.cpp)
+    int split = 1;                // passes of the step under way
+    std::uint64_t first_pass = 0; // of the step under way: `passes` at its start
+    double time = 0;
+
+    SlotPool body_slots;
+    std::vector<BodyMotion> motion;
+    std::vector<BodyMass> mass;
+    std::vector<BodySettings> body_settings;
+    std::vector<BodyForces> forces;
+    std::vector<std::int32_t> pushed; // bodies with any
+    std::vector<BodyLinks> bodies;
+    std::vector<RestingPose> resting;
+    std::vector<std::uint64_t> left_at; // the pass before which a body was last seen away from its resting pose
+    std::vector<RestingPose> near;      // likewise, for contacts that are moved along while the body stays near
+    std::vector<std::uint64_t> strayed_at;
+    // How far any point of a body has moved since it was made, m, at most; and how far it will have after this pass.
+    std::vector<double> way, ahead;
+    std::vector<ServedPose> served;
+    std::vector<std::int32_t> kinematics; // kinematic bodies, in order of creation
+
+    SlotPool shape_slots;
+    std::vector<Geometry> geometry;
+    std::vector<ShapeData> shape_data;
+    std::vector<ShapePose> shape_poses;
+    std::vector<ShapeLinks> shapes;
+    std::vector<Material> materials;
+    std::vector<ShapeTraits> shape_traits;
+
+    std::vector<ContactRecord> records;
+    std::vector<ContactInfo> contacts;
+    std::vector<ApartPair> apart_pairs; // by contact
+    std::vector<std::uint32_t> free_contacts;
+
+    std::vector<Island> islands;
+    std::vector<std::int32_t> free_islands;
+    std::vector<std::int32_t> awake_islands;
+    std::vector<std::int32_t> falling_asleep; // islands that the broad phase still holds as awake
+    std::vector<std::int32_t> waking;         // keys that it still holds as sleeping
+
+    SlotPool joint_slots;
+    std::vector<JointInfo> joints;
+    std::vector<JointAxes> joint_axes; // by joint
+
+    SlotPool field_slots;
+    std::vector<ForceField> fields;
+    std::vector<std::uint32_t> dead_bodies, dead_shapes; // recycled after the broad phase's update
+
+    BroadPhase broad_phase{kernels().broad};
+
+    // --- of the last step
+    std::vector<ContactBegin> begins;
+    std::vector<ContactEnd> ends;
+    std::vector<ContactHit> hits;
+    std::vector<TriggerEvent> triggers;
+    std::vector<JointEvent> joint_events;
+    std::vector<SleepEvent> sleeps;
+    std::vector<std::uint32_t> overloaded_joints; // in ascending order
+    // What will be read of the next step: what changes between two steps counts to the later one.
+    std::vector<ContactEnd> next_ends;
+    std::vector<TriggerEvent> next_triggers;
+    std::vector<JointEvent> next_joint_events;
+    std::vector<SleepEvent> next_sleeps;
+    std::uint64_t clamped_speeds = 0;
+    Statistics statistics;
+
+    // --- working memory of a step, not state
+    NarrowScratch narrow;
+    std::vector<std::uint32_t> solved; // contacts to solve in this step
+    SolverScratch solver;
+    DirectSets direct;
+    std::uint64_t joint_changes = 0; // of joints, and of the masses of what is jointed
+    std::unique_ptr<Crew> crew = std::make_unique<Crew>(1);
+
+    BodyId body_id(std::int32_t body) const {
+        return BodyId::make(std::uint32_t(body), body_slots.generation(std::uint32_t(body)), world_id);
+    }
+    ShapeId shape_id(std::uint32_t shape) const {
+        return ShapeId::make(shape, shape_slots.generation(shape), world_id);
+    }
+    JointId joint_id(std::uint32_t joint) const {
+        return JointId::make(joint, joint_slots.generation(joint), world_id);
+    }
+    // Of the given number in a step, how many a pass takes.
+    int in_pass(int substeps) const { return (substeps + split - 1) / split; }
+    bool is_pushed(std::int32_t body) const { return !pushed.empty() && forces[std::size_t(body)].any; }
+    bool is_dynamic(std::int32_t body) const { return body_settings[std::size_t(body)].type == BodyType::dynamic; }
+    bool is_awake(std::int32_t body) const {
+        const std::int32_t island = bodies[std::size_t(body)].island;
+        return island != none && islands[std::size_t(island)].position != none;
+    }
+    std::uint32_t world_id = 0;
+};
+
+} // namespace cairn
