@@ -72,19 +72,12 @@ void update_resting(State& s, float dt) {
         s.near[std::size_t(b)] = {motion.x, motion.q};
         s.strayed_at[std::size_t(b)] = pass;
     };
-    const auto& g = s.settings.gravity;
-    const float fall = dt * dt * math::length(math::Vec3{g.x, g.y, g.z}); // at most, and half of it from rest
     const auto look_ahead = [&](std::int32_t b) {
         const float reach = s.narrow.turn_reach[std::size_t(b)] = turn_reach(s, b, dt);
         const float way = dt * math::length(s.motion[std::size_t(b)].v);
         s.ahead[std::size_t(b)] = s.way[std::size_t(b)] + double(way + reach);
-        const float turn = dt * math::length(s.motion[std::size_t(b)].w) * s.bodies[std::size_t(b)].radius;
-        const float mass = s.is_dynamic(b) ? s.mass[std::size_t(b)].mass : 0;
-        const float more = fall * std::max(std::fabs(s.body_settings[std::size_t(b)].gravity_scale) - 1, 0.0f);
-        s.narrow.movers[std::size_t(b)] = {way + turn + more, mass > 0 ? mass : heaviest, mass};
     };
     s.narrow.turn_reach.assign(s.bodies.size(), 0); // of what does not move
-    s.narrow.movers.assign(s.bodies.size(), {});
     const bool is_first = s.passes == s.first_pass; // what whirls is asked once a step
     if (is_first) {
         for (const std::int32_t b : s.narrow.whirling) s.narrow.whirls[std::size_t(b)] = 0;

@@ -168,20 +168,6 @@ float least_separation(const ContactInfo& c, const ContactRecord& r) {
     return least;
 }
 
-// The upper half of a float is one with eight bits.
-void note_gap(ContactInfo& c, const ContactRecord& r) {
-    const float gap = least_separation(c, r);
-    std::uint32_t bits = 0;
-    if (gap > 0) std::memcpy(&bits, &gap, sizeof bits);
-    c.gap = std::uint16_t(bits >> 16);
-}
-float noted_gap(const ContactInfo& c) {
-    const std::uint32_t bits = std::uint32_t(c.gap) << 16;
-    float gap;
-    std::memcpy(&gap, &bits, sizeof gap);
-    return gap;
-}
-
 void write_record(State& s, std::uint32_t id, const Manifold& m) {
     ContactInfo& c = s.contacts[id];
     ContactRecord& r = s.records[id];
@@ -207,7 +193,6 @@ void write_record(State& s, std::uint32_t id, const Manifold& m) {
         r.radius_b = contact_radius(s, c.shape_b, normal, m.points[0][3]);
     }
     c.point_count = std::uint8_t(m.count);
-    note_gap(c, r);
     r.features = packed_features(m);
     if (stay) return;
     forget_impulses(r, m.count);

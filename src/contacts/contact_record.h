@@ -14,10 +14,6 @@ inline float total_of(const ContactRecord& r, int i) { return i == 0 ? r.first_t
 void write_record(State& state, std::uint32_t contact, const Manifold& manifold);
 // Of the points of a contact that has some.
 float least_separation(const ContactInfo& contact, const ContactRecord& record);
-// Notes the least gap of its points: what bears nothing is told apart without a look at its record.
-void note_gap(ContactInfo& contact, const ContactRecord& record);
-// The least gap as it was noted, rounded down; 0 where they overlap.
-float noted_gap(const ContactInfo& contact);
 // `count`: how many points it has.
 void forget_impulses(ContactRecord& record, int count);
 // Moves a record that was written at the start of the last step to the poses at its end.

@@ -278,7 +278,7 @@ void report_contacts(State& s, float dt) {
     });
     s.statistics.max_penetration = double(deepest);
     for (const SortedContact& solved : s.solver.unsorted) {
-        if (solved.is_left_out || !changes[solved.id]) continue;
+        if (!changes[solved.id]) continue;
         const std::uint32_t id = solved.id;
         ContactInfo& c = s.contacts[id];
         if (c.touching)
@@ -290,10 +290,9 @@ void report_contacts(State& s, float dt) {
 
 void settle_sleeping_contacts(State& state) {
     for (const std::uint32_t id : state.solved) {
-        ContactInfo& contact = state.contacts[id];
+        const ContactInfo& contact = state.contacts[id];
         if (!contact.in_use || contact.point_count == 0 || state.is_awake(contact.body_a)) continue;
         state.records[id] = advanced_record(state, id);
-        note_gap(contact, state.records[id]);
     }
 }
 

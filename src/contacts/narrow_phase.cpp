@@ -111,7 +111,6 @@ void move_contacts(State& s, int begin, int end) {
             ContactInfo& c = s.contacts[contact];
             ContactRecord& r = s.records[contact];
             advance_record(s, c, r);
-            note_gap(c, r);
             if (!c.touching) r.approach_speed = approach_speed(s, c, r);
         });
         s.narrow.outcomes[places[std::size_t(i)]] = going_on(s, s.contacts[id]);

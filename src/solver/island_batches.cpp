@@ -6,7 +6,6 @@
 #include "islands/coloring.h"
 #include "islands/substeps.h"
 #include "joints/free_fall.h"
-#include "solver/idle_contacts.h"
 #include "state/joint_links.h"
 #include "state/state.h"
 
@@ -40,9 +39,6 @@ void rescale_impulses(ContactInfo& c, ContactRecord& r, float h) {
     c.substep_time = h;
 }
 
-// What bounces passes on more than is looked for.
-bool may_be_idle(const ContactInfo& c) { return !(c.force > 0) && !c.touching && !c.bounces; }
-
 bool has_joints_at_rest(const Island& island) { return island.rest_substeps > 0 && solved_joints(island) > 0; }
 
 void open_bin(SolverScratch& scratch, const Island& island) {
@@ -53,7 +49,7 @@ void open_bin(SolverScratch& scratch, const Island& island) {
 }
 
 // All that is needed of the contacts to be solved, side by side: they lie scattered.
-void collect_contacts(State& s, float dt, bool may_leave_out) {
+void collect_contacts(State& s) {
     std::vector<SortedContact>& contacts = s.solver.unsorted;
     contacts.resize(s.solved.size());
     s.crew->for_chunks(int(s.solved.size()), contacts_per_chunk, [&](int begin, int end, int) {
@@ -73,10 +69,7 @@ void collect_contacts(State& s, float dt, bool may_leave_out) {
                            std::uint8_t(c.point_count != 1),
                            c.bounces,
                            c.is_conveyor,
-                           !(c.force > 0),
-                           0,
-                           0};
-            if (may_leave_out && may_be_idle(c)) contacts[k].spare = spare_gap(s, contacts[k], dt);
+                           !(c.force > 0)};
         }
     });
 }
@@ -86,10 +79,9 @@ void count_contacts(SolverScratch& scratch) {
     const std::vector<SortedContact>& contacts = scratch.unsorted;
     for (std::size_t k = 0; k < contacts.size();) {
         const std::int32_t island = contacts[k].island;
-        std::int32_t count = 0, solved = 0;
-        for (; k < contacts.size() && contacts[k].island == island; ++k) ++count, solved += !contacts[k].is_left_out;
+        std::int32_t count = 0;
+        for (; k < contacts.size() && contacts[k].island == island; ++k) ++count;
         scratch.contacts_of_island[std::size_t(island)] += count;
-        scratch.solved_of_island[std::size_t(island)] += solved;
     }
 }
 
@@ -100,13 +92,9 @@ void pack_bins(State& s, float dt) {
     scratch.bins.clear();
     // Of awake islands only: there may be many more that sleep.
     scratch.contacts_of_island.resize(s.islands.size());
-    scratch.solved_of_island.resize(s.islands.size());
     scratch.bin_of_island.resize(s.islands.size());
-    for (const std::int32_t i : s.awake_islands)
-        scratch.contacts_of_island[std::size_t(i)] = scratch.solved_of_island[std::size_t(i)] = 0;
-    const bool may_leave_out = find_fast(s, dt);
-    collect_contacts(s, dt, may_leave_out);
-    if (may_leave_out) leave_out_idle(s, dt);
+    for (const std::int32_t i : s.awake_islands) scratch.contacts_of_island[std::size_t(i)] = 0;
+    collect_contacts(s);
     count_contacts(scratch);
 
     // One bin is open for each number of substeps, and another for heaps at rest; it closes when it is full.
@@ -127,7 +115,7 @@ void pack_bins(State& s, float dt) {
         scratch.bin_of_island[std::size_t(i)] = open;
         ++bin.island_count;
         bin.body_count += island.body_count;
-        bin.contact_count += scratch.solved_of_island[std::size_t(i)];
+        bin.contact_count += own_contacts;
         bin.joint_count += solved_joints(island);
         if (bin.contact_count + bin.joint_count >= bin_contacts || bin.body_count >= bin_bodies) open = none;
     }
@@ -150,7 +138,6 @@ void pack_bins(State& s, float dt) {
     scratch.keys.resize(scratch.unsorted.size());
     for (std::size_t k = 0; k < scratch.unsorted.size(); ++k) {
         const SortedContact& c = scratch.unsorted[k];
-        if (c.is_left_out) continue;
         const std::uint32_t key =
             std::uint32_t(scratch.bin_of_island[std::size_t(c.island)]) * keys_per_bin + order_key(c);
         scratch.keys[k] = key;
@@ -160,7 +147,6 @@ void pack_bins(State& s, float dt) {
     scratch.sorted.resize(std::size_t(contacts));
     for (std::size_t k = 0; k < scratch.unsorted.size(); ++k) {
         const SortedContact& c = scratch.unsorted[k];
-        if (c.is_left_out) continue;
         const std::uint32_t key = scratch.keys[k];
         Bin& bin = scratch.bins[key / keys_per_bin];
         const float h = dt / float(bin.substeps);

@@ -36,19 +36,6 @@ struct NarrowBatch {
     std::vector<FreshPatch> fresh; // of the groups of this thread
 };
 
-inline constexpr float heaviest = 1e30f; // kg: as good as immovable
-// How far the points of a body may move in a pass, m, and what moves it: itself, or also what pushes it
-// (idle_contacts.cpp). Masses in kg, 0 of what does not move by forces.
-struct Mover {
-    float reach = 0, mass = 0, own_mass = 0;
-};
-
-// What follows pushes: bodies that push, contacts by body.
-struct PushScratch {
-    std::vector<std::int32_t> fast;
-    std::vector<std::uint32_t> first, contacts; // places among the unsorted ones
-};
-
 // A contact with what does not move by forces, for seams.cpp.
 struct FixedContact {
     std::uint32_t contact;
@@ -59,13 +46,11 @@ struct FixedContact {
 struct NarrowScratch {
     // Pairs to be tested, one list per PairKind: their places among the candidates.
     std::vector<std::vector<std::uint32_t>> lists;
-    std::vector<std::uint32_t> to_move; // likewise: tested before, to be moved along
-    std::vector<NarrowBatch> at_work;   // one per thread
-    std::vector<std::int32_t> awake;    // bodies
-    std::vector<std::int32_t> whirling; // bodies that turn far in a step and have unequal moments of inertia
-    std::vector<float> turn_reach;      // by body, m: bodies.h
-    std::vector<Mover> movers;          // by body
-    PushScratch pushes;
+    std::vector<std::uint32_t> to_move;       // likewise: tested before, to be moved along
+    std::vector<NarrowBatch> at_work;         // one per thread
+    std::vector<std::int32_t> awake;          // bodies
+    std::vector<std::int32_t> whirling;       // bodies that turn far in a step and have unequal moments of inertia
+    std::vector<float> turn_reach;            // by body, m: bodies.h
     std::vector<std::uint8_t> whirls;         // by body: whether it is one of them
     std::vector<std::uint32_t> skipped;       // contacts of sleeping bodies with kinematic ones at rest
     std::vector<std::uint8_t> changes;        // by contact, of those that were solved: began or ceased to touch

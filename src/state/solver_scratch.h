@@ -35,9 +35,7 @@ struct SortedContact {
     std::int32_t island;
     float substep_time; // s: that its impulses are for
     std::uint8_t color, four_points, bounces, is_conveyor;
-    std::uint8_t is_idle;     // bore nothing in the last step
-    std::uint8_t is_left_out; // of the solver (idle_contacts.cpp)
-    float spare;              // m: how much farther apart than what may meet, or 0
+    std::uint8_t is_idle; // bore nothing in the last step
 };
 
 // One solver bin: islands that are solved together through all substeps.
@@ -200,10 +198,9 @@ inline SlowTurns slow_turns(bool rests) {
 struct SolverScratch {
     std::vector<Bin> bins;
     std::vector<std::int32_t> bin_of_island, bin_islands, open_bins;
-    std::vector<std::int32_t> contacts_of_island, solved_of_island; // with and without those that are left out
-    std::vector<std::uint32_t> key_counts, keys;                    // counting sort of contacts
+    std::vector<std::int32_t> contacts_of_island;
+    std::vector<std::uint32_t> key_counts, keys; // counting sort of contacts
     std::vector<SortedContact> unsorted, sorted;
-    std::vector<std::uint32_t> idle;         // places in `unsorted` of contacts that may have nothing to do
     std::vector<ContactReport> reports;      // by contact, of those that were solved
     std::vector<JointLayout> joint_layouts;  // by bin
     std::vector<std::int32_t> shared, alone; // bins that all threads solve together, and those that one does

@@ -1,5 +1,4 @@
-// Contacts of bodies at rest that are apart are left out of the solver (solver/idle_contacts.cpp); but not where
-// something is about to be pushed.
+// Boxes side by side with gaps between them: when the first of a row is pushed, each must meet the next.
 #include "support.h"
 
 namespace cairn_test {
@@ -41,7 +40,7 @@ double deepest_overlap(World& world, int steps) {
     return deepest;
 }
 
-TEST(IdleContacts, WhatStandsBesideOthersMeetsThemWhenTheRowIsHit) {
+TEST(HitRows, WhatStandsBesideOthersMeetsThemWhenTheRowIsHit) {
     for (const float density : {1000.0f, 100000.0f}) {
         World world(without_sleep());
         add_row(world);
@@ -51,7 +50,7 @@ TEST(IdleContacts, WhatStandsBesideOthersMeetsThemWhenTheRowIsHit) {
     }
 }
 
-TEST(IdleContacts, WhatSleepsBesideOthersMeetsThemWhenTheRowIsHit) {
+TEST(HitRows, WhatSleepsBesideOthersMeetsThemWhenTheRowIsHit) {
     World world(WorldDef{});
     add_row(world);
     EXPECT_LT(deepest_overlap(world, 120), 0.001);
@@ -60,7 +59,7 @@ TEST(IdleContacts, WhatSleepsBesideOthersMeetsThemWhenTheRowIsHit) {
     EXPECT_LT(deepest_overlap(world, 60), 0.002);
 }
 
-TEST(IdleContacts, WhatAKinematicBodyPushesMeetsWhatIsBesideIt) {
+TEST(HitRows, WhatAKinematicBodyPushesMeetsWhatIsBesideIt) {
     World world(without_sleep());
     add_row(world);
     EXPECT_LT(deepest_overlap(world, 60), 0.001);
@@ -70,7 +69,7 @@ TEST(IdleContacts, WhatAKinematicBodyPushesMeetsWhatIsBesideIt) {
     EXPECT_LT(deepest_overlap(world, 60), 0.006);
 }
 
-TEST(IdleContacts, WhatAForceBeginsToMoveMeetsWhatIsBesideIt) {
+TEST(HitRows, WhatAForceBeginsToMoveMeetsWhatIsBesideIt) {
     for (const bool by_gravity : {false, true}) {
         World world(without_sleep());
         const std::vector<BodyId> row = add_row(world);
@@ -87,7 +86,7 @@ TEST(IdleContacts, WhatAForceBeginsToMoveMeetsWhatIsBesideIt) {
     }
 }
 
-TEST(IdleContacts, WhatIsDraggedAlongMeetsWhatIsBesideIt) {
+TEST(HitRows, WhatIsDraggedAlongMeetsWhatIsBesideIt) {
     World world(without_sleep());
     const std::vector<BodyId> row = add_row(world);
     for (int i = 0; i < 8; i += 2) {
@@ -103,7 +102,7 @@ TEST(IdleContacts, WhatIsDraggedAlongMeetsWhatIsBesideIt) {
 
 // What moves is followed to what it may push. Where a hundred limbs of 5,500 came to rest in a heap, that was done by
 // 97,000 pushes, which took as long as the solver. Another program may hold up a step or two of these.
-TEST(IdleContacts, FewThatMoveAmongManyAreSolvedRatherThanSearched) {
+TEST(HitRows, FewThatMoveAmongManyAreSolvedRatherThanSearched) {
     World world(without_sleep());
     add_ground(world, surface(0.2f));
     for (int i = 0; i < 1600; ++i) {
