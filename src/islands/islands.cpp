@@ -120,7 +120,6 @@ void split_island(State& state, std::int32_t i) {
     island.first_body = island.last_body = none;
     island.body_count = island.joint_count = 0;
     island.lost_contact = 0;
-    island.flight = 0;
     std::vector<std::int32_t> part(members.size(), none);
     for (std::size_t k = 0; k < members.size(); ++k) {
         const std::size_t root = std::size_t(find_root(parent, std::int32_t(k)));
@@ -170,7 +169,6 @@ void remove_from_island(State& state, std::int32_t body) {
 namespace {
 
 void add_joints(Island& island, const Island& other) {
-    island.flight = 0;
     const double here = double(island.joint_demand), there = double(other.joint_demand);
     const std::int32_t count = island.joint_count + other.joint_count;
     if (other.joint_count > 0)

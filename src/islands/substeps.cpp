@@ -46,7 +46,7 @@ int rounded_up(float wanted) {
 
 // Many contacts, and one to go with each joint, if there are any: then many joints.
 bool is_heap(const Island& island, std::int32_t contacts) {
-    const std::int32_t joints = solved_joints(island);
+    const std::int32_t joints = island.joint_count;
     return joints == 0 ? contacts >= many_contacts : joints >= many_in_heap && contacts >= joints;
 }
 
@@ -56,7 +56,7 @@ bool is_heap(const Island& island, std::int32_t contacts) {
 int substeps_at_rest(const State& s, const Island& island) {
     const float usual = float(s.settings.substeps), least = (island.was_tossed ? tossed_part : 1.0f) * usual;
     float wanted = 0, most = usual;
-    if (solved_joints(island) == 0) {
+    if (island.joint_count == 0) {
         wanted = substeps_per_heap_demand * std::sqrt(island.greatest_demand) * (usual / usual_substeps);
     } else {
         wanted = substeps_per_joint_demand * std::sqrt(island.joint_demand) * (least / usual);
@@ -71,7 +71,7 @@ int substeps_at_rest(const State& s, const Island& island) {
 // rest sooner. The number of many does not follow closely what they bear: each change of it changes the gaps of all
 // joints, and a hanging net that bounced was kept bouncing. In a heap they bear impacts, which say nothing.
 int substeps_in_motion(const State& s, Island& island, bool is_heap) {
-    const std::int32_t joints = solved_joints(island);
+    const std::int32_t joints = island.joint_count;
     if (joints == 0) return s.settings.substeps;
     int n = joint_substeps;
     if (is_heap || joints >= many_joints) {

@@ -3,7 +3,6 @@
 #include "joints/idle_limits.h"
 
 #include "core/cache.h"
-#include "joints/free_fall.h"
 #include "state/joint_links.h"
 
 #include <algorithm>

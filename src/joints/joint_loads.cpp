@@ -1,8 +1,6 @@
 #include "joints/joint_loads.h"
 
 #include "islands/substeps.h"
-#include "joints/free_fall.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -12,8 +10,7 @@ void note_joint_loads(State& s, const Bin& bin, const BinScratch& scratch) {
     std::size_t k = 0; // they lie in the order of the islands
     for (std::int32_t i = 0; i < bin.island_count; ++i) {
         Island& island = s.islands[std::size_t(s.solver.bin_islands[std::size_t(bin.first_island + i)])];
-        if (solved_joints(island) == 0) continue;
-        note_flight(s, island, &scratch.joint_layout->joints[k]);
+        if (island.joint_count == 0) continue;
         bool any_direct = false; // what they bear says nothing about the others
         double sum = 0;
         for (const std::size_t end = k + std::size_t(island.joint_count); k < end; ++k) {

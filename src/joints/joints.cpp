@@ -2,7 +2,6 @@
 
 #include "islands/coloring.h"
 #include "islands/islands.h"
-#include "joints/free_fall.h"
 #include "state/joint_links.h"
 
 #include <algorithm>
@@ -82,7 +81,6 @@ void activate_joint(State& s, std::uint32_t index) {
     else
         wake_body(s, owner);
     ++s.islands[std::size_t(s.bodies[std::size_t(owner)].island)].joint_count;
-    end_flight(s, owner);
 }
 
 void deactivate_joint(State& s, std::uint32_t index) {

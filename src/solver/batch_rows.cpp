@@ -7,7 +7,6 @@
 #include "bodies/integrators.h"
 #include "core/order.h"
 #include "islands/coloring.h"
-#include "joints/free_fall.h"
 #include "joints/joint_layout.h"
 #include "solver/row_motion.h"
 #include "state/state.h"
@@ -59,7 +58,7 @@ void gather_bodies(State& s, const Bin& bin, BinScratch& scratch) {
         for (std::int32_t b = island.first_body; b != none; b = s.bodies[std::size_t(b)].next_in_island) {
             sum.add(s.mass[std::size_t(b)], s.motion[std::size_t(b)]);
             const BodyLinks& links = s.bodies[std::size_t(b)];
-            const bool is_free = island.flies || links.contact_count + links.joint_count == 0;
+            const bool is_free = links.contact_count + links.joint_count == 0;
             (is_free ? scratch.free_bodies : scratch.touching_bodies).push_back(b);
         }
         sum.put(island, gravity);

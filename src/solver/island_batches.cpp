@@ -5,7 +5,6 @@
 #include "core/cache.h"
 #include "islands/coloring.h"
 #include "islands/substeps.h"
-#include "joints/free_fall.h"
 #include "state/joint_links.h"
 #include "state/state.h"
 
@@ -39,7 +38,7 @@ void rescale_impulses(ContactInfo& c, ContactRecord& r, float h) {
     c.substep_time = h;
 }
 
-bool has_joints_at_rest(const Island& island) { return island.rest_substeps > 0 && solved_joints(island) > 0; }
+bool has_joints_at_rest(const Island& island) { return island.rest_substeps > 0 && island.joint_count > 0; }
 
 void open_bin(SolverScratch& scratch, const Island& island) {
     Bin bin;
@@ -102,8 +101,6 @@ void pack_bins(State& s, float dt) {
     for (const std::int32_t i : s.awake_islands) {
         Island& island = s.islands[std::size_t(i)];
         const std::int32_t own_contacts = scratch.contacts_of_island[std::size_t(i)];
-        island.flies = flies(s, island, own_contacts);
-        island.flight += island.flies;
         island.substeps = island_substeps(s, island, own_contacts);
         std::int32_t& open =
             scratch.open_bins[2 * std::size_t(island.substeps) + std::size_t(has_joints_at_rest(island))];
@@ -116,7 +113,7 @@ void pack_bins(State& s, float dt) {
         ++bin.island_count;
         bin.body_count += island.body_count;
         bin.contact_count += own_contacts;
-        bin.joint_count += solved_joints(island);
+        bin.joint_count += island.joint_count;
         if (bin.contact_count + bin.joint_count >= bin_contacts || bin.body_count >= bin_bodies) open = none;
     }
 

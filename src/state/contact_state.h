@@ -53,9 +53,9 @@ struct alignas(64) ContactInfo {
     std::uint8_t is_trigger = 0;  // never solved: only `touching` counts
     std::uint8_t is_conveyor = 0; // B's surface moves
     std::uint8_t padding[2] = {};
-    std::uint64_t tested_at = 0;  // the pass that last tested the pair; 0: none
-    std::int32_t related = none;  // group: its first patch; patch: its group
-    std::int32_t next = none;     // patch: the next one of its group
+    std::uint64_t tested_at = 0; // the pass that last tested the pair; 0: none
+    std::int32_t related = none; // group: its first patch; patch: its group
+    std::int32_t next = none;    // patch: the next one of its group
 };
 inline bool is_group(const ContactInfo& c) { return c.kind == PairKind::group; }
 

@@ -16,9 +16,8 @@ struct Island {
     std::uint8_t in_use = 0;
     std::uint8_t lost_contact = 0; // may have fallen into parts
     std::uint8_t kept_awake = 0;   // touches something that moves by itself
-    std::uint8_t flies = 0;        // in this pass: its joints have nothing to do (flight.cpp)
-    std::int32_t flight = 0;   // 1 and the passes it has flown since its joints bore nothing; 0: they bore something
-    std::int32_t substeps = 0; // in the last step
+    std::uint8_t padding = 0;
+    std::int32_t substeps = 0;           // in the last step
     std::int32_t wanted_substeps = 0;    // by what it carries (substeps.cpp)
     std::int32_t joint_count = 0;        // that belong to its bodies
     float weight = 0, greatest_load = 0; // N: of all bodies; on one contact

@@ -29,7 +29,4 @@ inline bool joint_forbids_contact(const State& s, std::int32_t body_a, std::int3
     return forbids;
 }
 
-// Of an island: those that are solved in this pass.
-inline std::int32_t solved_joints(const Island& island) { return island.flies ? 0 : island.joint_count; }
-
 } // namespace cairn

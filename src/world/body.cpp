@@ -3,7 +3,6 @@
 #include "bodies/finalize.h"
 #include "contacts/pairs.h"
 #include "islands/islands.h"
-#include "joints/free_fall.h"
 #include "joints/idle_limits.h"
 #include "joints/joints.h"
 #include "math/rotation.h"
@@ -178,7 +177,6 @@ void move_body(const Access& a, math::DVec3 origin, const math::DQuat& rotation)
     wake_body(a.s, a.index());
     set_pose(a.s, a.index(), origin, rotation);
     forget_slack(a.s, a.index());
-    end_flight(a.s, a.index());
     update_proxies(a.s, a.index());
     wake_around(a.s, a.index());
 }

@@ -2,7 +2,6 @@
 #include "joints/joints.h"
 #include "bodies/bodies.h"
 #include "islands/islands.h"
-#include "joints/free_fall.h"
 #include "joints/joint_positions.h"
 #include "state/joint_links.h"
 
@@ -65,8 +64,6 @@ void set_rules(State& s, std::uint32_t index, const JointRules& rules) {
     info.rules = locks;
     std::copy(std::begin(rules.axes), std::end(rules.axes), axes.rules);
     ++s.joint_changes;
-    for (const std::int32_t body : {info.body_a, info.body_b})
-        if (body != none) end_flight(s, body);
     if (!same) {
         info.substep_time = 0;
         info.point_impulse = info.turn_impulse = {};

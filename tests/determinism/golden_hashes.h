@@ -21,7 +21,7 @@ inline constexpr std::uint64_t changes = 0x565b0237097325b7;
 inline constexpr std::uint64_t all_shapes = 0x66c55e291b8503f2;
 inline constexpr std::uint64_t rounded_shapes = 0x97c4375660ddabe3;
 inline constexpr std::uint64_t surfaces = 0x4b1655c1a526dad2;
-inline constexpr std::uint64_t all_joints = 0x689deaa16836d5bc;
+inline constexpr std::uint64_t all_joints = 0xa130425dcbfac37e;
 inline constexpr std::uint64_t chains = 0xab710d6013f45231;
 
 } // namespace cairn_test::golden

@@ -1,4 +1,4 @@
-// Jointed bodies that fall side by side without turning do without their joints. Whatever ends that, the joints hold.
+// Jointed bodies that fall side by side without turning move as free ones do; whatever pulls at one, the joint holds.
 #include "support.h"
 
 #include <algorithm>
@@ -39,7 +39,7 @@ struct Flying {
     }
 };
 
-TEST(Flight, OfJointedBodiesIsThatOfFreeOnes) {
+TEST(JointedFall, OfJointedBodiesIsThatOfFreeOnes) {
     Flying rod;
     BodyDef def;
     def.position = {10, 1000, 0};
@@ -53,7 +53,7 @@ TEST(Flight, OfJointedBodiesIsThatOfFreeOnes) {
 }
 
 // Each of them within a step.
-TEST(Flight, EndsByWhateverPulls) {
+TEST(JointedFall, EndsByWhateverPulls) {
     struct Case {
         const char* what;
         std::function<void(Flying&)> change;
@@ -107,7 +107,7 @@ TEST(Flight, EndsByWhateverPulls) {
 }
 
 // In the step in which one half is stopped, the other one feels it.
-TEST(Flight, EndsWithTheFirstContact) {
+TEST(JointedFall, EndsWithTheFirstContact) {
     Flying rod;
     BodyDef def;
     def.type = BodyType::static_;
@@ -127,7 +127,7 @@ TEST(Flight, EndsWithTheFirstContact) {
     EXPECT_TRUE(is_stopped);
 }
 
-TEST(Flight, EndsWhereAHalfIsPutElsewhere) {
+TEST(JointedFall, EndsWhereAHalfIsPutElsewhere) {
     Flying rod;
     rod.world.body(rod.left).set_position(rod.world.body(rod.left).position() + Position(0, 0, 0.1));
     EXPECT_GT(rod.world.joint_state(rod.joint).linear_error, 0.09f);
@@ -135,7 +135,7 @@ TEST(Flight, EndsWhereAHalfIsPutElsewhere) {
     EXPECT_LT(rod.world.joint_state(rod.joint).linear_error, 0.02f);
 }
 
-TEST(Flight, EndsWhereAMotorIsSwitchedOn) {
+TEST(JointedFall, EndsWhereAMotorIsSwitchedOn) {
     Flying rod(HingeJoint{});
     HingeJoint driven;
     driven.angle.motor = JointMotor{};
@@ -147,7 +147,7 @@ TEST(Flight, EndsWhereAMotorIsSwitchedOn) {
 }
 
 // What is as slow as rounding is let go for some steps only.
-TEST(Flight, DoesNotLetAJointTwist) {
+TEST(JointedFall, DoesNotLetAJointTwist) {
     WorldDef weightless = without_sleep();
     weightless.gravity = {0, 0, 0};
     Flying rod(FixedJoint{}, weightless);
@@ -156,7 +156,7 @@ TEST(Flight, DoesNotLetAJointTwist) {
     EXPECT_LT(rod.world.joint_state(rod.joint).angular_error, 2e-5f); // 1.5e-3 if it were not solved
 }
 
-TEST(Flight, GoesOnFromASnapshotAsItWould) {
+TEST(JointedFall, GoesOnFromASnapshotAsItWould) {
     Flying rod;
     run(rod.world, dt, 3);
     const Snapshot saved = rod.world.save();
