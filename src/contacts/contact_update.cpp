@@ -6,7 +6,7 @@
 #include "core/cache.h"
 #include "islands/coloring.h"
 #include "islands/islands.h"
-#include "islands/substeps.h"
+#include "islands/substep_policy.h"
 
 #include <algorithm>
 

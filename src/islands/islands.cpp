@@ -166,19 +166,6 @@ void remove_from_island(State& state, std::int32_t body) {
     if (--island.body_count == 0) free_island(state, i);
 }
 
-namespace {
-
-void add_joints(Island& island, const Island& other) {
-    const double here = double(island.joint_demand), there = double(other.joint_demand);
-    const std::int32_t count = island.joint_count + other.joint_count;
-    if (other.joint_count > 0)
-        island.joint_demand =
-            float(std::sqrt((island.joint_count * here * here + other.joint_count * there * there) / count));
-    island.joint_count = count;
-}
-
-} // namespace
-
 void link_islands(State& state, std::int32_t body_a, std::int32_t body_b) {
     std::int32_t a = body_at(state, body_a).island, b = body_at(state, body_b).island;
     wake_island(state, a);
@@ -186,10 +173,8 @@ void link_islands(State& state, std::int32_t body_a, std::int32_t body_b) {
     if (a == b) return;
     if (island_at(state, a).body_count < island_at(state, b).body_count) std::swap(a, b);
     append_all(state, a, b);
-    add_joints(island_at(state, a), island_at(state, b));
+    island_at(state, a).joint_count += island_at(state, b).joint_count;
     island_at(state, a).lost_contact |= island_at(state, b).lost_contact;
-    island_at(state, a).wanted_substeps =
-        std::max(island_at(state, a).wanted_substeps, island_at(state, b).wanted_substeps);
     free_island(state, b);
 }
 

@@ -311,29 +311,7 @@ void end_joint(State& s, BinScratch& scratch, std::uint32_t index, float rate, b
         scratch.overloaded.push_back(index);
 }
 
-// In m/s^2, by its force and the masses of both bodies.
-float joint_demand(const State& s, const BinScratch& scratch, std::uint32_t index) {
-    const JointInfo& joint = s.joints[index];
-    float inverse_mass = 0;
-    for (const std::int32_t body : {joint.body_a, joint.body_b}) {
-        const std::int32_t row = body == none ? none : scratch.row_of_body[std::size_t(body)];
-        if (row != none) inverse_mass += scratch.inertia[std::size_t(row)].inverse_mass;
-    }
-    return math::length(joint.force) * inverse_mass;
-}
-
 } // namespace
-
-JointSoftness joint_softness(const State& s, const Bin& bin, float h) {
-    // Softer ones lag behind, harder ones gain energy: a hanging net from 0.35 / h on, an arm that servos hold from
-    // 0.28 / h on, and of planks on balls that rest, some under loads, from 0.45 / h on. Where a net takes fewer
-    // substeps than others (substeps.cpp), its joints are as stiff as with 8.
-    constexpr float pi = 3.14159265358979f, damping_ratio = 2.0f;
-    const bool is_net = s.settings.adaptive_substeps && bin.substeps * s.split < 8;
-    const float omega_h = 2 * pi * (bin.rests ? 0.375f : is_net ? 2.0f / 7 : 0.25f);
-    const float a1 = 2 * damping_ratio + omega_h, a2 = omega_h * a1;
-    return {h, 1 / h, a2 / (1 + a2), omega_h / (a1 * h), slow_turns(bin.rests).still_sine};
-}
 
 void fill_joint_blocks(State& s, BinScratch& scratch, Crew* crew, float h) {
     open_blocks(scratch);
@@ -365,7 +343,6 @@ void store_joints(State& s, BinScratch& scratch, float dt) {
     const JointLayout& layout = *scratch.joint_layout;
     const float rate = 1 / dt;
     const bool may_be_fast = !layout.joints.empty() && any_is_too_fast(s, scratch);
-    scratch.joint_demands.resize(layout.joints.size());
     for (std::size_t k = 0; k < layout.joints.size(); ++k) {
         prefetch_joint(s, layout, k + joints_ahead);
         for (std::uint32_t i = layout.first_row[k]; i < layout.first_row[k + 1]; ++i) {
@@ -374,10 +351,8 @@ void store_joints(State& s, BinScratch& scratch, float dt) {
             for_blocks_of(scratch, row.type,
                           [&](auto& blocks) { take_lane(s, row, blocks[row.lane / 8], row.lane % 8); });
         }
-        scratch.joint_demands[k] = unknown_demand;
         if (s.direct.set_of_joint[layout.joints[k]] != none) continue; // ended below
         end_joint(s, scratch, layout.joints[k], rate, may_be_fast);
-        scratch.joint_demands[k] = joint_demand(s, scratch, layout.joints[k]);
     }
     store_direct_rows(s, scratch);
     for (const DirectSolve& solve : scratch.direct.sets)

@@ -9,6 +9,5 @@ namespace cairn {
 void fill_joint_blocks(State& state, BinScratch& scratch, Crew* crew, float h);
 // After the last substep: impulses and forces back to the joints.
 void store_joints(State& state, BinScratch& scratch, float dt);
-JointSoftness joint_softness(const State& state, const Bin& bin, float h);
 
 } // namespace cairn

@@ -37,7 +37,7 @@ class IslandSum {
         island.weight = float(mass_) * gravity;
         if (!(mass_ > 0)) return;
         const math::DVec3 mean = (1 / mass_) * momentum_;
-        island.unrest = float(std::sqrt(std::max(energy_ / mass_ - math::dot(mean, mean), 0.0)));
+        island.agitation = float(std::sqrt(std::max(energy_ / mass_ - math::dot(mean, mean), 0.0)));
     }
 
   private:

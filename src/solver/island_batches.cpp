@@ -4,7 +4,7 @@
 #include "contacts/contact_update.h"
 #include "core/cache.h"
 #include "islands/coloring.h"
-#include "islands/substeps.h"
+#include "islands/substep_policy.h"
 #include "state/joint_links.h"
 #include "state/state.h"
 
@@ -38,12 +38,9 @@ void rescale_impulses(ContactInfo& c, ContactRecord& r, float h) {
     c.substep_time = h;
 }
 
-bool has_joints_at_rest(const Island& island) { return island.rest_substeps > 0 && island.joint_count > 0; }
-
 void open_bin(SolverScratch& scratch, const Island& island) {
     Bin bin;
     bin.substeps = island.substeps;
-    bin.rests = has_joints_at_rest(island);
     scratch.bins.push_back(bin);
 }
 
@@ -96,14 +93,12 @@ void pack_bins(State& s, float dt) {
     collect_contacts(s);
     count_contacts(scratch);
 
-    // One bin is open for each number of substeps, and another for heaps at rest; it closes when it is full.
-    scratch.open_bins.assign(2 * (std::size_t(most_substeps) + 1), none);
+    // One bin is open for each number of substeps; it closes when it is full.
+    scratch.open_bins.assign(std::size_t(max_substeps) + 1, none);
     for (const std::int32_t i : s.awake_islands) {
         Island& island = s.islands[std::size_t(i)];
-        const std::int32_t own_contacts = scratch.contacts_of_island[std::size_t(i)];
-        island.substeps = island_substeps(s, island, own_contacts);
-        std::int32_t& open =
-            scratch.open_bins[2 * std::size_t(island.substeps) + std::size_t(has_joints_at_rest(island))];
+        island.substeps = island_substeps(s, island);
+        std::int32_t& open = scratch.open_bins[std::size_t(island.substeps)];
         if (open == none) {
             open = std::int32_t(scratch.bins.size());
             open_bin(scratch, island);
@@ -112,7 +107,7 @@ void pack_bins(State& s, float dt) {
         scratch.bin_of_island[std::size_t(i)] = open;
         ++bin.island_count;
         bin.body_count += island.body_count;
-        bin.contact_count += own_contacts;
+        bin.contact_count += scratch.contacts_of_island[std::size_t(i)];
         bin.joint_count += island.joint_count;
         if (bin.contact_count + bin.joint_count >= bin_contacts || bin.body_count >= bin_bodies) open = none;
     }

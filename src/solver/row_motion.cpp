@@ -123,20 +123,13 @@ std::uint8_t row_traits(const State& s, std::int32_t b) {
     return std::uint8_t(traits);
 }
 
-// Those that are quick first: blocks of slow ones have little to do.
 void list_spinning_rows(BinScratch& scratch) {
     scratch.spinning_rows.clear();
     scratch.spin_rows.clear();
-    scratch.slow_rows.clear();
-    const float slow = std::max(scratch.slow.speed, scratch.slow.speed_in_joints);
     for (std::size_t row = 0; row < scratch.row_traits.size(); ++row) {
-        if (scratch.row_traits[row] & spins_wide) {
-            const math::Vec3 w = math::to_vec(scratch.velocity[row].w);
-            (math::dot(w, w) < slow * slow ? scratch.slow_rows : scratch.spin_rows).push_back(std::int32_t(row));
-        }
+        if (scratch.row_traits[row] & spins_wide) scratch.spin_rows.push_back(std::int32_t(row));
         if (scratch.row_traits[row] & spins_alone) scratch.spinning_rows.push_back({std::int32_t(row), false, {}, {}});
     }
-    scratch.spin_rows.insert(scratch.spin_rows.end(), scratch.slow_rows.begin(), scratch.slow_rows.end());
 }
 
 void prepare_free_motion(const State& s, BinScratch& scratch, Crew* crew, float h, bool bounces) {
@@ -190,7 +183,7 @@ void update_free_motion(const State& s, BinScratch& scratch, Crew* crew, const S
     if (!scratch.spin_rows.empty())
         for_chunks(crew, spin_block_count(scratch), spin_blocks_per_chunk, [&](int begin, int end, int) {
             kernels().solver.spin(scratch.spin_blocks.data() + begin, end - begin, bodies, scratch.drive.data(),
-                                  scratch.free_correction.data(), h, first, scratch.slow);
+                                  scratch.free_correction.data(), h, first);
         });
     if (scratch.bounces) scratch.correction = scratch.free_correction;
 }
@@ -214,13 +207,12 @@ void renew_inertia(const State& s, BinScratch& scratch, Crew* crew) {
     if (scratch.joint_layout->joints.empty()) return;
     for_chunks(crew, spin_block_count(scratch), spin_blocks_per_chunk, [&](int begin, int end, int) {
         kernels().solver.renew_inertia(scratch.spin_blocks.data() + begin, end - begin, scratch.velocity.data(),
-                                       scratch.pose.data(), scratch.inertia.data(), scratch.slow.still_sine);
+                                       scratch.pose.data(), scratch.inertia.data());
     });
     for (const SpinningRow& r : scratch.spinning_rows) {
         const std::size_t row = std::size_t(r.row), b = std::size_t(scratch.row_bodies[row]);
         const DVec3 turn = row_vector(scratch.pose[row].dq);
-        const double still = double(scratch.slow.still_sine);
-        if (s.bodies[b].joint_count == 0 || math::dot(turn, turn) < still * still) continue;
+        if (s.bodies[b].joint_count == 0 || math::dot(turn, turn) < double(still_sine) * double(still_sine)) continue;
         BodyMotion now = s.motion[b];
         now.q = row_rotation(s, scratch, row);
         const math::Sym3 i = contact_inverse_inertia(now, s.mass[b]);

@@ -4,16 +4,16 @@
 
 #include "bodies/bodies.h"
 #include "bodies/finalize.h"
-#include "islands/substeps.h"
+#include "islands/substep_policy.h"
 #include "joints/direct_joints.h"
 #include "joints/direct_sets.h"
-#include "joints/joint_loads.h"
 #include "joints/joint_rows.h"
 #include "math/rotation.h"
 #include "solver/batch_rows.h"
 #include "solver/block_runs.h"
 #include "solver/impacts.h"
 #include "solver/row_motion.h"
+#include "solver/softness.h"
 #include "state/state.h"
 
 #include <algorithm>
@@ -26,30 +26,9 @@ namespace {
 
 constexpr float friction_margin = 0.005f; // m: points closer than this share the friction fully
 constexpr int most_bounce_passes = 32;
-constexpr float pi = 3.14159265358979f;
 // Bins with fewer contacts are not worth being solved together.
 constexpr std::int32_t least_shared_contacts = 512;
 constexpr int rows_per_chunk = 512; // for threads
-
-// Catto's soft constraint ("Soft Constraints", GDC 2011) as a spring of that frequency (Hz) and damping ratio, in a
-// substep of h seconds, of so many in a step. The frequency follows the substep, uncapped: docs/solver.md says why.
-// `rests`: where joints hold a heap at rest together.
-void set_softness(ContactSoftness& s, float h, int substeps, bool rests, float recovery_speed) {
-    constexpr float damping_ratio = 10.0f;
-    // Substeps in a period. Few substeps are for islands that bear the stiffer contact (decisions/substeps.md).
-    const int fewest = rests ? 4 : 6, most = 8;
-    auto spring = [&](float frequency) {
-        const float omega = 2 * pi * frequency;
-        const float a1 = 2 * damping_ratio + h * omega, a2 = h * omega * a1;
-        const float scale = a2 / (1 + a2);
-        return ContactSoftness::Spring{scale, omega / a1, recovery_speed / scale};
-    };
-    s.h = h;
-    s.inverse_h = 1 / h;
-    const float frequency = 1 / (float(std::clamp(substeps, fewest, most)) * h);
-    s.on_movable = spring(frequency);
-    s.on_immovable = spring(2 * frequency);
-}
 
 ContactLanes lanes_of(const BinScratch& scratch, const BlockRun& run) {
     const LaneLists& lanes = run.four_points ? scratch.four_lanes : scratch.one_lanes;
@@ -112,10 +91,9 @@ void run_substeps(const State& s, const Bin& bin, BinScratch& scratch, Crew* cre
     using ForRows = JointKernels::ForRows;
     const SolverKernels& k = kernels().solver;
     const float h = dt / float(bin.substeps);
-    ContactSoftness softness;
-    set_softness(softness, h, bin.substeps * s.split, bin.rests, s.settings.recovery_speed);
+    ContactSoftness softness = contact_softness(h, bin.substeps * s.split, s.settings.recovery_speed);
     const BounceSettings bounce{h, s.settings.restitution_speed, velocity_offset(s.settings.integrator)};
-    const JointSoftness joint_soft = joint_softness(s, bin, h);
+    const JointSoftness joint_soft = joint_softness(h, bin.substeps * s.split);
     // Not where joints are solved directly: a body that is much heavier than what it hits does not settle in the
     // passes. Nor where kinematic bodies drive joints: the passes would stop what they drive.
     const bool stops_impacts =
@@ -173,7 +151,6 @@ double milliseconds_since(std::chrono::steady_clock::time_point start) {
 void solve_bin(State& s, const Bin& bin, BinScratch& scratch, Crew* crew, float dt) {
     const auto start = std::chrono::steady_clock::now();
     fill_bin(s, bin, scratch, crew, dt);
-    scratch.slow = slow_turns(bin.rests);
     if (scratch.row_count() > 0) {
         fill_joint_blocks(s, scratch, crew, dt / float(bin.substeps));
         prepare_free_motion(s, scratch, crew, dt / float(bin.substeps), bin.bounces);
@@ -190,7 +167,6 @@ void solve_bin(State& s, const Bin& bin, BinScratch& scratch, Crew* crew, float 
                     s.solver.reports.data());
         });
         store_joints(s, scratch, dt);
-        if (bin.joint_count > 0) note_joint_loads(s, bin, scratch);
         scratch.solve_ms += milliseconds_since(start) - prepare_ms;
     }
     empty_bin(s, scratch, crew, dt);

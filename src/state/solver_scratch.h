@@ -45,7 +45,6 @@ struct Bin {
     std::int32_t body_count = 0, contact_count = 0, joint_count = 0;
     std::int32_t first_contact = 0; // in SolverScratch::sorted
     bool bounces = false;           // any of its contacts has restitution
-    bool rests = false;             // its islands are heaps of jointed bodies at rest (substeps.cpp)
 };
 
 // A row with unequal moments of inertia that the wide kernel does not turn, and where its free motion ends.
@@ -131,8 +130,6 @@ struct BinScratch {
     std::vector<SpinningRow> spinning_rows;
     std::vector<SpinBlock> spin_blocks;  // those that the kernel turns
     std::vector<std::int32_t> spin_rows; // of their lanes
-    std::vector<std::int32_t> slow_rows; // those of them that turn slowly
-    SlowTurns slow;
     // Rows, then the discard rows: one for each block.
     std::vector<SolverVelocity> velocity, reference, rounding;
     std::vector<SolverPose> pose;
@@ -144,7 +141,6 @@ struct BinScratch {
     std::vector<ColorRun> colors;
     const JointLayout* joint_layout = nullptr;
     std::vector<std::uint32_t> joint_key_counts;
-    std::vector<float> joint_demands; // of each joint in the layout: force over mass, m/s^2
     std::vector<PointBlock> point_blocks;
     std::vector<TurnBlock> turn_blocks;
     std::vector<AxisBlock> axis_blocks;
@@ -183,16 +179,6 @@ inline std::int32_t row_of_body(BinScratch& scratch, std::int32_t body) {
         scratch.row_bodies.push_back(body);
     }
     return row;
-}
-
-// What is slow in a bin that `rests`, or in another.
-inline SlowTurns slow_turns(bool rests) {
-    // In 1/60 s the axis of such a turn goes astray by less than 1e-4 of itself, and what the pose is off is not seen
-    // in single precision. Joints would show it (the period of a pendulum), but not in a heap at rest: there it is a
-    // thousandth, or what friction does to a body in a millisecond.
-    SlowTurns slow{0.004f, 0.0f, 0.0f};
-    if (rests) slow = {0.05f, 0.05f, 0.001f};
-    return slow;
 }
 
 struct SolverScratch {

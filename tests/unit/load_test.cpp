@@ -1,6 +1,6 @@
-// What contacts carry on the average (islands/substeps.cpp).
+// What contacts carry on the average (islands/substep_policy.cpp).
 #include "bodies/integrators.h"
-#include "islands/substeps.h"
+#include "islands/substep_policy.h"
 
 #include <gtest/gtest.h>
 

@@ -343,7 +343,7 @@ void relax(void* blocks, int count, const SolverBodies& bodies, const JointSoftn
         AxisBlock& b = all[k];
         const f32x8 before = load(b.position);
         const Posesx8 poses = gather_poses(bodies.pose, b);
-        const bool keeps = are_still(poses, softness.still_sine) && is_steady(b);
+        const bool keeps = are_still(poses) && is_steady(b);
         const Jacobianx8 j = keeps ? carry_on(b, poses) : renew(b, poses, bodies.inertia);
         Ends8 e = gather_ends(bodies.velocity, b);
         apply(b, j, act<false>(b, velocity_of(j, e), before, softness), e);

@@ -12,8 +12,6 @@ struct JointSoftness {
     float h, inverse_h;
     float scale; // of the rigid impulse
     float rate;  // 1/s: speed at which an error is taken back, before that scale
-    // Sine of half the angle up to which both bodies may have turned in the step for a row to keep its Jacobian, or 0.
-    float still_sine;
 };
 
 // The bodies of 8 rows: row offsets in bytes, and what they weigh. Blocks are read in every substep, in large islands

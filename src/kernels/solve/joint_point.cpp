@@ -194,10 +194,9 @@ CAIRN_INLINE void relax_still_block(PointBlock& b, const SolverBodies& bodies, c
     stop_slip<Even>(b, bodies, load3(b.arm_a), load3(b.arm_b), load6(b.response), load3(b.impulse));
 }
 
-template <bool FreeAxis, bool Even>
-CAIRN_INLINE void relax_block(PointBlock& b, const SolverBodies& bodies, float still_sine) {
+template <bool FreeAxis, bool Even> CAIRN_INLINE void relax_block(PointBlock& b, const SolverBodies& bodies) {
     const Posesx8 poses = gather_poses(bodies.pose, b);
-    if (!FreeAxis && are_still(poses, still_sine)) return relax_still_block<Even>(b, bodies, poses);
+    if (!FreeAxis && are_still(poses)) return relax_still_block<Even>(b, bodies, poses);
     const Pointx8 point = point_now<FreeAxis>(b, poses);
     const Vec3x8 old = load3(b.impulse), carried = FreeAxis ? across(point.axis, old) : old;
     leave_change<FreeAxis, Even>(b, point, carried, old, bodies.inertia);
@@ -206,11 +205,10 @@ CAIRN_INLINE void relax_block(PointBlock& b, const SolverBodies& bodies, float s
     stop_slip<Even>(b, bodies, point.arm_a, point.arm_b, response, carried);
 }
 
-void relax(void* blocks, int count, const SolverBodies& bodies, const JointSoftness& softness) {
+void relax(void* blocks, int count, const SolverBodies& bodies, const JointSoftness&) {
     auto* all = static_cast<PointBlock*>(blocks);
     for (int k = 0; k < count; ++k)
-        for_form(all[k],
-                 [&](auto free_axis, auto even) { relax_block<free_axis, even>(all[k], bodies, softness.still_sine); });
+        for_form(all[k], [&](auto free_axis, auto even) { relax_block<free_axis, even>(all[k], bodies); });
 }
 
 void strike(void* blocks, JointImpact* impacts, int count, SolverVelocity* velocity, float) {

@@ -76,10 +76,10 @@ CAIRN_INLINE void stop_turn(TurnBlock& b, const SolverBodies& bodies, Vec3x8 car
     scatter_ends(bodies.velocity, b, e);
 }
 
-template <bool FreeAxis> CAIRN_INLINE void relax_block(TurnBlock& b, const SolverBodies& bodies, float still_sine) {
+template <bool FreeAxis> CAIRN_INLINE void relax_block(TurnBlock& b, const SolverBodies& bodies) {
     const Posesx8 poses = gather_poses(bodies.pose, b);
     const Vec3x8 old = load3(b.impulse);
-    if (FreeAxis && are_still(poses, still_sine)) {
+    if (FreeAxis && are_still(poses)) {
         // The response still serves; the error is right to first order in the turns.
         const Vec3x8 a0 = load3(b.axis_a0), b0 = load3(b.axis_b0);
         const Vec3x8 turn_a = poses.dq_a.v + poses.dq_a.v, turn_b = poses.dq_b.v + poses.dq_b.v;
@@ -100,12 +100,10 @@ template <bool FreeAxis> CAIRN_INLINE void relax_block(TurnBlock& b, const Solve
     stop_turn(b, bodies, p);
 }
 
-void relax(void* blocks, int count, const SolverBodies& bodies, const JointSoftness& softness) {
+void relax(void* blocks, int count, const SolverBodies& bodies, const JointSoftness&) {
     auto* all = static_cast<TurnBlock*>(blocks);
-    const float still_sine = softness.still_sine;
     for (int k = 0; k < count; ++k)
-        all[k].free_axis ? relax_block<true>(all[k], bodies, still_sine)
-                         : relax_block<false>(all[k], bodies, still_sine);
+        all[k].free_axis ? relax_block<true>(all[k], bodies) : relax_block<false>(all[k], bodies);
 }
 
 void strike(void* blocks, JointImpact* impacts, int count, SolverVelocity* velocity, float) {

@@ -24,9 +24,9 @@ float change_since(const SolverVelocity* velocity, const std::int32_t* rows, int
 void integrate_velocities(const SolverBodies& bodies, int begin, int end, bool first);
 void begin_spin(SpinBlock* blocks, int count, SolverInertia* inertia);
 void spin(SpinBlock* blocks, int count, const SolverBodies& bodies, SolverTwist* drive, SolverTwist* correction,
-          float h, bool first, const SlowTurns& slow);
+          float h, bool first);
 void renew_inertia(SpinBlock* blocks, int count, const SolverVelocity* velocity, const SolverPose* pose,
-                   SolverInertia* inertia, float still_sine);
+                   SolverInertia* inertia);
 void finish_spin(const SpinBlock* blocks, int count, SolverVelocity* velocity, const SolverPose* pose);
 void integrate_poses(const SolverBodies& bodies, int begin, int end, float h);
 
@@ -34,9 +34,7 @@ void integrate_poses(const SolverBodies& bodies, int begin, int end, float h);
 inline constexpr float impact_relaxation = 1.5f;
 
 // Lanes that have turned, in the step so far, by less than twice the angle of that sine.
-CAIRN_INLINE mask8 is_still(Quatx8 turn, float still_sine) {
-    return dot(turn.v, turn.v) < splat(still_sine * still_sine);
-}
+CAIRN_INLINE mask8 is_still(Quatx8 turn) { return dot(turn.v, turn.v) < splat(still_sine * still_sine); }
 
 // Velocities of 8 bodies.
 struct Velocityx8 {

@@ -181,15 +181,11 @@ struct alignas(64) SpinBlock {
     float momentum[3][8], free_w[3][8]; // after the substep's free motion, or when the inertia was renewed
     float renewed[8];                   // 1: the inertia follows the poses, as joints need it; else it is of the start
     std::uint8_t any_renewed;
-    std::uint8_t turns; // its rows have a drive or a correction
 };
 
-// What turns so slowly that this is not followed within a step, see spin.cpp.
-struct SlowTurns {
-    float speed;           // rad/s, of bodies that are in no joint
-    float speed_in_joints; // rad/s, of others, or 0
-    float still_sine;      // of half the angle up to which they may have turned to keep their inertia, or 0
-};
+// The sine of half the angle up to which bodies may have turned since the start of the step to keep the inertia and the
+// axes of then. In 1/60 s the axis of such a turn goes astray by less than 1e-4 of itself.
+inline constexpr float still_sine = 0.004f;
 
 // m/s, rad/s: bodies that change by less in a pass of an impact have settled.
 struct SettledChange {
@@ -223,10 +219,10 @@ struct SolverKernels {
     void (*begin_spin)(SpinBlock* blocks, int count, SolverInertia* inertia);
     // The free turning of one substep: drive and correction of the rows, angular parts only.
     void (*spin)(SpinBlock* blocks, int count, const SolverBodies& bodies, SolverTwist* drive, SolverTwist* correction,
-                 float h, bool first, const SlowTurns& slow);
+                 float h, bool first);
     // After the poses of a substep: the inertia of rows in joints.
     void (*renew_inertia)(SpinBlock* blocks, int count, const SolverVelocity* velocity, const SolverPose* pose,
-                          SolverInertia* inertia, float still_sine);
+                          SolverInertia* inertia);
     // After the last substep: the angular velocities that go with the angular momenta and the rotations then.
     void (*finish_spin)(const SpinBlock* blocks, int count, SolverVelocity* velocity, const SolverPose* pose);
 

@@ -1,0 +1,70 @@
+#include "islands/substep_policy.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cairn {
+
+namespace {
+
+constexpr float substeps_per_root_demand = 0.95f; // (m/s^2)^-1/2
+constexpr int joint_substeps = 8;                 // where joints are, at least
+constexpr int max_adaptive_substeps = 128;
+// Shares of the island's weight on one contact: from which on it counts, and from which on it is all that counts. What
+// is squeezed somewhere in a heap is no structure.
+constexpr float min_share = 1.0f / 24, full_share = 1.0f / 3;
+// More than that share of the weight comes from being squeezed between immovable things: no stiffness helps there.
+constexpr float max_share = 1.2f;
+
+constexpr float load_gain = 0.25f; // of the low-pass filter over steps
+constexpr float min_load = 1e-12f; // N: less is none; numbers that fade away take processors long to add
+// m/s: bodies that move that fast against each other are no structure, and their loads are impacts, however long they
+// last.
+constexpr float max_agitation = 1.0f;
+// Contacts with what does not move have twice the frequency of others (solver/softness.h).
+constexpr float immovable_stiffness = 4.0f;
+
+// Up to a multiple of 8, as islands of one number are solved together; few are not made half as many again.
+int rounded_up(float wanted) {
+    const int unit = wanted <= 12 ? 4 : 8;
+    return (int(std::min(wanted, float(max_adaptive_substeps))) + unit - 1) / unit * unit;
+}
+
+} // namespace
+
+int wanted_substeps(const WorldDef& settings, const IslandLoad& load) {
+    if (!settings.adaptive_substeps) return settings.substeps;
+    const int usual = load.has_joints ? std::max(settings.substeps, joint_substeps) : settings.substeps;
+    const float weight = std::clamp((load.share - min_share) / (full_share - min_share), 0.0f, 1.0f);
+    const float wanted = substeps_per_root_demand * weight * std::sqrt(load.demand);
+    return wanted > float(usual) ? std::max(usual, rounded_up(wanted)) : usual;
+}
+
+int island_substeps(const State& s, Island& island) {
+    const float share = island.weight > 0 ? island.greatest_load / island.weight : 0;
+    const int wanted = wanted_substeps(s.settings, {island.joint_count > 0, share, island.greatest_demand});
+    island.greatest_load = island.greatest_demand = 0;
+    return s.in_pass(wanted);
+}
+
+float first_load(const State& s, const ContactInfo& c, math::Vec3 normal) {
+    const auto& g = s.settings.gravity;
+    const float pull = math::dot(normal, math::Vec3{g.x, g.y, g.z}); // > 0: B is below
+    if (pull < 0 && !c.b_moves) return 0;
+    const BodyMass& above = s.mass[std::size_t(pull >= 0 ? c.body_a : c.body_b)];
+    return above.inverse_mass > 0 ? above.mass * std::fabs(pull) : 0;
+}
+
+void note_load(Island& island, ContactInfo& c, float force, float inverse_mass) {
+    // The lesser of two steps: impacts last one step, loads stay. Of what is agitated, they only fall.
+    const float most = island.agitation > max_agitation ? c.load : force;
+    c.load += load_gain * (std::min(std::min(force, c.force), most) - c.load);
+    if (c.load < min_load) c.load = 0;
+    c.force = force;
+    const float load = std::min(c.load, max_share * island.weight);
+    const float stiffness = c.b_moves ? 1.0f : immovable_stiffness;
+    raise(island.greatest_load, load);
+    raise(island.greatest_demand, load * (inverse_mass / stiffness));
+}
+
+} // namespace cairn

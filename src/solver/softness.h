@@ -1,0 +1,54 @@
+// How stiff contacts and joints are: one law for both.
+//
+// They are Catto's soft constraints ("Soft Constraints", GDC 2011), damped springs of a frequency f and a damping
+// ratio. With h the substep, dt = n h the step,
+//
+//     f = factor x n / clamp(n, 6, 8) / dt
+//
+// so that a period takes 6 to 8 substeps (in fewer the sweeps do not settle) and with more than 8 substeps everything
+// becomes stiffer in proportion. It follows the substep without a cap in hertz: a soft contact sinks under a load F by
+// F / (m omega^2) whatever the number of sweeps. The factor is 1 for contacts of two bodies that move, and 2 for
+// contacts with what does not and for joints. Softer joints lag behind, harder ones gain energy: a hanging net from f h
+// = 0.35 on, an arm that servos hold from 0.28 on with 8 substeps or more, planks on balls at rest from 0.45 on.
+#pragma once
+
+#include "kernels/solve/joint_data.h"
+#include "kernels/solve/solver_data.h"
+
+#include <algorithm>
+
+namespace cairn {
+
+inline constexpr float contact_damping_ratio = 10, joint_damping_ratio = 2;
+inline constexpr int min_substeps_per_period = 6, max_substeps_per_period = 8;
+inline constexpr float stiff_factor = 2; // of the frequency: contacts with what does not move, and joints
+
+// omega h: the phase that a spring of that factor goes through in a substep, of so many in a step.
+inline float substep_phase(int substeps, float factor) {
+    constexpr float pi = 3.14159265358979f;
+    return 2 * pi * factor / float(std::clamp(substeps, min_substeps_per_period, max_substeps_per_period));
+}
+
+// In a substep of h seconds; `recovery_speed`: WorldDef::recovery_speed.
+inline ContactSoftness contact_softness(float h, int substeps, float recovery_speed) {
+    const auto spring = [&](float factor) {
+        const float omega_h = substep_phase(substeps, factor);
+        const float a1 = 2 * contact_damping_ratio + omega_h, a2 = omega_h * a1;
+        const float scale = a2 / (1 + a2);
+        return ContactSoftness::Spring{scale, omega_h / (a1 * h), recovery_speed / scale};
+    };
+    ContactSoftness s;
+    s.h = h;
+    s.inverse_h = 1 / h;
+    s.on_movable = spring(1);
+    s.on_immovable = spring(stiff_factor);
+    return s;
+}
+
+inline JointSoftness joint_softness(float h, int substeps) {
+    const float omega_h = substep_phase(substeps, stiff_factor);
+    const float a1 = 2 * joint_damping_ratio + omega_h, a2 = omega_h * a1;
+    return {h, 1 / h, a2 / (1 + a2), omega_h / (a1 * h)};
+}
+
+} // namespace cairn
