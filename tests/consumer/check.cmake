@@ -1,0 +1,73 @@
+# Uses Cairn as others do: cmake -D... -P check.cmake. WAY is one of install, package, pkg_config and source; BUILD is Cairn's
+# build folder, SOURCE its source; tests/CMakeLists.txt has the others.
+set(folder ${BUILD}_consumer) # beside it: as deep, so that compiler caches that make paths relative know the same files
+set(installed ${folder}/cairn)
+
+# Ends the test when the command fails, with what it printed; else leaves that in `output`.
+function(run)
+    execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE printed ERROR_VARIABLE printed RESULT_VARIABLE code)
+    string(STRIP "${printed}" printed)
+    if(NOT code EQUAL 0)
+        list(JOIN ARGN " " command)
+        message(FATAL_ERROR "${command}\n${printed}\n(exit status ${code})")
+    endif()
+    set(output "${printed}" PARENT_SCOPE)
+endfunction()
+
+# Builds the project of this folder in `place` and runs what it makes.
+function(build_and_run place)
+    file(REMOVE_RECURSE ${place}/CMakeCache.txt ${place}/CMakeFiles ${place}/_deps ${place}/consumer)
+    run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${place} -G ${GENERATOR} -DCMAKE_BUILD_TYPE=${CONFIG}
+        -DCMAKE_CXX_COMPILER=${COMPILER} ${ARGN})
+    run(${CMAKE_COMMAND} --build ${place})
+    run(${place}/consumer)
+    message(STATUS "${output}")
+endfunction()
+
+if(WAY STREQUAL "install")
+    file(REMOVE_RECURSE ${installed})
+    run(${CMAKE_COMMAND} --install ${BUILD} --config ${CONFIG} --prefix ${folder}/first_place)
+    file(RENAME ${folder}/first_place ${installed}) # it may be moved
+    file(GLOB_RECURSE descriptions ${installed}/*.cmake ${installed}/*.pc)
+    foreach(file IN LISTS descriptions)
+        file(READ ${file} text)
+        foreach(part ${SOURCE} ${BUILD} cairn_flags)
+            string(FIND "${text}" "${part}" position)
+            if(NOT position EQUAL -1)
+                message(FATAL_ERROR "${file} has ${part}")
+            endif()
+        endforeach()
+    endforeach()
+    if(APP)
+        unset(ENV{CAIRN_SCENES})
+        run(${installed}/bin/cairn scenes --json)
+        if(NOT output MATCHES "\"path\": \"${installed}/share/cairn/scenes/welcome.gltf\"")
+            message(FATAL_ERROR "the installed program does not find its scenes:\n${output}")
+        endif()
+        run(${installed}/bin/cairn run welcome --frames 10)
+    endif()
+elseif(WAY STREQUAL "package")
+    build_and_run(${folder}/package -DCMAKE_PREFIX_PATH=${installed})
+elseif(WAY STREQUAL "pkg_config")
+    if(NOT PKG_CONFIG)
+        message(STATUS "no pkg-config here")
+        return()
+    endif()
+    file(GLOB_RECURSE description ${installed}/cairn.pc)
+    cmake_path(GET description PARENT_PATH place)
+    set(ENV{PKG_CONFIG_PATH} ${place})
+    run(${PKG_CONFIG} --modversion cairn)
+    set(version ${output})
+    run(${PKG_CONFIG} --cflags --libs cairn)
+    separate_arguments(options UNIX_COMMAND "${output}")
+    run(${COMPILER} -std=c++20 -DPACKAGE_VERSION="${version}" ${CMAKE_CURRENT_LIST_DIR}/main.cpp -o ${folder}/by_pkg_config
+        ${options})
+    run(${folder}/by_pkg_config)
+    message(STATUS "${output}")
+elseif(WAY STREQUAL "source")
+    # One set of kernels, and errors as in the presets, so that a compiler cache has all of it already.
+    build_and_run(${folder} -DCAIRN_SOURCE=${SOURCE} -DCAIRN_KERNELS=scalar -DCAIRN_WERROR=ON
+                  -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER})
+else()
+    message(FATAL_ERROR "WAY is ${WAY}")
+endif()
