@@ -1,14 +1,19 @@
-# glm::glm: as installed for the target; else, GLM being headers only, those of this machine, in a folder of their own,
-# because /usr/include as a whole is not the target's.
-find_package(glm QUIET)
+# glm::glm: as there is already or as installed for the target; else, GLM being headers only, those of this machine. When
+# compiling for another one they get a folder of their own, because /usr/include as a whole is not the target's.
+# Cairn's own build reads this, and so does find_package(cairn). Leaves no target where there is no GLM.
 if(NOT TARGET glm::glm)
-    if(NOT CMAKE_CROSSCOMPILING)
-        message(FATAL_ERROR "GLM is missing (Debian: libglm-dev)")
+    find_package(glm QUIET)
+endif()
+if(NOT TARGET glm::glm)
+    find_path(CAIRN_GLM_FOLDER glm/glm.hpp NO_CMAKE_FIND_ROOT_PATH PATHS /usr/include DOC "Folder that has glm/glm.hpp")
+    if(CAIRN_GLM_FOLDER)
+        set(cairn_glm_folder ${CAIRN_GLM_FOLDER})
+        if(CMAKE_CROSSCOMPILING)
+            set(cairn_glm_folder ${CMAKE_BINARY_DIR}/glm_include)
+            file(MAKE_DIRECTORY ${cairn_glm_folder})
+            file(CREATE_LINK ${CAIRN_GLM_FOLDER}/glm ${cairn_glm_folder}/glm SYMBOLIC)
+        endif()
+        add_library(glm::glm INTERFACE IMPORTED)
+        set_target_properties(glm::glm PROPERTIES INTERFACE_INCLUDE_DIRECTORIES ${cairn_glm_folder})
     endif()
-    find_path(CAIRN_GLM_FOLDER glm/glm.hpp REQUIRED NO_CMAKE_FIND_ROOT_PATH PATHS /usr/include
-              DOC "Folder that has glm/glm.hpp")
-    file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/glm_include)
-    file(CREATE_LINK ${CAIRN_GLM_FOLDER}/glm ${CMAKE_BINARY_DIR}/glm_include/glm SYMBOLIC)
-    add_library(glm::glm INTERFACE IMPORTED)
-    set_target_properties(glm::glm PROPERTIES INTERFACE_INCLUDE_DIRECTORIES ${CMAKE_BINARY_DIR}/glm_include)
 endif()

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Checks what the compiler does not: includes go down the list of rooms, and files stay short.
+"""Checks what the compiler does not: includes go down the list of rooms, files stay short, and links lead somewhere.
 
 usage: tools/lint.py [ROOT]   Prints one line per finding; exit status 1 if there is any.
 """
 import pathlib
 import re
+import subprocess
 import sys
 
 # A file may include its own room and those before it. docs/architecture.md tells what each is for.
@@ -22,6 +23,9 @@ KERNEL_MAY = {"core", "simd", "math", "bvh", "collision", "kernels"}
 MAX_LINES, MAX_COLUMNS = 500, 120
 INCLUDE = re.compile(r'^\s*#include "([^"/]+)/[^"]+"')
 SOURCES = (".h", ".cpp", ".py", ".sh")
+# Of Markdown: [text](target), and [text](target "title"); code is not read.
+LINK = re.compile(r"\]\(([^()\s]+)(?:\s+\"[^\"]*\")?\)")
+CODE = re.compile(r"```.*?```|`[^`\n]*`", re.S)
 
 
 def allowed_rooms(path):
@@ -55,6 +59,36 @@ def check(root, path):
             yield number, f"may not include {found.group(1)}/ (only {', '.join(sorted(rooms)) or 'public headers'})"
 
 
+def headings(text):
+    """The anchors that a page has: its headings as GitHub writes them."""
+    titles = re.findall(r"^#+ +(.+?)\s*$", re.sub(r"```.*?```", "", text, flags=re.S), re.M)
+    return {re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-") for title in titles}
+
+
+def check_links(root, path):
+    """Links of a page to files of the project, and to headings in them."""
+    text = CODE.sub(lambda code: re.sub(r"[^\n]", " ", code.group()), (root / path).read_text(encoding="utf-8"))
+    for found in LINK.finditer(text):
+        target, _, anchor = found.group(1).partition("#")
+        if re.match(r"[a-z]+:", target):
+            continue
+        file = root / path.parent / target if target else root / path
+        number = text.count("\n", 0, found.start()) + 1
+        if not file.exists():
+            yield number, f"there is no {target}"
+        elif anchor and file.suffix == ".md" and anchor not in headings(file.read_text(encoding="utf-8")):
+            yield number, f"there is no heading #{anchor} in {file.name}"
+
+
+def pages(root):
+    """The Markdown files that belong to the project: those that git knows, where there is a repository."""
+    listing = subprocess.run(["git", "-C", str(root), "ls-files", "-z", "--cached", "--others", "--exclude-standard", "*.md"],
+                             capture_output=True, text=True, check=False)
+    names = listing.stdout.split("\0") if listing.returncode == 0 else [
+        file.relative_to(root) for folder in (root.glob("*.md"), (root / "docs").rglob("*.md")) for file in folder]
+    return [pathlib.Path(name) for name in sorted(map(str, names)) if name and (root / name).exists()]
+
+
 def main():
     root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".").resolve()
     findings = 0
@@ -66,6 +100,10 @@ def main():
             for line, text in check(root, path):
                 print(f"{path}:{line}: {text}")
                 findings += 1
+    for path in pages(root):
+        for line, text in check_links(root, path):
+            print(f"{path}:{line}: {text}")
+            findings += 1
     print(f"{findings} findings" if findings else "lint: clean")
     return 1 if findings else 0
 

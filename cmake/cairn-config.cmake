@@ -1,0 +1,10 @@
+# find_package(cairn) reads this: cairn::cairn, and what it needs.
+include(CMakeFindDependencyMacro)
+find_dependency(Threads)
+include(${CMAKE_CURRENT_LIST_DIR}/glm.cmake)
+if(NOT TARGET glm::glm)
+    set(cairn_FOUND FALSE)
+    set(cairn_NOT_FOUND_MESSAGE "GLM is missing (Debian: libglm-dev)")
+    return()
+endif()
+include(${CMAKE_CURRENT_LIST_DIR}/cairn-targets.cmake)

@@ -1,0 +1,37 @@
+# cmake --install: the engine, for find_package(cairn) and for pkg-config; the program and its scenes, where they are built.
+# No installed file has a path of this machine: the tree may be moved.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+set(cairn_package ${CMAKE_INSTALL_LIBDIR}/cmake/cairn)
+
+install(TARGETS cairn EXPORT cairn ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+        INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/cairn DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+# The minor version tells whether a program fits, as long as the major one is 0.
+install(EXPORT cairn NAMESPACE cairn:: FILE cairn-targets.cmake DESTINATION ${cairn_package})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/cairn-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_SOURCE_DIR}/cmake/cairn-config.cmake ${PROJECT_SOURCE_DIR}/cmake/glm.cmake
+              ${PROJECT_BINARY_DIR}/cairn-config-version.cmake DESTINATION ${cairn_package})
+
+# GLM's own file for pkg-config is not everywhere; its headers are where the compiler looks then.
+find_package(PkgConfig QUIET)
+if(PkgConfig_FOUND)
+    pkg_check_modules(cairn_glm QUIET glm)
+endif()
+if(cairn_glm_FOUND)
+    set(cairn_requires "Requires: glm")
+endif()
+cmake_path(RELATIVE_PATH CMAKE_INSTALL_PREFIX BASE_DIRECTORY ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig
+           OUTPUT_VARIABLE cairn_prefix)
+file(RELATIVE_PATH cairn_includedir ${CMAKE_INSTALL_PREFIX} ${CMAKE_INSTALL_FULL_INCLUDEDIR})
+file(RELATIVE_PATH cairn_libdir ${CMAKE_INSTALL_PREFIX} ${CMAKE_INSTALL_FULL_LIBDIR})
+configure_file(${PROJECT_SOURCE_DIR}/cmake/cairn.pc.in ${PROJECT_BINARY_DIR}/cairn.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/cairn.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+if(CAIRN_APP)
+    # The program looks for its scenes in ../share, seen from its own folder.
+    install(TARGETS cairn_cli RUNTIME DESTINATION bin)
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenes DESTINATION share/cairn)
+endif()
