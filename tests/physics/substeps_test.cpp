@@ -1,5 +1,8 @@
-// How many substeps islands take (docs/decisions/substeps.md).
+// What substeps are for: that structures hold and come to rest, at a bounded cost (docs/decisions/substeps.md).
 #include "support.h"
+
+#include <algorithm>
+#include <vector>
 
 namespace cairn_test {
 namespace {
@@ -11,77 +14,85 @@ BodyId add_box(World& world, const Position& position, float mass) {
     return add_body(world, Box{}, def, surface(0.6f));
 }
 
-// A deck of planks on balls, every fifth of them held by the ground, with a load on each.
-int substeps_of_loaded_deck(float load) {
-    World world(without_sleep());
-    const BodyId ground = add_ground(world, surface(0.6f));
-    constexpr int planks = 60;
-    const auto join = [&](BodyId a, BodyId b, double x) {
-        for (const double z : {-0.5, 0.5}) {
-            JointDef joint = world.joint_at(a, b, {x, 3, z}, {1, 0, 0}, BallJoint{});
-            joint.solver = JointSolver::iterative;
-            world.create_joint(joint);
-        }
+float greatest_gap(const World& world, const std::vector<JointId>& joints) {
+    float greatest = 0;
+    for (const JointId joint : joints) greatest = std::max(greatest, world.joint_state(joint).linear_error);
+    return greatest;
+}
+
+// A deck of planks on balls, every fifth of them held by the ground, with a load on each: the joints hold, and it comes
+// to rest, with a bounded number of substeps.
+TEST(Substeps, HoldADeckUnderLoadsOfThreeKinds) {
+    struct Case {
+        float load;        // kg on each plank
+        float gap, energy; // m, J: at most
     };
-    BodyId last = ground;
-    for (int i = 0; i < planks; ++i) {
-        BodyDef def;
-        def.position = {i, 3, 0};
-        def.mass = 100;
-        def.linear_damping = def.angular_damping = 2; // else it swings for long
-        const BodyId next = add_body(world, Box{{0.45f, 0.1f, 0.5f}}, def, surface(0.6f));
-        join(last, next, i - 0.5);
-        if (i % 5 == 4) join(ground, next, i + 0.5);
-        last = next;
-        for (int k = 0; k < 3; ++k) add_box(world, {i, 3.6 + 1.001 * k, 0}, load / 3);
-    }
-    run(world, 1.0f / 60, 300);
-    return world.statistics().max_substeps;
-}
-
-TEST(Substeps, OfADeckAtRestGrowWithItsLoad) {
-    EXPECT_EQ(substeps_of_loaded_deck(30), 6);
-    EXPECT_EQ(substeps_of_loaded_deck(800), 9);
-    EXPECT_EQ(substeps_of_loaded_deck(20000), 11);
-}
-
-// A net of so many rows that hangs from its upper edge; its last row pulls with that many times its weight.
-World hanging_net(int rows, float pull) {
-    World world(without_sleep());
-    constexpr int columns = 24;
-    std::vector<BodyId> above;
-    for (int row = 0; row < rows; ++row) {
-        std::vector<BodyId> now;
-        for (int column = 0; column < columns; ++column) {
+    for (const Case& c : {Case{30, 0.0015f, 1}, Case{800, 0.01f, 10}, Case{20000, 0.2f, 5000}}) {
+        World world(without_sleep());
+        const BodyId ground = add_ground(world, surface(0.6f));
+        std::vector<JointId> joints;
+        const auto join = [&](BodyId a, BodyId b, double x) {
+            for (const double z : {-0.5, 0.5}) {
+                JointDef joint = world.joint_at(a, b, {x, 3, z}, {1, 0, 0}, BallJoint{});
+                joint.solver = JointSolver::iterative;
+                joints.push_back(world.create_joint(joint));
+            }
+        };
+        BodyId last = ground;
+        for (int i = 0; i < 60; ++i) {
             BodyDef def;
-            def.type = row == 0 ? BodyType::static_ : BodyType::dynamic;
-            def.position = {column, -row, 0};
-            def.gravity_scale = row + 1 == rows ? pull : 1.0f;
-            now.push_back(add_body(world, Sphere{0.3f}, def, surface(0)));
-            const auto join = [&](BodyId other, const Position& anchor) {
-                world.create_joint(world.joint_at(other, now.back(), anchor, {1, 0, 0}, BallJoint{}));
-            };
-            if (row > 0) join(above[std::size_t(column)], {column, -row + 0.5, 0});
-            if (column > 0 && row > 0) join(now[std::size_t(column) - 1], {column - 0.5, -row, 0});
+            def.position = {i, 3, 0};
+            def.mass = 100;
+            def.linear_damping = def.angular_damping = 2; // else it swings for long
+            const BodyId next = add_body(world, Box{{0.45f, 0.1f, 0.5f}}, def, surface(0.6f));
+            join(last, next, i - 0.5);
+            if (i % 5 == 4) join(ground, next, i + 0.5);
+            last = next;
+            for (int k = 0; k < 3; ++k) add_box(world, {i, 3.6 + 1.001 * k, 0}, c.load / 3);
         }
-        above = now;
+        run(world, 1.0f / 60, 600);
+        EXPECT_LT(greatest_gap(world, joints), c.gap) << c.load;
+        EXPECT_LT(world.kinetic_energy(), c.energy) << c.load;
+        EXPECT_LE(world.statistics().max_substeps, 16) << c.load;
     }
-    return world;
 }
 
-TEST(Substeps, OfManyJointsAreFewerUnlessTheyBearMuch) {
-    const auto substeps = [](int rows, float pull) {
-        World world = hanging_net(rows, pull);
-        run(world, 1.0f / 60, 60);
-        return world.statistics().max_substeps;
+// Nets that hang from their upper edge; the last row pulls with that many times its weight.
+TEST(Substeps, HoldNetsOfTwoSizesAndUnderTension) {
+    struct Case {
+        int rows;
+        float pull, gap; // gap: m, at most
     };
-    EXPECT_EQ(substeps(12, 1), 11);
-    EXPECT_EQ(substeps(28, 1), 7);
-    EXPECT_EQ(substeps(28, 200), 11);
+    for (const Case& c : {Case{12, 1, 0.0005f}, Case{28, 1, 0.001f}, Case{28, 200, 0.01f}}) {
+        World world(without_sleep());
+        constexpr int columns = 24;
+        std::vector<BodyId> above;
+        std::vector<JointId> joints;
+        for (int row = 0; row < c.rows; ++row) {
+            std::vector<BodyId> now;
+            for (int column = 0; column < columns; ++column) {
+                BodyDef def;
+                def.type = row == 0 ? BodyType::static_ : BodyType::dynamic;
+                def.position = {column, -row, 0};
+                def.gravity_scale = row + 1 == c.rows ? c.pull : 1.0f;
+                now.push_back(add_body(world, Sphere{0.3f}, def, surface(0)));
+                const auto join = [&](BodyId other, const Position& anchor) {
+                    joints.push_back(
+                        world.create_joint(world.joint_at(other, now.back(), anchor, {1, 0, 0}, BallJoint{})));
+                };
+                if (row > 0) join(above[std::size_t(column)], {column, -row + 0.5, 0});
+                if (column > 0 && row > 0) join(now[std::size_t(column) - 1], {column - 0.5, -row, 0});
+            }
+            above = now;
+        }
+        run(world, 1.0f / 60, 300);
+        EXPECT_LT(greatest_gap(world, joints), c.gap) << c.rows << " rows, pull " << c.pull;
+        EXPECT_LE(world.statistics().max_substeps, 11);
+    }
 }
 
 // Blocks in five layers, each on four others: as they were put down, or thrown together.
-TEST(Substeps, OfWhatFellIntoAHeapAreFewerThanOfWhatWasBuilt) {
+TEST(Substeps, OfWhatFellIntoAHeapAndOfWhatWasBuiltAreFew) {
     for (const bool is_tossed : {false, true}) {
         World world(without_sleep());
         add_ground(world, surface(0.6f));
@@ -93,7 +104,7 @@ TEST(Substeps, OfWhatFellIntoAHeapAreFewerThanOfWhatWasBuilt) {
             add_body(world, Box{}, def, surface(0.6f));
         }
         run(world, 1.0f / 60, 300);
-        EXPECT_EQ(world.statistics().max_substeps, is_tossed ? 4 : 6);
+        EXPECT_LE(world.statistics().max_substeps, WorldDef{}.substeps);
         EXPECT_LT(world.statistics().max_penetration, 0.004);
         EXPECT_LT(world.kinetic_energy(), 0.001);
     }
@@ -116,7 +127,7 @@ TEST(Substeps, OfAHeapAreNotThoseOfOneBodyThatIsSqueezed) {
         world.body(pressed).add_force({0, -0.038f * weight, 0});
         world.step(1.0f / 60);
     }
-    EXPECT_EQ(world.statistics().max_substeps, WorldDef{}.substeps);
+    EXPECT_LE(world.statistics().max_substeps, WorldDef{}.substeps);
 }
 
 } // namespace
