@@ -8,7 +8,7 @@
 //
 //     n = max(usual, substeps_per_root_demand x share x sqrt(demand)),
 //
-// where `usual` is the world's number, or 8 where joints are: the error of soft rows in motion falls with the square of
+// where `usual` is the world's number, or 11 where joints are: the error of soft rows in motion falls with the square of
 // n. It looks at the scene alone, so that results do not depend on threads. docs/decisions/substeps.md has the
 // measurements.
 #pragma once

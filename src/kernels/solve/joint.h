@@ -78,10 +78,6 @@ CAIRN_INLINE Posesx8 gather_poses(const SolverPose* rows, const JointEnds& ends)
     return r;
 }
 
-// Whether no body of the block has turned in the step so far by as much as twice the angle of that sine. Its inertia is
-// then what it was at the start, too (renew_inertia).
-CAIRN_INLINE bool are_still(const Posesx8& poses) { return all(is_still(poses.dq_a) & is_still(poses.dq_b)); }
-
 // R(q) v - v, without cancellation.
 CAIRN_INLINE Vec3x8 turned_difference(Quatx8 q, Vec3x8 v) {
     const Vec3x8 g = cross(q.v, v);

@@ -184,19 +184,8 @@ CAIRN_INLINE void stop_slip(PointBlock& b, const SolverBodies& bodies, Vec3x8 ar
     scatter_ends(bodies.velocity, b, e);
 }
 
-// With the arms that there are. The gap is right to first order in the turns.
-template <bool Even>
-CAIRN_INLINE void relax_still_block(PointBlock& b, const SolverBodies& bodies, const Posesx8& poses) {
-    const Vec3x8 turn_a = poses.dq_a.v + poses.dq_a.v, turn_b = poses.dq_b.v + poses.dq_b.v;
-    const Vec3x8 change = cross(turn_b, load3(b.arm_b0)) - cross(turn_a, load3(b.arm_a0));
-    store3(b.gap, load3(b.gap0) + ((poses.dx_b - poses.dx_a) + change));
-    b.leaves = 0;
-    stop_slip<Even>(b, bodies, load3(b.arm_a), load3(b.arm_b), load6(b.response), load3(b.impulse));
-}
-
 template <bool FreeAxis, bool Even> CAIRN_INLINE void relax_block(PointBlock& b, const SolverBodies& bodies) {
     const Posesx8 poses = gather_poses(bodies.pose, b);
-    if (!FreeAxis && are_still(poses)) return relax_still_block<Even>(b, bodies, poses);
     const Pointx8 point = point_now<FreeAxis>(b, poses);
     const Vec3x8 old = load3(b.impulse), carried = FreeAxis ? across(point.axis, old) : old;
     leave_change<FreeAxis, Even>(b, point, carried, old, bodies.inertia);

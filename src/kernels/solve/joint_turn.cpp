@@ -79,14 +79,6 @@ CAIRN_INLINE void stop_turn(TurnBlock& b, const SolverBodies& bodies, Vec3x8 car
 template <bool FreeAxis> CAIRN_INLINE void relax_block(TurnBlock& b, const SolverBodies& bodies) {
     const Posesx8 poses = gather_poses(bodies.pose, b);
     const Vec3x8 old = load3(b.impulse);
-    if (FreeAxis && are_still(poses)) {
-        // The response still serves; the error is right to first order in the turns.
-        const Vec3x8 a0 = load3(b.axis_a0), b0 = load3(b.axis_b0);
-        const Vec3x8 turn_a = poses.dq_a.v + poses.dq_a.v, turn_b = poses.dq_b.v + poses.dq_b.v;
-        store3(b.error, cross(a0 + cross(turn_a, a0), b0 + cross(turn_b, b0)));
-        b.leaves = 0;
-        return stop_turn(b, bodies, old);
-    }
     const Vec3x8 wa = turned_a(b, old), wb = -turned_b(b, old);
     if (!b.even) renew_masses(b, bodies.inertia);
     const Vec3x8 axis = refresh<FreeAxis>(b, poses, load_masses(b));

@@ -33,9 +33,6 @@ void integrate_poses(const SolverBodies& bodies, int begin, int end, float h);
 // Over-relaxation of the passes of an impact: they converge several times as fast as with 1.
 inline constexpr float impact_relaxation = 1.5f;
 
-// Lanes that have turned, in the step so far, by less than twice the angle of that sine.
-CAIRN_INLINE mask8 is_still(Quatx8 turn) { return dot(turn.v, turn.v) < splat(still_sine * still_sine); }
-
 // Velocities of 8 bodies.
 struct Velocityx8 {
     Vec3x8 v, w;

@@ -181,11 +181,13 @@ struct alignas(64) SpinBlock {
     float momentum[3][8], free_w[3][8]; // after the substep's free motion, or when the inertia was renewed
     float renewed[8];                   // 1: the inertia follows the poses, as joints need it; else it is of the start
     std::uint8_t any_renewed;
+    std::uint8_t turns; // its rows have a drive or a correction
 };
 
-// The sine of half the angle up to which bodies may have turned since the start of the step to keep the inertia and the
-// axes of then. In 1/60 s the axis of such a turn goes astray by less than 1e-4 of itself.
-inline constexpr float still_sine = 0.004f;
+// rad/s: the free turning of slower bodies that are in no joint is not followed within a step. In 1/60 s the axis of
+// such a turn goes astray by less than 1e-4 of itself, and what the pose is off is not seen in single precision.
+// (Joints would show it: the period of a pendulum.)
+inline constexpr float calm_speed = 0.004f;
 
 // m/s, rad/s: bodies that change by less in a pass of an impact have settled.
 struct SettledChange {

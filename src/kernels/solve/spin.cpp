@@ -93,13 +93,13 @@ CAIRN_INLINE Vec3x8 velocity_after(Vec3x8 u, Vec3x8 inverse_moments, Vec3x8 mome
 struct Turn {
     Vec3x8 change, correction;
 };
-CAIRN_INLINE Turn free_turn(Quatx8 q, Vec3x8 inverse_moments, Vec3x8 momentum, Vec3x8 w, float h) {
+CAIRN_INLINE Turn free_turn(Quatx8 q, Vec3x8 inverse_moments, Vec3x8 momentum, Vec3x8 w, float h, mask8 calm) {
     const Vec3x8 l = rotate_back(q, momentum), start = scaled(inverse_moments, l);
     // Half a substep ahead: by Euler's equations to first order, and from there once more.
     Vec3x8 middle = start + splat(0.5f * h) * scaled(inverse_moments, cross(l, start));
     middle = velocity_after(splat(0.125f * h) * middle, inverse_moments, l);
     const Vec3x8 end = velocity_after(splat(0.25f * h) * middle, inverse_moments, l);
-    return {rotate(q, end) - w, rotate(q, middle - end)};
+    return {select(calm, zero3(), rotate(q, end) - w), select(calm, zero3(), rotate(q, middle - end))};
 }
 
 } // namespace
@@ -118,21 +118,31 @@ void spin(SpinBlock* blocks, int count, const SolverBodies& bodies, SolverTwist*
     for (int k = 0; k < count; ++k) {
         SpinBlock& block = blocks[k];
         const Vec3x8 w = gather_angular(bodies.velocity, block.row);
+        // What is calm is left as it is until the end of the step.
+        mask8 calm = and_not(dot(w, w) < splat(calm_speed * calm_speed), load(block.renewed) > zero());
+        Vec3x8 factor;
+        if (bodies.damping) {
+            factor = gather_angular(bodies.damping, block.row);
+            calm = calm & (factor.x == one());
+        }
+        if (all(calm) && !first && !block.turns) continue;
         const Quatx8 turn = gather_turn(bodies.pose, block.row);
         const Quatx8 q = multiply(turn, {load3(block.axes), load(block.axes[3])});
         const Vec3x8 momentum = momentum_now(block, turn, q, w, first);
-        const Turn now = free_turn(q, load3(block.inverse_moments), momentum, w, h);
+        Turn now = {zero3(), zero3()};
+        if (!all(calm)) now = free_turn(q, load3(block.inverse_moments), momentum, w, h, calm);
+        block.turns = !all(calm);
         scatter_angular(drive, block.row, now.change);
         scatter_angular(correction, block.row, now.correction);
         // To the bit what integrate_velocities will make of it.
         Vec3x8 free = w + now.change, left = momentum;
         if (bodies.damping) {
-            const Vec3x8 factor = gather_angular(bodies.damping, block.row);
             free = scaled(free, factor);
             left = scaled(left, factor);
         }
-        store3(block.momentum, left);
-        store3(block.free_w, free);
+        const mask8 kept = first ? mask_from_bits(0) : calm; // what contacts add to them is added later
+        store3(block.momentum, select(kept, load3(block.momentum), left));
+        store3(block.free_w, select(kept, load3(block.free_w), free));
     }
 }
 
@@ -142,7 +152,7 @@ void renew_inertia(SpinBlock* blocks, int count, const SolverVelocity* velocity,
         SpinBlock& block = blocks[k];
         if (!block.any_renewed) continue;
         const Quatx8 turn = gather_turn(pose, block.row);
-        const mask8 renewed = and_not(load(block.renewed) > zero(), is_still(turn));
+        const mask8 renewed = load(block.renewed) > zero();
         if (!any(renewed)) continue;
         const Mat3x8 axes = to_matrix(multiply(turn, {load3(block.axes), load(block.axes[3])}));
         const Sym3x8 i = rotated_diagonal(axes, load3(block.moments)), old = load6(block.contact_inertia);
