@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace cairn {
 
 namespace {
 
 constexpr float substeps_per_root_demand = 0.95f; // (m/s^2)^-1/2
-const int joint_substeps = std::getenv("XJ") ? std::atoi(std::getenv("XJ")) : 8;
+constexpr int joint_substeps = 11;                // where joints are, at least
 constexpr int max_adaptive_substeps = 128;
 // Shares of the island's weight on one contact: from which on it counts, and from which on it is all that counts. What
 // is squeezed somewhere in a heap is no structure.

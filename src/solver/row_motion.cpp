@@ -211,8 +211,7 @@ void renew_inertia(const State& s, BinScratch& scratch, Crew* crew) {
     });
     for (const SpinningRow& r : scratch.spinning_rows) {
         const std::size_t row = std::size_t(r.row), b = std::size_t(scratch.row_bodies[row]);
-        const DVec3 turn = row_vector(scratch.pose[row].dq);
-        if (s.bodies[b].joint_count == 0 || math::dot(turn, turn) < double(still_sine) * double(still_sine)) continue;
+        if (s.bodies[b].joint_count == 0) continue;
         BodyMotion now = s.motion[b];
         now.q = row_rotation(s, scratch, row);
         const math::Sym3 i = contact_inverse_inertia(now, s.mass[b]);

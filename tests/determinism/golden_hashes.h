@@ -7,21 +7,21 @@
 
 namespace cairn_test::golden {
 
-inline constexpr std::uint64_t mixed_pile = 0x20c4c07f10411270;
+inline constexpr std::uint64_t mixed_pile = 0x673902a81e6ff05e;
 inline constexpr std::uint64_t pyramid = 0x3abc59cfa88e5eca;
-inline constexpr std::uint64_t dominoes = 0xb2bb7652249c1d87;
-inline constexpr std::uint64_t materials = 0xf99b934f0621619c;
-inline constexpr std::uint64_t tumbler = 0xcacafa8484165f09;
+inline constexpr std::uint64_t dominoes = 0x491a9b2086abe900;
+inline constexpr std::uint64_t materials = 0x3ea8c5c6908d0969;
+inline constexpr std::uint64_t tumbler = 0x8c6e8e22c6ad524e;
 inline constexpr std::uint64_t sleep_and_wake = 0x3f9c6fe2f054c16a;
-inline constexpr std::uint64_t compounds = 0x63d65e0f1432860c;
+inline constexpr std::uint64_t compounds = 0x03437665489c2576;
 inline constexpr std::uint64_t free_tops = 0xe32cec2b97e2e1ef;
 inline constexpr std::uint64_t explicit_euler = 0x430a7a70e30ed48e;
-inline constexpr std::uint64_t whirl = 0xb0dd5e052c57d9a9;
-inline constexpr std::uint64_t changes = 0xb5d94452c5865a96;
-inline constexpr std::uint64_t all_shapes = 0xd795434a0f3d7fb1;
-inline constexpr std::uint64_t rounded_shapes = 0xecb39865b0089c5d;
-inline constexpr std::uint64_t surfaces = 0x760a4abe1a7438e9;
-inline constexpr std::uint64_t all_joints = 0x7f414c04741cc86c;
-inline constexpr std::uint64_t chains = 0xdff163ae6288959f;
+inline constexpr std::uint64_t whirl = 0xb91e3e1943ae4320;
+inline constexpr std::uint64_t changes = 0xd0b184f133dc733a;
+inline constexpr std::uint64_t all_shapes = 0xa78fc34be501a71c;
+inline constexpr std::uint64_t rounded_shapes = 0x01e302131f02f7aa;
+inline constexpr std::uint64_t surfaces = 0x3bd5e44f2af84f2c;
+inline constexpr std::uint64_t all_joints = 0x9024afcb50e070eb;
+inline constexpr std::uint64_t chains = 0x3695dbbfad433b59;
 
 } // namespace cairn_test::golden

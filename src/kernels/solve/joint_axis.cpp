@@ -297,31 +297,6 @@ void solve(void* blocks, int count, SolverVelocity* velocity, const JointSoftnes
     }
 }
 
-// Whether small turns change the Jacobian by as little as themselves.
-CAIRN_INLINE bool is_steady(const AxisBlock& b) {
-    switch (b.kind) {
-    case AxisKind::linear:
-    case AxisKind::twist:
-    case AxisKind::perpendicular:
-    case AxisKind::cross_a:
-    case AxisKind::cross_b:
-        return true;
-    case AxisKind::swing: { // not where both axes are nearly one
-        const f32x8 angle = load(b.position);
-        return all(((angle > splat(0.1f)) & (angle < splat(3.0f))) | (load(b.mass) == zero()));
-    }
-    default:
-        return false;
-    }
-}
-// The position by the Jacobian that there is, to first order in the turns.
-CAIRN_INLINE Jacobianx8 carry_on(AxisBlock& b, const Posesx8& poses) {
-    const Jacobianx8 j = load_jacobian(b);
-    const Ends8 way = {{poses.dx_a, poses.dq_a.v + poses.dq_a.v}, {poses.dx_b, poses.dq_b.v + poses.dq_b.v}};
-    store(b.position, load(b.position0) + velocity_of(j, way));
-    b.leaves = 0;
-    return j;
-}
 CAIRN_INLINE Jacobianx8 renew(AxisBlock& b, const Posesx8& poses, const SolverInertia* inertia) {
     const f32x8 p = net_impulse(b);
     Ends8 change = {{zero3(), zero3()}, {zero3(), zero3()}};
@@ -343,8 +318,7 @@ void relax(void* blocks, int count, const SolverBodies& bodies, const JointSoftn
         AxisBlock& b = all[k];
         const f32x8 before = load(b.position);
         const Posesx8 poses = gather_poses(bodies.pose, b);
-        const bool keeps = are_still(poses) && is_steady(b);
-        const Jacobianx8 j = keeps ? carry_on(b, poses) : renew(b, poses, bodies.inertia);
+        const Jacobianx8 j = renew(b, poses, bodies.inertia);
         Ends8 e = gather_ends(bodies.velocity, b);
         apply(b, j, act<false>(b, velocity_of(j, e), before, softness), e);
         store(b.total, load(b.total) + net_impulse(b));
