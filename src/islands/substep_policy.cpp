@@ -7,8 +7,7 @@ namespace cairn {
 
 namespace {
 
-constexpr float substeps_per_root_demand = 0.95f; // (m/s^2)^-1/2
-constexpr int joint_substeps = 11;                // where joints are, at least
+constexpr int joint_substeps = 11; // where joints are, at least
 constexpr int max_adaptive_substeps = 128;
 // Shares of the island's weight on one contact: from which on it counts, and from which on it is all that counts. What
 // is squeezed somewhere in a heap is no structure.
@@ -36,7 +35,7 @@ int wanted_substeps(const WorldDef& settings, const IslandLoad& load) {
     if (!settings.adaptive_substeps) return settings.substeps;
     const int usual = load.has_joints ? std::max(settings.substeps, joint_substeps) : settings.substeps;
     const float weight = std::clamp((load.share - min_share) / (full_share - min_share), 0.0f, 1.0f);
-    const float wanted = substeps_per_root_demand * weight * std::sqrt(load.demand);
+    const float wanted = weight * std::sqrt(load.demand);
     return wanted > float(usual) ? std::max(usual, rounded_up(wanted)) : usual;
 }
 

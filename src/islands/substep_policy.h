@@ -6,10 +6,10 @@
 // slender structure (a tower, a heavy box on light ones) one contact carries a good part of all the weight, its share.
 // Hence
 //
-//     n = max(usual, substeps_per_root_demand x share x sqrt(demand)),
+//     n = max(usual, share x sqrt(demand)),    demand in m/s^2,
 //
-// where `usual` is the world's number, or 11 where joints are: the error of soft rows in motion falls with the square of
-// n. It looks at the scene alone, so that results do not depend on threads. docs/decisions/substeps.md has the
+// where `usual` is the world's number, or 11 where joints are: the error of soft rows in motion falls with the square
+// of n. It looks at the scene alone, so that results do not depend on threads. docs/decisions/substeps.md has the
 // measurements.
 #pragma once
 

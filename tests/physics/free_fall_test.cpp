@@ -50,7 +50,7 @@ TEST(JointedFall, OfJointedBodiesIsThatOfFreeOnes) {
         rod.world.step(dt);
         EXPECT_NEAR(rod.world.body(rod.left).linear_velocity().y, rod.world.body(alone).linear_velocity().y, 1e-5) << i;
         // Their substeps differ, and with them what the integrator is off by: g dt h / 2 a step.
-        EXPECT_NEAR(rod.world.body(rod.left).position().y, rod.world.body(alone).position().y, 1e-3) << i;
+        EXPECT_NEAR(rod.world.body(rod.left).position().y, rod.world.body(alone).position().y, 2e-3) << i;
     }
 }
 
