@@ -102,7 +102,7 @@ struct Positions {
     List operator()(const GeneralJoint& joint) const { return general_positions(joint); }
 };
 
-struct Axes {
+struct AxisEdits {
     using List = std::vector<JointAxisEdit>;
     List operator()(HingeJoint& joint) const { return {{"angle", true, &joint.angle}}; }
     List operator()(SliderJoint& joint) const { return {{"way", false, &joint.way}}; }
@@ -138,7 +138,7 @@ const char* name_of(JointSolver solver) {
 
 std::vector<JointPosition> joint_positions(const Joint& joint) { return std::visit(Positions{}, joint); }
 
-std::vector<JointAxisEdit> joint_axes(Joint& joint) { return std::visit(Axes{}, joint); }
+std::vector<JointAxisEdit> joint_axes(Joint& joint) { return std::visit(AxisEdits{}, joint); }
 
 Swing swing_of(const JointSpring& spring) {
     const float omega = std::sqrt(spring.stiffness);

@@ -10,7 +10,7 @@ namespace cairn::viewer {
 
 namespace {
 
-constexpr double pick_distance = 1.0e5; // meters
+constexpr double join_distance = 1.0e5; // meters
 
 Joint joint_of(command::JoinKind kind) {
     switch (kind) {
@@ -28,7 +28,7 @@ Joint joint_of(command::JoinKind kind) {
 
 void Stage::operator()(const command::MakeJoint& make) {
     World& world = scene_.world;
-    const auto hit = world.cast_ray(make.ray.origin, make.ray.direction, pick_distance);
+    const auto hit = world.cast_ray(make.ray.origin, make.ray.direction, join_distance);
     if (!hit) return say("Point at a body to join it to the selected one, or to the world if none is selected.");
     BodyId body = hit->body;
     BodyId other = selected_ && selected_ != body && world.is_valid(selected_) ? selected_ : BodyId{};

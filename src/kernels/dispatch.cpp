@@ -32,49 +32,69 @@ CAIRN_DECLARE_TABLE(simd128)
 
 namespace {
 
-// Best first; only those that this machine can run.
-const KernelTable* available(int i) noexcept {
-    const KernelTable* tables[5] = {};
-    int count = 0;
+struct Choice {
+    const KernelTable* table;
+    bool runs; // on the processor of this machine
+};
+
+// Those of this build, best first; then null.
+Choice choice(int i) noexcept {
+    const Choice choices[] = {
 #ifdef CAIRN_HAS_AVX512
-    if (__builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw"))
-        tables[count++] = &avx512::table;
+        {&avx512::table, __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq") &&
+                             __builtin_cpu_supports("avx512bw")},
 #endif
 #ifdef CAIRN_HAS_AVX2
-    if (__builtin_cpu_supports("avx2")) tables[count++] = &avx2::table;
+        {&avx2::table, bool(__builtin_cpu_supports("avx2"))},
 #endif
 #ifdef CAIRN_HAS_SSE2
-    tables[count++] = &sse2::table;
+        {&sse2::table, true},
 #endif
 #ifdef CAIRN_HAS_NEON
-    tables[count++] = &neon::table;
+        {&neon::table, true},
 #endif
 #ifdef CAIRN_HAS_SIMD128
-    tables[count++] = &simd128::table;
+        {&simd128::table, true},
 #endif
 #ifdef CAIRN_HAS_SCALAR
-    tables[count++] = &scalar::table;
+        {&scalar::table, true},
 #endif
-    return i < count ? tables[i] : nullptr;
+        {nullptr, false},
+    };
+    return choices[i];
+}
+
+// The best that runs here, of that name if there is one; null: there is none.
+const KernelTable* find(const char* name) noexcept {
+    for (int i = 0; choice(i).table; ++i)
+        if (choice(i).runs && (!name || std::strcmp(choice(i).table->name, name) == 0)) return choice(i).table;
+    return nullptr;
+}
+
+[[noreturn]] void refuse(const char* wanted) noexcept {
+    if (wanted)
+        std::fprintf(stderr, "cairn: CAIRN_ISA=%s cannot be had:", wanted);
+    else
+        std::fprintf(stderr, "cairn: no kernels for this processor:");
+    std::fprintf(stderr, " this program was built with");
+    for (int i = 0; choice(i).table; ++i)
+        std::fprintf(stderr, "%s %s%s", i > 0 ? "," : "", choice(i).table->name,
+                     choice(i).runs ? "" : " (which this processor lacks)");
+    std::fprintf(stderr, ". CMake's CAIRN_KERNELS chooses; left empty, it takes all.\n");
+    std::exit(2);
 }
 
 const KernelTable& choose() noexcept {
     const char* wanted = std::getenv("CAIRN_ISA");
-    const KernelTable* const table = wanted && *wanted ? kernels_named(wanted) : available(0);
-    if (table) return *table;
-    std::fprintf(stderr, "cairn: CAIRN_ISA=%s is not available here; the choices are", wanted ? wanted : "");
-    for (int i = 0; available(i); ++i) std::fprintf(stderr, " %s", available(i)->name);
-    std::fprintf(stderr, "\n");
-    std::exit(2);
+    if (wanted && !*wanted) wanted = nullptr;
+    const KernelTable* const table = find(wanted);
+    if (!table) refuse(wanted);
+    return *table;
 }
 
 } // namespace
 
-const KernelTable* kernels_named(const char* name) noexcept {
-    for (int i = 0; const KernelTable* table = available(i); ++i)
-        if (std::strcmp(table->name, name) == 0) return table;
-    return nullptr;
-}
+const KernelTable* kernels_named(const char* name) noexcept { return find(name); }
 
 const KernelTable& kernels() noexcept {
     static const KernelTable& table = choose();

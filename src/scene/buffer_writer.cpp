@@ -12,7 +12,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // glTF 2.0, tables "accessor.componentType" and "bufferView.target".
-constexpr int float_number = 5126, unsigned_int = 5125;
+constexpr int float_type = 5126, index_type = 5125;
 constexpr int no_target = 0, vertex_target = 34962, index_target = 34963;
 
 } // namespace
@@ -52,7 +52,7 @@ std::size_t BufferWriter::add_vectors(std::span<const Vec3> values, int target, 
         }
     }
     Json accessor{
-        {"bufferView", views_.size()}, {"componentType", float_number}, {"count", values.size()}, {"type", "VEC3"}};
+        {"bufferView", views_.size()}, {"componentType", float_type}, {"count", values.size()}, {"type", "VEC3"}};
     if (with_bounds) accessor["min"] = number_array(low), accessor["max"] = number_array(high);
     return finish(start, target, std::move(accessor));
 }
@@ -62,7 +62,7 @@ std::size_t BufferWriter::add_quaternions(std::span<const Quat> values) {
     for (const Quat& q : values) append(q.x), append(q.y), append(q.z), append(q.w);
     return finish(
         start, no_target,
-        {{"bufferView", views_.size()}, {"componentType", float_number}, {"count", values.size()}, {"type", "VEC4"}});
+        {{"bufferView", views_.size()}, {"componentType", float_type}, {"count", values.size()}, {"type", "VEC4"}});
 }
 
 std::size_t BufferWriter::add_indices(std::span<const std::uint32_t> values) {
@@ -70,14 +70,14 @@ std::size_t BufferWriter::add_indices(std::span<const std::uint32_t> values) {
     for (const std::uint32_t v : values) append(v);
     return finish(
         start, index_target,
-        {{"bufferView", views_.size()}, {"componentType", unsigned_int}, {"count", values.size()}, {"type", "SCALAR"}});
+        {{"bufferView", views_.size()}, {"componentType", index_type}, {"count", values.size()}, {"type", "SCALAR"}});
 }
 
 std::size_t BufferWriter::add_scalars(std::span<const float> values, bool with_bounds) {
     const std::size_t start = bytes_.size();
     for (const float v : values) append(v);
     Json accessor{
-        {"bufferView", views_.size()}, {"componentType", float_number}, {"count", values.size()}, {"type", "SCALAR"}};
+        {"bufferView", views_.size()}, {"componentType", float_type}, {"count", values.size()}, {"type", "SCALAR"}};
     if (with_bounds) {
         const auto [low, high] = std::minmax_element(values.begin(), values.end());
         accessor["min"] = Json::array({shortest(*low)}), accessor["max"] = Json::array({shortest(*high)});

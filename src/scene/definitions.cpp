@@ -89,7 +89,7 @@ Column read_column(const Value& shape, const char* member) {
 }
 
 // A shape of the engine has its tip, if it has one, at the top: others are turned upside down.
-template <class Column3d> TurnedShape upright(Column column, const glm::dvec3& scale, const Value& shape) {
+template <class Column3d> TurnedShape upright_column(Column column, const glm::dvec3& scale, const Value& shape) {
     TurnedShape result;
     if (column.bottom == 0.0) {
         std::swap(column.bottom, column.top);
@@ -113,7 +113,7 @@ TurnedShape read_capsule(const Value& shape, const glm::dvec3& scale, std::vecto
         warnings.push_back(shape.place() + "an unevenly scaled capsule keeps round ends: its height is scaled along y, "
                                            "its radii by the larger of the scales along x and z");
     }
-    return upright<Capsule>(read_column(shape, "capsule"), scale, shape);
+    return upright_column<Capsule>(read_column(shape, "capsule"), scale, shape);
 }
 
 TurnedShape read_cylinder(const Value& shape, const glm::dvec3& scale, std::vector<std::string>& warnings) {
@@ -122,7 +122,7 @@ TurnedShape read_cylinder(const Value& shape, const glm::dvec3& scale, std::vect
                            "an unevenly scaled cylinder stays round: its radii are scaled by the larger "
                            "of the scales along x and z");
     }
-    TurnedShape result = upright<Cylinder>(read_column(shape, "cylinder"), scale, shape);
+    TurnedShape result = upright_column<Cylinder>(read_column(shape, "cylinder"), scale, shape);
     std::get<Cylinder>(result.shape).rounding = read_rounding(shape, scale, warnings);
     return result;
 }

@@ -153,7 +153,7 @@ class Reader {
     const Value& value_;
 };
 
-class Writer {
+class JointTypeWriter {
   public:
     Json json = Json::object();
 
@@ -182,7 +182,7 @@ class Writer {
 
   private:
     template <class T> void write(const char* name, const T& part) {
-        Writer writer;
+        JointTypeWriter writer;
         members(writer, part);
         json[name] = std::move(writer.json);
     }
@@ -309,7 +309,7 @@ Joint read_typed_joint(const Value& own) {
 }
 
 Json write_typed_joint(const Joint& joint) {
-    Writer writer;
+    JointTypeWriter writer;
     if (std::holds_alternative<GeneralJoint>(joint)) return writer.json;
     writer.json["type"] = types()[joint.index()].first;
     std::visit([&](const auto& j) { members_of_joint(writer, j); }, joint);

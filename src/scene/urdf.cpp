@@ -17,8 +17,8 @@ namespace cairn::scene {
 namespace {
 
 // URDF has z up; the world has y up.
-constexpr double half_turn_root = 0.70710678118654752440;
-const Rigid upright{{0.0, 0.0, 0.0}, {half_turn_root, -half_turn_root, 0.0, 0.0}};
+constexpr double root_of_half = 0.70710678118654752440;
+const Rigid upright{{0.0, 0.0, 0.0}, {root_of_half, -root_of_half, 0.0, 0.0}};
 
 // What stands in for masses that a file does not give.
 constexpr double blank_mass = 1.0, blank_radius = 0.1;

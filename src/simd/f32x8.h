@@ -10,7 +10,11 @@
 #include <cstdint>
 #include <cstring>
 
+#if defined(CAIRN_SIMD_SCALAR)
+#define CAIRN_INLINE static inline // as the compiler likes: inlining all of the loops takes gcc ten times as long
+#else
 #define CAIRN_INLINE static inline __attribute__((always_inline))
+#endif
 
 #if defined(CAIRN_SIMD_AVX2)
 #include "simd/backend_avx2.h"
