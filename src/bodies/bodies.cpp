@@ -24,8 +24,8 @@ bool is_isotropic(math::Vec3 moments) {
 
 // Moves the center of mass within the body; the origin and the material's velocity there stay.
 void move_center(State& state, std::int32_t body, math::Vec3 center) {
-    BodyMotion& motion = state.motion[std::size_t(body)];
-    BodyMass& mass = state.mass[std::size_t(body)];
+    BodyMotion& motion = state.motion[body];
+    BodyMass& mass = state.mass[body];
     const DVec3 shift = math::rotate(motion.q, math::to_double(center - mass.center));
     motion.x += shift;
     motion.v += math::cross(motion.w, math::to_float(shift));
@@ -38,7 +38,7 @@ float reciprocal(float x) { return x > 0 && std::isfinite(x) ? std::min(1.0f / x
 } // namespace
 
 void set_mass(State& state, std::int32_t body, const MassProperties& properties) {
-    BodyMass& mass = state.mass[std::size_t(body)];
+    BodyMass& mass = state.mass[body];
     move_center(state, body, {properties.center_of_mass.x, properties.center_of_mass.y, properties.center_of_mass.z});
     const auto& p = properties.inertia_diagonal;
     const auto& q = properties.inertia_orientation;
@@ -48,12 +48,12 @@ void set_mass(State& state, std::int32_t body, const MassProperties& properties)
     const bool dynamic = state.is_dynamic(body);
     mass.inverse_mass = dynamic ? reciprocal(mass.mass) : 0;
     mass.inverse_inertia = dynamic ? math::Vec3{reciprocal(p.x), reciprocal(p.y), reciprocal(p.z)} : math::Vec3{};
-    if (state.bodies[std::size_t(body)].first_joint != none) ++state.joint_changes;
+    if (state.bodies[body].first_joint != none) ++state.joint_changes;
     mass.isotropic = is_isotropic(mass.inertia) || mass.inverse_inertia == math::Vec3{};
 }
 
 void refresh_mass(State& state, std::int32_t body) {
-    BodyMass& mass = state.mass[std::size_t(body)];
+    BodyMass& mass = state.mass[body];
     if (!mass.follows_shapes) {
         set_mass(state, body,
                  {mass.mass,
@@ -63,10 +63,9 @@ void refresh_mass(State& state, std::int32_t body) {
         return;
     }
     MassSum sum;
-    for (std::int32_t s = state.bodies[std::size_t(body)].first_shape; s != none; s = state.shapes[std::size_t(s)].next)
-        sum = combine(sum, geometry_mass(state.geometry[std::size_t(s)], state.shape_data[std::size_t(s)],
-                                         state.shapes[std::size_t(s)].density));
-    const float given_mass = state.body_settings[std::size_t(body)].given_mass;
+    for (std::int32_t s = state.bodies[body].first_shape; s != none; s = state.shapes[s].next)
+        sum = combine(sum, geometry_mass(state.geometry[s], state.shape_data[s], state.shapes[s].density));
+    const float given_mass = state.body_settings[body].given_mass;
     // Without any shape that has mass, a body is a point of its given mass, or of one kilogram, that does not turn.
     MassProperties properties;
     properties.inertia_diagonal = {0, 0, 0};
@@ -88,7 +87,7 @@ void refresh_mass(State& state, std::int32_t body) {
 
 void place_shapes(State& state, std::int32_t body) {
     float radius = 0;
-    const math::Quat q = math::to_float(state.motion[std::size_t(body)].q);
+    const math::Quat q = math::to_float(state.motion[body].q);
     place_each_shape(state, body, [&](std::uint32_t s) {
         const Geometry& geometry = state.geometry[s];
         const math::Vec3 in_body = math::rotate(geometry.rotation, geometry.middle);
@@ -96,18 +95,18 @@ void place_shapes(State& state, std::int32_t body) {
         size_shape(state.shape_poses[s], geometry);
         radius = std::max(radius, math::length(middle) + geometry.bounding_radius);
     });
-    state.bodies[std::size_t(body)].radius = radius;
+    state.bodies[body].radius = radius;
 }
 
 DVec3 body_origin(const State& state, std::int32_t body) {
-    const BodyMotion& motion = state.motion[std::size_t(body)];
-    return motion.x - math::rotate(motion.q, math::to_double(state.mass[std::size_t(body)].center));
+    const BodyMotion& motion = state.motion[body];
+    return motion.x - math::rotate(motion.q, math::to_double(state.mass[body].center));
 }
 
 void set_pose(State& state, std::int32_t body, DVec3 origin, math::DQuat rotation) {
-    BodyMotion& motion = state.motion[std::size_t(body)];
+    BodyMotion& motion = state.motion[body];
     motion.q = math::normalized(rotation);
-    motion.x = origin + math::rotate(motion.q, math::to_double(state.mass[std::size_t(body)].center));
+    motion.x = origin + math::rotate(motion.q, math::to_double(state.mass[body].center));
 }
 
 math::Sym3 world_inverse_inertia(const BodyMotion& motion, const BodyMass& mass) {
@@ -122,8 +121,8 @@ math::DSym3 world_inertia(const BodyMotion& motion, const BodyMass& mass) {
 
 double kinetic_energy(const State& state, std::int32_t body) {
     if (!state.is_dynamic(body)) return 0;
-    const BodyMotion& motion = state.motion[std::size_t(body)];
-    const BodyMass& mass = state.mass[std::size_t(body)];
+    const BodyMotion& motion = state.motion[body];
+    const BodyMass& mass = state.mass[body];
     const DVec3 v = math::to_double(motion.v), w = math::to_double(motion.w);
     const double linear = mass.inverse_mass > 0 ? double(mass.mass) * math::dot(v, v) : 0.0;
     const double angular = mass.inverse_inertia == math::Vec3{} ? 0.0 : math::dot(w, world_inertia(motion, mass) * w);

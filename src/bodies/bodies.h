@@ -42,11 +42,10 @@ inline void place_shape(State& state, std::uint32_t shape, const BodyMotion& mot
 
 // Puts all shapes of a body where it is; f(shape) after each.
 template <class F> void place_each_shape(State& state, std::int32_t body, F&& f) {
-    const BodyMotion& motion = state.motion[std::size_t(body)];
+    const BodyMotion& motion = state.motion[body];
     const math::Quat q = math::to_float(motion.q);
-    const math::Vec3 center = state.mass[std::size_t(body)].center;
-    for (std::int32_t s = state.bodies[std::size_t(body)].first_shape; s != none;
-         s = state.shapes[std::size_t(s)].next) {
+    const math::Vec3 center = state.mass[body].center;
+    for (std::int32_t s = state.bodies[body].first_shape; s != none; s = state.shapes[s].next) {
         place_shape(state, std::uint32_t(s), motion, q, center);
         f(std::uint32_t(s));
     }
@@ -59,7 +58,7 @@ inline float looked_ahead(float turn) {
 }
 // How far that moves any point of a body, m.
 inline float turn_reach(const State& s, std::int32_t body, float dt) {
-    return looked_ahead(dt * math::length(s.motion[std::size_t(body)].w)) * s.bodies[std::size_t(body)].radius;
+    return looked_ahead(dt * math::length(s.motion[body].w)) * s.bodies[body].radius;
 }
 
 inline math::DVec3 shape_position(const ShapePose& pose) {

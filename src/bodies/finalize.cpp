@@ -31,9 +31,9 @@ math::Vec3 normal_of_plane(const ShapePose& pose) { return math::rotate(shape_ro
 constexpr float usual_step = 1.0f / 60; // s: what comes between two steps does not know how long the next one is
 
 void move_shapes(State& s, std::int32_t b, float dt) {
-    const math::Vec3 displacement = dt * s.motion[std::size_t(b)].v;
+    const math::Vec3 displacement = dt * s.motion[b].v;
     const float turn = turn_reach(s, b, dt);
-    s.served[std::size_t(b)].room = -1;
+    s.served[b].room = -1;
     place_each_shape(s, b, [&](std::uint32_t shape) {
         const ShapePose& pose = s.shape_poses[shape];
         if (s.geometry[shape].type == ShapeType::plane)
@@ -47,8 +47,8 @@ constexpr double rounding = 1e-5; // of bounds, as part of a body's size
 
 // How far out a body's surface turns. One without shapes is as large as its inertia says.
 float surface_radius(const State& s, std::int32_t b) {
-    const float radius = s.bodies[std::size_t(b)].radius;
-    const BodyMass& mass = s.mass[std::size_t(b)];
+    const float radius = s.bodies[b].radius;
+    const BodyMass& mass = s.mass[b];
     if (radius > 0 || !(mass.inverse_mass > 0)) return radius;
     return std::sqrt(std::max(mass.inertia.x, std::max(mass.inertia.y, mass.inertia.z)) * mass.inverse_mass);
 }
@@ -56,10 +56,10 @@ float surface_radius(const State& s, std::int32_t b) {
 } // namespace
 
 void finalize_body(State& s, std::int32_t b, float dt, std::vector<EscapedShape>& escaped) {
-    const BodyMotion& motion = s.motion[std::size_t(b)];
+    const BodyMotion& motion = s.motion[b];
     const float turn = turn_reach(s, b, dt);
-    BodyLinks& links = s.bodies[std::size_t(b)];
-    ServedPose& served = s.served[std::size_t(b)];
+    BodyLinks& links = s.bodies[b];
+    ServedPose& served = s.served[b];
     const float velocity = math::length(motion.v);
     const double ahead = double(turn + dt * velocity);
     if (served.room >= 0 && way_from(served.pose, motion, links.radius) + ahead <= served.room) {
@@ -80,22 +80,22 @@ void finalize_body(State& s, std::int32_t b, float dt, std::vector<EscapedShape>
 }
 
 void prefetch_motion(const State& s, std::int32_t b) {
-    ask_cache(&s.motion[std::size_t(b)].x);
-    ask_cache(&s.motion[std::size_t(b)].q);
-    ask_cache(&s.mass[std::size_t(b)]);
-    ask_cache(&s.body_settings[std::size_t(b)]);
+    ask_cache(&s.motion[b].x);
+    ask_cache(&s.motion[b].q);
+    ask_cache(&s.mass[b]);
+    ask_cache(&s.body_settings[b]);
 }
 
 void prefetch_body(const State& s, std::int32_t b) {
     prefetch_motion(s, b);
-    ask_cache(&s.bodies[std::size_t(b)].first_shape);
-    ask_cache(&s.bodies[std::size_t(b)].padding);
-    ask_cache(&s.served[std::size_t(b)].pose);
-    ask_cache(&s.served[std::size_t(b)].room);
+    ask_cache(&s.bodies[b].first_shape);
+    ask_cache(&s.bodies[b].padding);
+    ask_cache(&s.served[b].pose);
+    ask_cache(&s.served[b].room);
 }
 
 void prefetch_shape_of(const State& s, std::int32_t b) {
-    const std::int32_t first = s.bodies[std::size_t(b)].first_shape;
+    const std::int32_t first = s.bodies[b].first_shape;
     if (first == none) return;
     const auto shape = std::size_t(first);
     ask_cache(&s.shapes[shape]);
@@ -107,7 +107,7 @@ void prefetch_shape_of(const State& s, std::int32_t b) {
 
 void finalize_kinematics(State& s, float dt) {
     for (const std::int32_t b : s.kinematics) {
-        const BodyMotion& motion = s.motion[std::size_t(b)];
+        const BodyMotion& motion = s.motion[b];
         if (motion.v == math::Vec3{} && motion.w == math::Vec3{}) continue;
         move_shapes(s, b, dt);
     }
@@ -115,8 +115,8 @@ void finalize_kinematics(State& s, float dt) {
 
 void add_proxy(State& s, std::uint32_t shape) {
     const std::int32_t body = s.shapes[shape].body;
-    s.served[std::size_t(body)].room = -1;
-    const BodyType type = s.body_settings[std::size_t(body)].type;
+    s.served[body].room = -1;
+    const BodyType type = s.body_settings[body].type;
     if (s.geometry[shape].type == ShapeType::plane) {
         const ShapePose& pose = s.shape_poses[shape];
         s.broad_phase.add_plane(shape, shape_position(pose), normal_of_plane(pose),
@@ -127,12 +127,12 @@ void add_proxy(State& s, std::uint32_t shape) {
     const DBounds bounds = shape_bounds(s, shape);
     s.broad_phase.add(shape, bounds, mobility, type == BodyType::kinematic);
     s.broad_phase.set_bounds(shape, grown(bounds, turn_of_shape(s, shape, turn_reach(s, body, usual_step))),
-                             usual_step * s.motion[std::size_t(body)].v);
+                             usual_step * s.motion[body].v);
 }
 
 void update_proxies(State& s, std::int32_t b) {
-    s.left_at[std::size_t(b)] = s.strayed_at[std::size_t(b)] = s.passes + 1;
-    if (s.body_settings[std::size_t(b)].type == BodyType::static_) count_way(s, b);
+    s.left_at[b] = s.strayed_at[b] = s.passes + 1;
+    if (s.body_settings[b].type == BodyType::static_) count_way(s, b);
     place_shapes(s, b);
     sweep_proxies(s, b);
 }

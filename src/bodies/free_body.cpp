@@ -19,9 +19,9 @@ constexpr double most_even_turn = 0.25; // rad
 
 std::uint64_t move_free_body(State& s, std::int32_t b, float dt) {
     std::uint64_t clamped_speeds = 0;
-    BodyMotion& motion = s.motion[std::size_t(b)];
-    const BodyMass& mass = s.mass[std::size_t(b)];
-    const BodySettings& settings = s.body_settings[std::size_t(b)];
+    BodyMotion& motion = s.motion[b];
+    const BodyMass& mass = s.mass[b];
+    const BodySettings& settings = s.body_settings[b];
     if (clamp_velocity(s.settings, motion.v, motion.w)) {
         ++clamped_speeds;
         motion.v_rest = motion.w_rest = {};
@@ -32,7 +32,7 @@ std::uint64_t move_free_body(State& s, std::int32_t b, float dt) {
     const double angular = damping_factor(settings.angular_damping, float(h));
     const Load load = load_on(s, b);
     const Spin spin = spin_of(mass);
-    const DVec3 torque = s.forces[std::size_t(b)].torque;
+    const DVec3 torque = s.forces[b].torque;
     DVec3 x = motion.x, v = math::to_double(motion.v) + math::to_double(motion.v_rest);
     DVec3 w = math::to_double(motion.w) + math::to_double(motion.w_rest);
     DQuat q = motion.q;

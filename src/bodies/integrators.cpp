@@ -116,9 +116,9 @@ bool fields_vary(const State& s) {
 }
 
 Load load_on(const State& s, std::int32_t b) {
-    const BodyMass& mass = s.mass[std::size_t(b)];
-    const BodyForces& forces = s.forces[std::size_t(b)];
-    return {double(mass.inverse_mass) * forces.force, s.body_settings[std::size_t(b)].gravity_scale, mass.inverse_mass};
+    const BodyMass& mass = s.mass[b];
+    const BodyForces& forces = s.forces[b];
+    return {double(mass.inverse_mass) * forces.force, s.body_settings[b].gravity_scale, mass.inverse_mass};
 }
 
 Spin spin_of(const BodyMass& mass) {
@@ -152,8 +152,7 @@ Increment gyroscopic_increment(const State& s, const Spin& spin, const DQuat& q,
 // The torque alone.
 Increment torque_increment(const State& s, std::int32_t b, const Spin& spin, const DQuat& q, double h) {
     if (!s.is_pushed(b)) return {};
-    return translate(s.settings.integrator,
-                     h * spin.to_world(q, spin.inverse_moments, s.forces[std::size_t(b)].torque));
+    return translate(s.settings.integrator, h * spin.to_world(q, spin.inverse_moments, s.forces[b].torque));
 }
 
 float damping_factor(float rate, float h) {

@@ -28,11 +28,11 @@ constexpr int bodies_per_chunk = 1024;  // for threads
 constexpr std::size_t bodies_ahead = 8; // that are asked for in time
 
 void prefetch_poses(const State& s, std::int32_t b) {
-    ask_cache(&s.motion[std::size_t(b)].x);
-    ask_cache(&s.motion[std::size_t(b)].q);
-    ask_cache(&s.resting[std::size_t(b)]);
-    ask_cache(&s.near[std::size_t(b)]);
-    ask_cache(&s.mass[std::size_t(b)]);
+    ask_cache(&s.motion[b].x);
+    ask_cache(&s.motion[b].q);
+    ask_cache(&s.resting[b]);
+    ask_cache(&s.near[b]);
+    ask_cache(&s.mass[b]);
 }
 
 bool is_within(math::DVec3 v, double most) { return math::dot(v, v) <= most * most; }
@@ -52,11 +52,11 @@ bool rests(const RestingPose& pose, const BodyMotion& motion, float radius, doub
 } // namespace
 
 void count_way(State& s, std::int32_t b) {
-    const BodyMotion& motion = s.motion[std::size_t(b)];
-    RestingPose& pose = s.resting[std::size_t(b)];
-    s.way[std::size_t(b)] += way_from(pose, motion, s.bodies[std::size_t(b)].radius);
+    const BodyMotion& motion = s.motion[b];
+    RestingPose& pose = s.resting[b];
+    s.way[b] += way_from(pose, motion, s.bodies[b].radius);
     pose = {motion.x, motion.q};
-    s.ahead[std::size_t(b)] = s.way[std::size_t(b)];
+    s.ahead[b] = s.way[b];
 }
 
 void update_resting(State& s, float dt) {
@@ -64,51 +64,49 @@ void update_resting(State& s, float dt) {
     const double shift = most_shift * sinking * h * h, speed = most_step * shift / double(dt);
     const std::uint64_t pass = s.passes + 1;
     auto leave = [&](std::int32_t b) {
-        const BodyMotion& motion = s.motion[std::size_t(b)];
+        const BodyMotion& motion = s.motion[b];
         count_way(s, b);
-        s.left_at[std::size_t(b)] = pass;
-        const float radius = s.bodies[std::size_t(b)].radius;
-        if (is_at(s.near[std::size_t(b)], motion, radius, std::min(nearness * double(radius), most_nearness))) return;
-        s.near[std::size_t(b)] = {motion.x, motion.q};
-        s.strayed_at[std::size_t(b)] = pass;
+        s.left_at[b] = pass;
+        const float radius = s.bodies[b].radius;
+        if (is_at(s.near[b], motion, radius, std::min(nearness * double(radius), most_nearness))) return;
+        s.near[b] = {motion.x, motion.q};
+        s.strayed_at[b] = pass;
     };
     const auto look_ahead = [&](std::int32_t b) {
-        const float reach = s.narrow.turn_reach[std::size_t(b)] = turn_reach(s, b, dt);
-        const float way = dt * math::length(s.motion[std::size_t(b)].v);
-        s.ahead[std::size_t(b)] = s.way[std::size_t(b)] + double(way + reach);
+        const float reach = s.narrow.turn_reach[b] = turn_reach(s, b, dt);
+        const float way = dt * math::length(s.motion[b].v);
+        s.ahead[b] = s.way[b] + double(way + reach);
     };
     s.narrow.turn_reach.assign(s.bodies.size(), 0); // of what does not move
     const bool is_first = s.passes == s.first_pass; // what whirls is asked once a step
     if (is_first) {
-        for (const std::int32_t b : s.narrow.whirling) s.narrow.whirls[std::size_t(b)] = 0;
+        for (const std::int32_t b : s.narrow.whirling) s.narrow.whirls[b] = 0;
         s.narrow.whirls.resize(s.bodies.size());
         s.narrow.whirling.clear();
     }
     std::vector<std::int32_t>& awake = s.narrow.awake;
     awake.clear();
     for (const std::int32_t i : s.awake_islands)
-        for (std::int32_t b = s.islands[std::size_t(i)].first_body; b != none;
-             b = s.bodies[std::size_t(b)].next_in_island)
-            awake.push_back(b);
+        for (std::int32_t b = s.islands[i].first_body; b != none; b = s.bodies[b].next_in_island) awake.push_back(b);
     const float most_square = (most_turn / dt) * (most_turn / dt);
     std::mutex whirling;
     s.crew->for_chunks(int(awake.size()), bodies_per_chunk, [&](int begin, int end, int) {
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
             if (k + bodies_ahead < awake.size()) prefetch_poses(s, awake[k + bodies_ahead]);
             const std::int32_t b = awake[k];
-            const BodyMotion& motion = s.motion[std::size_t(b)];
-            if (!rests(s.resting[std::size_t(b)], motion, s.bodies[std::size_t(b)].radius, shift, speed)) leave(b);
+            const BodyMotion& motion = s.motion[b];
+            if (!rests(s.resting[b], motion, s.bodies[b].radius, shift, speed)) leave(b);
             look_ahead(b);
-            if (is_first && math::dot(motion.w, motion.w) > most_square && !s.mass[std::size_t(b)].isotropic) {
+            if (is_first && math::dot(motion.w, motion.w) > most_square && !s.mass[b].isotropic) {
                 const std::lock_guard lock(whirling);
                 s.narrow.whirling.push_back(b); // in any order
-                s.narrow.whirls[std::size_t(b)] = 1;
+                s.narrow.whirls[b] = 1;
             }
         }
     });
     for (const std::int32_t b : s.kinematics) {
-        const BodyMotion& motion = s.motion[std::size_t(b)];
-        const RestingPose& pose = s.resting[std::size_t(b)];
+        const BodyMotion& motion = s.motion[b];
+        const RestingPose& pose = s.resting[b];
         // Exactly: planes reach far.
         const bool still = motion.v == math::Vec3{} && motion.w == math::Vec3{} && motion.x == pose.x &&
                            motion.q.x == pose.q.x && motion.q.y == pose.q.y && motion.q.z == pose.q.z &&
@@ -121,8 +119,8 @@ void update_resting(State& s, float dt) {
 float whirl_in_contact(const State& s) {
     float fastest = 0;
     for (const std::int32_t b : s.narrow.whirling)
-        if (const BodyLinks& links = s.bodies[std::size_t(b)]; links.contact_count > 0 && links.joint_count == 0)
-            fastest = std::max(fastest, math::length(s.motion[std::size_t(b)].w));
+        if (const BodyLinks& links = s.bodies[b]; links.contact_count > 0 && links.joint_count == 0)
+            fastest = std::max(fastest, math::length(s.motion[b].w));
     return fastest;
 }
 

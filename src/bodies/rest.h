@@ -33,12 +33,12 @@ inline double way_from(const RestingPose& pose, const BodyMotion& motion, float 
 
 // Neither body has moved by more than a small part of a micrometer (rest.cpp) since the pair was tested.
 inline bool is_tested(const State& state, const ContactInfo& c) {
-    return c.tested_at >= state.left_at[std::size_t(c.body_a)] && c.tested_at >= state.left_at[std::size_t(c.body_b)];
+    return c.tested_at >= state.left_at[c.body_a] && c.tested_at >= state.left_at[c.body_b];
 }
 
 // Both bodies are nearly where they were when the pair was tested (rest.cpp): its points may be moved along with them.
 inline bool is_near(const State& s, const ContactInfo& c) {
-    return c.tested_at >= s.strayed_at[std::size_t(c.body_a)] && c.tested_at >= s.strayed_at[std::size_t(c.body_b)];
+    return c.tested_at >= s.strayed_at[c.body_a] && c.tested_at >= s.strayed_at[c.body_b];
 }
 
 // The pair was found so far apart that it cannot come near in this pass. (`until` is 0 if it was not: no way is less.)

@@ -181,12 +181,12 @@ void write_record(State& s, std::uint32_t id, const Manifold& m) {
     const int kept = m.count == 1 ? 1 : 4;
     for (int i = 0; i < kept; ++i)
         points[i] = i < m.count ? load4(m.points[i]) + Float4{offset.x, offset.y, offset.z} : Float4{0, 0, 0, unused};
-    const math::Quat turned = s.motion[std::size_t(c.body_a)].turned;
+    const math::Quat turned = s.motion[c.body_a].turned;
     const bool stay = m.count == c.point_count && points_stay(r, points, kept, turned, c.match_tolerance);
     OldPoints old;
     if (!stay) old = old_points(r, c.point_count, turned);
     put(r.normal, normal);
-    put(r.center_offset, math::to_float(s.motion[std::size_t(c.body_a)].x - s.motion[std::size_t(c.body_b)].x));
+    put(r.center_offset, math::to_float(s.motion[c.body_a].x - s.motion[c.body_b].x));
     for (int i = 0; i < kept; ++i) store4(point_of(r, i), points[i]);
     if (may_be_round(c.kind)) {
         r.radius_a = contact_radius(s, c.shape_a, normal, m.points[0][3]);
@@ -201,8 +201,8 @@ void write_record(State& s, std::uint32_t id, const Manifold& m) {
 
 void advance_record(const State& s, const ContactInfo& c, ContactRecord& r) {
     const math::Vec3 n = to_vec(r.normal), d = to_vec(r.center_offset);
-    const math::Quat qa = s.motion[std::size_t(c.body_a)].turned, qb = s.motion[std::size_t(c.body_b)].turned;
-    const math::Vec3 offset = math::to_float(s.motion[std::size_t(c.body_a)].x - s.motion[std::size_t(c.body_b)].x);
+    const math::Quat qa = s.motion[c.body_a].turned, qb = s.motion[c.body_b].turned;
+    const math::Vec3 offset = math::to_float(s.motion[c.body_a].x - s.motion[c.body_b].x);
     const math::Vec3 round_a = r.radius_a * n, round_b = r.radius_b * n;
     for (int i = 0; i < c.point_count; ++i) {
         float* const point = point_of(r, i);

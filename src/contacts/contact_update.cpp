@@ -42,29 +42,30 @@ void note_trigger(State& s, ContactInfo& c, bool inside) {
     c.touching = inside;
     const bool a_is_trigger = s.shape_traits[c.shape_a].is_trigger;
     const std::uint32_t trigger = a_is_trigger ? c.shape_a : c.shape_b, other = a_is_trigger ? c.shape_b : c.shape_a;
-    s.next_triggers.push_back({s.shape_id(trigger), s.shape_id(other), s.body_id(s.shapes[trigger].body),
-                               s.body_id(s.shapes[other].body), inside});
+    s.events.triggers.next.push_back({s.shape_id(trigger), s.shape_id(other), s.body_id(s.shapes[trigger].body),
+                                      s.body_id(s.shapes[other].body), inside});
 }
 
 // Whether another patch of the same pair touches.
 bool pair_touches_elsewhere(const State& s, const ContactInfo& c) {
     if (c.kind != PairKind::patch) return false;
-    for (std::int32_t p = s.contacts[std::size_t(c.related)].related; p != none; p = s.contacts[std::size_t(p)].next)
-        if (&s.contacts[std::size_t(p)] != &c && s.contacts[std::size_t(p)].touching) return true;
+    for (std::int32_t p = s.contacts[c.related].related; p != none; p = s.contacts[p].next)
+        if (&s.contacts[p] != &c && s.contacts[p].touching) return true;
     return false;
 }
 
 void end_touch(State& s, ContactInfo& c) {
     c.touching = 0;
     if (pair_touches_elsewhere(s, c)) return;
-    s.next_ends.push_back({s.shape_id(c.shape_a), s.shape_id(c.shape_b), s.body_id(c.body_a), s.body_id(c.body_b)});
+    s.events.ends.next.push_back(
+        {s.shape_id(c.shape_a), s.shape_id(c.shape_b), s.body_id(c.body_a), s.body_id(c.body_b)});
 }
 
 void begin_contact(State& s, ContactInfo& c, math::Vec3 normal) {
     if (c.b_moves)
         link_islands(s, c.body_a, c.body_b);
     else
-        wake_island(s, s.bodies[std::size_t(c.body_a)].island);
+        wake_island(s, s.bodies[c.body_a].island);
     assign_color(s, c);
     c.load = c.force = first_load(s, c, normal);
 }
@@ -93,13 +94,13 @@ bool is_asleep(const State& s, const ContactInfo& c) {
 } // namespace
 
 bool moves(const State& s, std::int32_t body) {
-    const BodyMotion& m = s.motion[std::size_t(body)];
+    const BodyMotion& m = s.motion[body];
     return !(m.v == math::Vec3{} && m.w == math::Vec3{});
 }
 
 // Of the points of a record.
 float approach_speed(const State& s, const ContactInfo& c, const ContactRecord& r) {
-    const BodyMotion &a = s.motion[std::size_t(c.body_a)], &b = s.motion[std::size_t(c.body_b)];
+    const BodyMotion &a = s.motion[c.body_a], &b = s.motion[c.body_b];
     return greatest_approach(a, b, to_vec(r.normal), to_vec(r.center_offset), c.point_count,
                              [&](int i) { return to_vec(point_of(r, i)); });
 }
@@ -137,8 +138,7 @@ void follow_up(State& s, std::uint32_t id, std::uint8_t outcome, float dt) {
             begin_contact(s, c, to_vec(r.normal));
         else if (asleep)
             wake_body(s, c.body_a);
-        if (!c.b_moves && moves(s, c.body_b))
-            s.islands[std::size_t(s.bodies[std::size_t(c.body_a)].island)].kept_awake = 1;
+        if (!c.b_moves && moves(s, c.body_b)) s.islands[s.bodies[c.body_a].island].kept_awake = 1;
     }
     s.solved.push_back(id);
 }
@@ -146,9 +146,9 @@ void follow_up(State& s, std::uint32_t id, std::uint8_t outcome, float dt) {
 // How far apart two shapes may be to count: what the next step can close. Triggers do not look ahead.
 float contact_margin(const State& s, const ContactInfo& c, float dt) {
     if (c.is_trigger) return 0;
-    const BodyMotion &a = s.motion[std::size_t(c.body_a)], &b = s.motion[std::size_t(c.body_b)];
+    const BodyMotion &a = s.motion[c.body_a], &b = s.motion[c.body_b];
     return c.base_margin + dt * math::length(b.v - a.v) +
-           (s.narrow.turn_reach[std::size_t(c.body_a)] + s.narrow.turn_reach[std::size_t(c.body_b)]);
+           (s.narrow.turn_reach[c.body_a] + s.narrow.turn_reach[c.body_b]);
 }
 
 // Such contacts would have nothing to do in the solver: they are up to half of all while a heap lands.
@@ -158,7 +158,7 @@ bool stays_apart(const State& s, const ContactInfo& c, const Manifold& m, float 
     for (int i = 1; i < m.count; ++i) least = std::min(least, m.points[i][3]);
     if (least <= c.base_margin) return false;
     const std::int32_t first = c.flipped ? c.body_b : c.body_a, second = c.flipped ? c.body_a : c.body_b;
-    const BodyMotion &a = s.motion[std::size_t(first)], &b = s.motion[std::size_t(second)];
+    const BodyMotion &a = s.motion[first], &b = s.motion[second];
     const math::Vec3 center = s.shapes[c.flipped ? c.shape_b : c.shape_a].arm;
     const float speed = greatest_approach(a, b, to_vec(m.normal), math::to_float(a.x - b.x), m.count,
                                           [&](int i) { return center + to_vec(m.points[i]); });
@@ -167,7 +167,7 @@ bool stays_apart(const State& s, const ContactInfo& c, const Manifold& m, float 
         const float turn = looked_ahead(dt * math::length(body.w));
         return 0.5f * turn * turn * radius;
     };
-    const float more = bend(a, s.bodies[std::size_t(first)].radius) + bend(b, s.bodies[std::size_t(second)].radius);
+    const float more = bend(a, s.bodies[first].radius) + bend(b, s.bodies[second].radius);
     return least > c.base_margin + dt * (speed + redirected * math::length(b.v - a.v)) + more;
 }
 
@@ -175,8 +175,7 @@ std::uint8_t take_distance(State& s, std::uint32_t id, float distance) {
     ContactInfo& c = s.contacts[id];
     c.tested_at = s.passes + 1;
     if (distance > c.base_margin && distance < unused && has_distance(c.kind))
-        s.apart_pairs[id].until =
-            (s.way[std::size_t(c.body_a)] + s.way[std::size_t(c.body_b)]) + double(distance - c.base_margin);
+        s.apart_pairs[id].until = (s.way[c.body_a] + s.way[c.body_b]) + double(distance - c.base_margin);
     if (c.is_trigger) return trigger_outcome(c, false);
     return c.point_count == 0 ? apart : ended;
 }
@@ -216,8 +215,8 @@ void end_contact(State& s, std::uint32_t id) {
     if (c.point_count == 0) return;
     release_color(s, c);
     c.point_count = 0;
-    const std::int32_t island = s.bodies[std::size_t(c.body_a)].island;
-    if (island != none) s.islands[std::size_t(island)].lost_contact |= c.b_moves;
+    const std::int32_t island = s.bodies[c.body_a].island;
+    if (island != none) s.islands[island].lost_contact |= c.b_moves;
     if (c.touching) end_touch(s, c);
 }
 
@@ -230,15 +229,15 @@ void begin_touch(State& s, std::uint32_t id) {
     if (pair_touches_elsewhere(s, c)) return;
     const ShapeId a = s.shape_id(c.shape_a), b = s.shape_id(c.shape_b);
     const BodyId body_a = s.body_id(c.body_a), body_b = s.body_id(c.body_b);
-    s.begins.push_back({a, b, body_a, body_b});
+    s.events.begins.push_back({a, b, body_a, body_b});
     const ContactRecord& r = s.records[id];
     if (r.approach_speed < s.settings.hit_speed) return;
     int deepest = 0;
     for (int i = 1; i < c.point_count; ++i)
         if (point_of(r, i)[3] < point_of(r, deepest)[3]) deepest = i;
     const ContactRecord now = advanced_record(s, id);
-    const math::DVec3 p = s.motion[std::size_t(c.body_a)].x + math::to_double(to_vec(point_of(now, deepest)));
-    s.hits.push_back(
+    const math::DVec3 p = s.motion[c.body_a].x + math::to_double(to_vec(point_of(now, deepest)));
+    s.events.hits.push_back(
         {a, b, body_a, body_b, {p.x, p.y, p.z}, {r.normal[0], r.normal[1], r.normal[2]}, r.approach_speed});
 }
 
@@ -250,7 +249,7 @@ bool take_report(State& s, const SortedContact& sorted, float dt) {
     // Impulses beyond the range of numbers (of bodies that were stopped for it) must not start the next step.
     if (!std::isfinite(report.impulse)) forget_impulses(s.records[sorted.id], c.point_count);
     const float force = std::isfinite(report.impulse) ? report.impulse / dt : 0;
-    note_load(s.islands[std::size_t(sorted.island)], c, force, report.inverse_mass);
+    note_load(s.islands[sorted.island], c, force, report.inverse_mass);
     if (!c.touching) return report.separation <= 0 || report.impulse > 0;
     return report.impulse == 0 && report.separation > 0.25f * c.base_margin;
 }

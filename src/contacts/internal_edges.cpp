@@ -69,7 +69,7 @@ bool is_seam(const State& s, std::uint32_t deeper, std::uint32_t c, float depth)
     const math::Vec3 up = -to_vec(plane.normal);
     if (info.shape_b == over.shape_b || is_same(to_vec(plane.normal), to_vec(r.normal))) return false;
     const math::Vec3 origin = other_surface(plane, 0);
-    const float radius = s.bodies[std::size_t(info.body_a)].radius;
+    const float radius = s.bodies[info.body_a].radius;
     const float tolerance =
         std::min(flatness * (radius + s.geometry[info.shape_b].bounding_radius), most_flatness * radius);
     bool is_in_plane = true;
@@ -77,7 +77,7 @@ bool is_seam(const State& s, std::uint32_t deeper, std::uint32_t c, float depth)
         const float height = math::dot(up, other_surface(r, i) - origin);
         is_in_plane = is_in_plane && height <= tolerance && height >= -depth - tolerance;
     }
-    const math::DVec3 point = s.motion[std::size_t(info.body_a)].x + math::to_double(origin), n = math::to_double(up);
+    const math::DVec3 point = s.motion[info.body_a].x + math::to_double(origin), n = math::to_double(up);
     if (reach(s, info.shape_b, n, point) > double(tolerance)) return false;
     // Sharp edges that are still apart meet as rounded ones would, somewhere beside the plane. But if all of the body
     // is above it, what is below can only be met in it.
@@ -99,7 +99,7 @@ bool is_covered(const State& s, std::uint32_t line, std::uint32_t c) {
     if (over.point_count != 2 || info.point_count > 2 || info.shape_b == over.shape_b) return false;
     if (!is_same(to_vec(whole.normal), to_vec(r.normal))) return false;
     const math::Vec3 from = to_vec(point_of(whole, 0)), along = to_vec(point_of(whole, 1)) - from;
-    const float square = math::dot(along, along), tolerance = flatness * s.bodies[std::size_t(info.body_a)].radius;
+    const float square = math::dot(along, along), tolerance = flatness * s.bodies[info.body_a].radius;
     for (int i = 0; i < info.point_count; ++i) {
         const math::Vec3 to = to_vec(point_of(r, i)) - from;
         const float part = square > 0 ? std::clamp(math::dot(to, along) / square, 0.0f, 1.0f) : 0.0f;
@@ -155,10 +155,10 @@ void drop_seams(State& s) {
         const ContactInfo& c = s.contacts[id];
         if (c.b_moves) continue;
         s.narrow.is_seam[id] = 0;
-        std::int32_t& last = last_of_body[std::size_t(c.body_a)];
+        std::int32_t& last = last_of_body[c.body_a];
         bool on_several = false;
         if (last != none) {
-            const FixedContact& before = fixed[std::size_t(last)];
+            const FixedContact& before = fixed[last];
             on_several = before.on_several || s.contacts[before.contact].shape_b != c.shape_b;
         }
         fixed.push_back({id, last, on_several});
@@ -167,10 +167,9 @@ void drop_seams(State& s) {
     for (std::size_t k = fixed.size(); k-- > 0;) {
         std::int32_t& last = last_of_body[std::size_t(s.contacts[fixed[k].contact].body_a)];
         if (last == none) continue; // its body is done
-        if (fixed[std::size_t(last)].on_several) {
+        if (fixed[last].on_several) {
             s.narrow.of_body.clear();
-            for (std::int32_t i = last; i != none; i = fixed[std::size_t(i)].before)
-                s.narrow.of_body.push_back(fixed[std::size_t(i)].contact);
+            for (std::int32_t i = last; i != none; i = fixed[i].before) s.narrow.of_body.push_back(fixed[i].contact);
             drop_seams_of_body(s, s.narrow.of_body);
         }
         last = none;

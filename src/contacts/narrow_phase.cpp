@@ -66,11 +66,11 @@ void test_convex_pairs(State& s, PairKind kind, int begin, int end, float dt) {
     const std::vector<std::uint32_t>& places = s.narrow.lists[std::size_t(kind)];
     constexpr int ahead = int(contacts_ahead);
     const int count = int(places.size()); // the next chunk begins at once
-    const auto contact_at = [&](int i) { return s.narrow.candidates[places[std::size_t(i)]]; };
+    const auto contact_at = [&](int i) { return s.narrow.candidates[places[i]]; };
     for (int i = begin; i < end; ++i) {
         if (i + 2 * ahead < count) ask_cache(&s.contacts[contact_at(i + 2 * ahead)]);
         if (i + ahead < count) prefetch_pair(s, contact_at(i + ahead));
-        const std::uint32_t place = places[std::size_t(i)], id = s.narrow.candidates[place];
+        const std::uint32_t place = places[i], id = s.narrow.candidates[place];
         const ContactInfo& c = s.contacts[id];
         const PosedShape a = posed_shape(s, c.shape_a), b = posed_shape(s, c.shape_b);
         const float margin = contact_margin(s, c, dt);
@@ -91,7 +91,7 @@ void test_convex_pairs(State& s, PairKind kind, int begin, int end, float dt) {
 // Asks the cache for what moving the points of a pair along needs.
 void prefetch_move(const State& s, std::uint32_t id) {
     const ContactInfo& c = s.contacts[id];
-    for (const std::int32_t body : {c.body_a, c.body_b}) ask_cache(&s.motion[std::size_t(body)]);
+    for (const std::int32_t body : {c.body_a, c.body_b}) ask_cache(&s.motion[body]);
     if (!is_group(c))
         prefetch_record(s, id, c.point_count > 1 ? sizeof(ContactRecord) : offsetof(ContactRecord, more_points));
 }
@@ -113,7 +113,7 @@ void move_contacts(State& s, int begin, int end) {
             advance_record(s, c, r);
             if (!c.touching) r.approach_speed = approach_speed(s, c, r);
         });
-        s.narrow.outcomes[places[std::size_t(i)]] = going_on(s, s.contacts[id]);
+        s.narrow.outcomes[places[i]] = going_on(s, s.contacts[id]);
     }
 }
 
@@ -122,9 +122,8 @@ void move_contacts(State& s, int begin, int end) {
 bool is_found(const State& s, const ContactInfo& c) {
     if (s.passes == s.first_pass || c.tested_at != s.first_pass + 1 || c.is_trigger) return false;
     const auto turns_little = [&](std::int32_t body) {
-        const math::Quat q = s.motion[std::size_t(body)].turned; // in the last pass
-        return !s.narrow.whirls[std::size_t(body)] &&
-               4 * (q.x * q.x + q.y * q.y + q.z * q.z) < little_turn * little_turn;
+        const math::Quat q = s.motion[body].turned; // in the last pass
+        return !s.narrow.whirls[body] && 4 * (q.x * q.x + q.y * q.y + q.z * q.z) < little_turn * little_turn;
     };
     return turns_little(c.body_a) && turns_little(c.body_b);
 }
@@ -200,7 +199,7 @@ void list_pairs(State& s) {
     for (const std::uint32_t k : scratch.open) {
         const std::uint8_t outcome = scratch.outcomes[k];
         if (outcome >= to_test)
-            scratch.lists[std::size_t(outcome - to_test)].push_back(k);
+            scratch.lists[outcome - to_test].push_back(k);
         else if (outcome == to_move)
             scratch.to_move.push_back(k);
     }
@@ -210,9 +209,8 @@ void list_pairs(State& s) {
 
 void test_all(State& s, float dt) {
     const auto for_kind = [&](PairKind kind, int per_chunk, auto&& test) {
-        s.crew->for_chunks(
-            int(s.narrow.lists[std::size_t(kind)].size()), per_chunk,
-            [&](int begin, int end, int thread) { test(begin, end, s.narrow.at_work[std::size_t(thread)]); });
+        s.crew->for_chunks(int(s.narrow.lists[std::size_t(kind)].size()), per_chunk,
+                           [&](int begin, int end, int thread) { test(begin, end, s.narrow.at_work[thread]); });
     };
     for (int kind = 0; kind < wide_kinds; ++kind)
         for_kind(PairKind(kind), PairBatch::capacity, [&](int begin, int end, NarrowBatch& own) {

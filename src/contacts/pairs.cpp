@@ -91,7 +91,7 @@ struct Sink final : PairSink {
         if (!a_moves && !b_moves) return false;
         // Two that cannot be moved by any force would be pushed in vain.
         auto movable = [&](std::int32_t body) {
-            const BodyMass& m = s.mass[std::size_t(body)];
+            const BodyMass& m = s.mass[body];
             return m.inverse_mass > 0 || !(m.inverse_inertia == math::Vec3{});
         };
         const ShapeTraits &traits_a = s.shape_traits[a], &traits_b = s.shape_traits[b];

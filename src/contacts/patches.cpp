@@ -26,9 +26,9 @@ constexpr std::uint8_t not_found = 255; // in NarrowScratch::patch_outcomes
 std::int32_t matching_patch(const State& s, const ContactInfo& group, const Manifold& m) {
     std::int32_t best = none;
     float nearest = same_patch;
-    for (std::int32_t p = group.related; p != none; p = s.contacts[std::size_t(p)].next) {
-        if (s.narrow.patch_outcomes[std::size_t(p)] != not_found) continue;
-        const float cosine = math::dot(to_vec(m.normal), to_vec(s.records[std::size_t(p)].normal));
+    for (std::int32_t p = group.related; p != none; p = s.contacts[p].next) {
+        if (s.narrow.patch_outcomes[p] != not_found) continue;
+        const float cosine = math::dot(to_vec(m.normal), to_vec(s.records[p].normal));
         if (cosine > nearest) nearest = cosine, best = p;
     }
     return best;
@@ -58,8 +58,7 @@ void test_group(State& s, std::uint32_t place, NarrowBatch& own, float dt) {
         return;
     }
     s.narrow.outcomes[place] = goes_on;
-    for (std::int32_t p = group.related; p != none; p = s.contacts[std::size_t(p)].next)
-        s.narrow.patch_outcomes[std::size_t(p)] = not_found;
+    for (std::int32_t p = group.related; p != none; p = s.contacts[p].next) s.narrow.patch_outcomes[p] = not_found;
     std::uint32_t order = 0;
     for (const Manifold& hit : own.hits) {
         if (stays_apart(s, group, hit, dt)) continue;
@@ -67,10 +66,10 @@ void test_group(State& s, std::uint32_t place, NarrowBatch& own, float dt) {
         if (patch == none)
             own.fresh.push_back({place, order++, hit});
         else
-            s.narrow.patch_outcomes[std::size_t(patch)] = take_manifold(s, std::uint32_t(patch), hit, dt);
+            s.narrow.patch_outcomes[patch] = take_manifold(s, std::uint32_t(patch), hit, dt);
     }
-    for (std::int32_t p = group.related; p != none; p = s.contacts[std::size_t(p)].next)
-        if (std::uint8_t& outcome = s.narrow.patch_outcomes[std::size_t(p)]; outcome == not_found) outcome = ended;
+    for (std::int32_t p = group.related; p != none; p = s.contacts[p].next)
+        if (std::uint8_t& outcome = s.narrow.patch_outcomes[p]; outcome == not_found) outcome = ended;
 }
 
 std::uint32_t create_patch(State& s, std::uint32_t group_id) {
@@ -141,9 +140,9 @@ void follow_up_group(State& s, std::uint32_t place, float dt) {
 
 void end_patch(State& s, std::uint32_t id) {
     end_contact(s, id);
-    ContactInfo& group = s.contacts[std::size_t(s.contacts[id].related)];
+    ContactInfo& group = s.contacts[s.contacts[id].related];
     std::int32_t* link = &group.related;
-    while (*link != std::int32_t(id)) link = &s.contacts[std::size_t(*link)].next;
+    while (*link != std::int32_t(id)) link = &s.contacts[*link].next;
     *link = s.contacts[id].next;
     free_contact(s, id);
 }

@@ -12,7 +12,7 @@ template <class F> void for_each_patch(const State& s, std::uint32_t id, F&& f) 
         return;
     }
     for (std::int32_t p = s.contacts[id].related; p != none;) {
-        const std::int32_t next = s.contacts[std::size_t(p)].next;
+        const std::int32_t next = s.contacts[p].next;
         f(std::uint32_t(p));
         p = next;
     }

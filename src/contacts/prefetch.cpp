@@ -20,8 +20,8 @@ void prefetch_pair(const State& s, std::uint32_t id) {
         ask_cache(&s.shapes[shape]);
     }
     for (const std::int32_t body : {c.body_a, c.body_b}) {
-        ask_cache(&s.motion[std::size_t(body)].v);
-        ask_cache(&s.bodies[std::size_t(body)].radius);
+        ask_cache(&s.motion[body].v);
+        ask_cache(&s.bodies[body].radius);
     }
     prefetch_record(s, id); // all of it: another thread may be about to say how many points there are
 }
@@ -29,9 +29,9 @@ void prefetch_pair(const State& s, std::uint32_t id) {
 void prefetch_patch(const State& s, std::uint32_t id, int n, bool with_record) {
     if (!is_group(s.contacts[id])) return;
     std::int32_t patch = s.contacts[id].related;
-    for (; n > 0 && patch != none; --n) patch = s.contacts[std::size_t(patch)].next;
+    for (; n > 0 && patch != none; --n) patch = s.contacts[patch].next;
     if (patch == none) return;
-    ask_cache(&s.contacts[std::size_t(patch)]);
+    ask_cache(&s.contacts[patch]);
     if (with_record) prefetch_record(s, std::uint32_t(patch));
 }
 

@@ -11,8 +11,8 @@ namespace cairn {
 
 namespace {
 
-Island& island_at(State& state, std::int32_t i) { return state.islands[std::size_t(i)]; }
-BodyLinks& body_at(State& state, std::int32_t i) { return state.bodies[std::size_t(i)]; }
+Island& island_at(State& state, std::int32_t i) { return state.islands[i]; }
+BodyLinks& body_at(State& state, std::int32_t i) { return state.bodies[i]; }
 
 std::int32_t new_island(State& state) {
     std::int32_t i;
@@ -35,7 +35,7 @@ std::int32_t new_island(State& state) {
 void leave_awake_list(State& state, std::int32_t i) {
     Island& island = island_at(state, i);
     const std::int32_t last = state.awake_islands.back();
-    state.awake_islands[std::size_t(island.position)] = last;
+    state.awake_islands[island.position] = last;
     island_at(state, last).position = island.position;
     state.awake_islands.pop_back();
     island.position = none;
@@ -73,9 +73,9 @@ void put_to_sleep(State& state, std::int32_t i) {
     leave_awake_list(state, i);
     Island& island = island_at(state, i);
     for (std::int32_t b = island.first_body; b != none; b = body_at(state, b).next_in_island) {
-        BodyMotion& motion = state.motion[std::size_t(b)];
+        BodyMotion& motion = state.motion[b];
         motion.v = motion.w = motion.v_rest = motion.w_rest = {};
-        state.next_sleeps.push_back({state.body_id(b), true});
+        state.events.sleeps.next.push_back({state.body_id(b), true});
     }
     state.falling_asleep.push_back(i);
 }
@@ -83,9 +83,9 @@ void put_to_sleep(State& state, std::int32_t i) {
 // --- splitting
 
 std::int32_t find_root(std::vector<std::int32_t>& parent, std::int32_t i) {
-    while (parent[std::size_t(i)] != i) {
-        parent[std::size_t(i)] = parent[std::size_t(parent[std::size_t(i)])];
-        i = parent[std::size_t(i)];
+    while (parent[i] != i) {
+        parent[i] = parent[parent[i]];
+        i = parent[i];
     }
     return i;
 }
@@ -96,7 +96,7 @@ void split_island(State& state, std::int32_t i) {
     std::vector<std::int32_t>& number = state.solver.member_numbers;
     number.resize(state.bodies.size());
     for (std::int32_t b = island_at(state, i).first_body; b != none; b = body_at(state, b).next_in_island) {
-        number[std::size_t(b)] = std::int32_t(members.size());
+        number[b] = std::int32_t(members.size());
         parent.push_back(std::int32_t(members.size()));
         members.push_back(b);
     }
@@ -104,17 +104,17 @@ void split_island(State& state, std::int32_t i) {
         const ContactInfo& contact = state.contacts[id];
         if (!contact.in_use || contact.point_count == 0 || !contact.b_moves) continue;
         if (body_at(state, contact.body_a).island != i) continue;
-        const std::int32_t a = find_root(parent, number[std::size_t(contact.body_a)]);
-        const std::int32_t b = find_root(parent, number[std::size_t(contact.body_b)]);
-        parent[std::size_t(std::max(a, b))] = std::min(a, b);
+        const std::int32_t a = find_root(parent, number[contact.body_a]);
+        const std::int32_t b = find_root(parent, number[contact.body_b]);
+        parent[std::max(a, b)] = std::min(a, b);
     }
     for (const std::int32_t b : members)
         for_each_joint(state, b, [&](std::uint32_t joint, int side) {
             const std::int32_t other = other_body(state.joints[joint], side);
             if (other == none || !state.is_dynamic(other)) return;
-            const std::int32_t a = find_root(parent, number[std::size_t(b)]);
-            const std::int32_t c = find_root(parent, number[std::size_t(other)]);
-            parent[std::size_t(std::max(a, c))] = std::min(a, c);
+            const std::int32_t a = find_root(parent, number[b]);
+            const std::int32_t c = find_root(parent, number[other]);
+            parent[std::max(a, c)] = std::min(a, c);
         });
     Island& island = island_at(state, i);
     island.first_body = island.last_body = none;
@@ -139,7 +139,7 @@ void measure_rest(State& state, std::int32_t i) {
         const float quiet = body_at(state, b).quiet_time;
         least = std::min(least, quiet);
         greatest = std::max(greatest, quiet);
-        allowed = allowed && state.body_settings[std::size_t(b)].allow_sleep;
+        allowed = allowed && state.body_settings[b].allow_sleep;
     }
     island.least_quiet_time = allowed && !island.kept_awake ? least : 0;
     island.greatest_quiet_time = greatest;
@@ -185,8 +185,8 @@ void wake_island(State& state, std::int32_t i) {
     state.awake_islands.push_back(i);
     for (std::int32_t b = island.first_body; b != none; b = body_at(state, b).next_in_island) {
         body_at(state, b).quiet_time = 0;
-        state.motion[std::size_t(b)].turned = {};
-        state.next_sleeps.push_back({state.body_id(b), false});
+        state.motion[b].turned = {};
+        state.events.sleeps.next.push_back({state.body_id(b), false});
     }
     island.kept_awake = 1; // for this step
     if (island.key == none) {
@@ -221,16 +221,16 @@ void wake_around_shape(State& state, std::uint32_t shape) {
 }
 
 void wake_around(State& state, std::int32_t body) {
-    for (std::int32_t s = body_at(state, body).first_shape; s != none; s = state.shapes[std::size_t(s)].next)
+    for (std::int32_t s = body_at(state, body).first_shape; s != none; s = state.shapes[s].next)
         wake_around_shape(state, std::uint32_t(s));
 }
 
 void wake_around_moving_planes(State& state) {
     for (const std::int32_t b : state.kinematics) {
-        const BodyMotion& motion = state.motion[std::size_t(b)];
+        const BodyMotion& motion = state.motion[b];
         if (motion.v == math::Vec3{} && motion.w == math::Vec3{}) continue;
-        for (std::int32_t s = body_at(state, b).first_shape; s != none; s = state.shapes[std::size_t(s)].next)
-            if (state.geometry[std::size_t(s)].type == ShapeType::plane) wake_around_shape(state, std::uint32_t(s));
+        for (std::int32_t s = body_at(state, b).first_shape; s != none; s = state.shapes[s].next)
+            if (state.geometry[s].type == ShapeType::plane) wake_around_shape(state, std::uint32_t(s));
     }
 }
 
@@ -270,7 +270,7 @@ void flush_sleep(State& state) {
         Island& island = island_at(state, i);
         shapes.clear();
         for (std::int32_t b = island.first_body; b != none; b = body_at(state, b).next_in_island)
-            for (std::int32_t s = body_at(state, b).first_shape; s != none; s = state.shapes[std::size_t(s)].next)
+            for (std::int32_t s = body_at(state, b).first_shape; s != none; s = state.shapes[s].next)
                 shapes.push_back(std::uint32_t(s));
         island.key = i;
         state.broad_phase.put_to_sleep(std::uint32_t(i), shapes);

@@ -50,7 +50,7 @@ float first_load(const State& s, const ContactInfo& c, math::Vec3 normal) {
     const auto& g = s.settings.gravity;
     const float pull = math::dot(normal, math::Vec3{g.x, g.y, g.z}); // > 0: B is below
     if (pull < 0 && !c.b_moves) return 0;
-    const BodyMass& above = s.mass[std::size_t(pull >= 0 ? c.body_a : c.body_b)];
+    const BodyMass& above = s.mass[pull >= 0 ? c.body_a : c.body_b];
     return above.inverse_mass > 0 ? above.mass * std::fabs(pull) : 0;
 }
 

@@ -73,11 +73,11 @@ void find_stiffness(const SetView& v, double h) {
 void place_bodies(const SetView& v, const BinScratch& scratch) {
     for (std::size_t i = 0; i < v.set.bodies.size(); ++i) {
         DirectBody& b = v.bodies[i];
-        const SolverPose& pose = scratch.pose[std::size_t(b.row)];
+        const SolverPose& pose = scratch.pose[b.row];
         b.center = vector_of(pose.dx);
         b.turn = math::normalized(math::DQuat{pose.dq[0], pose.dq[1], pose.dq[2], pose.dq[3]});
-        b.v = vector_of(scratch.velocity[std::size_t(b.row)].v);
-        b.w = vector_of(scratch.velocity[std::size_t(b.row)].w);
+        b.v = vector_of(scratch.velocity[b.row].v);
+        b.w = vector_of(scratch.velocity[b.row].w);
         b.dv = b.dw = {};
         if (b.by_forces) b.axes = math::to_matrix(b.turn * b.axes0);
     }
@@ -336,8 +336,8 @@ void begin_set(const State& s, const SetView& v, BinScratch& scratch, double h, 
 void solve_set(const SetView& v, BinScratch& scratch, double h) {
     for (std::size_t i = 0; i < v.set.bodies.size(); ++i) {
         DirectBody& b = v.bodies[i];
-        b.v = vector_of(scratch.velocity[std::size_t(b.row)].v);
-        b.w = vector_of(scratch.velocity[std::size_t(b.row)].w);
+        b.v = vector_of(scratch.velocity[b.row].v);
+        b.w = vector_of(scratch.velocity[b.row].w);
         b.dv = b.dw = {};
     }
     const double rate = (v.set.mass_ratio <= equal_mass_ratio ? bias_of_equals : bias_of_unequals) / h;
@@ -357,10 +357,10 @@ template <class F> void for_sets(const State& s, BinScratch& scratch, Crew* crew
     DirectWork& w = scratch.direct;
     for_chunks(crew, int(w.sets.size()), 1, [&](int begin, int end, int) {
         for (int k = begin; k < end; ++k) {
-            const DirectSolve& solve = w.sets[std::size_t(k)];
-            work(SetView{s.direct.sets[std::size_t(solve.set)], w.bodies.data() + solve.first_body,
-                         w.rows.data() + solve.first_row, w.diagonal.data() + solve.first_row,
-                         w.lower.data() + solve.first_block, w.sought.data() + solve.first_row, solve.is_new});
+            const DirectSolve& solve = w.sets[k];
+            work(SetView{s.direct.sets[solve.set], w.bodies.data() + solve.first_body, w.rows.data() + solve.first_row,
+                         w.diagonal.data() + solve.first_row, w.lower.data() + solve.first_block,
+                         w.sought.data() + solve.first_row, solve.is_new});
         }
     });
 }

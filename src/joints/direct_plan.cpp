@@ -51,7 +51,7 @@ std::vector<std::vector<NodeEnd>> ends_by_body(const std::vector<DirectEnds>& no
             const std::int32_t body = nodes[i].body[side];
             if (body < 0) continue;
             if (std::size_t(body) >= ends.size()) ends.resize(std::size_t(body) + 1);
-            ends[std::size_t(body)].push_back({i, side});
+            ends[body].push_back({i, side});
         }
     return ends;
 }

@@ -16,12 +16,12 @@ namespace {
 void fill_body(const State& s, const BinScratch& scratch, std::int32_t body, DirectBody& b) {
     b = {};
     if (body == none) return;
-    b.row = scratch.row_of_body[std::size_t(body)];
+    b.row = scratch.row_of_body[body];
     b.by_forces = s.is_dynamic(body);
     if (!b.by_forces) return;
-    const BodyMass& mass = s.mass[std::size_t(body)];
+    const BodyMass& mass = s.mass[body];
     b.inverse_mass = double(mass.inverse_mass);
-    b.axes0 = math::normalized(s.motion[std::size_t(body)].q * math::to_double(mass.principal));
+    b.axes0 = math::normalized(s.motion[body].q * math::to_double(mass.principal));
     const float greatest = std::max({mass.inertia.x, mass.inertia.y, mass.inertia.z});
     for (int i = 0; i < 3; ++i) {
         b.moments[i] = double(std::max(mass.inertia[i], least_contact_moment * greatest));
@@ -64,8 +64,8 @@ void list_direct_sets(const State& s, BinScratch& scratch) {
     std::size_t bodies = 0, rows = 0, blocks = 0;
     for (const std::uint32_t joint : scratch.joint_layout->joints) {
         const std::int32_t index = s.direct.set_of_joint[joint];
-        if (index == none || s.direct.sets[std::size_t(index)].joints[0] != joint) continue;
-        const DirectSet& set = s.direct.sets[std::size_t(index)];
+        if (index == none || s.direct.sets[index].joints[0] != joint) continue;
+        const DirectSet& set = s.direct.sets[index];
         bool is_new = false;
         for (const std::uint32_t member : set.joints) is_new |= !(s.joints[member].substep_time > 0);
         work.sets.push_back({index, bodies, rows, blocks, is_new});
@@ -82,8 +82,8 @@ void fill_direct_rows(const State& s, BinScratch& scratch, Crew* crew) {
     DirectWork& work = scratch.direct;
     for_chunks(crew, int(work.sets.size()), 1, [&](int begin, int end, int) {
         for (int k = begin; k < end; ++k) {
-            const DirectSolve& solve = work.sets[std::size_t(k)];
-            const DirectSet& set = s.direct.sets[std::size_t(solve.set)];
+            const DirectSolve& solve = work.sets[k];
+            const DirectSet& set = s.direct.sets[solve.set];
             for (std::size_t i = 0; i < set.bodies.size(); ++i)
                 fill_body(s, scratch, set.bodies[i], work.bodies[solve.first_body + i]);
             for (std::size_t i = 0; i < set.nodes.size(); ++i)
@@ -94,7 +94,7 @@ void fill_direct_rows(const State& s, BinScratch& scratch, Crew* crew) {
 
 void store_direct_rows(State& s, BinScratch& scratch) {
     for (const DirectSolve& solve : scratch.direct.sets) {
-        const DirectSet& set = s.direct.sets[std::size_t(solve.set)];
+        const DirectSet& set = s.direct.sets[solve.set];
         for (std::size_t i = 0; i < set.nodes.size(); ++i) {
             const DirectRow& row = scratch.direct.rows[solve.first_row + i];
             const DirectNode& node = set.nodes[i];

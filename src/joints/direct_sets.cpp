@@ -19,7 +19,7 @@ constexpr std::size_t most_blocks = std::size_t(1) << 18, most_products = std::s
 
 bool moves_by_forces(const State& s, std::int32_t body) { return body != none && s.is_dynamic(body); }
 bool moves(const State& s, std::int32_t body) {
-    return body != none && s.body_settings[std::size_t(body)].type != BodyType::static_;
+    return body != none && s.body_settings[body].type != BodyType::static_;
 }
 
 bool may_be_direct(const State& s, std::uint32_t index) {
@@ -78,8 +78,8 @@ class Finder {
             seen_[joint] = 1;
             set_.joints.push_back(joint);
             for (const std::int32_t body : {s_.joints[joint].body_a, s_.joints[joint].body_b}) {
-                if (!moves(s_, body) || number_[std::size_t(body)] != none) continue;
-                number_[std::size_t(body)] = 0;
+                if (!moves(s_, body) || number_[body] != none) continue;
+                number_[body] = 0;
                 set_.bodies.push_back(body);
                 if (moves_by_forces(s_, body)) open.push_back(body);
             }
@@ -93,13 +93,13 @@ class Finder {
         std::sort(set_.joints.begin(), set_.joints.end());
         std::sort(set_.bodies.begin(), set_.bodies.end());
         set_.bodies.insert(set_.bodies.begin(), none);
-        for (std::size_t i = 1; i < set_.bodies.size(); ++i) number_[std::size_t(set_.bodies[i])] = std::int32_t(i);
+        for (std::size_t i = 1; i < set_.bodies.size(); ++i) number_[set_.bodies[i]] = std::int32_t(i);
         list_nodes();
         measure();
-        for (std::size_t i = 1; i < set_.bodies.size(); ++i) number_[std::size_t(set_.bodies[i])] = none;
+        for (std::size_t i = 1; i < set_.bodies.size(); ++i) number_[set_.bodies[i]] = none;
     }
 
-    std::int32_t number_of(std::int32_t body) const { return moves(s_, body) ? number_[std::size_t(body)] : 0; }
+    std::int32_t number_of(std::int32_t body) const { return moves(s_, body) ? number_[body] : 0; }
 
     void list_nodes() {
         for (const std::uint32_t joint : set_.joints) {
@@ -118,8 +118,7 @@ class Finder {
         for (const DirectNode& node : set_.found) {
             DirectEnds& ends = set_.ends.emplace_back();
             for (int side = 0; side < 2; ++side)
-                ends.body[side] =
-                    moves_by_forces(s_, set_.bodies[std::size_t(node.body[side])]) ? node.body[side] : none;
+                ends.body[side] = moves_by_forces(s_, set_.bodies[node.body[side]]) ? node.body[side] : none;
         }
     }
 
@@ -131,7 +130,7 @@ class Finder {
         for (std::size_t i = 1; i < set_.bodies.size(); ++i) {
             if (!moves_by_forces(s_, set_.bodies[i])) continue;
             ++moving;
-            const float mass = s_.mass[std::size_t(set_.bodies[i])].mass;
+            const float mass = s_.mass[set_.bodies[i]].mass;
             least = least > 0 && least <= mass ? least : mass;
             greatest = greatest >= mass ? greatest : mass;
         }
@@ -165,10 +164,10 @@ class Finder {
         if (set.has_loops && turns) return true; // a machine
         float heaviest = 0;
         for (const std::int32_t body : set.bodies)
-            if (moves_by_forces(s_, body)) heaviest = std::max(heaviest, s_.mass[std::size_t(body)].mass);
+            if (moves_by_forces(s_, body)) heaviest = std::max(heaviest, s_.mass[body].mass);
         for (std::size_t i = 1; i < at.size(); ++i) {
             if (at[i].size() < 2) continue;
-            if (heaviest > least_mass_ratio * s_.mass[std::size_t(set.bodies[i])].mass) return true;
+            if (heaviest > least_mass_ratio * s_.mass[set.bodies[i]].mass) return true;
             int fixed = 0;
             for (const std::uint32_t joint : at[i]) {
                 const JointLocks& rules = s_.joints[joint].rules;
@@ -212,11 +211,10 @@ class Finder {
 
     bool plan(std::size_t blocks, std::size_t products) {
         const std::int32_t old = set_.joints[0] < old_set_of_joint_.size() ? old_set_of_joint_[set_.joints[0]] : none;
-        if (old != none && old_sets_[std::size_t(old)].found == set_.found &&
-            old_sets_[std::size_t(old)].ends == set_.ends) {
-            set_.nodes = std::move(old_sets_[std::size_t(old)].nodes);
-            set_.plan = std::move(old_sets_[std::size_t(old)].plan);
-            old_sets_[std::size_t(old)].found.clear();
+        if (old != none && old_sets_[old].found == set_.found && old_sets_[old].ends == set_.ends) {
+            set_.nodes = std::move(old_sets_[old].nodes);
+            set_.plan = std::move(old_sets_[old].plan);
+            old_sets_[old].found.clear();
             return set_.plan.block_count() <= blocks;
         }
         std::vector<std::uint32_t> order;

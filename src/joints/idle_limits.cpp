@@ -34,20 +34,18 @@ const JointAxisRule* swing_rule(const JointLocks& locks, const JointAxes& axes) 
 
 // An upper bound of the angle by which the bodies of a joint turned against each other in the last pass.
 float turned_against_each_other(const State& s, const JointInfo& joint) {
-    const auto turned = [&](std::int32_t body) {
-        return body == none ? math::Quat{} : s.motion[std::size_t(body)].turned;
-    };
+    const auto turned = [&](std::int32_t body) { return body == none ? math::Quat{} : s.motion[body].turned; };
     const math::Quat q = math::conjugate(turned(joint.body_a)) * turned(joint.body_b);
     const float sine = std::sqrt((q.x * q.x + q.y * q.y) + q.z * q.z); // of half the angle
     return (sine < 0.5f ? 2.1f : 3.1416f) * sine + 1e-6f;
 }
 // rad/s.
 float turning_speed(const State& s, const JointInfo& joint) {
-    const auto w = [&](std::int32_t body) { return body == none ? math::Vec3{} : s.motion[std::size_t(body)].w; };
+    const auto w = [&](std::int32_t body) { return body == none ? math::Vec3{} : s.motion[body].w; };
     float by_impact = 0;
     for (const std::int32_t body : {joint.body_a, joint.body_b}) {
         if (body == none) continue;
-        const float radius = s.bodies[std::size_t(body)].radius, speed = math::length(s.motion[std::size_t(body)].v);
+        const float radius = s.bodies[body].radius, speed = math::length(s.motion[body].v);
         if (radius > 0) by_impact = std::max(by_impact, speed / radius);
     }
     return more_turn * math::length(w(joint.body_b) - w(joint.body_a)) + impact_share * by_impact;

@@ -31,8 +31,7 @@ JointRowType type_of(std::uint32_t key) {
 }
 
 void name_body(const State& s, std::int32_t body, JointLayout& layout) {
-    if (body != none && s.body_settings[std::size_t(body)].type == BodyType::kinematic)
-        layout.kinematic_bodies.push_back(body);
+    if (body != none && s.body_settings[body].type == BodyType::kinematic) layout.kinematic_bodies.push_back(body);
 }
 
 // The rows of one joint.
@@ -70,7 +69,7 @@ void collect_joint(const State& s, std::uint32_t joint, JointLayout& layout) {
 
 void collect_rows(const State& s, JointLayout& layout) {
     for (const std::int32_t body : layout.bodies) {
-        if (s.bodies[std::size_t(body)].joint_count == 0) continue;
+        if (s.bodies[body].joint_count == 0) continue;
         for_each_joint(s, body, [&](std::uint32_t joint, int side) {
             if (side == 1 && joint_owner(s, s.joints[joint]) != body) return;
             layout.joints.push_back(joint);
@@ -129,7 +128,7 @@ bool may_be_fixed(std::uint32_t key) { return stands_alone(key) || key / keys_pe
 std::uint32_t joint_form_of(std::uint32_t key) { return key % forms; }
 
 void fill_joint_lanes(State& s, const Bin& bin, BinScratch& scratch, Crew* crew, float dt) {
-    JointLayout& layout = s.solver.joint_layouts[std::size_t(&bin - s.solver.bins.data())];
+    JointLayout& layout = s.solver.joint_layouts[&bin - s.solver.bins.data()];
     scratch.joint_layout = &layout;
     bool is_new = false;
     if (bin.joint_count == 0) {

@@ -79,7 +79,7 @@ double axis_position(const State& s, std::uint32_t index, int i, const JointPlac
 JointPlacement place_joint(const State& s, const JointInfo& joint) {
     JointPlacement p{place_anchors(s, joint), {}, {}};
     auto turned = [&](std::int32_t body, const DQuat& frame) {
-        return body == none ? frame : s.motion[std::size_t(body)].q * frame;
+        return body == none ? frame : s.motion[body].q * frame;
     };
     p.frame_a = turned(joint.body_a, joint.frame_a);
     p.frame_b = turned(joint.body_b, joint.frame_b);
@@ -90,7 +90,7 @@ math::Vec3 pulley_reach(const State& s, const JointInfo& joint, int side, const 
     const std::int32_t body = side == 0 ? joint.body_a : joint.body_b;
     const DVec3 ground = side == 0 ? joint.ground_a : joint.ground_b;
     if (body == none) return math::to_float((side == 0 ? joint.anchor_a : joint.anchor_b) - ground);
-    return math::to_float((s.motion[std::size_t(body)].x - ground) + (side == 0 ? p.arm_a : p.arm_b));
+    return math::to_float((s.motion[body].x - ground) + (side == 0 ? p.arm_a : p.arm_b));
 }
 
 JointPositions joint_positions(const State& s, std::uint32_t index) {

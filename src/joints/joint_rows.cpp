@@ -46,9 +46,9 @@ struct JointEnd {
 };
 JointEnd joint_end(const State& s, const BinScratch& scratch, std::int32_t body) {
     if (body == none) return {};
-    const BodyType type = s.body_settings[std::size_t(body)].type;
+    const BodyType type = s.body_settings[body].type;
     if (type == BodyType::static_) return {};
-    return {std::uint32_t(scratch.row_of_body[std::size_t(body)]) * row_bytes, type == BodyType::dynamic};
+    return {std::uint32_t(scratch.row_of_body[body]) * row_bytes, type == BodyType::dynamic};
 }
 
 // Whether anything but the point of a joint gives it a torque: else what it has of those is never touched.
@@ -281,8 +281,8 @@ bool is_too_fast(const WorldDef& settings, const SolverVelocity& row) {
 bool is_too_fast(const State& s, const BinScratch& scratch, std::uint32_t index) {
     const JointInfo& joint = s.joints[index];
     for (const std::int32_t body : {joint.body_a, joint.body_b}) {
-        if (body == none || scratch.row_of_body[std::size_t(body)] == none) continue;
-        const std::size_t row = std::size_t(scratch.row_of_body[std::size_t(body)]);
+        if (body == none || scratch.row_of_body[body] == none) continue;
+        const std::size_t row = std::size_t(scratch.row_of_body[body]);
         if (is_too_fast(s.settings, scratch.velocity[row])) return true;
     }
     return false;
@@ -356,7 +356,7 @@ void store_joints(State& s, BinScratch& scratch, float dt) {
     }
     store_direct_rows(s, scratch);
     for (const DirectSolve& solve : scratch.direct.sets)
-        for (const std::uint32_t joint : s.direct.sets[std::size_t(solve.set)].joints)
+        for (const std::uint32_t joint : s.direct.sets[solve.set].joints)
             end_joint(s, scratch, joint, rate, may_be_fast);
 }
 

@@ -53,11 +53,11 @@ void gather_bodies(State& s, const Bin& bin, BinScratch& scratch) {
     scratch.touching_bodies.clear();
     scratch.free_bodies.clear();
     for (std::int32_t k = 0; k < bin.island_count; ++k) {
-        Island& island = s.islands[std::size_t(s.solver.bin_islands[std::size_t(bin.first_island + k)])];
+        Island& island = s.islands[s.solver.bin_islands[bin.first_island + k]];
         IslandSum sum;
-        for (std::int32_t b = island.first_body; b != none; b = s.bodies[std::size_t(b)].next_in_island) {
-            sum.add(s.mass[std::size_t(b)], s.motion[std::size_t(b)]);
-            const BodyLinks& links = s.bodies[std::size_t(b)];
+        for (std::int32_t b = island.first_body; b != none; b = s.bodies[b].next_in_island) {
+            sum.add(s.mass[b], s.motion[b]);
+            const BodyLinks& links = s.bodies[b];
             const bool is_free = links.contact_count + links.joint_count == 0;
             (is_free ? scratch.free_bodies : scratch.touching_bodies).push_back(b);
         }
@@ -71,7 +71,7 @@ void number_rows(BinScratch& scratch) {
     sort_distinct(scratch.row_bodies, scratch.row_marks);
     scratch.row_bodies.insert(scratch.row_bodies.begin(), std::size_t(first_body_row), none);
     for (std::size_t row = first_body_row; row < scratch.row_bodies.size(); ++row)
-        scratch.row_of_body[std::size_t(scratch.row_bodies[row])] = std::int32_t(row);
+        scratch.row_of_body[scratch.row_bodies[row]] = std::int32_t(row);
 }
 
 std::int32_t row_of(BinScratch& scratch, std::int32_t body) {
@@ -91,7 +91,7 @@ void fill_conveyor_rows(const State& s, BinScratch& scratch) {
     for (const ConveyorRow& conveyor : scratch.conveyor_rows) {
         const ContactInfo& c = s.contacts[conveyor.contact];
         const ContactRecord& r = s.records[conveyor.contact];
-        const BodyMotion& b = s.motion[std::size_t(c.body_b)];
+        const BodyMotion& b = s.motion[c.body_b];
         const math::Vec3 n = math::to_vec(r.normal);
         const math::Vec3 u =
             math::rotate(shape_rotation(s.shape_poses[c.shape_b]), s.shape_traits[c.shape_b].surface_velocity);
@@ -126,10 +126,10 @@ void fill_lanes(const State& s, const Bin& bin, BinScratch& scratch) {
     std::int32_t k = bin.first_contact;
     const std::int32_t end = bin.first_contact + bin.contact_count;
     while (k < end) {
-        const std::uint8_t color = s.solver.sorted[std::size_t(k)].color;
+        const std::uint8_t color = s.solver.sorted[k].color;
         ColorRun runs{begin_run(scratch.four_lanes, true), begin_run(scratch.one_lanes, false)};
         for (; k < end; ++k) {
-            const SortedContact& c = s.solver.sorted[std::size_t(k)];
+            const SortedContact& c = s.solver.sorted[k];
             if (c.color != color) break;
             LaneLists& lanes = c.four_points ? scratch.four_lanes : scratch.one_lanes;
             const std::int32_t row_a = row_of(scratch, c.body_a);
@@ -153,13 +153,13 @@ void fill_lanes(const State& s, const Bin& bin, BinScratch& scratch) {
 void fill_row(State& s, BinScratch& scratch, std::size_t row, std::uint64_t& clamped_speeds) {
     const std::int32_t b = scratch.row_bodies[row];
     if (b == none) return;
-    BodyMotion& motion = s.motion[std::size_t(b)];
+    BodyMotion& motion = s.motion[b];
     const bool is_dynamic = s.is_dynamic(b); // kinematic ones may be in other bins as well
     if (is_dynamic && clamp_velocity(s.settings, motion.v, motion.w)) ++clamped_speeds;
     scratch.velocity[row] = scratch.reference[row] = to_row(motion.v, motion.w);
     if (!is_dynamic) return;
     scratch.row_traits[row] = row_traits(s, b);
-    const BodyMass& mass = s.mass[std::size_t(b)];
+    const BodyMass& mass = s.mass[b];
     scratch.inertia[row].inverse_mass = mass.inverse_mass;
     if (scratch.row_traits[row] & spins_wide) return; // the kernel finds it (prepare_free_motion)
     const math::Sym3 i = contact_inverse_inertia(motion, mass);
@@ -205,7 +205,7 @@ bool cut_way(const WorldDef& settings, float dt, math::DVec3& dx, math::Quat& dq
 std::uint64_t scatter_body(State& s, const BinScratch& scratch, std::int32_t b, std::size_t row, float dt) {
     const SolverVelocity& velocity = scratch.velocity[row];
     const SolverPose& pose = scratch.pose[row];
-    BodyMotion& motion = s.motion[std::size_t(b)];
+    BodyMotion& motion = s.motion[b];
     math::DVec3 dx = math::to_double(math::Vec3{pose.dx[0], pose.dx[1], pose.dx[2]});
     math::Quat dq{pose.dq[0], pose.dq[1], pose.dq[2], pose.dq[3]};
     math::Vec3 v{velocity.v[0], velocity.v[1], velocity.v[2]}, w{velocity.w[0], velocity.w[1], velocity.w[2]};
@@ -252,22 +252,22 @@ void empty_bin(State& s, BinScratch& scratch, Crew* crew, float dt) {
     std::vector<BinScratch>& threads = s.solver.at_work;
     const int rows = int(scratch.row_count());
     for_chunks(crew, rows, rows_per_chunk, [&](int begin, int end, int thread) {
-        BinScratch& own = crew ? threads[std::size_t(thread)] : scratch;
+        BinScratch& own = crew ? threads[thread] : scratch;
         for (int row = begin; row < end; ++row) {
             prefetch_ahead(s, scratch.row_bodies, std::size_t(row));
-            const std::int32_t b = scratch.row_bodies[std::size_t(row)];
+            const std::int32_t b = scratch.row_bodies[row];
             if (b == none) continue;
-            scratch.row_of_body[std::size_t(b)] = none;
+            scratch.row_of_body[b] = none;
             if (!s.is_dynamic(b)) continue;
             own.clamped_speeds += scatter_body(s, scratch, b, std::size_t(row), dt);
             finalize_body(s, b, dt, own.escaped);
         }
     });
     for_chunks(crew, int(scratch.free_bodies.size()), rows_per_chunk, [&](int begin, int end, int thread) {
-        BinScratch& own = crew ? threads[std::size_t(thread)] : scratch;
+        BinScratch& own = crew ? threads[thread] : scratch;
         for (int k = begin; k < end; ++k) {
             prefetch_ahead(s, scratch.free_bodies, std::size_t(k));
-            const std::int32_t b = scratch.free_bodies[std::size_t(k)];
+            const std::int32_t b = scratch.free_bodies[k];
             own.clamped_speeds += move_free_body(s, b, dt);
             finalize_body(s, b, dt, own.escaped);
         }

@@ -17,15 +17,15 @@ constexpr float unknown_speed = -1;
 // --- once in a step
 
 std::int32_t root_of(std::vector<std::int32_t>& parent, std::int32_t row) {
-    while (parent[std::size_t(row)] != row) {
-        parent[std::size_t(row)] = parent[std::size_t(parent[std::size_t(row)])];
-        row = parent[std::size_t(row)];
+    while (parent[row] != row) {
+        parent[row] = parent[parent[row]];
+        row = parent[row];
     }
     return row;
 }
 void unite(std::vector<std::int32_t>& parent, std::int32_t a, std::int32_t b) {
     const std::int32_t root_a = root_of(parent, a), root_b = root_of(parent, b);
-    parent[std::size_t(std::max(root_a, root_b))] = std::min(root_a, root_b);
+    parent[std::max(root_a, root_b)] = std::min(root_a, root_b);
 }
 
 void find_components(const State& s, BinScratch& scratch) {
@@ -33,7 +33,7 @@ void find_components(const State& s, BinScratch& scratch) {
     const std::vector<std::uint32_t>& joints = scratch.joint_layout->joints;
     const std::size_t rows = scratch.row_count();
     const auto row_of = [&](std::int32_t body) {
-        return body != none && s.is_dynamic(body) ? scratch.row_of_body[std::size_t(body)] : none;
+        return body != none && s.is_dynamic(body) ? scratch.row_of_body[body] : none;
     };
     std::vector<std::int32_t>& component = work.component;
     component.resize(rows);
@@ -85,9 +85,9 @@ void find_runs(BinScratch& scratch) {
 void begin_lists(const State& s, BinScratch& scratch) {
     ImpactWork& work = scratch.impact;
     if (work.has_components) {
-        for (const std::int32_t row : work.rows) work.group[std::size_t(row)] = none;
-        for (const std::int32_t component : work.struck) work.is_struck[std::size_t(component)] = 0;
-        for (const std::int32_t row : work.measured) work.speed[std::size_t(row)] = unknown_speed;
+        for (const std::int32_t row : work.rows) work.group[row] = none;
+        for (const std::int32_t component : work.struck) work.is_struck[component] = 0;
+        for (const std::int32_t row : work.measured) work.speed[row] = unknown_speed;
     } else {
         find_components(s, scratch);
         find_sides(scratch.one_lanes, scratch.row_count(), work.one_sides_of);
@@ -110,9 +110,9 @@ template <class Block> void mark_struck(BinScratch& scratch, const LaneLists& la
         for (unsigned left = blocks[k].struck; left != 0; left &= left - 1) {
             const std::size_t lane = 8 * k + std::size_t(std::countr_zero(left));
             for (const std::int32_t row : {lanes.row_a[lane], lanes.row_b[lane]}) {
-                const std::int32_t component = work.component[std::size_t(row)];
-                if (component == fixed_row || work.is_struck[std::size_t(component)]) continue;
-                work.is_struck[std::size_t(component)] = 1;
+                const std::int32_t component = work.component[row];
+                if (component == fixed_row || work.is_struck[component]) continue;
+                work.is_struck[component] = 1;
                 work.struck.push_back(component);
             }
         }
@@ -120,9 +120,9 @@ template <class Block> void mark_struck(BinScratch& scratch, const LaneLists& la
 }
 
 void list_row(ImpactWork& work, std::int32_t row, std::int32_t group) {
-    if (work.group[std::size_t(row)] != none) return;
-    work.group[std::size_t(row)] = group;
-    work.place_of[std::size_t(row)] = none;
+    if (work.group[row] != none) return;
+    work.group[row] = group;
+    work.place_of[row] = none;
     work.rows.push_back(row);
 }
 
@@ -147,7 +147,7 @@ float measured_speed(BinScratch& scratch, std::int32_t holder) {
     ImpactWork& work = scratch.impact;
     work.measured.push_back(holder);
     float greatest = 0;
-    if (work.component[std::size_t(holder)] == fixed_row)
+    if (work.component[holder] == fixed_row)
         greatest = std::max(greatest, square_speed(scratch, std::size_t(holder)));
     else
         work.rows_of.for_each(holder,
@@ -156,9 +156,9 @@ float measured_speed(BinScratch& scratch, std::int32_t holder) {
 }
 // Of the fastest body of its component, or of what no force moves.
 float speed_of(BinScratch& scratch, std::int32_t row) {
-    const std::int32_t component = scratch.impact.component[std::size_t(row)];
+    const std::int32_t component = scratch.impact.component[row];
     const std::int32_t holder = component == fixed_row ? row : component;
-    float& speed = scratch.impact.speed[std::size_t(holder)];
+    float& speed = scratch.impact.speed[holder];
     if (speed == unknown_speed) speed = measured_speed(scratch, holder);
     return speed;
 }
@@ -179,8 +179,8 @@ void list_contacts(BinScratch& scratch, int type, std::int32_t row, const RowLis
         const std::size_t lane = side / 2;
         const bool is_b = side % 2 != 0;
         const std::int32_t other = is_b ? lanes.row_a[lane] : lanes.row_b[lane];
-        const std::int32_t component = work.component[std::size_t(other)];
-        if (is_b && work.is_struck[std::size_t(component)]) return; // A lists it
+        const std::int32_t component = work.component[other];
+        if (is_b && work.is_struck[component]) return; // A lists it
         const Block& block = blocks[lane / 8];
         const bool is_struck = (block.struck >> lane % 8 & 1) != 0;
         if (!is_struck && closing_speed(block, lane % 8, h) > speed_of(scratch, row) + speed_of(scratch, other)) return;
@@ -198,7 +198,7 @@ void list_contacts(BinScratch& scratch, int type, std::int32_t row, const RowLis
 template <class Part, class Item, class F>
 void put_together(std::vector<Part>& parts, std::vector<Item>& items, std::vector<Item>& sorted, F&& part_of) {
     for (Part& part : parts) part.end = 0;
-    for (const Item& item : items) ++parts[std::size_t(part_of(item))].end;
+    for (const Item& item : items) ++parts[part_of(item)].end;
     std::size_t begin = 0;
     for (Part& part : parts) {
         const std::size_t count = part.end;
@@ -206,7 +206,7 @@ void put_together(std::vector<Part>& parts, std::vector<Item>& items, std::vecto
         begin += count;
     }
     sorted.resize(items.size());
-    for (const Item& item : items) sorted[parts[std::size_t(part_of(item))].end++] = item;
+    for (const Item& item : items) sorted[parts[part_of(item)].end++] = item;
     items.swap(sorted);
 }
 
@@ -215,16 +215,16 @@ void put_together(std::vector<Part>& parts, std::vector<Item>& items, std::vecto
 void find_groups(BinScratch& scratch) {
     ImpactWork& work = scratch.impact;
     for (const std::int32_t row : work.rows) {
-        std::int32_t& place = work.place_of[std::size_t(root_of(work.group, row))];
+        std::int32_t& place = work.place_of[root_of(work.group, row)];
         if (place == none) {
             place = std::int32_t(work.groups.size());
             work.groups.push_back({0, 0, false});
         }
-        work.place_of[std::size_t(row)] = place;
+        work.place_of[row] = place;
     }
-    const auto place_of = [&](std::int32_t row) { return work.place_of[std::size_t(row)]; };
+    const auto place_of = [&](std::int32_t row) { return work.place_of[row]; };
     put_together(work.groups, work.rows, work.sorted_rows, place_of);
-    for (const std::int32_t row : work.rows) work.before.push_back(scratch.velocity[std::size_t(row)]);
+    for (const std::int32_t row : work.rows) work.before.push_back(scratch.velocity[row]);
     work.last = work.before;
     for (ImpactWork::ListedLane& lane : work.listed) lane.group = place_of(lane.group);
 }

@@ -177,7 +177,7 @@ void copy_listed(BinScratch& scratch) {
     const std::int32_t discards[] = {joints[0], joints[1], joints[2], ones, fours};
     for (const ImpactWork::ListedRun& run : scratch.impact.listed_runs) {
         if (run.begin == run.end) continue;
-        const std::int32_t discard = discards[run.type];
+        const std::int32_t discard = discards[std::size_t(run.type)];
         with_type(scratch, run.type, [&](auto& from, auto& to) { copy_run(scratch, run, from, to, discard); });
     }
 }
@@ -199,7 +199,7 @@ void strike_run(BinScratch& scratch, int type, std::size_t first, int count, flo
         if constexpr (std::is_same_v<std::remove_pointer_t<decltype(impacts)>, JointImpact>) {
             const JointKernels& k = kernels().joints;
             const JointKernels::ForRows* const rows[] = {&k.point, &k.turn, &k.axis};
-            rows[type]->strike(blocks, impacts, count, velocity, 1 / h);
+            rows[std::size_t(type)]->strike(blocks, impacts, count, velocity, 1 / h);
         } else {
             const SolverKernels& k = kernels().solver;
             (type == four_points_type ? k.four_points : k.one_point).strike(blocks, impacts, count, velocity, 1 / h);
@@ -221,7 +221,7 @@ void retire_lanes(BinScratch& scratch) {
         for (std::size_t k = 0; k < struck.impacts.size(); ++k)
             for (unsigned left = struck.impacts[k].active; left != 0; left &= left - 1) {
                 const unsigned i = unsigned(std::countr_zero(left));
-                if (!groups[std::size_t(struck.lanes[8 * k + i].group)].is_settled) continue;
+                if (!groups[struck.lanes[8 * k + i].group].is_settled) continue;
                 struck.impacts[k].active = std::uint8_t(struck.impacts[k].active & ~(1u << i));
             }
     });

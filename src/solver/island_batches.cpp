@@ -55,11 +55,11 @@ void collect_contacts(State& s) {
                 ask_cache(&s.bodies[std::size_t(s.contacts[s.solved[k + 2 * contacts_ahead]].body_a)].island);
             const std::uint32_t id = s.solved[k];
             const ContactInfo& c = s.contacts[id];
-            const bool moves = c.b_moves || s.body_settings[std::size_t(c.body_b)].type == BodyType::kinematic;
+            const bool moves = c.b_moves || s.body_settings[c.body_b].type == BodyType::kinematic;
             contacts[k] = {id,
                            c.body_a,
                            moves ? c.body_b : none,
-                           s.bodies[std::size_t(c.body_a)].island,
+                           s.bodies[c.body_a].island,
                            c.substep_time,
                            c.color,
                            std::uint8_t(c.point_count != 1),
@@ -77,7 +77,7 @@ void count_contacts(SolverScratch& scratch) {
         const std::int32_t island = contacts[k].island;
         std::int32_t count = 0;
         for (; k < contacts.size() && contacts[k].island == island; ++k) ++count;
-        scratch.contacts_of_island[std::size_t(island)] += count;
+        scratch.contacts_of_island[island] += count;
     }
 }
 
@@ -89,25 +89,25 @@ void pack_bins(State& s, float dt) {
     // Of awake islands only: there may be many more that sleep.
     scratch.contacts_of_island.resize(s.islands.size());
     scratch.bin_of_island.resize(s.islands.size());
-    for (const std::int32_t i : s.awake_islands) scratch.contacts_of_island[std::size_t(i)] = 0;
+    for (const std::int32_t i : s.awake_islands) scratch.contacts_of_island[i] = 0;
     collect_contacts(s);
     count_contacts(scratch);
 
     // One bin is open for each number of substeps; it closes when it is full.
     scratch.open_bins.assign(std::size_t(max_substeps) + 1, none);
     for (const std::int32_t i : s.awake_islands) {
-        Island& island = s.islands[std::size_t(i)];
+        Island& island = s.islands[i];
         island.substeps = island_substeps(s, island);
-        std::int32_t& open = scratch.open_bins[std::size_t(island.substeps)];
+        std::int32_t& open = scratch.open_bins[island.substeps];
         if (open == none) {
             open = std::int32_t(scratch.bins.size());
             open_bin(scratch, island);
         }
-        Bin& bin = scratch.bins[std::size_t(open)];
-        scratch.bin_of_island[std::size_t(i)] = open;
+        Bin& bin = scratch.bins[open];
+        scratch.bin_of_island[i] = open;
         ++bin.island_count;
         bin.body_count += island.body_count;
-        bin.contact_count += scratch.contacts_of_island[std::size_t(i)];
+        bin.contact_count += scratch.contacts_of_island[i];
         bin.joint_count += island.joint_count;
         if (bin.contact_count + bin.joint_count >= bin_contacts || bin.body_count >= bin_bodies) open = none;
     }
@@ -123,15 +123,14 @@ void pack_bins(State& s, float dt) {
     }
     scratch.bin_islands.resize(std::size_t(islands));
     for (const std::int32_t i : s.awake_islands) {
-        Bin& bin = scratch.bins[std::size_t(scratch.bin_of_island[std::size_t(i)])];
-        scratch.bin_islands[std::size_t(bin.first_island + bin.island_count++)] = i;
+        Bin& bin = scratch.bins[scratch.bin_of_island[i]];
+        scratch.bin_islands[bin.first_island + bin.island_count++] = i;
     }
     scratch.key_counts.assign(scratch.bins.size() * keys_per_bin + 1, 0);
     scratch.keys.resize(scratch.unsorted.size());
     for (std::size_t k = 0; k < scratch.unsorted.size(); ++k) {
         const SortedContact& c = scratch.unsorted[k];
-        const std::uint32_t key =
-            std::uint32_t(scratch.bin_of_island[std::size_t(c.island)]) * keys_per_bin + order_key(c);
+        const std::uint32_t key = std::uint32_t(scratch.bin_of_island[c.island]) * keys_per_bin + order_key(c);
         scratch.keys[k] = key;
         ++scratch.key_counts[key + 1];
     }

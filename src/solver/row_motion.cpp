@@ -31,14 +31,14 @@ void write_angular(const State& s, BinScratch& scratch, std::size_t row, const I
 
 DQuat row_rotation(const State& s, const BinScratch& scratch, std::size_t row) {
     const float* dq = scratch.pose[row].dq;
-    return math::normalized(DQuat{dq[0], dq[1], dq[2], dq[3]} * s.motion[std::size_t(scratch.row_bodies[row])].q);
+    return math::normalized(DQuat{dq[0], dq[1], dq[2], dq[3]} * s.motion[scratch.row_bodies[row]].q);
 }
 
 // One row that the kernel does not do.
 void spin_row(const State& s, BinScratch& scratch, SpinningRow& r, float h) {
     const std::size_t row = std::size_t(r.row);
     const std::int32_t b = scratch.row_bodies[row];
-    const BodyMass& mass = s.mass[std::size_t(b)];
+    const BodyMass& mass = s.mass[b];
     const DVec3 w = row_vector(scratch.velocity[row].w);
     const DQuat q = row_rotation(s, scratch, row);
     const Spin spin = spin_of(mass);
@@ -48,7 +48,7 @@ void spin_row(const State& s, BinScratch& scratch, SpinningRow& r, float h) {
         return;
     }
     const Increment change =
-        gyroscopic_increment(s, spin, q, w, spin.to_world(q, spin.moments, w), s.forces[std::size_t(b)].torque, h);
+        gyroscopic_increment(s, spin, q, w, spin.to_world(q, spin.moments, w), s.forces[b].torque, h);
     r.free_w = w + change.velocity;
     r.end = turned_by(double(h) * (r.free_w + change.correction), q);
     write_angular(s, scratch, row, change);
@@ -57,7 +57,7 @@ void spin_row(const State& s, BinScratch& scratch, SpinningRow& r, float h) {
 // Explicit Euler is kept as it stands, needles have another inertia in contacts than in free motion, and torques may be
 // of any size: those are left to the scalar code.
 bool kernel_spins(const State& s, std::int32_t b) {
-    const BodyMass& mass = s.mass[std::size_t(b)];
+    const BodyMass& mass = s.mass[b];
     const math::Vec3& i = mass.inertia;
     return s.settings.integrator != Integrator::explicit_euler && !s.is_pushed(b) && mass.inverse_inertia.x > 0 &&
            mass.inverse_inertia.y > 0 && mass.inverse_inertia.z > 0 &&
@@ -84,14 +84,14 @@ void fill_spin_blocks(const State& s, BinScratch& scratch, Crew* crew) {
     if (scratch.spin_blocks.size() < std::size_t(blocks)) scratch.spin_blocks.resize(std::size_t(blocks));
     for_chunks(crew, blocks, spin_blocks_per_chunk, [&](int begin, int end, int) {
         for (int k = begin; k < end; ++k) {
-            SpinBlock& block = scratch.spin_blocks[std::size_t(k)] = {};
+            SpinBlock& block = scratch.spin_blocks[k] = {};
             const std::uint32_t discard = std::uint32_t(scratch.first_discard_row() + k) * row_bytes;
             for (std::size_t lane = 0; lane < 8; ++lane) {
                 const std::size_t at = std::size_t(k) * 8 + lane;
                 block.row[lane] = discard, block.axes[3][lane] = 1;
                 if (at >= scratch.spin_rows.size()) continue;
                 const std::int32_t row = scratch.spin_rows[at];
-                fill_spin_lane(s, std::size_t(scratch.row_bodies[std::size_t(row)]), row, block, lane);
+                fill_spin_lane(s, std::size_t(scratch.row_bodies[row]), row, block, lane);
             }
         }
         kernels().solver.begin_spin(scratch.spin_blocks.data() + begin, end - begin, scratch.inertia.data());
@@ -103,7 +103,7 @@ void prepare_damping(const State& s, BinScratch& scratch, float h) {
     for (std::size_t row = 0; row < scratch.row_traits.size(); ++row) {
         if (!(scratch.row_traits[row] & is_damped)) continue;
         if (scratch.damping.empty()) scratch.damping.assign(scratch.velocity.size(), {{1, 1, 1}, 1, {1, 1, 1}, 1});
-        const BodySettings& settings = s.body_settings[std::size_t(scratch.row_bodies[row])];
+        const BodySettings& settings = s.body_settings[scratch.row_bodies[row]];
         const float linear = damping_factor(settings.linear_damping, h),
                     angular = damping_factor(settings.angular_damping, h);
         put(scratch.damping[row].v, {linear, linear, linear});
@@ -114,8 +114,8 @@ void prepare_damping(const State& s, BinScratch& scratch, float h) {
 } // namespace
 
 std::uint8_t row_traits(const State& s, std::int32_t b) {
-    const BodySettings& settings = s.body_settings[std::size_t(b)];
-    const BodyMass& mass = s.mass[std::size_t(b)];
+    const BodySettings& settings = s.body_settings[b];
+    const BodyMass& mass = s.mass[b];
     int traits = is_dynamic_row;
     if (mass.inverse_mass > 0 && settings.gravity_scale == 1.0f && !s.is_pushed(b)) traits |= falls_plainly;
     if (settings.linear_damping > 0 || settings.angular_damping > 0) traits |= is_damped;
@@ -157,8 +157,8 @@ void prepare_free_motion(const State& s, BinScratch& scratch, Crew* crew, float 
         }
         // What varies is computed at the start of each substep.
         const std::int32_t b = scratch.row_bodies[row];
-        const BodyMotion& motion = s.motion[std::size_t(b)];
-        const BodyMass& mass = s.mass[std::size_t(b)];
+        const BodyMotion& motion = s.motion[b];
+        const BodyMass& mass = s.mass[b];
         if (mass.inverse_mass > 0 && !scratch.drive_varies)
             write_linear(s, scratch, row, linear_increment(s, load_on(s, b), motion.x, math::to_double(motion.v), h));
         if (mass.isotropic && s.is_pushed(b))
@@ -174,8 +174,8 @@ void update_free_motion(const State& s, BinScratch& scratch, Crew* crew, const S
     if (scratch.drive_varies)
         for (std::size_t row = 0; row < scratch.row_bodies.size(); ++row) {
             const std::int32_t b = scratch.row_bodies[row];
-            if (b == none || !s.is_dynamic(b) || !(s.mass[std::size_t(b)].inverse_mass > 0)) continue;
-            const DVec3 x = s.motion[std::size_t(b)].x + row_vector(scratch.pose[row].dx);
+            if (b == none || !s.is_dynamic(b) || !(s.mass[b].inverse_mass > 0)) continue;
+            const DVec3 x = s.motion[b].x + row_vector(scratch.pose[row].dx);
             write_linear(s, scratch, row,
                          linear_increment(s, load_on(s, b), x, row_vector(scratch.velocity[row].v), h));
         }
@@ -195,7 +195,7 @@ void turn_spinning_rows(const State& s, BinScratch& scratch, float h) {
         DVec3 contacts = row_vector(scratch.velocity[row].w) - r.free_w;
         if (scratch.bounces)
             contacts += row_vector(scratch.correction[row].w) - row_vector(scratch.free_correction[row].w);
-        const DQuat start = s.motion[std::size_t(scratch.row_bodies[row])].q;
+        const DQuat start = s.motion[scratch.row_bodies[row]].q;
         const math::Quat turn =
             math::to_float(math::normalized(turned_by(double(h) * contacts, r.end) * math::conjugate(start)));
         float* dq = scratch.pose[row].dq;

@@ -187,7 +187,7 @@ void share_out_bins(SolverScratch& scratch, int threads) {
 // Kinematic bodies move by their velocity, once per step, in double.
 void move_kinematics(State& s, float dt) {
     for (const std::int32_t b : s.kinematics) {
-        BodyMotion& motion = s.motion[std::size_t(b)];
+        BodyMotion& motion = s.motion[b];
         const math::DQuat turn = math::from_rotation_vector(double(dt) * math::to_double(motion.w));
         motion.x += double(dt) * math::to_double(motion.v);
         motion.q = math::normalized(turn * motion.q);
@@ -232,15 +232,12 @@ void solve_bins(State& s, float dt) {
         own.prepare_ms = own.solve_ms = 0;
     }
     for (const std::int32_t b : s.kinematics)
-        if (BodyMotion& motion = s.motion[std::size_t(b)]; clamp_velocity(s.settings, motion.v, motion.w))
-            ++s.clamped_speeds;
+        if (BodyMotion& motion = s.motion[b]; clamp_velocity(s.settings, motion.v, motion.w)) ++s.clamped_speeds;
     share_out_bins(scratch, threads);
-    for (const std::int32_t i : scratch.shared)
-        solve_bin(s, scratch.bins[std::size_t(i)], scratch.at_work[0], crew, dt);
+    for (const std::int32_t i : scratch.shared) solve_bin(s, scratch.bins[i], scratch.at_work[0], crew, dt);
     for_chunks(crew, int(scratch.alone.size()), 1, [&](int begin, int end, int thread) {
         for (int k = begin; k < end; ++k)
-            solve_bin(s, scratch.bins[std::size_t(scratch.alone[std::size_t(k)])], scratch.at_work[std::size_t(thread)],
-                      nullptr, dt);
+            solve_bin(s, scratch.bins[scratch.alone[k]], scratch.at_work[thread], nullptr, dt);
     });
     collect(s);
     move_kinematics(s, dt);

@@ -40,11 +40,11 @@ struct RowLists {
 
     void reset(std::size_t rows, std::size_t things) { first.assign(rows, -1), next.resize(things); }
     void add(std::int32_t row, std::size_t thing) {
-        next[thing] = first[std::size_t(row)];
-        first[std::size_t(row)] = std::int32_t(thing);
+        next[thing] = first[row];
+        first[row] = std::int32_t(thing);
     }
     template <class F> void for_each(std::int32_t row, F&& f) const { // the last one first
-        for (std::int32_t i = first[std::size_t(row)]; i >= 0; i = next[std::size_t(i)]) f(std::size_t(i));
+        for (std::int32_t i = first[row]; i >= 0; i = next[i]) f(std::size_t(i));
     }
 };
 

@@ -12,15 +12,14 @@ inline std::int32_t joint_owner(const State& s, const JointInfo& joint) {
 }
 // Calls f(joint, side) for the joints of a body, oldest first. f may not remove any.
 template <class F> void for_each_joint(const State& s, std::int32_t body, F&& f) {
-    for (std::int32_t end = s.bodies[std::size_t(body)].first_joint; end != none;
-         end = s.joints[std::size_t(end / 2)].next[end % 2])
+    for (std::int32_t end = s.bodies[body].first_joint; end != none; end = s.joints[end / 2].next[end % 2])
         f(std::uint32_t(end / 2), end % 2);
 }
 inline std::int32_t other_body(const JointInfo& joint, int side) { return side == 0 ? joint.body_b : joint.body_a; }
 
 // Whether some joint of two bodies keeps them from colliding.
 inline bool joint_forbids_contact(const State& s, std::int32_t body_a, std::int32_t body_b) {
-    if (s.bodies[std::size_t(body_a)].first_joint == none) return false;
+    if (s.bodies[body_a].first_joint == none) return false;
     bool forbids = false;
     for_each_joint(s, body_a, [&](std::uint32_t joint, int side) {
         const JointInfo& info = s.joints[joint];

@@ -173,7 +173,7 @@ struct BinScratch {
 // The row of a body. Bodies get theirs when a contact or joint first names them, so that contacts side by side have
 // rows side by side.
 inline std::int32_t row_of_body(BinScratch& scratch, std::int32_t body) {
-    std::int32_t& row = scratch.row_of_body[std::size_t(body)];
+    std::int32_t& row = scratch.row_of_body[body];
     if (row < 0) {
         row = std::int32_t(scratch.row_bodies.size());
         scratch.row_bodies.push_back(body);

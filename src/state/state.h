@@ -13,6 +13,7 @@
 #include "state/body_state.h"
 #include "state/contact_state.h"
 #include "state/direct_sets.h"
+#include "state/events.h"
 #include "state/island_state.h"
 #include "state/joint_state.h"
 #include "state/narrow_scratch.h"
@@ -80,19 +81,8 @@ struct State {
 
     BroadPhase broad_phase{kernels().broad};
 
-    // --- of the last step
-    std::vector<ContactBegin> begins;
-    std::vector<ContactEnd> ends;
-    std::vector<ContactHit> hits;
-    std::vector<TriggerEvent> triggers;
-    std::vector<JointEvent> joint_events;
-    std::vector<SleepEvent> sleeps;
-    std::vector<std::uint32_t> overloaded_joints; // in ascending order
-    // What will be read of the next step: what changes between two steps counts to the later one.
-    std::vector<ContactEnd> next_ends;
-    std::vector<TriggerEvent> next_triggers;
-    std::vector<JointEvent> next_joint_events;
-    std::vector<SleepEvent> next_sleeps;
+    StepEvents events;
+    std::vector<std::uint32_t> overloaded_joints; // of the last step, in ascending order
     std::uint64_t clamped_speeds = 0;
     Statistics statistics;
 
@@ -115,11 +105,11 @@ struct State {
     }
     // Of the given number in a step, how many a pass takes.
     int in_pass(int substeps) const { return (substeps + split - 1) / split; }
-    bool is_pushed(std::int32_t body) const { return !pushed.empty() && forces[std::size_t(body)].any; }
-    bool is_dynamic(std::int32_t body) const { return body_settings[std::size_t(body)].type == BodyType::dynamic; }
+    bool is_pushed(std::int32_t body) const { return !pushed.empty() && forces[body].any; }
+    bool is_dynamic(std::int32_t body) const { return body_settings[body].type == BodyType::dynamic; }
     bool is_awake(std::int32_t body) const {
-        const std::int32_t island = bodies[std::size_t(body)].island;
-        return island != none && islands[std::size_t(island)].position != none;
+        const std::int32_t island = bodies[body].island;
+        return island != none && islands[island].position != none;
     }
     std::uint32_t world_id = 0;
 };

@@ -165,7 +165,7 @@ bool Body::allow_sleep() const {
 std::vector<ShapeId> Body::shapes() const {
     CAIRN_ACCESS;
     std::vector<ShapeId> ids;
-    for (std::int32_t i = s.bodies[a.b].first_shape; i != none; i = s.shapes[std::size_t(i)].next)
+    for (std::int32_t i = s.bodies[a.b].first_shape; i != none; i = s.shapes[i].next)
         ids.push_back(s.shape_id(std::uint32_t(i)));
     return ids;
 }
@@ -272,11 +272,11 @@ void Body::set_type(BodyType type) {
     BodySettings& settings = s.body_settings[a.b];
     if (settings.type == type) return;
     std::vector<std::uint32_t> shapes;
-    for (std::int32_t i = s.bodies[a.b].first_shape; i != none; i = s.shapes[std::size_t(i)].next) {
-        if (type == BodyType::dynamic && is_surface(s.geometry[std::size_t(i)].type))
+    for (std::int32_t i = s.bodies[a.b].first_shape; i != none; i = s.shapes[i].next) {
+        if (type == BodyType::dynamic && is_surface(s.geometry[i].type))
             throw Error(ErrorCode::wrong_state, "Body::set_type", "dynamic",
                         "a body with a plane, mesh or height field cannot be dynamic");
-        if (type == BodyType::dynamic && s.shape_traits[std::size_t(i)].has_surface_velocity)
+        if (type == BodyType::dynamic && s.shape_traits[i].has_surface_velocity)
             throw Error(ErrorCode::wrong_state, "Body::set_type", "dynamic",
                         "a body with a surface velocity cannot be dynamic");
         shapes.push_back(std::uint32_t(i));

@@ -34,8 +34,8 @@ void fill_frames(JointInfo& info, const JointDef& def) {
 
 math::DVec3 anchor_in_world(const State& s, std::int32_t body, math::DVec3 anchor) {
     if (body == none) return anchor;
-    const BodyMotion& motion = s.motion[std::size_t(body)];
-    return motion.x + math::rotate(motion.q, anchor - math::to_double(s.mass[std::size_t(body)].center));
+    const BodyMotion& motion = s.motion[body];
+    return motion.x + math::rotate(motion.q, anchor - math::to_double(s.mass[body].center));
 }
 
 float pulley_length(const State& s, const JointInfo& info, const Joint& joint) {
@@ -49,7 +49,7 @@ float pulley_length(const State& s, const JointInfo& info, const Joint& joint) {
 // Pairs of the two bodies' shapes are asked for anew at the next step.
 void refilter_pairs(State& s, const JointInfo& info) {
     if (info.enable_collision || info.body_a == none || info.body_b == none) return;
-    for (std::int32_t i = s.bodies[std::size_t(info.body_a)].first_shape; i != none; i = s.shapes[std::size_t(i)].next)
+    for (std::int32_t i = s.bodies[info.body_a].first_shape; i != none; i = s.shapes[i].next)
         s.broad_phase.refilter(std::uint32_t(i));
 }
 
@@ -98,7 +98,7 @@ void World::Impl::retire_joint(std::uint32_t index, const std::optional<JointEve
     refilter_pairs(s, s.joints[index]);
     deactivate_joint(s, index);
     unlink_joint(s, index);
-    if (event) s.next_joint_events.push_back(*event);
+    if (event) s.events.joints.next.push_back(*event);
     s.joints[index] = {};
     joint_defs[index] = {};
     s.joint_slots.kill(index);
@@ -171,7 +171,7 @@ JointDef World::joint_at(BodyId body_a, BodyId body_b, const Position& anchor, c
         Transform t{anchor, to_public(math::to_float(world))};
         if (id.is_null()) return t;
         const std::int32_t body = impl_->index_of(id);
-        const math::DQuat& q = s.motion[std::size_t(body)].q;
+        const math::DQuat& q = s.motion[body].q;
         t.position = to_public(math::rotate_back(q, to_math(anchor) - body_origin(s, body)));
         t.rotation = to_public(math::to_float(math::normalized(math::conjugate(q) * world)));
         return t;
@@ -238,7 +238,7 @@ JointState World::joint_state(JointId id) const {
     for (int i = 0; i < info.rules.axis_count; ++i) {
         const JointAxisRule& rule = impl_->state.joint_axes[index].rules[i];
         if (!rule.is_lock) {
-            state.positions[std::size_t(state.position_count++)] = positions.axes[i];
+            state.positions[state.position_count++] = positions.axes[i];
         } else if (rule.has_limits) {
             const float error = positions.axes[i] - rule.lower;
             (rule.kind == AxisKind::linear || rule.kind == AxisKind::rack ? linear : angular) += error * error;
@@ -272,6 +272,6 @@ std::optional<JointId> World::find_joint(std::string_view name) const {
     return std::nullopt;
 }
 
-std::span<const JointEvent> World::joint_events() const noexcept { return impl_->state.joint_events; }
+std::span<const JointEvent> World::joint_events() const noexcept { return impl_->state.events.joints.now; }
 
 } // namespace cairn

@@ -19,7 +19,7 @@ template <class F> void for_each_dynamic(const State& s, F&& f) {
 
 // What is immovable has no share in sums over masses.
 double summed_mass(const State& s, std::int32_t b) {
-    const BodyMass& mass = s.mass[std::size_t(b)];
+    const BodyMass& mass = s.mass[b];
     return mass.inverse_mass > 0 ? double(mass.mass) : 0.0;
 }
 
@@ -37,7 +37,7 @@ Contact make_contact(const State& s, std::uint32_t id) {
                 c.point_count,
                 {}};
     for (int i = 0; i < c.point_count; ++i) {
-        const math::DVec3 p = s.motion[std::size_t(c.body_a)].x + math::to_double(math::to_vec(point_of(r, i)));
+        const math::DVec3 p = s.motion[c.body_a].x + math::to_double(math::to_vec(point_of(r, i)));
         out.points[i] = {to_public(p), point_of(r, i)[3], total_of(r, i)};
     }
     return out;
@@ -57,8 +57,7 @@ double World::potential_energy() const {
     const math::DVec3 g = math::to_double(to_math(s.settings.gravity));
     double sum = 0;
     for_each_dynamic(s, [&](std::int32_t b) {
-        sum -= summed_mass(s, b) * double(s.body_settings[std::size_t(b)].gravity_scale) *
-               math::dot(g, s.motion[std::size_t(b)].x);
+        sum -= summed_mass(s, b) * double(s.body_settings[b].gravity_scale) * math::dot(g, s.motion[b].x);
     });
     return sum;
 }
@@ -66,8 +65,7 @@ double World::potential_energy() const {
 glm::dvec3 World::linear_momentum() const {
     const State& s = impl_->whole("World::linear_momentum");
     math::DVec3 sum;
-    for_each_dynamic(s,
-                     [&](std::int32_t b) { sum += summed_mass(s, b) * math::to_double(s.motion[std::size_t(b)].v); });
+    for_each_dynamic(s, [&](std::int32_t b) { sum += summed_mass(s, b) * math::to_double(s.motion[b].v); });
     return {sum.x, sum.y, sum.z};
 }
 
@@ -75,10 +73,9 @@ glm::dvec3 World::angular_momentum() const {
     const State& s = impl_->whole("World::angular_momentum");
     math::DVec3 sum;
     for_each_dynamic(s, [&](std::int32_t b) {
-        const BodyMotion& m = s.motion[std::size_t(b)];
+        const BodyMotion& m = s.motion[b];
         sum += math::cross(m.x, summed_mass(s, b) * math::to_double(m.v));
-        if (!(s.mass[std::size_t(b)].inverse_inertia == math::Vec3{}))
-            sum += world_inertia(m, s.mass[std::size_t(b)]) * math::to_double(m.w);
+        if (!(s.mass[b].inverse_inertia == math::Vec3{})) sum += world_inertia(m, s.mass[b]) * math::to_double(m.w);
     });
     return {sum.x, sum.y, sum.z};
 }

@@ -165,7 +165,7 @@ void World::read_transforms(std::span<const BodyId> ids, std::span<Transform> ou
     const State& s = impl_->whole("World::read_transforms");
     for (std::size_t i = 0; i < ids.size(); ++i) {
         const std::int32_t b = impl_->index_of(ids[i]);
-        out[i] = {to_public(body_origin(s, b)), to_public(math::to_float(s.motion[std::size_t(b)].q))};
+        out[i] = {to_public(body_origin(s, b)), to_public(math::to_float(s.motion[b].q))};
     }
 }
 

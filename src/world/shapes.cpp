@@ -14,38 +14,37 @@ namespace {
 // Unlinks a shape from its body's list.
 void unlink_shape(State& s, std::uint32_t shape) {
     ShapeLinks& links = s.shapes[shape];
-    BodyLinks& body = s.bodies[std::size_t(links.body)];
+    BodyLinks& body = s.bodies[links.body];
     if (links.previous == none)
         body.first_shape = links.next;
     else
-        s.shapes[std::size_t(links.previous)].next = links.next;
+        s.shapes[links.previous].next = links.next;
     if (links.next == none)
         body.last_shape = links.previous;
     else
-        s.shapes[std::size_t(links.next)].previous = links.previous;
+        s.shapes[links.next].previous = links.previous;
 }
 
 void link_shape(State& s, std::uint32_t shape, std::int32_t body) {
     ShapeLinks& links = s.shapes[shape];
-    BodyLinks& owner = s.bodies[std::size_t(body)];
+    BodyLinks& owner = s.bodies[body];
     links.body = body;
     links.next = none;
     links.previous = owner.last_shape;
     if (owner.last_shape == none)
         owner.first_shape = std::int32_t(shape);
     else
-        s.shapes[std::size_t(owner.last_shape)].next = std::int32_t(shape);
+        s.shapes[owner.last_shape].next = std::int32_t(shape);
     owner.last_shape = std::int32_t(shape);
 }
 
 // What a density makes of the body's mass must be a mass that could have been given.
 void require_mass_in_range(const State& s, std::int32_t body, const Shape& shape, const ShapeDef& def) {
-    const BodyMass& mass = s.mass[std::size_t(body)];
+    const BodyMass& mass = s.mass[body];
     if (!s.is_dynamic(body) || !mass.follows_shapes || mass.has_given_mass || !(def.density > 0)) return;
     double sum = geometry_mass(make_geometry(shape, {}), make_shape_data(shape), def.density).mass;
-    for (std::int32_t i = s.bodies[std::size_t(body)].first_shape; i != none; i = s.shapes[std::size_t(i)].next)
-        sum += geometry_mass(s.geometry[std::size_t(i)], s.shape_data[std::size_t(i)], s.shapes[std::size_t(i)].density)
-                   .mass;
+    for (std::int32_t i = s.bodies[body].first_shape; i != none; i = s.shapes[i].next)
+        sum += geometry_mass(s.geometry[i], s.shape_data[i], s.shapes[i].density).mass;
     if (!(sum >= smallest_mass && sum <= largest_mass))
         refuse("ShapeDef.density", to_text(def.density),
                "must give the body a mass from 1e-32 to 1e32 kg, not " + to_text(sum) + " kg");
@@ -132,7 +131,7 @@ Transform World::shape_transform(ShapeId id) const {
     const std::uint32_t i = impl_->index_of(id);
     const State& s = impl_->state;
     // Of the shape as the user defined it: a plane's stored rotation includes the turn to its normal.
-    const BodyMotion& motion = s.motion[std::size_t(s.shapes[i].body)];
+    const BodyMotion& motion = s.motion[s.shapes[i].body];
     const math::DQuat q = motion.q * math::to_double(to_math(impl_->def_of[i].rotation));
     return {to_public(shape_position(s.shape_poses[i])), to_public(math::to_float(math::normalized(q)))};
 }

@@ -34,7 +34,7 @@ ShapePose expected_pose(const State& s, std::size_t shape) {
     const std::int32_t body = s.shapes[shape].body;
     if (shape >= s.geometry.size() || std::uint32_t(body) >= s.motion.size()) return pose;
     const Geometry& g = s.geometry[shape];
-    const BodyMotion& motion = s.motion[std::size_t(body)];
+    const BodyMotion& motion = s.motion[body];
     pose_shape(pose, g, motion.x + math::to_double(s.shapes[shape].arm), math::to_float(motion.q));
     size_shape(pose, g);
     return pose;
@@ -116,8 +116,8 @@ template <class Archive> void serialize_joints(Archive& archive, State& s) {
 
 template <class Archive> void serialize_counters(Archive& archive, State& s) {
     archive(s.steps), archive(s.passes), archive(s.time);
-    archive(s.clamped_speeds), archive(s.statistics), archive(s.next_ends), archive(s.next_triggers),
-        archive(s.next_joint_events), archive(s.next_sleeps);
+    archive(s.clamped_speeds), archive(s.statistics), archive(s.events.ends.next), archive(s.events.triggers.next),
+        archive(s.events.joints.next), archive(s.events.sleeps.next);
 }
 
 // `size_so_far()`, to measure the parts by when writing.

@@ -68,13 +68,12 @@ void World::step(float dt) {
     StageClock clock;
     const Busy busy(impl_->stepping);
     change.begin();
-    state.begins.clear();
-    state.hits.clear();
+    state.events.begin_step();
     times = {};
     state.first_pass = state.passes;
     int passes = 1;
     for (int pass = 0; pass < passes; ++pass) {
-        for (const std::int32_t island : state.awake_islands) state.islands[std::size_t(island)].kept_awake = 0;
+        for (const std::int32_t island : state.awake_islands) state.islands[island].kept_awake = 0;
         wake_driven_joints(state);
         update_pairs(state);
         times.broad_phase += clock.lap();
@@ -97,16 +96,9 @@ void World::step(float dt) {
         times.finalize += clock.lap();
     }
     state.split = 1;
-    for (const std::int32_t b : state.pushed) state.forces[std::size_t(b)] = {}; // they act for one step
+    for (const std::int32_t b : state.pushed) state.forces[b] = {}; // they act for one step
     state.pushed.clear();
-    state.ends.swap(state.next_ends);
-    state.next_ends.clear();
-    state.joint_events.swap(state.next_joint_events);
-    state.next_joint_events.clear();
-    state.triggers.swap(state.next_triggers);
-    state.next_triggers.clear();
-    state.sleeps.swap(state.next_sleeps);
-    state.next_sleeps.clear();
+    state.events.publish();
     times.total = clock.total();
 
     ++state.steps;

@@ -166,14 +166,13 @@ void World::destroy_body(BodyId id) {
     wake_around(s, b);
     wake_body(s, b);
     impl_->retire_joints_of(b);
-    for (std::int32_t shape = s.bodies[std::size_t(b)].first_shape; shape != none;
-         shape = s.shapes[std::size_t(shape)].next)
+    for (std::int32_t shape = s.bodies[b].first_shape; shape != none; shape = s.shapes[shape].next)
         retire_shape(s, std::uint32_t(shape));
-    if (s.bodies[std::size_t(b)].island != none) remove_from_island(s, b);
+    if (s.bodies[b].island != none) remove_from_island(s, b);
     std::erase(s.kinematics, b);
     s.body_slots.kill(std::uint32_t(b));
     s.dead_bodies.push_back(std::uint32_t(b));
-    impl_->names[std::size_t(b)].clear();
+    impl_->names[b].clear();
 }
 
 bool World::is_valid(BodyId id) const noexcept {
@@ -248,11 +247,11 @@ void World::remove_force_field(ForceFieldId id) {
 
 std::uint64_t World::step_count() const noexcept { return impl_->state.steps; }
 double World::time() const noexcept { return impl_->state.time; }
-std::span<const ContactBegin> World::contact_begins() const noexcept { return impl_->state.begins; }
-std::span<const ContactEnd> World::contact_ends() const noexcept { return impl_->state.ends; }
-std::span<const ContactHit> World::contact_hits() const noexcept { return impl_->state.hits; }
-std::span<const TriggerEvent> World::trigger_events() const noexcept { return impl_->state.triggers; }
-std::span<const SleepEvent> World::sleep_events() const noexcept { return impl_->state.sleeps; }
+std::span<const ContactBegin> World::contact_begins() const noexcept { return impl_->state.events.begins; }
+std::span<const ContactEnd> World::contact_ends() const noexcept { return impl_->state.events.ends.now; }
+std::span<const ContactHit> World::contact_hits() const noexcept { return impl_->state.events.hits; }
+std::span<const TriggerEvent> World::trigger_events() const noexcept { return impl_->state.events.triggers.now; }
+std::span<const SleepEvent> World::sleep_events() const noexcept { return impl_->state.events.sleeps.now; }
 std::string_view instruction_set() noexcept { return kernels().name; }
 
 } // namespace cairn
