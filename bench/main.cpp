@@ -138,7 +138,7 @@ int measure_rollbacks(const std::vector<int>& thread_counts) {
         const auto late = std::count_if(ms.begin(), ms.end(), [](double x) { return x > 1000.0 / 60; });
         std::sort(ms.begin(), ms.end());
         fmt::print("{} rollbacks of {} frames, {} bodies ({} to {} awake), {} contacts, {} joints, {} thread(s)\n",
-                   ms.size(), options.frames, result.bodies, result.least_awake, result.most_awake, result.contacts,
+                   ms.size(), options.frames, result.bodies, result.min_awake, result.max_awake, result.contacts,
                    result.joints, threads);
         fmt::print("  ms: mean {:.2f}, median {:.2f}, 99 % below {:.2f}, worst {:.2f}; {} above 16.67\n",
                    sum / double(ms.size()), ms[ms.size() / 2], ms[ms.size() * 99 / 100], ms.back(), late);

@@ -150,7 +150,7 @@ Result sum_up(const Scene& scene, const Entry& entry) {
     r.cpu_ms = over_rounds([](const Round& round) { return round.cpu_ms; });
     r.build_ms = over_rounds([](const Round& round) { return round.build_ms; });
     const auto by_mean = [](const Round& a, const Round& b) { return a.mean_ms < b.mean_ms; };
-    r.least_mean_ms = std::min_element(rounds.begin(), rounds.end(), by_mean)->mean_ms;
+    r.min_mean_ms = std::min_element(rounds.begin(), rounds.end(), by_mean)->mean_ms;
     r.greatest_mean_ms = std::max_element(rounds.begin(), rounds.end(), by_mean)->mean_ms;
     r.contacts = last.contacts;
     r.points = last.points;

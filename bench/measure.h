@@ -29,7 +29,7 @@ struct Result {
     std::size_t bodies = 0;                                         // dynamic ones
     double mean_ms = 0, median_ms = 0, p99_ms = 0, greatest_ms = 0; // of a step
     double cpu_ms = 0; // CPU time of a step, mean: what a busy machine adds to mean_ms is not in it
-    double least_mean_ms = 0, greatest_mean_ms = 0; // over the rounds
+    double min_mean_ms = 0, greatest_mean_ms = 0; // over the rounds
     double build_ms = 0;
     double contacts = 0, points = 0;                      // mean over the sampled steps
     std::optional<double> candidates;                     // likewise

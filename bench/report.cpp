@@ -33,7 +33,7 @@ nlohmann::json to_object(const Result& r) {
         {"p99_ms", r.p99_ms},
         {"max_ms", r.greatest_ms},
         {"cpu_ms", r.cpu_ms},
-        {"mean_ms_least", r.least_mean_ms},
+        {"mean_ms_min", r.min_mean_ms},
         {"mean_ms_greatest", r.greatest_mean_ms},
         {"build_ms", r.build_ms},
         {"contacts", r.contacts},
@@ -77,7 +77,7 @@ std::string to_tables(const std::vector<Result>& results) {
                        "{:>8.0f} {:>8} {:>4} "
                        "{:>7}\n",
                        r.scene, r.engine, r.threads, r.bodies, r.cpu_ms, r.mean_ms, r.median_ms, r.p99_ms,
-                       r.least_mean_ms, r.greatest_mean_ms, r.contacts, r.points,
+                       r.min_mean_ms, r.greatest_mean_ms, r.contacts, r.points,
                        r.nanoseconds_per_point ? fmt::format("{:.1f}", *r.nanoseconds_per_point) : "-",
                        r.substeps ? fmt::format("{}", *r.substeps) : "-",
                        r.bytes_per_body ? fmt::format("{:.0f}", *r.bytes_per_body) : "-");

@@ -77,7 +77,7 @@ RollbackResult measure_rollback(const RollbackOptions& options) {
     for (int i = 0; i < 120; ++i) world.step(frame), straight.step(frame); // until what stacks has come to rest
 
     RollbackResult result;
-    result.bodies = result.least_awake = straight.statistics().dynamic_bodies;
+    result.bodies = result.min_awake = straight.statistics().dynamic_bodies;
     Snapshot known = world.save();                              // the last frame of which everything is known
     for (int i = 0; i < options.frames; ++i) world.step(frame); // a guess: nobody pushes
     for (int r = 0; r < options.rollbacks; ++r) {
@@ -102,8 +102,8 @@ RollbackResult measure_rollback(const RollbackOptions& options) {
         check.restore(known);
         result.wrong += check.state_hash() != straight.state_hash();
         const std::size_t awake = straight.statistics().awake_bodies;
-        result.least_awake = std::min(result.least_awake, awake);
-        result.most_awake = std::max(result.most_awake, awake);
+        result.min_awake = std::min(result.min_awake, awake);
+        result.max_awake = std::max(result.max_awake, awake);
     }
     result.restore /= options.rollbacks, result.save /= options.rollbacks, result.step /= options.rollbacks;
     result.processor /= options.rollbacks;

@@ -19,7 +19,7 @@ struct RollbackResult {
     double restore = 0, step = 0, save = 0; // means, ms; of one step
     double processor = 0;                   // ms of processor time that a rollback takes, on all threads: the mean
     std::size_t wrong = 0;                  // rollbacks after which a state was not that of a world without any
-    std::size_t bodies = 0, least_awake = 0, most_awake = 0;
+    std::size_t bodies = 0, min_awake = 0, max_awake = 0;
     std::size_t contacts = 0, joints = 0; // at the end
     SnapshotSizes sizes;                  // of the last snapshot
     std::size_t bytes = 0;                // of it, without its definitions

@@ -75,11 +75,11 @@ void tumbler(Builder& b, int size) {
     }
 }
 
-constexpr int most_bodies = 1000000;
+constexpr int max_bodies = 1000000;
 constexpr SceneKind kinds[] = {
-    {"pile_spheres", "equal spheres fall into a room", "bodies", 8000, most_bodies},
-    {"pile_boxes", "equal boxes fall into a room", "bodies", 5000, most_bodies},
-    {"pile_mixed", "boxes and spheres of many sizes and densities fall into a room", "bodies", 5000, most_bodies},
+    {"pile_spheres", "equal spheres fall into a room", "bodies", 8000, max_bodies},
+    {"pile_boxes", "equal boxes fall into a room", "bodies", 5000, max_bodies},
+    {"pile_mixed", "boxes and spheres of many sizes and densities fall into a room", "bodies", 5000, max_bodies},
     {"pyramid", "a wall of boxes, one fewer in each row", "boxes in the lowest row", 40, 1000},
     {"large_pyramid", "the same, larger", "boxes in the lowest row", 100, 1000},
     {"many_pyramids", "a square of pyramids of 55 boxes", "pyramids in a row of the square", 10, 100},
@@ -87,10 +87,10 @@ constexpr SceneKind kinds[] = {
     {"mass_ratio", "four light boxes carry a heavy one", "mass of the heavy box over that of a light one", 1000,
      1000000},
     {"tumbler", "boxes in a box that turns", "boxes", 2000, tumbler_columns* tumbler_rows* tumbler_layers},
-    {"convex", "convex polyhedra of 12 to 24 corners fall into a room", "bodies", 1000, most_bodies},
-    {"terrain", "boxes fall on hills of 20,000 triangles", "bodies", 2000, most_bodies},
-    {"props", "tables, chairs and jacks of 3 to 7 boxes and spheres fall into a room", "bodies", 1500, most_bodies},
-    {"capsules", "capsules and cylinders of many sizes fall into a room", "bodies", 3000, most_bodies},
+    {"convex", "convex polyhedra of 12 to 24 corners fall into a room", "bodies", 1000, max_bodies},
+    {"terrain", "boxes fall on hills of 20,000 triangles", "bodies", 2000, max_bodies},
+    {"props", "tables, chairs and jacks of 3 to 7 boxes and spheres fall into a room", "bodies", 1500, max_bodies},
+    {"capsules", "capsules and cylinders of many sizes fall into a room", "bodies", 3000, max_bodies},
     {"chain", "links on hinges fall and swing; nothing collides", "links", 20, 10000},
     {"joint_grid", "a net of spheres hangs on its upper edge; nothing collides", "spheres in a row", 64, 1000},
     {"joint_swing", "a level net of spheres falls and swings on one edge; nothing collides", "spheres in a row", 64,

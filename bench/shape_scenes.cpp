@@ -10,11 +10,11 @@ namespace {
 
 // Corners on a sphere, none near another, so that the polyhedron has no thin parts.
 ConvexHull random_hull(Random& random, std::size_t corners, float radius) {
-    constexpr float least_distance = 0.35f; // over the radius
+    constexpr float gap_lower_bound = 0.35f; // over the radius
     ConvexHull hull;
     while (hull.points.size() < corners) {
         const Vec3 point = random.direction();
-        const auto is_near = [&](const Vec3& other) { return glm::length(point - other) < least_distance; };
+        const auto is_near = [&](const Vec3& other) { return glm::length(point - other) < gap_lower_bound; };
         if (std::none_of(hull.points.begin(), hull.points.end(), is_near)) hull.points.push_back(point);
     }
     for (Vec3& point : hull.points) point *= radius;
@@ -154,8 +154,8 @@ void terrain(Builder& b, int size) {
     b.scene.lower_bound = {-half, lowest - 0.5f, -half};
     b.scene.upper_bound = {half, 1e9f, half};
     constexpr float spacing = 1.6f;
-    constexpr int most_across = 25; // 40 m
-    const int across = std::min(static_cast<int>(std::ceil(std::sqrt(size / 4.0))), most_across);
+    constexpr int max_across = 25; // 40 m
+    const int across = std::min(static_cast<int>(std::ceil(std::sqrt(size / 4.0))), max_across);
     Random random(6);
     for (int i = 0; i < size; ++i) {
         const int x = i % across, z = i / across % across, y = i / (across * across);

@@ -14,11 +14,11 @@ GOAL = 40
 DEFINITION = re.compile(r"^ *(?:static |inline )?constexpr (?:[\w:]+) (\w+ = [^;]*);(.*)$", re.MULTILINE)
 BEFORE = re.compile(r"((?:^ *//.*\n)+)\Z", re.MULTILINE)
 # Sizes of work for threads and caches change no result; neither do names of values that mean "none".
-WORK = re.compile(r"(_per_chunk|_ahead|^capacity$|_shared_contacts$|^bin_)")
+WORK = re.compile(r"(_per_chunk|_ahead|^capacity$|_shared_contacts$|^batch_)")
 MARKS = {"unused", "unlimited", "not_found", "unknown_speed", "no_impact_speed", "none", "pi", "whole", "ones", "max_joint_axes",
-         "most_joint_axes", "wide_kinds", "tested_kinds", "one_point_type", "four_points_type", "block_types", "joint_row_types",
+         "max_joint_axes", "wide_kinds", "tested_kinds", "one_point_type", "four_points_type", "block_types", "joint_row_types",
          "first_fixed_color", "overflow_color", "no_color", "patches_at_hand", "turn_phase", "point_phase", "phases", "forms",
-         "keys_per_color", "keys_per_bin", "side_by_side", "least_handed_out", "ahead", "early", "early_pairs", "capacity"}
+         "keys_per_color", "keys_per_batch", "side_by_side", "min_handed_out", "ahead", "early", "early_pairs", "capacity"}
 
 
 def constants(room):

@@ -86,10 +86,10 @@ def hinge(angle=None, **how):
     return _entry("hinge", limits, _drives("angular", 0, angle), {"angle": angle} if angle else {}, **how)
 
 
-def slider(way=None, **how):
-    way = way or {}
-    limits = [_lock("linear", 1, 2), _lock("angular", 0, 1, 2), *_limits("linear", 0, way)]
-    return _entry("slider", limits, _drives("linear", 0, way), {"way": way} if way else {}, **how)
+def slider(translation=None, **how):
+    translation = translation or {}
+    limits = [_lock("linear", 1, 2), _lock("angular", 0, 1, 2), *_limits("linear", 0, translation)]
+    return _entry("slider", limits, _drives("linear", 0, translation), {"translation": translation} if translation else {}, **how)
 
 
 def wheel(suspension, spin, steering=None, **how):

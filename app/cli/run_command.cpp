@@ -20,7 +20,7 @@ namespace cairn::cli {
 namespace {
 
 constexpr double default_seconds = 10.0;
-constexpr double most_steps = 1e9;
+constexpr double max_steps = 1e9;
 
 struct Outcome {
     std::vector<double> step_times; // ms
@@ -50,7 +50,7 @@ StepTimes summarize(std::vector<double> times) {
 std::uint64_t count_steps(const RunOptions& options, double time_step) {
     if (options.frames) return static_cast<std::uint64_t>(*options.frames);
     const double steps = std::round(options.seconds.value_or(default_seconds) / time_step);
-    if (steps > most_steps) throw Error(ErrorCode::invalid_value, "--seconds", {}, "is more than a billion steps");
+    if (steps > max_steps) throw Error(ErrorCode::invalid_value, "--seconds", {}, "is more than a billion steps");
     return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(steps));
 }
 

@@ -21,8 +21,8 @@ constexpr double width = 480, plot_height = 300;               // without the le
 constexpr double left = 78, right = 18, top = 36, bottom = 50; // margins of the axes
 constexpr double legend_line = 18, character = 6.1;            // of text at 11 pixels
 // Of the slope between two points to that before, with ever shorter steps; below it rounding rules.
-constexpr double least_slope_change = 0.7;
-constexpr double least_slope_fit = 0.98; // squared correlation for a slope to mean something
+constexpr double min_slope_change = 0.7;
+constexpr double min_slope_fit = 0.98; // squared correlation for a slope to mean something
 constexpr const char* ink = "#33383f";
 constexpr const char* expected_color = "#a9b0ba";
 constexpr std::array<const char*, 6> colors = {"#1f6fb2", "#d1495b", "#2f8f6b", "#8657a8", "#d98a1f", "#4a4f57"};
@@ -140,12 +140,12 @@ std::optional<double> fitted_slope(const Plot& plot, const Curve& curve) {
     };
     if (points.size() < 3 || slope_after(0) <= 0) return std::nullopt;
     std::size_t count = 2;
-    while (count < points.size() && slope_after(count - 1) > least_slope_change * slope_after(count - 2)) ++count;
+    while (count < points.size() && slope_after(count - 1) > min_slope_change * slope_after(count - 2)) ++count;
     points.resize(count);
     double sx = 0, sy = 0, sxx = 0, sxy = 0, syy = 0;
     for (const auto& [x, y] : points) sx += x, sy += y, sxx += x * x, sxy += x * y, syy += y * y;
     const double n = double(count), xx = n * sxx - sx * sx, xy = n * sxy - sx * sy, yy = n * syy - sy * sy;
-    if (count < 3 || xx <= 0 || yy <= 0 || xy * xy < least_slope_fit * xx * yy) return std::nullopt;
+    if (count < 3 || xx <= 0 || yy <= 0 || xy * xy < min_slope_fit * xx * yy) return std::nullopt;
     return xy / xx;
 }
 

@@ -32,7 +32,7 @@ Position drag_target(const Ray& cursor, const Position& grabbed, const Vec3& for
 
 namespace {
 
-constexpr float most_load = 100.0f; // of the body's own mass: a lever must not be torn off the machine it belongs to
+constexpr float max_load = 100.0f; // of the body's own mass: a lever must not be torn off the machine it belongs to
 
 // The mass of the dynamic bodies that are joined to a body, directly or through others, without its own.
 float mass_joined_to(const World& world, BodyId body) {
@@ -56,7 +56,7 @@ float mass_joined_to(const World& world, BodyId body) {
 JointDef drag_joint(const World& world, BodyId body_id, const Vec3& local_point, const DragSpring& spring) {
     const Body body = world.body(body_id);
     const Transform pose = body.transform();
-    const float mass = body.mass(), load = std::min(mass_joined_to(world, body_id), most_load * mass);
+    const float mass = body.mass(), load = std::min(mass_joined_to(world, body_id), max_load * mass);
     JointDef def;
     def.body_b = body_id;
     def.frame_a.position = pose.position + Position(pose.rotation * local_point);

@@ -32,7 +32,7 @@ constexpr float extent_fades = 12.0f;   // the ground ends after that many fadin
 
 // Meshes of round shapes by how many pixels their radius covers.
 struct Detail {
-    float least_pixels;
+    float min_pixels;
     int sphere_subdivisions;
     int segments, rings; // of capsules; cylinders have the segments alone
 };
@@ -51,7 +51,7 @@ class RoundMeshes {
         for (const Instance& instance : instances) {
             const float pixels = pixels_of(instance);
             std::size_t level = 0;
-            while (level + 1 < details.size() && pixels >= details[level + 1].least_pixels) ++level;
+            while (level + 1 < details.size() && pixels >= details[level + 1].min_pixels) ++level;
             lists_[level].push_back(instance);
         }
         for (std::size_t i = 0; i < meshes_.size(); ++i) {
@@ -216,9 +216,9 @@ void GlRenderer::Impl::make_shadow_map() {
 
 void GlRenderer::Impl::resize_target(int width, int height) {
     if (width == target_width && height == target_height) return;
-    GLint most_samples = 0;
-    glGetIntegerv(GL_MAX_SAMPLES, &most_samples);
-    const GLsizei samples = std::min<GLint>(wanted_samples, most_samples);
+    GLint max_samples = 0;
+    glGetIntegerv(GL_MAX_SAMPLES, &max_samples);
+    const GLsizei samples = std::min<GLint>(wanted_samples, max_samples);
     target_color = make_renderbuffer();
     glBindRenderbuffer(GL_RENDERBUFFER, target_color.name());
     glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_RGBA8, width, height);

@@ -16,7 +16,7 @@ namespace cairn::viewer {
 
 namespace {
 
-constexpr int least_size = 16, greatest_size = 8192; // pixels
+constexpr int min_size = 16, greatest_size = 8192; // pixels
 
 Error no_egl(const std::string& what) {
     return Error(ErrorCode::unsupported, "EGL", what,
@@ -84,7 +84,7 @@ struct HeadlessRenderer::Impl {
 
 HeadlessRenderer::HeadlessRenderer(int width, int height) {
     for (const auto& [name, size] : {std::pair<const char*, int>{"width", width}, {"height", height}})
-        if (size < least_size || size > greatest_size)
+        if (size < min_size || size > greatest_size)
             throw Error(ErrorCode::invalid_value, std::string("HeadlessRenderer.") + name, std::to_string(size),
                         "must be 16 to 8192 pixels");
     impl_ = std::make_unique<Impl>(width, height);

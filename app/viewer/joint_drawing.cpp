@@ -18,11 +18,11 @@ namespace cairn::viewer {
 namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
-constexpr float least_size = 0.008f, greatest_size = 0.08f; // of a drawing, as shares of its distance from the camera
-constexpr float size_of_reach = 0.55f;                      // of a drawing, as a share of the body's reach
-constexpr std::size_t most_strokes = 30000;                 // of joints in full
-constexpr float free_linear_error = 0.05f;                  // of the reach
-constexpr float free_angular_error = 0.1f;                  // rad
+constexpr float min_size = 0.008f, greatest_size = 0.08f; // of a drawing, as shares of its distance from the camera
+constexpr float size_of_reach = 0.55f;                    // of a drawing, as a share of the body's reach
+constexpr std::size_t max_strokes = 30000;                // of joints in full
+constexpr float free_linear_error = 0.05f;                // of the reach
+constexpr float free_angular_error = 0.1f;                // rad
 
 // A frame of a joint, relative to the origin of the picture.
 struct Axes {
@@ -193,10 +193,10 @@ struct JointShape {
         pen.angle(pen.a.at, pen.a.y, pen.a.z, joint.angle.limits, across(pen.b.y, pen.a.x));
     }
     void operator()(const SliderJoint& joint) const {
-        pen.way(pen.a.at, pen.a, pen.a.x, joint.way.limits, along(pen.a.x, pen));
+        pen.way(pen.a.at, pen.a, pen.a.x, joint.translation.limits, along(pen.a.x, pen));
     }
     void operator()(const CylindricalJoint& joint) const {
-        pen.way(pen.a.at, pen.a, pen.a.x, joint.way.limits, along(pen.a.x, pen));
+        pen.way(pen.a.at, pen.a, pen.a.x, joint.translation.limits, along(pen.a.x, pen));
         pen.angle(pen.b.at, pen.a.y, pen.a.z, joint.angle.limits, across(pen.b.y, pen.a.x));
     }
     void operator()(const UniversalJoint& joint) const {
@@ -313,9 +313,9 @@ void draw_joints(RenderFrame& frame, const WorldLayout& layout, const WorldMotio
         const Vec3 color = is_selected ? Vec3(1.0f) : joint_color(joint, motion.joint_states[i]);
         const Vec3 offset = Vec3(frames.b.position - frame.origin) - eye;
         const float distance = glm::length(offset);
-        const float size = std::clamp(size_of_reach * joint.reach, least_size * distance, greatest_size * distance);
+        const float size = std::clamp(size_of_reach * joint.reach, min_size * distance, greatest_size * distance);
         JointPen pen(frame, frames, size, color, is_selected ? bold : width);
-        const bool is_tiny = size_of_reach * joint.reach < least_size * distance || frame.strokes.size() > most_strokes;
+        const bool is_tiny = size_of_reach * joint.reach < min_size * distance || frame.strokes.size() > max_strokes;
         if (!is_selected && (is_tiny || glm::dot(offset, forward) < -joint.reach)) { // thousands must not cost time
             pen.dot(pen.b.at, 1.5f);
             if (std::holds_alternative<DistanceJoint>(joint.def.joint)) pen.line(pen.a.at, pen.b.at, 0.5f);

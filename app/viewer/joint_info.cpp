@@ -75,9 +75,9 @@ struct Positions {
         return list;
     }
     List operator()(const HingeJoint& joint) const { return {{"angle", true, joint.angle.limits}}; }
-    List operator()(const SliderJoint& joint) const { return {{"way", false, joint.way.limits}}; }
+    List operator()(const SliderJoint& joint) const { return {{"translation", false, joint.translation.limits}}; }
     List operator()(const CylindricalJoint& joint) const {
-        return {{"way", false, joint.way.limits}, {"angle", true, joint.angle.limits}};
+        return {{"translation", false, joint.translation.limits}, {"angle", true, joint.angle.limits}};
     }
     List operator()(const UniversalJoint& joint) const {
         return {{"first", true, joint.first.limits}, {"second", true, joint.second.limits}};
@@ -105,9 +105,9 @@ struct Positions {
 struct AxisEdits {
     using List = std::vector<JointAxisEdit>;
     List operator()(HingeJoint& joint) const { return {{"angle", true, &joint.angle}}; }
-    List operator()(SliderJoint& joint) const { return {{"way", false, &joint.way}}; }
+    List operator()(SliderJoint& joint) const { return {{"translation", false, &joint.translation}}; }
     List operator()(CylindricalJoint& joint) const {
-        return {{"way", false, &joint.way}, {"angle", true, &joint.angle}};
+        return {{"translation", false, &joint.translation}, {"angle", true, &joint.angle}};
     }
     List operator()(UniversalJoint& joint) const {
         return {{"first", true, &joint.first}, {"second", true, &joint.second}};

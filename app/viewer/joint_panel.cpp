@@ -25,13 +25,13 @@ constexpr float window_width = 290.0f;
 constexpr float lines_in_list = 4.5f; // half a line shows that there are more
 constexpr float degree = 0.017453293f;
 constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr float most_degrees = 360.0f, most_meters = 5.0f; // of the sliders; more can be typed
+constexpr float max_degrees = 360.0f, max_meters = 5.0f; // of the sliders; more can be typed
 constexpr ImGuiSliderFlags at_least_zero = ImGuiSliderFlags_Logarithmic;
 
 // A slider for a length or an angle, shown in meters or degrees. Any value can be typed.
 bool place_slider(const char* name, float& value, bool is_angle) {
     float shown = is_angle ? value / degree : value;
-    const float most = is_angle ? most_degrees : most_meters;
+    const float most = is_angle ? max_degrees : max_meters;
     if (!ImGui::SliderFloat(name, &shown, -most, most, is_angle ? "%.1f deg" : "%.3f m")) return false;
     value = is_angle ? shown * degree : shown;
     return true;
@@ -39,7 +39,7 @@ bool place_slider(const char* name, float& value, bool is_angle) {
 
 bool rate_slider(const char* name, float& value, bool is_angle) {
     float shown = is_angle ? value / degree : value;
-    const float most = is_angle ? 10.0f * most_degrees : 4.0f * most_meters;
+    const float most = is_angle ? 10.0f * max_degrees : 4.0f * max_meters;
     if (!ImGui::SliderFloat(name, &shown, -most, most, is_angle ? "%.0f deg/s" : "%.2f m/s")) return false;
     value = is_angle ? shown * degree : shown;
     return true;
@@ -176,7 +176,7 @@ struct OwnValues {
         return positive_slider("friction", joint.friction, 0.0f, 1e4f, "%.3g N m") || changed;
     }
     bool operator()(ServoJoint& joint) const {
-        bool changed = ImGui::SliderFloat3("position", &joint.position.x, -most_meters, most_meters, "%.2f");
+        bool changed = ImGui::SliderFloat3("position", &joint.position.x, -max_meters, max_meters, "%.2f");
         for (const auto& [name, spring, is_angle] :
              {std::tuple("moving", &joint.linear, false), {"turning", &joint.angular, true}}) {
             ImGui::TextUnformatted(name);

@@ -15,7 +15,7 @@ namespace cairn::viewer {
 namespace {
 
 constexpr float panel_width = 300.0f;
-constexpr float most_scene_lines = 7.5f; // half a line shows that there are more
+constexpr float max_scene_lines = 7.5f; // half a line shows that there are more
 
 ImU32 display_color(const Vec3& linear) {
     const Vec3 color = srgb(linear);
@@ -173,7 +173,7 @@ void Panel::draw_scenes(const StageState& state, Controller& controller) {
     const auto& scenes = controller.scenes();
     if (scenes.empty()) return ImGui::TextDisabled("no scenes found");
     // The list scrolls, so that the rest of the panel fits on a small screen.
-    const float lines_shown = std::min(float(scenes.size()), most_scene_lines);
+    const float lines_shown = std::min(float(scenes.size()), max_scene_lines);
     ImGui::BeginChild("scenes", ImVec2(0.0f, lines_shown * ImGui::GetTextLineHeightWithSpacing()));
     for (std::size_t i = 0; i < scenes.size(); ++i) {
         char label[160];
@@ -216,7 +216,7 @@ void Panel::draw_view(const StageState& state, Controller& controller) {
     char low[32], high[32];
     switch (controller.colors) {
     case ColorMode::mass:
-        std::snprintf(low, sizeof low, "%.3g kg", double(state.layout->least_mass));
+        std::snprintf(low, sizeof low, "%.3g kg", double(state.layout->min_mass));
         std::snprintf(high, sizeof high, "%.3g kg", double(state.layout->greatest_mass));
         draw_legend(mass_ramp, low, high);
         break;

@@ -23,7 +23,7 @@ std::optional<Vec3> body_color(const WorldLayout& layout, const WorldMotion& mot
     const bool moving = body.type == BodyType::dynamic;
     switch (mode) {
     case ColorMode::mass:
-        return moving ? mass_ramp(mass_fraction(body.mass, layout.least_mass, layout.greatest_mass)) : static_color();
+        return moving ? mass_ramp(mass_fraction(body.mass, layout.min_mass, layout.greatest_mass)) : static_color();
     case ColorMode::speed:
         return body.type == BodyType::static_ ? static_color() : speed_ramp(speed_fraction(motion.speeds[index]));
     case ColorMode::island:

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t cells_per_tile = 64; // of a height field, along both edges: makes one part
 static_assert(2 * cells_per_tile * cells_per_tile == triangles_per_part);
-constexpr std::size_t most_smoothed = 64; // triangles at one vertex; where more meet, all stay flat
+constexpr std::size_t max_smoothed = 64; // triangles at one vertex; where more meet, all stay flat
 
 // Unit; up where there is no direction.
 Vec3 direction_of(const Vec3& v) {
@@ -48,7 +48,7 @@ VertexCorners corners_of(std::size_t vertex_count, std::span<const std::uint32_t
 Vec3 corner_normal(std::span<const std::uint32_t> around, std::uint32_t own, std::span<const Vec3> normals,
                    std::span<const float> angles) {
     const Vec3& flat = normals[own / 3];
-    if (around.size() > most_smoothed) return flat;
+    if (around.size() > max_smoothed) return flat;
     Vec3 sum(0.0f);
     for (const std::uint32_t corner : around) {
         const Vec3& other = normals[corner / 3];
@@ -119,7 +119,7 @@ TriangleMesh surface_triangles(std::span<const Vec3> vertices, std::span<const s
         for (const std::uint32_t corner : around) {
             const Vec3 normal = corner_normal(around, corner, normals, angles);
             // Corners that look alike share a vertex; where very many meet, not all of them are compared.
-            std::size_t place = std::max(first, mesh.vertices.size() - std::min(mesh.vertices.size(), most_smoothed));
+            std::size_t place = std::max(first, mesh.vertices.size() - std::min(mesh.vertices.size(), max_smoothed));
             while (place < mesh.vertices.size() && glm::dot(mesh.vertices[place].normal, normal) < 0.99999f) ++place;
             if (place == mesh.vertices.size()) mesh.vertices.push_back({vertices[v], Vec3(0.0f), normal});
             mesh.indices[corner] = std::uint32_t(place);
@@ -134,7 +134,7 @@ TriangleMesh height_field_triangles(const HeightField& field) {
     const auto columns = std::size_t(field.columns()), rows = std::size_t(field.rows());
     std::size_t stride = 1;
     const auto lines = [&stride](std::size_t count) { return (count - 2) / stride + 2; }; // the last one included
-    while (lines(columns) * lines(rows) > most_heights) ++stride;
+    while (lines(columns) * lines(rows) > max_heights) ++stride;
     const std::size_t across = lines(columns), along = lines(rows);
     const auto place = [&](std::size_t i, std::size_t k) {
         const std::size_t c = std::min(i * stride, columns - 1), r = std::min(k * stride, rows - 1);

@@ -50,10 +50,10 @@ inline constexpr float smooth_cosine = 0.8660254f; // 30 degrees
 /// in `Mesh`.
 TriangleMesh surface_triangles(std::span<const Vec3> vertices, std::span<const std::uint32_t> indices);
 
-/// The triangles of a height field, shaded as one curved surface. Fields of more than `most_heights` heights are drawn
+/// The triangles of a height field, shaded as one curved surface. Fields of more than `max_heights` heights are drawn
 /// with every second (third, ...) row and column, and their last ones. Triangles of one part lie together.
 TriangleMesh height_field_triangles(const HeightField& field);
-inline constexpr std::size_t most_heights = std::size_t(1) << 22;
+inline constexpr std::size_t max_heights = std::size_t(1) << 22;
 
 /// Triangles with the normals given, one for each vertex, or flat ones if there are none. All indices in range.
 TriangleMesh visual_triangles(std::span<const Vec3> vertices, std::span<const Vec3> normals,

@@ -13,8 +13,8 @@ namespace {
 
 using Kind = SpawnSettings::Kind;
 
-constexpr int most_tries = 256;
-constexpr std::size_t most_hulls = 64; // kept for the next body of their kind and size
+constexpr int max_tries = 256;
+constexpr std::size_t max_hulls = 64; // kept for the next body of their kind and size
 constexpr float polyhedron_radius = 0.65f;
 constexpr float golden = 1.6180340f;
 
@@ -104,7 +104,7 @@ const Hull& Spawner::hull_of(Kind kind, float size) {
     if (found != hulls_.end()) return found->second;
     std::vector<Vec3> points = corners_of(kind);
     for (Vec3& point : points) point *= polyhedron_radius * size;
-    if (hulls_.size() >= most_hulls) hulls_.clear();
+    if (hulls_.size() >= max_hulls) hulls_.clear();
     return hulls_.emplace(std::pair(kind, size), Hull(points)).first->second;
 }
 
@@ -148,7 +148,7 @@ BodyId Spawner::spawn(World& world, const SpawnSettings& settings, const Positio
 Position Spawner::free_place(const World& world, const SpawnSettings& settings, const Position& wanted) {
     const Shape shape = shape_of(settings);
     Position place = wanted;
-    for (int i = 0; i < most_tries; ++i) {
+    for (int i = 0; i < max_tries; ++i) {
         if (world.overlap(shape, Transform{place, Quat(1.0f, 0.0f, 0.0f, 0.0f)}).empty()) return place;
         place.y += 0.5 * double(settings.size);
     }

@@ -159,7 +159,7 @@ WorldLayout read_layout(const World& world, std::span<const Appearance> appearan
         const Body body = world.body(id);
         const float mass = body.mass();
         if (body.type() == BodyType::dynamic && std::isfinite(mass)) {
-            layout.least_mass = any_mass ? std::min(layout.least_mass, mass) : mass;
+            layout.min_mass = any_mass ? std::min(layout.min_mass, mass) : mass;
             layout.greatest_mass = any_mass ? std::max(layout.greatest_mass, mass) : mass;
             any_mass = true;
         }

@@ -55,7 +55,7 @@ struct WorldLayout {
     std::vector<ShapeLayout> shapes;
     std::vector<VisualLayout> visuals;
     std::vector<std::shared_ptr<const ShapeMesh>> meshes; ///< Of the shapes that have one, and of visuals, each once.
-    float least_mass = 1.0f, greatest_mass = 1.0f;        ///< kg, among dynamic bodies of finite mass.
+    float min_mass = 1.0f, greatest_mass = 1.0f;          ///< kg, among dynamic bodies of finite mass.
 };
 
 /// How every body of a layout stands and moves at one moment.

@@ -111,9 +111,9 @@ class OdeEngine final : public Engine {
     void collide(dGeomID a, dGeomID b) {
         const dBodyID body_a = dGeomGetBody(a), body_b = dGeomGetBody(b);
         if (has_joints_ && body_a && body_b && dAreConnectedExcluding(body_a, body_b, dJointTypeContact)) return;
-        constexpr int most_points = 8;
-        dContact found[most_points];
-        const int count = dCollide(a, b, most_points, &found[0].geom, sizeof(dContact));
+        constexpr int max_points = 8;
+        dContact found[max_points];
+        const int count = dCollide(a, b, max_points, &found[0].geom, sizeof(dContact));
         counts_.contacts += count > 0;
         counts_.points += static_cast<std::size_t>(count);
         for (int i = 0; i < count; ++i) {

@@ -1,9 +1,9 @@
 /// \file joint.h
 /// Joints: what holds two bodies together, and moves them against each other.
 ///
-/// A joint has a frame on each of its two bodies. Its x axis is the joint's main axis: that of a hinge, the way of a
-/// slider, the twist axis of a ball joint. Positions are those of frame B as seen from frame A: a hinge's angle is 0
-/// where the two frames coincide.
+/// A joint has a frame on each of its two bodies. Its x axis is the joint's main axis: the axis of a hinge, the line
+/// of a slider, the twist axis of a ball joint. Positions are those of frame B as seen from frame A: a hinge's angle is
+/// 0 where the two frames coincide.
 #pragma once
 
 #include <cairn/handle.h>
@@ -72,12 +72,12 @@ struct HingeJoint {
 
 /// B moves along the x axis of A without turning.
 struct SliderJoint {
-    JointControl way{};
+    JointControl translation{};
 };
 
 /// B moves along the x axis of A and turns about it.
 struct CylindricalJoint {
-    JointControl way{}, angle{};
+    JointControl translation{}, angle{};
 };
 
 /// A cross of two axes at a right angle: A turns about its x axis, B about its y axis (a Cardan joint).
@@ -117,8 +117,8 @@ struct GearJoint {
     float ratio = 1.0f; ///< Not 0.
 };
 
-/// A pinion A on a rack B: (way of B along its frame's x axis) = radius x (angle of A about its frame's x axis), as
-/// against the world.
+/// A pinion A on a rack B: (translation of B along its frame's x axis) = radius x (angle of A about its frame's x
+/// axis), as against the world.
 struct RackJoint {
     float radius = 0.1f; ///< m, not 0; negative for the other sense.
 };
@@ -192,7 +192,8 @@ struct JointState {
     Vec3 force{0.0f, 0.0f, 0.0f};  ///< N: mean force on B, world axes.
     Vec3 torque{0.0f, 0.0f, 0.0f}; ///< N m: mean torque on B about the origin of its frame, world axes.
     /// The positions of its axes (m or rad), in the order of the fields of its type: of a hinge the angle, of a
-    /// cylindrical joint way and angle, of a general joint those of its limits and drives that are not plain locks.
+    /// cylindrical joint translation and angle, of a general joint those of its limits and drives that are not plain
+    /// locks.
     std::array<float, 8> positions{};
     int position_count = 0;
     float linear_error = 0.0f;  ///< m: how far the points that it holds together are apart.

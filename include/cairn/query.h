@@ -23,7 +23,7 @@ struct RayHit {
 struct ShapeCastHit {
     ShapeId shape;
     BodyId body;
-    double fraction; ///< Of the way, 0 to 1; 0 if they overlapped from the start.
+    double fraction; ///< Of the translation, 0 to 1; 0 if they overlapped from the start.
     Position point;  ///< Where they meet, meters.
     Vec3 normal;     ///< Unit, out of the shape that was met.
 };

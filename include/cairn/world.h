@@ -191,9 +191,10 @@ class World {
     /// Every shape that the ray meets, nearest first.
     std::vector<RayHit> cast_ray_all(const Position& origin, const Vec3& direction, double max_distance,
                                      std::uint64_t layers = all_layers) const;
-    /// The first shape that the given convex one meets when it moves by `way` (meters) from `start` without turning.
+    /// The first shape that the given convex one meets when it moves by `translation` (meters) from `start` without
+    /// turning.
     /// Planes, meshes and height fields are met from outside only, and cannot be cast themselves (invalid_value).
-    std::optional<ShapeCastHit> cast_shape(const Shape& shape, const Transform& start, const Vec3& way,
+    std::optional<ShapeCastHit> cast_shape(const Shape& shape, const Transform& start, const Vec3& translation,
                                            std::uint64_t layers = all_layers) const;
     /// The shape nearest to a point, up to `max_distance` (meters, >= 0) away. What is below a plane is inside it;
     /// meshes and height fields have no inside.

@@ -10,7 +10,7 @@ using math::DVec3;
 namespace {
 
 // A principal moment below this share of the largest is a rounding error (or a needle no engine can spin).
-constexpr double least_moment_ratio = 1e-9;
+constexpr double min_moment_ratio = 1e-9;
 
 math::DQuat mass_axes(const BodyMotion& motion, const BodyMass& mass) {
     return math::normalized(motion.q * math::to_double(mass.principal));
@@ -75,7 +75,7 @@ void refresh_mass(State& state, std::int32_t body) {
         const PrincipalInertia principal = diagonalize(sum.inertia);
         DVec3 moments = scale * principal.moments;
         const double largest = std::max({moments.x, moments.y, moments.z});
-        for (int i = 0; i < 3; ++i) moments[i] = std::max(moments[i], least_moment_ratio * largest);
+        for (int i = 0; i < 3; ++i) moments[i] = std::max(moments[i], min_moment_ratio * largest);
         const math::Quat axes = math::to_float(principal.axes);
         properties.mass = float(scale * sum.mass);
         properties.center_of_mass = {float(sum.center.x), float(sum.center.y), float(sum.center.z)};

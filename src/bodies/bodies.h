@@ -88,8 +88,8 @@ double kinetic_energy(const State& state, std::int32_t body);
 bool cut_velocity(const WorldDef& settings, math::Vec3& v, math::Vec3& w);
 inline bool clamp_velocity(const WorldDef& settings, math::Vec3& v, math::Vec3& w) {
     // Mostly both are far from it.
-    const float most_v = 0.5f * settings.max_linear_speed, most_w = 0.5f * settings.max_angular_speed;
-    if (math::dot(v, v) < most_v * most_v && math::dot(w, w) < most_w * most_w) return false;
+    const float max_v = 0.5f * settings.max_linear_speed, max_w = 0.5f * settings.max_angular_speed;
+    if (math::dot(v, v) < max_v * max_v && math::dot(w, w) < max_w * max_w) return false;
     return cut_velocity(settings, v, w);
 }
 

@@ -13,7 +13,7 @@ using math::DVec3;
 
 namespace {
 
-constexpr double most_even_turn = 0.25; // rad
+constexpr double max_even_turn = 0.25; // rad
 
 } // namespace
 
@@ -36,7 +36,7 @@ std::uint64_t move_free_body(State& s, std::int32_t b, float dt) {
     DVec3 x = motion.x, v = math::to_double(motion.v) + math::to_double(motion.v_rest);
     DVec3 w = math::to_double(motion.w) + math::to_double(motion.w_rest);
     DQuat q = motion.q;
-    const double most_v = s.settings.max_linear_speed, most_w = s.settings.max_angular_speed;
+    const double max_v = s.settings.max_linear_speed, max_w = s.settings.max_angular_speed;
     bool clamped = false;
     auto limited = [&](DVec3 u, double most) {
         clamped |= math::dot(u, u) > most * most;
@@ -44,25 +44,25 @@ std::uint64_t move_free_body(State& s, std::int32_t b, float dt) {
     };
     const bool force_varies = fields_vary(s);
     // About one axis: by one rotation, where its series holds to rounding.
-    const bool turns_evenly = !(angular < 1) && !s.is_pushed(b) && !precesses(mass, w, h, least_turn_free) &&
-                              double(dt) * double(dt) * math::dot(w, w) < most_even_turn * most_even_turn;
+    const bool turns_evenly = !(angular < 1) && !s.is_pushed(b) && !precesses(mass, w, h, min_turn_free) &&
+                              double(dt) * double(dt) * math::dot(w, w) < max_even_turn * max_even_turn;
     const auto linear_change = [&] {
         const Increment change = linear_increment(s, load, x, v, h);
-        return Increment{cut(change.velocity, most_v), cut(change.correction, most_v)};
+        return Increment{cut(change.velocity, max_v), cut(change.correction, max_v)};
     };
     Increment change = linear_change();
     for (int substep = 0; substep < substeps; ++substep) {
         if (mass.inverse_mass > 0) {
             if (force_varies && substep > 0) change = linear_change();
-            v = limited(linear * (v + change.velocity), most_v);
+            v = limited(linear * (v + change.velocity), max_v);
             x += h * (v + change.correction);
         }
         if (turns_evenly) continue;
-        const Increment turn = precesses(mass, w, h, least_turn_free)
+        const Increment turn = precesses(mass, w, h, min_turn_free)
                                    ? gyroscopic_increment(s, spin, q, w, spin.to_world(q, spin.moments, w), torque, h)
                                    : torque_increment(s, b, spin, q, h);
-        w = limited(angular * (w + cut(turn.velocity, most_w)), most_w);
-        q = turned_by(h * (w + cut(turn.correction, most_w)), q);
+        w = limited(angular * (w + cut(turn.velocity, max_w)), max_w);
+        q = turned_by(h * (w + cut(turn.correction, max_w)), q);
     }
     if (turns_evenly) q = turned_by(double(dt) * w, q);
     clamped_speeds += clamped;

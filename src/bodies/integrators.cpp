@@ -195,7 +195,7 @@ DVec3 field_acceleration(const State& s, DVec3 x, float gravity_scale, double in
 
 math::Sym3 contact_inverse_inertia(const BodyMotion& motion, const BodyMass& mass) {
     const math::Vec3 d = mass.inverse_inertia;
-    const float least = std::min({d.x, d.y, d.z}), most = least / least_contact_moment;
+    const float least = std::min({d.x, d.y, d.z}), most = least / min_contact_moment;
     if (mass.isotropic || !(least > 0) || std::max({d.x, d.y, d.z}) <= most) return world_inverse_inertia(motion, mass);
     BodyMass rounder = mass;
     rounder.inverse_inertia = {std::min(d.x, most), std::min(d.y, most), std::min(d.z, most)};

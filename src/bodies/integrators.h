@@ -10,11 +10,11 @@ namespace cairn {
 
 // Contacts on a needle, with a moment a millionth of the others, would spin it up without end in single precision: for
 // them no moment is less than this share of the greatest. (A rod 20 times as long as thick has 0.5 %.)
-inline constexpr float least_contact_moment = 0.005f;
+inline constexpr float min_contact_moment = 0.005f;
 
 // Slower rotations (radians per substep) have no gyroscopic part worth computing. It makes no difference to what is
 // held by friction, but the energy of a free top depends on it.
-inline constexpr double least_turn_free = 1e-6, least_turn_in_contact = 1e-5;
+inline constexpr double min_turn_free = 1e-6, min_turn_in_contact = 1e-5;
 
 struct Increment {
     math::DVec3 velocity, correction;

@@ -14,15 +14,15 @@ namespace {
 // How far any point of a body may be from where it rested, less for bodies smaller than a meter: a share of what a soft
 // contact sinks under a body's own weight, which is about 10 m/s^2 times the square of the substep. And how fast it may
 // be, as a share of that way in one step: the solver cannot see a creep as slow as that.
-constexpr double sinking = 10.0, most_shift = 0.01, most_step = 0.25;
+constexpr double sinking = 10.0, max_shift = 0.01, max_step = 0.25;
 
 // How far any point of a body may be from where its contacts were found, as a share of its radius, and in meters at
 // most. Points that are moved along instead keep their normal: what they miss is of second order, a shift of a
 // millimeter times a turn of three thousandths; and corners that come near are found at latest when they are that much
 // nearer.
-constexpr double nearness = 3e-3, most_nearness = 5e-3;
+constexpr double nearness = 3e-3, max_nearness = 5e-3;
 
-constexpr float most_turn = 1.0f; // radians in a step
+constexpr float max_turn = 1.0f; // radians in a step
 
 constexpr int bodies_per_chunk = 1024;  // for threads
 constexpr std::size_t bodies_ahead = 8; // that are asked for in time
@@ -61,14 +61,14 @@ void count_way(State& s, std::int32_t b) {
 
 void update_resting(State& s, float dt) {
     const double h = double(dt) / s.in_pass(s.settings.substeps);
-    const double shift = most_shift * sinking * h * h, speed = most_step * shift / double(dt);
+    const double shift = max_shift * sinking * h * h, speed = max_step * shift / double(dt);
     const std::uint64_t pass = s.passes + 1;
     auto leave = [&](std::int32_t b) {
         const BodyMotion& motion = s.motion[b];
         count_way(s, b);
         s.left_at[b] = pass;
         const float radius = s.bodies[b].radius;
-        if (is_at(s.near[b], motion, radius, std::min(nearness * double(radius), most_nearness))) return;
+        if (is_at(s.near[b], motion, radius, std::min(nearness * double(radius), max_nearness))) return;
         s.near[b] = {motion.x, motion.q};
         s.strayed_at[b] = pass;
     };
@@ -88,16 +88,16 @@ void update_resting(State& s, float dt) {
     awake.clear();
     for (const std::int32_t i : s.awake_islands)
         for (std::int32_t b = s.islands[i].first_body; b != none; b = s.bodies[b].next_in_island) awake.push_back(b);
-    const float most_square = (most_turn / dt) * (most_turn / dt);
+    const float max_square = (max_turn / dt) * (max_turn / dt);
     std::mutex whirling;
-    s.crew->for_chunks(int(awake.size()), bodies_per_chunk, [&](int begin, int end, int) {
+    s.thread_pool->for_chunks(int(awake.size()), bodies_per_chunk, [&](int begin, int end, int) {
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
             if (k + bodies_ahead < awake.size()) prefetch_poses(s, awake[k + bodies_ahead]);
             const std::int32_t b = awake[k];
             const BodyMotion& motion = s.motion[b];
             if (!rests(s.resting[b], motion, s.bodies[b].radius, shift, speed)) leave(b);
             look_ahead(b);
-            if (is_first && math::dot(motion.w, motion.w) > most_square && !s.mass[b].isotropic) {
+            if (is_first && math::dot(motion.w, motion.w) > max_square && !s.mass[b].isotropic) {
                 const std::lock_guard lock(whirling);
                 s.narrow.whirling.push_back(b); // in any order
                 s.narrow.whirls[b] = 1;

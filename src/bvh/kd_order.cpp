@@ -66,10 +66,10 @@ void KdOrder::select(Item* items, std::uint32_t count, std::uint32_t middle, int
         std::nth_element(items, items + middle, items + count, ByCenter{axis});
         return;
     }
-    constexpr int most_bins = 256;
-    const int bins = count > 1024 ? most_bins : 64;
+    constexpr int max_bins = 256;
+    const int bins = count > 1024 ? max_bins : 64;
     const float scale = float(bins - 1) / extent;
-    std::uint32_t histogram[most_bins + 1] = {};
+    std::uint32_t histogram[max_bins + 1] = {};
     for (std::uint32_t i = 0; i < count; ++i) ++histogram[int((items[i].center[axis] - low) * scale)];
     int boundary = 0;
     std::uint32_t before = 0;

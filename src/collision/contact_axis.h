@@ -8,7 +8,7 @@
 namespace cairn {
 
 // The sine of the angle at which edges or axes cross: at less they are side by side.
-inline constexpr double least_crossing = 1e-2;
+inline constexpr double min_crossing = 1e-2;
 
 // A direction in which the shapes are separated, and the face that it is the normal of, if any.
 struct FaceAxis {

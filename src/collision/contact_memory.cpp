@@ -13,7 +13,7 @@ namespace {
 // What is kept is told by the bits above four corners.
 constexpr std::uint32_t of_first = 1, of_second = 2, of_edges = 3;
 constexpr int corner_bits = 7, kind_shift = 4 * corner_bits;
-constexpr std::uint32_t most_corners = 1u << corner_bits;
+constexpr std::uint32_t max_corners = 1u << corner_bits;
 
 // No other corner is farther along the axis than an edge by more than this part of the extent.
 constexpr double farther = 1e-6;
@@ -28,12 +28,12 @@ DVec3 nearly_farthest(const Core& core, DVec3 unit) {
     return hull_point(*core.shape, corners_of(core)[columns.nearly_farthest(to_local(*core.shape, unit))]);
 }
 
-// The number of the corner that is there; most_corners where it has none.
+// The number of the corner that is there; max_corners where it has none.
 std::uint32_t corner_at(const Core& core, DVec3 p) {
     const std::vector<math::Vec3>& corners = corners_of(core);
-    for (std::uint32_t i = 0; i < corners.size() && i < most_corners; ++i)
+    for (std::uint32_t i = 0; i < corners.size() && i < max_corners; ++i)
         if (hull_point(*core.shape, corners[i]) == p) return i;
-    return most_corners;
+    return max_corners;
 }
 
 struct Edge {
@@ -51,7 +51,7 @@ struct Edge {
 
 // From two numbers.
 bool edge_of(const Core& core, std::uint32_t numbers, Edge& edge) {
-    const std::uint32_t i = numbers % most_corners, k = numbers / most_corners % most_corners;
+    const std::uint32_t i = numbers % max_corners, k = numbers / max_corners % max_corners;
     const std::vector<math::Vec3>& corners = corners_of(core);
     if (i == k || i >= corners.size() || k >= corners.size()) return false;
     edge.from = hull_point(*core.shape, corners[i]);
@@ -87,7 +87,7 @@ ContactMemory memory_of_edges(const CorePair& cores, const GjkResult& found) {
     std::uint32_t memory = of_edges;
     for (const std::uint32_t corner : {corner_at(cores.b, second.to), corner_at(cores.b, second.from),
                                        corner_at(cores.a, first.to), corner_at(cores.a, first.from)}) {
-        if (corner >= most_corners) return nothing_met;
+        if (corner >= max_corners) return nothing_met;
         memory = memory << corner_bits | corner;
     }
     return memory;
@@ -101,7 +101,7 @@ bool axis_of_edges(ContactMemory memory, const CorePair& cores, Axis& axis) {
     if (!edge_of(cores.a, memory, a) || !edge_of(cores.b, memory >> (2 * corner_bits), b)) return false;
     const DVec3 u = a.to - a.from, v = b.to - b.from, between = b.from - a.from, across = cross(u, v);
     const double square = dot(across, across);
-    if (!(square > least_crossing * least_crossing * dot(u, u) * dot(v, v))) return false;
+    if (!(square > min_crossing * min_crossing * dot(u, u) * dot(v, v))) return false;
     const double s = dot(cross(between, v), across) / square, t = dot(cross(between, u), across) / square;
     if (!(s > 0 && s < 1 && t > 0 && t < 1)) return false;
     const double along = dot(across, between), length = std::sqrt(square);

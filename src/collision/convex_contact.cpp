@@ -31,7 +31,7 @@ constexpr double rounding = 1e-6;
 // reach.
 constexpr double unsearched_reach = 0.3;
 // Of an overlap: how far from the border of a face its points must be for the other faces to be out of the question.
-constexpr double least_amid = 1.2;
+constexpr double min_amid = 1.2;
 // Of the distance of the cores: directions are within a thousandth. Round shapes come nearer by a factor in each turn
 // of GJK, polytopes are exact at once: 1e-8 took 13 turns for cylinders and capsules, and a third more instructions.
 constexpr double direction_tolerance = 1e-6;
@@ -297,7 +297,7 @@ bool contact_by_last_face(const Convex& a, const Convex& b, double margin, Conta
     const double extent = common_extent(a, b);
     const double tolerance = unsearched_reach * face_preference(a, b, extent) + rounding * extent;
     if (!face_manifold(a, b, axis, axis.separation, tolerance, extent, margin, found, out)) return false;
-    if (axis.separation >= 0 || found.are_amid(c, axis.separation + tolerance, least_amid * -axis.separation))
+    if (axis.separation >= 0 || found.are_amid(c, axis.separation + tolerance, min_amid * -axis.separation))
         return true;
     clear_manifold(out);
     return false;
@@ -338,12 +338,12 @@ bool contact_by_sides(const Convex& a, const Convex& b, double margin, Manifold&
     if (!has_straight_side(a) || !has_straight_side(b)) return false;
     const DVec3 u = a.axes.c1, v = b.axes.c1, r = b.center - a.center, across = math::cross(u, v);
     const double square = dot(across, across);
-    if (!(square > least_crossing * least_crossing)) return false;
+    if (!(square > min_crossing * min_crossing)) return false;
     const double uv = dot(u, v), ur = dot(u, r), vr = dot(v, r);
     const double s = (ur - uv * vr) / square, t = (uv * ur - vr) / square; // from the centers, in meters
     const double side = dot(across, r) < 0 ? -1 : 1;
     const DVec3 n = (side / std::sqrt(square)) * across;
-    const double separation = dot(n, r) - (a.size.x + b.size.x), room = least_amid * std::max(-separation, 0.0);
+    const double separation = dot(n, r) - (a.size.x + b.size.x), room = min_amid * std::max(-separation, 0.0);
     if (!(std::fabs(s) < a.size.y - room && std::fabs(t) < b.size.y - room)) return false;
     if (separation > margin) return put_apart(out, n, separation);
     const DVec3 position = a.center + s * u + (a.size.x + 0.5 * separation) * n;

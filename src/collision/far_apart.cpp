@@ -51,7 +51,7 @@ float square_distance(const Bar& a, const Bar& b) {
 
 } // namespace
 
-float least_distance(const Geometry& a, const ShapePose& pose_a, const Geometry& b, const ShapePose& pose_b) {
+float gap_lower_bound(const Geometry& a, const ShapePose& pose_a, const Geometry& b, const ShapePose& pose_b) {
     const math::Vec3 offset =
         (math::to_vec(pose_b.high) - math::to_vec(pose_a.high)) + (math::to_vec(pose_b.low) - math::to_vec(pose_a.low));
     const Bar first = bar_around(a, pose_a, {}), second = bar_around(b, pose_b, offset);

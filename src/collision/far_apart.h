@@ -8,6 +8,6 @@ namespace cairn {
 
 // How far apart two shapes are at least, in meters: as far as capsules around them (spheres around hulls). Negative
 // where those overlap.
-float least_distance(const Geometry& a, const ShapePose& pose_a, const Geometry& b, const ShapePose& pose_b);
+float gap_lower_bound(const Geometry& a, const ShapePose& pose_a, const Geometry& b, const ShapePose& pose_b);
 
 } // namespace cairn

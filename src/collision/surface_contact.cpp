@@ -37,7 +37,7 @@ double squared(DVec3 v) { return math::dot(v, v); }
 bool is_near(DVec3 a, DVec3 b, double distance) { return squared(a - b) < distance * distance; }
 
 // An edge between triangles in the plane of a deeper patch is none: the shape slides over it.
-bool is_seam(const SurfaceScratch& scratch, const SurfacePatch& patch, const TriangleHit& hit, double size) {
+bool is_internal_edge(const SurfaceScratch& scratch, const SurfacePatch& patch, const TriangleHit& hit, double size) {
     if (hit.on_face || is_near(patch.normal, hit.normal, same_normal)) return false;
     const double tolerance = flatness * size, deepest = std::max(patch.depth, 0.0) + tolerance;
     for (std::uint32_t i = hit.first_point; i < hit.first_point + hit.point_count; ++i) {
@@ -220,8 +220,9 @@ double collide_triangles(const TriangleKernels& kernels, const Convex& a, const 
     scratch.patches.clear();
     for (const std::uint32_t k : scratch.order) {
         TriangleHit& hit = scratch.hits[k];
-        const auto seam = std::find_if(scratch.patches.begin(), scratch.patches.end(),
-                                       [&](const SurfacePatch& patch) { return is_seam(scratch, patch, hit, size); });
+        const auto seam = std::find_if(scratch.patches.begin(), scratch.patches.end(), [&](const SurfacePatch& patch) {
+            return is_internal_edge(scratch, patch, hit, size);
+        });
         if (seam != scratch.patches.end()) continue;
         const auto same = std::find_if(scratch.patches.begin(), scratch.patches.end(), [&](const SurfacePatch& patch) {
             return is_near(patch.normal, hit.normal, same_patch);

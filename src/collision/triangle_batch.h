@@ -44,12 +44,12 @@ struct TriangleBatch {
 
 // The face of the box or of the triangle along whose normal four triangles may touch, and the points where they do.
 struct FaceTouches {
-    static constexpr int most_points = 11; // the ends of four cut edges and three corners, or of three and four
+    static constexpr int max_points = 11; // the ends of four cut edges and three corners, or of three and four
 
     // Axes are numbered from that of the face of the box, or from that along which the triangle's normal is greatest.
     int axis[4];
-    double position[most_points][3][4]; // midway between the surfaces
-    double separation[most_points][4];
+    double position[max_points][3][4]; // midway between the surfaces
+    double separation[max_points][4];
     std::int64_t present[4]; // a bit for each point: those within the margin
     double reached[4];       // the least separation of all points
     std::int64_t deepest[4]; // which one that is; of the box's face

@@ -162,7 +162,7 @@ void forget_impulses(ContactRecord& r, int count) {
     r.torsion_impulse = 0;
 }
 
-float least_separation(const ContactInfo& c, const ContactRecord& r) {
+float min_separation(const ContactInfo& c, const ContactRecord& r) {
     float least = r.first_point[3];
     for (int i = 1; i < c.point_count; ++i) least = std::min(least, point_of(r, i)[3]);
     return least;

@@ -13,7 +13,7 @@ inline float total_of(const ContactRecord& r, int i) { return i == 0 ? r.first_t
 // Writes the record of a contact from the kernel's manifold, which has points. Impulses go on where points stay.
 void write_record(State& state, std::uint32_t contact, const Manifold& manifold);
 // Of the points of a contact that has some.
-float least_separation(const ContactInfo& contact, const ContactRecord& record);
+float min_separation(const ContactInfo& contact, const ContactRecord& record);
 // `count`: how many points it has.
 void forget_impulses(ContactRecord& record, int count);
 // Moves a record that was written at the start of the last step to the poses at its end.

@@ -129,7 +129,7 @@ void follow_up(State& s, std::uint32_t id, std::uint8_t outcome, float dt) {
         const ContactRecord& r = s.records[id];
         const bool asleep = is_asleep(s, c);
         // Passing by is not enough to wake what sleeps: only what will touch it within the step does.
-        if (outcome == begun && asleep && least_separation(c, r) > dt * r.approach_speed) {
+        if (outcome == begun && asleep && min_separation(c, r) > dt * r.approach_speed) {
             c.point_count = 0;
             c.tested_at = 0; // no answer that could be kept
             return;
@@ -261,7 +261,7 @@ void report_contacts(State& s, float dt) {
     std::vector<std::uint8_t>& changes = s.narrow.changes;
     changes.resize(s.contacts.size());
     const std::vector<SortedContact>& sorted = s.solver.sorted;
-    s.crew->for_chunks(int(sorted.size()), reports_per_chunk, [&](int begin, int end, int) {
+    s.thread_pool->for_chunks(int(sorted.size()), reports_per_chunk, [&](int begin, int end, int) {
         float own = 0;
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
             if (k + contacts_ahead < std::size_t(end)) {

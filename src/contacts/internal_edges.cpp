@@ -25,7 +25,7 @@ namespace {
 constexpr float same_normal = 2e-4f; // difference of unit vectors: such a contact changes nothing
 // How far out of the plane a point may be: so much of the sizes of both, as far as contact points on the rim of a face
 // are off, but no more than the larger part of the body's own radius.
-constexpr float flatness = 2e-4f, most_flatness = 5e-3f;
+constexpr float flatness = 2e-4f, max_flatness = 5e-3f;
 
 bool is_same(math::Vec3 a, math::Vec3 b) { return math::dot(a - b, a - b) < same_normal * same_normal; }
 
@@ -63,7 +63,7 @@ math::Vec3 other_surface(const ContactRecord& r, int i) {
 }
 
 // Whether `c` is an edge in the plane of the deeper contact.
-bool is_seam(const State& s, std::uint32_t deeper, std::uint32_t c, float depth) {
+bool is_internal_edge(const State& s, std::uint32_t deeper, std::uint32_t c, float depth) {
     const ContactInfo &info = s.contacts[c], &over = s.contacts[deeper];
     const ContactRecord &r = s.records[c], &plane = s.records[deeper];
     const math::Vec3 up = -to_vec(plane.normal);
@@ -71,7 +71,7 @@ bool is_seam(const State& s, std::uint32_t deeper, std::uint32_t c, float depth)
     const math::Vec3 origin = other_surface(plane, 0);
     const float radius = s.bodies[info.body_a].radius;
     const float tolerance =
-        std::min(flatness * (radius + s.geometry[info.shape_b].bounding_radius), most_flatness * radius);
+        std::min(flatness * (radius + s.geometry[info.shape_b].bounding_radius), max_flatness * radius);
     bool is_in_plane = true;
     for (int i = 0; i < info.point_count; ++i) {
         const float height = math::dot(up, other_surface(r, i) - origin);
@@ -86,8 +86,8 @@ bool is_seam(const State& s, std::uint32_t deeper, std::uint32_t c, float depth)
 
 // The next step finds it as if for the first time: its face is not preferred once the body is over it.
 void drop(State& s, std::uint32_t c) {
-    s.narrow.is_seam[c] = 1;
-    s.narrow.any_seams = true;
+    s.narrow.is_internal_edge[c] = 1;
+    s.narrow.any_internal_edges = true;
     forget_impulses(s.records[c], s.contacts[c].point_count);
     s.records[c].features = no_features;
 }
@@ -111,16 +111,16 @@ bool is_covered(const State& s, std::uint32_t line, std::uint32_t c) {
 void drop_covered(State& s, const std::vector<std::uint32_t>& contacts) {
     for (const std::uint32_t c : contacts)
         for (const std::uint32_t line : contacts) {
-            if (line == c || s.narrow.is_seam[line] || !is_covered(s, line, c)) continue;
+            if (line == c || s.narrow.is_internal_edge[line] || !is_covered(s, line, c)) continue;
             drop(s, c);
             break;
         }
 }
 
-// Drops seams among the contacts of one body with what does not move by forces.
-void drop_seams_of_body(State& s, std::vector<std::uint32_t>& contacts) {
+// Drops internal edges among the contacts of one body with what does not move by forces.
+void drop_internal_edges_of_body(State& s, std::vector<std::uint32_t>& contacts) {
     drop_covered(s, contacts);
-    const auto depth_of = [&](std::uint32_t id) { return -least_separation(s.contacts[id], s.records[id]); };
+    const auto depth_of = [&](std::uint32_t id) { return -min_separation(s.contacts[id], s.records[id]); };
     const math::Vec3 first = to_vec(s.records[contacts[0]].normal);
     if (std::all_of(contacts.begin(), contacts.end(),
                     [&](std::uint32_t id) { return is_same(first, to_vec(s.records[id].normal)); }))
@@ -129,32 +129,32 @@ void drop_seams_of_body(State& s, std::vector<std::uint32_t>& contacts) {
         const float depth_a = depth_of(a), depth_b = depth_of(b);
         return depth_a != depth_b ? depth_a > depth_b : a < b;
     });
-    const auto drop_if_seam = [&](std::size_t j, std::size_t k) {
-        if (s.narrow.is_seam[contacts[j]] || s.narrow.is_seam[contacts[k]]) return;
-        if (is_seam(s, contacts[j], contacts[k], std::max(depth_of(contacts[j]), 0.0f))) drop(s, contacts[k]);
+    const auto drop_if_internal = [&](std::size_t j, std::size_t k) {
+        if (s.narrow.is_internal_edge[contacts[j]] || s.narrow.is_internal_edge[contacts[k]]) return;
+        if (is_internal_edge(s, contacts[j], contacts[k], std::max(depth_of(contacts[j]), 0.0f))) drop(s, contacts[k]);
     };
     for (std::size_t k = 1; k < contacts.size(); ++k)
-        for (std::size_t j = 0; j < k; ++j) drop_if_seam(j, k);
+        for (std::size_t j = 0; j < k; ++j) drop_if_internal(j, k);
     // Just beyond an edge, its side may be the deeper one by a rounding error or a slight tilt.
     const float slack = flatness * s.bodies[std::size_t(s.contacts[contacts[0]].body_a)].radius;
     for (std::size_t k = 0; k + 1 < contacts.size(); ++k)
         for (std::size_t j = k + 1; j < contacts.size() && depth_of(contacts[j]) + slack > depth_of(contacts[k]); ++j)
-            drop_if_seam(j, k);
+            drop_if_internal(j, k);
 }
 
 } // namespace
 
-void drop_seams(State& s) {
+void drop_internal_edges(State& s) {
     std::vector<std::int32_t>& last_of_body = s.narrow.last_of_body;
     std::vector<FixedContact>& fixed = s.narrow.fixed;
     last_of_body.resize(s.bodies.size(), none);
-    s.narrow.is_seam.resize(s.contacts.size());
+    s.narrow.is_internal_edge.resize(s.contacts.size());
     fixed.clear();
-    s.narrow.any_seams = false;
+    s.narrow.any_internal_edges = false;
     for (const std::uint32_t id : s.solved) {
         const ContactInfo& c = s.contacts[id];
         if (c.b_moves) continue;
-        s.narrow.is_seam[id] = 0;
+        s.narrow.is_internal_edge[id] = 0;
         std::int32_t& last = last_of_body[c.body_a];
         bool on_several = false;
         if (last != none) {
@@ -170,12 +170,13 @@ void drop_seams(State& s) {
         if (fixed[last].on_several) {
             s.narrow.of_body.clear();
             for (std::int32_t i = last; i != none; i = fixed[i].before) s.narrow.of_body.push_back(fixed[i].contact);
-            drop_seams_of_body(s, s.narrow.of_body);
+            drop_internal_edges_of_body(s, s.narrow.of_body);
         }
         last = none;
     }
-    if (!s.narrow.any_seams) return;
-    std::erase_if(s.solved, [&](std::uint32_t id) { return !s.contacts[id].b_moves && s.narrow.is_seam[id] != 0; });
+    if (!s.narrow.any_internal_edges) return;
+    std::erase_if(s.solved,
+                  [&](std::uint32_t id) { return !s.contacts[id].b_moves && s.narrow.is_internal_edge[id] != 0; });
 }
 
 } // namespace cairn

@@ -7,6 +7,6 @@ namespace cairn {
 
 // A body that slides over several surfaces side by side must not bump into the edges between them: takes out of
 // State::solved what is an edge of one in the plane of another.
-void drop_seams(State& state);
+void drop_internal_edges(State& state);
 
 } // namespace cairn

@@ -75,7 +75,7 @@ void test_convex_pairs(State& s, PairKind kind, int begin, int end, float dt) {
         const PosedShape a = posed_shape(s, c.shape_a), b = posed_shape(s, c.shape_b);
         const float margin = contact_margin(s, c, dt);
         if (kind == PairKind::convex_convex && c.point_count == 0) {
-            const float distance = least_distance(a.geometry, a.pose, b.geometry, b.pose);
+            const float distance = gap_lower_bound(a.geometry, a.pose, b.geometry, b.pose);
             if (distance > margin) {
                 s.narrow.outcomes[place] = take_distance(s, id, distance);
                 continue;
@@ -148,7 +148,7 @@ void list_open_pairs(State& s) {
     const ApartPair* const pairs = s.apart_pairs.data();
     const double* const ahead = s.ahead.data();
     std::uint8_t* const outcomes = scratch.outcomes.data();
-    s.crew->for_chunks(int(scratch.candidates.size()), pairs_per_chunk, [=](int begin, int end, int) {
+    s.thread_pool->for_chunks(int(scratch.candidates.size()), pairs_per_chunk, [=](int begin, int end, int) {
         static_assert(apart == 0);
         const auto look_at = [=](int k) {
             outcomes[k] = std::uint8_t(to_test * int(!stays_apart(ahead, pairs[candidates[k]])));
@@ -181,7 +181,7 @@ void list_pairs(State& s) {
     list_open_pairs(s);
     const std::size_t open = scratch.open.size();
     std::atomic<bool> any_groups = false;
-    s.crew->for_chunks(int(open), pairs_per_chunk, [&](int begin, int end, int) {
+    s.thread_pool->for_chunks(int(open), pairs_per_chunk, [&](int begin, int end, int) {
         bool any = false;
         for (std::size_t i = std::size_t(begin); i < std::size_t(end); ++i) {
             if (i + contacts_ahead < std::size_t(end))
@@ -209,8 +209,8 @@ void list_pairs(State& s) {
 
 void test_all(State& s, float dt) {
     const auto for_kind = [&](PairKind kind, int per_chunk, auto&& test) {
-        s.crew->for_chunks(int(s.narrow.lists[std::size_t(kind)].size()), per_chunk,
-                           [&](int begin, int end, int thread) { test(begin, end, s.narrow.at_work[thread]); });
+        s.thread_pool->for_chunks(int(s.narrow.lists[std::size_t(kind)].size()), per_chunk,
+                                  [&](int begin, int end, int thread) { test(begin, end, s.narrow.at_work[thread]); });
     };
     for (int kind = 0; kind < wide_kinds; ++kind)
         for_kind(PairKind(kind), PairBatch::capacity, [&](int begin, int end, NarrowBatch& own) {
@@ -219,8 +219,8 @@ void test_all(State& s, float dt) {
     for (const PairKind kind : {PairKind::convex_plane, PairKind::convex_rectangle, PairKind::convex_convex})
         for_kind(kind, convex_pairs_per_chunk,
                  [&](int begin, int end, NarrowBatch&) { test_convex_pairs(s, kind, begin, end, dt); });
-    s.crew->for_chunks(int(s.narrow.to_move.size()), moved_pairs_per_chunk,
-                       [&](int begin, int end, int) { move_contacts(s, begin, end); });
+    s.thread_pool->for_chunks(int(s.narrow.to_move.size()), moved_pairs_per_chunk,
+                              [&](int begin, int end, int) { move_contacts(s, begin, end); });
     begin_groups(s);
     for_kind(PairKind::group, groups_per_chunk,
              [&](int begin, int end, NarrowBatch& own) { test_groups(s, begin, end, own, dt); });
@@ -234,7 +234,7 @@ void update_contacts(State& s, float dt) {
     s.solved.clear();
     s.narrow.skipped.clear();
     s.narrow.lists.resize(tested_kinds);
-    s.narrow.at_work.resize(std::size_t(s.crew->threads()));
+    s.narrow.at_work.resize(std::size_t(s.thread_pool->threads()));
     list_pairs(s);
     test_all(s, dt);
     const std::vector<std::uint32_t>& open = s.narrow.open;
@@ -255,7 +255,7 @@ void update_contacts(State& s, float dt) {
     }
     // What was moved along is as good as tested: while both bodies rest, it need not be moved again.
     for (const std::uint32_t k : s.narrow.to_move) s.contacts[s.narrow.candidates[k]].tested_at = s.passes + 1;
-    drop_seams(s);
+    drop_internal_edges(s);
     const auto push_solved = [&](std::uint32_t id) {
         for_each_patch(s, id, [&](std::uint32_t contact) { s.solved.push_back(contact); });
     };

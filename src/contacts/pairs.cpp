@@ -12,7 +12,7 @@ namespace cairn {
 
 namespace {
 
-constexpr float most_margin = 0.01f;       // m: contacts exist before they touch
+constexpr float max_margin = 0.01f;        // m: contacts exist before they touch
 constexpr float margin_per_extent = 0.25f; // for small shapes
 constexpr float match_per_extent = 0.1f;
 
@@ -127,8 +127,8 @@ struct Sink final : PairSink {
         c.is_trigger = traits_a.is_trigger || traits_b.is_trigger;
         c.is_conveyor = traits_b.has_surface_velocity;
         const Geometry &a = s.geometry[shape_a], &b = s.geometry[shape_b];
-        c.base_margin = std::min(most_margin, margin_per_extent * std::min(smallest_extent(a, s.shape_data[shape_a]),
-                                                                           smallest_extent(b, s.shape_data[shape_b])));
+        c.base_margin = std::min(max_margin, margin_per_extent * std::min(smallest_extent(a, s.shape_data[shape_a]),
+                                                                          smallest_extent(b, s.shape_data[shape_b])));
         c.match_tolerance = match_per_extent * std::min(largest_extent(a), largest_extent(b));
         s.apart_pairs[id] = {0, c.body_a, c.body_b};
         combine_materials(s, id);

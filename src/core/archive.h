@@ -24,8 +24,7 @@ template <class T> using Words = std::array<std::uint32_t, sizeof(T) / 4>;
 // Words come in groups with a mask each of those that differ, a bit for each word.
 inline constexpr std::size_t group = 32;
 constexpr std::size_t mask_size(std::size_t words) { return (words + 7) / 8; }
-template <class T>
-inline constexpr std::size_t most_packed_size = sizeof(T) + 4 * ((sizeof(T) / 4 + group - 1) / group);
+template <class T> inline constexpr std::size_t max_packed_size = sizeof(T) + 4 * ((sizeof(T) / 4 + group - 1) / group);
 
 } // namespace archive_detail
 
@@ -69,7 +68,7 @@ class ArchiveWriter {
         const std::uint64_t count = v.size();
         raw(&count, sizeof count);
         const std::size_t at = out_.size();
-        out_.resize(at + v.size() * archive_detail::most_packed_size<T>);
+        out_.resize(at + v.size() * archive_detail::max_packed_size<T>);
         std::byte* to = out_.data() + at;
         for (std::size_t i = 0; i < v.size(); ++i) to = pack(v[i], expected(i), to);
         out_.resize(std::size_t(to - out_.data()));

@@ -141,7 +141,7 @@ void measure_rest(State& state, std::int32_t i) {
         greatest = std::max(greatest, quiet);
         allowed = allowed && state.body_settings[b].allow_sleep;
     }
-    island.least_quiet_time = allowed && !island.kept_awake ? least : 0;
+    island.min_quiet_time = allowed && !island.kept_awake ? least : 0;
     island.greatest_quiet_time = greatest;
 }
 
@@ -253,7 +253,7 @@ bool update_sleep(State& state) {
     for (std::size_t k = state.awake_islands.size(); k-- > 0;) {
         const std::int32_t i = state.awake_islands[k];
         const Island& island = island_at(state, i);
-        if (island.lost_contact || island.least_quiet_time < needed) continue;
+        if (island.lost_contact || island.min_quiet_time < needed) continue;
         put_to_sleep(state, i);
         any_sleeps = true;
     }

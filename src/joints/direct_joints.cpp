@@ -70,7 +70,7 @@ void find_stiffness(const SetView& v, double h) {
     }
 }
 
-void place_bodies(const SetView& v, const BinScratch& scratch) {
+void place_bodies(const SetView& v, const BatchScratch& scratch) {
     for (std::size_t i = 0; i < v.set.bodies.size(); ++i) {
         DirectBody& b = v.bodies[i];
         const SolverPose& pose = scratch.pose[b.row];
@@ -101,7 +101,7 @@ void stiffen_bodies(const SetView& v) {
 }
 
 // What the rows' bodies have gained goes to velocity and reference alike: it is not carried.
-void write_velocities(const SetView& v, BinScratch& scratch) {
+void write_velocities(const SetView& v, BatchScratch& scratch) {
     auto write = [](float* velocity, float* reference, float* rounding, DVec3 change) {
         const DVec3 was = vector_of(velocity), base = vector_of(reference);
         const math::Vec3 now = math::to_float(was + change), moved = math::to_float(base + change);
@@ -313,7 +313,7 @@ void solve_rows(const SetView& v, double rate) {
     }
 }
 
-void begin_set(const State& s, const SetView& v, BinScratch& scratch, double h, bool first) {
+void begin_set(const State& s, const SetView& v, BatchScratch& scratch, double h, bool first) {
     const std::size_t n = v.set.nodes.size();
     place_bodies(v, scratch);
     for (std::size_t i = 0; i < n; ++i) refresh_row(s, v, i);
@@ -333,7 +333,7 @@ void begin_set(const State& s, const SetView& v, BinScratch& scratch, double h, 
     write_velocities(v, scratch);
 }
 
-void solve_set(const SetView& v, BinScratch& scratch, double h) {
+void solve_set(const SetView& v, BatchScratch& scratch, double h) {
     for (std::size_t i = 0; i < v.set.bodies.size(); ++i) {
         DirectBody& b = v.bodies[i];
         b.v = vector_of(scratch.velocity[b.row].v);
@@ -353,9 +353,9 @@ void solve_set(const SetView& v, BinScratch& scratch, double h) {
     write_velocities(v, scratch);
 }
 
-template <class F> void for_sets(const State& s, BinScratch& scratch, Crew* crew, F&& work) {
+template <class F> void for_sets(const State& s, BatchScratch& scratch, ThreadPool* thread_pool, F&& work) {
     DirectWork& w = scratch.direct;
-    for_chunks(crew, int(w.sets.size()), 1, [&](int begin, int end, int) {
+    for_chunks(thread_pool, int(w.sets.size()), 1, [&](int begin, int end, int) {
         for (int k = begin; k < end; ++k) {
             const DirectSolve& solve = w.sets[k];
             work(SetView{s.direct.sets[solve.set], w.bodies.data() + solve.first_body, w.rows.data() + solve.first_row,
@@ -367,12 +367,12 @@ template <class F> void for_sets(const State& s, BinScratch& scratch, Crew* crew
 
 } // namespace
 
-void begin_direct_substep(const State& s, BinScratch& scratch, Crew* crew, float h, bool first) {
-    for_sets(s, scratch, crew, [&](const SetView& v) { begin_set(s, v, scratch, double(h), first); });
+void begin_direct_substep(const State& s, BatchScratch& scratch, ThreadPool* thread_pool, float h, bool first) {
+    for_sets(s, scratch, thread_pool, [&](const SetView& v) { begin_set(s, v, scratch, double(h), first); });
 }
 
-void solve_direct_rows(const State& s, BinScratch& scratch, Crew* crew, float h) {
-    for_sets(s, scratch, crew, [&](const SetView& v) { solve_set(v, scratch, double(h)); });
+void solve_direct_rows(const State& s, BatchScratch& scratch, ThreadPool* thread_pool, float h) {
+    for_sets(s, scratch, thread_pool, [&](const SetView& v) { solve_set(v, scratch, double(h)); });
 }
 
 } // namespace cairn

@@ -63,7 +63,7 @@ std::uint32_t block_at(const DirectPlan& plan, std::uint32_t row, std::uint32_t 
 
 } // namespace
 
-bool make_direct_plan(const std::vector<DirectEnds>& nodes, std::size_t most_blocks, std::size_t most_products,
+bool make_direct_plan(const std::vector<DirectEnds>& nodes, std::size_t max_blocks, std::size_t max_products,
                       DirectPlan& plan, std::vector<std::uint32_t>& order) {
     const std::size_t n = nodes.size();
     const std::vector<std::vector<NodeEnd>> ends = ends_by_body(nodes);
@@ -86,7 +86,7 @@ bool make_direct_plan(const std::vector<DirectEnds>& nodes, std::size_t most_blo
         columns.push_back(graph.neighbors(best));
         const std::size_t size = columns.back().size();
         blocks += size, products += size * (size - std::size_t(size > 0)) / 2;
-        if (blocks > most_blocks || products > most_products) return false;
+        if (blocks > max_blocks || products > max_products) return false;
         graph.eliminate(best, columns.back());
     }
 

@@ -12,7 +12,7 @@ namespace cairn {
 
 // Minimum degree, the lowest number first among equals. Fills `order` with the nodes in their order of elimination.
 // Returns false where that takes more than so many blocks or products.
-bool make_direct_plan(const std::vector<DirectEnds>& nodes, std::size_t most_blocks, std::size_t most_products,
+bool make_direct_plan(const std::vector<DirectEnds>& nodes, std::size_t max_blocks, std::size_t max_products,
                       DirectPlan& plan, std::vector<std::uint32_t>& order);
 
 } // namespace cairn

@@ -13,7 +13,7 @@ using math::DVec3;
 
 namespace {
 
-void fill_body(const State& s, const BinScratch& scratch, std::int32_t body, DirectBody& b) {
+void fill_body(const State& s, const BatchScratch& scratch, std::int32_t body, DirectBody& b) {
     b = {};
     if (body == none) return;
     b.row = scratch.row_of_body[body];
@@ -24,7 +24,7 @@ void fill_body(const State& s, const BinScratch& scratch, std::int32_t body, Dir
     b.axes0 = math::normalized(s.motion[body].q * math::to_double(mass.principal));
     const float greatest = std::max({mass.inertia.x, mass.inertia.y, mass.inertia.z});
     for (int i = 0; i < 3; ++i) {
-        b.moments[i] = double(std::max(mass.inertia[i], least_contact_moment * greatest));
+        b.moments[i] = double(std::max(mass.inertia[i], min_contact_moment * greatest));
         b.inverse_moments[i] = mass.inverse_inertia[i] > 0 ? 1 / b.moments[i] : 0.0;
     }
 }
@@ -58,7 +58,7 @@ void fill_row(const State& s, const DirectNode& node, DirectRow& r) {
 
 } // namespace
 
-void list_direct_sets(const State& s, BinScratch& scratch) {
+void list_direct_sets(const State& s, BatchScratch& scratch) {
     DirectWork& work = scratch.direct;
     work.sets.clear();
     std::size_t bodies = 0, rows = 0, blocks = 0;
@@ -78,9 +78,9 @@ void list_direct_sets(const State& s, BinScratch& scratch) {
     if (work.lower.size() < blocks) work.lower.resize(blocks);
 }
 
-void fill_direct_rows(const State& s, BinScratch& scratch, Crew* crew) {
+void fill_direct_rows(const State& s, BatchScratch& scratch, ThreadPool* thread_pool) {
     DirectWork& work = scratch.direct;
-    for_chunks(crew, int(work.sets.size()), 1, [&](int begin, int end, int) {
+    for_chunks(thread_pool, int(work.sets.size()), 1, [&](int begin, int end, int) {
         for (int k = begin; k < end; ++k) {
             const DirectSolve& solve = work.sets[k];
             const DirectSet& set = s.direct.sets[solve.set];
@@ -92,7 +92,7 @@ void fill_direct_rows(const State& s, BinScratch& scratch, Crew* crew) {
     });
 }
 
-void store_direct_rows(State& s, BinScratch& scratch) {
+void store_direct_rows(State& s, BatchScratch& scratch) {
     for (const DirectSolve& solve : scratch.direct.sets) {
         const DirectSet& set = s.direct.sets[solve.set];
         for (std::size_t i = 0; i < set.nodes.size(); ++i) {

@@ -11,11 +11,11 @@ namespace cairn {
 namespace {
 
 // Where the direct solver pays by itself. Beyond these blocks and nodes the iterative one is cheaper by far.
-constexpr std::size_t most_nodes = 240, most_blocks_per_node = 4;
-constexpr float least_mass_ratio = 10; // of a body to a lighter one that hangs between others
-constexpr int least_chain = 8;         // joints
+constexpr std::size_t max_nodes = 240, max_blocks_per_node = 4;
+constexpr float min_mass_ratio = 10; // of a body to a lighter one that hangs between others
+constexpr int min_chain = 8;         // joints
 // What it takes where users ask for it.
-constexpr std::size_t most_blocks = std::size_t(1) << 18, most_products = std::size_t(1) << 22;
+constexpr std::size_t max_blocks = std::size_t(1) << 18, max_products = std::size_t(1) << 22;
 
 bool moves_by_forces(const State& s, std::int32_t body) { return body != none && s.is_dynamic(body); }
 bool moves(const State& s, std::int32_t body) {
@@ -59,7 +59,7 @@ class Finder {
         for (const std::uint32_t joint : rest_) {
             if (seen_[joint] || !is_wanted(joint)) continue;
             gather(joint);
-            if (plan(most_blocks, most_products)) take();
+            if (plan(max_blocks, max_products)) take();
         }
     }
 
@@ -146,9 +146,9 @@ class Finder {
         bool all_asked_for = true;
         for (const std::uint32_t joint : set.joints)
             all_asked_for &= JointSolver(s_.joints[joint].solver) == JointSolver::direct;
-        if (all_asked_for) return plan(most_blocks, most_products);
-        if (set.found.size() > most_nodes || !pays(set)) return false;
-        return plan(most_blocks_per_node * set.found.size(), most_products);
+        if (all_asked_for) return plan(max_blocks, max_products);
+        if (set.found.size() > max_nodes || !pays(set)) return false;
+        return plan(max_blocks_per_node * set.found.size(), max_products);
     }
 
     bool pays(const DirectSet& set) {
@@ -167,7 +167,7 @@ class Finder {
             if (moves_by_forces(s_, body)) heaviest = std::max(heaviest, s_.mass[body].mass);
         for (std::size_t i = 1; i < at.size(); ++i) {
             if (at[i].size() < 2) continue;
-            if (heaviest > least_mass_ratio * s_.mass[set.bodies[i]].mass) return true;
+            if (heaviest > min_mass_ratio * s_.mass[set.bodies[i]].mass) return true;
             int fixed = 0;
             for (const std::uint32_t joint : at[i]) {
                 const JointLocks& rules = s_.joints[joint].rules;
@@ -175,7 +175,7 @@ class Finder {
             }
             if (fixed >= 2) return true; // in series
         }
-        return longest_chain(set, at) > least_chain;
+        return longest_chain(set, at) > min_chain;
     }
 
     static std::size_t place_of(const DirectSet& set, std::int32_t body) {

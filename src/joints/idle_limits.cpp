@@ -17,14 +17,14 @@ constexpr int joints_per_chunk = 128; // for threads
 // How far bodies may turn against each other in a pass: more than their angular velocities at its start say, rad; and
 // what flies at something is turned by the impact, by a share of its speed over its radius. Who is hit harder gets
 // beyond the limit by a little, and is brought back in the next pass.
-constexpr float more_turn = 1.5f, least_reach = 0.03f, impact_share = 0.25f;
+constexpr float more_turn = 1.5f, min_reach = 0.03f, impact_share = 0.25f;
 // A row that has been at work is left out only where there is some more room, so that rows do not come and go.
 constexpr float more_room = 0.02f;
 // A twist is counted on from the last known one, which must be less than half a turn away.
-constexpr float most_slack = 2.0f;
+constexpr float max_slack = 2.0f;
 // Of a swing, rad: the twist of what swings by that changes by less than twice the angle that bodies turn by, 1 / cos
 // of its half. With a locked swing hardly any.
-constexpr float most_swing = 2.0f, twist_by_turn = 2.0f, hinge_by_turn = 1.05f;
+constexpr float max_swing = 2.0f, twist_by_turn = 2.0f, hinge_by_turn = 1.05f;
 
 const JointAxisRule* swing_rule(const JointLocks& locks, const JointAxes& axes) {
     for (int i = 0; i < locks.axis_count; ++i)
@@ -56,13 +56,13 @@ void prefetch(const State& s, std::uint32_t joint) {
     ask_cache(&s.joints[joint]);
     const JointAxes& axes = s.joint_axes[joint];
     ask_cache(&axes.states[0]);
-    ask_cache(&axes.states[most_joint_axes - 1]);
+    ask_cache(&axes.states[max_joint_axes - 1]);
 }
 
 // Whether the row need not be solved; keeps its slack.
 bool is_out_of_reach(const JointAxisRule& rule, JointAxisState& state, float by_turn, float turned, float speed,
                      float dt) {
-    const float reach = by_turn * (dt * speed + least_reach);
+    const float reach = by_turn * (dt * speed + min_reach);
     if (state.slack > 0) {
         state.slack -= by_turn * turned;
         if (!(state.slack > reach)) state.slack = 0;
@@ -70,7 +70,7 @@ bool is_out_of_reach(const JointAxisRule& rule, JointAxisState& state, float by_
         state.slack = 0; // known again after this pass
     } else if (state.lower == 0 && state.upper == 0) {
         const float room = std::min(state.position - rule.lower, rule.upper - state.position);
-        if (room > reach + more_room) state.slack = std::min(room, most_slack);
+        if (room > reach + more_room) state.slack = std::min(room, max_slack);
     }
     return state.slack > 0;
 }
@@ -81,7 +81,7 @@ float change_by_turn(const JointLocks& locks, const JointAxes& axes, const Joint
     if (rule.kind != AxisKind::twist) return 0;
     if (locks.turn == JointLock::across) return hinge_by_turn;
     const JointAxisRule* swing = swing_rule(locks, axes);
-    return swing && swing->has_limits && swing->rigid_limit && swing->upper < most_swing ? twist_by_turn : 0;
+    return swing && swing->has_limits && swing->rigid_limit && swing->upper < max_swing ? twist_by_turn : 0;
 }
 
 } // namespace
@@ -91,10 +91,10 @@ float reach_by_turn(const JointLocks& locks, const JointAxes& axes, const JointA
     return rule.has_limits && !has_more ? change_by_turn(locks, axes, rule) : 0;
 }
 
-bool update_idle_rows(State& s, JointLayout& layout, Crew* crew, float dt) {
+bool update_idle_rows(State& s, JointLayout& layout, ThreadPool* thread_pool, float dt) {
     if (!layout.may_idle) return false;
     std::atomic<bool> any_changed = false;
-    for_chunks(crew, int(layout.joints.size()), joints_per_chunk, [&](int begin, int end, int) {
+    for_chunks(thread_pool, int(layout.joints.size()), joints_per_chunk, [&](int begin, int end, int) {
         bool changed = false;
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
             if (k + joints_ahead < std::size_t(end)) prefetch(s, layout.joints[k + joints_ahead]);

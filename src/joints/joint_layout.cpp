@@ -16,8 +16,8 @@ namespace {
 
 // Within a color, rows of one joint come in phases: its axes one after the other, then its turn, then its point, which
 // so has the last word. Rows of one phase and form share blocks.
-constexpr std::uint32_t turn_phase = most_joint_axes, point_phase = turn_phase + 1, phases = point_phase + 1,
-                        forms = 16, keys_per_color = phases * forms;
+constexpr std::uint32_t turn_phase = max_joint_axes, point_phase = turn_phase + 1, phases = point_phase + 1, forms = 16,
+                        keys_per_color = phases * forms;
 
 // First those that found no color, of which each is solved alone, then the colors.
 std::uint32_t row_key(std::uint8_t color, std::uint32_t phase, std::uint32_t form) {
@@ -88,7 +88,7 @@ void add_run(JointLayout& layout, std::uint32_t key, std::uint32_t rows) {
     blocks += count;
 }
 
-// Lays the rows into blocks, sorted by their keys (a counting sort, stable), and gives each its lane. Most bins have
+// Lays the rows into blocks, sorted by their keys (a counting sort, stable), and gives each its lane. Most batches have
 // few keys of the many that there are.
 void lay_out_rows(JointLayout& layout, std::vector<std::uint32_t>& lanes) {
     std::vector<JointRow>& rows = layout.rows;
@@ -127,11 +127,11 @@ void lay_out_rows(JointLayout& layout, std::vector<std::uint32_t>& lanes) {
 bool may_be_fixed(std::uint32_t key) { return stands_alone(key) || key / keys_per_color > first_fixed_color; }
 std::uint32_t joint_form_of(std::uint32_t key) { return key % forms; }
 
-void fill_joint_lanes(State& s, const Bin& bin, BinScratch& scratch, Crew* crew, float dt) {
-    JointLayout& layout = s.solver.joint_layouts[&bin - s.solver.bins.data()];
+void fill_joint_lanes(State& s, const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool, float dt) {
+    JointLayout& layout = s.solver.joint_layouts[&batch - s.solver.batches.data()];
     scratch.joint_layout = &layout;
     bool is_new = false;
-    if (bin.joint_count == 0) {
+    if (batch.joint_count == 0) {
         if (!layout.joints.empty()) layout = {};
     } else if (layout.valid_for != s.joint_changes || layout.bodies != scratch.touching_bodies) {
         layout.bodies = scratch.touching_bodies;
@@ -141,7 +141,7 @@ void fill_joint_lanes(State& s, const Bin& bin, BinScratch& scratch, Crew* crew,
         layout.valid_for = s.joint_changes;
         is_new = true;
     }
-    if (update_idle_rows(s, layout, crew, dt) || is_new) lay_out_rows(layout, scratch.joint_key_counts);
+    if (update_idle_rows(s, layout, thread_pool, dt) || is_new) lay_out_rows(layout, scratch.joint_key_counts);
     for (const std::int32_t body : layout.kinematic_bodies) row_of_body(scratch, body);
     list_direct_sets(s, scratch);
 }

@@ -1,12 +1,12 @@
-// How the rows of the joints of a bin lie in blocks of 8 lanes.
+// How the rows of the joints of a batch lie in blocks of 8 lanes.
 #pragma once
 
 #include "state/state.h"
 
 namespace cairn {
 
-// Joints of the bin's islands, laid into blocks of 8 lanes color by color.
-void fill_joint_lanes(State& state, const Bin& bin, BinScratch& scratch, Crew* crew, float dt);
+// Joints of the batch's islands, laid into blocks of 8 lanes color by color.
+void fill_joint_lanes(State& state, const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool, float dt);
 
 // Of the key of a row or run: the form of its rows, and whether they may have ends that do not move by forces.
 std::uint32_t joint_form_of(std::uint32_t key);

@@ -7,7 +7,7 @@ namespace cairn {
 
 // The positions of a joint's axes, the gap between its anchors and the rotation error, as the bodies stand.
 struct JointPositions {
-    float axes[most_joint_axes];
+    float axes[max_joint_axes];
     math::Vec3 gap, turn; // of what it locks
 };
 JointPositions joint_positions(const State& state, std::uint32_t joint);

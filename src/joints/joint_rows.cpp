@@ -1,4 +1,4 @@
-// The rows of joints in a solver bin: what is put into them, and what comes out.
+// The rows of joints in a solver batch: what is put into them, and what comes out.
 
 #include "joints/joint_rows.h"
 
@@ -22,7 +22,7 @@ namespace {
 
 constexpr int joints_per_chunk = 64; // for threads
 
-template <class F> void for_blocks_of(BinScratch& scratch, JointRowType type, F&& f) {
+template <class F> void for_blocks_of(BatchScratch& scratch, JointRowType type, F&& f) {
     switch (type) {
     case JointRowType::point:
         return f(scratch.point_blocks);
@@ -44,7 +44,7 @@ struct JointEnd {
     std::uint32_t row = std::uint32_t(fixed_row) * row_bytes;
     bool is_written = false;
 };
-JointEnd joint_end(const State& s, const BinScratch& scratch, std::int32_t body) {
+JointEnd joint_end(const State& s, const BatchScratch& scratch, std::int32_t body) {
     if (body == none) return {};
     const BodyType type = s.body_settings[body].type;
     if (type == BodyType::static_) return {};
@@ -116,7 +116,7 @@ void fill_axis_rule(AxisBlock& b, std::size_t lane, const JointAxisRule& rule, f
     b.upper[lane] = rule.has_limits ? rule.upper : unlimited;
     b.equation[lane] = rule.is_equation;
     b.rigid_limit[lane] = rule.rigid_limit;
-    b.most_friction[lane] = std::min(rule.friction * h, unlimited);
+    b.max_friction[lane] = std::min(rule.friction * h, unlimited);
     if (b.has_soft_limits) {
         b.limit_stiffness[lane] = rule.limit_stiffness;
         b.limit_damping[lane] = rule.limit_damping;
@@ -129,7 +129,7 @@ void fill_axis_rule(AxisBlock& b, std::size_t lane, const JointAxisRule& rule, f
         b.target_velocity[lane] = rule.target_velocity;
         b.rigid_drive[lane] = rule.rigid_drive;
         b.drive_relative[lane] = rule.drive_relative;
-        b.most_drive[lane] = rule.has_drive ? std::min(rule.most_drive * h, unlimited) : 0.0f;
+        b.max_drive[lane] = rule.has_drive ? std::min(rule.max_drive * h, unlimited) : 0.0f;
     }
     b.ratio_a[lane] = rule.ratio_a;
     b.ratio_b[lane] = rule.ratio_b;
@@ -157,7 +157,7 @@ void fill_lane(const State& s, const JointRow& row, const PlacedJoint<FramedPlac
 
 // The rows of the joint at that place of the layout. `first_discard`: rows, by JointRowType.
 template <class Placement>
-void fill_rows_of(const State& s, BinScratch& scratch, const std::array<std::int32_t, joint_row_types>& first_discard,
+void fill_rows_of(const State& s, BatchScratch& scratch, const std::array<std::int32_t, joint_row_types>& first_discard,
                   std::size_t place, const PlacedJoint<Placement>& joint, float h) {
     const JointLayout& layout = *scratch.joint_layout;
     for (std::uint32_t i = layout.first_row[place]; i < layout.first_row[place + 1]; ++i) {
@@ -201,7 +201,7 @@ template <class Block> void make_room(std::vector<Block>& blocks, std::size_t co
     if (blocks.size() < count) blocks.resize(count);
 }
 
-void open_blocks(BinScratch& scratch) {
+void open_blocks(BatchScratch& scratch) {
     make_room(scratch.point_blocks, scratch.joint_layout->blocks[0]);
     make_room(scratch.turn_blocks, scratch.joint_layout->blocks[1]);
     make_room(scratch.axis_blocks, scratch.joint_layout->blocks[2]);
@@ -274,11 +274,11 @@ bool is_sound(const State& s, std::uint32_t index) {
 // Whether a body has become faster than the world allows. It will be slowed down: what made it so must not be carried
 // into the next step.
 bool is_too_fast(const WorldDef& settings, const SolverVelocity& row) {
-    const float v_most = settings.max_linear_speed, w_most = settings.max_angular_speed;
+    const float v_max = settings.max_linear_speed, w_max = settings.max_angular_speed;
     const math::Vec3 v = math::to_vec(row.v), w = math::to_vec(row.w);
-    return !(math::dot(v, v) <= v_most * v_most && math::dot(w, w) <= w_most * w_most);
+    return !(math::dot(v, v) <= v_max * v_max && math::dot(w, w) <= w_max * w_max);
 }
-bool is_too_fast(const State& s, const BinScratch& scratch, std::uint32_t index) {
+bool is_too_fast(const State& s, const BatchScratch& scratch, std::uint32_t index) {
     const JointInfo& joint = s.joints[index];
     for (const std::int32_t body : {joint.body_a, joint.body_b}) {
         if (body == none || scratch.row_of_body[body] == none) continue;
@@ -287,7 +287,7 @@ bool is_too_fast(const State& s, const BinScratch& scratch, std::uint32_t index)
     }
     return false;
 }
-bool any_is_too_fast(const State& s, const BinScratch& scratch) {
+bool any_is_too_fast(const State& s, const BatchScratch& scratch) {
     for (std::size_t row = 0; row < scratch.row_count(); ++row)
         if (is_too_fast(s.settings, scratch.velocity[row])) return true;
     return false;
@@ -300,8 +300,8 @@ void forget_impulses(State& s, std::uint32_t index) {
         axis = {0, 0, 0, 0, std::isfinite(axis.position) ? axis.position : 0.0f, 0};
 }
 
-// All its impulses are counted. `may_be_fast`: some body of the bin is too fast.
-void end_joint(State& s, BinScratch& scratch, std::uint32_t index, float rate, bool may_be_fast) {
+// All its impulses are counted. `may_be_fast`: some body of the batch is too fast.
+void end_joint(State& s, BatchScratch& scratch, std::uint32_t index, float rate, bool may_be_fast) {
     JointInfo& joint = s.joints[index];
     joint.force = rate * joint.force;
     if (has_torque(joint)) joint.torque = rate * joint.torque;
@@ -313,12 +313,12 @@ void end_joint(State& s, BinScratch& scratch, std::uint32_t index, float rate, b
 
 } // namespace
 
-void fill_joint_blocks(State& s, BinScratch& scratch, Crew* crew, float h) {
+void fill_joint_blocks(State& s, BatchScratch& scratch, ThreadPool* thread_pool, float h) {
     open_blocks(scratch);
     const JointLayout& layout = *scratch.joint_layout;
     const auto discard = scratch.first_joint_discard_rows();
     // Joint by joint: neighbors share bodies, and rows go to one block of each color at a time.
-    for_chunks(crew, int(layout.joints.size()), joints_per_chunk, [&](int begin, int end, int) {
+    for_chunks(thread_pool, int(layout.joints.size()), joints_per_chunk, [&](int begin, int end, int) {
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
             prefetch_joint(s, layout, k + joints_ahead);
             begin_joint(s, layout.joints[k], h);
@@ -336,10 +336,10 @@ void fill_joint_blocks(State& s, BinScratch& scratch, Crew* crew, float h) {
             }
         }
     });
-    fill_direct_rows(s, scratch, crew);
+    fill_direct_rows(s, scratch, thread_pool);
 }
 
-void store_joints(State& s, BinScratch& scratch, float dt) {
+void store_joints(State& s, BatchScratch& scratch, float dt) {
     const JointLayout& layout = *scratch.joint_layout;
     const float rate = 1 / dt;
     const bool may_be_fast = !layout.joints.empty() && any_is_too_fast(s, scratch);

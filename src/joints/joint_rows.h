@@ -1,4 +1,4 @@
-// The rows of joints in a solver bin: what is put into them, and what comes out.
+// The rows of joints in a solver batch: what is put into them, and what comes out.
 #pragma once
 
 #include "state/state.h"
@@ -6,8 +6,8 @@
 namespace cairn {
 
 // Positions, axes and impulses of the lanes; `h`: the substep.
-void fill_joint_blocks(State& state, BinScratch& scratch, Crew* crew, float h);
+void fill_joint_blocks(State& state, BatchScratch& scratch, ThreadPool* thread_pool, float h);
 // After the last substep: impulses and forces back to the joints.
-void store_joints(State& state, BinScratch& scratch, float dt);
+void store_joints(State& state, BatchScratch& scratch, float dt);
 
 } // namespace cairn

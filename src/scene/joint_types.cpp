@@ -77,9 +77,9 @@ template <class Io, class T> struct Members {
         } else if constexpr (is<HingeJoint>) {
             io("angle", joint.angle);
         } else if constexpr (is<SliderJoint>) {
-            io("way", joint.way);
+            io("translation", joint.translation);
         } else if constexpr (is<CylindricalJoint>) {
-            io("way", joint.way);
+            io("translation", joint.translation);
             io("angle", joint.angle);
         } else if constexpr (is<UniversalJoint>) {
             io("first", joint.first);
@@ -252,12 +252,12 @@ struct Nearest {
     void operator()(const SliderJoint& joint) {
         lock(JointAxis::linear, {false, true, true});
         lock_turn();
-        control(JointAxis::linear, 0, joint.way);
+        control(JointAxis::linear, 0, joint.translation);
     }
     void operator()(const CylindricalJoint& joint) {
         lock(JointAxis::linear, {false, true, true});
         lock(JointAxis::angular, {false, true, true});
-        control(JointAxis::linear, 0, joint.way);
+        control(JointAxis::linear, 0, joint.translation);
         control(JointAxis::angular, 0, joint.angle);
     }
     void operator()(const UniversalJoint& joint) {

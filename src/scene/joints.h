@@ -12,7 +12,7 @@
 namespace cairn::scene {
 
 // How many limits and drives that are not plain locks a GeneralJoint may have.
-inline constexpr int most_free_rows = 8;
+inline constexpr int max_free_rows = 8;
 int free_rows(const GeneralJoint& joint);
 
 class JointTable {

@@ -201,8 +201,8 @@ class Builder {
             return "joins no two bodies of which one is dynamic, and does nothing";
         }
         const auto* general = std::get_if<GeneralJoint>(&def.joint);
-        if (general != nullptr && free_rows(*general) > most_free_rows) {
-            return "has more than " + std::to_string(most_free_rows) +
+        if (general != nullptr && free_rows(*general) > max_free_rows) {
+            return "has more than " + std::to_string(max_free_rows) +
                    " limits and drives that are not plain locks, and does nothing";
         }
         return std::nullopt;

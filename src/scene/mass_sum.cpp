@@ -30,9 +30,9 @@ MassProperties MassSum::properties() const {
 }
 
 PrincipalAxes principal_axes(glm::dmat3 matrix) {
-    constexpr int most_sweeps = 50; // it takes about 5
+    constexpr int max_sweeps = 50; // it takes about 5
     glm::dmat3 axes(1.0);
-    for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+    for (int sweep = 0; sweep < max_sweeps; ++sweep) {
         const double off = std::fabs(matrix[0][1]) + std::fabs(matrix[0][2]) + std::fabs(matrix[1][2]);
         const double size = std::fabs(matrix[0][0]) + std::fabs(matrix[1][1]) + std::fabs(matrix[2][2]);
         if (!(off > 1e-15 * size)) break;

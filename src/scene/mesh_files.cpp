@@ -14,7 +14,7 @@ namespace cairn::scene {
 
 namespace {
 
-constexpr std::size_t most_numbers = std::size_t{1} << 28; // vertices, or indices
+constexpr std::size_t max_numbers = std::size_t{1} << 28; // vertices, or indices
 
 // A text line by line, and word by word.
 class Lines {
@@ -164,7 +164,7 @@ MeshFile read_obj(std::span<const std::byte> bytes, const std::string& name) {
             Vec3 vertex;
             for (int i = 0; i < 3; ++i) vertex[i] = lines.number();
             mesh.vertices.push_back(vertex);
-            if (mesh.vertices.size() > most_numbers) lines.fail("must not have more vertices", word);
+            if (mesh.vertices.size() > max_numbers) lines.fail("must not have more vertices", word);
         } else if (word == "f") {
             std::array<std::uint32_t, 2> ends{}; // the first corner and the last one so far
             std::size_t count = 0;
@@ -176,7 +176,7 @@ MeshFile read_obj(std::span<const std::byte> bytes, const std::string& name) {
                 ++count;
             }
             if (count < 3) lines.fail("must have at least three corners in a face", word);
-            if (mesh.indices.size() > most_numbers) lines.fail("must not have more faces", word);
+            if (mesh.indices.size() > max_numbers) lines.fail("must not have more faces", word);
         }
     }
     require_triangles(mesh, name);

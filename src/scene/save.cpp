@@ -302,10 +302,10 @@ class Writer {
 // body. So the file is read and written again until it repeats, which it does after a step or two; where it
 // alternates, the least of its forms is taken. The next save starts in the same circle, and ends at the same form.
 std::vector<std::byte> stable_container(const Scene& scene) {
-    constexpr std::size_t most_rounds = 16;
+    constexpr std::size_t max_rounds = 16;
     std::vector<std::string> forms{Writer(scene).container()};
     const auto bytes = [](const std::string& form) { return std::as_bytes(std::span(form.data(), form.size())); };
-    while (forms.size() < most_rounds) {
+    while (forms.size() < max_rounds) {
         std::string next = Writer(load_from_memory(bytes(forms.back()), "saved scene")).container();
         const auto found = std::find(forms.begin(), forms.end(), next);
         if (found != forms.end()) {

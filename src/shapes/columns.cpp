@@ -11,7 +11,7 @@ namespace {
 
 using namespace columns;
 
-constexpr std::size_t block = 8, most_kept = 4;
+constexpr std::size_t block = 8, max_kept = 4;
 
 } // namespace
 
@@ -31,9 +31,9 @@ std::size_t Columns::farthest(const DVec3& d) const {
     if (!(greatest > 0)) return 0;
     const double scale = 1 / greatest;
     const F4 dx = splat(float(scale * d.x)), dy = splat(float(scale * d.y)), dz = splat(float(scale * d.z));
-    F4 kept[2 * most_kept]; // of the first blocks: most hulls have no more
+    F4 kept[2 * max_kept]; // of the first blocks: most hulls have no more
     const auto along = [&](std::size_t i) { return load(&x_[i]) * dx + load(&y_[i]) * dy + load(&z_[i]) * dz; };
-    const std::size_t blocks = x_.size() / block, in_kept = blocks < most_kept ? blocks : most_kept;
+    const std::size_t blocks = x_.size() / block, in_kept = blocks < max_kept ? blocks : max_kept;
     F4 most = splat(-std::numeric_limits<float>::infinity()), more = most;
     for (std::size_t i = 0; i < in_kept; ++i) {
         kept[2 * i] = along(block * i), kept[2 * i + 1] = along(block * i + 4);

@@ -14,7 +14,7 @@ namespace {
 // Sweeps stop when the shapes are this near, as part of the extent.
 constexpr double sweep_tolerance = 1e-6;
 // Each round at least halves what is left of the distance.
-constexpr int most_rounds = 64;
+constexpr int max_rounds = 64;
 
 Convex make_point(DVec3 p) {
     Convex c;
@@ -42,7 +42,7 @@ std::optional<ConvexHit> sweep(const Convex& moving, DVec3 way, const Convex& st
     ClosestPoints c = closest_points(moving, still);
     double fraction = 0;
     if (c.distance < -tolerance) return ConvexHit{0, c.on_b, -c.normal};
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < max_rounds; ++round) {
         const double speed = dot(way, c.normal);
         if (!(speed > 0)) return std::nullopt; // they move apart or past each other
         if (!(c.distance > tolerance)) break;

@@ -10,7 +10,7 @@ using math::DVec3;
 
 namespace {
 
-constexpr int most_points = 64, most_faces = 2 * most_points;
+constexpr int max_points = 64, max_faces = 2 * max_points;
 constexpr double depth_tolerance = 1e-4;
 // As parts of the size of the difference: thinner is flat; lower than this above a plane is in it.
 constexpr double flat = 1e-9, coplanar = 1e-13;
@@ -25,12 +25,12 @@ struct Polytope {
         int from, to;
     };
     int point_count = 0, face_count = 0;
-    DifferencePoint points[most_points];
-    Face faces[most_faces];
+    DifferencePoint points[max_points];
+    Face faces[max_faces];
     double size = 0;
 
     bool add_face(int a, int b, int c) {
-        if (face_count == most_faces) return false;
+        if (face_count == max_faces) return false;
         const DVec3 pa = points[a].w, ab = points[b].w - pa, ac = points[c].w - pa;
         DVec3 normal = cross(ab, ac);
         const double square = dot(normal, normal);
@@ -51,9 +51,9 @@ struct Polytope {
 };
 
 bool Polytope::add_point(const DifferencePoint& p) {
-    if (point_count == most_points) return false;
+    if (point_count == max_points) return false;
     // Edges of the faces that see the point; those that appear both ways are inside.
-    Edge edges[3 * most_faces];
+    Edge edges[3 * max_faces];
     int edge_count = 0, kept = 0;
     for (int i = 0; i < face_count; ++i) {
         const Face f = faces[i];

@@ -10,7 +10,7 @@ using math::DVec3;
 
 namespace {
 
-constexpr int most_iterations = 64;
+constexpr int max_iterations = 64;
 // Cores closer than this part of their size overlap.
 constexpr double touching = 1e-10;
 // Rounding of a squared length, as part of it.
@@ -120,7 +120,7 @@ GjkResult gjk_distance(const CorePair& pair, DVec3 guess, double max_distance, d
     double square = dot(s.nearest, s.nearest), size = square;
 
     r.state = GjkResult::State::apart;
-    for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    for (int iteration = 0; iteration < max_iterations; ++iteration) {
         if (!(square > touching * touching * size)) {
             r.state = GjkResult::State::overlapping;
             return r;

@@ -11,12 +11,12 @@ namespace cairn {
 
 namespace {
 
-constexpr float least_spacing = 1e-6f, most_spacing = 1e9f; // m
-constexpr float farthest = 1e6f;                            // m
-constexpr std::int64_t most_heights = std::int64_t(1) << 28;
+constexpr float min_spacing = 1e-6f, max_spacing = 1e9f; // m
+constexpr float farthest = 1e6f;                         // m
+constexpr std::int64_t max_heights = std::int64_t(1) << 28;
 
 void check_spacing(const char* field, float spacing) {
-    if (!(spacing >= least_spacing && spacing <= most_spacing))
+    if (!(spacing >= min_spacing && spacing <= max_spacing))
         refuse(field, number_text(double(spacing)), "must be a size in meters from 1e-6 to 1e9");
 }
 
@@ -24,7 +24,7 @@ void check(int columns, int rows, float spacing_x, float spacing_z, std::span<co
     if (columns < 2) refuse("HeightField columns", std::to_string(columns), "must be at least 2");
     if (rows < 2) refuse("HeightField rows", std::to_string(rows), "must be at least 2");
     const std::int64_t count = std::int64_t(columns) * rows;
-    if (count > most_heights)
+    if (count > max_heights)
         refuse("HeightField columns x rows", std::to_string(count), "must be at most 2^28 heights");
     check_spacing("HeightField spacing.x", spacing_x);
     check_spacing("HeightField spacing.y", spacing_z);

@@ -23,12 +23,12 @@ namespace hull {
 namespace {
 
 constexpr float largest_coordinate = 1e6f; // m
-constexpr double least_extent = 1e-6;      // m, as of other shapes
-constexpr double least_thickness = 1e-5;   // of the extent
+constexpr double min_extent = 1e-6;        // m, as of other shapes
+constexpr double min_thickness = 1e-5;     // of the extent
 // Of the largest coordinate: the offset of a plane is a float, and off by up to a tenth of this.
 constexpr double finest_plane = 1e-6;
 constexpr std::size_t many_points = 1024; // more than the nearest caches hold, with what is made of them
-constexpr std::size_t most_points = std::size_t(1) << 30;
+constexpr std::size_t max_points = std::size_t(1) << 30;
 
 [[noreturn]] void refuse(const std::string& value, const std::string& expected) {
     throw Error(ErrorCode::invalid_value, "Hull points", value, expected);
@@ -42,7 +42,7 @@ struct Bounds {
 
 Bounds check(std::span<const Vec3> points) {
     if (points.size() < 4) refuse(std::to_string(points.size()), "must be 4 at least");
-    if (points.size() > most_points) refuse(std::to_string(points.size()), "must be 2^30 at most");
+    if (points.size() > max_points) refuse(std::to_string(points.size()), "must be 2^30 at most");
     for (std::size_t i = 0; i < points.size(); ++i)
         for (int k = 0; k < 3; ++k)
             if (!(std::fabs(points[i][k]) <= largest_coordinate))
@@ -53,19 +53,19 @@ Bounds check(std::span<const Vec3> points) {
     const DVec3 size = r.hi - r.lo, reach = math::max(math::abs(r.lo), math::abs(r.hi));
     r.extent = std::max({size.x, size.y, size.z});
     r.largest = std::max({reach.x, reach.y, reach.z});
-    if (!(r.extent >= least_extent))
+    if (!(r.extent >= min_extent))
         refuse("an extent of " + number_text(r.extent) + " m", "must not all lie in one point (within 1e-6 m)");
     return r;
 }
 
 void require_breadth(double breadth, double extent) {
-    if (!(breadth > least_thickness * extent))
+    if (!(breadth > min_thickness * extent))
         refuse("a breadth of " + number_text(breadth) + " m in an extent of " + number_text(extent) + " m",
                "must not all lie on one line (within 1e-5 of their extent)");
 }
 
 void require_thickness(double thickness, const Bounds& bounds) {
-    if (!(thickness > least_thickness * bounds.extent))
+    if (!(thickness > min_thickness * bounds.extent))
         refuse("a thickness of at most " + number_text(thickness) + " m in an extent of " + number_text(bounds.extent) +
                    " m",
                "must not all lie in one plane (within 1e-5 of their extent)");

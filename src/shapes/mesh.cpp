@@ -21,17 +21,17 @@ struct Box {
     Vec3 lo, hi;
 };
 
-constexpr float farthest = 1e6f;                                 // m
-constexpr std::size_t most_indices = 3 * (std::size_t(1) << 28); // so that three times a triangle's index fits
+constexpr float farthest = 1e6f;                                // m
+constexpr std::size_t max_indices = 3 * (std::size_t(1) << 28); // so that three times a triangle's index fits
 
 // A triangle whose height over its longest side is less than this part of that side has no area to speak of: rounding
 // its corners to float alone may have made it, and its normal would say nothing.
-constexpr double least_height = 1.0 / (1 << 22);
+constexpr double min_height = 1.0 / (1 << 22);
 
 void check(std::span<const Vec3> vertices, std::span<const std::uint32_t> indices) {
-    if (vertices.size() > most_indices)
+    if (vertices.size() > max_indices)
         refuse("Mesh vertices", std::to_string(vertices.size()), "must be at most 3 x 2^28");
-    if (indices.size() > most_indices)
+    if (indices.size() > max_indices)
         refuse("Mesh indices", std::to_string(indices.size()), "must be at most 3 x 2^28");
     if (indices.size() % 3 != 0)
         refuse("Mesh indices", std::to_string(indices.size()), "their number must be a multiple of three");
@@ -69,7 +69,7 @@ bool has_area(Vec3 a, Vec3 b, Vec3 c) {
     const DVec3 p = math::to_double(a), q = math::to_double(b), r = math::to_double(c);
     const DVec3 u = q - p, v = r - p, w = r - q;
     const double longest = std::max({math::dot(u, u), math::dot(v, v), math::dot(w, w)});
-    return math::length(math::cross(u, v)) > least_height * longest;
+    return math::length(math::cross(u, v)) > min_height * longest;
 }
 
 Box bounds_of(Vec3 a, Vec3 b, Vec3 c) { return {math::min(math::min(a, b), c), math::max(math::max(a, b), c)}; }

@@ -142,9 +142,9 @@ inline std::uint32_t neighbor_of(const HeightFieldData& field, std::uint32_t ind
 // Calls f(index of triangle), in ascending order, for each triangle whose bounds meet the box from lo to hi in the
 // shape's frame (touching counts).
 template <class F> void for_each_triangle(const MeshData& mesh, math::Vec3 lo, math::Vec3 hi, F&& f) {
-    constexpr std::size_t most_levels = 11; // of eight boxes each: there are fewer than 2^32 triangles
-    unsigned left[most_levels];             // of the block that is looked at in each level
-    std::size_t blocks[most_levels];
+    constexpr std::size_t max_levels = 11; // of eight boxes each: there are fewer than 2^32 triangles
+    unsigned left[max_levels];             // of the block that is looked at in each level
+    std::size_t blocks[max_levels];
     const std::size_t top = mesh.levels.size() - 1;
     std::size_t level = top;
     blocks[top] = 0, left[top] = mesh.levels[top][0].meets(lo, hi);

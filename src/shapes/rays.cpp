@@ -177,7 +177,7 @@ Chord hull_chord(const HullData& hull, DVec3 o, DVec3 d) {
 // shape, at o; the ray itself at the distance `start` along it.
 std::optional<ShapeRayHit> cast_rounded(const Geometry& shape, const ShapeData& data, DVec3 o, DVec3 d, double start,
                                         double max_distance) {
-    constexpr int most_rounds = 64; // each at least halves what is left
+    constexpr int max_rounds = 64; // each at least halves what is left
     const double radius = double(shape.rounding), size = double(shape.bounding_radius), tolerance = 1e-9 * size;
     const DVec3 to_middle = math::to_double(shape.middle) - o;
     const double nearest = math::dot(to_middle, d);
@@ -190,7 +190,7 @@ std::optional<ShapeRayHit> cast_rounded(const Geometry& shape, const ShapeData& 
     Convex point;
     const CorePair pair{{&point, false, 0}, exact_core(convex)};
     DVec3 normal; // outward
-    for (int round = 0; round < most_rounds && at <= last; ++round) {
+    for (int round = 0; round < max_rounds && at <= last; ++round) {
         point.center = o + at * d;
         const GjkResult r = gjk_distance(pair, round > 0 ? -normal : DVec3{}, infinity);
         const bool is_inside = r.state == GjkResult::State::overlapping || r.distance < radius - tolerance;

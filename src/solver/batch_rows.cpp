@@ -1,4 +1,4 @@
-// The rows and lanes of a bin: bodies and contacts in, and bodies out again.
+// The rows and lanes of a batch: bodies and contacts in, and bodies out again.
 #include "solver/batch_rows.h"
 
 #include "bodies/bodies.h"
@@ -45,15 +45,15 @@ class IslandSum {
     math::DVec3 momentum_;
 };
 
-// Bodies of the bin's islands, what the islands weigh, and how they move.
-void gather_bodies(State& s, const Bin& bin, BinScratch& scratch) {
+// Bodies of the batch's islands, what the islands weigh, and how they move.
+void gather_bodies(State& s, const IslandBatch& batch, BatchScratch& scratch) {
     const auto& g = s.settings.gravity;
     const float gravity = math::length(math::Vec3{g.x, g.y, g.z});
     scratch.row_of_body.resize(s.bodies.size(), none);
     scratch.touching_bodies.clear();
     scratch.free_bodies.clear();
-    for (std::int32_t k = 0; k < bin.island_count; ++k) {
-        Island& island = s.islands[s.solver.bin_islands[bin.first_island + k]];
+    for (std::int32_t k = 0; k < batch.island_count; ++k) {
+        Island& island = s.islands[s.solver.batch_islands[batch.first_island + k]];
         IslandSum sum;
         for (std::int32_t b = island.first_body; b != none; b = s.bodies[b].next_in_island) {
             sum.add(s.mass[b], s.motion[b]);
@@ -66,7 +66,7 @@ void gather_bodies(State& s, const Bin& bin, BinScratch& scratch) {
 }
 
 // Bodies get their rows in the order of their indices, as they lie in memory (decisions/cache.md).
-void number_rows(BinScratch& scratch) {
+void number_rows(BatchScratch& scratch) {
     scratch.row_bodies = scratch.touching_bodies;
     sort_distinct(scratch.row_bodies, scratch.row_marks);
     scratch.row_bodies.insert(scratch.row_bodies.begin(), std::size_t(first_body_row), none);
@@ -74,12 +74,12 @@ void number_rows(BinScratch& scratch) {
         scratch.row_of_body[scratch.row_bodies[row]] = std::int32_t(row);
 }
 
-std::int32_t row_of(BinScratch& scratch, std::int32_t body) {
+std::int32_t row_of(BatchScratch& scratch, std::int32_t body) {
     return body == none ? fixed_row : row_of_body(scratch, body);
 }
 
 // B of a contact with a surface that moves.
-std::int32_t conveyor_row(BinScratch& scratch, std::uint32_t contact) {
+std::int32_t conveyor_row(BatchScratch& scratch, std::uint32_t contact) {
     const std::int32_t row = std::int32_t(scratch.row_bodies.size());
     scratch.row_bodies.push_back(none);
     scratch.conveyor_rows.push_back({row, contact});
@@ -87,7 +87,7 @@ std::int32_t conveyor_row(BinScratch& scratch, std::uint32_t contact) {
 }
 
 // The surface's velocity counts along the surface only: the shape itself stays where it is.
-void fill_conveyor_rows(const State& s, BinScratch& scratch) {
+void fill_conveyor_rows(const State& s, BatchScratch& scratch) {
     for (const ConveyorRow& conveyor : scratch.conveyor_rows) {
         const ContactInfo& c = s.contacts[conveyor.contact];
         const ContactRecord& r = s.records[conveyor.contact];
@@ -117,14 +117,14 @@ void end_run(LaneLists& lanes, BlockRun& run) {
     run.count = std::int32_t(lanes.record.size() / 8) - run.first;
 }
 
-// Lays the bin's contacts into blocks of 8 lanes, color by color.
-void fill_lanes(const State& s, const Bin& bin, BinScratch& scratch) {
+// Lays the batch's contacts into blocks of 8 lanes, color by color.
+void fill_lanes(const State& s, const IslandBatch& batch, BatchScratch& scratch) {
     scratch.one_lanes.clear();
     scratch.four_lanes.clear();
     scratch.colors.clear();
     scratch.conveyor_rows.clear();
-    std::int32_t k = bin.first_contact;
-    const std::int32_t end = bin.first_contact + bin.contact_count;
+    std::int32_t k = batch.first_contact;
+    const std::int32_t end = batch.first_contact + batch.contact_count;
     while (k < end) {
         const std::uint8_t color = s.solver.sorted[k].color;
         ColorRun runs{begin_run(scratch.four_lanes, true), begin_run(scratch.one_lanes, false)};
@@ -150,11 +150,11 @@ void fill_lanes(const State& s, const Bin& bin, BinScratch& scratch) {
 }
 
 // One body into its row; rows that are no bodies are all zero.
-void fill_row(State& s, BinScratch& scratch, std::size_t row, std::uint64_t& clamped_speeds) {
+void fill_row(State& s, BatchScratch& scratch, std::size_t row, std::uint64_t& clamped_speeds) {
     const std::int32_t b = scratch.row_bodies[row];
     if (b == none) return;
     BodyMotion& motion = s.motion[b];
-    const bool is_dynamic = s.is_dynamic(b); // kinematic ones may be in other bins as well
+    const bool is_dynamic = s.is_dynamic(b); // kinematic ones may be in other batches as well
     if (is_dynamic && clamp_velocity(s.settings, motion.v, motion.w)) ++clamped_speeds;
     scratch.velocity[row] = scratch.reference[row] = to_row(motion.v, motion.w);
     if (!is_dynamic) return;
@@ -166,7 +166,7 @@ void fill_row(State& s, BinScratch& scratch, std::size_t row, std::uint64_t& cla
     scratch.inertia[row] = {mass.inverse_mass, i.xx, i.xy, i.xz, i.yy, i.yz, i.zz, 0};
 }
 
-void fill_rows(State& s, BinScratch& scratch, Crew* crew) {
+void fill_rows(State& s, BatchScratch& scratch, ThreadPool* thread_pool) {
     while (scratch.row_bodies.size() % 8 != 0) scratch.row_bodies.push_back(none);
     const std::size_t rows = scratch.row_count();
     const std::size_t all = rows + std::max(scratch.block_count(), rows / 8);
@@ -177,7 +177,7 @@ void fill_rows(State& s, BinScratch& scratch, Crew* crew) {
     scratch.inertia.assign(all, {});
     scratch.row_traits.assign(rows, 0);
     std::atomic<std::uint64_t> clamped_speeds = 0;
-    for_chunks(crew, int(rows), rows_per_chunk, [&](int begin, int end, int) {
+    for_chunks(thread_pool, int(rows), rows_per_chunk, [&](int begin, int end, int) {
         std::uint64_t clamped = 0;
         for (int row = begin; row < end; ++row) {
             if (const auto ahead = std::size_t(row) + bodies_ahead; ahead < rows && scratch.row_bodies[ahead] != none)
@@ -202,7 +202,7 @@ bool cut_way(const WorldDef& settings, float dt, math::DVec3& dx, math::Quat& dq
 }
 
 // Moves a body by what its row has moved. What is not finite any more stops where it was, and is counted.
-std::uint64_t scatter_body(State& s, const BinScratch& scratch, std::int32_t b, std::size_t row, float dt) {
+std::uint64_t scatter_body(State& s, const BatchScratch& scratch, std::int32_t b, std::size_t row, float dt) {
     const SolverVelocity& velocity = scratch.velocity[row];
     const SolverPose& pose = scratch.pose[row];
     BodyMotion& motion = s.motion[b];
@@ -238,21 +238,21 @@ void prefetch_ahead(const State& s, const std::vector<std::int32_t>& bodies, std
 
 } // namespace
 
-void fill_bin(State& s, const Bin& bin, BinScratch& scratch, Crew* crew, float dt) {
-    gather_bodies(s, bin, scratch);
+void fill_batch(State& s, const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool, float dt) {
+    gather_bodies(s, batch, scratch);
     scratch.row_bodies.clear();
-    if (scratch.touching_bodies.empty() && bin.contact_count + bin.joint_count == 0) return;
+    if (scratch.touching_bodies.empty() && batch.contact_count + batch.joint_count == 0) return;
     number_rows(scratch);
-    fill_lanes(s, bin, scratch);
-    fill_joint_lanes(s, bin, scratch, crew, dt);
-    fill_rows(s, scratch, crew);
+    fill_lanes(s, batch, scratch);
+    fill_joint_lanes(s, batch, scratch, thread_pool, dt);
+    fill_rows(s, scratch, thread_pool);
 }
 
-void empty_bin(State& s, BinScratch& scratch, Crew* crew, float dt) {
-    std::vector<BinScratch>& threads = s.solver.at_work;
+void empty_batch(State& s, BatchScratch& scratch, ThreadPool* thread_pool, float dt) {
+    std::vector<BatchScratch>& threads = s.solver.at_work;
     const int rows = int(scratch.row_count());
-    for_chunks(crew, rows, rows_per_chunk, [&](int begin, int end, int thread) {
-        BinScratch& own = crew ? threads[thread] : scratch;
+    for_chunks(thread_pool, rows, rows_per_chunk, [&](int begin, int end, int thread) {
+        BatchScratch& own = thread_pool ? threads[thread] : scratch;
         for (int row = begin; row < end; ++row) {
             prefetch_ahead(s, scratch.row_bodies, std::size_t(row));
             const std::int32_t b = scratch.row_bodies[row];
@@ -263,8 +263,8 @@ void empty_bin(State& s, BinScratch& scratch, Crew* crew, float dt) {
             finalize_body(s, b, dt, own.escaped);
         }
     });
-    for_chunks(crew, int(scratch.free_bodies.size()), rows_per_chunk, [&](int begin, int end, int thread) {
-        BinScratch& own = crew ? threads[thread] : scratch;
+    for_chunks(thread_pool, int(scratch.free_bodies.size()), rows_per_chunk, [&](int begin, int end, int thread) {
+        BatchScratch& own = thread_pool ? threads[thread] : scratch;
         for (int k = begin; k < end; ++k) {
             prefetch_ahead(s, scratch.free_bodies, std::size_t(k));
             const std::int32_t b = scratch.free_bodies[k];

@@ -1,13 +1,13 @@
-// The rows and lanes of a bin: bodies and contacts in, and bodies out again.
+// The rows and lanes of a batch: bodies and contacts in, and bodies out again.
 #pragma once
 
 #include "state/state.h"
 
 namespace cairn {
 
-// Lays out the rows and lanes of a bin, and fills them.
-void fill_bin(State& state, const Bin& bin, BinScratch& scratch, Crew* crew, float dt);
+// Lays out the rows and lanes of a batch, and fills them.
+void fill_batch(State& state, const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool, float dt);
 // Moves the bodies by what their rows have moved, and finalizes them.
-void empty_bin(State& state, BinScratch& scratch, Crew* crew, float dt);
+void empty_batch(State& state, BatchScratch& scratch, ThreadPool* thread_pool, float dt);
 
 } // namespace cairn

@@ -1,7 +1,7 @@
-// The blocks of a bin, color by color: how kernels are called for them, by one thread or by all.
+// The blocks of a batch, color by color: how kernels are called for them, by one thread or by all.
 #pragma once
 
-#include "jobs/crew.h"
+#include "jobs/thread_pool.h"
 #include "kernels/kernels.h"
 #include "state/state.h"
 
@@ -13,27 +13,27 @@ namespace cairn {
 inline const SolverKernels::ForPoints& kernels_for(const BlockRun& run) {
     return run.four_points ? kernels().solver.four_points : kernels().solver.one_point;
 }
-inline void* blocks_of(BinScratch& scratch, const BlockRun& run) {
+inline void* blocks_of(BatchScratch& scratch, const BlockRun& run) {
     if (run.four_points) return scratch.four_blocks.data() + run.first;
     return scratch.one_blocks.data() + run.first;
 }
 // Two chunks for each thread, so that they end together; whole groups of the four blocks that are solved side by side.
 // Handing out fewer blocks than these takes longer than solving them.
-inline int blocks_per_chunk(const Crew* crew, int count) {
-    constexpr int side_by_side = 4, least_handed_out = 12;
-    if (!crew || count < least_handed_out) return count;
-    return (count / (2 * crew->threads()) + side_by_side) / side_by_side * side_by_side;
+inline int blocks_per_chunk(const ThreadPool* thread_pool, int count) {
+    constexpr int side_by_side = 4, min_handed_out = 12;
+    if (!thread_pool || count < min_handed_out) return count;
+    return (count / (2 * thread_pool->threads()) + side_by_side) / side_by_side * side_by_side;
 }
 
 // Calls kernel(its kernels, run) for the blocks of every color, one color after the other, or for chunks of them.
-template <class F> void for_blocks(BinScratch& scratch, Crew* crew, F&& kernel) {
+template <class F> void for_blocks(BatchScratch& scratch, ThreadPool* thread_pool, F&& kernel) {
     auto work = [&](const BlockRun& run, int begin, int end) {
         const BlockRun part{run.four_points, run.first + begin, end - begin};
         if (part.count > 0) kernel(kernels_for(part), part);
     };
     for (const ColorRun& color : scratch.colors) {
         const int fours = color.four_points.count, all = fours + color.one_point.count;
-        for_chunks(crew, all, blocks_per_chunk(crew, all), [&](int begin, int end, int) {
+        for_chunks(thread_pool, all, blocks_per_chunk(thread_pool, all), [&](int begin, int end, int) {
             work(color.four_points, std::min(begin, fours), std::min(end, fours));
             work(color.one_point, std::max(begin, fours) - fours, std::max(end, fours) - fours);
         });
@@ -41,10 +41,10 @@ template <class F> void for_blocks(BinScratch& scratch, Crew* crew, F&& kernel) 
 }
 
 // Calls f(run) for every run of joint rows, or for chunks of them.
-template <class F> void for_joint_runs(BinScratch& scratch, Crew* crew, F&& f) {
+template <class F> void for_joint_runs(BatchScratch& scratch, ThreadPool* thread_pool, F&& f) {
     for (const JointRun& run : scratch.joint_layout->runs) {
         const int count = int(run.count);
-        for_chunks(crew, count, blocks_per_chunk(crew, count), [&](int begin, int end, int) {
+        for_chunks(thread_pool, count, blocks_per_chunk(thread_pool, count), [&](int begin, int end, int) {
             JointRun part = run;
             part.first += std::uint32_t(begin);
             part.count = std::uint32_t(end - begin);
@@ -54,7 +54,7 @@ template <class F> void for_joint_runs(BinScratch& scratch, Crew* crew, F&& f) {
 }
 
 // Calls kernel(its kernels, its blocks) for the blocks of a run.
-template <class F> void with_joint_blocks(BinScratch& scratch, const JointRun& run, F&& kernel) {
+template <class F> void with_joint_blocks(BatchScratch& scratch, const JointRun& run, F&& kernel) {
     const JointKernels& k = kernels().joints;
     const std::size_t first = std::size_t(run.first);
     switch (run.type) {
@@ -71,8 +71,8 @@ template <class F> void with_joint_blocks(BinScratch& scratch, const JointRun& r
 }
 
 // Calls kernel(its kernels, its blocks, count) for the blocks of every run of joint rows, or for chunks of them.
-template <class F> void for_joint_blocks(BinScratch& scratch, Crew* crew, F&& kernel) {
-    for_joint_runs(scratch, crew, [&](const JointRun& run) {
+template <class F> void for_joint_blocks(BatchScratch& scratch, ThreadPool* thread_pool, F&& kernel) {
+    for_joint_runs(scratch, thread_pool, [&](const JointRun& run) {
         with_joint_blocks(scratch, run,
                           [&](const JointKernels::ForRows& k, void* blocks) { kernel(k, blocks, int(run.count)); });
     });

@@ -1,4 +1,4 @@
-// An impact goes over what joints hold to the struck bodies, and over the contacts of that. A large bin has several
+// An impact goes over what joints hold to the struck bodies, and over the contacts of that. A large batch has several
 // impacts in a step, each of which strikes few of its bodies. So what each row has is found once in a step, and an
 // impact looks only at what it strikes.
 
@@ -28,7 +28,7 @@ void unite(std::vector<std::int32_t>& parent, std::int32_t a, std::int32_t b) {
     parent[std::max(root_a, root_b)] = std::min(root_a, root_b);
 }
 
-void find_components(const State& s, BinScratch& scratch) {
+void find_components(const State& s, BatchScratch& scratch) {
     ImpactWork& work = scratch.impact;
     const std::vector<std::uint32_t>& joints = scratch.joint_layout->joints;
     const std::size_t rows = scratch.row_count();
@@ -72,7 +72,7 @@ void add_run(ImpactWork& work, int type, std::size_t first, std::size_t count) {
     std::fill_n(run_of_block.begin() + std::ptrdiff_t(first), count, std::uint32_t(work.listed_runs.size()));
     work.listed_runs.push_back({type, std::uint32_t(first), 0, 0});
 }
-void find_runs(BinScratch& scratch) {
+void find_runs(BatchScratch& scratch) {
     ImpactWork& work = scratch.impact;
     work.listed_runs.clear();
     for (const JointRun& run : scratch.joint_layout->runs) add_run(work, int(run.type), run.first, run.count);
@@ -82,7 +82,7 @@ void find_runs(BinScratch& scratch) {
     }
 }
 
-void begin_lists(const State& s, BinScratch& scratch) {
+void begin_lists(const State& s, BatchScratch& scratch) {
     ImpactWork& work = scratch.impact;
     if (work.has_components) {
         for (const std::int32_t row : work.rows) work.group[row] = none;
@@ -102,7 +102,7 @@ void begin_lists(const State& s, BinScratch& scratch) {
 // --- what is struck
 
 // Both bodies of a struck contact.
-template <class Block> void mark_struck(BinScratch& scratch, const LaneLists& lanes, std::vector<Block>& blocks) {
+template <class Block> void mark_struck(BatchScratch& scratch, const LaneLists& lanes, std::vector<Block>& blocks) {
     ImpactWork& work = scratch.impact;
     for (std::size_t k = 0; k < lanes.record.size() / 8; ++k) {
         if (blocks[k].struck == 0) continue;
@@ -131,7 +131,7 @@ void list_lane(ImpactWork& work, int type, std::size_t lane, std::int32_t row) {
     work.listed.push_back({std::uint32_t(lane), row, run, 0});
 }
 
-void list_joints(BinScratch& scratch, std::int32_t row) {
+void list_joints(BatchScratch& scratch, std::int32_t row) {
     const JointLayout& layout = *scratch.joint_layout;
     scratch.impact.joints_of.for_each(row, [&](std::size_t joint) {
         for (std::uint32_t k = layout.first_row[joint]; k < layout.first_row[joint + 1]; ++k)
@@ -139,11 +139,11 @@ void list_joints(BinScratch& scratch, std::int32_t row) {
     });
 }
 
-float square_speed(const BinScratch& scratch, std::size_t row) {
+float square_speed(const BatchScratch& scratch, std::size_t row) {
     const math::Vec3 v = math::to_vec(scratch.velocity[row].v);
     return math::dot(v, v);
 }
-float measured_speed(BinScratch& scratch, std::int32_t holder) {
+float measured_speed(BatchScratch& scratch, std::int32_t holder) {
     ImpactWork& work = scratch.impact;
     work.measured.push_back(holder);
     float greatest = 0;
@@ -155,7 +155,7 @@ float measured_speed(BinScratch& scratch, std::int32_t holder) {
     return std::sqrt(greatest);
 }
 // Of the fastest body of its component, or of what no force moves.
-float speed_of(BinScratch& scratch, std::int32_t row) {
+float speed_of(BatchScratch& scratch, std::int32_t row) {
     const std::int32_t component = scratch.impact.component[row];
     const std::int32_t holder = component == fixed_row ? row : component;
     float& speed = scratch.impact.speed[holder];
@@ -172,7 +172,7 @@ template <class Block> float closing_speed(const Block& b, std::size_t lane, flo
 
 // The contacts of a row that the impact may close.
 template <class Block>
-void list_contacts(BinScratch& scratch, int type, std::int32_t row, const RowLists& sides, const LaneLists& lanes,
+void list_contacts(BatchScratch& scratch, int type, std::int32_t row, const RowLists& sides, const LaneLists& lanes,
                    const std::vector<Block>& blocks, float h) {
     ImpactWork& work = scratch.impact;
     sides.for_each(row, [&](std::size_t side) {
@@ -212,7 +212,7 @@ void put_together(std::vector<Part>& parts, std::vector<Item>& items, std::vecto
 
 // What contacts or joints that take part do not connect, even over others, cannot strike each other: it settles each
 // for itself.
-void find_groups(BinScratch& scratch) {
+void find_groups(BatchScratch& scratch) {
     ImpactWork& work = scratch.impact;
     for (const std::int32_t row : work.rows) {
         std::int32_t& place = work.place_of[root_of(work.group, row)];
@@ -231,7 +231,7 @@ void find_groups(BinScratch& scratch) {
 
 } // namespace
 
-void list_impact(const State& s, BinScratch& scratch, float h) {
+void list_impact(const State& s, BatchScratch& scratch, float h) {
     ImpactWork& work = scratch.impact;
     begin_lists(s, scratch);
     mark_struck(scratch, scratch.one_lanes, scratch.one_blocks);

@@ -10,12 +10,12 @@ namespace cairn {
 
 namespace {
 
-constexpr int most_passes = 48;
+constexpr int max_passes = 48;
 // m/s, rad/s: a group whose bodies change by less in a pass has settled.
 constexpr SettledChange settled = {0.02f, 0.08f};
 
-// Calls f(its blocks in the bin, its struck blocks) for one type of blocks.
-template <class F> void with_type(BinScratch& scratch, int type, F&& f) {
+// Calls f(its blocks in the batch, its struck blocks) for one type of blocks.
+template <class F> void with_type(BatchScratch& scratch, int type, F&& f) {
     auto& blocks = scratch.impact.blocks;
     switch (type) {
     case int(JointRowType::point):
@@ -30,17 +30,17 @@ template <class F> void with_type(BinScratch& scratch, int type, F&& f) {
         return f(scratch.four_blocks, std::get<four_points_type>(blocks));
     }
 }
-template <class F> void for_types(BinScratch& scratch, F&& f) {
+template <class F> void for_types(BatchScratch& scratch, F&& f) {
     for (int type = 0; type <= four_points_type; ++type) with_type(scratch, type, f);
 }
 
 // --- blocks of their own
 
 // Lanes of blocks of one form may lie in one block. What is not in it is the same in the whole run.
-std::uint8_t form_of(const PointBlock& b) { return b.even; }
-std::uint8_t form_of(const TurnBlock& b) { return b.even; }
-std::uint8_t form_of(const AxisBlock& b) { return std::uint8_t(b.even | b.has_limits << 1); }
-template <int N> std::uint8_t form_of(const ContactBlock<N>& b) { return b.even; }
+std::uint8_t form_of(const PointBlock& b) { return b.isotropic; }
+std::uint8_t form_of(const TurnBlock& b) { return b.isotropic; }
+std::uint8_t form_of(const AxisBlock& b) { return std::uint8_t(b.isotropic | b.has_limits << 1); }
+template <int N> std::uint8_t form_of(const ContactBlock<N>& b) { return b.isotropic; }
 
 // Where a body's velocity goes that does not move by forces: none of its own business, but that of the block.
 template <class Block> void redirect(Block& b, std::size_t lane, std::uint32_t first_discard, std::uint32_t discard) {
@@ -78,11 +78,11 @@ template <class Block> void copy_bodies(Block& to, std::size_t lane, const Block
 }
 template <class Block> void copy_ends(Block& to, std::size_t lane, const Block& from, std::size_t from_lane) {
     copy_bodies(to, lane, from, from_lane);
-    take_row(to.even_a, lane, from.even_a, from_lane);
-    take_row(to.even_b, lane, from.even_b, from_lane);
+    take_row(to.isotropic_a, lane, from.isotropic_a, from_lane);
+    take_row(to.isotropic_b, lane, from.isotropic_b, from_lane);
     take_row(to.rest.write_a, lane, from.rest.write_a, from_lane);
     take_row(to.rest.write_b, lane, from.rest.write_b, from_lane);
-    if (from.even) return;
+    if (from.isotropic) return;
     take_rows(to.rest.inertia_a, lane, from.rest.inertia_a, from_lane);
     take_rows(to.rest.inertia_b, lane, from.rest.inertia_b, from_lane);
 }
@@ -136,10 +136,10 @@ void copy_lane(ContactBlock<N>& to, std::size_t lane, const ContactBlock<N>& fro
     take_rows(to.total_tangent, lane, from.total_tangent, from_lane);
 }
 
-// Copies lanes of one run of the bin's blocks, by form and group. There are never more blocks than in the bin, so that
-// each has a discard row there.
+// Copies lanes of one run of the batch's blocks, by form and group. There are never more blocks than in the batch, so
+// that each has a discard row there.
 template <class Block, class Impact>
-void copy_run(BinScratch& scratch, const ImpactWork::ListedRun& run, const std::vector<Block>& from,
+void copy_run(BatchScratch& scratch, const ImpactWork::ListedRun& run, const std::vector<Block>& from,
               StruckBlocks<Block, Impact>& to, std::int32_t first_discard_row) {
     ImpactWork& work = scratch.impact;
     const auto begin = work.listed.begin() + std::ptrdiff_t(run.begin),
@@ -170,7 +170,7 @@ void copy_run(BinScratch& scratch, const ImpactWork::ListedRun& run, const std::
     work.runs.push_back({run.type, std::uint32_t(first), std::uint32_t(to.blocks.size() - first)});
 }
 
-void copy_listed(BinScratch& scratch) {
+void copy_listed(BatchScratch& scratch) {
     const std::int32_t ones = scratch.first_discard_row(),
                        fours = ones + std::int32_t(scratch.one_lanes.record.size() / 8);
     const auto joints = scratch.first_joint_discard_rows();
@@ -182,7 +182,7 @@ void copy_listed(BinScratch& scratch) {
     }
 }
 
-void begin_impact(const State& s, BinScratch& scratch, float h) {
+void begin_impact(const State& s, BatchScratch& scratch, float h) {
     for_types(scratch, [](auto&, auto& struck) { struck.clear(); });
     scratch.impact.runs.clear();
     list_impact(s, scratch, h);
@@ -191,7 +191,7 @@ void begin_impact(const State& s, BinScratch& scratch, float h) {
 
 // --- passes
 
-void strike_run(BinScratch& scratch, int type, std::size_t first, int count, float h) {
+void strike_run(BatchScratch& scratch, int type, std::size_t first, int count, float h) {
     SolverVelocity* const velocity = scratch.velocity.data();
     with_type(scratch, type, [&](auto&, auto& struck) {
         auto* const blocks = struck.blocks.data() + first;
@@ -207,15 +207,16 @@ void strike_run(BinScratch& scratch, int type, std::size_t first, int count, flo
     });
 }
 
-void strike_all(BinScratch& scratch, Crew* crew, float h) {
+void strike_all(BatchScratch& scratch, ThreadPool* thread_pool, float h) {
     for (const StruckRun& run : scratch.impact.runs)
-        for_chunks(crew, int(run.count), blocks_per_chunk(crew, int(run.count)), [&](int begin, int end, int) {
-            strike_run(scratch, run.type, run.first + std::size_t(begin), end - begin, h);
-        });
+        for_chunks(thread_pool, int(run.count), blocks_per_chunk(thread_pool, int(run.count)),
+                   [&](int begin, int end, int) {
+                       strike_run(scratch, run.type, run.first + std::size_t(begin), end - begin, h);
+                   });
 }
 
 // Lanes of groups that have settled take part no longer.
-void retire_lanes(BinScratch& scratch) {
+void retire_lanes(BatchScratch& scratch) {
     const std::vector<ImpactWork::Group>& groups = scratch.impact.groups;
     for_types(scratch, [&](auto&, auto& struck) {
         for (std::size_t k = 0; k < struck.impacts.size(); ++k)
@@ -228,7 +229,7 @@ void retire_lanes(BinScratch& scratch) {
 }
 
 // Groups that have settled leave. Whether any is left.
-bool settle_groups(BinScratch& scratch) {
+bool settle_groups(BatchScratch& scratch) {
     ImpactWork& work = scratch.impact;
     bool any_left = false, any_settled = false;
     for (ImpactWork::Group& group : work.groups) {
@@ -246,7 +247,7 @@ bool settle_groups(BinScratch& scratch) {
 // --- and back
 
 // What an impact has changed goes to the reference too, and is not carried. Likewise what the rounding leaves over.
-void add_to_references(BinScratch& scratch) {
+void add_to_references(BatchScratch& scratch) {
     const ImpactWork& work = scratch.impact;
     const auto add = [](const float* before, const float* now, float* reference, float* rounding) {
         for (int i = 0; i < 3; ++i) {
@@ -275,7 +276,7 @@ void take_totals(AxisBlock& to, std::size_t lane, const AxisBlock& from, std::si
     to.total[lane] = from.total[from_lane];
 }
 
-void take_all_totals(BinScratch& scratch) {
+void take_all_totals(BatchScratch& scratch) {
     for_types(scratch, [](auto& blocks, auto& struck) {
         for (std::size_t i = 0; i < struck.lanes.size(); ++i) {
             const std::size_t source = struck.lanes[i].source;
@@ -286,12 +287,13 @@ void take_all_totals(BinScratch& scratch) {
 
 } // namespace
 
-void solve_impacts(const State& s, BinScratch& scratch, Crew* crew, float h, std::atomic<int>& struck_contacts) {
+void solve_impacts(const State& s, BatchScratch& scratch, ThreadPool* thread_pool, float h,
+                   std::atomic<int>& struck_contacts) {
     if (struck_contacts == 0) return;
     struck_contacts = 0;
     begin_impact(s, scratch, h);
-    for (int pass = 0; pass < most_passes; ++pass) {
-        strike_all(scratch, crew, h);
+    for (int pass = 0; pass < max_passes; ++pass) {
+        strike_all(scratch, thread_pool, h);
         if (!settle_groups(scratch)) break;
     }
     add_to_references(scratch);

@@ -2,7 +2,7 @@
 // docs/solver.md says why.
 #pragma once
 
-#include "jobs/crew.h"
+#include "jobs/thread_pool.h"
 #include "state/state.h"
 
 #include <atomic>
@@ -12,8 +12,9 @@ namespace cairn {
 inline constexpr float impact_speed = 0.75f; // m/s: slower approaches are left to the solver
 inline constexpr float no_impact_speed = 1e30f;
 
-// After the solver has gone over all rows of a bin. `struck_contacts`: whether it left any block's to be solved here;
+// After the solver has gone over all rows of a batch. `struck_contacts`: whether it left any block's to be solved here;
 // it is set back to 0.
-void solve_impacts(const State& state, BinScratch& scratch, Crew* crew, float h, std::atomic<int>& struck_contacts);
+void solve_impacts(const State& state, BatchScratch& scratch, ThreadPool* thread_pool, float h,
+                   std::atomic<int>& struck_contacts);
 
 } // namespace cairn

@@ -1,4 +1,4 @@
-// Packing islands into bins and sorting their contacts.
+// Packing islands into batches and sorting their contacts.
 #include "solver/island_batches.h"
 
 #include "contacts/contact_update.h"
@@ -14,9 +14,9 @@ namespace cairn {
 
 namespace {
 
-constexpr std::int32_t bin_contacts = 300; // enough to fill lanes, and few, so that threads end together
-constexpr std::int32_t bin_bodies = 4096;
-constexpr std::uint32_t keys_per_bin = 256; // color, whether it bears anything, and one point or more
+constexpr std::int32_t batch_contacts = 300; // enough to fill lanes, and few, so that threads end together
+constexpr std::int32_t batch_bodies = 4096;
+constexpr std::uint32_t keys_per_batch = 256; // color, whether it bears anything, and one point or more
 constexpr int contacts_per_chunk = 512;     // for threads
 
 // Overflow first, then moving pairs by color, then pairs with what does not move. Within a color no two share a body
@@ -38,17 +38,17 @@ void rescale_impulses(ContactInfo& c, ContactRecord& r, float h) {
     c.substep_time = h;
 }
 
-void open_bin(SolverScratch& scratch, const Island& island) {
-    Bin bin;
-    bin.substeps = island.substeps;
-    scratch.bins.push_back(bin);
+void open_batch(SolverScratch& scratch, const Island& island) {
+    IslandBatch batch;
+    batch.substeps = island.substeps;
+    scratch.batches.push_back(batch);
 }
 
 // All that is needed of the contacts to be solved, side by side: they lie scattered.
 void collect_contacts(State& s) {
     std::vector<SortedContact>& contacts = s.solver.unsorted;
     contacts.resize(s.solved.size());
-    s.crew->for_chunks(int(s.solved.size()), contacts_per_chunk, [&](int begin, int end, int) {
+    s.thread_pool->for_chunks(int(s.solved.size()), contacts_per_chunk, [&](int begin, int end, int) {
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
             if (k + 4 * contacts_ahead < std::size_t(end)) ask_cache(&s.contacts[s.solved[k + 4 * contacts_ahead]]);
             if (k + 2 * contacts_ahead < std::size_t(end))
@@ -83,54 +83,54 @@ void count_contacts(SolverScratch& scratch) {
 
 } // namespace
 
-void pack_bins(State& s, float dt) {
+void pack_batches(State& s, float dt) {
     SolverScratch& scratch = s.solver;
-    scratch.bins.clear();
+    scratch.batches.clear();
     // Of awake islands only: there may be many more that sleep.
     scratch.contacts_of_island.resize(s.islands.size());
-    scratch.bin_of_island.resize(s.islands.size());
+    scratch.batch_of_island.resize(s.islands.size());
     for (const std::int32_t i : s.awake_islands) scratch.contacts_of_island[i] = 0;
     collect_contacts(s);
     count_contacts(scratch);
 
-    // One bin is open for each number of substeps; it closes when it is full.
-    scratch.open_bins.assign(std::size_t(max_substeps) + 1, none);
+    // One batch is open for each number of substeps; it closes when it is full.
+    scratch.open_batches.assign(std::size_t(max_substeps) + 1, none);
     for (const std::int32_t i : s.awake_islands) {
         Island& island = s.islands[i];
         island.substeps = island_substeps(s, island);
-        std::int32_t& open = scratch.open_bins[island.substeps];
+        std::int32_t& open = scratch.open_batches[island.substeps];
         if (open == none) {
-            open = std::int32_t(scratch.bins.size());
-            open_bin(scratch, island);
+            open = std::int32_t(scratch.batches.size());
+            open_batch(scratch, island);
         }
-        Bin& bin = scratch.bins[open];
-        scratch.bin_of_island[i] = open;
-        ++bin.island_count;
-        bin.body_count += island.body_count;
-        bin.contact_count += scratch.contacts_of_island[i];
-        bin.joint_count += island.joint_count;
-        if (bin.contact_count + bin.joint_count >= bin_contacts || bin.body_count >= bin_bodies) open = none;
+        IslandBatch& batch = scratch.batches[open];
+        scratch.batch_of_island[i] = open;
+        ++batch.island_count;
+        batch.body_count += island.body_count;
+        batch.contact_count += scratch.contacts_of_island[i];
+        batch.joint_count += island.joint_count;
+        if (batch.contact_count + batch.joint_count >= batch_contacts || batch.body_count >= batch_bodies) open = none;
     }
 
-    // Islands and contacts in bin order (counting sorts, stable).
+    // Islands and contacts in batch order (counting sorts, stable).
     std::int32_t islands = 0, contacts = 0;
-    for (Bin& bin : scratch.bins) {
-        bin.first_island = islands;
-        bin.first_contact = contacts;
-        islands += bin.island_count;
-        contacts += bin.contact_count;
-        bin.island_count = 0;
+    for (IslandBatch& batch : scratch.batches) {
+        batch.first_island = islands;
+        batch.first_contact = contacts;
+        islands += batch.island_count;
+        contacts += batch.contact_count;
+        batch.island_count = 0;
     }
-    scratch.bin_islands.resize(std::size_t(islands));
+    scratch.batch_islands.resize(std::size_t(islands));
     for (const std::int32_t i : s.awake_islands) {
-        Bin& bin = scratch.bins[scratch.bin_of_island[i]];
-        scratch.bin_islands[bin.first_island + bin.island_count++] = i;
+        IslandBatch& batch = scratch.batches[scratch.batch_of_island[i]];
+        scratch.batch_islands[batch.first_island + batch.island_count++] = i;
     }
-    scratch.key_counts.assign(scratch.bins.size() * keys_per_bin + 1, 0);
+    scratch.key_counts.assign(scratch.batches.size() * keys_per_batch + 1, 0);
     scratch.keys.resize(scratch.unsorted.size());
     for (std::size_t k = 0; k < scratch.unsorted.size(); ++k) {
         const SortedContact& c = scratch.unsorted[k];
-        const std::uint32_t key = std::uint32_t(scratch.bin_of_island[c.island]) * keys_per_bin + order_key(c);
+        const std::uint32_t key = std::uint32_t(scratch.batch_of_island[c.island]) * keys_per_batch + order_key(c);
         scratch.keys[k] = key;
         ++scratch.key_counts[key + 1];
     }
@@ -139,10 +139,10 @@ void pack_bins(State& s, float dt) {
     for (std::size_t k = 0; k < scratch.unsorted.size(); ++k) {
         const SortedContact& c = scratch.unsorted[k];
         const std::uint32_t key = scratch.keys[k];
-        Bin& bin = scratch.bins[key / keys_per_bin];
-        const float h = dt / float(bin.substeps);
+        IslandBatch& batch = scratch.batches[key / keys_per_batch];
+        const float h = dt / float(batch.substeps);
         if (c.substep_time != h) rescale_impulses(s.contacts[c.id], s.records[c.id], h);
-        bin.bounces |= c.bounces != 0;
+        batch.bounces |= c.bounces != 0;
         scratch.sorted[scratch.key_counts[key]++] = c;
     }
 }

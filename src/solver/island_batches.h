@@ -1,12 +1,12 @@
-// Islands packed into bins, which are solved one by one or side by side.
+// Islands packed into batches, which are solved one by one or side by side.
 #pragma once
 
 #include "state/state.h"
 
 namespace cairn {
 
-// Decides how many substeps each awake island takes, packs islands into bins and sorts State::solved by bin, color
+// Decides how many substeps each awake island takes, packs islands into batches and sorts State::solved by batch, color
 // and number of points. Impulses of contacts whose substeps have another length than in the last step are scaled.
-void pack_bins(State& state, float dt);
+void pack_batches(State& state, float dt);
 
 } // namespace cairn

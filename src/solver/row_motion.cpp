@@ -18,31 +18,31 @@ constexpr int rows_per_chunk = 256, spin_blocks_per_chunk = 4; // for threads
 
 DVec3 row_vector(const float* p) { return math::to_double(math::to_vec(p)); }
 
-void write_linear(const State& s, BinScratch& scratch, std::size_t row, const Increment& change) {
+void write_linear(const State& s, BatchScratch& scratch, std::size_t row, const Increment& change) {
     put(scratch.drive[row].v, math::to_float(cut(change.velocity, s.settings.max_linear_speed)));
     if (!scratch.free_correction.empty())
         put(scratch.free_correction[row].v, math::to_float(cut(change.correction, s.settings.max_linear_speed)));
 }
-void write_angular(const State& s, BinScratch& scratch, std::size_t row, const Increment& change) {
+void write_angular(const State& s, BatchScratch& scratch, std::size_t row, const Increment& change) {
     put(scratch.drive[row].w, math::to_float(cut(change.velocity, s.settings.max_angular_speed)));
     if (!scratch.free_correction.empty())
         put(scratch.free_correction[row].w, math::to_float(cut(change.correction, s.settings.max_angular_speed)));
 }
 
-DQuat row_rotation(const State& s, const BinScratch& scratch, std::size_t row) {
+DQuat row_rotation(const State& s, const BatchScratch& scratch, std::size_t row) {
     const float* dq = scratch.pose[row].dq;
     return math::normalized(DQuat{dq[0], dq[1], dq[2], dq[3]} * s.motion[scratch.row_bodies[row]].q);
 }
 
 // One row that the kernel does not do.
-void spin_row(const State& s, BinScratch& scratch, SpinningRow& r, float h) {
+void spin_row(const State& s, BatchScratch& scratch, SpinningRow& r, float h) {
     const std::size_t row = std::size_t(r.row);
     const std::int32_t b = scratch.row_bodies[row];
     const BodyMass& mass = s.mass[b];
     const DVec3 w = row_vector(scratch.velocity[row].w);
     const DQuat q = row_rotation(s, scratch, row);
     const Spin spin = spin_of(mass);
-    r.turns = precesses(mass, w, h, least_turn_in_contact);
+    r.turns = precesses(mass, w, h, min_turn_in_contact);
     if (!r.turns) {
         write_angular(s, scratch, row, torque_increment(s, b, spin, q, h));
         return;
@@ -61,10 +61,10 @@ bool kernel_spins(const State& s, std::int32_t b) {
     const math::Vec3& i = mass.inertia;
     return s.settings.integrator != Integrator::explicit_euler && !s.is_pushed(b) && mass.inverse_inertia.x > 0 &&
            mass.inverse_inertia.y > 0 && mass.inverse_inertia.z > 0 &&
-           std::min(i.x, std::min(i.y, i.z)) > least_contact_moment * std::max(i.x, std::max(i.y, i.z));
+           std::min(i.x, std::min(i.y, i.z)) > min_contact_moment * std::max(i.x, std::max(i.y, i.z));
 }
 
-int spin_block_count(const BinScratch& scratch) { return int((scratch.spin_rows.size() + 7) / 8); }
+int spin_block_count(const BatchScratch& scratch) { return int((scratch.spin_rows.size() + 7) / 8); }
 
 void fill_spin_lane(const State& s, std::size_t b, std::int32_t row, SpinBlock& block, std::size_t lane) {
     const BodyMass& mass = s.mass[b];
@@ -79,10 +79,10 @@ void fill_spin_lane(const State& s, std::size_t b, std::int32_t row, SpinBlock& 
     block.any_renewed = 1;
 }
 
-void fill_spin_blocks(const State& s, BinScratch& scratch, Crew* crew) {
+void fill_spin_blocks(const State& s, BatchScratch& scratch, ThreadPool* thread_pool) {
     const int blocks = spin_block_count(scratch);
     if (scratch.spin_blocks.size() < std::size_t(blocks)) scratch.spin_blocks.resize(std::size_t(blocks));
-    for_chunks(crew, blocks, spin_blocks_per_chunk, [&](int begin, int end, int) {
+    for_chunks(thread_pool, blocks, spin_blocks_per_chunk, [&](int begin, int end, int) {
         for (int k = begin; k < end; ++k) {
             SpinBlock& block = scratch.spin_blocks[k] = {};
             const std::uint32_t discard = std::uint32_t(scratch.first_discard_row() + k) * row_bytes;
@@ -98,7 +98,7 @@ void fill_spin_blocks(const State& s, BinScratch& scratch, Crew* crew) {
     });
 }
 
-void prepare_damping(const State& s, BinScratch& scratch, float h) {
+void prepare_damping(const State& s, BatchScratch& scratch, float h) {
     scratch.damping.clear();
     for (std::size_t row = 0; row < scratch.row_traits.size(); ++row) {
         if (!(scratch.row_traits[row] & is_damped)) continue;
@@ -123,7 +123,7 @@ std::uint8_t row_traits(const State& s, std::int32_t b) {
     return std::uint8_t(traits);
 }
 
-void list_spinning_rows(BinScratch& scratch) {
+void list_spinning_rows(BatchScratch& scratch) {
     scratch.spinning_rows.clear();
     scratch.spin_rows.clear();
     for (std::size_t row = 0; row < scratch.row_traits.size(); ++row) {
@@ -132,7 +132,7 @@ void list_spinning_rows(BinScratch& scratch) {
     }
 }
 
-void prepare_free_motion(const State& s, BinScratch& scratch, Crew* crew, float h, bool bounces) {
+void prepare_free_motion(const State& s, BatchScratch& scratch, ThreadPool* thread_pool, float h, bool bounces) {
     const std::size_t rows = scratch.row_bodies.size(), all = scratch.velocity.size();
     scratch.drive.assign(all, {});
     scratch.free_correction.clear();
@@ -140,7 +140,7 @@ void prepare_free_motion(const State& s, BinScratch& scratch, Crew* crew, float 
     scratch.bounces = bounces;
     prepare_damping(s, scratch, h);
     list_spinning_rows(scratch);
-    fill_spin_blocks(s, scratch, crew);
+    fill_spin_blocks(s, scratch, thread_pool);
     if (!scratch.spinning_rows.empty() || !scratch.spin_rows.empty() || bounces ||
         s.settings.integrator != Integrator::semi_implicit_euler)
         scratch.free_correction.assign(all, {});
@@ -164,13 +164,13 @@ void prepare_free_motion(const State& s, BinScratch& scratch, Crew* crew, float 
         if (mass.isotropic && s.is_pushed(b))
             write_angular(s, scratch, row, torque_increment(s, b, spin_of(mass), motion.q, h));
     };
-    for_chunks(crew, int(rows), rows_per_chunk, [&](int begin, int end, int) {
+    for_chunks(thread_pool, int(rows), rows_per_chunk, [&](int begin, int end, int) {
         for (int row = begin; row < end; ++row) drive_row(std::size_t(row));
     });
 }
 
-void update_free_motion(const State& s, BinScratch& scratch, Crew* crew, const SolverBodies& bodies, float h,
-                        bool first) {
+void update_free_motion(const State& s, BatchScratch& scratch, ThreadPool* thread_pool, const SolverBodies& bodies,
+                        float h, bool first) {
     if (scratch.drive_varies)
         for (std::size_t row = 0; row < scratch.row_bodies.size(); ++row) {
             const std::int32_t b = scratch.row_bodies[row];
@@ -181,14 +181,14 @@ void update_free_motion(const State& s, BinScratch& scratch, Crew* crew, const S
         }
     for (SpinningRow& row : scratch.spinning_rows) spin_row(s, scratch, row, h);
     if (!scratch.spin_rows.empty())
-        for_chunks(crew, spin_block_count(scratch), spin_blocks_per_chunk, [&](int begin, int end, int) {
+        for_chunks(thread_pool, spin_block_count(scratch), spin_blocks_per_chunk, [&](int begin, int end, int) {
             kernels().solver.spin(scratch.spin_blocks.data() + begin, end - begin, bodies, scratch.drive.data(),
                                   scratch.free_correction.data(), h, first);
         });
     if (scratch.bounces) scratch.correction = scratch.free_correction;
 }
 
-void turn_spinning_rows(const State& s, BinScratch& scratch, float h) {
+void turn_spinning_rows(const State& s, BatchScratch& scratch, float h) {
     for (const SpinningRow& r : scratch.spinning_rows) {
         if (!r.turns) continue;
         const std::size_t row = std::size_t(r.row);
@@ -203,9 +203,9 @@ void turn_spinning_rows(const State& s, BinScratch& scratch, float h) {
     }
 }
 
-void renew_inertia(const State& s, BinScratch& scratch, Crew* crew) {
+void renew_inertia(const State& s, BatchScratch& scratch, ThreadPool* thread_pool) {
     if (scratch.joint_layout->joints.empty()) return;
-    for_chunks(crew, spin_block_count(scratch), spin_blocks_per_chunk, [&](int begin, int end, int) {
+    for_chunks(thread_pool, spin_block_count(scratch), spin_blocks_per_chunk, [&](int begin, int end, int) {
         kernels().solver.renew_inertia(scratch.spin_blocks.data() + begin, end - begin, scratch.velocity.data(),
                                        scratch.pose.data(), scratch.inertia.data());
     });
@@ -219,7 +219,7 @@ void renew_inertia(const State& s, BinScratch& scratch, Crew* crew) {
     }
 }
 
-void finish_free_motion(BinScratch& scratch) {
+void finish_free_motion(BatchScratch& scratch) {
     kernels().solver.finish_spin(scratch.spin_blocks.data(), spin_block_count(scratch), scratch.velocity.data(),
                                  scratch.pose.data());
 }

@@ -1,24 +1,24 @@
-// The free motion of the bodies in a bin: what changes their velocities beside contacts and joints. `crew` helps where
-// it is not null.
+// The free motion of the bodies in a batch: what changes their velocities beside contacts and joints. `thread_pool`
+// helps where it is not null.
 #pragma once
 
 #include "state/state.h"
 
 namespace cairn {
 
-// Fills drive, damping and correction of the bin's rows for substeps of h seconds. `bounces`: there must be
+// Fills drive, damping and correction of the batch's rows for substeps of h seconds. `bounces`: there must be
 // corrections, because something else will add to them.
-void prepare_free_motion(const State& state, BinScratch& scratch, Crew* crew, float h, bool bounces);
+void prepare_free_motion(const State& state, BatchScratch& scratch, ThreadPool* thread_pool, float h, bool bounces);
 // At the start of each substep: what of them depends on the pose or the velocity.
-void update_free_motion(const State& state, BinScratch& scratch, Crew* crew, const SolverBodies& bodies, float h,
-                        bool first);
+void update_free_motion(const State& state, BatchScratch& scratch, ThreadPool* thread_pool, const SolverBodies& bodies,
+                        float h, bool first);
 // After the poses of a substep: the rotations of what turns by many radians in it, or has moments a millionth of
 // others, where single precision and a series for small angles do not do.
-void turn_spinning_rows(const State& state, BinScratch& scratch, float h);
+void turn_spinning_rows(const State& state, BatchScratch& scratch, float h);
 // After that: the inertia of what has joints, whose anchors turn with it.
-void renew_inertia(const State& state, BinScratch& scratch, Crew* crew);
+void renew_inertia(const State& state, BatchScratch& scratch, ThreadPool* thread_pool);
 // After the last substep: the angular velocities that go with the angular momenta and rotations at its end.
-void finish_free_motion(BinScratch& scratch);
+void finish_free_motion(BatchScratch& scratch);
 // What the free motion of a body in contact asks for (RowTrait).
 std::uint8_t row_traits(const State& state, std::int32_t body);
 

@@ -1,5 +1,5 @@
-// Bins: gather, substeps, scatter. A large bin is solved by all threads together, color by color; of the others, each
-// by one thread.
+// Batches: gather, substeps, scatter. A large batch is solved by all threads together, color by color; of the others,
+// each by one thread.
 #include "solver/solve.h"
 
 #include "bodies/bodies.h"
@@ -25,12 +25,12 @@ namespace cairn {
 namespace {
 
 constexpr float friction_margin = 0.005f; // m: points closer than this share the friction fully
-constexpr int most_bounce_passes = 32;
-// Bins with fewer contacts are not worth being solved together.
-constexpr std::int32_t least_shared_contacts = 512;
+constexpr int max_bounce_passes = 32;
+// Batches with fewer contacts are not worth being solved together.
+constexpr std::int32_t min_shared_contacts = 512;
 constexpr int rows_per_chunk = 512; // for threads
 
-ContactLanes lanes_of(const BinScratch& scratch, const BlockRun& run) {
+ContactLanes lanes_of(const BatchScratch& scratch, const BlockRun& run) {
     const LaneLists& lanes = run.four_points ? scratch.four_lanes : scratch.one_lanes;
     const std::size_t at = std::size_t(run.first) * 8;
     // Discard rows: first those of the blocks with one point.
@@ -52,28 +52,29 @@ float velocity_offset(Integrator integrator) {
     return 0;
 }
 
-void refresh_all(BinScratch& scratch, Crew* crew, const SolverBodies& bodies, float h) {
-    for_blocks(scratch, crew, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
+void refresh_all(BatchScratch& scratch, ThreadPool* thread_pool, const SolverBodies& bodies, float h) {
+    for_blocks(scratch, thread_pool, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
         k.refresh_arms(blocks_of(scratch, run), run.count, bodies, h);
     });
 }
 
-void bounce_all(BinScratch& scratch, Crew* crew, const SolverBodies& bodies, const BounceSettings& settings) {
-    for (int pass = 0; pass < most_bounce_passes; ++pass) {
+void bounce_all(BatchScratch& scratch, ThreadPool* thread_pool, const SolverBodies& bodies,
+                const BounceSettings& settings) {
+    for (int pass = 0; pass < max_bounce_passes; ++pass) {
         std::atomic<int> bounced = 0;
-        for_blocks(scratch, crew, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
+        for_blocks(scratch, thread_pool, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
             const int count = k.bounce(blocks_of(scratch, run), run.count, bodies, settings);
             if (count > 0) bounced += count;
         });
         if (bounced == 0) {
-            if (pass > 0) refresh_all(scratch, crew, bodies, settings.h);
+            if (pass > 0) refresh_all(scratch, thread_pool, bodies, settings.h);
             return;
         }
     }
-    refresh_all(scratch, crew, bodies, settings.h);
+    refresh_all(scratch, thread_pool, bodies, settings.h);
 }
 
-SolverBodies bodies_of(BinScratch& scratch) {
+SolverBodies bodies_of(BatchScratch& scratch) {
     SolverTwist* const free = scratch.free_correction.empty() ? nullptr : scratch.free_correction.data();
     SolverTwist* const correction = scratch.bounces ? scratch.correction.data() : free;
     return {scratch.velocity.data(),
@@ -86,61 +87,61 @@ SolverBodies bodies_of(BinScratch& scratch) {
             correction};
 }
 
-void run_substeps(const State& s, const Bin& bin, BinScratch& scratch, Crew* crew, float dt) {
+void run_substeps(const State& s, const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool, float dt) {
     using ForPoints = SolverKernels::ForPoints;
     using ForRows = JointKernels::ForRows;
     const SolverKernels& k = kernels().solver;
-    const float h = dt / float(bin.substeps);
-    ContactSoftness softness = contact_softness(h, bin.substeps * s.split, s.settings.recovery_speed);
+    const float h = dt / float(batch.substeps);
+    ContactSoftness softness = contact_softness(h, batch.substeps * s.split, s.settings.recovery_speed);
     const BounceSettings bounce{h, s.settings.restitution_speed, velocity_offset(s.settings.integrator)};
-    const JointSoftness joint_soft = joint_softness(h, bin.substeps * s.split);
+    const JointSoftness joint_soft = joint_softness(h, batch.substeps * s.split);
     // Not where joints are solved directly: a body that is much heavier than what it hits does not settle in the
     // passes. Nor where kinematic bodies drive joints: the passes would stop what they drive.
     const bool stops_impacts =
-        bin.joint_count > 0 && scratch.direct.sets.empty() && scratch.joint_layout->kinematic_bodies.empty();
+        batch.joint_count > 0 && scratch.direct.sets.empty() && scratch.joint_layout->kinematic_bodies.empty();
     softness.impact_speed = stops_impacts ? impact_speed : no_impact_speed;
     const int rows = int(scratch.row_count());
     SolverVelocity* velocity = scratch.velocity.data();
     std::atomic<int> struck = 0;
     scratch.impact.has_components = false;
-    for (int substep = 0; substep < bin.substeps; ++substep) {
+    for (int substep = 0; substep < batch.substeps; ++substep) {
         const bool first = substep == 0;
         const SolverBodies bodies = bodies_of(scratch);
-        update_free_motion(s, scratch, crew, bodies, h, first);
-        for_chunks(crew, rows, rows_per_chunk, [&](int begin, int end, int) {
+        update_free_motion(s, scratch, thread_pool, bodies, h, first);
+        for_chunks(thread_pool, rows, rows_per_chunk, [&](int begin, int end, int) {
             k.integrate_velocities(bodies, std::max(begin, int(first_body_row)), end, first);
         });
-        begin_direct_substep(s, scratch, crew, h, first);
-        if (bin.bounces) bounce_all(scratch, crew, bodies, bounce);
+        begin_direct_substep(s, scratch, thread_pool, h, first);
+        if (batch.bounces) bounce_all(scratch, thread_pool, bodies, bounce);
         if (first) {
-            for_joint_blocks(scratch, crew, [&](const ForRows& rows_of, void* blocks, int count) {
+            for_joint_blocks(scratch, thread_pool, [&](const ForRows& rows_of, void* blocks, int count) {
                 rows_of.warm_start(blocks, count, bodies, joint_soft);
             });
-            for_blocks(scratch, crew, [&](const ForPoints& points, const BlockRun& run) {
+            for_blocks(scratch, thread_pool, [&](const ForPoints& points, const BlockRun& run) {
                 points.warm_start(blocks_of(scratch, run), run.count, velocity);
             });
         }
-        for_joint_blocks(scratch, crew, [&](const ForRows& rows_of, void* blocks, int count) {
+        for_joint_blocks(scratch, thread_pool, [&](const ForRows& rows_of, void* blocks, int count) {
             rows_of.solve(blocks, count, velocity, joint_soft);
         });
-        solve_direct_rows(s, scratch, crew, h);
-        for_blocks(scratch, crew, [&](const ForPoints& points, const BlockRun& run) {
+        solve_direct_rows(s, scratch, thread_pool, h);
+        for_blocks(scratch, thread_pool, [&](const ForPoints& points, const BlockRun& run) {
             const int count = points.solve(blocks_of(scratch, run), run.count, velocity, softness);
             if (count > 0) struck += count;
         });
-        solve_impacts(s, scratch, crew, h, struck);
-        for_chunks(crew, rows, rows_per_chunk,
+        solve_impacts(s, scratch, thread_pool, h, struck);
+        for_chunks(thread_pool, rows, rows_per_chunk,
                    [&](int begin, int end, int) { k.integrate_poses(bodies, begin, end, h); });
         turn_spinning_rows(s, scratch, h);
-        renew_inertia(s, scratch, crew);
-        for_joint_blocks(scratch, crew, [&](const ForRows& rows_of, void* blocks, int count) {
+        renew_inertia(s, scratch, thread_pool);
+        for_joint_blocks(scratch, thread_pool, [&](const ForRows& rows_of, void* blocks, int count) {
             rows_of.relax(blocks, count, bodies, joint_soft);
         });
-        for_blocks(scratch, crew, [&](const ForPoints& points, const BlockRun& run) {
+        for_blocks(scratch, thread_pool, [&](const ForPoints& points, const BlockRun& run) {
             const int count = points.relax(blocks_of(scratch, run), run.count, bodies, softness);
             if (count > 0) struck += count;
         });
-        solve_impacts(s, scratch, crew, h, struck);
+        solve_impacts(s, scratch, thread_pool, h, struck);
     }
 }
 
@@ -148,39 +149,39 @@ double milliseconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-void solve_bin(State& s, const Bin& bin, BinScratch& scratch, Crew* crew, float dt) {
+void solve_batch(State& s, const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool, float dt) {
     const auto start = std::chrono::steady_clock::now();
-    fill_bin(s, bin, scratch, crew, dt);
+    fill_batch(s, batch, scratch, thread_pool, dt);
     if (scratch.row_count() > 0) {
-        fill_joint_blocks(s, scratch, crew, dt / float(bin.substeps));
-        prepare_free_motion(s, scratch, crew, dt / float(bin.substeps), bin.bounces);
-        for_blocks(scratch, crew, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
+        fill_joint_blocks(s, scratch, thread_pool, dt / float(batch.substeps));
+        prepare_free_motion(s, scratch, thread_pool, dt / float(batch.substeps), batch.bounces);
+        for_blocks(scratch, thread_pool, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
             k.prepare(blocks_of(scratch, run), run.count, lanes_of(scratch, run), s.records.data(),
                       scratch.inertia.data(), friction_margin);
         });
         const double prepare_ms = milliseconds_since(start);
         scratch.prepare_ms += prepare_ms;
-        run_substeps(s, bin, scratch, crew, dt);
+        run_substeps(s, batch, scratch, thread_pool, dt);
         finish_free_motion(scratch);
-        for_blocks(scratch, crew, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
+        for_blocks(scratch, thread_pool, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
             k.store(blocks_of(scratch, run), run.count, lanes_of(scratch, run), s.records.data(),
                     s.solver.reports.data());
         });
         store_joints(s, scratch, dt);
         scratch.solve_ms += milliseconds_since(start) - prepare_ms;
     }
-    empty_bin(s, scratch, crew, dt);
+    empty_batch(s, scratch, thread_pool, dt);
 }
 
 // Those that are so large that one thread would keep the others waiting.
-void share_out_bins(SolverScratch& scratch, int threads) {
+void share_out_batches(SolverScratch& scratch, int threads) {
     std::int32_t contacts = 0;
-    for (const Bin& bin : scratch.bins) contacts += bin.contact_count + bin.joint_count;
-    const std::int32_t limit = std::max(least_shared_contacts, contacts / threads);
+    for (const IslandBatch& batch : scratch.batches) contacts += batch.contact_count + batch.joint_count;
+    const std::int32_t limit = std::max(min_shared_contacts, contacts / threads);
     scratch.shared.clear();
     scratch.alone.clear();
-    for (std::size_t i = 0; i < scratch.bins.size(); ++i)
-        (scratch.bins[i].contact_count + scratch.bins[i].joint_count > limit ? scratch.shared : scratch.alone)
+    for (std::size_t i = 0; i < scratch.batches.size(); ++i)
+        (scratch.batches[i].contact_count + scratch.batches[i].joint_count > limit ? scratch.shared : scratch.alone)
             .push_back(std::int32_t(i));
 }
 
@@ -201,7 +202,7 @@ void collect(State& s) {
     scratch.escaped.clear();
     s.overloaded_joints.clear();
     double prepare_ms = 0, solve_ms = 0;
-    for (BinScratch& own : scratch.at_work) {
+    for (BatchScratch& own : scratch.at_work) {
         scratch.escaped.insert(scratch.escaped.end(), own.escaped.begin(), own.escaped.end());
         s.overloaded_joints.insert(s.overloaded_joints.end(), own.overloaded.begin(), own.overloaded.end());
         s.clamped_speeds += own.clamped_speeds;
@@ -217,15 +218,15 @@ void collect(State& s) {
 
 } // namespace
 
-void solve_bins(State& s, float dt) {
+void solve_batches(State& s, float dt) {
     SolverScratch& scratch = s.solver;
     update_direct_sets(s);
-    Crew* const crew = s.crew.get();
-    const int threads = crew->threads();
+    ThreadPool* const thread_pool = s.thread_pool.get();
+    const int threads = thread_pool->threads();
     scratch.reports.resize(s.records.size());
     scratch.at_work.resize(std::size_t(threads));
-    if (scratch.joint_layouts.size() < scratch.bins.size()) scratch.joint_layouts.resize(scratch.bins.size());
-    for (BinScratch& own : scratch.at_work) {
+    if (scratch.joint_layouts.size() < scratch.batches.size()) scratch.joint_layouts.resize(scratch.batches.size());
+    for (BatchScratch& own : scratch.at_work) {
         own.escaped.clear();
         own.overloaded.clear();
         own.clamped_speeds = 0;
@@ -233,11 +234,11 @@ void solve_bins(State& s, float dt) {
     }
     for (const std::int32_t b : s.kinematics)
         if (BodyMotion& motion = s.motion[b]; clamp_velocity(s.settings, motion.v, motion.w)) ++s.clamped_speeds;
-    share_out_bins(scratch, threads);
-    for (const std::int32_t i : scratch.shared) solve_bin(s, scratch.bins[i], scratch.at_work[0], crew, dt);
-    for_chunks(crew, int(scratch.alone.size()), 1, [&](int begin, int end, int thread) {
+    share_out_batches(scratch, threads);
+    for (const std::int32_t i : scratch.shared) solve_batch(s, scratch.batches[i], scratch.at_work[0], thread_pool, dt);
+    for_chunks(thread_pool, int(scratch.alone.size()), 1, [&](int begin, int end, int thread) {
         for (int k = begin; k < end; ++k)
-            solve_bin(s, scratch.bins[scratch.alone[k]], scratch.at_work[thread], nullptr, dt);
+            solve_batch(s, scratch.batches[scratch.alone[k]], scratch.at_work[thread], nullptr, dt);
     });
     collect(s);
     move_kinematics(s, dt);

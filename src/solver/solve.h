@@ -1,4 +1,4 @@
-// The solver: islands packed into bins, each bin gathered into dense rows and blocks and solved through all of its
+// The solver: islands packed into batches, each batch gathered into dense rows and blocks and solved through all of its
 // substeps. docs/solver.md explains the method.
 #pragma once
 
@@ -6,7 +6,7 @@
 
 namespace cairn {
 
-// Solves all bins: velocities, poses, impulses; moves kinematic bodies. Finalizes all bodies (finalize.h).
-void solve_bins(State& state, float dt);
+// Solves all batches: velocities, poses, impulses; moves kinematic bodies. Finalizes all bodies (finalize.h).
+void solve_batches(State& state, float dt);
 
 } // namespace cairn

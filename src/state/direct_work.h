@@ -1,4 +1,4 @@
-// Working memory of the direct solver: the numbers of the sets in one bin.
+// Working memory of the direct solver: the numbers of the sets in one batch.
 #pragma once
 
 #include "math/block.h"

@@ -1,5 +1,5 @@
-// An impact that a bin has at work (impacts.cpp, impact_lists.cpp). Few lanes of a large bin take part: they are copied
-// into blocks of their own, side by side, as they are gone over many times.
+// An impact that a batch has at work (impacts.cpp, impact_lists.cpp). Few lanes of a large batch take part: they are
+// copied into blocks of their own, side by side, as they are gone over many times.
 #pragma once
 
 #include "kernels/solve/joint_data.h"
@@ -15,7 +15,7 @@ namespace cairn {
 
 template <class Block, class Impact> struct StruckBlocks {
     struct Lane {
-        std::uint32_t source; // the lane of the bin that it is a copy of
+        std::uint32_t source; // the lane of the batch that it is a copy of
         std::int32_t group;   // its place in ImpactWork::groups
     };
     std::vector<Block> blocks;
@@ -80,14 +80,14 @@ struct ImpactWork {
 
     // The lanes that take part, run by run.
     struct ListedLane {
-        std::uint32_t source; // the lane of the bin
+        std::uint32_t source; // the lane of the batch
         std::int32_t group;   // any of its rows, then its place in `groups`
         std::uint32_t run;    // in `listed_runs`
         std::uint8_t form;
     };
-    struct ListedRun { // each of the bin's, in the order of the solver
+    struct ListedRun { // each of the batch's, in the order of the solver
         int type;
-        std::uint32_t first;    // block of the bin
+        std::uint32_t first;    // block of the batch
         std::size_t begin, end; // in `listed`
     };
     std::vector<ListedLane> listed, sorted_lanes;

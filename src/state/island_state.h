@@ -21,7 +21,7 @@ struct Island {
     float weight = 0, greatest_load = 0; // N: of all bodies; on one contact
     float greatest_demand = 0;           // m/s^2: load over the reduced mass of the contact that carries it
     float agitation = 0;                 // m/s: root of the mean square of the speeds about that of the whole
-    float least_quiet_time = 0, greatest_quiet_time = 0;
+    float min_quiet_time = 0, greatest_quiet_time = 0;
 };
 
 } // namespace cairn

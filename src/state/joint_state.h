@@ -8,7 +8,7 @@
 
 namespace cairn {
 
-inline constexpr int most_joint_axes = 8;
+inline constexpr int max_joint_axes = 8;
 
 // What the point or the turn of a joint holds.
 enum class JointLock : std::uint8_t { none, across, full };
@@ -23,7 +23,7 @@ struct JointAxisRule {
     std::uint8_t is_lock = 0; // a part of what the joint is, not a position that users ask for
     std::uint8_t padding = 0;
     float lower = -unlimited, upper = unlimited, limit_stiffness = 0, limit_damping = 0;
-    float drive_stiffness = 0, drive_damping = 0, target_position = 0, target_velocity = 0, most_drive = 0;
+    float drive_stiffness = 0, drive_damping = 0, target_position = 0, target_velocity = 0, max_drive = 0;
     float friction = 0;
     float ratio_a = 1, ratio_b = 1;
 };
@@ -45,16 +45,16 @@ struct JointLocks {
 };
 struct JointRules {
     JointLocks locks;
-    JointAxisRule axes[most_joint_axes];
+    JointAxisRule axes[max_joint_axes];
 };
 
 // Of joints that have axes.
 struct JointAxes {
-    JointAxisRule rules[most_joint_axes];
-    JointAxisState states[most_joint_axes];
+    JointAxisRule rules[max_joint_axes];
+    JointAxisState states[max_joint_axes];
 };
 
-// The first cache line is what bins are laid out from, and most of what a step begins and ends with.
+// The first cache line is what batches are laid out from, and most of what a step begins and ends with.
 struct alignas(64) JointInfo {
     std::int32_t body_a = -1, body_b = -1;                   // none: the world
     std::int32_t next[2] = {-1, -1}, previous[2] = {-1, -1}; // ends in the lists of the bodies: 2 x joint + side

@@ -36,7 +36,7 @@ struct NarrowBatch {
     std::vector<FreshPatch> fresh; // of the groups of this thread
 };
 
-// A contact with what does not move by forces, for seams.cpp.
+// A contact with what does not move by forces, for contacts/internal_edges.cpp.
 struct FixedContact {
     std::uint32_t contact;
     std::int32_t before; // the one of the same body before it
@@ -61,12 +61,12 @@ struct NarrowScratch {
     std::vector<std::uint8_t> patch_outcomes; // by contact, of patches of groups that were tested
     std::vector<FreshPatch> fresh;            // of all threads, by place
     std::size_t next_fresh = 0;               // the first of those that have not been followed up
-    // Seams (seams.cpp).
+    // Internal edges (contacts/internal_edges.cpp).
     std::vector<std::int32_t> last_of_body; // in `fixed`
     std::vector<FixedContact> fixed;
     std::vector<std::uint32_t> of_body;
-    std::vector<std::uint8_t> is_seam; // by contact, of those with what does not move by forces
-    bool any_seams = false;            // among those
+    std::vector<std::uint8_t> is_internal_edge; // by contact, of those with what does not move by forces
+    bool any_internal_edges = false;            // among those
 };
 
 } // namespace cairn

@@ -23,12 +23,12 @@ struct BlockRun {
     bool four_points;
     std::int32_t first, count;
 };
-// The blocks of one color in a bin.
+// The blocks of one color in a batch.
 struct ColorRun {
     BlockRun four_points, one_point;
 };
 
-// A contact to be solved, sorted by bin, color and size.
+// A contact to be solved, sorted by batch, color and size.
 struct SortedContact {
     std::uint32_t id;
     std::int32_t body_a, body_b; // B: none if it does not move at all
@@ -38,9 +38,9 @@ struct SortedContact {
     std::uint8_t is_idle; // bore nothing in the last step
 };
 
-// One solver bin: islands that are solved together through all substeps.
-struct Bin {
-    std::int32_t first_island = 0, island_count = 0; // in SolverScratch::bin_islands
+// One solver batch: islands that are solved together through all substeps.
+struct IslandBatch {
+    std::int32_t first_island = 0, island_count = 0; // in SolverScratch::batch_islands
     std::int32_t substeps = 0;
     std::int32_t body_count = 0, contact_count = 0, joint_count = 0;
     std::int32_t first_contact = 0; // in SolverScratch::sorted
@@ -68,7 +68,7 @@ struct EscapedShape {
     math::Vec3 displacement;
 };
 
-// Lanes of a list of blocks, filled bin by bin.
+// Lanes of a list of blocks, filled batch by batch.
 struct LaneLists {
     std::vector<std::int32_t> record, row_a, row_b;
     void clear() { record.clear(), row_a.clear(), row_b.clear(); }
@@ -96,12 +96,12 @@ struct JointRun {
     std::uint32_t first, count;
 };
 
-// How the joints of a bin lie in its blocks. It is kept from step to step: mostly nothing of it changes.
+// How the joints of a batch lie in its blocks. It is kept from step to step: mostly nothing of it changes.
 struct JointLayout {
     std::uint64_t valid_for = ~std::uint64_t(0); // State::joint_changes
-    std::vector<std::int32_t> bodies;            // of the bin, those that are touched
+    std::vector<std::int32_t> bodies;            // of the batch, those that are touched
     std::vector<std::int32_t> kinematic_bodies;  // that joints name
-    std::vector<std::uint32_t> joints;           // of the bin
+    std::vector<std::uint32_t> joints;           // of the batch
     std::vector<std::uint32_t> first_row;        // of each of them, and one more: the end
     std::vector<JointRow> rows;
     bool may_idle = false;                                  // any of them
@@ -119,8 +119,8 @@ enum RowTrait : std::uint8_t {
     spins_alone = 16,
 };
 
-// The bin that a thread has at work.
-struct BinScratch {
+// The batch that a thread has at work.
+struct BatchScratch {
     std::vector<std::int32_t> row_of_body;                  // none: in no row
     std::vector<std::int32_t> row_bodies;                   // body of each row; none for fixed and padding
     std::vector<std::uint64_t> row_marks;                   // to sort them
@@ -149,7 +149,7 @@ struct BinScratch {
     bool drive_varies = false; // forces depend on the position
     bool bounces = false;      // `correction` is another than `free_correction`
 
-    std::vector<EscapedShape> escaped;     // of all bins of the thread
+    std::vector<EscapedShape> escaped;     // of all batches of the thread
     std::vector<std::uint32_t> overloaded; // likewise: joints that break
     std::uint64_t clamped_speeds = 0;
     double prepare_ms = 0, solve_ms = 0;
@@ -172,7 +172,7 @@ struct BinScratch {
 
 // The row of a body. Bodies get theirs when a contact or joint first names them, so that contacts side by side have
 // rows side by side.
-inline std::int32_t row_of_body(BinScratch& scratch, std::int32_t body) {
+inline std::int32_t row_of_body(BatchScratch& scratch, std::int32_t body) {
     std::int32_t& row = scratch.row_of_body[body];
     if (row < 0) {
         row = std::int32_t(scratch.row_bodies.size());
@@ -182,18 +182,18 @@ inline std::int32_t row_of_body(BinScratch& scratch, std::int32_t body) {
 }
 
 struct SolverScratch {
-    std::vector<Bin> bins;
-    std::vector<std::int32_t> bin_of_island, bin_islands, open_bins;
+    std::vector<IslandBatch> batches;
+    std::vector<std::int32_t> batch_of_island, batch_islands, open_batches;
     std::vector<std::int32_t> contacts_of_island;
     std::vector<std::uint32_t> key_counts, keys; // counting sort of contacts
     std::vector<SortedContact> unsorted, sorted;
     std::vector<ContactReport> reports;      // by contact, of those that were solved
-    std::vector<JointLayout> joint_layouts;  // by bin
-    std::vector<std::int32_t> shared, alone; // bins that all threads solve together, and those that one does
-    std::vector<BinScratch> at_work;         // one per thread
+    std::vector<JointLayout> joint_layouts;  // by batch
+    std::vector<std::int32_t> shared, alone; // batches that all threads solve together, and those that one does
+    std::vector<BatchScratch> at_work;       // one per thread
     std::vector<EscapedShape> escaped;
     std::vector<std::int32_t> member_numbers; // by body, while an island is split
-    double prepare_share = 0;                 // of the last solve_bins' time
+    double prepare_share = 0;                 // of the last solve_batches' time
 };
 
 } // namespace cairn

@@ -5,7 +5,7 @@
 #include "collision/broad_phase.h"
 #include "collision/shape_pose.h"
 #include "core/slot_pool.h"
-#include "jobs/crew.h"
+#include "jobs/thread_pool.h"
 #include "kernels/kernels.h"
 #include "kernels/solve/solver_data.h"
 #include "math/vec.h"
@@ -92,7 +92,7 @@ struct State {
     SolverScratch solver;
     DirectSets direct;
     std::uint64_t joint_changes = 0; // of joints, and of the masses of what is jointed
-    std::unique_ptr<Crew> crew = std::make_unique<Crew>(1);
+    std::unique_ptr<ThreadPool> thread_pool = std::make_unique<ThreadPool>(1);
 
     BodyId body_id(std::int32_t body) const {
         return BodyId::make(std::uint32_t(body), body_slots.generation(std::uint32_t(body)), world_id);

@@ -53,14 +53,14 @@ class Builder {
     }
     static void set_spring(JointAxisRule& rule, const JointSpring& spring, float max_force) {
         rule.has_drive = 1;
-        rule.most_drive = std::min(max_force, unlimited);
+        rule.max_drive = std::min(max_force, unlimited);
         rule.drive_stiffness = spring.stiffness;
         rule.drive_damping = spring.damping;
         rule.drive_relative = spring.is_acceleration;
     }
     static void set_motor(JointAxisRule& rule, const JointMotor& motor) {
         rule.has_drive = 1;
-        rule.most_drive = std::min(motor.max_force, unlimited);
+        rule.max_drive = std::min(motor.max_force, unlimited);
         rule.target_velocity = motor.velocity;
         rule.target_position = motor.position;
         rule.rigid_drive = !motor.spring;
@@ -97,12 +97,12 @@ void build(Builder& b, const HingeJoint& j, float) {
 void build(Builder& b, const SliderJoint& j, float) {
     b.hold_point_across(0);
     b.hold_turn();
-    b.control(AxisKind::linear, 0, 0, j.way);
+    b.control(AxisKind::linear, 0, 0, j.translation);
 }
 void build(Builder& b, const CylindricalJoint& j, float) {
     b.hold_point_across(0);
     b.hold_turn_across(0);
-    b.control(AxisKind::linear, 0, 0, j.way);
+    b.control(AxisKind::linear, 0, 0, j.translation);
     b.control(AxisKind::twist, 0, 0, j.angle);
 }
 void build(Builder& b, const UniversalJoint& j, float) {
@@ -279,9 +279,9 @@ void check(const BallJoint& j) {
     require_at_least("BallJoint.friction", double(j.friction), 0);
 }
 void check(const HingeJoint& j) { check("HingeJoint.angle", j.angle); }
-void check(const SliderJoint& j) { check("SliderJoint.way", j.way); }
+void check(const SliderJoint& j) { check("SliderJoint.translation", j.translation); }
 void check(const CylindricalJoint& j) {
-    check("CylindricalJoint.way", j.way);
+    check("CylindricalJoint.translation", j.translation);
     check("CylindricalJoint.angle", j.angle);
 }
 void check(const UniversalJoint& j) {
@@ -345,7 +345,7 @@ void check(const GeneralJoint& j) {
     const Locks locks = plain_locks(j);
     std::size_t rows = j.drives.size() + (count_of(locks.linear) == 1) + (count_of(locks.angular) == 1);
     for (const JointLimit& limit : j.limits) rows += !is_plain_lock(limit);
-    if (rows > std::size_t(most_joint_axes))
+    if (rows > std::size_t(max_joint_axes))
         refuse("GeneralJoint", std::to_string(rows), "must have at most 8 limits and drives that are not plain locks");
 }
 

@@ -53,12 +53,12 @@ template <class F> void for_each_triangle_near(const PosedInQuery& surface, DVec
 // The first hit of a shape that starts at the query's origin.
 class ShapeCast {
   public:
-    ShapeCast(const Convex& moving, DVec3 way) : moving_(moving), way_(way) {
+    ShapeCast(const Convex& moving, DVec3 translation) : moving_(moving), translation_(translation) {
         for (int i = 0; i < 3; ++i) {
             DVec3 axis;
             axis[i] = 1;
             const double low = support(moving, -axis)[i], high = support(moving, axis)[i];
-            lo_[i] = low + std::min(way[i], 0.0), hi_[i] = high + std::max(way[i], 0.0);
+            lo_[i] = low + std::min(translation[i], 0.0), hi_[i] = high + std::max(translation[i], 0.0);
         }
     }
     DVec3 lo() const { return lo_; }
@@ -72,14 +72,14 @@ class ShapeCast {
             return against_plane(is_behind ? -up : up, still.center);
         }
         case ShapeType::rectangle:
-            if (!still.geometry.is_double_sided && !(math::dot(way_, still.up()) < 0)) return std::nullopt;
+            if (!still.geometry.is_double_sided && !(math::dot(translation_, still.up()) < 0)) return std::nullopt;
             break;
         case ShapeType::mesh:
         case ShapeType::height_field: {
             std::optional<ConvexHit> best;
             for_each_triangle_near(still, lo_, hi_, [&](const Convex& triangle) {
-                if (!(math::dot(way_, triangle.axes.c1) < 0)) return;
-                const auto hit = cast_convex(moving_, way_, triangle);
+                if (!(math::dot(translation_, triangle.axes.c1) < 0)) return;
+                const auto hit = cast_convex(moving_, translation_, triangle);
                 if (hit && (!best || hit->fraction < best->fraction)) best = hit;
             });
             return best;
@@ -90,21 +90,21 @@ class ShapeCast {
         DVec3 center = still.center;
         const Geometry part =
             near_part(still.geometry, center, still.rotation, 0.5 * (lo_ + hi_), math::length(hi_ - lo_));
-        return cast_convex(moving_, way_, make_convex(part, still.data, center, still.rotation));
+        return cast_convex(moving_, translation_, make_convex(part, still.data, center, still.rotation));
     }
 
   private:
     std::optional<ConvexHit> against_plane(DVec3 up, DVec3 origin) const {
         const DVec3 lowest = support(moving_, -up);
-        const double height = math::dot(lowest - origin, up), fall = -math::dot(way_, up);
+        const double height = math::dot(lowest - origin, up), fall = -math::dot(translation_, up);
         if (height > 0 && !(fall >= height)) return std::nullopt;
         if (height == 0 && !(fall > 0)) return std::nullopt;
         const double fraction = height > 0 ? height / fall : 0;
-        return ConvexHit{fraction, lowest + fraction * way_, up};
+        return ConvexHit{fraction, lowest + fraction * translation_, up};
     }
 
     const Convex& moving_;
-    DVec3 way_, lo_, hi_;
+    DVec3 translation_, lo_, hi_;
 };
 
 // The point of a shape nearest to the query's origin, if nearer than `least`.
@@ -143,18 +143,18 @@ std::optional<Nearest> nearest_of(const PosedInQuery& shape, double least) {
 
 } // namespace
 
-std::optional<ShapeCastHit> World::cast_shape(const Shape& shape, const Transform& start, const Vec3& way,
+std::optional<ShapeCastHit> World::cast_shape(const Shape& shape, const Transform& start, const Vec3& translation,
                                               std::uint64_t layers) const {
     validate(shape);
     require_position("World::cast_shape start.position", start.position);
     const Quat rotation = checked_rotation("World::cast_shape start.rotation", start.rotation);
-    require_finite("World::cast_shape way", way);
+    require_finite("World::cast_shape translation", translation);
     const Geometry g = make_geometry(shape, {Position(0.0), rotation});
     if (is_surface(g.type)) refuse("World::cast_shape shape", shape_name(shape), "must be a convex shape");
     const ShapeData data = make_shape_data(shape);
     const DVec3 origin = to_math(start.position);
     const Convex moving = make_convex(g, data, {}, math::normalized(math::to_double(g.rotation)));
-    const ShapeCast cast(moving, math::to_double(to_math(way)));
+    const ShapeCast cast(moving, math::to_double(to_math(translation)));
     const State& s = impl_->whole("World::cast_shape");
     std::optional<ConvexHit> best;
     std::uint32_t met = 0;

@@ -93,11 +93,11 @@ JointInfo moving_part(const JointInfo& joint) {
 
 template <class Archive> void serialize_joints(Archive& archive, State& s) {
     std::vector<JointInfo> moving;
-    std::vector<std::array<JointAxisState, most_joint_axes>> states(s.joint_axes.size());
+    std::vector<std::array<JointAxisState, max_joint_axes>> states(s.joint_axes.size());
     if constexpr (!Archive::reading) {
         for (const JointInfo& joint : s.joints) moving.push_back(moving_part(joint));
         for (std::size_t i = 0; i < states.size(); ++i)
-            std::copy_n(s.joint_axes[i].states, most_joint_axes, states[i].begin());
+            std::copy_n(s.joint_axes[i].states, max_joint_axes, states[i].begin());
     }
     archive(moving), archive(states);
     if constexpr (Archive::reading) {
@@ -110,7 +110,7 @@ template <class Archive> void serialize_joints(Archive& archive, State& s) {
             joint.frame_a = defined.frame_a, joint.frame_b = defined.frame_b;
         }
         for (std::size_t i = 0; i < states.size(); ++i)
-            std::copy_n(states[i].begin(), most_joint_axes, s.joint_axes[i].states);
+            std::copy_n(states[i].begin(), max_joint_axes, s.joint_axes[i].states);
     }
 }
 
@@ -169,14 +169,14 @@ template <class Archive> void serialize_defined_joints(Archive& archive, State& 
         math::DQuat frame_a, frame_b;
     };
     std::vector<Defined> defined(s.joints.size());
-    std::vector<std::array<JointAxisRule, most_joint_axes>> rules(s.joint_axes.size());
+    std::vector<std::array<JointAxisRule, max_joint_axes>> rules(s.joint_axes.size());
     if constexpr (!Archive::reading) {
         for (std::size_t i = 0; i < defined.size(); ++i) {
             const JointInfo& joint = s.joints[i];
             defined[i] = {joint.anchor_a, joint.anchor_b, joint.ground_a, joint.ground_b, joint.frame_a, joint.frame_b};
         }
         for (std::size_t i = 0; i < rules.size(); ++i)
-            std::copy_n(s.joint_axes[i].rules, most_joint_axes, rules[i].begin());
+            std::copy_n(s.joint_axes[i].rules, max_joint_axes, rules[i].begin());
     }
     archive(defined), archive(rules);
     if constexpr (Archive::reading) {
@@ -188,7 +188,7 @@ template <class Archive> void serialize_defined_joints(Archive& archive, State& 
             joint.frame_a = defined[i].frame_a, joint.frame_b = defined[i].frame_b;
         }
         for (std::size_t i = 0; i < rules.size(); ++i)
-            std::copy_n(rules[i].begin(), most_joint_axes, s.joint_axes[i].rules);
+            std::copy_n(rules[i].begin(), max_joint_axes, s.joint_axes[i].rules);
     }
 }
 
@@ -389,7 +389,7 @@ void World::restore(const Snapshot& snapshot) {
     fresh->last_definitions = definitions;
     ArchiveReader reader(snapshot.bytes.data() + sizeof header, snapshot.bytes.size() - sizeof header);
     serialize_state(reader, fresh->state, header, [] { return 0; });
-    fresh->state.crew = std::move(impl_->state.crew);
+    fresh->state.thread_pool = std::move(impl_->state.thread_pool);
     impl_ = std::move(fresh);
 }
 

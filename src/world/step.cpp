@@ -50,12 +50,12 @@ class Busy {
 // Splits the step into passes while something turns at that speed and touches. Where no number is enough, a few do less
 // harm than many: each finds contacts at another random angle.
 int split_step(State& state, float whirl, float dt) {
-    constexpr float most_turn = 0.5f, beyond_help = 32.0f; // radians in a pass; in a step
-    constexpr int most_passes = 32, few_passes = 8;
+    constexpr float max_turn = 0.5f, beyond_help = 32.0f; // radians in a pass; in a step
+    constexpr int max_passes = 32, few_passes = 8;
     const float turn = whirl * dt;
     if (!(turn > 0)) return 1;
     if (turn > beyond_help) return few_passes; // and all the substeps in each
-    return state.split = std::min(int(std::ceil(turn / most_turn)), most_passes);
+    return state.split = std::min(int(std::ceil(turn / max_turn)), max_passes);
 }
 
 } // namespace
@@ -81,9 +81,9 @@ void World::step(float dt) {
         times.narrow_phase += clock.lap();
         if (pass == 0) passes = split_step(state, whirl_in_contact(state), dt);
         const float pass_dt = dt / float(passes);
-        pack_bins(state, pass_dt);
+        pack_batches(state, pass_dt);
         times.islands += clock.lap();
-        solve_bins(state, pass_dt);
+        solve_batches(state, pass_dt);
         const double solve = clock.lap(), prepare = state.solver.prepare_share * solve;
         times.prepare += prepare;
         times.solve += solve - prepare;

@@ -93,20 +93,22 @@ void World::set_settings(const WorldDef& def) {
 
 void World::set_threads(int count) {
     Impl::Change change(*impl_, "World::set_threads");
-    if (count < 1 || count > Crew::most_threads)
+    if (count < 1 || count > ThreadPool::max_threads)
         refuse("World::set_threads count", std::to_string(count), "must be 1 to 256");
     if (count == threads()) return;
     try {
-        impl_->state.crew = std::make_unique<Crew>(count);
+        impl_->state.thread_pool = std::make_unique<ThreadPool>(count);
     } catch (const std::system_error& error) {
         throw Error(ErrorCode::unsupported, "World::set_threads count", std::to_string(count),
                     std::string("the system has not so many threads left (") + error.what() + ")");
     }
 }
 
-int hardware_threads() noexcept { return std::clamp(int(std::thread::hardware_concurrency()), 1, Crew::most_threads); }
+int hardware_threads() noexcept {
+    return std::clamp(int(std::thread::hardware_concurrency()), 1, ThreadPool::max_threads);
+}
 
-int World::threads() const noexcept { return impl_->state.crew->threads(); }
+int World::threads() const noexcept { return impl_->state.thread_pool->threads(); }
 
 BodyId World::create_body(const BodyDef& def) {
     Impl::Change change(*impl_, "World::create_body");

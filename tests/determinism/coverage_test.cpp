@@ -98,7 +98,7 @@ TEST(DeterminismScenes, UseEveryShapeJointAndIntegrator) {
 // What the scenes are named for does happen in the steps that are compared.
 TEST(DeterminismScenes, TouchSleepWakeTriggerBreakAndSplit) {
     std::size_t asleep = 0, awake = 0, entered = 0, left = 0, broke = 0, hits = 0, ends = 0;
-    int most_substeps = 0;
+    int max_substeps = 0;
     for (const NamedScene& named : scenes()) {
         Scene& scene = named.make();
         World world{scene.settings()};
@@ -112,7 +112,7 @@ TEST(DeterminismScenes, TouchSleepWakeTriggerBreakAndSplit) {
             hits += world.contact_hits().size();
             touched += world.contact_begins().size();
             ends += world.contact_ends().size();
-            most_substeps = std::max(most_substeps, world.statistics().max_substeps);
+            max_substeps = std::max(max_substeps, world.statistics().max_substeps);
         }
         EXPECT_GT(touched, 0u) << named.name;
     }
@@ -123,7 +123,7 @@ TEST(DeterminismScenes, TouchSleepWakeTriggerBreakAndSplit) {
     EXPECT_GE(broke, 1u);
     EXPECT_GT(hits, 500u);
     EXPECT_GT(ends, 500u);
-    EXPECT_GT(most_substeps, 12);
+    EXPECT_GT(max_substeps, 12);
 }
 
 } // namespace

@@ -16,8 +16,8 @@ TEST(Rollback, OfEightFramesAThousandTimesEndsWhereAStraightRunDoes) {
     EXPECT_EQ(result.bodies, 500u);
     EXPECT_EQ(result.joints, 60u);
     EXPECT_GT(result.contacts, 800u);
-    EXPECT_GE(result.least_awake, 250u); // the heap is kept awake
-    EXPECT_LE(result.least_awake, 440u); // and the stacks sleep
+    EXPECT_GE(result.min_awake, 250u); // the heap is kept awake
+    EXPECT_LE(result.min_awake, 440u); // and the stacks sleep
     double sum = 0;
     for (const double ms : result.milliseconds) sum += ms;
     std::printf("%.2f ms a rollback: %.2f restoring, 8 x %.2f stepping, %.2f saving; %.2f ms of the processor\n",

@@ -27,7 +27,7 @@ std::size_t resident_memory() {
 }
 
 // Pushing apart is capped; what is above the cap by more than this is an explosion.
-constexpr float least_explosion = 2.0f;
+constexpr float min_explosion = 2.0f;
 
 TEST(Row33, TwoSpheresAtOneCenterPartWithoutExploding) {
     World world(weightless());
@@ -35,7 +35,7 @@ TEST(Row33, TwoSpheresAtOneCenterPartWithoutExploding) {
                  b = add_body(world, body_at({1.0, 2.0, 3.0}), Sphere{});
     for (int i = 0; i < 240; ++i) {
         ASSERT_TRUE(stays_sane(world, 1));
-        ASSERT_LE(fastest(world), least_explosion * world.settings().recovery_speed) << "step " << i;
+        ASSERT_LE(fastest(world), min_explosion * world.settings().recovery_speed) << "step " << i;
     }
     EXPECT_GT(glm::length(world.body(b).position() - world.body(a).position()), 0.98);
 }
@@ -71,7 +71,7 @@ TEST(Row35, SphereWithItsCenterInsideABoxGetsOut) {
             const BodyId ball = add_body(world, body_at(offset), Sphere{0.3f});
             for (int i = 0; i < 240; ++i) {
                 ASSERT_TRUE(stays_sane(world, 1));
-                ASSERT_LE(fastest(world), least_explosion * world.settings().recovery_speed) << "step " << i;
+                ASSERT_LE(fastest(world), min_explosion * world.settings().recovery_speed) << "step " << i;
             }
             const Quat q = world.body(box).rotation();
             const Vec3 apart = glm::conjugate(q) * Vec3(world.body(ball).position() - world.body(box).position());

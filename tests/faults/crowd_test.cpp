@@ -23,7 +23,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 // Bodies of one place that cannot collide make no pairs, and cost no more than if they were spread out.
 void crowd_without_pairs(BodyType type) {
-    constexpr double most_seconds = 5; // spread out it takes a tenth of one
+    constexpr double max_seconds = 5; // spread out it takes a tenth of one
     {
         World world;
         const std::size_t memory = resident_memory();
@@ -31,11 +31,11 @@ void crowd_without_pairs(BodyType type) {
         for (int i = 0; i < 100000; ++i) {
             add_body(world, body_at({1.0, 2.0, 3.0}, type), Box{});
             if (i % 1000 == 0) {
-                ASSERT_LT(seconds_since(start), most_seconds) << "after " << i << " bodies of type " << int(type);
+                ASSERT_LT(seconds_since(start), max_seconds) << "after " << i << " bodies of type " << int(type);
             }
         }
         run(world, 3);
-        EXPECT_LT(seconds_since(start), most_seconds);
+        EXPECT_LT(seconds_since(start), max_seconds);
         EXPECT_EQ(world.statistics().candidate_pairs, 0u);
         if (!cairn_test::is_sanitized) {
             EXPECT_LT(resident_memory() - memory, std::size_t(1) << 28);

@@ -238,7 +238,7 @@ TEST(Row23, SlabOfAspectAMillionFallingOnItsEdgeGainsNoEnergy) {
 TEST(Row24, NeedleSpinningAtAHundredThousandRadiansASecond) {
     struct Case {
         float limit;
-        double most_gain;
+        double max_gain;
     };
     for (const Case& c : {Case{WorldDef{}.max_angular_speed, 1.05}, Case{1e6f, 10}})
         for (const Vec3& spin : {Vec3(0.0f, 1e5f, 0.0f), Vec3(1e5f, 0.0f, 0.0f), Vec3(5e4f, 8e4f, 1e3f)}) {
@@ -255,7 +255,7 @@ TEST(Row24, NeedleSpinningAtAHundredThousandRadiansASecond) {
             const double energy = mechanical_energy(world);
             for (int i = 0; i < 300; ++i) {
                 ASSERT_TRUE(stays_sane(world, 1));
-                ASSERT_LE(mechanical_energy(world), energy * c.most_gain) << "step " << i;
+                ASSERT_LE(mechanical_energy(world), energy * c.max_gain) << "step " << i;
             }
         }
 }

@@ -9,7 +9,7 @@ namespace cairn_fuzz {
 
 namespace {
 
-constexpr std::size_t most_bodies = 40, most_shapes = 5, most_joints = 40, most_dead = 200;
+constexpr std::size_t max_bodies = 40, max_shapes = 5, max_joints = 40, max_dead = 200;
 
 void require(bool holds, const std::string& what) {
     if (!holds) throw std::logic_error(what);
@@ -26,8 +26,8 @@ double deepest(const World& world) {
 
 } // namespace
 
-Calls::Calls(std::span<const std::uint8_t> bytes, std::uint64_t most_steps)
-    : bytes_(bytes), most_steps_(most_steps), worlds_(3) {
+Calls::Calls(std::span<const std::uint8_t> bytes, std::uint64_t max_steps)
+    : bytes_(bytes), max_steps_(max_steps), worlds_(3) {
     // Restored, so that all three give out the same handles.
     worlds_[threaded].restore(worlds_[single].save());
     worlds_[restored].restore(worlds_[single].save());
@@ -135,7 +135,7 @@ Joint Calls::joint() {
 }
 
 void Calls::create() {
-    if (bodies_.size() >= most_bodies) return destroy();
+    if (bodies_.size() >= max_bodies) return destroy();
     BodyDef def;
     def.type = BodyType(bytes_.pick(8) ? 2 : bytes_.pick(3));
     def.position = bytes_.place();
@@ -154,13 +154,13 @@ void Calls::destroy() {
     if (bodies_.empty()) return;
     const std::size_t i = std::size_t(bytes_.pick(int(bodies_.size())));
     each([&](World& world) { world.destroy_body(bodies_[i]); });
-    if (dead_.size() < most_dead) dead_.push_back(bodies_[i]);
+    if (dead_.size() < max_dead) dead_.push_back(bodies_[i]);
     bodies_.erase(bodies_.begin() + std::ptrdiff_t(i));
 }
 
 void Calls::add_shape(BodyId id) {
     placed_ = true;
-    if (id == ground_ || first(id).shapes().size() >= most_shapes) return;
+    if (id == ground_ || first(id).shapes().size() >= max_shapes) return;
     ShapeDef def;
     def.position = bytes_.vector(0.3f);
     def.rotation = bytes_.rotation();
@@ -254,7 +254,7 @@ void Calls::change_shape() {
 }
 
 void Calls::join() {
-    if (worlds_[single].joints().size() >= most_joints) return;
+    if (worlds_[single].joints().size() >= max_joints) return;
     const BodyId a = body(), b = bytes_.pick(4) ? body() : BodyId{};
     const Position anchor = first(a).position() + Position(bytes_.vector(0.5f));
     const Vec3 axis = bytes_.vector(1);
@@ -356,7 +356,7 @@ void Calls::call_wrongly() {
 }
 
 void Calls::step() {
-    if (steps() >= most_steps_) return;
+    if (steps() >= max_steps_) return;
     const float dt = bytes_.pick(8) ? 1.0f / 60 : 1.0f / 120;
     const Before before = {worlds_[single].kinetic_energy(), deepest(worlds_[single]),
                            !worlds_[single].joints().empty()};

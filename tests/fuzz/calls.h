@@ -46,7 +46,7 @@ class Bytes {
 class Calls {
   public:
     // No more steps than that are taken, however many the bytes ask for.
-    explicit Calls(std::span<const std::uint8_t> bytes, std::uint64_t most_steps = 400);
+    explicit Calls(std::span<const std::uint8_t> bytes, std::uint64_t max_steps = 400);
 
     // Runs until the bytes are used up. Throws std::logic_error where something does not hold that must.
     void run();
@@ -88,7 +88,7 @@ class Calls {
     void check_step(const Before& before, float dt);
 
     Bytes bytes_;
-    std::uint64_t most_steps_;
+    std::uint64_t max_steps_;
     std::vector<World> worlds_;
     BodyId ground_;
     std::vector<BodyId> bodies_, dead_;

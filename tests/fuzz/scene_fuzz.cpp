@@ -13,7 +13,7 @@
 namespace {
 
 // Small enough to be tried many times a second.
-constexpr std::size_t most_bodies = 50;
+constexpr std::size_t max_bodies = 50;
 
 std::span<const std::byte> as_bytes(const std::string& text) {
     return std::as_bytes(std::span(text.data(), text.size()));
@@ -26,7 +26,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::string saved;
     try {
         scene::Scene scene = scene::load_from_memory(std::as_bytes(std::span(data, size)), "fuzz.glb");
-        if (scene.world.bodies().size() > most_bodies) return 0;
+        if (scene.world.bodies().size() > max_bodies) return 0;
         saved = scene::save_to_string(scene);
         scene.world.step(1.0f / 60.0f);
     } catch (const Error&) {

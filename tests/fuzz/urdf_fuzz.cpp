@@ -13,7 +13,7 @@
 namespace {
 
 // Small enough to be tried many times a second.
-constexpr std::size_t most_bodies = 50;
+constexpr std::size_t max_bodies = 50;
 
 } // namespace
 
@@ -27,7 +27,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::string saved;
     try {
         scene::Scene robot = scene::load_from_memory(std::as_bytes(std::span(text.data(), text.size())), "fuzz.urdf");
-        if (robot.world.bodies().size() > most_bodies) return 0;
+        if (robot.world.bodies().size() > max_bodies) return 0;
         saved = scene::save_to_string(robot);
         robot.world.step(1.0f / 60.0f);
     } catch (const Error&) {

@@ -118,8 +118,8 @@ void add_walls(World& world) {
 struct Throw {
     std::string name;
     Quat attitude;
-    int substeps;    // of the world
-    double most_gap; // m, at the impact
+    int substeps;   // of the world
+    double max_gap; // m, at the impact
 };
 
 class ThrownRagdoll : public testing::TestWithParam<Throw> {};
@@ -157,7 +157,7 @@ TEST_P(ThrownRagdoll, StaysTogetherAt50MetersPerSecond) {
         has_hit = has_hit || !world.contacts().empty();
     }
     EXPECT_TRUE(has_hit);
-    EXPECT_LT(peak, GetParam().most_gap);
+    EXPECT_LT(peak, GetParam().max_gap);
     EXPECT_LT(ragdoll.gap(), 0.005); // a second later
     // There is no restitution. What turns as it hits may leave with some of it: 2 to 3 m/s askew, else at most 1.1.
     EXPECT_LT(fastest_back, 0.1 * 50);

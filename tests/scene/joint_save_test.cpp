@@ -39,8 +39,10 @@ bool same(const BallJoint& a, const BallJoint& b) {
     return same(a.cone_angle, b.cone_angle) && same(a.twist, b.twist) && a.friction == b.friction;
 }
 bool same(const HingeJoint& a, const HingeJoint& b) { return same(a.angle, b.angle); }
-bool same(const SliderJoint& a, const SliderJoint& b) { return same(a.way, b.way); }
-bool same(const CylindricalJoint& a, const CylindricalJoint& b) { return same(a.way, b.way) && same(a.angle, b.angle); }
+bool same(const SliderJoint& a, const SliderJoint& b) { return same(a.translation, b.translation); }
+bool same(const CylindricalJoint& a, const CylindricalJoint& b) {
+    return same(a.translation, b.translation) && same(a.angle, b.angle);
+}
 bool same(const UniversalJoint& a, const UniversalJoint& b) {
     return same(a.first, b.first) && same(a.second, b.second);
 }

@@ -175,7 +175,7 @@ TEST(Urdf, JointsBecomeTheirTypes) {
     const JointControl free = std::get<HingeJoint>(def(scene, "continuous").joint).angle;
     EXPECT_FALSE(free.limits.has_value());
     EXPECT_FALSE(free.motor.has_value());
-    EXPECT_EQ(std::get<SliderJoint>(def(scene, "prismatic").joint).way.limits->upper, 2.0f);
+    EXPECT_EQ(std::get<SliderJoint>(def(scene, "prismatic").joint).translation.limits->upper, 2.0f);
     EXPECT_EQ(std::get<GeneralJoint>(def(scene, "planar").joint).limits.size(), 2u);
     EXPECT_TRUE(std::get<GeneralJoint>(def(scene, "floating").joint).limits.empty());
     for (const JointId id : scene.world.joints()) EXPECT_FALSE(scene.world.joint_def(id).enable_collision);
@@ -435,22 +435,22 @@ TEST(Urdf, AnArmHoldsAPoseAgainstItsWeight) {
     }
     run(arm, 5.0);
     std::array<double, 6> worst{};
-    double gap = 0, most_torque = 0;
+    double gap = 0, max_torque = 0;
     run(arm, 5.0, [&] {
         for (std::size_t i = 0; i < 6; ++i) {
             const JointState now = state(arm, names[i]);
             worst[i] = std::max(worst[i], std::fabs(double(now.positions[0]) - double(pose[i])) * 57.29577951);
             gap = std::max(gap, double(now.linear_error));
-            most_torque = std::max(most_torque, double(glm::length(now.torque)));
+            max_torque = std::max(max_torque, double(glm::length(now.torque)));
         }
     });
     for (std::size_t i = 0; i < 6; ++i) {
         std::printf("%-10s %.4f degrees off\n", names[i], worst[i]);
         EXPECT_LT(worst[i], 0.1);
     }
-    std::printf("gaps %.2e m, torques up to %.1f N m\n", gap, most_torque);
+    std::printf("gaps %.2e m, torques up to %.1f N m\n", gap, max_torque);
     EXPECT_LT(gap, 2e-4);
-    EXPECT_GT(most_torque, 20.0); // it is not weightless
+    EXPECT_GT(max_torque, 20.0); // it is not weightless
 }
 
 } // namespace

@@ -23,7 +23,7 @@ namespace {
 
 using namespace cairn;
 
-constexpr std::size_t least_bodies = 20, most_bodies = 40;
+constexpr std::size_t min_bodies = 20, max_bodies = 40;
 constexpr int tenths = 10, warm_up = 20000;
 constexpr double room = 3, top = 12; // m: half the width of the room, and how high bodies begin
 
@@ -60,9 +60,9 @@ class Soak {
 
     void step() {
         const unsigned what = random_() % 24;
-        if ((what == 0 || bodies_.size() < least_bodies) && bodies_.size() < most_bodies) create();
-        if (what == 1 && bodies_.size() > least_bodies) destroy(random_() % bodies_.size());
-        if (what == 2 && bodies_.size() > least_bodies) destroy(0); // the oldest
+        if ((what == 0 || bodies_.size() < min_bodies) && bodies_.size() < max_bodies) create();
+        if (what == 1 && bodies_.size() > min_bodies) destroy(random_() % bodies_.size());
+        if (what == 2 && bodies_.size() > min_bodies) destroy(0); // the oldest
         if (what == 3) join();
         world_.step(1.0f / 60);
         check();
@@ -70,7 +70,7 @@ class Soak {
 
     // A heap of twice the bodies that are ever there later, so that what steps need has room for all that comes.
     void crowd() {
-        while (bodies_.size() < 2 * most_bodies) {
+        while (bodies_.size() < 2 * max_bodies) {
             create();
             for (int i = 0; i < 5; ++i) world_.step(1.0f / 60);
         }
@@ -79,7 +79,7 @@ class Soak {
             world_.step(1.0f / 60);
         }
         check();
-        while (bodies_.size() > most_bodies) destroy(0);
+        while (bodies_.size() > max_bodies) destroy(0);
     }
 
     const World& world() const { return world_; }
@@ -181,6 +181,6 @@ int main(int argc, char** argv) {
     const double growth = last.megabytes / first.megabytes - 1, slower = last.microseconds / first.microseconds - 1;
     std::printf("memory %+.2f %%, time of a step %+.1f %%, since the first tenth\n", 100 * growth, 100 * slower);
     const bool is_flat = cairn_test::is_sanitized || growth <= 0.01;
-    constexpr double most_slower = 0.5; // the latter leaves room for a busy machine
-    return is_flat && slower <= most_slower ? 0 : 1;
+    constexpr double max_slower = 0.5; // the latter leaves room for a busy machine
+    return is_flat && slower <= max_slower ? 0 : 1;
 }

@@ -109,7 +109,7 @@ std::string disagreement(const Frame& a, const Frame& b, const Manifold& m, doub
     return {};
 }
 
-void expect_agreement(const char* name, const Pairs& pairs, int least_touching) {
+void expect_agreement(const char* name, const Pairs& pairs, int min_touching) {
     for (const cairn::KernelTable* table : backends()) {
         const std::vector<Manifold> manifolds = run(table->box_box, pairs);
         int wrong = 0, touching = 0, apart = 0;
@@ -127,7 +127,7 @@ void expect_agreement(const char* name, const Pairs& pairs, int least_touching) 
                           << ", deepest " << (m.count ? deepest_of(m) : 0.0) << ")";
         }
         EXPECT_EQ(wrong, 0) << name << ", " << table->name;
-        EXPECT_GE(touching, least_touching) << name << ", " << table->name;
+        EXPECT_GE(touching, min_touching) << name << ", " << table->name;
         EXPECT_GT(apart, 50) << name << ", " << table->name << ": the distance is known";
     }
 }

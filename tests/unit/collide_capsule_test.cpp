@@ -131,7 +131,7 @@ void add_pair(Random& random, Pairs& pairs, int lie) {
 }
 
 void expect_agreement(cairn::CollideKernel cairn::KernelTable::*kernel, const Pairs& pairs, ShapeType first,
-                      int least_touching, int least_double) {
+                      int min_touching, int min_double) {
     std::vector<Manifold> truth;
     for (int i = 0; i < pairs.count(); ++i) truth.push_back(scalar_result(pairs, i, first));
     for (const cairn::KernelTable* table : backends()) {
@@ -150,8 +150,8 @@ void expect_agreement(cairn::CollideKernel cairn::KernelTable::*kernel, const Pa
                           << deepest_of(other) << ", margin " << pairs.margin(i) << ")";
         }
         EXPECT_EQ(wrong, 0) << table->name;
-        EXPECT_GT(touching, least_touching) << table->name;
-        EXPECT_GE(doubles, least_double) << table->name;
+        EXPECT_GT(touching, min_touching) << table->name;
+        EXPECT_GE(doubles, min_double) << table->name;
     }
 }
 

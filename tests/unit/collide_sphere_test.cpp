@@ -19,7 +19,7 @@ struct Expected {
 };
 
 void compare(const char* name, const cairn::KernelTable* table, cairn::CollideKernel kernel, const Pairs& pairs,
-             Expected (*oracle)(const Frame&, const Frame&, double), int least_touching) {
+             Expected (*oracle)(const Frame&, const Frame&, double), int min_touching) {
     const std::vector<Manifold> manifolds = run(kernel, pairs);
     int touching = 0, apart = 0;
     for (int i = 0; i < pairs.count(); ++i) {
@@ -41,7 +41,7 @@ void compare(const char* name, const cairn::KernelTable* table, cairn::CollideKe
         ASSERT_LT(length(point_of(m, 0) - middle), 10 * tolerance + 2e-5 * length(middle))
             << name << ", " << table->name << ", pair " << i;
     }
-    EXPECT_GE(touching, least_touching) << name << ", " << table->name;
+    EXPECT_GE(touching, min_touching) << name << ", " << table->name;
     EXPECT_GT(apart, 500) << name << ", " << table->name << ": the distance is known";
 }
 

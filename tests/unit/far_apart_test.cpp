@@ -42,7 +42,7 @@ TEST(FarApart, LeastDistanceIsNoMoreThanTheDistance) {
         const DQuat qa = random.rotation(), qb = random.below(3) ? random.rotation() : qa; // parallel ones too
         const double s = separation(a.at({}, qa), b.at(offset, qb));
         const double said =
-            double(cairn::least_distance(a.geometry, pose_at(place, qa), b.geometry, pose_at(place + offset, qb)));
+            double(cairn::gap_lower_bound(a.geometry, pose_at(place, qa), b.geometry, pose_at(place + offset, qb)));
         EXPECT_LE(said, s) << k;
         far += said > 0.1;
         if (!is_segment(a) || !is_segment(b) || s == 0) continue;

@@ -46,7 +46,7 @@ double volume(const TriangleMesh& mesh) {
 }
 
 // The least cosine between a triangle and the normals of its corners.
-float least_agreement(const TriangleMesh& mesh) {
+float min_agreement(const TriangleMesh& mesh) {
     float least = 1.0f;
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
         const auto vertex = [&](std::size_t k) { return mesh.vertices[mesh.indices[i + k]]; };
@@ -64,7 +64,7 @@ TEST(ShapeMeshes, HullsAreClosedFlatAndOutwards) {
     EXPECT_EQ(mesh.indices.size(), 36u);
     EXPECT_TRUE(is_closed(mesh));
     EXPECT_NEAR(volume(mesh), 8.0, 1e-4);
-    EXPECT_GT(least_agreement(mesh), 0.9999f);
+    EXPECT_GT(min_agreement(mesh), 0.9999f);
 }
 
 TEST(ShapeMeshes, RoundedShapesAreClosedSmoothAndFillTheirVolume) {
@@ -84,7 +84,7 @@ TEST(ShapeMeshes, RoundedShapesAreClosedSmoothAndFillTheirVolume) {
         EXPECT_TRUE(is_closed(mesh)) << c.shape.index();
         EXPECT_NEAR(volume(mesh) / c.volume, 1.0, 0.012) << c.shape.index();
         EXPECT_LT(volume(mesh), c.volume) << c.shape.index();
-        EXPECT_GT(least_agreement(mesh), 0.9f) << c.shape.index();
+        EXPECT_GT(min_agreement(mesh), 0.9f) << c.shape.index();
     }
     EXPECT_TRUE(rounded_shape_triangles(Box{}).indices.empty());
 }
@@ -111,7 +111,7 @@ TEST(ShapeMeshes, SharpEdgesStaySharp) {
     EXPECT_EQ(mesh.indices.size(), 36u);
     EXPECT_TRUE(is_closed(mesh));
     EXPECT_NEAR(volume(mesh), 8.0, 1e-4);
-    EXPECT_GT(least_agreement(mesh), 0.9999f);
+    EXPECT_GT(min_agreement(mesh), 0.9999f);
 }
 
 TEST(ShapeMeshes, RoundSurfacesAreSmooth) {
@@ -149,7 +149,7 @@ TEST(ShapeMeshes, AFanOfManyTrianglesIsBuiltQuickly) {
     }
     const TriangleMesh mesh = surface_triangles(points, indices);
     EXPECT_EQ(mesh.indices.size(), indices.size());
-    EXPECT_GT(least_agreement(mesh), 0.999f);
+    EXPECT_GT(min_agreement(mesh), 0.999f);
 }
 
 TEST(ShapeMeshes, HeightFieldsLieWhereTheirHeightsAre) {
@@ -159,7 +159,7 @@ TEST(ShapeMeshes, HeightFieldsLieWhereTheirHeightsAre) {
     EXPECT_EQ(mesh.vertices[0].corner, Vec3(-2.0f, 0.0f, -0.5f));
     EXPECT_EQ(mesh.vertices[5].corner, Vec3(2.0f, 2.0f, 0.5f));
     ASSERT_EQ(mesh.indices.size(), 12u);
-    EXPECT_GT(least_agreement(mesh), 0.9999f); // upwards, and even over the whole ramp
+    EXPECT_GT(min_agreement(mesh), 0.9999f); // upwards, and even over the whole ramp
     // Each cell is cut from its corner of least x and z to the opposite one.
     for (std::size_t i = 0; i < 12; i += 3) {
         int ends = 0;
@@ -183,11 +183,11 @@ TEST(ShapeMeshes, AHugeFieldIsDrawnCoarserButToItsEdges) {
     constexpr int columns = 4002, rows = 2001;
     const std::vector<float> heights(std::size_t(columns) * rows, 1.0f);
     const TriangleMesh mesh = height_field_triangles(HeightField(columns, rows, {1.0f, 1.0f}, heights));
-    EXPECT_LE(mesh.vertices.size(), most_heights);
-    EXPECT_GT(mesh.vertices.size(), most_heights / 4);
+    EXPECT_LE(mesh.vertices.size(), max_heights);
+    EXPECT_GT(mesh.vertices.size(), max_heights / 4);
     EXPECT_EQ(mesh.vertices.front().corner, Vec3(-2000.5f, 1.0f, -1000.0f));
     EXPECT_EQ(mesh.vertices.back().corner, Vec3(2000.5f, 1.0f, 1000.0f));
-    EXPECT_GT(least_agreement(mesh), 0.9999f);
+    EXPECT_GT(min_agreement(mesh), 0.9999f);
 }
 
 TEST(ShapeMeshes, VisualsKeepTheirNormalsOrAreFlat) {

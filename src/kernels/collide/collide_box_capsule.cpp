@@ -117,7 +117,7 @@ CAIRN_INLINE Directionx8 face_direction(const AxisAtBoxx8& p) {
 }
 
 // Where the axis meets the box: across it and an edge of the box, where that parts them by a shorter way than the face.
-CAIRN_INLINE Directionx8 least_way_out(const AxisAtBoxx8& p, const Directionx8& face, f32x8 preference) {
+CAIRN_INLINE Directionx8 min_way_out(const AxisAtBoxx8& p, const Directionx8& face, f32x8 preference) {
     Directionx8 d = face;
     f32x8 bar = face.distance + preference;
     for (int j = 0; j < 3; ++j) {
@@ -189,7 +189,8 @@ CAIRN_INLINE EndPointsx8 end_points(const AxisAtBoxx8& p, const Directionx8& d, 
         slope = slope + select(holds[i], zero(), d.n[i] * p.u[i]);
         height = height + select(holds[i], zero(), d.n[i] * p.c[i] - abs(d.n[i]) * p.h[i]);
     }
-    // Exactly on the face or edge, which the axis may cross at a small angle: seams between boxes ask for that.
+    // Exactly on the face or edge, which the axis may cross at a small angle: internal edges between boxes ask for
+    // that.
     const auto point = [&](f32x8 s, std::uint32_t feature) {
         ContactPointx8 r = {zero3(), max(height + s * slope, separation), splat_bits(feature), zero() > zero()};
         f32x8 x[3];
@@ -246,7 +247,7 @@ void box_capsule(CAIRN_COLLIDE_PARAMETERS) {
         const Directionx8 face = face_direction(p);
         Directionx8 d = nearest_direction(p);
         const mask8 meets = d.distance <= splat(crossing) * p.size;
-        if (any(meets)) d = select(meets, least_way_out(p, face, preference), d);
+        if (any(meets)) d = select(meets, min_way_out(p, face, preference), d);
         const f32x8 separation = max(d.distance, face.distance) - p.radius;
         if (any(separation <= limit))
             write_contacts(p, a.q, face, d, separation, limit, preference, out + k);

@@ -62,7 +62,7 @@ CAIRN_INLINE Vec3x8 direction_between(const AxisPairx8& p, Vec3x8 between, f32x8
     return direction(between, least, across, distance);
 }
 
-// The point under a place of the second axis: exactly, as seams between surfaces ask for.
+// The point under a place of the second axis: exactly, as internal edges between surfaces ask for.
 CAIRN_INLINE ContactPointx8 point_under(const AxisPairx8& p, f32x8 t, Vec3x8 normal, f32x8 separation, mask8 present,
                                         std::uint32_t feature) {
     const f32x8 depth = p.b.radius + splat(0.5f) * separation;

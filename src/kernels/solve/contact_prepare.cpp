@@ -9,7 +9,7 @@ namespace cairn::CAIRN_ISA {
 namespace {
 
 constexpr float unused_separation = 1e9f; // points at least this far apart are not there
-constexpr float least_friction_weight = 0.01f;
+constexpr float min_friction_weight = 0.01f;
 alignas(64) const ContactRecord empty_record = {
     .normal = {0, 1, 0},
     .friction = 0,
@@ -88,7 +88,7 @@ CAIRN_INLINE Vec3x8 prepare_points(ContactBlock<N>& block, const ContactRecord* 
         gather_field(record, point_offset(i), r[i].x, r[i].y, r[i].z, s);
         const mask8 used = s < splat(unused_separation);
         // Points that are further apart than the margin hardly count for the friction center.
-        f32x8 weight = clamp(splat(2.0f) - s * splat(1.0f / friction_margin), splat(least_friction_weight), one());
+        f32x8 weight = clamp(splat(2.0f) - s * splat(1.0f / friction_margin), splat(min_friction_weight), one());
         weight = select(used, weight, zero());
         center = center + weight * r[i];
         weight_sum += weight;
@@ -175,14 +175,14 @@ template <int N> CAIRN_INLINE void prefetch_records(const std::int32_t* ids, con
     }
 }
 
-CAIRN_INLINE mask8 is_even(const Sym3x8& m) {
+CAIRN_INLINE mask8 is_isotropic(const Sym3x8& m) {
     const f32x8 none = zero();
     return (m.xx == m.yy) & (m.xx == m.zz) & (m.xy == none) & (m.xz == none) & (m.yz == none);
 }
 
 template <int N> CAIRN_INLINE void store_inertia(ContactBlock<N>& block, const Sym3x8& a, const Sym3x8& b) {
-    block.even = all(is_even(a) & is_even(b));
-    if (block.even) {
+    block.isotropic = all(is_isotropic(a) & is_isotropic(b));
+    if (block.isotropic) {
         store(block.inertia_a[0], a.xx);
         store(block.inertia_b[0], b.xx);
     } else {

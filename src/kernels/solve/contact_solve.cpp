@@ -13,7 +13,7 @@ namespace {
 
 constexpr float tiny = 1e-20f;
 // Shares of B's arm: how far two bodies must pass each other to count, and how far it counts in one step.
-constexpr float least_passing = 1e-6f, most_passing = 0.4f;
+constexpr float min_passing = 1e-6f, max_passing = 0.4f;
 
 struct Posex8 {
     Vec3x8 dx;
@@ -40,9 +40,9 @@ template <int N> CAIRN_INLINE void refresh_arm(ContactBlock<N>& block, Vec3x8 no
     const Vec3x8 d0 = load3(block.d0), old = load3(block.d);
     const f32x8 arm_square = load(block.arm_b_square);
     Vec3x8 d = d0 + passed, change = d - old;
-    if (!any(dot(change, change) > splat(least_passing * least_passing) * arm_square)) return;
+    if (!any(dot(change, change) > splat(min_passing * min_passing) * arm_square)) return;
     // Only as far as the couplings K, which are those of the start, still fit.
-    const f32x8 limit = splat(most_passing * most_passing) * arm_square, square = dot(passed, passed);
+    const f32x8 limit = splat(max_passing * max_passing) * arm_square, square = dot(passed, passed);
     const mask8 far = square > limit;
     if (any(far)) {
         d = d0 + select(far, sqrt(limit / select(far, square, one())), one()) * passed;

@@ -1,4 +1,4 @@
-// Velocity and pose integration of the bodies of one bin.
+// Velocity and pose integration of the bodies of one batch.
 #include "kernels/solve/solver.h"
 
 namespace cairn::CAIRN_ISA {

@@ -38,16 +38,16 @@ template <class Block> CAIRN_INLINE Massesx8 renew_masses(Block& block, const So
     return m;
 }
 // Whether all tensors are multiples of 1.
-CAIRN_INLINE bool is_even(const Sym3x8& m) {
-    const mask8 even = (m.xx == m.yy) & (m.xx == m.zz) & (m.xy == zero()) & (m.xz == zero()) & (m.yz == zero());
-    return all(even);
+CAIRN_INLINE bool is_isotropic(const Sym3x8& m) {
+    const mask8 isotropic = (m.xx == m.yy) & (m.xx == m.zz) & (m.xy == zero()) & (m.xz == zero()) & (m.yz == zero());
+    return all(isotropic);
 }
-// At the start of a step. Of even tensors only the moments are kept.
+// At the start of a step. Of isotropic tensors only the moments are kept.
 template <class Block> CAIRN_INLINE Massesx8 first_masses(Block& block, const SolverInertia* rows) {
     const Massesx8 m = renew_masses(block, rows);
-    block.even = is_even(m.inertia_a) && is_even(m.inertia_b);
-    store(block.even_a, m.inertia_a.xx);
-    store(block.even_b, m.inertia_b.xx);
+    block.isotropic = is_isotropic(m.inertia_a) && is_isotropic(m.inertia_b);
+    store(block.isotropic_a, m.inertia_a.xx);
+    store(block.isotropic_b, m.inertia_b.xx);
     return m;
 }
 template <class Block> CAIRN_INLINE Massesx8 load_masses(const Block& block) {
@@ -55,10 +55,10 @@ template <class Block> CAIRN_INLINE Massesx8 load_masses(const Block& block) {
 }
 // Inverse inertia times a vector, of A and of B.
 template <class Block> CAIRN_INLINE Vec3x8 turned_a(const Block& block, Vec3x8 u) {
-    return block.even ? load(block.even_a) * u : load6(block.rest.inertia_a) * u;
+    return block.isotropic ? load(block.isotropic_a) * u : load6(block.rest.inertia_a) * u;
 }
 template <class Block> CAIRN_INLINE Vec3x8 turned_b(const Block& block, Vec3x8 u) {
-    return block.even ? load(block.even_b) * u : load6(block.rest.inertia_b) * u;
+    return block.isotropic ? load(block.isotropic_b) * u : load6(block.rest.inertia_b) * u;
 }
 
 struct Posesx8 {

@@ -9,7 +9,7 @@ namespace cairn::CAIRN_ISA {
 namespace {
 
 constexpr float pi = 3.14159265358979f;
-constexpr float tiny = 1e-20f, least_length = 1e-6f;
+constexpr float tiny = 1e-20f, min_length = 1e-6f;
 
 // The angle of (x, y), -pi to pi. One halving, tan(a / 2) = t / (1 + sqrt(1 + t^2)), and the series; error below 2e-7.
 CAIRN_INLINE f32x8 angle_of(f32x8 y, f32x8 x) {
@@ -31,7 +31,7 @@ CAIRN_INLINE f32x8 rounded(f32x8 x) {
     return (clamp(x, splat(-1e6f), splat(1e6f)) + big) - big;
 }
 
-CAIRN_INLINE Vec3x8 unit(Vec3x8 v, f32x8 length) { return guarded_inverse(length, length > splat(least_length)) * v; }
+CAIRN_INLINE Vec3x8 unit(Vec3x8 v, f32x8 length) { return guarded_inverse(length, length > splat(min_length)) * v; }
 
 struct Jacobianx8 {
     Vec3x8 linear_a, angular_a, linear_b, angular_b;
@@ -79,7 +79,7 @@ CAIRN_INLINE f32x8 angle_about(Quatx8 dq, Vec3x8 axis) { return splat(2.0f) * an
 // The rotation vector, the short way round.
 CAIRN_INLINE Vec3x8 rotation_vector(Quatx8 q) {
     const f32x8 sign = select(q.w < zero(), splat(-1.0f), one()), sine = sqrt(dot(q.v, q.v));
-    const f32x8 factor = select(sine > splat(least_length), angle_of(sine, abs(q.w)) / (sine + splat(tiny)), one());
+    const f32x8 factor = select(sine > splat(min_length), angle_of(sine, abs(q.w)) / (sine + splat(tiny)), one());
     return ((sign + sign) * factor) * q.v;
 }
 
@@ -196,7 +196,7 @@ CAIRN_INLINE f32x8 spring_gain(f32x8 stiffness, f32x8 damping, f32x8 relative, f
 }
 
 CAIRN_INLINE f32x8 drive(AxisBlock& b, f32x8 k, f32x8 v, f32x8 h) {
-    const f32x8 mass = load(b.mass), old = load(b.drive_impulse), most = load(b.most_drive);
+    const f32x8 mass = load(b.mass), old = load(b.drive_impulse), most = load(b.max_drive);
     const f32x8 g = spring_gain(load(b.drive_stiffness), load(b.drive_damping), load(b.drive_relative), mass, h);
     const mask8 rigid = load(b.rigid_drive) > zero();
     const f32x8 yields = one() / (k * g + one());
@@ -247,7 +247,7 @@ template <bool Soft> CAIRN_INLINE f32x8 act(AxisBlock& b, f32x8 v, f32x8 before,
         v += k * d;
     }
     if (b.has_friction) {
-        const f32x8 most = load(b.most_friction), old = load(b.friction_impulse);
+        const f32x8 most = load(b.max_friction), old = load(b.friction_impulse);
         const f32x8 p = clamp(old - mass * v, -most, most), d = p - old;
         store(b.friction_impulse, p);
         sum += d;
@@ -301,7 +301,7 @@ CAIRN_INLINE Jacobianx8 renew(AxisBlock& b, const Posesx8& poses, const SolverIn
     const f32x8 p = net_impulse(b);
     Ends8 change = {{zero3(), zero3()}, {zero3(), zero3()}};
     apply(b, load_jacobian(b), -p, change);
-    if (!b.even) renew_masses(b, inertia);
+    if (!b.isotropic) renew_masses(b, inertia);
     const Jacobianx8 j = refresh(b, poses);
     apply(b, j, p, change);
     store3(b.left[0], change.a.v);

@@ -19,7 +19,8 @@ struct JointSoftness {
 struct JointEnds {
     std::uint32_t a[8], b[8];
     alignas(32) float mass_a[8];
-    float mass_b[8], even_a[8], even_b[8]; // inverse; even_*: moments of inertia, where all tensors are multiples of 1
+    float mass_b[8], isotropic_a[8],
+        isotropic_b[8]; // inverse; isotropic_*: moments of inertia, where all tensors are multiples of 1
 };
 // Where velocities go where that is not the row they came from: what does not move by forces has the discard row of the
 // block. And tensors that are not multiples of 1, gathered anew in each substep.
@@ -35,12 +36,12 @@ struct alignas(64) PointBlock : JointEnds {
     float impulse[3][8];              // on B
     float response[6][8];             // impulse per velocity: inverse of J M^-1 J^T, between the masks
     float left_a[3][8], left_b[3][8]; // angular velocity left for the next solve
-    std::uint8_t free_axis, even, redirects;
+    std::uint8_t free_axis, isotropic, redirects;
     std::uint8_t leaves; // whether left_* hold anything
     // Used by relax only.
     alignas(64) float arm_a0[3][8], arm_b0[3][8], gap0[3][8];
     float total[3][8]; // impulse of all substeps
-    // Used where tensors are uneven, or an axis is left free.
+    // Used where tensors are anisotropic, or an axis is left free.
     JointEndsRest rest;
     float left_linear[3][8]; // free_axis: left for the next solve, change of the impulse
     float axis0[3][8];       // free_axis: the direction that is left free, turns with A
@@ -54,7 +55,7 @@ struct alignas(64) TurnBlock : JointEnds {
     float turn0[4][8];                  // of B's frame against A's, in world axes: x y z w
     float axis_a0[3][8], axis_b0[3][8]; // free_axis: as each body holds it
     float total[3][8];
-    std::uint8_t free_axis, even, redirects;
+    std::uint8_t free_axis, isotropic, redirects;
     std::uint8_t leaves; // whether left_* hold anything
     JointEndsRest rest;
 };
@@ -91,19 +92,19 @@ struct alignas(64) AxisBlock : JointEnds {
     float lower_impulse[8], upper_impulse[8];
 
     // The drive: a spring towards target_position and target_velocity, or where `rigid_drive` is 1 a motor that holds
-    // target_velocity; within most_drive (N s a substep). *_relative is 1 where stiffness and damping are per unit of
+    // target_velocity; within max_drive (N s a substep). *_relative is 1 where stiffness and damping are per unit of
     // the row's mass.
     float drive_stiffness[8], drive_damping[8], target_position[8], target_velocity[8], rigid_drive[8],
-        drive_relative[8], most_drive[8], drive_impulse[8];
+        drive_relative[8], max_drive[8], drive_impulse[8];
     float drive_pull[8]; // N s: stiffness and damping times the errors at the start of the substep
 
-    float most_friction[8], friction_impulse[8]; // N s a substep
+    float max_friction[8], friction_impulse[8]; // N s a substep
     float total[8];
 
     float arm_a0[3][8], arm_b0[3][8], gap0[3][8], turn0[4][8], axis_a0[3][8], axis_b0[3][8];
     float ratio_a[8], ratio_b[8], position0[8];
     AxisKind kind;
-    std::uint8_t even, redirects, leaves, has_limits, has_soft_limits, has_drive, has_friction;
+    std::uint8_t isotropic, redirects, leaves, has_limits, has_soft_limits, has_drive, has_friction;
     JointEndsRest rest;
 };
 

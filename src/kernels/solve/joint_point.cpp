@@ -27,17 +27,17 @@ CAIRN_INLINE Sym3x8 sum(const Sym3x8& a, const Sym3x8& b) {
     return {a.xx + b.xx, a.xy + b.xy, a.xz + b.xz, a.yy + b.yy, a.yz + b.yz, a.zz + b.zz};
 }
 
-template <bool Even> CAIRN_INLINE Vec3x8 times_inertia_a(const PointBlock& b, Vec3x8 u) {
-    return Even ? load(b.even_a) * u : load6(b.rest.inertia_a) * u;
+template <bool Isotropic> CAIRN_INLINE Vec3x8 times_inertia_a(const PointBlock& b, Vec3x8 u) {
+    return Isotropic ? load(b.isotropic_a) * u : load6(b.rest.inertia_a) * u;
 }
-template <bool Even> CAIRN_INLINE Vec3x8 times_inertia_b(const PointBlock& b, Vec3x8 u) {
-    return Even ? load(b.even_b) * u : load6(b.rest.inertia_b) * u;
+template <bool Isotropic> CAIRN_INLINE Vec3x8 times_inertia_b(const PointBlock& b, Vec3x8 u) {
+    return Isotropic ? load(b.isotropic_b) * u : load6(b.rest.inertia_b) * u;
 }
-template <bool Even> CAIRN_INLINE void apply(const PointBlock& b, Vec3x8 arm_a, Vec3x8 arm_b, Vec3x8 p, Ends8& e) {
+template <bool Isotropic> CAIRN_INLINE void apply(const PointBlock& b, Vec3x8 arm_a, Vec3x8 arm_b, Vec3x8 p, Ends8& e) {
     e.a.v = e.a.v - load(b.mass_a) * p;
     e.b.v = e.b.v + load(b.mass_b) * p;
-    e.a.w = e.a.w - times_inertia_a<Even>(b, cross(arm_a, p));
-    e.b.w = e.b.w + times_inertia_b<Even>(b, cross(arm_b, p));
+    e.a.w = e.a.w - times_inertia_a<Isotropic>(b, cross(arm_a, p));
+    e.b.w = e.b.w + times_inertia_b<Isotropic>(b, cross(arm_b, p));
 }
 CAIRN_INLINE Vec3x8 slip_at(const Ends8& e, Vec3x8 arm_a, Vec3x8 arm_b) {
     return (e.b.v - e.a.v) + (cross(e.b.w, arm_b) - cross(e.a.w, arm_a));
@@ -72,11 +72,12 @@ template <bool FreeAxis> CAIRN_INLINE Pointx8 point_now(const PointBlock& b, con
     return point;
 }
 
-template <bool FreeAxis, bool Even> CAIRN_INLINE Sym3x8 response_of(const PointBlock& b, const Pointx8& point) {
+template <bool FreeAxis, bool Isotropic> CAIRN_INLINE Sym3x8 response_of(const PointBlock& b, const Pointx8& point) {
     const f32x8 m = load(b.mass_a) + load(b.mass_b);
     Sym3x8 k = {m, zero(), zero(), m, zero(), m};
-    if constexpr (Even)
-        k = sum(k, sum(even_squared_arm(load(b.even_a), point.arm_a), even_squared_arm(load(b.even_b), point.arm_b)));
+    if constexpr (Isotropic)
+        k = sum(k, sum(even_squared_arm(load(b.isotropic_a), point.arm_a),
+                       even_squared_arm(load(b.isotropic_b), point.arm_b)));
     else
         k = sum(k, sum(squared_arm(load6(b.rest.inertia_a), point.arm_a),
                        squared_arm(load6(b.rest.inertia_b), point.arm_b)));
@@ -92,20 +93,20 @@ CAIRN_INLINE void keep(PointBlock& b, const Pointx8& point, const Sym3x8& respon
     store6(b.response, response);
 }
 
-// Calls f with whether an axis is left free, and whether tensors are even, as constants.
+// Calls f with whether an axis is left free, and whether tensors are isotropic, as constants.
 template <class F> CAIRN_INLINE void for_form(PointBlock& b, F&& f) {
     using Yes = std::true_type;
     using No = std::false_type;
     if (b.free_axis)
-        b.even ? f(Yes{}, Yes{}) : f(Yes{}, No{});
+        b.isotropic ? f(Yes{}, Yes{}) : f(Yes{}, No{});
     else
-        b.even ? f(No{}, Yes{}) : f(No{}, No{});
+        b.isotropic ? f(No{}, Yes{}) : f(No{}, No{});
 }
 
 // Poses are those of the start of the step.
-template <bool FreeAxis, bool Even> CAIRN_INLINE void warm_start_block(PointBlock& b, const SolverBodies& bodies) {
+template <bool FreeAxis, bool Isotropic> CAIRN_INLINE void warm_start_block(PointBlock& b, const SolverBodies& bodies) {
     const Pointx8 point = point_at_start<FreeAxis>(b);
-    keep(b, point, response_of<FreeAxis, Even>(b, point));
+    keep(b, point, response_of<FreeAxis, Isotropic>(b, point));
     Vec3x8 p = load3(b.impulse);
     if constexpr (FreeAxis) {
         p = across(point.axis, p);
@@ -114,7 +115,7 @@ template <bool FreeAxis, bool Even> CAIRN_INLINE void warm_start_block(PointBloc
     b.leaves = 0;
     store3(b.total, zero3());
     Ends8 e = gather_ends(bodies.velocity, b);
-    apply<Even>(b, point.arm_a, point.arm_b, p, e);
+    apply<Isotropic>(b, point.arm_a, point.arm_b, p, e);
     scatter_ends(bodies.velocity, b, e);
 }
 
@@ -122,11 +123,12 @@ void warm_start(void* blocks, int count, const SolverBodies& bodies, const Joint
     auto* all = static_cast<PointBlock*>(blocks);
     for (int k = 0; k < count; ++k) {
         first_masses(all[k], bodies.inertia);
-        for_form(all[k], [&](auto free_axis, auto even) { warm_start_block<free_axis, even>(all[k], bodies); });
+        for_form(all[k],
+                 [&](auto free_axis, auto isotropic) { warm_start_block<free_axis, isotropic>(all[k], bodies); });
     }
 }
 
-template <bool FreeAxis, bool Even>
+template <bool FreeAxis, bool Isotropic>
 CAIRN_INLINE void solve_block(PointBlock& b, SolverVelocity* velocity, f32x8 rate, f32x8 scale, f32x8 rest) {
     Ends8 e = gather_ends(velocity, b);
     if (b.leaves) {
@@ -141,7 +143,7 @@ CAIRN_INLINE void solve_block(PointBlock& b, SolverVelocity* velocity, f32x8 rat
     const Vec3x8 c = slip_at(e, arm_a, arm_b) + rate * load3(b.gap);
     const Vec3x8 d = -(scale * (load6(b.response) * c)) - rest * p;
     store3(b.impulse, p + d);
-    apply<Even>(b, arm_a, arm_b, d, e);
+    apply<Isotropic>(b, arm_a, arm_b, d, e);
     scatter_ends(velocity, b, e);
 }
 
@@ -149,55 +151,56 @@ void solve(void* blocks, int count, SolverVelocity* velocity, const JointSoftnes
     auto* all = static_cast<PointBlock*>(blocks);
     const f32x8 rate = splat(softness.rate), scale = splat(softness.scale), rest = splat(1 - softness.scale);
     for (int k = 0; k < count; ++k)
-        for_form(all[k],
-                 [&](auto free_axis, auto even) { solve_block<free_axis, even>(all[k], velocity, rate, scale, rest); });
+        for_form(all[k], [&](auto free_axis, auto isotropic) {
+            solve_block<free_axis, isotropic>(all[k], velocity, rate, scale, rest);
+        });
 }
 
 // What the new arms and axis change of the impulse that is carried, `p` of `old`, is left for the next solve.
-template <bool FreeAxis, bool Even>
+template <bool FreeAxis, bool Isotropic>
 CAIRN_INLINE void leave_change(PointBlock& b, const Pointx8& point, Vec3x8 p, Vec3x8 old,
                                const SolverInertia* inertia) {
     b.leaves = 1;
     const Vec3x8 old_a = load3(b.arm_a), old_b = load3(b.arm_b);
-    if constexpr (Even && !FreeAxis) {
-        store3(b.left_a, load(b.even_a) * cross(old_a - point.arm_a, p));
-        store3(b.left_b, load(b.even_b) * cross(point.arm_b - old_b, p));
+    if constexpr (Isotropic && !FreeAxis) {
+        store3(b.left_a, load(b.isotropic_a) * cross(old_a - point.arm_a, p));
+        store3(b.left_b, load(b.isotropic_b) * cross(point.arm_b - old_b, p));
         return;
     }
-    const Vec3x8 before_a = times_inertia_a<Even>(b, cross(old_a, old)),
-                 before_b = times_inertia_b<Even>(b, cross(old_b, old));
-    if constexpr (!Even) renew_masses(b, inertia);
-    store3(b.left_a, before_a - times_inertia_a<Even>(b, cross(point.arm_a, p)));
-    store3(b.left_b, times_inertia_b<Even>(b, cross(point.arm_b, p)) - before_b);
+    const Vec3x8 before_a = times_inertia_a<Isotropic>(b, cross(old_a, old)),
+                 before_b = times_inertia_b<Isotropic>(b, cross(old_b, old));
+    if constexpr (!Isotropic) renew_masses(b, inertia);
+    store3(b.left_a, before_a - times_inertia_a<Isotropic>(b, cross(point.arm_a, p)));
+    store3(b.left_b, times_inertia_b<Isotropic>(b, cross(point.arm_b, p)) - before_b);
     if constexpr (FreeAxis) store3(b.left_linear, p - old);
 }
 
 // The impulse without softness that stops what slips.
-template <bool Even>
+template <bool Isotropic>
 CAIRN_INLINE void stop_slip(PointBlock& b, const SolverBodies& bodies, Vec3x8 arm_a, Vec3x8 arm_b,
                             const Sym3x8& response, Vec3x8 carried) {
     Ends8 e = gather_ends(bodies.velocity, b);
     const Vec3x8 d = -(response * slip_at(e, arm_a, arm_b)), p = carried + d;
     store3(b.impulse, p);
     store3(b.total, load3(b.total) + p);
-    apply<Even>(b, arm_a, arm_b, d, e);
+    apply<Isotropic>(b, arm_a, arm_b, d, e);
     scatter_ends(bodies.velocity, b, e);
 }
 
-template <bool FreeAxis, bool Even> CAIRN_INLINE void relax_block(PointBlock& b, const SolverBodies& bodies) {
+template <bool FreeAxis, bool Isotropic> CAIRN_INLINE void relax_block(PointBlock& b, const SolverBodies& bodies) {
     const Posesx8 poses = gather_poses(bodies.pose, b);
     const Pointx8 point = point_now<FreeAxis>(b, poses);
     const Vec3x8 old = load3(b.impulse), carried = FreeAxis ? across(point.axis, old) : old;
-    leave_change<FreeAxis, Even>(b, point, carried, old, bodies.inertia);
-    const Sym3x8 response = response_of<FreeAxis, Even>(b, point);
+    leave_change<FreeAxis, Isotropic>(b, point, carried, old, bodies.inertia);
+    const Sym3x8 response = response_of<FreeAxis, Isotropic>(b, point);
     keep(b, point, response);
-    stop_slip<Even>(b, bodies, point.arm_a, point.arm_b, response, carried);
+    stop_slip<Isotropic>(b, bodies, point.arm_a, point.arm_b, response, carried);
 }
 
 void relax(void* blocks, int count, const SolverBodies& bodies, const JointSoftness&) {
     auto* all = static_cast<PointBlock*>(blocks);
     for (int k = 0; k < count; ++k)
-        for_form(all[k], [&](auto free_axis, auto even) { relax_block<free_axis, even>(all[k], bodies); });
+        for_form(all[k], [&](auto free_axis, auto isotropic) { relax_block<free_axis, isotropic>(all[k], bodies); });
 }
 
 void strike(void* blocks, JointImpact* impacts, int count, SolverVelocity* velocity, float) {
@@ -210,7 +213,7 @@ void strike(void* blocks, JointImpact* impacts, int count, SolverVelocity* veloc
         const Vec3x8 p = splat(-impact_relaxation) * (load6(b.response) * slip_at(e, arm_a, arm_b));
         const Vec3x8 d = select(mask_from_bits(impacts[k].active), p, zero3());
         store3(b.total, load3(b.total) + d);
-        b.even ? apply<true>(b, arm_a, arm_b, d, e) : apply<false>(b, arm_a, arm_b, d, e);
+        b.isotropic ? apply<true>(b, arm_a, arm_b, d, e) : apply<false>(b, arm_a, arm_b, d, e);
         scatter_ends(velocity, b, e);
     }
 }

@@ -80,11 +80,11 @@ template <bool FreeAxis> CAIRN_INLINE void relax_block(TurnBlock& b, const Solve
     const Posesx8 poses = gather_poses(bodies.pose, b);
     const Vec3x8 old = load3(b.impulse);
     const Vec3x8 wa = turned_a(b, old), wb = -turned_b(b, old);
-    if (!b.even) renew_masses(b, bodies.inertia);
+    if (!b.isotropic) renew_masses(b, bodies.inertia);
     const Vec3x8 axis = refresh<FreeAxis>(b, poses, load_masses(b));
     Vec3x8 p = old;
     if constexpr (FreeAxis) p = across(axis, old);
-    if (FreeAxis || !b.even) {
+    if (FreeAxis || !b.isotropic) {
         store3(b.left_a, wa - turned_a(b, p));
         store3(b.left_b, wb + turned_b(b, p));
         b.leaves = 1;

@@ -107,14 +107,14 @@ CAIRN_INLINE void normal_velocities(const ContactBlock<N>& block, const Velocity
 }
 
 // Inverse inertia times a vector, of A and of B.
-CAIRN_INLINE Vec3x8 inertia_times(bool even, const float (*inertia)[8], Vec3x8 u) {
-    return even ? load(inertia[0]) * u : load6(inertia) * u;
+CAIRN_INLINE Vec3x8 inertia_times(bool isotropic, const float (*inertia)[8], Vec3x8 u) {
+    return isotropic ? load(inertia[0]) * u : load6(inertia) * u;
 }
 template <int N> CAIRN_INLINE Vec3x8 turned_a(const ContactBlock<N>& block, Vec3x8 u) {
-    return inertia_times(block.even, block.inertia_a, u);
+    return inertia_times(block.isotropic, block.inertia_a, u);
 }
 template <int N> CAIRN_INLINE Vec3x8 turned_b(const ContactBlock<N>& block, Vec3x8 u) {
-    return inertia_times(block.even, block.inertia_b, u);
+    return inertia_times(block.isotropic, block.inertia_b, u);
 }
 
 // Against relative rolling: one mass for all directions, the smallest effective one that the trace guarantees, so that
@@ -122,7 +122,7 @@ template <int N> CAIRN_INLINE Vec3x8 turned_b(const ContactBlock<N>& block, Vec3
 template <int N> CAIRN_INLINE f32x8 rolling_mass(const ContactBlock<N>& block) {
     constexpr int xx = 0, yy = 3, zz = 5;
     auto sum = [&](int i) { return load(block.inertia_a[i]) + load(block.inertia_b[i]); };
-    const f32x8 trace = block.even ? (sum(xx) + sum(xx)) + sum(xx) : (sum(xx) + sum(yy)) + sum(zz);
+    const f32x8 trace = block.isotropic ? (sum(xx) + sum(xx)) + sum(xx) : (sum(xx) + sum(yy)) + sum(zz);
     const mask8 turns = trace > zero();
     return select(turns, splat(3.0f) / select(turns, trace, one()), zero()) * splat(1.0f / 3.0f);
 }

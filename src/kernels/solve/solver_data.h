@@ -6,7 +6,7 @@
 
 namespace cairn {
 
-// --- Bodies of one solver bin, gathered anew each step, one row each.
+// --- Bodies of one solver batch, gathered anew each step, one row each.
 
 // Linear and angular velocity, world axes.
 struct alignas(32) SolverVelocity {
@@ -33,7 +33,7 @@ struct alignas(32) SolverTwist {
     float w[3], pad1;
 };
 
-// The rows of a bin's body arrays that are not bodies: the first is what does not move (all zero). Behind the bodies
+// The rows of a batch's body arrays that are not bodies: the first is what does not move (all zero). Behind the bodies
 // there is one for each block, its discard row, where lanes write that have nothing to write: one for all would have
 // all threads write there.
 inline constexpr std::uint32_t row_bytes = 32; // of every body array
@@ -102,7 +102,7 @@ template <int N> struct alignas(64) ContactBlock : PointRows<N> {
     float mass_a[8], mass_b[8], inertia_a[6][8], inertia_b[6][8];
     float moved_moment[3][8];               // on B, of the impulses carried over, as d has changed
     std::uint8_t moved;                     // whether moved_moment holds anything
-    std::uint8_t even;                      // all tensors are multiples of 1: only their xx are kept
+    std::uint8_t isotropic;                 // all tensors are multiples of 1: only their xx are kept
     std::uint8_t rolls;                     // any rolling resistance
     std::uint8_t bounces;                   // any restitution
     std::uint8_t round;                     // any round surface
@@ -120,7 +120,7 @@ template <int N> struct alignas(64) ContactBlock : PointRows<N> {
     float rolling_radius[8], rolling_impulse[3][8], restitution[8]; // where there is any
 };
 
-// Softness and limits of the contacts of one bin, for a substep of h seconds.
+// Softness and limits of the contacts of one batch, for a substep of h seconds.
 struct ContactSoftness {
     float h, inverse_h;
     struct Spring {
@@ -154,7 +154,7 @@ struct ContactLanes {
     std::int32_t first_discard; // discard row of the first block; those of the others follow
 };
 
-// The body arrays of one bin.
+// The body arrays of one batch.
 struct SolverBodies {
     SolverVelocity* velocity;
     SolverVelocity* reference; // velocity after external forces, before any constraint of the substep

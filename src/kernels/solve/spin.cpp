@@ -12,7 +12,7 @@ namespace {
 
 // Cosine of half the angle up to which a body may have turned in a step for L to be followed: beyond, the inertia that
 // contacts act on says nothing about the one that it has.
-constexpr float most_turn_cosine = 0.9f;
+constexpr float max_turn_cosine = 0.9f;
 CAIRN_INLINE Quatx8 gather_turn(const SolverPose* pose, const std::uint32_t* offset) {
     const float* p[8];
     Quatx8 q;
@@ -71,7 +71,7 @@ CAIRN_INLINE void write_inverse_inertia(const SpinBlock& block, const Mat3x8& ax
 
 // L now, with what the contacts have added since the last free motion.
 CAIRN_INLINE Vec3x8 momentum_now(const SpinBlock& block, Quatx8 turn, Quatx8 axes, Vec3x8 w, bool first) {
-    mask8 followed = turn.w > splat(first ? 2.0f : most_turn_cosine);
+    mask8 followed = turn.w > splat(first ? 2.0f : max_turn_cosine);
     if (block.any_renewed && !first) followed = followed | (load(block.renewed) > zero());
     Vec3x8 momentum = zero3();
     if (!all(followed)) momentum = tensor(axes, load3(block.moments), w);

@@ -1,4 +1,4 @@
-#include "jobs/crew.h"
+#include "jobs/thread_pool.h"
 
 #include <algorithm>
 #include <csignal>
@@ -31,7 +31,7 @@ void leave_signals_alone() {
 
 } // namespace
 
-Crew::Crew(int threads) : ranges_(std::size_t(std::max(threads, 1))) {
+ThreadPool::ThreadPool(int threads) : ranges_(std::size_t(std::max(threads, 1))) {
     workers_.reserve(std::size_t(std::max(threads - 1, 0)));
     try {
         for (int i = 1; i < threads; ++i) workers_.emplace_back([this, i] { help(i); });
@@ -41,16 +41,16 @@ Crew::Crew(int threads) : ranges_(std::size_t(std::max(threads, 1))) {
     }
 }
 
-Crew::~Crew() { dismiss(); }
+ThreadPool::~ThreadPool() { dismiss(); }
 
-void Crew::dismiss() {
+void ThreadPool::dismiss() {
     ends_ = true;
     ++wakes_;
     wakes_.notify_all();
     for (std::thread& worker : workers_) worker.join();
 }
 
-bool Crew::take_chunk_of(Range& range, int thread) {
+bool ThreadPool::take_chunk_of(Range& range, int thread) {
     std::uint64_t word = range.word.load(std::memory_order_acquire);
     for (;;) {
         const std::uint64_t chunk = word & index_mask, last = (word >> index_bits) & index_mask;
@@ -75,14 +75,14 @@ bool Crew::take_chunk_of(Range& range, int thread) {
 }
 
 // Its own first, then those of the others, from the next one on.
-bool Crew::take_chunk(int thread) {
+bool ThreadPool::take_chunk(int thread) {
     const std::size_t threads = ranges_.size();
     for (std::size_t i = 0; i < threads; ++i)
         if (take_chunk_of(ranges_[(std::size_t(thread) + i) % threads], thread)) return true;
     return false;
 }
 
-void Crew::run(int first, int end, int grain, Work work, const void* context) {
+void ThreadPool::run(int first, int end, int grain, Work work, const void* context) {
     const std::uint64_t chunks = std::uint64_t((end - first - 1) / grain + 1), threads = ranges_.size();
     first_.store(first, std::memory_order_relaxed);
     end_.store(end, std::memory_order_relaxed);
@@ -110,7 +110,7 @@ void Crew::run(int first, int end, int grain, Work work, const void* context) {
     if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
 }
 
-void Crew::help(int thread) {
+void ThreadPool::help(int thread) {
     leave_signals_alone();
     while (!ends_.load(std::memory_order_relaxed)) {
         const std::uint64_t seen = stage_.load(std::memory_order_acquire);
@@ -120,7 +120,7 @@ void Crew::help(int thread) {
 }
 
 // Until there is another stage than the one that was seen.
-void Crew::wait_for_stage(std::uint64_t seen) {
+void ThreadPool::wait_for_stage(std::uint64_t seen) {
     auto changed = [&] { return stage_.load() != seen || ends_.load(); };
     for (int looks = 0; looks < looks_with_pause; ++looks) {
         if (changed()) return;

@@ -16,16 +16,16 @@
 
 namespace cairn {
 
-class Crew {
+class ThreadPool {
   public:
-    static constexpr int most_threads = 256;
+    static constexpr int max_threads = 256;
 
-    // `threads`: the caller's and the workers', 1 to most_threads. One is the calling thread alone: then everything
+    // `threads`: the caller's and the workers', 1 to max_threads. One is the calling thread alone: then everything
     // below is an ordinary loop. Throws std::system_error if the system has no more threads.
-    explicit Crew(int threads);
-    ~Crew();
-    Crew(const Crew&) = delete;
-    Crew& operator=(const Crew&) = delete;
+    explicit ThreadPool(int threads);
+    ~ThreadPool();
+    ThreadPool(const ThreadPool&) = delete;
+    ThreadPool& operator=(const ThreadPool&) = delete;
 
     int threads() const { return int(workers_.size()) + 1; }
 
@@ -43,8 +43,8 @@ class Crew {
             (*static_cast<const F*>(f))(begin, end, thread);
         };
         // As many items at a time as a stage has numbers for.
-        constexpr std::int64_t most_chunks = std::int64_t(index_mask);
-        const std::int64_t most = most_chunks * grain;
+        constexpr std::int64_t max_chunks = std::int64_t(index_mask);
+        const std::int64_t most = max_chunks * grain;
         for (std::int64_t first = 0; first < count; first += most)
             run(int(first), int(count - first < most ? count : first + most), grain, call, &work);
     }
@@ -92,10 +92,10 @@ inline void raise(float& greatest, float value) {
            !__atomic_compare_exchange(&greatest, &seen, &value, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {}
 }
 
-// Crew::for_chunks with a crew that may be none: then all at once.
-template <class F> void for_chunks(Crew* crew, int count, int grain, const F& work) {
-    if (crew)
-        crew->for_chunks(count, grain, work);
+// ThreadPool::for_chunks with a thread_pool that may be none: then all at once.
+template <class F> void for_chunks(ThreadPool* thread_pool, int count, int grain, const F& work) {
+    if (thread_pool)
+        thread_pool->for_chunks(count, grain, work);
     else if (count > 0)
         work(0, count, 0);
 }
