@@ -1,5 +1,5 @@
 // What the solver kernels work on. Plain data, no functions: kernel translation units of every instruction
-// set include it.
+// set include it. The members of blocks are listed in block_fields.h, which fails to compile when one is missing.
 #pragma once
 
 #include <cstdint>
