@@ -1,7 +1,6 @@
 // Lists of the members of structs, and the guard that a list names all of them.
 #pragma once
 
-#include <concepts>
 #include <cstddef>
 #include <tuple>
 #include <type_traits>
@@ -16,13 +15,18 @@ struct Anything {
 };
 template <std::size_t> using AnythingAt = Anything;
 
-// Each member takes one pair of braces, whatever it is: a number, an array, a struct, a base.
-template <class T, std::size_t... I> constexpr bool takes(std::index_sequence<I...>) {
-    return requires { T{{AnythingAt<I>{}}...}; };
+// In braces of its own each member takes one value, whatever it is: a number, an array, a plain struct, a base. Without
+// them also what has constructors does, but of an array each element.
+template <class T, bool InBraces, std::size_t... I> constexpr bool takes(std::index_sequence<I...>) {
+    if constexpr (InBraces) return requires {
+            T{{AnythingAt<I>{}}...};
+        };
+    else
+        return requires { T{AnythingAt<I>{}...}; };
 }
-template <class T, std::size_t N = 0> constexpr std::size_t count() {
-    if constexpr (takes<T>(std::make_index_sequence<N + 1>{}))
-        return count<T, N + 1>();
+template <class T, bool InBraces, std::size_t N = 0> constexpr std::size_t count() {
+    if constexpr (takes<T, InBraces>(std::make_index_sequence<N + 1>{}))
+        return count<T, InBraces, N + 1>();
     else
         return N;
 }
@@ -36,11 +40,16 @@ template <class A, class B> constexpr bool same_member(A a, B b) {
 
 } // namespace fields_detail
 
-// How many members and bases an aggregate has. A base counts as one, and so does an array. Members must be such that
-// one value in braces says unambiguously what they become: no strings or vectors.
-template <class T>
-requires std::is_aggregate_v<T>
-constexpr std::size_t field_count() { return fields_detail::count<T>(); }
+// How many members and bases an aggregate of plain data has. A base counts as one, and so does an array.
+template <class T> constexpr std::size_t field_count() {
+    static_assert(std::is_aggregate_v<T>);
+    return fields_detail::count<T, true>();
+}
+// Of an aggregate with members that have constructors (strings, vectors), but without arrays.
+template <class T> constexpr std::size_t class_field_count() {
+    static_assert(std::is_aggregate_v<T>);
+    return fields_detail::count<T, false>();
+}
 
 // Whether a list of pointers to members has this one.
 template <class... Members, class Member> constexpr bool has_field(const std::tuple<Members...>& list, Member member) {
