@@ -44,7 +44,7 @@ Shape shape_of(int type, RandomStart& random) {
     case 0:
         return Sphere{a};
     case 1:
-        return Box{{a, b, 0.15f}};
+        return random.below(2) ? Box{{a, b, 0.15f}} : Box{{a, a, a}}; // a cube turns as a ball does
     case 2:
         return Capsule{a, 0.1f, {}};
     default:
@@ -56,11 +56,16 @@ Shape shape_of(int type, RandomStart& random) {
 Island add_island(World& world, int seed, float restitution) {
     RandomStart random(seed);
     Island island;
+    const Position origin(spacing * seed, 0, 0);
+    BodyDef floor; // of its own, so that arms are short
+    floor.type = BodyType::static_;
+    floor.position = origin;
+    add_body(world, Plane{{0, 1, 0}, {1, 0, 0}, glm::vec2(20)}, floor, surface(0.5f, restitution));
     const Vec3 thrown = random.vector(3) - Vec3(0, random.between(0, 12), 0);
     const int count = 3 + random.below(2), first_type = random.below(4);
     for (int i = 0; i < count; ++i) {
         BodyDef def;
-        def.position = Position(spacing * seed, 0, 0) + Position(0.05 * (i % 2), 0.4 + 0.5 * i, 0);
+        def.position = origin + Position(0.05 * (i % 2), 0.4 + 0.5 * i, 0);
         def.rotation = random.rotation();
         def.linear_velocity = thrown;
         def.angular_velocity = random.vector(random.below(2) ? 2.0f : 15.0f);
@@ -86,7 +91,6 @@ struct Together {
     std::vector<Island> members;
 
     Together(const WorldDef& def, const std::vector<int>& seeds, float restitution) : world(def) {
-        add_ground(world, surface(0.5f, restitution));
         for (const int seed : seeds) members.push_back(add_island(world, seed, restitution));
     }
 };
