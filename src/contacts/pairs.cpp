@@ -48,23 +48,14 @@ bool has_wide_kernels(const Geometry& g) {
     return g.type <= ShapeType::rectangle && !(g.rounding > 0) && !g.is_double_sided && !is_strip(g);
 }
 
-// In the order of PairKind.
+// By PairKind.
 struct WideTest {
     ShapeType first, second;
     CollideKernel KernelTable::*kernel;
 };
-constexpr WideTest wide_tests[wide_kinds] = {
-    {ShapeType::sphere, ShapeType::sphere, &KernelTable::sphere_sphere},
-    {ShapeType::sphere, ShapeType::box, &KernelTable::sphere_box},
-    {ShapeType::sphere, ShapeType::plane, &KernelTable::sphere_plane},
-    {ShapeType::sphere, ShapeType::rectangle, &KernelTable::sphere_rectangle},
-    {ShapeType::sphere, ShapeType::capsule, &KernelTable::sphere_capsule},
-    {ShapeType::box, ShapeType::box, &KernelTable::box_box},
-    {ShapeType::box, ShapeType::plane, &KernelTable::box_plane},
-    {ShapeType::box, ShapeType::rectangle, &KernelTable::box_rectangle},
-    {ShapeType::capsule, ShapeType::capsule, &KernelTable::capsule_capsule},
-    {ShapeType::box, ShapeType::capsule, &KernelTable::box_capsule},
-};
+#define CAIRN_WIDE_TEST(first, second) {ShapeType::first, ShapeType::second, &KernelTable::first##_##second},
+constexpr WideTest wide_tests[wide_kinds] = {CAIRN_WIDE_PAIRS(CAIRN_WIDE_TEST)};
+#undef CAIRN_WIDE_TEST
 
 float combine_values(float a, float b, CombineRule rule) {
     switch (rule) {

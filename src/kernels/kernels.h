@@ -8,6 +8,7 @@
 #include "collision/manifold.h"
 #include "collision/shape_pose.h"
 #include "collision/triangle_batch.h"
+#include "collision/wide_pairs.h"
 #include "kernels/solve/joint_data.h"
 #include "kernels/solve/solver_data.h"
 
@@ -24,21 +25,16 @@ using CollideKernel = void (*)(const ShapePose* poses, const std::uint32_t* firs
 struct KernelTable {
     const char* name; // "avx512", "avx2", "sse2", "neon", "simd128", "scalar"
 
-    CollideKernel sphere_sphere;
-    CollideKernel sphere_box;       // first: sphere, second: box
-    CollideKernel sphere_plane;     // first: sphere, second: infinite plane
-    CollideKernel sphere_rectangle; // first: sphere, second: finite rectangle
-    CollideKernel sphere_capsule;   // capsules: with equal ends
-    CollideKernel box_box;
-    CollideKernel box_plane;
-    CollideKernel box_rectangle;
-    CollideKernel capsule_capsule;
-    CollideKernel box_capsule; // first: box, second: capsule
-
     SolverKernels solver;
     JointKernels joints;
     BroadKernels broad;
     TriangleKernels triangles;
+
+    // By the types of the first shape and of the second. Planes are infinite, rectangles finite, capsules have equal
+    // ends.
+#define CAIRN_COLLIDE_KERNEL(first, second) CollideKernel first##_##second;
+    CAIRN_WIDE_PAIRS(CAIRN_COLLIDE_KERNEL)
+#undef CAIRN_COLLIDE_KERNEL
 };
 
 // The chosen table.

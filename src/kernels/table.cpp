@@ -11,23 +11,16 @@ namespace cairn::CAIRN_ISA {
 #define CAIRN_STRING2(text) #text
 #define CAIRN_STRING(text) CAIRN_STRING2(text)
 
+#define CAIRN_COLLIDE_KERNEL(first, second) .first##_##second = first##_##second,
+
 extern const KernelTable table;
 const KernelTable table = {
-    CAIRN_STRING(CAIRN_ISA),
-    sphere_sphere,
-    sphere_box,
-    sphere_plane,
-    sphere_rectangle,
-    sphere_capsule,
-    box_box,
-    box_plane,
-    box_rectangle,
-    capsule_capsule,
-    box_capsule,
-    solver_kernels(),
-    joint_kernels(),
-    broad_kernels(),
-    {see_triangles, touch_on_box, touch_on_triangle},
+    .name = CAIRN_STRING(CAIRN_ISA),
+    .solver = solver_kernels(),
+    .joints = joint_kernels(),
+    .broad = broad_kernels(),
+    .triangles = {see_triangles, touch_on_box, touch_on_triangle},
+    CAIRN_WIDE_PAIRS(CAIRN_COLLIDE_KERNEL) // by name, so that none gets the place of another
 };
 
 } // namespace cairn::CAIRN_ISA

@@ -1,10 +1,14 @@
 #include "solver/impacts.h"
 
+#include "kernels/solve/block_fields.h"
 #include "solver/block_runs.h"
 #include "solver/impact_lists.h"
 
 #include <algorithm>
 #include <bit>
+#include <tuple>
+#include <type_traits>
+#include <utility>
 
 namespace cairn {
 
@@ -62,78 +66,71 @@ template <class Block> void empty_lanes(Block& b, std::uint32_t discard) {
     }
 }
 
-// What `strike` reads of a lane.
-template <class T> void take_row(T (&to)[8], std::size_t lane, const T (&from)[8], std::size_t from_lane) {
+// What `strike` does not read: it is not copied. A new member of a block is, unless it is named here.
+template <class Block> struct NotStruck { static constexpr std::tuple<> list{}; };
+template <> struct NotStruck<PointBlock> {
+    using B = PointBlock;
+    static constexpr auto list = std::tuple(&B::gap, &B::impulse, &B::left_a, &B::left_b, &B::arm_a0, &B::arm_b0,
+                                            &B::gap0, &B::left_linear, &B::axis0);
+};
+template <> struct NotStruck<TurnBlock> {
+    using B = TurnBlock;
+    static constexpr auto list =
+        std::tuple(&B::error, &B::impulse, &B::left_a, &B::left_b, &B::turn0, &B::axis_a0, &B::axis_b0);
+};
+template <> struct NotStruck<AxisBlock> { // limits that are springs, drives and friction give no impulses
+    using B = AxisBlock;
+    static constexpr auto list = std::tuple(
+        &B::left, &B::limit_stiffness, &B::limit_damping, &B::limit_relative, &B::lower_impulse, &B::upper_impulse,
+        &B::drive_stiffness, &B::drive_damping, &B::target_position, &B::target_velocity, &B::rigid_drive,
+        &B::drive_relative, &B::max_drive, &B::drive_impulse, &B::drive_pull, &B::max_friction, &B::friction_impulse,
+        &B::arm_a0, &B::arm_b0, &B::gap0, &B::turn0, &B::axis_a0, &B::axis_b0, &B::ratio_a, &B::ratio_b, &B::position0);
+};
+template <int N> struct NotStruck<PointRows<N>> {
+    using B = PointRows<N>;
+    static constexpr auto list = std::tuple(&B::separation0, &B::height, &B::lever);
+};
+template <> struct NotStruck<PointRows<1>> { static constexpr auto list = std::tuple(&PointRows<1>::separation0); };
+template <int N> struct NotStruck<ContactBlock<N>> { // of friction: only that at the friction center
+    using B = ContactBlock<N>;
+    static constexpr auto list =
+        std::tuple(&B::moved_moment, &B::d0, &B::radius_a, &B::radius_b, &B::arm_b_square, &B::torsion_mass,
+                   &B::torsion_coupling, &B::static_friction, &B::torsion_radius, &B::tangent_impulse,
+                   &B::torsion_impulse, &B::rolling_radius, &B::rolling_impulse);
+};
+
+// One lane of a row, or of rows of rows.
+template <class T> void take_lane(T (&to)[8], std::size_t lane, const T (&from)[8], std::size_t from_lane) {
     to[lane] = from[from_lane];
 }
-template <std::size_t N>
-void take_rows(float (&to)[N][8], std::size_t lane, const float (&from)[N][8], std::size_t from_lane) {
-    for (std::size_t i = 0; i < N; ++i) to[i][lane] = from[i][from_lane];
+template <class Rows, std::size_t N>
+requires std::is_array_v<Rows>
+void take_lane(Rows (&to)[N], std::size_t lane, const Rows (&from)[N], std::size_t from_lane) {
+    for (std::size_t i = 0; i < N; ++i) take_lane(to[i], lane, from[i], from_lane);
 }
-template <class Block> void copy_bodies(Block& to, std::size_t lane, const Block& from, std::size_t from_lane) {
-    take_row(to.a, lane, from.a, from_lane);
-    take_row(to.b, lane, from.b, from_lane);
-    take_row(to.mass_a, lane, from.mass_a, from_lane);
-    take_row(to.mass_b, lane, from.mass_b, from_lane);
-}
-template <class Block> void copy_ends(Block& to, std::size_t lane, const Block& from, std::size_t from_lane) {
-    copy_bodies(to, lane, from, from_lane);
-    take_row(to.isotropic_a, lane, from.isotropic_a, from_lane);
-    take_row(to.isotropic_b, lane, from.isotropic_b, from_lane);
-    take_row(to.rest.write_a, lane, from.rest.write_a, from_lane);
-    take_row(to.rest.write_b, lane, from.rest.write_b, from_lane);
-    if (from.isotropic) return;
-    take_rows(to.rest.inertia_a, lane, from.rest.inertia_a, from_lane);
-    take_rows(to.rest.inertia_b, lane, from.rest.inertia_b, from_lane);
-}
-void copy_lane(PointBlock& to, std::size_t lane, const PointBlock& from, std::size_t from_lane) {
-    copy_ends(to, lane, from, from_lane);
-    take_rows(to.arm_a, lane, from.arm_a, from_lane);
-    take_rows(to.arm_b, lane, from.arm_b, from_lane);
-    take_rows(to.response, lane, from.response, from_lane);
-    take_rows(to.total, lane, from.total, from_lane);
-}
-void copy_lane(TurnBlock& to, std::size_t lane, const TurnBlock& from, std::size_t from_lane) {
-    copy_ends(to, lane, from, from_lane);
-    take_rows(to.response, lane, from.response, from_lane);
-    take_rows(to.total, lane, from.total, from_lane);
-}
-void copy_lane(AxisBlock& to, std::size_t lane, const AxisBlock& from, std::size_t from_lane) {
-    copy_ends(to, lane, from, from_lane);
-    take_rows(to.linear_a, lane, from.linear_a, from_lane);
-    take_rows(to.linear_b, lane, from.linear_b, from_lane);
-    take_rows(to.angular_a, lane, from.angular_a, from_lane);
-    take_rows(to.angular_b, lane, from.angular_b, from_lane);
-    take_row(to.mass, lane, from.mass, from_lane);
-    take_row(to.position, lane, from.position, from_lane);
-    take_row(to.lower, lane, from.lower, from_lane);
-    take_row(to.upper, lane, from.upper, from_lane);
-    take_row(to.equation, lane, from.equation, from_lane);
-    take_row(to.rigid_limit, lane, from.rigid_limit, from_lane);
-    take_row(to.total, lane, from.total, from_lane);
-}
-template <int N>
-void copy_lane(ContactBlock<N>& to, std::size_t lane, const ContactBlock<N>& from, std::size_t from_lane) {
-    copy_bodies(to, lane, from, from_lane);
-    take_row(to.write_b, lane, from.write_b, from_lane);
-    take_rows(to.inertia_a, lane, from.inertia_a, from_lane);
-    take_rows(to.inertia_b, lane, from.inertia_b, from_lane);
-    if constexpr (N > 1) {
-        for (std::size_t i = 0; i < N; ++i) take_rows(to.arm[i], lane, from.arm[i], from_lane);
-        take_rows(to.share, lane, from.share, from_lane);
+
+// What `strike` reads of a lane. What a block has one of is that of the whole block, see form_of.
+template <class Block> void copy_lane(Block& to, std::size_t lane, const Block& from, std::size_t from_lane) {
+    if constexpr (requires { typename BlockFields<Block>::Base; })
+        copy_lane<typename BlockFields<Block>::Base>(to, lane, from, from_lane);
+    const auto copy = [&]<class T, class B>(T B::*member) {
+        if constexpr (std::is_same_v<T, JointEndsRest>)
+            copy_lane(to.*member, lane, from.*member, from_lane);
+        else if constexpr (std::is_array_v<T>)
+            take_lane(to.*member, lane, from.*member, from_lane);
+        else
+            static_assert(std::is_same_v<T, std::uint8_t> || std::is_same_v<T, AxisKind>, "copy members of this type");
+    };
+    constexpr std::size_t count = std::tuple_size_v<decltype(BlockFields<Block>::list)>;
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+        (
+            [&] {
+                constexpr auto member = std::get<I>(BlockFields<Block>::list);
+                if constexpr (!has_field(NotStruck<Block>::list, member)) copy(member);
+            }(),
+            ...);
     }
-    take_rows(to.effective_mass, lane, from.effective_mass, from_lane);
-    take_rows(to.impulse, lane, from.impulse, from_lane);
-    take_rows(to.separation, lane, from.separation, from_lane);
-    take_rows(to.total_impulse, lane, from.total_impulse, from_lane);
-    take_rows(to.center, lane, from.center, from_lane);
-    take_rows(to.normal, lane, from.normal, from_lane);
-    take_rows(to.d, lane, from.d, from_lane);
-    take_rows(to.tangent, lane, from.tangent, from_lane);
-    take_rows(to.tangent_mass, lane, from.tangent_mass, from_lane);
-    take_row(to.friction, lane, from.friction, from_lane);
-    take_row(to.restitution, lane, from.restitution, from_lane);
-    take_rows(to.total_tangent, lane, from.total_tangent, from_lane);
+    (std::make_index_sequence<count>{});
 }
 
 // Copies lanes of one run of the batch's blocks, by form and group. There are never more blocks than in the batch, so
@@ -264,16 +261,13 @@ void add_to_references(BatchScratch& scratch) {
     }
 }
 
-template <int N>
-void take_totals(ContactBlock<N>& to, std::size_t lane, const ContactBlock<N>& from, std::size_t from_lane) {
-    take_rows(to.total_impulse, lane, from.total_impulse, from_lane);
-    take_rows(to.total_tangent, lane, from.total_tangent, from_lane);
-}
 template <class Block> void take_totals(Block& to, std::size_t lane, const Block& from, std::size_t from_lane) {
-    take_rows(to.total, lane, from.total, from_lane);
-}
-void take_totals(AxisBlock& to, std::size_t lane, const AxisBlock& from, std::size_t from_lane) {
-    to.total[lane] = from.total[from_lane];
+    if constexpr (requires { to.total; }) {
+        take_lane(to.total, lane, from.total, from_lane);
+    } else {
+        take_lane(to.total_impulse, lane, from.total_impulse, from_lane);
+        take_lane(to.total_tangent, lane, from.total_tangent, from_lane);
+    }
 }
 
 void take_all_totals(BatchScratch& scratch) {

@@ -54,7 +54,7 @@ float velocity_offset(Integrator integrator) {
 
 void refresh_all(BatchScratch& scratch, ThreadPool* thread_pool, const SolverBodies& bodies, float h) {
     for_blocks(scratch, thread_pool, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
-        k.refresh_arms(blocks_of(scratch, run), run.count, bodies, h);
+        k.refresh_arms(blocks_of(scratch, run), run.count, bodies, scratch.free_correction.data(), h);
     });
 }
 

@@ -1,6 +1,7 @@
 // What is known of a pair of shapes whose bounds overlap.
 #pragma once
 
+#include "collision/wide_pairs.h"
 #include "state/none.h"
 
 #include <cstdint>
@@ -9,17 +10,10 @@ namespace cairn {
 
 // How a pair of shapes is tested.
 enum class PairKind : std::uint8_t {
-    // By a wide kernel (pairs.cpp).
-    sphere_sphere,
-    sphere_box,
-    sphere_plane,
-    sphere_rectangle,
-    sphere_capsule,
-    box_box,
-    box_plane,
-    box_rectangle,
-    capsule_capsule,
-    box_capsule,
+// By a wide kernel (wide_pairs.h).
+#define CAIRN_PAIR_KIND(first, second) first##_##second,
+    CAIRN_WIDE_PAIRS(CAIRN_PAIR_KIND)
+#undef CAIRN_PAIR_KIND
     // One at a time, A first (convex_tests.cpp).
     convex_plane,
     convex_rectangle,
@@ -29,7 +23,7 @@ enum class PairKind : std::uint8_t {
     group,
     patch,
 };
-inline constexpr int wide_kinds = 10, tested_kinds = 14;
+inline constexpr int wide_kinds = int(PairKind::convex_plane), tested_kinds = int(PairKind::patch);
 inline bool has_one_point(PairKind k) { return k <= PairKind::sphere_capsule; }
 inline bool may_be_round(PairKind k) { return k < PairKind::box_box || k > PairKind::box_rectangle; }
 

@@ -1,6 +1,7 @@
 // Saving a world and bringing it back.
 #include "bodies/bodies.h"
 #include "core/archive.h"
+#include "core/fields.h"
 #include "core/hash.h"
 #include "world/impl.h"
 #include "world/validate.h"
@@ -40,9 +41,14 @@ ShapePose expected_pose(const State& s, std::size_t shape) {
     return pose;
 }
 
+// Of what is archived as it lies in memory. A member may take the place of padding: the size does not show it.
+template <class... Plain> void add_field_counts(Hash64& hash) { (hash.add(field_count<Plain>()), ...); }
+
 // Layouts that a snapshot depends on: one from another build is refused rather than misread.
 std::uint64_t layout() {
     Hash64 hash;
+    add_field_counts<BodyMotion, RestingPose, BodyMass, BodySettings, BodyForces, BodyLinks, ShapeLinks, ShapePose,
+                     ContactRecord, ContactInfo, ApartPair, Island, JointInfo, JointAxisRule, JointAxisState>(hash);
     for (const std::size_t size :
          {sizeof(State), sizeof(BodyMotion), sizeof(RestingPose), sizeof(BodyMass), sizeof(ContactRecord),
           sizeof(ContactInfo), sizeof(ApartPair), sizeof(Island), sizeof(ShapePose), sizeof(Geometry), sizeof(ShapeDef),
@@ -82,6 +88,10 @@ template <class Archive> void serialize_bodies(Archive& archive, State& s) {
 template <class Archive> void serialize_contacts(Archive& archive, State& s) {
     archive(s.records), archive(s.contacts), archive(s.apart_pairs), archive(s.free_contacts);
 }
+
+static_assert(field_count<JointInfo>() == 25, "JointInfo has another member: if definitions set it, and not steps, "
+                                              "moving_part, serialize_joints and serialize_defined_joints name it");
+static_assert(field_count<JointAxes>() == 2, "JointAxes has another member: archive it with states or with rules");
 
 // Without what a joint is defined by.
 JointInfo moving_part(const JointInfo& joint) {
@@ -137,6 +147,11 @@ template <class Archive, class F> void serialize_state(Archive& archive, State& 
 
 // --- what they do not change
 
+// What is archived member by member has as many of them as below.
+#define CAIRN_ARCHIVES_MEMBERS(count, type)                                                                            \
+    static_assert(class_field_count<type>() == (count), #type " has another member: archive it here, and count it")
+
+CAIRN_ARCHIVES_MEMBERS(2, GeneralJoint);
 template <class Archive, class T> void serialize_joint(Archive& archive, T& joint) { archive(joint); }
 template <class Archive> void serialize_joint(Archive& archive, GeneralJoint& joint) {
     archive(joint.limits), archive(joint.drives);
@@ -154,6 +169,7 @@ template <std::size_t I = 0> void select_joint(Joint& joint, std::size_t index) 
     }
 }
 
+CAIRN_ARCHIVES_MEMBERS(11, JointDef);
 template <class Archive> void serialize_joint_def(Archive& archive, JointDef& def) {
     archive(def.body_a), archive(def.body_b), archive(def.frame_a), archive(def.frame_b), archive(def.enable_collision);
     archive(def.break_force), archive(def.break_torque), archive(def.solver), archive(def.name), archive(def.user_data);
@@ -194,6 +210,7 @@ template <class Archive> void serialize_defined_joints(Archive& archive, State& 
 
 // What lies between the fields of a struct of the user's is whatever the caller's memory held. Such structs are saved
 // field by field; `padding` fills the gaps with zeros.
+CAIRN_ARCHIVES_MEMBERS(7, Material);
 struct MaterialFields {
     float numbers[5];
     CombineRule friction_combine, restitution_combine;
@@ -210,6 +227,7 @@ Material from_fields(const MaterialFields& f) {
             f.numbers[4], f.friction_combine, f.restitution_combine};
 }
 
+CAIRN_ARCHIVES_MEMBERS(8, ShapeDef);
 struct ShapeDefFields {
     CollisionFilter filter;
     std::uint64_t user_data;
@@ -230,6 +248,7 @@ ShapeDef from_fields(const ShapeDefFields& f) {
             f.filter,   f.is_trigger != 0, f.surface_velocity, f.user_data};
 }
 
+CAIRN_ARCHIVES_MEMBERS(6, ForceField);
 struct ForceFieldFields {
     Position center;
     Vec3 direction;
@@ -245,12 +264,15 @@ ForceField from_fields(const ForceFieldFields& f) {
     return {f.kind, f.direction, f.center, f.strength, f.exponent, f.is_force != 0};
 }
 
+CAIRN_ARCHIVES_MEMBERS(12, WorldDef);
 template <class Archive> void serialize_settings(Archive& archive, WorldDef& d) {
     archive(d.gravity), archive(d.substeps), archive(d.adaptive_substeps), archive(d.integrator);
     archive(d.enable_sleep), archive(d.sleep_speed), archive(d.sleep_time);
     archive(d.restitution_speed), archive(d.hit_speed), archive(d.recovery_speed);
     archive(d.max_linear_speed), archive(d.max_angular_speed);
 }
+
+#undef CAIRN_ARCHIVES_MEMBERS
 
 template <class Archive, class T> void serialize_fields(Archive& archive, std::vector<T>& values) {
     std::vector<decltype(fields_of(values[0]))> fields;

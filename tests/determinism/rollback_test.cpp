@@ -15,7 +15,7 @@ TEST(Rollback, OfEightFramesAThousandTimesEndsWhereAStraightRunDoes) {
     ASSERT_EQ(result.milliseconds.size(), 1000u);
     EXPECT_EQ(result.bodies, 500u);
     EXPECT_EQ(result.joints, 60u);
-    EXPECT_GT(result.contacts, 800u);
+    EXPECT_GT(result.contacts, 700u);  // a heap in motion: about 800, more or fewer with every change of the arithmetic
     EXPECT_GE(result.min_awake, 250u); // the heap is kept awake
     EXPECT_LE(result.min_awake, 440u); // and the stacks sleep
     double sum = 0;

@@ -35,12 +35,15 @@ CAIRN_INLINE Vec3x8 turned_back_difference(Quatx8 q, Vec3x8 n) {
 }
 // Brings d up to the new poses, so that both bodies are pushed at one point of the world and angular momentum is
 // kept while they pass each other. What is carried into the next substep was pushed at the old d: the moment that is
-// missing since is left for the next `solve`. Nothing is done where nothing has moved.
-template <int N> CAIRN_INLINE void refresh_arm(ContactBlock<N>& block, Vec3x8 normal, Vec3x8 passed) {
+// missing since is left for the next `solve`. Nothing is done in lanes where nothing has moved: what happens in one
+// lane must not depend on what shares its block.
+template <int N, class Among>
+CAIRN_INLINE void refresh_arm(ContactBlock<N>& block, Vec3x8 normal, Vec3x8 passed, Among&& among) {
     const Vec3x8 d0 = load3(block.d0), old = load3(block.d);
     const f32x8 arm_square = load(block.arm_b_square);
     Vec3x8 d = d0 + passed, change = d - old;
-    if (!any(dot(change, change) > splat(min_passing * min_passing) * arm_square)) return;
+    const mask8 moves = among(dot(change, change) > splat(min_passing * min_passing) * arm_square);
+    if (!any(moves)) return;
     // Only as far as the couplings K, which are those of the start, still fit.
     const f32x8 limit = splat(max_passing * max_passing) * arm_square, square = dot(passed, passed);
     const mask8 far = square > limit;
@@ -48,13 +51,13 @@ template <int N> CAIRN_INLINE void refresh_arm(ContactBlock<N>& block, Vec3x8 no
         d = d0 + select(far, sqrt(limit / select(far, square, one())), one()) * passed;
         change = d - old;
     }
-    store3(block.d, d);
+    store3(block.d, select(moves, d, old));
     f32x8 carried = zero();
     for (int i = 0; i < N; ++i) carried += load(block.impulse[i]);
     const f32x8 p1 = load(block.tangent_impulse[0]), p2 = load(block.tangent_impulse[1]);
     if (all((carried == zero()) & (p1 == zero()) & (p2 == zero()))) return;
     const Vec3x8 p = p1 * load3(block.tangent) + p2 * second_tangent(block, normal);
-    const Vec3x8 moment = cross(change, carried * normal + p);
+    const Vec3x8 moment = select(moves, cross(change, carried * normal + p), zero3());
     store3(block.moved_moment, block.moved ? load3(block.moved_moment) + moment : moment);
     block.moved = 1;
 }
@@ -85,19 +88,24 @@ CAIRN_INLINE void refresh_separations(ContactBlock<N>& block, const SolverPose* 
         s[i] = load(block.separation0[i]) + (common + (height * f + dot(arm_of(block, normal, i), e)));
         store(block.separation[i], s[i]);
     }
-    refresh_arm(block, normal, passed);
+    refresh_arm(block, normal, passed, [](mask8 lanes) { return lanes; });
 }
 
-// After bounces: to where their corrections will have moved the bodies.
-template <int N> void refresh_arms(void* blocks, int count, const SolverBodies& bodies, float h) {
+// After bounces: to where their corrections will have moved the bodies. Nothing is done where none of the two bounced.
+template <int N>
+void refresh_arms(void* blocks, int count, const SolverBodies& bodies, const SolverTwist* free_correction, float h) {
     auto* all = static_cast<ContactBlock<N>*>(blocks);
     auto* correction = reinterpret_cast<const SolverVelocity*>(bodies.velocity_correction);
+    auto* free = reinterpret_cast<const SolverVelocity*>(free_correction);
     for (int k = 0; k < count; ++k) {
         ContactBlock<N>& block = all[k];
-        const Vec3x8 shift =
-            splat(h) * (gather_velocity(correction, block.a).v - gather_velocity(correction, block.b).v);
+        const Vec3x8 a = gather_velocity(correction, block.a).v, b = gather_velocity(correction, block.b).v;
+        const Vec3x8 free_a = gather_velocity(free, block.a).v, free_b = gather_velocity(free, block.b).v;
+        const mask8 still = (a.x == free_a.x) & (a.y == free_a.y) & (a.z == free_a.z) & (b.x == free_b.x) &
+                            (b.y == free_b.y) & (b.z == free_b.z);
         const Vec3x8 passed = gather_pose(bodies.pose, block.a).dx - gather_pose(bodies.pose, block.b).dx;
-        refresh_arm(block, load3(block.normal), passed + shift);
+        refresh_arm(block, load3(block.normal), passed + splat(h) * (a - b),
+                    [&](mask8 lanes) { return and_not(lanes, still); });
     }
 }
 
@@ -198,7 +206,8 @@ template <int N>
 CAIRN_INLINE int leave_impacts(ContactBlock<N>& block, Vec3x8 normal, f32x8& sum, Vec3x8& torque, Rows<N>& rows,
                                const ContactSoftness& softness) {
     const f32x8 speed = splat(softness.impact_speed);
-    if (!any(max(load(block.mass_a), load(block.mass_b)) * sum > speed)) return 0;
+    const mask8 jolts = max(load(block.mass_a), load(block.mass_b)) * sum > speed;
+    if (!any(jolts)) return 0;
     f32x8 v[N];
     normal_velocities<N>(block, rows.a, rows.b, normal, cross(load3(block.d), normal), v);
     mask8 struck = mask_from_bits(0);
@@ -210,7 +219,7 @@ CAIRN_INLINE int leave_impacts(ContactBlock<N>& block, Vec3x8 normal, f32x8& sum
     }
     // What jolts under a load is left to that. So is what hits again and again: it is driven. A contact is struck in
     // solve, which lets it close its gap, and in relax, once it is closed.
-    struck = and_not(struck & (sum > carried), mask_from_bits(block.struck_twice));
+    struck = and_not(struck & jolts & (sum > carried), mask_from_bits(block.struck_twice));
     if (!any(struck)) return 0;
     block.struck_twice = std::uint8_t(block.struck_twice | (block.struck_once & bits(struck)));
     block.struck_once = std::uint8_t(block.struck_once | bits(struck));
@@ -387,6 +396,12 @@ CAIRN_INLINE void solve_friction(ContactBlock<N>& block, const PointSums& sums, 
         n2 = select(slides, scale * c2, n2);
         nw = select(slides, scale * cw * radius, nw);
     }
+
+    // Without a load there is none. A slip of which the square is too small for a float is not seen to slide.
+    const mask8 pressed = sums.load > zero();
+    n1 = select(pressed, n1, zero());
+    n2 = select(pressed, n2, zero());
+    nw = select(pressed, nw, zero());
 
     store(block.tangent_impulse[0], n1);
     store(block.tangent_impulse[1], n2);

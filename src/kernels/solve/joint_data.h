@@ -1,6 +1,7 @@
 // What the joint kernels work on. Plain data, no functions. A joint is made of rows of three kinds: a point (three
 // linear directions, or the two across an axis), a turn (three angular ones, or the two across an axis), and axes (one
-// direction each, with limits, drive and friction). docs/joints.md derives them.
+// direction each, with limits, drive and friction). docs/joints.md derives them. The members of blocks are listed in
+// block_fields.h, which fails to compile when one is missing.
 #pragma once
 
 #include "kernels/solve/solver_data.h"

@@ -23,6 +23,9 @@ CAIRN_INLINE Sym3x8 even_squared_arm(f32x8 i, Vec3x8 r) {
     const f32x8 xx = s.x * r.x, yy = s.y * r.y, zz = s.z * r.z;
     return {yy + zz, -(s.x * r.y), -(s.x * r.z), xx + zz, -(s.y * r.z), xx + yy};
 }
+CAIRN_INLINE Sym3x8 difference(const Sym3x8& a, const Sym3x8& b) {
+    return {a.xx - b.xx, a.xy - b.xy, a.xz - b.xz, a.yy - b.yy, a.yz - b.yz, a.zz - b.zz};
+}
 CAIRN_INLINE Sym3x8 sum(const Sym3x8& a, const Sym3x8& b) {
     return {a.xx + b.xx, a.xy + b.xy, a.xz + b.xz, a.yy + b.yy, a.yz + b.yz, a.zz + b.zz};
 }
@@ -156,15 +159,31 @@ void solve(void* blocks, int count, SolverVelocity* velocity, const JointSoftnes
         });
 }
 
+// The change of what a torque does is what the change of the torque does, and what the change of the inertia does: for
+// isotropic bodies nothing, to the bit, whether all bodies of the block are isotropic or not.
+template <bool Isotropic>
+CAIRN_INLINE void leave_change_of_arms(PointBlock& b, Vec3x8 change_a, Vec3x8 change_b, Vec3x8 torque_a,
+                                       Vec3x8 torque_b, const SolverInertia* inertia) {
+    if constexpr (Isotropic) {
+        store3(b.left_a, times_inertia_a<true>(b, change_a));
+        store3(b.left_b, times_inertia_b<true>(b, change_b));
+    } else {
+        const Sym3x8 old_a = load6(b.rest.inertia_a), old_b = load6(b.rest.inertia_b);
+        const Massesx8 now = renew_masses(b, inertia);
+        store3(b.left_a, now.inertia_a * change_a + difference(old_a, now.inertia_a) * torque_a);
+        store3(b.left_b, now.inertia_b * change_b + difference(now.inertia_b, old_b) * torque_b);
+    }
+}
+
 // What the new arms and axis change of the impulse that is carried, `p` of `old`, is left for the next solve.
 template <bool FreeAxis, bool Isotropic>
 CAIRN_INLINE void leave_change(PointBlock& b, const Pointx8& point, Vec3x8 p, Vec3x8 old,
                                const SolverInertia* inertia) {
     b.leaves = 1;
     const Vec3x8 old_a = load3(b.arm_a), old_b = load3(b.arm_b);
-    if constexpr (Isotropic && !FreeAxis) {
-        store3(b.left_a, load(b.isotropic_a) * cross(old_a - point.arm_a, p));
-        store3(b.left_b, load(b.isotropic_b) * cross(point.arm_b - old_b, p));
+    if constexpr (!FreeAxis) {
+        leave_change_of_arms<Isotropic>(b, cross(old_a - point.arm_a, p), cross(point.arm_b - old_b, p),
+                                        cross(old_a, p), cross(old_b, p), inertia);
         return;
     }
     const Vec3x8 before_a = times_inertia_a<Isotropic>(b, cross(old_a, old)),

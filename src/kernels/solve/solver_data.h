@@ -1,5 +1,5 @@
 // What the solver kernels work on. Plain data, no functions: kernel translation units of every instruction
-// set include it.
+// set include it. The members of blocks are listed in block_fields.h, which fails to compile when one is missing.
 #pragma once
 
 #include <cstdint>
@@ -207,7 +207,9 @@ struct SolverKernels {
         // One pass of an impact; `impacts`: an array of ContactImpact, beside the blocks.
         void (*strike)(void* blocks, void* impacts, int count, SolverVelocity* velocity, float inverse_h);
         int (*bounce)(void* blocks, int count, const SolverBodies& bodies, const BounceSettings& settings);
-        void (*refresh_arms)(void* blocks, int count, const SolverBodies& bodies, float h);
+        // `free_correction`: what velocity_correction was before the bounces.
+        void (*refresh_arms)(void* blocks, int count, const SolverBodies& bodies, const SolverTwist* free_correction,
+                             float h);
         // Records and reports are indexed by the contact.
         void (*store)(const void* blocks, int count, const ContactLanes& lanes, ContactRecord* records,
                       ContactReport* reports);
