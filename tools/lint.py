@@ -20,7 +20,7 @@ USERS = {
 }
 # Kernel sources are compiled once per instruction set: they see plain data only.
 KERNEL_MAY = {"core", "simd", "math", "bvh", "collision", "kernels"}
-MAX_LINES, MAX_COLUMNS = 600, 120
+MAX_LINES, MAX_COLUMNS = 500, 120
 INCLUDE = re.compile(r'^\s*#include "([^"/]+)/[^"]+"')
 SOURCES = (".h", ".cpp", ".py", ".sh")
 # Of Markdown: [text](target), and [text](target "title"); code is not read.

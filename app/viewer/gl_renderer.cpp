@@ -1,10 +1,10 @@
 #include "viewer/gl_renderer.h"
 
 #include "viewer/culling.h"
+#include "viewer/gl_lines.h"
 #include "viewer/gl_objects.h"
-#include "viewer/joint_drawing.h"
-#include "viewer/palette.h"
 #include "viewer/shaders.h"
+#include "viewer/shadow_region.h"
 
 #include <cairn/error.h>
 
@@ -16,7 +16,6 @@
 #include <array>
 #include <cmath>
 #include <memory>
-#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -104,44 +103,13 @@ float grid_spacing(float camera_distance) {
 
 } // namespace
 
-ShadowRegion shadow_region(const RenderFrame& frame) {
-    const Vec3 target(frame.camera.target - frame.origin);
-    const float distance = std::max(0.1f, float(glm::length(frame.camera.position - frame.camera.target)));
-    const float reach = 5.0f * distance;
-    float radius = 0.0f;
-    const auto include = [&](const std::vector<Instance>& instances) {
-        for (const Instance& instance : instances) {
-            const float needed = glm::length(instance.position - target) + instance.bound_radius;
-            if (needed < reach) radius = std::max(radius, needed);
-        }
-    };
-    include(frame.spheres);
-    include(frame.boxes);
-    include(frame.capsules);
-    include(frame.cylinders);
-    for (const MeshInstances& group : frame.meshes) {
-        if (group.mesh->look == MeshLook::facets) {
-            include(group.instances);
-            continue;
-        }
-        for (const Instance& instance : group.instances) { // mostly larger than what can be seen of it
-            const float needed = glm::length(instance.position - target) + instance.bound_radius;
-            radius = std::max(radius, std::min(1.5f * distance, needed));
-        }
-    }
-    if (radius <= 0.0f) radius = 0.5f * reach;
-    constexpr float step = 1.3f; // coarse steps, so that the region seldom changes
-    radius = std::pow(step, std::ceil(std::log(radius) / std::log(step)));
-    return {target, radius};
-}
-
 struct GlRenderer::Impl {
-    GlProgram body, shadow, ground, sky, lines;
+    GlProgram body, shadow, ground, sky;
+    GlLines lines;
     RoundMeshes spheres, capsules, cylinders;
     std::unordered_map<const ShapeMesh*, LoadedMesh> meshes;
     std::vector<Instance> sorted;
     GlMesh boxes, rectangles, square;
-    GlObject line_array, line_buffer;
     GlObject shadow_texture, shadow_framebuffer;
     GlObject target_framebuffer, target_color, target_depth;
     int target_width = 0, target_height = 0;
@@ -166,9 +134,6 @@ struct GlRenderer::Impl {
     void draw_sky(const RenderFrame& frame, float aspect);
     void draw_bodies(const RenderFrame& frame);
     void draw_grounds(const RenderFrame& frame);
-    void draw_lines(const RenderFrame& frame);
-    void draw_marks(const RenderFrame& frame, int height);
-    void upload_lines(const std::vector<Vec3>& vertices);
 };
 
 GlRenderer::Impl::Impl()
@@ -176,20 +141,10 @@ GlRenderer::Impl::Impl()
       shadow(shaders::desktop_header, shaders::body_vertex, shaders::shadow_fragment),
       ground(shaders::desktop_header, shaders::ground_vertex, with_lighting(shaders::ground_fragment)),
       sky(shaders::desktop_header, shaders::sky_vertex, with_lighting(shaders::sky_fragment)),
-      lines(shaders::desktop_header, shaders::line_vertex, shaders::line_fragment),
       spheres([](const Detail& detail) { return GlMesh(sphere_mesh(detail.sphere_subdivisions)); }),
       capsules([](const Detail& detail) { return GlMesh(capsule_mesh(detail.segments, detail.rings)); }),
       cylinders([](const Detail& detail) { return GlMesh(cylinder_mesh(detail.segments)); }), boxes(box_mesh()),
-      rectangles(rectangle_mesh()), square(rectangle_mesh()), line_array(make_vertex_array()),
-      line_buffer(make_buffer()) {
-    glBindVertexArray(line_array.name());
-    glBindBuffer(GL_ARRAY_BUFFER, line_buffer.name());
-    glEnableVertexAttribArray(0);
-    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 6 * sizeof(float), nullptr);
-    glEnableVertexAttribArray(1);
-    glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, 6 * sizeof(float),
-                          reinterpret_cast<const void*>(3 * sizeof(float)));
-    glBindVertexArray(0);
+      rectangles(rectangle_mesh()), square(rectangle_mesh()) {
     make_shadow_map();
 }
 
@@ -410,69 +365,6 @@ void GlRenderer::Impl::draw_grounds(const RenderFrame& frame) {
     }
 }
 
-void GlRenderer::Impl::draw_lines(const RenderFrame& frame) {
-    if (frame.lines.empty()) return;
-    std::vector<Vec3> vertices;
-    for (const Line& line : frame.lines) vertices.insert(vertices.end(), {line.from, line.color, line.to, line.color});
-    lines.use();
-    lines.set("u_clip_from_world", clip_from_world);
-    upload_lines(vertices);
-    glDrawArrays(GL_LINES, 0, GLsizei(2 * frame.lines.size()));
-}
-
-void GlRenderer::Impl::upload_lines(const std::vector<Vec3>& vertices) {
-    glBindVertexArray(line_array.name());
-    glBindBuffer(GL_ARRAY_BUFFER, line_buffer.name());
-    glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(vertices.size() * sizeof(Vec3)), vertices.data(), GL_STREAM_DRAW);
-}
-
-// Veils, then strokes with a dark rim that parts them from bodies of their color: first what lies behind something,
-// faintly, then the rest.
-void GlRenderer::Impl::draw_marks(const RenderFrame& frame, int height) {
-    if (frame.strokes.empty() && frame.veils.empty()) return;
-    constexpr float stroke_picture_height = 720.0f, rim = 2.0f;
-    constexpr float veil_alpha = 0.22f, rim_alpha = 0.3f, hidden_alpha = 0.4f;
-    const float pixel = 2.0f * std::tan(0.5f * frame.camera.vertical_fov) / stroke_picture_height;
-    std::vector<Vec3> vertices, band;
-    for (const Veil& veil : frame.veils)
-        for (const Vec3& corner : {veil.a, veil.b, veil.c}) vertices.insert(vertices.end(), {corner, srgb(veil.color)});
-    const GLsizei veils_end = GLsizei(vertices.size() / 2);
-    const auto add_strokes = [&](float wider, std::optional<Vec3> color) {
-        for (const Stroke& stroke : frame.strokes) {
-            Stroke drawn = stroke; // at least a pixel wide
-            drawn.width = std::max(drawn.width, stroke_picture_height / float(height)) + wider;
-            band.clear();
-            add_band(band, drawn, eye, camera.forward(), pixel);
-            const Vec3 shown = color.value_or(srgb(stroke.color));
-            for (const Vec3& corner : band) vertices.insert(vertices.end(), {corner, shown});
-        }
-        return GLsizei(vertices.size() / 2);
-    };
-    const GLsizei rims_end = add_strokes(rim, Vec3(0.05f, 0.08f, 0.12f)), strokes_end = add_strokes(0.0f, std::nullopt);
-    lines.use();
-    lines.set("u_clip_from_world", clip_from_world);
-    upload_lines(vertices);
-    glDisable(GL_CULL_FACE);
-    glDepthMask(GL_FALSE);
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
-    const auto draw = [](GLsizei from, GLsizei to, float alpha) {
-        glBlendColor(0.0f, 0.0f, 0.0f, alpha);
-        glDrawArrays(GL_TRIANGLES, from, to - from);
-    };
-    glDepthFunc(GL_GREATER);
-    draw(0, veils_end, veil_alpha * hidden_alpha);
-    draw(rims_end, strokes_end, hidden_alpha);
-    glDepthFunc(GL_LEQUAL);
-    draw(0, veils_end, veil_alpha);
-    draw(veils_end, rims_end, rim_alpha);
-    draw(rims_end, strokes_end, 1.0f);
-    glDepthFunc(GL_LESS);
-    glDisable(GL_BLEND);
-    glDepthMask(GL_TRUE);
-    glEnable(GL_CULL_FACE);
-}
-
 GlRenderer::GlRenderer() {
     if (epoxy_gl_version() < 33 || !epoxy_is_desktop_gl())
         throw Error(ErrorCode::unsupported, "OpenGL version", std::to_string(epoxy_gl_version()),
@@ -503,8 +395,8 @@ void GlRenderer::draw(const RenderFrame& frame, int width, int height, unsigned 
     impl.draw_bodies(frame);
     impl.draw_grounds(frame);
     impl.draw_sky(frame, aspect); // only where nothing else is
-    impl.draw_lines(frame);
-    impl.draw_marks(frame, height);
+    impl.lines.draw(frame, impl.clip_from_world);
+    impl.lines.draw_marks(frame, impl.clip_from_world, impl.camera, height);
 
     glBindFramebuffer(GL_READ_FRAMEBUFFER, impl.target_framebuffer.name());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);

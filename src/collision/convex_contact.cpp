@@ -1,13 +1,12 @@
 #include "collision/convex_contact.h"
 
 #include "collision/contact_axis.h"
-#include "collision/face_outline.h"
+#include "collision/face_points.h"
 #include "collision/flat_points.h"
 #include "shapes/box_triangle_distance.h"
 #include "shapes/epa.h"
 
 #include <limits>
-#include <optional>
 
 namespace cairn {
 
@@ -130,79 +129,6 @@ void point_manifold(DVec3 position, DVec3 normal, double separation, std::uint32
     points.frame.origin = position - (0.5 * separation) * normal, points.frame.normal = normal;
     points.list.add({0, 0, separation, feature});
     write_manifold(points, normal, position, extent, margin, none, out);
-}
-
-// The best face of one shape of a pair (best_face), which is asked for again with another axis.
-class FaceSearch {
-  public:
-    FaceAxis find(const Convex& c, const Convex& other, const DVec3& p, const FaceAxis& floor) {
-        if (!best_ && !(floor.separation >= floor_)) {
-            const FaceAxis found = best_face(c, other, p, floor);
-            floor_ = floor.separation;
-            if (found.face >= 0) best_ = found;
-        }
-        return best_ && best_->separation > floor.separation ? *best_ : floor;
-    }
-
-  private:
-    std::optional<FaceAxis> best_;                           // of all
-    double floor_ = std::numeric_limits<double>::infinity(); // else none is farther
-};
-
-// The points of one pair of shapes between a face and what is opposite. They are asked for again with another axis, and
-// the face is mostly the same, and how far its points reach is mostly enough.
-struct FacePoints {
-    FaceSearch on_a, on_b;
-    FaceReach known;
-    bool is_found = false;       // else only how far they reach may be known
-    std::optional<Feature> disc; // the face, if it or what is opposite is one
-    FaceOutline outline;         // of a face with corners
-    ContactPoints points;
-
-    bool is_of(const FaceAxis& axis) const { return known.face == axis.face && known.is_second == axis.is_second; }
-    void find(const Convex& c, const Convex& other, const FaceAxis& axis, double extent) {
-        is_found = true;
-        known.face = axis.face, known.is_second = axis.is_second;
-        Feature incident;
-        incident_feature(other, axis.is_second ? axis.normal : -axis.normal, axis.opposite, incident);
-        points.list.clear();
-        const bool is_disc = c.kind == Convex::Kind::cylinder;
-        if (is_disc || incident.kind == Feature::Kind::disc) {
-            disc.emplace();
-            face_feature(c, axis.face, *disc);
-            disc_points(*disc, incident, extent, points);
-        }
-        if (!is_disc) {
-            outline.find(c, axis.face, axis.is_second ? -axis.normal : axis.normal, axis.on_face);
-            if (incident.kind != Feature::Kind::disc) outline_points(outline, incident, points);
-        }
-        known.reached = std::numeric_limits<double>::infinity();
-        for (const ContactPoint& p : points.list)
-            if (p.separation < known.reached) known.reached = p.separation;
-    }
-
-    // Whether the middle of the points that reach so far is farther from the border of the face than `distance`.
-    bool are_amid(const Convex& c, double reach, double distance) const {
-        double x = 0, y = 0, z = 0, count = 0;
-        for (const ContactPoint& p : points.list)
-            if (p.separation <= reach) x += p.x, y += p.y, z += p.separation, count += 1;
-        if (!(count > 0)) return false;
-        const double part = 1 / count;
-        const DVec3 middle = points.position(part * x, part * y, part * z);
-        if (c.kind != Convex::Kind::cylinder) return outline.holds(middle, distance);
-        const DVec3 d = middle - disc->center, across = d - dot(d, disc->normal) * disc->normal;
-        return math::length(across) < disc->radius - distance;
-    }
-};
-
-bool face_manifold(const Convex& a, const Convex& b, const FaceAxis& axis, double least, double tolerance,
-                   double extent, double margin, FacePoints& found, Manifold& out) {
-    const Convex &c = axis.is_second ? b : a, &other = axis.is_second ? a : b;
-    if (!found.is_of(axis)) found.find(c, other, axis, extent);
-    if (!(found.known.reached <= least + tolerance)) return false;
-    if (!found.is_found) found.find(c, other, axis, extent);
-    write_manifold(found.points, axis.normal, other.center, extent, margin, least, out);
-    return out.count > 0;
 }
 
 double common_extent(const Convex& a, const Convex& b) {

@@ -1,0 +1,93 @@
+#include "viewer/gl_lines.h"
+
+#include "viewer/joint_drawing.h"
+#include "viewer/palette.h"
+#include "viewer/shaders.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace cairn::viewer {
+
+GlLines::GlLines()
+    : program_(shaders::desktop_header, shaders::line_vertex, shaders::line_fragment), array_(make_vertex_array()),
+      buffer_(make_buffer()) {
+    glBindVertexArray(array_.name());
+    glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
+    glEnableVertexAttribArray(0);
+    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 6 * sizeof(float), nullptr);
+    glEnableVertexAttribArray(1);
+    glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, 6 * sizeof(float),
+                          reinterpret_cast<const void*>(3 * sizeof(float)));
+    glBindVertexArray(0);
+}
+
+void GlLines::draw(const RenderFrame& frame, const glm::mat4& clip_from_world) {
+    if (frame.lines.empty()) return;
+    std::vector<Vec3> vertices;
+    for (const Line& line : frame.lines) vertices.insert(vertices.end(), {line.from, line.color, line.to, line.color});
+    program_.use();
+    program_.set("u_clip_from_world", clip_from_world);
+    upload(vertices);
+    glDrawArrays(GL_LINES, 0, GLsizei(2 * frame.lines.size()));
+}
+
+void GlLines::upload(const std::vector<Vec3>& vertices) {
+    glBindVertexArray(array_.name());
+    glBindBuffer(GL_ARRAY_BUFFER, buffer_.name());
+    glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(vertices.size() * sizeof(Vec3)), vertices.data(), GL_STREAM_DRAW);
+}
+
+// Veils, then strokes with a dark rim that parts them from bodies of their color: first what lies behind something,
+// faintly, then the rest.
+void GlLines::draw_marks(const RenderFrame& frame, const glm::mat4& clip_from_world, const OrbitCamera& camera,
+                         int height) {
+    if (frame.strokes.empty() && frame.veils.empty()) return;
+    constexpr float stroke_picture_height = 720.0f, rim = 2.0f;
+    constexpr float veil_alpha = 0.22f, rim_alpha = 0.3f, hidden_alpha = 0.4f;
+    const float pixel = 2.0f * std::tan(0.5f * frame.camera.vertical_fov) / stroke_picture_height;
+    const Vec3 eye(camera.position() - frame.origin);
+    std::vector<Vec3> vertices, band;
+    for (const Veil& veil : frame.veils)
+        for (const Vec3& corner : {veil.a, veil.b, veil.c}) vertices.insert(vertices.end(), {corner, srgb(veil.color)});
+    const GLsizei veils_end = GLsizei(vertices.size() / 2);
+    const auto add_strokes = [&](float wider, std::optional<Vec3> color) {
+        for (const Stroke& stroke : frame.strokes) {
+            Stroke drawn = stroke; // at least a pixel wide
+            drawn.width = std::max(drawn.width, stroke_picture_height / float(height)) + wider;
+            band.clear();
+            add_band(band, drawn, eye, camera.forward(), pixel);
+            const Vec3 shown = color.value_or(srgb(stroke.color));
+            for (const Vec3& corner : band) vertices.insert(vertices.end(), {corner, shown});
+        }
+        return GLsizei(vertices.size() / 2);
+    };
+    const GLsizei rims_end = add_strokes(rim, Vec3(0.05f, 0.08f, 0.12f)), strokes_end = add_strokes(0.0f, std::nullopt);
+    program_.use();
+    program_.set("u_clip_from_world", clip_from_world);
+    upload(vertices);
+    glDisable(GL_CULL_FACE);
+    glDepthMask(GL_FALSE);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
+    const auto draw_part = [](GLsizei from, GLsizei to, float alpha) {
+        glBlendColor(0.0f, 0.0f, 0.0f, alpha);
+        glDrawArrays(GL_TRIANGLES, from, to - from);
+    };
+    glDepthFunc(GL_GREATER);
+    draw_part(0, veils_end, veil_alpha * hidden_alpha);
+    draw_part(rims_end, strokes_end, hidden_alpha);
+    glDepthFunc(GL_LEQUAL);
+    draw_part(0, veils_end, veil_alpha);
+    draw_part(veils_end, rims_end, rim_alpha);
+    draw_part(rims_end, strokes_end, 1.0f);
+    glDepthFunc(GL_LESS);
+    glDisable(GL_BLEND);
+    glDepthMask(GL_TRUE);
+    glEnable(GL_CULL_FACE);
+}
+
+} // namespace cairn::viewer

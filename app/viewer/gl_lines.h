@@ -1,0 +1,28 @@
+/// \file gl_lines.h
+/// Draws what has no lit surface: thin lines, strokes that are as wide on every screen, and veils.
+#pragma once
+
+#include "viewer/camera.h"
+#include "viewer/gl_objects.h"
+#include "viewer/render_frame.h"
+
+#include <vector>
+
+namespace cairn::viewer {
+
+/// Leaves OpenGL's settings as GlRenderer::draw makes them.
+class GlLines {
+  public:
+    GlLines();
+    /// The lines of a frame, a pixel wide.
+    void draw(const RenderFrame& frame, const glm::mat4& clip_from_world);
+    /// Its veils and strokes, into a picture of `height` pixels. `camera`: that of the frame.
+    void draw_marks(const RenderFrame& frame, const glm::mat4& clip_from_world, const OrbitCamera& camera, int height);
+
+  private:
+    void upload(const std::vector<Vec3>& vertices);
+    GlProgram program_;
+    GlObject array_, buffer_;
+};
+
+} // namespace cairn::viewer
