@@ -30,7 +30,7 @@ void across(const Position& axis, Position& first, Position& second) {
 }
 
 const char* name_of(Kind kind) {
-    const char* const names[] = {"sphere", "box", "capsule", "cylinder", "cone", "hull", "compound"};
+    const char* const names[] = {"sphere", "box", "capsule", "cylinder", "cone", "hull", "compound", "plank"};
     return names[std::size_t(kind)];
 }
 
@@ -77,9 +77,9 @@ double support_of(const Shape& shape, const Position& d) {
 } // namespace
 
 Bullet make_bullet(Kind kind, double size) {
-    const float r = float(size / 2);
+    const float r = float(size);
     Bullet bullet;
-    bullet.inner_radius = size / 2;
+    bullet.inner_radius = size;
     switch (kind) {
     case Kind::sphere:
         bullet.shapes = {Sphere{r}};
@@ -95,15 +95,19 @@ Bullet make_bullet(Kind kind, double size) {
         break;
     case Kind::cone: // the center of mass is a quarter of the height above the base
         bullet.shapes = {cone(r, r)};
-        bullet.center = {0, -size / 4, 0};
-        bullet.inner_radius = std::min(size / 4, 0.75 * size / std::sqrt(5.0));
+        bullet.center = {0, -size / 2, 0};
+        bullet.inner_radius = std::min(size / 2, 1.5 * size / std::sqrt(5.0));
         break;
     case Kind::hull:
-        bullet.shapes = {make_hull(size / 2)};
+        bullet.shapes = {make_hull(size)};
         break;
     case Kind::compound: // a cross
         bullet.shapes = {Box{{r, r / 3, r / 3}}, Box{{r / 3, r, r / 3}}};
-        bullet.inner_radius = size / 6;
+        bullet.inner_radius = size / 3;
+        break;
+    case Kind::plank:
+        bullet.shapes = {Box{{r, 2 * r / 3, r / 3}}};
+        bullet.inner_radius = size / 3;
         break;
     }
     if (kind == Kind::hull) {
@@ -115,6 +119,7 @@ Bullet make_bullet(Kind kind, double size) {
     const double longest = kind == Kind::sphere                           ? r
                            : kind == Kind::box                            ? r * std::sqrt(3.0)
                            : kind == Kind::cylinder || kind == Kind::cone ? r * std::sqrt(2.0)
+                           : kind == Kind::plank                          ? r * std::sqrt(14.0) / 3
                            : kind == Kind::compound                       ? r * std::sqrt(11.0) / 3
                            : kind == Kind::capsule                        ? 2 * r
                                                                           : r;

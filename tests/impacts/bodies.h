@@ -27,7 +27,8 @@ class Random {
     std::mt19937 bits_;
 };
 
-enum class Kind : std::uint8_t { sphere, box, capsule, cylinder, cone, hull, compound };
+// The plank is a box of three different edges, which tumbles as a cube does not.
+enum class Kind : std::uint8_t { sphere, box, capsule, cylinder, cone, hull, compound, plank };
 inline constexpr Kind all_kinds[] = {Kind::sphere, Kind::box,  Kind::capsule, Kind::cylinder,
                                      Kind::cone,   Kind::hull, Kind::compound};
 const char* name_of(Kind kind);
@@ -40,7 +41,8 @@ struct Bullet {
     Position center{0, 0, 0}; // m: of mass, in the body's frame
 };
 
-// `size`, m: the edge of the box, the diameter of all else; what is longer than wide is as long as twice that.
+// `size`, m: half the edge of the box, the radius of all else. The capsule is twice as long as wide; the plank measures
+// size, 2/3 and 1/3 of it, halved as the box.
 Bullet make_bullet(Kind kind, double size);
 
 BodyId add_bullet(World& world, const Bullet& bullet, const BodyDef& def, const Material& material);

@@ -36,7 +36,7 @@ const char* name_of(Target target);
 struct Shooting {
     Kind kind = Kind::box;
     Target target = Target::box;
-    double size = 0.01;      // m, of the bullet
+    double size = 0.01;      // m, of the bullet: half the width (bodies.h)
     double speed = 100;      // m/s
     double spin = 0;         // rad/s
     double thickness = 0.01; // m, of box, plate and kinematic wall
@@ -70,7 +70,7 @@ Bounced bounce_between_walls(const Chance& cell);
 struct Room {
     Kind kind = Kind::sphere;
     int bodies = 10;
-    double size = 0.1;       // m, of the bodies
+    double size = 0.05;      // m, of the bodies: half the width (bodies.h)
     double width = 1;        // m, inside
     double thickness = 0.01; // m, of the walls
     double speed = 30;       // m/s
@@ -94,7 +94,7 @@ int swing_rod(const Chance& cell);
 struct GasCell {
     double speed = 10; // m/s, of every ball, in random directions
     int balls = 40;
-    double radius = 0.04; // m
+    double radius = 0.05; // m
     int shots = 200;
     unsigned seed = 1;
 };
@@ -109,7 +109,7 @@ struct Oblique {
     double mean_error = 0;
     double energy_error = 0; // likewise, over the energy
 };
-// Two elastic balls of 5 cm of which one rests, the offset of their lines 0.6 of the sum of the radii.
+// Two elastic balls of which one rests, the offset of their lines 0.6 of the sum of the radii.
 Oblique hit_obliquely(const Chance& cell);
 
 struct HeadOn {
@@ -122,11 +122,18 @@ HeadOn meet_head_on(const Chance& cell);
 struct Range {
     double least = 0, most = 0;
 };
-// Two elastic boxes of 10 cm without friction that spin at 10 rad/s meet; energy over that before, less 1.
-Range energy_of_meeting(const Chance& cell);
-// An elastic cube of 1 m bounces on the ground for so many seconds, under gravity: energy over that of the start, less
-// 1, at any step.
-Range energy_of_bouncing(double seconds, int shots, unsigned seed);
+// Two smooth elastic bodies, 20 cm wide, that spin at 10 rad/s meet; energy over that before, less 1.
+Range energy_of_meeting(Kind kind, const Chance& cell);
+// A smooth elastic body, dropped from 1 m, bounces on the ground under gravity: energy over that of the start, less 1,
+// at any step.
+struct Bouncing {
+    Kind kind = Kind::box;
+    double size = 0.5; // m
+    double seconds = 60;
+    int shots = 10;
+    unsigned seed = 1;
+};
+Range energy_of_bouncing(const Bouncing& cell);
 
 struct BilliardsCell {
     double speed = 10; // m/s, of the cue ball

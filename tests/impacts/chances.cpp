@@ -4,7 +4,7 @@
 namespace cairn_test {
 namespace {
 
-constexpr double ball_radius = 0.025, wall_thickness = 0.01; // m
+constexpr double ball_radius = 0.05, wall_thickness = 0.01; // m
 
 BodyId add_static(World& world, const Shape& shape, const Position& position, const Material& material) {
     BodyDef def;
@@ -177,14 +177,20 @@ int swing_paddle(const Chance& cell) {
         world.add_shape(paddle, Box{{float(length / 2), float(thickness / 2), float(depth / 2)}}, shape);
         // The paddle begins along x and comes round; the ball rests somewhere in its way.
         const double at = random.between(0.3, 0.9) * length;
-        const double angle = random.between(0.2, 0.2 + 2 * rate * double(frame)) + ball_radius / at;
+        const double furthest = std::min(2.5, 2 * rate * double(frame)); // rad: less than half a turn ahead
+        const double angle = 0.2 + ball_radius / at + random.between(0, furthest);
         def = {};
         def.position = {at * std::cos(angle), at * std::sin(angle), random.between(-0.05, 0.05)};
         const Body ball = world.body(add_body(world, Sphere{float(ball_radius)}, def));
-        // Half a turn past the ball's place, what was struck has left the paddle's reach: it flies off along the
-        // tangent at no less than the speed of the paddle there.
-        run(world, frame, int(std::ceil((angle + pi) / (rate * double(frame)))));
-        behind += std::hypot(ball.position().x, ball.position().y) < length;
+        // The ball is in front until it has left the paddle's reach.
+        bool is_behind = false, is_away = false;
+        for (int i = 0; i < int((angle + 3) / (rate * double(frame))) && !is_away && !is_behind; ++i) {
+            world.step(frame);
+            const Position seen = glm::conjugate(glm::dquat(world.body(paddle).rotation())) * ball.position();
+            is_away = std::hypot(seen.x, seen.y) > length - ball_radius;
+            is_behind = !is_away && seen.y < 0;
+        }
+        behind += is_behind;
     }
     return behind;
 }

@@ -124,7 +124,7 @@ Changes step_gas(const GasCell& cell) {
 }
 
 Oblique hit_obliquely(const Chance& cell) {
-    constexpr double radius = 0.025, offset = 0.6; // m; over the diameter
+    constexpr double radius = 0.05, offset = 0.6; // m; over the diameter
     Random random(cell.seed);
     Oblique worst;
     for (int shot = 0; shot < cell.shots; ++shot) {
@@ -171,20 +171,20 @@ HeadOn meet_head_on(const Chance& cell) {
     return result;
 }
 
-Range energy_of_meeting(const Chance& cell) {
+Range energy_of_meeting(Kind kind, const Chance& cell) {
     Random random(cell.seed);
     Range range;
-    constexpr double size = 0.1;
+    const Bullet bullet = make_bullet(kind, 0.1);
     for (int shot = 0; shot < cell.shots; ++shot) {
         World world(awake());
-        const double way = std::sqrt(3.0) * size / 2 + 0.001 + cell.speed * double(frame) * random.between(0, 1);
+        const double way = bullet.reach + 0.001 + cell.speed * double(frame) * random.between(0, 1);
         for (const double sign : {-1.0, 1.0}) {
             BodyDef def;
-            def.position = {sign * way, random.between(-0.25, 0.25) * size, random.between(-0.25, 0.25) * size};
+            def.position = {sign * way, random.between(-0.05, 0.05), random.between(-0.05, 0.05)};
             def.rotation = random.rotation();
             def.linear_velocity = {float(-sign * cell.speed), 0, 0};
             def.angular_velocity = Vec3(10.0 * random.direction());
-            add_body(world, Box{Vec3(float(size / 2))}, def, surface(0, 1));
+            add_bullet(world, bullet, def, surface(0, 1));
         }
         const double before = world.kinetic_energy();
         run(world, frame, 4 + int(way / (cell.speed * double(frame))));
@@ -194,18 +194,19 @@ Range energy_of_meeting(const Chance& cell) {
     return range;
 }
 
-Range energy_of_bouncing(double seconds, int shots, unsigned seed) {
-    Random random(seed);
+Range energy_of_bouncing(const Bouncing& cell) {
+    Random random(cell.seed);
     Range range;
-    for (int shot = 0; shot < shots; ++shot) {
+    const Bullet bullet = make_bullet(cell.kind, cell.size);
+    for (int shot = 0; shot < cell.shots; ++shot) {
         World world(without_sleep());
         add_ground(world, surface(0, 1));
         BodyDef def;
-        def.position = {0, 2, 0};
+        def.position = {0, 1 + bullet.reach, 0};
         def.rotation = random.rotation();
-        add_body(world, Box{{0.5f, 0.5f, 0.5f}}, def, surface(0, 1));
+        add_bullet(world, bullet, def, surface(0, 1));
         const double before = world.kinetic_energy() + world.potential_energy();
-        for (int i = 0; i < int(seconds * 60); ++i) {
+        for (int i = 0; i < int(cell.seconds * 60); ++i) {
             world.step(frame);
             const double change = (world.kinetic_energy() + world.potential_energy()) / before - 1;
             range = {std::min(range.least, change), std::max(range.most, change)};

@@ -33,11 +33,11 @@ class Tally {
 // How far before the nearest point of its way a body begins: anywhere in a step, so that it passes in the second or
 // third.
 double run_up(Random& random, const PassBy& cell) {
-    return cell.speed * double(frame) * random.between(1, 2) + 4 * cell.size;
+    return cell.speed * double(frame) * random.between(1, 2) + 8 * cell.size;
 }
 
 int steps_past(double start, const PassBy& cell) {
-    return 2 + int(std::ceil((start + 4 * cell.size) / (cell.speed * double(frame))));
+    return 2 + int(std::ceil((start + 8 * cell.size) / (cell.speed * double(frame))));
 }
 
 Quat to_quat(const Quat& rotation) { return glm::normalize(rotation); }
@@ -78,7 +78,7 @@ Ghosts pass_by(const PassBy& cell) {
 Ghosts pass_edge(const PassBy& cell) {
     Random random(cell.seed);
     Tally tally;
-    const double radius = cell.size / 2;
+    const double radius = cell.size;
     for (int shot = 0; shot < cell.shots; ++shot) {
         World world(without_gravity());
         BodyDef def;

@@ -89,7 +89,8 @@ bool do_cards_stand(double degrees, double friction) {
 }
 
 double least_friction_of_cards(double degrees) {
-    return last_where(1.0, 0.05, 0.002, [degrees](double friction) { return do_cards_stand(degrees, friction); });
+    // From above: what stands is looked for below 1.
+    return -last_where(-1.0, -0.05, 0.002, [degrees](double less) { return do_cards_stand(degrees, -less); });
 }
 
 double energy_of_disk(double degrees, double seconds) {

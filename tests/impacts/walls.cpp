@@ -6,13 +6,13 @@
 namespace cairn_test {
 namespace {
 
-constexpr double half_width = 2;         // m, of static walls; plates have a quarter
-constexpr double aim = 0.3;              // m: shots go to within this of the middle, along x and z
-constexpr double hill = 0.05;            // m: the height field lies between -hill and 0
-constexpr int columns = 17;              // of the height field, 0.25 m apart
-constexpr double fastest_wall = 30;      // m/s
-constexpr double greatest_turn = 2;      // rad: a plate that turns more within a step is not judged by its poses
-constexpr double heaviest_bullet = 0.01; // of a plate: else it turns too fast to be judged
+constexpr double half_width = 2;      // m, of static walls; plates have a half
+constexpr double aim = 0.3;           // m: shots go to within this of the middle, along x and z
+constexpr double hill = 0.05;         // m: the height field lies between -hill and 0
+constexpr int columns = 17;           // of the height field, 0.25 m apart
+constexpr double fastest_wall = 30;   // m/s
+constexpr double greatest_turn = 0.5; // rad: a plate that turns more within a step is not judged by its poses
+constexpr double plate_mass = 0.12;   // kg for each N s of the bullet: turned at its edge, it turns by half of that
 
 float height_at(int column, int row) { return float(-hill * (0.5 + 0.5 * std::sin(1.7 * column + 2.3 * row))); }
 
@@ -64,7 +64,7 @@ Shape make_mesh() {
 
 class Wall {
   public:
-    Wall(World& world, const Shooting& cell, const Position& velocity, float bullet_mass) : cell_(cell) {
+    Wall(World& world, const Shooting& cell, const Position& velocity, double bullet_mass) : cell_(cell) {
         static const Shape field = make_field(), mesh = make_mesh();
         const float thick = float(cell.thickness / 2);
         BodyDef def;
@@ -79,10 +79,11 @@ class Wall {
             def.linear_velocity = Vec3(velocity);
         }
         if (cell.target == Target::plate) {
-            half_ = half_width / 4;
+            half_ = half_width / 2;
             shape = Box{{float(half_), thick, float(half_)}};
             def.type = BodyType::dynamic;
-            def.mass = std::max(1000 * float(4 * half_ * half_ * cell.thickness), bullet_mass / float(heaviest_bullet));
+            const double mass = 4000 * half_ * half_ * cell.thickness; // kg
+            def.mass = float(std::max(mass, plate_mass * bullet_mass * cell.speed));
         }
         id_ = add_body(world, shape, def, surface(0.6f, float(cell.restitution)));
     }
@@ -180,7 +181,7 @@ Fate shoot_wall(Random& random, const Shooting& cell, const Bullet& bullet) {
     def.linear_velocity = Vec3(cell.speed * shot.direction + wall_velocity);
     def.angular_velocity = shot.spin;
     const Body body = world.body(add_bullet(world, bullet, def, surface(0.6f, float(cell.restitution))));
-    const Wall wall(world, cell, wall_velocity, body.mass());
+    const Wall wall(world, cell, wall_velocity, double(body.mass()));
     const double core = bullet.inner_radius - core_shrink(bullet.inner_radius);
     return follow(world, wall, body, core, steps_of(shot, cell));
 }
