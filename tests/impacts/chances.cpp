@@ -171,6 +171,7 @@ int swing_paddle(const Chance& cell) {
         BodyDef def;
         def.type = BodyType::kinematic;
         def.angular_velocity = {0, 0, float(rate)};
+        def.mass_properties = MassProperties{}; // it turns about its end, not about its middle
         const BodyId paddle = world.create_body(def);
         ShapeDef shape;
         shape.position = {float(length / 2), 0, 0};

@@ -79,14 +79,14 @@ std::vector<BilliardBall> draw_game(const BilliardsCell& cell, double radius, Ra
     return balls;
 }
 
-// Whether the game is one that single precision can play: the exact game, begun a millionth aside, ends within a tenth
-// of the bar, and no impact is within a millionth of a second of the time when the two are compared.
+// Whether the game is one that single precision can play: the exact game, begun a little aside, ends within a tenth
+// of the bar, and no impact is so near the time when the two are compared that one may have had it and the other not.
 bool is_well_conditioned(const std::vector<BilliardBall>& start, double radius, const Billiards& end, double slow,
-                         Random& random) {
+                         double disturbance, Random& random) {
     std::vector<BilliardBall> aside = start;
     for (BilliardBall& ball : aside) {
-        ball.position += 1e-6 * radius * random.direction();
-        ball.velocity += 1e-6 * glm::length(ball.velocity) * random.direction();
+        ball.position += disturbance * radius * random.direction();
+        ball.velocity += disturbance * glm::length(ball.velocity) * random.direction();
     }
     Billiards other(aside, radius);
     other.advance_to(end.time());
@@ -94,7 +94,8 @@ bool is_well_conditioned(const std::vector<BilliardBall>& start, double radius, 
     Difference difference;
     for (std::size_t i = 0; i < start.size(); ++i)
         difference.add(end.balls()[i].velocity, other.balls()[i].velocity, slow);
-    const bool is_clear = end.until_next() > 1e-6 && end.time() - end.impacts().back() > 1e-6;
+    const double margin = 0.01 * radius / (slow / slow_ball); // s: in which the cue ball goes a hundredth of its radius
+    const bool is_clear = end.until_next() > margin && end.time() - end.impacts().back() > margin;
     return is_clear && difference.angle < angle_bar / 10 && difference.speed < speed_bar / 10;
 }
 
@@ -228,7 +229,7 @@ BilliardsResult play_billiards(const BilliardsCell& cell) {
         // Compared at the end of the step with the last of the impacts.
         const int steps = int(std::ceil(exact.time() / double(frame)));
         exact.advance_to(steps * double(frame));
-        if (!has_all || !is_well_conditioned(start, radius, exact, slow, random)) {
+        if (!has_all || !is_well_conditioned(start, radius, exact, slow, cell.disturbance, random)) {
             ++result.skipped;
             continue;
         }
