@@ -132,6 +132,11 @@ BodyId add_bullet(World& world, const Bullet& bullet, const BodyDef& def, const 
     ShapeDef shape_def;
     shape_def.material = material;
     for (const Shape& shape : bullet.shapes) world.add_shape(body, shape, shape_def);
+    // With the shapes the center of mass moved, which is what has these velocities.
+    if (def.type == BodyType::dynamic) {
+        world.body(body).set_linear_velocity(def.linear_velocity);
+        world.body(body).set_angular_velocity(def.angular_velocity);
+    }
     return body;
 }
 

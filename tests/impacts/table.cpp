@@ -283,7 +283,8 @@ Rows billiards(int shots) {
     Rows rows;
     for (const bool is_planar : {true, false})
         for (const double speed : {3.0, 10.0, 30.0}) {
-            const BilliardsResult result = play_billiards({speed, is_planar, or_default(shots, 20)});
+            const BilliardsResult result =
+                play_billiards({.speed = speed, .is_planar = is_planar, .shots = or_default(shots, 20)});
             const std::string what = std::string(is_planar ? "planar, " : "in space, ") + number(speed) + " m/s";
             rows.push_back(none(what + ": games that differ, of " + std::to_string(result.games), result.differ,
                                 "worst " + number(result.worst_angle) + " degrees, " + number(result.worst_speed) +
