@@ -53,6 +53,27 @@ struct Lost {
 };
 Lost shoot(const Shooting& cell);
 
+// --- cores.cpp: the oracle
+struct Crowd {
+    int bodies = 14;         // of all kinds in turn
+    double size = 0.05;      // m
+    double width = 1;        // m, inside
+    double thickness = 0.01; // m, of the walls
+    double speed = 50;       // m/s
+    double spin = 20;        // rad/s
+    double seconds = 0.5;
+    int shots = 10;
+    unsigned seed = 1;
+};
+// Pairs of bodies, counted in every step. What is struck within a step leaves the line from its first pose to its last:
+// of such bodies only the last pose is judged, so that nothing counts that is not wrong.
+struct CoresMet {
+    int steps = 0;
+    int overlapping = 0; // their cores overlap at the end of the step
+    int passed = 0;      // they met on the way, and neither velocity changed
+};
+CoresMet watch_crowd(const Crowd& cell);
+
 // --- chances.cpp: other ways to fall through
 struct Chance {         // what each of them needs
     double speed = 100; // m/s, or rad/s

@@ -185,6 +185,17 @@ Rows closed_room(int shots) {
     return rows;
 }
 
+Rows cores(int shots) {
+    Rows rows;
+    for (const double speed : {10.0, 50.0, 200.0}) {
+        const CoresMet met = watch_crowd({.speed = speed, .shots = or_default(shots, 5)});
+        const std::string of = " (pairs, in " + std::to_string(met.steps) + " steps)";
+        rows.push_back(none(number(speed) + " m/s: passed untouched" + of, met.passed));
+        rows.push_back(none(number(speed) + " m/s: overlap at the end" + of, met.overlapping));
+    }
+    return rows;
+}
+
 Rows force(int shots) {
     const Chance cell{30, or_default(shots, 20)};
     return {none("30 m/s: through, of " + std::to_string(cell.shots), push_through_floor(cell))};
@@ -347,6 +358,7 @@ constexpr ImpactRow all_rows[] = {
     {"struck", "an elastic ball 0.3 m before a wall is struck by another", struck},
     {"between-walls", "an elastic ball between two walls 1 m apart, 1 s", between_walls},
     {"closed-room", "10 elastic bodies, 10 cm wide, in a room of 1 m with walls of 1 cm, 2 s", closed_room},
+    {"cores", "14 mixed bodies in a room of 1 m with walls of 1 cm: cores, by the slow oracle", cores},
     {"force", "a force within one step, 0.3 m above a floor of 1 cm", force},
     {"paddle", "a turning kinematic paddle of 1 cm and a ball in its way", paddle},
     {"rod", "a rod of 1 m on a ball joint and a pole of 1 cm in its way", rod},
