@@ -1,6 +1,9 @@
 // The cells of the table of impacts: each sets up small worlds, shoots, and says what it saw. Pure functions of their
 // parameters, for the program (main.cpp) and for tests. Steps of 1/60 s, default settings and no gravity unless said.
 // All is judged by where bodies are and how fast, never by contacts.
+//
+// The cells were themselves judged by steps so short (1/12,000 to 1/8,000,000 s) that nothing goes far in one: then no
+// ghost, loss, escape or wrong impact is left of those that only long steps make, and billiards agree to 0.03 degrees.
 #pragma once
 
 #include "bodies.h"

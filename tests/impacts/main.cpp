@@ -38,7 +38,7 @@ int print(const ImpactRow& row, int shots) {
     int failed = 0;
     for (const Row& line : lines) {
         failed += !line.passes();
-        std::printf("  %-4s %-62s %10.4g  %s %g", line.passes() ? "ok" : "FAIL", line.quantity.c_str(), line.measured,
+        std::printf("  %-4s %-62s %10.5g  %s %g", line.passes() ? "ok" : "FAIL", line.quantity.c_str(), line.measured,
                     sign_of(line.kind), line.bar);
         if (line.kind == Bar::relative) std::printf(" of %g", line.expected);
         if (!line.note.empty()) std::printf("   (%s)", line.note.c_str());
