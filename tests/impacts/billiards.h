@@ -1,0 +1,45 @@
+// The exact motion of equal, smooth, elastic balls that meet two at a time: from impact to impact, in double.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include <limits>
+#include <vector>
+
+namespace cairn_test {
+
+struct BilliardBall {
+    glm::dvec3 position{0, 0, 0}; // m
+    glm::dvec3 velocity{0, 0, 0}; // m/s
+};
+
+class Billiards {
+  public:
+    Billiards(std::vector<BilliardBall> balls, double radius) : balls_(std::move(balls)), diameter_(2 * radius) {}
+
+    const std::vector<BilliardBall>& balls() const { return balls_; }
+    double time() const { return time_; }                           // s
+    const std::vector<double>& impacts() const { return impacts_; } // their times, s, in order
+
+    // Seconds from now to the next impact; infinite if there is none.
+    double until_next() const;
+    // Lets time pass up to the next impact, and through it; false if there is none.
+    bool to_next_impact();
+    // Lets time pass, through all impacts on the way.
+    void advance_to(double time);
+
+  private:
+    struct Next {
+        double seconds = std::numeric_limits<double>::infinity();
+        std::size_t a = 0, b = 0;
+    };
+    Next next() const;
+    void fly(double seconds);
+    void meet(const Next& pair);
+
+    std::vector<BilliardBall> balls_;
+    std::vector<double> impacts_;
+    double diameter_, time_ = 0;
+};
+
+} // namespace cairn_test

@@ -1,0 +1,240 @@
+// Bodies shot at things that they must not get through.
+#include "cells.h"
+
+#include <array>
+
+namespace cairn_test {
+namespace {
+
+constexpr double half_width = 2;      // m, of static walls; plates have a half
+constexpr double aim = 0.3;           // m: shots go to within this of the middle, along x and z
+constexpr double hill = 0.05;         // m: the height field lies between -hill and 0
+constexpr int columns = 17;           // of the height field, 0.25 m apart
+constexpr double fastest_wall = 30;   // m/s
+constexpr double greatest_turn = 0.5; // rad: a plate that turns more within a step is not judged by its poses
+constexpr double plate_mass = 0.12;   // kg for each N s of the bullet: turned at its edge, it turns by half of that
+
+float height_at(int column, int row) { return float(-hill * (0.5 + 0.5 * std::sin(1.7 * column + 2.3 * row))); }
+
+// Of the height field's triangles, m.
+double height_of_field(double x, double z) {
+    const double spacing = 2 * half_width / (columns - 1);
+    const double u = (x + half_width) / spacing, v = (z + half_width) / spacing;
+    const int column = std::clamp(int(u), 0, columns - 2), row = std::clamp(int(v), 0, columns - 2);
+    const double s = u - column, t = v - row;
+    const double first = double(height_at(column, row)), last = double(height_at(column + 1, row + 1));
+    if (s > t) {
+        const double corner = double(height_at(column + 1, row));
+        return first + s * (corner - first) + t * (last - corner);
+    }
+    const double corner = double(height_at(column, row + 1));
+    return first + t * (corner - first) + s * (last - corner);
+}
+
+Shape make_field() {
+    std::vector<float> heights;
+    for (int row = 0; row < columns; ++row)
+        for (int column = 0; column < columns; ++column) heights.push_back(height_at(column, row));
+    const float spacing = float(2 * half_width / (columns - 1));
+    return HeightField(columns, columns, {spacing, spacing}, heights);
+}
+
+// Flat, of triangles of all forms.
+Shape make_mesh() {
+    Random random(3);
+    constexpr std::uint32_t n = 9;
+    std::vector<Vec3> points;
+    for (std::uint32_t row = 0; row < n; ++row)
+        for (std::uint32_t column = 0; column < n; ++column) {
+            const auto place = [&](std::uint32_t i) {
+                const bool is_inner = i > 0 && i + 1 < n;
+                return float(half_width * (2.0 * (i + (is_inner ? random.between(-0.3, 0.3) : 0)) / (n - 1) - 1));
+            };
+            const float x = place(column);
+            points.push_back({x, 0, place(row)});
+        }
+    std::vector<std::uint32_t> corners;
+    for (std::uint32_t row = 0; row + 1 < n; ++row)
+        for (std::uint32_t column = 0; column + 1 < n; ++column) {
+            const std::uint32_t a = row * n + column, b = a + 1, c = a + n, d = c + 1;
+            for (const std::uint32_t corner : {a, c, d, a, d, b}) corners.push_back(corner);
+        }
+    return Mesh(points, corners);
+}
+
+class Wall {
+  public:
+    Wall(World& world, const Shooting& cell, const Position& velocity, double bullet_mass) : cell_(cell) {
+        static const Shape field = make_field(), mesh = make_mesh();
+        const float thick = float(cell.thickness / 2);
+        BodyDef def;
+        def.type = BodyType::static_;
+        half_ = half_width;
+        Shape shape = Box{{float(half_), thick, float(half_)}};
+        if (cell.target == Target::plane) shape = Plane{};
+        if (cell.target == Target::mesh) shape = mesh;
+        if (cell.target == Target::height_field) shape = field;
+        if (cell.target == Target::kinematic) {
+            def.type = BodyType::kinematic;
+            def.linear_velocity = Vec3(velocity);
+        }
+        if (cell.target == Target::plate) {
+            half_ = half_width / 2;
+            shape = Box{{float(half_), thick, float(half_)}};
+            def.type = BodyType::dynamic;
+            const double mass = 4000 * half_ * half_ * cell.thickness; // kg
+            def.mass = float(std::max(mass, plate_mass * bullet_mass * cell.speed));
+        }
+        id_ = add_body(world, shape, def, surface(0.6f, float(cell.restitution)));
+    }
+
+    // Where something is as seen from the wall.
+    Position seen(World& world, const Position& point) const {
+        const Body body = world.body(id_);
+        return glm::conjugate(glm::dquat(body.rotation())) * (point - body.position());
+    }
+    Quat rotation(World& world) const { return world.body(id_).rotation(); }
+
+    // A center that goes from one place to another, as seen from the wall, within a step.
+    bool is_passed(const Position& from, const Position& to) const {
+        const bool is_field = cell_.target == Target::height_field;
+        const double middle = is_field ? -hill : 0.0;
+        if (is_field && covers(to) && from.y > height_of_field(from.x, from.z) && to.y < height_of_field(to.x, to.z))
+            return true;
+        if (!(from.y > middle && to.y <= middle)) return false;
+        return covers(from + (to - from) * ((from.y - middle) / (from.y - to.y)));
+    }
+    // Whether a ball of that radius, its center in front, is in the wall.
+    bool has_in(const Position& center, double radius) const {
+        if (!covers(center)) return false;
+        const bool is_thick =
+            cell_.target == Target::box || cell_.target == Target::plate || cell_.target == Target::kinematic;
+        double surface = is_thick ? cell_.thickness / 2 : 0;
+        if (cell_.target == Target::height_field) surface = height_of_field(center.x, center.z);
+        return center.y - surface < radius - 1e-5;
+    }
+
+  private:
+    bool covers(const Position& place) const {
+        if (cell_.target == Target::plane) return true;
+        const double inside = half_ - 2 * cell_.size;
+        return std::fabs(place.x) < inside && std::fabs(place.z) < inside;
+    }
+
+    Shooting cell_;
+    BodyId id_;
+    double half_ = 0;
+};
+
+enum class Fate : std::uint8_t { held, core_in, through };
+
+Fate follow(World& world, const Wall& wall, const Body& body, double core, int steps) {
+    Fate fate = Fate::held;
+    Position before = wall.seen(world, body.center_of_mass());
+    Quat turned = wall.rotation(world);
+    for (int i = 0; i < steps; ++i) {
+        world.step(frame);
+        const Position now = wall.seen(world, body.center_of_mass());
+        const Quat rotation = wall.rotation(world);
+        const double turn = 2 * std::acos(std::min(1.0, double(std::fabs(glm::dot(rotation, turned)))));
+        if (turn > greatest_turn) return fate;
+        if (wall.is_passed(before, now)) return Fate::through;
+        if (now.y < 0) return fate; // past the wall's edge
+        if (wall.has_in(now, core)) fate = Fate::core_in;
+        before = now;
+        turned = rotation;
+    }
+    return fate;
+}
+
+struct Shot {
+    Quat rotation{1, 0, 0, 0};
+    Position direction{0, -1, 0}; // of the bullet's velocity against the target's
+    double way = 0;               // m, to the target
+    Vec3 spin{0, 0, 0};
+};
+
+Shot draw(Random& random, const Shooting& cell, const Bullet& bullet) {
+    Shot shot;
+    shot.direction = random.direction_near({0, -1, 0}, cell.steepest);
+    // Not in touch with the wall at the start, however it is turned.
+    const double clear = (bullet.reach + cell.thickness / 2 + 0.01) / -shot.direction.y;
+    shot.way = clear + cell.speed * double(frame) * random.between(0, 2);
+    const Quat rotation = random.rotation();
+    if (cell.is_turned) shot.rotation = rotation;
+    shot.spin = Vec3(cell.spin * random.direction());
+    return shot;
+}
+
+int steps_of(const Shot& shot, const Shooting& cell) { return 5 + int(shot.way / (cell.speed * double(frame))); }
+
+Fate shoot_wall(Random& random, const Shooting& cell, const Bullet& bullet) {
+    const Shot shot = draw(random, cell, bullet);
+    const Position wall_velocity = cell.target == Target::kinematic
+                                       ? std::min(fastest_wall, 0.3 * cell.speed) * random.direction()
+                                       : Position(0, 0, 0);
+    World world(without_gravity());
+    const Position goal(random.between(-aim, aim), 0, random.between(-aim, aim));
+    BodyDef def;
+    def.rotation = shot.rotation;
+    def.position = goal - shot.way * shot.direction - glm::dquat(shot.rotation) * bullet.center;
+    def.linear_velocity = Vec3(cell.speed * shot.direction + wall_velocity);
+    def.angular_velocity = shot.spin;
+    const Body body = world.body(add_bullet(world, bullet, def, surface(0.6f, float(cell.restitution))));
+    const Wall wall(world, cell, wall_velocity, double(body.mass()));
+    const double core = bullet.inner_radius - core_shrink(bullet.inner_radius);
+    return follow(world, wall, body, core, steps_of(shot, cell));
+}
+
+// Two bullets that fly at each other, each at half of the speed.
+Fate shoot_bullet(Random& random, const Shooting& cell, const Bullet& bullet) {
+    const Shot first = draw(random, cell, bullet), second = draw(random, cell, bullet);
+    World world(without_gravity());
+    Position side, other;
+    across(first.direction, side, other);
+    const double most = bullet.inner_radius;
+    const Position offset = random.between(-most, most) * side + random.between(-most, most) * other;
+    const auto add = [&](const Shot& shot, double sign, const Position& from) {
+        BodyDef def;
+        def.rotation = shot.rotation;
+        def.position = from - sign * 0.5 * (first.way + 2 * bullet.reach) * first.direction -
+                       glm::dquat(shot.rotation) * bullet.center;
+        def.linear_velocity = Vec3(sign * 0.5 * cell.speed * first.direction);
+        def.angular_velocity = shot.spin;
+        return world.body(add_bullet(world, bullet, def, surface(0.6f, float(cell.restitution))));
+    };
+    const Body a = add(first, 1, offset), b = add(second, -1, {0, 0, 0});
+    const double cores = 2 * (bullet.inner_radius - core_shrink(bullet.inner_radius)) - 1e-5;
+    Position before = b.center_of_mass() - a.center_of_mass();
+    for (int i = 0; i < steps_of(first, cell) + 1; ++i) {
+        world.step(frame);
+        const Position now = b.center_of_mass() - a.center_of_mass(), change = now - before;
+        const double length2 = glm::dot(change, change);
+        const double when = length2 > 0 ? std::clamp(-glm::dot(before, change) / length2, 0.0, 1.0) : 0;
+        if (glm::length(before + when * change) < cores) return Fate::through;
+        before = now;
+    }
+    return Fate::held;
+}
+
+} // namespace
+
+const char* name_of(Target target) {
+    const char* const names[] = {"box", "plane", "mesh", "height field", "plate", "kinematic", "bullet"};
+    return names[std::size_t(target)];
+}
+
+Lost shoot(const Shooting& cell) {
+    Random random(cell.seed);
+    const Bullet bullet = make_bullet(cell.kind, cell.size);
+    Lost lost;
+    for (; lost.shots < cell.shots; ++lost.shots) {
+        const Fate fate =
+            cell.target == Target::bullet ? shoot_bullet(random, cell, bullet) : shoot_wall(random, cell, bullet);
+        lost.through += fate == Fate::through;
+        lost.core_in += fate == Fate::core_in;
+    }
+    return lost;
+}
+
+} // namespace cairn_test
