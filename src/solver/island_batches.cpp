@@ -17,7 +17,7 @@ namespace {
 constexpr std::int32_t batch_contacts = 300; // enough to fill lanes, and few, so that threads end together
 constexpr std::int32_t batch_bodies = 4096;
 constexpr std::uint32_t keys_per_batch = 256; // color, whether it bears anything, and one point or more
-constexpr int contacts_per_chunk = 512;     // for threads
+constexpr int contacts_per_chunk = 512;       // for threads
 
 // Overflow first, then moving pairs by color, then pairs with what does not move. Within a color no two share a body
 // that moves: those that bore nothing in the last step come last, so that whole blocks have nothing to do.
