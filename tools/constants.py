@@ -18,7 +18,7 @@ WORK = re.compile(r"(_per_chunk|_ahead|^capacity$|_shared_contacts$|^batch_)")
 MARKS = {"unused", "unlimited", "not_found", "unknown_speed", "no_impact_speed", "none", "pi", "whole", "ones", "max_joint_axes",
          "max_joint_axes", "wide_kinds", "tested_kinds", "one_point_type", "four_points_type", "block_types", "joint_row_types",
          "first_fixed_color", "overflow_color", "no_color", "patches_at_hand", "turn_phase", "point_phase", "phases", "forms",
-         "keys_per_color", "keys_per_batch", "side_by_side", "min_handed_out", "ahead", "early", "early_pairs", "capacity"}
+         "keys_per_color", "keys_per_batch", "side_by_side", "min_handed_out", "ahead", "early", "early_pairs", "capacity", "count"}
 
 
 def constants(room):
@@ -39,7 +39,7 @@ def constants(room):
 def kind(name, value):
     if WORK.search(name):
         return "work"
-    return "mark" if name in MARKS or value.startswith("{") or "|" in value else "physics"
+    return "mark" if name in MARKS or value.startswith(("{", "std::tuple", "std::get")) or "|" in value else "physics"
 
 
 def page():
