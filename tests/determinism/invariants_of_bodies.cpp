@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace cairn_test {
 
@@ -88,12 +89,15 @@ double height_above_slope(const SceneRun& run) {
         for_dynamic(run, step, [&](const BodyState& b, int) { least = std::min(least, glm::dot(normal, b.center)); });
     return least;
 }
-double mean_way_downhill(const SceneRun& run) {
+// The median: one of the bodies passes close to the center of the field, which throws it far, each time elsewhere.
+double median_way_downhill(const SceneRun& run) {
     const glm::dvec3 downhill = glm::normalize(glm::dvec3(0.1, 0, 0.05));
-    double sum = 0;
-    for_dynamic(run, golden_steps,
-                [&](const BodyState& b, int i) { sum += glm::dot(downhill, b.center - body_at(run, 0, i).center); });
-    return sum / 50;
+    std::vector<double> ways;
+    for_dynamic(run, golden_steps, [&](const BodyState& b, int i) {
+        ways.push_back(glm::dot(downhill, b.center - body_at(run, 0, i).center));
+    });
+    std::nth_element(ways.begin(), ways.begin() + std::ptrdiff_t(ways.size() / 2), ways.end());
+    return ways[ways.size() / 2];
 }
 double hits(const SceneRun& run) { return run.hits; }
 
@@ -204,7 +208,7 @@ constexpr Invariant table[] = {
     {"dominoes", "energy gained after the push", energy_gain<after_push>, 0, 1e-6},
     {"dominoes", "bodies asleep at the end", asleep_at_end, 40, 40},
     {"materials", "least height of a center above the slope, m", height_above_slope, 0.29, 0.301},
-    {"materials", "mean way downhill, m", mean_way_downhill, 1.7, 6.6},
+    {"materials", "median way downhill, m", median_way_downhill, 0.09, 0.2},
     {"materials", "deepest overlap after 2 s, m", overlap<120>, 0, 0.028},
     {"materials", "hits", hits, 121, 484},
     {"tumbler", "farthest center from the middle of the drum, m", out_of_drum, 0, 2.75},
