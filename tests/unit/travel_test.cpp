@@ -33,8 +33,8 @@ TEST(Travel, WhatHoldsUntilAnEndHoldsWhereTheSumRunsOver) {
 
 TEST(Travel, ALeapSpendsEveryBudget) {
     for (const double budget : {0.0, 1.0, 1e4, 1e30, std::numeric_limits<double>::infinity()})
-        for (const double leap : {1e4, 1e12, std::numeric_limits<double>::infinity(),
-                                  std::numeric_limits<double>::quiet_NaN()})
+        for (const double leap :
+             {1e4, 1e12, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
             EXPECT_FALSE(is_before(travelled(leap), budget_of(budget))) << budget << " " << leap;
     EXPECT_EQ(budget_of(-1.0), Travel(0));
     EXPECT_GT(travelled(0.0), Travel(0)); // at least: what is counted moves
