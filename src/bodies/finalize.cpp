@@ -1,7 +1,7 @@
 #include "bodies/finalize.h"
 
 #include "bodies/bodies.h"
-#include "bodies/rest.h"
+#include "bodies/motion_budget.h"
 
 #include "core/cache.h"
 
@@ -33,7 +33,7 @@ constexpr float usual_step = 1.0f / 60; // s: what comes between two steps does 
 void move_shapes(State& s, std::int32_t b, float dt) {
     const math::Vec3 displacement = dt * s.motion[b].v;
     const float turn = turn_reach(s, b, dt);
-    s.served[b].room = -1;
+    s.boxes_until[b] = s.travel[b];
     place_each_shape(s, b, [&](std::uint32_t shape) {
         const ShapePose& pose = s.shape_poses[shape];
         if (s.geometry[shape].type == ShapeType::plane)
@@ -59,10 +59,12 @@ void finalize_body(State& s, std::int32_t b, float dt, std::vector<EscapedShape>
     const BodyMotion& motion = s.motion[b];
     const float turn = turn_reach(s, b, dt);
     BodyLinks& links = s.bodies[b];
-    ServedPose& served = s.served[b];
     const float velocity = math::length(motion.v);
     const double ahead = double(turn + dt * velocity);
-    if (served.room >= 0 && way_from(served.pose, motion, links.radius) + ahead <= served.room) {
+    // The step's own motion is counted at the start of the next one.
+    const double moved = uncounted(s.counted[b], motion, links.radius);
+    const Travel now = s.travel[b] + travelled(moved);
+    if (is_before(now + travelled(ahead), s.boxes_until[b])) {
         place_each_shape(s, b, [](std::uint32_t) {});
     } else {
         const math::Vec3 displacement = dt * motion.v;
@@ -73,7 +75,7 @@ void finalize_body(State& s, std::int32_t b, float dt, std::vector<EscapedShape>
             if (own < 0) escaped.push_back({shape, bounds, displacement});
             room = std::min(room, own);
         });
-        served = {{motion.x, motion.q}, room - ahead - rounding * double(links.radius)};
+        s.boxes_until[b] = now + budget_of(room - rounding * double(links.radius));
     }
     const float speed = velocity + math::length(motion.w) * surface_radius(s, b);
     links.quiet_time = speed < s.settings.sleep_speed ? links.quiet_time + dt : 0;
@@ -90,8 +92,8 @@ void prefetch_body(const State& s, std::int32_t b) {
     prefetch_motion(s, b);
     ask_cache(&s.bodies[b].first_shape);
     ask_cache(&s.bodies[b].padding);
-    ask_cache(&s.served[b].pose);
-    ask_cache(&s.served[b].room);
+    ask_cache(&s.counted[b]);
+    ask_cache(&s.boxes_until[b]);
 }
 
 void prefetch_shape_of(const State& s, std::int32_t b) {
@@ -115,7 +117,7 @@ void finalize_kinematics(State& s, float dt) {
 
 void add_proxy(State& s, std::uint32_t shape) {
     const std::int32_t body = s.shapes[shape].body;
-    s.served[body].room = -1;
+    s.boxes_until[body] = s.travel[body];
     const BodyType type = s.body_settings[body].type;
     if (s.geometry[shape].type == ShapeType::plane) {
         const ShapePose& pose = s.shape_poses[shape];
@@ -131,8 +133,7 @@ void add_proxy(State& s, std::uint32_t shape) {
 }
 
 void update_proxies(State& s, std::int32_t b) {
-    s.left_at[b] = s.strayed_at[b] = s.passes + 1;
-    if (s.body_settings[b].type == BodyType::static_) count_way(s, b);
+    spend_budget(s, b);
     place_shapes(s, b);
     sweep_proxies(s, b);
 }

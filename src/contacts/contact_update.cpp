@@ -1,6 +1,7 @@
 #include "contacts/contact_update.h"
 
 #include "bodies/bodies.h"
+#include "bodies/motion_budget.h"
 #include "contacts/contact_record.h"
 #include "contacts/patches.h"
 #include "core/cache.h"
@@ -131,7 +132,7 @@ void follow_up(State& s, std::uint32_t id, std::uint8_t outcome, float dt) {
         // Passing by is not enough to wake what sleeps: only what will touch it within the step does.
         if (outcome == begun && asleep && min_separation(c, r) > dt * r.approach_speed) {
             c.point_count = 0;
-            c.tested_at = 0; // no answer that could be kept
+            drop_answer(s, id);
             return;
         }
         if (outcome == begun)
@@ -173,9 +174,8 @@ bool stays_apart(const State& s, const ContactInfo& c, const Manifold& m, float 
 
 std::uint8_t take_distance(State& s, std::uint32_t id, float distance) {
     ContactInfo& c = s.contacts[id];
-    c.tested_at = s.passes + 1;
-    if (distance > c.base_margin && distance < unused && has_distance(c.kind))
-        s.apart_pairs[id].until = (s.way[c.body_a] + s.way[c.body_b]) + double(distance - c.base_margin);
+    const bool is_known = distance > c.base_margin && distance < unused && has_distance(c.kind);
+    keep_answer(s, id, is_known ? double(distance - c.base_margin) : 0.0);
     if (c.is_trigger) return trigger_outcome(c, false);
     return c.point_count == 0 ? apart : ended;
 }
@@ -187,8 +187,7 @@ std::uint8_t take_manifold(State& s, std::uint32_t id, const Manifold& m, float 
         if (c.kind == PairKind::convex_convex && !c.is_trigger) math::put(s.records[id].normal, to_vec(m.normal));
         return take_distance(s, id, m.count == 0 ? m.points[0][3] : 0.0f);
     }
-    c.tested_at = s.passes + 1;
-    s.apart_pairs[id].until = 0;
+    keep_answer(s, id, 0);
     if (c.is_trigger) return trigger_outcome(c, true);
     const bool is_new = c.point_count == 0;
     write_record(s, id, m);

@@ -7,16 +7,17 @@ namespace cairn {
 
 // What is to be done with a pair, and what testing it has said, beside its record.
 enum Outcome : std::uint8_t {
-    apart,    // and was so; or has not been tested, and need not be solved
-    ended,    // apart, and was near
-    begun,    // near, and was apart
-    goes_on,  // near as before
-    may_wake, // likewise, with something asleep or moved from outside: to be looked at
-    skipped,  // asleep
-    entered,  // into a trigger
-    left,     // out of it
-    to_move,  // along with the bodies
-    to_test,  // + PairKind
+    apart,          // and was so; or has not been tested, and need not be solved
+    ended,          // apart, and was near
+    begun,          // near, and was apart
+    goes_on,        // near as before
+    may_wake,       // likewise, with something asleep or moved from outside: to be looked at
+    skipped,        // asleep
+    tested_patches, // of a group
+    entered,        // into a trigger
+    left,           // out of it
+    to_move,        // along with the bodies
+    to_test,        // + PairKind
 };
 
 // How far apart two shapes may be to count: what the next step can close.

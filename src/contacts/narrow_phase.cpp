@@ -1,6 +1,6 @@
 #include "contacts/narrow_phase.h"
 
-#include "bodies/rest.h"
+#include "bodies/motion_budget.h"
 #include "collision/far_apart.h"
 #include "contacts/contact_record.h"
 #include "contacts/contact_update.h"
@@ -119,8 +119,9 @@ void move_contacts(State& s, int begin, int end) {
 
 // Whether the first pass of the step has tested the pair, as far as the whole step reaches, and its points may be moved
 // along. What whirls is tested in each pass.
-bool is_found(const State& s, const ContactInfo& c) {
-    if (s.passes == s.first_pass || c.tested_at != s.first_pass + 1 || c.is_trigger) return false;
+bool is_found(const State& s, std::uint32_t id) {
+    const ContactInfo& c = s.contacts[id];
+    if (s.passes == s.first_pass || c.is_trigger || id >= s.narrow.found.size() || !s.narrow.found[id]) return false;
     const auto turns_little = [&](std::int32_t body) {
         const math::Quat q = s.motion[body].turned; // in the last pass
         return !s.narrow.whirls[body] && 4 * (q.x * q.x + q.y * q.y + q.z * q.z) < little_turn * little_turn;
@@ -128,12 +129,13 @@ bool is_found(const State& s, const ContactInfo& c) {
     return turns_little(c.body_a) && turns_little(c.body_b);
 }
 
-std::uint8_t before_test(const State& s, const ContactInfo& c) {
+std::uint8_t before_test(const State& s, std::uint32_t id) {
+    const ContactInfo& c = s.contacts[id];
     if (!c.b_moves && !s.is_awake(c.body_a) && !moves(s, c.body_b)) return c.point_count > 0 ? skipped : apart;
-    if (!is_tested(s, c)) {
-        if (is_found(s, c)) return c.point_count > 0 ? to_move : apart;
+    if (!is_placed(s, c)) {
+        if (is_found(s, id)) return c.point_count > 0 ? to_move : apart;
         // What has no points is tested: they may come near each other on the way, the more so the larger they are.
-        if (c.kind >= PairKind::box_capsule && c.point_count > 0 && is_near(s, c)) return to_move;
+        if (c.kind >= PairKind::box_capsule && c.point_count > 0 && is_near(s, id)) return to_move;
         return std::uint8_t(to_test + int(c.kind));
     }
     if (c.is_trigger) return apart;
@@ -145,8 +147,8 @@ std::uint8_t before_test(const State& s, const ContactInfo& c) {
 void list_open_pairs(State& s) {
     NarrowScratch& scratch = s.narrow;
     const std::uint32_t* const candidates = scratch.candidates.data();
-    const ApartPair* const pairs = s.apart_pairs.data();
-    const double* const ahead = s.ahead.data();
+    const PairAnswer* const pairs = s.answers.data();
+    const Travel* const ahead = s.ahead.data();
     std::uint8_t* const outcomes = scratch.outcomes.data();
     s.thread_pool->for_chunks(int(scratch.candidates.size()), pairs_per_chunk, [=](int begin, int end, int) {
         static_assert(apart == 0);
@@ -171,6 +173,14 @@ void list_open_pairs(State& s) {
     scratch.open.resize(count);
 }
 
+// In the first pass of a step that may be split: what it has tested.
+void note_found(State& s) {
+    s.narrow.found.assign(s.contacts.size(), 0);
+    for (const std::uint32_t k : s.narrow.to_move) s.narrow.found[s.narrow.candidates[k]] = 1;
+    for (const auto& list : s.narrow.lists)
+        for (const std::uint32_t k : list) s.narrow.found[s.narrow.candidates[k]] = 1;
+}
+
 // Sorts the pairs that may have moved into the lists of their kinds.
 void list_pairs(State& s) {
     NarrowScratch& scratch = s.narrow;
@@ -187,9 +197,9 @@ void list_pairs(State& s) {
             if (i + contacts_ahead < std::size_t(end))
                 ask_cache(&s.contacts[scratch.candidates[scratch.open[i + contacts_ahead]]]);
             const std::uint32_t k = scratch.open[i];
-            const ContactInfo& c = s.contacts[scratch.candidates[k]];
-            any |= is_group(c);
-            scratch.outcomes[k] = before_test(s, c);
+            const std::uint32_t id = scratch.candidates[k];
+            any |= is_group(s.contacts[id]);
+            scratch.outcomes[k] = before_test(s, id);
         }
         if (any) any_groups = true;
     });
@@ -230,13 +240,14 @@ void test_all(State& s, float dt) {
 } // namespace
 
 void update_contacts(State& s, float dt) {
-    update_resting(s, dt);
+    count_motion(s, dt);
     s.solved.clear();
     s.narrow.skipped.clear();
     s.narrow.lists.resize(tested_kinds);
     s.narrow.at_work.resize(std::size_t(s.thread_pool->threads()));
     list_pairs(s);
     test_all(s, dt);
+    if (s.passes == s.first_pass && !s.narrow.whirling.empty()) note_found(s);
     const std::vector<std::uint32_t>& open = s.narrow.open;
     for (std::size_t i = 0; i < open.size(); ++i) {
         if (i + contacts_ahead < open.size() && s.narrow.outcomes[open[i + contacts_ahead]] != apart)
@@ -254,7 +265,10 @@ void update_contacts(State& s, float dt) {
             follow_up(s, id, s.narrow.outcomes[k], dt);
     }
     // What was moved along is as good as tested: while both bodies rest, it need not be moved again.
-    for (const std::uint32_t k : s.narrow.to_move) s.contacts[s.narrow.candidates[k]].tested_at = s.passes + 1;
+    for (const std::uint32_t k : s.narrow.to_move) {
+        ContactInfo& c = s.contacts[s.narrow.candidates[k]];
+        c.placed_at = travel_of(s, c);
+    }
     drop_internal_edges(s);
     const auto push_solved = [&](std::uint32_t id) {
         for_each_patch(s, id, [&](std::uint32_t contact) { s.solved.push_back(contact); });

@@ -1,6 +1,7 @@
 // Contacts of pairs whose bounds begin or cease to overlap.
 #include "contacts/pairs.h"
 
+#include "bodies/motion_budget.h"
 #include "contacts/contact_update.h"
 #include "islands/coloring.h"
 #include "islands/islands.h"
@@ -121,7 +122,8 @@ struct Sink final : PairSink {
         c.base_margin = std::min(max_margin, margin_per_extent * std::min(smallest_extent(a, s.shape_data[shape_a]),
                                                                           smallest_extent(b, s.shape_data[shape_b])));
         c.match_tolerance = match_per_extent * std::min(largest_extent(a), largest_extent(b));
-        s.apart_pairs[id] = {0, c.body_a, c.body_b};
+        s.answers[id] = {0, c.body_a, c.body_b};
+        drop_answer(s, id);
         combine_materials(s, id);
         return id;
     }
@@ -154,7 +156,7 @@ std::uint32_t new_contact(State& s) {
         id = std::uint32_t(s.contacts.size());
         s.contacts.emplace_back();
         s.records.emplace_back();
-        s.apart_pairs.emplace_back();
+        s.answers.emplace_back();
     } else {
         id = s.free_contacts.back();
         s.free_contacts.pop_back();
@@ -162,7 +164,8 @@ std::uint32_t new_contact(State& s) {
     s.contacts[id] = {};
     s.contacts[id].in_use = 1;
     s.records[id] = {};
-    s.apart_pairs[id] = {};
+    s.answers[id] = {};
+    if (id < s.narrow.found.size()) s.narrow.found[id] = 0;
     return id;
 }
 

@@ -1,6 +1,7 @@
 // Groups: pairs of a convex shape with a mesh or height field, and the patches in which they touch.
 #include "contacts/patches.h"
 
+#include "bodies/motion_budget.h"
 #include "contacts/contact_update.h"
 #include "contacts/convex_tests.h"
 #include "contacts/pairs.h"
@@ -51,13 +52,12 @@ void test_group(State& s, std::uint32_t place, NarrowBatch& own, float dt) {
         s.narrow.outcomes[place] = take_distance(s, id, distance);
         return;
     }
-    group.tested_at = s.passes + 1;
-    s.apart_pairs[id].until = 0;
+    keep_answer(s, id, 0);
     if (group.is_trigger) {
         s.narrow.outcomes[place] = trigger_outcome(group, !own.hits.empty());
         return;
     }
-    s.narrow.outcomes[place] = goes_on;
+    s.narrow.outcomes[place] = tested_patches;
     for (std::int32_t p = group.related; p != none; p = s.contacts[p].next) s.narrow.patch_outcomes[p] = not_found;
     std::uint32_t order = 0;
     for (const Manifold& hit : own.hits) {
@@ -123,7 +123,7 @@ void follow_up_group(State& s, std::uint32_t place, float dt) {
         follow_up(s, id, outcome, dt);
         return;
     }
-    const bool was_tested = s.contacts[id].tested_at == s.passes + 1;
+    const bool was_tested = outcome == tested_patches;
     for_each_patch(s, id, [&](std::uint32_t patch) {
         follow_up(s, patch, was_tested ? s.narrow.patch_outcomes[patch] : outcome, dt);
         if (s.contacts[patch].point_count == 0) end_patch(s, patch);
@@ -133,7 +133,7 @@ void follow_up_group(State& s, std::uint32_t place, float dt) {
         follow_up(s, patch, take_manifold(s, patch, s.narrow.fresh[k].manifold, dt), dt);
         if (s.contacts[patch].point_count > 0) continue;
         end_patch(s, patch); // left alone, as its body sleeps
-        s.contacts[id].tested_at = 0;
+        drop_answer(s, id);
     }
     s.contacts[id].point_count = s.contacts[id].related == none ? 0 : 1;
 }

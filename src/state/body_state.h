@@ -22,12 +22,6 @@ struct alignas(64) BodyMotion {
     std::uint64_t padding = 0;
 };
 
-// Where a body came to rest: while it stays there, the contacts it has need not be found anew.
-struct RestingPose {
-    math::DVec3 x;
-    math::DQuat q;
-};
-
 struct alignas(64) BodyMass {
     float mass = 0, inverse_mass = 0;    // an inverse of 0 means immovable
     math::Vec3 inertia, inverse_inertia; // principal
@@ -65,13 +59,6 @@ struct BodyLinks {
     std::int32_t first_joint = none, last_joint = none; // ends: 2 x joint + side
     std::int32_t joint_count = 0;                       // that are solved
     std::int32_t padding = 0;
-};
-
-// A pose of a body in which all its fat boxes serve; and until they might not, how far its points may move, m, with
-// what is looked ahead in either pose. Only saves time: not part of a snapshot.
-struct ServedPose {
-    RestingPose pose;
-    double room = -1;
 };
 
 } // namespace cairn

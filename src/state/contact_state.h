@@ -3,6 +3,7 @@
 
 #include "collision/wide_pairs.h"
 #include "state/none.h"
+#include "state/travel.h"
 
 #include <cstdint>
 
@@ -47,16 +48,16 @@ struct alignas(64) ContactInfo {
     std::uint8_t is_trigger = 0;  // never solved: only `touching` counts
     std::uint8_t is_conveyor = 0; // B's surface moves
     std::uint8_t padding[2] = {};
-    std::uint64_t tested_at = 0; // the pass that last tested the pair; 0: none
+    Travel placed_at = 0;        // of both bodies, when the pair was tested or its points were moved along
     std::int32_t related = none; // group: its first patch; patch: its group
     std::int32_t next = none;    // patch: the next one of its group
 };
 inline bool is_group(const ContactInfo& c) { return c.kind == PairKind::group; }
 
-// What need not be tested of a pair that was found apart: it stays so until the ways of its bodies together reach that
-// far (State::ahead).
-struct ApartPair {
-    double until = 0; // m
+// What was found out when a pair was tested last: that it stays apart until its bodies together have moved that far. Of
+// one that has points, or may get some at any time: how far they had moved then.
+struct PairAnswer {
+    Travel until = 0;
     std::int32_t body_a = none, body_b = none;
 };
 

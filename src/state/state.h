@@ -19,6 +19,7 @@
 #include "state/narrow_scratch.h"
 #include "state/shape_state.h"
 #include "state/solver_scratch.h"
+#include "state/travel.h"
 
 #include <cairn/world.h>
 
@@ -43,13 +44,10 @@ struct State {
     std::vector<BodyForces> forces;
     std::vector<std::int32_t> pushed; // bodies with any
     std::vector<BodyLinks> bodies;
-    std::vector<RestingPose> resting;
-    std::vector<std::uint64_t> left_at; // the pass before which a body was last seen away from its resting pose
-    std::vector<RestingPose> near;      // likewise, for contacts that are moved along while the body stays near
-    std::vector<std::uint64_t> strayed_at;
-    // How far any point of a body has moved since it was made, m, at most; and how far it will have after this pass.
-    std::vector<double> way, ahead;
-    std::vector<ServedPose> served;
+    std::vector<Travel> travel;           // by body: how far any point of it has moved, at most
+    std::vector<CountedPose> counted;     // up to there
+    std::vector<Travel> ahead;            // how far a body will have moved after this pass, at most
+    std::vector<Travel> boxes_until;      // the travel up to which its fat boxes serve; only saves time
     std::vector<std::int32_t> kinematics; // kinematic bodies, in order of creation
 
     SlotPool shape_slots;
@@ -62,7 +60,7 @@ struct State {
 
     std::vector<ContactRecord> records;
     std::vector<ContactInfo> contacts;
-    std::vector<ApartPair> apart_pairs; // by contact
+    std::vector<PairAnswer> answers; // by contact
     std::vector<std::uint32_t> free_contacts;
 
     std::vector<Island> islands;

@@ -47,12 +47,12 @@ template <class... Plain> void add_field_counts(Hash64& hash) { (hash.add(field_
 // Layouts that a snapshot depends on: one from another build is refused rather than misread.
 std::uint64_t layout() {
     Hash64 hash;
-    add_field_counts<BodyMotion, RestingPose, BodyMass, BodySettings, BodyForces, BodyLinks, ShapeLinks, ShapePose,
-                     ContactRecord, ContactInfo, ApartPair, Island, JointInfo, JointAxisRule, JointAxisState>(hash);
+    add_field_counts<BodyMotion, CountedPose, BodyMass, BodySettings, BodyForces, BodyLinks, ShapeLinks, ShapePose,
+                     ContactRecord, ContactInfo, PairAnswer, Island, JointInfo, JointAxisRule, JointAxisState>(hash);
     for (const std::size_t size :
-         {sizeof(State), sizeof(BodyMotion), sizeof(RestingPose), sizeof(BodyMass), sizeof(ContactRecord),
-          sizeof(ContactInfo), sizeof(ApartPair), sizeof(Island), sizeof(ShapePose), sizeof(Geometry), sizeof(ShapeDef),
-          sizeof(WorldDef), sizeof(JointInfo), sizeof(JointAxes), sizeof(JointDef)})
+         {sizeof(State), sizeof(BodyMotion), sizeof(CountedPose), sizeof(BodyMass), sizeof(ContactRecord),
+          sizeof(ContactInfo), sizeof(PairAnswer), sizeof(Island), sizeof(ShapePose), sizeof(Geometry),
+          sizeof(ShapeDef), sizeof(WorldDef), sizeof(JointInfo), sizeof(JointAxes), sizeof(JointDef)})
         hash.add(size);
     return hash.value();
 }
@@ -75,10 +75,12 @@ std::uint64_t checksum_of(Header header, const std::vector<std::byte>& snapshot)
 
 template <class Archive> void serialize_bodies(Archive& archive, State& s) {
     archive(s.motion), archive(s.forces), archive(s.pushed), archive(s.bodies);
-    archive.foretold(s.resting, [&](std::size_t i) { return RestingPose{s.motion[i].x, s.motion[i].q}; });
-    archive.foretold(s.near, [&](std::size_t i) { return s.resting[i]; });
-    archive(s.left_at), archive(s.strayed_at), archive(s.way), archive(s.ahead);
-    if constexpr (Archive::reading) s.served.assign(s.bodies.size(), {});
+    archive.foretold(s.counted, [&](std::size_t i) { return CountedPose{s.motion[i].x, s.motion[i].q}; });
+    archive(s.travel), archive(s.ahead);
+    if constexpr (Archive::reading) {
+        s.boxes_until.resize(s.bodies.size());
+        for (std::size_t b = 0; b < s.bodies.size(); ++b) s.boxes_until[b] = s.travel[b];
+    }
     archive(s.shapes);
     archive.foretold(s.shape_poses, [&](std::size_t i) { return expected_pose(s, i); });
     archive(s.islands), archive(s.free_islands), archive(s.awake_islands);
@@ -86,7 +88,7 @@ template <class Archive> void serialize_bodies(Archive& archive, State& s) {
 }
 
 template <class Archive> void serialize_contacts(Archive& archive, State& s) {
-    archive(s.records), archive(s.contacts), archive(s.apart_pairs), archive(s.free_contacts);
+    archive(s.records), archive(s.contacts), archive(s.answers), archive(s.free_contacts);
 }
 
 static_assert(field_count<JointInfo>() == 25, "JointInfo has another member: if definitions set it, and not steps, "

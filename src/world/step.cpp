@@ -1,7 +1,7 @@
 // One step, top to bottom. Each line is a stage; each stage is a file. A step is one pass through them; while
-// something whirls and touches (see bodies/rest.h), it is several.
+// something whirls and touches (see bodies/motion_budget.h), it is several.
 #include "bodies/finalize.h"
-#include "bodies/rest.h"
+#include "bodies/motion_budget.h"
 #include "contacts/contact_update.h"
 #include "contacts/narrow_phase.h"
 #include "contacts/pairs.h"
@@ -79,7 +79,7 @@ void World::step(float dt) {
         times.broad_phase += clock.lap();
         update_contacts(state, dt / float(passes));
         times.narrow_phase += clock.lap();
-        if (pass == 0) passes = split_step(state, whirl_in_contact(state), dt);
+        if (pass == 0) passes = split_step(state, fastest_spinner_in_contact(state), dt);
         const float pass_dt = dt / float(passes);
         pack_batches(state, pass_dt);
         times.islands += clock.lap();

@@ -118,17 +118,13 @@ BodyId World::create_body(const BodyDef& def) {
     change.begin();
     const std::size_t b = s.body_slots.create();
     make_room(s.motion, b), make_room(s.mass, b), make_room(s.body_settings, b), make_room(s.forces, b);
-    make_room(s.bodies, b), make_room(s.resting, b), make_room(s.left_at, b), make_room(s.near, b),
-        make_room(s.strayed_at, b), make_room(s.way, b), make_room(s.ahead, b), make_room(s.served, b),
-        make_room(impl_->names, b), make_room(impl_->user_data, b);
+    make_room(s.bodies, b), make_room(s.counted, b), make_room(s.travel, b), make_room(s.ahead, b),
+        make_room(s.boxes_until, b), make_room(impl_->names, b), make_room(impl_->user_data, b);
     s.bodies[b] = {};
     s.forces[b] = {};
     s.pushed.reserve(s.forces.capacity()); // pushing allocates nothing
-    s.resting[b] = {};
-    s.served[b] = {};
-    s.near[b] = {};
-    s.way[b] = s.ahead[b] = 0;
-    s.left_at[b] = s.strayed_at[b] = s.passes + 1;
+    s.counted[b] = {};
+    s.travel[b] = s.ahead[b] = s.boxes_until[b] = 0;
     s.mass[b] = {};
     s.body_settings[b] = {def.gravity_scale, def.linear_damping, def.angular_damping, 0, def.type, def.allow_sleep, {}};
     const Quat q = checked_rotation("BodyDef.rotation", def.rotation);

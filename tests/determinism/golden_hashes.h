@@ -16,12 +16,12 @@ inline constexpr std::uint64_t sleep_and_wake = 0xf13bddf3c9ff719c;
 inline constexpr std::uint64_t compounds = 0xa916654bbbe0713a;
 inline constexpr std::uint64_t free_tops = 0xe32cec2b97e2e1ef;
 inline constexpr std::uint64_t explicit_euler = 0xe2cd6c9df9c272fd;
-inline constexpr std::uint64_t whirl = 0xb454c83f301b27bf;
-inline constexpr std::uint64_t changes = 0xa76e5a7255e95655;
-inline constexpr std::uint64_t all_shapes = 0xe20292f86835410c;
-inline constexpr std::uint64_t rounded_shapes = 0x7048acf0a5001529;
-inline constexpr std::uint64_t surfaces = 0x65af9f9ee96be261;
+inline constexpr std::uint64_t whirl = 0x3b47a1e425b1c37d;
+inline constexpr std::uint64_t changes = 0x61c7e7fb24970cde;
+inline constexpr std::uint64_t all_shapes = 0x9307ee1d4bcb4c16;
+inline constexpr std::uint64_t rounded_shapes = 0x28a53850527d99d1;
+inline constexpr std::uint64_t surfaces = 0x634ff48d57469bf5;
 inline constexpr std::uint64_t all_joints = 0xaa60958c112b09c1;
-inline constexpr std::uint64_t chains = 0x340d976eb5956312;
+inline constexpr std::uint64_t chains = 0x47bdd95226212591;
 
 } // namespace cairn_test::golden

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace cairn_test {
 
@@ -34,6 +35,14 @@ double overlap_from(const SceneRun& run, int step) {
     for (std::size_t i = std::size_t(step); i < run.steps.size(); ++i)
         deepest = std::max(deepest, run.steps[i].overlap);
     return deepest;
+}
+
+double usual_overlap_from(const SceneRun& run, int step) {
+    std::vector<double> overlaps;
+    for (std::size_t i = std::size_t(step); i < run.steps.size(); ++i) overlaps.push_back(run.steps[i].overlap);
+    const auto middle = overlaps.begin() + std::ptrdiff_t(overlaps.size() / 2);
+    std::nth_element(overlaps.begin(), middle, overlaps.end());
+    return *middle;
 }
 
 double energy_gain_from(const SceneRun& run, int step) {

@@ -24,9 +24,10 @@ template <class F> double count_at_end(const SceneRun& run, const F& is_so) {
 
 double asleep_at(const SceneRun& run, int step);
 double asleep_at_end(const SceneRun& run);
-double lowest_center(const SceneRun& run);          // m, of dynamic bodies, ever
-double fastest(const SceneRun& run);                // m/s, ever
-double overlap_from(const SceneRun& run, int step); // m, the deepest from that step on
+double lowest_center(const SceneRun& run);                // m, of dynamic bodies, ever
+double fastest(const SceneRun& run);                      // m/s, ever
+double overlap_from(const SceneRun& run, int step);       // m, the deepest from that step on
+double usual_overlap_from(const SceneRun& run, int step); // m, the median of the deepest of each of those steps
 double energy_gain_from(const SceneRun& run,
                         int step);                // the most above that step's energy, as part of the largest energy
 double total_mass(const SceneRun& run, int step); // kg, of dynamic bodies

@@ -1,4 +1,4 @@
-#include "bodies/rest.h"
+#include "bodies/motion_budget.h"
 
 #include "bodies/bodies.h"
 
@@ -11,16 +11,10 @@ namespace cairn {
 
 namespace {
 
-// How far any point of a body may be from where it rested, less for bodies smaller than a meter: a share of what a soft
-// contact sinks under a body's own weight, which is about 10 m/s^2 times the square of the substep. And how fast it may
-// be, as a share of that way in one step: the solver cannot see a creep as slow as that.
+// Up to that length, less for bodies smaller than a meter, motion is not counted while a body is as slow as that: a
+// share of what a soft contact sinks under a body's own weight, which is about 10 m/s^2 times the square of the
+// substep; and in one step, a share of that length. The solver cannot see a creep as slow as that.
 constexpr double sinking = 10.0, max_shift = 0.01, max_step = 0.25;
-
-// How far any point of a body may be from where its contacts were found, as a share of its radius, and in meters at
-// most. Points that are moved along instead keep their normal: what they miss is of second order, a shift of a
-// millimeter times a turn of three thousandths; and corners that come near are found at latest when they are that much
-// nearer.
-constexpr double nearness = 3e-3, max_nearness = 5e-3;
 
 constexpr float max_turn = 1.0f; // radians in a step
 
@@ -30,52 +24,49 @@ constexpr std::size_t bodies_ahead = 8; // that are asked for in time
 void prefetch_poses(const State& s, std::int32_t b) {
     ask_cache(&s.motion[b].x);
     ask_cache(&s.motion[b].q);
-    ask_cache(&s.resting[b]);
-    ask_cache(&s.near[b]);
+    ask_cache(&s.counted[b]);
     ask_cache(&s.mass[b]);
 }
 
 bool is_within(math::DVec3 v, double most) { return math::dot(v, v) <= most * most; }
 
-// Whether every point of a body is within `most` of where it is in that pose.
-bool is_at(const RestingPose& pose, const BodyMotion& motion, float radius, double most) {
+bool rests(const CountedPose& counted, const BodyMotion& motion, float radius, double shift, double speed) {
+    const double most = shift * std::min(radius, 1.0f);
     // A turn by a small angle a changes the unit quaternion by a / 2.
-    const double turn = square_difference(pose.q, motion.q);
-    return is_within(motion.x - pose.x, most) && 4 * turn * double(radius) * double(radius) <= most * most;
+    const double turn = square_difference(counted.q, motion.q);
+    return is_within(math::to_double(motion.v), speed) &&
+           is_within(double(radius) * math::to_double(motion.w), speed) && is_within(motion.x - counted.x, most) &&
+           4 * turn * double(radius) * double(radius) <= most * most;
 }
 
-bool rests(const RestingPose& pose, const BodyMotion& motion, float radius, double shift, double speed) {
-    return is_at(pose, motion, radius, shift * std::min(radius, 1.0f)) && is_within(math::to_double(motion.v), speed) &&
-           is_within(double(radius) * math::to_double(motion.w), speed);
+// Exactly: planes reach far.
+bool stands_still(const CountedPose& counted, const BodyMotion& motion) {
+    return motion.v == math::Vec3{} && motion.w == math::Vec3{} && motion.x == counted.x && motion.q.x == counted.q.x &&
+           motion.q.y == counted.q.y && motion.q.z == counted.q.z && motion.q.w == counted.q.w;
+}
+
+void count(State& s, std::int32_t b) {
+    const BodyMotion& motion = s.motion[b];
+    s.travel[b] += travelled(uncounted(s.counted[b], motion, s.bodies[b].radius));
+    s.counted[b] = {motion.x, motion.q};
 }
 
 } // namespace
 
-void count_way(State& s, std::int32_t b) {
+void spend_budget(State& s, std::int32_t b) {
     const BodyMotion& motion = s.motion[b];
-    RestingPose& pose = s.resting[b];
-    s.way[b] += way_from(pose, motion, s.bodies[b].radius);
-    pose = {motion.x, motion.q};
-    s.ahead[b] = s.way[b];
+    s.counted[b] = {motion.x, motion.q};
+    s.travel[b] += travelled(max_leap);
+    s.ahead[b] = s.boxes_until[b] = s.travel[b];
 }
 
-void update_resting(State& s, float dt) {
+void count_motion(State& s, float dt) {
     const double h = double(dt) / s.in_pass(s.settings.substeps);
     const double shift = max_shift * sinking * h * h, speed = max_step * shift / double(dt);
-    const std::uint64_t pass = s.passes + 1;
-    auto leave = [&](std::int32_t b) {
-        const BodyMotion& motion = s.motion[b];
-        count_way(s, b);
-        s.left_at[b] = pass;
-        const float radius = s.bodies[b].radius;
-        if (is_at(s.near[b], motion, radius, std::min(nearness * double(radius), max_nearness))) return;
-        s.near[b] = {motion.x, motion.q};
-        s.strayed_at[b] = pass;
-    };
     const auto look_ahead = [&](std::int32_t b) {
         const float reach = s.narrow.turn_reach[b] = turn_reach(s, b, dt);
         const float way = dt * math::length(s.motion[b].v);
-        s.ahead[b] = s.way[b] + double(way + reach);
+        s.ahead[b] = s.travel[b] + travelled(double(way + reach));
     };
     s.narrow.turn_reach.assign(s.bodies.size(), 0); // of what does not move
     const bool is_first = s.passes == s.first_pass; // what whirls is asked once a step
@@ -95,7 +86,7 @@ void update_resting(State& s, float dt) {
             if (k + bodies_ahead < awake.size()) prefetch_poses(s, awake[k + bodies_ahead]);
             const std::int32_t b = awake[k];
             const BodyMotion& motion = s.motion[b];
-            if (!rests(s.resting[b], motion, s.bodies[b].radius, shift, speed)) leave(b);
+            if (!rests(s.counted[b], motion, s.bodies[b].radius, shift, speed)) count(s, b);
             look_ahead(b);
             if (is_first && math::dot(motion.w, motion.w) > max_square && !s.mass[b].isotropic) {
                 const std::lock_guard lock(whirling);
@@ -105,18 +96,12 @@ void update_resting(State& s, float dt) {
         }
     });
     for (const std::int32_t b : s.kinematics) {
-        const BodyMotion& motion = s.motion[b];
-        const RestingPose& pose = s.resting[b];
-        // Exactly: planes reach far.
-        const bool still = motion.v == math::Vec3{} && motion.w == math::Vec3{} && motion.x == pose.x &&
-                           motion.q.x == pose.q.x && motion.q.y == pose.q.y && motion.q.z == pose.q.z &&
-                           motion.q.w == pose.q.w;
-        if (!still) leave(b);
+        if (!stands_still(s.counted[b], s.motion[b])) count(s, b);
         look_ahead(b);
     }
 }
 
-float whirl_in_contact(const State& s) {
+float fastest_spinner_in_contact(const State& s) {
     float fastest = 0;
     for (const std::int32_t b : s.narrow.whirling)
         if (const BodyLinks& links = s.bodies[b]; links.contact_count > 0 && links.joint_count == 0)
