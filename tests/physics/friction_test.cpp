@@ -69,5 +69,44 @@ TEST(Friction, StopsWhatCannotTurn) {
     EXPECT_NEAR(world.body(id).linear_velocity().x, 0, 1e-4);
 }
 
+// A little too steep for the friction, in any direction; whether it lies alone or under others.
+struct OnTooSteepASlope {
+    World world;
+    Slope slope;
+    std::vector<BodyId> boxes;
+
+    OnTooSteepASlope(double friction, double degrees_more, double heading, int stack)
+        : slope{std::atan(friction) + radians(degrees_more)} {
+        slope.add_to(world, surface(float(friction)));
+        for (int i = 0; i < stack; ++i) {
+            BodyDef def;
+            def.rotation = slope.rotation() * glm::angleAxis(float(heading), Vec3(0, 1, 0));
+            def.position = (0.1 + 0.2 * i) * slope.normal();
+            boxes.push_back(add_body(world, Box{{0.5f, 0.1f, 0.4f}}, def, surface(i == 0 ? float(friction) : 2.0f)));
+        }
+    }
+    double way() { return glm::dot(world.body(boxes[0]).position(), slope.downhill()); }
+};
+
+TEST(Friction, WhatSlidesSlowlyDoesNotFallAsleep) {
+    std::mt19937 random(2);
+    std::uniform_real_distribution<double> angle(0, 2 * glm::pi<double>()), coefficient(0.2, 0.8), more(0.25, 0.6);
+    for (int i = 0; i < 20; ++i) {
+        const double friction = coefficient(random), degrees = more(random), heading = angle(random);
+        const int stack = 1 + i % 3;
+        SCOPED_TRACE(testing::Message() << "friction " << friction << ", " << degrees << " degrees more, heading "
+                                        << heading << ", boxes " << stack);
+        OnTooSteepASlope sliding(friction, degrees, heading, stack);
+        const double start = sliding.way(), steep = std::atan(friction) + radians(degrees);
+        run(sliding.world, 1.0f / 60, 300);
+        const double expected = 0.5 * gravity * (std::sin(steep) - friction * std::cos(steep)) * 25;
+        EXPECT_GT(sliding.way() - start, 0.98 * expected);
+        EXPECT_LT(sliding.way() - start, 1.02 * expected + 0.1); // until friction holds at the start: 20 mm/s
+        OnTooSteepASlope standing(friction, -0.25, heading, stack);
+        run(standing.world, 1.0f / 60, 300);
+        EXPECT_FALSE(standing.world.body(standing.boxes[0]).is_awake());
+    }
+}
+
 } // namespace
 } // namespace cairn_test

@@ -171,7 +171,7 @@ CAIRN_INLINE Vec3x8 load_center(const ContactBlock<N>& block, const Meeting<N>& 
     if constexpr (N == 1) return m.center;
     const Vec3x8 t1 = load3(block.tangent), t2 = second_tangent(block, load3(block.normal));
     const mask8 bears = sum > zero();
-    const LoadOffset e = load_offset(m.center, select(bears, sum, one()), torque_a, t1, t2);
+    const LoadOffset e = load_offset(m.center, one() / select(bears, sum, one()), torque_a, t1, t2);
     return m.center + select(bears, e.x * t1 + e.y * t2, zero3());
 }
 

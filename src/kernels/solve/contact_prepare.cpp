@@ -264,7 +264,7 @@ CAIRN_INLINE f32x8 moment_about_center(const ContactBlock<N>& block, const f32x8
         torque = torque + impulse[i] * arm_of(block, zero3(), i);
     }
     const mask8 bears = sum > zero();
-    const LoadOffset e = load_offset(load3(block.center), select(bears, sum, one()), torque, t1, t2);
+    const LoadOffset e = load_offset(load3(block.center), one() / select(bears, sum, one()), torque, t1, t2);
     return select(bears, moment_at(e, load(block.tangent_impulse[0]), load(block.tangent_impulse[1])), zero());
 }
 

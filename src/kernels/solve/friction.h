@@ -33,10 +33,10 @@ template <int N>
 CAIRN_INLINE Load load_of(const ContactBlock<N>& block, const PointSums& sums, Vec3x8 center, Vec3x8 t1, Vec3x8 t2) {
     Load r = {sums.load, load(block.torsion_radius), {zero(), zero()}, zero()};
     if constexpr (N > 1) {
-        const f32x8 some = select(sums.load > zero(), sums.load, one());
-        r.e = load_offset(center, some, sums.torque, t1, t2);
+        const f32x8 inverse = one() / select(sums.load > zero(), sums.load, one());
+        r.e = load_offset(center, inverse, sums.torque, t1, t2);
         r.aside = r.e.x * r.e.x + r.e.y * r.e.y;
-        r.radius = max(sqrt(max(sums.spread / some - r.aside, zero())), r.radius);
+        r.radius = max(sqrt(max(sums.spread * inverse - r.aside, zero())), r.radius);
     }
     return r;
 }

@@ -61,7 +61,7 @@ CAIRN_INLINE void strike_block(ContactBlock<N>& block, ContactImpact<N>& impact,
     Vec3x8 center = load3(block.center);
     if constexpr (N > 1) {
         const mask8 bears = load_sum > zero();
-        const LoadOffset e = load_offset(center, select(bears, load_sum, one()), load_torque, t1, t2);
+        const LoadOffset e = load_offset(center, one() / select(bears, load_sum, one()), load_torque, t1, t2);
         center = center + select(bears, e.x * t1 + e.y * t2, zero3());
     }
     const Vec3x8 slip = (b.v - a.v) + cross(b.w - a.w, center) + cross(b.w, d);

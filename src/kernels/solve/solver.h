@@ -98,13 +98,12 @@ template <int N> CAIRN_INLINE Vec3x8 second_tangent(const ContactBlock<N>& block
 }
 
 // Where the load is, beside the friction center: along the two tangents. With t2 = t1 x n and j = r x n,
-// r.t1 = j.t2 and r.t2 = -j.t1. Not a number where nothing is borne.
+// r.t1 = j.t2 and r.t2 = -j.t1.
 struct LoadOffset {
     f32x8 x, y;
 };
-// `torque`: the sum of impulse times arm (j_i) over the points.
-CAIRN_INLINE LoadOffset load_offset(Vec3x8 center, f32x8 load_sum, Vec3x8 torque, Vec3x8 t1, Vec3x8 t2) {
-    const f32x8 inverse = one() / load_sum;
+// `torque`: the sum of impulse times arm (j_i) over the points; `inverse`: one over that of the impulses.
+CAIRN_INLINE LoadOffset load_offset(Vec3x8 center, f32x8 inverse, Vec3x8 torque, Vec3x8 t1, Vec3x8 t2) {
     return {inverse * dot(torque, t2) - dot(center, t1), -(inverse * dot(torque, t1)) - dot(center, t2)};
 }
 // The moment about the normal, at the friction center, of an impulse at the load.
