@@ -56,7 +56,7 @@ float surface_radius(const State& s, std::int32_t b) {
 // How long the body has been slower than the sleep speed, and its mean velocity of the last quarter of a sleep time,
 // and of the quarter before: what an island gains shows in their difference (islands.cpp).
 void note_rest(const WorldDef& settings, BodyLinks& links, math::Vec3 v, float speed, float dt) {
-    if (!(speed < settings.sleep_speed)) {
+    if (!settings.enable_sleep || !(speed < settings.sleep_speed)) {
         links.quiet_time = 0;
         return;
     }
