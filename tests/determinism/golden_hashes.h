@@ -7,21 +7,21 @@
 
 namespace cairn_test::golden {
 
-inline constexpr std::uint64_t mixed_pile = 0x4eb37a9a596a444c;
-inline constexpr std::uint64_t pyramid = 0xd7462c6c98986464;
-inline constexpr std::uint64_t dominoes = 0x881db247de271a07;
-inline constexpr std::uint64_t materials = 0x7b4a5ef5951f28b1;
-inline constexpr std::uint64_t tumbler = 0xda6e4bbcadae6e19;
+inline constexpr std::uint64_t mixed_pile = 0xc8502d23f3d482f2;
+inline constexpr std::uint64_t pyramid = 0x7af60f2685482529;
+inline constexpr std::uint64_t dominoes = 0x4977e58794c6f4fd;
+inline constexpr std::uint64_t materials = 0x0ad4e75f6957c837;
+inline constexpr std::uint64_t tumbler = 0x5b1bbcbaa8fcb6bc;
 inline constexpr std::uint64_t sleep_and_wake = 0x6364b3d9347f40a0;
-inline constexpr std::uint64_t compounds = 0x9ca98c464fbaf2bf;
-inline constexpr std::uint64_t free_tops = 0x933037c6b55a4905;
-inline constexpr std::uint64_t explicit_euler = 0x768db265e3e2170a;
+inline constexpr std::uint64_t compounds = 0x67a6a414bc5843ad;
+inline constexpr std::uint64_t free_tops = 0xd857a0fed7a1b364;
+inline constexpr std::uint64_t explicit_euler = 0xc321eef158b833da;
 inline constexpr std::uint64_t whirl = 0x5e4851f33f51795d;
-inline constexpr std::uint64_t changes = 0xb9ac52b34d24f0ed;
-inline constexpr std::uint64_t all_shapes = 0x96080f128f2f0467;
-inline constexpr std::uint64_t rounded_shapes = 0x9ab93343fd77a02f;
-inline constexpr std::uint64_t surfaces = 0x5be21204358d977a;
-inline constexpr std::uint64_t all_joints = 0xa02753c3c067af2d;
-inline constexpr std::uint64_t chains = 0x83d10172be71e710;
+inline constexpr std::uint64_t changes = 0x2cc87c0169570623;
+inline constexpr std::uint64_t all_shapes = 0xffc7a8f1d433e3c2;
+inline constexpr std::uint64_t rounded_shapes = 0x720bf6fb08e637bd;
+inline constexpr std::uint64_t surfaces = 0xeb2c629b95d6d257;
+inline constexpr std::uint64_t all_joints = 0x14ea7f57e5ac9253;
+inline constexpr std::uint64_t chains = 0x4d55b4aec339c7e2;
 
 } // namespace cairn_test::golden
