@@ -39,7 +39,7 @@ struct WorldDef {
     Integrator integrator = Integrator::semi_implicit_euler;
     bool enable_sleep = true;          ///< Islands at rest stop costing time.
     float sleep_speed = 0.05f;         ///< m/s; a body slower than this at its surface may sleep. >= 0.
-    float sleep_time = 0.5f;           ///< s at rest before an island sleeps. >= 0.
+    float sleep_time = 0.5f;           ///< s at rest before an island sleeps, unless it gains speed steadily. >= 0.
     float restitution_speed = 0.02f;   ///< m/s; slower impacts do not bounce. >= 0.
     float hit_speed = 1.0f;            ///< m/s; least approach speed for a hit event. >= 0.
     float recovery_speed = 3.0f;       ///< m/s; overlaps are pushed apart no faster than this. > 0.

@@ -53,6 +53,23 @@ float surface_radius(const State& s, std::int32_t b) {
     return std::sqrt(std::max(mass.inertia.x, std::max(mass.inertia.y, mass.inertia.z)) * mass.inverse_mass);
 }
 
+// How long the body has been slower than the sleep speed, and its mean velocity of the last quarter of a sleep time,
+// and of the quarter before: what an island gains shows in their difference (islands.cpp).
+void note_rest(const WorldDef& settings, BodyLinks& links, math::Vec3 v, float speed, float dt) {
+    if (!settings.enable_sleep || !(speed < settings.sleep_speed)) {
+        links.quiet_time = 0;
+        return;
+    }
+    if (links.quiet_time == 0) {
+        links.late = links.later = v;
+    } else {
+        const float share = dt / (dt + lag_of_rest * settings.sleep_time);
+        links.late += share * (v - links.late);
+        links.later += share * (links.late - links.later);
+    }
+    links.quiet_time += dt;
+}
+
 } // namespace
 
 void finalize_body(State& s, std::int32_t b, float dt, std::vector<EscapedShape>& escaped) {
@@ -78,7 +95,7 @@ void finalize_body(State& s, std::int32_t b, float dt, std::vector<EscapedShape>
         s.boxes_until[b] = now + budget_of(room - rounding * double(links.radius));
     }
     const float speed = velocity + math::length(motion.w) * surface_radius(s, b);
-    links.quiet_time = speed < s.settings.sleep_speed ? links.quiet_time + dt : 0;
+    note_rest(s.settings, links, motion.v, speed, dt);
 }
 
 void prefetch_motion(const State& s, std::int32_t b) {

@@ -13,8 +13,7 @@ namespace cairn {
 
 namespace {
 
-constexpr float max_margin = 0.01f;        // m: contacts exist before they touch
-constexpr float margin_per_extent = 0.25f; // for small shapes
+constexpr float max_margin = 0.01f; // m: contacts exist before they touch
 constexpr float match_per_extent = 0.1f;
 
 constexpr float unlimited = 1e9f; // m

@@ -145,6 +145,23 @@ void measure_rest(State& state, std::int32_t i) {
     island.greatest_quiet_time = greatest;
 }
 
+// What gains speed steadily will not stay where it is, however slow it is yet. The whole of an island is asked: its
+// parts may sway for long before they come to rest.
+bool gains_speed(const State& state, const Island& island) {
+    constexpr float steady_gain = 0.25f; // of the sleep speed, in a sleep time
+    float mass = 0;
+    math::Vec3 momentum, difference;
+    for (std::int32_t b = island.first_body; b != none; b = state.bodies[b].next_in_island) {
+        const BodyLinks& links = state.bodies[b];
+        const float m = state.mass[b].mass;
+        mass += m;
+        momentum += m * links.late;
+        difference += m * (links.late - links.later);
+    }
+    return math::dot(difference, momentum) > 0 &&
+           math::length(difference) > lag_of_rest * steady_gain * state.settings.sleep_speed * mass;
+}
+
 } // namespace
 
 void create_island(State& state, std::int32_t body) { append_body(state, new_island(state), body); }
@@ -253,7 +270,7 @@ bool update_sleep(State& state) {
     for (std::size_t k = state.awake_islands.size(); k-- > 0;) {
         const std::int32_t i = state.awake_islands[k];
         const Island& island = island_at(state, i);
-        if (island.lost_contact || island.min_quiet_time < needed) continue;
+        if (island.lost_contact || island.min_quiet_time < needed || gains_speed(state, island)) continue;
         put_to_sleep(state, i);
         any_sleeps = true;
     }

@@ -22,6 +22,8 @@ constexpr float min_load = 1e-12f; // N: less is none; numbers that fade away ta
 constexpr float max_agitation = 1.0f;
 // Contacts with what does not move have twice the frequency of others (solver/softness.h).
 constexpr float immovable_stiffness = 4.0f;
+// m: what is narrower must not overlap as far as what is wider, but in proportion.
+constexpr float usual_width = 0.015f;
 
 // Up to a multiple of 8, as islands of one number are solved together; few are not made half as many again.
 int rounded_up(float wanted) {
@@ -63,7 +65,9 @@ void note_load(Island& island, ContactInfo& c, float force, float inverse_mass) 
     const float load = std::min(c.load, max_share * island.weight);
     const float stiffness = c.b_moves ? 1.0f : immovable_stiffness;
     raise(island.greatest_load, load);
-    raise(island.greatest_demand, load * (inverse_mass / stiffness));
+    // The margin is a quarter of the smaller shape's least width, or less.
+    const float smallness = std::max(1.0f, margin_per_extent * usual_width / c.base_margin);
+    raise(island.greatest_demand, load * (inverse_mass / stiffness) * smallness);
 }
 
 } // namespace cairn

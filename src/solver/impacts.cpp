@@ -88,7 +88,7 @@ template <> struct NotStruck<AxisBlock> { // limits that are springs, drives and
 };
 template <int N> struct NotStruck<PointRows<N>> {
     using B = PointRows<N>;
-    static constexpr auto list = std::tuple(&B::separation0, &B::height, &B::lever);
+    static constexpr auto list = std::tuple(&B::separation0, &B::height, &B::square_lever);
 };
 template <> struct NotStruck<PointRows<1>> { static constexpr auto list = std::tuple(&PointRows<1>::separation0); };
 template <int N> struct NotStruck<ContactBlock<N>> { // of friction: only that at the friction center

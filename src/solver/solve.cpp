@@ -24,7 +24,6 @@ namespace cairn {
 
 namespace {
 
-constexpr float friction_margin = 0.005f; // m: points closer than this share the friction fully
 constexpr int max_bounce_passes = 32;
 // Batches with fewer contacts are not worth being solved together.
 constexpr std::int32_t min_shared_contacts = 512;
@@ -157,7 +156,7 @@ void solve_batch(State& s, const IslandBatch& batch, BatchScratch& scratch, Thre
         prepare_free_motion(s, scratch, thread_pool, dt / float(batch.substeps), batch.bounces);
         for_blocks(scratch, thread_pool, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
             k.prepare(blocks_of(scratch, run), run.count, lanes_of(scratch, run), s.records.data(),
-                      scratch.inertia.data(), friction_margin);
+                      scratch.inertia.data());
         });
         const double prepare_ms = milliseconds_since(start);
         scratch.prepare_ms += prepare_ms;

@@ -47,12 +47,15 @@ struct BodyForces {
     std::uint64_t any = 0;
 };
 
+inline constexpr float lag_of_rest = 0.25f; // of the sleep time, for BodyLinks::late, and once more for ::later
+
 struct BodyLinks {
     std::int32_t first_shape = none, last_shape = none;
     std::int32_t island = none; // dynamic bodies only
     std::int32_t next_in_island = none, previous_in_island = none;
     float radius = 0;                                   // of the body about its center of mass; planes not counted
     float quiet_time = 0;                               // s that it has been slower than the sleep speed
+    math::Vec3 late, later;                             // m/s: its velocity meanwhile, as it lags behind
     std::int32_t contact_count = 0;                     // that are solved
     std::uint64_t colors = 0;                           // of its contacts, one bit each
     std::uint64_t joint_colors = 0;                     // likewise

@@ -9,6 +9,8 @@
 
 namespace cairn {
 
+inline constexpr float margin_per_extent = 0.25f; // of contacts, by the least width, for small shapes
+
 // How a pair of shapes is tested.
 enum class PairKind : std::uint8_t {
 // By a wide kernel (wide_pairs.h).

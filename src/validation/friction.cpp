@@ -167,7 +167,8 @@ Result measure_tipping() {
     for (const double dt : time_steps) {
         const double stands = last_where(40, 50, 0.01, [dt](double degrees) {
             OnSlope scene = cube_on_slope(degrees, 2);
-            run(scene.world, float(dt), steps_in(5, dt));
+            // It may come to stand again on another face.
+            for (int i = steps_in(5, dt); i > 0 && scene.tilt() < radians(30); --i) scene.world.step(float(dt));
             return scene.tilt() < radians(30);
         });
         result.rows.push_back({"steepest slope on which a cube stands, degrees", dt, 45, stands, 0.5, Bar::absolute});

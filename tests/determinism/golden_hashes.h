@@ -7,21 +7,21 @@
 
 namespace cairn_test::golden {
 
-inline constexpr std::uint64_t mixed_pile = 0x7a109504b7a45bca;
-inline constexpr std::uint64_t pyramid = 0x1653a0881627606a;
-inline constexpr std::uint64_t dominoes = 0x660b8a2cf2cf492c;
-inline constexpr std::uint64_t materials = 0xd6a76f9d4039e887;
-inline constexpr std::uint64_t tumbler = 0x168372e4b7b41b97;
-inline constexpr std::uint64_t sleep_and_wake = 0xf13bddf3c9ff719c;
-inline constexpr std::uint64_t compounds = 0xa916654bbbe0713a;
-inline constexpr std::uint64_t free_tops = 0xe32cec2b97e2e1ef;
-inline constexpr std::uint64_t explicit_euler = 0xe2cd6c9df9c272fd;
-inline constexpr std::uint64_t whirl = 0x3b47a1e425b1c37d;
-inline constexpr std::uint64_t changes = 0x61c7e7fb24970cde;
-inline constexpr std::uint64_t all_shapes = 0x9307ee1d4bcb4c16;
-inline constexpr std::uint64_t rounded_shapes = 0x28a53850527d99d1;
-inline constexpr std::uint64_t surfaces = 0x634ff48d57469bf5;
-inline constexpr std::uint64_t all_joints = 0xaa60958c112b09c1;
-inline constexpr std::uint64_t chains = 0x47bdd95226212591;
+inline constexpr std::uint64_t mixed_pile = 0xc8502d23f3d482f2;
+inline constexpr std::uint64_t pyramid = 0x7af60f2685482529;
+inline constexpr std::uint64_t dominoes = 0x4977e58794c6f4fd;
+inline constexpr std::uint64_t materials = 0x0ad4e75f6957c837;
+inline constexpr std::uint64_t tumbler = 0x5b1bbcbaa8fcb6bc;
+inline constexpr std::uint64_t sleep_and_wake = 0x6364b3d9347f40a0;
+inline constexpr std::uint64_t compounds = 0x67a6a414bc5843ad;
+inline constexpr std::uint64_t free_tops = 0xd857a0fed7a1b364;
+inline constexpr std::uint64_t explicit_euler = 0xc321eef158b833da;
+inline constexpr std::uint64_t whirl = 0x5e4851f33f51795d;
+inline constexpr std::uint64_t changes = 0x2cc87c0169570623;
+inline constexpr std::uint64_t all_shapes = 0xffc7a8f1d433e3c2;
+inline constexpr std::uint64_t rounded_shapes = 0x720bf6fb08e637bd;
+inline constexpr std::uint64_t surfaces = 0xeb2c629b95d6d257;
+inline constexpr std::uint64_t all_joints = 0x14ea7f57e5ac9253;
+inline constexpr std::uint64_t chains = 0x4d55b4aec339c7e2;
 
 } // namespace cairn_test::golden

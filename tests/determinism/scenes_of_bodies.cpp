@@ -19,7 +19,7 @@ struct MixedPile : Scene {
             Plane wall{-out, {0, 1, 0}, glm::vec2(4, 4)};
             add_fixed(world, wall, Position(4.0f * out) + Position(0, 4, 0));
         }
-        Numbers numbers(1);
+        Numbers numbers(5);
         for (int i = 0; i < 240; ++i) {
             BodyDef def;
             def.position = {1.2 * (i % 6) - 3, 1 + 0.8 * (i / 36), 1.2 * (i / 6 % 6) - 3};
@@ -220,7 +220,7 @@ struct FreeTops : Scene {
         return def;
     }
     void build(World& world) override {
-        Numbers numbers(17);
+        Numbers numbers(13);
         for (int i = 0; i < 64; ++i) {
             BodyDef def;
             def.position = Position(1e6, 2e6, -3e6) + Position(1.1 * (i % 4), 1.1 * (i / 16), 1.1 * (i / 4 % 4));

@@ -30,7 +30,7 @@ struct ExplicitEuler : Scene {
         wind.direction = {900, 0, 300};
         wind.is_force = true;
         world.add_force_field(wind);
-        Numbers numbers(31);
+        Numbers numbers(32);
         for (int i = 0; i < 24; ++i) {
             BodyDef def;
             def.position = {1.1 * (i % 4) - 2, 1 + 1.1 * (i / 8), 1.1 * (i / 4 % 2)};

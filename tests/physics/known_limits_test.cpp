@@ -7,27 +7,6 @@
 namespace cairn_test {
 namespace {
 
-// Friction acts in the middle of the points of a contact, which is not below the center of mass.
-TEST(KnownLimits, BoxWithItsMassAsideTurnsAsItSlides) {
-    World world(without_sleep());
-    add_ground(world, surface(0.6f));
-    BodyDef def;
-    def.position = {0, 0.5, 0};
-    const BodyId box = add_body(world, Box{}, def, surface(0.6f));
-    MassProperties mass = world.body(box).mass_properties();
-    mass.center_of_mass = {0, 0, 0.18f};
-    world.body(box).set_mass_properties(mass);
-    world.body(box).set_linear_velocity({13, 0, 0});
-    double turn = 0; // rad
-    for (int i = 0; i < 300; ++i) {
-        world.step(1.0f / 60);
-        turn += double(world.body(box).angular_velocity().y) / 60;
-    }
-    EXPECT_NEAR(world.body(box).center_of_mass().x, 13 * 13 / (2 * 0.6 * gravity), 0.5); // as a point would slide
-    EXPECT_LT(std::fabs(turn), radians(130));
-    EXPECT_GT(std::fabs(turn), radians(50));
-}
-
 TEST(KnownLimits, StackThatIsDroppedRisesAgain) {
     World world(without_sleep());
     add_ground(world, surface(0.6f));

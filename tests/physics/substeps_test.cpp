@@ -110,6 +110,28 @@ TEST(Substeps, OfWhatFellIntoAHeapAndOfWhatWasBuiltAreFew) {
     }
 }
 
+// What is small sinks no further, beside its size, than what is large; whether it may fall asleep or not.
+TEST(Substeps, HoldStacksOfSmallCubes) {
+    for (const double edge : {0.1, 0.02, 0.013, 0.01, 0.007, 0.005, 0.003, 0.002, 0.001})
+        for (const bool may_sleep : {true, false}) {
+            WorldDef def;
+            def.enable_sleep = may_sleep;
+            World world(def);
+            add_ground(world);
+            BodyId top{};
+            for (int i = 0; i < 5; ++i) { // turned against each other, and somewhat beside
+                BodyDef body;
+                body.position = {0.05 * edge * (i % 2), (i + 0.5) * edge, 0.03 * edge * (i % 3)};
+                body.rotation = glm::angleAxis(0.4f * float(i), Vec3(0, 1, 0));
+                top = add_body(world, Box{Vec3(float(edge / 2))}, body);
+            }
+            run(world, 1.0f / 60, 300);
+            EXPECT_GT((world.body(top).position().y + edge / 2) / (5 * edge), 0.98)
+                << "cubes of " << edge << " m, sleep " << may_sleep;
+            EXPECT_LE(world.statistics().max_substeps, 40);
+        }
+}
+
 // One body that is pressed hard is neither a tower nor what a heap needs more substeps for.
 TEST(Substeps, OfAHeapAreNotThoseOfOneBodyThatIsSqueezed) {
     World world(without_sleep());

@@ -63,7 +63,7 @@ CAIRN_BLOCK_IS_LISTED(1, AxisBlock);
 
 template <int N> struct BlockFields<PointRows<N>> {
     using B = PointRows<N>;
-    static constexpr auto list = std::tuple(&B::separation0, &B::height, &B::lever, &B::total_impulse, &B::arm,
+    static constexpr auto list = std::tuple(&B::separation0, &B::height, &B::square_lever, &B::total_impulse, &B::arm,
                                             &B::share, &B::effective_mass, &B::impulse, &B::separation);
 };
 CAIRN_BLOCK_IS_LISTED(0, PointRows<4>);

@@ -165,15 +165,23 @@ CAIRN_INLINE mask8 arriving(const ContactBlock<N>& block, const Meeting<N>& m, c
     return lanes;
 }
 
-// Coulomb friction of the impact itself, at the friction center, from rest.
+// The arm of the load of an impact, for A. `torque_a`: the sum of impulse times arm.
+template <int N>
+CAIRN_INLINE Vec3x8 load_center(const ContactBlock<N>& block, const Meeting<N>& m, f32x8 sum, Vec3x8 torque_a) {
+    if constexpr (N == 1) return m.center;
+    const Vec3x8 t1 = load3(block.tangent), t2 = second_tangent(block, load3(block.normal));
+    const mask8 bears = sum > zero();
+    const LoadOffset e = load_offset(m.center, one() / select(bears, sum, one()), torque_a, t1, t2);
+    return m.center + select(bears, e.x * t1 + e.y * t2, zero3());
+}
+
+// Coulomb friction of the impact itself, at its load, from rest.
 template <int N>
 CAIRN_INLINE Vec3x8 impact_friction(const ContactBlock<N>& block, const Meeting<N>& m, f32x8 load_sum,
                                     const Velocityx8& a, const Velocityx8& b) {
     const Vec3x8 t1 = load3(block.tangent), t2 = second_tangent(block, load3(block.normal));
     const Vec3x8 slip = (b.v - a.v) + cross(b.w - a.w, m.center) + cross(b.w, m.d);
-    const f32x8 x = dot(slip, t1), y = dot(slip, t2);
-    const f32x8 m12 = load(block.tangent_mass[1]);
-    f32x8 p1 = -(load(block.tangent_mass[0]) * x + m12 * y), p2 = -(m12 * x + load(block.tangent_mass[2]) * y);
+    const auto [p1, p2] = slip_stop(block, m.center, m.d, t1, t2, dot(slip, t1), dot(slip, t2));
     const f32x8 size = sqrt(p1 * p1 + p2 * p2), limit = load(block.friction) * load_sum;
     const f32x8 scale = min(limit / (size + splat(1e-20f)), one());
     return scale * (p1 * t1 + p2 * t2);
@@ -181,15 +189,15 @@ CAIRN_INLINE Vec3x8 impact_friction(const ContactBlock<N>& block, const Meeting<
 
 // Resistance of the impact itself to spinning about the normal and to rolling: a couple, of at most what friction and
 // the rolling radius make of the impulses. Without it nothing that rests on a bouncing surface would ever cease to
-// roll: it rests by bouncing in every substep.
+// roll: it rests by bouncing in every substep. `aside`: square of the way from the friction center to the load.
 template <int N>
 CAIRN_INLINE Vec3x8 impact_couple(const ContactBlock<N>& block, Vec3x8 normal, const f32x8* impulse, f32x8 sum,
-                                  const Velocityx8& a, const Velocityx8& b) {
+                                  f32x8 aside, const Velocityx8& a, const Velocityx8& b) {
     f32x8 radius_load = load(block.torsion_radius) * sum;
     if constexpr (N > 1) {
-        f32x8 levers = zero();
-        for (int i = 0; i < N; ++i) levers += load(block.lever[i]) * impulse[i];
-        radius_load = max(radius_load, levers);
+        f32x8 spread = zero();
+        for (int i = 0; i < N; ++i) spread += load(block.square_lever[i]) * impulse[i];
+        radius_load = max(radius_load, sqrt(max(sum * (spread - aside * sum), zero())));
     }
     const f32x8 limit = load(block.friction) * radius_load;
     const Vec3x8 dw = b.w - a.w;
@@ -245,9 +253,11 @@ CAIRN_INLINE bool bounce_block(ContactBlock<N>& block, const SolverBodies& bodie
     const Velocityx8 before_a = a, before_b = b;
     a = {a.v - (load(block.mass_a) * sum) * m.normal, a.w - turned_a(block, torque_a)};
     b = {b.v + (load(block.mass_b) * sum) * m.normal, b.w + turned_b(block, torque_b)};
+    const Vec3x8 load_at = load_center(block, m, sum, torque_a), e = load_at - m.center;
+    m.center = load_at;
     const Vec3x8 p = impact_friction(block, m, sum, a, b);
     apply_friction(block, m.center, m.d, p, zero3(), a, b);
-    const Vec3x8 couple = impact_couple<N>(block, m.normal, impulse, sum, a, b);
+    const Vec3x8 couple = impact_couple<N>(block, m.normal, impulse, sum, dot(e, e), a, b);
     a.w = a.w - turned_a(block, couple);
     b.w = b.w + turned_b(block, couple);
     scatter_velocity(bodies.velocity, block.a, a);

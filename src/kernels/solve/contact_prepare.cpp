@@ -9,7 +9,6 @@ namespace cairn::CAIRN_ISA {
 namespace {
 
 constexpr float unused_separation = 1e9f; // points at least this far apart are not there
-constexpr float min_friction_weight = 0.01f;
 alignas(64) const ContactRecord empty_record = {
     .normal = {0, 1, 0},
     .friction = 0,
@@ -75,23 +74,24 @@ CAIRN_INLINE void gather_field(const ContactRecord* const* record, std::size_t o
     gather4(p, x, y, z, w);
 }
 
-// Normal rows: arms, the matrix K of the points' normal velocities, and the friction center.
+// Normal rows: arms, the matrix K of the points' normal velocities, and the friction center: that of the load as the
+// last step left it, or the middle of the points.
 template <int N>
 CAIRN_INLINE Vec3x8 prepare_points(ContactBlock<N>& block, const ContactRecord* const* record, Vec3x8 normal, Vec3x8 c,
-                                   const Inertiax8& a, const Inertiax8& b, float friction_margin) {
+                                   const Inertiax8& a, const Inertiax8& b) {
     const f32x8 mass_sum = a.inverse_mass + b.inverse_mass;
-    Vec3x8 r[N], j[N], ia_j[N], ib_j[N], center = zero3();
+    Vec3x8 r[N], j[N], ia_j[N], ib_j[N], middle = zero3(), pressed = zero3();
     f32x8 mass[N], coupling[N][N]; // K_ij, i < j
-    f32x8 weight_sum = zero();
+    f32x8 points = zero(), load_sum = zero();
     for (int i = 0; i < N; ++i) {
         f32x8 s;
         gather_field(record, point_offset(i), r[i].x, r[i].y, r[i].z, s);
         const mask8 used = s < splat(unused_separation);
-        // Points that are further apart than the margin hardly count for the friction center.
-        f32x8 weight = clamp(splat(2.0f) - s * splat(1.0f / friction_margin), splat(min_friction_weight), one());
-        weight = select(used, weight, zero());
-        center = center + weight * r[i];
-        weight_sum += weight;
+        if constexpr (N > 1) {
+            const f32x8 weight = select(used, one(), zero()), impulse = load(block.impulse[i]);
+            middle = middle + weight * r[i], points += weight;
+            pressed = pressed + impulse * r[i], load_sum += impulse;
+        }
         j[i] = cross(r[i], normal);
         ia_j[i] = a.inverse_inertia * j[i];
         ib_j[i] = b.inverse_inertia * (j[i] + c);
@@ -114,12 +114,13 @@ CAIRN_INLINE Vec3x8 prepare_points(ContactBlock<N>& block, const ContactRecord* 
         for (int i = 0; i < N; ++i)
             for (int k = 0; k < N; ++k)
                 if (k != i) store(block.share[share_index<N>(k, i)], mass[k] * coupling[k < i ? k : i][k < i ? i : k]);
-        center = safe_reciprocal(weight_sum) * center;
+        const mask8 bears = load_sum > zero();
+        const Vec3x8 center = safe_reciprocal(select(bears, load_sum, points)) * select(bears, pressed, middle);
         store3(block.center, center);
         for (int i = 0; i < N; ++i) {
             const Vec3x8 e = r[i] - center;
             const mask8 used = load(block.separation0[i]) < splat(unused_separation);
-            store(block.lever[i], select(used, sqrt(dot(e, e)), zero()));
+            store(block.square_lever[i], select(used, dot(e, e), zero()));
         }
         return center;
     }
@@ -194,7 +195,7 @@ template <int N> CAIRN_INLINE void store_inertia(ContactBlock<N>& block, const S
 template <int N>
 CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids, const std::int32_t* row_a,
                                 const std::int32_t* row_b, const ContactRecord* records, const SolverInertia* inertia,
-                                std::int32_t discard_row, float friction_margin) {
+                                std::int32_t discard_row) {
     const std::uint32_t discard = std::uint32_t(discard_row) * row_bytes;
     const ContactRecord* record[8];
     for (int i = 0; i < 8; ++i) {
@@ -235,7 +236,7 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
     store(block.radius_b, radius_b);
     block.round = any((radius_a > zero()) | (radius_b > zero()));
 
-    const Vec3x8 center = prepare_points<N>(block, record, normal, c, a, b, friction_margin);
+    const Vec3x8 center = prepare_points<N>(block, record, normal, c, a, b);
     prepare_friction<N>(block, record, normal, d, center, a, b);
 }
 
@@ -243,13 +244,28 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
 
 template <int N>
 void prepare_contacts(void* blocks, int count, const ContactLanes& lanes, const ContactRecord* records,
-                      const SolverInertia* inertia, float friction_margin) {
+                      const SolverInertia* inertia) {
     auto* block = static_cast<ContactBlock<N>*>(blocks);
     for (int k = 0; k < count; ++k) {
         if (k + 1 < count) prefetch_records<N>(lanes.record + 8 * (k + 1), records);
         prepare_block<N>(block[k], lanes.record + 8 * k, lanes.row_a + 8 * k, lanes.row_b + 8 * k, records, inertia,
-                         lanes.first_discard + k, friction_margin);
+                         lanes.first_discard + k);
     }
+}
+
+// Of friction, about the normal at the friction center: what it has for not acting there, but at the load.
+template <int N>
+CAIRN_INLINE f32x8 moment_about_center(const ContactBlock<N>& block, const f32x8* impulse, Vec3x8 t1, Vec3x8 t2) {
+    if constexpr (N == 1) return zero();
+    f32x8 sum = zero();
+    Vec3x8 torque = zero3();
+    for (int i = 0; i < N; ++i) {
+        sum += impulse[i];
+        torque = torque + impulse[i] * arm_of(block, zero3(), i);
+    }
+    const mask8 bears = sum > zero();
+    const LoadOffset e = load_offset(load3(block.center), one() / select(bears, sum, one()), torque, t1, t2);
+    return select(bears, moment_at(e, load(block.tangent_impulse[0]), load(block.tangent_impulse[1])), zero());
 }
 
 // Sums and minima over the points, to one report for each lane.
@@ -291,7 +307,8 @@ void store_contacts(const void* blocks, int count, const ContactLanes& lanes, Co
         scatter4(impulses, impulse[0], impulse[1], impulse[2], impulse[3]);
         const Vec3x8 t1 = load3(b.tangent), t2 = second_tangent(b, load3(b.normal));
         const Vec3x8 p = load(b.tangent_impulse[0]) * t1 + load(b.tangent_impulse[1]) * t2;
-        scatter4(friction, p.x, p.y, p.z, load(b.torsion_impulse));
+        // About the load as it is now, where the next step puts the friction center.
+        scatter4(friction, p.x, p.y, p.z, load(b.torsion_impulse) - moment_about_center(b, impulse, t1, t2));
         const Vec3x8 sum = load(b.total_tangent[0]) * t1 + load(b.total_tangent[1]) * t2;
         scatter4(totals, sum.x, sum.y, sum.z, load(b.total_impulse[0]));
         if constexpr (N > 1)
@@ -300,8 +317,8 @@ void store_contacts(const void* blocks, int count, const ContactLanes& lanes, Co
     }
 }
 
-template void prepare_contacts<1>(void*, int, const ContactLanes&, const ContactRecord*, const SolverInertia*, float);
-template void prepare_contacts<4>(void*, int, const ContactLanes&, const ContactRecord*, const SolverInertia*, float);
+template void prepare_contacts<1>(void*, int, const ContactLanes&, const ContactRecord*, const SolverInertia*);
+template void prepare_contacts<4>(void*, int, const ContactLanes&, const ContactRecord*, const SolverInertia*);
 template void store_contacts<1>(const void*, int, const ContactLanes&, ContactRecord*, ContactReport*);
 template void store_contacts<4>(const void*, int, const ContactLanes&, ContactRecord*, ContactReport*);
 

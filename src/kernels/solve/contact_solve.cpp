@@ -5,13 +5,12 @@
 //   coupling          K_ij = 1/mA + 1/mB + j_i.IA^-1 j_j + (j_i + c).IB^-1 (j_j + c)
 // so the points are swept on four numbers alone (see Rows), and the bodies change once:
 //   vA -= n S/mA, vB += n S/mB, wA -= IA^-1 T, wB += IB^-1 (T + S c),  S = sum d_i, T = sum j_i d_i.
-#include "kernels/solve/solver.h"
+#include "kernels/solve/friction.h"
 
 namespace cairn::CAIRN_ISA {
 
 namespace {
 
-constexpr float tiny = 1e-20f;
 // Shares of B's arm: how far two bodies must pass each other to count, and how far it counts in one step.
 constexpr float min_passing = 1e-6f, max_passing = 0.4f;
 
@@ -320,16 +319,10 @@ template <int N> CAIRN_INLINE mask8 is_frictionless(const ContactBlock<N>& block
     return lanes;
 }
 
-// The sums over the points of one contact.
-struct PointSums {
-    f32x8 load;       // total normal impulse, for friction
-    f32x8 lever_load; // sum of lever times impulse
-};
-
 template <int N, bool Watched>
 CAIRN_INLINE PointSums apply_relax(ContactBlock<N>& block, Vec3x8 normal, const ContactSoftness& softness,
                                    Rows<N>& rows, int& struck) {
-    PointSums sums = {zero(), zero()};
+    PointSums sums = {zero(), zero(), zero3()};
     f32x8 sum = zero();
     Vec3x8 torque = zero3();
     for (int i = 0; i < N; ++i) {
@@ -338,91 +331,20 @@ CAIRN_INLINE PointSums apply_relax(ContactBlock<N>& block, Vec3x8 normal, const 
         store(block.total_impulse[i], load(block.total_impulse[i]) + impulse);
         sum += d;
         torque = torque + d * arm_of(block, normal, i);
-        sums.load += impulse;
-        if constexpr (N > 1) sums.lever_load += load(block.lever[i]) * impulse;
+        add_point(block, normal, i, impulse, sums);
     }
     if (Watched && leave_impacts<N>(block, normal, sum, torque, rows, softness)) {
         ++struck;
-        sums = {zero(), zero()};
+        sums = {zero(), zero(), zero3()};
         for (int i = 0; i < N; ++i) {
             const f32x8 impulse = rows.impulse[i], too_much = load(block.impulse[i]) - impulse;
             store(block.impulse[i], impulse);
             store(block.total_impulse[i], load(block.total_impulse[i]) - too_much);
-            sums.load += impulse;
-            if constexpr (N > 1) sums.lever_load += load(block.lever[i]) * impulse;
+            add_point(block, normal, i, impulse, sums);
         }
     }
     apply_normal(block, normal, cross(load3(block.d), normal), sum, torque, rows.a, rows.b);
     return sums;
-}
-
-// Friction at the friction center. Two tangential rows and the torsional row share one ellipsoidal limit, the
-// limit surface of Goyal, Ruina and Papadopoulos (1991) in the form of Howe and Cutkosky (1996): with r the
-// radius of the pressed points, n1^2 + n2^2 + (nw / r)^2 <= (friction x load)^2. While it sticks, the rows are
-// solved with their own masses; once it slides, with one common mass, so that friction opposes the slip.
-template <int N>
-CAIRN_INLINE void solve_friction(ContactBlock<N>& block, const PointSums& sums, Vec3x8 normal, Velocityx8& a,
-                                 Velocityx8& b) {
-    const Vec3x8 center = load3(block.center), d = load3(block.d), t1 = load3(block.tangent), t2 = cross(t1, normal);
-    const Vec3x8 dw = b.w - a.w;
-    const Vec3x8 slip = (b.v - a.v) + cross(dw, center) + cross(b.w, d);
-    const f32x8 x = dot(slip, t1), y = dot(slip, t2), spin = dot(normal, dw);
-    const f32x8 m11 = load(block.tangent_mass[0]), m12 = load(block.tangent_mass[1]), m22 = load(block.tangent_mass[2]);
-    const f32x8 mw = load(block.torsion_mass);
-    const f32x8 old1 = load(block.tangent_impulse[0]), old2 = load(block.tangent_impulse[1]);
-    const f32x8 oldw = load(block.torsion_impulse);
-
-    f32x8 radius = load(block.torsion_radius);
-    if constexpr (N > 1) radius = max(sums.lever_load / max(sums.load, splat(tiny)), radius);
-    const mask8 has_radius = radius > splat(1e-6f);
-    const f32x8 inverse_radius = select(has_radius, one() / select(has_radius, radius, one()), zero());
-
-    // Sticking.
-    f32x8 nw = select(has_radius, oldw - mw * spin, zero());
-    const f32x8 xs = x + load(block.torsion_coupling[0]) * (nw - oldw),
-                ys = y + load(block.torsion_coupling[1]) * (nw - oldw);
-    f32x8 n1 = old1 - (m11 * xs + m12 * ys), n2 = old2 - (m12 * xs + m22 * ys);
-    const f32x8 qw = nw * inverse_radius, static_limit = load(block.static_friction) * sums.load;
-    const mask8 slides = (n1 * n1 + n2 * n2 + qw * qw) > static_limit * static_limit;
-
-    if (any(slides)) {
-        f32x8 mass = min(m11, m22);
-        mass = select(has_radius, min(mass, mw * inverse_radius * inverse_radius), mass);
-        const f32x8 c1 = old1 - mass * x, c2 = old2 - mass * y;
-        const f32x8 cw = select(has_radius, oldw * inverse_radius - mass * (radius * spin), zero());
-        const f32x8 limit = load(block.friction) * sums.load;
-        const f32x8 scale = min(limit / (sqrt(c1 * c1 + c2 * c2 + cw * cw) + splat(tiny)), one());
-        n1 = select(slides, scale * c1, n1);
-        n2 = select(slides, scale * c2, n2);
-        nw = select(slides, scale * cw * radius, nw);
-    }
-
-    // Without a load there is none. A slip of which the square is too small for a float is not seen to slide.
-    const mask8 pressed = sums.load > zero();
-    n1 = select(pressed, n1, zero());
-    n2 = select(pressed, n2, zero());
-    nw = select(pressed, nw, zero());
-
-    store(block.tangent_impulse[0], n1);
-    store(block.tangent_impulse[1], n2);
-    store(block.total_tangent[0], load(block.total_tangent[0]) + n1);
-    store(block.total_tangent[1], load(block.total_tangent[1]) + n2);
-    store(block.torsion_impulse, nw);
-    const Vec3x8 p = (n1 - old1) * t1 + (n2 - old2) * t2;
-    apply_friction(block, center, d, p, (nw - oldw) * normal, a, b);
-}
-
-// Rolling resistance: a couple against the relative angular velocity, at most rolling radius x load.
-template <int N> CAIRN_INLINE void solve_rolling(ContactBlock<N>& block, f32x8 load_sum, Velocityx8& a, Velocityx8& b) {
-    const Vec3x8 dw = b.w - a.w, old = load3(block.rolling_impulse);
-    Vec3x8 p = old - rolling_mass(block) * dw;
-    const f32x8 limit = load(block.rolling_radius) * load_sum;
-    const f32x8 scale = min(limit / (sqrt(dot(p, p)) + splat(tiny)), one());
-    p = scale * p;
-    store3(block.rolling_impulse, p);
-    const Vec3x8 change = p - old;
-    a.w = a.w - turned_a(block, change);
-    b.w = b.w + turned_b(block, change);
 }
 
 template <int N, int M, bool Watched>

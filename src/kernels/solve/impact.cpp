@@ -35,9 +35,9 @@ CAIRN_INLINE void strike_block(ContactBlock<N>& block, ContactImpact<N>& impact,
                                f32x8 inverse_h) {
     const mask8 active = mask_from_bits(impact.active);
     Velocityx8 a = gather_velocity(velocity, block.a), b = gather_velocity(velocity, block.b);
-    const Vec3x8 normal = load3(block.normal), d = load3(block.d), c = cross(d, normal), center = load3(block.center);
+    const Vec3x8 normal = load3(block.normal), d = load3(block.d), c = cross(d, normal);
     f32x8 v[N], old[N], impulse[N], sum = zero(), load_sum = zero();
-    Vec3x8 torque = zero3();
+    Vec3x8 torque = zero3(), load_torque = zero3();
     normal_velocities<N>(block, a, b, normal, c, v);
     for (int i = 0; i < N; ++i) old[i] = load(impact.impulse[i]);
     strike_points<N>(block, active, v, inverse_h, old, impulse);
@@ -51,15 +51,22 @@ CAIRN_INLINE void strike_block(ContactBlock<N>& block, ContactImpact<N>& impact,
         store(block.total_impulse[i], load(block.total_impulse[i]) + change);
         sum += change;
         load_sum += impulse[i];
-        torque = torque + change * arm_of(block, normal, i);
+        const Vec3x8 arm = arm_of(block, normal, i);
+        torque = torque + change * arm;
+        load_torque = load_torque + impulse[i] * arm;
     }
     apply_normal(block, normal, c, sum, torque, a, b);
-    // Coulomb friction of the impact itself, at the friction center.
+    // Coulomb friction of the impact itself, at its load.
     const Vec3x8 t1 = load3(block.tangent), t2 = second_tangent(block, normal);
+    Vec3x8 center = load3(block.center);
+    if constexpr (N > 1) {
+        const mask8 bears = load_sum > zero();
+        const LoadOffset e = load_offset(center, one() / select(bears, load_sum, one()), load_torque, t1, t2);
+        center = center + select(bears, e.x * t1 + e.y * t2, zero3());
+    }
     const Vec3x8 slip = (b.v - a.v) + cross(b.w - a.w, center) + cross(b.w, d);
-    const f32x8 x = dot(slip, t1), y = dot(slip, t2), m12 = load(block.tangent_mass[1]);
-    f32x8 p1 = old1 - (load(block.tangent_mass[0]) * x + m12 * y);
-    f32x8 p2 = old2 - (m12 * x + load(block.tangent_mass[2]) * y);
+    const auto [stop1, stop2] = slip_stop(block, center, d, t1, t2, dot(slip, t1), dot(slip, t2));
+    f32x8 p1 = old1 + stop1, p2 = old2 + stop2;
     const f32x8 size = sqrt(p1 * p1 + p2 * p2), limit = load(block.friction) * load_sum;
     const f32x8 scale = min(limit / (size + splat(1e-20f)), one());
     p1 = select(active, scale * p1, old1);

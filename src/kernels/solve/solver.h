@@ -11,7 +11,7 @@ namespace cairn::CAIRN_ISA {
 SolverKernels solver_kernels();
 template <int N>
 void prepare_contacts(void* blocks, int count, const ContactLanes& lanes, const ContactRecord* records,
-                      const SolverInertia* inertia, float friction_margin);
+                      const SolverInertia* inertia);
 template <int N>
 void store_contacts(const void* blocks, int count, const ContactLanes& lanes, ContactRecord* records,
                     ContactReport* reports);
@@ -97,6 +97,18 @@ template <int N> CAIRN_INLINE Vec3x8 second_tangent(const ContactBlock<N>& block
     return cross(load3(block.tangent), normal);
 }
 
+// Where the load is, beside the friction center: along the two tangents. With t2 = t1 x n and j = r x n,
+// r.t1 = j.t2 and r.t2 = -j.t1.
+struct LoadOffset {
+    f32x8 x, y;
+};
+// `torque`: the sum of impulse times arm (j_i) over the points; `inverse`: one over that of the impulses.
+CAIRN_INLINE LoadOffset load_offset(Vec3x8 center, f32x8 inverse, Vec3x8 torque, Vec3x8 t1, Vec3x8 t2) {
+    return {inverse * dot(torque, t2) - dot(center, t1), -(inverse * dot(torque, t1)) - dot(center, t2)};
+}
+// The moment about the normal, at the friction center, of an impulse at the load.
+CAIRN_INLINE f32x8 moment_at(const LoadOffset& e, f32x8 p1, f32x8 p2) { return e.y * p1 - e.x * p2; }
+
 // Opening velocities of the points; c = d x normal.
 template <int N>
 CAIRN_INLINE void normal_velocities(const ContactBlock<N>& block, const Velocityx8& a, const Velocityx8& b,
@@ -135,6 +147,28 @@ CAIRN_INLINE void apply_normal(const ContactBlock<N>& block, Vec3x8 normal, Vec3
     b.v = b.v + (load(block.mass_b) * sum) * normal;
     a.w = a.w - turned_a(block, torque);
     b.w = b.w + turned_b(block, torque + sum * c);
+}
+
+// The impulse along the tangents that stops a slip, at `center`, in the impact of a whole contact: that of the load.
+struct SlipStop {
+    f32x8 p1, p2;
+};
+template <int N>
+CAIRN_INLINE SlipStop slip_stop(const ContactBlock<N>& block, Vec3x8 center, Vec3x8 d, Vec3x8 t1, Vec3x8 t2, f32x8 x,
+                                f32x8 y) {
+    f32x8 m11 = load(block.tangent_mass[0]), m12 = load(block.tangent_mass[1]), m22 = load(block.tangent_mass[2]);
+    if constexpr (N > 1) { // else it is the friction center
+        const Vec3x8 a1 = cross(center, t1), a2 = cross(center, t2), b1 = a1 + cross(d, t1), b2 = a2 + cross(d, t2);
+        const Vec3x8 ia_2 = turned_a(block, a2), ib_2 = turned_b(block, b2);
+        const f32x8 mass = load(block.mass_a) + load(block.mass_b);
+        const f32x8 k11 = mass + dot(a1, turned_a(block, a1)) + dot(b1, turned_b(block, b1));
+        const f32x8 k22 = mass + dot(a2, ia_2) + dot(b2, ib_2), k12 = dot(a1, ia_2) + dot(b1, ib_2);
+        const f32x8 determinant = k11 * k22 - k12 * k12;
+        const mask8 gives = determinant > zero();
+        const f32x8 inverse = select(gives, one() / select(gives, determinant, one()), zero());
+        m11 = inverse * k22, m12 = -(inverse * k12), m22 = inverse * k11;
+    }
+    return {-(m11 * x + m12 * y), -(m12 * x + m22 * y)};
 }
 
 // Applies the impulse p at the friction center, and the couple about the normal, to both bodies.

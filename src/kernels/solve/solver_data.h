@@ -76,7 +76,7 @@ template <int N> struct PointRows {
     static constexpr int share_count = N * (N - 1);
     // Used by relax only.
     float separation0[N][8], height[N][8]; // separation at the start of the step; r_i . n
-    float lever[N][8];                     // distance of each point from the friction center
+    float square_lever[N][8];              // m^2: of each point from the friction center
     float total_impulse[N][8];
     // And by solve.
     float arm[N][3][8];          // j_i
@@ -198,7 +198,7 @@ struct SolverKernels {
     // The blocks argument of each is an array of ContactBlock<1> or ContactBlock<4>.
     struct ForPoints {
         void (*prepare)(void* blocks, int count, const ContactLanes& lanes, const ContactRecord* records,
-                        const SolverInertia* inertia, float friction_margin);
+                        const SolverInertia* inertia);
         void (*warm_start)(const void* blocks, int count, SolverVelocity* velocity);
         // `bounce` changes velocity_correction, which must be there.
         // `solve` and `relax` return the number of blocks with lanes that were struck.
