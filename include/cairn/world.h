@@ -96,11 +96,13 @@ std::string_view instruction_set() noexcept;
 int hardware_threads() noexcept;
 
 /// A world. Handles carry the number of their world; numbers repeat after 65,535 worlds, and a restored world has that
-/// of the one that was saved. A `Body` accessor refers to the World object: it must not be used after that was moved
-/// or destroyed. Worlds are independent of each other; one world must not be used by two threads at a time, except
-/// for the const members, which may run on many threads while no non-const member runs: calls that would change a world
-/// in mid-step throw (wrong_state). Where memory runs out, std::bad_alloc arrives, and the world is either as it was,
-/// or refuses everything (wrong_state) until `restore` makes it whole again.
+/// of the one that was saved. A `Body` accessor refers to the World object: it is of no use after that was moved,
+/// and must not be used after it was destroyed. Worlds are independent of each other; one world must not be used by two
+/// threads at a time, except for the const members, which may run on many threads while no non-const member runs: calls
+/// that would change a world in mid-step throw (wrong_state). Where memory runs out, std::bad_alloc arrives, and the
+/// world is either as it was, or refuses everything (wrong_state) until `restore` makes it whole again. A world that
+/// was moved from may be destroyed and assigned to; `is_valid` is false of all handles, and every other call throws
+/// (wrong_state), those of its `Body` accessors, too.
 class World {
   public:
     explicit World(const WorldDef& def = {});
@@ -110,14 +112,14 @@ class World {
     World(const World&) = delete;
     World& operator=(const World&) = delete;
 
-    const WorldDef& settings() const noexcept;
+    const WorldDef& settings() const;
     void set_settings(const WorldDef& def); ///< Throws on a bad value. Wakes everything if gravity changes.
 
     /// The number of threads that a step may use: that of the caller, and `count` - 1 more that the world keeps. 1 to
     /// 256; default 1. Results do not depend on it. Snapshots do not hold it. Throws outside that range, or when the
     /// system has no more threads.
     void set_threads(int count);
-    int threads() const noexcept;
+    int threads() const;
 
     // --- bodies and shapes
     BodyId create_body(const BodyDef& def = {});
@@ -170,16 +172,16 @@ class World {
     // --- time
     /// Advances by `dt` seconds (> 0, finite). The same dt every time gives the best results.
     void step(float dt);
-    std::uint64_t step_count() const noexcept;
-    double time() const noexcept; ///< Simulated seconds.
+    std::uint64_t step_count() const;
+    double time() const; ///< Simulated seconds.
 
     // --- what happened
-    std::span<const ContactBegin> contact_begins() const noexcept;
-    std::span<const ContactEnd> contact_ends() const noexcept;
-    std::span<const ContactHit> contact_hits() const noexcept;
-    std::span<const TriggerEvent> trigger_events() const noexcept;
-    std::span<const JointEvent> joint_events() const noexcept;
-    std::span<const SleepEvent> sleep_events() const noexcept;
+    std::span<const ContactBegin> contact_begins() const;
+    std::span<const ContactEnd> contact_ends() const;
+    std::span<const ContactHit> contact_hits() const;
+    std::span<const TriggerEvent> trigger_events() const;
+    std::span<const JointEvent> joint_events() const;
+    std::span<const SleepEvent> sleep_events() const;
     std::vector<Contact> contacts() const;            ///< All touching pairs.
     std::vector<Contact> contacts(BodyId body) const; ///< Those of one body.
 
@@ -226,7 +228,22 @@ class World {
   private:
     friend class Body;
     struct Impl;
-    std::unique_ptr<Impl> impl_;
+    // The memory of the world, as long as it has any.
+    class Owned {
+      public:
+        Owned(std::unique_ptr<Impl> impl) noexcept; // where Impl is known
+        Impl* operator->() const {
+            if (!impl_) throw_moved_from();
+            return impl_.get();
+        }
+        Impl& operator*() const { return *operator->(); }
+        explicit operator bool() const noexcept { return impl_ != nullptr; }
+
+      private:
+        std::unique_ptr<Impl> impl_;
+    };
+    [[noreturn]] static void throw_moved_from();
+    Owned impl_;
 };
 
 } // namespace cairn

@@ -191,10 +191,19 @@ void update_pairs(State& state) {
     flush_sleep(state);
     Sink sink(state);
     state.broad_phase.update(sink);
+    if (!state.dead_bodies.empty()) // their slots are given out again, and must not be pushed twice
+        std::erase_if(state.pushed, [&](std::int32_t b) { return !state.body_slots.is_live(std::uint32_t(b)); });
     for (const std::uint32_t i : state.dead_shapes) state.shape_slots.recycle(i);
     for (const std::uint32_t i : state.dead_bodies) state.body_slots.recycle(i);
     state.dead_shapes.clear();
     state.dead_bodies.clear();
+}
+
+void reclaim_slots(State& state) {
+    constexpr std::size_t always_allowed = 1024; // so that small worlds do not update for every body
+    const std::size_t dead = state.dead_bodies.size() + state.dead_shapes.size();
+    const std::size_t live = state.body_slots.live_count() + state.shape_slots.live_count();
+    if (dead > always_allowed + live) update_pairs(state);
 }
 
 } // namespace cairn

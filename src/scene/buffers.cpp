@@ -2,10 +2,9 @@
 
 #include "scene/document.h"
 #include "scene/gltf_file.h"
+#include "scene/nearby_files.h"
 
-#include <algorithm>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 namespace cairn::scene {
@@ -41,11 +40,6 @@ std::string percent_decoded(const Value& uri) {
     return result;
 }
 
-bool is_below(const fs::path& path, const fs::path& folder) {
-    const auto [at, end] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
-    return at == folder.end() && end != path.end();
-}
-
 } // namespace
 
 fs::path file_of_uri(const Value& uri, const fs::path& folder) {
@@ -57,14 +51,19 @@ fs::path file_of_uri(const Value& uri, const fs::path& folder) {
     for (const fs::path& part : relative) {
         if (part == "..") uri.fail(expected);
     }
-    std::error_code code;
-    const fs::path base = fs::canonical(folder.empty() ? fs::path(".") : folder, code);
-    if (code) uri.fail("cannot be looked up, as the folder of the scene cannot be: " + code.message());
-    const fs::path path = fs::canonical(base / relative, code);
-    if (code) throw Error(ErrorCode::io, (folder / relative).generic_string(), {}, "cannot be read: " + code.message());
-    if (!is_below(path, base)) uri.fail(std::string(expected) + ", also where links lead");
-    if (!fs::is_regular_file(path, code)) uri.fail("must name a file, not a folder or a device");
-    return path;
+    const fs::path base = folder_on_disk(folder);
+    const NearbyFile file = nearby_file(name, base, base);
+    switch (file.verdict) {
+    case NearbyFile::Verdict::found:
+        return file.path;
+    case NearbyFile::Verdict::outside:
+        uri.fail(std::string(expected) + ", also where links lead");
+    case NearbyFile::Verdict::not_a_file:
+        uri.fail("must name a file, not a folder or a device");
+    case NearbyFile::Verdict::missing:
+        break;
+    }
+    throw Error(ErrorCode::io, (folder / relative).generic_string(), {}, "cannot be read: " + file.reason);
 }
 
 Buffers::Buffers(const Value& document, std::optional<std::span<const std::byte>> binary,

@@ -1,5 +1,7 @@
 #include "scene/urdf_file.h"
 
+#include "scene/nearby_files.h"
+
 #include <cairn/error.h>
 
 #include <console_bridge/console.h>
@@ -137,18 +139,34 @@ void check_tree(const urdf::ModelInterface& model, const std::string& name) {
     }
 }
 
-bool is_in(const fs::path& path, const fs::path& folder) {
-    return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
-}
-
-// The first folder from `folder` upwards of which `holds` is true.
-template <class Test> std::optional<fs::path> folder_above(fs::path folder, Test&& holds) {
+// The first package from `folder` upwards, of that name or of any. It is one by its package.xml: the robot chooses the
+// name, and without that mark "package://home/..." would make a package of all that lies below /home.
+std::optional<fs::path> package_above(fs::path folder, const std::optional<std::string>& name) {
     for (int i = 0; i < folders_above; ++i) {
-        if (holds(folder)) return folder;
+        std::error_code code;
+        const bool is_package = fs::is_regular_file(folder / "package.xml", code);
+        if (is_package && (!name || folder.filename() == *name)) return folder;
         if (folder == folder.parent_path()) break;
         folder = folder.parent_path();
     }
     return std::nullopt;
+}
+
+struct MeshPlace {
+    fs::path root, from; // what it must stay in, and where its name starts
+    std::string name;
+};
+
+// Of NAME/PATH, in the folder `here` of the robot. The name is empty if that is none.
+MeshPlace place_in_package(const std::string& path, const fs::path& here) {
+    const std::size_t slash = std::min(path.find('/'), path.size());
+    const std::string owner = path.substr(0, slash), rest = path.substr(std::min(slash + 1, path.size()));
+    if (owner.empty() || owner == "." || owner == "..") return {here, here, {}};
+    if (const auto named = package_above(here, owner)) return {*named, *named, rest};
+    if (const auto any = package_above(here, {})) return {*any, *any, rest};
+    std::error_code code;
+    if (here.filename() != owner && fs::is_directory(here / owner, code)) return {here, here / owner, rest};
+    return {here, here, rest};
 }
 
 } // namespace
@@ -201,35 +219,29 @@ fs::path find_robot_mesh(const std::string& filename, const std::optional<fs::pa
         throw Error(ErrorCode::unsupported, place, shown,
                     "other files cannot be read by a robot that comes from memory");
     }
-    std::error_code code;
-    const fs::path here = fs::canonical(folder->empty() ? fs::path(".") : *folder, code);
-    if (code) throw Error(ErrorCode::io, folder->generic_string(), {}, code.message());
-    const auto package = folder_above(here, [&](const fs::path& f) { return fs::exists(f / "package.xml", code); });
-    fs::path root = package.value_or(here), file;
+    const fs::path here = folder_on_disk(*folder);
     constexpr std::string_view of_package = "package://", of_file = "file://";
+    MeshPlace where{package_above(here, {}).value_or(here), here, filename};
     if (filename.substr(0, of_package.size()) == of_package) {
-        const std::string path = filename.substr(of_package.size());
-        const std::size_t slash = std::min(path.find('/'), path.size());
-        const std::string owner = path.substr(0, slash), rest = path.substr(std::min(slash + 1, path.size()));
-        const auto named = folder_above(here, [&](const fs::path& f) { return f.filename() == owner; });
-        if (named) {
-            root = *named;
-        } else if (!package && !owner.empty() && fs::is_directory(here / owner, code)) {
-            root = here / owner;
-        }
-        file = root / rest;
-    } else {
-        file = here / (filename.substr(0, of_file.size()) == of_file ? filename.substr(of_file.size()) : filename);
+        where = place_in_package(filename.substr(of_package.size()), here);
+        if (where.name.empty()) throw Error(ErrorCode::invalid_file, place, shown, "must be package://NAME/PATH");
+    } else if (filename.substr(0, of_file.size()) == of_file) {
+        where.name = filename.substr(of_file.size());
     }
-    const fs::path found = fs::canonical(file, code);
-    if (code || !fs::is_regular_file(found, code)) {
-        throw Error(ErrorCode::io, place, shown, "there is no such file: " + file.generic_string());
-    }
-    if (!is_in(found, root)) {
+    const NearbyFile file = nearby_file(where.name, where.from, where.root);
+    switch (file.verdict) {
+    case NearbyFile::Verdict::found:
+        return file.path;
+    case NearbyFile::Verdict::outside:
         throw Error(ErrorCode::invalid_file, place, shown,
-                    "must name a file in " + root.generic_string() + " or below it, also where links lead");
+                    "must name a file in " + where.root.generic_string() + " or below it, also where links lead");
+    case NearbyFile::Verdict::not_a_file:
+        throw Error(ErrorCode::io, place, shown, "must name a file, not a folder or a device");
+    case NearbyFile::Verdict::missing:
+        break;
     }
-    return found;
+    throw Error(ErrorCode::io, place, shown,
+                "there is no such file: " + (where.from / where.name).lexically_normal().generic_string());
 }
 
 } // namespace cairn::scene

@@ -18,10 +18,11 @@ bool is_xml(std::span<const std::byte> bytes);
 // stands for the file in messages. Throws Error (invalid_file).
 urdf::ModelInterfaceSharedPtr parse_urdf(std::span<const std::byte> bytes, const std::string& name);
 
-// The file that a mesh's `filename` means: relative to the robot's folder, or package://NAME/PATH, where the package is
-// the folder above the robot's that has that name or a package.xml, else a folder of that name beside the robot, else
-// the robot's own. It must lie in the package or, without one, in the robot's folder or below it. `place` stands for
-// the element in messages. Throws Error.
+// The file that a mesh's `filename` means: relative to the robot's folder, or package://NAME/PATH. A package is a
+// folder above the robot's with a package.xml: the one of that name, else the nearest one. Without any, NAME is a
+// folder beside the robot, or the robot's own. The file must lie in the package or, without one, in the robot's folder
+// or below it. `place` stands for the element in messages. Throws Error: invalid_file if it leads out, io if there is
+// none.
 std::filesystem::path find_robot_mesh(const std::string& filename, const std::optional<std::filesystem::path>& folder,
                                       const std::string& place);
 

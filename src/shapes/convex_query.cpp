@@ -72,6 +72,13 @@ ClosestPoints closest_points(const Convex& a, const Convex& b) {
     return c;
 }
 
+bool overlap(const Convex& a, const Convex& b) {
+    const CorePair pair{exact_core(a), exact_core(b)};
+    const double radii = pair.a.radius + pair.b.radius;
+    const GjkResult r = gjk_distance(pair, {}, radii);
+    return r.state == GjkResult::State::overlapping || (r.state == GjkResult::State::apart && r.distance <= radii);
+}
+
 bool contains(const Convex& c, DVec3 point) {
     const Convex p = make_point(point);
     const Core core = exact_core(c);

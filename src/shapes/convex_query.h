@@ -15,6 +15,9 @@ struct ClosestPoints {
 };
 ClosestPoints closest_points(const Convex& a, const Convex& b);
 
+// Whether they have a point in common; touching counts.
+bool overlap(const Convex& a, const Convex& b);
+
 // The surface belongs to the shape, within rounding.
 bool contains(const Convex& c, math::DVec3 point);
 

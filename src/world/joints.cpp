@@ -191,7 +191,7 @@ void World::destroy_joint(JointId id) {
 }
 
 bool World::is_valid(JointId id) const noexcept {
-    return id.world() == impl_->state.world_id && impl_->state.joint_slots.is_live(id.index(), id.generation());
+    return impl_ && id.world() == impl_->state.world_id && impl_->state.joint_slots.is_live(id.index(), id.generation());
 }
 
 const JointDef& World::joint_def(JointId id) const { return impl_->joint_defs[impl_->index_of(id)]; }
@@ -272,6 +272,6 @@ std::optional<JointId> World::find_joint(std::string_view name) const {
     return std::nullopt;
 }
 
-std::span<const JointEvent> World::joint_events() const noexcept { return impl_->state.events.joints.now; }
+std::span<const JointEvent> World::joint_events() const { return impl_->state.events.joints.now; }
 
 } // namespace cairn

@@ -2,8 +2,10 @@
 #include "bodies/bodies.h"
 #include "contacts/convex_tests.h"
 #include "contacts/pairs.h"
+#include "shapes/convex_query.h"
 #include "state/state.h"
 #include "world/impl.h"
+#include "world/query_frame.h"
 #include "world/validate.h"
 
 #include <algorithm>
@@ -56,18 +58,32 @@ ShapePose make_pose(const Geometry& g, math::DVec3 position, math::Quat q) {
     return pose;
 }
 
-// By the narrow phase itself.
+// Whether a convex shape meets a triangle of a surface, in the frame of the surface's own place. Contacts do not tell:
+// they are one-sided, and have no normal for a center beside the border and below it.
+bool meets_triangles(const PosedShape& surface, const PosedShape& convex) {
+    const math::DVec3 origin = shape_position(surface.pose);
+    const Convex solid = make_convex(convex.geometry, convex.data, shape_position(convex.pose) - origin,
+                                     math::normalized(math::to_double(shape_rotation(convex.pose))));
+    math::DVec3 lo, hi;
+    for (int i = 0; i < 3; ++i) {
+        math::DVec3 axis;
+        axis[i] = 1;
+        lo[i] = support(solid, -axis)[i], hi[i] = support(solid, axis)[i];
+    }
+    bool found = false;
+    const PosedInQuery posed(surface.geometry, surface.data, {}, shape_rotation(surface.pose));
+    for_each_triangle_near(posed, lo, hi,
+                           [&](const Convex& triangle) { found = found || cairn::overlap(solid, triangle); });
+    return found;
+}
+
+// By the narrow phase itself, but for triangles.
 bool shapes_overlap(const PosedShape& a, const PosedShape& b) {
     bool swapped = false;
     const std::optional<PairKind> kind = pair_kind(a.geometry, b.geometry, swapped);
     if (!kind) return false;
     const PosedShape &first = swapped ? b : a, &second = swapped ? a : b;
-    if (*kind == PairKind::group) {
-        SurfaceScratch scratch;
-        std::vector<Manifold> hits;
-        find_patches(first, second, 0, 0, scratch, hits);
-        return !hits.empty();
-    }
+    if (*kind == PairKind::group) return meets_triangles(second, first);
     Manifold out[8];
     if (int(*kind) < wide_kinds) {
         const ShapePose poses[2] = {first.pose, second.pose};

@@ -1,7 +1,7 @@
 // Shape casts and closest points.
-#include "bodies/bodies.h"
 #include "shapes/convex_query.h"
 #include "world/impl.h"
+#include "world/query_frame.h"
 #include "world/validate.h"
 
 #include <algorithm>
@@ -11,44 +11,6 @@ namespace cairn {
 using math::DVec3;
 
 namespace {
-
-// A shape of the world in the frame of a query: axes of the world, origin where the query starts.
-struct PosedInQuery {
-    const Geometry& geometry;
-    const ShapeData& data;
-    DVec3 center;
-    math::DQuat rotation;
-
-    PosedInQuery(const State& s, std::uint32_t shape, DVec3 origin)
-        : geometry(s.geometry[shape]), data(s.shape_data[shape]), center(shape_position(s.shape_poses[shape]) - origin),
-          rotation(math::normalized(math::to_double(shape_rotation(s.shape_poses[shape])))) {}
-    DVec3 up() const { return math::rotate(rotation, DVec3{0, 1, 0}); }
-};
-
-// f(triangle as a convex) for those of a mesh or height field that meet the box, in the query's frame.
-template <class F> void for_each_triangle_near(const PosedInQuery& surface, DVec3 lo, DVec3 hi, F&& f) {
-    const math::DMat3 axes = math::to_matrix(surface.rotation);
-    const DVec3 middle = 0.5 * (lo + hi) - surface.center, half = 0.5 * (hi - lo);
-    math::Vec3 local_lo, local_hi;
-    for (int i = 0; i < 3; ++i) {
-        const DVec3 axis = axes.column(i), along = math::abs(axis);
-        const double center = math::dot(axis, middle), reach = math::dot(along, half);
-        const double slack = 1e-6 * (std::fabs(center) + reach);
-        local_lo[i] = float(std::max(center - reach - slack, -1e30));
-        local_hi[i] = float(std::min(center + reach + slack, 1e30));
-    }
-    const auto corner = [&](math::Vec3 v) { return surface.center + axes * math::to_double(v); };
-    const auto visit = [&](const auto& data) {
-        for_each_triangle(data, local_lo, local_hi, [&](std::uint32_t index) {
-            const Triangle t = triangle_of(data, index);
-            f(make_triangle(corner(t.a), corner(t.b), corner(t.c)));
-        });
-    };
-    if (surface.geometry.type == ShapeType::mesh)
-        visit(mesh_of(surface.data));
-    else
-        visit(height_field_of(surface.data));
-}
 
 // The first hit of a shape that starts at the query's origin.
 class ShapeCast {

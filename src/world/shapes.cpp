@@ -121,6 +121,7 @@ void World::remove_shape(ShapeId id) {
     retire_shape(s, i);
     refresh_mass(s, b);
     place_shapes(s, b);
+    reclaim_slots(s);
 }
 
 BodyId World::body_of(ShapeId id) const { return impl_->state.body_id(impl_->state.shapes[impl_->index_of(id)].body); }

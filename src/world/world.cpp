@@ -2,6 +2,7 @@
 #include "bodies/bodies.h"
 #include "bodies/finalize.h"
 #include "contacts/contact_update.h"
+#include "contacts/pairs.h"
 #include "contacts/prefetch.h"
 #include "islands/islands.h"
 #include "state/state.h"
@@ -71,12 +72,18 @@ void World::Impl::require_whole(const char* call) const {
                         " and is incomplete. Restore a snapshot, or make a new world");
 }
 
+World::Owned::Owned(std::unique_ptr<Impl> impl) noexcept : impl_(std::move(impl)) {}
 World::World(const WorldDef& def) : impl_(std::make_unique<Impl>(def)) {}
 World::~World() = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 
-const WorldDef& World::settings() const noexcept { return impl_->state.settings; }
+void World::throw_moved_from() {
+    throw Error(ErrorCode::wrong_state, "World", {},
+                "was moved from, and may only be destroyed or assigned to; use the world that it was moved to");
+}
+
+const WorldDef& World::settings() const { return impl_->state.settings; }
 
 void World::set_settings(const WorldDef& def) {
     Impl::Change change(*impl_, "World::set_settings");
@@ -108,7 +115,7 @@ int hardware_threads() noexcept {
     return std::clamp(int(std::thread::hardware_concurrency()), 1, ThreadPool::max_threads);
 }
 
-int World::threads() const noexcept { return impl_->state.thread_pool->threads(); }
+int World::threads() const { return impl_->state.thread_pool->threads(); }
 
 BodyId World::create_body(const BodyDef& def) {
     Impl::Change change(*impl_, "World::create_body");
@@ -171,16 +178,19 @@ void World::destroy_body(BodyId id) {
     s.body_slots.kill(std::uint32_t(b));
     s.dead_bodies.push_back(std::uint32_t(b));
     impl_->names[b].clear();
+    reclaim_slots(s);
 }
 
 bool World::is_valid(BodyId id) const noexcept {
-    return id.world() == impl_->state.world_id && impl_->state.body_slots.is_live(id.index(), id.generation());
+    return impl_ && id.world() == impl_->state.world_id && impl_->state.body_slots.is_live(id.index(), id.generation());
 }
 bool World::is_valid(ShapeId id) const noexcept {
-    return id.world() == impl_->state.world_id && impl_->state.shape_slots.is_live(id.index(), id.generation());
+    return impl_ && id.world() == impl_->state.world_id &&
+           impl_->state.shape_slots.is_live(id.index(), id.generation());
 }
 bool World::is_valid(ForceFieldId id) const noexcept {
-    return id.world() == impl_->state.world_id && impl_->state.field_slots.is_live(id.index(), id.generation());
+    return impl_ && id.world() == impl_->state.world_id &&
+           impl_->state.field_slots.is_live(id.index(), id.generation());
 }
 
 Body World::body(BodyId id) {
@@ -243,13 +253,13 @@ void World::remove_force_field(ForceFieldId id) {
         if (s.islands[k].in_use) wake_island(s, std::int32_t(k));
 }
 
-std::uint64_t World::step_count() const noexcept { return impl_->state.steps; }
-double World::time() const noexcept { return impl_->state.time; }
-std::span<const ContactBegin> World::contact_begins() const noexcept { return impl_->state.events.begins; }
-std::span<const ContactEnd> World::contact_ends() const noexcept { return impl_->state.events.ends.now; }
-std::span<const ContactHit> World::contact_hits() const noexcept { return impl_->state.events.hits; }
-std::span<const TriggerEvent> World::trigger_events() const noexcept { return impl_->state.events.triggers.now; }
-std::span<const SleepEvent> World::sleep_events() const noexcept { return impl_->state.events.sleeps.now; }
+std::uint64_t World::step_count() const { return impl_->state.steps; }
+double World::time() const { return impl_->state.time; }
+std::span<const ContactBegin> World::contact_begins() const { return impl_->state.events.begins; }
+std::span<const ContactEnd> World::contact_ends() const { return impl_->state.events.ends.now; }
+std::span<const ContactHit> World::contact_hits() const { return impl_->state.events.hits; }
+std::span<const TriggerEvent> World::trigger_events() const { return impl_->state.events.triggers.now; }
+std::span<const SleepEvent> World::sleep_events() const { return impl_->state.events.sleeps.now; }
 std::string_view instruction_set() noexcept { return kernels().name; }
 
 } // namespace cairn

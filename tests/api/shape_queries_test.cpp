@@ -1,6 +1,8 @@
 // Shape casts, closest points, and which layers a query sees; against closed forms.
 #include "test_world.h"
 
+#include <random>
+
 namespace cairn::test {
 namespace {
 
@@ -181,6 +183,41 @@ TEST(Sheets, StripsAreMetAlongTheirWholeLength) {
         EXPECT_NEAR(closest->point.x, x, 1e-6) << x;
         EXPECT_EQ(world.overlap(Sphere{0.5f}, at({x, 0.4, 0.9})).size(), 1u) << x;
         EXPECT_TRUE(world.overlap(Sphere{0.5f}, at({x, 0.4, 1.6})).empty()) << x;
+    }
+}
+
+// Contacts are one-sided, and overlaps were asked of them: none of these was found whose center was below the surface
+// and beside its border.
+TEST(Overlaps, BallsMeetASurfaceWhereverItsNearestPointIsWithinTheirRadius) {
+    const std::vector<Shape> surfaces = {square(1), HeightField(3, 3, {1, 1}, std::vector<float>(9, 0.0f))};
+    std::mt19937 random(31);
+    std::uniform_real_distribution<double> any(-2.2, 2.2);
+    const Position middle{1000, 20, -50};
+    for (const Shape& surface : surfaces) {
+        World world;
+        const BodyId body = add_body(world, body_at(middle, BodyType::static_), surface);
+        int met = 0, met_below_beside = 0;
+        for (int i = 0; i < 4000; ++i) {
+            const Position from{any(random), any(random), any(random)};
+            const double beside = std::max({std::fabs(from.x) - 1, std::fabs(from.z) - 1, 0.0});
+            const double distance = glm::length(
+                Position(std::max(std::fabs(from.x) - 1, 0.0), from.y, std::max(std::fabs(from.z) - 1, 0.0)));
+            if (std::fabs(distance - 1) < 1e-4) continue;
+            const bool is_met = distance < 1;
+            const std::size_t expected = is_met ? 1 : 0;
+            ASSERT_EQ(world.overlap(Sphere{1}, at(middle + from)).size(), expected)
+                << from.x << ", " << from.y << ", " << from.z << ": " << distance;
+            ASSERT_EQ(world.closest_point(middle + from, 1).has_value(), is_met);
+            met += is_met ? 1 : 0;
+            met_below_beside += is_met && from.y < 0 && beside > 0 ? 1 : 0;
+        }
+        EXPECT_GT(met, 500);
+        EXPECT_GT(met_below_beside, 100);
+        // And the other way round: the surface asks, the ball is there.
+        world.destroy_body(body);
+        add_body(world, body_at(middle, BodyType::static_), Sphere{1});
+        EXPECT_EQ(world.overlap(surface, at(middle + Position(1.6, 0.5, 0))).size(), 1u);
+        EXPECT_EQ(world.overlap(surface, at(middle + Position(1.6, 0.9, 0))).size(), 0u);
     }
 }
 

@@ -379,6 +379,103 @@ TEST(Row46, WorldsOutliveTheirPlacesByMoving) {
     EXPECT_TRUE(stays_sane(other, 10));
 }
 
+// Each of these read through a null pointer.
+TEST(Row46, WorldsThatWereMovedFromRefuseEveryCall) {
+    Stage stage;
+    Body body = stage.world.body(stage.body);
+    World moved = std::move(stage.world);
+    World& gone = stage.world; // NOLINT(bugprone-use-after-move): that is what is tested
+    EXPECT_FALSE(gone.is_valid(stage.body) || gone.is_valid(stage.shape) || gone.is_valid(stage.field));
+    EXPECT_FALSE(gone.is_valid(JointId{}));
+    const std::vector<std::function<void()>> calls{
+        [&] { gone.step(frame); },
+        [&] { gone.create_body(); },
+        [&] { gone.destroy_body(stage.body); },
+        [&] { gone.add_shape(stage.body, Sphere{}); },
+        [&] { gone.body(stage.body); },
+        [&] { gone.bodies(); },
+        [&] { gone.find_body("crate"); },
+        [&] { gone.settings(); },
+        [&] { gone.set_settings({}); },
+        [&] { gone.threads(); },
+        [&] { gone.set_threads(2); },
+        [&] { gone.step_count(); },
+        [&] { gone.time(); },
+        [&] { gone.contact_begins(); },
+        [&] { gone.contact_ends(); },
+        [&] { gone.contact_hits(); },
+        [&] { gone.trigger_events(); },
+        [&] { gone.joint_events(); },
+        [&] { gone.sleep_events(); },
+        [&] { gone.contacts(); },
+        [&] {
+            gone.cast_ray({0.0, 5.0, 0.0}, {0.0f, -1.0f, 0.0f}, 10.0);
+        },
+        [&] { gone.overlap(Sphere{}, {}); },
+        [&] {
+            gone.closest_point({0.0, 0.0, 0.0}, 1.0);
+        },
+        [&] { gone.create_joint({}); },
+        [&] { gone.statistics(); },
+        [&] { gone.kinetic_energy(); },
+        [&] { gone.state_hash(); },
+        [&] { gone.save(); },
+        [&] { gone.restore(moved.save()); },
+        [&] { body.position(); },
+        [&] {
+            body.set_linear_velocity({1.0f, 0.0f, 0.0f});
+        },
+    };
+    for (std::size_t i = 0; i < calls.size(); ++i) {
+        EXPECT_EQ(refusal(calls[i]),
+                  "wrong_state | World | World: was moved from, and may only be destroyed or assigned "
+                  "to; use the world that it was moved to")
+            << i;
+    }
+    gone = World();
+    EXPECT_EQ(gone.bodies().size(), 0u);
+    EXPECT_TRUE(stays_sane(moved, 10));
+}
+
+// Slots were given back by steps alone: 610 bytes for each body that came and went before the next one.
+TEST(Row43, BodiesThatComeAndGoBetweenStepsTakeNoMoreMemory) {
+    World world;
+    add_ground(world);
+    std::vector<BodyId> pile;
+    for (int i = 0; i < 20; ++i) pile.push_back(add_crate(world, {2.0 * i, 0.5, 0.0}));
+    run(world, 30);
+    World other;
+    other.restore(world.save());
+    const std::size_t contacts = world.statistics().contacts;
+    ASSERT_EQ(contacts, 20u);
+    std::uint32_t greatest = 0;
+    for (int i = 0; i < 100'000; ++i) {
+        const BodyId body = add_crate(world, {2.0 * (i % 50), 5.0, 3.0 + i % 7});
+        const ShapeId shape = world.body(body).shapes()[0];
+        world.body(body).add_force({1.0f, 0.0f, 0.0f});
+        greatest = std::max({greatest, body.index(), shape.index()});
+        if (i % 3 == 0) world.remove_shape(shape);
+        world.destroy_body(body);
+        ASSERT_FALSE(world.is_valid(body));
+    }
+    EXPECT_LT(greatest, 2000u);
+    for (int i = 0; i < 100'000; ++i) { // shapes of a body that stays
+        const ShapeId shape = world.add_shape(pile[0], Sphere{0.1f});
+        greatest = std::max(greatest, shape.index());
+        world.remove_shape(shape);
+    }
+    EXPECT_LT(greatest, 2000u);
+    EXPECT_TRUE(world.contact_begins().empty() && world.contact_ends().empty());
+    for (int i = 0; i < 30; ++i) {
+        world.step(frame);
+        other.step(frame);
+        ASSERT_TRUE(world.contact_begins().empty() && world.contact_ends().empty()) << "the contacts of others go on";
+    }
+    EXPECT_EQ(world.statistics().contacts, contacts);
+    for (std::size_t i = 1; i < pile.size(); ++i)
+        EXPECT_EQ(world.body(pile[i]).position(), other.body(pile[i]).position());
+}
+
 TEST(Row46, WorldsDestroyedInAnyOrderLeaveTheOthersAlone) {
     std::vector<World> worlds;
     std::vector<BodyId> bodies;

@@ -343,6 +343,65 @@ TEST(Urdf, MeshesAreFoundInTheirPackage) {
     fs::remove_all(package.parent_path());
 }
 
+// "package:///etc" and "package://NAME" with the name of any folder above the robot made that folder its package.
+TEST(Urdf, NothingOutsideOfThePackageOrTheFolderIsReadWhateverTheNameSays) {
+    const fs::path above = fs::canonical(testing::TempDir()) / "cairn_urdf_escape";
+    const fs::path robots = above / "robots";
+    fs::remove_all(above);
+    fs::create_directories(robots / "meshes");
+    const std::string secret = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+    std::ofstream(above / "secret.obj") << secret;
+    std::ofstream(robots / "meshes" / "own.obj") << secret;
+    fs::create_symlink(above / "secret.obj", robots / "link.obj");
+    fs::create_directory_symlink(above, robots / "way_out");
+    const auto load = [&](const std::string& filename) {
+        std::ofstream(robots / "robot.urdf") << "<robot name=\"r\">" +
+                                                    link("a", inertial() + "<collision><geometry><mesh filename=\"" +
+                                                                  filename + "\"/></geometry></collision>") +
+                                                    "</robot>";
+        const Scene scene = scene::load(robots / "robot.urdf");
+        return scene.world.body(scene.world.bodies().at(0)).shapes().size();
+    };
+    const std::string absolute = (above / "secret.obj").string();
+    for (const bool is_package : {false, true}) {
+        if (is_package) std::ofstream(robots / "package.xml") << "<package/>";
+        const std::vector<std::string> leading_out{"package://" + absolute,
+                                                   "package:////" + absolute,
+                                                   "package://../secret.obj",
+                                                   "package://./../secret.obj",
+                                                   "package://robots/../secret.obj",
+                                                   "package://robots/" + absolute,
+
+                                                   "file://" + absolute,
+                                                   "../secret.obj",
+                                                   "meshes/../../secret.obj",
+                                                   "way_out/secret.obj",
+                                                   "link.obj",
+                                                   "package://robots/link.obj",
+                                                   absolute};
+        for (const std::string& name : leading_out) {
+            SCOPED_TRACE(name);
+            try {
+                load(name);
+                ADD_FAILURE() << "was read";
+            } catch (const Error& error) {
+                EXPECT_EQ(error.code(), ErrorCode::invalid_file) << error.what();
+            }
+        }
+        // The name of a folder above is no key to it.
+        EXPECT_THROW(load("package://" + above.filename().string() + "/secret.obj"), Error);
+        EXPECT_THROW(load("package://way_out/secret.obj"), Error);
+        const std::vector<std::string> inside{"meshes/own.obj", "package://robots/meshes/own.obj",
+                                              "package://meshes/own.obj", "./meshes/../meshes/own.obj",
+                                              "file://" + (robots / "meshes" / "own.obj").string()};
+        for (const std::string& name : inside) {
+            if (is_package && name == "package://meshes/own.obj") continue; // of the package, there is none
+            EXPECT_EQ(load(name), 1u) << name;
+        }
+    }
+    fs::remove_all(above);
+}
+
 TEST(Urdf, MistakesAreNamed) {
     const auto expect_refused = [](const std::string& elements, const std::string& message) {
         try {

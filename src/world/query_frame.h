@@ -1,0 +1,52 @@
+// What shape casts, closest points and overlaps have in common.
+#pragma once
+
+#include "bodies/bodies.h"
+#include "shapes/convex.h"
+#include "state/state.h"
+
+#include <algorithm>
+
+namespace cairn {
+
+// A shape of the world in the frame of a query: axes of the world, origin where the query starts.
+struct PosedInQuery {
+    const Geometry& geometry;
+    const ShapeData& data;
+    math::DVec3 center;
+    math::DQuat rotation;
+
+    PosedInQuery(const Geometry& g, const ShapeData& d, math::DVec3 at, math::Quat q)
+        : geometry(g), data(d), center(at), rotation(math::normalized(math::to_double(q))) {}
+    PosedInQuery(const State& s, std::uint32_t shape, math::DVec3 origin)
+        : PosedInQuery(s.geometry[shape], s.shape_data[shape], shape_position(s.shape_poses[shape]) - origin,
+                       shape_rotation(s.shape_poses[shape])) {}
+    math::DVec3 up() const { return math::rotate(rotation, math::DVec3{0, 1, 0}); }
+};
+
+// f(triangle as a convex) for those of a mesh or height field that meet the box, in the query's frame.
+template <class F> void for_each_triangle_near(const PosedInQuery& surface, math::DVec3 lo, math::DVec3 hi, F&& f) {
+    const math::DMat3 axes = math::to_matrix(surface.rotation);
+    const math::DVec3 middle = 0.5 * (lo + hi) - surface.center, half = 0.5 * (hi - lo);
+    math::Vec3 local_lo, local_hi;
+    for (int i = 0; i < 3; ++i) {
+        const math::DVec3 axis = axes.column(i), along = math::abs(axis);
+        const double center = math::dot(axis, middle), reach = math::dot(along, half);
+        const double slack = 1e-6 * (std::fabs(center) + reach);
+        local_lo[i] = float(std::max(center - reach - slack, -1e30));
+        local_hi[i] = float(std::min(center + reach + slack, 1e30));
+    }
+    const auto corner = [&](math::Vec3 v) { return surface.center + axes * math::to_double(v); };
+    const auto visit = [&](const auto& data) {
+        for_each_triangle(data, local_lo, local_hi, [&](std::uint32_t index) {
+            const Triangle t = triangle_of(data, index);
+            f(make_triangle(corner(t.a), corner(t.b), corner(t.c)));
+        });
+    };
+    if (surface.geometry.type == ShapeType::mesh)
+        visit(mesh_of(surface.data));
+    else
+        visit(height_field_of(surface.data));
+}
+
+} // namespace cairn
