@@ -10,7 +10,7 @@ import sys
 
 # A file may include its own room and those before it. docs/architecture.md tells what each is for.
 ROOMS = ["core", "simd", "math", "jobs", "shapes", "bvh", "collision", "kernels", "state", "bodies", "islands", "contacts", "joints",
-         "solver", "world"]
+         "solver", "impacts", "world"]
 # What only uses the public headers, and what it may include beside them.
 USERS = {
     "src/scene": {"scene"},

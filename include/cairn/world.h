@@ -84,6 +84,8 @@ struct Statistics {
     std::uint64_t clamped_speeds = 0;  ///< Since the world was made: velocities cut to the maximum.
     int max_substeps = 0;              ///< Most substeps that any island took.
     double max_penetration = 0;        ///< Deepest overlap, meters, >= 0.
+    std::size_t swept_pairs = 0;       ///< In the last step: pairs looked at along their ways, as one moved far.
+    std::size_t stopped_bodies = 0;    ///< In the last step: bodies held where they met what the solver did not know.
     StageTimes times;
 };
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include <limits>
+
 namespace cairn {
 
 using math::DVec3;
@@ -86,16 +88,18 @@ void refresh_mass(State& state, std::int32_t body) {
 }
 
 void place_shapes(State& state, std::int32_t body) {
-    float radius = 0;
+    float radius = 0, inner_radius = std::numeric_limits<float>::infinity();
     const math::Quat q = math::to_float(state.motion[body].q);
     place_each_shape(state, body, [&](std::uint32_t s) {
         const Geometry& geometry = state.geometry[s];
         const math::Vec3 in_body = math::rotate(geometry.rotation, geometry.middle);
         const math::Vec3 middle = state.shapes[s].arm + math::rotate(q, in_body);
         size_shape(state.shape_poses[s], geometry);
+        inner_radius = std::min(inner_radius, 0.5f * smallest_extent(geometry, state.shape_data[s]));
         radius = std::max(radius, math::length(middle) + geometry.bounding_radius);
     });
     state.bodies[body].radius = radius;
+    state.bodies[body].inner_radius = inner_radius;
 }
 
 DVec3 body_origin(const State& state, std::int32_t body) {

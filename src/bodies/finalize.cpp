@@ -2,6 +2,7 @@
 
 #include "bodies/bodies.h"
 #include "bodies/motion_budget.h"
+#include "collision/core_sweep.h"
 
 #include "core/cache.h"
 
@@ -43,6 +44,10 @@ void move_shapes(State& s, std::int32_t b, float dt) {
     });
 }
 
+// How much farther than expected a body may move, m, and as part of its smallest half width: half of the margin of
+// contacts, which both bodies of a pair share.
+constexpr double max_stray = 0.005, max_stray_part = 0.25;
+
 constexpr double rounding = 1e-5; // of bounds, as part of a body's size
 
 // How far out a body's surface turns. One without shapes is as large as its inertia says.
@@ -72,7 +77,7 @@ void note_rest(const WorldDef& settings, BodyLinks& links, math::Vec3 v, float s
 
 } // namespace
 
-void finalize_body(State& s, std::int32_t b, float dt, std::vector<EscapedShape>& escaped) {
+void finalize_body(State& s, std::int32_t b, float dt, FinalizeScratch& own) {
     const BodyMotion& motion = s.motion[b];
     const float turn = turn_reach(s, b, dt);
     BodyLinks& links = s.bodies[b];
@@ -80,6 +85,10 @@ void finalize_body(State& s, std::int32_t b, float dt, std::vector<EscapedShape>
     const double ahead = double(turn + dt * velocity);
     // The step's own motion is counted at the start of the next one.
     const double moved = uncounted(s.counted[b], motion, links.radius);
+    const bool is_free = links.first_joint == none; // what hangs on joints cannot be held without opening them
+    const bool is_fast = is_free && moved > free_share * double(links.inner_radius);
+    const double spare = std::min(max_stray, max_stray_part * double(links.inner_radius));
+    bool has_strayed = is_before(s.ahead[b] + budget_of(spare), s.travel[b] + budget_of(moved));
     const Travel now = s.travel[b] + travelled(moved);
     if (is_before(now + travelled(ahead), s.boxes_until[b])) {
         place_each_shape(s, b, [](std::uint32_t) {});
@@ -88,15 +97,22 @@ void finalize_body(State& s, std::int32_t b, float dt, std::vector<EscapedShape>
         double room = std::numeric_limits<double>::infinity();
         place_each_shape(s, b, [&](std::uint32_t shape) { // no plane: the body is dynamic
             const DBounds bounds = bounds_of(s, shape, turn);
-            const double own = s.broad_phase.room(shape, bounds, displacement);
-            if (own < 0) escaped.push_back({shape, bounds, displacement});
-            room = std::min(room, own);
+            has_strayed |= is_fast && !contains(s.broad_phase.fat_bounds(shape), bounds);
+            const double left = s.broad_phase.room(shape, bounds, displacement);
+            if (left < 0) own.escaped.push_back({shape, bounds, displacement});
+            room = std::min(room, left);
         });
         s.boxes_until[b] = now + budget_of(room - rounding * double(links.radius));
+    }
+    if (is_fast) {
+        own.fast.push_back(b);
+        if (has_strayed) own.strayed.push_back(b);
     }
     const float speed = velocity + math::length(motion.w) * surface_radius(s, b);
     note_rest(s.settings, links, motion.v, speed, dt);
 }
+
+void place_again(State& s, std::int32_t b, float dt) { move_shapes(s, b, dt); }
 
 void prefetch_motion(const State& s, std::int32_t b) {
     ask_cache(&s.motion[b].x);
@@ -108,7 +124,7 @@ void prefetch_motion(const State& s, std::int32_t b) {
 void prefetch_body(const State& s, std::int32_t b) {
     prefetch_motion(s, b);
     ask_cache(&s.bodies[b].first_shape);
-    ask_cache(&s.bodies[b].padding);
+    ask_cache(&s.bodies[b].inner_radius);
     ask_cache(&s.counted[b]);
     ask_cache(&s.boxes_until[b]);
 }

@@ -29,10 +29,11 @@ inline double square_difference(const math::DQuat& p, const math::DQuat& q) {
 }
 
 // How far any point of a body is from the pose up to which its travel is counted, m, at most. Unit quaternions that are
-// d apart differ by an angle of 4 asin(d / 2), which is not more than pi d.
+// d apart differ by an angle of 4 asin(d / 2), which is not more than 2.1 d up to d = 1, and never more than pi d.
 inline double uncounted(const CountedPose& counted, const BodyMotion& motion, float radius) {
     constexpr double pi = 3.14159265358979;
-    return math::length(motion.x - counted.x) + pi * std::sqrt(square_difference(counted.q, motion.q)) * double(radius);
+    const double d = std::sqrt(square_difference(counted.q, motion.q));
+    return math::length(motion.x - counted.x) + (d < 1 ? 2.1 : pi) * d * double(radius);
 }
 
 // Of the bodies of a pair together.

@@ -16,30 +16,9 @@ namespace {
 constexpr float max_margin = 0.01f; // m: contacts exist before they touch
 constexpr float match_per_extent = 0.1f;
 
-constexpr float unlimited = 1e9f; // m
-
-float smallest_extent(const Geometry& g, const ShapeData& data) {
-    switch (g.type) {
-    case ShapeType::sphere:
-        return 2 * g.size.x;
-    case ShapeType::box:
-        return 2 * (std::min({g.size.x, g.size.y, g.size.z}) + g.rounding);
-    case ShapeType::capsule:
-        return 2 * std::max(g.size.x, g.size.z);
-    case ShapeType::cylinder:
-        return 2 * (std::min(g.size.y, std::max(g.size.x, g.size.z)) + g.rounding);
-    case ShapeType::hull:
-        return hull_of(data).width + 2 * g.rounding;
-    case ShapeType::plane:
-    case ShapeType::rectangle:
-    case ShapeType::mesh:
-    case ShapeType::height_field:
-        break;
-    }
-    return unlimited;
-}
 float largest_extent(const Geometry& g) {
-    return g.type == ShapeType::plane || g.type >= ShapeType::mesh || is_strip(g) ? unlimited : g.bounding_radius;
+    return g.type == ShapeType::plane || g.type >= ShapeType::mesh || is_strip(g) ? unlimited_extent
+                                                                                  : g.bounding_radius;
 }
 
 // Wide kernels know balls, sharp boxes, capsules with equal ends, and surfaces that have ends and one side.

@@ -125,6 +125,32 @@ Convex make_convex(const Geometry& geometry, const ShapeData& data, const DVec3&
     return c;
 }
 
+Convex shrunk(const Convex& shape, double depth) {
+    Convex c = shape;
+    if (c.kind == Convex::Kind::polygon) return c;
+    c.is_sharp = false;
+    const double around = shape.is_sharp ? 0 : shape.radius, left = std::max(0.0, depth - around);
+    c.radius = std::max(0.0, around - depth);
+    if (c.kind == Convex::Kind::box) {
+        for (int i = 0; i < 3; ++i) c.size[i] = std::max(0.0, c.size[i] - left);
+    } else if (c.kind == Convex::Kind::cylinder && left > 0) {
+        const Frustum f = inset_frustum(c.size.x, c.size.y, c.size.z, std::min(left, 0.999 * c.size.y));
+        const double half = std::max(0.0, 0.5 * (f.high - f.low));
+        c.center += 0.5 * (f.low + f.high) * c.axes.c1;
+        c.size = {std::max(0.0, f.low_radius), half, std::max(0.0, f.high_radius)};
+    } else if (c.kind == Convex::Kind::hull && left > 0) {
+        const DVec3 lo = math::to_double(c.hull->lo), hi = math::to_double(c.hull->hi), in = 0.5 * (lo + hi);
+        c.center = middle(shape);
+        for (int i = 0; i < 3; ++i) {
+            const double half = 0.5 * (hi[i] - lo[i]), scale = half > 0 ? std::max(0.0, 1 - left / half) : 0;
+            DVec3& axis = i == 0 ? c.axes.c0 : i == 1 ? c.axes.c1 : c.axes.c2;
+            axis = scale * axis;
+        }
+        c.center = c.center - c.axes * in;
+    }
+    return c;
+}
+
 Convex make_triangle(DVec3 a, DVec3 b, DVec3 c) { return make_polygon(std::array{a, b, c}); }
 
 Convex reversed(const Convex& polygon) {

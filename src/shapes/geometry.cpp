@@ -276,4 +276,25 @@ DBounds geometry_bounds(const Geometry& shape, const ShapeData& data, DVec3 posi
     return {position + b.lo - outward, position + b.hi + outward};
 }
 
+float smallest_extent(const Geometry& g, const ShapeData& data) {
+    switch (g.type) {
+    case ShapeType::sphere:
+        return 2 * g.size.x;
+    case ShapeType::box:
+        return 2 * (std::min({g.size.x, g.size.y, g.size.z}) + g.rounding);
+    case ShapeType::capsule:
+        return 2 * std::max(g.size.x, g.size.z);
+    case ShapeType::cylinder:
+        return 2 * (std::min(g.size.y, std::max(g.size.x, g.size.z)) + g.rounding);
+    case ShapeType::hull:
+        return hull_of(data).width + 2 * g.rounding;
+    case ShapeType::plane:
+    case ShapeType::rectangle:
+    case ShapeType::mesh:
+    case ShapeType::height_field:
+        break;
+    }
+    return unlimited_extent;
+}
+
 } // namespace cairn

@@ -51,6 +51,10 @@ struct Geometry {
     std::uint16_t is_double_sided = 0; // of planes and rectangles
 };
 
+// The least width of a shape, m; of surfaces one that is larger than any.
+inline constexpr float unlimited_extent = 1e9f;
+float smallest_extent(const Geometry& geometry, const ShapeData& data);
+
 inline bool is_strip(const Geometry& g) {
     return g.type == ShapeType::rectangle && (g.size.x == endless || g.size.z == endless);
 }

@@ -260,7 +260,7 @@ void empty_batch(State& s, BatchScratch& scratch, ThreadPool* thread_pool, float
             scratch.row_of_body[b] = none;
             if (!s.is_dynamic(b)) continue;
             own.clamped_speeds += scatter_body(s, scratch, b, std::size_t(row), dt);
-            finalize_body(s, b, dt, own.escaped);
+            finalize_body(s, b, dt, own.finalized);
         }
     });
     for_chunks(thread_pool, int(scratch.free_bodies.size()), rows_per_chunk, [&](int begin, int end, int thread) {
@@ -269,7 +269,7 @@ void empty_batch(State& s, BatchScratch& scratch, ThreadPool* thread_pool, float
             prefetch_ahead(s, scratch.free_bodies, std::size_t(k));
             const std::int32_t b = scratch.free_bodies[k];
             own.clamped_speeds += move_free_body(s, b, dt);
-            finalize_body(s, b, dt, own.escaped);
+            finalize_body(s, b, dt, own.finalized);
         }
     });
 }

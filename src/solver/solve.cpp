@@ -199,10 +199,15 @@ void move_kinematics(State& s, float dt) {
 void collect(State& s) {
     SolverScratch& scratch = s.solver;
     scratch.escaped.clear();
+    scratch.fast.clear();
+    scratch.strayed.clear();
     s.overloaded_joints.clear();
     double prepare_ms = 0, solve_ms = 0;
     for (BatchScratch& own : scratch.at_work) {
-        scratch.escaped.insert(scratch.escaped.end(), own.escaped.begin(), own.escaped.end());
+        const FinalizeScratch& moved = own.finalized;
+        scratch.escaped.insert(scratch.escaped.end(), moved.escaped.begin(), moved.escaped.end());
+        scratch.fast.insert(scratch.fast.end(), moved.fast.begin(), moved.fast.end());
+        scratch.strayed.insert(scratch.strayed.end(), moved.strayed.begin(), moved.strayed.end());
         s.overloaded_joints.insert(s.overloaded_joints.end(), own.overloaded.begin(), own.overloaded.end());
         s.clamped_speeds += own.clamped_speeds;
         prepare_ms += own.prepare_ms;
@@ -210,6 +215,8 @@ void collect(State& s) {
     }
     std::sort(scratch.escaped.begin(), scratch.escaped.end(),
               [](const EscapedShape& a, const EscapedShape& b) { return a.shape < b.shape; });
+    std::sort(scratch.fast.begin(), scratch.fast.end());
+    std::sort(scratch.strayed.begin(), scratch.strayed.end());
     std::sort(s.overloaded_joints.begin(), s.overloaded_joints.end());
     for (const EscapedShape& e : scratch.escaped) s.broad_phase.set_bounds(e.shape, e.bounds, e.displacement);
     s.solver.prepare_share = prepare_ms / std::max(prepare_ms + solve_ms, 1e-9);
@@ -226,7 +233,9 @@ void solve_batches(State& s, float dt) {
     scratch.at_work.resize(std::size_t(threads));
     if (scratch.joint_layouts.size() < scratch.batches.size()) scratch.joint_layouts.resize(scratch.batches.size());
     for (BatchScratch& own : scratch.at_work) {
-        own.escaped.clear();
+        own.finalized.escaped.clear();
+        own.finalized.fast.clear();
+        own.finalized.strayed.clear();
         own.overloaded.clear();
         own.clamped_speeds = 0;
         own.prepare_ms = own.solve_ms = 0;

@@ -61,7 +61,7 @@ struct BodyLinks {
     std::uint64_t joint_colors = 0;                     // likewise
     std::int32_t first_joint = none, last_joint = none; // ends: 2 x joint + side
     std::int32_t joint_count = 0;                       // that are solved
-    std::int32_t padding = 0;
+    float inner_radius = 0;                             // m: the smallest half width of its shapes
 };
 
 } // namespace cairn

@@ -7,6 +7,7 @@
 #include "math/vec.h"
 #include "state/direct_work.h"
 #include "state/impact_work.h"
+#include "state/sweep_scratch.h"
 
 #include <array>
 #include <cstddef>
@@ -66,6 +67,13 @@ struct EscapedShape {
     std::uint32_t shape;
     DBounds bounds;
     math::Vec3 displacement;
+};
+
+// What a thread gathers from bodies that have moved.
+struct FinalizeScratch {
+    std::vector<EscapedShape> escaped;
+    std::vector<std::int32_t> fast;    // bodies that moved farther than their cores may (impacts/hold_cores.h)
+    std::vector<std::int32_t> strayed; // of these, bodies that are not where the broad phase expected them
 };
 
 // Lanes of a list of blocks, filled batch by batch.
@@ -149,7 +157,7 @@ struct BatchScratch {
     bool drive_varies = false; // forces depend on the position
     bool bounces = false;      // `correction` is another than `free_correction`
 
-    std::vector<EscapedShape> escaped;     // of all batches of the thread
+    FinalizeScratch finalized;             // of all batches of the thread
     std::vector<std::uint32_t> overloaded; // likewise: joints that break
     std::uint64_t clamped_speeds = 0;
     double prepare_ms = 0, solve_ms = 0;
@@ -192,8 +200,11 @@ struct SolverScratch {
     std::vector<std::int32_t> shared, alone; // batches that all threads solve together, and those that one does
     std::vector<BatchScratch> at_work;       // one per thread
     std::vector<EscapedShape> escaped;
+    std::vector<std::int32_t> fast;           // of all threads, in ascending order
+    std::vector<std::int32_t> strayed;        // likewise
     std::vector<std::int32_t> member_numbers; // by body, while an island is split
-    double prepare_share = 0;                 // of the last solve_batches' time
+    SweepScratch sweep;
+    double prepare_share = 0; // of the last solve_batches' time
 };
 
 } // namespace cairn

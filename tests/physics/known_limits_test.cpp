@@ -27,53 +27,6 @@ TEST(KnownLimits, StackThatIsDroppedRisesAgain) {
     EXPECT_GT(rise, 0.8);
 }
 
-// Two boxes, 6 cm apart, the second fixed: a heavy one hits the first at 60 m/s, which sends it 0.9 m in the same step.
-TEST(KnownLimits, WhatIsHitFromTheSideGoesIntoWhatIsBeside) {
-    constexpr double gap = 0.06, speed = 60;
-    World world(without_gravity());
-    BodyDef def;
-    def.type = BodyType::static_;
-    def.position = {1 + gap, 0, 0};
-    add_body(world, Box{{0.5f, 2, 2}}, def);
-    def.type = BodyType::dynamic;
-    def.position = {0, 0, 0};
-    const BodyId hit = add_body(world, Box{}, def);
-    def.position = {-1.3, 0, 0};
-    def.linear_velocity = {float(speed), 0, 0};
-    def.mass = 8000.0f;
-    add_body(world, Box{}, def);
-    double deepest = 0;
-    for (int i = 0; i < 60; ++i) {
-        world.step(1.0f / 60);
-        deepest = std::max(deepest, world.body(hit).position().x - gap);
-    }
-    EXPECT_LT(deepest, speed / 60);
-    EXPECT_GT(deepest, 0.2);
-    EXPECT_LT(world.body(hit).position().x, gap) << "pushed out again";
-}
-
-// Weightless and without friction, and the impact is elastic: its energy is to stay.
-TEST(KnownLimits, RodThatSpinsGainsEnergyAtAnElasticImpact) {
-    const auto energy_after = [](float spin) { // as part of that before
-        World world([] {
-            WorldDef settings = without_gravity();
-            settings.enable_sleep = false;
-            return settings;
-        }());
-        add_ground(world, surface(0, 1));
-        BodyDef def;
-        def.position = {0, 0.2, 0};
-        def.angular_velocity = {0, 0, spin};
-        add_body(world, Box{{0.5f, 0.05f, 0.05f}}, def, surface(0, 1));
-        const double before = world.kinetic_energy();
-        run(world, 1.0f / 60, 60);
-        return world.kinetic_energy() / before;
-    };
-    EXPECT_NEAR(energy_after(20), 1, 0.001);
-    EXPECT_LT(energy_after(40), 1.1);
-    EXPECT_GT(energy_after(40), 1.02);
-}
-
 // m/s at which the middle of ten capsules in a row, upright, rises after they fell 2 m onto one end.
 double rise_of_chain(JointSolver solver) {
     World world(without_sleep());

@@ -1,0 +1,295 @@
+#include "collision/core_sweep.h"
+
+#include "shapes/convex.h"
+#include "shapes/gjk.h"
+#include "shapes/mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cairn {
+
+using math::DMat3;
+using math::dot;
+using math::DQuat;
+using math::DVec3;
+using math::length;
+
+namespace {
+
+// How far the core is inside the shape: m at least, and as part of the smallest half width.
+constexpr double core_depth = 1e-3, core_depth_part = 0.02;
+constexpr double known_depth_part = 0.5; // of contacts that the solver knows
+// Cores count as met when they are this near, as part of the depth.
+constexpr double tolerance_part = 0.1;
+// After so many looks at a pair that turns fast and comes hardly nearer, the time that was reached is the answer.
+constexpr int max_rounds = 100;
+// A way along a mesh is looked at in pieces of so many sizes of what moves, but no more than that many.
+constexpr double sizes_per_piece = 8;
+constexpr int max_pieces = 64;
+
+double depth_of(const Convex& c, bool is_known) {
+    if (c.kind == Convex::Kind::polygon) return 0;
+    return is_known ? known_depth_part * c.extent : std::max(core_depth, core_depth_part * c.extent);
+}
+
+// What is known of a shape on its way.
+class Mover {
+  public:
+    Mover(const SweptShape& s, bool is_known) : is_known(is_known), s_(s), turn_(length(s.path.turn)) {
+        const double ball = is_ball() ? 0 : s.geometry.bounding_radius;
+        const DVec3 to_middle = middle_offset();
+        const DVec3 arm = math::rotate(s.path.rotation, to_middle);
+        reach_ = length(arm) + ball;
+        start = s.path.start + arm;
+        const RigidPath::Pose last = s.until < 1 ? s.path.at(s.until) : s.path.end();
+        end = last.x + math::rotate(last.q, to_middle);
+    }
+    bool is_ball() const { return s_.geometry.type == ShapeType::sphere; }
+    double bounding_radius() const { return s_.geometry.bounding_radius; }
+    double until() const { return s_.until; }
+    const SweptShape& shape() const { return s_; }
+    RigidPath::Pose body_at(double time) const { return s_.path.at(std::min(time, s_.until)); }
+    DQuat rotation_at(const RigidPath::Pose& pose) const {
+        return s_.geometry.is_turned ? pose.q * math::to_double(s_.geometry.rotation) : pose.q;
+    }
+    DVec3 origin_at(const RigidPath::Pose& pose) const { return pose.x + math::rotate(pose.q, s_.offset); }
+    DVec3 middle_at(double time) const {
+        const RigidPath::Pose pose = body_at(time);
+        return pose.x + math::rotate(pose.q, middle_offset());
+    }
+    // How fast any point can come along a direction that does not turn, at most.
+    double speed_along(DVec3 n, double time) const {
+        if (time >= s_.until) return 0;
+        return dot(n, s_.path.translation) + length(math::cross(n, s_.path.turn)) * reach_;
+    }
+    // How far the middle is from the straight line between two of its places, at most.
+    double sagitta() const { return s_.path.sagitta(reach_); }
+    // How far its points move about its middle, at most.
+    double turning() const { return is_ball() ? 0 : turn_ * s_.geometry.bounding_radius; }
+    DVec3 middle_offset() const { return s_.offset + local_middle(); } // from the center of mass, in the body's frame
+    const bool is_known;                                               // the contact, to the solver
+    math::DVec3 start, end;                                            // of the middle of its bounds
+
+  private:
+    DVec3 local_middle() const {
+        const DVec3 m = math::to_double(s_.geometry.middle);
+        return s_.geometry.is_turned ? math::rotate(math::to_double(s_.geometry.rotation), m) : m;
+    }
+    const SweptShape& s_;
+    double turn_, reach_;
+};
+
+constexpr double overlapped = -1; // a time: from the start
+
+struct Gap {
+    double distance;
+    DVec3 normal; // from a to b
+};
+
+// Until when the larger of the rates at which two come nearer stays what it is.
+double next_stop(const Mover& a, const Mover& b, double time, double end) {
+    for (const double until : {a.until(), b.until()})
+        if (time < until) end = std::min(end, until);
+    return end;
+}
+
+// Advances from `begin` to `end`. gap(time) tells how far the cores are apart; depth: of the core that is looked at.
+template <class F> double advance(const Mover& a, const Mover& b, double depth, double begin, double end, F&& gap_at) {
+    double time = begin;
+    Gap gap = gap_at(time);
+    const double tolerance = tolerance_part * depth;
+    if (!(gap.distance > tolerance)) return begin > 0 ? begin : overlapped;
+    for (int round = 0; round < max_rounds; ++round) {
+        if (!(gap.distance > tolerance)) return time;
+        const double speed = a.speed_along(gap.normal, time) + b.speed_along(-gap.normal, time);
+        const double stop = next_stop(a, b, time, end); // up to which that is the speed
+        const double step = speed > 0 ? (gap.distance - 0.5 * tolerance) / speed : never;
+        time += step;
+        if (!(time < stop)) {
+            if (!(stop < end)) return never;
+            time = stop;
+        }
+        gap = gap_at(time);
+    }
+    return time;
+}
+
+// The core. Of strips, which have no end, of the part near a point.
+Convex core_at(const Mover& m, double time, DVec3 near, double reach) {
+    const RigidPath::Pose pose = m.body_at(time);
+    DVec3 center = m.origin_at(pose);
+    const DQuat q = m.rotation_at(pose);
+    const Geometry part = near_part(m.shape().geometry, center, q, near, reach);
+    const Convex whole = make_convex(part, m.shape().data, center, q);
+    return shrunk(whole, depth_of(whole, m.is_known));
+}
+Convex core_at(const Mover& m, double time) { return core_at(m, time, {}, 0); }
+
+Gap gap_of(const Convex& a, const Convex& b, DVec3& guess) {
+    const Core core_a = exact_core(a), core_b = exact_core(b);
+    const GjkResult r = gjk_distance({core_a, core_b}, guess, std::numeric_limits<double>::infinity(), 1e-6);
+    if (r.state != GjkResult::State::apart) return {-1, {}};
+    guess = r.normal;
+    return {r.distance - (core_a.radius + core_b.radius), r.normal};
+}
+
+// Whether the cores are apart along a direction at the beginning, by more than they come nearer along it. What is cheap
+// to ask, and true of most.
+bool stay_apart_along(DVec3 direction, const Convex& first, const Convex& second, const Mover& a, const Mover& b,
+                      double begin) {
+    const double square = dot(direction, direction);
+    if (!(square > 0)) return false;
+    const DVec3 n = (1 / std::sqrt(square)) * direction;
+    const Core core_a = exact_core(first), core_b = exact_core(second);
+    const double gap = dot(n, core_support(core_b, -n) - core_support(core_a, n)) - (core_a.radius + core_b.radius);
+    return gap > std::max(0.0, (1 - begin) * (a.speed_along(n, begin) + b.speed_along(-n, begin)));
+}
+
+bool begins_in_front(DVec3 point, const Convex& face) { return dot(face.axes.c1, point - face.corners[0]) > 0; }
+
+double meeting_of_convexes(const Mover& a, const Mover& b, double begin) {
+    const DVec3 from = a.start;
+    const double reach = length(a.end - from) + a.sagitta() + a.bounding_radius();
+    const Convex first = core_at(a, 0), second = core_at(b, 0, from, reach);
+    if (second.kind == Convex::Kind::polygon && !b.shape().geometry.is_double_sided &&
+        !begins_in_front(middle(first), second))
+        return never;
+    DVec3 guess = b.start - from;
+    if (begin == 0 && stay_apart_along(guess, first, second, a, b, begin)) return never;
+    return advance(a, b, depth_of(first, a.is_known), begin, 1,
+                   [&](double time) { return gap_of(core_at(a, time), core_at(b, time, from, reach), guess); });
+}
+
+double meeting_with_plane(const Mover& a, const Mover& b, double begin) {
+    const auto up_at = [&](double time) { return math::rotate(b.rotation_at(b.body_at(time)), DVec3{0, 1, 0}); };
+    const auto height_of = [&](DVec3 p, double time) { return dot(p - b.origin_at(b.body_at(time)), up_at(time)); };
+    double side = 1;
+    if (b.shape().geometry.is_double_sided && height_of(a.start, 0) < 0) side = -1;
+    const Convex start = core_at(a, 0);
+    return advance(a, b, depth_of(start, a.is_known), begin, 1, [&](double time) -> Gap {
+        const Convex c = core_at(a, time);
+        const Core core = exact_core(c);
+        const DVec3 down = -side * up_at(time);
+        return {side * height_of(core_support(core, down), time) - core.radius, down};
+    });
+}
+
+// With the triangles of a mesh or height field, from their front.
+double meeting_with_triangles(const Mover& a, const Mover& b, double from) {
+    const auto local_at = [&](double time) { // the middle of a, in the frame of the surface
+        const RigidPath::Pose pose = b.body_at(time);
+        return math::rotate(math::conjugate(b.rotation_at(pose)), a.middle_at(time) - b.origin_at(pose));
+    };
+    const Geometry& surface = b.shape().geometry;
+    const DVec3 start = local_at(0);
+    const double bend = a.sagitta() + b.shape().path.sagitta(length(start) + length(local_at(1)));
+    const double way = length(local_at(1) - start), size = std::max(a.bounding_radius(), 1e-3);
+    const int pieces = std::clamp(int(std::min(way / (sizes_per_piece * size), 1e6)) + 1, 1, max_pieces);
+    const double radius = a.bounding_radius() + bend;
+    double best = never;
+    bool overlaps = false;
+    for (int piece = 0; piece < pieces && best > 1; ++piece) {
+        const double end = double(piece + 1) / pieces;
+        if (!(from < end)) continue;
+        const double begin = std::max(from, double(piece) / pieces);
+        const DVec3 p = local_at(begin), q = local_at(end);
+        math::Vec3 lo, hi;
+        for (int i = 0; i < 3; ++i) {
+            lo[i] = float(std::min(p[i], q[i]) - radius * (1 + 1e-5) - 1e-6 * std::fabs(p[i]));
+            hi[i] = float(std::max(p[i], q[i]) + radius * (1 + 1e-5) + 1e-6 * std::fabs(p[i]));
+        }
+        const Convex mover = core_at(a, begin);
+        const auto triangle_at = [&](const Triangle& t, double time) {
+            const RigidPath::Pose pose = b.body_at(time);
+            const DVec3 origin = b.origin_at(pose);
+            const DMat3 axes = math::to_matrix(b.rotation_at(pose));
+            const auto corner = [&](math::Vec3 v) { return origin + axes * math::to_double(v); };
+            return make_triangle(corner(t.a), corner(t.b), corner(t.c));
+        };
+        const auto visit = [&](const auto& mesh) {
+            for_each_triangle(mesh, lo, hi, [&](std::uint32_t index) {
+                const Triangle t = triangle_of(mesh, index);
+                if (const Convex face = triangle_at(t, begin); begins_in_front(middle(mover), face)) {
+                    DVec3 guess = face.center - mover.center;
+                    const double time =
+                        advance(a, b, depth_of(mover, a.is_known), begin, std::min(end, best),
+                                [&](double at) { return gap_of(core_at(a, at), triangle_at(t, at), guess); });
+                    if (time == overlapped)
+                        overlaps = true;
+                    else
+                        best = std::min(best, time);
+                }
+            });
+        };
+        if (surface.type == ShapeType::mesh)
+            visit(mesh_of(b.shape().data));
+        else
+            visit(height_field_of(b.shape().data));
+    }
+    return overlaps ? overlapped : best;
+}
+
+// Whether they move against each other so little that no core can pass.
+bool stay_together(const Mover& a, const Mover& b) {
+    const double half = 0.5 * double(std::min(smallest_extent(a.shape().geometry, a.shape().data),
+                                              smallest_extent(b.shape().geometry, b.shape().data)));
+    const DVec3 way = (b.end - b.start) - (a.end - a.start);
+    return length(way) + (a.turning() + b.turning()) <= free_share * half;
+}
+
+// Whether balls around both meet at all, along lines, with what they may be beside them.
+bool may_meet_on_the_way(const Mover& a, const Mover& b) {
+    const DVec3 from = b.start - a.start, to = b.end - a.end, way = to - from;
+    double sagitta = a.sagitta() + b.sagitta();
+    if (a.until() < 1 || b.until() < 1) sagitta += length(way); // no straight line
+    const double reach = a.bounding_radius() + b.bounding_radius() + sagitta, square = dot(way, way);
+    const double time = square > 0 ? std::clamp(-dot(from, way) / square, 0.0, 1.0) : 0;
+    const DVec3 nearest = from + time * way;
+    return dot(nearest, nearest) <= reach * reach;
+}
+
+double meeting_of(const Mover& a, const Mover& b, double from) {
+    const ShapeType type = b.shape().geometry.type;
+    if (type == ShapeType::plane) return meeting_with_plane(a, b, from);
+    if (type == ShapeType::mesh || type == ShapeType::height_field) return meeting_with_triangles(a, b, from);
+    if (!is_strip(b.shape().geometry) && !may_meet_on_the_way(a, b)) return never;
+    return meeting_of_convexes(a, b, from);
+}
+
+// A ball in the middle of a shape, with half of its smallest half width.
+Geometry ball_inside(const Mover& m) {
+    Geometry ball;
+    const float radius = 0.25f * smallest_extent(m.shape().geometry, m.shape().data);
+    ball.size = {radius, radius, radius};
+    ball.bounding_radius = radius;
+    return ball;
+}
+
+} // namespace
+
+RigidPath RigidPath::between(DVec3 x0, DQuat q0, DVec3 x1, DQuat q1) {
+    DQuat by = q1 * math::conjugate(q0);
+    if (by.w < 0) by = {-by.x, -by.y, -by.z, -by.w};
+    return {x0, x1 - x0, q0, by, (4 / (1 + by.w)) * by.vector()};
+}
+
+RigidPath::Pose RigidPath::at(double time) const {
+    const DQuat part = math::normalized(DQuat{time * by.x, time * by.y, time * by.z, 1 + time * (by.w - 1)});
+    return {start + time * translation, math::normalized(part * rotation)};
+}
+
+double time_of_meeting(const SweptShape& a, const SweptShape& b, bool is_known, double from) {
+    const Mover first(a, is_known), second(b, is_known);
+    if (stay_together(first, second)) return never;
+    const double time = meeting_of(first, second, from);
+    if (time != overlapped) return time;
+    // What begins too deep goes no deeper than up to its middle.
+    const Geometry ball = ball_inside(first);
+    const SweptShape inside{ball, a.data, first.middle_offset(), a.path, a.until};
+    const double deeper = meeting_of(Mover(inside, is_known), second, from);
+    return deeper == overlapped ? never : deeper;
+}
+
+} // namespace cairn

@@ -1,0 +1,58 @@
+// When the cores of two shapes first meet along the ways that their bodies take in a step.
+//
+// The core of a shape is what lies deeper than max(1 mm, 2 % of its smallest half width); of a surface, the surface
+// itself. Where the solver knows the contact, shapes may press into each other farther for a moment, as it is soft:
+// then it is what lies deeper than half of the smallest half width.
+#pragma once
+
+#include "math/rotation.h"
+#include "shapes/geometry.h"
+
+namespace cairn {
+
+// The way of a body from one pose to the next: its center of mass moves straight at one speed, and it turns about one
+// axis by not more than half a turn. Times go from 0 to 1. The rotation is the normalized line between its ends, whose
+// rate is largest in the middle: there it is 4 tan(angle / 4), hardly more than the angle.
+struct RigidPath {
+    math::DVec3 start; // of the center of mass
+    math::DVec3 translation;
+    math::DQuat rotation; // at the start
+    math::DQuat by;       // the whole turn
+    math::DVec3 turn;     // its axis, times the largest rate
+
+    static RigidPath between(math::DVec3 x0, math::DQuat q0, math::DVec3 x1, math::DQuat q1);
+
+    struct Pose {
+        math::DVec3 x; // of the center of mass
+        math::DQuat q;
+    };
+    Pose at(double time) const;
+    Pose end() const { return {start + translation, by * rotation}; }
+    // How far what is so far from the center of mass is at any time from where it were on a straight line, m, at most:
+    // an eighth of its acceleration. Across the way that is the square of the rate, along it at most a quarter of its
+    // cube.
+    double sagitta(double reach) const {
+        const double rate = math::length(turn);
+        return 0.125 * rate * rate * (1 + 0.25 * rate) * reach;
+    }
+};
+
+struct SweptShape {
+    const Geometry& geometry;
+    const ShapeData& data;
+    math::DVec3 offset; // of the shape's origin from the center of mass, in the body's frame
+    const RigidPath& path;
+    double until = 1; // the body stands still from then on
+};
+
+// The first time at which the cores meet, or somewhat before: the cores are apart at any time up to there. More than 1
+// if they do not. If they overlap from the start, it is when a ball in the middle of `a` meets the other core. `from`:
+// up to then they are known to be apart. `a` is no surface. Conservative advancement (Mirtich 1996; Zhang and others,
+// "Interactive continuous collision detection for non-convex polyhedra", 2006) with a bound on how fast any point of
+// either can come nearer along the normal.
+inline constexpr double never = 2;
+// As far as that, as part of the smaller half width, shapes may move against each other without a look: no core passes.
+inline constexpr double free_share = 0.5;
+double time_of_meeting(const SweptShape& a, const SweptShape& b, bool is_known, double from = 0);
+
+} // namespace cairn

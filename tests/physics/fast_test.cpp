@@ -1,0 +1,147 @@
+// What is fast passes through nothing, and stands still nowhere. Random forms, directions, phases and offsets.
+#include "support.h"
+
+#include <algorithm>
+#include <random>
+
+namespace cairn_test {
+namespace {
+
+class Shots {
+  public:
+    explicit Shots(unsigned seed) : random_(seed) {}
+    double between(double a, double b) { return std::uniform_real_distribution<double>(a, b)(random_); }
+    glm::dvec3 direction() {
+        for (;;) {
+            const glm::dvec3 v(between(-1, 1), between(-1, 1), between(-1, 1));
+            const double square = glm::dot(v, v);
+            if (square > 0.01 && square < 1) return v / std::sqrt(square);
+        }
+    }
+    Quat rotation() { return glm::angleAxis(float(between(0, 3)), Vec3(direction())); }
+    Shape shape(int kind, float size) {
+        switch (kind % 5) {
+        case 0:
+            return Sphere{size};
+        case 1:
+            return Box{{size, 0.6f * size, 0.3f * size}};
+        case 2:
+            return Capsule{size, 0.4f * size, {}};
+        case 3:
+            return Cylinder{size, 0.4f * size, {}};
+        default:
+            std::vector<Vec3> points;
+            for (int i = 0; i < 12; ++i) points.push_back(size * Vec3(direction()));
+            return ConvexHull(points);
+        }
+    }
+
+  private:
+    std::mt19937 random_;
+};
+
+TEST(Fast, NothingPassesAThinWall) {
+    Shots shots(1);
+    for (int i = 0; i < 600; ++i) {
+        World world(without_gravity());
+        BodyDef wall;
+        wall.type = BodyType::static_;
+        switch (i % 3) {
+        case 0:
+            add_body(world, Box{{3, 0.005f, 3}}, wall);
+            break;
+        case 1:
+            add_body(world, Plane{}, wall);
+            break;
+        default:
+            add_body(world, Mesh({{-3, 0, -3}, {-3, 0, 3}, {3, 0, 3}, {3, 0, -3}}, {0, 1, 2, 0, 2, 3}), wall);
+        }
+        const float size = float(0.01 * std::pow(20, shots.between(0, 1)));
+        glm::dvec3 direction = shots.direction();
+        direction.y = -std::max(std::fabs(direction.y), 0.5);
+        direction = glm::normalize(direction);
+        BodyDef def;
+        def.position = glm::dvec3(shots.between(-0.3, 0.3), 0, shots.between(-0.3, 0.3)) -
+                       (2 * size / -direction.y + 0.02 + shots.between(0, 1)) * direction;
+        def.rotation = shots.rotation();
+        def.linear_velocity = Vec3(10 * std::pow(100, shots.between(0, 1)) * direction);
+        def.angular_velocity = Vec3(shots.between(0, 60) * shots.direction());
+        const BodyId id = add_body(world, shots.shape(i / 3, size), def);
+        for (int step = 0; step < 40; ++step) {
+            world.step(1.0f / 60);
+            const Position p = world.body(id).center_of_mass();
+            if (std::fabs(p.x) > 2.5 || std::fabs(p.z) > 2.5) break; // beside the wall
+            ASSERT_GT(p.y, 0) << "shot " << i << ", size " << size << ", speed " << glm::length(def.linear_velocity);
+        }
+    }
+}
+
+// Two boxes, 6 cm apart, the second fixed: a heavy one hits the first, and would send it into the second in the same
+// step.
+TEST(Fast, WhatIsHitFromTheSideStopsBeforeWhatIsBeside) {
+    constexpr double gap = 0.06;
+    for (const double speed : {20.0, 60.0, 200.0}) {
+        World world(without_gravity());
+        BodyDef def;
+        def.type = BodyType::static_;
+        def.position = {1 + gap, 0, 0};
+        add_body(world, Box{{0.5f, 2, 2}}, def);
+        def.type = BodyType::dynamic;
+        def.position = {0, 0, 0};
+        const BodyId hit = add_body(world, Box{}, def);
+        def.position = {-1.3, 0, 0};
+        def.linear_velocity = {float(speed), 0, 0};
+        def.mass = 8000.0f;
+        add_body(world, Box{}, def);
+        double deepest = 0;
+        for (int i = 0; i < 60; ++i) {
+            world.step(1.0f / 60);
+            deepest = std::max(deepest, world.body(hit).position().x - gap);
+        }
+        EXPECT_LT(deepest, 0.5) << speed << " m/s: beyond the middle";
+        EXPECT_LT(world.body(hit).position().x, gap + 0.01) << "pushed out again";
+    }
+}
+
+// Weightless and without friction, and the impact is elastic: its energy is to stay.
+TEST(Fast, RodThatSpinsKeepsItsEnergyAtAnElasticImpact) {
+    for (const float spin : {10.0f, 20.0f, 40.0f}) {
+        WorldDef settings = without_gravity();
+        settings.enable_sleep = false;
+        World world(settings);
+        add_ground(world, surface(0, 1));
+        BodyDef def;
+        def.position = {0, 0.2, 0};
+        def.angular_velocity = {0, 0, spin};
+        add_body(world, Box{{0.5f, 0.05f, 0.05f}}, def, surface(0, 1));
+        const double before = world.kinetic_energy();
+        run(world, 1.0f / 60, 60);
+        EXPECT_NEAR(world.kinetic_energy() / before, 1, 0.001) << spin << " rad/s";
+    }
+}
+
+// Bodies that were stopped by one that was stopped by them stood in the air for ever, and gained speed meanwhile.
+TEST(Fast, AHeapThatIsThrownDownIsNotFrozen) {
+    Shots shots(2);
+    for (int i = 0; i < 8; ++i) {
+        World world;
+        add_ground(world);
+        std::vector<BodyId> bodies;
+        for (int k = 0; k < 60; ++k) {
+            BodyDef def;
+            def.position = {0.25 * (k % 4), 1 + 0.25 * (k / 16), 0.25 * (k / 4 % 4)};
+            def.rotation = shots.rotation();
+            def.linear_velocity = Vec3(5 * shots.direction()) - Vec3(0, float(shots.between(5, 50)), 0);
+            bodies.push_back(add_body(world, shots.shape(k + i, float(shots.between(0.04, 0.1))), def));
+        }
+        run(world, 1.0f / 60, 600);
+        for (const BodyId id : bodies) {
+            EXPECT_LT(glm::length(world.body(id).linear_velocity()), 4) << "heap " << i;
+            EXPECT_GT(world.body(id).position().y, 0);
+            EXPECT_LT(world.body(id).position().y, 0.5);
+        }
+    }
+}
+
+} // namespace
+} // namespace cairn_test
