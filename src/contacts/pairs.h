@@ -10,8 +10,8 @@ namespace cairn {
 // Runs the broad phase; creates contacts for new pairs, destroys those of pairs that ended.
 void update_pairs(State& state);
 
-// Does so between steps as well once most slots are dead: bodies that come and go while nothing steps take no more memory
-// than those that are there. Contacts of what has been removed end as they would in the next step.
+// Does so between steps as well once most slots are dead: bodies that come and go while nothing steps take no more
+// memory than those that are there. Contacts of what has been removed end as they would in the next step.
 void reclaim_slots(State& state);
 
 // Coefficients of the two materials together, by the rules of KHR_physics_rigid_bodies.

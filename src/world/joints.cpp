@@ -191,7 +191,8 @@ void World::destroy_joint(JointId id) {
 }
 
 bool World::is_valid(JointId id) const noexcept {
-    return impl_ && id.world() == impl_->state.world_id && impl_->state.joint_slots.is_live(id.index(), id.generation());
+    return impl_ && id.world() == impl_->state.world_id &&
+           impl_->state.joint_slots.is_live(id.index(), id.generation());
 }
 
 const JointDef& World::joint_def(JointId id) const { return impl_->joint_defs[impl_->index_of(id)]; }
