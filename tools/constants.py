@@ -9,7 +9,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGE = ROOT / "docs" / "constants.md"
-ROOMS = ["state", "bodies", "islands", "contacts", "joints", "solver"]
+ROOMS = ["state", "bodies", "islands", "contacts", "joints", "solver", "impacts"]
 GOAL = 40
 DEFINITION = re.compile(r"^ *(?:static |inline )?constexpr (?:[\w:]+) (\w+ = [^;]*);(.*)$", re.MULTILINE)
 BEFORE = re.compile(r"((?:^ *//.*\n)+)\Z", re.MULTILINE)
@@ -46,8 +46,8 @@ def page():
     rows = [(room, *c) for room in ROOMS for c in constants(room)]
     of = {k: [r for r in rows if kind(r[2], r[3]) == k] for k in ("physics", "work", "mark")}
     lines = ["# Constants of the solver's rooms", "",
-             "Made by `tools/constants.py --write` from the named constants of `src/state`, `bodies`, `islands`, `contacts`, `joints`",
-             "and `solver`; `./dev lint` checks that it is what the code says.", "",
+             "Made by `tools/constants.py --write` from the named constants of `src/state`, `bodies`, `islands`, `contacts`, `joints`,",
+             "`solver` and `impacts`; `./dev lint` checks that it is what the code says.", "",
              f"**{len(of['physics'])} constants decide what is computed; the goal is {GOAL}.** {len(of['work'])} more are sizes of work for threads and",
              "caches, which change no result. Derivations and measurements: at the constant, and in [decisions](decisions/README.md).", ""]
     for key, title in (("physics", "What is computed"), ("work", "Sizes of work")):

@@ -22,6 +22,11 @@ double in_the_pit(const SceneRun& run) {
     });
 }
 
+double energy_left(const SceneRun& run) {
+    double energy = 0;
+    for_dynamic(run, golden_steps, [&](const BodyState& b, int) { energy += b.kinetic_energy; });
+    return energy;
+}
 double mean_height(const SceneRun& run) { // m, of all mass
     double moment = 0;
     for_dynamic(run, golden_steps, [&](const BodyState& b, int) { moment += b.mass * b.center.y; });
@@ -193,9 +198,9 @@ template <int step> double energy_gain(const SceneRun& run) { return energy_gain
 constexpr Invariant table[] = {
     {"mixed_pile", "bodies between the walls", in_the_pit, 240, 240},
     {"mixed_pile", "height over that of its volume in one block", bulk_of_pile, 1, 3},
-    {"mixed_pile", "deepest overlap after 5 s, m", overlap<300>, 0, 0.006},
+    {"mixed_pile", "deepest overlap after 5 s, m", overlap<300>, 0, 0.008},
     {"mixed_pile", "energy gained once the overlaps of the start are gone", energy_gain<60>, 0, 1e-6},
-    {"mixed_pile", "bodies asleep at the end", asleep_at_end, 240, 240},
+    {"mixed_pile", "kinetic energy at the end, of 450 kJ that it fell with, J", energy_left, 0, 30},
     {"pyramid", "top brick has sunk before the ball, m", top_brick_sinks, -0.001, 0.005},
     {"pyramid", "bricks have slid before the ball, m", bricks_slide, 0, 0.01},
     {"pyramid", "bricks knocked away by the ball", bricks_knocked_out, 33, 77},

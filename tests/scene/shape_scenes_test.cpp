@@ -66,7 +66,7 @@ TEST_F(ShapeScene, MarblesFindTheBowl) {
     const double before = energy();
     run(600);
     EXPECT_LT(energy(), before);
-    expect_sane(10, 0.05, 0.002);
+    expect_sane(10, 0.05, 0.0025);
     int in_bowl = 0;
     for (const BodyId id : dynamic_bodies()) {
         const Position p = world().body(id).position();
