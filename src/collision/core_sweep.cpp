@@ -21,23 +21,32 @@ namespace {
 // How far the core is inside the shape: m at least, and as part of the smallest half width.
 constexpr double core_depth = 1e-3, core_depth_part = 0.02;
 constexpr double known_depth_part = 0.5; // of contacts that the solver knows
-// Cores count as met when they are this near, as part of the depth.
+// Cores count as met when they are this near, as part of the depth; shapes themselves, m and as part of the smallest
+// half width.
 constexpr double tolerance_part = 0.1;
+constexpr double touch_tolerance = 1e-4, touch_tolerance_part = 0.01;
 // After so many looks at a pair that turns fast and comes hardly nearer, the time that was reached is the answer.
 constexpr int max_rounds = 100;
 // A way along a mesh is looked at in pieces of so many sizes of what moves, but no more than that many.
 constexpr double sizes_per_piece = 8;
 constexpr int max_pieces = 64;
 
-double depth_of(const Convex& c, bool is_known) {
-    if (c.kind == Convex::Kind::polygon) return 0;
-    return is_known ? known_depth_part * c.extent : std::max(core_depth, core_depth_part * c.extent);
+// What is looked at: cores, those of contacts that the solver knows, or the shapes themselves.
+enum class Layer { core, known_core, skin };
+
+double depth_of(const Convex& c, Layer layer) {
+    if (c.kind == Convex::Kind::polygon || layer == Layer::skin) return 0;
+    return layer == Layer::known_core ? known_depth_part * c.extent : std::max(core_depth, core_depth_part * c.extent);
+}
+double tolerance_of(const Convex& c, Layer layer) {
+    if (layer == Layer::skin) return std::min(touch_tolerance, touch_tolerance_part * c.extent);
+    return tolerance_part * depth_of(c, layer);
 }
 
 // What is known of a shape on its way.
 class Mover {
   public:
-    Mover(const SweptShape& s, bool is_known) : is_known(is_known), s_(s), turn_(length(s.path.turn)) {
+    Mover(const SweptShape& s, Layer layer) : layer(layer), s_(s), turn_(length(s.path.turn)) {
         const double ball = is_ball() ? 0 : s.geometry.bounding_radius;
         const DVec3 to_middle = middle_offset();
         const DVec3 arm = math::rotate(s.path.rotation, to_middle);
@@ -69,8 +78,8 @@ class Mover {
     // How far its points move about its middle, at most.
     double turning() const { return is_ball() ? 0 : turn_ * s_.geometry.bounding_radius; }
     DVec3 middle_offset() const { return s_.offset + local_middle(); } // from the center of mass, in the body's frame
-    const bool is_known;                                               // the contact, to the solver
-    math::DVec3 start, end;                                            // of the middle of its bounds
+    const Layer layer;
+    math::DVec3 start, end; // of the middle of its bounds
 
   private:
     DVec3 local_middle() const {
@@ -95,11 +104,11 @@ double next_stop(const Mover& a, const Mover& b, double time, double end) {
     return end;
 }
 
-// Advances from `begin` to `end`. gap(time) tells how far the cores are apart; depth: of the core that is looked at.
-template <class F> double advance(const Mover& a, const Mover& b, double depth, double begin, double end, F&& gap_at) {
+// Advances from `begin` to `end`. gap(time) tells how far the cores are apart.
+template <class F>
+double advance(const Mover& a, const Mover& b, double tolerance, double begin, double end, F&& gap_at) {
     double time = begin;
     Gap gap = gap_at(time);
-    const double tolerance = tolerance_part * depth;
     if (!(gap.distance > tolerance)) return begin > 0 ? begin : overlapped;
     for (int round = 0; round < max_rounds; ++round) {
         if (!(gap.distance > tolerance)) return time;
@@ -123,7 +132,7 @@ Convex core_at(const Mover& m, double time, DVec3 near, double reach) {
     const DQuat q = m.rotation_at(pose);
     const Geometry part = near_part(m.shape().geometry, center, q, near, reach);
     const Convex whole = make_convex(part, m.shape().data, center, q);
-    return shrunk(whole, depth_of(whole, m.is_known));
+    return shrunk(whole, depth_of(whole, m.layer));
 }
 Convex core_at(const Mover& m, double time) { return core_at(m, time, {}, 0); }
 
@@ -158,7 +167,7 @@ double meeting_of_convexes(const Mover& a, const Mover& b, double begin) {
         return never;
     DVec3 guess = b.start - from;
     if (begin == 0 && stay_apart_along(guess, first, second, a, b, begin)) return never;
-    return advance(a, b, depth_of(first, a.is_known), begin, 1,
+    return advance(a, b, tolerance_of(first, a.layer), begin, 1,
                    [&](double time) { return gap_of(core_at(a, time), core_at(b, time, from, reach), guess); });
 }
 
@@ -168,7 +177,7 @@ double meeting_with_plane(const Mover& a, const Mover& b, double begin) {
     double side = 1;
     if (b.shape().geometry.is_double_sided && height_of(a.start, 0) < 0) side = -1;
     const Convex start = core_at(a, 0);
-    return advance(a, b, depth_of(start, a.is_known), begin, 1, [&](double time) -> Gap {
+    return advance(a, b, tolerance_of(start, a.layer), begin, 1, [&](double time) -> Gap {
         const Convex c = core_at(a, time);
         const Core core = exact_core(c);
         const DVec3 down = -side * up_at(time);
@@ -214,7 +223,7 @@ double meeting_with_triangles(const Mover& a, const Mover& b, double from) {
                 if (const Convex face = triangle_at(t, begin); begins_in_front(middle(mover), face)) {
                     DVec3 guess = face.center - mover.center;
                     const double time =
-                        advance(a, b, depth_of(mover, a.is_known), begin, std::min(end, best),
+                        advance(a, b, tolerance_of(mover, a.layer), begin, std::min(end, best),
                                 [&](double at) { return gap_of(core_at(a, at), triangle_at(t, at), guess); });
                     if (time == overlapped)
                         overlaps = true;
@@ -281,15 +290,21 @@ RigidPath::Pose RigidPath::at(double time) const {
 }
 
 double time_of_meeting(const SweptShape& a, const SweptShape& b, bool is_known, double from) {
-    const Mover first(a, is_known), second(b, is_known);
+    const Layer layer = is_known ? Layer::known_core : Layer::core;
+    const Mover first(a, layer), second(b, layer);
     if (stay_together(first, second)) return never;
     const double time = meeting_of(first, second, from);
     if (time != overlapped) return time;
     // What begins too deep goes no deeper than up to its middle.
     const Geometry ball = ball_inside(first);
     const SweptShape inside{ball, a.data, first.middle_offset(), a.path, a.until};
-    const double deeper = meeting_of(Mover(inside, is_known), second, from);
+    const double deeper = meeting_of(Mover(inside, layer), second, from);
     return deeper == overlapped ? never : deeper;
+}
+
+double time_of_touch(const SweptShape& a, const SweptShape& b) {
+    const double time = meeting_of(Mover(a, Layer::skin), Mover(b, Layer::skin), 0);
+    return time == overlapped ? 0 : time;
 }
 
 } // namespace cairn

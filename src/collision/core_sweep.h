@@ -55,4 +55,7 @@ inline constexpr double never = 2;
 inline constexpr double free_share = 0.5;
 double time_of_meeting(const SweptShape& a, const SweptShape& b, bool is_known, double from = 0);
 
+// Likewise of the shapes themselves; 0 if they overlap at the start.
+double time_of_touch(const SweptShape& a, const SweptShape& b);
+
 } // namespace cairn

@@ -168,12 +168,31 @@ float min_separation(const ContactInfo& c, const ContactRecord& r) {
     return least;
 }
 
-void write_record(State& s, std::uint32_t id, const Manifold& m) {
+namespace {
+
+// The separations that points have at the start of the step, if they are those of a record at the touch. By the motion
+// of anchors, as in refresh_separations: so that the solver finds them again at the touch.
+void move_to_start(const Touch& touch, int count, ContactRecord& r) {
+    const math::DVec3 n = math::to_double(to_vec(r.normal)), d = math::to_double(to_vec(r.center_offset));
+    const math::DVec3 round_a = double(r.radius_a) * n, round_b = double(r.radius_b) * n;
+    for (int i = 0; i < count; ++i) {
+        const math::DVec3 arm = math::to_double(to_vec(point_of(r, i)));
+        const math::DVec3 a = arm - round_a, b = arm + d + round_b;
+        const math::DVec3 by_a = touch.moved_a + (math::rotate(touch.turned_a, a) - a);
+        const math::DVec3 by_b = touch.moved_b + (math::rotate(touch.turned_b, b) - b);
+        point_of(r, i)[3] -= float(math::dot(n, by_b - by_a));
+    }
+}
+
+} // namespace
+
+void write_record(State& s, std::uint32_t id, const Manifold& m, const Touch* touch) {
     ContactInfo& c = s.contacts[id];
     ContactRecord& r = s.records[id];
-    math::Vec3 normal = to_vec(m.normal), offset = s.shapes[c.shape_a].arm;
+    math::Vec3 normal = to_vec(m.normal), offset = touch ? touch->arm_a : s.shapes[c.shape_a].arm;
     if (c.flipped) {
-        const ShapePose &a = s.shape_poses[c.shape_a], &b = s.shape_poses[c.shape_b];
+        const ShapePose& a = touch ? touch->pose_a : s.shape_poses[c.shape_a];
+        const ShapePose& b = touch ? touch->pose_b : s.shape_poses[c.shape_b];
         offset = offset - ((to_vec(a.high) - to_vec(b.high)) + (to_vec(a.low) - to_vec(b.low)));
         normal = -normal;
     }
@@ -192,6 +211,8 @@ void write_record(State& s, std::uint32_t id, const Manifold& m) {
         r.radius_a = contact_radius(s, c.shape_a, normal, m.points[0][3]);
         r.radius_b = contact_radius(s, c.shape_b, normal, m.points[0][3]);
     }
+    r.touch_time = touch ? touch->time : 0;
+    if (touch) move_to_start(*touch, m.count, r);
     c.point_count = std::uint8_t(m.count);
     r.features = packed_features(m);
     if (stay) return;
@@ -212,7 +233,8 @@ void advance_record(const State& s, const ContactInfo& c, ContactRecord& r) {
         const math::Vec3 now_b = math::rotate(qb, arm + d + round_b) - round_b;
         // Anchors that were one point: how far they have come apart, B's relative to A's.
         point[3] += math::dot(n, now_b - offset - now_a);
-        put(point, 0.5f * (now_a + (now_b - offset))); // midway between the two
+        // Midway between the two, which have passed each other since the touch.
+        put(point, r.touch_time > 0 ? now_a : 0.5f * (now_a + (now_b - offset)));
     }
     put(r.center_offset, offset);
 }

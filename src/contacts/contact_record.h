@@ -1,6 +1,7 @@
 // The points of a contact: from the kernel's manifold to the record, with the impulses of the last step.
 #pragma once
 
+#include "contacts/touch.h"
 #include "state/state.h"
 
 namespace cairn {
@@ -11,7 +12,8 @@ inline float* point_of(ContactRecord& r, int i) { return i == 0 ? r.first_point 
 inline float total_of(const ContactRecord& r, int i) { return i == 0 ? r.first_total : r.more_totals[i - 1]; }
 
 // Writes the record of a contact from the kernel's manifold, which has points. Impulses go on where points stay.
-void write_record(State& state, std::uint32_t contact, const Manifold& manifold);
+// `touch`: the poses that the manifold is of, if they are not those at the start of the step.
+void write_record(State& state, std::uint32_t contact, const Manifold& manifold, const Touch* touch = nullptr);
 // Of the points of a contact that has some.
 float min_separation(const ContactInfo& contact, const ContactRecord& record);
 // `count`: how many points it has.

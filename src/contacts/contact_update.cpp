@@ -102,8 +102,8 @@ bool moves(const State& s, std::int32_t body) {
 // Of the points of a record.
 float approach_speed(const State& s, const ContactInfo& c, const ContactRecord& r) {
     const BodyMotion &a = s.motion[c.body_a], &b = s.motion[c.body_b];
-    return greatest_approach(a, b, to_vec(r.normal), to_vec(r.center_offset), c.point_count,
-                             [&](int i) { return to_vec(point_of(r, i)); });
+    const math::Vec3 d = to_vec(r.center_offset) + r.touch_time * (a.v - b.v); // at the touch
+    return greatest_approach(a, b, to_vec(r.normal), d, c.point_count, [&](int i) { return to_vec(point_of(r, i)); });
 }
 
 // The outcome of a contact that stays.
@@ -180,17 +180,20 @@ std::uint8_t take_distance(State& s, std::uint32_t id, float distance) {
     return c.point_count == 0 ? apart : ended;
 }
 
-std::uint8_t take_manifold(State& s, std::uint32_t id, const Manifold& m, float dt) {
+std::uint8_t take_manifold(State& s, std::uint32_t id, const Manifold& m, float dt, const Touch* touch) {
     ContactInfo& c = s.contacts[id];
-    if (m.count == 0 || stays_apart(s, c, m, dt)) {
+    if (m.count == 0 || (!touch && stays_apart(s, c, m, dt))) {
         // Along which they are apart; wide kernels do not say.
         if (c.kind == PairKind::convex_convex && !c.is_trigger) math::put(s.records[id].normal, to_vec(m.normal));
         return take_distance(s, id, m.count == 0 ? m.points[0][3] : 0.0f);
     }
-    keep_answer(s, id, 0);
+    if (touch)
+        drop_answer(s, id);
+    else
+        keep_answer(s, id, 0);
     if (c.is_trigger) return trigger_outcome(c, true);
     const bool is_new = c.point_count == 0;
-    write_record(s, id, m);
+    write_record(s, id, m, touch);
     ContactRecord& r = s.records[id];
     if (!c.touching) r.approach_speed = approach_speed(s, c, r);
     return is_new ? std::uint8_t(begun) : going_on(s, c);

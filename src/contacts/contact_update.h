@@ -1,6 +1,7 @@
 // What the test of a pair makes of its contact: record, events, islands, colors, sleep.
 #pragma once
 
+#include "contacts/touch.h"
 #include "state/state.h"
 
 namespace cairn {
@@ -26,7 +27,9 @@ float contact_margin(const State& state, const ContactInfo& contact, float dt);
 // bodies move now.
 bool stays_apart(const State& state, const ContactInfo& contact, const Manifold& manifold, float dt);
 // One result of a test becomes the record of the contact; others may be at work on other contacts. An Outcome.
-std::uint8_t take_manifold(State& state, std::uint32_t contact, const Manifold& manifold, float dt);
+// `touch`: as of write_record.
+std::uint8_t take_manifold(State& state, std::uint32_t contact, const Manifold& manifold, float dt,
+                           const Touch* touch = nullptr);
 // Likewise of a pair that is found apart, by so many meters at least if that is known.
 std::uint8_t take_distance(State& state, std::uint32_t contact, float distance);
 std::uint8_t trigger_outcome(const ContactInfo& contact, bool inside);

@@ -57,9 +57,13 @@ double reach(const State& s, std::uint32_t shape, math::DVec3 n, math::DVec3 fro
     }
 }
 
-// Where the other surface is, relative to the body's center of mass.
-math::Vec3 other_surface(const ContactRecord& r, int i) {
-    return to_vec(point_of(r, i)) + 0.5f * point_of(r, i)[3] * to_vec(r.normal);
+// Where the other surface is, relative to the body's center of mass. It does not move, but the body does up to the
+// touch.
+math::Vec3 other_surface(const State& s, std::uint32_t contact, int i) {
+    const ContactRecord& r = s.records[contact];
+    const math::Vec3 point = to_vec(point_of(r, i));
+    if (r.touch_time > 0) return point + r.touch_time * s.motion[s.contacts[contact].body_a].v;
+    return point + 0.5f * point_of(r, i)[3] * to_vec(r.normal);
 }
 
 // Whether `c` is an edge in the plane of the deeper contact.
@@ -68,13 +72,13 @@ bool is_internal_edge(const State& s, std::uint32_t deeper, std::uint32_t c, flo
     const ContactRecord &r = s.records[c], &plane = s.records[deeper];
     const math::Vec3 up = -to_vec(plane.normal);
     if (info.shape_b == over.shape_b || is_same(to_vec(plane.normal), to_vec(r.normal))) return false;
-    const math::Vec3 origin = other_surface(plane, 0);
+    const math::Vec3 origin = other_surface(s, deeper, 0);
     const float radius = s.bodies[info.body_a].radius;
     const float tolerance =
         std::min(flatness * (radius + s.geometry[info.shape_b].bounding_radius), max_flatness * radius);
     bool is_in_plane = true;
     for (int i = 0; i < info.point_count; ++i) {
-        const float height = math::dot(up, other_surface(r, i) - origin);
+        const float height = math::dot(up, other_surface(s, c, i) - origin);
         is_in_plane = is_in_plane && height <= tolerance && height >= -depth - tolerance;
     }
     const math::DVec3 point = s.motion[info.body_a].x + math::to_double(origin), n = math::to_double(up);

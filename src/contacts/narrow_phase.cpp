@@ -9,6 +9,7 @@
 #include "contacts/pairs.h"
 #include "contacts/patches.h"
 #include "contacts/prefetch.h"
+#include "contacts/touch.h"
 #include "core/cache.h"
 
 #include <algorithm>
@@ -24,6 +25,17 @@ constexpr int pairs_per_chunk = 512; // for threads
 constexpr int convex_pairs_per_chunk = 32, groups_per_chunk = 8, moved_pairs_per_chunk = 128;
 
 constexpr float little_turn = 0.1f; // rad in a pass: contacts may be moved along
+
+// What a test at the start of the step has found; what moves far is asked again at the touch.
+std::uint8_t take_test(State& s, std::uint32_t id, const Manifold& m, float dt) {
+    const ContactInfo& c = s.contacts[id];
+    if (!moves_far(s, c, m, dt)) return take_manifold(s, id, m, dt);
+    Touch touch;
+    const Approach approach = find_touch(s, c, dt, touch);
+    if (approach == Approach::touches_now) return take_manifold(s, id, m, dt);
+    if (approach == Approach::passes) return take_distance(s, id, 0);
+    return take_manifold(s, id, manifold_at(s, c, touch), dt, &touch);
+}
 
 // Up to PairBatch::capacity pairs of one kind, by their places among all.
 void test_wide_pairs(State& s, PairKind kind, int begin, int end, NarrowBatch& own, float dt) {
@@ -57,7 +69,7 @@ void test_wide_pairs(State& s, PairKind kind, int begin, int end, NarrowBatch& o
             if (may_be_round(kind))
                 for (const std::uint32_t shape : {batch.first[next], batch.second[next]}) ask_cache(&s.geometry[shape]);
         }
-        s.narrow.outcomes[places[i]] = take_manifold(s, ids[i], own.manifolds[i], dt);
+        s.narrow.outcomes[places[i]] = take_test(s, ids[i], own.manifolds[i], dt);
     }
 }
 
@@ -83,7 +95,7 @@ void test_convex_pairs(State& s, PairKind kind, int begin, int end, float dt) {
         }
         ContactMemory memory = s.records[id].features;
         const Manifold m = test_convex_pair(kind, a, b, to_vec(s.records[id].normal), margin, memory);
-        s.narrow.outcomes[place] = take_manifold(s, id, m, dt);
+        s.narrow.outcomes[place] = take_test(s, id, m, dt);
         if (kind == PairKind::convex_convex) s.records[id].features = memory; // also of those that are apart
     }
 }

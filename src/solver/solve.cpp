@@ -156,7 +156,7 @@ void solve_batch(State& s, const IslandBatch& batch, BatchScratch& scratch, Thre
         prepare_free_motion(s, scratch, thread_pool, dt / float(batch.substeps), batch.bounces);
         for_blocks(scratch, thread_pool, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
             k.prepare(blocks_of(scratch, run), run.count, lanes_of(scratch, run), s.records.data(),
-                      scratch.inertia.data());
+                      scratch.inertia.data(), scratch.velocity.data());
         });
         const double prepare_ms = milliseconds_since(start);
         scratch.prepare_ms += prepare_ms;

@@ -93,9 +93,9 @@ CAIRN_INLINE Rebound rebound_of(const ContactBlock<N>& block, const Meeting<N>& 
                    settings);
 }
 
-// By how much each point's arm for A will have moved when B has passed A by -`passed`. The point stays with the sphere
-// or, between two boxes, midway, and with A where B cannot move; between two spheres the normal turns with the line of
-// centers.
+// By how much each point's arm for A will have moved when B has passed A by -`passed` since the pose that it is of. The
+// point stays with the sphere or, between two boxes, midway, and with A where B cannot move; between two spheres the
+// normal turns with the line of centers.
 template <int N> CAIRN_INLINE Vec3x8 turn_to_impact(const ContactBlock<N>& block, Vec3x8 passed, Vec3x8& normal) {
     const f32x8 box_share = select(load(block.mass_b) == zero(), zero(), splat(0.5f));
     if constexpr (N == 1) {
@@ -119,8 +119,8 @@ CAIRN_INLINE Meeting<N> meeting_later(const ContactBlock<N>& block, const Meetin
                                       const Velocityx8& b, const Surroundings& around, float h) {
     Meeting<N> m = now;
     const Vec3x8 passed = splat(h) * (around.other_a.v - around.other_b.v) - (splat(h) * now.correction) * (a.v - b.v);
-    const Vec3x8 shift = turn_to_impact(block, passed, m.normal);
     m.d = now.d + passed;
+    const Vec3x8 shift = turn_to_impact(block, m.d - load3(block.d_touch), m.normal);
     m.center = now.center + shift;
     const Vec3x8 c = cross(m.d, m.normal), moved = cross(shift, m.normal);
     for (int i = 0; i < N; ++i) {

@@ -27,7 +27,7 @@ alignas(64) const ContactRecord empty_record = {
     .radius_a = 0,
     .radius_b = 0,
     .features = 0,
-    .padding = 0,
+    .touch_time = 0,
     .more_points = {{0, 0, 0, 1e30f}, {0, 0, 0, 1e30f}, {0, 0, 0, 1e30f}},
     .more_totals = {},
     .more_padding = 0,
@@ -192,10 +192,19 @@ template <int N> CAIRN_INLINE void store_inertia(ContactBlock<N>& block, const S
     }
 }
 
+// From B's center of mass to A's at the touch.
+CAIRN_INLINE Vec3x8 offset_at_touch(Vec3x8 d, f32x8 touch_time, const std::int32_t* row_a, const std::int32_t* row_b,
+                                    const SolverVelocity* velocity) {
+    if (!any(touch_time > zero())) return d;
+    std::uint32_t a[8], b[8];
+    for (int i = 0; i < 8; ++i) a[i] = std::uint32_t(row_a[i]) * row_bytes, b[i] = std::uint32_t(row_b[i]) * row_bytes;
+    return d + touch_time * (gather_velocity(velocity, a).v - gather_velocity(velocity, b).v);
+}
+
 template <int N>
 CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids, const std::int32_t* row_a,
                                 const std::int32_t* row_b, const ContactRecord* records, const SolverInertia* inertia,
-                                std::int32_t discard_row) {
+                                const SolverVelocity* velocity, std::int32_t discard_row) {
     const std::uint32_t discard = std::uint32_t(discard_row) * row_bytes;
     const ContactRecord* record[8];
     for (int i = 0; i < 8; ++i) {
@@ -210,7 +219,6 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
     f32x8 friction, restitution;
     gather_field(record, offsetof(ContactRecord, normal), normal.x, normal.y, normal.z, friction);
     gather_field(record, offsetof(ContactRecord, center_offset), d.x, d.y, d.z, restitution);
-    const Vec3x8 c = cross(d, normal);
     store3(block.normal, normal);
     store3(block.d0, d);
     store3(block.d, d);
@@ -230,26 +238,28 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
     store(block.rolling_radius, rolling_radius);
     block.rolls = any(rolling_radius > zero());
     store(block.torsion_radius, torsion_radius);
-    f32x8 radius_a, radius_b;
-    gather_field(record, offsetof(ContactRecord, radius_a), radius_a, radius_b, unused, unused);
+    f32x8 radius_a, radius_b, touch_time;
+    gather_field(record, offsetof(ContactRecord, radius_a), radius_a, radius_b, unused, touch_time);
     store(block.radius_a, radius_a);
     store(block.radius_b, radius_b);
     block.round = any((radius_a > zero()) | (radius_b > zero()));
 
-    const Vec3x8 center = prepare_points<N>(block, record, normal, c, a, b);
-    prepare_friction<N>(block, record, normal, d, center, a, b);
+    const Vec3x8 d_touch = offset_at_touch(d, touch_time, row_a, row_b, velocity);
+    store3(block.d_touch, d_touch);
+    const Vec3x8 center = prepare_points<N>(block, record, normal, cross(d_touch, normal), a, b);
+    prepare_friction<N>(block, record, normal, d_touch, center, a, b);
 }
 
 } // namespace
 
 template <int N>
 void prepare_contacts(void* blocks, int count, const ContactLanes& lanes, const ContactRecord* records,
-                      const SolverInertia* inertia) {
+                      const SolverInertia* inertia, const SolverVelocity* velocity) {
     auto* block = static_cast<ContactBlock<N>*>(blocks);
     for (int k = 0; k < count; ++k) {
         if (k + 1 < count) prefetch_records<N>(lanes.record + 8 * (k + 1), records);
         prepare_block<N>(block[k], lanes.record + 8 * k, lanes.row_a + 8 * k, lanes.row_b + 8 * k, records, inertia,
-                         lanes.first_discard + k);
+                         velocity, lanes.first_discard + k);
     }
 }
 
@@ -317,8 +327,10 @@ void store_contacts(const void* blocks, int count, const ContactLanes& lanes, Co
     }
 }
 
-template void prepare_contacts<1>(void*, int, const ContactLanes&, const ContactRecord*, const SolverInertia*);
-template void prepare_contacts<4>(void*, int, const ContactLanes&, const ContactRecord*, const SolverInertia*);
+template void prepare_contacts<1>(void*, int, const ContactLanes&, const ContactRecord*, const SolverInertia*,
+                                  const SolverVelocity*);
+template void prepare_contacts<4>(void*, int, const ContactLanes&, const ContactRecord*, const SolverInertia*,
+                                  const SolverVelocity*);
 template void store_contacts<1>(const void*, int, const ContactLanes&, ContactRecord*, ContactReport*);
 template void store_contacts<4>(const void*, int, const ContactLanes&, ContactRecord*, ContactReport*);
 

@@ -38,16 +38,17 @@ CAIRN_INLINE Vec3x8 turned_back_difference(Quatx8 q, Vec3x8 n) {
 // lane must not depend on what shares its block.
 template <int N, class Among>
 CAIRN_INLINE void refresh_arm(ContactBlock<N>& block, Vec3x8 normal, Vec3x8 passed, Among&& among) {
-    const Vec3x8 d0 = load3(block.d0), old = load3(block.d);
+    const Vec3x8 fitting = load3(block.d_touch), old = load3(block.d);
     const f32x8 arm_square = load(block.arm_b_square);
-    Vec3x8 d = d0 + passed, change = d - old;
+    Vec3x8 d = load3(block.d0) + passed, change = d - old;
     const mask8 moves = among(dot(change, change) > splat(min_passing * min_passing) * arm_square);
     if (!any(moves)) return;
-    // Only as far as the couplings K, which are those of the start, still fit.
-    const f32x8 limit = splat(max_passing * max_passing) * arm_square, square = dot(passed, passed);
+    // Only as far as the couplings K, which are those of the touch, still fit.
+    const Vec3x8 beyond = d - fitting;
+    const f32x8 limit = splat(max_passing * max_passing) * arm_square, square = dot(beyond, beyond);
     const mask8 far = square > limit;
     if (any(far)) {
-        d = d0 + select(far, sqrt(limit / select(far, square, one())), one()) * passed;
+        d = select(far, fitting + sqrt(limit / select(far, square, one())) * beyond, d);
         change = d - old;
     }
     store3(block.d, select(moves, d, old));

@@ -48,7 +48,7 @@ inline constexpr std::int32_t fixed_row = 0, first_body_row = 1;
 struct alignas(64) ContactRecord {
     float normal[3];        // unit, from A to B
     float friction;         // combined dynamic coefficient
-    float center_offset[3]; // center of mass of A minus that of B
+    float center_offset[3]; // center of mass of A minus that of B, at the start of the step
     float restitution;
     float first_point[4]; // arm from A's center of mass, and separation
     float impulses[4];    // normal impulses of the last substep, N s; the warm start
@@ -64,7 +64,7 @@ struct alignas(64) ContactRecord {
     float radius_a, radius_b;  // of a round surface, from its center or axis to the point; 0 for flat ones
     std::uint32_t features;    // the lowest byte of each point's feature, the first point's lowest; or no_features; of
                                // two convex shapes that no wide kernel tests: a ContactMemory
-    float padding;
+    float touch_time;          // s: 0, or when in the step the shapes are where normal and points are of
 
     float more_points[3][4]; // unused: {0, 0, 0, 1e30}
     float more_totals[3];
@@ -110,8 +110,9 @@ template <int N> struct alignas(64) ContactBlock : PointRows<N> {
     std::uint8_t struck_once, struck_twice; // likewise, in this step
     // Used by relax only.
     alignas(32) float d0[3][8];     // d at the start of the step
+    float d_touch[3][8];            // where the couplings are of: at the touch, or the start of the step
     float radius_a[8], radius_b[8]; // of round surfaces, see refresh_separations
-    float arm_b_square[8];          // of the friction center's arm for B, at the start of the step
+    float arm_b_square[8];          // of the friction center's arm for B, where the couplings are of
     float tangent[3][8];            // the second tangent is this x normal
     float tangent_mass[3][8];       // inverse of the 2x2 tangential K: 11, 12, 22
     float torsion_mass[8], torsion_coupling[2][8];
@@ -198,7 +199,7 @@ struct SolverKernels {
     // The blocks argument of each is an array of ContactBlock<1> or ContactBlock<4>.
     struct ForPoints {
         void (*prepare)(void* blocks, int count, const ContactLanes& lanes, const ContactRecord* records,
-                        const SolverInertia* inertia);
+                        const SolverInertia* inertia, const SolverVelocity* velocity);
         void (*warm_start)(const void* blocks, int count, SolverVelocity* velocity);
         // `bounce` changes velocity_correction, which must be there.
         // `solve` and `relax` return the number of blocks with lanes that were struck.

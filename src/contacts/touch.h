@@ -1,0 +1,29 @@
+// Contacts of what moves far in a step: at the poses at which the shapes will touch.
+#pragma once
+
+#include "state/state.h"
+
+namespace cairn {
+
+// A pair as it will be when it touches.
+struct Touch {
+    float time = 0; // s from the start of the step
+    ShapePose pose_a, pose_b;
+    math::Vec3 arm_a, arm_b;      // from the bodies' centers of mass to the shapes' origins
+    math::DVec3 moved_a, moved_b; // of the centers of mass, since the start of the step
+    math::DQuat turned_a, turned_b;
+};
+
+// Whether two shapes that are apart move so far against each other in the step that the normal and the points of its
+// start may not be those of the touch: farther than the margin of the contact. Bodies with joints do not move as their
+// velocities say.
+bool moves_far(const State& state, const ContactInfo& contact, const Manifold& manifold, float dt);
+
+enum class Approach { passes, touches_now, touches_later };
+// When and where the two will touch, as their velocities and forces say; `touch` is written if they do later.
+Approach find_touch(const State& state, const ContactInfo& contact, float dt, Touch& touch);
+
+// The manifold of a pair that is no group, at the touch.
+Manifold manifold_at(const State& state, const ContactInfo& contact, const Touch& touch);
+
+} // namespace cairn
