@@ -64,10 +64,10 @@ template <int N> CAIRN_INLINE void find_velocities(const Velocityx8& a, const Ve
 
 // As they are at the start of the substep.
 template <int N>
-CAIRN_INLINE Meeting<N> meeting_now(const ContactBlock<N>& block, const Velocityx8& a, const Velocityx8& b) {
+CAIRN_INLINE Meeting<N> meeting_now(const ContactBlock<N>& block, Vec3x8 d, const Velocityx8& a, const Velocityx8& b) {
     Meeting<N> m;
     m.normal = load3(block.normal);
-    m.d = load3(block.d);
+    m.d = d;
     m.center = load3(block.center);
     m.correction = zero();
     const Vec3x8 c = cross(m.d, m.normal);
@@ -216,13 +216,22 @@ CAIRN_INLINE void add_to_rows(SolverVelocity* rows, const std::uint32_t* row, co
     scatter_velocity(rows, write, r);
 }
 
+// How far A has moved beside B since the start of the step.
+CAIRN_INLINE Vec3x8 passed_of(const SolverPose* pose, const std::uint32_t* a, const std::uint32_t* b) {
+    const auto* rows = reinterpret_cast<const SolverVelocity*>(pose); // dx is where v is
+    return gather_velocity(rows, a).v - gather_velocity(rows, b).v;
+}
+
 // One block; whether anything bounced.
 template <int N>
 CAIRN_INLINE bool bounce_block(ContactBlock<N>& block, const SolverBodies& bodies, const BounceSettings& settings) {
     if (!block.bounces) return false;
     Velocityx8 a = gather_velocity(bodies.velocity, block.a), b = gather_velocity(bodies.velocity, block.b);
-    Meeting<N> now = meeting_now(block, a, b);
+    Meeting<N> now = meeting_now(block, load3(block.d), a, b);
     mask8 arrives[N];
+    if (!any(arriving(block, now, settings, arrives))) return false;
+    // What is carried over acts at arms that do not go too far (refresh_arm); what bounces is where it is.
+    now = meeting_now(block, load3(block.d0) + passed_of(bodies.pose, block.a, block.b), a, b);
     if (!any(arriving(block, now, settings, arrives))) return false;
     const Surroundings around = {gather_twist(bodies.drive, block.a), gather_twist(bodies.drive, block.b),
                                  gather_twist(bodies.velocity_correction, block.a),
