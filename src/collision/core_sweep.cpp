@@ -73,6 +73,8 @@ class Mover {
         if (time >= s_.until) return 0;
         return dot(n, s_.path.translation) + length(math::cross(n, s_.path.turn)) * reach_;
     }
+    // Of any point, at most.
+    double speed() const { return length(s_.path.translation) + turn_ * reach_; }
     // How far the middle is from the straight line between two of its places, at most.
     double sagitta() const { return s_.path.sagitta(reach_); }
     // How far its points move about its middle, at most.
@@ -95,6 +97,7 @@ constexpr double overlapped = -1; // a time: from the start
 struct Gap {
     double distance;
     DVec3 normal; // from a to b
+    DVec3 on_a;   // the nearest point
 };
 
 // Until when the larger of the rates at which two come nearer stays what it is.
@@ -104,25 +107,96 @@ double next_stop(const Mover& a, const Mover& b, double time, double end) {
     return end;
 }
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// How two shapes come near each other.
+struct Course {
+    double meeting = never;    // a time, or `overlapped`
+    double nearest = 0;        // where they do not meet: when they are nearest,
+    Gap gap{infinity, {}, {}}; // and how near
+
+    void take(const Course& other) {
+        meeting = std::min(meeting, other.meeting);
+        if (other.gap.distance < gap.distance) nearest = other.nearest, gap = other.gap;
+    }
+};
+
+// What is asked of a course: it ends when the shapes are as near as `tolerance`; how near they come matters up to
+// `within`.
+struct Question {
+    double tolerance, within = 0;
+};
+
+// The times around the least of the distances that were seen.
+class Bracket {
+  public:
+    void see(double time, double distance) {
+        if (distance < distance_[1])
+            time_[0] = last_time_, distance_[0] = last_, time_[1] = time, distance_[1] = distance, is_open_ = true;
+        else if (is_open_)
+            time_[2] = time, distance_[2] = distance, is_open_ = false;
+        last_time_ = time, last_ = distance;
+    }
+    // Between distances that change no faster than `speed`, it is found to a hundredth of what it is: by golden
+    // sections.
+    template <class F> Course least(double speed, double within, F&& gap_at) const {
+        const bool has_before = time_[0] < time_[1], has_after = !is_open_ && time_[2] > time_[1];
+        double lo = has_before ? time_[0] : time_[1], hi = has_after ? time_[2] : time_[1];
+        double bound = distance_[1]; // on all between
+        if (has_before) bound = std::min(bound, 0.5 * (distance_[0] + distance_[1] - speed * (time_[1] - lo)));
+        if (has_after) bound = std::min(bound, 0.5 * (distance_[2] + distance_[1] - speed * (hi - time_[1])));
+        if (bound > within) return {};
+        Course best{never, time_[1], gap_at(time_[1])};
+        constexpr double golden = 0.6180339887498949;
+        double left = hi - golden * (hi - lo), right = lo + golden * (hi - lo);
+        Gap at_left = gap_at(left), at_right = gap_at(right);
+        for (int round = 0; round < max_sections && speed * (hi - lo) > section_part * best.gap.distance; ++round) {
+            if (at_left.distance < at_right.distance) {
+                hi = right, right = left, at_right = at_left;
+                left = hi - golden * (hi - lo), at_left = gap_at(left);
+            } else {
+                lo = left, left = right, at_left = at_right;
+                right = lo + golden * (hi - lo), at_right = gap_at(right);
+            }
+            best.take({never, left, at_left});
+            best.take({never, right, at_right});
+        }
+        return best;
+    }
+
+  private:
+    static constexpr int max_sections = 40;
+    static constexpr double section_part = 0.01;
+    double time_[3] = {}, distance_[3] = {infinity, infinity, infinity}; // before, at and after the least
+    double last_time_ = 0, last_ = infinity;
+    bool is_open_ = false; // nothing was seen after it
+};
+
 // Advances from `begin` to `end`. gap(time) tells how far the cores are apart.
 template <class F>
-double advance(const Mover& a, const Mover& b, double tolerance, double begin, double end, F&& gap_at) {
+Course advance(const Mover& a, const Mover& b, Question question, double begin, double end, F&& gap_at) {
     double time = begin;
     Gap gap = gap_at(time);
-    if (!(gap.distance > tolerance)) return begin > 0 ? begin : overlapped;
+    if (!(gap.distance > question.tolerance)) return {begin > 0 ? begin : overlapped};
+    Bracket seen;
     for (int round = 0; round < max_rounds; ++round) {
-        if (!(gap.distance > tolerance)) return time;
+        if (!(gap.distance > question.tolerance)) return {time};
+        seen.see(time, gap.distance);
         const double speed = a.speed_along(gap.normal, time) + b.speed_along(-gap.normal, time);
         const double stop = next_stop(a, b, time, end); // up to which that is the speed
-        const double step = speed > 0 ? (gap.distance - 0.5 * tolerance) / speed : never;
+        const double step = speed > 0 ? (gap.distance - 0.5 * question.tolerance) / speed : never;
         time += step;
         if (!(time < stop)) {
-            if (!(stop < end)) return never;
+            if (!(stop < end)) {
+                if (!(question.within > 0)) return {};
+                seen.see(end, gap_at(end).distance);
+                return seen.least(a.speed() + b.speed(), question.within, gap_at);
+            }
             time = stop;
         }
         gap = gap_at(time);
     }
-    return time;
+    return {time};
 }
 
 // The core. Of strips, which have no end, of the part near a point.
@@ -139,54 +213,54 @@ Convex core_at(const Mover& m, double time) { return core_at(m, time, {}, 0); }
 Gap gap_of(const Convex& a, const Convex& b, DVec3& guess) {
     const Core core_a = exact_core(a), core_b = exact_core(b);
     const GjkResult r = gjk_distance({core_a, core_b}, guess, std::numeric_limits<double>::infinity(), 1e-6);
-    if (r.state != GjkResult::State::apart) return {-1, {}};
+    if (r.state != GjkResult::State::apart) return {-1, {}, {}};
     guess = r.normal;
-    return {r.distance - (core_a.radius + core_b.radius), r.normal};
+    return {r.distance - (core_a.radius + core_b.radius), r.normal, r.on_a + core_a.radius * r.normal};
 }
 
 // Whether the cores are apart along a direction at the beginning, by more than they come nearer along it. What is cheap
 // to ask, and true of most.
 bool stay_apart_along(DVec3 direction, const Convex& first, const Convex& second, const Mover& a, const Mover& b,
-                      double begin) {
+                      double begin, double within) {
     const double square = dot(direction, direction);
     if (!(square > 0)) return false;
     const DVec3 n = (1 / std::sqrt(square)) * direction;
     const Core core_a = exact_core(first), core_b = exact_core(second);
     const double gap = dot(n, core_support(core_b, -n) - core_support(core_a, n)) - (core_a.radius + core_b.radius);
-    return gap > std::max(0.0, (1 - begin) * (a.speed_along(n, begin) + b.speed_along(-n, begin)));
+    return gap > within + std::max(0.0, (1 - begin) * (a.speed_along(n, begin) + b.speed_along(-n, begin)));
 }
 
 bool begins_in_front(DVec3 point, const Convex& face) { return dot(face.axes.c1, point - face.corners[0]) > 0; }
 
-double meeting_of_convexes(const Mover& a, const Mover& b, double begin) {
+Course course_of_convexes(const Mover& a, const Mover& b, double begin, double within) {
     const DVec3 from = a.start;
     const double reach = length(a.end - from) + a.sagitta() + a.bounding_radius();
     const Convex first = core_at(a, 0), second = core_at(b, 0, from, reach);
     if (second.kind == Convex::Kind::polygon && !b.shape().geometry.is_double_sided &&
         !begins_in_front(middle(first), second))
-        return never;
+        return {};
     DVec3 guess = b.start - from;
-    if (begin == 0 && stay_apart_along(guess, first, second, a, b, begin)) return never;
-    return advance(a, b, tolerance_of(first, a.layer), begin, 1,
+    if (begin == 0 && stay_apart_along(guess, first, second, a, b, begin, within)) return {};
+    return advance(a, b, {tolerance_of(first, a.layer), within}, begin, 1,
                    [&](double time) { return gap_of(core_at(a, time), core_at(b, time, from, reach), guess); });
 }
 
-double meeting_with_plane(const Mover& a, const Mover& b, double begin) {
+Course course_at_plane(const Mover& a, const Mover& b, double begin, double within) {
     const auto up_at = [&](double time) { return math::rotate(b.rotation_at(b.body_at(time)), DVec3{0, 1, 0}); };
     const auto height_of = [&](DVec3 p, double time) { return dot(p - b.origin_at(b.body_at(time)), up_at(time)); };
     double side = 1;
     if (b.shape().geometry.is_double_sided && height_of(a.start, 0) < 0) side = -1;
     const Convex start = core_at(a, 0);
-    return advance(a, b, tolerance_of(start, a.layer), begin, 1, [&](double time) -> Gap {
+    return advance(a, b, {tolerance_of(start, a.layer), within}, begin, 1, [&](double time) -> Gap {
         const Convex c = core_at(a, time);
         const Core core = exact_core(c);
-        const DVec3 down = -side * up_at(time);
-        return {side * height_of(core_support(core, down), time) - core.radius, down};
+        const DVec3 down = -side * up_at(time), lowest = core_support(core, down) + core.radius * down;
+        return {side * height_of(lowest, time), down, lowest};
     });
 }
 
 // With the triangles of a mesh or height field, from their front.
-double meeting_with_triangles(const Mover& a, const Mover& b, double from) {
+Course course_at_triangles(const Mover& a, const Mover& b, double from, double within) {
     const auto local_at = [&](double time) { // the middle of a, in the frame of the surface
         const RigidPath::Pose pose = b.body_at(time);
         return math::rotate(math::conjugate(b.rotation_at(pose)), a.middle_at(time) - b.origin_at(pose));
@@ -196,10 +270,10 @@ double meeting_with_triangles(const Mover& a, const Mover& b, double from) {
     const double bend = a.sagitta() + b.shape().path.sagitta(length(start) + length(local_at(1)));
     const double way = length(local_at(1) - start), size = std::max(a.bounding_radius(), 1e-3);
     const int pieces = std::clamp(int(std::min(way / (sizes_per_piece * size), 1e6)) + 1, 1, max_pieces);
-    const double radius = a.bounding_radius() + bend;
-    double best = never;
+    const double radius = a.bounding_radius() + bend + within;
+    Course best;
     bool overlaps = false;
-    for (int piece = 0; piece < pieces && best > 1; ++piece) {
+    for (int piece = 0; piece < pieces && best.meeting > 1; ++piece) {
         const double end = double(piece + 1) / pieces;
         if (!(from < end)) continue;
         const double begin = std::max(from, double(piece) / pieces);
@@ -222,13 +296,13 @@ double meeting_with_triangles(const Mover& a, const Mover& b, double from) {
                 const Triangle t = triangle_of(mesh, index);
                 if (const Convex face = triangle_at(t, begin); begins_in_front(middle(mover), face)) {
                     DVec3 guess = face.center - mover.center;
-                    const double time =
-                        advance(a, b, tolerance_of(mover, a.layer), begin, std::min(end, best),
+                    const Course course =
+                        advance(a, b, {tolerance_of(mover, a.layer), within}, begin, std::min(end, best.meeting),
                                 [&](double at) { return gap_of(core_at(a, at), triangle_at(t, at), guess); });
-                    if (time == overlapped)
+                    if (course.meeting == overlapped)
                         overlaps = true;
                     else
-                        best = std::min(best, time);
+                        best.take(course);
                 }
             });
         };
@@ -237,7 +311,8 @@ double meeting_with_triangles(const Mover& a, const Mover& b, double from) {
         else
             visit(height_field_of(b.shape().data));
     }
-    return overlaps ? overlapped : best;
+    if (overlaps) best.meeting = overlapped;
+    return best;
 }
 
 // Whether they move against each other so little that no core can pass.
@@ -249,23 +324,24 @@ bool stay_together(const Mover& a, const Mover& b) {
 }
 
 // Whether balls around both meet at all, along lines, with what they may be beside them.
-bool may_meet_on_the_way(const Mover& a, const Mover& b) {
+bool may_meet_on_the_way(const Mover& a, const Mover& b, double within) {
     const DVec3 from = b.start - a.start, to = b.end - a.end, way = to - from;
     double sagitta = a.sagitta() + b.sagitta();
     if (a.until() < 1 || b.until() < 1) sagitta += length(way); // no straight line
-    const double reach = a.bounding_radius() + b.bounding_radius() + sagitta, square = dot(way, way);
+    const double reach = a.bounding_radius() + b.bounding_radius() + sagitta + within, square = dot(way, way);
     const double time = square > 0 ? std::clamp(-dot(from, way) / square, 0.0, 1.0) : 0;
     const DVec3 nearest = from + time * way;
     return dot(nearest, nearest) <= reach * reach;
 }
 
-double meeting_of(const Mover& a, const Mover& b, double from) {
+Course course_of(const Mover& a, const Mover& b, double from, double within) {
     const ShapeType type = b.shape().geometry.type;
-    if (type == ShapeType::plane) return meeting_with_plane(a, b, from);
-    if (type == ShapeType::mesh || type == ShapeType::height_field) return meeting_with_triangles(a, b, from);
-    if (!is_strip(b.shape().geometry) && !may_meet_on_the_way(a, b)) return never;
-    return meeting_of_convexes(a, b, from);
+    if (type == ShapeType::plane) return course_at_plane(a, b, from, within);
+    if (type == ShapeType::mesh || type == ShapeType::height_field) return course_at_triangles(a, b, from, within);
+    if (!is_strip(b.shape().geometry) && !may_meet_on_the_way(a, b, within)) return {};
+    return course_of_convexes(a, b, from, within);
 }
+double meeting_of(const Mover& a, const Mover& b, double from) { return course_of(a, b, from, 0).meeting; }
 
 // A ball in the middle of a shape, with half of its smallest half width.
 Geometry ball_inside(const Mover& m) {
@@ -302,9 +378,10 @@ double time_of_meeting(const SweptShape& a, const SweptShape& b, bool is_known, 
     return deeper == overlapped ? never : deeper;
 }
 
-double time_of_touch(const SweptShape& a, const SweptShape& b) {
-    const double time = meeting_of(Mover(a, Layer::skin), Mover(b, Layer::skin), 0);
-    return time == overlapped ? 0 : time;
+Nearness nearness_of(const SweptShape& a, const SweptShape& b, double within) {
+    const Course course = course_of(Mover(a, Layer::skin), Mover(b, Layer::skin), 0, within);
+    if (course.meeting <= 1) return {std::max(course.meeting, 0.0), 0, {}, {}};
+    return {course.nearest, course.gap.distance, course.gap.normal, course.gap.on_a};
 }
 
 } // namespace cairn

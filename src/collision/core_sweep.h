@@ -55,7 +55,12 @@ inline constexpr double never = 2;
 inline constexpr double free_share = 0.5;
 double time_of_meeting(const SweptShape& a, const SweptShape& b, bool is_known, double from = 0);
 
-// Likewise of the shapes themselves; 0 if they overlap at the start.
-double time_of_touch(const SweptShape& a, const SweptShape& b);
+// When the shapes themselves touch, or are nearest to each other, and how far apart they are then: 0 where they touch
+// or overlap from the start, m; infinite if that is more than `within`, m.
+struct Nearness {
+    double time, distance;
+    math::DVec3 normal, on_a; // if they do not touch: the direction to the other, and the nearest point of `a`
+};
+Nearness nearness_of(const SweptShape& a, const SweptShape& b, double within);
 
 } // namespace cairn

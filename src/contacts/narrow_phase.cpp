@@ -32,9 +32,9 @@ std::uint8_t take_test(State& s, std::uint32_t id, const Manifold& m, float dt) 
     if (!moves_far(s, c, m, dt)) return take_manifold(s, id, m, dt);
     Touch touch;
     const Approach approach = find_touch(s, c, dt, touch);
-    if (approach == Approach::touches_now) return take_manifold(s, id, m, dt);
+    if (approach == Approach::now) return take_manifold(s, id, m, dt);
     if (approach == Approach::passes) return take_distance(s, id, 0);
-    return take_manifold(s, id, manifold_at(s, c, touch), dt, &touch);
+    return take_manifold(s, id, touch.manifold, dt, &touch);
 }
 
 // Up to PairBatch::capacity pairs of one kind, by their places among all.

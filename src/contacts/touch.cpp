@@ -53,6 +53,48 @@ PosedBody posed_at(const State& s, std::uint32_t shape, const RigidPath& path, d
     return p;
 }
 
+Manifold manifold_at(const State& s, const ContactInfo& c, const PosedBody& at_a, const PosedBody& at_b) {
+    if (int(c.kind) < wide_kinds) {
+        const ShapePose poses[2] = {c.flipped ? at_b.pose : at_a.pose, c.flipped ? at_a.pose : at_b.pose};
+        std::uint32_t first[8], second[8], features[8];
+        float margins[8];
+        for (int i = 0; i < 8; ++i) first[i] = 0, second[i] = 1, margins[i] = c.base_margin, features[i] = no_features;
+        Manifold manifolds[8];
+        wide_kernel(c.kind)(poses, first, second, margins, features, 8, manifolds);
+        return manifolds[0];
+    }
+    const PosedShape a{s.geometry[c.shape_a], s.shape_data[c.shape_a], at_a.pose, at_a.arm};
+    const PosedShape b{s.geometry[c.shape_b], s.shape_data[c.shape_b], at_b.pose, at_b.arm};
+    ContactMemory memory = nothing_met;
+    return test_convex_pair(c.kind, a, b, {}, c.base_margin, memory);
+}
+
+// Where two are nearest on their way, nothing approaches along the normal. It was found to a part of their distance,
+// which is not enough for what goes on for meters in the step.
+DVec3 clear_of_approach(DVec3 normal, DVec3 velocity) {
+    const double square = math::dot(velocity, velocity), along = math::dot(normal, velocity);
+    if (!(square > 0) || !(along * along < 0.01 * square)) return normal; // at an end of the way
+    const DVec3 clear = normal - (along / square) * velocity;
+    return (1 / math::length(clear)) * clear;
+}
+
+// One point, where the two are nearest.
+Manifold manifold_beside(const State& s, const ContactInfo& c, const PosedBody& at_a, const PosedBody& at_b,
+                         const Nearness& found) {
+    const BodyMotion &a = s.motion[c.body_a], &b = s.motion[c.body_b];
+    const DVec3 velocity_a = math::to_double(a.v) + math::cross(math::to_double(a.w), found.on_a - (a.x + at_a.moved));
+    const DVec3 velocity_b = math::to_double(b.v) + math::cross(math::to_double(b.w), found.on_a - (b.x + at_b.moved));
+    const DVec3 normal = clear_of_approach(found.normal, velocity_b - velocity_a);
+    const DVec3 midway = found.on_a + (0.5 * found.distance) * found.normal;
+    Manifold m{};
+    math::put(m.normal, math::to_float(c.flipped ? -normal : normal));
+    m.count = 1;
+    math::put(m.points[0], math::to_float(midway - shape_position(c.flipped ? at_b.pose : at_a.pose)));
+    m.points[0][3] = float(found.distance);
+    for (int i = 1; i < 4; ++i) m.points[i][3] = 1e30f;
+    return m;
+}
+
 } // namespace
 
 bool moves_far(const State& s, const ContactInfo& c, const Manifold& m, float dt) {
@@ -69,31 +111,25 @@ bool moves_far(const State& s, const ContactInfo& c, const Manifold& m, float dt
     return dt * math::length(s.motion[c.body_b].v - s.motion[c.body_a].v) + turns > c.base_margin;
 }
 
-Approach find_touch(const State& s, const ContactInfo& c, float dt, Touch& touch) {
+Approach find_touch(const State& s, const ContactInfo& c, float step, Touch& touch) {
+    // The last substep looks ahead at the next one as well.
+    const float dt = step * (1 + 1.0f / float(s.in_pass(s.settings.substeps)));
     const RigidPath a = expected_path(s, c.body_a, dt), b = expected_path(s, c.body_b, dt);
-    const double time = time_of_touch(swept(s, c.shape_a, a), swept(s, c.shape_b, b));
-    if (!(time <= 1)) return Approach::passes;
-    if (!(time > 0)) return Approach::touches_now;
+    const Nearness found = nearness_of(swept(s, c.shape_a, a), swept(s, c.shape_b, b), double(c.base_margin));
+    const double time = found.time;
+    if (!(found.distance <= double(c.base_margin))) return Approach::passes;
+    if (!(time > 0)) return Approach::now;
     const PosedBody at_a = posed_at(s, c.shape_a, a, time), at_b = posed_at(s, c.shape_b, b, time);
-    touch = {dt * float(time), at_a.pose,  at_b.pose,   at_a.arm,   at_b.arm,
-             at_a.moved,       at_b.moved, at_a.turned, at_b.turned};
-    return Approach::touches_later;
-}
-
-Manifold manifold_at(const State& s, const ContactInfo& c, const Touch& touch) {
-    if (int(c.kind) < wide_kinds) {
-        const ShapePose poses[2] = {c.flipped ? touch.pose_b : touch.pose_a, c.flipped ? touch.pose_a : touch.pose_b};
-        std::uint32_t first[8], second[8], features[8];
-        float margins[8];
-        for (int i = 0; i < 8; ++i) first[i] = 0, second[i] = 1, margins[i] = c.base_margin, features[i] = no_features;
-        Manifold manifolds[8];
-        wide_kernel(c.kind)(poses, first, second, margins, features, 8, manifolds);
-        return manifolds[0];
-    }
-    const PosedShape a{s.geometry[c.shape_a], s.shape_data[c.shape_a], touch.pose_a, touch.arm_a};
-    const PosedShape b{s.geometry[c.shape_b], s.shape_data[c.shape_b], touch.pose_b, touch.arm_b};
-    ContactMemory memory = nothing_met;
-    return test_convex_pair(c.kind, a, b, {}, c.base_margin, memory);
+    touch = {dt * float(time),
+             at_a.pose,
+             at_b.pose,
+             at_a.arm,
+             at_a.moved,
+             at_b.moved,
+             at_a.turned,
+             at_b.turned,
+             found.distance > 0 ? manifold_beside(s, c, at_a, at_b, found) : manifold_at(s, c, at_a, at_b)};
+    return Approach::later;
 }
 
 } // namespace cairn

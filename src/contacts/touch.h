@@ -5,13 +5,15 @@
 
 namespace cairn {
 
-// A pair as it will be when it touches.
+// A pair as it will be when it touches, or passes by within the margin of the contact: where it is nearest then. So
+// what is pushed aside within the step meets it all the same.
 struct Touch {
     float time = 0; // s from the start of the step
     ShapePose pose_a, pose_b;
-    math::Vec3 arm_a, arm_b;      // from the bodies' centers of mass to the shapes' origins
+    math::Vec3 arm_a;             // from A's center of mass to the shape's origin
     math::DVec3 moved_a, moved_b; // of the centers of mass, since the start of the step
     math::DQuat turned_a, turned_b;
+    Manifold manifold; // as the kernel of the pair would find it
 };
 
 // Whether two shapes that are apart move so far against each other in the step that the normal and the points of its
@@ -19,11 +21,9 @@ struct Touch {
 // velocities say.
 bool moves_far(const State& state, const ContactInfo& contact, const Manifold& manifold, float dt);
 
-enum class Approach { passes, touches_now, touches_later };
-// When and where the two will touch, as their velocities and forces say; `touch` is written if they do later.
+enum class Approach { passes, now, later };
+// When and where the two will touch or be nearest, as their velocities and forces say; `touch` is written if that is
+// later.
 Approach find_touch(const State& state, const ContactInfo& contact, float dt, Touch& touch);
-
-// The manifold of a pair that is no group, at the touch.
-Manifold manifold_at(const State& state, const ContactInfo& contact, const Touch& touch);
 
 } // namespace cairn
