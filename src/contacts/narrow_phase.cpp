@@ -31,7 +31,7 @@ std::uint8_t take_test(State& s, std::uint32_t id, const Manifold& m, float dt) 
     const ContactInfo& c = s.contacts[id];
     if (!moves_far(s, c, m, dt)) return take_manifold(s, id, m, dt);
     Touch touch;
-    const Approach approach = find_touch(s, c, dt, touch);
+    const Approach approach = find_touch(s, c, dt, contact_margin(s, c, dt), touch);
     if (approach == Approach::now) return take_manifold(s, id, m, dt);
     if (approach == Approach::passes) return take_distance(s, id, 0);
     return take_manifold(s, id, touch.manifold, dt, &touch);

@@ -16,11 +16,13 @@ namespace {
 
 constexpr float half_turn = 3.1f; // rad in a step: beyond, two poses do not tell how a body turned
 
-// As velocities and forces say, which act in substeps: nearly as all the time.
-RigidPath expected_path(const State& s, std::int32_t b, float dt) {
+// As velocities and forces say, which act in substeps: nearly as all the time. Seen from `origin`, for precision far
+// from that of the world.
+RigidPath expected_path(const State& s, std::int32_t b, DVec3 origin, float dt) {
     const BodyMotion& m = s.motion[b];
+    const DVec3 from = m.x - origin;
     if (s.body_settings[b].type == BodyType::static_ || (s.is_dynamic(b) && !s.is_awake(b)))
-        return RigidPath::between(m.x, m.q, m.x, m.q);
+        return RigidPath::between(from, m.q, from, m.q);
     const double t = double(dt);
     DVec3 way = t * math::to_double(m.v);
     if (s.is_dynamic(b)) {
@@ -29,7 +31,7 @@ RigidPath expected_path(const State& s, std::int32_t b, float dt) {
         if (s.is_pushed(b)) a += inverse_mass * s.forces[b].force;
         way += (0.5 * t * t) * a;
     }
-    return RigidPath::between(m.x, m.q, m.x + way, math::from_rotation_vector(t * math::to_double(m.w)) * m.q);
+    return RigidPath::between(from, m.q, from + way, math::from_rotation_vector(t * math::to_double(m.w)) * m.q);
 }
 
 SweptShape swept(const State& s, std::uint32_t shape, const RigidPath& path) {
@@ -49,16 +51,17 @@ PosedBody posed_at(const State& s, std::uint32_t shape, const RigidPath& path, d
     const math::Quat q = math::to_float(body.q);
     PosedBody p{body.x - path.start, body.q * math::conjugate(path.rotation), {}, s.shape_poses[shape]};
     p.arm = math::rotate(q, g.position - s.mass[s.shapes[shape].body].center);
-    pose_shape(p.pose, g, body.x + math::to_double(p.arm), q);
+    pose_shape(p.pose, g, s.motion[s.shapes[shape].body].x + (p.moved + math::to_double(p.arm)), q);
     return p;
 }
 
-Manifold manifold_at(const State& s, const ContactInfo& c, const PosedBody& at_a, const PosedBody& at_b) {
+// With all points that may come to touch in the rest of the step: `margin`.
+Manifold manifold_at(const State& s, const ContactInfo& c, const PosedBody& at_a, const PosedBody& at_b, float margin) {
     if (int(c.kind) < wide_kinds) {
         const ShapePose poses[2] = {c.flipped ? at_b.pose : at_a.pose, c.flipped ? at_a.pose : at_b.pose};
         std::uint32_t first[8], second[8], features[8];
         float margins[8];
-        for (int i = 0; i < 8; ++i) first[i] = 0, second[i] = 1, margins[i] = c.base_margin, features[i] = no_features;
+        for (int i = 0; i < 8; ++i) first[i] = 0, second[i] = 1, margins[i] = margin, features[i] = no_features;
         Manifold manifolds[8];
         wide_kernel(c.kind)(poses, first, second, margins, features, 8, manifolds);
         return manifolds[0];
@@ -66,7 +69,7 @@ Manifold manifold_at(const State& s, const ContactInfo& c, const PosedBody& at_a
     const PosedShape a{s.geometry[c.shape_a], s.shape_data[c.shape_a], at_a.pose, at_a.arm};
     const PosedShape b{s.geometry[c.shape_b], s.shape_data[c.shape_b], at_b.pose, at_b.arm};
     ContactMemory memory = nothing_met;
-    return test_convex_pair(c.kind, a, b, {}, c.base_margin, memory);
+    return test_convex_pair(c.kind, a, b, {}, margin, memory);
 }
 
 // Where two are nearest on their way, nothing approaches along the normal. It was found to a part of their distance,
@@ -82,14 +85,17 @@ DVec3 clear_of_approach(DVec3 normal, DVec3 velocity) {
 Manifold manifold_beside(const State& s, const ContactInfo& c, const PosedBody& at_a, const PosedBody& at_b,
                          const Nearness& found) {
     const BodyMotion &a = s.motion[c.body_a], &b = s.motion[c.body_b];
-    const DVec3 velocity_a = math::to_double(a.v) + math::cross(math::to_double(a.w), found.on_a - (a.x + at_a.moved));
-    const DVec3 velocity_b = math::to_double(b.v) + math::cross(math::to_double(b.w), found.on_a - (b.x + at_b.moved));
+    const DVec3 velocity_a = math::to_double(a.v) + math::cross(math::to_double(a.w), found.on_a - at_a.moved);
+    const DVec3 velocity_b =
+        math::to_double(b.v) + math::cross(math::to_double(b.w), found.on_a - ((b.x - a.x) + at_b.moved));
     const DVec3 normal = clear_of_approach(found.normal, velocity_b - velocity_a);
     const DVec3 midway = found.on_a + (0.5 * found.distance) * found.normal;
     Manifold m{};
     math::put(m.normal, math::to_float(c.flipped ? -normal : normal));
     m.count = 1;
-    math::put(m.points[0], math::to_float(midway - shape_position(c.flipped ? at_b.pose : at_a.pose)));
+    const DVec3 first = c.flipped ? (b.x - a.x) + (at_b.moved + math::to_double(at_b.arm))
+                                  : at_a.moved + math::to_double(at_a.arm); // its place, from A at the start
+    math::put(m.points[0], math::to_float(midway - first));
     m.points[0][3] = float(found.distance);
     for (int i = 1; i < 4; ++i) m.points[i][3] = 1e30f;
     return m;
@@ -111,10 +117,11 @@ bool moves_far(const State& s, const ContactInfo& c, const Manifold& m, float dt
     return dt * math::length(s.motion[c.body_b].v - s.motion[c.body_a].v) + turns > c.base_margin;
 }
 
-Approach find_touch(const State& s, const ContactInfo& c, float step, Touch& touch) {
+Approach find_touch(const State& s, const ContactInfo& c, float step, float margin, Touch& touch) {
     // The last substep looks ahead at the next one as well.
     const float dt = step * (1 + 1.0f / float(s.in_pass(s.settings.substeps)));
-    const RigidPath a = expected_path(s, c.body_a, dt), b = expected_path(s, c.body_b, dt);
+    const DVec3 origin = s.motion[c.body_a].x;
+    const RigidPath a = expected_path(s, c.body_a, origin, dt), b = expected_path(s, c.body_b, origin, dt);
     const Nearness found = nearness_of(swept(s, c.shape_a, a), swept(s, c.shape_b, b), double(c.base_margin));
     const double time = found.time;
     if (!(found.distance <= double(c.base_margin))) return Approach::passes;
@@ -128,7 +135,7 @@ Approach find_touch(const State& s, const ContactInfo& c, float step, Touch& tou
              at_b.moved,
              at_a.turned,
              at_b.turned,
-             found.distance > 0 ? manifold_beside(s, c, at_a, at_b, found) : manifold_at(s, c, at_a, at_b)};
+             found.distance > 0 ? manifold_beside(s, c, at_a, at_b, found) : manifold_at(s, c, at_a, at_b, margin)};
     return Approach::later;
 }
 

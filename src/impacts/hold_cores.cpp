@@ -194,19 +194,27 @@ class CoreHolder {
             const std::int32_t body = s.shapes[shape].body;
             return SweptShape{g, s.shape_data[shape], math::to_double(g.position - s.mass[body].center), path, until};
         };
-        const auto swept_fast = [&](const FastBody& f, std::uint32_t shape, Geometry& ball) {
+        const auto swept_fast = [&](const FastBody& f, std::uint32_t shape, const RigidPath& path, Geometry& ball) {
             const bool is_ball = turns_over(s, f.body, dt_);
             if (is_ball) ball = inner_ball(s, f.body);
-            return swept(shape, is_ball ? ball : s.geometry[shape], path(f), f.until);
+            return swept(shape, is_ball ? ball : s.geometry[shape], path, f.until);
+        };
+        // Seen from the first, for precision far from the origin.
+        const DVec3 origin = path(first).start;
+        const auto seen = [&](RigidPath p) {
+            p.start = p.start - origin;
+            return p;
         };
         Geometry ball_a, ball_b;
-        const SweptShape a = swept_fast(first, pair.shape, ball_a);
+        const RigidPath path_a = seen(path(first));
+        const SweptShape a = swept_fast(first, pair.shape, path_a, ball_a);
         if (pair.second != none) {
             const FastBody& second = fast_[std::size_t(pair.second)];
-            return time_of_meeting(a, swept_fast(second, pair.other, ball_b), pair.is_known, from);
+            const RigidPath path_b = seen(path(second));
+            return time_of_meeting(a, swept_fast(second, pair.other, path_b, ball_b), pair.is_known, from);
         }
-        const RigidPath other = path_of(s, s.shapes[pair.other].body, dt_);
-        return time_of_meeting(a, swept(pair.other, s.geometry[pair.other], other, 1), pair.is_known, from);
+        const RigidPath path_b = seen(path_of(s, s.shapes[pair.other].body, dt_));
+        return time_of_meeting(a, swept(pair.other, s.geometry[pair.other], path_b, 1), pair.is_known, from);
     }
 
     // The earliest meeting stops both bodies. Then their pairs are asked again, as what moves on may meet what stands,
