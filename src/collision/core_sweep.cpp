@@ -75,6 +75,11 @@ class Mover {
     }
     // Of any point, at most.
     double speed() const { return length(s_.path.translation) + turn_ * reach_; }
+    // Of a point of it.
+    DVec3 velocity_of(DVec3 point, double time) const {
+        if (time >= s_.until) return {};
+        return s_.path.translation + math::cross(s_.path.turn, point - (s_.path.start + time * s_.path.translation));
+    }
     // How far the middle is from the straight line between two of its places, at most.
     double sagitta() const { return s_.path.sagitta(reach_); }
     // How far its points move about its middle, at most.
@@ -137,7 +142,7 @@ class Bracket {
             time_[2] = time, distance_[2] = distance, is_open_ = false;
         last_time_ = time, last_ = distance;
     }
-    // Between distances that change no faster than `speed`, it is found to a hundredth of what it is: by golden
+    // Between distances that change no faster than `speed`, its place is found to a tenth of the distance: by golden
     // sections.
     template <class F> Course least(double speed, double within, F&& gap_at) const {
         const bool has_before = time_[0] < time_[1], has_after = !is_open_ && time_[2] > time_[1];
@@ -165,38 +170,83 @@ class Bracket {
     }
 
   private:
-    static constexpr int max_sections = 40;
-    static constexpr double section_part = 0.01;
+    static constexpr int max_sections = 12;
+    static constexpr double section_part = 0.1;
     double time_[3] = {}, distance_[3] = {infinity, infinity, infinity}; // before, at and after the least
     double last_time_ = 0, last_ = infinity;
     bool is_open_ = false; // nothing was seen after it
 };
 
-// Advances from `begin` to `end`. gap(time) tells how far the cores are apart.
+// Up to which time two certainly do not meet, and up to which they do not if their nearest points stay what they are;
+// of what turns away, `longest_leap` at most.
+constexpr double longest_leap = 1.0 / 16;
+struct Foresight {
+    double certain, likely;
+};
+Foresight look_ahead(const Mover& a, const Mover& b, const Gap& gap, double way, double time) {
+    const double speed = a.speed_along(gap.normal, time) + b.speed_along(-gap.normal, time);
+    const double closing =
+        dot(gap.normal, a.velocity_of(gap.on_a, time) - b.velocity_of(gap.on_a + gap.distance * gap.normal, time));
+    const double certain = speed > 0 ? way / speed : never;
+    return {time + certain, time + std::max(certain, closing > 0 ? way / closing : longest_leap)};
+}
+
+// Advances from `begin` to `end`, so that nothing is missed. gap(time) tells how far the cores are apart.
 template <class F>
-Course advance(const Mover& a, const Mover& b, Question question, double begin, double end, F&& gap_at) {
+double advance(const Mover& a, const Mover& b, double tolerance, double begin, double end, F&& gap_at) {
     double time = begin;
+    Gap gap = gap_at(time);
+    if (!(gap.distance > tolerance)) return begin > 0 ? begin : overlapped;
+    for (int round = 0; round < max_rounds; ++round) {
+        if (!(gap.distance > tolerance)) return time;
+        const double stop = next_stop(a, b, time, end); // up to which the speed is what it is
+        time = look_ahead(a, b, gap, gap.distance - 0.5 * tolerance, time).certain;
+        if (!(time < stop)) {
+            if (!(stop < end)) return never;
+            time = stop;
+        }
+        gap = gap_at(time);
+    }
+    return time;
+}
+
+// How the shapes themselves come near each other: by the speed of the points that are nearest, which takes a few looks.
+// What that misses, the cores do not.
+template <class F>
+Course approach(const Mover& a, const Mover& b, Question question, double begin, double end, F&& gap_at) {
+    double time = begin, beyond = end; // they overlap then, or it is the end
     Gap gap = gap_at(time);
     if (!(gap.distance > question.tolerance)) return {begin > 0 ? begin : overlapped};
     Bracket seen;
     for (int round = 0; round < max_rounds; ++round) {
         if (!(gap.distance > question.tolerance)) return {time};
         seen.see(time, gap.distance);
-        const double speed = a.speed_along(gap.normal, time) + b.speed_along(-gap.normal, time);
-        const double stop = next_stop(a, b, time, end); // up to which that is the speed
-        const double step = speed > 0 ? (gap.distance - 0.5 * question.tolerance) / speed : never;
-        time += step;
-        if (!(time < stop)) {
-            if (!(stop < end)) {
-                if (!(question.within > 0)) return {};
-                seen.see(end, gap_at(end).distance);
+        const double next = look_ahead(a, b, gap, gap.distance - 0.5 * question.tolerance, time).likely;
+        if (!(next < beyond) && beyond == end) {
+            const Gap last = gap_at(end);
+            if (last.distance > question.tolerance) {
+                seen.see(end, last.distance);
                 return seen.least(a.speed() + b.speed(), question.within, gap_at);
             }
-            time = stop;
         }
-        gap = gap_at(time);
+        double middle = next < beyond ? next : 0.5 * (time + beyond);
+        Gap there = gap_at(middle);
+        while (there.distance < 0 && middle - time > 1e-6 * (end - begin)) { // too far
+            beyond = middle;
+            middle = 0.5 * (time + beyond);
+            there = gap_at(middle);
+        }
+        if (there.distance < 0) return {time};
+        time = middle, gap = there;
     }
     return {time};
+}
+
+// Of cores, or of the shapes themselves.
+template <class F>
+Course course_by(const Mover& a, const Mover& b, Question question, double begin, double end, F&& gap_at) {
+    if (question.within > 0) return approach(a, b, question, begin, end, gap_at);
+    return {advance(a, b, question.tolerance, begin, end, gap_at)};
 }
 
 // The core. Of strips, which have no end, of the part near a point.
@@ -206,7 +256,7 @@ Convex core_at(const Mover& m, double time, DVec3 near, double reach) {
     const DQuat q = m.rotation_at(pose);
     const Geometry part = near_part(m.shape().geometry, center, q, near, reach);
     const Convex whole = make_convex(part, m.shape().data, center, q);
-    return shrunk(whole, depth_of(whole, m.layer));
+    return m.layer == Layer::skin ? whole : shrunk(whole, depth_of(whole, m.layer));
 }
 Convex core_at(const Mover& m, double time) { return core_at(m, time, {}, 0); }
 
@@ -241,8 +291,8 @@ Course course_of_convexes(const Mover& a, const Mover& b, double begin, double w
         return {};
     DVec3 guess = b.start - from;
     if (begin == 0 && stay_apart_along(guess, first, second, a, b, begin, within)) return {};
-    return advance(a, b, {tolerance_of(first, a.layer), within}, begin, 1,
-                   [&](double time) { return gap_of(core_at(a, time), core_at(b, time, from, reach), guess); });
+    return course_by(a, b, {tolerance_of(first, a.layer), within}, begin, 1,
+                     [&](double time) { return gap_of(core_at(a, time), core_at(b, time, from, reach), guess); });
 }
 
 Course course_at_plane(const Mover& a, const Mover& b, double begin, double within) {
@@ -251,7 +301,7 @@ Course course_at_plane(const Mover& a, const Mover& b, double begin, double with
     double side = 1;
     if (b.shape().geometry.is_double_sided && height_of(a.start, 0) < 0) side = -1;
     const Convex start = core_at(a, 0);
-    return advance(a, b, {tolerance_of(start, a.layer), within}, begin, 1, [&](double time) -> Gap {
+    return course_by(a, b, {tolerance_of(start, a.layer), within}, begin, 1, [&](double time) -> Gap {
         const Convex c = core_at(a, time);
         const Core core = exact_core(c);
         const DVec3 down = -side * up_at(time), lowest = core_support(core, down) + core.radius * down;
@@ -297,8 +347,8 @@ Course course_at_triangles(const Mover& a, const Mover& b, double from, double w
                 if (const Convex face = triangle_at(t, begin); begins_in_front(middle(mover), face)) {
                     DVec3 guess = face.center - mover.center;
                     const Course course =
-                        advance(a, b, {tolerance_of(mover, a.layer), within}, begin, std::min(end, best.meeting),
-                                [&](double at) { return gap_of(core_at(a, at), triangle_at(t, at), guess); });
+                        course_by(a, b, {tolerance_of(mover, a.layer), within}, begin, std::min(end, best.meeting),
+                                  [&](double at) { return gap_of(core_at(a, at), triangle_at(t, at), guess); });
                     if (course.meeting == overlapped)
                         overlaps = true;
                     else

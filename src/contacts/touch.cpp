@@ -7,6 +7,8 @@
 #include "contacts/pairs.h"
 #include "math/rotation.h"
 
+#include <algorithm>
+
 namespace cairn {
 
 using math::DQuat;
@@ -15,6 +17,12 @@ using math::DVec3;
 namespace {
 
 constexpr float half_turn = 3.1f; // rad in a step: beyond, two poses do not tell how a body turned
+// Of the smaller of two shapes' bounding radii: as far as that they may slide along each other before they touch where
+// their normal at the start of the step says.
+constexpr float slide_part = 0.05f;
+
+// The last substep looks ahead at the next one as well.
+float looked_at(const State& s, float dt) { return dt * (1 + 1.0f / float(s.in_pass(s.settings.substeps))); }
 
 // As velocities and forces say, which act in substeps: nearly as all the time. Seen from `origin`, for precision far
 // from that of the world.
@@ -101,25 +109,39 @@ Manifold manifold_beside(const State& s, const ContactInfo& c, const PosedBody& 
     return m;
 }
 
+float bounding_radius_of(const Geometry& g) { return is_surface(g.type) ? unlimited_extent : g.bounding_radius; }
+
 } // namespace
 
 bool moves_far(const State& s, const ContactInfo& c, const Manifold& m, float dt) {
     if (c.is_trigger || m.count == 0) return false;
-    for (int i = 0; i < m.count; ++i)
-        if (m.points[i][3] <= 0) return false;
-    float turns = 0;
+    float turn = 0;
     for (const std::int32_t b : {c.body_a, c.body_b}) {
         if (s.bodies[b].first_joint != none) return false;
-        const float turn = dt * math::length(s.motion[b].w);
-        if (turn > half_turn) return false;
-        turns += turn * s.bodies[b].radius;
+        turn += math::length(s.motion[b].w);
     }
-    return dt * math::length(s.motion[c.body_b].v - s.motion[c.body_a].v) + turns > c.base_margin;
+    if (turn * dt > half_turn) return false;
+    const std::int32_t first = c.flipped ? c.body_b : c.body_a, second = c.flipped ? c.body_a : c.body_b;
+    const BodyMotion &a = s.motion[first], &b = s.motion[second];
+    const math::Vec3 n = math::to_vec(m.normal), center = s.shapes[c.flipped ? c.shape_b : c.shape_a].arm;
+    const math::Vec3 d = math::to_float(a.x - b.x);
+    const float horizon = looked_at(s, dt);
+    const float size = std::min(s.geometry[c.shape_a].bounding_radius, bounding_radius_of(s.geometry[c.shape_b]));
+    for (int i = 0; i < m.count; ++i) {
+        const float separation = m.points[i][3];
+        if (separation <= 0) return false;
+        const math::Vec3 arm = center + math::to_vec(m.points[i]);
+        const math::Vec3 v = (b.v + math::cross(b.w, arm + d)) - (a.v + math::cross(a.w, arm));
+        const float closing = -math::dot(n, v);
+        if (!(closing * horizon > separation)) continue;
+        const float time = separation / closing;
+        if (time * (math::length(v + closing * n) + turn * size) > slide_part * size) return true;
+    }
+    return false;
 }
 
 Approach find_touch(const State& s, const ContactInfo& c, float step, float margin, Touch& touch) {
-    // The last substep looks ahead at the next one as well.
-    const float dt = step * (1 + 1.0f / float(s.in_pass(s.settings.substeps)));
+    const float dt = looked_at(s, step);
     const DVec3 origin = s.motion[c.body_a].x;
     const RigidPath a = expected_path(s, c.body_a, origin, dt), b = expected_path(s, c.body_b, origin, dt);
     const Nearness found = nearness_of(swept(s, c.shape_a, a), swept(s, c.shape_b, b), double(c.base_margin));

@@ -16,9 +16,8 @@ struct Touch {
     Manifold manifold; // as the kernel of the pair would find it
 };
 
-// Whether two shapes that are apart move so far against each other in the step that the normal and the points of its
-// start may not be those of the touch: farther than the margin of the contact. Bodies with joints do not move as their
-// velocities say.
+// Whether two shapes, which are apart at the start of the step, slide or turn so far before they touch where the
+// manifold says that they may touch otherwise, or not at all. Bodies with joints do not move as their velocities say.
 bool moves_far(const State& state, const ContactInfo& contact, const Manifold& manifold, float dt);
 
 enum class Approach { passes, now, later };

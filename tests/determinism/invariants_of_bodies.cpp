@@ -155,7 +155,7 @@ double drop_of_stack_without_foot(const SceneRun& run) {
     return body_at(run, 159, 30).center.y - body_at(run, golden_steps, 30).center.y;
 }
 
-// --- free_tops: they start in a crowd, and do not touch anymore after four seconds
+// --- free_tops: they start in a crowd, and hardly touch anymore after four seconds
 
 constexpr int apart = 240;
 constexpr double weight = 1; // m/s² downward
@@ -165,10 +165,18 @@ double momentum_error(const SceneRun& run) { // beside what gravity gives, as pa
     const glm::dvec3 d = run.last().momentum - run.first().momentum + glm::dvec3(0, given, 0);
     return glm::length(d) / given;
 }
+// The last step, from then on, after which its velocity changed by more than gravity does.
+int last_hit(const SceneRun& run, int body) {
+    for (int step = golden_steps; step > apart; --step) {
+        const Vec3 change = body_at(run, step, body).velocity - body_at(run, step - 1, body).velocity;
+        if (glm::length(change + Vec3(0, float(weight / 60), 0)) > 1e-4f) return step;
+    }
+    return apart;
+}
 double spin_error(const SceneRun& run) { // of the angular momentum of each, relative
     double most = 0;
     for_dynamic(run, golden_steps, [&](const BodyState& b, int i) {
-        const Vec3 before = body_at(run, apart, i).angular_momentum;
+        const Vec3 before = body_at(run, last_hit(run, i), i).angular_momentum;
         most = std::max(most, double(glm::length(b.angular_momentum - before) / glm::length(before)));
     });
     return most;
@@ -177,7 +185,7 @@ double energy_of_spin_error(const SceneRun& run) {
     const auto spin_energy = [](const BodyState& b) { return 0.5 * double(glm::dot(b.spin, b.angular_momentum)); };
     double most = 0;
     for_dynamic(run, golden_steps, [&](const BodyState& b, int i) {
-        const double before = spin_energy(body_at(run, apart, i));
+        const double before = spin_energy(body_at(run, last_hit(run, i), i));
         most = std::max(most, std::fabs(spin_energy(b) - before) / before);
     });
     return most;
