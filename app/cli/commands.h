@@ -60,7 +60,4 @@ struct ValidateOptions {
 // 1 if any row fails.
 int validate_command(const ValidateOptions& options);
 
-// Prints to stdout; throws Error (io) if that fails, for example because the disk is full.
-void print(const std::string& text);
-
 } // namespace cairn::cli

@@ -1,13 +1,13 @@
 #include "cli/commands.h"
+#include "cli/outputs.h"
 
 #include "scene/mesh_files.h"
 #include "scene/scene.h"
 
 #include <cairn/error.h>
 
-#include <fmt/core.h>
-
 #include <string>
+#include <vector>
 
 namespace cairn::cli {
 
@@ -31,12 +31,9 @@ scene::Scene load_any(const ConvertOptions& options) {
 } // namespace
 
 int convert_command(const ConvertOptions& options) {
-    const std::string extension = options.output.extension().string();
-    if (extension != ".gltf" && extension != ".glb") {
-        throw Error(ErrorCode::invalid_value, options.output.string(), {}, "must end in .gltf or .glb");
-    }
+    check_outputs(std::vector<Output>{{"out", options.output}});
     const scene::Scene scene = load_any(options);
-    for (const std::string& warning : scene.warnings) fmt::print(stderr, "cairn: warning: {}\n", warning);
+    print_warnings(scene.warnings);
     scene::save(scene, options.output);
     return 0;
 }

@@ -1,7 +1,10 @@
 // The `cairn` command: reads the command line and hands over. A wrong call ends with one line on stderr and exit
 // code 2, an error at run time with one line and exit code 1.
 #include "cli/commands.h"
+#include "cli/outputs.h"
+#include "files/output_file.h"
 #include "validation/validation.h"
+#include "viewer/headless.h"
 
 #include <cairn/version.h>
 
@@ -9,9 +12,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <csignal>
 #include <exception>
+#include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace {
@@ -44,6 +49,19 @@ CLI::Validator one_of(std::vector<std::string> names, const std::string& remark 
         "");
 }
 
+const std::vector<std::string_view> scene_extensions{".gltf", ".glb"};
+
+// The name of an output file. Where there are two formats, that of a pipe is the first.
+CLI::Validator file_of(const std::vector<std::string_view>& extensions) {
+    return CLI::Validator(
+        [extensions](std::string& text) {
+            if (text.empty()) return std::string("must be the name of a file");
+            if (cairn::cli::has_format(text, extensions)) return std::string();
+            return fmt::format("must end in {}, got {}", fmt::join(extensions, ", "), text);
+        },
+        "");
+}
+
 cairn::Integrator integrator_of(const std::string& name) {
     if (name == "rk4") return cairn::Integrator::rk4;
     return name == "explicit" ? cairn::Integrator::explicit_euler : cairn::Integrator::semi_implicit_euler;
@@ -64,12 +82,18 @@ void add_run(CLI::App& app, RunOptions& options) {
            "--integrator", [&options](const std::string& name) { options.integrator = integrator_of(name); },
            "Of free motion: semi-implicit, explicit or rk4 (default: the scene's)")
         ->check(one_of({"semi-implicit", "explicit", "rk4"}));
-    run->add_option("--csv", options.csv, "Write positions and velocities of every body after every step");
-    run->add_option("--png", options.png, "Write a picture of the end");
-    run->add_option("--video", options.video, "Write a video, 60 frames a second (needs ffmpeg)");
-    run->add_option("--save", options.save, "Write the scene as it stands at the end (.gltf or .glb)");
+    run->add_option("--csv", options.csv, "Write positions and velocities of every body after every step (.csv)")
+        ->check(file_of({".csv"}));
+    run->add_option("--png", options.png, "Write a picture of the end (.png, .jpg)")
+        ->check(file_of(cairn::viewer::picture_extensions()));
+    run->add_option("--video", options.video,
+                    "Write a video, 60 frames a second (.mp4, .mkv, .mov, .webm, .gif; needs ffmpeg)")
+        ->check(file_of(cairn::viewer::video_extensions()));
+    run->add_option("--save", options.save, "Write the scene as it stands at the end (.gltf, .glb)")
+        ->check(file_of(scene_extensions));
     run->add_option("--animate", options.animate,
-                    "Write the run as an animated .glb file, for viewers without physics");
+                    "Write the run as an animated glTF file, for viewers without physics (.glb, .gltf)")
+        ->check(file_of({".glb", ".gltf"}));
     run->add_option("--width", options.width, "Of pictures and videos, pixels")->check(between(16, 8192));
     run->add_option("--height", options.height, "Of pictures and videos, pixels")->check(between(16, 8192));
     run->add_flag("--json", options.json, "Print the summary as one JSON object");
@@ -86,7 +110,9 @@ void add_convert(CLI::App& app, ConvertOptions& options) {
     convert
         ->add_option("in", options.input, "A scene (.gltf, .glb or its name), a robot (.urdf), or a mesh (.obj, .stl)")
         ->required();
-    convert->add_option("out", options.output, "The scene to write (.gltf or .glb)")->required();
+    convert->add_option("out", options.output, "The scene to write (.gltf, .glb)")
+        ->required()
+        ->check(file_of(scene_extensions));
     convert
         ->add_option_function<std::string>(
             "--as", [&options](const std::string& name) { options.as_hull = name == "hull"; },
@@ -107,7 +133,7 @@ void add_view(CLI::App& app, ViewOptions& options) {
     view->add_option("--height", options.height, "Of the window")->check(between(150, 16384));
     view->add_option("--exit-after", options.exit_after, "Close by itself after so many seconds")
         ->check(between(0, 1e6));
-    view->add_option("--report", options.report, "Write the state at the end as JSON");
+    view->add_option("--report", options.report, "Write the state at the end (.json)")->check(file_of({".json"}));
     view->add_option("--script", options.script, "Play inputs from a file");
 }
 
@@ -132,17 +158,38 @@ void add_validate(CLI::App& app, ValidateOptions& options) {
     validate->add_flag("--json", options.json, "Print one JSON object");
 }
 
-int complain(const std::string& text, int code) {
-    std::string line = text;
-    std::replace(line.begin(), line.end(), '\n', ' ');
-    while (!line.empty() && line.back() == ' ') line.pop_back();
-    fmt::print(stderr, "cairn: {}\n", line);
+constexpr int failed = 1, called_wrongly = 2;
+
+int fail(const std::string& text, int code) {
+    cairn::cli::complain(text);
     return code;
+}
+
+// As every program ends that writes to a pipe whose reader has gone: quietly, by that signal. Its files are closed.
+int end_without_reader() {
+    std::signal(SIGPIPE, SIG_DFL);
+    std::raise(SIGPIPE);
+    return 128 + SIGPIPE; // if it is blocked
+}
+
+// Also --version.
+int print_help(const CLI::App& app, const CLI::ParseError& error) {
+    std::ostringstream text;
+    app.exit(error, text, text);
+    try {
+        cairn::cli::print(text.str());
+        return 0;
+    } catch (const cairn::files::ReaderGone&) {
+        return end_without_reader();
+    } catch (const std::exception& problem) {
+        return fail(problem.what(), failed);
+    }
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
+    std::signal(SIGPIPE, SIG_IGN); // writing says it, too
     CLI::App app("Cairn, a rigid-body physics engine.", "cairn");
     app.set_version_flag("--version", std::string("cairn ") + cairn::version_string);
     app.require_subcommand(1);
@@ -159,11 +206,11 @@ int main(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == 0) return app.exit(error); // --help and --version
+        if (error.get_exit_code() == 0) return print_help(app, error);
         if (argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty()) {
-            return complain(fmt::format("there is no command \"{}\" (see cairn --help)", argv[1]), 2);
+            return fail(fmt::format("there is no command \"{}\" (see cairn --help)", argv[1]), called_wrongly);
         }
-        return complain(std::string(error.what()) + " (see cairn --help)", 2);
+        return fail(std::string(error.what()) + " (see cairn --help)", called_wrongly);
     }
     try {
         if (app.got_subcommand("run")) return cairn::cli::run_command(run);
@@ -171,7 +218,9 @@ int main(int argc, char** argv) {
         if (app.got_subcommand("convert")) return cairn::cli::convert_command(convert);
         if (app.got_subcommand("validate")) return cairn::cli::validate_command(validate);
         return cairn::cli::view_command(view);
+    } catch (const cairn::files::ReaderGone&) {
+        return end_without_reader();
     } catch (const std::exception& error) {
-        return complain(error.what(), 1);
+        return fail(error.what(), failed);
     }
 }

@@ -38,7 +38,7 @@ void PictureRecorder::add(const World& world) {
 void PictureRecorder::finish(const World& world) {
     if (!png_.empty()) {
         draw(world);
-        renderer_.save_png(png_);
+        renderer_.save_picture(png_);
     }
     if (video_) video_->close();
 }

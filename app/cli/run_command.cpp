@@ -1,5 +1,6 @@
 #include "cli/commands.h"
 #include "cli/interrupt.h"
+#include "cli/outputs.h"
 #include "cli/pictures.h"
 #include "cli/progress.h"
 #include "cli/trajectory_writer.h"
@@ -14,6 +15,7 @@
 #include <chrono>
 #include <cmath>
 #include <memory>
+#include <vector>
 
 namespace cairn::cli {
 
@@ -52,6 +54,17 @@ std::uint64_t count_steps(const RunOptions& options, double time_step) {
     const double steps = std::round(options.seconds.value_or(default_seconds) / time_step);
     if (steps > max_steps) throw Error(ErrorCode::invalid_value, "--seconds", {}, "is more than a billion steps");
     return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(steps));
+}
+
+// Most videos store color for two by two pixels.
+void check_size(const RunOptions& options) {
+    if (options.video.empty() || viewer::takes_odd_sizes(options.video)) return;
+    for (const auto& [option, size] : {std::pair("--width", options.width), std::pair("--height", options.height)}) {
+        if (size % 2 != 0) {
+            throw Error(ErrorCode::invalid_value, option, std::to_string(size),
+                        "must be even for videos other than .gif");
+        }
+    }
 }
 
 void apply_options(const RunOptions& options, scene::Scene& scene) {
@@ -142,9 +155,15 @@ std::string text_summary(const std::string& path, const scene::Scene& scene, con
 } // namespace
 
 int run_command(const RunOptions& options) {
+    check_outputs(std::vector<Output>{{"--csv", options.csv},
+                                      {"--png", options.png},
+                                      {"--video", options.video},
+                                      {"--save", options.save},
+                                      {"--animate", options.animate}});
+    check_size(options);
     const std::filesystem::path path = scene::find_scene(options.scene);
     scene::Scene scene = scene::load(path);
-    for (const std::string& warning : scene.warnings) fmt::print(stderr, "cairn: warning: {}\n", warning);
+    print_warnings(scene.warnings);
     apply_options(options, scene);
     const std::uint64_t steps = count_steps(options, scene.info.time_step);
     const InterruptGuard interrupt; // until all is written: an impatient second signal must not lose it

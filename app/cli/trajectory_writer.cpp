@@ -1,13 +1,8 @@
 #include "cli/trajectory_writer.h"
 
-#include <cairn/error.h>
-
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstring>
 #include <iterator>
-#include <system_error>
 
 namespace cairn::cli {
 
@@ -23,28 +18,9 @@ std::string quoted(const std::string& text) {
 } // namespace
 
 TrajectoryWriter::TrajectoryWriter(const std::filesystem::path& path, const World& world)
-    : path_(path), temporary_(path), bodies_(world.bodies()) {
-    temporary_ += ".partial";
-    if (std::filesystem::is_directory(path_)) throw Error(ErrorCode::io, path_.string(), {}, "is a folder, not a file");
-    file_ = std::fopen(temporary_.c_str(), "wb");
-    if (file_ == nullptr) {
-        throw Error(ErrorCode::io, path_.string(), {}, std::string("cannot be written: ") + std::strerror(errno));
-    }
+    : file_(path), bodies_(world.bodies()) {
     for (const BodyId id : bodies_) names_.push_back(quoted(world.body(id).name()));
-    write("time,body,name,px,py,pz,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz\n");
-}
-
-TrajectoryWriter::~TrajectoryWriter() {
-    if (file_ == nullptr) return;
-    std::fclose(file_);
-    std::error_code code;
-    std::filesystem::remove(temporary_, code);
-}
-
-void TrajectoryWriter::write(const std::string& text) {
-    if (std::fwrite(text.data(), 1, text.size(), file_) != text.size()) {
-        throw Error(ErrorCode::io, path_.string(), {}, std::string("cannot be written: ") + std::strerror(errno));
-    }
+    file_.write("time,body,name,px,py,pz,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz\n");
 }
 
 void TrajectoryWriter::add(const World& world) {
@@ -58,19 +34,9 @@ void TrajectoryWriter::add(const World& world) {
         fmt::format_to(std::back_inserter(lines), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", time, i,
                        names_[i], p.x, p.y, p.z, q.x, q.y, q.z, q.w, v.x, v.y, v.z, w.x, w.y, w.z);
     }
-    write(fmt::to_string(lines));
+    file_.write({lines.data(), lines.size()});
 }
 
-void TrajectoryWriter::close() {
-    const bool closed = std::fclose(file_) == 0;
-    file_ = nullptr;
-    std::error_code code;
-    if (closed) std::filesystem::rename(temporary_, path_, code);
-    if (!closed || code) {
-        const std::string reason = closed ? code.message() : std::strerror(errno);
-        std::filesystem::remove(temporary_, code);
-        throw Error(ErrorCode::io, path_.string(), {}, "cannot be written: " + reason);
-    }
-}
+void TrajectoryWriter::close() { file_.close(); }
 
 } // namespace cairn::cli

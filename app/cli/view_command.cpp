@@ -1,13 +1,15 @@
 #include "cli/commands.h"
+#include "cli/outputs.h"
 #include "cli/viewer_scene.h"
 
 #include "viewer/window.h"
 
-#include <fmt/core.h>
+#include <vector>
 
 namespace cairn::cli {
 
 int view_command(const ViewOptions& options) {
+    check_outputs(std::vector<Output>{{"--report", options.report}});
     viewer::ViewerOptions window;
     // Looked up here, so that a wrong name is one line on the terminal rather than an empty window.
     window.scene = scene::find_scene(options.scene.empty() ? "welcome" : options.scene).string();

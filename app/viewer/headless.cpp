@@ -112,8 +112,8 @@ void HeadlessRenderer::draw(const RenderFrame& frame) {
 
 const std::vector<std::uint8_t>& HeadlessRenderer::pixels() const noexcept { return impl_->pixels; }
 
-void HeadlessRenderer::save_png(const std::filesystem::path& path) const {
-    write_png(path, impl_->width, impl_->height, impl_->pixels);
+void HeadlessRenderer::save_picture(const std::filesystem::path& path) const {
+    write_picture(path, impl_->width, impl_->height, impl_->pixels);
 }
 
 } // namespace cairn::viewer

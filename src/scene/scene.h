@@ -90,8 +90,8 @@ Scene load_from_memory(std::span<const std::byte> bytes, const std::string& name
 /// is saved again as the same bytes. What belongs to shapes and bodies that have been removed is left out.
 std::string save_to_string(const Scene& scene);
 
-/// Writes a scene to a file: a binary `.glb` if its name ends so, else `.gltf` as by `save_to_string`. It is written to
-/// a temporary beside it first, which then takes its name.
+/// Writes a scene to a file: a binary `.glb` if its name ends so, else `.gltf` as by `save_to_string`. How is said in
+/// files/output_file.h.
 void save(const Scene& scene, const std::filesystem::path& path);
 
 /// One line of a list of scenes.

@@ -1,4 +1,6 @@
 // The program as its users meet it: exit codes, one line for every error, files complete or absent.
+#include "cli_program.h"
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -9,52 +11,11 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
-#include <sys/wait.h>
 
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Result {
-    int code = -1;
-    std::string out, err;
-};
-
-std::string read_all(const fs::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-class Cli : public testing::Test {
-  protected:
-    void SetUp() override {
-        const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = fs::path(testing::TempDir()) / (std::string("cairn_cli_") + test->name());
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
-    // Runs `cairn ARGUMENTS` by the shell, in the test's own folder.
-    Result cairn(const std::string& arguments, const std::string& before = "") const {
-        const fs::path out = folder_ / ".out", err = folder_ / ".err";
-        const std::string line = "cd '" + folder_.string() + "' && CAIRN_SCENES='" CAIRN_TEST_SCENES "' " + before +
-                                 " '" + CAIRN_TEST_BINARY "' " + arguments + " >'" + out.string() + "' 2>'" +
-                                 err.string() + "'";
-        const int status = std::system(line.c_str());
-        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_all(out), read_all(err)};
-    }
-
-    static void expect_one_line(const Result& result, int code, const std::string& part) {
-        EXPECT_EQ(result.code, code) << result.out << result.err;
-        EXPECT_EQ(result.out, "");
-        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-        EXPECT_EQ(result.err.substr(0, 7), "cairn: ");
-        EXPECT_NE(result.err.find(part), std::string::npos) << result.err;
-    }
-
-    fs::path folder_;
-};
+using namespace cairn::test;
 
 TEST_F(Cli, HelpOfEveryCommand) {
     for (const char* arguments :
@@ -187,7 +148,7 @@ TEST_F(Cli, ConvertRefusesWhatItCannotDo) {
     expect_one_line(cairn("convert rock.obj rock.gltf --as parts"), 2,
                     "--as: must be one of hull, mesh, got parts; there is no decomposition into convex parts");
     expect_one_line(cairn("convert rock.obj rock.gltf --scale 0"), 2, "--scale");
-    expect_one_line(cairn("convert rock.obj rock.obj"), 1, "rock.obj: must end in .gltf or .glb");
+    expect_one_line(cairn("convert rock.obj rock.obj"), 2, "out: must end in .gltf, .glb, got rock.obj");
     expect_one_line(cairn("convert welcome a.gltf --as mesh"), 1,
                     "is a scene, and --as, --scale and --density are for");
     expect_one_line(cairn("convert bad.obj a.gltf"), 1, "bad.obj:2: must have a number that fits a float, got \"\"");
@@ -345,7 +306,7 @@ TEST_F(Cli, FullDiskIsAnError) {
         (folder_ / ".err").string() + "'";
     const int status = std::system(line.c_str());
     EXPECT_EQ(WEXITSTATUS(status), 1);
-    EXPECT_EQ(read_all(folder_ / ".err"), "cairn: stdout: cannot be written\n");
+    EXPECT_EQ(read_all(folder_ / ".err"), "cairn: stdout: cannot be written: No space left on device\n");
 }
 
 } // namespace
