@@ -152,6 +152,16 @@ std::string text_summary(const std::string& path, const scene::Scene& scene, con
     return text;
 }
 
+// Of what was cut while it ran; what the file asks for is said when it is loaded.
+void warn_of_speeds(scene::Scene& scene, std::uint64_t count) {
+    if (count == 0) return;
+    const WorldDef& settings = scene.world.settings();
+    scene.warnings.push_back(fmt::format("speeds were cut to the world's limits of {} m/s and {} rad/s, {} in all",
+                                         settings.max_linear_speed, settings.max_angular_speed,
+                                         count == 1 ? "once" : fmt::format("{} times", count)));
+    complain("warning: " + scene.warnings.back());
+}
+
 } // namespace
 
 int run_command(const RunOptions& options) {
@@ -167,7 +177,9 @@ int run_command(const RunOptions& options) {
     apply_options(options, scene);
     const std::uint64_t steps = count_steps(options, scene.info.time_step);
     const InterruptGuard interrupt; // until all is written: an impatient second signal must not lose it
+    const std::uint64_t cut_before = scene.world.statistics().clamped_speeds;
     const Outcome outcome = simulate(options, scene, steps, interrupt);
+    warn_of_speeds(scene, scene.world.statistics().clamped_speeds - cut_before);
     const std::string name = path.generic_string();
     print(options.json ? json_summary(name, scene, outcome) : text_summary(name, scene, outcome));
     return 0;

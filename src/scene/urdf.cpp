@@ -2,6 +2,7 @@
 // where they do with all joints at 0, or as near as their limits allow.
 #include "scene/urdf.h"
 
+#include "scene/json_number.h"
 #include "scene/mass_sum.h"
 #include "scene/urdf_file.h"
 #include "scene/urdf_joints.h"
@@ -138,13 +139,23 @@ class RobotBuilder {
             scene_.warnings.push_back(where + " has an inertia of 0; that of a ball of 0.1 m radius is taken");
             inertia = ball_inertia(m);
         }
-        const glm::dvec3 values = principal_axes(inertia).values;
+        const PrincipalAxes principal = principal_axes(inertia);
+        const glm::dvec3 values = principal.values;
         for (int i = 0; i < 3; ++i) {
             if (!(values[i] > 0.0)) {
                 throw Error(ErrorCode::invalid_file, where + ": inertia",
                             "a principal moment of " + std::to_string(values[i]) + " kg m2",
                             "must have three positive principal moments");
             }
+        }
+        if (const auto nearest = nearest_real_moments(values)) {
+            scene_.warnings.push_back(where +
+                                      ": one principal moment of the inertia exceeds the sum of the other two, "
+                                      "which no body has; the nearest possible ones are taken: " +
+                                      short_number(nearest->x) + ", " + short_number(nearest->y) + ", " +
+                                      short_number(nearest->z) + " kg m2");
+            inertia = principal.axes * glm::dmat3(nearest->x, 0, 0, 0, nearest->y, 0, 0, 0, nearest->z) *
+                      glm::transpose(principal.axes);
         }
         sum.add(m, inertia, at * rigid(inertial.origin, where));
     }

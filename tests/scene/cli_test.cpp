@@ -111,6 +111,18 @@ TEST_F(Cli, InterruptedRunsKeepWhatTheyHave) {
     EXPECT_FALSE(fs::exists(folder_ / "out.csv.partial"));
 }
 
+TEST_F(Cli, SpeedsThatAreCutAreToldOf) {
+    std::ofstream(folder_ / "fast.gltf")
+        << R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0],"extensions":{"CAIRN_world":{"max_linear_speed":1}}}],)"
+           R"("nodes":[{"extensions":{"KHR_physics_rigid_bodies":{"motion":{},"collider":{"geometry":{"shape":0}}}}}],)"
+           R"("extensions":{"KHR_implicit_shapes":{"shapes":[{"type":"sphere"}]}}})";
+    const Result result = cairn("run fast.gltf --seconds 1 --json");
+    EXPECT_EQ(result.code, 0);
+    EXPECT_NE(result.err.find("speeds were cut to the world's limits of 1 m/s"), std::string::npos) << result.err;
+    EXPECT_EQ(nlohmann::json::parse(result.out)["warnings"].size(), 1u);
+    EXPECT_EQ(cairn("run fast.gltf --frames 2").err, "");
+}
+
 TEST_F(Cli, SavedScenesRunAgain) {
     ASSERT_EQ(cairn("run t_handles --frames 10 --save later.gltf").code, 0);
     const nlohmann::json on = nlohmann::json::parse(cairn("run later.gltf --frames 1 --json").out);
