@@ -15,6 +15,9 @@ namespace {
 
 scene::Scene load_any(const ConvertOptions& options) {
     if (scene::is_mesh_file(options.input)) {
+        if (options.read.fixed_base) {
+            throw Error(ErrorCode::unsupported, options.input.string(), {}, "must be a robot for its base to be fixed");
+        }
         scene::MeshImport import;
         import.as_hull = options.as_hull.value_or(true);
         import.scale = options.scale.value_or(1.0);
@@ -25,7 +28,7 @@ scene::Scene load_any(const ConvertOptions& options) {
         throw Error(ErrorCode::invalid_value, options.input.string(), {},
                     "is a scene, and --as, --scale and --density are for .obj and .stl files");
     }
-    return scene::load(scene::find_scene(options.input.string()));
+    return options.read.load(scene::find_scene(options.input.string()));
 }
 
 } // namespace

@@ -67,6 +67,66 @@ cairn::Integrator integrator_of(const std::string& name) {
     return name == "explicit" ? cairn::Integrator::explicit_euler : cairn::Integrator::semi_implicit_euler;
 }
 
+void add_reading(CLI::App& command, cairn::cli::ReadOptions& options) {
+    command.add_flag("--fixed-base", options.fixed_base, "Of a robot in URDF: its root link does not move");
+    command.add_flag("--floor", options.floor, "Put a floor below the lowest point of the scene");
+}
+
+// A list of names, separated by commas.
+CLI::Validator list_of(const std::vector<std::string_view>& names) {
+    return CLI::Validator(
+        [names](std::string& text) {
+            std::istringstream list(text);
+            bool is_empty = true;
+            for (std::string name; std::getline(list, name, ',');) {
+                is_empty = false;
+                if (std::find(names.begin(), names.end(), name) == names.end())
+                    return fmt::format("must be some of {}, separated by commas, got {}", fmt::join(names, ", "), name);
+            }
+            return is_empty ? fmt::format("must be some of {}", fmt::join(names, ", ")) : std::string();
+        },
+        "");
+}
+
+void add_table(CLI::App& run, RunOptions& options) {
+    auto* csv = run.add_option("--csv", options.csv,
+                               "Write a table: positions and velocities of every body after every step (.csv, .npy)");
+    csv->check(file_of(cairn::cli::table_extensions()));
+    run.add_option_function<std::string>(
+           "--columns",
+           [&options](const std::string& text) {
+               options.columns.clear();
+               std::istringstream list(text);
+               for (std::string name; std::getline(list, name, ',');)
+                   options.columns.push_back(cairn::cli::quantity_of(name));
+           },
+           fmt::format("Of the table (default position,rotation,velocity,angular_velocity): some of {}",
+                       fmt::join(cairn::cli::quantity_names(), ", ")))
+        ->check(list_of(cairn::cli::quantity_names()))
+        ->needs(csv);
+    run.add_option("--every", options.every, "Write every so many steps only (table, animation)")
+        ->check(between(1, 1e9));
+    run.add_option("--from", options.from, "Begin writing there, s (table, animation, video)")->check(between(0, 1e9));
+    run.add_option("--until", options.until, "End writing there, s (table, animation, video)")->check(between(0, 1e9));
+}
+
+void add_outputs(CLI::App& run, RunOptions& options) {
+    add_table(run, options);
+    run.add_option("--png", options.png, "Write a picture of the end (.png, .jpg)")
+        ->check(file_of(cairn::viewer::picture_extensions()));
+    run.add_option("--video", options.video,
+                   "Write a video, 60 frames a second (.mp4, .mkv, .mov, .webm, .gif; needs ffmpeg)")
+        ->check(file_of(cairn::viewer::video_extensions()));
+    run.add_option("--save", options.save, "Write the scene as it stands at the end (.gltf, .glb)")
+        ->check(file_of(scene_extensions));
+    run.add_option("--animate", options.animate,
+                   "Write the run as an animated glTF file, for viewers without physics (.glb, .gltf)")
+        ->check(file_of({".glb", ".gltf"}));
+    run.add_option("--width", options.width, "Of pictures and videos, pixels")->check(between(16, 8192));
+    run.add_option("--height", options.height, "Of pictures and videos, pixels")->check(between(16, 8192));
+    run.add_flag("--json", options.json, "Print the summary as one JSON object");
+}
+
 void add_run(CLI::App& app, RunOptions& options) {
     CLI::App* run = app.add_subcommand("run", "Simulate a scene without a window; write numbers, pictures, videos.");
     run->add_option("scene", options.scene, "A file, or the name of a scene (see `cairn scenes`)")->required();
@@ -82,21 +142,14 @@ void add_run(CLI::App& app, RunOptions& options) {
            "--integrator", [&options](const std::string& name) { options.integrator = integrator_of(name); },
            "Of free motion: semi-implicit, explicit or rk4 (default: the scene's)")
         ->check(one_of({"semi-implicit", "explicit", "rk4"}));
-    run->add_option("--csv", options.csv, "Write positions and velocities of every body after every step (.csv)")
-        ->check(file_of({".csv"}));
-    run->add_option("--png", options.png, "Write a picture of the end (.png, .jpg)")
-        ->check(file_of(cairn::viewer::picture_extensions()));
-    run->add_option("--video", options.video,
-                    "Write a video, 60 frames a second (.mp4, .mkv, .mov, .webm, .gif; needs ffmpeg)")
-        ->check(file_of(cairn::viewer::video_extensions()));
-    run->add_option("--save", options.save, "Write the scene as it stands at the end (.gltf, .glb)")
-        ->check(file_of(scene_extensions));
-    run->add_option("--animate", options.animate,
-                    "Write the run as an animated glTF file, for viewers without physics (.glb, .gltf)")
-        ->check(file_of({".glb", ".gltf"}));
-    run->add_option("--width", options.width, "Of pictures and videos, pixels")->check(between(16, 8192));
-    run->add_option("--height", options.height, "Of pictures and videos, pixels")->check(between(16, 8192));
-    run->add_flag("--json", options.json, "Print the summary as one JSON object");
+    add_reading(*run, options.read);
+    auto* targets = run->add_option("--targets", options.targets,
+                                    "Move joints as a table says (.csv: time, and joints by their names)");
+    run->add_option("--servo-frequency", options.servo_frequency,
+                    "Of joints with targets whose motors have no stiffness, Hz (default 10)")
+        ->check(between(0.01, 1000))
+        ->needs(targets);
+    add_outputs(*run, options);
 }
 
 void add_scenes(CLI::App& app, ScenesOptions& options) {
@@ -120,6 +173,7 @@ void add_convert(CLI::App& app, ConvertOptions& options) {
             "mesh; "
             "default hull)")
         ->check(one_of({"hull", "mesh"}, "; there is no decomposition into convex parts"));
+    add_reading(*convert, options.read);
     convert->add_option("--scale", options.scale, "Meters of one unit of a mesh (default 1)")
         ->check(between(1e-9, 1e9));
     convert->add_option("--density", options.density, "Of a mesh's hull, kg/m^3 (default 1000)")
@@ -129,6 +183,7 @@ void add_convert(CLI::App& app, ConvertOptions& options) {
 void add_view(CLI::App& app, ViewOptions& options) {
     CLI::App* view = app.add_subcommand("view", "Open a scene in a window. F1 shows the keys.");
     view->add_option("scene", options.scene, "A file, or the name of a scene (default: welcome)");
+    add_reading(*view, options.read);
     view->add_option("--width", options.width, "Of the window")->check(between(200, 16384));
     view->add_option("--height", options.height, "Of the window")->check(between(150, 16384));
     view->add_option("--exit-after", options.exit_after, "Close by itself after so many seconds")

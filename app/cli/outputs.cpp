@@ -57,6 +57,8 @@ void print(const std::string& text) {
     }
 }
 
+bool output_is_on_terminal() { return standard_output_is_taken && isatty(STDOUT_FILENO) == 1; }
+
 void complain(std::string_view text) {
     std::string line = "cairn: ";
     for (const char c : text) line += static_cast<unsigned char>(c) < ' ' || c == 127 ? ' ' : c;

@@ -24,6 +24,9 @@ bool has_format(const std::filesystem::path& path, std::span<const std::string_v
 // Prints to stdout, or see `check_outputs`. Throws Error (io) if that fails, for example because the disk is full.
 void print(const std::string& text);
 
+// Whether an output file is standard output, and that is a terminal.
+bool output_is_on_terminal();
+
 // Prints a line of its own to stderr, after "cairn: "; what is not printable in it becomes a blank. Never fails.
 void complain(std::string_view text);
 

@@ -1,5 +1,6 @@
 #include "cli/commands.h"
 #include "cli/interrupt.h"
+#include "cli/joint_targets.h"
 #include "cli/outputs.h"
 #include "cli/pictures.h"
 #include "cli/progress.h"
@@ -67,6 +68,18 @@ void check_size(const RunOptions& options) {
     }
 }
 
+void check_window(const RunOptions& options) {
+    if (options.until && *options.until < options.from) {
+        throw Error(ErrorCode::invalid_value, "--until", fmt::format("{}", *options.until),
+                    fmt::format("must not be before --from, {}", options.from));
+    }
+    const bool is_windowed = options.every != 1 || options.from > 0.0 || options.until;
+    if (is_windowed && options.csv.empty() && options.animate.empty() && options.video.empty()) {
+        throw Error(ErrorCode::invalid_value, "--every, --from and --until", {},
+                    "are for --csv, --animate and --video, and there is none");
+    }
+}
+
 void apply_options(const RunOptions& options, scene::Scene& scene) {
     if (options.time_step) scene.info.time_step = static_cast<float>(*options.time_step);
     WorldDef settings = scene.world.settings();
@@ -76,40 +89,67 @@ void apply_options(const RunOptions& options, scene::Scene& scene) {
     scene.world.set_threads(options.threads.value_or(hardware_threads()));
 }
 
-Outcome simulate(const RunOptions& options, scene::Scene& scene, std::uint64_t steps, const InterruptGuard& interrupt) {
-    std::unique_ptr<TrajectoryWriter> csv;
-    if (!options.csv.empty()) csv = std::make_unique<TrajectoryWriter>(options.csv, scene.world);
-    std::unique_ptr<PictureRecorder> pictures;
-    if (!options.png.empty() || !options.video.empty()) {
-        pictures = std::make_unique<PictureRecorder>(scene, options.png, options.video, options.width, options.height);
+// All that is written while it runs.
+class Recorders {
+  public:
+    Recorders(const RunOptions& options, const scene::Scene& scene) : options_(options) {
+        if (!options.csv.empty()) csv_ = std::make_unique<TrajectoryWriter>(options.csv, scene.world, options.columns);
+        if (!options.png.empty() || !options.video.empty()) {
+            pictures_ =
+                std::make_unique<PictureRecorder>(scene, options.png, options.video, options.width, options.height);
+        }
+        if (!options.animate.empty()) animation_.emplace(scene);
     }
-    std::optional<scene::AnimationBaker> animation;
-    if (!options.animate.empty()) animation.emplace(scene);
+
+    // Before the first step, and after each.
+    void add(const World& world, std::uint64_t step, float time_step) {
+        const double time = world.time(), tolerance = 1e-3 * static_cast<double>(time_step); // times are sums
+        if (time < options_.from - tolerance || (options_.until && time > *options_.until + tolerance)) return;
+        if (pictures_) pictures_->add(world);
+        if (step % static_cast<std::uint64_t>(options_.every) != 0) return;
+        if (csv_) csv_->add(world);
+        if (animation_) animation_->add(world);
+    }
+
+    void finish(const scene::Scene& scene) {
+        if (csv_) csv_->close();
+        if (pictures_) pictures_->finish(scene.world);
+        if (animation_) animation_->write(options_.animate);
+        if (!options_.save.empty()) scene::save(scene, options_.save);
+    }
+
+  private:
+    const RunOptions& options_;
+    std::unique_ptr<TrajectoryWriter> csv_;
+    std::unique_ptr<PictureRecorder> pictures_;
+    std::optional<scene::AnimationBaker> animation_;
+};
+
+Outcome simulate(const RunOptions& options, scene::Scene& scene, std::optional<JointTargets>& targets,
+                 std::uint64_t steps, const InterruptGuard& interrupt) {
+    Recorders recorders(options, scene);
+    const float time_step = scene.info.time_step;
     Outcome outcome;
     {
-        ProgressLine progress(steps);
-        if (csv) csv->add(scene.world);
-        if (animation) animation->add(scene.world);
-        if (pictures) pictures->add(scene.world);
+        ProgressLine progress(steps, "steps", static_cast<double>(time_step));
+        recorders.add(scene.world, 0, time_step);
         for (std::uint64_t i = 0; i < steps && !interrupt.requested(); ++i) {
+            if (targets) targets->apply(scene.world, time_step);
             const auto start = std::chrono::steady_clock::now();
-            scene.world.step(scene.info.time_step);
+            scene.world.step(time_step);
             const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
             outcome.step_times.push_back(elapsed.count());
             outcome.max_penetration = std::max(outcome.max_penetration, scene.world.statistics().max_penetration);
-            if (csv) csv->add(scene.world);
-            if (animation) animation->add(scene.world);
-            if (pictures) pictures->add(scene.world);
+            recorders.add(scene.world, i + 1, time_step);
             progress.show(i + 1);
         }
         outcome.interrupted = interrupt.requested();
     }
-    if (csv) csv->close();
-    if (pictures) pictures->finish(scene.world);
-    if (animation) animation->write(options.animate);
-    if (!options.save.empty()) scene::save(scene, options.save);
+    recorders.finish(scene);
     return outcome;
 }
+
+nlohmann::ordered_json vector_json(const glm::dvec3& v) { return nlohmann::ordered_json::array({v.x, v.y, v.z}); }
 
 std::string json_summary(const std::string& path, const scene::Scene& scene, const Outcome& outcome) {
     const World& world = scene.world;
@@ -126,6 +166,8 @@ std::string json_summary(const std::string& path, const scene::Scene& scene, con
     json["ms_per_step"] = {{"mean", times.mean}, {"median", times.median}, {"p99", times.p99}};
     json["hash"] = fmt::format("{:016x}", world.state_hash());
     json["energy"] = {{"kinetic", world.kinetic_energy()}, {"potential", world.potential_energy()}};
+    json["momentum"] = {{"linear", vector_json(world.linear_momentum())},
+                        {"angular", vector_json(world.angular_momentum())}};
     json["max_penetration"] = outcome.max_penetration;
     json["contacts"] = statistics.contacts;
     json["contact_points"] = statistics.contact_points;
@@ -164,6 +206,12 @@ void warn_of_speeds(scene::Scene& scene, std::uint64_t count) {
 
 } // namespace
 
+scene::Scene ReadOptions::load(const std::filesystem::path& path) const {
+    scene::Scene scene = scene::load(path, {.fixed_base = fixed_base});
+    if (floor) scene::add_floor(scene);
+    return scene;
+}
+
 int run_command(const RunOptions& options) {
     check_outputs(std::vector<Output>{{"--csv", options.csv},
                                       {"--png", options.png},
@@ -171,14 +219,22 @@ int run_command(const RunOptions& options) {
                                       {"--save", options.save},
                                       {"--animate", options.animate}});
     check_size(options);
+    check_window(options);
     const std::filesystem::path path = scene::find_scene(options.scene);
-    scene::Scene scene = scene::load(path);
+    scene::Scene scene = options.read.load(path);
     print_warnings(scene.warnings);
     apply_options(options, scene);
     const std::uint64_t steps = count_steps(options, scene.info.time_step);
+    const double end = scene.world.time() + static_cast<double>(steps) * static_cast<double>(scene.info.time_step);
+    if (options.from > end) {
+        throw Error(ErrorCode::invalid_value, "--from", fmt::format("{}", options.from),
+                    fmt::format("must not be after the end of the run, {:.6g} s", end));
+    }
     const InterruptGuard interrupt; // until all is written: an impatient second signal must not lose it
+    std::optional<JointTargets> targets;
+    if (!options.targets.empty()) targets.emplace(options.targets, scene, options.servo_frequency);
     const std::uint64_t cut_before = scene.world.statistics().clamped_speeds;
-    const Outcome outcome = simulate(options, scene, steps, interrupt);
+    const Outcome outcome = simulate(options, scene, targets, steps, interrupt);
     warn_of_speeds(scene, scene.world.statistics().clamped_speeds - cut_before);
     const std::string name = path.generic_string();
     print(options.json ? json_summary(name, scene, outcome) : text_summary(name, scene, outcome));

@@ -16,7 +16,10 @@ int view_command(const ViewOptions& options) {
     for (const scene::SceneEntry& entry : scene::list_scenes(scene::scenes_directory())) {
         if (entry.error.empty()) window.scenes.push_back({entry.path.string(), entry.title});
     }
-    window.loader = load_for_viewer;
+    // The options are for the first scene; others come from the list, or are dropped on the window.
+    window.loader = [&](const std::string& path) {
+        return load_for_viewer(path, path == window.scene ? options.read : ReadOptions{});
+    };
     window.file_types = viewer_file_types();
     window.width = options.width;
     window.height = options.height;

@@ -51,8 +51,8 @@ std::vector<std::string> viewer_file_types() { return {".gltf", ".glb", ".urdf",
 namespace {
 
 // A mesh alone becomes ground to drop bodies on: it is shown as it is, and stays where it is.
-scene::Scene load_any(const std::filesystem::path& path) {
-    if (!scene::is_mesh_file(path)) return scene::load(path);
+scene::Scene load_any(const std::filesystem::path& path, const ReadOptions& options) {
+    if (!scene::is_mesh_file(path)) return options.load(path);
     scene::MeshImport import;
     import.as_hull = false;
     scene::Scene scene = scene::scene_of_mesh(scene::load_mesh_file(path), import, path.stem().string());
@@ -62,8 +62,8 @@ scene::Scene load_any(const std::filesystem::path& path) {
 
 } // namespace
 
-viewer::LoadedScene load_for_viewer(const std::string& path) {
-    scene::Scene scene = load_any(scene::find_scene(path));
+viewer::LoadedScene load_for_viewer(const std::string& path, const ReadOptions& options) {
+    scene::Scene scene = load_any(scene::find_scene(path), options);
     viewer::LoadedScene loaded;
     loaded.appearances = appearances_of(scene);
     loaded.visuals = visuals_of(scene);

@@ -402,8 +402,11 @@ class Builder {
 };
 
 Scene load_bytes(std::span<const std::byte> bytes, const std::string& name,
-                 const std::optional<std::filesystem::path>& folder) {
-    if (is_xml(bytes)) return load_urdf(bytes, name, folder);
+                 const std::optional<std::filesystem::path>& folder, const LoadOptions& options) {
+    if (is_xml(bytes)) return load_urdf(bytes, name, folder, options);
+    if (options.fixed_base) {
+        throw Error(ErrorCode::unsupported, name, {}, "must be a robot in URDF for its base to be fixed");
+    }
     const GltfFile gltf = parse_gltf(bytes, name);
     const Value document(gltf.json, name);
     check_document(document);
@@ -430,11 +433,11 @@ Scene load_bytes(std::span<const std::byte> bytes, const std::string& name,
 } // namespace
 
 Scene load_from_memory(std::span<const std::byte> bytes, const std::string& name) {
-    return load_bytes(bytes, name, std::nullopt);
+    return load_bytes(bytes, name, std::nullopt, {});
 }
 
-Scene load(const std::filesystem::path& path) {
-    return load_bytes(read_file(path), path.filename().generic_string(), path.parent_path());
+Scene load(const std::filesystem::path& path, const LoadOptions& options) {
+    return load_bytes(read_file(path), path.filename().generic_string(), path.parent_path(), options);
 }
 
 } // namespace cairn::scene

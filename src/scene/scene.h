@@ -64,6 +64,13 @@ struct VisualMesh {
     Vec3 color{1.0f, 1.0f, 1.0f}; ///< Linear red, green and blue, each 0 to 1.
 };
 
+/// How fast a joint of a robot may be driven. The engine's motors know no such limit: it is for who moves their
+/// targets.
+struct JointSpeedLimit {
+    JointId joint;
+    float speed = 0.0f; ///< rad/s or m/s, > 0.
+};
+
 /// A world and what came with it.
 struct Scene {
     World world;
@@ -78,10 +85,20 @@ struct Scene {
     /// Names of the layers in the shapes' collision filters: the i-th is that of bit i + 1. Bit 0 is for what is in no
     /// named layer. Others get a name of their number when they are saved.
     std::vector<std::string> collision_systems{};
+    std::vector<JointSpeedLimit> speed_limits{}; ///< Of robots; not saved.
+};
+
+/// How a file is read.
+struct LoadOptions {
+    bool fixed_base = false; ///< The root link of a robot does not move. Of other files: refused (`unsupported`).
 };
 
 /// Reads a `.gltf`, `.glb` or URDF file (docs/urdf.md); which of them it is shows in its first bytes, not in its name.
-Scene load(const std::filesystem::path& path);
+Scene load(const std::filesystem::path& path, const LoadOptions& options = {});
+
+/// Adds a static body "floor", an infinite plane that faces up, as high as the lowest point of all shapes, or where
+/// there are none at y = 0. Triggers and what is infinite do not count.
+void add_floor(Scene& scene);
 
 /// Reads a scene from memory. `name` stands for the file in messages. Buffers in other files are refused.
 Scene load_from_memory(std::span<const std::byte> bytes, const std::string& name);
@@ -112,7 +129,8 @@ std::vector<SceneEntry> list_scenes(const std::filesystem::path& directory);
 std::filesystem::path scenes_directory();
 
 /// The file that a user means: a path to an existing file, or the name of a scene in `scenes_directory()`,
-/// with or without its leading number and its extension (`welcome`, `open_plane`, `01_open_plane.gltf`).
+/// with or without its leading number and its extension, or that number alone (`01_open_plane.gltf`, `01_open_plane`,
+/// `open_plane`, `01`, `1`). Throws `Error`: `io` if there is none, `invalid_value` if several are meant.
 std::filesystem::path find_scene(std::string_view path_or_name);
 
 } // namespace cairn::scene

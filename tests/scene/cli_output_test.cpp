@@ -154,7 +154,7 @@ TEST_F(CliOutput, UnknownExtensionsAreRefusedWithTheKnownOnes) {
     expect_one_line(cairn(forever + "--video a"), 2, "--video: must end in ");
     expect_one_line(cairn(forever + "--save a.json"), 2, "--save: must end in .gltf, .glb, got a.json");
     expect_one_line(cairn(forever + "--animate a.gltf.zip"), 2, "--animate: must end in .glb, .gltf, got a.gltf.zip");
-    expect_one_line(cairn(forever + "--csv a.json"), 2, "--csv: must end in .csv");
+    expect_one_line(cairn(forever + "--csv a.json"), 2, "--csv: must end in .csv, .npy, got a.json");
     expect_one_line(cairn(forever + "--csv ''"), 2, "--csv: must be the name of a file");
     expect_one_line(cairn("view welcome --report a.txt"), 2, "--report: must end in .json, got a.txt");
     expect_one_line(cairn(forever + "--video a.mp4 --width 641"), 1,

@@ -111,6 +111,32 @@ TEST_F(Cli, InterruptedRunsKeepWhatTheyHave) {
     EXPECT_FALSE(fs::exists(folder_ / "out.csv.partial"));
 }
 
+TEST_F(Cli, ScenesHaveTheirNumbersAndTheirNames) {
+    const auto scene_of = [&](const std::string& name) {
+        const Result result = cairn("run " + name + " --frames 1 --json");
+        return result.code == 0 ? nlohmann::json::parse(result.out)["scene"].get<std::string>() : result.err;
+    };
+    fs::create_directories(folder_ / "tower"); // a folder of that name is no scene
+    for (const char* name : {"08", "8", "tower", "08_tower", "08_tower.gltf", "tower.gltf"})
+        EXPECT_NE(scene_of(name).find("/08_tower.gltf"), std::string::npos) << name << ": " << scene_of(name);
+    for (const char* name : {"888", "0x8", "08_", "99999999999999999999", "_tower"})
+        expect_one_line(cairn(std::string("run ") + name), 1, "nor a scene of that name in ");
+}
+
+TEST_F(Cli, NamesOfSeveralScenesAreRefusedWithTheCandidates) {
+    fs::create_directories(folder_ / "scenes");
+    for (const char* name : {"01_a.gltf", "01_b.gltf", "02_c.gltf", "3_c.glb", "04_01.gltf", "05_d.gltf", "05_d.glb"})
+        std::ofstream(folder_ / "scenes" / name) << R"({"asset":{"version":"2.0"}})";
+    const auto run = [&](const std::string& name) {
+        return shell("CAIRN_SCENES=scenes \"$CAIRN\" run --frames 1 " + name);
+    };
+    expect_one_line(run("1"), 1, "1: may be any of 01_a.gltf, 01_b.gltf");
+    expect_one_line(run("c"), 1, "c: may be any of 02_c.gltf, 3_c.glb");
+    expect_one_line(run("05_d"), 1, "05_d: may be any of 05_d.glb, 05_d.gltf");
+    for (const char* name : {"a", "01_a", "c.glb", "2", "03", "01", "05_d.glb"}) // 01 is 04_01's name
+        EXPECT_EQ(run(name).code, 0) << name << run(name).err;
+}
+
 TEST_F(Cli, SpeedsThatAreCutAreToldOf) {
     std::ofstream(folder_ / "fast.gltf")
         << R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0],"extensions":{"CAIRN_world":{"max_linear_speed":1}}}],)"
