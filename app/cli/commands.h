@@ -44,10 +44,20 @@ int run_command(const RunOptions& options);
 
 struct ScenesOptions {
     std::filesystem::path folder; // empty: the scenes that come with Cairn
-    bool json = false;
+    bool json = false, names = false;
 };
 
 int scenes_command(const ScenesOptions& options);
+
+struct DoctorOptions {
+    bool json = false;
+};
+
+int doctor_command(const DoctorOptions& options);
+
+struct CompletionOptions {
+    std::string shell;
+};
 
 struct ConvertOptions {
     ReadOptions read;

@@ -12,6 +12,12 @@ namespace cairn::cli {
 
 int scenes_command(const ScenesOptions& options) {
     const std::filesystem::path folder = options.folder.empty() ? scene::scenes_directory() : options.folder;
+    if (options.names) {
+        std::string names;
+        for (const std::filesystem::path& file : scene::scene_files(folder)) names += file.stem().string() + "\n";
+        print(names);
+        return 0;
+    }
     const std::vector<scene::SceneEntry> entries = scene::list_scenes(folder);
     if (options.json) {
         nlohmann::ordered_json list = nlohmann::ordered_json::array();

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -46,6 +47,10 @@ class HeadlessRenderer {
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };
+
+/// What draws pictures without a window on this machine: the renderer and its version, as OpenGL names them. Throws
+/// `Error` (unsupported) with what is missing.
+std::string opengl_renderer();
 
 /// Extensions of the videos that `VideoWriter` knows, with their dots.
 std::vector<std::string_view> video_extensions();

@@ -62,20 +62,6 @@ SceneEntry read_entry(const fs::path& path) {
 
 bool is_scene_file(const fs::path& path) { return path.extension() == ".gltf" || path.extension() == ".glb"; }
 
-std::vector<fs::path> scene_files(const fs::path& directory) {
-    std::vector<fs::path> files;
-    std::error_code code;
-    for (fs::directory_iterator entry(directory, code), end; !code && entry != end; entry.increment(code)) {
-        if (is_scene_file(entry->path()) && !entry->is_directory(code)) files.push_back(entry->path());
-        code.clear(); // of a single entry: reading that file will say what is wrong with it
-    }
-    if (code) throw Error(ErrorCode::io, directory.generic_string(), {}, "cannot be listed: " + code.message());
-    std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
-        return a.filename().generic_string() < b.filename().generic_string();
-    });
-    return files;
-}
-
 // "01_open_plane" -> "open_plane"
 std::string without_number(const std::string& name) {
     const std::size_t digits = name.find_first_not_of("0123456789");
@@ -115,6 +101,20 @@ fs::path program_directory() {
 }
 
 } // namespace
+
+std::vector<fs::path> scene_files(const fs::path& directory) {
+    std::vector<fs::path> files;
+    std::error_code code;
+    for (fs::directory_iterator entry(directory, code), end; !code && entry != end; entry.increment(code)) {
+        if (is_scene_file(entry->path()) && !entry->is_directory(code)) files.push_back(entry->path());
+        code.clear(); // of a single entry: reading that file will say what is wrong with it
+    }
+    if (code) throw Error(ErrorCode::io, directory.generic_string(), {}, "cannot be listed: " + code.message());
+    std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
+        return a.filename().generic_string() < b.filename().generic_string();
+    });
+    return files;
+}
 
 std::vector<SceneEntry> list_scenes(const fs::path& directory) {
     std::vector<SceneEntry> entries;

@@ -111,6 +111,9 @@ std::string save_to_string(const Scene& scene);
 /// files/output_file.h.
 void save(const Scene& scene, const std::filesystem::path& path);
 
+/// The `.gltf` and `.glb` files of a folder (not those of its subfolders), sorted by name. Throws `Error` (io).
+std::vector<std::filesystem::path> scene_files(const std::filesystem::path& directory);
+
 /// One line of a list of scenes.
 struct SceneEntry {
     std::filesystem::path path;
@@ -120,7 +123,7 @@ struct SceneEntry {
     std::string error;      ///< Why the file cannot be used; empty if it can.
 };
 
-/// The `.gltf` and `.glb` files of a folder (not those of its subfolders), sorted by name. Builds no worlds.
+/// What the files of `scene_files` say of themselves, in that order. Builds no worlds.
 std::vector<SceneEntry> list_scenes(const std::filesystem::path& directory);
 
 /// The folder of the scenes that come with Cairn: the environment variable CAIRN_SCENES if it is set, else

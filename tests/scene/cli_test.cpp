@@ -18,8 +18,8 @@ namespace fs = std::filesystem;
 using namespace cairn::test;
 
 TEST_F(Cli, HelpOfEveryCommand) {
-    for (const char* arguments :
-         {"--help", "run --help", "view --help", "scenes --help", "convert --help", "validate --help"}) {
+    for (const char* arguments : {"--help", "run --help", "view --help", "scenes --help", "convert --help",
+                                  "validate --help", "doctor --help", "completion --help", "manual --help"}) {
         const Result result = cairn(arguments);
         EXPECT_EQ(result.code, 0) << arguments;
         EXPECT_NE(result.out.find("Usage:"), std::string::npos) << arguments;
