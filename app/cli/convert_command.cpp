@@ -1,3 +1,4 @@
+#include "cli/activity.h"
 #include "cli/commands.h"
 #include "cli/outputs.h"
 
@@ -35,8 +36,10 @@ scene::Scene load_any(const ConvertOptions& options) {
 
 int convert_command(const ConvertOptions& options) {
     check_outputs(std::vector<Output>{{"out", options.output}});
+    set_activity("reading", options.input.generic_string());
     const scene::Scene scene = load_any(options);
     print_warnings(scene.warnings);
+    set_activity("writing", options.output.generic_string());
     scene::save(scene, options.output);
     return 0;
 }

@@ -1,5 +1,6 @@
 // The `cairn` command: reads the command line and hands over. A wrong call ends with one line on stderr and exit
 // code 2, an error at run time with one line and exit code 1.
+#include "cli/activity.h"
 #include "cli/command_line.h"
 #include "cli/outputs.h"
 #include "files/output_file.h"
@@ -8,6 +9,7 @@
 
 #include <csignal>
 #include <exception>
+#include <new>
 #include <sstream>
 #include <string>
 
@@ -31,20 +33,11 @@ int end_without_reader() {
 int print_help(const CLI::App& app, const CLI::ParseError& error) {
     std::ostringstream text;
     app.exit(error, text, text);
-    try {
-        cairn::cli::print(text.str());
-        return 0;
-    } catch (const cairn::files::ReaderGone&) {
-        return end_without_reader();
-    } catch (const std::exception& problem) {
-        return fail(problem.what(), failed);
-    }
+    cairn::cli::print(text.str());
+    return 0;
 }
 
-} // namespace
-
-int main(int argc, char** argv) {
-    std::signal(SIGPIPE, SIG_IGN); // writing says it, too
+int run(int argc, char** argv) {
     cairn::cli::CommandLine line;
     CLI::App& app = line.app;
     try {
@@ -56,8 +49,19 @@ int main(int argc, char** argv) {
         }
         return fail(std::string(error.what()) + " (see cairn --help)", called_wrongly);
     }
+    return line.execute();
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    std::signal(SIGPIPE, SIG_IGN); // writing says it, too
+    cairn::cli::prepare_for_out_of_memory();
     try {
-        return line.execute();
+        return run(argc, argv);
+    } catch (const std::bad_alloc&) {
+        cairn::cli::report_out_of_memory();
+        return failed;
     } catch (const cairn::files::ReaderGone&) {
         return end_without_reader();
     } catch (const std::exception& error) {

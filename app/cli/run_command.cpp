@@ -1,3 +1,4 @@
+#include "cli/activity.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/joint_targets.h"
@@ -112,10 +113,16 @@ class Recorders {
     }
 
     void finish(const scene::Scene& scene) {
+        const auto writing = [](const std::filesystem::path& path) { set_activity("writing", path.generic_string()); };
+        writing(options_.csv);
         if (csv_) csv_->close();
+        writing(options_.png.empty() ? options_.video : options_.png);
         if (pictures_) pictures_->finish(scene.world);
+        writing(options_.animate);
         if (animation_) animation_->write(options_.animate);
+        writing(options_.save);
         if (!options_.save.empty()) scene::save(scene, options_.save);
+        set_activity("adding up what happened");
     }
 
   private:
@@ -127,13 +134,16 @@ class Recorders {
 
 Outcome simulate(const RunOptions& options, scene::Scene& scene, std::optional<JointTargets>& targets,
                  std::uint64_t steps, const InterruptGuard& interrupt) {
+    set_activity("preparing what is written", options.scene);
     Recorders recorders(options, scene);
+    set_activity("simulating", options.scene);
     const float time_step = scene.info.time_step;
     Outcome outcome;
     {
         ProgressLine progress(steps, "steps", static_cast<double>(time_step));
         recorders.add(scene.world, 0, time_step);
         for (std::uint64_t i = 0; i < steps && !interrupt.requested(); ++i) {
+            set_activity_count(i, steps);
             if (targets) targets->apply(scene.world, time_step);
             const auto start = std::chrono::steady_clock::now();
             scene.world.step(time_step);
@@ -207,6 +217,7 @@ void warn_of_speeds(scene::Scene& scene, std::uint64_t count) {
 } // namespace
 
 scene::Scene ReadOptions::load(const std::filesystem::path& path) const {
+    set_activity("reading", path.generic_string());
     scene::Scene scene = scene::load(path, {.fixed_base = fixed_base});
     if (floor) scene::add_floor(scene);
     return scene;

@@ -1,3 +1,4 @@
+#include "cli/activity.h"
 #include "cli/commands.h"
 #include "cli/outputs.h"
 
@@ -12,6 +13,7 @@ namespace cairn::cli {
 
 int scenes_command(const ScenesOptions& options) {
     const std::filesystem::path folder = options.folder.empty() ? scene::scenes_directory() : options.folder;
+    set_activity("listing", folder.generic_string());
     if (options.names) {
         std::string names;
         for (const std::filesystem::path& file : scene::scene_files(folder)) names += file.stem().string() + "\n";

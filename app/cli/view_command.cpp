@@ -1,3 +1,4 @@
+#include "cli/activity.h"
 #include "cli/commands.h"
 #include "cli/outputs.h"
 #include "cli/viewer_scene.h"
@@ -26,6 +27,7 @@ int view_command(const ViewOptions& options) {
     window.exit_after = options.exit_after;
     window.report = options.report;
     window.script = options.script;
+    set_activity("showing", window.scene);
     return viewer::run_viewer(window);
 }
 

@@ -405,6 +405,8 @@ int run_viewer(const ViewerOptions& options) {
         Application application(options);
         application.run();
         return 0;
+    } catch (const std::bad_alloc&) { // whoever called knows what to say
+        throw;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "cairn: %s\n", error.what());
         return 1;

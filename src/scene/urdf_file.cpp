@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <new>
 #include <set>
 #include <string_view>
 #include <system_error>
@@ -217,6 +218,8 @@ urdf::ModelInterfaceSharedPtr parse_urdf(std::span<const std::byte> bytes, const
     std::string why;
     try {
         model = urdf::parseURDF(text);
+    } catch (const std::bad_alloc&) {
+        throw;
     } catch (const std::exception& error) { // from the depths of the parser
         why = error.what();
     }
