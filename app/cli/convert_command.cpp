@@ -23,7 +23,10 @@ scene::Scene load_any(const ConvertOptions& options) {
         import.as_hull = options.as_hull.value_or(true);
         import.scale = options.scale.value_or(1.0);
         import.density = static_cast<float>(options.density.value_or(1000.0));
-        return scene::scene_of_mesh(scene::load_mesh_file(options.input), import, options.input.stem().string());
+        scene::Scene made =
+            scene::scene_of_mesh(scene::load_mesh_file(options.input), import, options.input.stem().string());
+        if (options.read.floor) scene::add_floor(made);
+        return made;
     }
     if (options.as_hull || options.scale || options.density) {
         throw Error(ErrorCode::invalid_value, options.input.string(), {},

@@ -56,6 +56,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     std::signal(SIGPIPE, SIG_IGN); // writing says it, too
+    std::signal(SIGXFSZ, SIG_IGN); // so does this, where the size of files is limited
     cairn::cli::prepare_for_out_of_memory();
     try {
         return run(argc, argv);

@@ -81,6 +81,26 @@ void check_window(const RunOptions& options) {
     }
 }
 
+// Whether a moment is told to be written, of those at the start and after each step. Times are sums of steps.
+bool is_in_window(const RunOptions& options, double time, double time_step) {
+    const double tolerance = 1e-3 * time_step;
+    return time >= options.from - tolerance && !(options.until && time > *options.until + tolerance);
+}
+
+// Refuses what would leave files empty.
+void check_moments(const RunOptions& options, float time_step, std::uint64_t steps) {
+    const double step = static_cast<double>(time_step), end = static_cast<double>(steps) * step;
+    if (options.from > end + 1e-3 * step) {
+        throw Error(ErrorCode::invalid_value, "--from", fmt::format("{}", options.from),
+                    fmt::format("must not be after the end of the run, {:.6g} s", end));
+    }
+    const double every = static_cast<double>(options.every); // a video has all of them, and so at least these
+    const double first = every * std::ceil((options.from / step - 1e-3) / every);
+    if (first > static_cast<double>(steps) || !is_in_window(options, first * step, step)) {
+        throw Error(ErrorCode::invalid_value, "--every, --from and --until", {}, "have no step in common");
+    }
+}
+
 void apply_options(const RunOptions& options, scene::Scene& scene) {
     if (options.time_step) scene.info.time_step = static_cast<float>(*options.time_step);
     WorldDef settings = scene.world.settings();
@@ -104,8 +124,7 @@ class Recorders {
 
     // Before the first step, and after each.
     void add(const World& world, std::uint64_t step, float time_step) {
-        const double time = world.time(), tolerance = 1e-3 * static_cast<double>(time_step); // times are sums
-        if (time < options_.from - tolerance || (options_.until && time > *options_.until + tolerance)) return;
+        if (!is_in_window(options_, world.time(), static_cast<double>(time_step))) return;
         if (pictures_) pictures_->add(world);
         if (step % static_cast<std::uint64_t>(options_.every) != 0) return;
         if (csv_) csv_->add(world);
@@ -183,7 +202,8 @@ std::string json_summary(const std::string& path, const scene::Scene& scene, con
     json["contact_points"] = statistics.contact_points;
     json["interrupted"] = outcome.interrupted;
     json["warnings"] = scene.warnings;
-    return json.dump(2) + "\n";
+    // Names of files are any bytes.
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 std::string text_summary(const std::string& path, const scene::Scene& scene, const Outcome& outcome) {
@@ -236,11 +256,7 @@ int run_command(const RunOptions& options) {
     print_warnings(scene.warnings);
     apply_options(options, scene);
     const std::uint64_t steps = count_steps(options, scene.info.time_step);
-    const double end = scene.world.time() + static_cast<double>(steps) * static_cast<double>(scene.info.time_step);
-    if (options.from > end) {
-        throw Error(ErrorCode::invalid_value, "--from", fmt::format("{}", options.from),
-                    fmt::format("must not be after the end of the run, {:.6g} s", end));
-    }
+    check_moments(options, scene.info.time_step, steps);
     const InterruptGuard interrupt; // until all is written: an impatient second signal must not lose it
     std::optional<JointTargets> targets;
     if (!options.targets.empty()) targets.emplace(options.targets, scene, options.servo_frequency);

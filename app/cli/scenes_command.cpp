@@ -32,7 +32,8 @@ int scenes_command(const ScenesOptions& options) {
             if (!entry.error.empty()) item["error"] = entry.error;
             list.push_back(std::move(item));
         }
-        print(list.dump(2) + "\n");
+        // Names of files are any bytes.
+        print(list.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
         return 0;
     }
     if (entries.empty()) print(fmt::format("no scenes in {}\n", folder.generic_string()));

@@ -137,15 +137,22 @@ std::string extension_of(const fs::path& path) {
 }
 
 fs::path temporary_beside(const fs::path& path) {
+    constexpr std::size_t longest_stem = 200; // bytes; the whole of a name may have 255
     std::string name(".");
-    name += path.stem().string() + "." + std::to_string(getpid()) + ".part" + path.extension().string();
+    name += path.stem().string().substr(0, longest_stem) + "." + std::to_string(getpid()) + ".part" +
+            path.extension().string();
     return fs::path(path).replace_filename(name);
 }
 
 void take_name(const fs::path& temporary, const fs::path& path) {
     struct stat before {};
     int error = 0;
-    if (stat(path.c_str(), &before) == 0 && chmod(temporary.c_str(), before.st_mode & 07777u) != 0) error = errno;
+    if (stat(path.c_str(), &before) == 0) {
+        // Root gives it to whom it belonged; others cannot, and own it anyway or have it from now on.
+        const bool is_owned = chown(temporary.c_str(), before.st_uid, before.st_gid) == 0;
+        const mode_t rights = before.st_mode & (is_owned ? 07777u : 0777u); // who it runs as goes with its owner
+        if (chmod(temporary.c_str(), rights) != 0) error = errno;
+    }
     if (error == 0 && std::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
     if (error == 0) return;
     unlink(temporary.c_str());

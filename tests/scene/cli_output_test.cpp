@@ -175,4 +175,22 @@ TEST_F(CliOutput, TheExtensionDecidesTheFormat) {
     EXPECT_EQ(read_all(folder_ / "a.gif").substr(0, 6), "GIF89a");
 }
 
+TEST_F(CliOutput, LongAndStrangeNamesOfFilesAreNames) {
+    const std::string longest = std::string(251, 'a') + ".csv"; // 255 bytes
+    EXPECT_EQ(cairn(short_run + "--csv " + longest).code, 0);
+    EXPECT_TRUE(fs::exists(folder_ / longest));
+    const Result result =
+        shell("\"$CAIRN\" convert t_handles $'\\xff.gltf' && \"$CAIRN\" run $'\\xff.gltf' --frames 1 --json");
+    EXPECT_EQ(result.code, 0) << result.err; // which is no UTF-8, and was an error after the run
+    EXPECT_EQ(nlohmann::json::parse(result.out)["bodies"], 3);
+    EXPECT_EQ(cairn("scenes . --json").code, 0);
+}
+
+TEST_F(CliOutput, ALimitOfTheSizeOfFilesIsAnErrorNotASignal) {
+    const Result result = shell("ulimit -f 8; \"$CAIRN\" run t_handles --seconds 60 --csv a.csv");
+    EXPECT_EQ(result.code, 1);
+    EXPECT_EQ(result.err, "cairn: a.csv: cannot be written: File too large\n");
+    EXPECT_EQ(files(), 0u) << "something was left behind";
+}
+
 } // namespace

@@ -177,6 +177,8 @@ TEST_F(Cli, ConvertMakesScenesOfMeshes) {
     EXPECT_EQ(nlohmann::json::parse(cairn("run rock.gltf --frames 1 --json").out)["bodies"], 1);
     ASSERT_EQ(cairn("convert rock.obj rock.glb --as mesh").code, 0);
     EXPECT_NE(read_all(folder_ / "rock.glb").find("\"convexHull\":false"), std::string::npos);
+    ASSERT_EQ(cairn("convert rock.obj rock.glb --floor").code, 0);
+    EXPECT_NE(read_all(folder_ / "rock.glb").find("\"floor\""), std::string::npos);
 }
 
 TEST_F(Cli, ConvertRefusesWhatItCannotDo) {
