@@ -155,6 +155,13 @@ class Burden {
     bool turns_ = false;
 };
 
+void wake(World& world, JointId joint) {
+    const JointDef& def = world.joint_def(joint);
+    for (const BodyId id : {def.body_a, def.body_b}) {
+        if (!id.is_null() && world.body(id).type() == BodyType::dynamic) return world.body(id).wake();
+    }
+}
+
 std::string names_of_joints(const World& world) {
     std::string names;
     for (const JointId id : world.joints()) {
@@ -258,7 +265,10 @@ void JointTargets::apply(World& world, float time_step) {
         const double most = follower.speed * step;
         const double change = std::clamp(target(follower.column, time) - follower.position, -most, most);
         const double velocity = change / step;
-        if (change == 0.0 && velocity == follower.velocity) continue; // what rests may sleep
+        if (change == 0.0 && velocity == follower.velocity) {
+            wake(world, follower.joint); // asleep it would show the forces of some moment before it came to rest
+            continue;
+        }
         follower.position += change;
         follower.velocity = velocity;
         Joint joint = world.joint_def(follower.joint).joint;

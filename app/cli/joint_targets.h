@@ -32,7 +32,8 @@ class JointTargets {
     JointTargets(const std::filesystem::path& path, scene::Scene& scene, double frequency);
 
     // Before each step: aims at where the table is at its end, on a straight line between the rows, and before the
-    // first and after the last of them at these; no faster than the joint's limit of speed.
+    // first and after the last of them at these; no faster than the joint's limit of speed. What follows does not
+    // sleep.
     void apply(World& world, float time_step);
 
   private:

@@ -151,6 +151,17 @@ class Speller {
         }
     }
 
+    // Ours begin with "cairn".
+    void check_extras(const Value& node) {
+        const auto extras = node.is_object() ? node.find("extras") : std::nullopt;
+        if (!extras || !extras->is_object()) return;
+        for (const std::string& other : extras->other_members({"cairn_color"}, max_warnings_per_object)) {
+            if (plain_name(other).substr(0, 5) != "cairn" || warnings_.size() > max_warnings_in_all) continue;
+            warnings_.push_back(extras->place() + "the member \"" + other +
+                                "\" is not known and has no effect; did you mean \"cairn_color\"?");
+        }
+    }
+
   private:
     static std::optional<Value> extension_of(const Value& owner, const char* name) {
         const auto extensions = owner.find("extensions");
@@ -185,6 +196,7 @@ void check_spelling(const Value& document, const std::optional<Value>& scene, st
     const auto nodes = document.find("nodes");
     const std::size_t count = nodes && nodes->is_array() ? nodes->size(std::size_t{1} << 32, "nodes") : 0;
     for (std::size_t i = 0; i < count; ++i) {
+        speller.check_extras((*nodes)[i]);
         speller.check_extensions((*nodes)[i], {{"KHR_physics_rigid_bodies", "node"}, {"CAIRN_body", "CAIRN_body"}});
     }
 }

@@ -95,6 +95,50 @@ TEST_F(CliRobot, JointsFollowTheirTargets) {
     EXPECT_NEAR(angle(last("upper")), 0.8, 0.002); // it gives less
 }
 
+// Six links of 15 kg in all, stretched out. The second joint bears five of them.
+TEST_F(CliRobot, AnArmHoldsItsPoseWithTheTorqueOfTheClosedForm) {
+    const double masses[] = {4, 4, 3, 2, 1.5, 0.5}, lengths[] = {0.15, 0.4, 0.35, 0.1, 0.1, 0.05};
+    const char* axes[] = {"0 0 1", "0 1 0", "0 1 0", "1 0 0", "0 1 0", "1 0 0"};
+    std::ostringstream robot;
+    robot << "<robot name=\"arm\"><link name=\"l\">" << inertial(4) << "</link>";
+    std::string names = "time", zeros = "0";
+    double torque = 0, reach = 0;
+    for (int i = 0; i < 6; ++i) {
+        const double m = masses[i], l = lengths[i], across = m * l * l / 12 + m * 0.05 * 0.05 / 4;
+        robot << "<link name=\"l" << i << "\"><inertial><origin xyz=\"" << l / 2 << " 0 0\"/><mass value=\"" << m
+              << "\"/><inertia ixx=\"" << m * 0.05 * 0.05 / 2 << R"(" ixy="0" ixz="0" iyz="0" iyy=")" << across
+              << "\" izz=\"" << across << "\"/></inertial></link><joint name=\"j" << i
+              << "\" type=\"revolute\"><parent link=\"l" << (i == 0 ? "" : std::to_string(i - 1))
+              << "\"/><child link=\"l" << i << "\"/><origin xyz=\"" << (i == 0 ? 0.1 : lengths[i - 1])
+              << " 0 0\"/><axis xyz=\"" << axes[i]
+              << R"("/><limit lower="-3" upper="3" effort="300" velocity="2"/></joint>)";
+        names += ",j" + std::to_string(i);
+        zeros += ",0";
+        if (i > 0) torque += m * 9.81 * (reach + l / 2);
+        if (i > 0) reach += l;
+    }
+    write("arm.urdf", robot.str() + "</robot>");
+    write("hold.csv", names + "\n" + zeros + "\n");
+    const Result result =
+        cairn("run arm.urdf --fixed-base --targets hold.csv --seconds 10 --columns joints --from 10 --csv out.csv");
+    ASSERT_EQ(result.code, 0) << result.err;
+    const std::string table = read_all(folder_ / "out.csv");
+    std::istringstream header(table.substr(0, table.find('\n'))), row(table.substr(table.find('\n') + 1));
+    std::string name, value;
+    int seen = 0;
+    while (std::getline(header, name, ',') && std::getline(row, value, ',')) {
+        if (name == "j1.torque_z") {
+            EXPECT_NEAR(std::fabs(std::stod(value)), torque, 0.001 * torque);
+            ++seen;
+        }
+        if (name.find(".position") != std::string::npos) {
+            EXPECT_NEAR(std::stod(value), 0.0, 0.03) << name;
+            ++seen;
+        }
+    }
+    EXPECT_EQ(seen, 7);
+}
+
 TEST_F(CliRobot, TargetsMoveNoFasterThanTheLimitsOfSpeed) {
     write("arm.urdf", arm(R"(effort="100" velocity="0.5")"));
     write("poses.csv", "time,\"elbow\"\n0,1.5");

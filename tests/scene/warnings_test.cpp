@@ -47,6 +47,8 @@ TEST(SceneWarnings, MisspelledMembersAreNamedWithTheNearestKnownOne) {
     expect(load_nodes(node("", box + R"(,"motoin":{})")), "nodes[0]." + at, "motoin", "motion");
     expect(load_nodes(node("", R"("collider":{"geometry":{"shape":1},"physicMaterial":0})")),
            "nodes[0]." + at + ".collider", "physicMaterial", "physicsMaterial");
+    expect(load_nodes(node(R"("extras":{"cairn_colour":[1,0,0],"mine":1},)", box)), "nodes[0].extras", "cairn_colour",
+           "cairn_color");
     Parts parts;
     parts.nodes = node("", box);
     parts.shapes = R"({"type":"sphere","sphere":{"radus":2}},{"type":"box"})";
