@@ -176,8 +176,7 @@ OutputFile::OutputFile(const fs::path& path) : path_(path), to_(destination_of(p
         file_ = open(temporary_.c_str(), flags, 0666);
         break;
     case Destination::Kind::stream:
-        do file_ = open(to_.path.c_str(), flags);
-        while (file_ < 0 && errno == EINTR);
+        file_ = open(to_.path.c_str(), flags); // a signal ends the wait for a reader
         break;
     case Destination::Kind::descriptor:
         file_ = fcntl(to_.descriptor, F_DUPFD_CLOEXEC, 3);

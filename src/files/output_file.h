@@ -62,7 +62,8 @@ void make_parent_folder(const std::filesystem::path& path);
 /// A file, or anything else that has a name, being written.
 class OutputFile {
   public:
-    /// Throws `Error` (io) if it cannot be opened. Waits for a reader if it is a FIFO.
+    /// Throws `Error` (io) if it cannot be opened. Waits for a reader if it is a FIFO; a signal that is caught ends
+    /// that.
     explicit OutputFile(const std::filesystem::path& path);
     /// Without `close`, a regular file is left as it was before.
     ~OutputFile();

@@ -67,6 +67,14 @@ TEST_F(CliOutput, FifosStayFifos) {
     }
 }
 
+TEST_F(CliOutput, NobodyAtAFifoIsWaitedForUntilAnInterrupt) {
+    const Result result =
+        shell("mkfifo a.csv; timeout --signal=INT --kill-after=20 0.5 \"$CAIRN\" run t_handles --csv a.csv; "
+              "code=$?; [ $code = 124 ] || exit $code");
+    EXPECT_EQ(result.code, 0) << result.err; // 124 is what timeout says; killed it would be 137
+    EXPECT_EQ(result.err, "cairn: a.csv: cannot be written: Interrupted system call\n");
+}
+
 TEST_F(CliOutput, DevicesAreWrittenToAndStay) {
     if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full on this system";
     for (const auto& [option, name] : all) {
