@@ -97,10 +97,9 @@ void check_syntax(const std::string& text, const std::string& name) {
                     std::string("is not valid XML: ") + document.ErrorDesc());
     }
     if (const TiXmlElement* macro = find_macro(document.RootElement())) {
-        throw Error(ErrorCode::unsupported, name + ":" + std::to_string(macro->Row()),
-                    std::string("the element \"") + std::string(macro->Value()).substr(0, 60) + "\"",
-                    "is a xacro file, from which the program xacro of ROS makes a URDF file (xacro " + name +
-                        " > robot.urdf)");
+        throw Error(ErrorCode::unsupported, name + ":" + std::to_string(macro->Row()), {},
+                    "is a xacro file (\"" + std::string(macro->Value()).substr(0, 60) +
+                        "\"), from which the program xacro of ROS makes a URDF file: xacro " + name + " > robot.urdf");
     }
 }
 

@@ -198,10 +198,13 @@ TEST_F(CliRobot, OneMissingMeshDoesNotRefuseARobotThatHasItsInertia) {
 }
 
 TEST_F(CliRobot, XacroFilesAreToldForWhatTheyAre) {
-    const std::string part = "is a xacro file, from which the program xacro of ROS makes a URDF file";
+    const std::string part = "is a xacro file (";
     write("r.urdf.xacro", "<robot name=\"r\" xmlns:xacro=\"http://ros.org/wiki/xacro\">\n"
                           "<xacro:property name=\"m\" value=\"1\"/><link name=\"a\"/></robot>");
-    expect_one_line(cairn("run r.urdf.xacro"), 1, "r.urdf.xacro:2: " + part);
+    expect_one_line(
+        cairn("run r.urdf.xacro"), 1,
+        "r.urdf.xacro:2: is a xacro file (\"xacro:property\"), from which the program xacro of ROS makes a URDF "
+        "file: xacro r.urdf.xacro > robot.urdf");
     write("r.urdf", "<robot name=\"r\"><link name=\"a\"><inertial><mass value=\"${m}\"/></inertial></link></robot>");
     expect_one_line(cairn("run r.urdf"), 1, part);
     // What xacro has made keeps its name space and says so in a comment.
