@@ -26,30 +26,50 @@ namespace {
 constexpr double default_seconds = 10.0;
 constexpr double max_steps = 1e9;
 
-struct Outcome {
-    std::vector<double> step_times; // ms
-    double max_penetration = 0.0;   // m, over all steps
-    bool interrupted = false;
-};
-
 // Mean and quantiles of the wall-clock time of a step, in milliseconds.
 struct StepTimes {
     double mean = 0.0, median = 0.0, p99 = 0.0;
 };
 
-StepTimes summarize(std::vector<double> times) {
-    StepTimes result;
-    if (times.empty()) return result;
-    std::sort(times.begin(), times.end());
-    for (const double t : times) result.mean += t;
-    result.mean /= static_cast<double>(times.size());
-    const auto quantile = [&](double q) {
-        return times[static_cast<std::size_t>(std::lround(q * static_cast<double>(times.size() - 1)))];
-    };
-    result.median = quantile(0.5);
-    result.p99 = quantile(0.99);
-    return result;
-}
+// Takes as little memory for a billion steps as for a million: quantiles are then those of every other step, of every
+// fourth, and so on.
+class StepClock {
+  public:
+    void add(double milliseconds) {
+        ++steps_;
+        sum_ += milliseconds;
+        if (steps_ % stride_ != 0) return;
+        sample_.push_back(milliseconds);
+        if (sample_.size() < largest_sample) return;
+        for (std::size_t i = 0; i < largest_sample / 2; ++i) sample_[i] = sample_[2 * i + 1];
+        sample_.resize(largest_sample / 2);
+        stride_ *= 2;
+    }
+    std::uint64_t steps() const { return steps_; }
+
+    StepTimes times() const {
+        StepTimes result;
+        if (sample_.empty()) return result;
+        std::vector<double> sorted = sample_;
+        std::sort(sorted.begin(), sorted.end());
+        const auto quantile = [&](double q) {
+            return sorted[static_cast<std::size_t>(std::lround(q * static_cast<double>(sorted.size() - 1)))];
+        };
+        return {sum_ / static_cast<double>(steps_), quantile(0.5), quantile(0.99)};
+    }
+
+  private:
+    static constexpr std::size_t largest_sample = std::size_t{1} << 20;
+    std::vector<double> sample_;
+    std::uint64_t steps_ = 0, stride_ = 1;
+    double sum_ = 0.0;
+};
+
+struct Outcome {
+    StepClock clock;
+    double max_penetration = 0.0; // m, over all steps
+    bool interrupted = false;
+};
 
 std::uint64_t count_steps(const RunOptions& options, double time_step) {
     if (options.frames) return static_cast<std::uint64_t>(*options.frames);
@@ -167,7 +187,7 @@ Outcome simulate(const RunOptions& options, scene::Scene& scene, std::optional<J
             const auto start = std::chrono::steady_clock::now();
             scene.world.step(time_step);
             const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
-            outcome.step_times.push_back(elapsed.count());
+            outcome.clock.add(elapsed.count());
             outcome.max_penetration = std::max(outcome.max_penetration, scene.world.statistics().max_penetration);
             recorders.add(scene.world, i + 1, time_step);
             progress.show(i + 1);
@@ -182,13 +202,13 @@ nlohmann::ordered_json vector_json(const glm::dvec3& v) { return nlohmann::order
 
 std::string json_summary(const std::string& path, const scene::Scene& scene, const Outcome& outcome) {
     const World& world = scene.world;
-    const StepTimes times = summarize(outcome.step_times);
+    const StepTimes times = outcome.clock.times();
     const Statistics statistics = world.statistics();
     nlohmann::ordered_json json;
     json["scene"] = path;
     json["title"] = scene.info.title;
     json["bodies"] = statistics.bodies;
-    json["steps"] = outcome.step_times.size();
+    json["steps"] = outcome.clock.steps();
     json["time_step"] = static_cast<double>(scene.info.time_step);
     json["threads"] = world.threads();
     json["isa"] = std::string(instruction_set());
@@ -208,13 +228,13 @@ std::string json_summary(const std::string& path, const scene::Scene& scene, con
 
 std::string text_summary(const std::string& path, const scene::Scene& scene, const Outcome& outcome) {
     const World& world = scene.world;
-    const StepTimes times = summarize(outcome.step_times);
+    const StepTimes times = outcome.clock.times();
     const Statistics statistics = world.statistics();
     std::string text = fmt::format("{} ({}): {} bodies, {} awake\n", path, scene.info.title, statistics.bodies,
                                    statistics.awake_bodies);
     text +=
         fmt::format("{} steps of {:.6g} s on {} ({}){}: {:.3f} ms a step (median {:.3f}, 99 % within {:.3f})\n",
-                    outcome.step_times.size(), scene.info.time_step,
+                    outcome.clock.steps(), scene.info.time_step,
                     world.threads() == 1 ? "1 thread" : fmt::format("{} threads", world.threads()), instruction_set(),
                     outcome.interrupted ? ", interrupted" : "", times.mean, times.median, times.p99);
     text += fmt::format("{} contacts, {} points, deepest overlap on the way {:.3g} mm\n", statistics.contacts,

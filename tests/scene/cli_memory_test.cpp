@@ -54,4 +54,18 @@ TEST_F(CliMemory, RunningOutOfItIsOneLineThatSaysWhatWasDone) {
     EXPECT_EQ(files, 0u) << "something was left behind";
 }
 
+TEST_F(CliMemory, LongRunsTakeNoMoreThanShortOnes) {
+    if (cairn_test::is_sanitized) GTEST_SKIP() << "sanitizers take all addresses there are";
+    std::ofstream(folder_ / "empty.gltf")
+        << R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[],"extensions":{"CAIRN_world":{}}}]})";
+    const auto runs = [&](int limit, int steps) {
+        return cairn("run empty.gltf --threads 1 --frames " + std::to_string(steps),
+                     "ulimit -v " + std::to_string(limit) + "; exec")
+                   .code == 0;
+    };
+    int limit = 20000; // KiB
+    while (limit < 1000000 && !runs(limit, 10)) limit += 5000;
+    EXPECT_TRUE(runs(limit + 20000, 6000000)); // 8 bytes for each would be 47 MiB
+}
+
 } // namespace
