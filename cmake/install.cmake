@@ -34,4 +34,11 @@ if(CAIRN_APP)
     # The program looks for its scenes in ../share, seen from its own folder.
     install(TARGETS cairn_cli RUNTIME DESTINATION bin)
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenes DESTINATION share/cairn)
+    if(NOT CMAKE_CROSSCOMPILING) # the program prints them
+        set(pages ${PROJECT_BINARY_DIR}/pages)
+        install(FILES ${pages}/cairn.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+        install(FILES ${pages}/cairn DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+        install(FILES ${pages}/_cairn DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+        install(FILES ${pages}/cairn.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+    endif()
 endif()

@@ -13,10 +13,11 @@ ROOMS = ["core", "simd", "math", "jobs", "shapes", "bvh", "collision", "kernels"
          "solver", "impacts", "world"]
 # What only uses the public headers, and what it may include beside them.
 USERS = {
-    "src/scene": {"scene"},
+    "src/files": {"files"},
+    "src/scene": {"files", "scene"},
     "src/validation": {"validation"},
-    "app/viewer": {"viewer"},
-    "app/cli": {"cli", "scene", "validation", "viewer"},
+    "app/viewer": {"files", "viewer"},
+    "app/cli": {"cli", "files", "scene", "validation", "viewer"},
 }
 # Kernel sources are compiled once per instruction set: they see plain data only.
 KERNEL_MAY = {"core", "simd", "math", "bvh", "collision", "kernels"}

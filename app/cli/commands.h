@@ -2,6 +2,9 @@
 // wrong at run time, which `main` prints in one line.
 #pragma once
 
+#include "cli/trajectory_writer.h"
+#include "scene/scene.h"
+
 #include <cairn/world.h>
 
 #include <filesystem>
@@ -11,8 +14,15 @@
 
 namespace cairn::cli {
 
+// Of files that are read: robots above all.
+struct ReadOptions {
+    bool fixed_base = false, floor = false;
+    scene::Scene load(const std::filesystem::path& path) const;
+};
+
 struct RunOptions {
     std::string scene;
+    ReadOptions read;
     std::optional<double> seconds;   // simulated; at most one of seconds and frames
     std::optional<int> frames;       // steps
     std::optional<double> time_step; // s; the scene's own otherwise
@@ -21,6 +31,12 @@ struct RunOptions {
     std::optional<int> threads;                           // all otherwise
     std::filesystem::path csv, png, video, save, animate; // empty: do not write
     int width = 1280, height = 720;                       // of pictures, pixels
+    std::vector<Quantity> columns = default_quantities;   // of the csv
+    int every = 1;                                        // steps, of csv and animation
+    double from = 0.0;                                    // s; csv, animation and video begin there
+    std::optional<double> until;                          // s; and end there
+    std::filesystem::path targets;                        // of joints; empty: none
+    double servo_frequency = 10.0;                        // Hz, of motors that follow them
     bool json = false;
 };
 
@@ -28,12 +44,23 @@ int run_command(const RunOptions& options);
 
 struct ScenesOptions {
     std::filesystem::path folder; // empty: the scenes that come with Cairn
-    bool json = false;
+    bool json = false, names = false;
 };
 
 int scenes_command(const ScenesOptions& options);
 
+struct DoctorOptions {
+    bool json = false;
+};
+
+int doctor_command(const DoctorOptions& options);
+
+struct CompletionOptions {
+    std::string shell;
+};
+
 struct ConvertOptions {
+    ReadOptions read;
     std::filesystem::path input, output; // a scene, an .urdf, .obj or .stl file; .gltf or .glb
     std::optional<bool> as_hull;         // of meshes; a hull otherwise
     std::optional<double> scale;         // m of one unit of a mesh; 1 otherwise
@@ -44,6 +71,7 @@ int convert_command(const ConvertOptions& options);
 
 struct ViewOptions {
     std::string scene;
+    ReadOptions read;
     int width = 1280, height = 720;   // of the window
     std::optional<double> exit_after; // s
     std::filesystem::path report, script;
@@ -59,8 +87,5 @@ struct ValidateOptions {
 
 // 1 if any row fails.
 int validate_command(const ValidateOptions& options);
-
-// Prints to stdout; throws Error (io) if that fails, for example because the disk is full.
-void print(const std::string& text);
 
 } // namespace cairn::cli

@@ -1,13 +1,14 @@
+#include "cli/activity.h"
 #include "cli/commands.h"
+#include "cli/outputs.h"
 
 #include "scene/mesh_files.h"
 #include "scene/scene.h"
 
 #include <cairn/error.h>
 
-#include <fmt/core.h>
-
 #include <string>
+#include <vector>
 
 namespace cairn::cli {
 
@@ -15,28 +16,33 @@ namespace {
 
 scene::Scene load_any(const ConvertOptions& options) {
     if (scene::is_mesh_file(options.input)) {
+        if (options.read.fixed_base) {
+            throw Error(ErrorCode::unsupported, options.input.string(), {}, "must be a robot for its base to be fixed");
+        }
         scene::MeshImport import;
         import.as_hull = options.as_hull.value_or(true);
         import.scale = options.scale.value_or(1.0);
         import.density = static_cast<float>(options.density.value_or(1000.0));
-        return scene::scene_of_mesh(scene::load_mesh_file(options.input), import, options.input.stem().string());
+        scene::Scene made =
+            scene::scene_of_mesh(scene::load_mesh_file(options.input), import, options.input.stem().string());
+        if (options.read.floor) scene::add_floor(made);
+        return made;
     }
     if (options.as_hull || options.scale || options.density) {
         throw Error(ErrorCode::invalid_value, options.input.string(), {},
                     "is a scene, and --as, --scale and --density are for .obj and .stl files");
     }
-    return scene::load(scene::find_scene(options.input.string()));
+    return options.read.load(scene::find_scene(options.input.string()));
 }
 
 } // namespace
 
 int convert_command(const ConvertOptions& options) {
-    const std::string extension = options.output.extension().string();
-    if (extension != ".gltf" && extension != ".glb") {
-        throw Error(ErrorCode::invalid_value, options.output.string(), {}, "must end in .gltf or .glb");
-    }
+    check_outputs(std::vector<Output>{{"out", options.output}});
+    set_activity("reading", options.input.generic_string());
     const scene::Scene scene = load_any(options);
-    for (const std::string& warning : scene.warnings) fmt::print(stderr, "cairn: warning: {}\n", warning);
+    print_warnings(scene.warnings);
+    set_activity("writing", options.output.generic_string());
     scene::save(scene, options.output);
     return 0;
 }

@@ -19,8 +19,12 @@ extern "C" void note_interrupt(int signal) {
 
 InterruptGuard::InterruptGuard() {
     interrupted = 0;
-    std::signal(SIGINT, note_interrupt);
-    std::signal(SIGTERM, note_interrupt);
+    // Without SA_RESTART: a FIFO without a reader is waited for no longer.
+    struct sigaction action {};
+    action.sa_handler = note_interrupt;
+    sigemptyset(&action.sa_mask);
+    sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
 }
 
 InterruptGuard::~InterruptGuard() {

@@ -17,7 +17,7 @@ constexpr double tolerance = 1e-6;
 PictureRecorder::PictureRecorder(const scene::Scene& scene, std::filesystem::path png,
                                  const std::filesystem::path& video, int width, int height)
     : png_(std::move(png)), visuals_(visuals_of(scene)), camera_(camera_of(scene, visuals_)),
-      appearances_(appearances_of(scene)), renderer_(width, height), start_(scene.world.time()) {
+      appearances_(appearances_of(scene)), renderer_(width, height) {
     if (!video.empty()) video_ = std::make_unique<viewer::VideoWriter>(video, width, height, frames_per_second);
 }
 
@@ -27,7 +27,8 @@ void PictureRecorder::draw(const World& world) {
 
 void PictureRecorder::add(const World& world) {
     if (!video_) return;
-    const double time = world.time() - start_;
+    if (!start_) start_ = world.time();
+    const double time = world.time() - *start_;
     if (time + tolerance < static_cast<double>(frames_) / frames_per_second) return;
     draw(world);
     for (; time + tolerance >= static_cast<double>(frames_) / frames_per_second; ++frames_) {
@@ -38,7 +39,7 @@ void PictureRecorder::add(const World& world) {
 void PictureRecorder::finish(const World& world) {
     if (!png_.empty()) {
         draw(world);
-        renderer_.save_png(png_);
+        renderer_.save_picture(png_);
     }
     if (video_) video_->close();
 }

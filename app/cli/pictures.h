@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace cairn::cli {
@@ -17,8 +18,8 @@ class PictureRecorder {
     PictureRecorder(const scene::Scene& scene, std::filesystem::path png, const std::filesystem::path& video, int width,
                     int height);
 
-    // To be called before the first step and after each: draws as often as a video of 60 frames a second needs,
-    // however long the steps are.
+    // To be called at the first moment to be shown, and after each step from there: draws as often as a video of 60
+    // frames a second needs, however long the steps are.
     void add(const World& world);
     // Draws the picture of the end, and closes the files.
     void finish(const World& world);
@@ -33,7 +34,7 @@ class PictureRecorder {
     viewer::MeshCache meshes_;
     viewer::HeadlessRenderer renderer_;
     std::unique_ptr<viewer::VideoWriter> video_;
-    double start_ = 0.0;
+    std::optional<double> start_; // of the first picture
     long long frames_ = 0;
 };
 

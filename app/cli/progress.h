@@ -3,23 +3,29 @@
 
 #include <chrono>
 #include <cstdint>
+#include <string>
 
 namespace cairn::cli {
 
-// Draws on stderr, at most ten times a second, and only if that is a terminal. The line is cleared in the end.
+// Draws on stderr, at most ten times a second, and only if that is a terminal on which no output file is shown. How
+// much is done, how fast it goes, how long it will still take. The line is cleared in the end.
 class ProgressLine {
   public:
-    explicit ProgressLine(std::uint64_t total, const char* unit = "steps"); // unit: of what it counts
+    // `unit` is what it counts; `simulated`, if not 0, how many seconds of the scene one of them is.
+    explicit ProgressLine(std::uint64_t total, const char* unit, double simulated = 0.0);
     ~ProgressLine();
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
     void show(std::uint64_t done);
 
   private:
+    std::string line(std::uint64_t done, double seconds) const;
+
     std::uint64_t total_;
     const char* unit_;
+    double simulated_;
     bool on_terminal_, drawn_ = false;
-    std::chrono::steady_clock::time_point next_;
+    std::chrono::steady_clock::time_point start_, next_;
 };
 
 } // namespace cairn::cli

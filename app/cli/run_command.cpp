@@ -1,5 +1,8 @@
+#include "cli/activity.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
+#include "cli/joint_targets.h"
+#include "cli/outputs.h"
 #include "cli/pictures.h"
 #include "cli/progress.h"
 #include "cli/trajectory_writer.h"
@@ -14,6 +17,7 @@
 #include <chrono>
 #include <cmath>
 #include <memory>
+#include <vector>
 
 namespace cairn::cli {
 
@@ -22,36 +26,99 @@ namespace {
 constexpr double default_seconds = 10.0;
 constexpr double max_steps = 1e9;
 
-struct Outcome {
-    std::vector<double> step_times; // ms
-    double max_penetration = 0.0;   // m, over all steps
-    bool interrupted = false;
-};
-
 // Mean and quantiles of the wall-clock time of a step, in milliseconds.
 struct StepTimes {
     double mean = 0.0, median = 0.0, p99 = 0.0;
 };
 
-StepTimes summarize(std::vector<double> times) {
-    StepTimes result;
-    if (times.empty()) return result;
-    std::sort(times.begin(), times.end());
-    for (const double t : times) result.mean += t;
-    result.mean /= static_cast<double>(times.size());
-    const auto quantile = [&](double q) {
-        return times[static_cast<std::size_t>(std::lround(q * static_cast<double>(times.size() - 1)))];
-    };
-    result.median = quantile(0.5);
-    result.p99 = quantile(0.99);
-    return result;
-}
+// Takes as little memory for a billion steps as for a million: quantiles are then those of every other step, of every
+// fourth, and so on.
+class StepClock {
+  public:
+    void add(double milliseconds) {
+        ++steps_;
+        sum_ += milliseconds;
+        if (steps_ % stride_ != 0) return;
+        sample_.push_back(milliseconds);
+        if (sample_.size() < largest_sample) return;
+        for (std::size_t i = 0; i < largest_sample / 2; ++i) sample_[i] = sample_[2 * i + 1];
+        sample_.resize(largest_sample / 2);
+        stride_ *= 2;
+    }
+    std::uint64_t steps() const { return steps_; }
+
+    StepTimes times() const {
+        StepTimes result;
+        if (sample_.empty()) return result;
+        std::vector<double> sorted = sample_;
+        std::sort(sorted.begin(), sorted.end());
+        const auto quantile = [&](double q) {
+            return sorted[static_cast<std::size_t>(std::lround(q * static_cast<double>(sorted.size() - 1)))];
+        };
+        return {sum_ / static_cast<double>(steps_), quantile(0.5), quantile(0.99)};
+    }
+
+  private:
+    static constexpr std::size_t largest_sample = std::size_t{1} << 20;
+    std::vector<double> sample_;
+    std::uint64_t steps_ = 0, stride_ = 1;
+    double sum_ = 0.0;
+};
+
+struct Outcome {
+    StepClock clock;
+    double max_penetration = 0.0; // m, over all steps
+    bool interrupted = false;
+};
 
 std::uint64_t count_steps(const RunOptions& options, double time_step) {
     if (options.frames) return static_cast<std::uint64_t>(*options.frames);
     const double steps = std::round(options.seconds.value_or(default_seconds) / time_step);
     if (steps > max_steps) throw Error(ErrorCode::invalid_value, "--seconds", {}, "is more than a billion steps");
     return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(steps));
+}
+
+// Most videos store color for two by two pixels.
+void check_size(const RunOptions& options) {
+    if (options.video.empty() || viewer::takes_odd_sizes(options.video)) return;
+    for (const auto& [option, size] : {std::pair("--width", options.width), std::pair("--height", options.height)}) {
+        if (size % 2 != 0) {
+            throw Error(ErrorCode::invalid_value, option, std::to_string(size),
+                        "must be even for videos other than .gif");
+        }
+    }
+}
+
+void check_window(const RunOptions& options) {
+    if (options.until && *options.until < options.from) {
+        throw Error(ErrorCode::invalid_value, "--until", fmt::format("{}", *options.until),
+                    fmt::format("must not be before --from, {}", options.from));
+    }
+    const bool is_windowed = options.every != 1 || options.from > 0.0 || options.until;
+    if (is_windowed && options.csv.empty() && options.animate.empty() && options.video.empty()) {
+        throw Error(ErrorCode::invalid_value, "--every, --from and --until", {},
+                    "are for --csv, --animate and --video, and there is none");
+    }
+}
+
+// Whether a moment is told to be written, of those at the start and after each step. Times are sums of steps.
+bool is_in_window(const RunOptions& options, double time, double time_step) {
+    const double tolerance = 1e-3 * time_step;
+    return time >= options.from - tolerance && !(options.until && time > *options.until + tolerance);
+}
+
+// Refuses what would leave files empty.
+void check_moments(const RunOptions& options, float time_step, std::uint64_t steps) {
+    const double step = static_cast<double>(time_step), end = static_cast<double>(steps) * step;
+    if (options.from > end + 1e-3 * step) {
+        throw Error(ErrorCode::invalid_value, "--from", fmt::format("{}", options.from),
+                    fmt::format("must not be after the end of the run, {:.6g} s", end));
+    }
+    const double every = static_cast<double>(options.every); // a video has all of them, and so at least these
+    const double first = every * std::ceil((options.from / step - 1e-3) / every);
+    if (first > static_cast<double>(steps) || !is_in_window(options, first * step, step)) {
+        throw Error(ErrorCode::invalid_value, "--every, --from and --until", {}, "have no step in common");
+    }
 }
 
 void apply_options(const RunOptions& options, scene::Scene& scene) {
@@ -63,73 +130,111 @@ void apply_options(const RunOptions& options, scene::Scene& scene) {
     scene.world.set_threads(options.threads.value_or(hardware_threads()));
 }
 
-Outcome simulate(const RunOptions& options, scene::Scene& scene, std::uint64_t steps, const InterruptGuard& interrupt) {
-    std::unique_ptr<TrajectoryWriter> csv;
-    if (!options.csv.empty()) csv = std::make_unique<TrajectoryWriter>(options.csv, scene.world);
-    std::unique_ptr<PictureRecorder> pictures;
-    if (!options.png.empty() || !options.video.empty()) {
-        pictures = std::make_unique<PictureRecorder>(scene, options.png, options.video, options.width, options.height);
+// All that is written while it runs.
+class Recorders {
+  public:
+    Recorders(const RunOptions& options, const scene::Scene& scene) : options_(options) {
+        if (!options.csv.empty()) csv_ = std::make_unique<TrajectoryWriter>(options.csv, scene.world, options.columns);
+        if (!options.png.empty() || !options.video.empty()) {
+            pictures_ =
+                std::make_unique<PictureRecorder>(scene, options.png, options.video, options.width, options.height);
+        }
+        if (!options.animate.empty()) animation_.emplace(scene);
     }
-    std::optional<scene::AnimationBaker> animation;
-    if (!options.animate.empty()) animation.emplace(scene);
+
+    // Before the first step, and after each.
+    void add(const World& world, std::uint64_t step, float time_step) {
+        if (!is_in_window(options_, world.time(), static_cast<double>(time_step))) return;
+        if (pictures_) pictures_->add(world);
+        if (step % static_cast<std::uint64_t>(options_.every) != 0) return;
+        if (csv_) csv_->add(world);
+        if (animation_) animation_->add(world);
+    }
+
+    void finish(const scene::Scene& scene) {
+        const auto writing = [](const std::filesystem::path& path) { set_activity("writing", path.generic_string()); };
+        writing(options_.csv);
+        if (csv_) csv_->close();
+        writing(options_.png.empty() ? options_.video : options_.png);
+        if (pictures_) pictures_->finish(scene.world);
+        writing(options_.animate);
+        if (animation_) animation_->write(options_.animate);
+        writing(options_.save);
+        if (!options_.save.empty()) scene::save(scene, options_.save);
+        set_activity("adding up what happened");
+    }
+
+  private:
+    const RunOptions& options_;
+    std::unique_ptr<TrajectoryWriter> csv_;
+    std::unique_ptr<PictureRecorder> pictures_;
+    std::optional<scene::AnimationBaker> animation_;
+};
+
+Outcome simulate(const RunOptions& options, scene::Scene& scene, std::optional<JointTargets>& targets,
+                 std::uint64_t steps, const InterruptGuard& interrupt) {
+    set_activity("preparing what is written", options.scene);
+    Recorders recorders(options, scene);
+    set_activity("simulating", options.scene);
+    const float time_step = scene.info.time_step;
     Outcome outcome;
     {
-        ProgressLine progress(steps);
-        if (csv) csv->add(scene.world);
-        if (animation) animation->add(scene.world);
-        if (pictures) pictures->add(scene.world);
+        ProgressLine progress(steps, "steps", static_cast<double>(time_step));
+        recorders.add(scene.world, 0, time_step);
         for (std::uint64_t i = 0; i < steps && !interrupt.requested(); ++i) {
+            set_activity_count(i, steps);
+            if (targets) targets->apply(scene.world, time_step);
             const auto start = std::chrono::steady_clock::now();
-            scene.world.step(scene.info.time_step);
+            scene.world.step(time_step);
             const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
-            outcome.step_times.push_back(elapsed.count());
+            outcome.clock.add(elapsed.count());
             outcome.max_penetration = std::max(outcome.max_penetration, scene.world.statistics().max_penetration);
-            if (csv) csv->add(scene.world);
-            if (animation) animation->add(scene.world);
-            if (pictures) pictures->add(scene.world);
+            recorders.add(scene.world, i + 1, time_step);
             progress.show(i + 1);
         }
         outcome.interrupted = interrupt.requested();
     }
-    if (csv) csv->close();
-    if (pictures) pictures->finish(scene.world);
-    if (animation) animation->write(options.animate);
-    if (!options.save.empty()) scene::save(scene, options.save);
+    recorders.finish(scene);
     return outcome;
 }
 
+nlohmann::ordered_json vector_json(const glm::dvec3& v) { return nlohmann::ordered_json::array({v.x, v.y, v.z}); }
+
 std::string json_summary(const std::string& path, const scene::Scene& scene, const Outcome& outcome) {
     const World& world = scene.world;
-    const StepTimes times = summarize(outcome.step_times);
+    const StepTimes times = outcome.clock.times();
     const Statistics statistics = world.statistics();
     nlohmann::ordered_json json;
     json["scene"] = path;
     json["title"] = scene.info.title;
     json["bodies"] = statistics.bodies;
-    json["steps"] = outcome.step_times.size();
+    json["steps"] = outcome.clock.steps();
     json["time_step"] = static_cast<double>(scene.info.time_step);
     json["threads"] = world.threads();
     json["isa"] = std::string(instruction_set());
     json["ms_per_step"] = {{"mean", times.mean}, {"median", times.median}, {"p99", times.p99}};
     json["hash"] = fmt::format("{:016x}", world.state_hash());
     json["energy"] = {{"kinetic", world.kinetic_energy()}, {"potential", world.potential_energy()}};
+    json["momentum"] = {{"linear", vector_json(world.linear_momentum())},
+                        {"angular", vector_json(world.angular_momentum())}};
     json["max_penetration"] = outcome.max_penetration;
     json["contacts"] = statistics.contacts;
     json["contact_points"] = statistics.contact_points;
     json["interrupted"] = outcome.interrupted;
     json["warnings"] = scene.warnings;
-    return json.dump(2) + "\n";
+    // Names of files are any bytes.
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 std::string text_summary(const std::string& path, const scene::Scene& scene, const Outcome& outcome) {
     const World& world = scene.world;
-    const StepTimes times = summarize(outcome.step_times);
+    const StepTimes times = outcome.clock.times();
     const Statistics statistics = world.statistics();
     std::string text = fmt::format("{} ({}): {} bodies, {} awake\n", path, scene.info.title, statistics.bodies,
                                    statistics.awake_bodies);
     text +=
         fmt::format("{} steps of {:.6g} s on {} ({}){}: {:.3f} ms a step (median {:.3f}, 99 % within {:.3f})\n",
-                    outcome.step_times.size(), scene.info.time_step,
+                    outcome.clock.steps(), scene.info.time_step,
                     world.threads() == 1 ? "1 thread" : fmt::format("{} threads", world.threads()), instruction_set(),
                     outcome.interrupted ? ", interrupted" : "", times.mean, times.median, times.p99);
     text += fmt::format("{} contacts, {} points, deepest overlap on the way {:.3g} mm\n", statistics.contacts,
@@ -139,16 +244,45 @@ std::string text_summary(const std::string& path, const scene::Scene& scene, con
     return text;
 }
 
+// Of what was cut while it ran; what the file asks for is said when it is loaded.
+void warn_of_speeds(scene::Scene& scene, std::uint64_t count) {
+    if (count == 0) return;
+    const WorldDef& settings = scene.world.settings();
+    scene.warnings.push_back(fmt::format("speeds were cut to the world's limits of {} m/s and {} rad/s, {} in all",
+                                         settings.max_linear_speed, settings.max_angular_speed,
+                                         count == 1 ? "once" : fmt::format("{} times", count)));
+    complain("warning: " + scene.warnings.back());
+}
+
 } // namespace
 
+scene::Scene ReadOptions::load(const std::filesystem::path& path) const {
+    set_activity("reading", path.generic_string());
+    scene::Scene scene = scene::load(path, {.fixed_base = fixed_base});
+    if (floor) scene::add_floor(scene);
+    return scene;
+}
+
 int run_command(const RunOptions& options) {
+    check_outputs(std::vector<Output>{{"--csv", options.csv},
+                                      {"--png", options.png},
+                                      {"--video", options.video},
+                                      {"--save", options.save},
+                                      {"--animate", options.animate}});
+    check_size(options);
+    check_window(options);
     const std::filesystem::path path = scene::find_scene(options.scene);
-    scene::Scene scene = scene::load(path);
-    for (const std::string& warning : scene.warnings) fmt::print(stderr, "cairn: warning: {}\n", warning);
+    scene::Scene scene = options.read.load(path);
+    print_warnings(scene.warnings);
     apply_options(options, scene);
     const std::uint64_t steps = count_steps(options, scene.info.time_step);
+    check_moments(options, scene.info.time_step, steps);
     const InterruptGuard interrupt; // until all is written: an impatient second signal must not lose it
-    const Outcome outcome = simulate(options, scene, steps, interrupt);
+    std::optional<JointTargets> targets;
+    if (!options.targets.empty()) targets.emplace(options.targets, scene, options.servo_frequency);
+    const std::uint64_t cut_before = scene.world.statistics().clamped_speeds;
+    const Outcome outcome = simulate(options, scene, targets, steps, interrupt);
+    warn_of_speeds(scene, scene.world.statistics().clamped_speeds - cut_before);
     const std::string name = path.generic_string();
     print(options.json ? json_summary(name, scene, outcome) : text_summary(name, scene, outcome));
     return 0;

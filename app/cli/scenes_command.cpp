@@ -1,4 +1,6 @@
+#include "cli/activity.h"
 #include "cli/commands.h"
+#include "cli/outputs.h"
 
 #include "scene/scene.h"
 
@@ -11,6 +13,13 @@ namespace cairn::cli {
 
 int scenes_command(const ScenesOptions& options) {
     const std::filesystem::path folder = options.folder.empty() ? scene::scenes_directory() : options.folder;
+    set_activity("listing", folder.generic_string());
+    if (options.names) {
+        std::string names;
+        for (const std::filesystem::path& file : scene::scene_files(folder)) names += file.stem().string() + "\n";
+        print(names);
+        return 0;
+    }
     const std::vector<scene::SceneEntry> entries = scene::list_scenes(folder);
     if (options.json) {
         nlohmann::ordered_json list = nlohmann::ordered_json::array();
@@ -23,7 +32,8 @@ int scenes_command(const ScenesOptions& options) {
             if (!entry.error.empty()) item["error"] = entry.error;
             list.push_back(std::move(item));
         }
-        print(list.dump(2) + "\n");
+        // Names of files are any bytes.
+        print(list.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
         return 0;
     }
     if (entries.empty()) print(fmt::format("no scenes in {}\n", folder.generic_string()));

@@ -1,39 +1,70 @@
-// Trajectories as comma-separated values: one line for each body and moment.
+// What happens in a run, as a table.
 #pragma once
+
+#include "cli/table_writer.h"
 
 #include <cairn/world.h>
 
-#include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace cairn::cli {
 
-// Columns: time (s), body (its place in the list of bodies, from 0), name, position of the body's origin (m),
-// rotation as a quaternion, velocity of the center of mass (m/s), angular velocity (rad/s); all in world axes, with
-// as many digits as are needed to read back the same number.
-// The file is written beside `path` under another name, and takes its name when `close` is called; without that,
-// it is removed.
+// What a table shows, beside the time (s). With one of the first four: a row for each body and moment, which also has
+// `body` (its place in the list of bodies, from 0) and `name`; else a row for each moment. What belongs to the world or
+// to joints stands in every row of a moment.
+enum class Quantity {
+    position,         // px, py, pz: of the body's origin, m
+    rotation,         // qx, qy, qz, qw: as a quaternion
+    velocity,         // vx, vy, vz: of the center of mass, m/s
+    angular_velocity, // wx, wy, wz: rad/s
+    energy,           // kinetic, potential: of the world, J
+    momentum,         // mx, my, mz: kg m/s; lx, ly, lz: about the origin, kg m^2/s
+    contacts,         // contacts, contact_points, max_penetration (m)
+    joints, // of each joint NAME: NAME.position (m or rad; position1, ... if it has several), NAME.force_x, ... (N),
+            // NAME.torque_x, ... (N m) as in JointState; not a number once it is broken
+};
+
+std::vector<std::string_view> quantity_names(); // in the order above
+// Of one of those names.
+Quantity quantity_of(std::string_view name);
+inline const std::vector<Quantity> default_quantities{Quantity::position, Quantity::rotation, Quantity::velocity,
+                                                      Quantity::angular_velocity};
+
+// All vectors are in world axes. `TableWriter` says how it is written.
 class TrajectoryWriter {
   public:
-    // Throws Error (io). The bodies must outlive the writing.
-    TrajectoryWriter(const std::filesystem::path& path, const World& world);
-    ~TrajectoryWriter();
-    TrajectoryWriter(const TrajectoryWriter&) = delete;
-    TrajectoryWriter& operator=(const TrajectoryWriter&) = delete;
+    // Throws Error (io). The bodies must outlive the writing. Columns stand in the order of `Quantity`.
+    TrajectoryWriter(const std::filesystem::path& path, const World& world, const std::vector<Quantity>& quantities);
 
-    void add(const World& world); // all bodies, now; throws Error (io)
-    void close();                 // throws Error (io)
+    void add(const World& world); // a moment; throws Error (io)
+    void close() { table_.close(); }
 
   private:
-    void write(const std::string& text);
+    struct Watched {
+        JointId joint;
+        int positions = 0;
+    };
+    // What stands in every row of a moment.
+    struct Shared {
+        double kinetic = 0.0, potential = 0.0;
+        glm::dvec3 momentum{}, angular_momentum{};
+        Statistics statistics;
+        std::vector<JointState> joints;
+    };
+    static std::vector<Column> columns(const World& world, const std::vector<Quantity>& quantities);
+    Shared shared(const World& world) const;
+    void add_body(const World& world, std::size_t index);
+    void add_shared(const Shared& shared);
+    bool shows(Quantity quantity) const;
 
-    std::filesystem::path path_, temporary_;
-    std::FILE* file_ = nullptr;
-    std::vector<BodyId> bodies_;
-    std::vector<std::string> names_; // quoted
+    std::vector<Quantity> quantities_;
+    std::vector<BodyId> bodies_; // none: a row for each moment
+    std::vector<std::string> names_;
+    std::vector<Watched> joints_;
+    TableWriter table_;
 };
 
 } // namespace cairn::cli

@@ -1,4 +1,6 @@
+#include "cli/activity.h"
 #include "cli/commands.h"
+#include "cli/outputs.h"
 #include "cli/progress.h"
 #include "cli/validation_report.h"
 
@@ -74,7 +76,9 @@ void measure_all(std::vector<Measured>& cases) {
 int validate_command(const ValidateOptions& options) {
     std::vector<Measured> cases = chosen_cases(options.cases);
     if (!options.report.empty()) check_report_folder(options.report); // before minutes of work
+    set_activity("measuring");
     measure_all(cases);
+    set_activity("writing the report", options.report.generic_string());
     if (!options.report.empty()) write_report(options.report, cases);
     print(options.json ? json_report(cases) : text_report(cases));
     const Count count = count_rows(cases);

@@ -1,8 +1,8 @@
 #include "cli/validation_report.h"
 
 #include "cli/svg_plot.h"
+#include "files/output_file.h"
 #include "validation/text.h"
-#include "viewer/file_output.h"
 
 #include <cairn/error.h>
 #include <cairn/version.h>
@@ -197,9 +197,10 @@ std::string page(const std::vector<Measured>& cases) {
 
 void check_report_folder(const std::filesystem::path& folder) {
     // Writing and removing an empty file says more than the folder's rights do.
-    const std::filesystem::path trial = viewer::temporary_beside(folder / "index.html");
+    const std::filesystem::path trial = files::temporary_beside(folder / "index.html");
     try {
-        viewer::write_file(trial, "");
+        files::make_parent_folder(trial);
+        files::write_file(trial, "");
     } catch (const Error& error) {
         throw Error(ErrorCode::io, folder.string(), {}, "cannot take a report: " + error.value());
     }
@@ -210,10 +211,10 @@ void check_report_folder(const std::filesystem::path& folder) {
 void write_report(const std::filesystem::path& folder, const std::vector<Measured>& cases) {
     for (const Measured& measured : cases)
         for (std::size_t i = 0; i < measured.result.plots.size(); ++i)
-            viewer::write_file(folder / fmt::format("{}_{}.svg", measured.entry->name, i + 1),
-                               svg_plot(measured.result.plots[i]) + "\n");
-    viewer::write_file(folder / "table.md", markdown_report(cases));
-    viewer::write_file(folder / "index.html", page(cases));
+            files::write_file(folder / fmt::format("{}_{}.svg", measured.entry->name, i + 1),
+                              svg_plot(measured.result.plots[i]) + "\n");
+    files::write_file(folder / "table.md", markdown_report(cases));
+    files::write_file(folder / "index.html", page(cases));
 }
 
 } // namespace cairn::cli

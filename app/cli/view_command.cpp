@@ -1,26 +1,33 @@
+#include "cli/activity.h"
 #include "cli/commands.h"
+#include "cli/outputs.h"
 #include "cli/viewer_scene.h"
 
 #include "viewer/window.h"
 
-#include <fmt/core.h>
+#include <vector>
 
 namespace cairn::cli {
 
 int view_command(const ViewOptions& options) {
+    check_outputs(std::vector<Output>{{"--report", options.report}});
     viewer::ViewerOptions window;
     // Looked up here, so that a wrong name is one line on the terminal rather than an empty window.
     window.scene = scene::find_scene(options.scene.empty() ? "welcome" : options.scene).string();
     for (const scene::SceneEntry& entry : scene::list_scenes(scene::scenes_directory())) {
         if (entry.error.empty()) window.scenes.push_back({entry.path.string(), entry.title});
     }
-    window.loader = load_for_viewer;
+    // The options are for the first scene; others come from the list, or are dropped on the window.
+    window.loader = [&](const std::string& path) {
+        return load_for_viewer(path, path == window.scene ? options.read : ReadOptions{});
+    };
     window.file_types = viewer_file_types();
     window.width = options.width;
     window.height = options.height;
     window.exit_after = options.exit_after;
     window.report = options.report;
     window.script = options.script;
+    set_activity("showing", window.scene);
     return viewer::run_viewer(window);
 }
 

@@ -1,5 +1,6 @@
 #include "cli/viewer_scene.h"
 
+#include "cli/outputs.h"
 #include "scene/mesh_files.h"
 #include "viewer/world_state.h"
 
@@ -51,19 +52,24 @@ std::vector<std::string> viewer_file_types() { return {".gltf", ".glb", ".urdf",
 namespace {
 
 // A mesh alone becomes ground to drop bodies on: it is shown as it is, and stays where it is.
-scene::Scene load_any(const std::filesystem::path& path) {
-    if (!scene::is_mesh_file(path)) return scene::load(path);
+scene::Scene load_any(const std::filesystem::path& path, const ReadOptions& options) {
+    if (!scene::is_mesh_file(path)) return options.load(path);
+    if (options.fixed_base) {
+        throw Error(ErrorCode::unsupported, path.string(), {}, "must be a robot in URDF for its base to be fixed");
+    }
     scene::MeshImport import;
     import.as_hull = false;
     scene::Scene scene = scene::scene_of_mesh(scene::load_mesh_file(path), import, path.stem().string());
     scene.info.hint = "U I O and J K L M drop bodies on it";
+    if (options.floor) scene::add_floor(scene);
     return scene;
 }
 
 } // namespace
 
-viewer::LoadedScene load_for_viewer(const std::string& path) {
-    scene::Scene scene = load_any(scene::find_scene(path));
+viewer::LoadedScene load_for_viewer(const std::string& path, const ReadOptions& options) {
+    scene::Scene scene = load_any(scene::find_scene(path), options);
+    print_warnings(scene.warnings);
     viewer::LoadedScene loaded;
     loaded.appearances = appearances_of(scene);
     loaded.visuals = visuals_of(scene);

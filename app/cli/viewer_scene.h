@@ -1,6 +1,7 @@
 // From the scene library's types to the viewer's: neither knows of the other.
 #pragma once
 
+#include "cli/commands.h"
 #include "scene/scene.h"
 #include "viewer/scene_source.h"
 
@@ -21,6 +22,6 @@ viewer::CameraPose camera_of(const scene::Scene& scene, std::span<const viewer::
 // Extensions of the files that `load_for_viewer` reads.
 std::vector<std::string> viewer_file_types();
 
-viewer::LoadedScene load_for_viewer(const std::string& path);
+viewer::LoadedScene load_for_viewer(const std::string& path, const ReadOptions& options);
 
 } // namespace cairn::cli

@@ -82,6 +82,15 @@ struct HeadlessRenderer::Impl {
     }
 };
 
+std::string opengl_renderer() {
+    const EglContext context;
+    const auto text_of = [](GLenum name) {
+        const GLubyte* text = glGetString(name);
+        return text ? std::string(reinterpret_cast<const char*>(text)) : std::string("unnamed");
+    };
+    return text_of(GL_RENDERER) + ", OpenGL " + text_of(GL_VERSION);
+}
+
 HeadlessRenderer::HeadlessRenderer(int width, int height) {
     for (const auto& [name, size] : {std::pair<const char*, int>{"width", width}, {"height", height}})
         if (size < min_size || size > greatest_size)
@@ -112,8 +121,8 @@ void HeadlessRenderer::draw(const RenderFrame& frame) {
 
 const std::vector<std::uint8_t>& HeadlessRenderer::pixels() const noexcept { return impl_->pixels; }
 
-void HeadlessRenderer::save_png(const std::filesystem::path& path) const {
-    write_png(path, impl_->width, impl_->height, impl_->pixels);
+void HeadlessRenderer::save_picture(const std::filesystem::path& path) const {
+    write_picture(path, impl_->width, impl_->height, impl_->pixels);
 }
 
 } // namespace cairn::viewer

@@ -3,7 +3,7 @@
 ///
 ///     HeadlessRenderer renderer(1280, 720);
 ///     renderer.draw(make_frame(world, appearances, camera));
-///     renderer.save_png("out.png");
+///     renderer.save_picture("out.png");
 #pragma once
 
 #include "viewer/world_state.h"

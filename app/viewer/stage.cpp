@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <exception>
+#include <new>
 #include <utility>
 
 namespace cairn::viewer {
@@ -46,6 +47,8 @@ void Stage::take_scene(LoadedScene scene, const std::string& path) {
 void Stage::apply(const Command& command) {
     try {
         std::visit(*this, command);
+    } catch (const std::bad_alloc&) {
+        say("out of memory");
     } catch (const std::exception& error) {
         say(error.what());
     }
@@ -70,6 +73,9 @@ void Stage::step() {
     if (grab_.holding) pull_grabbed();
     try {
         scene_.world.step(float(clock_.time_step()));
+    } catch (const std::bad_alloc&) {
+        clock_.set_paused(true);
+        return say("out of memory: delete starts the scene over");
     } catch (const std::exception& error) {
         clock_.set_paused(true);
         return say(error.what());

@@ -1,6 +1,7 @@
 // Videos through a pipe to the program ffmpeg.
-#include "viewer/file_output.h"
 #include "viewer/headless.h"
+
+#include "files/output_file.h"
 
 #include <cairn/error.h>
 
@@ -10,11 +11,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <fstream>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -36,7 +40,12 @@ int start_process(const std::vector<std::string>& arguments, int input) {
     // A process group of its own: Ctrl-C ends the simulation, and ffmpeg finishes the file.
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+    // The program ignores that signal; ffmpeg need not.
+    sigset_t broken_pipe;
+    sigemptyset(&broken_pipe);
+    sigaddset(&broken_pipe, SIGPIPE);
+    posix_spawnattr_setsigdefault(&attributes, &broken_pipe);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
     const int error = posix_spawnp(&process, pointers[0], &actions, &attributes, pointers.data(), environ);
     posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
@@ -44,72 +53,99 @@ int start_process(const std::vector<std::string>& arguments, int input) {
     return error == 0 ? int(process) : -1;
 }
 
-// Writes to a pipe without being ended by a signal if its reader is gone. Returns false with errno set.
-bool write_to_pipe(int pipe, std::span<const std::uint8_t> bytes) {
-    sigset_t broken_pipe, before;
-    sigemptyset(&broken_pipe);
-    sigaddset(&broken_pipe, SIGPIPE);
-    pthread_sigmask(SIG_BLOCK, &broken_pipe, &before);
-    int error = 0;
-    while (!bytes.empty() && error == 0) {
-        const ssize_t written = write(pipe, bytes.data(), bytes.size());
-        if (written > 0)
-            bytes = bytes.subspan(std::size_t(written));
-        else if (errno != EINTR)
-            error = errno;
+struct Codec {
+    std::string_view extension;
+    std::vector<const char*> options;
+    bool any_size = false; // odd sizes, too
+};
+
+// GIF counts in hundredths of a second, and has 256 colors, chosen anew for every picture.
+const std::vector<Codec>& codecs() {
+    static const std::vector<const char*> h264{"-c:v", "libx264", "-preset",  "medium",
+                                               "-crf", "18",      "-pix_fmt", "yuv420p"};
+    static const std::vector<Codec> list{
+        {".mp4", h264},
+        {".mkv", h264},
+        {".mov", h264},
+        {".webm",
+         {"-c:v", "libvpx-vp9", "-crf", "24", "-b:v", "0", "-cpu-used", "4", "-row-mt", "1", "-pix_fmt", "yuv420p"}},
+        {".gif",
+         {"-filter_complex", "fps=25,split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1"},
+         true}};
+    return list;
+}
+
+const Codec* codec_of(std::string_view extension) {
+    const auto found = std::find_if(codecs().begin(), codecs().end(),
+                                    [&](const Codec& codec) { return codec.extension == extension; });
+    return found == codecs().end() ? nullptr : &*found;
+}
+
+// Of a name without an extension: a pipe, for example.
+constexpr std::string_view default_extension = ".mp4";
+
+std::string video_extension(const std::filesystem::path& path) {
+    const std::string extension = files::extension_of(path);
+    return extension.empty() || path == "-" ? std::string(default_extension) : extension;
+}
+
+// Where ffmpeg writes: beside the file that is to be, and elsewhere for what cannot be written out of order.
+std::filesystem::path working_file(const files::Destination& to, const std::string& extension) {
+    if (to.kind == files::Destination::Kind::file) {
+        return files::temporary_beside(std::filesystem::path(to.path).replace_extension(extension));
     }
-    if (error == EPIPE) {
-        const timespec at_once{0, 0};
-        sigtimedwait(&broken_pipe, nullptr, &at_once); // take the pending signal before unblocking it
-    }
-    pthread_sigmask(SIG_SETMASK, &before, nullptr);
-    errno = error;
-    return error == 0;
+    return files::temporary_beside(std::filesystem::temp_directory_path() / ("cairn_video" + extension));
 }
 
 } // namespace
 
+std::vector<std::string_view> video_extensions() {
+    std::vector<std::string_view> list;
+    for (const Codec& codec : codecs()) list.push_back(codec.extension);
+    return list;
+}
+
+bool takes_odd_sizes(const std::filesystem::path& video) {
+    const Codec* codec = codec_of(video_extension(video));
+    return codec != nullptr && codec->any_size;
+}
+
 VideoWriter::VideoWriter(const std::filesystem::path& path, int width, int height, double frames_per_second)
-    : path_(path), temporary_(temporary_beside(path)), frame_bytes_(3u * std::size_t(width) * std::size_t(height)) {
+    : path_(path), to_(files::destination_of(path)), frame_bytes_(3u * std::size_t(width) * std::size_t(height)) {
     const std::string size = std::to_string(width) + "x" + std::to_string(height);
-    if (width < 2 || height < 2 || width % 2 != 0 || height % 2 != 0)
+    const std::string extension = video_extension(path);
+    const Codec* codec = codec_of(extension);
+    if (codec == nullptr)
+        throw Error(ErrorCode::invalid_value, "VideoWriter path", path.string(), "must have a known extension");
+    if (width < 2 || height < 2 || (!codec->any_size && (width % 2 != 0 || height % 2 != 0)))
         throw Error(ErrorCode::invalid_value, "VideoWriter size", size, "must be even and at least 2x2 pixels");
     if (!(frames_per_second > 0.0) || !std::isfinite(frames_per_second))
         throw Error(ErrorCode::invalid_value, "VideoWriter frames_per_second", std::to_string(frames_per_second),
                     "must be > 0 and finite");
-    make_parent_folder(path);
+    temporary_ = working_file(to_, extension);
     std::array<int, 2> ends{-1, -1};
     if (pipe2(ends.data(), O_CLOEXEC) != 0)
         throw Error(ErrorCode::io, path.string(), std::strerror(errno), "needs a pipe to ffmpeg");
+    std::vector<std::string> arguments{"ffmpeg",
+                                       "-loglevel",
+                                       "error",
+                                       "-nostats",
+                                       "-y",
+                                       "-f",
+                                       "rawvideo",
+                                       "-pixel_format",
+                                       "rgb24",
+                                       "-video_size",
+                                       size,
+                                       "-framerate",
+                                       std::to_string(frames_per_second),
+                                       "-i",
+                                       "pipe:0"};
+    arguments.insert(arguments.end(), codec->options.begin(), codec->options.end());
+    if (extension == ".mp4" || extension == ".mov") arguments.insert(arguments.end(), {"-movflags", "+faststart"});
     // An absolute path cannot be mistaken for an option or a protocol.
-    const std::string output = "file:" + std::filesystem::absolute(temporary_).string();
-    process_ = start_process({"ffmpeg",
-                              "-loglevel",
-                              "error",
-                              "-nostats",
-                              "-y",
-                              "-f",
-                              "rawvideo",
-                              "-pixel_format",
-                              "rgb24",
-                              "-video_size",
-                              size,
-                              "-framerate",
-                              std::to_string(frames_per_second),
-                              "-i",
-                              "pipe:0",
-                              "-c:v",
-                              "libx264",
-                              "-preset",
-                              "medium",
-                              "-crf",
-                              "18",
-                              "-pix_fmt",
-                              "yuv420p",
-                              "-movflags",
-                              "+faststart",
-                              output},
-                             ends[0]);
+    arguments.push_back("file:" + std::filesystem::absolute(temporary_).string());
+    process_ = start_process(arguments, ends[0]);
     const int error = errno;
     ::close(ends[0]);
     if (process_ < 0) {
@@ -133,8 +169,11 @@ void VideoWriter::add(std::span<const std::uint8_t> rgb) {
         throw Error(ErrorCode::invalid_value, "VideoWriter.add", std::to_string(rgb.size()),
                     "must be a picture of " + std::to_string(frame_bytes_) + " bytes");
     if (pipe_ < 0) throw Error(ErrorCode::wrong_state, "VideoWriter.add", "", "must not be called after close");
-    if (!write_to_pipe(pipe_, rgb))
-        throw Error(ErrorCode::io, path_.string(), std::strerror(errno), "ffmpeg stopped reading");
+    try {
+        files::write_descriptor(pipe_, {reinterpret_cast<const char*>(rgb.data()), rgb.size()}, path_.string());
+    } catch (const files::ReaderGone&) { // it has said why
+        throw Error(ErrorCode::io, path_.string(), {}, "cannot be written: ffmpeg stopped reading");
+    }
 }
 
 void VideoWriter::close() {
@@ -150,7 +189,24 @@ void VideoWriter::close() {
         std::filesystem::remove(temporary_, ignored);
         throw Error(ErrorCode::io, path_.string(), "", "ffmpeg could not write the video (see its message above)");
     }
-    take_final_name(temporary_, path_);
+    if (to_.kind == files::Destination::Kind::file) return files::take_name(temporary_, to_.path);
+    try {
+        copy_to_stream();
+    } catch (...) {
+        unlink(temporary_.c_str());
+        throw;
+    }
+    unlink(temporary_.c_str());
+}
+
+void VideoWriter::copy_to_stream() const {
+    std::ifstream whole(temporary_, std::ios::binary);
+    files::OutputFile stream(path_);
+    std::string piece(std::size_t{1} << 16, '\0');
+    while (whole.read(piece.data(), std::streamsize(piece.size())) || whole.gcount() > 0)
+        stream.write(std::string_view(piece).substr(0, std::size_t(whole.gcount())));
+    if (whole.bad()) throw Error(ErrorCode::io, temporary_.string(), {}, "cannot be read");
+    stream.close();
 }
 
 } // namespace cairn::viewer

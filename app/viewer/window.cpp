@@ -1,6 +1,5 @@
 #include "viewer/window.h"
 
-#include "viewer/file_output.h"
 #include "viewer/gl_renderer.h"
 #include "viewer/glfw_keys.h"
 #include "viewer/headless.h"
@@ -8,6 +7,8 @@
 #include "viewer/physics_thread.h"
 #include "viewer/report.h"
 #include "viewer/script.h"
+
+#include "files/output_file.h"
 
 #include <cairn/error.h>
 
@@ -310,7 +311,7 @@ void Application::save_picture(const std::filesystem::path& path) {
     for (std::size_t y = 0; y < std::size_t(facts_.height); ++y)
         std::copy_n(bottom_up.begin() + std::ptrdiff_t(y * row), row, pixels.end() - std::ptrdiff_t((y + 1) * row));
     try {
-        write_png(path, facts_.width, facts_.height, pixels);
+        write_picture(path, facts_.width, facts_.height, pixels);
         say("Saved " + path.string());
     } catch (const Error& error) {
         say(error.what());
@@ -353,7 +354,7 @@ void Application::count_frame(double seconds) {
 }
 
 void Application::write_report(const std::filesystem::path& path) {
-    write_file(path, report_json(physics_.latest().stage, controller_, facts_));
+    files::write_file(path, report_json(physics_.latest().stage, controller_, facts_));
 }
 
 void Application::run() {
@@ -404,6 +405,8 @@ int run_viewer(const ViewerOptions& options) {
         Application application(options);
         application.run();
         return 0;
+    } catch (const std::bad_alloc&) { // whoever called knows what to say
+        throw;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "cairn: %s\n", error.what());
         return 1;

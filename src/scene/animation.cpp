@@ -6,6 +6,8 @@
 #include "scene/json_number.h"
 #include "scene/tessellation.h"
 
+#include "files/output_file.h"
+
 #include <array>
 #include <cmath>
 #include <utility>
@@ -168,7 +170,7 @@ void AnimationBaker::add(const World& world) {
     }
 }
 
-std::string AnimationBaker::container() const {
+std::string AnimationBaker::document(bool as_text) const {
     if (times_.empty()) throw Error(ErrorCode::wrong_state, "AnimationBaker", {}, "has no moment to show");
     BufferWriter buffer;
     std::vector<Json> primitives;
@@ -224,9 +226,17 @@ std::string AnimationBaker::container() const {
     add("accessors", parsed(buffer.accessors()));
     add("bufferViews", parsed(buffer.views()));
     if (!buffer.empty()) json["buffers"] = Json::array({{{"byteLength", buffer.bytes().size()}}});
-    return glb_container(json_text(json), buffer.bytes());
+    if (!as_text) return glb_container(json_text(json), buffer.bytes());
+    if (!buffer.empty()) json["buffers"][0]["uri"] = data_uri(buffer.bytes());
+    return json_text(json) + "\n";
 }
 
-void AnimationBaker::write(const std::filesystem::path& path) const { write_file(path, container()); }
+std::string AnimationBaker::container() const { return document(false); }
+
+std::string AnimationBaker::text() const { return document(true); }
+
+void AnimationBaker::write(const std::filesystem::path& path) const {
+    files::write_file(path, files::extension_of(path) == ".gltf" ? text() : container());
+}
 
 } // namespace cairn::scene

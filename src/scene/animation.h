@@ -26,10 +26,13 @@ class AnimationBaker {
     /// A binary glTF file. Between the moments positions are interpolated linearly, and rotations spherically. Throws
     /// `Error` (wrong_state) without any moment, and (io) when it would be larger than 4 GiB.
     std::string container() const;
-    /// Writes that to a file. Throws `Error` (io, wrong_state).
+    /// The same as the text of a `.gltf` file, with its data inside. Throws as `container` does.
+    std::string text() const;
+    /// Writes a file: text if its name ends in `.gltf`, else binary. Throws `Error` (io, wrong_state).
     void write(const std::filesystem::path& path) const;
 
   private:
+    std::string document(bool as_text) const;
     struct Part {
         Transform local; // in the body's frame
         std::size_t surface;

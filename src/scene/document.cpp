@@ -9,21 +9,26 @@ namespace cairn::scene {
 
 namespace {
 
-constexpr std::array<std::string_view, 8> understood{
-    "KHR_physics_rigid_bodies", "KHR_implicit_shapes", "CAIRN_world",        "CAIRN_body",
-    "CAIRN_material",           "CAIRN_joint",         "CAIRN_height_field", "CAIRN_shape"};
 // Extensions of how things look, which no simulation depends on.
 constexpr std::array<std::string_view, 8> visual_prefixes{
     "KHR_lights_", "KHR_materials_", "KHR_texture_",           "KHR_mesh_quantization", "KHR_draco_mesh_compression",
     "EXT_lights_", "EXT_texture_",   "EXT_meshopt_compression"};
 
 bool is_harmless(std::string_view name) {
+    const std::vector<std::string>& understood = understood_extensions();
     if (std::find(understood.begin(), understood.end(), name) != understood.end()) return true;
     return std::any_of(visual_prefixes.begin(), visual_prefixes.end(),
                        [&](std::string_view prefix) { return name.substr(0, prefix.size()) == prefix; });
 }
 
 } // namespace
+
+const std::vector<std::string>& understood_extensions() {
+    static const std::vector<std::string> names{
+        "KHR_physics_rigid_bodies", "KHR_implicit_shapes", "CAIRN_world",        "CAIRN_body",
+        "CAIRN_material",           "CAIRN_joint",         "CAIRN_height_field", "CAIRN_shape"};
+    return names;
+}
 
 void check_document(const Value& document) {
     document.must_be_object();

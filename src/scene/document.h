@@ -4,8 +4,13 @@
 #include "scene/json_value.h"
 
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace cairn::scene {
+
+// Names of those that are read.
+const std::vector<std::string>& understood_extensions();
 
 // Checks the version of the format, and that the file requires no extension that matters here and is unknown.
 void check_document(const Value& document);

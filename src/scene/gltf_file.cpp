@@ -117,27 +117,6 @@ std::vector<std::byte> read_file(const std::filesystem::path& path) {
     return bytes;
 }
 
-void write_file(const std::filesystem::path& path, std::string_view bytes) {
-    std::filesystem::path temporary = path;
-    temporary += ".partial";
-    std::error_code code;
-    {
-        std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);
-        stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-        stream.close();
-        if (!stream) {
-            std::filesystem::remove(temporary, code);
-            throw Error(ErrorCode::io, path.generic_string(), {}, "cannot be written");
-        }
-    }
-    std::filesystem::rename(temporary, path, code);
-    if (code) {
-        const std::string reason = code.message();
-        std::filesystem::remove(temporary, code);
-        throw Error(ErrorCode::io, path.generic_string(), {}, "cannot be written: " + reason);
-    }
-}
-
 GltfFile parse_gltf(std::span<const std::byte> bytes, const std::string& file) {
     if (bytes.empty()) fail(file, "is empty");
     Container parts{bytes, std::nullopt};

@@ -21,9 +21,6 @@ inline constexpr int max_json_depth = 64;
 // The whole file. Throws Error (io) if it cannot be read, or is larger than max_file_bytes.
 std::vector<std::byte> read_file(const std::filesystem::path& path);
 
-// Writes to a temporary beside the file first, which then takes its name. Throws Error (io).
-void write_file(const std::filesystem::path& path, std::string_view bytes);
-
 struct GltfFile {
     nlohmann::json json;
     std::optional<std::span<const std::byte>> binary; // the binary chunk of a .glb file, in the bytes it was read from

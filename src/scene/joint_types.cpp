@@ -1,6 +1,7 @@
 #include "scene/joint_types.h"
 
 #include "scene/json_number.h"
+#include "scene/spelling.h"
 
 #include <array>
 #include <cmath>
@@ -151,6 +152,37 @@ class Reader {
 
   private:
     const Value& value_;
+};
+
+// Looks for members that are none of the type's.
+class JointSpeller {
+  public:
+    JointSpeller(const Value& value, std::vector<std::string> known, std::vector<std::string>& warnings)
+        : value_(value), known_(std::move(known)), warnings_(warnings) {}
+
+    template <class T> void operator()(const char* name, T& part, float = 0.0f) {
+        known_.emplace_back(name);
+        if constexpr (is_object<T>) {
+            const auto found = value_.find(name);
+            if (!found || !found->is_object()) return;
+            JointSpeller inside(*found, {}, warnings_);
+            members(inside, part);
+            inside.finish();
+        }
+    }
+    template <class T> void operator()(const char* name, std::optional<T>& part) {
+        T inside = part.value_or(T{});
+        (*this)(name, inside);
+    }
+    void finish() { warn_of_unknown_members(value_, known_, warnings_); }
+
+  private:
+    template <class T>
+    static constexpr bool is_object = std::is_same_v<T, JointSpring> || std::is_same_v<T, JointRange> ||
+                                      std::is_same_v<T, JointMotor> || std::is_same_v<T, JointControl>;
+    const Value& value_;
+    std::vector<std::string> known_;
+    std::vector<std::string>& warnings_;
 };
 
 class JointTypeWriter {
@@ -306,6 +338,18 @@ Joint read_typed_joint(const Value& own) {
         known += (known.empty() ? "\"" : ", \"") + std::string(candidate) + "\"";
     }
     type.fail("must be one of " + known);
+}
+
+void warn_of_unknown_joint_members(const Value& own, std::vector<std::string>& warnings) {
+    const auto type = own.find("type");
+    const std::string name = type && type->is_string() ? type->text() : "general";
+    for (const auto& [candidate, blank] : types()) {
+        if (name != candidate) continue;
+        JointSpeller speller(own, {"type", "break_force", "break_torque", "solver"}, warnings);
+        Joint joint = blank;
+        std::visit([&](auto& j) { members_of_joint(speller, j); }, joint);
+        speller.finish();
+    }
 }
 
 Json write_typed_joint(const Joint& joint) {

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <string>
+#include <vector>
 
 namespace cairn::scene {
 
@@ -15,6 +16,9 @@ namespace cairn::scene {
 Joint read_typed_joint(const Value& own);
 
 // Members of CAIRN_joint; none for a GeneralJoint. What has its default is left out.
+// Warns of members that its type does not have.
+void warn_of_unknown_joint_members(const Value& own, std::vector<std::string>& warnings);
+
 nlohmann::ordered_json write_typed_joint(const Joint& joint);
 
 // Limits and drives that do the same, as far as the draft has words for it.

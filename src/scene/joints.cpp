@@ -97,11 +97,12 @@ JointSolver read_solver(const Value& value) {
     value.fail("must be \"automatic\", \"iterative\" or \"direct\"");
 }
 
-JointDef read_joint(const Value& value) {
+JointDef read_joint(const Value& value, std::vector<std::string>& warnings) {
     JointDef def;
     def.joint = read_general(value); // checked even if another type is to replace it
     const auto own = extension(value, "CAIRN_joint");
     if (!own) return def;
+    warn_of_unknown_joint_members(*own, warnings);
     if (const auto type = own->find("type"); type && !(type->is_string() && type->text() == "general")) {
         def.joint = read_typed_joint(*own);
     }
@@ -161,11 +162,11 @@ int free_rows(const GeneralJoint& joint) {
     return rows;
 }
 
-JointTable::JointTable(const Value& document) {
+JointTable::JointTable(const Value& document, std::vector<std::string>& warnings) {
     const auto physics = extension(document, "KHR_physics_rigid_bodies");
     entries_ = physics ? physics->find("physicsJoints") : std::nullopt;
     const std::size_t count = entries_ ? entries_->size(max_definitions, "joints") : 0;
-    for (std::size_t i = 0; i < count; ++i) joints_.push_back(read_joint((*entries_)[i]));
+    for (std::size_t i = 0; i < count; ++i) joints_.push_back(read_joint((*entries_)[i], warnings));
 }
 
 const JointDef& JointTable::joint(const Value& index) const {

@@ -17,7 +17,7 @@ int free_rows(const GeneralJoint& joint);
 
 class JointTable {
   public:
-    explicit JointTable(const Value& document); // reads and checks all entries
+    JointTable(const Value& document, std::vector<std::string>& warnings); // reads and checks all entries
     // All of a joint but its name, its bodies and frames, and whether they collide.
     const JointDef& joint(const Value& index) const;
     bool empty() const { return joints_.empty(); }

@@ -1,7 +1,9 @@
 #include "scene/json_number.h"
 
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 
 namespace cairn::scene {
 
@@ -35,6 +37,12 @@ nlohmann::ordered_json number_array(const Quat& q) {
 
 std::string json_text(const nlohmann::ordered_json& json) {
     return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+std::string short_number(double value) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.6g", value);
+    return text.data();
 }
 
 } // namespace cairn::scene

@@ -23,6 +23,9 @@ glm::dquat written_rotation(const Quat& q);
 // In the order of glTF: x, y, z, w.
 nlohmann::ordered_json number_array(const Quat& q);
 
+// Six digits at most, for messages.
+std::string short_number(double value);
+
 // As text on one line. Names are any bytes: what is not UTF-8 in them becomes U+FFFD.
 std::string json_text(const nlohmann::ordered_json& json);
 

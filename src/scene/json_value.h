@@ -38,6 +38,7 @@ class Value {
     Value(const nlohmann::json& json, std::string_view file) : json_(&json), file_(file) {}
 
     bool is_object() const { return json_->is_object(); }
+    bool is_array() const { return json_->is_array(); }
     bool is_string() const { return json_->is_string(); }
     const std::string& path() const { return path_; }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 #include <system_error>
 
 namespace cairn::scene {
@@ -61,6 +62,46 @@ SceneEntry read_entry(const fs::path& path) {
 
 bool is_scene_file(const fs::path& path) { return path.extension() == ".gltf" || path.extension() == ".glb"; }
 
+// "01_open_plane" -> "open_plane"
+std::string without_number(const std::string& name) {
+    const std::size_t digits = name.find_first_not_of("0123456789");
+    if (digits == 0 || digits == std::string::npos || name[digits] != '_') return name;
+    return name.substr(digits + 1);
+}
+
+// "01_open_plane" -> 1; nothing without a number. Numbers of up to nine digits.
+std::optional<int> number_of(const std::string& name) {
+    const std::size_t digits = std::min(name.find_first_not_of("0123456789"), name.size());
+    if (digits == 0 || digits > 9 || (digits < name.size() && name[digits] != '_')) return std::nullopt;
+    return std::stoi(name.substr(0, digits));
+}
+
+// What a name stands for: the whole one is meant if there is such, else the one without a number, else the number.
+std::vector<fs::path> scenes_named(const std::string& name, const std::vector<fs::path>& files) {
+    const bool is_number = name.find_first_not_of("0123456789") == std::string::npos;
+    const auto matches = [&](int way, const std::string& file_name, const std::string& stem) {
+        if (way == 0) return name == file_name || name == stem;
+        if (way == 1) return name == without_number(file_name) || name == without_number(stem);
+        return is_number && number_of(stem) && number_of(stem) == number_of(name);
+    };
+    std::vector<fs::path> found;
+    for (int way = 0; way < 3 && found.empty(); ++way) {
+        for (const fs::path& file : files) {
+            if (matches(way, file.filename().generic_string(), file.stem().generic_string())) found.push_back(file);
+        }
+    }
+    return found;
+}
+
+// The folder of the running program; empty where the system has no way to tell.
+fs::path program_directory() {
+    std::error_code code;
+    const fs::path program = fs::read_symlink("/proc/self/exe", code);
+    return code ? fs::path() : program.parent_path();
+}
+
+} // namespace
+
 std::vector<fs::path> scene_files(const fs::path& directory) {
     std::vector<fs::path> files;
     std::error_code code;
@@ -74,22 +115,6 @@ std::vector<fs::path> scene_files(const fs::path& directory) {
     });
     return files;
 }
-
-// "01_open_plane" -> "open_plane"
-std::string without_number(const std::string& name) {
-    const std::size_t digits = name.find_first_not_of("0123456789");
-    if (digits == 0 || digits == std::string::npos || name[digits] != '_') return name;
-    return name.substr(digits + 1);
-}
-
-// The folder of the running program; empty where the system has no way to tell.
-fs::path program_directory() {
-    std::error_code code;
-    const fs::path program = fs::read_symlink("/proc/self/exe", code);
-    return code ? fs::path() : program.parent_path();
-}
-
-} // namespace
 
 std::vector<SceneEntry> list_scenes(const fs::path& directory) {
     std::vector<SceneEntry> entries;
@@ -110,19 +135,22 @@ fs::path scenes_directory() {
 fs::path find_scene(std::string_view path_or_name) {
     const fs::path path(path_or_name);
     std::error_code code;
-    if (fs::exists(path, code)) return path;
+    const fs::file_status status = fs::status(path, code);
+    if (fs::exists(status) && !fs::is_directory(status)) return path;
     const std::string name(path_or_name);
     const fs::path directory = scenes_directory();
     const bool is_name = !name.empty() && !path.has_parent_path();
     if (is_name && fs::is_directory(directory, code)) {
-        for (const fs::path& file : scene_files(directory)) {
-            const std::string file_name = file.filename().generic_string(), stem = file.stem().generic_string();
-            if (name == file_name || name == stem || name == without_number(file_name) ||
-                name == without_number(stem)) {
-                return file;
-            }
+        const std::vector<fs::path> found = scenes_named(name, scene_files(directory));
+        if (found.size() == 1) return found[0];
+        if (found.size() > 1) {
+            std::string candidates;
+            for (const fs::path& file : found)
+                candidates += (candidates.empty() ? "" : ", ") + file.filename().generic_string();
+            throw Error(ErrorCode::invalid_value, name, {}, "may be any of " + candidates);
         }
     }
+    if (fs::exists(status)) return path; // a folder, which is said when it is read
     std::string problem = "there is no such file";
     if (is_name) problem += ", nor a scene of that name in " + directory.generic_string();
     throw Error(ErrorCode::io, name.empty() ? "\"\"" : name, {}, problem);

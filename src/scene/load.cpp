@@ -5,9 +5,12 @@
 #include "scene/filters.h"
 #include "scene/gltf_file.h"
 #include "scene/joints.h"
+#include "scene/json_number.h"
+#include "scene/mass_sum.h"
 #include "scene/node_graph.h"
 #include "scene/node_transform.h"
 #include "scene/scene.h"
+#include "scene/spelling.h"
 #include "scene/urdf.h"
 #include "scene/urdf_file.h"
 #include "scene/visuals.h"
@@ -28,6 +31,7 @@ constexpr std::size_t max_warnings = 100;
 // Where the walk stands.
 struct Place {
     NodeTransform world;         // of the node above
+    Affine map;                  // the same, skewed or not
     std::optional<BodyId> body;  // that a collider here belongs to
     NodeTransform in_body;       // of the node above, seen from that body
     std::optional<BodyId> fixed; // the nearest static body above that is nothing but a collider or trigger
@@ -39,6 +43,7 @@ struct Place {
 struct JointFrame {
     std::optional<BodyId> body; // the one that it moves with, or stands on
     NodeTransform transform;    // in that body, else in the world
+    Affine map;                 // in the world, skewed or not
 };
 
 const NodeTransform at_body(const NodeTransform& world) {
@@ -63,8 +68,8 @@ class Builder {
     Builder(const Value& document, const Buffers& buffers, const NodeGraph& graph, WorldSettings settings,
             std::vector<std::string> warnings)
         : document_(document), graph_(graph), surfaces_(document, buffers, graph), colliders_(document, surfaces_),
-          visuals_(document, surfaces_), filters_(document), joints_(document),
-          warnings_(std::move(warnings)), scene_{World(settings.world), std::move(settings.info), {}, {}, {}} {}
+          visuals_(document, surfaces_), filters_(document), warnings_(std::move(warnings)),
+          joints_(document, warnings_), scene_{World(settings.world), std::move(settings.info), {}, {}, {}} {}
 
     Scene build() {
         for (const ForceField& field : scene_.info.force_fields) {
@@ -95,6 +100,7 @@ class Builder {
         }
         const NodeTransform local = read_transform(here);
         place.world = compose(place.world, local);
+        if (!joints_.empty()) place.map = compose(place.map, read_affine(here));
         if (place.body) place.in_body = compose(place.in_body, local);
         if (place.fixed) place.in_fixed = compose(place.in_fixed, local);
         ++place.depth;
@@ -159,9 +165,9 @@ class Builder {
     void note_joint(std::size_t index, const std::optional<Value>& physics, const Place& place) {
         if (physics && physics->find("joint")) joint_nodes_.push_back(index);
         if (joints_.empty()) return;
-        joint_frames_[index] = place.body    ? JointFrame{place.body, place.in_body}
-                               : place.fixed ? JointFrame{place.fixed, place.in_fixed}
-                                             : JointFrame{std::nullopt, place.world};
+        joint_frames_[index] = place.body    ? JointFrame{place.body, place.in_body, place.map}
+                               : place.fixed ? JointFrame{place.fixed, place.in_fixed, place.map}
+                                             : JointFrame{std::nullopt, place.world, place.map};
     }
 
     void add_joint(std::size_t index) {
@@ -175,9 +181,8 @@ class Builder {
         if (const auto collide = joint.find("enableCollision")) def.enable_collision = collide->boolean();
         const auto place = [&](std::size_t which, BodyId& body, Transform& frame) {
             const JointFrame& found = *joint_frames_[which];
-            require_usable(found.transform, node(which));
             if (found.body) body = *found.body;
-            frame = {found.transform.translation, Quat(found.transform.rotation)};
+            frame = frame_of(found, node(which));
         };
         place(index, def.body_a, def.frame_a);
         place(other, def.body_b, def.frame_b);
@@ -191,6 +196,26 @@ class Builder {
         } catch (const Error& error) {
             joint.fail(error);
         }
+    }
+
+    // A frame has no shape that a skewed node could bend: its place and the direction of its x axis are as they stand,
+    // and the other two axes are made perpendicular to it.
+    Transform frame_of(const JointFrame& frame, const Value& here) {
+        if (!frame.transform.is_skewed) {
+            require_usable(frame.transform, here);
+            return {frame.transform.translation, Quat(frame.transform.rotation)};
+        }
+        NodeTransform straight;
+        straight.translation = frame.map.translation;
+        require_usable(straight, here);
+        const auto rotation = rotation_of(frame.map.linear);
+        if (!rotation) here.fail("must not be flattened by a scale, as the frame of a joint");
+        warnings_.push_back(here.place() + "is the frame of a joint below an uneven scale, which skews it; its x axis "
+                                           "is taken as it stands, the others perpendicular to it");
+        if (!frame.body) return {straight.translation, Quat(*rotation)};
+        const Transform body = scene_.world.body(*frame.body).transform();
+        const glm::dquat back = glm::conjugate(glm::normalize(glm::dquat(body.rotation)));
+        return {back * (straight.translation - body.position), Quat(glm::normalize(back * *rotation))};
     }
 
     std::optional<std::string> reason_to_idle(const JointDef& def) const {
@@ -248,6 +273,8 @@ class Builder {
         const auto linear = read_vector(motion, "linearVelocity"), angular = read_vector(motion, "angularVelocity");
         Body body = scene_.world.body(id);
         const std::optional<MassProperties> mass = read_mass(motion, body, world.scale);
+        warn_of_speed(motion, "linearVelocity", linear, scene_.world.settings().max_linear_speed, "m/s");
+        warn_of_speed(motion, "angularVelocity", angular, scene_.world.settings().max_angular_speed, "rad/s");
         try {
             if (mass) body.set_mass_properties(*mass);
             // Every shape moved the center of mass, and with it the origin by a rounding error.
@@ -257,6 +284,13 @@ class Builder {
         } catch (const Error& error) {
             motion.fail(error);
         }
+    }
+
+    void warn_of_speed(const Value& motion, const char* name, const std::optional<glm::dvec3>& velocity, float most,
+                       const char* unit) {
+        if (!velocity || !(std::sqrt(glm::dot(*velocity, *velocity)) > static_cast<double>(most))) return;
+        warnings_.push_back(motion.place() + name + " is cut to the world's limit of " + short_number(most) + " " +
+                            unit);
     }
 
     static std::optional<glm::dvec3> read_vector(const Value& owner, const char* name, const Range& range = any_float) {
@@ -287,9 +321,22 @@ class Builder {
                                                  "0.5 m radius");
         }
         if (center) properties.center_of_mass = Vec3(*center * scale);
-        if (inertia) properties.inertia_diagonal = Vec3(*inertia);
+        if (inertia) properties.inertia_diagonal = Vec3(real_moments(motion, *inertia));
         if (inertia || turn) properties.inertia_orientation = orientation;
         return properties;
+    }
+
+    // A zero among them stands for an axis about which nothing turns.
+    glm::dvec3 real_moments(const Value& motion, const glm::dvec3& given) {
+        if (given.x == 0.0 || given.y == 0.0 || given.z == 0.0) return given;
+        const auto nearest = nearest_real_moments(given);
+        if (!nearest) return given;
+        warnings_.push_back(motion.place() +
+                            "inertiaDiagonal: one moment exceeds the sum of the other two, which no "
+                            "body has; the nearest possible ones are taken: " +
+                            short_number(nearest->x) + ", " + short_number(nearest->y) + ", " +
+                            short_number(nearest->z));
+        return *nearest;
     }
 
     bool has_massive_shape(const Body& body) const {
@@ -347,16 +394,19 @@ class Builder {
     Colliders colliders_;
     Visuals visuals_;
     Filters filters_;
-    JointTable joints_;
     std::vector<std::string> warnings_;
+    JointTable joints_;
     Scene scene_;
     std::vector<std::optional<JointFrame>> joint_frames_; // by node; of those that the scene shows
     std::vector<std::size_t> joint_nodes_;
 };
 
 Scene load_bytes(std::span<const std::byte> bytes, const std::string& name,
-                 const std::optional<std::filesystem::path>& folder) {
-    if (is_xml(bytes)) return load_urdf(bytes, name, folder);
+                 const std::optional<std::filesystem::path>& folder, const LoadOptions& options) {
+    if (is_xml(bytes)) return load_urdf(bytes, name, folder, options);
+    if (options.fixed_base) {
+        throw Error(ErrorCode::unsupported, name, {}, "must be a robot in URDF for its base to be fixed");
+    }
     const GltfFile gltf = parse_gltf(bytes, name);
     const Value document(gltf.json, name);
     check_document(document);
@@ -368,19 +418,26 @@ Scene load_bytes(std::span<const std::byte> bytes, const std::string& name,
     if (settings.info.title.empty() && scene) {
         if (const auto title = scene->find("name")) settings.info.title = title->text();
     }
+    check_spelling(document, scene, warnings);
     const NodeGraph graph = read_node_graph(document, scene);
     const Buffers buffers(document, gltf.binary, folder);
-    return Builder(document, buffers, graph, std::move(settings), std::move(warnings)).build();
+    Scene result = Builder(document, buffers, graph, std::move(settings), std::move(warnings)).build();
+    if (!own && result.world.bodies().empty()) { // not meant as an empty world
+        result.warnings.push_back(document.place() +
+                                  "has no body: no node that is shown has a motion, a collider or a trigger of "
+                                  "KHR_physics_rigid_bodies, and nothing will move");
+    }
+    return result;
 }
 
 } // namespace
 
 Scene load_from_memory(std::span<const std::byte> bytes, const std::string& name) {
-    return load_bytes(bytes, name, std::nullopt);
+    return load_bytes(bytes, name, std::nullopt, {});
 }
 
-Scene load(const std::filesystem::path& path) {
-    return load_bytes(read_file(path), path.filename().generic_string(), path.parent_path());
+Scene load(const std::filesystem::path& path, const LoadOptions& options) {
+    return load_bytes(read_file(path), path.filename().generic_string(), path.parent_path(), options);
 }
 
 } // namespace cairn::scene

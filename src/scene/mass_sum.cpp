@@ -55,4 +55,21 @@ PrincipalAxes principal_axes(glm::dmat3 matrix) {
     return {{matrix[0][0], matrix[1][1], matrix[2][2]}, axes};
 }
 
+std::optional<glm::dvec3> nearest_real_moments(const glm::dvec3& moments) {
+    constexpr double tolerance = 1e-4; // of the largest
+    int largest = 0;
+    for (int i = 1; i < 3; ++i) {
+        if (moments[i] > moments[largest]) largest = i;
+    }
+    double excess = moments[largest];
+    for (int i = 0; i < 3; ++i) {
+        if (i != largest) excess -= moments[i];
+    }
+    if (!(excess > tolerance * moments[largest])) return std::nullopt;
+    // The foot of the perpendicular to the plane in which the largest is the sum of the others.
+    glm::dvec3 result = moments + excess / 3.0;
+    result[largest] = moments[largest] - excess / 3.0;
+    return result;
+}
+
 } // namespace cairn::scene

@@ -5,6 +5,8 @@
 
 #include <cairn/body.h>
 
+#include <optional>
+
 namespace cairn::scene {
 
 class MassSum {
@@ -28,5 +30,9 @@ struct PrincipalAxes {
     glm::dmat3 axes;
 };
 PrincipalAxes principal_axes(glm::dmat3 matrix);
+
+// Moments of inertia of a real body satisfy the triangle inequality: none exceeds the sum of the other two. Empty if
+// these positive ones do, as exactly as the engine asks for, else the nearest ones that do (by least squares).
+std::optional<glm::dvec3> nearest_real_moments(const glm::dvec3& moments);
 
 } // namespace cairn::scene

@@ -110,6 +110,18 @@ Affine compose(const Affine& parent, const Affine& child) {
     return {parent.linear * child.linear, parent.linear * child.translation + parent.translation};
 }
 
+std::optional<glm::dquat> rotation_of(const glm::dmat3& linear) {
+    const auto unit = [](const glm::dvec3& v) -> std::optional<glm::dvec3> {
+        const double length = std::sqrt(glm::dot(v, v));
+        return length > 1e-12 && length < 1e12 ? std::optional(v / length) : std::nullopt;
+    };
+    const auto x = unit(linear[0]), along = unit(linear[1]);
+    if (!x || !along) return std::nullopt;
+    const auto y = unit(*along - *x * glm::dot(*x, *along));
+    if (!y) return std::nullopt;
+    return glm::normalize(glm::quat_cast(glm::dmat3(*x, *y, glm::cross(*x, *y))));
+}
+
 void require_usable(const NodeTransform& transform, const Value& node) {
     if (transform.is_skewed) {
         node.refuse("is skewed: a rotation below an uneven scale, which would bend its shapes");

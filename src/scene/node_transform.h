@@ -28,6 +28,10 @@ Affine read_affine(const Value& node);
 Affine compose(const Affine& parent, const Affine& child);
 Affine affine(const glm::dvec3& scale); // nothing but a scale
 
+// The rotation that has the direction of the first axis, and the second in the plane of the first two; empty where they
+// span none. A mirror image is mirrored along the last axis.
+std::optional<glm::dquat> rotation_of(const glm::dmat3& linear);
+
 // Refuses a transform that no body or shape can have: skewed, or out of the range of a float.
 void require_usable(const NodeTransform& transform, const Value& node);
 

@@ -6,6 +6,8 @@
 #include "scene/scene.h"
 #include "scene/world_settings.h"
 
+#include "files/output_file.h"
+
 #include <cairn/triangles.h>
 
 #include <algorithm>
@@ -324,12 +326,12 @@ std::string save_to_string(const Scene& scene) {
 }
 
 void save(const Scene& scene, const std::filesystem::path& path) {
-    if (path.extension() != ".glb") {
-        write_file(path, save_to_string(scene));
+    if (files::extension_of(path) != ".glb") {
+        files::write_file(path, save_to_string(scene));
         return;
     }
     const std::vector<std::byte> bytes = stable_container(scene);
-    write_file(path, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+    files::write_file(path, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
 }
 
 } // namespace cairn::scene

@@ -64,6 +64,13 @@ struct VisualMesh {
     Vec3 color{1.0f, 1.0f, 1.0f}; ///< Linear red, green and blue, each 0 to 1.
 };
 
+/// How fast a joint of a robot may be driven. The engine's motors know no such limit: it is for who moves their
+/// targets.
+struct JointSpeedLimit {
+    JointId joint;
+    float speed = 0.0f; ///< rad/s or m/s, > 0.
+};
+
 /// A world and what came with it.
 struct Scene {
     World world;
@@ -78,10 +85,20 @@ struct Scene {
     /// Names of the layers in the shapes' collision filters: the i-th is that of bit i + 1. Bit 0 is for what is in no
     /// named layer. Others get a name of their number when they are saved.
     std::vector<std::string> collision_systems{};
+    std::vector<JointSpeedLimit> speed_limits{}; ///< Of robots; not saved.
+};
+
+/// How a file is read.
+struct LoadOptions {
+    bool fixed_base = false; ///< The root link of a robot does not move. Of other files: refused (`unsupported`).
 };
 
 /// Reads a `.gltf`, `.glb` or URDF file (docs/urdf.md); which of them it is shows in its first bytes, not in its name.
-Scene load(const std::filesystem::path& path);
+Scene load(const std::filesystem::path& path, const LoadOptions& options = {});
+
+/// Adds a static body "floor", an infinite plane that faces up, as high as the lowest point of all shapes, or where
+/// there are none at y = 0. Triggers and what is infinite do not count.
+void add_floor(Scene& scene);
 
 /// Reads a scene from memory. `name` stands for the file in messages. Buffers in other files are refused.
 Scene load_from_memory(std::span<const std::byte> bytes, const std::string& name);
@@ -90,9 +107,12 @@ Scene load_from_memory(std::span<const std::byte> bytes, const std::string& name
 /// is saved again as the same bytes. What belongs to shapes and bodies that have been removed is left out.
 std::string save_to_string(const Scene& scene);
 
-/// Writes a scene to a file: a binary `.glb` if its name ends so, else `.gltf` as by `save_to_string`. It is written to
-/// a temporary beside it first, which then takes its name.
+/// Writes a scene to a file: a binary `.glb` if its name ends so, else `.gltf` as by `save_to_string`. How is said in
+/// files/output_file.h.
 void save(const Scene& scene, const std::filesystem::path& path);
+
+/// The `.gltf` and `.glb` files of a folder (not those of its subfolders), sorted by name. Throws `Error` (io).
+std::vector<std::filesystem::path> scene_files(const std::filesystem::path& directory);
 
 /// One line of a list of scenes.
 struct SceneEntry {
@@ -103,7 +123,7 @@ struct SceneEntry {
     std::string error;      ///< Why the file cannot be used; empty if it can.
 };
 
-/// The `.gltf` and `.glb` files of a folder (not those of its subfolders), sorted by name. Builds no worlds.
+/// What the files of `scene_files` say of themselves, in that order. Builds no worlds.
 std::vector<SceneEntry> list_scenes(const std::filesystem::path& directory);
 
 /// The folder of the scenes that come with Cairn: the environment variable CAIRN_SCENES if it is set, else
@@ -112,7 +132,8 @@ std::vector<SceneEntry> list_scenes(const std::filesystem::path& directory);
 std::filesystem::path scenes_directory();
 
 /// The file that a user means: a path to an existing file, or the name of a scene in `scenes_directory()`,
-/// with or without its leading number and its extension (`welcome`, `open_plane`, `01_open_plane.gltf`).
+/// with or without its leading number and its extension, or that number alone (`01_open_plane.gltf`, `01_open_plane`,
+/// `open_plane`, `01`, `1`). Throws `Error`: `io` if there is none, `invalid_value` if several are meant.
 std::filesystem::path find_scene(std::string_view path_or_name);
 
 } // namespace cairn::scene

@@ -2,11 +2,13 @@
 // where they do with all joints at 0, or as near as their limits allow.
 #include "scene/urdf.h"
 
+#include "scene/json_number.h"
 #include "scene/mass_sum.h"
 #include "scene/urdf_file.h"
 #include "scene/urdf_joints.h"
 #include "scene/urdf_shapes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -27,8 +29,9 @@ glm::dmat3 ball_inertia(double mass) { return glm::dmat3(0.4 * mass * blank_radi
 class RobotBuilder {
   public:
     RobotBuilder(const urdf::ModelInterface& model, std::string name,
-                 const std::optional<std::filesystem::path>& folder)
-        : model_(model), name_(std::move(name)), scene_{World(), {}, {}, {}, {}}, shapes_(name_, folder, scene_) {}
+                 const std::optional<std::filesystem::path>& folder, const LoadOptions& options)
+        : model_(model), name_(std::move(name)), options_(options), scene_{World(), {}, {}, {}, {}},
+          shapes_(name_, folder, scene_) {}
 
     Scene build() {
         scene_.info.title = model_.getName();
@@ -51,7 +54,7 @@ class RobotBuilder {
         const urdf::LinkConstSharedPtr root = model_.getRoot();
         parts_.push_back({});
         parts_[0].world = upright;
-        parts_[0].is_world = root->name == "world";
+        parts_[0].is_world = options_.fixed_base || root->name == "world";
         std::vector<Open> open{{root, 0, {}}};
         const RobotPose pose(model_, name_);
         while (!open.empty()) {
@@ -64,7 +67,9 @@ class RobotBuilder {
                 const std::string at = name_ + ": joint \"" + joint->name + "\"";
                 const Rigid frame = here.in_part * rigid(joint->parent_to_joint_origin_transform, at);
                 const urdf::LinkConstSharedPtr child = model_.getLink(joint->child_link_name);
-                if (joint->type == urdf::Joint::FIXED) {
+                const bool frees_the_base =
+                    joint->type == urdf::Joint::FLOATING && here.part == 0 && root->name == "world";
+                if (joint->type == urdf::Joint::FIXED || (frees_the_base && options_.fixed_base)) {
                     open.push_back({child, here.part, frame});
                     continue;
                 }
@@ -93,13 +98,22 @@ class RobotBuilder {
         }
         const std::size_t first = scene_.visuals.size();
         bool all_shown = true;
+        // Without mass of its own it needs all of its shapes.
+        const bool may_lack_shapes = part.is_world || (!part.body.is_null() && has_inertial(part));
         for (const auto& [link, at] : part.links) {
-            if (!part.body.is_null()) shapes_.add_shapes(*link, part.body, at);
+            if (!part.body.is_null()) shapes_.add_shapes(*link, part.body, at, may_lack_shapes);
             const Rigid seen = part.body.is_null() ? part.world * at : at;
             all_shown = shapes_.add_visuals(*link, part.body, seen) && all_shown;
         }
         // Half of the looks would hide the rest of the body; its shapes show all of it.
-        if (!all_shown && has_shapes) scene_.visuals.resize(first);
+        const bool is_left = !part.body.is_null() && !scene_.world.body(part.body).shapes().empty();
+        if (!all_shown && is_left) scene_.visuals.resize(first);
+    }
+
+    static bool has_inertial(const RobotPart& part) {
+        return std::any_of(part.links.begin(), part.links.end(), [](const RobotPart::Member& member) {
+            return member.link->inertial && member.link->inertial->mass > 0.0;
+        });
     }
 
     // Nothing if they follow from the shapes.
@@ -138,7 +152,8 @@ class RobotBuilder {
             scene_.warnings.push_back(where + " has an inertia of 0; that of a ball of 0.1 m radius is taken");
             inertia = ball_inertia(m);
         }
-        const glm::dvec3 values = principal_axes(inertia).values;
+        const PrincipalAxes principal = principal_axes(inertia);
+        const glm::dvec3 values = principal.values;
         for (int i = 0; i < 3; ++i) {
             if (!(values[i] > 0.0)) {
                 throw Error(ErrorCode::invalid_file, where + ": inertia",
@@ -146,11 +161,21 @@ class RobotBuilder {
                             "must have three positive principal moments");
             }
         }
+        if (const auto nearest = nearest_real_moments(values)) {
+            scene_.warnings.push_back(where +
+                                      ": one principal moment of the inertia exceeds the sum of the other two, "
+                                      "which no body has; the nearest possible ones are taken: " +
+                                      short_number(nearest->x) + ", " + short_number(nearest->y) + ", " +
+                                      short_number(nearest->z) + " kg m2");
+            inertia = principal.axes * glm::dmat3(nearest->x, 0, 0, 0, nearest->y, 0, 0, 0, nearest->z) *
+                      glm::transpose(principal.axes);
+        }
         sum.add(m, inertia, at * rigid(inertial.origin, where));
     }
 
     const urdf::ModelInterface& model_;
     std::string name_;
+    LoadOptions options_;
     Scene scene_;
     RobotShapes shapes_;
     std::vector<RobotPart> parts_;
@@ -159,9 +184,9 @@ class RobotBuilder {
 } // namespace
 
 Scene load_urdf(std::span<const std::byte> bytes, const std::string& name,
-                const std::optional<std::filesystem::path>& folder) {
+                const std::optional<std::filesystem::path>& folder, const LoadOptions& options) {
     const urdf::ModelInterfaceSharedPtr model = parse_urdf(bytes, name);
-    return RobotBuilder(*model, name, folder).build();
+    return RobotBuilder(*model, name, folder, options).build();
 }
 
 } // namespace cairn::scene

@@ -13,6 +13,6 @@ namespace cairn::scene {
 
 // `name` stands for the file in messages; without a `folder`, meshes in other files are refused. Throws Error.
 Scene load_urdf(std::span<const std::byte> bytes, const std::string& name,
-                const std::optional<std::filesystem::path>& folder);
+                const std::optional<std::filesystem::path>& folder, const LoadOptions& options);
 
 } // namespace cairn::scene

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <new>
 #include <set>
 #include <string_view>
 #include <system_error>
@@ -73,13 +74,33 @@ void check_depth(std::string_view text, const std::string& name) {
     }
 }
 
-// Where the text is no XML; urdfdom does not say.
+// The first element of the macro language xacro, or with an attribute in it; null if there is none.
+const TiXmlElement* find_macro(const TiXmlElement* element) {
+    for (; element != nullptr; element = element->NextSiblingElement()) {
+        if (std::string_view(element->Value()).substr(0, 6) == "xacro:") return element;
+        for (const TiXmlAttribute* a = element->FirstAttribute(); a != nullptr; a = a->Next()) {
+            const std::string_view value = a->Value();
+            if (value.find("${") != std::string_view::npos || value.find("$(") != std::string_view::npos)
+                return element;
+        }
+        if (const TiXmlElement* below = find_macro(element->FirstChildElement())) return below;
+    }
+    return nullptr;
+}
+
+// Where the text is no XML, which urdfdom does not say, or a file that a robot is yet to be made of.
 void check_syntax(const std::string& text, const std::string& name) {
     TiXmlDocument document;
     document.Parse(text.c_str());
-    if (!document.Error()) return;
-    throw Error(ErrorCode::invalid_file, name + ":" + std::to_string(document.ErrorRow()), {},
-                std::string("is not valid XML: ") + document.ErrorDesc());
+    if (document.Error()) {
+        throw Error(ErrorCode::invalid_file, name + ":" + std::to_string(document.ErrorRow()), {},
+                    std::string("is not valid XML: ") + document.ErrorDesc());
+    }
+    if (const TiXmlElement* macro = find_macro(document.RootElement())) {
+        throw Error(ErrorCode::unsupported, name + ":" + std::to_string(macro->Row()), {},
+                    "is a xacro file (\"" + std::string(macro->Value()).substr(0, 60) +
+                        "\"), from which the program xacro of ROS makes a URDF file: xacro " + name + " > robot.urdf");
+    }
 }
 
 // urdfdom says what is wrong to a log that all of the process shares.
@@ -196,6 +217,8 @@ urdf::ModelInterfaceSharedPtr parse_urdf(std::span<const std::byte> bytes, const
     std::string why;
     try {
         model = urdf::parseURDF(text);
+    } catch (const std::bad_alloc&) {
+        throw;
     } catch (const std::exception& error) { // from the depths of the parser
         why = error.what();
     }

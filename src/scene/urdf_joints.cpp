@@ -130,9 +130,10 @@ void RobotJoints::add() {
     for (const RobotPart& part : parts_) {
         if (part.joint && part.joint->mimic) add_mimic(part);
     }
-    if (speed_limits_ > 0) {
-        scene_.warnings.push_back(name_ + ": the velocity limits of " + std::to_string(speed_limits_) +
-                                  (speed_limits_ == 1 ? " joint have" : " joints have") + " no effect");
+    if (const std::size_t count = scene_.speed_limits.size(); count > 0) {
+        scene_.warnings.push_back(name_ + ": the velocity limits of " + std::to_string(count) +
+                                  (count == 1 ? " joint hold" : " joints hold") +
+                                  " for the targets of motors; nothing else is slowed by them");
     }
 }
 
@@ -152,9 +153,12 @@ void RobotJoints::add(const RobotPart& part) {
     const Rigid frame = part.frame * along;
     def.frame_a = (parent.body.is_null() ? parent.world * frame : frame).transform();
     def.frame_b = along.transform();
-    if (joint.limits && joint.limits->velocity > 0.0) ++speed_limits_;
     try {
-        scene_.world.create_joint(def);
+        const JointId made_joint = scene_.world.create_joint(def);
+        const bool is_limited = joint.limits && joint.limits->velocity > 0.0 && joint.limits->velocity <= 1e9;
+        if (is_limited && (turns(joint) || joint.type == urdf::Joint::PRISMATIC)) {
+            scene_.speed_limits.push_back({made_joint, static_cast<float>(joint.limits->velocity)});
+        }
     } catch (const Error& error) {
         throw Error(ErrorCode::invalid_file, place_of(name_, joint), {}, error.what());
     }

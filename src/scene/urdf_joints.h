@@ -55,7 +55,6 @@ class RobotJoints {
     const std::string& name_;
     const std::vector<RobotPart>& parts_;
     Scene& scene_;
-    int speed_limits_ = 0;
 };
 
 } // namespace cairn::scene

@@ -120,7 +120,19 @@ const Surface& RobotShapes::triangles(const urdf::Mesh& mesh, const std::string&
     return *found;
 }
 
-void RobotShapes::add_shapes(const urdf::Link& link, BodyId body, const Rigid& at) {
+std::optional<RobotShapes::Turned> RobotShapes::collision_shape(const urdf::Collision& collision,
+                                                                const std::string& place, bool is_static,
+                                                                bool may_lack) {
+    try {
+        return shape(*collision.geometry, place, is_static);
+    } catch (const Error& error) { // a name that leads out of the package is invalid_file
+        if (!may_lack || (error.code() != ErrorCode::io && error.code() != ErrorCode::unsupported)) throw;
+        scene_.warnings.push_back(std::string(error.what()) + " (the shape is left out)");
+        return std::nullopt;
+    }
+}
+
+void RobotShapes::add_shapes(const urdf::Link& link, BodyId body, const Rigid& at, bool may_lack) {
     const bool is_static = scene_.world.body(body).type() == BodyType::static_;
     std::optional<Vec3> color;
     for (const auto& visual : link.visual_array) {
@@ -129,14 +141,15 @@ void RobotShapes::add_shapes(const urdf::Link& link, BodyId body, const Rigid& a
     for (std::size_t i = 0; i < link.collision_array.size(); ++i) {
         const urdf::Collision& collision = *link.collision_array[i];
         const std::string place = name_ + ": link \"" + link.name + "\": collision " + std::to_string(i + 1);
-        const Turned made = shape(*collision.geometry, place, is_static);
+        const std::optional<Turned> made = collision_shape(collision, place, is_static, may_lack);
+        if (!made) continue;
         Rigid local = at * rigid(collision.origin, place);
-        local.rotation = local.rotation * made.rotation;
+        local.rotation = local.rotation * made->rotation;
         ShapeDef def;
         def.position = Vec3(local.position);
         def.rotation = Quat(glm::normalize(local.rotation));
         try {
-            const ShapeId id = scene_.world.add_shape(body, made.shape, def);
+            const ShapeId id = scene_.world.add_shape(body, made->shape, def);
             if (color) scene_.appearances.push_back({body, id, *color});
         } catch (const Error& error) {
             throw Error(ErrorCode::invalid_file, place, {}, error.what());

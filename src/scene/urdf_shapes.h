@@ -23,8 +23,9 @@ class RobotShapes {
     RobotShapes(std::string name, std::optional<std::filesystem::path> folder, Scene& scene)
         : name_(std::move(name)), folder_(std::move(folder)), scene_(scene) {}
 
-    // The collision shapes of a link that stands at `at` in the frame of `body`.
-    void add_shapes(const urdf::Link& link, BodyId body, const Rigid& at);
+    // The collision shapes of a link that stands at `at` in the frame of `body`. With `may_lack`, those whose meshes
+    // are missing or of an unknown format are left out, which a warning says.
+    void add_shapes(const urdf::Link& link, BodyId body, const Rigid& at, bool may_lack);
     // Its visuals; false if one of them cannot be shown, which a warning says.
     bool add_visuals(const urdf::Link& link, BodyId body, const Rigid& at);
 
@@ -33,6 +34,9 @@ class RobotShapes {
         Shape shape;
         glm::dquat rotation{1.0, 0.0, 0.0, 0.0}; // of the shape in the frame of the geometry
     };
+    // One of them; nothing if it is left out.
+    std::optional<Turned> collision_shape(const urdf::Collision& collision, const std::string& place, bool is_static,
+                                          bool may_lack);
     Turned shape(const urdf::Geometry& geometry, const std::string& place, bool is_static);
     const Surface& triangles(const urdf::Mesh& mesh, const std::string& place);
     std::shared_ptr<const Surface> surface(const urdf::Geometry& geometry, const std::string& place, Rigid& local);

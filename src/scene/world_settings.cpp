@@ -1,6 +1,7 @@
 #include "scene/world_settings.h"
 
 #include "scene/json_number.h"
+#include "scene/spelling.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +11,6 @@ namespace cairn::scene {
 namespace {
 
 constexpr std::size_t max_force_fields = 1000;
-constexpr std::size_t max_warnings_per_object = 20;
 
 struct NamedIntegrator {
     const char* name;
@@ -111,10 +111,17 @@ WorldSettings read_world_settings(const Value& settings, std::vector<std::string
     WorldSettings result;
     read_title(settings, result.info);
     read_scalars(settings, result.world, result.info);
-    if (const auto camera = settings.find("camera")) result.info.camera = read_camera(*camera);
+    if (const auto camera = settings.find("camera")) {
+        result.info.camera = read_camera(*camera);
+        warn_of_unknown_members(*camera, {"position", "target", "vertical_fov_degrees"}, warnings);
+    }
     if (const auto fields = settings.find("force_fields")) {
         const std::size_t count = fields->size(max_force_fields, "force fields");
-        for (std::size_t i = 0; i < count; ++i) result.info.force_fields.push_back(read_force_field((*fields)[i]));
+        for (std::size_t i = 0; i < count; ++i) {
+            result.info.force_fields.push_back(read_force_field((*fields)[i]));
+            warn_of_unknown_members((*fields)[i], {"kind", "direction", "center", "strength", "exponent", "is_force"},
+                                    warnings);
+        }
     }
     static const std::vector<std::string> known{"title",
                                                 "hint",
@@ -132,13 +139,8 @@ WorldSettings read_world_settings(const Value& settings, std::vector<std::string
                                                 "max_linear_speed",
                                                 "max_angular_speed",
                                                 "camera",
-                                                "force_fields",
-                                                "extras",
-                                                "extensions"};
-    std::vector<std::string> unknown = settings.other_members(known, max_warnings_per_object);
-    for (const std::string& name : unknown) {
-        warnings.push_back(settings.place() + "the member \"" + name + "\" is not known and has no effect");
-    }
+                                                "force_fields"};
+    warn_of_unknown_members(settings, known, warnings);
     return result;
 }
 

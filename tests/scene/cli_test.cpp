@@ -1,4 +1,6 @@
 // The program as its users meet it: exit codes, one line for every error, files complete or absent.
+#include "cli_program.h"
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -9,56 +11,15 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
-#include <sys/wait.h>
 
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Result {
-    int code = -1;
-    std::string out, err;
-};
-
-std::string read_all(const fs::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-class Cli : public testing::Test {
-  protected:
-    void SetUp() override {
-        const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = fs::path(testing::TempDir()) / (std::string("cairn_cli_") + test->name());
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
-    // Runs `cairn ARGUMENTS` by the shell, in the test's own folder.
-    Result cairn(const std::string& arguments, const std::string& before = "") const {
-        const fs::path out = folder_ / ".out", err = folder_ / ".err";
-        const std::string line = "cd '" + folder_.string() + "' && CAIRN_SCENES='" CAIRN_TEST_SCENES "' " + before +
-                                 " '" + CAIRN_TEST_BINARY "' " + arguments + " >'" + out.string() + "' 2>'" +
-                                 err.string() + "'";
-        const int status = std::system(line.c_str());
-        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_all(out), read_all(err)};
-    }
-
-    static void expect_one_line(const Result& result, int code, const std::string& part) {
-        EXPECT_EQ(result.code, code) << result.out << result.err;
-        EXPECT_EQ(result.out, "");
-        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-        EXPECT_EQ(result.err.substr(0, 7), "cairn: ");
-        EXPECT_NE(result.err.find(part), std::string::npos) << result.err;
-    }
-
-    fs::path folder_;
-};
+using namespace cairn::test;
 
 TEST_F(Cli, HelpOfEveryCommand) {
-    for (const char* arguments :
-         {"--help", "run --help", "view --help", "scenes --help", "convert --help", "validate --help"}) {
+    for (const char* arguments : {"--help", "run --help", "view --help", "scenes --help", "convert --help",
+                                  "validate --help", "doctor --help", "completion --help", "manual --help"}) {
         const Result result = cairn(arguments);
         EXPECT_EQ(result.code, 0) << arguments;
         EXPECT_NE(result.out.find("Usage:"), std::string::npos) << arguments;
@@ -150,6 +111,44 @@ TEST_F(Cli, InterruptedRunsKeepWhatTheyHave) {
     EXPECT_FALSE(fs::exists(folder_ / "out.csv.partial"));
 }
 
+TEST_F(Cli, ScenesHaveTheirNumbersAndTheirNames) {
+    const auto scene_of = [&](const std::string& name) {
+        const Result result = cairn("run " + name + " --frames 1 --json");
+        return result.code == 0 ? nlohmann::json::parse(result.out)["scene"].get<std::string>() : result.err;
+    };
+    fs::create_directories(folder_ / "tower"); // a folder of that name is no scene
+    for (const char* name : {"08", "8", "tower", "08_tower", "08_tower.gltf", "tower.gltf"})
+        EXPECT_NE(scene_of(name).find("/08_tower.gltf"), std::string::npos) << name << ": " << scene_of(name);
+    for (const char* name : {"888", "0x8", "08_", "99999999999999999999", "_tower"})
+        expect_one_line(cairn(std::string("run ") + name), 1, "nor a scene of that name in ");
+}
+
+TEST_F(Cli, NamesOfSeveralScenesAreRefusedWithTheCandidates) {
+    fs::create_directories(folder_ / "scenes");
+    for (const char* name : {"01_a.gltf", "01_b.gltf", "02_c.gltf", "3_c.glb", "04_01.gltf", "05_d.gltf", "05_d.glb"})
+        std::ofstream(folder_ / "scenes" / name) << R"({"asset":{"version":"2.0"}})";
+    const auto run = [&](const std::string& name) {
+        return shell("CAIRN_SCENES=scenes \"$CAIRN\" run --frames 1 " + name);
+    };
+    expect_one_line(run("1"), 1, "1: may be any of 01_a.gltf, 01_b.gltf");
+    expect_one_line(run("c"), 1, "c: may be any of 02_c.gltf, 3_c.glb");
+    expect_one_line(run("05_d"), 1, "05_d: may be any of 05_d.glb, 05_d.gltf");
+    for (const char* name : {"a", "01_a", "c.glb", "2", "03", "01", "05_d.glb"}) // 01 is 04_01's name
+        EXPECT_EQ(run(name).code, 0) << name << run(name).err;
+}
+
+TEST_F(Cli, SpeedsThatAreCutAreToldOf) {
+    std::ofstream(folder_ / "fast.gltf")
+        << R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0],"extensions":{"CAIRN_world":{"max_linear_speed":1}}}],)"
+           R"("nodes":[{"extensions":{"KHR_physics_rigid_bodies":{"motion":{},"collider":{"geometry":{"shape":0}}}}}],)"
+           R"("extensions":{"KHR_implicit_shapes":{"shapes":[{"type":"sphere"}]}}})";
+    const Result result = cairn("run fast.gltf --seconds 1 --json");
+    EXPECT_EQ(result.code, 0);
+    EXPECT_NE(result.err.find("speeds were cut to the world's limits of 1 m/s"), std::string::npos) << result.err;
+    EXPECT_EQ(nlohmann::json::parse(result.out)["warnings"].size(), 1u);
+    EXPECT_EQ(cairn("run fast.gltf --frames 2").err, "");
+}
+
 TEST_F(Cli, SavedScenesRunAgain) {
     ASSERT_EQ(cairn("run t_handles --frames 10 --save later.gltf").code, 0);
     const nlohmann::json on = nlohmann::json::parse(cairn("run later.gltf --frames 1 --json").out);
@@ -178,6 +177,8 @@ TEST_F(Cli, ConvertMakesScenesOfMeshes) {
     EXPECT_EQ(nlohmann::json::parse(cairn("run rock.gltf --frames 1 --json").out)["bodies"], 1);
     ASSERT_EQ(cairn("convert rock.obj rock.glb --as mesh").code, 0);
     EXPECT_NE(read_all(folder_ / "rock.glb").find("\"convexHull\":false"), std::string::npos);
+    ASSERT_EQ(cairn("convert rock.obj rock.glb --floor").code, 0);
+    EXPECT_NE(read_all(folder_ / "rock.glb").find("\"floor\""), std::string::npos);
 }
 
 TEST_F(Cli, ConvertRefusesWhatItCannotDo) {
@@ -187,7 +188,7 @@ TEST_F(Cli, ConvertRefusesWhatItCannotDo) {
     expect_one_line(cairn("convert rock.obj rock.gltf --as parts"), 2,
                     "--as: must be one of hull, mesh, got parts; there is no decomposition into convex parts");
     expect_one_line(cairn("convert rock.obj rock.gltf --scale 0"), 2, "--scale");
-    expect_one_line(cairn("convert rock.obj rock.obj"), 1, "rock.obj: must end in .gltf or .glb");
+    expect_one_line(cairn("convert rock.obj rock.obj"), 2, "out: must end in .gltf, .glb, got rock.obj");
     expect_one_line(cairn("convert welcome a.gltf --as mesh"), 1,
                     "is a scene, and --as, --scale and --density are for");
     expect_one_line(cairn("convert bad.obj a.gltf"), 1, "bad.obj:2: must have a number that fits a float, got \"\"");
@@ -345,7 +346,7 @@ TEST_F(Cli, FullDiskIsAnError) {
         (folder_ / ".err").string() + "'";
     const int status = std::system(line.c_str());
     EXPECT_EQ(WEXITSTATUS(status), 1);
-    EXPECT_EQ(read_all(folder_ / ".err"), "cairn: stdout: cannot be written\n");
+    EXPECT_EQ(read_all(folder_ / ".err"), "cairn: stdout: cannot be written: No space left on device\n");
 }
 
 } // namespace

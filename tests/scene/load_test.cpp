@@ -262,7 +262,7 @@ TEST(SceneLoad, UnknownWorldSettingIsWarnedOf) {
     ASSERT_EQ(scene.warnings.size(), 1u);
     EXPECT_EQ(scene.warnings[0],
               "test.gltf: scenes[0].extensions.CAIRN_world: the member \"gravitiy\" is not known and "
-              "has no effect");
+              "has no effect; did you mean \"gravity\"?");
 }
 
 TEST(SceneLoad, ColorsOfNodesAndOfMeshes) {

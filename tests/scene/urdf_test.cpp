@@ -179,7 +179,12 @@ TEST(Urdf, JointsBecomeTheirTypes) {
     EXPECT_TRUE(std::get<GeneralJoint>(def(scene, "floating").joint).limits.empty());
     for (const JointId id : scene.world.joints()) EXPECT_FALSE(scene.world.joint_def(id).enable_collision);
     ASSERT_EQ(scene.warnings.size(), 1u);
-    EXPECT_EQ(scene.warnings[0], "test.urdf: the velocity limits of 1 joint have no effect");
+    EXPECT_EQ(
+        scene.warnings[0],
+        "test.urdf: the velocity limits of 1 joint hold for the targets of motors; nothing else is slowed by them");
+    ASSERT_EQ(scene.speed_limits.size(), 1u);
+    EXPECT_EQ(scene.speed_limits[0].joint, scene.world.find_joint("revolute"));
+    EXPECT_EQ(scene.speed_limits[0].speed, 2.0f);
 }
 
 TEST(Urdf, PositiveIsTheWayOfTheAxis) {

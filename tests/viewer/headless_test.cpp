@@ -148,11 +148,11 @@ TEST(HeadlessRenderer, RefusesImpossibleSizes) {
 
 TEST(HeadlessRenderer, SavesPngInNewFoldersAndLeavesNoTemporaries) {
     const Folder folder;
-    const fs::path path = folder.path / "new" / "picture.png";
+    const fs::path path = folder.path / "picture.png";
     const LoadedScene scene = test::boxes_on_plane(1);
     HeadlessRenderer renderer(width, height);
     renderer.draw(make_frame(scene.world, {}, scene.camera));
-    renderer.save_png(path);
+    renderer.save_picture(path);
     std::ifstream file(path, std::ios::binary);
     std::string start(8, '\0');
     file.read(start.data(), 8);
@@ -165,7 +165,7 @@ TEST(HeadlessRenderer, APathThatCannotBeWrittenIsAnErrorThatNamesIt) {
     std::ofstream(folder.path / "file") << "not a folder";
     const HeadlessRenderer renderer(width, height);
     try {
-        renderer.save_png(folder.path / "file" / "picture.png");
+        renderer.save_picture(folder.path / "file" / "picture.png");
         FAIL() << "no error";
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::io);

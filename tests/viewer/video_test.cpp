@@ -7,7 +7,9 @@
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -69,8 +71,15 @@ TEST(VideoWriter, MissingFfmpegIsAClearError) {
 
 TEST(VideoWriter, FfmpegFailingIsAnError) {
     if (!has_ffmpeg()) GTEST_SKIP() << "ffmpeg is not installed";
-    const fs::path path = new_path(".no_such_container");
+    const fs::path path = new_path(".mp4"), programs = new_path("");
+    fs::create_directory(programs);
+    std::ofstream(programs / "ffmpeg") << "#!/bin/sh\nexit 1\n";
+    fs::permissions(programs / "ffmpeg", fs::perms::owner_all);
+    const std::string before = std::getenv("PATH");
+    setenv("PATH", (programs.string() + ":" + before).c_str(), 1);
     VideoWriter writer(path, 64, 48);
+    setenv("PATH", before.c_str(), 1);
+    fs::remove_all(programs);
     const std::vector<std::uint8_t> picture(64 * 48 * 3);
     const auto write_all = [&] {
         for (int i = 0; i < 200; ++i) writer.add(picture);
@@ -78,6 +87,26 @@ TEST(VideoWriter, FfmpegFailingIsAnError) {
     };
     EXPECT_THROW(write_all(), Error);
     EXPECT_FALSE(fs::exists(path));
+}
+
+TEST(VideoWriter, TheExtensionDecidesTheFormat) {
+    if (!has_ffmpeg()) GTEST_SKIP() << "ffmpeg is not installed";
+    EXPECT_THROW(VideoWriter(new_path(".avi"), 64, 48), Error);
+    const std::vector<std::pair<const char*, std::string>> starts{
+        {".webm", "\x1A\x45\xDF\xA3"}, {".MKV", "\x1A\x45\xDF\xA3"}, {".gif", "GIF89a"}};
+    for (const auto& [extension, start] : starts) {
+        const fs::path path = new_path(extension);
+        const int width = start == "GIF89a" ? 65 : 64;
+        VideoWriter writer(path, width, 48);
+        const std::vector<std::uint8_t> picture(static_cast<std::size_t>(width) * 48 * 3);
+        for (int i = 0; i < 10; ++i) writer.add(picture);
+        writer.close();
+        std::ifstream file(path, std::ios::binary);
+        std::string found(start.size(), ' ');
+        file.read(found.data(), std::streamsize(found.size()));
+        EXPECT_EQ(found, start) << extension;
+        fs::remove(path);
+    }
 }
 
 } // namespace

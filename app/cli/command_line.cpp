@@ -1,0 +1,245 @@
+#include "cli/command_line.h"
+
+#include "cli/outputs.h"
+#include "validation/validation.h"
+#include "viewer/headless.h"
+
+#include <cairn/version.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+#include <string_view>
+#include <vector>
+
+namespace cairn::cli {
+
+namespace {
+
+// CLI11's own range check lets NaN through.
+CLI::Validator between(double low, double high) {
+    const std::string range = fmt::format("{} to {}", low, high);
+    return CLI::Validator(
+        [low, high, range](std::string& text) {
+            double value = 0.0;
+            const bool is_number = CLI::detail::lexical_cast(text, value);
+            if (is_number && value >= low && value <= high) return std::string();
+            return "must be a number from " + range + ", got " + text;
+        },
+        "(" + range + ")");
+}
+
+CLI::Validator one_of(std::vector<std::string> names, const std::string& remark = {}) {
+    return CLI::Validator(
+        [names, remark](std::string& text) {
+            if (std::find(names.begin(), names.end(), text) != names.end()) return std::string();
+            return fmt::format("must be one of {}, got {}{}", fmt::join(names, ", "), text, remark);
+        },
+        "");
+}
+
+const std::vector<std::string_view> scene_extensions{".gltf", ".glb"};
+
+// The name of an output file. Where there are two formats, that of a pipe is the first.
+CLI::Validator file_of(const std::vector<std::string_view>& extensions) {
+    return CLI::Validator(
+        [extensions](std::string& text) {
+            if (text.empty()) return std::string("must be the name of a file");
+            if (has_format(text, extensions)) return std::string();
+            return fmt::format("must end in {}, got {}", fmt::join(extensions, ", "), text);
+        },
+        "");
+}
+
+Integrator integrator_of(const std::string& name) {
+    if (name == "rk4") return Integrator::rk4;
+    return name == "explicit" ? Integrator::explicit_euler : Integrator::semi_implicit_euler;
+}
+
+void add_reading(CLI::App& command, ReadOptions& options) {
+    command.add_flag("--fixed-base", options.fixed_base, "Of a robot in URDF: its root link does not move");
+    command.add_flag("--floor", options.floor, "Put a floor below the lowest point of the scene");
+}
+
+// A list of names, separated by commas.
+CLI::Validator list_of(const std::vector<std::string_view>& names) {
+    return CLI::Validator(
+        [names](std::string& text) {
+            std::istringstream list(text);
+            bool is_empty = true;
+            for (std::string name; std::getline(list, name, ',');) {
+                is_empty = false;
+                if (std::find(names.begin(), names.end(), name) == names.end())
+                    return fmt::format("must be some of {}, separated by commas, got {}", fmt::join(names, ", "), name);
+            }
+            return is_empty ? fmt::format("must be some of {}", fmt::join(names, ", ")) : std::string();
+        },
+        "");
+}
+
+void add_table(CLI::App& run, RunOptions& options) {
+    auto* csv = run.add_option("--csv", options.csv,
+                               "Write a table: positions and velocities of every body after every step (.csv, .npy)");
+    csv->check(file_of(table_extensions()));
+    run.add_option_function<std::string>(
+           "--columns",
+           [&options](const std::string& text) {
+               options.columns.clear();
+               std::istringstream list(text);
+               for (std::string name; std::getline(list, name, ',');) options.columns.push_back(quantity_of(name));
+           },
+           fmt::format("Of the table (default position,rotation,velocity,angular_velocity): some of {}",
+                       fmt::join(quantity_names(), ", ")))
+        ->check(list_of(quantity_names()))
+        ->needs(csv);
+    run.add_option("--every", options.every, "Write every so many steps only (table, animation)")
+        ->check(between(1, 1e9));
+    run.add_option("--from", options.from, "Begin writing there, s (table, animation, video)")->check(between(0, 1e9));
+    run.add_option("--until", options.until, "End writing there, s (table, animation, video)")->check(between(0, 1e9));
+}
+
+void add_outputs(CLI::App& run, RunOptions& options) {
+    add_table(run, options);
+    run.add_option("--png", options.png, "Write a picture of the end (.png, .jpg)")
+        ->check(file_of(viewer::picture_extensions()));
+    run.add_option("--video", options.video,
+                   "Write a video, 60 frames a second (.mp4, .mkv, .mov, .webm, .gif; needs ffmpeg)")
+        ->check(file_of(viewer::video_extensions()));
+    run.add_option("--save", options.save, "Write the scene as it stands at the end (.gltf, .glb)")
+        ->check(file_of(scene_extensions));
+    run.add_option("--animate", options.animate,
+                   "Write the run as an animated glTF file, for viewers without physics (.glb, .gltf)")
+        ->check(file_of({".glb", ".gltf"}));
+    run.add_option("--width", options.width, "Of pictures and videos, pixels")->check(between(16, 8192));
+    run.add_option("--height", options.height, "Of pictures and videos, pixels")->check(between(16, 8192));
+    run.add_flag("--json", options.json, "Print the summary as one JSON object");
+}
+
+void add_run(CLI::App& app, RunOptions& options) {
+    CLI::App* run = app.add_subcommand("run", "Simulate a scene without a window; write numbers, pictures, videos.");
+    run->add_option("scene", options.scene, "A file, or the name of a scene (see `cairn scenes`)")->required();
+    auto* seconds = run->add_option("--seconds", options.seconds, "Simulated time, s (default 10)");
+    seconds->check(between(1e-4, 1e6));
+    run->add_option("--frames", options.frames, "Number of steps instead")->check(between(1, 1e9))->excludes(seconds);
+    run->add_option("--dt", options.time_step, "Time step, s (default: the scene's)")->check(between(1e-4, 1.0));
+    run->add_option("--substeps", options.substeps, "Substeps of a step (default: the scene's)")
+        ->check(between(1, 256));
+    run->add_option("--threads", options.threads, "Number of threads (default: all; results do not depend on it)")
+        ->check(between(1, 256));
+    run->add_option_function<std::string>(
+           "--integrator", [&options](const std::string& name) { options.integrator = integrator_of(name); },
+           "Of free motion: semi-implicit, explicit or rk4 (default: the scene's)")
+        ->check(one_of({"semi-implicit", "explicit", "rk4"}));
+    add_reading(*run, options.read);
+    auto* targets = run->add_option("--targets", options.targets,
+                                    "Move joints as a table says (.csv: time, and joints by their names)");
+    run->add_option("--servo-frequency", options.servo_frequency,
+                    "Of joints with targets whose motors have no stiffness, Hz (default 10)")
+        ->check(between(0.01, 1000))
+        ->needs(targets);
+    add_outputs(*run, options);
+}
+
+void add_scenes(CLI::App& app, ScenesOptions& options) {
+    CLI::App* scenes = app.add_subcommand("scenes", "List the scenes.");
+    scenes->add_option("folder", options.folder, "Where to look (default: the scenes that come with Cairn)");
+    auto* json = scenes->add_flag("--json", options.json, "Print one JSON array");
+    scenes->add_flag("--names", options.names, "Print names alone, one a line, without reading the files")
+        ->excludes(json);
+}
+
+void add_convert(CLI::App& app, ConvertOptions& options) {
+    CLI::App* convert = app.add_subcommand("convert", "Write a scene in another form, or make one of a mesh.");
+    convert
+        ->add_option("in", options.input, "A scene (.gltf, .glb or its name), a robot (.urdf), or a mesh (.obj, .stl)")
+        ->required();
+    convert->add_option("out", options.output, "The scene to write (.gltf, .glb)")
+        ->required()
+        ->check(file_of(scene_extensions));
+    convert
+        ->add_option_function<std::string>(
+            "--as", [&options](const std::string& name) { options.as_hull = name == "hull"; },
+            "What a mesh becomes: a dynamic body with its convex hull, or a static one with its triangles (hull or "
+            "mesh; "
+            "default hull)")
+        ->check(one_of({"hull", "mesh"}, "; there is no decomposition into convex parts"));
+    add_reading(*convert, options.read);
+    convert->add_option("--scale", options.scale, "Meters of one unit of a mesh (default 1)")
+        ->check(between(1e-9, 1e9));
+    convert->add_option("--density", options.density, "Of a mesh's hull, kg/m^3 (default 1000)")
+        ->check(between(1e-6, 1e9));
+}
+
+void add_view(CLI::App& app, ViewOptions& options) {
+    CLI::App* view = app.add_subcommand("view", "Open a scene in a window. F1 shows the keys.");
+    view->add_option("scene", options.scene, "A file, or the name of a scene (default: welcome)");
+    add_reading(*view, options.read);
+    view->add_option("--width", options.width, "Of the window")->check(between(200, 16384));
+    view->add_option("--height", options.height, "Of the window")->check(between(150, 16384));
+    view->add_option("--exit-after", options.exit_after, "Close by itself after so many seconds")
+        ->check(between(0, 1e6));
+    view->add_option("--report", options.report, "Write the state at the end (.json)")->check(file_of({".json"}));
+    view->add_option("--script", options.script, "Play inputs from a file");
+}
+
+CLI::Validator case_name() {
+    return CLI::Validator(
+        [](std::string& text) {
+            if (validation::find_case(text) != nullptr) return std::string();
+            std::vector<std::string> names;
+            for (const validation::Case& entry : validation::cases())
+                names.push_back(fmt::format("{} {}", entry.number, entry.name));
+            return fmt::format("must be the name or number of a case ({}), got {}", fmt::join(names, ", "), text);
+        },
+        "");
+}
+
+void add_validate(CLI::App& app, ValidateOptions& options) {
+    CLI::App* validate = app.add_subcommand("validate", "Measure the physics against closed forms.");
+    validate->add_option("--case", options.cases, "Only this case, by name or number; may be given several times")
+        ->allow_extra_args(false)
+        ->check(case_name());
+    validate->add_option("--report", options.report, "Write a page with plots into this folder");
+    validate->add_flag("--json", options.json, "Print one JSON object");
+}
+
+void add_doctor(CLI::App& app, DoctorOptions& options) {
+    CLI::App* doctor = app.add_subcommand("doctor", "Tell what this machine has for Cairn, and what it lacks.");
+    doctor->add_flag("--json", options.json, "Print one JSON object");
+}
+
+void add_completion(CLI::App& app, CompletionOptions& options) {
+    CLI::App* completion = app.add_subcommand("completion", "Print what completes the command line in a shell.");
+    completion->add_option("shell", options.shell, "bash, zsh or fish")
+        ->required()
+        ->check(one_of({"bash", "zsh", "fish"}));
+}
+
+} // namespace
+
+CommandLine::CommandLine() : app("Cairn, a rigid-body physics engine.", "cairn") {
+    app.set_version_flag("--version", std::string("cairn ") + version_string);
+    app.require_subcommand(1);
+    add_run(app, run);
+    add_view(app, view);
+    add_scenes(app, scenes);
+    add_convert(app, convert);
+    add_validate(app, validate);
+    add_doctor(app, doctor);
+    add_completion(app, completion);
+    app.add_subcommand("manual", "Print the manual page, for man(1): cairn manual | man -l -");
+}
+
+int CommandLine::execute() const {
+    if (app.got_subcommand("run")) return run_command(run);
+    if (app.got_subcommand("scenes")) return scenes_command(scenes);
+    if (app.got_subcommand("convert")) return convert_command(convert);
+    if (app.got_subcommand("validate")) return validate_command(validate);
+    if (app.got_subcommand("doctor")) return doctor_command(doctor);
+    if (app.got_subcommand("completion")) return completion_command(completion, app);
+    if (app.got_subcommand("manual")) return manual_command(app);
+    return view_command(view);
+}
+
+} // namespace cairn::cli

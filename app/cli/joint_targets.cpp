@@ -1,0 +1,282 @@
+#include "cli/joint_targets.h"
+
+#include "scene/gltf_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <set>
+#include <utility>
+
+namespace cairn::cli {
+
+namespace {
+
+constexpr std::size_t max_columns = 10000;
+constexpr double greatest_target = 1e6; // rad or m
+
+// Fields of a table, one after the other. A field in quotes may hold commas, line ends and doubled quotes.
+class TableReader {
+  public:
+    TableReader(std::string_view text, std::string file) : text_(text), file_(std::move(file)) {
+        if (text_.substr(0, 3) == "\xEF\xBB\xBF") text_.remove_prefix(3);
+    }
+    bool at_end() const { return at_ >= text_.size(); }
+
+    std::vector<std::string> row() {
+        std::vector<std::string> fields;
+        line_ = next_line_;
+        for (bool more = true; more;) {
+            if (fields.size() > max_columns) fail(fields.size(), {}, "must be one of at most 10000 columns");
+            fields.push_back(field(fields.size()));
+            more = !at_end() && text_[at_] == ',';
+            if (more) ++at_;
+        }
+        if (!at_end() && text_[at_] == '\r') ++at_;
+        if (!at_end() && text_[at_] == '\n') ++at_;
+        ++next_line_;
+        return fields;
+    }
+
+    // `column` counts from 0.
+    [[noreturn]] void fail(std::size_t column, const std::string& value, const std::string& expected) const {
+        std::string shown;
+        for (const char c : value.substr(0, 60)) shown += c >= ' ' && c <= '~' ? c : '?';
+        throw Error(ErrorCode::invalid_file, fmt::format("{}:{}: column {}", file_, line_, column + 1),
+                    "\"" + shown + "\"", expected);
+    }
+    [[noreturn]] void fail(const std::string& expected) const {
+        throw Error(ErrorCode::invalid_file, fmt::format("{}:{}", file_, line_), {}, expected);
+    }
+
+  private:
+    std::string field(std::size_t column) {
+        while (!at_end() && text_[at_] == ' ') ++at_;
+        if (at_end() || text_[at_] != '"') {
+            const std::size_t end = std::min(text_.find_first_of(",\r\n", at_), text_.size());
+            std::string result(text_.substr(at_, end - at_));
+            at_ = end;
+            result.erase(result.find_last_not_of(" \t") + 1);
+            return result;
+        }
+        std::string result;
+        for (++at_;; ++at_) {
+            if (at_end()) fail(column, result, "must end with a quote");
+            if (text_[at_] == '\n') ++next_line_;
+            if (text_[at_] == '"') {
+                ++at_;
+                if (at_end() || text_[at_] != '"') break;
+            }
+            result += text_[at_];
+        }
+        while (!at_end() && text_[at_] == ' ') ++at_;
+        if (!at_end() && std::string_view(",\r\n").find(text_[at_]) == std::string_view::npos) {
+            fail(column, result, "must have nothing after its quotes");
+        }
+        return result;
+    }
+
+    std::string_view text_;
+    std::string file_;
+    std::size_t at_ = 0;
+    int line_ = 1, next_line_ = 1;
+};
+
+double number_of(const TableReader& reader, std::size_t column, const std::string& field) {
+    double number = 0.0;
+    const char* end = field.data() + field.size();
+    const auto [stop, error] = std::from_chars(field.data(), end, number);
+    if (error != std::errc() || stop != end || !std::isfinite(number)) reader.fail(column, field, "must be a number");
+    return number;
+}
+
+// What acts along the one axis of a hinge or a slider.
+JointControl* control_of(Joint& joint) {
+    if (auto* hinge = std::get_if<HingeJoint>(&joint)) return &hinge->angle;
+    if (auto* slider = std::get_if<SliderJoint>(&joint)) return &slider->translation;
+    return nullptr;
+}
+
+// The mass, or about an axis the moment of inertia, of the bodies that hang on one side of a joint; infinite if one of
+// them does not move freely.
+class Burden {
+  public:
+    Burden(const World& world, JointId joint) : world_(world), joint_(joint) {
+        const JointDef& def = world.joint_def(joint);
+        const Body b = world.body(def.body_b.is_null() ? def.body_a : def.body_b);
+        const Transform frame = def.body_b.is_null() ? def.frame_a : def.frame_b;
+        anchor_ = b.position() + Position(b.rotation() * Vec3(frame.position));
+        axis_ = glm::normalize(glm::dquat(b.rotation() * frame.rotation)) * glm::dvec3(1.0, 0.0, 0.0);
+        turns_ = std::holds_alternative<HingeJoint>(def.joint);
+    }
+
+    // What a motor feels that pushes both sides apart.
+    double reduced() const {
+        const JointDef& def = world_.joint_def(joint_);
+        return 1.0 / (1.0 / side(def.body_a, def.body_b) + 1.0 / side(def.body_b, def.body_a));
+    }
+
+  private:
+    double side(BodyId first, BodyId other) const {
+        std::set<std::uint64_t> seen;
+        std::vector<BodyId> open{first};
+        double sum = 0.0;
+        while (!open.empty()) {
+            const BodyId id = open.back();
+            open.pop_back();
+            if (id.is_null() || world_.body(id).type() != BodyType::dynamic) return infinite;
+            if (id == other) continue; // round a loop
+            if (!seen.insert(id.bits).second) continue;
+            sum += of_body(world_.body(id));
+            for (const JointId next : world_.joints(id)) {
+                if (next == joint_) continue;
+                const JointDef& def = world_.joint_def(next);
+                open.push_back(def.body_a == id ? def.body_b : def.body_a);
+            }
+        }
+        return sum;
+    }
+    double of_body(const Body& body) const {
+        const double mass = static_cast<double>(body.mass_properties().mass);
+        if (!turns_) return mass;
+        const glm::dvec3 arm = glm::cross(glm::dvec3(body.center_of_mass() - anchor_), axis_);
+        return glm::dot(axis_, glm::dmat3(body.world_inertia()) * axis_) + mass * glm::dot(arm, arm);
+    }
+
+    static constexpr double infinite = std::numeric_limits<double>::infinity();
+    const World& world_;
+    JointId joint_;
+    Position anchor_{};
+    glm::dvec3 axis_{};
+    bool turns_ = false;
+};
+
+void wake(World& world, JointId joint) {
+    const JointDef& def = world.joint_def(joint);
+    for (const BodyId id : {def.body_a, def.body_b}) {
+        if (!id.is_null() && world.body(id).type() == BodyType::dynamic) return world.body(id).wake();
+    }
+}
+
+std::string names_of_joints(const World& world) {
+    std::string names;
+    for (const JointId id : world.joints()) {
+        Joint joint = world.joint_def(id).joint;
+        if (control_of(joint) == nullptr || world.joint_def(id).name.empty()) continue;
+        names += (names.empty() ? "" : ", ") + world.joint_def(id).name;
+        if (names.size() > 400) return names + ", ...";
+    }
+    return names.empty() ? "none" : names;
+}
+
+} // namespace
+
+TargetTable read_targets(std::string_view text, const std::string& file) {
+    TableReader reader(text, file);
+    if (text.empty()) reader.fail("must have a first line: time, and names of joints");
+    TargetTable table;
+    table.names = reader.row();
+    if (table.names[0] != "time") reader.fail(0, table.names[0], "must be named \"time\"");
+    if (table.names.size() < 2) reader.fail("must name a joint after the time");
+    std::set<std::string> seen;
+    for (std::size_t i = 1; i < table.names.size(); ++i) {
+        if (!seen.insert(table.names[i]).second) reader.fail(i, table.names[i], "must be named once only");
+    }
+    while (!reader.at_end()) {
+        const std::vector<std::string> fields = reader.row();
+        if (fields.size() == 1 && fields[0].empty()) continue;
+        if (fields.size() != table.names.size()) {
+            reader.fail(
+                fmt::format("must have {} fields as the first line, has {}", table.names.size(), fields.size()));
+        }
+        const double time = number_of(reader, 0, fields[0]);
+        if (!table.times.empty() && !(time > table.times.back())) {
+            reader.fail(0, fields[0], "must be a later time than that of the line before");
+        }
+        table.times.push_back(time);
+        for (std::size_t i = 1; i < fields.size(); ++i) {
+            const double value = number_of(reader, i, fields[i]);
+            if (std::fabs(value) > greatest_target) reader.fail(i, fields[i], "must be within 1000000");
+            table.values.push_back(value);
+        }
+    }
+    if (table.times.empty()) reader.fail("must have a line of numbers after the first");
+    table.names.erase(table.names.begin());
+    return table;
+}
+
+JointTargets::JointTargets(const std::filesystem::path& path, scene::Scene& scene, double frequency)
+    : start_(scene.world.time()) {
+    const std::string file = path.generic_string();
+    const std::vector<std::byte> bytes = scene::read_file(path);
+    table_ = read_targets({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, file);
+    for (std::size_t column = 0; column < table_.names.size(); ++column) {
+        const std::string& name = table_.names[column];
+        const std::string place = fmt::format("{}:1: column {}", file, column + 2);
+        const std::optional<JointId> id = scene.world.find_joint(name);
+        if (!id) {
+            throw Error(ErrorCode::invalid_file, place, "\"" + name.substr(0, 60) + "\"",
+                        "must be the name of a hinge or a slider (" + names_of_joints(scene.world) + ")");
+        }
+        Joint joint = scene.world.joint_def(*id).joint;
+        JointControl* control = control_of(joint);
+        if (control == nullptr) {
+            throw Error(ErrorCode::invalid_file, place, "\"" + name.substr(0, 60) + "\"",
+                        "must be a hinge or a slider, and is another joint");
+        }
+        if (!control->motor) control->motor.emplace();
+        JointMotor& motor = *control->motor;
+        if (!motor.spring || !(motor.spring->stiffness > 0.0f)) {
+            const double omega = 2.0 * 3.14159265358979324 * frequency, burden = Burden(scene.world, *id).reduced();
+            double damping = motor.spring ? static_cast<double>(motor.spring->damping) : 0.0; // of the file
+            if (motor.spring && motor.spring->is_acceleration) damping *= burden;
+            motor.spring = JointSpring{static_cast<float>(burden * omega * omega),
+                                       static_cast<float>(2.0 * burden * omega + damping), false};
+        }
+        Follower follower{*id, column, std::numeric_limits<double>::infinity(), 0.0, 0.0};
+        follower.position = static_cast<double>(scene.world.joint_state(*id).positions[0]);
+        for (const scene::JointSpeedLimit& limit : scene.speed_limits) {
+            if (limit.joint == *id) follower.speed = static_cast<double>(limit.speed);
+        }
+        motor.position = static_cast<float>(follower.position);
+        motor.velocity = 0.0f;
+        scene.world.set_joint(*id, joint);
+        followers_.push_back(follower);
+    }
+}
+
+double JointTargets::target(std::size_t column, double time) const {
+    const auto after = std::upper_bound(table_.times.begin(), table_.times.end(), time);
+    const auto row = static_cast<std::size_t>(after - table_.times.begin());
+    if (row == 0) return table_.value(0, column);
+    if (row == table_.times.size()) return table_.value(row - 1, column);
+    const double from = table_.times[row - 1], share = (time - from) / (table_.times[row] - from);
+    return table_.value(row - 1, column) * (1.0 - share) + table_.value(row, column) * share;
+}
+
+void JointTargets::apply(World& world, float time_step) {
+    const double step = static_cast<double>(time_step), time = world.time() - start_ + step;
+    for (Follower& follower : followers_) {
+        if (!world.is_valid(follower.joint)) continue; // broken
+        const double most = follower.speed * step;
+        const double change = std::clamp(target(follower.column, time) - follower.position, -most, most);
+        const double velocity = change / step;
+        if (change == 0.0 && velocity == follower.velocity) {
+            wake(world, follower.joint); // asleep it would show the forces of some moment before it came to rest
+            continue;
+        }
+        follower.position += change;
+        follower.velocity = velocity;
+        Joint joint = world.joint_def(follower.joint).joint;
+        JointMotor& motor = *control_of(joint)->motor;
+        motor.position = static_cast<float>(follower.position);
+        motor.velocity = static_cast<float>(velocity);
+        world.set_joint(follower.joint, joint);
+    }
+}
+
+} // namespace cairn::cli

@@ -1,0 +1,74 @@
+#include "cli/outputs.h"
+
+#include "files/output_file.h"
+
+#include <cairn/error.h>
+
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+
+namespace cairn::cli {
+
+namespace {
+
+bool standard_output_is_taken = false;
+
+} // namespace
+
+void check_outputs(std::span<const Output> outputs) {
+    std::map<std::filesystem::path, std::string_view> taken;
+    for (const Output& output : outputs) {
+        if (output.path.empty()) continue;
+        const files::Destination to = files::destination_of(output.path);
+        const bool is_standard_output = files::is_standard_output(output.path);
+        if (is_standard_output) standard_output_is_taken = true;
+        if (to.kind == files::Destination::Kind::stream && !is_standard_output) continue; // /dev/null takes all
+        std::filesystem::path key = fmt::format("/dev/fd/{}", is_standard_output ? 1 : to.descriptor);
+        std::error_code ignored; // the name as it is will do
+        if (to.kind == files::Destination::Kind::file)
+            key = std::filesystem::weakly_canonical(std::filesystem::absolute(to.path, ignored), ignored);
+        const auto [other, is_new] = taken.emplace(std::move(key), output.option);
+        if (!is_new) {
+            throw Error(ErrorCode::invalid_value, std::string(output.option), output.path.generic_string(),
+                        fmt::format("must be another file than that of {}", other->second));
+        }
+    }
+}
+
+bool has_format(const std::filesystem::path& path, std::span<const std::string_view> extensions) {
+    if (std::find(extensions.begin(), extensions.end(), files::extension_of(path)) != extensions.end()) return true;
+    try {
+        return files::destination_of(path).kind != files::Destination::Kind::file;
+    } catch (const Error&) { // of a file, and said better elsewhere
+        return false;
+    }
+}
+
+void print(const std::string& text) {
+    if (standard_output_is_taken) {
+        files::write_descriptor(STDERR_FILENO, text, "stderr");
+    } else {
+        files::write_descriptor(STDOUT_FILENO, text, "stdout");
+    }
+}
+
+bool output_is_on_terminal() { return standard_output_is_taken && isatty(STDOUT_FILENO) == 1; }
+
+void complain(std::string_view text) {
+    std::string line = "cairn: ";
+    for (const char c : text) line += static_cast<unsigned char>(c) < ' ' || c == 127 ? ' ' : c;
+    while (line.back() == ' ') line.pop_back();
+    line += '\n';
+    static_cast<void>(std::fwrite(line.data(), 1, line.size(), stderr)); // there is nobody to tell
+}
+
+void print_warnings(std::span<const std::string> warnings) {
+    for (const std::string& warning : warnings) complain("warning: " + warning);
+}
+
+} // namespace cairn::cli

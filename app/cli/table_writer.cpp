@@ -1,0 +1,136 @@
+#include "cli/table_writer.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cstring>
+#include <iterator>
+#include <utility>
+
+namespace cairn::cli {
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "arrays are written as they lie in memory");
+
+// RFC 4180: in quotes, with quotes inside doubled.
+std::string quoted(const std::string& text) {
+    std::string result = "\"";
+    for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return result + "\"";
+}
+
+bool is_plain(const std::string& text) { return text.find_first_of(",\"\r\n ") == std::string::npos; }
+
+// A text as Python writes it. Bytes beyond ASCII stand for themselves in Latin-1.
+std::string python_text(const std::string& text) {
+    std::string result = "'";
+    for (const char c : text) {
+        if (c == '\'' || c == '\\') {
+            result += std::string("\\") + c;
+        } else if (c < ' ' || c > '~') {
+            result += fmt::format("\\x{:02x}", static_cast<unsigned>(static_cast<unsigned char>(c)));
+        } else {
+            result += c;
+        }
+    }
+    return result + "'";
+}
+
+std::string_view type_of(Column::Kind kind) {
+    if (kind == Column::Kind::integer) return "<i8";
+    return kind == Column::Kind::real32 ? "<f4" : "<f8";
+}
+
+template <class T> void append_bytes(std::string& bytes, T value) {
+    char raw[sizeof value];
+    std::memcpy(raw, &value, sizeof value);
+    bytes.append(raw, sizeof value);
+}
+
+} // namespace
+
+std::vector<std::string_view> table_extensions() { return {".csv", ".npy"}; }
+
+TableWriter::TableWriter(const std::filesystem::path& path, std::vector<Column> columns)
+    : file_(path), columns_(std::move(columns)), is_array_(files::extension_of(path) == ".npy") {
+    waiting_ = header(0);
+    if (!is_array_) flush(); // readers of a pipe see it at once
+}
+
+// Of an array: always of the same length, whatever the number of rows. numpy.lib.format describes it.
+std::string TableWriter::header(std::size_t rows) const {
+    std::string names;
+    for (const Column& column : columns_) {
+        if (!is_array_) {
+            names += (names.empty() ? "" : ",") + (is_plain(column.name) ? column.name : quoted(column.name));
+        } else if (column.kind != Column::Kind::text) {
+            names += fmt::format("({}, '{}'), ", python_text(column.name), type_of(column.kind));
+        }
+    }
+    if (!is_array_) return names + "\n";
+    std::string text = fmt::format("{{'descr': [{}], 'fortran_order': False, 'shape': ({},), }}", names, rows);
+    constexpr std::size_t alignment = 64, longest_count = 20;
+    const std::size_t digits = std::to_string(rows).size(), longest = text.size() + longest_count - digits;
+    const std::size_t before = longest + 11 < 65536 ? 10 : 12; // magic, version and the length, of 2 or 4 bytes
+    const std::size_t whole = (before + longest + 1 + alignment - 1) / alignment * alignment;
+    text.append(whole - before - 1 - text.size(), ' ');
+    text += '\n';
+    std::string start("\x93NUMPY", 6);
+    start += before == 10 ? '\1' : '\2';
+    start += '\0';
+    if (before == 10) {
+        append_bytes(start, static_cast<std::uint16_t>(text.size()));
+    } else {
+        append_bytes(start, static_cast<std::uint32_t>(text.size()));
+    }
+    return start + text;
+}
+
+void TableWriter::add(std::int64_t value) {
+    if (is_array_) return append_bytes(waiting_, value);
+    fmt::format_to(std::back_inserter(waiting_), "{},", value);
+}
+
+void TableWriter::add(float value) {
+    if (is_array_) return append_bytes(waiting_, value);
+    fmt::format_to(std::back_inserter(waiting_), "{},", value);
+}
+
+void TableWriter::add(double value) {
+    if (is_array_) return append_bytes(waiting_, value);
+    fmt::format_to(std::back_inserter(waiting_), "{},", value);
+}
+
+void TableWriter::add(const std::string& text) {
+    if (!is_array_) waiting_ += quoted(text) + ",";
+}
+
+void TableWriter::end_row() {
+    ++rows_;
+    if (!is_array_) waiting_.back() = '\n';
+}
+
+void TableWriter::flush() {
+    if (is_array_ && file_.is_stream()) return; // its first bytes say how many rows there are
+    file_.write(waiting_);
+    waiting_.clear();
+}
+
+void TableWriter::close() {
+    if (is_array_) {
+        const std::string start = header(rows_);
+        if (file_.is_stream()) {
+            waiting_.replace(0, start.size(), start);
+            file_.write(std::exchange(waiting_, {}));
+        } else {
+            flush();
+            file_.overwrite(0, start);
+        }
+    } else {
+        flush();
+    }
+    file_.close();
+}
+
+} // namespace cairn::cli
