@@ -132,49 +132,66 @@ struct Question {
     double tolerance, within = 0;
 };
 
-// The times around the least of the distances that were seen.
+// How fast the nearest points come nearer along the normal, and move at all, m/s.
+struct Closing {
+    double along, speed;
+};
+Closing closing_of(const Mover& a, const Mover& b, const Gap& gap, double time) {
+    const DVec3 v = a.velocity_of(gap.on_a, time) - b.velocity_of(gap.on_a + gap.distance * gap.normal, time);
+    return {dot(gap.normal, v), length(v)};
+}
+
+// Where two are nearest, among what was seen of a course: between the last look at which they came nearer and the first
+// at which they did not, or at an end.
 class Bracket {
   public:
-    void see(double time, double distance) {
-        if (distance < distance_[1])
-            time_[0] = last_time_, distance_[0] = last_, time_[1] = time, distance_[1] = distance, is_open_ = true;
-        else if (is_open_)
-            time_[2] = time, distance_[2] = distance, is_open_ = false;
-        last_time_ = time, last_ = distance;
+    struct Look {
+        double time;
+        Gap gap;
+        Closing closing;
+    };
+    void see(const Look& now) {
+        const bool is_turn = has_last_ && last_.closing.along > 0 && !(now.closing.along > 0);
+        const bool is_start = !has_last_ && !(now.closing.along > 0);
+        if (is_turn || is_start) keep(is_turn ? last_ : now, now);
+        last_ = now, has_last_ = true;
     }
-    // Between distances that change no faster than `speed`, its place is found to a tenth of the distance: by golden
-    // sections.
-    template <class F> Course least(double speed, double within, F&& gap_at) const {
-        const bool has_before = time_[0] < time_[1], has_after = !is_open_ && time_[2] > time_[1];
-        double lo = has_before ? time_[0] : time_[1], hi = has_after ? time_[2] : time_[1];
-        double bound = distance_[1]; // on all between
-        if (has_before) bound = std::min(bound, 0.5 * (distance_[0] + distance_[1] - speed * (time_[1] - lo)));
-        if (has_after) bound = std::min(bound, 0.5 * (distance_[2] + distance_[1] - speed * (hi - time_[1])));
-        if (bound > within) return {};
-        Course best{never, time_[1], gap_at(time_[1])};
-        constexpr double golden = 0.6180339887498949;
-        double left = hi - golden * (hi - lo), right = lo + golden * (hi - lo);
-        Gap at_left = gap_at(left), at_right = gap_at(right);
-        for (int round = 0; round < max_sections && speed * (hi - lo) > section_part * best.gap.distance; ++round) {
-            if (at_left.distance < at_right.distance) {
-                hi = right, right = left, at_right = at_left;
-                left = hi - golden * (hi - lo), at_left = gap_at(left);
-            } else {
-                lo = left, left = right, at_left = at_right;
-                right = lo + golden * (hi - lo), at_right = gap_at(right);
+    // Nothing follows. By false position (Illinois), until hardly anything approaches.
+    template <class F> Course least(double speed, double within, F&& look_at) {
+        if (last_.closing.along > 0) keep(last_, last_);
+        Look lo = before_, hi = after_;
+        const double lower = 0.5 * (lo.gap.distance + hi.gap.distance - speed * (hi.time - lo.time)); // bound
+        if (lower > within) return {};
+        Look best = lo.gap.distance < hi.gap.distance ? lo : hi;
+        double rate_lo = lo.closing.along, rate_hi = hi.closing.along;
+        for (int round = 0; round < max_looks && lo.time < hi.time; ++round) {
+            const double time = lo.time + (hi.time - lo.time) * (rate_lo / (rate_lo - rate_hi));
+            const Look look = look_at(time);
+            if (look.gap.distance < best.gap.distance) best = look;
+            if (std::fabs(look.closing.along) <= turned_part * look.closing.speed) {
+                best = look;
+                break;
             }
-            best.take({never, left, at_left});
-            best.take({never, right, at_right});
+            if (look.closing.along > 0) {
+                lo = look, rate_lo = look.closing.along, rate_hi *= 0.5;
+            } else {
+                hi = look, rate_hi = look.closing.along, rate_lo *= 0.5;
+            }
         }
-        return best;
+        return {never, best.time, best.gap};
     }
 
   private:
-    static constexpr int max_sections = 12;
-    static constexpr double section_part = 0.1;
-    double time_[3] = {}, distance_[3] = {infinity, infinity, infinity}; // before, at and after the least
-    double last_time_ = 0, last_ = infinity;
-    bool is_open_ = false; // nothing was seen after it
+    static constexpr int max_looks = 16;
+    static constexpr double turned_part = 0.05; // of the speed
+    void keep(const Look& before, const Look& after) {
+        const double distance = std::min(before.gap.distance, after.gap.distance);
+        if (!(distance < least_)) return;
+        least_ = distance, before_ = before, after_ = after;
+    }
+    Look before_{}, after_{}, last_{};
+    double least_ = infinity;
+    bool has_last_ = false;
 };
 
 // Up to which time two certainly do not meet, and up to which they do not if their nearest points stay what they are;
@@ -183,12 +200,11 @@ constexpr double longest_leap = 1.0 / 16;
 struct Foresight {
     double certain, likely;
 };
-Foresight look_ahead(const Mover& a, const Mover& b, const Gap& gap, double way, double time) {
+
+// How long two do certainly not meet.
+double certain_time(const Mover& a, const Mover& b, const Gap& gap, double way, double time) {
     const double speed = a.speed_along(gap.normal, time) + b.speed_along(-gap.normal, time);
-    const double closing =
-        dot(gap.normal, a.velocity_of(gap.on_a, time) - b.velocity_of(gap.on_a + gap.distance * gap.normal, time));
-    const double certain = speed > 0 ? way / speed : never;
-    return {time + certain, time + std::max(certain, closing > 0 ? way / closing : longest_leap)};
+    return speed > 0 ? way / speed : never;
 }
 
 // Advances from `begin` to `end`, so that nothing is missed. gap(time) tells how far the cores are apart.
@@ -200,7 +216,7 @@ double advance(const Mover& a, const Mover& b, double tolerance, double begin, d
     for (int round = 0; round < max_rounds; ++round) {
         if (!(gap.distance > tolerance)) return time;
         const double stop = next_stop(a, b, time, end); // up to which the speed is what it is
-        time = look_ahead(a, b, gap, gap.distance - 0.5 * tolerance, time).certain;
+        time += certain_time(a, b, gap, gap.distance - 0.5 * tolerance, time);
         if (!(time < stop)) {
             if (!(stop < end)) return never;
             time = stop;
@@ -214,32 +230,36 @@ double advance(const Mover& a, const Mover& b, double tolerance, double begin, d
 // What that misses, the cores do not.
 template <class F>
 Course approach(const Mover& a, const Mover& b, Question question, double begin, double end, F&& gap_at) {
-    double time = begin, beyond = end; // they overlap then, or it is the end
-    Gap gap = gap_at(time);
-    if (!(gap.distance > question.tolerance)) return {begin > 0 ? begin : overlapped};
+    const auto look_at = [&](double time) {
+        const Gap gap = gap_at(time);
+        return Bracket::Look{time, gap, closing_of(a, b, gap, time)};
+    };
+    Bracket::Look now = look_at(begin);
+    if (!(now.gap.distance > question.tolerance)) return {begin > 0 ? begin : overlapped};
+    double beyond = end; // they overlap then, or it is the end
     Bracket seen;
     for (int round = 0; round < max_rounds; ++round) {
-        if (!(gap.distance > question.tolerance)) return {time};
-        seen.see(time, gap.distance);
-        const double next = look_ahead(a, b, gap, gap.distance - 0.5 * question.tolerance, time).likely;
+        if (!(now.gap.distance > question.tolerance)) return {now.time};
+        seen.see(now);
+        const double way = now.gap.distance - 0.5 * question.tolerance;
+        const double leap = now.closing.along > 0 ? way / now.closing.along : longest_leap;
+        const double next = now.time + std::max(certain_time(a, b, now.gap, way, now.time), leap);
         if (!(next < beyond) && beyond == end) {
-            const Gap last = gap_at(end);
-            if (last.distance > question.tolerance) {
-                seen.see(end, last.distance);
-                return seen.least(a.speed() + b.speed(), question.within, gap_at);
+            const Bracket::Look last = look_at(end);
+            if (last.gap.distance > question.tolerance) {
+                seen.see(last);
+                return seen.least(a.speed() + b.speed(), question.within, look_at);
             }
         }
-        double middle = next < beyond ? next : 0.5 * (time + beyond);
-        Gap there = gap_at(middle);
-        while (there.distance < 0 && middle - time > 1e-6 * (end - begin)) { // too far
-            beyond = middle;
-            middle = 0.5 * (time + beyond);
-            there = gap_at(middle);
+        Bracket::Look there = look_at(next < beyond ? next : 0.5 * (now.time + beyond));
+        while (there.gap.distance < 0 && there.time - now.time > 1e-6 * (end - begin)) { // too far
+            beyond = there.time;
+            there = look_at(0.5 * (now.time + beyond));
         }
-        if (there.distance < 0) return {time};
-        time = middle, gap = there;
+        if (there.gap.distance < 0) return {now.time};
+        now = there;
     }
-    return {time};
+    return {now.time};
 }
 
 // Of cores, or of the shapes themselves.
