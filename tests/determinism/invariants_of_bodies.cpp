@@ -165,11 +165,17 @@ double momentum_error(const SceneRun& run) { // beside what gravity gives, as pa
     const glm::dvec3 d = run.last().momentum - run.first().momentum + glm::dvec3(0, given, 0);
     return glm::length(d) / given;
 }
-// The last step, from then on, after which its velocity changed by more than gravity does.
+bool is_pushed(const SceneRun& run, int step, int body) { // by something beside gravity
+    const Vec3 change = body_at(run, step, body).velocity - body_at(run, step - 1, body).velocity;
+    return glm::length(change + Vec3(0, float(weight / 60), 0)) > 1e-4f;
+}
+// The last step, from then on, in which it met another: few are pushed at a time.
 int last_hit(const SceneRun& run, int body) {
     for (int step = golden_steps; step > apart; --step) {
-        const Vec3 change = body_at(run, step, body).velocity - body_at(run, step - 1, body).velocity;
-        if (glm::length(change + Vec3(0, float(weight / 60), 0)) > 1e-4f) return step;
+        if (!is_pushed(run, step, body)) continue;
+        int pushed = 0;
+        for_dynamic(run, step, [&](const BodyState&, int i) { pushed += is_pushed(run, step, i); });
+        if (pushed < 8) return step;
     }
     return apart;
 }
