@@ -6,6 +6,7 @@
 #include "contacts/convex_tests.h"
 #include "contacts/pairs.h"
 #include "contacts/prefetch.h"
+#include "contacts/touch.h"
 #include "core/cache.h"
 #include "islands/coloring.h"
 #include "islands/islands.h"
@@ -42,6 +43,30 @@ float reach_of(const ContactInfo& group, float margin) {
     return margin + looked_ahead_steps * std::max(margin - group.base_margin, 0.0f);
 }
 
+// Of what moves far, in place of what was found at the start of the step: the patches of the touch, if it does not
+// touch yet. Whether they are of the touch.
+bool look_ahead(const State& s, const ContactInfo& group, float margin, float dt, NarrowBatch& own, Touch& touch) {
+    bool is_far = false;
+    for (const Manifold& hit : own.hits) {
+        for (int i = 0; i < hit.count; ++i)
+            if (hit.points[i][3] <= 0) return false;
+        is_far = is_far || moves_far(s, group, hit, dt);
+    }
+    if (!is_far) return false;
+    const Approach approach = find_touch(s, group, dt, margin, touch);
+    if (approach == Approach::now) return false;
+    own.hits.clear();
+    if (approach == Approach::passes) return false;
+    if (touch.is_beside) {
+        own.hits.push_back(touch.manifold);
+        return true;
+    }
+    const PosedShape a = posed_shape(s, group.shape_a), b = posed_shape(s, group.shape_b);
+    find_patches({a.geometry, a.data, touch.pose_a, touch.arm_a}, {b.geometry, b.data, touch.pose_b, b.arm}, margin,
+                 margin, own.surface, own.hits);
+    return true;
+}
+
 void test_group(State& s, std::uint32_t place, NarrowBatch& own, float dt) {
     const std::uint32_t id = s.narrow.candidates[place];
     ContactInfo& group = s.contacts[id];
@@ -57,16 +82,24 @@ void test_group(State& s, std::uint32_t place, NarrowBatch& own, float dt) {
         s.narrow.outcomes[place] = trigger_outcome(group, !own.hits.empty());
         return;
     }
+    Touch touch;
+    const bool is_ahead = look_ahead(s, group, margin, dt, own, touch);
+    if (is_ahead) drop_answer(s, id);
+    if (own.hits.empty() && group.point_count == 0) {
+        s.narrow.outcomes[place] = take_distance(s, id, 0);
+        return;
+    }
     s.narrow.outcomes[place] = tested_patches;
     for (std::int32_t p = group.related; p != none; p = s.contacts[p].next) s.narrow.patch_outcomes[p] = not_found;
     std::uint32_t order = 0;
     for (const Manifold& hit : own.hits) {
-        if (stays_apart(s, group, hit, dt)) continue;
+        if (!is_ahead && stays_apart(s, group, hit, dt)) continue;
         const std::int32_t patch = matching_patch(s, group, hit);
         if (patch == none)
-            own.fresh.push_back({place, order++, hit});
+            own.fresh.push_back({place, order++, hit, is_ahead, touch});
         else
-            s.narrow.patch_outcomes[patch] = take_manifold(s, std::uint32_t(patch), hit, dt);
+            s.narrow.patch_outcomes[patch] =
+                take_manifold(s, std::uint32_t(patch), hit, dt, is_ahead ? &touch : nullptr);
     }
     for (std::int32_t p = group.related; p != none; p = s.contacts[p].next)
         if (std::uint8_t& outcome = s.narrow.patch_outcomes[p]; outcome == not_found) outcome = ended;
@@ -130,7 +163,8 @@ void follow_up_group(State& s, std::uint32_t place, float dt) {
     });
     for (std::size_t& k = s.narrow.next_fresh; k < s.narrow.fresh.size() && s.narrow.fresh[k].place == place; ++k) {
         const std::uint32_t patch = create_patch(s, id);
-        follow_up(s, patch, take_manifold(s, patch, s.narrow.fresh[k].manifold, dt), dt);
+        const FreshPatch& fresh = s.narrow.fresh[k];
+        follow_up(s, patch, take_manifold(s, patch, fresh.manifold, dt, fresh.is_ahead ? &fresh.touch : nullptr), dt);
         if (s.contacts[patch].point_count > 0) continue;
         end_patch(s, patch); // left alone, as its body sleeps
         drop_answer(s, id);

@@ -149,15 +149,16 @@ Approach find_touch(const State& s, const ContactInfo& c, float step, float marg
     if (!(found.distance <= double(c.base_margin))) return Approach::passes;
     if (!(time > 0)) return Approach::now;
     const PosedBody at_a = posed_at(s, c.shape_a, a, time), at_b = posed_at(s, c.shape_b, b, time);
-    touch = {dt * float(time),
-             at_a.pose,
-             at_b.pose,
-             at_a.arm,
-             at_a.moved,
-             at_b.moved,
-             at_a.turned,
-             at_b.turned,
-             found.distance > 0 ? manifold_beside(s, c, at_a, at_b, found) : manifold_at(s, c, at_a, at_b, margin)};
+    touch.time = dt * float(time);
+    touch.pose_a = at_a.pose, touch.pose_b = at_b.pose;
+    touch.arm_a = at_a.arm;
+    touch.moved_a = at_a.moved, touch.moved_b = at_b.moved;
+    touch.turned_a = at_a.turned, touch.turned_b = at_b.turned;
+    touch.is_beside = found.distance > 0;
+    if (touch.is_beside)
+        touch.manifold = manifold_beside(s, c, at_a, at_b, found);
+    else if (!is_group(c))
+        touch.manifold = manifold_at(s, c, at_a, at_b, margin);
     return Approach::later;
 }
 

@@ -3,6 +3,7 @@
 
 #include "collision/manifold.h"
 #include "collision/surface_contact.h"
+#include "state/touch.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -25,6 +26,8 @@ struct PairBatch {
 struct FreshPatch {
     std::uint32_t place, order; // order: among those of the place
     Manifold manifold;
+    bool is_ahead; // the manifold is of the touch
+    Touch touch;
 };
 
 // What a thread has at work.
