@@ -170,18 +170,27 @@ float min_separation(const ContactInfo& c, const ContactRecord& r) {
 
 namespace {
 
-// The separations that points have at the start of the step, if they are those of a record at the touch. By the motion
-// of anchors, as in refresh_separations: so that the solver finds them again at the touch.
-void move_to_start(const Touch& touch, int count, ContactRecord& r) {
-    const math::DVec3 n = math::to_double(to_vec(r.normal)), d = math::to_double(to_vec(r.center_offset));
+// A record of the touch: as if the step began there. Rotations count from the start of the step all the same, as in
+// refresh_separations, and what they have done to the anchors up to the touch is taken off.
+void move_to_touch(const State& s, const ContactInfo& c, const Touch& touch, ContactRecord& r) {
+    const BodyMotion &motion_a = s.motion[c.body_a], &motion_b = s.motion[c.body_b];
+    const math::DVec3 passed = touch.moved_a - touch.moved_b, d = (motion_a.x - motion_b.x) + passed;
+    put(r.center_offset, math::to_float(d));
+    const math::DVec3 n = math::to_double(to_vec(r.normal));
     const math::DVec3 round_a = double(r.radius_a) * n, round_b = double(r.radius_b) * n;
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < c.point_count; ++i) {
         const math::DVec3 arm = math::to_double(to_vec(point_of(r, i)));
         const math::DVec3 a = arm - round_a, b = arm + d + round_b;
-        const math::DVec3 by_a = touch.moved_a + (math::rotate(touch.turned_a, a) - a);
-        const math::DVec3 by_b = touch.moved_b + (math::rotate(touch.turned_b, b) - b);
-        point_of(r, i)[3] -= float(math::dot(n, by_b - by_a));
+        const math::DVec3 turned_a = math::rotate(touch.turned_a, a) - a,
+                          turned_b = math::rotate(touch.turned_b, b) - b;
+        point_of(r, i)[3] -= float(math::dot(n, turned_b - turned_a));
     }
+    // The solver finds how far they pass each other up to there by their velocities; along the normal it is exact, with
+    // what gravity adds.
+    const double along = math::dot(n, passed), speed = math::dot(n, math::to_double(motion_a.v - motion_b.v));
+    r.touch_time = touch.time;
+    if (const double time = along / speed; time > 0.5 * double(touch.time) && time < 2 * double(touch.time))
+        r.touch_time = float(time);
 }
 
 } // namespace
@@ -211,9 +220,9 @@ void write_record(State& s, std::uint32_t id, const Manifold& m, const Touch* to
         r.radius_a = contact_radius(s, c.shape_a, normal, m.points[0][3]);
         r.radius_b = contact_radius(s, c.shape_b, normal, m.points[0][3]);
     }
-    r.touch_time = touch ? touch->time : 0;
-    if (touch) move_to_start(*touch, m.count, r);
     c.point_count = std::uint8_t(m.count);
+    r.touch_time = 0;
+    if (touch) move_to_touch(s, c, *touch, r);
     r.features = packed_features(m);
     if (stay) return;
     forget_impulses(r, m.count);
@@ -237,6 +246,7 @@ void advance_record(const State& s, const ContactInfo& c, ContactRecord& r) {
         put(point, r.touch_time > 0 ? now_a : 0.5f * (now_a + (now_b - offset)));
     }
     put(r.center_offset, offset);
+    r.touch_time = 0; // it is of now
 }
 
 ContactRecord advanced_record(const State& s, std::uint32_t id) {

@@ -102,8 +102,8 @@ bool moves(const State& s, std::int32_t body) {
 // Of the points of a record.
 float approach_speed(const State& s, const ContactInfo& c, const ContactRecord& r) {
     const BodyMotion &a = s.motion[c.body_a], &b = s.motion[c.body_b];
-    const math::Vec3 d = to_vec(r.center_offset) + r.touch_time * (a.v - b.v); // at the touch
-    return greatest_approach(a, b, to_vec(r.normal), d, c.point_count, [&](int i) { return to_vec(point_of(r, i)); });
+    return greatest_approach(a, b, to_vec(r.normal), to_vec(r.center_offset), c.point_count,
+                             [&](int i) { return to_vec(point_of(r, i)); });
 }
 
 // The outcome of a contact that stays.

@@ -124,7 +124,10 @@ void drop_covered(State& s, const std::vector<std::uint32_t>& contacts) {
 // Drops internal edges among the contacts of one body with what does not move by forces.
 void drop_internal_edges_of_body(State& s, std::vector<std::uint32_t>& contacts) {
     drop_covered(s, contacts);
-    const auto depth_of = [&](std::uint32_t id) { return -min_separation(s.contacts[id], s.records[id]); };
+    const auto depth_of = [&](std::uint32_t id) { // at the start of the step
+        const ContactRecord& r = s.records[id];
+        return -min_separation(s.contacts[id], r) - r.touch_time * r.approach_speed;
+    };
     const math::Vec3 first = to_vec(s.records[contacts[0]].normal);
     if (std::all_of(contacts.begin(), contacts.end(),
                     [&](std::uint32_t id) { return is_same(first, to_vec(s.records[id].normal)); }))

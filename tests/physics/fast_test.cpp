@@ -123,6 +123,59 @@ TEST(Fast, RodThatSpinsKeepsItsEnergyAtAnElasticImpact) {
     }
 }
 
+// Small balls with friction went into each other: the spin that the impact gave them counted at arms that reached back
+// to where they were at the start of the step.
+TEST(Fast, BulletsThatMeetDoNotGoIntoEachOther) {
+    Shots shots(3);
+    for (int i = 0; i < 300; ++i) {
+        World world(without_gravity());
+        const double radius = 0.01 * std::pow(20, shots.between(0, 1)), speed = 10 * std::pow(30, shots.between(0, 1));
+        BodyId balls[2];
+        const double way = 2.1 * radius + shots.between(0, 1) + speed / 60, offset = shots.between(0, 1.2) * radius;
+        for (const int k : {0, 1}) {
+            BodyDef def;
+            def.position = {(k - 0.5) * way, k * offset, 0};
+            def.linear_velocity = {float((0.5 - k) * speed), 0, 0};
+            balls[k] = add_body(world, Sphere{float(radius)}, def);
+        }
+        for (int step = 0; step < 60 * way / speed + 2; ++step) {
+            world.step(1.0f / 60);
+            const auto apart = world.body(balls[1]).position() - world.body(balls[0]).position();
+            ASSERT_GT(glm::length(apart), 1.9 * radius) << "radius " << radius << ", speed " << speed;
+        }
+        // With restitution 0 and off center: nothing is left of the approach along the line of centers.
+        const auto line = world.body(balls[1]).position() - world.body(balls[0]).position();
+        const auto velocity =
+            glm::dvec3(world.body(balls[1]).linear_velocity() - world.body(balls[0]).linear_velocity());
+        EXPECT_GT(glm::dot(line, velocity), -0.01 * speed * glm::length(line)) << radius << " " << speed;
+    }
+}
+
+TEST(Fast, WhatPassesAnEdgeOfAMeshIsNotDeflected) {
+    std::vector<Vec3> corners;
+    for (int i = 0; i < 8; ++i) corners.emplace_back(i & 1 ? 0.5f : -0.5f, i & 2 ? 0.5f : -0.5f, i & 4 ? 0.5f : -0.5f);
+    const std::vector<std::uint32_t> triangles{0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
+                                               2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5};
+    const Mesh cube(corners, triangles);
+    Shots shots(4);
+    for (int i = 0; i < 200; ++i) {
+        World world(without_gravity());
+        BodyDef def;
+        def.type = BodyType::static_;
+        add_body(world, cube, def);
+        def.type = BodyType::dynamic;
+        const double radius = 0.01 * std::pow(20, shots.between(0, 1)), speed = 10 * std::pow(30, shots.between(0, 1));
+        const double angle = shots.between(0.1, 1.4), start = 8 * radius + speed / 60 * shots.between(1, 2);
+        const glm::dvec3 away(std::cos(angle), std::sin(angle), 0), along(-away.y, away.x, 0);
+        def.position = glm::dvec3(0.5, 0.5, shots.between(-0.3, 0.3)) + (radius + 0.01) * away - start * along;
+        def.linear_velocity = Vec3(speed * along);
+        const BodyId ball = add_body(world, Sphere{float(radius)}, def);
+        run(world, 1.0f / 60, 5);
+        EXPECT_LT(glm::length(world.body(ball).linear_velocity() - def.linear_velocity), 1e-3 * speed)
+            << "radius " << radius << ", speed " << speed;
+    }
+}
+
 // Bodies that were stopped by one that was stopped by them stood in the air for ever, and gained speed meanwhile.
 TEST(Fast, AHeapThatIsThrownDownIsNotFrozen) {
     Shots shots(2);

@@ -75,10 +75,11 @@ CAIRN_INLINE void gather_field(const ContactRecord* const* record, std::size_t o
 }
 
 // Normal rows: arms, the matrix K of the points' normal velocities, and the friction center: that of the load as the
-// last step left it, or the middle of the points.
+// last step left it, or the middle of the points. `ahead`: how much farther apart they are at the start of the step
+// than at the touch.
 template <int N>
 CAIRN_INLINE Vec3x8 prepare_points(ContactBlock<N>& block, const ContactRecord* const* record, Vec3x8 normal, Vec3x8 c,
-                                   const Inertiax8& a, const Inertiax8& b) {
+                                   f32x8 ahead, const Inertiax8& a, const Inertiax8& b) {
     const f32x8 mass_sum = a.inverse_mass + b.inverse_mass;
     Vec3x8 r[N], j[N], ia_j[N], ib_j[N], middle = zero3(), pressed = zero3();
     f32x8 mass[N], coupling[N][N]; // K_ij, i < j
@@ -86,6 +87,7 @@ CAIRN_INLINE Vec3x8 prepare_points(ContactBlock<N>& block, const ContactRecord* 
     for (int i = 0; i < N; ++i) {
         f32x8 s;
         gather_field(record, point_offset(i), r[i].x, r[i].y, r[i].z, s);
+        s += ahead;
         const mask8 used = s < splat(unused_separation);
         if constexpr (N > 1) {
             const f32x8 weight = select(used, one(), zero()), impulse = load(block.impulse[i]);
@@ -192,13 +194,13 @@ template <int N> CAIRN_INLINE void store_inertia(ContactBlock<N>& block, const S
     }
 }
 
-// From B's center of mass to A's at the touch.
-CAIRN_INLINE Vec3x8 offset_at_touch(Vec3x8 d, f32x8 touch_time, const std::int32_t* row_a, const std::int32_t* row_b,
+// How far A passes B from the start of the step up to the touch.
+CAIRN_INLINE Vec3x8 passed_at_touch(f32x8 touch_time, const std::int32_t* row_a, const std::int32_t* row_b,
                                     const SolverVelocity* velocity) {
-    if (!any(touch_time > zero())) return d;
+    if (!any(touch_time > zero())) return zero3();
     std::uint32_t a[8], b[8];
     for (int i = 0; i < 8; ++i) a[i] = std::uint32_t(row_a[i]) * row_bytes, b[i] = std::uint32_t(row_b[i]) * row_bytes;
-    return d + touch_time * (gather_velocity(velocity, a).v - gather_velocity(velocity, b).v);
+    return touch_time * (gather_velocity(velocity, a).v - gather_velocity(velocity, b).v);
 }
 
 template <int N>
@@ -220,8 +222,6 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
     gather_field(record, offsetof(ContactRecord, normal), normal.x, normal.y, normal.z, friction);
     gather_field(record, offsetof(ContactRecord, center_offset), d.x, d.y, d.z, restitution);
     store3(block.normal, normal);
-    store3(block.d0, d);
-    store3(block.d, d);
     store(block.friction, friction);
     store(block.restitution, restitution);
     block.bounces = any(restitution > zero());
@@ -244,10 +244,12 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
     store(block.radius_b, radius_b);
     block.round = any((radius_a > zero()) | (radius_b > zero()));
 
-    const Vec3x8 d_touch = offset_at_touch(d, touch_time, row_a, row_b, velocity);
-    store3(block.d_touch, d_touch);
-    const Vec3x8 center = prepare_points<N>(block, record, normal, cross(d_touch, normal), a, b);
-    prepare_friction<N>(block, record, normal, d_touch, center, a, b);
+    const Vec3x8 passed = passed_at_touch(touch_time, row_a, row_b, velocity), d0 = d - passed;
+    store3(block.d0, d0);
+    store3(block.d, d0);
+    store3(block.d_touch, d);
+    const Vec3x8 center = prepare_points<N>(block, record, normal, cross(d, normal), dot(passed, normal), a, b);
+    prepare_friction<N>(block, record, normal, d, center, a, b);
 }
 
 } // namespace

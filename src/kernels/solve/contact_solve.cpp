@@ -65,7 +65,7 @@ CAIRN_INLINE void refresh_arm(ContactBlock<N>& block, Vec3x8 normal, Vec3x8 pass
 // Separations now, from the motion of both bodies since the start of the step. Exact: the normal, not the
 // anchors, is rotated back, and by differences so that nothing cancels: with
 // delta(q) = R(q)^T n - n = 2 (q x (q x n) - q_w (q x n)) and D = delta(qB) - delta(qA),
-// s_i = s0_i + n.(dxB - dxA) + delta(qB).d + (r_i.n)(D.n) + j_i.(D x n).
+// s_i = s0_i + n.(dxB - dxA) + delta(qB).d + (r_i.n)(D.n) + j_i.(D x n), with d where the couplings are of.
 // The surface of a sphere does not turn with it: only its center, a radius R from the point, is a point of the body.
 // Turning the material point would lift it by R (1 - cos), and a rolling ball would lose its weight; R (delta.n) per
 // sphere takes that out again.
@@ -74,7 +74,7 @@ CAIRN_INLINE void refresh_separations(ContactBlock<N>& block, const SolverPose* 
     const Posex8 a = gather_pose(pose, block.a), b = gather_pose(pose, block.b);
     const Vec3x8 delta_a = turned_back_difference(a.dq, normal), delta_b = turned_back_difference(b.dq, normal);
     const Vec3x8 difference = delta_b - delta_a, passed = a.dx - b.dx;
-    f32x8 common = dot(delta_b, load3(block.d0)) - dot(normal, passed);
+    f32x8 common = dot(delta_b, load3(block.d_touch)) - dot(normal, passed);
     if (N == 1 || block.round)
         common += load(block.radius_a) * dot(delta_a, normal) + load(block.radius_b) * dot(delta_b, normal);
     const Vec3x8 e = cross(difference, normal);

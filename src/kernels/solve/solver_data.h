@@ -48,7 +48,7 @@ inline constexpr std::int32_t fixed_row = 0, first_body_row = 1;
 struct alignas(64) ContactRecord {
     float normal[3];        // unit, from A to B
     float friction;         // combined dynamic coefficient
-    float center_offset[3]; // center of mass of A minus that of B, at the start of the step
+    float center_offset[3]; // center of mass of A minus that of B, at the touch
     float restitution;
     float first_point[4]; // arm from A's center of mass, and separation
     float impulses[4];    // normal impulses of the last substep, N s; the warm start
@@ -64,7 +64,7 @@ struct alignas(64) ContactRecord {
     float radius_a, radius_b;  // of a round surface, from its center or axis to the point; 0 for flat ones
     std::uint32_t features;    // the lowest byte of each point's feature, the first point's lowest; or no_features; of
                                // two convex shapes that no wide kernel tests: a ContactMemory
-    float touch_time;          // s: 0, or when in the step the shapes are where normal and points are of
+    float touch_time;          // s: 0, or when in the step the shapes are where all of this is of
 
     float more_points[3][4]; // unused: {0, 0, 0, 1e30}
     float more_totals[3];
