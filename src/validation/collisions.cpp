@@ -354,7 +354,7 @@ Result measure_closed_pile() {
             sum += change;
         }
         result.rows.push_back({"the same box, elastic, 64 fillings, 4 s: change of the energy, root mean square", dt, 0,
-                               std::sqrt(squares / fillings), 0.04, Bar::at_most});
+                               std::sqrt(squares / fillings), 0.05, Bar::at_most});
         result.rows.push_back({"mean of these changes", dt, 0, sum / fillings, 0.03, Bar::absolute});
     }
     result.plots.push_back(plot);
