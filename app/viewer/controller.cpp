@@ -11,11 +11,12 @@ namespace cairn::viewer {
 
 namespace {
 
-constexpr float orbit_per_picture = 3.5f; // radians for a drag over the height of the picture
-constexpr float orbit_per_key = 0.06f;    // radians
-constexpr float click_slack = 0.01f;      // of the picture's height: a shorter movement is a click
-constexpr float joint_slack = 0.02f;      // likewise: this near an anchor a click is on the joint
-constexpr float spawn_height = 0.3f;      // above the target, in camera distances
+constexpr float orbit_per_picture = 3.5f;  // radians for a drag over the height of the picture
+constexpr float orbit_per_key = 0.06f;     // radians
+constexpr float click_slack = 0.01f;       // of the picture's height: a shorter movement is a click
+constexpr float joint_slack = 0.02f;       // likewise: this near an anchor a click is on the joint
+constexpr float least_ground_slope = 0.3f; // of its normal's height: a steeper plane is a wall
+constexpr float spawn_height = 0.3f;       // above the target, in camera distances
 
 } // namespace
 
@@ -314,12 +315,31 @@ void Controller::drop_files(std::span<const std::string> paths) {
     post_(command::Say{name + " is no scene: files of these types can be opened: " + types});
 }
 
+// The infinite planes that one could stand on. Walls are none of them, and neither is what the scene itself looks at
+// from below.
+void Controller::find_grounds(const StageState& state) {
+    std::vector<Ground> grounds;
+    for (const ShapeLayout& shape : state.layout->shapes) {
+        if (shape.type != ShapeType::plane || shape.is_trigger) continue;
+        if (state.layout->bodies[shape.body].type != BodyType::static_) continue;
+        const Transform& body = state.current->transforms[shape.body];
+        const Ground ground{body.position + Position(body.rotation * shape.position),
+                            body.rotation * shape.rotation * Vec3(0.0f, 1.0f, 0.0f)};
+        const Position eye = state.scene_camera.position;
+        if (ground.normal.y < least_ground_slope || glm::dot(eye - ground.point, Position(ground.normal)) <= 0.0)
+            continue;
+        grounds.push_back(ground);
+    }
+    camera.set_grounds(std::move(grounds));
+}
+
 void Controller::update(const StageState& state) {
     state_ = state;
     scene_path_ = state.path;
     if (state.scene_serial != scene_serial_) {
         const bool same_scene_again = scene_serial_ != 0 && state.path == framed_path_;
         if (!same_scene_again) camera.set_pose(state.scene_camera);
+        find_grounds(state);
         framed_path_ = state.path;
         scene_serial_ = state.scene_serial;
         force_ = Vec3(0.0f); // the new world has none of the held effects yet

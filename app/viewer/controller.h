@@ -78,6 +78,7 @@ class Controller {
     bool perform_on_joint(Action action);
     JointId joint_under_cursor() const;
     void change_scene(int by);
+    void find_grounds(const StageState& state);
     void update_held();
 
     Post post_;

@@ -252,4 +252,13 @@ TEST(Controller, TimeKeys) {
     EXPECT_EQ(desk.stage.state().speed, 0.5);
 }
 
+TEST(Controller, TheCameraStaysAboveThePlaneOfTheScene) {
+    Desk desk;
+    for (int i = 0; i < 60; ++i) desk.controller.key_down("", "Down", i > 0);
+    EXPECT_GT(desk.controller.camera.position().y, 0.0);
+    EXPECT_LT(desk.controller.camera.position().y, 1.0);
+    desk.controller.wheel(-20.0f);
+    EXPECT_GT(desk.controller.camera.position().y, 0.0);
+}
+
 } // namespace

@@ -159,6 +159,12 @@ void test_mouse(Driver& driver) {
     driver.check("a drag beside bodies orbits", [&](const Json& s) {
         return std::abs(camera_at(s, 0) - before) > 0.3 && s.at("camera").at("target").at(1) == 1.0;
     });
+    driver.cursor(600, 450);
+    driver.xdotool("mousedown 3");
+    driver.cursor(600, 60); // upwards: the camera goes down
+    driver.xdotool("mouseup 3");
+    driver.check("the camera stays above the ground",
+                 [](const Json& s) { return camera_at(s, 1) > 0.0 && camera_at(s, 1) < 0.9; });
     driver.key("Home");
     driver.check("Home restores the view", [](const Json& s) { return std::abs(camera_at(s, 0)) < 0.01; });
     driver.xdotool("click 4");
