@@ -357,6 +357,7 @@ void Controller::update(const StageState& state) {
     }
     const Position target =
         drag_target(camera.cursor_ray(cursor_, aspect_), drag_start_, camera.forward(), constraint_);
+    drag_target_ = target;
     if (target != state.grab.target) post_(command::MoveGrab{target});
 }
 
@@ -369,6 +370,9 @@ FrameOptions Controller::frame_options(const StageState& state) const {
     options.selected = state.selected;
     options.joints = joints;
     options.selected_joint = state.selected_joint;
+    // To where the cursor is now: the stage may still have its place of some steps ago.
+    if (drag_ == Drag::body && state.grab.holding)
+        options.drag = DragLine{state.grab.body, state.grab.local_point, drag_target_};
     return options;
 }
 

@@ -93,7 +93,7 @@ class Controller {
     Drag drag_ = Drag::none;
     MouseButton drag_button_ = MouseButton::left;
     std::uint64_t grab_serial_ = 0;
-    Position drag_start_{0.0, 0.0, 0.0};
+    Position drag_start_{0.0, 0.0, 0.0}, drag_target_{0.0, 0.0, 0.0};
     DragConstraint constraint_ = DragConstraint::view_plane;
     StageState state_; // the latest
     std::uint64_t scene_serial_ = 0;

@@ -288,17 +288,8 @@ void Application::rebuild_fonts() {
 
 void Application::draw_picture(const LatestState& latest) {
     const StageState& state = latest.stage;
-    RenderFrame frame = make_frame(*state.layout, *state.previous, *state.current, latest.fraction,
-                                   controller_.camera.pose(), controller_.frame_options(state));
-    if (state.grab.holding) {
-        for (std::size_t i = 0; i < state.layout->bodies.size(); ++i) {
-            if (state.layout->bodies[i].id != state.grab.body) continue;
-            const Transform& pose = state.current->transforms[i];
-            const Position held = pose.position + Position(pose.rotation * state.grab.local_point);
-            frame.lines.push_back(
-                {Vec3(held - frame.origin), Vec3(state.grab.target - frame.origin), {1.0f, 0.75f, 0.2f}});
-        }
-    }
+    const RenderFrame frame = make_frame(*state.layout, *state.previous, *state.current, latest.fraction,
+                                         controller_.camera.pose(), controller_.frame_options(state));
     renderer_.draw(frame, facts_.width, facts_.height);
 }
 
