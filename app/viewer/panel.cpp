@@ -268,7 +268,7 @@ void Panel::draw_spawn_tool(Controller& controller) {
         controller.post(command::Spawn{tool, above});
     }
     ImGui::SameLine();
-    ImGui::TextDisabled("P shoots at the cursor");
+    ImGui::TextDisabled("P shoots a %s", name_of(tool.kind));
 }
 
 void Panel::draw_statistics(const StageState& state, const WindowFacts& facts) {
