@@ -1,5 +1,7 @@
 #include "viewer/controller.h"
 
+#include "viewer/joint_drawing.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -183,19 +185,23 @@ bool Controller::perform_on_joint(Action action) {
         post_(command::RemoveJoint{state_.selected_joint});
         return true;
     case Action::toggle_joints:
-        joints = !joints;
+        joints = JointsShown((int(joints) + 1) % joints_shown_count);
         return true;
     default:
         return false;
     }
 }
 
-// The joint with the anchor nearest to the cursor, among those near it; null if there is none, or joints are hidden.
+// The joint with the anchor nearest to the cursor, among those near it; null if there is none, or joints it is not
+// shown.
 JointId Controller::joint_under_cursor() const {
     JointId nearest;
-    if (!joints || !state_.current || !state_.current->joints) return nearest;
+    if (!state_.current || !state_.current->joints) return nearest;
     float least = joint_slack;
-    for (const JointLayout& joint : *state_.current->joints) {
+    const FrameOptions options = frame_options(state_);
+    for (std::size_t i = 0; i < state_.current->joints->size(); ++i) {
+        const JointLayout& joint = (*state_.current->joints)[i];
+        if (!is_shown(joint, state_.current->joint_states[i], *state_.layout, options)) continue;
         const JointFrames frames = frames_of(joint, state_.current->transforms);
         for (const Position& anchor : {frames.a.position, frames.b.position}) {
             const auto device = camera.project(anchor, aspect_);
@@ -284,6 +290,7 @@ void Controller::button_down(MouseButton button) {
         drag_ = Drag::pan;
     } else {
         drag_ = Drag::asked;
+        pressed_joint_ = joint_under_cursor();
         post_(command::GrabBody{camera.cursor_ray(cursor_, aspect_), ++grab_serial_});
     }
 }
@@ -296,7 +303,7 @@ void Controller::button_up(MouseButton button) {
     const bool click = glm::length(moved) < click_slack;
     post_(command::ReleaseGrab{click});
     if (!click) return;
-    if (const JointId joint = joint_under_cursor()) post_(command::SelectJoint{joint});
+    if (pressed_joint_) post_(command::SelectJoint{pressed_joint_});
 }
 
 void Controller::drop_files(std::span<const std::string> paths) {

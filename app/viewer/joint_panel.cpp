@@ -286,7 +286,12 @@ void JointPanel::draw(const StageState& state, Controller& controller) {
     char title[48];
     std::snprintf(title, sizeof title, "Joints (%zu)###joints", joints.size());
     if (!ImGui::CollapsingHeader(title, ImGuiTreeNodeFlags_DefaultOpen)) return;
-    ImGui::Checkbox("draw joints (T)", &controller.joints);
+    if (ImGui::BeginCombo("drawn (T)", name_of(controller.joints))) {
+        for (int i = 0; i < joints_shown_count; ++i)
+            if (ImGui::Selectable(name_of(JointsShown(i)), int(controller.joints) == i))
+                controller.joints = JointsShown(i);
+        ImGui::EndCombo();
+    }
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("blue: bears little; yellow: about to break; red: does not hold; white: selected");
     const float lines = std::min(float(joints.size()), lines_in_list);

@@ -158,6 +158,11 @@ const char* name_of(ColorMode mode) {
     return "";
 }
 
+const char* name_of(JointsShown shown) {
+    constexpr const char* names[joints_shown_count] = {"selected or loaded", "all", "none"};
+    return names[int(shown)];
+}
+
 RenderFrame make_frame(const WorldLayout& layout, const WorldMotion& previous, const WorldMotion& current,
                        float fraction, const CameraPose& camera, const FrameOptions& options) {
     RenderFrame frame;
@@ -194,7 +199,7 @@ RenderFrame make_frame(const WorldLayout& layout, const WorldMotion& previous, c
         instance.bound_radius = glm::length(shape.bound_center) + shape.bound_radius;
         instances_of(frame, shape).push_back(instance);
     }
-    if (options.joints && current.joints) draw_joints(frame, layout, current, transforms, options.selected_joint);
+    if (options.joints != JointsShown::none && current.joints) draw_joints(frame, layout, current, transforms, options);
     if (options.drag) add_drag(frame, layout, transforms, *options.drag);
     return frame;
 }
@@ -203,7 +208,8 @@ RenderFrame make_frame(const World& world, std::span<const Appearance> appearanc
                        const FrameOptions& options, MeshCache& meshes, std::span<const Visual> visuals) {
     const WorldLayout layout = read_layout(world, appearances, meshes, visuals);
     std::shared_ptr<const std::vector<JointLayout>> joints;
-    if (options.joints) joints = std::make_shared<const std::vector<JointLayout>>(read_joints(world, layout));
+    if (options.joints != JointsShown::none)
+        joints = std::make_shared<const std::vector<JointLayout>>(read_joints(world, layout));
     const WorldMotion motion = read_motion(world, layout, options.colors == ColorMode::island, std::move(joints));
     return make_frame(layout, motion, motion, 1.0f, camera, options);
 }

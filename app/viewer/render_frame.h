@@ -83,6 +83,12 @@ struct RenderFrame {
     Vec3 light_direction{-0.60f, 0.74f, 0.30f}; ///< Unit or not, towards the light; fixed in the world.
 };
 
+/// Which joints are drawn. `some`: the selected one, those of the selected body, those that bear half of what breaks
+/// them or more, and those that do not hold what they should.
+enum class JointsShown { some, all, none };
+inline constexpr int joints_shown_count = 3;
+const char* name_of(JointsShown shown);
+
 /// A body that is being pulled by a point of it.
 struct DragLine {
     BodyId body;
@@ -96,7 +102,7 @@ struct FrameOptions {
     bool shadows = true;
     bool visuals = true; ///< Bodies that have meshes of the scene's own are shown by these; else by their shapes.
     BodyId selected;     ///< Highlighted; null for none.
-    bool joints = false; ///< Draw the joints (joint_drawing.h).
+    JointsShown joints = JointsShown::none; ///< Which are drawn (joint_drawing.h).
     JointId selected_joint;
     std::optional<DragLine> drag; ///< Shown as a line with a dot at both ends.
 };

@@ -101,7 +101,7 @@ std::string report_json(const StageState& state, const Controller& controller, c
     json["size"] = {facts.width, facts.height};
     json["notice"] = facts.notice;
     json["bodies"] = std::move(bodies);
-    json["joints_shown"] = controller.joints;
+    json["joints_shown"] = cairn::viewer::name_of(controller.joints);
     json["selected_joint"] = state.selected_joint ? Json(state.selected_joint.index()) : Json();
     json["joints"] = Json::array();
     for (std::size_t i = 0; i < state.current->joint_states.size(); ++i)

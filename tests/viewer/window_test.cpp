@@ -200,6 +200,10 @@ void test_joints(Driver& driver) {
     const Json anchor = driver.state().at("joints").at(0).at("screen");
     driver.cursor(anchor.at(0).get<double>(), anchor.at(1).get<double>());
     driver.xdotool("click 1");
+    driver.check("a click selects the body, which shows its joints", [](const Json& s) {
+        return s.at("selected") == crate(s).at("index") && s.at("selected_joint").is_null();
+    });
+    driver.xdotool("click 1");
     driver.check("a click on an anchor selects the joint", [](const Json& s) { return s.at("selected_joint") == 0; });
     driver.key("d");
     driver.check("D removes it", joints(0));
@@ -208,9 +212,12 @@ void test_joints(Driver& driver) {
     driver.key("y");
     driver.check("Y makes a hinge", joints(2));
     driver.key("t");
-    driver.check("T hides the joints", [](const Json& s) { return s.at("joints_shown") == false; });
+    driver.check("T shows all joints", [](const Json& s) { return s.at("joints_shown") == "all"; });
     driver.key("t");
-    driver.check("T shows them", [](const Json& s) { return s.at("joints_shown") == true; });
+    driver.check("T hides them", [](const Json& s) { return s.at("joints_shown") == "none"; });
+    driver.key("t");
+    driver.check("T shows those that matter",
+                 [](const Json& s) { return s.at("joints_shown") == "selected or loaded"; });
 }
 
 void test_forces(Driver& driver) {
