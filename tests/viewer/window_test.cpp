@@ -269,12 +269,21 @@ void test_picture_and_scenes(Driver& driver) {
     driver.check("Escape hides it", [](const Json& s) { return s.at("help") == false; });
     driver.key("F2");
     driver.check("F2 hides the panel", [](const Json& s) { return s.at("panel") == false; });
+    driver.check("without the panel the picture has the window",
+                 [](const Json& s) { return s.at("left") == 0 && s.at("size").at(0) == 800; });
+    driver.key("F2");
+    driver.check("the panel is beside the picture",
+                 [](const Json& s) { return s.at("left") == 300 && s.at("size").at(0) == 500; });
     driver.key("1");
     driver.check("1 chooses the first scene", [](const Json& s) { return s.at("scene").at("loads") == 5; });
     const std::string first = driver.state().at("scene").at("path").get<std::string>();
     driver.key("2");
     driver.check("2 chooses the second scene", [&](const Json& s) {
         return s.at("scene").at("loads") == 6 && s.at("scene").at("path").get<std::string>() > first;
+    });
+    for (int i = 0; i < 3; ++i) driver.key("Prior"); // past the first one: to the end of the list
+    driver.check("the list follows to the last scenes", [](const Json& s) {
+        return s.at("scene").at("loads") == 9 && s.at("scene_list").at("present_in_view") == true;
     });
 }
 
