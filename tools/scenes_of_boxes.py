@@ -65,7 +65,7 @@ def two_planes():
 
 
 def big_walled_box():
-    s = Scene("Big walled box", "Press C to pull everything to the center, and Space to pause.",
+    s = Scene("Big walled box", "Hold C to pull everything to the center, and Space to pause.",
               (9, 8.5, 12), (0, 0.4, 0))
     rng = random.Random(3)
     s.ground(0.5, 0.3)
@@ -132,7 +132,7 @@ def slopes():
 
 
 def pyramid():
-    s = Scene("Pyramid", "210 boxes. Shoot a ball at it, or let it fall asleep and watch the time per step.",
+    s = Scene("Pyramid", "210 boxes. Press P to shoot a box at it, or let it fall asleep and watch the time per step.",
               (4, 5.5, 18.5), (0, 4.6, 0))
     s.ground()
     box, material, size = s.box(0.5, 0.5, 0.5), s.material(), 0.5
@@ -246,7 +246,7 @@ def t_handles():
 
 
 def pile():
-    s = Scene("Pile of 1,000", "A thousand bodies fall into a walled box. Tab colors them by speed.",
+    s = Scene("Pile of 1,000", "A thousand bodies fall into a walled box. Press Tab twice to color them by speed.",
               (8.5, 8, 11.5), (0, 1.2, 0))
     rng = random.Random(13)
     s.ground(0.5, 0.1)

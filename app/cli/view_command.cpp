@@ -5,6 +5,8 @@
 
 #include "viewer/window.h"
 
+#include <filesystem>
+#include <system_error>
 #include <vector>
 
 namespace cairn::cli {
@@ -15,7 +17,11 @@ int view_command(const ViewOptions& options) {
     // Looked up here, so that a wrong name is one line on the terminal rather than an empty window.
     window.scene = scene::find_scene(options.scene.empty() ? "welcome" : options.scene).string();
     for (const scene::SceneEntry& entry : scene::list_scenes(scene::scenes_directory())) {
-        if (entry.error.empty()) window.scenes.push_back({entry.path.string(), entry.title});
+        if (!entry.error.empty()) continue;
+        window.scenes.push_back({entry.path.string(), entry.title});
+        // However its path was written: the list shows by its path which scene is open.
+        std::error_code ignored;
+        if (std::filesystem::equivalent(entry.path, window.scene, ignored)) window.scene = entry.path.string();
     }
     // The options are for the first scene; others come from the list, or are dropped on the window.
     window.loader = [&](const std::string& path) {

@@ -16,6 +16,9 @@ constexpr float max_distance = 20000.0f; // meters
 constexpr float zoom_per_notch = 0.9f;
 constexpr double origin_lattice = 100.0; // meters; a multiple of the ground grid's 10 m lines
 constexpr float near_per_distance = 0.02f;
+constexpr double clearance_per_distance = 0.03; // of the eye above a ground: more than the near plane reaches down
+constexpr double min_clearance = 0.01;          // meters
+constexpr double rounding = 0.1;                // of the clearance: so little is no reason to lift the target
 constexpr float far_per_near = 2.0e5f;
 
 } // namespace
@@ -37,20 +40,55 @@ CameraPose OrbitCamera::pose() const { return {position(), target_, vertical_fov
 void OrbitCamera::orbit(float yaw, float pitch) {
     yaw_ = std::remainder(yaw_ + yaw, 6.2831853f);
     pitch_ = std::clamp(pitch_ + pitch, -max_pitch, max_pitch);
+    stay_above();
 }
 
 void OrbitCamera::zoom(float notches) {
     distance_ = std::clamp(distance_ * std::pow(zoom_per_notch, notches), min_distance, max_distance);
+    stay_above();
 }
 
 void OrbitCamera::pan(float right_amount, float up_amount) {
     const float picture_height = 2.0f * distance_ * std::tan(0.5f * vertical_fov_);
     target_ += Position((right() * right_amount + up() * up_amount) * picture_height);
+    stay_above();
 }
 
 void OrbitCamera::frame(const Position& center, float radius) {
     target_ = center;
     distance_ = std::clamp(2.2f * radius / std::tan(0.5f * vertical_fov_), min_distance, max_distance);
+    stay_above();
+}
+
+double OrbitCamera::height(const Ground& ground, const Position& point) const {
+    return glm::dot(point - ground.point, glm::dvec3(ground.normal));
+}
+
+void OrbitCamera::stay_above() {
+    for (const Ground& ground : grounds_) { // the target first: what lies under a ground is not seen from above
+        const double depth = -height(ground, target_);
+        if (depth > 0.0) target_.y += depth / double(ground.normal.y);
+    }
+    for (const Ground& ground : grounds_) turn_above(ground);
+    // Where turning about the target is not enough, as in a narrow valley, both rise.
+    for (const Ground& ground : grounds_) {
+        const double clearance = std::max(min_clearance, clearance_per_distance * double(distance_));
+        const double missing = clearance - height(ground, position());
+        if (missing > rounding * clearance) target_.y += missing / double(ground.normal.y);
+    }
+}
+
+// Lifts the eye by the pitch. Its height above the plane is that of the target and, with the distance as the factor,
+// A cos(pitch) + B sin(pitch) = R cos(pitch - steepest).
+void OrbitCamera::turn_above(const Ground& ground) {
+    const double clearance = std::max(min_clearance, clearance_per_distance * double(distance_));
+    if (height(ground, position()) >= clearance) return;
+    const double a =
+        double(ground.normal.x) * std::sin(double(yaw_)) + double(ground.normal.z) * std::cos(double(yaw_));
+    const double b = double(ground.normal.y), reach = std::hypot(a, b), steepest = std::atan2(b, a);
+    const double wanted = (clearance - height(ground, target_)) / (double(distance_) * reach);
+    const double pitch = wanted < 1.0 ? steepest - std::acos(std::max(wanted, -1.0)) : steepest;
+    if (pitch > double(pitch_)) pitch_ = std::min(float(pitch), max_pitch);
 }
 
 Vec3 OrbitCamera::forward() const {

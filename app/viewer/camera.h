@@ -9,6 +9,8 @@
 #include <glm/vec2.hpp>
 
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace cairn::viewer {
 
@@ -25,6 +27,12 @@ struct Ray {
     Vec3 direction{0.0f, 0.0f, -1.0f};
 };
 
+/// A plane that the eye stays above.
+struct Ground {
+    Position point{0.0, 0.0, 0.0}; ///< Of the plane.
+    Vec3 normal{0.0f, 1.0f, 0.0f}; ///< Unit length, upwards (y > 0).
+};
+
 class OrbitCamera {
   public:
     explicit OrbitCamera(const CameraPose& pose = {}) { set_pose(pose); }
@@ -32,6 +40,10 @@ class OrbitCamera {
     /// Takes over a pose. A position equal to the target is moved back to the least distance.
     void set_pose(const CameraPose& pose);
     CameraPose pose() const;
+
+    /// From now on movements end above these planes: the eye slides along them, a little above, and the target stays
+    /// out of them. `set_pose` is taken as it is.
+    void set_grounds(std::vector<Ground> grounds) { grounds_ = std::move(grounds); }
 
     /// Turns about the target, radians: positive `yaw` moves the camera to its right, positive `pitch` upwards.
     /// The camera stops short of the poles.
@@ -64,6 +76,11 @@ class OrbitCamera {
     std::optional<glm::vec2> project(const Position& point, float aspect) const;
 
   private:
+    void stay_above();
+    void turn_above(const Ground& ground);
+    double height(const Ground& ground, const Position& point) const;
+
+    std::vector<Ground> grounds_;
     Position target_{0.0, 0.0, 0.0};
     float yaw_ = 0.0f;   // about +Y, 0 looks along -Z
     float pitch_ = 0.0f; // above the horizon

@@ -1,5 +1,7 @@
 #include "viewer/controller.h"
 
+#include "viewer/joint_drawing.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -11,11 +13,12 @@ namespace cairn::viewer {
 
 namespace {
 
-constexpr float orbit_per_picture = 3.5f; // radians for a drag over the height of the picture
-constexpr float orbit_per_key = 0.06f;    // radians
-constexpr float click_slack = 0.01f;      // of the picture's height: a shorter movement is a click
-constexpr float joint_slack = 0.02f;      // likewise: this near an anchor a click is on the joint
-constexpr float spawn_height = 0.3f;      // above the target, in camera distances
+constexpr float orbit_per_picture = 3.5f;  // radians for a drag over the height of the picture
+constexpr float orbit_per_key = 0.06f;     // radians
+constexpr float click_slack = 0.01f;       // of the picture's height: a shorter movement is a click
+constexpr float joint_slack = 0.02f;       // likewise: this near an anchor a click is on the joint
+constexpr float least_ground_slope = 0.3f; // of its normal's height: a steeper plane is a wall
+constexpr float spawn_height = 0.3f;       // above the target, in camera distances
 
 } // namespace
 
@@ -182,19 +185,23 @@ bool Controller::perform_on_joint(Action action) {
         post_(command::RemoveJoint{state_.selected_joint});
         return true;
     case Action::toggle_joints:
-        joints = !joints;
+        joints = JointsShown((int(joints) + 1) % joints_shown_count);
         return true;
     default:
         return false;
     }
 }
 
-// The joint with the anchor nearest to the cursor, among those near it; null if there is none, or joints are hidden.
+// The joint with the anchor nearest to the cursor, among those near it; null if there is none, or joints it is not
+// shown.
 JointId Controller::joint_under_cursor() const {
     JointId nearest;
-    if (!joints || !state_.current || !state_.current->joints) return nearest;
+    if (!state_.current || !state_.current->joints) return nearest;
     float least = joint_slack;
-    for (const JointLayout& joint : *state_.current->joints) {
+    const FrameOptions options = frame_options(state_);
+    for (std::size_t i = 0; i < state_.current->joints->size(); ++i) {
+        const JointLayout& joint = (*state_.current->joints)[i];
+        if (!is_shown(joint, state_.current->joint_states[i], *state_.layout, options)) continue;
         const JointFrames frames = frames_of(joint, state_.current->transforms);
         for (const Position& anchor : {frames.a.position, frames.b.position}) {
             const auto device = camera.project(anchor, aspect_);
@@ -283,6 +290,7 @@ void Controller::button_down(MouseButton button) {
         drag_ = Drag::pan;
     } else {
         drag_ = Drag::asked;
+        pressed_joint_ = joint_under_cursor();
         post_(command::GrabBody{camera.cursor_ray(cursor_, aspect_), ++grab_serial_});
     }
 }
@@ -295,7 +303,7 @@ void Controller::button_up(MouseButton button) {
     const bool click = glm::length(moved) < click_slack;
     post_(command::ReleaseGrab{click});
     if (!click) return;
-    if (const JointId joint = joint_under_cursor()) post_(command::SelectJoint{joint});
+    if (pressed_joint_) post_(command::SelectJoint{pressed_joint_});
 }
 
 void Controller::drop_files(std::span<const std::string> paths) {
@@ -314,12 +322,31 @@ void Controller::drop_files(std::span<const std::string> paths) {
     post_(command::Say{name + " is no scene: files of these types can be opened: " + types});
 }
 
+// The infinite planes that one could stand on. Walls are none of them, and neither is what the scene itself looks at
+// from below.
+void Controller::find_grounds(const StageState& state) {
+    std::vector<Ground> grounds;
+    for (const ShapeLayout& shape : state.layout->shapes) {
+        if (shape.type != ShapeType::plane || shape.is_trigger) continue;
+        if (state.layout->bodies[shape.body].type != BodyType::static_) continue;
+        const Transform& body = state.current->transforms[shape.body];
+        const Ground ground{body.position + Position(body.rotation * shape.position),
+                            body.rotation * shape.rotation * Vec3(0.0f, 1.0f, 0.0f)};
+        const Position eye = state.scene_camera.position;
+        if (ground.normal.y < least_ground_slope || glm::dot(eye - ground.point, Position(ground.normal)) <= 0.0)
+            continue;
+        grounds.push_back(ground);
+    }
+    camera.set_grounds(std::move(grounds));
+}
+
 void Controller::update(const StageState& state) {
     state_ = state;
     scene_path_ = state.path;
     if (state.scene_serial != scene_serial_) {
         const bool same_scene_again = scene_serial_ != 0 && state.path == framed_path_;
         if (!same_scene_again) camera.set_pose(state.scene_camera);
+        find_grounds(state);
         framed_path_ = state.path;
         scene_serial_ = state.scene_serial;
         force_ = Vec3(0.0f); // the new world has none of the held effects yet
@@ -337,6 +364,7 @@ void Controller::update(const StageState& state) {
     }
     const Position target =
         drag_target(camera.cursor_ray(cursor_, aspect_), drag_start_, camera.forward(), constraint_);
+    drag_target_ = target;
     if (target != state.grab.target) post_(command::MoveGrab{target});
 }
 
@@ -349,6 +377,9 @@ FrameOptions Controller::frame_options(const StageState& state) const {
     options.selected = state.selected;
     options.joints = joints;
     options.selected_joint = state.selected_joint;
+    // To where the cursor is now: the stage may still have its place of some steps ago.
+    if (drag_ == Drag::body && state.grab.holding)
+        options.drag = DragLine{state.grab.body, state.grab.local_point, drag_target_};
     return options;
 }
 

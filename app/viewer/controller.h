@@ -37,9 +37,9 @@ class Controller {
     OrbitCamera camera;
     ColorMode colors = ColorMode::scene;
     bool grid = true, shadows = true, panel = true, help = false;
-    bool visuals = true; ///< The meshes that came with the scene instead of what collides.
-    bool joints = true;  ///< Joints are drawn, and can be picked.
-    SpawnSettings tool;  ///< Of the spawn tool.
+    bool visuals = true;                    ///< The meshes that came with the scene instead of what collides.
+    JointsShown joints = JointsShown::some; ///< Which are drawn, and can be picked.
+    SpawnSettings tool;                     ///< Of the spawn tool.
     bool quit = false;
     bool screenshot = false; ///< Asked for; whoever takes it clears this.
 
@@ -76,8 +76,9 @@ class Controller {
     bool perform_on_camera(Action action);
     void perform_on_body(Action action);
     bool perform_on_joint(Action action);
-    JointId joint_under_cursor() const;
+    JointId joint_under_cursor() const; ///< Among those that are shown.
     void change_scene(int by);
+    void find_grounds(const StageState& state);
     void update_held();
 
     Post post_;
@@ -91,8 +92,9 @@ class Controller {
     float aspect_ = 16.0f / 9.0f;
     Drag drag_ = Drag::none;
     MouseButton drag_button_ = MouseButton::left;
+    JointId pressed_joint_; // under the cursor when the button went down: a click shows joints that it did not mean
     std::uint64_t grab_serial_ = 0;
-    Position drag_start_{0.0, 0.0, 0.0};
+    Position drag_start_{0.0, 0.0, 0.0}, drag_target_{0.0, 0.0, 0.0};
     DragConstraint constraint_ = DragConstraint::view_plane;
     StageState state_; // the latest
     std::uint64_t scene_serial_ = 0;

@@ -374,7 +374,7 @@ GlRenderer::GlRenderer() {
 
 GlRenderer::~GlRenderer() = default;
 
-void GlRenderer::draw(const RenderFrame& frame, int width, int height, unsigned framebuffer) {
+void GlRenderer::draw(const RenderFrame& frame, int width, int height, unsigned framebuffer, int left) {
     Impl& impl = *impl_;
     const float aspect = float(width) / float(height);
     impl.resize_target(width, height);
@@ -400,7 +400,7 @@ void GlRenderer::draw(const RenderFrame& frame, int width, int height, unsigned 
 
     glBindFramebuffer(GL_READ_FRAMEBUFFER, impl.target_framebuffer.name());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
-    glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBlitFramebuffer(0, 0, width, height, left, 0, left + width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glBindVertexArray(0);
 }

@@ -17,8 +17,9 @@ class GlRenderer {
     GlRenderer(const GlRenderer&) = delete;
     GlRenderer& operator=(const GlRenderer&) = delete;
 
-    /// Draws into a framebuffer (0: the window's) of that size in pixels, both > 0, and leaves it bound.
-    void draw(const RenderFrame& frame, int width, int height, unsigned framebuffer = 0);
+    /// Draws into a part of a framebuffer (0: the window's) of that size in pixels, both > 0, from `left` on, and
+    /// leaves the framebuffer bound.
+    void draw(const RenderFrame& frame, int width, int height, unsigned framebuffer = 0, int left = 0);
 
   private:
     struct Impl;

@@ -24,6 +24,12 @@ constexpr std::size_t max_strokes = 30000;                // of joints in full
 constexpr float free_linear_error = 0.05f;                // of the reach
 constexpr float free_angular_error = 0.1f;                // rad
 
+constexpr float heavy_load = 0.5f; // of what breaks a joint
+
+bool fails(const JointLayout& joint, const JointState& state) {
+    return state.linear_error > free_linear_error * joint.reach || state.angular_error > free_angular_error;
+}
+
 // A frame of a joint, relative to the origin of the picture.
 struct Axes {
     Vec3 at, x, y, z;
@@ -296,20 +302,31 @@ struct JointShape {
 } // namespace
 
 Vec3 joint_color(const JointLayout& joint, const JointState& state) {
-    if (state.linear_error > free_linear_error * joint.reach || state.angular_error > free_angular_error)
-        return joint_error_color();
+    if (fails(joint, state)) return joint_error_color();
     return joint_ramp(joint_load(joint.def, state));
 }
 
+bool is_shown(const JointLayout& joint, const JointState& state, const WorldLayout& layout,
+              const FrameOptions& options) {
+    if (options.joints != JointsShown::some) return options.joints == JointsShown::all;
+    if (joint.id == options.selected_joint) return true;
+    const auto is_selected = [&](const std::optional<std::size_t>& body) {
+        return body && options.selected && layout.bodies[*body].id == options.selected;
+    };
+    if (is_selected(joint.body_a) || is_selected(joint.body_b)) return true;
+    return fails(joint, state) || joint_load(joint.def, state) >= heavy_load;
+}
+
 void draw_joints(RenderFrame& frame, const WorldLayout& layout, const WorldMotion& motion,
-                 std::span<const Transform> bodies, JointId selected) {
+                 std::span<const Transform> bodies, const FrameOptions& options) {
     constexpr float width = 2.0f, bold = 3.2f; // pixels
     const Vec3 eye(frame.camera.position - frame.origin);
     const Vec3 forward = glm::normalize(Vec3(frame.camera.target - frame.camera.position));
     for (std::size_t i = 0; i < motion.joints->size(); ++i) {
         const JointLayout& joint = (*motion.joints)[i];
+        if (!is_shown(joint, motion.joint_states[i], layout, options)) continue;
         const JointFrames frames = frames_of(joint, bodies);
-        const bool is_selected = joint.id == selected;
+        const bool is_selected = joint.id == options.selected_joint;
         const Vec3 color = is_selected ? Vec3(1.0f) : joint_color(joint, motion.joint_states[i]);
         const Vec3 offset = Vec3(frames.b.position - frame.origin) - eye;
         const float distance = glm::length(offset);

@@ -8,14 +8,19 @@
 
 namespace cairn::viewer {
 
-/// Adds strokes and veils for `motion.joints` to the frame. `bodies`: the transforms of the layout's bodies, as drawn.
+/// True for a joint that is drawn (`FrameOptions::joints`), and so can be picked.
+bool is_shown(const JointLayout& joint, const JointState& state, const WorldLayout& layout,
+              const FrameOptions& options);
+
+/// Adds strokes and veils for those of `motion.joints` that are shown to the frame. `bodies`: the transforms of the
+/// layout's bodies, as drawn.
 ///
 /// Anchors are dots, with thin strokes to the bodies that they belong to. A hinge has its axis and a sector from the
 /// lower to the upper limit with a hand at the present angle; a slider its way with a stop at each limit; a ball joint
 /// its cone; a distance its line (a spring a coiled one); a servo a cross at its target; gears their circles; a pulley
 /// its rope. The color is that of `joint_color`; the selected joint is white and bolder.
 void draw_joints(RenderFrame& frame, const WorldLayout& layout, const WorldMotion& motion,
-                 std::span<const Transform> bodies, JointId selected);
+                 std::span<const Transform> bodies, const FrameOptions& options);
 
 /// From calm blue to yellow by the share of its break force that a joint bears; red where it does not hold what it
 /// should: apart by more than a twentieth of `reach` (of its bodies), or turned by more than 0.1 rad.

@@ -286,7 +286,12 @@ void JointPanel::draw(const StageState& state, Controller& controller) {
     char title[48];
     std::snprintf(title, sizeof title, "Joints (%zu)###joints", joints.size());
     if (!ImGui::CollapsingHeader(title, ImGuiTreeNodeFlags_DefaultOpen)) return;
-    ImGui::Checkbox("draw joints (T)", &controller.joints);
+    if (ImGui::BeginCombo("drawn (T)", name_of(controller.joints))) {
+        for (int i = 0; i < joints_shown_count; ++i)
+            if (ImGui::Selectable(name_of(JointsShown(i)), int(controller.joints) == i))
+                controller.joints = JointsShown(i);
+        ImGui::EndCombo();
+    }
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("blue: bears little; yellow: about to break; red: does not hold; white: selected");
     const float lines = std::min(float(joints.size()), lines_in_list);
@@ -342,7 +347,7 @@ void JointPanel::draw_strength(Controller& controller) {
         controller.post(command::SetJointSolver{edited_id_, JointSolver(solver)});
 }
 
-void JointPanel::draw_selected(const StageState& state, Controller& controller, float scale, float top) {
+void JointPanel::draw_selected(const StageState& state, Controller& controller, float scale, float top, float room) {
     if (!state.selected_joint || !state.current->joints) return;
     const auto& joints = *state.current->joints;
     const auto selected = std::find_if(joints.begin(), joints.end(),
@@ -355,9 +360,13 @@ void JointPanel::draw_selected(const StageState& state, Controller& controller, 
     }
     const ImGuiIO& io = ImGui::GetIO();
     const float width = window_width * scale, margin = 12.0f * scale;
-    ImGui::SetNextWindowPos(ImVec2(io.DisplaySize.x - margin, top), ImGuiCond_Appearing, ImVec2(1.0f, 0.0f));
-    ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0f),
-                                        ImVec2(width, std::max(io.DisplaySize.y - top - margin, 64.0f)));
+    const bool fits = room > 2.0f * (width + 2.0f * margin);
+    if (!fits) ImGui::SetNextWindowBgAlpha(1.0f); // what it covers must not shine through
+    const float height = fits ? io.DisplaySize.y - top - margin : 0.5f * io.DisplaySize.y;
+    ImGui::SetNextWindowPos(fits ? ImVec2(io.DisplaySize.x - margin, top) : ImVec2(0.0f, io.DisplaySize.y),
+                            fits ? ImGuiCond_Appearing : ImGuiCond_Always,
+                            fits ? ImVec2(1.0f, 0.0f) : ImVec2(0.0f, 1.0f));
+    ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0f), ImVec2(width, std::max(height, 64.0f)));
     const std::string title = joint_label(selected->id, selected->def) + "###joint";
     bool is_open = true;
     ImGui::Begin(title.c_str(), &is_open, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings);

@@ -10,8 +10,9 @@ class JointPanel {
   public:
     /// The list, inside the panel's window. Nothing for worlds without joints.
     void draw(const StageState& state, Controller& controller);
-    /// The window of the selected joint, at the right under `top`; nothing if none is selected.
-    void draw_selected(const StageState& state, Controller& controller, float scale, float top);
+    /// The window of the selected joint, at the right under `top`; nothing if none is selected. Where it would reach
+    /// the middle of the picture, which is `room` wide, it lies over the lower part of the panel instead.
+    void draw_selected(const StageState& state, Controller& controller, float scale, float top, float room);
 
   private:
     void draw_facts(const StageState& state, const JointLayout& joint, const JointState& now);

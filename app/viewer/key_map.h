@@ -76,6 +76,7 @@ bool repeats(Action action);
 struct KeyHelp {
     const char* keys;
     const char* meaning;
+    std::string_view chords = {}; ///< The bindings that the line explains, with a space between; none: the mouse's.
 };
 std::span<const KeyHelp> key_help();
 

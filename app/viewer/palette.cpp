@@ -54,6 +54,8 @@ Vec3 joint_ramp(float fraction) { return ramp(joint_stops, fraction); }
 
 Vec3 joint_error_color() { return linear_color(0xff2a2a); }
 
+Vec3 drag_color() { return linear_color(0xffd040); }
+
 float mass_fraction(float mass, float least, float greatest) {
     if (!std::isfinite(mass)) return 1.0f;
     if (!(greatest > least * 1.0001f) || !(least > 0.0f)) return 0.5f;

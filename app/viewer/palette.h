@@ -33,6 +33,8 @@ Vec3 default_color(std::uint32_t number);
 /// Blue (0, unloaded) over white-green to yellow (1, about to break): for joints, over any body.
 Vec3 joint_ramp(float fraction);
 Vec3 joint_error_color();
+/// Of the line from a dragged body to the cursor.
+Vec3 drag_color();
 
 Vec3 static_color();
 Vec3 sleeping_color();

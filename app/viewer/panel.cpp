@@ -15,7 +15,7 @@ namespace cairn::viewer {
 namespace {
 
 constexpr float panel_width = 300.0f;
-constexpr float max_scene_lines = 7.5f; // half a line shows that there are more
+constexpr float min_scene_lines = 7.5f; // half a line shows that there are more
 
 ImU32 display_color(const Vec3& linear) {
     const Vec3 color = srgb(linear);
@@ -101,7 +101,7 @@ float draw_caption(const char* name, const std::string& text, const ImVec2& plac
     ImGui::Begin(name, nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs |
                      ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
-    ImGui::PushTextWrapPos(0.7f * ImGui::GetIO().DisplaySize.x); // from the window's left edge
+    ImGui::PushTextWrapPos(0.55f * ImGui::GetIO().DisplaySize.x); // from the window's left edge
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
     const float height = ImGui::GetWindowHeight();
@@ -172,9 +172,14 @@ void Panel::draw_scenes(const StageState& state, Controller& controller) {
     if (!ImGui::CollapsingHeader("Scenes", ImGuiTreeNodeFlags_DefaultOpen)) return;
     const auto& scenes = controller.scenes();
     if (scenes.empty()) return ImGui::TextDisabled("no scenes found");
-    // The list scrolls, so that the rest of the panel fits on a small screen.
-    const float lines_shown = std::min(float(scenes.size()), max_scene_lines);
-    ImGui::BeginChild("scenes", ImVec2(0.0f, lines_shown * ImGui::GetTextLineHeightWithSpacing()));
+    // The list takes the height that the rest of the column leaves, and scrolls.
+    const float line = ImGui::GetTextLineHeightWithSpacing();
+    const float room = (ImGui::GetWindowHeight() - other_height_) / line;
+    const float lines_shown = std::min(float(scenes.size()), std::max(room, min_scene_lines));
+    list_height_ = lines_shown * line;
+    scene_lines_ = int(lines_shown);
+    scene_is_listed_ = false;
+    ImGui::BeginChild("scenes", ImVec2(0.0f, list_height_));
     for (std::size_t i = 0; i < scenes.size(); ++i) {
         char label[160];
         if (i < 9)
@@ -183,10 +188,14 @@ void Panel::draw_scenes(const StageState& state, Controller& controller) {
             std::snprintf(label, sizeof label, "    %s##%zu", scenes[i].title.c_str(), i);
         const bool present = scenes[i].path == state.path;
         if (ImGui::Selectable(label, present)) controller.choose_scene(i);
-        if (present && shown_scene_ != 0 && state.scene_serial != shown_scene_) ImGui::SetScrollHereY();
+        if (!present) continue;
+        scene_is_listed_ = ImGui::IsItemVisible();
+        // Also when the list has become shorter; not while somebody scrolls in it.
+        if (shown_scene_ != state.path || shown_lines_ != scene_lines_) ImGui::SetScrollHereY();
     }
     ImGui::EndChild();
-    shown_scene_ = state.scene_serial;
+    shown_scene_ = state.path;
+    shown_lines_ = scene_lines_;
 }
 
 void Panel::draw_settings(Controller& controller) {
@@ -268,7 +277,7 @@ void Panel::draw_spawn_tool(Controller& controller) {
         controller.post(command::Spawn{tool, above});
     }
     ImGui::SameLine();
-    ImGui::TextDisabled("P shoots at the cursor");
+    ImGui::TextDisabled("P shoots a %s", name_of(tool.kind));
 }
 
 void Panel::draw_statistics(const StageState& state, const WindowFacts& facts) {
@@ -297,17 +306,27 @@ void Panel::draw_statistics(const StageState& state, const WindowFacts& facts) {
     ImGui::TreePop();
 }
 
+float Panel::column_width(const Controller& controller, float scale, float window_width) {
+    const float width = panel_width * scale;
+    return controller.panel && 2.0f * width <= window_width ? width : 0.0f;
+}
+
 void Panel::draw(const StageState& state, Controller& controller, const WindowFacts& facts, float scale) {
     const ImGuiIO& io = ImGui::GetIO();
     const float margin = 12.0f * scale;
+    const float column = column_width(controller, scale, io.DisplaySize.x), room = io.DisplaySize.x - column;
     if (controller.panel) {
         if (!ImGui::IsAnyItemActive()) settings_ = state.settings;
-        ImGui::SetNextWindowPos(ImVec2(margin, margin), ImGuiCond_Once);
-        ImGui::SetNextWindowSizeConstraints(
-            ImVec2(panel_width * scale, 0.0f),
-            ImVec2(panel_width * scale, std::max(io.DisplaySize.y - 2.0f * margin, 64.0f)));
-        ImGui::Begin("Cairn", nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings);
+        ImGui::SetNextWindowPos(ImVec2(0.0f, 0.0f));
+        ImGui::SetNextWindowSize(ImVec2(panel_width * scale, io.DisplaySize.y));
+        if (column > 0.0f) ImGui::SetNextWindowBgAlpha(1.0f);
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
+        ImGui::Begin("Cairn (F2 hides this)", nullptr,
+                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
+                         ImGuiWindowFlags_NoSavedSettings);
+        ImGui::PopStyleVar();
         ImGui::PushItemWidth(0.56f * panel_width * scale);
+        list_height_ = 0.0f;
         draw_time(state, controller);
         draw_scenes(state, controller);
         draw_view(state, controller);
@@ -316,16 +335,16 @@ void Panel::draw(const StageState& state, Controller& controller, const WindowFa
         draw_settings(controller);
         draw_spawn_tool(controller);
         ImGui::PopItemWidth();
+        other_height_ = ImGui::GetCursorPosY() + ImGui::GetStyle().WindowPadding.y - list_height_;
         ImGui::End();
     }
     const std::string title = state.title + (state.hint.empty() ? "" : "\n" + state.hint);
     const float title_height =
         draw_caption("##title", title, ImVec2(io.DisplaySize.x - margin, margin), ImVec2(1.0f, 0.0f));
-    if (controller.panel) joints_.draw_selected(state, controller, scale, 2.0f * margin + title_height);
+    if (controller.panel) joints_.draw_selected(state, controller, scale, 2.0f * margin + title_height, room);
     draw_caption("##state", present_state(state), ImVec2(io.DisplaySize.x - margin, io.DisplaySize.y - margin),
                  ImVec2(1.0f, 1.0f));
-    draw_caption("##notice", facts.notice, ImVec2(0.5f * io.DisplaySize.x, io.DisplaySize.y - margin),
-                 ImVec2(0.5f, 1.0f));
+    draw_caption("##notice", facts.notice, ImVec2(column + 0.5f * room, io.DisplaySize.y - margin), ImVec2(0.5f, 1.0f));
     if (controller.help) draw_help(scale);
 }
 

@@ -16,6 +16,12 @@ class Panel {
     /// ImGui's units one unscaled unit takes.
     void draw(const StageState& state, Controller& controller, const WindowFacts& facts, float scale);
 
+    /// How many units of the window's width the panel's column takes from the picture: none where it is hidden, or
+    /// where the window is too narrow for both and the panel lies over the picture.
+    static float column_width(const Controller& controller, float scale, float window_width);
+    int scene_lines() const noexcept { return scene_lines_; }
+    bool scene_is_listed() const noexcept { return scene_is_listed_; }
+
   private:
     void draw_time(const StageState& state, Controller& controller);
     void draw_scenes(const StageState& state, Controller& controller);
@@ -27,7 +33,11 @@ class Panel {
     WorldDef settings_; // as edited; follows the world while nothing is being edited
     JointPanel joints_;
     float speed_octave_ = 0.0f;
-    std::uint64_t shown_scene_ = 0; // the list has been scrolled to the scene of this serial number
+    std::string shown_scene_;   // the list has been scrolled to the scene of this path
+    float other_height_ = 0.0f; // of what the column holds beside the list of scenes, in the last frame
+    float list_height_ = 0.0f;  // of the list itself
+    int scene_lines_ = 0, shown_lines_ = 0;
+    bool scene_is_listed_ = false;
 };
 
 /// Colors, rounding and spacing, at that scale.

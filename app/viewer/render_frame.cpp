@@ -125,6 +125,21 @@ void add_visuals(RenderFrame& frame, const WorldLayout& layout, const WorldMotio
     }
 }
 
+// Seen through everything: the held point may be on the far side, and the target inside of something.
+void add_drag(RenderFrame& frame, const WorldLayout& layout, std::span<const Transform> transforms,
+              const DragLine& drag) {
+    const auto body = std::find_if(layout.bodies.begin(), layout.bodies.end(),
+                                   [&](const BodyLayout& known) { return known.id == drag.body; });
+    if (body == layout.bodies.end()) return;
+    const Transform& pose = transforms[std::size_t(body - layout.bodies.begin())];
+    const Vec3 held(pose.position + Position(pose.rotation * drag.local_point) - frame.origin);
+    const Vec3 target(drag.target - frame.origin);
+    constexpr float line_width = 2.5f, held_width = 9.0f, target_width = 6.0f; // pixels
+    frame.strokes.push_back({held, target, drag_color(), line_width});
+    frame.strokes.push_back({held, held, drag_color(), held_width});
+    frame.strokes.push_back({target, target, drag_color(), target_width});
+}
+
 } // namespace
 
 const char* name_of(ColorMode mode) {
@@ -141,6 +156,11 @@ const char* name_of(ColorMode mode) {
         return "shape";
     }
     return "";
+}
+
+const char* name_of(JointsShown shown) {
+    constexpr const char* names[joints_shown_count] = {"selected or loaded", "all", "none"};
+    return names[int(shown)];
 }
 
 RenderFrame make_frame(const WorldLayout& layout, const WorldMotion& previous, const WorldMotion& current,
@@ -179,7 +199,8 @@ RenderFrame make_frame(const WorldLayout& layout, const WorldMotion& previous, c
         instance.bound_radius = glm::length(shape.bound_center) + shape.bound_radius;
         instances_of(frame, shape).push_back(instance);
     }
-    if (options.joints && current.joints) draw_joints(frame, layout, current, transforms, options.selected_joint);
+    if (options.joints != JointsShown::none && current.joints) draw_joints(frame, layout, current, transforms, options);
+    if (options.drag) add_drag(frame, layout, transforms, *options.drag);
     return frame;
 }
 
@@ -187,7 +208,8 @@ RenderFrame make_frame(const World& world, std::span<const Appearance> appearanc
                        const FrameOptions& options, MeshCache& meshes, std::span<const Visual> visuals) {
     const WorldLayout layout = read_layout(world, appearances, meshes, visuals);
     std::shared_ptr<const std::vector<JointLayout>> joints;
-    if (options.joints) joints = std::make_shared<const std::vector<JointLayout>>(read_joints(world, layout));
+    if (options.joints != JointsShown::none)
+        joints = std::make_shared<const std::vector<JointLayout>>(read_joints(world, layout));
     const WorldMotion motion = read_motion(world, layout, options.colors == ColorMode::island, std::move(joints));
     return make_frame(layout, motion, motion, 1.0f, camera, options);
 }

@@ -12,6 +12,7 @@
 #include <glm/vec3.hpp>
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -82,14 +83,28 @@ struct RenderFrame {
     Vec3 light_direction{-0.60f, 0.74f, 0.30f}; ///< Unit or not, towards the light; fixed in the world.
 };
 
+/// Which joints are drawn. `some`: the selected one, those of the selected body, those that bear half of what breaks
+/// them or more, and those that do not hold what they should.
+enum class JointsShown { some, all, none };
+inline constexpr int joints_shown_count = 3;
+const char* name_of(JointsShown shown);
+
+/// A body that is being pulled by a point of it.
+struct DragLine {
+    BodyId body;
+    Vec3 local_point{0.0f, 0.0f, 0.0f}; ///< Where it is held, in the body's frame, meters.
+    Position target{0.0, 0.0, 0.0};     ///< Where it is pulled to.
+};
+
 struct FrameOptions {
     ColorMode colors = ColorMode::scene;
     bool grid = true;
     bool shadows = true;
     bool visuals = true; ///< Bodies that have meshes of the scene's own are shown by these; else by their shapes.
     BodyId selected;     ///< Highlighted; null for none.
-    bool joints = false; ///< Draw the joints (joint_drawing.h).
+    JointsShown joints = JointsShown::none; ///< Which are drawn (joint_drawing.h).
     JointId selected_joint;
+    std::optional<DragLine> drag; ///< Shown as a line with a dot at both ends.
 };
 
 /// The picture between two motions of one layout: `fraction` 0 shows `previous`, 1 shows `current`.

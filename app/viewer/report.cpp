@@ -39,7 +39,7 @@ Json body_json(const StageState& state, std::size_t i, const OrbitCamera& camera
     json["awake"] = state.current->awake[i] != 0;
     const float aspect = float(facts.width) / float(std::max(facts.height, 1));
     if (const auto device = camera.project(position, aspect))
-        json["screen"] = {(0.5f + 0.5f * device->x) * float(facts.width),
+        json["screen"] = {float(facts.left) + (0.5f + 0.5f * device->x) * float(facts.width),
                           (0.5f - 0.5f * device->y) * float(facts.height)};
     return json;
 }
@@ -58,7 +58,7 @@ Json joint_json(const StageState& state, std::size_t i, const OrbitCamera& camer
     json["angular_error"] = now.angular_error;
     const float aspect = float(facts.width) / float(std::max(facts.height, 1));
     if (const auto device = camera.project(frames_of(joint, state.current->transforms).b.position, aspect))
-        json["screen"] = {(0.5f + 0.5f * device->x) * float(facts.width),
+        json["screen"] = {float(facts.left) + (0.5f + 0.5f * device->x) * float(facts.width),
                           (0.5f - 0.5f * device->y) * float(facts.height)};
     return json;
 }
@@ -98,10 +98,12 @@ std::string report_json(const StageState& state, const Controller& controller, c
     json["panel"] = controller.panel;
     json["frames"] = facts.frames;
     json["frames_per_second"] = facts.frames_per_second;
+    json["left"] = facts.left;
+    json["scene_list"] = {{"lines", facts.scene_lines}, {"present_in_view", facts.scene_is_listed}};
     json["size"] = {facts.width, facts.height};
     json["notice"] = facts.notice;
     json["bodies"] = std::move(bodies);
-    json["joints_shown"] = controller.joints;
+    json["joints_shown"] = cairn::viewer::name_of(controller.joints);
     json["selected_joint"] = state.selected_joint ? Json(state.selected_joint.index()) : Json();
     json["joints"] = Json::array();
     for (std::size_t i = 0; i < state.current->joint_states.size(); ++i)

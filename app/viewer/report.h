@@ -10,7 +10,10 @@ namespace cairn::viewer {
 
 /// What only the window knows.
 struct WindowFacts {
-    int width = 0, height = 0; ///< Of the picture, pixels.
+    int left = 0;                 ///< Pixels of the window beside the picture, where the panel is.
+    int width = 0, height = 0;    ///< Of the picture, pixels.
+    int scene_lines = 0;          ///< Lines that the panel's list of scenes has room for.
+    bool scene_is_listed = false; ///< The line of the present scene is in view.
     std::uint64_t frames = 0;
     double frames_per_second = 0.0;
     std::string notice; ///< The line that is shown at the bottom.

@@ -107,14 +107,14 @@ class Application {
     void play_script(double seconds);
     void play(const ScriptLine& line);
     void rebuild_fonts();
-    void draw_picture(const LatestState& latest);
+    void draw_picture(const LatestState& latest, int left, int width);
     void save_picture(const std::filesystem::path& path);
     void take_screenshot();
     void update_notice(const StageState& state);
     void say(const std::string& text);
     void count_frame(double seconds);
     void write_report(const std::filesystem::path& path);
-    float picture_aspect() const { return float(facts_.width) / float(std::max(facts_.height, 1)); }
+    void place_picture();
 
     const ViewerOptions& options_;
     GlfwLibrary glfw_;
@@ -126,6 +126,7 @@ class Application {
     Panel panel_;
     ScriptPlayer script_;
     WindowFacts facts_;
+    int frame_width_ = 0; // of the whole window, pixels
     bool fonts_are_stale_ = true;
     float interface_scale_ = 1.0f;
     std::uint64_t seen_message_ = 0;
@@ -204,7 +205,9 @@ void Application::on_cursor(double x, double y) {
     int width = 0, height = 0;
     glfwGetWindowSize(window_.get(), &width, &height);
     if (width <= 0 || height <= 0) return;
-    controller_.move_cursor({2.0 * x / width - 1.0, 1.0 - 2.0 * y / height}, float(width) / float(height));
+    const double left = double(Panel::column_width(controller_, interface_scale_, float(width)));
+    const double room = width - left;
+    controller_.move_cursor({2.0 * (x - left) / room - 1.0, 1.0 - 2.0 * y / height}, float(room) / float(height));
 }
 
 void Application::on_wheel(double notches) {
@@ -269,7 +272,7 @@ void Application::rebuild_fonts() {
     glfwGetWindowContentScale(window_.get(), &scale, &scale_y);
     glfwGetWindowSize(window_.get(), &window_width, &window_height);
     // Where the system measures windows in points, a point has several pixels: sharp letters need all of them.
-    const float pixels_per_unit = window_width > 0 ? std::max(float(facts_.width) / float(window_width), 1.0f) : 1.0f;
+    const float pixels_per_unit = window_width > 0 ? std::max(float(frame_width_) / float(window_width), 1.0f) : 1.0f;
     interface_scale_ = scale / pixels_per_unit;
     ImGuiIO& io = ImGui::GetIO();
     io.Fonts->Clear();
@@ -286,32 +289,34 @@ void Application::rebuild_fonts() {
     ImGui_ImplOpenGL3_CreateFontsTexture();
 }
 
-void Application::draw_picture(const LatestState& latest) {
+// The picture has what the panel's column leaves, so that its middle is in sight.
+void Application::place_picture() {
+    int window_width = 0, window_height = 0;
+    glfwGetWindowSize(window_.get(), &window_width, &window_height);
+    glfwGetFramebufferSize(window_.get(), &frame_width_, &facts_.height);
+    const float column = Panel::column_width(controller_, interface_scale_, float(window_width));
+    const float pixels_per_unit = float(frame_width_) / float(std::max(window_width, 1));
+    facts_.left = int(std::round(column * pixels_per_unit));
+    facts_.width = frame_width_ - facts_.left;
+}
+
+void Application::draw_picture(const LatestState& latest, int left, int width) {
     const StageState& state = latest.stage;
-    RenderFrame frame = make_frame(*state.layout, *state.previous, *state.current, latest.fraction,
-                                   controller_.camera.pose(), controller_.frame_options(state));
-    if (state.grab.holding) {
-        for (std::size_t i = 0; i < state.layout->bodies.size(); ++i) {
-            if (state.layout->bodies[i].id != state.grab.body) continue;
-            const Transform& pose = state.current->transforms[i];
-            const Position held = pose.position + Position(pose.rotation * state.grab.local_point);
-            frame.lines.push_back(
-                {Vec3(held - frame.origin), Vec3(state.grab.target - frame.origin), {1.0f, 0.75f, 0.2f}});
-        }
-    }
-    renderer_.draw(frame, facts_.width, facts_.height);
+    const RenderFrame frame = make_frame(*state.layout, *state.previous, *state.current, latest.fraction,
+                                         controller_.camera.pose(), controller_.frame_options(state));
+    renderer_.draw(frame, width, facts_.height, 0, left);
 }
 
 void Application::save_picture(const std::filesystem::path& path) {
-    draw_picture(physics_.latest()); // without the panel
-    const std::size_t row = 3u * std::size_t(facts_.width);
+    draw_picture(physics_.latest(), 0, frame_width_); // of the whole window, without the panel
+    const std::size_t row = 3u * std::size_t(frame_width_);
     std::vector<std::uint8_t> bottom_up(row * std::size_t(facts_.height)), pixels(bottom_up.size());
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, facts_.width, facts_.height, GL_RGB, GL_UNSIGNED_BYTE, bottom_up.data());
+    glReadPixels(0, 0, frame_width_, facts_.height, GL_RGB, GL_UNSIGNED_BYTE, bottom_up.data());
     for (std::size_t y = 0; y < std::size_t(facts_.height); ++y)
         std::copy_n(bottom_up.begin() + std::ptrdiff_t(y * row), row, pixels.end() - std::ptrdiff_t((y + 1) * row));
     try {
-        write_picture(path, facts_.width, facts_.height, pixels);
+        write_picture(path, frame_width_, facts_.height, pixels);
         say("Saved " + path.string());
     } catch (const Error& error) {
         say(error.what());
@@ -366,7 +371,7 @@ void Application::run() {
         const Clock::time_point now = Clock::now();
         const double seconds = std::chrono::duration<double>(now - std::exchange(last, now)).count();
         if (options_.exit_after && std::chrono::duration<double>(now - start).count() >= *options_.exit_after) break;
-        glfwGetFramebufferSize(window_.get(), &facts_.width, &facts_.height);
+        place_picture();
         const LatestState latest = physics_.latest();
         controller_.update(latest.stage);
         update_notice(latest.stage);
@@ -386,7 +391,9 @@ void Application::run() {
         ImGui::NewFrame();
         panel_.draw(latest.stage, controller_, facts_, interface_scale_);
         ImGui::Render();
-        draw_picture(latest);
+        facts_.scene_lines = panel_.scene_lines();
+        facts_.scene_is_listed = panel_.scene_is_listed();
+        draw_picture(latest, facts_.left, facts_.width);
         ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
         glfwSwapBuffers(window_.get());
         count_frame(seconds);

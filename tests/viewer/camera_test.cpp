@@ -101,4 +101,48 @@ TEST(OrbitCamera, DrawingOriginStaysNearFarFromTheWorldsOrigin) {
     EXPECT_FALSE(camera.project(far + Position(0.0, 0.0, 20.0), 1.0f)); // behind
 }
 
+void expect_above(const OrbitCamera& camera, const Ground& ground) {
+    EXPECT_GT(glm::dot(camera.position() - ground.point, glm::dvec3(ground.normal)), 0.005);
+    EXPECT_GE(glm::dot(camera.target() - ground.point, glm::dvec3(ground.normal)), -1e-6);
+}
+
+TEST(OrbitCamera, StaysAboveTheGroundHoweverItMoves) {
+    const Ground ground{{0.0, 1.0, 0.0}, {0.0f, 1.0f, 0.0f}};
+    OrbitCamera camera(CameraPose{{0.0, 3.0, 10.0}, {0.0, 2.0, 0.0}});
+    camera.set_grounds({ground});
+    camera.orbit(0.3f, -2.0f);
+    expect_above(camera, ground);
+    EXPECT_LT(camera.position().y, 1.5); // as low as it can
+    expect_near(camera.target(), {0.0, 2.0, 0.0}, 0.0);
+    camera.zoom(-15.0f); // away along the ground, not into it
+    expect_above(camera, ground);
+    expect_near(camera.target(), {0.0, 2.0, 0.0}, 0.0);
+    camera.zoom(60.0f);
+    expect_above(camera, ground);
+    camera.pan(0.0f, -300.0f);
+    expect_above(camera, ground);
+    camera.frame({5.0, -4.0, 0.0}, 1.0f);
+    expect_above(camera, ground);
+}
+
+TEST(OrbitCamera, StaysAboveBothSidesOfAValley) {
+    const float lean = 0.5f;
+    const Ground sides[]{{{0.0, 0.0, 0.0}, {std::sin(lean), std::cos(lean), 0.0f}},
+                         {{0.0, 0.0, 0.0}, {-std::sin(lean), std::cos(lean), 0.0f}}};
+    OrbitCamera camera(CameraPose{{0.0, 5.0, 12.0}, {0.0, 1.0, 0.0}});
+    camera.set_grounds({sides[0], sides[1]});
+    camera.orbit(0.0f, -3.0f);
+    for (int i = 0; i < 100; ++i) {
+        camera.orbit(0.07f, i % 5 == 0 ? -0.2f : 0.02f);
+        for (const Ground& side : sides) expect_above(camera, side);
+    }
+    EXPECT_NEAR(camera.distance(), 12.65f, 0.1f);
+}
+
+TEST(OrbitCamera, GoesAnywhereWhereThereIsNoGround) {
+    OrbitCamera camera(CameraPose{{0.0, 3.0, 10.0}, {0.0, 2.0, 0.0}});
+    camera.orbit(0.0f, -1.0f);
+    EXPECT_LT(camera.position().y, -3.0);
+}
+
 } // namespace

@@ -252,4 +252,43 @@ TEST(Controller, TimeKeys) {
     EXPECT_EQ(desk.stage.state().speed, 0.5);
 }
 
+TEST(Controller, TheCameraStaysAboveThePlaneOfTheScene) {
+    Desk desk;
+    for (int i = 0; i < 60; ++i) desk.controller.key_down("", "Down", i > 0);
+    EXPECT_GT(desk.controller.camera.position().y, 0.0);
+    EXPECT_LT(desk.controller.camera.position().y, 1.0);
+    desk.controller.wheel(-20.0f);
+    EXPECT_GT(desk.controller.camera.position().y, 0.0);
+}
+
+TEST(Controller, ALineLeadsFromTheGrabbedPointToTheCursorWhileDragging) {
+    Desk desk;
+    const Position grabbed(0.0, 0.5, 0.5), cursor(-1.5, 3.0, 0.5);
+    const auto frame = [&desk] {
+        const StageState state = desk.stage.state();
+        return make_frame(*state.layout, *state.previous, *state.current, 1.0f, desk.controller.camera.pose(),
+                          desk.controller.frame_options(state));
+    };
+    EXPECT_TRUE(frame().strokes.empty());
+    desk.point_at(grabbed);
+    desk.controller.button_down(MouseButton::left);
+    desk.controller.update(desk.stage.state());
+    desk.point_at(cursor);
+    desk.controller.update(desk.stage.state());
+    const RenderFrame dragged = frame();
+    ASSERT_EQ(dragged.strokes.size(), 3u); // a line, and a dot at both ends
+    const Stroke& line = dragged.strokes[0];
+    EXPECT_LT(glm::distance(dragged.origin + Position(line.from), grabbed), 0.02);
+    const auto end = desk.controller.camera.project(dragged.origin + Position(line.to), aspect);
+    const auto wanted = desk.controller.camera.project(cursor, aspect);
+    ASSERT_TRUE(end && wanted);
+    EXPECT_LT(glm::distance(*end, *wanted), 1e-3f);
+    EXPECT_GE(line.width, 2.0f);
+    desk.run(120); // the body follows, and the line with it
+    EXPECT_LT(glm::length(frame().strokes[0].to - frame().strokes[0].from), 0.5f);
+    desk.controller.button_up(MouseButton::left);
+    desk.controller.update(desk.stage.state());
+    EXPECT_TRUE(frame().strokes.empty());
+}
+
 } // namespace

@@ -209,10 +209,18 @@ struct JointDesk {
 
 TEST(ControllerJoints, AClickOnAnAnchorSelectsTheJoint) {
     JointDesk desk;
+    desk.click({0.0, 3.0, 0.0}); // its joint is not shown yet
+    EXPECT_FALSE(desk.stage.state().selected_joint);
+    desk.click({0.0, 2.5, 0.5}); // the body
+    EXPECT_TRUE(desk.stage.state().selected);
     desk.click({0.0, 3.0, 0.0});
     EXPECT_EQ(desk.stage.state().selected_joint, joints_of(desk.stage.state())[0].id);
     desk.click({-3.0, 4.5, 0.0}); // the sky
     EXPECT_FALSE(desk.stage.state().selected_joint);
+    desk.controller.key_down("", "T"); // all are shown
+    desk.click({0.0, 3.0, 0.0});
+    EXPECT_TRUE(desk.stage.state().selected_joint);
+    desk.click({-3.0, 4.5, 0.0});
     desk.controller.key_down("", "T"); // what is not seen is not picked
     desk.click({0.0, 3.0, 0.0});
     EXPECT_FALSE(desk.stage.state().selected_joint);
@@ -231,9 +239,10 @@ TEST(ControllerJoints, KeysMakeRemoveAndHide) {
     desk.controller.update(desk.stage.state());
     desk.controller.key_down("", "D");
     EXPECT_EQ(joints_of(desk.stage.state()).size(), 3u);
-    EXPECT_TRUE(desk.controller.frame_options(desk.stage.state()).joints);
-    desk.controller.key_down("", "T");
-    EXPECT_FALSE(desk.controller.frame_options(desk.stage.state()).joints);
+    for (const JointsShown shown : {JointsShown::some, JointsShown::all, JointsShown::none, JointsShown::some}) {
+        EXPECT_EQ(desk.controller.frame_options(desk.stage.state()).joints, shown);
+        desk.controller.key_down("", "T");
+    }
 }
 
 // One joint of every kind between two bodies that stand clear of each other.
@@ -274,7 +283,7 @@ struct Pair {
     }
     RenderFrame frame(JointId selected = {}) const {
         FrameOptions options;
-        options.joints = true;
+        options.joints = JointsShown::all;
         options.selected_joint = selected;
         return make_frame(world, {}, {{1.0, 3.0, 8.0}, {1.0, 2.0, 0.0}}, options);
     }
@@ -349,6 +358,40 @@ TEST(JointDrawing, IsAbsentUnlessAskedFor) {
     pair.join(HingeJoint{});
     const RenderFrame frame = make_frame(pair.world, {}, {});
     EXPECT_TRUE(frame.strokes.empty() && frame.veils.empty());
+}
+
+TEST(JointDrawing, OnlyWhatIsSelectedOrLoadedIsDrawnUnlessAllAreAskedFor) {
+    Stage stage(hanging_box, "");
+    for (int i = 0; i < 10; ++i) stage.step();
+    StageState state = stage.state();
+    FrameOptions options;
+    const auto is_drawn = [&] {
+        return !make_frame(*state.layout, *state.current, *state.current, 1.0f, state.scene_camera, options)
+                    .strokes.empty();
+    };
+    options.joints = JointsShown::some;
+    EXPECT_FALSE(is_drawn());                      // it just hangs
+    options.selected = state.layout->bodies[2].id; // the free box
+    EXPECT_FALSE(is_drawn());
+    options.selected = state.layout->bodies[1].id;
+    EXPECT_TRUE(is_drawn());
+    options.selected = {};
+    options.selected_joint = joints_of(state)[0].id;
+    EXPECT_TRUE(is_drawn());
+    options.selected_joint = {};
+    const float weight = glm::length(state.current->joint_states[0].force);
+    stage.apply(command::SetJointStrength{joints_of(state)[0].id, 4.0f * weight, infinity});
+    state = stage.state();
+    EXPECT_FALSE(is_drawn());
+    stage.apply(command::SetJointStrength{joints_of(state)[0].id, 1.5f * weight, infinity});
+    state = stage.state();
+    EXPECT_TRUE(is_drawn()); // near its strength
+    options.joints = JointsShown::none;
+    EXPECT_FALSE(is_drawn());
+    stage.apply(command::SetJointStrength{joints_of(state)[0].id, infinity, infinity});
+    state = stage.state();
+    options.joints = JointsShown::all;
+    EXPECT_TRUE(is_drawn());
 }
 
 TEST(JointDrawing, AHingesSectorReachesFromLimitToLimit) {

@@ -159,6 +159,12 @@ void test_mouse(Driver& driver) {
     driver.check("a drag beside bodies orbits", [&](const Json& s) {
         return std::abs(camera_at(s, 0) - before) > 0.3 && s.at("camera").at("target").at(1) == 1.0;
     });
+    driver.cursor(600, 450);
+    driver.xdotool("mousedown 3");
+    driver.cursor(600, 60); // upwards: the camera goes down
+    driver.xdotool("mouseup 3");
+    driver.check("the camera stays above the ground",
+                 [](const Json& s) { return camera_at(s, 1) > 0.0 && camera_at(s, 1) < 0.9; });
     driver.key("Home");
     driver.check("Home restores the view", [](const Json& s) { return std::abs(camera_at(s, 0)) < 0.01; });
     driver.xdotool("click 4");
@@ -194,6 +200,10 @@ void test_joints(Driver& driver) {
     const Json anchor = driver.state().at("joints").at(0).at("screen");
     driver.cursor(anchor.at(0).get<double>(), anchor.at(1).get<double>());
     driver.xdotool("click 1");
+    driver.check("a click selects the body, which shows its joints", [](const Json& s) {
+        return s.at("selected") == crate(s).at("index") && s.at("selected_joint").is_null();
+    });
+    driver.xdotool("click 1");
     driver.check("a click on an anchor selects the joint", [](const Json& s) { return s.at("selected_joint") == 0; });
     driver.key("d");
     driver.check("D removes it", joints(0));
@@ -202,9 +212,12 @@ void test_joints(Driver& driver) {
     driver.key("y");
     driver.check("Y makes a hinge", joints(2));
     driver.key("t");
-    driver.check("T hides the joints", [](const Json& s) { return s.at("joints_shown") == false; });
+    driver.check("T shows all joints", [](const Json& s) { return s.at("joints_shown") == "all"; });
     driver.key("t");
-    driver.check("T shows them", [](const Json& s) { return s.at("joints_shown") == true; });
+    driver.check("T hides them", [](const Json& s) { return s.at("joints_shown") == "none"; });
+    driver.key("t");
+    driver.check("T shows those that matter",
+                 [](const Json& s) { return s.at("joints_shown") == "selected or loaded"; });
 }
 
 void test_forces(Driver& driver) {
@@ -256,12 +269,21 @@ void test_picture_and_scenes(Driver& driver) {
     driver.check("Escape hides it", [](const Json& s) { return s.at("help") == false; });
     driver.key("F2");
     driver.check("F2 hides the panel", [](const Json& s) { return s.at("panel") == false; });
+    driver.check("without the panel the picture has the window",
+                 [](const Json& s) { return s.at("left") == 0 && s.at("size").at(0) == 800; });
+    driver.key("F2");
+    driver.check("the panel is beside the picture",
+                 [](const Json& s) { return s.at("left") == 300 && s.at("size").at(0) == 500; });
     driver.key("1");
     driver.check("1 chooses the first scene", [](const Json& s) { return s.at("scene").at("loads") == 5; });
     const std::string first = driver.state().at("scene").at("path").get<std::string>();
     driver.key("2");
     driver.check("2 chooses the second scene", [&](const Json& s) {
         return s.at("scene").at("loads") == 6 && s.at("scene").at("path").get<std::string>() > first;
+    });
+    for (int i = 0; i < 3; ++i) driver.key("Prior"); // past the first one: to the end of the list
+    driver.check("the list follows to the last scenes", [](const Json& s) {
+        return s.at("scene").at("loads") == 9 && s.at("scene_list").at("present_in_view") == true;
     });
 }
 
