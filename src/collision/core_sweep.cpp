@@ -194,12 +194,8 @@ class Bracket {
     bool has_last_ = false;
 };
 
-// Up to which time two certainly do not meet, and up to which they do not if their nearest points stay what they are;
-// of what turns away, `longest_leap` at most.
+// How far time goes on where the nearest points do not come nearer for now, as part of the step.
 constexpr double longest_leap = 1.0 / 16;
-struct Foresight {
-    double certain, likely;
-};
 
 // How long two do certainly not meet.
 double certain_time(const Mover& a, const Mover& b, const Gap& gap, double way, double time) {
@@ -282,7 +278,7 @@ Convex core_at(const Mover& m, double time) { return core_at(m, time, {}, 0); }
 
 Gap gap_of(const Convex& a, const Convex& b, DVec3& guess) {
     const Core core_a = exact_core(a), core_b = exact_core(b);
-    const GjkResult r = gjk_distance({core_a, core_b}, guess, std::numeric_limits<double>::infinity(), 1e-6);
+    const GjkResult r = gjk_distance({core_a, core_b}, guess, infinity, 1e-6);
     if (r.state != GjkResult::State::apart) return {-1, {}, {}};
     guess = r.normal;
     return {r.distance - (core_a.radius + core_b.radius), r.normal, r.on_a + core_a.radius * r.normal};

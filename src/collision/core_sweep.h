@@ -13,6 +13,7 @@ namespace cairn {
 // The way of a body from one pose to the next: its center of mass moves straight at one speed, and it turns about one
 // axis by not more than half a turn. Times go from 0 to 1. The rotation is the normalized line between its ends, whose
 // rate is largest in the middle: there it is 4 tan(angle / 4), hardly more than the angle.
+inline constexpr float half_turn = 3.1f; // rad: of what turns farther, its two poses do not tell how
 struct RigidPath {
     math::DVec3 start; // of the center of mass
     math::DVec3 translation;

@@ -151,25 +151,6 @@ float contact_radius(const State& s, std::uint32_t shape, math::Vec3 normal, flo
     return std::fabs(along) < steepest ? mean + g.rounding + 0.5f * separation : around;
 }
 
-} // namespace
-
-void forget_impulses(ContactRecord& r, int count) {
-    for (int i = 0; i < 4; ++i) r.impulses[i] = 0;
-    r.first_total = 0;
-    if (count > 1) put(r.more_totals, {});
-    put(r.friction_impulse, {});
-    put(r.total_friction, {});
-    r.torsion_impulse = 0;
-}
-
-float min_separation(const ContactInfo& c, const ContactRecord& r) {
-    float least = r.first_point[3];
-    for (int i = 1; i < c.point_count; ++i) least = std::min(least, point_of(r, i)[3]);
-    return least;
-}
-
-namespace {
-
 // A record of the touch: as if the step began there. Rotations count from the start of the step all the same, as in
 // refresh_separations, and what they have done to the anchors up to the touch is taken off.
 void move_to_touch(const State& s, const ContactInfo& c, const Touch& touch, ContactRecord& r) {
@@ -194,6 +175,21 @@ void move_to_touch(const State& s, const ContactInfo& c, const Touch& touch, Con
 }
 
 } // namespace
+
+void forget_impulses(ContactRecord& r, int count) {
+    for (int i = 0; i < 4; ++i) r.impulses[i] = 0;
+    r.first_total = 0;
+    if (count > 1) put(r.more_totals, {});
+    put(r.friction_impulse, {});
+    put(r.total_friction, {});
+    r.torsion_impulse = 0;
+}
+
+float min_separation(const ContactInfo& c, const ContactRecord& r) {
+    float least = r.first_point[3];
+    for (int i = 1; i < c.point_count; ++i) least = std::min(least, point_of(r, i)[3]);
+    return least;
+}
 
 void write_record(State& s, std::uint32_t id, const Manifold& m, const Touch* touch) {
     ContactInfo& c = s.contacts[id];

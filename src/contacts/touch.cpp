@@ -16,7 +16,6 @@ using math::DVec3;
 
 namespace {
 
-constexpr float half_turn = 3.1f; // rad in a step: beyond, two poses do not tell how a body turned
 // Of the smaller of two shapes' bounding radii: as far as that they may slide along each other before they touch where
 // their normal at the start of the step says.
 constexpr float slide_part = 0.05f;

@@ -12,8 +12,7 @@ bool moves_far(const State& state, const ContactInfo& contact, const Manifold& m
 
 enum class Approach { passes, now, later };
 // When and where the two will touch or be nearest, as their velocities and forces say; `touch` is written if that is
-// later.
-// `margin`: how far apart points may be at the touch to count.
+// later. `margin`: how far apart points may be at the touch to count.
 Approach find_touch(const State& state, const ContactInfo& contact, float dt, float margin, Touch& touch);
 
 } // namespace cairn

@@ -26,10 +26,7 @@ CountedPose pose_before(const State& s, std::int32_t b) {
     return {s.motion[b].x, s.motion[b].q};
 }
 // Whether its poses do not say how it turned. Of such a body the ball that is in it however it lies is held.
-bool turns_over(const State& s, std::int32_t b, float dt) {
-    constexpr float half_turn = 3.1f; // rad
-    return math::length(s.motion[b].w) * dt > half_turn;
-}
+bool turns_over(const State& s, std::int32_t b, float dt) { return math::length(s.motion[b].w) * dt > half_turn; }
 RigidPath path_of(const State& s, std::int32_t b, float dt) {
     const CountedPose from = pose_before(s, b);
     const BodyMotion& to = s.motion[b];
