@@ -4,6 +4,7 @@
 #include "bodies/motion_budget.h"
 #include "contacts/contact_update.h"
 #include "contacts/convex_tests.h"
+#include "contacts/flight.h"
 #include "contacts/pairs.h"
 #include "contacts/prefetch.h"
 #include "contacts/touch.h"
@@ -67,7 +68,23 @@ bool look_ahead(const State& s, const ContactInfo& group, float margin, float dt
     return true;
 }
 
-void test_group(State& s, std::uint32_t place, NarrowBatch& own, float dt) {
+std::uint32_t create_patch(State& s, std::uint32_t group_id) {
+    const std::uint32_t id = new_contact(s);
+    ContactInfo &patch = s.contacts[id], &group = s.contacts[group_id];
+    patch = group;
+    patch.kind = PairKind::patch;
+    patch.point_count = 0;
+    patch.touching = 0;
+    patch.related = std::int32_t(group_id);
+    patch.next = group.related;
+    group.related = std::int32_t(id);
+    combine_materials(s, id);
+    return id;
+}
+
+} // namespace
+
+void test_group(State& s, std::uint32_t place, NarrowBatch& own, float dt, bool may_fly) {
     const std::uint32_t id = s.narrow.candidates[place];
     ContactInfo& group = s.contacts[id];
     const float margin = contact_margin(s, group, dt);
@@ -80,6 +97,12 @@ void test_group(State& s, std::uint32_t place, NarrowBatch& own, float dt) {
     keep_answer(s, id, 0);
     if (group.is_trigger) {
         s.narrow.outcomes[place] = trigger_outcome(group, !own.hits.empty());
+        return;
+    }
+    const auto flies = [&](const Manifold& hit) { return may_meet_in_flight(s, group, hit, dt); };
+    if (may_fly && !own.hits.empty() && std::all_of(own.hits.begin(), own.hits.end(), flies)) {
+        own.flights.push_back({place, false, {}});
+        s.narrow.outcomes[place] = may_fly_by;
         return;
     }
     Touch touch;
@@ -105,22 +128,6 @@ void test_group(State& s, std::uint32_t place, NarrowBatch& own, float dt) {
         if (std::uint8_t& outcome = s.narrow.patch_outcomes[p]; outcome == not_found) outcome = ended;
 }
 
-std::uint32_t create_patch(State& s, std::uint32_t group_id) {
-    const std::uint32_t id = new_contact(s);
-    ContactInfo &patch = s.contacts[id], &group = s.contacts[group_id];
-    patch = group;
-    patch.kind = PairKind::patch;
-    patch.point_count = 0;
-    patch.touching = 0;
-    patch.related = std::int32_t(group_id);
-    patch.next = group.related;
-    group.related = std::int32_t(id);
-    combine_materials(s, id);
-    return id;
-}
-
-} // namespace
-
 void begin_groups(State& s) {
     s.narrow.patch_outcomes.resize(s.contacts.size());
     for (NarrowBatch& own : s.narrow.at_work) own.fresh.clear();
@@ -135,7 +142,7 @@ void test_groups(State& s, int begin, int end, NarrowBatch& own, float dt) {
         if (i + ahead < places.size()) prefetch_pair(s, contact_at(i + ahead));
         for (int n = 0; n < patches_at_hand; ++n)
             if (i + patch_ahead(n) < places.size()) prefetch_patch(s, contact_at(i + patch_ahead(n)), n, true);
-        test_group(s, places[i], own, dt);
+        test_group(s, places[i], own, dt, true);
     }
 }
 

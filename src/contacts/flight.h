@@ -1,0 +1,17 @@
+// Pairs that are about to meet, or part, in free flight: the solver is not needed there, as no contact and no joint
+// holds either of the two. They meet where and when their real motions say (impacts/resolve_impacts.h).
+#pragma once
+
+#include "state/state.h"
+
+namespace cairn {
+
+// Whether the shapes are apart and close or open more than the margin of the contact in the step, and no joint, no sleep
+// keeps their bodies from flying. Whether a contact does shows when all pairs are known.
+bool may_meet_in_flight(const State& state, const ContactInfo& contact, const Manifold& manifold, float dt);
+
+// All pairs of the step have been tested: of those that may meet in flight, the ones whose bodies nothing holds are
+// listed in NarrowScratch::in_flight, and are no contacts; the others are contacts like any.
+void settle_flights(State& state, float dt);
+
+} // namespace cairn

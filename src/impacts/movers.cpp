@@ -1,0 +1,204 @@
+#include "impacts/movers.h"
+
+#include "bodies/bodies.h"
+#include "bodies/finalize.h"
+#include "bodies/free_body.h"
+#include "bodies/integrators.h"
+#include "bodies/motion_budget.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cairn {
+
+using math::DQuat;
+using math::DVec3;
+using math::dot;
+using math::to_double;
+
+namespace {
+
+// Where a body was at the start of the pass.
+CountedPose pose_before(const State& s, std::int32_t b) {
+    if (s.body_settings[b].type == BodyType::kinematic || s.is_awake(b)) return s.counted[b];
+    return {s.motion[b].x, s.motion[b].q};
+}
+
+// Velocity of the path behind the stored one at the end of a substep, in substeps of acceleration: paths are parabolas
+// through the poses (kernels/solve/bounce.cpp).
+double path_offset(Integrator integrator) {
+    switch (integrator) {
+    case Integrator::semi_implicit_euler:
+        return 0.5;
+    case Integrator::rk4:
+        return 0;
+    case Integrator::explicit_euler:
+        return -0.5;
+    }
+    return 0;
+}
+
+// The velocity with the direction of v whose square is `square`, or as it is if it has no direction.
+DVec3 with_square(DVec3 v, double square) {
+    const double now = dot(v, v);
+    return now > 0 ? std::sqrt(std::max(square, 0.0) / now) * v : v;
+}
+
+} // namespace
+
+Movers::Movers(State& state, float dt)
+    : s(state), dt_(dt), place_(state.solver.sweep.place), movers_(state.solver.sweep.movers) {
+    if (place_.size() < s.bodies.size()) place_.resize(s.bodies.size(), none);
+    movers_.clear();
+}
+Movers::~Movers() {
+    for (const Mover& m : movers_) place_[std::size_t(m.body)] = none;
+}
+
+DVec3 Movers::acceleration_of(std::int32_t b, DVec3 x) const {
+    const double inverse_mass = double(s.mass[b].inverse_mass);
+    if (!(inverse_mass > 0)) return {};
+    DVec3 a = field_acceleration(s, x, s.body_settings[b].gravity_scale, inverse_mass);
+    if (s.is_pushed(b)) a += inverse_mass * s.forces[b].force;
+    return a;
+}
+
+double Movers::offset_of_velocity() const {
+    return path_offset(s.settings.integrator) * double(dt_) / s.in_pass(s.settings.substeps);
+}
+
+std::int32_t Movers::add(std::int32_t b) {
+    if (of_body(b) != none) return of_body(b);
+    const auto i = std::int32_t(movers_.size());
+    place_[std::size_t(b)] = i;
+    const CountedPose from = pose_before(s, b);
+    const BodyMotion& to = s.motion[b];
+    const BodyLinks& links = s.bodies[b];
+    Mover m;
+    m.body = b;
+    m.moved = uncounted(from, to, links.radius);
+    m.is_free = links.contact_count + links.joint_count == 0;
+    m.turns_over = math::length(to.w) * dt_ > half_turn;
+    m.path = RigidPath::between(from.x, from.q, to.x, m.turns_over ? from.q : to.q);
+    m.acceleration = acceleration_of(b, from.x);
+    // What is free has gone by its velocity at the start, which the mean and the change along the path give.
+    m.velocity = (1 / double(dt_)) * m.path.translation - (0.5 * double(dt_)) * m.acceleration;
+    m.spin = to_double(to.w) + to_double(to.w_rest);
+    movers_.push_back(m);
+    return i;
+}
+
+RigidPath Movers::path_of(std::int32_t b) const {
+    const CountedPose from = pose_before(s, b);
+    const BodyMotion& to = s.motion[b];
+    return RigidPath::between(from.x, from.q, to.x, to.q);
+}
+
+double Movers::speed_of(std::int32_t i) const { return math::length((*this)[i].path.translation) / double(dt_); }
+
+MovingState Movers::state_at(std::int32_t i, double time) const {
+    const Mover& m = (*this)[i];
+    const BodyMotion& end = s.motion[m.body];
+    const RigidPath::Pose pose = m.path.at(std::min(time, m.until));
+    MovingState now{pose.x, pose.q, {}, {}};
+    const DVec3 end_v = to_double(end.v) + to_double(end.v_rest), end_w = to_double(end.w) + to_double(end.w_rest);
+    if (!m.is_free) {
+        // Less the work of its forces along the way that it has still to go; it gains nothing.
+        const double square = dot(end_v, end_v), left = square - 2 * dot(m.acceleration, end.x - pose.x);
+        now.v = with_square(end_v, std::min(left, square));
+        now.w = end_w;
+        return now;
+    }
+    const RigidPath::Pose first = m.path.first();
+    const double passed = (time - m.path.begin) * double(dt_);
+    now.v = with_square(m.velocity + passed * m.acceleration,
+                        dot(m.velocity, m.velocity) + 2 * dot(m.acceleration, pose.x - first.x));
+    now.w = end_w;
+    if (s.mass[m.body].isotropic && !s.is_pushed(m.body)) return now;
+    // Turned back from the end as it was turned to it: its spin in its own frame at that time, in the frame of the path.
+    BodyMotion& motion = s.motion[m.body];
+    const BodyMotion kept = motion;
+    motion.q = first.q;
+    motion.w = math::to_float(m.spin), motion.w_rest = math::to_float(m.spin - to_double(motion.w));
+    move_free_body(s, m.body, float(passed));
+    now.w = math::rotate(pose.q, math::rotate_back(motion.q, to_double(motion.w) + to_double(motion.w_rest)));
+    motion = kept;
+    return now;
+}
+
+// By the integrator of free bodies.
+void Movers::fly(const Mover& m, const MovingState& from, double duration) const {
+    BodyMotion& motion = s.motion[m.body];
+    const DVec3 real = acceleration_of(m.body, from.x);
+    // The integrator's substeps are shorter here, and stored velocities differ from those of paths by a part of one.
+    const double shorter = path_offset(s.settings.integrator) * duration / s.in_pass(s.settings.substeps);
+    const DVec3 stored = from.v - shorter * real;
+    motion.x = from.x, motion.q = from.q;
+    motion.v = math::to_float(stored), motion.v_rest = math::to_float(stored - to_double(motion.v));
+    motion.w = math::to_float(from.w), motion.w_rest = math::to_float(from.w - to_double(motion.w));
+    if (duration > 0) s.clamped_speeds += move_free_body(s, m.body, float(duration));
+    const DVec3 borne = m.acceleration - real;
+    motion.x += (0.5 * duration * duration) * borne;
+    const DVec3 end =
+        to_double(motion.v) + to_double(motion.v_rest) + duration * borne + (shorter - offset_of_velocity()) * real;
+    motion.v = math::to_float(end), motion.v_rest = math::to_float(end - to_double(motion.v));
+}
+
+void Movers::redirect(std::int32_t i, double time, const MovingState& now) {
+    Mover& m = (*this)[i];
+    BodyMotion& motion = s.motion[m.body];
+    const double left = (1 - time) * double(dt_);
+    if (m.is_free) {
+        fly(m, now, left);
+        m.velocity = now.v, m.spin = now.w;
+    } else {
+        const MovingState before = state_at(i, time);
+        const DVec3 dv = now.v - before.v, dw = now.w - before.w;
+        const DVec3 v = to_double(motion.v) + dv, w = to_double(motion.w) + dw;
+        motion.x += left * dv;
+        motion.q = math::normalized(math::from_rotation_vector(left * dw) * motion.q);
+        motion.v = math::to_float(v), motion.w = math::to_float(w);
+        motion.v_rest = motion.w_rest = {};
+        if (clamp_velocity(s.settings, motion.v, motion.w)) ++s.clamped_speeds;
+    }
+    m.turns_over = math::length(motion.w) * dt_ > half_turn;
+    m.path = RigidPath::between(now.x, now.q, motion.x, m.turns_over ? now.q : motion.q, time);
+    m.is_redirected = true;
+}
+
+void Movers::rest_on(std::int32_t i, DVec3 down) {
+    Mover& m = (*this)[i];
+    m.acceleration = m.acceleration - std::max(dot(m.acceleration, down), 0.0) * down;
+}
+
+DBounds Movers::bounds_of_way(const Mover& m, double from) const {
+    const DVec3 start = m.path.at(from).x, end = m.path.end().x;
+    const double r = double(s.bodies[m.body].radius);
+    DBounds bounds;
+    for (int k = 0; k < 3; ++k)
+        bounds.lo[k] = std::min(start[k], end[k]) - r, bounds.hi[k] = std::max(start[k], end[k]) + r;
+    return bounds;
+}
+
+void Movers::put_back(std::int32_t i) {
+    const Mover& m = (*this)[i];
+    BodyMotion& motion = s.motion[m.body];
+    if (m.has_stopped()) {
+        const RigidPath::Pose pose = m.path.at(m.until);
+        const DVec3 v = to_double(motion.v);
+        const double square = dot(v, v), left = square - 2 * dot(m.acceleration, motion.x - pose.x);
+        motion.v = math::to_float(with_square(v, std::min(left, square))); // it gains nothing: it was pushed
+        motion.x = pose.x;
+        if (!m.turns_over) motion.q = pose.q;
+        ++s.statistics.stopped_bodies;
+    }
+    motion.turned = math::to_float(motion.q * math::conjugate(pose_before(s, m.body).q));
+    place_again(s, m.body, dt_);
+}
+
+void Movers::put_back() {
+    for (std::int32_t i = 0; i < count(); ++i)
+        if ((*this)[i].is_redirected || (*this)[i].has_stopped()) put_back(i);
+}
+
+} // namespace cairn
