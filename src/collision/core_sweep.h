@@ -20,9 +20,10 @@ struct RigidPath {
     math::DQuat rotation;    // at the beginning
     math::DQuat by;          // the whole turn
     math::DVec3 turn;        // its axis, times the largest rate
-    double begin = 0;        // the path leads from there to 1
+    double begin = 0, until = 1; // the path leads from there to there
 
-    static RigidPath between(math::DVec3 x0, math::DQuat q0, math::DVec3 x1, math::DQuat q1, double begin = 0);
+    static RigidPath between(math::DVec3 x0, math::DQuat q0, math::DVec3 x1, math::DQuat q1, double begin = 0,
+                             double until = 1);
 
     struct Pose {
         math::DVec3 x; // of the center of mass
@@ -30,7 +31,7 @@ struct RigidPath {
     };
     Pose at(double time) const;
     Pose first() const { return {start + begin * translation, rotation}; }
-    Pose end() const { return {start + translation, by * rotation}; }
+    Pose end() const { return {start + until * translation, by * rotation}; }
     // How far what is so far from the center of mass is at any time from where it were on a straight line, m, at most:
     // an eighth of its acceleration. Across the way that is the square of the rate, along it at most a quarter of its
     // cube.
@@ -58,6 +59,8 @@ inline constexpr double never = 2;
 inline constexpr double free_share = 0.5;
 double time_of_meeting(const SweptShape& a, const SweptShape& b, bool is_known, double from = 0);
 
+// All of these look no farther than to the end of the path that ends first.
+//
 // The first time from `from` on at which the shapes themselves touch and come nearer, by the speed of the nearest points
 // (what that misses, cores do not); `never` if they do not, or overlap from the start. What touches at `from` and parts,
 // or stays as it is, is asked for the next touch.

@@ -17,6 +17,13 @@ bool may_fly(const State& s, std::int32_t b) {
     return !s.is_dynamic(b) || (s.bodies[b].first_joint == none && s.is_awake(b));
 }
 
+bool touches(const State& s, const ContactInfo& c) {
+    if (!is_group(c)) return c.touching;
+    for (std::int32_t p = c.related; p != none; p = s.contacts[p].next)
+        if (s.contacts[p].touching) return true;
+    return false;
+}
+
 // Rows in the solver that a pair has had so far.
 int rows_of(const State& s, std::uint32_t id) {
     int rows = 0;
@@ -123,7 +130,8 @@ bool may_meet_in_flight(const State& s, const ContactInfo& c, const Manifold& m,
     float least = m.points[0][3];
     for (int i = 1; i < m.count; ++i) least = std::min(least, m.points[i][3]);
     if (!(least > 0)) return false;
-    return least > c.base_margin || std::fabs(approach_of(s, c, m)) * dt > c.base_margin;
+    const float way = approach_of(s, c, m) * dt;
+    return least > c.base_margin || std::fabs(way) > c.base_margin || (least > way && !touches(s, c));
 }
 
 void settle_flights(State& s, float dt) { FlightList(s, dt).run(); }

@@ -6,8 +6,9 @@
 
 namespace cairn {
 
-// Whether the shapes are apart and close or open more than the margin of the contact in the step, and no joint, no sleep
-// keeps their bodies from flying. Whether a contact does shows when all pairs are known.
+// Whether the shapes are apart, and no joint or sleep keeps their bodies from flying: by more than the margin of the
+// contact, or so that they close or open more than that in the step, or they do not touch and would not in the step.
+// Whether another contact holds one of the bodies shows when all pairs are known.
 bool may_meet_in_flight(const State& state, const ContactInfo& contact, const Manifold& manifold, float dt);
 
 // All pairs of the step have been tested: of those that may meet in flight, the ones whose bodies nothing holds are

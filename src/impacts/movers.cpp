@@ -38,6 +38,10 @@ double path_offset(Integrator integrator) {
     return 0;
 }
 
+// What turns farther, rad, is looked at in parts: two poses tell how a body turned between them the worse the farther it
+// did, and beyond half a turn not at all.
+constexpr double max_turn = 1;
+
 // The velocity with the direction of v whose square is `square`, or as it is if it has no direction.
 DVec3 with_square(DVec3 v, double square) {
     const double now = dot(v, v);
@@ -67,6 +71,17 @@ double Movers::offset_of_velocity() const {
     return path_offset(s.settings.integrator) * double(dt_) / s.in_pass(s.settings.substeps);
 }
 
+// Of what is free: its angular momentum is that at the end, less that of its torque.
+DVec3 Movers::spin_before(std::int32_t b, DQuat q) const {
+    const BodyMotion& to = s.motion[b];
+    const DVec3 w = to_double(to.w) + to_double(to.w_rest);
+    if (s.mass[b].isotropic && !s.is_pushed(b)) return w;
+    const Spin spin = spin_of(s.mass[b]);
+    DVec3 momentum = spin.to_world(to.q, spin.moments, w);
+    if (s.is_pushed(b)) momentum = momentum - double(dt_) * s.forces[b].torque;
+    return spin.to_world(q, spin.inverse_moments, momentum);
+}
+
 std::int32_t Movers::add(std::int32_t b) {
     if (of_body(b) != none) return of_body(b);
     const auto i = std::int32_t(movers_.size());
@@ -78,13 +93,15 @@ std::int32_t Movers::add(std::int32_t b) {
     m.body = b;
     m.moved = uncounted(from, to, links.radius);
     m.is_free = links.contact_count + links.joint_count == 0;
-    m.turns_over = math::length(to.w) * dt_ > half_turn;
+    const bool turns_far = math::length(to.w) * dt_ > float(max_turn);
+    m.turns_over = !m.is_free && math::length(to.w) * dt_ > half_turn;
     m.path = RigidPath::between(from.x, from.q, to.x, m.turns_over ? from.q : to.q);
     m.acceleration = acceleration_of(b, from.x);
     // What is free has gone by its velocity at the start, which the mean and the change along the path give.
     m.velocity = (1 / double(dt_)) * m.path.translation - (0.5 * double(dt_)) * m.acceleration;
-    m.spin = to_double(to.w) + to_double(to.w_rest);
+    m.spin = spin_before(b, from.q);
     movers_.push_back(m);
+    if (m.is_free && turns_far) redirect(i, 0, {from.x, from.q, m.velocity, m.spin});
     return i;
 }
 
@@ -148,8 +165,11 @@ void Movers::redirect(std::int32_t i, double time, const MovingState& now) {
     Mover& m = (*this)[i];
     BodyMotion& motion = s.motion[m.body];
     const double left = (1 - time) * double(dt_);
+    double until = 1;
     if (m.is_free) {
-        fly(m, now, left);
+        const double turn = math::length(now.w) * left;
+        if (turn > max_turn) until = time + (1 - time) * (max_turn / turn);
+        fly(m, now, (until - time) * double(dt_));
         m.velocity = now.v, m.spin = now.w;
     } else {
         const MovingState before = state_at(i, time);
@@ -161,9 +181,9 @@ void Movers::redirect(std::int32_t i, double time, const MovingState& now) {
         motion.v_rest = motion.w_rest = {};
         if (clamp_velocity(s.settings, motion.v, motion.w)) ++s.clamped_speeds;
     }
-    m.turns_over = math::length(motion.w) * dt_ > half_turn;
-    m.path = RigidPath::between(now.x, now.q, motion.x, m.turns_over ? now.q : motion.q, time);
-    m.is_redirected = true;
+    m.turns_over = !m.is_free && math::length(motion.w) * dt_ > half_turn;
+    m.path = RigidPath::between(now.x, now.q, motion.x, m.turns_over ? now.q : motion.q, time, until);
+    m.is_changed = true;
 }
 
 void Movers::rest_on(std::int32_t i, DVec3 down) {
@@ -198,7 +218,7 @@ void Movers::put_back(std::int32_t i) {
 
 void Movers::put_back() {
     for (std::int32_t i = 0; i < count(); ++i)
-        if ((*this)[i].is_redirected || (*this)[i].has_stopped()) put_back(i);
+        if ((*this)[i].is_changed || (*this)[i].has_stopped()) put_back(i);
 }
 
 } // namespace cairn

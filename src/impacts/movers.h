@@ -27,7 +27,8 @@ class Movers {
     double speed_of(std::int32_t i) const;
 
     MovingState state_at(std::int32_t i, double time) const;
-    // The pose of `now` and its velocities are those of the time; the rest of the way is made anew.
+    // The pose of `now` and its velocities are those of the time; the rest of the way is made anew: of what turns far
+    // and is free, up to a part of a turn, where it has to be renewed.
     void redirect(std::int32_t i, double time, const MovingState& now);
     // It lies on something in the direction of the unit vector `down`: the forces that press it there do not move it.
     void rest_on(std::int32_t i, math::DVec3 down);
@@ -41,6 +42,7 @@ class Movers {
 
   private:
     math::DVec3 acceleration_of(std::int32_t body, math::DVec3 x) const;
+    math::DVec3 spin_before(std::int32_t body, math::DQuat q) const;
     double offset_of_velocity() const;
     void fly(const Mover& m, const MovingState& from, double duration) const;
     void put_back(std::int32_t i);

@@ -42,11 +42,15 @@ class ImpactQueue {
             for (int k = begin; k < end; ++k) pairs_[k].time = pairs_.time_of(pairs_[k], 0);
         });
         for (std::int32_t k = 0; k < pairs_.count(); ++k) expect(k);
+        for (std::int32_t i = 0; i < movers_.count(); ++i) expect_renewal(i);
         while (!meetings_.empty()) {
             std::pop_heap(meetings_.begin(), meetings_.end());
             const Meeting m = meetings_.back();
             meetings_.pop_back();
-            if (m.time == pairs_[m.pair].time) meet(m.pair, m.time); // else it was asked again
+            if (m.pair == none)
+                renew(std::int32_t(m.shape), m.time);
+            else if (m.time == pairs_[m.pair].time) // else it was asked again
+                meet(m.pair, m.time);
         }
         movers_.put_back();
     }
@@ -57,6 +61,19 @@ class ImpactQueue {
         if (!(pair.time < 1)) return;
         meetings_.push_back({pair.time, pair.shape, pair.other, k});
         std::push_heap(meetings_.begin(), meetings_.end());
+    }
+
+    // Where the path of a mover ends before the step.
+    void expect_renewal(std::int32_t i) {
+        if (!(movers_[i].path.until < 1)) return;
+        meetings_.push_back({movers_[i].path.until, std::uint32_t(i), 0, none});
+        std::push_heap(meetings_.begin(), meetings_.end());
+    }
+    void renew(std::int32_t i, double time) {
+        if (movers_[i].path.until != time || movers_[i].has_stopped()) return;
+        movers_.redirect(i, time, movers_.state_at(i, time));
+        expect_renewal(i);
+        ask_near(i, time);
     }
 
     void meet(std::int32_t k, double time) {
@@ -113,10 +130,18 @@ class ImpactQueue {
         return b;
     }
 
+    void make_mover(std::int32_t k, double time) {
+        pairs_.make_mover(k);
+        const std::int32_t i = pairs_[k].second;
+        while (movers_[i].path.until < time)
+            movers_.redirect(i, movers_[i].path.until, movers_.state_at(i, movers_[i].path.until));
+        expect_renewal(i);
+    }
+
     // False if nothing approaches.
     bool collide(std::int32_t k, double time) {
         const std::int32_t body_a = s.shapes[pairs_[k].shape].body, body_b = s.shapes[pairs_[k].other].body;
-        if (pairs_[k].second == none && can_go_on(body_b)) pairs_.make_mover(k);
+        if (pairs_[k].second == none && can_go_on(body_b)) make_mover(k, time);
         const SweptPair pair = pairs_[k];
         MovingState now_a = state_of(pair.first, body_a, time), now_b = state_of(pair.second, body_b, time);
         find_meeting_points(s, pair.shape, now_a, pair.other, now_b, scratch_, points_);
@@ -144,6 +169,7 @@ class ImpactQueue {
         if (mover != none) {
             if (movers_[mover].has_stopped()) return;
             movers_.redirect(mover, time, now);
+            expect_renewal(mover);
             ++movers_[mover].impacts;
             return;
         }
@@ -152,6 +178,7 @@ class ImpactQueue {
         s.motion[body].v = math::to_float(now.v), s.motion[body].w = math::to_float(now.w);
     }
     void ask_near(std::int32_t i, double time) {
+        movers_[i].is_redirected = true;
         pairs_.find_near(i, time);
         ask_again(i, time);
     }

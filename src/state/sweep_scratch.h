@@ -20,7 +20,8 @@ struct Mover {
     bool is_fast = false;      // so far that its core may pass another
     bool is_free = false;      // neither contacts nor joints have moved it
     bool turns_over = false;   // more than half a turn: its poses do not tell how
-    bool is_redirected = false;
+    bool is_changed = false;    // it is not where the solver has put it
+    bool is_redirected = false; // its way is not that which SweepScratch::ways has
     int impacts = 0;
     double until = 1;               // when it stops
     std::int32_t first_pair = none; // of its list in SweepScratch::pairs
