@@ -130,8 +130,10 @@ bool may_meet_in_flight(const State& s, const ContactInfo& c, const Manifold& m,
     float least = m.points[0][3];
     for (int i = 1; i < m.count; ++i) least = std::min(least, m.points[i][3]);
     if (!(least > 0)) return false;
-    const float way = approach_of(s, c, m) * dt;
-    return least > c.base_margin || std::fabs(way) > c.base_margin || (least > way && !touches(s, c));
+    const float speed = approach_of(s, c, m), way = speed * dt;
+    if (least > c.base_margin || std::fabs(way) > c.base_margin) return true;
+    const bool bounces = c.bounces && speed > s.settings.restitution_speed;
+    return (least > way || bounces) && !touches(s, c);
 }
 
 void settle_flights(State& s, float dt) { FlightList(s, dt).run(); }
