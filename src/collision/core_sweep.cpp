@@ -279,8 +279,7 @@ Course approach(const Mover& a, const Mover& b, Question question, double begin,
 }
 
 // Of cores, or of the shapes themselves.
-template <class F>
-Course course_by(const Mover& a, const Mover& b, Question question, Span span, F&& gap_at) {
+template <class F> Course course_by(const Mover& a, const Mover& b, Question question, Span span, F&& gap_at) {
     if (question.within > 0 || question.is_impact) return approach(a, b, question, span.begin, span.end, gap_at);
     return {advance(a, b, question.tolerance, span.begin, span.end, gap_at)};
 }
@@ -304,8 +303,8 @@ Gap gap_of(const Convex& a, const Convex& b, DVec3& guess) {
     return {r.distance - (core_a.radius + core_b.radius), r.normal, r.on_a + core_a.radius * r.normal};
 }
 
-// Whether the cores are apart along a direction when they are first looked at, by more than they come nearer along it. What is cheap
-// to ask, and true of most.
+// Whether the cores are apart along a direction when they are first looked at, by more than they come nearer along it.
+// What is cheap to ask, and true of most.
 bool stay_apart_along(DVec3 direction, const Convex& first, const Convex& second, const Mover& a, const Mover& b,
                       Span span, double within) {
     const double square = dot(direction, direction);
@@ -314,7 +313,7 @@ bool stay_apart_along(DVec3 direction, const Convex& first, const Convex& second
     const Core core_a = exact_core(first), core_b = exact_core(second);
     const double gap = dot(n, core_support(core_b, -n) - core_support(core_a, n)) - (core_a.radius + core_b.radius);
     return gap > within + std::max(0.0, (span.end - span.begin) *
-                                         (a.speed_along(n, span.begin) + b.speed_along(-n, span.begin)));
+                                            (a.speed_along(n, span.begin) + b.speed_along(-n, span.begin)));
 }
 
 bool begins_in_front(DVec3 point, const Convex& face) { return dot(face.axes.c1, point - face.corners[0]) > 0; }

@@ -61,9 +61,9 @@ double time_of_meeting(const SweptShape& a, const SweptShape& b, bool is_known, 
 
 // All of these look no farther than to the end of the path that ends first.
 //
-// The first time from `from` on at which the shapes themselves touch and come nearer, by the speed of the nearest points
-// (what that misses, cores do not); `never` if they do not, or overlap from the start. What touches at `from` and parts,
-// or stays as it is, is asked for the next touch.
+// The first time from `from` on at which the shapes themselves touch and come nearer, by the speed of the nearest
+// points (what that misses, cores do not); `never` if they do not, or overlap from the start. What touches at `from`
+// and parts, or stays as it is, is asked for the next touch.
 double time_of_touch(const SweptShape& a, const SweptShape& b, double from = 0);
 
 // When the shapes themselves touch, or are nearest to each other, and how far apart they are then: 0 where they touch

@@ -1,8 +1,8 @@
 #include "contacts/flight.h"
 
+#include "bodies/motion_budget.h"
 #include "contacts/contact_update.h"
 #include "contacts/patches.h"
-#include "bodies/motion_budget.h"
 #include "contacts/touch.h"
 
 #include <algorithm>

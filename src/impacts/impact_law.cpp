@@ -11,8 +11,8 @@ using math::DVec3;
 
 namespace {
 
-constexpr int max_sweeps = 1000;      // over all points: each comes nearer to the solution
-constexpr double precision = 1e-12;   // of the greatest approach: changes smaller than that end the sweeps
+constexpr int max_sweeps = 1000;       // over all points: each comes nearer to the solution
+constexpr double precision = 1e-12;    // of the greatest approach: changes smaller than that end the sweeps
 constexpr double rounding_gain = 1e-9; // of the energy: what is more has been gained
 
 double velocity_along(const ImpactRow& row, const ImpactBody& a, const ImpactBody& b) {
@@ -57,8 +57,8 @@ double solve(ImpactBody& a, ImpactBody& b, std::vector<ImpactRow>& rows, double 
         };
         for (std::size_t k = 0; k < rows.size(); k += rows_per_point) {
             ImpactRow& normal = rows[k];
-            apply(normal, std::max(normal.impulse + (normal.target - velocity_along(normal, a, b)) /
-                                                        normal.inverse_effective_mass,
+            apply(normal, std::max(normal.impulse +
+                                       (normal.target - velocity_along(normal, a, b)) / normal.inverse_effective_mass,
                                    0.0));
             if (!(friction > 0)) continue;
             ImpactRow &first = rows[k + 1], &second = rows[k + 2];

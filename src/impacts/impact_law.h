@@ -35,8 +35,8 @@ struct ImpactMaterial {
 };
 
 struct ImpactOutcome {
-    double approach = 0;  // m/s: the greatest, before; 0: nothing approached, and nothing was changed
-    bool bounces = false; // some point leaves faster than it has to
+    double approach = 0;          // m/s: the greatest, before; 0: nothing approached, and nothing was changed
+    bool bounces = false;         // some point leaves faster than it has to
     math::DVec3 position, normal; // of the fastest point
 };
 // Changes the velocities of both. The buffer is working memory.

@@ -11,9 +11,9 @@
 
 namespace cairn {
 
+using math::dot;
 using math::DQuat;
 using math::DVec3;
-using math::dot;
 using math::to_double;
 
 namespace {
@@ -38,8 +38,8 @@ double path_offset(Integrator integrator) {
     return 0;
 }
 
-// What turns farther, rad, is looked at in parts: two poses tell how a body turned between them the worse the farther it
-// did, and beyond half a turn not at all.
+// What turns farther, rad, is looked at in parts: two poses tell how a body turned between them the worse the farther
+// it did, and beyond half a turn not at all.
 constexpr double max_turn = 1;
 
 // The velocity with the direction of v whose square is `square`, or as it is if it has no direction.
@@ -132,7 +132,8 @@ MovingState Movers::state_at(std::int32_t i, double time) const {
                         dot(m.velocity, m.velocity) + 2 * dot(m.acceleration, pose.x - first.x));
     now.w = end_w;
     if (s.mass[m.body].isotropic && !s.is_pushed(m.body)) return now;
-    // Turned back from the end as it was turned to it: its spin in its own frame at that time, in the frame of the path.
+    // Turned back from the end as it was turned to it: its spin in its own frame at that time, in the frame of the
+    // path.
     BodyMotion& motion = s.motion[m.body];
     const BodyMotion kept = motion;
     motion.q = first.q;

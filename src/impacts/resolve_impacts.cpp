@@ -101,16 +101,15 @@ class ImpactQueue {
         pairs_.for_each_of(i, [&](std::int32_t k) {
             SweptPair& pair = pairs_[k];
             pair.time = never;
-            const bool ends = movers_[pair.first].has_stopped() && (pair.second == none || movers_[pair.second].has_stopped());
+            const bool ends =
+                movers_[pair.first].has_stopped() && (pair.second == none || movers_[pair.second].has_stopped());
             if (ends) return;
             pair.time = pairs_.time_of(pair, time);
             expect(k);
         });
     }
 
-    bool can_go_on(std::int32_t b) const {
-        return s.is_dynamic(b) && s.is_awake(b) && s.bodies[b].first_joint == none;
-    }
+    bool can_go_on(std::int32_t b) const { return s.is_dynamic(b) && s.is_awake(b) && s.bodies[b].first_joint == none; }
 
     MovingState state_of(std::int32_t mover, std::int32_t body, double time) const {
         if (mover != none) {

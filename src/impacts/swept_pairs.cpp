@@ -46,7 +46,9 @@ bool SweptPairs::may_pass(std::int32_t mover, std::int32_t b, const Geometry& ot
     const Mover& m = movers_[mover];
     const double inner_a = double(s.bodies[m.body].inner_radius), inner_b = double(s.bodies[b].inner_radius);
     const std::int32_t second = movers_.of_body(b);
-    const double moved_by_b = second != none ? movers_[second].moved : s.is_awake(b) ? free_share * inner_b : 0; // at most
+    const double moved_by_b = second != none  ? movers_[second].moved
+                              : s.is_awake(b) ? free_share * inner_b
+                                              : 0; // at most
     if (m.moved + moved_by_b <= free_share * std::min(inner_a, inner_b)) return false;
     if (other.type == ShapeType::plane || is_strip(other)) return true; // without an end
     // Along the straight way.
@@ -74,7 +76,8 @@ bool SweptPairs::is_listed(std::int32_t mover, std::uint32_t shape, std::uint32_
 }
 
 // In one order, whichever of two movers was looked at first.
-void SweptPairs::add(std::int32_t mover, std::uint32_t shape, std::uint32_t other, std::int32_t contact, bool is_known) {
+void SweptPairs::add(std::int32_t mover, std::uint32_t shape, std::uint32_t other, std::int32_t contact,
+                     bool is_known) {
     SweptPair pair{mover, movers_.of_body(s.shapes[other].body), shape, other, contact, is_known};
     if (pair.second != none && other < shape) std::swap(pair.first, pair.second), std::swap(pair.shape, pair.other);
     const std::int32_t k = count();
@@ -153,8 +156,8 @@ template <class F> void SweptPairs::for_each_near(std::int32_t mover, const DBou
         if (way.mover != mover && meet(bounds, way.bounds)) for_each_shape(s, movers_[way.mover].body, f);
     };
     const auto begins_before = [](const SweptBounds& w, double x) { return w.begin < x; };
-    auto k = std::lower_bound(scratch_.ways.begin(), scratch_.ways.end(), bounds.lo.x - scratch_.widest_way,
-                              begins_before);
+    auto k =
+        std::lower_bound(scratch_.ways.begin(), scratch_.ways.end(), bounds.lo.x - scratch_.widest_way, begins_before);
     for (; k != scratch_.ways.end() && k->begin <= bounds.hi.x; ++k)
         if (!movers_[k->mover].is_redirected) visit(*k);
     for (const SweptBounds& way : scratch_.redirected) visit(way);

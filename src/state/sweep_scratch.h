@@ -16,10 +16,10 @@ namespace cairn {
 // A body on its way through the step. Times are parts of the pass.
 struct Mover {
     std::int32_t body;
-    double moved;              // any point of it, m, at most, by the solver
-    bool is_fast = false;      // so far that its core may pass another
-    bool is_free = false;      // neither contacts nor joints have moved it
-    bool turns_over = false;   // more than half a turn: its poses do not tell how
+    double moved;               // any point of it, m, at most, by the solver
+    bool is_fast = false;       // so far that its core may pass another
+    bool is_free = false;       // neither contacts nor joints have moved it
+    bool turns_over = false;    // more than half a turn: its poses do not tell how
     bool is_changed = false;    // it is not where the solver has put it
     bool is_redirected = false; // its way is not that which SweepScratch::ways has
     int impacts = 0;
@@ -63,10 +63,10 @@ struct SweepScratch {
     std::vector<std::int32_t> place; // by body, among `movers`, or none
     std::vector<Mover> movers;
     std::vector<SweptPair> pairs;
-    std::vector<Meeting> meetings;       // a heap
-    std::vector<SweptBounds> ways;       // as the solver has moved all movers, by x
-    std::vector<SweptBounds> redirected; // since then
-    double widest_way = 0;               // m, along x
+    std::vector<Meeting> meetings;                              // a heap
+    std::vector<SweptBounds> ways;                              // as the solver has moved all movers, by x
+    std::vector<SweptBounds> redirected;                        // since then
+    double widest_way = 0;                                      // m, along x
     std::vector<std::pair<std::uint32_t, std::uint32_t>> known; // pairs of shapes with points in the solver, sorted
     bool has_ways = false, has_known = false;
 };
