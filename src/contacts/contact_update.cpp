@@ -183,7 +183,7 @@ std::uint8_t take_distance(State& s, std::uint32_t id, float distance) {
     const bool is_known = distance > c.base_margin && distance < unused && has_distance(c.kind);
     keep_answer(s, id, is_known ? double(distance - c.base_margin) : 0.0);
     if (c.is_trigger) return trigger_outcome(c, false);
-    return c.point_count == 0 ? apart : ended;
+    return c.point_count == 0 && !c.touching ? apart : ended;
 }
 
 std::uint8_t take_manifold(State& s, std::uint32_t id, const Manifold& m, float dt, const Touch* touch) {
@@ -220,12 +220,13 @@ void end_contact(State& s, std::uint32_t id) {
         for_each_patch(s, id, [&](std::uint32_t patch) { end_patch(s, patch); });
         return;
     }
-    if (c.point_count == 0) return;
-    release_color(s, c);
-    c.point_count = 0;
-    const std::int32_t island = s.bodies[c.body_a].island;
-    if (island != none) s.islands[island].lost_contact |= c.b_moves;
-    if (c.touching) end_touch(s, c);
+    if (c.point_count > 0) {
+        release_color(s, c);
+        c.point_count = 0;
+        const std::int32_t island = s.bodies[c.body_a].island;
+        if (island != none) s.islands[island].lost_contact |= c.b_moves;
+    }
+    if (c.touching) end_touch(s, c); // also of what began in an impact (impacts/resolve_impacts.h)
 }
 
 namespace {

@@ -1,5 +1,6 @@
 #include "contacts/flight.h"
 
+#include "bodies/integrators.h"
 #include "bodies/motion_budget.h"
 #include "contacts/contact_update.h"
 #include "contacts/patches.h"
@@ -22,6 +23,14 @@ bool touches(const State& s, const ContactInfo& c) {
     for (std::int32_t p = c.related; p != none; p = s.contacts[p].next)
         if (s.contacts[p].touching) return true;
     return false;
+}
+
+// How far forces bring the two together in the step, along the normal.
+float fall_of(const State& s, const ContactInfo& c, const Manifold& m, float dt) {
+    const std::int32_t first = c.flipped ? c.body_b : c.body_a, second = c.flipped ? c.body_a : c.body_b;
+    const math::DVec3 a = acceleration_at(s, first, s.motion[first].x) - acceleration_at(s, second, s.motion[second].x);
+    const float share = 0.5f * (1 + 1.0f / float(s.in_pass(s.settings.substeps))); // as in substeps
+    return share * dt * dt * float(math::dot(a, math::to_double(math::to_vec(m.normal))));
 }
 
 // Rows in the solver that a pair has had so far.
@@ -83,7 +92,7 @@ class FlightList {
     void release(const FlightPair& f) {
         const std::uint32_t id = contact_of(f);
         ContactInfo& c = s.contacts[id];
-        if (c.point_count > 0) {
+        if (c.point_count > 0 || c.touching) {
             s.narrow.outcomes[f.place] = ended;
             if (is_group(c))
                 follow_up_group(s, f.place, dt_);
@@ -130,7 +139,7 @@ bool may_meet_in_flight(const State& s, const ContactInfo& c, const Manifold& m,
     float least = m.points[0][3];
     for (int i = 1; i < m.count; ++i) least = std::min(least, m.points[i][3]);
     if (!(least > 0)) return false;
-    const float speed = approach_of(s, c, m), way = speed * dt;
+    const float speed = approach_of(s, c, m), way = speed * dt + fall_of(s, c, m, dt);
     if (least > c.base_margin || std::fabs(way) > c.base_margin) return true;
     const bool bounces = c.bounces && speed > s.settings.restitution_speed;
     return (least > way || bounces) && !touches(s, c);

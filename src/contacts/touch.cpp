@@ -33,12 +33,7 @@ RigidPath expected_path(const State& s, std::int32_t b, DVec3 origin, float dt) 
         return RigidPath::between(from, m.q, from, m.q);
     const double t = double(dt);
     DVec3 way = t * math::to_double(m.v);
-    if (s.is_dynamic(b)) {
-        const double inverse_mass = double(s.mass[b].inverse_mass);
-        DVec3 a = field_acceleration(s, m.x, s.body_settings[b].gravity_scale, inverse_mass);
-        if (s.is_pushed(b)) a += inverse_mass * s.forces[b].force;
-        way += (0.5 * t * t) * a;
-    }
+    way += (0.5 * t * t) * acceleration_at(s, b, m.x);
     return RigidPath::between(from, m.q, from + way, math::from_rotation_vector(t * math::to_double(m.w)) * m.q);
 }
 

@@ -41,6 +41,8 @@ double path_offset(Integrator integrator) {
 // What turns farther, rad, is looked at in parts: two poses tell how a body turned between them the worse the farther
 // it did, and beyond half a turn not at all.
 constexpr double max_turn = 1;
+// But no part is shorter, as part of a pass: of what turns over in it, the ball that is in it however it lies is held.
+constexpr double min_part = 1.0 / 64;
 
 // The velocity with the direction of v whose square is `square`, or as it is if it has no direction.
 DVec3 with_square(DVec3 v, double square) {
@@ -57,14 +59,6 @@ Movers::Movers(State& state, float dt)
 }
 Movers::~Movers() {
     for (const Mover& m : movers_) place_[std::size_t(m.body)] = none;
-}
-
-DVec3 Movers::acceleration_of(std::int32_t b, DVec3 x) const {
-    const double inverse_mass = double(s.mass[b].inverse_mass);
-    if (!(inverse_mass > 0)) return {};
-    DVec3 a = field_acceleration(s, x, s.body_settings[b].gravity_scale, inverse_mass);
-    if (s.is_pushed(b)) a += inverse_mass * s.forces[b].force;
-    return a;
 }
 
 double Movers::offset_of_velocity() const {
@@ -96,7 +90,7 @@ std::int32_t Movers::add(std::int32_t b) {
     const bool turns_far = math::length(to.w) * dt_ > float(max_turn);
     m.turns_over = !m.is_free && math::length(to.w) * dt_ > half_turn;
     m.path = RigidPath::between(from.x, from.q, to.x, m.turns_over ? from.q : to.q);
-    m.acceleration = acceleration_of(b, from.x);
+    m.acceleration = acceleration_at(s, b, from.x);
     // What is free has gone by its velocity at the start, which the mean and the change along the path give.
     m.velocity = (1 / double(dt_)) * m.path.translation - (0.5 * double(dt_)) * m.acceleration;
     m.spin = spin_before(b, from.q);
@@ -147,7 +141,7 @@ MovingState Movers::state_at(std::int32_t i, double time) const {
 // By the integrator of free bodies.
 void Movers::fly(const Mover& m, const MovingState& from, double duration) const {
     BodyMotion& motion = s.motion[m.body];
-    const DVec3 real = acceleration_of(m.body, from.x);
+    const DVec3 real = acceleration_at(s, m.body, from.x);
     // The integrator's substeps are shorter here, and stored velocities differ from those of paths by a part of one.
     const double shorter = path_offset(s.settings.integrator) * duration / s.in_pass(s.settings.substeps);
     const DVec3 stored = from.v - shorter * real;
@@ -160,6 +154,24 @@ void Movers::fly(const Mover& m, const MovingState& from, double duration) const
     const DVec3 end =
         to_double(motion.v) + to_double(motion.v_rest) + duration * borne + (shorter - offset_of_velocity()) * real;
     motion.v = math::to_float(end), motion.v_rest = math::to_float(end - to_double(motion.v));
+    keep_in_range(m.body, from, duration);
+}
+
+// To what the world's greatest speeds allow; what is not finite any more stays where it was.
+void Movers::keep_in_range(std::int32_t b, const MovingState& from, double duration) const {
+    BodyMotion& motion = s.motion[b];
+    const bool is_finite = math::is_finite(motion.x) && math::is_finite(motion.q) && math::is_finite(motion.v) &&
+                           math::is_finite(motion.w);
+    if (!is_finite) {
+        motion.x = from.x, motion.q = from.q;
+        motion.v = motion.w = {};
+    }
+    const DVec3 way = motion.x - from.x;
+    const double most = double(s.settings.max_linear_speed) * duration, square = dot(way, way);
+    const bool is_far = square > most * most;
+    if (is_far) motion.x = from.x + (most / std::sqrt(square)) * way;
+    const bool was_cut = clamp_velocity(s.settings, motion.v, motion.w);
+    if (!is_finite || is_far || was_cut) motion.v_rest = motion.w_rest = {}, ++s.clamped_speeds;
 }
 
 void Movers::redirect(std::int32_t i, double time, const MovingState& now) {
@@ -169,7 +181,7 @@ void Movers::redirect(std::int32_t i, double time, const MovingState& now) {
     double until = 1;
     if (m.is_free) {
         const double turn = math::length(now.w) * left;
-        if (turn > max_turn) until = time + (1 - time) * (max_turn / turn);
+        if (turn > max_turn) until = std::min(time + std::max((1 - time) * (max_turn / turn), min_part), 1.0);
         fly(m, now, (until - time) * double(dt_));
         m.velocity = now.v, m.spin = now.w;
     } else {
@@ -180,9 +192,9 @@ void Movers::redirect(std::int32_t i, double time, const MovingState& now) {
         motion.q = math::normalized(math::from_rotation_vector(left * dw) * motion.q);
         motion.v = math::to_float(v), motion.w = math::to_float(w);
         motion.v_rest = motion.w_rest = {};
-        if (clamp_velocity(s.settings, motion.v, motion.w)) ++s.clamped_speeds;
+        keep_in_range(m.body, now, left);
     }
-    m.turns_over = !m.is_free && math::length(motion.w) * dt_ > half_turn;
+    m.turns_over = double(math::length(motion.w)) * (until - time) * double(dt_) > double(half_turn);
     m.path = RigidPath::between(now.x, now.q, motion.x, m.turns_over ? now.q : motion.q, time, until);
     m.is_changed = true;
 }
@@ -214,6 +226,7 @@ void Movers::put_back(std::int32_t i) {
         ++s.statistics.stopped_bodies;
     }
     motion.turned = math::to_float(motion.q * math::conjugate(pose_before(s, m.body).q));
+    if (m.impacts > 0) s.bodies[m.body].quiet_time = 0;
     place_again(s, m.body, dt_);
 }
 

@@ -41,10 +41,10 @@ class Movers {
     DBounds bounds_of_way(const Mover& m, double from) const;
 
   private:
-    math::DVec3 acceleration_of(std::int32_t body, math::DVec3 x) const;
     math::DVec3 spin_before(std::int32_t body, math::DQuat q) const;
     double offset_of_velocity() const;
     void fly(const Mover& m, const MovingState& from, double duration) const;
+    void keep_in_range(std::int32_t body, const MovingState& from, double duration) const;
     void put_back(std::int32_t i);
 
     State& s;

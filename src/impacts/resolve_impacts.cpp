@@ -148,12 +148,18 @@ class ImpactQueue {
         const PairMaterial material = combined_material(s.materials[pair.shape], s.materials[pair.other]);
         const ImpactMaterial law{double(material.restitution), double(material.friction),
                                  double(s.settings.restitution_speed)};
-        const ImpactOutcome outcome = cairn::collide(a, b, points_, law, rows_);
-        if (!(outcome.approach > 0)) return false;
-        ++s.statistics.impacts;
-        report(pair, outcome, body_a, body_b);
+        ImpactOutcome outcome = cairn::collide(a, b, points_, law, rows_);
+        const bool is_impact = outcome.approach > 0;
+        if (!is_impact && (points_.empty() || pair.rests)) return false;
+        if (is_impact) {
+            ++s.statistics.impacts;
+            report(pair, outcome);
+        } else {
+            outcome.normal = points_.front().normal; // forces press them together
+        }
         now_a.v = a.v, now_a.w = a.w, now_b.v = b.v, now_b.w = b.w;
         if (!outcome.bounces) {
+            pairs_[k].rests = true;
             movers_.rest_on(pair.first, outcome.normal);
             if (pair.second != none) movers_.rest_on(pair.second, -outcome.normal);
         }
@@ -175,6 +181,7 @@ class ImpactQueue {
         if (!s.is_dynamic(body)) return; // asleep, or on joints: those act in the next step
         if (!s.is_awake(body)) wake_body(s, body);
         s.motion[body].v = math::to_float(now.v), s.motion[body].w = math::to_float(now.w);
+        s.bodies[body].quiet_time = 0;
     }
     void ask_near(std::int32_t i, double time) {
         movers_[i].is_redirected = true;
@@ -182,15 +189,21 @@ class ImpactQueue {
         ask_again(i, time);
     }
 
-    void report(const SweptPair& pair, const ImpactOutcome& outcome, std::int32_t body_a, std::int32_t body_b) {
-        const ShapeId a = s.shape_id(pair.shape), b = s.shape_id(pair.other);
-        const BodyId id_a = s.body_id(body_a), id_b = s.body_id(body_b);
-        s.events.begins.push_back({a, b, id_a, id_b});
-        s.events.ends.next.push_back({a, b, id_a, id_b});
+    // What bounces has touched within the step; what does not is a contact from now on.
+    void report(const SweptPair& pair, const ImpactOutcome& outcome) {
+        const bool is_contact = pair.contact != none && !is_group(s.contacts[std::size_t(pair.contact)]);
+        ContactInfo* const c = is_contact ? &s.contacts[std::size_t(pair.contact)] : nullptr;
+        const bool is_first = !c || c->shape_a == pair.shape; // A of contacts comes first
+        const std::uint32_t first = is_first ? pair.shape : pair.other, second = is_first ? pair.other : pair.shape;
+        const ShapeId a = s.shape_id(first), b = s.shape_id(second);
+        const BodyId body_a = s.body_id(s.shapes[first].body), body_b = s.body_id(s.shapes[second].body);
+        if (!c || !c->touching) s.events.begins.push_back({a, b, body_a, body_b});
+        if (c) c->touching = !outcome.bounces;
+        if (!c || outcome.bounces) s.events.ends.next.push_back({a, b, body_a, body_b});
         if (outcome.approach < double(s.settings.hit_speed)) return;
         const DVec3 p = outcome.position;
-        const math::Vec3 n = math::to_float(outcome.normal);
-        s.events.hits.push_back({a, b, id_a, id_b, {p.x, p.y, p.z}, {n.x, n.y, n.z}, float(outcome.approach)});
+        const math::Vec3 n = math::to_float(is_first ? outcome.normal : -outcome.normal);
+        s.events.hits.push_back({a, b, body_a, body_b, {p.x, p.y, p.z}, {n.x, n.y, n.z}, float(outcome.approach)});
     }
 
     State& s;

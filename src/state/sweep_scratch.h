@@ -38,6 +38,7 @@ struct SweptPair {
     std::uint32_t shape, other;
     std::int32_t contact = none; // of the pair, if it is known
     bool is_known = false;       // the solver has moved the two by this contact
+    bool rests = false;          // they lie on each other: forces that press them together do not move them
     double time = never;         // of their meeting
     std::int32_t next_of_first = none, next_of_second = none;
 };
