@@ -90,7 +90,7 @@ void test_group(State& s, std::uint32_t place, NarrowBatch& own, float dt, bool 
     const float margin = contact_margin(s, group, dt);
     const float distance = find_patches(posed_shape(s, group.shape_a), posed_shape(s, group.shape_b), margin,
                                         reach_of(group, margin), own.surface, own.hits);
-    if (own.hits.empty() && group.point_count == 0) {
+    if (own.hits.empty() && group.related == none) {
         s.narrow.outcomes[place] = take_distance(s, id, distance);
         return;
     }
@@ -108,7 +108,7 @@ void test_group(State& s, std::uint32_t place, NarrowBatch& own, float dt, bool 
     Touch touch;
     const bool is_ahead = look_ahead(s, group, margin, dt, own, touch);
     if (is_ahead) drop_answer(s, id);
-    if (own.hits.empty() && group.point_count == 0) {
+    if (own.hits.empty() && group.related == none) {
         s.narrow.outcomes[place] = take_distance(s, id, 0);
         return;
     }
@@ -177,6 +177,12 @@ void follow_up_group(State& s, std::uint32_t place, float dt) {
         drop_answer(s, id);
     }
     s.contacts[id].point_count = s.contacts[id].related == none ? 0 : 1;
+}
+
+std::uint32_t patch_along(State& s, std::uint32_t group, math::Vec3 normal) {
+    for (std::int32_t p = s.contacts[group].related; p != none; p = s.contacts[p].next)
+        if (math::dot(to_vec(s.records[p].normal), normal) > same_patch) return std::uint32_t(p);
+    return create_patch(s, group);
 }
 
 void end_patch(State& s, std::uint32_t id) {

@@ -27,6 +27,8 @@ void test_group(State& state, std::uint32_t place, NarrowBatch& own, float dt, b
 void collect_fresh_patches(State& state);
 // The group at that place among the candidates.
 void follow_up_group(State& state, std::uint32_t place, float dt);
+// The patch of a group with a normal from A, or a new one, without points.
+std::uint32_t patch_along(State& state, std::uint32_t group, math::Vec3 normal);
 // Ends a patch, and takes it out of its group.
 void end_patch(State& state, std::uint32_t patch);
 

@@ -25,13 +25,18 @@ void push(const ImpactRow& row, double impulse, ImpactBody& a, ImpactBody& b) {
     b.w = b.w + impulse * row.turn_b;
 }
 
-ImpactRow row_along(DVec3 direction, DVec3 position, const ImpactBody& a, const ImpactBody& b) {
-    ImpactRow row{direction, cross(position - a.x, direction), cross(position - b.x, direction), {}, {}, 0, 0, 0};
+ImpactRow finished(ImpactRow row, double inverse_mass, const ImpactBody& a, const ImpactBody& b) {
     row.turn_a = a.inverse_inertia * row.arm_a;
     row.turn_b = b.inverse_inertia * row.arm_b;
-    row.inverse_effective_mass =
-        (a.inverse_mass + b.inverse_mass) + (dot(row.arm_a, row.turn_a) + dot(row.arm_b, row.turn_b));
+    row.inverse_effective_mass = inverse_mass + (dot(row.arm_a, row.turn_a) + dot(row.arm_b, row.turn_b));
     return row;
+}
+ImpactRow row_along(DVec3 direction, DVec3 position, const ImpactBody& a, const ImpactBody& b) {
+    const ImpactRow row{direction, cross(position - a.x, direction), cross(position - b.x, direction), {}, {}, 0, 0, 0};
+    return finished(row, a.inverse_mass + b.inverse_mass, a, b);
+}
+ImpactRow couple_about(DVec3 axis, const ImpactBody& a, const ImpactBody& b) {
+    return finished({{}, axis, axis, {}, {}, 0, 0, 0}, 0, a, b);
 }
 
 DVec3 any_tangent(DVec3 n) {
@@ -39,12 +44,12 @@ DVec3 any_tangent(DVec3 n) {
     return math::normalized(cross(n, axis));
 }
 
-// Three rows a point: the normal, and two tangents.
-constexpr std::size_t rows_per_point = 3;
+// Rows of a point: the normal, two tangents, and couples about all three.
+constexpr std::size_t rows_per_point = 6;
 
 // Gauss-Seidel from the velocities of `a` and `b`, which get those after it. Returns the energy that the impulses have
 // added, by their work: half of the velocities before and after.
-double solve(ImpactBody& a, ImpactBody& b, std::vector<ImpactRow>& rows, double friction, double scale) {
+double solve(ImpactBody& a, ImpactBody& b, std::vector<ImpactRow>& rows, const ImpactMaterial& material, double scale) {
     const ImpactBody before_a = a, before_b = b;
     for (ImpactRow& row : rows) row.impulse = 0;
     for (int sweep = 0; sweep < max_sweeps; ++sweep) {
@@ -55,19 +60,30 @@ double solve(ImpactBody& a, ImpactBody& b, std::vector<ImpactRow>& rows, double 
             row.impulse = next;
             change = std::max(change, std::fabs(by) * row.inverse_effective_mass);
         };
+        // What stops the motion along rows, or as much of it as the limit allows.
+        const auto stop = [&](const ImpactRow& row) {
+            const double mass = row.inverse_effective_mass;
+            return mass > 0 ? row.impulse - velocity_along(row, a, b) / mass : 0.0;
+        };
+        const auto resist_one = [&](ImpactRow& row, double limit) {
+            if (limit > 0) apply(row, std::clamp(stop(row), -limit, limit));
+        };
+        const auto resist = [&](ImpactRow& first, ImpactRow& second, double limit) {
+            if (!(limit > 0)) return;
+            const double p1 = stop(first), p2 = stop(second), size = std::sqrt(p1 * p1 + p2 * p2);
+            const double share = size > limit ? limit / size : 1;
+            apply(first, share * p1);
+            apply(second, share * p2);
+        };
         for (std::size_t k = 0; k < rows.size(); k += rows_per_point) {
             ImpactRow& normal = rows[k];
             apply(normal, std::max(normal.impulse +
                                        (normal.target - velocity_along(normal, a, b)) / normal.inverse_effective_mass,
                                    0.0));
-            if (!(friction > 0)) continue;
-            ImpactRow &first = rows[k + 1], &second = rows[k + 2];
-            const double p1 = first.impulse - velocity_along(first, a, b) / first.inverse_effective_mass;
-            const double p2 = second.impulse - velocity_along(second, a, b) / second.inverse_effective_mass;
-            const double size = std::sqrt(p1 * p1 + p2 * p2), limit = friction * normal.impulse;
-            const double share = size > limit ? limit / size : 1;
-            apply(first, share * p1);
-            apply(second, share * p2);
+            const double load = normal.impulse, friction = material.friction * load;
+            resist(rows[k + 1], rows[k + 2], friction);
+            resist_one(rows[k + 3], friction * material.torsion_radius);
+            resist(rows[k + 4], rows[k + 5], material.rolling_radius * load);
         }
         if (!(change > precision * scale)) break;
     }
@@ -92,24 +108,27 @@ ImpactOutcome collide(ImpactBody& a, ImpactBody& b, const std::vector<ImpactPoin
         outcome.bounces |= bounces;
         if (approach > outcome.approach)
             outcome.approach = approach, outcome.position = point.position, outcome.normal = point.normal;
-        const DVec3 tangent = any_tangent(point.normal);
+        const DVec3 first = any_tangent(point.normal), second = cross(point.normal, first);
         rows.push_back(normal);
-        rows.push_back(row_along(tangent, point.position, a, b));
-        rows.push_back(row_along(cross(point.normal, tangent), point.position, a, b));
+        for (const DVec3 tangent : {first, second}) rows.push_back(row_along(tangent, point.position, a, b));
+        for (const DVec3 axis : {point.normal, first, second}) rows.push_back(couple_about(axis, a, b));
     }
     if (rows.empty()) return outcome;
     const ImpactBody before_a = a, before_b = b;
-    const double work = solve(a, b, rows, material.friction, outcome.approach);
+    const double work = solve(a, b, rows, material, outcome.approach);
     double approaching = 0; // energy scale of what happens along the normals
-    for (std::size_t k = 0; k < rows.size(); k += rows_per_point)
+    for (std::size_t k = 0; k < rows.size(); k += rows_per_point) {
+        outcome.impulse += rows[k].impulse;
         approaching += rows[k].impulse * std::fabs(velocity_along(rows[k], before_a, before_b));
+    }
     if (!(work > rounding_gain * approaching)) return outcome;
     a = before_a, b = before_b;
     for (ImpactRow& row : rows) row.target = 0;
-    solve(a, b, rows, material.friction, outcome.approach);
-    const auto scaled = [&](DVec3 before, DVec3 compressed) {
-        return before + (1 + (outcome.bounces ? material.restitution : 0)) * (compressed - before);
-    };
+    solve(a, b, rows, material, outcome.approach);
+    const double factor = 1 + (outcome.bounces ? material.restitution : 0);
+    const auto scaled = [&](DVec3 before, DVec3 compressed) { return before + factor * (compressed - before); };
+    outcome.impulse = 0;
+    for (std::size_t k = 0; k < rows.size(); k += rows_per_point) outcome.impulse += factor * rows[k].impulse;
     a.v = scaled(before_a.v, a.v), a.w = scaled(before_a.w, a.w);
     b.v = scaled(before_b.v, b.v), b.w = scaled(before_b.w, b.w);
     return outcome;

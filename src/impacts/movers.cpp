@@ -151,8 +151,8 @@ void Movers::fly(const Mover& m, const MovingState& from, double duration) const
     if (duration > 0) s.clamped_speeds += move_free_body(s, m.body, float(duration));
     const DVec3 borne = m.acceleration - real;
     motion.x += (0.5 * duration * duration) * borne;
-    const DVec3 end =
-        to_double(motion.v) + to_double(motion.v_rest) + duration * borne + (shorter - offset_of_velocity()) * real;
+    const DVec3 path_end = to_double(motion.v) + to_double(motion.v_rest) + duration * borne + shorter * real;
+    const DVec3 end = path_end - offset_of_velocity() * m.acceleration;
     motion.v = math::to_float(end), motion.v_rest = math::to_float(end - to_double(motion.v));
     keep_in_range(m.body, from, duration);
 }

@@ -1,6 +1,10 @@
 #include "impacts/resolve_impacts.h"
 
+#include "bodies/bodies.h"
+#include "bodies/motion_budget.h"
+#include "contacts/contact_record.h"
 #include "contacts/pairs.h"
+#include "contacts/patches.h"
 #include "impacts/impact_law.h"
 #include "impacts/meeting_points.h"
 #include "impacts/movers.h"
@@ -11,6 +15,7 @@
 
 namespace cairn {
 
+using math::dot;
 using math::DVec3;
 using math::to_double;
 
@@ -137,6 +142,15 @@ class ImpactQueue {
         expect_renewal(i);
     }
 
+    // Of the surface of what does not move by forces, along it (at the first of the points).
+    DVec3 surface_velocity(std::uint32_t shape) const {
+        const ShapeTraits& traits = s.shape_traits[shape];
+        if (!traits.has_surface_velocity || s.is_dynamic(s.shapes[shape].body) || points_.empty()) return {};
+        const DVec3 n = points_.front().normal;
+        const DVec3 u = to_double(math::rotate(shape_rotation(s.shape_poses[shape]), traits.surface_velocity));
+        return u - dot(u, n) * n;
+    }
+
     // False if nothing approaches.
     bool collide(std::int32_t k, double time) {
         const std::int32_t body_a = s.shapes[pairs_[k].shape].body, body_b = s.shapes[pairs_[k].other].body;
@@ -147,17 +161,21 @@ class ImpactQueue {
         ImpactBody a = impact_body(pair.first, body_a, now_a), b = impact_body(pair.second, body_b, now_b);
         const PairMaterial material = combined_material(s.materials[pair.shape], s.materials[pair.other]);
         const ImpactMaterial law{double(material.restitution), double(material.friction),
+                                 double(material.torsion_radius), double(material.rolling_radius),
                                  double(s.settings.restitution_speed)};
+        const DVec3 belt_a = surface_velocity(pair.shape), belt_b = surface_velocity(pair.other);
+        a.v += belt_a, b.v += belt_b;
         ImpactOutcome outcome = cairn::collide(a, b, points_, law, rows_);
         const bool is_impact = outcome.approach > 0;
         if (!is_impact && (points_.empty() || pair.rests)) return false;
         if (is_impact) {
             ++s.statistics.impacts;
             report(pair, outcome);
+            pairs_[k].has_begun = true;
         } else {
             outcome.normal = points_.front().normal; // forces press them together
         }
-        now_a.v = a.v, now_a.w = a.w, now_b.v = b.v, now_b.w = b.w;
+        now_a.v = a.v - belt_a, now_a.w = a.w, now_b.v = b.v - belt_b, now_b.w = b.w;
         if (!outcome.bounces) {
             pairs_[k].rests = true;
             movers_.rest_on(pair.first, outcome.normal);
@@ -189,21 +207,39 @@ class ImpactQueue {
         ask_again(i, time);
     }
 
-    // What bounces has touched within the step; what does not is a contact from now on.
+    // The shapes touch up to the next step, where the narrow phase says whether they still do.
     void report(const SweptPair& pair, const ImpactOutcome& outcome) {
-        const bool is_contact = pair.contact != none && !is_group(s.contacts[std::size_t(pair.contact)]);
-        ContactInfo* const c = is_contact ? &s.contacts[std::size_t(pair.contact)] : nullptr;
-        const bool is_first = !c || c->shape_a == pair.shape; // A of contacts comes first
+        const std::int32_t id = pair.contact;
+        const bool is_first = id == none || s.contacts[id].shape_a == pair.shape; // A of contacts comes first
         const std::uint32_t first = is_first ? pair.shape : pair.other, second = is_first ? pair.other : pair.shape;
+        const math::Vec3 n = math::to_float(is_first ? outcome.normal : -outcome.normal);
         const ShapeId a = s.shape_id(first), b = s.shape_id(second);
         const BodyId body_a = s.body_id(s.shapes[first].body), body_b = s.body_id(s.shapes[second].body);
-        if (!c || !c->touching) s.events.begins.push_back({a, b, body_a, body_b});
-        if (c) c->touching = !outcome.bounces;
-        if (!c || outcome.bounces) s.events.ends.next.push_back({a, b, body_a, body_b});
+        const bool begins = !pair.has_begun && (id == none || begins_to_touch(std::uint32_t(id), outcome, n));
+        if (begins) s.events.begins.push_back({a, b, body_a, body_b});
+        if (begins && id == none) s.events.brief.push_back({a, b, body_a, body_b});
         if (outcome.approach < double(s.settings.hit_speed)) return;
         const DVec3 p = outcome.position;
-        const math::Vec3 n = math::to_float(is_first ? outcome.normal : -outcome.normal);
         s.events.hits.push_back({a, b, body_a, body_b, {p.x, p.y, p.z}, {n.x, n.y, n.z}, float(outcome.approach)});
+    }
+    // The record of the contact gets the point that was struck. `normal`: from its A.
+    bool begins_to_touch(std::uint32_t id, const ImpactOutcome& outcome, math::Vec3 normal) {
+        drop_answer(s, id); // the next step looks at the pair in any case
+        bool has_touched = s.contacts[id].touching;
+        if (is_group(s.contacts[id])) {
+            for (std::int32_t p = s.contacts[id].related; p != none; p = s.contacts[p].next)
+                has_touched |= s.contacts[p].touching != 0;
+            id = patch_along(s, id, normal);
+        }
+        s.contacts[id].touching = 1;
+        if (s.contacts[id].point_count > 0) return !has_touched;
+        ContactRecord& r = s.records[id];
+        forget_impulses(r, 0);
+        math::put(r.normal, normal);
+        math::put(r.first_point, math::to_float(outcome.position - s.motion[s.contacts[id].body_a].x));
+        r.first_point[3] = 0;
+        r.first_total = float(outcome.impulse);
+        return !has_touched;
     }
 
     State& s;

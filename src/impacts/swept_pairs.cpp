@@ -199,7 +199,9 @@ double SweptPairs::time_of(const SweptPair& pair, double from) const {
     const SweptShape a = swept(pair.shape, first.turns_over ? ball_a : s.geometry[pair.shape], path_a, first.until);
     const SweptShape b =
         swept(pair.other, second && second->turns_over ? ball_b : s.geometry[pair.other], path_b, until_b);
-    if (pair.is_known || turns) return time_of_meeting(a, b, pair.is_known, from);
+    // What something holds is pressed into it a little, and would catch at the edges of what lies beside.
+    const bool catches = !first.is_free && !(second && s.is_dynamic(second->body));
+    if (pair.is_known || turns || catches) return time_of_meeting(a, b, pair.is_known, from);
     const double touch = time_of_touch(a, b, from);
     return touch < 1 ? touch : time_of_meeting(a, b, false, from);
 }
