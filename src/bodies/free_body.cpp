@@ -17,7 +17,7 @@ constexpr double max_even_turn = 0.25; // rad
 
 } // namespace
 
-std::uint64_t move_free_body(State& s, std::int32_t b, float dt) {
+std::uint64_t move_free_body(State& s, std::int32_t b, float dt, int substeps) {
     std::uint64_t clamped_speeds = 0;
     BodyMotion& motion = s.motion[b];
     const BodyMass& mass = s.mass[b];
@@ -26,7 +26,6 @@ std::uint64_t move_free_body(State& s, std::int32_t b, float dt) {
         ++clamped_speeds;
         motion.v_rest = motion.w_rest = {};
     }
-    const int substeps = s.in_pass(s.settings.substeps);
     const double h = double(dt) / substeps;
     const double linear = damping_factor(settings.linear_damping, float(h));
     const double angular = damping_factor(settings.angular_damping, float(h));

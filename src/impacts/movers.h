@@ -41,7 +41,8 @@ class Movers {
     DBounds bounds_of_way(const Mover& m, double from) const;
 
   private:
-    math::DVec3 spin_before(std::int32_t body, math::DQuat q) const;
+    math::DVec3 spin_later(const Mover& m, math::DVec3 w, math::DQuat from, math::DQuat to, double duration) const;
+    double longest_part(std::int32_t body, math::DVec3 w, math::DQuat q) const;
     double offset_of_velocity() const;
     void fly(const Mover& m, const MovingState& from, double duration) const;
     void keep_in_range(std::int32_t body, const MovingState& from, double duration) const;

@@ -78,7 +78,7 @@ class ImpactQueue {
         if (movers_[i].path.until != time || movers_[i].has_stopped()) return;
         movers_.redirect(i, time, movers_.state_at(i, time));
         expect_renewal(i);
-        ask_near(i, time);
+        ask_again(i, time); // its way has been looked at up to the end
     }
 
     void meet(std::int32_t k, double time) {

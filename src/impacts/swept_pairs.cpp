@@ -52,7 +52,7 @@ bool SweptPairs::may_pass(std::int32_t mover, std::int32_t b, const Geometry& ot
     if (m.moved + moved_by_b <= free_share * std::min(inner_a, inner_b)) return false;
     if (other.type == ShapeType::plane || is_strip(other)) return true; // without an end
     // Along the straight way.
-    const RigidPath path_b = movers_.path_of(b);
+    const RigidPath path_b = second != none ? movers_[second].path : movers_.path_of(b);
     const DVec3 start = path_b.start - m.path.start, way = path_b.translation - m.path.translation;
     const double square = math::dot(way, way), radii = double(s.bodies[m.body].radius) + double(s.bodies[b].radius);
     const double time = square > 0 ? std::clamp(-math::dot(start, way) / square, 0.0, 1.0) : 0;

@@ -268,7 +268,7 @@ void empty_batch(State& s, BatchScratch& scratch, ThreadPool* thread_pool, float
         for (int k = begin; k < end; ++k) {
             prefetch_ahead(s, scratch.free_bodies, std::size_t(k));
             const std::int32_t b = scratch.free_bodies[k];
-            own.clamped_speeds += move_free_body(s, b, dt);
+            own.clamped_speeds += move_free_body(s, b, dt, s.in_pass(s.settings.substeps));
             finalize_body(s, b, dt, own.finalized);
         }
     });
