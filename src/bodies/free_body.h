@@ -5,7 +5,7 @@
 
 namespace cairn {
 
-// A whole step, or a part of one, in double. What the rounding of its velocities leaves over is kept. Returns how often a
+// In double. What the rounding of its velocities leaves over is kept. Returns how often a
 // speed was cut.
 std::uint64_t move_free_body(State& state, std::int32_t body, float dt, int substeps);
 
