@@ -33,19 +33,19 @@ inline void size_shape(ShapePose& pose, const Geometry& geometry) {
 
 // Puts one shape where its body is. The step's inner loop.
 inline void place_shape(State& state, std::uint32_t shape, const BodyMotion& motion, math::Quat q, math::Vec3 center) {
-    const Geometry& geometry = state.geometry[shape];
+    const Geometry& geometry = state.shapes.geometry[shape];
     math::Vec3 arm;
     if (!(geometry.position == center)) arm = math::rotate(q, geometry.position - center);
-    state.shapes[shape].arm = arm;
-    pose_shape(state.shape_poses[shape], geometry, motion.x + math::to_double(arm), q);
+    state.shapes.links[shape].arm = arm;
+    pose_shape(state.shapes.poses[shape], geometry, motion.x + math::to_double(arm), q);
 }
 
 // Puts all shapes of a body where it is; f(shape) after each.
 template <class F> void place_each_shape(State& state, std::int32_t body, F&& f) {
-    const BodyMotion& motion = state.motion[body];
+    const BodyMotion& motion = state.bodies.motion[body];
     const math::Quat q = math::to_float(motion.q);
-    const math::Vec3 center = state.mass[body].center;
-    for (std::int32_t s = state.bodies[body].first_shape; s != none; s = state.shapes[s].next) {
+    const math::Vec3 center = state.bodies.mass[body].center;
+    for (std::int32_t s = state.bodies.links[body].first_shape; s != none; s = state.shapes.links[s].next) {
         place_shape(state, std::uint32_t(s), motion, q, center);
         f(std::uint32_t(s));
     }
@@ -58,7 +58,7 @@ inline float looked_ahead(float turn) {
 }
 // How far that moves any point of a body, m.
 inline float turn_reach(const State& s, std::int32_t body, float dt) {
-    return looked_ahead(dt * math::length(s.motion[body].w)) * s.bodies[body].radius;
+    return looked_ahead(dt * math::length(s.bodies.motion[body].w)) * s.bodies.links[body].radius;
 }
 
 inline math::DVec3 shape_position(const ShapePose& pose) {
@@ -67,8 +67,8 @@ inline math::DVec3 shape_position(const ShapePose& pose) {
 inline math::Quat shape_rotation(const ShapePose& pose) { return {pose.q[0], pose.q[1], pose.q[2], pose.q[3]}; }
 
 inline DBounds shape_bounds(const State& state, std::uint32_t shape) {
-    const ShapePose& pose = state.shape_poses[shape];
-    return geometry_bounds(state.geometry[shape], state.shape_data[shape], shape_position(pose),
+    const ShapePose& pose = state.shapes.poses[shape];
+    return geometry_bounds(state.shapes.geometry[shape], state.shapes.data[shape], shape_position(pose),
                            math::to_matrix(shape_rotation(pose)));
 }
 

@@ -16,13 +16,15 @@ namespace {
 
 // How far the shape's surface moves as its body turns in the next step, m. Balls in the middle of their bodies stay.
 double turn_of_shape(const State& s, std::uint32_t shape, float turn) {
-    return s.geometry[shape].type == ShapeType::sphere && s.shapes[shape].arm == math::Vec3{} ? 0.0 : double(turn);
+    return s.shapes.geometry[shape].type == ShapeType::sphere && s.shapes.links[shape].arm == math::Vec3{}
+               ? 0.0
+               : double(turn);
 }
 
 // Of a shape that is no infinite plane, of a body that turns in the next step by so many meters.
 DBounds bounds_of(const State& s, std::uint32_t shape, float turn) {
-    const ShapePose& pose = s.shape_poses[shape];
-    return grown(geometry_bounds(s.geometry[shape], s.shape_data[shape], shape_position(pose),
+    const ShapePose& pose = s.shapes.poses[shape];
+    return grown(geometry_bounds(s.shapes.geometry[shape], s.shapes.data[shape], shape_position(pose),
                                  math::to_matrix(shape_rotation(pose))),
                  turn_of_shape(s, shape, turn));
 }
@@ -32,12 +34,12 @@ math::Vec3 normal_of_plane(const ShapePose& pose) { return math::rotate(shape_ro
 constexpr float usual_step = 1.0f / 60; // s: what comes between two steps does not know how long the next one is
 
 void move_shapes(State& s, std::int32_t b, float dt) {
-    const math::Vec3 displacement = dt * s.motion[b].v;
+    const math::Vec3 displacement = dt * s.bodies.motion[b].v;
     const float turn = turn_reach(s, b, dt);
-    s.boxes_until[b] = s.travel[b];
+    s.bodies.boxes_until[b] = s.bodies.travel[b];
     place_each_shape(s, b, [&](std::uint32_t shape) {
-        const ShapePose& pose = s.shape_poses[shape];
-        if (s.geometry[shape].type == ShapeType::plane)
+        const ShapePose& pose = s.shapes.poses[shape];
+        if (s.shapes.geometry[shape].type == ShapeType::plane)
             s.broad_phase.move_plane(shape, shape_position(pose), normal_of_plane(pose));
         else
             s.broad_phase.set_bounds(shape, bounds_of(s, shape, turn), displacement);
@@ -52,8 +54,8 @@ constexpr double rounding = 1e-5; // of bounds, as part of a body's size
 
 // How far out a body's surface turns. One without shapes is as large as its inertia says.
 float surface_radius(const State& s, std::int32_t b) {
-    const float radius = s.bodies[b].radius;
-    const BodyMass& mass = s.mass[b];
+    const float radius = s.bodies.links[b].radius;
+    const BodyMass& mass = s.bodies.mass[b];
     if (radius > 0 || !(mass.inverse_mass > 0)) return radius;
     return std::sqrt(std::max(mass.inertia.x, std::max(mass.inertia.y, mass.inertia.z)) * mass.inverse_mass);
 }
@@ -78,19 +80,19 @@ void note_rest(const WorldDef& settings, BodyLinks& links, math::Vec3 v, float s
 } // namespace
 
 void finalize_body(State& s, std::int32_t b, float dt, FinalizeScratch& own) {
-    const BodyMotion& motion = s.motion[b];
+    const BodyMotion& motion = s.bodies.motion[b];
     const float turn = turn_reach(s, b, dt);
-    BodyLinks& links = s.bodies[b];
+    BodyLinks& links = s.bodies.links[b];
     const float velocity = math::length(motion.v);
     const double ahead = double(turn + dt * velocity);
     // The step's own motion is counted at the start of the next one.
-    const double moved = uncounted(s.counted[b], motion, links.radius);
+    const double moved = uncounted(s.bodies.counted[b], motion, links.radius);
     const bool is_free = links.first_joint == none; // what hangs on joints cannot be held without opening them
     const bool is_fast = is_free && moved > free_share * double(links.inner_radius);
     const double spare = std::min(max_stray, max_stray_part * double(links.inner_radius));
-    bool has_strayed = is_before(s.ahead[b] + budget_of(spare), s.travel[b] + budget_of(moved));
-    const Travel now = s.travel[b] + travelled(moved);
-    if (is_before(now + travelled(ahead), s.boxes_until[b])) {
+    bool has_strayed = is_before(s.bodies.ahead[b] + budget_of(spare), s.bodies.travel[b] + budget_of(moved));
+    const Travel now = s.bodies.travel[b] + travelled(moved);
+    if (is_before(now + travelled(ahead), s.bodies.boxes_until[b])) {
         place_each_shape(s, b, [](std::uint32_t) {});
     } else {
         const math::Vec3 displacement = dt * motion.v;
@@ -102,7 +104,7 @@ void finalize_body(State& s, std::int32_t b, float dt, FinalizeScratch& own) {
             if (left < 0) own.escaped.push_back({shape, bounds, displacement});
             room = std::min(room, left);
         });
-        s.boxes_until[b] = now + budget_of(room - rounding * double(links.radius));
+        s.bodies.boxes_until[b] = now + budget_of(room - rounding * double(links.radius));
     }
     if (is_fast) {
         own.fast.push_back(b);
@@ -115,54 +117,54 @@ void finalize_body(State& s, std::int32_t b, float dt, FinalizeScratch& own) {
 void place_again(State& s, std::int32_t b, float dt) { move_shapes(s, b, dt); }
 
 void prefetch_motion(const State& s, std::int32_t b) {
-    ask_cache(&s.motion[b].x);
-    ask_cache(&s.motion[b].q);
-    ask_cache(&s.mass[b]);
-    ask_cache(&s.body_settings[b]);
+    ask_cache(&s.bodies.motion[b].x);
+    ask_cache(&s.bodies.motion[b].q);
+    ask_cache(&s.bodies.mass[b]);
+    ask_cache(&s.bodies.settings[b]);
 }
 
 void prefetch_body(const State& s, std::int32_t b) {
     prefetch_motion(s, b);
-    ask_cache(&s.bodies[b].first_shape);
-    ask_cache(&s.bodies[b].inner_radius);
-    ask_cache(&s.counted[b]);
-    ask_cache(&s.boxes_until[b]);
+    ask_cache(&s.bodies.links[b].first_shape);
+    ask_cache(&s.bodies.links[b].inner_radius);
+    ask_cache(&s.bodies.counted[b]);
+    ask_cache(&s.bodies.boxes_until[b]);
 }
 
 void prefetch_shape_of(const State& s, std::int32_t b) {
-    const std::int32_t first = s.bodies[b].first_shape;
+    const std::int32_t first = s.bodies.links[b].first_shape;
     if (first == none) return;
     const auto shape = std::size_t(first);
-    ask_cache(&s.shapes[shape]);
-    ask_cache(&s.shape_poses[shape]);
-    ask_cache(&s.geometry[shape]);
-    ask_cache(&s.geometry[shape].is_double_sided);
+    ask_cache(&s.shapes.links[shape]);
+    ask_cache(&s.shapes.poses[shape]);
+    ask_cache(&s.shapes.geometry[shape]);
+    ask_cache(&s.shapes.geometry[shape].is_double_sided);
     ask_cache(&s.broad_phase.fat_bounds(std::uint32_t(shape)));
 }
 
 void finalize_kinematics(State& s, float dt) {
-    for (const std::int32_t b : s.kinematics) {
-        const BodyMotion& motion = s.motion[b];
+    for (const std::int32_t b : s.bodies.kinematics) {
+        const BodyMotion& motion = s.bodies.motion[b];
         if (motion.v == math::Vec3{} && motion.w == math::Vec3{}) continue;
         move_shapes(s, b, dt);
     }
 }
 
 void add_proxy(State& s, std::uint32_t shape) {
-    const std::int32_t body = s.shapes[shape].body;
-    s.boxes_until[body] = s.travel[body];
-    const BodyType type = s.body_settings[body].type;
-    if (s.geometry[shape].type == ShapeType::plane) {
-        const ShapePose& pose = s.shape_poses[shape];
+    const std::int32_t body = s.shapes.links[shape].body;
+    s.bodies.boxes_until[body] = s.bodies.travel[body];
+    const BodyType type = s.bodies.settings[body].type;
+    if (s.shapes.geometry[shape].type == ShapeType::plane) {
+        const ShapePose& pose = s.shapes.poses[shape];
         s.broad_phase.add_plane(shape, shape_position(pose), normal_of_plane(pose),
-                                s.geometry[shape].is_double_sided != 0);
+                                s.shapes.geometry[shape].is_double_sided != 0);
         return;
     }
     const auto mobility = type == BodyType::static_ ? BroadPhase::Mobility::fixed : BroadPhase::Mobility::awake;
     const DBounds bounds = shape_bounds(s, shape);
     s.broad_phase.add(shape, bounds, mobility, type == BodyType::kinematic);
     s.broad_phase.set_bounds(shape, grown(bounds, turn_of_shape(s, shape, turn_reach(s, body, usual_step))),
-                             usual_step * s.motion[body].v);
+                             usual_step * s.bodies.motion[body].v);
 }
 
 void update_proxies(State& s, std::int32_t b) {

@@ -1,6 +1,7 @@
 // After the solver: shapes to their new places, bounds to the broad phase, time at rest measured.
 #pragma once
 
+#include "state/solver_scratch.h"
 #include "state/state.h"
 
 namespace cairn {

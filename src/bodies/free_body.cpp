@@ -17,22 +17,22 @@ constexpr double max_even_turn = 0.25; // rad
 
 } // namespace
 
-std::uint64_t move_free_body(State& s, std::int32_t b, float dt) {
+std::uint64_t move_free_body(State& s, StepScratch& step, std::int32_t b, float dt) {
     std::uint64_t clamped_speeds = 0;
-    BodyMotion& motion = s.motion[b];
-    const BodyMass& mass = s.mass[b];
-    const BodySettings& settings = s.body_settings[b];
+    BodyMotion& motion = s.bodies.motion[b];
+    const BodyMass& mass = s.bodies.mass[b];
+    const BodySettings& settings = s.bodies.settings[b];
     if (clamp_velocity(s.settings, motion.v, motion.w)) {
         ++clamped_speeds;
         motion.v_rest = motion.w_rest = {};
     }
-    const int substeps = s.in_pass(s.settings.substeps);
+    const int substeps = step.in_pass(s.settings.substeps);
     const double h = double(dt) / substeps;
     const double linear = damping_factor(settings.linear_damping, float(h));
     const double angular = damping_factor(settings.angular_damping, float(h));
     const Load load = load_on(s, b);
     const Spin spin = spin_of(mass);
-    const DVec3 torque = s.forces[b].torque;
+    const DVec3 torque = s.bodies.forces[b].torque;
     DVec3 x = motion.x, v = math::to_double(motion.v) + math::to_double(motion.v_rest);
     DVec3 w = math::to_double(motion.w) + math::to_double(motion.w_rest);
     DQuat q = motion.q;
@@ -44,7 +44,7 @@ std::uint64_t move_free_body(State& s, std::int32_t b, float dt) {
     };
     const bool force_varies = fields_vary(s);
     // About one axis: by one rotation, where its series holds to rounding.
-    const bool turns_evenly = !(angular < 1) && !s.is_pushed(b) && !precesses(mass, w, h, min_turn_free) &&
+    const bool turns_evenly = !(angular < 1) && !s.bodies.is_pushed(b) && !precesses(mass, w, h, min_turn_free) &&
                               double(dt) * double(dt) * math::dot(w, w) < max_even_turn * max_even_turn;
     const auto linear_change = [&] {
         const Increment change = linear_increment(s, load, x, v, h);

@@ -110,15 +110,15 @@ Increment linear_increment(const State& s, const Load& load, DVec3 x, DVec3 v, d
 }
 
 bool fields_vary(const State& s) {
-    for (std::uint32_t i = 0; i < s.fields.size(); ++i)
-        if (s.field_slots.is_live(i) && s.fields[i].kind == ForceField::Kind::radial) return true;
+    for (std::uint32_t i = 0; i < s.fields.all.size(); ++i)
+        if (s.fields.slots.is_live(i) && s.fields.all[i].kind == ForceField::Kind::radial) return true;
     return false;
 }
 
 Load load_on(const State& s, std::int32_t b) {
-    const BodyMass& mass = s.mass[b];
-    const BodyForces& forces = s.forces[b];
-    return {double(mass.inverse_mass) * forces.force, s.body_settings[b].gravity_scale, mass.inverse_mass};
+    const BodyMass& mass = s.bodies.mass[b];
+    const BodyForces& forces = s.bodies.forces[b];
+    return {double(mass.inverse_mass) * forces.force, s.bodies.settings[b].gravity_scale, mass.inverse_mass};
 }
 
 Spin spin_of(const BodyMass& mass) {
@@ -151,8 +151,8 @@ Increment gyroscopic_increment(const State& s, const Spin& spin, const DQuat& q,
 
 // The torque alone.
 Increment torque_increment(const State& s, std::int32_t b, const Spin& spin, const DQuat& q, double h) {
-    if (!s.is_pushed(b)) return {};
-    return translate(s.settings.integrator, h * spin.to_world(q, spin.inverse_moments, s.forces[b].torque));
+    if (!s.bodies.is_pushed(b)) return {};
+    return translate(s.settings.integrator, h * spin.to_world(q, spin.inverse_moments, s.bodies.forces[b].torque));
 }
 
 float damping_factor(float rate, float h) {
@@ -161,17 +161,17 @@ float damping_factor(float rate, float h) {
 }
 
 bool any_field(const State& s) {
-    for (std::uint32_t i = 0; i < s.fields.size(); ++i)
-        if (s.field_slots.is_live(i)) return true;
+    for (std::uint32_t i = 0; i < s.fields.all.size(); ++i)
+        if (s.fields.slots.is_live(i)) return true;
     return false;
 }
 
 DVec3 field_acceleration(const State& s, DVec3 x, float gravity_scale, double inverse_mass) {
     const auto& g = s.settings.gravity;
     DVec3 a = double(gravity_scale) * DVec3{g.x, g.y, g.z};
-    for (std::uint32_t i = 0; i < s.fields.size(); ++i) {
-        if (!s.field_slots.is_live(i)) continue;
-        const ForceField& field = s.fields[i];
+    for (std::uint32_t i = 0; i < s.fields.all.size(); ++i) {
+        if (!s.fields.slots.is_live(i)) continue;
+        const ForceField& field = s.fields.all[i];
         const double factor = field.is_force ? inverse_mass : 1.0;
         if (field.kind == ForceField::Kind::uniform) {
             a += factor * DVec3{field.direction.x, field.direction.y, field.direction.z};

@@ -41,17 +41,17 @@ float greatest_approach(const BodyMotion& a, const BodyMotion& b, math::Vec3 n, 
 
 void note_trigger(State& s, ContactInfo& c, bool inside) {
     c.touching = inside;
-    const bool a_is_trigger = s.shape_traits[c.shape_a].is_trigger;
+    const bool a_is_trigger = s.shapes.traits[c.shape_a].is_trigger;
     const std::uint32_t trigger = a_is_trigger ? c.shape_a : c.shape_b, other = a_is_trigger ? c.shape_b : c.shape_a;
-    s.events.triggers.next.push_back({s.shape_id(trigger), s.shape_id(other), s.body_id(s.shapes[trigger].body),
-                                      s.body_id(s.shapes[other].body), inside});
+    s.events.triggers.next.push_back({s.shape_id(trigger), s.shape_id(other), s.body_id(s.shapes.links[trigger].body),
+                                      s.body_id(s.shapes.links[other].body), inside});
 }
 
 // Whether another patch of the same pair touches.
 bool pair_touches_elsewhere(const State& s, const ContactInfo& c) {
     if (c.kind != PairKind::patch) return false;
-    for (std::int32_t p = s.contacts[c.related].related; p != none; p = s.contacts[p].next)
-        if (&s.contacts[p] != &c && s.contacts[p].touching) return true;
+    for (std::int32_t p = s.contacts.info[c.related].related; p != none; p = s.contacts.info[p].next)
+        if (&s.contacts.info[p] != &c && s.contacts.info[p].touching) return true;
     return false;
 }
 
@@ -66,7 +66,7 @@ void begin_contact(State& s, ContactInfo& c, math::Vec3 normal) {
     if (c.b_moves)
         link_islands(s, c.body_a, c.body_b);
     else
-        wake_island(s, s.bodies[c.body_a].island);
+        wake_island(s, s.bodies.links[c.body_a].island);
     assign_color(s, c);
     c.load = c.force = first_load(s, c, normal);
 }
@@ -95,13 +95,13 @@ bool is_asleep(const State& s, const ContactInfo& c) {
 } // namespace
 
 bool moves(const State& s, std::int32_t body) {
-    const BodyMotion& m = s.motion[body];
+    const BodyMotion& m = s.bodies.motion[body];
     return !(m.v == math::Vec3{} && m.w == math::Vec3{});
 }
 
 // Of the points of a record.
 float approach_speed(const State& s, const ContactInfo& c, const ContactRecord& r) {
-    const BodyMotion &a = s.motion[c.body_a], &b = s.motion[c.body_b];
+    const BodyMotion &a = s.bodies.motion[c.body_a], &b = s.bodies.motion[c.body_b];
     return greatest_approach(a, b, to_vec(r.normal), to_vec(r.center_offset), c.point_count,
                              [&](int i) { return to_vec(point_of(r, i)); });
 }
@@ -111,23 +111,23 @@ std::uint8_t going_on(const State& s, const ContactInfo& c) {
     return is_asleep(s, c) || (!c.b_moves && moves(s, c.body_b)) ? may_wake : goes_on;
 }
 
-void follow_up(State& s, std::uint32_t id, std::uint8_t outcome, float dt) {
+void follow_up(State& s, StepScratch& step, std::uint32_t id, std::uint8_t outcome, float dt) {
     if (outcome == apart) return;
     if (outcome == ended) {
         end_contact(s, id);
         return;
     }
     if (outcome == skipped) {
-        s.narrow.skipped.push_back(id);
+        step.narrow.skipped.push_back(id);
         return;
     }
     if (outcome == entered || outcome == left) {
-        note_trigger(s, s.contacts[id], outcome == entered);
+        note_trigger(s, s.contacts.info[id], outcome == entered);
         return;
     }
     if (outcome != goes_on) {
-        ContactInfo& c = s.contacts[id];
-        const ContactRecord& r = s.records[id];
+        ContactInfo& c = s.contacts.info[id];
+        const ContactRecord& r = s.contacts.records[id];
         const bool asleep = is_asleep(s, c);
         // Passing by is not enough to wake what sleeps: only what will touch it within the step does.
         if (outcome == begun && asleep && min_separation(c, r) > dt * r.approach_speed) {
@@ -139,17 +139,17 @@ void follow_up(State& s, std::uint32_t id, std::uint8_t outcome, float dt) {
             begin_contact(s, c, to_vec(r.normal));
         else if (asleep)
             wake_body(s, c.body_a);
-        if (!c.b_moves && moves(s, c.body_b)) s.islands[s.bodies[c.body_a].island].kept_awake = 1;
+        if (!c.b_moves && moves(s, c.body_b)) s.islands.all[s.bodies.links[c.body_a].island].kept_awake = 1;
     }
-    s.solved.push_back(id);
+    step.solved.push_back(id);
 }
 
 // How far apart two shapes may be to count: what the next step can close. Triggers do not look ahead.
-float contact_margin(const State& s, const ContactInfo& c, float dt) {
+float contact_margin(const State& s, const StepScratch& step, const ContactInfo& c, float dt) {
     if (c.is_trigger) return 0;
-    const BodyMotion &a = s.motion[c.body_a], &b = s.motion[c.body_b];
+    const BodyMotion &a = s.bodies.motion[c.body_a], &b = s.bodies.motion[c.body_b];
     return c.base_margin + dt * math::length(b.v - a.v) +
-           (s.narrow.turn_reach[c.body_a] + s.narrow.turn_reach[c.body_b]);
+           (step.narrow.turn_reach[c.body_a] + step.narrow.turn_reach[c.body_b]);
 }
 
 // Such contacts would have nothing to do in the solver: they are up to half of all while a heap lands.
@@ -159,8 +159,8 @@ bool stays_apart(const State& s, const ContactInfo& c, const Manifold& m, float 
     for (int i = 1; i < m.count; ++i) least = std::min(least, m.points[i][3]);
     if (least <= c.base_margin) return false;
     const std::int32_t first = c.flipped ? c.body_b : c.body_a, second = c.flipped ? c.body_a : c.body_b;
-    const BodyMotion &a = s.motion[first], &b = s.motion[second];
-    const math::Vec3 center = s.shapes[c.flipped ? c.shape_b : c.shape_a].arm;
+    const BodyMotion &a = s.bodies.motion[first], &b = s.bodies.motion[second];
+    const math::Vec3 center = s.shapes.links[c.flipped ? c.shape_b : c.shape_a].arm;
     const float speed = greatest_approach(a, b, to_vec(m.normal), math::to_float(a.x - b.x), m.count,
                                           [&](int i) { return center + to_vec(m.points[i]); });
     // What a rotation adds to the way of a point beyond its speed.
@@ -168,12 +168,12 @@ bool stays_apart(const State& s, const ContactInfo& c, const Manifold& m, float 
         const float turn = looked_ahead(dt * math::length(body.w));
         return 0.5f * turn * turn * radius;
     };
-    const float more = bend(a, s.bodies[first].radius) + bend(b, s.bodies[second].radius);
+    const float more = bend(a, s.bodies.links[first].radius) + bend(b, s.bodies.links[second].radius);
     return least > c.base_margin + dt * (speed + redirected * math::length(b.v - a.v)) + more;
 }
 
 std::uint8_t take_distance(State& s, std::uint32_t id, float distance) {
-    ContactInfo& c = s.contacts[id];
+    ContactInfo& c = s.contacts.info[id];
     const bool is_known = distance > c.base_margin && distance < unused && has_distance(c.kind);
     keep_answer(s, id, is_known ? double(distance - c.base_margin) : 0.0);
     if (c.is_trigger) return trigger_outcome(c, false);
@@ -181,10 +181,11 @@ std::uint8_t take_distance(State& s, std::uint32_t id, float distance) {
 }
 
 std::uint8_t take_manifold(State& s, std::uint32_t id, const Manifold& m, float dt, const Touch* touch) {
-    ContactInfo& c = s.contacts[id];
+    ContactInfo& c = s.contacts.info[id];
     if (m.count == 0 || (!touch && stays_apart(s, c, m, dt))) {
         // Along which they are apart; wide kernels do not say.
-        if (c.kind == PairKind::convex_convex && !c.is_trigger) math::put(s.records[id].normal, to_vec(m.normal));
+        if (c.kind == PairKind::convex_convex && !c.is_trigger)
+            math::put(s.contacts.records[id].normal, to_vec(m.normal));
         return take_distance(s, id, m.count == 0 ? m.points[0][3] : 0.0f);
     }
     if (touch)
@@ -194,7 +195,7 @@ std::uint8_t take_manifold(State& s, std::uint32_t id, const Manifold& m, float 
     if (c.is_trigger) return trigger_outcome(c, true);
     const bool is_new = c.point_count == 0;
     write_record(s, id, m, touch);
-    ContactRecord& r = s.records[id];
+    ContactRecord& r = s.contacts.records[id];
     if (!c.touching) r.approach_speed = approach_speed(s, c, r);
     return is_new ? std::uint8_t(begun) : going_on(s, c);
 }
@@ -205,7 +206,7 @@ std::uint8_t trigger_outcome(const ContactInfo& c, bool inside) {
 }
 
 void end_contact(State& s, std::uint32_t id) {
-    ContactInfo& c = s.contacts[id];
+    ContactInfo& c = s.contacts.info[id];
     if (c.is_trigger) {
         if (c.touching) note_trigger(s, c, false);
         return;
@@ -217,8 +218,8 @@ void end_contact(State& s, std::uint32_t id) {
     if (c.point_count == 0) return;
     release_color(s, c);
     c.point_count = 0;
-    const std::int32_t island = s.bodies[c.body_a].island;
-    if (island != none) s.islands[island].lost_contact |= c.b_moves;
+    const std::int32_t island = s.bodies.links[c.body_a].island;
+    if (island != none) s.islands.all[island].lost_contact |= c.b_moves;
     if (c.touching) end_touch(s, c);
 }
 
@@ -226,62 +227,62 @@ namespace {
 
 // The contact began to touch.
 void begin_touch(State& s, std::uint32_t id) {
-    ContactInfo& c = s.contacts[id];
+    ContactInfo& c = s.contacts.info[id];
     c.touching = 1;
     if (pair_touches_elsewhere(s, c)) return;
     const ShapeId a = s.shape_id(c.shape_a), b = s.shape_id(c.shape_b);
     const BodyId body_a = s.body_id(c.body_a), body_b = s.body_id(c.body_b);
     s.events.begins.push_back({a, b, body_a, body_b});
-    const ContactRecord& r = s.records[id];
+    const ContactRecord& r = s.contacts.records[id];
     if (r.approach_speed < s.settings.hit_speed) return;
     int deepest = 0;
     for (int i = 1; i < c.point_count; ++i)
         if (point_of(r, i)[3] < point_of(r, deepest)[3]) deepest = i;
     const ContactRecord now = advanced_record(s, id);
-    const math::DVec3 p = s.motion[c.body_a].x + math::to_double(to_vec(point_of(now, deepest)));
+    const math::DVec3 p = s.bodies.motion[c.body_a].x + math::to_double(to_vec(point_of(now, deepest)));
     s.events.hits.push_back(
         {a, b, body_a, body_b, {p.x, p.y, p.z}, {r.normal[0], r.normal[1], r.normal[2]}, r.approach_speed});
 }
 
 // Takes note of what a contact carried, and says whether it began or ceased to touch. Others may be at work on other
 // contacts.
-bool take_report(State& s, const SortedContact& sorted, float dt) {
-    ContactInfo& c = s.contacts[sorted.id];
-    const ContactReport& report = s.solver.reports[sorted.id];
+bool take_report(State& s, StepScratch& step, const SortedContact& sorted, float dt) {
+    ContactInfo& c = s.contacts.info[sorted.id];
+    const ContactReport& report = step.solver.reports[sorted.id];
     // Impulses beyond the range of numbers (of bodies that were stopped for it) must not start the next step.
-    if (!std::isfinite(report.impulse)) forget_impulses(s.records[sorted.id], c.point_count);
+    if (!std::isfinite(report.impulse)) forget_impulses(s.contacts.records[sorted.id], c.point_count);
     const float force = std::isfinite(report.impulse) ? report.impulse / dt : 0;
-    note_load(s.islands[sorted.island], c, force, report.inverse_mass);
+    note_load(s.islands.all[sorted.island], c, force, report.inverse_mass);
     if (!c.touching) return report.separation <= 0 || report.impulse > 0;
     return report.impulse == 0 && report.separation > 0.25f * c.base_margin;
 }
 
 } // namespace
 
-void report_contacts(State& s, float dt) {
+void report_contacts(State& s, StepScratch& step, float dt) {
     float deepest = 0; // raised by all threads
-    std::vector<std::uint8_t>& changes = s.narrow.changes;
-    changes.resize(s.contacts.size());
-    const std::vector<SortedContact>& sorted = s.solver.sorted;
-    s.thread_pool->for_chunks(int(sorted.size()), reports_per_chunk, [&](int begin, int end, int) {
+    std::vector<std::uint8_t>& changes = step.narrow.changes;
+    changes.resize(s.contacts.info.size());
+    const std::vector<SortedContact>& sorted = step.solver.sorted;
+    step.thread_pool->for_chunks(int(sorted.size()), reports_per_chunk, [&](int begin, int end, int) {
         float own = 0;
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
             if (k + contacts_ahead < std::size_t(end)) {
                 const std::uint32_t next = sorted[k + contacts_ahead].id;
-                ask_cache(&s.contacts[next]);
-                ask_cache(&s.solver.reports[next]);
+                ask_cache(&s.contacts.info[next]);
+                ask_cache(&step.solver.reports[next]);
             }
             const std::uint32_t id = sorted[k].id;
-            changes[id] = take_report(s, sorted[k], dt);
-            own = std::max(own, -s.solver.reports[id].separation);
+            changes[id] = take_report(s, step, sorted[k], dt);
+            own = std::max(own, -step.solver.reports[id].separation);
         }
         raise(deepest, own);
     });
     s.statistics.max_penetration = double(deepest);
-    for (const SortedContact& solved : s.solver.unsorted) {
+    for (const SortedContact& solved : step.solver.unsorted) {
         if (!changes[solved.id]) continue;
         const std::uint32_t id = solved.id;
-        ContactInfo& c = s.contacts[id];
+        ContactInfo& c = s.contacts.info[id];
         if (c.touching)
             end_touch(s, c);
         else
@@ -289,11 +290,11 @@ void report_contacts(State& s, float dt) {
     }
 }
 
-void settle_sleeping_contacts(State& state) {
-    for (const std::uint32_t id : state.solved) {
-        const ContactInfo& contact = state.contacts[id];
+void settle_sleeping_contacts(State& state, StepScratch& step) {
+    for (const std::uint32_t id : step.solved) {
+        const ContactInfo& contact = state.contacts.info[id];
         if (!contact.in_use || contact.point_count == 0 || state.is_awake(contact.body_a)) continue;
-        state.records[id] = advanced_record(state, id);
+        state.contacts.records[id] = advanced_record(state, id);
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include "contacts/touch.h"
 #include "state/state.h"
+#include "state/step_scratch.h"
 
 namespace cairn {
 
@@ -22,7 +23,7 @@ enum Outcome : std::uint8_t {
 };
 
 // How far apart two shapes may be to count: what the next step can close.
-float contact_margin(const State& state, const ContactInfo& contact, float dt);
+float contact_margin(const State& state, const StepScratch& step, const ContactInfo& contact, float dt);
 // Whether points that are beyond where contacts begin do not come near each other in the next step either, as the
 // bodies move now.
 bool stays_apart(const State& state, const ContactInfo& contact, const Manifold& manifold, float dt);
@@ -34,7 +35,7 @@ std::uint8_t take_manifold(State& state, std::uint32_t contact, const Manifold& 
 std::uint8_t take_distance(State& state, std::uint32_t contact, float distance);
 std::uint8_t trigger_outcome(const ContactInfo& contact, bool inside);
 // What changes more than the contact itself: islands, colors, sleep. One after the other, in order.
-void follow_up(State& state, std::uint32_t contact, std::uint8_t outcome, float dt);
+void follow_up(State& state, StepScratch& step, std::uint32_t contact, std::uint8_t outcome, float dt);
 
 // A contact is no longer solved: an end event if it touched, and its island may fall apart.
 void end_contact(State& state, std::uint32_t contact);
@@ -46,10 +47,10 @@ bool moves(const State& state, std::int32_t body);
 float approach_speed(const State& state, const ContactInfo& contact, const ContactRecord& record);
 
 // After the solver: begin, end and hit events, sustained loads, counts.
-void report_contacts(State& state, float dt);
+void report_contacts(State& state, StepScratch& step, float dt);
 
 // The records of contacts that fell asleep are brought up to the final poses: they are used as they are if the
 // island wakes within a step.
-void settle_sleeping_contacts(State& state);
+void settle_sleeping_contacts(State& state, StepScratch& step);
 
 } // namespace cairn

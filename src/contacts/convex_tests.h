@@ -2,6 +2,7 @@
 #pragma once
 
 #include "collision/contact_memory.h"
+#include "collision/surface_contact.h"
 #include "state/state.h"
 
 namespace cairn {
@@ -22,7 +23,7 @@ float find_patches(const PosedShape& a, const PosedShape& surface, float margin,
                    std::vector<Manifold>& hits);
 
 inline PosedShape posed_shape(const State& s, std::uint32_t shape) {
-    return {s.geometry[shape], s.shape_data[shape], s.shape_poses[shape], s.shapes[shape].arm};
+    return {s.shapes.geometry[shape], s.shapes.data[shape], s.shapes.poses[shape], s.shapes.links[shape].arm};
 }
 
 } // namespace cairn

@@ -22,39 +22,41 @@ constexpr int pairs_per_chunk = 16; // for threads
 
 // Where a body was at the start of the pass.
 CountedPose pose_before(const State& s, std::int32_t b) {
-    if (s.body_settings[b].type == BodyType::kinematic || s.is_awake(b)) return s.counted[b];
-    return {s.motion[b].x, s.motion[b].q};
+    if (s.bodies.settings[b].type == BodyType::kinematic || s.is_awake(b)) return s.bodies.counted[b];
+    return {s.bodies.motion[b].x, s.bodies.motion[b].q};
 }
 // Whether its poses do not say how it turned. Of such a body the ball that is in it however it lies is held.
-bool turns_over(const State& s, std::int32_t b, float dt) { return math::length(s.motion[b].w) * dt > half_turn; }
+bool turns_over(const State& s, std::int32_t b, float dt) {
+    return math::length(s.bodies.motion[b].w) * dt > half_turn;
+}
 RigidPath path_of(const State& s, std::int32_t b, float dt) {
     const CountedPose from = pose_before(s, b);
-    const BodyMotion& to = s.motion[b];
+    const BodyMotion& to = s.bodies.motion[b];
     return RigidPath::between(from.x, from.q, to.x, turns_over(s, b, dt) ? from.q : to.q);
 }
 
 // About the center of mass.
 Geometry inner_ball(const State& s, std::int32_t b) {
     Geometry ball;
-    ball.size = {s.bodies[b].inner_radius, s.bodies[b].inner_radius, s.bodies[b].inner_radius};
-    ball.bounding_radius = s.bodies[b].inner_radius;
-    ball.position = s.mass[b].center;
+    ball.size = {s.bodies.links[b].inner_radius, s.bodies.links[b].inner_radius, s.bodies.links[b].inner_radius};
+    ball.bounding_radius = s.bodies.links[b].inner_radius;
+    ball.position = s.bodies.mass[b].center;
     return ball;
 }
 
 class CoreHolder {
   public:
-    CoreHolder(State& state, float dt) : s(state), dt_(dt) {
-        if (place_.size() < s.bodies.size()) place_.resize(s.bodies.size(), none);
+    CoreHolder(State& state, StepScratch& step, float dt) : s(state), step(step), dt_(dt) {
+        if (place_.size() < s.bodies.links.size()) place_.resize(s.bodies.links.size(), none);
         fast_.clear(), paths_.clear(), pairs_.clear(), meetings_.clear();
     }
     void run() {
-        for (const std::int32_t b : s.solver.fast) add(b);
+        for (const std::int32_t b : step.solver.fast) add(b);
         find_expected();
         find_unexpected();
         sort_pairs();
         s.statistics.swept_pairs += pairs_.size();
-        s.thread_pool->for_chunks(int(pairs_.size()), pairs_per_chunk, [&](int begin, int end, int) {
+        step.thread_pool->for_chunks(int(pairs_.size()), pairs_per_chunk, [&](int begin, int end, int) {
             for (int k = begin; k < end; ++k) pairs_[std::size_t(k)].time = time_of(pairs_[std::size_t(k)], 0);
         });
         stop_in_order();
@@ -66,7 +68,7 @@ class CoreHolder {
   private:
     void add(std::int32_t b) {
         place_[std::size_t(b)] = std::int32_t(fast_.size());
-        fast_.push_back({b, uncounted(pose_before(s, b), s.motion[b], s.bodies[b].radius)});
+        fast_.push_back({b, uncounted(pose_before(s, b), s.bodies.motion[b], s.bodies.links[b].radius)});
     }
     void make_path(std::int32_t fast) {
         FastBody& f = fast_[std::size_t(fast)];
@@ -76,8 +78,8 @@ class CoreHolder {
     }
     const RigidPath& path(const FastBody& f) const { return paths_[std::size_t(f.path)]; }
     DBounds bounds_of_way(const FastBody& f) const {
-        const DVec3 from = s.counted[f.body].x, to = s.motion[f.body].x;
-        const double r = double(s.bodies[f.body].radius);
+        const DVec3 from = s.bodies.counted[f.body].x, to = s.bodies.motion[f.body].x;
+        const double r = double(s.bodies.links[f.body].radius);
         DBounds bounds;
         for (int i = 0; i < 3; ++i)
             bounds.lo[i] = std::min(from[i], to[i]) - r, bounds.hi[i] = std::max(from[i], to[i]) + r;
@@ -85,19 +87,20 @@ class CoreHolder {
     }
 
     bool may_collide(std::uint32_t a, std::uint32_t b) const {
-        const std::int32_t body_a = s.shapes[a].body, body_b = s.shapes[b].body;
-        const ShapeTraits &ta = s.shape_traits[a], &tb = s.shape_traits[b];
+        const std::int32_t body_a = s.shapes.links[a].body, body_b = s.shapes.links[b].body;
+        const ShapeTraits &ta = s.shapes.traits[a], &tb = s.shapes.traits[b];
         return body_a != body_b && !ta.is_trigger && !tb.is_trigger && may_meet(ta.filter, tb.filter) &&
                !joint_forbids_contact(s, body_a, body_b);
     }
     template <class F> void for_each_shape(std::int32_t body, F&& f) const {
-        for (std::int32_t k = s.bodies[body].first_shape; k != none; k = s.shapes[k].next) f(std::uint32_t(k));
+        for (std::int32_t k = s.bodies.links[body].first_shape; k != none; k = s.shapes.links[k].next)
+            f(std::uint32_t(k));
     }
 
     std::int32_t fast_of(std::int32_t body) const { return place_[std::size_t(body)]; }
     void add_pair(std::int32_t a, std::uint32_t shape, std::uint32_t other, bool is_known) {
-        const std::int32_t b = s.shapes[other].body;
-        if (!may_pass(a, b, s.geometry[other])) return;
+        const std::int32_t b = s.shapes.links[other].body;
+        if (!may_pass(a, b, s.shapes.geometry[other])) return;
         make_path(fast_of(a));
         if (fast_of(b) != none) make_path(fast_of(b));
         pairs_.push_back({fast_of(a), fast_of(b), shape, other, never, is_known});
@@ -106,32 +109,34 @@ class CoreHolder {
     // Whether two bodies moved against each other so far that a core can pass, and came near each other. The first is
     // fast.
     bool may_pass(std::int32_t a, std::int32_t b, const Geometry& other) const {
-        if (s.body_settings[b].type == BodyType::kinematic) return true;
+        if (s.bodies.settings[b].type == BodyType::kinematic) return true;
         const double moved = fast_[std::size_t(fast_of(a))].moved + moved_by(b);
-        const double inner_a = double(s.bodies[a].inner_radius), inner_b = double(s.bodies[b].inner_radius);
+        const double inner_a = double(s.bodies.links[a].inner_radius), inner_b = double(s.bodies.links[b].inner_radius);
         if (moved <= free_share * std::min(inner_a, inner_b)) return false;
         if (other.type == ShapeType::plane || is_strip(other)) return true; // without an end
         // Along the straight way.
         const CountedPose from_a = pose_before(s, a), from_b = pose_before(s, b);
-        const DVec3 start = from_b.x - from_a.x, way = (s.motion[b].x - from_b.x) - (s.motion[a].x - from_a.x);
-        const double square = math::dot(way, way), radii = double(s.bodies[a].radius) + double(s.bodies[b].radius);
+        const DVec3 start = from_b.x - from_a.x,
+                    way = (s.bodies.motion[b].x - from_b.x) - (s.bodies.motion[a].x - from_a.x);
+        const double square = math::dot(way, way),
+                     radii = double(s.bodies.links[a].radius) + double(s.bodies.links[b].radius);
         const double time = square > 0 ? std::clamp(-math::dot(start, way) / square, 0.0, 1.0) : 0;
         const DVec3 nearest = start + time * way;
         return math::dot(nearest, nearest) <= radii * radii;
     }
     double moved_by(std::int32_t b) const {
         if (fast_of(b) != none) return fast_[std::size_t(fast_of(b))].moved;
-        return s.is_awake(b) ? free_share * double(s.bodies[b].inner_radius) : 0; // at most
+        return s.is_awake(b) ? free_share * double(s.bodies.links[b].inner_radius) : 0; // at most
     }
 
     // Pairs that the narrow phase had before it, but for those that it knew to stay apart.
     void find_expected() {
-        for (const std::uint32_t k : s.narrow.open) {
-            const std::uint32_t id = s.narrow.candidates[k];
-            const PairAnswer& answer = s.answers[id];
+        for (const std::uint32_t k : step.narrow.open) {
+            const std::uint32_t id = step.narrow.candidates[k];
+            const PairAnswer& answer = s.contacts.answers[id];
             const bool a_is_fast = fast_of(answer.body_a) != none;
             if (!a_is_fast && fast_of(answer.body_b) == none) continue;
-            const ContactInfo& c = s.contacts[id];
+            const ContactInfo& c = s.contacts.info[id];
             if (c.is_trigger) continue;
             const bool is_known = is_group(c) ? c.related != none : c.point_count > 0;
             if (a_is_fast)
@@ -143,8 +148,8 @@ class CoreHolder {
 
     // All that is near the ways of bodies that are not where they were expected.
     void find_unexpected() {
-        if (s.solver.strayed.empty()) return;
-        std::vector<FastWay>& ways = s.solver.sweep.ways;
+        if (step.solver.strayed.empty()) return;
+        std::vector<FastWay>& ways = step.solver.sweep.ways;
         ways.clear();
         double widest = 0;
         for (std::size_t i = 0; i < fast_.size(); ++i) {
@@ -157,16 +162,16 @@ class CoreHolder {
             return fast_of(body) != none && fast_of(body) < count;
         };
         std::sort(ways.begin(), ways.end());
-        for (const std::int32_t body : s.solver.strayed) {
+        for (const std::int32_t body : step.solver.strayed) {
             const DBounds bounds = bounds_of_way(fast_[std::size_t(fast_of(body))]);
             const auto try_shape = [&](std::uint32_t other) {
-                if (!may_pass(body, s.shapes[other].body, s.geometry[other])) return;
+                if (!may_pass(body, s.shapes.links[other].body, s.shapes.geometry[other])) return;
                 for_each_shape(body, [&](std::uint32_t shape) {
                     if (may_collide(shape, other)) add_pair(body, shape, other, false);
                 });
             };
             s.broad_phase.query_bounds(bounds, [&](std::uint32_t other) {
-                if (!is_listed(s.shapes[other].body)) try_shape(other);
+                if (!is_listed(s.shapes.links[other].body)) try_shape(other);
             });
             const auto begins_before = [](const FastWay& w, double x) { return w.begin < x; };
             auto k = std::lower_bound(ways.begin(), ways.end(), bounds.lo.x - widest, begins_before);
@@ -188,13 +193,14 @@ class CoreHolder {
     double time_of(const FastPair& pair, double from) const {
         const FastBody& first = fast_[std::size_t(pair.first)];
         const auto swept = [&](std::uint32_t shape, const Geometry& g, const RigidPath& path, double until) {
-            const std::int32_t body = s.shapes[shape].body;
-            return SweptShape{g, s.shape_data[shape], math::to_double(g.position - s.mass[body].center), path, until};
+            const std::int32_t body = s.shapes.links[shape].body;
+            return SweptShape{g, s.shapes.data[shape], math::to_double(g.position - s.bodies.mass[body].center), path,
+                              until};
         };
         const auto swept_fast = [&](const FastBody& f, std::uint32_t shape, const RigidPath& path, Geometry& ball) {
             const bool is_ball = turns_over(s, f.body, dt_);
             if (is_ball) ball = inner_ball(s, f.body);
-            return swept(shape, is_ball ? ball : s.geometry[shape], path, f.until);
+            return swept(shape, is_ball ? ball : s.shapes.geometry[shape], path, f.until);
         };
         // Seen from the first, for precision far from the origin.
         const DVec3 origin = path(first).start;
@@ -210,8 +216,8 @@ class CoreHolder {
             const RigidPath path_b = seen(path(second));
             return time_of_meeting(a, swept_fast(second, pair.other, path_b, ball_b), pair.is_known, from);
         }
-        const RigidPath path_b = seen(path_of(s, s.shapes[pair.other].body, dt_));
-        return time_of_meeting(a, swept(pair.other, s.geometry[pair.other], path_b, 1), pair.is_known, from);
+        const RigidPath path_b = seen(path_of(s, s.shapes.links[pair.other].body, dt_));
+        return time_of_meeting(a, swept(pair.other, s.shapes.geometry[pair.other], path_b, 1), pair.is_known, from);
     }
 
     // The earliest meeting stops both bodies. Then their pairs are asked again, as what moves on may meet what stands,
@@ -249,7 +255,7 @@ class CoreHolder {
         for_each_end([&](std::size_t i, std::size_t) { ++first_pair_[i + 1]; });
         std::partial_sum(first_pair_.begin(), first_pair_.end(), first_pair_.begin());
         pairs_of_.resize(first_pair_.back());
-        std::vector<std::size_t>& next = s.solver.sweep.next_pair;
+        std::vector<std::size_t>& next = step.solver.sweep.next_pair;
         next = first_pair_;
         for_each_end([&](std::size_t i, std::size_t k) { pairs_of_[next[i]++] = k; });
     }
@@ -270,12 +276,12 @@ class CoreHolder {
     void put_back(std::int32_t fast) {
         make_path(fast);
         const FastBody& f = fast_[std::size_t(fast)];
-        BodyMotion& motion = s.motion[f.body];
+        BodyMotion& motion = s.bodies.motion[f.body];
         const RigidPath::Pose pose = path(f).at(f.until);
         give_back_work(f.body, motion.x - pose.x);
         motion.x = pose.x;
         if (!turns_over(s, f.body, dt_)) {
-            motion.turned = math::to_float(pose.q * math::conjugate(s.counted[f.body].q));
+            motion.turned = math::to_float(pose.q * math::conjugate(s.bodies.counted[f.body].q));
             motion.q = pose.q;
         }
         place_again(s, f.body, dt_);
@@ -283,10 +289,10 @@ class CoreHolder {
     }
     // Of its forces along the way that it has not gone: v^2 / 2 is less by that, per mass.
     void give_back_work(std::int32_t b, DVec3 way) {
-        BodyMotion& motion = s.motion[b];
-        const double inverse_mass = double(s.mass[b].inverse_mass);
-        DVec3 a = field_acceleration(s, motion.x, s.body_settings[b].gravity_scale, inverse_mass);
-        if (s.is_pushed(b)) a += inverse_mass * s.forces[b].force;
+        BodyMotion& motion = s.bodies.motion[b];
+        const double inverse_mass = double(s.bodies.mass[b].inverse_mass);
+        DVec3 a = field_acceleration(s, motion.x, s.bodies.settings[b].gravity_scale, inverse_mass);
+        if (s.bodies.is_pushed(b)) a += inverse_mass * s.bodies.forces[b].force;
         const DVec3 v = math::to_double(motion.v);
         const double square = math::dot(v, v);
         const double left = std::clamp(square - 2 * math::dot(a, way), 0.0, square); // it gains nothing: it was pushed
@@ -294,21 +300,23 @@ class CoreHolder {
     }
 
     State& s;
+
+    StepScratch& step;
     const float dt_;
-    std::vector<std::int32_t>& place_ = s.solver.sweep.place;
-    std::vector<FastBody>& fast_ = s.solver.sweep.bodies;
-    std::vector<RigidPath>& paths_ = s.solver.sweep.paths;
-    std::vector<FastPair>& pairs_ = s.solver.sweep.pairs;
-    std::vector<Meeting>& meetings_ = s.solver.sweep.meetings;
-    std::vector<std::size_t>& first_pair_ = s.solver.sweep.first_pair;
-    std::vector<std::size_t>& pairs_of_ = s.solver.sweep.pairs_of;
+    std::vector<std::int32_t>& place_ = step.solver.sweep.place;
+    std::vector<FastBody>& fast_ = step.solver.sweep.bodies;
+    std::vector<RigidPath>& paths_ = step.solver.sweep.paths;
+    std::vector<FastPair>& pairs_ = step.solver.sweep.pairs;
+    std::vector<Meeting>& meetings_ = step.solver.sweep.meetings;
+    std::vector<std::size_t>& first_pair_ = step.solver.sweep.first_pair;
+    std::vector<std::size_t>& pairs_of_ = step.solver.sweep.pairs_of;
 };
 
 } // namespace
 
-void hold_cores(State& s, float dt) {
-    if (s.solver.fast.empty()) return;
-    CoreHolder(s, dt).run();
+void hold_cores(State& s, StepScratch& step, float dt) {
+    if (step.solver.fast.empty()) return;
+    CoreHolder(s, step, dt).run();
 }
 
 } // namespace cairn

@@ -11,40 +11,40 @@ namespace cairn {
 
 namespace {
 
-Island& island_at(State& state, std::int32_t i) { return state.islands[i]; }
-BodyLinks& body_at(State& state, std::int32_t i) { return state.bodies[i]; }
+Island& island_at(State& state, std::int32_t i) { return state.islands.all[i]; }
+BodyLinks& body_at(State& state, std::int32_t i) { return state.bodies.links[i]; }
 
 std::int32_t new_island(State& state) {
     std::int32_t i;
-    if (state.free_islands.empty()) {
-        i = std::int32_t(state.islands.size());
-        state.islands.emplace_back();
+    if (state.islands.free.empty()) {
+        i = std::int32_t(state.islands.all.size());
+        state.islands.all.emplace_back();
     } else {
-        i = state.free_islands.back();
-        state.free_islands.pop_back();
+        i = state.islands.free.back();
+        state.islands.free.pop_back();
         island_at(state, i) = {};
     }
     Island& island = island_at(state, i);
     island.in_use = 1;
-    island.position = std::int32_t(state.awake_islands.size());
-    state.awake_islands.push_back(i);
+    island.position = std::int32_t(state.islands.awake.size());
+    state.islands.awake.push_back(i);
     return i;
 }
 
 // Takes an island out of the list of awake ones.
 void leave_awake_list(State& state, std::int32_t i) {
     Island& island = island_at(state, i);
-    const std::int32_t last = state.awake_islands.back();
-    state.awake_islands[island.position] = last;
+    const std::int32_t last = state.islands.awake.back();
+    state.islands.awake[island.position] = last;
     island_at(state, last).position = island.position;
-    state.awake_islands.pop_back();
+    state.islands.awake.pop_back();
     island.position = none;
 }
 
 void free_island(State& state, std::int32_t i) {
     if (island_at(state, i).position != none) leave_awake_list(state, i);
     island_at(state, i) = {};
-    state.free_islands.push_back(i);
+    state.islands.free.push_back(i);
 }
 
 void append_body(State& state, std::int32_t i, std::int32_t body) {
@@ -73,11 +73,11 @@ void put_to_sleep(State& state, std::int32_t i) {
     leave_awake_list(state, i);
     Island& island = island_at(state, i);
     for (std::int32_t b = island.first_body; b != none; b = body_at(state, b).next_in_island) {
-        BodyMotion& motion = state.motion[b];
+        BodyMotion& motion = state.bodies.motion[b];
         motion.v = motion.w = motion.v_rest = motion.w_rest = {};
         state.events.sleeps.next.push_back({state.body_id(b), true});
     }
-    state.falling_asleep.push_back(i);
+    state.islands.falling_asleep.push_back(i);
 }
 
 // --- splitting
@@ -90,18 +90,18 @@ std::int32_t find_root(std::vector<std::int32_t>& parent, std::int32_t i) {
     return i;
 }
 
-void split_island(State& state, std::int32_t i) {
+void split_island(State& state, StepScratch& step, std::int32_t i) {
     // Number the bodies in list order; the root of a part is its first body.
     std::vector<std::int32_t> members, parent;
-    std::vector<std::int32_t>& number = state.solver.member_numbers;
-    number.resize(state.bodies.size());
+    std::vector<std::int32_t>& number = step.solver.member_numbers;
+    number.resize(state.bodies.links.size());
     for (std::int32_t b = island_at(state, i).first_body; b != none; b = body_at(state, b).next_in_island) {
         number[b] = std::int32_t(members.size());
         parent.push_back(std::int32_t(members.size()));
         members.push_back(b);
     }
-    for (const std::uint32_t id : state.solved) {
-        const ContactInfo& contact = state.contacts[id];
+    for (const std::uint32_t id : step.solved) {
+        const ContactInfo& contact = state.contacts.info[id];
         if (!contact.in_use || contact.point_count == 0 || !contact.b_moves) continue;
         if (body_at(state, contact.body_a).island != i) continue;
         const std::int32_t a = find_root(parent, number[contact.body_a]);
@@ -110,8 +110,8 @@ void split_island(State& state, std::int32_t i) {
     }
     for (const std::int32_t b : members)
         for_each_joint(state, b, [&](std::uint32_t joint, int side) {
-            const std::int32_t other = other_body(state.joints[joint], side);
-            if (other == none || !state.is_dynamic(other)) return;
+            const std::int32_t other = other_body(state.joints.info[joint], side);
+            if (other == none || !state.bodies.is_dynamic(other)) return;
             const std::int32_t a = find_root(parent, number[b]);
             const std::int32_t c = find_root(parent, number[other]);
             parent[std::max(a, c)] = std::min(a, c);
@@ -126,7 +126,7 @@ void split_island(State& state, std::int32_t i) {
         if (part[root] == none) part[root] = root == 0 ? i : new_island(state);
         append_body(state, part[root], members[k]);
         for_each_joint(state, members[k], [&](std::uint32_t joint, int) {
-            if (joint_owner(state, state.joints[joint]) == members[k]) ++island_at(state, part[root]).joint_count;
+            if (joint_owner(state, state.joints.info[joint]) == members[k]) ++island_at(state, part[root]).joint_count;
         });
     }
 }
@@ -139,7 +139,7 @@ void measure_rest(State& state, std::int32_t i) {
         const float quiet = body_at(state, b).quiet_time;
         least = std::min(least, quiet);
         greatest = std::max(greatest, quiet);
-        allowed = allowed && state.body_settings[b].allow_sleep;
+        allowed = allowed && state.bodies.settings[b].allow_sleep;
     }
     island.min_quiet_time = allowed && !island.kept_awake ? least : 0;
     island.greatest_quiet_time = greatest;
@@ -151,9 +151,9 @@ bool gains_speed(const State& state, const Island& island) {
     constexpr float steady_gain = 0.25f; // of the sleep speed, in a sleep time
     float mass = 0;
     math::Vec3 momentum, difference;
-    for (std::int32_t b = island.first_body; b != none; b = state.bodies[b].next_in_island) {
-        const BodyLinks& links = state.bodies[b];
-        const float m = state.mass[b].mass;
+    for (std::int32_t b = island.first_body; b != none; b = state.bodies.links[b].next_in_island) {
+        const BodyLinks& links = state.bodies.links[b];
+        const float m = state.bodies.mass[b].mass;
         mass += m;
         momentum += m * links.late;
         difference += m * (links.late - links.later);
@@ -198,19 +198,19 @@ void link_islands(State& state, std::int32_t body_a, std::int32_t body_b) {
 void wake_island(State& state, std::int32_t i) {
     Island& island = island_at(state, i);
     if (island.position != none) return;
-    island.position = std::int32_t(state.awake_islands.size());
-    state.awake_islands.push_back(i);
+    island.position = std::int32_t(state.islands.awake.size());
+    state.islands.awake.push_back(i);
     for (std::int32_t b = island.first_body; b != none; b = body_at(state, b).next_in_island) {
         body_at(state, b).quiet_time = 0;
-        state.motion[b].turned = {};
+        state.bodies.motion[b].turned = {};
         state.events.sleeps.next.push_back({state.body_id(b), false});
     }
     island.kept_awake = 1; // for this step
     if (island.key == none) {
-        std::erase(state.falling_asleep, i);
+        std::erase(state.islands.falling_asleep, i);
         return;
     }
-    state.waking.push_back(island.key);
+    state.islands.waking.push_back(island.key);
     island.key = none;
 }
 
@@ -222,42 +222,42 @@ void wake_body(State& state, std::int32_t body) {
 }
 
 void wake_around_shape(State& state, std::uint32_t shape) {
-    if (state.awake_islands.size() + state.free_islands.size() == state.islands.size()) return; // nothing sleeps
+    if (state.islands.awake.size() + state.islands.free.size() == state.islands.all.size()) return; // nothing sleeps
     constexpr double reach = 0.05; // m: further than any contact at rest
     DBounds bounds = shape_bounds(state, shape);
     bounds.lo = bounds.lo - math::DVec3{reach, reach, reach};
     bounds.hi = bounds.hi + math::DVec3{reach, reach, reach};
-    const std::int32_t body = state.shapes[shape].body;
+    const std::int32_t body = state.shapes.links[shape].body;
     std::vector<std::int32_t> found;
     state.broad_phase.query_bounds(bounds, [&](std::uint32_t other) {
-        const std::int32_t near = state.shapes[other].body;
-        if (near != body && state.is_dynamic(near) && !state.is_awake(near)) found.push_back(near);
+        const std::int32_t near = state.shapes.links[other].body;
+        if (near != body && state.bodies.is_dynamic(near) && !state.is_awake(near)) found.push_back(near);
     });
     std::sort(found.begin(), found.end());
     for (const std::int32_t near : found) wake_body(state, near);
 }
 
 void wake_around(State& state, std::int32_t body) {
-    for (std::int32_t s = body_at(state, body).first_shape; s != none; s = state.shapes[s].next)
+    for (std::int32_t s = body_at(state, body).first_shape; s != none; s = state.shapes.links[s].next)
         wake_around_shape(state, std::uint32_t(s));
 }
 
 void wake_around_moving_planes(State& state) {
-    for (const std::int32_t b : state.kinematics) {
-        const BodyMotion& motion = state.motion[b];
+    for (const std::int32_t b : state.bodies.kinematics) {
+        const BodyMotion& motion = state.bodies.motion[b];
         if (motion.v == math::Vec3{} && motion.w == math::Vec3{}) continue;
-        for (std::int32_t s = body_at(state, b).first_shape; s != none; s = state.shapes[s].next)
-            if (state.geometry[s].type == ShapeType::plane) wake_around_shape(state, std::uint32_t(s));
+        for (std::int32_t s = body_at(state, b).first_shape; s != none; s = state.shapes.links[s].next)
+            if (state.shapes.geometry[s].type == ShapeType::plane) wake_around_shape(state, std::uint32_t(s));
     }
 }
 
-bool update_sleep(State& state) {
+bool update_sleep(State& state, StepScratch& step) {
     if (!state.settings.enable_sleep) return false;
     const float needed = state.settings.sleep_time;
     std::int32_t to_split = none;
     float quietest = needed;
     bool any_sleeps = false;
-    for (const std::int32_t i : state.awake_islands) {
+    for (const std::int32_t i : state.islands.awake) {
         measure_rest(state, i);
         const Island& island = island_at(state, i);
         if (island.lost_contact && island.greatest_quiet_time >= quietest && island.body_count > 1 &&
@@ -267,32 +267,32 @@ bool update_sleep(State& state) {
         }
         if (island.body_count == 1) island_at(state, i).lost_contact = 0;
     }
-    for (std::size_t k = state.awake_islands.size(); k-- > 0;) {
-        const std::int32_t i = state.awake_islands[k];
+    for (std::size_t k = state.islands.awake.size(); k-- > 0;) {
+        const std::int32_t i = state.islands.awake[k];
         const Island& island = island_at(state, i);
         if (island.lost_contact || island.min_quiet_time < needed || gains_speed(state, island)) continue;
         put_to_sleep(state, i);
         any_sleeps = true;
     }
-    if (to_split != none) split_island(state, to_split);
+    if (to_split != none) split_island(state, step, to_split);
     return any_sleeps;
 }
 
 void flush_sleep(State& state) {
-    for (const std::int32_t key : state.waking) state.broad_phase.wake(std::uint32_t(key));
-    state.waking.clear();
-    if (state.falling_asleep.empty()) return;
+    for (const std::int32_t key : state.islands.waking) state.broad_phase.wake(std::uint32_t(key));
+    state.islands.waking.clear();
+    if (state.islands.falling_asleep.empty()) return;
     std::vector<std::uint32_t> shapes;
-    for (const std::int32_t i : state.falling_asleep) {
+    for (const std::int32_t i : state.islands.falling_asleep) {
         Island& island = island_at(state, i);
         shapes.clear();
         for (std::int32_t b = island.first_body; b != none; b = body_at(state, b).next_in_island)
-            for (std::int32_t s = body_at(state, b).first_shape; s != none; s = state.shapes[s].next)
+            for (std::int32_t s = body_at(state, b).first_shape; s != none; s = state.shapes.links[s].next)
                 shapes.push_back(std::uint32_t(s));
         island.key = i;
         state.broad_phase.put_to_sleep(std::uint32_t(i), shapes);
     }
-    state.falling_asleep.clear();
+    state.islands.falling_asleep.clear();
 }
 
 } // namespace cairn

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "state/state.h"
+#include "state/step_scratch.h"
 
 namespace cairn {
 
@@ -25,7 +26,7 @@ void wake_around_shape(State& state, std::uint32_t shape);
 void wake_around_moving_planes(State& state);
 
 // After finalize: splits at most one island, puts those at rest to sleep. Returns whether any fell asleep.
-bool update_sleep(State& state);
+bool update_sleep(State& state, StepScratch& step);
 
 // Tells the broad phase who slept and woke since its last update.
 void flush_sleep(State& state);

@@ -14,6 +14,7 @@
 #pragma once
 
 #include "state/state.h"
+#include "state/step_scratch.h"
 
 namespace cairn {
 
@@ -28,7 +29,7 @@ struct IslandLoad {
 int wanted_substeps(const WorldDef& settings, const IslandLoad& load);
 
 // Of an island in this pass; what its contacts carried is forgotten, to be measured anew in the solver.
-int island_substeps(const State& state, Island& island);
+int island_substeps(const State& state, const StepScratch& step, Island& island);
 
 // What a contact that begins may have to carry: the weight of the body above. Normal from A to B.
 float first_load(const State& state, const ContactInfo& contact, math::Vec3 normal);

@@ -190,7 +190,7 @@ Block free_directions(const DirectNode& node, const JointLocks& rules, const Dir
 void refresh_row(const State& s, const SetView& v, std::size_t i) {
     const DirectNode& node = v.set.nodes[i];
     DirectRow& r = v.rows[i];
-    const JointLocks& rules = s.joints[node.joint].rules;
+    const JointLocks& rules = s.joints.info[node.joint].rules;
     const DirectBody &a = v.bodies[node.body[0]], &b = v.bodies[node.body[1]];
     r.arm_a = math::rotate(a.turn, r.arm_a0), r.arm_b = math::rotate(b.turn, r.arm_b0);
     const DVec3 gap = r.gap0 + ((b.center - a.center) + ((r.arm_b - r.arm_b0) - (r.arm_a - r.arm_a0)));
@@ -200,7 +200,7 @@ void refresh_row(const State& s, const SetView& v, std::size_t i) {
     else if (node.rows == DirectRows::turn)
         refresh_turn(rules, axis_a, axis_b, b.turn * r.turn0 * math::conjugate(a.turn), r);
     else
-        refresh_axis(s.joint_axes[node.joint].rules[node.axis], axis_a, axis_b, gap, r);
+        refresh_axis(s.joints.axes[node.joint].rules[node.axis], axis_a, axis_b, gap, r);
 }
 
 void add_linear(Block& k, double inverse_mass, const DirectRow& row, const DirectRow& column) {
@@ -220,7 +220,7 @@ Block own_block(const State& s, const SetView& v, std::size_t i) {
         r.response[side] = r.angular[side] * math::to_block(ends[side]->inverse_inertia);
         k += math::times_transposed(r.response[side], r.angular[side]);
     }
-    k += free_directions(node, s.joints[node.joint].rules, r, k);
+    k += free_directions(node, s.joints.info[node.joint].rules, r, k);
     r.diagonal = {k.m[0], k.m[4], k.m[8]};
     if (v.set.has_loops)
         for (int d = 0; d < 9; d += 4) k.m[d] *= 1 + loop_compliance;
@@ -353,12 +353,12 @@ void solve_set(const SetView& v, BatchScratch& scratch, double h) {
     write_velocities(v, scratch);
 }
 
-template <class F> void for_sets(const State& s, BatchScratch& scratch, ThreadPool* thread_pool, F&& work) {
+template <class F> void for_sets(const DirectSets& direct, BatchScratch& scratch, ThreadPool* thread_pool, F&& work) {
     DirectWork& w = scratch.direct;
     for_chunks(thread_pool, int(w.sets.size()), 1, [&](int begin, int end, int) {
         for (int k = begin; k < end; ++k) {
             const DirectSolve& solve = w.sets[k];
-            work(SetView{s.direct.sets[solve.set], w.bodies.data() + solve.first_body, w.rows.data() + solve.first_row,
+            work(SetView{direct.sets[solve.set], w.bodies.data() + solve.first_body, w.rows.data() + solve.first_row,
                          w.diagonal.data() + solve.first_row, w.lower.data() + solve.first_block,
                          w.sought.data() + solve.first_row, solve.is_new});
         }
@@ -367,12 +367,13 @@ template <class F> void for_sets(const State& s, BatchScratch& scratch, ThreadPo
 
 } // namespace
 
-void begin_direct_substep(const State& s, BatchScratch& scratch, ThreadPool* thread_pool, float h, bool first) {
-    for_sets(s, scratch, thread_pool, [&](const SetView& v) { begin_set(s, v, scratch, double(h), first); });
+void begin_direct_substep(const State& s, const StepScratch& step, BatchScratch& scratch, ThreadPool* thread_pool,
+                          float h, bool first) {
+    for_sets(step.direct, scratch, thread_pool, [&](const SetView& v) { begin_set(s, v, scratch, double(h), first); });
 }
 
-void solve_direct_rows(const State& s, BatchScratch& scratch, ThreadPool* thread_pool, float h) {
-    for_sets(s, scratch, thread_pool, [&](const SetView& v) { solve_set(v, scratch, double(h)); });
+void solve_direct_rows(const DirectSets& direct, BatchScratch& scratch, ThreadPool* thread_pool, float h) {
+    for_sets(direct, scratch, thread_pool, [&](const SetView& v) { solve_set(v, scratch, double(h)); });
 }
 
 } // namespace cairn

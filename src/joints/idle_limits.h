@@ -1,7 +1,9 @@
 // Limits that are out of reach.
 #pragma once
 
+#include "jobs/thread_pool.h"
 #include "state/joint_links.h"
+#include "state/solver_scratch.h"
 
 namespace cairn {
 

@@ -15,8 +15,8 @@ inline JointAnchors place_anchors(const State& s, const JointInfo& joint) {
     JointAnchors p;
     auto place = [&](std::int32_t body, math::DVec3 anchor, math::DVec3& arm) {
         if (body == none) return anchor;
-        const BodyMotion& motion = s.motion[body];
-        arm = math::rotate(motion.q, anchor - math::to_double(s.mass[body].center));
+        const BodyMotion& motion = s.bodies.motion[body];
+        arm = math::rotate(motion.q, anchor - math::to_double(s.bodies.mass[body].center));
         return motion.x + arm;
     };
     const math::DVec3 at_a = place(joint.body_a, joint.anchor_a, p.arm_a);

@@ -46,7 +46,7 @@ struct JointEnd {
 };
 JointEnd joint_end(const State& s, const BatchScratch& scratch, std::int32_t body) {
     if (body == none) return {};
-    const BodyType type = s.body_settings[body].type;
+    const BodyType type = s.bodies.settings[body].type;
     if (type == BodyType::static_) return {};
     return {std::uint32_t(scratch.row_of_body[body]) * row_bytes, type == BodyType::dynamic};
 }
@@ -58,11 +58,11 @@ bool has_torque(const JointInfo& joint) { return joint.rules.turn != JointLock::
 void prefetch_joint(const State& s, const JointLayout& layout, std::size_t place) {
     if (place >= layout.joints.size()) return;
     const std::uint32_t joint = layout.joints[place];
-    const char* const info = reinterpret_cast<const char*>(&s.joints[joint]);
+    const char* const info = reinterpret_cast<const char*>(&s.joints.info[joint]);
     ask_cache(info), ask_cache(info + 64);
     if (layout.only_points) return;
     for (std::size_t at = 128; at < sizeof(JointInfo); at += 64) ask_cache(info + at);
-    ask_cache(&s.joint_axes[joint].states[0]);
+    ask_cache(&s.joints.axes[joint].states[0]);
 }
 
 // Where a joint is at the start of the step, for all of its rows: with its frames, or where those are not needed, only
@@ -86,7 +86,7 @@ void fill_ends(const PlacedJoint<Placement>& joint, Block& b, std::size_t lane, 
 
 bool needs_frames(const State& s, const JointRow& row) {
     if (row.type != JointRowType::point) return !row.idle;
-    return s.joints[row.joint].rules.point == JointLock::across;
+    return s.joints.info[row.joint].rules.point == JointLock::across;
 }
 
 void fill_lane(const State&, const JointRow&, const PlacedJoint<JointAnchors>& joint, PointBlock& b, std::size_t lane,
@@ -138,8 +138,8 @@ void fill_axis_rule(AxisBlock& b, std::size_t lane, const JointAxisRule& rule, f
 void fill_lane(const State& s, const JointRow& row, const PlacedJoint<FramedPlacement>& joint, AxisBlock& b,
                std::size_t lane, float h) {
     const FramedPlacement& p = joint.p;
-    const JointAxisRule& rule = s.joint_axes[row.joint].rules[row.axis];
-    const JointAxisState& state = s.joint_axes[row.joint].states[row.axis];
+    const JointAxisRule& rule = s.joints.axes[row.joint].rules[row.axis];
+    const JointAxisState& state = s.joints.axes[row.joint].states[row.axis];
     fill_axis_rule(b, lane, rule, h);
     set_lane(b.arm_a0, lane, math::to_float(p.arm_a));
     set_lane(b.arm_b0, lane, math::to_float(p.arm_b));
@@ -222,7 +222,7 @@ void open_blocks(BatchScratch& scratch) {
 
 // Impulses are those of one substep. Forces are counted anew.
 void begin_joint(State& s, std::uint32_t index, float h) {
-    JointInfo& joint = s.joints[index];
+    JointInfo& joint = s.joints.info[index];
     joint.force = {};
     if (has_torque(joint)) joint.torque = {};
     if (joint.substep_time == h) return;
@@ -231,7 +231,7 @@ void begin_joint(State& s, std::uint32_t index, float h) {
     joint.point_impulse = factor * joint.point_impulse;
     joint.turn_impulse = factor * joint.turn_impulse;
     for (int i = 0; i < joint.rules.axis_count; ++i) {
-        JointAxisState& axis = s.joint_axes[index].states[i];
+        JointAxisState& axis = s.joints.axes[index].states[i];
         axis.drive *= factor, axis.friction *= factor, axis.lower *= factor, axis.upper *= factor;
     }
     joint.substep_time = h;
@@ -240,19 +240,19 @@ void begin_joint(State& s, std::uint32_t index, float h) {
 // --- and out again
 
 void take_lane(State& s, const JointRow& row, const PointBlock& b, std::size_t lane) {
-    JointInfo& joint = s.joints[row.joint];
+    JointInfo& joint = s.joints.info[row.joint];
     joint.point_impulse = get_lane(b.impulse, lane);
     joint.force += get_lane(b.total, lane);
 }
 void take_lane(State& s, const JointRow& row, const TurnBlock& b, std::size_t lane) {
-    JointInfo& joint = s.joints[row.joint];
+    JointInfo& joint = s.joints.info[row.joint];
     joint.turn_impulse = get_lane(b.impulse, lane);
     joint.torque += get_lane(b.total, lane);
 }
 void take_lane(State& s, const JointRow& row, const AxisBlock& b, std::size_t lane) {
-    JointInfo& joint = s.joints[row.joint];
-    s.joint_axes[row.joint].states[row.axis] = {b.drive_impulse[lane], b.friction_impulse[lane], b.lower_impulse[lane],
-                                                b.upper_impulse[lane], b.position[lane],         0};
+    JointInfo& joint = s.joints.info[row.joint];
+    s.joints.axes[row.joint].states[row.axis] = {b.drive_impulse[lane], b.friction_impulse[lane], b.lower_impulse[lane],
+                                                 b.upper_impulse[lane], b.position[lane],         0};
     const float total = b.total[lane];
     const math::Vec3 linear = get_lane(b.linear_b, lane), arm = get_lane(b.arm_b0, lane);
     joint.force += total * linear;
@@ -260,12 +260,12 @@ void take_lane(State& s, const JointRow& row, const AxisBlock& b, std::size_t la
 }
 
 bool is_sound(const State& s, std::uint32_t index) {
-    const JointInfo& joint = s.joints[index];
+    const JointInfo& joint = s.joints.info[index];
     constexpr math::Vec3 ones{1, 1, 1};
     float sum = math::dot(joint.force, ones) + math::dot(joint.point_impulse, ones);
     if (has_torque(joint)) sum += math::dot(joint.torque, ones) + math::dot(joint.turn_impulse, ones);
     for (int i = 0; i < joint.rules.axis_count; ++i) {
-        const JointAxisState& axis = s.joint_axes[index].states[i];
+        const JointAxisState& axis = s.joints.axes[index].states[i];
         sum += axis.drive + axis.friction + axis.lower + axis.upper + axis.position;
     }
     return std::isfinite(sum);
@@ -279,7 +279,7 @@ bool is_too_fast(const WorldDef& settings, const SolverVelocity& row) {
     return !(math::dot(v, v) <= v_max * v_max && math::dot(w, w) <= w_max * w_max);
 }
 bool is_too_fast(const State& s, const BatchScratch& scratch, std::uint32_t index) {
-    const JointInfo& joint = s.joints[index];
+    const JointInfo& joint = s.joints.info[index];
     for (const std::int32_t body : {joint.body_a, joint.body_b}) {
         if (body == none || scratch.row_of_body[body] == none) continue;
         const std::size_t row = std::size_t(scratch.row_of_body[body]);
@@ -294,15 +294,15 @@ bool any_is_too_fast(const State& s, const BatchScratch& scratch) {
 }
 
 void forget_impulses(State& s, std::uint32_t index) {
-    JointInfo& joint = s.joints[index];
+    JointInfo& joint = s.joints.info[index];
     joint.force = joint.torque = joint.point_impulse = joint.turn_impulse = {};
-    for (JointAxisState& axis : s.joint_axes[index].states)
+    for (JointAxisState& axis : s.joints.axes[index].states)
         axis = {0, 0, 0, 0, std::isfinite(axis.position) ? axis.position : 0.0f, 0};
 }
 
 // All its impulses are counted. `may_be_fast`: some body of the batch is too fast.
 void end_joint(State& s, BatchScratch& scratch, std::uint32_t index, float rate, bool may_be_fast) {
-    JointInfo& joint = s.joints[index];
+    JointInfo& joint = s.joints.info[index];
     joint.force = rate * joint.force;
     if (has_torque(joint)) joint.torque = rate * joint.torque;
     if (!is_sound(s, index) || (may_be_fast && is_too_fast(s, scratch, index))) forget_impulses(s, index);
@@ -313,7 +313,7 @@ void end_joint(State& s, BatchScratch& scratch, std::uint32_t index, float rate,
 
 } // namespace
 
-void fill_joint_blocks(State& s, BatchScratch& scratch, ThreadPool* thread_pool, float h) {
+void fill_joint_blocks(State& s, StepScratch& step, BatchScratch& scratch, ThreadPool* thread_pool, float h) {
     open_blocks(scratch);
     const JointLayout& layout = *scratch.joint_layout;
     const auto discard = scratch.first_joint_discard_rows();
@@ -323,7 +323,7 @@ void fill_joint_blocks(State& s, BatchScratch& scratch, ThreadPool* thread_pool,
             prefetch_joint(s, layout, k + joints_ahead);
             begin_joint(s, layout.joints[k], h);
             if (layout.first_row[k] == layout.first_row[k + 1]) continue;
-            const JointInfo& info = s.joints[layout.joints[k]];
+            const JointInfo& info = s.joints.info[layout.joints[k]];
             const JointEnd a = joint_end(s, scratch, info.body_a), b = joint_end(s, scratch, info.body_b);
             bool with_frames = false;
             for (std::uint32_t i = layout.first_row[k]; i < layout.first_row[k + 1]; ++i)
@@ -336,10 +336,10 @@ void fill_joint_blocks(State& s, BatchScratch& scratch, ThreadPool* thread_pool,
             }
         }
     });
-    fill_direct_rows(s, scratch, thread_pool);
+    fill_direct_rows(s, step, scratch, thread_pool);
 }
 
-void store_joints(State& s, BatchScratch& scratch, float dt) {
+void store_joints(State& s, StepScratch& step, BatchScratch& scratch, float dt) {
     const JointLayout& layout = *scratch.joint_layout;
     const float rate = 1 / dt;
     const bool may_be_fast = !layout.joints.empty() && any_is_too_fast(s, scratch);
@@ -351,12 +351,12 @@ void store_joints(State& s, BatchScratch& scratch, float dt) {
             for_blocks_of(scratch, row.type,
                           [&](auto& blocks) { take_lane(s, row, blocks[row.lane / 8], row.lane % 8); });
         }
-        if (s.direct.set_of_joint[layout.joints[k]] != none) continue; // ended below
+        if (step.direct.set_of_joint[layout.joints[k]] != none) continue; // ended below
         end_joint(s, scratch, layout.joints[k], rate, may_be_fast);
     }
-    store_direct_rows(s, scratch);
+    store_direct_rows(s, step, scratch);
     for (const DirectSolve& solve : scratch.direct.sets)
-        for (const std::uint32_t joint : s.direct.sets[solve.set].joints)
+        for (const std::uint32_t joint : step.direct.sets[solve.set].joints)
             end_joint(s, scratch, joint, rate, may_be_fast);
 }
 

@@ -46,18 +46,18 @@ class IslandSum {
 };
 
 // Bodies of the batch's islands, what the islands weigh, and how they move.
-void gather_bodies(State& s, const IslandBatch& batch, BatchScratch& scratch) {
+void gather_bodies(State& s, StepScratch& step, const IslandBatch& batch, BatchScratch& scratch) {
     const auto& g = s.settings.gravity;
     const float gravity = math::length(math::Vec3{g.x, g.y, g.z});
-    scratch.row_of_body.resize(s.bodies.size(), none);
+    scratch.row_of_body.resize(s.bodies.links.size(), none);
     scratch.touching_bodies.clear();
     scratch.free_bodies.clear();
     for (std::int32_t k = 0; k < batch.island_count; ++k) {
-        Island& island = s.islands[s.solver.batch_islands[batch.first_island + k]];
+        Island& island = s.islands.all[step.solver.batch_islands[batch.first_island + k]];
         IslandSum sum;
-        for (std::int32_t b = island.first_body; b != none; b = s.bodies[b].next_in_island) {
-            sum.add(s.mass[b], s.motion[b]);
-            const BodyLinks& links = s.bodies[b];
+        for (std::int32_t b = island.first_body; b != none; b = s.bodies.links[b].next_in_island) {
+            sum.add(s.bodies.mass[b], s.bodies.motion[b]);
+            const BodyLinks& links = s.bodies.links[b];
             const bool is_free = links.contact_count + links.joint_count == 0;
             (is_free ? scratch.free_bodies : scratch.touching_bodies).push_back(b);
         }
@@ -89,12 +89,12 @@ std::int32_t conveyor_row(BatchScratch& scratch, std::uint32_t contact) {
 // The surface's velocity counts along the surface only: the shape itself stays where it is.
 void fill_conveyor_rows(const State& s, BatchScratch& scratch) {
     for (const ConveyorRow& conveyor : scratch.conveyor_rows) {
-        const ContactInfo& c = s.contacts[conveyor.contact];
-        const ContactRecord& r = s.records[conveyor.contact];
-        const BodyMotion& b = s.motion[c.body_b];
+        const ContactInfo& c = s.contacts.info[conveyor.contact];
+        const ContactRecord& r = s.contacts.records[conveyor.contact];
+        const BodyMotion& b = s.bodies.motion[c.body_b];
         const math::Vec3 n = math::to_vec(r.normal);
         const math::Vec3 u =
-            math::rotate(shape_rotation(s.shape_poses[c.shape_b]), s.shape_traits[c.shape_b].surface_velocity);
+            math::rotate(shape_rotation(s.shapes.poses[c.shape_b]), s.shapes.traits[c.shape_b].surface_velocity);
         const std::size_t row = std::size_t(conveyor.row);
         scratch.velocity[row] = scratch.reference[row] = to_row(b.v + (u - math::dot(u, n) * n), b.w);
     }
@@ -118,7 +118,7 @@ void end_run(LaneLists& lanes, BlockRun& run) {
 }
 
 // Lays the batch's contacts into blocks of 8 lanes, color by color.
-void fill_lanes(const State& s, const IslandBatch& batch, BatchScratch& scratch) {
+void fill_lanes(const std::vector<SortedContact>& sorted, const IslandBatch& batch, BatchScratch& scratch) {
     scratch.one_lanes.clear();
     scratch.four_lanes.clear();
     scratch.colors.clear();
@@ -126,10 +126,10 @@ void fill_lanes(const State& s, const IslandBatch& batch, BatchScratch& scratch)
     std::int32_t k = batch.first_contact;
     const std::int32_t end = batch.first_contact + batch.contact_count;
     while (k < end) {
-        const std::uint8_t color = s.solver.sorted[k].color;
+        const std::uint8_t color = sorted[k].color;
         ColorRun runs{begin_run(scratch.four_lanes, true), begin_run(scratch.one_lanes, false)};
         for (; k < end; ++k) {
-            const SortedContact& c = s.solver.sorted[k];
+            const SortedContact& c = sorted[k];
             if (c.color != color) break;
             LaneLists& lanes = c.four_points ? scratch.four_lanes : scratch.one_lanes;
             const std::int32_t row_a = row_of(scratch, c.body_a);
@@ -153,13 +153,13 @@ void fill_lanes(const State& s, const IslandBatch& batch, BatchScratch& scratch)
 void fill_row(State& s, BatchScratch& scratch, std::size_t row, std::uint64_t& clamped_speeds) {
     const std::int32_t b = scratch.row_bodies[row];
     if (b == none) return;
-    BodyMotion& motion = s.motion[b];
-    const bool is_dynamic = s.is_dynamic(b); // kinematic ones may be in other batches as well
+    BodyMotion& motion = s.bodies.motion[b];
+    const bool is_dynamic = s.bodies.is_dynamic(b); // kinematic ones may be in other batches as well
     if (is_dynamic && clamp_velocity(s.settings, motion.v, motion.w)) ++clamped_speeds;
     scratch.velocity[row] = scratch.reference[row] = to_row(motion.v, motion.w);
     if (!is_dynamic) return;
     scratch.row_traits[row] = row_traits(s, b);
-    const BodyMass& mass = s.mass[b];
+    const BodyMass& mass = s.bodies.mass[b];
     scratch.inertia[row].inverse_mass = mass.inverse_mass;
     if (scratch.row_traits[row] & spins_wide) return; // the kernel finds it (prepare_free_motion)
     const math::Sym3 i = contact_inverse_inertia(motion, mass);
@@ -205,7 +205,7 @@ bool cut_way(const WorldDef& settings, float dt, math::DVec3& dx, math::Quat& dq
 std::uint64_t scatter_body(State& s, const BatchScratch& scratch, std::int32_t b, std::size_t row, float dt) {
     const SolverVelocity& velocity = scratch.velocity[row];
     const SolverPose& pose = scratch.pose[row];
-    BodyMotion& motion = s.motion[b];
+    BodyMotion& motion = s.bodies.motion[b];
     math::DVec3 dx = math::to_double(math::Vec3{pose.dx[0], pose.dx[1], pose.dx[2]});
     math::Quat dq{pose.dq[0], pose.dq[1], pose.dq[2], pose.dq[3]};
     math::Vec3 v{velocity.v[0], velocity.v[1], velocity.v[2]}, w{velocity.w[0], velocity.w[1], velocity.w[2]};
@@ -238,18 +238,19 @@ void prefetch_ahead(const State& s, const std::vector<std::int32_t>& bodies, std
 
 } // namespace
 
-void fill_batch(State& s, const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool, float dt) {
-    gather_bodies(s, batch, scratch);
+void fill_batch(State& s, StepScratch& step, const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool,
+                float dt) {
+    gather_bodies(s, step, batch, scratch);
     scratch.row_bodies.clear();
     if (scratch.touching_bodies.empty() && batch.contact_count + batch.joint_count == 0) return;
     number_rows(scratch);
-    fill_lanes(s, batch, scratch);
-    fill_joint_lanes(s, batch, scratch, thread_pool, dt);
+    fill_lanes(step.solver.sorted, batch, scratch);
+    fill_joint_lanes(s, step, batch, scratch, thread_pool, dt);
     fill_rows(s, scratch, thread_pool);
 }
 
-void empty_batch(State& s, BatchScratch& scratch, ThreadPool* thread_pool, float dt) {
-    std::vector<BatchScratch>& threads = s.solver.at_work;
+void empty_batch(State& s, StepScratch& step, BatchScratch& scratch, ThreadPool* thread_pool, float dt) {
+    std::vector<BatchScratch>& threads = step.solver.at_work;
     const int rows = int(scratch.row_count());
     for_chunks(thread_pool, rows, rows_per_chunk, [&](int begin, int end, int thread) {
         BatchScratch& own = thread_pool ? threads[thread] : scratch;
@@ -258,7 +259,7 @@ void empty_batch(State& s, BatchScratch& scratch, ThreadPool* thread_pool, float
             const std::int32_t b = scratch.row_bodies[row];
             if (b == none) continue;
             scratch.row_of_body[b] = none;
-            if (!s.is_dynamic(b)) continue;
+            if (!s.bodies.is_dynamic(b)) continue;
             own.clamped_speeds += scatter_body(s, scratch, b, std::size_t(row), dt);
             finalize_body(s, b, dt, own.finalized);
         }
@@ -268,7 +269,7 @@ void empty_batch(State& s, BatchScratch& scratch, ThreadPool* thread_pool, float
         for (int k = begin; k < end; ++k) {
             prefetch_ahead(s, scratch.free_bodies, std::size_t(k));
             const std::int32_t b = scratch.free_bodies[k];
-            own.clamped_speeds += move_free_body(s, b, dt);
+            own.clamped_speeds += move_free_body(s, step, b, dt);
             finalize_body(s, b, dt, own.finalized);
         }
     });

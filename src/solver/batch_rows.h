@@ -2,12 +2,14 @@
 #pragma once
 
 #include "state/state.h"
+#include "state/step_scratch.h"
 
 namespace cairn {
 
 // Lays out the rows and lanes of a batch, and fills them.
-void fill_batch(State& state, const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool, float dt);
+void fill_batch(State& state, StepScratch& step, const IslandBatch& batch, BatchScratch& scratch,
+                ThreadPool* thread_pool, float dt);
 // Moves the bodies by what their rows have moved, and finalizes them.
-void empty_batch(State& state, BatchScratch& scratch, ThreadPool* thread_pool, float dt);
+void empty_batch(State& state, StepScratch& step, BatchScratch& scratch, ThreadPool* thread_pool, float dt);
 
 } // namespace cairn

@@ -33,14 +33,14 @@ void find_components(const State& s, BatchScratch& scratch) {
     const std::vector<std::uint32_t>& joints = scratch.joint_layout->joints;
     const std::size_t rows = scratch.row_count();
     const auto row_of = [&](std::int32_t body) {
-        return body != none && s.is_dynamic(body) ? scratch.row_of_body[body] : none;
+        return body != none && s.bodies.is_dynamic(body) ? scratch.row_of_body[body] : none;
     };
     std::vector<std::int32_t>& component = work.component;
     component.resize(rows);
     std::iota(component.begin(), component.end(), 0);
     work.joints_of.reset(rows, joints.size());
     for (std::size_t i = 0; i < joints.size(); ++i) {
-        const JointInfo& joint = s.joints[joints[i]];
+        const JointInfo& joint = s.joints.info[joints[i]];
         const std::int32_t a = row_of(joint.body_a), b = row_of(joint.body_b);
         if (a != none && b != none) unite(component, a, b);
         if (a != none || b != none) work.joints_of.add(a != none ? a : b, i);
@@ -48,7 +48,7 @@ void find_components(const State& s, BatchScratch& scratch) {
     work.rows_of.reset(rows, rows);
     for (std::size_t row = rows; row-- > 0;) {
         const std::int32_t body = scratch.row_bodies[row];
-        const bool moves = body != none && s.is_dynamic(body);
+        const bool moves = body != none && s.bodies.is_dynamic(body);
         component[row] = moves ? root_of(component, std::int32_t(row)) : fixed_row;
         work.rows_of.add(component[row], row);
     }

@@ -1,6 +1,8 @@
 // What takes part in an impact.
 #pragma once
 
+#include "jobs/thread_pool.h"
+#include "state/solver_scratch.h"
 #include "state/state.h"
 
 namespace cairn {

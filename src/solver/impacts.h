@@ -3,6 +3,7 @@
 #pragma once
 
 #include "jobs/thread_pool.h"
+#include "state/solver_scratch.h"
 #include "state/state.h"
 
 #include <atomic>

@@ -31,14 +31,14 @@ void write_angular(const State& s, BatchScratch& scratch, std::size_t row, const
 
 DQuat row_rotation(const State& s, const BatchScratch& scratch, std::size_t row) {
     const float* dq = scratch.pose[row].dq;
-    return math::normalized(DQuat{dq[0], dq[1], dq[2], dq[3]} * s.motion[scratch.row_bodies[row]].q);
+    return math::normalized(DQuat{dq[0], dq[1], dq[2], dq[3]} * s.bodies.motion[scratch.row_bodies[row]].q);
 }
 
 // One row that the kernel does not do.
 void spin_row(const State& s, BatchScratch& scratch, SpinningRow& r, float h) {
     const std::size_t row = std::size_t(r.row);
     const std::int32_t b = scratch.row_bodies[row];
-    const BodyMass& mass = s.mass[b];
+    const BodyMass& mass = s.bodies.mass[b];
     const DVec3 w = row_vector(scratch.velocity[row].w);
     const DQuat q = row_rotation(s, scratch, row);
     const Spin spin = spin_of(mass);
@@ -48,7 +48,7 @@ void spin_row(const State& s, BatchScratch& scratch, SpinningRow& r, float h) {
         return;
     }
     const Increment change =
-        gyroscopic_increment(s, spin, q, w, spin.to_world(q, spin.moments, w), s.forces[b].torque, h);
+        gyroscopic_increment(s, spin, q, w, spin.to_world(q, spin.moments, w), s.bodies.forces[b].torque, h);
     r.free_w = w + change.velocity;
     r.end = turned_by(double(h) * (r.free_w + change.correction), q);
     write_angular(s, scratch, row, change);
@@ -57,24 +57,24 @@ void spin_row(const State& s, BatchScratch& scratch, SpinningRow& r, float h) {
 // Explicit Euler is kept as it stands, needles have another inertia in contacts than in free motion, and torques may be
 // of any size: those are left to the scalar code.
 bool kernel_spins(const State& s, std::int32_t b) {
-    const BodyMass& mass = s.mass[b];
+    const BodyMass& mass = s.bodies.mass[b];
     const math::Vec3& i = mass.inertia;
-    return s.settings.integrator != Integrator::explicit_euler && !s.is_pushed(b) && mass.inverse_inertia.x > 0 &&
-           mass.inverse_inertia.y > 0 && mass.inverse_inertia.z > 0 &&
+    return s.settings.integrator != Integrator::explicit_euler && !s.bodies.is_pushed(b) &&
+           mass.inverse_inertia.x > 0 && mass.inverse_inertia.y > 0 && mass.inverse_inertia.z > 0 &&
            std::min(i.x, std::min(i.y, i.z)) > min_contact_moment * std::max(i.x, std::max(i.y, i.z));
 }
 
 int spin_block_count(const BatchScratch& scratch) { return int((scratch.spin_rows.size() + 7) / 8); }
 
 void fill_spin_lane(const State& s, std::size_t b, std::int32_t row, SpinBlock& block, std::size_t lane) {
-    const BodyMass& mass = s.mass[b];
-    const math::Quat axes = math::to_float(math::normalized(s.motion[b].q * math::to_double(mass.principal)));
+    const BodyMass& mass = s.bodies.mass[b];
+    const math::Quat axes = math::to_float(math::normalized(s.bodies.motion[b].q * math::to_double(mass.principal)));
     const float q[4] = {axes.x, axes.y, axes.z, axes.w};
     block.row[lane] = std::uint32_t(row) * row_bytes;
     for (int k = 0; k < 4; ++k) block.axes[k][lane] = q[k];
     for (int k = 0; k < 3; ++k) block.moments[k][lane] = mass.inertia[k];
     for (int k = 0; k < 3; ++k) block.inverse_moments[k][lane] = mass.inverse_inertia[k];
-    if (s.bodies[b].joint_count == 0) return;
+    if (s.bodies.links[b].joint_count == 0) return;
     block.renewed[lane] = 1;
     block.any_renewed = 1;
 }
@@ -103,7 +103,7 @@ void prepare_damping(const State& s, BatchScratch& scratch, float h) {
     for (std::size_t row = 0; row < scratch.row_traits.size(); ++row) {
         if (!(scratch.row_traits[row] & is_damped)) continue;
         if (scratch.damping.empty()) scratch.damping.assign(scratch.velocity.size(), {{1, 1, 1}, 1, {1, 1, 1}, 1});
-        const BodySettings& settings = s.body_settings[scratch.row_bodies[row]];
+        const BodySettings& settings = s.bodies.settings[scratch.row_bodies[row]];
         const float linear = damping_factor(settings.linear_damping, h),
                     angular = damping_factor(settings.angular_damping, h);
         put(scratch.damping[row].v, {linear, linear, linear});
@@ -114,10 +114,10 @@ void prepare_damping(const State& s, BatchScratch& scratch, float h) {
 } // namespace
 
 std::uint8_t row_traits(const State& s, std::int32_t b) {
-    const BodySettings& settings = s.body_settings[b];
-    const BodyMass& mass = s.mass[b];
+    const BodySettings& settings = s.bodies.settings[b];
+    const BodyMass& mass = s.bodies.mass[b];
     int traits = is_dynamic_row;
-    if (mass.inverse_mass > 0 && settings.gravity_scale == 1.0f && !s.is_pushed(b)) traits |= falls_plainly;
+    if (mass.inverse_mass > 0 && settings.gravity_scale == 1.0f && !s.bodies.is_pushed(b)) traits |= falls_plainly;
     if (settings.linear_damping > 0 || settings.angular_damping > 0) traits |= is_damped;
     if (!mass.isotropic) traits |= kernel_spins(s, b) ? spins_wide : spins_alone;
     return std::uint8_t(traits);
@@ -157,11 +157,11 @@ void prepare_free_motion(const State& s, BatchScratch& scratch, ThreadPool* thre
         }
         // What varies is computed at the start of each substep.
         const std::int32_t b = scratch.row_bodies[row];
-        const BodyMotion& motion = s.motion[b];
-        const BodyMass& mass = s.mass[b];
+        const BodyMotion& motion = s.bodies.motion[b];
+        const BodyMass& mass = s.bodies.mass[b];
         if (mass.inverse_mass > 0 && !scratch.drive_varies)
             write_linear(s, scratch, row, linear_increment(s, load_on(s, b), motion.x, math::to_double(motion.v), h));
-        if (mass.isotropic && s.is_pushed(b))
+        if (mass.isotropic && s.bodies.is_pushed(b))
             write_angular(s, scratch, row, torque_increment(s, b, spin_of(mass), motion.q, h));
     };
     for_chunks(thread_pool, int(rows), rows_per_chunk, [&](int begin, int end, int) {
@@ -174,8 +174,8 @@ void update_free_motion(const State& s, BatchScratch& scratch, ThreadPool* threa
     if (scratch.drive_varies)
         for (std::size_t row = 0; row < scratch.row_bodies.size(); ++row) {
             const std::int32_t b = scratch.row_bodies[row];
-            if (b == none || !s.is_dynamic(b) || !(s.mass[b].inverse_mass > 0)) continue;
-            const DVec3 x = s.motion[b].x + row_vector(scratch.pose[row].dx);
+            if (b == none || !s.bodies.is_dynamic(b) || !(s.bodies.mass[b].inverse_mass > 0)) continue;
+            const DVec3 x = s.bodies.motion[b].x + row_vector(scratch.pose[row].dx);
             write_linear(s, scratch, row,
                          linear_increment(s, load_on(s, b), x, row_vector(scratch.velocity[row].v), h));
         }
@@ -195,7 +195,7 @@ void turn_spinning_rows(const State& s, BatchScratch& scratch, float h) {
         DVec3 contacts = row_vector(scratch.velocity[row].w) - r.free_w;
         if (scratch.bounces)
             contacts += row_vector(scratch.correction[row].w) - row_vector(scratch.free_correction[row].w);
-        const DQuat start = s.motion[scratch.row_bodies[row]].q;
+        const DQuat start = s.bodies.motion[scratch.row_bodies[row]].q;
         const math::Quat turn =
             math::to_float(math::normalized(turned_by(double(h) * contacts, r.end) * math::conjugate(start)));
         float* dq = scratch.pose[row].dq;
@@ -211,11 +211,11 @@ void renew_inertia(const State& s, BatchScratch& scratch, ThreadPool* thread_poo
     });
     for (const SpinningRow& r : scratch.spinning_rows) {
         const std::size_t row = std::size_t(r.row), b = std::size_t(scratch.row_bodies[row]);
-        if (s.bodies[b].joint_count == 0) continue;
-        BodyMotion now = s.motion[b];
+        if (s.bodies.links[b].joint_count == 0) continue;
+        BodyMotion now = s.bodies.motion[b];
         now.q = row_rotation(s, scratch, row);
-        const math::Sym3 i = contact_inverse_inertia(now, s.mass[b]);
-        scratch.inertia[row] = {s.mass[b].inverse_mass, i.xx, i.xy, i.xz, i.yy, i.yz, i.zz, 0};
+        const math::Sym3 i = contact_inverse_inertia(now, s.bodies.mass[b]);
+        scratch.inertia[row] = {s.bodies.mass[b].inverse_mass, i.xx, i.xy, i.xz, i.yy, i.yz, i.zz, 0};
     }
 }
 

@@ -2,6 +2,8 @@
 // helps where it is not null.
 #pragma once
 
+#include "jobs/thread_pool.h"
+#include "state/solver_scratch.h"
 #include "state/state.h"
 
 namespace cairn {

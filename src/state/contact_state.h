@@ -2,10 +2,12 @@
 #pragma once
 
 #include "collision/wide_pairs.h"
+#include "kernels/solve/solver_data.h"
 #include "state/none.h"
 #include "state/travel.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace cairn {
 
@@ -61,6 +63,14 @@ inline bool is_group(const ContactInfo& c) { return c.kind == PairKind::group; }
 struct PairAnswer {
     Travel until = 0;
     std::int32_t body_a = none, body_b = none;
+};
+
+// All contacts; vectors are by contact.
+struct Contacts {
+    std::vector<ContactRecord> records;
+    std::vector<ContactInfo> info;
+    std::vector<PairAnswer> answers;
+    std::vector<std::uint32_t> free; // contacts that are not in use
 };
 
 } // namespace cairn

@@ -1,16 +1,17 @@
-// What is known of an island.
+// What is known of islands.
 #pragma once
 
 #include "state/none.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace cairn {
 
 struct Island {
     std::int32_t first_body = none, last_body = none;
     std::int32_t body_count = 0;
-    std::int32_t position = none; // in State::awake_islands; none: asleep
+    std::int32_t position = none; // in Islands::awake; none: asleep
     std::int32_t key = none;      // of its tree in the broad phase, if that holds it as sleeping
     std::uint8_t in_use = 0;
     std::uint8_t lost_contact = 0; // may have fallen into parts
@@ -22,6 +23,14 @@ struct Island {
     float greatest_demand = 0;           // m/s^2: load over the reduced mass of the contact that carries it
     float agitation = 0;                 // m/s: root of the mean square of the speeds about that of the whole
     float min_quiet_time = 0, greatest_quiet_time = 0;
+};
+
+struct Islands {
+    std::vector<Island> all;
+    std::vector<std::int32_t> free; // those that are not in use
+    std::vector<std::int32_t> awake;
+    std::vector<std::int32_t> falling_asleep; // islands that the broad phase still holds as awake
+    std::vector<std::int32_t> waking;         // keys that it still holds as sleeping
 };
 
 } // namespace cairn

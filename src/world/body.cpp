@@ -25,22 +25,22 @@ struct Access {
     State& s;
     std::size_t b;
     std::int32_t index() const { return std::int32_t(b); }
-    BodyMotion& motion() const { return s.motion[b]; }
-    BodyMass& mass() const { return s.mass[b]; }
+    BodyMotion& motion() const { return s.bodies.motion[b]; }
+    BodyMass& mass() const { return s.bodies.mass[b]; }
 };
 
 void require_dynamic(const Access& a, const char* call) {
-    if (!a.s.is_dynamic(a.index())) throw Error(ErrorCode::wrong_state, call, "", "the body must be dynamic");
+    if (!a.s.bodies.is_dynamic(a.index())) throw Error(ErrorCode::wrong_state, call, "", "the body must be dynamic");
 }
 // What pushes a body in the next step.
 BodyForces& pushed(const Access& a) {
-    BodyForces& forces = a.s.forces[a.b];
-    if (!forces.any) a.s.pushed.push_back(a.index());
+    BodyForces& forces = a.s.bodies.forces[a.b];
+    if (!forces.any) a.s.bodies.pushed.push_back(a.index());
     forces.any = 1;
     return forces;
 }
 void require_moving(const Access& a, const char* call) {
-    if (a.s.body_settings[a.b].type == BodyType::static_)
+    if (a.s.bodies.settings[a.b].type == BodyType::static_)
         throw Error(ErrorCode::wrong_state, call, "", "a static body has no velocity");
 }
 
@@ -82,7 +82,7 @@ math::DVec3 inverse_inertia_times(const Access& a, math::DVec3 v) {
 
 BodyType Body::type() const {
     CAIRN_ACCESS;
-    return s.body_settings[a.b].type;
+    return s.bodies.settings[a.b].type;
 }
 const std::string& Body::name() const {
     CAIRN_ACCESS;
@@ -121,7 +121,7 @@ Vec3 Body::velocity_at(const Position& point) const {
 }
 float Body::mass() const {
     CAIRN_ACCESS;
-    return s.is_dynamic(a.index()) ? a.mass().mass : infinity;
+    return s.bodies.is_dynamic(a.index()) ? a.mass().mass : infinity;
 }
 MassProperties Body::mass_properties() const {
     CAIRN_ACCESS;
@@ -143,29 +143,29 @@ double Body::kinetic_energy() const {
 }
 float Body::gravity_scale() const {
     CAIRN_ACCESS;
-    return s.body_settings[a.b].gravity_scale;
+    return s.bodies.settings[a.b].gravity_scale;
 }
 float Body::linear_damping() const {
     CAIRN_ACCESS;
-    return s.body_settings[a.b].linear_damping;
+    return s.bodies.settings[a.b].linear_damping;
 }
 float Body::angular_damping() const {
     CAIRN_ACCESS;
-    return s.body_settings[a.b].angular_damping;
+    return s.bodies.settings[a.b].angular_damping;
 }
 bool Body::is_awake() const {
     CAIRN_ACCESS;
-    if (s.is_dynamic(a.index())) return s.is_awake(a.index());
+    if (s.bodies.is_dynamic(a.index())) return s.is_awake(a.index());
     return !(a.motion().v == math::Vec3{} && a.motion().w == math::Vec3{});
 }
 bool Body::allow_sleep() const {
     CAIRN_ACCESS;
-    return s.body_settings[a.b].allow_sleep;
+    return s.bodies.settings[a.b].allow_sleep;
 }
 std::vector<ShapeId> Body::shapes() const {
     CAIRN_ACCESS;
     std::vector<ShapeId> ids;
-    for (std::int32_t i = s.bodies[a.b].first_shape; i != none; i = s.shapes[i].next)
+    for (std::int32_t i = s.bodies.links[a.b].first_shape; i != none; i = s.shapes.links[i].next)
         ids.push_back(s.shape_id(std::uint32_t(i)));
     return ids;
 }
@@ -231,7 +231,7 @@ void Body::move_to(const Transform& target, float seconds) {
     require_position("Body::move_to target.position", target.position);
     const Quat rotation = checked_rotation("Body::move_to target.rotation", target.rotation);
     require_above("Body::move_to seconds", seconds, 0);
-    if (s.body_settings[a.b].type != BodyType::kinematic)
+    if (s.bodies.settings[a.b].type != BodyType::kinematic)
         throw Error(ErrorCode::wrong_state, "Body::move_to", "", "the body must be kinematic");
     const math::DQuat q = math::normalized(math::to_double(to_math(rotation)));
     const math::DVec3 x = to_math(target.position) + math::rotate(q, math::to_double(a.mass().center));
@@ -247,7 +247,7 @@ void Body::set_gravity_scale(float scale) {
     CAIRN_CHANGE("Body::set_gravity_scale");
     require_finite("Body::set_gravity_scale", scale);
     change.begin();
-    s.body_settings[a.b].gravity_scale = scale;
+    s.bodies.settings[a.b].gravity_scale = scale;
     wake_body(s, a.index());
 }
 void Body::set_damping(float linear, float angular) {
@@ -255,28 +255,28 @@ void Body::set_damping(float linear, float angular) {
     require_at_least("Body::set_damping linear", linear, 0);
     require_at_least("Body::set_damping angular", angular, 0);
     change.begin();
-    s.body_settings[a.b].linear_damping = linear;
-    s.body_settings[a.b].angular_damping = angular;
+    s.bodies.settings[a.b].linear_damping = linear;
+    s.bodies.settings[a.b].angular_damping = angular;
     wake_body(s, a.index());
 }
 void Body::set_allow_sleep(bool allow) {
     CAIRN_CHANGE("Body::set_allow_sleep");
     change.begin();
-    s.body_settings[a.b].allow_sleep = allow;
+    s.bodies.settings[a.b].allow_sleep = allow;
     wake_body(s, a.index());
 }
 
 void Body::set_type(BodyType type) {
     CAIRN_CHANGE("Body::set_type");
     if (type > BodyType::dynamic) refuse("Body::set_type", std::to_string(int(type)), "must be one of the enumerators");
-    BodySettings& settings = s.body_settings[a.b];
+    BodySettings& settings = s.bodies.settings[a.b];
     if (settings.type == type) return;
     std::vector<std::uint32_t> shapes;
-    for (std::int32_t i = s.bodies[a.b].first_shape; i != none; i = s.shapes[i].next) {
-        if (type == BodyType::dynamic && is_surface(s.geometry[i].type))
+    for (std::int32_t i = s.bodies.links[a.b].first_shape; i != none; i = s.shapes.links[i].next) {
+        if (type == BodyType::dynamic && is_surface(s.shapes.geometry[i].type))
             throw Error(ErrorCode::wrong_state, "Body::set_type", "dynamic",
                         "a body with a plane, mesh or height field cannot be dynamic");
-        if (type == BodyType::dynamic && s.shape_traits[i].has_surface_velocity)
+        if (type == BodyType::dynamic && s.shapes.traits[i].has_surface_velocity)
             throw Error(ErrorCode::wrong_state, "Body::set_type", "dynamic",
                         "a body with a surface velocity cannot be dynamic");
         shapes.push_back(std::uint32_t(i));
@@ -286,14 +286,14 @@ void Body::set_type(BodyType type) {
     wake_body(s, a.index());
     // All contacts end, and are found anew at the next step.
     for (const std::uint32_t i : shapes) s.broad_phase.remove(i);
-    update_pairs(s);
+    update_pairs(s, impl.step);
     for_each_joint(s, a.index(), [&](std::uint32_t joint, int) { deactivate_joint(s, joint); });
     if (settings.type == BodyType::dynamic) remove_from_island(s, a.index());
-    std::erase(s.kinematics, a.index());
+    std::erase(s.bodies.kinematics, a.index());
     settings.type = type;
     if (type == BodyType::dynamic) create_island(s, a.index());
     for_each_joint(s, a.index(), [&](std::uint32_t joint, int) { activate_joint(s, joint); });
-    if (type == BodyType::kinematic) s.kinematics.push_back(a.index());
+    if (type == BodyType::kinematic) s.bodies.kinematics.push_back(a.index());
     if (type == BodyType::static_) a.motion().v = a.motion().w = {};
     a.motion().turned = {};
     refresh_mass(s, a.index());
@@ -326,7 +326,7 @@ void Body::set_mass_from_shapes(std::optional<float> mass) {
     change.begin();
     a.mass().follows_shapes = 1;
     a.mass().has_given_mass = mass.has_value();
-    s.body_settings[a.b].given_mass = mass.value_or(0.0f);
+    s.bodies.settings[a.b].given_mass = mass.value_or(0.0f);
     refresh_mass(s, a.index());
     place_shapes(s, a.index());
     wake_body(s, a.index());

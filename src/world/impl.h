@@ -2,6 +2,7 @@
 #pragma once
 
 #include "state/state.h"
+#include "state/step_scratch.h"
 
 #include <cairn/world.h>
 
@@ -18,6 +19,7 @@ struct World::Impl {
     explicit Impl(const WorldDef& def);
 
     State state;
+    StepScratch step;
     std::vector<std::string> names;       // by body
     std::vector<std::uint64_t> user_data; // by body
     std::vector<Shape> shape_of;          // by shape
@@ -92,7 +94,7 @@ void retire_shape(State& state, std::uint32_t shape);
 
 // Whether a query of those layers sees the shape.
 inline bool is_seen(const State& s, std::uint32_t shape, std::uint64_t layers) {
-    const ShapeTraits& traits = s.shape_traits[shape];
+    const ShapeTraits& traits = s.shapes.traits[shape];
     return !traits.is_trigger && (layers == all_layers || (traits.filter.layers & layers) != 0);
 }
 

@@ -34,8 +34,8 @@ void fill_frames(JointInfo& info, const JointDef& def) {
 
 math::DVec3 anchor_in_world(const State& s, std::int32_t body, math::DVec3 anchor) {
     if (body == none) return anchor;
-    const BodyMotion& motion = s.motion[body];
-    return motion.x + math::rotate(motion.q, anchor - math::to_double(s.mass[body].center));
+    const BodyMotion& motion = s.bodies.motion[body];
+    return motion.x + math::rotate(motion.q, anchor - math::to_double(s.bodies.mass[body].center));
 }
 
 float pulley_length(const State& s, const JointInfo& info, const Joint& joint) {
@@ -49,21 +49,21 @@ float pulley_length(const State& s, const JointInfo& info, const Joint& joint) {
 // Pairs of the two bodies' shapes are asked for anew at the next step.
 void refilter_pairs(State& s, const JointInfo& info) {
     if (info.enable_collision || info.body_a == none || info.body_b == none) return;
-    for (std::int32_t i = s.bodies[info.body_a].first_shape; i != none; i = s.shapes[i].next)
+    for (std::int32_t i = s.bodies.links[info.body_a].first_shape; i != none; i = s.shapes.links[i].next)
         s.broad_phase.refilter(std::uint32_t(i));
 }
 
 // Rows of another make begin without impulses.
 void set_rules(State& s, std::uint32_t index, const JointRules& rules) {
-    JointInfo& info = s.joints[index];
-    JointAxes& axes = s.joint_axes[index];
+    JointInfo& info = s.joints.info[index];
+    JointAxes& axes = s.joints.axes[index];
     const JointLocks& locks = rules.locks;
     bool same =
         info.rules.point == locks.point && info.rules.turn == locks.turn && info.rules.axis_count == locks.axis_count;
     for (int i = 0; same && i < locks.axis_count; ++i) same = axes.rules[i].kind == rules.axes[i].kind;
     info.rules = locks;
     std::copy(std::begin(rules.axes), std::end(rules.axes), axes.rules);
-    ++s.joint_changes;
+    ++s.joints.changes;
     if (!same) {
         info.substep_time = 0;
         info.point_impulse = info.turn_impulse = {};
@@ -95,18 +95,18 @@ math::DQuat turn_from_x(math::DVec3 axis) {
 
 void World::Impl::retire_joint(std::uint32_t index, const std::optional<JointEvent>& event) {
     State& s = state;
-    refilter_pairs(s, s.joints[index]);
+    refilter_pairs(s, s.joints.info[index]);
     deactivate_joint(s, index);
     unlink_joint(s, index);
     if (event) s.events.joints.next.push_back(*event);
-    s.joints[index] = {};
+    s.joints.info[index] = {};
     joint_defs[index] = {};
-    s.joint_slots.kill(index);
-    s.joint_slots.recycle(index);
+    s.joints.slots.kill(index);
+    s.joints.slots.recycle(index);
 }
 
 JointEvent World::Impl::joint_event(std::uint32_t index, bool broke) const {
-    const JointInfo& info = state.joints[index];
+    const JointInfo& info = state.joints.info[index];
     const JointDef& def = joint_defs[index];
     JointEvent event{state.joint_id(index), def.body_a, def.body_b, broke, 0, 0, def.user_data};
     if (broke) event.force = math::length(info.force), event.torque = math::length(info.torque);
@@ -120,8 +120,8 @@ void World::Impl::retire_joints_of(std::int32_t body) {
 }
 
 void World::Impl::break_joints() {
-    for (const std::uint32_t joint : state.overloaded_joints) retire_joint(joint, joint_event(joint, true));
-    state.overloaded_joints.clear();
+    for (const std::uint32_t joint : step.solver.overloaded) retire_joint(joint, joint_event(joint, true));
+    step.solver.overloaded.clear();
 }
 
 JointId World::create_joint(const JointDef& def) {
@@ -135,10 +135,10 @@ JointId World::create_joint(const JointDef& def) {
     if (joint_owner(s, info) == none)
         throw Error(ErrorCode::wrong_state, "World::create_joint", "", "one of the two bodies must be dynamic");
     validate(def);
-    require_slot(s.joint_slots, "World::create_joint");
+    require_slot(s.joints.slots, "World::create_joint");
     change.begin();
-    const std::uint32_t index = s.joint_slots.create();
-    make_room(s.joints, index), make_room(s.joint_axes, index), make_room(impl_->joint_defs, index);
+    const std::uint32_t index = s.joints.slots.create();
+    make_room(s.joints.info, index), make_room(s.joints.axes, index), make_room(impl_->joint_defs, index);
     JointDef& own = impl_->joint_defs[index] = def;
     own.frame_a.rotation = checked_rotation("JointDef.frame_a.rotation", def.frame_a.rotation);
     own.frame_b.rotation = checked_rotation("JointDef.frame_b.rotation", def.frame_b.rotation);
@@ -148,8 +148,8 @@ JointId World::create_joint(const JointDef& def) {
     info.solver = std::uint8_t(def.solver);
     info.break_force = def.break_force;
     info.break_torque = def.break_torque;
-    s.joints[index] = info;
-    s.joint_axes[index] = {};
+    s.joints.info[index] = info;
+    s.joints.axes[index] = {};
     const float length = pulley_length(s, info, own.joint);
     keep_pulley_length(own.joint, length);
     set_rules(s, index, make_rules(own.joint, length));
@@ -171,7 +171,7 @@ JointDef World::joint_at(BodyId body_a, BodyId body_b, const Position& anchor, c
         Transform t{anchor, to_public(math::to_float(world))};
         if (id.is_null()) return t;
         const std::int32_t body = impl_->index_of(id);
-        const math::DQuat& q = s.motion[body].q;
+        const math::DQuat& q = s.bodies.motion[body].q;
         t.position = to_public(math::rotate_back(q, to_math(anchor) - body_origin(s, body)));
         t.rotation = to_public(math::to_float(math::normalized(math::conjugate(q) * world)));
         return t;
@@ -192,7 +192,7 @@ void World::destroy_joint(JointId id) {
 
 bool World::is_valid(JointId id) const noexcept {
     return impl_ && id.world() == impl_->state.world_id &&
-           impl_->state.joint_slots.is_live(id.index(), id.generation());
+           impl_->state.joints.slots.is_live(id.index(), id.generation());
 }
 
 const JointDef& World::joint_def(JointId id) const { return impl_->joint_defs[impl_->index_of(id)]; }
@@ -203,7 +203,7 @@ void World::set_joint(JointId id, const Joint& joint) {
     validate(joint);
     State& s = impl_->state;
     change.begin();
-    JointInfo& info = s.joints[index];
+    JointInfo& info = s.joints.info[index];
     Joint& own = impl_->joint_defs[index].joint = joint;
     fill_frames(info, impl_->joint_defs[index]);
     const float length = pulley_length(s, info, own);
@@ -222,22 +222,22 @@ void World::set_joint_strength(JointId id, float break_force, float break_torque
     validate(changed);
     change.begin();
     def = changed;
-    impl_->state.joints[index].break_force = break_force;
-    impl_->state.joints[index].break_torque = break_torque;
-    if (const std::int32_t owner = joint_owner(impl_->state, impl_->state.joints[index]); owner != none)
+    impl_->state.joints.info[index].break_force = break_force;
+    impl_->state.joints.info[index].break_torque = break_torque;
+    if (const std::int32_t owner = joint_owner(impl_->state, impl_->state.joints.info[index]); owner != none)
         wake_body(impl_->state, owner);
 }
 
 JointState World::joint_state(JointId id) const {
     const std::uint32_t index = impl_->index_of(id);
-    const JointInfo& info = impl_->state.joints[index];
+    const JointInfo& info = impl_->state.joints.info[index];
     const JointPositions positions = joint_positions(impl_->state, index);
     JointState state;
     state.force = to_public(info.force);
     state.torque = to_public(info.torque);
     float linear = math::dot(positions.gap, positions.gap), angular = math::dot(positions.turn, positions.turn);
     for (int i = 0; i < info.rules.axis_count; ++i) {
-        const JointAxisRule& rule = impl_->state.joint_axes[index].rules[i];
+        const JointAxisRule& rule = impl_->state.joints.axes[index].rules[i];
         if (!rule.is_lock) {
             state.positions[state.position_count++] = positions.axes[i];
         } else if (rule.has_limits) {
@@ -253,9 +253,9 @@ JointState World::joint_state(JointId id) const {
 std::vector<JointId> World::joints() const {
     const State& s = impl_->whole("World::joints");
     std::vector<JointId> ids;
-    ids.reserve(s.joint_slots.live_count());
-    for (std::uint32_t i = 0; i < s.joint_slots.size(); ++i)
-        if (s.joint_slots.is_live(i)) ids.push_back(s.joint_id(i));
+    ids.reserve(s.joints.slots.live_count());
+    for (std::uint32_t i = 0; i < s.joints.slots.size(); ++i)
+        if (s.joints.slots.is_live(i)) ids.push_back(s.joint_id(i));
     return ids;
 }
 
@@ -268,8 +268,8 @@ std::vector<JointId> World::joints(BodyId id) const {
 
 std::optional<JointId> World::find_joint(std::string_view name) const {
     const State& s = impl_->whole("World::find_joint");
-    for (std::uint32_t i = 0; i < s.joint_slots.size(); ++i)
-        if (s.joint_slots.is_live(i) && impl_->joint_defs[i].name == name) return s.joint_id(i);
+    for (std::uint32_t i = 0; i < s.joints.slots.size(); ++i)
+        if (s.joints.slots.is_live(i) && impl_->joint_defs[i].name == name) return s.joint_id(i);
     return std::nullopt;
 }
 

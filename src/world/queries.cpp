@@ -30,14 +30,14 @@ Ray checked_ray(const Position& origin, const Vec3& direction, double max_distan
 }
 
 std::optional<ShapeRayHit> cast_at_shape(const State& s, std::uint32_t shape, const Ray& ray, double max_distance) {
-    const ShapePose& pose = s.shape_poses[shape];
-    return cast_ray(s.geometry[shape], s.shape_data[shape], shape_position(pose), shape_rotation(pose), ray.origin,
-                    ray.direction, max_distance);
+    const ShapePose& pose = s.shapes.poses[shape];
+    return cast_ray(s.shapes.geometry[shape], s.shapes.data[shape], shape_position(pose), shape_rotation(pose),
+                    ray.origin, ray.direction, max_distance);
 }
 
 RayHit to_hit(const State& s, std::uint32_t shape, const Ray& ray, const ShapeRayHit& hit) {
-    return {s.shape_id(shape), s.body_id(s.shapes[shape].body), to_public(ray.origin + hit.distance * ray.direction),
-            to_public(math::to_float(hit.normal)), hit.distance};
+    return {s.shape_id(shape), s.body_id(s.shapes.links[shape].body),
+            to_public(ray.origin + hit.distance * ray.direction), to_public(math::to_float(hit.normal)), hit.distance};
 }
 
 bool bounds_overlap(const DBounds& a, const DBounds& b) {
@@ -181,7 +181,7 @@ void World::read_transforms(std::span<const BodyId> ids, std::span<Transform> ou
     const State& s = impl_->whole("World::read_transforms");
     for (std::size_t i = 0; i < ids.size(); ++i) {
         const std::int32_t b = impl_->index_of(ids[i]);
-        out[i] = {to_public(body_origin(s, b)), to_public(math::to_float(s.motion[b].q))};
+        out[i] = {to_public(body_origin(s, b)), to_public(math::to_float(s.bodies.motion[b].q))};
     }
 }
 
