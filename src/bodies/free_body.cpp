@@ -26,7 +26,7 @@ std::uint64_t move_free_body(State& s, StepScratch& step, std::int32_t b, float 
         ++clamped_speeds;
         motion.v_rest = motion.w_rest = {};
     }
-    const int substeps = step.in_pass(s.settings.substeps);
+    const int substeps = step.passes.in_pass(s.settings.substeps);
     const double h = double(dt) / substeps;
     const double linear = damping_factor(settings.linear_damping, float(h));
     const double angular = damping_factor(settings.angular_damping, float(h));

@@ -61,7 +61,7 @@ void spend_budget(State& s, std::int32_t b) {
 }
 
 void count_motion(State& s, StepScratch& step, float dt) {
-    const double h = double(dt) / step.in_pass(s.settings.substeps);
+    const double h = double(dt) / step.passes.in_pass(s.settings.substeps);
     const double shift = max_shift * sinking * h * h, speed = max_step * shift / double(dt);
     const auto look_ahead = [&](std::int32_t b) {
         const float reach = step.narrow.turn_reach[b] = turn_reach(s, b, dt);
@@ -69,7 +69,7 @@ void count_motion(State& s, StepScratch& step, float dt) {
         s.bodies.ahead[b] = s.bodies.travel[b] + travelled(double(way + reach));
     };
     step.narrow.turn_reach.assign(s.bodies.links.size(), 0); // of what does not move
-    const bool is_first = s.passes == step.first_pass;       // what whirls is asked once a step
+    const bool is_first = s.passes == step.passes.first;     // what whirls is asked once a step
     if (is_first) {
         for (const std::int32_t b : step.narrow.whirling) step.narrow.whirls[b] = 0;
         step.narrow.whirls.resize(s.bodies.links.size());

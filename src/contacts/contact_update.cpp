@@ -43,8 +43,9 @@ void note_trigger(State& s, ContactInfo& c, bool inside) {
     c.touching = inside;
     const bool a_is_trigger = s.shapes.traits[c.shape_a].is_trigger;
     const std::uint32_t trigger = a_is_trigger ? c.shape_a : c.shape_b, other = a_is_trigger ? c.shape_b : c.shape_a;
-    s.events.triggers.next.push_back({s.shape_id(trigger), s.shape_id(other), s.body_id(s.shapes.links[trigger].body),
-                                      s.body_id(s.shapes.links[other].body), inside});
+    s.events.triggers.next.push_back({s.shapes.slots.id(trigger), s.shapes.slots.id(other),
+                                      s.bodies.id(s.shapes.links[trigger].body),
+                                      s.bodies.id(s.shapes.links[other].body), inside});
 }
 
 // Whether another patch of the same pair touches.
@@ -59,7 +60,7 @@ void end_touch(State& s, ContactInfo& c) {
     c.touching = 0;
     if (pair_touches_elsewhere(s, c)) return;
     s.events.ends.next.push_back(
-        {s.shape_id(c.shape_a), s.shape_id(c.shape_b), s.body_id(c.body_a), s.body_id(c.body_b)});
+        {s.shapes.slots.id(c.shape_a), s.shapes.slots.id(c.shape_b), s.bodies.id(c.body_a), s.bodies.id(c.body_b)});
 }
 
 void begin_contact(State& s, ContactInfo& c, math::Vec3 normal) {
@@ -89,7 +90,7 @@ bool has_distance(PairKind kind) {
 }
 
 bool is_asleep(const State& s, const ContactInfo& c) {
-    return !s.is_awake(c.body_a) || (c.b_moves && !s.is_awake(c.body_b));
+    return !is_awake(s.bodies, s.islands, c.body_a) || (c.b_moves && !is_awake(s.bodies, s.islands, c.body_b));
 }
 
 } // namespace
@@ -230,8 +231,8 @@ void begin_touch(State& s, std::uint32_t id) {
     ContactInfo& c = s.contacts.info[id];
     c.touching = 1;
     if (pair_touches_elsewhere(s, c)) return;
-    const ShapeId a = s.shape_id(c.shape_a), b = s.shape_id(c.shape_b);
-    const BodyId body_a = s.body_id(c.body_a), body_b = s.body_id(c.body_b);
+    const ShapeId a = s.shapes.slots.id(c.shape_a), b = s.shapes.slots.id(c.shape_b);
+    const BodyId body_a = s.bodies.id(c.body_a), body_b = s.bodies.id(c.body_b);
     s.events.begins.push_back({a, b, body_a, body_b});
     const ContactRecord& r = s.contacts.records[id];
     if (r.approach_speed < s.settings.hit_speed) return;
@@ -293,7 +294,8 @@ void report_contacts(State& s, StepScratch& step, float dt) {
 void settle_sleeping_contacts(State& state, StepScratch& step) {
     for (const std::uint32_t id : step.solved) {
         const ContactInfo& contact = state.contacts.info[id];
-        if (!contact.in_use || contact.point_count == 0 || state.is_awake(contact.body_a)) continue;
+        if (!contact.in_use || contact.point_count == 0 || is_awake(state.bodies, state.islands, contact.body_a))
+            continue;
         state.contacts.records[id] = advanced_record(state, id);
     }
 }

@@ -135,7 +135,7 @@ void move_contacts(State& s, StepScratch& step, int begin, int end) {
 // along. What whirls is tested in each pass.
 bool is_found(const State& s, const StepScratch& step, std::uint32_t id) {
     const ContactInfo& c = s.contacts.info[id];
-    if (s.passes == step.first_pass || c.is_trigger || id >= step.narrow.found.size() || !step.narrow.found[id])
+    if (s.passes == step.passes.first || c.is_trigger || id >= step.narrow.found.size() || !step.narrow.found[id])
         return false;
     const auto turns_little = [&](std::int32_t body) {
         const math::Quat q = s.bodies.motion[body].turned; // in the last pass
@@ -146,7 +146,8 @@ bool is_found(const State& s, const StepScratch& step, std::uint32_t id) {
 
 std::uint8_t before_test(const State& s, const StepScratch& step, std::uint32_t id) {
     const ContactInfo& c = s.contacts.info[id];
-    if (!c.b_moves && !s.is_awake(c.body_a) && !moves(s, c.body_b)) return c.point_count > 0 ? skipped : apart;
+    if (!c.b_moves && !is_awake(s.bodies, s.islands, c.body_a) && !moves(s, c.body_b))
+        return c.point_count > 0 ? skipped : apart;
     if (!is_placed(s, c)) {
         if (is_found(s, step, id)) return c.point_count > 0 ? to_move : apart;
         // What has no points is tested: they may come near each other on the way, the more so the larger they are.
@@ -263,7 +264,7 @@ void update_contacts(State& s, StepScratch& step, float dt) {
     step.narrow.at_work.resize(std::size_t(step.thread_pool->threads()));
     list_pairs(s, step);
     test_all(s, step, dt);
-    if (s.passes == step.first_pass && !step.narrow.whirling.empty()) note_found(s, step);
+    if (s.passes == step.passes.first && !step.narrow.whirling.empty()) note_found(s, step);
     const std::vector<std::uint32_t>& open = step.narrow.open;
     for (std::size_t i = 0; i < open.size(); ++i) {
         if (i + contacts_ahead < open.size() && step.narrow.outcomes[open[i + contacts_ahead]] != apart)
@@ -295,7 +296,7 @@ void update_contacts(State& s, StepScratch& step, float dt) {
             if (s.contacts.info[id].point_count > 0) push_solved(id);
         });
     for (const std::uint32_t id : step.narrow.skipped)
-        if (s.is_awake(s.contacts.info[id].body_a)) push_solved(id);
+        if (is_awake(s.bodies, s.islands, s.contacts.info[id].body_a)) push_solved(id);
 }
 
 } // namespace cairn

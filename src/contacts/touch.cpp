@@ -22,7 +22,7 @@ constexpr float slide_part = 0.05f;
 
 // The last substep looks ahead at the next one as well.
 float looked_at(const State& s, const StepScratch& step, float dt) {
-    return dt * (1 + 1.0f / float(step.in_pass(s.settings.substeps)));
+    return dt * (1 + 1.0f / float(step.passes.in_pass(s.settings.substeps)));
 }
 
 // As velocities and forces say, which act in substeps: nearly as all the time. Seen from `origin`, for precision far
@@ -30,7 +30,7 @@ float looked_at(const State& s, const StepScratch& step, float dt) {
 RigidPath expected_path(const State& s, std::int32_t b, DVec3 origin, float dt) {
     const BodyMotion& m = s.bodies.motion[b];
     const DVec3 from = m.x - origin;
-    if (s.bodies.settings[b].type == BodyType::static_ || (s.bodies.is_dynamic(b) && !s.is_awake(b)))
+    if (s.bodies.settings[b].type == BodyType::static_ || (s.bodies.is_dynamic(b) && !is_awake(s.bodies, s.islands, b)))
         return RigidPath::between(from, m.q, from, m.q);
     const double t = double(dt);
     DVec3 way = t * math::to_double(m.v);

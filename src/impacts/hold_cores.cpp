@@ -22,7 +22,8 @@ constexpr int pairs_per_chunk = 16; // for threads
 
 // Where a body was at the start of the pass.
 CountedPose pose_before(const State& s, std::int32_t b) {
-    if (s.bodies.settings[b].type == BodyType::kinematic || s.is_awake(b)) return s.bodies.counted[b];
+    if (s.bodies.settings[b].type == BodyType::kinematic || is_awake(s.bodies, s.islands, b))
+        return s.bodies.counted[b];
     return {s.bodies.motion[b].x, s.bodies.motion[b].q};
 }
 // Whether its poses do not say how it turned. Of such a body the ball that is in it however it lies is held.
@@ -126,7 +127,7 @@ class CoreHolder {
     }
     double moved_by(std::int32_t b) const {
         if (fast_of(b) != none) return fast_[std::size_t(fast_of(b))].moved;
-        return s.is_awake(b) ? free_share * double(s.bodies.links[b].inner_radius) : 0; // at most
+        return is_awake(s.bodies, s.islands, b) ? free_share * double(s.bodies.links[b].inner_radius) : 0; // at most
     }
 
     // Pairs that the narrow phase had before it, but for those that it knew to stay apart.

@@ -75,7 +75,7 @@ void put_to_sleep(State& state, std::int32_t i) {
     for (std::int32_t b = island.first_body; b != none; b = body_at(state, b).next_in_island) {
         BodyMotion& motion = state.bodies.motion[b];
         motion.v = motion.w = motion.v_rest = motion.w_rest = {};
-        state.events.sleeps.next.push_back({state.body_id(b), true});
+        state.events.sleeps.next.push_back({state.bodies.id(b), true});
     }
     state.islands.falling_asleep.push_back(i);
 }
@@ -203,7 +203,7 @@ void wake_island(State& state, std::int32_t i) {
     for (std::int32_t b = island.first_body; b != none; b = body_at(state, b).next_in_island) {
         body_at(state, b).quiet_time = 0;
         state.bodies.motion[b].turned = {};
-        state.events.sleeps.next.push_back({state.body_id(b), false});
+        state.events.sleeps.next.push_back({state.bodies.id(b), false});
     }
     island.kept_awake = 1; // for this step
     if (island.key == none) {
@@ -231,7 +231,8 @@ void wake_around_shape(State& state, std::uint32_t shape) {
     std::vector<std::int32_t> found;
     state.broad_phase.query_bounds(bounds, [&](std::uint32_t other) {
         const std::int32_t near = state.shapes.links[other].body;
-        if (near != body && state.bodies.is_dynamic(near) && !state.is_awake(near)) found.push_back(near);
+        if (near != body && state.bodies.is_dynamic(near) && !is_awake(state.bodies, state.islands, near))
+            found.push_back(near);
     });
     std::sort(found.begin(), found.end());
     for (const std::int32_t near : found) wake_body(state, near);

@@ -45,7 +45,7 @@ int island_substeps(const State& s, const StepScratch& step, Island& island) {
     const float share = island.weight > 0 ? island.greatest_load / island.weight : 0;
     const int wanted = wanted_substeps(s.settings, {island.joint_count > 0, share, island.greatest_demand});
     island.greatest_load = island.greatest_demand = 0;
-    return step.in_pass(wanted);
+    return step.passes.in_pass(wanted);
 }
 
 float first_load(const State& s, const ContactInfo& c, math::Vec3 normal) {

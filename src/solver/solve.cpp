@@ -92,9 +92,9 @@ void run_substeps(const State& s, const StepScratch& step, const IslandBatch& ba
     using ForRows = JointKernels::ForRows;
     const SolverKernels& k = kernels().solver;
     const float h = dt / float(batch.substeps);
-    ContactSoftness softness = contact_softness(h, batch.substeps * step.split, s.settings.recovery_speed);
+    ContactSoftness softness = contact_softness(h, batch.substeps * step.passes.split, s.settings.recovery_speed);
     const BounceSettings bounce{h, s.settings.restitution_speed, velocity_offset(s.settings.integrator)};
-    const JointSoftness joint_soft = joint_softness(h, batch.substeps * step.split);
+    const JointSoftness joint_soft = joint_softness(h, batch.substeps * step.passes.split);
     // Not where joints are solved directly: a body that is much heavier than what it hits does not settle in the
     // passes. Nor where kinematic bodies drive joints: the passes would stop what they drive.
     const bool stops_impacts =

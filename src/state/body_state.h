@@ -69,7 +69,7 @@ struct BodyLinks {
 
 // All bodies; vectors are by body, unless they say what they list.
 struct Bodies {
-    SlotPool slots;
+    SlotPool<BodyId> slots;
     std::vector<BodyMotion> motion;
     std::vector<BodyMass> mass;
     std::vector<BodySettings> settings;
@@ -83,6 +83,7 @@ struct Bodies {
     std::vector<std::int32_t> kinematics; // kinematic bodies, in order of creation
     std::vector<std::uint32_t> dead;      // recycled after the broad phase's update
 
+    BodyId id(std::int32_t body) const { return slots.id(std::uint32_t(body)); }
     bool is_pushed(std::int32_t body) const { return !pushed.empty() && forces[body].any; }
     bool is_dynamic(std::int32_t body) const { return settings[body].type == BodyType::dynamic; }
 };

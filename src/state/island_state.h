@@ -1,6 +1,7 @@
 // What is known of islands.
 #pragma once
 
+#include "state/body_state.h"
 #include "state/none.h"
 
 #include <cstdint>
@@ -32,5 +33,10 @@ struct Islands {
     std::vector<std::int32_t> falling_asleep; // islands that the broad phase still holds as awake
     std::vector<std::int32_t> waking;         // keys that it still holds as sleeping
 };
+
+inline bool is_awake(const Bodies& bodies, const Islands& islands, std::int32_t body) {
+    const std::int32_t island = bodies.links[body].island;
+    return island != none && islands.all[island].position != none;
+}
 
 } // namespace cairn

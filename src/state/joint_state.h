@@ -80,7 +80,7 @@ static_assert(sizeof(JointInfo) == 320);
 
 // All joints; vectors are by joint.
 struct Joints {
-    SlotPool slots;
+    SlotPool<JointId> slots;
     std::vector<JointInfo> info;
     std::vector<JointAxes> axes;
     // Counts changes of joints, and of the masses of what is jointed. What steps have found out about joints is valid

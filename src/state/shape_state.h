@@ -35,7 +35,7 @@ inline bool may_meet(const CollisionFilter& a, const CollisionFilter& b) {
 
 // All shapes; vectors are by shape.
 struct Shapes {
-    SlotPool slots;
+    SlotPool<ShapeId> slots;
     std::vector<Geometry> geometry;
     std::vector<ShapeData> data;
     std::vector<ShapePose> poses;

@@ -21,12 +21,11 @@
 namespace cairn {
 
 struct ForceFields {
-    SlotPool slots;
+    SlotPool<ForceFieldId> slots;
     std::vector<ForceField> all;
 };
 
 struct State {
-    std::uint32_t world_id = 0;
     WorldDef settings;
     std::uint64_t steps = 0;
     std::uint64_t passes = 0; // a step is one pass, or several (world/step.cpp)
@@ -44,18 +43,10 @@ struct State {
     std::uint64_t clamped_speeds = 0;
     Statistics statistics;
 
-    BodyId body_id(std::int32_t body) const {
-        return BodyId::make(std::uint32_t(body), bodies.slots.generation(std::uint32_t(body)), world_id);
-    }
-    ShapeId shape_id(std::uint32_t shape) const {
-        return ShapeId::make(shape, shapes.slots.generation(shape), world_id);
-    }
-    JointId joint_id(std::uint32_t joint) const {
-        return JointId::make(joint, joints.slots.generation(joint), world_id);
-    }
-    bool is_awake(std::int32_t body) const {
-        const std::int32_t island = bodies.links[body].island;
-        return island != none && islands.all[island].position != none;
+    // The number by which handles tell worlds apart.
+    void set_world(std::uint32_t world) {
+        bodies.slots.set_world(world), shapes.slots.set_world(world), joints.slots.set_world(world);
+        fields.slots.set_world(world);
     }
 };
 

@@ -12,18 +12,22 @@
 
 namespace cairn {
 
-struct StepScratch {
-    int split = 1;                // passes of the step under way
-    std::uint64_t first_pass = 0; // of the step under way: State::passes at its start
+// The passes of the step under way.
+struct StepPasses {
+    int split = 1;           // how many there are
+    std::uint64_t first = 0; // State::passes at the start of the step
 
+    // Of the given number in a step, how many a pass takes.
+    int in_pass(int substeps) const { return (substeps + split - 1) / split; }
+};
+
+struct StepScratch {
+    StepPasses passes;
     NarrowScratch narrow;
     std::vector<std::uint32_t> solved; // contacts to solve in this pass
     SolverScratch solver;
     DirectSets direct;
     std::unique_ptr<ThreadPool> thread_pool = std::make_unique<ThreadPool>(1);
-
-    // Of the given number in a step, how many a pass takes.
-    int in_pass(int substeps) const { return (substeps + split - 1) / split; }
 };
 
 } // namespace cairn

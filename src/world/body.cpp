@@ -155,7 +155,7 @@ float Body::angular_damping() const {
 }
 bool Body::is_awake() const {
     CAIRN_ACCESS;
-    if (s.bodies.is_dynamic(a.index())) return s.is_awake(a.index());
+    if (s.bodies.is_dynamic(a.index())) return cairn::is_awake(s.bodies, s.islands, a.index());
     return !(a.motion().v == math::Vec3{} && a.motion().w == math::Vec3{});
 }
 bool Body::allow_sleep() const {
@@ -166,7 +166,7 @@ std::vector<ShapeId> Body::shapes() const {
     CAIRN_ACCESS;
     std::vector<ShapeId> ids;
     for (std::int32_t i = s.bodies.links[a.b].first_shape; i != none; i = s.shapes.links[i].next)
-        ids.push_back(s.shape_id(std::uint32_t(i)));
+        ids.push_back(s.shapes.slots.id(std::uint32_t(i)));
     return ids;
 }
 

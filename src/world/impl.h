@@ -84,7 +84,7 @@ template <class T> void make_room(std::vector<T>& v, std::size_t index) {
     if (v.size() <= index) v.resize(index + 1);
 }
 
-inline void require_slot(const SlotPool& pool, const char* what) {
+template <class Id> void require_slot(const SlotPool<Id>& pool, const char* what) {
     if (pool.full())
         throw Error(ErrorCode::wrong_state, what, std::to_string(pool.live_count()), "no more can exist in one world");
 }

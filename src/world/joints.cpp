@@ -108,7 +108,7 @@ void World::Impl::retire_joint(std::uint32_t index, const std::optional<JointEve
 JointEvent World::Impl::joint_event(std::uint32_t index, bool broke) const {
     const JointInfo& info = state.joints.info[index];
     const JointDef& def = joint_defs[index];
-    JointEvent event{state.joint_id(index), def.body_a, def.body_b, broke, 0, 0, def.user_data};
+    JointEvent event{state.joints.slots.id(index), def.body_a, def.body_b, broke, 0, 0, def.user_data};
     if (broke) event.force = math::length(info.force), event.torque = math::length(info.torque);
     return event;
 }
@@ -156,7 +156,7 @@ JointId World::create_joint(const JointDef& def) {
     link_joint(s, index);
     activate_joint(s, index);
     refilter_pairs(s, info);
-    return s.joint_id(index);
+    return s.joints.slots.id(index);
 }
 
 JointDef World::joint_at(BodyId body_a, BodyId body_b, const Position& anchor, const Vec3& axis,
@@ -190,10 +190,7 @@ void World::destroy_joint(JointId id) {
     impl_->retire_joint(index, std::nullopt);
 }
 
-bool World::is_valid(JointId id) const noexcept {
-    return impl_ && id.world() == impl_->state.world_id &&
-           impl_->state.joints.slots.is_live(id.index(), id.generation());
-}
+bool World::is_valid(JointId id) const noexcept { return impl_ && impl_->state.joints.slots.holds(id); }
 
 const JointDef& World::joint_def(JointId id) const { return impl_->joint_defs[impl_->index_of(id)]; }
 
@@ -255,21 +252,21 @@ std::vector<JointId> World::joints() const {
     std::vector<JointId> ids;
     ids.reserve(s.joints.slots.live_count());
     for (std::uint32_t i = 0; i < s.joints.slots.size(); ++i)
-        if (s.joints.slots.is_live(i)) ids.push_back(s.joint_id(i));
+        if (s.joints.slots.is_live(i)) ids.push_back(s.joints.slots.id(i));
     return ids;
 }
 
 std::vector<JointId> World::joints(BodyId id) const {
     std::vector<JointId> ids;
     for_each_joint(impl_->state, impl_->index_of(id),
-                   [&](std::uint32_t joint, int) { ids.push_back(impl_->state.joint_id(joint)); });
+                   [&](std::uint32_t joint, int) { ids.push_back(impl_->state.joints.slots.id(joint)); });
     return ids;
 }
 
 std::optional<JointId> World::find_joint(std::string_view name) const {
     const State& s = impl_->whole("World::find_joint");
     for (std::uint32_t i = 0; i < s.joints.slots.size(); ++i)
-        if (s.joints.slots.is_live(i) && impl_->joint_defs[i].name == name) return s.joint_id(i);
+        if (s.joints.slots.is_live(i) && impl_->joint_defs[i].name == name) return s.joints.slots.id(i);
     return std::nullopt;
 }
 

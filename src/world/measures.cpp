@@ -27,11 +27,11 @@ bool is_touching(const ContactInfo& c) { return c.in_use && c.touching && !c.is_
 
 Contact make_contact(const State& s, std::uint32_t id) {
     const ContactInfo& c = s.contacts.info[id];
-    const ContactRecord r = s.is_awake(c.body_a) ? advanced_record(s, id) : s.contacts.records[id];
-    Contact out{s.shape_id(c.shape_a),
-                s.shape_id(c.shape_b),
-                s.body_id(c.body_a),
-                s.body_id(c.body_b),
+    const ContactRecord r = is_awake(s.bodies, s.islands, c.body_a) ? advanced_record(s, id) : s.contacts.records[id];
+    Contact out{s.shapes.slots.id(c.shape_a),
+                s.shapes.slots.id(c.shape_b),
+                s.bodies.id(c.body_a),
+                s.bodies.id(c.body_b),
                 {r.normal[0], r.normal[1], r.normal[2]},
                 {r.total_friction[0], r.total_friction[1], r.total_friction[2]},
                 c.point_count,
@@ -120,7 +120,7 @@ Statistics World::statistics() const {
     t.shapes = s.shapes.slots.live_count();
     for_each_dynamic(s, [&](std::int32_t b) {
         ++t.dynamic_bodies;
-        t.awake_bodies += s.is_awake(b);
+        t.awake_bodies += is_awake(s.bodies, s.islands, b);
     });
     std::uint64_t colors = 0;
     for (const ContactInfo& c : s.contacts.info) {

@@ -36,7 +36,7 @@ std::optional<ShapeRayHit> cast_at_shape(const State& s, std::uint32_t shape, co
 }
 
 RayHit to_hit(const State& s, std::uint32_t shape, const Ray& ray, const ShapeRayHit& hit) {
-    return {s.shape_id(shape), s.body_id(s.shapes.links[shape].body),
+    return {s.shapes.slots.id(shape), s.bodies.id(s.shapes.links[shape].body),
             to_public(ray.origin + hit.distance * ray.direction), to_public(math::to_float(hit.normal)), hit.distance};
 }
 
@@ -152,7 +152,7 @@ std::vector<ShapeId> World::overlap(const Shape& shape, const Transform& pose, s
     s.broad_phase.query_bounds(bounds, [&](std::uint32_t other) {
         if (is_seen(s, other, layers) && bounds_overlap(bounds, cairn::shape_bounds(s, other)) &&
             shapes_overlap({g, data, query, arm}, posed_shape(s, other)))
-            found.push_back(s.shape_id(other));
+            found.push_back(s.shapes.slots.id(other));
     });
     std::sort(found.begin(), found.end(), [](ShapeId a, ShapeId b) { return a.index() < b.index(); });
     return found;
@@ -168,7 +168,7 @@ std::vector<ShapeId> World::overlap_bounds(const Bounds& bounds, std::uint64_t l
     if (box.lo.x > box.hi.x || box.lo.y > box.hi.y || box.lo.z > box.hi.z) return found;
     s.broad_phase.query_bounds(box, [&](std::uint32_t other) {
         if (is_seen(s, other, layers) && bounds_overlap(box, cairn::shape_bounds(s, other)))
-            found.push_back(s.shape_id(other));
+            found.push_back(s.shapes.slots.id(other));
     });
     std::sort(found.begin(), found.end(), [](ShapeId a, ShapeId b) { return a.index() < b.index(); });
     return found;

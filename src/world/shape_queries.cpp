@@ -129,7 +129,7 @@ std::optional<ShapeCastHit> World::cast_shape(const Shape& shape, const Transfor
         met = other;
     });
     if (!best) return std::nullopt;
-    return ShapeCastHit{s.shape_id(met), s.body_id(s.shapes.links[met].body), best->fraction,
+    return ShapeCastHit{s.shapes.slots.id(met), s.bodies.id(s.shapes.links[met].body), best->fraction,
                         to_public(origin + best->point), to_public(math::to_float(best->normal))};
 }
 
@@ -150,8 +150,8 @@ std::optional<ClosestPoint> World::closest_point(const Position& point, double m
         nearest = other;
     });
     if (!best) return std::nullopt;
-    return ClosestPoint{s.shape_id(nearest), s.body_id(s.shapes.links[nearest].body), to_public(origin + best->point),
-                        best->distance};
+    return ClosestPoint{s.shapes.slots.id(nearest), s.bodies.id(s.shapes.links[nearest].body),
+                        to_public(origin + best->point), best->distance};
 }
 
 } // namespace cairn

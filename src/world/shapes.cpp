@@ -106,7 +106,7 @@ ShapeId World::add_shape(BodyId id, const Shape& shape, const ShapeDef& def) {
     wake_body(s, b);
     add_proxy(s, i);
     if (!s.bodies.is_dynamic(b)) wake_around_shape(s, i);
-    return s.shape_id(i);
+    return s.shapes.slots.id(i);
 }
 
 void World::remove_shape(ShapeId id) {
@@ -126,7 +126,7 @@ void World::remove_shape(ShapeId id) {
 }
 
 BodyId World::body_of(ShapeId id) const {
-    return impl_->state.body_id(impl_->state.shapes.links[impl_->index_of(id)].body);
+    return impl_->state.bodies.id(impl_->state.shapes.links[impl_->index_of(id)].body);
 }
 const Shape& World::shape(ShapeId id) const { return impl_->shape_of[impl_->index_of(id)]; }
 const ShapeDef& World::shape_def(ShapeId id) const { return impl_->def_of[impl_->index_of(id)]; }

@@ -77,7 +77,7 @@ std::uint64_t checksum_of(Header header, const std::vector<std::byte>& snapshot)
 #define CAIRN_ARCHIVES_MEMBERS(count, type)                                                                            \
     static_assert(class_field_count<type>() == (count), #type " has another member: archive it here, and count it")
 
-CAIRN_ARCHIVES_MEMBERS(15, State);
+CAIRN_ARCHIVES_MEMBERS(14, State);
 CAIRN_ARCHIVES_MEMBERS(13, Bodies);
 CAIRN_ARCHIVES_MEMBERS(8, Shapes);
 CAIRN_ARCHIVES_MEMBERS(4, Contacts);
@@ -299,7 +299,7 @@ template <class Archive, class T> void serialize_fields(Archive& archive, std::v
 
 template <class Archive, class Impl> void serialize_definitions(Archive& archive, Impl& impl) {
     State& s = impl.state;
-    archive(s.world_id), serialize_settings(archive, s.settings);
+    serialize_settings(archive, s.settings);
     s.bodies.slots.serialize(archive), s.shapes.slots.serialize(archive);
     s.joints.slots.serialize(archive), s.fields.slots.serialize(archive);
     archive(s.bodies.mass), archive(s.bodies.settings), archive(s.bodies.kinematics), archive(s.bodies.dead),

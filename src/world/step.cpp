@@ -56,7 +56,7 @@ int split_step(StepScratch& step, float whirl, float dt) {
     const float turn = whirl * dt;
     if (!(turn > 0)) return 1;
     if (turn > beyond_help) return few_passes; // and all the substeps in each
-    return step.split = std::min(int(std::ceil(turn / max_turn)), max_passes);
+    return step.passes.split = std::min(int(std::ceil(turn / max_turn)), max_passes);
 }
 
 } // namespace
@@ -73,7 +73,7 @@ void World::step(float dt) {
     state.events.begin_step();
     times = {};
     state.statistics.swept_pairs = state.statistics.stopped_bodies = 0;
-    step.first_pass = state.passes;
+    step.passes.first = state.passes;
     int passes = 1;
     for (int pass = 0; pass < passes; ++pass) {
         for (const std::int32_t island : state.islands.awake) state.islands.all[island].kept_awake = 0;
@@ -99,7 +99,7 @@ void World::step(float dt) {
         ++state.passes;
         times.finalize += clock.lap();
     }
-    step.split = 1;
+    step.passes.split = 1;
     for (const std::int32_t b : state.bodies.pushed) state.bodies.forces[b] = {}; // they act for one step
     state.bodies.pushed.clear();
     state.events.publish();

@@ -30,9 +30,9 @@ std::uint32_t next_world_id() {
     throw Error(ErrorCode::invalid_handle, field, text, why);
 }
 
-template <class Id> std::uint32_t checked_index(const char* field, Id id, std::uint32_t world, const SlotPool& pool) {
+template <class Id> std::uint32_t checked_index(const char* field, Id id, const SlotPool<Id>& pool) {
     if (id.is_null()) refuse_handle(field, id.bits, "must not be null");
-    if (id.world() != world) refuse_handle(field, id.bits, "must be of this world");
+    if (id.world() != pool.world()) refuse_handle(field, id.bits, "must be of this world");
     if (!pool.is_live(id.index(), id.generation())) refuse_handle(field, id.bits, "is stale: the object was removed");
     return id.index();
 }
@@ -42,24 +42,24 @@ template <class Id> std::uint32_t checked_index(const char* field, Id id, std::u
 World::Impl::Impl(const WorldDef& def) {
     validate(def);
     state.settings = def;
-    state.world_id = next_world_id();
+    state.set_world(next_world_id());
 }
 
 std::int32_t World::Impl::index_of(BodyId id) const {
     require_whole("BodyId");
-    return std::int32_t(checked_index("BodyId", id, state.world_id, state.bodies.slots));
+    return std::int32_t(checked_index("BodyId", id, state.bodies.slots));
 }
 std::uint32_t World::Impl::index_of(ShapeId id) const {
     require_whole("ShapeId");
-    return checked_index("ShapeId", id, state.world_id, state.shapes.slots);
+    return checked_index("ShapeId", id, state.shapes.slots);
 }
 std::uint32_t World::Impl::index_of(JointId id) const {
     require_whole("JointId");
-    return checked_index("JointId", id, state.world_id, state.joints.slots);
+    return checked_index("JointId", id, state.joints.slots);
 }
 std::uint32_t World::Impl::index_of(ForceFieldId id) const {
     require_whole("ForceFieldId");
-    return checked_index("ForceFieldId", id, state.world_id, state.fields.slots);
+    return checked_index("ForceFieldId", id, state.fields.slots);
 }
 void World::Impl::require_idle(const char* call) const {
     if (stepping)
@@ -163,7 +163,7 @@ BodyId World::create_body(const BodyDef& def) {
     }
     if (def.type == BodyType::dynamic) create_island(s, body);
     if (def.type == BodyType::kinematic) s.bodies.kinematics.push_back(body);
-    return s.body_id(body);
+    return s.bodies.id(body);
 }
 
 void World::destroy_body(BodyId id) {
@@ -185,18 +185,9 @@ void World::destroy_body(BodyId id) {
     reclaim_slots(s, step);
 }
 
-bool World::is_valid(BodyId id) const noexcept {
-    return impl_ && id.world() == impl_->state.world_id &&
-           impl_->state.bodies.slots.is_live(id.index(), id.generation());
-}
-bool World::is_valid(ShapeId id) const noexcept {
-    return impl_ && id.world() == impl_->state.world_id &&
-           impl_->state.shapes.slots.is_live(id.index(), id.generation());
-}
-bool World::is_valid(ForceFieldId id) const noexcept {
-    return impl_ && id.world() == impl_->state.world_id &&
-           impl_->state.fields.slots.is_live(id.index(), id.generation());
-}
+bool World::is_valid(BodyId id) const noexcept { return impl_ && impl_->state.bodies.slots.holds(id); }
+bool World::is_valid(ShapeId id) const noexcept { return impl_ && impl_->state.shapes.slots.holds(id); }
+bool World::is_valid(ForceFieldId id) const noexcept { return impl_ && impl_->state.fields.slots.holds(id); }
 
 Body World::body(BodyId id) {
     impl_->index_of(id);
@@ -212,14 +203,14 @@ std::vector<BodyId> World::bodies() const {
     std::vector<BodyId> ids;
     ids.reserve(s.bodies.slots.live_count());
     for (std::uint32_t i = 0; i < s.bodies.slots.size(); ++i)
-        if (s.bodies.slots.is_live(i)) ids.push_back(s.body_id(std::int32_t(i)));
+        if (s.bodies.slots.is_live(i)) ids.push_back(s.bodies.id(std::int32_t(i)));
     return ids;
 }
 
 std::optional<BodyId> World::find_body(std::string_view name) const {
     const State& s = impl_->whole("World::find_body");
     for (std::uint32_t i = 0; i < s.bodies.slots.size(); ++i)
-        if (s.bodies.slots.is_live(i) && impl_->names[i] == name) return s.body_id(std::int32_t(i));
+        if (s.bodies.slots.is_live(i) && impl_->names[i] == name) return s.bodies.id(std::int32_t(i));
     return std::nullopt;
 }
 
@@ -231,7 +222,7 @@ ForceFieldId World::add_force_field(const ForceField& field) {
     change.begin();
     const std::uint32_t i = s.fields.slots.create();
     make_room(s.fields.all, i);
-    const ForceFieldId id = ForceFieldId::make(i, s.fields.slots.generation(i), s.world_id);
+    const ForceFieldId id = s.fields.slots.id(i);
     set_force_field(id, field);
     return id;
 }
