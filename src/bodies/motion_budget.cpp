@@ -69,7 +69,7 @@ void count_motion(State& s, StepScratch& step, float dt) {
         s.bodies.ahead[b] = s.bodies.travel[b] + travelled(double(way + reach));
     };
     step.narrow.turn_reach.assign(s.bodies.links.size(), 0); // of what does not move
-    const bool is_first = s.passes == step.passes.first;     // what whirls is asked once a step
+    const bool is_first = step.passes.number == 0;     // what whirls is asked once a step
     if (is_first) {
         for (const std::int32_t b : step.narrow.whirling) step.narrow.whirls[b] = 0;
         step.narrow.whirls.resize(s.bodies.links.size());

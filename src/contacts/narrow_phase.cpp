@@ -135,7 +135,7 @@ void move_contacts(State& s, StepScratch& step, int begin, int end) {
 // along. What whirls is tested in each pass.
 bool is_found(const State& s, const StepScratch& step, std::uint32_t id) {
     const ContactInfo& c = s.contacts.info[id];
-    if (s.passes == step.passes.first || c.is_trigger || id >= step.narrow.found.size() || !step.narrow.found[id])
+    if (step.passes.number == 0 || c.is_trigger || id >= step.narrow.found.size() || !step.narrow.found[id])
         return false;
     const auto turns_little = [&](std::int32_t body) {
         const math::Quat q = s.bodies.motion[body].turned; // in the last pass
@@ -264,7 +264,7 @@ void update_contacts(State& s, StepScratch& step, float dt) {
     step.narrow.at_work.resize(std::size_t(step.thread_pool->threads()));
     list_pairs(s, step);
     test_all(s, step, dt);
-    if (s.passes == step.passes.first && !step.narrow.whirling.empty()) note_found(s, step);
+    if (step.passes.number == 0 && !step.narrow.whirling.empty()) note_found(s, step);
     const std::vector<std::uint32_t>& open = step.narrow.open;
     for (std::size_t i = 0; i < open.size(); ++i) {
         if (i + contacts_ahead < open.size() && step.narrow.outcomes[open[i + contacts_ahead]] != apart)

@@ -11,8 +11,6 @@ namespace cairn {
 
 namespace {
 
-Island& island_at(State& state, std::int32_t i) { return state.islands.all[i]; }
-BodyLinks& body_at(State& state, std::int32_t i) { return state.bodies.links[i]; }
 
 std::int32_t new_island(State& state) {
     std::int32_t i;
@@ -22,9 +20,9 @@ std::int32_t new_island(State& state) {
     } else {
         i = state.islands.free.back();
         state.islands.free.pop_back();
-        island_at(state, i) = {};
+        state.islands.all[i] = {};
     }
-    Island& island = island_at(state, i);
+    Island& island = state.islands.all[i];
     island.in_use = 1;
     island.position = std::int32_t(state.islands.awake.size());
     state.islands.awake.push_back(i);
@@ -33,37 +31,37 @@ std::int32_t new_island(State& state) {
 
 // Takes an island out of the list of awake ones.
 void leave_awake_list(State& state, std::int32_t i) {
-    Island& island = island_at(state, i);
+    Island& island = state.islands.all[i];
     const std::int32_t last = state.islands.awake.back();
     state.islands.awake[island.position] = last;
-    island_at(state, last).position = island.position;
+    state.islands.all[last].position = island.position;
     state.islands.awake.pop_back();
     island.position = none;
 }
 
 void free_island(State& state, std::int32_t i) {
-    if (island_at(state, i).position != none) leave_awake_list(state, i);
-    island_at(state, i) = {};
+    if (state.islands.all[i].position != none) leave_awake_list(state, i);
+    state.islands.all[i] = {};
     state.islands.free.push_back(i);
 }
 
 void append_body(State& state, std::int32_t i, std::int32_t body) {
-    Island& island = island_at(state, i);
-    BodyLinks& links = body_at(state, body);
+    Island& island = state.islands.all[i];
+    BodyLinks& links = state.bodies.links[body];
     links.island = i;
     links.previous_in_island = island.last_body;
     links.next_in_island = none;
     if (island.last_body == none)
         island.first_body = body;
     else
-        body_at(state, island.last_body).next_in_island = body;
+        state.bodies.links[island.last_body].next_in_island = body;
     island.last_body = body;
     ++island.body_count;
 }
 
 void append_all(State& state, std::int32_t into, std::int32_t from) {
-    for (std::int32_t b = island_at(state, from).first_body; b != none;) {
-        const std::int32_t next = body_at(state, b).next_in_island;
+    for (std::int32_t b = state.islands.all[from].first_body; b != none;) {
+        const std::int32_t next = state.bodies.links[b].next_in_island;
         append_body(state, into, b);
         b = next;
     }
@@ -71,8 +69,8 @@ void append_all(State& state, std::int32_t into, std::int32_t from) {
 
 void put_to_sleep(State& state, std::int32_t i) {
     leave_awake_list(state, i);
-    Island& island = island_at(state, i);
-    for (std::int32_t b = island.first_body; b != none; b = body_at(state, b).next_in_island) {
+    Island& island = state.islands.all[i];
+    for (std::int32_t b = island.first_body; b != none; b = state.bodies.links[b].next_in_island) {
         BodyMotion& motion = state.bodies.motion[b];
         motion.v = motion.w = motion.v_rest = motion.w_rest = {};
         state.events.sleeps.next.push_back({state.bodies.id(b), true});
@@ -95,7 +93,7 @@ void split_island(State& state, StepScratch& step, std::int32_t i) {
     std::vector<std::int32_t> members, parent;
     std::vector<std::int32_t>& number = step.solver.member_numbers;
     number.resize(state.bodies.links.size());
-    for (std::int32_t b = island_at(state, i).first_body; b != none; b = body_at(state, b).next_in_island) {
+    for (std::int32_t b = state.islands.all[i].first_body; b != none; b = state.bodies.links[b].next_in_island) {
         number[b] = std::int32_t(members.size());
         parent.push_back(std::int32_t(members.size()));
         members.push_back(b);
@@ -103,7 +101,7 @@ void split_island(State& state, StepScratch& step, std::int32_t i) {
     for (const std::uint32_t id : step.solved) {
         const ContactInfo& contact = state.contacts.info[id];
         if (!contact.in_use || contact.point_count == 0 || !contact.b_moves) continue;
-        if (body_at(state, contact.body_a).island != i) continue;
+        if (state.bodies.links[contact.body_a].island != i) continue;
         const std::int32_t a = find_root(parent, number[contact.body_a]);
         const std::int32_t b = find_root(parent, number[contact.body_b]);
         parent[std::max(a, b)] = std::min(a, b);
@@ -116,7 +114,7 @@ void split_island(State& state, StepScratch& step, std::int32_t i) {
             const std::int32_t c = find_root(parent, number[other]);
             parent[std::max(a, c)] = std::min(a, c);
         });
-    Island& island = island_at(state, i);
+    Island& island = state.islands.all[i];
     island.first_body = island.last_body = none;
     island.body_count = island.joint_count = 0;
     island.lost_contact = 0;
@@ -126,17 +124,17 @@ void split_island(State& state, StepScratch& step, std::int32_t i) {
         if (part[root] == none) part[root] = root == 0 ? i : new_island(state);
         append_body(state, part[root], members[k]);
         for_each_joint(state, members[k], [&](std::uint32_t joint, int) {
-            if (joint_owner(state, state.joints.info[joint]) == members[k]) ++island_at(state, part[root]).joint_count;
+            if (joint_owner(state, state.joints.info[joint]) == members[k]) ++state.islands.all[part[root]].joint_count;
         });
     }
 }
 
 void measure_rest(State& state, std::int32_t i) {
-    Island& island = island_at(state, i);
+    Island& island = state.islands.all[i];
     float least = 1e30f, greatest = 0;
     bool allowed = true;
-    for (std::int32_t b = island.first_body; b != none; b = body_at(state, b).next_in_island) {
-        const float quiet = body_at(state, b).quiet_time;
+    for (std::int32_t b = island.first_body; b != none; b = state.bodies.links[b].next_in_island) {
+        const float quiet = state.bodies.links[b].quiet_time;
         least = std::min(least, quiet);
         greatest = std::max(greatest, quiet);
         allowed = allowed && state.bodies.settings[b].allow_sleep;
@@ -167,41 +165,41 @@ bool gains_speed(const State& state, const Island& island) {
 void create_island(State& state, std::int32_t body) { append_body(state, new_island(state), body); }
 
 void remove_from_island(State& state, std::int32_t body) {
-    BodyLinks& links = body_at(state, body);
+    BodyLinks& links = state.bodies.links[body];
     const std::int32_t i = links.island;
-    Island& island = island_at(state, i);
+    Island& island = state.islands.all[i];
     if (links.previous_in_island == none)
         island.first_body = links.next_in_island;
     else
-        body_at(state, links.previous_in_island).next_in_island = links.next_in_island;
+        state.bodies.links[links.previous_in_island].next_in_island = links.next_in_island;
     if (links.next_in_island == none)
         island.last_body = links.previous_in_island;
     else
-        body_at(state, links.next_in_island).previous_in_island = links.previous_in_island;
+        state.bodies.links[links.next_in_island].previous_in_island = links.previous_in_island;
     links.island = links.next_in_island = links.previous_in_island = none;
     island.lost_contact = 1;
     if (--island.body_count == 0) free_island(state, i);
 }
 
 void link_islands(State& state, std::int32_t body_a, std::int32_t body_b) {
-    std::int32_t a = body_at(state, body_a).island, b = body_at(state, body_b).island;
+    std::int32_t a = state.bodies.links[body_a].island, b = state.bodies.links[body_b].island;
     wake_island(state, a);
     wake_island(state, b);
     if (a == b) return;
-    if (island_at(state, a).body_count < island_at(state, b).body_count) std::swap(a, b);
+    if (state.islands.all[a].body_count < state.islands.all[b].body_count) std::swap(a, b);
     append_all(state, a, b);
-    island_at(state, a).joint_count += island_at(state, b).joint_count;
-    island_at(state, a).lost_contact |= island_at(state, b).lost_contact;
+    state.islands.all[a].joint_count += state.islands.all[b].joint_count;
+    state.islands.all[a].lost_contact |= state.islands.all[b].lost_contact;
     free_island(state, b);
 }
 
 void wake_island(State& state, std::int32_t i) {
-    Island& island = island_at(state, i);
+    Island& island = state.islands.all[i];
     if (island.position != none) return;
     island.position = std::int32_t(state.islands.awake.size());
     state.islands.awake.push_back(i);
-    for (std::int32_t b = island.first_body; b != none; b = body_at(state, b).next_in_island) {
-        body_at(state, b).quiet_time = 0;
+    for (std::int32_t b = island.first_body; b != none; b = state.bodies.links[b].next_in_island) {
+        state.bodies.links[b].quiet_time = 0;
         state.bodies.motion[b].turned = {};
         state.events.sleeps.next.push_back({state.bodies.id(b), false});
     }
@@ -215,9 +213,9 @@ void wake_island(State& state, std::int32_t i) {
 }
 
 void wake_body(State& state, std::int32_t body) {
-    const std::int32_t island = body_at(state, body).island;
+    const std::int32_t island = state.bodies.links[body].island;
     if (island == none) return;
-    body_at(state, body).quiet_time = 0;
+    state.bodies.links[body].quiet_time = 0;
     wake_island(state, island);
 }
 
@@ -239,7 +237,7 @@ void wake_around_shape(State& state, std::uint32_t shape) {
 }
 
 void wake_around(State& state, std::int32_t body) {
-    for (std::int32_t s = body_at(state, body).first_shape; s != none; s = state.shapes.links[s].next)
+    for (std::int32_t s = state.bodies.links[body].first_shape; s != none; s = state.shapes.links[s].next)
         wake_around_shape(state, std::uint32_t(s));
 }
 
@@ -247,7 +245,7 @@ void wake_around_moving_planes(State& state) {
     for (const std::int32_t b : state.bodies.kinematics) {
         const BodyMotion& motion = state.bodies.motion[b];
         if (motion.v == math::Vec3{} && motion.w == math::Vec3{}) continue;
-        for (std::int32_t s = body_at(state, b).first_shape; s != none; s = state.shapes.links[s].next)
+        for (std::int32_t s = state.bodies.links[b].first_shape; s != none; s = state.shapes.links[s].next)
             if (state.shapes.geometry[s].type == ShapeType::plane) wake_around_shape(state, std::uint32_t(s));
     }
 }
@@ -260,17 +258,17 @@ bool update_sleep(State& state, StepScratch& step) {
     bool any_sleeps = false;
     for (const std::int32_t i : state.islands.awake) {
         measure_rest(state, i);
-        const Island& island = island_at(state, i);
+        const Island& island = state.islands.all[i];
         if (island.lost_contact && island.greatest_quiet_time >= quietest && island.body_count > 1 &&
             (to_split == none || island.greatest_quiet_time > quietest)) {
             to_split = i;
             quietest = island.greatest_quiet_time;
         }
-        if (island.body_count == 1) island_at(state, i).lost_contact = 0;
+        if (island.body_count == 1) state.islands.all[i].lost_contact = 0;
     }
     for (std::size_t k = state.islands.awake.size(); k-- > 0;) {
         const std::int32_t i = state.islands.awake[k];
-        const Island& island = island_at(state, i);
+        const Island& island = state.islands.all[i];
         if (island.lost_contact || island.min_quiet_time < needed || gains_speed(state, island)) continue;
         put_to_sleep(state, i);
         any_sleeps = true;
@@ -283,15 +281,15 @@ void flush_sleep(State& state) {
     for (const std::int32_t key : state.islands.waking) state.broad_phase.wake(std::uint32_t(key));
     state.islands.waking.clear();
     if (state.islands.falling_asleep.empty()) return;
-    std::vector<std::uint32_t> shapes;
+    std::vector<std::uint32_t> members;
     for (const std::int32_t i : state.islands.falling_asleep) {
-        Island& island = island_at(state, i);
-        shapes.clear();
-        for (std::int32_t b = island.first_body; b != none; b = body_at(state, b).next_in_island)
-            for (std::int32_t s = body_at(state, b).first_shape; s != none; s = state.shapes.links[s].next)
-                shapes.push_back(std::uint32_t(s));
+        Island& island = state.islands.all[i];
+        members.clear();
+        for (std::int32_t b = island.first_body; b != none; b = state.bodies.links[b].next_in_island)
+            for (std::int32_t s = state.bodies.links[b].first_shape; s != none; s = state.shapes.links[s].next)
+                members.push_back(std::uint32_t(s));
         island.key = i;
-        state.broad_phase.put_to_sleep(std::uint32_t(i), shapes);
+        state.broad_phase.put_to_sleep(std::uint32_t(i), members);
     }
     state.islands.falling_asleep.clear();
 }

@@ -46,8 +46,8 @@ void open_batch(SolverScratch& scratch, const Island& island) {
 
 // All that is needed of the contacts to be solved, side by side: they lie scattered.
 void collect_contacts(State& s, StepScratch& step) {
-    std::vector<SortedContact>& contacts = step.solver.unsorted;
-    contacts.resize(step.solved.size());
+    std::vector<SortedContact>& unsorted = step.solver.unsorted;
+    unsorted.resize(step.solved.size());
     step.thread_pool->for_chunks(int(step.solved.size()), contacts_per_chunk, [&](int begin, int end, int) {
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
             if (k + 4 * contacts_ahead < std::size_t(end))
@@ -58,7 +58,7 @@ void collect_contacts(State& s, StepScratch& step) {
             const std::uint32_t id = step.solved[k];
             const ContactInfo& c = s.contacts.info[id];
             const bool moves = c.b_moves || s.bodies.settings[c.body_b].type == BodyType::kinematic;
-            contacts[k] = {id,
+            unsorted[k] = {id,
                            c.body_a,
                            moves ? c.body_b : none,
                            s.bodies.links[c.body_a].island,
@@ -115,15 +115,15 @@ void pack_batches(State& s, StepScratch& step, float dt) {
     }
 
     // Islands and contacts in batch order (counting sorts, stable).
-    std::int32_t islands = 0, contacts = 0;
+    std::int32_t island_count = 0, contact_count = 0;
     for (IslandBatch& batch : scratch.batches) {
-        batch.first_island = islands;
-        batch.first_contact = contacts;
-        islands += batch.island_count;
-        contacts += batch.contact_count;
+        batch.first_island = island_count;
+        batch.first_contact = contact_count;
+        island_count += batch.island_count;
+        contact_count += batch.contact_count;
         batch.island_count = 0;
     }
-    scratch.batch_islands.resize(std::size_t(islands));
+    scratch.batch_islands.resize(std::size_t(island_count));
     for (const std::int32_t i : s.islands.awake) {
         IslandBatch& batch = scratch.batches[scratch.batch_of_island[i]];
         scratch.batch_islands[batch.first_island + batch.island_count++] = i;
@@ -137,7 +137,7 @@ void pack_batches(State& s, StepScratch& step, float dt) {
         ++scratch.key_counts[key + 1];
     }
     for (std::size_t k = 1; k < scratch.key_counts.size(); ++k) scratch.key_counts[k] += scratch.key_counts[k - 1];
-    scratch.sorted.resize(std::size_t(contacts));
+    scratch.sorted.resize(std::size_t(contact_count));
     for (std::size_t k = 0; k < scratch.unsorted.size(); ++k) {
         const SortedContact& c = scratch.unsorted[k];
         const std::uint32_t key = scratch.keys[k];

@@ -169,7 +169,7 @@ void prepare_free_motion(const State& s, BatchScratch& scratch, ThreadPool* thre
     });
 }
 
-void update_free_motion(const State& s, BatchScratch& scratch, ThreadPool* thread_pool, const SolverBodies& bodies,
+void update_free_motion(const State& s, BatchScratch& scratch, ThreadPool* thread_pool, const SolverBodies& solver_bodies,
                         float h, bool first) {
     if (scratch.drive_varies)
         for (std::size_t row = 0; row < scratch.row_bodies.size(); ++row) {
@@ -182,7 +182,7 @@ void update_free_motion(const State& s, BatchScratch& scratch, ThreadPool* threa
     for (SpinningRow& row : scratch.spinning_rows) spin_row(s, scratch, row, h);
     if (!scratch.spin_rows.empty())
         for_chunks(thread_pool, spin_block_count(scratch), spin_blocks_per_chunk, [&](int begin, int end, int) {
-            kernels().solver.spin(scratch.spin_blocks.data() + begin, end - begin, bodies, scratch.drive.data(),
+            kernels().solver.spin(scratch.spin_blocks.data() + begin, end - begin, solver_bodies, scratch.drive.data(),
                                   scratch.free_correction.data(), h, first);
         });
     if (scratch.bounces) scratch.correction = scratch.free_correction;

@@ -12,7 +12,7 @@ namespace cairn {
 // corrections, because something else will add to them.
 void prepare_free_motion(const State& state, BatchScratch& scratch, ThreadPool* thread_pool, float h, bool bounces);
 // At the start of each substep: what of them depends on the pose or the velocity.
-void update_free_motion(const State& state, BatchScratch& scratch, ThreadPool* thread_pool, const SolverBodies& bodies,
+void update_free_motion(const State& state, BatchScratch& scratch, ThreadPool* thread_pool, const SolverBodies& solver_bodies,
                         float h, bool first);
 // After the poses of a substep: the rotations of what turns by many radians in it, or has moments a millionth of
 // others, where single precision and a series for small angles do not do.

@@ -106,16 +106,16 @@ void run_substeps(const State& s, const StepScratch& step, const IslandBatch& ba
     scratch.impact.has_components = false;
     for (int substep = 0; substep < batch.substeps; ++substep) {
         const bool first = substep == 0;
-        const SolverBodies bodies = bodies_of(scratch);
-        update_free_motion(s, scratch, thread_pool, bodies, h, first);
+        const SolverBodies solver_bodies = bodies_of(scratch);
+        update_free_motion(s, scratch, thread_pool, solver_bodies, h, first);
         for_chunks(thread_pool, rows, rows_per_chunk, [&](int begin, int end, int) {
-            k.integrate_velocities(bodies, std::max(begin, int(first_body_row)), end, first);
+            k.integrate_velocities(solver_bodies, std::max(begin, int(first_body_row)), end, first);
         });
         begin_direct_substep(s, step, scratch, thread_pool, h, first);
-        if (batch.bounces) bounce_all(scratch, thread_pool, bodies, bounce);
+        if (batch.bounces) bounce_all(scratch, thread_pool, solver_bodies, bounce);
         if (first) {
             for_joint_blocks(scratch, thread_pool, [&](const ForRows& rows_of, void* blocks, int count) {
-                rows_of.warm_start(blocks, count, bodies, joint_soft);
+                rows_of.warm_start(blocks, count, solver_bodies, joint_soft);
             });
             for_blocks(scratch, thread_pool, [&](const ForPoints& points, const BlockRun& run) {
                 points.warm_start(blocks_of(scratch, run), run.count, velocity);
@@ -131,14 +131,14 @@ void run_substeps(const State& s, const StepScratch& step, const IslandBatch& ba
         });
         solve_impacts(s, scratch, thread_pool, h, struck);
         for_chunks(thread_pool, rows, rows_per_chunk,
-                   [&](int begin, int end, int) { k.integrate_poses(bodies, begin, end, h); });
+                   [&](int begin, int end, int) { k.integrate_poses(solver_bodies, begin, end, h); });
         turn_spinning_rows(s, scratch, h);
         renew_inertia(s, scratch, thread_pool);
         for_joint_blocks(scratch, thread_pool, [&](const ForRows& rows_of, void* blocks, int count) {
-            rows_of.relax(blocks, count, bodies, joint_soft);
+            rows_of.relax(blocks, count, solver_bodies, joint_soft);
         });
         for_blocks(scratch, thread_pool, [&](const ForPoints& points, const BlockRun& run) {
-            const int count = points.relax(blocks_of(scratch, run), run.count, bodies, softness);
+            const int count = points.relax(blocks_of(scratch, run), run.count, solver_bodies, softness);
             if (count > 0) struck += count;
         });
         solve_impacts(s, scratch, thread_pool, h, struck);

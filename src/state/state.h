@@ -28,7 +28,6 @@ struct ForceFields {
 struct State {
     WorldDef settings;
     std::uint64_t steps = 0;
-    std::uint64_t passes = 0; // a step is one pass, or several (world/step.cpp)
     double time = 0;
 
     Bodies bodies;

@@ -14,8 +14,8 @@ namespace cairn {
 
 // The passes of the step under way.
 struct StepPasses {
-    int split = 1;           // how many there are
-    std::uint64_t first = 0; // State::passes at the start of the step
+    int split = 1;  // how many there are
+    int number = 0; // of the one that runs, from 0
 
     // Of the given number in a step, how many a pass takes.
     int in_pass(int substeps) const { return (substeps + split - 1) / split; }

@@ -77,7 +77,7 @@ std::uint64_t checksum_of(Header header, const std::vector<std::byte>& snapshot)
 #define CAIRN_ARCHIVES_MEMBERS(count, type)                                                                            \
     static_assert(class_field_count<type>() == (count), #type " has another member: archive it here, and count it")
 
-CAIRN_ARCHIVES_MEMBERS(14, State);
+CAIRN_ARCHIVES_MEMBERS(13, State);
 CAIRN_ARCHIVES_MEMBERS(13, Bodies);
 CAIRN_ARCHIVES_MEMBERS(8, Shapes);
 CAIRN_ARCHIVES_MEMBERS(4, Contacts);
@@ -141,7 +141,7 @@ template <class Archive> void serialize_joints(Archive& archive, State& s) {
 }
 
 template <class Archive> void serialize_counters(Archive& archive, State& s) {
-    archive(s.steps), archive(s.passes), archive(s.time);
+    archive(s.steps), archive(s.time);
     archive(s.clamped_speeds), archive(s.statistics), archive(s.events.ends.next), archive(s.events.triggers.next),
         archive(s.events.joints.next), archive(s.events.sleeps.next);
 }

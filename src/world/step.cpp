@@ -73,9 +73,9 @@ void World::step(float dt) {
     state.events.begin_step();
     times = {};
     state.statistics.swept_pairs = state.statistics.stopped_bodies = 0;
-    step.passes.first = state.passes;
     int passes = 1;
     for (int pass = 0; pass < passes; ++pass) {
+        step.passes.number = pass;
         for (const std::int32_t island : state.islands.awake) state.islands.all[island].kept_awake = 0;
         wake_driven_joints(state);
         update_pairs(state, step);
@@ -96,10 +96,9 @@ void World::step(float dt) {
         report_contacts(state, step, pass_dt);
         impl_->break_joints();
         if (update_sleep(state, step)) settle_sleeping_contacts(state, step);
-        ++state.passes;
         times.finalize += clock.lap();
     }
-    step.passes.split = 1;
+    step.passes = {};
     for (const std::int32_t b : state.bodies.pushed) state.bodies.forces[b] = {}; // they act for one step
     state.bodies.pushed.clear();
     state.events.publish();
