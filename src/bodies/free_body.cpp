@@ -21,15 +21,15 @@ std::uint64_t move_free_body(State& s, StepScratch& step, std::int32_t b, float 
     std::uint64_t clamped_speeds = 0;
     BodyMotion& motion = s.bodies.motion[b];
     const BodyMass& mass = s.bodies.mass[b];
-    const BodySettings& settings = s.bodies.settings[b];
+    const BodySettings& own = s.bodies.settings[b];
     if (clamp_velocity(s.settings, motion.v, motion.w)) {
         ++clamped_speeds;
         motion.v_rest = motion.w_rest = {};
     }
     const int substeps = step.passes.in_pass(s.settings.substeps);
     const double h = double(dt) / substeps;
-    const double linear = damping_factor(settings.linear_damping, float(h));
-    const double angular = damping_factor(settings.angular_damping, float(h));
+    const double linear = damping_factor(own.linear_damping, float(h));
+    const double angular = damping_factor(own.angular_damping, float(h));
     const Load load = load_on(s, b);
     const Spin spin = spin_of(mass);
     const DVec3 torque = s.bodies.forces[b].torque;

@@ -112,9 +112,9 @@ bool is_covered(const State& s, std::uint32_t line, std::uint32_t c) {
     }
     return true;
 }
-void drop_covered(State& s, StepScratch& step, const std::vector<std::uint32_t>& contacts) {
-    for (const std::uint32_t c : contacts)
-        for (const std::uint32_t line : contacts) {
+void drop_covered(State& s, StepScratch& step, const std::vector<std::uint32_t>& ids) {
+    for (const std::uint32_t c : ids)
+        for (const std::uint32_t line : ids) {
             if (line == c || step.narrow.is_internal_edge[line] || !is_covered(s, line, c)) continue;
             drop(s, step, c);
             break;
@@ -122,31 +122,31 @@ void drop_covered(State& s, StepScratch& step, const std::vector<std::uint32_t>&
 }
 
 // Drops internal edges among the contacts of one body with what does not move by forces.
-void drop_internal_edges_of_body(State& s, StepScratch& step, std::vector<std::uint32_t>& contacts) {
-    drop_covered(s, step, contacts);
+void drop_internal_edges_of_body(State& s, StepScratch& step, std::vector<std::uint32_t>& ids) {
+    drop_covered(s, step, ids);
     const auto depth_of = [&](std::uint32_t id) { // at the start of the step
         const ContactRecord& r = s.contacts.records[id];
         return -min_separation(s.contacts.info[id], r) - r.touch_time * r.approach_speed;
     };
-    const math::Vec3 first = to_vec(s.contacts.records[contacts[0]].normal);
-    if (std::all_of(contacts.begin(), contacts.end(),
+    const math::Vec3 first = to_vec(s.contacts.records[ids[0]].normal);
+    if (std::all_of(ids.begin(), ids.end(),
                     [&](std::uint32_t id) { return is_same(first, to_vec(s.contacts.records[id].normal)); }))
         return;
-    std::sort(contacts.begin(), contacts.end(), [&](std::uint32_t a, std::uint32_t b) {
+    std::sort(ids.begin(), ids.end(), [&](std::uint32_t a, std::uint32_t b) {
         const float depth_a = depth_of(a), depth_b = depth_of(b);
         return depth_a != depth_b ? depth_a > depth_b : a < b;
     });
     const auto drop_if_internal = [&](std::size_t j, std::size_t k) {
-        if (step.narrow.is_internal_edge[contacts[j]] || step.narrow.is_internal_edge[contacts[k]]) return;
-        if (is_internal_edge(s, contacts[j], contacts[k], std::max(depth_of(contacts[j]), 0.0f)))
-            drop(s, step, contacts[k]);
+        if (step.narrow.is_internal_edge[ids[j]] || step.narrow.is_internal_edge[ids[k]]) return;
+        if (is_internal_edge(s, ids[j], ids[k], std::max(depth_of(ids[j]), 0.0f)))
+            drop(s, step, ids[k]);
     };
-    for (std::size_t k = 1; k < contacts.size(); ++k)
+    for (std::size_t k = 1; k < ids.size(); ++k)
         for (std::size_t j = 0; j < k; ++j) drop_if_internal(j, k);
     // Just beyond an edge, its side may be the deeper one by a rounding error or a slight tilt.
-    const float slack = flatness * s.bodies.links[std::size_t(s.contacts.info[contacts[0]].body_a)].radius;
-    for (std::size_t k = 0; k + 1 < contacts.size(); ++k)
-        for (std::size_t j = k + 1; j < contacts.size() && depth_of(contacts[j]) + slack > depth_of(contacts[k]); ++j)
+    const float slack = flatness * s.bodies.links[std::size_t(s.contacts.info[ids[0]].body_a)].radius;
+    for (std::size_t k = 0; k + 1 < ids.size(); ++k)
+        for (std::size_t j = k + 1; j < ids.size() && depth_of(ids[j]) + slack > depth_of(ids[k]); ++j)
             drop_if_internal(j, k);
 }
 

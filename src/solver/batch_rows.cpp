@@ -228,12 +228,10 @@ std::uint64_t scatter_body(State& s, const BatchScratch& scratch, std::int32_t b
 }
 
 // Of a list of bodies of which that at a place comes next; some are none.
-void prefetch_ahead(const State& s, const std::vector<std::int32_t>& bodies, std::size_t place) {
-    const auto with_body_at = [&](std::size_t at, auto&& f) {
-        if (at < bodies.size() && bodies[at] != none) f(s, bodies[at]);
-    };
-    with_body_at(place + bodies_ahead, prefetch_body);
-    with_body_at(place + bodies_ahead / 2, prefetch_shape_of);
+void prefetch_ahead(const State& s, const std::vector<std::int32_t>& list, std::size_t place) {
+    const auto body_at = [&](std::size_t at) { return at < list.size() ? list[at] : none; };
+    if (const std::int32_t b = body_at(place + bodies_ahead); b != none) prefetch_body(s, b);
+    if (const std::int32_t b = body_at(place + bodies_ahead / 2); b != none) prefetch_shape_of(s, b);
 }
 
 } // namespace

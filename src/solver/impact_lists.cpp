@@ -30,7 +30,7 @@ void unite(std::vector<std::int32_t>& parent, std::int32_t a, std::int32_t b) {
 
 void find_components(const State& s, BatchScratch& scratch) {
     ImpactWork& work = scratch.impact;
-    const std::vector<std::uint32_t>& joints = scratch.joint_layout->joints;
+    const std::vector<std::uint32_t>& listed = scratch.joint_layout->joints;
     const std::size_t rows = scratch.row_count();
     const auto row_of = [&](std::int32_t body) {
         return body != none && s.bodies.is_dynamic(body) ? scratch.row_of_body[body] : none;
@@ -38,9 +38,9 @@ void find_components(const State& s, BatchScratch& scratch) {
     std::vector<std::int32_t>& component = work.component;
     component.resize(rows);
     std::iota(component.begin(), component.end(), 0);
-    work.joints_of.reset(rows, joints.size());
-    for (std::size_t i = 0; i < joints.size(); ++i) {
-        const JointInfo& joint = s.joints.info[joints[i]];
+    work.joints_of.reset(rows, listed.size());
+    for (std::size_t i = 0; i < listed.size(); ++i) {
+        const JointInfo& joint = s.joints.info[listed[i]];
         const std::int32_t a = row_of(joint.body_a), b = row_of(joint.body_b);
         if (a != none && b != none) unite(component, a, b);
         if (a != none || b != none) work.joints_of.add(a != none ? a : b, i);

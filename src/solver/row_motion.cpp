@@ -114,11 +114,11 @@ void prepare_damping(const State& s, BatchScratch& scratch, float h) {
 } // namespace
 
 std::uint8_t row_traits(const State& s, std::int32_t b) {
-    const BodySettings& settings = s.bodies.settings[b];
+    const BodySettings& own = s.bodies.settings[b];
     const BodyMass& mass = s.bodies.mass[b];
     int traits = is_dynamic_row;
-    if (mass.inverse_mass > 0 && settings.gravity_scale == 1.0f && !s.bodies.is_pushed(b)) traits |= falls_plainly;
-    if (settings.linear_damping > 0 || settings.angular_damping > 0) traits |= is_damped;
+    if (mass.inverse_mass > 0 && own.gravity_scale == 1.0f && !s.bodies.is_pushed(b)) traits |= falls_plainly;
+    if (own.linear_damping > 0 || own.angular_damping > 0) traits |= is_damped;
     if (!mass.isotropic) traits |= kernel_spins(s, b) ? spins_wide : spins_alone;
     return std::uint8_t(traits);
 }
