@@ -7,6 +7,7 @@
 namespace cairn {
 
 // A whole step, in double. What the rounding of its velocities leaves over is kept. Returns how often a speed was cut.
-std::uint64_t move_free_body(State& state, StepScratch& step, std::int32_t body, float dt);
+std::uint64_t move_free_body(Bodies& bodies, const ForceFields& fields, const WorldDef& settings,
+                             const StepPasses& passes, std::int32_t body, float dt);
 
 } // namespace cairn

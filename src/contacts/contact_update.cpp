@@ -39,37 +39,39 @@ float greatest_approach(const BodyMotion& a, const BodyMotion& b, math::Vec3 n, 
 
 // Of the points of a record.
 
-void note_trigger(State& s, ContactInfo& c, bool inside) {
+void note_trigger(const Bodies& bodies, const Shapes& shapes, StepEvents& events, ContactInfo& c, bool inside) {
     c.touching = inside;
-    const bool a_is_trigger = s.shapes.traits[c.shape_a].is_trigger;
+    const bool a_is_trigger = shapes.traits[c.shape_a].is_trigger;
     const std::uint32_t trigger = a_is_trigger ? c.shape_a : c.shape_b, other = a_is_trigger ? c.shape_b : c.shape_a;
-    s.events.triggers.next.push_back({s.shapes.slots.id(trigger), s.shapes.slots.id(other),
-                                      s.bodies.id(s.shapes.links[trigger].body),
-                                      s.bodies.id(s.shapes.links[other].body), inside});
+    events.triggers.next.push_back({shapes.slots.id(trigger), shapes.slots.id(other),
+                                    bodies.id(shapes.links[trigger].body), bodies.id(shapes.links[other].body),
+                                    inside});
 }
 
 // Whether another patch of the same pair touches.
-bool pair_touches_elsewhere(const State& s, const ContactInfo& c) {
+bool pair_touches_elsewhere(const Contacts& contacts, const ContactInfo& c) {
     if (c.kind != PairKind::patch) return false;
-    for (std::int32_t p = s.contacts.info[c.related].related; p != none; p = s.contacts.info[p].next)
-        if (&s.contacts.info[p] != &c && s.contacts.info[p].touching) return true;
+    for (std::int32_t p = contacts.info[c.related].related; p != none; p = contacts.info[p].next)
+        if (&contacts.info[p] != &c && contacts.info[p].touching) return true;
     return false;
 }
 
-void end_touch(State& s, ContactInfo& c) {
+void end_touch(const Bodies& bodies, const Shapes& shapes, const Contacts& contacts, StepEvents& events,
+               ContactInfo& c) {
     c.touching = 0;
-    if (pair_touches_elsewhere(s, c)) return;
-    s.events.ends.next.push_back(
-        {s.shapes.slots.id(c.shape_a), s.shapes.slots.id(c.shape_b), s.bodies.id(c.body_a), s.bodies.id(c.body_b)});
+    if (pair_touches_elsewhere(contacts, c)) return;
+    events.ends.next.push_back(
+        {shapes.slots.id(c.shape_a), shapes.slots.id(c.shape_b), bodies.id(c.body_a), bodies.id(c.body_b)});
 }
 
-void begin_contact(State& s, ContactInfo& c, math::Vec3 normal) {
+void begin_contact(Bodies& bodies, Islands& islands, StepEvents& events, const WorldDef& settings, ContactInfo& c,
+                   math::Vec3 normal) {
     if (c.b_moves)
-        link_islands(s, c.body_a, c.body_b);
+        link_islands(bodies, islands, events, c.body_a, c.body_b);
     else
-        wake_island(s, s.bodies.links[c.body_a].island);
-    assign_color(s, c);
-    c.load = c.force = first_load(s, c, normal);
+        wake_island(bodies, islands, events, bodies.links[c.body_a].island);
+    assign_color(bodies, c);
+    c.load = c.force = first_load(bodies, settings, c, normal);
 }
 
 // Planes have no end.
@@ -89,68 +91,68 @@ bool has_distance(PairKind kind) {
     }
 }
 
-bool is_asleep(const State& s, const ContactInfo& c) {
-    return !is_awake(s.bodies, s.islands, c.body_a) || (c.b_moves && !is_awake(s.bodies, s.islands, c.body_b));
+bool is_asleep(const Bodies& bodies, const Islands& islands, const ContactInfo& c) {
+    return !is_awake(bodies, islands, c.body_a) || (c.b_moves && !is_awake(bodies, islands, c.body_b));
 }
 
 } // namespace
 
-bool moves(const State& s, std::int32_t body) {
-    const BodyMotion& m = s.bodies.motion[body];
+bool moves(const Bodies& bodies, std::int32_t body) {
+    const BodyMotion& m = bodies.motion[body];
     return !(m.v == math::Vec3{} && m.w == math::Vec3{});
 }
 
 // Of the points of a record.
-float approach_speed(const State& s, const ContactInfo& c, const ContactRecord& r) {
-    const BodyMotion &a = s.bodies.motion[c.body_a], &b = s.bodies.motion[c.body_b];
+float approach_speed(const Bodies& bodies, const ContactInfo& c, const ContactRecord& r) {
+    const BodyMotion &a = bodies.motion[c.body_a], &b = bodies.motion[c.body_b];
     return greatest_approach(a, b, to_vec(r.normal), to_vec(r.center_offset), c.point_count,
                              [&](int i) { return to_vec(point_of(r, i)); });
 }
 
 // The outcome of a contact that stays.
-std::uint8_t going_on(const State& s, const ContactInfo& c) {
-    return is_asleep(s, c) || (!c.b_moves && moves(s, c.body_b)) ? may_wake : goes_on;
+std::uint8_t going_on(const Bodies& bodies, const Islands& islands, const ContactInfo& c) {
+    return is_asleep(bodies, islands, c) || (!c.b_moves && moves(bodies, c.body_b)) ? may_wake : goes_on;
 }
 
-void follow_up(State& s, StepScratch& step, std::uint32_t id, std::uint8_t outcome, float dt) {
+void follow_up(State& s, NarrowScratch& narrow, std::vector<std::uint32_t>& solved, std::uint32_t id,
+               std::uint8_t outcome, float dt) {
     if (outcome == apart) return;
     if (outcome == ended) {
-        end_contact(s, id);
+        end_contact(s.bodies, s.shapes, s.contacts, s.islands, s.events, id);
         return;
     }
     if (outcome == skipped) {
-        step.narrow.skipped.push_back(id);
+        narrow.skipped.push_back(id);
         return;
     }
     if (outcome == entered || outcome == left) {
-        note_trigger(s, s.contacts.info[id], outcome == entered);
+        note_trigger(s.bodies, s.shapes, s.events, s.contacts.info[id], outcome == entered);
         return;
     }
     if (outcome != goes_on) {
         ContactInfo& c = s.contacts.info[id];
         const ContactRecord& r = s.contacts.records[id];
-        const bool asleep = is_asleep(s, c);
+        const bool asleep = is_asleep(s.bodies, s.islands, c);
         // Passing by is not enough to wake what sleeps: only what will touch it within the step does.
         if (outcome == begun && asleep && min_separation(c, r) > dt * r.approach_speed) {
             c.point_count = 0;
-            drop_answer(s, id);
+            drop_answer(s.bodies, s.contacts, id);
             return;
         }
         if (outcome == begun)
-            begin_contact(s, c, to_vec(r.normal));
+            begin_contact(s.bodies, s.islands, s.events, s.settings, c, to_vec(r.normal));
         else if (asleep)
-            wake_body(s, c.body_a);
-        if (!c.b_moves && moves(s, c.body_b)) s.islands.all[s.bodies.links[c.body_a].island].kept_awake = 1;
+            wake_body(s.bodies, s.islands, s.events, c.body_a);
+        if (!c.b_moves && moves(s.bodies, c.body_b)) s.islands.all[s.bodies.links[c.body_a].island].kept_awake = 1;
     }
-    step.solved.push_back(id);
+    solved.push_back(id);
 }
 
 // How far apart two shapes may be to count: what the next step can close. Triggers do not look ahead.
-float contact_margin(const State& s, const StepScratch& step, const ContactInfo& c, float dt) {
+float contact_margin(const Bodies& bodies, const NarrowScratch& narrow, const ContactInfo& c, float dt) {
     if (c.is_trigger) return 0;
-    const BodyMotion &a = s.bodies.motion[c.body_a], &b = s.bodies.motion[c.body_b];
-    return c.base_margin + dt * math::length(b.v - a.v) +
-           (step.narrow.turn_reach[c.body_a] + step.narrow.turn_reach[c.body_b]);
+    const BodyMotion &a = bodies.motion[c.body_a], &b = bodies.motion[c.body_b];
+    return c.base_margin + dt * math::length(b.v - a.v) + (narrow.turn_reach[c.body_a] + narrow.turn_reach[c.body_b]);
 }
 
 // Such contacts would have nothing to do in the solver: they are up to half of all while a heap lands.
@@ -173,32 +175,33 @@ bool stays_apart(const State& s, const ContactInfo& c, const Manifold& m, float 
     return least > c.base_margin + dt * (speed + redirected * math::length(b.v - a.v)) + more;
 }
 
-std::uint8_t take_distance(State& s, std::uint32_t id, float distance) {
-    ContactInfo& c = s.contacts.info[id];
+std::uint8_t take_distance(const Bodies& bodies, Contacts& contacts, std::uint32_t id, float distance) {
+    ContactInfo& c = contacts.info[id];
     const bool is_known = distance > c.base_margin && distance < unused && has_distance(c.kind);
-    keep_answer(s, id, is_known ? double(distance - c.base_margin) : 0.0);
+    keep_answer(bodies, contacts, id, is_known ? double(distance - c.base_margin) : 0.0);
     if (c.is_trigger) return trigger_outcome(c, false);
     return c.point_count == 0 ? apart : ended;
 }
 
-std::uint8_t take_manifold(State& s, std::uint32_t id, const Manifold& m, float dt, const Touch* touch) {
-    ContactInfo& c = s.contacts.info[id];
+std::uint8_t take_manifold(const State& s, Contacts& contacts, std::uint32_t id, const Manifold& m, float dt,
+                           const Touch* touch) {
+    ContactInfo& c = contacts.info[id];
     if (m.count == 0 || (!touch && stays_apart(s, c, m, dt))) {
         // Along which they are apart; wide kernels do not say.
         if (c.kind == PairKind::convex_convex && !c.is_trigger)
-            math::put(s.contacts.records[id].normal, to_vec(m.normal));
-        return take_distance(s, id, m.count == 0 ? m.points[0][3] : 0.0f);
+            math::put(contacts.records[id].normal, to_vec(m.normal));
+        return take_distance(s.bodies, contacts, id, m.count == 0 ? m.points[0][3] : 0.0f);
     }
     if (touch)
-        drop_answer(s, id);
+        drop_answer(s.bodies, contacts, id);
     else
-        keep_answer(s, id, 0);
+        keep_answer(s.bodies, contacts, id, 0);
     if (c.is_trigger) return trigger_outcome(c, true);
     const bool is_new = c.point_count == 0;
-    write_record(s, id, m, touch);
-    ContactRecord& r = s.contacts.records[id];
-    if (!c.touching) r.approach_speed = approach_speed(s, c, r);
-    return is_new ? std::uint8_t(begun) : going_on(s, c);
+    write_record(s, contacts, id, m, touch);
+    ContactRecord& r = contacts.records[id];
+    if (!c.touching) r.approach_speed = approach_speed(s.bodies, c, r);
+    return is_new ? std::uint8_t(begun) : going_on(s.bodies, s.islands, c);
 }
 
 std::uint8_t trigger_outcome(const ContactInfo& c, bool inside) {
@@ -206,54 +209,58 @@ std::uint8_t trigger_outcome(const ContactInfo& c, bool inside) {
     return inside ? entered : left;
 }
 
-void end_contact(State& s, std::uint32_t id) {
-    ContactInfo& c = s.contacts.info[id];
+void end_contact(Bodies& bodies, const Shapes& shapes, Contacts& contacts, Islands& islands, StepEvents& events,
+                 std::uint32_t id) {
+    ContactInfo& c = contacts.info[id];
     if (c.is_trigger) {
-        if (c.touching) note_trigger(s, c, false);
+        if (c.touching) note_trigger(bodies, shapes, events, c, false);
         return;
     }
     if (is_group(c)) {
-        for_each_patch(s, id, [&](std::uint32_t patch) { end_patch(s, patch); });
+        for_each_patch(contacts, id,
+                       [&](std::uint32_t patch) { end_patch(bodies, shapes, contacts, islands, events, patch); });
         return;
     }
     if (c.point_count == 0) return;
-    release_color(s, c);
+    release_color(bodies, c);
     c.point_count = 0;
-    const std::int32_t island = s.bodies.links[c.body_a].island;
-    if (island != none) s.islands.all[island].lost_contact |= c.b_moves;
-    if (c.touching) end_touch(s, c);
+    const std::int32_t island = bodies.links[c.body_a].island;
+    if (island != none) islands.all[island].lost_contact |= c.b_moves;
+    if (c.touching) end_touch(bodies, shapes, contacts, events, c);
 }
 
 namespace {
 
 // The contact began to touch.
-void begin_touch(State& s, std::uint32_t id) {
-    ContactInfo& c = s.contacts.info[id];
+void begin_touch(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, StepEvents& events,
+                 const WorldDef& settings, std::uint32_t id) {
+    ContactInfo& c = contacts.info[id];
     c.touching = 1;
-    if (pair_touches_elsewhere(s, c)) return;
-    const ShapeId a = s.shapes.slots.id(c.shape_a), b = s.shapes.slots.id(c.shape_b);
-    const BodyId body_a = s.bodies.id(c.body_a), body_b = s.bodies.id(c.body_b);
-    s.events.begins.push_back({a, b, body_a, body_b});
-    const ContactRecord& r = s.contacts.records[id];
-    if (r.approach_speed < s.settings.hit_speed) return;
+    if (pair_touches_elsewhere(contacts, c)) return;
+    const ShapeId a = shapes.slots.id(c.shape_a), b = shapes.slots.id(c.shape_b);
+    const BodyId body_a = bodies.id(c.body_a), body_b = bodies.id(c.body_b);
+    events.begins.push_back({a, b, body_a, body_b});
+    const ContactRecord& r = contacts.records[id];
+    if (r.approach_speed < settings.hit_speed) return;
     int deepest = 0;
     for (int i = 1; i < c.point_count; ++i)
         if (point_of(r, i)[3] < point_of(r, deepest)[3]) deepest = i;
-    const ContactRecord now = advanced_record(s, id);
-    const math::DVec3 p = s.bodies.motion[c.body_a].x + math::to_double(to_vec(point_of(now, deepest)));
-    s.events.hits.push_back(
+    const ContactRecord now = advanced_record(bodies, contacts, id);
+    const math::DVec3 p = bodies.motion[c.body_a].x + math::to_double(to_vec(point_of(now, deepest)));
+    events.hits.push_back(
         {a, b, body_a, body_b, {p.x, p.y, p.z}, {r.normal[0], r.normal[1], r.normal[2]}, r.approach_speed});
 }
 
 // Takes note of what a contact carried, and says whether it began or ceased to touch. Others may be at work on other
 // contacts.
-bool take_report(State& s, StepScratch& step, const SortedContact& sorted, float dt) {
-    ContactInfo& c = s.contacts.info[sorted.id];
-    const ContactReport& report = step.solver.reports[sorted.id];
+bool take_report(Contacts& contacts, Islands& islands, const SolverScratch& solver, const SortedContact& sorted,
+                 float dt) {
+    ContactInfo& c = contacts.info[sorted.id];
+    const ContactReport& report = solver.reports[sorted.id];
     // Impulses beyond the range of numbers (of bodies that were stopped for it) must not start the next step.
-    if (!std::isfinite(report.impulse)) forget_impulses(s.contacts.records[sorted.id], c.point_count);
+    if (!std::isfinite(report.impulse)) forget_impulses(contacts.records[sorted.id], c.point_count);
     const float force = std::isfinite(report.impulse) ? report.impulse / dt : 0;
-    note_load(s.islands.all[sorted.island], c, force, report.inverse_mass);
+    note_load(islands.all[sorted.island], c, force, report.inverse_mass);
     if (!c.touching) return report.separation <= 0 || report.impulse > 0;
     return report.impulse == 0 && report.separation > 0.25f * c.base_margin;
 }
@@ -274,7 +281,7 @@ void report_contacts(State& s, StepScratch& step, float dt) {
                 ask_cache(&step.solver.reports[next]);
             }
             const std::uint32_t id = sorted[k].id;
-            changes[id] = take_report(s, step, sorted[k], dt);
+            changes[id] = take_report(s.contacts, s.islands, step.solver, sorted[k], dt);
             own = std::max(own, -step.solver.reports[id].separation);
         }
         raise(deepest, own);
@@ -285,18 +292,18 @@ void report_contacts(State& s, StepScratch& step, float dt) {
         const std::uint32_t id = solved.id;
         ContactInfo& c = s.contacts.info[id];
         if (c.touching)
-            end_touch(s, c);
+            end_touch(s.bodies, s.shapes, s.contacts, s.events, c);
         else
-            begin_touch(s, id);
+            begin_touch(s.bodies, s.shapes, s.contacts, s.events, s.settings, id);
     }
 }
 
-void settle_sleeping_contacts(State& state, StepScratch& step) {
-    for (const std::uint32_t id : step.solved) {
-        const ContactInfo& contact = state.contacts.info[id];
-        if (!contact.in_use || contact.point_count == 0 || is_awake(state.bodies, state.islands, contact.body_a))
-            continue;
-        state.contacts.records[id] = advanced_record(state, id);
+void settle_sleeping_contacts(const Bodies& bodies, Contacts& contacts, const Islands& islands,
+                              const std::vector<std::uint32_t>& solved) {
+    for (const std::uint32_t id : solved) {
+        const ContactInfo& contact = contacts.info[id];
+        if (!contact.in_use || contact.point_count == 0 || is_awake(bodies, islands, contact.body_a)) continue;
+        contacts.records[id] = advanced_record(bodies, contacts, id);
     }
 }
 

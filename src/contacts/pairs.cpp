@@ -67,7 +67,7 @@ struct Sink final : PairSink {
         };
         const ShapeTraits &traits_a = s.shapes.traits[a], &traits_b = s.shapes.traits[b];
         if (!may_meet(traits_a.filter, traits_b.filter)) return false;
-        if (joint_forbids_contact(s, body_a, body_b)) return false;
+        if (joint_forbids_contact(s.bodies, s.joints, body_a, body_b)) return false;
         const bool is_trigger = traits_a.is_trigger || traits_b.is_trigger;
         if (!is_trigger && !movable(body_a) && !movable(body_b)) return false;
         if (traits_a.is_trigger && traits_b.is_trigger) return false;
@@ -82,12 +82,12 @@ struct Sink final : PairSink {
     }
 
     void pair_lost(std::uint32_t, std::uint32_t, std::uint32_t contact) override {
-        end_contact(s, contact);
-        free_contact(s, contact);
+        end_contact(s.bodies, s.shapes, s.contacts, s.islands, s.events, contact);
+        free_contact(s.contacts, contact);
     }
 
     std::uint32_t create(std::uint32_t shape_a, std::uint32_t shape_b, PairKind kind, bool flipped, bool b_moves) {
-        const std::uint32_t id = new_contact(s, step);
+        const std::uint32_t id = new_contact(s.contacts, step.narrow);
         ContactInfo& c = s.contacts.info[id];
         c.shape_a = shape_a, c.shape_b = shape_b;
         c.body_a = s.shapes.links[shape_a].body, c.body_b = s.shapes.links[shape_b].body;
@@ -102,8 +102,8 @@ struct Sink final : PairSink {
                                                                           smallest_extent(b, s.shapes.data[shape_b])));
         c.match_tolerance = match_per_extent * std::min(largest_extent(a), largest_extent(b));
         s.contacts.answers[id] = {0, c.body_a, c.body_b};
-        drop_answer(s, id);
-        combine_materials(s, id);
+        drop_answer(s.bodies, s.contacts, id);
+        combine_materials(s.shapes, s.contacts, id);
         return id;
     }
 };
@@ -129,34 +129,34 @@ std::optional<PairKind> pair_kind(const Geometry& first_shape, const Geometry& s
 
 CollideKernel wide_kernel(PairKind kind) { return kernels().*wide_tests[int(kind)].kernel; }
 
-std::uint32_t new_contact(State& s, StepScratch& step) {
+std::uint32_t new_contact(Contacts& contacts, NarrowScratch& narrow) {
     std::uint32_t id;
-    if (s.contacts.free.empty()) {
-        id = std::uint32_t(s.contacts.info.size());
-        s.contacts.info.emplace_back();
-        s.contacts.records.emplace_back();
-        s.contacts.answers.emplace_back();
+    if (contacts.free.empty()) {
+        id = std::uint32_t(contacts.info.size());
+        contacts.info.emplace_back();
+        contacts.records.emplace_back();
+        contacts.answers.emplace_back();
     } else {
-        id = s.contacts.free.back();
-        s.contacts.free.pop_back();
+        id = contacts.free.back();
+        contacts.free.pop_back();
     }
-    s.contacts.info[id] = {};
-    s.contacts.info[id].in_use = 1;
-    s.contacts.records[id] = {};
-    s.contacts.answers[id] = {};
-    if (id < step.narrow.found.size()) step.narrow.found[id] = 0;
+    contacts.info[id] = {};
+    contacts.info[id].in_use = 1;
+    contacts.records[id] = {};
+    contacts.answers[id] = {};
+    if (id < narrow.found.size()) narrow.found[id] = 0;
     return id;
 }
 
-void free_contact(State& s, std::uint32_t id) {
-    s.contacts.info[id].in_use = 0;
-    s.contacts.free.push_back(id);
+void free_contact(Contacts& contacts, std::uint32_t id) {
+    contacts.info[id].in_use = 0;
+    contacts.free.push_back(id);
 }
 
-void combine_materials(State& s, std::uint32_t contact) {
-    ContactInfo& c = s.contacts.info[contact];
-    const Material &a = s.shapes.materials[c.shape_a], &b = s.shapes.materials[c.shape_b];
-    ContactRecord& r = s.contacts.records[contact];
+void combine_materials(const Shapes& shapes, Contacts& contacts, std::uint32_t contact) {
+    ContactInfo& c = contacts.info[contact];
+    const Material &a = shapes.materials[c.shape_a], &b = shapes.materials[c.shape_b];
+    ContactRecord& r = contacts.records[contact];
     const CombineRule friction = std::min(a.friction_combine, b.friction_combine);
     const CombineRule restitution = std::min(a.restitution_combine, b.restitution_combine);
     r.friction = combine_values(a.dynamic_friction, b.dynamic_friction, friction);
@@ -168,7 +168,7 @@ void combine_materials(State& s, std::uint32_t contact) {
 }
 
 void update_pairs(State& state, StepScratch& step) {
-    flush_sleep(state);
+    flush_sleep(state.bodies, state.shapes, state.islands, state.broad_phase);
     Sink sink(state, step);
     state.broad_phase.update(sink);
     if (!state.bodies.dead.empty()) // their slots are given out again, and must not be pushed twice

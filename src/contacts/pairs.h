@@ -16,14 +16,14 @@ void update_pairs(State& state, StepScratch& step);
 void reclaim_slots(State& state, StepScratch& step);
 
 // Coefficients of the two materials together, by the rules of KHR_physics_rigid_bodies.
-void combine_materials(State& state, std::uint32_t contact);
+void combine_materials(const Shapes& shapes, Contacts& contacts, std::uint32_t contact);
 
 // How the two are tested; nothing for two surfaces. `swapped`: b is the first shape of the test.
 std::optional<PairKind> pair_kind(const Geometry& a, const Geometry& b, bool& swapped);
 CollideKernel wide_kernel(PairKind kind);
 
 // An empty contact, in use; and its end.
-std::uint32_t new_contact(State& state, StepScratch& step);
-void free_contact(State& state, std::uint32_t contact);
+std::uint32_t new_contact(Contacts& contacts, NarrowScratch& narrow);
+void free_contact(Contacts& contacts, std::uint32_t contact);
 
 } // namespace cairn

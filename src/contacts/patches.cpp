@@ -25,12 +25,13 @@ constexpr float looked_ahead_steps = 3; // for what is apart
 constexpr std::uint8_t not_found = 255; // in NarrowScratch::patch_outcomes
 
 // The patch of the group whose last normal was nearest to that of the manifold, among those not yet found.
-std::int32_t matching_patch(const State& s, const StepScratch& step, const ContactInfo& group, const Manifold& m) {
+std::int32_t matching_patch(const Contacts& contacts, const NarrowScratch& narrow, const ContactInfo& group,
+                            const Manifold& m) {
     std::int32_t best = none;
     float nearest = same_patch;
-    for (std::int32_t p = group.related; p != none; p = s.contacts.info[p].next) {
-        if (step.narrow.patch_outcomes[p] != not_found) continue;
-        const float cosine = math::dot(to_vec(m.normal), to_vec(s.contacts.records[p].normal));
+    for (std::int32_t p = group.related; p != none; p = contacts.info[p].next) {
+        if (narrow.patch_outcomes[p] != not_found) continue;
+        const float cosine = math::dot(to_vec(m.normal), to_vec(contacts.records[p].normal));
         if (cosine > nearest) nearest = cosine, best = p;
     }
     return best;
@@ -62,54 +63,55 @@ bool look_ahead(const State& s, const StepScratch& step, const ContactInfo& grou
         own.hits.push_back(touch.manifold);
         return true;
     }
-    const PosedShape a = posed_shape(s, group.shape_a), b = posed_shape(s, group.shape_b);
+    const PosedShape a = posed_shape(s.shapes, group.shape_a), b = posed_shape(s.shapes, group.shape_b);
     find_patches({a.geometry, a.data, touch.pose_a, touch.arm_a}, {b.geometry, b.data, touch.pose_b, b.arm}, margin,
                  margin, own.surface, own.hits);
     return true;
 }
 
-void test_group(State& s, StepScratch& step, std::uint32_t place, NarrowBatch& own, float dt) {
+void test_group(const State& s, Contacts& contacts, StepScratch& step, std::uint32_t place, NarrowBatch& own,
+                float dt) {
     const std::uint32_t id = step.narrow.candidates[place];
-    ContactInfo& group = s.contacts.info[id];
-    const float margin = contact_margin(s, step, group, dt);
-    const float distance = find_patches(posed_shape(s, group.shape_a), posed_shape(s, group.shape_b), margin,
-                                        reach_of(group, margin), own.surface, own.hits);
+    ContactInfo& group = contacts.info[id];
+    const float margin = contact_margin(s.bodies, step.narrow, group, dt);
+    const float distance = find_patches(posed_shape(s.shapes, group.shape_a), posed_shape(s.shapes, group.shape_b),
+                                        margin, reach_of(group, margin), own.surface, own.hits);
     if (own.hits.empty() && group.point_count == 0) {
-        step.narrow.outcomes[place] = take_distance(s, id, distance);
+        step.narrow.outcomes[place] = take_distance(s.bodies, contacts, id, distance);
         return;
     }
-    keep_answer(s, id, 0);
+    keep_answer(s.bodies, contacts, id, 0);
     if (group.is_trigger) {
         step.narrow.outcomes[place] = trigger_outcome(group, !own.hits.empty());
         return;
     }
     Touch touch;
     const bool is_ahead = look_ahead(s, step, group, margin, dt, own, touch);
-    if (is_ahead) drop_answer(s, id);
+    if (is_ahead) drop_answer(s.bodies, contacts, id);
     if (own.hits.empty() && group.point_count == 0) {
-        step.narrow.outcomes[place] = take_distance(s, id, 0);
+        step.narrow.outcomes[place] = take_distance(s.bodies, contacts, id, 0);
         return;
     }
     step.narrow.outcomes[place] = tested_patches;
-    for (std::int32_t p = group.related; p != none; p = s.contacts.info[p].next)
+    for (std::int32_t p = group.related; p != none; p = contacts.info[p].next)
         step.narrow.patch_outcomes[p] = not_found;
     std::uint32_t order = 0;
     for (const Manifold& hit : own.hits) {
         if (!is_ahead && stays_apart(s, group, hit, dt)) continue;
-        const std::int32_t patch = matching_patch(s, step, group, hit);
+        const std::int32_t patch = matching_patch(contacts, step.narrow, group, hit);
         if (patch == none)
             own.fresh.push_back({place, order++, hit, is_ahead, touch});
         else
             step.narrow.patch_outcomes[patch] =
-                take_manifold(s, std::uint32_t(patch), hit, dt, is_ahead ? &touch : nullptr);
+                take_manifold(s, contacts, std::uint32_t(patch), hit, dt, is_ahead ? &touch : nullptr);
     }
-    for (std::int32_t p = group.related; p != none; p = s.contacts.info[p].next)
+    for (std::int32_t p = group.related; p != none; p = contacts.info[p].next)
         if (std::uint8_t& outcome = step.narrow.patch_outcomes[p]; outcome == not_found) outcome = ended;
 }
 
-std::uint32_t create_patch(State& s, StepScratch& step, std::uint32_t group_id) {
-    const std::uint32_t id = new_contact(s, step);
-    ContactInfo &patch = s.contacts.info[id], &group = s.contacts.info[group_id];
+std::uint32_t create_patch(const Shapes& shapes, Contacts& contacts, NarrowScratch& narrow, std::uint32_t group_id) {
+    const std::uint32_t id = new_contact(contacts, narrow);
+    ContactInfo &patch = contacts.info[id], &group = contacts.info[group_id];
     patch = group;
     patch.kind = PairKind::patch;
     patch.point_count = 0;
@@ -117,27 +119,28 @@ std::uint32_t create_patch(State& s, StepScratch& step, std::uint32_t group_id) 
     patch.related = std::int32_t(group_id);
     patch.next = group.related;
     group.related = std::int32_t(id);
-    combine_materials(s, id);
+    combine_materials(shapes, contacts, id);
     return id;
 }
 
 } // namespace
 
-void begin_groups(State& s, StepScratch& step) {
-    step.narrow.patch_outcomes.resize(s.contacts.info.size());
-    for (NarrowBatch& own : step.narrow.at_work) own.fresh.clear();
+void begin_groups(const Contacts& contacts, NarrowScratch& narrow) {
+    narrow.patch_outcomes.resize(contacts.info.size());
+    for (NarrowBatch& own : narrow.at_work) own.fresh.clear();
 }
 
-void test_groups(State& s, StepScratch& step, int begin, int end, NarrowBatch& own, float dt) {
+void test_groups(const State& s, Contacts& contacts, StepScratch& step, int begin, int end, NarrowBatch& own,
+                 float dt) {
     const std::vector<std::uint32_t>& places = step.narrow.lists[std::size_t(PairKind::group)];
     constexpr std::size_t ahead = 4;
     const auto contact_at = [&](std::size_t i) { return step.narrow.candidates[places[i]]; };
     for (std::size_t i = std::size_t(begin); i < std::size_t(end); ++i) {
-        if (i + 2 * ahead < places.size()) ask_cache(&s.contacts.info[contact_at(i + 2 * ahead)]);
-        if (i + ahead < places.size()) prefetch_pair(s, contact_at(i + ahead));
+        if (i + 2 * ahead < places.size()) ask_cache(&contacts.info[contact_at(i + 2 * ahead)]);
+        if (i + ahead < places.size()) prefetch_pair(s.bodies, s.shapes, contacts, contact_at(i + ahead));
         for (int n = 0; n < patches_at_hand; ++n)
-            if (i + patch_ahead(n) < places.size()) prefetch_patch(s, contact_at(i + patch_ahead(n)), n, true);
-        test_group(s, step, places[i], own, dt);
+            if (i + patch_ahead(n) < places.size()) prefetch_patch(contacts, contact_at(i + patch_ahead(n)), n, true);
+        test_group(s, contacts, step, places[i], own, dt);
     }
 }
 
@@ -151,38 +154,40 @@ void collect_fresh_patches(NarrowScratch& narrow) {
     });
 }
 
-void follow_up_group(State& s, StepScratch& step, std::uint32_t place, float dt) {
-    const std::uint32_t id = step.narrow.candidates[place];
-    const std::uint8_t outcome = step.narrow.outcomes[place];
+void follow_up_group(State& s, NarrowScratch& narrow, std::vector<std::uint32_t>& solved, std::uint32_t place,
+                     float dt) {
+    const std::uint32_t id = narrow.candidates[place];
+    const std::uint8_t outcome = narrow.outcomes[place];
     if (outcome == apart || outcome == skipped || outcome == entered || outcome == left) {
-        follow_up(s, step, id, outcome, dt);
+        follow_up(s, narrow, solved, id, outcome, dt);
         return;
     }
     const bool was_tested = outcome == tested_patches;
-    for_each_patch(s, id, [&](std::uint32_t patch) {
-        follow_up(s, step, patch, was_tested ? step.narrow.patch_outcomes[patch] : outcome, dt);
-        if (s.contacts.info[patch].point_count == 0) end_patch(s, patch);
+    for_each_patch(s.contacts, id, [&](std::uint32_t patch) {
+        follow_up(s, narrow, solved, patch, was_tested ? narrow.patch_outcomes[patch] : outcome, dt);
+        if (s.contacts.info[patch].point_count == 0)
+            end_patch(s.bodies, s.shapes, s.contacts, s.islands, s.events, patch);
     });
-    for (std::size_t& k = step.narrow.next_fresh; k < step.narrow.fresh.size() && step.narrow.fresh[k].place == place;
-         ++k) {
-        const std::uint32_t patch = create_patch(s, step, id);
-        const FreshPatch& fresh = step.narrow.fresh[k];
-        follow_up(s, step, patch, take_manifold(s, patch, fresh.manifold, dt, fresh.is_ahead ? &fresh.touch : nullptr),
-                  dt);
+    for (std::size_t& k = narrow.next_fresh; k < narrow.fresh.size() && narrow.fresh[k].place == place; ++k) {
+        const std::uint32_t patch = create_patch(s.shapes, s.contacts, narrow, id);
+        const FreshPatch& fresh = narrow.fresh[k];
+        follow_up(s, narrow, solved, patch,
+                  take_manifold(s, s.contacts, patch, fresh.manifold, dt, fresh.is_ahead ? &fresh.touch : nullptr), dt);
         if (s.contacts.info[patch].point_count > 0) continue;
-        end_patch(s, patch); // left alone, as its body sleeps
-        drop_answer(s, id);
+        end_patch(s.bodies, s.shapes, s.contacts, s.islands, s.events, patch); // left alone, as its body sleeps
+        drop_answer(s.bodies, s.contacts, id);
     }
     s.contacts.info[id].point_count = s.contacts.info[id].related == none ? 0 : 1;
 }
 
-void end_patch(State& s, std::uint32_t id) {
-    end_contact(s, id);
-    ContactInfo& group = s.contacts.info[s.contacts.info[id].related];
+void end_patch(Bodies& bodies, const Shapes& shapes, Contacts& contacts, Islands& islands, StepEvents& events,
+               std::uint32_t id) {
+    end_contact(bodies, shapes, contacts, islands, events, id);
+    ContactInfo& group = contacts.info[contacts.info[id].related];
     std::int32_t* link = &group.related;
-    while (*link != std::int32_t(id)) link = &s.contacts.info[*link].next;
-    *link = s.contacts.info[id].next;
-    free_contact(s, id);
+    while (*link != std::int32_t(id)) link = &contacts.info[*link].next;
+    *link = contacts.info[id].next;
+    free_contact(contacts, id);
 }
 
 } // namespace cairn

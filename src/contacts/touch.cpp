@@ -36,7 +36,7 @@ RigidPath expected_path(const State& s, std::int32_t b, DVec3 origin, float dt) 
     DVec3 way = t * math::to_double(m.v);
     if (s.bodies.is_dynamic(b)) {
         const double inverse_mass = double(s.bodies.mass[b].inverse_mass);
-        DVec3 a = field_acceleration(s, m.x, s.bodies.settings[b].gravity_scale, inverse_mass);
+        DVec3 a = field_acceleration(s.fields, s.settings, m.x, s.bodies.settings[b].gravity_scale, inverse_mass);
         if (s.bodies.is_pushed(b)) a += inverse_mass * s.bodies.forces[b].force;
         way += (0.5 * t * t) * a;
     }

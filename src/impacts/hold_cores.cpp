@@ -91,7 +91,7 @@ class CoreHolder {
         const std::int32_t body_a = s.shapes.links[a].body, body_b = s.shapes.links[b].body;
         const ShapeTraits &ta = s.shapes.traits[a], &tb = s.shapes.traits[b];
         return body_a != body_b && !ta.is_trigger && !tb.is_trigger && may_meet(ta.filter, tb.filter) &&
-               !joint_forbids_contact(s, body_a, body_b);
+               !joint_forbids_contact(s.bodies, s.joints, body_a, body_b);
     }
     template <class F> void for_each_shape(std::int32_t body, F&& f) const {
         for (std::int32_t k = s.bodies.links[body].first_shape; k != none; k = s.shapes.links[k].next)
@@ -285,14 +285,14 @@ class CoreHolder {
             motion.turned = math::to_float(pose.q * math::conjugate(s.bodies.counted[f.body].q));
             motion.q = pose.q;
         }
-        place_again(s, f.body, dt_);
+        place_again(s.bodies, s.shapes, s.broad_phase, f.body, dt_);
         ++s.statistics.stopped_bodies;
     }
     // Of its forces along the way that it has not gone: v^2 / 2 is less by that, per mass.
     void give_back_work(std::int32_t b, DVec3 way) {
         BodyMotion& motion = s.bodies.motion[b];
         const double inverse_mass = double(s.bodies.mass[b].inverse_mass);
-        DVec3 a = field_acceleration(s, motion.x, s.bodies.settings[b].gravity_scale, inverse_mass);
+        DVec3 a = field_acceleration(s.fields, s.settings, motion.x, s.bodies.settings[b].gravity_scale, inverse_mass);
         if (s.bodies.is_pushed(b)) a += inverse_mass * s.bodies.forces[b].force;
         const DVec3 v = math::to_double(motion.v);
         const double square = math::dot(v, v);

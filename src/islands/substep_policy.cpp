@@ -41,18 +41,18 @@ int wanted_substeps(const WorldDef& settings, const IslandLoad& load) {
     return wanted > float(usual) ? std::max(usual, rounded_up(wanted)) : usual;
 }
 
-int island_substeps(const State& s, const StepScratch& step, Island& island) {
+int island_substeps(const WorldDef& settings, const StepPasses& passes, Island& island) {
     const float share = island.weight > 0 ? island.greatest_load / island.weight : 0;
-    const int wanted = wanted_substeps(s.settings, {island.joint_count > 0, share, island.greatest_demand});
+    const int wanted = wanted_substeps(settings, {island.joint_count > 0, share, island.greatest_demand});
     island.greatest_load = island.greatest_demand = 0;
-    return step.passes.in_pass(wanted);
+    return passes.in_pass(wanted);
 }
 
-float first_load(const State& s, const ContactInfo& c, math::Vec3 normal) {
-    const auto& g = s.settings.gravity;
+float first_load(const Bodies& bodies, const WorldDef& settings, const ContactInfo& c, math::Vec3 normal) {
+    const auto& g = settings.gravity;
     const float pull = math::dot(normal, math::Vec3{g.x, g.y, g.z}); // > 0: B is below
     if (pull < 0 && !c.b_moves) return 0;
-    const BodyMass& above = s.bodies.mass[pull >= 0 ? c.body_a : c.body_b];
+    const BodyMass& above = bodies.mass[pull >= 0 ? c.body_a : c.body_b];
     return above.inverse_mass > 0 ? above.mass * std::fabs(pull) : 0;
 }
 

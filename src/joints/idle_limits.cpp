@@ -33,28 +33,28 @@ const JointAxisRule* swing_rule(const JointLocks& locks, const JointAxes& axes) 
 }
 
 // An upper bound of the angle by which the bodies of a joint turned against each other in the last pass.
-float turned_against_each_other(const State& s, const JointInfo& joint) {
-    const auto turned = [&](std::int32_t body) { return body == none ? math::Quat{} : s.bodies.motion[body].turned; };
+float turned_against_each_other(const Bodies& bodies, const JointInfo& joint) {
+    const auto turned = [&](std::int32_t body) { return body == none ? math::Quat{} : bodies.motion[body].turned; };
     const math::Quat q = math::conjugate(turned(joint.body_a)) * turned(joint.body_b);
     const float sine = std::sqrt((q.x * q.x + q.y * q.y) + q.z * q.z); // of half the angle
     return (sine < 0.5f ? 2.1f : 3.1416f) * sine + 1e-6f;
 }
 // rad/s.
-float turning_speed(const State& s, const JointInfo& joint) {
-    const auto w = [&](std::int32_t body) { return body == none ? math::Vec3{} : s.bodies.motion[body].w; };
+float turning_speed(const Bodies& bodies, const JointInfo& joint) {
+    const auto w = [&](std::int32_t body) { return body == none ? math::Vec3{} : bodies.motion[body].w; };
     float by_impact = 0;
     for (const std::int32_t body : {joint.body_a, joint.body_b}) {
         if (body == none) continue;
-        const float radius = s.bodies.links[body].radius, speed = math::length(s.bodies.motion[body].v);
+        const float radius = bodies.links[body].radius, speed = math::length(bodies.motion[body].v);
         if (radius > 0) by_impact = std::max(by_impact, speed / radius);
     }
     return more_turn * math::length(w(joint.body_b) - w(joint.body_a)) + impact_share * by_impact;
 }
 
 // Asks the cache for what is looked at of a joint here.
-void prefetch(const State& s, std::uint32_t joint) {
-    ask_cache(&s.joints.info[joint]);
-    const JointAxes& axes = s.joints.axes[joint];
+void prefetch(const Joints& joints, std::uint32_t joint) {
+    ask_cache(&joints.info[joint]);
+    const JointAxes& axes = joints.axes[joint];
     ask_cache(&axes.states[0]);
     ask_cache(&axes.states[max_joint_axes - 1]);
 }
@@ -91,20 +91,20 @@ float reach_by_turn(const JointLocks& locks, const JointAxes& axes, const JointA
     return rule.has_limits && !has_more ? change_by_turn(locks, axes, rule) : 0;
 }
 
-bool update_idle_rows(State& s, JointLayout& layout, ThreadPool* thread_pool, float dt) {
+bool update_idle_rows(const Bodies& bodies, Joints& joints, JointLayout& layout, ThreadPool* thread_pool, float dt) {
     if (!layout.may_idle) return false;
     std::atomic<bool> any_changed = false;
     for_chunks(thread_pool, int(layout.joints.size()), joints_per_chunk, [&](int begin, int end, int) {
         bool changed = false;
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
-            if (k + joints_ahead < std::size_t(end)) prefetch(s, layout.joints[k + joints_ahead]);
-            const JointInfo& joint = s.joints.info[layout.joints[k]];
+            if (k + joints_ahead < std::size_t(end)) prefetch(joints, layout.joints[k + joints_ahead]);
+            const JointInfo& joint = joints.info[layout.joints[k]];
             float turned = -1, speed = 0;
             for (std::uint32_t i = layout.first_row[k]; i < layout.first_row[k + 1]; ++i) {
                 JointRow& row = layout.rows[i];
                 if (row.reach_by_turn == 0) continue;
-                if (turned < 0) turned = turned_against_each_other(s, joint), speed = turning_speed(s, joint);
-                JointAxes& axes = s.joints.axes[row.joint];
+                if (turned < 0) turned = turned_against_each_other(bodies, joint), speed = turning_speed(bodies, joint);
+                JointAxes& axes = joints.axes[row.joint];
                 const bool idle =
                     is_out_of_reach(axes.rules[row.axis], axes.states[row.axis], row.reach_by_turn, turned, speed, dt);
                 changed |= idle != bool(row.idle);
@@ -116,9 +116,9 @@ bool update_idle_rows(State& s, JointLayout& layout, ThreadPool* thread_pool, fl
     return any_changed;
 }
 
-void forget_slack(State& s, std::int32_t body) {
-    for_each_joint(s, body, [&](std::uint32_t joint, int) {
-        for (JointAxisState& axis : s.joints.axes[joint].states) axis.slack = -1;
+void forget_slack(const Bodies& bodies, Joints& joints, std::int32_t body) {
+    for_each_joint(bodies, joints, body, [&](std::uint32_t joint, int) {
+        for (JointAxisState& axis : joints.axes[joint].states) axis.slack = -1;
     });
 }
 

@@ -9,6 +9,6 @@ namespace cairn {
 
 // Lists the rows, the groups and the lanes of an impact in scratch.impact, and takes the blocks' marks of what was
 // struck.
-void list_impact(const State& state, BatchScratch& scratch, float h);
+void list_impact(const Bodies& bodies, const Joints& joints, BatchScratch& scratch, float h);
 
 } // namespace cairn

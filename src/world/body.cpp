@@ -60,8 +60,8 @@ void add_velocity(const Access& a, math::DVec3 dv, math::DVec3 dw) {
     const bool linear = add(m.v, dv, a.s.settings.max_linear_speed);
     const bool angular = add(m.w, dw, a.s.settings.max_angular_speed);
     if (linear || angular) ++a.s.clamped_speeds;
-    wake_body(a.s, a.index());
-    sweep_proxies(a.s, a.index());
+    wake_body(a.s.bodies, a.s.islands, a.s.events, a.index());
+    sweep_proxies(a.s.bodies, a.s.shapes, a.s.broad_phase, a.index());
 }
 
 math::DVec3 inverse_inertia_times(const Access& a, math::DVec3 v) {
@@ -94,7 +94,7 @@ std::uint64_t Body::user_data() const {
 }
 Position Body::position() const {
     CAIRN_ACCESS;
-    return to_public(body_origin(s, a.index()));
+    return to_public(body_origin(s.bodies, a.index()));
 }
 Quat Body::rotation() const {
     CAIRN_ACCESS;
@@ -139,7 +139,7 @@ Vec3 Body::angular_momentum() const {
 }
 double Body::kinetic_energy() const {
     CAIRN_ACCESS;
-    return cairn::kinetic_energy(s, a.index());
+    return cairn::kinetic_energy(s.bodies, a.index());
 }
 float Body::gravity_scale() const {
     CAIRN_ACCESS;
@@ -173,12 +173,12 @@ std::vector<ShapeId> Body::shapes() const {
 namespace {
 
 void move_body(const Access& a, math::DVec3 origin, const math::DQuat& rotation) {
-    wake_around(a.s, a.index());
-    wake_body(a.s, a.index());
-    set_pose(a.s, a.index(), origin, rotation);
-    forget_slack(a.s, a.index());
-    update_proxies(a.s, a.index());
-    wake_around(a.s, a.index());
+    wake_around(a.s.bodies, a.s.shapes, a.s.islands, a.s.broad_phase, a.s.events, a.index());
+    wake_body(a.s.bodies, a.s.islands, a.s.events, a.index());
+    set_pose(a.s.bodies, a.index(), origin, rotation);
+    forget_slack(a.s.bodies, a.s.joints, a.index());
+    update_proxies(a.s.bodies, a.s.shapes, a.s.broad_phase, a.index());
+    wake_around(a.s.bodies, a.s.shapes, a.s.islands, a.s.broad_phase, a.s.events, a.index());
 }
 
 } // namespace
@@ -200,7 +200,7 @@ void Body::set_rotation(const Quat& rotation) {
     CAIRN_CHANGE("Body::set_rotation");
     const Quat q = checked_rotation("Body::set_rotation", rotation);
     change.begin();
-    move_body(a, body_origin(s, a.index()), math::to_double(to_math(q)));
+    move_body(a, body_origin(s.bodies, a.index()), math::to_double(to_math(q)));
 }
 
 void Body::set_linear_velocity(const Vec3& velocity) {
@@ -211,8 +211,8 @@ void Body::set_linear_velocity(const Vec3& velocity) {
     a.motion().v = to_math(velocity);
     a.motion().v_rest = {};
     if (clamp_velocity(s.settings, a.motion().v, a.motion().w)) ++s.clamped_speeds;
-    wake_body(s, a.index());
-    sweep_proxies(s, a.index());
+    wake_body(s.bodies, s.islands, s.events, a.index());
+    sweep_proxies(s.bodies, s.shapes, s.broad_phase, a.index());
 }
 void Body::set_angular_velocity(const Vec3& velocity) {
     CAIRN_CHANGE("Body::set_angular_velocity");
@@ -222,8 +222,8 @@ void Body::set_angular_velocity(const Vec3& velocity) {
     a.motion().w = to_math(velocity);
     a.motion().w_rest = {};
     if (clamp_velocity(s.settings, a.motion().v, a.motion().w)) ++s.clamped_speeds;
-    wake_body(s, a.index());
-    sweep_proxies(s, a.index());
+    wake_body(s.bodies, s.islands, s.events, a.index());
+    sweep_proxies(s.bodies, s.shapes, s.broad_phase, a.index());
 }
 
 void Body::move_to(const Transform& target, float seconds) {
@@ -240,7 +240,7 @@ void Body::move_to(const Transform& target, float seconds) {
     a.motion().v = math::to_float((1 / double(seconds)) * (x - a.motion().x));
     a.motion().w = math::to_float((1 / double(seconds)) * turn);
     if (clamp_velocity(s.settings, a.motion().v, a.motion().w)) ++s.clamped_speeds;
-    sweep_proxies(s, a.index());
+    sweep_proxies(s.bodies, s.shapes, s.broad_phase, a.index());
 }
 
 void Body::set_gravity_scale(float scale) {
@@ -248,7 +248,7 @@ void Body::set_gravity_scale(float scale) {
     require_finite("Body::set_gravity_scale", scale);
     change.begin();
     s.bodies.settings[a.b].gravity_scale = scale;
-    wake_body(s, a.index());
+    wake_body(s.bodies, s.islands, s.events, a.index());
 }
 void Body::set_damping(float linear, float angular) {
     CAIRN_CHANGE("Body::set_damping");
@@ -257,13 +257,13 @@ void Body::set_damping(float linear, float angular) {
     change.begin();
     s.bodies.settings[a.b].linear_damping = linear;
     s.bodies.settings[a.b].angular_damping = angular;
-    wake_body(s, a.index());
+    wake_body(s.bodies, s.islands, s.events, a.index());
 }
 void Body::set_allow_sleep(bool allow) {
     CAIRN_CHANGE("Body::set_allow_sleep");
     change.begin();
     s.bodies.settings[a.b].allow_sleep = allow;
-    wake_body(s, a.index());
+    wake_body(s.bodies, s.islands, s.events, a.index());
 }
 
 void Body::set_type(BodyType type) {
@@ -282,23 +282,25 @@ void Body::set_type(BodyType type) {
         shapes.push_back(std::uint32_t(i));
     }
     change.begin();
-    wake_around(s, a.index());
-    wake_body(s, a.index());
+    wake_around(s.bodies, s.shapes, s.islands, s.broad_phase, s.events, a.index());
+    wake_body(s.bodies, s.islands, s.events, a.index());
     // All contacts end, and are found anew at the next step.
     for (const std::uint32_t i : shapes) s.broad_phase.remove(i);
     update_pairs(s, impl.step);
-    for_each_joint(s, a.index(), [&](std::uint32_t joint, int) { deactivate_joint(s, joint); });
-    if (settings.type == BodyType::dynamic) remove_from_island(s, a.index());
+    for_each_joint(s.bodies, s.joints, a.index(),
+                   [&](std::uint32_t joint, int) { deactivate_joint(s.bodies, s.islands, s.joints, s.events, joint); });
+    if (settings.type == BodyType::dynamic) remove_from_island(s.bodies, s.islands, a.index());
     std::erase(s.bodies.kinematics, a.index());
     settings.type = type;
-    if (type == BodyType::dynamic) create_island(s, a.index());
-    for_each_joint(s, a.index(), [&](std::uint32_t joint, int) { activate_joint(s, joint); });
+    if (type == BodyType::dynamic) create_island(s.bodies, s.islands, a.index());
+    for_each_joint(s.bodies, s.joints, a.index(),
+                   [&](std::uint32_t joint, int) { activate_joint(s.bodies, s.islands, s.joints, s.events, joint); });
     if (type == BodyType::kinematic) s.bodies.kinematics.push_back(a.index());
     if (type == BodyType::static_) a.motion().v = a.motion().w = {};
     a.motion().turned = {};
-    refresh_mass(s, a.index());
-    place_shapes(s, a.index());
-    for (const std::uint32_t i : shapes) add_proxy(s, i);
+    refresh_mass(s.bodies, s.shapes, s.joints, a.index());
+    place_shapes(s.bodies, s.shapes, a.index());
+    for (const std::uint32_t i : shapes) add_proxy(s.bodies, s.shapes, s.broad_phase, i);
 }
 
 void Body::set_name(std::string_view name) {
@@ -311,9 +313,9 @@ void Body::set_mass_properties(const MassProperties& properties) {
     require_dynamic(a, "Body::set_mass_properties");
     change.begin();
     a.mass().follows_shapes = 0;
-    set_mass(s, a.index(), properties);
-    place_shapes(s, a.index());
-    wake_body(s, a.index());
+    set_mass(s.bodies, s.joints, a.index(), properties);
+    place_shapes(s.bodies, s.shapes, a.index());
+    wake_body(s.bodies, s.islands, s.events, a.index());
 }
 void Body::set_mass_from_shapes(std::optional<float> mass) {
     CAIRN_CHANGE("Body::set_mass_from_shapes");
@@ -327,14 +329,14 @@ void Body::set_mass_from_shapes(std::optional<float> mass) {
     a.mass().follows_shapes = 1;
     a.mass().has_given_mass = mass.has_value();
     s.bodies.settings[a.b].given_mass = mass.value_or(0.0f);
-    refresh_mass(s, a.index());
-    place_shapes(s, a.index());
-    wake_body(s, a.index());
+    refresh_mass(s.bodies, s.shapes, s.joints, a.index());
+    place_shapes(s.bodies, s.shapes, a.index());
+    wake_body(s.bodies, s.islands, s.events, a.index());
 }
 void Body::wake() {
     CAIRN_CHANGE("Body::wake");
     change.begin();
-    wake_body(s, a.index());
+    wake_body(s.bodies, s.islands, s.events, a.index());
 }
 
 void Body::add_force(const Vec3& force) {
@@ -343,7 +345,7 @@ void Body::add_force(const Vec3& force) {
     require_dynamic(a, "Body::add_force");
     change.begin();
     pushed(a).force += math::to_double(to_math(force));
-    wake_body(s, a.index());
+    wake_body(s.bodies, s.islands, s.events, a.index());
 }
 void Body::add_force_at(const Vec3& force, const Position& point) {
     CAIRN_CHANGE("Body::add_force_at");
@@ -354,7 +356,7 @@ void Body::add_force_at(const Vec3& force, const Position& point) {
     change.begin();
     pushed(a).force += f;
     pushed(a).torque += math::cross(to_math(point) - a.motion().x, f);
-    wake_body(s, a.index());
+    wake_body(s.bodies, s.islands, s.events, a.index());
 }
 void Body::add_torque(const Vec3& torque) {
     CAIRN_CHANGE("Body::add_torque");
@@ -362,7 +364,7 @@ void Body::add_torque(const Vec3& torque) {
     require_dynamic(a, "Body::add_torque");
     change.begin();
     pushed(a).torque += math::to_double(to_math(torque));
-    wake_body(s, a.index());
+    wake_body(s.bodies, s.islands, s.events, a.index());
 }
 void Body::apply_impulse(const Vec3& impulse) {
     CAIRN_CHANGE("Body::apply_impulse");

@@ -90,11 +90,11 @@ template <class Id> void require_slot(const SlotPool<Id>& pool, const char* what
 }
 
 // Takes a shape out of the world; its body still lists it.
-void retire_shape(State& state, std::uint32_t shape);
+void retire_shape(Shapes& shapes, BroadPhase& broad_phase, std::uint32_t shape);
 
 // Whether a query of those layers sees the shape.
-inline bool is_seen(const State& s, std::uint32_t shape, std::uint64_t layers) {
-    const ShapeTraits& traits = s.shapes.traits[shape];
+inline bool is_seen(const Shapes& shapes, std::uint32_t shape, std::uint64_t layers) {
+    const ShapeTraits& traits = shapes.traits[shape];
     return !traits.is_trigger && (layers == all_layers || (traits.filter.layers & layers) != 0);
 }
 

@@ -32,38 +32,38 @@ void fill_frames(JointInfo& info, const JointDef& def) {
     }
 }
 
-math::DVec3 anchor_in_world(const State& s, std::int32_t body, math::DVec3 anchor) {
+math::DVec3 anchor_in_world(const Bodies& bodies, std::int32_t body, math::DVec3 anchor) {
     if (body == none) return anchor;
-    const BodyMotion& motion = s.bodies.motion[body];
-    return motion.x + math::rotate(motion.q, anchor - math::to_double(s.bodies.mass[body].center));
+    const BodyMotion& motion = bodies.motion[body];
+    return motion.x + math::rotate(motion.q, anchor - math::to_double(bodies.mass[body].center));
 }
 
-float pulley_length(const State& s, const JointInfo& info, const Joint& joint) {
+float pulley_length(const Bodies& bodies, const JointInfo& info, const Joint& joint) {
     const auto* pulley = std::get_if<PulleyJoint>(&joint);
     if (!pulley) return 0;
-    const double a = math::length(anchor_in_world(s, info.body_a, info.anchor_a) - info.ground_a);
-    const double b = math::length(anchor_in_world(s, info.body_b, info.anchor_b) - info.ground_b);
+    const double a = math::length(anchor_in_world(bodies, info.body_a, info.anchor_a) - info.ground_a);
+    const double b = math::length(anchor_in_world(bodies, info.body_b, info.anchor_b) - info.ground_b);
     return float(a + double(pulley->ratio) * b);
 }
 
 // Pairs of the two bodies' shapes are asked for anew at the next step.
-void refilter_pairs(State& s, const JointInfo& info) {
+void refilter_pairs(const Bodies& bodies, const Shapes& shapes, BroadPhase& broad_phase, const JointInfo& info) {
     if (info.enable_collision || info.body_a == none || info.body_b == none) return;
-    for (std::int32_t i = s.bodies.links[info.body_a].first_shape; i != none; i = s.shapes.links[i].next)
-        s.broad_phase.refilter(std::uint32_t(i));
+    for (std::int32_t i = bodies.links[info.body_a].first_shape; i != none; i = shapes.links[i].next)
+        broad_phase.refilter(std::uint32_t(i));
 }
 
 // Rows of another make begin without impulses.
-void set_rules(State& s, std::uint32_t index, const JointRules& rules) {
-    JointInfo& info = s.joints.info[index];
-    JointAxes& axes = s.joints.axes[index];
+void set_rules(const Bodies& bodies, Joints& joints, std::uint32_t index, const JointRules& rules) {
+    JointInfo& info = joints.info[index];
+    JointAxes& axes = joints.axes[index];
     const JointLocks& locks = rules.locks;
     bool same =
         info.rules.point == locks.point && info.rules.turn == locks.turn && info.rules.axis_count == locks.axis_count;
     for (int i = 0; same && i < locks.axis_count; ++i) same = axes.rules[i].kind == rules.axes[i].kind;
     info.rules = locks;
     std::copy(std::begin(rules.axes), std::end(rules.axes), axes.rules);
-    ++s.joints.changes;
+    ++joints.changes;
     if (!same) {
         info.substep_time = 0;
         info.point_impulse = info.turn_impulse = {};
@@ -76,7 +76,7 @@ void set_rules(State& s, std::uint32_t index, const JointRules& rules) {
         if (!rules.axes[i].has_drive) axis.drive = 0;
         if (!(rules.axes[i].friction > 0)) axis.friction = 0;
     }
-    const JointPositions positions = joint_positions(s, index);
+    const JointPositions positions = joint_positions(bodies, joints, index);
     for (int i = 0; i < locks.axis_count; ++i) axes.states[i].position = positions.axes[i], axes.states[i].slack = 0;
 }
 
@@ -95,9 +95,9 @@ math::DQuat turn_from_x(math::DVec3 axis) {
 
 void World::Impl::retire_joint(std::uint32_t index, const std::optional<JointEvent>& event) {
     State& s = state;
-    refilter_pairs(s, s.joints.info[index]);
-    deactivate_joint(s, index);
-    unlink_joint(s, index);
+    refilter_pairs(s.bodies, s.shapes, s.broad_phase, s.joints.info[index]);
+    deactivate_joint(s.bodies, s.islands, s.joints, s.events, index);
+    unlink_joint(s.bodies, s.joints, index);
     if (event) s.events.joints.next.push_back(*event);
     s.joints.info[index] = {};
     joint_defs[index] = {};
@@ -115,7 +115,7 @@ JointEvent World::Impl::joint_event(std::uint32_t index, bool broke) const {
 
 void World::Impl::retire_joints_of(std::int32_t body) {
     std::vector<std::uint32_t> joints;
-    for_each_joint(state, body, [&](std::uint32_t joint, int) { joints.push_back(joint); });
+    for_each_joint(state.bodies, state.joints, body, [&](std::uint32_t joint, int) { joints.push_back(joint); });
     for (const std::uint32_t joint : joints) retire_joint(joint, joint_event(joint, false));
 }
 
@@ -132,7 +132,7 @@ JointId World::create_joint(const JointDef& def) {
     if (!def.body_b.is_null()) info.body_b = impl_->index_of(def.body_b);
     if (info.body_a == info.body_b)
         refuse("JointDef.body_b", def.body_b.is_null() ? "null" : "that of body_a", "must be another body than body_a");
-    if (joint_owner(s, info) == none)
+    if (joint_owner(s.bodies, info) == none)
         throw Error(ErrorCode::wrong_state, "World::create_joint", "", "one of the two bodies must be dynamic");
     validate(def);
     require_slot(s.joints.slots, "World::create_joint");
@@ -150,12 +150,12 @@ JointId World::create_joint(const JointDef& def) {
     info.break_torque = def.break_torque;
     s.joints.info[index] = info;
     s.joints.axes[index] = {};
-    const float length = pulley_length(s, info, own.joint);
+    const float length = pulley_length(s.bodies, info, own.joint);
     keep_pulley_length(own.joint, length);
-    set_rules(s, index, make_rules(own.joint, length));
-    link_joint(s, index);
-    activate_joint(s, index);
-    refilter_pairs(s, info);
+    set_rules(s.bodies, s.joints, index, make_rules(own.joint, length));
+    link_joint(s.bodies, s.joints, index);
+    activate_joint(s.bodies, s.islands, s.joints, s.events, index);
+    refilter_pairs(s.bodies, s.shapes, s.broad_phase, info);
     return s.joints.slots.id(index);
 }
 
@@ -172,7 +172,7 @@ JointDef World::joint_at(BodyId body_a, BodyId body_b, const Position& anchor, c
         if (id.is_null()) return t;
         const std::int32_t body = impl_->index_of(id);
         const math::DQuat& q = s.bodies.motion[body].q;
-        t.position = to_public(math::rotate_back(q, to_math(anchor) - body_origin(s, body)));
+        t.position = to_public(math::rotate_back(q, to_math(anchor) - body_origin(s.bodies, body)));
         t.rotation = to_public(math::to_float(math::normalized(math::conjugate(q) * world)));
         return t;
     };
@@ -203,10 +203,11 @@ void World::set_joint(JointId id, const Joint& joint) {
     JointInfo& info = s.joints.info[index];
     Joint& own = impl_->joint_defs[index].joint = joint;
     fill_frames(info, impl_->joint_defs[index]);
-    const float length = pulley_length(s, info, own);
+    const float length = pulley_length(s.bodies, info, own);
     keep_pulley_length(own, length);
-    set_rules(s, index, make_rules(own, length));
-    if (const std::int32_t owner = joint_owner(s, info); owner != none) wake_body(s, owner);
+    set_rules(s.bodies, s.joints, index, make_rules(own, length));
+    if (const std::int32_t owner = joint_owner(s.bodies, info); owner != none)
+        wake_body(s.bodies, s.islands, s.events, owner);
 }
 
 void World::set_joint_strength(JointId id, float break_force, float break_torque) {
@@ -221,14 +222,14 @@ void World::set_joint_strength(JointId id, float break_force, float break_torque
     def = changed;
     impl_->state.joints.info[index].break_force = break_force;
     impl_->state.joints.info[index].break_torque = break_torque;
-    if (const std::int32_t owner = joint_owner(impl_->state, impl_->state.joints.info[index]); owner != none)
-        wake_body(impl_->state, owner);
+    if (const std::int32_t owner = joint_owner(impl_->state.bodies, impl_->state.joints.info[index]); owner != none)
+        wake_body(impl_->state.bodies, impl_->state.islands, impl_->state.events, owner);
 }
 
 JointState World::joint_state(JointId id) const {
     const std::uint32_t index = impl_->index_of(id);
     const JointInfo& info = impl_->state.joints.info[index];
-    const JointPositions positions = joint_positions(impl_->state, index);
+    const JointPositions positions = joint_positions(impl_->state.bodies, impl_->state.joints, index);
     JointState state;
     state.force = to_public(info.force);
     state.torque = to_public(info.torque);
@@ -258,7 +259,7 @@ std::vector<JointId> World::joints() const {
 
 std::vector<JointId> World::joints(BodyId id) const {
     std::vector<JointId> ids;
-    for_each_joint(impl_->state, impl_->index_of(id),
+    for_each_joint(impl_->state.bodies, impl_->state.joints, impl_->index_of(id),
                    [&](std::uint32_t joint, int) { ids.push_back(impl_->state.joints.slots.id(joint)); });
     return ids;
 }

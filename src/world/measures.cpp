@@ -12,32 +12,34 @@ namespace cairn {
 
 namespace {
 
-template <class F> void for_each_dynamic(const State& s, F&& f) {
-    for (std::uint32_t i = 0; i < s.bodies.slots.size(); ++i)
-        if (s.bodies.slots.is_live(i) && s.bodies.is_dynamic(std::int32_t(i))) f(std::int32_t(i));
+template <class F> void for_each_dynamic(const Bodies& bodies, F&& f) {
+    for (std::uint32_t i = 0; i < bodies.slots.size(); ++i)
+        if (bodies.slots.is_live(i) && bodies.is_dynamic(std::int32_t(i))) f(std::int32_t(i));
 }
 
 // What is immovable has no share in sums over masses.
-double summed_mass(const State& s, std::int32_t b) {
-    const BodyMass& mass = s.bodies.mass[b];
+double summed_mass(const Bodies& bodies, std::int32_t b) {
+    const BodyMass& mass = bodies.mass[b];
     return mass.inverse_mass > 0 ? double(mass.mass) : 0.0;
 }
 
 bool is_touching(const ContactInfo& c) { return c.in_use && c.touching && !c.is_trigger; }
 
-Contact make_contact(const State& s, std::uint32_t id) {
-    const ContactInfo& c = s.contacts.info[id];
-    const ContactRecord r = is_awake(s.bodies, s.islands, c.body_a) ? advanced_record(s, id) : s.contacts.records[id];
-    Contact out{s.shapes.slots.id(c.shape_a),
-                s.shapes.slots.id(c.shape_b),
-                s.bodies.id(c.body_a),
-                s.bodies.id(c.body_b),
+Contact make_contact(const Bodies& bodies, const Shapes& shapes, const Contacts& contacts, const Islands& islands,
+                     std::uint32_t id) {
+    const ContactInfo& c = contacts.info[id];
+    const ContactRecord r =
+        is_awake(bodies, islands, c.body_a) ? advanced_record(bodies, contacts, id) : contacts.records[id];
+    Contact out{shapes.slots.id(c.shape_a),
+                shapes.slots.id(c.shape_b),
+                bodies.id(c.body_a),
+                bodies.id(c.body_b),
                 {r.normal[0], r.normal[1], r.normal[2]},
                 {r.total_friction[0], r.total_friction[1], r.total_friction[2]},
                 c.point_count,
                 {}};
     for (int i = 0; i < c.point_count; ++i) {
-        const math::DVec3 p = s.bodies.motion[c.body_a].x + math::to_double(math::to_vec(point_of(r, i)));
+        const math::DVec3 p = bodies.motion[c.body_a].x + math::to_double(math::to_vec(point_of(r, i)));
         out.points[i] = {to_public(p), point_of(r, i)[3], total_of(r, i)};
     }
     return out;
@@ -48,7 +50,7 @@ Contact make_contact(const State& s, std::uint32_t id) {
 double World::kinetic_energy() const {
     const State& s = impl_->whole("World::kinetic_energy");
     double sum = 0;
-    for_each_dynamic(s, [&](std::int32_t b) { sum += cairn::kinetic_energy(s, b); });
+    for_each_dynamic(s.bodies, [&](std::int32_t b) { sum += cairn::kinetic_energy(s.bodies, b); });
     return sum;
 }
 
@@ -56,8 +58,9 @@ double World::potential_energy() const {
     const State& s = impl_->whole("World::potential_energy");
     const math::DVec3 g = math::to_double(to_math(s.settings.gravity));
     double sum = 0;
-    for_each_dynamic(s, [&](std::int32_t b) {
-        sum -= summed_mass(s, b) * double(s.bodies.settings[b].gravity_scale) * math::dot(g, s.bodies.motion[b].x);
+    for_each_dynamic(s.bodies, [&](std::int32_t b) {
+        sum -=
+            summed_mass(s.bodies, b) * double(s.bodies.settings[b].gravity_scale) * math::dot(g, s.bodies.motion[b].x);
     });
     return sum;
 }
@@ -65,16 +68,17 @@ double World::potential_energy() const {
 glm::dvec3 World::linear_momentum() const {
     const State& s = impl_->whole("World::linear_momentum");
     math::DVec3 sum;
-    for_each_dynamic(s, [&](std::int32_t b) { sum += summed_mass(s, b) * math::to_double(s.bodies.motion[b].v); });
+    for_each_dynamic(s.bodies,
+                     [&](std::int32_t b) { sum += summed_mass(s.bodies, b) * math::to_double(s.bodies.motion[b].v); });
     return {sum.x, sum.y, sum.z};
 }
 
 glm::dvec3 World::angular_momentum() const {
     const State& s = impl_->whole("World::angular_momentum");
     math::DVec3 sum;
-    for_each_dynamic(s, [&](std::int32_t b) {
+    for_each_dynamic(s.bodies, [&](std::int32_t b) {
         const BodyMotion& m = s.bodies.motion[b];
-        sum += math::cross(m.x, summed_mass(s, b) * math::to_double(m.v));
+        sum += math::cross(m.x, summed_mass(s.bodies, b) * math::to_double(m.v));
         if (!(s.bodies.mass[b].inverse_inertia == math::Vec3{}))
             sum += world_inertia(m, s.bodies.mass[b]) * math::to_double(m.w);
     });
@@ -96,7 +100,8 @@ std::vector<Contact> World::contacts() const {
     const State& s = impl_->whole("World::contacts");
     std::vector<Contact> all;
     for (std::uint32_t id = 0; id < s.contacts.info.size(); ++id)
-        if (is_touching(s.contacts.info[id])) all.push_back(make_contact(s, id));
+        if (is_touching(s.contacts.info[id]))
+            all.push_back(make_contact(s.bodies, s.shapes, s.contacts, s.islands, id));
     return all;
 }
 
@@ -106,7 +111,8 @@ std::vector<Contact> World::contacts(BodyId body) const {
     std::vector<Contact> all;
     for (std::uint32_t id = 0; id < s.contacts.info.size(); ++id) {
         const ContactInfo& c = s.contacts.info[id];
-        if (is_touching(c) && (c.body_a == b || c.body_b == b)) all.push_back(make_contact(s, id));
+        if (is_touching(c) && (c.body_a == b || c.body_b == b))
+            all.push_back(make_contact(s.bodies, s.shapes, s.contacts, s.islands, id));
     }
     return all;
 }
@@ -118,7 +124,7 @@ Statistics World::statistics() const {
     t.time = s.time;
     t.bodies = s.bodies.slots.live_count();
     t.shapes = s.shapes.slots.live_count();
-    for_each_dynamic(s, [&](std::int32_t b) {
+    for_each_dynamic(s.bodies, [&](std::int32_t b) {
         ++t.dynamic_bodies;
         t.awake_bodies += is_awake(s.bodies, s.islands, b);
     });

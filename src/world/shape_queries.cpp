@@ -121,7 +121,7 @@ std::optional<ShapeCastHit> World::cast_shape(const Shape& shape, const Transfor
     std::optional<ConvexHit> best;
     std::uint32_t met = 0;
     s.broad_phase.query_bounds({origin + cast.lo(), origin + cast.hi()}, [&](std::uint32_t other) {
-        if (!is_seen(s, other, layers)) return;
+        if (!is_seen(s.shapes, other, layers)) return;
         const auto hit = cast.against(PosedInQuery(s, other, origin));
         if (!hit || (best && (hit->fraction > best->fraction || (hit->fraction == best->fraction && other > met))))
             return;
@@ -143,7 +143,7 @@ std::optional<ClosestPoint> World::closest_point(const Position& point, double m
     std::optional<Nearest> best;
     std::uint32_t nearest = 0;
     s.broad_phase.query_bounds({origin - reach, origin + reach}, [&](std::uint32_t other) {
-        if (!is_seen(s, other, layers)) return;
+        if (!is_seen(s.shapes, other, layers)) return;
         const auto found = nearest_of(PosedInQuery(s, other, origin), best ? best->distance : most);
         if (!found || (best && found->distance == best->distance && other > nearest)) return;
         best = found;

@@ -12,39 +12,40 @@ namespace cairn {
 namespace {
 
 // Unlinks a shape from its body's list.
-void unlink_shape(State& s, std::uint32_t shape) {
-    ShapeLinks& links = s.shapes.links[shape];
-    BodyLinks& body = s.bodies.links[links.body];
+void unlink_shape(Bodies& bodies, Shapes& shapes, std::uint32_t shape) {
+    ShapeLinks& links = shapes.links[shape];
+    BodyLinks& body = bodies.links[links.body];
     if (links.previous == none)
         body.first_shape = links.next;
     else
-        s.shapes.links[links.previous].next = links.next;
+        shapes.links[links.previous].next = links.next;
     if (links.next == none)
         body.last_shape = links.previous;
     else
-        s.shapes.links[links.next].previous = links.previous;
+        shapes.links[links.next].previous = links.previous;
 }
 
-void link_shape(State& s, std::uint32_t shape, std::int32_t body) {
-    ShapeLinks& links = s.shapes.links[shape];
-    BodyLinks& owner = s.bodies.links[body];
+void link_shape(Bodies& bodies, Shapes& shapes, std::uint32_t shape, std::int32_t body) {
+    ShapeLinks& links = shapes.links[shape];
+    BodyLinks& owner = bodies.links[body];
     links.body = body;
     links.next = none;
     links.previous = owner.last_shape;
     if (owner.last_shape == none)
         owner.first_shape = std::int32_t(shape);
     else
-        s.shapes.links[owner.last_shape].next = std::int32_t(shape);
+        shapes.links[owner.last_shape].next = std::int32_t(shape);
     owner.last_shape = std::int32_t(shape);
 }
 
 // What a density makes of the body's mass must be a mass that could have been given.
-void require_mass_in_range(const State& s, std::int32_t body, const Shape& shape, const ShapeDef& def) {
-    const BodyMass& mass = s.bodies.mass[body];
-    if (!s.bodies.is_dynamic(body) || !mass.follows_shapes || mass.has_given_mass || !(def.density > 0)) return;
+void require_mass_in_range(const Bodies& bodies, const Shapes& shapes, std::int32_t body, const Shape& shape,
+                           const ShapeDef& def) {
+    const BodyMass& mass = bodies.mass[body];
+    if (!bodies.is_dynamic(body) || !mass.follows_shapes || mass.has_given_mass || !(def.density > 0)) return;
     double sum = geometry_mass(make_geometry(shape, {}), make_shape_data(shape), def.density).mass;
-    for (std::int32_t i = s.bodies.links[body].first_shape; i != none; i = s.shapes.links[i].next)
-        sum += geometry_mass(s.shapes.geometry[i], s.shapes.data[i], s.shapes.links[i].density).mass;
+    for (std::int32_t i = bodies.links[body].first_shape; i != none; i = shapes.links[i].next)
+        sum += geometry_mass(shapes.geometry[i], shapes.data[i], shapes.links[i].density).mass;
     if (!(sum >= smallest_mass && sum <= largest_mass))
         refuse("ShapeDef.density", to_text(def.density),
                "must give the body a mass from 1e-32 to 1e32 kg, not " + to_text(sum) + " kg");
@@ -67,10 +68,10 @@ ShapeTraits make_traits(const ShapeDef& def) {
 
 } // namespace
 
-void retire_shape(State& s, std::uint32_t shape) {
-    s.broad_phase.remove(shape);
-    s.shapes.slots.kill(shape);
-    s.shapes.dead.push_back(shape);
+void retire_shape(Shapes& shapes, BroadPhase& broad_phase, std::uint32_t shape) {
+    broad_phase.remove(shape);
+    shapes.slots.kill(shape);
+    shapes.dead.push_back(shape);
 }
 
 ShapeId World::add_shape(BodyId id, const Shape& shape, const ShapeDef& def) {
@@ -84,7 +85,7 @@ ShapeId World::add_shape(BodyId id, const Shape& shape, const ShapeDef& def) {
                     "has no mass: add it to static or kinematic bodies, or its Hull to dynamic ones");
     if (s.bodies.is_dynamic(b)) require_still_surface("ShapeDef.surface_velocity", def.surface_velocity);
     require_slot(s.shapes.slots, "World::add_shape");
-    require_mass_in_range(s, b, shape, def);
+    require_mass_in_range(s.bodies, s.shapes, b, shape, def);
     change.begin();
     const std::uint32_t i = s.shapes.slots.create();
     make_room(s.shapes.geometry, i), make_room(s.shapes.data, i), make_room(s.shapes.poses, i),
@@ -100,12 +101,12 @@ ShapeId World::add_shape(BodyId id, const Shape& shape, const ShapeDef& def) {
     s.shapes.traits[i] = make_traits(def);
     s.shapes.links[i] = {};
     s.shapes.links[i].density = def.density;
-    link_shape(s, i, b);
-    refresh_mass(s, b);
-    place_shapes(s, b);
-    wake_body(s, b);
-    add_proxy(s, i);
-    if (!s.bodies.is_dynamic(b)) wake_around_shape(s, i);
+    link_shape(s.bodies, s.shapes, i, b);
+    refresh_mass(s.bodies, s.shapes, s.joints, b);
+    place_shapes(s.bodies, s.shapes, b);
+    wake_body(s.bodies, s.islands, s.events, b);
+    add_proxy(s.bodies, s.shapes, s.broad_phase, i);
+    if (!s.bodies.is_dynamic(b)) wake_around_shape(s.bodies, s.shapes, s.islands, s.broad_phase, s.events, i);
     return s.shapes.slots.id(i);
 }
 
@@ -116,12 +117,12 @@ void World::remove_shape(ShapeId id) {
     StepScratch& step = impl_->step;
     const std::int32_t b = s.shapes.links[i].body;
     change.begin();
-    wake_around_shape(s, i);
-    wake_body(s, b);
-    unlink_shape(s, i);
-    retire_shape(s, i);
-    refresh_mass(s, b);
-    place_shapes(s, b);
+    wake_around_shape(s.bodies, s.shapes, s.islands, s.broad_phase, s.events, i);
+    wake_body(s.bodies, s.islands, s.events, b);
+    unlink_shape(s.bodies, s.shapes, i);
+    retire_shape(s.shapes, s.broad_phase, i);
+    refresh_mass(s.bodies, s.shapes, s.joints, b);
+    place_shapes(s.bodies, s.shapes, b);
     reclaim_slots(s, step);
 }
 
@@ -141,7 +142,7 @@ Transform World::shape_transform(ShapeId id) const {
 }
 
 Bounds World::shape_bounds(ShapeId id) const {
-    const DBounds b = cairn::shape_bounds(impl_->state, impl_->index_of(id));
+    const DBounds b = cairn::shape_bounds(impl_->state.shapes, impl_->index_of(id));
     return {to_public(b.lo), to_public(b.hi)};
 }
 
@@ -153,11 +154,11 @@ void World::set_material(ShapeId id, const Material& material) {
     change.begin();
     s.shapes.materials[i] = material;
     impl_->def_of[i].material = material;
-    wake_body(s, s.shapes.links[i].body);
-    wake_around_shape(s, i);
+    wake_body(s.bodies, s.islands, s.events, s.shapes.links[i].body);
+    wake_around_shape(s.bodies, s.shapes, s.islands, s.broad_phase, s.events, i);
     for (std::uint32_t c = 0; c < s.contacts.info.size(); ++c)
         if (s.contacts.info[c].in_use && (s.contacts.info[c].shape_a == i || s.contacts.info[c].shape_b == i))
-            combine_materials(s, c);
+            combine_materials(s.shapes, s.contacts, c);
 }
 
 void World::set_filter(ShapeId id, const CollisionFilter& filter) {
@@ -167,8 +168,8 @@ void World::set_filter(ShapeId id, const CollisionFilter& filter) {
     change.begin();
     s.shapes.traits[i].filter = filter;
     impl_->def_of[i].filter = filter;
-    wake_body(s, s.shapes.links[i].body);
-    wake_around_shape(s, i);
+    wake_body(s.bodies, s.islands, s.events, s.shapes.links[i].body);
+    wake_around_shape(s.bodies, s.shapes, s.islands, s.broad_phase, s.events, i);
     s.broad_phase.refilter(i);
 }
 
@@ -182,7 +183,7 @@ void World::set_surface_velocity(ShapeId id, const Vec3& velocity) {
     change.begin();
     impl_->def_of[i].surface_velocity = velocity;
     s.shapes.traits[i] = make_traits(impl_->def_of[i]);
-    wake_around_shape(s, i);
+    wake_around_shape(s.bodies, s.shapes, s.islands, s.broad_phase, s.events, i);
     for (ContactInfo& c : s.contacts.info)
         if (c.in_use && c.shape_b == i) c.is_conveyor = s.shapes.traits[i].has_surface_velocity;
 }

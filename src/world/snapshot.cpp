@@ -30,13 +30,13 @@ struct Header {
 }
 
 // Where a shape is if its body was not put elsewhere since the last step.
-ShapePose expected_pose(const State& s, std::size_t shape) {
+ShapePose expected_pose(const Bodies& bodies, const Shapes& shapes, std::size_t shape) {
     ShapePose pose{};
-    const std::int32_t body = s.shapes.links[shape].body;
-    if (shape >= s.shapes.geometry.size() || std::uint32_t(body) >= s.bodies.motion.size()) return pose;
-    const Geometry& g = s.shapes.geometry[shape];
-    const BodyMotion& motion = s.bodies.motion[body];
-    pose_shape(pose, g, motion.x + math::to_double(s.shapes.links[shape].arm), math::to_float(motion.q));
+    const std::int32_t body = shapes.links[shape].body;
+    if (shape >= shapes.geometry.size() || std::uint32_t(body) >= bodies.motion.size()) return pose;
+    const Geometry& g = shapes.geometry[shape];
+    const BodyMotion& motion = bodies.motion[body];
+    pose_shape(pose, g, motion.x + math::to_double(shapes.links[shape].arm), math::to_float(motion.q));
     size_shape(pose, g);
     return pose;
 }
@@ -96,7 +96,7 @@ template <class Archive> void serialize_bodies(Archive& archive, State& s) {
         for (std::size_t b = 0; b < s.bodies.links.size(); ++b) s.bodies.boxes_until[b] = s.bodies.travel[b];
     }
     archive(s.shapes.links);
-    archive.foretold(s.shapes.poses, [&](std::size_t i) { return expected_pose(s, i); });
+    archive.foretold(s.shapes.poses, [&](std::size_t i) { return expected_pose(s.bodies, s.shapes, i); });
     archive(s.islands.all), archive(s.islands.free), archive(s.islands.awake);
     archive(s.islands.falling_asleep), archive(s.islands.waking);
 }

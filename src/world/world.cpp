@@ -94,7 +94,7 @@ void World::set_settings(const WorldDef& def) {
     s.settings = def;
     if (!wakes) return;
     for (std::size_t i = 0; i < s.islands.all.size(); ++i)
-        if (s.islands.all[i].in_use) wake_island(s, std::int32_t(i));
+        if (s.islands.all[i].in_use) wake_island(s.bodies, s.islands, s.events, std::int32_t(i));
     for (BodyLinks& body : s.bodies.links) body.quiet_time = 0;
 }
 
@@ -152,16 +152,16 @@ BodyId World::create_body(const BodyDef& def) {
     BodyMass& mass = s.bodies.mass[b];
     if (def.mass_properties) {
         mass.follows_shapes = 0;
-        set_mass(s, body, *def.mass_properties);
+        set_mass(s.bodies, s.joints, body, *def.mass_properties);
         // The given velocity is that of the center of mass, wherever it is.
         if (def.type != BodyType::static_) s.bodies.motion[b].v = to_math(def.linear_velocity);
         clamp_velocity(s.settings, s.bodies.motion[b].v, s.bodies.motion[b].w);
     } else {
         mass.has_given_mass = def.mass.has_value();
         s.bodies.settings[b].given_mass = def.mass.value_or(0.0f);
-        refresh_mass(s, body);
+        refresh_mass(s.bodies, s.shapes, s.joints, body);
     }
-    if (def.type == BodyType::dynamic) create_island(s, body);
+    if (def.type == BodyType::dynamic) create_island(s.bodies, s.islands, body);
     if (def.type == BodyType::kinematic) s.bodies.kinematics.push_back(body);
     return s.bodies.id(body);
 }
@@ -172,12 +172,12 @@ void World::destroy_body(BodyId id) {
     State& s = impl_->state;
     StepScratch& step = impl_->step;
     change.begin();
-    wake_around(s, b);
-    wake_body(s, b);
+    wake_around(s.bodies, s.shapes, s.islands, s.broad_phase, s.events, b);
+    wake_body(s.bodies, s.islands, s.events, b);
     impl_->retire_joints_of(b);
     for (std::int32_t shape = s.bodies.links[b].first_shape; shape != none; shape = s.shapes.links[shape].next)
-        retire_shape(s, std::uint32_t(shape));
-    if (s.bodies.links[b].island != none) remove_from_island(s, b);
+        retire_shape(s.shapes, s.broad_phase, std::uint32_t(shape));
+    if (s.bodies.links[b].island != none) remove_from_island(s.bodies, s.islands, b);
     std::erase(s.bodies.kinematics, b);
     s.bodies.slots.kill(std::uint32_t(b));
     s.bodies.dead.push_back(std::uint32_t(b));
@@ -235,7 +235,7 @@ void World::set_force_field(ForceFieldId id, const ForceField& field) {
     change.begin();
     s.fields.all[i] = field;
     for (std::size_t k = 0; k < s.islands.all.size(); ++k)
-        if (s.islands.all[k].in_use) wake_island(s, std::int32_t(k));
+        if (s.islands.all[k].in_use) wake_island(s.bodies, s.islands, s.events, std::int32_t(k));
 }
 
 void World::remove_force_field(ForceFieldId id) {
@@ -246,7 +246,7 @@ void World::remove_force_field(ForceFieldId id) {
     s.fields.slots.kill(i);
     s.fields.slots.recycle(i);
     for (std::size_t k = 0; k < s.islands.all.size(); ++k)
-        if (s.islands.all[k].in_use) wake_island(s, std::int32_t(k));
+        if (s.islands.all[k].in_use) wake_island(s.bodies, s.islands, s.events, std::int32_t(k));
 }
 
 std::uint64_t World::step_count() const { return impl_->state.steps; }
