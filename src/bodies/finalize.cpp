@@ -45,10 +45,6 @@ void move_shapes(Bodies& bodies, Shapes& shapes, BroadPhase& broad_phase, std::i
     });
 }
 
-// How much farther than expected a body may move, m, and as part of its smallest half width: half of the margin of
-// contacts, which both bodies of a pair share.
-constexpr double max_stray = 0.005, max_stray_part = 0.25;
-
 constexpr double rounding = 1e-5; // of bounds, as part of a body's size
 
 // How far out a body's surface turns. One without shapes is as large as its inertia says.
@@ -88,7 +84,8 @@ void finalize_body(const State& s, Bodies& bodies, Shapes& shapes, std::int32_t 
     const double moved = uncounted(bodies.counted[b], motion, links.radius);
     const bool is_free = links.first_joint == none; // what hangs on joints cannot be held without opening them
     const bool is_fast = is_free && moved > free_share * double(links.inner_radius);
-    const double spare = std::min(max_stray, max_stray_part * double(links.inner_radius));
+    // How much farther than expected it may move: half of the margin of contacts, which both bodies of a pair share.
+    const double spare = 0.5 * std::min(max_margin, margin_per_extent * 2 * double(links.inner_radius));
     bool has_strayed = is_before(bodies.ahead[b] + budget_of(spare), bodies.travel[b] + budget_of(moved));
     const Travel now = bodies.travel[b] + travelled(moved);
     if (is_before(now + travelled(ahead), bodies.boxes_until[b])) {

@@ -11,10 +11,10 @@ namespace cairn {
 
 namespace {
 
-// Up to that length, less for bodies smaller than a meter, motion is not counted while a body is as slow as that: a
-// share of what a soft contact sinks under a body's own weight, which is about 10 m/s^2 times the square of the
-// substep; and in one step, a share of that length. The solver cannot see a creep as slow as that.
-constexpr double sinking = 10.0, max_shift = 0.01, max_step = 0.25;
+// m/s^2: times the square of the substep it is the length up to which, less for bodies smaller than a meter, motion is
+// not counted while a body is slow: a hundredth of what a soft contact sinks under a body's own weight.
+constexpr double max_creep = 0.1;
+constexpr double max_step = 0.25; // of that length in one step: the solver cannot see a creep as slow as that
 
 constexpr float max_turn = 1.0f; // radians in a step
 
@@ -62,7 +62,7 @@ void spend_budget(Bodies& bodies, std::int32_t b) {
 
 void count_motion(Bodies& bodies, const Islands& islands, const WorldDef& settings, StepScratch& step, float dt) {
     const double h = double(dt) / step.passes.in_pass(settings.substeps);
-    const double shift = max_shift * sinking * h * h, speed = max_step * shift / double(dt);
+    const double shift = max_creep * h * h, speed = max_step * shift / double(dt);
     const auto look_ahead = [&](std::int32_t b) {
         const float reach = step.narrow.turn_reach[b] = turn_reach(bodies, b, dt);
         const float way = dt * math::length(bodies.motion[b].v);

@@ -46,18 +46,19 @@ inline Travel travel_of(const Bodies& bodies, const ContactInfo& c) {
 // micrometer.
 inline bool is_placed(const Bodies& bodies, const ContactInfo& c) { return c.placed_at == travel_of(bodies, c); }
 
-// How far bodies may move after their contacts were found, as a share of their radius, and in meters at most. Points
+// How far bodies may move after their contacts were found, as a share of their radius, but no more than
+// half of the margin of contacts. Points
 // that are moved along keep their normal: what they miss is of second order, a shift of a millimeter times a turn of
 // three thousandths; and corners that come near are found at latest when they are that much nearer. Without this,
 // capsules, terrain and convex take 1.71, 1.60 and 1.43 times as long (bench scenes).
-inline constexpr double nearness = 3e-3, max_nearness = 5e-3;
+inline constexpr double nearness = 3e-3;
 
 // A pair with points: whether its bodies are still so near to where it was tested that its points may be moved along.
 inline bool is_near(const Bodies& bodies, const Contacts& contacts, std::uint32_t id) {
     const ContactInfo& c = contacts.info[id];
     float radius = bodies.links[c.body_a].radius;
     if (c.b_moves) radius = std::min(radius, bodies.links[c.body_b].radius);
-    return !is_before(contacts.answers[id].until + budget_of(std::min(nearness * double(radius), max_nearness)),
+    return !is_before(contacts.answers[id].until + budget_of(std::min(nearness * double(radius), 0.5 * max_margin)),
                       travel_of(bodies, c));
 }
 

@@ -22,12 +22,12 @@ using math::to_vec;
 
 namespace {
 
-constexpr float same_normal = 2e-4f; // difference of unit vectors: such a contact changes nothing
 // How far out of the plane a point may be: so much of the sizes of both, as far as contact points on the rim of a face
 // are off, but no more than the larger part of the body's own radius.
 constexpr float flatness = 2e-4f, max_flatness = 5e-3f;
 
-bool is_same(math::Vec3 a, math::Vec3 b) { return math::dot(a - b, a - b) < same_normal * same_normal; }
+// Of unit vectors that differ by no more, planes of the size of a shape differ by as little.
+bool is_same(math::Vec3 a, math::Vec3 b) { return math::dot(a - b, a - b) < flatness * flatness; }
 
 // How far the shape reaches along n, from the point `from`; meshes and height fields by their bounds.
 double reach(const Shapes& shapes, std::uint32_t shape, math::DVec3 n, math::DVec3 from) {

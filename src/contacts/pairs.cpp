@@ -13,7 +13,6 @@ namespace cairn {
 
 namespace {
 
-constexpr float max_margin = 0.01f; // m: contacts exist before they touch
 constexpr float match_per_extent = 0.1f;
 
 float largest_extent(const Geometry& g) {
@@ -98,8 +97,8 @@ struct Sink final : PairSink {
         c.is_trigger = traits_a.is_trigger || traits_b.is_trigger;
         c.is_conveyor = traits_b.has_surface_velocity;
         const Geometry &a = s.shapes.geometry[shape_a], &b = s.shapes.geometry[shape_b];
-        c.base_margin = std::min(max_margin, margin_per_extent * std::min(smallest_extent(a, s.shapes.data[shape_a]),
-                                                                          smallest_extent(b, s.shapes.data[shape_b])));
+        c.base_margin =
+            margin_of(std::min(smallest_extent(a, s.shapes.data[shape_a]), smallest_extent(b, s.shapes.data[shape_b])));
         c.match_tolerance = match_per_extent * std::min(largest_extent(a), largest_extent(b));
         s.contacts.answers[id] = {0, c.body_a, c.body_b};
         drop_answer(s.bodies, s.contacts, id);

@@ -19,6 +19,7 @@
 namespace cairn {
 
 inline constexpr int max_substeps = 256; // that a world may ask for
+inline constexpr float stiff_factor = 2; // of the frequency: contacts with what does not move, and joints
 
 // What the policy looks at.
 struct IslandLoad {

@@ -1,6 +1,6 @@
 #include "joints/direct_joints.h"
 
-#include "state/state.h"
+#include "joints/direct_sets.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -16,7 +16,6 @@ namespace {
 // Share of an error that is taken back in a substep. The more, the less energy is lost; but with it the heavy end of a
 // chain of light links gains some.
 constexpr double bias_of_equals = 0.5, bias_of_unequals = 0.2;
-constexpr float equal_mass_ratio = 10;
 // Of the turning that goes with the moment that geometric stiffness adds, lost in a substep.
 constexpr double stiffness_damping = 0.02;
 // m/s or rad/s. What a blow has torn apart comes together no faster than that, or a heavy mass that falls into a slack
@@ -340,7 +339,7 @@ void solve_set(const SetView& v, BatchScratch& scratch, double h) {
         b.w = vector_of(scratch.velocity[b.row].w);
         b.dv = b.dw = {};
     }
-    const double rate = (v.set.mass_ratio <= equal_mass_ratio ? bias_of_equals : bias_of_unequals) / h;
+    const double rate = (v.set.mass_ratio <= max_equal_mass_ratio ? bias_of_equals : bias_of_unequals) / h;
     solve_rows(v, rate);
     find_stiffness(v, h);
     for (std::size_t i = 0; i < v.set.nodes.size(); ++i) {

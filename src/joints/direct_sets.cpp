@@ -12,8 +12,7 @@ namespace {
 
 // Where the direct solver pays by itself. Beyond these blocks and nodes the iterative one is cheaper by far.
 constexpr std::size_t max_nodes = 240, max_blocks_per_node = 4;
-constexpr float min_mass_ratio = 10; // of a body to a lighter one that hangs between others
-constexpr int min_chain = 8;         // joints
+constexpr int min_chain = 8; // joints
 // What it takes where users ask for it.
 constexpr std::size_t max_blocks = std::size_t(1) << 18, max_products = std::size_t(1) << 22;
 
@@ -168,7 +167,7 @@ class Finder {
             if (moves_by_forces(bodies_, body)) heaviest = std::max(heaviest, bodies_.mass[body].mass);
         for (std::size_t i = 1; i < at.size(); ++i) {
             if (at[i].size() < 2) continue;
-            if (heaviest > min_mass_ratio * bodies_.mass[set.bodies[i]].mass) return true;
+            if (heaviest > max_equal_mass_ratio * bodies_.mass[set.bodies[i]].mass) return true;
             int fixed = 0;
             for (const std::uint32_t joint : at[i]) {
                 const JointLocks& rules = joints_.info[joint].rules;

@@ -7,6 +7,9 @@
 
 namespace cairn {
 
+// Of a body to a lighter one that hangs between others: up to that they count as equally heavy.
+inline constexpr float max_equal_mass_ratio = 10;
+
 // Finds them anew where joints, or the masses of what is jointed, have changed.
 void update_direct_sets(const Bodies& bodies, const Joints& joints, DirectSets& direct);
 

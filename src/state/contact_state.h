@@ -6,12 +6,15 @@
 #include "state/none.h"
 #include "state/travel.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
 namespace cairn {
 
-inline constexpr float margin_per_extent = 0.25f; // of contacts, by the least width, for small shapes
+// m: contacts exist before they touch, by that much, or by that share of the smaller shape's least width.
+inline constexpr double max_margin = 0.01, margin_per_extent = 0.25;
+inline float margin_of(float width) { return std::min(float(max_margin), float(margin_per_extent) * width); }
 
 // How a pair of shapes is tested.
 enum class PairKind : std::uint8_t {
