@@ -2,6 +2,8 @@
 // as long as the bodies have not turned far enough against each other to come near them.
 #include "joints/idle_limits.h"
 
+#include "collision/core_sweep.h"
+
 #include "core/cache.h"
 #include "state/joint_links.h"
 
@@ -18,13 +20,9 @@ constexpr int joints_per_chunk = 128; // for threads
 // what flies at something is turned by the impact, by a share of its speed over its radius. Who is hit harder gets
 // beyond the limit by a little, and is brought back in the next pass.
 constexpr float more_turn = 1.5f, min_reach = 0.03f, impact_share = 0.25f;
-// A row that has been at work is left out only where there is some more room, so that rows do not come and go.
-constexpr float more_room = 0.02f;
-// A twist is counted on from the last known one, which must be less than half a turn away.
-constexpr float max_slack = 2.0f;
-// Of a swing, rad: the twist of what swings by that changes by less than twice the angle that bodies turn by, 1 / cos
-// of its half. With a locked swing hardly any.
-constexpr float max_swing = 2.0f, twist_by_turn = 2.0f, hinge_by_turn = 1.05f;
+// The twist changes by less than that times the angle that bodies turn by, 1 / cos of half the swing, up to this swing,
+// rad.
+constexpr float twist_by_turn = 2.0f, max_swing = 2.0f;
 
 const JointAxisRule* swing_rule(const JointLocks& locks, const JointAxes& axes) {
     for (int i = 0; i < locks.axis_count; ++i)
@@ -70,7 +68,9 @@ bool is_out_of_reach(const JointAxisRule& rule, JointAxisState& state, float by_
         state.slack = 0; // known again after this pass
     } else if (state.lower == 0 && state.upper == 0) {
         const float room = std::min(state.position - rule.lower, rule.upper - state.position);
-        if (room > reach + more_room) state.slack = std::min(room, max_slack);
+        // Some more room, so that rows do not come and go. And a twist is counted on from the last known one, which
+        // must be less than half a turn away.
+        if (room > 2 * reach) state.slack = std::min(room, half_turn);
     }
     return state.slack > 0;
 }
@@ -79,7 +79,7 @@ bool is_out_of_reach(const JointAxisRule& rule, JointAxisState& state, float by_
 float change_by_turn(const JointLocks& locks, const JointAxes& axes, const JointAxisRule& rule) {
     if (rule.kind == AxisKind::swing || rule.kind == AxisKind::turn) return 1;
     if (rule.kind != AxisKind::twist) return 0;
-    if (locks.turn == JointLock::across) return hinge_by_turn;
+    if (locks.turn == JointLock::across) return twist_by_turn;
     const JointAxisRule* swing = swing_rule(locks, axes);
     return swing && swing->has_limits && swing->rigid_limit && swing->upper < max_swing ? twist_by_turn : 0;
 }
