@@ -5,6 +5,7 @@
 #include "collision/core_sweep.h"
 
 #include "core/cache.h"
+#include "math/rotation.h"
 #include "state/joint_links.h"
 
 #include <algorithm>
@@ -20,9 +21,6 @@ constexpr int joints_per_chunk = 128; // for threads
 // what flies at something is turned by the impact, by a share of its speed over its radius. Who is hit harder gets
 // beyond the limit by a little, and is brought back in the next pass.
 constexpr float more_turn = 1.5f, min_reach = 0.03f, impact_share = 0.25f;
-// The twist changes by less than that times the angle that bodies turn by, 1 / cos of half the swing, up to this swing,
-// rad.
-constexpr float twist_by_turn = 2.0f, max_swing = 2.0f;
 
 const JointAxisRule* swing_rule(const JointLocks& locks, const JointAxes& axes) {
     for (int i = 0; i < locks.axis_count; ++i)
@@ -79,9 +77,13 @@ bool is_out_of_reach(const JointAxisRule& rule, JointAxisState& state, float by_
 float change_by_turn(const JointLocks& locks, const JointAxes& axes, const JointAxisRule& rule) {
     if (rule.kind == AxisKind::swing || rule.kind == AxisKind::turn) return 1;
     if (rule.kind != AxisKind::twist) return 0;
-    if (locks.turn == JointLock::across) return twist_by_turn;
+    // The twist of what swings changes faster than the bodies turn, by 1 / cos of half the swing.
     const JointAxisRule* swing = swing_rule(locks, axes);
-    return swing && swing->has_limits && swing->rigid_limit && swing->upper < max_swing ? twist_by_turn : 0;
+    const bool is_held = locks.turn == JointLock::across;
+    if (!is_held && !(swing && swing->has_limits && swing->rigid_limit)) return 0;
+    const double most = is_held ? 0 : double(swing->upper);
+    const double cosine = math::from_rotation_vector(math::DVec3{most, 0, 0}).w;
+    return most < double(half_turn) && cosine > 0 ? float(1 / cosine) : 0;
 }
 
 } // namespace
