@@ -224,10 +224,9 @@ void wake_body(Bodies& bodies, Islands& islands, StepEvents& events, std::int32_
 void wake_around_shape(Bodies& bodies, const Shapes& shapes, Islands& islands, const BroadPhase& broad_phase,
                        StepEvents& events, std::uint32_t shape) {
     if (islands.awake.size() + islands.free.size() == islands.all.size()) return; // nothing sleeps
-    constexpr double reach = 0.05;                                                // m: further than any contact at rest
     DBounds bounds = shape_bounds(shapes, shape);
-    bounds.lo = bounds.lo - math::DVec3{reach, reach, reach};
-    bounds.hi = bounds.hi + math::DVec3{reach, reach, reach};
+    bounds.lo = bounds.lo - math::DVec3{max_margin, max_margin, max_margin};
+    bounds.hi = bounds.hi + math::DVec3{max_margin, max_margin, max_margin};
     const std::int32_t body = shapes.links[shape].body;
     std::vector<std::int32_t> found;
     broad_phase.query_bounds(bounds, [&](std::uint32_t other) {
