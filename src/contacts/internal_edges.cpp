@@ -8,6 +8,7 @@
 #include "contacts/internal_edges.h"
 
 #include "bodies/bodies.h"
+#include "bodies/motion_budget.h"
 #include "contacts/contact_record.h"
 #include "contacts/contact_update.h"
 #include "shapes/convex.h"
@@ -23,8 +24,8 @@ using math::to_vec;
 namespace {
 
 // How far out of the plane a point may be: so much of the sizes of both, as far as contact points on the rim of a face
-// are off, but no more than the larger part of the body's own radius.
-constexpr float flatness = 2e-4f, max_flatness = 5e-3f;
+// are off, but no more than the body may move until its points are found anew.
+constexpr float flatness = 2e-4f;
 
 // Of unit vectors that differ by no more, planes of the size of a shape differ by as little.
 bool is_same(math::Vec3 a, math::Vec3 b) { return math::dot(a - b, a - b) < flatness * flatness; }
@@ -76,7 +77,7 @@ bool is_internal_edge(const Bodies& bodies, const Shapes& shapes, const Contacts
     const math::Vec3 origin = other_surface(bodies, contacts, deeper, 0);
     const float radius = bodies.links[info.body_a].radius;
     const float tolerance =
-        std::min(flatness * (radius + shapes.geometry[info.shape_b].bounding_radius), max_flatness * radius);
+        std::min(flatness * (radius + shapes.geometry[info.shape_b].bounding_radius), float(nearness) * radius);
     bool is_in_plane = true;
     for (int i = 0; i < info.point_count; ++i) {
         const float height = math::dot(up, other_surface(bodies, contacts, c, i) - origin);
