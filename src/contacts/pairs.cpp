@@ -180,10 +180,9 @@ void update_pairs(State& state, StepScratch& step) {
 }
 
 void reclaim_slots(State& state, StepScratch& step) {
-    constexpr std::size_t always_allowed = 1024; // so that small worlds do not update for every body
     const std::size_t dead = state.bodies.dead.size() + state.shapes.dead.size();
     const std::size_t live = state.bodies.slots.live_count() + state.shapes.slots.live_count();
-    if (dead > always_allowed + live) update_pairs(state, step);
+    if (dead > live) update_pairs(state, step);
 }
 
 } // namespace cairn
