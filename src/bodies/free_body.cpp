@@ -45,7 +45,7 @@ std::uint64_t move_free_body(Bodies& bodies, const ForceFields& fields, const Wo
     };
     const bool force_varies = fields_vary(fields);
     // About one axis: by one rotation, where its series holds to rounding.
-    const bool turns_evenly = !(angular < 1) && !bodies.is_pushed(b) && !precesses(mass, w, h, min_turn_free) &&
+    const bool turns_evenly = !(angular < 1) && !bodies.is_pushed(b) && !precesses(mass, w, h) &&
                               double(dt) * double(dt) * math::dot(w, w) < max_even_turn * max_even_turn;
     const auto linear_change = [&] {
         const Increment change = linear_increment(fields, settings, load, x, v, h);
@@ -60,7 +60,7 @@ std::uint64_t move_free_body(Bodies& bodies, const ForceFields& fields, const Wo
         }
         if (turns_evenly) continue;
         const Increment turn =
-            precesses(mass, w, h, min_turn_free)
+            precesses(mass, w, h)
                 ? gyroscopic_increment(settings, spin, q, w, spin.to_world(q, spin.moments, w), torque, h)
                 : torque_increment(bodies, settings, b, spin, q, h);
         w = limited(angular * (w + cut(turn.velocity, max_w)), max_w);

@@ -132,9 +132,9 @@ Spin spin_of(const BodyMass& mass) {
             math::normalized(math::to_double(mass.principal))};
 }
 
-bool precesses(const BodyMass& mass, DVec3 w, double h, double least) {
+bool precesses(const BodyMass& mass, DVec3 w, double h) {
     const bool turns_freely = mass.inverse_inertia.x > 0 && mass.inverse_inertia.y > 0 && mass.inverse_inertia.z > 0;
-    return !mass.isotropic && turns_freely && h * h * math::dot(w, w) > least * least;
+    return !mass.isotropic && turns_freely && h * h * math::dot(w, w) > min_turn * min_turn;
 }
 
 // For a body at rotation q with the angular velocity w and the angular momentum that goes with it.

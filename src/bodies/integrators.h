@@ -12,9 +12,9 @@ namespace cairn {
 // them no moment is less than this share of the greatest. (A rod 20 times as long as thick has 0.5 %.)
 inline constexpr float min_contact_moment = 0.005f;
 
-// Slower rotations (radians per substep) have no gyroscopic part worth computing. It makes no difference to what is
-// held by friction, but the energy of a free top depends on it.
-inline constexpr double min_turn_free = 1e-6, min_turn_in_contact = 1e-5;
+// Slower rotations (radians per substep) have no gyroscopic part worth computing. What is held by friction bears ten times
+// as much; the energy of a free top does not.
+inline constexpr double min_turn = 1e-6;
 
 struct Increment {
     math::DVec3 velocity, correction;
@@ -44,7 +44,7 @@ Load load_on(const Bodies& bodies, std::int32_t body);
 Increment linear_increment(const ForceFields& fields, const WorldDef& settings, const Load& load, math::DVec3 x,
                            math::DVec3 v, double h);
 // Whether a body has a gyroscopic part: unequal moments, and turns faster than `least` in a substep.
-bool precesses(const BodyMass& mass, math::DVec3 w, double h, double least);
+bool precesses(const BodyMass& mass, math::DVec3 w, double h);
 // For a body at rotation q with the angular velocity w and the angular momentum that goes with it.
 Increment gyroscopic_increment(const WorldDef& settings, const Spin& spin, const math::DQuat& q, math::DVec3 w,
                                math::DVec3 momentum, math::DVec3 torque, double h);

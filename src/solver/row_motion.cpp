@@ -42,7 +42,7 @@ void spin_row(const Bodies& bodies, const WorldDef& settings, BatchScratch& scra
     const DVec3 w = row_vector(scratch.velocity[row].w);
     const DQuat q = row_rotation(bodies, scratch, row);
     const Spin spin = spin_of(mass);
-    r.turns = precesses(mass, w, h, min_turn_in_contact);
+    r.turns = precesses(mass, w, h);
     if (!r.turns) {
         write_angular(settings, scratch, row, torque_increment(bodies, settings, b, spin, q, h));
         return;
