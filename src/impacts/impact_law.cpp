@@ -11,8 +11,8 @@ using math::DVec3;
 
 namespace {
 
-constexpr int max_sweeps = 200;       // over all points: each comes nearer to the solution
-constexpr double precision = 1e-9;    // of the greatest approach: changes smaller than that end the sweeps
+constexpr int max_sweeps = 200;        // over all points: each comes nearer to the solution
+constexpr double precision = 1e-9;     // of the greatest approach: changes smaller than that end the sweeps
 constexpr double rounding_gain = 1e-9; // of the energy: what is more has been gained
 
 double velocity_along(const ImpactRow& row, const ImpactBody& a, const ImpactBody& b) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "state/state.h"
+#include "state/step_scratch.h"
 
 namespace cairn {
 
@@ -14,7 +15,7 @@ struct MovingState {
 
 class Movers {
   public:
-    Movers(State& state, float dt);
+    Movers(State& state, StepScratch& step, float dt);
     ~Movers();
     Movers(const Movers&) = delete;
     Movers& operator=(const Movers&) = delete;
@@ -49,6 +50,7 @@ class Movers {
     void put_back(std::int32_t i);
 
     State& s;
+    StepScratch& step;
     const float dt_;
     std::vector<std::int32_t>& place_;
     std::vector<Mover>& movers_;
