@@ -10,11 +10,11 @@ namespace cairn_test::golden {
 inline constexpr std::uint64_t mixed_pile = 0x5c2a2a1597d41d17;
 inline constexpr std::uint64_t pyramid = 0x145ea3f6207fb41a;
 inline constexpr std::uint64_t dominoes = 0xaedcb4a88e02b44c;
-inline constexpr std::uint64_t materials = 0x78db9d42c57b14d5;
+inline constexpr std::uint64_t materials = 0xc66ca2c43673d518;
 inline constexpr std::uint64_t tumbler = 0x5757fee202cf20f5;
 inline constexpr std::uint64_t sleep_and_wake = 0x07d7d6cc8b5edda2;
 inline constexpr std::uint64_t compounds = 0xfc7046637e384839;
-inline constexpr std::uint64_t free_tops = 0x1da2619863517bc3;
+inline constexpr std::uint64_t free_tops = 0x8d56e1b5dc6bb731;
 inline constexpr std::uint64_t explicit_euler = 0x1597a5eeb2700378;
 inline constexpr std::uint64_t whirl = 0x245566341ef9401e;
 inline constexpr std::uint64_t changes = 0xf254e276372bf155;
