@@ -13,6 +13,7 @@ ROOMS = ["core", "simd", "math", "jobs", "shapes", "bvh", "collision", "kernels"
          "solver", "impacts", "world"]
 # What only uses the public headers, and what it may include beside them.
 USERS = {
+    "src/c_api": {"c_api", "scene"},
     "src/files": {"files"},
     "src/scene": {"files", "scene"},
     "src/validation": {"validation"},
