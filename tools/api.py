@@ -9,6 +9,7 @@ import sys
 
 import api_c_header
 import api_c_source
+import api_c_wrong_calls
 import api_table
 
 
@@ -27,6 +28,7 @@ def files(table):
                 yield f"{generated}/{name}.cpp", text
     yield f"{generated}/cairn_c.map", api_c_source.version_script(table)
     yield "tests/c_api/layout.c", api_c_source.layout_program(table)
+    yield "tests/c_api/wrong_calls.c", api_c_wrong_calls.program(table)
 
 
 def main():

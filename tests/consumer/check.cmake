@@ -1,4 +1,5 @@
-# Uses Cairn as others do: cmake -D... -P check.cmake. WAY is one of install, package, pkg_config and source; BUILD is Cairn's
+# Uses Cairn as others do: cmake -D... -P check.cmake. WAY is one of install, package, pkg_config, source,
+# c_package and c_pkg_config; BUILD is Cairn's
 # build folder, SOURCE its source; tests/CMakeLists.txt has the others.
 set(folder ${BUILD}_consumer) # beside it: as deep, so that compiler caches that make paths relative know the same files
 set(installed ${folder}/cairn)
@@ -14,11 +15,12 @@ function(run)
     set(output "${printed}" PARENT_SCOPE)
 endfunction()
 
-# Builds the project of this folder in `place` and runs what it makes.
+# Builds the project of this folder, or of the one below it that PROJECT_FOLDER names, in `place` and runs what it makes.
 function(build_and_run place)
+    set(project ${CMAKE_CURRENT_LIST_DIR}${PROJECT_FOLDER})
     file(REMOVE_RECURSE ${place}/CMakeCache.txt ${place}/CMakeFiles ${place}/_deps ${place}/consumer)
-    run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${place} -G ${GENERATOR} -DCMAKE_BUILD_TYPE=${CONFIG}
-        -DCMAKE_CXX_COMPILER=${COMPILER} ${ARGN})
+    run(${CMAKE_COMMAND} -S ${project} -B ${place} -G ${GENERATOR} -DCMAKE_BUILD_TYPE=${CONFIG}
+        ${ARGN})
     run(${CMAKE_COMMAND} --build ${place})
     run(${place}/consumer)
     message(STATUS "${output}")
@@ -54,26 +56,38 @@ if(WAY STREQUAL "install")
         endforeach()
     endif()
 elseif(WAY STREQUAL "package")
-    build_and_run(${folder}/package -DCMAKE_PREFIX_PATH=${installed})
-elseif(WAY STREQUAL "pkg_config")
+    build_and_run(${folder}/package -DCMAKE_PREFIX_PATH=${installed} -DCMAKE_CXX_COMPILER=${COMPILER})
+elseif(WAY STREQUAL "c_package")
+    set(PROJECT_FOLDER /c)
+    build_and_run(${folder}/c_package -DCMAKE_PREFIX_PATH=${installed} -DCMAKE_C_COMPILER=${C_COMPILER})
+elseif(WAY MATCHES "^(c_)?pkg_config$")
     if(NOT PKG_CONFIG)
         message(STATUS "no pkg-config here")
         return()
     endif()
-    file(GLOB_RECURSE description ${installed}/cairn.pc)
+    set(module cairn)
+    set(compile ${COMPILER} -std=c++20)
+    set(main ${CMAKE_CURRENT_LIST_DIR}/main.cpp)
+    if(CMAKE_MATCH_1)
+        set(module cairn_c)
+        set(compile ${C_COMPILER} -std=c99)
+        set(main ${CMAKE_CURRENT_LIST_DIR}/c/main.c)
+    endif()
+    file(GLOB_RECURSE description ${installed}/${module}.pc)
     cmake_path(GET description PARENT_PATH place)
     set(ENV{PKG_CONFIG_PATH} ${place})
-    run(${PKG_CONFIG} --modversion cairn)
+    run(${PKG_CONFIG} --modversion ${module})
     set(version ${output})
-    run(${PKG_CONFIG} --cflags --libs cairn)
+    run(${PKG_CONFIG} --variable=libdir ${module})
+    set(ENV{LD_LIBRARY_PATH} ${output})
+    run(${PKG_CONFIG} --cflags --libs ${module})
     separate_arguments(options UNIX_COMMAND "${output}")
-    run(${COMPILER} -std=c++20 -DPACKAGE_VERSION="${version}" ${CMAKE_CURRENT_LIST_DIR}/main.cpp -o ${folder}/by_pkg_config
-        ${options})
-    run(${folder}/by_pkg_config)
+    run(${compile} -DPACKAGE_VERSION="${version}" ${main} -o ${folder}/by_${WAY} ${options} -lm)
+    run(${folder}/by_${WAY})
     message(STATUS "${output}")
 elseif(WAY STREQUAL "source")
     # One set of kernels, and errors as in the presets, so that a compiler cache has all of it already.
-    build_and_run(${folder} -DCAIRN_SOURCE=${SOURCE} -DCAIRN_KERNELS=scalar -DCAIRN_WERROR=ON
+    build_and_run(${folder} -DCAIRN_SOURCE=${SOURCE} -DCMAKE_CXX_COMPILER=${COMPILER} -DCAIRN_KERNELS=scalar -DCAIRN_WERROR=ON
                   -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER})
 else()
     message(FATAL_ERROR "WAY is ${WAY}")
