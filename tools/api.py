@@ -10,6 +10,7 @@ import sys
 import api_c_header
 import api_c_source
 import api_c_wrong_calls
+import api_python
 import api_table
 
 
@@ -28,6 +29,20 @@ def files(table):
                 yield f"{generated}/{name}.cpp", text
     yield f"{generated}/cairn_c.map", api_c_source.version_script(table)
     yield "tests/c_api/layout.c", api_c_source.layout_program(table)
+    module = "python/module/generated"
+    yield f"{module}/types.h", api_python.glue_types_header(table)
+    for group in api_table.GROUPS:
+        text = api_python.glue_types_source(table, group)
+        if text:
+            yield f"{module}/types_{group}.cpp", text
+    yield f"{module}/world.cpp", api_python.glue_methods(table, "World")
+    yield f"{module}/body.cpp", api_python.glue_methods(table, "Body")
+    yield "python/cairn/_types/__init__.py", api_python.types_package(table)
+    for group in api_table.GROUPS:
+        text = api_python.types_module(table, group)
+        if text:
+            yield f"python/cairn/_types/{group}.py", text
+    yield "python/cairn/_cairn.pyi", api_python.stubs(table)
     yield "tests/c_api/wrong_calls.c", api_c_wrong_calls.program(table)
 
 
