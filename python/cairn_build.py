@@ -5,6 +5,7 @@ import io
 import os
 import pathlib
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -58,13 +59,13 @@ def tag():
 
 
 def build_module(folder):
-    """The module, built in a folder."""
+    """The module, built in a folder. The environment variable CMAKE_ARGS has more options for CMake."""
     for tool in ("cmake", "c++"):
         if not shutil.which(tool):
             raise RuntimeError(f"{tool} is missing, which the module is built with")
     generator = ["-G", "Ninja"] if shutil.which("ninja") else []
     options = ["-DCMAKE_BUILD_TYPE=Release", "-DCAIRN_PYTHON=ON", "-DCAIRN_APP=OFF", "-DCAIRN_TESTS=OFF", "-DCAIRN_C_API=OFF",
-               f"-DPython_EXECUTABLE={sys.executable}"]
+               f"-DPython_EXECUTABLE={sys.executable}", *shlex.split(os.environ.get("CMAKE_ARGS", ""))]
     # What pip puts into the environment for its own isolation is not meant for the programs that CMake runs.
     environment = {k: v for k, v in os.environ.items() if not k.startswith(("PYTHON", "PIP_", "VIRTUAL_ENV"))}
     environment.setdefault(PARALLEL, str(os.cpu_count() or 1))
@@ -81,9 +82,10 @@ def package_files():
 
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
+    """`--config-settings build-folder=FOLDER`: what CMake builds is kept there, for the next time."""
     name = f"{stem()}-{tag()}.whl"
-    with tempfile.TemporaryDirectory() as folder:
-        module = build_module(folder)
+    with tempfile.TemporaryDirectory() as temporary:
+        module = build_module((config_settings or {}).get("build-folder", temporary))
         contents = [(path, file.read_bytes()) for path, file in package_files()]
         contents.append((f"cairn/{module.name}", module.read_bytes()))
         about = f"{stem()}.dist-info"
@@ -98,6 +100,13 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
                 _add(archive, path, data)
             _add(archive, f"{about}/RECORD", f"{record}{about}/RECORD,,\n".encode())
     return name
+
+
+def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
+    about = pathlib.Path(metadata_directory) / f"{stem()}.dist-info"
+    about.mkdir(parents=True)
+    (about / "METADATA").write_text(metadata(), encoding="utf-8")
+    return about.name
 
 
 def _add(archive, path, data):

@@ -44,7 +44,10 @@ class BodyArray(np.ndarray):
 
     def __getitem__(self, key):
         self.check()
-        return super().__getitem__(key)
+        part = super().__getitem__(key)
+        if isinstance(part, BodyArray) and not np.may_share_memory(part.view(np.ndarray), self.view(np.ndarray)):
+            return part.view(np.ndarray)  # rows that were picked are a copy, which stays
+        return part
 
     def __iter__(self):
         self.check()
@@ -55,6 +58,15 @@ class BodyArray(np.ndarray):
 
     def __array_function__(self, function, types, args, options):
         return function(*(_checked(a) for a in args), **{k: _checked(v) for k, v in options.items()})
+
+    # NumPy makes False of an error in a comparison: the check comes first.
+    def __eq__(self, other):
+        return _checked(self) == _checked(other)
+
+    def __ne__(self, other):
+        return _checked(self) != _checked(other)
+
+    __hash__ = None
 
     def __repr__(self):
         return repr(_checked(self))
@@ -83,7 +95,7 @@ class BodyArray(np.ndarray):
 
 
 def view_of(owner: np.ndarray, liveness: Liveness) -> BodyArray:
+    owner.flags.writeable = False  # and with it no view can be made writable
     view = owner.view(BodyArray)
-    view.flags.writeable = False
     view._liveness = liveness
     return view

@@ -225,7 +225,7 @@ class World:
     def __init__(self, definition: WorldDef | None = None, **members: Any) -> None:
         """`World(gravity=(0, -1.6, 0))` is `World(WorldDef(gravity=(0, -1.6, 0)))`."""
     time_step: float
-    """s: what `step` takes unless it is told otherwise. 1/60, or what its scene is meant for."""
+    """s, 0.0001 to 1: what `step` takes unless it is told otherwise. 1/60, or what its scene is meant for."""
     title: str
     """Of its scene."""
     hint: str

@@ -2,7 +2,6 @@
 #include "module/definitions.h"
 #include "module/module.h"
 
-#include <cmath>
 #include <filesystem>
 
 namespace cairn::python {
@@ -95,8 +94,9 @@ void add_scene_members(WorldClass& c) {
         "time_step", [](PyWorld& w) { return w.scene("World.time_step").info.time_step; },
         [](PyWorld& w, py::object value) {
             const auto seconds = take<float>(value, "World.time_step");
-            if (!(seconds > 0) || !std::isfinite(seconds))
-                throw Error(ErrorCode::invalid_value, "World.time_step", std::string(py::str(value)), "must be > 0");
+            if (!(seconds >= 0.0001f && seconds <= 1.0f)) // as in scene files
+                throw Error(ErrorCode::invalid_value, "World.time_step", std::string(py::str(value)),
+                            "must be 0.0001 to 1 s");
             w.scene("World.time_step").info.time_step = seconds;
         });
     c.def_property(
