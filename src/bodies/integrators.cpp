@@ -155,6 +155,14 @@ Increment torque_increment(const State& s, std::int32_t b, const Spin& spin, con
     return translate(s.settings.integrator, h * spin.to_world(q, spin.inverse_moments, s.forces[b].torque));
 }
 
+DVec3 acceleration_at(const State& s, std::int32_t b, DVec3 x) {
+    const double inverse_mass = s.is_dynamic(b) ? double(s.mass[b].inverse_mass) : 0;
+    if (!(inverse_mass > 0)) return {};
+    DVec3 a = field_acceleration(s, x, s.body_settings[b].gravity_scale, inverse_mass);
+    if (s.is_pushed(b)) a += inverse_mass * s.forces[b].force;
+    return a;
+}
+
 float damping_factor(float rate, float h) {
     const float x = rate * h;
     return 1.0f / (1.0f + x * (1.0f + 0.5f * x));

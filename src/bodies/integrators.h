@@ -56,6 +56,9 @@ bool fields_vary(const State& state);
 // Gravity and fields at a point, m/s^2 (for a body of that mass and gravity scale).
 math::DVec3 field_acceleration(const State& state, math::DVec3 x, float gravity_scale, double inverse_mass);
 
+// Of gravity, fields and what pushes the body in this step, m/s^2; 0 if nothing can move it.
+math::DVec3 acceleration_at(const State& state, std::int32_t body, math::DVec3 x);
+
 // The factor exp(-c h) for a damping rate c: one over the first terms of exp(c h), so it never changes sign.
 float damping_factor(float rate, float h);
 

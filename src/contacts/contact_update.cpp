@@ -10,6 +10,7 @@
 #include "islands/substep_policy.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace cairn {
 
@@ -28,7 +29,7 @@ constexpr float redirected = 0.5f;
 // point; d: from that of b to that of a.
 template <class F>
 float greatest_approach(const BodyMotion& a, const BodyMotion& b, math::Vec3 n, math::Vec3 d, int count, F&& arm_of) {
-    float speed = 0;
+    float speed = std::numeric_limits<float>::lowest();
     for (int i = 0; i < count; ++i) {
         const math::Vec3 arm = arm_of(i);
         const math::Vec3 v = (b.v + math::cross(b.w, arm + d)) - (a.v + math::cross(a.w, arm));
@@ -36,8 +37,6 @@ float greatest_approach(const BodyMotion& a, const BodyMotion& b, math::Vec3 n, 
     }
     return speed;
 }
-
-// Of the points of a record.
 
 void note_trigger(State& s, ContactInfo& c, bool inside) {
     c.touching = inside;
@@ -102,8 +101,17 @@ bool moves(const State& s, std::int32_t body) {
 // Of the points of a record.
 float approach_speed(const State& s, const ContactInfo& c, const ContactRecord& r) {
     const BodyMotion &a = s.motion[c.body_a], &b = s.motion[c.body_b];
-    return greatest_approach(a, b, to_vec(r.normal), to_vec(r.center_offset), c.point_count,
-                             [&](int i) { return to_vec(point_of(r, i)); });
+    const float speed = greatest_approach(a, b, to_vec(r.normal), to_vec(r.center_offset), c.point_count,
+                                          [&](int i) { return to_vec(point_of(r, i)); });
+    return std::max(speed, 0.0f);
+}
+
+float approach_of(const State& s, const ContactInfo& c, const Manifold& m) {
+    const std::int32_t first = c.flipped ? c.body_b : c.body_a, second = c.flipped ? c.body_a : c.body_b;
+    const BodyMotion &a = s.motion[first], &b = s.motion[second];
+    const math::Vec3 center = s.shapes[c.flipped ? c.shape_b : c.shape_a].arm;
+    return greatest_approach(a, b, to_vec(m.normal), math::to_float(a.x - b.x), m.count,
+                             [&](int i) { return center + to_vec(m.points[i]); });
 }
 
 // The outcome of a contact that stays.
@@ -160,9 +168,7 @@ bool stays_apart(const State& s, const ContactInfo& c, const Manifold& m, float 
     if (least <= c.base_margin) return false;
     const std::int32_t first = c.flipped ? c.body_b : c.body_a, second = c.flipped ? c.body_a : c.body_b;
     const BodyMotion &a = s.motion[first], &b = s.motion[second];
-    const math::Vec3 center = s.shapes[c.flipped ? c.shape_b : c.shape_a].arm;
-    const float speed = greatest_approach(a, b, to_vec(m.normal), math::to_float(a.x - b.x), m.count,
-                                          [&](int i) { return center + to_vec(m.points[i]); });
+    const float speed = std::max(approach_of(s, c, m), 0.0f);
     // What a rotation adds to the way of a point beyond its speed.
     const auto bend = [&](const BodyMotion& body, float radius) {
         const float turn = looked_ahead(dt * math::length(body.w));
@@ -177,7 +183,7 @@ std::uint8_t take_distance(State& s, std::uint32_t id, float distance) {
     const bool is_known = distance > c.base_margin && distance < unused && has_distance(c.kind);
     keep_answer(s, id, is_known ? double(distance - c.base_margin) : 0.0);
     if (c.is_trigger) return trigger_outcome(c, false);
-    return c.point_count == 0 ? apart : ended;
+    return c.point_count == 0 && !c.touching ? apart : ended;
 }
 
 std::uint8_t take_manifold(State& s, std::uint32_t id, const Manifold& m, float dt, const Touch* touch) {
@@ -214,12 +220,13 @@ void end_contact(State& s, std::uint32_t id) {
         for_each_patch(s, id, [&](std::uint32_t patch) { end_patch(s, patch); });
         return;
     }
-    if (c.point_count == 0) return;
-    release_color(s, c);
-    c.point_count = 0;
-    const std::int32_t island = s.bodies[c.body_a].island;
-    if (island != none) s.islands[island].lost_contact |= c.b_moves;
-    if (c.touching) end_touch(s, c);
+    if (c.point_count > 0) {
+        release_color(s, c);
+        c.point_count = 0;
+        const std::int32_t island = s.bodies[c.body_a].island;
+        if (island != none) s.islands[island].lost_contact |= c.b_moves;
+    }
+    if (c.touching) end_touch(s, c); // also of what began in an impact (impacts/resolve_impacts.h)
 }
 
 namespace {

@@ -17,6 +17,7 @@ enum Outcome : std::uint8_t {
     tested_patches, // of a group
     entered,        // into a trigger
     left,           // out of it
+    may_fly_by,     // to be settled by contacts/flight.h
     to_move,        // along with the bodies
     to_test,        // + PairKind
 };
@@ -26,6 +27,8 @@ float contact_margin(const State& state, const ContactInfo& contact, float dt);
 // Whether points that are beyond where contacts begin do not come near each other in the next step either, as the
 // bodies move now.
 bool stays_apart(const State& state, const ContactInfo& contact, const Manifold& manifold, float dt);
+// The greatest speed at which points of a manifold approach, m/s; negative if all part.
+float approach_of(const State& state, const ContactInfo& contact, const Manifold& manifold);
 // One result of a test becomes the record of the contact; others may be at work on other contacts. An Outcome.
 // `touch`: as of write_record.
 std::uint8_t take_manifold(State& state, std::uint32_t contact, const Manifold& manifold, float dt,

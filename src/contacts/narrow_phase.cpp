@@ -5,6 +5,7 @@
 #include "contacts/contact_record.h"
 #include "contacts/contact_update.h"
 #include "contacts/convex_tests.h"
+#include "contacts/flight.h"
 #include "contacts/internal_edges.h"
 #include "contacts/pairs.h"
 #include "contacts/patches.h"
@@ -26,15 +27,13 @@ constexpr int convex_pairs_per_chunk = 32, groups_per_chunk = 8, moved_pairs_per
 
 constexpr float little_turn = 0.1f; // rad in a pass: contacts may be moved along
 
-// What a test at the start of the step has found; what moves far is asked again at the touch.
-std::uint8_t take_test(State& s, std::uint32_t id, const Manifold& m, float dt) {
-    const ContactInfo& c = s.contacts[id];
-    if (!moves_far(s, c, m, dt)) return take_manifold(s, id, m, dt);
-    Touch touch;
-    const Approach approach = find_touch(s, c, dt, contact_margin(s, c, dt), touch);
-    if (approach == Approach::now) return take_manifold(s, id, m, dt);
-    if (approach == Approach::passes) return take_distance(s, id, 0);
-    return take_manifold(s, id, touch.manifold, dt, &touch);
+// What a test has found is settled at once, but for what may meet in flight.
+std::uint8_t take_first_test(State& s, std::uint32_t place, const Manifold& m, NarrowBatch& own, float dt) {
+    const std::uint32_t id = s.narrow.candidates[place];
+    if (!may_meet_in_flight(s, s.contacts[id], m, dt) || stays_apart(s, s.contacts[id], m, dt))
+        return take_test(s, id, m, dt);
+    own.flights.push_back({place, false, m});
+    return may_fly_by;
 }
 
 // Up to PairBatch::capacity pairs of one kind, by their places among all.
@@ -69,12 +68,12 @@ void test_wide_pairs(State& s, PairKind kind, int begin, int end, NarrowBatch& o
             if (may_be_round(kind))
                 for (const std::uint32_t shape : {batch.first[next], batch.second[next]}) ask_cache(&s.geometry[shape]);
         }
-        s.narrow.outcomes[places[i]] = take_test(s, ids[i], own.manifolds[i], dt);
+        s.narrow.outcomes[places[i]] = take_first_test(s, places[i], own.manifolds[i], own, dt);
     }
 }
 
 // Pairs that no wide kernel tests, by their places among all.
-void test_convex_pairs(State& s, PairKind kind, int begin, int end, float dt) {
+void test_convex_pairs(State& s, PairKind kind, int begin, int end, NarrowBatch& own, float dt) {
     const std::vector<std::uint32_t>& places = s.narrow.lists[std::size_t(kind)];
     constexpr int ahead = int(contacts_ahead);
     const int count = int(places.size()); // the next chunk begins at once
@@ -95,7 +94,7 @@ void test_convex_pairs(State& s, PairKind kind, int begin, int end, float dt) {
         }
         ContactMemory memory = s.records[id].features;
         const Manifold m = test_convex_pair(kind, a, b, to_vec(s.records[id].normal), margin, memory);
-        s.narrow.outcomes[place] = take_test(s, id, m, dt);
+        s.narrow.outcomes[place] = take_first_test(s, place, m, own, dt);
         if (kind == PairKind::convex_convex) s.records[id].features = memory; // also of those that are apart
     }
 }
@@ -240,7 +239,7 @@ void test_all(State& s, float dt) {
         });
     for (const PairKind kind : {PairKind::convex_plane, PairKind::convex_rectangle, PairKind::convex_convex})
         for_kind(kind, convex_pairs_per_chunk,
-                 [&](int begin, int end, NarrowBatch&) { test_convex_pairs(s, kind, begin, end, dt); });
+                 [&](int begin, int end, NarrowBatch& own) { test_convex_pairs(s, kind, begin, end, own, dt); });
     s.thread_pool->for_chunks(int(s.narrow.to_move.size()), moved_pairs_per_chunk,
                               [&](int begin, int end, int) { move_contacts(s, begin, end); });
     begin_groups(s);
@@ -269,6 +268,7 @@ void update_contacts(State& s, float dt) {
                 prefetch_patch(s, s.narrow.candidates[open[at]], n, false);
         const std::uint32_t k = open[i], id = s.narrow.candidates[k];
         if (s.narrow.outcomes[k] == apart) continue; // the contact need not be looked at
+        if (s.narrow.outcomes[k] == may_fly_by) continue;
         if (is_group(s.contacts[id]))
             follow_up_group(s, k, dt);
         else if (s.narrow.outcomes[k] == goes_on) // as most do
@@ -276,6 +276,7 @@ void update_contacts(State& s, float dt) {
         else
             follow_up(s, id, s.narrow.outcomes[k], dt);
     }
+    settle_flights(s, dt);
     // What was moved along is as good as tested: while both bodies rest, it need not be moved again.
     for (const std::uint32_t k : s.narrow.to_move) {
         ContactInfo& c = s.contacts[s.narrow.candidates[k]];

@@ -152,18 +152,28 @@ void free_contact(State& s, std::uint32_t id) {
     s.free_contacts.push_back(id);
 }
 
-void combine_materials(State& s, std::uint32_t contact) {
-    ContactInfo& c = s.contacts[contact];
-    const Material &a = s.materials[c.shape_a], &b = s.materials[c.shape_b];
-    ContactRecord& r = s.records[contact];
+PairMaterial combined_material(const Material& a, const Material& b) {
     const CombineRule friction = std::min(a.friction_combine, b.friction_combine);
     const CombineRule restitution = std::min(a.restitution_combine, b.restitution_combine);
-    r.friction = combine_values(a.dynamic_friction, b.dynamic_friction, friction);
-    r.static_friction = std::max(combine_values(a.static_friction, b.static_friction, friction), r.friction);
-    r.restitution = combine_values(a.restitution, b.restitution, restitution);
+    PairMaterial m{};
+    m.friction = combine_values(a.dynamic_friction, b.dynamic_friction, friction);
+    m.static_friction = std::max(combine_values(a.static_friction, b.static_friction, friction), m.friction);
+    m.restitution = combine_values(a.restitution, b.restitution, restitution);
+    m.rolling_radius = std::max(a.rolling_friction, b.rolling_friction);
+    m.torsion_radius = std::max(a.torsional_friction, b.torsional_friction);
+    return m;
+}
+
+void combine_materials(State& s, std::uint32_t contact) {
+    ContactInfo& c = s.contacts[contact];
+    ContactRecord& r = s.records[contact];
+    const PairMaterial m = combined_material(s.materials[c.shape_a], s.materials[c.shape_b]);
+    r.friction = m.friction;
+    r.static_friction = m.static_friction;
+    r.restitution = m.restitution;
     c.bounces = r.restitution > 0;
-    r.rolling_radius = std::max(a.rolling_friction, b.rolling_friction);
-    r.torsion_radius = std::max(a.torsional_friction, b.torsional_friction);
+    r.rolling_radius = m.rolling_radius;
+    r.torsion_radius = m.torsion_radius;
 }
 
 void update_pairs(State& state) {

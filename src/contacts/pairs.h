@@ -14,7 +14,12 @@ void update_pairs(State& state);
 // memory than those that are there. Contacts of what has been removed end as they would in the next step.
 void reclaim_slots(State& state);
 
-// Coefficients of the two materials together, by the rules of KHR_physics_rigid_bodies.
+// Coefficients of two materials together, by the rules of KHR_physics_rigid_bodies.
+struct PairMaterial {
+    float friction, static_friction, restitution, rolling_radius, torsion_radius;
+};
+PairMaterial combined_material(const Material& a, const Material& b);
+// Those of the shapes of a contact, into its record.
 void combine_materials(State& state, std::uint32_t contact);
 
 // How the two are tested; nothing for two surfaces. `swapped`: b is the first shape of the test.

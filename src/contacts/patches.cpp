@@ -4,6 +4,7 @@
 #include "bodies/motion_budget.h"
 #include "contacts/contact_update.h"
 #include "contacts/convex_tests.h"
+#include "contacts/flight.h"
 #include "contacts/pairs.h"
 #include "contacts/prefetch.h"
 #include "contacts/touch.h"
@@ -67,13 +68,29 @@ bool look_ahead(const State& s, const ContactInfo& group, float margin, float dt
     return true;
 }
 
-void test_group(State& s, std::uint32_t place, NarrowBatch& own, float dt) {
+std::uint32_t create_patch(State& s, std::uint32_t group_id) {
+    const std::uint32_t id = new_contact(s);
+    ContactInfo &patch = s.contacts[id], &group = s.contacts[group_id];
+    patch = group;
+    patch.kind = PairKind::patch;
+    patch.point_count = 0;
+    patch.touching = 0;
+    patch.related = std::int32_t(group_id);
+    patch.next = group.related;
+    group.related = std::int32_t(id);
+    combine_materials(s, id);
+    return id;
+}
+
+} // namespace
+
+void test_group(State& s, std::uint32_t place, NarrowBatch& own, float dt, bool may_fly) {
     const std::uint32_t id = s.narrow.candidates[place];
     ContactInfo& group = s.contacts[id];
     const float margin = contact_margin(s, group, dt);
     const float distance = find_patches(posed_shape(s, group.shape_a), posed_shape(s, group.shape_b), margin,
                                         reach_of(group, margin), own.surface, own.hits);
-    if (own.hits.empty() && group.point_count == 0) {
+    if (own.hits.empty() && group.related == none) {
         s.narrow.outcomes[place] = take_distance(s, id, distance);
         return;
     }
@@ -82,10 +99,16 @@ void test_group(State& s, std::uint32_t place, NarrowBatch& own, float dt) {
         s.narrow.outcomes[place] = trigger_outcome(group, !own.hits.empty());
         return;
     }
+    const auto flies = [&](const Manifold& hit) { return may_meet_in_flight(s, group, hit, dt); };
+    if (may_fly && !own.hits.empty() && std::all_of(own.hits.begin(), own.hits.end(), flies)) {
+        own.flights.push_back({place, false, {}});
+        s.narrow.outcomes[place] = may_fly_by;
+        return;
+    }
     Touch touch;
     const bool is_ahead = look_ahead(s, group, margin, dt, own, touch);
     if (is_ahead) drop_answer(s, id);
-    if (own.hits.empty() && group.point_count == 0) {
+    if (own.hits.empty() && group.related == none) {
         s.narrow.outcomes[place] = take_distance(s, id, 0);
         return;
     }
@@ -105,22 +128,6 @@ void test_group(State& s, std::uint32_t place, NarrowBatch& own, float dt) {
         if (std::uint8_t& outcome = s.narrow.patch_outcomes[p]; outcome == not_found) outcome = ended;
 }
 
-std::uint32_t create_patch(State& s, std::uint32_t group_id) {
-    const std::uint32_t id = new_contact(s);
-    ContactInfo &patch = s.contacts[id], &group = s.contacts[group_id];
-    patch = group;
-    patch.kind = PairKind::patch;
-    patch.point_count = 0;
-    patch.touching = 0;
-    patch.related = std::int32_t(group_id);
-    patch.next = group.related;
-    group.related = std::int32_t(id);
-    combine_materials(s, id);
-    return id;
-}
-
-} // namespace
-
 void begin_groups(State& s) {
     s.narrow.patch_outcomes.resize(s.contacts.size());
     for (NarrowBatch& own : s.narrow.at_work) own.fresh.clear();
@@ -135,7 +142,7 @@ void test_groups(State& s, int begin, int end, NarrowBatch& own, float dt) {
         if (i + ahead < places.size()) prefetch_pair(s, contact_at(i + ahead));
         for (int n = 0; n < patches_at_hand; ++n)
             if (i + patch_ahead(n) < places.size()) prefetch_patch(s, contact_at(i + patch_ahead(n)), n, true);
-        test_group(s, places[i], own, dt);
+        test_group(s, places[i], own, dt, true);
     }
 }
 
@@ -170,6 +177,12 @@ void follow_up_group(State& s, std::uint32_t place, float dt) {
         drop_answer(s, id);
     }
     s.contacts[id].point_count = s.contacts[id].related == none ? 0 : 1;
+}
+
+std::uint32_t patch_along(State& s, std::uint32_t group, math::Vec3 normal) {
+    for (std::int32_t p = s.contacts[group].related; p != none; p = s.contacts[p].next)
+        if (math::dot(to_vec(s.records[p].normal), normal) > same_patch) return std::uint32_t(p);
+    return create_patch(s, group);
 }
 
 void end_patch(State& s, std::uint32_t id) {

@@ -21,10 +21,14 @@ template <class F> void for_each_patch(const State& s, std::uint32_t id, F&& f) 
 void begin_groups(State& state);
 // Tests groups, by their places in the list of groups. Others may be at work on other groups.
 void test_groups(State& state, int begin, int end, NarrowBatch& own, float dt);
+// One of them, at that place among the candidates. `may_fly`: whether it may be left to contacts/flight.h.
+void test_group(State& state, std::uint32_t place, NarrowBatch& own, float dt, bool may_fly);
 // Puts the patches that threads have found in the order of the groups.
 void collect_fresh_patches(State& state);
 // The group at that place among the candidates.
 void follow_up_group(State& state, std::uint32_t place, float dt);
+// The patch of a group with a normal from A, or a new one, without points.
+std::uint32_t patch_along(State& state, std::uint32_t group, math::Vec3 normal);
 // Ends a patch, and takes it out of its group.
 void end_patch(State& state, std::uint32_t patch);
 

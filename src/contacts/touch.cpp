@@ -3,6 +3,7 @@
 #include "bodies/bodies.h"
 #include "bodies/integrators.h"
 #include "collision/core_sweep.h"
+#include "contacts/contact_update.h"
 #include "contacts/convex_tests.h"
 #include "contacts/pairs.h"
 #include "math/rotation.h"
@@ -32,12 +33,7 @@ RigidPath expected_path(const State& s, std::int32_t b, DVec3 origin, float dt) 
         return RigidPath::between(from, m.q, from, m.q);
     const double t = double(dt);
     DVec3 way = t * math::to_double(m.v);
-    if (s.is_dynamic(b)) {
-        const double inverse_mass = double(s.mass[b].inverse_mass);
-        DVec3 a = field_acceleration(s, m.x, s.body_settings[b].gravity_scale, inverse_mass);
-        if (s.is_pushed(b)) a += inverse_mass * s.forces[b].force;
-        way += (0.5 * t * t) * a;
-    }
+    way += (0.5 * t * t) * acceleration_at(s, b, m.x);
     return RigidPath::between(from, m.q, from + way, math::from_rotation_vector(t * math::to_double(m.w)) * m.q);
 }
 
@@ -159,6 +155,16 @@ Approach find_touch(const State& s, const ContactInfo& c, float step, float marg
     else if (!is_group(c))
         touch.manifold = manifold_at(s, c, at_a, at_b, margin);
     return Approach::later;
+}
+
+std::uint8_t take_test(State& s, std::uint32_t id, const Manifold& m, float dt) {
+    const ContactInfo& c = s.contacts[id];
+    if (!moves_far(s, c, m, dt)) return take_manifold(s, id, m, dt);
+    Touch touch;
+    const Approach approach = find_touch(s, c, dt, contact_margin(s, c, dt), touch);
+    if (approach == Approach::now) return take_manifold(s, id, m, dt);
+    if (approach == Approach::passes) return take_distance(s, id, 0);
+    return take_manifold(s, id, touch.manifold, dt, &touch);
 }
 
 } // namespace cairn

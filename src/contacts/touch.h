@@ -15,4 +15,7 @@ enum class Approach { passes, now, later };
 // later. `margin`: how far apart points may be at the touch to count.
 Approach find_touch(const State& state, const ContactInfo& contact, float dt, float margin, Touch& touch);
 
+// The outcome of a pair that was tested at the start of the step: what moves far is asked again at the touch.
+std::uint8_t take_test(State& state, std::uint32_t contact, const Manifold& manifold, float dt);
+
 } // namespace cairn

@@ -72,7 +72,7 @@ struct EscapedShape {
 // What a thread gathers from bodies that have moved.
 struct FinalizeScratch {
     std::vector<EscapedShape> escaped;
-    std::vector<std::int32_t> fast;    // bodies that moved farther than their cores may (impacts/hold_cores.h)
+    std::vector<std::int32_t> fast;    // bodies that moved farther than their cores may (impacts/resolve_impacts.h)
     std::vector<std::int32_t> strayed; // of these, bodies that are not where the broad phase expected them
 };
 

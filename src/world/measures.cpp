@@ -34,9 +34,9 @@ Contact make_contact(const State& s, std::uint32_t id) {
                 s.body_id(c.body_b),
                 {r.normal[0], r.normal[1], r.normal[2]},
                 {r.total_friction[0], r.total_friction[1], r.total_friction[2]},
-                c.point_count,
+                std::max(int(c.point_count), 1), // of an impact the solver has no points: the record has the one of it
                 {}};
-    for (int i = 0; i < c.point_count; ++i) {
+    for (int i = 0; i < out.point_count; ++i) {
         const math::DVec3 p = s.motion[c.body_a].x + math::to_double(math::to_vec(point_of(r, i)));
         out.points[i] = {to_public(p), point_of(r, i)[3], total_of(r, i)};
     }

@@ -5,7 +5,7 @@
 #include "contacts/contact_update.h"
 #include "contacts/narrow_phase.h"
 #include "contacts/pairs.h"
-#include "impacts/hold_cores.h"
+#include "impacts/resolve_impacts.h"
 #include "islands/islands.h"
 #include "joints/joints.h"
 #include "solver/island_batches.h"
@@ -71,7 +71,7 @@ void World::step(float dt) {
     change.begin();
     state.events.begin_step();
     times = {};
-    state.statistics.swept_pairs = state.statistics.stopped_bodies = 0;
+    state.statistics.swept_pairs = state.statistics.impacts = state.statistics.stopped_bodies = 0;
     state.first_pass = state.passes;
     int passes = 1;
     for (int pass = 0; pass < passes; ++pass) {
@@ -90,7 +90,7 @@ void World::step(float dt) {
         times.prepare += prepare;
         times.solve += solve - prepare;
         finalize_kinematics(state, pass_dt);
-        hold_cores(state, pass_dt);
+        resolve_impacts(state, pass_dt);
         wake_around_moving_planes(state);
         report_contacts(state, pass_dt);
         impl_->break_joints();
