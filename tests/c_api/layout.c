@@ -307,6 +307,7 @@ int main(void) {
     MEMBER(cairn_statistics, max_substeps);
     MEMBER(cairn_statistics, max_penetration);
     MEMBER(cairn_statistics, swept_pairs);
+    MEMBER(cairn_statistics, impacts);
     MEMBER(cairn_statistics, stopped_bodies);
     MEMBER(cairn_statistics, times);
     SIZE(cairn_snapshot_sizes);

@@ -96,6 +96,7 @@ typedef struct cairn_statistics {
     int max_substeps; ///< Most substeps that any island took.
     double max_penetration; ///< Deepest overlap, meters, >= 0.
     size_t swept_pairs; ///< In the last step: pairs looked at along their ways, as one moved far.
+    size_t impacts; ///< In the last step: impacts of bodies in flight, several of one body included.
     size_t stopped_bodies; ///< In the last step: bodies held where they met what the solver did not know.
     cairn_stage_times times; ///< Of the last step.
 } cairn_statistics;

@@ -143,6 +143,8 @@ class Statistics:
     """Deepest overlap, meters, >= 0."""
     swept_pairs: int = 0
     """In the last step: pairs looked at along their ways, as one moved far."""
+    impacts: int = 0
+    """In the last step: impacts of bodies in flight, several of one body included."""
     stopped_bodies: int = 0
     """In the last step: bodies held where they met what the solver did not know."""
     times: StageTimes = field(default_factory=StageTimes)

@@ -60,7 +60,7 @@ py::object write(const Statistics& x) {
         write(x.awake_bodies), write(x.shapes), write(x.candidate_pairs), write(x.tested_pairs), write(x.contacts),
         write(x.contact_points), write(x.islands), write(x.sleeping_islands), write(x.colors),
         write(x.overflow_contacts), write(x.clamped_speeds), write(x.max_substeps), write(x.max_penetration),
-        write(x.swept_pairs), write(x.stopped_bodies), write(x.times)));
+        write(x.swept_pairs), write(x.impacts), write(x.stopped_bodies), write(x.times)));
 }
 
 py::object write(const SnapshotSizes& x) {

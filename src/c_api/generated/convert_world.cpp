@@ -108,6 +108,7 @@ cairn_statistics to_c(const Statistics& x) {
     c.max_substeps = x.max_substeps;
     c.max_penetration = x.max_penetration;
     c.swept_pairs = x.swept_pairs;
+    c.impacts = x.impacts;
     c.stopped_bodies = x.stopped_bodies;
     c.times = to_c(x.times);
     return c;
