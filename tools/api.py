@@ -7,6 +7,7 @@ usage: tools/api.py           writes the files
 """
 import sys
 
+import api_c_fuzz
 import api_c_header
 import api_c_source
 import api_c_wrong_calls
@@ -29,6 +30,7 @@ def files(table):
                 yield f"{generated}/{name}.cpp", text
     yield f"{generated}/cairn_c.map", api_c_source.version_script(table)
     yield "tests/c_api/layout.c", api_c_source.layout_program(table)
+    yield "tests/fuzz/c_api_calls.inc", api_c_fuzz.program(table)
     module = "python/module/generated"
     yield f"{module}/types.h", api_python.glue_types_header(table)
     for group in api_table.GROUPS:
