@@ -49,8 +49,8 @@ def default_value(table, kind, cpp):
         return "field(default_factory=list)"
     many = re.match(r"(.*)\[(\d+)\]$", kind)
     if many:
-        zero = {"bool": "False", "float": "0.0"}.get(many[1], "None")
-        return f"({', '.join([zero] * int(many[2]))})"
+        zero = {"bool": "False", "float": "0.0"}.get(many[1])
+        return f"({', '.join([zero] * int(many[2]))})" if zero else "()"
     if kind in VECTORS:
         numbers = [n.rstrip("f") for n in re.findall(r"-?[\d.]+f?", cpp)]
         if kind == "Quat":
@@ -257,7 +257,7 @@ def setters(table, owner):
 
 
 def doc_literal(text):
-    return '"' + python_words(text).replace("\\", "\\\\").replace('"', '\\"') + '"'
+    return '"' + python_words(text).replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n") + '"'
 
 
 def python_name(name):
@@ -305,7 +305,7 @@ def method_glue(table, function, owner):
         body += f"        b.change({where}, [&](Body& body) {{ body.{function.method}({names}); }});\n"
     else:
         body += f"        const auto answer = b.get({where}).{function.method}({names});\n        return write(answer);\n"
-    last = ", ".join([*arguments, doc_literal(described(function))])
+    last = ", ".join([*arguments, doc_literal(signature_of(table, function) + "\n\n" + described(function))])
     return f"    c.def(\"{function.method}\", []({', '.join(parameters)}) {{\n{body}    }}, {last});\n"
 
 
@@ -369,8 +369,9 @@ def fitted_code(text):
     return "\n".join(lines)
 
 
-def stub_of(table, function, owner):
-    args = ["self"]
+def signature_of(table, function, first=()):
+    """A method with its arguments and what it returns, as in a stub."""
+    args = list(first)
     for arg in function.args:
         name = python_name(arg.name)
         kind = python_type(table, arg.type, True)
@@ -379,9 +380,12 @@ def stub_of(table, function, owner):
             args += [f"{name}: {kind} | None = None", "**members: Any"]
         else:
             args.append(f"{name}: {kind}" + (f" = {default}" if default else ""))
-    returns = python_type(table, function.returns) if function.returns else "None"
+    return f"{function.method}({', '.join(args)}) -> {python_type(table, function.returns) if function.returns else 'None'}"
+
+
+def stub_of(table, function, owner):
     doc = python_words(described(function)) + (f" Raises: {', '.join(function.errors)}." if function.errors else "")
-    return f"    def {function.method}({', '.join(args)}) -> {returns}:\n{docstring(doc, '        ')}"
+    return f"    def {signature_of(table, function, ['self'])}:\n{docstring(doc, '        ')}"
 
 
 def stubs(table):

@@ -54,6 +54,8 @@ void add_handles(py::module_& m) {
 
 PYBIND11_MODULE(_cairn, m) {
     using namespace cairn::python;
+    py::options options;
+    options.disable_function_signatures(); // docstrings begin with better ones
     m.doc() = "The part of the package cairn that is written in C++.";
     m.attr("__version__") = cairn::version_string;
     m.def("instruction_set", [] { return std::string(cairn::instruction_set()); });

@@ -116,5 +116,5 @@ class Contact:
     """N s on B during the last step, world axes."""
     point_count: int = 0
     """1 to 4."""
-    points: Sequence[ContactPoint] = (None, None, None, None)
+    points: Sequence[ContactPoint] = ()
     """The first `point_count` of them."""

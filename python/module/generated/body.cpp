@@ -70,7 +70,7 @@ void add_body_calls(py::class_<PyBody>& c) {
         const auto point = take<Position>(o_point, "point");
         const auto answer = b.get("Body.velocity_at").velocity_at(point);
         return write(answer);
-    }, py::arg("point"), "Of the body's material at a world point, m/s.");
+    }, py::arg("point"), "velocity_at(point: Vector) -> np.ndarray\n\nOf the body's material at a world point, m/s.");
     c.def_property_readonly("mass", [](const PyBody& b) {
         const auto answer = b.get("Body.mass").mass();
         return write(answer);
@@ -137,51 +137,58 @@ void add_body_calls(py::class_<PyBody>& c) {
         const auto position = take<Position>(o_position, "position");
         const auto rotation = take<Quat>(o_rotation, "rotation");
         b.change("Body.set_transform", [&](Body& body) { body.set_transform(position, rotation); });
-    }, py::arg("position"), py::arg("rotation"), "Teleports the body: velocities stay, contacts are found anew.");
+    }, py::arg("position"), py::arg("rotation"), "set_transform(position: Vector, rotation: Vector) -> "
+        "None\n\nTeleports the body: velocities stay, contacts are found anew.");
     c.def("move_to", [](const PyBody& b, py::object o_target, py::object o_seconds) {
         const auto target = take<Transform>(o_target, "target");
         const auto seconds = take<float>(o_seconds, "seconds");
         b.change("Body.move_to", [&](Body& body) { body.move_to(target, seconds); });
-    }, py::arg("target"), py::arg("seconds"), "Kinematic bodies: sets the velocities that bring the body to `target` "
-        "in `seconds` (> 0).");
+    }, py::arg("target"), py::arg("seconds"), "move_to(target: Transform, seconds: float) -> None\n\nKinematic "
+        "bodies: sets the velocities that bring the body to `target` in `seconds` (> 0).");
     c.def("set_damping", [](const PyBody& b, py::object o_linear, py::object o_angular) {
         const auto linear = take<float>(o_linear, "linear");
         const auto angular = take<float>(o_angular, "angular");
         b.change("Body.set_damping", [&](Body& body) { body.set_damping(linear, angular); });
-    }, py::arg("linear"), py::arg("angular"), "1/s, >= 0: the velocities decay as v' = -damping v.");
+    }, py::arg("linear"), py::arg("angular"), "set_damping(linear: float, angular: float) -> None\n\n1/s, >= 0: the "
+        "velocities decay as v' = -damping v.");
     c.def("set_mass_from_shapes", [](const PyBody& b, py::object o_mass) {
         const auto mass = take<std::optional<float>>(o_mass, "mass");
         b.change("Body.set_mass_from_shapes", [&](Body& body) { body.set_mass_from_shapes(mass); });
-    }, py::arg("mass") = py::none(), "Mass properties follow the shapes' densities again, scaled to `mass` if given.");
+    }, py::arg("mass") = py::none(), "set_mass_from_shapes(mass: float | None = None) -> None\n\nMass properties "
+        "follow the shapes' densities again, scaled to `mass` if given.");
     c.def("wake", [](const PyBody& b) {
         b.change("Body.wake", [&](Body& body) { body.wake(); });
-    }, "Wakes the body and its island.");
+    }, "wake() -> None\n\nWakes the body and its island.");
     c.def("add_force", [](const PyBody& b, py::object o_force) {
         const auto force = take<Vec3>(o_force, "force");
         b.change("Body.add_force", [&](Body& body) { body.add_force(force); });
-    }, py::arg("force"), "N, at the center of mass; acts during the next step only.");
+    }, py::arg("force"), "add_force(force: Vector) -> None\n\nN, at the center of mass; acts during the next step "
+        "only.");
     c.def("add_force_at", [](const PyBody& b, py::object o_force, py::object o_point) {
         const auto force = take<Vec3>(o_force, "force");
         const auto point = take<Position>(o_point, "point");
         b.change("Body.add_force_at", [&](Body& body) { body.add_force_at(force, point); });
-    }, py::arg("force"), py::arg("point"), "N, at a world point; next step only.");
+    }, py::arg("force"), py::arg("point"), "add_force_at(force: Vector, point: Vector) -> None\n\nN, at a world "
+        "point; next step only.");
     c.def("add_torque", [](const PyBody& b, py::object o_torque) {
         const auto torque = take<Vec3>(o_torque, "torque");
         b.change("Body.add_torque", [&](Body& body) { body.add_torque(torque); });
-    }, py::arg("torque"), "N m; next step only.");
+    }, py::arg("torque"), "add_torque(torque: Vector) -> None\n\nN m; next step only.");
     c.def("apply_impulse", [](const PyBody& b, py::object o_impulse) {
         const auto impulse = take<Vec3>(o_impulse, "impulse");
         b.change("Body.apply_impulse", [&](Body& body) { body.apply_impulse(impulse); });
-    }, py::arg("impulse"), "N s, at the center of mass; changes the velocity at once.");
+    }, py::arg("impulse"), "apply_impulse(impulse: Vector) -> None\n\nN s, at the center of mass; changes the "
+        "velocity at once.");
     c.def("apply_impulse_at", [](const PyBody& b, py::object o_impulse, py::object o_point) {
         const auto impulse = take<Vec3>(o_impulse, "impulse");
         const auto point = take<Position>(o_point, "point");
         b.change("Body.apply_impulse_at", [&](Body& body) { body.apply_impulse_at(impulse, point); });
-    }, py::arg("impulse"), py::arg("point"), "N s, at a world point.");
+    }, py::arg("impulse"), py::arg("point"), "apply_impulse_at(impulse: Vector, point: Vector) -> None\n\nN s, at a "
+        "world point.");
     c.def("apply_angular_impulse", [](const PyBody& b, py::object o_impulse) {
         const auto impulse = take<Vec3>(o_impulse, "impulse");
         b.change("Body.apply_angular_impulse", [&](Body& body) { body.apply_angular_impulse(impulse); });
-    }, py::arg("impulse"), "N m s.");
+    }, py::arg("impulse"), "apply_angular_impulse(impulse: Vector) -> None\n\nN m s.");
     c.def_property_readonly("joints", [](const PyBody& b) {
         const auto answer = b.world->use("Body.joints").joints(b.id);
         return write(answer);
