@@ -37,6 +37,7 @@ def files(table):
         text = api_python.glue_types_source(table, group)
         if text:
             yield f"{module}/types_{group}.cpp", text
+    yield f"{module}/docs.cpp", api_python.docs_source()
     yield f"{module}/world.cpp", api_python.glue_methods(table, "World")
     yield f"{module}/body.cpp", api_python.glue_methods(table, "Body")
     yield "python/cairn/_types/__init__.py", api_python.types_package(table)

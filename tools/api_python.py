@@ -1,5 +1,6 @@
 """What Python has from the table: its types (python/cairn/_types.py), the glue (python/module/generated) and the stubs
 (python/cairn/_cairn.pyi)."""
+import ast
 import re
 import textwrap
 
@@ -407,3 +408,28 @@ def stubs(table):
                         f"{python_type(table, setter.args[0].type, True)}) -> None: ...\n"
         text = text.replace(f"    # {owner}: from the table\n", made)
     return text
+
+
+def docs_source():
+    """The docstrings of what is written by hand, from its stubs."""
+    tree = ast.parse((ROOT / "tools" / "api_python_stubs.pyi").read_text(encoding="utf-8"))
+    rows = []
+
+    def add(name, node):
+        text = ast.get_docstring(node)
+        if text:
+            rows.append((name, re.sub(r"\s+", " ", text)))
+
+    for node in tree.body:
+        if isinstance(node, (ast.ClassDef, ast.FunctionDef)):
+            add(node.name, node)
+        for member in getattr(node, "body", []) if isinstance(node, ast.ClassDef) else []:
+            if isinstance(member, ast.FunctionDef):
+                add(f"{node.name}.{member.name}", member)
+    text = TOP + "#include \"module/docs.h\"\n\n#include <cstring>\n#include <stdexcept>\n#include <string>\n\n"
+    text += "namespace cairn::python {\n\nnamespace {\n\nstruct Row {\n    const char *name, *text;\n};\nconstexpr Row rows[] = {\n"
+    text += "".join(f"    {{\"{name}\", {doc_literal(doc)}}},\n" for name, doc in rows)
+    text += "};\n\n} // namespace\n\nconst char* doc_of(const char* name) {\n    for (const Row& row : rows)\n" \
+            "        if (std::strcmp(row.name, name) == 0) return row.text;\n" \
+            "    throw std::logic_error(std::string(\"no documentation of \") + name);\n}\n\n} // namespace cairn::python\n"
+    return fitted_code(text)

@@ -1,4 +1,5 @@
 // Hulls, meshes and height fields: made from arrays.
+#include "module/docs.h"
 #include "module/module.h"
 
 #include <pybind11/numpy.h>
@@ -59,13 +60,13 @@ HeightField height_field(const Numbers<float>& heights, py::object spacing) {
 } // namespace
 
 void add_geometry(py::module_& m) {
-    py::class_<Hull>(m, "Hull")
+    py::class_<Hull>(m, "Hull", doc_of("Hull"))
         .def(py::init([](const Numbers<float>& list, float rounding) {
                  Hull hull(points(list, "points"));
                  hull.rounding = rounding;
                  return hull;
              }),
-             py::arg("points"), py::arg("rounding") = 0.0f)
+             py::arg("points"), py::arg("rounding") = 0.0f, doc_of("Hull.__init__"))
         .def_readwrite("rounding", &Hull::rounding)
         .def_property_readonly("vertices", [](const Hull& hull) { return array_of(hull.vertices()); })
         .def_property_readonly("faces",
@@ -79,11 +80,11 @@ void add_geometry(py::module_& m) {
                                    return faces;
                                })
         .def_property_readonly("volume", &Hull::volume);
-    py::class_<Mesh>(m, "Mesh")
+    py::class_<Mesh>(m, "Mesh", doc_of("Mesh"))
         .def(py::init([](const Numbers<float>& vertices, const Numbers<std::int64_t>& triangles) {
                  return Mesh(points(vertices, "vertices"), indices(triangles));
              }),
-             py::arg("vertices"), py::arg("indices"))
+             py::arg("vertices"), py::arg("indices"), doc_of("Mesh.__init__"))
         .def_property_readonly("vertices", [](const Mesh& mesh) { return array_of(mesh.vertices()); })
         .def_property_readonly(
             "indices",
@@ -92,8 +93,8 @@ void add_geometry(py::module_& m) {
                 return py::array_t<std::uint32_t>({py::ssize_t(list.size() / 3), py::ssize_t(3)}, list.data());
             })
         .def_property_readonly("dropped_triangles", &Mesh::dropped_triangles);
-    py::class_<HeightField>(m, "HeightField")
-        .def(py::init(&height_field), py::arg("heights"), py::arg("spacing"))
+    py::class_<HeightField>(m, "HeightField", doc_of("HeightField"))
+        .def(py::init(&height_field), py::arg("heights"), py::arg("spacing"), doc_of("HeightField.__init__"))
         .def_property_readonly("heights",
                                [](const HeightField& field) {
                                    return py::array_t<float>({field.rows(), field.columns()}, field.heights().data());

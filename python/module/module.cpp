@@ -1,12 +1,14 @@
 // The module cairn._cairn.
 #include "module/module.h"
 
+#include "module/docs.h"
+
 namespace cairn::python {
 
 namespace {
 
 template <class Id> void add_handle(py::module_& m, const char* name) {
-    py::class_<Id>(m, name)
+    py::class_<Id>(m, name, doc_of(name))
         .def(py::init([](py::object bits) {
                  Id id;
                  read(bits, id.bits, {nullptr, "bits"});
@@ -58,8 +60,9 @@ PYBIND11_MODULE(_cairn, m) {
     options.disable_function_signatures(); // docstrings begin with better ones
     m.doc() = "The part of the package cairn that is written in C++.";
     m.attr("__version__") = cairn::version_string;
-    m.def("instruction_set", [] { return std::string(cairn::instruction_set()); });
-    m.def("hardware_threads", &cairn::hardware_threads);
+    m.def(
+        "instruction_set", [] { return std::string(cairn::instruction_set()); }, doc_of("instruction_set"));
+    m.def("hardware_threads", &cairn::hardware_threads, doc_of("hardware_threads"));
     m.def("_spring_from_frequency", [](float hertz, float damping_ratio) { // in floats, as of C++
         const cairn::JointSpring spring = cairn::JointSpring::from_frequency(hertz, damping_ratio);
         return py::make_tuple(spring.stiffness, spring.damping);

@@ -1,5 +1,6 @@
 // Worlds, bodies, snapshots and scene files: what is not made from the table.
 #include "module/definitions.h"
+#include "module/docs.h"
 #include "module/module.h"
 
 #include <filesystem>
@@ -40,7 +41,7 @@ void add_world_basics(WorldClass& c) {
     c.def(py::init([](py::object given, py::kwargs members) {
               return std::make_shared<PyWorld>(scene_of(take_definition<WorldDef>(given, members, "WorldDef")));
           }),
-          py::arg("definition") = py::none());
+          py::arg("definition") = py::none(), doc_of("World.__init__"));
     c.def(
         "body",
         [](PyWorld& w, py::object body) {
@@ -48,7 +49,7 @@ void add_world_basics(WorldClass& c) {
             w.use("World.body").body(id).type(); // throws if it is stale
             return PyBody{w.shared_from_this(), id};
         },
-        py::arg("body"));
+        py::arg("body"), doc_of("World.body"));
     c.def(
         "create_body",
         [](PyWorld& w, py::object given, py::kwargs members) {
@@ -57,7 +58,7 @@ void add_world_basics(WorldClass& c) {
             w.retire("a body was created");
             return id;
         },
-        py::arg("definition") = py::none());
+        py::arg("definition") = py::none(), doc_of("World.create_body"));
     c.def(
         "destroy_body",
         [](PyWorld& w, py::object body) {
@@ -65,28 +66,30 @@ void add_world_basics(WorldClass& c) {
             w.use("World.destroy_body").destroy_body(id);
             w.retire("a body was destroyed");
         },
-        py::arg("body"));
-    c.def("is_valid", &is_valid, py::arg("handle"));
-    c.def("step", &step, py::arg("dt") = py::none(), py::arg("n") = 1);
-    c.def("close", &PyWorld::close);
+        py::arg("body"), doc_of("World.destroy_body"));
+    c.def("is_valid", &is_valid, py::arg("handle"), doc_of("World.is_valid"));
+    c.def("step", &step, py::arg("dt") = py::none(), py::arg("n") = 1, doc_of("World.step"));
+    c.def("close", &PyWorld::close, doc_of("World.close"));
     c.def_property_readonly("closed", &PyWorld::is_closed);
     c.def("__enter__", [](py::object self) { return self; });
     c.def("__exit__", [](PyWorld& w, py::args) { w.close(); });
-    c.def("save", [](PyWorld& w) { return w.use("World.save").save(); });
+    c.def(
+        "save", [](PyWorld& w) { return w.use("World.save").save(); }, doc_of("World.save"));
     c.def(
         "restore",
         [](PyWorld& w, const Snapshot& snapshot) {
             w.use("World.restore").restore(snapshot);
             w.retire("another state was restored");
         },
-        py::arg("snapshot"));
+        py::arg("snapshot"), doc_of("World.restore"));
 }
 
 void add_world_arrays(WorldClass& c) {
-    c.def_property_readonly("positions", &array<Column::positions>);
-    c.def_property_readonly("rotations", &array<Column::rotations>);
-    c.def_property_readonly("velocities", &array<Column::velocities>);
-    c.def_property_readonly("angular_velocities", &array<Column::angular_velocities>);
+    c.def_property_readonly("positions", &array<Column::positions>, doc_of("World.positions"));
+    c.def_property_readonly("rotations", &array<Column::rotations>, doc_of("World.rotations"));
+    c.def_property_readonly("velocities", &array<Column::velocities>, doc_of("World.velocities"));
+    c.def_property_readonly("angular_velocities", &array<Column::angular_velocities>,
+                            doc_of("World.angular_velocities"));
 }
 
 void add_scene_members(WorldClass& c) {
@@ -114,22 +117,23 @@ void add_files(py::module_& m) {
         [](py::object path, bool fixed_base) {
             return std::make_shared<PyWorld>(scene::load(path_of(path), {.fixed_base = fixed_base}));
         },
-        py::arg("path"), py::arg("fixed_base") = false);
+        py::arg("path"), py::arg("fixed_base") = false, doc_of("load"));
     m.def(
         "save", [](PyWorld& w, py::object path) { scene::save(w.scene("save"), path_of(path)); }, py::arg("world"),
-        py::arg("path"));
+        py::arg("path"), doc_of("save"));
     m.def(
-        "find_scene", [](const std::string& name) { return scene::find_scene(name).string(); }, py::arg("name"));
+        "find_scene", [](const std::string& name) { return scene::find_scene(name).string(); }, py::arg("name"),
+        doc_of("find_scene"));
 }
 
 } // namespace
 
 void add_worlds(py::module_& m) {
-    py::class_<Snapshot>(m, "Snapshot").def_property_readonly("nbytes", [](const Snapshot& s) {
+    py::class_<Snapshot>(m, "Snapshot", doc_of("Snapshot")).def_property_readonly("nbytes", [](const Snapshot& s) {
         return s.bytes.size();
     });
-    WorldClass world(m, "World");
-    py::class_<PyBody> body(m, "Body");
+    WorldClass world(m, "World", doc_of("World"));
+    py::class_<PyBody> body(m, "Body", doc_of("Body"));
     add_world_basics(world);
     add_world_arrays(world);
     add_scene_members(world);

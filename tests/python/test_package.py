@@ -31,6 +31,16 @@ class Stubs(unittest.TestCase):
                                 and not any(getattr(d, "attr", "") == "setter" for d in node.decorator_list)]
                 self.assertEqual(undocumented, [n for n in ("id", "world", "closed") if n in undocumented])
 
+    def test_help_has_documentation(self):
+        for owner in (cairn.World, cairn.Body, cairn.Hull, cairn.BodyId, cairn.Snapshot, cairn.rollout, cairn.load, cairn.save):
+            self.assertTrue(owner.__doc__, owner)
+        for name in dir(cairn.World):
+            if not name.startswith("_") and name not in ("closed", "time_step", "title", "hint", "warnings"):
+                self.assertTrue(getattr(cairn.World, name).__doc__, name)
+        for name in dir(cairn.Body):
+            if not name.startswith("_") and name not in ("id", "world"):
+                self.assertTrue(getattr(cairn.Body, name).__doc__, name)
+
     def test_all_names_are_there(self):
         for name in cairn.__all__:
             self.assertTrue(hasattr(cairn, name), name)
