@@ -21,9 +21,10 @@ struct Placed {
 
 // Seen from `origin`, for precision far from that of the world.
 Placed placed_at(const State& s, std::uint32_t shape, const MovingState& body, DVec3 origin) {
-    const Geometry& g = s.geometry[shape];
+    const Geometry& g = s.shapes.geometry[shape];
     const math::Quat q = math::to_float(body.q);
-    Placed p{shape, math::rotate(q, g.position - s.mass[s.shapes[shape].body].center), s.shape_poses[shape]};
+    Placed p{shape, math::rotate(q, g.position - s.bodies.mass[s.shapes.links[shape].body].center),
+             s.shapes.poses[shape]};
     pose_shape(p.pose, g, (body.x - origin) + to_double(p.arm), q);
     return p;
 }
@@ -39,8 +40,8 @@ Manifold manifold_of(const State& s, PairKind kind, const Placed& a, const Place
         return manifolds[0];
     }
     ContactMemory memory = nothing_met;
-    return test_convex_pair(kind, {s.geometry[a.shape], s.shape_data[a.shape], a.pose, a.arm},
-                            {s.geometry[b.shape], s.shape_data[b.shape], b.pose, b.arm}, {}, margin, memory);
+    return test_convex_pair(kind, {s.shapes.geometry[a.shape], s.shapes.data[a.shape], a.pose, a.arm},
+                            {s.shapes.geometry[b.shape], s.shapes.data[b.shape], b.pose, b.arm}, {}, margin, memory);
 }
 
 } // namespace
@@ -50,19 +51,19 @@ void find_meeting_points(const State& s, std::uint32_t shape_a, const MovingStat
     constexpr double most = 1e-4, part = 0.01;
     points.clear();
     bool swapped = false;
-    const std::optional<PairKind> kind = pair_kind(s.geometry[shape_a], s.geometry[shape_b], swapped);
+    const std::optional<PairKind> kind = pair_kind(s.shapes.geometry[shape_a], s.shapes.geometry[shape_b], swapped);
     if (!kind) return;
-    const double width = 0.5 * double(std::min(smallest_extent(s.geometry[shape_a], s.shape_data[shape_a]),
-                                               smallest_extent(s.geometry[shape_b], s.shape_data[shape_b])));
+    const double width = 0.5 * double(std::min(smallest_extent(s.shapes.geometry[shape_a], s.shapes.data[shape_a]),
+                                               smallest_extent(s.shapes.geometry[shape_b], s.shapes.data[shape_b])));
     const auto margin = float(std::min(most, part * width));
     const DVec3 origin = a.x;
     Placed first = placed_at(s, shape_a, a, origin), second = placed_at(s, shape_b, b, origin);
     if (swapped) std::swap(first, second);
     scratch.hits.clear();
     if (*kind == PairKind::group)
-        find_patches({s.geometry[first.shape], s.shape_data[first.shape], first.pose, first.arm},
-                     {s.geometry[second.shape], s.shape_data[second.shape], second.pose, second.arm}, margin, margin,
-                     scratch.surface, scratch.hits);
+        find_patches({s.shapes.geometry[first.shape], s.shapes.data[first.shape], first.pose, first.arm},
+                     {s.shapes.geometry[second.shape], s.shapes.data[second.shape], second.pose, second.arm}, margin,
+                     margin, scratch.surface, scratch.hits);
     else
         scratch.hits.push_back(manifold_of(s, *kind, first, second, margin));
     const DVec3 center = origin + shape_position(first.pose);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace cairn {
 
@@ -20,8 +21,9 @@ namespace {
 
 // Where a body was at the start of the pass.
 CountedPose pose_before(const State& s, std::int32_t b) {
-    if (s.body_settings[b].type == BodyType::kinematic || s.is_awake(b)) return s.counted[b];
-    return {s.motion[b].x, s.motion[b].q};
+    if (s.bodies.settings[b].type == BodyType::kinematic || is_awake(s.bodies, s.islands, b))
+        return s.bodies.counted[b];
+    return {s.bodies.motion[b].x, s.bodies.motion[b].q};
 }
 
 // Velocity of the path behind the stored one at the end of a substep, in substeps of acceleration: paths are parabolas
@@ -38,9 +40,9 @@ double path_offset(Integrator integrator) {
     return 0;
 }
 
-// What turns farther, rad, is looked at in parts: two poses tell how a body turned between them the worse the farther
-// it did, and beyond half a turn not at all.
-constexpr double max_turn = 1;
+// What turns farther, rad, is looked at in parts; and what tumbles, in parts in which its axis turns so little that the
+// body is nowhere farther than `max_bend`, rad, from the one rotation that leads from the first pose to the last.
+constexpr double max_turn = 1, max_bend = 1e-4;
 // But no part is shorter, as part of a pass: of what turns over in it, the ball that is in it however it lies is held.
 constexpr double min_part = 1.0 / 64;
 
@@ -52,9 +54,9 @@ DVec3 with_square(DVec3 v, double square) {
 
 } // namespace
 
-Movers::Movers(State& state, float dt)
-    : s(state), dt_(dt), place_(state.solver.sweep.place), movers_(state.solver.sweep.movers) {
-    if (place_.size() < s.bodies.size()) place_.resize(s.bodies.size(), none);
+Movers::Movers(State& state, StepScratch& step, float dt)
+    : s(state), step(step), dt_(dt), place_(step.solver.sweep.place), movers_(step.solver.sweep.movers) {
+    if (place_.size() < s.bodies.links.size()) place_.resize(s.bodies.links.size(), none);
     movers_.clear();
 }
 Movers::~Movers() {
@@ -62,18 +64,27 @@ Movers::~Movers() {
 }
 
 double Movers::offset_of_velocity() const {
-    return path_offset(s.settings.integrator) * double(dt_) / s.in_pass(s.settings.substeps);
+    return path_offset(s.settings.integrator) * double(dt_) / step.passes.in_pass(s.settings.substeps);
 }
 
-// Of what is free: its angular momentum is that at the end, less that of its torque.
-DVec3 Movers::spin_before(std::int32_t b, DQuat q) const {
-    const BodyMotion& to = s.motion[b];
-    const DVec3 w = to_double(to.w) + to_double(to.w_rest);
-    if (s.mass[b].isotropic && !s.is_pushed(b)) return w;
-    const Spin spin = spin_of(s.mass[b]);
-    DVec3 momentum = spin.to_world(to.q, spin.moments, w);
-    if (s.is_pushed(b)) momentum = momentum - double(dt_) * s.forces[b].torque;
-    return spin.to_world(q, spin.inverse_moments, momentum);
+// Of what is free: by its angular momentum, which torque alone changes.
+DVec3 Movers::spin_later(const Mover& m, DVec3 w, DQuat from, DQuat to, double duration) const {
+    if (s.bodies.mass[m.body].isotropic && !s.bodies.is_pushed(m.body)) return w;
+    const Spin spin = spin_of(s.bodies.mass[m.body]);
+    DVec3 momentum = spin.to_world(from, spin.moments, w);
+    if (s.bodies.is_pushed(m.body)) momentum += duration * s.bodies.forces[m.body].torque;
+    return spin.to_world(to, spin.inverse_moments, momentum);
+}
+
+// How long a path of what is free may be, s, so that its two poses tell how it turned in between.
+double Movers::longest_part(std::int32_t b, DVec3 w, DQuat q) const {
+    const double speed = math::length(w);
+    double part = speed > 0 ? max_turn / speed : std::numeric_limits<double>::infinity();
+    if (s.bodies.mass[b].isotropic) return part;
+    const Spin spin = spin_of(s.bodies.mass[b]);
+    const DVec3 change = spin.to_world(q, spin.inverse_moments, math::cross(spin.to_world(q, spin.moments, w), w));
+    if (const double rate = math::length(change); rate > 0) part = std::min(part, std::sqrt(8 * max_bend / rate));
+    return part;
 }
 
 std::int32_t Movers::add(std::int32_t b) {
@@ -81,27 +92,27 @@ std::int32_t Movers::add(std::int32_t b) {
     const auto i = std::int32_t(movers_.size());
     place_[std::size_t(b)] = i;
     const CountedPose from = pose_before(s, b);
-    const BodyMotion& to = s.motion[b];
-    const BodyLinks& links = s.bodies[b];
+    const BodyMotion& to = s.bodies.motion[b];
+    const BodyLinks& links = s.bodies.links[b];
     Mover m;
     m.body = b;
     m.moved = uncounted(from, to, links.radius);
     m.is_free = links.contact_count + links.joint_count == 0;
-    const bool turns_far = math::length(to.w) * dt_ > float(max_turn);
     m.turns_over = !m.is_free && math::length(to.w) * dt_ > half_turn;
     m.path = RigidPath::between(from.x, from.q, to.x, m.turns_over ? from.q : to.q);
-    m.acceleration = acceleration_at(s, b, from.x);
+    m.acceleration = acceleration_at(s.bodies, s.fields, s.settings, b, from.x);
     // What is free has gone by its velocity at the start, which the mean and the change along the path give.
     m.velocity = (1 / double(dt_)) * m.path.translation - (0.5 * double(dt_)) * m.acceleration;
-    m.spin = spin_before(b, from.q);
+    m.spin = spin_later(m, to_double(to.w) + to_double(to.w_rest), to.q, from.q, -double(dt_));
     movers_.push_back(m);
-    if (m.is_free && turns_far) redirect(i, 0, {from.x, from.q, m.velocity, m.spin});
+    if (m.is_free && longest_part(b, m.spin, from.q) < double(dt_))
+        redirect(i, 0, {from.x, from.q, m.velocity, m.spin});
     return i;
 }
 
 RigidPath Movers::path_of(std::int32_t b) const {
     const CountedPose from = pose_before(s, b);
-    const BodyMotion& to = s.motion[b];
+    const BodyMotion& to = s.bodies.motion[b];
     return RigidPath::between(from.x, from.q, to.x, to.q);
 }
 
@@ -109,46 +120,39 @@ double Movers::speed_of(std::int32_t i) const { return math::length((*this)[i].p
 
 MovingState Movers::state_at(std::int32_t i, double time) const {
     const Mover& m = (*this)[i];
-    const BodyMotion& end = s.motion[m.body];
+    const BodyMotion& end = s.bodies.motion[m.body];
     const RigidPath::Pose pose = m.path.at(std::min(time, m.until));
     MovingState now{pose.x, pose.q, {}, {}};
-    const DVec3 end_v = to_double(end.v) + to_double(end.v_rest), end_w = to_double(end.w) + to_double(end.w_rest);
     if (!m.is_free) {
+        const DVec3 end_v = to_double(end.v) + to_double(end.v_rest);
         // Less the work of its forces along the way that it has still to go; it gains nothing.
         const double square = dot(end_v, end_v), left = square - 2 * dot(m.acceleration, end.x - pose.x);
         now.v = with_square(end_v, std::min(left, square));
-        now.w = end_w;
+        now.w = to_double(end.w) + to_double(end.w_rest);
         return now;
     }
     const RigidPath::Pose first = m.path.first();
     const double passed = (time - m.path.begin) * double(dt_);
     now.v = with_square(m.velocity + passed * m.acceleration,
                         dot(m.velocity, m.velocity) + 2 * dot(m.acceleration, pose.x - first.x));
-    now.w = end_w;
-    if (s.mass[m.body].isotropic && !s.is_pushed(m.body)) return now;
-    // Turned back from the end as it was turned to it: its spin in its own frame at that time, in the frame of the
-    // path.
-    BodyMotion& motion = s.motion[m.body];
-    const BodyMotion kept = motion;
-    motion.q = first.q;
-    motion.w = math::to_float(m.spin), motion.w_rest = math::to_float(m.spin - to_double(motion.w));
-    move_free_body(s, m.body, float(passed));
-    now.w = math::rotate(pose.q, math::rotate_back(motion.q, to_double(motion.w) + to_double(motion.w_rest)));
-    motion = kept;
+    now.w = spin_later(m, m.spin, first.q, pose.q, passed);
     return now;
 }
 
 // By the integrator of free bodies.
 void Movers::fly(const Mover& m, const MovingState& from, double duration) const {
-    BodyMotion& motion = s.motion[m.body];
-    const DVec3 real = acceleration_at(s, m.body, from.x);
+    BodyMotion& motion = s.bodies.motion[m.body];
+    const DVec3 real = acceleration_at(s.bodies, s.fields, s.settings, m.body, from.x);
     // The integrator's substeps are shorter here, and stored velocities differ from those of paths by a part of one.
-    const double shorter = path_offset(s.settings.integrator) * duration / s.in_pass(s.settings.substeps);
+    const int all = step.passes.in_pass(s.settings.substeps),
+              substeps = std::max(int(std::ceil(all * duration / double(dt_))), 1);
+    const double shorter = path_offset(s.settings.integrator) * duration / substeps;
     const DVec3 stored = from.v - shorter * real;
     motion.x = from.x, motion.q = from.q;
     motion.v = math::to_float(stored), motion.v_rest = math::to_float(stored - to_double(motion.v));
     motion.w = math::to_float(from.w), motion.w_rest = math::to_float(from.w - to_double(motion.w));
-    if (duration > 0) s.clamped_speeds += move_free_body(s, m.body, float(duration));
+    if (duration > 0)
+        s.clamped_speeds += move_free_body(s.bodies, s.fields, s.settings, m.body, float(duration), substeps);
     const DVec3 borne = m.acceleration - real;
     motion.x += (0.5 * duration * duration) * borne;
     const DVec3 path_end = to_double(motion.v) + to_double(motion.v_rest) + duration * borne + shorter * real;
@@ -159,7 +163,7 @@ void Movers::fly(const Mover& m, const MovingState& from, double duration) const
 
 // To what the world's greatest speeds allow; what is not finite any more stays where it was.
 void Movers::keep_in_range(std::int32_t b, const MovingState& from, double duration) const {
-    BodyMotion& motion = s.motion[b];
+    BodyMotion& motion = s.bodies.motion[b];
     const bool is_finite = math::is_finite(motion.x) && math::is_finite(motion.q) && math::is_finite(motion.v) &&
                            math::is_finite(motion.w);
     if (!is_finite) {
@@ -176,12 +180,12 @@ void Movers::keep_in_range(std::int32_t b, const MovingState& from, double durat
 
 void Movers::redirect(std::int32_t i, double time, const MovingState& now) {
     Mover& m = (*this)[i];
-    BodyMotion& motion = s.motion[m.body];
+    BodyMotion& motion = s.bodies.motion[m.body];
     const double left = (1 - time) * double(dt_);
     double until = 1;
     if (m.is_free) {
-        const double turn = math::length(now.w) * left;
-        if (turn > max_turn) until = std::min(time + std::max((1 - time) * (max_turn / turn), min_part), 1.0);
+        const double part = std::max(longest_part(m.body, now.w, now.q) / double(dt_), min_part);
+        until = std::min(time + part, 1.0);
         fly(m, now, (until - time) * double(dt_));
         m.velocity = now.v, m.spin = now.w;
     } else {
@@ -204,9 +208,16 @@ void Movers::rest_on(std::int32_t i, DVec3 down) {
     m.acceleration = m.acceleration - std::max(dot(m.acceleration, down), 0.0) * down;
 }
 
+// Of what is free, up to the end of the pass, though its path may end before.
 DBounds Movers::bounds_of_way(const Mover& m, double from) const {
-    const DVec3 start = m.path.at(from).x, end = m.path.end().x;
-    const double r = double(s.bodies[m.body].radius);
+    const DVec3 start = m.path.at(from).x, left = (m.path.until - from) * m.path.translation;
+    const double later = (1 - m.path.until) * double(dt_);
+    DVec3 end = start + left;
+    if (later > 0) {
+        const BodyMotion& motion = s.bodies.motion[m.body];
+        end += later * (to_double(motion.v) + (offset_of_velocity() + 0.5 * later) * m.acceleration);
+    }
+    const double r = double(s.bodies.links[m.body].radius);
     DBounds bounds;
     for (int k = 0; k < 3; ++k)
         bounds.lo[k] = std::min(start[k], end[k]) - r, bounds.hi[k] = std::max(start[k], end[k]) + r;
@@ -215,7 +226,7 @@ DBounds Movers::bounds_of_way(const Mover& m, double from) const {
 
 void Movers::put_back(std::int32_t i) {
     const Mover& m = (*this)[i];
-    BodyMotion& motion = s.motion[m.body];
+    BodyMotion& motion = s.bodies.motion[m.body];
     if (m.has_stopped()) {
         const RigidPath::Pose pose = m.path.at(m.until);
         const DVec3 v = to_double(motion.v);
@@ -226,8 +237,8 @@ void Movers::put_back(std::int32_t i) {
         ++s.statistics.stopped_bodies;
     }
     motion.turned = math::to_float(motion.q * math::conjugate(pose_before(s, m.body).q));
-    if (m.impacts > 0) s.bodies[m.body].quiet_time = 0;
-    place_again(s, m.body, dt_);
+    if (m.impacts > 0) s.bodies.links[m.body].quiet_time = 0;
+    place_again(s.bodies, s.shapes, s.broad_phase, m.body, dt_);
 }
 
 void Movers::put_back() {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "state/state.h"
+#include "state/step_scratch.h"
 
 namespace cairn {
 
@@ -14,7 +15,7 @@ struct MovingState {
 
 class Movers {
   public:
-    Movers(State& state, float dt);
+    Movers(State& state, StepScratch& step, float dt);
     ~Movers();
     Movers(const Movers&) = delete;
     Movers& operator=(const Movers&) = delete;
@@ -41,13 +42,15 @@ class Movers {
     DBounds bounds_of_way(const Mover& m, double from) const;
 
   private:
-    math::DVec3 spin_before(std::int32_t body, math::DQuat q) const;
+    math::DVec3 spin_later(const Mover& m, math::DVec3 w, math::DQuat from, math::DQuat to, double duration) const;
+    double longest_part(std::int32_t body, math::DVec3 w, math::DQuat q) const;
     double offset_of_velocity() const;
     void fly(const Mover& m, const MovingState& from, double duration) const;
     void keep_in_range(std::int32_t body, const MovingState& from, double duration) const;
     void put_back(std::int32_t i);
 
     State& s;
+    StepScratch& step;
     const float dt_;
     std::vector<std::int32_t>& place_;
     std::vector<Mover>& movers_;

@@ -32,18 +32,19 @@ math::DSym3 inverse_inertia_at(const BodyMass& mass, math::DQuat q) {
 
 class ImpactQueue {
   public:
-    ImpactQueue(State& state, float dt) : s(state), dt_(dt), movers_(state, dt), pairs_(state, dt, movers_) {
+    ImpactQueue(State& state, StepScratch& step, float dt)
+        : s(state), step(step), dt_(dt), movers_(state, step, dt), pairs_(state, step, dt, movers_) {
         meetings_.clear();
     }
     void run() {
-        for (const std::int32_t b : s.solver.fast) movers_[movers_.add(b)].is_fast = true;
-        for (const std::uint32_t id : s.narrow.in_flight) {
-            movers_.add(s.contacts[id].body_a);
-            if (s.contacts[id].b_moves) movers_.add(s.contacts[id].body_b);
+        for (const std::int32_t b : step.solver.fast) movers_[movers_.add(b)].is_fast = true;
+        for (const std::uint32_t id : step.narrow.in_flight) {
+            movers_.add(s.contacts.info[id].body_a);
+            if (s.contacts.info[id].b_moves) movers_.add(s.contacts.info[id].body_b);
         }
         pairs_.find();
         s.statistics.swept_pairs += std::size_t(pairs_.count());
-        s.thread_pool->for_chunks(int(pairs_.count()), pairs_per_chunk, [&](int begin, int end, int) {
+        step.thread_pool->for_chunks(int(pairs_.count()), pairs_per_chunk, [&](int begin, int end, int) {
             for (int k = begin; k < end; ++k) pairs_[k].time = pairs_.time_of(pairs_[k], 0);
         });
         for (std::int32_t k = 0; k < pairs_.count(); ++k) expect(k);
@@ -78,7 +79,7 @@ class ImpactQueue {
         if (movers_[i].path.until != time || movers_[i].has_stopped()) return;
         movers_.redirect(i, time, movers_.state_at(i, time));
         expect_renewal(i);
-        ask_near(i, time);
+        ask_again(i, time); // its way has been looked at up to the end
     }
 
     void meet(std::int32_t k, double time) {
@@ -114,7 +115,9 @@ class ImpactQueue {
         });
     }
 
-    bool can_go_on(std::int32_t b) const { return s.is_dynamic(b) && s.is_awake(b) && s.bodies[b].first_joint == none; }
+    bool can_go_on(std::int32_t b) const {
+        return s.bodies.is_dynamic(b) && is_awake(s.bodies, s.islands, b) && s.bodies.links[b].first_joint == none;
+    }
 
     MovingState state_of(std::int32_t mover, std::int32_t body, double time) const {
         if (mover != none) {
@@ -123,14 +126,14 @@ class ImpactQueue {
             return now;
         }
         const RigidPath::Pose pose = movers_.path_of(body).at(time);
-        const BodyMotion& motion = s.motion[body];
+        const BodyMotion& motion = s.bodies.motion[body];
         return {pose.x, pose.q, to_double(motion.v), to_double(motion.w)};
     }
     ImpactBody impact_body(std::int32_t mover, std::int32_t body, const MovingState& now) const {
         ImpactBody b{now.x, now.v, now.w, 0, {}};
-        if (!s.is_dynamic(body) || (mover != none && movers_[mover].has_stopped())) return b;
-        b.inverse_mass = double(s.mass[body].inverse_mass);
-        b.inverse_inertia = inverse_inertia_at(s.mass[body], now.q);
+        if (!s.bodies.is_dynamic(body) || (mover != none && movers_[mover].has_stopped())) return b;
+        b.inverse_mass = double(s.bodies.mass[body].inverse_mass);
+        b.inverse_inertia = inverse_inertia_at(s.bodies.mass[body], now.q);
         return b;
     }
 
@@ -144,22 +147,23 @@ class ImpactQueue {
 
     // Of the surface of what does not move by forces, along it (at the first of the points).
     DVec3 surface_velocity(std::uint32_t shape) const {
-        const ShapeTraits& traits = s.shape_traits[shape];
-        if (!traits.has_surface_velocity || s.is_dynamic(s.shapes[shape].body) || points_.empty()) return {};
+        const ShapeTraits& traits = s.shapes.traits[shape];
+        if (!traits.has_surface_velocity || s.bodies.is_dynamic(s.shapes.links[shape].body) || points_.empty())
+            return {};
         const DVec3 n = points_.front().normal;
-        const DVec3 u = to_double(math::rotate(shape_rotation(s.shape_poses[shape]), traits.surface_velocity));
+        const DVec3 u = to_double(math::rotate(shape_rotation(s.shapes.poses[shape]), traits.surface_velocity));
         return u - dot(u, n) * n;
     }
 
     // False if nothing approaches.
     bool collide(std::int32_t k, double time) {
-        const std::int32_t body_a = s.shapes[pairs_[k].shape].body, body_b = s.shapes[pairs_[k].other].body;
+        const std::int32_t body_a = s.shapes.links[pairs_[k].shape].body, body_b = s.shapes.links[pairs_[k].other].body;
         if (pairs_[k].second == none && can_go_on(body_b)) make_mover(k, time);
         const SweptPair pair = pairs_[k];
         MovingState now_a = state_of(pair.first, body_a, time), now_b = state_of(pair.second, body_b, time);
         find_meeting_points(s, pair.shape, now_a, pair.other, now_b, scratch_, points_);
         ImpactBody a = impact_body(pair.first, body_a, now_a), b = impact_body(pair.second, body_b, now_b);
-        const PairMaterial material = combined_material(s.materials[pair.shape], s.materials[pair.other]);
+        const PairMaterial material = combined_material(s.shapes.materials[pair.shape], s.shapes.materials[pair.other]);
         const ImpactMaterial law{double(material.restitution), double(material.friction),
                                  double(material.torsion_radius), double(material.rolling_radius),
                                  double(s.settings.restitution_speed)};
@@ -196,10 +200,10 @@ class ImpactQueue {
             ++movers_[mover].impacts;
             return;
         }
-        if (!s.is_dynamic(body)) return; // asleep, or on joints: those act in the next step
-        if (!s.is_awake(body)) wake_body(s, body);
-        s.motion[body].v = math::to_float(now.v), s.motion[body].w = math::to_float(now.w);
-        s.bodies[body].quiet_time = 0;
+        if (!s.bodies.is_dynamic(body)) return; // asleep, or on joints: those act in the next step
+        if (!is_awake(s.bodies, s.islands, body)) wake_body(s.bodies, s.islands, s.events, body);
+        s.bodies.motion[body].v = math::to_float(now.v), s.bodies.motion[body].w = math::to_float(now.w);
+        s.bodies.links[body].quiet_time = 0;
     }
     void ask_near(std::int32_t i, double time) {
         movers_[i].is_redirected = true;
@@ -210,11 +214,12 @@ class ImpactQueue {
     // The shapes touch up to the next step, where the narrow phase says whether they still do.
     void report(const SweptPair& pair, const ImpactOutcome& outcome) {
         const std::int32_t id = pair.contact;
-        const bool is_first = id == none || s.contacts[id].shape_a == pair.shape; // A of contacts comes first
+        const bool is_first = id == none || s.contacts.info[id].shape_a == pair.shape; // A of contacts comes first
         const std::uint32_t first = is_first ? pair.shape : pair.other, second = is_first ? pair.other : pair.shape;
         const math::Vec3 n = math::to_float(is_first ? outcome.normal : -outcome.normal);
-        const ShapeId a = s.shape_id(first), b = s.shape_id(second);
-        const BodyId body_a = s.body_id(s.shapes[first].body), body_b = s.body_id(s.shapes[second].body);
+        const ShapeId a = s.shapes.slots.id(first), b = s.shapes.slots.id(second);
+        const BodyId body_a = s.bodies.id(s.shapes.links[first].body),
+                     body_b = s.bodies.id(s.shapes.links[second].body);
         const bool begins = !pair.has_begun && (id == none || begins_to_touch(std::uint32_t(id), outcome, n));
         if (begins) s.events.begins.push_back({a, b, body_a, body_b});
         if (begins && id == none) s.events.brief.push_back({a, b, body_a, body_b});
@@ -224,29 +229,30 @@ class ImpactQueue {
     }
     // The record of the contact gets the point that was struck. `normal`: from its A.
     bool begins_to_touch(std::uint32_t id, const ImpactOutcome& outcome, math::Vec3 normal) {
-        drop_answer(s, id); // the next step looks at the pair in any case
-        bool has_touched = s.contacts[id].touching;
-        if (is_group(s.contacts[id])) {
-            for (std::int32_t p = s.contacts[id].related; p != none; p = s.contacts[p].next)
-                has_touched |= s.contacts[p].touching != 0;
-            id = patch_along(s, id, normal);
+        drop_answer(s.bodies, s.contacts, id); // the next step looks at the pair in any case
+        bool has_touched = s.contacts.info[id].touching;
+        if (is_group(s.contacts.info[id])) {
+            for (std::int32_t p = s.contacts.info[id].related; p != none; p = s.contacts.info[p].next)
+                has_touched |= s.contacts.info[p].touching != 0;
+            id = patch_along(s.shapes, s.contacts, step.narrow, id, normal);
         }
-        s.contacts[id].touching = 1;
-        if (s.contacts[id].point_count > 0) return !has_touched;
-        ContactRecord& r = s.records[id];
+        s.contacts.info[id].touching = 1;
+        if (s.contacts.info[id].point_count > 0) return !has_touched;
+        ContactRecord& r = s.contacts.records[id];
         forget_impulses(r, 0);
         math::put(r.normal, normal);
-        math::put(r.first_point, math::to_float(outcome.position - s.motion[s.contacts[id].body_a].x));
+        math::put(r.first_point, math::to_float(outcome.position - s.bodies.motion[s.contacts.info[id].body_a].x));
         r.first_point[3] = 0;
         r.first_total = float(outcome.impulse);
         return !has_touched;
     }
 
     State& s;
+    StepScratch& step;
     const float dt_;
     Movers movers_;
     SweptPairs pairs_;
-    std::vector<Meeting>& meetings_ = s.solver.sweep.meetings;
+    std::vector<Meeting>& meetings_ = step.solver.sweep.meetings;
     MeetingScratch scratch_;
     std::vector<ImpactPoint> points_;
     std::vector<ImpactRow> rows_;
@@ -254,9 +260,9 @@ class ImpactQueue {
 
 } // namespace
 
-void resolve_impacts(State& s, float dt) {
-    if (s.solver.fast.empty() && s.narrow.in_flight.empty()) return;
-    ImpactQueue(s, dt).run();
+void resolve_impacts(State& s, StepScratch& step, float dt) {
+    if (step.solver.fast.empty() && step.narrow.in_flight.empty()) return;
+    ImpactQueue(s, step, dt).run();
 }
 
 } // namespace cairn

@@ -14,47 +14,49 @@ namespace {
 // About the center of mass.
 Geometry inner_ball(const State& s, std::int32_t b) {
     Geometry ball;
-    ball.size = {s.bodies[b].inner_radius, s.bodies[b].inner_radius, s.bodies[b].inner_radius};
-    ball.bounding_radius = s.bodies[b].inner_radius;
-    ball.position = s.mass[b].center;
+    ball.size = {s.bodies.links[b].inner_radius, s.bodies.links[b].inner_radius, s.bodies.links[b].inner_radius};
+    ball.bounding_radius = s.bodies.links[b].inner_radius;
+    ball.position = s.bodies.mass[b].center;
     return ball;
 }
 
 template <class F> void for_each_shape(const State& s, std::int32_t body, F&& f) {
-    for (std::int32_t k = s.bodies[body].first_shape; k != none; k = s.shapes[k].next) f(std::uint32_t(k));
+    for (std::int32_t k = s.bodies.links[body].first_shape; k != none; k = s.shapes.links[k].next) f(std::uint32_t(k));
 }
 
 } // namespace
 
-SweptPairs::SweptPairs(State& state, float dt, Movers& movers)
-    : s(state), dt_(dt), movers_(movers), scratch_(state.solver.sweep), pairs_(state.solver.sweep.pairs) {
+SweptPairs::SweptPairs(State& state, StepScratch& step, float dt, Movers& movers)
+    : s(state), step(step), dt_(dt), movers_(movers), scratch_(step.solver.sweep), pairs_(step.solver.sweep.pairs) {
     pairs_.clear();
     scratch_.redirected.clear();
     scratch_.has_ways = scratch_.has_known = false;
 }
 
 bool SweptPairs::may_collide(std::uint32_t a, std::uint32_t b) const {
-    const std::int32_t body_a = s.shapes[a].body, body_b = s.shapes[b].body;
-    const ShapeTraits &ta = s.shape_traits[a], &tb = s.shape_traits[b];
+    const std::int32_t body_a = s.shapes.links[a].body, body_b = s.shapes.links[b].body;
+    const ShapeTraits &ta = s.shapes.traits[a], &tb = s.shapes.traits[b];
     return body_a != body_b && !ta.is_trigger && !tb.is_trigger && may_meet(ta.filter, tb.filter) &&
-           !joint_forbids_contact(s, body_a, body_b);
+           !joint_forbids_contact(s.bodies, s.joints, body_a, body_b);
 }
 
 // Whether two bodies moved against each other so far that a core can pass, and came near each other. The first is fast.
 bool SweptPairs::may_pass(std::int32_t mover, std::int32_t b, const Geometry& other) const {
-    if (s.body_settings[b].type == BodyType::kinematic) return true;
+    if (s.bodies.settings[b].type == BodyType::kinematic) return true;
     const Mover& m = movers_[mover];
-    const double inner_a = double(s.bodies[m.body].inner_radius), inner_b = double(s.bodies[b].inner_radius);
+    const double inner_a = double(s.bodies.links[m.body].inner_radius),
+                 inner_b = double(s.bodies.links[b].inner_radius);
     const std::int32_t second = movers_.of_body(b);
-    const double moved_by_b = second != none  ? movers_[second].moved
-                              : s.is_awake(b) ? free_share * inner_b
-                                              : 0; // at most
+    const double moved_by_b = second != none                     ? movers_[second].moved
+                              : is_awake(s.bodies, s.islands, b) ? free_share * inner_b
+                                                                 : 0; // at most
     if (m.moved + moved_by_b <= free_share * std::min(inner_a, inner_b)) return false;
     if (other.type == ShapeType::plane || is_strip(other)) return true; // without an end
     // Along the straight way.
-    const RigidPath path_b = movers_.path_of(b);
+    const RigidPath path_b = second != none ? movers_[second].path : movers_.path_of(b);
     const DVec3 start = path_b.start - m.path.start, way = path_b.translation - m.path.translation;
-    const double square = math::dot(way, way), radii = double(s.bodies[m.body].radius) + double(s.bodies[b].radius);
+    const double square = math::dot(way, way),
+                 radii = double(s.bodies.links[m.body].radius) + double(s.bodies.links[b].radius);
     const double time = square > 0 ? std::clamp(-math::dot(start, way) / square, 0.0, 1.0) : 0;
     const DVec3 nearest = start + time * way;
     return math::dot(nearest, nearest) <= radii * radii;
@@ -78,7 +80,7 @@ bool SweptPairs::is_listed(std::int32_t mover, std::uint32_t shape, std::uint32_
 // In one order, whichever of two movers was looked at first.
 void SweptPairs::add(std::int32_t mover, std::uint32_t shape, std::uint32_t other, std::int32_t contact,
                      bool is_known) {
-    SweptPair pair{mover, movers_.of_body(s.shapes[other].body), shape, other, contact, is_known};
+    SweptPair pair{mover, movers_.of_body(s.shapes.links[other].body), shape, other, contact, is_known};
     if (pair.second != none && other < shape) std::swap(pair.first, pair.second), std::swap(pair.shape, pair.other);
     const std::int32_t k = count();
     pairs_.push_back(pair);
@@ -88,31 +90,32 @@ void SweptPairs::add(std::int32_t mover, std::uint32_t shape, std::uint32_t othe
 
 void SweptPairs::make_mover(std::int32_t k) {
     SweptPair& pair = (*this)[k];
-    pair.second = movers_.add(s.shapes[pair.other].body);
+    pair.second = movers_.add(s.shapes.links[pair.other].body);
     link(k, pair.second);
 }
 
 void SweptPairs::find() {
-    for (const std::uint32_t id : s.narrow.in_flight) {
-        const ContactInfo& c = s.contacts[id];
+    for (const std::uint32_t id : step.narrow.in_flight) {
+        const ContactInfo& c = s.contacts.info[id];
         add(movers_.of_body(c.body_a), c.shape_a, c.shape_b, std::int32_t(id), false);
     }
-    if (s.solver.fast.empty()) return;
-    for (const std::uint32_t k : s.narrow.open) {
-        const std::uint32_t id = s.narrow.candidates[k];
-        const PairAnswer& answer = s.answers[id];
+    if (step.solver.fast.empty()) return;
+    for (const std::uint32_t k : step.narrow.open) {
+        const std::uint32_t id = step.narrow.candidates[k];
+        const PairAnswer& answer = s.contacts.answers[id];
         const std::int32_t a = movers_.of_body(answer.body_a), b = movers_.of_body(answer.body_b);
         const bool a_is_fast = a != none && movers_[a].is_fast, b_is_fast = b != none && movers_[b].is_fast;
         if (!a_is_fast && !b_is_fast) continue;
-        const ContactInfo& c = s.contacts[id];
+        const ContactInfo& c = s.contacts.info[id];
         if (c.is_trigger) continue;
         const std::int32_t mover = a_is_fast ? a : b;
         const std::uint32_t shape = a_is_fast ? c.shape_a : c.shape_b, other = a_is_fast ? c.shape_b : c.shape_a;
-        if (!may_pass(mover, s.shapes[other].body, s.geometry[other]) || is_listed(mover, shape, other)) continue;
+        if (!may_pass(mover, s.shapes.links[other].body, s.shapes.geometry[other]) || is_listed(mover, shape, other))
+            continue;
         const bool is_known = is_group(c) ? c.related != none : c.point_count > 0;
         add(mover, shape, other, std::int32_t(id), is_known);
     }
-    for (const std::int32_t b : s.solver.strayed) find_near(movers_.of_body(b), 0);
+    for (const std::int32_t b : step.solver.strayed) find_near(movers_.of_body(b), 0);
 }
 
 // Those whose bodies the solver has moved by a contact.
@@ -120,8 +123,8 @@ bool SweptPairs::is_known(std::uint32_t a, std::uint32_t b) {
     auto& known = scratch_.known;
     if (!scratch_.has_known) {
         known.clear();
-        for (const std::uint32_t id : s.solved) {
-            const ContactInfo& c = s.contacts[id];
+        for (const std::uint32_t id : step.solved) {
+            const ContactInfo& c = s.contacts.info[id];
             if (c.in_use && c.point_count > 0) known.push_back(std::minmax(c.shape_a, c.shape_b));
         }
         std::sort(known.begin(), known.end());
@@ -150,7 +153,7 @@ void SweptPairs::list_ways() {
 template <class F> void SweptPairs::for_each_near(std::int32_t mover, const DBounds& bounds, F&& f) {
     list_ways();
     s.broad_phase.query_bounds(bounds, [&](std::uint32_t other) {
-        if (movers_.of_body(s.shapes[other].body) == none) f(other);
+        if (movers_.of_body(s.shapes.links[other].body) == none) f(other);
     });
     const auto visit = [&](const SweptBounds& way) {
         if (way.mover != mover && meet(bounds, way.bounds)) for_each_shape(s, movers_[way.mover].body, f);
@@ -179,8 +182,9 @@ void SweptPairs::find_near(std::int32_t mover, double from) {
 double SweptPairs::time_of(const SweptPair& pair, double from) const {
     const Mover& first = movers_[pair.first];
     const auto swept = [&](std::uint32_t shape, const Geometry& g, const RigidPath& path, double until) {
-        const std::int32_t body = s.shapes[shape].body;
-        return SweptShape{g, s.shape_data[shape], math::to_double(g.position - s.mass[body].center), path, until};
+        const std::int32_t body = s.shapes.links[shape].body;
+        return SweptShape{g, s.shapes.data[shape], math::to_double(g.position - s.bodies.mass[body].center), path,
+                          until};
     };
     // Seen from the first, for precision far from the origin.
     const DVec3 origin = first.path.start;
@@ -190,17 +194,18 @@ double SweptPairs::time_of(const SweptPair& pair, double from) const {
     };
     const RigidPath path_a = seen(first.path);
     const Mover* const second = pair.second != none ? &movers_[pair.second] : nullptr;
-    const RigidPath path_b = seen(second ? second->path : movers_.path_of(s.shapes[pair.other].body));
+    const RigidPath path_b = seen(second ? second->path : movers_.path_of(s.shapes.links[pair.other].body));
     const double until_b = second ? second->until : 1;
     const bool turns = first.turns_over || (second && second->turns_over);
     Geometry ball_a, ball_b;
     if (first.turns_over) ball_a = inner_ball(s, first.body);
     if (second && second->turns_over) ball_b = inner_ball(s, second->body);
-    const SweptShape a = swept(pair.shape, first.turns_over ? ball_a : s.geometry[pair.shape], path_a, first.until);
+    const SweptShape a =
+        swept(pair.shape, first.turns_over ? ball_a : s.shapes.geometry[pair.shape], path_a, first.until);
     const SweptShape b =
-        swept(pair.other, second && second->turns_over ? ball_b : s.geometry[pair.other], path_b, until_b);
+        swept(pair.other, second && second->turns_over ? ball_b : s.shapes.geometry[pair.other], path_b, until_b);
     // What something holds is pressed into it a little, and would catch at the edges of what lies beside.
-    const bool catches = !first.is_free && !(second && s.is_dynamic(second->body));
+    const bool catches = !first.is_free && !(second && s.bodies.is_dynamic(second->body));
     if (pair.is_known || turns || catches) return time_of_meeting(a, b, pair.is_known, from);
     const double touch = time_of_touch(a, b, from);
     return touch < 1 ? touch : time_of_meeting(a, b, false, from);

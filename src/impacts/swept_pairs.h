@@ -7,7 +7,7 @@ namespace cairn {
 
 class SweptPairs {
   public:
-    SweptPairs(State& state, float dt, Movers& movers);
+    SweptPairs(State& state, StepScratch& step, float dt, Movers& movers);
 
     // Pairs of what flies, and those that the narrow phase had before it; then all that is near the ways of bodies that
     // are not where they were expected.
@@ -42,6 +42,7 @@ class SweptPairs {
     template <class F> void for_each_near(std::int32_t mover, const DBounds& bounds, F&& f);
 
     State& s;
+    StepScratch& step;
     const float dt_;
     Movers& movers_;
     SweepScratch& scratch_;
