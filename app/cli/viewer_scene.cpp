@@ -47,7 +47,7 @@ viewer::CameraPose camera_of(const scene::Scene& scene, std::span<const viewer::
     return pose;
 }
 
-std::vector<std::string> viewer_file_types() { return {".gltf", ".glb", ".urdf", ".obj", ".stl"}; }
+std::vector<std::string> viewer_file_types() { return {".gltf", ".glb", ".urdf", ".xml", ".obj", ".stl"}; }
 
 namespace {
 

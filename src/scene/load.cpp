@@ -7,14 +7,16 @@
 #include "scene/joints.h"
 #include "scene/json_number.h"
 #include "scene/mass_sum.h"
+#include "scene/mjcf.h"
+#include "scene/model_body.h"
 #include "scene/node_graph.h"
 #include "scene/node_transform.h"
 #include "scene/scene.h"
 #include "scene/spelling.h"
 #include "scene/urdf.h"
-#include "scene/urdf_file.h"
 #include "scene/visuals.h"
 #include "scene/world_settings.h"
+#include "scene/xml_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,8 +27,6 @@
 namespace cairn::scene {
 
 namespace {
-
-constexpr std::size_t max_warnings = 100;
 
 // Where the walk stands.
 struct Place {
@@ -81,11 +81,7 @@ class Builder {
         std::sort(joint_nodes_.begin(), joint_nodes_.end());
         for (const std::size_t node : joint_nodes_) add_joint(node);
         scene_.collision_systems = filters_.names();
-        if (warnings_.size() > max_warnings) {
-            const std::size_t more = warnings_.size() - max_warnings;
-            warnings_.resize(max_warnings);
-            warnings_.push_back("and " + std::to_string(more) + " more warnings");
-        }
+        limit_warnings(warnings_);
         scene_.warnings = std::move(warnings_);
         return std::move(scene_);
     }
@@ -403,7 +399,10 @@ class Builder {
 
 Scene load_bytes(std::span<const std::byte> bytes, const std::string& name,
                  const std::optional<std::filesystem::path>& folder, const LoadOptions& options) {
-    if (is_xml(bytes)) return load_urdf(bytes, name, folder, options);
+    if (is_xml(bytes)) {
+        const std::string root = root_tag(bytes);
+        return (root == "mujoco" ? load_mjcf : load_urdf)(bytes, name, folder, options);
+    }
     if (options.fixed_base) {
         throw Error(ErrorCode::unsupported, name, {}, "must be a robot in URDF for its base to be fixed");
     }

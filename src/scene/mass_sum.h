@@ -6,6 +6,8 @@
 #include <cairn/body.h>
 
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace cairn::scene {
 
@@ -34,5 +36,9 @@ PrincipalAxes principal_axes(glm::dmat3 matrix);
 // Moments of inertia of a real body satisfy the triangle inequality: none exceeds the sum of the other two. Empty if
 // these positive ones do, as exactly as the engine asks for, else the nearest ones that do (by least squares).
 std::optional<glm::dvec3> nearest_real_moments(const glm::dvec3& moments);
+
+// The inertia itself, or the nearest that a body can have, with a warning. Throws Error (invalid_file) naming `where`
+// if a principal moment is not positive.
+glm::dmat3 real_inertia(const glm::dmat3& inertia, const std::string& where, std::vector<std::string>& warnings);
 
 } // namespace cairn::scene

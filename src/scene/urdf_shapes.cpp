@@ -1,6 +1,7 @@
 #include "scene/urdf_shapes.h"
 
 #include "scene/mesh_files.h"
+#include "scene/model_meshes.h"
 #include "scene/tessellation.h"
 #include "scene/urdf_file.h"
 
@@ -12,8 +13,6 @@
 namespace cairn::scene {
 
 namespace {
-
-constexpr double half_turn_root = 0.70710678118654752440; // sine and cosine of 45 degrees
 
 std::string text_of(double value) {
     std::string text = std::to_string(value);
@@ -35,17 +34,6 @@ std::optional<Vec3> color_of(const urdf::Visual& visual) {
     const urdf::Color& c = visual.material->color;
     const auto part = [](float v) { return v > 0.0f ? std::min(v, 1.0f) : 0.0f; };
     return Vec3(part(c.r), part(c.g), part(c.b));
-}
-
-// Of the corners that triangles use.
-std::vector<Vec3> used_vertices(const Surface& surface) {
-    std::vector<bool> used(surface.vertices.size(), false);
-    for (const std::uint32_t i : surface.indices) used[i] = true;
-    std::vector<Vec3> result;
-    for (std::size_t i = 0; i < used.size(); ++i) {
-        if (used[i]) result.push_back(surface.vertices[i]);
-    }
-    return result;
 }
 
 } // namespace
@@ -79,7 +67,7 @@ RobotShapes::Turned RobotShapes::shape(const urdf::Geometry& geometry, const std
         const auto& column = static_cast<const urdf::Cylinder&>(geometry);
         return {Cylinder{0.5f * size(column.length, place, "cylinder length"),
                          size(column.radius, place, "cylinder radius"), std::nullopt},
-                {half_turn_root, half_turn_root, 0.0, 0.0}};
+                y_to_z.rotation};
     }
     case urdf::Geometry::MESH: {
         const Surface& surface = triangles(static_cast<const urdf::Mesh&>(geometry), place);
