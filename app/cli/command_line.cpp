@@ -58,7 +58,7 @@ Integrator integrator_of(const std::string& name) {
 }
 
 void add_reading(CLI::App& command, ReadOptions& options) {
-    command.add_flag("--fixed-base", options.fixed_base, "Of a robot in URDF: its root link does not move");
+    command.add_flag("--fixed-base", options.fixed_base, "Of a robot in URDF, MJCF or SDF: its base does not move");
     command.add_flag("--floor", options.floor, "Put a floor below the lowest point of the scene");
 }
 
@@ -152,7 +152,8 @@ void add_scenes(CLI::App& app, ScenesOptions& options) {
 void add_convert(CLI::App& app, ConvertOptions& options) {
     CLI::App* convert = app.add_subcommand("convert", "Write a scene in another form, or make one of a mesh.");
     convert
-        ->add_option("in", options.input, "A scene (.gltf, .glb or its name), a robot (.urdf), or a mesh (.obj, .stl)")
+        ->add_option("in", options.input,
+                     "A scene (.gltf, .glb or its name), a model (.urdf, .xml, .sdf, .usda), or a mesh (.obj, .stl)")
         ->required();
     convert->add_option("out", options.output, "The scene to write (.gltf, .glb)")
         ->required()

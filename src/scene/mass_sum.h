@@ -25,6 +25,9 @@ class MassSum {
     glm::dmat3 inertia_{0.0};          // about the origin
 };
 
+// Of the ball of 0.1 m radius that stands in for inertias that files do not give, kg m2.
+inline glm::dmat3 blank_inertia(double mass) { return glm::dmat3(0.4 * mass * 0.1 * 0.1); }
+
 // Eigenvalues of a symmetric matrix, and the rotation whose columns are their axes (Jacobi, Golub and Van Loan,
 // Matrix Computations, section 8.5). A diagonal matrix keeps its axes.
 struct PrincipalAxes {

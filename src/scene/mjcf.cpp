@@ -12,8 +12,6 @@ namespace cairn::scene {
 
 namespace {
 
-constexpr double blank_radius = 0.1; // m: of the ball that stands in for an inertia that the file does not give
-
 // Total mass, bounds of mass and inertia, and the rotors of joints.
 void settle_masses(MjcfModel& model) {
     double total = 0.0;
@@ -55,7 +53,7 @@ void settle_masses(MjcfModel& model) {
         } else if (!(least > 0.0)) {
             model.warnings.push_back(part.body.place +
                                      " has no inertia about some axis; that of a ball of 0.1 m radius is added");
-            masses.push_back({0.0, glm::dmat3(0.4 * mass * blank_radius * blank_radius), {center, {1, 0, 0, 0}}});
+            masses.push_back({0.0, blank_inertia(mass), {center, {1, 0, 0, 0}}});
         }
     }
 }

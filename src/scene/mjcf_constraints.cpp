@@ -1,4 +1,5 @@
 // Equality constraints of MJCF models, and which of their geoms meet.
+#include "scene/layers.h"
 #include "scene/mjcf_model.h"
 
 #include <algorithm>
@@ -10,8 +11,6 @@
 namespace cairn::scene {
 
 namespace {
-
-constexpr std::size_t max_layers = 63;
 
 class ConstraintMaker {
   public:
@@ -218,7 +217,7 @@ void set_mjcf_filters(const XmlElement& root, MjcfModel& model, Scene& scene) {
                 if (geom.shape && layers.insert({key_of(geom), keys.size()}).second) keys.push_back(key_of(geom));
             }
         }
-        if (keys.size() <= max_layers) break;
+        if (keys.size() <= max_kinds) break;
         if (attempt == 1) root.fail("must have at most 63 different pairs of contype and conaffinity");
         model.warnings.push_back(root.place() + ": contact pairs have no effect: there are too many");
         has_pairs = false;
@@ -230,14 +229,8 @@ void set_mjcf_filters(const XmlElement& root, MjcfModel& model, Scene& scene) {
         return (type_a & affinity_b) != 0 || (type_b & affinity_a) != 0 ||
                (pair_a != 0 && pair_b != 0 && pairs.count(std::minmax(pair_a, pair_b)) != 0);
     };
-    std::vector<CollisionFilter> filters(keys.size());
-    for (std::size_t i = 0; i < keys.size(); ++i) {
-        filters[i].layers = std::uint64_t{1} << (i + 1);
-        filters[i].collides_with = 1; // what is added later, a floor for example
-        for (std::size_t j = 0; j < keys.size(); ++j) {
-            if (meet(keys[i], keys[j])) filters[i].collides_with |= std::uint64_t{1} << (j + 1);
-        }
-        const auto [type, affinity, pair] = keys[i];
+    const std::vector<CollisionFilter> filters = filters_of_kinds(keys, meet);
+    for (const auto& [type, affinity, pair] : keys) {
         scene.collision_systems.push_back("contype " + std::to_string(type) + " conaffinity " +
                                           std::to_string(affinity) +
                                           (pair == 0 ? "" : " pair " + std::to_string(pair)));

@@ -12,7 +12,7 @@ namespace {
 constexpr double smallest = 1e-6, largest = 1e6; // m
 constexpr long last_seen_group = 2;              // as the viewer of MuJoCo starts
 
-struct Solid {
+struct GeomSolid {
     std::optional<Shape> shape;
     Rigid turn;                             // of the shape in the geom
     std::shared_ptr<const Surface> surface; // of a mesh
@@ -36,7 +36,7 @@ class GeomReader {
     GeomReader(const MjcfElement& element, MjcfAssets& assets) : element_(element), assets_(assets) {}
 
     // Its shape, and where it stands in what the geom stands in.
-    Solid read(Rigid& frame, const MjcfSettings& settings) {
+    GeomSolid read(Rigid& frame, const MjcfSettings& settings) {
         const auto type_text = element_.attribute("type");
         const std::size_t type = type_text ? type_text->choice({"sphere", "plane", "hfield", "capsule", "ellipsoid",
                                                                 "cylinder", "box", "mesh", "sdf"})
@@ -100,8 +100,8 @@ class GeomReader {
         return {size[0], has_second ? size[1] : size[0], *half_length_};
     }
 
-    static Solid ellipsoid(const glm::dvec3& a) {
-        Solid solid;
+    static GeomSolid ellipsoid(const glm::dvec3& a) {
+        GeomSolid solid;
         if (a.x == a.y && a.y == a.z) {
             solid.shape = Sphere{static_cast<float>(a.x)};
             return solid;
@@ -115,8 +115,8 @@ class GeomReader {
     }
 
     // A mesh touches as its convex hull, as it does in MuJoCo.
-    Solid hull(const XmlText& name) const {
-        Solid solid;
+    GeomSolid hull(const XmlText& name) const {
+        GeomSolid solid;
         solid.surface = assets_.mesh(name);
         try {
             solid.shape = Hull(used_vertices(*solid.surface));
@@ -128,8 +128,8 @@ class GeomReader {
     }
 
     // A box around the mesh stands for whatever primitive is to be fitted to it.
-    Solid fitted(const XmlText& name) const {
-        Solid solid = hull(name);
+    GeomSolid fitted(const XmlText& name) const {
+        GeomSolid solid = hull(name);
         was_fitted = true;
         return solid;
     }
@@ -142,7 +142,7 @@ class GeomReader {
     mutable bool was_fitted = false;
 };
 
-Material material_of(const MjcfElement& element) {
+Material geom_material(const MjcfElement& element) {
     Material material;
     std::vector<double> friction{1.0};
     if (const auto text = element.attribute("friction")) {
@@ -165,12 +165,12 @@ Material material_of(const MjcfElement& element) {
     return material;
 }
 
-Vec3 color_of(const std::vector<double>& rgba) {
+Vec3 geom_color(const std::vector<double>& rgba) {
     const auto part = [&](std::size_t i) { return static_cast<float>(std::clamp(rgba[i], 0.0, 1.0)); };
     return {part(0), part(1), part(2)};
 }
 
-void add_mass(const MjcfElement& element, const Solid& solid, const Rigid& frame, MjcfPart& part) {
+void add_mass(const MjcfElement& element, const GeomSolid& solid, const Rigid& frame, MjcfPart& part) {
     const auto given = element.attribute("mass");
     const double density = element.number("density", 1000.0, 0.0, 1e12);
     if (!solid.shape) return;
@@ -205,7 +205,7 @@ void add_mjcf_geom(const MjcfElement& element, const Rigid& in_part, bool has_ma
     if (const auto text = element.attribute("rgba")) rgba = text->numbers(4, 4);
     has_mass = has_mass && group >= model.settings.first_inertia_group && group <= model.settings.last_inertia_group;
     Rigid frame;
-    Solid solid;
+    GeomSolid solid;
     GeomReader reader(element, assets);
     try {
         solid = reader.read(frame, model.settings);
@@ -226,7 +226,8 @@ void add_mjcf_geom(const MjcfElement& element, const Rigid& in_part, bool has_ma
         model.warnings.push_back(element.place() + ": is flat, and touches nothing");
     }
     if (touches && solid.shape && model.settings.contacts) {
-        ModelShape shape{*solid.shape, frame * solid.turn, material_of(element), {}, {}, color_of(rgba), geom.place};
+        ModelShape shape{*solid.shape,     frame * solid.turn, geom_material(element), {}, {},
+                         geom_color(rgba), geom.place};
         geom.shape = std::move(shape);
     }
     if (group <= last_seen_group && rgba[3] > 0.0) {
@@ -234,7 +235,7 @@ void add_mjcf_geom(const MjcfElement& element, const Rigid& in_part, bool has_ma
         ModelLook look;
         look.surface = solid.surface;
         look.at = frame * solid.turn;
-        look.color = color_of(rgba);
+        look.color = geom_color(rgba);
         geom.look = std::move(look);
     }
     part.geoms.push_back(std::move(geom));

@@ -64,9 +64,9 @@ glm::dquat frame_with(const glm::dvec3& x, const glm::dvec3& y) {
 
 const glm::dvec3 x_axis(1.0, 0.0, 0.0), y_axis(0.0, 1.0, 0.0);
 
-class JointMaker {
+class MjcfJointMaker {
   public:
-    JointMaker(MjcfModel& model, Scene& scene) : model_(model), scene_(scene) {}
+    MjcfJointMaker(MjcfModel& model, Scene& scene) : model_(model), scene_(scene) {}
 
     void add(const MjcfPart& part) {
         if (part.kind != MjcfPart::Kind::moving) return;
@@ -315,7 +315,7 @@ class JointMaker {
 } // namespace
 
 void add_mjcf_joints(MjcfModel& model, Scene& scene) {
-    JointMaker maker(model, scene);
+    MjcfJointMaker maker(model, scene);
     for (const MjcfPart& part : model.parts) maker.add(part);
 }
 

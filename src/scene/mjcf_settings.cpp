@@ -9,8 +9,7 @@ namespace cairn::scene {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-constexpr double farthest = 1e6; // m: a place of an element
+constexpr double farthest_element = 1e6; // m
 
 void read_compiler(const XmlElement& compiler, MjcfSettings& settings) {
     const auto flag = [&](const char* name, bool& value) {
@@ -95,7 +94,7 @@ std::string shelf_of(const std::string& tag) {
 
 } // namespace
 
-double MjcfSettings::angle(double value) const { return degrees ? value * (pi / 180.0) : value; }
+double MjcfSettings::angle(double value) const { return degrees ? value * degree : value; }
 
 MjcfSettings read_mjcf_settings(const XmlElement& root) {
     MjcfSettings settings;
@@ -205,7 +204,7 @@ Rigid mjcf_frame(const MjcfElement& element, const MjcfSettings& settings) {
     if (const auto text = element.attribute("pos")) {
         frame.position = text->vector3();
         for (int i = 0; i < 3; ++i) {
-            if (!(std::fabs(frame.position[i]) <= farthest)) text->fail("must be within 1000000 m");
+            if (!(std::fabs(frame.position[i]) <= farthest_element)) text->fail("must be within 1000000 m");
         }
     }
     const auto quat = element.attribute("quat"), axis_angle = element.attribute("axisangle"),

@@ -34,7 +34,8 @@ inline Rigid inverse(const Rigid& frame) {
     return {back * -frame.position, back};
 }
 
-inline constexpr double root_of_half = 0.70710678118654752440; // sine and cosine of 45 degrees
+inline constexpr double degree = 3.14159265358979323846 / 180.0; // rad
+inline constexpr double root_of_half = 0.70710678118654752440;   // sine and cosine of 45 degrees
 
 // From a file with z up to our world with y up: x stays x, z becomes y, y becomes -z.
 inline const Rigid upright{{0.0, 0.0, 0.0}, {root_of_half, -root_of_half, 0.0, 0.0}};

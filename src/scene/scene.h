@@ -90,7 +90,7 @@ struct Scene {
 
 /// How a file is read.
 struct LoadOptions {
-    bool fixed_base = false; ///< The root link of a robot does not move. Of other files: refused (`unsupported`).
+    bool fixed_base = false; ///< The base of a robot (URDF, MJCF, SDF) does not move. Of others: refused (`unsupported`).
 };
 
 /// Reads a `.gltf`, `.glb` or URDF file (docs/urdf.md); which of them it is shows in its first bytes, not in its name.

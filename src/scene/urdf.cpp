@@ -18,8 +18,7 @@ namespace cairn::scene {
 namespace {
 
 // What stands in for masses that a file does not give.
-constexpr double blank_mass = 1.0, blank_radius = 0.1;
-glm::dmat3 ball_inertia(double mass) { return glm::dmat3(0.4 * mass * blank_radius * blank_radius); }
+constexpr double blank_mass = 1.0;
 
 class RobotBuilder {
   public:
@@ -126,7 +125,7 @@ class RobotBuilder {
         }
         scene_.warnings.push_back(
             where + " has neither inertial nor collision; it is taken as a ball of 1 kg and 0.1 m radius");
-        sum.add(blank_mass, ball_inertia(blank_mass), {});
+        sum.add(blank_mass, blank_inertia(blank_mass), {});
         return sum.properties();
     }
 
@@ -145,7 +144,7 @@ class RobotBuilder {
         if (m == 0.0) return; // like no inertial at all
         if (size == 0.0) {
             scene_.warnings.push_back(where + " has an inertia of 0; that of a ball of 0.1 m radius is taken");
-            inertia = ball_inertia(m);
+            inertia = blank_inertia(m);
         }
         inertia = real_inertia(inertia, where, scene_.warnings);
         sum.add(m, inertia, at * rigid(inertial.origin, where));

@@ -157,7 +157,9 @@ std::optional<std::string> XmlFile::unused() const {
         open.pop_back();
         const std::string tag = element.Name();
         for (const tinyxml2::XMLAttribute* a = element.FirstAttribute(); a != nullptr; a = a->Next()) {
-            if (asked_attributes_.count({tag, a->Name()}) == 0) ++attributes[tag + " " + printable(a->Name())];
+            const bool is_name = std::string_view(a->Name()) == "name"; // every element may have one
+            if (is_name || asked_attributes_.count({tag, a->Name()}) != 0) continue;
+            ++attributes[tag + " " + printable(a->Name())];
         }
         const auto look_below = [&](const tinyxml2::XMLElement& owner) {
             std::vector<const tinyxml2::XMLElement*> inside;
@@ -174,8 +176,9 @@ std::optional<std::string> XmlFile::unused() const {
             return inside;
         };
         for (const tinyxml2::XMLElement* c : look_below(element)) {
-            if (is_include(*c)) { // of an included file
-                for (const tinyxml2::XMLElement* i : look_below(*included_.at(c))) open.push_back(i);
+            const auto included = included_.find(c); // by a file that is included itself
+            if (included != included_.end()) {
+                for (const tinyxml2::XMLElement* i : look_below(*included->second)) open.push_back(i);
             } else if (asked_elements_.count({tag, c->Name()}) != 0) {
                 open.push_back(c);
             } else {
