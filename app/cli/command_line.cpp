@@ -60,6 +60,8 @@ Integrator integrator_of(const std::string& name) {
 void add_reading(CLI::App& command, ReadOptions& options) {
     command.add_flag("--fixed-base", options.fixed_base, "Of a robot in URDF, MJCF or SDF: its base does not move");
     command.add_flag("--floor", options.floor, "Put a floor below the lowest point of the scene");
+    command.add_flag("--decompose", options.decompose,
+                     "Cut meshes that move into convex parts, instead of taking their convex hulls");
 }
 
 // A list of names, separated by commas.
@@ -164,7 +166,7 @@ void add_convert(CLI::App& app, ConvertOptions& options) {
             "What a mesh becomes: a dynamic body with its convex hull, or a static one with its triangles (hull or "
             "mesh; "
             "default hull)")
-        ->check(one_of({"hull", "mesh"}, "; there is no decomposition into convex parts"));
+        ->check(one_of({"hull", "mesh"}, "; --decompose makes a hull several convex parts"));
     add_reading(*convert, options.read);
     convert->add_option("--scale", options.scale, "Meters of one unit of a mesh (default 1)")
         ->check(between(1e-9, 1e9));

@@ -16,7 +16,7 @@ namespace cairn::cli {
 
 // Of files that are read: robots above all.
 struct ReadOptions {
-    bool fixed_base = false, floor = false;
+    bool fixed_base = false, floor = false, decompose = false;
     scene::Scene load(const std::filesystem::path& path) const;
 };
 

@@ -22,6 +22,7 @@ scene::Scene load_any(const ConvertOptions& options) {
         }
         scene::MeshImport import;
         import.as_hull = options.as_hull.value_or(true);
+        import.decompose = options.read.decompose;
         import.scale = options.scale.value_or(1.0);
         import.density = static_cast<float>(options.density.value_or(1000.0));
         scene::Scene made =

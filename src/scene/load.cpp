@@ -375,14 +375,16 @@ class Builder {
             return;
         }
         const BodyType type = scene_.world.body(body).type();
-        const TurnedShape made = colliders_.shape(geometry, in_body.scale, type, warnings_);
+        const Quat rotation = Quat(in_body.rotation);
         def.position = Vec3(in_body.translation);
-        def.rotation = Quat(in_body.rotation) * made.rotation;
-        try {
-            const ShapeId id = scene_.world.add_shape(body, made.shape, def);
-            if (const auto color = visuals_.color(here)) scene_.appearances.push_back({body, id, *color});
-        } catch (const Error& error) {
-            owner.fail(error);
+        for (const TurnedShape& made : colliders_.shapes(geometry, in_body.scale, type, def.is_trigger, warnings_)) {
+            def.rotation = rotation * made.rotation;
+            try {
+                const ShapeId id = scene_.world.add_shape(body, made.shape, def);
+                if (const auto color = visuals_.color(here)) scene_.appearances.push_back({body, id, *color});
+            } catch (const Error& error) {
+                owner.fail(error);
+            }
         }
     }
 
@@ -408,7 +410,7 @@ Scene load_bytes(std::span<const std::byte> bytes, const std::string& name,
     if (options.fixed_base) {
         throw Error(ErrorCode::unsupported, name, {}, "must be a robot in URDF, MJCF or SDF for its base to be fixed");
     }
-    if (usd_kind(bytes) != UsdKind::none) return load_usd(bytes, name);
+    if (usd_kind(bytes) != UsdKind::none) return load_usd(bytes, name, options);
     const GltfFile gltf = parse_gltf(bytes, name);
     const Value document(gltf.json, name);
     check_document(document);

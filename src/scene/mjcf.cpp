@@ -83,7 +83,7 @@ Scene load_mjcf(std::span<const std::byte> bytes, const std::string& name,
     const MjcfSettings settings = read_mjcf_settings(root);
     const MjcfDefaults defaults(root);
     MjcfAssets assets(root, settings, defaults, folder);
-    MjcfModel model{settings, defaults, {}, {}, {}, {}, {}, true, {}};
+    MjcfModel model{settings, defaults, {}, {}, {}, {}, {}, true, {}, options.decompose};
     read_mjcf_bodies(root, options.fixed_base, assets, model);
     const std::vector<double> control = place_mjcf_parts(root, model);
     read_mjcf_actuators(root, control, model);

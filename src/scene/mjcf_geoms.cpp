@@ -15,8 +15,9 @@ constexpr long last_seen_group = 2;              // as the viewer of MuJoCo star
 struct GeomSolid {
     std::optional<Shape> shape;
     Rigid turn;                             // of the shape in the geom
-    std::shared_ptr<const Surface> surface; // of a mesh
-    std::optional<SolidMass> mass;          // in the geom, at 1 kg/m3; else that of the shape
+    std::shared_ptr<const Surface> surface; // of a mesh, or an ellipsoid
+    bool is_mesh = false;
+    std::optional<SolidMass> mass; // in the geom, at 1 kg/m3; else that of the shape
 };
 
 // Sizes, which must all be > 0.
@@ -48,26 +49,26 @@ class GeomReader {
         if (mesh && type != 7 && type < 8) return fitted(*mesh);
         switch (type) {
         case 0:
-            return {Sphere{static_cast<float>(sizes(element_, 1)[0])}, {}, nullptr, std::nullopt};
+            return {Sphere{static_cast<float>(sizes(element_, 1)[0])}, {}, nullptr, false, std::nullopt};
         case 1:
-            return {Plane{.normal = {0.0f, 0.0f, 1.0f}}, {}, nullptr, std::nullopt};
+            return {Plane{.normal = {0.0f, 0.0f, 1.0f}}, {}, nullptr, false, std::nullopt};
         case 2: {
             const auto name = element_.attribute("hfield");
             if (!name) element_.fail("must have the attribute hfield");
-            return {assets_.height_field(*name), y_to_z, nullptr, std::nullopt};
+            return {assets_.height_field(*name), y_to_z, nullptr, false, std::nullopt};
         }
         case 3:
         case 5: {
             const std::vector<double> size = sizes(element_, half_length_ ? 1 : 2);
             const float radius = static_cast<float>(size[0]),
                         half = static_cast<float>(half_length_ ? *half_length_ : size[1]);
-            if (type == 3) return {Capsule{half, radius, std::nullopt}, y_to_z, nullptr, std::nullopt};
-            return {Cylinder{half, radius, std::nullopt}, y_to_z, nullptr, std::nullopt};
+            if (type == 3) return {Capsule{half, radius, std::nullopt}, y_to_z, nullptr, false, std::nullopt};
+            return {Cylinder{half, radius, std::nullopt}, y_to_z, nullptr, false, std::nullopt};
         }
         case 4:
             return ellipsoid(three_sizes());
         case 6:
-            return {Box{Vec3(three_sizes())}, {}, nullptr, std::nullopt};
+            return {Box{Vec3(three_sizes())}, {}, nullptr, false, std::nullopt};
         case 7:
             if (!mesh) element_.fail("must have the attribute mesh");
             return hull(*mesh);
@@ -118,6 +119,7 @@ class GeomReader {
     GeomSolid hull(const XmlText& name) const {
         GeomSolid solid;
         solid.surface = assets_.mesh(name);
+        solid.is_mesh = true;
         try {
             solid.shape = Hull(used_vertices(*solid.surface));
         } catch (const Error&) { // a flat one can only be looked at
@@ -226,8 +228,12 @@ void add_mjcf_geom(const MjcfElement& element, const Rigid& in_part, bool has_ma
         model.warnings.push_back(element.place() + ": is flat, and touches nothing");
     }
     if (touches && solid.shape && model.settings.contacts) {
-        ModelShape shape{*solid.shape,     frame * solid.turn, geom_material(element), {}, {},
-                         geom_color(rgba), geom.place};
+        ModelShape shape{*solid.shape, frame * solid.turn, {},        geom_material(element), {},
+                         {},           geom_color(rgba),   geom.place};
+        if (model.decomposes && solid.is_mesh && part.kind == MjcfPart::Kind::moving) {
+            shape.parts = model.surface_parts.of(solid.surface);
+            shape.at = frame;
+        }
         geom.shape = std::move(shape);
     }
     if (group <= last_seen_group && rgba[3] > 0.0) {

@@ -1,6 +1,7 @@
 // An MJCF model between the file and the world: bodies, their joints and what stands on them.
 #pragma once
 
+#include "scene/decomposition.h"
 #include "scene/mjcf_settings.h"
 #include "scene/model_body.h"
 #include "scene/model_meshes.h"
@@ -81,6 +82,8 @@ struct MjcfModel {
     std::map<std::string, std::size_t> joint_names;
     bool is_whole = true; // false: elements that are not read may have had bodies and joints of their own
     std::vector<std::string> warnings;
+    bool decomposes = false; // meshes that move
+    SurfaceParts surface_parts{};
 
     const MjcfJoint* joint(const XmlText& name); // throws, or null where the model is not whole
 };

@@ -55,8 +55,12 @@ BodyId add_model_body(const ModelBody& body, Scene& scene) {
         shape_def.surface_velocity = shape.surface_velocity;
         shape_def.is_trigger = shape.is_trigger;
         try {
-            const ShapeId made = scene.world.add_shape(id, shape.shape, shape_def);
-            if (shape.color) scene.appearances.push_back({id, made, *shape.color});
+            const auto add = [&](const Shape& one) {
+                const ShapeId made = scene.world.add_shape(id, one, shape_def);
+                if (shape.color) scene.appearances.push_back({id, made, *shape.color});
+            };
+            if (shape.parts.empty()) add(shape.shape);
+            for (const Hull& part : shape.parts) add(part);
         } catch (const Error& error) {
             throw Error(ErrorCode::invalid_file, shape.place, {}, error.what());
         }

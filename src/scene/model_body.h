@@ -19,7 +19,8 @@ struct ModelMass {
 
 struct ModelShape {
     Shape shape;
-    Rigid at; // in the body
+    Rigid at;                  // in the body
+    std::vector<Hull> parts{}; // instead of the shape, if there are any
     Material material{};
     CollisionFilter filter{};
     Vec3 surface_velocity{0.0f, 0.0f, 0.0f};

@@ -90,7 +90,11 @@ struct Scene {
 
 /// How a file is read.
 struct LoadOptions {
-    bool fixed_base = false; ///< The base of a robot (URDF, MJCF, SDF) does not move. Of others: refused (`unsupported`).
+    bool fixed_base =
+        false; ///< The base of a robot (URDF, MJCF, SDF) does not move. Of others: refused (`unsupported`).
+    /// Meshes on bodies that move are cut into convex parts also where the file does not ask for it
+    /// (scene/decomposition.h).
+    bool decompose = false;
 };
 
 /// Reads a `.gltf`, `.glb` or URDF file (docs/urdf.md); which of them it is shows in its first bytes, not in its name.

@@ -21,6 +21,7 @@ class SdfReader {
   public:
     SdfReader(const std::optional<std::filesystem::path>& folder, const LoadOptions& options)
         : root_(folder ? std::optional(folder_on_disk(*folder)) : std::nullopt), options_(options), meshes_(root_) {
+        model_.decomposes = options.decompose;
         model_.scopes.push_back({});
         model_.frames.push_back({});
     }

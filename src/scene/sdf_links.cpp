@@ -14,6 +14,7 @@ struct LinkSolid {
     std::optional<Shape> shape;
     Rigid turn;                             // of the shape in its geometry
     std::shared_ptr<const Surface> surface; // of a mesh
+    bool is_cut = false;                    // into convex parts
 };
 
 // What the format says where a size is left out.
@@ -94,7 +95,8 @@ class LinkReader {
             return;
         }
         if (!solid.shape) return; // an empty one
-        ModelShape shape{*solid.shape, at * solid.turn, material_of(collision), {}, {}, std::nullopt, place};
+        ModelShape shape{*solid.shape, at * solid.turn, {}, material_of(collision), {}, {}, std::nullopt, place};
+        if (solid.is_cut) shape.parts = model_.surface_parts.of(solid.surface);
         unsigned bitmask = 0xFFFF;
         if (const auto surface = collision.child("surface")) {
             if (const auto contact = surface->child("contact")) bitmask = bitmask_of(*contact);
@@ -222,8 +224,8 @@ class LinkReader {
     LinkSolid read_kind(const XmlElement& element, std::string_view kind, bool as_surface) {
         const auto f = [](double value) { return static_cast<float>(value); };
         if (kind == "empty") return {};
-        if (kind == "box") return {Box{0.5f * Vec3(sizes_of(element, "size"))}, {}, nullptr};
-        if (kind == "sphere") return {Sphere{f(length_of(element, "radius"))}, {}, nullptr};
+        if (kind == "box") return {Box{0.5f * Vec3(sizes_of(element, "size"))}, {}, nullptr, false};
+        if (kind == "sphere") return {Sphere{f(length_of(element, "radius"))}, {}, nullptr, false};
         if (kind == "ellipsoid") {
             LinkSolid solid;
             solid.surface = std::make_shared<const Surface>(ellipsoid_surface(sizes_of(element, "radii")));
@@ -233,9 +235,9 @@ class LinkReader {
         if (kind == "plane") return plane(element);
         if (kind == "mesh") return mesh(element, as_surface);
         const float radius = f(length_of(element, "radius")), half = f(0.5 * length_of(element, "length"));
-        if (kind == "capsule") return {Capsule{half, radius, std::nullopt}, y_to_z, nullptr};
-        if (kind == "cone") return {cone(radius, half), y_to_z, nullptr};
-        return {Cylinder{half, radius, std::nullopt}, y_to_z, nullptr};
+        if (kind == "capsule") return {Capsule{half, radius, std::nullopt}, y_to_z, nullptr, false};
+        if (kind == "cone") return {cone(radius, half), y_to_z, nullptr, false};
+        return {Cylinder{half, radius, std::nullopt}, y_to_z, nullptr, false};
     }
 
     // Endless to touch; looks have a size.
@@ -248,7 +250,7 @@ class LinkReader {
             plane.normal = Vec3(glm::normalize(normal));
         }
         element.child("size");
-        return {plane, {}, nullptr};
+        return {plane, {}, nullptr, false};
     }
 
     LinkSolid mesh(const XmlElement& element, bool as_surface) {
@@ -267,6 +269,8 @@ class LinkReader {
         }
         LinkSolid solid;
         solid.surface = meshes_.load(*uri, path, "", size);
+        const std::string way = element.text_of("optimization");
+        solid.is_cut = !as_surface && (way == "convex_decomposition" || (way.empty() && model_.decomposes));
         try {
             if (as_surface) {
                 solid.shape = Mesh(solid.surface->vertices, solid.surface->indices);

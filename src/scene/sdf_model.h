@@ -1,6 +1,7 @@
 // An SDF file between its XML and the world: frames, links and joints by their places.
 #pragma once
 
+#include "scene/decomposition.h"
 #include "scene/model_body.h"
 #include "scene/model_meshes.h"
 #include "scene/xml_file.h"
@@ -60,6 +61,8 @@ struct SdfModel {
     std::vector<SdfLink> links;
     std::vector<SdfJoint> joints;
     std::vector<std::string> warnings;
+    bool decomposes = false; // meshes that move
+    SurfaceParts surface_parts;
 
     // The frame of that name, as seen from a scope. Throws through `name` if there is none.
     std::size_t find(std::size_t scope, const XmlText& name) const;

@@ -25,7 +25,7 @@ class RobotBuilder {
     RobotBuilder(const urdf::ModelInterface& model, std::string name,
                  const std::optional<std::filesystem::path>& folder, const LoadOptions& options)
         : model_(model), name_(std::move(name)), options_(options), scene_{World(), {}, {}, {}, {}},
-          shapes_(name_, folder, scene_) {}
+          shapes_(name_, folder, options.decompose, scene_) {}
 
     Scene build() {
         scene_.info.title = model_.getName();

@@ -70,10 +70,12 @@ RobotShapes::Turned RobotShapes::shape(const urdf::Geometry& geometry, const std
                 y_to_z.rotation};
     }
     case urdf::Geometry::MESH: {
-        const Surface& surface = triangles(static_cast<const urdf::Mesh&>(geometry), place);
+        const std::shared_ptr<const Surface>& surface = triangles(static_cast<const urdf::Mesh&>(geometry), place);
         try {
-            if (is_static) return {Mesh(surface.vertices, surface.indices)};
-            return {Hull(used_vertices(surface))};
+            if (is_static) return {Mesh(surface->vertices, surface->indices)};
+            Turned made{Hull(used_vertices(*surface))};
+            if (decomposes_) made.parts = surface_parts_.of(surface);
+            return made;
         } catch (const Error& error) {
             throw Error(ErrorCode::invalid_file, place, {}, error.what());
         }
@@ -82,7 +84,7 @@ RobotShapes::Turned RobotShapes::shape(const urdf::Geometry& geometry, const std
     throw Error(ErrorCode::unsupported, place, {}, "must be a box, a cylinder, a sphere or a mesh");
 }
 
-const Surface& RobotShapes::triangles(const urdf::Mesh& mesh, const std::string& place) {
+const std::shared_ptr<const Surface>& RobotShapes::triangles(const urdf::Mesh& mesh, const std::string& place) {
     const glm::dvec3 scale(mesh.scale.x, mesh.scale.y, mesh.scale.z);
     for (int i = 0; i < 3; ++i) {
         if (!(std::fabs(scale[i]) <= 1e6) || scale[i] == 0.0) {
@@ -92,7 +94,7 @@ const Surface& RobotShapes::triangles(const urdf::Mesh& mesh, const std::string&
     }
     const std::filesystem::path file = find_robot_mesh(mesh.filename, folder_, place + ": mesh filename");
     std::shared_ptr<const Surface>& found = meshes_[{file.string(), scale.x, scale.y, scale.z}];
-    if (found) return *found;
+    if (found) return found;
     if (!is_mesh_file(file)) {
         throw Error(ErrorCode::unsupported, place + ": mesh filename", "\"" + mesh.filename.substr(0, 200) + "\"",
                     "must be an .stl or .obj file");
@@ -105,7 +107,7 @@ const Surface& RobotShapes::triangles(const urdf::Mesh& mesh, const std::string&
         for (std::size_t i = 0; i + 2 < made.indices.size(); i += 3) std::swap(made.indices[i], made.indices[i + 1]);
     }
     found = std::make_shared<const Surface>(std::move(made));
-    return *found;
+    return found;
 }
 
 std::optional<RobotShapes::Turned> RobotShapes::collision_shape(const urdf::Collision& collision,
@@ -137,8 +139,12 @@ void RobotShapes::add_shapes(const urdf::Link& link, BodyId body, const Rigid& a
         def.position = Vec3(local.position);
         def.rotation = Quat(glm::normalize(local.rotation));
         try {
-            const ShapeId id = scene_.world.add_shape(body, made->shape, def);
-            if (color) scene_.appearances.push_back({body, id, *color});
+            const auto add = [&](const Shape& shape) {
+                const ShapeId id = scene_.world.add_shape(body, shape, def);
+                if (color) scene_.appearances.push_back({body, id, *color});
+            };
+            if (made->parts.empty()) add(made->shape);
+            for (const Hull& part : made->parts) add(part);
         } catch (const Error& error) {
             throw Error(ErrorCode::invalid_file, place, {}, error.what());
         }

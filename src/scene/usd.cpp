@@ -1,6 +1,7 @@
 // From a text layer of USD to a world.
 #include "scene/usd.h"
 
+#include "scene/decomposition.h"
 #include "scene/layers.h"
 #include "scene/mass_sum.h"
 #include "scene/model_meshes.h"
@@ -29,7 +30,8 @@ bool is_below(const std::string& path, const std::string& top) {
 
 class WorldMaker {
   public:
-    WorldMaker(const UsdStage& stage, Scene& scene) : stage_(stage), scene_(scene) {}
+    WorldMaker(const UsdStage& stage, bool decomposes, Scene& scene)
+        : stage_(stage), decomposes_(decomposes), scene_(scene) {}
 
     void make() {
         for (const char* type : {"PhysicsScene", "PhysicsCollisionGroup"}) stage_.know_type(type);
@@ -152,14 +154,15 @@ class WorldMaker {
         const bool is_dynamic = owner.body.type == BodyType::dynamic;
         UsdSolid solid;
         try {
-            solid = usd_solid(stage_, place, owner.body.world, !is_dynamic || !touches, scene_.warnings);
+            solid = usd_solid(stage_, place, owner.body.world, !is_dynamic || !touches, decomposes_, scene_.warnings);
         } catch (const Error& error) {
             if (touches || error.code() == ErrorCode::invalid_file) throw;
             scene_.warnings.push_back(std::string(error.what()) + " (it is not shown)");
             return;
         }
         if (touches) {
-            part.shape = ModelShape{*solid.shape, solid.at, {}, {}, {}, color_of(place), stage_.place(prim)};
+            part.shape = ModelShape{*solid.shape, solid.at, {}, {}, {}, {}, color_of(place), stage_.place(prim)};
+            if (solid.is_cut) part.shape->parts = surface_parts_.of(solid.surface);
             if (solid.surface) part.enclosed = surface_mass(*solid.surface, 1.0);
             read_material(place, part);
             note_filters(place, part);
@@ -176,7 +179,7 @@ class WorldMaker {
     void add_scenery(const UsdPlace& place) {
         if (!place.is_seen) return;
         try {
-            const UsdSolid solid = usd_solid(stage_, place, Rigid(), true, scene_.warnings);
+            const UsdSolid solid = usd_solid(stage_, place, Rigid(), true, false, scene_.warnings);
             VisualMesh look;
             look.surface = solid.surface ? solid.surface : std::make_shared<const Surface>(tessellate(*solid.shape));
             look.local = (solid.surface ? Rigid() : solid.at).transform();
@@ -338,7 +341,9 @@ class WorldMaker {
     }
 
     const UsdStage& stage_;
+    bool decomposes_;
     Scene& scene_;
+    SurfaceParts surface_parts_;
     std::vector<Made> bodies_;
     std::map<const UsdPrim*, std::size_t> index_;
     std::map<const UsdPrim*, BodyId> ids_;
@@ -349,7 +354,7 @@ class WorldMaker {
 
 } // namespace
 
-Scene load_usd(std::span<const std::byte> bytes, const std::string& name) {
+Scene load_usd(std::span<const std::byte> bytes, const std::string& name, const LoadOptions& options) {
     const UsdKind kind = usd_kind(bytes);
     if (kind != UsdKind::text) {
         throw Error(
@@ -363,7 +368,7 @@ Scene load_usd(std::span<const std::byte> bytes, const std::string& name) {
     const auto title = layer.metadata.find("defaultPrim");
     if (title != layer.metadata.end() && !title->second.words.empty()) scene.info.title = title->second.words[0];
     if (scene.info.title.empty()) scene.info.title = std::filesystem::path(name).stem().generic_string();
-    WorldMaker(stage, scene).make();
+    WorldMaker(stage, options.decompose, scene).make();
     if (auto line = stage.unused()) scene.warnings.push_back(std::move(*line));
     if (scene.world.bodies().empty()) {
         scene.warnings.push_back(name + ": has no body: no prim of this layer has a PhysicsRigidBodyAPI or a "

@@ -11,6 +11,6 @@
 namespace cairn::scene {
 
 // `name` stands for the file in messages. Throws Error: `unsupported` for binary files and packages.
-Scene load_usd(std::span<const std::byte> bytes, const std::string& name);
+Scene load_usd(std::span<const std::byte> bytes, const std::string& name, const LoadOptions& options);
 
 } // namespace cairn::scene

@@ -13,10 +13,10 @@ namespace {
 
 class SolidReader {
   public:
-    SolidReader(const UsdStage& stage, const UsdPlace& place, const Rigid& body, bool is_static,
+    SolidReader(const UsdStage& stage, const UsdPlace& place, const Rigid& body, bool is_static, bool decomposes,
                 std::vector<std::string>& warnings)
         : stage_(stage), prim_(*place.prim), map_(compose(inverse_of(body), place.world)), is_static_(is_static),
-          warnings_(warnings) {}
+          decomposes_(decomposes), warnings_(warnings) {}
 
     UsdSolid read() {
         if (prim_.type == "Mesh") return mesh();
@@ -141,6 +141,8 @@ class SolidReader {
                 solid.shape = Mesh(solid.surface->vertices, solid.surface->indices);
             } else {
                 solid.shape = Hull(used_vertices(*solid.surface));
+                const bool has_word = stage_.value(prim_, "physics:approximation") != nullptr;
+                solid.is_cut = way == "convexDecomposition" || (!has_word && decomposes_);
             }
         } catch (const Error& error) {
             throw Error(ErrorCode::invalid_file, stage_.place(prim_), {}, error.what());
@@ -178,15 +180,15 @@ class SolidReader {
     const UsdStage& stage_;
     const UsdPrim& prim_;
     Affine map_; // to the frame of the body
-    bool is_static_;
+    bool is_static_, decomposes_;
     std::vector<std::string>& warnings_;
 };
 
 } // namespace
 
-UsdSolid usd_solid(const UsdStage& stage, const UsdPlace& place, const Rigid& body, bool is_static,
+UsdSolid usd_solid(const UsdStage& stage, const UsdPlace& place, const Rigid& body, bool is_static, bool decomposes,
                    std::vector<std::string>& warnings) {
-    return SolidReader(stage, place, body, is_static, warnings).read();
+    return SolidReader(stage, place, body, is_static, decomposes, warnings).read();
 }
 
 } // namespace cairn::scene

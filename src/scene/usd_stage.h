@@ -72,8 +72,9 @@ struct UsdSolid {
     std::optional<Shape> shape;
     Rigid at;                               // of the shape
     std::shared_ptr<const Surface> surface; // of a mesh, in the frame of the body
+    bool is_cut = false;                    // into convex parts, which are also in the frame of the body
 };
-UsdSolid usd_solid(const UsdStage& stage, const UsdPlace& place, const Rigid& body, bool is_static,
+UsdSolid usd_solid(const UsdStage& stage, const UsdPlace& place, const Rigid& body, bool is_static, bool decomposes,
                    std::vector<std::string>& warnings);
 
 // Joints between bodies, by the prims of those.
