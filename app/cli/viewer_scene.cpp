@@ -77,6 +77,7 @@ viewer::LoadedScene load_for_viewer(const std::string& path, const ReadOptions& 
     loaded.appearances = appearances_of(scene);
     loaded.visuals = visuals_of(scene);
     loaded.camera = camera_of(scene, loaded.visuals);
+    loaded.light = scene.info.light;
     loaded.title = scene.info.title;
     loaded.hint = scene.info.hint;
     loaded.time_step = scene.info.time_step;

@@ -16,6 +16,7 @@
 #include "scene/spelling.h"
 #include "scene/urdf.h"
 #include "scene/usd.h"
+#include "scene/view.h"
 #include "scene/visuals.h"
 #include "scene/world_settings.h"
 #include "scene/xml_file.h"
@@ -83,6 +84,7 @@ class Builder {
         std::sort(joint_nodes_.begin(), joint_nodes_.end());
         for (const std::size_t node : joint_nodes_) add_joint(node);
         scene_.collision_systems = filters_.names();
+        if (aims_camera_) aim_camera(scene_.world, *scene_.info.camera);
         limit_warnings(warnings_);
         scene_.warnings = std::move(warnings_);
         return std::move(scene_);
@@ -98,7 +100,7 @@ class Builder {
         }
         const NodeTransform local = read_transform(here);
         place.world = compose(place.world, local);
-        if (!joints_.empty()) place.map = compose(place.map, read_affine(here));
+        place.map = compose(place.map, read_affine(here));
         if (place.body) place.in_body = compose(place.in_body, local);
         if (place.fixed) place.in_fixed = compose(place.in_fixed, local);
         ++place.depth;
@@ -126,6 +128,7 @@ class Builder {
         if (collider) add_collider(here, *collider, *body, in_body);
         if (trigger && !is_group) add_trigger(here, *trigger, *body, in_body);
         visuals_.add(here, body, body ? in_body : place.world, scene_, warnings_);
+        aims_camera_ = read_view(document_, here, place.map, scene_.info) || aims_camera_;
         note_joint(index, physics, place);
         for (const std::size_t child : graph_.children[index]) visit(child, place);
         if (motion) finish_motion(*motion, *place.body, place.world);
@@ -390,6 +393,7 @@ class Builder {
 
     Value document_;
     const NodeGraph& graph_;
+    bool aims_camera_ = false; // a camera of the file, which has a direction
     Surfaces surfaces_;
     Colliders colliders_;
     Visuals visuals_;

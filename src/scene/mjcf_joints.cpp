@@ -81,6 +81,7 @@ class MjcfJointMaker {
         frame_ = (parent.id.is_null() ? parent.body.world : Rigid()) * part.frame;
         pose_ = parent.body.world * part.frame;
         collides_ = parent.kind != MjcfPart::Kind::moving || !model_.settings.filters_parents;
+        const bool parent_collides = collides_;
         for (std::size_t first = 0; first < joints_.size();) {
             std::size_t count = joints_.size() - first;
             std::optional<JointDef> def = joined(first, count);
@@ -90,6 +91,7 @@ class MjcfJointMaker {
             } else {
                 def->body_b = part.id;
                 create(*def, first, count);
+                if (first > 0 && !parent_collides) keep_apart(parent.id);
             }
             first += count;
         }
@@ -116,6 +118,16 @@ class MjcfJointMaker {
         } catch (const Error& error) {
             throw Error(ErrorCode::invalid_file, joints_[first]->place, {}, error.what());
         }
+    }
+
+    // With a light body between them, a body and its parent have no joint that would keep them from colliding.
+    void keep_apart(BodyId parent) {
+        JointDef def;
+        def.body_a = parent;
+        def.body_b = part_->id;
+        def.joint = GeneralJoint{}; // holds nothing
+        def.name = "exclude " + part_->body.name;
+        scene_.world.create_joint(def);
     }
 
     // A light body takes a share of the mass of the one that all of these joints move.
@@ -223,8 +235,7 @@ class MjcfJointMaker {
 
     static bool is_near(const glm::dvec3& a, const glm::dvec3& b) { return glm::dot(a - b, a - b) < 1e-12; }
 
-    // Slides, then hinges through one point, along axes at right angles. The angles of several hinges are those of the
-    // rotation vector, which are the joints' own where one of them is turned at a time.
+    // Slides at right angles, then at most one hinge, along or across them.
     std::optional<JointDef> general(std::size_t first, std::size_t count) {
         std::array<glm::dvec3, 3> axes{};
         int known = 0;
@@ -234,8 +245,7 @@ class MjcfJointMaker {
         for (std::size_t i = first; i < first + count; ++i) {
             const MjcfJoint& joint = *joints_[i];
             const bool turns = joint.kind == MjcfJoint::Kind::hinge;
-            if (!joint.is_scalar() || (!turns && anchor)) return std::nullopt;
-            if (turns && anchor && !is_near(*anchor, joint.anchor)) return std::nullopt;
+            if (!joint.is_scalar() || anchor) return std::nullopt;
             if (turns) anchor = joint.anchor;
             int axis = 0;
             while (axis < known && !are_parallel(axes[static_cast<std::size_t>(axis)], joint.axis)) {
@@ -286,7 +296,7 @@ class MjcfJointMaker {
                     add_drive(*motor, type, axis, made);
                 if (joint.friction > 0.0) {
                     model_.warnings.push_back(joint.place +
-                                              ": frictionloss is left out, as of bodies with three joints");
+                                              ": frictionloss is left out, as of several joints that are one");
                 }
             }
             if (locked.axes[0] || locked.axes[1] || locked.axes[2]) made.limits.push_back(locked);

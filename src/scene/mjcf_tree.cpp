@@ -328,6 +328,22 @@ void read_key(const XmlElement& key, MjcfModel& model) {
     }
 }
 
+// A rigid bound would throw out at once what begins beyond it.
+void keep_in_ranges(MjcfModel& model) {
+    std::string first;
+    int count = 0;
+    for (MjcfJoint& joint : model.joints) {
+        if (!joint.is_scalar() || !joint.range) continue;
+        const double kept = std::clamp(joint.start, joint.range->first, joint.range->second);
+        if (kept == joint.start) continue;
+        joint.start = kept;
+        if (count++ == 0) first = joint.place;
+    }
+    if (count == 0) return;
+    model.warnings.push_back(first + (count > 1 ? " and " + std::to_string(count - 1) + " more" : "") +
+                             ": outside of its range at the start, and taken to the nearest end of it");
+}
+
 // Where a part stands and how it moves, by those of its parent and its joints.
 void place_part(MjcfPart& part, const MjcfPart& parent, const MjcfModel& model) {
     Rigid frame = parent.body.world * part.frame; // that the next joint moves, and its motion
@@ -396,6 +412,7 @@ std::vector<double> place_mjcf_parts(const XmlElement& root, MjcfModel& model) {
             is_first = false;
         }
     }
+    keep_in_ranges(model);
     model.parts[0].body.world = upright;
     for (std::size_t i = 1; i < model.parts.size(); ++i) {
         place_part(model.parts[i], model.parts[model.parts[i].parent], model);

@@ -38,6 +38,7 @@ struct SceneInfo {
     std::string hint;                     ///< One line on what to watch or try.
     float time_step = 1.0f / 60.0f;       ///< s, 0.0001 to 1: the step that the scene is meant for.
     std::optional<Camera> camera;         ///< Absent: choose a view of your own.
+    std::optional<Vec3> light;            ///< Unit, towards the light that shines from far away. Not saved.
     std::vector<ForceField> force_fields; ///< Those in the world; `Scene::force_fields` has their handles.
 };
 

@@ -176,6 +176,31 @@ TEST(Mjcf, AnArmatureSlowsAHingeAsARotorWould) {
     }
 }
 
+// An ankle of 30 to 100 degrees, drawn at 0, flew off with 17 kJ.
+TEST(Mjcf, WhatBeginsOutsideOfItsRangeBeginsAtItsEnd) {
+    Scene scene = load_model(R"(<worldbody><body name="b"><joint name="j" axis="0 1 0" range="30 100" armature="1"/>
+        <geom type="capsule" fromto="0 0 0 .5 0 0" size=".05" contype="0"/></body></worldbody>)");
+    EXPECT_NEAR(state(scene, "j").positions[0], pi / 6, 1e-5);
+    ASSERT_EQ(scene.warnings.size(), 1u);
+    EXPECT_NE(scene.warnings[0].find("outside of its range at the start"), std::string::npos) << scene.warnings[0];
+    scene.world.step(0.01f);
+    EXPECT_LT(scene.world.kinetic_energy(), 1.0);
+}
+
+// Three hinges, all of them bent to their ends: bounds of the rotation vector were not where the angles are.
+TEST(Mjcf, ThreeHingesThatBeginAtTheirEndsStayThere) {
+    for (const char* ends : {"-1.9 -0.5 -0.9", "0.1 0.6 0.3", "0.1 -0.5 0.3", "-1.9 0.6 -0.9"}) {
+        Scene scene = load_model(R"(<compiler angle="radian"/><option gravity="0 0 0"/><worldbody><body name="b">
+            <joint axis="0 1 0" range="-1.9 0.1"/><joint axis="1 0 0" range="-0.5 0.6"/>
+            <joint axis="0 0 1" range="-0.9 0.3"/>
+            <geom type="capsule" fromto="0 0 0 .5 0 0" size=".05" contype="0"/></body></worldbody>
+            <keyframe><key qpos=")" +
+                                 std::string(ends) + "\"/></keyframe>");
+        for (int i = 0; i < 50; ++i) scene.world.step(0.01f);
+        EXPECT_LT(scene.world.kinetic_energy(), 1e-6) << ends;
+    }
+}
+
 TEST(Mjcf, GeomsMeetByTheirBits) {
     // Two balls that overlap: they part if they meet.
     struct Case {
@@ -214,6 +239,18 @@ TEST(Mjcf, PairsMeetAndExcludedBodiesDoNot) {
     const std::string never = R"(contype="2" conaffinity="4")";
     EXPECT_FALSE(parted(never, ""));
     EXPECT_TRUE(parted(never, R"(<pair geom1="g" geom2="h"/>)"));
+}
+
+// The light body between them took away what kept them from colliding: they flew apart.
+TEST(Mjcf, BodiesOfSeveralJointsDoNotTouchTheirParents) {
+    Scene scene = load_model(R"(<option gravity="0 0 0"/><worldbody><body name="a"><freejoint/><geom size=".2"/>
+        <body name="b" pos="0.1 0 0"><joint axis="0 1 0"/><joint axis="1 0 0"/><joint axis="0 0 1"/><geom size=".2"/>
+        </body></body></worldbody>)");
+    ASSERT_EQ(scene.world.bodies().size(), 3u); // one of them between joints
+    EXPECT_NEAR(body(scene, "a").mass() + body(scene, "b").mass() + body(scene, "b between joints").mass(),
+                2.0 * 4000.0 / 3.0 * pi * 0.008, 0.1);
+    run(scene, 1.0);
+    EXPECT_LT(scene.world.kinetic_energy(), 1e-9);
 }
 
 TEST(Mjcf, WeldsAndConnectsHold) {
