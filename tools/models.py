@@ -30,7 +30,7 @@ KINDS = {".xml": "MJCF", ".sdf": "SDF", ".world": "SDF", ".urdf": "URDF", ".usda
 PATIENCE = 120  # s
 # What servos, springs and keyframes may add: of the energy that moves about in the model.
 TOLERANCE = 0.05
-REST, NOISE = 1e-3, 1e-2  # J
+REST, NOISE = 1e-3, 0.05  # J
 OVERLAP = 5e-3  # m
 
 

@@ -212,6 +212,9 @@ void add_mjcf_geom(const MjcfElement& element, const Rigid& in_part, bool has_ma
     try {
         solid = reader.read(frame, model.settings);
     } catch (const Error& error) {
+        if (error.code() == ErrorCode::invalid_value) { // of a shape
+            throw Error(ErrorCode::invalid_file, element.place(), {}, error.what());
+        }
         const bool is_missing = error.code() == ErrorCode::io || error.code() == ErrorCode::unsupported;
         if (!is_missing || has_mass) throw;
         model.warnings.push_back(std::string(error.what()) + " (the geom is left out)");

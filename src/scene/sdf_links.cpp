@@ -213,7 +213,13 @@ class LinkReader {
         for (const char* kind :
              {"box", "sphere", "cylinder", "capsule", "cone", "ellipsoid", "plane", "mesh", "empty"}) {
             const auto found = geometry.child(kind);
-            if (found) return read_kind(*found, kind, as_surface);
+            if (!found) continue;
+            try {
+                return read_kind(*found, kind, as_surface);
+            } catch (const Error& error) {
+                if (error.code() != ErrorCode::invalid_value) throw; // of a shape
+                throw Error(ErrorCode::invalid_file, found->place(), {}, error.what());
+            }
         }
         const std::vector<XmlElement> children = geometry.children();
         if (children.empty()) return {};

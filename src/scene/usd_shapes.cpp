@@ -188,7 +188,12 @@ class SolidReader {
 
 UsdSolid usd_solid(const UsdStage& stage, const UsdPlace& place, const Rigid& body, bool is_static, bool decomposes,
                    std::vector<std::string>& warnings) {
-    return SolidReader(stage, place, body, is_static, decomposes, warnings).read();
+    try {
+        return SolidReader(stage, place, body, is_static, decomposes, warnings).read();
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::invalid_value) throw; // of a shape
+        throw Error(ErrorCode::invalid_file, stage.place(*place.prim), {}, error.what());
+    }
 }
 
 } // namespace cairn::scene
