@@ -133,7 +133,7 @@ HeightField MjcfAssets::height_field(const XmlText& name) {
     if (const auto file = element.attribute("file"); file && !file->text.empty()) {
         const std::filesystem::path found = files_.find(*file, file->text, settings_.mesh_folder);
         if (found.extension() == ".png" || found.extension() == ".PNG") {
-            throw Error(ErrorCode::unsupported, file->place, "\"" + file->text.substr(0, 80) + "\"",
+            throw Error(ErrorCode::unsupported, file->place, "\"" + printable(file->text) + "\"",
                         "must be a binary file of heights, as pictures are not read");
         }
         heights = binary_heights(read_file(found), *file);

@@ -17,7 +17,7 @@ void read_compiler(const XmlElement& compiler, MjcfSettings& settings) {
     };
     if (const auto text = compiler.attribute("angle")) settings.degrees = text->choice({"radian", "degree"}) == 1;
     if (const auto text = compiler.attribute("coordinate"); text && text->text != "local") {
-        throw Error(ErrorCode::unsupported, text->place, "\"" + text->text.substr(0, 40) + "\"", "must be local");
+        throw Error(ErrorCode::unsupported, text->place, "\"" + printable(text->text) + "\"", "must be local");
     }
     if (const auto text = compiler.attribute("eulerseq")) {
         if (text->text.size() != 3 || text->text.find_first_not_of("xyzXYZ") != std::string::npos) {

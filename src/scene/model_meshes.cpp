@@ -13,11 +13,7 @@ namespace {
 
 constexpr std::size_t max_vertices = std::size_t{1} << 26; // of all meshes of a model
 
-std::string shown(const std::string& path) {
-    std::string result = "\"";
-    for (const char c : path.substr(0, 200)) result += c >= ' ' && c <= '~' ? c : '?';
-    return result + "\"";
-}
+std::string shown(const std::string& path) { return "\"" + printable(path, 200) + "\""; }
 
 } // namespace
 

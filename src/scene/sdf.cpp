@@ -201,7 +201,7 @@ class SdfReader {
         if (!uri) include.fail("must have the element uri");
         if (!root_) uri->fail("must not be there, as a model from memory cannot read other files");
         const auto left_out = [&](const std::string& why) {
-            model_.warnings.push_back(uri->place + ": " + why + ", got \"" + uri->text.substr(0, 200) +
+            model_.warnings.push_back(uri->place + ": " + why + ", got \"" + printable(uri->text, 200) +
                                       "\" (the model is left out)");
         };
         const std::string path = sdf_path(uri->text, model_.scopes[scope].folder, *root_);

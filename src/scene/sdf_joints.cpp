@@ -48,7 +48,7 @@ class SdfJointMaker {
         } else if (kind == 5 || kind == 6) {
             if (!make_universal(joint, def, frame)) return;
         } else {
-            throw Error(ErrorCode::unsupported, type.place, "\"" + type.text + "\"",
+            throw Error(ErrorCode::unsupported, type.place, "\"" + printable(type.text) + "\"",
                         "must be revolute, continuous, prismatic, fixed, ball, universal or revolute2");
         }
         place(a, frame, def.body_a, def.frame_a);

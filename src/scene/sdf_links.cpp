@@ -265,12 +265,12 @@ class LinkReader {
         const auto scale = element.child_text("scale");
         const glm::dvec3 size = scale ? scale->vector3() : glm::dvec3(1.0);
         if (!root_) {
-            throw Error(ErrorCode::unsupported, uri->place, "\"" + uri->text.substr(0, 200) + "\"",
+            throw Error(ErrorCode::unsupported, uri->place, "\"" + printable(uri->text, 200) + "\"",
                         "other files cannot be read by a model that comes from memory");
         }
         const std::string path = sdf_path(uri->text, model_.scopes[link_.scope].folder, *root_);
         if (path.empty()) {
-            throw Error(ErrorCode::unsupported, uri->place, "\"" + uri->text.substr(0, 200) + "\"",
+            throw Error(ErrorCode::unsupported, uri->place, "\"" + printable(uri->text, 200) + "\"",
                         "must name a file on this disk");
         }
         LinkSolid solid;

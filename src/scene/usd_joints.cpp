@@ -1,5 +1,6 @@
 // Joints of USD.
 #include "scene/usd_stage.h"
+#include "scene/xml_file.h"
 
 #include <cairn/error.h>
 
@@ -72,10 +73,8 @@ class UsdJointMaker {
         const std::string path = stage_.word(prim, "physics:body" + which);
         const UsdPlace* place = path.empty() ? nullptr : stage_.find(path);
         if (!path.empty() && place == nullptr) {
-            std::string shown;
-            for (const char c : path.substr(0, 80)) shown += c >= ' ' && c <= '~' ? c : '?';
-            throw Error(ErrorCode::invalid_file, stage_.place(prim) + ": physics:body" + which, "<" + shown + ">",
-                        "must be the path of a prim of this layer");
+            throw Error(ErrorCode::invalid_file, stage_.place(prim) + ": physics:body" + which,
+                        "<" + printable(path) + ">", "must be the path of a prim of this layer");
         }
         const Affine world = place == nullptr ? stage_.root() : place->world;
         const glm::dvec3 at = stage_.vector3(prim, "physics:localPos" + which, glm::dvec3(0.0));

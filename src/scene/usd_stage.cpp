@@ -1,5 +1,7 @@
 #include "scene/usd_stage.h"
 
+#include "scene/xml_file.h"
+
 #include <cairn/error.h>
 
 #include <algorithm>
@@ -140,10 +142,8 @@ const UsdPlace* UsdStage::find(const std::string& path) const {
 }
 
 std::string UsdStage::place(const UsdPrim& prim) const {
-    std::string path;
-    for (const char c : prim.path.substr(0, 200)) path += c >= ' ' && c <= '~' ? c : '?';
-    return name_ + ":" + std::to_string(prim.line) + ": " + (prim.type.empty() ? "" : prim.type.substr(0, 60) + " ") +
-           "<" + path + ">";
+    return name_ + ":" + std::to_string(prim.line) + ": " + (prim.type.empty() ? "" : printable(prim.type) + " ") +
+           "<" + printable(prim.path, 200) + ">";
 }
 
 const UsdValue* UsdStage::value(const UsdPrim& prim, const std::string& name) const {
@@ -159,7 +159,7 @@ void UsdStage::fail(const UsdPrim& prim, const std::string& property, const std:
             if (shown.size() < 80) shown += (shown.empty() ? "" : ", ") + std::to_string(number);
         }
     }
-    throw Error(ErrorCode::invalid_file, place(prim) + ": " + property, shown, expected);
+    throw Error(ErrorCode::invalid_file, place(prim) + ": " + printable(property), shown, expected);
 }
 
 double UsdStage::number(const UsdPrim& prim, const std::string& name, double otherwise) const {
@@ -233,7 +233,7 @@ std::optional<std::string> UsdStage::unused() const {
     std::size_t count = 0;
     for (const auto& [name, times] : names) {
         if (++count > max_named) break;
-        for (const char c : (line.empty() ? "" : ", ") + name.substr(0, 80)) line += c >= ' ' && c <= '~' ? c : '?';
+        line += (line.empty() ? "" : ", ") + printable(name);
         if (times > 1) line += " (" + std::to_string(times) + ")";
     }
     return name_ + ": has no effect here: " + line + (count > max_named ? " and more" : "");

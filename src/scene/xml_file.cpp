@@ -24,13 +24,6 @@ std::string_view text_of_bytes(std::span<const std::byte> bytes) {
 
 bool is_include(const tinyxml2::XMLElement& element) { return std::string_view(element.Name()) == "include"; }
 
-// What is named in the file, on one line.
-std::string printable(std::string_view text) {
-    std::string result;
-    for (const char c : text.substr(0, 100)) result += c >= ' ' && c <= '~' ? c : '?';
-    return result;
-}
-
 // XML_ERROR_PARSING_ATTRIBUTE: "parsing attribute".
 std::string readable(std::string_view error) {
     constexpr std::string_view prefix = "XML_ERROR_";
@@ -41,6 +34,12 @@ std::string readable(std::string_view error) {
 }
 
 } // namespace
+
+std::string printable(std::string_view text, std::size_t most) {
+    std::string result;
+    for (const char c : text.substr(0, most)) result += c >= ' ' && c <= '~' ? c : '?';
+    return result;
+}
 
 bool is_xml(std::span<const std::byte> bytes) {
     const std::string_view text = text_of_bytes(bytes);

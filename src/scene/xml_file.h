@@ -41,6 +41,9 @@ struct XmlText {
     std::size_t choice(std::initializer_list<std::string_view> words) const;
 };
 
+// What is named in a file, on one line.
+std::string printable(std::string_view text, std::size_t most = 100);
+
 class XmlFile;
 
 // An element of a file; light, and valid as long as the file.
