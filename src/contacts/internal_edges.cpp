@@ -8,6 +8,7 @@
 #include "contacts/internal_edges.h"
 
 #include "bodies/bodies.h"
+#include "bodies/motion_budget.h"
 #include "contacts/contact_record.h"
 #include "contacts/contact_update.h"
 #include "shapes/convex.h"
@@ -22,17 +23,17 @@ using math::to_vec;
 
 namespace {
 
-constexpr float same_normal = 2e-4f; // difference of unit vectors: such a contact changes nothing
 // How far out of the plane a point may be: so much of the sizes of both, as far as contact points on the rim of a face
-// are off, but no more than the larger part of the body's own radius.
-constexpr float flatness = 2e-4f, max_flatness = 5e-3f;
+// are off, but no more than the body may move until its points are found anew.
+constexpr float flatness = 2e-4f;
 
-bool is_same(math::Vec3 a, math::Vec3 b) { return math::dot(a - b, a - b) < same_normal * same_normal; }
+// Of unit vectors that differ by no more, planes of the size of a shape differ by as little.
+bool is_same(math::Vec3 a, math::Vec3 b) { return math::dot(a - b, a - b) < flatness * flatness; }
 
 // How far the shape reaches along n, from the point `from`; meshes and height fields by their bounds.
-double reach(const State& s, std::uint32_t shape, math::DVec3 n, math::DVec3 from) {
-    const Geometry& g = s.geometry[shape];
-    const ShapePose& pose = s.shape_poses[shape];
+double reach(const Shapes& shapes, std::uint32_t shape, math::DVec3 n, math::DVec3 from) {
+    const Geometry& g = shapes.geometry[shape];
+    const ShapePose& pose = shapes.poses[shape];
     math::DVec3 center = shape_position(pose) - from;
     const math::DQuat q = math::normalized(math::to_double(shape_rotation(pose)));
     const auto of_bounds = [&](math::Vec3 lo, math::Vec3 hi) {
@@ -43,67 +44,68 @@ double reach(const State& s, std::uint32_t shape, math::DVec3 n, math::DVec3 fro
     case ShapeType::plane:
         return std::numeric_limits<double>::infinity();
     case ShapeType::mesh:
-        return of_bounds(mesh_of(s.shape_data[shape]).lo, mesh_of(s.shape_data[shape]).hi);
+        return of_bounds(mesh_of(shapes.data[shape]).lo, mesh_of(shapes.data[shape]).hi);
     case ShapeType::height_field: {
-        const HeightFieldData& field = height_field_of(s.shape_data[shape]);
+        const HeightFieldData& field = height_field_of(shapes.data[shape]);
         const float x = float(grid_half(field.columns, field.spacing_x));
         const float z = float(grid_half(field.rows, field.spacing_z));
         return of_bounds({-x, field.least, -z}, {x, field.greatest, z});
     }
     default: {
         const Geometry part = near_part(g, center, q, {}, 0);
-        return math::dot(n, support(make_convex(part, s.shape_data[shape], center, q), n));
+        return math::dot(n, support(make_convex(part, shapes.data[shape], center, q), n));
     }
     }
 }
 
 // Where the other surface is, relative to the body's center of mass. It does not move, but the body does up to the
 // touch.
-math::Vec3 other_surface(const State& s, std::uint32_t contact, int i) {
-    const ContactRecord& r = s.records[contact];
+math::Vec3 other_surface(const Bodies& bodies, const Contacts& contacts, std::uint32_t contact, int i) {
+    const ContactRecord& r = contacts.records[contact];
     const math::Vec3 point = to_vec(point_of(r, i));
-    if (r.touch_time > 0) return point + r.touch_time * s.motion[s.contacts[contact].body_a].v;
+    if (r.touch_time > 0) return point + r.touch_time * bodies.motion[contacts.info[contact].body_a].v;
     return point + 0.5f * point_of(r, i)[3] * to_vec(r.normal);
 }
 
 // Whether `c` is an edge in the plane of the deeper contact.
-bool is_internal_edge(const State& s, std::uint32_t deeper, std::uint32_t c, float depth) {
-    const ContactInfo &info = s.contacts[c], &over = s.contacts[deeper];
-    const ContactRecord &r = s.records[c], &plane = s.records[deeper];
+bool is_internal_edge(const Bodies& bodies, const Shapes& shapes, const Contacts& contacts, std::uint32_t deeper,
+                      std::uint32_t c, float depth) {
+    const ContactInfo &info = contacts.info[c], &over = contacts.info[deeper];
+    const ContactRecord &r = contacts.records[c], &plane = contacts.records[deeper];
     const math::Vec3 up = -to_vec(plane.normal);
     if (info.shape_b == over.shape_b || is_same(to_vec(plane.normal), to_vec(r.normal))) return false;
-    const math::Vec3 origin = other_surface(s, deeper, 0);
-    const float radius = s.bodies[info.body_a].radius;
+    const math::Vec3 origin = other_surface(bodies, contacts, deeper, 0);
+    const float radius = bodies.links[info.body_a].radius;
     const float tolerance =
-        std::min(flatness * (radius + s.geometry[info.shape_b].bounding_radius), max_flatness * radius);
+        std::min(flatness * (radius + shapes.geometry[info.shape_b].bounding_radius), float(nearness) * radius);
     bool is_in_plane = true;
     for (int i = 0; i < info.point_count; ++i) {
-        const float height = math::dot(up, other_surface(s, c, i) - origin);
+        const float height = math::dot(up, other_surface(bodies, contacts, c, i) - origin);
         is_in_plane = is_in_plane && height <= tolerance && height >= -depth - tolerance;
     }
-    const math::DVec3 point = s.motion[info.body_a].x + math::to_double(origin), n = math::to_double(up);
-    if (reach(s, info.shape_b, n, point) > double(tolerance)) return false;
+    const math::DVec3 point = bodies.motion[info.body_a].x + math::to_double(origin), n = math::to_double(up);
+    if (reach(shapes, info.shape_b, n, point) > double(tolerance)) return false;
     // Sharp edges that are still apart meet as rounded ones would, somewhere beside the plane. But if all of the body
     // is above it, what is below can only be met in it.
-    return is_in_plane || reach(s, info.shape_a, -n, point) <= double(depth + tolerance);
+    return is_in_plane || reach(shapes, info.shape_a, -n, point) <= double(depth + tolerance);
 }
 
 // The next step finds it as if for the first time: its face is not preferred once the body is over it.
-void drop(State& s, std::uint32_t c) {
-    s.narrow.is_internal_edge[c] = 1;
-    s.narrow.any_internal_edges = true;
-    forget_impulses(s.records[c], s.contacts[c].point_count);
-    s.records[c].features = no_features;
+void drop(Contacts& contacts, NarrowScratch& narrow, std::uint32_t c) {
+    narrow.is_internal_edge[c] = 1;
+    narrow.any_internal_edges = true;
+    forget_impulses(contacts.records[c], contacts.info[c].point_count);
+    contacts.records[c].features = no_features;
 }
 
 // Whether the points of `c` lie on the line that another contact with the same normal carries.
-bool is_covered(const State& s, std::uint32_t line, std::uint32_t c) {
-    const ContactInfo &info = s.contacts[c], &over = s.contacts[line];
-    const ContactRecord &r = s.records[c], &whole = s.records[line];
+bool is_covered(const Bodies& bodies, const Contacts& contacts, std::uint32_t line, std::uint32_t c) {
+    const ContactInfo &info = contacts.info[c], &over = contacts.info[line];
+    const ContactRecord &r = contacts.records[c], &whole = contacts.records[line];
     if (over.point_count != 2 || info.point_count > 2 || info.shape_b == over.shape_b) return false;
     if (!is_same(to_vec(whole.normal), to_vec(r.normal))) return false;
     const math::Vec3 from = to_vec(point_of(whole, 0)), along = to_vec(point_of(whole, 1)) - from;
-    const float square = math::dot(along, along), tolerance = flatness * s.bodies[info.body_a].radius;
+    const float square = math::dot(along, along), tolerance = flatness * bodies.links[info.body_a].radius;
     for (int i = 0; i < info.point_count; ++i) {
         const math::Vec3 to = to_vec(point_of(r, i)) - from;
         const float part = square > 0 ? std::clamp(math::dot(to, along) / square, 0.0f, 1.0f) : 0.0f;
@@ -112,78 +114,82 @@ bool is_covered(const State& s, std::uint32_t line, std::uint32_t c) {
     }
     return true;
 }
-void drop_covered(State& s, const std::vector<std::uint32_t>& contacts) {
-    for (const std::uint32_t c : contacts)
-        for (const std::uint32_t line : contacts) {
-            if (line == c || s.narrow.is_internal_edge[line] || !is_covered(s, line, c)) continue;
-            drop(s, c);
+void drop_covered(const Bodies& bodies, Contacts& contacts, NarrowScratch& narrow,
+                  const std::vector<std::uint32_t>& ids) {
+    for (const std::uint32_t c : ids)
+        for (const std::uint32_t line : ids) {
+            if (line == c || narrow.is_internal_edge[line] || !is_covered(bodies, contacts, line, c)) continue;
+            drop(contacts, narrow, c);
             break;
         }
 }
 
 // Drops internal edges among the contacts of one body with what does not move by forces.
-void drop_internal_edges_of_body(State& s, std::vector<std::uint32_t>& contacts) {
-    drop_covered(s, contacts);
+void drop_internal_edges_of_body(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, NarrowScratch& narrow,
+                                 std::vector<std::uint32_t>& ids) {
+    drop_covered(bodies, contacts, narrow, ids);
     const auto depth_of = [&](std::uint32_t id) { // at the start of the step
-        const ContactRecord& r = s.records[id];
-        return -min_separation(s.contacts[id], r) - r.touch_time * r.approach_speed;
+        const ContactRecord& r = contacts.records[id];
+        return -min_separation(contacts.info[id], r) - r.touch_time * r.approach_speed;
     };
-    const math::Vec3 first = to_vec(s.records[contacts[0]].normal);
-    if (std::all_of(contacts.begin(), contacts.end(),
-                    [&](std::uint32_t id) { return is_same(first, to_vec(s.records[id].normal)); }))
+    const math::Vec3 first = to_vec(contacts.records[ids[0]].normal);
+    if (std::all_of(ids.begin(), ids.end(),
+                    [&](std::uint32_t id) { return is_same(first, to_vec(contacts.records[id].normal)); }))
         return;
-    std::sort(contacts.begin(), contacts.end(), [&](std::uint32_t a, std::uint32_t b) {
+    std::sort(ids.begin(), ids.end(), [&](std::uint32_t a, std::uint32_t b) {
         const float depth_a = depth_of(a), depth_b = depth_of(b);
         return depth_a != depth_b ? depth_a > depth_b : a < b;
     });
     const auto drop_if_internal = [&](std::size_t j, std::size_t k) {
-        if (s.narrow.is_internal_edge[contacts[j]] || s.narrow.is_internal_edge[contacts[k]]) return;
-        if (is_internal_edge(s, contacts[j], contacts[k], std::max(depth_of(contacts[j]), 0.0f))) drop(s, contacts[k]);
+        if (narrow.is_internal_edge[ids[j]] || narrow.is_internal_edge[ids[k]]) return;
+        if (is_internal_edge(bodies, shapes, contacts, ids[j], ids[k], std::max(depth_of(ids[j]), 0.0f)))
+            drop(contacts, narrow, ids[k]);
     };
-    for (std::size_t k = 1; k < contacts.size(); ++k)
+    for (std::size_t k = 1; k < ids.size(); ++k)
         for (std::size_t j = 0; j < k; ++j) drop_if_internal(j, k);
     // Just beyond an edge, its side may be the deeper one by a rounding error or a slight tilt.
-    const float slack = flatness * s.bodies[std::size_t(s.contacts[contacts[0]].body_a)].radius;
-    for (std::size_t k = 0; k + 1 < contacts.size(); ++k)
-        for (std::size_t j = k + 1; j < contacts.size() && depth_of(contacts[j]) + slack > depth_of(contacts[k]); ++j)
+    const float slack = flatness * bodies.links[std::size_t(contacts.info[ids[0]].body_a)].radius;
+    for (std::size_t k = 0; k + 1 < ids.size(); ++k)
+        for (std::size_t j = k + 1; j < ids.size() && depth_of(ids[j]) + slack > depth_of(ids[k]); ++j)
             drop_if_internal(j, k);
 }
 
 } // namespace
 
-void drop_internal_edges(State& s) {
-    std::vector<std::int32_t>& last_of_body = s.narrow.last_of_body;
-    std::vector<FixedContact>& fixed = s.narrow.fixed;
-    last_of_body.resize(s.bodies.size(), none);
-    s.narrow.is_internal_edge.resize(s.contacts.size());
+void drop_internal_edges(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, NarrowScratch& narrow,
+                         std::vector<std::uint32_t>& solved) {
+    std::vector<std::int32_t>& last_of_body = narrow.last_of_body;
+    std::vector<FixedContact>& fixed = narrow.fixed;
+    last_of_body.resize(bodies.links.size(), none);
+    narrow.is_internal_edge.resize(contacts.info.size());
     fixed.clear();
-    s.narrow.any_internal_edges = false;
-    for (const std::uint32_t id : s.solved) {
-        const ContactInfo& c = s.contacts[id];
+    narrow.any_internal_edges = false;
+    for (const std::uint32_t id : solved) {
+        const ContactInfo& c = contacts.info[id];
         if (c.b_moves) continue;
-        s.narrow.is_internal_edge[id] = 0;
+        narrow.is_internal_edge[id] = 0;
         std::int32_t& last = last_of_body[c.body_a];
         bool on_several = false;
         if (last != none) {
             const FixedContact& before = fixed[last];
-            on_several = before.on_several || s.contacts[before.contact].shape_b != c.shape_b;
+            on_several = before.on_several || contacts.info[before.contact].shape_b != c.shape_b;
         }
         fixed.push_back({id, last, on_several});
         last = std::int32_t(fixed.size()) - 1;
     }
     for (std::size_t k = fixed.size(); k-- > 0;) {
-        std::int32_t& last = last_of_body[std::size_t(s.contacts[fixed[k].contact].body_a)];
+        std::int32_t& last = last_of_body[std::size_t(contacts.info[fixed[k].contact].body_a)];
         if (last == none) continue; // its body is done
         if (fixed[last].on_several) {
-            s.narrow.of_body.clear();
-            for (std::int32_t i = last; i != none; i = fixed[i].before) s.narrow.of_body.push_back(fixed[i].contact);
-            drop_internal_edges_of_body(s, s.narrow.of_body);
+            narrow.of_body.clear();
+            for (std::int32_t i = last; i != none; i = fixed[i].before) narrow.of_body.push_back(fixed[i].contact);
+            drop_internal_edges_of_body(bodies, shapes, contacts, narrow, narrow.of_body);
         }
         last = none;
     }
-    if (!s.narrow.any_internal_edges) return;
-    std::erase_if(s.solved,
-                  [&](std::uint32_t id) { return !s.contacts[id].b_moves && s.narrow.is_internal_edge[id] != 0; });
+    if (!narrow.any_internal_edges) return;
+    std::erase_if(solved,
+                  [&](std::uint32_t id) { return !contacts.info[id].b_moves && narrow.is_internal_edge[id] != 0; });
 }
 
 } // namespace cairn

@@ -121,7 +121,7 @@ std::optional<ShapeCastHit> World::cast_shape(const Shape& shape, const Transfor
     std::optional<ConvexHit> best;
     std::uint32_t met = 0;
     s.broad_phase.query_bounds({origin + cast.lo(), origin + cast.hi()}, [&](std::uint32_t other) {
-        if (!is_seen(s, other, layers)) return;
+        if (!is_seen(s.shapes, other, layers)) return;
         const auto hit = cast.against(PosedInQuery(s, other, origin));
         if (!hit || (best && (hit->fraction > best->fraction || (hit->fraction == best->fraction && other > met))))
             return;
@@ -129,8 +129,8 @@ std::optional<ShapeCastHit> World::cast_shape(const Shape& shape, const Transfor
         met = other;
     });
     if (!best) return std::nullopt;
-    return ShapeCastHit{s.shape_id(met), s.body_id(s.shapes[met].body), best->fraction, to_public(origin + best->point),
-                        to_public(math::to_float(best->normal))};
+    return ShapeCastHit{s.shapes.slots.id(met), s.bodies.id(s.shapes.links[met].body), best->fraction,
+                        to_public(origin + best->point), to_public(math::to_float(best->normal))};
 }
 
 std::optional<ClosestPoint> World::closest_point(const Position& point, double max_distance,
@@ -143,15 +143,15 @@ std::optional<ClosestPoint> World::closest_point(const Position& point, double m
     std::optional<Nearest> best;
     std::uint32_t nearest = 0;
     s.broad_phase.query_bounds({origin - reach, origin + reach}, [&](std::uint32_t other) {
-        if (!is_seen(s, other, layers)) return;
+        if (!is_seen(s.shapes, other, layers)) return;
         const auto found = nearest_of(PosedInQuery(s, other, origin), best ? best->distance : most);
         if (!found || (best && found->distance == best->distance && other > nearest)) return;
         best = found;
         nearest = other;
     });
     if (!best) return std::nullopt;
-    return ClosestPoint{s.shape_id(nearest), s.body_id(s.shapes[nearest].body), to_public(origin + best->point),
-                        best->distance};
+    return ClosestPoint{s.shapes.slots.id(nearest), s.bodies.id(s.shapes.links[nearest].body),
+                        to_public(origin + best->point), best->distance};
 }
 
 } // namespace cairn
