@@ -11,9 +11,10 @@ using math::DVec3;
 
 namespace {
 
-constexpr int max_sweeps = 200;        // over all points: each comes nearer to the solution
-constexpr double precision = 1e-9;     // of the greatest approach: changes smaller than that end the sweeps
-constexpr double rounding_gain = 1e-9; // of the energy: what is more has been gained
+constexpr int max_sweeps = 200;            // over all points: each comes nearer to the solution
+constexpr double precision = 1e-9;         // of the greatest approach: changes smaller than that end the sweeps
+constexpr double min_friction_share = 0.1; // is halved once more before there is none
+constexpr double rounding_gain = 1e-9;     // of the energy: what is more has been gained
 
 double velocity_along(const ImpactRow& row, const ImpactBody& a, const ImpactBody& b) {
     return dot(row.direction, b.v - a.v) + (dot(row.arm_b, b.w) - dot(row.arm_a, a.w));
@@ -47,9 +48,10 @@ DVec3 any_tangent(DVec3 n) {
 // Rows of a point: the normal, two tangents, and couples about all three.
 constexpr std::size_t rows_per_point = 6;
 
-// Gauss-Seidel from the velocities of `a` and `b`, which get those after it. Returns the energy that the impulses have
-// added, by their work: half of the velocities before and after.
-double solve(ImpactBody& a, ImpactBody& b, std::vector<ImpactRow>& rows, const ImpactMaterial& material, double scale) {
+// `share`: of friction and couples that acts. Gauss-Seidel from the velocities of `a` and `b`, which get those after
+// it. Returns the energy that the impulses have added, by their work: half of the velocities before and after.
+double solve(ImpactBody& a, ImpactBody& b, std::vector<ImpactRow>& rows, const ImpactMaterial& material, double share,
+             double scale) {
     const ImpactBody before_a = a, before_b = b;
     for (ImpactRow& row : rows) row.impulse = 0;
     for (int sweep = 0; sweep < max_sweeps; ++sweep) {
@@ -80,7 +82,7 @@ double solve(ImpactBody& a, ImpactBody& b, std::vector<ImpactRow>& rows, const I
             apply(normal, std::max(normal.impulse +
                                        (normal.target - velocity_along(normal, a, b)) / normal.inverse_effective_mass,
                                    0.0));
-            const double load = normal.impulse, friction = material.friction * load;
+            const double load = share * normal.impulse, friction = material.friction * load;
             resist(rows[k + 1], rows[k + 2], friction);
             resist_one(rows[k + 3], friction * material.torsion_radius);
             resist(rows[k + 4], rows[k + 5], material.rolling_radius * load);
@@ -115,23 +117,17 @@ ImpactOutcome collide(ImpactBody& a, ImpactBody& b, const std::vector<ImpactPoin
     }
     if (rows.empty()) return outcome;
     const ImpactBody before_a = a, before_b = b;
-    const double work = solve(a, b, rows, material, outcome.approach);
-    double approaching = 0; // energy scale of what happens along the normals
-    for (std::size_t k = 0; k < rows.size(); k += rows_per_point) {
-        outcome.impulse += rows[k].impulse;
-        approaching += rows[k].impulse * std::fabs(velocity_along(rows[k], before_a, before_b));
+    for (double share = 1;; share = share > min_friction_share ? 0.5 * share : 0) {
+        a = before_a, b = before_b;
+        const double work = solve(a, b, rows, material, share, outcome.approach);
+        double scale = 0; // of the energies along the normals
+        outcome.impulse = 0;
+        for (std::size_t k = 0; k < rows.size(); k += rows_per_point) {
+            outcome.impulse += rows[k].impulse;
+            scale += rows[k].impulse * std::fabs(velocity_along(rows[k], before_a, before_b));
+        }
+        if (work <= rounding_gain * scale || share == 0) return outcome;
     }
-    if (!(work > rounding_gain * approaching)) return outcome;
-    a = before_a, b = before_b;
-    for (ImpactRow& row : rows) row.target = 0;
-    solve(a, b, rows, material, outcome.approach);
-    const double factor = 1 + (outcome.bounces ? material.restitution : 0);
-    const auto scaled = [&](DVec3 before, DVec3 compressed) { return before + factor * (compressed - before); };
-    outcome.impulse = 0;
-    for (std::size_t k = 0; k < rows.size(); k += rows_per_point) outcome.impulse += factor * rows[k].impulse;
-    a.v = scaled(before_a.v, a.v), a.w = scaled(before_a.w, a.w);
-    b.v = scaled(before_b.v, b.v), b.w = scaled(before_b.w, b.w);
-    return outcome;
 }
 
 } // namespace cairn

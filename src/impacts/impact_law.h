@@ -7,9 +7,7 @@
 //
 // Friction stops the slip of each point within Coulomb's cone; couples stop that the bodies spin about the normal and
 // roll on each other, up to the friction times `torsion_radius`, and `rolling_radius`, times the impulse. With friction
-// and unequal arms Newton's law may gain energy (Kane 1984). Where it does, the impulse of the perfectly inelastic
-// impact takes its place, times 1 + e: its power at the end of the compression is that of sliding friction, which is
-// not positive, and so the energy, a parabola in the factor, is at 1 + e <= 2 not above where it was at 0.
+// and unequal arms Newton's law may gain energy (Kane 1984): then friction is halved until it does not, at last to 0.
 #pragma once
 
 #include "math/vec.h"
