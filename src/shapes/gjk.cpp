@@ -96,8 +96,30 @@ void keep(Simplex& s, const Nearest& n) {
     s.nearest = n.point;
 }
 
-void finish(GjkResult& r) {
-    const Simplex& s = r.simplex;
+// The nearest point of a simplex. False when it is a tetrahedron that holds the origin.
+bool nearest_of(const Simplex& s, Nearest& best) {
+    switch (s.count) {
+    case 1:
+        best = on_point(s, 0);
+        return true;
+    case 2:
+        best = on_segment(s, 0, 1);
+        return true;
+    case 3:
+        best = on_triangle(s, 0, 1, 2);
+        return true;
+    default:
+        return on_tetrahedron(s, best);
+    }
+}
+
+bool holds(const Simplex& s, const DifferencePoint& p) {
+    for (int i = 0; i < s.count; ++i)
+        if (s.points[i].w == p.w) return true;
+    return false;
+}
+
+template <class Result> void finish(Result& r, const Simplex& s) {
     for (int i = 0; i < s.count; ++i) {
         r.on_a += s.weights[i] * s.points[i].a;
         r.on_b += s.weights[i] * s.points[i].b;
@@ -135,17 +157,11 @@ GjkResult gjk_distance(const CorePair& pair, DVec3 guess, double max_distance, d
         }
         if (next_square > size) size = next_square;
         if (square - along <= tolerance * square + rounding * std::sqrt(square * size)) break;
-        bool is_known = false;
-        for (int i = 0; i < s.count; ++i) is_known = is_known || s.points[i].w == next.w;
-        if (is_known) break;
+        if (holds(s, next)) break;
 
         s.points[s.count++] = next;
         Nearest best;
-        if (s.count == 2)
-            best = on_segment(s, 0, 1);
-        else if (s.count == 3)
-            best = on_triangle(s, 0, 1, 2);
-        else if (!on_tetrahedron(s, best)) {
+        if (!nearest_of(s, best)) {
             r.state = GjkResult::State::overlapping;
             return r;
         }
@@ -156,7 +172,58 @@ GjkResult gjk_distance(const CorePair& pair, DVec3 guess, double max_distance, d
         keep(s, best);
         square = best.square;
     }
-    finish(r);
+    finish(r, s);
+    return r;
+}
+
+GjkCast gjk_cast(const CorePair& pair, DVec3 way, double limit, double tolerance) {
+    constexpr double converged = 1e-12; // as of gjk_distance
+    const double radius = pair.a.radius + pair.b.radius, reach = radius + tolerance;
+    GjkCast r;
+    Simplex& s = r.simplex;
+    DVec3 guess = middle(*pair.b.shape) - middle(*pair.a.shape);
+    if (!(dot(guess, guess) > 0)) guess = {0, 1, 0};
+    s.points[0] = pair.support(guess);
+    s.weights[0] = 1;
+    s.count = 1;
+    s.nearest = s.points[0].w;
+    double square = dot(s.nearest, s.nearest), size = square;
+    for (int iteration = 0; iteration < max_iterations; ++iteration) {
+        if (!(square > touching * touching * size)) break;
+        DifferencePoint next = pair.support(-s.nearest);
+        const DVec3 so_far = r.fraction * way;
+        next.a += so_far, next.w += so_far;
+        const double distance = std::sqrt(square), along = dot(s.nearest, next.w) / distance;
+        const double next_square = dot(next.w, next.w);
+        if (next_square > size) size = next_square;
+        const bool is_known = holds(s, next);
+        if (along > reach) { // the plane between them shows how far it may move
+            const double speed = -dot(way, s.nearest) / distance, left = along - radius - 0.5 * tolerance;
+            if (!(speed * (limit - r.fraction) >= left)) {
+                r.state = GjkCast::State::missed;
+                return r;
+            }
+            const DVec3 move = (left / speed) * way;
+            r.fraction += left / speed;
+            for (int i = 0; i < s.count; ++i) s.points[i].a += move, s.points[i].w += move;
+            next.a += move, next.w += move;
+            square = std::numeric_limits<double>::infinity(); // of another place
+        } else if (is_known || square - along * distance <= converged * square + rounding * std::sqrt(square * size)) {
+            if (distance > reach) break;
+            r.state = GjkCast::State::met;
+            finish(r, s);
+            return r;
+        }
+        if (!is_known) s.points[s.count++] = next;
+        Nearest best;
+        if (!nearest_of(s, best)) {
+            if (r.fraction == 0) r.state = GjkCast::State::overlapping;
+            return r;
+        }
+        if (!(best.square < square)) break;
+        keep(s, best);
+        square = best.square;
+    }
     return r;
 }
 

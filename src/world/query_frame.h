@@ -22,6 +22,32 @@ struct PosedInQuery {
         : PosedInQuery(s.geometry[shape], s.shape_data[shape], shape_position(s.shape_poses[shape]) - origin,
                        shape_rotation(s.shape_poses[shape])) {}
     math::DVec3 up() const { return math::rotate(rotation, math::DVec3{0, 1, 0}); }
+    // Of its bounds: the center of a ball around it.
+    math::DVec3 middle() const {
+        if (geometry.type != ShapeType::hull) return center;
+        return center + math::rotate(rotation, math::to_double(geometry.middle));
+    }
+    // Of a strip the part near a point: see near_part.
+    Convex convex(math::DVec3 near, double reach) const {
+        if (!is_strip(geometry)) return make_convex(geometry, data, center, rotation);
+        math::DVec3 place = center;
+        const Geometry part = near_part(geometry, place, rotation, near, reach);
+        return make_convex(part, data, place, rotation);
+    }
+};
+
+// A convex shape in the query's frame.
+struct QuerySolid {
+    Convex convex;
+    math::DVec3 lo, hi; // its bounds
+
+    QuerySolid(const Convex& c) : convex(c) {
+        for (int i = 0; i < 3; ++i) {
+            math::DVec3 axis;
+            axis[i] = 1;
+            lo[i] = support(c, -axis)[i], hi[i] = support(c, axis)[i];
+        }
+    }
 };
 
 // f(triangle as a convex) for those of a mesh or height field that meet the box, in the query's frame.
