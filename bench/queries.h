@@ -21,7 +21,7 @@ struct QueryRate {
 
 // A pile of spheres, boxes, capsules, cylinders and hulls that has come to rest in a pen, asked from random places in
 // and above it: rays and casts in random directions over 0.1 to 30 m, closest points and overlaps, each of shapes of
-// half a meter.
+// half a meter. Rays and casts start where the box is free; those `from all` also where it is not (a third of them).
 std::vector<QueryRate> measure_queries(const QueryOptions& options);
 
 } // namespace cairn::bench

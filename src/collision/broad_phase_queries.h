@@ -84,11 +84,10 @@ template <class F> void BroadPhase::query_sweep(const DBounds& bounds, math::DVe
     const math::DVec3 direction = length > 0 ? (1 / length) * translation : math::DVec3{};
     const math::DVec3 half = 0.5 * (bounds.hi - bounds.lo);
     const TreeRay ray = to_ray(bounds.lo + half, direction, half);
-    const TreeBox swept =
-        to_box({math::min(bounds.lo, bounds.lo + translation), math::max(bounds.hi, bounds.hi + translation)});
     double max = 1;
+    const DBounds swept{math::min(bounds.lo, bounds.lo + translation), math::max(bounds.hi, bounds.hi + translation)};
     for (const Plane& plane : planes_) {
-        if (!crosses(plane, swept)) continue;
+        if (!crosses(plane, to_box(swept))) continue;
         max = visit(plane.shape, max);
         if (max < 0.0) return;
     }

@@ -51,19 +51,29 @@ std::optional<ConvexHit> advance(const Convex& moving, DVec3 way, const Convex& 
     }
 }
 
-std::optional<ConvexHit> sweep(const Convex& moving, DVec3 way, const Convex& still, double limit) {
+// Whether a difference of cores with these corners holds the origin deeper than that.
+bool is_deeper(const Simplex& s, double depth) {
+    if (s.count < 4) return false;
+    constexpr int faces[4][3] = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
+    for (const auto& f : faces) {
+        const DVec3 a = s.points[f[0]].w;
+        const DVec3 normal = math::cross(s.points[f[1]].w - a, s.points[f[2]].w - a);
+        const double height = dot(normal, a);
+        if (!(height * height > depth * depth * dot(normal, normal))) return false;
+    }
+    return true;
+}
+
+std::optional<ConvexHit> sweep(const Convex& moving, DVec3 way, const Convex& still, double limit, DVec3 guess) {
     const double tolerance = sweep_tolerance * extent_of(moving, still);
     const CorePair pair{exact_core(moving), exact_core(still)};
-    const GjkCast c = gjk_cast(pair, way, limit, tolerance);
+    const GjkCast c = gjk_cast(pair, way, limit, tolerance, guess);
     switch (c.state) {
     case GjkCast::State::missed:
         return std::nullopt;
-    case GjkCast::State::overlapping: {
-        const Penetration p = epa_depth(pair, c.simplex);
-        if (p.depth + pair.a.radius + pair.b.radius > tolerance)
-            return ConvexHit{0, p.on_b - pair.b.radius * p.normal, -p.normal};
+    case GjkCast::State::overlapping:
+        if (pair.a.radius + pair.b.radius > tolerance || is_deeper(c.simplex, tolerance)) return ConvexHit{0, {}, {}};
         break;
-    }
     case GjkCast::State::met:
         if (c.fraction == 0 && c.distance >= pair.a.radius + pair.b.radius - tolerance && !(dot(way, c.normal) > 0))
             return std::nullopt; // they touch, and move apart or past each other
@@ -115,12 +125,13 @@ ClosestPoints closest_points(const Convex& a, const Convex& b) {
 
 std::optional<NearPoint> nearest_point(const Convex& c, DVec3 to, double max_distance) {
     const double radius = outer_radius(c);
-    const DVec3 from_center = to - c.center;
+    const DVec3 from_center = to_local(c, to - c.center);
     DVec3 off; // from the core
     double distance = 0;
-    if (const auto local = nearest_in_core(c, to_local(c, from_center))) {
-        off = from_center - c.axes * *local;
-        distance = math::length(off);
+    if (const auto local = nearest_in_core(c, from_center)) {
+        const DVec3 local_off = from_center - *local;
+        off = c.axes * local_off;
+        distance = math::length(local_off);
     } else {
         const Convex point = make_point(to);
         const GjkResult r = gjk_distance({{&point, false, 0}, exact_core(c)}, {}, max_distance + radius);
@@ -149,11 +160,16 @@ bool contains(const Convex& c, DVec3 point) {
 
 std::optional<ConvexHit> cast_ray(const Convex& c, DVec3 origin, DVec3 way) {
     if (contains(c, origin)) return std::nullopt;
-    return sweep(make_point(origin), way, c, 1);
+    return sweep(make_point(origin), way, c, 1, {});
 }
 
-std::optional<ConvexHit> cast_convex(const Convex& moving, DVec3 way, const Convex& still, double limit) {
-    return sweep(moving, way, still, limit);
+std::optional<ConvexHit> cast_convex(const Convex& moving, DVec3 way, const Convex& still, double limit, DVec3 guess) {
+    return sweep(moving, way, still, limit, guess);
+}
+
+ConvexHit overlap_hit(const Convex& moving, const Convex& still) {
+    const ClosestPoints c = closest_points(moving, still);
+    return {0, c.on_b, -c.normal};
 }
 
 } // namespace cairn

@@ -39,7 +39,11 @@ std::optional<ConvexHit> cast_ray(const Convex& c, math::DVec3 origin, math::DVe
 
 // When a shape that moves by `way` without turning first touches another: within a millionth of the size of the smaller
 // one. Shapes that overlap from the start meet at 0; those that only touch meet at 0 unless they move apart. Hits
-// beyond the fraction `limit` do not count.
-std::optional<ConvexHit> cast_convex(const Convex& moving, math::DVec3 way, const Convex& still, double limit = 1);
+// beyond the fraction `limit` do not count. Of shapes that overlap deep only the fraction is told, as the rest takes
+// longest: the normal is 0 then, and `overlap_hit` tells point and normal, those of the least way apart. `guess`: a
+// direction from one to the other where they may touch, of any length.
+std::optional<ConvexHit> cast_convex(const Convex& moving, math::DVec3 way, const Convex& still, double limit = 1,
+                                     math::DVec3 guess = {});
+ConvexHit overlap_hit(const Convex& moving, const Convex& still);
 
 } // namespace cairn

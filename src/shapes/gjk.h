@@ -54,7 +54,8 @@ struct GjkCast {
 // The distance along any direction tells how far the core can move before they touch; GJK finds better and better
 // directions on the way (van den Bergen, "Ray Casting against General Convex Objects with Application to Continuous
 // Collision Detection", 2004). The shapes stop at half the tolerance, m > 0, so that the normal is known.
-GjkCast gjk_cast(const CorePair& pair, math::DVec3 way, double limit, double tolerance);
+// `guess`: as of gjk_distance, where they may touch.
+GjkCast gjk_cast(const CorePair& pair, math::DVec3 way, double limit, double tolerance, math::DVec3 guess);
 
 // Cores that are proven farther apart than max_distance are `far`; then `normal` is a direction that proves it. Cores
 // closer than a ten billionth of their size overlap. `guess`: a direction from a to b, of any length. The distance of

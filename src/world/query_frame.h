@@ -36,18 +36,16 @@ struct PosedInQuery {
     }
 };
 
-// A convex shape in the query's frame.
+// A convex shape in the query's frame, its bounds, and the radius of a ball around its middle that holds it.
 struct QuerySolid {
     Convex convex;
-    math::DVec3 lo, hi; // its bounds
+    DBounds bounds;
+    double radius;
 
-    QuerySolid(const Convex& c) : convex(c) {
-        for (int i = 0; i < 3; ++i) {
-            math::DVec3 axis;
-            axis[i] = 1;
-            lo[i] = support(c, -axis)[i], hi[i] = support(c, axis)[i];
-        }
-    }
+    explicit QuerySolid(const PosedInQuery& shape)
+        : convex(shape.convex({}, 0)), bounds(geometry_bounds(shape.geometry, shape.data, shape.center,
+                                                              math::to_matrix(math::to_float(shape.rotation)))),
+          radius(double(shape.geometry.bounding_radius)) {}
 };
 
 // f(triangle as a convex) for those of a mesh or height field that meet the box, in the query's frame.

@@ -5,6 +5,7 @@
 #include "world/validate.h"
 
 #include <algorithm>
+#include <array>
 
 namespace cairn {
 
@@ -15,8 +16,8 @@ namespace {
 // The first hit of a shape that starts at the query's origin.
 class ShapeCast {
   public:
-    ShapeCast(const QuerySolid& moving, double bounding_radius, DVec3 translation)
-        : moving_(moving), center_(middle(moving.convex)), radius_(bounding_radius), translation_(translation),
+    ShapeCast(const QuerySolid& moving, DVec3 translation)
+        : moving_(moving), center_(middle(moving.convex)), translation_(translation),
           square_(math::dot(translation, translation)) {}
 
     // Up to a fraction of the translation.
@@ -34,34 +35,82 @@ class ShapeCast {
         case ShapeType::height_field:
             return against_triangles(still, limit);
         default:
-            if (passes_by(still, limit)) return std::nullopt;
             break;
         }
-        return cast_convex(moving_.convex, translation_, still.convex(center_ + 0.5 * translation_, length()), limit);
+        if (still.geometry.type == ShapeType::rectangle)
+            return cast_convex(moving_.convex, translation_, convex(still), limit);
+        const auto toward = where_balls_meet(still, limit);
+        if (!toward) return std::nullopt;
+        return cast_convex(moving_.convex, translation_, convex(still), limit, *toward);
     }
+    // Of a convex shape that it overlaps at the start.
+    ConvexHit from_within(const PosedInQuery& still) const { return overlap_hit(moving_.convex, convex(still)); }
 
   private:
-    double length() const { return math::length(moving_.hi - moving_.lo) + std::sqrt(square_); }
+    Convex convex(const PosedInQuery& still) const {
+        const double reach = math::length(moving_.bounds.hi - moving_.bounds.lo) + std::sqrt(square_);
+        return still.convex(center_ + 0.5 * translation_, reach);
+    }
 
-    // Whether the balls around both do not meet.
-    bool passes_by(const PosedInQuery& still, double limit) const {
+    // Where the balls around both meet first, if they do: the direction from one center to the other.
+    std::optional<DVec3> where_balls_meet(const PosedInQuery& still, double limit) const {
         constexpr double rounding = 1e-5; // of their radii, which are floats
         const DVec3 to = still.middle() - center_;
-        const double radii = radius_ + double(still.geometry.bounding_radius);
+        const double radii = moving_.radius + double(still.geometry.bounding_radius),
+                     square = radii * radii * (1 + rounding);
+        if (math::dot(to, to) <= square) return to; // from the start
         const double along = math::dot(to, translation_);
-        const double at = !(along > 0) ? 0 : along < limit * square_ ? along / square_ : limit;
-        const DVec3 off = to - at * translation_;
-        return math::dot(off, off) > radii * radii * (1 + rounding);
+        if (!(along > 0)) return std::nullopt;
+        const DVec3 off = to - (along / square_) * translation_; // where they are nearest
+        const double inside = square - math::dot(off, off);
+        if (!(inside >= 0)) return std::nullopt;
+        const double at = along / square_ - std::sqrt(inside / square_);
+        if (at > limit) return std::nullopt;
+        return to - at * translation_;
     }
+    // The part of the way, as fractions of it up to `limit`, on which the bounds of both meet.
+    std::optional<std::array<double, 2>> where_bounds_meet(const DBounds& still, double limit) const {
+        double first = 0, last = limit;
+        for (int i = 0; i < 3; ++i) {
+            const double enter = still.lo[i] - moving_.bounds.hi[i], leave = still.hi[i] - moving_.bounds.lo[i];
+            const double way = translation_[i];
+            if (way == 0) {
+                if (enter > 0 || leave < 0) return std::nullopt;
+                continue;
+            }
+            first = std::max(first, std::min(enter / way, leave / way));
+            last = std::min(last, std::max(enter / way, leave / way));
+        }
+        constexpr double rounding = 1e-12;
+        if (!(first <= last + rounding)) return std::nullopt;
+        return std::array{std::max(first - rounding, 0.0), std::min(last + rounding, limit)};
+    }
+    // Piece by piece of the way, each about as long as the shape is large, so that few triangles are near.
     std::optional<ConvexHit> against_triangles(const PosedInQuery& still, double limit) const {
+        constexpr double most_pieces = 256;
+        const auto part = where_bounds_meet(
+            geometry_bounds(still.geometry, still.data, still.center, math::to_matrix(math::to_float(still.rotation))),
+            limit);
+        if (!part) return std::nullopt;
+        const auto [first, last] = *part;
+        const double length = (last - first) * std::sqrt(square_);
+        const double size = math::length(moving_.bounds.hi - moving_.bounds.lo);
+        const double pieces = length > size * most_pieces ? most_pieces : std::floor(length / size) + 1;
         std::optional<ConvexHit> best;
-        const DVec3 lo = math::min(moving_.lo, moving_.lo + limit * translation_);
-        const DVec3 hi = math::max(moving_.hi, moving_.hi + limit * translation_);
-        for_each_triangle_near(still, lo, hi, [&](const Convex& triangle) {
-            if (!(math::dot(translation_, triangle.axes.c1) < 0)) return;
-            const auto hit = cast_convex(moving_.convex, translation_, triangle, best ? best->fraction : limit);
-            if (hit && (!best || hit->fraction < best->fraction)) best = hit;
-        });
+        Convex met;
+        for (int piece = 0; piece < int(pieces); ++piece) {
+            const double from = first + (last - first) * (piece / pieces);
+            const double to = first + (last - first) * ((piece + 1) / pieces);
+            if (best && best->fraction < from) break;
+            const DVec3 start = from * translation_, end = to * translation_;
+            const DVec3 lo = moving_.bounds.lo + math::min(start, end), hi = moving_.bounds.hi + math::max(start, end);
+            for_each_triangle_near(still, lo, hi, [&](const Convex& triangle) {
+                if (!(math::dot(translation_, triangle.axes.c1) < 0)) return;
+                const auto hit = cast_convex(moving_.convex, translation_, triangle, best ? best->fraction : limit);
+                if (hit && (!best || hit->fraction < best->fraction)) best = hit, met = triangle;
+            });
+        }
+        if (best && best->normal == DVec3{}) best = overlap_hit(moving_.convex, met);
         return best;
     }
     std::optional<ConvexHit> against_plane(DVec3 up, DVec3 origin) const {
@@ -75,7 +124,6 @@ class ShapeCast {
 
     const QuerySolid& moving_;
     DVec3 center_; // of a ball around it
-    double radius_;
     DVec3 translation_;
     double square_;
 };
@@ -90,13 +138,24 @@ std::optional<NearPoint> nearest_of(const PosedInQuery& shape, double most) {
         return nearest.distance <= most ? std::optional(nearest) : std::nullopt;
     }
     if (shape.geometry.type < ShapeType::mesh) return nearest_point(shape.convex({}, 0), {}, most);
+    // Within twice the distance again and again, so that few triangles are near: from the bounds of all and about the
+    // size of one on.
+    const bool is_mesh = shape.geometry.type == ShapeType::mesh;
+    const double count = is_mesh ? triangle_count(mesh_of(shape.data)) : triangle_count(height_field_of(shape.data));
+    const DBounds bounds =
+        geometry_bounds(shape.geometry, shape.data, shape.center, math::to_matrix(math::to_float(shape.rotation)));
+    const double outside = math::length(math::max(math::max(bounds.lo, -bounds.hi), {}));
+    if (outside > most) return std::nullopt;
     std::optional<NearPoint> best;
-    const DVec3 reach{most, most, most};
-    for_each_triangle_near(shape, -reach, reach, [&](const Convex& triangle) {
-        const auto nearest = nearest_point(triangle, {}, best ? best->distance : most);
-        if (nearest && (!best || nearest->distance < best->distance)) best = nearest;
-    });
-    return best;
+    for (double reach = outside + double(shape.geometry.bounding_radius) / std::sqrt(count);; reach *= 2) {
+        reach = std::min(reach, most);
+        const DVec3 around{reach, reach, reach};
+        for_each_triangle_near(shape, -around, around, [&](const Convex& triangle) {
+            const auto nearest = nearest_point(triangle, {}, best ? best->distance : most);
+            if (nearest && (!best || nearest->distance < best->distance)) best = nearest;
+        });
+        if (reach == most || (best && best->distance <= reach)) return best;
+    }
 }
 
 // Whether a convex shape has a point in common with another shape.
@@ -110,13 +169,20 @@ bool meets(const QuerySolid& asking, const PosedInQuery& other) {
     case ShapeType::mesh:
     case ShapeType::height_field: {
         bool found = false;
-        for_each_triangle_near(other, asking.lo, asking.hi, [&](const Convex& triangle) {
+        for_each_triangle_near(other, asking.bounds.lo, asking.bounds.hi, [&](const Convex& triangle) {
             found = found || cairn::overlap(asking.convex, triangle);
         });
         return found;
     }
-    default:
-        return cairn::overlap(asking.convex, other.convex(middle(asking.convex), math::length(asking.hi - asking.lo)));
+    default: {
+        const double radii = asking.radius + double(other.geometry.bounding_radius);
+        const DVec3 to = other.middle() - middle(asking.convex);
+        constexpr double rounding = 1e-5; // of radii, which are floats
+        const bool is_far = math::dot(to, to) > radii * radii * (1 + rounding);
+        if (is_far && other.geometry.type != ShapeType::rectangle) return false;
+        return cairn::overlap(asking.convex,
+                              other.convex(middle(asking.convex), math::length(asking.bounds.hi - asking.bounds.lo)));
+    }
     }
 }
 
@@ -132,22 +198,24 @@ std::optional<ShapeCastHit> World::cast_shape(const Shape& shape, const Transfor
     if (is_surface(g.type)) refuse("World::cast_shape shape", shape_name(shape), "must be a convex shape");
     const ShapeData data = make_shape_data(shape);
     const DVec3 origin = to_math(start.position), way = math::to_double(to_math(translation));
-    const QuerySolid moving(PosedInQuery(g, data, {}, g.rotation).convex({}, 0));
-    const ShapeCast cast(moving, double(g.bounding_radius), way);
+    const QuerySolid moving(PosedInQuery(g, data, {}, g.rotation));
+    const ShapeCast cast(moving, way);
     const State& s = impl_->whole("World::cast_shape");
     std::optional<ConvexHit> best;
     std::uint32_t met = 0;
-    s.broad_phase.query_sweep({origin + moving.lo, origin + moving.hi}, way, [&](std::uint32_t other, double limit) {
-        // Of two at the same fraction the one with the lower index counts, in whatever order they come.
-        if (!is_seen(s, other, layers) || (limit == 0 && best && other > met)) return limit;
-        const auto hit = cast.against(PosedInQuery(s, other, origin), limit);
-        if (!hit || (best && (hit->fraction > best->fraction || (hit->fraction == best->fraction && other > met))))
-            return limit;
-        best = hit;
-        met = other;
-        return hit->fraction;
-    });
+    s.broad_phase.query_sweep(
+        {origin + moving.bounds.lo, origin + moving.bounds.hi}, way, [&](std::uint32_t other, double limit) {
+            // Of two at the same fraction the one with the lower index counts, in whatever order they come.
+            if (!is_seen(s, other, layers) || (limit == 0 && best && other > met)) return limit;
+            const auto hit = cast.against(PosedInQuery(s, other, origin), limit);
+            if (!hit || (best && (hit->fraction > best->fraction || (hit->fraction == best->fraction && other > met))))
+                return limit;
+            best = hit;
+            met = other;
+            return hit->fraction;
+        });
     if (!best) return std::nullopt;
+    if (best->normal == DVec3{}) best = cast.from_within(PosedInQuery(s, met, origin));
     return ShapeCastHit{s.shape_id(met), s.body_id(s.shapes[met].body), best->fraction, to_public(origin + best->point),
                         to_public(math::to_float(best->normal))};
 }
@@ -184,7 +252,7 @@ std::vector<ShapeId> World::overlap(const Shape& shape, const Transform& pose, s
     const DBounds bounds = geometry_bounds(g, data, origin, math::to_matrix(g.rotation));
     const PosedInQuery asking(g, data, {}, g.rotation);
     std::optional<QuerySolid> solid;
-    if (!is_surface(g.type)) solid.emplace(asking.convex({}, 0));
+    if (!is_surface(g.type)) solid.emplace(asking);
     const State& s = impl_->whole("World::overlap");
     std::vector<ShapeId> found;
     s.broad_phase.query_bounds(bounds, [&](std::uint32_t other) {
@@ -192,7 +260,7 @@ std::vector<ShapeId> World::overlap(const Shape& shape, const Transform& pose, s
         const PosedInQuery posed(s, other, origin);
         const bool is_met = solid                             ? meets(*solid, posed)
                             : is_surface(posed.geometry.type) ? false
-                                                              : meets(QuerySolid(posed.convex({}, 0)), asking);
+                                                              : meets(QuerySolid(posed), asking);
         if (is_met) found.push_back(s.shape_id(other));
     });
     std::sort(found.begin(), found.end(), [](ShapeId a, ShapeId b) { return a.index() < b.index(); });
