@@ -251,7 +251,9 @@ bool take_report(State& s, const SortedContact& sorted, float dt) {
     // Impulses beyond the range of numbers (of bodies that were stopped for it) must not start the next step.
     if (!std::isfinite(report.impulse)) forget_impulses(s.records[sorted.id], c.point_count);
     const float force = std::isfinite(report.impulse) ? report.impulse / dt : 0;
-    note_load(s.islands[sorted.island], c, force, report.inverse_mass);
+    const float inverse_mass = s.mass[c.body_a].inverse_mass + (c.b_moves ? s.mass[c.body_b].inverse_mass : 0);
+    Island& island = s.islands[sorted.island]; // where masses were raised, the report has other ones
+    note_load(island, c, force, island.substeps < max_adaptive_substeps ? report.inverse_mass : inverse_mass);
     if (!c.touching) return report.separation <= 0 || report.impulse > 0;
     return report.impulse == 0 && report.separation > 0.25f * c.base_margin;
 }

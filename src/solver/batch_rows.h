@@ -7,6 +7,10 @@ namespace cairn {
 
 // Lays out the rows and lanes of a batch, and fills them.
 void fill_batch(State& state, const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool, float dt);
+// What bears more than `max_demand` times its mass takes part in contacts as if it had the mass that this demand
+// allows: no number of sweeps would carry the load through a body that yields at once. After the rows have their
+// inertia.
+void raise_masses(const State& state, const IslandBatch& batch, BatchScratch& scratch);
 // Moves the bodies by what their rows have moved, and finalizes them.
 void empty_batch(State& state, BatchScratch& scratch, ThreadPool* thread_pool, float dt);
 

@@ -154,6 +154,7 @@ void solve_batch(State& s, const IslandBatch& batch, BatchScratch& scratch, Thre
     if (scratch.row_count() > 0) {
         fill_joint_blocks(s, scratch, thread_pool, dt / float(batch.substeps));
         prepare_free_motion(s, scratch, thread_pool, dt / float(batch.substeps), batch.bounces);
+        raise_masses(s, batch, scratch);
         for_blocks(scratch, thread_pool, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
             k.prepare(blocks_of(scratch, run), run.count, lanes_of(scratch, run), s.records.data(),
                       scratch.inertia.data(), scratch.velocity.data());
