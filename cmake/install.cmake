@@ -1,9 +1,11 @@
 # cmake --install: the engine, for find_package(cairn) and for pkg-config; the program and its scenes, where they are built.
+# Components: library (libcairn_c), development (what programs are compiled with), program.
 # No installed file has a path of this machine: the tree may be moved.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(cairn_package ${CMAKE_INSTALL_LIBDIR}/cmake/cairn)
 
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
 install(TARGETS cairn EXPORT cairn ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
         INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/cairn DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
@@ -30,8 +32,23 @@ file(RELATIVE_PATH cairn_libdir ${CMAKE_INSTALL_PREFIX} ${CMAKE_INSTALL_FULL_LIB
 configure_file(${PROJECT_SOURCE_DIR}/cmake/cairn.pc.in ${PROJECT_BINARY_DIR}/cairn.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/cairn.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
+# For C: a package of its own, which needs neither C++ nor GLM.
+if(CAIRN_C_API)
+    set(cairn_c_package ${CMAKE_INSTALL_LIBDIR}/cmake/cairn_c)
+    install(TARGETS cairn_c EXPORT cairn_c
+            LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library NAMELINK_COMPONENT development
+            ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
+            INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+    install(EXPORT cairn_c NAMESPACE cairn:: FILE cairn_c-config.cmake DESTINATION ${cairn_c_package})
+    write_basic_package_version_file(${PROJECT_BINARY_DIR}/cairn_c-config-version.cmake COMPATIBILITY SameMinorVersion)
+    install(FILES ${PROJECT_BINARY_DIR}/cairn_c-config-version.cmake DESTINATION ${cairn_c_package})
+    configure_file(${PROJECT_SOURCE_DIR}/cmake/cairn_c.pc.in ${PROJECT_BINARY_DIR}/cairn_c.pc @ONLY)
+    install(FILES ${PROJECT_BINARY_DIR}/cairn_c.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endif()
+
 if(CAIRN_APP)
     # The program looks for its scenes in ../share, seen from its own folder.
+    set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME program)
     install(TARGETS cairn_cli RUNTIME DESTINATION bin)
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenes DESTINATION share/cairn)
     if(NOT CMAKE_CROSSCOMPILING) # the program prints them

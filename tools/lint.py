@@ -13,6 +13,8 @@ ROOMS = ["core", "simd", "math", "jobs", "shapes", "bvh", "collision", "kernels"
          "solver", "impacts", "world"]
 # What only uses the public headers, and what it may include beside them.
 USERS = {
+    "python/module": {"module", "scene"},
+    "src/c_api": {"c_api", "scene"},
     "src/files": {"files"},
     "src/scene": {"files", "scene"},
     "src/validation": {"validation"},
@@ -93,7 +95,7 @@ def pages(root):
 def main():
     root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".").resolve()
     findings = 0
-    for folder in ("include", "src", "app", "tests", "bench", "tools"):
+    for folder in ("include", "src", "app", "python", "tests", "bench", "tools"):
         for file in sorted((root / folder).rglob("*")):
             if file.suffix not in SOURCES:
                 continue

@@ -1,6 +1,8 @@
 /// \file cairn.h
-/// The whole public API.
+/// The whole public API; for compilers of C, the C API (cairn/c/cairn.h).
 #pragma once
+
+#ifdef __cplusplus
 
 #include <cairn/body.h>
 #include <cairn/error.h>
@@ -14,3 +16,9 @@
 #include <cairn/triangles.h>
 #include <cairn/version.h>
 #include <cairn/world.h>
+
+#else
+
+#include <cairn/c/cairn.h>
+
+#endif

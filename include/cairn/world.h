@@ -85,6 +85,7 @@ struct Statistics {
     int max_substeps = 0;              ///< Most substeps that any island took.
     double max_penetration = 0;        ///< Deepest overlap, meters, >= 0.
     std::size_t swept_pairs = 0;       ///< In the last step: pairs looked at along their ways, as one moved far.
+    std::size_t impacts = 0;           ///< In the last step: impacts of bodies in flight, several of one body included.
     std::size_t stopped_bodies = 0;    ///< In the last step: bodies held where they met what the solver did not know.
     StageTimes times;
 };

@@ -25,9 +25,9 @@ bool is_isotropic(math::Vec3 moments) {
 }
 
 // Moves the center of mass within the body; the origin and the material's velocity there stay.
-void move_center(State& state, std::int32_t body, math::Vec3 center) {
-    BodyMotion& motion = state.motion[body];
-    BodyMass& mass = state.mass[body];
+void move_center(Bodies& bodies, std::int32_t body, math::Vec3 center) {
+    BodyMotion& motion = bodies.motion[body];
+    BodyMass& mass = bodies.mass[body];
     const DVec3 shift = math::rotate(motion.q, math::to_double(center - mass.center));
     motion.x += shift;
     motion.v += math::cross(motion.w, math::to_float(shift));
@@ -39,25 +39,25 @@ float reciprocal(float x) { return x > 0 && std::isfinite(x) ? std::min(1.0f / x
 
 } // namespace
 
-void set_mass(State& state, std::int32_t body, const MassProperties& properties) {
-    BodyMass& mass = state.mass[body];
-    move_center(state, body, {properties.center_of_mass.x, properties.center_of_mass.y, properties.center_of_mass.z});
+void set_mass(Bodies& bodies, Joints& joints, std::int32_t body, const MassProperties& properties) {
+    BodyMass& mass = bodies.mass[body];
+    move_center(bodies, body, {properties.center_of_mass.x, properties.center_of_mass.y, properties.center_of_mass.z});
     const auto& p = properties.inertia_diagonal;
     const auto& q = properties.inertia_orientation;
     mass.mass = properties.mass;
     mass.inertia = {p.x, p.y, p.z};
     mass.principal = math::normalized(math::Quat{q.x, q.y, q.z, q.w});
-    const bool dynamic = state.is_dynamic(body);
+    const bool dynamic = bodies.is_dynamic(body);
     mass.inverse_mass = dynamic ? reciprocal(mass.mass) : 0;
     mass.inverse_inertia = dynamic ? math::Vec3{reciprocal(p.x), reciprocal(p.y), reciprocal(p.z)} : math::Vec3{};
-    if (state.bodies[body].first_joint != none) ++state.joint_changes;
+    if (bodies.links[body].first_joint != none) ++joints.changes;
     mass.isotropic = is_isotropic(mass.inertia) || mass.inverse_inertia == math::Vec3{};
 }
 
-void refresh_mass(State& state, std::int32_t body) {
-    BodyMass& mass = state.mass[body];
+void refresh_mass(Bodies& bodies, const Shapes& shapes, Joints& joints, std::int32_t body) {
+    BodyMass& mass = bodies.mass[body];
     if (!mass.follows_shapes) {
-        set_mass(state, body,
+        set_mass(bodies, joints, body,
                  {mass.mass,
                   {mass.center.x, mass.center.y, mass.center.z},
                   {mass.inertia.x, mass.inertia.y, mass.inertia.z},
@@ -65,9 +65,9 @@ void refresh_mass(State& state, std::int32_t body) {
         return;
     }
     MassSum sum;
-    for (std::int32_t s = state.bodies[body].first_shape; s != none; s = state.shapes[s].next)
-        sum = combine(sum, geometry_mass(state.geometry[s], state.shape_data[s], state.shapes[s].density));
-    const float given_mass = state.body_settings[body].given_mass;
+    for (std::int32_t s = bodies.links[body].first_shape; s != none; s = shapes.links[s].next)
+        sum = combine(sum, geometry_mass(shapes.geometry[s], shapes.data[s], shapes.links[s].density));
+    const float given_mass = bodies.settings[body].given_mass;
     // Without any shape that has mass, a body is a point of its given mass, or of one kilogram, that does not turn.
     MassProperties properties;
     properties.inertia_diagonal = {0, 0, 0};
@@ -84,33 +84,33 @@ void refresh_mass(State& state, std::int32_t body) {
         properties.inertia_diagonal = {float(moments.x), float(moments.y), float(moments.z)};
         properties.inertia_orientation = {axes.w, axes.x, axes.y, axes.z};
     }
-    set_mass(state, body, properties);
+    set_mass(bodies, joints, body, properties);
 }
 
-void place_shapes(State& state, std::int32_t body) {
+void place_shapes(Bodies& bodies, Shapes& shapes, std::int32_t body) {
     float radius = 0, inner_radius = std::numeric_limits<float>::infinity();
-    const math::Quat q = math::to_float(state.motion[body].q);
-    place_each_shape(state, body, [&](std::uint32_t s) {
-        const Geometry& geometry = state.geometry[s];
+    const math::Quat q = math::to_float(bodies.motion[body].q);
+    place_each_shape(bodies, shapes, body, [&](std::uint32_t s) {
+        const Geometry& geometry = shapes.geometry[s];
         const math::Vec3 in_body = math::rotate(geometry.rotation, geometry.middle);
-        const math::Vec3 middle = state.shapes[s].arm + math::rotate(q, in_body);
-        size_shape(state.shape_poses[s], geometry);
-        inner_radius = std::min(inner_radius, 0.5f * smallest_extent(geometry, state.shape_data[s]));
+        const math::Vec3 middle = shapes.links[s].arm + math::rotate(q, in_body);
+        size_shape(shapes.poses[s], geometry);
+        inner_radius = std::min(inner_radius, 0.5f * smallest_extent(geometry, shapes.data[s]));
         radius = std::max(radius, math::length(middle) + geometry.bounding_radius);
     });
-    state.bodies[body].radius = radius;
-    state.bodies[body].inner_radius = inner_radius;
+    bodies.links[body].radius = radius;
+    bodies.links[body].inner_radius = inner_radius;
 }
 
-DVec3 body_origin(const State& state, std::int32_t body) {
-    const BodyMotion& motion = state.motion[body];
-    return motion.x - math::rotate(motion.q, math::to_double(state.mass[body].center));
+DVec3 body_origin(const Bodies& bodies, std::int32_t body) {
+    const BodyMotion& motion = bodies.motion[body];
+    return motion.x - math::rotate(motion.q, math::to_double(bodies.mass[body].center));
 }
 
-void set_pose(State& state, std::int32_t body, DVec3 origin, math::DQuat rotation) {
-    BodyMotion& motion = state.motion[body];
+void set_pose(Bodies& bodies, std::int32_t body, DVec3 origin, math::DQuat rotation) {
+    BodyMotion& motion = bodies.motion[body];
     motion.q = math::normalized(rotation);
-    motion.x = origin + math::rotate(motion.q, math::to_double(state.mass[body].center));
+    motion.x = origin + math::rotate(motion.q, math::to_double(bodies.mass[body].center));
 }
 
 math::Sym3 world_inverse_inertia(const BodyMotion& motion, const BodyMass& mass) {
@@ -123,10 +123,10 @@ math::DSym3 world_inertia(const BodyMotion& motion, const BodyMass& mass) {
     return math::rotated_diagonal(math::to_matrix(mass_axes(motion, mass)), math::to_double(mass.inertia));
 }
 
-double kinetic_energy(const State& state, std::int32_t body) {
-    if (!state.is_dynamic(body)) return 0;
-    const BodyMotion& motion = state.motion[body];
-    const BodyMass& mass = state.mass[body];
+double kinetic_energy(const Bodies& bodies, std::int32_t body) {
+    if (!bodies.is_dynamic(body)) return 0;
+    const BodyMotion& motion = bodies.motion[body];
+    const BodyMass& mass = bodies.mass[body];
     const DVec3 v = math::to_double(motion.v), w = math::to_double(motion.w);
     const double linear = mass.inverse_mass > 0 ? double(mass.mass) * math::dot(v, v) : 0.0;
     const double angular = mass.inverse_inertia == math::Vec3{} ? 0.0 : math::dot(w, world_inertia(motion, mass) * w);

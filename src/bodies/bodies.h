@@ -9,13 +9,13 @@ namespace cairn {
 
 // Recomputes the mass of a body from its shapes, if it follows them, and with it the center of mass. The body's
 // origin and the velocity field of its material stay where they are.
-void refresh_mass(State& state, std::int32_t body);
+void refresh_mass(Bodies& bodies, const Shapes& shapes, Joints& joints, std::int32_t body);
 
 // Gives a body these mass properties; the center of mass moves, the body's origin does not.
-void set_mass(State& state, std::int32_t body, const MassProperties& properties);
+void set_mass(Bodies& bodies, Joints& joints, std::int32_t body, const MassProperties& properties);
 
 // Recomputes world poses and arms of a body's shapes, and the body's radius, after its pose or shapes changed.
-void place_shapes(State& state, std::int32_t body);
+void place_shapes(Bodies& bodies, Shapes& shapes, std::int32_t body);
 
 // The pose of a shape whose middle is at `position`, on a body with the rotation `q`; its size stays.
 inline void pose_shape(ShapePose& pose, const Geometry& geometry, math::DVec3 position, math::Quat q) {
@@ -32,21 +32,22 @@ inline void size_shape(ShapePose& pose, const Geometry& geometry) {
 }
 
 // Puts one shape where its body is. The step's inner loop.
-inline void place_shape(State& state, std::uint32_t shape, const BodyMotion& motion, math::Quat q, math::Vec3 center) {
-    const Geometry& geometry = state.geometry[shape];
+inline void place_shape(Shapes& shapes, std::uint32_t shape, const BodyMotion& motion, math::Quat q,
+                        math::Vec3 center) {
+    const Geometry& geometry = shapes.geometry[shape];
     math::Vec3 arm;
     if (!(geometry.position == center)) arm = math::rotate(q, geometry.position - center);
-    state.shapes[shape].arm = arm;
-    pose_shape(state.shape_poses[shape], geometry, motion.x + math::to_double(arm), q);
+    shapes.links[shape].arm = arm;
+    pose_shape(shapes.poses[shape], geometry, motion.x + math::to_double(arm), q);
 }
 
 // Puts all shapes of a body where it is; f(shape) after each.
-template <class F> void place_each_shape(State& state, std::int32_t body, F&& f) {
-    const BodyMotion& motion = state.motion[body];
+template <class F> void place_each_shape(const Bodies& bodies, Shapes& shapes, std::int32_t body, F&& f) {
+    const BodyMotion& motion = bodies.motion[body];
     const math::Quat q = math::to_float(motion.q);
-    const math::Vec3 center = state.mass[body].center;
-    for (std::int32_t s = state.bodies[body].first_shape; s != none; s = state.shapes[s].next) {
-        place_shape(state, std::uint32_t(s), motion, q, center);
+    const math::Vec3 center = bodies.mass[body].center;
+    for (std::int32_t s = bodies.links[body].first_shape; s != none; s = shapes.links[s].next) {
+        place_shape(shapes, std::uint32_t(s), motion, q, center);
         f(std::uint32_t(s));
     }
 }
@@ -57,8 +58,8 @@ inline float looked_ahead(float turn) {
     return std::min(turn, most);
 }
 // How far that moves any point of a body, m.
-inline float turn_reach(const State& s, std::int32_t body, float dt) {
-    return looked_ahead(dt * math::length(s.motion[body].w)) * s.bodies[body].radius;
+inline float turn_reach(const Bodies& bodies, std::int32_t body, float dt) {
+    return looked_ahead(dt * math::length(bodies.motion[body].w)) * bodies.links[body].radius;
 }
 
 inline math::DVec3 shape_position(const ShapePose& pose) {
@@ -66,23 +67,23 @@ inline math::DVec3 shape_position(const ShapePose& pose) {
 }
 inline math::Quat shape_rotation(const ShapePose& pose) { return {pose.q[0], pose.q[1], pose.q[2], pose.q[3]}; }
 
-inline DBounds shape_bounds(const State& state, std::uint32_t shape) {
-    const ShapePose& pose = state.shape_poses[shape];
-    return geometry_bounds(state.geometry[shape], state.shape_data[shape], shape_position(pose),
+inline DBounds shape_bounds(const Shapes& shapes, std::uint32_t shape) {
+    const ShapePose& pose = shapes.poses[shape];
+    return geometry_bounds(shapes.geometry[shape], shapes.data[shape], shape_position(pose),
                            math::to_matrix(shape_rotation(pose)));
 }
 
 // Origin of the body's frame, world.
-math::DVec3 body_origin(const State& state, std::int32_t body);
+math::DVec3 body_origin(const Bodies& bodies, std::int32_t body);
 // Puts the body's origin there.
-void set_pose(State& state, std::int32_t body, math::DVec3 origin, math::DQuat rotation);
+void set_pose(Bodies& bodies, std::int32_t body, math::DVec3 origin, math::DQuat rotation);
 
 // World tensors about the center of mass.
 math::Sym3 world_inverse_inertia(const BodyMotion& motion, const BodyMass& mass);
 math::DSym3 world_inertia(const BodyMotion& motion, const BodyMass& mass);
 
 // J; 0 for static and kinematic bodies, and for the immovable part of others.
-double kinetic_energy(const State& state, std::int32_t body);
+double kinetic_energy(const Bodies& bodies, std::int32_t body);
 
 // Cuts velocities to the maximum; true if anything was cut.
 bool cut_velocity(const WorldDef& settings, math::Vec3& v, math::Vec3& w);

@@ -15,45 +15,42 @@ namespace cairn {
 namespace {
 
 // How far the shape's surface moves as its body turns in the next step, m. Balls in the middle of their bodies stay.
-double turn_of_shape(const State& s, std::uint32_t shape, float turn) {
-    return s.geometry[shape].type == ShapeType::sphere && s.shapes[shape].arm == math::Vec3{} ? 0.0 : double(turn);
+double turn_of_shape(const Shapes& shapes, std::uint32_t shape, float turn) {
+    return shapes.geometry[shape].type == ShapeType::sphere && shapes.links[shape].arm == math::Vec3{} ? 0.0
+                                                                                                       : double(turn);
 }
 
 // Of a shape that is no infinite plane, of a body that turns in the next step by so many meters.
-DBounds bounds_of(const State& s, std::uint32_t shape, float turn) {
-    const ShapePose& pose = s.shape_poses[shape];
-    return grown(geometry_bounds(s.geometry[shape], s.shape_data[shape], shape_position(pose),
+DBounds bounds_of(const Shapes& shapes, std::uint32_t shape, float turn) {
+    const ShapePose& pose = shapes.poses[shape];
+    return grown(geometry_bounds(shapes.geometry[shape], shapes.data[shape], shape_position(pose),
                                  math::to_matrix(shape_rotation(pose))),
-                 turn_of_shape(s, shape, turn));
+                 turn_of_shape(shapes, shape, turn));
 }
 
 math::Vec3 normal_of_plane(const ShapePose& pose) { return math::rotate(shape_rotation(pose), math::Vec3{0, 1, 0}); }
 
 constexpr float usual_step = 1.0f / 60; // s: what comes between two steps does not know how long the next one is
 
-void move_shapes(State& s, std::int32_t b, float dt) {
-    const math::Vec3 displacement = dt * s.motion[b].v;
-    const float turn = turn_reach(s, b, dt);
-    s.boxes_until[b] = s.travel[b];
-    place_each_shape(s, b, [&](std::uint32_t shape) {
-        const ShapePose& pose = s.shape_poses[shape];
-        if (s.geometry[shape].type == ShapeType::plane)
-            s.broad_phase.move_plane(shape, shape_position(pose), normal_of_plane(pose));
+void move_shapes(Bodies& bodies, Shapes& shapes, BroadPhase& broad_phase, std::int32_t b, float dt) {
+    const math::Vec3 displacement = dt * bodies.motion[b].v;
+    const float turn = turn_reach(bodies, b, dt);
+    bodies.boxes_until[b] = bodies.travel[b];
+    place_each_shape(bodies, shapes, b, [&](std::uint32_t shape) {
+        const ShapePose& pose = shapes.poses[shape];
+        if (shapes.geometry[shape].type == ShapeType::plane)
+            broad_phase.move_plane(shape, shape_position(pose), normal_of_plane(pose));
         else
-            s.broad_phase.set_bounds(shape, bounds_of(s, shape, turn), displacement);
+            broad_phase.set_bounds(shape, bounds_of(shapes, shape, turn), displacement);
     });
 }
-
-// How much farther than expected a body may move, m, and as part of its smallest half width: half of the margin of
-// contacts, which both bodies of a pair share.
-constexpr double max_stray = 0.005, max_stray_part = 0.25;
 
 constexpr double rounding = 1e-5; // of bounds, as part of a body's size
 
 // How far out a body's surface turns. One without shapes is as large as its inertia says.
-float surface_radius(const State& s, std::int32_t b) {
-    const float radius = s.bodies[b].radius;
-    const BodyMass& mass = s.mass[b];
+float surface_radius(const Bodies& bodies, std::int32_t b) {
+    const float radius = bodies.links[b].radius;
+    const BodyMass& mass = bodies.mass[b];
     if (radius > 0 || !(mass.inverse_mass > 0)) return radius;
     return std::sqrt(std::max(mass.inertia.x, std::max(mass.inertia.y, mass.inertia.z)) * mass.inverse_mass);
 }
@@ -77,100 +74,105 @@ void note_rest(const WorldDef& settings, BodyLinks& links, math::Vec3 v, float s
 
 } // namespace
 
-void finalize_body(State& s, std::int32_t b, float dt, FinalizeScratch& own) {
-    const BodyMotion& motion = s.motion[b];
-    const float turn = turn_reach(s, b, dt);
-    BodyLinks& links = s.bodies[b];
+void finalize_body(const State& s, Bodies& bodies, Shapes& shapes, std::int32_t b, float dt, FinalizeScratch& own) {
+    const BodyMotion& motion = bodies.motion[b];
+    const float turn = turn_reach(bodies, b, dt);
+    BodyLinks& links = bodies.links[b];
     const float velocity = math::length(motion.v);
     const double ahead = double(turn + dt * velocity);
     // The step's own motion is counted at the start of the next one.
-    const double moved = uncounted(s.counted[b], motion, links.radius);
+    const double moved = uncounted(bodies.counted[b], motion, links.radius);
     const bool is_free = links.first_joint == none; // what hangs on joints cannot be held without opening them
     const bool is_fast = is_free && moved > free_share * double(links.inner_radius);
-    const double spare = std::min(max_stray, max_stray_part * double(links.inner_radius));
-    bool has_strayed = is_before(s.ahead[b] + budget_of(spare), s.travel[b] + budget_of(moved));
-    const Travel now = s.travel[b] + travelled(moved);
-    if (is_before(now + travelled(ahead), s.boxes_until[b])) {
-        place_each_shape(s, b, [](std::uint32_t) {});
+    // How much farther than expected it may move: half of the margin of contacts, which both bodies of a pair share.
+    const double spare = 0.5 * std::min(max_margin, margin_per_extent * 2 * double(links.inner_radius));
+    bool has_strayed = is_before(bodies.ahead[b] + budget_of(spare), bodies.travel[b] + budget_of(moved));
+    const Travel now = bodies.travel[b] + travelled(moved);
+    if (is_before(now + travelled(ahead), bodies.boxes_until[b])) {
+        place_each_shape(bodies, shapes, b, [](std::uint32_t) {});
     } else {
         const math::Vec3 displacement = dt * motion.v;
         double room = std::numeric_limits<double>::infinity();
-        place_each_shape(s, b, [&](std::uint32_t shape) { // no plane: the body is dynamic
-            const DBounds bounds = bounds_of(s, shape, turn);
+        place_each_shape(bodies, shapes, b, [&](std::uint32_t shape) { // no plane: the body is dynamic
+            const DBounds bounds = bounds_of(shapes, shape, turn);
             has_strayed |= is_fast && !contains(s.broad_phase.fat_bounds(shape), bounds);
             const double left = s.broad_phase.room(shape, bounds, displacement);
             if (left < 0) own.escaped.push_back({shape, bounds, displacement});
             room = std::min(room, left);
         });
-        s.boxes_until[b] = now + budget_of(room - rounding * double(links.radius));
+        bodies.boxes_until[b] = now + budget_of(room - rounding * double(links.radius));
     }
     if (is_fast) {
         own.fast.push_back(b);
         if (has_strayed) own.strayed.push_back(b);
     }
-    const float speed = velocity + math::length(motion.w) * surface_radius(s, b);
+    const float speed = velocity + math::length(motion.w) * surface_radius(bodies, b);
     note_rest(s.settings, links, motion.v, speed, dt);
 }
 
-void place_again(State& s, std::int32_t b, float dt) { move_shapes(s, b, dt); }
-
-void prefetch_motion(const State& s, std::int32_t b) {
-    ask_cache(&s.motion[b].x);
-    ask_cache(&s.motion[b].q);
-    ask_cache(&s.mass[b]);
-    ask_cache(&s.body_settings[b]);
+void place_again(Bodies& bodies, Shapes& shapes, BroadPhase& broad_phase, std::int32_t b, float dt) {
+    move_shapes(bodies, shapes, broad_phase, b, dt);
 }
 
-void prefetch_body(const State& s, std::int32_t b) {
-    prefetch_motion(s, b);
-    ask_cache(&s.bodies[b].first_shape);
-    ask_cache(&s.bodies[b].inner_radius);
-    ask_cache(&s.counted[b]);
-    ask_cache(&s.boxes_until[b]);
+void prefetch_motion(const Bodies& bodies, std::int32_t b) {
+    ask_cache(&bodies.motion[b].x);
+    ask_cache(&bodies.motion[b].q);
+    ask_cache(&bodies.mass[b]);
+    ask_cache(&bodies.settings[b]);
+}
+
+void prefetch_body(const Bodies& bodies, std::int32_t b) {
+    prefetch_motion(bodies, b);
+    ask_cache(&bodies.links[b].first_shape);
+    ask_cache(&bodies.links[b].inner_radius);
+    ask_cache(&bodies.counted[b]);
+    ask_cache(&bodies.boxes_until[b]);
 }
 
 void prefetch_shape_of(const State& s, std::int32_t b) {
-    const std::int32_t first = s.bodies[b].first_shape;
+    const std::int32_t first = s.bodies.links[b].first_shape;
     if (first == none) return;
     const auto shape = std::size_t(first);
-    ask_cache(&s.shapes[shape]);
-    ask_cache(&s.shape_poses[shape]);
-    ask_cache(&s.geometry[shape]);
-    ask_cache(&s.geometry[shape].is_double_sided);
+    ask_cache(&s.shapes.links[shape]);
+    ask_cache(&s.shapes.poses[shape]);
+    ask_cache(&s.shapes.geometry[shape]);
+    ask_cache(&s.shapes.geometry[shape].is_double_sided);
     ask_cache(&s.broad_phase.fat_bounds(std::uint32_t(shape)));
 }
 
-void finalize_kinematics(State& s, float dt) {
-    for (const std::int32_t b : s.kinematics) {
-        const BodyMotion& motion = s.motion[b];
+void finalize_kinematics(Bodies& bodies, Shapes& shapes, BroadPhase& broad_phase, float dt) {
+    for (const std::int32_t b : bodies.kinematics) {
+        const BodyMotion& motion = bodies.motion[b];
         if (motion.v == math::Vec3{} && motion.w == math::Vec3{}) continue;
-        move_shapes(s, b, dt);
+        move_shapes(bodies, shapes, broad_phase, b, dt);
     }
 }
 
-void add_proxy(State& s, std::uint32_t shape) {
-    const std::int32_t body = s.shapes[shape].body;
-    s.boxes_until[body] = s.travel[body];
-    const BodyType type = s.body_settings[body].type;
-    if (s.geometry[shape].type == ShapeType::plane) {
-        const ShapePose& pose = s.shape_poses[shape];
-        s.broad_phase.add_plane(shape, shape_position(pose), normal_of_plane(pose),
-                                s.geometry[shape].is_double_sided != 0);
+void add_proxy(Bodies& bodies, const Shapes& shapes, BroadPhase& broad_phase, std::uint32_t shape) {
+    const std::int32_t body = shapes.links[shape].body;
+    bodies.boxes_until[body] = bodies.travel[body];
+    const BodyType type = bodies.settings[body].type;
+    if (shapes.geometry[shape].type == ShapeType::plane) {
+        const ShapePose& pose = shapes.poses[shape];
+        broad_phase.add_plane(shape, shape_position(pose), normal_of_plane(pose),
+                              shapes.geometry[shape].is_double_sided != 0);
         return;
     }
     const auto mobility = type == BodyType::static_ ? BroadPhase::Mobility::fixed : BroadPhase::Mobility::awake;
-    const DBounds bounds = shape_bounds(s, shape);
-    s.broad_phase.add(shape, bounds, mobility, type == BodyType::kinematic);
-    s.broad_phase.set_bounds(shape, grown(bounds, turn_of_shape(s, shape, turn_reach(s, body, usual_step))),
-                             usual_step * s.motion[body].v);
+    const DBounds bounds = shape_bounds(shapes, shape);
+    broad_phase.add(shape, bounds, mobility, type == BodyType::kinematic);
+    broad_phase.set_bounds(shape, grown(bounds, turn_of_shape(shapes, shape, turn_reach(bodies, body, usual_step))),
+                           usual_step * bodies.motion[body].v);
 }
 
-void update_proxies(State& s, std::int32_t b) {
-    spend_budget(s, b);
-    place_shapes(s, b);
-    sweep_proxies(s, b);
+void update_proxies(Bodies& bodies, Shapes& shapes, BroadPhase& broad_phase, std::int32_t b) {
+    spend_budget(bodies, b);
+    place_shapes(bodies, shapes, b);
+    sweep_proxies(bodies, shapes, broad_phase, b);
 }
 
-void sweep_proxies(State& s, std::int32_t b) { move_shapes(s, b, usual_step); }
+void sweep_proxies(Bodies& bodies, Shapes& shapes, BroadPhase& broad_phase, std::int32_t b) {
+    move_shapes(bodies, shapes, broad_phase, b, usual_step);
+}
 
 } // namespace cairn

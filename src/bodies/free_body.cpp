@@ -17,37 +17,37 @@ constexpr double max_even_turn = 0.25; // rad
 
 } // namespace
 
-std::uint64_t move_free_body(State& s, std::int32_t b, float dt) {
+std::uint64_t move_free_body(Bodies& bodies, const ForceFields& fields, const WorldDef& settings, std::int32_t b,
+                             float dt, int substeps) {
     std::uint64_t clamped_speeds = 0;
-    BodyMotion& motion = s.motion[b];
-    const BodyMass& mass = s.mass[b];
-    const BodySettings& settings = s.body_settings[b];
-    if (clamp_velocity(s.settings, motion.v, motion.w)) {
+    BodyMotion& motion = bodies.motion[b];
+    const BodyMass& mass = bodies.mass[b];
+    const BodySettings& own = bodies.settings[b];
+    if (clamp_velocity(settings, motion.v, motion.w)) {
         ++clamped_speeds;
         motion.v_rest = motion.w_rest = {};
     }
-    const int substeps = s.in_pass(s.settings.substeps);
     const double h = double(dt) / substeps;
-    const double linear = damping_factor(settings.linear_damping, float(h));
-    const double angular = damping_factor(settings.angular_damping, float(h));
-    const Load load = load_on(s, b);
+    const double linear = damping_factor(own.linear_damping, float(h));
+    const double angular = damping_factor(own.angular_damping, float(h));
+    const Load load = load_on(bodies, b);
     const Spin spin = spin_of(mass);
-    const DVec3 torque = s.forces[b].torque;
+    const DVec3 torque = bodies.forces[b].torque;
     DVec3 x = motion.x, v = math::to_double(motion.v) + math::to_double(motion.v_rest);
     DVec3 w = math::to_double(motion.w) + math::to_double(motion.w_rest);
     DQuat q = motion.q;
-    const double max_v = s.settings.max_linear_speed, max_w = s.settings.max_angular_speed;
+    const double max_v = settings.max_linear_speed, max_w = settings.max_angular_speed;
     bool clamped = false;
     auto limited = [&](DVec3 u, double most) {
         clamped |= math::dot(u, u) > most * most;
         return cut(u, most);
     };
-    const bool force_varies = fields_vary(s);
+    const bool force_varies = fields_vary(fields);
     // About one axis: by one rotation, where its series holds to rounding.
-    const bool turns_evenly = !(angular < 1) && !s.is_pushed(b) && !precesses(mass, w, h, min_turn_free) &&
+    const bool turns_evenly = !(angular < 1) && !bodies.is_pushed(b) && !precesses(mass, w, h) &&
                               double(dt) * double(dt) * math::dot(w, w) < max_even_turn * max_even_turn;
     const auto linear_change = [&] {
-        const Increment change = linear_increment(s, load, x, v, h);
+        const Increment change = linear_increment(fields, settings, load, x, v, h);
         return Increment{cut(change.velocity, max_v), cut(change.correction, max_v)};
     };
     Increment change = linear_change();
@@ -58,9 +58,10 @@ std::uint64_t move_free_body(State& s, std::int32_t b, float dt) {
             x += h * (v + change.correction);
         }
         if (turns_evenly) continue;
-        const Increment turn = precesses(mass, w, h, min_turn_free)
-                                   ? gyroscopic_increment(s, spin, q, w, spin.to_world(q, spin.moments, w), torque, h)
-                                   : torque_increment(s, b, spin, q, h);
+        const Increment turn =
+            precesses(mass, w, h)
+                ? gyroscopic_increment(settings, spin, q, w, spin.to_world(q, spin.moments, w), torque, h)
+                : torque_increment(bodies, settings, b, spin, q, h);
         w = limited(angular * (w + cut(turn.velocity, max_w)), max_w);
         q = turned_by(h * (w + cut(turn.correction, max_w)), q);
     }

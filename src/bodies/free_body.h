@@ -5,7 +5,8 @@
 
 namespace cairn {
 
-// A whole step, in double. What the rounding of its velocities leaves over is kept. Returns how often a speed was cut.
-std::uint64_t move_free_body(State& state, std::int32_t body, float dt);
+// In double. What the rounding of its velocities leaves over is kept. Returns how often a speed was cut.
+std::uint64_t move_free_body(Bodies& bodies, const ForceFields& fields, const WorldDef& settings, std::int32_t body,
+                             float dt, int substeps);
 
 } // namespace cairn

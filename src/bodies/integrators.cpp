@@ -97,28 +97,30 @@ DQuat turned_by(DVec3 u, const DQuat& q) {
     return math::normalized(math::from_rotation_vector(u) * q);
 }
 
-Increment linear_increment(const State& s, const Load& load, DVec3 x, DVec3 v, double h) {
+Increment linear_increment(const ForceFields& fields, const WorldDef& settings, const Load& load, DVec3 x, DVec3 v,
+                           double h) {
     auto acceleration = [&](DVec3 at) {
-        return field_acceleration(s, at, load.gravity_scale, double(load.inverse_mass)) + load.force_acceleration;
+        return field_acceleration(fields, settings, at, load.gravity_scale, double(load.inverse_mass)) +
+               load.force_acceleration;
     };
     const DVec3 a1 = acceleration(x);
-    if (s.settings.integrator != Integrator::rk4) return translate(s.settings.integrator, h * a1);
+    if (settings.integrator != Integrator::rk4) return translate(settings.integrator, h * a1);
     const DVec3 a2 = acceleration(x + (h / 2) * v), a3 = acceleration(x + (h / 2) * v + (h * h / 4) * a1);
     const DVec3 a4 = acceleration(x + h * v + (h * h / 2) * a2);
     const DVec3 dv = (h / 6) * (a1 + 2.0 * a2 + 2.0 * a3 + a4);
     return {dv, (h / 6) * (a1 + a2 + a3) - dv};
 }
 
-bool fields_vary(const State& s) {
-    for (std::uint32_t i = 0; i < s.fields.size(); ++i)
-        if (s.field_slots.is_live(i) && s.fields[i].kind == ForceField::Kind::radial) return true;
+bool fields_vary(const ForceFields& fields) {
+    for (std::uint32_t i = 0; i < fields.all.size(); ++i)
+        if (fields.slots.is_live(i) && fields.all[i].kind == ForceField::Kind::radial) return true;
     return false;
 }
 
-Load load_on(const State& s, std::int32_t b) {
-    const BodyMass& mass = s.mass[b];
-    const BodyForces& forces = s.forces[b];
-    return {double(mass.inverse_mass) * forces.force, s.body_settings[b].gravity_scale, mass.inverse_mass};
+Load load_on(const Bodies& bodies, std::int32_t b) {
+    const BodyMass& mass = bodies.mass[b];
+    const BodyForces& forces = bodies.forces[b];
+    return {double(mass.inverse_mass) * forces.force, bodies.settings[b].gravity_scale, mass.inverse_mass};
 }
 
 Spin spin_of(const BodyMass& mass) {
@@ -130,15 +132,15 @@ Spin spin_of(const BodyMass& mass) {
             math::normalized(math::to_double(mass.principal))};
 }
 
-bool precesses(const BodyMass& mass, DVec3 w, double h, double least) {
+bool precesses(const BodyMass& mass, DVec3 w, double h) {
     const bool turns_freely = mass.inverse_inertia.x > 0 && mass.inverse_inertia.y > 0 && mass.inverse_inertia.z > 0;
-    return !mass.isotropic && turns_freely && h * h * math::dot(w, w) > least * least;
+    return !mass.isotropic && turns_freely && h * h * math::dot(w, w) > min_turn * min_turn;
 }
 
 // For a body at rotation q with the angular velocity w and the angular momentum that goes with it.
-Increment gyroscopic_increment(const State& s, const Spin& spin, const DQuat& q, DVec3 w, DVec3 momentum, DVec3 torque,
-                               double h) {
-    switch (s.settings.integrator) {
+Increment gyroscopic_increment(const WorldDef& settings, const Spin& spin, const DQuat& q, DVec3 w, DVec3 momentum,
+                               DVec3 torque, double h) {
+    switch (settings.integrator) {
     case Integrator::semi_implicit_euler:
         return split_spin(spin, q, w, momentum + h * torque, h);
     case Integrator::explicit_euler:
@@ -150,9 +152,19 @@ Increment gyroscopic_increment(const State& s, const Spin& spin, const DQuat& q,
 }
 
 // The torque alone.
-Increment torque_increment(const State& s, std::int32_t b, const Spin& spin, const DQuat& q, double h) {
-    if (!s.is_pushed(b)) return {};
-    return translate(s.settings.integrator, h * spin.to_world(q, spin.inverse_moments, s.forces[b].torque));
+Increment torque_increment(const Bodies& bodies, const WorldDef& settings, std::int32_t b, const Spin& spin,
+                           const DQuat& q, double h) {
+    if (!bodies.is_pushed(b)) return {};
+    return translate(settings.integrator, h * spin.to_world(q, spin.inverse_moments, bodies.forces[b].torque));
+}
+
+DVec3 acceleration_at(const Bodies& bodies, const ForceFields& fields, const WorldDef& settings, std::int32_t b,
+                      DVec3 x) {
+    const double inverse_mass = bodies.is_dynamic(b) ? double(bodies.mass[b].inverse_mass) : 0;
+    if (!(inverse_mass > 0)) return {};
+    DVec3 a = field_acceleration(fields, settings, x, bodies.settings[b].gravity_scale, inverse_mass);
+    if (bodies.is_pushed(b)) a += inverse_mass * bodies.forces[b].force;
+    return a;
 }
 
 float damping_factor(float rate, float h) {
@@ -160,18 +172,19 @@ float damping_factor(float rate, float h) {
     return 1.0f / (1.0f + x * (1.0f + 0.5f * x));
 }
 
-bool any_field(const State& s) {
-    for (std::uint32_t i = 0; i < s.fields.size(); ++i)
-        if (s.field_slots.is_live(i)) return true;
+bool any_field(const ForceFields& fields) {
+    for (std::uint32_t i = 0; i < fields.all.size(); ++i)
+        if (fields.slots.is_live(i)) return true;
     return false;
 }
 
-DVec3 field_acceleration(const State& s, DVec3 x, float gravity_scale, double inverse_mass) {
-    const auto& g = s.settings.gravity;
+DVec3 field_acceleration(const ForceFields& fields, const WorldDef& settings, DVec3 x, float gravity_scale,
+                         double inverse_mass) {
+    const auto& g = settings.gravity;
     DVec3 a = double(gravity_scale) * DVec3{g.x, g.y, g.z};
-    for (std::uint32_t i = 0; i < s.fields.size(); ++i) {
-        if (!s.field_slots.is_live(i)) continue;
-        const ForceField& field = s.fields[i];
+    for (std::uint32_t i = 0; i < fields.all.size(); ++i) {
+        if (!fields.slots.is_live(i)) continue;
+        const ForceField& field = fields.all[i];
         const double factor = field.is_force ? inverse_mass : 1.0;
         if (field.kind == ForceField::Kind::uniform) {
             a += factor * DVec3{field.direction.x, field.direction.y, field.direction.z};

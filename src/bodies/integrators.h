@@ -12,9 +12,9 @@ namespace cairn {
 // them no moment is less than this share of the greatest. (A rod 20 times as long as thick has 0.5 %.)
 inline constexpr float min_contact_moment = 0.005f;
 
-// Slower rotations (radians per substep) have no gyroscopic part worth computing. It makes no difference to what is
-// held by friction, but the energy of a free top depends on it.
-inline constexpr double min_turn_free = 1e-6, min_turn_in_contact = 1e-5;
+// Slower rotations (radians per substep) have no gyroscopic part worth computing. What is held by friction bears ten
+// times as much; the energy of a free top does not.
+inline constexpr double min_turn = 1e-6;
 
 struct Increment {
     math::DVec3 velocity, correction;
@@ -39,22 +39,29 @@ struct Load {
     math::DVec3 force_acceleration;
     float gravity_scale, inverse_mass;
 };
-Load load_on(const State& state, std::int32_t body);
+Load load_on(const Bodies& bodies, std::int32_t body);
 
-Increment linear_increment(const State& state, const Load& load, math::DVec3 x, math::DVec3 v, double h);
+Increment linear_increment(const ForceFields& fields, const WorldDef& settings, const Load& load, math::DVec3 x,
+                           math::DVec3 v, double h);
 // Whether a body has a gyroscopic part: unequal moments, and turns faster than `least` in a substep.
-bool precesses(const BodyMass& mass, math::DVec3 w, double h, double least);
+bool precesses(const BodyMass& mass, math::DVec3 w, double h);
 // For a body at rotation q with the angular velocity w and the angular momentum that goes with it.
-Increment gyroscopic_increment(const State& state, const Spin& spin, const math::DQuat& q, math::DVec3 w,
+Increment gyroscopic_increment(const WorldDef& settings, const Spin& spin, const math::DQuat& q, math::DVec3 w,
                                math::DVec3 momentum, math::DVec3 torque, double h);
 // The torque alone.
-Increment torque_increment(const State& state, std::int32_t body, const Spin& spin, const math::DQuat& q, double h);
+Increment torque_increment(const Bodies& bodies, const WorldDef& settings, std::int32_t body, const Spin& spin,
+                           const math::DQuat& q, double h);
 
-bool any_field(const State& state);
+bool any_field(const ForceFields& fields);
 // Whether forces depend on the position.
-bool fields_vary(const State& state);
+bool fields_vary(const ForceFields& fields);
 // Gravity and fields at a point, m/s^2 (for a body of that mass and gravity scale).
-math::DVec3 field_acceleration(const State& state, math::DVec3 x, float gravity_scale, double inverse_mass);
+math::DVec3 field_acceleration(const ForceFields& fields, const WorldDef& settings, math::DVec3 x, float gravity_scale,
+                               double inverse_mass);
+
+// Of gravity, fields and what pushes the body in this step, m/s^2; 0 if nothing can move it.
+math::DVec3 acceleration_at(const Bodies& bodies, const ForceFields& fields, const WorldDef& settings,
+                            std::int32_t body, math::DVec3 x);
 
 // The factor exp(-c h) for a damping rate c: one over the first terms of exp(c h), so it never changes sign.
 float damping_factor(float rate, float h);

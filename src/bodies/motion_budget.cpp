@@ -11,21 +11,21 @@ namespace cairn {
 
 namespace {
 
-// Up to that length, less for bodies smaller than a meter, motion is not counted while a body is as slow as that: a
-// share of what a soft contact sinks under a body's own weight, which is about 10 m/s^2 times the square of the
-// substep; and in one step, a share of that length. The solver cannot see a creep as slow as that.
-constexpr double sinking = 10.0, max_shift = 0.01, max_step = 0.25;
+// m/s^2: times the square of the substep it is the length up to which, less for bodies smaller than a meter, motion is
+// not counted while a body is slow: a hundredth of what a soft contact sinks under a body's own weight.
+constexpr double max_creep = 0.1;
+constexpr double max_step = 0.25; // of that length in one step: the solver cannot see a creep as slow as that
 
 constexpr float max_turn = 1.0f; // radians in a step
 
 constexpr int bodies_per_chunk = 1024;  // for threads
 constexpr std::size_t bodies_ahead = 8; // that are asked for in time
 
-void prefetch_poses(const State& s, std::int32_t b) {
-    ask_cache(&s.motion[b].x);
-    ask_cache(&s.motion[b].q);
-    ask_cache(&s.counted[b]);
-    ask_cache(&s.mass[b]);
+void prefetch_poses(const Bodies& bodies, std::int32_t b) {
+    ask_cache(&bodies.motion[b].x);
+    ask_cache(&bodies.motion[b].q);
+    ask_cache(&bodies.counted[b]);
+    ask_cache(&bodies.mass[b]);
 }
 
 bool is_within(math::DVec3 v, double most) { return math::dot(v, v) <= most * most; }
@@ -45,67 +45,68 @@ bool stands_still(const CountedPose& counted, const BodyMotion& motion) {
            motion.q.y == counted.q.y && motion.q.z == counted.q.z && motion.q.w == counted.q.w;
 }
 
-void count(State& s, std::int32_t b) {
-    const BodyMotion& motion = s.motion[b];
-    s.travel[b] += travelled(uncounted(s.counted[b], motion, s.bodies[b].radius));
-    s.counted[b] = {motion.x, motion.q};
+void count(Bodies& bodies, std::int32_t b) {
+    const BodyMotion& motion = bodies.motion[b];
+    bodies.travel[b] += travelled(uncounted(bodies.counted[b], motion, bodies.links[b].radius));
+    bodies.counted[b] = {motion.x, motion.q};
 }
 
 } // namespace
 
-void spend_budget(State& s, std::int32_t b) {
-    const BodyMotion& motion = s.motion[b];
-    s.counted[b] = {motion.x, motion.q};
-    s.travel[b] += travelled(max_leap);
-    s.ahead[b] = s.boxes_until[b] = s.travel[b];
+void spend_budget(Bodies& bodies, std::int32_t b) {
+    const BodyMotion& motion = bodies.motion[b];
+    bodies.counted[b] = {motion.x, motion.q};
+    bodies.travel[b] += travelled(max_leap);
+    bodies.ahead[b] = bodies.boxes_until[b] = bodies.travel[b];
 }
 
-void count_motion(State& s, float dt) {
-    const double h = double(dt) / s.in_pass(s.settings.substeps);
-    const double shift = max_shift * sinking * h * h, speed = max_step * shift / double(dt);
+void count_motion(Bodies& bodies, const Islands& islands, const WorldDef& settings, StepScratch& step, float dt) {
+    const double h = double(dt) / step.passes.in_pass(settings.substeps);
+    const double shift = max_creep * h * h, speed = max_step * shift / double(dt);
     const auto look_ahead = [&](std::int32_t b) {
-        const float reach = s.narrow.turn_reach[b] = turn_reach(s, b, dt);
-        const float way = dt * math::length(s.motion[b].v);
-        s.ahead[b] = s.travel[b] + travelled(double(way + reach));
+        const float reach = step.narrow.turn_reach[b] = turn_reach(bodies, b, dt);
+        const float way = dt * math::length(bodies.motion[b].v);
+        bodies.ahead[b] = bodies.travel[b] + travelled(double(way + reach));
     };
-    s.narrow.turn_reach.assign(s.bodies.size(), 0); // of what does not move
-    const bool is_first = s.passes == s.first_pass; // what whirls is asked once a step
+    step.narrow.turn_reach.assign(bodies.links.size(), 0); // of what does not move
+    const bool is_first = step.passes.number == 0;         // what whirls is asked once a step
     if (is_first) {
-        for (const std::int32_t b : s.narrow.whirling) s.narrow.whirls[b] = 0;
-        s.narrow.whirls.resize(s.bodies.size());
-        s.narrow.whirling.clear();
+        for (const std::int32_t b : step.narrow.whirling) step.narrow.whirls[b] = 0;
+        step.narrow.whirls.resize(bodies.links.size());
+        step.narrow.whirling.clear();
     }
-    std::vector<std::int32_t>& awake = s.narrow.awake;
+    std::vector<std::int32_t>& awake = step.narrow.awake;
     awake.clear();
-    for (const std::int32_t i : s.awake_islands)
-        for (std::int32_t b = s.islands[i].first_body; b != none; b = s.bodies[b].next_in_island) awake.push_back(b);
+    for (const std::int32_t i : islands.awake)
+        for (std::int32_t b = islands.all[i].first_body; b != none; b = bodies.links[b].next_in_island)
+            awake.push_back(b);
     const float max_square = (max_turn / dt) * (max_turn / dt);
     std::mutex whirling;
-    s.thread_pool->for_chunks(int(awake.size()), bodies_per_chunk, [&](int begin, int end, int) {
+    step.thread_pool->for_chunks(int(awake.size()), bodies_per_chunk, [&](int begin, int end, int) {
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
-            if (k + bodies_ahead < awake.size()) prefetch_poses(s, awake[k + bodies_ahead]);
+            if (k + bodies_ahead < awake.size()) prefetch_poses(bodies, awake[k + bodies_ahead]);
             const std::int32_t b = awake[k];
-            const BodyMotion& motion = s.motion[b];
-            if (!rests(s.counted[b], motion, s.bodies[b].radius, shift, speed)) count(s, b);
+            const BodyMotion& motion = bodies.motion[b];
+            if (!rests(bodies.counted[b], motion, bodies.links[b].radius, shift, speed)) count(bodies, b);
             look_ahead(b);
-            if (is_first && math::dot(motion.w, motion.w) > max_square && !s.mass[b].isotropic) {
+            if (is_first && math::dot(motion.w, motion.w) > max_square && !bodies.mass[b].isotropic) {
                 const std::lock_guard lock(whirling);
-                s.narrow.whirling.push_back(b); // in any order
-                s.narrow.whirls[b] = 1;
+                step.narrow.whirling.push_back(b); // in any order
+                step.narrow.whirls[b] = 1;
             }
         }
     });
-    for (const std::int32_t b : s.kinematics) {
-        if (!stands_still(s.counted[b], s.motion[b])) count(s, b);
+    for (const std::int32_t b : bodies.kinematics) {
+        if (!stands_still(bodies.counted[b], bodies.motion[b])) count(bodies, b);
         look_ahead(b);
     }
 }
 
-float fastest_spinner_in_contact(const State& s) {
+float fastest_spinner_in_contact(const Bodies& bodies, const NarrowScratch& narrow) {
     float fastest = 0;
-    for (const std::int32_t b : s.narrow.whirling)
-        if (const BodyLinks& links = s.bodies[b]; links.contact_count > 0 && links.joint_count == 0)
-            fastest = std::max(fastest, math::length(s.motion[b].w));
+    for (const std::int32_t b : narrow.whirling)
+        if (const BodyLinks& links = bodies.links[b]; links.contact_count > 0 && links.joint_count == 0)
+            fastest = std::max(fastest, math::length(bodies.motion[b].w));
     return fastest;
 }
 

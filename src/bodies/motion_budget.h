@@ -3,6 +3,7 @@
 #pragma once
 
 #include "state/state.h"
+#include "state/step_scratch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,16 +12,16 @@ namespace cairn {
 
 // At the start of a pass: counts how far awake and kinematic bodies have moved, and how far they will have after it, by
 // their velocities; notes which ones are fast spinners.
-void count_motion(State& state, float dt);
+void count_motion(Bodies& bodies, const Islands& islands, const WorldDef& settings, StepScratch& step, float dt);
 
 // The body has been changed or put elsewhere: nothing that was found out about it holds.
-void spend_budget(State& state, std::int32_t body);
+void spend_budget(Bodies& bodies, std::int32_t body);
 
 // The greatest angular speed of a body that turns by more than a radian in the step, has unequal moments of inertia and
 // touches something; 0 if none does. The inertia and the arms of its contacts are then wrong before the step ends, and
 // would give it energy without end. Not of bodies in joints: their inertia is renewed in each substep, and a hand that
 // whirls in a heap of ragdolls would have all contacts of the world found anew.
-float fastest_spinner_in_contact(const State& state);
+float fastest_spinner_in_contact(const Bodies& bodies, const NarrowScratch& narrow);
 
 // Of two unit quaternions: the square of how far they are apart.
 inline double square_difference(const math::DQuat& p, const math::DQuat& q) {
@@ -37,41 +38,44 @@ inline double uncounted(const CountedPose& counted, const BodyMotion& motion, fl
 }
 
 // Of the bodies of a pair together.
-inline Travel travel_of(const State& s, const ContactInfo& c) { return s.travel[c.body_a] + s.travel[c.body_b]; }
+inline Travel travel_of(const Bodies& bodies, const ContactInfo& c) {
+    return bodies.travel[c.body_a] + bodies.travel[c.body_b];
+}
 
 // The pair was tested, or its points were moved along, and no body has moved since by more than a small part of a
 // micrometer.
-inline bool is_placed(const State& s, const ContactInfo& c) { return c.placed_at == travel_of(s, c); }
+inline bool is_placed(const Bodies& bodies, const ContactInfo& c) { return c.placed_at == travel_of(bodies, c); }
 
-// How far bodies may move after their contacts were found, as a share of their radius, and in meters at most. Points
+// How far bodies may move after their contacts were found, as a share of their radius, but no more than
+// half of the margin of contacts. Points
 // that are moved along keep their normal: what they miss is of second order, a shift of a millimeter times a turn of
 // three thousandths; and corners that come near are found at latest when they are that much nearer. Without this,
 // capsules, terrain and convex take 1.71, 1.60 and 1.43 times as long (bench scenes).
-inline constexpr double nearness = 3e-3, max_nearness = 5e-3;
+inline constexpr double nearness = 3e-3;
 
 // A pair with points: whether its bodies are still so near to where it was tested that its points may be moved along.
-inline bool is_near(const State& s, std::uint32_t id) {
-    const ContactInfo& c = s.contacts[id];
-    float radius = s.bodies[c.body_a].radius;
-    if (c.b_moves) radius = std::min(radius, s.bodies[c.body_b].radius);
-    return !is_before(s.answers[id].until + budget_of(std::min(nearness * double(radius), max_nearness)),
-                      travel_of(s, c));
+inline bool is_near(const Bodies& bodies, const Contacts& contacts, std::uint32_t id) {
+    const ContactInfo& c = contacts.info[id];
+    float radius = bodies.links[c.body_a].radius;
+    if (c.b_moves) radius = std::min(radius, bodies.links[c.body_b].radius);
+    return !is_before(contacts.answers[id].until + budget_of(std::min(nearness * double(radius), 0.5 * max_margin)),
+                      travel_of(bodies, c));
 }
 
-// The pair was found so far apart that it cannot come near in this pass. `ahead`: State::ahead.
+// The pair was found so far apart that it cannot come near in this pass. `ahead`: Bodies::ahead.
 inline bool stays_apart(const Travel* ahead, const PairAnswer& answer) {
     return is_before(ahead[answer.body_a] + ahead[answer.body_b], answer.until);
 }
 
 // The pair was tested just now, and found to stay apart until its bodies have moved by that length, m; 0: no such
 // thing.
-inline void keep_answer(State& s, std::uint32_t id, double length) {
-    s.contacts[id].placed_at = travel_of(s, s.contacts[id]);
-    s.answers[id].until = s.contacts[id].placed_at + budget_of(length);
+inline void keep_answer(const Bodies& bodies, Contacts& contacts, std::uint32_t id, double length) {
+    contacts.info[id].placed_at = travel_of(bodies, contacts.info[id]);
+    contacts.answers[id].until = contacts.info[id].placed_at + budget_of(length);
 }
 // It is not worth keeping.
-inline void drop_answer(State& s, std::uint32_t id) {
-    s.answers[id].until = s.contacts[id].placed_at = travel_of(s, s.contacts[id]) - 1;
+inline void drop_answer(const Bodies& bodies, Contacts& contacts, std::uint32_t id) {
+    contacts.answers[id].until = contacts.info[id].placed_at = travel_of(bodies, contacts.info[id]) - 1;
 }
 
 } // namespace cairn

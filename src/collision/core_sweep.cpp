@@ -25,6 +25,7 @@ constexpr double known_depth_part = 0.5; // of contacts that the solver knows
 // half width.
 constexpr double tolerance_part = 0.1;
 constexpr double touch_tolerance = 1e-4, touch_tolerance_part = 0.01;
+constexpr double impact_share = 0.01; // of that tolerance: how near they are where an impact is
 // After so many looks at a pair that turns fast and comes hardly nearer, the time that was reached is the answer.
 constexpr int max_rounds = 100;
 // A way along a mesh is looked at in pieces of so many sizes of what moves, but no more than that many.
@@ -32,27 +33,30 @@ constexpr double sizes_per_piece = 8;
 constexpr int max_pieces = 64;
 
 // What is looked at: cores, those of contacts that the solver knows, or the shapes themselves.
-enum class Layer { core, known_core, skin };
+enum class Layer { core, known_core, skin, impact };
 
 double depth_of(const Convex& c, Layer layer) {
-    if (c.kind == Convex::Kind::polygon || layer == Layer::skin) return 0;
+    if (c.kind == Convex::Kind::polygon || layer >= Layer::skin) return 0;
     return layer == Layer::known_core ? known_depth_part * c.extent : std::max(core_depth, core_depth_part * c.extent);
 }
 double tolerance_of(const Convex& c, Layer layer) {
-    if (layer == Layer::skin) return std::min(touch_tolerance, touch_tolerance_part * c.extent);
+    if (layer >= Layer::skin) {
+        const double tolerance = std::min(touch_tolerance, touch_tolerance_part * c.extent);
+        return layer == Layer::skin ? tolerance : impact_share * tolerance;
+    }
     return tolerance_part * depth_of(c, layer);
 }
 
 // What is known of a shape on its way.
 class Mover {
   public:
-    Mover(const SweptShape& s, Layer layer) : layer(layer), s_(s), turn_(length(s.path.turn)) {
+    Mover(const SweptShape& s, Layer layer, double from, double to) : layer(layer), s_(s), turn_(length(s.path.turn)) {
         const double ball = is_ball() ? 0 : s.geometry.bounding_radius;
         const DVec3 to_middle = middle_offset();
-        const DVec3 arm = math::rotate(s.path.rotation, to_middle);
-        reach_ = length(arm) + ball;
-        start = s.path.start + arm;
-        const RigidPath::Pose last = s.until < 1 ? s.path.at(s.until) : s.path.end();
+        reach_ = length(to_middle) + ball;
+        const RigidPath::Pose first = from > s.path.begin || s.until < 1 ? body_at(from) : s.path.first();
+        start = first.x + math::rotate(first.q, to_middle);
+        const RigidPath::Pose last = s.until < 1 || to < s.path.until ? body_at(to) : s.path.end();
         end = last.x + math::rotate(last.q, to_middle);
     }
     bool is_ball() const { return s_.geometry.type == ShapeType::sphere; }
@@ -86,7 +90,7 @@ class Mover {
     double turning() const { return is_ball() ? 0 : turn_ * s_.geometry.bounding_radius; }
     DVec3 middle_offset() const { return s_.offset + local_middle(); } // from the center of mass, in the body's frame
     const Layer layer;
-    math::DVec3 start, end; // of the middle of its bounds
+    math::DVec3 start, end; // of the middle of its bounds: when it is first looked at, and last
 
   private:
     DVec3 local_middle() const {
@@ -103,6 +107,11 @@ struct Gap {
     double distance;
     DVec3 normal; // from a to b
     DVec3 on_a;   // the nearest point
+};
+
+// The times that are looked at.
+struct Span {
+    double begin, end;
 };
 
 // Until when the larger of the rates at which two come nearer stays what it is.
@@ -130,7 +139,12 @@ struct Course {
 // `within`.
 struct Question {
     double tolerance, within = 0;
+    bool is_impact = false; // what is as near as that and parts, or stays, has not met
 };
+
+Question question_of(const Convex& c, Layer layer, double within) {
+    return {tolerance_of(c, layer), within, layer == Layer::impact};
+}
 
 // How fast the nearest points come nearer along the normal, and move at all, m/s.
 struct Closing {
@@ -230,19 +244,25 @@ Course approach(const Mover& a, const Mover& b, Question question, double begin,
         const Gap gap = gap_at(time);
         return Bracket::Look{time, gap, closing_of(a, b, gap, time)};
     };
+    const auto is_near = [&](const Bracket::Look& look) { return !(look.gap.distance > question.tolerance); };
+    // An impact is where they would come nearer by more than the tolerance in the rest of the step.
+    const auto has_met = [&](const Bracket::Look& look) {
+        return is_near(look) && !(question.is_impact && look.gap.distance >= 0 &&
+                                  look.closing.along * (1 - look.time) <= question.tolerance);
+    };
     Bracket::Look now = look_at(begin);
-    if (!(now.gap.distance > question.tolerance)) return {begin > 0 ? begin : overlapped};
+    if (has_met(now)) return {begin > 0 || (question.is_impact && now.gap.distance >= 0) ? begin : overlapped};
     double beyond = end; // they overlap then, or it is the end
     Bracket seen;
     for (int round = 0; round < max_rounds; ++round) {
-        if (!(now.gap.distance > question.tolerance)) return {now.time};
+        if (has_met(now)) return {now.time};
         seen.see(now);
-        const double way = now.gap.distance - 0.5 * question.tolerance;
-        const double leap = now.closing.along > 0 ? way / now.closing.along : longest_leap;
+        const double way = std::max(now.gap.distance - 0.5 * question.tolerance, 0.0);
+        const double leap = !is_near(now) && now.closing.along > 0 ? way / now.closing.along : longest_leap;
         const double next = now.time + std::max(certain_time(a, b, now.gap, way, now.time), leap);
         if (!(next < beyond) && beyond == end) {
             const Bracket::Look last = look_at(end);
-            if (last.gap.distance > question.tolerance) {
+            if (last.gap.distance > question.tolerance || (question.is_impact && last.gap.distance >= 0)) {
                 seen.see(last);
                 return seen.least(a.speed() + b.speed(), question.within, look_at);
             }
@@ -259,10 +279,9 @@ Course approach(const Mover& a, const Mover& b, Question question, double begin,
 }
 
 // Of cores, or of the shapes themselves.
-template <class F>
-Course course_by(const Mover& a, const Mover& b, Question question, double begin, double end, F&& gap_at) {
-    if (question.within > 0) return approach(a, b, question, begin, end, gap_at);
-    return {advance(a, b, question.tolerance, begin, end, gap_at)};
+template <class F> Course course_by(const Mover& a, const Mover& b, Question question, Span span, F&& gap_at) {
+    if (question.within > 0 || question.is_impact) return approach(a, b, question, span.begin, span.end, gap_at);
+    return {advance(a, b, question.tolerance, span.begin, span.end, gap_at)};
 }
 
 // The core. Of strips, which have no end, of the part near a point.
@@ -272,7 +291,7 @@ Convex core_at(const Mover& m, double time, DVec3 near, double reach) {
     const DQuat q = m.rotation_at(pose);
     const Geometry part = near_part(m.shape().geometry, center, q, near, reach);
     const Convex whole = make_convex(part, m.shape().data, center, q);
-    return m.layer == Layer::skin ? whole : shrunk(whole, depth_of(whole, m.layer));
+    return m.layer >= Layer::skin ? whole : shrunk(whole, depth_of(whole, m.layer));
 }
 Convex core_at(const Mover& m, double time) { return core_at(m, time, {}, 0); }
 
@@ -284,40 +303,41 @@ Gap gap_of(const Convex& a, const Convex& b, DVec3& guess) {
     return {r.distance - (core_a.radius + core_b.radius), r.normal, r.on_a + core_a.radius * r.normal};
 }
 
-// Whether the cores are apart along a direction at the beginning, by more than they come nearer along it. What is cheap
-// to ask, and true of most.
+// Whether the cores are apart along a direction when they are first looked at, by more than they come nearer along it.
+// What is cheap to ask, and true of most.
 bool stay_apart_along(DVec3 direction, const Convex& first, const Convex& second, const Mover& a, const Mover& b,
-                      double begin, double within) {
+                      Span span, double within) {
     const double square = dot(direction, direction);
     if (!(square > 0)) return false;
     const DVec3 n = (1 / std::sqrt(square)) * direction;
     const Core core_a = exact_core(first), core_b = exact_core(second);
     const double gap = dot(n, core_support(core_b, -n) - core_support(core_a, n)) - (core_a.radius + core_b.radius);
-    return gap > within + std::max(0.0, (1 - begin) * (a.speed_along(n, begin) + b.speed_along(-n, begin)));
+    return gap > within + std::max(0.0, (span.end - span.begin) *
+                                            (a.speed_along(n, span.begin) + b.speed_along(-n, span.begin)));
 }
 
 bool begins_in_front(DVec3 point, const Convex& face) { return dot(face.axes.c1, point - face.corners[0]) > 0; }
 
-Course course_of_convexes(const Mover& a, const Mover& b, double begin, double within) {
+Course course_of_convexes(const Mover& a, const Mover& b, Span span, double within) {
     const DVec3 from = a.start;
     const double reach = length(a.end - from) + a.sagitta() + a.bounding_radius();
-    const Convex first = core_at(a, 0), second = core_at(b, 0, from, reach);
+    const Convex first = core_at(a, span.begin), second = core_at(b, span.begin, from, reach);
     if (second.kind == Convex::Kind::polygon && !b.shape().geometry.is_double_sided &&
         !begins_in_front(middle(first), second))
         return {};
     DVec3 guess = b.start - from;
-    if (begin == 0 && stay_apart_along(guess, first, second, a, b, begin, within)) return {};
-    return course_by(a, b, {tolerance_of(first, a.layer), within}, begin, 1,
+    if (stay_apart_along(guess, first, second, a, b, span, within)) return {};
+    return course_by(a, b, question_of(first, a.layer, within), span,
                      [&](double time) { return gap_of(core_at(a, time), core_at(b, time, from, reach), guess); });
 }
 
-Course course_at_plane(const Mover& a, const Mover& b, double begin, double within) {
+Course course_at_plane(const Mover& a, const Mover& b, Span span, double within) {
     const auto up_at = [&](double time) { return math::rotate(b.rotation_at(b.body_at(time)), DVec3{0, 1, 0}); };
     const auto height_of = [&](DVec3 p, double time) { return dot(p - b.origin_at(b.body_at(time)), up_at(time)); };
     double side = 1;
-    if (b.shape().geometry.is_double_sided && height_of(a.start, 0) < 0) side = -1;
-    const Convex start = core_at(a, 0);
-    return course_by(a, b, {tolerance_of(start, a.layer), within}, begin, 1, [&](double time) -> Gap {
+    if (b.shape().geometry.is_double_sided && height_of(a.start, span.begin) < 0) side = -1;
+    const Convex start = core_at(a, span.begin);
+    return course_by(a, b, question_of(start, a.layer, within), span, [&](double time) -> Gap {
         const Convex c = core_at(a, time);
         const Core core = exact_core(c);
         const DVec3 down = -side * up_at(time), lowest = core_support(core, down) + core.radius * down;
@@ -326,23 +346,23 @@ Course course_at_plane(const Mover& a, const Mover& b, double begin, double with
 }
 
 // With the triangles of a mesh or height field, from their front.
-Course course_at_triangles(const Mover& a, const Mover& b, double from, double within) {
+Course course_at_triangles(const Mover& a, const Mover& b, Span span, double within) {
     const auto local_at = [&](double time) { // the middle of a, in the frame of the surface
         const RigidPath::Pose pose = b.body_at(time);
         return math::rotate(math::conjugate(b.rotation_at(pose)), a.middle_at(time) - b.origin_at(pose));
     };
     const Geometry& surface = b.shape().geometry;
-    const DVec3 start = local_at(0);
-    const double bend = a.sagitta() + b.shape().path.sagitta(length(start) + length(local_at(1)));
-    const double way = length(local_at(1) - start), size = std::max(a.bounding_radius(), 1e-3);
+    const DVec3 start = local_at(span.begin), last = local_at(span.end);
+    const double bend = a.sagitta() + b.shape().path.sagitta(length(start) + length(last));
+    const double way = length(last - start), size = std::max(a.bounding_radius(), 1e-3);
     const int pieces = std::clamp(int(std::min(way / (sizes_per_piece * size), 1e6)) + 1, 1, max_pieces);
     const double radius = a.bounding_radius() + bend + within;
     Course best;
     bool overlaps = false;
-    for (int piece = 0; piece < pieces && best.meeting > 1; ++piece) {
-        const double end = double(piece + 1) / pieces;
-        if (!(from < end)) continue;
-        const double begin = std::max(from, double(piece) / pieces);
+    for (int piece = 0; piece < pieces && best.meeting == never; ++piece) {
+        const double length_of_piece = (span.end - span.begin) / pieces;
+        const double begin = span.begin + piece * length_of_piece;
+        const double end = piece + 1 < pieces ? begin + length_of_piece : span.end;
         const DVec3 p = local_at(begin), q = local_at(end);
         math::Vec3 lo, hi;
         for (int i = 0; i < 3; ++i) {
@@ -363,7 +383,7 @@ Course course_at_triangles(const Mover& a, const Mover& b, double from, double w
                 if (const Convex face = triangle_at(t, begin); begins_in_front(middle(mover), face)) {
                     DVec3 guess = face.center - mover.center;
                     const Course course =
-                        course_by(a, b, {tolerance_of(mover, a.layer), within}, begin, std::min(end, best.meeting),
+                        course_by(a, b, question_of(mover, a.layer, within), {begin, std::min(end, best.meeting)},
                                   [&](double at) { return gap_of(core_at(a, at), triangle_at(t, at), guess); });
                     if (course.meeting == overlapped)
                         overlaps = true;
@@ -400,14 +420,14 @@ bool may_meet_on_the_way(const Mover& a, const Mover& b, double within) {
     return dot(nearest, nearest) <= reach * reach;
 }
 
-Course course_of(const Mover& a, const Mover& b, double from, double within) {
+Course course_of(const Mover& a, const Mover& b, Span span, double within) {
     const ShapeType type = b.shape().geometry.type;
-    if (type == ShapeType::plane) return course_at_plane(a, b, from, within);
-    if (type == ShapeType::mesh || type == ShapeType::height_field) return course_at_triangles(a, b, from, within);
+    if (type == ShapeType::plane) return course_at_plane(a, b, span, within);
+    if (type == ShapeType::mesh || type == ShapeType::height_field) return course_at_triangles(a, b, span, within);
     if (!is_strip(b.shape().geometry) && !may_meet_on_the_way(a, b, within)) return {};
-    return course_of_convexes(a, b, from, within);
+    return course_of_convexes(a, b, span, within);
 }
-double meeting_of(const Mover& a, const Mover& b, double from) { return course_of(a, b, from, 0).meeting; }
+double end_of(const SweptShape& a, const SweptShape& b) { return std::min(a.path.until, b.path.until); }
 
 // A ball in the middle of a shape, with half of its smallest half width.
 Geometry ball_inside(const Mover& m) {
@@ -420,33 +440,45 @@ Geometry ball_inside(const Mover& m) {
 
 } // namespace
 
-RigidPath RigidPath::between(DVec3 x0, DQuat q0, DVec3 x1, DQuat q1) {
+RigidPath RigidPath::between(DVec3 x0, DQuat q0, DVec3 x1, DQuat q1, double begin, double until) {
     DQuat by = q1 * math::conjugate(q0);
     if (by.w < 0) by = {-by.x, -by.y, -by.z, -by.w};
-    return {x0, x1 - x0, q0, by, (4 / (1 + by.w)) * by.vector()};
+    const double share = begin < until ? 1 / (until - begin) : 0;
+    const DVec3 translation = share * (x1 - x0);
+    return {x0 - begin * translation, translation, q0, by, (4 * share / (1 + by.w)) * by.vector(), begin, until};
 }
 
 RigidPath::Pose RigidPath::at(double time) const {
-    const DQuat part = math::normalized(DQuat{time * by.x, time * by.y, time * by.z, 1 + time * (by.w - 1)});
-    return {start + time * translation, math::normalized(part * rotation)};
+    const double part = begin < until ? (time - begin) / (until - begin) : 1.0;
+    const DQuat turned = math::normalized(DQuat{part * by.x, part * by.y, part * by.z, 1 + part * (by.w - 1)});
+    return {start + time * translation, math::normalized(turned * rotation)};
 }
 
 double time_of_meeting(const SweptShape& a, const SweptShape& b, bool is_known, double from) {
     const Layer layer = is_known ? Layer::known_core : Layer::core;
-    const Mover first(a, layer), second(b, layer);
+    const double to = end_of(a, b);
+    const Mover first(a, layer, from, to), second(b, layer, from, to);
     if (stay_together(first, second)) return never;
-    const double time = meeting_of(first, second, from);
+    const double time = course_of(first, second, {from, to}, 0).meeting;
     if (time != overlapped) return time;
     // What begins too deep goes no deeper than up to its middle.
     const Geometry ball = ball_inside(first);
     const SweptShape inside{ball, a.data, first.middle_offset(), a.path, a.until};
-    const double deeper = meeting_of(Mover(inside, layer), second, from);
+    const double deeper = course_of(Mover(inside, layer, from, to), second, {from, to}, 0).meeting;
     return deeper == overlapped ? never : deeper;
 }
 
+double time_of_touch(const SweptShape& a, const SweptShape& b, double from) {
+    const double to = end_of(a, b);
+    const Mover first(a, Layer::impact, from, to), second(b, Layer::impact, from, to);
+    const double time = course_of(first, second, {from, to}, 0).meeting;
+    return time == overlapped ? never : time;
+}
+
 Nearness nearness_of(const SweptShape& a, const SweptShape& b, double within) {
-    const Course course = course_of(Mover(a, Layer::skin), Mover(b, Layer::skin), 0, within);
-    if (course.meeting <= 1) return {std::max(course.meeting, 0.0), 0, {}, {}};
+    const double to = end_of(a, b);
+    const Course course = course_of(Mover(a, Layer::skin, 0, to), Mover(b, Layer::skin, 0, to), {0, to}, within);
+    if (course.meeting <= to) return {std::max(course.meeting, 0.0), 0, {}, {}};
     return {course.nearest, course.gap.distance, course.gap.normal, course.gap.on_a};
 }
 

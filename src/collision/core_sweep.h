@@ -15,20 +15,23 @@ namespace cairn {
 // rate is largest in the middle: there it is 4 tan(angle / 4), hardly more than the angle.
 inline constexpr float half_turn = 3.1f; // rad: of what turns farther, its two poses do not tell how
 struct RigidPath {
-    math::DVec3 start; // of the center of mass
-    math::DVec3 translation;
-    math::DQuat rotation; // at the start
-    math::DQuat by;       // the whole turn
-    math::DVec3 turn;     // its axis, times the largest rate
+    math::DVec3 start;       // of the center of mass, at time 0; of a path that begins later, where it would have been
+    math::DVec3 translation; // in the time from 0 to 1
+    math::DQuat rotation;    // at the beginning
+    math::DQuat by;          // the whole turn
+    math::DVec3 turn;        // its axis, times the largest rate
+    double begin = 0, until = 1; // the path leads from there to there
 
-    static RigidPath between(math::DVec3 x0, math::DQuat q0, math::DVec3 x1, math::DQuat q1);
+    static RigidPath between(math::DVec3 x0, math::DQuat q0, math::DVec3 x1, math::DQuat q1, double begin = 0,
+                             double until = 1);
 
     struct Pose {
         math::DVec3 x; // of the center of mass
         math::DQuat q;
     };
     Pose at(double time) const;
-    Pose end() const { return {start + translation, by * rotation}; }
+    Pose first() const { return {start + begin * translation, rotation}; }
+    Pose end() const { return {start + until * translation, by * rotation}; }
     // How far what is so far from the center of mass is at any time from where it were on a straight line, m, at most:
     // an eighth of its acceleration. Across the way that is the square of the rate, along it at most a quarter of its
     // cube.
@@ -55,6 +58,13 @@ inline constexpr double never = 2;
 // As far as that, as part of the smaller half width, shapes may move against each other without a look: no core passes.
 inline constexpr double free_share = 0.5;
 double time_of_meeting(const SweptShape& a, const SweptShape& b, bool is_known, double from = 0);
+
+// All of these look no farther than to the end of the path that ends first.
+//
+// The first time from `from` on at which the shapes themselves touch and come nearer, by the speed of the nearest
+// points (what that misses, cores do not); `never` if they do not, or overlap from the start. What touches at `from`
+// and parts, or stays as it is, is asked for the next touch.
+double time_of_touch(const SweptShape& a, const SweptShape& b, double from = 0);
 
 // When the shapes themselves touch, or are nearest to each other, and how far apart they are then: 0 where they touch
 // or overlap from the start, m; infinite if that is more than `within`, m.

@@ -138,14 +138,14 @@ std::uint32_t packed_features(const Manifold& m) {
 // A round surface does not turn with its body: how far it is to the point midway between the surfaces from the center
 // or axis that it is round about, with that normal; 0 where the surface is flat. For cones the mean radius. Rounded
 // shapes touch by a corner, an edge or a rim of their core, and what is around that; also where a face lies flat.
-float contact_radius(const State& s, std::uint32_t shape, math::Vec3 normal, float separation) {
-    const Geometry& g = s.geometry[shape];
+float contact_radius(const Shapes& shapes, std::uint32_t shape, math::Vec3 normal, float separation) {
+    const Geometry& g = shapes.geometry[shape];
     if (g.type == ShapeType::sphere) return g.size.x + 0.5f * separation;
     const float around = g.rounding > 0 ? g.rounding + 0.5f * separation : 0.0f;
     if (g.type != ShapeType::capsule && g.type != ShapeType::cylinder) return around;
     const float mean = 0.5f * (g.size.x + g.size.z);
     if (g.type == ShapeType::capsule) return mean + 0.5f * separation;
-    const float* q = s.shape_poses[shape].q;
+    const float* q = shapes.poses[shape].q;
     const float along = math::dot(normal, math::rotate(math::Quat{q[0], q[1], q[2], q[3]}, math::Vec3{0, 1, 0}));
     constexpr float steepest = 0.5f; // of the cosine with the axis: beyond, it stands on its rim rather than rolls
     return std::fabs(along) < steepest ? mean + g.rounding + 0.5f * separation : around;
@@ -153,8 +153,8 @@ float contact_radius(const State& s, std::uint32_t shape, math::Vec3 normal, flo
 
 // A record of the touch: as if the step began there. Rotations count from the start of the step all the same, as in
 // refresh_separations, and what they have done to the anchors up to the touch is taken off.
-void move_to_touch(const State& s, const ContactInfo& c, const Touch& touch, ContactRecord& r) {
-    const BodyMotion &motion_a = s.motion[c.body_a], &motion_b = s.motion[c.body_b];
+void move_to_touch(const Bodies& bodies, const ContactInfo& c, const Touch& touch, ContactRecord& r) {
+    const BodyMotion &motion_a = bodies.motion[c.body_a], &motion_b = bodies.motion[c.body_b];
     const math::DVec3 passed = touch.moved_a - touch.moved_b, d = (motion_a.x - motion_b.x) + passed;
     put(r.center_offset, math::to_float(d));
     const math::DVec3 n = math::to_double(to_vec(r.normal));
@@ -191,13 +191,13 @@ float min_separation(const ContactInfo& c, const ContactRecord& r) {
     return least;
 }
 
-void write_record(State& s, std::uint32_t id, const Manifold& m, const Touch* touch) {
-    ContactInfo& c = s.contacts[id];
-    ContactRecord& r = s.records[id];
-    math::Vec3 normal = to_vec(m.normal), offset = touch ? touch->arm_a : s.shapes[c.shape_a].arm;
+void write_record(const State& s, Contacts& contacts, std::uint32_t id, const Manifold& m, const Touch* touch) {
+    ContactInfo& c = contacts.info[id];
+    ContactRecord& r = contacts.records[id];
+    math::Vec3 normal = to_vec(m.normal), offset = touch ? touch->arm_a : s.shapes.links[c.shape_a].arm;
     if (c.flipped) {
-        const ShapePose& a = touch ? touch->pose_a : s.shape_poses[c.shape_a];
-        const ShapePose& b = touch ? touch->pose_b : s.shape_poses[c.shape_b];
+        const ShapePose& a = touch ? touch->pose_a : s.shapes.poses[c.shape_a];
+        const ShapePose& b = touch ? touch->pose_b : s.shapes.poses[c.shape_b];
         offset = offset - ((to_vec(a.high) - to_vec(b.high)) + (to_vec(a.low) - to_vec(b.low)));
         normal = -normal;
     }
@@ -205,30 +205,30 @@ void write_record(State& s, std::uint32_t id, const Manifold& m, const Touch* to
     const int kept = m.count == 1 ? 1 : 4;
     for (int i = 0; i < kept; ++i)
         points[i] = i < m.count ? load4(m.points[i]) + Float4{offset.x, offset.y, offset.z} : Float4{0, 0, 0, unused};
-    const math::Quat turned = s.motion[c.body_a].turned;
+    const math::Quat turned = s.bodies.motion[c.body_a].turned;
     const bool stay = m.count == c.point_count && points_stay(r, points, kept, turned, c.match_tolerance);
     OldPoints old;
     if (!stay) old = old_points(r, c.point_count, turned);
     put(r.normal, normal);
-    put(r.center_offset, math::to_float(s.motion[c.body_a].x - s.motion[c.body_b].x));
+    put(r.center_offset, math::to_float(s.bodies.motion[c.body_a].x - s.bodies.motion[c.body_b].x));
     for (int i = 0; i < kept; ++i) store4(point_of(r, i), points[i]);
     if (may_be_round(c.kind)) {
-        r.radius_a = contact_radius(s, c.shape_a, normal, m.points[0][3]);
-        r.radius_b = contact_radius(s, c.shape_b, normal, m.points[0][3]);
+        r.radius_a = contact_radius(s.shapes, c.shape_a, normal, m.points[0][3]);
+        r.radius_b = contact_radius(s.shapes, c.shape_b, normal, m.points[0][3]);
     }
     c.point_count = std::uint8_t(m.count);
     r.touch_time = 0;
-    if (touch) move_to_touch(s, c, *touch, r);
+    if (touch) move_to_touch(s.bodies, c, *touch, r);
     r.features = packed_features(m);
     if (stay) return;
     forget_impulses(r, m.count);
     if (old.count > 0) match_points(old, c.match_tolerance, m.count, r);
 }
 
-void advance_record(const State& s, const ContactInfo& c, ContactRecord& r) {
+void advance_record(const Bodies& bodies, const ContactInfo& c, ContactRecord& r) {
     const math::Vec3 n = to_vec(r.normal), d = to_vec(r.center_offset);
-    const math::Quat qa = s.motion[c.body_a].turned, qb = s.motion[c.body_b].turned;
-    const math::Vec3 offset = math::to_float(s.motion[c.body_a].x - s.motion[c.body_b].x);
+    const math::Quat qa = bodies.motion[c.body_a].turned, qb = bodies.motion[c.body_b].turned;
+    const math::Vec3 offset = math::to_float(bodies.motion[c.body_a].x - bodies.motion[c.body_b].x);
     const math::Vec3 round_a = r.radius_a * n, round_b = r.radius_b * n;
     for (int i = 0; i < c.point_count; ++i) {
         float* const point = point_of(r, i);
@@ -245,9 +245,9 @@ void advance_record(const State& s, const ContactInfo& c, ContactRecord& r) {
     r.touch_time = 0; // it is of now
 }
 
-ContactRecord advanced_record(const State& s, std::uint32_t id) {
-    ContactRecord r = s.records[id];
-    advance_record(s, s.contacts[id], r);
+ContactRecord advanced_record(const Bodies& bodies, const Contacts& contacts, std::uint32_t id) {
+    ContactRecord r = contacts.records[id];
+    advance_record(bodies, contacts.info[id], r);
     return r;
 }
 

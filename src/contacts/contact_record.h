@@ -13,14 +13,15 @@ inline float total_of(const ContactRecord& r, int i) { return i == 0 ? r.first_t
 
 // Writes the record of a contact from the kernel's manifold, which has points. Impulses go on where points stay.
 // `touch`: the poses that the manifold is of, if they are not those at the start of the step.
-void write_record(State& state, std::uint32_t contact, const Manifold& manifold, const Touch* touch = nullptr);
+void write_record(const State& state, Contacts& contacts, std::uint32_t contact, const Manifold& manifold,
+                  const Touch* touch = nullptr);
 // Of the points of a contact that has some.
 float min_separation(const ContactInfo& contact, const ContactRecord& record);
 // `count`: how many points it has.
 void forget_impulses(ContactRecord& record, int count);
 // Moves a record that was written at the start of the last step to the poses at its end.
-void advance_record(const State& state, const ContactInfo& contact, ContactRecord& record);
+void advance_record(const Bodies& bodies, const ContactInfo& contact, ContactRecord& record);
 // That of a contact, so moved.
-ContactRecord advanced_record(const State& state, std::uint32_t contact);
+ContactRecord advanced_record(const Bodies& bodies, const Contacts& contacts, std::uint32_t contact);
 
 } // namespace cairn

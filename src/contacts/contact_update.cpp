@@ -10,6 +10,7 @@
 #include "islands/substep_policy.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace cairn {
 
@@ -28,7 +29,7 @@ constexpr float redirected = 0.5f;
 // point; d: from that of b to that of a.
 template <class F>
 float greatest_approach(const BodyMotion& a, const BodyMotion& b, math::Vec3 n, math::Vec3 d, int count, F&& arm_of) {
-    float speed = 0;
+    float speed = std::numeric_limits<float>::lowest();
     for (int i = 0; i < count; ++i) {
         const math::Vec3 arm = arm_of(i);
         const math::Vec3 v = (b.v + math::cross(b.w, arm + d)) - (a.v + math::cross(a.w, arm));
@@ -37,38 +38,39 @@ float greatest_approach(const BodyMotion& a, const BodyMotion& b, math::Vec3 n, 
     return speed;
 }
 
-// Of the points of a record.
-
-void note_trigger(State& s, ContactInfo& c, bool inside) {
+void note_trigger(const Bodies& bodies, const Shapes& shapes, StepEvents& events, ContactInfo& c, bool inside) {
     c.touching = inside;
-    const bool a_is_trigger = s.shape_traits[c.shape_a].is_trigger;
+    const bool a_is_trigger = shapes.traits[c.shape_a].is_trigger;
     const std::uint32_t trigger = a_is_trigger ? c.shape_a : c.shape_b, other = a_is_trigger ? c.shape_b : c.shape_a;
-    s.events.triggers.next.push_back({s.shape_id(trigger), s.shape_id(other), s.body_id(s.shapes[trigger].body),
-                                      s.body_id(s.shapes[other].body), inside});
+    events.triggers.next.push_back({shapes.slots.id(trigger), shapes.slots.id(other),
+                                    bodies.id(shapes.links[trigger].body), bodies.id(shapes.links[other].body),
+                                    inside});
 }
 
 // Whether another patch of the same pair touches.
-bool pair_touches_elsewhere(const State& s, const ContactInfo& c) {
+bool pair_touches_elsewhere(const Contacts& contacts, const ContactInfo& c) {
     if (c.kind != PairKind::patch) return false;
-    for (std::int32_t p = s.contacts[c.related].related; p != none; p = s.contacts[p].next)
-        if (&s.contacts[p] != &c && s.contacts[p].touching) return true;
+    for (std::int32_t p = contacts.info[c.related].related; p != none; p = contacts.info[p].next)
+        if (&contacts.info[p] != &c && contacts.info[p].touching) return true;
     return false;
 }
 
-void end_touch(State& s, ContactInfo& c) {
+void end_touch(const Bodies& bodies, const Shapes& shapes, const Contacts& contacts, StepEvents& events,
+               ContactInfo& c) {
     c.touching = 0;
-    if (pair_touches_elsewhere(s, c)) return;
-    s.events.ends.next.push_back(
-        {s.shape_id(c.shape_a), s.shape_id(c.shape_b), s.body_id(c.body_a), s.body_id(c.body_b)});
+    if (pair_touches_elsewhere(contacts, c)) return;
+    events.ends.next.push_back(
+        {shapes.slots.id(c.shape_a), shapes.slots.id(c.shape_b), bodies.id(c.body_a), bodies.id(c.body_b)});
 }
 
-void begin_contact(State& s, ContactInfo& c, math::Vec3 normal) {
+void begin_contact(Bodies& bodies, Islands& islands, StepEvents& events, const WorldDef& settings, ContactInfo& c,
+                   math::Vec3 normal) {
     if (c.b_moves)
-        link_islands(s, c.body_a, c.body_b);
+        link_islands(bodies, islands, events, c.body_a, c.body_b);
     else
-        wake_island(s, s.bodies[c.body_a].island);
-    assign_color(s, c);
-    c.load = c.force = first_load(s, c, normal);
+        wake_island(bodies, islands, events, bodies.links[c.body_a].island);
+    assign_color(bodies, c);
+    c.load = c.force = first_load(bodies, settings, c, normal);
 }
 
 // Planes have no end.
@@ -88,68 +90,77 @@ bool has_distance(PairKind kind) {
     }
 }
 
-bool is_asleep(const State& s, const ContactInfo& c) {
-    return !s.is_awake(c.body_a) || (c.b_moves && !s.is_awake(c.body_b));
+bool is_asleep(const Bodies& bodies, const Islands& islands, const ContactInfo& c) {
+    return !is_awake(bodies, islands, c.body_a) || (c.b_moves && !is_awake(bodies, islands, c.body_b));
 }
 
 } // namespace
 
-bool moves(const State& s, std::int32_t body) {
-    const BodyMotion& m = s.motion[body];
+bool moves(const Bodies& bodies, std::int32_t body) {
+    const BodyMotion& m = bodies.motion[body];
     return !(m.v == math::Vec3{} && m.w == math::Vec3{});
 }
 
 // Of the points of a record.
-float approach_speed(const State& s, const ContactInfo& c, const ContactRecord& r) {
-    const BodyMotion &a = s.motion[c.body_a], &b = s.motion[c.body_b];
-    return greatest_approach(a, b, to_vec(r.normal), to_vec(r.center_offset), c.point_count,
-                             [&](int i) { return to_vec(point_of(r, i)); });
+float approach_speed(const Bodies& bodies, const ContactInfo& c, const ContactRecord& r) {
+    const BodyMotion &a = bodies.motion[c.body_a], &b = bodies.motion[c.body_b];
+    const float speed = greatest_approach(a, b, to_vec(r.normal), to_vec(r.center_offset), c.point_count,
+                                          [&](int i) { return to_vec(point_of(r, i)); });
+    return std::max(speed, 0.0f);
+}
+
+float approach_of(const Bodies& bodies, const Shapes& shapes, const ContactInfo& c, const Manifold& m) {
+    const std::int32_t first = c.flipped ? c.body_b : c.body_a, second = c.flipped ? c.body_a : c.body_b;
+    const BodyMotion &a = bodies.motion[first], &b = bodies.motion[second];
+    const math::Vec3 center = shapes.links[c.flipped ? c.shape_b : c.shape_a].arm;
+    return greatest_approach(a, b, to_vec(m.normal), math::to_float(a.x - b.x), m.count,
+                             [&](int i) { return center + to_vec(m.points[i]); });
 }
 
 // The outcome of a contact that stays.
-std::uint8_t going_on(const State& s, const ContactInfo& c) {
-    return is_asleep(s, c) || (!c.b_moves && moves(s, c.body_b)) ? may_wake : goes_on;
+std::uint8_t going_on(const Bodies& bodies, const Islands& islands, const ContactInfo& c) {
+    return is_asleep(bodies, islands, c) || (!c.b_moves && moves(bodies, c.body_b)) ? may_wake : goes_on;
 }
 
-void follow_up(State& s, std::uint32_t id, std::uint8_t outcome, float dt) {
+void follow_up(State& s, NarrowScratch& narrow, std::vector<std::uint32_t>& solved, std::uint32_t id,
+               std::uint8_t outcome, float dt) {
     if (outcome == apart) return;
     if (outcome == ended) {
-        end_contact(s, id);
+        end_contact(s.bodies, s.shapes, s.contacts, s.islands, s.events, id);
         return;
     }
     if (outcome == skipped) {
-        s.narrow.skipped.push_back(id);
+        narrow.skipped.push_back(id);
         return;
     }
     if (outcome == entered || outcome == left) {
-        note_trigger(s, s.contacts[id], outcome == entered);
+        note_trigger(s.bodies, s.shapes, s.events, s.contacts.info[id], outcome == entered);
         return;
     }
     if (outcome != goes_on) {
-        ContactInfo& c = s.contacts[id];
-        const ContactRecord& r = s.records[id];
-        const bool asleep = is_asleep(s, c);
+        ContactInfo& c = s.contacts.info[id];
+        const ContactRecord& r = s.contacts.records[id];
+        const bool asleep = is_asleep(s.bodies, s.islands, c);
         // Passing by is not enough to wake what sleeps: only what will touch it within the step does.
         if (outcome == begun && asleep && min_separation(c, r) > dt * r.approach_speed) {
             c.point_count = 0;
-            drop_answer(s, id);
+            drop_answer(s.bodies, s.contacts, id);
             return;
         }
         if (outcome == begun)
-            begin_contact(s, c, to_vec(r.normal));
+            begin_contact(s.bodies, s.islands, s.events, s.settings, c, to_vec(r.normal));
         else if (asleep)
-            wake_body(s, c.body_a);
-        if (!c.b_moves && moves(s, c.body_b)) s.islands[s.bodies[c.body_a].island].kept_awake = 1;
+            wake_body(s.bodies, s.islands, s.events, c.body_a);
+        if (!c.b_moves && moves(s.bodies, c.body_b)) s.islands.all[s.bodies.links[c.body_a].island].kept_awake = 1;
     }
-    s.solved.push_back(id);
+    solved.push_back(id);
 }
 
 // How far apart two shapes may be to count: what the next step can close. Triggers do not look ahead.
-float contact_margin(const State& s, const ContactInfo& c, float dt) {
+float contact_margin(const Bodies& bodies, const NarrowScratch& narrow, const ContactInfo& c, float dt) {
     if (c.is_trigger) return 0;
-    const BodyMotion &a = s.motion[c.body_a], &b = s.motion[c.body_b];
-    return c.base_margin + dt * math::length(b.v - a.v) +
-           (s.narrow.turn_reach[c.body_a] + s.narrow.turn_reach[c.body_b]);
+    const BodyMotion &a = bodies.motion[c.body_a], &b = bodies.motion[c.body_b];
+    return c.base_margin + dt * math::length(b.v - a.v) + (narrow.turn_reach[c.body_a] + narrow.turn_reach[c.body_b]);
 }
 
 // Such contacts would have nothing to do in the solver: they are up to half of all while a heap lands.
@@ -159,44 +170,44 @@ bool stays_apart(const State& s, const ContactInfo& c, const Manifold& m, float 
     for (int i = 1; i < m.count; ++i) least = std::min(least, m.points[i][3]);
     if (least <= c.base_margin) return false;
     const std::int32_t first = c.flipped ? c.body_b : c.body_a, second = c.flipped ? c.body_a : c.body_b;
-    const BodyMotion &a = s.motion[first], &b = s.motion[second];
-    const math::Vec3 center = s.shapes[c.flipped ? c.shape_b : c.shape_a].arm;
-    const float speed = greatest_approach(a, b, to_vec(m.normal), math::to_float(a.x - b.x), m.count,
-                                          [&](int i) { return center + to_vec(m.points[i]); });
+    const BodyMotion &a = s.bodies.motion[first], &b = s.bodies.motion[second];
+    const float speed = std::max(approach_of(s.bodies, s.shapes, c, m), 0.0f);
     // What a rotation adds to the way of a point beyond its speed.
     const auto bend = [&](const BodyMotion& body, float radius) {
         const float turn = looked_ahead(dt * math::length(body.w));
         return 0.5f * turn * turn * radius;
     };
-    const float more = bend(a, s.bodies[first].radius) + bend(b, s.bodies[second].radius);
+    const float more = bend(a, s.bodies.links[first].radius) + bend(b, s.bodies.links[second].radius);
     return least > c.base_margin + dt * (speed + redirected * math::length(b.v - a.v)) + more;
 }
 
-std::uint8_t take_distance(State& s, std::uint32_t id, float distance) {
-    ContactInfo& c = s.contacts[id];
+std::uint8_t take_distance(const Bodies& bodies, Contacts& contacts, std::uint32_t id, float distance) {
+    ContactInfo& c = contacts.info[id];
     const bool is_known = distance > c.base_margin && distance < unused && has_distance(c.kind);
-    keep_answer(s, id, is_known ? double(distance - c.base_margin) : 0.0);
+    keep_answer(bodies, contacts, id, is_known ? double(distance - c.base_margin) : 0.0);
     if (c.is_trigger) return trigger_outcome(c, false);
-    return c.point_count == 0 ? apart : ended;
+    return c.point_count == 0 && !c.touching ? apart : ended;
 }
 
-std::uint8_t take_manifold(State& s, std::uint32_t id, const Manifold& m, float dt, const Touch* touch) {
-    ContactInfo& c = s.contacts[id];
+std::uint8_t take_manifold(const State& s, Contacts& contacts, std::uint32_t id, const Manifold& m, float dt,
+                           const Touch* touch) {
+    ContactInfo& c = contacts.info[id];
     if (m.count == 0 || (!touch && stays_apart(s, c, m, dt))) {
         // Along which they are apart; wide kernels do not say.
-        if (c.kind == PairKind::convex_convex && !c.is_trigger) math::put(s.records[id].normal, to_vec(m.normal));
-        return take_distance(s, id, m.count == 0 ? m.points[0][3] : 0.0f);
+        if (c.kind == PairKind::convex_convex && !c.is_trigger)
+            math::put(contacts.records[id].normal, to_vec(m.normal));
+        return take_distance(s.bodies, contacts, id, m.count == 0 ? m.points[0][3] : 0.0f);
     }
     if (touch)
-        drop_answer(s, id);
+        drop_answer(s.bodies, contacts, id);
     else
-        keep_answer(s, id, 0);
+        keep_answer(s.bodies, contacts, id, 0);
     if (c.is_trigger) return trigger_outcome(c, true);
     const bool is_new = c.point_count == 0;
-    write_record(s, id, m, touch);
-    ContactRecord& r = s.records[id];
-    if (!c.touching) r.approach_speed = approach_speed(s, c, r);
-    return is_new ? std::uint8_t(begun) : going_on(s, c);
+    write_record(s, contacts, id, m, touch);
+    ContactRecord& r = contacts.records[id];
+    if (!c.touching) r.approach_speed = approach_speed(s.bodies, c, r);
+    return is_new ? std::uint8_t(begun) : going_on(s.bodies, s.islands, c);
 }
 
 std::uint8_t trigger_outcome(const ContactInfo& c, bool inside) {
@@ -204,55 +215,61 @@ std::uint8_t trigger_outcome(const ContactInfo& c, bool inside) {
     return inside ? entered : left;
 }
 
-void end_contact(State& s, std::uint32_t id) {
-    ContactInfo& c = s.contacts[id];
+void end_contact(Bodies& bodies, const Shapes& shapes, Contacts& contacts, Islands& islands, StepEvents& events,
+                 std::uint32_t id) {
+    ContactInfo& c = contacts.info[id];
     if (c.is_trigger) {
-        if (c.touching) note_trigger(s, c, false);
+        if (c.touching) note_trigger(bodies, shapes, events, c, false);
         return;
     }
     if (is_group(c)) {
-        for_each_patch(s, id, [&](std::uint32_t patch) { end_patch(s, patch); });
+        for_each_patch(contacts, id,
+                       [&](std::uint32_t patch) { end_patch(bodies, shapes, contacts, islands, events, patch); });
         return;
     }
-    if (c.point_count == 0) return;
-    release_color(s, c);
-    c.point_count = 0;
-    const std::int32_t island = s.bodies[c.body_a].island;
-    if (island != none) s.islands[island].lost_contact |= c.b_moves;
-    if (c.touching) end_touch(s, c);
+    if (c.point_count > 0) {
+        release_color(bodies, c);
+        c.point_count = 0;
+        const std::int32_t island = bodies.links[c.body_a].island;
+        if (island != none) islands.all[island].lost_contact |= c.b_moves;
+    }
+    if (c.touching) end_touch(bodies, shapes, contacts, events, c); // also what an impact began (impacts/)
 }
 
 namespace {
 
 // The contact began to touch.
-void begin_touch(State& s, std::uint32_t id) {
-    ContactInfo& c = s.contacts[id];
+void begin_touch(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, StepEvents& events,
+                 const WorldDef& settings, std::uint32_t id) {
+    ContactInfo& c = contacts.info[id];
     c.touching = 1;
-    if (pair_touches_elsewhere(s, c)) return;
-    const ShapeId a = s.shape_id(c.shape_a), b = s.shape_id(c.shape_b);
-    const BodyId body_a = s.body_id(c.body_a), body_b = s.body_id(c.body_b);
-    s.events.begins.push_back({a, b, body_a, body_b});
-    const ContactRecord& r = s.records[id];
-    if (r.approach_speed < s.settings.hit_speed) return;
+    if (pair_touches_elsewhere(contacts, c)) return;
+    const ShapeId a = shapes.slots.id(c.shape_a), b = shapes.slots.id(c.shape_b);
+    const BodyId body_a = bodies.id(c.body_a), body_b = bodies.id(c.body_b);
+    events.begins.push_back({a, b, body_a, body_b});
+    const ContactRecord& r = contacts.records[id];
+    if (r.approach_speed < settings.hit_speed) return;
     int deepest = 0;
     for (int i = 1; i < c.point_count; ++i)
         if (point_of(r, i)[3] < point_of(r, deepest)[3]) deepest = i;
-    const ContactRecord now = advanced_record(s, id);
-    const math::DVec3 p = s.motion[c.body_a].x + math::to_double(to_vec(point_of(now, deepest)));
-    s.events.hits.push_back(
+    const ContactRecord now = advanced_record(bodies, contacts, id);
+    const math::DVec3 p = bodies.motion[c.body_a].x + math::to_double(to_vec(point_of(now, deepest)));
+    events.hits.push_back(
         {a, b, body_a, body_b, {p.x, p.y, p.z}, {r.normal[0], r.normal[1], r.normal[2]}, r.approach_speed});
 }
 
 // Takes note of what a contact carried, and says whether it began or ceased to touch. Others may be at work on other
 // contacts.
-bool take_report(State& s, const SortedContact& sorted, float dt) {
-    ContactInfo& c = s.contacts[sorted.id];
-    const ContactReport& report = s.solver.reports[sorted.id];
+bool take_report(const Bodies& bodies, Contacts& contacts, Islands& islands, const SolverScratch& solver,
+                 const SortedContact& sorted, float dt) {
+    ContactInfo& c = contacts.info[sorted.id];
+    const ContactReport& report = solver.reports[sorted.id];
     // Impulses beyond the range of numbers (of bodies that were stopped for it) must not start the next step.
-    if (!std::isfinite(report.impulse)) forget_impulses(s.records[sorted.id], c.point_count);
+    if (!std::isfinite(report.impulse)) forget_impulses(contacts.records[sorted.id], c.point_count);
     const float force = std::isfinite(report.impulse) ? report.impulse / dt : 0;
-    const float inverse_mass = s.mass[c.body_a].inverse_mass + (c.b_moves ? s.mass[c.body_b].inverse_mass : 0);
-    Island& island = s.islands[sorted.island]; // where masses were raised, the report has other ones
+    const float inverse_mass =
+        bodies.mass[c.body_a].inverse_mass + (c.b_moves ? bodies.mass[c.body_b].inverse_mass : 0);
+    Island& island = islands.all[sorted.island]; // where masses were raised, the report has other ones
     note_load(island, c, force, island.substeps < max_adaptive_substeps ? report.inverse_mass : inverse_mass);
     if (!c.touching) return report.separation <= 0 || report.impulse > 0;
     return report.impulse == 0 && report.separation > 0.25f * c.base_margin;
@@ -260,42 +277,43 @@ bool take_report(State& s, const SortedContact& sorted, float dt) {
 
 } // namespace
 
-void report_contacts(State& s, float dt) {
+void report_contacts(State& s, StepScratch& step, float dt) {
     float deepest = 0; // raised by all threads
-    std::vector<std::uint8_t>& changes = s.narrow.changes;
-    changes.resize(s.contacts.size());
-    const std::vector<SortedContact>& sorted = s.solver.sorted;
-    s.thread_pool->for_chunks(int(sorted.size()), reports_per_chunk, [&](int begin, int end, int) {
+    std::vector<std::uint8_t>& changes = step.narrow.changes;
+    changes.resize(s.contacts.info.size());
+    const std::vector<SortedContact>& sorted = step.solver.sorted;
+    step.thread_pool->for_chunks(int(sorted.size()), reports_per_chunk, [&](int begin, int end, int) {
         float own = 0;
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
             if (k + contacts_ahead < std::size_t(end)) {
                 const std::uint32_t next = sorted[k + contacts_ahead].id;
-                ask_cache(&s.contacts[next]);
-                ask_cache(&s.solver.reports[next]);
+                ask_cache(&s.contacts.info[next]);
+                ask_cache(&step.solver.reports[next]);
             }
             const std::uint32_t id = sorted[k].id;
-            changes[id] = take_report(s, sorted[k], dt);
-            own = std::max(own, -s.solver.reports[id].separation);
+            changes[id] = take_report(s.bodies, s.contacts, s.islands, step.solver, sorted[k], dt);
+            own = std::max(own, -step.solver.reports[id].separation);
         }
         raise(deepest, own);
     });
     s.statistics.max_penetration = double(deepest);
-    for (const SortedContact& solved : s.solver.unsorted) {
+    for (const SortedContact& solved : step.solver.unsorted) {
         if (!changes[solved.id]) continue;
         const std::uint32_t id = solved.id;
-        ContactInfo& c = s.contacts[id];
+        ContactInfo& c = s.contacts.info[id];
         if (c.touching)
-            end_touch(s, c);
+            end_touch(s.bodies, s.shapes, s.contacts, s.events, c);
         else
-            begin_touch(s, id);
+            begin_touch(s.bodies, s.shapes, s.contacts, s.events, s.settings, id);
     }
 }
 
-void settle_sleeping_contacts(State& state) {
-    for (const std::uint32_t id : state.solved) {
-        const ContactInfo& contact = state.contacts[id];
-        if (!contact.in_use || contact.point_count == 0 || state.is_awake(contact.body_a)) continue;
-        state.records[id] = advanced_record(state, id);
+void settle_sleeping_contacts(const Bodies& bodies, Contacts& contacts, const Islands& islands,
+                              const std::vector<std::uint32_t>& solved) {
+    for (const std::uint32_t id : solved) {
+        const ContactInfo& contact = contacts.info[id];
+        if (!contact.in_use || contact.point_count == 0 || is_awake(bodies, islands, contact.body_a)) continue;
+        contacts.records[id] = advanced_record(bodies, contacts, id);
     }
 }
 

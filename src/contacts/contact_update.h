@@ -3,6 +3,7 @@
 
 #include "contacts/touch.h"
 #include "state/state.h"
+#include "state/step_scratch.h"
 
 namespace cairn {
 
@@ -17,39 +18,45 @@ enum Outcome : std::uint8_t {
     tested_patches, // of a group
     entered,        // into a trigger
     left,           // out of it
+    may_fly_by,     // to be settled by contacts/flight.h
     to_move,        // along with the bodies
     to_test,        // + PairKind
 };
 
 // How far apart two shapes may be to count: what the next step can close.
-float contact_margin(const State& state, const ContactInfo& contact, float dt);
+float contact_margin(const Bodies& bodies, const NarrowScratch& narrow, const ContactInfo& contact, float dt);
 // Whether points that are beyond where contacts begin do not come near each other in the next step either, as the
 // bodies move now.
 bool stays_apart(const State& state, const ContactInfo& contact, const Manifold& manifold, float dt);
+// The greatest speed at which points of a manifold approach, m/s; negative if all part.
+float approach_of(const Bodies& bodies, const Shapes& shapes, const ContactInfo& contact, const Manifold& manifold);
 // One result of a test becomes the record of the contact; others may be at work on other contacts. An Outcome.
 // `touch`: as of write_record.
-std::uint8_t take_manifold(State& state, std::uint32_t contact, const Manifold& manifold, float dt,
-                           const Touch* touch = nullptr);
+std::uint8_t take_manifold(const State& state, Contacts& contacts, std::uint32_t contact, const Manifold& manifold,
+                           float dt, const Touch* touch = nullptr);
 // Likewise of a pair that is found apart, by so many meters at least if that is known.
-std::uint8_t take_distance(State& state, std::uint32_t contact, float distance);
+std::uint8_t take_distance(const Bodies& bodies, Contacts& contacts, std::uint32_t contact, float distance);
 std::uint8_t trigger_outcome(const ContactInfo& contact, bool inside);
 // What changes more than the contact itself: islands, colors, sleep. One after the other, in order.
-void follow_up(State& state, std::uint32_t contact, std::uint8_t outcome, float dt);
+void follow_up(State& state, NarrowScratch& narrow, std::vector<std::uint32_t>& solved, std::uint32_t contact,
+               std::uint8_t outcome, float dt);
 
 // A contact is no longer solved: an end event if it touched, and its island may fall apart.
-void end_contact(State& state, std::uint32_t contact);
+void end_contact(Bodies& bodies, const Shapes& shapes, Contacts& contacts, Islands& islands, StepEvents& events,
+                 std::uint32_t contact);
 
 // The outcome of a contact that stays.
-std::uint8_t going_on(const State& state, const ContactInfo& contact);
-bool moves(const State& state, std::int32_t body);
+std::uint8_t going_on(const Bodies& bodies, const Islands& islands, const ContactInfo& contact);
+bool moves(const Bodies& bodies, std::int32_t body);
 // Of the points of a record, the greatest speed at which they approach.
-float approach_speed(const State& state, const ContactInfo& contact, const ContactRecord& record);
+float approach_speed(const Bodies& bodies, const ContactInfo& contact, const ContactRecord& record);
 
 // After the solver: begin, end and hit events, sustained loads, counts.
-void report_contacts(State& state, float dt);
+void report_contacts(State& state, StepScratch& step, float dt);
 
 // The records of contacts that fell asleep are brought up to the final poses: they are used as they are if the
 // island wakes within a step.
-void settle_sleeping_contacts(State& state);
+void settle_sleeping_contacts(const Bodies& bodies, Contacts& contacts, const Islands& islands,
+                              const std::vector<std::uint32_t>& solved);
 
 } // namespace cairn

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "collision/contact_memory.h"
+#include "collision/surface_contact.h"
 #include "state/state.h"
 
 namespace cairn {
@@ -21,8 +22,8 @@ Manifold test_convex_pair(PairKind kind, const PosedShape& a, const PosedShape& 
 float find_patches(const PosedShape& a, const PosedShape& surface, float margin, float reach, SurfaceScratch& scratch,
                    std::vector<Manifold>& hits);
 
-inline PosedShape posed_shape(const State& s, std::uint32_t shape) {
-    return {s.geometry[shape], s.shape_data[shape], s.shape_poses[shape], s.shapes[shape].arm};
+inline PosedShape posed_shape(const Shapes& shapes, std::uint32_t shape) {
+    return {shapes.geometry[shape], shapes.data[shape], shapes.poses[shape], shapes.links[shape].arm};
 }
 
 } // namespace cairn

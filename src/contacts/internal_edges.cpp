@@ -8,6 +8,7 @@
 #include "contacts/internal_edges.h"
 
 #include "bodies/bodies.h"
+#include "bodies/motion_budget.h"
 #include "contacts/contact_record.h"
 #include "contacts/contact_update.h"
 #include "core/key_tree.h"
@@ -23,33 +24,33 @@ using math::to_vec;
 
 namespace {
 
-constexpr float same_normal = 2e-4f; // difference of unit vectors: such a contact changes nothing
 // How far out of the plane a point may be: so much of the sizes of both, as far as contact points on the rim of a face
-// are off, but no more than the larger part of the body's own radius.
-constexpr float flatness = 2e-4f, max_flatness = 5e-3f;
+// are off, but no more than the body may move until its points are found anew.
+constexpr float flatness = 2e-4f;
 
-bool is_same(math::Vec3 a, math::Vec3 b) { return math::dot(a - b, a - b) < same_normal * same_normal; }
+// Of unit vectors that differ by no more, planes of the size of a shape differ by as little.
+bool is_same(math::Vec3 a, math::Vec3 b) { return math::dot(a - b, a - b) < flatness * flatness; }
 
 // A shape, but an infinite plane, about the center of mass of a body that touches it, as what is farthest along
 // directions; meshes and height fields by their bounds.
 struct Extent {
     Convex solid;
 
-    Extent(const State& s, std::uint32_t shape, std::int32_t body) {
-        const Geometry& g = s.geometry[shape];
-        const ShapePose& pose = s.shape_poses[shape];
-        math::DVec3 center = shape_position(pose) - s.motion[body].x;
+    Extent(const Bodies& bodies, const Shapes& shapes, std::uint32_t shape, std::int32_t body) {
+        const Geometry& g = shapes.geometry[shape];
+        const ShapePose& pose = shapes.poses[shape];
+        math::DVec3 center = shape_position(pose) - bodies.motion[body].x;
         const math::DQuat q = math::normalized(math::to_double(shape_rotation(pose)));
         if (g.type == ShapeType::mesh) {
-            make_bounds(mesh_of(s.shape_data[shape]).lo, mesh_of(s.shape_data[shape]).hi, center, q);
+            make_bounds(mesh_of(shapes.data[shape]).lo, mesh_of(shapes.data[shape]).hi, center, q);
         } else if (g.type == ShapeType::height_field) {
-            const HeightFieldData& field = height_field_of(s.shape_data[shape]);
+            const HeightFieldData& field = height_field_of(shapes.data[shape]);
             const float x = float(grid_half(field.columns, field.spacing_x));
             const float z = float(grid_half(field.rows, field.spacing_z));
             make_bounds({-x, field.least, -z}, {x, field.greatest, z}, center, q);
         } else {
-            const Geometry part = near_part(g, center, q, {}, double(s.bodies[body].radius));
-            solid = make_convex(part, s.shape_data[shape], center, q);
+            const Geometry part = near_part(g, center, q, {}, double(bodies.links[body].radius));
+            solid = make_convex(part, shapes.data[shape], center, q);
         }
     }
     void make_bounds(math::Vec3 lo, math::Vec3 hi, math::DVec3 center, math::DQuat q) {
@@ -65,10 +66,10 @@ struct Extent {
 
 // Where the other surface is, relative to the body's center of mass. It does not move, but the body does up to the
 // touch.
-math::Vec3 other_surface(const State& s, std::uint32_t contact, int i) {
-    const ContactRecord& r = s.records[contact];
+math::Vec3 other_surface(const Bodies& bodies, const Contacts& contacts, std::uint32_t contact, int i) {
+    const ContactRecord& r = contacts.records[contact];
     const math::Vec3 point = to_vec(point_of(r, i));
-    if (r.touch_time > 0) return point + r.touch_time * s.motion[s.contacts[contact].body_a].v;
+    if (r.touch_time > 0) return point + r.touch_time * bodies.motion[contacts.info[contact].body_a].v;
     return point + 0.5f * point_of(r, i)[3] * to_vec(r.normal);
 }
 
@@ -99,20 +100,21 @@ template <class Bounds> double greatest_difference(const Bounds& b, math::Vec3 n
 // A contact that may be an internal edge, held against the planes of deeper ones.
 class EdgeTest {
   public:
-    EdgeTest(const State& s, std::uint32_t contact)
-        : s_(s), info_(s.contacts[contact]), record_(s.records[contact]), radius_(s.bodies[info_.body_a].radius),
-          tolerance_(
-              std::min(flatness * (radius_ + s.geometry[info_.shape_b].bounding_radius), max_flatness * radius_)) {
-        for (int i = 0; i < info_.point_count; ++i) points_[i] = other_surface(s, contact, i);
+    EdgeTest(const Bodies& bodies, const Shapes& shapes, const Contacts& contacts, std::uint32_t contact)
+        : bodies_(bodies), shapes_(shapes), contacts_(contacts), info_(contacts.info[contact]),
+          record_(contacts.records[contact]), radius_(bodies.links[info_.body_a].radius),
+          tolerance_(std::min(flatness * (radius_ + shapes.geometry[info_.shape_b].bounding_radius),
+                              float(nearness) * radius_)) {
+        for (int i = 0; i < info_.point_count; ++i) points_[i] = other_surface(bodies, contacts, contact, i);
     }
 
     // Whether it is an edge in the plane of the other contact.
     bool lies_in(std::uint32_t deeper, float depth) {
-        const ContactRecord& plane = s_.records[deeper];
-        if (info_.shape_b == s_.contacts[deeper].shape_b || is_same(to_vec(plane.normal), to_vec(record_.normal)) ||
-            s_.geometry[info_.shape_b].type == ShapeType::plane)
+        const ContactRecord& plane = contacts_.records[deeper];
+        if (info_.shape_b == contacts_.info[deeper].shape_b || is_same(to_vec(plane.normal), to_vec(record_.normal)) ||
+            shapes_.geometry[info_.shape_b].type == ShapeType::plane)
             return false;
-        const math::Vec3 up = -to_vec(plane.normal), origin = other_surface(s_, deeper, 0);
+        const math::Vec3 up = -to_vec(plane.normal), origin = other_surface(bodies_, contacts_, deeper, 0);
         bool is_in_plane = true;
         for (int i = 0; i < info_.point_count; ++i) {
             const float height = math::dot(up, points_[i] - origin);
@@ -127,8 +129,8 @@ class EdgeTest {
 
     // False where it lies in none of the planes with such keys.
     bool may_lie_in(const KeyTree<6>::Bounds& planes) {
-        if (s_.geometry[info_.shape_b].type == ShapeType::plane) return false;
-        if (greatest_difference(planes, -to_vec(record_.normal)) < 0.999 * double(same_normal) * double(same_normal))
+        if (shapes_.geometry[info_.shape_b].type == ShapeType::plane) return false;
+        if (greatest_difference(planes, -to_vec(record_.normal)) < 0.999 * double(flatness) * double(flatness))
             return false;
         math::DVec3 up, spread;
         for (std::size_t i = 0; i < 3; ++i) {
@@ -159,13 +161,15 @@ class EdgeTest {
   private:
     // Made when they are needed, as they seldom are.
     const Extent& extent(std::optional<Extent>& extent, std::uint32_t shape) {
-        if (!extent) extent.emplace(s_, shape, info_.body_a);
+        if (!extent) extent.emplace(bodies_, shapes_, shape, info_.body_a);
         return *extent;
     }
     const Extent& other() { return extent(other_, info_.shape_b); }
     const Extent& own() { return extent(own_, info_.shape_a); }
 
-    const State& s_;
+    const Bodies& bodies_;
+    const Shapes& shapes_;
+    const Contacts& contacts_;
     const ContactInfo& info_;
     const ContactRecord& record_;
     float radius_, tolerance_; // m
@@ -174,21 +178,21 @@ class EdgeTest {
 };
 
 // The next step finds it as if for the first time: its face is not preferred once the body is over it.
-void drop(State& s, std::uint32_t c) {
-    s.narrow.is_internal_edge[c] = 1;
-    s.narrow.any_internal_edges = true;
-    forget_impulses(s.records[c], s.contacts[c].point_count);
-    s.records[c].features = no_features;
+void drop(Contacts& contacts, NarrowScratch& narrow, std::uint32_t c) {
+    narrow.is_internal_edge[c] = 1;
+    narrow.any_internal_edges = true;
+    forget_impulses(contacts.records[c], contacts.info[c].point_count);
+    contacts.records[c].features = no_features;
 }
 
 // Whether the points of `c` lie on the line that another contact with the same normal carries.
-bool is_covered(const State& s, std::uint32_t line, std::uint32_t c) {
-    const ContactInfo &info = s.contacts[c], &over = s.contacts[line];
-    const ContactRecord &r = s.records[c], &whole = s.records[line];
+bool is_covered(const Bodies& bodies, const Contacts& contacts, std::uint32_t line, std::uint32_t c) {
+    const ContactInfo &info = contacts.info[c], &over = contacts.info[line];
+    const ContactRecord &r = contacts.records[c], &whole = contacts.records[line];
     if (over.point_count != 2 || info.point_count > 2 || info.shape_b == over.shape_b) return false;
     if (!is_same(to_vec(whole.normal), to_vec(r.normal))) return false;
     const math::Vec3 from = to_vec(point_of(whole, 0)), along = to_vec(point_of(whole, 1)) - from;
-    const float square = math::dot(along, along), tolerance = flatness * s.bodies[info.body_a].radius;
+    const float square = math::dot(along, along), tolerance = flatness * bodies.links[info.body_a].radius;
     for (int i = 0; i < info.point_count; ++i) {
         const math::Vec3 to = to_vec(point_of(r, i)) - from;
         const float part = square > 0 ? std::clamp(math::dot(to, along) / square, 0.0f, 1.0f) : 0.0f;
@@ -197,31 +201,31 @@ bool is_covered(const State& s, std::uint32_t line, std::uint32_t c) {
     }
     return true;
 }
-void drop_covered(State& s, const std::vector<std::uint32_t>& contacts) {
-    KeyTree<9>& tree = s.narrow.line_tree;
-    std::vector<KeyTree<9>::Keys>& keys = s.narrow.line_keys;
-    std::vector<std::uint32_t>& lines = s.narrow.lines;
+void drop_covered(const Bodies& bodies, Contacts& contacts, NarrowScratch& narrow,
+                  const std::vector<std::uint32_t>& ids) {
+    KeyTree<9>& tree = narrow.line_tree;
+    std::vector<KeyTree<9>::Keys>& keys = narrow.line_keys;
+    std::vector<std::uint32_t>& lines = narrow.lines;
     keys.clear();
     lines.clear();
-    for (const std::uint32_t c : contacts) {
-        if (s.contacts[c].point_count != 2) continue;
-        const ContactRecord& r = s.records[c];
+    for (const std::uint32_t c : ids) {
+        if (contacts.info[c].point_count != 2) continue;
+        const ContactRecord& r = contacts.records[c];
         const math::Vec3 p = to_vec(point_of(r, 0)), q = to_vec(point_of(r, 1)), lo = math::min(p, q);
         const math::Vec3 hi = math::max(p, q), n = to_vec(r.normal);
         keys.push_back({n.x, n.y, n.z, lo.x, lo.y, lo.z, hi.x, hi.y, hi.z});
         lines.push_back(c);
     }
-    const double radius = double(s.bodies[std::size_t(s.contacts[contacts[0]].body_a)].radius);
+    const double radius = double(bodies.links[std::size_t(contacts.info[ids[0]].body_a)].radius);
     tree.build(keys, {radius, radius, radius, 1, 1, 1, 1, 1, 1});
     std::uint32_t next = 0; // of `lines`
-    for (const std::uint32_t c : contacts) {
-        const ContactRecord& r = s.records[c];
-        const int count = s.contacts[c].point_count;
+    for (const std::uint32_t c : ids) {
+        const ContactRecord& r = contacts.records[c];
+        const int count = contacts.info[c].point_count;
         const auto may_be_covered = [&](const KeyTree<9>::Bounds& b) {
             constexpr double rounding = 1.001;
             const double tolerance = rounding * double(flatness) * radius;
-            if (least_difference(b, to_vec(r.normal)) > rounding * double(same_normal) * double(same_normal))
-                return false;
+            if (least_difference(b, to_vec(r.normal)) > rounding * double(flatness) * double(flatness)) return false;
             for (int i = 0; i < count; ++i)
                 for (std::size_t k = 0; k < 3; ++k) {
                     const double x = double(point_of(r, i)[k]);
@@ -231,9 +235,9 @@ void drop_covered(State& s, const std::vector<std::uint32_t>& contacts) {
         };
         const bool is_line = next < lines.size() && lines[next] == c;
         if (count <= 2 && tree.any(may_be_covered, [&](std::uint32_t i) {
-                return lines[i] != c && !s.narrow.is_internal_edge[lines[i]] && is_covered(s, lines[i], c);
+                return lines[i] != c && !narrow.is_internal_edge[lines[i]] && is_covered(bodies, contacts, lines[i], c);
             })) {
-            drop(s, c);
+            drop(contacts, narrow, c);
             if (is_line) tree.remove(next);
         }
         next += is_line ? 1 : 0;
@@ -241,53 +245,56 @@ void drop_covered(State& s, const std::vector<std::uint32_t>& contacts) {
 }
 
 // At the start of the step.
-float depth_of(const State& s, std::uint32_t contact) {
-    const ContactRecord& r = s.records[contact];
-    return -min_separation(s.contacts[contact], r) - r.touch_time * r.approach_speed;
+float depth_of(const Contacts& contacts, std::uint32_t contact) {
+    const ContactRecord& r = contacts.records[contact];
+    return -min_separation(contacts.info[contact], r) - r.touch_time * r.approach_speed;
 }
 
 // The planes of contacts, the deepest first.
-void build_plane_tree(State& s, const std::vector<DepthOfContact>& planes) {
-    std::vector<KeyTree<6>::Keys>& keys = s.narrow.plane_keys;
+void build_plane_tree(const Bodies& bodies, const Contacts& contacts, NarrowScratch& narrow,
+                      const std::vector<DepthOfContact>& planes) {
+    std::vector<KeyTree<6>::Keys>& keys = narrow.plane_keys;
     keys.clear();
     for (std::size_t i = 0; i < planes.size(); ++i) {
-        const math::Vec3 up = -to_vec(s.records[planes[i].contact].normal);
-        const double offset = math::dot(math::to_double(up), math::to_double(other_surface(s, planes[i].contact, 0)));
+        const math::Vec3 up = -to_vec(contacts.records[planes[i].contact].normal);
+        const double offset =
+            math::dot(math::to_double(up), math::to_double(other_surface(bodies, contacts, planes[i].contact, 0)));
         keys.push_back({up.x, up.y, up.z, offset, planes[i].depth, double(i)});
     }
     // Planes that are as good as the same are split by their order: the order of depths bounds the search, too.
-    const double radius = double(s.bodies[std::size_t(s.contacts[planes[0].contact].body_a)].radius);
+    const double radius = double(bodies.links[std::size_t(contacts.info[planes[0].contact].body_a)].radius);
     const double by_rank = double(flatness) * radius / double(planes.size());
-    s.narrow.plane_tree.build(keys, {radius, radius, radius, 1, 1, by_rank});
+    narrow.plane_tree.build(keys, {radius, radius, radius, 1, 1, by_rank});
 }
 
 // Drops internal edges among the contacts of one body with what does not move by forces.
-void drop_internal_edges_of_body(State& s, const std::vector<std::uint32_t>& contacts) {
-    drop_covered(s, contacts);
-    const math::Vec3 first = to_vec(s.records[contacts[0]].normal);
-    if (std::all_of(contacts.begin(), contacts.end(),
-                    [&](std::uint32_t id) { return is_same(first, to_vec(s.records[id].normal)); }))
+void drop_internal_edges_of_body(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, NarrowScratch& narrow,
+                                 const std::vector<std::uint32_t>& ids) {
+    drop_covered(bodies, contacts, narrow, ids);
+    const math::Vec3 first = to_vec(contacts.records[ids[0]].normal);
+    if (std::all_of(ids.begin(), ids.end(),
+                    [&](std::uint32_t id) { return is_same(first, to_vec(contacts.records[id].normal)); }))
         return;
-    std::vector<DepthOfContact>& planes = s.narrow.by_depth;
+    std::vector<DepthOfContact>& planes = narrow.by_depth;
     planes.clear();
-    for (const std::uint32_t c : contacts)
-        if (!s.narrow.is_internal_edge[c]) planes.push_back({c, depth_of(s, c)});
+    for (const std::uint32_t c : ids)
+        if (!narrow.is_internal_edge[c]) planes.push_back({c, depth_of(contacts, c)});
     std::sort(planes.begin(), planes.end(), [](const DepthOfContact& a, const DepthOfContact& b) {
         return a.depth != b.depth ? a.depth > b.depth : a.contact < b.contact;
     });
-    build_plane_tree(s, planes);
-    KeyTree<6>& tree = s.narrow.plane_tree;
-    const auto is_dropped = [&](std::uint32_t k) { return s.narrow.is_internal_edge[planes[k].contact] != 0; };
+    build_plane_tree(bodies, contacts, narrow, planes);
+    KeyTree<6>& tree = narrow.plane_tree;
+    const auto is_dropped = [&](std::uint32_t k) { return narrow.is_internal_edge[planes[k].contact] != 0; };
     const auto drop_if_internal = [&](std::uint32_t k, auto&& may_count, auto&& counts) {
         if (is_dropped(k)) return;
-        EdgeTest edge(s, planes[k].contact);
+        EdgeTest edge(bodies, shapes, contacts, planes[k].contact);
         if (!tree.any([&](const KeyTree<6>::Bounds& b) { return may_count(b) && edge.may_lie_in(b); },
                       [&](std::uint32_t j) {
                           return counts(j) && !is_dropped(j) &&
                                  edge.lies_in(planes[j].contact, std::max(planes[j].depth, 0.0f));
                       }))
             return;
-        drop(s, planes[k].contact);
+        drop(contacts, narrow, planes[k].contact);
         tree.remove(k);
     };
     const std::uint32_t count = std::uint32_t(planes.size());
@@ -296,7 +303,7 @@ void drop_internal_edges_of_body(State& s, const std::vector<std::uint32_t>& con
             k, [&](const KeyTree<6>::Bounds& b) { return b.lo[plane_rank] < double(k); },
             [&](std::uint32_t j) { return j < k; });
     // Just beyond an edge, its side may be the deeper one by a rounding error or a slight tilt.
-    const float slack = flatness * s.bodies[std::size_t(s.contacts[contacts[0]].body_a)].radius;
+    const float slack = flatness * bodies.links[std::size_t(contacts.info[ids[0]].body_a)].radius;
     for (std::uint32_t k = 0; k + 1 < count; ++k) {
         const auto is_as_deep = [&](float depth) { return depth + slack > planes[k].depth; };
         if (!is_as_deep(planes[k + 1].depth)) continue;
@@ -311,39 +318,40 @@ void drop_internal_edges_of_body(State& s, const std::vector<std::uint32_t>& con
 
 } // namespace
 
-void drop_internal_edges(State& s) {
-    std::vector<std::int32_t>& last_of_body = s.narrow.last_of_body;
-    std::vector<FixedContact>& fixed = s.narrow.fixed;
-    last_of_body.resize(s.bodies.size(), none);
-    s.narrow.is_internal_edge.resize(s.contacts.size());
+void drop_internal_edges(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, NarrowScratch& narrow,
+                         std::vector<std::uint32_t>& solved) {
+    std::vector<std::int32_t>& last_of_body = narrow.last_of_body;
+    std::vector<FixedContact>& fixed = narrow.fixed;
+    last_of_body.resize(bodies.links.size(), none);
+    narrow.is_internal_edge.resize(contacts.info.size());
     fixed.clear();
-    s.narrow.any_internal_edges = false;
-    for (const std::uint32_t id : s.solved) {
-        const ContactInfo& c = s.contacts[id];
+    narrow.any_internal_edges = false;
+    for (const std::uint32_t id : solved) {
+        const ContactInfo& c = contacts.info[id];
         if (c.b_moves) continue;
-        s.narrow.is_internal_edge[id] = 0;
+        narrow.is_internal_edge[id] = 0;
         std::int32_t& last = last_of_body[c.body_a];
         bool on_several = false;
         if (last != none) {
             const FixedContact& before = fixed[last];
-            on_several = before.on_several || s.contacts[before.contact].shape_b != c.shape_b;
+            on_several = before.on_several || contacts.info[before.contact].shape_b != c.shape_b;
         }
         fixed.push_back({id, last, on_several});
         last = std::int32_t(fixed.size()) - 1;
     }
     for (std::size_t k = fixed.size(); k-- > 0;) {
-        std::int32_t& last = last_of_body[std::size_t(s.contacts[fixed[k].contact].body_a)];
+        std::int32_t& last = last_of_body[std::size_t(contacts.info[fixed[k].contact].body_a)];
         if (last == none) continue; // its body is done
         if (fixed[last].on_several) {
-            s.narrow.of_body.clear();
-            for (std::int32_t i = last; i != none; i = fixed[i].before) s.narrow.of_body.push_back(fixed[i].contact);
-            drop_internal_edges_of_body(s, s.narrow.of_body);
+            narrow.of_body.clear();
+            for (std::int32_t i = last; i != none; i = fixed[i].before) narrow.of_body.push_back(fixed[i].contact);
+            drop_internal_edges_of_body(bodies, shapes, contacts, narrow, narrow.of_body);
         }
         last = none;
     }
-    if (!s.narrow.any_internal_edges) return;
-    std::erase_if(s.solved,
-                  [&](std::uint32_t id) { return !s.contacts[id].b_moves && s.narrow.is_internal_edge[id] != 0; });
+    if (!narrow.any_internal_edges) return;
+    std::erase_if(solved,
+                  [&](std::uint32_t id) { return !contacts.info[id].b_moves && narrow.is_internal_edge[id] != 0; });
 }
 
 } // namespace cairn

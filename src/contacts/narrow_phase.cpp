@@ -5,6 +5,7 @@
 #include "contacts/contact_record.h"
 #include "contacts/contact_update.h"
 #include "contacts/convex_tests.h"
+#include "contacts/flight.h"
 #include "contacts/internal_edges.h"
 #include "contacts/pairs.h"
 #include "contacts/patches.h"
@@ -26,128 +27,135 @@ constexpr int convex_pairs_per_chunk = 32, groups_per_chunk = 8, moved_pairs_per
 
 constexpr float little_turn = 0.1f; // rad in a pass: contacts may be moved along
 
-// What a test at the start of the step has found; what moves far is asked again at the touch.
-std::uint8_t take_test(State& s, std::uint32_t id, const Manifold& m, float dt) {
-    const ContactInfo& c = s.contacts[id];
-    if (!moves_far(s, c, m, dt)) return take_manifold(s, id, m, dt);
-    Touch touch;
-    const Approach approach = find_touch(s, c, dt, contact_margin(s, c, dt), touch);
-    if (approach == Approach::now) return take_manifold(s, id, m, dt);
-    if (approach == Approach::passes) return take_distance(s, id, 0);
-    return take_manifold(s, id, touch.manifold, dt, &touch);
+// What a test has found is settled at once, but for what may meet in flight.
+std::uint8_t take_first_test(const State& s, Contacts& contacts, const StepScratch& step, std::uint32_t place,
+                             const Manifold& m, NarrowBatch& own, float dt) {
+    const std::uint32_t id = step.narrow.candidates[place];
+    if (!may_meet_in_flight(s, step.passes, contacts.info[id], m, dt) || stays_apart(s, contacts.info[id], m, dt))
+        return take_test(s, contacts, step, id, m, dt);
+    own.flights.push_back({place, false, m});
+    return may_fly_by;
 }
 
 // Up to PairBatch::capacity pairs of one kind, by their places among all.
-void test_wide_pairs(State& s, PairKind kind, int begin, int end, NarrowBatch& own, float dt) {
+void test_wide_pairs(const State& s, Contacts& contacts, StepScratch& step, PairKind kind, int begin, int end,
+                     NarrowBatch& own, float dt) {
     PairBatch& batch = own.pairs;
     const int count = end - begin, padded = (count + 7) & ~7;
     const std::size_t record_size = has_one_point(kind) ? offsetof(ContactRecord, more_points) : sizeof(ContactRecord);
     const bool keeps_features = kind == PairKind::box_box;
-    const std::uint32_t* places = s.narrow.lists[std::size_t(kind)].data() + begin;
+    const std::uint32_t* places = step.narrow.lists[std::size_t(kind)].data() + begin;
     std::uint32_t ids[PairBatch::capacity];
-    for (int i = 0; i < count; ++i) ids[i] = s.narrow.candidates[places[i]];
+    for (int i = 0; i < count; ++i) ids[i] = step.narrow.candidates[places[i]];
     for (int i = 0; i < count; ++i) {
         if (const int next = i + int(contacts_ahead); next < count) {
-            ask_cache(&s.contacts[ids[next]]);
-            if (keeps_features) ask_cache(&s.records[ids[next]].features);
+            ask_cache(&contacts.info[ids[next]]);
+            if (keeps_features) ask_cache(&contacts.records[ids[next]].features);
         }
-        const ContactInfo& c = s.contacts[ids[i]];
+        const ContactInfo& c = contacts.info[ids[i]];
         batch.first[i] = c.flipped ? c.shape_b : c.shape_a;
         batch.second[i] = c.flipped ? c.shape_a : c.shape_b;
-        batch.margin[i] = contact_margin(s, c, dt);
-        batch.kept[i] = keeps_features && c.force > 0 ? s.records[ids[i]].features : no_features;
-        ask_cache(&s.shapes[c.shape_a]); // for write_record
+        batch.margin[i] = contact_margin(s.bodies, step.narrow, c, dt);
+        batch.kept[i] = keeps_features && c.force > 0 ? contacts.records[ids[i]].features : no_features;
+        ask_cache(&s.shapes.links[c.shape_a]); // for write_record
     }
     for (int i = count; i < padded; ++i) {
         batch.first[i] = batch.first[0], batch.second[i] = batch.second[0];
         batch.margin[i] = batch.margin[0], batch.kept[i] = batch.kept[0];
     }
-    wide_kernel(kind)(s.shape_poses.data(), batch.first, batch.second, batch.margin, batch.kept, padded, own.manifolds);
+    wide_kernel(kind)(s.shapes.poses.data(), batch.first, batch.second, batch.margin, batch.kept, padded,
+                      own.manifolds);
     for (int i = 0; i < count; ++i) {
         if (const int next = i + int(contacts_ahead); next < count && own.manifolds[next].count > 0) {
-            prefetch_record(s, ids[next], record_size);
+            prefetch_record(contacts, ids[next], record_size);
             if (may_be_round(kind))
-                for (const std::uint32_t shape : {batch.first[next], batch.second[next]}) ask_cache(&s.geometry[shape]);
+                for (const std::uint32_t shape : {batch.first[next], batch.second[next]})
+                    ask_cache(&s.shapes.geometry[shape]);
         }
-        s.narrow.outcomes[places[i]] = take_test(s, ids[i], own.manifolds[i], dt);
+        step.narrow.outcomes[places[i]] = take_first_test(s, contacts, step, places[i], own.manifolds[i], own, dt);
     }
 }
 
 // Pairs that no wide kernel tests, by their places among all.
-void test_convex_pairs(State& s, PairKind kind, int begin, int end, float dt) {
-    const std::vector<std::uint32_t>& places = s.narrow.lists[std::size_t(kind)];
+void test_convex_pairs(const State& s, Contacts& contacts, StepScratch& step, PairKind kind, int begin, int end,
+                       NarrowBatch& own, float dt) {
+    const std::vector<std::uint32_t>& places = step.narrow.lists[std::size_t(kind)];
     constexpr int ahead = int(contacts_ahead);
     const int count = int(places.size()); // the next chunk begins at once
-    const auto contact_at = [&](int i) { return s.narrow.candidates[places[i]]; };
+    const auto contact_at = [&](int i) { return step.narrow.candidates[places[i]]; };
     for (int i = begin; i < end; ++i) {
-        if (i + 2 * ahead < count) ask_cache(&s.contacts[contact_at(i + 2 * ahead)]);
-        if (i + ahead < count) prefetch_pair(s, contact_at(i + ahead));
-        const std::uint32_t place = places[i], id = s.narrow.candidates[place];
-        const ContactInfo& c = s.contacts[id];
-        const PosedShape a = posed_shape(s, c.shape_a), b = posed_shape(s, c.shape_b);
-        const float margin = contact_margin(s, c, dt);
+        if (i + 2 * ahead < count) ask_cache(&contacts.info[contact_at(i + 2 * ahead)]);
+        if (i + ahead < count) prefetch_pair(s.bodies, s.shapes, contacts, contact_at(i + ahead));
+        const std::uint32_t place = places[i], id = step.narrow.candidates[place];
+        const ContactInfo& c = contacts.info[id];
+        const PosedShape a = posed_shape(s.shapes, c.shape_a), b = posed_shape(s.shapes, c.shape_b);
+        const float margin = contact_margin(s.bodies, step.narrow, c, dt);
         if (kind == PairKind::convex_convex && c.point_count == 0) {
             const float distance = gap_lower_bound(a.geometry, a.pose, b.geometry, b.pose);
             if (distance > margin) {
-                s.narrow.outcomes[place] = take_distance(s, id, distance);
+                step.narrow.outcomes[place] = take_distance(s.bodies, contacts, id, distance);
                 continue;
             }
         }
-        ContactMemory memory = s.records[id].features;
-        const Manifold m = test_convex_pair(kind, a, b, to_vec(s.records[id].normal), margin, memory);
-        s.narrow.outcomes[place] = take_test(s, id, m, dt);
-        if (kind == PairKind::convex_convex) s.records[id].features = memory; // also of those that are apart
+        ContactMemory memory = contacts.records[id].features;
+        const Manifold m = test_convex_pair(kind, a, b, to_vec(contacts.records[id].normal), margin, memory);
+        step.narrow.outcomes[place] = take_first_test(s, contacts, step, place, m, own, dt);
+        if (kind == PairKind::convex_convex) contacts.records[id].features = memory; // also of those that are apart
     }
 }
 
 // Asks the cache for what moving the points of a pair along needs.
-void prefetch_move(const State& s, std::uint32_t id) {
-    const ContactInfo& c = s.contacts[id];
-    for (const std::int32_t body : {c.body_a, c.body_b}) ask_cache(&s.motion[body]);
+void prefetch_move(const Bodies& bodies, const Contacts& contacts, std::uint32_t id) {
+    const ContactInfo& c = contacts.info[id];
+    for (const std::int32_t body : {c.body_a, c.body_b}) ask_cache(&bodies.motion[body]);
     if (!is_group(c))
-        prefetch_record(s, id, c.point_count > 1 ? sizeof(ContactRecord) : offsetof(ContactRecord, more_points));
+        prefetch_record(contacts, id, c.point_count > 1 ? sizeof(ContactRecord) : offsetof(ContactRecord, more_points));
 }
 
 // Pairs that were tested a short while ago, by their places among all.
-void move_contacts(State& s, int begin, int end) {
-    const std::vector<std::uint32_t>& places = s.narrow.to_move;
+void move_contacts(const Bodies& bodies, Contacts& contacts, const Islands& islands, NarrowScratch& narrow, int begin,
+                   int end) {
+    const std::vector<std::uint32_t>& places = narrow.to_move;
     const std::size_t count = places.size();
-    const auto contact_at = [&](std::size_t i) { return s.narrow.candidates[places[i]]; };
+    const auto contact_at = [&](std::size_t i) { return narrow.candidates[places[i]]; };
     for (std::size_t i = std::size_t(begin); i < std::size_t(end); ++i) {
-        if (i + 2 * contacts_ahead < count) ask_cache(&s.contacts[contact_at(i + 2 * contacts_ahead)]);
-        if (i + contacts_ahead < count) prefetch_move(s, contact_at(i + contacts_ahead));
-        for (int n = 0; n < patches_at_hand && s.narrow.any_groups; ++n)
-            if (i + patch_ahead(n) < count) prefetch_patch(s, contact_at(i + patch_ahead(n)), n, true);
+        if (i + 2 * contacts_ahead < count) ask_cache(&contacts.info[contact_at(i + 2 * contacts_ahead)]);
+        if (i + contacts_ahead < count) prefetch_move(bodies, contacts, contact_at(i + contacts_ahead));
+        for (int n = 0; n < patches_at_hand && narrow.any_groups; ++n)
+            if (i + patch_ahead(n) < count) prefetch_patch(contacts, contact_at(i + patch_ahead(n)), n, true);
         const std::uint32_t id = contact_at(i);
-        for_each_patch(s, id, [&](std::uint32_t contact) {
-            ContactInfo& c = s.contacts[contact];
-            ContactRecord& r = s.records[contact];
-            advance_record(s, c, r);
-            if (!c.touching) r.approach_speed = approach_speed(s, c, r);
+        for_each_patch(contacts, id, [&](std::uint32_t contact) {
+            ContactInfo& c = contacts.info[contact];
+            ContactRecord& r = contacts.records[contact];
+            advance_record(bodies, c, r);
+            if (!c.touching) r.approach_speed = approach_speed(bodies, c, r);
         });
-        s.narrow.outcomes[places[i]] = going_on(s, s.contacts[id]);
+        narrow.outcomes[places[i]] = going_on(bodies, islands, contacts.info[id]);
     }
 }
 
 // Whether the first pass of the step has tested the pair, as far as the whole step reaches, and its points may be moved
 // along. What whirls is tested in each pass.
-bool is_found(const State& s, std::uint32_t id) {
-    const ContactInfo& c = s.contacts[id];
-    if (s.passes == s.first_pass || c.is_trigger || id >= s.narrow.found.size() || !s.narrow.found[id]) return false;
+bool is_found(const Bodies& bodies, const Contacts& contacts, const NarrowScratch& narrow, const StepPasses& passes,
+              std::uint32_t id) {
+    const ContactInfo& c = contacts.info[id];
+    if (passes.number == 0 || c.is_trigger || id >= narrow.found.size() || !narrow.found[id]) return false;
     const auto turns_little = [&](std::int32_t body) {
-        const math::Quat q = s.motion[body].turned; // in the last pass
-        return !s.narrow.whirls[body] && 4 * (q.x * q.x + q.y * q.y + q.z * q.z) < little_turn * little_turn;
+        const math::Quat q = bodies.motion[body].turned; // in the last pass
+        return !narrow.whirls[body] && 4 * (q.x * q.x + q.y * q.y + q.z * q.z) < little_turn * little_turn;
     };
     return turns_little(c.body_a) && turns_little(c.body_b);
 }
 
-std::uint8_t before_test(const State& s, std::uint32_t id) {
-    const ContactInfo& c = s.contacts[id];
-    if (!c.b_moves && !s.is_awake(c.body_a) && !moves(s, c.body_b)) return c.point_count > 0 ? skipped : apart;
-    if (!is_placed(s, c)) {
-        if (is_found(s, id)) return c.point_count > 0 ? to_move : apart;
+std::uint8_t before_test(const Bodies& bodies, const Contacts& contacts, const Islands& islands,
+                         const NarrowScratch& narrow, const StepPasses& passes, std::uint32_t id) {
+    const ContactInfo& c = contacts.info[id];
+    if (!c.b_moves && !is_awake(bodies, islands, c.body_a) && !moves(bodies, c.body_b))
+        return c.point_count > 0 ? skipped : apart;
+    if (!is_placed(bodies, c)) {
+        if (is_found(bodies, contacts, narrow, passes, id)) return c.point_count > 0 ? to_move : apart;
         // What has no points is tested: they may come near each other on the way, the more so the larger they are.
-        if (c.kind >= PairKind::box_capsule && c.point_count > 0 && is_near(s, id)) return to_move;
+        if (c.kind >= PairKind::box_capsule && c.point_count > 0 && is_near(bodies, contacts, id)) return to_move;
         return std::uint8_t(to_test + int(c.kind));
     }
     if (c.is_trigger) return apart;
@@ -156,13 +164,13 @@ std::uint8_t before_test(const State& s, std::uint32_t id) {
 
 // What stays apart, as most do, shows without the contact. Without a branch: none could guess. (Outcomes are bytes,
 // which may be anything for the compiler: it would look up the arrays anew after each.)
-void list_open_pairs(State& s) {
-    NarrowScratch& scratch = s.narrow;
+void list_open_pairs(const Bodies& bodies, const Contacts& contacts, NarrowScratch& narrow, ThreadPool& thread_pool) {
+    NarrowScratch& scratch = narrow;
     const std::uint32_t* const candidates = scratch.candidates.data();
-    const PairAnswer* const pairs = s.answers.data();
-    const Travel* const ahead = s.ahead.data();
+    const PairAnswer* const pairs = contacts.answers.data();
+    const Travel* const ahead = bodies.ahead.data();
     std::uint8_t* const outcomes = scratch.outcomes.data();
-    s.thread_pool->for_chunks(int(scratch.candidates.size()), pairs_per_chunk, [=](int begin, int end, int) {
+    thread_pool.for_chunks(int(scratch.candidates.size()), pairs_per_chunk, [=](int begin, int end, int) {
         static_assert(apart == 0);
         const auto look_at = [=](int k) {
             outcomes[k] = std::uint8_t(to_test * int(!stays_apart(ahead, pairs[candidates[k]])));
@@ -186,32 +194,32 @@ void list_open_pairs(State& s) {
 }
 
 // In the first pass of a step that may be split: what it has tested.
-void note_found(State& s) {
-    s.narrow.found.assign(s.contacts.size(), 0);
-    for (const std::uint32_t k : s.narrow.to_move) s.narrow.found[s.narrow.candidates[k]] = 1;
-    for (const auto& list : s.narrow.lists)
-        for (const std::uint32_t k : list) s.narrow.found[s.narrow.candidates[k]] = 1;
+void note_found(const Contacts& contacts, NarrowScratch& narrow) {
+    narrow.found.assign(contacts.info.size(), 0);
+    for (const std::uint32_t k : narrow.to_move) narrow.found[narrow.candidates[k]] = 1;
+    for (const auto& list : narrow.lists)
+        for (const std::uint32_t k : list) narrow.found[narrow.candidates[k]] = 1;
 }
 
 // Sorts the pairs that may have moved into the lists of their kinds.
-void list_pairs(State& s) {
-    NarrowScratch& scratch = s.narrow;
+void list_pairs(const State& s, Statistics& statistics, StepScratch& step) {
+    NarrowScratch& scratch = step.narrow;
     scratch.candidates.clear();
     s.broad_phase.for_each_pair(
         [&](std::uint32_t, std::uint32_t, std::uint32_t id) { scratch.candidates.push_back(id); });
     scratch.outcomes.resize(scratch.candidates.size());
-    list_open_pairs(s);
+    list_open_pairs(s.bodies, s.contacts, step.narrow, *step.thread_pool);
     const std::size_t open = scratch.open.size();
     std::atomic<bool> any_groups = false;
-    s.thread_pool->for_chunks(int(open), pairs_per_chunk, [&](int begin, int end, int) {
+    step.thread_pool->for_chunks(int(open), pairs_per_chunk, [&](int begin, int end, int) {
         bool any = false;
         for (std::size_t i = std::size_t(begin); i < std::size_t(end); ++i) {
             if (i + contacts_ahead < std::size_t(end))
-                ask_cache(&s.contacts[scratch.candidates[scratch.open[i + contacts_ahead]]]);
+                ask_cache(&s.contacts.info[scratch.candidates[scratch.open[i + contacts_ahead]]]);
             const std::uint32_t k = scratch.open[i];
             const std::uint32_t id = scratch.candidates[k];
-            any |= is_group(s.contacts[id]);
-            scratch.outcomes[k] = before_test(s, id);
+            any |= is_group(s.contacts.info[id]);
+            scratch.outcomes[k] = before_test(s.bodies, s.contacts, s.islands, step.narrow, step.passes, id);
         }
         if (any) any_groups = true;
     });
@@ -225,73 +233,78 @@ void list_pairs(State& s) {
         else if (outcome == to_move)
             scratch.to_move.push_back(k);
     }
-    s.statistics.tested_pairs = scratch.to_move.size();
-    for (const auto& list : scratch.lists) s.statistics.tested_pairs += list.size();
+    statistics.tested_pairs = scratch.to_move.size();
+    for (const auto& list : scratch.lists) statistics.tested_pairs += list.size();
 }
 
-void test_all(State& s, float dt) {
+void test_all(const State& s, Contacts& contacts, StepScratch& step, float dt) {
     const auto for_kind = [&](PairKind kind, int per_chunk, auto&& test) {
-        s.thread_pool->for_chunks(int(s.narrow.lists[std::size_t(kind)].size()), per_chunk,
-                                  [&](int begin, int end, int thread) { test(begin, end, s.narrow.at_work[thread]); });
+        step.thread_pool->for_chunks(
+            int(step.narrow.lists[std::size_t(kind)].size()), per_chunk,
+            [&](int begin, int end, int thread) { test(begin, end, step.narrow.at_work[thread]); });
     };
     for (int kind = 0; kind < wide_kinds; ++kind)
         for_kind(PairKind(kind), PairBatch::capacity, [&](int begin, int end, NarrowBatch& own) {
-            test_wide_pairs(s, PairKind(kind), begin, end, own, dt);
+            test_wide_pairs(s, contacts, step, PairKind(kind), begin, end, own, dt);
         });
     for (const PairKind kind : {PairKind::convex_plane, PairKind::convex_rectangle, PairKind::convex_convex})
-        for_kind(kind, convex_pairs_per_chunk,
-                 [&](int begin, int end, NarrowBatch&) { test_convex_pairs(s, kind, begin, end, dt); });
-    s.thread_pool->for_chunks(int(s.narrow.to_move.size()), moved_pairs_per_chunk,
-                              [&](int begin, int end, int) { move_contacts(s, begin, end); });
-    begin_groups(s);
+        for_kind(kind, convex_pairs_per_chunk, [&](int begin, int end, NarrowBatch& own) {
+            test_convex_pairs(s, contacts, step, kind, begin, end, own, dt);
+        });
+    step.thread_pool->for_chunks(int(step.narrow.to_move.size()), moved_pairs_per_chunk, [&](int begin, int end, int) {
+        move_contacts(s.bodies, contacts, s.islands, step.narrow, begin, end);
+    });
+    begin_groups(contacts, step.narrow);
     for_kind(PairKind::group, groups_per_chunk,
-             [&](int begin, int end, NarrowBatch& own) { test_groups(s, begin, end, own, dt); });
-    collect_fresh_patches(s);
+             [&](int begin, int end, NarrowBatch& own) { test_groups(s, contacts, step, begin, end, own, dt); });
+    collect_fresh_patches(step.narrow);
 }
 
 } // namespace
 
-void update_contacts(State& s, float dt) {
-    count_motion(s, dt);
-    s.solved.clear();
-    s.narrow.skipped.clear();
-    s.narrow.lists.resize(tested_kinds);
-    s.narrow.at_work.resize(std::size_t(s.thread_pool->threads()));
-    list_pairs(s);
-    test_all(s, dt);
-    if (s.passes == s.first_pass && !s.narrow.whirling.empty()) note_found(s);
-    const std::vector<std::uint32_t>& open = s.narrow.open;
+void update_contacts(State& s, StepScratch& step, float dt) {
+    count_motion(s.bodies, s.islands, s.settings, step, dt);
+    step.solved.clear();
+    step.narrow.skipped.clear();
+    step.narrow.lists.resize(tested_kinds);
+    step.narrow.at_work.resize(std::size_t(step.thread_pool->threads()));
+    list_pairs(s, s.statistics, step);
+    test_all(s, s.contacts, step, dt);
+    if (step.passes.number == 0 && !step.narrow.whirling.empty()) note_found(s.contacts, step.narrow);
+    const std::vector<std::uint32_t>& open = step.narrow.open;
     for (std::size_t i = 0; i < open.size(); ++i) {
-        if (i + contacts_ahead < open.size() && s.narrow.outcomes[open[i + contacts_ahead]] != apart)
-            ask_cache(&s.contacts[s.narrow.candidates[open[i + contacts_ahead]]]);
-        for (int n = 0; n < patches_at_hand && s.narrow.any_groups; ++n)
-            if (const std::size_t at = i + patch_ahead(n); at < open.size() && s.narrow.outcomes[open[at]] != apart)
-                prefetch_patch(s, s.narrow.candidates[open[at]], n, false);
-        const std::uint32_t k = open[i], id = s.narrow.candidates[k];
-        if (s.narrow.outcomes[k] == apart) continue; // the contact need not be looked at
-        if (is_group(s.contacts[id]))
-            follow_up_group(s, k, dt);
-        else if (s.narrow.outcomes[k] == goes_on) // as most do
-            s.solved.push_back(id);
+        if (i + contacts_ahead < open.size() && step.narrow.outcomes[open[i + contacts_ahead]] != apart)
+            ask_cache(&s.contacts.info[step.narrow.candidates[open[i + contacts_ahead]]]);
+        for (int n = 0; n < patches_at_hand && step.narrow.any_groups; ++n)
+            if (const std::size_t at = i + patch_ahead(n); at < open.size() && step.narrow.outcomes[open[at]] != apart)
+                prefetch_patch(s.contacts, step.narrow.candidates[open[at]], n, false);
+        const std::uint32_t k = open[i], id = step.narrow.candidates[k];
+        if (step.narrow.outcomes[k] == apart) continue; // the contact need not be looked at
+        if (step.narrow.outcomes[k] == may_fly_by) continue;
+        if (is_group(s.contacts.info[id]))
+            follow_up_group(s, step.narrow, step.solved, k, dt);
+        else if (step.narrow.outcomes[k] == goes_on) // as most do
+            step.solved.push_back(id);
         else
-            follow_up(s, id, s.narrow.outcomes[k], dt);
+            follow_up(s, step.narrow, step.solved, id, step.narrow.outcomes[k], dt);
     }
+    settle_flights(s, step, dt);
     // What was moved along is as good as tested: while both bodies rest, it need not be moved again.
-    for (const std::uint32_t k : s.narrow.to_move) {
-        ContactInfo& c = s.contacts[s.narrow.candidates[k]];
-        c.placed_at = travel_of(s, c);
+    for (const std::uint32_t k : step.narrow.to_move) {
+        ContactInfo& c = s.contacts.info[step.narrow.candidates[k]];
+        c.placed_at = travel_of(s.bodies, c);
     }
-    drop_internal_edges(s);
+    drop_internal_edges(s.bodies, s.shapes, s.contacts, step.narrow, step.solved);
     const auto push_solved = [&](std::uint32_t id) {
-        for_each_patch(s, id, [&](std::uint32_t contact) { s.solved.push_back(contact); });
+        for_each_patch(s.contacts, id, [&](std::uint32_t contact) { step.solved.push_back(contact); });
     };
     // Islands that were woken just now: nothing in them has moved, their records still hold.
-    for (const std::int32_t key : s.waking)
+    for (const std::int32_t key : s.islands.waking)
         s.broad_phase.for_each_sleeping_pair(std::uint32_t(key), [&](std::uint32_t, std::uint32_t, std::uint32_t id) {
-            if (s.contacts[id].point_count > 0) push_solved(id);
+            if (s.contacts.info[id].point_count > 0) push_solved(id);
         });
-    for (const std::uint32_t id : s.narrow.skipped)
-        if (s.is_awake(s.contacts[id].body_a)) push_solved(id);
+    for (const std::uint32_t id : step.narrow.skipped)
+        if (is_awake(s.bodies, s.islands, s.contacts.info[id].body_a)) push_solved(id);
 }
 
 } // namespace cairn

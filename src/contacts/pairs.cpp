@@ -13,7 +13,6 @@ namespace cairn {
 
 namespace {
 
-constexpr float max_margin = 0.01f; // m: contacts exist before they touch
 constexpr float match_per_extent = 0.1f;
 
 float largest_extent(const Geometry& g) {
@@ -51,27 +50,28 @@ float combine_values(float a, float b, CombineRule rule) {
 }
 
 struct Sink final : PairSink {
-    explicit Sink(State& state) : s(state) {}
+    explicit Sink(State& state, StepScratch& step) : s(state), step(step) {}
     State& s;
+    StepScratch& step;
 
     bool pair_found(std::uint32_t a, std::uint32_t b, std::uint32_t& contact) override {
-        const std::int32_t body_a = s.shapes[a].body, body_b = s.shapes[b].body;
+        const std::int32_t body_a = s.shapes.links[a].body, body_b = s.shapes.links[b].body;
         if (body_a == body_b) return false;
-        const bool a_moves = s.is_dynamic(body_a), b_moves = s.is_dynamic(body_b);
+        const bool a_moves = s.bodies.is_dynamic(body_a), b_moves = s.bodies.is_dynamic(body_b);
         if (!a_moves && !b_moves) return false;
         // Two that cannot be moved by any force would be pushed in vain.
         auto movable = [&](std::int32_t body) {
-            const BodyMass& m = s.mass[body];
+            const BodyMass& m = s.bodies.mass[body];
             return m.inverse_mass > 0 || !(m.inverse_inertia == math::Vec3{});
         };
-        const ShapeTraits &traits_a = s.shape_traits[a], &traits_b = s.shape_traits[b];
+        const ShapeTraits &traits_a = s.shapes.traits[a], &traits_b = s.shapes.traits[b];
         if (!may_meet(traits_a.filter, traits_b.filter)) return false;
-        if (joint_forbids_contact(s, body_a, body_b)) return false;
+        if (joint_forbids_contact(s.bodies, s.joints, body_a, body_b)) return false;
         const bool is_trigger = traits_a.is_trigger || traits_b.is_trigger;
         if (!is_trigger && !movable(body_a) && !movable(body_b)) return false;
         if (traits_a.is_trigger && traits_b.is_trigger) return false;
         bool swapped = false;
-        const std::optional<PairKind> kind = pair_kind(s.geometry[a], s.geometry[b], swapped);
+        const std::optional<PairKind> kind = pair_kind(s.shapes.geometry[a], s.shapes.geometry[b], swapped);
         if (!kind) return false;
         // A is the dynamic one; of two dynamic ones, the kernel's first.
         const bool b_is_a = a_moves && b_moves ? swapped : b_moves;
@@ -81,28 +81,28 @@ struct Sink final : PairSink {
     }
 
     void pair_lost(std::uint32_t, std::uint32_t, std::uint32_t contact) override {
-        end_contact(s, contact);
-        free_contact(s, contact);
+        end_contact(s.bodies, s.shapes, s.contacts, s.islands, s.events, contact);
+        free_contact(s.contacts, contact);
     }
 
     std::uint32_t create(std::uint32_t shape_a, std::uint32_t shape_b, PairKind kind, bool flipped, bool b_moves) {
-        const std::uint32_t id = new_contact(s);
-        ContactInfo& c = s.contacts[id];
+        const std::uint32_t id = new_contact(s.contacts, step.narrow);
+        ContactInfo& c = s.contacts.info[id];
         c.shape_a = shape_a, c.shape_b = shape_b;
-        c.body_a = s.shapes[shape_a].body, c.body_b = s.shapes[shape_b].body;
+        c.body_a = s.shapes.links[shape_a].body, c.body_b = s.shapes.links[shape_b].body;
         c.kind = kind;
         c.flipped = flipped;
         c.b_moves = b_moves;
-        const ShapeTraits &traits_a = s.shape_traits[shape_a], &traits_b = s.shape_traits[shape_b];
+        const ShapeTraits &traits_a = s.shapes.traits[shape_a], &traits_b = s.shapes.traits[shape_b];
         c.is_trigger = traits_a.is_trigger || traits_b.is_trigger;
         c.is_conveyor = traits_b.has_surface_velocity;
-        const Geometry &a = s.geometry[shape_a], &b = s.geometry[shape_b];
-        c.base_margin = std::min(max_margin, margin_per_extent * std::min(smallest_extent(a, s.shape_data[shape_a]),
-                                                                          smallest_extent(b, s.shape_data[shape_b])));
+        const Geometry &a = s.shapes.geometry[shape_a], &b = s.shapes.geometry[shape_b];
+        c.base_margin =
+            margin_of(std::min(smallest_extent(a, s.shapes.data[shape_a]), smallest_extent(b, s.shapes.data[shape_b])));
         c.match_tolerance = match_per_extent * std::min(largest_extent(a), largest_extent(b));
-        s.answers[id] = {0, c.body_a, c.body_b};
-        drop_answer(s, id);
-        combine_materials(s, id);
+        s.contacts.answers[id] = {0, c.body_a, c.body_b};
+        drop_answer(s.bodies, s.contacts, id);
+        combine_materials(s.shapes, s.contacts, id);
         return id;
     }
 };
@@ -128,61 +128,71 @@ std::optional<PairKind> pair_kind(const Geometry& first_shape, const Geometry& s
 
 CollideKernel wide_kernel(PairKind kind) { return kernels().*wide_tests[int(kind)].kernel; }
 
-std::uint32_t new_contact(State& s) {
+std::uint32_t new_contact(Contacts& contacts, NarrowScratch& narrow) {
     std::uint32_t id;
-    if (s.free_contacts.empty()) {
-        id = std::uint32_t(s.contacts.size());
-        s.contacts.emplace_back();
-        s.records.emplace_back();
-        s.answers.emplace_back();
+    if (contacts.free.empty()) {
+        id = std::uint32_t(contacts.info.size());
+        contacts.info.emplace_back();
+        contacts.records.emplace_back();
+        contacts.answers.emplace_back();
     } else {
-        id = s.free_contacts.back();
-        s.free_contacts.pop_back();
+        id = contacts.free.back();
+        contacts.free.pop_back();
     }
-    s.contacts[id] = {};
-    s.contacts[id].in_use = 1;
-    s.records[id] = {};
-    s.answers[id] = {};
-    if (id < s.narrow.found.size()) s.narrow.found[id] = 0;
+    contacts.info[id] = {};
+    contacts.info[id].in_use = 1;
+    contacts.records[id] = {};
+    contacts.answers[id] = {};
+    if (id < narrow.found.size()) narrow.found[id] = 0;
     return id;
 }
 
-void free_contact(State& s, std::uint32_t id) {
-    s.contacts[id].in_use = 0;
-    s.free_contacts.push_back(id);
+void free_contact(Contacts& contacts, std::uint32_t id) {
+    contacts.info[id].in_use = 0;
+    contacts.free.push_back(id);
 }
 
-void combine_materials(State& s, std::uint32_t contact) {
-    ContactInfo& c = s.contacts[contact];
-    const Material &a = s.materials[c.shape_a], &b = s.materials[c.shape_b];
-    ContactRecord& r = s.records[contact];
+PairMaterial combined_material(const Material& a, const Material& b) {
     const CombineRule friction = std::min(a.friction_combine, b.friction_combine);
     const CombineRule restitution = std::min(a.restitution_combine, b.restitution_combine);
-    r.friction = combine_values(a.dynamic_friction, b.dynamic_friction, friction);
-    r.static_friction = std::max(combine_values(a.static_friction, b.static_friction, friction), r.friction);
-    r.restitution = combine_values(a.restitution, b.restitution, restitution);
+    PairMaterial m{};
+    m.friction = combine_values(a.dynamic_friction, b.dynamic_friction, friction);
+    m.static_friction = std::max(combine_values(a.static_friction, b.static_friction, friction), m.friction);
+    m.restitution = combine_values(a.restitution, b.restitution, restitution);
+    m.rolling_radius = std::max(a.rolling_friction, b.rolling_friction);
+    m.torsion_radius = std::max(a.torsional_friction, b.torsional_friction);
+    return m;
+}
+
+void combine_materials(const Shapes& shapes, Contacts& contacts, std::uint32_t contact) {
+    ContactInfo& c = contacts.info[contact];
+    ContactRecord& r = contacts.records[contact];
+    const PairMaterial m = combined_material(shapes.materials[c.shape_a], shapes.materials[c.shape_b]);
+    r.friction = m.friction;
+    r.static_friction = m.static_friction;
+    r.restitution = m.restitution;
     c.bounces = r.restitution > 0;
-    r.rolling_radius = std::max(a.rolling_friction, b.rolling_friction);
-    r.torsion_radius = std::max(a.torsional_friction, b.torsional_friction);
+    r.rolling_radius = m.rolling_radius;
+    r.torsion_radius = m.torsion_radius;
 }
 
-void update_pairs(State& state) {
-    flush_sleep(state);
-    Sink sink(state);
+void update_pairs(State& state, StepScratch& step) {
+    flush_sleep(state.bodies, state.shapes, state.islands, state.broad_phase);
+    Sink sink(state, step);
     state.broad_phase.update(sink);
-    if (!state.dead_bodies.empty()) // their slots are given out again, and must not be pushed twice
-        std::erase_if(state.pushed, [&](std::int32_t b) { return !state.body_slots.is_live(std::uint32_t(b)); });
-    for (const std::uint32_t i : state.dead_shapes) state.shape_slots.recycle(i);
-    for (const std::uint32_t i : state.dead_bodies) state.body_slots.recycle(i);
-    state.dead_shapes.clear();
-    state.dead_bodies.clear();
+    if (!state.bodies.dead.empty()) // their slots are given out again, and must not be pushed twice
+        std::erase_if(state.bodies.pushed,
+                      [&](std::int32_t b) { return !state.bodies.slots.is_live(std::uint32_t(b)); });
+    for (const std::uint32_t i : state.shapes.dead) state.shapes.slots.recycle(i);
+    for (const std::uint32_t i : state.bodies.dead) state.bodies.slots.recycle(i);
+    state.shapes.dead.clear();
+    state.bodies.dead.clear();
 }
 
-void reclaim_slots(State& state) {
-    constexpr std::size_t always_allowed = 1024; // so that small worlds do not update for every body
-    const std::size_t dead = state.dead_bodies.size() + state.dead_shapes.size();
-    const std::size_t live = state.body_slots.live_count() + state.shape_slots.live_count();
-    if (dead > always_allowed + live) update_pairs(state);
+void reclaim_slots(State& state, StepScratch& step) {
+    const std::size_t dead = state.bodies.dead.size() + state.shapes.dead.size();
+    const std::size_t live = state.bodies.slots.live_count() + state.shapes.slots.live_count();
+    if (dead > live) update_pairs(state, step);
 }
 
 } // namespace cairn

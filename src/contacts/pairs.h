@@ -2,27 +2,33 @@
 #pragma once
 
 #include "state/state.h"
+#include "state/step_scratch.h"
 
 #include <optional>
 
 namespace cairn {
 
 // Runs the broad phase; creates contacts for new pairs, destroys those of pairs that ended.
-void update_pairs(State& state);
+void update_pairs(State& state, StepScratch& step);
 
 // Does so between steps as well once most slots are dead: bodies that come and go while nothing steps take no more
 // memory than those that are there. Contacts of what has been removed end as they would in the next step.
-void reclaim_slots(State& state);
+void reclaim_slots(State& state, StepScratch& step);
 
-// Coefficients of the two materials together, by the rules of KHR_physics_rigid_bodies.
-void combine_materials(State& state, std::uint32_t contact);
+// Coefficients of two materials together, by the rules of KHR_physics_rigid_bodies.
+struct PairMaterial {
+    float friction, static_friction, restitution, rolling_radius, torsion_radius;
+};
+PairMaterial combined_material(const Material& a, const Material& b);
+// Those of the shapes of a contact, into its record.
+void combine_materials(const Shapes& shapes, Contacts& contacts, std::uint32_t contact);
 
 // How the two are tested; nothing for two surfaces. `swapped`: b is the first shape of the test.
 std::optional<PairKind> pair_kind(const Geometry& a, const Geometry& b, bool& swapped);
 CollideKernel wide_kernel(PairKind kind);
 
 // An empty contact, in use; and its end.
-std::uint32_t new_contact(State& state);
-void free_contact(State& state, std::uint32_t contact);
+std::uint32_t new_contact(Contacts& contacts, NarrowScratch& narrow);
+void free_contact(Contacts& contacts, std::uint32_t contact);
 
 } // namespace cairn

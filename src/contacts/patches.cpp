@@ -4,6 +4,7 @@
 #include "bodies/motion_budget.h"
 #include "contacts/contact_update.h"
 #include "contacts/convex_tests.h"
+#include "contacts/flight.h"
 #include "contacts/pairs.h"
 #include "contacts/prefetch.h"
 #include "contacts/touch.h"
@@ -25,12 +26,13 @@ constexpr float looked_ahead_steps = 3; // for what is apart
 constexpr std::uint8_t not_found = 255; // in NarrowScratch::patch_outcomes
 
 // The patch of the group whose last normal was nearest to that of the manifold, among those not yet found.
-std::int32_t matching_patch(const State& s, const ContactInfo& group, const Manifold& m) {
+std::int32_t matching_patch(const Contacts& contacts, const NarrowScratch& narrow, const ContactInfo& group,
+                            const Manifold& m) {
     std::int32_t best = none;
     float nearest = same_patch;
-    for (std::int32_t p = group.related; p != none; p = s.contacts[p].next) {
-        if (s.narrow.patch_outcomes[p] != not_found) continue;
-        const float cosine = math::dot(to_vec(m.normal), to_vec(s.records[p].normal));
+    for (std::int32_t p = group.related; p != none; p = contacts.info[p].next) {
+        if (narrow.patch_outcomes[p] != not_found) continue;
+        const float cosine = math::dot(to_vec(m.normal), to_vec(contacts.records[p].normal));
         if (cosine > nearest) nearest = cosine, best = p;
     }
     return best;
@@ -45,15 +47,16 @@ float reach_of(const ContactInfo& group, float margin) {
 
 // Of what moves far, in place of what was found at the start of the step: the patches of the touch, if it does not
 // touch yet. Whether they are of the touch.
-bool look_ahead(const State& s, const ContactInfo& group, float margin, float dt, NarrowBatch& own, Touch& touch) {
+bool look_ahead(const State& s, const StepScratch& step, const ContactInfo& group, float margin, float dt,
+                NarrowBatch& own, Touch& touch) {
     bool is_far = false;
     for (const Manifold& hit : own.hits) {
         for (int i = 0; i < hit.count; ++i)
             if (hit.points[i][3] <= 0) return false;
-        is_far = is_far || moves_far(s, group, hit, dt);
+        is_far = is_far || moves_far(s, step, group, hit, dt);
     }
     if (!is_far) return false;
-    const Approach approach = find_touch(s, group, dt, margin, touch);
+    const Approach approach = find_touch(s, step, group, dt, margin, touch);
     if (approach == Approach::now) return false;
     own.hits.clear();
     if (approach == Approach::passes) return false;
@@ -61,53 +64,15 @@ bool look_ahead(const State& s, const ContactInfo& group, float margin, float dt
         own.hits.push_back(touch.manifold);
         return true;
     }
-    const PosedShape a = posed_shape(s, group.shape_a), b = posed_shape(s, group.shape_b);
+    const PosedShape a = posed_shape(s.shapes, group.shape_a), b = posed_shape(s.shapes, group.shape_b);
     find_patches({a.geometry, a.data, touch.pose_a, touch.arm_a}, {b.geometry, b.data, touch.pose_b, b.arm}, margin,
                  margin, own.surface, own.hits);
     return true;
 }
 
-void test_group(State& s, std::uint32_t place, NarrowBatch& own, float dt) {
-    const std::uint32_t id = s.narrow.candidates[place];
-    ContactInfo& group = s.contacts[id];
-    const float margin = contact_margin(s, group, dt);
-    const float distance = find_patches(posed_shape(s, group.shape_a), posed_shape(s, group.shape_b), margin,
-                                        reach_of(group, margin), own.surface, own.hits);
-    if (own.hits.empty() && group.point_count == 0) {
-        s.narrow.outcomes[place] = take_distance(s, id, distance);
-        return;
-    }
-    keep_answer(s, id, 0);
-    if (group.is_trigger) {
-        s.narrow.outcomes[place] = trigger_outcome(group, !own.hits.empty());
-        return;
-    }
-    Touch touch;
-    const bool is_ahead = look_ahead(s, group, margin, dt, own, touch);
-    if (is_ahead) drop_answer(s, id);
-    if (own.hits.empty() && group.point_count == 0) {
-        s.narrow.outcomes[place] = take_distance(s, id, 0);
-        return;
-    }
-    s.narrow.outcomes[place] = tested_patches;
-    for (std::int32_t p = group.related; p != none; p = s.contacts[p].next) s.narrow.patch_outcomes[p] = not_found;
-    std::uint32_t order = 0;
-    for (const Manifold& hit : own.hits) {
-        if (!is_ahead && stays_apart(s, group, hit, dt)) continue;
-        const std::int32_t patch = matching_patch(s, group, hit);
-        if (patch == none)
-            own.fresh.push_back({place, order++, hit, is_ahead, touch});
-        else
-            s.narrow.patch_outcomes[patch] =
-                take_manifold(s, std::uint32_t(patch), hit, dt, is_ahead ? &touch : nullptr);
-    }
-    for (std::int32_t p = group.related; p != none; p = s.contacts[p].next)
-        if (std::uint8_t& outcome = s.narrow.patch_outcomes[p]; outcome == not_found) outcome = ended;
-}
-
-std::uint32_t create_patch(State& s, std::uint32_t group_id) {
-    const std::uint32_t id = new_contact(s);
-    ContactInfo &patch = s.contacts[id], &group = s.contacts[group_id];
+std::uint32_t create_patch(const Shapes& shapes, Contacts& contacts, NarrowScratch& narrow, std::uint32_t group_id) {
+    const std::uint32_t id = new_contact(contacts, narrow);
+    ContactInfo &patch = contacts.info[id], &group = contacts.info[group_id];
     patch = group;
     patch.kind = PairKind::patch;
     patch.point_count = 0;
@@ -115,70 +80,128 @@ std::uint32_t create_patch(State& s, std::uint32_t group_id) {
     patch.related = std::int32_t(group_id);
     patch.next = group.related;
     group.related = std::int32_t(id);
-    combine_materials(s, id);
+    combine_materials(shapes, contacts, id);
     return id;
 }
 
 } // namespace
 
-void begin_groups(State& s) {
-    s.narrow.patch_outcomes.resize(s.contacts.size());
-    for (NarrowBatch& own : s.narrow.at_work) own.fresh.clear();
+void test_group(const State& s, Contacts& contacts, StepScratch& step, std::uint32_t place, NarrowBatch& own, float dt,
+                bool may_fly) {
+    const std::uint32_t id = step.narrow.candidates[place];
+    ContactInfo& group = contacts.info[id];
+    const float margin = contact_margin(s.bodies, step.narrow, group, dt);
+    const float distance = find_patches(posed_shape(s.shapes, group.shape_a), posed_shape(s.shapes, group.shape_b),
+                                        margin, reach_of(group, margin), own.surface, own.hits);
+    if (own.hits.empty() && group.related == none) {
+        step.narrow.outcomes[place] = take_distance(s.bodies, contacts, id, distance);
+        return;
+    }
+    keep_answer(s.bodies, contacts, id, 0);
+    if (group.is_trigger) {
+        step.narrow.outcomes[place] = trigger_outcome(group, !own.hits.empty());
+        return;
+    }
+    const auto flies = [&](const Manifold& hit) { return may_meet_in_flight(s, step.passes, group, hit, dt); };
+    if (may_fly && !own.hits.empty() && std::all_of(own.hits.begin(), own.hits.end(), flies)) {
+        own.flights.push_back({place, false, {}});
+        step.narrow.outcomes[place] = may_fly_by;
+        return;
+    }
+    Touch touch;
+    const bool is_ahead = look_ahead(s, step, group, margin, dt, own, touch);
+    if (is_ahead) drop_answer(s.bodies, contacts, id);
+    if (own.hits.empty() && group.related == none) {
+        step.narrow.outcomes[place] = take_distance(s.bodies, contacts, id, 0);
+        return;
+    }
+    step.narrow.outcomes[place] = tested_patches;
+    for (std::int32_t p = group.related; p != none; p = contacts.info[p].next)
+        step.narrow.patch_outcomes[p] = not_found;
+    std::uint32_t order = 0;
+    for (const Manifold& hit : own.hits) {
+        if (!is_ahead && stays_apart(s, group, hit, dt)) continue;
+        const std::int32_t patch = matching_patch(contacts, step.narrow, group, hit);
+        if (patch == none)
+            own.fresh.push_back({place, order++, hit, is_ahead, touch});
+        else
+            step.narrow.patch_outcomes[patch] =
+                take_manifold(s, contacts, std::uint32_t(patch), hit, dt, is_ahead ? &touch : nullptr);
+    }
+    for (std::int32_t p = group.related; p != none; p = contacts.info[p].next)
+        if (std::uint8_t& outcome = step.narrow.patch_outcomes[p]; outcome == not_found) outcome = ended;
 }
 
-void test_groups(State& s, int begin, int end, NarrowBatch& own, float dt) {
-    const std::vector<std::uint32_t>& places = s.narrow.lists[std::size_t(PairKind::group)];
+void begin_groups(const Contacts& contacts, NarrowScratch& narrow) {
+    narrow.patch_outcomes.resize(contacts.info.size());
+    for (NarrowBatch& own : narrow.at_work) own.fresh.clear();
+}
+
+void test_groups(const State& s, Contacts& contacts, StepScratch& step, int begin, int end, NarrowBatch& own,
+                 float dt) {
+    const std::vector<std::uint32_t>& places = step.narrow.lists[std::size_t(PairKind::group)];
     constexpr std::size_t ahead = 4;
-    const auto contact_at = [&](std::size_t i) { return s.narrow.candidates[places[i]]; };
+    const auto contact_at = [&](std::size_t i) { return step.narrow.candidates[places[i]]; };
     for (std::size_t i = std::size_t(begin); i < std::size_t(end); ++i) {
-        if (i + 2 * ahead < places.size()) ask_cache(&s.contacts[contact_at(i + 2 * ahead)]);
-        if (i + ahead < places.size()) prefetch_pair(s, contact_at(i + ahead));
+        if (i + 2 * ahead < places.size()) ask_cache(&contacts.info[contact_at(i + 2 * ahead)]);
+        if (i + ahead < places.size()) prefetch_pair(s.bodies, s.shapes, contacts, contact_at(i + ahead));
         for (int n = 0; n < patches_at_hand; ++n)
-            if (i + patch_ahead(n) < places.size()) prefetch_patch(s, contact_at(i + patch_ahead(n)), n, true);
-        test_group(s, places[i], own, dt);
+            if (i + patch_ahead(n) < places.size()) prefetch_patch(contacts, contact_at(i + patch_ahead(n)), n, true);
+        test_group(s, contacts, step, places[i], own, dt, true);
     }
 }
 
-void collect_fresh_patches(State& s) {
-    std::vector<FreshPatch>& all = s.narrow.fresh;
+void collect_fresh_patches(NarrowScratch& narrow) {
+    std::vector<FreshPatch>& all = narrow.fresh;
     all.clear();
-    s.narrow.next_fresh = 0;
-    for (const NarrowBatch& own : s.narrow.at_work) all.insert(all.end(), own.fresh.begin(), own.fresh.end());
+    narrow.next_fresh = 0;
+    for (const NarrowBatch& own : narrow.at_work) all.insert(all.end(), own.fresh.begin(), own.fresh.end());
     std::sort(all.begin(), all.end(), [](const FreshPatch& a, const FreshPatch& b) {
         return a.place != b.place ? a.place < b.place : a.order < b.order;
     });
 }
 
-void follow_up_group(State& s, std::uint32_t place, float dt) {
-    const std::uint32_t id = s.narrow.candidates[place];
-    const std::uint8_t outcome = s.narrow.outcomes[place];
+void follow_up_group(State& s, NarrowScratch& narrow, std::vector<std::uint32_t>& solved, std::uint32_t place,
+                     float dt) {
+    const std::uint32_t id = narrow.candidates[place];
+    const std::uint8_t outcome = narrow.outcomes[place];
     if (outcome == apart || outcome == skipped || outcome == entered || outcome == left) {
-        follow_up(s, id, outcome, dt);
+        follow_up(s, narrow, solved, id, outcome, dt);
         return;
     }
     const bool was_tested = outcome == tested_patches;
-    for_each_patch(s, id, [&](std::uint32_t patch) {
-        follow_up(s, patch, was_tested ? s.narrow.patch_outcomes[patch] : outcome, dt);
-        if (s.contacts[patch].point_count == 0) end_patch(s, patch);
+    for_each_patch(s.contacts, id, [&](std::uint32_t patch) {
+        follow_up(s, narrow, solved, patch, was_tested ? narrow.patch_outcomes[patch] : outcome, dt);
+        if (s.contacts.info[patch].point_count == 0)
+            end_patch(s.bodies, s.shapes, s.contacts, s.islands, s.events, patch);
     });
-    for (std::size_t& k = s.narrow.next_fresh; k < s.narrow.fresh.size() && s.narrow.fresh[k].place == place; ++k) {
-        const std::uint32_t patch = create_patch(s, id);
-        const FreshPatch& fresh = s.narrow.fresh[k];
-        follow_up(s, patch, take_manifold(s, patch, fresh.manifold, dt, fresh.is_ahead ? &fresh.touch : nullptr), dt);
-        if (s.contacts[patch].point_count > 0) continue;
-        end_patch(s, patch); // left alone, as its body sleeps
-        drop_answer(s, id);
+    for (std::size_t& k = narrow.next_fresh; k < narrow.fresh.size() && narrow.fresh[k].place == place; ++k) {
+        const std::uint32_t patch = create_patch(s.shapes, s.contacts, narrow, id);
+        const FreshPatch& fresh = narrow.fresh[k];
+        follow_up(s, narrow, solved, patch,
+                  take_manifold(s, s.contacts, patch, fresh.manifold, dt, fresh.is_ahead ? &fresh.touch : nullptr), dt);
+        if (s.contacts.info[patch].point_count > 0) continue;
+        end_patch(s.bodies, s.shapes, s.contacts, s.islands, s.events, patch); // left alone, as its body sleeps
+        drop_answer(s.bodies, s.contacts, id);
     }
-    s.contacts[id].point_count = s.contacts[id].related == none ? 0 : 1;
+    s.contacts.info[id].point_count = s.contacts.info[id].related == none ? 0 : 1;
 }
 
-void end_patch(State& s, std::uint32_t id) {
-    end_contact(s, id);
-    ContactInfo& group = s.contacts[s.contacts[id].related];
+std::uint32_t patch_along(const Shapes& shapes, Contacts& contacts, NarrowScratch& narrow, std::uint32_t group,
+                          math::Vec3 normal) {
+    for (std::int32_t p = contacts.info[group].related; p != none; p = contacts.info[p].next)
+        if (math::dot(to_vec(contacts.records[p].normal), normal) > same_patch) return std::uint32_t(p);
+    return create_patch(shapes, contacts, narrow, group);
+}
+
+void end_patch(Bodies& bodies, const Shapes& shapes, Contacts& contacts, Islands& islands, StepEvents& events,
+               std::uint32_t id) {
+    end_contact(bodies, shapes, contacts, islands, events, id);
+    ContactInfo& group = contacts.info[contacts.info[id].related];
     std::int32_t* link = &group.related;
-    while (*link != std::int32_t(id)) link = &s.contacts[*link].next;
-    *link = s.contacts[id].next;
-    free_contact(s, id);
+    while (*link != std::int32_t(id)) link = &contacts.info[*link].next;
+    *link = contacts.info[id].next;
+    free_contact(contacts, id);
 }
 
 } // namespace cairn

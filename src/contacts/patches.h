@@ -2,30 +2,40 @@
 #pragma once
 
 #include "state/state.h"
+#include "state/step_scratch.h"
 
 namespace cairn {
 
 // f(contact) for the patches of a group, or for the contact itself if it is none. f may free the contact.
-template <class F> void for_each_patch(const State& s, std::uint32_t id, F&& f) {
-    if (!is_group(s.contacts[id])) {
+template <class F> void for_each_patch(const Contacts& contacts, std::uint32_t id, F&& f) {
+    if (!is_group(contacts.info[id])) {
         f(id);
         return;
     }
-    for (std::int32_t p = s.contacts[id].related; p != none;) {
-        const std::int32_t next = s.contacts[p].next;
+    for (std::int32_t p = contacts.info[id].related; p != none;) {
+        const std::int32_t next = contacts.info[p].next;
         f(std::uint32_t(p));
         p = next;
     }
 }
 
-void begin_groups(State& state);
+void begin_groups(const Contacts& contacts, NarrowScratch& narrow);
 // Tests groups, by their places in the list of groups. Others may be at work on other groups.
-void test_groups(State& state, int begin, int end, NarrowBatch& own, float dt);
+void test_groups(const State& state, Contacts& contacts, StepScratch& step, int begin, int end, NarrowBatch& own,
+                 float dt);
+// One of them, at that place among the candidates. `may_fly`: whether it may be left to contacts/flight.h.
+void test_group(const State& state, Contacts& contacts, StepScratch& step, std::uint32_t place, NarrowBatch& own,
+                float dt, bool may_fly);
 // Puts the patches that threads have found in the order of the groups.
-void collect_fresh_patches(State& state);
+void collect_fresh_patches(NarrowScratch& narrow);
 // The group at that place among the candidates.
-void follow_up_group(State& state, std::uint32_t place, float dt);
+void follow_up_group(State& state, NarrowScratch& narrow, std::vector<std::uint32_t>& solved, std::uint32_t place,
+                     float dt);
+// The patch of a group with a normal from A, or a new one, without points.
+std::uint32_t patch_along(const Shapes& shapes, Contacts& contacts, NarrowScratch& narrow, std::uint32_t group,
+                          math::Vec3 normal);
 // Ends a patch, and takes it out of its group.
-void end_patch(State& state, std::uint32_t patch);
+void end_patch(Bodies& bodies, const Shapes& shapes, Contacts& contacts, Islands& islands, StepEvents& events,
+               std::uint32_t patch);
 
 } // namespace cairn

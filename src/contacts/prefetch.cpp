@@ -5,34 +5,34 @@
 
 namespace cairn {
 
-void prefetch_record(const State& s, std::uint32_t id, std::size_t size) {
-    const char* record = reinterpret_cast<const char*>(&s.records[id]);
+void prefetch_record(const Contacts& contacts, std::uint32_t id, std::size_t size) {
+    const char* record = reinterpret_cast<const char*>(&contacts.records[id]);
     for (std::size_t at = 0; at < size; at += 64) ask_cache(record + at);
 }
 
-void prefetch_pair(const State& s, std::uint32_t id) {
-    const ContactInfo& c = s.contacts[id];
+void prefetch_pair(const Bodies& bodies, const Shapes& shapes, const Contacts& contacts, std::uint32_t id) {
+    const ContactInfo& c = contacts.info[id];
     for (const std::uint32_t shape : {c.shape_a, c.shape_b}) {
-        ask_cache(&s.shape_poses[shape]);
-        ask_cache(&s.geometry[shape]);
-        ask_cache(&s.geometry[shape].is_double_sided);
-        ask_cache(&s.shape_data[shape]);
-        ask_cache(&s.shapes[shape]);
+        ask_cache(&shapes.poses[shape]);
+        ask_cache(&shapes.geometry[shape]);
+        ask_cache(&shapes.geometry[shape].is_double_sided);
+        ask_cache(&shapes.data[shape]);
+        ask_cache(&shapes.links[shape]);
     }
     for (const std::int32_t body : {c.body_a, c.body_b}) {
-        ask_cache(&s.motion[body].v);
-        ask_cache(&s.bodies[body].radius);
+        ask_cache(&bodies.motion[body].v);
+        ask_cache(&bodies.links[body].radius);
     }
-    prefetch_record(s, id); // all of it: another thread may be about to say how many points there are
+    prefetch_record(contacts, id); // all of it: another thread may be about to say how many points there are
 }
 
-void prefetch_patch(const State& s, std::uint32_t id, int n, bool with_record) {
-    if (!is_group(s.contacts[id])) return;
-    std::int32_t patch = s.contacts[id].related;
-    for (; n > 0 && patch != none; --n) patch = s.contacts[patch].next;
+void prefetch_patch(const Contacts& contacts, std::uint32_t id, int n, bool with_record) {
+    if (!is_group(contacts.info[id])) return;
+    std::int32_t patch = contacts.info[id].related;
+    for (; n > 0 && patch != none; --n) patch = contacts.info[patch].next;
     if (patch == none) return;
-    ask_cache(&s.contacts[patch]);
-    if (with_record) prefetch_record(s, std::uint32_t(patch));
+    ask_cache(&contacts.info[patch]);
+    if (with_record) prefetch_record(contacts, std::uint32_t(patch));
 }
 
 } // namespace cairn

@@ -6,12 +6,12 @@
 namespace cairn {
 
 // Asks the cache for what the test of a pair of convex shapes, or of one with a surface, begins with.
-void prefetch_pair(const State& state, std::uint32_t contact);
-void prefetch_record(const State& state, std::uint32_t contact, std::size_t size = sizeof(ContactRecord));
+void prefetch_pair(const Bodies& bodies, const Shapes& shapes, const Contacts& contacts, std::uint32_t contact);
+void prefetch_record(const Contacts& contacts, std::uint32_t contact, std::size_t size = sizeof(ContactRecord));
 // Likewise for the patch number n of a group, which is found along those before it: each is asked for somewhat later
 // than the one before. Nothing for contacts that are no groups.
 inline constexpr int patches_at_hand = 3;
 inline constexpr std::size_t patch_ahead(int n) { return std::size_t(2 * (patches_at_hand - n)); }
-void prefetch_patch(const State& state, std::uint32_t contact, int n, bool with_record);
+void prefetch_patch(const Contacts& contacts, std::uint32_t contact, int n, bool with_record);
 
 } // namespace cairn

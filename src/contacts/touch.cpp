@@ -3,6 +3,7 @@
 #include "bodies/bodies.h"
 #include "bodies/integrators.h"
 #include "collision/core_sweep.h"
+#include "contacts/contact_update.h"
 #include "contacts/convex_tests.h"
 #include "contacts/pairs.h"
 #include "math/rotation.h"
@@ -21,29 +22,27 @@ namespace {
 constexpr float slide_part = 0.05f;
 
 // The last substep looks ahead at the next one as well.
-float looked_at(const State& s, float dt) { return dt * (1 + 1.0f / float(s.in_pass(s.settings.substeps))); }
+float looked_at(const State& s, const StepScratch& step, float dt) {
+    return dt * (1 + 1.0f / float(step.passes.in_pass(s.settings.substeps)));
+}
 
 // As velocities and forces say, which act in substeps: nearly as all the time. Seen from `origin`, for precision far
 // from that of the world.
 RigidPath expected_path(const State& s, std::int32_t b, DVec3 origin, float dt) {
-    const BodyMotion& m = s.motion[b];
+    const BodyMotion& m = s.bodies.motion[b];
     const DVec3 from = m.x - origin;
-    if (s.body_settings[b].type == BodyType::static_ || (s.is_dynamic(b) && !s.is_awake(b)))
+    if (s.bodies.settings[b].type == BodyType::static_ || (s.bodies.is_dynamic(b) && !is_awake(s.bodies, s.islands, b)))
         return RigidPath::between(from, m.q, from, m.q);
     const double t = double(dt);
     DVec3 way = t * math::to_double(m.v);
-    if (s.is_dynamic(b)) {
-        const double inverse_mass = double(s.mass[b].inverse_mass);
-        DVec3 a = field_acceleration(s, m.x, s.body_settings[b].gravity_scale, inverse_mass);
-        if (s.is_pushed(b)) a += inverse_mass * s.forces[b].force;
-        way += (0.5 * t * t) * a;
-    }
+    way += (0.5 * t * t) * acceleration_at(s.bodies, s.fields, s.settings, b, m.x);
     return RigidPath::between(from, m.q, from + way, math::from_rotation_vector(t * math::to_double(m.w)) * m.q);
 }
 
 SweptShape swept(const State& s, std::uint32_t shape, const RigidPath& path) {
-    const Geometry& g = s.geometry[shape];
-    return {g, s.shape_data[shape], math::to_double(g.position - s.mass[s.shapes[shape].body].center), path};
+    const Geometry& g = s.shapes.geometry[shape];
+    return {g, s.shapes.data[shape], math::to_double(g.position - s.bodies.mass[s.shapes.links[shape].body].center),
+            path};
 }
 
 struct PosedBody {
@@ -54,11 +53,11 @@ struct PosedBody {
 };
 PosedBody posed_at(const State& s, std::uint32_t shape, const RigidPath& path, double time) {
     const RigidPath::Pose body = path.at(time);
-    const Geometry& g = s.geometry[shape];
+    const Geometry& g = s.shapes.geometry[shape];
     const math::Quat q = math::to_float(body.q);
-    PosedBody p{body.x - path.start, body.q * math::conjugate(path.rotation), {}, s.shape_poses[shape]};
-    p.arm = math::rotate(q, g.position - s.mass[s.shapes[shape].body].center);
-    pose_shape(p.pose, g, s.motion[s.shapes[shape].body].x + (p.moved + math::to_double(p.arm)), q);
+    PosedBody p{body.x - path.start, body.q * math::conjugate(path.rotation), {}, s.shapes.poses[shape]};
+    p.arm = math::rotate(q, g.position - s.bodies.mass[s.shapes.links[shape].body].center);
+    pose_shape(p.pose, g, s.bodies.motion[s.shapes.links[shape].body].x + (p.moved + math::to_double(p.arm)), q);
     return p;
 }
 
@@ -73,8 +72,8 @@ Manifold manifold_at(const State& s, const ContactInfo& c, const PosedBody& at_a
         wide_kernel(c.kind)(poses, first, second, margins, features, 8, manifolds);
         return manifolds[0];
     }
-    const PosedShape a{s.geometry[c.shape_a], s.shape_data[c.shape_a], at_a.pose, at_a.arm};
-    const PosedShape b{s.geometry[c.shape_b], s.shape_data[c.shape_b], at_b.pose, at_b.arm};
+    const PosedShape a{s.shapes.geometry[c.shape_a], s.shapes.data[c.shape_a], at_a.pose, at_a.arm};
+    const PosedShape b{s.shapes.geometry[c.shape_b], s.shapes.data[c.shape_b], at_b.pose, at_b.arm};
     ContactMemory memory = nothing_met;
     return test_convex_pair(c.kind, a, b, {}, margin, memory);
 }
@@ -91,7 +90,7 @@ DVec3 clear_of_approach(DVec3 normal, DVec3 velocity) {
 // One point, where the two are nearest.
 Manifold manifold_beside(const State& s, const ContactInfo& c, const PosedBody& at_a, const PosedBody& at_b,
                          const Nearness& found) {
-    const BodyMotion &a = s.motion[c.body_a], &b = s.motion[c.body_b];
+    const BodyMotion &a = s.bodies.motion[c.body_a], &b = s.bodies.motion[c.body_b];
     const DVec3 velocity_a = math::to_double(a.v) + math::cross(math::to_double(a.w), found.on_a - at_a.moved);
     const DVec3 velocity_b =
         math::to_double(b.v) + math::cross(math::to_double(b.w), found.on_a - ((b.x - a.x) + at_b.moved));
@@ -112,20 +111,21 @@ float bounding_radius_of(const Geometry& g) { return is_surface(g.type) ? unlimi
 
 } // namespace
 
-bool moves_far(const State& s, const ContactInfo& c, const Manifold& m, float dt) {
+bool moves_far(const State& s, const StepScratch& step, const ContactInfo& c, const Manifold& m, float dt) {
     if (c.is_trigger || m.count == 0) return false;
     float turn = 0;
     for (const std::int32_t b : {c.body_a, c.body_b}) {
-        if (s.bodies[b].first_joint != none) return false;
-        turn += math::length(s.motion[b].w);
+        if (s.bodies.links[b].first_joint != none) return false;
+        turn += math::length(s.bodies.motion[b].w);
     }
     if (turn * dt > half_turn) return false;
     const std::int32_t first = c.flipped ? c.body_b : c.body_a, second = c.flipped ? c.body_a : c.body_b;
-    const BodyMotion &a = s.motion[first], &b = s.motion[second];
-    const math::Vec3 n = math::to_vec(m.normal), center = s.shapes[c.flipped ? c.shape_b : c.shape_a].arm;
+    const BodyMotion &a = s.bodies.motion[first], &b = s.bodies.motion[second];
+    const math::Vec3 n = math::to_vec(m.normal), center = s.shapes.links[c.flipped ? c.shape_b : c.shape_a].arm;
     const math::Vec3 d = math::to_float(a.x - b.x);
-    const float horizon = looked_at(s, dt);
-    const float size = std::min(s.geometry[c.shape_a].bounding_radius, bounding_radius_of(s.geometry[c.shape_b]));
+    const float horizon = looked_at(s, step, dt);
+    const float size =
+        std::min(s.shapes.geometry[c.shape_a].bounding_radius, bounding_radius_of(s.shapes.geometry[c.shape_b]));
     for (int i = 0; i < m.count; ++i) {
         const float separation = m.points[i][3];
         if (separation <= 0) return false;
@@ -139,9 +139,10 @@ bool moves_far(const State& s, const ContactInfo& c, const Manifold& m, float dt
     return false;
 }
 
-Approach find_touch(const State& s, const ContactInfo& c, float step, float margin, Touch& touch) {
-    const float dt = looked_at(s, step);
-    const DVec3 origin = s.motion[c.body_a].x;
+Approach find_touch(const State& s, const StepScratch& step, const ContactInfo& c, float pass, float margin,
+                    Touch& touch) {
+    const float dt = looked_at(s, step, pass);
+    const DVec3 origin = s.bodies.motion[c.body_a].x;
     const RigidPath a = expected_path(s, c.body_a, origin, dt), b = expected_path(s, c.body_b, origin, dt);
     const Nearness found = nearness_of(swept(s, c.shape_a, a), swept(s, c.shape_b, b), double(c.base_margin));
     const double time = found.time;
@@ -159,6 +160,17 @@ Approach find_touch(const State& s, const ContactInfo& c, float step, float marg
     else if (!is_group(c))
         touch.manifold = manifold_at(s, c, at_a, at_b, margin);
     return Approach::later;
+}
+
+std::uint8_t take_test(const State& s, Contacts& contacts, const StepScratch& step, std::uint32_t id, const Manifold& m,
+                       float dt) {
+    const ContactInfo& c = s.contacts.info[id];
+    if (!moves_far(s, step, c, m, dt)) return take_manifold(s, contacts, id, m, dt);
+    Touch touch;
+    const Approach approach = find_touch(s, step, c, dt, contact_margin(s.bodies, step.narrow, c, dt), touch);
+    if (approach == Approach::now) return take_manifold(s, contacts, id, m, dt);
+    if (approach == Approach::passes) return take_distance(s.bodies, contacts, id, 0);
+    return take_manifold(s, contacts, id, touch.manifold, dt, &touch);
 }
 
 } // namespace cairn

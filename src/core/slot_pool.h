@@ -10,7 +10,8 @@
 
 namespace cairn {
 
-class SlotPool {
+// `Id`: the handles to the slots of this pool.
+template <class Id> class SlotPool {
   public:
     static constexpr std::uint32_t max_slots = (1u << Handle<void>::index_bits) - 1;
     static constexpr std::uint32_t last_generation = (1u << Handle<void>::generation_bits) - 1;
@@ -47,12 +48,16 @@ class SlotPool {
     bool is_live(std::uint32_t index, std::uint32_t generation) const noexcept {
         return is_live(index) && generations_[index] == generation;
     }
-    std::uint32_t generation(std::uint32_t index) const noexcept { return generations_[index]; }
+    bool holds(Id id) const noexcept { return id.world() == world_ && is_live(id.index(), id.generation()); }
+    Id id(std::uint32_t index) const noexcept { return Id::make(index, generations_[index], world_); }
+    std::uint32_t world() const noexcept { return world_; }
+    void set_world(std::uint32_t world) noexcept { world_ = world; } // that handles name
     std::size_t live_count() const noexcept { return live_count_; }
     std::size_t size() const noexcept { return generations_.size(); } // live, dead and free
     bool full() const noexcept { return free_.empty() && generations_.size() >= max_slots; }
 
     template <class Archive> void serialize(Archive& archive) {
+        archive(world_);
         archive(generations_);
         archive(live_);
         archive(free_);
@@ -60,6 +65,7 @@ class SlotPool {
     }
 
   private:
+    std::uint32_t world_ = 0;
     std::vector<std::uint32_t> generations_;
     std::vector<std::uint8_t> live_;
     std::vector<std::uint32_t> free_;

@@ -10,28 +10,28 @@ namespace cairn {
 
 inline constexpr int first_fixed_color = 40, overflow_color = 63, no_color = 255;
 
-inline void assign_color(State& state, ContactInfo& contact) {
-    ++state.bodies[contact.body_a].contact_count;
-    ++state.bodies[contact.body_b].contact_count;
-    std::uint64_t used = state.bodies[contact.body_a].colors;
-    if (contact.b_moves) used |= state.bodies[contact.body_b].colors;
+inline void assign_color(Bodies& bodies, ContactInfo& contact) {
+    ++bodies.links[contact.body_a].contact_count;
+    ++bodies.links[contact.body_b].contact_count;
+    std::uint64_t used = bodies.links[contact.body_a].colors;
+    if (contact.b_moves) used |= bodies.links[contact.body_b].colors;
     const std::uint64_t low = (std::uint64_t(1) << first_fixed_color) - 1;
     const std::uint64_t choice = contact.b_moves ? low : ~low & ~(std::uint64_t(1) << overflow_color);
     const std::uint64_t free = ~used & choice;
     contact.color = free ? std::uint8_t(__builtin_ctzll(free)) : overflow_color;
     if (!free) return;
     const std::uint64_t bit = std::uint64_t(1) << contact.color;
-    state.bodies[contact.body_a].colors |= bit;
-    if (contact.b_moves) state.bodies[contact.body_b].colors |= bit;
+    bodies.links[contact.body_a].colors |= bit;
+    if (contact.b_moves) bodies.links[contact.body_b].colors |= bit;
 }
 
-inline void release_color(State& state, ContactInfo& contact) {
-    --state.bodies[contact.body_a].contact_count;
-    --state.bodies[contact.body_b].contact_count;
+inline void release_color(Bodies& bodies, ContactInfo& contact) {
+    --bodies.links[contact.body_a].contact_count;
+    --bodies.links[contact.body_b].contact_count;
     if (contact.color < overflow_color) {
         const std::uint64_t bit = std::uint64_t(1) << contact.color;
-        state.bodies[contact.body_a].colors &= ~bit;
-        if (contact.b_moves) state.bodies[contact.body_b].colors &= ~bit;
+        bodies.links[contact.body_a].colors &= ~bit;
+        if (contact.b_moves) bodies.links[contact.body_b].colors &= ~bit;
     }
     contact.color = no_color;
 }

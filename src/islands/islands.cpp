@@ -11,73 +11,70 @@ namespace cairn {
 
 namespace {
 
-Island& island_at(State& state, std::int32_t i) { return state.islands[i]; }
-BodyLinks& body_at(State& state, std::int32_t i) { return state.bodies[i]; }
-
-std::int32_t new_island(State& state) {
+std::int32_t new_island(Islands& islands) {
     std::int32_t i;
-    if (state.free_islands.empty()) {
-        i = std::int32_t(state.islands.size());
-        state.islands.emplace_back();
+    if (islands.free.empty()) {
+        i = std::int32_t(islands.all.size());
+        islands.all.emplace_back();
     } else {
-        i = state.free_islands.back();
-        state.free_islands.pop_back();
-        island_at(state, i) = {};
+        i = islands.free.back();
+        islands.free.pop_back();
+        islands.all[i] = {};
     }
-    Island& island = island_at(state, i);
+    Island& island = islands.all[i];
     island.in_use = 1;
-    island.position = std::int32_t(state.awake_islands.size());
-    state.awake_islands.push_back(i);
+    island.position = std::int32_t(islands.awake.size());
+    islands.awake.push_back(i);
     return i;
 }
 
 // Takes an island out of the list of awake ones.
-void leave_awake_list(State& state, std::int32_t i) {
-    Island& island = island_at(state, i);
-    const std::int32_t last = state.awake_islands.back();
-    state.awake_islands[island.position] = last;
-    island_at(state, last).position = island.position;
-    state.awake_islands.pop_back();
+void leave_awake_list(Islands& islands, std::int32_t i) {
+    Island& island = islands.all[i];
+    const std::int32_t last = islands.awake.back();
+    islands.awake[island.position] = last;
+    islands.all[last].position = island.position;
+    islands.awake.pop_back();
     island.position = none;
 }
 
-void free_island(State& state, std::int32_t i) {
-    if (island_at(state, i).position != none) leave_awake_list(state, i);
-    island_at(state, i) = {};
-    state.free_islands.push_back(i);
+void free_island(Islands& islands, std::int32_t i) {
+    if (islands.all[i].position != none) leave_awake_list(islands, i);
+    islands.all[i] = {};
+    islands.free.push_back(i);
 }
 
-void append_body(State& state, std::int32_t i, std::int32_t body) {
-    Island& island = island_at(state, i);
-    BodyLinks& links = body_at(state, body);
+void append_body(Bodies& bodies, Islands& islands, std::int32_t i, std::int32_t body) {
+    Island& island = islands.all[i];
+    BodyLinks& links = bodies.links[body];
     links.island = i;
     links.previous_in_island = island.last_body;
     links.next_in_island = none;
     if (island.last_body == none)
         island.first_body = body;
     else
-        body_at(state, island.last_body).next_in_island = body;
+        bodies.links[island.last_body].next_in_island = body;
     island.last_body = body;
     ++island.body_count;
 }
 
-void append_all(State& state, std::int32_t into, std::int32_t from) {
-    for (std::int32_t b = island_at(state, from).first_body; b != none;) {
-        const std::int32_t next = body_at(state, b).next_in_island;
-        append_body(state, into, b);
+void append_all(Bodies& bodies, Islands& islands, std::int32_t into, std::int32_t from) {
+    for (std::int32_t b = islands.all[from].first_body; b != none;) {
+        const std::int32_t next = bodies.links[b].next_in_island;
+        append_body(bodies, islands, into, b);
         b = next;
     }
 }
 
-void put_to_sleep(State& state, std::int32_t i) {
-    leave_awake_list(state, i);
-    Island& island = island_at(state, i);
-    for (std::int32_t b = island.first_body; b != none; b = body_at(state, b).next_in_island) {
-        BodyMotion& motion = state.motion[b];
+void put_to_sleep(Bodies& bodies, Islands& islands, StepEvents& events, std::int32_t i) {
+    leave_awake_list(islands, i);
+    Island& island = islands.all[i];
+    for (std::int32_t b = island.first_body; b != none; b = bodies.links[b].next_in_island) {
+        BodyMotion& motion = bodies.motion[b];
         motion.v = motion.w = motion.v_rest = motion.w_rest = {};
-        state.events.sleeps.next.push_back({state.body_id(b), true});
+        events.sleeps.next.push_back({bodies.id(b), true});
     }
-    state.falling_asleep.push_back(i);
+    islands.falling_asleep.push_back(i);
 }
 
 // --- splitting
@@ -90,56 +87,57 @@ std::int32_t find_root(std::vector<std::int32_t>& parent, std::int32_t i) {
     return i;
 }
 
-void split_island(State& state, std::int32_t i) {
+void split_island(const State& state, Bodies& bodies, Islands& islands, const std::vector<std::uint32_t>& solved,
+                  SolverScratch& solver, std::int32_t i) {
     // Number the bodies in list order; the root of a part is its first body.
     std::vector<std::int32_t> members, parent;
-    std::vector<std::int32_t>& number = state.solver.member_numbers;
-    number.resize(state.bodies.size());
-    for (std::int32_t b = island_at(state, i).first_body; b != none; b = body_at(state, b).next_in_island) {
+    std::vector<std::int32_t>& number = solver.member_numbers;
+    number.resize(bodies.links.size());
+    for (std::int32_t b = islands.all[i].first_body; b != none; b = bodies.links[b].next_in_island) {
         number[b] = std::int32_t(members.size());
         parent.push_back(std::int32_t(members.size()));
         members.push_back(b);
     }
-    for (const std::uint32_t id : state.solved) {
-        const ContactInfo& contact = state.contacts[id];
+    for (const std::uint32_t id : solved) {
+        const ContactInfo& contact = state.contacts.info[id];
         if (!contact.in_use || contact.point_count == 0 || !contact.b_moves) continue;
-        if (body_at(state, contact.body_a).island != i) continue;
+        if (bodies.links[contact.body_a].island != i) continue;
         const std::int32_t a = find_root(parent, number[contact.body_a]);
         const std::int32_t b = find_root(parent, number[contact.body_b]);
         parent[std::max(a, b)] = std::min(a, b);
     }
     for (const std::int32_t b : members)
-        for_each_joint(state, b, [&](std::uint32_t joint, int side) {
-            const std::int32_t other = other_body(state.joints[joint], side);
-            if (other == none || !state.is_dynamic(other)) return;
+        for_each_joint(bodies, state.joints, b, [&](std::uint32_t joint, int side) {
+            const std::int32_t other = other_body(state.joints.info[joint], side);
+            if (other == none || !bodies.is_dynamic(other)) return;
             const std::int32_t a = find_root(parent, number[b]);
             const std::int32_t c = find_root(parent, number[other]);
             parent[std::max(a, c)] = std::min(a, c);
         });
-    Island& island = island_at(state, i);
+    Island& island = islands.all[i];
     island.first_body = island.last_body = none;
     island.body_count = island.joint_count = 0;
     island.lost_contact = 0;
     std::vector<std::int32_t> part(members.size(), none);
     for (std::size_t k = 0; k < members.size(); ++k) {
         const std::size_t root = std::size_t(find_root(parent, std::int32_t(k)));
-        if (part[root] == none) part[root] = root == 0 ? i : new_island(state);
-        append_body(state, part[root], members[k]);
-        for_each_joint(state, members[k], [&](std::uint32_t joint, int) {
-            if (joint_owner(state, state.joints[joint]) == members[k]) ++island_at(state, part[root]).joint_count;
+        if (part[root] == none) part[root] = root == 0 ? i : new_island(islands);
+        append_body(bodies, islands, part[root], members[k]);
+        for_each_joint(bodies, state.joints, members[k], [&](std::uint32_t joint, int) {
+            if (joint_owner(bodies, state.joints.info[joint]) == members[k]) ++islands.all[part[root]].joint_count;
         });
     }
 }
 
-void measure_rest(State& state, std::int32_t i) {
-    Island& island = island_at(state, i);
+void measure_rest(const Bodies& bodies, Islands& islands, std::int32_t i) {
+    Island& island = islands.all[i];
     float least = 1e30f, greatest = 0;
     bool allowed = true;
-    for (std::int32_t b = island.first_body; b != none; b = body_at(state, b).next_in_island) {
-        const float quiet = body_at(state, b).quiet_time;
+    for (std::int32_t b = island.first_body; b != none; b = bodies.links[b].next_in_island) {
+        const float quiet = bodies.links[b].quiet_time;
         least = std::min(least, quiet);
         greatest = std::max(greatest, quiet);
-        allowed = allowed && state.body_settings[b].allow_sleep;
+        allowed = allowed && bodies.settings[b].allow_sleep;
     }
     island.min_quiet_time = allowed && !island.kept_awake ? least : 0;
     island.greatest_quiet_time = greatest;
@@ -147,152 +145,159 @@ void measure_rest(State& state, std::int32_t i) {
 
 // What gains speed steadily will not stay where it is, however slow it is yet. The whole of an island is asked: its
 // parts may sway for long before they come to rest.
-bool gains_speed(const State& state, const Island& island) {
+bool gains_speed(const Bodies& bodies, const WorldDef& settings, const Island& island) {
     constexpr float steady_gain = 0.25f; // of the sleep speed, in a sleep time
     float mass = 0;
     math::Vec3 momentum, difference;
-    for (std::int32_t b = island.first_body; b != none; b = state.bodies[b].next_in_island) {
-        const BodyLinks& links = state.bodies[b];
-        const float m = state.mass[b].mass;
+    for (std::int32_t b = island.first_body; b != none; b = bodies.links[b].next_in_island) {
+        const BodyLinks& links = bodies.links[b];
+        const float m = bodies.mass[b].mass;
         mass += m;
         momentum += m * links.late;
         difference += m * (links.late - links.later);
     }
     return math::dot(difference, momentum) > 0 &&
-           math::length(difference) > lag_of_rest * steady_gain * state.settings.sleep_speed * mass;
+           math::length(difference) > lag_of_rest * steady_gain * settings.sleep_speed * mass;
 }
 
 } // namespace
 
-void create_island(State& state, std::int32_t body) { append_body(state, new_island(state), body); }
+void create_island(Bodies& bodies, Islands& islands, std::int32_t body) {
+    append_body(bodies, islands, new_island(islands), body);
+}
 
-void remove_from_island(State& state, std::int32_t body) {
-    BodyLinks& links = body_at(state, body);
+void remove_from_island(Bodies& bodies, Islands& islands, std::int32_t body) {
+    BodyLinks& links = bodies.links[body];
     const std::int32_t i = links.island;
-    Island& island = island_at(state, i);
+    Island& island = islands.all[i];
     if (links.previous_in_island == none)
         island.first_body = links.next_in_island;
     else
-        body_at(state, links.previous_in_island).next_in_island = links.next_in_island;
+        bodies.links[links.previous_in_island].next_in_island = links.next_in_island;
     if (links.next_in_island == none)
         island.last_body = links.previous_in_island;
     else
-        body_at(state, links.next_in_island).previous_in_island = links.previous_in_island;
+        bodies.links[links.next_in_island].previous_in_island = links.previous_in_island;
     links.island = links.next_in_island = links.previous_in_island = none;
     island.lost_contact = 1;
-    if (--island.body_count == 0) free_island(state, i);
+    if (--island.body_count == 0) free_island(islands, i);
 }
 
-void link_islands(State& state, std::int32_t body_a, std::int32_t body_b) {
-    std::int32_t a = body_at(state, body_a).island, b = body_at(state, body_b).island;
-    wake_island(state, a);
-    wake_island(state, b);
+void link_islands(Bodies& bodies, Islands& islands, StepEvents& events, std::int32_t body_a, std::int32_t body_b) {
+    std::int32_t a = bodies.links[body_a].island, b = bodies.links[body_b].island;
+    wake_island(bodies, islands, events, a);
+    wake_island(bodies, islands, events, b);
     if (a == b) return;
-    if (island_at(state, a).body_count < island_at(state, b).body_count) std::swap(a, b);
-    append_all(state, a, b);
-    island_at(state, a).joint_count += island_at(state, b).joint_count;
-    island_at(state, a).lost_contact |= island_at(state, b).lost_contact;
-    free_island(state, b);
+    if (islands.all[a].body_count < islands.all[b].body_count) std::swap(a, b);
+    append_all(bodies, islands, a, b);
+    islands.all[a].joint_count += islands.all[b].joint_count;
+    islands.all[a].lost_contact |= islands.all[b].lost_contact;
+    free_island(islands, b);
 }
 
-void wake_island(State& state, std::int32_t i) {
-    Island& island = island_at(state, i);
+void wake_island(Bodies& bodies, Islands& islands, StepEvents& events, std::int32_t i) {
+    Island& island = islands.all[i];
     if (island.position != none) return;
-    island.position = std::int32_t(state.awake_islands.size());
-    state.awake_islands.push_back(i);
-    for (std::int32_t b = island.first_body; b != none; b = body_at(state, b).next_in_island) {
-        body_at(state, b).quiet_time = 0;
-        state.motion[b].turned = {};
-        state.events.sleeps.next.push_back({state.body_id(b), false});
+    island.position = std::int32_t(islands.awake.size());
+    islands.awake.push_back(i);
+    for (std::int32_t b = island.first_body; b != none; b = bodies.links[b].next_in_island) {
+        bodies.links[b].quiet_time = 0;
+        bodies.motion[b].turned = {};
+        events.sleeps.next.push_back({bodies.id(b), false});
     }
     island.kept_awake = 1; // for this step
     if (island.key == none) {
-        std::erase(state.falling_asleep, i);
+        std::erase(islands.falling_asleep, i);
         return;
     }
-    state.waking.push_back(island.key);
+    islands.waking.push_back(island.key);
     island.key = none;
 }
 
-void wake_body(State& state, std::int32_t body) {
-    const std::int32_t island = body_at(state, body).island;
+void wake_body(Bodies& bodies, Islands& islands, StepEvents& events, std::int32_t body) {
+    const std::int32_t island = bodies.links[body].island;
     if (island == none) return;
-    body_at(state, body).quiet_time = 0;
-    wake_island(state, island);
+    bodies.links[body].quiet_time = 0;
+    wake_island(bodies, islands, events, island);
 }
 
-void wake_around_shape(State& state, std::uint32_t shape) {
-    if (state.awake_islands.size() + state.free_islands.size() == state.islands.size()) return; // nothing sleeps
-    constexpr double reach = 0.05; // m: further than any contact at rest
-    DBounds bounds = shape_bounds(state, shape);
-    bounds.lo = bounds.lo - math::DVec3{reach, reach, reach};
-    bounds.hi = bounds.hi + math::DVec3{reach, reach, reach};
-    const std::int32_t body = state.shapes[shape].body;
+void wake_around_shape(Bodies& bodies, const Shapes& shapes, Islands& islands, const BroadPhase& broad_phase,
+                       StepEvents& events, std::uint32_t shape) {
+    if (islands.awake.size() + islands.free.size() == islands.all.size()) return; // nothing sleeps
+    DBounds bounds = shape_bounds(shapes, shape);
+    bounds.lo = bounds.lo - math::DVec3{max_margin, max_margin, max_margin};
+    bounds.hi = bounds.hi + math::DVec3{max_margin, max_margin, max_margin};
+    const std::int32_t body = shapes.links[shape].body;
     std::vector<std::int32_t> found;
-    state.broad_phase.query_bounds(bounds, [&](std::uint32_t other) {
-        const std::int32_t near = state.shapes[other].body;
-        if (near != body && state.is_dynamic(near) && !state.is_awake(near)) found.push_back(near);
+    broad_phase.query_bounds(bounds, [&](std::uint32_t other) {
+        const std::int32_t near = shapes.links[other].body;
+        if (near != body && bodies.is_dynamic(near) && !is_awake(bodies, islands, near)) found.push_back(near);
     });
     std::sort(found.begin(), found.end());
-    for (const std::int32_t near : found) wake_body(state, near);
+    for (const std::int32_t near : found) wake_body(bodies, islands, events, near);
 }
 
-void wake_around(State& state, std::int32_t body) {
-    for (std::int32_t s = body_at(state, body).first_shape; s != none; s = state.shapes[s].next)
-        wake_around_shape(state, std::uint32_t(s));
+void wake_around(Bodies& bodies, const Shapes& shapes, Islands& islands, const BroadPhase& broad_phase,
+                 StepEvents& events, std::int32_t body) {
+    for (std::int32_t s = bodies.links[body].first_shape; s != none; s = shapes.links[s].next)
+        wake_around_shape(bodies, shapes, islands, broad_phase, events, std::uint32_t(s));
 }
 
-void wake_around_moving_planes(State& state) {
-    for (const std::int32_t b : state.kinematics) {
-        const BodyMotion& motion = state.motion[b];
+void wake_around_moving_planes(Bodies& bodies, const Shapes& shapes, Islands& islands, const BroadPhase& broad_phase,
+                               StepEvents& events) {
+    for (const std::int32_t b : bodies.kinematics) {
+        const BodyMotion& motion = bodies.motion[b];
         if (motion.v == math::Vec3{} && motion.w == math::Vec3{}) continue;
-        for (std::int32_t s = body_at(state, b).first_shape; s != none; s = state.shapes[s].next)
-            if (state.geometry[s].type == ShapeType::plane) wake_around_shape(state, std::uint32_t(s));
+        for (std::int32_t s = bodies.links[b].first_shape; s != none; s = shapes.links[s].next)
+            if (shapes.geometry[s].type == ShapeType::plane)
+                wake_around_shape(bodies, shapes, islands, broad_phase, events, std::uint32_t(s));
     }
 }
 
-bool update_sleep(State& state) {
+bool update_sleep(const State& state, Bodies& bodies, Islands& islands, StepEvents& events,
+                  const std::vector<std::uint32_t>& solved, SolverScratch& solver) {
     if (!state.settings.enable_sleep) return false;
     const float needed = state.settings.sleep_time;
     std::int32_t to_split = none;
     float quietest = needed;
     bool any_sleeps = false;
-    for (const std::int32_t i : state.awake_islands) {
-        measure_rest(state, i);
-        const Island& island = island_at(state, i);
+    for (const std::int32_t i : islands.awake) {
+        measure_rest(bodies, islands, i);
+        const Island& island = islands.all[i];
         if (island.lost_contact && island.greatest_quiet_time >= quietest && island.body_count > 1 &&
             (to_split == none || island.greatest_quiet_time > quietest)) {
             to_split = i;
             quietest = island.greatest_quiet_time;
         }
-        if (island.body_count == 1) island_at(state, i).lost_contact = 0;
+        if (island.body_count == 1) islands.all[i].lost_contact = 0;
     }
-    for (std::size_t k = state.awake_islands.size(); k-- > 0;) {
-        const std::int32_t i = state.awake_islands[k];
-        const Island& island = island_at(state, i);
-        if (island.lost_contact || island.min_quiet_time < needed || gains_speed(state, island)) continue;
-        put_to_sleep(state, i);
+    for (std::size_t k = islands.awake.size(); k-- > 0;) {
+        const std::int32_t i = islands.awake[k];
+        const Island& island = islands.all[i];
+        if (island.lost_contact || island.min_quiet_time < needed || gains_speed(bodies, state.settings, island))
+            continue;
+        put_to_sleep(bodies, islands, events, i);
         any_sleeps = true;
     }
-    if (to_split != none) split_island(state, to_split);
+    if (to_split != none) split_island(state, bodies, islands, solved, solver, to_split);
     return any_sleeps;
 }
 
-void flush_sleep(State& state) {
-    for (const std::int32_t key : state.waking) state.broad_phase.wake(std::uint32_t(key));
-    state.waking.clear();
-    if (state.falling_asleep.empty()) return;
-    std::vector<std::uint32_t> shapes;
-    for (const std::int32_t i : state.falling_asleep) {
-        Island& island = island_at(state, i);
-        shapes.clear();
-        for (std::int32_t b = island.first_body; b != none; b = body_at(state, b).next_in_island)
-            for (std::int32_t s = body_at(state, b).first_shape; s != none; s = state.shapes[s].next)
-                shapes.push_back(std::uint32_t(s));
+void flush_sleep(const Bodies& bodies, const Shapes& shapes, Islands& islands, BroadPhase& broad_phase) {
+    for (const std::int32_t key : islands.waking) broad_phase.wake(std::uint32_t(key));
+    islands.waking.clear();
+    if (islands.falling_asleep.empty()) return;
+    std::vector<std::uint32_t> members;
+    for (const std::int32_t i : islands.falling_asleep) {
+        Island& island = islands.all[i];
+        members.clear();
+        for (std::int32_t b = island.first_body; b != none; b = bodies.links[b].next_in_island)
+            for (std::int32_t s = bodies.links[b].first_shape; s != none; s = shapes.links[s].next)
+                members.push_back(std::uint32_t(s));
         island.key = i;
-        state.broad_phase.put_to_sleep(std::uint32_t(i), shapes);
+        broad_phase.put_to_sleep(std::uint32_t(i), members);
     }
-    state.falling_asleep.clear();
+    islands.falling_asleep.clear();
 }
 
 } // namespace cairn

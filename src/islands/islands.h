@@ -4,30 +4,36 @@
 #pragma once
 
 #include "state/state.h"
+#include "state/step_scratch.h"
 
 namespace cairn {
 
-void create_island(State& state, std::int32_t body);      // of one awake body
-void remove_from_island(State& state, std::int32_t body); // which may leave the island empty: then it is gone
+void create_island(Bodies& bodies, Islands& islands, std::int32_t body); // of one awake body
+// It may leave the island empty: then it is gone.
+void remove_from_island(Bodies& bodies, Islands& islands, std::int32_t body);
 
 // The bodies of an active contact are in one island from now on; if one of the two was asleep, it wakes.
-void link_islands(State& state, std::int32_t body_a, std::int32_t body_b);
+void link_islands(Bodies& bodies, Islands& islands, StepEvents& events, std::int32_t body_a, std::int32_t body_b);
 
 // Wakes the island of a dynamic body (nothing happens if it is awake), and starts its time of rest anew.
-void wake_body(State& state, std::int32_t body);
-void wake_island(State& state, std::int32_t island);
+void wake_body(Bodies& bodies, Islands& islands, StepEvents& events, std::int32_t body);
+void wake_island(Bodies& bodies, Islands& islands, StepEvents& events, std::int32_t island);
 
 // Wakes what may rest on a body, or on one shape, that is about to change.
-void wake_around(State& state, std::int32_t body);
-void wake_around_shape(State& state, std::uint32_t shape);
+void wake_around(Bodies& bodies, const Shapes& shapes, Islands& islands, const BroadPhase& broad_phase,
+                 StepEvents& events, std::int32_t body);
+void wake_around_shape(Bodies& bodies, const Shapes& shapes, Islands& islands, const BroadPhase& broad_phase,
+                       StepEvents& events, std::uint32_t shape);
 
 // After finalize: planes make no pairs with what sleeps, so what sleeps at a kinematic one that moves is looked for.
-void wake_around_moving_planes(State& state);
+void wake_around_moving_planes(Bodies& bodies, const Shapes& shapes, Islands& islands, const BroadPhase& broad_phase,
+                               StepEvents& events);
 
 // After finalize: splits at most one island, puts those at rest to sleep. Returns whether any fell asleep.
-bool update_sleep(State& state);
+bool update_sleep(const State& state, Bodies& bodies, Islands& islands, StepEvents& events,
+                  const std::vector<std::uint32_t>& solved, SolverScratch& solver);
 
 // Tells the broad phase who slept and woke since its last update.
-void flush_sleep(State& state);
+void flush_sleep(const Bodies& bodies, const Shapes& shapes, Islands& islands, BroadPhase& broad_phase);
 
 } // namespace cairn

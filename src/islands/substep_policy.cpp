@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace cairn {
 
@@ -15,12 +16,9 @@ constexpr float min_share = 1.0f / 24, full_share = 1.0f / 3;
 constexpr float max_share = 1.2f;
 
 constexpr float load_gain = 0.25f; // of the low-pass filter over steps
-constexpr float min_load = 1e-12f; // N: less is none; numbers that fade away take processors long to add
 // m/s: bodies that move that fast against each other are no structure, and their loads are impacts, however long they
 // last.
 constexpr float max_agitation = 1.0f;
-// Contacts with what does not move have twice the frequency of others (solver/softness.h).
-constexpr float immovable_stiffness = 4.0f;
 // m: what is narrower must not overlap as far as what is wider, but in proportion.
 constexpr float usual_width = 0.015f;
 
@@ -40,18 +38,18 @@ int wanted_substeps(const WorldDef& settings, const IslandLoad& load) {
     return wanted > float(usual) ? std::max(usual, rounded_up(wanted)) : usual;
 }
 
-int island_substeps(const State& s, Island& island) {
+int island_substeps(const WorldDef& settings, const StepPasses& passes, Island& island) {
     const float share = island.weight > 0 ? island.greatest_load / island.weight : 0;
-    const int wanted = wanted_substeps(s.settings, {island.joint_count > 0, share, island.greatest_demand});
+    const int wanted = wanted_substeps(settings, {island.joint_count > 0, share, island.greatest_demand});
     island.greatest_load = island.greatest_demand = 0;
-    return s.in_pass(wanted);
+    return passes.in_pass(wanted);
 }
 
-float first_load(const State& s, const ContactInfo& c, math::Vec3 normal) {
-    const auto& g = s.settings.gravity;
+float first_load(const Bodies& bodies, const WorldDef& settings, const ContactInfo& c, math::Vec3 normal) {
+    const auto& g = settings.gravity;
     const float pull = math::dot(normal, math::Vec3{g.x, g.y, g.z}); // > 0: B is below
     if (pull < 0 && !c.b_moves) return 0;
-    const BodyMass& above = s.mass[pull >= 0 ? c.body_a : c.body_b];
+    const BodyMass& above = bodies.mass[pull >= 0 ? c.body_a : c.body_b];
     return above.inverse_mass > 0 ? above.mass * std::fabs(pull) : 0;
 }
 
@@ -59,13 +57,13 @@ void note_load(Island& island, ContactInfo& c, float force, float inverse_mass) 
     // The lesser of two steps: impacts last one step, loads stay. Of what is agitated, they only fall.
     const float most = island.agitation > max_agitation ? c.load : force;
     c.load += load_gain * (std::min(std::min(force, c.force), most) - c.load);
-    if (c.load < min_load) c.load = 0;
+    if (c.load < std::numeric_limits<float>::min()) c.load = 0; // subnormal numbers take processors long to add
     c.force = force;
     const float load = std::min(c.load, max_share * island.weight);
-    const float stiffness = c.b_moves ? 1.0f : immovable_stiffness;
+    const float stiffness = c.b_moves ? 1.0f : stiff_factor * stiff_factor;
     raise(island.greatest_load, load);
     // The margin is a quarter of the smaller shape's least width, or less.
-    const float smallness = std::max(1.0f, margin_per_extent * usual_width / c.base_margin);
+    const float smallness = std::max(1.0f, float(margin_per_extent) * usual_width / c.base_margin);
     raise(island.greatest_demand, load * (inverse_mass / stiffness) * smallness);
 }
 

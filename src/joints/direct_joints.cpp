@@ -1,6 +1,6 @@
 #include "joints/direct_joints.h"
 
-#include "state/state.h"
+#include "joints/direct_sets.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -16,7 +16,6 @@ namespace {
 // Share of an error that is taken back in a substep. The more, the less energy is lost; but with it the heavy end of a
 // chain of light links gains some.
 constexpr double bias_of_equals = 0.5, bias_of_unequals = 0.2;
-constexpr float equal_mass_ratio = 10;
 // Of the turning that goes with the moment that geometric stiffness adds, lost in a substep.
 constexpr double stiffness_damping = 0.02;
 // m/s or rad/s. What a blow has torn apart comes together no faster than that, or a heavy mass that falls into a slack
@@ -187,10 +186,10 @@ Block free_directions(const DirectNode& node, const JointLocks& rules, const Dir
 }
 
 // Jacobian, error and own block of one node.
-void refresh_row(const State& s, const SetView& v, std::size_t i) {
+void refresh_row(const Joints& joints, const SetView& v, std::size_t i) {
     const DirectNode& node = v.set.nodes[i];
     DirectRow& r = v.rows[i];
-    const JointLocks& rules = s.joints[node.joint].rules;
+    const JointLocks& rules = joints.info[node.joint].rules;
     const DirectBody &a = v.bodies[node.body[0]], &b = v.bodies[node.body[1]];
     r.arm_a = math::rotate(a.turn, r.arm_a0), r.arm_b = math::rotate(b.turn, r.arm_b0);
     const DVec3 gap = r.gap0 + ((b.center - a.center) + ((r.arm_b - r.arm_b0) - (r.arm_a - r.arm_a0)));
@@ -200,7 +199,7 @@ void refresh_row(const State& s, const SetView& v, std::size_t i) {
     else if (node.rows == DirectRows::turn)
         refresh_turn(rules, axis_a, axis_b, b.turn * r.turn0 * math::conjugate(a.turn), r);
     else
-        refresh_axis(s.joint_axes[node.joint].rules[node.axis], axis_a, axis_b, gap, r);
+        refresh_axis(joints.axes[node.joint].rules[node.axis], axis_a, axis_b, gap, r);
 }
 
 void add_linear(Block& k, double inverse_mass, const DirectRow& row, const DirectRow& column) {
@@ -210,7 +209,7 @@ void add_linear(Block& k, double inverse_mass, const DirectRow& row, const Direc
         k += inverse_mass * math::times_transposed(row.linear, column.linear);
 }
 
-Block own_block(const State& s, const SetView& v, std::size_t i) {
+Block own_block(const Joints& joints, const SetView& v, std::size_t i) {
     const DirectNode& node = v.set.nodes[i];
     DirectRow& r = v.rows[i];
     const DirectBody* ends[2] = {&v.bodies[node.body[0]], &v.bodies[node.body[1]]};
@@ -220,7 +219,7 @@ Block own_block(const State& s, const SetView& v, std::size_t i) {
         r.response[side] = r.angular[side] * math::to_block(ends[side]->inverse_inertia);
         k += math::times_transposed(r.response[side], r.angular[side]);
     }
-    k += free_directions(node, s.joints[node.joint].rules, r, k);
+    k += free_directions(node, joints.info[node.joint].rules, r, k);
     r.diagonal = {k.m[0], k.m[4], k.m[8]};
     if (v.set.has_loops)
         for (int d = 0; d < 9; d += 4) k.m[d] *= 1 + loop_compliance;
@@ -229,8 +228,8 @@ Block own_block(const State& s, const SetView& v, std::size_t i) {
 
 // --- the matrix
 
-void assemble(const State& s, const SetView& v) {
-    for (std::size_t i = 0; i < v.set.nodes.size(); ++i) v.diagonal[i] = own_block(s, v, i);
+void assemble(const Joints& joints, const SetView& v) {
+    for (std::size_t i = 0; i < v.set.nodes.size(); ++i) v.diagonal[i] = own_block(joints, v, i);
     std::fill(v.lower, v.lower + v.set.plan.block_count(), Block{});
     for (const DirectCoupling& c : v.set.plan.couplings) {
         const DirectRow &row = v.rows[c.row], &column = v.rows[c.column];
@@ -313,13 +312,13 @@ void solve_rows(const SetView& v, double rate) {
     }
 }
 
-void begin_set(const State& s, const SetView& v, BatchScratch& scratch, double h, bool first) {
+void begin_set(const Joints& joints, const SetView& v, BatchScratch& scratch, double h, bool first) {
     const std::size_t n = v.set.nodes.size();
     place_bodies(v, scratch);
-    for (std::size_t i = 0; i < n; ++i) refresh_row(s, v, i);
+    for (std::size_t i = 0; i < n; ++i) refresh_row(joints, v, i);
     if (first && v.is_new) { // the tension must be known before anything turns
         stiffen_bodies(v);
-        assemble(s, v);
+        assemble(joints, v);
         factorize(v);
         for (std::size_t i = 0; i < n; ++i) v.rows[i].impulse = {};
         solve_rows(v, 0);
@@ -327,7 +326,7 @@ void begin_set(const State& s, const SetView& v, BatchScratch& scratch, double h
     }
     if (first) find_stiffness(v, h);
     stiffen_bodies(v);
-    assemble(s, v);
+    assemble(joints, v);
     factorize(v);
     for (std::size_t i = 0; i < n; ++i) apply(v, i, v.rows[i].impulse);
     write_velocities(v, scratch);
@@ -340,7 +339,7 @@ void solve_set(const SetView& v, BatchScratch& scratch, double h) {
         b.w = vector_of(scratch.velocity[b.row].w);
         b.dv = b.dw = {};
     }
-    const double rate = (v.set.mass_ratio <= equal_mass_ratio ? bias_of_equals : bias_of_unequals) / h;
+    const double rate = (v.set.mass_ratio <= max_equal_mass_ratio ? bias_of_equals : bias_of_unequals) / h;
     solve_rows(v, rate);
     find_stiffness(v, h);
     for (std::size_t i = 0; i < v.set.nodes.size(); ++i) {
@@ -353,12 +352,12 @@ void solve_set(const SetView& v, BatchScratch& scratch, double h) {
     write_velocities(v, scratch);
 }
 
-template <class F> void for_sets(const State& s, BatchScratch& scratch, ThreadPool* thread_pool, F&& work) {
+template <class F> void for_sets(const DirectSets& direct, BatchScratch& scratch, ThreadPool* thread_pool, F&& work) {
     DirectWork& w = scratch.direct;
     for_chunks(thread_pool, int(w.sets.size()), 1, [&](int begin, int end, int) {
         for (int k = begin; k < end; ++k) {
             const DirectSolve& solve = w.sets[k];
-            work(SetView{s.direct.sets[solve.set], w.bodies.data() + solve.first_body, w.rows.data() + solve.first_row,
+            work(SetView{direct.sets[solve.set], w.bodies.data() + solve.first_body, w.rows.data() + solve.first_row,
                          w.diagonal.data() + solve.first_row, w.lower.data() + solve.first_block,
                          w.sought.data() + solve.first_row, solve.is_new});
         }
@@ -367,12 +366,13 @@ template <class F> void for_sets(const State& s, BatchScratch& scratch, ThreadPo
 
 } // namespace
 
-void begin_direct_substep(const State& s, BatchScratch& scratch, ThreadPool* thread_pool, float h, bool first) {
-    for_sets(s, scratch, thread_pool, [&](const SetView& v) { begin_set(s, v, scratch, double(h), first); });
+void begin_direct_substep(const Joints& joints, const DirectSets& direct, BatchScratch& scratch,
+                          ThreadPool* thread_pool, float h, bool first) {
+    for_sets(direct, scratch, thread_pool, [&](const SetView& v) { begin_set(joints, v, scratch, double(h), first); });
 }
 
-void solve_direct_rows(const State& s, BatchScratch& scratch, ThreadPool* thread_pool, float h) {
-    for_sets(s, scratch, thread_pool, [&](const SetView& v) { solve_set(v, scratch, double(h)); });
+void solve_direct_rows(const DirectSets& direct, BatchScratch& scratch, ThreadPool* thread_pool, float h) {
+    for_sets(direct, scratch, thread_pool, [&](const SetView& v) { solve_set(v, scratch, double(h)); });
 }
 
 } // namespace cairn

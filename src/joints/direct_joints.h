@@ -6,21 +6,24 @@
 #pragma once
 
 #include "state/state.h"
+#include "state/step_scratch.h"
 
 namespace cairn {
 
 // The sets whose joints are in the batch, and rows for their bodies. Before the rows are filled.
-void list_direct_sets(const State& state, BatchScratch& scratch);
+void list_direct_sets(const Joints& joints, const DirectSets& direct, BatchScratch& scratch);
 // Positions, axes and impulses of their rows. After the rows are filled.
-void fill_direct_rows(const State& state, BatchScratch& scratch, ThreadPool* thread_pool);
+void fill_direct_rows(const Bodies& bodies, const Joints& joints, const DirectSets& direct, BatchScratch& scratch,
+                      ThreadPool* thread_pool);
 
 // In each substep, after the free motion of its velocities: the matrix of the poses now and its factors, and the
 // impulses of the last substep. They are not carried through the reference.
-void begin_direct_substep(const State& state, BatchScratch& scratch, ThreadPool* thread_pool, float h, bool first);
+void begin_direct_substep(const Joints& joints, const DirectSets& direct, BatchScratch& scratch,
+                          ThreadPool* thread_pool, float h, bool first);
 // Then, once: what is missing of the impulses.
-void solve_direct_rows(const State& state, BatchScratch& scratch, ThreadPool* thread_pool, float h);
+void solve_direct_rows(const DirectSets& direct, BatchScratch& scratch, ThreadPool* thread_pool, float h);
 
 // After the last substep: impulses and forces (as impulses of the whole step) back to the joints.
-void store_direct_rows(State& state, BatchScratch& scratch);
+void store_direct_rows(Joints& joints, const DirectSets& direct, BatchScratch& scratch);
 
 } // namespace cairn

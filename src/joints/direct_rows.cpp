@@ -13,15 +13,15 @@ using math::DVec3;
 
 namespace {
 
-void fill_body(const State& s, const BatchScratch& scratch, std::int32_t body, DirectBody& b) {
+void fill_body(const Bodies& bodies, const BatchScratch& scratch, std::int32_t body, DirectBody& b) {
     b = {};
     if (body == none) return;
     b.row = scratch.row_of_body[body];
-    b.by_forces = s.is_dynamic(body);
+    b.by_forces = bodies.is_dynamic(body);
     if (!b.by_forces) return;
-    const BodyMass& mass = s.mass[body];
+    const BodyMass& mass = bodies.mass[body];
     b.inverse_mass = double(mass.inverse_mass);
-    b.axes0 = math::normalized(s.motion[body].q * math::to_double(mass.principal));
+    b.axes0 = math::normalized(bodies.motion[body].q * math::to_double(mass.principal));
     const float greatest = std::max({mass.inertia.x, mass.inertia.y, mass.inertia.z});
     for (int i = 0; i < 3; ++i) {
         b.moments[i] = double(std::max(mass.inertia[i], min_contact_moment * greatest));
@@ -29,9 +29,9 @@ void fill_body(const State& s, const BatchScratch& scratch, std::int32_t body, D
     }
 }
 
-void fill_row(const State& s, const DirectNode& node, DirectRow& r) {
-    const JointInfo& joint = s.joints[node.joint];
-    const JointPlacement p = place_joint(s, joint);
+void fill_row(const Bodies& bodies, const Joints& joints, const DirectNode& node, DirectRow& r) {
+    const JointInfo& joint = joints.info[node.joint];
+    const JointPlacement p = place_joint(bodies, joint);
     r = {};
     r.arm_a0 = p.arm_a, r.arm_b0 = p.arm_b, r.gap0 = p.gap;
     r.turn0 = turn_of(p);
@@ -46,10 +46,10 @@ void fill_row(const State& s, const DirectNode& node, DirectRow& r) {
         r.impulse = math::to_double(joint.turn_impulse);
         break;
     case DirectRows::axis:
-        column_a = s.joint_axes[node.joint].rules[node.axis].column_a,
-        column_b = s.joint_axes[node.joint].rules[node.axis].column_b;
-        r.at = double(s.joint_axes[node.joint].rules[node.axis].lower);
-        r.impulse.x = double(s.joint_axes[node.joint].states[node.axis].lower);
+        column_a = joints.axes[node.joint].rules[node.axis].column_a,
+        column_b = joints.axes[node.joint].rules[node.axis].column_b;
+        r.at = double(joints.axes[node.joint].rules[node.axis].lower);
+        r.impulse.x = double(joints.axes[node.joint].states[node.axis].lower);
         break;
     }
     r.axis_a0 = exact_frame_axis(p.frame_a, column_a);
@@ -58,16 +58,16 @@ void fill_row(const State& s, const DirectNode& node, DirectRow& r) {
 
 } // namespace
 
-void list_direct_sets(const State& s, BatchScratch& scratch) {
+void list_direct_sets(const Joints& joints, const DirectSets& direct, BatchScratch& scratch) {
     DirectWork& work = scratch.direct;
     work.sets.clear();
     std::size_t bodies = 0, rows = 0, blocks = 0;
     for (const std::uint32_t joint : scratch.joint_layout->joints) {
-        const std::int32_t index = s.direct.set_of_joint[joint];
-        if (index == none || s.direct.sets[index].joints[0] != joint) continue;
-        const DirectSet& set = s.direct.sets[index];
+        const std::int32_t index = direct.set_of_joint[joint];
+        if (index == none || direct.sets[index].joints[0] != joint) continue;
+        const DirectSet& set = direct.sets[index];
         bool is_new = false;
-        for (const std::uint32_t member : set.joints) is_new |= !(s.joints[member].substep_time > 0);
+        for (const std::uint32_t member : set.joints) is_new |= !(joints.info[member].substep_time > 0);
         work.sets.push_back({index, bodies, rows, blocks, is_new});
         for (std::size_t i = 1; i < set.bodies.size(); ++i) row_of_body(scratch, set.bodies[i]);
         bodies += set.bodies.size(), rows += set.nodes.size(), blocks += set.plan.block_count();
@@ -78,27 +78,28 @@ void list_direct_sets(const State& s, BatchScratch& scratch) {
     if (work.lower.size() < blocks) work.lower.resize(blocks);
 }
 
-void fill_direct_rows(const State& s, BatchScratch& scratch, ThreadPool* thread_pool) {
+void fill_direct_rows(const Bodies& bodies, const Joints& joints, const DirectSets& direct, BatchScratch& scratch,
+                      ThreadPool* thread_pool) {
     DirectWork& work = scratch.direct;
     for_chunks(thread_pool, int(work.sets.size()), 1, [&](int begin, int end, int) {
         for (int k = begin; k < end; ++k) {
             const DirectSolve& solve = work.sets[k];
-            const DirectSet& set = s.direct.sets[solve.set];
+            const DirectSet& set = direct.sets[solve.set];
             for (std::size_t i = 0; i < set.bodies.size(); ++i)
-                fill_body(s, scratch, set.bodies[i], work.bodies[solve.first_body + i]);
+                fill_body(bodies, scratch, set.bodies[i], work.bodies[solve.first_body + i]);
             for (std::size_t i = 0; i < set.nodes.size(); ++i)
-                fill_row(s, set.nodes[i], work.rows[solve.first_row + i]);
+                fill_row(bodies, joints, set.nodes[i], work.rows[solve.first_row + i]);
         }
     });
 }
 
-void store_direct_rows(State& s, BatchScratch& scratch) {
+void store_direct_rows(Joints& joints, const DirectSets& direct, BatchScratch& scratch) {
     for (const DirectSolve& solve : scratch.direct.sets) {
-        const DirectSet& set = s.direct.sets[solve.set];
+        const DirectSet& set = direct.sets[solve.set];
         for (std::size_t i = 0; i < set.nodes.size(); ++i) {
             const DirectRow& row = scratch.direct.rows[solve.first_row + i];
             const DirectNode& node = set.nodes[i];
-            JointInfo& joint = s.joints[node.joint];
+            JointInfo& joint = joints.info[node.joint];
             const math::Vec3 impulse = math::to_float(row.impulse), total = math::to_float(row.total);
             bool is_force = true;
             switch (node.rows) {
@@ -110,9 +111,9 @@ void store_direct_rows(State& s, BatchScratch& scratch) {
                 is_force = false;
                 break;
             case DirectRows::axis:
-                s.joint_axes[node.joint].states[node.axis].lower = impulse.x;
-                s.joint_axes[node.joint].states[node.axis].upper = 0;
-                is_force = s.joint_axes[node.joint].rules[node.axis].kind != AxisKind::perpendicular;
+                joints.axes[node.joint].states[node.axis].lower = impulse.x;
+                joints.axes[node.joint].states[node.axis].upper = 0;
+                is_force = joints.axes[node.joint].rules[node.axis].kind != AxisKind::perpendicular;
                 break;
             }
             (is_force ? joint.force : joint.torque) += total;

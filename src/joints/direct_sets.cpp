@@ -12,40 +12,39 @@ namespace {
 
 // Where the direct solver pays by itself. Beyond these blocks and nodes the iterative one is cheaper by far.
 constexpr std::size_t max_nodes = 240, max_blocks_per_node = 4;
-constexpr float min_mass_ratio = 10; // of a body to a lighter one that hangs between others
-constexpr int min_chain = 8;         // joints
+constexpr int min_chain = 8; // joints
 // What it takes where users ask for it.
 constexpr std::size_t max_blocks = std::size_t(1) << 18, max_products = std::size_t(1) << 22;
 
-bool moves_by_forces(const State& s, std::int32_t body) { return body != none && s.is_dynamic(body); }
-bool moves(const State& s, std::int32_t body) {
-    return body != none && s.body_settings[body].type != BodyType::static_;
+bool moves_by_forces(const Bodies& bodies, std::int32_t body) { return body != none && bodies.is_dynamic(body); }
+bool moves(const Bodies& bodies, std::int32_t body) {
+    return body != none && bodies.settings[body].type != BodyType::static_;
 }
 
-bool may_be_direct(const State& s, std::uint32_t index) {
-    const JointInfo& joint = s.joints[index];
-    if (!joint.in_use || JointSolver(joint.solver) == JointSolver::iterative || joint_owner(s, joint) == none)
+bool may_be_direct(const Bodies& bodies, const Joints& joints, std::uint32_t index) {
+    const JointInfo& joint = joints.info[index];
+    if (!joint.in_use || JointSolver(joint.solver) == JointSolver::iterative || joint_owner(bodies, joint) == none)
         return false;
     bool holds = joint.rules.point != JointLock::none || joint.rules.turn != JointLock::none;
-    for (int i = 0; i < joint.rules.axis_count; ++i) holds |= is_direct_axis(s.joint_axes[index].rules[i]);
+    for (int i = 0; i < joint.rules.axis_count; ++i) holds |= is_direct_axis(joints.axes[index].rules[i]);
     return holds;
 }
 
 // Finds the sets: those of joints that are connected through bodies that move by forces.
 class Finder {
   public:
-    explicit Finder(State& s) : s_(s) {}
+    Finder(const Bodies& bodies, const Joints& joints, DirectSets& direct)
+        : bodies_(bodies), joints_(joints), direct_(direct) {}
 
     void find_all() {
-        DirectSets& direct = s_.direct;
-        old_sets_.swap(direct.sets);
-        old_set_of_joint_.swap(direct.set_of_joint);
-        direct.sets.clear();
-        direct.set_of_joint.assign(s_.joints.size(), none);
-        seen_.assign(s_.joints.size(), 0);
-        number_.assign(s_.bodies.size(), none);
-        for (std::uint32_t joint = 0; joint < s_.joints.size(); ++joint) {
-            if (seen_[joint] || !may_be_direct(s_, joint)) continue;
+        old_sets_.swap(direct_.sets);
+        old_set_of_joint_.swap(direct_.set_of_joint);
+        direct_.sets.clear();
+        direct_.set_of_joint.assign(joints_.info.size(), none);
+        seen_.assign(joints_.info.size(), 0);
+        number_.assign(bodies_.links.size(), none);
+        for (std::uint32_t joint = 0; joint < joints_.info.size(); ++joint) {
+            if (seen_[joint] || !may_be_direct(bodies_, joints_, joint)) continue;
             gather(joint);
             // Where the rule says no to the whole, what users ask for remains.
             if (rule_takes(set_))
@@ -65,8 +64,8 @@ class Finder {
 
   private:
     bool is_wanted(std::uint32_t joint) const {
-        const bool is_asked_for = JointSolver(s_.joints[joint].solver) == JointSolver::direct;
-        return may_be_direct(s_, joint) && (!only_asked_for_ || is_asked_for);
+        const bool is_asked_for = JointSolver(joints_.info[joint].solver) == JointSolver::direct;
+        return may_be_direct(bodies_, joints_, joint) && (!only_asked_for_ || is_asked_for);
     }
 
     // The set of a joint, into set_.
@@ -77,18 +76,18 @@ class Finder {
             if (seen_[joint] || !is_wanted(joint)) return;
             seen_[joint] = 1;
             set_.joints.push_back(joint);
-            for (const std::int32_t body : {s_.joints[joint].body_a, s_.joints[joint].body_b}) {
-                if (!moves(s_, body) || number_[body] != none) continue;
+            for (const std::int32_t body : {joints_.info[joint].body_a, joints_.info[joint].body_b}) {
+                if (!moves(bodies_, body) || number_[body] != none) continue;
                 number_[body] = 0;
                 set_.bodies.push_back(body);
-                if (moves_by_forces(s_, body)) open.push_back(body);
+                if (moves_by_forces(bodies_, body)) open.push_back(body);
             }
         };
         reach(first);
         while (!open.empty()) {
             const std::int32_t body = open.back();
             open.pop_back();
-            for_each_joint(s_, body, [&](std::uint32_t joint, int) { reach(joint); });
+            for_each_joint(bodies_, joints_, body, [&](std::uint32_t joint, int) { reach(joint); });
         }
         std::sort(set_.joints.begin(), set_.joints.end());
         std::sort(set_.bodies.begin(), set_.bodies.end());
@@ -99,18 +98,18 @@ class Finder {
         for (std::size_t i = 1; i < set_.bodies.size(); ++i) number_[set_.bodies[i]] = none;
     }
 
-    std::int32_t number_of(std::int32_t body) const { return moves(s_, body) ? number_[body] : 0; }
+    std::int32_t number_of(std::int32_t body) const { return moves(bodies_, body) ? number_[body] : 0; }
 
     void list_nodes() {
         for (const std::uint32_t joint : set_.joints) {
-            const JointInfo& info = s_.joints[joint];
+            const JointInfo& info = joints_.info[joint];
             DirectNode node{joint, DirectRows::point, 0, {number_of(info.body_a), number_of(info.body_b)}};
             if (info.rules.point != JointLock::none) set_.found.push_back(node);
             node.rows = DirectRows::turn;
             if (info.rules.turn != JointLock::none) set_.found.push_back(node);
             node.rows = DirectRows::axis;
             for (std::uint8_t i = 0; i < info.rules.axis_count; ++i) {
-                if (!is_direct_axis(s_.joint_axes[joint].rules[i])) continue;
+                if (!is_direct_axis(joints_.axes[joint].rules[i])) continue;
                 node.axis = i;
                 set_.found.push_back(node);
             }
@@ -118,7 +117,7 @@ class Finder {
         for (const DirectNode& node : set_.found) {
             DirectEnds& ends = set_.ends.emplace_back();
             for (int side = 0; side < 2; ++side)
-                ends.body[side] = moves_by_forces(s_, set_.bodies[node.body[side]]) ? node.body[side] : none;
+                ends.body[side] = moves_by_forces(bodies_, set_.bodies[node.body[side]]) ? node.body[side] : none;
         }
     }
 
@@ -128,14 +127,15 @@ class Finder {
         float least = 0, greatest = 0;
         bool is_held = false;
         for (std::size_t i = 1; i < set_.bodies.size(); ++i) {
-            if (!moves_by_forces(s_, set_.bodies[i])) continue;
+            if (!moves_by_forces(bodies_, set_.bodies[i])) continue;
             ++moving;
-            const float mass = s_.mass[set_.bodies[i]].mass;
+            const float mass = bodies_.mass[set_.bodies[i]].mass;
             least = least > 0 && least <= mass ? least : mass;
             greatest = greatest >= mass ? greatest : mass;
         }
         for (const std::uint32_t joint : set_.joints)
-            is_held |= !moves_by_forces(s_, s_.joints[joint].body_a) || !moves_by_forces(s_, s_.joints[joint].body_b);
+            is_held |= !moves_by_forces(bodies_, joints_.info[joint].body_a) ||
+                       !moves_by_forces(bodies_, joints_.info[joint].body_b);
         set_.has_loops = set_.joints.size() >= moving + std::size_t(is_held);
         set_.mass_ratio = least > 0 ? greatest / least : 1;
     }
@@ -145,7 +145,7 @@ class Finder {
     bool rule_takes(const DirectSet& set) {
         bool all_asked_for = true;
         for (const std::uint32_t joint : set.joints)
-            all_asked_for &= JointSolver(s_.joints[joint].solver) == JointSolver::direct;
+            all_asked_for &= JointSolver(joints_.info[joint].solver) == JointSolver::direct;
         if (all_asked_for) return plan(max_blocks, max_products);
         if (set.found.size() > max_nodes || !pays(set)) return false;
         return plan(max_blocks_per_node * set.found.size(), max_products);
@@ -156,21 +156,21 @@ class Finder {
         std::vector<std::vector<std::uint32_t>> at(set.bodies.size());
         bool turns = false;
         for (const std::uint32_t joint : set.joints) {
-            const JointInfo& info = s_.joints[joint];
+            const JointInfo& info = joints_.info[joint];
             turns |= info.rules.turn != JointLock::none;
             for (const std::int32_t body : {info.body_a, info.body_b})
-                if (moves_by_forces(s_, body)) at[place_of(set, body)].push_back(joint);
+                if (moves_by_forces(bodies_, body)) at[place_of(set, body)].push_back(joint);
         }
         if (set.has_loops && turns) return true; // a machine
         float heaviest = 0;
         for (const std::int32_t body : set.bodies)
-            if (moves_by_forces(s_, body)) heaviest = std::max(heaviest, s_.mass[body].mass);
+            if (moves_by_forces(bodies_, body)) heaviest = std::max(heaviest, bodies_.mass[body].mass);
         for (std::size_t i = 1; i < at.size(); ++i) {
             if (at[i].size() < 2) continue;
-            if (heaviest > min_mass_ratio * s_.mass[set.bodies[i]].mass) return true;
+            if (heaviest > max_equal_mass_ratio * bodies_.mass[set.bodies[i]].mass) return true;
             int fixed = 0;
             for (const std::uint32_t joint : at[i]) {
-                const JointLocks& rules = s_.joints[joint].rules;
+                const JointLocks& rules = joints_.info[joint].rules;
                 fixed += rules.point == JointLock::full && rules.turn == JointLock::full;
             }
             if (fixed >= 2) return true; // in series
@@ -186,7 +186,7 @@ class Finder {
     // where the end of it is held.
     int longest_chain(const DirectSet& set, const std::vector<std::vector<std::uint32_t>>& at) {
         std::size_t end = 1;
-        while (!moves_by_forces(s_, set.bodies[end])) ++end;
+        while (!moves_by_forces(bodies_, set.bodies[end])) ++end;
         int length = 0;
         for (int search = 0; search < 2; ++search) {
             std::vector<int> distance(set.bodies.size(), none);
@@ -194,8 +194,8 @@ class Finder {
             distance[end] = 0;
             for (std::size_t k = 0; k < reached.size(); ++k)
                 for (const std::uint32_t joint : at[reached[k]])
-                    for (const std::int32_t body : {s_.joints[joint].body_a, s_.joints[joint].body_b}) {
-                        if (!moves_by_forces(s_, body)) continue;
+                    for (const std::int32_t body : {joints_.info[joint].body_a, joints_.info[joint].body_b}) {
+                        if (!moves_by_forces(bodies_, body)) continue;
                         const std::size_t other = place_of(set, body);
                         if (distance[other] != none) continue;
                         distance[other] = distance[reached[k]] + 1;
@@ -224,12 +224,14 @@ class Finder {
     }
 
     void take() {
-        const std::int32_t index = std::int32_t(s_.direct.sets.size());
-        for (const std::uint32_t joint : set_.joints) s_.direct.set_of_joint[joint] = index;
-        s_.direct.sets.push_back(std::move(set_));
+        const std::int32_t index = std::int32_t(direct_.sets.size());
+        for (const std::uint32_t joint : set_.joints) direct_.set_of_joint[joint] = index;
+        direct_.sets.push_back(std::move(set_));
     }
 
-    State& s_;
+    const Bodies& bodies_;
+    const Joints& joints_;
+    DirectSets& direct_;
     DirectSet set_;
     std::vector<DirectSet> old_sets_;
     std::vector<std::int32_t> old_set_of_joint_;
@@ -254,10 +256,10 @@ bool is_direct_axis(const JointAxisRule& rule) {
     }
 }
 
-void update_direct_sets(State& s) {
-    if (s.direct.valid_for == s.joint_changes) return;
-    Finder(s).find_all();
-    s.direct.valid_for = s.joint_changes;
+void update_direct_sets(const Bodies& bodies, const Joints& joints, DirectSets& direct) {
+    if (direct.valid_for == joints.changes) return;
+    Finder(bodies, joints, direct).find_all();
+    direct.valid_for = joints.changes;
 }
 
 } // namespace cairn

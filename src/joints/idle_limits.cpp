@@ -2,7 +2,10 @@
 // as long as the bodies have not turned far enough against each other to come near them.
 #include "joints/idle_limits.h"
 
+#include "collision/core_sweep.h"
+
 #include "core/cache.h"
+#include "math/rotation.h"
 #include "state/joint_links.h"
 
 #include <algorithm>
@@ -18,13 +21,6 @@ constexpr int joints_per_chunk = 128; // for threads
 // what flies at something is turned by the impact, by a share of its speed over its radius. Who is hit harder gets
 // beyond the limit by a little, and is brought back in the next pass.
 constexpr float more_turn = 1.5f, min_reach = 0.03f, impact_share = 0.25f;
-// A row that has been at work is left out only where there is some more room, so that rows do not come and go.
-constexpr float more_room = 0.02f;
-// A twist is counted on from the last known one, which must be less than half a turn away.
-constexpr float max_slack = 2.0f;
-// Of a swing, rad: the twist of what swings by that changes by less than twice the angle that bodies turn by, 1 / cos
-// of its half. With a locked swing hardly any.
-constexpr float max_swing = 2.0f, twist_by_turn = 2.0f, hinge_by_turn = 1.05f;
 
 const JointAxisRule* swing_rule(const JointLocks& locks, const JointAxes& axes) {
     for (int i = 0; i < locks.axis_count; ++i)
@@ -33,28 +29,28 @@ const JointAxisRule* swing_rule(const JointLocks& locks, const JointAxes& axes) 
 }
 
 // An upper bound of the angle by which the bodies of a joint turned against each other in the last pass.
-float turned_against_each_other(const State& s, const JointInfo& joint) {
-    const auto turned = [&](std::int32_t body) { return body == none ? math::Quat{} : s.motion[body].turned; };
+float turned_against_each_other(const Bodies& bodies, const JointInfo& joint) {
+    const auto turned = [&](std::int32_t body) { return body == none ? math::Quat{} : bodies.motion[body].turned; };
     const math::Quat q = math::conjugate(turned(joint.body_a)) * turned(joint.body_b);
     const float sine = std::sqrt((q.x * q.x + q.y * q.y) + q.z * q.z); // of half the angle
     return (sine < 0.5f ? 2.1f : 3.1416f) * sine + 1e-6f;
 }
 // rad/s.
-float turning_speed(const State& s, const JointInfo& joint) {
-    const auto w = [&](std::int32_t body) { return body == none ? math::Vec3{} : s.motion[body].w; };
+float turning_speed(const Bodies& bodies, const JointInfo& joint) {
+    const auto w = [&](std::int32_t body) { return body == none ? math::Vec3{} : bodies.motion[body].w; };
     float by_impact = 0;
     for (const std::int32_t body : {joint.body_a, joint.body_b}) {
         if (body == none) continue;
-        const float radius = s.bodies[body].radius, speed = math::length(s.motion[body].v);
+        const float radius = bodies.links[body].radius, speed = math::length(bodies.motion[body].v);
         if (radius > 0) by_impact = std::max(by_impact, speed / radius);
     }
     return more_turn * math::length(w(joint.body_b) - w(joint.body_a)) + impact_share * by_impact;
 }
 
 // Asks the cache for what is looked at of a joint here.
-void prefetch(const State& s, std::uint32_t joint) {
-    ask_cache(&s.joints[joint]);
-    const JointAxes& axes = s.joint_axes[joint];
+void prefetch(const Joints& joints, std::uint32_t joint) {
+    ask_cache(&joints.info[joint]);
+    const JointAxes& axes = joints.axes[joint];
     ask_cache(&axes.states[0]);
     ask_cache(&axes.states[max_joint_axes - 1]);
 }
@@ -70,7 +66,9 @@ bool is_out_of_reach(const JointAxisRule& rule, JointAxisState& state, float by_
         state.slack = 0; // known again after this pass
     } else if (state.lower == 0 && state.upper == 0) {
         const float room = std::min(state.position - rule.lower, rule.upper - state.position);
-        if (room > reach + more_room) state.slack = std::min(room, max_slack);
+        // Some more room, so that rows do not come and go. And a twist is counted on from the last known one, which
+        // must be less than half a turn away.
+        if (room > 2 * reach) state.slack = std::min(room, half_turn);
     }
     return state.slack > 0;
 }
@@ -79,9 +77,13 @@ bool is_out_of_reach(const JointAxisRule& rule, JointAxisState& state, float by_
 float change_by_turn(const JointLocks& locks, const JointAxes& axes, const JointAxisRule& rule) {
     if (rule.kind == AxisKind::swing || rule.kind == AxisKind::turn) return 1;
     if (rule.kind != AxisKind::twist) return 0;
-    if (locks.turn == JointLock::across) return hinge_by_turn;
+    // The twist of what swings changes faster than the bodies turn, by 1 / cos of half the swing.
     const JointAxisRule* swing = swing_rule(locks, axes);
-    return swing && swing->has_limits && swing->rigid_limit && swing->upper < max_swing ? twist_by_turn : 0;
+    const bool is_held = locks.turn == JointLock::across;
+    if (!is_held && !(swing && swing->has_limits && swing->rigid_limit)) return 0;
+    const double most = is_held ? 0 : double(swing->upper);
+    const double cosine = math::from_rotation_vector(math::DVec3{most, 0, 0}).w;
+    return most < double(half_turn) && cosine > 0 ? float(1 / cosine) : 0;
 }
 
 } // namespace
@@ -91,20 +93,20 @@ float reach_by_turn(const JointLocks& locks, const JointAxes& axes, const JointA
     return rule.has_limits && !has_more ? change_by_turn(locks, axes, rule) : 0;
 }
 
-bool update_idle_rows(State& s, JointLayout& layout, ThreadPool* thread_pool, float dt) {
+bool update_idle_rows(const Bodies& bodies, Joints& joints, JointLayout& layout, ThreadPool* thread_pool, float dt) {
     if (!layout.may_idle) return false;
     std::atomic<bool> any_changed = false;
     for_chunks(thread_pool, int(layout.joints.size()), joints_per_chunk, [&](int begin, int end, int) {
         bool changed = false;
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
-            if (k + joints_ahead < std::size_t(end)) prefetch(s, layout.joints[k + joints_ahead]);
-            const JointInfo& joint = s.joints[layout.joints[k]];
+            if (k + joints_ahead < std::size_t(end)) prefetch(joints, layout.joints[k + joints_ahead]);
+            const JointInfo& joint = joints.info[layout.joints[k]];
             float turned = -1, speed = 0;
             for (std::uint32_t i = layout.first_row[k]; i < layout.first_row[k + 1]; ++i) {
                 JointRow& row = layout.rows[i];
                 if (row.reach_by_turn == 0) continue;
-                if (turned < 0) turned = turned_against_each_other(s, joint), speed = turning_speed(s, joint);
-                JointAxes& axes = s.joint_axes[row.joint];
+                if (turned < 0) turned = turned_against_each_other(bodies, joint), speed = turning_speed(bodies, joint);
+                JointAxes& axes = joints.axes[row.joint];
                 const bool idle =
                     is_out_of_reach(axes.rules[row.axis], axes.states[row.axis], row.reach_by_turn, turned, speed, dt);
                 changed |= idle != bool(row.idle);
@@ -116,9 +118,9 @@ bool update_idle_rows(State& s, JointLayout& layout, ThreadPool* thread_pool, fl
     return any_changed;
 }
 
-void forget_slack(State& s, std::int32_t body) {
-    for_each_joint(s, body, [&](std::uint32_t joint, int) {
-        for (JointAxisState& axis : s.joint_axes[joint].states) axis.slack = -1;
+void forget_slack(const Bodies& bodies, Joints& joints, std::int32_t body) {
+    for_each_joint(bodies, joints, body, [&](std::uint32_t joint, int) {
+        for (JointAxisState& axis : joints.axes[joint].states) axis.slack = -1;
     });
 }
 

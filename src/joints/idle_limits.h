@@ -1,7 +1,9 @@
 // Limits that are out of reach.
 #pragma once
 
+#include "jobs/thread_pool.h"
 #include "state/joint_links.h"
+#include "state/solver_scratch.h"
 
 namespace cairn {
 
@@ -9,8 +11,8 @@ namespace cairn {
 // mere limits of an angle; 0: of all else, that is not looked at.
 float reach_by_turn(const JointLocks& locks, const JointAxes& axes, const JointAxisRule& rule);
 // Once in a pass. True if other rows than before are left out of the solver.
-bool update_idle_rows(State& state, JointLayout& layout, ThreadPool* thread_pool, float dt);
+bool update_idle_rows(const Bodies& bodies, Joints& joints, JointLayout& layout, ThreadPool* thread_pool, float dt);
 // The body has been put elsewhere.
-void forget_slack(State& state, std::int32_t body);
+void forget_slack(const Bodies& bodies, Joints& joints, std::int32_t body);
 
 } // namespace cairn

@@ -30,16 +30,17 @@ JointRowType type_of(std::uint32_t key) {
     return phase == point_phase ? JointRowType::point : phase == turn_phase ? JointRowType::turn : JointRowType::axis;
 }
 
-void name_body(const State& s, std::int32_t body, JointLayout& layout) {
-    if (body != none && s.body_settings[body].type == BodyType::kinematic) layout.kinematic_bodies.push_back(body);
+void name_body(const Bodies& bodies, std::int32_t body, JointLayout& layout) {
+    if (body != none && bodies.settings[body].type == BodyType::kinematic) layout.kinematic_bodies.push_back(body);
 }
 
 // The rows of one joint.
-void collect_joint(const State& s, std::uint32_t joint, JointLayout& layout) {
-    const JointInfo& info = s.joints[joint];
+void collect_joint(const Bodies& bodies, const Joints& joints, const DirectSets& direct, std::uint32_t joint,
+                   JointLayout& layout) {
+    const JointInfo& info = joints.info[joint];
     const JointLocks& rules = info.rules;
-    name_body(s, info.body_a, layout);
-    name_body(s, info.body_b, layout);
+    name_body(bodies, info.body_a, layout);
+    name_body(bodies, info.body_b, layout);
     auto add = [&](std::uint32_t phase, std::uint32_t form, JointRowType type, std::uint32_t axis) -> JointRow& {
         JointRow row;
         row.joint = joint;
@@ -49,9 +50,9 @@ void collect_joint(const State& s, std::uint32_t joint, JointLayout& layout) {
         layout.only_points &= type == JointRowType::point;
         return layout.rows.emplace_back(row);
     };
-    const bool is_direct = s.direct.set_of_joint[joint] != none;
+    const bool is_direct = direct.set_of_joint[joint] != none;
     for (std::uint32_t i = 0; i < rules.axis_count; ++i) {
-        const JointAxisRule& rule = s.joint_axes[joint].rules[i];
+        const JointAxisRule& rule = joints.axes[joint].rules[i];
         if (is_direct && is_direct_axis(rule)) continue;
         if (!rule.has_limits && !rule.has_drive && !(rule.friction > 0)) continue;
         JointRow& row = add(i, std::uint32_t(rule.kind), JointRowType::axis, i);
@@ -59,7 +60,7 @@ void collect_joint(const State& s, std::uint32_t joint, JointLayout& layout) {
         row.has_soft_limits = rule.has_limits && !rule.rigid_limit;
         row.has_drive = rule.has_drive != 0;
         row.has_friction = rule.friction > 0;
-        row.reach_by_turn = reach_by_turn(rules, s.joint_axes[joint], rule);
+        row.reach_by_turn = reach_by_turn(rules, joints.axes[joint], rule);
         layout.may_idle |= row.reach_by_turn != 0;
     }
     if (is_direct) return;
@@ -67,14 +68,14 @@ void collect_joint(const State& s, std::uint32_t joint, JointLayout& layout) {
     if (rules.point != JointLock::none) add(point_phase, std::uint32_t(rules.point), JointRowType::point, 0);
 }
 
-void collect_rows(const State& s, JointLayout& layout) {
+void collect_rows(const Bodies& bodies, const Joints& joints, const DirectSets& direct, JointLayout& layout) {
     for (const std::int32_t body : layout.bodies) {
-        if (s.bodies[body].joint_count == 0) continue;
-        for_each_joint(s, body, [&](std::uint32_t joint, int side) {
-            if (side == 1 && joint_owner(s, s.joints[joint]) != body) return;
+        if (bodies.links[body].joint_count == 0) continue;
+        for_each_joint(bodies, joints, body, [&](std::uint32_t joint, int side) {
+            if (side == 1 && joint_owner(bodies, joints.info[joint]) != body) return;
             layout.joints.push_back(joint);
             layout.first_row.push_back(std::uint32_t(layout.rows.size()));
-            collect_joint(s, joint, layout);
+            collect_joint(bodies, joints, direct, joint, layout);
         });
     }
     layout.first_row.push_back(std::uint32_t(layout.rows.size()));
@@ -127,23 +128,25 @@ void lay_out_rows(JointLayout& layout, std::vector<std::uint32_t>& lanes) {
 bool may_be_fixed(std::uint32_t key) { return stands_alone(key) || key / keys_per_color > first_fixed_color; }
 std::uint32_t joint_form_of(std::uint32_t key) { return key % forms; }
 
-void fill_joint_lanes(State& s, const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool, float dt) {
-    JointLayout& layout = s.solver.joint_layouts[&batch - s.solver.batches.data()];
+void fill_joint_lanes(const Bodies& bodies, Joints& joints, SolverScratch& solver, const DirectSets& direct,
+                      const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool, float dt) {
+    JointLayout& layout = solver.joint_layouts[&batch - solver.batches.data()];
     scratch.joint_layout = &layout;
     bool is_new = false;
     if (batch.joint_count == 0) {
         if (!layout.joints.empty()) layout = {};
-    } else if (layout.valid_for != s.joint_changes || layout.bodies != scratch.touching_bodies) {
+    } else if (layout.valid_for != joints.changes || layout.bodies != scratch.touching_bodies) {
         layout.bodies = scratch.touching_bodies;
         layout.kinematic_bodies.clear(), layout.joints.clear(), layout.first_row.clear(), layout.rows.clear();
         layout.may_idle = false, layout.only_points = true;
-        collect_rows(s, layout);
-        layout.valid_for = s.joint_changes;
+        collect_rows(bodies, joints, direct, layout);
+        layout.valid_for = joints.changes;
         is_new = true;
     }
-    if (update_idle_rows(s, layout, thread_pool, dt) || is_new) lay_out_rows(layout, scratch.joint_key_counts);
+    if (update_idle_rows(bodies, joints, layout, thread_pool, dt) || is_new)
+        lay_out_rows(layout, scratch.joint_key_counts);
     for (const std::int32_t body : layout.kinematic_bodies) row_of_body(scratch, body);
-    list_direct_sets(s, scratch);
+    list_direct_sets(joints, direct, scratch);
 }
 
 } // namespace cairn

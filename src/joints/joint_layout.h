@@ -2,11 +2,13 @@
 #pragma once
 
 #include "state/state.h"
+#include "state/step_scratch.h"
 
 namespace cairn {
 
 // Joints of the batch's islands, laid into blocks of 8 lanes color by color.
-void fill_joint_lanes(State& state, const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool, float dt);
+void fill_joint_lanes(const Bodies& bodies, Joints& joints, SolverScratch& solver, const DirectSets& direct,
+                      const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool, float dt);
 
 // Of the key of a row or run: the form of its rows, and whether they may have ends that do not move by forces.
 std::uint32_t joint_form_of(std::uint32_t key);

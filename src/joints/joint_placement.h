@@ -11,19 +11,19 @@ struct JointAnchors {
 struct JointPlacement : JointAnchors {
     math::DQuat frame_a, frame_b; // in the world
 };
-inline JointAnchors place_anchors(const State& s, const JointInfo& joint) {
+inline JointAnchors place_anchors(const Bodies& bodies, const JointInfo& joint) {
     JointAnchors p;
     auto place = [&](std::int32_t body, math::DVec3 anchor, math::DVec3& arm) {
         if (body == none) return anchor;
-        const BodyMotion& motion = s.motion[body];
-        arm = math::rotate(motion.q, anchor - math::to_double(s.mass[body].center));
+        const BodyMotion& motion = bodies.motion[body];
+        arm = math::rotate(motion.q, anchor - math::to_double(bodies.mass[body].center));
         return motion.x + arm;
     };
     const math::DVec3 at_a = place(joint.body_a, joint.anchor_a, p.arm_a);
     p.gap = place(joint.body_b, joint.anchor_b, p.arm_b) - at_a;
     return p;
 }
-JointPlacement place_joint(const State& state, const JointInfo& joint);
+JointPlacement place_joint(const Bodies& bodies, const JointInfo& joint);
 
 // An axis of a frame.
 inline math::DVec3 exact_frame_axis(const math::DQuat& frame, int i) {
@@ -37,6 +37,6 @@ inline math::Vec3 frame_axis(const math::DQuat& frame, int i) { return math::to_
 inline math::DQuat turn_of(const JointPlacement& p) { return math::normalized(p.frame_b * math::conjugate(p.frame_a)); }
 
 // From the ground point of a pulley to the anchor of that side.
-math::Vec3 pulley_reach(const State& state, const JointInfo& joint, int side, const JointPlacement& p);
+math::Vec3 pulley_reach(const Bodies& bodies, const JointInfo& joint, int side, const JointPlacement& p);
 
 } // namespace cairn

@@ -52,9 +52,9 @@ double turning_position(const JointAxisRule& rule, const DQuat& turn, DVec3 a, D
     }
 }
 
-double axis_position(const State& s, std::uint32_t index, int i, const JointPlacement& p) {
-    const JointInfo& joint = s.joints[index];
-    const JointAxisRule& rule = s.joint_axes[index].rules[i];
+double axis_position(const Bodies& bodies, const Joints& joints, std::uint32_t index, int i, const JointPlacement& p) {
+    const JointInfo& joint = joints.info[index];
+    const JointAxisRule& rule = joints.axes[index].rules[i];
     const DVec3 a = math::to_double(frame_axis(p.frame_a, rule.column_a)),
                 b = math::to_double(frame_axis(p.frame_b, rule.column_b));
     switch (rule.kind) {
@@ -65,39 +65,39 @@ double axis_position(const State& s, std::uint32_t index, int i, const JointPlac
     case AxisKind::distance:
         return math::length(p.gap);
     case AxisKind::pulley: {
-        const double length_a = math::length(math::to_double(pulley_reach(s, joint, 0, p)));
-        const double length_b = math::length(math::to_double(pulley_reach(s, joint, 1, p)));
+        const double length_a = math::length(math::to_double(pulley_reach(bodies, joint, 0, p)));
+        const double length_b = math::length(math::to_double(pulley_reach(bodies, joint, 1, p)));
         return double(rule.ratio_a) * length_a + double(rule.ratio_b) * length_b;
     }
     default:
-        return turning_position(rule, turn_of(p), a, b, double(s.joint_axes[index].states[i].position));
+        return turning_position(rule, turn_of(p), a, b, double(joints.axes[index].states[i].position));
     }
 }
 
 } // namespace
 
-JointPlacement place_joint(const State& s, const JointInfo& joint) {
-    JointPlacement p{place_anchors(s, joint), {}, {}};
+JointPlacement place_joint(const Bodies& bodies, const JointInfo& joint) {
+    JointPlacement p{place_anchors(bodies, joint), {}, {}};
     auto turned = [&](std::int32_t body, const DQuat& frame) {
-        return body == none ? frame : s.motion[body].q * frame;
+        return body == none ? frame : bodies.motion[body].q * frame;
     };
     p.frame_a = turned(joint.body_a, joint.frame_a);
     p.frame_b = turned(joint.body_b, joint.frame_b);
     return p;
 }
 
-math::Vec3 pulley_reach(const State& s, const JointInfo& joint, int side, const JointPlacement& p) {
+math::Vec3 pulley_reach(const Bodies& bodies, const JointInfo& joint, int side, const JointPlacement& p) {
     const std::int32_t body = side == 0 ? joint.body_a : joint.body_b;
     const DVec3 ground = side == 0 ? joint.ground_a : joint.ground_b;
     if (body == none) return math::to_float((side == 0 ? joint.anchor_a : joint.anchor_b) - ground);
-    return math::to_float((s.motion[body].x - ground) + (side == 0 ? p.arm_a : p.arm_b));
+    return math::to_float((bodies.motion[body].x - ground) + (side == 0 ? p.arm_a : p.arm_b));
 }
 
-JointPositions joint_positions(const State& s, std::uint32_t index) {
-    const JointInfo& joint = s.joints[index];
-    const JointPlacement p = place_joint(s, joint);
+JointPositions joint_positions(const Bodies& bodies, const Joints& joints, std::uint32_t index) {
+    const JointInfo& joint = joints.info[index];
+    const JointPlacement p = place_joint(bodies, joint);
     JointPositions r{};
-    for (int i = 0; i < joint.rules.axis_count; ++i) r.axes[i] = float(axis_position(s, index, i, p));
+    for (int i = 0; i < joint.rules.axis_count; ++i) r.axes[i] = float(axis_position(bodies, joints, index, i, p));
     if (joint.rules.point != JointLock::none) {
         const DVec3 a = math::to_double(frame_axis(p.frame_a, joint.rules.point_column));
         r.gap = math::to_float(joint.rules.point == JointLock::full ? p.gap : p.gap - math::dot(a, p.gap) * a);

@@ -10,6 +10,6 @@ struct JointPositions {
     float axes[max_joint_axes];
     math::Vec3 gap, turn; // of what it locks
 };
-JointPositions joint_positions(const State& state, std::uint32_t joint);
+JointPositions joint_positions(const Bodies& bodies, const Joints& joints, std::uint32_t joint);
 
 } // namespace cairn

@@ -44,9 +44,9 @@ struct JointEnd {
     std::uint32_t row = std::uint32_t(fixed_row) * row_bytes;
     bool is_written = false;
 };
-JointEnd joint_end(const State& s, const BatchScratch& scratch, std::int32_t body) {
+JointEnd joint_end(const Bodies& bodies, const BatchScratch& scratch, std::int32_t body) {
     if (body == none) return {};
-    const BodyType type = s.body_settings[body].type;
+    const BodyType type = bodies.settings[body].type;
     if (type == BodyType::static_) return {};
     return {std::uint32_t(scratch.row_of_body[body]) * row_bytes, type == BodyType::dynamic};
 }
@@ -55,14 +55,14 @@ JointEnd joint_end(const State& s, const BatchScratch& scratch, std::int32_t bod
 bool has_torque(const JointInfo& joint) { return joint.rules.turn != JointLock::none || joint.rules.axis_count > 0; }
 
 // Asks the cache for what is needed of the joint at that place of the layout.
-void prefetch_joint(const State& s, const JointLayout& layout, std::size_t place) {
+void prefetch_joint(const Joints& joints, const JointLayout& layout, std::size_t place) {
     if (place >= layout.joints.size()) return;
     const std::uint32_t joint = layout.joints[place];
-    const char* const info = reinterpret_cast<const char*>(&s.joints[joint]);
+    const char* const info = reinterpret_cast<const char*>(&joints.info[joint]);
     ask_cache(info), ask_cache(info + 64);
     if (layout.only_points) return;
     for (std::size_t at = 128; at < sizeof(JointInfo); at += 64) ask_cache(info + at);
-    ask_cache(&s.joint_axes[joint].states[0]);
+    ask_cache(&joints.axes[joint].states[0]);
 }
 
 // Where a joint is at the start of the step, for all of its rows: with its frames, or where those are not needed, only
@@ -84,26 +84,26 @@ void fill_ends(const PlacedJoint<Placement>& joint, Block& b, std::size_t lane, 
     b.rest.write_b[lane] = joint.b.is_written ? joint.b.row : discard;
 }
 
-bool needs_frames(const State& s, const JointRow& row) {
+bool needs_frames(const Joints& joints, const JointRow& row) {
     if (row.type != JointRowType::point) return !row.idle;
-    return s.joints[row.joint].rules.point == JointLock::across;
+    return joints.info[row.joint].rules.point == JointLock::across;
 }
 
-void fill_lane(const State&, const JointRow&, const PlacedJoint<JointAnchors>& joint, PointBlock& b, std::size_t lane,
-               float) {
+void fill_lane(const Bodies&, const Joints&, const JointRow&, const PlacedJoint<JointAnchors>& joint, PointBlock& b,
+               std::size_t lane, float) {
     set_lane(b.arm_a0, lane, math::to_float(joint.p.arm_a));
     set_lane(b.arm_b0, lane, math::to_float(joint.p.arm_b));
     set_lane(b.gap0, lane, math::to_float(joint.p.gap));
     set_lane(b.impulse, lane, joint.info.point_impulse);
 }
-void fill_lane(const State& s, const JointRow& row, const PlacedJoint<FramedPlacement>& joint, PointBlock& b,
-               std::size_t lane, float h) {
-    fill_lane(s, row, PlacedJoint<JointAnchors>{joint.info, joint.a, joint.b, joint.p}, b, lane, h);
+void fill_lane(const Bodies& bodies, const Joints& joints, const JointRow& row,
+               const PlacedJoint<FramedPlacement>& joint, PointBlock& b, std::size_t lane, float h) {
+    fill_lane(bodies, joints, row, PlacedJoint<JointAnchors>{joint.info, joint.a, joint.b, joint.p}, b, lane, h);
     if (b.free_axis) set_lane(b.axis0, lane, frame_axis(joint.p.frame_a, joint.info.rules.point_column));
 }
 
-void fill_lane(const State&, const JointRow&, const PlacedJoint<FramedPlacement>& joint, TurnBlock& b, std::size_t lane,
-               float) {
+void fill_lane(const Bodies&, const Joints&, const JointRow&, const PlacedJoint<FramedPlacement>& joint, TurnBlock& b,
+               std::size_t lane, float) {
     set_lane(b.turn0, lane, joint.p.turn);
     set_lane(b.impulse, lane, joint.info.turn_impulse);
     if (!b.free_axis) return;
@@ -135,19 +135,21 @@ void fill_axis_rule(AxisBlock& b, std::size_t lane, const JointAxisRule& rule, f
     b.ratio_b[lane] = rule.ratio_b;
 }
 
-void fill_lane(const State& s, const JointRow& row, const PlacedJoint<FramedPlacement>& joint, AxisBlock& b,
-               std::size_t lane, float h) {
+void fill_lane(const Bodies& bodies, const Joints& joints, const JointRow& row,
+               const PlacedJoint<FramedPlacement>& joint, AxisBlock& b, std::size_t lane, float h) {
     const FramedPlacement& p = joint.p;
-    const JointAxisRule& rule = s.joint_axes[row.joint].rules[row.axis];
-    const JointAxisState& state = s.joint_axes[row.joint].states[row.axis];
+    const JointAxisRule& rule = joints.axes[row.joint].rules[row.axis];
+    const JointAxisState& state = joints.axes[row.joint].states[row.axis];
     fill_axis_rule(b, lane, rule, h);
     set_lane(b.arm_a0, lane, math::to_float(p.arm_a));
     set_lane(b.arm_b0, lane, math::to_float(p.arm_b));
     set_lane(b.gap0, lane, math::to_float(p.gap));
     set_lane(b.turn0, lane, p.turn);
     const bool is_pulley = rule.kind == AxisKind::pulley;
-    set_lane(b.axis_a0, lane, is_pulley ? pulley_reach(s, joint.info, 0, p) : frame_axis(p.frame_a, rule.column_a));
-    set_lane(b.axis_b0, lane, is_pulley ? pulley_reach(s, joint.info, 1, p) : frame_axis(p.frame_b, rule.column_b));
+    set_lane(b.axis_a0, lane,
+             is_pulley ? pulley_reach(bodies, joint.info, 0, p) : frame_axis(p.frame_a, rule.column_a));
+    set_lane(b.axis_b0, lane,
+             is_pulley ? pulley_reach(bodies, joint.info, 1, p) : frame_axis(p.frame_b, rule.column_b));
     b.position[lane] = b.position0[lane] = state.position;
     b.drive_impulse[lane] = state.drive;
     b.friction_impulse[lane] = state.friction;
@@ -157,8 +159,9 @@ void fill_lane(const State& s, const JointRow& row, const PlacedJoint<FramedPlac
 
 // The rows of the joint at that place of the layout. `first_discard`: rows, by JointRowType.
 template <class Placement>
-void fill_rows_of(const State& s, BatchScratch& scratch, const std::array<std::int32_t, joint_row_types>& first_discard,
-                  std::size_t place, const PlacedJoint<Placement>& joint, float h) {
+void fill_rows_of(const Bodies& bodies, const Joints& joints, BatchScratch& scratch,
+                  const std::array<std::int32_t, joint_row_types>& first_discard, std::size_t place,
+                  const PlacedJoint<Placement>& joint, float h) {
     const JointLayout& layout = *scratch.joint_layout;
     for (std::uint32_t i = layout.first_row[place]; i < layout.first_row[place + 1]; ++i) {
         const JointRow& row = layout.rows[i];
@@ -167,7 +170,7 @@ void fill_rows_of(const State& s, BatchScratch& scratch, const std::array<std::i
         const std::uint32_t discard = (std::uint32_t(first_discard[std::size_t(row.type)]) + block) * row_bytes;
         const auto fill = [&](auto& blocks) {
             fill_ends(joint, blocks[block], lane, discard);
-            fill_lane(s, row, joint, blocks[block], lane, h);
+            fill_lane(bodies, joints, row, joint, blocks[block], lane, h);
         };
         if constexpr (std::is_same_v<Placement, JointAnchors>)
             fill(scratch.point_blocks); // nothing else does without frames
@@ -221,8 +224,8 @@ void open_blocks(BatchScratch& scratch) {
 }
 
 // Impulses are those of one substep. Forces are counted anew.
-void begin_joint(State& s, std::uint32_t index, float h) {
-    JointInfo& joint = s.joints[index];
+void begin_joint(Joints& joints, std::uint32_t index, float h) {
+    JointInfo& joint = joints.info[index];
     joint.force = {};
     if (has_torque(joint)) joint.torque = {};
     if (joint.substep_time == h) return;
@@ -231,7 +234,7 @@ void begin_joint(State& s, std::uint32_t index, float h) {
     joint.point_impulse = factor * joint.point_impulse;
     joint.turn_impulse = factor * joint.turn_impulse;
     for (int i = 0; i < joint.rules.axis_count; ++i) {
-        JointAxisState& axis = s.joint_axes[index].states[i];
+        JointAxisState& axis = joints.axes[index].states[i];
         axis.drive *= factor, axis.friction *= factor, axis.lower *= factor, axis.upper *= factor;
     }
     joint.substep_time = h;
@@ -239,33 +242,33 @@ void begin_joint(State& s, std::uint32_t index, float h) {
 
 // --- and out again
 
-void take_lane(State& s, const JointRow& row, const PointBlock& b, std::size_t lane) {
-    JointInfo& joint = s.joints[row.joint];
+void take_lane(Joints& joints, const JointRow& row, const PointBlock& b, std::size_t lane) {
+    JointInfo& joint = joints.info[row.joint];
     joint.point_impulse = get_lane(b.impulse, lane);
     joint.force += get_lane(b.total, lane);
 }
-void take_lane(State& s, const JointRow& row, const TurnBlock& b, std::size_t lane) {
-    JointInfo& joint = s.joints[row.joint];
+void take_lane(Joints& joints, const JointRow& row, const TurnBlock& b, std::size_t lane) {
+    JointInfo& joint = joints.info[row.joint];
     joint.turn_impulse = get_lane(b.impulse, lane);
     joint.torque += get_lane(b.total, lane);
 }
-void take_lane(State& s, const JointRow& row, const AxisBlock& b, std::size_t lane) {
-    JointInfo& joint = s.joints[row.joint];
-    s.joint_axes[row.joint].states[row.axis] = {b.drive_impulse[lane], b.friction_impulse[lane], b.lower_impulse[lane],
-                                                b.upper_impulse[lane], b.position[lane],         0};
+void take_lane(Joints& joints, const JointRow& row, const AxisBlock& b, std::size_t lane) {
+    JointInfo& joint = joints.info[row.joint];
+    joints.axes[row.joint].states[row.axis] = {b.drive_impulse[lane], b.friction_impulse[lane], b.lower_impulse[lane],
+                                               b.upper_impulse[lane], b.position[lane],         0};
     const float total = b.total[lane];
     const math::Vec3 linear = get_lane(b.linear_b, lane), arm = get_lane(b.arm_b0, lane);
     joint.force += total * linear;
     joint.torque += total * (get_lane(b.angular_b, lane) - math::cross(arm, linear));
 }
 
-bool is_sound(const State& s, std::uint32_t index) {
-    const JointInfo& joint = s.joints[index];
+bool is_sound(const Joints& joints, std::uint32_t index) {
+    const JointInfo& joint = joints.info[index];
     constexpr math::Vec3 ones{1, 1, 1};
     float sum = math::dot(joint.force, ones) + math::dot(joint.point_impulse, ones);
     if (has_torque(joint)) sum += math::dot(joint.torque, ones) + math::dot(joint.turn_impulse, ones);
     for (int i = 0; i < joint.rules.axis_count; ++i) {
-        const JointAxisState& axis = s.joint_axes[index].states[i];
+        const JointAxisState& axis = joints.axes[index].states[i];
         sum += axis.drive + axis.friction + axis.lower + axis.upper + axis.position;
     }
     return std::isfinite(sum);
@@ -278,34 +281,36 @@ bool is_too_fast(const WorldDef& settings, const SolverVelocity& row) {
     const math::Vec3 v = math::to_vec(row.v), w = math::to_vec(row.w);
     return !(math::dot(v, v) <= v_max * v_max && math::dot(w, w) <= w_max * w_max);
 }
-bool is_too_fast(const State& s, const BatchScratch& scratch, std::uint32_t index) {
-    const JointInfo& joint = s.joints[index];
+bool is_too_fast(const Joints& joints, const WorldDef& settings, const BatchScratch& scratch, std::uint32_t index) {
+    const JointInfo& joint = joints.info[index];
     for (const std::int32_t body : {joint.body_a, joint.body_b}) {
         if (body == none || scratch.row_of_body[body] == none) continue;
         const std::size_t row = std::size_t(scratch.row_of_body[body]);
-        if (is_too_fast(s.settings, scratch.velocity[row])) return true;
+        if (is_too_fast(settings, scratch.velocity[row])) return true;
     }
     return false;
 }
-bool any_is_too_fast(const State& s, const BatchScratch& scratch) {
+bool any_is_too_fast(const WorldDef& settings, const BatchScratch& scratch) {
     for (std::size_t row = 0; row < scratch.row_count(); ++row)
-        if (is_too_fast(s.settings, scratch.velocity[row])) return true;
+        if (is_too_fast(settings, scratch.velocity[row])) return true;
     return false;
 }
 
-void forget_impulses(State& s, std::uint32_t index) {
-    JointInfo& joint = s.joints[index];
+void forget_impulses(Joints& joints, std::uint32_t index) {
+    JointInfo& joint = joints.info[index];
     joint.force = joint.torque = joint.point_impulse = joint.turn_impulse = {};
-    for (JointAxisState& axis : s.joint_axes[index].states)
+    for (JointAxisState& axis : joints.axes[index].states)
         axis = {0, 0, 0, 0, std::isfinite(axis.position) ? axis.position : 0.0f, 0};
 }
 
 // All its impulses are counted. `may_be_fast`: some body of the batch is too fast.
-void end_joint(State& s, BatchScratch& scratch, std::uint32_t index, float rate, bool may_be_fast) {
-    JointInfo& joint = s.joints[index];
+void end_joint(Joints& joints, const WorldDef& settings, BatchScratch& scratch, std::uint32_t index, float rate,
+               bool may_be_fast) {
+    JointInfo& joint = joints.info[index];
     joint.force = rate * joint.force;
     if (has_torque(joint)) joint.torque = rate * joint.torque;
-    if (!is_sound(s, index) || (may_be_fast && is_too_fast(s, scratch, index))) forget_impulses(s, index);
+    if (!is_sound(joints, index) || (may_be_fast && is_too_fast(joints, settings, scratch, index)))
+        forget_impulses(joints, index);
     const auto is_more = [](math::Vec3 v, float most) { return math::dot(v, v) > most * most; };
     if (is_more(joint.force, joint.break_force) || (has_torque(joint) && is_more(joint.torque, joint.break_torque)))
         scratch.overloaded.push_back(index);
@@ -313,51 +318,53 @@ void end_joint(State& s, BatchScratch& scratch, std::uint32_t index, float rate,
 
 } // namespace
 
-void fill_joint_blocks(State& s, BatchScratch& scratch, ThreadPool* thread_pool, float h) {
+void fill_joint_blocks(const Bodies& bodies, Joints& joints, const DirectSets& direct, BatchScratch& scratch,
+                       ThreadPool* thread_pool, float h) {
     open_blocks(scratch);
     const JointLayout& layout = *scratch.joint_layout;
     const auto discard = scratch.first_joint_discard_rows();
     // Joint by joint: neighbors share bodies, and rows go to one block of each color at a time.
     for_chunks(thread_pool, int(layout.joints.size()), joints_per_chunk, [&](int begin, int end, int) {
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
-            prefetch_joint(s, layout, k + joints_ahead);
-            begin_joint(s, layout.joints[k], h);
+            prefetch_joint(joints, layout, k + joints_ahead);
+            begin_joint(joints, layout.joints[k], h);
             if (layout.first_row[k] == layout.first_row[k + 1]) continue;
-            const JointInfo& info = s.joints[layout.joints[k]];
-            const JointEnd a = joint_end(s, scratch, info.body_a), b = joint_end(s, scratch, info.body_b);
+            const JointInfo& info = joints.info[layout.joints[k]];
+            const JointEnd a = joint_end(bodies, scratch, info.body_a), b = joint_end(bodies, scratch, info.body_b);
             bool with_frames = false;
             for (std::uint32_t i = layout.first_row[k]; i < layout.first_row[k + 1]; ++i)
-                with_frames = with_frames || needs_frames(s, layout.rows[i]);
+                with_frames = with_frames || needs_frames(joints, layout.rows[i]);
             if (with_frames) {
-                const JointPlacement p = place_joint(s, info);
-                fill_rows_of<FramedPlacement>(s, scratch, discard, k, {info, a, b, {p, turn_of(p)}}, h);
+                const JointPlacement p = place_joint(bodies, info);
+                fill_rows_of<FramedPlacement>(bodies, joints, scratch, discard, k, {info, a, b, {p, turn_of(p)}}, h);
             } else {
-                fill_rows_of<JointAnchors>(s, scratch, discard, k, {info, a, b, place_anchors(s, info)}, h);
+                fill_rows_of<JointAnchors>(bodies, joints, scratch, discard, k,
+                                           {info, a, b, place_anchors(bodies, info)}, h);
             }
         }
     });
-    fill_direct_rows(s, scratch, thread_pool);
+    fill_direct_rows(bodies, joints, direct, scratch, thread_pool);
 }
 
-void store_joints(State& s, BatchScratch& scratch, float dt) {
+void store_joints(Joints& joints, const WorldDef& settings, const DirectSets& direct, BatchScratch& scratch, float dt) {
     const JointLayout& layout = *scratch.joint_layout;
     const float rate = 1 / dt;
-    const bool may_be_fast = !layout.joints.empty() && any_is_too_fast(s, scratch);
+    const bool may_be_fast = !layout.joints.empty() && any_is_too_fast(settings, scratch);
     for (std::size_t k = 0; k < layout.joints.size(); ++k) {
-        prefetch_joint(s, layout, k + joints_ahead);
+        prefetch_joint(joints, layout, k + joints_ahead);
         for (std::uint32_t i = layout.first_row[k]; i < layout.first_row[k + 1]; ++i) {
             const JointRow& row = layout.rows[i];
             if (row.idle) continue;
             for_blocks_of(scratch, row.type,
-                          [&](auto& blocks) { take_lane(s, row, blocks[row.lane / 8], row.lane % 8); });
+                          [&](auto& blocks) { take_lane(joints, row, blocks[row.lane / 8], row.lane % 8); });
         }
-        if (s.direct.set_of_joint[layout.joints[k]] != none) continue; // ended below
-        end_joint(s, scratch, layout.joints[k], rate, may_be_fast);
+        if (direct.set_of_joint[layout.joints[k]] != none) continue; // ended below
+        end_joint(joints, settings, scratch, layout.joints[k], rate, may_be_fast);
     }
-    store_direct_rows(s, scratch);
+    store_direct_rows(joints, direct, scratch);
     for (const DirectSolve& solve : scratch.direct.sets)
-        for (const std::uint32_t joint : s.direct.sets[solve.set].joints)
-            end_joint(s, scratch, joint, rate, may_be_fast);
+        for (const std::uint32_t joint : direct.sets[solve.set].joints)
+            end_joint(joints, settings, scratch, joint, rate, may_be_fast);
 }
 
 } // namespace cairn

@@ -10,42 +10,42 @@ namespace cairn {
 
 namespace {
 
-void append_end(State& s, std::int32_t body, std::int32_t end) {
+void append_end(Bodies& bodies, Joints& joints, std::int32_t body, std::int32_t end) {
     if (body == none) return;
-    BodyLinks& links = s.bodies[body];
-    JointInfo& joint = s.joints[end / 2];
+    BodyLinks& links = bodies.links[body];
+    JointInfo& joint = joints.info[end / 2];
     joint.previous[end % 2] = links.last_joint;
     joint.next[end % 2] = none;
     if (links.last_joint == none)
         links.first_joint = end;
     else
-        s.joints[links.last_joint / 2].next[links.last_joint % 2] = end;
+        joints.info[links.last_joint / 2].next[links.last_joint % 2] = end;
     links.last_joint = end;
 }
 
-void remove_end(State& s, std::int32_t body, std::int32_t end) {
+void remove_end(Bodies& bodies, Joints& joints, std::int32_t body, std::int32_t end) {
     if (body == none) return;
-    BodyLinks& links = s.bodies[body];
-    const JointInfo& joint = s.joints[end / 2];
+    BodyLinks& links = bodies.links[body];
+    const JointInfo& joint = joints.info[end / 2];
     const std::int32_t next = joint.next[end % 2], previous = joint.previous[end % 2];
     if (previous == none)
         links.first_joint = next;
     else
-        s.joints[previous / 2].next[previous % 2] = next;
+        joints.info[previous / 2].next[previous % 2] = next;
     if (next == none)
         links.last_joint = previous;
     else
-        s.joints[next / 2].previous[next % 2] = previous;
+        joints.info[next / 2].previous[next % 2] = previous;
 }
 
-bool is_solved(const State& s, std::int32_t body) { return body != none && s.is_dynamic(body); }
+bool is_solved(const Bodies& bodies, std::int32_t body) { return body != none && bodies.is_dynamic(body); }
 
 // The lowest color that is free at both bodies; joints with what does not move have colors of their own, solved last.
-std::uint8_t free_color(const State& s, const JointInfo& joint) {
-    const bool a = is_solved(s, joint.body_a), b = is_solved(s, joint.body_b);
+std::uint8_t free_color(const Bodies& bodies, const JointInfo& joint) {
+    const bool a = is_solved(bodies, joint.body_a), b = is_solved(bodies, joint.body_b);
     std::uint64_t used = 0;
-    if (a) used |= s.bodies[joint.body_a].joint_colors;
-    if (b) used |= s.bodies[joint.body_b].joint_colors;
+    if (a) used |= bodies.links[joint.body_a].joint_colors;
+    if (b) used |= bodies.links[joint.body_b].joint_colors;
     const std::uint64_t low = (std::uint64_t(1) << first_fixed_color) - 1;
     const std::uint64_t choice = a && b ? low : ~low & ~(std::uint64_t(1) << overflow_color);
     const std::uint64_t free = ~used & choice;
@@ -54,62 +54,62 @@ std::uint8_t free_color(const State& s, const JointInfo& joint) {
 
 } // namespace
 
-void link_joint(State& s, std::uint32_t joint) {
-    append_end(s, s.joints[joint].body_a, std::int32_t(2 * joint));
-    append_end(s, s.joints[joint].body_b, std::int32_t(2 * joint + 1));
+void link_joint(Bodies& bodies, Joints& joints, std::uint32_t joint) {
+    append_end(bodies, joints, joints.info[joint].body_a, std::int32_t(2 * joint));
+    append_end(bodies, joints, joints.info[joint].body_b, std::int32_t(2 * joint + 1));
 }
 
-void unlink_joint(State& s, std::uint32_t joint) {
-    remove_end(s, s.joints[joint].body_a, std::int32_t(2 * joint));
-    remove_end(s, s.joints[joint].body_b, std::int32_t(2 * joint + 1));
+void unlink_joint(Bodies& bodies, Joints& joints, std::uint32_t joint) {
+    remove_end(bodies, joints, joints.info[joint].body_a, std::int32_t(2 * joint));
+    remove_end(bodies, joints, joints.info[joint].body_b, std::int32_t(2 * joint + 1));
 }
 
-void activate_joint(State& s, std::uint32_t index) {
-    JointInfo& joint = s.joints[index];
-    const std::int32_t owner = joint_owner(s, joint);
-    ++s.joint_changes;
+void activate_joint(Bodies& bodies, Islands& islands, Joints& joints, StepEvents& events, std::uint32_t index) {
+    JointInfo& joint = joints.info[index];
+    const std::int32_t owner = joint_owner(bodies, joint);
+    ++joints.changes;
     if (owner == none) return;
-    joint.color = free_color(s, joint);
-    const bool a = is_solved(s, joint.body_a), b = is_solved(s, joint.body_b);
+    joint.color = free_color(bodies, joint);
+    const bool a = is_solved(bodies, joint.body_a), b = is_solved(bodies, joint.body_b);
     for (const std::int32_t body : {a ? joint.body_a : none, b ? joint.body_b : none}) {
         if (body == none) continue;
-        ++s.bodies[body].joint_count;
-        if (joint.color < overflow_color) s.bodies[body].joint_colors |= std::uint64_t(1) << joint.color;
+        ++bodies.links[body].joint_count;
+        if (joint.color < overflow_color) bodies.links[body].joint_colors |= std::uint64_t(1) << joint.color;
     }
     if (a && b)
-        link_islands(s, joint.body_a, joint.body_b);
+        link_islands(bodies, islands, events, joint.body_a, joint.body_b);
     else
-        wake_body(s, owner);
-    ++s.islands[s.bodies[owner].island].joint_count;
+        wake_body(bodies, islands, events, owner);
+    ++islands.all[bodies.links[owner].island].joint_count;
 }
 
-void deactivate_joint(State& s, std::uint32_t index) {
-    JointInfo& joint = s.joints[index];
-    const std::int32_t owner = joint_owner(s, joint);
-    ++s.joint_changes;
+void deactivate_joint(Bodies& bodies, Islands& islands, Joints& joints, StepEvents& events, std::uint32_t index) {
+    JointInfo& joint = joints.info[index];
+    const std::int32_t owner = joint_owner(bodies, joint);
+    ++joints.changes;
     if (owner == none || joint.color == no_color) return;
-    wake_body(s, owner);
-    Island& island = s.islands[s.bodies[owner].island];
+    wake_body(bodies, islands, events, owner);
+    Island& island = islands.all[bodies.links[owner].island];
     --island.joint_count;
-    if (is_solved(s, joint.body_a) && is_solved(s, joint.body_b)) island.lost_contact = 1;
+    if (is_solved(bodies, joint.body_a) && is_solved(bodies, joint.body_b)) island.lost_contact = 1;
     for (const std::int32_t body : {joint.body_a, joint.body_b}) {
-        if (!is_solved(s, body)) continue;
-        --s.bodies[body].joint_count;
-        if (joint.color < overflow_color) s.bodies[body].joint_colors &= ~(std::uint64_t(1) << joint.color);
+        if (!is_solved(bodies, body)) continue;
+        --bodies.links[body].joint_count;
+        if (joint.color < overflow_color) bodies.links[body].joint_colors &= ~(std::uint64_t(1) << joint.color);
     }
     joint.color = no_color;
 }
 
-void wake_driven_joints(State& s) {
-    for (const std::int32_t b : s.kinematics) {
-        const BodyMotion& motion = s.motion[b];
-        if (s.bodies[b].first_joint == none) continue;
+void wake_driven_joints(Bodies& bodies, Islands& islands, const Joints& joints, StepEvents& events) {
+    for (const std::int32_t b : bodies.kinematics) {
+        const BodyMotion& motion = bodies.motion[b];
+        if (bodies.links[b].first_joint == none) continue;
         if (motion.v == math::Vec3{} && motion.w == math::Vec3{}) continue;
-        for_each_joint(s, b, [&](std::uint32_t joint, int side) {
-            const std::int32_t other = other_body(s.joints[joint], side);
-            if (!is_solved(s, other)) return;
-            wake_island(s, s.bodies[other].island);
-            s.islands[s.bodies[other].island].kept_awake = 1;
+        for_each_joint(bodies, joints, b, [&](std::uint32_t joint, int side) {
+            const std::int32_t other = other_body(joints.info[joint], side);
+            if (!is_solved(bodies, other)) return;
+            wake_island(bodies, islands, events, bodies.links[other].island);
+            islands.all[bodies.links[other].island].kept_awake = 1;
         });
     }
 }

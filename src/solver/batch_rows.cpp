@@ -48,18 +48,19 @@ class IslandSum {
 };
 
 // Bodies of the batch's islands, what the islands weigh, and how they move.
-void gather_bodies(State& s, const IslandBatch& batch, BatchScratch& scratch) {
-    const auto& g = s.settings.gravity;
+void gather_bodies(const Bodies& bodies, Islands& islands, const WorldDef& settings, const SolverScratch& solver,
+                   const IslandBatch& batch, BatchScratch& scratch) {
+    const auto& g = settings.gravity;
     const float gravity = math::length(math::Vec3{g.x, g.y, g.z});
-    scratch.row_of_body.resize(s.bodies.size(), none);
+    scratch.row_of_body.resize(bodies.links.size(), none);
     scratch.touching_bodies.clear();
     scratch.free_bodies.clear();
     for (std::int32_t k = 0; k < batch.island_count; ++k) {
-        Island& island = s.islands[s.solver.batch_islands[batch.first_island + k]];
+        Island& island = islands.all[solver.batch_islands[batch.first_island + k]];
         IslandSum sum;
-        for (std::int32_t b = island.first_body; b != none; b = s.bodies[b].next_in_island) {
-            sum.add(s.mass[b], s.motion[b]);
-            const BodyLinks& links = s.bodies[b];
+        for (std::int32_t b = island.first_body; b != none; b = bodies.links[b].next_in_island) {
+            sum.add(bodies.mass[b], bodies.motion[b]);
+            const BodyLinks& links = bodies.links[b];
             const bool is_free = links.contact_count + links.joint_count == 0;
             (is_free ? scratch.free_bodies : scratch.touching_bodies).push_back(b);
         }
@@ -89,14 +90,14 @@ std::int32_t conveyor_row(BatchScratch& scratch, std::uint32_t contact) {
 }
 
 // The surface's velocity counts along the surface only: the shape itself stays where it is.
-void fill_conveyor_rows(const State& s, BatchScratch& scratch) {
+void fill_conveyor_rows(const Bodies& bodies, const Shapes& shapes, const Contacts& contacts, BatchScratch& scratch) {
     for (const ConveyorRow& conveyor : scratch.conveyor_rows) {
-        const ContactInfo& c = s.contacts[conveyor.contact];
-        const ContactRecord& r = s.records[conveyor.contact];
-        const BodyMotion& b = s.motion[c.body_b];
+        const ContactInfo& c = contacts.info[conveyor.contact];
+        const ContactRecord& r = contacts.records[conveyor.contact];
+        const BodyMotion& b = bodies.motion[c.body_b];
         const math::Vec3 n = math::to_vec(r.normal);
         const math::Vec3 u =
-            math::rotate(shape_rotation(s.shape_poses[c.shape_b]), s.shape_traits[c.shape_b].surface_velocity);
+            math::rotate(shape_rotation(shapes.poses[c.shape_b]), shapes.traits[c.shape_b].surface_velocity);
         const std::size_t row = std::size_t(conveyor.row);
         scratch.velocity[row] = scratch.reference[row] = to_row(b.v + (u - math::dot(u, n) * n), b.w);
     }
@@ -120,7 +121,7 @@ void end_run(LaneLists& lanes, BlockRun& run) {
 }
 
 // Lays the batch's contacts into blocks of 8 lanes, color by color.
-void fill_lanes(const State& s, const IslandBatch& batch, BatchScratch& scratch) {
+void fill_lanes(const std::vector<SortedContact>& sorted, const IslandBatch& batch, BatchScratch& scratch) {
     scratch.one_lanes.clear();
     scratch.four_lanes.clear();
     scratch.colors.clear();
@@ -128,10 +129,10 @@ void fill_lanes(const State& s, const IslandBatch& batch, BatchScratch& scratch)
     std::int32_t k = batch.first_contact;
     const std::int32_t end = batch.first_contact + batch.contact_count;
     while (k < end) {
-        const std::uint8_t color = s.solver.sorted[k].color;
+        const std::uint8_t color = sorted[k].color;
         ColorRun runs{begin_run(scratch.four_lanes, true), begin_run(scratch.one_lanes, false)};
         for (; k < end; ++k) {
-            const SortedContact& c = s.solver.sorted[k];
+            const SortedContact& c = sorted[k];
             if (c.color != color) break;
             LaneLists& lanes = c.four_points ? scratch.four_lanes : scratch.one_lanes;
             const std::int32_t row_a = row_of(scratch, c.body_a);
@@ -152,23 +153,25 @@ void fill_lanes(const State& s, const IslandBatch& batch, BatchScratch& scratch)
 }
 
 // One body into its row; rows that are no bodies are all zero.
-void fill_row(State& s, BatchScratch& scratch, std::size_t row, std::uint64_t& clamped_speeds) {
+void fill_row(Bodies& bodies, const WorldDef& settings, BatchScratch& scratch, std::size_t row,
+              std::uint64_t& clamped_speeds) {
     const std::int32_t b = scratch.row_bodies[row];
     if (b == none) return;
-    BodyMotion& motion = s.motion[b];
-    const bool is_dynamic = s.is_dynamic(b); // kinematic ones may be in other batches as well
-    if (is_dynamic && clamp_velocity(s.settings, motion.v, motion.w)) ++clamped_speeds;
+    BodyMotion& motion = bodies.motion[b];
+    const bool is_dynamic = bodies.is_dynamic(b); // kinematic ones may be in other batches as well
+    if (is_dynamic && clamp_velocity(settings, motion.v, motion.w)) ++clamped_speeds;
     scratch.velocity[row] = scratch.reference[row] = to_row(motion.v, motion.w);
     if (!is_dynamic) return;
-    scratch.row_traits[row] = row_traits(s, b);
-    const BodyMass& mass = s.mass[b];
+    scratch.row_traits[row] = row_traits(bodies, settings, b);
+    const BodyMass& mass = bodies.mass[b];
     scratch.inertia[row].inverse_mass = mass.inverse_mass;
     if (scratch.row_traits[row] & spins_wide) return; // the kernel finds it (prepare_free_motion)
     const math::Sym3 i = contact_inverse_inertia(motion, mass);
     scratch.inertia[row] = {mass.inverse_mass, i.xx, i.xy, i.xz, i.yy, i.yz, i.zz, 0};
 }
 
-void fill_rows(State& s, BatchScratch& scratch, ThreadPool* thread_pool) {
+void fill_rows(Bodies& bodies, const Shapes& shapes, const Contacts& contacts, const WorldDef& settings,
+               BatchScratch& scratch, ThreadPool* thread_pool) {
     while (scratch.row_bodies.size() % 8 != 0) scratch.row_bodies.push_back(none);
     const std::size_t rows = scratch.row_count();
     const std::size_t all = rows + std::max(scratch.block_count(), rows / 8);
@@ -183,13 +186,13 @@ void fill_rows(State& s, BatchScratch& scratch, ThreadPool* thread_pool) {
         std::uint64_t clamped = 0;
         for (int row = begin; row < end; ++row) {
             if (const auto ahead = std::size_t(row) + bodies_ahead; ahead < rows && scratch.row_bodies[ahead] != none)
-                prefetch_motion(s, scratch.row_bodies[ahead]);
-            fill_row(s, scratch, std::size_t(row), clamped);
+                prefetch_motion(bodies, scratch.row_bodies[ahead]);
+            fill_row(bodies, settings, scratch, std::size_t(row), clamped);
         }
         if (clamped > 0) clamped_speeds += clamped;
     });
     scratch.clamped_speeds += clamped_speeds;
-    fill_conveyor_rows(s, scratch);
+    fill_conveyor_rows(bodies, shapes, contacts, scratch);
 }
 
 // Cuts a way to what the world's greatest speed allows. Within a step nothing else bounds it: joints that contradict
@@ -204,10 +207,11 @@ bool cut_way(const WorldDef& settings, float dt, math::DVec3& dx, math::Quat& dq
 }
 
 // Moves a body by what its row has moved. What is not finite any more stops where it was, and is counted.
-std::uint64_t scatter_body(State& s, const BatchScratch& scratch, std::int32_t b, std::size_t row, float dt) {
+std::uint64_t scatter_body(Bodies& bodies, const WorldDef& settings, const BatchScratch& scratch, std::int32_t b,
+                           std::size_t row, float dt) {
     const SolverVelocity& velocity = scratch.velocity[row];
     const SolverPose& pose = scratch.pose[row];
-    BodyMotion& motion = s.motion[b];
+    BodyMotion& motion = bodies.motion[b];
     math::DVec3 dx = math::to_double(math::Vec3{pose.dx[0], pose.dx[1], pose.dx[2]});
     math::Quat dq{pose.dq[0], pose.dq[1], pose.dq[2], pose.dq[3]};
     math::Vec3 v{velocity.v[0], velocity.v[1], velocity.v[2]}, w{velocity.w[0], velocity.w[1], velocity.w[2]};
@@ -218,55 +222,56 @@ std::uint64_t scatter_body(State& s, const BatchScratch& scratch, std::int32_t b
         motion.turned = {};
         return 1;
     }
-    const bool was_cut = cut_way(s.settings, dt, dx, dq);
+    const bool was_cut = cut_way(settings, dt, dx, dq);
     motion.x += dx;
     motion.q = math::normalized(math::to_double(dq) * motion.q);
     motion.turned = dq;
     motion.v_rest = motion.w_rest = {};
-    const bool clamped = clamp_velocity(s.settings, v, w);
+    const bool clamped = clamp_velocity(settings, v, w);
     motion.v = v;
     motion.w = w;
     return clamped || was_cut ? 1 : 0;
 }
 
 // Of a list of bodies of which that at a place comes next; some are none.
-void prefetch_ahead(const State& s, const std::vector<std::int32_t>& bodies, std::size_t place) {
-    const auto with_body_at = [&](std::size_t at, auto&& f) {
-        if (at < bodies.size() && bodies[at] != none) f(s, bodies[at]);
-    };
-    with_body_at(place + bodies_ahead, prefetch_body);
-    with_body_at(place + bodies_ahead / 2, prefetch_shape_of);
+void prefetch_ahead(const State& s, const std::vector<std::int32_t>& list, std::size_t place) {
+    const auto body_at = [&](std::size_t at) { return at < list.size() ? list[at] : none; };
+    if (const std::int32_t b = body_at(place + bodies_ahead); b != none) prefetch_body(s.bodies, b);
+    if (const std::int32_t b = body_at(place + bodies_ahead / 2); b != none) prefetch_shape_of(s, b);
 }
 
 } // namespace
 
-void fill_batch(State& s, const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool, float dt) {
-    gather_bodies(s, batch, scratch);
+void fill_batch(const State& s, Bodies& bodies, Islands& islands, Joints& joints, SolverScratch& solver,
+                const DirectSets& direct, const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool,
+                float dt) {
+    gather_bodies(bodies, islands, s.settings, solver, batch, scratch);
     scratch.row_bodies.clear();
     if (scratch.touching_bodies.empty() && batch.contact_count + batch.joint_count == 0) return;
     number_rows(scratch);
-    fill_lanes(s, batch, scratch);
-    fill_joint_lanes(s, batch, scratch, thread_pool, dt);
-    fill_rows(s, scratch, thread_pool);
+    fill_lanes(solver.sorted, batch, scratch);
+    fill_joint_lanes(bodies, joints, solver, direct, batch, scratch, thread_pool, dt);
+    fill_rows(bodies, s.shapes, s.contacts, s.settings, scratch, thread_pool);
 }
 
-void raise_masses(const State& s, const IslandBatch& batch, BatchScratch& scratch) {
+void raise_masses(const Bodies& bodies, const Contacts& contacts, const WorldDef& settings,
+                  const std::vector<SortedContact>& sorted, const IslandBatch& batch, BatchScratch& scratch) {
     if (batch.substeps < max_adaptive_substeps) return; // nothing is loaded so much
     scratch.loads.assign(scratch.row_count(), 0);
     const auto load_of = [&](std::int32_t b) -> float* {
-        return b != none && s.is_dynamic(b) ? &scratch.loads[scratch.row_of_body[b]] : nullptr;
+        return b != none && bodies.is_dynamic(b) ? &scratch.loads[scratch.row_of_body[b]] : nullptr;
     };
-    const auto& g = s.settings.gravity;
+    const auto& g = settings.gravity;
     const math::Vec3 down = math::normalized(math::Vec3{g.x, g.y, g.z});
     // What a body bears, that which it stands on has to bear as well, long before its own contacts have shown it.
     bool is_settled = false;
     while (!is_settled) {
         is_settled = true;
         for (std::int32_t k = batch.first_contact; k < batch.first_contact + batch.contact_count; ++k) {
-            const SortedContact& sorted = s.solver.sorted[k];
-            const float own = s.contacts[sorted.id].load;
-            const float along = math::dot(math::to_vec(s.records[sorted.id].normal), down);
-            float *a = load_of(sorted.body_a), *b = load_of(sorted.body_b);
+            const SortedContact& c = sorted[k];
+            const float own = contacts.info[c.id].load;
+            const float along = math::dot(math::to_vec(contacts.records[c.id].normal), down);
+            float *a = load_of(c.body_a), *b = load_of(c.body_b);
             const auto bear = [&](float* load, float least) {
                 if (load && *load < least) *load = least, is_settled = false;
             };
@@ -278,16 +283,17 @@ void raise_masses(const State& s, const IslandBatch& batch, BatchScratch& scratc
     }
     for (std::size_t row = 0; row < scratch.row_count(); ++row) {
         const std::int32_t b = scratch.row_bodies[row];
-        if (b == none || !s.is_dynamic(b) || s.bodies[b].joint_count > 0) continue;
-        const float scale = max_demand / (scratch.loads[row] * s.mass[b].inverse_mass);
+        if (b == none || !bodies.is_dynamic(b) || bodies.links[b].joint_count > 0) continue;
+        const float scale = max_demand / (scratch.loads[row] * bodies.mass[b].inverse_mass);
         if (!(scale < 1)) continue;
         SolverInertia& i = scratch.inertia[row];
         for (float* part : {&i.inverse_mass, &i.xx, &i.xy, &i.xz, &i.yy, &i.yz, &i.zz}) *part *= scale;
     }
 }
 
-void empty_batch(State& s, BatchScratch& scratch, ThreadPool* thread_pool, float dt) {
-    std::vector<BatchScratch>& threads = s.solver.at_work;
+void empty_batch(const State& s, Bodies& bodies, Shapes& shapes, SolverScratch& solver, const StepPasses& passes,
+                 BatchScratch& scratch, ThreadPool* thread_pool, float dt) {
+    std::vector<BatchScratch>& threads = solver.at_work;
     const int rows = int(scratch.row_count());
     for_chunks(thread_pool, rows, rows_per_chunk, [&](int begin, int end, int thread) {
         BatchScratch& own = thread_pool ? threads[thread] : scratch;
@@ -296,9 +302,9 @@ void empty_batch(State& s, BatchScratch& scratch, ThreadPool* thread_pool, float
             const std::int32_t b = scratch.row_bodies[row];
             if (b == none) continue;
             scratch.row_of_body[b] = none;
-            if (!s.is_dynamic(b)) continue;
-            own.clamped_speeds += scatter_body(s, scratch, b, std::size_t(row), dt);
-            finalize_body(s, b, dt, own.finalized);
+            if (!bodies.is_dynamic(b)) continue;
+            own.clamped_speeds += scatter_body(bodies, s.settings, scratch, b, std::size_t(row), dt);
+            finalize_body(s, bodies, shapes, b, dt, own.finalized);
         }
     });
     for_chunks(thread_pool, int(scratch.free_bodies.size()), rows_per_chunk, [&](int begin, int end, int thread) {
@@ -306,8 +312,9 @@ void empty_batch(State& s, BatchScratch& scratch, ThreadPool* thread_pool, float
         for (int k = begin; k < end; ++k) {
             prefetch_ahead(s, scratch.free_bodies, std::size_t(k));
             const std::int32_t b = scratch.free_bodies[k];
-            own.clamped_speeds += move_free_body(s, b, dt);
-            finalize_body(s, b, dt, own.finalized);
+            own.clamped_speeds +=
+                move_free_body(bodies, s.fields, s.settings, b, dt, passes.in_pass(s.settings.substeps));
+            finalize_body(s, bodies, shapes, b, dt, own.finalized);
         }
     });
 }

@@ -28,19 +28,19 @@ void unite(std::vector<std::int32_t>& parent, std::int32_t a, std::int32_t b) {
     parent[std::max(root_a, root_b)] = std::min(root_a, root_b);
 }
 
-void find_components(const State& s, BatchScratch& scratch) {
+void find_components(const Bodies& bodies, const Joints& joints, BatchScratch& scratch) {
     ImpactWork& work = scratch.impact;
-    const std::vector<std::uint32_t>& joints = scratch.joint_layout->joints;
+    const std::vector<std::uint32_t>& listed = scratch.joint_layout->joints;
     const std::size_t rows = scratch.row_count();
     const auto row_of = [&](std::int32_t body) {
-        return body != none && s.is_dynamic(body) ? scratch.row_of_body[body] : none;
+        return body != none && bodies.is_dynamic(body) ? scratch.row_of_body[body] : none;
     };
     std::vector<std::int32_t>& component = work.component;
     component.resize(rows);
     std::iota(component.begin(), component.end(), 0);
-    work.joints_of.reset(rows, joints.size());
-    for (std::size_t i = 0; i < joints.size(); ++i) {
-        const JointInfo& joint = s.joints[joints[i]];
+    work.joints_of.reset(rows, listed.size());
+    for (std::size_t i = 0; i < listed.size(); ++i) {
+        const JointInfo& joint = joints.info[listed[i]];
         const std::int32_t a = row_of(joint.body_a), b = row_of(joint.body_b);
         if (a != none && b != none) unite(component, a, b);
         if (a != none || b != none) work.joints_of.add(a != none ? a : b, i);
@@ -48,7 +48,7 @@ void find_components(const State& s, BatchScratch& scratch) {
     work.rows_of.reset(rows, rows);
     for (std::size_t row = rows; row-- > 0;) {
         const std::int32_t body = scratch.row_bodies[row];
-        const bool moves = body != none && s.is_dynamic(body);
+        const bool moves = body != none && bodies.is_dynamic(body);
         component[row] = moves ? root_of(component, std::int32_t(row)) : fixed_row;
         work.rows_of.add(component[row], row);
     }
@@ -82,14 +82,14 @@ void find_runs(BatchScratch& scratch) {
     }
 }
 
-void begin_lists(const State& s, BatchScratch& scratch) {
+void begin_lists(const Bodies& bodies, const Joints& joints, BatchScratch& scratch) {
     ImpactWork& work = scratch.impact;
     if (work.has_components) {
         for (const std::int32_t row : work.rows) work.group[row] = none;
         for (const std::int32_t component : work.struck) work.is_struck[component] = 0;
         for (const std::int32_t row : work.measured) work.speed[row] = unknown_speed;
     } else {
-        find_components(s, scratch);
+        find_components(bodies, joints, scratch);
         find_sides(scratch.one_lanes, scratch.row_count(), work.one_sides_of);
         find_sides(scratch.four_lanes, scratch.row_count(), work.four_sides_of);
         find_runs(scratch);
@@ -231,9 +231,9 @@ void find_groups(BatchScratch& scratch) {
 
 } // namespace
 
-void list_impact(const State& s, BatchScratch& scratch, float h) {
+void list_impact(const Bodies& bodies, const Joints& joints, BatchScratch& scratch, float h) {
     ImpactWork& work = scratch.impact;
-    begin_lists(s, scratch);
+    begin_lists(bodies, joints, scratch);
     mark_struck(scratch, scratch.one_lanes, scratch.one_blocks);
     mark_struck(scratch, scratch.four_lanes, scratch.four_blocks);
     std::sort(work.struck.begin(), work.struck.end());

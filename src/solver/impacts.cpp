@@ -179,10 +179,10 @@ void copy_listed(BatchScratch& scratch) {
     }
 }
 
-void begin_impact(const State& s, BatchScratch& scratch, float h) {
+void begin_impact(const Bodies& bodies, const Joints& joints, BatchScratch& scratch, float h) {
     for_types(scratch, [](auto&, auto& struck) { struck.clear(); });
     scratch.impact.runs.clear();
-    list_impact(s, scratch, h);
+    list_impact(bodies, joints, scratch, h);
     copy_listed(scratch);
 }
 
@@ -281,11 +281,11 @@ void take_all_totals(BatchScratch& scratch) {
 
 } // namespace
 
-void solve_impacts(const State& s, BatchScratch& scratch, ThreadPool* thread_pool, float h,
+void solve_impacts(const Bodies& bodies, const Joints& joints, BatchScratch& scratch, ThreadPool* thread_pool, float h,
                    std::atomic<int>& struck_contacts) {
     if (struck_contacts == 0) return;
     struck_contacts = 0;
-    begin_impact(s, scratch, h);
+    begin_impact(bodies, joints, scratch, h);
     for (int pass = 0; pass < max_passes; ++pass) {
         strike_all(scratch, thread_pool, h);
         if (!settle_groups(scratch)) break;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "jobs/thread_pool.h"
+#include "state/solver_scratch.h"
 #include "state/state.h"
 
 #include <atomic>
@@ -14,7 +15,7 @@ inline constexpr float no_impact_speed = 1e30f;
 
 // After the solver has gone over all rows of a batch. `struck_contacts`: whether it left any block's to be solved here;
 // it is set back to 0.
-void solve_impacts(const State& state, BatchScratch& scratch, ThreadPool* thread_pool, float h,
+void solve_impacts(const Bodies& bodies, const Joints& joints, BatchScratch& scratch, ThreadPool* thread_pool, float h,
                    std::atomic<int>& struck_contacts);
 
 } // namespace cairn

@@ -45,21 +45,22 @@ void open_batch(SolverScratch& scratch, const Island& island) {
 }
 
 // All that is needed of the contacts to be solved, side by side: they lie scattered.
-void collect_contacts(State& s) {
-    std::vector<SortedContact>& contacts = s.solver.unsorted;
-    contacts.resize(s.solved.size());
-    s.thread_pool->for_chunks(int(s.solved.size()), contacts_per_chunk, [&](int begin, int end, int) {
+void collect_contacts(const Bodies& bodies, const Contacts& contacts, StepScratch& step) {
+    std::vector<SortedContact>& unsorted = step.solver.unsorted;
+    unsorted.resize(step.solved.size());
+    step.thread_pool->for_chunks(int(step.solved.size()), contacts_per_chunk, [&](int begin, int end, int) {
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
-            if (k + 4 * contacts_ahead < std::size_t(end)) ask_cache(&s.contacts[s.solved[k + 4 * contacts_ahead]]);
+            if (k + 4 * contacts_ahead < std::size_t(end))
+                ask_cache(&contacts.info[step.solved[k + 4 * contacts_ahead]]);
             if (k + 2 * contacts_ahead < std::size_t(end))
-                ask_cache(&s.bodies[std::size_t(s.contacts[s.solved[k + 2 * contacts_ahead]].body_a)].island);
-            const std::uint32_t id = s.solved[k];
-            const ContactInfo& c = s.contacts[id];
-            const bool moves = c.b_moves || s.body_settings[c.body_b].type == BodyType::kinematic;
-            contacts[k] = {id,
+                ask_cache(&bodies.links[std::size_t(contacts.info[step.solved[k + 2 * contacts_ahead]].body_a)].island);
+            const std::uint32_t id = step.solved[k];
+            const ContactInfo& c = contacts.info[id];
+            const bool moves = c.b_moves || bodies.settings[c.body_b].type == BodyType::kinematic;
+            unsorted[k] = {id,
                            c.body_a,
                            moves ? c.body_b : none,
-                           s.bodies[c.body_a].island,
+                           bodies.links[c.body_a].island,
                            c.substep_time,
                            c.color,
                            std::uint8_t(c.point_count != 1),
@@ -83,21 +84,21 @@ void count_contacts(SolverScratch& scratch) {
 
 } // namespace
 
-void pack_batches(State& s, float dt) {
-    SolverScratch& scratch = s.solver;
+void pack_batches(const State& s, Contacts& contacts, Islands& islands, StepScratch& step, float dt) {
+    SolverScratch& scratch = step.solver;
     scratch.batches.clear();
     // Of awake islands only: there may be many more that sleep.
-    scratch.contacts_of_island.resize(s.islands.size());
-    scratch.batch_of_island.resize(s.islands.size());
-    for (const std::int32_t i : s.awake_islands) scratch.contacts_of_island[i] = 0;
-    collect_contacts(s);
+    scratch.contacts_of_island.resize(islands.all.size());
+    scratch.batch_of_island.resize(islands.all.size());
+    for (const std::int32_t i : islands.awake) scratch.contacts_of_island[i] = 0;
+    collect_contacts(s.bodies, contacts, step);
     count_contacts(scratch);
 
     // One batch is open for each number of substeps; it closes when it is full.
     scratch.open_batches.assign(std::size_t(max_substeps) + 1, none);
-    for (const std::int32_t i : s.awake_islands) {
-        Island& island = s.islands[i];
-        island.substeps = island_substeps(s, island);
+    for (const std::int32_t i : islands.awake) {
+        Island& island = islands.all[i];
+        island.substeps = island_substeps(s.settings, step.passes, island);
         std::int32_t& open = scratch.open_batches[island.substeps];
         if (open == none) {
             open = std::int32_t(scratch.batches.size());
@@ -113,16 +114,16 @@ void pack_batches(State& s, float dt) {
     }
 
     // Islands and contacts in batch order (counting sorts, stable).
-    std::int32_t islands = 0, contacts = 0;
+    std::int32_t island_count = 0, contact_count = 0;
     for (IslandBatch& batch : scratch.batches) {
-        batch.first_island = islands;
-        batch.first_contact = contacts;
-        islands += batch.island_count;
-        contacts += batch.contact_count;
+        batch.first_island = island_count;
+        batch.first_contact = contact_count;
+        island_count += batch.island_count;
+        contact_count += batch.contact_count;
         batch.island_count = 0;
     }
-    scratch.batch_islands.resize(std::size_t(islands));
-    for (const std::int32_t i : s.awake_islands) {
+    scratch.batch_islands.resize(std::size_t(island_count));
+    for (const std::int32_t i : islands.awake) {
         IslandBatch& batch = scratch.batches[scratch.batch_of_island[i]];
         scratch.batch_islands[batch.first_island + batch.island_count++] = i;
     }
@@ -135,13 +136,13 @@ void pack_batches(State& s, float dt) {
         ++scratch.key_counts[key + 1];
     }
     for (std::size_t k = 1; k < scratch.key_counts.size(); ++k) scratch.key_counts[k] += scratch.key_counts[k - 1];
-    scratch.sorted.resize(std::size_t(contacts));
+    scratch.sorted.resize(std::size_t(contact_count));
     for (std::size_t k = 0; k < scratch.unsorted.size(); ++k) {
         const SortedContact& c = scratch.unsorted[k];
         const std::uint32_t key = scratch.keys[k];
         IslandBatch& batch = scratch.batches[key / keys_per_batch];
         const float h = dt / float(batch.substeps);
-        if (c.substep_time != h) rescale_impulses(s.contacts[c.id], s.records[c.id], h);
+        if (c.substep_time != h) rescale_impulses(contacts.info[c.id], contacts.records[c.id], h);
         batch.bounces |= c.bounces != 0;
         scratch.sorted[scratch.key_counts[key]++] = c;
     }

@@ -12,6 +12,7 @@
 // = 0.35 on, an arm that servos hold from 0.28 on with 8 substeps or more, planks on balls at rest from 0.45 on.
 #pragma once
 
+#include "islands/substep_policy.h"
 #include "kernels/solve/joint_data.h"
 #include "kernels/solve/solver_data.h"
 
@@ -21,7 +22,6 @@ namespace cairn {
 
 inline constexpr float contact_damping_ratio = 10, joint_damping_ratio = 2;
 inline constexpr int min_substeps_per_period = 6, max_substeps_per_period = 8;
-inline constexpr float stiff_factor = 2; // of the frequency: contacts with what does not move, and joints
 
 // omega h: the phase that a spring of that factor goes through in a substep, of so many in a step.
 inline float substep_phase(int substeps, float factor) {

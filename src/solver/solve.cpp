@@ -86,14 +86,15 @@ SolverBodies bodies_of(BatchScratch& scratch) {
             correction};
 }
 
-void run_substeps(const State& s, const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool, float dt) {
+void run_substeps(const State& s, const DirectSets& direct, const StepPasses& passes, const IslandBatch& batch,
+                  BatchScratch& scratch, ThreadPool* thread_pool, float dt) {
     using ForPoints = SolverKernels::ForPoints;
     using ForRows = JointKernels::ForRows;
     const SolverKernels& k = kernels().solver;
     const float h = dt / float(batch.substeps);
-    ContactSoftness softness = contact_softness(h, batch.substeps * s.split, s.settings.recovery_speed);
+    ContactSoftness softness = contact_softness(h, batch.substeps * passes.split, s.settings.recovery_speed);
     const BounceSettings bounce{h, s.settings.restitution_speed, velocity_offset(s.settings.integrator)};
-    const JointSoftness joint_soft = joint_softness(h, batch.substeps * s.split);
+    const JointSoftness joint_soft = joint_softness(h, batch.substeps * passes.split);
     // Not where joints are solved directly: a body that is much heavier than what it hits does not settle in the
     // passes. Nor where kinematic bodies drive joints: the passes would stop what they drive.
     const bool stops_impacts =
@@ -105,16 +106,16 @@ void run_substeps(const State& s, const IslandBatch& batch, BatchScratch& scratc
     scratch.impact.has_components = false;
     for (int substep = 0; substep < batch.substeps; ++substep) {
         const bool first = substep == 0;
-        const SolverBodies bodies = bodies_of(scratch);
-        update_free_motion(s, scratch, thread_pool, bodies, h, first);
+        const SolverBodies solver_bodies = bodies_of(scratch);
+        update_free_motion(s.bodies, s.fields, s.settings, scratch, thread_pool, solver_bodies, h, first);
         for_chunks(thread_pool, rows, rows_per_chunk, [&](int begin, int end, int) {
-            k.integrate_velocities(bodies, std::max(begin, int(first_body_row)), end, first);
+            k.integrate_velocities(solver_bodies, std::max(begin, int(first_body_row)), end, first);
         });
-        begin_direct_substep(s, scratch, thread_pool, h, first);
-        if (batch.bounces) bounce_all(scratch, thread_pool, bodies, bounce);
+        begin_direct_substep(s.joints, direct, scratch, thread_pool, h, first);
+        if (batch.bounces) bounce_all(scratch, thread_pool, solver_bodies, bounce);
         if (first) {
             for_joint_blocks(scratch, thread_pool, [&](const ForRows& rows_of, void* blocks, int count) {
-                rows_of.warm_start(blocks, count, bodies, joint_soft);
+                rows_of.warm_start(blocks, count, solver_bodies, joint_soft);
             });
             for_blocks(scratch, thread_pool, [&](const ForPoints& points, const BlockRun& run) {
                 points.warm_start(blocks_of(scratch, run), run.count, velocity);
@@ -123,24 +124,24 @@ void run_substeps(const State& s, const IslandBatch& batch, BatchScratch& scratc
         for_joint_blocks(scratch, thread_pool, [&](const ForRows& rows_of, void* blocks, int count) {
             rows_of.solve(blocks, count, velocity, joint_soft);
         });
-        solve_direct_rows(s, scratch, thread_pool, h);
+        solve_direct_rows(direct, scratch, thread_pool, h);
         for_blocks(scratch, thread_pool, [&](const ForPoints& points, const BlockRun& run) {
             const int count = points.solve(blocks_of(scratch, run), run.count, velocity, softness);
             if (count > 0) struck += count;
         });
-        solve_impacts(s, scratch, thread_pool, h, struck);
+        solve_impacts(s.bodies, s.joints, scratch, thread_pool, h, struck);
         for_chunks(thread_pool, rows, rows_per_chunk,
-                   [&](int begin, int end, int) { k.integrate_poses(bodies, begin, end, h); });
-        turn_spinning_rows(s, scratch, h);
-        renew_inertia(s, scratch, thread_pool);
+                   [&](int begin, int end, int) { k.integrate_poses(solver_bodies, begin, end, h); });
+        turn_spinning_rows(s.bodies, scratch, h);
+        renew_inertia(s.bodies, scratch, thread_pool);
         for_joint_blocks(scratch, thread_pool, [&](const ForRows& rows_of, void* blocks, int count) {
-            rows_of.relax(blocks, count, bodies, joint_soft);
+            rows_of.relax(blocks, count, solver_bodies, joint_soft);
         });
         for_blocks(scratch, thread_pool, [&](const ForPoints& points, const BlockRun& run) {
-            const int count = points.relax(blocks_of(scratch, run), run.count, bodies, softness);
+            const int count = points.relax(blocks_of(scratch, run), run.count, solver_bodies, softness);
             if (count > 0) struck += count;
         });
-        solve_impacts(s, scratch, thread_pool, h, struck);
+        solve_impacts(s.bodies, s.joints, scratch, thread_pool, h, struck);
     }
 }
 
@@ -148,29 +149,31 @@ double milliseconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-void solve_batch(State& s, const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool, float dt) {
+void solve_batch(State& s, StepScratch& step, const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool,
+                 float dt) {
     const auto start = std::chrono::steady_clock::now();
-    fill_batch(s, batch, scratch, thread_pool, dt);
+    fill_batch(s, s.bodies, s.islands, s.joints, step.solver, step.direct, batch, scratch, thread_pool, dt);
     if (scratch.row_count() > 0) {
-        fill_joint_blocks(s, scratch, thread_pool, dt / float(batch.substeps));
-        prepare_free_motion(s, scratch, thread_pool, dt / float(batch.substeps), batch.bounces);
-        raise_masses(s, batch, scratch);
+        fill_joint_blocks(s.bodies, s.joints, step.direct, scratch, thread_pool, dt / float(batch.substeps));
+        prepare_free_motion(s.bodies, s.fields, s.settings, scratch, thread_pool, dt / float(batch.substeps),
+                            batch.bounces);
+        raise_masses(s.bodies, s.contacts, s.settings, step.solver.sorted, batch, scratch);
         for_blocks(scratch, thread_pool, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
-            k.prepare(blocks_of(scratch, run), run.count, lanes_of(scratch, run), s.records.data(),
+            k.prepare(blocks_of(scratch, run), run.count, lanes_of(scratch, run), s.contacts.records.data(),
                       scratch.inertia.data(), scratch.velocity.data());
         });
         const double prepare_ms = milliseconds_since(start);
         scratch.prepare_ms += prepare_ms;
-        run_substeps(s, batch, scratch, thread_pool, dt);
+        run_substeps(s, step.direct, step.passes, batch, scratch, thread_pool, dt);
         finish_free_motion(scratch);
         for_blocks(scratch, thread_pool, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
-            k.store(blocks_of(scratch, run), run.count, lanes_of(scratch, run), s.records.data(),
-                    s.solver.reports.data());
+            k.store(blocks_of(scratch, run), run.count, lanes_of(scratch, run), s.contacts.records.data(),
+                    step.solver.reports.data());
         });
-        store_joints(s, scratch, dt);
+        store_joints(s.joints, s.settings, step.direct, scratch, dt);
         scratch.solve_ms += milliseconds_since(start) - prepare_ms;
     }
-    empty_batch(s, scratch, thread_pool, dt);
+    empty_batch(s, s.bodies, s.shapes, step.solver, step.passes, scratch, thread_pool, dt);
 }
 
 // Those that are so large that one thread would keep the others waiting.
@@ -186,9 +189,9 @@ void share_out_batches(SolverScratch& scratch, int threads) {
 }
 
 // Kinematic bodies move by their velocity, once per step, in double.
-void move_kinematics(State& s, float dt) {
-    for (const std::int32_t b : s.kinematics) {
-        BodyMotion& motion = s.motion[b];
+void move_kinematics(Bodies& bodies, float dt) {
+    for (const std::int32_t b : bodies.kinematics) {
+        BodyMotion& motion = bodies.motion[b];
         const math::DQuat turn = math::from_rotation_vector(double(dt) * math::to_double(motion.w));
         motion.x += double(dt) * math::to_double(motion.v);
         motion.q = math::normalized(turn * motion.q);
@@ -197,20 +200,20 @@ void move_kinematics(State& s, float dt) {
 }
 
 // What the threads have gathered, in an order that does not depend on them.
-void collect(State& s) {
-    SolverScratch& scratch = s.solver;
+void collect(BroadPhase& broad_phase, std::uint64_t& clamped_speeds, SolverScratch& solver) {
+    SolverScratch& scratch = solver;
     scratch.escaped.clear();
     scratch.fast.clear();
     scratch.strayed.clear();
-    s.overloaded_joints.clear();
+    solver.overloaded.clear();
     double prepare_ms = 0, solve_ms = 0;
     for (BatchScratch& own : scratch.at_work) {
         const FinalizeScratch& moved = own.finalized;
         scratch.escaped.insert(scratch.escaped.end(), moved.escaped.begin(), moved.escaped.end());
         scratch.fast.insert(scratch.fast.end(), moved.fast.begin(), moved.fast.end());
         scratch.strayed.insert(scratch.strayed.end(), moved.strayed.begin(), moved.strayed.end());
-        s.overloaded_joints.insert(s.overloaded_joints.end(), own.overloaded.begin(), own.overloaded.end());
-        s.clamped_speeds += own.clamped_speeds;
+        solver.overloaded.insert(solver.overloaded.end(), own.overloaded.begin(), own.overloaded.end());
+        clamped_speeds += own.clamped_speeds;
         prepare_ms += own.prepare_ms;
         solve_ms += own.solve_ms;
     }
@@ -218,19 +221,19 @@ void collect(State& s) {
               [](const EscapedShape& a, const EscapedShape& b) { return a.shape < b.shape; });
     std::sort(scratch.fast.begin(), scratch.fast.end());
     std::sort(scratch.strayed.begin(), scratch.strayed.end());
-    std::sort(s.overloaded_joints.begin(), s.overloaded_joints.end());
-    for (const EscapedShape& e : scratch.escaped) s.broad_phase.set_bounds(e.shape, e.bounds, e.displacement);
-    s.solver.prepare_share = prepare_ms / std::max(prepare_ms + solve_ms, 1e-9);
+    std::sort(solver.overloaded.begin(), solver.overloaded.end());
+    for (const EscapedShape& e : scratch.escaped) broad_phase.set_bounds(e.shape, e.bounds, e.displacement);
+    solver.prepare_share = prepare_ms / std::max(prepare_ms + solve_ms, 1e-9);
 }
 
 } // namespace
 
-void solve_batches(State& s, float dt) {
-    SolverScratch& scratch = s.solver;
-    update_direct_sets(s);
-    ThreadPool* const thread_pool = s.thread_pool.get();
+void solve_batches(State& s, StepScratch& step, float dt) {
+    SolverScratch& scratch = step.solver;
+    update_direct_sets(s.bodies, s.joints, step.direct);
+    ThreadPool* const thread_pool = step.thread_pool.get();
     const int threads = thread_pool->threads();
-    scratch.reports.resize(s.records.size());
+    scratch.reports.resize(s.contacts.records.size());
     scratch.at_work.resize(std::size_t(threads));
     if (scratch.joint_layouts.size() < scratch.batches.size()) scratch.joint_layouts.resize(scratch.batches.size());
     for (BatchScratch& own : scratch.at_work) {
@@ -241,16 +244,17 @@ void solve_batches(State& s, float dt) {
         own.clamped_speeds = 0;
         own.prepare_ms = own.solve_ms = 0;
     }
-    for (const std::int32_t b : s.kinematics)
-        if (BodyMotion& motion = s.motion[b]; clamp_velocity(s.settings, motion.v, motion.w)) ++s.clamped_speeds;
+    for (const std::int32_t b : s.bodies.kinematics)
+        if (BodyMotion& motion = s.bodies.motion[b]; clamp_velocity(s.settings, motion.v, motion.w)) ++s.clamped_speeds;
     share_out_batches(scratch, threads);
-    for (const std::int32_t i : scratch.shared) solve_batch(s, scratch.batches[i], scratch.at_work[0], thread_pool, dt);
+    for (const std::int32_t i : scratch.shared)
+        solve_batch(s, step, scratch.batches[i], scratch.at_work[0], thread_pool, dt);
     for_chunks(thread_pool, int(scratch.alone.size()), 1, [&](int begin, int end, int thread) {
         for (int k = begin; k < end; ++k)
-            solve_batch(s, scratch.batches[scratch.alone[k]], scratch.at_work[thread], nullptr, dt);
+            solve_batch(s, step, scratch.batches[scratch.alone[k]], scratch.at_work[thread], nullptr, dt);
     });
-    collect(s);
-    move_kinematics(s, dt);
+    collect(s.broad_phase, s.clamped_speeds, step.solver);
+    move_kinematics(s.bodies, dt);
 }
 
 } // namespace cairn

@@ -3,10 +3,11 @@
 #pragma once
 
 #include "state/state.h"
+#include "state/step_scratch.h"
 
 namespace cairn {
 
 // Solves all batches: velocities, poses, impulses; moves kinematic bodies. Finalizes all bodies (finalize.h).
-void solve_batches(State& state, float dt);
+void solve_batches(State& state, StepScratch& step, float dt);
 
 } // namespace cairn

@@ -1,12 +1,15 @@
 // What is known of a body: where it is, how it moves, its mass, and the lists that it is in.
 #pragma once
 
+#include "core/slot_pool.h"
 #include "math/vec.h"
 #include "state/none.h"
+#include "state/travel.h"
 
 #include <cairn/world.h>
 
 #include <cstdint>
+#include <vector>
 
 namespace cairn {
 
@@ -62,6 +65,27 @@ struct BodyLinks {
     std::int32_t first_joint = none, last_joint = none; // ends: 2 x joint + side
     std::int32_t joint_count = 0;                       // that are solved
     float inner_radius = 0;                             // m: the smallest half width of its shapes
+};
+
+// All bodies; vectors are by body, unless they say what they list.
+struct Bodies {
+    SlotPool<BodyId> slots;
+    std::vector<BodyMotion> motion;
+    std::vector<BodyMass> mass;
+    std::vector<BodySettings> settings;
+    std::vector<BodyForces> forces;
+    std::vector<BodyLinks> links;
+    std::vector<Travel> travel;           // how far any point of it has moved, at most
+    std::vector<CountedPose> counted;     // up to there
+    std::vector<Travel> ahead;            // how far a body will have moved after this pass, at most
+    std::vector<Travel> boxes_until;      // the travel up to which its fat boxes serve; only saves time
+    std::vector<std::int32_t> pushed;     // bodies with any forces
+    std::vector<std::int32_t> kinematics; // kinematic bodies, in order of creation
+    std::vector<std::uint32_t> dead;      // recycled after the broad phase's update
+
+    BodyId id(std::int32_t body) const { return slots.id(std::uint32_t(body)); }
+    bool is_pushed(std::int32_t body) const { return !pushed.empty() && forces[body].any; }
+    bool is_dynamic(std::int32_t body) const { return settings[body].type == BodyType::dynamic; }
 };
 
 } // namespace cairn

@@ -2,14 +2,19 @@
 #pragma once
 
 #include "collision/wide_pairs.h"
+#include "kernels/solve/solver_data.h"
 #include "state/none.h"
 #include "state/travel.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <vector>
 
 namespace cairn {
 
-inline constexpr float margin_per_extent = 0.25f; // of contacts, by the least width, for small shapes
+// m: contacts exist before they touch, by that much, or by that share of the smaller shape's least width.
+inline constexpr double max_margin = 0.01, margin_per_extent = 0.25;
+inline float margin_of(float width) { return std::min(float(max_margin), float(margin_per_extent) * width); }
 
 // How a pair of shapes is tested.
 enum class PairKind : std::uint8_t {
@@ -61,6 +66,14 @@ inline bool is_group(const ContactInfo& c) { return c.kind == PairKind::group; }
 struct PairAnswer {
     Travel until = 0;
     std::int32_t body_a = none, body_b = none;
+};
+
+// All contacts; vectors are by contact.
+struct Contacts {
+    std::vector<ContactRecord> records;
+    std::vector<ContactInfo> info;
+    std::vector<PairAnswer> answers;
+    std::vector<std::uint32_t> free; // contacts that are not in use
 };
 
 } // namespace cairn

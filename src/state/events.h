@@ -22,12 +22,17 @@ struct StepEvents {
     std::vector<ContactBegin> begins; // found in a step alone
     std::vector<ContactHit> hits;     // likewise
     EventQueue<ContactEnd> ends;
+    std::vector<ContactEnd> brief; // of touches that began and ended in a step: they end in the next one
     EventQueue<TriggerEvent> triggers;
     EventQueue<JointEvent> joints;
     EventQueue<SleepEvent> sleeps;
 
     void begin_step() { begins.clear(), hits.clear(); }
-    void publish() { ends.publish(), triggers.publish(), joints.publish(), sleeps.publish(); }
+    void publish() {
+        ends.publish(), triggers.publish(), joints.publish(), sleeps.publish();
+        ends.next.swap(brief);
+        brief.clear();
+    }
 };
 
 } // namespace cairn

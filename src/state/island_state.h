@@ -1,16 +1,18 @@
-// What is known of an island.
+// What is known of islands.
 #pragma once
 
+#include "state/body_state.h"
 #include "state/none.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace cairn {
 
 struct Island {
     std::int32_t first_body = none, last_body = none;
     std::int32_t body_count = 0;
-    std::int32_t position = none; // in State::awake_islands; none: asleep
+    std::int32_t position = none; // in Islands::awake; none: asleep
     std::int32_t key = none;      // of its tree in the broad phase, if that holds it as sleeping
     std::uint8_t in_use = 0;
     std::uint8_t lost_contact = 0; // may have fallen into parts
@@ -23,5 +25,18 @@ struct Island {
     float agitation = 0;                 // m/s: root of the mean square of the speeds about that of the whole
     float min_quiet_time = 0, greatest_quiet_time = 0;
 };
+
+struct Islands {
+    std::vector<Island> all;
+    std::vector<std::int32_t> free; // those that are not in use
+    std::vector<std::int32_t> awake;
+    std::vector<std::int32_t> falling_asleep; // islands that the broad phase still holds as awake
+    std::vector<std::int32_t> waking;         // keys that it still holds as sleeping
+};
+
+inline bool is_awake(const Bodies& bodies, const Islands& islands, std::int32_t body) {
+    const std::int32_t island = bodies.links[body].island;
+    return island != none && islands.all[island].position != none;
+}
 
 } // namespace cairn

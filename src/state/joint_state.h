@@ -1,10 +1,12 @@
 // What is known of a joint: frames, rows, and the impulses of the last substep that start the next.
 #pragma once
 
+#include "core/slot_pool.h"
 #include "kernels/solve/joint_data.h"
 #include "math/vec.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace cairn {
 
@@ -75,5 +77,15 @@ struct alignas(64) JointInfo {
     double tail_padding[7] = {};
 };
 static_assert(sizeof(JointInfo) == 320);
+
+// All joints; vectors are by joint.
+struct Joints {
+    SlotPool<JointId> slots;
+    std::vector<JointInfo> info;
+    std::vector<JointAxes> axes;
+    // Counts changes of joints, and of the masses of what is jointed. What steps have found out about joints is valid
+    // for one of its values; a snapshot does without.
+    std::uint64_t changes = 0;
+};
 
 } // namespace cairn

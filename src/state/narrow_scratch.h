@@ -31,6 +31,13 @@ struct FreshPatch {
     Touch touch;
 };
 
+// A pair that may meet in flight (contacts/flight.h), at this place among the candidates. Of groups no manifold.
+struct FlightPair {
+    std::uint32_t place;
+    bool is_free; // nothing holds its bodies
+    Manifold manifold;
+};
+
 // What a thread has at work.
 struct NarrowBatch {
     PairBatch pairs;
@@ -38,6 +45,7 @@ struct NarrowBatch {
     SurfaceScratch surface;
     std::vector<Manifold> hits;    // of one group
     std::vector<FreshPatch> fresh; // of the groups of this thread
+    std::vector<FlightPair> flights;
 };
 
 // A contact with what does not move by forces, for contacts/internal_edges.cpp.
@@ -71,6 +79,10 @@ struct NarrowScratch {
     std::vector<std::uint8_t> patch_outcomes; // by contact, of patches of groups that were tested
     std::vector<FreshPatch> fresh;            // of all threads, by place
     std::size_t next_fresh = 0;               // the first of those that have not been followed up
+    // Flight (contacts/flight.cpp).
+    std::vector<FlightPair> flights;       // of all threads, by place
+    std::vector<std::int32_t> flight_rows; // by body: rows of pairs that may be in flight
+    std::vector<std::uint32_t> in_flight;  // contacts of pairs that meet in flight, if at all
     // Internal edges (contacts/internal_edges.cpp).
     std::vector<std::int32_t> last_of_body; // in `fixed`
     std::vector<FixedContact> fixed;

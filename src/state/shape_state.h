@@ -1,12 +1,16 @@
-// What is known of a shape beside its geometry and pose.
+// What is known of a shape: its geometry and pose, its body, and with whom it makes contacts.
 #pragma once
 
+#include "collision/shape_pose.h"
+#include "core/slot_pool.h"
 #include "math/vec.h"
+#include "shapes/geometry.h"
 #include "state/none.h"
 
 #include <cairn/world.h>
 
 #include <cstdint>
+#include <vector>
 
 namespace cairn {
 
@@ -28,5 +32,17 @@ struct ShapeTraits {
 inline bool may_meet(const CollisionFilter& a, const CollisionFilter& b) {
     return (a.layers & b.collides_with) != 0 && (b.layers & a.collides_with) != 0;
 }
+
+// All shapes; vectors are by shape.
+struct Shapes {
+    SlotPool<ShapeId> slots;
+    std::vector<Geometry> geometry;
+    std::vector<ShapeData> data;
+    std::vector<ShapePose> poses;
+    std::vector<ShapeLinks> links;
+    std::vector<Material> materials;
+    std::vector<ShapeTraits> traits;
+    std::vector<std::uint32_t> dead; // those that are recycled after the broad phase's update
+};
 
 } // namespace cairn

@@ -72,7 +72,7 @@ struct EscapedShape {
 // What a thread gathers from bodies that have moved.
 struct FinalizeScratch {
     std::vector<EscapedShape> escaped;
-    std::vector<std::int32_t> fast;    // bodies that moved farther than their cores may (impacts/hold_cores.h)
+    std::vector<std::int32_t> fast;    // bodies that moved farther than their cores may (impacts/resolve_impacts.h)
     std::vector<std::int32_t> strayed; // of these, bodies that are not where the broad phase expected them
 };
 
@@ -106,7 +106,7 @@ struct JointRun {
 
 // How the joints of a batch lie in its blocks. It is kept from step to step: mostly nothing of it changes.
 struct JointLayout {
-    std::uint64_t valid_for = ~std::uint64_t(0); // State::joint_changes
+    std::uint64_t valid_for = ~std::uint64_t(0); // Joints::changes
     std::vector<std::int32_t> bodies;            // of the batch, those that are touched
     std::vector<std::int32_t> kinematic_bodies;  // that joints name
     std::vector<std::uint32_t> joints;           // of the batch
@@ -204,6 +204,7 @@ struct SolverScratch {
     std::vector<std::int32_t> fast;           // of all threads, in ascending order
     std::vector<std::int32_t> strayed;        // likewise
     std::vector<std::int32_t> member_numbers; // by body, while an island is split
+    std::vector<std::uint32_t> overloaded;    // joints that break, in ascending order
     SweepScratch sweep;
     double prepare_share = 0; // of the last solve_batches' time
 };

@@ -1,7 +1,8 @@
-// Working memory of the sweep of cores (impacts/hold_cores.h).
+// Working memory of impacts within a step (impacts/resolve_impacts.h).
 #pragma once
 
 #include "collision/core_sweep.h"
+#include "collision/manifold.h"
 #include "math/bounds.h"
 #include "state/none.h"
 
@@ -12,45 +13,64 @@
 
 namespace cairn {
 
-// A body that moved farther in the pass than its core may without a look.
-struct FastBody {
+// A body on its way through the step. Times are parts of the pass.
+struct Mover {
     std::int32_t body;
-    double moved;             // any point of it, m, at most
-    double until = 1;         // when it stops, as part of the pass
-    std::int32_t path = none; // among SweepScratch::paths, once it was asked for
+    double moved;               // any point of it, m, at most, by the solver
+    bool is_fast = false;       // so far that its core may pass another
+    bool is_free = false;       // neither contacts nor joints have moved it
+    bool turns_over = false;    // more than half a turn: its poses do not tell how
+    bool is_changed = false;    // it is not where the solver has put it
+    bool is_redirected = false; // its way is not that which SweepScratch::ways has
+    int impacts = 0;
+    double until = 1;               // when it stops
+    std::int32_t first_pair = none; // of its list in SweepScratch::pairs
+    RigidPath path;                 // under way
+    // Of what is free, at the beginning of the path:
+    math::DVec3 velocity, spin; // m/s as the path begins, rad/s
+    math::DVec3 acceleration;   // m/s^2 of the forces along the path, but for what it lies on
     bool has_stopped() const { return until < 1; }
 };
 
-// Shapes of a fast body and of another, by their places among the fast ones; none: the other is not fast.
-struct FastPair {
+// Shapes of a mover and of another body, by their places among the movers; none: the other is none.
+struct SweptPair {
     std::int32_t first, second;
     std::uint32_t shape, other;
-    double time = never;   // of their meeting
-    bool is_known = false; // the contact, to the solver
+    std::int32_t contact = none; // of the pair, if it is known
+    bool is_known = false;       // the solver has moved the two by this contact
+    bool rests = false;          // they lie on each other: forces that press them together do not move them
+    bool has_begun = false;      // to touch, in this step
+    double time = never;         // of their meeting
+    std::int32_t next_of_first = none, next_of_second = none;
 };
 
 struct Meeting {
     double time;
-    std::size_t pair;
-    bool operator<(const Meeting& m) const { return std::tie(m.time, m.pair) < std::tie(time, pair); } // least first
+    std::uint32_t shape, other;
+    std::int32_t pair;
+    bool operator<(const Meeting& m) const { // least first
+        return std::tie(m.time, m.shape, m.other, m.pair) < std::tie(time, shape, other, pair);
+    }
 };
 
-// The bounds of a fast body's way.
-struct FastWay {
+// The bounds of a mover's way.
+struct SweptBounds {
     double begin; // along x
-    std::int32_t body;
+    std::int32_t mover;
     DBounds bounds;
-    bool operator<(const FastWay& w) const { return std::tie(begin, body) < std::tie(w.begin, w.body); }
+    bool operator<(const SweptBounds& w) const { return std::tie(begin, mover) < std::tie(w.begin, w.mover); }
 };
 
 struct SweepScratch {
-    std::vector<std::int32_t> place; // by body, among `bodies`, or none
-    std::vector<FastBody> bodies;
-    std::vector<RigidPath> paths;
-    std::vector<FastPair> pairs;
-    std::vector<FastWay> ways;
-    std::vector<Meeting> meetings;                            // a heap
-    std::vector<std::size_t> first_pair, pairs_of, next_pair; // of each fast body
+    std::vector<std::int32_t> place; // by body, among `movers`, or none
+    std::vector<Mover> movers;
+    std::vector<SweptPair> pairs;
+    std::vector<Meeting> meetings;                              // a heap
+    std::vector<SweptBounds> ways;                              // as the solver has moved all movers, by x
+    std::vector<SweptBounds> redirected;                        // since then
+    double widest_way = 0;                                      // m, along x
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> known; // pairs of shapes with points in the solver, sorted
+    bool has_ways = false, has_known = false;
 };
 
 } // namespace cairn

@@ -320,10 +320,12 @@ void measure_momenta(const Pile& pile, double dt, Result& result, Plot& plot) {
     if (!all_touch) linear = angular = elastic_angular = std::nan(""); // nothing was measured
     const std::string name = pile.name;
     result.rows.push_back({name + ": change of the momentum, relative", dt, 0, linear, 1e-5, Bar::at_most});
-    result.rows.push_back({name + ": change of the angular momentum, relative", dt, 0, angular, 1e-5, Bar::at_most});
-    // A body that turns while it bounces leaves an error of the second order of that turn (docs/known_limits.md).
+    // Where what a contact holds is struck within a step, its way is that of the solver (docs/known_limits.md).
+    const std::string note = "impacts of what something holds, within a step";
     result.rows.push_back(
-        {name + ": the same, elastic, relative", dt, 0, elastic_angular, dt > 0.01 ? 5e-4 : 1e-4, Bar::at_most});
+        {name + ": change of the angular momentum, relative", dt, 0, angular, 1e-5, Bar::at_most, note, 3e-4});
+    result.rows.push_back({name + ": the same, elastic, relative", dt, 0, elastic_angular, dt > 0.01 ? 5e-4 : 1e-4,
+                           Bar::at_most, note, 2e-3});
 }
 
 } // namespace
@@ -354,8 +356,8 @@ Result measure_closed_pile() {
             sum += change;
         }
         result.rows.push_back({"the same box, elastic, 64 fillings, 4 s: change of the energy, root mean square", dt, 0,
-                               std::sqrt(squares / fillings), 0.05, Bar::at_most});
-        result.rows.push_back({"mean of these changes", dt, 0, sum / fillings, 0.03, Bar::absolute});
+                               std::sqrt(squares / fillings), 0.02, Bar::at_most});
+        result.rows.push_back({"mean of these changes", dt, 0, sum / fillings, 0.01, Bar::absolute});
     }
     result.plots.push_back(plot);
     return result;

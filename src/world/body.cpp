@@ -25,22 +25,22 @@ struct Access {
     State& s;
     std::size_t b;
     std::int32_t index() const { return std::int32_t(b); }
-    BodyMotion& motion() const { return s.motion[b]; }
-    BodyMass& mass() const { return s.mass[b]; }
+    BodyMotion& motion() const { return s.bodies.motion[b]; }
+    BodyMass& mass() const { return s.bodies.mass[b]; }
 };
 
 void require_dynamic(const Access& a, const char* call) {
-    if (!a.s.is_dynamic(a.index())) throw Error(ErrorCode::wrong_state, call, "", "the body must be dynamic");
+    if (!a.s.bodies.is_dynamic(a.index())) throw Error(ErrorCode::wrong_state, call, "", "the body must be dynamic");
 }
 // What pushes a body in the next step.
 BodyForces& pushed(const Access& a) {
-    BodyForces& forces = a.s.forces[a.b];
-    if (!forces.any) a.s.pushed.push_back(a.index());
+    BodyForces& forces = a.s.bodies.forces[a.b];
+    if (!forces.any) a.s.bodies.pushed.push_back(a.index());
     forces.any = 1;
     return forces;
 }
 void require_moving(const Access& a, const char* call) {
-    if (a.s.body_settings[a.b].type == BodyType::static_)
+    if (a.s.bodies.settings[a.b].type == BodyType::static_)
         throw Error(ErrorCode::wrong_state, call, "", "a static body has no velocity");
 }
 
@@ -60,8 +60,8 @@ void add_velocity(const Access& a, math::DVec3 dv, math::DVec3 dw) {
     const bool linear = add(m.v, dv, a.s.settings.max_linear_speed);
     const bool angular = add(m.w, dw, a.s.settings.max_angular_speed);
     if (linear || angular) ++a.s.clamped_speeds;
-    wake_body(a.s, a.index());
-    sweep_proxies(a.s, a.index());
+    wake_body(a.s.bodies, a.s.islands, a.s.events, a.index());
+    sweep_proxies(a.s.bodies, a.s.shapes, a.s.broad_phase, a.index());
 }
 
 math::DVec3 inverse_inertia_times(const Access& a, math::DVec3 v) {
@@ -82,7 +82,7 @@ math::DVec3 inverse_inertia_times(const Access& a, math::DVec3 v) {
 
 BodyType Body::type() const {
     CAIRN_ACCESS;
-    return s.body_settings[a.b].type;
+    return s.bodies.settings[a.b].type;
 }
 const std::string& Body::name() const {
     CAIRN_ACCESS;
@@ -94,7 +94,7 @@ std::uint64_t Body::user_data() const {
 }
 Position Body::position() const {
     CAIRN_ACCESS;
-    return to_public(body_origin(s, a.index()));
+    return to_public(body_origin(s.bodies, a.index()));
 }
 Quat Body::rotation() const {
     CAIRN_ACCESS;
@@ -121,7 +121,7 @@ Vec3 Body::velocity_at(const Position& point) const {
 }
 float Body::mass() const {
     CAIRN_ACCESS;
-    return s.is_dynamic(a.index()) ? a.mass().mass : infinity;
+    return s.bodies.is_dynamic(a.index()) ? a.mass().mass : infinity;
 }
 MassProperties Body::mass_properties() const {
     CAIRN_ACCESS;
@@ -139,46 +139,46 @@ Vec3 Body::angular_momentum() const {
 }
 double Body::kinetic_energy() const {
     CAIRN_ACCESS;
-    return cairn::kinetic_energy(s, a.index());
+    return cairn::kinetic_energy(s.bodies, a.index());
 }
 float Body::gravity_scale() const {
     CAIRN_ACCESS;
-    return s.body_settings[a.b].gravity_scale;
+    return s.bodies.settings[a.b].gravity_scale;
 }
 float Body::linear_damping() const {
     CAIRN_ACCESS;
-    return s.body_settings[a.b].linear_damping;
+    return s.bodies.settings[a.b].linear_damping;
 }
 float Body::angular_damping() const {
     CAIRN_ACCESS;
-    return s.body_settings[a.b].angular_damping;
+    return s.bodies.settings[a.b].angular_damping;
 }
 bool Body::is_awake() const {
     CAIRN_ACCESS;
-    if (s.is_dynamic(a.index())) return s.is_awake(a.index());
+    if (s.bodies.is_dynamic(a.index())) return cairn::is_awake(s.bodies, s.islands, a.index());
     return !(a.motion().v == math::Vec3{} && a.motion().w == math::Vec3{});
 }
 bool Body::allow_sleep() const {
     CAIRN_ACCESS;
-    return s.body_settings[a.b].allow_sleep;
+    return s.bodies.settings[a.b].allow_sleep;
 }
 std::vector<ShapeId> Body::shapes() const {
     CAIRN_ACCESS;
     std::vector<ShapeId> ids;
-    for (std::int32_t i = s.bodies[a.b].first_shape; i != none; i = s.shapes[i].next)
-        ids.push_back(s.shape_id(std::uint32_t(i)));
+    for (std::int32_t i = s.bodies.links[a.b].first_shape; i != none; i = s.shapes.links[i].next)
+        ids.push_back(s.shapes.slots.id(std::uint32_t(i)));
     return ids;
 }
 
 namespace {
 
 void move_body(const Access& a, math::DVec3 origin, const math::DQuat& rotation) {
-    wake_around(a.s, a.index());
-    wake_body(a.s, a.index());
-    set_pose(a.s, a.index(), origin, rotation);
-    forget_slack(a.s, a.index());
-    update_proxies(a.s, a.index());
-    wake_around(a.s, a.index());
+    wake_around(a.s.bodies, a.s.shapes, a.s.islands, a.s.broad_phase, a.s.events, a.index());
+    wake_body(a.s.bodies, a.s.islands, a.s.events, a.index());
+    set_pose(a.s.bodies, a.index(), origin, rotation);
+    forget_slack(a.s.bodies, a.s.joints, a.index());
+    update_proxies(a.s.bodies, a.s.shapes, a.s.broad_phase, a.index());
+    wake_around(a.s.bodies, a.s.shapes, a.s.islands, a.s.broad_phase, a.s.events, a.index());
 }
 
 } // namespace
@@ -200,7 +200,7 @@ void Body::set_rotation(const Quat& rotation) {
     CAIRN_CHANGE("Body::set_rotation");
     const Quat q = checked_rotation("Body::set_rotation", rotation);
     change.begin();
-    move_body(a, body_origin(s, a.index()), math::to_double(to_math(q)));
+    move_body(a, body_origin(s.bodies, a.index()), math::to_double(to_math(q)));
 }
 
 void Body::set_linear_velocity(const Vec3& velocity) {
@@ -211,8 +211,8 @@ void Body::set_linear_velocity(const Vec3& velocity) {
     a.motion().v = to_math(velocity);
     a.motion().v_rest = {};
     if (clamp_velocity(s.settings, a.motion().v, a.motion().w)) ++s.clamped_speeds;
-    wake_body(s, a.index());
-    sweep_proxies(s, a.index());
+    wake_body(s.bodies, s.islands, s.events, a.index());
+    sweep_proxies(s.bodies, s.shapes, s.broad_phase, a.index());
 }
 void Body::set_angular_velocity(const Vec3& velocity) {
     CAIRN_CHANGE("Body::set_angular_velocity");
@@ -222,8 +222,8 @@ void Body::set_angular_velocity(const Vec3& velocity) {
     a.motion().w = to_math(velocity);
     a.motion().w_rest = {};
     if (clamp_velocity(s.settings, a.motion().v, a.motion().w)) ++s.clamped_speeds;
-    wake_body(s, a.index());
-    sweep_proxies(s, a.index());
+    wake_body(s.bodies, s.islands, s.events, a.index());
+    sweep_proxies(s.bodies, s.shapes, s.broad_phase, a.index());
 }
 
 void Body::move_to(const Transform& target, float seconds) {
@@ -231,7 +231,7 @@ void Body::move_to(const Transform& target, float seconds) {
     require_position("Body::move_to target.position", target.position);
     const Quat rotation = checked_rotation("Body::move_to target.rotation", target.rotation);
     require_above("Body::move_to seconds", seconds, 0);
-    if (s.body_settings[a.b].type != BodyType::kinematic)
+    if (s.bodies.settings[a.b].type != BodyType::kinematic)
         throw Error(ErrorCode::wrong_state, "Body::move_to", "", "the body must be kinematic");
     const math::DQuat q = math::normalized(math::to_double(to_math(rotation)));
     const math::DVec3 x = to_math(target.position) + math::rotate(q, math::to_double(a.mass().center));
@@ -240,65 +240,67 @@ void Body::move_to(const Transform& target, float seconds) {
     a.motion().v = math::to_float((1 / double(seconds)) * (x - a.motion().x));
     a.motion().w = math::to_float((1 / double(seconds)) * turn);
     if (clamp_velocity(s.settings, a.motion().v, a.motion().w)) ++s.clamped_speeds;
-    sweep_proxies(s, a.index());
+    sweep_proxies(s.bodies, s.shapes, s.broad_phase, a.index());
 }
 
 void Body::set_gravity_scale(float scale) {
     CAIRN_CHANGE("Body::set_gravity_scale");
     require_finite("Body::set_gravity_scale", scale);
     change.begin();
-    s.body_settings[a.b].gravity_scale = scale;
-    wake_body(s, a.index());
+    s.bodies.settings[a.b].gravity_scale = scale;
+    wake_body(s.bodies, s.islands, s.events, a.index());
 }
 void Body::set_damping(float linear, float angular) {
     CAIRN_CHANGE("Body::set_damping");
     require_at_least("Body::set_damping linear", linear, 0);
     require_at_least("Body::set_damping angular", angular, 0);
     change.begin();
-    s.body_settings[a.b].linear_damping = linear;
-    s.body_settings[a.b].angular_damping = angular;
-    wake_body(s, a.index());
+    s.bodies.settings[a.b].linear_damping = linear;
+    s.bodies.settings[a.b].angular_damping = angular;
+    wake_body(s.bodies, s.islands, s.events, a.index());
 }
 void Body::set_allow_sleep(bool allow) {
     CAIRN_CHANGE("Body::set_allow_sleep");
     change.begin();
-    s.body_settings[a.b].allow_sleep = allow;
-    wake_body(s, a.index());
+    s.bodies.settings[a.b].allow_sleep = allow;
+    wake_body(s.bodies, s.islands, s.events, a.index());
 }
 
 void Body::set_type(BodyType type) {
     CAIRN_CHANGE("Body::set_type");
     if (type > BodyType::dynamic) refuse("Body::set_type", std::to_string(int(type)), "must be one of the enumerators");
-    BodySettings& settings = s.body_settings[a.b];
+    BodySettings& settings = s.bodies.settings[a.b];
     if (settings.type == type) return;
     std::vector<std::uint32_t> shapes;
-    for (std::int32_t i = s.bodies[a.b].first_shape; i != none; i = s.shapes[i].next) {
-        if (type == BodyType::dynamic && is_surface(s.geometry[i].type))
+    for (std::int32_t i = s.bodies.links[a.b].first_shape; i != none; i = s.shapes.links[i].next) {
+        if (type == BodyType::dynamic && is_surface(s.shapes.geometry[i].type))
             throw Error(ErrorCode::wrong_state, "Body::set_type", "dynamic",
                         "a body with a plane, mesh or height field cannot be dynamic");
-        if (type == BodyType::dynamic && s.shape_traits[i].has_surface_velocity)
+        if (type == BodyType::dynamic && s.shapes.traits[i].has_surface_velocity)
             throw Error(ErrorCode::wrong_state, "Body::set_type", "dynamic",
                         "a body with a surface velocity cannot be dynamic");
         shapes.push_back(std::uint32_t(i));
     }
     change.begin();
-    wake_around(s, a.index());
-    wake_body(s, a.index());
+    wake_around(s.bodies, s.shapes, s.islands, s.broad_phase, s.events, a.index());
+    wake_body(s.bodies, s.islands, s.events, a.index());
     // All contacts end, and are found anew at the next step.
     for (const std::uint32_t i : shapes) s.broad_phase.remove(i);
-    update_pairs(s);
-    for_each_joint(s, a.index(), [&](std::uint32_t joint, int) { deactivate_joint(s, joint); });
-    if (settings.type == BodyType::dynamic) remove_from_island(s, a.index());
-    std::erase(s.kinematics, a.index());
+    update_pairs(s, impl.step);
+    for_each_joint(s.bodies, s.joints, a.index(),
+                   [&](std::uint32_t joint, int) { deactivate_joint(s.bodies, s.islands, s.joints, s.events, joint); });
+    if (settings.type == BodyType::dynamic) remove_from_island(s.bodies, s.islands, a.index());
+    std::erase(s.bodies.kinematics, a.index());
     settings.type = type;
-    if (type == BodyType::dynamic) create_island(s, a.index());
-    for_each_joint(s, a.index(), [&](std::uint32_t joint, int) { activate_joint(s, joint); });
-    if (type == BodyType::kinematic) s.kinematics.push_back(a.index());
+    if (type == BodyType::dynamic) create_island(s.bodies, s.islands, a.index());
+    for_each_joint(s.bodies, s.joints, a.index(),
+                   [&](std::uint32_t joint, int) { activate_joint(s.bodies, s.islands, s.joints, s.events, joint); });
+    if (type == BodyType::kinematic) s.bodies.kinematics.push_back(a.index());
     if (type == BodyType::static_) a.motion().v = a.motion().w = {};
     a.motion().turned = {};
-    refresh_mass(s, a.index());
-    place_shapes(s, a.index());
-    for (const std::uint32_t i : shapes) add_proxy(s, i);
+    refresh_mass(s.bodies, s.shapes, s.joints, a.index());
+    place_shapes(s.bodies, s.shapes, a.index());
+    for (const std::uint32_t i : shapes) add_proxy(s.bodies, s.shapes, s.broad_phase, i);
 }
 
 void Body::set_name(std::string_view name) {
@@ -311,9 +313,9 @@ void Body::set_mass_properties(const MassProperties& properties) {
     require_dynamic(a, "Body::set_mass_properties");
     change.begin();
     a.mass().follows_shapes = 0;
-    set_mass(s, a.index(), properties);
-    place_shapes(s, a.index());
-    wake_body(s, a.index());
+    set_mass(s.bodies, s.joints, a.index(), properties);
+    place_shapes(s.bodies, s.shapes, a.index());
+    wake_body(s.bodies, s.islands, s.events, a.index());
 }
 void Body::set_mass_from_shapes(std::optional<float> mass) {
     CAIRN_CHANGE("Body::set_mass_from_shapes");
@@ -326,15 +328,15 @@ void Body::set_mass_from_shapes(std::optional<float> mass) {
     change.begin();
     a.mass().follows_shapes = 1;
     a.mass().has_given_mass = mass.has_value();
-    s.body_settings[a.b].given_mass = mass.value_or(0.0f);
-    refresh_mass(s, a.index());
-    place_shapes(s, a.index());
-    wake_body(s, a.index());
+    s.bodies.settings[a.b].given_mass = mass.value_or(0.0f);
+    refresh_mass(s.bodies, s.shapes, s.joints, a.index());
+    place_shapes(s.bodies, s.shapes, a.index());
+    wake_body(s.bodies, s.islands, s.events, a.index());
 }
 void Body::wake() {
     CAIRN_CHANGE("Body::wake");
     change.begin();
-    wake_body(s, a.index());
+    wake_body(s.bodies, s.islands, s.events, a.index());
 }
 
 void Body::add_force(const Vec3& force) {
@@ -343,7 +345,7 @@ void Body::add_force(const Vec3& force) {
     require_dynamic(a, "Body::add_force");
     change.begin();
     pushed(a).force += math::to_double(to_math(force));
-    wake_body(s, a.index());
+    wake_body(s.bodies, s.islands, s.events, a.index());
 }
 void Body::add_force_at(const Vec3& force, const Position& point) {
     CAIRN_CHANGE("Body::add_force_at");
@@ -354,7 +356,7 @@ void Body::add_force_at(const Vec3& force, const Position& point) {
     change.begin();
     pushed(a).force += f;
     pushed(a).torque += math::cross(to_math(point) - a.motion().x, f);
-    wake_body(s, a.index());
+    wake_body(s.bodies, s.islands, s.events, a.index());
 }
 void Body::add_torque(const Vec3& torque) {
     CAIRN_CHANGE("Body::add_torque");
@@ -362,7 +364,7 @@ void Body::add_torque(const Vec3& torque) {
     require_dynamic(a, "Body::add_torque");
     change.begin();
     pushed(a).torque += math::to_double(to_math(torque));
-    wake_body(s, a.index());
+    wake_body(s.bodies, s.islands, s.events, a.index());
 }
 void Body::apply_impulse(const Vec3& impulse) {
     CAIRN_CHANGE("Body::apply_impulse");

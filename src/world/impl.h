@@ -2,6 +2,7 @@
 #pragma once
 
 #include "state/state.h"
+#include "state/step_scratch.h"
 
 #include <cairn/world.h>
 
@@ -18,6 +19,7 @@ struct World::Impl {
     explicit Impl(const WorldDef& def);
 
     State state;
+    StepScratch step;
     std::vector<std::string> names;       // by body
     std::vector<std::uint64_t> user_data; // by body
     std::vector<Shape> shape_of;          // by shape
@@ -82,17 +84,17 @@ template <class T> void make_room(std::vector<T>& v, std::size_t index) {
     if (v.size() <= index) v.resize(index + 1);
 }
 
-inline void require_slot(const SlotPool& pool, const char* what) {
+template <class Id> void require_slot(const SlotPool<Id>& pool, const char* what) {
     if (pool.full())
         throw Error(ErrorCode::wrong_state, what, std::to_string(pool.live_count()), "no more can exist in one world");
 }
 
 // Takes a shape out of the world; its body still lists it.
-void retire_shape(State& state, std::uint32_t shape);
+void retire_shape(Shapes& shapes, BroadPhase& broad_phase, std::uint32_t shape);
 
 // Whether a query of those layers sees the shape.
-inline bool is_seen(const State& s, std::uint32_t shape, std::uint64_t layers) {
-    const ShapeTraits& traits = s.shape_traits[shape];
+inline bool is_seen(const Shapes& shapes, std::uint32_t shape, std::uint64_t layers) {
+    const ShapeTraits& traits = shapes.traits[shape];
     return !traits.is_trigger && (layers == all_layers || (traits.filter.layers & layers) != 0);
 }
 

@@ -32,38 +32,38 @@ void fill_frames(JointInfo& info, const JointDef& def) {
     }
 }
 
-math::DVec3 anchor_in_world(const State& s, std::int32_t body, math::DVec3 anchor) {
+math::DVec3 anchor_in_world(const Bodies& bodies, std::int32_t body, math::DVec3 anchor) {
     if (body == none) return anchor;
-    const BodyMotion& motion = s.motion[body];
-    return motion.x + math::rotate(motion.q, anchor - math::to_double(s.mass[body].center));
+    const BodyMotion& motion = bodies.motion[body];
+    return motion.x + math::rotate(motion.q, anchor - math::to_double(bodies.mass[body].center));
 }
 
-float pulley_length(const State& s, const JointInfo& info, const Joint& joint) {
+float pulley_length(const Bodies& bodies, const JointInfo& info, const Joint& joint) {
     const auto* pulley = std::get_if<PulleyJoint>(&joint);
     if (!pulley) return 0;
-    const double a = math::length(anchor_in_world(s, info.body_a, info.anchor_a) - info.ground_a);
-    const double b = math::length(anchor_in_world(s, info.body_b, info.anchor_b) - info.ground_b);
+    const double a = math::length(anchor_in_world(bodies, info.body_a, info.anchor_a) - info.ground_a);
+    const double b = math::length(anchor_in_world(bodies, info.body_b, info.anchor_b) - info.ground_b);
     return float(a + double(pulley->ratio) * b);
 }
 
 // Pairs of the two bodies' shapes are asked for anew at the next step.
-void refilter_pairs(State& s, const JointInfo& info) {
+void refilter_pairs(const Bodies& bodies, const Shapes& shapes, BroadPhase& broad_phase, const JointInfo& info) {
     if (info.enable_collision || info.body_a == none || info.body_b == none) return;
-    for (std::int32_t i = s.bodies[info.body_a].first_shape; i != none; i = s.shapes[i].next)
-        s.broad_phase.refilter(std::uint32_t(i));
+    for (std::int32_t i = bodies.links[info.body_a].first_shape; i != none; i = shapes.links[i].next)
+        broad_phase.refilter(std::uint32_t(i));
 }
 
 // Rows of another make begin without impulses.
-void set_rules(State& s, std::uint32_t index, const JointRules& rules) {
-    JointInfo& info = s.joints[index];
-    JointAxes& axes = s.joint_axes[index];
+void set_rules(const Bodies& bodies, Joints& joints, std::uint32_t index, const JointRules& rules) {
+    JointInfo& info = joints.info[index];
+    JointAxes& axes = joints.axes[index];
     const JointLocks& locks = rules.locks;
     bool same =
         info.rules.point == locks.point && info.rules.turn == locks.turn && info.rules.axis_count == locks.axis_count;
     for (int i = 0; same && i < locks.axis_count; ++i) same = axes.rules[i].kind == rules.axes[i].kind;
     info.rules = locks;
     std::copy(std::begin(rules.axes), std::end(rules.axes), axes.rules);
-    ++s.joint_changes;
+    ++joints.changes;
     if (!same) {
         info.substep_time = 0;
         info.point_impulse = info.turn_impulse = {};
@@ -76,7 +76,7 @@ void set_rules(State& s, std::uint32_t index, const JointRules& rules) {
         if (!rules.axes[i].has_drive) axis.drive = 0;
         if (!(rules.axes[i].friction > 0)) axis.friction = 0;
     }
-    const JointPositions positions = joint_positions(s, index);
+    const JointPositions positions = joint_positions(bodies, joints, index);
     for (int i = 0; i < locks.axis_count; ++i) axes.states[i].position = positions.axes[i], axes.states[i].slack = 0;
 }
 
@@ -95,33 +95,33 @@ math::DQuat turn_from_x(math::DVec3 axis) {
 
 void World::Impl::retire_joint(std::uint32_t index, const std::optional<JointEvent>& event) {
     State& s = state;
-    refilter_pairs(s, s.joints[index]);
-    deactivate_joint(s, index);
-    unlink_joint(s, index);
+    refilter_pairs(s.bodies, s.shapes, s.broad_phase, s.joints.info[index]);
+    deactivate_joint(s.bodies, s.islands, s.joints, s.events, index);
+    unlink_joint(s.bodies, s.joints, index);
     if (event) s.events.joints.next.push_back(*event);
-    s.joints[index] = {};
+    s.joints.info[index] = {};
     joint_defs[index] = {};
-    s.joint_slots.kill(index);
-    s.joint_slots.recycle(index);
+    s.joints.slots.kill(index);
+    s.joints.slots.recycle(index);
 }
 
 JointEvent World::Impl::joint_event(std::uint32_t index, bool broke) const {
-    const JointInfo& info = state.joints[index];
+    const JointInfo& info = state.joints.info[index];
     const JointDef& def = joint_defs[index];
-    JointEvent event{state.joint_id(index), def.body_a, def.body_b, broke, 0, 0, def.user_data};
+    JointEvent event{state.joints.slots.id(index), def.body_a, def.body_b, broke, 0, 0, def.user_data};
     if (broke) event.force = math::length(info.force), event.torque = math::length(info.torque);
     return event;
 }
 
 void World::Impl::retire_joints_of(std::int32_t body) {
     std::vector<std::uint32_t> joints;
-    for_each_joint(state, body, [&](std::uint32_t joint, int) { joints.push_back(joint); });
+    for_each_joint(state.bodies, state.joints, body, [&](std::uint32_t joint, int) { joints.push_back(joint); });
     for (const std::uint32_t joint : joints) retire_joint(joint, joint_event(joint, false));
 }
 
 void World::Impl::break_joints() {
-    for (const std::uint32_t joint : state.overloaded_joints) retire_joint(joint, joint_event(joint, true));
-    state.overloaded_joints.clear();
+    for (const std::uint32_t joint : step.solver.overloaded) retire_joint(joint, joint_event(joint, true));
+    step.solver.overloaded.clear();
 }
 
 JointId World::create_joint(const JointDef& def) {
@@ -132,13 +132,13 @@ JointId World::create_joint(const JointDef& def) {
     if (!def.body_b.is_null()) info.body_b = impl_->index_of(def.body_b);
     if (info.body_a == info.body_b)
         refuse("JointDef.body_b", def.body_b.is_null() ? "null" : "that of body_a", "must be another body than body_a");
-    if (joint_owner(s, info) == none)
+    if (joint_owner(s.bodies, info) == none)
         throw Error(ErrorCode::wrong_state, "World::create_joint", "", "one of the two bodies must be dynamic");
     validate(def);
-    require_slot(s.joint_slots, "World::create_joint");
+    require_slot(s.joints.slots, "World::create_joint");
     change.begin();
-    const std::uint32_t index = s.joint_slots.create();
-    make_room(s.joints, index), make_room(s.joint_axes, index), make_room(impl_->joint_defs, index);
+    const std::uint32_t index = s.joints.slots.create();
+    make_room(s.joints.info, index), make_room(s.joints.axes, index), make_room(impl_->joint_defs, index);
     JointDef& own = impl_->joint_defs[index] = def;
     own.frame_a.rotation = checked_rotation("JointDef.frame_a.rotation", def.frame_a.rotation);
     own.frame_b.rotation = checked_rotation("JointDef.frame_b.rotation", def.frame_b.rotation);
@@ -148,15 +148,15 @@ JointId World::create_joint(const JointDef& def) {
     info.solver = std::uint8_t(def.solver);
     info.break_force = def.break_force;
     info.break_torque = def.break_torque;
-    s.joints[index] = info;
-    s.joint_axes[index] = {};
-    const float length = pulley_length(s, info, own.joint);
+    s.joints.info[index] = info;
+    s.joints.axes[index] = {};
+    const float length = pulley_length(s.bodies, info, own.joint);
     keep_pulley_length(own.joint, length);
-    set_rules(s, index, make_rules(own.joint, length));
-    link_joint(s, index);
-    activate_joint(s, index);
-    refilter_pairs(s, info);
-    return s.joint_id(index);
+    set_rules(s.bodies, s.joints, index, make_rules(own.joint, length));
+    link_joint(s.bodies, s.joints, index);
+    activate_joint(s.bodies, s.islands, s.joints, s.events, index);
+    refilter_pairs(s.bodies, s.shapes, s.broad_phase, info);
+    return s.joints.slots.id(index);
 }
 
 JointDef World::joint_at(BodyId body_a, BodyId body_b, const Position& anchor, const Vec3& axis,
@@ -171,8 +171,8 @@ JointDef World::joint_at(BodyId body_a, BodyId body_b, const Position& anchor, c
         Transform t{anchor, to_public(math::to_float(world))};
         if (id.is_null()) return t;
         const std::int32_t body = impl_->index_of(id);
-        const math::DQuat& q = s.motion[body].q;
-        t.position = to_public(math::rotate_back(q, to_math(anchor) - body_origin(s, body)));
+        const math::DQuat& q = s.bodies.motion[body].q;
+        t.position = to_public(math::rotate_back(q, to_math(anchor) - body_origin(s.bodies, body)));
         t.rotation = to_public(math::to_float(math::normalized(math::conjugate(q) * world)));
         return t;
     };
@@ -190,10 +190,7 @@ void World::destroy_joint(JointId id) {
     impl_->retire_joint(index, std::nullopt);
 }
 
-bool World::is_valid(JointId id) const noexcept {
-    return impl_ && id.world() == impl_->state.world_id &&
-           impl_->state.joint_slots.is_live(id.index(), id.generation());
-}
+bool World::is_valid(JointId id) const noexcept { return impl_ && impl_->state.joints.slots.holds(id); }
 
 const JointDef& World::joint_def(JointId id) const { return impl_->joint_defs[impl_->index_of(id)]; }
 
@@ -203,13 +200,14 @@ void World::set_joint(JointId id, const Joint& joint) {
     validate(joint);
     State& s = impl_->state;
     change.begin();
-    JointInfo& info = s.joints[index];
+    JointInfo& info = s.joints.info[index];
     Joint& own = impl_->joint_defs[index].joint = joint;
     fill_frames(info, impl_->joint_defs[index]);
-    const float length = pulley_length(s, info, own);
+    const float length = pulley_length(s.bodies, info, own);
     keep_pulley_length(own, length);
-    set_rules(s, index, make_rules(own, length));
-    if (const std::int32_t owner = joint_owner(s, info); owner != none) wake_body(s, owner);
+    set_rules(s.bodies, s.joints, index, make_rules(own, length));
+    if (const std::int32_t owner = joint_owner(s.bodies, info); owner != none)
+        wake_body(s.bodies, s.islands, s.events, owner);
 }
 
 void World::set_joint_strength(JointId id, float break_force, float break_torque) {
@@ -222,22 +220,22 @@ void World::set_joint_strength(JointId id, float break_force, float break_torque
     validate(changed);
     change.begin();
     def = changed;
-    impl_->state.joints[index].break_force = break_force;
-    impl_->state.joints[index].break_torque = break_torque;
-    if (const std::int32_t owner = joint_owner(impl_->state, impl_->state.joints[index]); owner != none)
-        wake_body(impl_->state, owner);
+    impl_->state.joints.info[index].break_force = break_force;
+    impl_->state.joints.info[index].break_torque = break_torque;
+    if (const std::int32_t owner = joint_owner(impl_->state.bodies, impl_->state.joints.info[index]); owner != none)
+        wake_body(impl_->state.bodies, impl_->state.islands, impl_->state.events, owner);
 }
 
 JointState World::joint_state(JointId id) const {
     const std::uint32_t index = impl_->index_of(id);
-    const JointInfo& info = impl_->state.joints[index];
-    const JointPositions positions = joint_positions(impl_->state, index);
+    const JointInfo& info = impl_->state.joints.info[index];
+    const JointPositions positions = joint_positions(impl_->state.bodies, impl_->state.joints, index);
     JointState state;
     state.force = to_public(info.force);
     state.torque = to_public(info.torque);
     float linear = math::dot(positions.gap, positions.gap), angular = math::dot(positions.turn, positions.turn);
     for (int i = 0; i < info.rules.axis_count; ++i) {
-        const JointAxisRule& rule = impl_->state.joint_axes[index].rules[i];
+        const JointAxisRule& rule = impl_->state.joints.axes[index].rules[i];
         if (!rule.is_lock) {
             state.positions[state.position_count++] = positions.axes[i];
         } else if (rule.has_limits) {
@@ -253,23 +251,23 @@ JointState World::joint_state(JointId id) const {
 std::vector<JointId> World::joints() const {
     const State& s = impl_->whole("World::joints");
     std::vector<JointId> ids;
-    ids.reserve(s.joint_slots.live_count());
-    for (std::uint32_t i = 0; i < s.joint_slots.size(); ++i)
-        if (s.joint_slots.is_live(i)) ids.push_back(s.joint_id(i));
+    ids.reserve(s.joints.slots.live_count());
+    for (std::uint32_t i = 0; i < s.joints.slots.size(); ++i)
+        if (s.joints.slots.is_live(i)) ids.push_back(s.joints.slots.id(i));
     return ids;
 }
 
 std::vector<JointId> World::joints(BodyId id) const {
     std::vector<JointId> ids;
-    for_each_joint(impl_->state, impl_->index_of(id),
-                   [&](std::uint32_t joint, int) { ids.push_back(impl_->state.joint_id(joint)); });
+    for_each_joint(impl_->state.bodies, impl_->state.joints, impl_->index_of(id),
+                   [&](std::uint32_t joint, int) { ids.push_back(impl_->state.joints.slots.id(joint)); });
     return ids;
 }
 
 std::optional<JointId> World::find_joint(std::string_view name) const {
     const State& s = impl_->whole("World::find_joint");
-    for (std::uint32_t i = 0; i < s.joint_slots.size(); ++i)
-        if (s.joint_slots.is_live(i) && impl_->joint_defs[i].name == name) return s.joint_id(i);
+    for (std::uint32_t i = 0; i < s.joints.slots.size(); ++i)
+        if (s.joints.slots.is_live(i) && impl_->joint_defs[i].name == name) return s.joints.slots.id(i);
     return std::nullopt;
 }
 

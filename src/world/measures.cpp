@@ -12,32 +12,34 @@ namespace cairn {
 
 namespace {
 
-template <class F> void for_each_dynamic(const State& s, F&& f) {
-    for (std::uint32_t i = 0; i < s.body_slots.size(); ++i)
-        if (s.body_slots.is_live(i) && s.is_dynamic(std::int32_t(i))) f(std::int32_t(i));
+template <class F> void for_each_dynamic(const Bodies& bodies, F&& f) {
+    for (std::uint32_t i = 0; i < bodies.slots.size(); ++i)
+        if (bodies.slots.is_live(i) && bodies.is_dynamic(std::int32_t(i))) f(std::int32_t(i));
 }
 
 // What is immovable has no share in sums over masses.
-double summed_mass(const State& s, std::int32_t b) {
-    const BodyMass& mass = s.mass[b];
+double summed_mass(const Bodies& bodies, std::int32_t b) {
+    const BodyMass& mass = bodies.mass[b];
     return mass.inverse_mass > 0 ? double(mass.mass) : 0.0;
 }
 
 bool is_touching(const ContactInfo& c) { return c.in_use && c.touching && !c.is_trigger; }
 
-Contact make_contact(const State& s, std::uint32_t id) {
-    const ContactInfo& c = s.contacts[id];
-    const ContactRecord r = s.is_awake(c.body_a) ? advanced_record(s, id) : s.records[id];
-    Contact out{s.shape_id(c.shape_a),
-                s.shape_id(c.shape_b),
-                s.body_id(c.body_a),
-                s.body_id(c.body_b),
+Contact make_contact(const Bodies& bodies, const Shapes& shapes, const Contacts& contacts, const Islands& islands,
+                     std::uint32_t id) {
+    const ContactInfo& c = contacts.info[id];
+    const ContactRecord r =
+        is_awake(bodies, islands, c.body_a) ? advanced_record(bodies, contacts, id) : contacts.records[id];
+    Contact out{shapes.slots.id(c.shape_a),
+                shapes.slots.id(c.shape_b),
+                bodies.id(c.body_a),
+                bodies.id(c.body_b),
                 {r.normal[0], r.normal[1], r.normal[2]},
                 {r.total_friction[0], r.total_friction[1], r.total_friction[2]},
-                c.point_count,
+                std::max(int(c.point_count), 1), // of an impact the solver has no points: the record has the one of it
                 {}};
-    for (int i = 0; i < c.point_count; ++i) {
-        const math::DVec3 p = s.motion[c.body_a].x + math::to_double(math::to_vec(point_of(r, i)));
+    for (int i = 0; i < out.point_count; ++i) {
+        const math::DVec3 p = bodies.motion[c.body_a].x + math::to_double(math::to_vec(point_of(r, i)));
         out.points[i] = {to_public(p), point_of(r, i)[3], total_of(r, i)};
     }
     return out;
@@ -48,7 +50,7 @@ Contact make_contact(const State& s, std::uint32_t id) {
 double World::kinetic_energy() const {
     const State& s = impl_->whole("World::kinetic_energy");
     double sum = 0;
-    for_each_dynamic(s, [&](std::int32_t b) { sum += cairn::kinetic_energy(s, b); });
+    for_each_dynamic(s.bodies, [&](std::int32_t b) { sum += cairn::kinetic_energy(s.bodies, b); });
     return sum;
 }
 
@@ -56,8 +58,9 @@ double World::potential_energy() const {
     const State& s = impl_->whole("World::potential_energy");
     const math::DVec3 g = math::to_double(to_math(s.settings.gravity));
     double sum = 0;
-    for_each_dynamic(s, [&](std::int32_t b) {
-        sum -= summed_mass(s, b) * double(s.body_settings[b].gravity_scale) * math::dot(g, s.motion[b].x);
+    for_each_dynamic(s.bodies, [&](std::int32_t b) {
+        sum -=
+            summed_mass(s.bodies, b) * double(s.bodies.settings[b].gravity_scale) * math::dot(g, s.bodies.motion[b].x);
     });
     return sum;
 }
@@ -65,17 +68,19 @@ double World::potential_energy() const {
 glm::dvec3 World::linear_momentum() const {
     const State& s = impl_->whole("World::linear_momentum");
     math::DVec3 sum;
-    for_each_dynamic(s, [&](std::int32_t b) { sum += summed_mass(s, b) * math::to_double(s.motion[b].v); });
+    for_each_dynamic(s.bodies,
+                     [&](std::int32_t b) { sum += summed_mass(s.bodies, b) * math::to_double(s.bodies.motion[b].v); });
     return {sum.x, sum.y, sum.z};
 }
 
 glm::dvec3 World::angular_momentum() const {
     const State& s = impl_->whole("World::angular_momentum");
     math::DVec3 sum;
-    for_each_dynamic(s, [&](std::int32_t b) {
-        const BodyMotion& m = s.motion[b];
-        sum += math::cross(m.x, summed_mass(s, b) * math::to_double(m.v));
-        if (!(s.mass[b].inverse_inertia == math::Vec3{})) sum += world_inertia(m, s.mass[b]) * math::to_double(m.w);
+    for_each_dynamic(s.bodies, [&](std::int32_t b) {
+        const BodyMotion& m = s.bodies.motion[b];
+        sum += math::cross(m.x, summed_mass(s.bodies, b) * math::to_double(m.v));
+        if (!(s.bodies.mass[b].inverse_inertia == math::Vec3{}))
+            sum += world_inertia(m, s.bodies.mass[b]) * math::to_double(m.w);
     });
     return {sum.x, sum.y, sum.z};
 }
@@ -83,10 +88,10 @@ glm::dvec3 World::angular_momentum() const {
 std::uint64_t World::state_hash() const {
     const State& s = impl_->whole("World::state_hash");
     Hash64 hash;
-    for (std::uint32_t i = 0; i < s.body_slots.size(); ++i) {
-        if (!s.body_slots.is_live(i)) continue;
+    for (std::uint32_t i = 0; i < s.bodies.slots.size(); ++i) {
+        if (!s.bodies.slots.is_live(i)) continue;
         hash.add(i);
-        hash.add_bytes(&s.motion[i], sizeof(BodyMotion));
+        hash.add_bytes(&s.bodies.motion[i], sizeof(BodyMotion));
     }
     return hash.value();
 }
@@ -94,8 +99,9 @@ std::uint64_t World::state_hash() const {
 std::vector<Contact> World::contacts() const {
     const State& s = impl_->whole("World::contacts");
     std::vector<Contact> all;
-    for (std::uint32_t id = 0; id < s.contacts.size(); ++id)
-        if (is_touching(s.contacts[id])) all.push_back(make_contact(s, id));
+    for (std::uint32_t id = 0; id < s.contacts.info.size(); ++id)
+        if (is_touching(s.contacts.info[id]))
+            all.push_back(make_contact(s.bodies, s.shapes, s.contacts, s.islands, id));
     return all;
 }
 
@@ -103,9 +109,10 @@ std::vector<Contact> World::contacts(BodyId body) const {
     const std::int32_t b = impl_->index_of(body);
     const State& s = impl_->whole("World::contacts");
     std::vector<Contact> all;
-    for (std::uint32_t id = 0; id < s.contacts.size(); ++id) {
-        const ContactInfo& c = s.contacts[id];
-        if (is_touching(c) && (c.body_a == b || c.body_b == b)) all.push_back(make_contact(s, id));
+    for (std::uint32_t id = 0; id < s.contacts.info.size(); ++id) {
+        const ContactInfo& c = s.contacts.info[id];
+        if (is_touching(c) && (c.body_a == b || c.body_b == b))
+            all.push_back(make_contact(s.bodies, s.shapes, s.contacts, s.islands, id));
     }
     return all;
 }
@@ -115,14 +122,14 @@ Statistics World::statistics() const {
     Statistics t = s.statistics;
     t.steps = s.steps;
     t.time = s.time;
-    t.bodies = s.body_slots.live_count();
-    t.shapes = s.shape_slots.live_count();
-    for_each_dynamic(s, [&](std::int32_t b) {
+    t.bodies = s.bodies.slots.live_count();
+    t.shapes = s.shapes.slots.live_count();
+    for_each_dynamic(s.bodies, [&](std::int32_t b) {
         ++t.dynamic_bodies;
-        t.awake_bodies += s.is_awake(b);
+        t.awake_bodies += is_awake(s.bodies, s.islands, b);
     });
     std::uint64_t colors = 0;
-    for (const ContactInfo& c : s.contacts) {
+    for (const ContactInfo& c : s.contacts.info) {
         if (!c.in_use) continue;
         t.candidate_pairs += c.kind != PairKind::patch;
         if (c.is_trigger) continue;
@@ -132,8 +139,8 @@ Statistics World::statistics() const {
         t.contact_points += c.point_count;
     }
     t.colors = std::size_t(__builtin_popcountll(colors));
-    t.islands = s.awake_islands.size();
-    for (const Island& island : s.islands) {
+    t.islands = s.islands.awake.size();
+    for (const Island& island : s.islands.all) {
         t.sleeping_islands += island.in_use && island.position == none;
         if (island.in_use && island.position != none) t.max_substeps = std::max(t.max_substeps, island.substeps);
     }

@@ -25,15 +25,16 @@ Ray checked_ray(const Position& origin, const Vec3& direction, double max_distan
     return {to_math(origin), (1 / length) * d, max_distance};
 }
 
-std::optional<ShapeRayHit> cast_at_shape(const State& s, std::uint32_t shape, const Ray& ray, double max_distance) {
-    const ShapePose& pose = s.shape_poses[shape];
-    return cast_ray(s.geometry[shape], s.shape_data[shape], shape_position(pose), shape_rotation(pose), ray.origin,
+std::optional<ShapeRayHit> cast_at_shape(const Shapes& shapes, std::uint32_t shape, const Ray& ray,
+                                         double max_distance) {
+    const ShapePose& pose = shapes.poses[shape];
+    return cast_ray(shapes.geometry[shape], shapes.data[shape], shape_position(pose), shape_rotation(pose), ray.origin,
                     ray.direction, max_distance);
 }
 
-RayHit to_hit(const State& s, std::uint32_t shape, const Ray& ray, const ShapeRayHit& hit) {
-    return {s.shape_id(shape), s.body_id(s.shapes[shape].body), to_public(ray.origin + hit.distance * ray.direction),
-            to_public(math::to_float(hit.normal)), hit.distance};
+RayHit to_hit(const Bodies& bodies, const Shapes& shapes, std::uint32_t shape, const Ray& ray, const ShapeRayHit& hit) {
+    return {shapes.slots.id(shape), bodies.id(shapes.links[shape].body),
+            to_public(ray.origin + hit.distance * ray.direction), to_public(math::to_float(hit.normal)), hit.distance};
 }
 
 bool bounds_overlap(const DBounds& a, const DBounds& b) {
@@ -51,8 +52,8 @@ std::optional<RayHit> World::cast_ray(const Position& origin, const Vec3& direct
     std::optional<ShapeRayHit> best;
     std::uint32_t best_shape = 0;
     s.broad_phase.query_ray(ray.origin, ray.direction, ray.max_distance, [&](std::uint32_t shape, double max) {
-        if (!is_seen(s, shape, layers)) return max;
-        const auto hit = cast_at_shape(s, shape, ray, max);
+        if (!is_seen(s.shapes, shape, layers)) return max;
+        const auto hit = cast_at_shape(s.shapes, shape, ray, max);
         // Of two at the same distance the one with the lower index counts, in whatever order they come.
         if (!hit || (best && hit->distance == best->distance && shape > best_shape)) return max;
         best = hit;
@@ -60,7 +61,7 @@ std::optional<RayHit> World::cast_ray(const Position& origin, const Vec3& direct
         return hit->distance;
     });
     if (!best) return std::nullopt;
-    return to_hit(s, best_shape, ray, *best);
+    return to_hit(s.bodies, s.shapes, best_shape, ray, *best);
 }
 
 std::vector<RayHit> World::cast_ray_all(const Position& origin, const Vec3& direction, double max_distance,
@@ -69,9 +70,9 @@ std::vector<RayHit> World::cast_ray_all(const Position& origin, const Vec3& dire
     const State& s = impl_->whole("World::cast_ray_all");
     std::vector<RayHit> hits;
     s.broad_phase.query_ray(ray.origin, ray.direction, ray.max_distance, [&](std::uint32_t shape, double max) {
-        if (!is_seen(s, shape, layers)) return max;
-        if (const auto hit = cast_at_shape(s, shape, ray, ray.max_distance))
-            hits.push_back(to_hit(s, shape, ray, *hit));
+        if (!is_seen(s.shapes, shape, layers)) return max;
+        if (const auto hit = cast_at_shape(s.shapes, shape, ray, ray.max_distance))
+            hits.push_back(to_hit(s.bodies, s.shapes, shape, ray, *hit));
         return max;
     });
     std::sort(hits.begin(), hits.end(), [](const RayHit& a, const RayHit& b) {
@@ -89,8 +90,8 @@ std::vector<ShapeId> World::overlap_bounds(const Bounds& bounds, std::uint64_t l
     std::vector<ShapeId> found;
     if (box.lo.x > box.hi.x || box.lo.y > box.hi.y || box.lo.z > box.hi.z) return found;
     s.broad_phase.query_bounds(box, [&](std::uint32_t other) {
-        if (is_seen(s, other, layers) && bounds_overlap(box, cairn::shape_bounds(s, other)))
-            found.push_back(s.shape_id(other));
+        if (is_seen(s.shapes, other, layers) && bounds_overlap(box, cairn::shape_bounds(s.shapes, other)))
+            found.push_back(s.shapes.slots.id(other));
     });
     std::sort(found.begin(), found.end(), [](ShapeId a, ShapeId b) { return a.index() < b.index(); });
     return found;
@@ -103,7 +104,7 @@ void World::read_transforms(std::span<const BodyId> ids, std::span<Transform> ou
     const State& s = impl_->whole("World::read_transforms");
     for (std::size_t i = 0; i < ids.size(); ++i) {
         const std::int32_t b = impl_->index_of(ids[i]);
-        out[i] = {to_public(body_origin(s, b)), to_public(math::to_float(s.motion[b].q))};
+        out[i] = {to_public(body_origin(s.bodies, b)), to_public(math::to_float(s.bodies.motion[b].q))};
     }
 }
 

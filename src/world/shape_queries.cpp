@@ -206,7 +206,7 @@ std::optional<ShapeCastHit> World::cast_shape(const Shape& shape, const Transfor
     s.broad_phase.query_sweep(
         {origin + moving.bounds.lo, origin + moving.bounds.hi}, way, [&](std::uint32_t other, double limit) {
             // Of two at the same fraction the one with the lower index counts, in whatever order they come.
-            if (!is_seen(s, other, layers) || (limit == 0 && best && other > met)) return limit;
+            if (!is_seen(s.shapes, other, layers) || (limit == 0 && best && other > met)) return limit;
             const auto hit = cast.against(PosedInQuery(s, other, origin), limit);
             if (!hit || (best && (hit->fraction > best->fraction || (hit->fraction == best->fraction && other > met))))
                 return limit;
@@ -216,8 +216,8 @@ std::optional<ShapeCastHit> World::cast_shape(const Shape& shape, const Transfor
         });
     if (!best) return std::nullopt;
     if (best->normal == DVec3{}) best = cast.from_within(PosedInQuery(s, met, origin));
-    return ShapeCastHit{s.shape_id(met), s.body_id(s.shapes[met].body), best->fraction, to_public(origin + best->point),
-                        to_public(math::to_float(best->normal))};
+    return ShapeCastHit{s.shapes.slots.id(met), s.bodies.id(s.shapes.links[met].body), best->fraction,
+                        to_public(origin + best->point), to_public(math::to_float(best->normal))};
 }
 
 std::optional<ClosestPoint> World::closest_point(const Position& point, double max_distance,
@@ -230,7 +230,7 @@ std::optional<ClosestPoint> World::closest_point(const Position& point, double m
     std::optional<NearPoint> best;
     std::uint32_t nearest = 0;
     s.broad_phase.query_near(origin, most, [&](std::uint32_t other, double limit) {
-        if (!is_seen(s, other, layers)) return limit;
+        if (!is_seen(s.shapes, other, layers)) return limit;
         const auto found = nearest_of(PosedInQuery(s, other, origin), limit);
         if (!found || (best && found->distance == best->distance && other > nearest)) return limit;
         best = found;
@@ -238,8 +238,8 @@ std::optional<ClosestPoint> World::closest_point(const Position& point, double m
         return found->distance;
     });
     if (!best) return std::nullopt;
-    return ClosestPoint{s.shape_id(nearest), s.body_id(s.shapes[nearest].body), to_public(origin + best->point),
-                        best->distance};
+    return ClosestPoint{s.shapes.slots.id(nearest), s.bodies.id(s.shapes.links[nearest].body),
+                        to_public(origin + best->point), best->distance};
 }
 
 std::vector<ShapeId> World::overlap(const Shape& shape, const Transform& pose, std::uint64_t layers) const {
@@ -256,12 +256,12 @@ std::vector<ShapeId> World::overlap(const Shape& shape, const Transform& pose, s
     const State& s = impl_->whole("World::overlap");
     std::vector<ShapeId> found;
     s.broad_phase.query_bounds(bounds, [&](std::uint32_t other) {
-        if (!is_seen(s, other, layers)) return;
+        if (!is_seen(s.shapes, other, layers)) return;
         const PosedInQuery posed(s, other, origin);
         const bool is_met = solid                             ? meets(*solid, posed)
                             : is_surface(posed.geometry.type) ? false
                                                               : meets(QuerySolid(posed), asking);
-        if (is_met) found.push_back(s.shape_id(other));
+        if (is_met) found.push_back(s.shapes.slots.id(other));
     });
     std::sort(found.begin(), found.end(), [](ShapeId a, ShapeId b) { return a.index() < b.index(); });
     return found;

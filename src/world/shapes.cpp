@@ -12,39 +12,40 @@ namespace cairn {
 namespace {
 
 // Unlinks a shape from its body's list.
-void unlink_shape(State& s, std::uint32_t shape) {
-    ShapeLinks& links = s.shapes[shape];
-    BodyLinks& body = s.bodies[links.body];
+void unlink_shape(Bodies& bodies, Shapes& shapes, std::uint32_t shape) {
+    ShapeLinks& links = shapes.links[shape];
+    BodyLinks& body = bodies.links[links.body];
     if (links.previous == none)
         body.first_shape = links.next;
     else
-        s.shapes[links.previous].next = links.next;
+        shapes.links[links.previous].next = links.next;
     if (links.next == none)
         body.last_shape = links.previous;
     else
-        s.shapes[links.next].previous = links.previous;
+        shapes.links[links.next].previous = links.previous;
 }
 
-void link_shape(State& s, std::uint32_t shape, std::int32_t body) {
-    ShapeLinks& links = s.shapes[shape];
-    BodyLinks& owner = s.bodies[body];
+void link_shape(Bodies& bodies, Shapes& shapes, std::uint32_t shape, std::int32_t body) {
+    ShapeLinks& links = shapes.links[shape];
+    BodyLinks& owner = bodies.links[body];
     links.body = body;
     links.next = none;
     links.previous = owner.last_shape;
     if (owner.last_shape == none)
         owner.first_shape = std::int32_t(shape);
     else
-        s.shapes[owner.last_shape].next = std::int32_t(shape);
+        shapes.links[owner.last_shape].next = std::int32_t(shape);
     owner.last_shape = std::int32_t(shape);
 }
 
 // What a density makes of the body's mass must be a mass that could have been given.
-void require_mass_in_range(const State& s, std::int32_t body, const Shape& shape, const ShapeDef& def) {
-    const BodyMass& mass = s.mass[body];
-    if (!s.is_dynamic(body) || !mass.follows_shapes || mass.has_given_mass || !(def.density > 0)) return;
+void require_mass_in_range(const Bodies& bodies, const Shapes& shapes, std::int32_t body, const Shape& shape,
+                           const ShapeDef& def) {
+    const BodyMass& mass = bodies.mass[body];
+    if (!bodies.is_dynamic(body) || !mass.follows_shapes || mass.has_given_mass || !(def.density > 0)) return;
     double sum = geometry_mass(make_geometry(shape, {}), make_shape_data(shape), def.density).mass;
-    for (std::int32_t i = s.bodies[body].first_shape; i != none; i = s.shapes[i].next)
-        sum += geometry_mass(s.geometry[i], s.shape_data[i], s.shapes[i].density).mass;
+    for (std::int32_t i = bodies.links[body].first_shape; i != none; i = shapes.links[i].next)
+        sum += geometry_mass(shapes.geometry[i], shapes.data[i], shapes.links[i].density).mass;
     if (!(sum >= smallest_mass && sum <= largest_mass))
         refuse("ShapeDef.density", to_text(def.density),
                "must give the body a mass from 1e-32 to 1e32 kg, not " + to_text(sum) + " kg");
@@ -67,10 +68,10 @@ ShapeTraits make_traits(const ShapeDef& def) {
 
 } // namespace
 
-void retire_shape(State& s, std::uint32_t shape) {
-    s.broad_phase.remove(shape);
-    s.shape_slots.kill(shape);
-    s.dead_shapes.push_back(shape);
+void retire_shape(Shapes& shapes, BroadPhase& broad_phase, std::uint32_t shape) {
+    broad_phase.remove(shape);
+    shapes.slots.kill(shape);
+    shapes.dead.push_back(shape);
 }
 
 ShapeId World::add_shape(BodyId id, const Shape& shape, const ShapeDef& def) {
@@ -79,52 +80,55 @@ ShapeId World::add_shape(BodyId id, const Shape& shape, const ShapeDef& def) {
     validate(shape);
     validate(def);
     State& s = impl_->state;
-    if (is_surface(make_geometry(shape, {}).type) && s.is_dynamic(b))
+    if (is_surface(make_geometry(shape, {}).type) && s.bodies.is_dynamic(b))
         throw Error(ErrorCode::wrong_state, "World::add_shape shape", shape_name(shape),
                     "has no mass: add it to static or kinematic bodies, or its Hull to dynamic ones");
-    if (s.is_dynamic(b)) require_still_surface("ShapeDef.surface_velocity", def.surface_velocity);
-    require_slot(s.shape_slots, "World::add_shape");
-    require_mass_in_range(s, b, shape, def);
+    if (s.bodies.is_dynamic(b)) require_still_surface("ShapeDef.surface_velocity", def.surface_velocity);
+    require_slot(s.shapes.slots, "World::add_shape");
+    require_mass_in_range(s.bodies, s.shapes, b, shape, def);
     change.begin();
-    const std::uint32_t i = s.shape_slots.create();
-    make_room(s.geometry, i), make_room(s.shape_data, i), make_room(s.shape_poses, i), make_room(s.shapes, i),
-        make_room(s.materials, i), make_room(s.shape_traits, i);
+    const std::uint32_t i = s.shapes.slots.create();
+    make_room(s.shapes.geometry, i), make_room(s.shapes.data, i), make_room(s.shapes.poses, i),
+        make_room(s.shapes.links, i), make_room(s.shapes.materials, i), make_room(s.shapes.traits, i);
     make_room(impl_->shape_of, i), make_room(impl_->def_of, i);
     impl_->shape_of[i] = shape;
     impl_->def_of[i] = def;
     impl_->def_of[i].rotation = checked_rotation("ShapeDef.rotation", def.rotation);
     const Transform pose{Position(def.position), impl_->def_of[i].rotation};
-    s.geometry[i] = make_geometry(shape, pose);
-    s.shape_data[i] = make_shape_data(shape);
-    s.materials[i] = def.material;
-    s.shape_traits[i] = make_traits(def);
-    s.shapes[i] = {};
-    s.shapes[i].density = def.density;
-    link_shape(s, i, b);
-    refresh_mass(s, b);
-    place_shapes(s, b);
-    wake_body(s, b);
-    add_proxy(s, i);
-    if (!s.is_dynamic(b)) wake_around_shape(s, i);
-    return s.shape_id(i);
+    s.shapes.geometry[i] = make_geometry(shape, pose);
+    s.shapes.data[i] = make_shape_data(shape);
+    s.shapes.materials[i] = def.material;
+    s.shapes.traits[i] = make_traits(def);
+    s.shapes.links[i] = {};
+    s.shapes.links[i].density = def.density;
+    link_shape(s.bodies, s.shapes, i, b);
+    refresh_mass(s.bodies, s.shapes, s.joints, b);
+    place_shapes(s.bodies, s.shapes, b);
+    wake_body(s.bodies, s.islands, s.events, b);
+    add_proxy(s.bodies, s.shapes, s.broad_phase, i);
+    if (!s.bodies.is_dynamic(b)) wake_around_shape(s.bodies, s.shapes, s.islands, s.broad_phase, s.events, i);
+    return s.shapes.slots.id(i);
 }
 
 void World::remove_shape(ShapeId id) {
     Impl::Change change(*impl_, "World::remove_shape");
     const std::uint32_t i = impl_->index_of(id);
     State& s = impl_->state;
-    const std::int32_t b = s.shapes[i].body;
+    StepScratch& step = impl_->step;
+    const std::int32_t b = s.shapes.links[i].body;
     change.begin();
-    wake_around_shape(s, i);
-    wake_body(s, b);
-    unlink_shape(s, i);
-    retire_shape(s, i);
-    refresh_mass(s, b);
-    place_shapes(s, b);
-    reclaim_slots(s);
+    wake_around_shape(s.bodies, s.shapes, s.islands, s.broad_phase, s.events, i);
+    wake_body(s.bodies, s.islands, s.events, b);
+    unlink_shape(s.bodies, s.shapes, i);
+    retire_shape(s.shapes, s.broad_phase, i);
+    refresh_mass(s.bodies, s.shapes, s.joints, b);
+    place_shapes(s.bodies, s.shapes, b);
+    reclaim_slots(s, step);
 }
 
-BodyId World::body_of(ShapeId id) const { return impl_->state.body_id(impl_->state.shapes[impl_->index_of(id)].body); }
+BodyId World::body_of(ShapeId id) const {
+    return impl_->state.bodies.id(impl_->state.shapes.links[impl_->index_of(id)].body);
+}
 const Shape& World::shape(ShapeId id) const { return impl_->shape_of[impl_->index_of(id)]; }
 const ShapeDef& World::shape_def(ShapeId id) const { return impl_->def_of[impl_->index_of(id)]; }
 
@@ -132,13 +136,13 @@ Transform World::shape_transform(ShapeId id) const {
     const std::uint32_t i = impl_->index_of(id);
     const State& s = impl_->state;
     // Of the shape as the user defined it: a plane's stored rotation includes the turn to its normal.
-    const BodyMotion& motion = s.motion[s.shapes[i].body];
+    const BodyMotion& motion = s.bodies.motion[s.shapes.links[i].body];
     const math::DQuat q = motion.q * math::to_double(to_math(impl_->def_of[i].rotation));
-    return {to_public(shape_position(s.shape_poses[i])), to_public(math::to_float(math::normalized(q)))};
+    return {to_public(shape_position(s.shapes.poses[i])), to_public(math::to_float(math::normalized(q)))};
 }
 
 Bounds World::shape_bounds(ShapeId id) const {
-    const DBounds b = cairn::shape_bounds(impl_->state, impl_->index_of(id));
+    const DBounds b = cairn::shape_bounds(impl_->state.shapes, impl_->index_of(id));
     return {to_public(b.lo), to_public(b.hi)};
 }
 
@@ -148,12 +152,13 @@ void World::set_material(ShapeId id, const Material& material) {
     validate("Material", material);
     State& s = impl_->state;
     change.begin();
-    s.materials[i] = material;
+    s.shapes.materials[i] = material;
     impl_->def_of[i].material = material;
-    wake_body(s, s.shapes[i].body);
-    wake_around_shape(s, i);
-    for (std::uint32_t c = 0; c < s.contacts.size(); ++c)
-        if (s.contacts[c].in_use && (s.contacts[c].shape_a == i || s.contacts[c].shape_b == i)) combine_materials(s, c);
+    wake_body(s.bodies, s.islands, s.events, s.shapes.links[i].body);
+    wake_around_shape(s.bodies, s.shapes, s.islands, s.broad_phase, s.events, i);
+    for (std::uint32_t c = 0; c < s.contacts.info.size(); ++c)
+        if (s.contacts.info[c].in_use && (s.contacts.info[c].shape_a == i || s.contacts.info[c].shape_b == i))
+            combine_materials(s.shapes, s.contacts, c);
 }
 
 void World::set_filter(ShapeId id, const CollisionFilter& filter) {
@@ -161,10 +166,10 @@ void World::set_filter(ShapeId id, const CollisionFilter& filter) {
     const std::uint32_t i = impl_->index_of(id);
     State& s = impl_->state;
     change.begin();
-    s.shape_traits[i].filter = filter;
+    s.shapes.traits[i].filter = filter;
     impl_->def_of[i].filter = filter;
-    wake_body(s, s.shapes[i].body);
-    wake_around_shape(s, i);
+    wake_body(s.bodies, s.islands, s.events, s.shapes.links[i].body);
+    wake_around_shape(s.bodies, s.shapes, s.islands, s.broad_phase, s.events, i);
     s.broad_phase.refilter(i);
 }
 
@@ -173,13 +178,14 @@ void World::set_surface_velocity(ShapeId id, const Vec3& velocity) {
     const std::uint32_t i = impl_->index_of(id);
     require_finite("World::set_surface_velocity velocity", velocity);
     State& s = impl_->state;
-    if (s.is_dynamic(s.shapes[i].body)) require_still_surface("World::set_surface_velocity velocity", velocity);
+    if (s.bodies.is_dynamic(s.shapes.links[i].body))
+        require_still_surface("World::set_surface_velocity velocity", velocity);
     change.begin();
     impl_->def_of[i].surface_velocity = velocity;
-    s.shape_traits[i] = make_traits(impl_->def_of[i]);
-    wake_around_shape(s, i);
-    for (ContactInfo& c : s.contacts)
-        if (c.in_use && c.shape_b == i) c.is_conveyor = s.shape_traits[i].has_surface_velocity;
+    s.shapes.traits[i] = make_traits(impl_->def_of[i]);
+    wake_around_shape(s.bodies, s.shapes, s.islands, s.broad_phase, s.events, i);
+    for (ContactInfo& c : s.contacts.info)
+        if (c.in_use && c.shape_b == i) c.is_conveyor = s.shapes.traits[i].has_surface_velocity;
 }
 
 } // namespace cairn

@@ -30,13 +30,13 @@ struct Header {
 }
 
 // Where a shape is if its body was not put elsewhere since the last step.
-ShapePose expected_pose(const State& s, std::size_t shape) {
+ShapePose expected_pose(const Bodies& bodies, const Shapes& shapes, std::size_t shape) {
     ShapePose pose{};
-    const std::int32_t body = s.shapes[shape].body;
-    if (shape >= s.geometry.size() || std::uint32_t(body) >= s.motion.size()) return pose;
-    const Geometry& g = s.geometry[shape];
-    const BodyMotion& motion = s.motion[body];
-    pose_shape(pose, g, motion.x + math::to_double(s.shapes[shape].arm), math::to_float(motion.q));
+    const std::int32_t body = shapes.links[shape].body;
+    if (shape >= shapes.geometry.size() || std::uint32_t(body) >= bodies.motion.size()) return pose;
+    const Geometry& g = shapes.geometry[shape];
+    const BodyMotion& motion = bodies.motion[body];
+    pose_shape(pose, g, motion.x + math::to_double(shapes.links[shape].arm), math::to_float(motion.q));
     size_shape(pose, g);
     return pose;
 }
@@ -73,22 +73,36 @@ std::uint64_t checksum_of(Header header, const std::vector<std::byte>& snapshot)
 
 // --- what steps change
 
+// What is archived member by member has as many of them as below.
+#define CAIRN_ARCHIVES_MEMBERS(count, type)                                                                            \
+    static_assert(class_field_count<type>() == (count), #type " has another member: archive it here, and count it")
+
+CAIRN_ARCHIVES_MEMBERS(13, State);
+CAIRN_ARCHIVES_MEMBERS(13, Bodies);
+CAIRN_ARCHIVES_MEMBERS(8, Shapes);
+CAIRN_ARCHIVES_MEMBERS(4, Contacts);
+CAIRN_ARCHIVES_MEMBERS(5, Islands);
+CAIRN_ARCHIVES_MEMBERS(4, Joints);
+CAIRN_ARCHIVES_MEMBERS(2, ForceFields);
+
 template <class Archive> void serialize_bodies(Archive& archive, State& s) {
-    archive(s.motion), archive(s.forces), archive(s.pushed), archive(s.bodies);
-    archive.foretold(s.counted, [&](std::size_t i) { return CountedPose{s.motion[i].x, s.motion[i].q}; });
-    archive(s.travel), archive(s.ahead);
+    archive(s.bodies.motion), archive(s.bodies.forces), archive(s.bodies.pushed), archive(s.bodies.links);
+    archive.foretold(s.bodies.counted, [&](std::size_t i) {
+        return CountedPose{s.bodies.motion[i].x, s.bodies.motion[i].q};
+    });
+    archive(s.bodies.travel), archive(s.bodies.ahead);
     if constexpr (Archive::reading) {
-        s.boxes_until.resize(s.bodies.size());
-        for (std::size_t b = 0; b < s.bodies.size(); ++b) s.boxes_until[b] = s.travel[b];
+        s.bodies.boxes_until.resize(s.bodies.links.size());
+        for (std::size_t b = 0; b < s.bodies.links.size(); ++b) s.bodies.boxes_until[b] = s.bodies.travel[b];
     }
-    archive(s.shapes);
-    archive.foretold(s.shape_poses, [&](std::size_t i) { return expected_pose(s, i); });
-    archive(s.islands), archive(s.free_islands), archive(s.awake_islands);
-    archive(s.falling_asleep), archive(s.waking);
+    archive(s.shapes.links);
+    archive.foretold(s.shapes.poses, [&](std::size_t i) { return expected_pose(s.bodies, s.shapes, i); });
+    archive(s.islands.all), archive(s.islands.free), archive(s.islands.awake);
+    archive(s.islands.falling_asleep), archive(s.islands.waking);
 }
 
 template <class Archive> void serialize_contacts(Archive& archive, State& s) {
-    archive(s.records), archive(s.contacts), archive(s.answers), archive(s.free_contacts);
+    archive(s.contacts.records), archive(s.contacts.info), archive(s.contacts.answers), archive(s.contacts.free);
 }
 
 static_assert(field_count<JointInfo>() == 25, "JointInfo has another member: if definitions set it, and not steps, "
@@ -105,29 +119,29 @@ JointInfo moving_part(const JointInfo& joint) {
 
 template <class Archive> void serialize_joints(Archive& archive, State& s) {
     std::vector<JointInfo> moving;
-    std::vector<std::array<JointAxisState, max_joint_axes>> states(s.joint_axes.size());
+    std::vector<std::array<JointAxisState, max_joint_axes>> states(s.joints.axes.size());
     if constexpr (!Archive::reading) {
-        for (const JointInfo& joint : s.joints) moving.push_back(moving_part(joint));
+        for (const JointInfo& joint : s.joints.info) moving.push_back(moving_part(joint));
         for (std::size_t i = 0; i < states.size(); ++i)
-            std::copy_n(s.joint_axes[i].states, max_joint_axes, states[i].begin());
+            std::copy_n(s.joints.axes[i].states, max_joint_axes, states[i].begin());
     }
     archive(moving), archive(states);
     if constexpr (Archive::reading) {
-        if (moving.size() != s.joints.size() || states.size() != s.joint_axes.size()) throw_damaged();
+        if (moving.size() != s.joints.info.size() || states.size() != s.joints.axes.size()) throw_damaged();
         for (std::size_t i = 0; i < moving.size(); ++i) {
-            const JointInfo defined = s.joints[i];
-            JointInfo& joint = s.joints[i] = moving[i];
+            const JointInfo defined = s.joints.info[i];
+            JointInfo& joint = s.joints.info[i] = moving[i];
             joint.anchor_a = defined.anchor_a, joint.anchor_b = defined.anchor_b;
             joint.ground_a = defined.ground_a, joint.ground_b = defined.ground_b;
             joint.frame_a = defined.frame_a, joint.frame_b = defined.frame_b;
         }
         for (std::size_t i = 0; i < states.size(); ++i)
-            std::copy_n(states[i].begin(), max_joint_axes, s.joint_axes[i].states);
+            std::copy_n(states[i].begin(), max_joint_axes, s.joints.axes[i].states);
     }
 }
 
 template <class Archive> void serialize_counters(Archive& archive, State& s) {
-    archive(s.steps), archive(s.passes), archive(s.time);
+    archive(s.steps), archive(s.time);
     archive(s.clamped_speeds), archive(s.statistics), archive(s.events.ends.next), archive(s.events.triggers.next),
         archive(s.events.joints.next), archive(s.events.sleeps.next);
 }
@@ -148,10 +162,6 @@ template <class Archive, class F> void serialize_state(Archive& archive, State& 
 }
 
 // --- what they do not change
-
-// What is archived member by member has as many of them as below.
-#define CAIRN_ARCHIVES_MEMBERS(count, type)                                                                            \
-    static_assert(class_field_count<type>() == (count), #type " has another member: archive it here, and count it")
 
 CAIRN_ARCHIVES_MEMBERS(2, GeneralJoint);
 template <class Archive, class T> void serialize_joint(Archive& archive, T& joint) { archive(joint); }
@@ -186,27 +196,27 @@ template <class Archive> void serialize_defined_joints(Archive& archive, State& 
         math::DVec3 anchor_a, anchor_b, ground_a, ground_b;
         math::DQuat frame_a, frame_b;
     };
-    std::vector<Defined> defined(s.joints.size());
-    std::vector<std::array<JointAxisRule, max_joint_axes>> rules(s.joint_axes.size());
+    std::vector<Defined> defined(s.joints.info.size());
+    std::vector<std::array<JointAxisRule, max_joint_axes>> rules(s.joints.axes.size());
     if constexpr (!Archive::reading) {
         for (std::size_t i = 0; i < defined.size(); ++i) {
-            const JointInfo& joint = s.joints[i];
+            const JointInfo& joint = s.joints.info[i];
             defined[i] = {joint.anchor_a, joint.anchor_b, joint.ground_a, joint.ground_b, joint.frame_a, joint.frame_b};
         }
         for (std::size_t i = 0; i < rules.size(); ++i)
-            std::copy_n(s.joint_axes[i].rules, max_joint_axes, rules[i].begin());
+            std::copy_n(s.joints.axes[i].rules, max_joint_axes, rules[i].begin());
     }
     archive(defined), archive(rules);
     if constexpr (Archive::reading) {
-        s.joints.resize(defined.size()), s.joint_axes.resize(rules.size());
+        s.joints.info.resize(defined.size()), s.joints.axes.resize(rules.size());
         for (std::size_t i = 0; i < defined.size(); ++i) {
-            JointInfo& joint = s.joints[i];
+            JointInfo& joint = s.joints.info[i];
             joint.anchor_a = defined[i].anchor_a, joint.anchor_b = defined[i].anchor_b;
             joint.ground_a = defined[i].ground_a, joint.ground_b = defined[i].ground_b;
             joint.frame_a = defined[i].frame_a, joint.frame_b = defined[i].frame_b;
         }
         for (std::size_t i = 0; i < rules.size(); ++i)
-            std::copy_n(rules[i].begin(), max_joint_axes, s.joint_axes[i].rules);
+            std::copy_n(rules[i].begin(), max_joint_axes, s.joints.axes[i].rules);
     }
 }
 
@@ -289,17 +299,18 @@ template <class Archive, class T> void serialize_fields(Archive& archive, std::v
 
 template <class Archive, class Impl> void serialize_definitions(Archive& archive, Impl& impl) {
     State& s = impl.state;
-    archive(s.world_id), serialize_settings(archive, s.settings);
-    s.body_slots.serialize(archive), s.shape_slots.serialize(archive);
-    s.joint_slots.serialize(archive), s.field_slots.serialize(archive);
-    archive(s.mass), archive(s.body_settings), archive(s.kinematics), archive(s.dead_bodies), archive(s.dead_shapes);
-    archive(s.geometry), serialize_fields(archive, s.materials), archive(s.shape_traits);
-    serialize_fields(archive, s.fields);
+    serialize_settings(archive, s.settings);
+    s.bodies.slots.serialize(archive), s.shapes.slots.serialize(archive);
+    s.joints.slots.serialize(archive), s.fields.slots.serialize(archive);
+    archive(s.bodies.mass), archive(s.bodies.settings), archive(s.bodies.kinematics), archive(s.bodies.dead),
+        archive(s.shapes.dead);
+    archive(s.shapes.geometry), serialize_fields(archive, s.shapes.materials), archive(s.shapes.traits);
+    serialize_fields(archive, s.fields.all);
     serialize_defined_joints(archive, s);
     archive(impl.user_data), serialize_fields(archive, impl.def_of);
-    impl.names.resize(s.body_slots.size());
+    impl.names.resize(s.bodies.slots.size());
     for (std::string& name : impl.names) archive(name);
-    impl.joint_defs.resize(s.joint_slots.size());
+    impl.joint_defs.resize(s.joints.slots.size());
     for (JointDef& def : impl.joint_defs) serialize_joint_def(archive, def);
 }
 
@@ -331,14 +342,14 @@ void World::Impl::set_shapes(const std::vector<Shape>& shapes) {
     const auto damaged = [] {
         return Error(ErrorCode::invalid_file, "Snapshot.definitions", "", "has other shapes than its bytes tell of");
     };
-    if (shapes.size() != s.geometry.size()) throw damaged();
+    if (shapes.size() != s.shapes.geometry.size()) throw damaged();
     for (const Shape& shape : shapes) validate(shape);
     for (std::size_t i = 0; i < shapes.size(); ++i)
-        if (s.shape_slots.is_live(std::uint32_t(i)) && make_geometry(shapes[i], {}).type != s.geometry[i].type)
+        if (s.shapes.slots.is_live(std::uint32_t(i)) && make_geometry(shapes[i], {}).type != s.shapes.geometry[i].type)
             throw damaged();
     shape_of = shapes;
-    s.shape_data.clear();
-    for (const Shape& shape : shapes) s.shape_data.push_back(make_shape_data(shape));
+    s.shapes.data.clear();
+    for (const Shape& shape : shapes) s.shapes.data.push_back(make_shape_data(shape));
 }
 
 std::shared_ptr<const SnapshotDefinitions> World::Impl::definitions() {
@@ -413,7 +424,7 @@ void World::restore(const Snapshot& snapshot) {
     fresh->last_definitions = definitions;
     ArchiveReader reader(snapshot.bytes.data() + sizeof header, snapshot.bytes.size() - sizeof header);
     serialize_state(reader, fresh->state, header, [] { return 0; });
-    fresh->state.thread_pool = std::move(impl_->state.thread_pool);
+    fresh->step.thread_pool = std::move(impl_->step.thread_pool);
     impl_ = std::move(fresh);
 }
 

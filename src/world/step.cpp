@@ -5,7 +5,7 @@
 #include "contacts/contact_update.h"
 #include "contacts/narrow_phase.h"
 #include "contacts/pairs.h"
-#include "impacts/hold_cores.h"
+#include "impacts/resolve_impacts.h"
 #include "islands/islands.h"
 #include "joints/joints.h"
 #include "solver/island_batches.h"
@@ -50,13 +50,13 @@ class Busy {
 
 // Splits the step into passes while something turns at that speed and touches. Where no number is enough, a few do less
 // harm than many: each finds contacts at another random angle.
-int split_step(State& state, float whirl, float dt) {
+int split_step(StepPasses& passes, float whirl, float dt) {
     constexpr float max_turn = 0.5f, beyond_help = 32.0f; // radians in a pass; in a step
     constexpr int max_passes = 32, few_passes = 8;
     const float turn = whirl * dt;
     if (!(turn > 0)) return 1;
     if (turn > beyond_help) return few_passes; // and all the substeps in each
-    return state.split = std::min(int(std::ceil(turn / max_turn)), max_passes);
+    return passes.split = std::min(int(std::ceil(turn / max_turn)), max_passes);
 }
 
 } // namespace
@@ -65,42 +65,43 @@ void World::step(float dt) {
     Impl::Change change(*impl_, "World::step");
     if (!(dt > 0) || !std::isfinite(dt)) refuse("World::step dt", to_text(dt), "must be finite and > 0");
     State& state = impl_->state;
+    StepScratch& step = impl_->step;
     StageTimes& times = state.statistics.times;
     StageClock clock;
     const Busy busy(impl_->stepping);
     change.begin();
     state.events.begin_step();
     times = {};
-    state.statistics.swept_pairs = state.statistics.stopped_bodies = 0;
-    state.first_pass = state.passes;
+    state.statistics.swept_pairs = state.statistics.impacts = state.statistics.stopped_bodies = 0;
     int passes = 1;
     for (int pass = 0; pass < passes; ++pass) {
-        for (const std::int32_t island : state.awake_islands) state.islands[island].kept_awake = 0;
-        wake_driven_joints(state);
-        update_pairs(state);
+        step.passes.number = pass;
+        for (const std::int32_t island : state.islands.awake) state.islands.all[island].kept_awake = 0;
+        wake_driven_joints(state.bodies, state.islands, state.joints, state.events);
+        update_pairs(state, step);
         times.broad_phase += clock.lap();
-        update_contacts(state, dt / float(passes));
+        update_contacts(state, step, dt / float(passes));
         times.narrow_phase += clock.lap();
-        if (pass == 0) passes = split_step(state, fastest_spinner_in_contact(state), dt);
+        if (pass == 0) passes = split_step(step.passes, fastest_spinner_in_contact(state.bodies, step.narrow), dt);
         const float pass_dt = dt / float(passes);
-        pack_batches(state, pass_dt);
+        pack_batches(state, state.contacts, state.islands, step, pass_dt);
         times.islands += clock.lap();
-        solve_batches(state, pass_dt);
-        const double solve = clock.lap(), prepare = state.solver.prepare_share * solve;
+        solve_batches(state, step, pass_dt);
+        const double solve = clock.lap(), prepare = step.solver.prepare_share * solve;
         times.prepare += prepare;
         times.solve += solve - prepare;
-        finalize_kinematics(state, pass_dt);
-        hold_cores(state, pass_dt);
-        wake_around_moving_planes(state);
-        report_contacts(state, pass_dt);
+        finalize_kinematics(state.bodies, state.shapes, state.broad_phase, pass_dt);
+        resolve_impacts(state, step, pass_dt);
+        wake_around_moving_planes(state.bodies, state.shapes, state.islands, state.broad_phase, state.events);
+        report_contacts(state, step, pass_dt);
         impl_->break_joints();
-        if (update_sleep(state)) settle_sleeping_contacts(state);
-        ++state.passes;
+        if (update_sleep(state, state.bodies, state.islands, state.events, step.solved, step.solver))
+            settle_sleeping_contacts(state.bodies, state.contacts, state.islands, step.solved);
         times.finalize += clock.lap();
     }
-    state.split = 1;
-    for (const std::int32_t b : state.pushed) state.forces[b] = {}; // they act for one step
-    state.pushed.clear();
+    step.passes = {};
+    for (const std::int32_t b : state.bodies.pushed) state.bodies.forces[b] = {}; // they act for one step
+    state.bodies.pushed.clear();
     state.events.publish();
     times.total = clock.total();
 

@@ -30,9 +30,9 @@ std::uint32_t next_world_id() {
     throw Error(ErrorCode::invalid_handle, field, text, why);
 }
 
-template <class Id> std::uint32_t checked_index(const char* field, Id id, std::uint32_t world, const SlotPool& pool) {
+template <class Id> std::uint32_t checked_index(const char* field, Id id, const SlotPool<Id>& pool) {
     if (id.is_null()) refuse_handle(field, id.bits, "must not be null");
-    if (id.world() != world) refuse_handle(field, id.bits, "must be of this world");
+    if (id.world() != pool.world()) refuse_handle(field, id.bits, "must be of this world");
     if (!pool.is_live(id.index(), id.generation())) refuse_handle(field, id.bits, "is stale: the object was removed");
     return id.index();
 }
@@ -42,24 +42,24 @@ template <class Id> std::uint32_t checked_index(const char* field, Id id, std::u
 World::Impl::Impl(const WorldDef& def) {
     validate(def);
     state.settings = def;
-    state.world_id = next_world_id();
+    state.set_world(next_world_id());
 }
 
 std::int32_t World::Impl::index_of(BodyId id) const {
     require_whole("BodyId");
-    return std::int32_t(checked_index("BodyId", id, state.world_id, state.body_slots));
+    return std::int32_t(checked_index("BodyId", id, state.bodies.slots));
 }
 std::uint32_t World::Impl::index_of(ShapeId id) const {
     require_whole("ShapeId");
-    return checked_index("ShapeId", id, state.world_id, state.shape_slots);
+    return checked_index("ShapeId", id, state.shapes.slots);
 }
 std::uint32_t World::Impl::index_of(JointId id) const {
     require_whole("JointId");
-    return checked_index("JointId", id, state.world_id, state.joint_slots);
+    return checked_index("JointId", id, state.joints.slots);
 }
 std::uint32_t World::Impl::index_of(ForceFieldId id) const {
     require_whole("ForceFieldId");
-    return checked_index("ForceFieldId", id, state.world_id, state.field_slots);
+    return checked_index("ForceFieldId", id, state.fields.slots);
 }
 void World::Impl::require_idle(const char* call) const {
     if (stepping)
@@ -93,9 +93,9 @@ void World::set_settings(const WorldDef& def) {
     change.begin();
     s.settings = def;
     if (!wakes) return;
-    for (std::size_t i = 0; i < s.islands.size(); ++i)
-        if (s.islands[i].in_use) wake_island(s, std::int32_t(i));
-    for (BodyLinks& body : s.bodies) body.quiet_time = 0;
+    for (std::size_t i = 0; i < s.islands.all.size(); ++i)
+        if (s.islands.all[i].in_use) wake_island(s.bodies, s.islands, s.events, std::int32_t(i));
+    for (BodyLinks& body : s.bodies.links) body.quiet_time = 0;
 }
 
 void World::set_threads(int count) {
@@ -104,7 +104,7 @@ void World::set_threads(int count) {
         refuse("World::set_threads count", std::to_string(count), "must be 1 to 256");
     if (count == threads()) return;
     try {
-        impl_->state.thread_pool = std::make_unique<ThreadPool>(count);
+        impl_->step.thread_pool = std::make_unique<ThreadPool>(count);
     } catch (const std::system_error& error) {
         throw Error(ErrorCode::unsupported, "World::set_threads count", std::to_string(count),
                     std::string("the system has not so many threads left (") + error.what() + ")");
@@ -115,83 +115,79 @@ int hardware_threads() noexcept {
     return std::clamp(int(std::thread::hardware_concurrency()), 1, ThreadPool::max_threads);
 }
 
-int World::threads() const { return impl_->state.thread_pool->threads(); }
+int World::threads() const { return impl_->step.thread_pool->threads(); }
 
 BodyId World::create_body(const BodyDef& def) {
     Impl::Change change(*impl_, "World::create_body");
     validate(def);
     State& s = impl_->state;
-    require_slot(s.body_slots, "World::create_body");
+    require_slot(s.bodies.slots, "World::create_body");
     change.begin();
-    const std::size_t b = s.body_slots.create();
-    make_room(s.motion, b), make_room(s.mass, b), make_room(s.body_settings, b), make_room(s.forces, b);
-    make_room(s.bodies, b), make_room(s.counted, b), make_room(s.travel, b), make_room(s.ahead, b),
-        make_room(s.boxes_until, b), make_room(impl_->names, b), make_room(impl_->user_data, b);
-    s.bodies[b] = {};
-    s.forces[b] = {};
-    s.pushed.reserve(s.forces.capacity()); // pushing allocates nothing
-    s.counted[b] = {};
-    s.travel[b] = s.ahead[b] = s.boxes_until[b] = 0;
-    s.mass[b] = {};
-    s.body_settings[b] = {def.gravity_scale, def.linear_damping, def.angular_damping, 0, def.type, def.allow_sleep, {}};
+    const std::size_t b = s.bodies.slots.create();
+    make_room(s.bodies.motion, b), make_room(s.bodies.mass, b), make_room(s.bodies.settings, b),
+        make_room(s.bodies.forces, b);
+    make_room(s.bodies.links, b), make_room(s.bodies.counted, b), make_room(s.bodies.travel, b),
+        make_room(s.bodies.ahead, b), make_room(s.bodies.boxes_until, b), make_room(impl_->names, b),
+        make_room(impl_->user_data, b);
+    s.bodies.links[b] = {};
+    s.bodies.forces[b] = {};
+    s.bodies.pushed.reserve(s.bodies.forces.capacity()); // pushing allocates nothing
+    s.bodies.counted[b] = {};
+    s.bodies.travel[b] = s.bodies.ahead[b] = s.bodies.boxes_until[b] = 0;
+    s.bodies.mass[b] = {};
+    s.bodies.settings[b] = {
+        def.gravity_scale, def.linear_damping, def.angular_damping, 0, def.type, def.allow_sleep, {}};
     const Quat q = checked_rotation("BodyDef.rotation", def.rotation);
-    BodyMotion& motion = s.motion[b] = {};
+    BodyMotion& motion = s.bodies.motion[b] = {};
     motion.x = to_math(def.position);
     motion.q = math::normalized(math::to_double(to_math(q)));
     motion.v = to_math(def.linear_velocity);
     motion.w = to_math(def.angular_velocity);
-    if (def.type == BodyType::static_) s.motion[b].v = s.motion[b].w = {};
-    if (clamp_velocity(s.settings, s.motion[b].v, s.motion[b].w)) ++s.clamped_speeds;
+    if (def.type == BodyType::static_) s.bodies.motion[b].v = s.bodies.motion[b].w = {};
+    if (clamp_velocity(s.settings, s.bodies.motion[b].v, s.bodies.motion[b].w)) ++s.clamped_speeds;
     impl_->names[b] = def.name;
     impl_->user_data[b] = def.user_data;
 
     const std::int32_t body = std::int32_t(b);
-    BodyMass& mass = s.mass[b];
+    BodyMass& mass = s.bodies.mass[b];
     if (def.mass_properties) {
         mass.follows_shapes = 0;
-        set_mass(s, body, *def.mass_properties);
+        set_mass(s.bodies, s.joints, body, *def.mass_properties);
         // The given velocity is that of the center of mass, wherever it is.
-        if (def.type != BodyType::static_) s.motion[b].v = to_math(def.linear_velocity);
-        clamp_velocity(s.settings, s.motion[b].v, s.motion[b].w);
+        if (def.type != BodyType::static_) s.bodies.motion[b].v = to_math(def.linear_velocity);
+        clamp_velocity(s.settings, s.bodies.motion[b].v, s.bodies.motion[b].w);
     } else {
         mass.has_given_mass = def.mass.has_value();
-        s.body_settings[b].given_mass = def.mass.value_or(0.0f);
-        refresh_mass(s, body);
+        s.bodies.settings[b].given_mass = def.mass.value_or(0.0f);
+        refresh_mass(s.bodies, s.shapes, s.joints, body);
     }
-    if (def.type == BodyType::dynamic) create_island(s, body);
-    if (def.type == BodyType::kinematic) s.kinematics.push_back(body);
-    return s.body_id(body);
+    if (def.type == BodyType::dynamic) create_island(s.bodies, s.islands, body);
+    if (def.type == BodyType::kinematic) s.bodies.kinematics.push_back(body);
+    return s.bodies.id(body);
 }
 
 void World::destroy_body(BodyId id) {
     Impl::Change change(*impl_, "World::destroy_body");
     const std::int32_t b = impl_->index_of(id);
     State& s = impl_->state;
+    StepScratch& step = impl_->step;
     change.begin();
-    wake_around(s, b);
-    wake_body(s, b);
+    wake_around(s.bodies, s.shapes, s.islands, s.broad_phase, s.events, b);
+    wake_body(s.bodies, s.islands, s.events, b);
     impl_->retire_joints_of(b);
-    for (std::int32_t shape = s.bodies[b].first_shape; shape != none; shape = s.shapes[shape].next)
-        retire_shape(s, std::uint32_t(shape));
-    if (s.bodies[b].island != none) remove_from_island(s, b);
-    std::erase(s.kinematics, b);
-    s.body_slots.kill(std::uint32_t(b));
-    s.dead_bodies.push_back(std::uint32_t(b));
+    for (std::int32_t shape = s.bodies.links[b].first_shape; shape != none; shape = s.shapes.links[shape].next)
+        retire_shape(s.shapes, s.broad_phase, std::uint32_t(shape));
+    if (s.bodies.links[b].island != none) remove_from_island(s.bodies, s.islands, b);
+    std::erase(s.bodies.kinematics, b);
+    s.bodies.slots.kill(std::uint32_t(b));
+    s.bodies.dead.push_back(std::uint32_t(b));
     impl_->names[b].clear();
-    reclaim_slots(s);
+    reclaim_slots(s, step);
 }
 
-bool World::is_valid(BodyId id) const noexcept {
-    return impl_ && id.world() == impl_->state.world_id && impl_->state.body_slots.is_live(id.index(), id.generation());
-}
-bool World::is_valid(ShapeId id) const noexcept {
-    return impl_ && id.world() == impl_->state.world_id &&
-           impl_->state.shape_slots.is_live(id.index(), id.generation());
-}
-bool World::is_valid(ForceFieldId id) const noexcept {
-    return impl_ && id.world() == impl_->state.world_id &&
-           impl_->state.field_slots.is_live(id.index(), id.generation());
-}
+bool World::is_valid(BodyId id) const noexcept { return impl_ && impl_->state.bodies.slots.holds(id); }
+bool World::is_valid(ShapeId id) const noexcept { return impl_ && impl_->state.shapes.slots.holds(id); }
+bool World::is_valid(ForceFieldId id) const noexcept { return impl_ && impl_->state.fields.slots.holds(id); }
 
 Body World::body(BodyId id) {
     impl_->index_of(id);
@@ -205,16 +201,16 @@ const Body World::body(BodyId id) const {
 std::vector<BodyId> World::bodies() const {
     const State& s = impl_->whole("World::bodies");
     std::vector<BodyId> ids;
-    ids.reserve(s.body_slots.live_count());
-    for (std::uint32_t i = 0; i < s.body_slots.size(); ++i)
-        if (s.body_slots.is_live(i)) ids.push_back(s.body_id(std::int32_t(i)));
+    ids.reserve(s.bodies.slots.live_count());
+    for (std::uint32_t i = 0; i < s.bodies.slots.size(); ++i)
+        if (s.bodies.slots.is_live(i)) ids.push_back(s.bodies.id(std::int32_t(i)));
     return ids;
 }
 
 std::optional<BodyId> World::find_body(std::string_view name) const {
     const State& s = impl_->whole("World::find_body");
-    for (std::uint32_t i = 0; i < s.body_slots.size(); ++i)
-        if (s.body_slots.is_live(i) && impl_->names[i] == name) return s.body_id(std::int32_t(i));
+    for (std::uint32_t i = 0; i < s.bodies.slots.size(); ++i)
+        if (s.bodies.slots.is_live(i) && impl_->names[i] == name) return s.bodies.id(std::int32_t(i));
     return std::nullopt;
 }
 
@@ -222,11 +218,11 @@ ForceFieldId World::add_force_field(const ForceField& field) {
     Impl::Change change(*impl_, "World::add_force_field");
     validate(field);
     State& s = impl_->state;
-    require_slot(s.field_slots, "World::add_force_field");
+    require_slot(s.fields.slots, "World::add_force_field");
     change.begin();
-    const std::uint32_t i = s.field_slots.create();
-    make_room(s.fields, i);
-    const ForceFieldId id = ForceFieldId::make(i, s.field_slots.generation(i), s.world_id);
+    const std::uint32_t i = s.fields.slots.create();
+    make_room(s.fields.all, i);
+    const ForceFieldId id = s.fields.slots.id(i);
     set_force_field(id, field);
     return id;
 }
@@ -237,9 +233,9 @@ void World::set_force_field(ForceFieldId id, const ForceField& field) {
     validate(field);
     State& s = impl_->state;
     change.begin();
-    s.fields[i] = field;
-    for (std::size_t k = 0; k < s.islands.size(); ++k)
-        if (s.islands[k].in_use) wake_island(s, std::int32_t(k));
+    s.fields.all[i] = field;
+    for (std::size_t k = 0; k < s.islands.all.size(); ++k)
+        if (s.islands.all[k].in_use) wake_island(s.bodies, s.islands, s.events, std::int32_t(k));
 }
 
 void World::remove_force_field(ForceFieldId id) {
@@ -247,10 +243,10 @@ void World::remove_force_field(ForceFieldId id) {
     const std::uint32_t i = impl_->index_of(id);
     State& s = impl_->state;
     change.begin();
-    s.field_slots.kill(i);
-    s.field_slots.recycle(i);
-    for (std::size_t k = 0; k < s.islands.size(); ++k)
-        if (s.islands[k].in_use) wake_island(s, std::int32_t(k));
+    s.fields.slots.kill(i);
+    s.fields.slots.recycle(i);
+    for (std::size_t k = 0; k < s.islands.all.size(); ++k)
+        if (s.islands.all[k].in_use) wake_island(s.bodies, s.islands, s.events, std::int32_t(k));
 }
 
 std::uint64_t World::step_count() const { return impl_->state.steps; }

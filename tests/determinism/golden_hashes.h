@@ -7,21 +7,21 @@
 
 namespace cairn_test::golden {
 
-inline constexpr std::uint64_t mixed_pile = 0xad0e2fc83ffbcf31;
-inline constexpr std::uint64_t pyramid = 0xe3b6b9e22a4b3549;
-inline constexpr std::uint64_t dominoes = 0xa4d8476c9b3f3bf6;
-inline constexpr std::uint64_t materials = 0x735e43116dccfe5c;
-inline constexpr std::uint64_t tumbler = 0xaebc6e2cf683c796;
-inline constexpr std::uint64_t sleep_and_wake = 0x5f3f2b0879e52e04;
-inline constexpr std::uint64_t compounds = 0x75b3c52b1e0df910;
-inline constexpr std::uint64_t free_tops = 0xe979e5d25ad7f547;
-inline constexpr std::uint64_t explicit_euler = 0xd23969dc9ec88a30;
-inline constexpr std::uint64_t whirl = 0x8b873d6b30e1d5de;
-inline constexpr std::uint64_t changes = 0x3932a0d64bde1857;
-inline constexpr std::uint64_t all_shapes = 0x85e046f4a7e6339e;
-inline constexpr std::uint64_t rounded_shapes = 0x71d8c622460f559f;
-inline constexpr std::uint64_t surfaces = 0x7c96582b6bf74d44;
-inline constexpr std::uint64_t all_joints = 0x7a87235f61da6783;
+inline constexpr std::uint64_t mixed_pile = 0x5c2a2a1597d41d17;
+inline constexpr std::uint64_t pyramid = 0x145ea3f6207fb41a;
+inline constexpr std::uint64_t dominoes = 0xaedcb4a88e02b44c;
+inline constexpr std::uint64_t materials = 0xc66ca2c43673d518;
+inline constexpr std::uint64_t tumbler = 0x5757fee202cf20f5;
+inline constexpr std::uint64_t sleep_and_wake = 0x07d7d6cc8b5edda2;
+inline constexpr std::uint64_t compounds = 0xfc7046637e384839;
+inline constexpr std::uint64_t free_tops = 0x8d56e1b5dc6bb731;
+inline constexpr std::uint64_t explicit_euler = 0x1597a5eeb2700378;
+inline constexpr std::uint64_t whirl = 0x245566341ef9401e;
+inline constexpr std::uint64_t changes = 0xf254e276372bf155;
+inline constexpr std::uint64_t all_shapes = 0x787cd064121ad7df;
+inline constexpr std::uint64_t rounded_shapes = 0xb2e08e51cfc80fbf;
+inline constexpr std::uint64_t surfaces = 0x62ca81eb48472832;
+inline constexpr std::uint64_t all_joints = 0xdbd9b7be58d6601d;
 inline constexpr std::uint64_t chains = 0xd32e615beb7a4359;
 
 } // namespace cairn_test::golden

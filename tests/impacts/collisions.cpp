@@ -234,7 +234,9 @@ BilliardsResult play_billiards(const BilliardsCell& cell) {
             continue;
         }
         ++result.games;
-        World world(awake());
+        WorldDef settings = awake();
+        settings.restitution_speed = 0; // as in the exact game
+        World world(settings);
         const std::vector<BodyId> ids = add_balls(world, start, radius);
         run(world, frame, steps);
         Difference difference;

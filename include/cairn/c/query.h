@@ -1,0 +1,83 @@
+// Made by tools/api.py from api/: change those, and run it.
+// clang-format off
+#ifndef CAIRN_C_QUERY_H
+#define CAIRN_C_QUERY_H
+
+#include <cairn/c/joint.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// The nearest thing that a ray met.
+typedef struct cairn_ray_hit {
+    cairn_shape_id shape;
+    cairn_body_id body;
+    cairn_position point; ///< On the surface, meters.
+    cairn_vec3 normal; ///< Unit outward normal of the surface there.
+    double distance; ///< From the ray's origin, meters.
+} cairn_ray_hit;
+
+/// The first thing that a moving shape met.
+typedef struct cairn_shape_cast_hit {
+    cairn_shape_id shape;
+    cairn_body_id body;
+    double fraction; ///< Of the translation, 0 to 1; 0 if they overlapped from the start.
+    cairn_position point; ///< Where they meet, meters.
+    cairn_vec3 normal; ///< Unit, out of the shape that was met.
+} cairn_shape_cast_hit;
+
+/// The surface point nearest to a given one.
+typedef struct cairn_closest_point {
+    cairn_shape_id shape;
+    cairn_body_id body;
+    cairn_position point; ///< On the surface, meters; the given point itself if that lies inside.
+    double distance; ///< Meters; 0 inside.
+} cairn_closest_point;
+
+/// The nearest shape that the ray meets within `max_distance`. `direction` need not be unit length. A ray that starts
+/// inside a shape does not meet that shape's surface from within, except planes' solid side. `found` gets whether there
+/// is any. `layers`: which shapes it sees, one bit each; UINT64_MAX: all. Errors: invalid_value, wrong_state.
+CAIRN_C_API cairn_result cairn_world_cast_ray(const cairn_world* world, cairn_position origin, cairn_vec3 direction,
+                                              double max_distance, uint64_t layers, cairn_ray_hit* result, bool* found);
+
+/// Every shape that the ray meets, nearest first. `count` gets how many there are; the first `capacity` of them are
+/// written. `layers`: which shapes it sees, one bit each; UINT64_MAX: all. Errors: invalid_value, wrong_state.
+CAIRN_C_API cairn_result cairn_world_cast_ray_all(const cairn_world* world, cairn_position origin, cairn_vec3 direction,
+                                                  double max_distance, uint64_t layers, cairn_ray_hit* result,
+                                                  size_t capacity, size_t* count);
+
+/// The first shape that the given convex one meets when it moves by `translation` (meters) from `start` without
+/// turning. Planes, meshes and height fields are met from outside only, and cannot be cast themselves (invalid_value).
+/// `found` gets whether there is any. `layers`: which shapes it sees, one bit each; UINT64_MAX: all. Errors:
+/// invalid_value, wrong_state.
+CAIRN_C_API cairn_result cairn_world_cast_shape(const cairn_world* world, const cairn_shape* shape,
+                                                cairn_transform start, cairn_vec3 translation, uint64_t layers,
+                                                cairn_shape_cast_hit* result, bool* found);
+
+/// The shape nearest to a point, up to `max_distance` (meters, >= 0) away. What is below a plane is inside it; meshes
+/// and height fields have no inside. `found` gets whether there is any. `layers`: which shapes it sees, one bit each;
+/// UINT64_MAX: all. Errors: invalid_value, wrong_state.
+CAIRN_C_API cairn_result cairn_world_closest_point(const cairn_world* world, cairn_position point, double max_distance,
+                                                   uint64_t layers, cairn_closest_point* result, bool* found);
+
+/// Shapes that overlap the given shape posed in the world, in order of slot index. `count` gets how many there are; the
+/// first `capacity` of them are written. `layers`: which shapes it sees, one bit each; UINT64_MAX: all. Errors:
+/// invalid_value, wrong_state.
+CAIRN_C_API cairn_result cairn_world_overlap(const cairn_world* world, const cairn_shape* shape, cairn_transform pose,
+                                             uint64_t layers, cairn_shape_id* result, size_t capacity, size_t* count);
+
+/// Shapes whose tight bounds overlap the box, in order of slot index. `count` gets how many there are; the first
+/// `capacity` of them are written. `layers`: which shapes it sees, one bit each; UINT64_MAX: all. Errors:
+/// invalid_value, wrong_state.
+CAIRN_C_API cairn_result cairn_world_overlap_bounds(const cairn_world* world, cairn_bounds bounds, uint64_t layers,
+                                                    cairn_shape_id* result, size_t capacity, size_t* count);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif // CAIRN_C_QUERY_H

@@ -1,0 +1,120 @@
+# Made by tools/api.py from api/: change those, and run it.
+"""Structs and enums of the API: those of include/cairn/events.h."""
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Sequence
+
+from .._cairn import BodyId, JointId, ShapeId
+from .shape import ShapeDef
+from ._vector import Vector
+
+
+@dataclass(slots=True, eq=False)
+class ContactBegin:
+    """Two shapes began to touch."""
+
+    shape_a: ShapeId = ShapeId()
+    shape_b: ShapeId = ShapeId()
+    body_a: BodyId = BodyId()
+    body_b: BodyId = BodyId()
+
+
+@dataclass(slots=True, eq=False)
+class ContactEnd:
+    """Two shapes no longer touch, or one of them was removed (its handles are stale then)."""
+
+    shape_a: ShapeId = ShapeId()
+    shape_b: ShapeId = ShapeId()
+    body_a: BodyId = BodyId()
+    body_b: BodyId = BodyId()
+
+
+@dataclass(slots=True, eq=False)
+class ContactHit:
+    """Two shapes began to touch with an approach speed of at least WorldDef.hit_speed."""
+
+    shape_a: ShapeId = ShapeId()
+    shape_b: ShapeId = ShapeId()
+    body_a: BodyId = BodyId()
+    body_b: BodyId = BodyId()
+    point: Vector = (0.0, 0.0, 0.0)
+    """Meters, world space."""
+    normal: Vector = (0.0, 0.0, 0.0)
+    """Unit, from A to B."""
+    approach_speed: float = 0.0
+    """m/s, > 0."""
+
+
+@dataclass(slots=True, eq=False)
+class TriggerEvent:
+    """A shape began or ceased to overlap a trigger (ShapeDef.is_trigger). One of the two bodies is dynamic. Handles of
+    what was removed are stale.
+    """
+
+    trigger: ShapeId = ShapeId()
+    other: ShapeId = ShapeId()
+    trigger_body: BodyId = BodyId()
+    other_body: BodyId = BodyId()
+    inside: bool = False
+    """True: it came in; False: it left, or one of the two was removed."""
+
+
+@dataclass(slots=True, eq=False)
+class JointEvent:
+    """A joint is gone: it broke under its load, or one of its bodies was destroyed. Its handle is stale."""
+
+    joint: JointId = JointId()
+    body_a: BodyId = BodyId()
+    """Null: the world."""
+    body_b: BodyId = BodyId()
+    """Null: the world."""
+    broke: bool = False
+    """False: a body was destroyed."""
+    force: float = 0.0
+    """N: at which it broke."""
+    torque: float = 0.0
+    """N m: likewise."""
+    user_data: int = 0
+    """Of its definition."""
+
+
+@dataclass(slots=True, eq=False)
+class SleepEvent:
+    """A body fell asleep or woke up."""
+
+    body: BodyId = BodyId()
+    asleep: bool = False
+    """False: it woke up."""
+
+
+@dataclass(slots=True, eq=False)
+class ContactPoint:
+    """One point of a contact."""
+
+    point: Vector = (0.0, 0.0, 0.0)
+    """Midway between the two surfaces, meters."""
+    separation: float = 0.0
+    """Meters; negative when the shapes overlap."""
+    normal_impulse: float = 0.0
+    """N s during the last step, >= 0. Divide by the step for the mean force."""
+
+
+@dataclass(slots=True, eq=False)
+class Contact:
+    """A touching pair of shapes as it stood after the last step. A shape may touch a mesh or height field, and the
+    surfaces of several of its faces, in several of these, one for each normal.
+    """
+
+    shape_a: ShapeId = ShapeId()
+    shape_b: ShapeId = ShapeId()
+    body_a: BodyId = BodyId()
+    body_b: BodyId = BodyId()
+    normal: Vector = (0.0, 0.0, 0.0)
+    """Unit, from A to B."""
+    friction_impulse: Vector = (0.0, 0.0, 0.0)
+    """N s on B during the last step, world axes."""
+    point_count: int = 0
+    """1 to 4."""
+    points: Sequence[ContactPoint] = ()
+    """The first `point_count` of them."""

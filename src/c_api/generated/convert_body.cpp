@@ -1,0 +1,70 @@
+// Made by tools/api.py from api/: change those, and run it.
+// clang-format off
+#include "c_api/generated/convert.h"
+
+#include <string>
+
+namespace cairn::c_api {
+
+BodyType to_body_type(cairn_body_type value, const char* field) {
+    if (value < 0 || value > 2)
+        throw Error(ErrorCode::invalid_value, field, std::to_string(value),
+            "must be 0 to 2 (static, kinematic, dynamic)");
+    return BodyType(value);
+}
+
+MassProperties to_cpp(const cairn_mass_properties& c) {
+    MassProperties x;
+    x.mass = c.mass;
+    x.center_of_mass = to_cpp(c.center_of_mass);
+    x.inertia_diagonal = to_cpp(c.inertia_diagonal);
+    x.inertia_orientation = to_cpp(c.inertia_orientation);
+    return x;
+}
+cairn_mass_properties to_c(const MassProperties& x) {
+    cairn_mass_properties c{};
+    c.mass = x.mass;
+    c.center_of_mass = to_c(x.center_of_mass);
+    c.inertia_diagonal = to_c(x.inertia_diagonal);
+    c.inertia_orientation = to_c(x.inertia_orientation);
+    return c;
+}
+
+BodyDef to_cpp(const cairn_body_def& c) {
+    BodyDef x;
+    x.type = to_body_type(c.type, "BodyDef.type");
+    x.position = to_cpp(c.position);
+    x.rotation = to_cpp(c.rotation);
+    x.linear_velocity = to_cpp(c.linear_velocity);
+    x.angular_velocity = to_cpp(c.angular_velocity);
+    x.linear_damping = c.linear_damping;
+    x.angular_damping = c.angular_damping;
+    x.gravity_scale = c.gravity_scale;
+    x.allow_sleep = c.allow_sleep;
+    if (c.has_mass) x.mass = c.mass;
+    if (c.has_mass_properties) x.mass_properties = to_cpp(c.mass_properties);
+    x.name = text_of(c.name);
+    x.user_data = c.user_data;
+    return x;
+}
+cairn_body_def to_c(const BodyDef& x) {
+    cairn_body_def c{};
+    c.struct_size = sizeof c;
+    c.type = cairn_body_type(x.type);
+    c.position = to_c(x.position);
+    c.rotation = to_c(x.rotation);
+    c.linear_velocity = to_c(x.linear_velocity);
+    c.angular_velocity = to_c(x.angular_velocity);
+    c.linear_damping = x.linear_damping;
+    c.angular_damping = x.angular_damping;
+    c.gravity_scale = x.gravity_scale;
+    c.allow_sleep = x.allow_sleep;
+    c.has_mass = x.mass.has_value();
+    if (x.mass) c.mass = *x.mass;
+    c.has_mass_properties = x.mass_properties.has_value();
+    if (x.mass_properties) c.mass_properties = to_c(*x.mass_properties);
+    c.user_data = x.user_data;
+    return c;
+}
+
+} // namespace cairn::c_api

@@ -1,0 +1,39 @@
+// Scene files, where the library is built with them.
+#include "c_api/support.h"
+
+#include <cairn/c/cairn.h>
+
+#include <memory>
+
+using namespace cairn;
+using namespace cairn::c_api;
+
+#ifdef CAIRN_C_API_SCENES
+
+cairn_result cairn_scene_load(const char* path, cairn_world** world, float* time_step) {
+    return guarded([&] {
+        required(world, "world");
+        auto made = std::make_unique<cairn_world>(cairn_world{scene::load(&required(path, "path"))});
+        if (time_step) *time_step = made->scene.info.time_step;
+        *world = made.release();
+    });
+}
+
+cairn_result cairn_scene_save(const cairn_world* world, const char* path) {
+    return guarded([&] {
+        world_of(world);
+        scene::save(world->scene, &required(path, "path"));
+    });
+}
+
+#else
+
+cairn_result cairn_scene_load(const char*, cairn_world**, float*) {
+    return guarded([] { throw Error(ErrorCode::unsupported, "scene files", "", "this build has none"); });
+}
+
+cairn_result cairn_scene_save(const cairn_world*, const char*) {
+    return guarded([] { throw Error(ErrorCode::unsupported, "scene files", "", "this build has none"); });
+}
+
+#endif

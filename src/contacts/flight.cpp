@@ -1,0 +1,152 @@
+#include "contacts/flight.h"
+
+#include "bodies/integrators.h"
+#include "bodies/motion_budget.h"
+#include "contacts/contact_update.h"
+#include "contacts/patches.h"
+#include "contacts/touch.h"
+
+#include <algorithm>
+
+namespace cairn {
+
+namespace {
+
+constexpr int flights_per_chunk = 16; // for threads
+
+bool may_fly(const State& s, std::int32_t b) {
+    return !s.bodies.is_dynamic(b) || (s.bodies.links[b].first_joint == none && is_awake(s.bodies, s.islands, b));
+}
+
+bool touches(const State& s, const ContactInfo& c) {
+    if (!is_group(c)) return c.touching;
+    for (std::int32_t p = c.related; p != none; p = s.contacts.info[p].next)
+        if (s.contacts.info[p].touching) return true;
+    return false;
+}
+
+// How far forces bring the two together in the step, along the normal.
+float fall_of(const State& s, const StepPasses& passes, const ContactInfo& c, const Manifold& m, float dt) {
+    const std::int32_t first = c.flipped ? c.body_b : c.body_a, second = c.flipped ? c.body_a : c.body_b;
+    const math::DVec3 a = acceleration_at(s.bodies, s.fields, s.settings, first, s.bodies.motion[first].x) -
+                          acceleration_at(s.bodies, s.fields, s.settings, second, s.bodies.motion[second].x);
+    const float share = 0.5f * (1 + 1.0f / float(passes.in_pass(s.settings.substeps))); // as in substeps
+    return share * dt * dt * float(math::dot(a, math::to_double(math::to_vec(m.normal))));
+}
+
+// Rows in the solver that a pair has had so far.
+int rows_of(const State& s, std::uint32_t id) {
+    int rows = 0;
+    for_each_patch(s.contacts, id, [&](std::uint32_t contact) { rows += s.contacts.info[contact].point_count > 0; });
+    return rows;
+}
+
+class FlightList {
+  public:
+    explicit FlightList(State& state, StepScratch& step, float dt) : s(state), step(step), dt_(dt) {}
+    void run() {
+        gather();
+        if (flights_.empty()) return;
+        decide();
+        for (const FlightPair& f : flights_)
+            if (f.is_free) release(f);
+        test_held();
+        for (const FlightPair& f : flights_)
+            if (!f.is_free) follow(f);
+    }
+
+  private:
+    std::uint32_t contact_of(const FlightPair& f) const { return step.narrow.candidates[f.place]; }
+
+    void gather() {
+        flights_.clear();
+        step.narrow.in_flight.clear();
+        for (NarrowBatch& own : step.narrow.at_work) {
+            flights_.insert(flights_.end(), own.flights.begin(), own.flights.end());
+            own.flights.clear();
+        }
+        std::sort(flights_.begin(), flights_.end(),
+                  [](const FlightPair& a, const FlightPair& b) { return a.place < b.place; });
+    }
+
+    // A body that has contacts beside those that may be in flight is held by them.
+    void decide() {
+        std::vector<std::int32_t>& rows = step.narrow.flight_rows;
+        rows.resize(s.bodies.links.size(), 0);
+        const auto for_each_body = [&](auto&& f) {
+            for (const FlightPair& flight : flights_) {
+                const ContactInfo& c = s.contacts.info[contact_of(flight)];
+                const int count = rows_of(s, contact_of(flight));
+                f(c.body_a, count);
+                if (c.b_moves) f(c.body_b, count);
+            }
+        };
+        for_each_body([&](std::int32_t b, int count) { rows[b] += count; });
+        const auto is_free = [&](std::int32_t b) { return s.bodies.links[b].contact_count <= rows[b]; };
+        for (FlightPair& f : flights_) {
+            const ContactInfo& c = s.contacts.info[contact_of(f)];
+            f.is_free = is_free(c.body_a) && (!c.b_moves || is_free(c.body_b));
+        }
+        for_each_body([&](std::int32_t b, int) { rows[b] = 0; });
+    }
+
+    void release(const FlightPair& f) {
+        const std::uint32_t id = contact_of(f);
+        ContactInfo& c = s.contacts.info[id];
+        if (c.point_count > 0 || c.touching) {
+            step.narrow.outcomes[f.place] = ended;
+            if (is_group(c))
+                follow_up_group(s, step.narrow, step.solved, f.place, dt_);
+            else
+                follow_up(s, step.narrow, step.solved, id, ended, dt_);
+        }
+        step.narrow.outcomes[f.place] = apart;
+        drop_answer(s.bodies, s.contacts, id);
+        if (id < step.narrow.found.size()) step.narrow.found[id] = 0; // each pass of the step asks for it
+        step.narrow.in_flight.push_back(id);
+    }
+
+    void test_held() {
+        begin_groups(s.contacts, step.narrow);
+        step.thread_pool->for_chunks(int(flights_.size()), flights_per_chunk, [&](int begin, int end, int thread) {
+            for (int k = begin; k < end; ++k) {
+                const FlightPair& f = flights_[std::size_t(k)];
+                if (f.is_free) continue;
+                const std::uint32_t id = contact_of(f);
+                if (is_group(s.contacts.info[id]))
+                    test_group(s, s.contacts, step, f.place, step.narrow.at_work[thread], dt_, false);
+                else
+                    step.narrow.outcomes[f.place] = take_test(s, s.contacts, step, id, f.manifold, dt_);
+            }
+        });
+        collect_fresh_patches(step.narrow);
+    }
+    void follow(const FlightPair& f) {
+        if (is_group(s.contacts.info[contact_of(f)]))
+            follow_up_group(s, step.narrow, step.solved, f.place, dt_);
+        else
+            follow_up(s, step.narrow, step.solved, contact_of(f), step.narrow.outcomes[f.place], dt_);
+    }
+
+    State& s;
+    StepScratch& step;
+    const float dt_;
+    std::vector<FlightPair>& flights_ = step.narrow.flights;
+};
+
+} // namespace
+
+bool may_meet_in_flight(const State& s, const StepPasses& passes, const ContactInfo& c, const Manifold& m, float dt) {
+    if (c.is_trigger || m.count == 0 || !may_fly(s, c.body_a) || !may_fly(s, c.body_b)) return false;
+    float least = m.points[0][3];
+    for (int i = 1; i < m.count; ++i) least = std::min(least, m.points[i][3]);
+    if (!(least > 0)) return false;
+    const float speed = approach_of(s.bodies, s.shapes, c, m), way = speed * dt + fall_of(s, passes, c, m, dt);
+    if (least > c.base_margin || std::fabs(way) > c.base_margin) return true;
+    const bool bounces = c.bounces && speed > s.settings.restitution_speed;
+    return (least > way || bounces) && !touches(s, c);
+}
+
+void settle_flights(State& s, StepScratch& step, float dt) { FlightList(s, step, dt).run(); }
+
+} // namespace cairn

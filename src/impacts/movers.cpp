@@ -1,0 +1,249 @@
+#include "impacts/movers.h"
+
+#include "bodies/bodies.h"
+#include "bodies/finalize.h"
+#include "bodies/free_body.h"
+#include "bodies/integrators.h"
+#include "bodies/motion_budget.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cairn {
+
+using math::dot;
+using math::DQuat;
+using math::DVec3;
+using math::to_double;
+
+namespace {
+
+// Where a body was at the start of the pass.
+CountedPose pose_before(const State& s, std::int32_t b) {
+    if (s.bodies.settings[b].type == BodyType::kinematic || is_awake(s.bodies, s.islands, b))
+        return s.bodies.counted[b];
+    return {s.bodies.motion[b].x, s.bodies.motion[b].q};
+}
+
+// Velocity of the path behind the stored one at the end of a substep, in substeps of acceleration: paths are parabolas
+// through the poses (kernels/solve/bounce.cpp).
+double path_offset(Integrator integrator) {
+    switch (integrator) {
+    case Integrator::semi_implicit_euler:
+        return 0.5;
+    case Integrator::rk4:
+        return 0;
+    case Integrator::explicit_euler:
+        return -0.5;
+    }
+    return 0;
+}
+
+// What turns farther, rad, is looked at in parts; and what tumbles, in parts in which its axis turns so little that the
+// body is nowhere farther than `max_bend`, rad, from the one rotation that leads from the first pose to the last.
+constexpr double max_turn = 1, max_bend = 1e-4;
+// But no part is shorter, as part of a pass: of what turns over in it, the ball that is in it however it lies is held.
+constexpr double min_part = 1.0 / 64;
+
+// The velocity with the direction of v whose square is `square`, or as it is if it has no direction.
+DVec3 with_square(DVec3 v, double square) {
+    const double now = dot(v, v);
+    return now > 0 ? std::sqrt(std::max(square, 0.0) / now) * v : v;
+}
+
+} // namespace
+
+Movers::Movers(State& state, StepScratch& step, float dt)
+    : s(state), step(step), dt_(dt), place_(step.solver.sweep.place), movers_(step.solver.sweep.movers) {
+    if (place_.size() < s.bodies.links.size()) place_.resize(s.bodies.links.size(), none);
+    movers_.clear();
+}
+Movers::~Movers() {
+    for (const Mover& m : movers_) place_[std::size_t(m.body)] = none;
+}
+
+double Movers::offset_of_velocity() const {
+    return path_offset(s.settings.integrator) * double(dt_) / step.passes.in_pass(s.settings.substeps);
+}
+
+// Of what is free: by its angular momentum, which torque alone changes.
+DVec3 Movers::spin_later(const Mover& m, DVec3 w, DQuat from, DQuat to, double duration) const {
+    if (s.bodies.mass[m.body].isotropic && !s.bodies.is_pushed(m.body)) return w;
+    const Spin spin = spin_of(s.bodies.mass[m.body]);
+    DVec3 momentum = spin.to_world(from, spin.moments, w);
+    if (s.bodies.is_pushed(m.body)) momentum += duration * s.bodies.forces[m.body].torque;
+    return spin.to_world(to, spin.inverse_moments, momentum);
+}
+
+// How long a path of what is free may be, s, so that its two poses tell how it turned in between.
+double Movers::longest_part(std::int32_t b, DVec3 w, DQuat q) const {
+    const double speed = math::length(w);
+    double part = speed > 0 ? max_turn / speed : std::numeric_limits<double>::infinity();
+    if (s.bodies.mass[b].isotropic) return part;
+    const Spin spin = spin_of(s.bodies.mass[b]);
+    const DVec3 change = spin.to_world(q, spin.inverse_moments, math::cross(spin.to_world(q, spin.moments, w), w));
+    if (const double rate = math::length(change); rate > 0) part = std::min(part, std::sqrt(8 * max_bend / rate));
+    return part;
+}
+
+std::int32_t Movers::add(std::int32_t b) {
+    if (of_body(b) != none) return of_body(b);
+    const auto i = std::int32_t(movers_.size());
+    place_[std::size_t(b)] = i;
+    const CountedPose from = pose_before(s, b);
+    const BodyMotion& to = s.bodies.motion[b];
+    const BodyLinks& links = s.bodies.links[b];
+    Mover m;
+    m.body = b;
+    m.moved = uncounted(from, to, links.radius);
+    m.is_free = links.contact_count + links.joint_count == 0;
+    m.turns_over = !m.is_free && math::length(to.w) * dt_ > half_turn;
+    m.path = RigidPath::between(from.x, from.q, to.x, m.turns_over ? from.q : to.q);
+    m.acceleration = acceleration_at(s.bodies, s.fields, s.settings, b, from.x);
+    // What is free has gone by its velocity at the start, which the mean and the change along the path give.
+    m.velocity = (1 / double(dt_)) * m.path.translation - (0.5 * double(dt_)) * m.acceleration;
+    m.spin = spin_later(m, to_double(to.w) + to_double(to.w_rest), to.q, from.q, -double(dt_));
+    movers_.push_back(m);
+    if (m.is_free && longest_part(b, m.spin, from.q) < double(dt_))
+        redirect(i, 0, {from.x, from.q, m.velocity, m.spin});
+    return i;
+}
+
+RigidPath Movers::path_of(std::int32_t b) const {
+    const CountedPose from = pose_before(s, b);
+    const BodyMotion& to = s.bodies.motion[b];
+    return RigidPath::between(from.x, from.q, to.x, to.q);
+}
+
+double Movers::speed_of(std::int32_t i) const { return math::length((*this)[i].path.translation) / double(dt_); }
+
+MovingState Movers::state_at(std::int32_t i, double time) const {
+    const Mover& m = (*this)[i];
+    const BodyMotion& end = s.bodies.motion[m.body];
+    const RigidPath::Pose pose = m.path.at(std::min(time, m.until));
+    MovingState now{pose.x, pose.q, {}, {}};
+    if (!m.is_free) {
+        const DVec3 end_v = to_double(end.v) + to_double(end.v_rest);
+        // Less the work of its forces along the way that it has still to go; it gains nothing.
+        const double square = dot(end_v, end_v), left = square - 2 * dot(m.acceleration, end.x - pose.x);
+        now.v = with_square(end_v, std::min(left, square));
+        now.w = to_double(end.w) + to_double(end.w_rest);
+        return now;
+    }
+    const RigidPath::Pose first = m.path.first();
+    const double passed = (time - m.path.begin) * double(dt_);
+    now.v = with_square(m.velocity + passed * m.acceleration,
+                        dot(m.velocity, m.velocity) + 2 * dot(m.acceleration, pose.x - first.x));
+    now.w = spin_later(m, m.spin, first.q, pose.q, passed);
+    return now;
+}
+
+// By the integrator of free bodies.
+void Movers::fly(const Mover& m, const MovingState& from, double duration) const {
+    BodyMotion& motion = s.bodies.motion[m.body];
+    const DVec3 real = acceleration_at(s.bodies, s.fields, s.settings, m.body, from.x);
+    // The integrator's substeps are shorter here, and stored velocities differ from those of paths by a part of one.
+    const int all = step.passes.in_pass(s.settings.substeps),
+              substeps = std::max(int(std::ceil(all * duration / double(dt_))), 1);
+    const double shorter = path_offset(s.settings.integrator) * duration / substeps;
+    const DVec3 stored = from.v - shorter * real;
+    motion.x = from.x, motion.q = from.q;
+    motion.v = math::to_float(stored), motion.v_rest = math::to_float(stored - to_double(motion.v));
+    motion.w = math::to_float(from.w), motion.w_rest = math::to_float(from.w - to_double(motion.w));
+    if (duration > 0)
+        s.clamped_speeds += move_free_body(s.bodies, s.fields, s.settings, m.body, float(duration), substeps);
+    const DVec3 borne = m.acceleration - real;
+    motion.x += (0.5 * duration * duration) * borne;
+    const DVec3 path_end = to_double(motion.v) + to_double(motion.v_rest) + duration * borne + shorter * real;
+    const DVec3 end = path_end - offset_of_velocity() * m.acceleration;
+    motion.v = math::to_float(end), motion.v_rest = math::to_float(end - to_double(motion.v));
+    keep_in_range(m.body, from, duration);
+}
+
+// To what the world's greatest speeds allow; what is not finite any more stays where it was.
+void Movers::keep_in_range(std::int32_t b, const MovingState& from, double duration) const {
+    BodyMotion& motion = s.bodies.motion[b];
+    const bool is_finite = math::is_finite(motion.x) && math::is_finite(motion.q) && math::is_finite(motion.v) &&
+                           math::is_finite(motion.w);
+    if (!is_finite) {
+        motion.x = from.x, motion.q = from.q;
+        motion.v = motion.w = {};
+    }
+    const DVec3 way = motion.x - from.x;
+    const double most = double(s.settings.max_linear_speed) * duration, square = dot(way, way);
+    const bool is_far = square > most * most;
+    if (is_far) motion.x = from.x + (most / std::sqrt(square)) * way;
+    const bool was_cut = clamp_velocity(s.settings, motion.v, motion.w);
+    if (!is_finite || is_far || was_cut) motion.v_rest = motion.w_rest = {}, ++s.clamped_speeds;
+}
+
+void Movers::redirect(std::int32_t i, double time, const MovingState& now) {
+    Mover& m = (*this)[i];
+    BodyMotion& motion = s.bodies.motion[m.body];
+    const double left = (1 - time) * double(dt_);
+    double until = 1;
+    if (m.is_free) {
+        const double part = std::max(longest_part(m.body, now.w, now.q) / double(dt_), min_part);
+        until = std::min(time + part, 1.0);
+        fly(m, now, (until - time) * double(dt_));
+        m.velocity = now.v, m.spin = now.w;
+    } else {
+        const MovingState before = state_at(i, time);
+        const DVec3 dv = now.v - before.v, dw = now.w - before.w;
+        const DVec3 v = to_double(motion.v) + dv, w = to_double(motion.w) + dw;
+        motion.x += left * dv;
+        motion.q = math::normalized(math::from_rotation_vector(left * dw) * motion.q);
+        motion.v = math::to_float(v), motion.w = math::to_float(w);
+        motion.v_rest = motion.w_rest = {};
+        keep_in_range(m.body, now, left);
+    }
+    m.turns_over = double(math::length(motion.w)) * (until - time) * double(dt_) > double(half_turn);
+    m.path = RigidPath::between(now.x, now.q, motion.x, m.turns_over ? now.q : motion.q, time, until);
+    m.is_changed = true;
+}
+
+void Movers::rest_on(std::int32_t i, DVec3 down) {
+    Mover& m = (*this)[i];
+    m.acceleration = m.acceleration - std::max(dot(m.acceleration, down), 0.0) * down;
+}
+
+// Of what is free, up to the end of the pass, though its path may end before.
+DBounds Movers::bounds_of_way(const Mover& m, double from) const {
+    const DVec3 start = m.path.at(from).x, left = (m.path.until - from) * m.path.translation;
+    const double later = (1 - m.path.until) * double(dt_);
+    DVec3 end = start + left;
+    if (later > 0) {
+        const BodyMotion& motion = s.bodies.motion[m.body];
+        end += later * (to_double(motion.v) + (offset_of_velocity() + 0.5 * later) * m.acceleration);
+    }
+    const double r = double(s.bodies.links[m.body].radius);
+    DBounds bounds;
+    for (int k = 0; k < 3; ++k)
+        bounds.lo[k] = std::min(start[k], end[k]) - r, bounds.hi[k] = std::max(start[k], end[k]) + r;
+    return bounds;
+}
+
+void Movers::put_back(std::int32_t i) {
+    const Mover& m = (*this)[i];
+    BodyMotion& motion = s.bodies.motion[m.body];
+    if (m.has_stopped()) {
+        const RigidPath::Pose pose = m.path.at(m.until);
+        const DVec3 v = to_double(motion.v);
+        const double square = dot(v, v), left = square - 2 * dot(m.acceleration, motion.x - pose.x);
+        motion.v = math::to_float(with_square(v, std::min(left, square))); // it gains nothing: it was pushed
+        motion.x = pose.x;
+        if (!m.turns_over) motion.q = pose.q;
+        ++s.statistics.stopped_bodies;
+    }
+    motion.turned = math::to_float(motion.q * math::conjugate(pose_before(s, m.body).q));
+    if (m.impacts > 0) s.bodies.links[m.body].quiet_time = 0;
+    place_again(s.bodies, s.shapes, s.broad_phase, m.body, dt_);
+}
+
+void Movers::put_back() {
+    for (std::int32_t i = 0; i < count(); ++i)
+        if ((*this)[i].is_changed || (*this)[i].has_stopped()) put_back(i);
+}
+
+} // namespace cairn

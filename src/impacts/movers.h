@@ -1,0 +1,59 @@
+// Bodies on their way through a step: where they are at any time in it, and how fast; and how they go on when an impact
+// changes their velocities.
+#pragma once
+
+#include "state/state.h"
+#include "state/step_scratch.h"
+
+namespace cairn {
+
+struct MovingState {
+    math::DVec3 x; // center of mass
+    math::DQuat q;
+    math::DVec3 v, w;
+};
+
+class Movers {
+  public:
+    Movers(State& state, StepScratch& step, float dt);
+    ~Movers();
+    Movers(const Movers&) = delete;
+    Movers& operator=(const Movers&) = delete;
+
+    std::int32_t add(std::int32_t body);
+    std::int32_t of_body(std::int32_t body) const { return place_[std::size_t(body)]; }
+    Mover& operator[](std::int32_t i) { return movers_[std::size_t(i)]; }
+    const Mover& operator[](std::int32_t i) const { return movers_[std::size_t(i)]; }
+    std::int32_t count() const { return std::int32_t(movers_.size()); }
+    double speed_of(std::int32_t i) const;
+
+    MovingState state_at(std::int32_t i, double time) const;
+    // The pose of `now` and its velocities are those of the time; the rest of the way is made anew: of what turns far
+    // and is free, up to a part of a turn, where it has to be renewed.
+    void redirect(std::int32_t i, double time, const MovingState& now);
+    // It lies on something in the direction of the unit vector `down`: the forces that press it there do not move it.
+    void rest_on(std::int32_t i, math::DVec3 down);
+    void stop(std::int32_t i, double time) { (*this)[i].until = time; }
+    // All that were redirected or stopped: where they are at the end of the step.
+    void put_back();
+
+    // Of what does not move by forces, or is slow: where it was at the start of the pass and is at its end.
+    RigidPath path_of(std::int32_t body) const;
+    DBounds bounds_of_way(const Mover& m, double from) const;
+
+  private:
+    math::DVec3 spin_later(const Mover& m, math::DVec3 w, math::DQuat from, math::DQuat to, double duration) const;
+    double longest_part(std::int32_t body, math::DVec3 w, math::DQuat q) const;
+    double offset_of_velocity() const;
+    void fly(const Mover& m, const MovingState& from, double duration) const;
+    void keep_in_range(std::int32_t body, const MovingState& from, double duration) const;
+    void put_back(std::int32_t i);
+
+    State& s;
+    StepScratch& step;
+    const float dt_;
+    std::vector<std::int32_t>& place_;
+    std::vector<Mover>& movers_;
+};
+
+} // namespace cairn

@@ -1,0 +1,268 @@
+#include "impacts/resolve_impacts.h"
+
+#include "bodies/bodies.h"
+#include "bodies/motion_budget.h"
+#include "contacts/contact_record.h"
+#include "contacts/pairs.h"
+#include "contacts/patches.h"
+#include "impacts/impact_law.h"
+#include "impacts/meeting_points.h"
+#include "impacts/movers.h"
+#include "impacts/swept_pairs.h"
+#include "islands/islands.h"
+
+#include <algorithm>
+
+namespace cairn {
+
+using math::dot;
+using math::DVec3;
+using math::to_double;
+
+namespace {
+
+constexpr int pairs_per_chunk = 16; // for threads
+// Of one body in a pass. More than a room of its size leaves time for, or it is wedged in: then it stops.
+constexpr int max_impacts = 64;
+
+math::DSym3 inverse_inertia_at(const BodyMass& mass, math::DQuat q) {
+    const math::DQuat axes = q * to_double(mass.principal);
+    return math::rotated_diagonal(math::to_matrix(axes), to_double(mass.inverse_inertia));
+}
+
+class ImpactQueue {
+  public:
+    ImpactQueue(State& state, StepScratch& step, float dt)
+        : s(state), step(step), dt_(dt), movers_(state, step, dt), pairs_(state, step, dt, movers_) {
+        meetings_.clear();
+    }
+    void run() {
+        for (const std::int32_t b : step.solver.fast) movers_[movers_.add(b)].is_fast = true;
+        for (const std::uint32_t id : step.narrow.in_flight) {
+            movers_.add(s.contacts.info[id].body_a);
+            if (s.contacts.info[id].b_moves) movers_.add(s.contacts.info[id].body_b);
+        }
+        pairs_.find();
+        s.statistics.swept_pairs += std::size_t(pairs_.count());
+        step.thread_pool->for_chunks(int(pairs_.count()), pairs_per_chunk, [&](int begin, int end, int) {
+            for (int k = begin; k < end; ++k) pairs_[k].time = pairs_.time_of(pairs_[k], 0);
+        });
+        for (std::int32_t k = 0; k < pairs_.count(); ++k) expect(k);
+        for (std::int32_t i = 0; i < movers_.count(); ++i) expect_renewal(i);
+        while (!meetings_.empty()) {
+            std::pop_heap(meetings_.begin(), meetings_.end());
+            const Meeting m = meetings_.back();
+            meetings_.pop_back();
+            if (m.pair == none)
+                renew(std::int32_t(m.shape), m.time);
+            else if (m.time == pairs_[m.pair].time) // else it was asked again
+                meet(m.pair, m.time);
+        }
+        movers_.put_back();
+    }
+
+  private:
+    void expect(std::int32_t k) {
+        const SweptPair& pair = pairs_[k];
+        if (!(pair.time < 1)) return;
+        meetings_.push_back({pair.time, pair.shape, pair.other, k});
+        std::push_heap(meetings_.begin(), meetings_.end());
+    }
+
+    // Where the path of a mover ends before the step.
+    void expect_renewal(std::int32_t i) {
+        if (!(movers_[i].path.until < 1)) return;
+        meetings_.push_back({movers_[i].path.until, std::uint32_t(i), 0, none});
+        std::push_heap(meetings_.begin(), meetings_.end());
+    }
+    void renew(std::int32_t i, double time) {
+        if (movers_[i].path.until != time || movers_[i].has_stopped()) return;
+        movers_.redirect(i, time, movers_.state_at(i, time));
+        expect_renewal(i);
+        ask_again(i, time); // its way has been looked at up to the end
+    }
+
+    void meet(std::int32_t k, double time) {
+        const bool is_worn = is_worn_out(pairs_[k].first) || is_worn_out(pairs_[k].second);
+        if (pairs_[k].is_known || is_worn) {
+            for (const std::int32_t i : {pairs_[k].first, pairs_[k].second}) stop(i, time);
+            return;
+        }
+        if (collide(k, time)) return;
+        // They touch, and nothing approaches: from now on they must not go deeper than a contact may.
+        pairs_[k].is_known = true;
+        pairs_[k].time = pairs_.time_of(pairs_[k], time);
+        expect(k);
+    }
+    bool is_worn_out(std::int32_t i) const { return i != none && movers_[i].impacts >= max_impacts; }
+
+    void stop(std::int32_t i, double time) {
+        if (i == none || movers_[i].has_stopped()) return;
+        movers_.stop(i, time);
+        ask_again(i, time);
+    }
+
+    // The pairs of what goes another way from now on.
+    void ask_again(std::int32_t i, double time) {
+        pairs_.for_each_of(i, [&](std::int32_t k) {
+            SweptPair& pair = pairs_[k];
+            pair.time = never;
+            const bool ends =
+                movers_[pair.first].has_stopped() && (pair.second == none || movers_[pair.second].has_stopped());
+            if (ends) return;
+            pair.time = pairs_.time_of(pair, time);
+            expect(k);
+        });
+    }
+
+    bool can_go_on(std::int32_t b) const {
+        return s.bodies.is_dynamic(b) && is_awake(s.bodies, s.islands, b) && s.bodies.links[b].first_joint == none;
+    }
+
+    MovingState state_of(std::int32_t mover, std::int32_t body, double time) const {
+        if (mover != none) {
+            MovingState now = movers_.state_at(mover, time);
+            if (movers_[mover].has_stopped()) now.v = now.w = {};
+            return now;
+        }
+        const RigidPath::Pose pose = movers_.path_of(body).at(time);
+        const BodyMotion& motion = s.bodies.motion[body];
+        return {pose.x, pose.q, to_double(motion.v), to_double(motion.w)};
+    }
+    ImpactBody impact_body(std::int32_t mover, std::int32_t body, const MovingState& now) const {
+        ImpactBody b{now.x, now.v, now.w, 0, {}};
+        if (!s.bodies.is_dynamic(body) || (mover != none && movers_[mover].has_stopped())) return b;
+        b.inverse_mass = double(s.bodies.mass[body].inverse_mass);
+        b.inverse_inertia = inverse_inertia_at(s.bodies.mass[body], now.q);
+        return b;
+    }
+
+    void make_mover(std::int32_t k, double time) {
+        pairs_.make_mover(k);
+        const std::int32_t i = pairs_[k].second;
+        while (movers_[i].path.until < time)
+            movers_.redirect(i, movers_[i].path.until, movers_.state_at(i, movers_[i].path.until));
+        expect_renewal(i);
+    }
+
+    // Of the surface of what does not move by forces, along it (at the first of the points).
+    DVec3 surface_velocity(std::uint32_t shape) const {
+        const ShapeTraits& traits = s.shapes.traits[shape];
+        if (!traits.has_surface_velocity || s.bodies.is_dynamic(s.shapes.links[shape].body) || points_.empty())
+            return {};
+        const DVec3 n = points_.front().normal;
+        const DVec3 u = to_double(math::rotate(shape_rotation(s.shapes.poses[shape]), traits.surface_velocity));
+        return u - dot(u, n) * n;
+    }
+
+    // False if nothing approaches.
+    bool collide(std::int32_t k, double time) {
+        const std::int32_t body_a = s.shapes.links[pairs_[k].shape].body, body_b = s.shapes.links[pairs_[k].other].body;
+        if (pairs_[k].second == none && can_go_on(body_b)) make_mover(k, time);
+        const SweptPair pair = pairs_[k];
+        MovingState now_a = state_of(pair.first, body_a, time), now_b = state_of(pair.second, body_b, time);
+        find_meeting_points(s, pair.shape, now_a, pair.other, now_b, scratch_, points_);
+        ImpactBody a = impact_body(pair.first, body_a, now_a), b = impact_body(pair.second, body_b, now_b);
+        const PairMaterial material = combined_material(s.shapes.materials[pair.shape], s.shapes.materials[pair.other]);
+        const ImpactMaterial law{double(material.restitution), double(material.friction),
+                                 double(material.torsion_radius), double(material.rolling_radius),
+                                 double(s.settings.restitution_speed)};
+        const DVec3 belt_a = surface_velocity(pair.shape), belt_b = surface_velocity(pair.other);
+        a.v += belt_a, b.v += belt_b;
+        ImpactOutcome outcome = cairn::collide(a, b, points_, law, rows_);
+        const bool is_impact = outcome.approach > 0;
+        if (!is_impact && (points_.empty() || pair.rests)) return false;
+        if (is_impact) {
+            ++s.statistics.impacts;
+            report(pair, outcome);
+            pairs_[k].has_begun = true;
+        } else {
+            outcome.normal = points_.front().normal; // forces press them together
+        }
+        now_a.v = a.v - belt_a, now_a.w = a.w, now_b.v = b.v - belt_b, now_b.w = b.w;
+        if (!outcome.bounces) {
+            pairs_[k].rests = true;
+            movers_.rest_on(pair.first, outcome.normal);
+            if (pair.second != none) movers_.rest_on(pair.second, -outcome.normal);
+        }
+        go_on(pair.first, body_a, time, now_a);
+        go_on(pair.second, body_b, time, now_b);
+        for (const std::int32_t i : {pair.first, pair.second})
+            if (i != none && !movers_[i].has_stopped()) ask_near(i, time);
+        return true;
+    }
+
+    void go_on(std::int32_t mover, std::int32_t body, double time, const MovingState& now) {
+        if (mover != none) {
+            if (movers_[mover].has_stopped()) return;
+            movers_.redirect(mover, time, now);
+            expect_renewal(mover);
+            ++movers_[mover].impacts;
+            return;
+        }
+        if (!s.bodies.is_dynamic(body)) return; // asleep, or on joints: those act in the next step
+        if (!is_awake(s.bodies, s.islands, body)) wake_body(s.bodies, s.islands, s.events, body);
+        s.bodies.motion[body].v = math::to_float(now.v), s.bodies.motion[body].w = math::to_float(now.w);
+        s.bodies.links[body].quiet_time = 0;
+    }
+    void ask_near(std::int32_t i, double time) {
+        movers_[i].is_redirected = true;
+        pairs_.find_near(i, time);
+        ask_again(i, time);
+    }
+
+    // The shapes touch up to the next step, where the narrow phase says whether they still do.
+    void report(const SweptPair& pair, const ImpactOutcome& outcome) {
+        const std::int32_t id = pair.contact;
+        const bool is_first = id == none || s.contacts.info[id].shape_a == pair.shape; // A of contacts comes first
+        const std::uint32_t first = is_first ? pair.shape : pair.other, second = is_first ? pair.other : pair.shape;
+        const math::Vec3 n = math::to_float(is_first ? outcome.normal : -outcome.normal);
+        const ShapeId a = s.shapes.slots.id(first), b = s.shapes.slots.id(second);
+        const BodyId body_a = s.bodies.id(s.shapes.links[first].body),
+                     body_b = s.bodies.id(s.shapes.links[second].body);
+        const bool begins = !pair.has_begun && (id == none || begins_to_touch(std::uint32_t(id), outcome, n));
+        if (begins) s.events.begins.push_back({a, b, body_a, body_b});
+        if (begins && id == none) s.events.brief.push_back({a, b, body_a, body_b});
+        if (outcome.approach < double(s.settings.hit_speed)) return;
+        const DVec3 p = outcome.position;
+        s.events.hits.push_back({a, b, body_a, body_b, {p.x, p.y, p.z}, {n.x, n.y, n.z}, float(outcome.approach)});
+    }
+    // The record of the contact gets the point that was struck. `normal`: from its A.
+    bool begins_to_touch(std::uint32_t id, const ImpactOutcome& outcome, math::Vec3 normal) {
+        drop_answer(s.bodies, s.contacts, id); // the next step looks at the pair in any case
+        bool has_touched = s.contacts.info[id].touching;
+        if (is_group(s.contacts.info[id])) {
+            for (std::int32_t p = s.contacts.info[id].related; p != none; p = s.contacts.info[p].next)
+                has_touched |= s.contacts.info[p].touching != 0;
+            id = patch_along(s.shapes, s.contacts, step.narrow, id, normal);
+        }
+        s.contacts.info[id].touching = 1;
+        if (s.contacts.info[id].point_count > 0) return !has_touched;
+        ContactRecord& r = s.contacts.records[id];
+        forget_impulses(r, 0);
+        math::put(r.normal, normal);
+        math::put(r.first_point, math::to_float(outcome.position - s.bodies.motion[s.contacts.info[id].body_a].x));
+        r.first_point[3] = 0;
+        r.first_total = float(outcome.impulse);
+        return !has_touched;
+    }
+
+    State& s;
+    StepScratch& step;
+    const float dt_;
+    Movers movers_;
+    SweptPairs pairs_;
+    std::vector<Meeting>& meetings_ = step.solver.sweep.meetings;
+    MeetingScratch scratch_;
+    std::vector<ImpactPoint> points_;
+    std::vector<ImpactRow> rows_;
+};
+
+} // namespace
+
+void resolve_impacts(State& s, StepScratch& step, float dt) {
+    if (step.solver.fast.empty() && step.narrow.in_flight.empty()) return;
+    ImpactQueue(s, step, dt).run();
+}
+
+} // namespace cairn

@@ -1,0 +1,214 @@
+#include "impacts/swept_pairs.h"
+
+#include "contacts/patches.h"
+#include "state/joint_links.h"
+
+#include <algorithm>
+
+namespace cairn {
+
+using math::DVec3;
+
+namespace {
+
+// About the center of mass.
+Geometry inner_ball(const State& s, std::int32_t b) {
+    Geometry ball;
+    ball.size = {s.bodies.links[b].inner_radius, s.bodies.links[b].inner_radius, s.bodies.links[b].inner_radius};
+    ball.bounding_radius = s.bodies.links[b].inner_radius;
+    ball.position = s.bodies.mass[b].center;
+    return ball;
+}
+
+template <class F> void for_each_shape(const State& s, std::int32_t body, F&& f) {
+    for (std::int32_t k = s.bodies.links[body].first_shape; k != none; k = s.shapes.links[k].next) f(std::uint32_t(k));
+}
+
+} // namespace
+
+SweptPairs::SweptPairs(State& state, StepScratch& step, float dt, Movers& movers)
+    : s(state), step(step), dt_(dt), movers_(movers), scratch_(step.solver.sweep), pairs_(step.solver.sweep.pairs) {
+    pairs_.clear();
+    scratch_.redirected.clear();
+    scratch_.has_ways = scratch_.has_known = false;
+}
+
+bool SweptPairs::may_collide(std::uint32_t a, std::uint32_t b) const {
+    const std::int32_t body_a = s.shapes.links[a].body, body_b = s.shapes.links[b].body;
+    const ShapeTraits &ta = s.shapes.traits[a], &tb = s.shapes.traits[b];
+    return body_a != body_b && !ta.is_trigger && !tb.is_trigger && may_meet(ta.filter, tb.filter) &&
+           !joint_forbids_contact(s.bodies, s.joints, body_a, body_b);
+}
+
+// Whether two bodies moved against each other so far that a core can pass, and came near each other. The first is fast.
+bool SweptPairs::may_pass(std::int32_t mover, std::int32_t b, const Geometry& other) const {
+    if (s.bodies.settings[b].type == BodyType::kinematic) return true;
+    const Mover& m = movers_[mover];
+    const double inner_a = double(s.bodies.links[m.body].inner_radius),
+                 inner_b = double(s.bodies.links[b].inner_radius);
+    const std::int32_t second = movers_.of_body(b);
+    const double moved_by_b = second != none                     ? movers_[second].moved
+                              : is_awake(s.bodies, s.islands, b) ? free_share * inner_b
+                                                                 : 0; // at most
+    if (m.moved + moved_by_b <= free_share * std::min(inner_a, inner_b)) return false;
+    if (other.type == ShapeType::plane || is_strip(other)) return true; // without an end
+    // Along the straight way.
+    const RigidPath path_b = second != none ? movers_[second].path : movers_.path_of(b);
+    const DVec3 start = path_b.start - m.path.start, way = path_b.translation - m.path.translation;
+    const double square = math::dot(way, way),
+                 radii = double(s.bodies.links[m.body].radius) + double(s.bodies.links[b].radius);
+    const double time = square > 0 ? std::clamp(-math::dot(start, way) / square, 0.0, 1.0) : 0;
+    const DVec3 nearest = start + time * way;
+    return math::dot(nearest, nearest) <= radii * radii;
+}
+
+void SweptPairs::link(std::int32_t k, std::int32_t mover) {
+    SweptPair& pair = (*this)[k];
+    (pair.first == mover ? pair.next_of_first : pair.next_of_second) = movers_[mover].first_pair;
+    movers_[mover].first_pair = k;
+}
+
+bool SweptPairs::is_listed(std::int32_t mover, std::uint32_t shape, std::uint32_t other) {
+    bool found = false;
+    for_each_of(mover, [&](std::int32_t k) {
+        const SweptPair& pair = (*this)[k];
+        found |= (pair.shape == shape && pair.other == other) || (pair.shape == other && pair.other == shape);
+    });
+    return found;
+}
+
+// In one order, whichever of two movers was looked at first.
+void SweptPairs::add(std::int32_t mover, std::uint32_t shape, std::uint32_t other, std::int32_t contact,
+                     bool is_known) {
+    SweptPair pair{mover, movers_.of_body(s.shapes.links[other].body), shape, other, contact, is_known};
+    if (pair.second != none && other < shape) std::swap(pair.first, pair.second), std::swap(pair.shape, pair.other);
+    const std::int32_t k = count();
+    pairs_.push_back(pair);
+    link(k, pair.first);
+    if (pair.second != none) link(k, pair.second);
+}
+
+void SweptPairs::make_mover(std::int32_t k) {
+    SweptPair& pair = (*this)[k];
+    pair.second = movers_.add(s.shapes.links[pair.other].body);
+    link(k, pair.second);
+}
+
+void SweptPairs::find() {
+    for (const std::uint32_t id : step.narrow.in_flight) {
+        const ContactInfo& c = s.contacts.info[id];
+        add(movers_.of_body(c.body_a), c.shape_a, c.shape_b, std::int32_t(id), false);
+    }
+    if (step.solver.fast.empty()) return;
+    for (const std::uint32_t k : step.narrow.open) {
+        const std::uint32_t id = step.narrow.candidates[k];
+        const PairAnswer& answer = s.contacts.answers[id];
+        const std::int32_t a = movers_.of_body(answer.body_a), b = movers_.of_body(answer.body_b);
+        const bool a_is_fast = a != none && movers_[a].is_fast, b_is_fast = b != none && movers_[b].is_fast;
+        if (!a_is_fast && !b_is_fast) continue;
+        const ContactInfo& c = s.contacts.info[id];
+        if (c.is_trigger) continue;
+        const std::int32_t mover = a_is_fast ? a : b;
+        const std::uint32_t shape = a_is_fast ? c.shape_a : c.shape_b, other = a_is_fast ? c.shape_b : c.shape_a;
+        if (!may_pass(mover, s.shapes.links[other].body, s.shapes.geometry[other]) || is_listed(mover, shape, other))
+            continue;
+        const bool is_known = is_group(c) ? c.related != none : c.point_count > 0;
+        add(mover, shape, other, std::int32_t(id), is_known);
+    }
+    for (const std::int32_t b : step.solver.strayed) find_near(movers_.of_body(b), 0);
+}
+
+// Those whose bodies the solver has moved by a contact.
+bool SweptPairs::is_known(std::uint32_t a, std::uint32_t b) {
+    auto& known = scratch_.known;
+    if (!scratch_.has_known) {
+        known.clear();
+        for (const std::uint32_t id : step.solved) {
+            const ContactInfo& c = s.contacts.info[id];
+            if (c.in_use && c.point_count > 0) known.push_back(std::minmax(c.shape_a, c.shape_b));
+        }
+        std::sort(known.begin(), known.end());
+        scratch_.has_known = true;
+    }
+    return std::binary_search(known.begin(), known.end(), std::pair<std::uint32_t, std::uint32_t>(std::minmax(a, b)));
+}
+
+void SweptPairs::list_ways() {
+    std::vector<SweptBounds>& ways = scratch_.ways;
+    if (scratch_.has_ways) return;
+    scratch_.has_ways = true;
+    ways.clear();
+    scratch_.widest_way = 0;
+    for (std::int32_t i = 0; i < movers_.count(); ++i) {
+        if (movers_[i].is_redirected) continue;
+        const DBounds bounds = movers_.bounds_of_way(movers_[i], 0);
+        ways.push_back({bounds.lo.x, i, bounds});
+        scratch_.widest_way = std::max(scratch_.widest_way, bounds.hi.x - bounds.lo.x);
+    }
+    std::sort(ways.begin(), ways.end());
+}
+
+// f(shape) of all other bodies near bounds: what does not move far is where the broad phase has it, and movers where
+// they were going at first or since they were redirected.
+template <class F> void SweptPairs::for_each_near(std::int32_t mover, const DBounds& bounds, F&& f) {
+    list_ways();
+    s.broad_phase.query_bounds(bounds, [&](std::uint32_t other) {
+        if (movers_.of_body(s.shapes.links[other].body) == none) f(other);
+    });
+    const auto visit = [&](const SweptBounds& way) {
+        if (way.mover != mover && meet(bounds, way.bounds)) for_each_shape(s, movers_[way.mover].body, f);
+    };
+    const auto begins_before = [](const SweptBounds& w, double x) { return w.begin < x; };
+    auto k =
+        std::lower_bound(scratch_.ways.begin(), scratch_.ways.end(), bounds.lo.x - scratch_.widest_way, begins_before);
+    for (; k != scratch_.ways.end() && k->begin <= bounds.hi.x; ++k)
+        if (!movers_[k->mover].is_redirected) visit(*k);
+    for (const SweptBounds& way : scratch_.redirected) visit(way);
+}
+
+void SweptPairs::find_near(std::int32_t mover, double from) {
+    const DBounds bounds = movers_.bounds_of_way(movers_[mover], from);
+    const std::int32_t body = movers_[mover].body;
+    std::vector<std::uint32_t> near; // pairs are not added while lists are gone through
+    for_each_near(mover, bounds, [&](std::uint32_t other) { near.push_back(other); });
+    for (const std::uint32_t other : near)
+        for_each_shape(s, body, [&](std::uint32_t shape) {
+            if (!may_collide(shape, other) || is_listed(mover, shape, other)) return;
+            add(mover, shape, other, none, is_known(shape, other));
+        });
+    if (movers_[mover].is_redirected) scratch_.redirected.push_back({bounds.lo.x, mover, bounds});
+}
+
+double SweptPairs::time_of(const SweptPair& pair, double from) const {
+    const Mover& first = movers_[pair.first];
+    const auto swept = [&](std::uint32_t shape, const Geometry& g, const RigidPath& path, double until) {
+        const std::int32_t body = s.shapes.links[shape].body;
+        return SweptShape{g, s.shapes.data[shape], math::to_double(g.position - s.bodies.mass[body].center), path,
+                          until};
+    };
+    // Seen from the first, for precision far from the origin.
+    const DVec3 origin = first.path.start;
+    const auto seen = [&](RigidPath p) {
+        p.start = p.start - origin;
+        return p;
+    };
+    const RigidPath path_a = seen(first.path);
+    const Mover* const second = pair.second != none ? &movers_[pair.second] : nullptr;
+    const RigidPath path_b = seen(second ? second->path : movers_.path_of(s.shapes.links[pair.other].body));
+    const double until_b = second ? second->until : 1;
+    const bool turns = first.turns_over || (second && second->turns_over);
+    Geometry ball_a, ball_b;
+    if (first.turns_over) ball_a = inner_ball(s, first.body);
+    if (second && second->turns_over) ball_b = inner_ball(s, second->body);
+    const SweptShape a =
+        swept(pair.shape, first.turns_over ? ball_a : s.shapes.geometry[pair.shape], path_a, first.until);
+    const SweptShape b =
+        swept(pair.other, second && second->turns_over ? ball_b : s.shapes.geometry[pair.other], path_b, until_b);
+    // What something holds is pressed into it a little, and would catch at the edges of what lies beside.
+    const bool catches = !first.is_free && !(second && s.bodies.is_dynamic(second->body));
+    if (pair.is_known || turns || catches) return time_of_meeting(a, b, pair.is_known, from);
+    const double touch = time_of_touch(a, b, from);
+    return touch < 1 ? touch : time_of_meeting(a, b, false, from);
+}
+
+} // namespace cairn

@@ -1,0 +1,52 @@
+// Which shapes may meet in a step, and when: pairs of movers with each other and with all else.
+#pragma once
+
+#include "impacts/movers.h"
+
+namespace cairn {
+
+class SweptPairs {
+  public:
+    SweptPairs(State& state, StepScratch& step, float dt, Movers& movers);
+
+    // Pairs of what flies, and those that the narrow phase had before it; then all that is near the ways of bodies that
+    // are not where they were expected.
+    void find();
+    // All that is near the way of a mover from a time on.
+    void find_near(std::int32_t mover, double from);
+
+    SweptPair& operator[](std::int32_t k) { return pairs_[std::size_t(k)]; }
+    std::int32_t count() const { return std::int32_t(pairs_.size()); }
+    // f(pair) for all pairs of a mover.
+    template <class F> void for_each_of(std::int32_t mover, F&& f) {
+        for (std::int32_t k = movers_[mover].first_pair; k != none;) {
+            const SweptPair& pair = (*this)[k];
+            const std::int32_t next = pair.first == mover ? pair.next_of_first : pair.next_of_second;
+            f(k);
+            k = next;
+        }
+    }
+    // The other body of a pair becomes a mover.
+    void make_mover(std::int32_t pair);
+    // When the two meet, from a time on up to which they are known to be apart.
+    double time_of(const SweptPair& pair, double from) const;
+
+  private:
+    void add(std::int32_t mover, std::uint32_t shape, std::uint32_t other, std::int32_t contact, bool is_known);
+    void link(std::int32_t pair, std::int32_t mover);
+    bool is_listed(std::int32_t mover, std::uint32_t shape, std::uint32_t other);
+    bool may_pass(std::int32_t mover, std::int32_t body, const Geometry& other) const;
+    bool may_collide(std::uint32_t a, std::uint32_t b) const;
+    bool is_known(std::uint32_t a, std::uint32_t b);
+    void list_ways();
+    template <class F> void for_each_near(std::int32_t mover, const DBounds& bounds, F&& f);
+
+    State& s;
+    StepScratch& step;
+    const float dt_;
+    Movers& movers_;
+    SweepScratch& scratch_;
+    std::vector<SweptPair>& pairs_;
+};
+
+} // namespace cairn

@@ -1,0 +1,33 @@
+// What a step works with and leaves nothing in that a later one depends on: no part of the state, nor of snapshots.
+#pragma once
+
+#include "jobs/thread_pool.h"
+#include "state/direct_sets.h"
+#include "state/narrow_scratch.h"
+#include "state/solver_scratch.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace cairn {
+
+// The passes of the step under way.
+struct StepPasses {
+    int split = 1;  // how many there are
+    int number = 0; // of the one that runs, from 0
+
+    // Of the given number in a step, how many a pass takes.
+    int in_pass(int substeps) const { return (substeps + split - 1) / split; }
+};
+
+struct StepScratch {
+    StepPasses passes;
+    NarrowScratch narrow;
+    std::vector<std::uint32_t> solved; // contacts to solve in this pass
+    SolverScratch solver;
+    DirectSets direct;
+    std::unique_ptr<ThreadPool> thread_pool = std::make_unique<ThreadPool>(1);
+};
+
+} // namespace cairn

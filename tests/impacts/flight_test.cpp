@@ -1,0 +1,145 @@
+// Impacts of what flies, against exact answers and conserved quantities.
+#include "cells.h"
+
+#include "impacts/impact_law.h"
+
+#include <gtest/gtest.h>
+
+namespace cairn_test {
+namespace {
+
+constexpr unsigned seed = 7; // other shots than those of the table
+
+TEST(Flight, BilliardsAreTheExactGame) {
+    for (const double speed : {3.0, 10.0, 30.0})
+        for (const bool is_planar : {true, false}) {
+            const BilliardsResult result = play_billiards({speed, is_planar, 1e-5, 20, seed});
+            EXPECT_EQ(result.games, 20);
+            EXPECT_EQ(result.differ, 0) << speed << " m/s, " << result.worst_angle << " degrees, "
+                                        << result.worst_speed;
+        }
+}
+
+TEST(Flight, GasHasAllItsImpactsAndNoOthers) {
+    for (const double speed : {3.0, 10.0, 30.0}) {
+        const Changes changes = step_gas({speed, 40, 0.05, 100, seed});
+        EXPECT_GT(changes.right, 100);
+        EXPECT_EQ(changes.false_, 0) << speed;
+        EXPECT_EQ(changes.missing, 0) << speed;
+        EXPECT_LT(changes.worst_error, 0.01) << speed; // of what has several impacts in the step
+    }
+}
+
+TEST(Flight, BallBouncesBetweenWallsAsOftenAsItMeetsThem) {
+    for (const double speed : {30.0, 100.0, 300.0, 1000.0}) {
+        const Bounced bounced = bounce_between_walls({speed, 20, seed});
+        EXPECT_EQ(bounced.escaped, 0) << speed;
+        EXPECT_EQ(bounced.miscounted, 0) << speed;
+    }
+}
+
+TEST(Flight, TumblingPlanksKeepTheirEnergy) {
+    for (const double speed : {3.0, 10.0}) {
+        const Range meeting = energy_of_meeting(Kind::plank, {speed, 100, seed});
+        EXPECT_GT(meeting.least, -0.01) << speed;
+        EXPECT_LT(meeting.most, 0.05) << speed; // 1.5 when all that is struck was struck once in a step
+    }
+    for (const double size : {0.5, 0.05}) {
+        const Range bouncing = energy_of_bouncing({Kind::plank, size, 20, 5, seed});
+        EXPECT_GT(bouncing.least, -0.01) << size;
+        EXPECT_LT(bouncing.most, 0.01) << size; // 7 then
+    }
+}
+
+TEST(Flight, EventsTellWhatBouncedWithinAStep) {
+    World world(without_gravity());
+    const Material elastic = surface(0, 1);
+    BodyDef wall;
+    wall.type = BodyType::static_;
+    std::vector<BodyId> walls;
+    for (const double side : {-1.0, 1.0}) {
+        wall.position = {0, side * 0.51, 0};
+        walls.push_back(add_body(world, Box{{2, 0.01f, 2}}, wall, elastic));
+    }
+    BodyDef def;
+    def.linear_velocity = {0, 200, 0};
+    const BodyId ball = add_body(world, Sphere{0.05f}, def, elastic);
+    int begun = 0, ended = 0, hits = 0;
+    for (int i = 0; i < 30; ++i) {
+        world.step(frame);
+        begun += int(world.contact_begins().size());
+        ended += int(world.contact_ends().size());
+        hits += int(world.contact_hits().size());
+        EXPECT_GE(world.statistics().impacts, 3u) << i; // 3.3 m in a step, 0.9 m between impacts
+        for (const ContactHit& hit : world.contact_hits()) {
+            EXPECT_NEAR(hit.approach_speed, 200, 0.01);
+            EXPECT_NEAR(std::fabs(hit.normal.y), 1, 1e-6);
+            EXPECT_NEAR(std::fabs(hit.point.y), 0.5, 1e-4);
+        }
+    }
+    EXPECT_EQ(hits, int(std::floor((200 * 30 * double(frame) + 0.45) / 0.9)));
+    EXPECT_GE(begun, 30);
+    EXPECT_NEAR(begun, ended, 2);
+    EXPECT_NEAR(std::fabs(world.body(ball).linear_velocity().y), 200, 1e-3);
+}
+
+// Random bodies, points, friction and restitution: what no impact may do.
+TEST(ImpactLaw, NeverGainsEnergyKeepsMomentumAndSeparates) {
+    Random random(seed);
+    std::vector<ImpactRow> rows;
+    for (int shot = 0; shot < 20000; ++shot) {
+        const auto draw = [&](double most) {
+            return math::DVec3{random.between(-most, most), random.between(-most, most), random.between(-most, most)};
+        };
+        ImpactBody bodies[2];
+        math::DSym3 inertia[2];
+        for (int i = 0; i < 2; ++i) {
+            bodies[i] = {draw(1), draw(10), draw(20), random.between(0.01, 10), {}};
+            const Quat q = random.rotation();
+            const math::DMat3 axes = math::to_matrix(math::DQuat{q.x, q.y, q.z, q.w});
+            const math::DVec3 d{random.between(0.1, 100), random.between(0.1, 100), random.between(0.1, 100)};
+            bodies[i].inverse_inertia = math::rotated_diagonal(axes, d);
+            inertia[i] = math::rotated_diagonal(axes, math::DVec3{1 / d.x, 1 / d.y, 1 / d.z});
+        }
+        if (shot % 3 == 0) bodies[1] = {bodies[1].x, {}, {}, 0, {}};
+        const math::DVec3 normal = math::normalized(draw(1));
+        std::vector<ImpactPoint> points;
+        for (int i = 0; i < 1 + shot % 4; ++i) points.push_back({draw(1), normal});
+        const ImpactMaterial material{random.uniform(), shot % 2 == 0 ? random.between(0, 2) : 0,
+                                      shot % 5 == 0 ? 0.1 : 0, shot % 7 == 0 ? 0.1 : 0, 0.02};
+        ImpactBody a = bodies[0], b = bodies[1];
+        const ImpactOutcome outcome = collide(a, b, points, material, rows);
+        const ImpactBody* after[] = {&a, &b};
+        double energy = 0, scale = 0;
+        math::DVec3 momentum;
+        for (int i = 0; i < 2; ++i) {
+            const ImpactBody &from = bodies[i], &to = *after[i];
+            if (!(from.inverse_mass > 0)) continue;
+            const double mass = 1 / from.inverse_mass;
+            const auto energy_of = [&](const ImpactBody& body) {
+                return 0.5 * mass * math::dot(body.v, body.v) + 0.5 * math::dot(body.w, inertia[i] * body.w);
+            };
+            energy += energy_of(to) - energy_of(from);
+            scale += energy_of(from);
+            momentum += mass * (to.v - from.v);
+        }
+        ASSERT_LE(energy, 1e-6 * scale) << shot;
+        if (bodies[1].inverse_mass > 0) {
+            ASSERT_LT(math::length(momentum), 1e-9 * std::sqrt(scale) + 1e-9) << shot;
+        }
+        if (!(outcome.approach > 0) || material.friction > 0) continue; // with friction, again at the same moment
+        for (const ImpactPoint& p : points) {
+            const auto approach = [&](const ImpactBody& first, const ImpactBody& second) {
+                const math::DVec3 va = first.v + math::cross(first.w, p.position - first.x);
+                const math::DVec3 vb = second.v + math::cross(second.w, p.position - second.x);
+                return math::dot(normal, va - vb);
+            };
+            if (approach(bodies[0], bodies[1]) > 0) {
+                ASSERT_LT(approach(a, b), 1e-4 * outcome.approach) << shot;
+            }
+        }
+    }
+}
+
+} // namespace
+} // namespace cairn_test
