@@ -2,6 +2,7 @@
 // A wrong call ends with one line on stderr and exit code 2, an error at run time with one line and exit code 1.
 #include "bench/consistency.h"
 #include "bench/measure.h"
+#include "bench/queries.h"
 #include "bench/report.h"
 #include "bench/rollback.h"
 #include "bench/save.h"
@@ -49,7 +50,7 @@ struct Options {
     cairn::bench::MeasureOptions measure;
     std::vector<std::string> engines;
     std::optional<std::string> folder; // to save scenes in, instead of measuring them
-    bool json = false, list = false, consistency = false, rollback = false;
+    bool json = false, list = false, consistency = false, rollback = false, queries = false;
 };
 
 std::vector<std::string> scene_names() {
@@ -92,6 +93,8 @@ void add_options(CLI::App& app, Options& options) {
                  "Measure how the answers depend on the time step instead (Erez et al. 2015); takes minutes");
     app.add_flag("--rollback", options.rollback,
                  "Measure instead what it costs to go 8 frames back, 1,000 times, with 500 bodies (uses --threads)");
+    app.add_flag("--queries", options.queries,
+                 "Measure instead how many queries a second a pile of 5,000 bodies at rest answers, on one thread");
     app.add_flag("--json", options.json, "Print one JSON object instead of tables");
     app.add_flag("--list", options.list, "List the scenes and engines, and measure nothing");
 }
@@ -156,7 +159,16 @@ int measure_rollbacks(const std::vector<int>& thread_counts) {
     return wrong == 0 ? 0 : 1;
 }
 
+int measure_queries() {
+    const auto rates = cairn::bench::measure_queries({});
+    for (const cairn::bench::QueryRate& rate : rates)
+        fmt::print("{:<15} {:>9.0f} a second, {:.2f} of the rays; {:.0f} % met something\n", rate.kind, rate.per_second,
+                   rate.per_second / rates[0].per_second, 100 * rate.met);
+    return 0;
+}
+
 int run(Options& options) {
+    if (options.queries) return measure_queries();
     if (options.rollback) return measure_rollbacks(options.measure.threads);
     if (options.list) {
         fmt::print("{}", listing());

@@ -33,10 +33,10 @@ template <class F> void visit_box(const BroadKernels& kernels, const TreeView& t
     }
 }
 
-// max = visit(slot, max) for all items whose boxes the ray meets before `max`; the nearest lane of a node first.
-// Returns the last max.
-template <class F>
-float visit_ray(const BroadKernels& kernels, const TreeView& tree, const TreeRay& ray, float max, F&& visit) {
+// max = visit(slot, max) for all items that lie at a distance up to `max`, about in the order of these; less than 0
+// ends the walk. `enter(node, max, distances)`: which lanes of a node do, as bits, and where (8 floats, aligned to 32
+// bytes). Returns the last max.
+template <class Enter, class F> float visit_by_distance(const TreeView& tree, float max, Enter&& enter, F&& visit) {
     struct Entry {
         float distance;
         std::uint32_t level, index;
@@ -50,17 +50,17 @@ float visit_ray(const BroadKernels& kernels, const TreeView& tree, const TreeRay
         if (top.distance > max) continue;
         if (top.level == 0) {
             max = visit(top.index, max);
-            if (!(max > 0.0f)) return max;
+            if (max < 0.0f) return max;
             continue;
         }
-        alignas(32) float entry[8];
-        int mask = kernels.hit_ray(tree.levels[top.level - 1][top.index], ray, max, entry);
+        alignas(32) float distance[8];
+        int mask = enter(tree.levels[top.level - 1][top.index], max, distance);
         const int first = count;
         for (; mask; mask &= mask - 1) { // farthest first, nearest on top
             const int lane = __builtin_ctz(unsigned(mask));
             int at = count++;
-            for (; at > first && stack[at - 1].distance < entry[lane]; --at) stack[at] = stack[at - 1];
-            stack[at] = {entry[lane], top.level - 1, top.index * 8 + std::uint32_t(lane)};
+            for (; at > first && stack[at - 1].distance < distance[lane]; --at) stack[at] = stack[at - 1];
+            stack[at] = {distance[lane], top.level - 1, top.index * 8 + std::uint32_t(lane)};
         }
     }
     return max;

@@ -30,9 +30,16 @@ struct TreeView {
     std::uint32_t leaf_count;
 };
 
-// A ray relative to the region origin. `slack` widens every box by what rounding the origin to float may have lost.
+// A ray relative to the region origin, or a box around it that moves along. `half` widens every box by half the size of
+// that box, and by what rounding the origin to float may have lost.
 struct TreeRay {
     float origin[3], inverse_direction[3];
+    float half[3];
+};
+
+// A point relative to the region origin; `slack` widens every box by what rounding it to float may have lost.
+struct TreePoint {
+    float position[3];
     float slack;
 };
 
@@ -56,6 +63,8 @@ struct BroadKernels {
     // Lanes that the ray meets before `max_distance`, and the distances at which it enters them
     // (8 floats, aligned to 32 bytes).
     int (*hit_ray)(const Node8& node, const TreeRay& ray, float max_distance, float* entry);
+    // Lanes whose squared distance from the point is at most `max_square`, and these squares (8 floats, likewise).
+    int (*hit_near)(const Node8& node, const TreePoint& point, float max_square, float* square);
     // Parent lanes 0 .. child_count - 1 become the bounds of the children; lanes beyond become empty.
     void (*refit)(const Node8* children, std::uint32_t child_count, Node8* parents);
     // Leaves number first_leaf and up that meet the box. Returns their number.

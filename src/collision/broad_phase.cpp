@@ -58,7 +58,7 @@ TreeBox BroadPhase::relative(const DBounds& bounds) const {
     return box;
 }
 
-TreeRay BroadPhase::to_ray(math::DVec3 origin, math::DVec3 direction) const {
+TreeRay BroadPhase::to_ray(math::DVec3 origin, math::DVec3 direction, math::DVec3 half) const {
     TreeRay ray;
     double largest = 0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -67,7 +67,8 @@ TreeRay BroadPhase::to_ray(math::DVec3 origin, math::DVec3 direction) const {
         ray.origin[axis] = float(relative);
         ray.inverse_direction[axis] = direction[axis] == 0 ? largest_bound : float(clamped(1.0 / direction[axis]));
     }
-    ray.slack = float(largest * 0x1p-23);
+    for (int axis = 0; axis < 3; ++axis)
+        ray.half[axis] = float(clamped(half[axis]) * (1 + 0x1p-23) + largest * 0x1p-23);
     return ray;
 }
 

@@ -108,6 +108,12 @@ class BroadPhase {
     // roughly from near to far. Returning 0 or less ends the search early.
     template <class F>
     void query_ray(math::DVec3 origin, math::DVec3 direction_unit, double max_distance, F&& visit) const;
+    // `new_max = visit(shape, max)` for shapes whose boxes the bounds meet as they move by the translation, up to the
+    // fraction `max` of it, which is 1 at first; roughly in that order. Less than 0 ends the search.
+    template <class F> void query_sweep(const DBounds& bounds, math::DVec3 translation, F&& visit) const;
+    // `new_max = visit(shape, max)` for shapes whose boxes are up to `max` from the point, roughly from near to far.
+    // Less than 0 ends the search.
+    template <class F> void query_near(math::DVec3 point, double max_distance, F&& visit) const;
 
     // The fat box of a shape, m. Not for planes.
     const DBounds& fat_bounds(std::uint32_t shape) const { return fat_[shape]; }
@@ -165,7 +171,8 @@ class BroadPhase {
     // shapes (broad_phase.cpp)
     TreeBox to_box(const DBounds& bounds) const;   // relative to the origin, rounded outward, whatever the bounds are
     TreeBox relative(const DBounds& bounds) const; // the same for bounds that are in order
-    TreeRay to_ray(math::DVec3 origin, math::DVec3 direction) const;
+    TreeRay to_ray(math::DVec3 origin, math::DVec3 direction, math::DVec3 half) const;
+    template <class Enter, class F> void query_by_distance(float max, Enter&& enter, F&& visit) const;
     Proxy& make_proxy(std::uint32_t shape);
     void place_awake(std::uint32_t shape);
     void note_change(std::uint32_t shape, const TreeBox& before);

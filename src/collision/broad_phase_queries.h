@@ -39,18 +39,30 @@ template <class F> void BroadPhase::query_bounds(const DBounds& bounds, F&& visi
         if (crosses(plane, box)) visit(plane.shape);
 }
 
+// Through all trees: max = visit(shape, max) as in visit_by_distance.
+template <class Enter, class F> void BroadPhase::query_by_distance(float max, Enter&& enter, F&& visit) const {
+    for (const SlotTree* tree : {&fixed_, &awake_[1], &awake_[0]}) {
+        max = visit_by_distance(tree->view(), max, enter,
+                                [&](std::uint32_t slot, float limit) { return visit(tree->item(slot), limit); });
+        if (max < 0.0f) return;
+    }
+    visit_by_distance(top_.view(), max, enter, [&](std::uint32_t top_slot, float limit) {
+        const Island& island = islands_[top_.item(top_slot)];
+        return visit_by_distance(island_view(island), limit, enter, [&](std::uint32_t slot, float least) {
+            return visit(island_shapes_[island.shape_base + slot], least);
+        });
+    });
+}
+
+// The trees measure distances in float: their limit is kept a little beyond the true one.
+inline float widened(double distance) {
+    return distance < double(largest_bound) ? float(distance * (1.0 + 1e-6)) : largest_bound;
+}
+
 template <class F>
 void BroadPhase::query_ray(math::DVec3 origin, math::DVec3 direction_unit, double max_distance, F&& visit) const {
-    const TreeRay ray = to_ray(origin, direction_unit);
-    // The tree measures distances in float: its limit is kept a little beyond the true one.
-    const auto widened = [](double distance) {
-        return distance < double(largest_bound) ? float(distance * (1.0 + 1e-6)) : largest_bound;
-    };
+    const TreeRay ray = to_ray(origin, direction_unit, {});
     double max = max_distance;
-    const auto visit_shape = [&](std::uint32_t shape) {
-        max = visit(shape, max);
-        return max > 0.0 ? widened(max) : 0.0f;
-    };
     if (!(max > 0.0)) return;
     for (const Plane& plane : planes_) {
         if (math::dot(plane.normal, origin - plane.point) > 0.0 && math::dot(plane.normal, direction_unit) >= 0.0)
@@ -58,17 +70,53 @@ void BroadPhase::query_ray(math::DVec3 origin, math::DVec3 direction_unit, doubl
         max = visit(plane.shape, max);
         if (!(max > 0.0)) return;
     }
-    for (const SlotTree* tree : {&fixed_, &awake_[1], &awake_[0]}) {
-        visit_ray(kernels_, tree->view(), ray, widened(max),
-                  [&](std::uint32_t slot, float) { return visit_shape(tree->item(slot)); });
-        if (!(max > 0.0)) return;
-    }
-    visit_ray(kernels_, top_.view(), ray, widened(max), [&](std::uint32_t top_slot, float limit) {
-        const Island& island = islands_[top_.item(top_slot)];
-        return visit_ray(kernels_, island_view(island), ray, limit, [&](std::uint32_t slot, float) {
-            return visit_shape(island_shapes_[island.shape_base + slot]);
+    query_by_distance(
+        widened(max),
+        [&](const Node8& node, float limit, float* entry) { return kernels_.hit_ray(node, ray, limit, entry); },
+        [&](std::uint32_t shape, float) {
+            max = visit(shape, max);
+            return max > 0.0 ? widened(max) : -1.0f;
         });
-    });
+}
+
+template <class F> void BroadPhase::query_sweep(const DBounds& bounds, math::DVec3 translation, F&& visit) const {
+    const double length = math::length(translation);
+    const math::DVec3 direction = length > 0 ? (1 / length) * translation : math::DVec3{};
+    const math::DVec3 half = 0.5 * (bounds.hi - bounds.lo);
+    const TreeRay ray = to_ray(bounds.lo + half, direction, half);
+    double max = 1;
+    const DBounds swept{math::min(bounds.lo, bounds.lo + translation), math::max(bounds.hi, bounds.hi + translation)};
+    for (const Plane& plane : planes_) {
+        if (!crosses(plane, to_box(swept))) continue;
+        max = visit(plane.shape, max);
+        if (max < 0.0) return;
+    }
+    query_by_distance(
+        widened(max * length),
+        [&](const Node8& node, float limit, float* entry) { return kernels_.hit_ray(node, ray, limit, entry); },
+        [&](std::uint32_t shape, float) {
+            max = visit(shape, max);
+            return max < 0.0 ? -1.0f : widened(max * length);
+        });
+}
+
+template <class F> void BroadPhase::query_near(math::DVec3 point, double max_distance, F&& visit) const {
+    const math::DVec3 relative = point - origin_;
+    TreePoint place;
+    math::put(place.position, math::to_float(relative));
+    place.slack = float(0x1p-23 * std::max({std::fabs(relative.x), std::fabs(relative.y), std::fabs(relative.z)}));
+    double max = max_distance;
+    for (const Plane& plane : planes_) {
+        max = visit(plane.shape, max);
+        if (max < 0.0) return;
+    }
+    query_by_distance(
+        widened(max * max),
+        [&](const Node8& node, float limit, float* square) { return kernels_.hit_near(node, place, limit, square); },
+        [&](std::uint32_t shape, float) {
+            max = visit(shape, max);
+            return max < 0.0 ? -1.0f : widened(max * max);
+        });
 }
 
 template <class Archive> void BroadPhase::serialize(Archive& archive) {

@@ -11,11 +11,12 @@
 #include "bodies/motion_budget.h"
 #include "contacts/contact_record.h"
 #include "contacts/contact_update.h"
+#include "core/key_tree.h"
 #include "shapes/convex.h"
 #include "state/state.h"
 
 #include <algorithm>
-#include <limits>
+#include <optional>
 
 namespace cairn {
 
@@ -30,33 +31,38 @@ constexpr float flatness = 2e-4f;
 // Of unit vectors that differ by no more, planes of the size of a shape differ by as little.
 bool is_same(math::Vec3 a, math::Vec3 b) { return math::dot(a - b, a - b) < flatness * flatness; }
 
-// How far the shape reaches along n, from the point `from`; meshes and height fields by their bounds.
-double reach(const Shapes& shapes, std::uint32_t shape, math::DVec3 n, math::DVec3 from) {
-    const Geometry& g = shapes.geometry[shape];
-    const ShapePose& pose = shapes.poses[shape];
-    math::DVec3 center = shape_position(pose) - from;
-    const math::DQuat q = math::normalized(math::to_double(shape_rotation(pose)));
-    const auto of_bounds = [&](math::Vec3 lo, math::Vec3 hi) {
-        const math::DVec3 d = math::rotate_back(q, n), middle = math::to_double(0.5f * (lo + hi));
-        return math::dot(n, center) + math::dot(d, middle) + math::dot(math::abs(d), math::to_double(0.5f * (hi - lo)));
-    };
-    switch (g.type) {
-    case ShapeType::plane:
-        return std::numeric_limits<double>::infinity();
-    case ShapeType::mesh:
-        return of_bounds(mesh_of(shapes.data[shape]).lo, mesh_of(shapes.data[shape]).hi);
-    case ShapeType::height_field: {
-        const HeightFieldData& field = height_field_of(shapes.data[shape]);
-        const float x = float(grid_half(field.columns, field.spacing_x));
-        const float z = float(grid_half(field.rows, field.spacing_z));
-        return of_bounds({-x, field.least, -z}, {x, field.greatest, z});
+// A shape, but an infinite plane, about the center of mass of a body that touches it, as what is farthest along
+// directions; meshes and height fields by their bounds.
+struct Extent {
+    Convex solid;
+
+    Extent(const Bodies& bodies, const Shapes& shapes, std::uint32_t shape, std::int32_t body) {
+        const Geometry& g = shapes.geometry[shape];
+        const ShapePose& pose = shapes.poses[shape];
+        math::DVec3 center = shape_position(pose) - bodies.motion[body].x;
+        const math::DQuat q = math::normalized(math::to_double(shape_rotation(pose)));
+        if (g.type == ShapeType::mesh) {
+            make_bounds(mesh_of(shapes.data[shape]).lo, mesh_of(shapes.data[shape]).hi, center, q);
+        } else if (g.type == ShapeType::height_field) {
+            const HeightFieldData& field = height_field_of(shapes.data[shape]);
+            const float x = float(grid_half(field.columns, field.spacing_x));
+            const float z = float(grid_half(field.rows, field.spacing_z));
+            make_bounds({-x, field.least, -z}, {x, field.greatest, z}, center, q);
+        } else {
+            const Geometry part = near_part(g, center, q, {}, double(bodies.links[body].radius));
+            solid = make_convex(part, shapes.data[shape], center, q);
+        }
     }
-    default: {
-        const Geometry part = near_part(g, center, q, {}, 0);
-        return math::dot(n, support(make_convex(part, shapes.data[shape], center, q), n));
+    void make_bounds(math::Vec3 lo, math::Vec3 hi, math::DVec3 center, math::DQuat q) {
+        solid.kind = Convex::Kind::box;
+        solid.is_sharp = true;
+        solid.axes = math::to_matrix(q);
+        solid.center = center + solid.axes * math::to_double(0.5f * (lo + hi));
+        solid.size = math::to_double(0.5f * (hi - lo));
     }
-    }
-}
+    // How far it reaches along n, from a point.
+    double reach(math::DVec3 n, math::DVec3 from) const { return math::dot(n, support(solid, n) - from); }
+};
 
 // Where the other surface is, relative to the body's center of mass. It does not move, but the body does up to the
 // touch.
@@ -67,28 +73,109 @@ math::Vec3 other_surface(const Bodies& bodies, const Contacts& contacts, std::ui
     return point + 0.5f * point_of(r, i)[3] * to_vec(r.normal);
 }
 
-// Whether `c` is an edge in the plane of the deeper contact.
-bool is_internal_edge(const Bodies& bodies, const Shapes& shapes, const Contacts& contacts, std::uint32_t deeper,
-                      std::uint32_t c, float depth) {
-    const ContactInfo &info = contacts.info[c], &over = contacts.info[deeper];
-    const ContactRecord &r = contacts.records[c], &plane = contacts.records[deeper];
-    const math::Vec3 up = -to_vec(plane.normal);
-    if (info.shape_b == over.shape_b || is_same(to_vec(plane.normal), to_vec(r.normal))) return false;
-    const math::Vec3 origin = other_surface(bodies, contacts, deeper, 0);
-    const float radius = bodies.links[info.body_a].radius;
-    const float tolerance =
-        std::min(flatness * (radius + shapes.geometry[info.shape_b].bounding_radius), float(nearness) * radius);
-    bool is_in_plane = true;
-    for (int i = 0; i < info.point_count; ++i) {
-        const float height = math::dot(up, other_surface(bodies, contacts, c, i) - origin);
-        is_in_plane = is_in_plane && height <= tolerance && height >= -depth - tolerance;
+// The numbers of a contact in the tree of planes, and of one with two points in the tree of lines: the normal, then the
+// height of the plane above the center of mass, the depth and the place in the order of depths; or the bounds of the
+// line.
+enum PlaneKey : std::size_t { plane_offset = 3, plane_depth, plane_rank };
+enum LineKey : std::size_t { line_lo = 3, line_hi = 6 };
+
+// How far a unit vector with components in these bounds is from n at least, and at most, squared.
+template <class Bounds> double least_difference(const Bounds& b, math::Vec3 n) {
+    double sum = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double x = double(n[int(i)]), off = std::max({b.lo[i] - x, x - b.hi[i], 0.0});
+        sum += off * off;
     }
-    const math::DVec3 point = bodies.motion[info.body_a].x + math::to_double(origin), n = math::to_double(up);
-    if (reach(shapes, info.shape_b, n, point) > double(tolerance)) return false;
-    // Sharp edges that are still apart meet as rounded ones would, somewhere beside the plane. But if all of the body
-    // is above it, what is below can only be met in it.
-    return is_in_plane || reach(shapes, info.shape_a, -n, point) <= double(depth + tolerance);
+    return sum;
 }
+template <class Bounds> double greatest_difference(const Bounds& b, math::Vec3 n) {
+    double sum = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double x = double(n[int(i)]), off = std::max(x - b.lo[i], b.hi[i] - x);
+        sum += off * off;
+    }
+    return sum;
+}
+
+// A contact that may be an internal edge, held against the planes of deeper ones.
+class EdgeTest {
+  public:
+    EdgeTest(const Bodies& bodies, const Shapes& shapes, const Contacts& contacts, std::uint32_t contact)
+        : bodies_(bodies), shapes_(shapes), contacts_(contacts), info_(contacts.info[contact]),
+          record_(contacts.records[contact]), radius_(bodies.links[info_.body_a].radius),
+          tolerance_(std::min(flatness * (radius_ + shapes.geometry[info_.shape_b].bounding_radius),
+                              float(nearness) * radius_)) {
+        for (int i = 0; i < info_.point_count; ++i) points_[i] = other_surface(bodies, contacts, contact, i);
+    }
+
+    // Whether it is an edge in the plane of the other contact.
+    bool lies_in(std::uint32_t deeper, float depth) {
+        const ContactRecord& plane = contacts_.records[deeper];
+        if (info_.shape_b == contacts_.info[deeper].shape_b || is_same(to_vec(plane.normal), to_vec(record_.normal)) ||
+            shapes_.geometry[info_.shape_b].type == ShapeType::plane)
+            return false;
+        const math::Vec3 up = -to_vec(plane.normal), origin = other_surface(bodies_, contacts_, deeper, 0);
+        bool is_in_plane = true;
+        for (int i = 0; i < info_.point_count; ++i) {
+            const float height = math::dot(up, points_[i] - origin);
+            is_in_plane = is_in_plane && height <= tolerance_ && height >= -depth - tolerance_;
+        }
+        const math::DVec3 n = math::to_double(up), from = math::to_double(origin);
+        if (other().reach(n, from) > double(tolerance_)) return false;
+        // Sharp edges that are still apart meet as rounded ones would, somewhere beside the plane. But if all of the
+        // body is above it, what is below can only be met in it.
+        return is_in_plane || own().reach(-n, from) <= double(depth + tolerance_);
+    }
+
+    // False where it lies in none of the planes with such keys.
+    bool may_lie_in(const KeyTree<6>::Bounds& planes) {
+        if (shapes_.geometry[info_.shape_b].type == ShapeType::plane) return false;
+        if (greatest_difference(planes, -to_vec(record_.normal)) < 0.999 * double(flatness) * double(flatness))
+            return false;
+        math::DVec3 up, spread;
+        for (std::size_t i = 0; i < 3; ++i) {
+            up[int(i)] = 0.5 * (planes.lo[i] + planes.hi[i]);
+            spread[int(i)] = 0.5 * (planes.hi[i] - planes.lo[i]);
+        }
+        // How far a point is above all of them, and below all of them.
+        const auto slack = [&](math::DVec3 p) {
+            constexpr double rounding = 1e-6;
+            return double(tolerance_) + rounding * (double(radius_) + math::length(p));
+        };
+        const auto least_height = [&](math::DVec3 p) {
+            return math::dot(up, p) - math::dot(spread, math::abs(p)) - planes.hi[plane_offset] - slack(p);
+        };
+        const auto greatest_height = [&](math::DVec3 p) {
+            return math::dot(up, p) + math::dot(spread, math::abs(p)) - planes.lo[plane_offset] + slack(p);
+        };
+        if (least_height(support(other().solid, up)) > 0) return false;
+        const double depth = std::max(planes.hi[plane_depth], 0.0);
+        bool may_be_in_plane = true;
+        for (int i = 0; i < info_.point_count; ++i) {
+            const math::DVec3 p = math::to_double(points_[i]);
+            may_be_in_plane = may_be_in_plane && least_height(p) <= 0 && greatest_height(p) >= -depth;
+        }
+        return may_be_in_plane || greatest_height(support(own().solid, -up)) >= -depth;
+    }
+
+  private:
+    // Made when they are needed, as they seldom are.
+    const Extent& extent(std::optional<Extent>& extent, std::uint32_t shape) {
+        if (!extent) extent.emplace(bodies_, shapes_, shape, info_.body_a);
+        return *extent;
+    }
+    const Extent& other() { return extent(other_, info_.shape_b); }
+    const Extent& own() { return extent(own_, info_.shape_a); }
+
+    const Bodies& bodies_;
+    const Shapes& shapes_;
+    const Contacts& contacts_;
+    const ContactInfo& info_;
+    const ContactRecord& record_;
+    float radius_, tolerance_; // m
+    math::Vec3 points_[4];
+    std::optional<Extent> other_, own_;
+};
 
 // The next step finds it as if for the first time: its face is not preferred once the body is over it.
 void drop(Contacts& contacts, NarrowScratch& narrow, std::uint32_t c) {
@@ -116,42 +203,117 @@ bool is_covered(const Bodies& bodies, const Contacts& contacts, std::uint32_t li
 }
 void drop_covered(const Bodies& bodies, Contacts& contacts, NarrowScratch& narrow,
                   const std::vector<std::uint32_t>& ids) {
-    for (const std::uint32_t c : ids)
-        for (const std::uint32_t line : ids) {
-            if (line == c || narrow.is_internal_edge[line] || !is_covered(bodies, contacts, line, c)) continue;
+    KeyTree<9>& tree = narrow.line_tree;
+    std::vector<KeyTree<9>::Keys>& keys = narrow.line_keys;
+    std::vector<std::uint32_t>& lines = narrow.lines;
+    keys.clear();
+    lines.clear();
+    for (const std::uint32_t c : ids) {
+        if (contacts.info[c].point_count != 2) continue;
+        const ContactRecord& r = contacts.records[c];
+        const math::Vec3 p = to_vec(point_of(r, 0)), q = to_vec(point_of(r, 1)), lo = math::min(p, q);
+        const math::Vec3 hi = math::max(p, q), n = to_vec(r.normal);
+        keys.push_back({n.x, n.y, n.z, lo.x, lo.y, lo.z, hi.x, hi.y, hi.z});
+        lines.push_back(c);
+    }
+    const double radius = double(bodies.links[std::size_t(contacts.info[ids[0]].body_a)].radius);
+    tree.build(keys, {radius, radius, radius, 1, 1, 1, 1, 1, 1});
+    std::uint32_t next = 0; // of `lines`
+    for (const std::uint32_t c : ids) {
+        const ContactRecord& r = contacts.records[c];
+        const int count = contacts.info[c].point_count;
+        const auto may_be_covered = [&](const KeyTree<9>::Bounds& b) {
+            constexpr double rounding = 1.001;
+            const double tolerance = rounding * double(flatness) * radius;
+            if (least_difference(b, to_vec(r.normal)) > rounding * double(flatness) * double(flatness)) return false;
+            for (int i = 0; i < count; ++i)
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const double x = double(point_of(r, i)[k]);
+                    if (x < b.lo[line_lo + k] - tolerance || x > b.hi[line_hi + k] + tolerance) return false;
+                }
+            return true;
+        };
+        const bool is_line = next < lines.size() && lines[next] == c;
+        if (count <= 2 && tree.any(may_be_covered, [&](std::uint32_t i) {
+                return lines[i] != c && !narrow.is_internal_edge[lines[i]] && is_covered(bodies, contacts, lines[i], c);
+            })) {
             drop(contacts, narrow, c);
-            break;
+            if (is_line) tree.remove(next);
         }
+        next += is_line ? 1 : 0;
+    }
+}
+
+// At the start of the step.
+float depth_of(const Contacts& contacts, std::uint32_t contact) {
+    const ContactRecord& r = contacts.records[contact];
+    return -min_separation(contacts.info[contact], r) - r.touch_time * r.approach_speed;
+}
+
+// The planes of contacts, the deepest first.
+void build_plane_tree(const Bodies& bodies, const Contacts& contacts, NarrowScratch& narrow,
+                      const std::vector<DepthOfContact>& planes) {
+    std::vector<KeyTree<6>::Keys>& keys = narrow.plane_keys;
+    keys.clear();
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+        const math::Vec3 up = -to_vec(contacts.records[planes[i].contact].normal);
+        const double offset =
+            math::dot(math::to_double(up), math::to_double(other_surface(bodies, contacts, planes[i].contact, 0)));
+        keys.push_back({up.x, up.y, up.z, offset, planes[i].depth, double(i)});
+    }
+    // Planes that are as good as the same are split by their order: the order of depths bounds the search, too.
+    const double radius = double(bodies.links[std::size_t(contacts.info[planes[0].contact].body_a)].radius);
+    const double by_rank = double(flatness) * radius / double(planes.size());
+    narrow.plane_tree.build(keys, {radius, radius, radius, 1, 1, by_rank});
 }
 
 // Drops internal edges among the contacts of one body with what does not move by forces.
 void drop_internal_edges_of_body(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, NarrowScratch& narrow,
-                                 std::vector<std::uint32_t>& ids) {
+                                 const std::vector<std::uint32_t>& ids) {
     drop_covered(bodies, contacts, narrow, ids);
-    const auto depth_of = [&](std::uint32_t id) { // at the start of the step
-        const ContactRecord& r = contacts.records[id];
-        return -min_separation(contacts.info[id], r) - r.touch_time * r.approach_speed;
-    };
     const math::Vec3 first = to_vec(contacts.records[ids[0]].normal);
     if (std::all_of(ids.begin(), ids.end(),
                     [&](std::uint32_t id) { return is_same(first, to_vec(contacts.records[id].normal)); }))
         return;
-    std::sort(ids.begin(), ids.end(), [&](std::uint32_t a, std::uint32_t b) {
-        const float depth_a = depth_of(a), depth_b = depth_of(b);
-        return depth_a != depth_b ? depth_a > depth_b : a < b;
+    std::vector<DepthOfContact>& planes = narrow.by_depth;
+    planes.clear();
+    for (const std::uint32_t c : ids)
+        if (!narrow.is_internal_edge[c]) planes.push_back({c, depth_of(contacts, c)});
+    std::sort(planes.begin(), planes.end(), [](const DepthOfContact& a, const DepthOfContact& b) {
+        return a.depth != b.depth ? a.depth > b.depth : a.contact < b.contact;
     });
-    const auto drop_if_internal = [&](std::size_t j, std::size_t k) {
-        if (narrow.is_internal_edge[ids[j]] || narrow.is_internal_edge[ids[k]]) return;
-        if (is_internal_edge(bodies, shapes, contacts, ids[j], ids[k], std::max(depth_of(ids[j]), 0.0f)))
-            drop(contacts, narrow, ids[k]);
+    build_plane_tree(bodies, contacts, narrow, planes);
+    KeyTree<6>& tree = narrow.plane_tree;
+    const auto is_dropped = [&](std::uint32_t k) { return narrow.is_internal_edge[planes[k].contact] != 0; };
+    const auto drop_if_internal = [&](std::uint32_t k, auto&& may_count, auto&& counts) {
+        if (is_dropped(k)) return;
+        EdgeTest edge(bodies, shapes, contacts, planes[k].contact);
+        if (!tree.any([&](const KeyTree<6>::Bounds& b) { return may_count(b) && edge.may_lie_in(b); },
+                      [&](std::uint32_t j) {
+                          return counts(j) && !is_dropped(j) &&
+                                 edge.lies_in(planes[j].contact, std::max(planes[j].depth, 0.0f));
+                      }))
+            return;
+        drop(contacts, narrow, planes[k].contact);
+        tree.remove(k);
     };
-    for (std::size_t k = 1; k < ids.size(); ++k)
-        for (std::size_t j = 0; j < k; ++j) drop_if_internal(j, k);
+    const std::uint32_t count = std::uint32_t(planes.size());
+    for (std::uint32_t k = 1; k < count; ++k)
+        drop_if_internal(
+            k, [&](const KeyTree<6>::Bounds& b) { return b.lo[plane_rank] < double(k); },
+            [&](std::uint32_t j) { return j < k; });
     // Just beyond an edge, its side may be the deeper one by a rounding error or a slight tilt.
     const float slack = flatness * bodies.links[std::size_t(contacts.info[ids[0]].body_a)].radius;
-    for (std::size_t k = 0; k + 1 < ids.size(); ++k)
-        for (std::size_t j = k + 1; j < ids.size() && depth_of(ids[j]) + slack > depth_of(ids[k]); ++j)
-            drop_if_internal(j, k);
+    for (std::uint32_t k = 0; k + 1 < count; ++k) {
+        const auto is_as_deep = [&](float depth) { return depth + slack > planes[k].depth; };
+        if (!is_as_deep(planes[k + 1].depth)) continue;
+        drop_if_internal(
+            k,
+            [&](const KeyTree<6>::Bounds& b) {
+                return b.hi[plane_rank] > double(k) && is_as_deep(float(b.hi[plane_depth]));
+            },
+            [&](std::uint32_t j) { return j > k && is_as_deep(planes[j].depth); });
+    }
 }
 
 } // namespace

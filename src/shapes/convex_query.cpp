@@ -35,23 +35,74 @@ Convex moved(const Convex& c, DVec3 by) {
     return r;
 }
 
-// Conservative advancement (Mirtich 1996). The distance of two convex shapes is a convex function of the fraction, so
-// that this is Newton's method from below: it never passes the first touch.
-std::optional<ConvexHit> sweep(const Convex& moving, DVec3 way, const Convex& still) {
-    const double tolerance = sweep_tolerance * extent_of(moving, still);
-    ClosestPoints c = closest_points(moving, still);
-    double fraction = 0;
-    if (c.distance < -tolerance) return ConvexHit{0, c.on_b, -c.normal};
-    for (int round = 0; round < max_rounds; ++round) {
+// Conservative advancement (Mirtich 1996) from a fraction on. The distance of two convex shapes is a convex function of
+// the fraction, so that this is Newton's method from below: it never passes the first touch.
+std::optional<ConvexHit> advance(const Convex& moving, DVec3 way, const Convex& still, double tolerance, double limit,
+                                 double fraction) {
+    for (int round = 0;; ++round) {
+        const ClosestPoints c = closest_points(moved(moving, fraction * way), still);
+        if (fraction == 0 && c.distance < -tolerance) return ConvexHit{0, c.on_b, -c.normal};
         const double speed = dot(way, c.normal);
         if (!(speed > 0)) return std::nullopt; // they move apart or past each other
-        if (!(c.distance > tolerance)) break;
+        if (!(c.distance > tolerance) || round == max_rounds) return ConvexHit{fraction, c.on_b, -c.normal};
         // Half the tolerance is kept, so that the normal is still known.
         fraction += (c.distance - 0.5 * tolerance) / speed;
-        if (!(fraction <= 1)) return std::nullopt;
-        c = closest_points(moved(moving, fraction * way), still);
+        if (!(fraction <= limit)) return std::nullopt;
     }
-    return ConvexHit{fraction, c.on_b, -c.normal};
+}
+
+// Whether a difference of cores with these corners holds the origin deeper than that.
+bool is_deeper(const Simplex& s, double depth) {
+    if (s.count < 4) return false;
+    constexpr int faces[4][3] = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
+    for (const auto& f : faces) {
+        const DVec3 a = s.points[f[0]].w;
+        const DVec3 normal = math::cross(s.points[f[1]].w - a, s.points[f[2]].w - a);
+        const double height = dot(normal, a);
+        if (!(height * height > depth * depth * dot(normal, normal))) return false;
+    }
+    return true;
+}
+
+std::optional<ConvexHit> sweep(const Convex& moving, DVec3 way, const Convex& still, double limit, DVec3 guess) {
+    const double tolerance = sweep_tolerance * extent_of(moving, still);
+    const CorePair pair{exact_core(moving), exact_core(still)};
+    const GjkCast c = gjk_cast(pair, way, limit, tolerance, guess);
+    switch (c.state) {
+    case GjkCast::State::missed:
+        return std::nullopt;
+    case GjkCast::State::overlapping:
+        if (pair.a.radius + pair.b.radius > tolerance || is_deeper(c.simplex, tolerance)) return ConvexHit{0, {}, {}};
+        break;
+    case GjkCast::State::met:
+        if (c.fraction == 0 && c.distance >= pair.a.radius + pair.b.radius - tolerance && !(dot(way, c.normal) > 0))
+            return std::nullopt; // they touch, and move apart or past each other
+        return ConvexHit{c.fraction, c.on_b - pair.b.radius * c.normal, -c.normal};
+    case GjkCast::State::unsettled:
+        break;
+    }
+    return advance(moving, way, still, tolerance, limit, c.fraction);
+}
+
+// The point of a core nearest to one in its frame, where a formula tells it.
+std::optional<DVec3> nearest_in_core(const Convex& c, DVec3 p) {
+    const auto within = [](double x, double most) { return x < -most ? -most : x > most ? most : x; };
+    switch (c.kind) {
+    case Convex::Kind::ball:
+        return DVec3{};
+    case Convex::Kind::box:
+        return DVec3{within(p.x, c.size.x), within(p.y, c.size.y), within(p.z, c.size.z)};
+    case Convex::Kind::capsule:
+        if (c.size.x != c.size.z) return std::nullopt;
+        return DVec3{0, within(p.y, c.size.y), 0};
+    case Convex::Kind::cylinder: {
+        if (c.size.x != c.size.z) return std::nullopt;
+        const double across = std::sqrt(p.x * p.x + p.z * p.z), scale = across > c.size.x ? c.size.x / across : 1;
+        return DVec3{scale * p.x, within(p.y, c.size.y), scale * p.z};
+    }
+    default:
+        return std::nullopt;
+    }
 }
 
 } // namespace
@@ -72,6 +123,26 @@ ClosestPoints closest_points(const Convex& a, const Convex& b) {
     return c;
 }
 
+std::optional<NearPoint> nearest_point(const Convex& c, DVec3 to, double max_distance) {
+    const double radius = outer_radius(c);
+    const DVec3 from_center = to_local(c, to - c.center);
+    DVec3 off; // from the core
+    double distance = 0;
+    if (const auto local = nearest_in_core(c, from_center)) {
+        const DVec3 local_off = from_center - *local;
+        off = c.axes * local_off;
+        distance = math::length(local_off);
+    } else {
+        const Convex point = make_point(to);
+        const GjkResult r = gjk_distance({{&point, false, 0}, exact_core(c)}, {}, max_distance + radius);
+        if (r.state == GjkResult::State::far) return std::nullopt;
+        if (r.state == GjkResult::State::apart) off = to - r.on_b, distance = r.distance;
+    }
+    if (distance <= radius) return NearPoint{to, 0};
+    if (distance - radius > max_distance) return std::nullopt;
+    return NearPoint{to - (1 - radius / distance) * off, distance - radius};
+}
+
 bool overlap(const Convex& a, const Convex& b) {
     const CorePair pair{exact_core(a), exact_core(b)};
     const double radii = pair.a.radius + pair.b.radius;
@@ -89,11 +160,16 @@ bool contains(const Convex& c, DVec3 point) {
 
 std::optional<ConvexHit> cast_ray(const Convex& c, DVec3 origin, DVec3 way) {
     if (contains(c, origin)) return std::nullopt;
-    return sweep(make_point(origin), way, c);
+    return sweep(make_point(origin), way, c, 1, {});
 }
 
-std::optional<ConvexHit> cast_convex(const Convex& moving, DVec3 way, const Convex& still) {
-    return sweep(moving, way, still);
+std::optional<ConvexHit> cast_convex(const Convex& moving, DVec3 way, const Convex& still, double limit, DVec3 guess) {
+    return sweep(moving, way, still, limit, guess);
+}
+
+ConvexHit overlap_hit(const Convex& moving, const Convex& still) {
+    const ClosestPoints c = closest_points(moving, still);
+    return {0, c.on_b, -c.normal};
 }
 
 } // namespace cairn

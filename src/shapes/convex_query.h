@@ -15,6 +15,13 @@ struct ClosestPoints {
 };
 ClosestPoints closest_points(const Convex& a, const Convex& b);
 
+// The point of a shape that is nearest to another point, up to a distance; that one itself if it is inside.
+struct NearPoint {
+    math::DVec3 point;
+    double distance;
+};
+std::optional<NearPoint> nearest_point(const Convex& c, math::DVec3 to, double max_distance);
+
 // Whether they have a point in common; touching counts.
 bool overlap(const Convex& a, const Convex& b);
 
@@ -31,7 +38,12 @@ struct ConvexHit {
 std::optional<ConvexHit> cast_ray(const Convex& c, math::DVec3 origin, math::DVec3 way);
 
 // When a shape that moves by `way` without turning first touches another: within a millionth of the size of the smaller
-// one. Shapes that overlap from the start meet at 0; those that only touch meet at 0 unless they move apart.
-std::optional<ConvexHit> cast_convex(const Convex& moving, math::DVec3 way, const Convex& still);
+// one. Shapes that overlap from the start meet at 0; those that only touch meet at 0 unless they move apart. Hits
+// beyond the fraction `limit` do not count. Of shapes that overlap deep only the fraction is told, as the rest takes
+// longest: the normal is 0 then, and `overlap_hit` tells point and normal, those of the least way apart. `guess`: a
+// direction from one to the other where they may touch, of any length.
+std::optional<ConvexHit> cast_convex(const Convex& moving, math::DVec3 way, const Convex& still, double limit = 1,
+                                     math::DVec3 guess = {});
+ConvexHit overlap_hit(const Convex& moving, const Convex& still);
 
 } // namespace cairn

@@ -16,6 +16,7 @@ constexpr double depth_tolerance = 1e-4;
 constexpr double flat = 1e-9, coplanar = 1e-13;
 
 struct Polytope {
+    Polytope() {}
     struct Face {
         int corner[3]; // counterclockwise as seen from outside
         DVec3 normal;
@@ -25,9 +26,13 @@ struct Polytope {
         int from, to;
     };
     int point_count = 0, face_count = 0;
-    DifferencePoint points[max_points];
-    Face faces[max_faces];
     double size = 0;
+    union { // without values until there are some: clearing them takes as long as a search
+        DifferencePoint points[max_points];
+    };
+    union {
+        Face faces[max_faces];
+    };
 
     bool add_face(int a, int b, int c) {
         if (face_count == max_faces) return false;

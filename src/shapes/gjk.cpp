@@ -16,37 +16,38 @@ constexpr double touching = 1e-10;
 // Rounding of a squared length, as part of it.
 constexpr double rounding = 1e-15;
 
-// The nearest point of a simplex as a choice of its corners (a bit each) and weights.
+// The nearest point of a simplex as a choice of its corners and their weights.
 struct Nearest {
     double square = std::numeric_limits<double>::infinity();
     DVec3 point;
     int count = 0;
-    int corner[3] = {};
-    double weight[3] = {};
+    int corner[3];
+    double weight[3];
+
+    void offer(const Simplex& s, int i) {
+        const DVec3 p = s.points[i].w;
+        const double at = dot(p, p);
+        if (!(at < square)) return;
+        square = at, point = p, count = 1, corner[0] = i, weight[0] = 1;
+    }
 };
 
-void offer(Nearest& best, const Nearest& other) {
-    if (other.square < best.square) best = other;
-}
-
-Nearest on_point(const Simplex& s, int i) {
-    const DVec3 p = s.points[i].w;
-    return {dot(p, p), p, 1, {i}, {1}};
-}
-
-Nearest on_segment(const Simplex& s, int i, int j) {
+void offer_segment(Nearest& best, const Simplex& s, int i, int j) {
     const DVec3 p = s.points[i].w, q = s.points[j].w, d = q - p;
-    const double along = -dot(p, d), square = dot(d, d);
-    if (!(along > 0)) return on_point(s, i);
-    if (!(along < square)) return on_point(s, j);
-    const double t = along / square;
+    const double along = -dot(p, d), length = dot(d, d);
+    if (!(along > 0)) return best.offer(s, i);
+    if (!(along < length)) return best.offer(s, j);
+    const double t = along / length;
     const DVec3 v = p + t * d;
-    return {dot(v, v), v, 2, {i, j}, {1 - t, t}};
+    const double square = dot(v, v);
+    if (!(square < best.square)) return;
+    best.square = square, best.point = v, best.count = 2;
+    best.corner[0] = i, best.corner[1] = j, best.weight[0] = 1 - t, best.weight[1] = t;
 }
 
 // Where the origin projects into the triangle, the point is its projection to the plane: the direction is then that
-// of the plane's normal, without the rounding of the weights.
-Nearest on_triangle(const Simplex& s, int i, int j, int k) {
+// of the plane's normal, without the rounding of the weights. Else the point is on an edge that the origin is beyond.
+void offer_triangle(Nearest& best, const Simplex& s, int i, int j, int k) {
     const DVec3 a = s.points[i].w, b = s.points[j].w, c = s.points[k].w;
     const DVec3 normal = cross(b - a, c - a);
     const double square = dot(normal, normal);
@@ -56,12 +57,16 @@ Nearest on_triangle(const Simplex& s, int i, int j, int k) {
         const double aa = dot(a, a), bb = dot(b, b), cc = dot(c, c);
         const DVec3 nearest = aa <= bb ? (aa <= cc ? a : c) : (bb <= cc ? b : c);
         const double height = dot(nearest, normal), sum = wa + wb + wc;
-        return {height * height / square, (height / square) * normal, 3, {i, j, k}, {wa / sum, wb / sum, wc / sum}};
+        const double to_plane = height * height / square;
+        if (!(to_plane < best.square)) return;
+        best.square = to_plane, best.point = (height / square) * normal, best.count = 3;
+        best.corner[0] = i, best.corner[1] = j, best.corner[2] = k;
+        best.weight[0] = wa / sum, best.weight[1] = wb / sum, best.weight[2] = wc / sum;
+        return;
     }
-    Nearest best = on_segment(s, i, j);
-    offer(best, on_segment(s, j, k));
-    offer(best, on_segment(s, k, i));
-    return best;
+    if (!(wc > 0 && square > 0)) offer_segment(best, s, i, j);
+    if (!(wa > 0 && square > 0)) offer_segment(best, s, j, k);
+    if (!(wb > 0 && square > 0)) offer_segment(best, s, k, i);
 }
 
 // False when the tetrahedron holds the origin. Near convergence on a round shape its corners lie almost on one line;
@@ -82,22 +87,41 @@ bool on_tetrahedron(const Simplex& s, Nearest& best) {
         const bool is_near = origin * origin <= slack * size;
         if (!is_flat && !is_near && (inside > 0) == (origin > 0)) continue;
         is_outside = true;
-        offer(best, on_triangle(s, f[0], f[1], f[2]));
+        offer_triangle(best, s, f[0], f[1], f[2]);
     }
     return is_outside;
 }
 
 // Keeps the corners that span the nearest point.
 void keep(Simplex& s, const Nearest& n) {
+    for (int i = 0; i < n.count; ++i) s.weights[i] = n.weight[i];
+    s.nearest = n.point;
+    if (n.count == s.count) return; // all, in their order
     DifferencePoint kept[3];
     for (int i = 0; i < n.count; ++i) kept[i] = s.points[n.corner[i]];
+    for (int i = 0; i < n.count; ++i) s.points[i] = kept[i];
     s.count = n.count;
-    for (int i = 0; i < n.count; ++i) s.points[i] = kept[i], s.weights[i] = n.weight[i];
-    s.nearest = n.point;
 }
 
-void finish(GjkResult& r) {
-    const Simplex& s = r.simplex;
+// The nearest point of a simplex. False when it is a tetrahedron that holds the origin.
+bool nearest_of(const Simplex& s, Nearest& best) {
+    if (s.count == 4) return on_tetrahedron(s, best);
+    if (s.count == 3)
+        offer_triangle(best, s, 0, 1, 2);
+    else if (s.count == 2)
+        offer_segment(best, s, 0, 1);
+    else
+        best.offer(s, 0);
+    return true;
+}
+
+bool holds(const Simplex& s, const DifferencePoint& p) {
+    for (int i = 0; i < s.count; ++i)
+        if (s.points[i].w == p.w) return true;
+    return false;
+}
+
+template <class Result> void finish(Result& r, const Simplex& s) {
     for (int i = 0; i < s.count; ++i) {
         r.on_a += s.weights[i] * s.points[i].a;
         r.on_b += s.weights[i] * s.points[i].b;
@@ -135,17 +159,11 @@ GjkResult gjk_distance(const CorePair& pair, DVec3 guess, double max_distance, d
         }
         if (next_square > size) size = next_square;
         if (square - along <= tolerance * square + rounding * std::sqrt(square * size)) break;
-        bool is_known = false;
-        for (int i = 0; i < s.count; ++i) is_known = is_known || s.points[i].w == next.w;
-        if (is_known) break;
+        if (holds(s, next)) break;
 
         s.points[s.count++] = next;
         Nearest best;
-        if (s.count == 2)
-            best = on_segment(s, 0, 1);
-        else if (s.count == 3)
-            best = on_triangle(s, 0, 1, 2);
-        else if (!on_tetrahedron(s, best)) {
+        if (!nearest_of(s, best)) {
             r.state = GjkResult::State::overlapping;
             return r;
         }
@@ -156,7 +174,56 @@ GjkResult gjk_distance(const CorePair& pair, DVec3 guess, double max_distance, d
         keep(s, best);
         square = best.square;
     }
-    finish(r);
+    finish(r, s);
+    return r;
+}
+
+GjkCast gjk_cast(const CorePair& pair, DVec3 way, double limit, double tolerance, DVec3 guess) {
+    constexpr double converged = 1e-12; // as of gjk_distance
+    const double radius = pair.a.radius + pair.b.radius, reach = radius + tolerance;
+    GjkCast r;
+    Simplex& s = r.simplex;
+    if (!(dot(guess, guess) > 0)) guess = middle(*pair.b.shape) - middle(*pair.a.shape);
+    if (!(dot(guess, guess) > 0)) guess = {0, 1, 0};
+    s.nearest = -guess; // a direction to begin with
+    double square = dot(guess, guess), size = 0;
+    for (int iteration = 0; iteration < max_iterations; ++iteration) {
+        if (!(square > touching * touching * size)) break;
+        DifferencePoint next = pair.support(-s.nearest);
+        const DVec3 so_far = r.fraction * way;
+        next.a += so_far, next.w += so_far;
+        const double distance = std::sqrt(square), along = dot(s.nearest, next.w) / distance;
+        const double next_square = dot(next.w, next.w);
+        if (next_square > size) size = next_square;
+        const bool is_known = holds(s, next), is_first = s.count == 0;
+        if (along > reach) { // the plane between them shows how far it may move
+            const double speed = -dot(way, s.nearest) / distance, left = along - radius - 0.5 * tolerance;
+            if (!(speed * (limit - r.fraction) >= left)) {
+                r.state = GjkCast::State::missed;
+                return r;
+            }
+            const DVec3 move = (left / speed) * way;
+            r.fraction += left / speed;
+            for (int i = 0; i < s.count; ++i) s.points[i].a += move, s.points[i].w += move;
+            next.a += move, next.w += move;
+            square = std::numeric_limits<double>::infinity(); // of another place
+        } else if (!is_first && (is_known || square - along * distance <=
+                                                 converged * square + rounding * std::sqrt(square * size))) {
+            r.state = GjkCast::State::met;
+            finish(r, s);
+            return r;
+        }
+        if (is_first) square = std::numeric_limits<double>::infinity();
+        if (!is_known) s.points[s.count++] = next;
+        Nearest best;
+        if (!nearest_of(s, best)) {
+            if (r.fraction == 0) r.state = GjkCast::State::overlapping;
+            return r;
+        }
+        if (!(best.square < square)) break;
+        keep(s, best);
+        square = best.square;
+    }
     return r;
 }
 

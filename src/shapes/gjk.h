@@ -36,6 +36,27 @@ struct GjkResult {
     Simplex simplex;
 };
 
+// When a core that moves by `way` without turning first touches another, with a radius around both.
+struct GjkCast {
+    enum class State : std::uint8_t {
+        missed,      // not before `limit`, a fraction of the way
+        met,         // at `fraction` they are nearer than the radius and the tolerance
+        overlapping, // the cores, from the start
+        unsettled,   // not before `fraction`; rounding leaves it open whether then
+    };
+    State state = State::unsettled;
+    double fraction = 0;
+    double distance = 0; // met: of the cores, at the fraction; what is below as of GjkResult
+    math::DVec3 normal, on_a, on_b;
+    Simplex simplex;
+};
+
+// The distance along any direction tells how far the core can move before they touch; GJK finds better and better
+// directions on the way (van den Bergen, "Ray Casting against General Convex Objects with Application to Continuous
+// Collision Detection", 2004). The shapes stop at half the tolerance, m > 0, so that the normal is known.
+// `guess`: as of gjk_distance, where they may touch.
+GjkCast gjk_cast(const CorePair& pair, math::DVec3 way, double limit, double tolerance, math::DVec3 guess);
+
 // Cores that are proven farther apart than max_distance are `far`; then `normal` is a direction that proves it. Cores
 // closer than a ten billionth of their size overlap. `guess`: a direction from a to b, of any length. The distance of
 // round shapes is within about half the relative `tolerance`, the normal within its root; that of polytopes is exact.

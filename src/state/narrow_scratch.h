@@ -3,6 +3,7 @@
 
 #include "collision/manifold.h"
 #include "collision/surface_contact.h"
+#include "core/key_tree.h"
 #include "state/touch.h"
 
 #include <cstddef>
@@ -54,6 +55,11 @@ struct FixedContact {
     bool on_several;     // whether these are with more than one shape
 };
 
+struct DepthOfContact {
+    std::uint32_t contact;
+    float depth; // m
+};
+
 struct NarrowScratch {
     // Pairs to be tested, one list per PairKind: their places among the candidates.
     std::vector<std::vector<std::uint32_t>> lists;
@@ -81,6 +87,12 @@ struct NarrowScratch {
     std::vector<std::int32_t> last_of_body; // in `fixed`
     std::vector<FixedContact> fixed;
     std::vector<std::uint32_t> of_body;
+    std::vector<DepthOfContact> by_depth;
+    std::vector<std::uint32_t> lines;
+    std::vector<KeyTree<6>::Keys> plane_keys;
+    std::vector<KeyTree<9>::Keys> line_keys;
+    KeyTree<6> plane_tree;
+    KeyTree<9> line_tree;
     std::vector<std::uint8_t> is_internal_edge; // by contact, of those with what does not move by forces
     bool any_internal_edges = false;            // among those
 };

@@ -1,11 +1,7 @@
-// Ray casts and overlap tests.
+// Ray casts, and shapes whose bounds overlap a box.
 #include "bodies/bodies.h"
-#include "contacts/convex_tests.h"
-#include "contacts/pairs.h"
-#include "shapes/convex_query.h"
 #include "state/state.h"
 #include "world/impl.h"
-#include "world/query_frame.h"
 #include "world/validate.h"
 
 #include <algorithm>
@@ -47,59 +43,6 @@ bool bounds_overlap(const DBounds& a, const DBounds& b) {
     return true;
 }
 
-ShapePose make_pose(const Geometry& g, math::DVec3 position, math::Quat q) {
-    ShapePose pose{};
-    for (int i = 0; i < 3; ++i) {
-        pose.high[i] = float(position[i]);
-        pose.low[i] = float(position[i] - double(pose.high[i]));
-        pose.size[i] = g.size[i];
-    }
-    pose.q[0] = q.x, pose.q[1] = q.y, pose.q[2] = q.z, pose.q[3] = q.w;
-    pose.size[3] = g.bounding_radius;
-    return pose;
-}
-
-// Whether a convex shape meets a triangle of a surface, in the frame of the surface's own place. Contacts do not tell:
-// they are one-sided, and have no normal for a center beside the border and below it.
-bool meets_triangles(const PosedShape& surface, const PosedShape& convex) {
-    const math::DVec3 origin = shape_position(surface.pose);
-    const Convex solid = make_convex(convex.geometry, convex.data, shape_position(convex.pose) - origin,
-                                     math::normalized(math::to_double(shape_rotation(convex.pose))));
-    math::DVec3 lo, hi;
-    for (int i = 0; i < 3; ++i) {
-        math::DVec3 axis;
-        axis[i] = 1;
-        lo[i] = support(solid, -axis)[i], hi[i] = support(solid, axis)[i];
-    }
-    bool found = false;
-    const PosedInQuery posed(surface.geometry, surface.data, {}, shape_rotation(surface.pose));
-    for_each_triangle_near(posed, lo, hi,
-                           [&](const Convex& triangle) { found = found || cairn::overlap(solid, triangle); });
-    return found;
-}
-
-// By the narrow phase itself, but for triangles.
-bool shapes_overlap(const PosedShape& a, const PosedShape& b) {
-    bool swapped = false;
-    const std::optional<PairKind> kind = pair_kind(a.geometry, b.geometry, swapped);
-    if (!kind) return false;
-    const PosedShape &first = swapped ? b : a, &second = swapped ? a : b;
-    if (*kind == PairKind::group) return meets_triangles(second, first);
-    Manifold out[8];
-    if (int(*kind) < wide_kinds) {
-        const ShapePose poses[2] = {first.pose, second.pose};
-        const std::uint32_t firsts[8] = {}, seconds[8] = {1, 1, 1, 1, 1, 1, 1, 1};
-        const float margin[8] = {};
-        wide_kernel (*kind)(poses, firsts, seconds, margin, nullptr, 8, out);
-    } else {
-        ContactMemory memory = nothing_met;
-        out[0] = test_convex_pair(*kind, first, second, {}, 0, memory);
-    }
-    for (int i = 0; i < out[0].count; ++i)
-        if (out[0].points[i][3] <= 0) return true;
-    return false;
-}
-
 } // namespace
 
 std::optional<RayHit> World::cast_ray(const Position& origin, const Vec3& direction, double max_distance,
@@ -136,27 +79,6 @@ std::vector<RayHit> World::cast_ray_all(const Position& origin, const Vec3& dire
         return a.distance != b.distance ? a.distance < b.distance : a.shape.index() < b.shape.index();
     });
     return hits;
-}
-
-std::vector<ShapeId> World::overlap(const Shape& shape, const Transform& pose, std::uint64_t layers) const {
-    validate(shape);
-    require_position("World::overlap pose.position", pose.position);
-    const Quat rotation = checked_rotation("World::overlap pose.rotation", pose.rotation);
-    const Geometry g = make_geometry(shape, {Position(0.0), rotation});
-    const math::DVec3 position = to_math(pose.position);
-    const ShapeData data = make_shape_data(shape);
-    const DBounds bounds = geometry_bounds(g, data, position, math::to_matrix(g.rotation));
-    const ShapePose query = make_pose(g, position, g.rotation);
-    const math::Vec3 arm = -math::rotate(g.rotation, g.middle); // of its middle, as it has no mass
-    const State& s = impl_->whole("World::overlap");
-    std::vector<ShapeId> found;
-    s.broad_phase.query_bounds(bounds, [&](std::uint32_t other) {
-        if (is_seen(s.shapes, other, layers) && bounds_overlap(bounds, cairn::shape_bounds(s.shapes, other)) &&
-            shapes_overlap({g, data, query, arm}, posed_shape(s.shapes, other)))
-            found.push_back(s.shapes.slots.id(other));
-    });
-    std::sort(found.begin(), found.end(), [](ShapeId a, ShapeId b) { return a.index() < b.index(); });
-    return found;
 }
 
 std::vector<ShapeId> World::overlap_bounds(const Bounds& bounds, std::uint64_t layers) const {

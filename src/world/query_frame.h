@@ -22,6 +22,30 @@ struct PosedInQuery {
         : PosedInQuery(s.shapes.geometry[shape], s.shapes.data[shape], shape_position(s.shapes.poses[shape]) - origin,
                        shape_rotation(s.shapes.poses[shape])) {}
     math::DVec3 up() const { return math::rotate(rotation, math::DVec3{0, 1, 0}); }
+    // Of its bounds: the center of a ball around it.
+    math::DVec3 middle() const {
+        if (geometry.type != ShapeType::hull) return center;
+        return center + math::rotate(rotation, math::to_double(geometry.middle));
+    }
+    // Of a strip the part near a point: see near_part.
+    Convex convex(math::DVec3 near, double reach) const {
+        if (!is_strip(geometry)) return make_convex(geometry, data, center, rotation);
+        math::DVec3 place = center;
+        const Geometry part = near_part(geometry, place, rotation, near, reach);
+        return make_convex(part, data, place, rotation);
+    }
+};
+
+// A convex shape in the query's frame, its bounds, and the radius of a ball around its middle that holds it.
+struct QuerySolid {
+    Convex convex;
+    DBounds bounds;
+    double radius;
+
+    explicit QuerySolid(const PosedInQuery& shape)
+        : convex(shape.convex({}, 0)), bounds(geometry_bounds(shape.geometry, shape.data, shape.center,
+                                                              math::to_matrix(math::to_float(shape.rotation)))),
+          radius(double(shape.geometry.bounding_radius)) {}
 };
 
 // f(triangle as a convex) for those of a mesh or height field that meet the box, in the query's frame.

@@ -1,10 +1,11 @@
-// Shape casts and closest points.
+// Shape casts, closest points and overlaps.
 #include "shapes/convex_query.h"
 #include "world/impl.h"
 #include "world/query_frame.h"
 #include "world/validate.h"
 
 #include <algorithm>
+#include <array>
 
 namespace cairn {
 
@@ -15,49 +16,105 @@ namespace {
 // The first hit of a shape that starts at the query's origin.
 class ShapeCast {
   public:
-    ShapeCast(const Convex& moving, DVec3 translation) : moving_(moving), translation_(translation) {
-        for (int i = 0; i < 3; ++i) {
-            DVec3 axis;
-            axis[i] = 1;
-            const double low = support(moving, -axis)[i], high = support(moving, axis)[i];
-            lo_[i] = low + std::min(translation[i], 0.0), hi_[i] = high + std::max(translation[i], 0.0);
-        }
-    }
-    DVec3 lo() const { return lo_; }
-    DVec3 hi() const { return hi_; }
+    ShapeCast(const QuerySolid& moving, DVec3 translation)
+        : moving_(moving), center_(middle(moving.convex)), translation_(translation),
+          square_(math::dot(translation, translation)) {}
 
-    std::optional<ConvexHit> against(const PosedInQuery& still) const {
+    // Up to a fraction of the translation.
+    std::optional<ConvexHit> against(const PosedInQuery& still, double limit) const {
         switch (still.geometry.type) {
         case ShapeType::plane: {
             const DVec3 up = still.up();
-            const bool is_behind = still.geometry.is_double_sided && math::dot(up, middle(moving_) - still.center) < 0;
+            const bool is_behind = still.geometry.is_double_sided && math::dot(up, center_ - still.center) < 0;
             return against_plane(is_behind ? -up : up, still.center);
         }
         case ShapeType::rectangle:
             if (!still.geometry.is_double_sided && !(math::dot(translation_, still.up()) < 0)) return std::nullopt;
             break;
         case ShapeType::mesh:
-        case ShapeType::height_field: {
-            std::optional<ConvexHit> best;
-            for_each_triangle_near(still, lo_, hi_, [&](const Convex& triangle) {
-                if (!(math::dot(translation_, triangle.axes.c1) < 0)) return;
-                const auto hit = cast_convex(moving_, translation_, triangle);
-                if (hit && (!best || hit->fraction < best->fraction)) best = hit;
-            });
-            return best;
-        }
+        case ShapeType::height_field:
+            return against_triangles(still, limit);
         default:
             break;
         }
-        DVec3 center = still.center;
-        const Geometry part =
-            near_part(still.geometry, center, still.rotation, 0.5 * (lo_ + hi_), math::length(hi_ - lo_));
-        return cast_convex(moving_, translation_, make_convex(part, still.data, center, still.rotation));
+        if (still.geometry.type == ShapeType::rectangle)
+            return cast_convex(moving_.convex, translation_, convex(still), limit);
+        const auto toward = where_balls_meet(still, limit);
+        if (!toward) return std::nullopt;
+        return cast_convex(moving_.convex, translation_, convex(still), limit, *toward);
     }
+    // Of a convex shape that it overlaps at the start.
+    ConvexHit from_within(const PosedInQuery& still) const { return overlap_hit(moving_.convex, convex(still)); }
 
   private:
+    Convex convex(const PosedInQuery& still) const {
+        const double reach = math::length(moving_.bounds.hi - moving_.bounds.lo) + std::sqrt(square_);
+        return still.convex(center_ + 0.5 * translation_, reach);
+    }
+
+    // Where the balls around both meet first, if they do: the direction from one center to the other.
+    std::optional<DVec3> where_balls_meet(const PosedInQuery& still, double limit) const {
+        constexpr double rounding = 1e-5; // of their radii, which are floats
+        const DVec3 to = still.middle() - center_;
+        const double radii = moving_.radius + double(still.geometry.bounding_radius),
+                     square = radii * radii * (1 + rounding);
+        if (math::dot(to, to) <= square) return to; // from the start
+        const double along = math::dot(to, translation_);
+        if (!(along > 0)) return std::nullopt;
+        const DVec3 off = to - (along / square_) * translation_; // where they are nearest
+        const double inside = square - math::dot(off, off);
+        if (!(inside >= 0)) return std::nullopt;
+        const double at = along / square_ - std::sqrt(inside / square_);
+        if (at > limit) return std::nullopt;
+        return to - at * translation_;
+    }
+    // The part of the way, as fractions of it up to `limit`, on which the bounds of both meet.
+    std::optional<std::array<double, 2>> where_bounds_meet(const DBounds& still, double limit) const {
+        double first = 0, last = limit;
+        for (int i = 0; i < 3; ++i) {
+            const double enter = still.lo[i] - moving_.bounds.hi[i], leave = still.hi[i] - moving_.bounds.lo[i];
+            const double way = translation_[i];
+            if (way == 0) {
+                if (enter > 0 || leave < 0) return std::nullopt;
+                continue;
+            }
+            first = std::max(first, std::min(enter / way, leave / way));
+            last = std::min(last, std::max(enter / way, leave / way));
+        }
+        constexpr double rounding = 1e-12;
+        if (!(first <= last + rounding)) return std::nullopt;
+        return std::array{std::max(first - rounding, 0.0), std::min(last + rounding, limit)};
+    }
+    // Piece by piece of the way, each about as long as the shape is large, so that few triangles are near.
+    std::optional<ConvexHit> against_triangles(const PosedInQuery& still, double limit) const {
+        constexpr double most_pieces = 256;
+        const auto part = where_bounds_meet(
+            geometry_bounds(still.geometry, still.data, still.center, math::to_matrix(math::to_float(still.rotation))),
+            limit);
+        if (!part) return std::nullopt;
+        const auto [first, last] = *part;
+        const double length = (last - first) * std::sqrt(square_);
+        const double size = math::length(moving_.bounds.hi - moving_.bounds.lo);
+        const double pieces = length > size * most_pieces ? most_pieces : std::floor(length / size) + 1;
+        std::optional<ConvexHit> best;
+        Convex met;
+        for (int piece = 0; piece < int(pieces); ++piece) {
+            const double from = first + (last - first) * (piece / pieces);
+            const double to = first + (last - first) * ((piece + 1) / pieces);
+            if (best && best->fraction < from) break;
+            const DVec3 start = from * translation_, end = to * translation_;
+            const DVec3 lo = moving_.bounds.lo + math::min(start, end), hi = moving_.bounds.hi + math::max(start, end);
+            for_each_triangle_near(still, lo, hi, [&](const Convex& triangle) {
+                if (!(math::dot(translation_, triangle.axes.c1) < 0)) return;
+                const auto hit = cast_convex(moving_.convex, translation_, triangle, best ? best->fraction : limit);
+                if (hit && (!best || hit->fraction < best->fraction)) best = hit, met = triangle;
+            });
+        }
+        if (best && best->normal == DVec3{}) best = overlap_hit(moving_.convex, met);
+        return best;
+    }
     std::optional<ConvexHit> against_plane(DVec3 up, DVec3 origin) const {
-        const DVec3 lowest = support(moving_, -up);
+        const DVec3 lowest = support(moving_.convex, -up);
         const double height = math::dot(lowest - origin, up), fall = -math::dot(translation_, up);
         if (height > 0 && !(fall >= height)) return std::nullopt;
         if (height == 0 && !(fall > 0)) return std::nullopt;
@@ -65,42 +122,68 @@ class ShapeCast {
         return ConvexHit{fraction, lowest + fraction * translation_, up};
     }
 
-    const Convex& moving_;
-    DVec3 translation_, lo_, hi_;
+    const QuerySolid& moving_;
+    DVec3 center_; // of a ball around it
+    DVec3 translation_;
+    double square_;
 };
 
-// The point of a shape nearest to the query's origin, if nearer than `least`.
-struct Nearest {
-    DVec3 point;
-    double distance;
-};
-std::optional<Nearest> nearest_of(const PosedInQuery& shape, double least) {
-    const auto of_convex = [](const Convex& c) -> Nearest {
-        Convex point; // a ball without radius
-        const ClosestPoints closest = closest_points(point, c);
-        return closest.distance > 0 ? Nearest{closest.on_b, closest.distance} : Nearest{{}, 0};
-    };
-    std::optional<Nearest> best;
-    const auto consider = [&](const Nearest& n) {
-        if (n.distance <= (best ? best->distance : least)) best = n;
-    };
+// The point of a shape nearest to the query's origin, up to a distance.
+std::optional<NearPoint> nearest_of(const PosedInQuery& shape, double most) {
     if (shape.geometry.type == ShapeType::plane) {
         const DVec3 up = shape.up();
         const double height = -math::dot(shape.center, up);
-        consider(height > 0 || shape.geometry.is_double_sided ? Nearest{-height * up, std::fabs(height)}
-                                                              : Nearest{{}, 0});
-    } else if (shape.geometry.type >= ShapeType::mesh) {
-        const DVec3 reach{least, least, least};
-        for_each_triangle_near(shape, -reach, reach, [&](const Convex& triangle) {
-            const Nearest n = of_convex(triangle);
-            if (!best || n.distance < best->distance) consider(n);
-        });
-    } else {
-        DVec3 center = shape.center;
-        const Geometry part = near_part(shape.geometry, center, shape.rotation, {}, 0);
-        consider(of_convex(make_convex(part, shape.data, center, shape.rotation)));
+        const bool is_outside = height > 0 || shape.geometry.is_double_sided;
+        const NearPoint nearest = is_outside ? NearPoint{-height * up, std::fabs(height)} : NearPoint{{}, 0};
+        return nearest.distance <= most ? std::optional(nearest) : std::nullopt;
     }
-    return best;
+    if (shape.geometry.type < ShapeType::mesh) return nearest_point(shape.convex({}, 0), {}, most);
+    // Within twice the distance again and again, so that few triangles are near: from the bounds of all and about the
+    // size of one on.
+    const bool is_mesh = shape.geometry.type == ShapeType::mesh;
+    const double count = is_mesh ? triangle_count(mesh_of(shape.data)) : triangle_count(height_field_of(shape.data));
+    const DBounds bounds =
+        geometry_bounds(shape.geometry, shape.data, shape.center, math::to_matrix(math::to_float(shape.rotation)));
+    const double outside = math::length(math::max(math::max(bounds.lo, -bounds.hi), {}));
+    if (outside > most) return std::nullopt;
+    std::optional<NearPoint> best;
+    for (double reach = outside + double(shape.geometry.bounding_radius) / std::sqrt(count);; reach *= 2) {
+        reach = std::min(reach, most);
+        const DVec3 around{reach, reach, reach};
+        for_each_triangle_near(shape, -around, around, [&](const Convex& triangle) {
+            const auto nearest = nearest_point(triangle, {}, best ? best->distance : most);
+            if (nearest && (!best || nearest->distance < best->distance)) best = nearest;
+        });
+        if (reach == most || (best && best->distance <= reach)) return best;
+    }
+}
+
+// Whether a convex shape has a point in common with another shape.
+bool meets(const QuerySolid& asking, const PosedInQuery& other) {
+    switch (other.geometry.type) {
+    case ShapeType::plane: {
+        const DVec3 up = other.up();
+        if (math::dot(support(asking.convex, -up) - other.center, up) > 0) return false;
+        return !other.geometry.is_double_sided || math::dot(support(asking.convex, up) - other.center, up) >= 0;
+    }
+    case ShapeType::mesh:
+    case ShapeType::height_field: {
+        bool found = false;
+        for_each_triangle_near(other, asking.bounds.lo, asking.bounds.hi, [&](const Convex& triangle) {
+            found = found || cairn::overlap(asking.convex, triangle);
+        });
+        return found;
+    }
+    default: {
+        const double radii = asking.radius + double(other.geometry.bounding_radius);
+        const DVec3 to = other.middle() - middle(asking.convex);
+        constexpr double rounding = 1e-5; // of radii, which are floats
+        const bool is_far = math::dot(to, to) > radii * radii * (1 + rounding);
+        if (is_far && other.geometry.type != ShapeType::rectangle) return false;
+        return cairn::overlap(asking.convex,
+                              other.convex(middle(asking.convex), math::length(asking.bounds.hi - asking.bounds.lo)));
+    }
+    }
 }
 
 } // namespace
@@ -114,21 +197,25 @@ std::optional<ShapeCastHit> World::cast_shape(const Shape& shape, const Transfor
     const Geometry g = make_geometry(shape, {Position(0.0), rotation});
     if (is_surface(g.type)) refuse("World::cast_shape shape", shape_name(shape), "must be a convex shape");
     const ShapeData data = make_shape_data(shape);
-    const DVec3 origin = to_math(start.position);
-    const Convex moving = make_convex(g, data, {}, math::normalized(math::to_double(g.rotation)));
-    const ShapeCast cast(moving, math::to_double(to_math(translation)));
+    const DVec3 origin = to_math(start.position), way = math::to_double(to_math(translation));
+    const QuerySolid moving(PosedInQuery(g, data, {}, g.rotation));
+    const ShapeCast cast(moving, way);
     const State& s = impl_->whole("World::cast_shape");
     std::optional<ConvexHit> best;
     std::uint32_t met = 0;
-    s.broad_phase.query_bounds({origin + cast.lo(), origin + cast.hi()}, [&](std::uint32_t other) {
-        if (!is_seen(s.shapes, other, layers)) return;
-        const auto hit = cast.against(PosedInQuery(s, other, origin));
-        if (!hit || (best && (hit->fraction > best->fraction || (hit->fraction == best->fraction && other > met))))
-            return;
-        best = hit;
-        met = other;
-    });
+    s.broad_phase.query_sweep(
+        {origin + moving.bounds.lo, origin + moving.bounds.hi}, way, [&](std::uint32_t other, double limit) {
+            // Of two at the same fraction the one with the lower index counts, in whatever order they come.
+            if (!is_seen(s.shapes, other, layers) || (limit == 0 && best && other > met)) return limit;
+            const auto hit = cast.against(PosedInQuery(s, other, origin), limit);
+            if (!hit || (best && (hit->fraction > best->fraction || (hit->fraction == best->fraction && other > met))))
+                return limit;
+            best = hit;
+            met = other;
+            return hit->fraction;
+        });
     if (!best) return std::nullopt;
+    if (best->normal == DVec3{}) best = cast.from_within(PosedInQuery(s, met, origin));
     return ShapeCastHit{s.shapes.slots.id(met), s.bodies.id(s.shapes.links[met].body), best->fraction,
                         to_public(origin + best->point), to_public(math::to_float(best->normal))};
 }
@@ -138,20 +225,46 @@ std::optional<ClosestPoint> World::closest_point(const Position& point, double m
     require_position("World::closest_point point", point);
     if (!(max_distance >= 0)) refuse("World::closest_point max_distance", to_text(max_distance), "must be >= 0");
     const double most = std::min(max_distance, 1e15); // as far as positions reach
-    const DVec3 origin = to_math(point), reach{most, most, most};
+    const DVec3 origin = to_math(point);
     const State& s = impl_->whole("World::closest_point");
-    std::optional<Nearest> best;
+    std::optional<NearPoint> best;
     std::uint32_t nearest = 0;
-    s.broad_phase.query_bounds({origin - reach, origin + reach}, [&](std::uint32_t other) {
-        if (!is_seen(s.shapes, other, layers)) return;
-        const auto found = nearest_of(PosedInQuery(s, other, origin), best ? best->distance : most);
-        if (!found || (best && found->distance == best->distance && other > nearest)) return;
+    s.broad_phase.query_near(origin, most, [&](std::uint32_t other, double limit) {
+        if (!is_seen(s.shapes, other, layers)) return limit;
+        const auto found = nearest_of(PosedInQuery(s, other, origin), limit);
+        if (!found || (best && found->distance == best->distance && other > nearest)) return limit;
         best = found;
         nearest = other;
+        return found->distance;
     });
     if (!best) return std::nullopt;
     return ClosestPoint{s.shapes.slots.id(nearest), s.bodies.id(s.shapes.links[nearest].body),
                         to_public(origin + best->point), best->distance};
+}
+
+std::vector<ShapeId> World::overlap(const Shape& shape, const Transform& pose, std::uint64_t layers) const {
+    validate(shape);
+    require_position("World::overlap pose.position", pose.position);
+    const Quat rotation = checked_rotation("World::overlap pose.rotation", pose.rotation);
+    const Geometry g = make_geometry(shape, {Position(0.0), rotation});
+    const ShapeData data = make_shape_data(shape);
+    const DVec3 origin = to_math(pose.position);
+    const DBounds bounds = geometry_bounds(g, data, origin, math::to_matrix(g.rotation));
+    const PosedInQuery asking(g, data, {}, g.rotation);
+    std::optional<QuerySolid> solid;
+    if (!is_surface(g.type)) solid.emplace(asking);
+    const State& s = impl_->whole("World::overlap");
+    std::vector<ShapeId> found;
+    s.broad_phase.query_bounds(bounds, [&](std::uint32_t other) {
+        if (!is_seen(s.shapes, other, layers)) return;
+        const PosedInQuery posed(s, other, origin);
+        const bool is_met = solid                             ? meets(*solid, posed)
+                            : is_surface(posed.geometry.type) ? false
+                                                              : meets(QuerySolid(posed), asking);
+        if (is_met) found.push_back(s.shapes.slots.id(other));
+    });
+    std::sort(found.begin(), found.end(), [](ShapeId a, ShapeId b) { return a.index() < b.index(); });
+    return found;
 }
 
 } // namespace cairn

@@ -189,7 +189,9 @@ TEST(Sheets, StripsAreMetAlongTheirWholeLength) {
 // Contacts are one-sided, and overlaps were asked of them: none of these was found whose center was below the surface
 // and beside its border.
 TEST(Overlaps, BallsMeetASurfaceWhereverItsNearestPointIsWithinTheirRadius) {
-    const std::vector<Shape> surfaces = {square(1), HeightField(3, 3, {1, 1}, std::vector<float>(9, 0.0f))};
+    const std::vector<Shape> surfaces = {
+        square(1), HeightField(3, 3, {1, 1}, std::vector<float>(9, 0.0f)), Plane{{0, 1, 0}, {1, 0, 0}, glm::vec2(1, 1)},
+        Plane{{0, -1, 0}, {1, 0, 0}, glm::vec2(1, 1)}, Plane{{0, 1, 0}, {1, 0, 0}, glm::vec2(1, 1), true}};
     std::mt19937 random(31);
     std::uniform_real_distribution<double> any(-2.2, 2.2);
     const Position middle{1000, 20, -50};

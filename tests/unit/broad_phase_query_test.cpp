@@ -49,6 +49,57 @@ TEST(BroadPhase, QueriesFindWhatBruteForceFinds) {
     }
 }
 
+// Boxes that move, and what is near a point; farther than what counts nothing need be visited.
+TEST(BroadPhase, SweepsAndNearestBoxesAreThoseOfBruteForce) {
+    for (const DVec3 offset : {DVec3{}, DVec3{-4e6, 2e6, 1e7}}) {
+        Scene scene(53, 7, offset);
+        fill(scene);
+        std::map<std::uint32_t, std::vector<std::uint32_t>> asleep;
+        std::size_t swept = 0, near = 0, visits = 0;
+        for (int step = 0; step < 40; ++step) {
+            stir(scene, step, asleep);
+            if (step % 2) scene.update();
+            const DVec3 a = scene.random_point(), half{0.4, 0.1, 0.8};
+            const DVec3 way = step % 5 == 0 ? DVec3{} : step % 5 == 1 ? DVec3{0, -3, 0} : scene.random_point() - a;
+            const double reach = scene.random.between(0, 4);
+            std::set<std::uint32_t> on_way, at_hand;
+            const double end = step % 3 == 0 ? 0.5 : 1;
+            scene.broad.query_sweep({a - half, a + half}, way, [&](std::uint32_t i, double) {
+                EXPECT_TRUE(on_way.insert(i).second);
+                return end;
+            });
+            scene.broad.query_near(a, reach, [&](std::uint32_t i, double max) {
+                EXPECT_TRUE(at_hand.insert(i).second);
+                return max;
+            });
+            visits += on_way.size() + at_hand.size();
+            for (std::uint32_t i = 0; i < scene.shapes.size(); ++i) {
+                const Scene::Shape& s = scene.shapes[i];
+                if (s.kind == Kind::none || s.kind == Kind::plane) continue;
+                const DBounds tight = Scene::tight(s);
+                double enter = 0, leave = end, square = 0;
+                for (int axis = 0; axis < 3; ++axis) {
+                    const double lo = tight.lo[axis] - a[axis], hi = tight.hi[axis] - a[axis];
+                    const double off = std::max({lo, -hi, 0.0}), d = way[axis], h = half[axis];
+                    square += off * off;
+                    if (d == 0)
+                        leave = lo - h <= 0 && hi + h >= 0 ? leave : -1;
+                    else
+                        enter = std::max(enter, std::min((lo - h) / d, (hi + h) / d)),
+                        leave = std::min(leave, std::max((lo - h) / d, (hi + h) / d));
+                }
+                EXPECT_TRUE(enter > leave || on_way.count(i)) << i << ' ' << step;
+                EXPECT_TRUE(square > reach * reach || at_hand.count(i)) << i << ' ' << step;
+                swept += enter <= leave;
+                near += square <= reach * reach;
+            }
+        }
+        EXPECT_GT(swept, 40u);
+        EXPECT_GT(near, 40u);
+        EXPECT_LT(visits, 3 * (swept + near)); // candidates are few
+    }
+}
+
 TEST(BroadPhase, RaysFromFarAwayHit) {
     Scene scene(52, 7);
     for (int i = 0; i < 300; ++i) scene.add(i % 2 ? Kind::awake : Kind::fixed, 0.01, 0.05);

@@ -241,6 +241,58 @@ TEST(ConvexQuery, SweepsOfOverlappingShapesStopAtOnceAndThoseThatPartGoFree) {
     EXPECT_TRUE(cast_convex(c.at({0, 1.0001, 0}), {1, -0.1, 0}, b.at({})));
 }
 
+TEST(ConvexQuery, NearestPointsAreThoseOfTheDistance) {
+    Random random(7);
+    int outside = 0, inside = 0, far = 0;
+    for (int k = 0; k < 20000; ++k) {
+        const Solid s = any_solid(random, 1);
+        const Convex c = s.at(random.direction(), random.rotation());
+        const DVec3 to = c.center + random.uniform(0, 3) * random.direction();
+        Convex point;
+        point.center = to;
+        const double truth = closest_points(point, c).distance, most = random.uniform(0, 2);
+        if (std::fabs(truth) < 1e-6 || std::fabs(truth - most) < 1e-6) continue;
+        const auto nearest = cairn::nearest_point(c, to, most);
+        ASSERT_EQ(nearest.has_value(), truth < most) << k;
+        if (!nearest) {
+            ++far;
+            continue;
+        }
+        EXPECT_NEAR(nearest->distance, std::max(truth, 0.0), 1e-6) << k;
+        EXPECT_NEAR(length(nearest->point - to), nearest->distance, 1e-9) << k;
+        EXPECT_TRUE(truth > 0 || nearest->point == to) << k;
+        EXPECT_TRUE(contains(c, nearest->point + 1e-6 * (middle(c) - nearest->point))) << k;
+        ++(truth > 0 ? outside : inside);
+    }
+    EXPECT_GT(outside, 2000);
+    EXPECT_GT(inside, 2000);
+    EXPECT_GT(far, 2000);
+}
+
+// From either side of the triangle, beside it, and through it.
+TEST(ConvexQuery, OverlapsOfPolytopesWithTrianglesAreThoseOfAllSeparatingAxes) {
+    Random random(8);
+    int meeting = 0, apart = 0;
+    for (int k = 0; k < 20000; ++k) {
+        const auto h = any_hull(random);
+        const DQuat q = random.rotation();
+        const Solid solid = hull(h);
+        const Polytope p = polytope(*h, {}, q);
+        const DVec3 place = random.uniform(0, 2.5) * random.direction();
+        Polytope triangle;
+        for (int i = 0; i < 3; ++i) triangle.corners.push_back(place + random.uniform(0.1, 2) * random.direction());
+        triangle.faces = {{0, 1, 2}, {0, 2, 1}};
+        const std::vector<DVec3>& t = triangle.corners;
+        if (length(cross(t[1] - t[0], t[2] - t[0])) < 1e-3) continue;
+        const double truth = brute_distance(p, triangle);
+        if (std::fabs(truth) < 1e-6) continue;
+        ASSERT_EQ(overlap(solid.at({}, q), cairn::make_triangle(t[0], t[1], t[2])), truth < 0) << k << ' ' << truth;
+        ++(truth < 0 ? meeting : apart);
+    }
+    EXPECT_GT(meeting, 3000);
+    EXPECT_GT(apart, 3000);
+}
+
 TEST(BoxTriangleDistance, IsThatOfGjk) {
     Random random(6);
     int apart = 0, meeting = 0;

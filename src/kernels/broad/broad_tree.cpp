@@ -16,16 +16,31 @@ int hit_box(const Node8& node, const TreeBox& box) { return hits(node, splat(box
 // traversal", 2013), so that no box is missed.
 int hit_ray(const Node8& node, const TreeRay& ray, float max_distance, float* entry) {
     f32x8 near = zero(), far = splat(max_distance);
-    const f32x8 slack = splat(ray.slack), widening = splat(1.0000005f);
+    const f32x8 widening = splat(1.0000005f);
     for (int axis = 0; axis < 3; ++axis) {
         const f32x8 origin = splat(ray.origin[axis]), inverse = splat(ray.inverse_direction[axis]);
-        const f32x8 low = load(node.lo[axis]) - slack, high = load(node.hi[axis]) + slack;
+        const f32x8 half = splat(ray.half[axis]);
+        const f32x8 low = load(node.lo[axis]) - half, high = load(node.hi[axis]) + half;
         const bool forward = ray.inverse_direction[axis] > 0.0f;
         near = max(near, ((forward ? low : high) - origin) * inverse);
         far = min(far, ((forward ? high : low) - origin) * inverse * widening);
     }
     store(entry, near);
     return 255 ^ bits(near > far);
+}
+
+// Squares are made a little less by their rounding errors, so that no box is missed.
+int hit_near(const Node8& node, const TreePoint& point, float max_square, float* square) {
+    const f32x8 slack = splat(point.slack);
+    f32x8 sum = zero();
+    for (int axis = 0; axis < 3; ++axis) {
+        const f32x8 p = splat(point.position[axis]);
+        const f32x8 off = max(max(load(node.lo[axis]) - p, p - load(node.hi[axis])) - slack, zero());
+        sum = sum + off * off;
+    }
+    sum = sum * splat(0.9999990f);
+    store(square, sum);
+    return 255 ^ bits(sum > splat(max_square));
 }
 
 // The eight lanes of each child are transposed into columns, so that the bounds of eight children are made at once.
@@ -120,6 +135,8 @@ void mark_changed(const TreeView& tree, const TreeBox& before, const TreeBox& af
 
 } // namespace
 
-BroadKernels broad_kernels() { return {hit_box, hit_ray, refit, list_leaves, find_rows, find_others, mark_changed}; }
+BroadKernels broad_kernels() {
+    return {hit_box, hit_ray, hit_near, refit, list_leaves, find_rows, find_others, mark_changed};
+}
 
 } // namespace cairn::CAIRN_ISA
