@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <limits>
 
 namespace cairn {
 
@@ -17,34 +18,26 @@ namespace {
 
 constexpr int joints_per_chunk = 128; // for threads
 
-// How far bodies may turn against each other in a pass: more than their angular velocities at its start say, rad; and
-// what flies at something is turned by the impact, by a share of its speed over its radius. Who is hit harder gets
-// beyond the limit by a little, and is brought back in the next pass.
-constexpr float more_turn = 1.5f, min_reach = 0.03f, impact_share = 0.25f;
-
 const JointAxisRule* swing_rule(const JointLocks& locks, const JointAxes& axes) {
     for (int i = 0; i < locks.axis_count; ++i)
         if (axes.rules[i].kind == AxisKind::swing) return &axes.rules[i];
     return nullptr;
 }
 
-// An upper bound of the angle by which the bodies of a joint turned against each other in the last pass.
-float turned_against_each_other(const Bodies& bodies, const JointInfo& joint) {
-    const auto turned = [&](std::int32_t body) { return body == none ? math::Quat{} : bodies.motion[body].turned; };
-    const math::Quat q = math::conjugate(turned(joint.body_a)) * turned(joint.body_b);
-    const float sine = std::sqrt((q.x * q.x + q.y * q.y) + q.z * q.z); // of half the angle
-    return (sine < 0.5f ? 2.1f : 3.1416f) * sine + 1e-6f;
-}
-// rad/s.
-float turning_speed(const Bodies& bodies, const JointInfo& joint) {
-    const auto w = [&](std::int32_t body) { return body == none ? math::Vec3{} : bodies.motion[body].w; };
-    float by_impact = 0;
+// What the bodies of a joint have moved in all, what they will have after this pass, at most, and the radius of the
+// smaller one: none of them turns by more than it moves over its radius.
+struct JointTravel {
+    Travel now = 0, ahead = 0;
+    float radius = std::numeric_limits<float>::infinity();
+};
+JointTravel travel_of(const Bodies& bodies, const JointInfo& joint) {
+    JointTravel travel;
     for (const std::int32_t body : {joint.body_a, joint.body_b}) {
-        if (body == none) continue;
-        const float radius = bodies.links[body].radius, speed = math::length(bodies.motion[body].v);
-        if (radius > 0) by_impact = std::max(by_impact, speed / radius);
+        if (body == none || bodies.settings[body].type == BodyType::static_) continue;
+        travel.now += bodies.travel[body], travel.ahead += bodies.ahead[body];
+        travel.radius = std::min(travel.radius, bodies.links[body].radius);
     }
-    return more_turn * math::length(w(joint.body_b) - w(joint.body_a)) + impact_share * by_impact;
+    return travel;
 }
 
 // Asks the cache for what is looked at of a joint here.
@@ -55,22 +48,25 @@ void prefetch(const Joints& joints, std::uint32_t joint) {
     ask_cache(&axes.states[max_joint_axes - 1]);
 }
 
-// Whether the row need not be solved; keeps its slack.
-bool is_out_of_reach(const JointAxisRule& rule, JointAxisState& state, float by_turn, float turned, float speed,
-                     float dt) {
-    const float reach = by_turn * (dt * speed + min_reach);
-    if (state.slack > 0) {
-        state.slack -= by_turn * turned;
-        if (!(state.slack > reach)) state.slack = 0;
-    } else if (state.slack < 0) {
-        state.slack = 0; // known again after this pass
-    } else if (state.lower == 0 && state.upper == 0) {
-        const float room = std::min(state.position - rule.lower, rule.upper - state.position);
-        // Some more room, so that rows do not come and go. And a twist is counted on from the last known one, which
-        // must be less than half a turn away.
-        if (room > 2 * reach) state.slack = std::min(room, half_turn);
+// Whether the row need not be solved.
+bool is_out_of_reach(const JointAxisRule& rule, JointAxisState& state, float by_turn, const JointTravel& travel) {
+    if (state.is_idle) {
+        state.is_idle = is_before(travel.ahead, state.until);
+        if (!state.is_idle) state.until = travel.now; // solved in this pass
+        return state.is_idle;
     }
-    return state.slack > 0;
+    const Travel known_at = state.until;
+    state.until = travel.now;
+    const bool is_known = is_before(travel.now, known_at + budget_of(max_leap / 2)); // else they were put elsewhere
+    if (!is_known || state.lower != 0 || state.upper != 0) return false;
+    // A twist is counted on from the last known one, which must be less than half a turn away.
+    const float room = std::min({state.position - rule.lower, rule.upper - state.position, half_turn});
+    const Travel until = travel.now + budget_of(double(room) * double(travel.radius) / double(by_turn));
+    // Some more room, so that rows do not come and go.
+    if (!is_before(travel.ahead + (travel.ahead - travel.now), until)) return false;
+    state.until = until;
+    state.is_idle = 1;
+    return true;
 }
 
 // How much its position changes at most, by the angle that the bodies turn by against each other; 0: by no such bound.
@@ -93,7 +89,7 @@ float reach_by_turn(const JointLocks& locks, const JointAxes& axes, const JointA
     return rule.has_limits && !has_more ? change_by_turn(locks, axes, rule) : 0;
 }
 
-bool update_idle_rows(const Bodies& bodies, Joints& joints, JointLayout& layout, ThreadPool* thread_pool, float dt) {
+bool update_idle_rows(const Bodies& bodies, Joints& joints, JointLayout& layout, ThreadPool* thread_pool) {
     if (!layout.may_idle) return false;
     std::atomic<bool> any_changed = false;
     for_chunks(thread_pool, int(layout.joints.size()), joints_per_chunk, [&](int begin, int end, int) {
@@ -101,14 +97,13 @@ bool update_idle_rows(const Bodies& bodies, Joints& joints, JointLayout& layout,
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
             if (k + joints_ahead < std::size_t(end)) prefetch(joints, layout.joints[k + joints_ahead]);
             const JointInfo& joint = joints.info[layout.joints[k]];
-            float turned = -1, speed = 0;
+            const JointTravel travel = travel_of(bodies, joint);
             for (std::uint32_t i = layout.first_row[k]; i < layout.first_row[k + 1]; ++i) {
                 JointRow& row = layout.rows[i];
                 if (row.reach_by_turn == 0) continue;
-                if (turned < 0) turned = turned_against_each_other(bodies, joint), speed = turning_speed(bodies, joint);
                 JointAxes& axes = joints.axes[row.joint];
                 const bool idle =
-                    is_out_of_reach(axes.rules[row.axis], axes.states[row.axis], row.reach_by_turn, turned, speed, dt);
+                    is_out_of_reach(axes.rules[row.axis], axes.states[row.axis], row.reach_by_turn, travel);
                 changed |= idle != bool(row.idle);
                 row.idle = idle;
             }
@@ -116,12 +111,6 @@ bool update_idle_rows(const Bodies& bodies, Joints& joints, JointLayout& layout,
         if (changed) any_changed = true;
     });
     return any_changed;
-}
-
-void forget_slack(const Bodies& bodies, Joints& joints, std::int32_t body) {
-    for_each_joint(bodies, joints, body, [&](std::uint32_t joint, int) {
-        for (JointAxisState& axis : joints.axes[joint].states) axis.slack = -1;
-    });
 }
 
 } // namespace cairn

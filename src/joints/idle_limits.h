@@ -11,8 +11,6 @@ namespace cairn {
 // mere limits of an angle; 0: of all else, that is not looked at.
 float reach_by_turn(const JointLocks& locks, const JointAxes& axes, const JointAxisRule& rule);
 // Once in a pass. True if other rows than before are left out of the solver.
-bool update_idle_rows(const Bodies& bodies, Joints& joints, JointLayout& layout, ThreadPool* thread_pool, float dt);
-// The body has been put elsewhere.
-void forget_slack(const Bodies& bodies, Joints& joints, std::int32_t body);
+bool update_idle_rows(const Bodies& bodies, Joints& joints, JointLayout& layout, ThreadPool* thread_pool);
 
 } // namespace cairn

@@ -129,7 +129,7 @@ bool may_be_fixed(std::uint32_t key) { return stands_alone(key) || key / keys_pe
 std::uint32_t joint_form_of(std::uint32_t key) { return key % forms; }
 
 void fill_joint_lanes(const Bodies& bodies, Joints& joints, SolverScratch& solver, const DirectSets& direct,
-                      const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool, float dt) {
+                      const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool) {
     JointLayout& layout = solver.joint_layouts[&batch - solver.batches.data()];
     scratch.joint_layout = &layout;
     bool is_new = false;
@@ -143,8 +143,7 @@ void fill_joint_lanes(const Bodies& bodies, Joints& joints, SolverScratch& solve
         layout.valid_for = joints.changes;
         is_new = true;
     }
-    if (update_idle_rows(bodies, joints, layout, thread_pool, dt) || is_new)
-        lay_out_rows(layout, scratch.joint_key_counts);
+    if (update_idle_rows(bodies, joints, layout, thread_pool) || is_new) lay_out_rows(layout, scratch.joint_key_counts);
     for (const std::int32_t body : layout.kinematic_bodies) row_of_body(scratch, body);
     list_direct_sets(joints, direct, scratch);
 }

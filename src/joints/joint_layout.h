@@ -8,7 +8,7 @@ namespace cairn {
 
 // Joints of the batch's islands, laid into blocks of 8 lanes color by color.
 void fill_joint_lanes(const Bodies& bodies, Joints& joints, SolverScratch& solver, const DirectSets& direct,
-                      const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool, float dt);
+                      const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool);
 
 // Of the key of a row or run: the form of its rows, and whether they may have ends that do not move by forces.
 std::uint32_t joint_form_of(std::uint32_t key);

@@ -241,14 +241,13 @@ void prefetch_ahead(const State& s, const std::vector<std::int32_t>& list, std::
 } // namespace
 
 void fill_batch(const State& s, Bodies& bodies, Islands& islands, Joints& joints, SolverScratch& solver,
-                const DirectSets& direct, const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool,
-                float dt) {
+                const DirectSets& direct, const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool) {
     gather_bodies(bodies, islands, s.settings, solver, batch, scratch);
     scratch.row_bodies.clear();
     if (scratch.touching_bodies.empty() && batch.contact_count + batch.joint_count == 0) return;
     number_rows(scratch);
     fill_lanes(solver.sorted, batch, scratch);
-    fill_joint_lanes(bodies, joints, solver, direct, batch, scratch, thread_pool, dt);
+    fill_joint_lanes(bodies, joints, solver, direct, batch, scratch, thread_pool);
     fill_rows(bodies, s.shapes, s.contacts, s.settings, scratch, thread_pool);
 }
 

@@ -152,7 +152,7 @@ double milliseconds_since(std::chrono::steady_clock::time_point start) {
 void solve_batch(State& s, StepScratch& step, const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool,
                  float dt) {
     const auto start = std::chrono::steady_clock::now();
-    fill_batch(s, s.bodies, s.islands, s.joints, step.solver, step.direct, batch, scratch, thread_pool, dt);
+    fill_batch(s, s.bodies, s.islands, s.joints, step.solver, step.direct, batch, scratch, thread_pool);
     if (scratch.row_count() > 0) {
         fill_joint_blocks(s.bodies, s.joints, step.direct, scratch, thread_pool, dt / float(batch.substeps));
         prepare_free_motion(s.bodies, s.fields, s.settings, scratch, thread_pool, dt / float(batch.substeps),

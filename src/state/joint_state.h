@@ -4,6 +4,7 @@
 #include "core/slot_pool.h"
 #include "kernels/solve/joint_data.h"
 #include "math/vec.h"
+#include "state/travel.h"
 
 #include <cstdint>
 #include <vector>
@@ -33,9 +34,10 @@ struct JointAxisRule {
 struct JointAxisState {
     float drive = 0, friction = 0, lower = 0, upper = 0; // N s of the last substep
     float position = 0;
-    // How far the position may be from there before limits count, which are not solved until then (joint_idle.cpp).
-    // 0: they are; < 0: likewise, and the position is that of a pose that the bodies have been taken from.
-    float slack = 0;
+    std::uint32_t is_idle = 0; // its limits are out of reach, not solved, and the position is not known
+    // The travel of both bodies up to which limits are out of reach, and not solved (joints/idle_limits.cpp); of limits
+    // that are solved, what it was when they were last.
+    Travel until = 0;
 };
 
 // What a joint holds beside its axes.

@@ -3,7 +3,6 @@
 #include "bodies/finalize.h"
 #include "contacts/pairs.h"
 #include "islands/islands.h"
-#include "joints/idle_limits.h"
 #include "joints/joints.h"
 #include "math/rotation.h"
 #include "state/joint_links.h"
@@ -176,7 +175,6 @@ void move_body(const Access& a, math::DVec3 origin, const math::DQuat& rotation)
     wake_around(a.s.bodies, a.s.shapes, a.s.islands, a.s.broad_phase, a.s.events, a.index());
     wake_body(a.s.bodies, a.s.islands, a.s.events, a.index());
     set_pose(a.s.bodies, a.index(), origin, rotation);
-    forget_slack(a.s.bodies, a.s.joints, a.index());
     update_proxies(a.s.bodies, a.s.shapes, a.s.broad_phase, a.index());
     wake_around(a.s.bodies, a.s.shapes, a.s.islands, a.s.broad_phase, a.s.events, a.index());
 }

@@ -77,7 +77,7 @@ void set_rules(const Bodies& bodies, Joints& joints, std::uint32_t index, const 
         if (!(rules.axes[i].friction > 0)) axis.friction = 0;
     }
     const JointPositions positions = joint_positions(bodies, joints, index);
-    for (int i = 0; i < locks.axis_count; ++i) axes.states[i].position = positions.axes[i], axes.states[i].slack = 0;
+    for (int i = 0; i < locks.axis_count; ++i) axes.states[i].position = positions.axes[i], axes.states[i].is_idle = 0;
 }
 
 // The rope's length counts from then on, also in the definition, so that it outlives a change of the joint and a file.
