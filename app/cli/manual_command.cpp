@@ -60,7 +60,8 @@ links are followed; what is no regular file is written to as it is.
 .B \-
 is standard output, and messages go to standard error then.
 .PP
-Scenes are glTF files with the drafts KHR_physics_rigid_bodies and KHR_implicit_shapes; robots are URDF files. A scene
+Scenes are glTF files with the drafts KHR_physics_rigid_bodies and KHR_implicit_shapes; models in URDF, MJCF,
+SDF and text layers of USD are read too. A scene
 is named by a path, or by its name, its number or both:
 .BR tower ,
 .BR 08 ,
