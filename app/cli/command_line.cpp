@@ -58,8 +58,10 @@ Integrator integrator_of(const std::string& name) {
 }
 
 void add_reading(CLI::App& command, ReadOptions& options) {
-    command.add_flag("--fixed-base", options.fixed_base, "Of a robot in URDF: its root link does not move");
+    command.add_flag("--fixed-base", options.fixed_base, "Of a robot in URDF, MJCF or SDF: its base does not move");
     command.add_flag("--floor", options.floor, "Put a floor below the lowest point of the scene");
+    command.add_flag("--decompose", options.decompose,
+                     "Cut meshes that move into convex parts, instead of taking their convex hulls");
 }
 
 // A list of names, separated by commas.
@@ -152,7 +154,8 @@ void add_scenes(CLI::App& app, ScenesOptions& options) {
 void add_convert(CLI::App& app, ConvertOptions& options) {
     CLI::App* convert = app.add_subcommand("convert", "Write a scene in another form, or make one of a mesh.");
     convert
-        ->add_option("in", options.input, "A scene (.gltf, .glb or its name), a robot (.urdf), or a mesh (.obj, .stl)")
+        ->add_option("in", options.input,
+                     "A scene (.gltf, .glb or its name), a model (.urdf, .xml, .sdf, .usda), or a mesh (.obj, .stl)")
         ->required();
     convert->add_option("out", options.output, "The scene to write (.gltf, .glb)")
         ->required()
@@ -163,7 +166,7 @@ void add_convert(CLI::App& app, ConvertOptions& options) {
             "What a mesh becomes: a dynamic body with its convex hull, or a static one with its triangles (hull or "
             "mesh; "
             "default hull)")
-        ->check(one_of({"hull", "mesh"}, "; there is no decomposition into convex parts"));
+        ->check(one_of({"hull", "mesh"}, "; --decompose makes a hull several convex parts"));
     add_reading(*convert, options.read);
     convert->add_option("--scale", options.scale, "Meters of one unit of a mesh (default 1)")
         ->check(between(1e-9, 1e9));

@@ -16,7 +16,7 @@ namespace cairn::cli {
 
 // Of files that are read: robots above all.
 struct ReadOptions {
-    bool fixed_base = false, floor = false;
+    bool fixed_base = false, floor = false, decompose = false;
     scene::Scene load(const std::filesystem::path& path) const;
 };
 
@@ -61,7 +61,7 @@ struct CompletionOptions {
 
 struct ConvertOptions {
     ReadOptions read;
-    std::filesystem::path input, output; // a scene, an .urdf, .obj or .stl file; .gltf or .glb
+    std::filesystem::path input, output; // a scene, a model or a mesh; .gltf or .glb
     std::optional<bool> as_hull;         // of meshes; a hull otherwise
     std::optional<double> scale;         // m of one unit of a mesh; 1 otherwise
     std::optional<double> density;       // kg/m^3; 1000 otherwise

@@ -17,10 +17,12 @@ namespace {
 scene::Scene load_any(const ConvertOptions& options) {
     if (scene::is_mesh_file(options.input)) {
         if (options.read.fixed_base) {
-            throw Error(ErrorCode::unsupported, options.input.string(), {}, "must be a robot for its base to be fixed");
+            throw Error(ErrorCode::unsupported, options.input.string(), {},
+                        "must be a robot in URDF, MJCF or SDF for its base to be fixed");
         }
         scene::MeshImport import;
         import.as_hull = options.as_hull.value_or(true);
+        import.decompose = options.read.decompose;
         import.scale = options.scale.value_or(1.0);
         import.density = static_cast<float>(options.density.value_or(1000.0));
         scene::Scene made =

@@ -30,6 +30,8 @@ class PictureRecorder {
     std::filesystem::path png_;
     std::vector<viewer::Visual> visuals_;
     viewer::CameraPose camera_;
+    viewer::FrameOptions options_;
+    bool has_camera_; // of the scene's own
     std::vector<viewer::Appearance> appearances_;
     viewer::MeshCache meshes_;
     viewer::HeadlessRenderer renderer_;

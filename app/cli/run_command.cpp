@@ -258,7 +258,7 @@ void warn_of_speeds(scene::Scene& scene, std::uint64_t count) {
 
 scene::Scene ReadOptions::load(const std::filesystem::path& path) const {
     set_activity("reading", path.generic_string());
-    scene::Scene scene = scene::load(path, {.fixed_base = fixed_base});
+    scene::Scene scene = scene::load(path, {.fixed_base = fixed_base, .decompose = decompose});
     if (floor) scene::add_floor(scene);
     return scene;
 }

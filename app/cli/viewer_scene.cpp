@@ -47,7 +47,9 @@ viewer::CameraPose camera_of(const scene::Scene& scene, std::span<const viewer::
     return pose;
 }
 
-std::vector<std::string> viewer_file_types() { return {".gltf", ".glb", ".urdf", ".obj", ".stl"}; }
+std::vector<std::string> viewer_file_types() {
+    return {".gltf", ".glb", ".urdf", ".xml", ".sdf", ".world", ".usda", ".obj", ".stl"};
+}
 
 namespace {
 
@@ -55,7 +57,8 @@ namespace {
 scene::Scene load_any(const std::filesystem::path& path, const ReadOptions& options) {
     if (!scene::is_mesh_file(path)) return options.load(path);
     if (options.fixed_base) {
-        throw Error(ErrorCode::unsupported, path.string(), {}, "must be a robot in URDF for its base to be fixed");
+        throw Error(ErrorCode::unsupported, path.string(), {},
+                    "must be a robot in URDF, MJCF or SDF for its base to be fixed");
     }
     scene::MeshImport import;
     import.as_hull = false;
@@ -74,6 +77,7 @@ viewer::LoadedScene load_for_viewer(const std::string& path, const ReadOptions& 
     loaded.appearances = appearances_of(scene);
     loaded.visuals = visuals_of(scene);
     loaded.camera = camera_of(scene, loaded.visuals);
+    loaded.light = scene.info.light;
     loaded.title = scene.info.title;
     loaded.hint = scene.info.hint;
     loaded.time_step = scene.info.time_step;

@@ -373,6 +373,7 @@ FrameOptions Controller::frame_options(const StageState& state) const {
     options.colors = colors;
     options.grid = grid;
     options.shadows = shadows;
+    options.light = state.scene_light;
     options.visuals = visuals;
     options.selected = state.selected;
     options.joints = joints;

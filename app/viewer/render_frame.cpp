@@ -170,6 +170,7 @@ RenderFrame make_frame(const WorldLayout& layout, const WorldMotion& previous, c
     frame.camera = camera;
     frame.grid = options.grid;
     frame.shadows = options.shadows;
+    if (options.light) frame.light_direction = *options.light;
     std::vector<Transform> transforms(layout.bodies.size());
     for (std::size_t i = 0; i < transforms.size(); ++i)
         transforms[i] = interpolate(previous.transforms[i], current.transforms[i], fraction);

@@ -104,6 +104,7 @@ struct FrameOptions {
     BodyId selected;     ///< Highlighted; null for none.
     JointsShown joints = JointsShown::none; ///< Which are drawn (joint_drawing.h).
     JointId selected_joint;
+    std::optional<Vec3> light;    ///< Towards it; absent: that of every scene.
     std::optional<DragLine> drag; ///< Shown as a line with a dot at both ends.
 };
 

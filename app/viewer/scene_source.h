@@ -34,6 +34,7 @@ struct LoadedScene {
     std::string title;
     std::string hint; ///< One line on what to try.
     CameraPose camera;
+    std::optional<Vec3> light;      ///< Unit or not, towards the light; absent: that of every scene.
     float time_step = 1.0f / 60.0f; ///< Seconds of one step, > 0.
     std::vector<Appearance> appearances;
     std::vector<Visual> visuals{};

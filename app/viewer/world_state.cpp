@@ -221,6 +221,19 @@ struct Extent {
     }
 };
 
+// How far what has these bounds falls onto something that does not move; 0 if there is nothing below.
+double height_of_fall(const World& world, const Bounds& bounds, const Position& gravity) {
+    constexpr double highest = 1e4; // m
+    if (gravity == Position(0.0)) return 0.0;
+    const Position middle = 0.5 * (bounds.min + bounds.max);
+    for (const RayHit& hit : world.cast_ray_all(middle, Vec3(gravity), highest)) {
+        if (world.body(hit.body).type() == BodyType::dynamic) continue;
+        const double reach = 0.5 * glm::dot(bounds.max - bounds.min, glm::abs(gravity));
+        return std::max(hit.distance - reach, 0.0);
+    }
+    return 0.0;
+}
+
 } // namespace
 
 BoundingBall bounding_ball(const WorldLayout& layout, const WorldMotion& motion) {
@@ -243,13 +256,18 @@ BoundingBall bounding_ball(const WorldLayout& layout, const WorldMotion& motion)
 
 CameraPose fit_camera(const World& world, std::span<const Visual> visuals) {
     Extent dynamic, all;
+    const Vec3 pull = world.settings().gravity;
+    const Position gravity = pull == Vec3(0.0f) ? Position(0.0) : Position(glm::normalize(pull));
     for (const BodyId id : world.bodies()) {
         const Body body = world.body(id);
         for (const ShapeId shape : body.shapes()) {
             const Bounds bounds = world.shape_bounds(shape);
             if (!std::isfinite(bounds.min.x) || !std::isfinite(bounds.max.x)) continue; // an infinite plane
             all.include(bounds.min, bounds.max);
-            if (body.type() == BodyType::dynamic) dynamic.include(bounds.min, bounds.max);
+            if (body.type() != BodyType::dynamic) continue;
+            dynamic.include(bounds.min, bounds.max);
+            const double fall = height_of_fall(world, bounds, gravity);
+            dynamic.include(bounds.min + fall * gravity, bounds.max + fall * gravity);
         }
     }
     if (all.is_empty())

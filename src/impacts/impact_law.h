@@ -7,7 +7,7 @@
 //
 // Friction stops the slip of each point within Coulomb's cone; couples stop that the bodies spin about the normal and
 // roll on each other, up to the friction times `torsion_radius`, and `rolling_radius`, times the impulse. With friction
-// and unequal arms Newton's law may gain energy (Kane 1984): then friction is halved until it does not, at last to none.
+// and unequal arms Newton's law may gain energy (Kane 1984): then friction is halved until it does not, at last to 0.
 #pragma once
 
 #include "math/vec.h"

@@ -27,31 +27,57 @@ std::vector<Vec3> used_vertices(const Triangles& triangles) {
 
 } // namespace
 
-TurnedShape Colliders::shape(const Value& geometry, const glm::dvec3& scale, BodyType type,
-                             std::vector<std::string>& warnings) {
+std::vector<TurnedShape> Colliders::shapes(const Value& geometry, const glm::dvec3& scale, BodyType type,
+                                           bool is_trigger, std::vector<std::string>& warnings) {
     const auto index = geometry.find("shape"), node = geometry.find("node");
     if (index && node) node->fail("must not stand beside a shape");
     const auto convex = geometry.find("convexHull");
     bool is_hull = convex && convex->boolean();
     if (node) {
-        if (!is_hull && type == BodyType::dynamic) {
-            warnings.push_back(geometry.place() + "a mesh on a dynamic body is taken as its convex hull");
-            is_hull = true;
+        std::vector<TurnedShape> result;
+        if (!is_hull && type == BodyType::dynamic && !is_trigger) {
+            for (const Hull& part : parts_of(geometry, *node, scale, warnings)) result.push_back({part});
+            warnings.push_back(
+                geometry.place() + "a mesh on a dynamic body is taken as " +
+                (result.size() == 1 ? "its convex hull" : std::to_string(result.size()) + " convex parts"));
+        } else {
+            if (!is_hull && type == BodyType::dynamic) {
+                warnings.push_back(geometry.place() + "a mesh on a dynamic body is taken as its convex hull");
+                is_hull = true;
+            }
+            result.push_back({mesh_shape(geometry, *node, scale, is_hull, warnings)});
         }
-        Shape shape = mesh_shape(geometry, *node, scale, is_hull, warnings);
-        if (auto* hull = std::get_if<Hull>(&shape)) {
-            hull->rounding = read_rounding(geometry, scale, warnings);
-        } else if (const auto own = extension(geometry, "CAIRN_shape")) {
+        for (TurnedShape& made : result) {
+            if (auto* hull = std::get_if<Hull>(&made.shape)) hull->rounding = read_rounding(geometry, scale, warnings);
+        }
+        if (const auto own = extension(geometry, "CAIRN_shape"); own && std::holds_alternative<Mesh>(result[0].shape)) {
             warnings.push_back(own->place() + "is for boxes, cylinders and hulls, and is left out");
         }
-        return {std::move(shape)};
+        return result;
     }
     if (!index) geometry.fail("must have a member \"shape\" or \"node\"");
     TurnedShape made = implicit_shape(*index, scale, warnings);
     if (has_no_mass(made.shape) && type == BodyType::dynamic) {
         geometry.refuse("planes and height fields have no mass and may only belong to static and kinematic bodies");
     }
-    return made;
+    return {made};
+}
+
+// The parts that come near the mesh.
+const std::vector<Hull>& Colliders::parts_of(const Value& geometry, const Value& node, const glm::dvec3& scale,
+                                             std::vector<std::string>& warnings) {
+    const Key key{node.index(max_nodes, "nodes"), false, scale.x, scale.y, scale.z};
+    std::shared_ptr<const Surface>& surface = surfaces_in_parts_[key];
+    if (!surface) {
+        Triangles triangles = surfaces_.geometry(node, affine(scale), warnings);
+        surface =
+            std::make_shared<const Surface>(Surface{std::move(triangles.vertices), {}, std::move(triangles.indices)});
+    }
+    try {
+        return surface_parts_.of(surface);
+    } catch (const Error& error) {
+        geometry.fail(error);
+    }
 }
 
 TurnedShape Colliders::implicit_shape(const Value& index, const glm::dvec3& scale, std::vector<std::string>& warnings) {

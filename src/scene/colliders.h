@@ -1,12 +1,14 @@
 // The shapes that colliders and triggers ask for. What has the same mesh and scale shares its data.
 #pragma once
 
+#include "scene/decomposition.h"
 #include "scene/definitions.h"
 #include "scene/surfaces.h"
 
 #include <cairn/body.h>
 
 #include <map>
+#include <memory>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -17,13 +19,16 @@ class Colliders {
   public:
     Colliders(const Value& document, Surfaces& surfaces) : definitions_(document), surfaces_(surfaces) {}
 
-    // The shape of `geometry` on a body of that type, scaled; no component of `scale` is zero. Surfaces on dynamic
-    // bodies become their hulls, or are refused. Throws Error naming the place.
-    TurnedShape shape(const Value& geometry, const glm::dvec3& scale, BodyType type,
-                      std::vector<std::string>& warnings);
+    // What `geometry` is on a body of that type, scaled; no component of `scale` is zero. A mesh on a dynamic body
+    // becomes several convex parts, a trigger its hull; other surfaces there are refused. Throws Error naming the
+    // place.
+    std::vector<TurnedShape> shapes(const Value& geometry, const glm::dvec3& scale, BodyType type, bool is_trigger,
+                                    std::vector<std::string>& warnings);
     Substance substance(const Value& index) const { return definitions_.substance(index); }
 
   private:
+    const std::vector<Hull>& parts_of(const Value& geometry, const Value& node, const glm::dvec3& scale,
+                                      std::vector<std::string>& warnings);
     Shape mesh_shape(const Value& geometry, const Value& node, const glm::dvec3& scale, bool is_hull,
                      std::vector<std::string>& warnings);
     TurnedShape implicit_shape(const Value& index, const glm::dvec3& scale, std::vector<std::string>& warnings);
@@ -33,6 +38,8 @@ class Colliders {
     // By node or shape, whether it is a hull, and scale.
     using Key = std::tuple<std::size_t, bool, double, double, double>;
     std::map<Key, Shape> meshes_;
+    std::map<Key, std::shared_ptr<const Surface>> surfaces_in_parts_;
+    SurfaceParts surface_parts_;
     std::map<Key, Shape> height_fields_;
 };
 

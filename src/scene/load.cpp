@@ -7,14 +7,19 @@
 #include "scene/joints.h"
 #include "scene/json_number.h"
 #include "scene/mass_sum.h"
+#include "scene/mjcf.h"
+#include "scene/model_body.h"
 #include "scene/node_graph.h"
 #include "scene/node_transform.h"
 #include "scene/scene.h"
+#include "scene/sdf.h"
 #include "scene/spelling.h"
 #include "scene/urdf.h"
-#include "scene/urdf_file.h"
+#include "scene/usd.h"
+#include "scene/view.h"
 #include "scene/visuals.h"
 #include "scene/world_settings.h"
+#include "scene/xml_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,8 +30,6 @@
 namespace cairn::scene {
 
 namespace {
-
-constexpr std::size_t max_warnings = 100;
 
 // Where the walk stands.
 struct Place {
@@ -81,11 +84,8 @@ class Builder {
         std::sort(joint_nodes_.begin(), joint_nodes_.end());
         for (const std::size_t node : joint_nodes_) add_joint(node);
         scene_.collision_systems = filters_.names();
-        if (warnings_.size() > max_warnings) {
-            const std::size_t more = warnings_.size() - max_warnings;
-            warnings_.resize(max_warnings);
-            warnings_.push_back("and " + std::to_string(more) + " more warnings");
-        }
+        if (aims_camera_) aim_camera(scene_.world, *scene_.info.camera);
+        limit_warnings(warnings_);
         scene_.warnings = std::move(warnings_);
         return std::move(scene_);
     }
@@ -100,7 +100,7 @@ class Builder {
         }
         const NodeTransform local = read_transform(here);
         place.world = compose(place.world, local);
-        if (!joints_.empty()) place.map = compose(place.map, read_affine(here));
+        place.map = compose(place.map, read_affine(here));
         if (place.body) place.in_body = compose(place.in_body, local);
         if (place.fixed) place.in_fixed = compose(place.in_fixed, local);
         ++place.depth;
@@ -128,6 +128,7 @@ class Builder {
         if (collider) add_collider(here, *collider, *body, in_body);
         if (trigger && !is_group) add_trigger(here, *trigger, *body, in_body);
         visuals_.add(here, body, body ? in_body : place.world, scene_, warnings_);
+        aims_camera_ = read_view(document_, here, place.map, scene_.info) || aims_camera_;
         note_joint(index, physics, place);
         for (const std::size_t child : graph_.children[index]) visit(child, place);
         if (motion) finish_motion(*motion, *place.body, place.world);
@@ -377,19 +378,22 @@ class Builder {
             return;
         }
         const BodyType type = scene_.world.body(body).type();
-        const TurnedShape made = colliders_.shape(geometry, in_body.scale, type, warnings_);
+        const Quat rotation = Quat(in_body.rotation);
         def.position = Vec3(in_body.translation);
-        def.rotation = Quat(in_body.rotation) * made.rotation;
-        try {
-            const ShapeId id = scene_.world.add_shape(body, made.shape, def);
-            if (const auto color = visuals_.color(here)) scene_.appearances.push_back({body, id, *color});
-        } catch (const Error& error) {
-            owner.fail(error);
+        for (const TurnedShape& made : colliders_.shapes(geometry, in_body.scale, type, def.is_trigger, warnings_)) {
+            def.rotation = rotation * made.rotation;
+            try {
+                const ShapeId id = scene_.world.add_shape(body, made.shape, def);
+                if (const auto color = visuals_.color(here)) scene_.appearances.push_back({body, id, *color});
+            } catch (const Error& error) {
+                owner.fail(error);
+            }
         }
     }
 
     Value document_;
     const NodeGraph& graph_;
+    bool aims_camera_ = false; // a camera of the file, which has a direction
     Surfaces surfaces_;
     Colliders colliders_;
     Visuals visuals_;
@@ -403,10 +407,14 @@ class Builder {
 
 Scene load_bytes(std::span<const std::byte> bytes, const std::string& name,
                  const std::optional<std::filesystem::path>& folder, const LoadOptions& options) {
-    if (is_xml(bytes)) return load_urdf(bytes, name, folder, options);
-    if (options.fixed_base) {
-        throw Error(ErrorCode::unsupported, name, {}, "must be a robot in URDF for its base to be fixed");
+    if (is_xml(bytes)) {
+        const std::string root = root_tag(bytes);
+        return (root == "mujoco" ? load_mjcf : root == "sdf" ? load_sdf : load_urdf)(bytes, name, folder, options);
     }
+    if (options.fixed_base) {
+        throw Error(ErrorCode::unsupported, name, {}, "must be a robot in URDF, MJCF or SDF for its base to be fixed");
+    }
+    if (usd_kind(bytes) != UsdKind::none) return load_usd(bytes, name, options);
     const GltfFile gltf = parse_gltf(bytes, name);
     const Value document(gltf.json, name);
     check_document(document);

@@ -1,5 +1,9 @@
 #include "scene/mass_sum.h"
 
+#include "scene/json_number.h"
+
+#include <cairn/error.h>
+
 #include <cmath>
 
 namespace cairn::scene {
@@ -70,6 +74,26 @@ std::optional<glm::dvec3> nearest_real_moments(const glm::dvec3& moments) {
     glm::dvec3 result = moments + excess / 3.0;
     result[largest] = moments[largest] - excess / 3.0;
     return result;
+}
+
+glm::dmat3 real_inertia(const glm::dmat3& inertia, const std::string& where, std::vector<std::string>& warnings) {
+    const PrincipalAxes principal = principal_axes(inertia);
+    for (int i = 0; i < 3; ++i) {
+        if (!(principal.values[i] > 0.0)) {
+            throw Error(ErrorCode::invalid_file, where + ": inertia",
+                        "a principal moment of " + std::to_string(principal.values[i]) + " kg m2",
+                        "must have three positive principal moments");
+        }
+    }
+    const auto nearest = nearest_real_moments(principal.values);
+    if (!nearest) return inertia;
+    warnings.push_back(where +
+                       ": one principal moment of the inertia exceeds the sum of the other two, which no body has; the "
+                       "nearest possible ones are taken: " +
+                       short_number(nearest->x) + ", " + short_number(nearest->y) + ", " + short_number(nearest->z) +
+                       " kg m2");
+    return principal.axes * glm::dmat3(nearest->x, 0, 0, 0, nearest->y, 0, 0, 0, nearest->z) *
+           glm::transpose(principal.axes);
 }
 
 } // namespace cairn::scene

@@ -6,6 +6,8 @@
 #include <cairn/body.h>
 
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace cairn::scene {
 
@@ -23,6 +25,9 @@ class MassSum {
     glm::dmat3 inertia_{0.0};          // about the origin
 };
 
+// Of the ball of 0.1 m radius that stands in for inertias that files do not give, kg m2.
+inline glm::dmat3 blank_inertia(double mass) { return glm::dmat3(0.4 * mass * 0.1 * 0.1); }
+
 // Eigenvalues of a symmetric matrix, and the rotation whose columns are their axes (Jacobi, Golub and Van Loan,
 // Matrix Computations, section 8.5). A diagonal matrix keeps its axes.
 struct PrincipalAxes {
@@ -34,5 +39,9 @@ PrincipalAxes principal_axes(glm::dmat3 matrix);
 // Moments of inertia of a real body satisfy the triangle inequality: none exceeds the sum of the other two. Empty if
 // these positive ones do, as exactly as the engine asks for, else the nearest ones that do (by least squares).
 std::optional<glm::dvec3> nearest_real_moments(const glm::dvec3& moments);
+
+// The inertia itself, or the nearest that a body can have, with a warning. Throws Error (invalid_file) naming `where`
+// if a principal moment is not positive.
+glm::dmat3 real_inertia(const glm::dmat3& inertia, const std::string& where, std::vector<std::string>& warnings);
 
 } // namespace cairn::scene

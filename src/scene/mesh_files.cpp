@@ -1,6 +1,7 @@
 #include "scene/mesh_files.h"
 
 #include "scene/decimal.h"
+#include "scene/decomposition.h"
 #include "scene/gltf_file.h"
 
 #include <algorithm>
@@ -230,14 +231,11 @@ Scene scene_of_mesh(const MeshFile& mesh, const MeshImport& options, const std::
     def.density = options.density;
     try {
         if (options.as_hull) {
-            // Only what faces use: an OBJ file may hold vertices that belong to nothing.
-            std::vector<bool> used(vertices.size(), false);
-            for (const std::uint32_t i : mesh.indices) used[i] = true;
-            std::vector<Vec3> corners;
-            for (std::size_t i = 0; i < used.size(); ++i) {
-                if (used[i]) corners.push_back(vertices[i]);
-            }
-            scene.world.add_shape(scene.world.create_body(body), Hull(corners), def);
+            DecompositionLimits limits;
+            if (!options.decompose) limits.max_parts = 1;
+            const std::vector<Hull> parts = decompose(vertices, mesh.indices, limits);
+            const BodyId made = scene.world.create_body(body);
+            for (const Hull& part : parts) scene.world.add_shape(made, part, def);
         } else {
             const Mesh shape(vertices, mesh.indices);
             if (shape.dropped_triangles() > 0) {

@@ -35,12 +35,12 @@ MeshFile load_mesh_file(const std::filesystem::path& path);
 /// What becomes of a mesh.
 struct MeshImport {
     bool as_hull = true;     ///< A dynamic body with the convex hull; else a static one with the triangles.
+    bool decompose = false;  ///< Of `as_hull`: several convex parts instead (scene/decomposition.h).
     double scale = 1.0;      ///< Meters of one unit of the file, > 0.
     float density = 1000.0f; ///< kg/m^3, > 0; of hulls.
 };
 
-/// A scene with that mesh as its only body, `name`. There is no decomposition into convex parts: cut the mesh in a
-/// modelling program, and let one node have a collider for each part. Throws `Error`: `invalid_value` for a bad
+/// A scene with that mesh as its only body, `name`. Throws `Error`: `invalid_value` for a bad
 /// option, `invalid_file` for a mesh that has no such shape.
 Scene scene_of_mesh(const MeshFile& mesh, const MeshImport& options, const std::string& name);
 

@@ -34,6 +34,17 @@ void decompose(glm::dmat3 linear, NodeTransform& out) {
     out.rotation = q / std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
 }
 
+} // namespace
+
+NodeTransform parts_of(const Affine& map) {
+    NodeTransform transform;
+    transform.translation = map.translation;
+    decompose(map.linear, transform);
+    return transform;
+}
+
+namespace {
+
 NodeTransform from_matrix(const Value& matrix) {
     const std::size_t count = matrix.size(16, "numbers");
     if (count != 16) matrix.fail("must be an array of 16 numbers");
@@ -42,10 +53,7 @@ NodeTransform from_matrix(const Value& matrix) {
     if (m[3] != 0.0 || m[7] != 0.0 || m[11] != 0.0 || m[15] != 1.0) {
         matrix.fail("must be an affine transform, with 0, 0, 0, 1 as its last row");
     }
-    NodeTransform transform;
-    transform.translation = {m[12], m[13], m[14]};
-    decompose(glm::dmat3({m[0], m[1], m[2]}, {m[4], m[5], m[6]}, {m[8], m[9], m[10]}), transform);
-    return transform;
+    return parts_of({glm::dmat3({m[0], m[1], m[2]}, {m[4], m[5], m[6]}, {m[8], m[9], m[10]}), {m[12], m[13], m[14]}});
 }
 
 bool is_even(const glm::dvec3& scale) { return scale.x == scale.y && scale.y == scale.z; }

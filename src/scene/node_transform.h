@@ -27,6 +27,7 @@ struct Affine {
 Affine read_affine(const Value& node);
 Affine compose(const Affine& parent, const Affine& child);
 Affine affine(const glm::dvec3& scale); // nothing but a scale
+NodeTransform parts_of(const Affine& map);
 
 // The rotation that has the direction of the first axis, and the second in the plane of the first two; empty where they
 // span none. A mirror image is mirrored along the last axis.

@@ -3,6 +3,8 @@
 
 #include <cairn/math.h>
 
+#include <cmath>
+
 namespace cairn::scene {
 
 struct Rigid {
@@ -15,5 +17,29 @@ struct Rigid {
     }
     Transform transform() const { return {position, Quat(rotation)}; }
 };
+
+inline glm::dquat turn_about(const glm::dvec3& unit_axis, double angle) {
+    const double sine = std::sin(0.5 * angle);
+    return {std::cos(0.5 * angle), sine * unit_axis.x, sine * unit_axis.y, sine * unit_axis.z};
+}
+
+// From the x axis, which is that of our joints, to `axis`, of unit length.
+inline glm::dquat turn_from_x(const glm::dvec3& axis) {
+    if (axis.x < -0.999999) return {0.0, 0.0, 0.0, 1.0};
+    return glm::normalize(glm::dquat(1.0 + axis.x, 0.0, -axis.z, axis.y));
+}
+
+inline Rigid inverse(const Rigid& frame) {
+    const glm::dquat back = glm::conjugate(frame.rotation);
+    return {back * -frame.position, back};
+}
+
+inline constexpr double degree = 3.14159265358979323846 / 180.0; // rad
+inline constexpr double root_of_half = 0.70710678118654752440;   // sine and cosine of 45 degrees
+
+// From a file with z up to our world with y up: x stays x, z becomes y, y becomes -z.
+inline const Rigid upright{{0.0, 0.0, 0.0}, {root_of_half, -root_of_half, 0.0, 0.0}};
+// Shapes that files have along z stand along y here.
+inline const Rigid y_to_z{{0.0, 0.0, 0.0}, {root_of_half, root_of_half, 0.0, 0.0}};
 
 } // namespace cairn::scene

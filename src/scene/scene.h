@@ -38,6 +38,7 @@ struct SceneInfo {
     std::string hint;                     ///< One line on what to watch or try.
     float time_step = 1.0f / 60.0f;       ///< s, 0.0001 to 1: the step that the scene is meant for.
     std::optional<Camera> camera;         ///< Absent: choose a view of your own.
+    std::optional<Vec3> light;            ///< Unit, towards the light that shines from far away. Not saved.
     std::vector<ForceField> force_fields; ///< Those in the world; `Scene::force_fields` has their handles.
 };
 
@@ -90,7 +91,11 @@ struct Scene {
 
 /// How a file is read.
 struct LoadOptions {
-    bool fixed_base = false; ///< The root link of a robot does not move. Of other files: refused (`unsupported`).
+    bool fixed_base =
+        false; ///< The base of a robot (URDF, MJCF, SDF) does not move. Of others: refused (`unsupported`).
+    /// Meshes on bodies that move are cut into convex parts also where the file does not ask for it
+    /// (scene/decomposition.h).
+    bool decompose = false;
 };
 
 /// Reads a `.gltf`, `.glb` or URDF file (docs/urdf.md); which of them it is shows in its first bytes, not in its name.

@@ -2,7 +2,6 @@
 // where they do with all joints at 0, or as near as their limits allow.
 #include "scene/urdf.h"
 
-#include "scene/json_number.h"
 #include "scene/mass_sum.h"
 #include "scene/urdf_file.h"
 #include "scene/urdf_joints.h"
@@ -18,20 +17,15 @@ namespace cairn::scene {
 
 namespace {
 
-// URDF has z up; the world has y up.
-constexpr double root_of_half = 0.70710678118654752440;
-const Rigid upright{{0.0, 0.0, 0.0}, {root_of_half, -root_of_half, 0.0, 0.0}};
-
 // What stands in for masses that a file does not give.
-constexpr double blank_mass = 1.0, blank_radius = 0.1;
-glm::dmat3 ball_inertia(double mass) { return glm::dmat3(0.4 * mass * blank_radius * blank_radius); }
+constexpr double blank_mass = 1.0;
 
 class RobotBuilder {
   public:
     RobotBuilder(const urdf::ModelInterface& model, std::string name,
                  const std::optional<std::filesystem::path>& folder, const LoadOptions& options)
         : model_(model), name_(std::move(name)), options_(options), scene_{World(), {}, {}, {}, {}},
-          shapes_(name_, folder, scene_) {}
+          shapes_(name_, folder, options.decompose, scene_) {}
 
     Scene build() {
         scene_.info.title = model_.getName();
@@ -131,7 +125,7 @@ class RobotBuilder {
         }
         scene_.warnings.push_back(
             where + " has neither inertial nor collision; it is taken as a ball of 1 kg and 0.1 m radius");
-        sum.add(blank_mass, ball_inertia(blank_mass), {});
+        sum.add(blank_mass, blank_inertia(blank_mass), {});
         return sum.properties();
     }
 
@@ -150,26 +144,9 @@ class RobotBuilder {
         if (m == 0.0) return; // like no inertial at all
         if (size == 0.0) {
             scene_.warnings.push_back(where + " has an inertia of 0; that of a ball of 0.1 m radius is taken");
-            inertia = ball_inertia(m);
+            inertia = blank_inertia(m);
         }
-        const PrincipalAxes principal = principal_axes(inertia);
-        const glm::dvec3 values = principal.values;
-        for (int i = 0; i < 3; ++i) {
-            if (!(values[i] > 0.0)) {
-                throw Error(ErrorCode::invalid_file, where + ": inertia",
-                            "a principal moment of " + std::to_string(values[i]) + " kg m2",
-                            "must have three positive principal moments");
-            }
-        }
-        if (const auto nearest = nearest_real_moments(values)) {
-            scene_.warnings.push_back(where +
-                                      ": one principal moment of the inertia exceeds the sum of the other two, "
-                                      "which no body has; the nearest possible ones are taken: " +
-                                      short_number(nearest->x) + ", " + short_number(nearest->y) + ", " +
-                                      short_number(nearest->z) + " kg m2");
-            inertia = principal.axes * glm::dmat3(nearest->x, 0, 0, 0, nearest->y, 0, 0, 0, nearest->z) *
-                      glm::transpose(principal.axes);
-        }
+        inertia = real_inertia(inertia, where, scene_.warnings);
         sum.add(m, inertia, at * rigid(inertial.origin, where));
     }
 

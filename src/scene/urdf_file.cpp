@@ -192,13 +192,6 @@ MeshPlace place_in_package(const std::string& path, const fs::path& here) {
 
 } // namespace
 
-bool is_xml(std::span<const std::byte> bytes) {
-    std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
-    const std::size_t first = text.find_first_not_of(" \t\r\n");
-    return first != std::string_view::npos && text[first] == '<';
-}
-
 urdf::ModelInterfaceSharedPtr parse_urdf(std::span<const std::byte> bytes, const std::string& name) {
     if (bytes.size() > max_robot_bytes) {
         throw Error(ErrorCode::invalid_file, name, std::to_string(bytes.size()) + " bytes",

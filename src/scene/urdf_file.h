@@ -11,9 +11,6 @@
 
 namespace cairn::scene {
 
-// Whether the first character is that of an XML file.
-bool is_xml(std::span<const std::byte> bytes);
-
 // Links and joints are those of the file, each link with one parent at most, and all of them below the root. `name`
 // stands for the file in messages. Throws Error (invalid_file).
 urdf::ModelInterfaceSharedPtr parse_urdf(std::span<const std::byte> bytes, const std::string& name);

@@ -28,12 +28,6 @@ glm::dvec3 axis_of(const urdf::Joint& joint, const std::string& name) {
     return axis / length;
 }
 
-// From the x axis, which is that of our joints, to `axis`.
-glm::dquat turn_from_x(const glm::dvec3& axis) {
-    if (axis.x < -0.999999) return {0.0, 0.0, 0.0, 1.0};
-    return glm::normalize(glm::dquat(1.0 + axis.x, 0.0, -axis.z, axis.y));
-}
-
 std::optional<JointRange> range_of(const urdf::Joint& joint, const std::string& name) {
     if (joint.type == urdf::Joint::CONTINUOUS || !joint.limits) return std::nullopt;
     const urdf::JointLimits& limits = *joint.limits;

@@ -1,6 +1,7 @@
 #include "scene/urdf_shapes.h"
 
 #include "scene/mesh_files.h"
+#include "scene/model_meshes.h"
 #include "scene/tessellation.h"
 #include "scene/urdf_file.h"
 
@@ -12,8 +13,6 @@
 namespace cairn::scene {
 
 namespace {
-
-constexpr double half_turn_root = 0.70710678118654752440; // sine and cosine of 45 degrees
 
 std::string text_of(double value) {
     std::string text = std::to_string(value);
@@ -35,17 +34,6 @@ std::optional<Vec3> color_of(const urdf::Visual& visual) {
     const urdf::Color& c = visual.material->color;
     const auto part = [](float v) { return v > 0.0f ? std::min(v, 1.0f) : 0.0f; };
     return Vec3(part(c.r), part(c.g), part(c.b));
-}
-
-// Of the corners that triangles use.
-std::vector<Vec3> used_vertices(const Surface& surface) {
-    std::vector<bool> used(surface.vertices.size(), false);
-    for (const std::uint32_t i : surface.indices) used[i] = true;
-    std::vector<Vec3> result;
-    for (std::size_t i = 0; i < used.size(); ++i) {
-        if (used[i]) result.push_back(surface.vertices[i]);
-    }
-    return result;
 }
 
 } // namespace
@@ -79,13 +67,15 @@ RobotShapes::Turned RobotShapes::shape(const urdf::Geometry& geometry, const std
         const auto& column = static_cast<const urdf::Cylinder&>(geometry);
         return {Cylinder{0.5f * size(column.length, place, "cylinder length"),
                          size(column.radius, place, "cylinder radius"), std::nullopt},
-                {half_turn_root, half_turn_root, 0.0, 0.0}};
+                y_to_z.rotation};
     }
     case urdf::Geometry::MESH: {
-        const Surface& surface = triangles(static_cast<const urdf::Mesh&>(geometry), place);
+        const std::shared_ptr<const Surface>& surface = triangles(static_cast<const urdf::Mesh&>(geometry), place);
         try {
-            if (is_static) return {Mesh(surface.vertices, surface.indices)};
-            return {Hull(used_vertices(surface))};
+            if (is_static) return {Mesh(surface->vertices, surface->indices)};
+            Turned made{Hull(used_vertices(*surface))};
+            if (decomposes_) made.parts = surface_parts_.of(surface);
+            return made;
         } catch (const Error& error) {
             throw Error(ErrorCode::invalid_file, place, {}, error.what());
         }
@@ -94,7 +84,7 @@ RobotShapes::Turned RobotShapes::shape(const urdf::Geometry& geometry, const std
     throw Error(ErrorCode::unsupported, place, {}, "must be a box, a cylinder, a sphere or a mesh");
 }
 
-const Surface& RobotShapes::triangles(const urdf::Mesh& mesh, const std::string& place) {
+const std::shared_ptr<const Surface>& RobotShapes::triangles(const urdf::Mesh& mesh, const std::string& place) {
     const glm::dvec3 scale(mesh.scale.x, mesh.scale.y, mesh.scale.z);
     for (int i = 0; i < 3; ++i) {
         if (!(std::fabs(scale[i]) <= 1e6) || scale[i] == 0.0) {
@@ -104,7 +94,7 @@ const Surface& RobotShapes::triangles(const urdf::Mesh& mesh, const std::string&
     }
     const std::filesystem::path file = find_robot_mesh(mesh.filename, folder_, place + ": mesh filename");
     std::shared_ptr<const Surface>& found = meshes_[{file.string(), scale.x, scale.y, scale.z}];
-    if (found) return *found;
+    if (found) return found;
     if (!is_mesh_file(file)) {
         throw Error(ErrorCode::unsupported, place + ": mesh filename", "\"" + mesh.filename.substr(0, 200) + "\"",
                     "must be an .stl or .obj file");
@@ -117,7 +107,7 @@ const Surface& RobotShapes::triangles(const urdf::Mesh& mesh, const std::string&
         for (std::size_t i = 0; i + 2 < made.indices.size(); i += 3) std::swap(made.indices[i], made.indices[i + 1]);
     }
     found = std::make_shared<const Surface>(std::move(made));
-    return *found;
+    return found;
 }
 
 std::optional<RobotShapes::Turned> RobotShapes::collision_shape(const urdf::Collision& collision,
@@ -149,8 +139,12 @@ void RobotShapes::add_shapes(const urdf::Link& link, BodyId body, const Rigid& a
         def.position = Vec3(local.position);
         def.rotation = Quat(glm::normalize(local.rotation));
         try {
-            const ShapeId id = scene_.world.add_shape(body, made->shape, def);
-            if (color) scene_.appearances.push_back({body, id, *color});
+            const auto add = [&](const Shape& shape) {
+                const ShapeId id = scene_.world.add_shape(body, shape, def);
+                if (color) scene_.appearances.push_back({body, id, *color});
+            };
+            if (made->parts.empty()) add(made->shape);
+            for (const Hull& part : made->parts) add(part);
         } catch (const Error& error) {
             throw Error(ErrorCode::invalid_file, place, {}, error.what());
         }

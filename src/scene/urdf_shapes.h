@@ -1,6 +1,7 @@
 // Collision shapes and visuals of the links of a robot.
 #pragma once
 
+#include "scene/decomposition.h"
 #include "scene/rigid.h"
 #include "scene/scene.h"
 
@@ -20,8 +21,8 @@ Rigid rigid(const urdf::Pose& pose, const std::string& place);
 
 class RobotShapes {
   public:
-    RobotShapes(std::string name, std::optional<std::filesystem::path> folder, Scene& scene)
-        : name_(std::move(name)), folder_(std::move(folder)), scene_(scene) {}
+    RobotShapes(std::string name, std::optional<std::filesystem::path> folder, bool decomposes, Scene& scene)
+        : name_(std::move(name)), folder_(std::move(folder)), decomposes_(decomposes), scene_(scene) {}
 
     // The collision shapes of a link that stands at `at` in the frame of `body`. With `may_lack`, those whose meshes
     // are missing or of an unknown format are left out, which a warning says.
@@ -33,17 +34,20 @@ class RobotShapes {
     struct Turned {
         Shape shape;
         glm::dquat rotation{1.0, 0.0, 0.0, 0.0}; // of the shape in the frame of the geometry
+        std::vector<Hull> parts{};               // instead of the shape, if there are any
     };
     // One of them; nothing if it is left out.
     std::optional<Turned> collision_shape(const urdf::Collision& collision, const std::string& place, bool is_static,
                                           bool may_lack);
     Turned shape(const urdf::Geometry& geometry, const std::string& place, bool is_static);
-    const Surface& triangles(const urdf::Mesh& mesh, const std::string& place);
+    const std::shared_ptr<const Surface>& triangles(const urdf::Mesh& mesh, const std::string& place);
     std::shared_ptr<const Surface> surface(const urdf::Geometry& geometry, const std::string& place, Rigid& local);
 
     std::string name_;
     std::optional<std::filesystem::path> folder_;
+    bool decomposes_;
     Scene& scene_;
+    SurfaceParts surface_parts_;
     // By file and scale.
     std::map<std::tuple<std::string, double, double, double>, std::shared_ptr<const Surface>> meshes_;
 };

@@ -63,7 +63,8 @@ TEST_F(CliRobot, ABaseThatIsFixedDoesNotFall) {
     EXPECT_LT(last("hand").at(1), 0.9); // the arm swings
     ASSERT_EQ(cairn("convert arm.urdf arm.gltf --fixed-base --floor").code, 0);
     EXPECT_EQ(nlohmann::json::parse(cairn("run arm.gltf --frames 1 --json").out)["bodies"], 4);
-    expect_one_line(cairn("run t_handles --fixed-base"), 1, "must be a robot in URDF for its base to be fixed");
+    expect_one_line(cairn("run t_handles --fixed-base"), 1,
+                    "must be a robot in URDF, MJCF or SDF for its base to be fixed");
     write("free.urdf",
           "<robot name=\"r\"><link name=\"world\"/><link name=\"a\">" + inertial(1) +
               R"(</link><joint name="j" type="floating"><parent link="world"/><child link="a"/></joint></robot>)");

@@ -186,7 +186,7 @@ TEST_F(Cli, ConvertRefusesWhatItCannotDo) {
     std::ofstream(folder_ / "bad.obj") << "v 0 0 0\nv 1 0\n";
     std::ofstream(folder_ / "flat.obj") << "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n";
     expect_one_line(cairn("convert rock.obj rock.gltf --as parts"), 2,
-                    "--as: must be one of hull, mesh, got parts; there is no decomposition into convex parts");
+                    "--as: must be one of hull, mesh, got parts; --decompose makes a hull several convex parts");
     expect_one_line(cairn("convert rock.obj rock.gltf --scale 0"), 2, "--scale");
     expect_one_line(cairn("convert rock.obj rock.obj"), 2, "out: must end in .gltf, .glb, got rock.obj");
     expect_one_line(cairn("convert welcome a.gltf --as mesh"), 1,

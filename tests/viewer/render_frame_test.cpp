@@ -280,7 +280,7 @@ TEST(FitCamera, StaysWithTheBodiesOnAHugeField) {
     const BodyId body = world.create_body(test::body_at({4.0, 4.0, 0.0}));
     world.add_shape(body, Capsule{0.5f, 0.25f, {}});
     const CameraPose pose = fit_camera(world);
-    EXPECT_LT(glm::distance(pose.target, Position(4.0, 4.0, 0.0)), 0.1);
+    EXPECT_LT(glm::distance(pose.target, Position(4.0, 2.375, 0.0)), 0.1); // it falls to the plane
     EXPECT_LT(glm::distance(pose.target, pose.position), 20.0);
 
     world.destroy_body(body);
@@ -292,6 +292,21 @@ TEST(FitCamera, StaysWithTheBodiesOnAHugeField) {
     world.destroy_body(ground);
     const CameraPose alone = fit_camera(world); // an infinite plane
     EXPECT_LT(glm::distance(alone.target, alone.position), 100.0);
+}
+
+// They fell out of the picture.
+TEST(FitCamera, ShowsWhereBodiesFallTo) {
+    World world;
+    world.add_shape(world.create_body(test::static_body()), Plane{});
+    const BodyId high = world.create_body(test::body_at({3.0, 20.0, 0.0}));
+    world.add_shape(high, Sphere{0.5f});
+    const OrbitCamera camera(fit_camera(world));
+    for (const double height : {20.0, 10.0, 0.5}) {
+        const auto device = camera.project({3.0, height, 0.0}, 1.5f);
+        ASSERT_TRUE(device) << height;
+        EXPECT_LT(std::abs(device->x), 0.95f) << height;
+        EXPECT_LT(std::abs(device->y), 0.95f) << height;
+    }
 }
 
 TEST(FitCamera, LooksAtTheSceneryWhenThereIsNothingElse) {

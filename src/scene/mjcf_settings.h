@@ -1,0 +1,83 @@
+// What holds for all of an MJCF model: compiler, option, and the classes of default values.
+#pragma once
+
+#include "scene/rigid.h"
+#include "scene/xml_file.h"
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cairn::scene {
+
+struct MjcfSettings {
+    // compiler
+    bool degrees = true, autolimits = true, strips_paths = false, balances_inertia = false;
+    std::string euler = "xyz", mesh_folder;
+    enum class InertiaFromGeoms { never, always, where_absent } inertia_from_geoms = InertiaFromGeoms::where_absent;
+    long first_inertia_group = 0, last_inertia_group = 5;
+    double least_mass = 0.0, least_inertia = 0.0;
+    std::optional<double> total_mass;
+    // option
+    double time_step = 0.002;
+    glm::dvec3 gravity{0.0, 0.0, -9.81};
+    bool contacts = true, limits = true, equalities = true, actuators = true, springs = true, dampers = true,
+         friction = true, filters_parents = true;
+
+    double angle(double value) const;
+};
+MjcfSettings read_mjcf_settings(const XmlElement& root);
+
+class MjcfDefaults {
+  public:
+    explicit MjcfDefaults(const XmlElement& root);
+
+    // Index of the class of that name. Throws through `name` if there is none.
+    std::size_t find(const XmlText& name) const;
+    // The value that the class has for an attribute of elements with that tag, or a class that it is derived from.
+    const XmlText* value(std::size_t index, const std::string& tag, const char* attribute) const;
+
+  private:
+    struct Class {
+        std::size_t parent = 0;                                       // of the first: itself
+        std::map<std::string, std::map<std::string, XmlText>> values; // by tag and attribute
+    };
+    void read(const XmlElement& element, std::size_t index);
+    std::vector<Class> classes_{Class{}};
+    std::map<std::string, std::size_t> names_{{"main", 0}};
+};
+
+// An element with the values of its class behind its own.
+class MjcfElement {
+  public:
+    // `fallback_class` counts if the element names none.
+    MjcfElement(XmlElement element, const MjcfDefaults& defaults, std::size_t fallback_class);
+
+    const XmlElement& xml() const { return element_; }
+    std::string place() const { return element_.place(); }
+    std::string name() const { return element_.text_of("name"); }
+    [[noreturn]] void fail(const std::string& expected) const { element_.fail(expected); }
+
+    std::optional<XmlText> attribute(const char* name) const;
+    double number(const char* name, double otherwise, double least = -1e30, double most = 1e30) const;
+    glm::dvec3 vector3(const char* name, const glm::dvec3& otherwise) const;
+    std::string word(const char* name, const std::string& otherwise = "") const;
+    // Of an attribute that is true, false, or auto: then it is on if the other attribute is there.
+    bool is_on(const char* name, const char* other, bool autolimits) const;
+
+  private:
+    XmlElement element_;
+    const MjcfDefaults* defaults_;
+    std::size_t class_;
+};
+
+// Where the attributes pos, quat, axisangle, xyaxes, zaxis and euler place an element.
+Rigid mjcf_frame(const MjcfElement& element, const MjcfSettings& settings);
+// The rotation of three angles, in rad, in the order of the model's euler sequence.
+glm::dquat mjcf_euler(const glm::dvec3& angles, const std::string& sequence);
+// Throws through `text` if it has no direction.
+glm::dvec3 unit_vector(const glm::dvec3& vector, const XmlText& text);
+
+} // namespace cairn::scene

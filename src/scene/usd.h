@@ -1,0 +1,16 @@
+// Worlds in text layers of USD with UsdPhysics. docs/usd.md says what becomes of what.
+#pragma once
+
+#include "scene/scene.h"
+#include "scene/usd_text.h"
+
+#include <cstddef>
+#include <span>
+#include <string>
+
+namespace cairn::scene {
+
+// `name` stands for the file in messages. Throws Error: `unsupported` for binary files and packages.
+Scene load_usd(std::span<const std::byte> bytes, const std::string& name, const LoadOptions& options);
+
+} // namespace cairn::scene

@@ -1,0 +1,74 @@
+#include "scene/view.h"
+
+#include "scene/definitions.h"
+#include "scene/document.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cairn::scene {
+
+namespace {
+
+constexpr double radian = 180.0 / 3.14159265358979323846; // degrees
+constexpr Range angle_range{0.0, 3.2, false}, size_range{0.0, 1e9, false};
+
+// The direction that a node's z axis has; nothing if it has none.
+std::optional<glm::dvec3> direction_of_z(const Affine& map) {
+    const double length = std::sqrt(glm::dot(map.linear[2], map.linear[2]));
+    if (!(length > 1e-12 && length < 1e12)) return std::nullopt;
+    return map.linear[2] / length;
+}
+
+std::optional<Camera> read_camera(const Value& document, const Value& index, const Affine& map) {
+    const Value camera = element(document.find("cameras"), index, max_definitions, "cameras");
+    const auto back = direction_of_z(map); // it looks along -z
+    if (!back || !(glm::dot(map.translation, map.translation) < 1e18)) return std::nullopt;
+    Camera result;
+    result.position = map.translation;
+    result.target = map.translation - *back;
+    if (const auto perspective = camera.find("perspective")) {
+        const double angle = perspective->require("yfov").number(angle_range);
+        result.vertical_fov_degrees = static_cast<float>(std::clamp(angle * radian, 1.0, 170.0));
+    } else if (const auto orthographic = camera.find("orthographic")) {
+        // From where the same height fills the picture.
+        const double height = orthographic->require("ymag").number(size_range);
+        result.position += *back * (height / std::tan(0.5 * static_cast<double>(result.vertical_fov_degrees) / radian));
+    } else {
+        return std::nullopt;
+    }
+    return result;
+}
+
+} // namespace
+
+bool read_view(const Value& document, const Value& node, const Affine& map, SceneInfo& info) {
+    const auto lamp = extension(node, "KHR_lights_punctual");
+    if (const auto index = lamp ? lamp->find("light") : std::nullopt; index && !info.light) {
+        const auto own = extension(document, "KHR_lights_punctual");
+        const Value light = element(own ? own->find("lights") : std::nullopt, *index, max_definitions, "lights");
+        const auto type = light.find("type");
+        const auto towards = direction_of_z(map);
+        if (type && type->text() == "directional" && towards) info.light = Vec3(*towards);
+    }
+    const auto index = node.find("camera");
+    if (!index || info.camera) return false;
+    info.camera = read_camera(document, *index, map);
+    return info.camera.has_value();
+}
+
+void aim_camera(const World& world, Camera& camera) {
+    glm::dvec3 sum(0.0);
+    double count = 0.0;
+    for (const BodyId id : world.bodies()) {
+        if (world.body(id).type() != BodyType::dynamic) continue;
+        sum += glm::dvec3(world.body(id).center_of_mass());
+        count += 1.0;
+    }
+    const glm::dvec3 along = glm::normalize(glm::dvec3(camera.target) - glm::dvec3(camera.position));
+    const glm::dvec3 middle = count > 0.0 ? sum / count : glm::dvec3(0.0);
+    const double distance = glm::dot(middle - glm::dvec3(camera.position), along);
+    camera.target = camera.position + Position(along * std::max(distance, 1.0));
+}
+
+} // namespace cairn::scene

@@ -1,0 +1,34 @@
+// A solid as cells of a grid: those that its surface passes through, and those within.
+#pragma once
+
+#include <cairn/math.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace cairn::scene {
+
+struct VoxelGrid {
+    enum State : std::uint8_t { outside, surface, inside };
+    glm::dvec3 origin{0.0}; // the least corner of the first cell
+    double cell = 0.0;      // m
+    std::array<int, 3> size{};
+    std::vector<std::uint8_t> states; // x fastest, then y, then z
+
+    std::size_t index(int x, int y, int z) const {
+        return (static_cast<std::size_t>(z) * static_cast<std::size_t>(size[1]) + static_cast<std::size_t>(y)) *
+                   static_cast<std::size_t>(size[0]) +
+               static_cast<std::size_t>(x);
+    }
+    std::array<int, 3> place(std::size_t index) const;
+};
+
+// Of triangles, three indices each, with so many cells along the longest side. What no way from outside leads to counts
+// as within. Empty if there is no extent, or if it would take too long.
+std::optional<VoxelGrid> voxels_of(std::span<const Vec3> vertices, std::span<const std::uint32_t> indices, int cells);
+
+} // namespace cairn::scene

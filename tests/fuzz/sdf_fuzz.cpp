@@ -1,0 +1,8 @@
+// Any bytes as an SDF file: it loads and takes a step, or is refused with an Error. What loads can be saved,
+// and the saved file loads again. `./dev fuzz` runs it; its corpus also runs with the tests, without a fuzzer
+// (corpus_main.cpp).
+#include "model_fuzz.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    return cairn::fuzz::try_model("<sdf", data, size);
+}
