@@ -147,7 +147,7 @@ class World:
     # World: from the table
 
 def load(path: Any, fixed_base: bool = False) -> World:
-    """Reads a scene file (.gltf, .glb) or a robot (URDF). `fixed_base`: the root link of a robot does not move. Raises
+    """Reads a scene file (.gltf, .glb) or a model (URDF, MJCF, SDF, USD). `fixed_base`: the base of a robot does not move. Raises
     InvalidFileError, FileError, UnsupportedError."""
 
 def save(world: World, path: Any) -> None:

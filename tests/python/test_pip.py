@@ -38,7 +38,7 @@ class Pip(unittest.TestCase):
         shutil.rmtree(place, ignore_errors=True)
         run(sys.executable, "-m", "venv", "--system-site-packages", place)
         run(place / "bin" / "pip", "install", "--no-index", "--disable-pip-version-check", "--force-reinstall", "--no-deps",
-            "--config-settings", f"build-folder={FOLDER / 'module'}", PYTHON, cwd=FOLDER)
+            "--config-settings", f"build-folder={FOLDER}", PYTHON, cwd=FOLDER)
         program = "import cairn, sys; w = cairn.World(); w.step(); print(cairn.__file__, cairn.__version__)"
         file, version = run(place / "bin" / "python", "-c", program, cwd=FOLDER).split()
         self.assertTrue(file.startswith(str(place)), file)

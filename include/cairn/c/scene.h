@@ -12,9 +12,9 @@
 extern "C" {
 #endif
 
-/// Reads a scene file (.gltf, .glb) or a robot (URDF) into a new world. `time_step` gets the step, in seconds, that the
-/// scene is meant for; it may be null. Builds without scene files refuse (unsupported). Errors: invalid_file, io,
-/// invalid_value, unsupported.
+/// Reads a scene file (.gltf, .glb) or a model (URDF, MJCF, SDF, USD) into a new world. `time_step` gets the step, in
+/// seconds, that the scene is meant for; it may be null. Builds without scene files refuse (unsupported). Errors:
+/// invalid_file, io, invalid_value, unsupported.
 CAIRN_C_API cairn_result cairn_scene_load(const char* path, cairn_world** world, float* time_step);
 
 /// Writes the world as it stands now to a file: a binary .glb if its name ends so, else .gltf. What came with it when

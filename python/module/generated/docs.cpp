@@ -64,8 +64,8 @@ constexpr Row rows[] = {
     {"World.restore", "Makes this world the one that was saved. Handles from then are valid again; arrays of bodies "
         "are retired."},
     {"World.close", "Gives its memory back. Every use after that raises WrongStateError."},
-    {"load", "Reads a scene file (.gltf, .glb) or a robot (URDF). `fixed_base`: the root link of a robot does not "
-        "move. Raises InvalidFileError, FileError, UnsupportedError."},
+    {"load", "Reads a scene file (.gltf, .glb) or a model (URDF, MJCF, SDF, USD). `fixed_base`: the base of a robot "
+        "does not move. Raises InvalidFileError, FileError, UnsupportedError."},
     {"save", "Writes the world as it stands now: a binary .glb if the name ends so, else .gltf. Raises FileError."},
     {"find_scene", "The file of a scene that comes with Cairn, by its name or number; or the path itself if it is "
         "one."},
