@@ -33,7 +33,7 @@ math::DSym3 inverse_inertia_at(const BodyMass& mass, math::DQuat q) {
 class ImpactQueue {
   public:
     ImpactQueue(State& state, StepScratch& step, float dt)
-        : s(state), step(step), dt_(dt), movers_(state, step, dt), pairs_(state, step, dt, movers_) {
+        : s(state), step(step), movers_(state, step, dt), pairs_(state, step, movers_) {
         meetings_.clear();
     }
     void run() {
@@ -249,7 +249,6 @@ class ImpactQueue {
 
     State& s;
     StepScratch& step;
-    const float dt_;
     Movers movers_;
     SweptPairs pairs_;
     std::vector<Meeting>& meetings_ = step.solver.sweep.meetings;

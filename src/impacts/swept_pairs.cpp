@@ -26,8 +26,8 @@ template <class F> void for_each_shape(const State& s, std::int32_t body, F&& f)
 
 } // namespace
 
-SweptPairs::SweptPairs(State& state, StepScratch& step, float dt, Movers& movers)
-    : s(state), step(step), dt_(dt), movers_(movers), scratch_(step.solver.sweep), pairs_(step.solver.sweep.pairs) {
+SweptPairs::SweptPairs(State& state, StepScratch& step, Movers& movers)
+    : s(state), step(step), movers_(movers), scratch_(step.solver.sweep), pairs_(step.solver.sweep.pairs) {
     pairs_.clear();
     scratch_.redirected.clear();
     scratch_.has_ways = scratch_.has_known = false;

@@ -7,7 +7,7 @@ namespace cairn {
 
 class SweptPairs {
   public:
-    SweptPairs(State& state, StepScratch& step, float dt, Movers& movers);
+    SweptPairs(State& state, StepScratch& step, Movers& movers);
 
     // Pairs of what flies, and those that the narrow phase had before it; then all that is near the ways of bodies that
     // are not where they were expected.
@@ -43,7 +43,6 @@ class SweptPairs {
 
     State& s;
     StepScratch& step;
-    const float dt_;
     Movers& movers_;
     SweepScratch& scratch_;
     std::vector<SweptPair>& pairs_;
