@@ -260,17 +260,14 @@ void begin_touch(const Bodies& bodies, const Shapes& shapes, Contacts& contacts,
 
 // Takes note of what a contact carried, and says whether it began or ceased to touch. Others may be at work on other
 // contacts.
-bool take_report(const Bodies& bodies, Contacts& contacts, Islands& islands, const SolverScratch& solver,
-                 const SortedContact& sorted, float dt) {
+bool take_report(Contacts& contacts, Islands& islands, const SolverScratch& solver, const SortedContact& sorted,
+                 float dt) {
     ContactInfo& c = contacts.info[sorted.id];
     const ContactReport& report = solver.reports[sorted.id];
     // Impulses beyond the range of numbers (of bodies that were stopped for it) must not start the next step.
     if (!std::isfinite(report.impulse)) forget_impulses(contacts.records[sorted.id], c.point_count);
     const float force = std::isfinite(report.impulse) ? report.impulse / dt : 0;
-    const float inverse_mass =
-        bodies.mass[c.body_a].inverse_mass + (c.b_moves ? bodies.mass[c.body_b].inverse_mass : 0);
-    Island& island = islands.all[sorted.island]; // where masses were raised, the report has other ones
-    note_load(island, c, force, island.substeps < max_adaptive_substeps ? report.inverse_mass : inverse_mass);
+    note_load(islands.all[sorted.island], c, force, report.inverse_mass);
     if (!c.touching) return report.separation <= 0 || report.impulse > 0;
     return report.impulse == 0 && report.separation > 0.25f * c.base_margin;
 }
@@ -291,7 +288,7 @@ void report_contacts(State& s, StepScratch& step, float dt) {
                 ask_cache(&step.solver.reports[next]);
             }
             const std::uint32_t id = sorted[k].id;
-            changes[id] = take_report(s.bodies, s.contacts, s.islands, step.solver, sorted[k], dt);
+            changes[id] = take_report(s.contacts, s.islands, step.solver, sorted[k], dt);
             own = std::max(own, -step.solver.reports[id].separation);
         }
         raise(deepest, own);

@@ -9,6 +9,7 @@ namespace cairn {
 namespace {
 
 constexpr int joint_substeps = 11; // where joints are, at least
+constexpr int max_adaptive_substeps = 128;
 // Shares of the island's weight on one contact: from which on it counts, and from which on it is all that counts. What
 // is squeezed somewhere in a heap is no structure.
 constexpr float min_share = 1.0f / 24, full_share = 1.0f / 3;

@@ -19,9 +19,6 @@
 namespace cairn {
 
 inline constexpr int max_substeps = 256; // that a world may ask for
-inline constexpr int max_adaptive_substeps = 128;
-// m/s^2: what those can bear.
-inline constexpr float max_demand = float(max_adaptive_substeps) * float(max_adaptive_substeps);
 inline constexpr float stiff_factor = 2; // of the frequency: contacts with what does not move, and joints
 
 // What the policy looks at.
@@ -37,7 +34,7 @@ int island_substeps(const WorldDef& settings, const StepPasses& passes, Island& 
 
 // What a contact that begins may have to carry: the weight of the body above. Normal from A to B.
 float first_load(const Bodies& bodies, const WorldDef& settings, const ContactInfo& contact, math::Vec3 normal);
-// After a step: the normal force that a contact carried, and the sum of the inverse masses of its bodies. Others may be
+// After a step: the normal force that a contact carried, and the sum of the inverse masses that bore it. Others may be
 // at work on other contacts of the island.
 void note_load(Island& island, ContactInfo& contact, float force, float inverse_mass);
 

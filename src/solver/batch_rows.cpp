@@ -7,7 +7,6 @@
 #include "bodies/integrators.h"
 #include "core/order.h"
 #include "islands/coloring.h"
-#include "islands/substep_policy.h"
 #include "joints/joint_layout.h"
 #include "solver/row_motion.h"
 #include "state/state.h"
@@ -21,7 +20,6 @@ namespace cairn {
 namespace {
 
 constexpr int rows_per_chunk = 128; // for threads
-constexpr float standing = 0.5f;    // a body stands on another if their normal is that far down, or farther
 
 SolverVelocity to_row(math::Vec3 v, math::Vec3 w) { return {{v.x, v.y, v.z}, 0, {w.x, w.y, w.z}, 0}; }
 
@@ -251,43 +249,6 @@ void fill_batch(const State& s, Bodies& bodies, Islands& islands, Joints& joints
     fill_lanes(solver.sorted, batch, scratch);
     fill_joint_lanes(bodies, joints, solver, direct, batch, scratch, thread_pool);
     fill_rows(bodies, s.shapes, s.contacts, s.settings, scratch, thread_pool);
-}
-
-void raise_masses(const Bodies& bodies, const Contacts& contacts, const WorldDef& settings,
-                  const std::vector<SortedContact>& sorted, const IslandBatch& batch, BatchScratch& scratch) {
-    if (batch.substeps < max_adaptive_substeps) return; // nothing is loaded so much
-    scratch.loads.assign(scratch.row_count(), 0);
-    const auto load_of = [&](std::int32_t b) -> float* {
-        return b != none && bodies.is_dynamic(b) ? &scratch.loads[scratch.row_of_body[b]] : nullptr;
-    };
-    const auto& g = settings.gravity;
-    const math::Vec3 down = math::normalized(math::Vec3{g.x, g.y, g.z});
-    // What a body bears, that which it stands on has to bear as well, long before its own contacts have shown it.
-    bool is_settled = false;
-    while (!is_settled) {
-        is_settled = true;
-        for (std::int32_t k = batch.first_contact; k < batch.first_contact + batch.contact_count; ++k) {
-            const SortedContact& c = sorted[k];
-            const float own = contacts.info[c.id].load;
-            const float along = math::dot(math::to_vec(contacts.records[c.id].normal), down);
-            float *a = load_of(c.body_a), *b = load_of(c.body_b);
-            const auto bear = [&](float* load, float least) {
-                if (load && *load < least) *load = least, is_settled = false;
-            };
-            bear(a, own);
-            bear(b, own);
-            if (a && along > standing) bear(b, *a);
-            if (b && along < -standing) bear(a, *b);
-        }
-    }
-    for (std::size_t row = 0; row < scratch.row_count(); ++row) {
-        const std::int32_t b = scratch.row_bodies[row];
-        if (b == none || !bodies.is_dynamic(b) || bodies.links[b].joint_count > 0) continue;
-        const float scale = max_demand / (scratch.loads[row] * bodies.mass[b].inverse_mass);
-        if (!(scale < 1)) continue;
-        SolverInertia& i = scratch.inertia[row];
-        for (float* part : {&i.inverse_mass, &i.xx, &i.xy, &i.xz, &i.yy, &i.yz, &i.zz}) *part *= scale;
-    }
 }
 
 void empty_batch(const State& s, Bodies& bodies, Shapes& shapes, SolverScratch& solver, const StepPasses& passes,

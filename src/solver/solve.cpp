@@ -157,7 +157,6 @@ void solve_batch(State& s, StepScratch& step, const IslandBatch& batch, BatchScr
         fill_joint_blocks(s.bodies, s.joints, step.direct, scratch, thread_pool, dt / float(batch.substeps));
         prepare_free_motion(s.bodies, s.fields, s.settings, scratch, thread_pool, dt / float(batch.substeps),
                             batch.bounces);
-        raise_masses(s.bodies, s.contacts, s.settings, step.solver.sorted, batch, scratch);
         for_blocks(scratch, thread_pool, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
             k.prepare(blocks_of(scratch, run), run.count, lanes_of(scratch, run), s.contacts.records.data(),
                       scratch.inertia.data(), scratch.velocity.data());

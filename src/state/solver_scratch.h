@@ -142,7 +142,6 @@ struct BatchScratch {
     std::vector<SolverVelocity> velocity, reference, rounding;
     std::vector<SolverPose> pose;
     std::vector<SolverInertia> inertia;
-    std::vector<float> loads; // by row, N: the greatest sustained one on a contact
     std::vector<SolverTwist> drive, damping, correction, free_correction;
     LaneLists one_lanes, four_lanes;
     std::vector<ContactBlock<1>> one_blocks;

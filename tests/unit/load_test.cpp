@@ -16,7 +16,7 @@ TEST(Load, ThatHasGoneIsNoneAtAll) {
     ContactInfo contact;
     for (int step = 0; step < 20; ++step) note_load(island, contact, 1e3f, 1e-3f);
     EXPECT_GT(contact.load, 900);
-    for (int step = 0; step < 200; ++step) note_load(island, contact, 0, 1e-3f);
+    for (int step = 0; step < 400; ++step) note_load(island, contact, 0, 1e-3f);
     EXPECT_EQ(contact.load, 0);
 }
 
