@@ -147,7 +147,7 @@ TEST(Rest, AHeapOfEqualBoxesComesToRest) {
         def.rotation = glm::angleAxis(0.7f * float(i), glm::normalize(glm::vec3(1 + i % 3, i % 5, i % 7)));
         boxes.push_back(add_body(world, Box{}, def, {}));
     }
-    run(world, 1.0f / 60, 480);
+    run(world, 1.0f / 60, 600);
     int moving = 0;
     for (const BodyId box : boxes) moving += glm::length(world.body(box).linear_velocity()) > 1e-3f ? 1 : 0;
     EXPECT_EQ(moving, 0);
