@@ -84,15 +84,34 @@ class ImpactQueue {
 
     void meet(std::int32_t k, double time) {
         const bool is_worn = is_worn_out(pairs_[k].first) || is_worn_out(pairs_[k].second);
-        if (pairs_[k].is_known || is_worn) {
+        const bool ends = pairs_[k].is_known || is_worn;
+        if (!ends && collide(k, time)) return;
+        if (is_kinematic(pairs_[k].other)) {
+            carry(k, time);
+        } else if (ends) {
             for (const std::int32_t i : {pairs_[k].first, pairs_[k].second}) stop(i, time);
-            return;
+        } else {
+            // They touch, and nothing approaches: from now on they must not go deeper than a contact may.
+            pairs_[k].is_known = true;
+            pairs_[k].time = pairs_.time_of(pairs_[k], time);
+            expect(k);
         }
-        if (collide(k, time)) return;
-        // They touch, and nothing approaches: from now on they must not go deeper than a contact may.
-        pairs_[k].is_known = true;
-        pairs_[k].time = pairs_.time_of(pairs_[k], time);
-        expect(k);
+    }
+    bool is_kinematic(std::uint32_t shape) const {
+        return s.bodies.settings[s.shapes.links[shape].body].type == BodyType::kinematic;
+    }
+    // What would stop at something that moves on goes along with it.
+    void carry(std::int32_t k, double time) {
+        const std::int32_t i = pairs_[k].first, carrier = s.shapes.links[pairs_[k].other].body;
+        if (movers_[i].has_stopped()) return;
+        MovingState now = movers_.state_at(i, time);
+        const BodyMotion& motion = s.bodies.motion[carrier];
+        now.w = to_double(motion.w);
+        now.v = to_double(motion.v) + math::cross(now.w, now.x - movers_.path_of(carrier).at(time).x);
+        movers_.redirect(i, time, now);
+        expect_renewal(i);
+        pairs_[k].is_carried = true;
+        ask_near(i, time);
     }
     bool is_worn_out(std::int32_t i) const { return i != none && movers_[i].impacts >= max_impacts; }
 
@@ -109,7 +128,7 @@ class ImpactQueue {
             pair.time = never;
             const bool ends =
                 movers_[pair.first].has_stopped() && (pair.second == none || movers_[pair.second].has_stopped());
-            if (ends) return;
+            if (ends || pair.is_carried) return;
             pair.time = pairs_.time_of(pair, time);
             expect(k);
         });

@@ -40,6 +40,7 @@ struct SweptPair {
     bool is_known = false;       // the solver has moved the two by this contact
     bool rests = false;          // they lie on each other: forces that press them together do not move them
     bool has_begun = false;      // to touch, in this step
+    bool is_carried = false;     // the first goes along with the other
     double time = never;         // of their meeting
     std::int32_t next_of_first = none, next_of_second = none;
 };
