@@ -21,11 +21,9 @@ namespace {
 // How far the core is inside the shape: m at least, and as part of the smallest half width.
 constexpr double core_depth = 1e-3, core_depth_part = 0.02;
 constexpr double known_depth_part = 0.5; // of contacts that the solver knows
-// Cores count as met when they are this near, as part of the depth; shapes themselves, m and as part of the smallest
-// half width.
+// Cores count as met when they are this near, as part of the depth.
 constexpr double tolerance_part = 0.1;
-constexpr double touch_tolerance = 1e-4, touch_tolerance_part = 0.01;
-constexpr double impact_share = 0.01; // of that tolerance: how near they are where an impact is
+constexpr double impact_share = 0.01; // of the tolerance of a touch: how near shapes are where an impact is
 // After so many looks at a pair that turns fast and comes hardly nearer, the time that was reached is the answer.
 constexpr int max_rounds = 100;
 // A way along a mesh is looked at in pieces of so many sizes of what moves, but no more than that many.
@@ -41,7 +39,7 @@ double depth_of(const Convex& c, Layer layer) {
 }
 double tolerance_of(const Convex& c, Layer layer) {
     if (layer >= Layer::skin) {
-        const double tolerance = std::min(touch_tolerance, touch_tolerance_part * c.extent);
+        const double tolerance = touch_tolerance(c.extent);
         return layer == Layer::skin ? tolerance : impact_share * tolerance;
     }
     return tolerance_part * depth_of(c, layer);

@@ -8,6 +8,8 @@
 #include "math/rotation.h"
 #include "shapes/geometry.h"
 
+#include <algorithm>
+
 namespace cairn {
 
 // The way of a body from one pose to the next: its center of mass moves straight at one speed, and it turns about one
@@ -65,6 +67,10 @@ double time_of_meeting(const SweptShape& a, const SweptShape& b, bool is_known, 
 // points (what that misses, cores do not); `never` if they do not, or overlap from the start. What touches at `from`
 // and parts, or stays as it is, is asked for the next touch.
 double time_of_touch(const SweptShape& a, const SweptShape& b, double from = 0);
+
+// How near shapes are, m, that count as touching, by the smaller of their smallest half widths: a hundredth of it, 0.1
+// mm at most.
+inline double touch_tolerance(double half_width) { return std::min(1e-4, 0.01 * half_width); }
 
 // When the shapes themselves touch, or are nearest to each other, and how far apart they are then: 0 where they touch
 // or overlap from the start, m; infinite if that is more than `within`, m.

@@ -3,6 +3,7 @@
 
 #include "collision/convex_contact.h"
 #include "collision/surface_contact.h"
+#include "contacts/pairs.h"
 
 namespace cairn {
 
@@ -59,6 +60,20 @@ Manifold test_convex_pair(PairKind kind, const PosedShape& a, const PosedShape& 
         collide_surface(first, facing_polygon(first, reach, b, offset), double(margin), to_double(guess), out);
     }
     return out;
+}
+
+Manifold test_posed_pair(PairKind kind, const PosedShape& a, const PosedShape& b, float margin) {
+    if (int(kind) < wide_kinds) {
+        const ShapePose poses[2] = {a.pose, b.pose};
+        std::uint32_t first[8], second[8], features[8];
+        float margins[8];
+        for (int i = 0; i < 8; ++i) first[i] = 0, second[i] = 1, margins[i] = margin, features[i] = no_features;
+        Manifold manifolds[8];
+        wide_kernel(kind)(poses, first, second, margins, features, 8, manifolds);
+        return manifolds[0];
+    }
+    ContactMemory memory = nothing_met;
+    return test_convex_pair(kind, a, b, {}, margin, memory);
 }
 
 float find_patches(const PosedShape& a, const PosedShape& surface, float margin, float reach, SurfaceScratch& scratch,

@@ -63,19 +63,9 @@ PosedBody posed_at(const State& s, std::uint32_t shape, const RigidPath& path, d
 
 // With all points that may come to touch in the rest of the step: `margin`.
 Manifold manifold_at(const State& s, const ContactInfo& c, const PosedBody& at_a, const PosedBody& at_b, float margin) {
-    if (int(c.kind) < wide_kinds) {
-        const ShapePose poses[2] = {c.flipped ? at_b.pose : at_a.pose, c.flipped ? at_a.pose : at_b.pose};
-        std::uint32_t first[8], second[8], features[8];
-        float margins[8];
-        for (int i = 0; i < 8; ++i) first[i] = 0, second[i] = 1, margins[i] = margin, features[i] = no_features;
-        Manifold manifolds[8];
-        wide_kernel(c.kind)(poses, first, second, margins, features, 8, manifolds);
-        return manifolds[0];
-    }
     const PosedShape a{s.shapes.geometry[c.shape_a], s.shapes.data[c.shape_a], at_a.pose, at_a.arm};
     const PosedShape b{s.shapes.geometry[c.shape_b], s.shapes.data[c.shape_b], at_b.pose, at_b.arm};
-    ContactMemory memory = nothing_met;
-    return test_convex_pair(c.kind, a, b, {}, margin, memory);
+    return c.flipped ? test_posed_pair(c.kind, b, a, margin) : test_posed_pair(c.kind, a, b, margin);
 }
 
 // Where two are nearest on their way, nothing approaches along the normal. It was found to a part of their distance,

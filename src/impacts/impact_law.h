@@ -11,6 +11,7 @@
 #pragma once
 
 #include "math/vec.h"
+#include "state/impact_rows.h"
 
 #include <vector>
 
@@ -24,10 +25,6 @@ struct ImpactBody {
     math::DSym3 inverse_inertia; // world axes
 };
 
-struct ImpactPoint {
-    math::DVec3 position, normal; // normal: from the first body to the second
-};
-
 struct ImpactMaterial {
     double restitution, friction;
     double torsion_radius, rolling_radius; // m
@@ -39,11 +36,6 @@ struct ImpactOutcome {
     bool bounces = false;         // some point leaves faster than it has to
     double impulse = 0;           // N s: along the normals
     math::DVec3 position, normal; // of the fastest point
-};
-struct ImpactRow {
-    math::DVec3 direction, arm_a, arm_b; // arms: r x direction; of a couple, no direction, and its axis
-    math::DVec3 turn_a, turn_b;          // inverse inertia times arm
-    double inverse_effective_mass, target, impulse;
 };
 // Changes the velocities of both. The buffer is working memory.
 ImpactOutcome collide(ImpactBody& a, ImpactBody& b, const std::vector<ImpactPoint>& points,

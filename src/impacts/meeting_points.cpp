@@ -29,43 +29,29 @@ Placed placed_at(const State& s, std::uint32_t shape, const MovingState& body, D
     return p;
 }
 
-Manifold manifold_of(const State& s, PairKind kind, const Placed& a, const Placed& b, float margin) {
-    if (int(kind) < wide_kinds) {
-        const ShapePose poses[2] = {a.pose, b.pose};
-        std::uint32_t first[8], second[8], features[8];
-        float margins[8];
-        for (int i = 0; i < 8; ++i) first[i] = 0, second[i] = 1, margins[i] = margin, features[i] = no_features;
-        Manifold manifolds[8];
-        wide_kernel(kind)(poses, first, second, margins, features, 8, manifolds);
-        return manifolds[0];
-    }
-    ContactMemory memory = nothing_met;
-    return test_convex_pair(kind, {s.shapes.geometry[a.shape], s.shapes.data[a.shape], a.pose, a.arm},
-                            {s.shapes.geometry[b.shape], s.shapes.data[b.shape], b.pose, b.arm}, {}, margin, memory);
-}
-
 } // namespace
 
 void find_meeting_points(const State& s, std::uint32_t shape_a, const MovingState& a, std::uint32_t shape_b,
-                         const MovingState& b, MeetingScratch& scratch, std::vector<ImpactPoint>& points) {
-    constexpr double most = 1e-4, part = 0.01;
+                         const MovingState& b, NarrowBatch& scratch, std::vector<ImpactPoint>& points) {
     points.clear();
     bool swapped = false;
     const std::optional<PairKind> kind = pair_kind(s.shapes.geometry[shape_a], s.shapes.geometry[shape_b], swapped);
     if (!kind) return;
-    const double width = 0.5 * double(std::min(smallest_extent(s.shapes.geometry[shape_a], s.shapes.data[shape_a]),
-                                               smallest_extent(s.shapes.geometry[shape_b], s.shapes.data[shape_b])));
-    const auto margin = float(std::min(most, part * width));
+    const double half_width =
+        0.5 * double(std::min(smallest_extent(s.shapes.geometry[shape_a], s.shapes.data[shape_a]),
+                              smallest_extent(s.shapes.geometry[shape_b], s.shapes.data[shape_b])));
+    const auto margin = float(touch_tolerance(half_width));
     const DVec3 origin = a.x;
     Placed first = placed_at(s, shape_a, a, origin), second = placed_at(s, shape_b, b, origin);
     if (swapped) std::swap(first, second);
     scratch.hits.clear();
+    const auto posed = [&](const Placed& p) {
+        return PosedShape{s.shapes.geometry[p.shape], s.shapes.data[p.shape], p.pose, p.arm};
+    };
     if (*kind == PairKind::group)
-        find_patches({s.shapes.geometry[first.shape], s.shapes.data[first.shape], first.pose, first.arm},
-                     {s.shapes.geometry[second.shape], s.shapes.data[second.shape], second.pose, second.arm}, margin,
-                     margin, scratch.surface, scratch.hits);
+        find_patches(posed(first), posed(second), margin, margin, scratch.surface, scratch.hits);
     else
-        scratch.hits.push_back(manifold_of(s, *kind, first, second, margin));
+        scratch.hits.push_back(test_posed_pair(*kind, posed(first), posed(second), margin));
     const DVec3 center = origin + shape_position(first.pose);
     for (const Manifold& hit : scratch.hits)
         for (int i = 0; i < hit.count; ++i) {

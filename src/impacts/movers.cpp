@@ -116,8 +116,6 @@ RigidPath Movers::path_of(std::int32_t b) const {
     return RigidPath::between(from.x, from.q, to.x, to.q);
 }
 
-double Movers::speed_of(std::int32_t i) const { return math::length((*this)[i].path.translation) / double(dt_); }
-
 MovingState Movers::state_at(std::int32_t i, double time) const {
     const Mover& m = (*this)[i];
     const BodyMotion& end = s.bodies.motion[m.body];

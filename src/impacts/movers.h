@@ -25,7 +25,6 @@ class Movers {
     Mover& operator[](std::int32_t i) { return movers_[std::size_t(i)]; }
     const Mover& operator[](std::int32_t i) const { return movers_[std::size_t(i)]; }
     std::int32_t count() const { return std::int32_t(movers_.size()); }
-    double speed_of(std::int32_t i) const;
 
     MovingState state_at(std::int32_t i, double time) const;
     // The pose of `now` and its velocities are those of the time; the rest of the way is made anew: of what turns far

@@ -271,9 +271,9 @@ class ImpactQueue {
     Movers movers_;
     SweptPairs pairs_;
     std::vector<Meeting>& meetings_ = step.solver.sweep.meetings;
-    MeetingScratch scratch_;
-    std::vector<ImpactPoint> points_;
-    std::vector<ImpactRow> rows_;
+    NarrowBatch& scratch_ = step.narrow.at_work.front();
+    std::vector<ImpactPoint>& points_ = step.solver.sweep.points;
+    std::vector<ImpactRow>& rows_ = step.solver.sweep.rows;
 };
 
 } // namespace

@@ -169,7 +169,8 @@ template <class F> void SweptPairs::for_each_near(std::int32_t mover, const DBou
 void SweptPairs::find_near(std::int32_t mover, double from) {
     const DBounds bounds = movers_.bounds_of_way(movers_[mover], from);
     const std::int32_t body = movers_[mover].body;
-    std::vector<std::uint32_t> near; // pairs are not added while lists are gone through
+    std::vector<std::uint32_t>& near = scratch_.near; // pairs are not added while lists are gone through
+    near.clear();
     for_each_near(mover, bounds, [&](std::uint32_t other) { near.push_back(other); });
     for (const std::uint32_t other : near)
         for_each_shape(s, body, [&](std::uint32_t shape) {

@@ -4,6 +4,7 @@
 #include "collision/core_sweep.h"
 #include "collision/manifold.h"
 #include "math/bounds.h"
+#include "state/impact_rows.h"
 #include "state/none.h"
 
 #include <cstddef>
@@ -72,6 +73,9 @@ struct SweepScratch {
     double widest_way = 0;                                      // m, along x
     std::vector<std::pair<std::uint32_t, std::uint32_t>> known; // pairs of shapes with points in the solver, sorted
     bool has_ways = false, has_known = false;
+    std::vector<std::uint32_t> near; // shapes near a way
+    std::vector<ImpactPoint> points; // of one impact
+    std::vector<ImpactRow> rows;
 };
 
 } // namespace cairn
