@@ -84,6 +84,9 @@ class Mover {
     }
     // How far the middle is from the straight line between two of its places, at most.
     double sagitta() const { return s_.path.sagitta(reach_); }
+    bool is_still() const { return speed() == 0; }
+    // Whether all of it moves at one velocity.
+    bool moves_straight() const { return turn_ * reach_ == 0 && s_.until >= 1; }
     // How far its points move about its middle, at most.
     double turning() const { return is_ball() ? 0 : turn_ * s_.geometry.bounding_radius; }
     DVec3 middle_offset() const { return s_.offset + local_middle(); } // from the center of mass, in the body's frame
@@ -343,6 +346,14 @@ Course course_at_plane(const Mover& a, const Mover& b, Span span, double within)
     });
 }
 
+Convex triangle_at(const Mover& m, const Triangle& t, double time) {
+    const RigidPath::Pose pose = m.body_at(time);
+    const DVec3 origin = m.origin_at(pose);
+    const DMat3 axes = math::to_matrix(m.rotation_at(pose));
+    const auto corner = [&](math::Vec3 v) { return origin + axes * math::to_double(v); };
+    return make_triangle(corner(t.a), corner(t.b), corner(t.c));
+}
+
 // With the triangles of a mesh or height field, from their front.
 Course course_at_triangles(const Mover& a, const Mover& b, Span span, double within) {
     const auto local_at = [&](double time) { // the middle of a, in the frame of the surface
@@ -368,21 +379,15 @@ Course course_at_triangles(const Mover& a, const Mover& b, Span span, double wit
             hi[i] = float(std::max(p[i], q[i]) + radius * (1 + 1e-5) + 1e-6 * std::fabs(p[i]));
         }
         const Convex mover = core_at(a, begin);
-        const auto triangle_at = [&](const Triangle& t, double time) {
-            const RigidPath::Pose pose = b.body_at(time);
-            const DVec3 origin = b.origin_at(pose);
-            const DMat3 axes = math::to_matrix(b.rotation_at(pose));
-            const auto corner = [&](math::Vec3 v) { return origin + axes * math::to_double(v); };
-            return make_triangle(corner(t.a), corner(t.b), corner(t.c));
-        };
         const auto visit = [&](const auto& mesh) {
             for_each_triangle(mesh, lo, hi, [&](std::uint32_t index) {
                 const Triangle t = triangle_of(mesh, index);
-                if (const Convex face = triangle_at(t, begin); begins_in_front(middle(mover), face)) {
+                if (const Convex face = triangle_at(b, t, begin); begins_in_front(middle(mover), face)) {
                     DVec3 guess = face.center - mover.center;
+                    const auto face_at = [&](double at) { return b.is_still() ? face : triangle_at(b, t, at); };
                     const Course course =
                         course_by(a, b, question_of(mover, a.layer, within), {begin, std::min(end, best.meeting)},
-                                  [&](double at) { return gap_of(core_at(a, at), triangle_at(t, at), guess); });
+                                  [&](double at) { return gap_of(core_at(a, at), face_at(at), guess); });
                     if (course.meeting == overlapped)
                         overlaps = true;
                     else
@@ -466,11 +471,13 @@ double time_of_meeting(const SweptShape& a, const SweptShape& b, bool is_known, 
     return deeper == overlapped ? never : deeper;
 }
 
-double time_of_touch(const SweptShape& a, const SweptShape& b, double from) {
+double time_of_impact(const SweptShape& a, const SweptShape& b, double from) {
     const double to = end_of(a, b);
     const Mover first(a, Layer::impact, from, to), second(b, Layer::impact, from, to);
     const double time = course_of(first, second, {from, to}, 0).meeting;
-    return time == overlapped ? never : time;
+    // The distance of convex shapes that move straight is a convex function of time: no touch of them is missed.
+    const bool is_certain = time != overlapped && first.moves_straight() && second.moves_straight();
+    return time >= 0 && (time < 1 || is_certain) ? time : time_of_meeting(a, b, false, from);
 }
 
 Nearness nearness_of(const SweptShape& a, const SweptShape& b, double within) {

@@ -208,8 +208,7 @@ double SweptPairs::time_of(const SweptPair& pair, double from) const {
     // What something holds is pressed into it a little, and would catch at the edges of what lies beside.
     const bool catches = !first.is_free && !(second && s.bodies.is_dynamic(second->body));
     if (pair.is_known || turns || catches) return time_of_meeting(a, b, pair.is_known, from);
-    const double touch = time_of_touch(a, b, from);
-    return touch < 1 ? touch : time_of_meeting(a, b, false, from);
+    return time_of_impact(a, b, from);
 }
 
 } // namespace cairn
