@@ -218,31 +218,52 @@ double certain_time(const Mover& a, const Mover& b, const Gap& gap, double way, 
     return speed > 0 ? way / speed : never;
 }
 
-// Advances from `begin` to `end`, so that nothing is missed. gap(time) tells how far the cores are apart.
-template <class F>
-double advance(const Mover& a, const Mover& b, double tolerance, double begin, double end, F&& gap_at) {
+// Whether two that are `first` apart along a direction when a span begins and `last` when it ends, m, are so in
+// between. Every point is within 4 S t (1 - t) of the straight line between its ends (S: the sagitta, t: the part of
+// the span), and the farthest of points on straight lines is never beyond the line between the farthest at both ends:
+// so they are (1 - t) first + t last - 4 S t (1 - t) apart, at least, which is positive for all t if this is true.
+bool stay_apart_between(const Mover& a, const Mover& b, Span span, double first, double last) {
+    if (next_stop(a, b, span.begin, span.end) < span.end) return false; // no one arc
+    const double duration = span.end - span.begin, sagitta = duration * duration * (a.sagitta() + b.sagitta());
+    return first >= 0 && last > 0 && std::sqrt(first) + std::sqrt(last) > 2 * std::sqrt(sagitta);
+}
+
+// Of a pair, `gap_at` (time) tells how far the two are apart, and `apart_along` (direction from a to b, time) how far
+// along that.
+template <class Pair>
+bool stay_apart_from(const Mover& a, const Mover& b, const Pair& pair, double time, const Gap& gap, double end,
+                     double tolerance) {
+    if (!(gap.distance >= 0)) return false;
+    const double last = pair.apart_along(gap.normal, end) - tolerance;
+    return stay_apart_between(a, b, {time, end}, std::max(gap.distance - tolerance, 0.0), last);
+}
+
+// Advances from `begin` to `end`, so that nothing is missed.
+template <class Pair>
+double advance(const Mover& a, const Mover& b, double tolerance, double begin, double end, Pair& pair) {
     double time = begin;
-    Gap gap = gap_at(time);
+    Gap gap = pair.gap_at(time);
     if (!(gap.distance > tolerance)) return begin > 0 ? begin : overlapped;
     for (int round = 0; round < max_rounds; ++round) {
         if (!(gap.distance > tolerance)) return time;
+        if (stay_apart_from(a, b, pair, time, gap, end, tolerance)) return never;
         const double stop = next_stop(a, b, time, end); // up to which the speed is what it is
         time += certain_time(a, b, gap, gap.distance - 0.5 * tolerance, time);
         if (!(time < stop)) {
             if (!(stop < end)) return never;
             time = stop;
         }
-        gap = gap_at(time);
+        gap = pair.gap_at(time);
     }
     return time;
 }
 
 // How the shapes themselves come near each other: by the speed of the points that are nearest, which takes a few looks.
 // What that misses, the cores do not.
-template <class F>
-Course approach(const Mover& a, const Mover& b, Question question, double begin, double end, F&& gap_at) {
+template <class Pair>
+Course approach(const Mover& a, const Mover& b, Question question, double begin, double end, Pair& pair) {
     const auto look_at = [&](double time) {
-        const Gap gap = gap_at(time);
+        const Gap gap = pair.gap_at(time);
         return Bracket::Look{time, gap, closing_of(a, b, gap, time)};
     };
     const auto is_near = [&](const Bracket::Look& look) { return !(look.gap.distance > question.tolerance); };
@@ -257,6 +278,7 @@ Course approach(const Mover& a, const Mover& b, Question question, double begin,
     Bracket seen;
     for (int round = 0; round < max_rounds; ++round) {
         if (has_met(now)) return {now.time};
+        if (question.is_impact && stay_apart_from(a, b, pair, now.time, now.gap, end, question.tolerance)) return {};
         seen.see(now);
         const double way = std::max(now.gap.distance - 0.5 * question.tolerance, 0.0);
         const double leap = !is_near(now) && now.closing.along > 0 ? way / now.closing.along : longest_leap;
@@ -280,9 +302,9 @@ Course approach(const Mover& a, const Mover& b, Question question, double begin,
 }
 
 // Of cores, or of the shapes themselves.
-template <class F> Course course_by(const Mover& a, const Mover& b, Question question, Span span, F&& gap_at) {
-    if (question.within > 0 || question.is_impact) return approach(a, b, question, span.begin, span.end, gap_at);
-    return {advance(a, b, question.tolerance, span.begin, span.end, gap_at)};
+template <class Pair> Course course_by(const Mover& a, const Mover& b, Question question, Span span, Pair&& pair) {
+    if (question.within > 0 || question.is_impact) return approach(a, b, question, span.begin, span.end, pair);
+    return {advance(a, b, question.tolerance, span.begin, span.end, pair)};
 }
 
 // The core. Of strips, which have no end, of the part near a point.
@@ -304,46 +326,75 @@ Gap gap_of(const Convex& a, const Convex& b, DVec3& guess) {
     return {r.distance - (core_a.radius + core_b.radius), r.normal, r.on_a + core_a.radius * r.normal};
 }
 
-// Whether the cores are apart along a direction when they are first looked at, by more than they come nearer along it.
-// What is cheap to ask, and true of most.
-bool stay_apart_along(DVec3 direction, const Convex& first, const Convex& second, const Mover& a, const Mover& b,
-                      Span span, double within) {
+// How far two are apart along a unit direction from `a` to `b`.
+double gap_along(DVec3 n, const Convex& a, const Convex& b) {
+    const Core core_a = exact_core(a), core_b = exact_core(b);
+    return dot(n, core_support(core_b, -n) - core_support(core_a, n)) - (core_a.radius + core_b.radius);
+}
+
+// Whether two never come as near as `question` asks along a direction: what is cheap to ask, and true of most.
+template <class Pair>
+bool stay_apart_along(DVec3 direction, const Mover& a, const Mover& b, Span span, const Pair& pair,
+                      const Question& question) {
     const double square = dot(direction, direction);
     if (!(square > 0)) return false;
     const DVec3 n = (1 / std::sqrt(square)) * direction;
-    const Core core_a = exact_core(first), core_b = exact_core(second);
-    const double gap = dot(n, core_support(core_b, -n) - core_support(core_a, n)) - (core_a.radius + core_b.radius);
-    return gap > within + std::max(0.0, (span.end - span.begin) *
-                                            (a.speed_along(n, span.begin) + b.speed_along(-n, span.begin)));
+    const double limit = question.tolerance + question.within, first = pair.apart_along(n, span.begin) - limit;
+    return first > 0 && stay_apart_between(a, b, span, first, pair.apart_along(n, span.end) - limit);
 }
 
 bool begins_in_front(DVec3 point, const Convex& face) { return dot(face.axes.c1, point - face.corners[0]) > 0; }
 
+class ConvexPair {
+  public:
+    ConvexPair(const Mover& a, const Mover& b)
+        : guess(b.start - a.start), a_(a), b_(b), reach_(length(a.end - a.start) + a.sagitta() + a.bounding_radius()) {}
+    Convex first_at(double time) const { return core_at(a_, time); }
+    Convex second_at(double time) const { return core_at(b_, time, a_.start, reach_); }
+    Gap gap_at(double time) { return gap_of(first_at(time), second_at(time), guess); }
+    double apart_along(DVec3 n, double time) const { return gap_along(n, first_at(time), second_at(time)); }
+
+    DVec3 guess;
+
+  private:
+    const Mover &a_, &b_;
+    const double reach_; // of the first, about where it starts
+};
+
 Course course_of_convexes(const Mover& a, const Mover& b, Span span, double within) {
-    const DVec3 from = a.start;
-    const double reach = length(a.end - from) + a.sagitta() + a.bounding_radius();
-    const Convex first = core_at(a, span.begin), second = core_at(b, span.begin, from, reach);
+    ConvexPair pair(a, b);
+    const Convex first = pair.first_at(span.begin), second = pair.second_at(span.begin);
     if (second.kind == Convex::Kind::polygon && !b.shape().geometry.is_double_sided &&
         !begins_in_front(middle(first), second))
         return {};
-    DVec3 guess = b.start - from;
-    if (stay_apart_along(guess, first, second, a, b, span, within)) return {};
-    return course_by(a, b, question_of(first, a.layer, within), span,
-                     [&](double time) { return gap_of(core_at(a, time), core_at(b, time, from, reach), guess); });
+    const Question question = question_of(first, a.layer, within);
+    if (stay_apart_along(pair.guess, a, b, span, pair, question)) return {};
+    return course_by(a, b, question, span, pair);
 }
 
-Course course_at_plane(const Mover& a, const Mover& b, Span span, double within) {
-    const auto up_at = [&](double time) { return math::rotate(b.rotation_at(b.body_at(time)), DVec3{0, 1, 0}); };
-    const auto height_of = [&](DVec3 p, double time) { return dot(p - b.origin_at(b.body_at(time)), up_at(time)); };
-    double side = 1;
-    if (b.shape().geometry.is_double_sided && height_of(a.start, span.begin) < 0) side = -1;
-    const Convex start = core_at(a, span.begin);
-    return course_by(a, b, question_of(start, a.layer, within), span, [&](double time) -> Gap {
-        const Convex c = core_at(a, time);
+class PlanePair {
+  public:
+    PlanePair(const Mover& a, const Mover& b, double begin) : a_(a), b_(b) {
+        if (b.shape().geometry.is_double_sided && height_of(a.start, begin) < 0) side_ = -1;
+    }
+    Gap gap_at(double time) const {
+        const Convex c = core_at(a_, time);
         const Core core = exact_core(c);
-        const DVec3 down = -side * up_at(time), lowest = core_support(core, down) + core.radius * down;
-        return {side * height_of(lowest, time), down, lowest};
-    });
+        const DVec3 down = -side_ * up_at(time), lowest = core_support(core, down) + core.radius * down;
+        return {side_ * height_of(lowest, time), down, lowest};
+    }
+    double apart_along(DVec3, double time) const { return b_.is_still() ? gap_at(time).distance : -infinity; }
+
+  private:
+    DVec3 up_at(double time) const { return math::rotate(b_.rotation_at(b_.body_at(time)), DVec3{0, 1, 0}); }
+    double height_of(DVec3 p, double time) const { return dot(p - b_.origin_at(b_.body_at(time)), up_at(time)); }
+
+    const Mover &a_, &b_;
+    double side_ = 1;
+};
+
+Course course_at_plane(const Mover& a, const Mover& b, Span span, double within) {
+    return course_by(a, b, question_of(core_at(a, span.begin), a.layer, within), span, PlanePair(a, b, span.begin));
 }
 
 Convex triangle_at(const Mover& m, const Triangle& t, double time) {
@@ -353,6 +404,22 @@ Convex triangle_at(const Mover& m, const Triangle& t, double time) {
     const auto corner = [&](math::Vec3 v) { return origin + axes * math::to_double(v); };
     return make_triangle(corner(t.a), corner(t.b), corner(t.c));
 }
+
+class TrianglePair {
+  public:
+    TrianglePair(const Mover& a, const Mover& b, const Triangle& triangle, double begin)
+        : begin_face(triangle_at(b, triangle, begin)), a_(a), b_(b), triangle_(triangle) {}
+    Gap gap_at(double time) { return gap_of(core_at(a_, time), face_at(time), guess); }
+    double apart_along(DVec3 n, double time) const { return gap_along(n, core_at(a_, time), face_at(time)); }
+
+    const Convex begin_face; // when the span begins
+    DVec3 guess;
+
+  private:
+    Convex face_at(double time) const { return b_.is_still() ? begin_face : triangle_at(b_, triangle_, time); }
+    const Mover &a_, &b_;
+    const Triangle& triangle_;
+};
 
 // With the triangles of a mesh or height field, from their front.
 Course course_at_triangles(const Mover& a, const Mover& b, Span span, double within) {
@@ -382,17 +449,19 @@ Course course_at_triangles(const Mover& a, const Mover& b, Span span, double wit
         const auto visit = [&](const auto& mesh) {
             for_each_triangle(mesh, lo, hi, [&](std::uint32_t index) {
                 const Triangle t = triangle_of(mesh, index);
-                if (const Convex face = triangle_at(b, t, begin); begins_in_front(middle(mover), face)) {
-                    DVec3 guess = face.center - mover.center;
-                    const auto face_at = [&](double at) { return b.is_still() ? face : triangle_at(b, t, at); };
-                    const Course course =
-                        course_by(a, b, question_of(mover, a.layer, within), {begin, std::min(end, best.meeting)},
-                                  [&](double at) { return gap_of(core_at(a, at), face_at(at), guess); });
-                    if (course.meeting == overlapped)
-                        overlaps = true;
-                    else
-                        best.take(course);
-                }
+                TrianglePair pair(a, b, t, begin);
+                if (!begins_in_front(middle(mover), pair.begin_face)) return;
+                pair.guess = pair.begin_face.center - mover.center;
+                const Question question = question_of(mover, a.layer, within);
+                const Span part{begin, std::min(end, best.meeting)};
+                if (stay_apart_along(-pair.begin_face.axes.c1, a, b, part, pair, question) ||
+                    stay_apart_along(pair.guess, a, b, part, pair, question))
+                    return;
+                const Course course = course_by(a, b, question, part, pair);
+                if (course.meeting == overlapped)
+                    overlaps = true;
+                else
+                    best.take(course);
             });
         };
         if (surface.type == ShapeType::mesh)

@@ -143,10 +143,10 @@ class FlightList {
 } // namespace
 
 bool may_meet_in_flight(const State& s, const StepPasses& passes, const ContactInfo& c, const Manifold& m, float dt) {
-    if (c.is_trigger || m.count == 0 || !may_fly(s, c.body_a) || !may_fly(s, c.body_b)) return false;
+    if (c.is_trigger || m.count == 0) return false;
     float least = m.points[0][3];
     for (int i = 1; i < m.count; ++i) least = std::min(least, m.points[i][3]);
-    if (!(least > 0)) return false;
+    if (!(least > 0) || !may_fly(s, c.body_a) || !may_fly(s, c.body_b)) return false;
     const float speed = approach_of(s.bodies, s.shapes, c, m), way = speed * dt + fall_of(s, passes, c, m, dt);
     if (least > c.base_margin || std::fabs(way) > c.base_margin) return true;
     const bool bounces = c.bounces && speed > s.settings.restitution_speed;
