@@ -50,7 +50,8 @@ bool stay_apart_along(DVec3 direction, const Mover& a, const Mover& b, Span span
     const double square = dot(direction, direction);
     if (!(square > 0)) return false;
     const DVec3 n = (1 / std::sqrt(square)) * direction;
-    const double limit = question.tolerance + question.within, first = pair.apart_along(n, span.begin) - limit;
+    const double limit = question.tolerance + question.within + question.floor,
+                 first = pair.apart_along(n, span.begin) - limit;
     return first > 0 && stay_apart_between(a, b, span, first, pair.apart_along(n, span.end) - limit);
 }
 
@@ -72,13 +73,13 @@ class ConvexPair {
     const double reach_; // of the first, about where it starts
 };
 
-Course course_of_convexes(const Mover& a, const Mover& b, Span span, double within) {
+Course course_of_convexes(const Mover& a, const Mover& b, Span span, const Distances& distances) {
     ConvexPair pair(a, b);
     const Convex first = pair.first_at(span.begin), second = pair.second_at(span.begin);
     if (second.kind == Convex::Kind::polygon && !b.shape().geometry.is_double_sided &&
         !begins_in_front(middle(first), second))
         return {};
-    const Question question = question_of(first, a.layer, within);
+    const Question question = question_of(first, a.layer, distances);
     if (stay_apart_along(pair.guess, a, b, span, pair, question)) return {};
     return course_by(a, b, question, span, pair);
 }
@@ -104,8 +105,8 @@ class PlanePair {
     double side_ = 1;
 };
 
-Course course_at_plane(const Mover& a, const Mover& b, Span span, double within) {
-    return course_by(a, b, question_of(core_at(a, span.begin), a.layer, within), span, PlanePair(a, b, span.begin));
+Course course_at_plane(const Mover& a, const Mover& b, Span span, const Distances& distances) {
+    return course_by(a, b, question_of(core_at(a, span.begin), a.layer, distances), span, PlanePair(a, b, span.begin));
 }
 
 Convex triangle_at(const Mover& m, const Triangle& t, double time) {
@@ -133,7 +134,7 @@ class TrianglePair {
 };
 
 // With the triangles of a mesh or height field, from their front.
-Course course_at_triangles(const Mover& a, const Mover& b, Span span, double within) {
+Course course_at_triangles(const Mover& a, const Mover& b, Span span, const Distances& distances) {
     const auto local_at = [&](double time) { // the middle of a, in the frame of the surface
         const RigidPath::Pose pose = b.body_at(time);
         return math::rotate(math::conjugate(b.rotation_at(pose)), a.middle_at(time) - b.origin_at(pose));
@@ -143,7 +144,7 @@ Course course_at_triangles(const Mover& a, const Mover& b, Span span, double wit
     const double bend = a.sagitta() + b.shape().path.sagitta(length(start) + length(last));
     const double way = length(last - start), size = std::max(a.bounding_radius(), 1e-3);
     const int pieces = std::clamp(int(std::min(way / (sizes_per_piece * size), 1e6)) + 1, 1, max_pieces);
-    const double radius = a.bounding_radius() + bend + within;
+    const double radius = a.bounding_radius() + bend + distances.within;
     Course best;
     bool overlaps = false;
     for (int piece = 0; piece < pieces && best.meeting == never; ++piece) {
@@ -163,7 +164,7 @@ Course course_at_triangles(const Mover& a, const Mover& b, Span span, double wit
                 TrianglePair pair(a, b, t, begin);
                 if (!begins_in_front(middle(mover), pair.begin_face)) return;
                 pair.guess = pair.begin_face.center - mover.center;
-                const Question question = question_of(mover, a.layer, within);
+                const Question question = question_of(mover, a.layer, distances);
                 const Span part{begin, std::min(end, best.meeting)};
                 if (stay_apart_along(-pair.begin_face.axes.c1, a, b, part, pair, question) ||
                     stay_apart_along(pair.guess, a, b, part, pair, question))
@@ -203,12 +204,12 @@ bool may_meet_on_the_way(const Mover& a, const Mover& b, double within) {
     return dot(nearest, nearest) <= reach * reach;
 }
 
-Course course_of(const Mover& a, const Mover& b, Span span, double within) {
+Course course_of(const Mover& a, const Mover& b, Span span, const Distances& distances) {
     const ShapeType type = b.shape().geometry.type;
-    if (type == ShapeType::plane) return course_at_plane(a, b, span, within);
-    if (type == ShapeType::mesh || type == ShapeType::height_field) return course_at_triangles(a, b, span, within);
-    if (!is_strip(b.shape().geometry) && !may_meet_on_the_way(a, b, within)) return {};
-    return course_of_convexes(a, b, span, within);
+    if (type == ShapeType::plane) return course_at_plane(a, b, span, distances);
+    if (type == ShapeType::mesh || type == ShapeType::height_field) return course_at_triangles(a, b, span, distances);
+    if (!is_strip(b.shape().geometry) && !may_meet_on_the_way(a, b, distances.within)) return {};
+    return course_of_convexes(a, b, span, distances);
 }
 double end_of(const SweptShape& a, const SweptShape& b) { return std::min(a.path.until, b.path.until); }
 
@@ -242,21 +243,34 @@ double time_of_meeting(const SweptShape& a, const SweptShape& b, bool is_known, 
     const double to = end_of(a, b);
     const Mover first(a, layer, from, to), second(b, layer, from, to);
     if (stay_together(first, second)) return never;
-    double time = course_of(first, second, {from, to}, 0).meeting;
+    double time = course_of(first, second, {from, to}, {}).meeting;
     // What begins too deep goes no deeper than half of that, or up to its middle.
     for (const float part : {0.5f, 0.0f}) {
         if (time != overlapped) break;
         const Geometry ball = ball_inside(first, part);
         const SweptShape inside{ball, a.data, first.middle_offset(), a.path, a.until};
-        time = course_of(Mover(inside, layer, from, to), second, {from, to}, 0).meeting;
+        time = course_of(Mover(inside, layer, from, to), second, {from, to}, {}).meeting;
     }
+    return time == overlapped ? never : time;
+}
+
+double time_of_sinking(const SweptShape& a, const SweptShape& b, double from) {
+    const double to = end_of(a, b);
+    const Mover first(a, Layer::inner, from, to), second(b, Layer::inner, from, to);
+    // How far apart their inner cores are now, if the shapes touch at all.
+    const double half_width =
+        0.5 * double(std::min(smallest_extent(a.geometry, a.data), smallest_extent(b.geometry, b.data)));
+    const Course now = course_of(first, second, {from, from}, {2 * half_width});
+    const double floor = now.gap.distance - 2 * tolerance_part * core_depth_of(half_width);
+    if (!(floor > 0) || !(floor < infinity)) return time_of_meeting(a, b, true, from);
+    const double time = course_of(first, second, {from, to}, {0, floor}).meeting;
     return time == overlapped ? never : time;
 }
 
 double time_of_impact(const SweptShape& a, const SweptShape& b, double from) {
     const double to = end_of(a, b);
     const Mover first(a, Layer::impact, from, to), second(b, Layer::impact, from, to);
-    const double time = course_of(first, second, {from, to}, 0).meeting;
+    const double time = course_of(first, second, {from, to}, {}).meeting;
     // The distance of convex shapes that move straight is a convex function of time: no touch of them is missed.
     const bool is_certain = time != overlapped && first.moves_straight() && second.moves_straight();
     return time >= 0 && (time < 1 || is_certain) ? time : time_of_meeting(a, b, false, from);
@@ -264,7 +278,7 @@ double time_of_impact(const SweptShape& a, const SweptShape& b, double from) {
 
 Nearness nearness_of(const SweptShape& a, const SweptShape& b, double within) {
     const double to = end_of(a, b);
-    const Course course = course_of(Mover(a, Layer::skin, 0, to), Mover(b, Layer::skin, 0, to), {0, to}, within);
+    const Course course = course_of(Mover(a, Layer::skin, 0, to), Mover(b, Layer::skin, 0, to), {0, to}, {within});
     if (course.meeting <= to) return {std::max(course.meeting, 0.0), 0, {}, {}};
     return {course.nearest, course.gap.distance, course.gap.normal, course.gap.on_a};
 }

@@ -71,9 +71,15 @@ double time_of_meeting(const SweptShape& a, const SweptShape& b, bool is_known, 
 // or `never`. What touches at `from` and parts, or stays as it is, is asked for the next touch.
 double time_of_impact(const SweptShape& a, const SweptShape& b, double from = 0);
 
+// When two that touch, and do not come nearer now, press into each other deeper than now, by a fifth of what a core is
+// inside; if they are as deep as contacts that the solver knows may be, or nearly, when they are that.
+double time_of_sinking(const SweptShape& a, const SweptShape& b, double from);
+
 // How near shapes are, m, that count as touching, by the smaller of their smallest half widths: a hundredth of it, 0.1
 // mm at most.
 inline double touch_tolerance(double half_width) { return std::min(1e-4, 0.01 * half_width); }
+// How near they are where an impact is, m: of what they come nearer by less than that in the rest of a step, none is.
+inline double impact_tolerance(double half_width) { return 0.01 * touch_tolerance(half_width); }
 
 // When the shapes themselves touch, or are nearest to each other, and how far apart they are then: 0 where they touch
 // or overlap from the start, m; infinite if that is more than `within`, m.

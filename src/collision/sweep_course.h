@@ -21,22 +21,20 @@ using math::length;
 inline constexpr double known_depth_part = 0.5; // of contacts that the solver knows
 // Cores count as met when they are this near, as part of the depth.
 inline constexpr double tolerance_part = 0.1;
-inline constexpr double impact_share = 0.01; // of the tolerance of a touch: how near shapes are where an impact is
 // After so many looks at a pair that turns fast and comes hardly nearer, the time that was reached is the answer.
 inline constexpr int max_rounds = 100;
 
-// What is looked at: cores, those of contacts that the solver knows, or the shapes themselves.
-enum class Layer { core, known_core, skin, impact };
+// What is looked at: cores, what is twice as deep, the cores of contacts that the solver knows, or the shapes
+// themselves.
+enum class Layer { core, inner, known_core, skin, impact };
 
 inline double depth_of(const Convex& c, Layer layer) {
     if (c.kind == Convex::Kind::polygon || layer >= Layer::skin) return 0;
+    if (layer == Layer::inner) return std::min(2 * core_depth_of(c.extent), c.extent);
     return layer == Layer::known_core ? known_depth_part * c.extent : core_depth_of(c.extent);
 }
 inline double tolerance_of(const Convex& c, Layer layer) {
-    if (layer >= Layer::skin) {
-        const double tolerance = touch_tolerance(c.extent);
-        return layer == Layer::skin ? tolerance : impact_share * tolerance;
-    }
+    if (layer >= Layer::skin) return layer == Layer::skin ? touch_tolerance(c.extent) : impact_tolerance(c.extent);
     return tolerance_part * depth_of(c, layer);
 }
 
@@ -131,15 +129,22 @@ struct Course {
     }
 };
 
+// Of a pair: how near matters, and from which distance on.
+struct Distances {
+    double within = 0, floor = 0;
+};
+
 // What is asked of a course: it ends when the shapes are as near as `tolerance`; how near they come matters up to
 // `within`.
 struct Question {
     double tolerance, within = 0;
+    double floor = 0;       // of the distance, from which it is counted
     bool is_impact = false; // what is as near as that and parts, or stays, has not met
 };
 
-inline Question question_of(const Convex& c, Layer layer, double within) {
-    return {tolerance_of(c, layer), within, layer == Layer::impact};
+inline Question question_of(const Convex& c, Layer layer, const Distances& d) {
+    const double tolerance = d.floor > 0 ? tolerance_part * core_depth_of(c.extent) : tolerance_of(c, layer);
+    return {tolerance, d.within, d.floor, layer == Layer::impact};
 }
 
 // How fast the nearest points come nearer along the normal, and move at all, m/s.
@@ -296,8 +301,28 @@ inline Course approach(const Mover& a, const Mover& b, Question question, double
     return {now.time};
 }
 
+// A pair whose distance is counted from a floor.
+template <class Pair> class AboveFloor {
+  public:
+    AboveFloor(Pair& pair, double floor) : pair_(pair), floor_(floor) {}
+    Gap gap_at(double time) {
+        Gap gap = pair_.gap_at(time);
+        gap.distance -= floor_;
+        return gap;
+    }
+    double apart_along(DVec3 n, double time) const { return pair_.apart_along(n, time) - floor_; }
+
+  private:
+    Pair& pair_;
+    const double floor_;
+};
+
 // Of cores, or of the shapes themselves.
 template <class Pair> Course course_by(const Mover& a, const Mover& b, Question question, Span span, Pair&& pair) {
+    if (question.floor > 0) {
+        AboveFloor above(pair, question.floor);
+        return {advance(a, b, question.tolerance, span.begin, span.end, above)};
+    }
     if (question.within > 0 || question.is_impact) return approach(a, b, question, span.begin, span.end, pair);
     return {advance(a, b, question.tolerance, span.begin, span.end, pair)};
 }

@@ -33,8 +33,8 @@ math::DSym3 inverse_inertia_at(const BodyMass& mass, math::DQuat q) {
 class ImpactQueue {
   public:
     ImpactQueue(State& state, StepScratch& step, float dt)
-        : s(state), step(step), movers_(state, step, dt), assemblies_(state.bodies, state.joints, step.solver.sweep),
-          pairs_(state, step, movers_, assemblies_) {
+        : s(state), step(step), dt_(dt), movers_(state, step, dt),
+          assemblies_(state.bodies, state.joints, step.solver.sweep), pairs_(state, step, movers_, assemblies_) {
         meetings_.clear();
     }
     void run() {
@@ -99,8 +99,10 @@ class ImpactQueue {
         } else if (ends) {
             for (const std::int32_t i : {pairs_[k].first, pairs_[k].second}) stop(i, time);
         } else {
-            // They touch, and nothing approaches: from now on they must not go deeper than a contact may.
-            pairs_[k].is_known = true;
+            // They touch, and nothing approaches: asked again when they go deeper.
+            pairs_[k].touches = true;
+            for (const std::int32_t i : {pairs_[k].first, pairs_[k].second})
+                if (i != none) ++movers_[i].impacts;
             pairs_[k].time = pairs_.time_of(pairs_[k], time);
             expect(k);
         }
@@ -191,6 +193,19 @@ class ImpactQueue {
         return u - dot(u, n) * n;
     }
 
+    double half_width_of(std::uint32_t shape, std::uint32_t other) const {
+        const auto extent = [&](std::uint32_t k) { return smallest_extent(s.shapes.geometry[k], s.shapes.data[k]); };
+        return 0.5 * double(std::min(extent(shape), extent(other)));
+    }
+    // Whether it was; then the body does not turn faster or slower.
+    bool cut_spin(ImpactBody& b) const {
+        const double most = double(s.settings.max_angular_speed), speed = math::length(b.w);
+        if (!(b.inverse_mass > 0) || !(speed > most)) return false;
+        b.w = (most / speed) * b.w;
+        b.inverse_inertia = {};
+        return true;
+    }
+
     // False if nothing approaches.
     bool collide(std::int32_t k, double time) {
         const std::int32_t body_a = s.shapes.links[pairs_[k].shape].body, body_b = s.shapes.links[pairs_[k].other].body;
@@ -206,7 +221,11 @@ class ImpactQueue {
         const DVec3 belt_a = surface_velocity(pair.shape), belt_b = surface_velocity(pair.other);
         a.v += belt_a, b.v += belt_b;
         ImpactOutcome outcome = cairn::collide(a, b, points_, law, rows_);
-        const bool is_impact = outcome.approach > 0;
+        const double left = (1 - time) * double(dt_);
+        const bool is_impact = outcome.approach * left > impact_tolerance(half_width_of(pair.shape, pair.other));
+        // Spins beyond the world's limit are cut: what then still approaches is stopped by its velocity alone.
+        if (is_impact && (cut_spin(a) | cut_spin(b))) cairn::collide(a, b, points_, law, rows_);
+        if (is_impact) pairs_[k].touches = false;
         if (!is_impact && (points_.empty() || pair.rests)) return false;
         if (is_impact) {
             ++s.statistics.impacts;
@@ -286,6 +305,7 @@ class ImpactQueue {
 
     State& s;
     StepScratch& step;
+    const float dt_;
     Movers movers_;
     Assemblies assemblies_;
     SweptPairs pairs_;

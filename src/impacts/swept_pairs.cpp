@@ -252,6 +252,7 @@ double SweptPairs::time_of(const SweptPair& pair, double from) const {
         swept(pair.other, second && second->turns_over ? ball_b : s.shapes.geometry[pair.other], path_b, until_b);
     // What something holds is pressed into it a little, and would catch at the edges of what lies beside.
     const bool catches = !first.is_free && !(second && s.bodies.is_dynamic(second->body));
+    if (pair.touches && !pair.is_known && !turns) return time_of_sinking(a, b, from);
     if (pair.is_known || turns || catches) return time_of_meeting(a, b, pair.is_known, from);
     return time_of_impact(a, b, from);
 }
