@@ -19,6 +19,7 @@ struct CommandLine {
     RunOptions run;
     ScenesOptions scenes;
     ConvertOptions convert;
+    SweepOptions sweep;
     ValidateOptions validate;
     ViewOptions view;
     DoctorOptions doctor;
