@@ -19,6 +19,7 @@ USERS = {
     "src/scene": {"files", "scene"},
     "src/sweep": {"files", "scene", "sweep"},
     "src/validation": {"validation"},
+    "app/ranks": set(),
     "app/viewer": {"files", "viewer"},
     "app/cli": {"cli", "files", "scene", "sweep", "validation", "viewer"},
 }

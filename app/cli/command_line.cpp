@@ -236,6 +236,19 @@ void add_sweep(CLI::App& app, SweepOptions& options) {
     sweep->add_flag("--json", options.json, "Print the summary as one JSON object");
 }
 
+void add_fit(CLI::App& app, FitOptions& options) {
+    CLI::App* fit =
+        app.add_subcommand("fit", "Find parameters with which a scene does what was measured; see docs/sweep.md.");
+    fit->add_option("plan", options.plan, "A plan of `cairn sweep`; what has a range is fitted (.json)")->required();
+    fit->add_option("data", options.data, "Measurements: a row for each experiment (.csv)")->required();
+    fit->add_option("--threads", options.threads, "Number of threads (default: all; results do not depend on it)")
+        ->check(between(1, 256));
+    fit->add_option("--evaluations", options.evaluations,
+                    "At most so many runs of all experiments (default: 300 for each parameter)")
+        ->check(between(1, 1e9));
+    fit->add_flag("--json", options.json, "Print one JSON object");
+}
+
 void add_doctor(CLI::App& app, DoctorOptions& options) {
     CLI::App* doctor = app.add_subcommand("doctor", "Tell what this machine has for Cairn, and what it lacks.");
     doctor->add_flag("--json", options.json, "Print one JSON object");
@@ -258,6 +271,7 @@ CommandLine::CommandLine() : app("Cairn, a rigid-body physics engine.", "cairn")
     add_scenes(app, scenes);
     add_convert(app, convert);
     add_sweep(app, sweep);
+    add_fit(app, fit);
     add_validate(app, validate);
     add_doctor(app, doctor);
     add_completion(app, completion);
@@ -269,6 +283,7 @@ int CommandLine::execute() const {
     if (app.got_subcommand("scenes")) return scenes_command(scenes);
     if (app.got_subcommand("convert")) return convert_command(convert);
     if (app.got_subcommand("sweep")) return sweep_command(sweep);
+    if (app.got_subcommand("fit")) return fit_command(fit);
     if (app.got_subcommand("validate")) return validate_command(validate);
     if (app.got_subcommand("doctor")) return doctor_command(doctor);
     if (app.got_subcommand("completion")) return completion_command(completion, app);

@@ -20,6 +20,7 @@ struct CommandLine {
     ScenesOptions scenes;
     ConvertOptions convert;
     SweepOptions sweep;
+    FitOptions fit;
     ValidateOptions validate;
     ViewOptions view;
     DoctorOptions doctor;

@@ -92,6 +92,15 @@ struct SweepOptions {
 // 1 if it is not complete at the end.
 int sweep_command(const SweepOptions& options);
 
+struct FitOptions {
+    std::filesystem::path plan, data;
+    std::optional<int> threads; // all otherwise
+    std::optional<std::uint64_t> evaluations;
+    bool json = false;
+};
+
+int fit_command(const FitOptions& options);
+
 struct ValidateOptions {
     std::vector<std::string> cases; // names or numbers; empty: all
     std::filesystem::path report;   // a folder; empty: do not write

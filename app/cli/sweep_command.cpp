@@ -3,6 +3,7 @@
 #include "cli/interrupt.h"
 #include "cli/outputs.h"
 #include "cli/progress.h"
+#include "cli/ranks.h"
 #include "cli/sweep_results.h"
 
 #include "files/output_file.h"
@@ -10,8 +11,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <exception>
 #include <filesystem>
+#include <new>
 #include <vector>
 
 namespace cairn::cli {
@@ -83,14 +87,52 @@ void put_together(const SweepOptions& options, const sweep::Plan& plan, const sw
     print(options.json ? json : sweep_text(plan, summary, failures, folder));
 }
 
-} // namespace
+// All that is missing, by all ranks. Returns false if it was interrupted.
+bool run_missing(const SweepOptions& options, const sweep::Plan& plan, const sweep::Start& start, sweep::Store& store,
+                 Ranks& ranks) {
+    const std::vector<std::uint64_t> chunks = chunks_to_do(options, store);
+    ranks.meet(); // before anything is written: all have seen the same chunks
+    const InterruptGuard interrupt;
+    std::uint64_t rows = 0;
+    for (const std::uint64_t chunk : chunks) rows += store.chunks().rows_in(chunk);
+    if (!chunks.empty()) {
+        set_activity("running", plan.file);
+        ProgressLine progress(rows, "rows");
+        const int threads = options.threads.value_or(ranks.size() > 1 ? 1 : hardware_threads());
+        sweep::run_chunks(plan, start, store, chunks, threads, ranks, [&](const sweep::Count& count) {
+            const bool is_one = ranks.size() == 1;
+            const std::string failed = fmt::format(", {} failed{}", count.failed, is_one ? "" : " here");
+            const std::uint64_t begun = std::min(rows, ranks.taken() * store.chunks().size);
+            if (ranks.rank() == 0) progress.show(is_one ? count.rows : begun, failed);
+            return !interrupt.requested();
+        });
+    }
+    ranks.meet();
+    return !interrupt.requested();
+}
 
-int sweep_command(const SweepOptions& options) {
+// Tells what is still missing, which is as it should be for one part of several.
+int tell_missing(const SweepOptions& options, const sweep::Plan& plan, const sweep::Store& store, bool was_whole,
+                 const std::filesystem::path& folder) {
+    std::uint64_t left = 0;
+    for (const std::uint64_t chunk : store.missing()) left += store.chunks().rows_in(chunk);
+    const std::string text =
+        fmt::format("{} of {} rows are in {}", plan.design.rows() - left, plan.design.rows(), folder.generic_string());
+    if (!was_whole || options.shards == 0) {
+        complain(fmt::format("interrupted: {}; --resume goes on", text));
+        return 1;
+    }
+    print(fmt::format("part {} of {} is done: {}; the last part puts them together\n", options.shard, options.shards,
+                      text));
+    return 0;
+}
+
+int run_sweep(const SweepOptions& options, Ranks& ranks) {
     set_activity("reading", options.plan.generic_string());
     const sweep::Plan plan = sweep::read_plan(options.plan);
     set_activity("reading", plan.scene.generic_string());
     const sweep::Start start = sweep::load_start(plan);
-    print_warnings(start.warnings);
+    if (ranks.rank() == 0) print_warnings(start.warnings);
     { const sweep::Runner checks(plan, start); }
     if (options.check) return check_plan(plan, start);
     if (options.row) return print_row(plan, start, *options.row);
@@ -101,37 +143,28 @@ int sweep_command(const SweepOptions& options) {
         throw Error(ErrorCode::wrong_state, folder.generic_string(), {},
                     "has rows of this sweep: --resume goes on with them, --out chooses another folder");
     }
-    const std::vector<std::uint64_t> chunks = chunks_to_do(options, store);
-    std::uint64_t rows = 0;
-    for (const std::uint64_t chunk : chunks) rows += store.chunks().rows_in(chunk);
-    const InterruptGuard interrupt;
-    set_activity("running", plan.file);
-    if (!chunks.empty()) {
-        ProgressLine progress(rows, "rows");
-        sweep::LocalSource source;
-        sweep::run_chunks(plan, start, store, chunks, options.threads.value_or(hardware_threads()), source,
-                          [&](const sweep::Count& count) {
-                              progress.show(count.rows, fmt::format(", {} failed", count.failed));
-                              return !interrupt.requested();
-                          });
-    }
+    const bool was_whole = run_missing(options, plan, start, store, ranks);
+    if (ranks.rank() != 0) return was_whole ? 0 : 1;
     store.look();
-    if (const std::vector<std::uint64_t> missing = store.missing(); !missing.empty()) {
-        std::uint64_t left = 0;
-        for (const std::uint64_t chunk : missing) left += store.chunks().rows_in(chunk);
-        const bool is_part = options.shards > 0 && !interrupt.requested();
-        const std::string text = fmt::format("{} of {} rows are in {}", plan.design.rows() - left, plan.design.rows(),
-                                             folder.generic_string());
-        if (!is_part) {
-            complain(fmt::format("interrupted: {}; --resume goes on", text));
-            return 1;
-        }
-        print(fmt::format("part {} of {} is done: {}; the last part puts them together\n", options.shard,
-                          options.shards, text));
-        return 0;
-    }
+    if (!store.missing().empty()) return tell_missing(options, plan, store, was_whole, folder);
     put_together(options, plan, start, store, folder);
     return 0;
+}
+
+} // namespace
+
+int sweep_command(const SweepOptions& options) {
+    Ranks ranks;
+    if (ranks.size() == 1) return run_sweep(options, ranks);
+    try {
+        return run_sweep(options, ranks);
+    } catch (const std::bad_alloc&) {
+        report_out_of_memory();
+    } catch (const std::exception& error) {
+        complain(fmt::format("rank {}: {}", ranks.rank(), error.what()));
+    }
+    ranks.abort_others(1);
+    return 1;
 }
 
 } // namespace cairn::cli

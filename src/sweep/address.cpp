@@ -29,6 +29,13 @@ std::string some_of(const std::vector<std::string>& names) {
     return list.empty() ? "none" : list;
 }
 
+// As it is written in a path.
+std::string written_name(const std::string& name) {
+    const bool is_plain = name.find_first_not_of("0123456789_abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ") ==
+                          std::string::npos;
+    return is_plain ? name : "'" + name + "'";
+}
+
 std::size_t number_in(const std::string& path, std::string_view text) {
     std::size_t number = 0;
     const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -172,8 +179,12 @@ class Finder {
         }
         const auto found = std::find(names.begin(), names.end(), segment.name);
         if (found == names.end()) {
-            refuse_path(path_, std::string("there is no ") + what + " \"" + segment.name + "\"; there are world, " +
-                                   some_of(names));
+            std::vector<std::string> shown{"world"};
+            for (const std::string& name : names) {
+                if (!name.empty()) shown.push_back(written_name(name));
+            }
+            refuse_path(path_,
+                        std::string("there is no ") + what + " \"" + segment.name + "\"; there are " + some_of(shown));
         }
         return static_cast<std::size_t>(found - names.begin());
     }

@@ -63,12 +63,16 @@ class PlanReader {
         for (const char* name : {"index", "time", "outcome"}) taken_.insert(name);
     }
 
-    Plan read() {
+    Plan read(Purpose purpose) {
         check_members(root_,
                       {"scene", "fixed_base", "floor", "parameters", "sample", "set", "seconds", "stop", "measure"});
         read_scene();
         read_parameters();
-        read_sample();
+        if (purpose == Purpose::sweep) {
+            read_sample();
+        } else {
+            plan_.design = one_row();
+        }
         if (const auto set = root_.find("set")) read_settings(*set);
         if (const auto seconds = root_.find("seconds")) plan_.seconds = seconds->number({0.0001, 1e6});
         if (const auto stop = root_.find("stop")) read_stops(*stop);
@@ -185,6 +189,14 @@ class PlanReader {
         }
     }
 
+    // Of a fit, which has no rows of its own.
+    Design one_row() {
+        for (Parameter& parameter : parameters_) {
+            if (parameter.kind == Parameter::Kind::list && parameter.values.empty()) parameter.values = {0.0};
+        }
+        return {Sampling::random, std::move(parameters_), 1, 0};
+    }
+
     // The columns of the table are the parameters; those that the plan names must be among them.
     void read_table(const std::string& text) {
         const std::filesystem::path path = folder_ / text;
@@ -252,11 +264,12 @@ class PlanReader {
         const std::size_t count = list.size(max_measures, "measures");
         for (std::size_t i = 0; i < count; ++i) {
             const Value value = list[i];
-            check_members(value, {"name", "of", "at", "take"});
+            check_members(value, {"name", "of", "at", "take", "deviation"});
             Measure measure;
             measure.name = value.require("name").text();
             measure.expression = value.require("of").text();
             measure.place = value.require("of").place();
+            if (const auto deviation = value.find("deviation")) measure.deviation = deviation->number({1e-300, 1e300});
             if (const auto at = value.find("at")) {
                 if (value.find("take")) at->fail("must not stand beside \"take\"");
                 measure.take = Measure::Take::at;
@@ -315,9 +328,9 @@ std::vector<std::string> Plan::columns() const {
     return names;
 }
 
-Plan read_plan(const std::filesystem::path& path) {
+Plan read_plan(const std::filesystem::path& path, Purpose purpose) {
     const std::vector<std::byte> bytes = scene::read_file(path);
-    return PlanReader(path, bytes).read();
+    return PlanReader(path, bytes).read(purpose);
 }
 
 Start load_start(const Plan& plan) {

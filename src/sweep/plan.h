@@ -32,7 +32,8 @@ struct Measure {
     };
     std::string name, expression;
     Take take = Take::end;
-    double time = 0.0; // s
+    double time = 0.0;      // s
+    double deviation = 1.0; // standard deviation of what was measured, for `fit`
     std::string place;
 };
 
@@ -52,8 +53,11 @@ struct Plan {
     std::size_t numbers() const { return design.parameters().size() + measures.size() + 2; } // without the index
 };
 
+// What a plan is read for: to fit parameters it needs no sample, and no values of those that were measured.
+enum class Purpose { sweep, fit };
+
 // Reads a plan. Throws Error: io, invalid_file.
-Plan read_plan(const std::filesystem::path& path);
+Plan read_plan(const std::filesystem::path& path, Purpose purpose = Purpose::sweep);
 
 // What rows start from, and a number that tells whether two sweeps are the same.
 struct Start {

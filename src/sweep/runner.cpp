@@ -45,6 +45,10 @@ Runner::Formula Runner::formula(const std::string& text, const std::string& plac
         for (std::size_t i = 0; i < measures_.size() && sees_measures; ++i) {
             if (plan_.measures[i].name == name) return &results_[i];
         }
+        if (name != "time" && name.find('.') == std::string::npos) {
+            throw Error(ErrorCode::invalid_value, name, {},
+                        "must be a parameter, a measure before this one, a function, or a path such as crate.position.x");
+        }
         const Address address = find_address(trial_.world, name == "time" ? "world.time" : name);
         if (address.property->read == nullptr) {
             throw Error(ErrorCode::invalid_value, name, {}, "can be set, and not be measured");
@@ -86,8 +90,7 @@ double Runner::value(const Formula& formula) {
     return formula.expression.value();
 }
 
-void Runner::prepare(std::uint64_t row) {
-    plan_.design.values(row, parameters_);
+void Runner::prepare() {
     trial_.world.restore(start_.snapshot);
     trial_.time_step = start_.time_step;
     // All are computed before any is set: their order does not matter.
@@ -181,12 +184,20 @@ void Runner::finish() {
 }
 
 bool Runner::run(std::uint64_t row, std::span<double> numbers, const std::atomic<bool>& interrupted) {
+    std::vector<double> values(parameters_.size());
+    plan_.design.values(row, values);
+    return run_with(values, numbers, interrupted);
+}
+
+bool Runner::run_with(std::span<const double> parameters, std::span<double> numbers,
+                      const std::atomic<bool>& interrupted) {
+    std::copy(parameters.begin(), parameters.end(), parameters_.begin());
     std::fill(results_.begin(), results_.end(), nothing);
     steps_done_ = 0;
     outcome_ = Outcome::ran;
     failure_.clear();
     try {
-        prepare(row);
+        prepare();
         if (!simulate(interrupted)) return false;
         finish();
     } catch (const Error& error) {

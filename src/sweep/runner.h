@@ -29,6 +29,8 @@ class Runner {
     // The numbers of a row in the order of the columns, without the index. Once `interrupted` is true it may end before
     // its time, and gives false: the numbers are good for nothing.
     bool run(std::uint64_t row, std::span<double> numbers, const std::atomic<bool>& interrupted);
+    // Likewise, with these values of the parameters.
+    bool run_with(std::span<const double> parameters, std::span<double> numbers, const std::atomic<bool>& interrupted);
 
     // Why the last row failed; empty if it did not.
     const std::string& failure() const { return failure_; }
@@ -54,7 +56,7 @@ class Runner {
     Formula formula(const std::string& text, const std::string& place, bool sees_measures);
     void add_target(const Assignment& setting, std::size_t index);
     double value(const Formula& formula);
-    void prepare(std::uint64_t row);
+    void prepare();
     bool simulate(const std::atomic<bool>& interrupted);
     void measure(std::uint64_t step, std::uint64_t steps);
     bool is_stopped();
