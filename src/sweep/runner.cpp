@@ -47,7 +47,8 @@ Runner::Formula Runner::formula(const std::string& text, const std::string& plac
         }
         if (name != "time" && name.find('.') == std::string::npos) {
             throw Error(ErrorCode::invalid_value, name, {},
-                        "must be a parameter, a measure before this one, a function, or a path such as crate.position.x");
+                        "must be a parameter, a measure before this one, a function, or a path such as "
+                        "crate.position.x");
         }
         const Address address = find_address(trial_.world, name == "time" ? "world.time" : name);
         if (address.property->read == nullptr) {

@@ -84,7 +84,8 @@ TEST_F(SweepProperties, ARotationIsSetByAllOfItsComponentsAtOnce) {
     const std::vector<Row> rows =
         rows_of(plan(R"json("parameters": [{"name": "a", "values": [0.3, -1, 2.5]}], "seconds": 0.01,
             "set": {"ball.rotation.z": "sin(a / 2)", "ball.rotation.w": "cos(a / 2)"},
-            "measure": [{"name": "z", "of": "ball.rotation.z", "at": 0}, {"name": "w", "of": "ball.rotation.w", "at": 0}])json"));
+            "measure": [{"name": "z", "of": "ball.rotation.z", "at": 0}, {"name": "w",
+            "of": "ball.rotation.w", "at": 0}])json"));
     for (const Row& row : rows) {
         EXPECT_NEAR(row.at("z"), std::sin(0.5 * row.at("a")), 1e-6);
         EXPECT_NEAR(row.at("w"), std::cos(0.5 * row.at("a")), 1e-6);
@@ -95,7 +96,8 @@ TEST_F(SweepProperties, ExpressionsOfSettingsSeeTheSceneAsItWas) {
     write_scene();
     const std::vector<Row> rows = rows_of(plan(R"json("seconds": 0.01,
         "set": {"ball.position.x": "ball.position.y + 1", "ball.position.y": "2 * ball.position.y"},
-        "measure": [{"name": "x", "of": "ball.position.x", "at": 0}, {"name": "y", "of": "ball.position.y", "at": 0}])json"));
+        "measure": [{"name": "x", "of": "ball.position.x", "at": 0}, {"name": "y", "of": "ball.position.y",
+            "at": 0}])json"));
     EXPECT_EQ(rows[0].at("x"), 3.0);
     EXPECT_EQ(rows[0].at("y"), 4.0);
 }
@@ -154,7 +156,8 @@ TEST_F(SweepProperties, ATableGivesTheRows) {
     write("rows.csv", "height,\"push\"\n1,2\n3,-4\n\n");
     const std::vector<Row> rows = rows_of(plan(R"json("sample": {"table": "rows.csv"}, "seconds": 0.01,
             "set": {"ball.position.y": "height", "ball.velocity.x": "push"},
-            "measure": [{"name": "y", "of": "ball.position.y", "at": 0}, {"name": "v", "of": "ball.velocity.x"}])json"));
+            "measure": [{"name": "y", "of": "ball.position.y", "at": 0}, {"name": "v",
+            "of": "ball.velocity.x"}])json"));
     ASSERT_EQ(rows.size(), 2u);
     EXPECT_EQ(rows[1].at("y"), 3.0);
     EXPECT_EQ(rows[1].at("v"), -4.0);
