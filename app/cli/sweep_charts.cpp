@@ -73,18 +73,18 @@ std::string picture(double width, const std::string& inside) {
 // Groups of rows by a column: one for each different value if there are few, else equal ranges.
 class Groups {
   public:
-    explicit Groups(std::span<const double> values) {
+    Groups(std::span<const double> values, std::size_t most) {
         std::vector<double> sorted(values.begin(), values.end());
         std::erase_if(sorted, [](double v) { return !std::isfinite(v); });
         std::sort(sorted.begin(), sorted.end());
         sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
         if (sorted.empty()) return;
-        if (sorted.size() <= most_cells) {
+        if (sorted.size() <= most) {
             centers_ = sorted;
             return;
         }
-        low_ = sorted.front(), width_ = (sorted.back() - sorted.front()) / static_cast<double>(most_cells);
-        for (std::size_t i = 0; i < most_cells; ++i) centers_.push_back(low_ + (static_cast<double>(i) + 0.5) * width_);
+        low_ = sorted.front(), width_ = (sorted.back() - sorted.front()) / static_cast<double>(most);
+        for (std::size_t i = 0; i < most; ++i) centers_.push_back(low_ + (static_cast<double>(i) + 0.5) * width_);
     }
     const std::vector<double>& centers() const { return centers_; }
     std::size_t of(double v) const {
@@ -145,7 +145,7 @@ std::string histogram(const Series& series) {
 }
 
 std::string effect_plot(const Series& x_series, const Series& values) {
-    const Groups groups(x_series.values);
+    const Groups groups(x_series.values, most_cells);
     std::vector<std::vector<double>> members(groups.centers().size());
     for (std::size_t i = 0; i < values.values.size(); ++i) {
         if (std::isfinite(values.values[i])) members[groups.of(x_series.values[i])].push_back(values.values[i]);
@@ -174,7 +174,10 @@ std::string effect_plot(const Series& x_series, const Series& values) {
 }
 
 std::string heat_map(const Series& x_series, const Series& y_series, const Series& values) {
-    const Groups columns(x_series.values), rows(y_series.values);
+    // So many cells that most of them have a few rows.
+    const double each = 0.5 * std::sqrt(static_cast<double>(values.values.size()));
+    const std::size_t most = std::clamp(static_cast<std::size_t>(each), std::size_t{4}, most_cells);
+    const Groups columns(x_series.values, most), rows(y_series.values, most);
     const std::size_t width = columns.centers().size(), height = rows.centers().size();
     if (width == 0 || height == 0) return {};
     std::vector<double> sums(width * height), counts(width * height);

@@ -13,8 +13,6 @@ namespace cairn::cli {
 
 namespace {
 
-constexpr std::size_t most_measures = 50; // that have charts: a page of thousands would open nowhere
-
 constexpr const char* page_head =
     "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{0}</title><style>\n"
     "body{{font:15px/1.5 system-ui,sans-serif;max-width:960px;margin:2em auto;padding:0 "
@@ -73,6 +71,12 @@ std::vector<std::size_t> by_influence(const sweep::Plan& plan, const sweep::Summ
     return order;
 }
 
+// When it was taken.
+std::string moment_of(const sweep::Measure& measure) {
+    if (measure.take == sweep::Measure::Take::at) return fmt::format("at {:g} s", measure.time);
+    return std::string(sweep::name_of(measure.take));
+}
+
 std::string measure_section(const sweep::Plan& plan, const sweep::Summary& summary, std::size_t measure) {
     const std::vector<sweep::Parameter>& parameters = plan.design.parameters();
     const auto series = [&](std::size_t column) {
@@ -81,8 +85,8 @@ std::string measure_section(const sweep::Plan& plan, const sweep::Summary& summa
         return Series{name, summary.sample().columns[column]};
     };
     const Series values = series(parameters.size() + measure);
-    std::string html = fmt::format("<h2>{}</h2>\n<p><code>{}</code></p>\n", escaped(values.name),
-                                   escaped(plan.measures[measure].expression));
+    std::string html = fmt::format("<h2>{}</h2>\n<p><code>{}</code>, {}</p>\n", escaped(values.name),
+                                   escaped(plan.measures[measure].expression), moment_of(plan.measures[measure]));
     const std::string bars = histogram(values);
     if (bars.empty()) return html + "<p>No row has a number.</p>\n";
     html += bars;
@@ -112,7 +116,7 @@ std::string sweep_report(const sweep::Plan& plan, const sweep::Summary& summary,
     if (summary.sample().every > 1) {
         html += fmt::format("<p>The charts show one row of {}.</p>\n", summary.sample().every);
     }
-    const std::size_t shown = std::min(most_measures, plan.measures.size());
+    const std::size_t shown = std::min(most_measures_shown, plan.measures.size());
     for (std::size_t m = 0; m < shown; ++m) html += measure_section(plan, summary, m);
     if (shown < plan.measures.size()) {
         html += fmt::format("<p>Charts of {} more measures are left out; their rows are in rows.csv.</p>\n",

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <vector>
@@ -82,7 +83,7 @@ std::string sweep_json(const sweep::Plan& plan, const sweep::Summary& summary,
     }
     json["sensitivity"] = nlohmann::ordered_json::array();
     const std::vector<sweep::Parameter>& parameters = plan.design.parameters();
-    for (std::size_t m = 0; m < plan.measures.size(); ++m) {
+    for (std::size_t m = 0; m < std::min(most_measures_shown, plan.measures.size()); ++m) {
         for (std::size_t p = 0; p < parameters.size(); ++p) {
             const sweep::Sensitivity s = summary.sensitivity(p, m);
             json["sensitivity"].push_back({{"measure", plan.measures[m].name},

@@ -15,6 +15,9 @@ sweep::Summary write_rows(const sweep::Plan& plan, const sweep::Store& store, co
 std::vector<std::string> failure_lines(const sweep::Plan& plan, const sweep::Start& start,
                                        const sweep::Summary& summary);
 
+// So many measures have charts and indices of sensitivity: a page of thousands would open nowhere.
+inline constexpr std::size_t most_measures_shown = 50;
+
 std::string sweep_json(const sweep::Plan& plan, const sweep::Summary& summary,
                        const std::vector<std::string>& failures);
 std::string sweep_text(const sweep::Plan& plan, const sweep::Summary& summary, const std::vector<std::string>& failures,

@@ -31,8 +31,8 @@ std::string some_of(const std::vector<std::string>& names) {
 
 // As it is written in a path.
 std::string written_name(const std::string& name) {
-    const bool is_plain = name.find_first_not_of("0123456789_abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ") ==
-                          std::string::npos;
+    const bool is_plain =
+        name.find_first_not_of("0123456789_abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ") == std::string::npos;
     return is_plain ? name : "'" + name + "'";
 }
 

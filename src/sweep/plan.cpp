@@ -19,8 +19,13 @@ namespace cairn::sweep {
 namespace {
 
 using scene::Value;
+using Take = Measure::Take;
 
-constexpr std::size_t max_parameters = 1000, max_measures = 10000, max_values = 1'000'000;
+constexpr std::pair<Take, std::string_view> takes[]{{Take::end, "end"},    {Take::at, "at"},     {Take::max, "max"},
+                                                    {Take::min, "min"},    {Take::mean, "mean"}, {Take::first, "first"},
+                                                    {Take::since, "since"}};
+
+constexpr std::size_t max_parameters = 1000, max_measures = 10000, max_values = 1'000'000, max_pairs = 1'000'000;
 
 std::uint64_t hash_text(std::uint64_t hash, std::string_view text) {
     for (std::size_t at = 0; at < text.size(); at += 8) {
@@ -77,6 +82,10 @@ class PlanReader {
         if (const auto seconds = root_.find("seconds")) plan_.seconds = seconds->number({0.0001, 1e6});
         if (const auto stop = root_.find("stop")) read_stops(*stop);
         if (const auto measure = root_.find("measure")) read_measures(*measure);
+        const std::size_t pairs = plan_.design.parameters().size() * plan_.measures.size();
+        if (plan_.design.sampling() == Sampling::sensitivity && pairs > max_pairs) {
+            root_.require("sample").fail("must have at most 1000000 pairs of parameters and measures");
+        }
         return std::move(plan_);
     }
 
@@ -298,12 +307,9 @@ class PlanReader {
     }
 
     static Measure::Take take_of(const Value& value) {
-        const std::pair<const char*, Measure::Take> takes[]{
-            {"end", Measure::Take::end},   {"max", Measure::Take::max},     {"min", Measure::Take::min},
-            {"mean", Measure::Take::mean}, {"first", Measure::Take::first}, {"since", Measure::Take::since}};
         const std::string text = value.text();
-        for (const auto& [name, take] : takes) {
-            if (text == name) return take;
+        for (const auto& [take, name] : takes) {
+            if (text == name && take != Measure::Take::at) return take;
         }
         value.fail("must be \"end\", \"max\", \"min\", \"mean\", \"first\" or \"since\"");
     }
@@ -319,6 +325,12 @@ class PlanReader {
 };
 
 } // namespace
+
+std::string_view name_of(Take take) {
+    const auto* found =
+        std::find_if(std::begin(takes), std::end(takes), [&](const auto& t) { return t.first == take; });
+    return found->second;
+}
 
 std::vector<std::string> Plan::columns() const {
     std::vector<std::string> names{"index"};

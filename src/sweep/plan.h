@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace cairn::sweep {
@@ -36,6 +37,9 @@ struct Measure {
     double deviation = 1.0; // standard deviation of what was measured, for `fit`
     std::string place;
 };
+
+// As it stands in a plan: "max".
+std::string_view name_of(Measure::Take take);
 
 struct Plan {
     std::string file;            // for messages

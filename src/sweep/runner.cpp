@@ -11,7 +11,6 @@ namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr double max_steps = 1e9;
-using Take = Measure::Take;
 
 } // namespace
 
@@ -30,8 +29,8 @@ Runner::Runner(const Plan& plan, const Start& start)
     });
     for (const Assignment& stop : plan.stops) stops_.push_back(formula(stop.expression, stop.place, false));
     for (const Measure& measure : plan.measures) {
-        measures_.push_back(formula(measure.expression, measure.place, measure.take == Take::end));
-        has_step_measures_ |= measure.take != Take::end;
+        measures_.push_back(formula(measure.expression, measure.place, measure.take == Measure::Take::end));
+        has_step_measures_ |= measure.take != Measure::Take::end;
     }
 }
 
@@ -115,8 +114,8 @@ void Runner::measure(std::uint64_t step, std::uint64_t steps) {
     const double now = static_cast<double>(step) * trial_.time_step;
     for (std::size_t i = 0; i < measures_.size(); ++i) {
         const Measure& measure = plan_.measures[i];
-        if (measure.take == Take::end) continue;
-        if (measure.take == Take::at) {
+        if (measure.take == Measure::Take::end) continue;
+        if (measure.take == Measure::Take::at) {
             if (std::min(std::round(measure.time / trial_.time_step), static_cast<double>(steps)) ==
                 static_cast<double>(step)) {
                 results_[i] = value(measures_[i]);
@@ -126,16 +125,16 @@ void Runner::measure(std::uint64_t step, std::uint64_t steps) {
         double& result = results_[i];
         const double v = value(measures_[i]);
         switch (measure.take) {
-        case Take::max:
+        case Measure::Take::max:
             result = std::isnan(result) || v > result ? v : result;
             break;
-        case Take::min:
+        case Measure::Take::min:
             result = std::isnan(result) || v < result ? v : result;
             break;
-        case Take::mean:
+        case Measure::Take::mean:
             if (step > 0) result = (step == 1 ? 0.0 : result) + v;
             break;
-        case Take::first:
+        case Measure::Take::first:
             if (std::isnan(result) && v != 0.0 && !std::isnan(v)) result = now;
             break;
         default: // since
@@ -179,8 +178,8 @@ bool Runner::simulate(const std::atomic<bool>& interrupted) {
 // What is known only now.
 void Runner::finish() {
     for (std::size_t i = 0; i < measures_.size(); ++i) {
-        if (plan_.measures[i].take == Take::end) results_[i] = value(measures_[i]);
-        if (plan_.measures[i].take == Take::mean) results_[i] /= static_cast<double>(steps_done_);
+        if (plan_.measures[i].take == Measure::Take::end) results_[i] = value(measures_[i]);
+        if (plan_.measures[i].take == Measure::Take::mean) results_[i] /= static_cast<double>(steps_done_);
     }
 }
 

@@ -48,7 +48,9 @@ Summary::Summary(const Plan& plan)
                                                                  std::vector<double>(parameters_)})),
       origins_(measures_, unknown) {
     sample_.columns.resize(parameters_ + measures_);
-    sample_.every = (plan.design.rows() + Sample::largest - 1) / Sample::largest;
+    const std::uint64_t most = std::clamp<std::uint64_t>(
+        Sample::most_numbers / std::max<std::size_t>(1, moments_.size()), 1, Sample::most_rows);
+    sample_.every = (plan.design.rows() + most - 1) / most;
 }
 
 void Summary::add(std::uint64_t row, std::span<const double> numbers) {

@@ -28,7 +28,7 @@ struct Sensitivity {
 
 // A share of the rows, evenly picked, that fits into memory: for plots.
 struct Sample {
-    static constexpr std::uint64_t largest = 200'000;
+    static constexpr std::uint64_t most_rows = 200'000, most_numbers = 20'000'000;
     std::uint64_t every = 1;                  // of so many rows one
     std::vector<std::vector<double>> columns; // parameters, then measures
 };

@@ -23,10 +23,13 @@ int checked_threads(int count) {
     return count;
 }
 
-// The memory of steps changes hands; the threads of a world stay with it.
+// The memory of steps changes hands. The threads of a world stay with it, and so does what was laid out for its joints,
+// which holds until they change.
 void exchange(StepScratch& a, StepScratch& b) {
     std::swap(a, b);
     std::swap(a.thread_pool, b.thread_pool);
+    std::swap(a.direct, b.direct);
+    std::swap(a.solver.joint_layouts, b.solver.joint_layouts);
 }
 
 } // namespace
@@ -36,7 +39,6 @@ struct WorldPool::Impl {
 
     void visit(World& world, std::size_t index, int thread, const std::function<void(World&, std::size_t)>& work) {
         StepScratch& scratch = scratches[std::size_t(thread)];
-        scratch.forget_world();
         exchange(world.impl_->step, scratch);
         std::exception_ptr error;
         try {
