@@ -51,7 +51,7 @@ if(CAIRN_APP)
     set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME program)
     install(TARGETS cairn_cli RUNTIME DESTINATION bin)
     if(TARGET cairn_ranks) # which it opens under mpirun
-        install(TARGETS cairn_ranks LIBRARY DESTINATION lib/cairn)
+        install(TARGETS cairn_ranks LIBRARY DESTINATION lib/cairn COMPONENT ranks)
     endif()
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenes DESTINATION share/cairn)
     if(NOT CMAKE_CROSSCOMPILING) # the program prints them
