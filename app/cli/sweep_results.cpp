@@ -107,6 +107,10 @@ std::string sweep_text(const sweep::Plan& plan, const sweep::Summary& summary, c
     const std::vector<sweep::ColumnSummary> columns = summary.columns();
     for (std::size_t i = plan.design.parameters().size(); i < columns.size(); ++i) {
         const sweep::ColumnSummary& c = columns[i];
+        if (c.count == 0) {
+            text += fmt::format("{}: no row has a number\n", c.name);
+            continue;
+        }
         text += fmt::format("{}: {:.6g} to {:.6g}, mean {:.6g}, standard deviation {:.6g}", c.name, c.min, c.max,
                             c.mean, c.deviation);
         text += c.count < summary.rows() ? fmt::format("; {} rows have no number\n", summary.rows() - c.count) : "\n";
