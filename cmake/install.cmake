@@ -50,6 +50,9 @@ if(CAIRN_APP)
     # The program looks for its scenes in ../share, seen from its own folder.
     set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME program)
     install(TARGETS cairn_cli RUNTIME DESTINATION bin)
+    if(TARGET cairn_ranks) # which it opens under mpirun
+        install(TARGETS cairn_ranks LIBRARY DESTINATION lib/cairn COMPONENT ranks)
+    endif()
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenes DESTINATION share/cairn)
     if(NOT CMAKE_CROSSCOMPILING) # the program prints them
         set(pages ${PROJECT_BINARY_DIR}/pages)

@@ -17,9 +17,11 @@ USERS = {
     "src/c_api": {"c_api", "scene"},
     "src/files": {"files"},
     "src/scene": {"files", "scene"},
+    "src/sweep": {"files", "scene", "sweep"},
     "src/validation": {"validation"},
+    "app/ranks": set(),
     "app/viewer": {"files", "viewer"},
-    "app/cli": {"cli", "files", "scene", "validation", "viewer"},
+    "app/cli": {"cli", "files", "scene", "sweep", "validation", "viewer"},
 }
 # Kernel sources are compiled once per instruction set: they see plain data only.
 KERNEL_MAY = {"core", "simd", "math", "bvh", "collision", "kernels"}

@@ -207,6 +207,48 @@ void add_validate(CLI::App& app, ValidateOptions& options) {
     validate->add_flag("--json", options.json, "Print one JSON object");
 }
 
+// "3/8": the third of eight parts.
+void read_shard(const std::string& text, SweepOptions& options) {
+    std::istringstream stream(text);
+    char slash = ' ', rest = ' ';
+    const bool is_whole = static_cast<bool>(stream >> options.shard >> slash >> options.shards) && !(stream >> rest);
+    if (!is_whole || slash != '/' || options.shard < 1 || options.shard > options.shards) {
+        throw CLI::ValidationError("--shard", "must be I/N with I from 1 to N, got " + text);
+    }
+}
+
+void add_sweep(CLI::App& app, SweepOptions& options) {
+    CLI::App* sweep = app.add_subcommand("sweep", "Run a scene many times with other parameters; see docs/sweep.md.");
+    sweep->add_option("plan", options.plan, "What to vary and what to measure (.json)")->required();
+    sweep->add_option("--out", options.out, "The folder for results (default: named after the plan)");
+    sweep
+        ->add_option("--threads", options.threads,
+                     "Number of threads (default: all, or 1 in each process of mpirun; results do not depend on it)")
+        ->check(between(1, 256));
+    sweep->add_flag("--resume", options.resume, "Go on with what is in the folder");
+    sweep
+        ->add_option_function<std::string>(
+            "--shard", [&options](const std::string& text) { read_shard(text, options); },
+            "Run part I of N only, as 3/8; whichever part comes last puts the results together")
+        ->type_name("I/N");
+    auto* check = sweep->add_flag("--check", options.check, "Check the plan only, with its first row");
+    sweep->add_option("--row", options.row, "Run that row only, and print it")->excludes(check);
+    sweep->add_flag("--json", options.json, "Print the summary as one JSON object");
+}
+
+void add_fit(CLI::App& app, FitOptions& options) {
+    CLI::App* fit =
+        app.add_subcommand("fit", "Find parameters with which a scene does what was measured; see docs/sweep.md.");
+    fit->add_option("plan", options.plan, "A plan of `cairn sweep`; what has a range is fitted (.json)")->required();
+    fit->add_option("data", options.data, "Measurements: a row for each experiment (.csv)")->required();
+    fit->add_option("--threads", options.threads, "Number of threads (default: all; results do not depend on it)")
+        ->check(between(1, 256));
+    fit->add_option("--evaluations", options.evaluations,
+                    "At most so many runs of all experiments (default: 300 for each parameter)")
+        ->check(between(1, 1e9));
+    fit->add_flag("--json", options.json, "Print one JSON object");
+}
+
 void add_doctor(CLI::App& app, DoctorOptions& options) {
     CLI::App* doctor = app.add_subcommand("doctor", "Tell what this machine has for Cairn, and what it lacks.");
     doctor->add_flag("--json", options.json, "Print one JSON object");
@@ -228,6 +270,8 @@ CommandLine::CommandLine() : app("Cairn, a rigid-body physics engine.", "cairn")
     add_view(app, view);
     add_scenes(app, scenes);
     add_convert(app, convert);
+    add_sweep(app, sweep);
+    add_fit(app, fit);
     add_validate(app, validate);
     add_doctor(app, doctor);
     add_completion(app, completion);
@@ -238,6 +282,8 @@ int CommandLine::execute() const {
     if (app.got_subcommand("run")) return run_command(run);
     if (app.got_subcommand("scenes")) return scenes_command(scenes);
     if (app.got_subcommand("convert")) return convert_command(convert);
+    if (app.got_subcommand("sweep")) return sweep_command(sweep);
+    if (app.got_subcommand("fit")) return fit_command(fit);
     if (app.got_subcommand("validate")) return validate_command(validate);
     if (app.got_subcommand("doctor")) return doctor_command(doctor);
     if (app.got_subcommand("completion")) return completion_command(completion, app);

@@ -19,6 +19,8 @@ struct CommandLine {
     RunOptions run;
     ScenesOptions scenes;
     ConvertOptions convert;
+    SweepOptions sweep;
+    FitOptions fit;
     ValidateOptions validate;
     ViewOptions view;
     DoctorOptions doctor;

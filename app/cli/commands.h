@@ -7,6 +7,7 @@
 
 #include <cairn/world.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -78,6 +79,27 @@ struct ViewOptions {
 };
 
 int view_command(const ViewOptions& options);
+
+struct SweepOptions {
+    std::filesystem::path plan;
+    std::filesystem::path out;           // a folder; empty: named after the plan
+    std::optional<int> threads;          // all otherwise; one for each process under mpirun
+    std::uint64_t shard = 0, shards = 0; // 0 of 0: all of it; else the part of that number, from 1
+    std::optional<std::uint64_t> row;    // that row alone
+    bool resume = false, check = false, json = false;
+};
+
+// 1 if it is not complete at the end.
+int sweep_command(const SweepOptions& options);
+
+struct FitOptions {
+    std::filesystem::path plan, data;
+    std::optional<int> threads; // all otherwise
+    std::optional<std::uint64_t> evaluations;
+    bool json = false;
+};
+
+int fit_command(const FitOptions& options);
 
 struct ValidateOptions {
     std::vector<std::string> cases; // names or numbers; empty: all

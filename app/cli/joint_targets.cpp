@@ -1,11 +1,11 @@
 #include "cli/joint_targets.h"
 
+#include "files/csv_reader.h"
 #include "scene/gltf_file.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -16,83 +16,7 @@ namespace cairn::cli {
 
 namespace {
 
-constexpr std::size_t max_columns = 10000;
 constexpr double greatest_target = 1e6; // rad or m
-
-// Fields of a table, one after the other. A field in quotes may hold commas, line ends and doubled quotes.
-class TableReader {
-  public:
-    TableReader(std::string_view text, std::string file) : text_(text), file_(std::move(file)) {
-        if (text_.substr(0, 3) == "\xEF\xBB\xBF") text_.remove_prefix(3);
-    }
-    bool at_end() const { return at_ >= text_.size(); }
-
-    std::vector<std::string> row() {
-        std::vector<std::string> fields;
-        line_ = next_line_;
-        for (bool more = true; more;) {
-            if (fields.size() > max_columns) fail(fields.size(), {}, "must be one of at most 10000 columns");
-            fields.push_back(field(fields.size()));
-            more = !at_end() && text_[at_] == ',';
-            if (more) ++at_;
-        }
-        if (!at_end() && text_[at_] == '\r') ++at_;
-        if (!at_end() && text_[at_] == '\n') ++at_;
-        ++next_line_;
-        return fields;
-    }
-
-    // `column` counts from 0.
-    [[noreturn]] void fail(std::size_t column, const std::string& value, const std::string& expected) const {
-        std::string shown;
-        for (const char c : value.substr(0, 60)) shown += c >= ' ' && c <= '~' ? c : '?';
-        throw Error(ErrorCode::invalid_file, fmt::format("{}:{}: column {}", file_, line_, column + 1),
-                    "\"" + shown + "\"", expected);
-    }
-    [[noreturn]] void fail(const std::string& expected) const {
-        throw Error(ErrorCode::invalid_file, fmt::format("{}:{}", file_, line_), {}, expected);
-    }
-
-  private:
-    std::string field(std::size_t column) {
-        while (!at_end() && text_[at_] == ' ') ++at_;
-        if (at_end() || text_[at_] != '"') {
-            const std::size_t end = std::min(text_.find_first_of(",\r\n", at_), text_.size());
-            std::string result(text_.substr(at_, end - at_));
-            at_ = end;
-            result.erase(result.find_last_not_of(" \t") + 1);
-            return result;
-        }
-        std::string result;
-        for (++at_;; ++at_) {
-            if (at_end()) fail(column, result, "must end with a quote");
-            if (text_[at_] == '\n') ++next_line_;
-            if (text_[at_] == '"') {
-                ++at_;
-                if (at_end() || text_[at_] != '"') break;
-            }
-            result += text_[at_];
-        }
-        while (!at_end() && text_[at_] == ' ') ++at_;
-        if (!at_end() && std::string_view(",\r\n").find(text_[at_]) == std::string_view::npos) {
-            fail(column, result, "must have nothing after its quotes");
-        }
-        return result;
-    }
-
-    std::string_view text_;
-    std::string file_;
-    std::size_t at_ = 0;
-    int line_ = 1, next_line_ = 1;
-};
-
-double number_of(const TableReader& reader, std::size_t column, const std::string& field) {
-    double number = 0.0;
-    const char* end = field.data() + field.size();
-    const auto [stop, error] = std::from_chars(field.data(), end, number);
-    if (error != std::errc() || stop != end || !std::isfinite(number)) reader.fail(column, field, "must be a number");
-    return number;
-}
 
 // What acts along the one axis of a hinge or a slider.
 JointControl* control_of(Joint& joint) {
@@ -176,7 +100,7 @@ std::string names_of_joints(const World& world) {
 } // namespace
 
 TargetTable read_targets(std::string_view text, const std::string& file) {
-    TableReader reader(text, file);
+    files::CsvReader reader(text, file);
     if (text.empty()) reader.fail("must have a first line: time, and names of joints");
     TargetTable table;
     table.names = reader.row();
@@ -193,13 +117,13 @@ TargetTable read_targets(std::string_view text, const std::string& file) {
             reader.fail(
                 fmt::format("must have {} fields as the first line, has {}", table.names.size(), fields.size()));
         }
-        const double time = number_of(reader, 0, fields[0]);
+        const double time = reader.number(0, fields[0]);
         if (!table.times.empty() && !(time > table.times.back())) {
             reader.fail(0, fields[0], "must be a later time than that of the line before");
         }
         table.times.push_back(time);
         for (std::size_t i = 1; i < fields.size(); ++i) {
-            const double value = number_of(reader, i, fields[i]);
+            const double value = reader.number(i, fields[i]);
             if (std::fabs(value) > greatest_target) reader.fail(i, fields[i], "must be within 1000000");
             table.values.push_back(value);
         }

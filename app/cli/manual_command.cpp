@@ -76,7 +76,8 @@ The instruction set to use: avx512, avx2, sse2, neon or scalar. Results do not d
 .SH EXIT STATUS
 0, or 1 for what went wrong and for rows of
 .B cairn validate
-that fail, or 2 for a wrong call; each with one line on standard error. A program whose reader has gone away ends by
+that fail, and for sweeps that are not complete, or 2 for a wrong call; each with one line on standard error. A program
+whose reader has gone away ends by
 SIGPIPE. The first interrupt ends a run early, with all of its files; the third ends it at once.
 .SH EXAMPLES
 .nf
@@ -85,6 +86,8 @@ cairn run welcome \-\-video welcome.mp4 \-\-csv welcome.csv
 cairn run tower \-\-csv \- \-\-columns energy | head
 cairn run arm.urdf \-\-fixed\-base \-\-floor \-\-targets poses.csv
 cairn convert rock.obj rock.gltf \-\-density 2600
+cairn sweep plan.json \-\-resume
+mpirun \-n 8 cairn sweep plan.json
 .fi
 )";
 

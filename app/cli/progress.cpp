@@ -46,14 +46,19 @@ ProgressLine::~ProgressLine() {
     if (drawn_) draw("\r\033[K");
 }
 
-std::string ProgressLine::line(std::uint64_t done, double seconds) const {
+std::string ProgressLine::line(std::uint64_t done, double seconds, const std::string& note) const {
     const double share = total_ > 0 ? static_cast<double>(done) / static_cast<double>(total_) : 1.0;
     std::string text = fmt::format(" {:3.0f} %  {}/{} {}", 100.0 * share, done, total_, unit_);
     if (done > 0 && seconds > 0.0) {
         const double rate = static_cast<double>(done) / seconds;
-        if (simulated_ > 0.0) text += fmt::format(", {:.3g} a second ({:.3g} x real time)", rate, rate * simulated_);
+        if (simulated_ > 0.0) {
+            text += fmt::format(", {:.3g} a second ({:.3g} x real time)", rate, rate * simulated_);
+        } else if (rate >= 1.0) {
+            text += fmt::format(", {:.3g} a second", rate);
+        }
         text += fmt::format(", {} left", duration_text(static_cast<double>(total_ - done) / rate));
     }
+    text += note;
     const std::size_t width = terminal_width();
     if (text.size() + 12 < width) { // room for a bar
         const std::size_t bar = std::min<std::size_t>(30, width - text.size() - 4);
@@ -63,12 +68,12 @@ std::string ProgressLine::line(std::uint64_t done, double seconds) const {
     return text.substr(0, width - 1);
 }
 
-void ProgressLine::show(std::uint64_t done) {
+void ProgressLine::show(std::uint64_t done, const std::string& note) {
     const auto now = std::chrono::steady_clock::now();
     if (!on_terminal_ || now < next_) return;
     next_ = now + std::chrono::milliseconds(100);
     drawn_ = true;
-    draw("\r" + line(done, std::chrono::duration<double>(now - start_).count()) + "\033[K");
+    draw("\r" + line(done, std::chrono::duration<double>(now - start_).count(), note) + "\033[K");
 }
 
 } // namespace cairn::cli

@@ -16,10 +16,10 @@ class ProgressLine {
     ~ProgressLine();
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
-    void show(std::uint64_t done);
+    void show(std::uint64_t done, const std::string& note = {}); // which ends the line
 
   private:
-    std::string line(std::uint64_t done, double seconds) const;
+    std::string line(std::uint64_t done, double seconds, const std::string& note) const;
 
     std::uint64_t total_;
     const char* unit_;

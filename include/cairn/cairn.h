@@ -16,6 +16,7 @@
 #include <cairn/triangles.h>
 #include <cairn/version.h>
 #include <cairn/world.h>
+#include <cairn/world_pool.h>
 
 #else
 

@@ -235,6 +235,7 @@ class World {
 
   private:
     friend class Body;
+    friend class WorldPool;
     struct Impl;
     // The memory of the world, as long as it has any.
     class Owned {

@@ -28,6 +28,13 @@ struct StepScratch {
     SolverScratch solver;
     DirectSets direct;
     std::unique_ptr<ThreadPool> thread_pool = std::make_unique<ThreadPool>(1);
+
+    // Before a step of another state: the memory is good for any, but what was laid out for joints holds for the
+    // changes of one world alone.
+    void forget_world() {
+        direct.valid_for = ~std::uint64_t(0);
+        for (JointLayout& layout : solver.joint_layouts) layout.valid_for = ~std::uint64_t(0);
+    }
 };
 
 } // namespace cairn

@@ -424,7 +424,12 @@ void World::restore(const Snapshot& snapshot) {
     fresh->last_definitions = definitions;
     ArchiveReader reader(snapshot.bytes.data() + sizeof header, snapshot.bytes.size() - sizeof header);
     serialize_state(reader, fresh->state, header, [] { return 0; });
-    fresh->step.thread_pool = std::move(impl_->step.thread_pool);
+    if (impl_->failed_call) { // half way through a step, whose memory is in no order
+        fresh->step.thread_pool = std::move(impl_->step.thread_pool);
+    } else {
+        fresh->step = std::move(impl_->step);
+        fresh->step.forget_world();
+    }
     impl_ = std::move(fresh);
 }
 

@@ -101,5 +101,23 @@ TEST(Allocation, MovingPlatformAndRayCastsAllocateNothing) {
     EXPECT_EQ(allocation_count() - before, 0u);
 }
 
+TEST(Allocation, APoolOfWorldsAllocatesNothingOnceItHasRun) {
+    World start;
+    add_ground(start);
+    for (int i = 0; i < 11; ++i) add_crate(start, {1.5 * (i % 4), 0.6 + 1.1 * (i / 4), 0.0});
+    const std::vector<BodyId> crates = start.bodies();
+    for (int i = 1; i < 4; ++i)
+        start.create_joint(start.joint_at(crates[i], crates[i + 1], {1.5 * i - 0.75, 0.6, 0}, {0, 0, 1}, HingeJoint{}));
+    const Snapshot snapshot = start.save();
+    WorldPool pool(snapshot, 200, 2);
+    WorldDef awake = start.settings();
+    awake.enable_sleep = false;
+    pool.for_each([&](World& world, std::size_t) { world.set_settings(awake); });
+    pool.step(1.0f / 60.0f, 240);
+    const std::size_t before = allocation_count();
+    pool.step(1.0f / 60.0f, 30);
+    EXPECT_EQ(allocation_count() - before, 0u);
+}
+
 } // namespace
 } // namespace cairn::test

@@ -51,7 +51,8 @@ TEST_F(CliShell, EveryOptionIsInAllOfThemAndInTheManual) {
     const std::string bash = cairn("completion bash").out, zsh = cairn("completion zsh").out,
                       fish = cairn("completion fish").out, manual = cairn("manual").out;
     int options = 0;
-    for (const char* command : {"run", "view", "scenes", "convert", "validate", "doctor", "completion"}) {
+    for (const char* command :
+         {"run", "view", "scenes", "convert", "sweep", "fit", "validate", "doctor", "completion"}) {
         std::istringstream help(cairn(std::string(command) + " --help").out);
         EXPECT_NE(manual.find(std::string(".SS cairn ") + command), std::string::npos);
         for (std::string line; std::getline(help, line);) {

@@ -1,0 +1,60 @@
+// The part of the program that talks to MPI, as functions of C which the program looks up by their names
+// (cli/ranks.cpp). None is called by two threads at a time.
+#include <mpi.h>
+
+#include <cstdint>
+#include <ctime>
+
+namespace {
+
+MPI_Win window = MPI_WIN_NULL; // of the counter, which lies with rank 0
+
+std::int64_t count_on(MPI_Op operation) {
+    const std::int64_t one = 1;
+    std::int64_t before = 0;
+    MPI_Fetch_and_op(&one, &before, MPI_INT64_T, 0, 0, operation, window);
+    MPI_Win_flush(0, window);
+    return before;
+}
+
+} // namespace
+
+#define CAIRN_RANKS extern "C" __attribute__((visibility("default")))
+
+CAIRN_RANKS void cairn_ranks_begin(int* rank, int* size) {
+    int provided = 0;
+    MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided);
+    MPI_Comm_rank(MPI_COMM_WORLD, rank);
+    MPI_Comm_size(MPI_COMM_WORLD, size);
+    std::int64_t* counter = nullptr;
+    MPI_Win_allocate(*rank == 0 ? sizeof(std::int64_t) : 0, sizeof(std::int64_t), MPI_INFO_NULL, MPI_COMM_WORLD,
+                     &counter, &window);
+    if (*rank == 0) *counter = 0;
+    MPI_Barrier(MPI_COMM_WORLD);
+    MPI_Win_lock_all(MPI_MODE_NOCHECK, window);
+}
+
+// Takes the next number of the counter that all ranks share.
+CAIRN_RANKS std::int64_t cairn_ranks_next() { return count_on(MPI_SUM); }
+
+// How many have been taken. Lets others reach the counter in the meantime.
+CAIRN_RANKS std::int64_t cairn_ranks_taken() { return count_on(MPI_NO_OP); }
+
+// Waits for all ranks, asleep most of the time: others may want the processor.
+CAIRN_RANKS void cairn_ranks_meet() {
+    MPI_Request request;
+    MPI_Ibarrier(MPI_COMM_WORLD, &request);
+    for (int is_done = 0; MPI_Test(&request, &is_done, MPI_STATUS_IGNORE), is_done == 0;) {
+        const timespec pause{0, 2'000'000};
+        nanosleep(&pause, nullptr);
+    }
+}
+
+CAIRN_RANKS void cairn_ranks_end() {
+    MPI_Win_unlock_all(window);
+    MPI_Win_free(&window);
+    MPI_Finalize();
+}
+
+// Ends all ranks.
+CAIRN_RANKS void cairn_ranks_abort(int code) { MPI_Abort(MPI_COMM_WORLD, code); }

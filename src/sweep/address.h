@@ -1,0 +1,28 @@
+// Where a property is: `crate.position.x`, `'Body 1'.friction`, `bodies[3].shapes[0].restitution`, `door.lower`,
+// `car.steering.motor_position`, `world.gravity.y`, `crate.touches.floor`.
+#pragma once
+
+#include "sweep/properties.h"
+
+#include <string>
+
+namespace cairn::sweep {
+
+// One number of a property.
+struct Address {
+    const Property* property = nullptr;
+    Subject subject;
+    std::size_t component = 0;
+
+    double read(const Trial& trial) const {
+        double numbers[4];
+        property->read(trial, subject, numbers);
+        return numbers[component];
+    }
+};
+
+// Looks a path up in a world. Throws Error (invalid_value) whose field is the path: something that is not there, with
+// what is; a name that several bodies or joints have; a vector without a component.
+Address find_address(const World& world, const std::string& path);
+
+} // namespace cairn::sweep
