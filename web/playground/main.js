@@ -12,6 +12,7 @@ const stage = new Stage($('view'));
 let simulation = null;
 let playing = true;
 let list = [];
+let last = null, owed = 0, reported = 0; // of frames: when, in milliseconds, and the seconds that no step has taken yet
 
 function tell(text) {
     $('message').textContent = text;
@@ -66,6 +67,7 @@ async function openFragment() {
 
 function setPlaying(on) {
     playing = on;
+    if (!on) owed = 0; // what was owed when it was paused is not made up for
     $('play').textContent = on ? 'Pause' : 'Play';
 }
 
@@ -80,7 +82,6 @@ function report() {
     $('badge').dataset.state = state;
 }
 
-let last = null, owed = 0, reported = 0;
 function frame(now) {
     const seconds = last === null ? 0 : Math.min((now - last) / 1000, 0.1);
     last = now;
@@ -130,7 +131,7 @@ function bind() {
         const [file] = event.dataTransfer.files;
         if (file) await openFile(file);
     }));
-    const keys = { ' ': 'play', ArrowRight: 'step', r: 'reset', b: 'spawn' };
+    const keys = { ' ': 'play', ArrowRight: 'step', r: 'reset', Delete: 'reset', b: 'spawn' };
     addEventListener('keydown', (event) => {
         if (!keys[event.key] || ['SELECT', 'INPUT', 'BUTTON'].includes(event.target.tagName)) return;
         event.preventDefault();

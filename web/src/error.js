@@ -27,8 +27,11 @@ export function shown(value) {
     return typeof value === 'bigint' ? `${value}n` : String(value);
 }
 
-/** Throws: `field` is `value`, and should be as `expected` says. @returns {never} */
+/**
+ * Throws: `field` is `value`, and should be as `expected` says. Of a wrong state, `value` is a word for it.
+ * @returns {never}
+ */
 export function refuse(field, value, expected, code = 'invalidValue') {
-    const text = shown(value);
+    const text = code === 'wrongState' ? value : shown(value);
     throw new CairnError(code, `${field}: ${expected}, got ${text}`, field, text);
 }

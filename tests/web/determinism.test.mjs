@@ -1,10 +1,10 @@
-// The scenes of the determinism tests, made by calls of the npm package: the same hashes as in native code, and the same
-// handles stay valid. node determinism.mjs FOLDER, of cairn_record_scenes.
+// The scenes of the determinism tests, made by calls of the npm package: the same hashes as in native code. CAIRN_RECORDED_SCENES is the folder that
+// cairn_record_scenes wrote.
 import assert from 'node:assert/strict';
 import { readdir } from 'node:fs/promises';
 import { join, resolve } from 'node:path';
 import { test } from 'node:test';
-import init, { Geometry, World } from '../../web/src/index.js';
+import init, { Geometry, World } from 'cairn-physics';
 
 const folder = resolve(process.env.CAIRN_RECORDED_SCENES);
 await init();
