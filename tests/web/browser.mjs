@@ -8,7 +8,11 @@ const CHROMIUM = process.env.CAIRN_CHROMIUM ?? '/usr/bin/chromium';
 /** Runs `visit(page, address)` with a folder that is served. What goes wrong in the page is an error. */
 export async function inBrowser(folder, visit) {
     const server = await serve(folder);
-    const browser = await puppeteer.launch({ executablePath: CHROMIUM, headless: true, args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'] });
+    const browser = await puppeteer.launch({
+        executablePath: CHROMIUM,
+        headless: true,
+        args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
+    });
     const problems = [];
     try {
         const page = await browser.newPage();
@@ -36,8 +40,8 @@ export async function pictureOf(page, file) {
 }
 
 /**
- * How many different colors a picture has, by the upper four bits of each channel, and which share of it is not of the most frequent
- * one.
+ * How many different colors a picture has, by the upper four bits of each channel, and which share of it is not of the
+ * most frequent one.
  */
 export async function colorsOf(page, base64) {
     return page.evaluate(async (data) => {

@@ -1,5 +1,5 @@
-// A project that has the package from its tarball: bundled by esbuild, checked by the compiler of TypeScript, run in Node and in
-// Chromium, where boxes fall in a picture by three.js.
+// A project that has the package from its tarball: bundled by esbuild, checked by the compiler of TypeScript, run in
+// Node and in Chromium, where boxes fall in a picture by three.js.
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';
 import { cp, mkdir, mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
@@ -20,7 +20,14 @@ before(async () => {
     folder = await mkdtemp(join(tmpdir(), 'cairn-web-'));
     const [tarball] = (await readdir(process.env.CAIRN_WEB)).filter((name) => name.endsWith('.tgz'));
     await mkdir(join(folder, 'node_modules/cairn-physics'), { recursive: true });
-    await run('tar', ['xzf', join(process.env.CAIRN_WEB, tarball), '--strip-components', '1', '-C', join(folder, 'node_modules/cairn-physics')]);
+    await run('tar', [
+        'xzf',
+        join(process.env.CAIRN_WEB, tarball),
+        '--strip-components',
+        '1',
+        '-C',
+        join(folder, 'node_modules/cairn-physics'),
+    ]);
     await cp(join(modules, 'three'), join(folder, 'node_modules/three'), { recursive: true });
     await writeFile(join(folder, 'package.json'), '{ "type": "module" }');
 });
@@ -45,11 +52,14 @@ test('the module is under 900 kB as servers send it', async () => {
 });
 
 test('boxes fall in Node', async () => {
-    await writeFile(join(folder, 'fall.mjs'), `import init, { World } from 'cairn-physics';${FALL}
+    await writeFile(
+        join(folder, 'fall.mjs'),
+        `import init, { World } from 'cairn-physics';${FALL}
 await init();
 const world = fall(World);
 world.step(1 / 60, 600);
-console.log(JSON.stringify(Array.from(world.positions).filter((_, i) => i % 3 === 1)));`);
+console.log(JSON.stringify(Array.from(world.positions).filter((_, i) => i % 3 === 1)));`,
+    );
     const { stdout } = await run('node', ['fall.mjs'], { cwd: folder });
     const heights = JSON.parse(stdout);
     assert.equal(heights.length, 41);
@@ -58,7 +68,9 @@ console.log(JSON.stringify(Array.from(world.positions).filter((_, i) => i % 3 ==
 });
 
 test('boxes fall in a page that esbuild bundled', async () => {
-    await writeFile(join(folder, 'page.js'), `import init, { World } from 'cairn-physics';
+    await writeFile(
+        join(folder, 'page.js'),
+        `import init, { World } from 'cairn-physics';
 import wasm from 'cairn-physics/cairn.wasm';
 import { WorldView } from 'cairn-physics/three';
 import * as THREE from 'three';
@@ -80,10 +92,24 @@ globalThis.look = (steps) => {
     renderer.render(scene, camera);
     return Array.from(world.positions);
 };
-globalThis.ready = true;`);
+globalThis.ready = true;`,
+    );
     const site = join(folder, 'site');
-    await build({ entryPoints: [join(folder, 'page.js')], bundle: true, format: 'esm', minify: true, outdir: site, loader: { '.wasm': 'file' }, external: ['node:*'], logLevel: 'silent' });
-    await writeFile(join(site, 'index.html'), '<!doctype html><link rel="icon" href="data:,"><body style="margin:0"><script type="module" src="page.js"></script>');
+    await build({
+        entryPoints: [join(folder, 'page.js')],
+        bundle: true,
+        format: 'esm',
+        minify: true,
+        outdir: site,
+        loader: { '.wasm': 'file' },
+        external: ['node:*'],
+        logLevel: 'silent',
+    });
+    await writeFile(
+        join(site, 'index.html'),
+        '<!doctype html><link rel="icon" href="data:,"><body style="margin:0">' +
+            '<script type="module" src="page.js"></script>',
+    );
     await inBrowser(site, async (page, address) => {
         await page.goto(address);
         await page.waitForFunction(() => globalThis.ready, { timeout: 30000 });
@@ -99,14 +125,17 @@ globalThis.ready = true;`);
 });
 
 test('the types accept what the package does, and refuse what it refuses', async () => {
-    await writeFile(join(folder, 'good.ts'), `import init, { World, Geometry, CairnError, type BodyDef, type Shape } from 'cairn-physics';
+    await writeFile(
+        join(folder, 'good.ts'),
+        `import init, { World, Geometry, CairnError, type BodyDef, type Shape } from 'cairn-physics';
 await init();
 const def: BodyDef = { type: 'kinematic', position: [0, 1, 2], rotation: { x: 0, y: 0, z: 0, w: 1 }, mass: null };
 const shape: Shape = { kind: 'hull', geometry: Geometry.hull([0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1]) };
 using world = new World({ substeps: 4 });
 const body = world.createBody(def);
 body.addShape(shape, { material: { restitution: 0.5 } });
-const joint = world.createJoint(world.jointAt(body, null, [0, 0, 0], [1, 0, 0], { kind: 'hinge', angle: { motor: null } }));
+const hinge = world.jointAt(body, null, [0, 0, 0], [1, 0, 0], { kind: 'hinge', angle: { motor: null } });
+const joint = world.createJoint(hinge);
 const y: number = body.position.y;
 const hash: bigint = world.stateHash;
 const g: number = world.settings.gravity.z;
@@ -115,17 +144,39 @@ const { positions } = world.readBodies({ positions: new Float64Array(3) });
 world.settings = { ...world.settings, gravity: [0, 0, 0] };
 try { world.step(); } catch (error) { if (error instanceof CairnError && error.code === 'invalidValue') throw error; }
 console.log(y, hash, g, hit, positions, joint);
-`);
-    await writeFile(join(folder, 'bad.ts'), `import { World } from 'cairn-physics';
+`,
+    );
+    await writeFile(
+        join(folder, 'bad.ts'),
+        `import { World } from 'cairn-physics';
 const world = new World();
 world.createBody({ positon: [0, 0, 0] });
 world.createBody({ type: 'floating' });
 world.createBody().addShape({ kind: 'sphere', halfExtents: [1, 1, 1] });
 world.readBodies({ positions: new Float32Array(3) });
 world.body(12);
-`);
-    const check = (file) => run('node', [join(modules, 'typescript/lib/tsc.js'), '--noEmit', '--strict', '--target', 'esnext', '--module', 'nodenext', '--lib', 'esnext,dom', file], { cwd: folder })
-        .then(() => '', (error) => error.stdout);
+`,
+    );
+    const check = (file) =>
+        run(
+            'node',
+            [
+                join(modules, 'typescript/lib/tsc.js'),
+                '--noEmit',
+                '--strict',
+                '--target',
+                'esnext',
+                '--module',
+                'nodenext',
+                '--lib',
+                'esnext,dom',
+                file,
+            ],
+            { cwd: folder },
+        ).then(
+            () => '',
+            (error) => error.stdout,
+        );
     assert.equal(await check('good.ts'), '');
     const wrong = await check('bad.ts');
     for (const line of [3, 4, 5, 6, 7]) assert.match(wrong, new RegExp(`bad\\.ts\\(${line},`), wrong);

@@ -1,5 +1,5 @@
-// The scenes of the determinism tests, made by calls of the npm package: the same hashes as in native code. CAIRN_RECORDED_SCENES is the folder that
-// cairn_record_scenes wrote.
+// The scenes of the determinism tests, made by calls of the npm package: the same hashes as in native code.
+// CAIRN_RECORDED_SCENES is the folder that cairn_record_scenes wrote.
 import assert from 'node:assert/strict';
 import { readdir } from 'node:fs/promises';
 import { join, resolve } from 'node:path';
@@ -22,7 +22,8 @@ for (const file of scenes) {
             assert.ok(handles.has(name), `the scene uses a handle ${name} that no call has given`);
             return handles.get(name);
         };
-        let steps = 0, compared = 0;
+        let steps = 0,
+            compared = 0;
         for (const _ of run(world, { keep, at, Geometry })) {
             ++steps;
             if (hashes[steps] === undefined) continue;

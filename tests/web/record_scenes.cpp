@@ -1,6 +1,6 @@
-// cairn_record_scenes FOLDER: runs the scenes of tests/determinism, and writes for each a JavaScript module that makes the
-// same calls of the npm package: NAME.mjs, with `settings`, `run` (a generator that yields after each step) and `hashes` of the state after
-// the given steps.
+// cairn_record_scenes FOLDER: runs the scenes of tests/determinism, and writes for each a JavaScript module that makes
+// the same calls of the npm package: NAME.mjs, with `settings`, `run` (a generator that yields after each step) and
+// `hashes` of the state after the given steps.
 //
 // The scenes are compiled once more for it, with RecordedWorld in the place of World.
 #include "scenes_of_bodies.cpp"

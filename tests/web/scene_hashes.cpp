@@ -1,5 +1,5 @@
-// cairn_scene_hashes FOLDER: for each scene file in it, its name, title and the hashes of its state after 60, 120, ... 600
-// steps on this machine, as JSON: what the playground compares with.
+// cairn_scene_hashes FOLDER: for each scene file in it, its name, title and the hashes of its state after 60, 120, ...
+// 600 steps on this machine, as JSON: what the playground compares with.
 #include "scene/scene.h"
 
 #include <nlohmann/json.hpp>

@@ -15,23 +15,39 @@ Prints ms a step, the overlap below which 99 % of the touching pairs are at the 
 
 function options() {
     try {
-        const { values } = parseArgs({ options: { scenes: { type: 'string' }, engines: { type: 'string' }, steps: { type: 'string', default: '300' },
-            rounds: { type: 'string', default: '3' }, seconds: { type: 'string', default: '40' }, help: { type: 'boolean' } } });
+        const { values } = parseArgs({
+            options: {
+                scenes: { type: 'string' },
+                engines: { type: 'string' },
+                steps: { type: 'string', default: '300' },
+                rounds: { type: 'string', default: '3' },
+                seconds: { type: 'string', default: '40' },
+                help: { type: 'boolean' },
+            },
+        });
         if (values.help) {
             console.log(USAGE);
             process.exit(0);
         }
         const chosen = (text, all) => {
             const names = text?.split(',') ?? Object.keys(all);
-            for (const name of names) if (!all[name]) throw new TypeError(`there is no ${name}, only ${Object.keys(all).join(', ')}`);
+            for (const name of names)
+                if (!all[name]) throw new TypeError(`there is no ${name}, only ${Object.keys(all).join(', ')}`);
             return names;
         };
         const number = (name) => {
             const value = Number(values[name]);
-            if (!Number.isInteger(value) || value < 1 || value > 100000) throw new TypeError(`--${name} ${values[name]}: must be a whole number from 1 to 100000`);
+            if (!Number.isInteger(value) || value < 1 || value > 100000)
+                throw new TypeError(`--${name} ${values[name]}: must be a whole number from 1 to 100000`);
             return value;
         };
-        return { scenes: chosen(values.scenes, SCENES), engines: chosen(values.engines, ENGINES), steps: number('steps'), rounds: number('rounds'), seconds: number('seconds') };
+        return {
+            scenes: chosen(values.scenes, SCENES),
+            engines: chosen(values.engines, ENGINES),
+            steps: number('steps'),
+            rounds: number('rounds'),
+            seconds: number('seconds'),
+        };
     } catch (error) {
         console.error(`bench: ${error.message}\n${USAGE}`);
         process.exit(2);
@@ -42,7 +58,8 @@ function options() {
 function measure(engine, scene, steps, seconds) {
     const world = engine.make(scene);
     const begin = performance.now();
-    let done = 0, now = begin;
+    let done = 0,
+        now = begin;
     while (done < steps && now - begin < 1000 * seconds) {
         world.step();
         ++done;
@@ -51,10 +68,17 @@ function measure(engine, scene, steps, seconds) {
     const poses = world.poses();
     const lost = isLost(poses);
     world.end();
-    return { ms: (now - begin) / done, done, lost, overlap: lost ? null : overlap(scene, poses), gap: lost ? null : gap(scene, poses) };
+    return {
+        ms: (now - begin) / done,
+        done,
+        lost,
+        overlap: lost ? null : overlap(scene, poses),
+        gap: lost ? null : gap(scene, poses),
+    };
 }
 
-const median = (list) => list.toSorted?.((a, b) => a - b)[list.length >> 1] ?? [...list].sort((a, b) => a - b)[list.length >> 1];
+const median = (list) =>
+    list.toSorted?.((a, b) => a - b)[list.length >> 1] ?? [...list].sort((a, b) => a - b)[list.length >> 1];
 const millimeters = (meters) => (meters === null ? '' : `${(1000 * meters).toPrecision(2)}`);
 
 const { scenes, engines, steps, rounds, seconds } = options();
@@ -62,7 +86,9 @@ if (!engines.includes('cairn')) await ENGINES.cairn(); // it measures the overla
 const loaded = [];
 for (const name of engines) loaded.push(await ENGINES[name]());
 console.log(`Node ${process.version}, ${cpus()[0].model}, ${steps} steps, median of ${rounds} rounds by turns\n`);
-console.log('| scene | engine | ms a step | of the fastest other | 99 % of overlaps below, mm | mean gap of joints, mm |');
+console.log(
+    '| scene | engine | ms a step | of the fastest other | 99 % of overlaps below, mm | mean gap of joints, mm |',
+);
 console.log('|---|---|---|---|---|---|');
 for (const name of scenes) {
     const scene = SCENES[name]();
@@ -80,6 +106,8 @@ for (const name of scenes) {
         const { done, lost, overlap: depth, gap: apart } = runs[i].at(-1);
         const others = Math.min(...times.filter((_, k) => k !== i));
         const note = (done < steps ? ` (${done} steps)` : '') + (lost ? ' (it lost bodies)' : '');
-        console.log(`| ${name} | ${engine.name}${note} | ${times[i].toPrecision(3)} | ${Number.isFinite(others) ? (times[i] / others).toFixed(2) : ''} | ${millimeters(depth)} | ${millimeters(apart)} |`);
+        const ratio = Number.isFinite(others) ? (times[i] / others).toFixed(2) : '';
+        const cells = [name, engine.name + note, times[i].toPrecision(3), ratio, millimeters(depth), millimeters(apart)];
+        console.log(`| ${cells.join(' | ')} |`);
     });
 }

@@ -1,4 +1,5 @@
-// What the playground and the helper for three.js draw, beside what the C API has: triangles of shapes, and their colors.
+// What the playground and the helper for three.js draw, beside what the C API has: triangles of shapes, and their
+// colors.
 #include "c_api/convert.h"
 #include "c_api/support.h"
 
@@ -14,7 +15,8 @@ using namespace cairn::c_api;
 
 extern "C" {
 
-// Triangles in the frame of a shape. Counts are of vertices and of indices; `normals` is null where the triangles are flat.
+// Triangles in the frame of a shape. Counts are of vertices and of indices; `normals` is null where the triangles are
+// flat.
 struct cairn_web_triangles {
     scene::Surface* surface;
     const Vec3 *vertices, *normals;

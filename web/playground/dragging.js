@@ -2,7 +2,9 @@
 import * as THREE from 'three';
 import { springFromFrequency } from 'cairn-physics';
 
-const HERTZ = 3, MOST_ACCELERATION = 300, SPIN_DAMPING = 4;
+const HERTZ = 3,
+    MOST_ACCELERATION = 300,
+    SPIN_DAMPING = 4;
 
 export class Dragging {
     constructor(stage, current) {
@@ -25,10 +27,24 @@ export class Dragging {
         const body = world.body(hit.body);
         const { position, rotation } = body.transform;
         const point = new THREE.Vector3(hit.point.x, hit.point.y, hit.point.z);
-        const local = point.clone().sub(position).applyQuaternion(new THREE.Quaternion(rotation.x, rotation.y, rotation.z, rotation.w).invert());
-        const servo = { kind: 'servo', linear: springFromFrequency(HERTZ, 1), angular: { stiffness: 0, damping: SPIN_DAMPING, isAcceleration: true },
-            maxForce: MOST_ACCELERATION * body.mass, position: [0, 0, 0] };
-        const joint = world.createJoint({ bodyB: body, frameA: { position: point }, frameB: { position: local }, enableCollision: true, joint: servo });
+        const local = point
+            .clone()
+            .sub(position)
+            .applyQuaternion(new THREE.Quaternion(rotation.x, rotation.y, rotation.z, rotation.w).invert());
+        const servo = {
+            kind: 'servo',
+            linear: springFromFrequency(HERTZ, 1),
+            angular: { stiffness: 0, damping: SPIN_DAMPING, isAcceleration: true },
+            maxForce: MOST_ACCELERATION * body.mass,
+            position: [0, 0, 0],
+        };
+        const joint = world.createJoint({
+            bodyB: body,
+            frameA: { position: point },
+            frameB: { position: local },
+            enableCollision: true,
+            joint: servo,
+        });
         simulation.touched = true;
         const plane = new THREE.Plane().setFromNormalAndCoplanarPoint(this.stage.camera.forward, point);
         this.held = { simulation, joint, servo, point, plane };

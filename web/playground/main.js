@@ -12,7 +12,9 @@ const stage = new Stage($('view'));
 let simulation = null;
 let playing = true;
 let list = [];
-let last = null, owed = 0, reported = 0; // of frames: when, in milliseconds, and the seconds that no step has taken yet
+let last = null,
+    owed = 0,
+    reported = 0; // of frames: when, in milliseconds, and the seconds that no step has taken yet
 
 function tell(text) {
     $('message').textContent = text;
@@ -76,7 +78,8 @@ const dragging = new Dragging(stage, () => simulation);
 function report() {
     const { world } = simulation;
     const { bodies, awakeBodies, contacts, times } = world.statistics;
-    $('numbers').textContent = `${bodies} bodies, ${awakeBodies} awake, ${contacts} contacts, ${times.total.toFixed(2)} ms a step`;
+    $('numbers').textContent =
+        `${bodies} bodies, ${awakeBodies} awake, ${contacts} contacts, ${times.total.toFixed(2)} ms a step`;
     const { state, html } = describe(simulation);
     if ($('badge').innerHTML !== html) $('badge').innerHTML = html;
     $('badge').dataset.state = state;
@@ -126,11 +129,14 @@ function bind() {
     });
     addEventListener('hashchange', attempt(openFragment));
     addEventListener('dragover', (event) => event.preventDefault());
-    addEventListener('drop', attempt(async (event) => {
-        event.preventDefault();
-        const [file] = event.dataTransfer.files;
-        if (file) await openFile(file);
-    }));
+    addEventListener(
+        'drop',
+        attempt(async (event) => {
+            event.preventDefault();
+            const [file] = event.dataTransfer.files;
+            if (file) await openFile(file);
+        }),
+    );
     const keys = { ' ': 'play', ArrowRight: 'step', r: 'reset', Delete: 'reset', b: 'spawn' };
     addEventListener('keydown', (event) => {
         if (!keys[event.key] || ['SELECT', 'INPUT', 'BUTTON'].includes(event.target.tagName)) return;
@@ -149,4 +155,11 @@ await attempt(async () => {
     requestAnimationFrame(frame);
 })();
 // For tests, and for the console.
-globalThis.playground = { version, stage, get simulation() { return simulation; }, setPlaying };
+globalThis.playground = {
+    version,
+    stage,
+    get simulation() {
+        return simulation;
+    },
+    setPlaying,
+};

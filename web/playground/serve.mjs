@@ -1,11 +1,21 @@
-// Serves a folder to this machine alone: node serve.mjs FOLDER [PORT]. The headers allow pages threads (SharedArrayBuffer).
+// Serves a folder to this machine alone: node serve.mjs FOLDER [PORT]. The headers allow pages threads
+// (SharedArrayBuffer).
 import { createReadStream } from 'node:fs';
 import { realpath, stat } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { extname, join, sep } from 'node:path';
 
-const TYPES = { '.html': 'text/html; charset=utf-8', '.js': 'text/javascript', '.mjs': 'text/javascript', '.css': 'text/css',
-    '.json': 'application/json', '.gltf': 'model/gltf+json', '.wasm': 'application/wasm', '.svg': 'image/svg+xml', '.png': 'image/png' };
+const TYPES = {
+    '.html': 'text/html; charset=utf-8',
+    '.js': 'text/javascript',
+    '.mjs': 'text/javascript',
+    '.css': 'text/css',
+    '.json': 'application/json',
+    '.gltf': 'model/gltf+json',
+    '.wasm': 'application/wasm',
+    '.svg': 'image/svg+xml',
+    '.png': 'image/png',
+};
 
 /** The server, listening; its address is that of `server.address()`. */
 export async function serve(folder, port = 0) {
@@ -18,11 +28,17 @@ export async function serve(folder, port = 0) {
             let file = await realpath(join(root, decodeURIComponent(pathname)));
             if ((await stat(file)).isDirectory()) file = await realpath(join(file, 'index.html'));
             if (!file.startsWith(root + sep)) return answer(404, 'not found');
-            response.writeHead(200, { 'Content-Type': TYPES[extname(file)] ?? 'application/octet-stream', 'Cache-Control': 'no-cache',
+            response.writeHead(200, {
+                'Content-Type': TYPES[extname(file)] ?? 'application/octet-stream',
+                'Cache-Control': 'no-cache',
                 'Content-Length': (await stat(file)).size,
-                'Cross-Origin-Opener-Policy': 'same-origin', 'Cross-Origin-Embedder-Policy': 'require-corp' });
+                'Cross-Origin-Opener-Policy': 'same-origin',
+                'Cross-Origin-Embedder-Policy': 'require-corp',
+            });
             if (request.method === 'HEAD') return response.end();
-            createReadStream(file).on('error', () => response.destroy()).pipe(response);
+            createReadStream(file)
+                .on('error', () => response.destroy())
+                .pipe(response);
         } catch (error) {
             answer(error.code === 'ENOENT' || error.code === 'ENOTDIR' ? 404 : 400, 'not found');
         }

@@ -11,7 +11,8 @@ export async function toFragment(simulation) {
     let text = '';
     for (let i = 0; i < bytes.length; i += 0x8000) text += String.fromCharCode(...bytes.subarray(i, i + 0x8000));
     const fragment = `#gltf=${btoa(text).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '')}`;
-    if (fragment.length > 1 << 20) throw new TypeError(`the scene is too large for a link: ${fragment.length} characters`);
+    if (fragment.length > 1 << 20)
+        throw new TypeError(`the scene is too large for a link: ${fragment.length} characters`);
     return fragment;
 }
 

@@ -2,7 +2,10 @@
 import { World } from 'cairn-physics';
 
 export class Simulation {
-    /** `scene`: text or bytes of a .gltf or .glb file. `hashes`: by the number of steps, what the state is on other machines. */
+    /**
+     * `scene`: text or bytes of a .gltf or .glb file. `hashes`: by the number of steps, what the state is on other
+     * machines.
+     */
     constructor(scene, { name, hashes = {} }) {
         this.scene = scene;
         this.name = name;
@@ -21,7 +24,8 @@ export class Simulation {
         world.step();
         const steps = Number(world.stepCount);
         const there = this.hashes[steps];
-        if (there && !this.touched) this.compared = { steps, here: world.stateHash.toString(16).padStart(16, '0'), there };
+        if (there && !this.touched)
+            this.compared = { steps, here: world.stateHash.toString(16).padStart(16, '0'), there };
     }
 
     /** From the beginning. */

@@ -2,7 +2,44 @@
 import { Geometry } from 'cairn-physics';
 
 const phi = (1 + Math.sqrt(5)) / 2;
-const icosahedron = [0, 1, phi, 0, 1, -phi, 0, -1, phi, 0, -1, -phi, 1, phi, 0, 1, -phi, 0, -1, phi, 0, -1, -phi, 0, phi, 0, 1, phi, 0, -1, -phi, 0, 1, -phi, 0, -1];
+const icosahedron = [
+    0,
+    1,
+    phi,
+    0,
+    1,
+    -phi,
+    0,
+    -1,
+    phi,
+    0,
+    -1,
+    -phi,
+    1,
+    phi,
+    0,
+    1,
+    -phi,
+    0,
+    -1,
+    phi,
+    0,
+    -1,
+    -phi,
+    0,
+    phi,
+    0,
+    1,
+    phi,
+    0,
+    -1,
+    -phi,
+    0,
+    1,
+    -phi,
+    0,
+    -1,
+];
 
 const SHAPES = {
     box: () => ({ kind: 'box', halfExtents: [0.3, 0.3, 0.3] }),

@@ -32,7 +32,10 @@ export class Stage {
     /** The ray from the camera through the place of a pointer. */
     ray(event) {
         const { left, top, width, height } = this.canvas.getBoundingClientRect();
-        const at = new THREE.Vector2((2 * (event.clientX - left)) / width - 1, 1 - (2 * (event.clientY - top)) / height);
+        const at = new THREE.Vector2(
+            (2 * (event.clientX - left)) / width - 1,
+            1 - (2 * (event.clientY - top)) / height,
+        );
         const caster = new THREE.Raycaster();
         caster.setFromCamera(at, this.eye);
         return caster.ray;
@@ -53,7 +56,14 @@ export class Stage {
         const reach = Math.max(8, this.eye.position.distanceTo(this.controls.target) * 1.2);
         this.sun.target.position.copy(this.controls.target);
         this.sun.position.copy(this.controls.target).add(new THREE.Vector3(0.5, 1, 0.35).multiplyScalar(2 * reach));
-        Object.assign(this.sun.shadow.camera, { left: -reach, right: reach, bottom: -reach, top: reach, near: 0.1, far: 5 * reach });
+        Object.assign(this.sun.shadow.camera, {
+            left: -reach,
+            right: reach,
+            bottom: -reach,
+            top: reach,
+            near: 0.1,
+            far: 5 * reach,
+        });
         this.sun.shadow.camera.updateProjectionMatrix();
         this.resize();
     }

@@ -16,12 +16,23 @@ export class CairnError extends Error {
 }
 
 // In the order of the numbers of cairn_result.
-export const CODES = ['ok', 'invalidValue', 'invalidHandle', 'wrongState', 'invalidFile', 'unsupported', 'io', 'outOfMemory', 'other'];
+export const CODES = [
+    'ok',
+    'invalidValue',
+    'invalidHandle',
+    'wrongState',
+    'invalidFile',
+    'unsupported',
+    'io',
+    'outOfMemory',
+    'other',
+];
 
 // A value of the user's on one short line.
 export function shown(value) {
     if (typeof value === 'string') return JSON.stringify(value.length > 60 ? value.slice(0, 60) + '…' : value);
-    if (Array.isArray(value) || ArrayBuffer.isView(value)) return `${value.constructor.name} of ${value.length ?? value.byteLength}`;
+    if (Array.isArray(value) || ArrayBuffer.isView(value))
+        return `${value.constructor.name} of ${value.length ?? value.byteLength}`;
     if (typeof value === 'object' && value !== null) return value.constructor?.name ?? 'object';
     if (typeof value === 'function') return 'function';
     return typeof value === 'bigint' ? `${value}n` : String(value);

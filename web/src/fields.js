@@ -16,7 +16,8 @@ export function putDouble(at, value, where) {
     M.HEAPF64[at >> 3] = numberOf(value, where);
 }
 export function putU32(at, value, where) {
-    if (!Number.isInteger(value) || value < 0 || value > 0xffffffff) refuse(where, value, 'must be a whole number from 0 to 4294967295');
+    if (!Number.isInteger(value) || value < 0 || value > 0xffffffff)
+        refuse(where, value, 'must be a whole number from 0 to 4294967295');
     M.HEAPU32[at >> 2] = value;
 }
 export const putSize = putU32;
@@ -41,7 +42,8 @@ const AXES = ['x', 'y', 'z', 'w'];
 
 // The components of a vector: an object with x, y, ... or an array of as many numbers.
 function components(value, count, where) {
-    if (typeof value !== 'object' || value === null) refuse(where, value, `must be {${AXES.slice(0, count).join(', ')}} or an array of ${count} numbers`);
+    if (typeof value !== 'object' || value === null)
+        refuse(where, value, `must be {${AXES.slice(0, count).join(', ')}} or an array of ${count} numbers`);
     if (Array.isArray(value) || ArrayBuffer.isView(value)) {
         if (value.length !== count) refuse(where, value, `must have ${count} numbers`);
         return Array.from(value, (x, i) => numberOf(x, `${where}[${i}]`));
@@ -101,15 +103,18 @@ export function getVec2(at) {
     return { x: M.HEAPF32[at >> 2], y: M.HEAPF32[(at >> 2) + 1] };
 }
 export function getVec3(at) {
-    const i = at >> 2, f = M.HEAPF32;
+    const i = at >> 2,
+        f = M.HEAPF32;
     return { x: f[i], y: f[i + 1], z: f[i + 2] };
 }
 export function getQuat(at) {
-    const i = at >> 2, f = M.HEAPF32;
+    const i = at >> 2,
+        f = M.HEAPF32;
     return { x: f[i], y: f[i + 1], z: f[i + 2], w: f[i + 3] };
 }
 export function getPosition(at) {
-    const i = at >> 3, f = M.HEAPF64;
+    const i = at >> 3,
+        f = M.HEAPF64;
     return { x: f[i], y: f[i + 1], z: f[i + 2] };
 }
 export const getDVec3 = getPosition;

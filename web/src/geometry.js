@@ -10,7 +10,8 @@ const SECRET = Symbol('made by Geometry');
 /** The data of a hull, mesh or height field: it never changes, and many shapes may be made of it. */
 export class Geometry {
     constructor(address, secret) {
-        if (secret !== SECRET) refuse('Geometry', 'new', 'is made by Geometry.hull, Geometry.mesh or Geometry.heightField', 'wrongState');
+        if (secret !== SECRET)
+            refuse('Geometry', 'new', 'is made by Geometry.hull, Geometry.mesh or Geometry.heightField', 'wrongState');
         this.address = address;
         lost.register(this, address, this);
     }
@@ -42,13 +43,19 @@ export class Geometry {
     }
 
     get vertices() {
-        return numbersOf(this, 12, M._cairn_geometry_get_vertices, (at, count) => M.HEAPF32.slice(at >> 2, (at >> 2) + 3 * count));
+        return numbersOf(this, 12, M._cairn_geometry_get_vertices, (at, count) =>
+            M.HEAPF32.slice(at >> 2, (at >> 2) + 3 * count),
+        );
     }
     get indices() {
-        return numbersOf(this, 4, M._cairn_geometry_get_indices, (at, count) => M.HEAPU32.slice(at >> 2, (at >> 2) + count));
+        return numbersOf(this, 4, M._cairn_geometry_get_indices, (at, count) =>
+            M.HEAPU32.slice(at >> 2, (at >> 2) + count),
+        );
     }
     get heights() {
-        return numbersOf(this, 4, M._cairn_geometry_get_heights, (at, count) => M.HEAPF32.slice(at >> 2, (at >> 2) + count));
+        return numbersOf(this, 4, M._cairn_geometry_get_heights, (at, count) =>
+            M.HEAPF32.slice(at >> 2, (at >> 2) + count),
+        );
     }
     get droppedTriangles() {
         return oneOf(this, 4, M._cairn_geometry_get_dropped_triangles, fields.getSize);
@@ -60,8 +67,14 @@ export class Geometry {
         const count = oneOf(this, 4, M._cairn_geometry_get_face_count, fields.getSize);
         const mark = enter();
         try {
-            return Array.from({ length: count }, (_, face) => listOf(4, (list, capacity, length) =>
-                M._cairn_geometry_get_face(addressOf(this), face, list, capacity, length), fields.getU32));
+            return Array.from({ length: count }, (_, face) =>
+                listOf(
+                    4,
+                    (list, capacity, length) =>
+                        M._cairn_geometry_get_face(addressOf(this), face, list, capacity, length),
+                    fields.getU32,
+                ),
+            );
         } finally {
             leave(mark);
         }
@@ -69,7 +82,9 @@ export class Geometry {
     get grid() {
         const mark = enter();
         try {
-            const columns = room(4), rows = room(4), spacing = room(8);
+            const columns = room(4),
+                rows = room(4),
+                spacing = room(8);
             check(M._cairn_geometry_get_grid(addressOf(this), columns, rows, spacing));
             return { columns: fields.getInt(columns), rows: fields.getInt(rows), spacing: fields.getVec2(spacing) };
         } finally {
@@ -131,7 +146,8 @@ function indicesOf(list) {
         M.HEAPU32.set(list, at >> 2);
         return [at, list.length];
     }
-    if (!Array.isArray(list)) refuse('indices', list, 'must be an array of whole numbers, a Uint32Array or a Uint16Array');
+    if (!Array.isArray(list))
+        refuse('indices', list, 'must be an array of whole numbers, a Uint32Array or a Uint16Array');
     const at = room(4 * list.length);
     list.forEach((x, i) => fields.putU32(at + 4 * i, x, `indices[${i}]`));
     return [at, list.length];

@@ -22,14 +22,16 @@ export { init };
 
 async function load(source) {
     const module = await compiled(await (source ?? new URL('../dist/cairn.wasm', import.meta.url)));
-    attach(await new Promise((resolve, reject) => {
-        createModule({
-            instantiateWasm(imports, done) {
-                WebAssembly.instantiate(module, imports).then((instance) => done(instance, module), reject);
-                return {};
-            },
-        }).then(resolve, reject);
-    }));
+    attach(
+        await new Promise((resolve, reject) => {
+            createModule({
+                instantiateWasm(imports, done) {
+                    WebAssembly.instantiate(module, imports).then((instance) => done(instance, module), reject);
+                    return {};
+                },
+            }).then(resolve, reject);
+        }),
+    );
 }
 
 async function compiled(source) {
@@ -46,7 +48,13 @@ async function compiled(source) {
 }
 
 async function fromResponse(response) {
-    if (!response.ok) throw new CairnError('io', `${response.url}: cannot be read: status ${response.status}`, response.url, String(response.status));
+    if (!response.ok)
+        throw new CairnError(
+            'io',
+            `${response.url}: cannot be read: status ${response.status}`,
+            response.url,
+            String(response.status),
+        );
     return WebAssembly.compile(await response.arrayBuffer());
 }
 

@@ -22,11 +22,17 @@ function reserve(bytes) {
     return at;
 }
 
-/** Begins a call. What it gives goes to `leave`; calls may be nested, as reading an argument can run code of the user's. */
+/**
+ * Begins a call. What it gives goes to `leave`; calls may be nested, as reading an argument can run code of the user's.
+ */
 export function enter() {
     if (M === null) {
-        throw new CairnError('wrongState', 'cairn-physics: must be initialized first (await init()), got a call before that',
-                             'init', 'not done');
+        throw new CairnError(
+            'wrongState',
+            'cairn-physics: must be initialized first (await init()), got a call before that',
+            'init',
+            'not done',
+        );
     }
     return [top, taken.length];
 }
@@ -62,8 +68,12 @@ export function placed(bytes, put) {
 /** Throws what a call that did not return CAIRN_OK had to say. */
 export function check(result) {
     if (result === 0) return;
-    throw new CairnError(CODES[result] ?? 'other', stringAt(M._cairn_last_error()), camelField(stringAt(M._cairn_last_error_field())),
-                         stringAt(M._cairn_last_error_value()));
+    throw new CairnError(
+        CODES[result] ?? 'other',
+        stringAt(M._cairn_last_error()),
+        camelField(stringAt(M._cairn_last_error_field())),
+        stringAt(M._cairn_last_error_value()),
+    );
 }
 
 // The engine names members as C does.
@@ -118,7 +128,8 @@ export function boolOf(value, where) {
 
 /** The lower and the upper half of a number of 64 bits. */
 export function u64Of(value, where) {
-    if (typeof value === 'number' && Number.isSafeInteger(value) && value >= 0) return [value % 0x100000000 | 0, Math.floor(value / 0x100000000) | 0];
+    if (typeof value === 'number' && Number.isSafeInteger(value) && value >= 0)
+        return [value % 0x100000000 | 0, Math.floor(value / 0x100000000) | 0];
     if (typeof value !== 'bigint' || value < 0n || value > ALL_LAYERS) {
         refuse(where, value, 'must be a bigint from 0 to 2^64 - 1, or a whole number from 0 to 2^53 - 1');
     }

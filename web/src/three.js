@@ -6,11 +6,13 @@ const FIXED = 0xb8bcc4;
 
 /**
  * Draws the shapes of a world. `THREE` is the module of three.js, so that there is one copy of it in the page.
- * `group` goes into the scene; `sync` puts everything where it is now. Call `rebuild` after bodies or shapes came or went.
+ * `group` goes into the scene; `sync` puts everything where it is now. Call `rebuild` after bodies or shapes came or
+ * went.
  */
 export class WorldView {
     constructor(THREE, world) {
-        if (typeof THREE?.InstancedMesh !== 'function') refuse('WorldView.THREE', THREE, 'must be the module of three.js');
+        if (typeof THREE?.InstancedMesh !== 'function')
+            refuse('WorldView.THREE', THREE, 'must be the module of three.js');
         this.THREE = THREE;
         this.world = world;
         this.group = new THREE.Group();
@@ -55,8 +57,13 @@ export class WorldView {
             else color.setHex(fixed ? FIXED : PALETTE[index % PALETTE.length]);
             mesh.setColorAt(i, color);
         });
-        const local = parts.map(({ def }) => new THREE.Matrix4().compose(vectorOf(THREE, def.position),
-            new THREE.Quaternion(def.rotation.x, def.rotation.y, def.rotation.z, def.rotation.w), new THREE.Vector3(1, 1, 1)));
+        const local = parts.map(({ def }) =>
+            new THREE.Matrix4().compose(
+                vectorOf(THREE, def.position),
+                new THREE.Quaternion(def.rotation.x, def.rotation.y, def.rotation.z, def.rotation.w),
+                new THREE.Vector3(1, 1, 1),
+            ),
+        );
         this.meshes.push({ mesh, parts, local });
         this.group.add(mesh);
     }
@@ -65,7 +72,10 @@ export class WorldView {
     sync() {
         const { THREE, positions, rotations } = this;
         this.world.readBodies({ positions, rotations });
-        const pose = new THREE.Matrix4(), place = new THREE.Vector3(), turn = new THREE.Quaternion(), one = new THREE.Vector3(1, 1, 1);
+        const pose = new THREE.Matrix4(),
+            place = new THREE.Vector3(),
+            turn = new THREE.Quaternion(),
+            one = new THREE.Vector3(1, 1, 1);
         for (const { mesh, parts, local } of this.meshes) {
             parts.forEach(({ index }, i) => {
                 place.fromArray(positions, 3 * index);

@@ -82,14 +82,16 @@ export class World extends WorldCalls {
     constructor(definition = {}) {
         super();
         this.address = 0;
-        this.adopt(during(() => {
-            const def = room(values.WORLD_DEF_BYTES);
-            M._cairn_default_world_def(def);
-            values.putWorldDef(def, definition, 'WorldDef');
-            const out = room(4);
-            check(M._cairn_world_create(def, out));
-            return M.HEAPU32[out >> 2];
-        }));
+        this.adopt(
+            during(() => {
+                const def = room(values.WORLD_DEF_BYTES);
+                M._cairn_default_world_def(def);
+                values.putWorldDef(def, definition, 'WorldDef');
+                const out = room(4);
+                check(M._cairn_world_create(def, out));
+                return M.HEAPU32[out >> 2];
+            }),
+        );
         this.timeStep = 1 / 60;
     }
 
@@ -102,12 +104,19 @@ export class World extends WorldCalls {
 
     static load(bytes, name = 'scene') {
         return during(() => {
-            const data = typeof bytes === 'string' ? new TextEncoder().encode(bytes) : bytes instanceof ArrayBuffer ? new Uint8Array(bytes) : bytes;
-            if (!(data instanceof Uint8Array)) refuse('bytes', bytes, 'must be a Uint8Array, an ArrayBuffer or a string');
+            const data =
+                typeof bytes === 'string'
+                    ? new TextEncoder().encode(bytes)
+                    : bytes instanceof ArrayBuffer
+                      ? new Uint8Array(bytes)
+                      : bytes;
+            if (!(data instanceof Uint8Array))
+                refuse('bytes', bytes, 'must be a Uint8Array, an ArrayBuffer or a string');
             const at = room(data.length);
             M.HEAPU8.set(data, at);
             const text = textAt(name, 'name');
-            const out = room(4), step = room(4);
+            const out = room(4),
+                step = room(4);
             check(M._cairn_scene_load_from_memory(at, data.length, text, out, step));
             const world = Object.create(World.prototype);
             world.address = 0;
@@ -118,7 +127,9 @@ export class World extends WorldCalls {
     }
 
     saveScene() {
-        return during(() => textOf((text, capacity, length) => M._cairn_scene_save_to_memory(use(this), text, capacity, length)));
+        return during(() =>
+            textOf((text, capacity, length) => M._cairn_scene_save_to_memory(use(this), text, capacity, length)),
+        );
     }
 
     createBody(definition = {}) {
@@ -174,8 +185,12 @@ export class World extends WorldCalls {
 
     jointAt(bodyA, bodyB, anchor, axis, joint) {
         return during(() => {
-            const a = handleOf(bodyA, 'bodyA'), b = handleOf(bodyB, 'bodyB');
-            const at = room(24), along = room(12), kind = room(values.JOINT_BYTES), out = room(values.JOINT_DEF_BYTES);
+            const a = handleOf(bodyA, 'bodyA'),
+                b = handleOf(bodyB, 'bodyB');
+            const at = room(24),
+                along = room(12),
+                kind = room(values.JOINT_BYTES),
+                out = room(values.JOINT_DEF_BYTES);
             fields.putPosition(at, anchor, 'anchor');
             fields.putVec3(along, axis, 'axis');
             values.putJoint(kind, joint, 'Joint');
@@ -187,13 +202,17 @@ export class World extends WorldCalls {
 
     jointDef(joint) {
         return during(() => {
-            const id = handleOf(joint, 'joint'), out = room(values.JOINT_DEF_BYTES);
+            const id = handleOf(joint, 'joint'),
+                out = room(values.JOINT_DEF_BYTES);
             M._cairn_default_joint_def(out);
             check(M._cairn_world_get_joint_def(use(this), ...id, out));
             const def = values.getJointDef(out);
-            def.name = textOf((text, capacity, length) => M._cairn_joint_get_name(use(this), ...id, text, capacity, length));
+            def.name = textOf((text, capacity, length) =>
+                M._cairn_joint_get_name(use(this), ...id, text, capacity, length),
+            );
             if (def.joint.kind === 'general') {
-                const list = (size, call, read) => listOf(size, (at, capacity, count) => call(use(this), ...id, at, capacity, count), read);
+                const list = (size, call, read) =>
+                    listOf(size, (at, capacity, count) => call(use(this), ...id, at, capacity, count), read);
                 def.joint.limits = list(values.JOINT_LIMIT_BYTES, M._cairn_joint_get_limits, values.getJointLimit);
                 def.joint.drives = list(values.JOINT_DRIVE_BYTES, M._cairn_joint_get_drives, values.getJointDrive);
             }
@@ -203,18 +222,28 @@ export class World extends WorldCalls {
 
     readBodies(arrays) {
         during(() => {
-            const names = Object.keys(arrays ?? refuse('arrays', arrays, 'must be an object')).filter((name) => arrays[name] !== undefined);
+            const names = Object.keys(arrays ?? refuse('arrays', arrays, 'must be an object')).filter(
+                (name) => arrays[name] !== undefined,
+            );
             const count = this.bodyCount;
             for (const name of names) {
-                const column = COLUMNS[name] ?? refuse(`arrays.${name}`, name, `must be one of ${Object.keys(COLUMNS).join(', ')}`);
-                if (!(arrays[name] instanceof column.kind)) refuse(`arrays.${name}`, arrays[name], `must be a ${column.kind.name}`);
+                const column =
+                    COLUMNS[name] ??
+                    refuse(`arrays.${name}`, name, `must be one of ${Object.keys(COLUMNS).join(', ')}`);
+                if (!(arrays[name] instanceof column.kind))
+                    refuse(`arrays.${name}`, arrays[name], `must be a ${column.kind.name}`);
                 if (arrays[name].length !== count * column.components) {
-                    refuse(`arrays.${name}`, arrays[name], `must have ${count * column.components} numbers, ${column.components} for each of ${count} bodies`);
+                    refuse(
+                        `arrays.${name}`,
+                        arrays[name],
+                        `must have ${count * column.components} numbers, ${column.components} of each body`,
+                    );
                 }
             }
             const table = room(values.BODY_ARRAYS_BYTES);
             M._cairn_default_body_arrays(table);
-            for (const name of names) M.HEAPU32[(table + values.BODY_ARRAYS_OFFSETS[name]) >> 2] = room(arrays[name].byteLength);
+            for (const name of names)
+                M.HEAPU32[(table + values.BODY_ARRAYS_OFFSETS[name]) >> 2] = room(arrays[name].byteLength);
             check(M._cairn_world_read_bodies(use(this), 0, count, table));
             for (const name of names) {
                 const at = M.HEAPU32[(table + values.BODY_ARRAYS_OFFSETS[name]) >> 2];
@@ -261,7 +290,8 @@ export class World extends WorldCalls {
     }
     shapeColor(shape) {
         return during(() => {
-            const color = room(12), found = room(1);
+            const color = room(12),
+                found = room(1);
             check(M._cairn_web_shape_color(use(this), ...handleOf(shape, 'shape'), color, found));
             return fields.getBool(found) ? fields.getVec3(color) : null;
         });
@@ -292,7 +322,8 @@ export function springFromFrequency(hertz, dampingRatio) {
     return during(() => {
         const spring = room(values.JOINT_SPRING_BYTES);
         if (!(numberOf(hertz, 'hertz') > 0 && Number.isFinite(hertz))) refuse('hertz', hertz, 'must be > 0 and finite');
-        if (!(numberOf(dampingRatio, 'dampingRatio') >= 0 && Number.isFinite(dampingRatio))) refuse('dampingRatio', dampingRatio, 'must be >= 0 and finite');
+        if (!(numberOf(dampingRatio, 'dampingRatio') >= 0 && Number.isFinite(dampingRatio)))
+            refuse('dampingRatio', dampingRatio, 'must be >= 0 and finite');
         M._cairn_spring_from_frequency(spring, hertz, dampingRatio);
         return values.getJointSpring(spring);
     });
