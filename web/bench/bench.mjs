@@ -77,8 +77,7 @@ function measure(engine, scene, steps, seconds) {
     };
 }
 
-const median = (list) =>
-    list.toSorted?.((a, b) => a - b)[list.length >> 1] ?? [...list].sort((a, b) => a - b)[list.length >> 1];
+const median = (list) => [...list].sort((a, b) => a - b)[list.length >> 1];
 const millimeters = (meters) => (meters === null ? '' : `${(1000 * meters).toPrecision(2)}`);
 
 const { scenes, engines, steps, rounds, seconds } = options();
@@ -107,7 +106,8 @@ for (const name of scenes) {
         const others = Math.min(...times.filter((_, k) => k !== i));
         const note = (done < steps ? ` (${done} steps)` : '') + (lost ? ' (it lost bodies)' : '');
         const ratio = Number.isFinite(others) ? (times[i] / others).toFixed(2) : '';
-        const cells = [name, engine.name + note, times[i].toPrecision(3), ratio, millimeters(depth), millimeters(apart)];
+        const quality = [millimeters(depth), millimeters(apart)];
+        const cells = [name, engine.name + note, times[i].toPrecision(3), ratio, ...quality];
         console.log(`| ${cells.join(' | ')} |`);
     });
 }
