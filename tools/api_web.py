@@ -273,7 +273,23 @@ def calls(table):
     return text
 
 
+def call_list(table):
+    """The calls that are made from the table, with the types of their arguments: what tests/web/wrong_calls.test.mjs spoils."""
+    text = TOP + "export const ENUMS = " + repr(sorted(table.enums)) + ";\nexport const CALLS = [\n"
+    for owner in ("World", "Body"):
+        own = setters(table, owner)
+        for function in methods(table, owner):
+            if function.method in BY_HAND or is_property(function):
+                continue
+            is_setter = function in own.values()
+            name = camel(function.method.removeprefix("set_") if is_setter else function.method)
+            types = [a.type for a in function.args if not (owner == "Body" and function.owner == "World" and a.type == "BodyId")]
+            text += f"    {{ owner: '{owner}', name: '{name}', isSetter: {str(is_setter).lower()}, types: {types} }},\n"
+    return text + "];\n"
+
+
 def files(table):
+    yield "tests/web/generated/calls.mjs", call_list(table)
     yield "web/module/layout.cpp", checks(table)
     yield "web/module/exports.txt", exports(table)
     yield "web/src/generated/values.js", values(table)

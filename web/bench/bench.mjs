@@ -10,8 +10,9 @@ const USAGE = `usage: ./dev bench --web [--scenes NAME,...] [--engines NAME,...]
   --engines   of ${Object.keys(ENGINES).join(', ')} (all)
   --steps     of 1/60 s (300)
   --rounds    of which the median is taken (3)
-  --seconds   after which a run ends early, of which the mean is taken then, and which is not repeated (40)
-Prints ms of the processor a step, the overlap below which 99 % of the touching pairs are at the end, and for joints the mean gap.`;
+  --seconds   after which a run ends early, and is not repeated (40)
+Prints ms of the processor a step, and of the state at the end the overlap below which 99 % of the touching pairs are,
+or the mean gap of its joints.`;
 
 function options() {
     try {

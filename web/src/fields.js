@@ -40,22 +40,28 @@ export function putGeometry(at, value, where) {
 
 const AXES = ['x', 'y', 'z', 'w'];
 
-// The components of a vector: an object with x, y, ... or an array of as many numbers.
-function components(value, count, where) {
-    if (typeof value !== 'object' || value === null)
+// Writes the components of a vector: an object with x, y, ... or an array of as many numbers.
+function putComponents(memory, first, value, count, where) {
+    if (typeof value !== 'object' || value === null) {
         refuse(where, value, `must be {${AXES.slice(0, count).join(', ')}} or an array of ${count} numbers`);
-    if (Array.isArray(value) || ArrayBuffer.isView(value)) {
-        if (value.length !== count) refuse(where, value, `must have ${count} numbers`);
-        return Array.from(value, (x, i) => numberOf(x, `${where}[${i}]`));
     }
-    return AXES.slice(0, count).map((axis) => numberOf(value[axis], `${where}.${axis}`));
+    const isArray = Array.isArray(value) || ArrayBuffer.isView(value);
+    if (isArray && value.length !== count) refuse(where, value, `must have ${count} numbers`);
+    const numbers = [0, 0, 0, 0]; // to read what is the user's may run code that moves the memory
+    for (let i = 0; i < count; ++i) {
+        const x = isArray ? value[i] : value[AXES[i]];
+        if (typeof x !== 'number') refuse(isArray ? `${where}[${i}]` : `${where}.${AXES[i]}`, x, 'must be a number');
+        numbers[i] = x;
+    }
+    const view = M[memory];
+    for (let i = 0; i < count; ++i) view[first + i] = numbers[i];
 }
 
 function putFloats(at, value, count, where) {
-    M.HEAPF32.set(components(value, count, where), at >> 2);
+    putComponents('HEAPF32', at >> 2, value, count, where);
 }
 function putDoubles(at, value, where) {
-    M.HEAPF64.set(components(value, 3, where), at >> 3);
+    putComponents('HEAPF64', at >> 3, value, 3, where);
 }
 export function putVec2(at, value, where) {
     putFloats(at, value, 2, where);
