@@ -78,7 +78,7 @@ export function check(result) {
 
 // The engine names members as C does.
 function camelField(field) {
-    return field.replace(/_([a-z])/g, (_, letter) => letter.toUpperCase());
+    return field.replaceAll('::', '.').replace(/_([a-z])/g, (_, letter) => letter.toUpperCase());
 }
 
 /** The address of a world, if it has not been disposed of. */
