@@ -146,7 +146,7 @@ const wrong = [
         (w) => (w.settings = { substeps: 0 }),
         { code: 'invalidValue', field: 'WorldDef.substeps', value: '0' },
     ],
-    ['more threads than one', (w) => (w.threads = 2), { code: 'unsupported', field: 'World.setThreads count', value: '2' }],
+    ['a second thread', (w) => (w.threads = 2), { code: 'unsupported', field: 'World.setThreads count', value: '2' }],
 ];
 for (const [name, call, expected] of wrong) {
     test(`${name} is refused`, () => {

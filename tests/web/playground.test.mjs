@@ -150,6 +150,21 @@ test('a shared scene is the same for who opens the link', () =>
         assert.match(await textOf(page, 'badge'), /No native run|^$/);
     }));
 
+test('a file of the visitor opens, and one that is no scene is refused while the other goes on', () =>
+    inBrowser(folder, async (page, address) => {
+        await page.goto(`${address}#scene=01_open_plane`);
+        await stepped(page, 5);
+        const input = await page.$('#file');
+        await input.uploadFile(join(folder, 'scenes/12_t_handles.gltf'));
+        await page.waitForFunction(() => globalThis.playground.simulation.title === 'T-handles', { timeout: 20000 });
+        await stepped(page, 3);
+        await input.uploadFile(join(folder, 'style.css'));
+        await page.waitForFunction(() => document.getElementById('message').textContent !== '', { timeout: 20000 });
+        assert.match(await textOf(page, 'message'), /style\.css/);
+        const steps = await page.evaluate(() => Number(globalThis.playground.simulation.world.stepCount));
+        await stepped(page, steps + 5);
+    }));
+
 for (const [name, fragment] of [
     ['a damaged link', '#gltf=AAAA'],
     ['an unknown scene', '#scene=99_nothing'],
