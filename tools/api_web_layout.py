@@ -104,9 +104,13 @@ def checks(table):
     return text
 
 
+# A page has no files: it has scenes in memory.
+WITH_FILES = {"scene_load", "scene_save"}
+
+
 def exports(table):
     """The functions of the module that JavaScript calls, as Emscripten's linker wants them."""
-    names = [f"_cairn_{function.name}" for function in table.functions]
+    names = [f"_cairn_{function.name}" for function in table.functions if function.name not in WITH_FILES]
     names += [f"_cairn_default_{snake_name}" for snake_name in default_names(table)]
     names += ["_cairn_web_shape_color", "_cairn_web_shape_triangles", "_cairn_web_triangles_release", "_free", "_malloc"]
     return "\n".join(sorted(names)) + "\n"
