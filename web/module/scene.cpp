@@ -1,4 +1,4 @@
-// What the playground and the helper for three.js draw, beside what the C API has: triangles of shapes, and their
+// What the playground and the meshes for three.js show, beside what the C API has: triangles of shapes, and their
 // colors.
 #include "c_api/convert.h"
 #include "c_api/support.h"
