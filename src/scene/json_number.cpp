@@ -13,7 +13,7 @@ namespace {
 // The fewest digits that name a float, with an exponent; returns their end. Emscripten's library has no std::to_chars
 // of floating point numbers; what it prints does not depend on a locale, and with 9 digits names every float.
 char* write_digits(char (&digits)[32], float value) {
-#ifdef __cpp_lib_to_chars
+#ifndef __EMSCRIPTEN__
     return std::to_chars(digits, digits + sizeof digits, value, std::chars_format::scientific).ptr;
 #else
     int length = 0;
