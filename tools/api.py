@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Makes from the table of the API (api/) what follows from it: the C API and the glue and type stubs of Python.
+"""Makes from the table of the API (api/) what follows from it: the C API, and the glue and types of Python and of the
+npm package.
 
 usage: tools/api.py           writes the files
        tools/api.py --check   writes nothing: exit status 1 if a file is not what would be written, or the table does not
@@ -13,6 +14,9 @@ import api_c_source
 import api_c_wrong_calls
 import api_python
 import api_table
+import api_web
+import api_web_recorder
+import api_web_types
 
 
 def files(table):
@@ -46,6 +50,9 @@ def files(table):
         if text:
             yield f"python/cairn/_types/{group}.py", text
     yield "python/cairn/_cairn.pyi", api_python.stubs(table)
+    yield from api_web.files(table)
+    yield "web/src/index.d.ts", api_web_types.types(table)
+    yield "tests/web/generated/recorded_world.h", api_web_recorder.recorder(table)
     yield "tests/c_api/wrong_calls.c", api_c_wrong_calls.program(table)
 
 

@@ -4,15 +4,34 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 namespace cairn::scene {
+
+namespace {
+
+// The fewest digits that name a float, with an exponent; returns their end. Emscripten's library has no std::to_chars
+// of floating point numbers; what it prints does not depend on a locale, and with 9 digits names every float.
+char* write_digits(char (&digits)[32], float value) {
+#ifndef __EMSCRIPTEN__
+    return std::to_chars(digits, digits + sizeof digits, value, std::chars_format::scientific).ptr;
+#else
+    int length = 0;
+    for (int after_point = 0; after_point <= 8; ++after_point) {
+        length = std::snprintf(digits, sizeof digits, "%.*e", after_point, static_cast<double>(value));
+        if (std::strtof(digits, nullptr) == value) break;
+    }
+    return digits + length;
+#endif
+}
+
+} // namespace
 
 double shortest(float value) {
     if (value == 0.0f) return 0.0;
     char digits[32];
-    const std::to_chars_result end =
-        std::to_chars(digits, digits + sizeof digits, value, std::chars_format::scientific);
-    const double decimal = nlohmann::json::parse(digits, end.ptr).get<double>();
+    const char* const end = write_digits(digits, value);
+    const double decimal = nlohmann::json::parse(static_cast<const char*>(digits), end).get<double>();
     // Reading rounds twice, to double and then to float, which in principle may end one float away.
     return static_cast<float>(decimal) == value ? decimal : static_cast<double>(value);
 }

@@ -7,19 +7,15 @@
 #include "scene/joints.h"
 #include "scene/json_number.h"
 #include "scene/mass_sum.h"
-#include "scene/mjcf.h"
 #include "scene/model_body.h"
+#include "scene/models.h"
 #include "scene/node_graph.h"
 #include "scene/node_transform.h"
 #include "scene/scene.h"
-#include "scene/sdf.h"
 #include "scene/spelling.h"
-#include "scene/urdf.h"
-#include "scene/usd.h"
 #include "scene/view.h"
 #include "scene/visuals.h"
 #include "scene/world_settings.h"
-#include "scene/xml_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -407,14 +403,7 @@ class Builder {
 
 Scene load_bytes(std::span<const std::byte> bytes, const std::string& name,
                  const std::optional<std::filesystem::path>& folder, const LoadOptions& options) {
-    if (is_xml(bytes)) {
-        const std::string root = root_tag(bytes);
-        return (root == "mujoco" ? load_mjcf : root == "sdf" ? load_sdf : load_urdf)(bytes, name, folder, options);
-    }
-    if (options.fixed_base) {
-        throw Error(ErrorCode::unsupported, name, {}, "must be a robot in URDF, MJCF or SDF for its base to be fixed");
-    }
-    if (usd_kind(bytes) != UsdKind::none) return load_usd(bytes, name, options);
+    if (std::optional<Scene> model = load_model(bytes, name, folder, options)) return std::move(*model);
     const GltfFile gltf = parse_gltf(bytes, name);
     const Value document(gltf.json, name);
     check_document(document);

@@ -3,6 +3,7 @@
 #include "scene/document.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <numeric>
 
@@ -111,6 +112,9 @@ const std::map<std::string, Kind>& kinds() {
     return all;
 }
 
+// Elements of a list that is in memory already.
+constexpr std::size_t any_number = std::numeric_limits<std::size_t>::max();
+
 class Speller {
   public:
     explicit Speller(std::vector<std::string>& warnings) : warnings_(warnings) {}
@@ -118,7 +122,7 @@ class Speller {
     // What is no object, or no list of them, is refused by those who read it.
     void check(const Value& value, const char* name) {
         if (value.is_array()) {
-            const std::size_t count = value.size(std::size_t{1} << 32, "elements");
+            const std::size_t count = value.size(any_number, "elements");
             for (std::size_t i = 0; i < count; ++i) check(value[i], name);
             return;
         }
@@ -194,7 +198,7 @@ void check_spelling(const Value& document, const std::optional<Value>& scene, st
     speller.check_extensions(document, {{"KHR_physics_rigid_bodies", "physics"}, {"KHR_implicit_shapes", "shapes"}});
     if (scene) speller.check_extensions(*scene, {});
     const auto nodes = document.find("nodes");
-    const std::size_t count = nodes && nodes->is_array() ? nodes->size(std::size_t{1} << 32, "nodes") : 0;
+    const std::size_t count = nodes && nodes->is_array() ? nodes->size(any_number, "nodes") : 0;
     for (std::size_t i = 0; i < count; ++i) {
         speller.check_extras((*nodes)[i]);
         speller.check_extensions((*nodes)[i], {{"KHR_physics_rigid_bodies", "node"}, {"CAIRN_body", "CAIRN_body"}});

@@ -41,12 +41,6 @@ std::string printable(std::string_view text, std::size_t most) {
     return result;
 }
 
-bool is_xml(std::span<const std::byte> bytes) {
-    const std::string_view text = text_of_bytes(bytes);
-    const std::size_t first = text.find_first_not_of(" \t\r\n");
-    return first != std::string_view::npos && text[first] == '<';
-}
-
 std::string root_tag(std::span<const std::byte> bytes) {
     std::string_view text = text_of_bytes(bytes);
     for (;;) {

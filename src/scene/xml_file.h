@@ -20,9 +20,6 @@
 
 namespace cairn::scene {
 
-// Whether bytes look like XML: the first character that is no space is a "<".
-bool is_xml(std::span<const std::byte> bytes);
-
 // The name of the first element, without taking the file apart; empty if there is none.
 std::string root_tag(std::span<const std::byte> bytes);
 

@@ -1,9 +1,11 @@
-// SSE2, NEON and WASM SIMD128 backend: a pair of 16-byte compiler vectors. Only the square root and the mask
-// bits need an intrinsic. (32-byte compiler vectors would be three to five times slower with gcc 12 on SSE2.)
+// SSE2, NEON and WASM SIMD128 backend: a pair of 16-byte compiler vectors. Only the square root, the mask bits and
+// choices need an intrinsic. (32-byte compiler vectors would be three to five times slower with gcc 12 on SSE2.)
 #pragma once
 
 #if defined(__SSE2__)
 #include <emmintrin.h>
+#elif defined(__wasm_simd128__)
+#include <wasm_simd128.h>
 #endif
 
 namespace cairn::CAIRN_ISA {
@@ -21,6 +23,8 @@ struct mask8 {
 CAIRN_INLINE f32x4 sqrt_half(f32x4 x) {
 #if defined(__SSE2__)
     return (f32x4)_mm_sqrt_ps((__m128)x);
+#elif defined(__wasm_simd128__)
+    return (f32x4)wasm_f32x4_sqrt((v128_t)x);
 #else
     return f32x4{__builtin_sqrtf(x[0]), __builtin_sqrtf(x[1]), __builtin_sqrtf(x[2]), __builtin_sqrtf(x[3])};
 #endif
@@ -28,11 +32,19 @@ CAIRN_INLINE f32x4 sqrt_half(f32x4 x) {
 CAIRN_INLINE int bits_half(i32x4 m) {
 #if defined(__SSE2__)
     return _mm_movemask_ps((__m128)m);
+#elif defined(__wasm_simd128__)
+    return int(wasm_i32x4_bitmask((v128_t)m));
 #else
     return (m[0] & 1) | (m[1] & 2) | (m[2] & 4) | (m[3] & 8);
 #endif
 }
-CAIRN_INLINE f32x4 select_half(i32x4 m, f32x4 x, f32x4 y) { return (f32x4)((m & (i32x4)x) | (~m & (i32x4)y)); }
+CAIRN_INLINE f32x4 select_half(i32x4 m, f32x4 x, f32x4 y) {
+#if defined(__wasm_simd128__)
+    return (f32x4)wasm_v128_bitselect((v128_t)x, (v128_t)y, (v128_t)m);
+#else
+    return (f32x4)((m & (i32x4)x) | (~m & (i32x4)y));
+#endif
+}
 
 CAIRN_INLINE f32x8 splat(float s) {
     const f32x4 t = {s, s, s, s};
@@ -72,8 +84,17 @@ CAIRN_INLINE f32x8 abs(f32x8 x) {
     return {(f32x4)((i32x4)x.a & s), (f32x4)((i32x4)x.b & s)};
 }
 CAIRN_INLINE f32x8 sqrt(f32x8 x) { return {sqrt_half(x.a), sqrt_half(x.b)}; }
+#if defined(__wasm_simd128__) // the same choice in one instruction, also of NaN and of zeros
+CAIRN_INLINE f32x8 max(f32x8 x, f32x8 y) {
+    return {(f32x4)wasm_f32x4_pmax((v128_t)y.a, (v128_t)x.a), (f32x4)wasm_f32x4_pmax((v128_t)y.b, (v128_t)x.b)};
+}
+CAIRN_INLINE f32x8 min(f32x8 x, f32x8 y) {
+    return {(f32x4)wasm_f32x4_pmin((v128_t)y.a, (v128_t)x.a), (f32x4)wasm_f32x4_pmin((v128_t)y.b, (v128_t)x.b)};
+}
+#else
 CAIRN_INLINE f32x8 max(f32x8 x, f32x8 y) { return select(x > y, x, y); }
 CAIRN_INLINE f32x8 min(f32x8 x, f32x8 y) { return select(x < y, x, y); }
+#endif
 CAIRN_INLINE int bits(mask8 m) { return bits_half(m.a) | (bits_half(m.b) << 4); }
 CAIRN_INLINE mask8 mask_from_bits(int b) {
     const i32x4 low = {1, 2, 4, 8}, high = {16, 32, 64, 128}, all = {b, b, b, b};

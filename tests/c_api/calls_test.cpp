@@ -245,6 +245,41 @@ TEST_F(CCalls, ASavedSceneIsLoadedAgainWithTheSameHash) {
     cairn_world_destroy(loaded);
 }
 
+TEST_F(CCalls, ASceneInMemoryIsTheOneThatWouldBeInAFile) {
+    scatter(9);
+    size_t length = 0, again = 0;
+    CAIRN_CALL(cairn_scene_save_to_memory(world, nullptr, 0, &length));
+    std::string text(length, '?');
+    CAIRN_CALL(cairn_scene_save_to_memory(world, text.data(), length + 1, &again));
+    EXPECT_EQ(again, length);
+    cairn_world* loaded = nullptr;
+    float time_step = 0;
+    CAIRN_CALL(cairn_scene_load_from_memory(text.data(), text.size(), "nine.gltf", &loaded, &time_step));
+    EXPECT_EQ(time_step, 1.0f / 60);
+    std::string second(length, '?');
+    CAIRN_CALL(cairn_scene_save_to_memory(loaded, second.data(), length + 1, &again));
+    EXPECT_EQ(second, text);
+    cairn_world_destroy(loaded);
+    std::string part(10, '?'); // what has no room is cut off
+    CAIRN_CALL(cairn_scene_save_to_memory(world, part.data(), part.size(), &again));
+    EXPECT_EQ(again, length);
+    EXPECT_EQ(part, text.substr(0, 9) + '\0');
+}
+
+TEST_F(CCalls, ASceneThatIsDamagedInMemoryIsRefusedByItsName) {
+    const std::string text = "{\"asset\":";
+    cairn_world* loaded = nullptr;
+    EXPECT_EQ(cairn_scene_load_from_memory(text.data(), text.size(), "cut.gltf", &loaded, nullptr),
+              CAIRN_ERROR_INVALID_FILE);
+    EXPECT_NE(error().find("cut.gltf"), std::string::npos);
+    EXPECT_EQ(cairn_scene_load_from_memory(nullptr, 0, "empty", &loaded, nullptr), CAIRN_ERROR_INVALID_FILE);
+    EXPECT_EQ(cairn_scene_load_from_memory(nullptr, 5, "none", &loaded, nullptr), CAIRN_ERROR_INVALID_VALUE);
+    EXPECT_EQ(cairn_scene_load_from_memory(text.data(), 5, nullptr, &loaded, nullptr), CAIRN_ERROR_INVALID_VALUE);
+    EXPECT_EQ(cairn_scene_load_from_memory(text.data(), 5, "a", nullptr, nullptr), CAIRN_ERROR_INVALID_VALUE);
+    EXPECT_EQ(cairn_scene_save_to_memory(nullptr, nullptr, 0, nullptr), CAIRN_ERROR_INVALID_VALUE);
+    EXPECT_EQ(loaded, nullptr);
+}
+
 TEST(CApiVersion, IsThatOfTheHeaders) { EXPECT_EQ(cairn_abi_version(), CAIRN_ABI_VERSION); }
 
 // A structure that has grown since its first version: a program that was compiled with that one knows no `added`.

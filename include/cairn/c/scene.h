@@ -22,6 +22,16 @@ CAIRN_C_API cairn_result cairn_scene_load(const char* path, cairn_world** world,
 /// unsupported.
 CAIRN_C_API cairn_result cairn_scene_save(const cairn_world* world, const char* path);
 
+/// Reads what a scene file has from memory, as `cairn_scene_load` does from a file; other files that it names are
+/// refused. `name` stands for the file in messages. Errors: invalid_file, invalid_value, unsupported.
+CAIRN_C_API cairn_result cairn_scene_load_from_memory(const void* bytes, size_t size, const char* name,
+                                                      cairn_world** world, float* time_step);
+
+/// The text that `cairn_scene_save` writes to a .gltf file. `length` gets its length without the final zero; what has
+/// no room in `capacity` bytes is cut off. Errors: invalid_value, wrong_state, unsupported.
+CAIRN_C_API cairn_result cairn_scene_save_to_memory(const cairn_world* world, char* text, size_t capacity,
+                                                    size_t* length);
+
 #ifdef __cplusplus
 }
 #endif

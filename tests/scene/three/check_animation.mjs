@@ -2,8 +2,8 @@
 //
 // usage: node check_animation.mjs RUN.glb RUN.csv
 //
-// For every moment of `cairn run --csv` the animation is set to that time, and each body's node must stand where its line
-// says. Bodies are the first roots of the scene, in order (docs/scene_format.md).
+// For every moment of `cairn run --csv` the animation is set to that time, and each body's node must stand where its
+// line says. Bodies are the first roots of the scene, in order (docs/scene_format.md).
 import { readFileSync } from "node:fs";
 import * as three from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";

@@ -1,0 +1,17 @@
+# nlohmann_json::nlohmann_json: as installed for the target; else, being headers only, that of this machine, in a folder of its
+# own for the reason that glm.cmake gives.
+find_package(nlohmann_json QUIET)
+if(NOT TARGET nlohmann_json::nlohmann_json)
+    find_path(CAIRN_JSON_FOLDER nlohmann/json.hpp NO_CMAKE_FIND_ROOT_PATH PATHS /usr/include DOC "Folder that has nlohmann/json.hpp")
+    if(NOT CAIRN_JSON_FOLDER)
+        message(FATAL_ERROR "nlohmann's JSON library is missing (Debian: nlohmann-json3-dev)")
+    endif()
+    set(cairn_json_folder ${CAIRN_JSON_FOLDER})
+    if(CMAKE_CROSSCOMPILING)
+        set(cairn_json_folder ${CMAKE_BINARY_DIR}/json_include)
+        file(MAKE_DIRECTORY ${cairn_json_folder})
+        file(CREATE_LINK ${CAIRN_JSON_FOLDER}/nlohmann ${cairn_json_folder}/nlohmann SYMBOLIC)
+    endif()
+    add_library(nlohmann_json::nlohmann_json INTERFACE IMPORTED)
+    set_target_properties(nlohmann_json::nlohmann_json PROPERTIES INTERFACE_INCLUDE_DIRECTORIES ${cairn_json_folder})
+endif()

@@ -1,0 +1,61 @@
+// Pages in Chromium without a window, drawn by software.
+import { writeFile } from 'node:fs/promises';
+import puppeteer from 'puppeteer-core';
+import { serve } from '../../web/playground/serve.mjs';
+
+const CHROMIUM = process.env.CAIRN_CHROMIUM ?? '/usr/bin/chromium';
+
+/** Runs `visit(page, address)` with a folder that is served. What goes wrong in the page is an error. */
+export async function inBrowser(folder, visit) {
+    const server = await serve(folder);
+    const browser = await puppeteer.launch({
+        executablePath: CHROMIUM,
+        headless: true,
+        args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
+    });
+    const problems = [];
+    try {
+        const page = await browser.newPage();
+        await page.setViewport({ width: 960, height: 600 });
+        page.on('pageerror', (error) => problems.push(`error in the page: ${error.message}`));
+        page.on('requestfailed', (request) => problems.push(`${request.url()}: ${request.failure()?.errorText}`));
+        page.on('console', (message) => message.type() === 'error' && problems.push(`console: ${message.text()}`));
+        const result = await visit(page, `http://127.0.0.1:${server.address().port}/`);
+        if (problems.length > 0) throw new Error(problems.join('\n'));
+        return result;
+    } catch (error) {
+        throw problems.length > 0 ? new Error([error.message, ...problems].join('\n')) : error;
+    } finally {
+        await browser.close();
+        server.close();
+        server.closeAllConnections?.();
+    }
+}
+
+/** A picture of the page: its bytes in base64. It is left in a file, to be looked at. */
+export async function pictureOf(page, file) {
+    const base64 = await page.screenshot({ encoding: 'base64' });
+    await writeFile(file, Buffer.from(base64, 'base64'));
+    return base64;
+}
+
+/**
+ * How many different colors a picture has, by the upper four bits of each channel, and which share of it is not of the
+ * most frequent one.
+ */
+export async function colorsOf(page, base64) {
+    return page.evaluate(async (data) => {
+        const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${data}`)).blob());
+        const canvas = new OffscreenCanvas(image.width, image.height);
+        const context = canvas.getContext('2d');
+        context.drawImage(image, 0, 0);
+        const { data: bytes } = context.getImageData(0, 0, image.width, image.height);
+        const counts = new Map();
+        for (let i = 0; i < bytes.length; i += 4) {
+            const color = ((bytes[i] >> 4) << 8) | ((bytes[i + 1] >> 4) << 4) | (bytes[i + 2] >> 4);
+            counts.set(color, (counts.get(color) ?? 0) + 1);
+        }
+        const most = Math.max(...counts.values());
+        return { colors: counts.size, foreground: 1 - most / (bytes.length / 4) };
+    }, base64);
+}

@@ -1,0 +1,179 @@
+// The playground in Chromium: what a visitor sees and does.
+import assert from 'node:assert/strict';
+import { mkdir } from 'node:fs/promises';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { colorsOf, inBrowser, pictureOf } from './browser.mjs';
+
+const folder = join(process.env.CAIRN_WEB, 'playground');
+const pictures = join(process.env.CAIRN_WEB, 'pictures');
+await mkdir(pictures, { recursive: true });
+
+const stepped = (page, count) =>
+    page.waitForFunction(
+        (n) => globalThis.playground?.simulation?.world.stepCount >= BigInt(n),
+        { timeout: 60000 },
+        count,
+    );
+const textOf = (page, id) => page.$eval(`#${id}`, (element) => element.textContent);
+const picture = (page, name) => pictureOf(page, join(pictures, `${name}.png`));
+
+test('the first scene runs, is drawn, and has the hash of native code', () =>
+    inBrowser(folder, async (page, address) => {
+        await page.goto(address);
+        await stepped(page, 61);
+        await page.waitForFunction(() => document.getElementById('badge').dataset.state === 'same', { timeout: 20000 });
+        assert.match(await textOf(page, 'badge'), /^After \d+ steps: this browser ([0-9a-f]{16}) = native \1$/);
+        const { colors, foreground } = await colorsOf(page, await picture(page, 'welcome'));
+        assert.ok(colors > 20 && foreground > 0.2, `${colors} colors, ${foreground} of the picture`);
+    }));
+
+test('a badge that compares with other numbers says so', () =>
+    inBrowser(folder, async (page, address) => {
+        await page.setRequestInterception(true);
+        page.on('request', (request) => {
+            if (!request.url().endsWith('list.json')) return request.continue();
+            return request.respond({
+                contentType: 'application/json',
+                body: JSON.stringify([
+                    { name: 'welcome', file: 'welcome.gltf', title: 'Cairn', hashes: { 60: '0123456789abcdef' } },
+                ]),
+            });
+        });
+        await page.goto(address);
+        await page.waitForFunction(() => document.getElementById('badge').dataset.state === 'different', {
+            timeout: 60000,
+        });
+        assert.match(await textOf(page, 'badge'), /0123456789abcdef: not the same/);
+    }));
+
+test('a scene may be chosen by the address, paused, stepped and reset', () =>
+    inBrowser(folder, async (page, address) => {
+        await page.goto(`${address}#scene=07_pyramid`);
+        await stepped(page, 20);
+        assert.equal(await page.$eval('#scenes', (select) => select.value), '07_pyramid');
+        await page.click('#play');
+        const steps = () => page.evaluate(() => Number(globalThis.playground.simulation.world.stepCount));
+        const paused = await steps();
+        await new Promise((resolve) => setTimeout(resolve, 300));
+        assert.equal(await steps(), paused);
+        await page.click('#step');
+        assert.equal(await steps(), paused + 1);
+        await picture(page, 'pyramid');
+        await page.click('#reset');
+        await stepped(page, 1);
+        assert.ok((await steps()) < paused);
+    }));
+
+test('what is spawned falls and lies on the ground, is drawn, and ends the comparison', () =>
+    inBrowser(folder, async (page, address) => {
+        await page.goto(`${address}#scene=01_open_plane`);
+        await stepped(page, 5);
+        for (const kind of ['box', 'sphere', 'capsule', 'cylinder', 'cone', 'hull']) {
+            const before = await page.evaluate(() => globalThis.playground.simulation.world.bodyCount);
+            await page.select('#kind', kind);
+            await page.click('#spawn');
+            const { count, drawn, height } = await page.evaluate(() => {
+                const { simulation, stage } = globalThis.playground;
+                return {
+                    count: simulation.world.bodyCount,
+                    drawn: stage.view.ids.length,
+                    height: simulation.world.positions.at(-2),
+                };
+            });
+            assert.deepEqual([count, drawn], [before + 1, before + 1], kind);
+            await page.waitForFunction(
+                (was) => globalThis.playground.simulation.world.positions.at(-2) < was - 0.3,
+                { timeout: 20000 },
+                height,
+            );
+        }
+        await page.waitForFunction(() => document.getElementById('badge').textContent.includes('Changed by hand'), {
+            timeout: 20000,
+        });
+        await picture(page, 'spawned');
+    }));
+
+test('a body that is dragged follows the mouse, and is let go', () =>
+    inBrowser(folder, async (page, address) => {
+        await page.goto(`${address}#scene=08_tower`);
+        await stepped(page, 10);
+        const at = await page.evaluate(() => {
+            // the place of the topmost body in the picture
+            const {
+                simulation: { world },
+                stage,
+            } = globalThis.playground;
+            const top = world.bodies
+                .map((id) => world.body(id))
+                .filter((body) => body.type === 'dynamic')
+                .sort((a, b) => b.position.y - a.position.y)[0];
+            const { x, y } = stage.controls.target.clone().copy(top.position).project(stage.eye);
+            globalThis.dragged = top;
+            return { x: ((x + 1) / 2) * innerWidth, y: ((1 - y) / 2) * innerHeight, from: top.position };
+        });
+        await page.mouse.move(at.x, at.y);
+        await page.mouse.down();
+        await page.mouse.move(at.x + 150, at.y - 60, { steps: 10 });
+        await page.waitForFunction(
+            (from) => {
+                const { x, y, z } = globalThis.dragged.position;
+                return Math.hypot(x - from.x, y - from.y, z - from.z) > 0.5;
+            },
+            { timeout: 30000 },
+            at.from,
+        );
+        assert.equal(await page.evaluate(() => globalThis.dragged.joints.length), 1);
+        await picture(page, 'dragged');
+        await page.mouse.up();
+        assert.equal(await page.evaluate(() => globalThis.dragged.joints.length), 0);
+    }));
+
+test('a shared scene is the same for who opens the link', () =>
+    inBrowser(folder, async (page, address) => {
+        await page.goto(`${address}#scene=11_newtons_cradle`);
+        await stepped(page, 30);
+        await page.click('#play');
+        await page.click('#share');
+        await page.waitForFunction(() => location.hash.startsWith('#gltf='));
+        const look = () => page.evaluate(() => Array.from(globalThis.playground.simulation.world.positions));
+        const before = await look(),
+            link = await page.evaluate(() => location.href);
+        await page.goto('about:blank');
+        await page.goto(link);
+        await stepped(page, 0);
+        const [bodies, after] = [
+            before.length / 3,
+            await page.evaluate(() => globalThis.playground.simulation.world.bodyCount),
+        ];
+        assert.equal(after, bodies);
+        assert.match(await textOf(page, 'badge'), /No native run|^$/);
+    }));
+
+test('a file of the visitor opens, and one that is no scene is refused while the other goes on', () =>
+    inBrowser(folder, async (page, address) => {
+        await page.goto(`${address}#scene=01_open_plane`);
+        await stepped(page, 5);
+        const input = await page.$('#file');
+        await input.uploadFile(join(folder, 'scenes/12_t_handles.gltf'));
+        await page.waitForFunction(() => globalThis.playground.simulation.title === 'T-handles', { timeout: 20000 });
+        await stepped(page, 3);
+        await input.uploadFile(join(folder, 'style.css'));
+        await page.waitForFunction(() => document.getElementById('message').textContent !== '', { timeout: 20000 });
+        assert.match(await textOf(page, 'message'), /style\.css/);
+        const steps = await page.evaluate(() => Number(globalThis.playground.simulation.world.stepCount));
+        await stepped(page, steps + 5);
+    }));
+
+for (const [name, fragment] of [
+    ['a damaged link', '#gltf=AAAA'],
+    ['an unknown scene', '#scene=99_nothing'],
+    ['a link that says nothing', '#nonsense'],
+]) {
+    test(`${name} is refused with a message`, () =>
+        inBrowser(folder, async (page, address) => {
+            await page.goto(address + fragment);
+            await page.waitForFunction(() => document.getElementById('message').textContent !== '', { timeout: 30000 });
+            assert.match(await textOf(page, 'message'), /the link|there is no scene/);
+        }));
+}

@@ -1,0 +1,52 @@
+// A scene that runs: its world, what its file says of itself, and whether anything but time has changed it.
+import { World } from 'cairn-physics';
+
+export class Simulation {
+    /**
+     * `scene`: text or bytes of a .gltf or .glb file. `hashes`: by the number of steps, what the state is on other
+     * machines.
+     */
+    constructor(scene, { name, hashes = {} }) {
+        this.scene = scene;
+        this.name = name;
+        this.hashes = hashes;
+        this.world = World.load(scene, name);
+        const own = settingsOf(scene);
+        this.title = own.title ?? name;
+        this.hint = own.hint ?? '';
+        this.camera = own.camera ?? null;
+        this.touched = false;
+        this.compared = null; // the last state that was compared: steps, here, there
+    }
+
+    step() {
+        const { world } = this;
+        world.step();
+        const steps = Number(world.stepCount);
+        const there = this.hashes[steps];
+        if (there && !this.touched)
+            this.compared = { steps, here: world.stateHash.toString(16).padStart(16, '0'), there };
+    }
+
+    /** From the beginning. */
+    again() {
+        return new Simulation(this.scene, this);
+    }
+
+    dispose() {
+        this.world.dispose();
+    }
+}
+
+// CAIRN_world of the scene that a file shows. The world has read the file already: what is malformed was refused.
+function settingsOf(scene) {
+    const json = JSON.parse(typeof scene === 'string' ? scene : jsonOf(scene));
+    return json.scenes?.[json.scene ?? 0]?.extensions?.CAIRN_world ?? {};
+}
+
+// The text of a .gltf file, or the first chunk of a .glb file.
+function jsonOf(bytes) {
+    const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+    const isBinary = bytes.length > 20 && view.getUint32(0, true) === 0x46546c67;
+    return new TextDecoder().decode(isBinary ? bytes.subarray(20, 20 + view.getUint32(12, true)) : bytes);
+}

@@ -1,0 +1,1216 @@
+// Made by tools/api.py from api/: change those, and run it.
+/** What a call that was refused throws. The world is as it was before the call. */
+export class CairnError extends Error {
+    readonly name: 'CairnError';
+    /** What kind of error it is. */
+    readonly code: CairnErrorCode;
+    /** The argument or member that it is about, such as `BodyDef.mass`; may be empty. */
+    readonly field: string;
+    /** What that was; may be empty. */
+    readonly value: string;
+}
+
+/**
+ * `invalidValue`: an argument is NaN, infinite, of another type, or out of its range. `invalidHandle`: a handle is null, stale, or
+ * of another world. `wrongState`: the call is not allowed now, as of a world that was disposed of. `invalidFile`: a file is
+ * malformed. `unsupported`: a well-formed request for something that this build does not do. `io`: a file could not be read.
+ * `outOfMemory`: the world is as it was, or refuses all until it is restored. `other`: what none of these says.
+ */
+export type CairnErrorCode =
+    'invalidValue' | 'invalidHandle' | 'wrongState' | 'invalidFile' | 'unsupported' | 'io' | 'outOfMemory' | 'other';
+
+/**
+ * Loads the engine. Every other call needs it, and throws `wrongState` before it is done. Further calls return the same
+ * promise. `source`: where the file `cairn.wasm` of the package is, or what is in it; left out: beside this module. Rejects with
+ * `io` where it cannot be read.
+ */
+export default function init(source?: string | URL | Response | Promise<Response> | ArrayBuffer | ArrayBufferView |
+    WebAssembly.Module): Promise<void>;
+export { init };
+
+/** The version of the engine, such as "0.1.0". */
+export function version(): string;
+
+/**
+ * The spring with which what a joint moves swings at `hertz` (> 0) with that ratio to critical damping (>= 0). Throws
+ * invalidValue.
+ */
+export function springFromFrequency(hertz: number, dampingRatio: number): Complete<JointSpring>;
+
+/** All layers, for queries. */
+export const ALL_LAYERS: bigint;
+
+export interface Vec2 { x: number; y: number }
+/** Directions, extents, velocities and places, in SI units. */
+export interface Vec3 { x: number; y: number; z: number }
+/** A rotation as a unit quaternion; no rotation is 0, 0, 0, 1. */
+export interface Quat { x: number; y: number; z: number; w: number }
+/** What calls take for a vector: an object with its components, as three.js has them, or an array of as many numbers. */
+export type Vec2Like = Readonly<Vec2> | ArrayLike<number>;
+export type Vec3Like = Readonly<Vec3> | ArrayLike<number>;
+export type QuatLike = Readonly<Quat> | ArrayLike<number>;
+
+/** Handles: they name what they were made for, are stale once that is gone, and never name another. 0n: none. */
+export type BodyId = bigint;
+export type ShapeId = bigint;
+export type JointId = bigint;
+export type ForceFieldId = bigint;
+
+/** A definition as calls return it: with all of its members, vectors as objects. */
+export type Complete<T> = { -readonly [K in keyof T]-?: CompleteMember<Exclude<T[K], undefined>> };
+type CompleteMember<T> =
+    Vec2Like extends T ? Vec2 | Extract<T, null>
+    : Vec3Like extends T ? Vec3 | Extract<T, null>
+    : QuatLike extends T ? Quat | Extract<T, null>
+    : bigint extends T ? bigint
+    : T extends Geometry | null | string | number | boolean ? T
+    : T extends readonly (infer E)[] ? CompleteMember<E>[]
+    : Complete<T>;
+
+/**
+ * How the coefficients of two touching materials become one. Where the two materials disagree on the rule, the stronger
+ * one counts, in the order average > minimum > maximum > multiply (KHR_physics_rigid_bodies). `average`: The mean of
+ * both. `minimum`: The smaller one. `maximum`: The greater one. `multiply`: The product of both.
+ */
+export type CombineRule = 'average' | 'minimum' | 'maximum' | 'multiply';
+
+/**
+ * How a body moves. `static`: Never moves by itself. `kinematic`: Moves with the velocity it is given; nothing pushes
+ * it. `dynamic`: Moves by forces and contacts.
+ */
+export type BodyType = 'static' | 'kinematic' | 'dynamic';
+
+/**
+ * What a limit or drive of a general joint is about. `linear`: A distance along axes. `angular`: An angle about axes.
+ */
+export type JointAxis = 'linear' | 'angular';
+
+/**
+ * How a joint is solved. Both give the same motion; they differ in cost and stiffness. `automatic`: Direct in chains,
+ * machines and under high mass ratios as long as it pays, else iterative. `iterative`: 8 joints at a time, one after
+ * the other, with the contacts. For nets and heaps of many joints. `direct`: All direct joints that hang together at
+ * once. For chains, machines, and what must not give at all. Limits, motors, friction, springs, gears, racks and
+ * pulleys stay iterative; so do all of a net of thousands of joints, whose factorization would not end.
+ */
+export type JointSolver = 'automatic' | 'iterative' | 'direct';
+
+/**
+ * How free motion is integrated over a substep of length h. Contacts work with all of them. `semiImplicitEuler`: v += h
+ * a, then x += h v. Bounded energy error; the default. `explicitEuler`: x += h v, then v += h a. Gains energy; kept for
+ * teaching. `rk4`: Classic fourth-order Runge-Kutta.
+ */
+export type Integrator = 'semiImplicitEuler' | 'explicitEuler' | 'rk4';
+
+/**
+ * What a force field does. `uniform`: The same everywhere, along `direction`. `radial`: Towards `center`, `strength` x
+ * distance^`exponent`.
+ */
+export type ForceFieldKind = 'uniform' | 'radial';
+
+/** A pose: rotate by `rotation`, then translate by `position` (meters). */
+export interface Transform {
+    /** Meters. */
+    position?: Vec3Like;
+    /** A unit quaternion. */
+    rotation?: QuatLike;
+}
+
+/** An axis-aligned box in world space, in meters. Empty when any `min` exceeds its `max`. */
+export interface Bounds {
+    /** Least coordinates, meters. */
+    min?: Vec3Like;
+    /** Greatest coordinates, meters. */
+    max?: Vec3Like;
+}
+
+/** A ball around the shape's origin. `radius` in meters, > 0. */
+export interface Sphere {
+    /** Meters, > 0. */
+    radius?: number;
+}
+
+/**
+ * A box around the shape's origin. `halfExtents` in meters, each > 0. A Box, a Cylinder or a Hull with `rounding` r > 0
+ * is that solid plus a ball of radius r: all that is within r of the sharp solid (its Minkowski sum with the ball). It
+ * is larger by r on every side, its faces stay flat, and its edges and corners are round with radius r. To keep the
+ * outer size, take r off the half extents.
+ */
+export interface Box {
+    /** Meters, each > 0, of the sharp box: the rounding comes on top. */
+    halfExtents?: Vec3Like;
+    /** Meters, >= 0: radius of the ball that is added to the sharp box. */
+    rounding?: number;
+}
+
+/**
+ * A plane through the shape's origin; solid is the side away from `normal`. Without `halfExtents` it is an infinite
+ * half-space. With them it is a rectangle, `halfExtents[0]` along the shape's `tangent` and `halfExtents[1]` along
+ * normal x tangent; the rectangle is one-sided, and pushes along its normal whatever is above it or has sunk less than
+ * its own size below it. Where one half extent is infinite, it is a strip: without ends along that axis. Double-sided,
+ * it is a sheet without thickness that holds things on both sides: an infinite one pushes a body to the side where its
+ * center of mass is, a rectangle or strip pushes a shape to the side where the shape's middle is. Rays and casts meet a
+ * sheet from either side, and nothing is inside of it. Planes have no mass: they may only be added to static and
+ * kinematic bodies.
+ */
+export interface Plane {
+    /** Any non-zero finite vector; it is normalized. */
+    normal?: Vec3Like;
+    /** Only for the rectangle; made orthogonal to `normal`. */
+    tangent?: Vec3Like;
+    /** Meters, each > 0, one may be infinite; absent for an infinite plane. */
+    halfExtents?: Vec2Like | null;
+    /** A sheet that holds things on both sides. */
+    doubleSided?: boolean;
+}
+
+/**
+ * The convex hull of two balls on the shape's y axis, their centers at -halfHeight and +halfHeight. Meters, all > 0
+ * (`radiusTop` >= 0).
+ */
+export interface Capsule {
+    /** Meters, > 0, along the y axis. */
+    halfHeight?: number;
+    /** Of both balls, or of the lower one if `radiusTop` is given. (m, > 0) */
+    radius?: number;
+    /** Of the upper ball: a tapered capsule. (m, >= 0) */
+    radiusTop?: number | null;
+}
+
+/**
+ * A solid cylinder around the shape's y axis, from -halfHeight to +halfHeight. Meters, all > 0 (`radiusTop` >= 0);
+ * without its rounding.
+ */
+export interface Cylinder {
+    /** Meters, > 0, along the y axis. */
+    halfHeight?: number;
+    /** At both ends, or at the lower end if `radiusTop` is given. (m, > 0) */
+    radius?: number;
+    /** At the upper end: a tapered cylinder, or with 0 a cone. (m, >= 0) */
+    radiusTop?: number | null;
+    /** Meters, >= 0: radius of the ball that is added to the sharp cylinder. */
+    rounding?: number;
+}
+
+/** A convex polyhedron. */
+export interface Hull {
+    /** Made by `cairnGeometryCreateHull`. */
+    geometry: Geometry;
+    /** Meters, >= 0: radius of the ball that is added to the sharp polyhedron. */
+    rounding?: number;
+}
+
+/** A surface of triangles, for static and kinematic bodies. Solid is the side that sees the corners clockwise. */
+export interface Mesh {
+    /** Made by `cairnGeometryCreateMesh`. */
+    geometry: Geometry;
+}
+
+/** A surface over a grid in the shape's xz plane, solid below, for static and kinematic bodies. */
+export interface HeightField {
+    /** Made by `cairnGeometryCreateHeightField`. */
+    geometry: Geometry;
+}
+
+/** Surface properties of a shape. */
+export interface Material {
+    /** Coulomb coefficient while the contact sticks, >= 0. */
+    staticFriction?: number;
+    /** Coulomb coefficient while it slides, >= 0. */
+    dynamicFriction?: number;
+    /** Ratio of rebound to approach speed, 0 (no bounce) to 1 (elastic). (0 to 1) */
+    restitution?: number;
+    /** Lever arm of the rolling resistance torque in meters, >= 0. */
+    rollingFriction?: number;
+    /**
+     * Radius of the contact patch in meters, >= 0: a spinning one-point contact feels a torque of at most friction x
+     * normal force x this radius. Without any, a ball that spins upright never comes to rest.
+     */
+    torsionalFriction?: number;
+    /** How its friction and the other material's become one. */
+    frictionCombine?: CombineRule;
+    /** How its restitution and the other material's become one. */
+    restitutionCombine?: CombineRule;
+}
+
+/** Which shapes meet: two do if each is in a layer that the other collides with. */
+export interface CollisionFilter {
+    /** The layers that the shape is in, one bit each. */
+    layers?: bigint | number;
+    /** The layers that it collides with. */
+    collidesWith?: bigint | number;
+}
+
+/** How a shape is attached to its body. */
+export interface ShapeDef {
+    /** Origin of the shape in the body's frame, meters. */
+    position?: Vec3Like;
+    /** Orientation in the body's frame; normalized, must not be zero. */
+    rotation?: QuatLike;
+    /** kg/m^3, >= 0; 0 adds no mass. Ignored by planes. */
+    density?: number;
+    /** Of its surface. */
+    material?: Material;
+    /** What it meets. */
+    filter?: CollisionFilter;
+    /** A trigger touches nothing: it only reports what overlaps it (trigger events). */
+    isTrigger?: boolean;
+    /**
+     * m/s, in the shape's frame: the surface moves with it like a conveyor belt, beside the motion of the body. Only
+     * its part along the surface counts. Static and kinematic bodies only.
+     */
+    surfaceVelocity?: Vec3Like;
+    /** Not touched by the engine. */
+    userData?: bigint | number;
+}
+
+/**
+ * Mass, center of mass and inertia of a body. A `mass` of +infinity, and zero entries of `inertiaDiagonal`, stand for
+ * what cannot be moved or turned.
+ */
+export interface MassProperties {
+    /** kg, > 0; may be infinite. */
+    mass?: number;
+    /** In the body's frame, meters. */
+    centerOfMass?: Vec3Like;
+    /** Principal moments about the center of mass, kg m^2. */
+    inertiaDiagonal?: Vec3Like;
+    /** Rotation from principal axes to the body's frame. */
+    inertiaOrientation?: QuatLike;
+}
+
+/** Everything needed to make a body. */
+export interface BodyDef {
+    /** How it moves. */
+    type?: BodyType;
+    /** Origin of the body's frame (not its center of mass), meters. */
+    position?: Vec3Like;
+    /** Normalized on entry; must not be zero. */
+    rotation?: QuatLike;
+    /** Of the center of mass, m/s. */
+    linearVelocity?: Vec3Like;
+    /** In world axes, rad/s. */
+    angularVelocity?: Vec3Like;
+    /** 1/s, >= 0: velocity decays as v' = -damping v. */
+    linearDamping?: number;
+    /** 1/s, >= 0. */
+    angularDamping?: number;
+    /** Multiplies the world's gravity for this body; any finite value. */
+    gravityScale?: number;
+    /** false: the body and its island never fall asleep. */
+    allowSleep?: boolean;
+    /** kg, > 0 (+infinity: immovable). Left out: from the shapes' densities. */
+    mass?: number | null;
+    /** Overrides mass and shapes altogether. */
+    massProperties?: MassProperties | null;
+    /** For people; need not be unique. */
+    name?: string;
+    /** Not touched by the engine. */
+    userData?: bigint | number;
+}
+
+/** A damped spring. It is stepped implicitly: any stiffness is stable. */
+export interface JointSpring {
+    /** N/m or N m/rad, >= 0. */
+    stiffness?: number;
+    /** N s/m or N m s/rad, >= 0. */
+    damping?: number;
+    /**
+     * true: both are per unit of the mass (or moment of inertia) that the joint moves along that axis, so that the
+     * motion, not the force, is given.
+     */
+    isAcceleration?: boolean;
+}
+
+/** The range of a position, m or rad. `lower` = `upper` holds it at one value. */
+export interface JointRange {
+    /** lower <= upper; -infinity and +infinity for no bound. (m or rad) */
+    lower?: number;
+    /** lower <= upper; -infinity and +infinity for no bound. (m or rad) */
+    upper?: number;
+    /** Pushes back from beyond a bound; Left out: rigid. */
+    spring?: JointSpring | null;
+}
+
+/** What drives an axis: with a spring, towards `position` and `velocity`; without one, it holds the velocity. */
+export interface JointMotor {
+    /** m/s or rad/s. */
+    velocity?: number;
+    /** m or rad; only with a spring. */
+    position?: number;
+    /** Left out: the motor holds its velocity. */
+    spring?: JointSpring | null;
+    /** N or N m, >= 0. */
+    maxForce?: number;
+}
+
+/** All that can act along one axis of a joint. */
+export interface JointControl {
+    /** Left out: no limits. */
+    limits?: JointRange | null;
+    /** Left out: no motor. */
+    motor?: JointMotor | null;
+    /** N or N m, >= 0: dry friction, which holds until it is overcome. */
+    friction?: number;
+}
+
+/** B keeps its place and rotation against A. */
+export interface FixedJoint {
+}
+
+/** The origins of the frames coincide; B turns freely. */
+export interface BallJoint {
+    /** rad, 0 to pi: greatest angle between the x axes of the two frames. */
+    coneAngle?: number | null;
+    /** Of the angle about the x axis, -pi to pi. */
+    twist?: JointRange | null;
+    /** N m about each axis, >= 0. */
+    friction?: number;
+}
+
+/** B turns about the x axis of A. Angles are counted on beyond a full turn. */
+export interface HingeJoint {
+    /** About the x axis of A. */
+    angle?: JointControl;
+}
+
+/** B moves along the x axis of A without turning. */
+export interface SliderJoint {
+    /** Along the x axis of A. */
+    translation?: JointControl;
+}
+
+/** B moves along the x axis of A and turns about it. */
+export interface CylindricalJoint {
+    /** Along the x axis of A. */
+    translation?: JointControl;
+    /** About the x axis of A. */
+    angle?: JointControl;
+}
+
+/** A cross of two axes at a right angle: A turns about its x axis, B about its y axis (a Cardan joint). */
+export interface UniversalJoint {
+    /** About the x axis of A. */
+    first?: JointControl;
+    /** About the y axis of B. */
+    second?: JointControl;
+}
+
+/**
+ * The distance between the origins of the frames. A rod has lower = upper, a rope lower = 0, a spring a motor with a
+ * spring at its length at rest.
+ */
+export interface DistanceJoint {
+    /** Between the origins of the frames. */
+    distance?: JointControl;
+}
+
+/**
+ * A wheel B under a car A. The wheel moves along the x axis of A (the suspension), turns about it (the steering) and
+ * spins about its own y axis.
+ */
+export interface WheelJoint {
+    /** Along the x axis of A. */
+    suspension?: JointControl;
+    /** Left out: the wheel does not steer. */
+    steering?: JointControl | null;
+    /** About the y axis of the wheel. */
+    spin?: JointControl;
+}
+
+/** A servo that moves B to a place and rotation in the frame of A. */
+export interface ServoJoint {
+    /** Of the origin of frame B in frame A, meters. */
+    position?: Vec3Like;
+    /** Of frame B in frame A; normalized. */
+    rotation?: QuatLike;
+    /** The spring that pulls B to its place. */
+    linear?: JointSpring;
+    /** The spring that turns B to its rotation. */
+    angular?: JointSpring;
+    /** N along each axis, >= 0. */
+    maxForce?: number;
+    /** N m about each axis, >= 0. */
+    maxTorque?: number;
+}
+
+/**
+ * Two turning bodies in mesh: (rate of A about its frame's x axis) + ratio x (rate of B about its own) = 0. With teeth
+ * in mesh on the outside of both, about parallel axes, ratio = teeth of B / teeth of A. Rates are those against the
+ * world: the bodies that carry the axles must not turn about them.
+ */
+export interface GearJoint {
+    /** Not 0. */
+    ratio?: number;
+}
+
+/**
+ * A pinion A on a rack B: (translation of B along its frame's x axis) = radius x (angle of A about its frame's x axis),
+ * as against the world.
+ */
+export interface RackJoint {
+    /** m, not 0; negative for the other sense. */
+    radius?: number;
+}
+
+/** A rope over two fixed pulleys: length at A + ratio x length at B <= length. */
+export interface PulleyJoint {
+    /** World points from which the bodies hang. */
+    groundA?: Vec3Like;
+    /** World points from which the bodies hang. */
+    groundB?: Vec3Like;
+    /** > 0: of a block and tackle. */
+    ratio?: number;
+    /** m, > 0; Left out: what it is when the joint is made, which `World.jointDef` then has. */
+    length?: number | null;
+}
+
+/**
+ * Keeps a distance (m) or an angle (rad) between the two frames in a range. With one axis: along or about it; with two:
+ * from the line of the remaining axis, or of the cone about it; with three: of points, or any turn.
+ */
+export interface JointLimit {
+    /** Whether it is about distances or angles. */
+    kind?: JointAxis;
+    /** x, y and z of frame A; one to three of them. */
+    axes?: readonly (boolean)[];
+    /** Left out: no bound on that side. min <= max. */
+    min?: number | null;
+    /** Left out: no bound on that side. min <= max. */
+    max?: number | null;
+    /** N/m or N m/rad, >= 0; Left out: rigid. */
+    stiffness?: number | null;
+    /** N s/m or N m s/rad, >= 0; with a stiffness only. */
+    damping?: number;
+}
+
+/**
+ * A damped spring or motor along or about one axis: pushes with stiffness x (positionTarget - position) + damping x
+ * (velocityTarget - velocity).
+ */
+export interface JointDrive {
+    /** Whether it is about distances or angles. */
+    kind?: JointAxis;
+    /** true: the above is an acceleration; false: a force or torque. */
+    isAcceleration?: boolean;
+    /** 0, 1 or 2, of frame A. */
+    axis?: number;
+    /** N or N m, >= 0; Left out: no bound. */
+    maxForce?: number | null;
+    /** Where the spring pulls to. (m or rad) */
+    positionTarget?: number;
+    /** What the damping aims at. (m/s or rad/s) */
+    velocityTarget?: number;
+    /** Of the spring, >= 0. (N/m or N m/rad) */
+    stiffness?: number;
+    /** Of the spring, >= 0. (N s/m or N m s/rad) */
+    damping?: number;
+}
+
+/**
+ * The joint of the glTF draft KHR_physics_rigid_bodies: six degrees of freedom, and any of them limited or driven. At
+ * most eight limits and drives that are not plain locks.
+ */
+export interface GeneralJoint {
+    /** What is kept in a range. */
+    limits?: readonly (JointLimit)[];
+    /** What is driven. */
+    drives?: readonly (JointDrive)[];
+}
+
+/** Everything needed to make a joint. */
+export interface JointDef {
+    /** Null: the world. At least one must be dynamic; not the same body. */
+    bodyA?: BodyId | Body | null;
+    /** Null: the world. At least one must be dynamic; not the same body. */
+    bodyB?: BodyId | Body | null;
+    /** In the frames of the bodies; of the world, in its own. */
+    frameA?: Transform;
+    /** In the frames of the bodies; of the world, in its own. */
+    frameB?: Transform;
+    /** What kind of joint, and how it is limited and driven. */
+    joint?: Joint;
+    /** Whether the two bodies collide with each other. */
+    enableCollision?: boolean;
+    /** N, > 0: the joint breaks beyond it. */
+    breakForce?: number;
+    /** N m, > 0. */
+    breakTorque?: number;
+    /** How it is solved. */
+    solver?: JointSolver;
+    /** For people; need not be unique. */
+    name?: string;
+    /** Not touched by the engine. */
+    userData?: bigint | number;
+}
+
+/** What a joint did in the last step. */
+export interface JointState {
+    /** N: mean force on B, world axes. */
+    force: Vec3;
+    /** N m: mean torque on B about the origin of its frame, world axes. */
+    torque: Vec3;
+    /**
+     * The positions of its axes (m or rad), in the order of the fields of its type: of a hinge the angle, of a
+     * cylindrical joint translation and angle, of a general joint those of its limits and drives that are not plain
+     * locks.
+     */
+    positions: number[];
+    /** How many of `positions` there are. */
+    positionCount: number;
+    /** m: how far the points that it holds together are apart. */
+    linearError: number;
+    /** rad: how far B has turned about the axes that it locks. */
+    angularError: number;
+}
+
+/** The nearest thing that a ray met. */
+export interface RayHit {
+    shape: ShapeId;
+    body: BodyId;
+    /** On the surface, meters. */
+    point: Vec3;
+    /** Unit outward normal of the surface there. */
+    normal: Vec3;
+    /** From the ray's origin, meters. */
+    distance: number;
+}
+
+/** The first thing that a moving shape met. */
+export interface ShapeCastHit {
+    shape: ShapeId;
+    body: BodyId;
+    /** Of the translation, 0 to 1; 0 if they overlapped from the start. */
+    fraction: number;
+    /** Where they meet, meters. */
+    point: Vec3;
+    /** Unit, out of the shape that was met. */
+    normal: Vec3;
+}
+
+/** The surface point nearest to a given one. */
+export interface ClosestPoint {
+    shape: ShapeId;
+    body: BodyId;
+    /** On the surface, meters; the given point itself if that lies inside. */
+    point: Vec3;
+    /** Meters; 0 inside. */
+    distance: number;
+}
+
+/** Two shapes began to touch. */
+export interface ContactBegin {
+    shapeA: ShapeId;
+    shapeB: ShapeId;
+    bodyA: BodyId;
+    bodyB: BodyId;
+}
+
+/** Two shapes no longer touch, or one of them was removed (its handles are stale then). */
+export interface ContactEnd {
+    shapeA: ShapeId;
+    shapeB: ShapeId;
+    bodyA: BodyId;
+    bodyB: BodyId;
+}
+
+/** Two shapes began to touch with an approach speed of at least WorldDef.hitSpeed. */
+export interface ContactHit {
+    shapeA: ShapeId;
+    shapeB: ShapeId;
+    bodyA: BodyId;
+    bodyB: BodyId;
+    /** Meters, world space. */
+    point: Vec3;
+    /** Unit, from A to B. */
+    normal: Vec3;
+    /** m/s, > 0. */
+    approachSpeed: number;
+}
+
+/**
+ * A shape began or ceased to overlap a trigger (ShapeDef.isTrigger). One of the two bodies is dynamic. Handles of what
+ * was removed are stale.
+ */
+export interface TriggerEvent {
+    trigger: ShapeId;
+    other: ShapeId;
+    triggerBody: BodyId;
+    otherBody: BodyId;
+    /** true: it came in; false: it left, or one of the two was removed. */
+    inside: boolean;
+}
+
+/** A joint is gone: it broke under its load, or one of its bodies was destroyed. Its handle is stale. */
+export interface JointEvent {
+    joint: JointId;
+    /** Null: the world. */
+    bodyA: BodyId;
+    /** Null: the world. */
+    bodyB: BodyId;
+    /** false: a body was destroyed. */
+    broke: boolean;
+    /** N: at which it broke. */
+    force: number;
+    /** N m: likewise. */
+    torque: number;
+    /** Of its definition. */
+    userData: bigint;
+}
+
+/** A body fell asleep or woke up. */
+export interface SleepEvent {
+    body: BodyId;
+    /** false: it woke up. */
+    asleep: boolean;
+}
+
+/** One point of a contact. */
+export interface ContactPoint {
+    /** Midway between the two surfaces, meters. */
+    point: Vec3;
+    /** Meters; negative when the shapes overlap. */
+    separation: number;
+    /** N s during the last step, >= 0. Divide by the step for the mean force. */
+    normalImpulse: number;
+}
+
+/**
+ * A touching pair of shapes as it stood after the last step. A shape may touch a mesh or height field, and the surfaces
+ * of several of its faces, in several of these, one for each normal.
+ */
+export interface Contact {
+    shapeA: ShapeId;
+    shapeB: ShapeId;
+    bodyA: BodyId;
+    bodyB: BodyId;
+    /** Unit, from A to B. */
+    normal: Vec3;
+    /** N s on B during the last step, world axes. */
+    frictionImpulse: Vec3;
+    /** 1 to 4. */
+    pointCount: number;
+    /** The first `pointCount` of them. */
+    points: ContactPoint[];
+}
+
+/** Settings of a world. All may be changed later through `World.setSettings`. */
+export interface WorldDef {
+    /** m/s^2, finite. */
+    gravity?: Vec3Like;
+    /**
+     * Solver substeps of one step, 1 to 256. Stiff islands (high mass ratios, tall stacks) get more by themselves; see
+     * `adaptiveSubsteps`.
+     */
+    substeps?: number;
+    /**
+     * Raise the substeps of islands whose mass ratio or height asks for it, and take two thirds of them in large heaps
+     * that fell and have come to rest.
+     */
+    adaptiveSubsteps?: boolean;
+    /** How free motion is integrated. */
+    integrator?: Integrator;
+    /** Islands at rest stop costing time. */
+    enableSleep?: boolean;
+    /** m/s; a body slower than this at its surface may sleep. >= 0. */
+    sleepSpeed?: number;
+    /** s at rest before an island sleeps, unless it gains speed steadily. >= 0. */
+    sleepTime?: number;
+    /** m/s; slower impacts do not bounce. >= 0. */
+    restitutionSpeed?: number;
+    /** m/s; least approach speed for a hit event. >= 0. */
+    hitSpeed?: number;
+    /** m/s; overlaps are pushed apart no faster than this. > 0. */
+    recoverySpeed?: number;
+    /** m/s; faster bodies are slowed to this, and counted. > 0, at most 1e15. */
+    maxLinearSpeed?: number;
+    /** rad/s; likewise. (> 0) */
+    maxAngularSpeed?: number;
+}
+
+/** A field that accelerates or pushes every dynamic body, evaluated at its center of mass. */
+export interface ForceField {
+    /** What it does. */
+    kind?: ForceFieldKind;
+    /** Uniform: acceleration in m/s^2 (or force in N, see `isForce`). (m/s^2 or N) */
+    direction?: Vec3Like;
+    /** Radial: the point that attracts, meters. */
+    center?: Vec3Like;
+    /** Radial: m/s^2 (or N) at a distance of one meter; negative repels. (m/s^2 or N) */
+    strength?: number;
+    /** Radial: 0 constant, 1 spring, -1, -2 gravity of a point. One of -2,-1,0,1. (-2, -1, 0 or 1) */
+    exponent?: number;
+    /** false: an acceleration, equal for all masses; true: a force. */
+    isForce?: boolean;
+}
+
+/** Wall-clock time of the stages of the last step, in milliseconds. */
+export interface StageTimes {
+    /** Pairs of bounds. (ms) */
+    broadPhase: number;
+    /** Contact points. (ms) */
+    narrowPhase: number;
+    /** What is solved together. (ms) */
+    islands: number;
+    /** Rows of the solver. (ms) */
+    prepare: number;
+    /** Substeps. (ms) */
+    solve: number;
+    /** New places, events, sleep. (ms) */
+    finalize: number;
+    /** The whole step. (ms) */
+    total: number;
+}
+
+/** Counts and times of the last step. */
+export interface Statistics {
+    /** Steps since the world was made. */
+    steps: bigint;
+    /** Simulated seconds since then. */
+    time: number;
+    /** All of them. */
+    bodies: number;
+    /** Those that forces move. */
+    dynamicBodies: number;
+    /** Those that are not asleep. */
+    awakeBodies: number;
+    /** All of them. */
+    shapes: number;
+    /** Pairs whose bounds overlap. */
+    candidatePairs: number;
+    /**
+     * Of those, how many the last step has looked at: tested, or moved along with their bodies. The others were well
+     * apart, at rest or asleep.
+     */
+    testedPairs: number;
+    /** Touching pairs of shapes, asleep ones included. */
+    contacts: number;
+    /** Their points. */
+    contactPoints: number;
+    /** Awake islands. */
+    islands: number;
+    /** Islands that are asleep. */
+    sleepingIslands: number;
+    /** Colors of contacts, which are solved one after the other. */
+    colors: number;
+    /** Contacts that found no free color, solved one by one. */
+    overflowContacts: number;
+    /** Since the world was made: velocities cut to the maximum. */
+    clampedSpeeds: bigint;
+    /** Most substeps that any island took. */
+    maxSubsteps: number;
+    /** Deepest overlap, meters, >= 0. */
+    maxPenetration: number;
+    /** In the last step: pairs looked at along their ways, as one moved far. */
+    sweptPairs: number;
+    /** In the last step: impacts of bodies in flight, several of one body included. */
+    impacts: number;
+    /** In the last step: bodies held where they met what the solver did not know. */
+    stoppedBodies: number;
+    /** Of the last step. */
+    times: StageTimes;
+}
+
+/** What the bytes of a snapshot are for. */
+export interface SnapshotSizes {
+    /**
+     * The dynamic state of the bodies and their shapes: place, rotation, velocities, where they came to rest, island,
+     * time to sleep, forces. (bytes)
+     */
+    bodies: number;
+    /** Pairs of shapes: points, and the impulses that the next step starts from. (bytes) */
+    contacts: number;
+    /** Impulses that the next step starts from, and positions. (bytes) */
+    joints: number;
+    /** Boxes, their tree, and the list of pairs. (bytes) */
+    broadPhase: number;
+    /** Header, counters, events that the next step will report. (bytes) */
+    other: number;
+    /** Once for all snapshots that share them. (bytes) */
+    definitions: number;
+}
+
+/** Any shape. A compound is a body with several of them. */
+export type Shape =
+    | ({ kind: 'sphere' } & Sphere)
+    | ({ kind: 'box' } & Box)
+    | ({ kind: 'plane' } & Plane)
+    | ({ kind: 'capsule' } & Capsule)
+    | ({ kind: 'cylinder' } & Cylinder)
+    | ({ kind: 'hull' } & Hull)
+    | ({ kind: 'mesh' } & Mesh)
+    | ({ kind: 'heightField' } & HeightField);
+
+/** Any joint. */
+export type Joint =
+    | ({ kind: 'fixed' } & FixedJoint)
+    | ({ kind: 'ball' } & BallJoint)
+    | ({ kind: 'hinge' } & HingeJoint)
+    | ({ kind: 'slider' } & SliderJoint)
+    | ({ kind: 'cylindrical' } & CylindricalJoint)
+    | ({ kind: 'universal' } & UniversalJoint)
+    | ({ kind: 'distance' } & DistanceJoint)
+    | ({ kind: 'wheel' } & WheelJoint)
+    | ({ kind: 'servo' } & ServoJoint)
+    | ({ kind: 'gear' } & GearJoint)
+    | ({ kind: 'rack' } & RackJoint)
+    | ({ kind: 'pulley' } & PulleyJoint)
+    | ({ kind: 'general' } & GeneralJoint);
+
+/**
+ * The data of a hull, mesh or height field. It never changes; many shapes, in several worlds, may be made of it, and keep what they
+ * need when it is disposed of.
+ */
+export class Geometry {
+    private constructor();
+    /**
+     * The convex hull of points: x, y, z each, in meters, in the shape's frame. Throws invalidValue when a coordinate is not finite or
+     * exceeds 1e6, when there are fewer than 4 points, or when they all lie in one point, on one line or in one plane.
+     */
+    static hull(points: readonly number[] | Float32Array | Float64Array): Geometry;
+    /**
+     * A surface of triangles: three indices each, counterclockwise as seen from outside; vertices are x, y, z in meters. Triangles
+     * without area are left out. Throws invalidValue when a coordinate is not finite or exceeds 1e6, when an index is out of range
+     * or their number is no multiple of three, or when no triangle is left.
+     */
+    static mesh(vertices: readonly number[] | Float32Array | Float64Array, indices: readonly number[] | Uint32Array | Uint16Array): Geometry;
+    /**
+     * A surface over a grid: meters along y, row after row, columns x rows of them. Throws invalidValue for fewer than 2 columns or
+     * rows, another number of heights, a spacing that is no size, or a height that is not finite or exceeds 1e6.
+     */
+    static heightField(columns: number, rows: number, spacing: Vec2Like, heights: readonly number[] | Float32Array | Float64Array): Geometry;
+    /** The corners of a hull or the vertices of a mesh: x, y, z each. Throws invalidValue for a height field. */
+    get vertices(): Float32Array;
+    /** The triangles of a mesh, three indices each. Throws invalidValue for others. */
+    get indices(): Uint32Array;
+    /** How many triangles of a mesh had no area. Throws invalidValue for others. */
+    get droppedTriangles(): number;
+    /** The faces of a hull: indices of their corners, counterclockwise as seen from outside. Throws invalidValue for others. */
+    get faces(): number[][];
+    /** m^3, of a hull. Throws invalidValue for others. */
+    get volume(): number;
+    /** The grid of a height field. Throws invalidValue for others. */
+    get grid(): { columns: number; rows: number; spacing: Vec2 };
+    /** The heights of a height field, row after row. Throws invalidValue for others. */
+    get heights(): Float32Array;
+    /** Gives its memory back. Twice: nothing happens. What is never disposed of goes when it is collected as garbage. */
+    dispose(): void;
+    [Symbol.dispose](): void;
+}
+
+/** The state of a world at one moment. */
+export class Snapshot {
+    private constructor();
+    get sizes(): SnapshotSizes;
+    /** Gives its memory back. Twice: nothing happens. What is never disposed of goes when it is collected as garbage. */
+    dispose(): void;
+    [Symbol.dispose](): void;
+}
+
+/** One body of a world, by its handle. Every call throws invalidHandle once the body is gone. Setting something wakes it. */
+export class Body {
+    private constructor();
+    readonly world: World;
+    readonly id: BodyId;
+    /** Whether the body still exists. */
+    get isValid(): boolean;
+    /** As `World.addShape`. */
+    addShape(shape: Shape, definition?: ShapeDef): ShapeId;
+    /** As `World.destroyBody`. */
+    destroy(): void;
+    /** How the body moves. Setting: Makes the body static, kinematic or dynamic. */
+    get type(): BodyType;
+    set type(value: BodyType);
+    /** The name of its definition. Setting: For people; need not be unique. */
+    get name(): string;
+    set name(value: string);
+    /** The number of its definition. */
+    get userData(): bigint;
+    /**
+     * Origin of the body's frame, meters. Setting: Teleports the origin of the body's frame: velocities stay, contacts
+     * are found anew.
+     */
+    get position(): Vec3;
+    set position(value: Vec3Like);
+    /**
+     * Rotation of the body's frame, of unit length. Setting: Turns the body in place: velocities stay, contacts are
+     * found anew. Normalized on entry; must not be zero.
+     */
+    get rotation(): Quat;
+    set rotation(value: QuatLike);
+    /** Place and rotation of the body's frame. */
+    get transform(): Complete<Transform>;
+    /** In world space, meters. */
+    get centerOfMass(): Vec3;
+    /** Of the center of mass, m/s. Setting: Sets the velocity of the center of mass, m/s. Not of static bodies. */
+    get linearVelocity(): Vec3;
+    set linearVelocity(value: Vec3Like);
+    /** rad/s. Setting: Sets the angular velocity, rad/s, world axes. Not of static bodies. */
+    get angularVelocity(): Vec3;
+    set angularVelocity(value: Vec3Like);
+    /** Of the body's material at a world point, m/s. Throws invalidHandle, invalidValue, wrongState. */
+    velocityAt(point: Vec3Like): Vec3;
+    /** kg; +infinity for static and kinematic bodies. */
+    get mass(): number;
+    /**
+     * Mass, center of mass and inertia, as set or computed from the shapes. Setting: Replaces the mass properties; they
+     * no longer follow the shapes. Dynamic bodies only.
+     */
+    get massProperties(): Complete<MassProperties>;
+    set massProperties(value: MassProperties);
+    /** About the center of mass, world axes, kg m^2. */
+    get worldInertia(): number[];
+    /** About the center of mass, kg m^2/s. */
+    get angularMomentum(): Vec3;
+    /** Linear and rotational, J; 0 for static and kinematic bodies. */
+    get kineticEnergy(): number;
+    /** What gravity is multiplied with for this body. Setting: Multiplies gravity for this body; any finite value. */
+    get gravityScale(): number;
+    set gravityScale(value: number);
+    /** 1/s. */
+    get linearDamping(): number;
+    /** 1/s. */
+    get angularDamping(): number;
+    /** Static bodies never are; kinematic ones are while they move. */
+    get isAwake(): boolean;
+    /** Whether it may fall asleep. Setting: false: the body and its island never fall asleep. */
+    get allowSleep(): boolean;
+    set allowSleep(value: boolean);
+    /** Its shapes, oldest first. */
+    get shapes(): ShapeId[];
+    /** Teleports the body: velocities stay, contacts are found anew. Throws invalidHandle, invalidValue, wrongState. */
+    setTransform(position: Vec3Like, rotation: QuatLike): void;
+    /**
+     * Kinematic bodies: sets the velocities that bring the body to `target` in `seconds` (> 0). Throws invalidHandle,
+     * invalidValue, wrongState.
+     */
+    moveTo(target: Transform, seconds: number): void;
+    /** 1/s, >= 0: the velocities decay as v' = -damping v. Throws invalidHandle, invalidValue, wrongState. */
+    setDamping(linear: number, angular: number): void;
+    /**
+     * Mass properties follow the shapes' densities again, scaled to `mass` if given. Throws invalidHandle,
+     * invalidValue, wrongState.
+     */
+    setMassFromShapes(mass?: number | null): void;
+    /** Wakes the body and its island. Throws invalidHandle, wrongState. */
+    wake(): void;
+    /** N, at the center of mass; acts during the next step only. Throws invalidHandle, invalidValue, wrongState. */
+    addForce(force: Vec3Like): void;
+    /** N, at a world point; next step only. Throws invalidHandle, invalidValue, wrongState. */
+    addForceAt(force: Vec3Like, point: Vec3Like): void;
+    /** N m; next step only. Throws invalidHandle, invalidValue, wrongState. */
+    addTorque(torque: Vec3Like): void;
+    /** N s, at the center of mass; changes the velocity at once. Throws invalidHandle, invalidValue, wrongState. */
+    applyImpulse(impulse: Vec3Like): void;
+    /** N s, at a world point. Throws invalidHandle, invalidValue, wrongState. */
+    applyImpulseAt(impulse: Vec3Like, point: Vec3Like): void;
+    /** N m s. Throws invalidHandle, invalidValue, wrongState. */
+    applyAngularImpulse(impulse: Vec3Like): void;
+    /** Those of one body, oldest first. */
+    get joints(): JointId[];
+    /** Those of one body. */
+    get contacts(): Contact[];
+}
+
+/** Arrays of `World.readBodies`: for each body in the order of `World.bodies`. Those that are left out are not read. */
+export interface BodyArrays {
+    /** x, y, z of the origin of each body's frame, meters. */
+    positions?: Float64Array;
+    /** x, y, z, w of each body's rotation, of unit length. */
+    rotations?: Float32Array;
+    /** x, y, z of the velocity of each center of mass, m/s. */
+    linearVelocities?: Float32Array;
+    /** x, y, z of each angular velocity in world axes, rad/s. */
+    angularVelocities?: Float32Array;
+}
+
+/** Triangles to draw a shape by, in its frame. Three indices a triangle, counterclockwise as seen from outside. */
+export interface Triangles {
+    vertices: Float32Array;
+    /** One for each vertex; null: draw flat triangles. */
+    normals: Float32Array | null;
+    indices: Uint32Array;
+}
+
+/** A world of rigid bodies. */
+export class World {
+    /** An empty world. Throws invalidValue. */
+    constructor(definition?: WorldDef);
+    /**
+     * A world from a scene: glTF with KHR_physics_rigid_bodies, as text (.gltf) or bytes (.gltf, .glb). `name` stands for it in messages.
+     * Throws invalidFile, unsupported (also for other files that it names), invalidValue.
+     */
+    static load(scene: string | ArrayBuffer | Uint8Array, name?: string): World;
+    /** The world as it stands now, as the text of a .gltf file. Throws wrongState. */
+    saveScene(): string;
+    /** Seconds: what `step` advances by if nothing is said. 1/60, or what the scene is meant for. */
+    timeStep: number;
+    /** Makes a body without shapes. Throws invalidValue, wrongState. */
+    createBody(definition?: BodyDef): Body;
+    /** With its shapes and joints; wakes what rested on it. Throws invalidHandle, wrongState. */
+    destroyBody(body: BodyId | Body): void;
+    /** A body by its handle, whether or not there is one of that name. */
+    body(id: BodyId): Body;
+    bodyIsValid(id: BodyId | Body | null): boolean;
+    shapeIsValid(id: ShapeId | null): boolean;
+    jointIsValid(id: JointId | null): boolean;
+    forceFieldIsValid(id: ForceFieldId | null): boolean;
+    /**
+     * Advances by `count` steps (1) of `seconds` each (`timeStep`; > 0, finite). The same step every time gives the best results. Events are
+     * those of the last step. Throws invalidValue, wrongState.
+     */
+    step(seconds?: number, count?: number): void;
+    /** The whole state, to go back to: a world restored from it goes on bit for bit. Throws wrongState. */
+    save(): Snapshot;
+    /** Makes this world the one that was saved. Handles from then are valid again. Throws invalidValue, wrongState. */
+    restore(snapshot: Snapshot): void;
+    /**
+     * The definition of a joint whose frames both lie at `anchor`, with x along `axis` (any non-zero vector; world space), as the bodies
+     * stand now. Throws invalidHandle, invalidValue, wrongState.
+     */
+    jointAt(bodyA: BodyId | Body | null, bodyB: BodyId | Body | null, anchor: Vec3Like, axis: Vec3Like, joint: Joint): Complete<JointDef>;
+    /** The definition of a joint, as it is now. Throws invalidHandle, wrongState. */
+    jointDef(joint: JointId): Complete<JointDef>;
+    /**
+     * Writes places, rotations and velocities of all bodies, in the order of `bodies`, into arrays; returns them. Throws invalidValue
+     * where one has another length than 3 or 4 for each body: then nothing is written.
+     */
+    readBodies<T extends BodyArrays>(arrays: T): T;
+    get bodyCount(): number;
+    /** New arrays of what `readBodies` reads. */
+    get positions(): Float64Array;
+    get rotations(): Float32Array;
+    get linearVelocities(): Float32Array;
+    get angularVelocities(): Float32Array;
+    /** Triangles to draw a shape by. Infinite planes are squares of 200 m. Throws invalidHandle, wrongState. */
+    shapeTriangles(shape: ShapeId): Triangles;
+    /** The color that the scene's file gives to a shape, linear red, green and blue, each 0 to 1. Throws invalidHandle, wrongState. */
+    shapeColor(shape: ShapeId): Vec3 | null;
+    /** Ends the world with all that is in it; every call throws wrongState from then on. Twice: nothing happens. */
+    dispose(): void;
+    [Symbol.dispose](): void;
+    /**
+     * Adds a shape to a body and, unless its mass properties were given, updates them. A dynamic body whose shapes have
+     * no mass at all is a point of its given mass, or of 1 kg, that does not turn. Planes are refused on dynamic
+     * bodies. Throws invalidHandle, invalidValue, wrongState.
+     */
+    addShape(body: BodyId | Body | null, shape: Shape, definition?: ShapeDef): ShapeId;
+    /**
+     * Takes a shape off its body, whose mass properties follow unless they were given. Throws invalidHandle,
+     * wrongState.
+     */
+    removeShape(shape: ShapeId | null): void;
+    /** The body that a shape is on. Throws invalidHandle, wrongState. */
+    bodyOf(shape: ShapeId | null): BodyId;
+    /** What was added. Throws invalidHandle, wrongState. */
+    shape(shape: ShapeId | null): Shape;
+    /** How it is attached to its body, as it is now. Throws invalidHandle, wrongState. */
+    shapeDef(shape: ShapeId | null): Complete<ShapeDef>;
+    /** In world space. Throws invalidHandle, wrongState. */
+    shapeTransform(shape: ShapeId | null): Complete<Transform>;
+    /** Tight; infinite for infinite planes. Throws invalidHandle, wrongState. */
+    shapeBounds(shape: ShapeId | null): Complete<Bounds>;
+    /** Replaces the material. Throws invalidHandle, invalidValue, wrongState. */
+    setMaterial(shape: ShapeId | null, material: Material): void;
+    /** Replaces the collision filter. Throws invalidHandle, invalidValue, wrongState. */
+    setFilter(shape: ShapeId | null, filter: CollisionFilter): void;
+    /**
+     * See `ShapeDef.surfaceVelocity`. Refused (wrongState) for a shape of a dynamic body. Throws invalidHandle,
+     * invalidValue, wrongState.
+     */
+    setSurfaceVelocity(shape: ShapeId | null, velocity: Vec3Like): void;
+    /** All, in order of slot index. */
+    get bodies(): BodyId[];
+    /** The first of that name. Throws wrongState. */
+    findBody(name: string): BodyId | null;
+    /** Joins two bodies, or a body and the world. Wakes them. Throws invalidValue, wrongState. */
+    createJoint(definition: JointDef): JointId;
+    /** Takes a joint out of the world and wakes its bodies. Throws invalidHandle, wrongState. */
+    destroyJoint(joint: JointId | null): void;
+    /**
+     * Changes limits, motors, springs, or the kind of the joint. Wakes its bodies. Throws invalidHandle, invalidValue,
+     * wrongState.
+     */
+    setJoint(id: JointId | null, joint: Joint): void;
+    /** N and N m, > 0; may be infinite. Throws invalidHandle, invalidValue, wrongState. */
+    setJointStrength(joint: JointId | null, breakForce: number, breakTorque: number): void;
+    /** What a joint did in the last step. Throws invalidHandle, wrongState. */
+    jointState(joint: JointId | null): JointState;
+    /** All, in order of slot index. */
+    get joints(): JointId[];
+    /** The first of that name. Throws wrongState. */
+    findJoint(name: string): JointId | null;
+    /**
+     * The nearest shape that the ray meets within `maxDistance`. `direction` need not be unit length. A ray that starts
+     * inside a shape does not meet that shape's surface from within, except planes' solid side. Throws invalidValue,
+     * wrongState.
+     */
+    castRay(origin: Vec3Like, direction: Vec3Like, maxDistance: number, layers?: bigint | number): RayHit | null;
+    /** Every shape that the ray meets, nearest first. Throws invalidValue, wrongState. */
+    castRayAll(origin: Vec3Like, direction: Vec3Like, maxDistance: number, layers?: bigint | number): RayHit[];
+    /**
+     * The first shape that the given convex one meets when it moves by `translation` (meters) from `start` without
+     * turning. Planes, meshes and height fields are met from outside only, and cannot be cast themselves
+     * (invalidValue). Throws invalidValue, wrongState.
+     */
+    castShape(shape: Shape, start: Transform, translation: Vec3Like, layers?: bigint | number): ShapeCastHit | null;
+    /**
+     * The shape nearest to a point, up to `maxDistance` (meters, >= 0) away. What is below a plane is inside it; meshes
+     * and height fields have no inside. Throws invalidValue, wrongState.
+     */
+    closestPoint(point: Vec3Like, maxDistance: number, layers?: bigint | number): ClosestPoint | null;
+    /**
+     * Shapes that overlap the given shape posed in the world, in order of slot index. Throws invalidValue, wrongState.
+     */
+    overlap(shape: Shape, pose: Transform, layers?: bigint | number): ShapeId[];
+    /** Shapes whose tight bounds overlap the box, in order of slot index. Throws invalidValue, wrongState. */
+    overlapBounds(bounds: Bounds, layers?: bigint | number): ShapeId[];
+    /** Shapes that began to touch in the last step. */
+    get contactBegins(): ContactBegin[];
+    /** Shapes that ceased to touch in the last step. */
+    get contactEnds(): ContactEnd[];
+    /** Shapes that hit each other in the last step, at `WorldDef.hitSpeed` or more. */
+    get contactHits(): ContactHit[];
+    /** What came into triggers and left them in the last step. */
+    get triggerEvents(): TriggerEvent[];
+    /** Joints that broke or lost a body in the last step, or since. */
+    get jointEvents(): JointEvent[];
+    /** Bodies that fell asleep or woke up in the last step. */
+    get sleepEvents(): SleepEvent[];
+    /** All touching pairs. */
+    get contacts(): Contact[];
+    /**
+     * What the world was made with, or was last set to. Setting: Replaces the settings. Wakes everything if gravity
+     * changes.
+     */
+    get settings(): Complete<WorldDef>;
+    set settings(value: WorldDef);
+    /**
+     * The number of threads that a step may use. Setting: The number of threads that a step may use: that of the
+     * caller, and `count` - 1 more that the world keeps. 1 to 256; default 1. Results do not depend on it. Snapshots do
+     * not hold it. Throws outside that range, or when the system has no more threads.
+     */
+    get threads(): number;
+    set threads(value: number);
+    /** Adds a field that acts on every dynamic body from the next step on. Throws invalidValue, wrongState. */
+    addForceField(field: ForceField): ForceFieldId;
+    /** Replaces a field by another one. Throws invalidHandle, invalidValue, wrongState. */
+    setForceField(id: ForceFieldId | null, field: ForceField): void;
+    /** Takes a field out of the world. Throws invalidHandle, wrongState. */
+    removeForceField(id: ForceFieldId | null): void;
+    /** Steps since the world was made. */
+    get stepCount(): bigint;
+    /** Simulated seconds. */
+    get time(): number;
+    /** J, of all dynamic bodies. */
+    get kineticEnergy(): number;
+    /** J in the world's gravity, relative to the origin. */
+    get potentialEnergy(): number;
+    /** kg m/s, of all dynamic bodies. */
+    get linearMomentum(): Vec3;
+    /** kg m^2/s about the origin, of all dynamic bodies. */
+    get angularMomentum(): Vec3;
+    /** Of positions, rotations and velocities, by bits. */
+    get stateHash(): bigint;
+    /** Counts and times of the last step. */
+    get statistics(): Statistics;
+}

@@ -1,0 +1,21 @@
+import type * as Three from 'three';
+import type { BodyId, World } from './index.js';
+
+/**
+ * The shapes of a world as meshes of three.js, one for all shapes that look the same. `group` goes into the scene; each mesh in it has
+ * in `userData.bodies` the body of each instance.
+ */
+export class WorldView {
+    /** `THREE`: the module of three.js, so that a page has one copy of it. Throws CairnError (invalidValue, wrongState). */
+    constructor(THREE: typeof Three, world: World);
+    readonly group: Three.Group;
+    readonly world: World;
+    /** The bodies that are drawn. */
+    readonly ids: BodyId[];
+    /** Makes the meshes anew: after bodies or shapes came or went. */
+    rebuild(): void;
+    /** Puts everything where it is now. Throws CairnError (invalidValue) if bodies came or went since `rebuild`. */
+    sync(): void;
+    /** Frees the memory of the meshes; the world is not touched. */
+    dispose(): void;
+}
