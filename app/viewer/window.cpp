@@ -107,7 +107,7 @@ class Application {
     void play_script(double seconds);
     void play(const ScriptLine& line);
     void rebuild_fonts();
-    void draw_picture(const LatestState& latest, int left, int width);
+    void draw_picture(const LatestState& latest, int left, int width, Smoothing smoothing);
     void save_picture(const std::filesystem::path& path);
     void take_screenshot();
     void update_notice(const StageState& state);
@@ -300,15 +300,15 @@ void Application::place_picture() {
     facts_.width = frame_width_ - facts_.left;
 }
 
-void Application::draw_picture(const LatestState& latest, int left, int width) {
+void Application::draw_picture(const LatestState& latest, int left, int width, Smoothing smoothing) {
     const StageState& state = latest.stage;
     const RenderFrame frame = make_frame(*state.layout, *state.previous, *state.current, latest.fraction,
                                          controller_.camera.pose(), controller_.frame_options(state));
-    renderer_.draw(frame, width, facts_.height, 0, left);
+    renderer_.draw(frame, width, facts_.height, smoothing, 0, left);
 }
 
 void Application::save_picture(const std::filesystem::path& path) {
-    draw_picture(physics_.latest(), 0, frame_width_); // of the whole window, without the panel
+    draw_picture(physics_.latest(), 0, frame_width_, Smoothing::samples); // of the whole window, without the panel
     const std::size_t row = 3u * std::size_t(frame_width_);
     std::vector<std::uint8_t> bottom_up(row * std::size_t(facts_.height)), pixels(bottom_up.size());
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
@@ -393,7 +393,7 @@ void Application::run() {
         ImGui::Render();
         facts_.scene_lines = panel_.scene_lines();
         facts_.scene_is_listed = panel_.scene_is_listed();
-        draw_picture(latest, facts_.left, facts_.width);
+        draw_picture(latest, facts_.left, facts_.width, Smoothing::edges);
         ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
         glfwSwapBuffers(window_.get());
         count_frame(seconds);
