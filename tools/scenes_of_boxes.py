@@ -3,6 +3,7 @@
 import math
 import random
 
+import joints
 from scene_writer import (BLACK, BLUE, DARK_STONE, GREEN, ORANGE, PURPLE, RED, SKY, STONE, VIVID, WALL, WHITE, WOOD,
                           YELLOW, Scene, any_turn, blend, rotate, short, turn)
 
@@ -219,16 +220,24 @@ def billiards():
 
 def newtons_cradle():
     s = Scene("Newton's cradle", "No friction and perfect bounces: one in, one out. Drag two balls back together.",
-              (0, 1.6, 5.2), (0, 0.35, 0), 40, sleep=False, restitution_speed=0)
-    smooth = s.material(0, 1, 7800)
-    s.fixed(s.plane(), s.material(0, 0, combine="multiply"), (0, 0, 0), name="ground", color="#5C6670")
-    for name, sign in (("left wall", -1), ("right wall", 1)):
-        s.fixed(s.box(0.2, 0.8, 1), smooth, (sign * 2.6, 0.4, 0), None, name, WALL)
-    ball = s.sphere(0.25)
+              (1.6, 1.9, 5.4), (0, 1.0, 0), 36, sleep=False, restitution_speed=0)
+    smooth, wood = s.material(0, 1, 7800), s.material(0.5, 0)
+    s.ground(0.5, 0, "#5C6670")
+    height, width, radius, drop = 1.9, 0.6, 0.25, 1.3
+    beam, leg, foot = s.capsule(0.04, 3.4), s.capsule(0.04, height), s.box(3.7, 0.08, 1.5)
+    s.fixed(foot, wood, (0, 0.04, 0), None, "foot", "#4A3B30")
+    for z in (-width, width):
+        s.fixed(beam, wood, (0, height, z), turn((0, 0, 1), 90), "beam", "#9AA3AB")
+        for x in (-1.7, 1.7):
+            s.fixed(leg, wood, (x, height / 2, z), None, "leg", "#9AA3AB")
+    ball, length = s.sphere(radius), math.hypot(drop, width)
     for i in range(5):
-        x = -1.75 if i == 0 else 0.5 * (i - 2.5)
-        motion = {"linearVelocity": [2, 0, 0]} if i == 0 else {}
-        s.body(ball, smooth, (x, 0.25, 0), name=f"ball {i + 1}", color=RED if i == 0 else SKY, **motion)
+        rest = 2 * radius * (i - 2)
+        angle = math.radians(-40) if i == 0 else 0
+        x, y = rest + drop * math.sin(angle), height - drop * math.cos(angle)
+        body = s.body(ball, smooth, (x, y, 0), name=f"ball {i + 1}", color=RED if i == 0 else SKY)
+        for z in (-width, width):
+            s.joint(None, body, joints.rope(round(length, 5)), (rest, height, z), place_b=(x, y, 0), color="#E8E4D8")
     return s
 
 

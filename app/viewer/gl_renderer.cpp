@@ -141,7 +141,7 @@ struct GlRenderer::Impl {
     Impl();
     void make_shadow_map();
     void prepare(const RenderFrame& frame, float aspect);
-    void upload_instances(const RenderFrame& frame, int height);
+    void upload_instances(const RenderFrame& frame, int height, float aspect);
     void upload_meshes(const RenderFrame& frame);
     void upload_sorted(GlMesh& mesh, const std::vector<Instance>& instances);
     void sort_by_distance(std::vector<Instance>& instances) const;
@@ -225,8 +225,8 @@ void GlRenderer::Impl::upload_sorted(GlMesh& mesh, const std::vector<Instance>& 
     mesh.upload(sorted.data(), sorted.size());
 }
 
-void GlRenderer::Impl::upload_instances(const RenderFrame& frame, int height) {
-    const float pixels_per_slope = 0.5f * float(height) / std::tan(0.5f * frame.camera.vertical_fov);
+void GlRenderer::Impl::upload_instances(const RenderFrame& frame, int height, float aspect) {
+    const float pixels_per_slope = 0.5f * float(height) / camera.half_height(aspect);
     const auto pixels_of = [&](const Instance& instance) {
         const float distance = std::max(glm::length(instance.position - eye), 1e-3f);
         return std::max(instance.half_size.x, instance.half_size.z) / distance * pixels_per_slope;
@@ -322,7 +322,7 @@ void GlRenderer::Impl::set_lighting(const GlProgram& program, const RenderFrame&
 
 void GlRenderer::Impl::draw_sky(const RenderFrame& frame, float aspect) {
     set_lighting(sky, frame);
-    const float half_height = std::tan(0.5f * camera.vertical_fov());
+    const float half_height = camera.half_height(aspect);
     sky.set("u_ray_forward", camera.forward());
     sky.set("u_ray_right", camera.right() * (half_height * aspect));
     sky.set("u_ray_up", camera.up() * half_height);
@@ -382,7 +382,7 @@ void GlRenderer::draw(const RenderFrame& frame, int width, int height, Smoothing
     Impl& impl = *impl_;
     const float aspect = float(width) / float(height);
     impl.prepare(frame, aspect);
-    impl.upload_instances(frame, height);
+    impl.upload_instances(frame, height, aspect);
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);
     glDisable(GL_BLEND);
@@ -397,7 +397,7 @@ void GlRenderer::draw(const RenderFrame& frame, int width, int height, Smoothing
     impl.draw_grounds(frame);
     impl.draw_sky(frame, aspect); // only where nothing else is
     impl.lines.draw(frame, impl.clip_from_world);
-    impl.lines.draw_marks(frame, impl.clip_from_world, impl.camera, height);
+    impl.lines.draw_marks(frame, impl.clip_from_world, impl.camera, width, height);
 
     impl.target.finish(framebuffer, left);
     glBindVertexArray(0);

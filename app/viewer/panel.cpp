@@ -129,6 +129,11 @@ std::string present_state(const StageState& state) {
 
 } // namespace
 
+float interface_share(float width, float height) {
+    constexpr float smallest = 0.75f, largest = 3.0f;
+    return std::clamp(std::min(width / 1280.0f, height / 720.0f), smallest, largest);
+}
+
 void apply_style(float scale) {
     ImGuiStyle style;
     ImGui::StyleColorsDark(&style);
@@ -308,7 +313,7 @@ void Panel::draw_statistics(const StageState& state, const WindowFacts& facts) {
 
 float Panel::column_width(const Controller& controller, float scale, float window_width) {
     const float width = panel_width * scale;
-    return controller.panel && 2.0f * width <= window_width ? width : 0.0f;
+    return controller.panel && 1.6f * width <= window_width ? width : 0.0f;
 }
 
 void Panel::draw(const StageState& state, Controller& controller, const WindowFacts& facts, float scale) {

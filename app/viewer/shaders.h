@@ -222,12 +222,14 @@ vec3 round_normal() {
     return rotate(v_rotation, vec3(lean.x, v_local_normal.y, lean.y));
 }
 
-// Boxes are shaded as if their edges were rounded: within a bevel of an edge the normal leans over it.
+// Boxes are shaded as if their edges were rounded: within a bevel of an edge the normal leans over it; where the bevel
+// is narrower than a pixel, within a pixel and accordingly less.
 vec3 box_normal() {
     vec3 size = v_local_normal;
     float bevel = 0.07 * min(size.x, min(size.y, size.z));
     vec3 face = rotate(vec4(-v_rotation.xyz, v_rotation.w), v_normal);
-    vec3 lean = sign(v_local) * clamp((abs(v_local) - size) / bevel + 1.0, 0.0, 1.0);
+    vec3 width = max(vec3(bevel), fwidth(v_local));
+    vec3 lean = sign(v_local) * clamp((abs(v_local) - size) / width + 1.0, 0.0, 1.0) * (bevel / width);
     return rotate(v_rotation, face + lean * (1.0 - abs(face)));
 }
 
