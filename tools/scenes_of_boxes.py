@@ -348,7 +348,7 @@ def welcome():
 
 def bullets():
     s = Scene("Bullets", "Sixty balls at 30 to 120 m/s, steel plates of 6 mm on strings: none goes through one. Try [ for slow motion.",
-              (-4.2, 2.6, 4.6), (0.5, 1.15, 0), 42)
+              (-4.2, 2.6, 4.6), (0.5, 1.15, 0), 42, max_angular_speed=8000)
     rng = random.Random(33)
     s.ground(0.6, 0.1)
     iron, wood, light = s.material(0.3, 0.2, 7800), s.material(0.5, 0), s.material(0, 0.25, 1000, "multiply")
