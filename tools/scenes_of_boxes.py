@@ -351,7 +351,7 @@ def bullets():
               (-4.2, 2.6, 4.6), (0.5, 1.15, 0), 42, max_angular_speed=8000)
     rng = random.Random(33)
     s.ground(0.6, 0.1)
-    iron, wood, light = s.material(0.3, 0.2, 7800), s.material(0.5, 0), s.material(0, 0.25, 1000, "multiply")
+    iron, wood, light = s.material(0.3, 0.2, 7800), s.material(0.5, 0), s.material(0.4, 0.1, 1000, rolling=0.01)
     plate, post, beam = s.box(0.006, 1.0, 0.7), s.box(0.08, 2.4, 0.08), s.box(0.08, 0.08, 3.2)
     for row in range(3):
         x = 0.9 * row
@@ -364,6 +364,7 @@ def bullets():
                           blend("#8A949C", "#4E6478", row / 2))
             for side in (-0.3, 0.3):
                 s.joint(None, body, joints.rope(0.8), (x, 2.4, z + side), place_b=(x, 1.6, z + side), color="#E8E4D8")
+    s.fixed(s.box(0.3, 5, 9), wood, (5, 2.5, 0), None, "backstop", "#6B5A48")
     bullet = s.sphere(0.025)
     for i in range(60):
         speed = 30 * 4 ** (i / 59)
