@@ -82,8 +82,7 @@ void finalize_body(const State& s, Bodies& bodies, Shapes& shapes, std::int32_t 
     const double ahead = double(turn + dt * velocity);
     // The step's own motion is counted at the start of the next one.
     const double moved = uncounted(bodies.counted[b], motion, links.radius);
-    const bool is_free = links.first_joint == none; // what hangs on joints cannot be held without opening them
-    const bool is_fast = is_free && moved > free_share * double(links.inner_radius);
+    const bool is_fast = moved > free_share * double(links.inner_radius);
     // How much farther than expected it may move: half of the margin of contacts, which both bodies of a pair share.
     const double spare = 0.5 * std::min(max_margin, margin_per_extent * 2 * double(links.inner_radius));
     bool has_strayed = is_before(bodies.ahead[b] + budget_of(spare), bodies.travel[b] + budget_of(moved));

@@ -212,10 +212,10 @@ Course course_of(const Mover& a, const Mover& b, Span span, double within) {
 }
 double end_of(const SweptShape& a, const SweptShape& b) { return std::min(a.path.until, b.path.until); }
 
-// A ball in the middle of a shape, with half of its smallest half width.
-Geometry ball_inside(const Mover& m) {
+// A ball in the middle of a shape, with that part of its smallest half width.
+Geometry ball_inside(const Mover& m, float part) {
     Geometry ball;
-    const float radius = 0.25f * smallest_extent(m.shape().geometry, m.shape().data);
+    const float radius = part * 0.5f * smallest_extent(m.shape().geometry, m.shape().data);
     ball.size = {radius, radius, radius};
     ball.bounding_radius = radius;
     return ball;
@@ -242,13 +242,15 @@ double time_of_meeting(const SweptShape& a, const SweptShape& b, bool is_known, 
     const double to = end_of(a, b);
     const Mover first(a, layer, from, to), second(b, layer, from, to);
     if (stay_together(first, second)) return never;
-    const double time = course_of(first, second, {from, to}, 0).meeting;
-    if (time != overlapped) return time;
-    // What begins too deep goes no deeper than up to its middle.
-    const Geometry ball = ball_inside(first);
-    const SweptShape inside{ball, a.data, first.middle_offset(), a.path, a.until};
-    const double deeper = course_of(Mover(inside, layer, from, to), second, {from, to}, 0).meeting;
-    return deeper == overlapped ? never : deeper;
+    double time = course_of(first, second, {from, to}, 0).meeting;
+    // What begins too deep goes no deeper than half of that, or up to its middle.
+    for (const float part : {0.5f, 0.0f}) {
+        if (time != overlapped) break;
+        const Geometry ball = ball_inside(first, part);
+        const SweptShape inside{ball, a.data, first.middle_offset(), a.path, a.until};
+        time = course_of(Mover(inside, layer, from, to), second, {from, to}, 0).meeting;
+    }
+    return time == overlapped ? never : time;
 }
 
 double time_of_impact(const SweptShape& a, const SweptShape& b, double from) {

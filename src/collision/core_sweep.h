@@ -43,6 +43,9 @@ struct RigidPath {
     }
 };
 
+// How far the core is inside a shape, m, by its smallest half width.
+inline double core_depth_of(double half_width) { return std::max(1e-3, 0.02 * half_width); }
+
 struct SweptShape {
     const Geometry& geometry;
     const ShapeData& data;

@@ -18,8 +18,6 @@ using math::DQuat;
 using math::DVec3;
 using math::length;
 
-// How far the core is inside the shape: m at least, and as part of the smallest half width.
-inline constexpr double core_depth = 1e-3, core_depth_part = 0.02;
 inline constexpr double known_depth_part = 0.5; // of contacts that the solver knows
 // Cores count as met when they are this near, as part of the depth.
 inline constexpr double tolerance_part = 0.1;
@@ -32,7 +30,7 @@ enum class Layer { core, known_core, skin, impact };
 
 inline double depth_of(const Convex& c, Layer layer) {
     if (c.kind == Convex::Kind::polygon || layer >= Layer::skin) return 0;
-    return layer == Layer::known_core ? known_depth_part * c.extent : std::max(core_depth, core_depth_part * c.extent);
+    return layer == Layer::known_core ? known_depth_part * c.extent : core_depth_of(c.extent);
 }
 inline double tolerance_of(const Convex& c, Layer layer) {
     if (layer >= Layer::skin) {

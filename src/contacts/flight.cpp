@@ -34,6 +34,17 @@ float fall_of(const State& s, const StepPasses& passes, const ContactInfo& c, co
     return share * dt * dt * float(math::dot(a, math::to_double(math::to_vec(m.normal))));
 }
 
+// Whether a kinematic body turns its surface away from the normal so far that in the step a contact that stays as it
+// is would be off by more than the margin: what goes straight on at the surface's speed is behind it by a third of the
+// square of the turn, of its way.
+bool turns_away(const State& s, const ContactInfo& c, const Manifold& m, float dt) {
+    if (s.bodies.settings[c.body_b].type != BodyType::kinematic) return false;
+    const BodyMotion &a = s.bodies.motion[c.body_a], &b = s.bodies.motion[c.body_b];
+    const float turn = dt * math::length(math::cross(b.w, math::to_vec(m.normal)));
+    const math::Vec3 surface = b.v + math::cross(b.w, math::to_float(a.x - b.x));
+    return turn * turn * dt * math::length(surface) > 3 * c.base_margin;
+}
+
 // Rows in the solver that a pair has had so far.
 int rows_of(const State& s, std::uint32_t id) {
     int rows = 0;
@@ -146,7 +157,9 @@ bool may_meet_in_flight(const State& s, const StepPasses& passes, const ContactI
     if (c.is_trigger || m.count == 0) return false;
     float least = m.points[0][3];
     for (int i = 1; i < m.count; ++i) least = std::min(least, m.points[i][3]);
-    if (!(least > 0) || !may_fly(s, c.body_a) || !may_fly(s, c.body_b)) return false;
+    const bool bends = turns_away(s, c, m, dt);
+    if (!(least > 0 || bends) || !may_fly(s, c.body_a) || !may_fly(s, c.body_b)) return false;
+    if (bends) return true;
     const float speed = approach_of(s.bodies, s.shapes, c, m), way = speed * dt + fall_of(s, passes, c, m, dt);
     if (least > c.base_margin || std::fabs(way) > c.base_margin) return true;
     const bool bounces = c.bounces && speed > s.settings.restitution_speed;

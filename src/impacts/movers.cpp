@@ -104,10 +104,63 @@ std::int32_t Movers::add(std::int32_t b) {
     // What is free has gone by its velocity at the start, which the mean and the change along the path give.
     m.velocity = (1 / double(dt_)) * m.path.translation - (0.5 * double(dt_)) * m.acceleration;
     m.spin = spin_later(m, to_double(to.w) + to_double(to.w_rest), to.q, from.q, -double(dt_));
+    if (links.joint_count > 0 && !m.turns_over) lead_by_joints(m, from, to);
     movers_.push_back(m);
+    if (m.is_led) lead_on(i, 0);
     if (m.is_free && longest_part(b, m.spin, from.q) < double(dt_))
         redirect(i, 0, {from.x, from.q, m.velocity, m.spin});
     return i;
+}
+
+// Joints turn a body about the axis of the screw that leads from its first pose to its last (Chasles): it is led by a
+// body on that axis. Where the way about it is nowhere as far as a core is deep from a straight one, it is left so.
+void Movers::lead_by_joints(Mover& m, const CountedPose& from, const BodyMotion& to) const {
+    const DQuat by = RigidPath::between(from.x, from.q, to.x, to.q).by;
+    const DVec3 way = to.x - from.x;
+    const double sine = math::length(by.vector()); // of half of the angle
+    if (!(sine > 0)) return;
+    const DVec3 axis = (1 / sine) * by.vector(), slide = dot(way, axis) * axis, across = way - slide;
+    if (!(math::length(across) * sine > 4 * core_depth_of(double(s.bodies.links[m.body].inner_radius)))) return;
+    const DVec3 pivot = from.x + 0.5 * (across + (by.w / sine) * math::cross(axis, across));
+    m.is_led = true;
+    m.lead = RigidPath::between(pivot, from.q, pivot + slide, to.q);
+    m.arm = math::rotate(math::conjugate(from.q), from.x - pivot);
+    m.turned = {0, 0, 0, 1};
+}
+
+void Movers::carry(std::int32_t i, double time, std::int32_t carrier) {
+    Mover& m = (*this)[i];
+    const RigidPath::Pose now = m.path.at(time);
+    m.is_led = m.is_changed = true;
+    m.carrier = carrier;
+    m.lead = path_of(carrier);
+    const RigidPath::Pose there = m.lead.at(time);
+    m.arm = math::rotate(math::conjugate(there.q), now.x - there.x);
+    m.turned = math::conjugate(there.q) * now.q;
+    const RigidPath::Pose end = m.lead.at(1);
+    BodyMotion& motion = s.bodies.motion[m.body];
+    const BodyMotion& by = s.bodies.motion[carrier];
+    const DVec3 arm = math::rotate(end.q, m.arm);
+    motion.x = end.x + arm;
+    motion.q = math::normalized(end.q * m.turned);
+    motion.v = math::to_float(to_double(by.v) + math::cross(to_double(by.w), arm));
+    motion.w = by.w;
+    motion.v_rest = motion.w_rest = {};
+    lead_on(i, time);
+}
+
+// Straight parts that are nowhere as far from the arc as a core is deep.
+void Movers::lead_on(std::int32_t i, double time) {
+    Mover& m = (*this)[i];
+    const double depth = core_depth_of(double(s.bodies.links[m.body].inner_radius));
+    const double bend = dot(m.lead.turn, m.lead.turn) * math::length(m.arm); // m, per square of the time
+    const double until = bend > 0 ? std::min(time + std::sqrt(8 * depth / bend), 1.0) : 1.0;
+    const auto pose_at = [&](double at) {
+        const RigidPath::Pose there = m.lead.at(at);
+        return RigidPath::Pose{there.x + math::rotate(there.q, m.arm), math::normalized(there.q * m.turned)};
+    };
+    const RigidPath::Pose first = pose_at(time), last = pose_at(until);
+    m.path = RigidPath::between(first.x, first.q, last.x, last.q, time, until);
 }
 
 RigidPath Movers::path_of(std::int32_t b) const {
@@ -121,6 +174,12 @@ MovingState Movers::state_at(std::int32_t i, double time) const {
     const BodyMotion& end = s.bodies.motion[m.body];
     const RigidPath::Pose pose = m.path.at(std::min(time, m.until));
     MovingState now{pose.x, pose.q, {}, {}};
+    if (m.carrier != none) {
+        const BodyMotion& by = s.bodies.motion[m.carrier];
+        now.w = to_double(by.w);
+        now.v = to_double(by.v) + math::cross(now.w, pose.x - m.lead.at(time).x);
+        return now;
+    }
     if (!m.is_free) {
         const DVec3 end_v = to_double(end.v) + to_double(end.v_rest);
         // Less the work of its forces along the way that it has still to go; it gains nothing.
@@ -186,6 +245,12 @@ void Movers::redirect(std::int32_t i, double time, const MovingState& now) {
         until = std::min(time + part, 1.0);
         fly(m, now, (until - time) * double(dt_));
         m.velocity = now.v, m.spin = now.w;
+    } else if (m.is_led) { // no longer
+        motion.x = now.x + left * now.v;
+        motion.q = math::normalized(math::from_rotation_vector(left * now.w) * now.q);
+        motion.v = math::to_float(now.v), motion.w = math::to_float(now.w);
+        motion.v_rest = motion.w_rest = {};
+        keep_in_range(m.body, now, left);
     } else {
         const MovingState before = state_at(i, time);
         const DVec3 dv = now.v - before.v, dw = now.w - before.w;
@@ -196,6 +261,8 @@ void Movers::redirect(std::int32_t i, double time, const MovingState& now) {
         motion.v_rest = motion.w_rest = {};
         keep_in_range(m.body, now, left);
     }
+    m.is_led = false;
+    m.carrier = none;
     m.turns_over = double(math::length(motion.w)) * (until - time) * double(dt_) > double(half_turn);
     m.path = RigidPath::between(now.x, now.q, motion.x, m.turns_over ? now.q : motion.q, time, until);
     m.is_changed = true;
@@ -211,11 +278,14 @@ DBounds Movers::bounds_of_way(const Mover& m, double from) const {
     const DVec3 start = m.path.at(from).x, left = (m.path.until - from) * m.path.translation;
     const double later = (1 - m.path.until) * double(dt_);
     DVec3 end = start + left;
-    if (later > 0) {
+    double r = double(s.bodies.links[m.body].radius);
+    if (m.is_led) {
+        end = s.bodies.motion[m.body].x;
+        r += m.lead.sagitta(math::length(m.arm));
+    } else if (later > 0) {
         const BodyMotion& motion = s.bodies.motion[m.body];
         end += later * (to_double(motion.v) + (offset_of_velocity() + 0.5 * later) * m.acceleration);
     }
-    const double r = double(s.bodies.links[m.body].radius);
     DBounds bounds;
     for (int k = 0; k < 3; ++k)
         bounds.lo[k] = std::min(start[k], end[k]) - r, bounds.hi[k] = std::max(start[k], end[k]) + r;

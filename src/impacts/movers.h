@@ -30,6 +30,10 @@ class Movers {
     // The pose of `now` and its velocities are those of the time; the rest of the way is made anew: of what turns far
     // and is free, up to a part of a turn, where it has to be renewed.
     void redirect(std::int32_t i, double time, const MovingState& now);
+    // Something kinematic takes it along from a time on.
+    void carry(std::int32_t i, double time, std::int32_t carrier);
+    // The next part of the path of what is led.
+    void lead_on(std::int32_t i, double time);
     // It lies on something in the direction of the unit vector `down`: the forces that press it there do not move it.
     void rest_on(std::int32_t i, math::DVec3 down);
     void stop(std::int32_t i, double time) { (*this)[i].until = time; }
@@ -44,6 +48,7 @@ class Movers {
     math::DVec3 spin_later(const Mover& m, math::DVec3 w, math::DQuat from, math::DQuat to, double duration) const;
     double longest_part(std::int32_t body, math::DVec3 w, math::DQuat q) const;
     double offset_of_velocity() const;
+    void lead_by_joints(Mover& m, const CountedPose& from, const BodyMotion& to) const;
     void fly(const Mover& m, const MovingState& from, double duration) const;
     void keep_in_range(std::int32_t body, const MovingState& from, double duration) const;
     void put_back(std::int32_t i);

@@ -33,7 +33,8 @@ math::DSym3 inverse_inertia_at(const BodyMass& mass, math::DQuat q) {
 class ImpactQueue {
   public:
     ImpactQueue(State& state, StepScratch& step, float dt)
-        : s(state), step(step), movers_(state, step, dt), pairs_(state, step, movers_) {
+        : s(state), step(step), movers_(state, step, dt), assemblies_(state.bodies, state.joints, step.solver.sweep),
+          pairs_(state, step, movers_, assemblies_) {
         meetings_.clear();
     }
     void run() {
@@ -77,14 +78,21 @@ class ImpactQueue {
     }
     void renew(std::int32_t i, double time) {
         if (movers_[i].path.until != time || movers_[i].has_stopped()) return;
-        movers_.redirect(i, time, movers_.state_at(i, time));
+        go_to_next_part(i, time);
         expect_renewal(i);
         ask_again(i, time); // its way has been looked at up to the end
     }
 
+    void go_to_next_part(std::int32_t i, double time) {
+        if (movers_[i].is_led)
+            movers_.lead_on(i, time);
+        else
+            movers_.redirect(i, time, movers_.state_at(i, time));
+    }
+
     void meet(std::int32_t k, double time) {
         const bool is_worn = is_worn_out(pairs_[k].first) || is_worn_out(pairs_[k].second);
-        const bool ends = pairs_[k].is_known || is_worn;
+        const bool ends = pairs_[k].is_known || is_worn || is_jointed(pairs_[k].shape) || is_jointed(pairs_[k].other);
         if (!ends && collide(k, time)) return;
         if (is_kinematic(pairs_[k].other)) {
             carry(k, time);
@@ -100,25 +108,37 @@ class ImpactQueue {
     bool is_kinematic(std::uint32_t shape) const {
         return s.bodies.settings[s.shapes.links[shape].body].type == BodyType::kinematic;
     }
+    // Its joints act in the solver alone: what strikes it is the next step's.
+    bool is_jointed(std::uint32_t shape) const {
+        const std::int32_t b = s.shapes.links[shape].body;
+        return s.bodies.is_dynamic(b) && s.bodies.links[b].first_joint != none;
+    }
     // What would stop at something that moves on goes along with it.
     void carry(std::int32_t k, double time) {
-        const std::int32_t i = pairs_[k].first, carrier = s.shapes.links[pairs_[k].other].body;
+        const std::int32_t i = pairs_[k].first;
         if (movers_[i].has_stopped()) return;
-        MovingState now = movers_.state_at(i, time);
-        const BodyMotion& motion = s.bodies.motion[carrier];
-        now.w = to_double(motion.w);
-        now.v = to_double(motion.v) + math::cross(now.w, now.x - movers_.path_of(carrier).at(time).x);
-        movers_.redirect(i, time, now);
+        movers_.carry(i, time, s.shapes.links[pairs_[k].other].body);
+        pairs_[k].was_carried = true;
         expect_renewal(i);
-        pairs_[k].is_carried = true;
         ask_near(i, time);
     }
     bool is_worn_out(std::int32_t i) const { return i != none && movers_[i].impacts >= max_impacts; }
 
+    // All that joints hold together stops together: its joints stay closed.
     void stop(std::int32_t i, double time) {
         if (i == none || movers_[i].has_stopped()) return;
-        movers_.stop(i, time);
-        ask_again(i, time);
+        assemblies_.for_each_beside(movers_[i].body, [&](std::int32_t body) {
+            const std::int32_t k = mover_at(body, time);
+            if (movers_[k].has_stopped()) return;
+            movers_.stop(k, time);
+            ask_again(k, time);
+        });
+    }
+    // Of a body that may not have been one, under way.
+    std::int32_t mover_at(std::int32_t body, double time) {
+        const std::int32_t i = movers_.add(body);
+        while (movers_[i].path.until < time) go_to_next_part(i, movers_[i].path.until);
+        return i;
     }
 
     // The pairs of what goes another way from now on.
@@ -128,7 +148,7 @@ class ImpactQueue {
             pair.time = never;
             const bool ends =
                 movers_[pair.first].has_stopped() && (pair.second == none || movers_[pair.second].has_stopped());
-            if (ends || pair.is_carried) return;
+            if (ends || pair.was_carried) return;
             pair.time = pairs_.time_of(pair, time);
             expect(k);
         });
@@ -158,10 +178,7 @@ class ImpactQueue {
 
     void make_mover(std::int32_t k, double time) {
         pairs_.make_mover(k);
-        const std::int32_t i = pairs_[k].second;
-        while (movers_[i].path.until < time)
-            movers_.redirect(i, movers_[i].path.until, movers_.state_at(i, movers_[i].path.until));
-        expect_renewal(i);
+        expect_renewal(mover_at(movers_[pairs_[k].second].body, time));
     }
 
     // Of the surface of what does not move by forces, along it (at the first of the points).
@@ -214,6 +231,7 @@ class ImpactQueue {
     void go_on(std::int32_t mover, std::int32_t body, double time, const MovingState& now) {
         if (mover != none) {
             if (movers_[mover].has_stopped()) return;
+            if (!is_awake(s.bodies, s.islands, body)) wake_body(s.bodies, s.islands, s.events, body);
             movers_.redirect(mover, time, now);
             expect_renewal(mover);
             ++movers_[mover].impacts;
@@ -269,6 +287,7 @@ class ImpactQueue {
     State& s;
     StepScratch& step;
     Movers movers_;
+    Assemblies assemblies_;
     SweptPairs pairs_;
     std::vector<Meeting>& meetings_ = step.solver.sweep.meetings;
     NarrowBatch& scratch_ = step.narrow.at_work.front();
@@ -279,7 +298,7 @@ class ImpactQueue {
 } // namespace
 
 void resolve_impacts(State& s, StepScratch& step, float dt) {
-    if (step.solver.fast.empty() && step.narrow.in_flight.empty()) return;
+    if (step.solver.fast.empty() && step.narrow.in_flight.empty() && s.bodies.kinematics.empty()) return;
     ImpactQueue(s, step, dt).run();
 }
 

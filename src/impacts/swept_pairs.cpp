@@ -1,5 +1,6 @@
 #include "impacts/swept_pairs.h"
 
+#include "bodies/motion_budget.h"
 #include "contacts/patches.h"
 #include "state/joint_links.h"
 
@@ -26,8 +27,9 @@ template <class F> void for_each_shape(const State& s, std::int32_t body, F&& f)
 
 } // namespace
 
-SweptPairs::SweptPairs(State& state, StepScratch& step, Movers& movers)
-    : s(state), step(step), movers_(movers), scratch_(step.solver.sweep), pairs_(step.solver.sweep.pairs) {
+SweptPairs::SweptPairs(State& state, StepScratch& step, Movers& movers, Assemblies& assemblies)
+    : s(state), step(step), movers_(movers), assemblies_(assemblies), scratch_(step.solver.sweep),
+      pairs_(step.solver.sweep.pairs) {
     pairs_.clear();
     scratch_.redirected.clear();
     scratch_.has_ways = scratch_.has_known = false;
@@ -38,6 +40,36 @@ bool SweptPairs::may_collide(std::uint32_t a, std::uint32_t b) const {
     const ShapeTraits &ta = s.shapes.traits[a], &tb = s.shapes.traits[b];
     return body_a != body_b && !ta.is_trigger && !tb.is_trigger && may_meet(ta.filter, tb.filter) &&
            !joint_forbids_contact(s.bodies, s.joints, body_a, body_b);
+}
+
+// Joints keep the bodies of an assembly from meeting, or bring them together, and act in the solver alone.
+bool SweptPairs::are_joined(std::int32_t a, std::int32_t b) {
+    const std::int32_t assembly = assemblies_.of(a);
+    return assembly != none && assembly == assemblies_.of(b);
+}
+
+// What moves by forces, is slow, and something kinematic passes.
+void SweptPairs::find_struck(std::int32_t kinematic) {
+    const BodyMotion& motion = s.bodies.motion[kinematic];
+    const double radius = double(s.bodies.links[kinematic].radius);
+    const double moved = uncounted(s.bodies.counted[kinematic], motion, s.bodies.links[kinematic].radius);
+    if (!(moved > free_share * double(s.bodies.links[kinematic].inner_radius))) return;
+    DBounds bounds;
+    const DVec3 from = s.bodies.counted[kinematic].x;
+    for (int k = 0; k < 3; ++k)
+        bounds.lo[k] = std::min(from[k], motion.x[k]) - radius, bounds.hi[k] = std::max(from[k], motion.x[k]) + radius;
+    std::vector<std::uint32_t>& near = scratch_.near; // pairs are not added while lists are gone through
+    near.clear();
+    s.broad_phase.query_bounds(bounds, [&](std::uint32_t other) { near.push_back(other); });
+    for (const std::uint32_t other : near) {
+        const std::int32_t body = s.shapes.links[other].body;
+        if (!s.bodies.is_dynamic(body)) continue;
+        for_each_shape(s, kinematic, [&](std::uint32_t shape) {
+            if (!may_collide(other, shape)) return;
+            const std::int32_t mover = movers_.add(body);
+            if (!is_listed(mover, other, shape)) add(mover, other, shape, none, is_known(other, shape));
+        });
+    }
 }
 
 // Whether two bodies moved against each other so far that a core can pass, and came near each other. The first is fast.
@@ -99,6 +131,7 @@ void SweptPairs::find() {
         const ContactInfo& c = s.contacts.info[id];
         add(movers_.of_body(c.body_a), c.shape_a, c.shape_b, std::int32_t(id), false);
     }
+    for (const std::int32_t b : s.bodies.kinematics) find_struck(b);
     if (step.solver.fast.empty()) return;
     for (const std::uint32_t k : step.narrow.open) {
         const std::uint32_t id = step.narrow.candidates[k];
@@ -107,7 +140,7 @@ void SweptPairs::find() {
         const bool a_is_fast = a != none && movers_[a].is_fast, b_is_fast = b != none && movers_[b].is_fast;
         if (!a_is_fast && !b_is_fast) continue;
         const ContactInfo& c = s.contacts.info[id];
-        if (c.is_trigger) continue;
+        if (c.is_trigger || are_joined(answer.body_a, answer.body_b)) continue;
         const std::int32_t mover = a_is_fast ? a : b;
         const std::uint32_t shape = a_is_fast ? c.shape_a : c.shape_b, other = a_is_fast ? c.shape_b : c.shape_a;
         if (!may_pass(mover, s.shapes.links[other].body, s.shapes.geometry[other]) || is_listed(mover, shape, other))
@@ -186,6 +219,7 @@ void SweptPairs::find_near(std::int32_t mover, double from) {
     for (const std::uint32_t other : near)
         for_each_shape(s, body, [&](std::uint32_t shape) {
             if (!may_collide(shape, other) || is_listed(mover, shape, other)) return;
+            if (are_joined(body, s.shapes.links[other].body)) return;
             add(mover, shape, other, none, is_known(shape, other));
         });
     if (movers_[mover].is_redirected) scratch_.redirected.push_back({bounds.lo.x, mover, bounds});

@@ -1,13 +1,14 @@
 // Which shapes may meet in a step, and when: pairs of movers with each other and with all else.
 #pragma once
 
+#include "impacts/assemblies.h"
 #include "impacts/movers.h"
 
 namespace cairn {
 
 class SweptPairs {
   public:
-    SweptPairs(State& state, StepScratch& step, Movers& movers);
+    SweptPairs(State& state, StepScratch& step, Movers& movers, Assemblies& assemblies);
 
     // Pairs of what flies, and those that the narrow phase had before it; then all that is near the ways of bodies that
     // are not where they were expected.
@@ -37,6 +38,8 @@ class SweptPairs {
     bool is_listed(std::int32_t mover, std::uint32_t shape, std::uint32_t other);
     bool may_pass(std::int32_t mover, std::int32_t body, const Geometry& other) const;
     bool may_collide(std::uint32_t a, std::uint32_t b) const;
+    bool are_joined(std::int32_t a, std::int32_t b);
+    void find_struck(std::int32_t kinematic);
     bool is_known(std::uint32_t a, std::uint32_t b);
     void list_known();
     void list_ways();
@@ -45,6 +48,7 @@ class SweptPairs {
     State& s;
     StepScratch& step;
     Movers& movers_;
+    Assemblies& assemblies_;
     SweepScratch& scratch_;
     std::vector<SweptPair>& pairs_;
 };

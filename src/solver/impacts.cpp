@@ -184,6 +184,11 @@ void begin_impact(const Bodies& bodies, const Joints& joints, BatchScratch& scra
     scratch.impact.runs.clear();
     list_impact(bodies, joints, scratch, h);
     copy_listed(scratch);
+    const auto renew = [&](const SolverKernels::ForPoints& k, auto& struck) {
+        k.renew_masses(struck.blocks.data(), int(struck.blocks.size()), scratch.inertia.data());
+    };
+    renew(kernels().solver.one_point, std::get<one_point_type>(scratch.impact.blocks));
+    renew(kernels().solver.four_points, std::get<four_points_type>(scratch.impact.blocks));
 }
 
 // --- passes

@@ -17,9 +17,10 @@ namespace cairn {
 // A body on its way through the step. Times are parts of the pass.
 struct Mover {
     std::int32_t body;
+    bool is_free = false;       // neither contacts nor joints have moved it: it flies
+    bool is_led = false;        // joints lead it about an axis, or something kinematic takes it along
     double moved;               // any point of it, m, at most, by the solver
     bool is_fast = false;       // so far that its core may pass another
-    bool is_free = false;       // neither contacts nor joints have moved it
     bool turns_over = false;    // more than half a turn: its poses do not tell how
     bool is_changed = false;    // it is not where the solver has put it
     bool is_redirected = false; // its way is not that which SweepScratch::ways has
@@ -27,6 +28,11 @@ struct Mover {
     double until = 1;               // when it stops
     std::int32_t first_pair = none; // of its list in SweepScratch::pairs
     RigidPath path;                 // under way
+    // Of what is led: where it is beside what leads it, and the kinematic body that this is, or none.
+    RigidPath lead;
+    math::DVec3 arm;
+    math::DQuat turned;
+    std::int32_t carrier = none;
     // Of what is free, at the beginning of the path:
     math::DVec3 velocity, spin; // m/s as the path begins, rad/s
     math::DVec3 acceleration;   // m/s^2 of the forces along the path, but for what it lies on
@@ -41,7 +47,7 @@ struct SweptPair {
     bool is_known = false;       // the solver has moved the two by this contact
     bool rests = false;          // they lie on each other: forces that press them together do not move them
     bool has_begun = false;      // to touch, in this step
-    bool is_carried = false;     // the first goes along with the other
+    bool was_carried = false;    // the first went along with the other: what is between two that move is crushed
     double time = never;         // of their meeting
     std::int32_t next_of_first = none, next_of_second = none;
 };
@@ -68,6 +74,11 @@ struct KnownContact {
     std::int32_t next; // of the same body, or none
 };
 
+// Bodies that joints hold together: a range of SweepScratch::members.
+struct Assembly {
+    std::int32_t begin, end;
+};
+
 struct SweepScratch {
     std::vector<std::int32_t> place; // by body, among `movers`, or none
     std::vector<Mover> movers;
@@ -80,6 +91,9 @@ struct SweepScratch {
     std::vector<std::int32_t> first_known; // by body, in `known`, or none
     std::vector<KnownContact> known;
     bool has_ways = false, has_known = false;
+    std::vector<std::int32_t> assembly_of; // by body, in `assemblies`, or none: not looked for
+    std::vector<std::int32_t> members;
+    std::vector<Assembly> assemblies;
     std::vector<std::uint32_t> near; // shapes near a way
     std::vector<ImpactPoint> points; // of one impact
     std::vector<ImpactRow> rows;

@@ -74,29 +74,47 @@ CAIRN_INLINE void gather_field(const ContactRecord* const* record, std::size_t o
     gather4(p, x, y, z, w);
 }
 
+// The matrix K of the points' normal velocities. `j`: arms for A.
+template <int N>
+CAIRN_INLINE void couple_points(ContactBlock<N>& block, const Vec3x8* j, const mask8* used, Vec3x8 c,
+                                const Inertiax8& a, const Inertiax8& b) {
+    const f32x8 mass_sum = a.inverse_mass + b.inverse_mass;
+    Vec3x8 ia_j[N], ib_j[N];
+    f32x8 mass[N], coupling[N][N]; // K_ij, i < j
+    for (int i = 0; i < N; ++i) {
+        ia_j[i] = a.inverse_inertia * j[i];
+        ib_j[i] = b.inverse_inertia * (j[i] + c);
+        for (int k = 0; k < i; ++k) coupling[k][i] = mass_sum + dot(ia_j[k], j[i]) + dot(ib_j[k], j[i] + c);
+        const f32x8 k_ii = mass_sum + dot(ia_j[i], j[i]) + dot(ib_j[i], j[i] + c);
+        mass[i] = select(used[i], safe_reciprocal(k_ii), zero());
+        store(block.effective_mass[i], mass[i]);
+    }
+    if constexpr (N > 1)
+        for (int i = 0; i < N; ++i)
+            for (int k = 0; k < N; ++k)
+                if (k != i) store(block.share[share_index<N>(k, i)], mass[k] * coupling[k < i ? k : i][k < i ? i : k]);
+}
+
 // Normal rows: arms, the matrix K of the points' normal velocities, and the friction center: that of the load as the
 // last step left it, or the middle of the points. `ahead`: how much farther apart they are at the start of the step
 // than at the touch.
 template <int N>
 CAIRN_INLINE Vec3x8 prepare_points(ContactBlock<N>& block, const ContactRecord* const* record, Vec3x8 normal, Vec3x8 c,
                                    f32x8 ahead, const Inertiax8& a, const Inertiax8& b) {
-    const f32x8 mass_sum = a.inverse_mass + b.inverse_mass;
-    Vec3x8 r[N], j[N], ia_j[N], ib_j[N], middle = zero3(), pressed = zero3();
-    f32x8 mass[N], coupling[N][N]; // K_ij, i < j
+    Vec3x8 r[N], j[N], middle = zero3(), pressed = zero3();
+    mask8 used[N];
     f32x8 points = zero(), load_sum = zero();
     for (int i = 0; i < N; ++i) {
         f32x8 s;
         gather_field(record, point_offset(i), r[i].x, r[i].y, r[i].z, s);
         s += ahead;
-        const mask8 used = s < splat(unused_separation);
+        used[i] = s < splat(unused_separation);
         if constexpr (N > 1) {
-            const f32x8 weight = select(used, one(), zero()), impulse = load(block.impulse[i]);
+            const f32x8 weight = select(used[i], one(), zero()), impulse = load(block.impulse[i]);
             middle = middle + weight * r[i], points += weight;
             pressed = pressed + impulse * r[i], load_sum += impulse;
         }
         j[i] = cross(r[i], normal);
-        ia_j[i] = a.inverse_inertia * j[i];
-        ib_j[i] = b.inverse_inertia * (j[i] + c);
         if constexpr (N > 1) {
             store3(block.arm[i], j[i]);
             store(block.height[i], dot(r[i], normal));
@@ -104,28 +122,42 @@ CAIRN_INLINE Vec3x8 prepare_points(ContactBlock<N>& block, const ContactRecord* 
         store(block.separation0[i], s);
         store(block.separation[i], s);
         store(block.total_impulse[i], zero());
-        for (int k = 0; k < i; ++k) coupling[k][i] = mass_sum + dot(ia_j[k], j[i]) + dot(ib_j[k], j[i] + c);
-        const f32x8 k_ii = mass_sum + dot(ia_j[i], j[i]) + dot(ib_j[i], j[i] + c);
-        mass[i] = select(used, safe_reciprocal(k_ii), zero());
-        store(block.effective_mass[i], mass[i]);
     }
+    couple_points<N>(block, j, used, c, a, b);
     if constexpr (N == 1) {
         store3(block.center, r[0]);
         return r[0];
     } else {
-        for (int i = 0; i < N; ++i)
-            for (int k = 0; k < N; ++k)
-                if (k != i) store(block.share[share_index<N>(k, i)], mass[k] * coupling[k < i ? k : i][k < i ? i : k]);
         const mask8 bears = load_sum > zero();
         const Vec3x8 center = safe_reciprocal(select(bears, load_sum, points)) * select(bears, pressed, middle);
         store3(block.center, center);
         for (int i = 0; i < N; ++i) {
             const Vec3x8 e = r[i] - center;
-            const mask8 used = load(block.separation0[i]) < splat(unused_separation);
-            store(block.square_lever[i], select(used, dot(e, e), zero()));
+            store(block.square_lever[i], select(used[i], dot(e, e), zero()));
         }
         return center;
     }
+}
+
+// Those of the tangential and torsional rows at the friction center.
+template <int N>
+CAIRN_INLINE void couple_friction(ContactBlock<N>& block, Vec3x8 normal, Vec3x8 center, Vec3x8 center_b, Vec3x8 t1,
+                                  Vec3x8 t2, const Inertiax8& a, const Inertiax8& b) {
+    const Vec3x8 a1 = cross(center, t1), a2 = cross(center, t2), b1 = cross(center_b, t1), b2 = cross(center_b, t2);
+    const Vec3x8 ia_1 = a.inverse_inertia * a1, ia_2 = a.inverse_inertia * a2;
+    const Vec3x8 ib_1 = b.inverse_inertia * b1, ib_2 = b.inverse_inertia * b2;
+    const f32x8 mass_sum = a.inverse_mass + b.inverse_mass;
+    const f32x8 k11 = mass_sum + dot(a1, ia_1) + dot(b1, ib_1), k22 = mass_sum + dot(a2, ia_2) + dot(b2, ib_2);
+    const f32x8 k12 = dot(a1, ia_2) + dot(b1, ib_2);
+    const f32x8 inverse_determinant = safe_reciprocal(k11 * k22 - k12 * k12);
+    store(block.tangent_mass[0], inverse_determinant * k22);
+    store(block.tangent_mass[1], -(inverse_determinant * k12));
+    store(block.tangent_mass[2], inverse_determinant * k11);
+
+    const Vec3x8 ia_n = a.inverse_inertia * normal, ib_n = b.inverse_inertia * normal;
+    store(block.torsion_mass, safe_reciprocal(dot(normal, ia_n) + dot(normal, ib_n)));
+    store(block.torsion_coupling[0], dot(a1, ia_n) + dot(b1, ib_n));
+    store(block.torsion_coupling[1], dot(a2, ia_n) + dot(b2, ib_n));
 }
 
 // Tangential and torsional rows at the friction center.
@@ -152,21 +184,7 @@ CAIRN_INLINE void prepare_friction(ContactBlock<N>& block, const ContactRecord* 
 
     const Vec3x8 center_b = center + d;
     store(block.arm_b_square, dot(center_b, center_b));
-    const Vec3x8 a1 = cross(center, t1), a2 = cross(center, t2), b1 = cross(center_b, t1), b2 = cross(center_b, t2);
-    const Vec3x8 ia_1 = a.inverse_inertia * a1, ia_2 = a.inverse_inertia * a2;
-    const Vec3x8 ib_1 = b.inverse_inertia * b1, ib_2 = b.inverse_inertia * b2;
-    const f32x8 mass_sum = a.inverse_mass + b.inverse_mass;
-    const f32x8 k11 = mass_sum + dot(a1, ia_1) + dot(b1, ib_1), k22 = mass_sum + dot(a2, ia_2) + dot(b2, ib_2);
-    const f32x8 k12 = dot(a1, ia_2) + dot(b1, ib_2);
-    const f32x8 inverse_determinant = safe_reciprocal(k11 * k22 - k12 * k12);
-    store(block.tangent_mass[0], inverse_determinant * k22);
-    store(block.tangent_mass[1], -(inverse_determinant * k12));
-    store(block.tangent_mass[2], inverse_determinant * k11);
-
-    const Vec3x8 ia_n = a.inverse_inertia * normal, ib_n = b.inverse_inertia * normal;
-    store(block.torsion_mass, safe_reciprocal(dot(normal, ia_n) + dot(normal, ib_n)));
-    store(block.torsion_coupling[0], dot(a1, ia_n) + dot(b1, ib_n));
-    store(block.torsion_coupling[1], dot(a2, ia_n) + dot(b2, ib_n));
+    couple_friction<N>(block, normal, center, center_b, t1, t2, a, b);
 }
 
 // The contacts of one color lie scattered among the records.
@@ -264,6 +282,32 @@ void prepare_contacts(void* blocks, int count, const ContactLanes& lanes, const 
                          velocity, lanes.first_discard + k);
     }
 }
+
+// With the inertia that joints see by now, and where the bodies are. Rows of one body with two inertias would not agree
+// on its energy: a rod on a ball joint that hit a pole at 50 rad/s flew off at 2,000 m/s.
+template <int N> void renew_masses(void* blocks, int count, const SolverInertia* inertia) {
+    auto* all = static_cast<ContactBlock<N>*>(blocks);
+    for (int k = 0; k < count; ++k) {
+        ContactBlock<N>& block = all[k];
+        std::int32_t row_a[8], row_b[8];
+        for (int i = 0; i < 8; ++i)
+            row_a[i] = std::int32_t(block.a[i] / row_bytes), row_b[i] = std::int32_t(block.b[i] / row_bytes);
+        const Inertiax8 a = gather_inertia(inertia, row_a), b = gather_inertia(inertia, row_b);
+        const Vec3x8 normal = load3(block.normal), d = load3(block.d), center = load3(block.center),
+                     t1 = load3(block.tangent);
+        if (!block.isotropic) { // that of isotropic bodies does not turn, and is there
+            store6(block.inertia_a, a.inverse_inertia);
+            store6(block.inertia_b, b.inverse_inertia);
+        }
+        Vec3x8 j[N];
+        mask8 used[N];
+        for (int i = 0; i < N; ++i) j[i] = arm_of(block, normal, i), used[i] = load(block.effective_mass[i]) > zero();
+        couple_points<N>(block, j, used, cross(d, normal), a, b);
+        couple_friction<N>(block, normal, center, center + d, t1, second_tangent(block, normal), a, b);
+    }
+}
+template void renew_masses<1>(void*, int, const SolverInertia*);
+template void renew_masses<4>(void*, int, const SolverInertia*);
 
 // Of friction, about the normal at the friction center: what it has for not acting there, but at the load.
 template <int N>

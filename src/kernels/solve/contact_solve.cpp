@@ -389,7 +389,7 @@ template <int N> int relax(void* blocks, int count, const SolverBodies& bodies, 
 }
 
 template <int N> SolverKernels::ForPoints contact_kernels() {
-    return {prepare_contacts<N>, warm_start<N>,      solve<N>,        relax<N>,
+    return {prepare_contacts<N>, warm_start<N>,      solve<N>,        relax<N>,         renew_masses<N>,
             strike_contacts<N>,  bounce_contacts<N>, refresh_arms<N>, store_contacts<N>};
 }
 

@@ -17,6 +17,7 @@ void store_contacts(const void* blocks, int count, const ContactLanes& lanes, Co
                     ContactReport* reports);
 template <int N>
 int bounce_contacts(void* blocks, int count, const SolverBodies& bodies, const BounceSettings& settings);
+template <int N> void renew_masses(void* blocks, int count, const SolverInertia* inertia);
 template <int N>
 void strike_contacts(void* blocks, void* impacts, int count, SolverVelocity* velocity, float inverse_h);
 float change_since(const SolverVelocity* velocity, const std::int32_t* rows, int count, SolverVelocity* last,

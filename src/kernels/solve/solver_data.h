@@ -206,6 +206,8 @@ struct SolverKernels {
         int (*solve)(void* blocks, int count, SolverVelocity* velocity, const ContactSoftness& softness);
         int (*relax)(void* blocks, int count, const SolverBodies& bodies, const ContactSoftness& softness);
         // One pass of an impact; `impacts`: an array of ContactImpact, beside the blocks.
+        // The masses and couplings by the inertia as it is now.
+        void (*renew_masses)(void* blocks, int count, const SolverInertia* inertia);
         void (*strike)(void* blocks, void* impacts, int count, SolverVelocity* velocity, float inverse_h);
         int (*bounce)(void* blocks, int count, const SolverBodies& bodies, const BounceSettings& settings);
         // `free_correction`: what velocity_correction was before the bounces.
