@@ -104,6 +104,10 @@ def wheel(suspension, spin, steering=None, **how):
     return _entry("wheel", limits, drives, members, **how)
 
 
+def rope(length, **how):
+    return _entry("distance", [{"linearAxes": [0, 1, 2], "max": length}], [], {"distance": control(0, length)}, **how)
+
+
 def gear(ratio):
     return _entry("gear", [], [], {"ratio": ratio})
 

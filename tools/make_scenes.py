@@ -47,6 +47,8 @@ SCENES = [
     ("30_clock", machines.clock),
     ("31_chain_reaction", machines.chain_reaction),
     ("32_robot_arm", machines.robot),
+    ("33_bullets", boxes.bullets),
+    ("34_pinball", boxes.pinball),
     ("welcome", boxes.welcome),
 ]
 

@@ -259,10 +259,10 @@ class Scene:
 
     # Joints.
 
-    def joint(self, a, b, joint, place, axis="x", place_b=None, name=None, collide=False):
+    def joint(self, a, b, joint, place, axis="x", place_b=None, name=None, collide=False, color=None):
         """joint: what the module `joints` makes. a, b: what the bodies above return; None for the world. axis: the x
         axis of both frames, or a rotation of them. place, place_b: of their origins in the world, the same if there is
-        one alone."""
+        one alone. color: it is drawn as a string of it."""
         self._use("CAIRN_joint")
         rotation = {"x": (0, 0, 0, 1)}.get(axis, axis)
         if len(rotation) < 4:
@@ -275,6 +275,8 @@ class Scene:
             entry["enableCollision"] = True
         if name:
             self.nodes[first]["name"] = name
+        if color:
+            self.nodes[first]["extras"] = {"cairn_color": linear(color)}
         self.nodes[first]["extensions"] = {"KHR_physics_rigid_bodies": {"joint": entry}}
 
     def _frame(self, body, place, rotation):

@@ -3,8 +3,9 @@
 import math
 import random
 
+import joints
 from scene_writer import (BLACK, BLUE, DARK_STONE, GREEN, ORANGE, PURPLE, RED, SKY, STONE, VIVID, WALL, WHITE, WOOD,
-                          YELLOW, Scene, any_turn, blend, rotate, short, turn)
+                          YELLOW, Scene, any_turn, blend, multiply, rotate, short, turn)
 
 
 def scatter(scene, rng, count, columns, spacing, bottom, material, sizes=(0.3, 0.6), jitter=0.1):
@@ -219,16 +220,24 @@ def billiards():
 
 def newtons_cradle():
     s = Scene("Newton's cradle", "No friction and perfect bounces: one in, one out. Drag two balls back together.",
-              (0, 1.6, 5.2), (0, 0.35, 0), 40, sleep=False, restitution_speed=0)
-    smooth = s.material(0, 1, 7800)
-    s.fixed(s.plane(), s.material(0, 0, combine="multiply"), (0, 0, 0), name="ground", color="#5C6670")
-    for name, sign in (("left wall", -1), ("right wall", 1)):
-        s.fixed(s.box(0.2, 0.8, 1), smooth, (sign * 2.6, 0.4, 0), None, name, WALL)
-    ball = s.sphere(0.25)
+              (1.6, 1.9, 5.4), (0, 1.0, 0), 36, sleep=False, restitution_speed=0)
+    smooth, wood = s.material(0, 1, 7800), s.material(0.5, 0)
+    s.ground(0.5, 0, "#5C6670")
+    height, width, radius, drop = 1.9, 0.6, 0.25, 1.3
+    beam, leg, foot = s.capsule(0.04, 3.4), s.capsule(0.04, height), s.box(3.7, 0.08, 1.5)
+    s.fixed(foot, wood, (0, 0.04, 0), None, "foot", "#4A3B30")
+    for z in (-width, width):
+        s.fixed(beam, wood, (0, height, z), turn((0, 0, 1), 90), "beam", "#9AA3AB")
+        for x in (-1.7, 1.7):
+            s.fixed(leg, wood, (x, height / 2, z), None, "leg", "#9AA3AB")
+    ball, length = s.sphere(radius), math.hypot(drop, width)
     for i in range(5):
-        x = -1.75 if i == 0 else 0.5 * (i - 2.5)
-        motion = {"linearVelocity": [2, 0, 0]} if i == 0 else {}
-        s.body(ball, smooth, (x, 0.25, 0), name=f"ball {i + 1}", color=RED if i == 0 else SKY, **motion)
+        rest = 2 * radius * (i - 2)
+        angle = math.radians(-40) if i == 0 else 0
+        x, y = rest + drop * math.sin(angle), height - drop * math.cos(angle)
+        body = s.body(ball, smooth, (x, y, 0), name=f"ball {i + 1}", color=RED if i == 0 else SKY)
+        for z in (-width, width):
+            s.joint(None, body, joints.rope(round(length, 5)), (rest, height, z), place_b=(x, y, 0), color="#E8E4D8")
     return s
 
 
@@ -334,4 +343,65 @@ def welcome():
     s.fixed(s.box(0.7, 0.12, 2.2), plain, (x0, middle[1] + 0.02, low + middle[2]), tilt, "ramp", WOOD)
     start = rotate(tilt, (0, 0.2, -1.85))
     s.body(s.sphere(0.2), s.material(0.6, 0.0, 2000), (x0, start[1] + 0.02, low + start[2]), None, "ball", ORANGE)
+    return s
+
+
+def bullets():
+    s = Scene("Bullets", "Sixty balls at 30 to 120 m/s, steel plates of 6 mm on strings: none goes through one. Try [ for slow motion.",
+              (-4.2, 2.6, 4.6), (0.5, 1.15, 0), 42, max_angular_speed=8000)
+    rng = random.Random(33)
+    s.ground(0.6, 0.1)
+    iron, wood, light = s.material(0.3, 0.2, 7800), s.material(0.5, 0), s.material(0.4, 0.1, 1000, rolling=0.01)
+    plate, post, beam = s.box(0.006, 1.0, 0.7), s.box(0.08, 2.4, 0.08), s.box(0.08, 0.08, 3.2)
+    for row in range(3):
+        x = 0.9 * row
+        s.fixed(beam, wood, (x, 2.4, 0), None, "beam", WOOD)
+        for z in (-1.6, 1.6):
+            s.fixed(post, wood, (x, 1.2, z), None, "post", WOOD)
+        for column in range(3):
+            z = 0.95 * (column - 1)
+            body = s.body(plate, iron, (x, 1.1, z), None, f"plate {3 * row + column + 1}",
+                          blend("#8A949C", "#4E6478", row / 2))
+            for side in (-0.3, 0.3):
+                s.joint(None, body, joints.rope(0.8), (x, 2.4, z + side), place_b=(x, 1.6, z + side), color="#E8E4D8")
+    s.fixed(s.box(0.3, 5, 9), wood, (5, 2.5, 0), None, "backstop", "#6B5A48")
+    bullet = s.sphere(0.025)
+    for i in range(60):
+        speed = 30 * 4 ** (i / 59)
+        s.body(bullet, light, (-1.2 - 0.6 * i, 1.1 + rng.uniform(-0.4, 0.4), rng.uniform(-1.2, 1.2)), None,
+               f"bullet {i + 1}", blend(YELLOW, RED, i / 59), linearVelocity=[short(speed, 3), 0, 0])
+    return s
+
+
+def pinball():
+    tilt = 12
+    s = Scene("Pinball", "Three flippers turn steadily between bumpers of rubber. Drop more balls with J.",
+              (0, 4.7, 3.7), (0, 0.6, 0.1), 42)
+    s.ground(0.6, 0.1, "#39424A")
+    slope = turn("x", tilt)
+    steel, rubber, wood = s.material(0.1, 0.3, 7800), s.material(0.2, 0.95), s.material(0.2, 0.2)
+
+    def on(x, y, z):
+        """A place above the table, in its own axes."""
+        px, py, pz = rotate(slope, (x, y, z))
+        return (px, py + 0.9, pz)
+
+    s.fixed(s.box(2.2, 0.1, 4), wood, on(0, -0.05, 0), slope, "table", "#2F5D50")
+    for name, size, place in (("left rail", (0.1, 0.2, 4), (-1.05, 0.1, 0)), ("right rail", (0.1, 0.2, 4), (1.05, 0.1, 0)),
+                              ("top rail", (2, 0.2, 0.1), (0, 0.1, -1.95))):
+        s.fixed(s.box(*size), wood, on(*place), slope, name, WOOD)
+    for name, side in (("left gutter", -1), ("right gutter", 1)):
+        s.fixed(s.box(0.66, 0.2, 0.1), wood, on(0.7 * side, 0.1, 1.4), multiply(slope, turn("y", 25 * side)), name, WOOD)
+    bumper, cap = s.cylinder(0.14, 0.2), s.cylinder(0.1, 0.04)
+    for i, (x, z) in enumerate(((-0.5, -1.1), (0.5, -1.1), (0, -0.6), (-0.6, -0.1), (0.6, -0.1))):
+        s.fixed(bumper, rubber, on(x, 0.1, z), slope, f"bumper {i + 1}", VIVID[i])
+        s.fixed(cap, rubber, on(x, 0.22, z), slope, None, WHITE)
+    flipper = s.box(0.7, 0.12, 0.07)
+    for i, (x, z, spin) in enumerate(((-0.45, 0.75, -5), (0.45, 0.75, 5), (0, 1.45, 7))):
+        s.body(flipper, rubber, on(x, 0.08, z), slope, f"flipper {i + 1}", ORANGE, isKinematic=True,
+               angularVelocity=[0, spin, 0])
+    ball = s.sphere(0.055)
+    for i in range(14):
+        s.body(ball, steel, on(-0.79 + 0.27 * (i % 7), 0.08, -1.75 + 0.16 * (i // 7)), None, f"ball {i + 1}",
+               WHITE if i % 2 else SKY)
     return s

@@ -16,14 +16,15 @@ constexpr double tolerance = 1e-6;
 
 PictureRecorder::PictureRecorder(const scene::Scene& scene, std::filesystem::path png,
                                  const std::filesystem::path& video, int width, int height)
-    : png_(std::move(png)), visuals_(visuals_of(scene)), camera_(camera_of(scene, visuals_)),
-      has_camera_(scene.info.camera.has_value()), appearances_(appearances_of(scene)), renderer_(width, height) {
+    : png_(std::move(png)), visuals_(visuals_of(scene)), strings_(strings_of(scene)),
+      camera_(camera_of(scene, visuals_)), has_camera_(scene.info.camera.has_value()),
+      appearances_(appearances_of(scene)), renderer_(width, height) {
     options_.light = scene.info.light;
     if (!video.empty()) video_ = std::make_unique<viewer::VideoWriter>(video, width, height, frames_per_second);
 }
 
 void PictureRecorder::draw(const World& world) {
-    renderer_.draw(viewer::make_frame(world, appearances_, camera_, options_, meshes_, visuals_));
+    renderer_.draw(viewer::make_frame(world, appearances_, camera_, options_, meshes_, visuals_, strings_));
 }
 
 void PictureRecorder::add(const World& world) {

@@ -29,6 +29,7 @@ class PictureRecorder {
 
     std::filesystem::path png_;
     std::vector<viewer::Visual> visuals_;
+    std::vector<viewer::JointAppearance> strings_;
     viewer::CameraPose camera_;
     viewer::FrameOptions options_;
     bool has_camera_; // of the scene's own

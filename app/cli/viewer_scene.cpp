@@ -38,6 +38,12 @@ std::vector<viewer::Visual> visuals_of(const scene::Scene& scene) {
     return visuals;
 }
 
+std::vector<viewer::JointAppearance> strings_of(const scene::Scene& scene) {
+    std::vector<viewer::JointAppearance> strings;
+    for (const scene::JointAppearance& shown : scene.joint_appearances) strings.push_back({shown.joint, shown.color});
+    return strings;
+}
+
 viewer::CameraPose camera_of(const scene::Scene& scene, std::span<const viewer::Visual> visuals) {
     if (!scene.info.camera) return viewer::fit_camera(scene.world, visuals);
     viewer::CameraPose pose;
@@ -76,6 +82,7 @@ viewer::LoadedScene load_for_viewer(const std::string& path, const ReadOptions& 
     viewer::LoadedScene loaded;
     loaded.appearances = appearances_of(scene);
     loaded.visuals = visuals_of(scene);
+    loaded.strings = strings_of(scene);
     loaded.camera = camera_of(scene, loaded.visuals);
     loaded.light = scene.info.light;
     loaded.title = scene.info.title;

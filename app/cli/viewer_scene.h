@@ -16,6 +16,8 @@ std::vector<viewer::Appearance> appearances_of(const scene::Scene& scene);
 // The scene's meshes, those that share their triangles with one mesh.
 std::vector<viewer::Visual> visuals_of(const scene::Scene& scene);
 
+std::vector<viewer::JointAppearance> strings_of(const scene::Scene& scene);
+
 // The scene's own view, or one that shows all of it.
 viewer::CameraPose camera_of(const scene::Scene& scene, std::span<const viewer::Visual> visuals);
 

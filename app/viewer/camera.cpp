@@ -20,6 +20,7 @@ constexpr double clearance_per_distance = 0.03; // of the eye above a ground: mo
 constexpr double min_clearance = 0.01;          // meters
 constexpr double rounding = 0.1;                // of the clearance: so little is no reason to lift the target
 constexpr float far_per_near = 2.0e5f;
+constexpr float widest_aspect = 16.0f / 9.0f; // of a picture; narrower ones show as much to the sides
 
 } // namespace
 
@@ -48,8 +49,8 @@ void OrbitCamera::zoom(float notches) {
     stay_above();
 }
 
-void OrbitCamera::pan(float right_amount, float up_amount) {
-    const float picture_height = 2.0f * distance_ * std::tan(0.5f * vertical_fov_);
+void OrbitCamera::pan(float right_amount, float up_amount, float aspect) {
+    const float picture_height = 2.0f * distance_ * half_height(aspect);
     target_ += Position((right() * right_amount + up() * up_amount) * picture_height);
     stay_above();
 }
@@ -112,14 +113,18 @@ glm::mat4 OrbitCamera::view(const Position& origin) const {
     return glm::lookAt(eye, eye + forward(), up());
 }
 
+float OrbitCamera::half_height(float aspect) const {
+    return std::tan(0.5f * vertical_fov_) * std::max(widest_aspect / aspect, 1.0f);
+}
+
 glm::mat4 OrbitCamera::projection(float aspect) const {
-    const float near_plane = std::max(0.005f, near_per_distance * distance_);
-    return glm::perspective(vertical_fov_, aspect, near_plane, near_plane * far_per_near);
+    const float near_plane = std::max(0.005f, near_per_distance * distance_), top = near_plane * half_height(aspect);
+    return glm::frustum(-top * aspect, top * aspect, -top, top, near_plane, near_plane * far_per_near);
 }
 
 Ray OrbitCamera::cursor_ray(const glm::vec2& device, float aspect) const {
-    const float half_height = std::tan(0.5f * vertical_fov_);
-    const Vec3 direction = forward() + right() * (device.x * half_height * aspect) + up() * (device.y * half_height);
+    const float height = half_height(aspect);
+    const Vec3 direction = forward() + right() * (device.x * height * aspect) + up() * (device.y * height);
     return {position(), glm::normalize(direction)};
 }
 
@@ -127,9 +132,8 @@ std::optional<glm::vec2> OrbitCamera::project(const Position& point, float aspec
     const Vec3 offset(point - position());
     const float depth = glm::dot(offset, forward());
     if (depth <= 1e-6f) return std::nullopt;
-    const float half_height = std::tan(0.5f * vertical_fov_);
-    return glm::vec2(glm::dot(offset, right()) / (depth * half_height * aspect),
-                     glm::dot(offset, up()) / (depth * half_height));
+    const float height = half_height(aspect);
+    return glm::vec2(glm::dot(offset, right()) / (depth * height * aspect), glm::dot(offset, up()) / (depth * height));
 }
 
 } // namespace cairn::viewer

@@ -18,7 +18,7 @@ namespace cairn::viewer {
 struct CameraPose {
     Position position{9.0, 6.0, 12.0}; ///< Meters.
     Position target{0.0, 1.0, 0.0};    ///< Meters.
-    float vertical_fov = 0.785398f;    ///< Radians, between 0 and pi.
+    float vertical_fov = 0.785398f;    ///< Radians, between 0 and pi, of a picture of 16:9 or wider.
 };
 
 /// A half-line through the world. `direction` has unit length.
@@ -50,8 +50,9 @@ class OrbitCamera {
     void orbit(float yaw, float pitch);
     /// Moves closer (positive) or away; one notch changes the distance by a tenth.
     void zoom(float notches);
-    /// Shifts the target sideways and upwards, in units of the height of the picture.
-    void pan(float right, float up);
+    /// Shifts the target sideways and upwards, in units of the height of the picture; `aspect` is its width over
+    /// height.
+    void pan(float right, float up, float aspect);
     /// Looks at a ball from the present direction, so that it fills about half of the picture.
     void frame(const Position& center, float radius);
 
@@ -67,7 +68,10 @@ class OrbitCamera {
     Position render_origin() const;
     /// From positions relative to `origin` to the camera's frame (right, up, backwards).
     glm::mat4 view(const Position& origin) const;
-    /// Perspective; `aspect` is width over height.
+    /// Half the height of the picture at a distance of 1. `aspect`, here and below, is width over height: pictures
+    /// narrower than 16:9 show as much to the sides as one of 16:9 does, and more above and below.
+    float half_height(float aspect) const;
+    /// Perspective.
     glm::mat4 projection(float aspect) const;
 
     /// The ray through a point of the picture, in normalized device coordinates (-1..1, up is positive).

@@ -277,7 +277,7 @@ void Controller::move_cursor(const glm::vec2& device, float aspect) {
     cursor_ = device;
     aspect_ = aspect;
     if (drag_ == Drag::orbit) camera.orbit(-moved.x * aspect * orbit_per_picture, -moved.y * orbit_per_picture);
-    if (drag_ == Drag::pan) camera.pan(-moved.x * aspect, -moved.y);
+    if (drag_ == Drag::pan) camera.pan(-moved.x * aspect, -moved.y, aspect);
 }
 
 void Controller::button_down(MouseButton button) {

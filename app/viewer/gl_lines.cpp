@@ -44,11 +44,11 @@ void GlLines::upload(const std::vector<Vec3>& vertices) {
 // Veils, then strokes with a dark rim that parts them from bodies of their color: first what lies behind something,
 // faintly, then the rest.
 void GlLines::draw_marks(const RenderFrame& frame, const glm::mat4& clip_from_world, const OrbitCamera& camera,
-                         int height) {
+                         int width, int height) {
     if (frame.strokes.empty() && frame.veils.empty()) return;
     constexpr float stroke_picture_height = 720.0f, rim = 2.0f;
     constexpr float veil_alpha = 0.22f, rim_alpha = 0.3f, hidden_alpha = 0.4f;
-    const float pixel = 2.0f * std::tan(0.5f * frame.camera.vertical_fov) / stroke_picture_height;
+    const float pixel = 2.0f * camera.half_height(float(width) / float(height)) / stroke_picture_height;
     const Vec3 eye(camera.position() - frame.origin);
     std::vector<Vec3> vertices, band;
     for (const Veil& veil : frame.veils)

@@ -17,7 +17,8 @@ class GlLines {
     /// The lines of a frame, a pixel wide.
     void draw(const RenderFrame& frame, const glm::mat4& clip_from_world);
     /// Its veils and strokes, into a picture of `height` pixels. `camera`: that of the frame.
-    void draw_marks(const RenderFrame& frame, const glm::mat4& clip_from_world, const OrbitCamera& camera, int height);
+    void draw_marks(const RenderFrame& frame, const glm::mat4& clip_from_world, const OrbitCamera& camera, int width,
+                    int height);
 
   private:
     void upload(const std::vector<Vec3>& vertices);

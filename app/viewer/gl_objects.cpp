@@ -103,6 +103,10 @@ void GlProgram::set(const char* uniform, const Vec3& value) const {
     glUniform3f(place_of(uniform), value.x, value.y, value.z);
 }
 
+void GlProgram::set(const char* uniform, const glm::vec4& value) const {
+    glUniform4f(place_of(uniform), value.x, value.y, value.z, value.w);
+}
+
 void GlProgram::set(const char* uniform, const glm::vec2& value) const {
     glUniform2f(place_of(uniform), value.x, value.y);
 }
@@ -110,6 +114,8 @@ void GlProgram::set(const char* uniform, const glm::vec2& value) const {
 void GlProgram::set(const char* uniform, float value) const { glUniform1f(place_of(uniform), value); }
 
 void GlProgram::set(const char* uniform, int value) const { glUniform1i(place_of(uniform), value); }
+
+void GlProgram::set(const char* uniform, int x, int y) const { glUniform2i(place_of(uniform), x, y); }
 
 GlMesh::GlMesh(const TriangleMesh& mesh)
     : vertices_(make_buffer()), indices_(make_buffer()), instances_(make_buffer()), array_(make_vertex_array()),
@@ -134,9 +140,9 @@ void GlMesh::upload(const void* instances, std::size_t count) {
     glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(count * sizeof(Instance)), instances, GL_STREAM_DRAW);
 }
 
-void GlMesh::draw_instances() const { draw_instances(0, std::size_t(index_count_)); }
+void GlMesh::draw() const { draw(0, std::size_t(index_count_)); }
 
-void GlMesh::draw_instances(std::size_t first, std::size_t count) const {
+void GlMesh::draw(std::size_t first, std::size_t count) const {
     if (instance_count_ == 0) return;
     glBindVertexArray(array_.name());
     const void* offset = reinterpret_cast<const void*>(first * sizeof(std::uint32_t)); // by OpenGL's convention

@@ -50,9 +50,11 @@ class GlProgram {
     void use() const;
     void set(const char* uniform, const glm::mat4& value) const;
     void set(const char* uniform, const Vec3& value) const;
+    void set(const char* uniform, const glm::vec4& value) const;
     void set(const char* uniform, const glm::vec2& value) const;
     void set(const char* uniform, float value) const;
     void set(const char* uniform, int value) const;
+    void set(const char* uniform, int x, int y) const;
 
   private:
     int place_of(const char* uniform) const;
@@ -66,9 +68,9 @@ class GlMesh {
     /// Draws one copy for each element of `instances` (64 bytes each, see `Instance`).
     void upload(const void* instances, std::size_t count);
     /// Draws what was uploaded last.
-    void draw_instances() const;
+    void draw() const;
     /// Draws only `count` indices of it, from number `first`.
-    void draw_instances(std::size_t first, std::size_t count) const;
+    void draw(std::size_t first, std::size_t count) const;
     /// Draws the mesh itself, once.
     void draw_once() const;
 

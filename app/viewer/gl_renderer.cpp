@@ -3,6 +3,7 @@
 #include "viewer/culling.h"
 #include "viewer/gl_lines.h"
 #include "viewer/gl_objects.h"
+#include "viewer/gl_target.h"
 #include "viewer/shaders.h"
 #include "viewer/shadow_region.h"
 
@@ -16,8 +17,10 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace cairn::viewer {
@@ -25,17 +28,16 @@ namespace cairn::viewer {
 namespace {
 
 constexpr int shadow_size = 2048;       // texels along an edge of the shadow map
-constexpr int wanted_samples = 4;       // per pixel
 constexpr float fade_distances = 20.0f; // camera distances over which the ground fades
 constexpr float extent_fades = 12.0f;   // the ground ends after that many fading distances
 
 // Meshes of round shapes by how many pixels their radius covers.
 struct Detail {
     float min_pixels;
-    int sphere_subdivisions;
-    int segments, rings; // of capsules; cylinders have the segments alone
+    int segments, rings; // of capsules; spheres have a third of the rings, cylinders none
 };
-constexpr std::array<Detail, 4> details{{{0.0f, 1, 12, 3}, {6.0f, 2, 24, 5}, {32.0f, 3, 48, 9}, {140.0f, 4, 96, 16}}};
+constexpr std::array<Detail, 5> details{
+    {{0.0f, 10, 3}, {6.0f, 16, 5}, {14.0f, 24, 6}, {32.0f, 48, 12}, {140.0f, 96, 18}}};
 
 // A round shape in all its details, and the instances of each.
 class RoundMeshes {
@@ -59,7 +61,7 @@ class RoundMeshes {
         }
     }
     void draw() const {
-        for (const GlMesh& mesh : meshes_) mesh.draw_instances();
+        for (const GlMesh& mesh : meshes_) mesh.draw();
     }
 
   private:
@@ -101,18 +103,34 @@ float grid_spacing(float camera_distance) {
     return std::clamp(std::pow(10.0f, std::round(std::log10(camera_distance / 14.0f))), 0.01f, 10.0f);
 }
 
+// A program for each kind of body, compiled when the first of them is drawn.
+class BodyPrograms {
+  public:
+    explicit BodyPrograms(std::string fragment) : fragment_(std::move(fragment)) {}
+    const GlProgram& of(shaders::BodyKind kind) {
+        std::optional<GlProgram>& program = programs_[std::size_t(kind)];
+        const std::string constant = shaders::body_kind(kind);
+        if (!program) program.emplace(shaders::desktop_header, constant + shaders::body_vertex, constant + fragment_);
+        return *program;
+    }
+
+  private:
+    std::string fragment_;
+    std::array<std::optional<GlProgram>, shaders::body_kind_count> programs_;
+};
+
 } // namespace
 
 struct GlRenderer::Impl {
-    GlProgram body, shadow, ground, sky;
+    BodyPrograms body, shadow;
+    GlProgram ground, sky;
     GlLines lines;
     RoundMeshes spheres, capsules, cylinders;
     std::unordered_map<const ShapeMesh*, LoadedMesh> meshes;
     std::vector<Instance> sorted;
     GlMesh boxes, rectangles, square;
     GlObject shadow_texture, shadow_framebuffer;
-    GlObject target_framebuffer, target_color, target_depth;
-    int target_width = 0, target_height = 0;
+    GlTarget target;
 
     // What one frame's passes share.
     glm::mat4 clip_from_world, shadow_from_world, shadow_clip_from_world;
@@ -122,13 +140,13 @@ struct GlRenderer::Impl {
 
     Impl();
     void make_shadow_map();
-    void resize_target(int width, int height);
     void prepare(const RenderFrame& frame, float aspect);
-    void upload_instances(const RenderFrame& frame, int height);
+    void upload_instances(const RenderFrame& frame, int height, float aspect);
     void upload_meshes(const RenderFrame& frame);
     void upload_sorted(GlMesh& mesh, const std::vector<Instance>& instances);
     void sort_by_distance(std::vector<Instance>& instances) const;
-    void draw_meshes(const GlProgram& program, const RenderFrame& frame, const glm::mat4& clip) const;
+    template <class Use> void draw_meshes(const RenderFrame& frame, const glm::mat4& clip, const Use& use);
+    template <class Use> void draw_shapes(const RenderFrame& frame, const glm::mat4& clip, const Use& use);
     void draw_shadow_map(const RenderFrame& frame);
     void set_lighting(const GlProgram& program, const RenderFrame& frame) const;
     void draw_sky(const RenderFrame& frame, float aspect);
@@ -137,11 +155,10 @@ struct GlRenderer::Impl {
 };
 
 GlRenderer::Impl::Impl()
-    : body(shaders::desktop_header, shaders::body_vertex, with_lighting(shaders::body_fragment)),
-      shadow(shaders::desktop_header, shaders::body_vertex, shaders::shadow_fragment),
+    : body(with_lighting(shaders::body_fragment)), shadow(shaders::shadow_fragment),
       ground(shaders::desktop_header, shaders::ground_vertex, with_lighting(shaders::ground_fragment)),
       sky(shaders::desktop_header, shaders::sky_vertex, with_lighting(shaders::sky_fragment)),
-      spheres([](const Detail& detail) { return GlMesh(sphere_mesh(detail.sphere_subdivisions)); }),
+      spheres([](const Detail& detail) { return GlMesh(cap_mesh(detail.segments, detail.rings / 3)); }),
       capsules([](const Detail& detail) { return GlMesh(capsule_mesh(detail.segments, detail.rings)); }),
       cylinders([](const Detail& detail) { return GlMesh(cylinder_mesh(detail.segments)); }), boxes(box_mesh()),
       rectangles(rectangle_mesh()), square(rectangle_mesh()) {
@@ -167,28 +184,6 @@ void GlRenderer::Impl::make_shadow_map() {
     glReadBuffer(GL_NONE);
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw Error(ErrorCode::unsupported, "shadow map", "", "must be supported by this graphics driver");
-}
-
-void GlRenderer::Impl::resize_target(int width, int height) {
-    if (width == target_width && height == target_height) return;
-    GLint max_samples = 0;
-    glGetIntegerv(GL_MAX_SAMPLES, &max_samples);
-    const GLsizei samples = std::min<GLint>(wanted_samples, max_samples);
-    target_color = make_renderbuffer();
-    glBindRenderbuffer(GL_RENDERBUFFER, target_color.name());
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_RGBA8, width, height);
-    target_depth = make_renderbuffer();
-    glBindRenderbuffer(GL_RENDERBUFFER, target_depth.name());
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_DEPTH_COMPONENT24, width, height);
-    target_framebuffer = make_framebuffer();
-    glBindFramebuffer(GL_FRAMEBUFFER, target_framebuffer.name());
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, target_color.name());
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, target_depth.name());
-    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        throw Error(ErrorCode::unsupported, "picture size", std::to_string(width) + "x" + std::to_string(height),
-                    "must be supported by this graphics driver");
-    target_width = width;
-    target_height = height;
 }
 
 void GlRenderer::Impl::prepare(const RenderFrame& frame, float aspect) {
@@ -230,8 +225,8 @@ void GlRenderer::Impl::upload_sorted(GlMesh& mesh, const std::vector<Instance>& 
     mesh.upload(sorted.data(), sorted.size());
 }
 
-void GlRenderer::Impl::upload_instances(const RenderFrame& frame, int height) {
-    const float pixels_per_slope = 0.5f * float(height) / std::tan(0.5f * frame.camera.vertical_fov);
+void GlRenderer::Impl::upload_instances(const RenderFrame& frame, int height, float aspect) {
+    const float pixels_per_slope = 0.5f * float(height) / camera.half_height(aspect);
     const auto pixels_of = [&](const Instance& instance) {
         const float distance = std::max(glm::length(instance.position - eye), 1e-3f);
         return std::max(instance.half_size.x, instance.half_size.z) / distance * pixels_per_slope;
@@ -259,22 +254,38 @@ void GlRenderer::Impl::upload_meshes(const RenderFrame& frame) {
     for (auto& [source, loaded] : meshes) loaded.used = false;
 }
 
-void GlRenderer::Impl::draw_meshes(const GlProgram& program, const RenderFrame& frame, const glm::mat4& clip) const {
+// `use(kind)` makes the program of a kind the current one.
+template <class Use>
+void GlRenderer::Impl::draw_meshes(const RenderFrame& frame, const glm::mat4& clip, const Use& use) {
     const SidePlanes planes = side_planes(clip);
     for (const MeshInstances& group : frame.meshes) {
         if (group.instances.empty()) continue;
         const shaders::BodyKind kind = kind_of(group.mesh->look);
         const bool two_sided = kind != shaders::BodyKind::facets;
-        program.set("u_kind", int(kind));
+        use(kind);
         if (two_sided) glDisable(GL_CULL_FACE);
         const GlMesh& mesh = meshes.at(group.mesh.get()).mesh;
         if (group.mesh->parts.size() == 1)
-            mesh.draw_instances();
+            mesh.draw();
         else
             for (const IndexRange& range : visible_ranges(*group.mesh, group.instances, planes))
-                mesh.draw_instances(range.first, range.count);
+                mesh.draw(range.first, range.count);
         if (two_sided) glEnable(GL_CULL_FACE);
     }
+}
+
+template <class Use>
+void GlRenderer::Impl::draw_shapes(const RenderFrame& frame, const glm::mat4& clip, const Use& use) {
+    const auto draw = [&](shaders::BodyKind kind, bool any, const auto& mesh) {
+        if (!any) return;
+        use(kind);
+        mesh.draw();
+    };
+    draw(shaders::BodyKind::sphere, !frame.spheres.empty(), spheres);
+    draw(shaders::BodyKind::capsule, !frame.capsules.empty(), capsules);
+    draw(shaders::BodyKind::cylinder, !frame.cylinders.empty(), cylinders);
+    draw(shaders::BodyKind::box, !frame.boxes.empty(), boxes);
+    draw_meshes(frame, clip, use);
 }
 
 void GlRenderer::Impl::draw_shadow_map(const RenderFrame& frame) {
@@ -284,18 +295,13 @@ void GlRenderer::Impl::draw_shadow_map(const RenderFrame& frame) {
     if (!frame.shadows) return;
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(1.5f, 2.0f);
-    shadow.use();
-    shadow.set("u_clip_from_world", shadow_clip_from_world);
     glEnable(GL_DEPTH_CLAMP); // what stands between the region and the light throws its shadow too
-    shadow.set("u_kind", int(shaders::BodyKind::sphere));
-    spheres.draw();
-    shadow.set("u_kind", int(shaders::BodyKind::capsule));
-    capsules.draw();
-    shadow.set("u_kind", int(shaders::BodyKind::cylinder));
-    cylinders.draw();
-    shadow.set("u_kind", int(shaders::BodyKind::box));
-    boxes.draw_instances();
-    draw_meshes(shadow, frame, shadow_clip_from_world);
+    draw_shapes(frame, shadow_clip_from_world, [this](shaders::BodyKind kind) {
+        const GlProgram& program = shadow.of(kind);
+        program.use();
+        program.set("u_clip_from_world", shadow_clip_from_world);
+        program.set("u_viewer", glm::vec4(to_light, 0.0f));
+    });
     glDisable(GL_DEPTH_CLAMP);
     glDisable(GL_POLYGON_OFFSET_FILL);
 }
@@ -309,13 +315,14 @@ void GlRenderer::Impl::set_lighting(const GlProgram& program, const RenderFrame&
     program.set("u_shadow_texel", shadow_texel);
     program.set("u_shadow_step", 1.0f / float(shadow_size));
     program.set("u_shadow_strength", frame.shadows ? 1.0f : 0.0f);
+    program.set("u_shadow_rings", 2);
     program.set("u_shadow_map", 0);
     program.set("u_grid", frame.grid ? 1.0f : 0.0f);
 }
 
 void GlRenderer::Impl::draw_sky(const RenderFrame& frame, float aspect) {
     set_lighting(sky, frame);
-    const float half_height = std::tan(0.5f * camera.vertical_fov());
+    const float half_height = camera.half_height(aspect);
     sky.set("u_ray_forward", camera.forward());
     sky.set("u_ray_right", camera.right() * (half_height * aspect));
     sky.set("u_ray_up", camera.up() * half_height);
@@ -327,21 +334,17 @@ void GlRenderer::Impl::draw_sky(const RenderFrame& frame, float aspect) {
 }
 
 void GlRenderer::Impl::draw_bodies(const RenderFrame& frame) {
-    set_lighting(body, frame);
-    const float distance = camera.distance();
-    body.set("u_spacing", grid_spacing(distance));
-    body.set("u_fade", fade_distances * distance);
-    body.set("u_kind", int(shaders::BodyKind::sphere));
-    spheres.draw();
-    body.set("u_kind", int(shaders::BodyKind::capsule));
-    capsules.draw();
-    body.set("u_kind", int(shaders::BodyKind::cylinder));
-    cylinders.draw();
-    body.set("u_kind", int(shaders::BodyKind::box));
-    boxes.draw_instances();
-    body.set("u_kind", int(shaders::BodyKind::rectangle));
-    rectangles.draw_instances();
-    draw_meshes(body, frame, clip_from_world);
+    const auto use = [&](shaders::BodyKind kind) {
+        const GlProgram& program = body.of(kind);
+        set_lighting(program, frame);
+        program.set("u_spacing", grid_spacing(camera.distance()));
+        program.set("u_fade", fade_distances * camera.distance());
+        program.set("u_viewer", glm::vec4(eye, 1.0f));
+    };
+    draw_shapes(frame, clip_from_world, use);
+    if (frame.rectangles.empty()) return;
+    use(shaders::BodyKind::rectangle);
+    rectangles.draw();
 }
 
 void GlRenderer::Impl::draw_grounds(const RenderFrame& frame) {
@@ -374,12 +377,12 @@ GlRenderer::GlRenderer() {
 
 GlRenderer::~GlRenderer() = default;
 
-void GlRenderer::draw(const RenderFrame& frame, int width, int height, unsigned framebuffer, int left) {
+void GlRenderer::draw(const RenderFrame& frame, int width, int height, Smoothing smoothing, unsigned framebuffer,
+                      int left) {
     Impl& impl = *impl_;
     const float aspect = float(width) / float(height);
-    impl.resize_target(width, height);
     impl.prepare(frame, aspect);
-    impl.upload_instances(frame, height);
+    impl.upload_instances(frame, height, aspect);
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);
     glDisable(GL_BLEND);
@@ -387,21 +390,16 @@ void GlRenderer::draw(const RenderFrame& frame, int width, int height, unsigned 
     glDepthMask(GL_TRUE);
     impl.draw_shadow_map(frame);
 
-    glBindFramebuffer(GL_FRAMEBUFFER, impl.target_framebuffer.name());
-    glViewport(0, 0, width, height);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    impl.target.begin(width, height, smoothing);
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, impl.shadow_texture.name());
     impl.draw_bodies(frame);
     impl.draw_grounds(frame);
     impl.draw_sky(frame, aspect); // only where nothing else is
     impl.lines.draw(frame, impl.clip_from_world);
-    impl.lines.draw_marks(frame, impl.clip_from_world, impl.camera, height);
+    impl.lines.draw_marks(frame, impl.clip_from_world, impl.camera, width, height);
 
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, impl.target_framebuffer.name());
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
-    glBlitFramebuffer(0, 0, width, height, left, 0, left + width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    impl.target.finish(framebuffer, left);
     glBindVertexArray(0);
 }
 

@@ -1,6 +1,6 @@
 /// \file gl_renderer.h
-/// Draws frames with OpenGL 3.3: instanced meshes, a soft shadow map fixed in the world, sky, fading ground,
-/// multisampling. One draw call per mesh and pass.
+/// Draws frames with OpenGL 3.3: instanced meshes, a soft shadow map fixed in the world, sky, fading ground, smooth
+/// edges. One draw call per mesh and pass.
 #pragma once
 
 #include "viewer/render_frame.h"
@@ -8,6 +8,12 @@
 #include <memory>
 
 namespace cairn::viewer {
+
+/// How edges become smooth.
+enum class Smoothing {
+    samples, ///< Four samples a pixel: for pictures that are kept.
+    edges,   ///< By a pass over the finished picture: less than half the time where a processor draws it.
+};
 
 class GlRenderer {
   public:
@@ -19,7 +25,8 @@ class GlRenderer {
 
     /// Draws into a part of a framebuffer (0: the window's) of that size in pixels, both > 0, from `left` on, and
     /// leaves the framebuffer bound.
-    void draw(const RenderFrame& frame, int width, int height, unsigned framebuffer = 0, int left = 0);
+    void draw(const RenderFrame& frame, int width, int height, Smoothing smoothing, unsigned framebuffer = 0,
+              int left = 0);
 
   private:
     struct Impl;

@@ -2,6 +2,7 @@
 /// Pictures and videos without a window: OpenGL through EGL's surfaceless platform, so no display is needed.
 #pragma once
 
+#include "viewer/gl_renderer.h"
 #include "viewer/render_frame.h"
 
 #include "files/output_file.h"
@@ -37,7 +38,7 @@ class HeadlessRenderer {
 
     int width() const noexcept;
     int height() const noexcept;
-    void draw(const RenderFrame& frame);
+    void draw(const RenderFrame& frame, Smoothing smoothing = Smoothing::samples);
     /// The last picture drawn: 8-bit RGB, top row first, 3 x width x height bytes.
     const std::vector<std::uint8_t>& pixels() const noexcept;
     /// Saves the last picture drawn. See `write_picture`.

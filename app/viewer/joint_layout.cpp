@@ -10,12 +10,15 @@
 
 namespace cairn::viewer {
 
-std::vector<JointLayout> read_joints(const World& world, const WorldLayout& layout, JointId hidden) {
+std::vector<JointLayout> read_joints(const World& world, const WorldLayout& layout, JointId hidden,
+                                     std::span<const JointAppearance> strings) {
     std::vector<JointLayout> joints;
     const std::vector<JointId> ids = world.joints();
     if (ids.empty()) return joints;
     std::unordered_map<BodyId, std::size_t> places;
     for (std::size_t i = 0; i < layout.bodies.size(); ++i) places.emplace(layout.bodies[i].id, i);
+    std::unordered_map<JointId, Vec3> colors;
+    for (const JointAppearance& shown : strings) colors.emplace(shown.joint, shown.color);
     std::vector<float> reaches(layout.bodies.size());
     for (const ShapeLayout& shape : layout.shapes)
         reaches[shape.body] = std::max(reaches[shape.body], glm::length(shape.position) +
@@ -25,6 +28,7 @@ std::vector<JointLayout> read_joints(const World& world, const WorldLayout& layo
         JointLayout joint;
         joint.id = id;
         joint.def = world.joint_def(id);
+        if (const auto color = colors.find(id); color != colors.end()) joint.color = color->second;
         float reach = 0.0f; // bodies without shapes tell nothing
         const auto place_of = [&](BodyId body) -> std::optional<std::size_t> {
             if (!body) return std::nullopt;

@@ -11,17 +11,20 @@
 
 namespace cairn::viewer {
 
+struct JointAppearance;
 struct WorldLayout;
 
 struct JointLayout {
     JointId id;
     JointDef def;
     std::optional<std::size_t> body_a, body_b; ///< Indices into `WorldLayout::bodies`; absent: the world.
-    float reach = 1.0f; ///< Meters: how far the smaller of its moving bodies reaches; drawings are of that size.
+    float reach = 1.0f;        ///< Meters: how far the smaller of its moving bodies reaches; drawings are of that size.
+    std::optional<Vec3> color; ///< Linear, of the string by which the scene shows it; absent: it does not.
 };
 
-/// All joints of a world but `hidden`.
-std::vector<JointLayout> read_joints(const World& world, const WorldLayout& layout, JointId hidden = {});
+/// All joints of a world but `hidden`. Entries of `strings` for joints that no longer exist are ignored.
+std::vector<JointLayout> read_joints(const World& world, const WorldLayout& layout, JointId hidden = {},
+                                     std::span<const JointAppearance> strings = {});
 
 /// The two frames of a joint in the world, given the transforms of the layout's bodies.
 struct JointFrames {

@@ -2,100 +2,54 @@
 
 #include <glm/geometric.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
-#include <utility>
 
 namespace cairn::viewer {
 
 namespace {
 
-// Adds a triangle, turned so that its front looks along `outward`, judged with a small bevel.
-void add_triangle(TriangleMesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c, const Vec3& outward) {
-    const auto place = [&mesh](std::uint32_t index) {
-        return mesh.vertices[index].corner - mesh.vertices[index].inset * 0.1f;
-    };
-    if (glm::dot(glm::cross(place(b) - place(a), place(c) - place(a)), outward) < 0.0f) std::swap(b, c);
-    mesh.indices.insert(mesh.indices.end(), {a, b, c});
-}
-
-void add_quad(TriangleMesh& mesh, const std::array<std::uint32_t, 4>& around, const Vec3& outward) {
-    add_triangle(mesh, around[0], around[1], around[2], outward);
-    add_triangle(mesh, around[0], around[2], around[3], outward);
+// Appends two triangles, `around` counterclockwise seen from outside.
+void add_quad(TriangleMesh& mesh, const std::array<std::uint32_t, 4>& around) {
+    mesh.indices.insert(mesh.indices.end(), {around[0], around[1], around[2], around[0], around[2], around[3]});
 }
 
 } // namespace
 
-TriangleMesh sphere_mesh(int subdivisions) {
-    const float t = 0.5f * (1.0f + std::sqrt(5.0f));
-    std::vector<Vec3> points{{-1, t, 0},  {1, t, 0},  {-1, -t, 0}, {1, -t, 0}, {0, -1, t},  {0, 1, t},
-                             {0, -1, -t}, {0, 1, -t}, {t, 0, -1},  {t, 0, 1},  {-t, 0, -1}, {-t, 0, 1}};
-    for (Vec3& point : points) point = glm::normalize(point);
-    std::vector<std::uint32_t> triangles{0, 11, 5,  0, 5,  1, 0, 1, 7, 0, 7,  10, 0, 10, 11, 1, 5, 9, 5, 11,
-                                         4, 11, 10, 2, 10, 7, 6, 7, 1, 8, 3,  9,  4, 3,  4,  2, 3, 2, 6, 3,
-                                         6, 8,  3,  8, 9,  4, 9, 5, 2, 4, 11, 6,  2, 10, 8,  6, 7, 9, 8, 1};
-    for (int level = 0; level < subdivisions; ++level) {
-        std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
-        const auto middle = [&](std::uint32_t a, std::uint32_t b) -> std::uint32_t {
-            const auto [place, is_new] =
-                middles.try_emplace({std::min(a, b), std::max(a, b)}, std::uint32_t(points.size()));
-            if (is_new) points.push_back(glm::normalize(points[a] + points[b]));
-            return place->second;
-        };
-        std::vector<std::uint32_t> finer;
-        for (std::size_t i = 0; i < triangles.size(); i += 3) {
-            const std::uint32_t a = triangles[i], b = triangles[i + 1], c = triangles[i + 2];
-            const std::uint32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
-            finer.insert(finer.end(), {a, ab, ca, b, bc, ab, c, ca, bc, ab, bc, ca});
-        }
-        triangles = std::move(finer);
-    }
+TriangleMesh cap_mesh(int segments, int rings) {
     TriangleMesh mesh;
-    for (const Vec3& point : points) mesh.vertices.push_back({point, Vec3(0.0f), point});
-    mesh.indices = std::move(triangles);
+    const Vec3 none(0.0f), towards(0.0f, 0.0f, 1.0f);
+    mesh.vertices.push_back({none, none, towards});
+    for (int ring = 1; ring <= rings; ++ring) {
+        const auto first = std::uint32_t(mesh.vertices.size());
+        for (int i = 0; i < segments; ++i) {
+            const double angle = 6.283185307179586 * i / segments;
+            const auto here = std::uint32_t(i), next = std::uint32_t((i + 1) % segments);
+            mesh.vertices.push_back(
+                {Vec3(float(std::cos(angle)), float(std::sin(angle)), float(ring) / float(rings)), none, towards});
+            if (ring == 1)
+                mesh.indices.insert(mesh.indices.end(), {0, first + here, first + next});
+            else
+                add_quad(mesh, {first + here, first + next, first - std::uint32_t(segments) + next,
+                                first - std::uint32_t(segments) + here});
+        }
+    }
     return mesh;
 }
 
 TriangleMesh box_mesh() {
     TriangleMesh mesh;
-    // At each corner one vertex for each of its three faces, moved inwards along the other two axes.
-    const auto index_of = [](int corner, int axis) { return std::uint32_t(3 * corner + axis); };
-    const auto sign = [](int corner, int axis) { return (corner >> axis) & 1 ? 1.0f : -1.0f; };
-    for (int corner = 0; corner < 8; ++corner) {
-        const Vec3 signs(sign(corner, 0), sign(corner, 1), sign(corner, 2));
-        for (int axis = 0; axis < 3; ++axis) {
-            Vec3 inset = signs, normal(0.0f);
-            inset[axis] = 0.0f;
-            normal[axis] = signs[axis];
-            mesh.vertices.push_back({signs, inset, normal});
+    for (int axis = 0; axis < 3; ++axis)
+        for (const float side : {-1.0f, 1.0f}) {
+            Vec3 normal(0.0f), u(0.0f), v(0.0f);
+            normal[axis] = side;
+            u[(axis + 1) % 3] = side;
+            v[(axis + 2) % 3] = 1.0f;
+            const auto first = std::uint32_t(mesh.vertices.size());
+            for (const Vec3& corner : {normal - u - v, normal + u - v, normal + u + v, normal - u + v})
+                mesh.vertices.push_back({corner, Vec3(0.0f), normal});
+            add_quad(mesh, {first, first + 1, first + 2, first + 3});
         }
-    }
-    for (int axis = 0; axis < 3; ++axis) {
-        const int u = 1 << ((axis + 1) % 3), v = 1 << ((axis + 2) % 3), w = 1 << axis;
-        for (const int side : {0, w}) { // the two faces across this axis
-            Vec3 outward(0.0f);
-            outward[axis] = side ? 1.0f : -1.0f;
-            add_quad(mesh,
-                     {index_of(side, axis), index_of(side | u, axis), index_of(side | u | v, axis),
-                      index_of(side | v, axis)},
-                     outward);
-        }
-        const int u_axis = (axis + 1) % 3, v_axis = (axis + 2) % 3;
-        for (const int edge : {0, u, v, u | v}) { // the four edges along this axis
-            Vec3 outward(0.0f);
-            outward[u_axis] = sign(edge, u_axis);
-            outward[v_axis] = sign(edge, v_axis);
-            add_quad(mesh,
-                     {index_of(edge, u_axis), index_of(edge, v_axis), index_of(edge | w, v_axis),
-                      index_of(edge | w, u_axis)},
-                     outward);
-        }
-    }
-    for (int corner = 0; corner < 8; ++corner)
-        add_triangle(mesh, index_of(corner, 0), index_of(corner, 1), index_of(corner, 2),
-                     mesh.vertices[index_of(corner, 0)].corner);
     return mesh;
 }
 

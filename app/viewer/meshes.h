@@ -10,9 +10,9 @@
 
 namespace cairn::viewer {
 
-/// Spheres, boxes, rectangles: at `corner * half_size - inset * bevel` in the shape's frame, so that bevels are equally
-/// wide whatever the proportions. For capsules and cylinders, `corner` and `inset` say which part of the shape a vertex
-/// belongs to (see below). Meshes of a single shape have meters in `corner`.
+/// Boxes, rectangles: at `corner * half_size` in the shape's frame. For spheres, capsules and cylinders, `corner` and
+/// `inset` say which part of the shape a vertex belongs to (see below). Meshes of a single shape have meters in
+/// `corner`.
 struct MeshVertex {
     Vec3 corner;
     Vec3 inset{0.0f, 0.0f, 0.0f};
@@ -24,9 +24,12 @@ struct TriangleMesh {
     std::vector<std::uint32_t> indices; ///< Three per triangle, counterclockwise seen from outside.
 };
 
-/// A unit sphere made by splitting an icosahedron `subdivisions` times (0 to 5): 20 x 4^subdivisions triangles.
-TriangleMesh sphere_mesh(int subdivisions);
-/// A box with beveled edges, shaded as if they were rounded: 44 triangles.
+/// What is seen of a ball, wherever from: the cap that faces the viewer, of (2 x rings - 1) x segments triangles.
+/// `corner`: the way around the middle in x and y, as a unit vector, and in z how far from there to the rim, 0 to 1.
+/// `segments`
+/// >= 3, `rings` >= 1.
+TriangleMesh cap_mesh(int segments, int rings);
+/// The box from -1 to 1 with flat faces: 12 triangles. The fragment shader rounds its edges.
 TriangleMesh box_mesh();
 /// The square from -1 to 1 in x and z, facing +y.
 TriangleMesh rectangle_mesh();

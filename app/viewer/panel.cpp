@@ -93,15 +93,16 @@ void draw_help(float scale) {
     ImGui::End();
 }
 
-// Returns the height of the box; 0 without a text.
-float draw_caption(const char* name, const std::string& text, const ImVec2& place, const ImVec2& pivot) {
+// No wider than the picture, which has that much room. Returns the height of the box; 0 without a text.
+float draw_caption(const char* name, const std::string& text, const ImVec2& place, const ImVec2& pivot, float room) {
     if (text.empty()) return 0.0f;
     ImGui::SetNextWindowPos(place, ImGuiCond_Always, pivot);
     ImGui::SetNextWindowBgAlpha(0.72f);
     ImGui::Begin(name, nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs |
                      ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
-    ImGui::PushTextWrapPos(0.55f * ImGui::GetIO().DisplaySize.x); // from the window's left edge
+    const float widest = room - 4.0f * ImGui::GetStyle().WindowPadding.x;
+    ImGui::PushTextWrapPos(std::min(0.55f * ImGui::GetIO().DisplaySize.x, widest)); // from the window's left edge
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
     const float height = ImGui::GetWindowHeight();
@@ -128,6 +129,11 @@ std::string present_state(const StageState& state) {
 }
 
 } // namespace
+
+float interface_share(float width, float height) {
+    constexpr float smallest = 0.75f, largest = 3.0f;
+    return std::clamp(std::min(width / 1280.0f, height / 720.0f), smallest, largest);
+}
 
 void apply_style(float scale) {
     ImGuiStyle style;
@@ -308,7 +314,7 @@ void Panel::draw_statistics(const StageState& state, const WindowFacts& facts) {
 
 float Panel::column_width(const Controller& controller, float scale, float window_width) {
     const float width = panel_width * scale;
-    return controller.panel && 2.0f * width <= window_width ? width : 0.0f;
+    return controller.panel && 1.6f * width <= window_width ? width : 0.0f;
 }
 
 void Panel::draw(const StageState& state, Controller& controller, const WindowFacts& facts, float scale) {
@@ -340,11 +346,12 @@ void Panel::draw(const StageState& state, Controller& controller, const WindowFa
     }
     const std::string title = state.title + (state.hint.empty() ? "" : "\n" + state.hint);
     const float title_height =
-        draw_caption("##title", title, ImVec2(io.DisplaySize.x - margin, margin), ImVec2(1.0f, 0.0f));
+        draw_caption("##title", title, ImVec2(io.DisplaySize.x - margin, margin), ImVec2(1.0f, 0.0f), room);
     if (controller.panel) joints_.draw_selected(state, controller, scale, 2.0f * margin + title_height, room);
     draw_caption("##state", present_state(state), ImVec2(io.DisplaySize.x - margin, io.DisplaySize.y - margin),
-                 ImVec2(1.0f, 1.0f));
-    draw_caption("##notice", facts.notice, ImVec2(column + 0.5f * room, io.DisplaySize.y - margin), ImVec2(0.5f, 1.0f));
+                 ImVec2(1.0f, 1.0f), room);
+    draw_caption("##notice", facts.notice, ImVec2(column + 0.5f * room, io.DisplaySize.y - margin), ImVec2(0.5f, 1.0f),
+                 room);
     if (controller.help) draw_help(scale);
 }
 

@@ -40,6 +40,10 @@ class Panel {
     bool scene_is_listed_ = false;
 };
 
+/// How large the interface is in a window of that size in unscaled units, against one of 1280 x 720: in proportion to
+/// whichever side is the tighter, 0.75 to 3.
+float interface_share(float width, float height);
+
 /// Colors, rounding and spacing, at that scale.
 void apply_style(float scale);
 

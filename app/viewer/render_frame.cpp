@@ -125,6 +125,29 @@ void add_visuals(RenderFrame& frame, const WorldLayout& layout, const WorldMotio
     }
 }
 
+// Strings are solid: in front of one another, with shadows.
+void add_strings(RenderFrame& frame, const WorldMotion& motion, std::span<const Transform> transforms) {
+    constexpr float thickness = 0.01f; // of the length
+    for (const JointLayout& joint : *motion.joints) {
+        if (!joint.color) continue;
+        const JointFrames ends = frames_of(joint, transforms);
+        const Vec3 way(ends.b.position - ends.a.position);
+        const float length = glm::length(way);
+        if (length <= 0.0f) continue;
+        // The turn of the upward axis, along which cylinders lie, to the string: half the angle, about what is
+        // perpendicular to both.
+        const Vec3 along = way / length;
+        const Quat half(1.0f + along.y, along.z, 0.0f, -along.x);
+        const Quat rotation = along.y > -0.999f ? glm::normalize(half) : Quat(0.0f, 1.0f, 0.0f, 0.0f);
+        Instance instance =
+            instance_at(0.5 * (ends.a.position + ends.b.position), rotation, frame.origin, *joint.color);
+        instance.half_size = Vec3(0.5f * thickness, 0.5f, 0.5f * thickness) * length;
+        instance.pattern = 0.0f;
+        instance.bound_radius = 0.51f * length;
+        frame.cylinders.push_back(instance);
+    }
+}
+
 // Seen through everything: the held point may be on the far side, and the target inside of something.
 void add_drag(RenderFrame& frame, const WorldLayout& layout, std::span<const Transform> transforms,
               const DragLine& drag) {
@@ -200,17 +223,19 @@ RenderFrame make_frame(const WorldLayout& layout, const WorldMotion& previous, c
         instance.bound_radius = glm::length(shape.bound_center) + shape.bound_radius;
         instances_of(frame, shape).push_back(instance);
     }
+    if (current.joints) add_strings(frame, current, transforms);
     if (options.joints != JointsShown::none && current.joints) draw_joints(frame, layout, current, transforms, options);
     if (options.drag) add_drag(frame, layout, transforms, *options.drag);
     return frame;
 }
 
 RenderFrame make_frame(const World& world, std::span<const Appearance> appearances, const CameraPose& camera,
-                       const FrameOptions& options, MeshCache& meshes, std::span<const Visual> visuals) {
+                       const FrameOptions& options, MeshCache& meshes, std::span<const Visual> visuals,
+                       std::span<const JointAppearance> strings) {
     const WorldLayout layout = read_layout(world, appearances, meshes, visuals);
     std::shared_ptr<const std::vector<JointLayout>> joints;
-    if (options.joints != JointsShown::none)
-        joints = std::make_shared<const std::vector<JointLayout>>(read_joints(world, layout));
+    if (options.joints != JointsShown::none || !strings.empty())
+        joints = std::make_shared<const std::vector<JointLayout>>(read_joints(world, layout, {}, strings));
     const WorldMotion motion = read_motion(world, layout, options.colors == ColorMode::island, std::move(joints));
     return make_frame(layout, motion, motion, 1.0f, camera, options);
 }

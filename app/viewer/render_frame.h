@@ -115,7 +115,8 @@ RenderFrame make_frame(const WorldLayout& layout, const WorldMotion& previous, c
 /// The picture of a world as it stands. `meshes` keeps the triangles of its hulls, meshes and height fields for the
 /// next picture; without it they are made anew.
 RenderFrame make_frame(const World& world, std::span<const Appearance> appearances, const CameraPose& camera,
-                       const FrameOptions& options, MeshCache& meshes, std::span<const Visual> visuals = {});
+                       const FrameOptions& options, MeshCache& meshes, std::span<const Visual> visuals = {},
+                       std::span<const JointAppearance> strings = {});
 RenderFrame make_frame(const World& world, std::span<const Appearance> appearances, const CameraPose& camera,
                        const FrameOptions& options = {});
 

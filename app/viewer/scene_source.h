@@ -20,6 +20,12 @@ struct Appearance {
     Vec3 color{0.8f, 0.8f, 0.8f};
 };
 
+/// A joint that the scene shows, as a string between its two anchors.
+struct JointAppearance {
+    JointId joint;
+    Vec3 color{0.8f, 0.8f, 0.8f}; ///< Linear.
+};
+
 /// A mesh that the scene has for its looks. It moves with its body, whose shapes it stands for in the picture.
 struct Visual {
     BodyId body;     ///< Null: scenery, which never moves.
@@ -38,6 +44,7 @@ struct LoadedScene {
     float time_step = 1.0f / 60.0f; ///< Seconds of one step, > 0.
     std::vector<Appearance> appearances;
     std::vector<Visual> visuals{};
+    std::vector<JointAppearance> strings{};
 };
 
 /// Loads the scene of that path. Throws `cairn::Error` (or any std::exception) if it cannot. It is called on the

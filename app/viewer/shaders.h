@@ -2,6 +2,9 @@
 /// The shaders, without their first line. The same text compiles as GLSL 3.30 and, for the web, as GLSL ES 3.00.
 #pragma once
 
+#include <cstddef>
+#include <string>
+
 namespace cairn::viewer::shaders {
 
 inline constexpr const char* desktop_header = "#version 330 core\n";
@@ -18,6 +21,7 @@ uniform mat4 u_shadow_from_world;
 uniform float u_shadow_texel;   // size of one texel of the shadow map in the world
 uniform float u_shadow_step;    // and in the map itself
 uniform float u_shadow_strength;
+uniform int u_shadow_rings;     // 2: how often lit_fraction() looks, at most
 uniform sampler2DShadow u_shadow_map;
 
 // Squares and square roots stand for powers throughout: they cost a software renderer a tenth of pow().
@@ -30,27 +34,30 @@ vec3 sky_color(vec3 direction) {
     return mix(color, vec3(0.42, 0.45, 0.47), smoothstep(0.0, 0.25, -direction.y));
 }
 
-// The fraction of the sun that reaches a point: comparisons, each already smoothed over four texels, on a disk. Where
-// the outer ones agree the inner ones would too, so only the edges of shadows cost all of them.
+float lit_around(vec3 place, vec2 offset) {
+    return texture(u_shadow_map, place + vec3(offset, 0.0)) + texture(u_shadow_map, place - vec3(offset, 0.0)) +
+           texture(u_shadow_map, place + vec3(-offset.y, offset.x, 0.0)) +
+           texture(u_shadow_map, place + vec3(offset.y, -offset.x, 0.0));
+}
+
+// The fraction of the sun that reaches a point: comparisons, each already smoothed over four texels, on two rings.
+// Where the outer ones agree the inner ones would too, so only the edges of shadows cost both. It is a loop of unknown
+// length because software renderers go through both sides of an "if", but leave a loop when every pixel has.
 float lit_fraction(vec3 world, vec3 normal) {
     float slope = clamp(1.0 - dot(normal, u_to_light), 0.0, 1.0);
     vec3 place = (u_shadow_from_world * vec4(world + normal * u_shadow_texel * (0.8 + 2.2 * slope), 1.0)).xyz;
     vec2 margin = abs(place.xy - 0.5);
     float inside = 1.0 - smoothstep(0.44, 0.5, max(margin.x, margin.y));
-    if (inside * u_shadow_strength <= 0.0 || place.z >= 1.0) return 1.0;
-    float s = u_shadow_step;
-    float lit = texture(u_shadow_map, place + vec3(2.0, 0.8, 0.0) * s) +
-                texture(u_shadow_map, place + vec3(-0.8, 2.0, 0.0) * s) +
-                texture(u_shadow_map, place + vec3(-2.0, -0.8, 0.0) * s) +
-                texture(u_shadow_map, place + vec3(0.8, -2.0, 0.0) * s);
-    if (lit > 0.0 && lit < 4.0) {
-        lit += texture(u_shadow_map, place + vec3(1.2, -0.5, 0.0) * s) +
-               texture(u_shadow_map, place + vec3(0.5, 1.2, 0.0) * s) +
-               texture(u_shadow_map, place + vec3(-1.2, 0.5, 0.0) * s) +
-               texture(u_shadow_map, place + vec3(-0.5, -1.2, 0.0) * s) + texture(u_shadow_map, place);
-        lit *= 4.0 / 9.0;
+    if (place.z >= 1.0) inside = 0.0;
+    vec2 offset = vec2(2.0, 0.8) * u_shadow_step;
+    float lit = 0.0, compared = 0.0;
+    for (int i = 0; i < u_shadow_rings; ++i) {
+        lit += lit_around(place, offset);
+        compared += 4.0;
+        if (lit <= 0.0 || lit >= 4.0) break;
+        offset = vec2(1.1, -0.4) * u_shadow_step;
     }
-    return 1.0 - (1.0 - 0.25 * lit) * inside * u_shadow_strength;
+    return 1.0 - (1.0 - lit / compared) * inside * u_shadow_strength;
 }
 
 vec3 shade(vec3 world, vec3 normal, vec3 color, float gloss) {
@@ -77,6 +84,9 @@ vec3 to_display(vec3 color) {
     return clamp(0.585122381 * root + 0.783140355 * fourth - 0.368262736 * sqrt(fourth), 0.0, 1.0);
 }
 
+// A pixel and, in alpha, its brightness, by which smoothing finds edges.
+vec4 pixel_of(vec3 color) { return vec4(color, dot(color, vec3(0.299, 0.587, 0.114))); }
+
 // How much of a line of a grid with lines at every whole number covers this pixel.
 float grid_line(vec2 place, float pixels) {
     vec2 width = max(fwidth(place), vec2(1e-6));
@@ -86,8 +96,12 @@ float grid_line(vec2 place, float pixels) {
 }
 )";
 
-/// The values of `u_kind` in the body shaders: which mesh is drawn.
+/// Which mesh the body shaders draw.
 enum class BodyKind : int { sphere, box, rectangle, capsule, cylinder, facets, surface, terrain, visual };
+inline constexpr std::size_t body_kind_count = 9;
+
+/// Goes before a body shader. It is a constant, as software renderers go through both sides of an "if".
+inline std::string body_kind(BodyKind kind) { return "const int c_kind = " + std::to_string(int(kind)) + ";\n"; }
 
 inline constexpr const char* body_vertex = R"(
 layout(location = 0) in vec3 a_corner;
@@ -98,12 +112,11 @@ layout(location = 4) in vec4 a_rotation;
 layout(location = 5) in vec4 a_half_size; // w: pattern
 layout(location = 6) in vec4 a_color;
 uniform mat4 u_clip_from_world;
-uniform int u_kind;
+uniform vec4 u_viewer; // from where balls are seen: the eye and 1, or the direction towards a far light and 0
 out vec3 v_world;
-out vec3 v_normal;
-out vec3 v_corner;
-out vec3 v_local;
-out vec3 v_local_normal;
+out vec3 v_normal;       // of balls: the place on the cap, from the center, in radii
+out vec3 v_local;        // of balls: the radius
+out vec3 v_local_normal; // of boxes: half of the edges
 out vec4 v_color;
 out float v_pattern;
 flat out vec4 v_rotation;
@@ -141,21 +154,35 @@ void place_cylinder(vec3 size, out vec3 place, out vec3 normal) {
     place = vec3(a_corner.x * profile.x, profile.y, a_corner.z * profile.x);
 }
 
+// The direction from a ball's center to a point of the cap that is seen of it: `a_corner` is the way around the cap's
+// middle in x and y, and in z how far from there to the rim. From within the ball nothing is seen.
+vec3 cap_direction(vec3 center, float radius) {
+    vec3 towards = u_viewer.xyz - u_viewer.w * center;
+    float distance = length(towards), rim = u_viewer.w * min(radius / distance, 1.0);
+    towards /= distance;
+    vec3 right = normalize(cross(abs(towards.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0), towards));
+    vec2 lean = normalize(mix(vec2(1.0, 0.0), vec2(rim, sqrt(1.0 - rim * rim)), a_corner.z));
+    return towards * lean.x + (right * a_corner.x + cross(towards, right) * a_corner.y) * lean.y;
+}
+
 void main() {
     vec3 local, normal = a_normal;
-    if (u_kind == 3) {
+    if (c_kind == 3) {
         place_capsule(a_half_size.xyz, local, normal);
-    } else if (u_kind == 4) {
+    } else if (c_kind == 4) {
         place_cylinder(a_half_size.xyz, local, normal);
     } else {
-        float bevel = 0.07 * min(a_half_size.x, min(a_half_size.y, a_half_size.z));
-        local = a_corner * a_half_size.xyz - a_inset * bevel;
+        local = a_corner * a_half_size.xyz;
     }
     v_world = a_position.xyz + rotate(a_rotation, local);
     v_normal = rotate(a_rotation, normal);
-    v_corner = a_corner;
     v_local = local;
-    v_local_normal = normal;
+    v_local_normal = c_kind == 1 ? a_half_size.xyz : normal;
+    if (c_kind == 0) {
+        v_normal = cap_direction(a_position.xyz, a_half_size.x);
+        v_world = a_position.xyz + a_half_size.x * v_normal;
+        v_local = a_half_size.xyz;
+    }
     v_color = vec4(a_color.rgb, a_position.w);
     v_pattern = a_half_size.w;
     v_rotation = a_rotation;
@@ -166,13 +193,11 @@ void main() {
 inline constexpr const char* body_fragment = R"(
 in vec3 v_world;
 in vec3 v_normal;
-in vec3 v_corner;
 in vec3 v_local;
 in vec3 v_local_normal;
 in vec4 v_color;
 in float v_pattern;
 flat in vec4 v_rotation;
-uniform int u_kind; // 0 sphere, 1 box, 2 rectangle, 3 capsule, 4 cylinder, 5 facets, 6 surface, 7 terrain, 8 visual
 uniform float u_grid;
 uniform float u_spacing; // of the finer lines of the grid, meters
 uniform float u_fade;    // distance at which large surfaces have half become sky, meters
@@ -197,6 +222,25 @@ vec3 round_normal() {
     return rotate(v_rotation, vec3(lean.x, v_local_normal.y, lean.y));
 }
 
+// Boxes are shaded as if their edges were rounded: within a bevel of an edge the normal leans over it; where the bevel
+// is narrower than a pixel, within a pixel and accordingly less.
+vec3 box_normal() {
+    vec3 size = v_local_normal;
+    float bevel = 0.07 * min(size.x, min(size.y, size.z));
+    vec3 face = rotate(vec4(-v_rotation.xyz, v_rotation.w), v_normal);
+    vec3 width = max(vec3(bevel), fwidth(v_local));
+    vec3 lean = sign(v_local) * clamp((abs(v_local) - size) / width + 1.0, 0.0, 1.0) * (bevel / width);
+    return rotate(v_rotation, face + lean * (1.0 - abs(face)));
+}
+
+// Moves a point of a ball's cap, which is flat between its corners, along the ray onto the ball.
+void meet_ball(inout vec3 world, inout vec3 normal) {
+    vec3 along = normalize(world - u_eye);
+    float middle = dot(normal, along), way = sqrt(max(middle * middle + 1.0 - dot(normal, normal), 0.0)) + middle;
+    normal -= along * way;
+    world -= along * (way * v_local.x);
+}
+
 // A grid on whatever side the surface faces most.
 float surface_grid(vec3 place, vec3 facing) {
     vec3 size = abs(facing);
@@ -205,44 +249,48 @@ float surface_grid(vec3 place, vec3 facing) {
 }
 
 void main() {
-    bool is_round = u_kind == 3 || u_kind == 4;
-    vec3 normal = normalize(is_round ? round_normal() : v_normal);
+    bool is_round = c_kind == 3 || c_kind == 4;
+    vec3 world = v_world, normal = v_normal;
+    if (c_kind == 0) meet_ball(world, normal);
+    if (c_kind == 1) normal = box_normal();
+    if (is_round) normal = round_normal();
+    normal = normalize(normal);
     vec3 color = v_color.rgb;
     float gloss = 1.0, haze = 0.0;
-    vec3 ray = v_world - u_eye;
-    if (u_kind == 0) {
-        color *= panels(normalize(v_corner));
-    } else if (u_kind == 2) {
+    vec3 ray = world - u_eye;
+    if (c_kind == 0) {
+        color *= panels(rotate(vec4(-v_rotation.xyz, v_rotation.w), normal));
+    } else if (c_kind == 2) {
         gloss = 0.15;
         color *= 1.0 - 0.13 * u_grid * grid_line(v_local.xz, 1.0);
     } else if (is_round) {
         color *= panels(v_local);
-    } else if (u_kind == 6 || u_kind == 7) {
+    } else if (c_kind == 6 || c_kind == 7) {
         gloss = 0.10;
         vec3 facing = normalize(v_local_normal);
         vec3 place = v_local / u_spacing;
-        if (u_kind == 7) {
+        if (c_kind == 7) {
             float steep = smoothstep(0.03, 0.35, 1.0 - facing.y);
             color = mix(color, color * vec3(1.15, 0.78, 0.62), v_pattern * steep);
         }
-        color *= 1.0 - 0.22 * u_grid * (u_kind == 7 ? grid_at(place.xz) : surface_grid(place, facing));
+        color *= 1.0 - 0.22 * u_grid * (c_kind == 7 ? grid_at(place.xz) : surface_grid(place, facing));
         float far = dot(ray, ray) / (u_fade * u_fade);
         haze = far / (1.0 + far);
     }
-    if (u_kind == 8) gloss = 0.5;
-    if (u_kind >= 6 && !gl_FrontFacing) { // from behind
+    if (c_kind == 8) gloss = 0.5;
+    if (c_kind >= 6 && !gl_FrontFacing) { // from behind
         normal = -normal;
-        if (u_kind != 8) color *= 0.6;
+        if (c_kind != 8) color *= 0.6;
     }
-    vec3 to_eye = normalize(u_eye - v_world);
-    vec3 shaded = shade(v_world, normal, color, gloss);
-    float rim = pow(1.0 - max(dot(normal, to_eye), 0.0), 2.0);
-    shaded = mix(shaded, vec3(1.9, 0.95, 0.12), v_color.a * (0.12 + 0.8 * rim));
+    vec3 to_eye = normalize(-ray);
+    vec3 shaded = shade(world, normal, color, gloss);
+    float rim = 1.0 - max(dot(normal, to_eye), 0.0);
+    shaded = mix(shaded, vec3(1.9, 0.95, 0.12), v_color.a * (0.12 + 0.8 * rim * rim));
     if (haze > 0.0) {
         vec3 horizon = normalize(vec3(ray.x, max(ray.y, 0.0), ray.z) + vec3(0.0, 1e-4, 0.0));
         shaded = mix(shaded, sky_color(horizon), haze);
     }
-    o_color = vec4(to_display(shaded), 1.0);
+    o_color = pixel_of(to_display(shaded));
 }
 )";
 
@@ -288,7 +336,7 @@ void main() {
     float far = dot(ray, ray) / (u_fade * u_fade);
     float haze = far / (1.0 + far);
     vec3 horizon = normalize(vec3(ray.x, max(ray.y, 0.0), ray.z) + vec3(0.0, 1e-4, 0.0));
-    o_color = vec4(to_display(mix(shaded, sky_color(horizon), haze)), 1.0);
+    o_color = pixel_of(to_display(mix(shaded, sky_color(horizon), haze)));
 }
 )";
 
@@ -308,7 +356,65 @@ void main() {
 inline constexpr const char* sky_fragment = R"(
 in vec3 v_ray;
 out vec4 o_color;
-void main() { o_color = vec4(to_display(sky_color(normalize(v_ray))), 1.0); }
+void main() { o_color = pixel_of(to_display(sky_color(normalize(v_ray)))); }
+)";
+
+inline constexpr const char* smoothing_vertex = R"(
+layout(location = 0) in vec3 a_corner;
+void main() { gl_Position = vec4(a_corner.x, a_corner.z, 0.0, 1.0); }
+)";
+
+/// Smooths the steps of edges. Where a pixel differs from its neighbors, the edge between it and the one across is
+/// followed both ways to its ends. What a straight edge from end to end would leave of the pixel to the other side is
+/// the share that it gets of the color there. (The idea of morphological antialiasing, Reshetov 2009.)
+inline constexpr const char* smoothing_fragment = R"(
+uniform sampler2D u_picture;
+uniform ivec2 u_corner; // of the picture in the window
+uniform int u_reach;    // pixels that an edge is followed each way, at most
+out vec4 o_color;
+
+float brightness(ivec2 place) { return texelFetch(u_picture, place, 0).a; }
+
+void main() {
+    ivec2 last = textureSize(u_picture, 0) - 1, here = ivec2(gl_FragCoord.xy) - u_corner;
+    ivec2 inner = clamp(here, ivec2(1), last - 1);
+    vec4 color = texelFetch(u_picture, here, 0);
+    float up = brightness(inner + ivec2(0, 1)), down = brightness(inner - ivec2(0, 1));
+    float right = brightness(inner + ivec2(1, 0)), left = brightness(inner - ivec2(1, 0));
+    float across_y = max(abs(up - color.a), abs(down - color.a));
+    float across_x = max(abs(right - color.a), abs(left - color.a));
+    bool lies_flat = across_y >= across_x;
+    float step = max(across_y, across_x);
+    bool plain = step < max(0.04, 0.1 * color.a);
+    ivec2 along = lies_flat ? ivec2(1, 0) : ivec2(0, 1);
+    bool forwards = lies_flat ? abs(up - color.a) >= abs(down - color.a) : abs(right - color.a) >= abs(left - color.a);
+    ivec2 across = (forwards ? 1 : -1) * ivec2(along.y, along.x);
+    float other = lies_flat ? (forwards ? up : down) : (forwards ? right : left);
+    float middle = 0.5 * (color.a + other), side = color.a - middle;
+    vec2 ends = vec2(float(u_reach) + 0.5), stops = vec2(0.0); // pixels to the ends; how the mean differs there
+    bvec2 found = bvec2(plain);
+    for (int i = 1; i <= u_reach; ++i) {
+        ivec2 ahead = clamp(inner + i * along, ivec2(1), last - 1);
+        ivec2 behind = clamp(inner - i * along, ivec2(1), last - 1);
+        float mean_ahead = 0.5 * (brightness(ahead) + brightness(ahead + across)) - middle;
+        float mean_behind = 0.5 * (brightness(behind) + brightness(behind + across)) - middle;
+        if (!found.x && abs(mean_ahead) > 0.5 * abs(side)) {
+            found.x = true;
+            ends.x = float(i) - 0.5;
+            stops.x = mean_ahead;
+        }
+        if (!found.y && abs(mean_behind) > 0.5 * abs(side)) {
+            found.y = true;
+            ends.y = float(i) - 0.5;
+            stops.y = mean_behind;
+        }
+        if (found.x && found.y) break;
+    }
+    // At the nearer end the edge steps to this pixel's side, or away from it.
+    float stop = ends.x < ends.y ? stops.x : stops.y;
+    float share = plain || stop * side >= 0.0 ? 0.0 : max(0.5 - min(ends.x, ends.y) / (ends.x + ends.y), 0.0);
+    o_color = mix(color, texelFetch(u_picture, inner + across, 0), share);
+}
 )";
 
 inline constexpr const char* line_vertex = R"(
@@ -325,7 +431,7 @@ void main() {
 inline constexpr const char* line_fragment = R"(
 in vec3 v_color;
 out vec4 o_color;
-void main() { o_color = vec4(v_color, 1.0); }
+void main() { o_color = vec4(v_color, dot(v_color, vec3(0.299, 0.587, 0.114))); }
 )";
 
 } // namespace cairn::viewer::shaders

@@ -67,6 +67,8 @@ void Stage::operator()(const command::SetJointSolver& solver) {
     const JointId remade = scene_.world.create_joint(def);
     scene_.world.destroy_joint(solver.joint);
     if (selected_joint_ == solver.joint) selected_joint_ = remade;
+    for (JointAppearance& shown : scene_.strings)
+        if (shown.joint == solver.joint) shown.joint = remade;
     refresh_joints();
     refresh_motion();
 }
@@ -95,7 +97,8 @@ void Stage::report_broken() {
 }
 
 void Stage::refresh_joints() {
-    joints_ = std::make_shared<const std::vector<JointLayout>>(read_joints(scene_.world, *layout_, drag_joint_));
+    joints_ = std::make_shared<const std::vector<JointLayout>>(
+        read_joints(scene_.world, *layout_, drag_joint_, scene_.strings));
     if (!scene_.world.is_valid(selected_joint_)) selected_joint_ = {};
 }
 

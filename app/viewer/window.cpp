@@ -38,7 +38,7 @@ namespace {
 constexpr double notice_seconds = 5.0;
 constexpr double rate_window = 0.5;      // seconds over which frames are counted
 constexpr double minimized_pause = 0.05; // seconds between looks at a window that shows nothing
-constexpr float font_size = 15.0f;       // at scale 1
+constexpr float font_size = 15.0f;       // in a window of 1280 x 720 units, at scale 1
 
 // GLFW as long as it is needed. Its error text comes through a callback.
 class GlfwLibrary {
@@ -106,8 +106,9 @@ class Application {
     void set_modifiers(int modifiers);
     void play_script(double seconds);
     void play(const ScriptLine& line);
+    void fit_interface();
     void rebuild_fonts();
-    void draw_picture(const LatestState& latest, int left, int width);
+    void draw_picture(const LatestState& latest, int left, int width, Smoothing smoothing);
     void save_picture(const std::filesystem::path& path);
     void take_screenshot();
     void update_notice(const StageState& state);
@@ -126,8 +127,8 @@ class Application {
     Panel panel_;
     ScriptPlayer script_;
     WindowFacts facts_;
-    int frame_width_ = 0; // of the whole window, pixels
-    bool fonts_are_stale_ = true;
+    int frame_width_ = 0;                               // of the whole window, pixels
+    float font_pixels_ = 0.0f, pixels_per_unit_ = 1.0f; // that the fonts were made for
     float interface_scale_ = 1.0f;
     std::uint64_t seen_message_ = 0;
     double notice_left_ = 0.0;
@@ -164,8 +165,6 @@ void Application::install_callbacks() {
     glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
         if (!focused) application(w)->controller_.release_all();
     });
-    glfwSetWindowContentScaleCallback(window,
-                                      [](GLFWwindow* w, float, float) { application(w)->fonts_are_stale_ = true; });
 }
 
 void Application::on_key(int key, int action, int modifiers) {
@@ -265,25 +264,38 @@ void Application::play(const ScriptLine& line) {
     }
 }
 
-void Application::rebuild_fonts() {
-    fonts_are_stale_ = false;
-    int window_width = 0, window_height = 0;
+// The interface has the same share of a window of any size and pixels of any density, as far as letters stay legible.
+void Application::fit_interface() {
+    int width = 0, height = 0;
     float scale = 1.0f, scale_y = 1.0f;
     glfwGetWindowContentScale(window_.get(), &scale, &scale_y);
-    glfwGetWindowSize(window_.get(), &window_width, &window_height);
+    glfwGetWindowSize(window_.get(), &width, &height);
+    glfwGetFramebufferSize(window_.get(), &frame_width_, &facts_.height);
+    if (width <= 0 || height <= 0) return; // minimized
     // Where the system measures windows in points, a point has several pixels: sharp letters need all of them.
-    const float pixels_per_unit = window_width > 0 ? std::max(float(frame_width_) / float(window_width), 1.0f) : 1.0f;
-    interface_scale_ = scale / pixels_per_unit;
+    glfwGetFramebufferSize(window_.get(), &frame_width_, &facts_.height);
+    const float pixels_per_unit = std::max(float(frame_width_) / float(width), 1.0f);
+    const float density = scale / pixels_per_unit; // units of the window that one unscaled unit takes
+    const float share = interface_share(float(width) / density, float(height) / density);
+    const float pixels = std::round(font_size * scale * share);
+    interface_scale_ = pixels / (font_size * pixels_per_unit);
+    if (pixels == font_pixels_ && pixels_per_unit == pixels_per_unit_) return;
+    font_pixels_ = pixels;
+    pixels_per_unit_ = pixels_per_unit;
+    rebuild_fonts();
+}
+
+void Application::rebuild_fonts() {
     ImGuiIO& io = ImGui::GetIO();
     io.Fonts->Clear();
     const char* nicer = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
     ImFontConfig config;
-    config.SizePixels = std::round(font_size * scale);
+    config.SizePixels = font_pixels_;
     if (std::filesystem::exists(nicer))
         io.Fonts->AddFontFromFileTTF(nicer, config.SizePixels);
     else
         io.Fonts->AddFontDefault(&config); // built in, coarser
-    io.FontGlobalScale = 1.0f / pixels_per_unit;
+    io.FontGlobalScale = 1.0f / pixels_per_unit_;
     apply_style(interface_scale_);
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
@@ -293,22 +305,21 @@ void Application::rebuild_fonts() {
 void Application::place_picture() {
     int window_width = 0, window_height = 0;
     glfwGetWindowSize(window_.get(), &window_width, &window_height);
-    glfwGetFramebufferSize(window_.get(), &frame_width_, &facts_.height);
     const float column = Panel::column_width(controller_, interface_scale_, float(window_width));
     const float pixels_per_unit = float(frame_width_) / float(std::max(window_width, 1));
     facts_.left = int(std::round(column * pixels_per_unit));
     facts_.width = frame_width_ - facts_.left;
 }
 
-void Application::draw_picture(const LatestState& latest, int left, int width) {
+void Application::draw_picture(const LatestState& latest, int left, int width, Smoothing smoothing) {
     const StageState& state = latest.stage;
     const RenderFrame frame = make_frame(*state.layout, *state.previous, *state.current, latest.fraction,
                                          controller_.camera.pose(), controller_.frame_options(state));
-    renderer_.draw(frame, width, facts_.height, 0, left);
+    renderer_.draw(frame, width, facts_.height, smoothing, 0, left);
 }
 
 void Application::save_picture(const std::filesystem::path& path) {
-    draw_picture(physics_.latest(), 0, frame_width_); // of the whole window, without the panel
+    draw_picture(physics_.latest(), 0, frame_width_, Smoothing::samples); // of the whole window, without the panel
     const std::size_t row = 3u * std::size_t(frame_width_);
     std::vector<std::uint8_t> bottom_up(row * std::size_t(facts_.height)), pixels(bottom_up.size());
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
@@ -371,6 +382,7 @@ void Application::run() {
         const Clock::time_point now = Clock::now();
         const double seconds = std::chrono::duration<double>(now - std::exchange(last, now)).count();
         if (options_.exit_after && std::chrono::duration<double>(now - start).count() >= *options_.exit_after) break;
+        fit_interface();
         place_picture();
         const LatestState latest = physics_.latest();
         controller_.update(latest.stage);
@@ -384,7 +396,6 @@ void Application::run() {
             title = latest.stage.title;
             glfwSetWindowTitle(window_.get(), ("Cairn: " + title).c_str());
         }
-        if (fonts_are_stale_) rebuild_fonts();
         if (controller_.screenshot) take_screenshot();
         ImGui_ImplOpenGL3_NewFrame();
         ImGui_ImplGlfw_NewFrame();
@@ -393,7 +404,7 @@ void Application::run() {
         ImGui::Render();
         facts_.scene_lines = panel_.scene_lines();
         facts_.scene_is_listed = panel_.scene_is_listed();
-        draw_picture(latest, facts_.left, facts_.width);
+        draw_picture(latest, facts_.left, facts_.width, Smoothing::edges);
         ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
         glfwSwapBuffers(window_.get());
         count_frame(seconds);

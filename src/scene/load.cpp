@@ -189,7 +189,8 @@ class Builder {
             return;
         }
         try {
-            scene_.world.create_joint(def);
+            const JointId made = scene_.world.create_joint(def);
+            if (const auto color = visuals_.own_color(here)) scene_.joint_appearances.push_back({made, *color});
         } catch (const Error& error) {
             joint.fail(error);
         }

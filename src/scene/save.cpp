@@ -33,6 +33,7 @@ class Writer {
   public:
     explicit Writer(const Scene& scene) : scene_(scene), definitions_(scene) {
         for (const Appearance& appearance : scene.appearances) colors_[appearance.shape.bits] = appearance.color;
+        for (const JointAppearance& shown : scene.joint_appearances) joint_colors_[shown.joint.bits] = shown.color;
         for (std::size_t i = 0; i < scene.visuals.size(); ++i) {
             if (is_drawn(scene.visuals[i])) visuals_[scene.visuals[i].body.bits].push_back(i);
         }
@@ -41,7 +42,10 @@ class Writer {
         for (const VisualMesh& visual : scene_.visuals) {
             if (visual.body.is_null() && is_drawn(visual)) roots_.push_back(add_visual(visual));
         }
-        for (const JointId id : scene_.world.joints()) add_joint(scene_.world.joint_def(id));
+        for (const JointId id : scene_.world.joints()) {
+            const auto color = joint_colors_.find(id.bits);
+            add_joint(scene_.world.joint_def(id), color == joint_colors_.end() ? nullptr : &color->second);
+        }
         for (const JointDef& joint : scene_.idle_joints) add_joint(joint);
     }
 
@@ -213,7 +217,7 @@ class Writer {
         if (!is_identity(transform.rotation)) node["rotation"] = number_array(transform.rotation);
     }
 
-    void add_joint(const JointDef& joint) {
+    void add_joint(const JointDef& joint, const Vec3* color = nullptr) {
         const auto is_gone = [&](BodyId body) { return !body.is_null() && !scene_.world.is_valid(body); };
         if (is_gone(joint.body_a) || is_gone(joint.body_b)) return;
         const std::size_t second = add_frame(joint.body_b, joint.frame_b);
@@ -222,6 +226,7 @@ class Writer {
         if (joint.enable_collision) json["enableCollision"] = true;
         if (!joint.name.empty()) nodes_[first]["name"] = joint.name;
         nodes_[first]["extensions"]["KHR_physics_rigid_bodies"]["joint"] = std::move(json);
+        if (color != nullptr) nodes_[first]["extras"]["cairn_color"] = number_array(*color);
     }
 
     // A node for the frame of a joint, below its body.
@@ -292,6 +297,7 @@ class Writer {
     World scratch_;
     DefinitionWriter definitions_;
     std::unordered_map<std::uint64_t, Vec3> colors_;                      // by shape
+    std::unordered_map<std::uint64_t, Vec3> joint_colors_;                // by joint
     std::unordered_map<std::uint64_t, std::vector<std::size_t>> visuals_; // by body
     std::unordered_map<std::uint64_t, std::size_t> node_of_;              // by body
     std::unordered_map<std::size_t, std::size_t> mesh_nodes_;             // by mesh

@@ -49,6 +49,12 @@ struct Appearance {
     Vec3 color{1.0f, 1.0f, 1.0f}; ///< Linear red, green and blue, each 0 to 1.
 };
 
+/// A joint that is to be seen: as a string from one of its places to the other.
+struct JointAppearance {
+    JointId joint;
+    Vec3 color{1.0f, 1.0f, 1.0f}; ///< Linear red, green and blue, each 0 to 1.
+};
+
 /// Triangles to look at. It never changes once it is in a scene, so that many meshes may share it.
 struct Surface {
     std::vector<Vec3> vertices;         ///< Meters.
@@ -80,6 +86,7 @@ struct Scene {
     std::vector<Appearance> appearances; ///< Only of shapes that have a color of their own.
     std::vector<std::string> warnings;   ///< What the file asks for that was done another way, or left out.
     std::vector<VisualMesh> visuals{};
+    std::vector<JointAppearance> joint_appearances{}; ///< Only of joints that are to be seen.
     /// Joints of the file that are not in the world: those that join no dynamic body, and those with more limits and
     /// drives than a joint can have. They do nothing, and are saved with the others.
     std::vector<JointDef> idle_joints{};

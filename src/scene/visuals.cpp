@@ -8,6 +8,7 @@ namespace cairn::scene {
 namespace {
 
 constexpr Range color_range{0.0, 1.0, false};
+constexpr float texture_gray = 0.4f; // what a texture is taken for
 
 } // namespace
 
@@ -19,12 +20,17 @@ std::optional<Vec3> Visuals::own_color(const Value& node) const {
 }
 
 std::optional<Vec3> Visuals::material_color(const Value& index) const {
-    const Value found = element(document_.find("materials"), index, max_definitions, "materials");
-    const auto roughness = found.find("pbrMetallicRoughness");
+    const Value material = element(document_.find("materials"), index, max_definitions, "materials");
+    const auto roughness = material.find("pbrMetallicRoughness");
     const auto color = roughness ? roughness->find("baseColorFactor") : std::nullopt;
-    if (!color) return std::nullopt;
-    if (color->size(4, "numbers") != 4) color->fail("must be an array of 4 numbers");
-    return Vec3((*color)[0].real(color_range), (*color)[1].real(color_range), (*color)[2].real(color_range));
+    const bool is_textured = roughness && roughness->find("baseColorTexture");
+    if (!color && !is_textured) return std::nullopt;
+    Vec3 plain(1.0f);
+    if (color) {
+        if (color->size(4, "numbers") != 4) color->fail("must be an array of 4 numbers");
+        plain = {(*color)[0].real(color_range), (*color)[1].real(color_range), (*color)[2].real(color_range)};
+    }
+    return is_textured ? texture_gray * plain : plain;
 }
 
 std::optional<Vec3> Visuals::color(const Value& node) const {
@@ -58,12 +64,23 @@ void Visuals::add(const Value& node, const std::optional<BodyId>& body, const No
             std::optional<Vec3> color = own;
             if (!color && parts[i].material) color = material_color(*parts[i].material);
             if (color) visual.color = *color;
+            if (!own && parts[i].material) warn_of_texture(*parts[i].material, warnings);
             scene.visuals.push_back(std::move(visual));
         }
     } catch (const Error& error) {
         if (error.code() != ErrorCode::unsupported) throw;
         warnings.push_back(std::string(error.what()) + " (its mesh is not shown)");
     }
+}
+
+void Visuals::warn_of_texture(const Value& index, std::vector<std::string>& warnings) {
+    const Value material = element(document_.find("materials"), index, max_definitions, "materials");
+    const auto roughness = material.find("pbrMetallicRoughness");
+    if (has_warned_of_textures_ || !roughness || !roughness->find("baseColorTexture")) return;
+    has_warned_of_textures_ = true;
+    warnings.push_back(roughness->place() +
+                       "baseColorTexture is not shown: textures are taken for a plain gray, tinted "
+                       "by the base color");
 }
 
 std::shared_ptr<const Surface> Visuals::scaled(const Value& mesh, std::size_t part, const Triangles& triangles,

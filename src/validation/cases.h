@@ -37,6 +37,10 @@ Result measure_stack_forces();
 Result measure_moved_worlds();
 Result measure_towers();
 
+// impacts.cpp
+Result measure_billiards();
+Result measure_shots();
+
 // literature.cpp
 Result measure_rolling_benchmark();
 Result measure_bouncing_benchmark();

@@ -70,17 +70,21 @@ std::span<const Case> cases() {
         // --- collisions
         {13, "bounces", "A ball that bounces to rest",
          "Height of bounce n: e^2n; time until rest: sqrt(2 h / g) (1 + e) / (1 - e) (Newton's law of restitution); "
-         "with e = 1 the energy stays.",
+         "with e = 1 the energy stays; the farthest off of 20 heights, places and headings.",
          measure_bounces},
         {14, "head_on", "Head-on impacts of balls",
-         "v1 = (m1 - e m2) v / (m1 + m2), v2 = (1 + e) m1 v / (m1 + m2) (momentum and Newton's law of restitution).",
+         "v1 = (m1 - e m2) v / (m1 + m2), v2 = (1 + e) m1 v / (m1 + m2) (momentum and Newton's law of restitution); "
+         "the "
+         "farthest off of 20 random places, headings and moments.",
          measure_head_on},
         {15, "oblique", "An oblique impact of balls without friction",
          "The second leaves along the line of centers, 30 degrees off, with v cos 30; the first at a right angle to it "
          "with v sin 30 (momentum and energy).",
          measure_oblique},
         {18, "cradle", "Newton's cradle",
-         "As many balls leave, as fast, as came in (momentum and energy, impact after impact).", measure_cradle},
+         "As many balls leave, as fast, as came in (momentum and energy, impact after impact); the worst of 20 random "
+         "places, headings and moments.",
+         measure_cradle},
         {19, "closed_pile", "What a closed pile keeps",
          "Momentum and angular momentum stay, whatever restitution and friction are; with e = 1 and mu = 0 the energy "
          "does.",
@@ -93,6 +97,14 @@ std::span<const Case> cases() {
         {22, "towers", "What must stand",
          "Statics: balance with friction 0.6, so nothing moves; each run with and without sleeping, the worse counts.",
          measure_towers},
+        // --- impacts
+        {29, "billiards", "A break, impact after impact",
+         "Equal elastic balls exchange their velocities along the line of centers; followed from impact to impact in "
+         "double precision, for 60 places, headings and moments (momentum and energy).",
+         measure_billiards},
+        {30, "shots", "Bodies shot at thin targets",
+         "Solids do not pass through each other: none comes out behind a target, from any place, heading and moment.",
+         measure_shots},
         // --- literature
         {25, "rolling_benchmark", "SimBenchmark: balls roll on a box that is pushed",
          "(F - mu (M + 25 m) g) = M a_box + 25 m a_ball with a_box = 7/2 a_ball, for every heading of the force "

@@ -66,7 +66,8 @@ struct Result {
 inline constexpr double time_steps[] = {1.0 / 60, 1.0 / 240, 1.0 / 1000};
 
 struct Case {
-    int number;             // of the table in docs/validation.md; the cases from the literature follow as 25 to 28
+    int number; // of the table in docs/validation.md; the cases from the literature follow as 25 to 28, impacts as 29
+                // and 30
     std::string_view name;  // in snake_case, as `cairn validate --case` takes it
     std::string_view title; // in words
     std::string_view law;   // the formula and its source

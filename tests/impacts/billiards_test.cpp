@@ -1,5 +1,5 @@
 // The exact motion of elastic balls, which Cairn is measured against, on what is known of it.
-#include "billiards.h"
+#include "validation/billiards.h"
 
 #include "bodies.h"
 
@@ -7,6 +7,9 @@
 
 namespace cairn_test {
 namespace {
+
+using cairn::validation::BilliardBall;
+using cairn::validation::Billiards;
 
 TEST(Billiards, HeadOnAndObliqueAreThoseOfTheTextbook) {
     Billiards head_on({{{-1, 0, 0}, {2, 0, 0}}, {{0, 0, 0}, {0, 0, 0}}}, 0.1);

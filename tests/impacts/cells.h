@@ -174,7 +174,7 @@ struct BilliardsResult {
     double worst_angle = 0; // degrees
     double worst_speed = 0; // relative
 };
-// 16 balls, the first 10 impacts, against billiards.h.
+// 16 balls, the first 10 impacts, against validation/billiards.h.
 BilliardsResult play_billiards(const BilliardsCell& cell);
 
 // --- rest.cpp: what stands, slides and rolls; all under gravity

@@ -1,9 +1,12 @@
 // Bodies against each other: whether they meet at all, where the impact sends them, and what it does to the energy.
-#include "billiards.h"
 #include "cells.h"
+#include "validation/billiards.h"
 
 namespace cairn_test {
 namespace {
+
+using cairn::validation::BilliardBall;
+using cairn::validation::Billiards;
 
 WorldDef awake() {
     WorldDef settings = without_gravity();

@@ -348,4 +348,18 @@ TEST(JointSave, MistakesInCairnJointAreNamed) {
     expect_refused(R"({"type":"gear","ratio":0})", node + "GearJoint.ratio: must not be 0, got 0");
 }
 
+TEST(JointSave, WhatIsShownAsAStringIsShownAgain) {
+    std::string text = joint_text("\"limits\":[]");
+    EXPECT_TRUE(load_text(text).joint_appearances.empty());
+    const std::string name = R"("name":"joint",)";
+    text.insert(text.find(name) + name.size(), R"("extras":{"cairn_color":[0.5,0.25,1]},)");
+    Scene scene = load_text(text);
+    for (int i = 0; i < 2; ++i) {
+        ASSERT_EQ(scene.joint_appearances.size(), 1u);
+        EXPECT_EQ(scene.joint_appearances[0].joint, scene.world.joints().at(0));
+        EXPECT_EQ(scene.joint_appearances[0].color, Vec3(0.5f, 0.25f, 1.0f));
+        scene = load_text(scene::save_to_string(scene));
+    }
+}
+
 } // namespace

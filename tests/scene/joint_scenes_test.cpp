@@ -237,4 +237,22 @@ TEST_F(JointScene, TheRobotHoldsTheTrayLevel) {
     EXPECT_GT(upright(cone), 0.999);
 }
 
+// One in, one out: the outer balls swing as far as the first one was lifted, and those between them stay.
+TEST_F(JointScene, TheCradleSwingsOnItsStringsForAMinute) {
+    load("11_newtons_cradle");
+    EXPECT_EQ(scene_.joint_appearances.size(), 10u);
+    run(50);
+    std::array<double, 5> farthest{};
+    run(10, [&] {
+        for (int i = 0; i < 5; ++i) {
+            double& most = farthest[std::size_t(i)];
+            const double way = body("ball " + std::to_string(i + 1)).position().x - 0.5 * (i - 2);
+            most = std::max(most, std::fabs(way));
+        }
+    });
+    const double lifted = 1.3 * std::sin(40 * pi / 180);
+    for (const int outer : {0, 4}) EXPECT_NEAR(farthest[std::size_t(outer)], lifted, 0.01 * lifted);
+    for (const int inner : {1, 2, 3}) EXPECT_LT(farthest[std::size_t(inner)], 0.03);
+}
+
 } // namespace

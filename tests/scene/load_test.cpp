@@ -279,6 +279,28 @@ TEST(SceneLoad, ColorsOfNodesAndOfMeshes) {
     EXPECT_EQ(scene.world.body_of(scene.appearances[1].shape), scene.appearances[1].body);
 }
 
+// Nothing is white only because its texture is not shown.
+TEST(SceneLoad, TexturesAreGrayAndSaidToBe) {
+    Parts parts;
+    parts.nodes = node(R"("mesh":0,)", sphere) + "," + node(R"("mesh":1,)", sphere);
+    parts.roots = "0,1";
+    parts.more = R"(,"meshes":[{"primitives":[{"material":0,"attributes":{"POSITION":0}}]},
+        {"primitives":[{"material":1,"attributes":{"POSITION":0}}]}],
+        "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],
+        "bufferViews":[{"buffer":0,"byteLength":36}],
+        "buffers":[{"byteLength":36,"uri":"data:;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}],
+        "materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}},
+        {"pbrMetallicRoughness":{"baseColorFactor":[1,0.5,0,1],"baseColorTexture":{"index":0}}}])";
+    const Scene scene = load_text(document(parts));
+    ASSERT_EQ(scene.visuals.size(), 2u);
+    EXPECT_EQ(scene.visuals[0].color, Vec3(0.4f));
+    EXPECT_EQ(scene.visuals[1].color, 0.4f * Vec3(1.0f, 0.5f, 0.0f));
+    ASSERT_EQ(scene.warnings.size(), 1u); // once
+    EXPECT_EQ(scene.warnings[0],
+              "test.gltf: materials[0].pbrMetallicRoughness: baseColorTexture is not shown: textures are taken for a "
+              "plain gray, tinted by the base color");
+}
+
 TEST(SceneLoad, BinaryContainer) {
     std::string json = document({});
     while (json.size() % 4 != 0) json += ' ';

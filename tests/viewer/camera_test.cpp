@@ -49,7 +49,7 @@ TEST(OrbitCamera, ZoomStaysWithinBounds) {
 TEST(OrbitCamera, PanMovesThePictureByThatFractionOfItsHeight) {
     OrbitCamera camera(CameraPose{{0.0, 0.0, 10.0}, {0.0, 0.0, 0.0}});
     const Position before = camera.target();
-    camera.pan(0.0f, 0.5f);
+    camera.pan(0.0f, 0.5f, 1.0f);
     // What was in the middle is now at the lower edge.
     const auto device = camera.project(before, 1.0f);
     ASSERT_TRUE(device);
@@ -61,8 +61,8 @@ TEST(OrbitCamera, FramePutsTheBallInsideThePicture) {
     OrbitCamera camera;
     const Position center(100.0, 5.0, -40.0);
     camera.frame(center, 3.0f);
-    const auto middle = camera.project(center, 1.0f);
-    const auto top = camera.project(center + Position(camera.up()) * 3.0, 1.0f);
+    const auto middle = camera.project(center, 2.0f);
+    const auto top = camera.project(center + Position(camera.up()) * 3.0, 2.0f);
     ASSERT_TRUE(middle && top);
     EXPECT_NEAR(middle->y, 0.0f, 1e-5f);
     EXPECT_GT(top->y, 0.3f);
@@ -119,7 +119,7 @@ TEST(OrbitCamera, StaysAboveTheGroundHoweverItMoves) {
     expect_near(camera.target(), {0.0, 2.0, 0.0}, 0.0);
     camera.zoom(60.0f);
     expect_above(camera, ground);
-    camera.pan(0.0f, -300.0f);
+    camera.pan(0.0f, -300.0f, 1.0f);
     expect_above(camera, ground);
     camera.frame({5.0, -4.0, 0.0}, 1.0f);
     expect_above(camera, ground);
@@ -143,6 +143,25 @@ TEST(OrbitCamera, GoesAnywhereWhereThereIsNoGround) {
     OrbitCamera camera(CameraPose{{0.0, 3.0, 10.0}, {0.0, 2.0, 0.0}});
     camera.orbit(0.0f, -1.0f);
     EXPECT_LT(camera.position().y, -3.0);
+}
+
+// The column of the panel makes pictures narrow: what a scene shows at the sides must not be cut off.
+TEST(OrbitCamera, NarrowPicturesShowAsMuchToTheSides) {
+    const OrbitCamera camera({{3.0, 2.0, 8.0}, {0.5, 1.0, 0.0}, 0.7f});
+    for (const float across : {-1.0f, -0.4f, 1.0f}) {
+        const Ray wide = camera.cursor_ray({across, 0.0f}, 16.0f / 9.0f);
+        for (const float aspect : {1.5f, 980.0f / 720.0f, 1.0f, 0.5f}) {
+            EXPECT_LT(glm::distance(camera.cursor_ray({across, 0.0f}, aspect).direction, wide.direction), 1e-6f);
+            const Ray ray = camera.cursor_ray({across, 0.7f}, aspect);
+            const Position point = ray.origin + Position(ray.direction) * 5.0;
+            EXPECT_LT(glm::distance(*camera.project(point, aspect), glm::vec2(across, 0.7f)), 1e-5f);
+            const Vec3 offset(point - camera.target());
+            const glm::vec4 clip = camera.projection(aspect) * camera.view(camera.target()) * glm::vec4(offset, 1.0f);
+            EXPECT_LT(glm::distance(glm::vec2(clip) / clip.w, glm::vec2(across, 0.7f)), 1e-4f);
+        }
+    }
+    // Wider ones show more there, and as much above.
+    EXPECT_FLOAT_EQ(camera.half_height(2.5f), std::tan(0.35f));
 }
 
 } // namespace

@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <memory>
+#include <random>
 #include <set>
 #include <span>
 #include <tuple>
@@ -332,6 +333,36 @@ TEST(BoundingBall, HoldsEveryShape) {
     EXPECT_LT(glm::distance(ball.center, Position(3.0, 7.0, 3.0)), 1e-5);
     EXPECT_GE(ball.radius, std::sqrt(3.0f) - 1e-5f);
     EXPECT_LT(ball.radius, 3.1f);
+}
+
+// From its upper end to its lower one, whichever way it hangs, and gone when the joint is.
+TEST(RenderFrame, AJointThatTheSceneShowsIsAString) {
+    World world;
+    BodyDef def;
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> place(-3.0, 3.0);
+    for (int i = 0; i < 50; ++i) {
+        def.position = i == 0 ? Position(0.0, 1.0, 0.0) : Position(place(random), place(random), place(random));
+        def.rotation = glm::normalize(Quat(1.0f, float(i % 3), -float(i % 2), 0.3f));
+        JointDef joint;
+        joint.body_b = world.create_body(def);
+        world.add_shape(joint.body_b, Sphere{0.1f});
+        joint.frame_a.position = i == 1 ? def.position + Position(0.0, 2.0, 0.0) : Position(0.0, 3.0, 0.0);
+        joint.joint = DistanceJoint{};
+        const JointAppearance shown{world.create_joint(joint), {0.2f, 0.4f, 0.6f}};
+        MeshCache meshes;
+        const RenderFrame frame = make_frame(world, {}, {}, {}, meshes, {}, std::span(&shown, 1));
+        ASSERT_EQ(frame.cylinders.size(), 1u);
+        const Instance& string = frame.cylinders[0];
+        const Quat turn(string.rotation.w, string.rotation.x, string.rotation.y, string.rotation.z);
+        const Position middle = frame.origin + Position(string.position);
+        const Position along(turn * Vec3(0.0f, string.half_size.y, 0.0f));
+        EXPECT_LT(glm::distance(middle - along, joint.frame_a.position), 1e-4);
+        EXPECT_LT(glm::distance(middle + along, def.position), 1e-4);
+        EXPECT_EQ(string.color, shown.color);
+        world.destroy_body(joint.body_b);
+        EXPECT_TRUE(make_frame(world, {}, {}, {}, meshes, {}, std::span(&shown, 1)).cylinders.empty());
+    }
 }
 
 } // namespace

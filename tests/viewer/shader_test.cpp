@@ -55,15 +55,24 @@ class WebShaders : public testing::Test {
 };
 
 TEST_F(WebShaders, VertexShadersCompile) {
-    for (const char* source : {shaders::body_vertex, shaders::ground_vertex, shaders::sky_vertex, shaders::line_vertex})
+    for (std::size_t kind = 0; kind < shaders::body_kind_count; ++kind) {
+        const std::string constant = shaders::body_kind(shaders::BodyKind(kind));
+        EXPECT_EQ(compile(GL_VERTEX_SHADER, constant + shaders::body_vertex), "");
+    }
+    for (const char* source :
+         {shaders::ground_vertex, shaders::sky_vertex, shaders::line_vertex, shaders::smoothing_vertex})
         EXPECT_EQ(compile(GL_VERTEX_SHADER, source), "");
 }
 
 TEST_F(WebShaders, FragmentShadersCompile) {
-    for (const char* source : {shaders::body_fragment, shaders::ground_fragment, shaders::sky_fragment})
+    for (std::size_t kind = 0; kind < shaders::body_kind_count; ++kind) {
+        const std::string constant = shaders::body_kind(shaders::BodyKind(kind));
+        EXPECT_EQ(compile(GL_FRAGMENT_SHADER, constant + shaders::lighting + shaders::body_fragment), "");
+    }
+    for (const char* source : {shaders::ground_fragment, shaders::sky_fragment})
         EXPECT_EQ(compile(GL_FRAGMENT_SHADER, std::string(shaders::lighting) + source), "");
-    EXPECT_EQ(compile(GL_FRAGMENT_SHADER, shaders::line_fragment), "");
-    EXPECT_EQ(compile(GL_FRAGMENT_SHADER, shaders::shadow_fragment), "");
+    for (const char* source : {shaders::line_fragment, shaders::shadow_fragment, shaders::smoothing_fragment})
+        EXPECT_EQ(compile(GL_FRAGMENT_SHADER, source), "");
 }
 
 TEST_F(WebShaders, MistakesAreNoticed) { EXPECT_NE(compile(GL_VERTEX_SHADER, "void main() { nonsense; }"), ""); }

@@ -115,10 +115,23 @@ TEST(ShapeMeshes, SharpEdgesStaySharp) {
 }
 
 TEST(ShapeMeshes, RoundSurfacesAreSmooth) {
-    const TriangleMesh ball = sphere_mesh(3);
-    std::vector<Vec3> points;
-    for (const MeshVertex& vertex : ball.vertices) points.push_back(vertex.corner);
-    const TriangleMesh mesh = surface_triangles(points, ball.indices);
+    std::vector<Vec3> points{{0, -1, 0}};
+    std::vector<std::uint32_t> indices;
+    constexpr std::uint32_t segments = 24, rings = 11;
+    for (std::uint32_t ring = 0; ring < rings; ++ring)
+        for (std::uint32_t i = 0; i < segments; ++i) {
+            const float up = 3.1415927f * (float(ring + 1) / float(rings + 1) - 0.5f);
+            const float around = 6.2831853f * float(i) / float(segments);
+            points.emplace_back(std::cos(up) * std::sin(around), std::sin(up), std::cos(up) * std::cos(around));
+            const std::uint32_t here = 1 + ring * segments + i, next = 1 + ring * segments + (i + 1) % segments;
+            if (ring == 0)
+                indices.insert(indices.end(), {0, next, here});
+            else
+                indices.insert(indices.end(), {here - segments, next - segments, next, here - segments, next, here});
+            if (ring + 1 == rings) indices.insert(indices.end(), {here, next, 1 + rings * segments});
+        }
+    points.emplace_back(0, 1, 0);
+    const TriangleMesh mesh = surface_triangles(points, indices);
     EXPECT_EQ(mesh.vertices.size(), points.size()); // all corners at a point look alike
     for (const MeshVertex& vertex : mesh.vertices) EXPECT_GT(glm::dot(vertex.normal, vertex.corner), 0.999f);
 }

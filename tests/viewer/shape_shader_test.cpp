@@ -13,6 +13,7 @@
 #include <cmath>
 #include <memory>
 #include <random>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -39,33 +40,37 @@ class ShapeShaders : public testing::Test {
         } catch (const Error& error) {
             GTEST_SKIP() << error.what();
         }
-        program_ = glCreateProgram();
+    }
+
+    // A program that only places vertices.
+    static GlObject program_of(shaders::BodyKind kind) {
+        GlObject program(glCreateProgram(), [](unsigned name) { glDeleteProgram(name); });
+        const std::string constant = shaders::body_kind(kind);
         for (const auto& [stage, source] :
              {std::pair(GL_VERTEX_SHADER, shaders::body_vertex), {GL_FRAGMENT_SHADER, shaders::shadow_fragment}}) {
             const GLuint shader = glCreateShader(GLenum(stage));
-            const char* parts[] = {shaders::desktop_header, source};
-            glShaderSource(shader, 2, parts, nullptr);
+            const char* parts[] = {shaders::desktop_header, constant.c_str(), source};
+            glShaderSource(shader, 3, parts, nullptr);
             glCompileShader(shader);
-            glAttachShader(program_, shader);
+            glAttachShader(program.name(), shader);
             glDeleteShader(shader);
         }
         const char* outputs[] = {"v_world", "v_normal"};
-        glTransformFeedbackVaryings(program_, 2, outputs, GL_INTERLEAVED_ATTRIBS);
-        glLinkProgram(program_);
+        glTransformFeedbackVaryings(program.name(), 2, outputs, GL_INTERLEAVED_ATTRIBS);
+        glLinkProgram(program.name());
         GLint linked = 0;
-        glGetProgramiv(program_, GL_LINK_STATUS, &linked);
-        ASSERT_TRUE(linked);
-        glUseProgram(program_);
-    }
-    void TearDown() override {
-        if (program_) glDeleteProgram(program_);
+        glGetProgramiv(program.name(), GL_LINK_STATUS, &linked);
+        EXPECT_TRUE(linked);
+        return program;
     }
 
     // The corners of all triangles, as the shader places them.
     std::vector<PlacedVertex> place(shaders::BodyKind kind, const TriangleMesh& triangles, const Instance& instance) {
         GlMesh mesh(triangles);
         mesh.upload(&instance, 1);
-        glUniform1i(glGetUniformLocation(program_, "u_kind"), int(kind));
+        const GlObject program = program_of(kind);
+        glUseProgram(program.name());
+        glUniform4f(glGetUniformLocation(program.name(), "u_viewer"), viewer_.x, viewer_.y, viewer_.z, viewer_.w);
         std::vector<PlacedVertex> placed(triangles.indices.size());
         const GlObject buffer = make_buffer();
         glBindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, buffer.name());
@@ -74,7 +79,7 @@ class ShapeShaders : public testing::Test {
         glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer.name());
         glEnable(GL_RASTERIZER_DISCARD);
         glBeginTransformFeedback(GL_TRIANGLES);
-        mesh.draw_instances();
+        mesh.draw();
         glEndTransformFeedback();
         glDisable(GL_RASTERIZER_DISCARD);
         glGetBufferSubData(GL_TRANSFORM_FEEDBACK_BUFFER, 0, GLsizeiptr(placed.size() * sizeof(PlacedVertex)),
@@ -120,11 +125,40 @@ class ShapeShaders : public testing::Test {
 
     std::mt19937 random_{7};
     std::normal_distribution<float> normal_;
+    glm::vec4 viewer_{0.0f, 0.0f, 1.0f, 0.0f};
 
   private:
     std::unique_ptr<HeadlessRenderer> context_;
-    GLuint program_ = 0;
 };
+
+// From anywhere outside the ball, and from far away.
+TEST_F(ShapeShaders, CapsAreWhatIsSeenOfABall) {
+    for (int i = 0; i < 60; ++i) {
+        Instance instance;
+        const float radius = random_size();
+        const bool is_far = i % 3 == 0;
+        instance.half_size = Vec3(radius);
+        instance.position = Vec3(normal_(random_), normal_(random_), normal_(random_)) * 10.0f;
+        const Vec3 way = glm::normalize(Vec3(normal_(random_), i % 5 ? normal_(random_) : 40.0f, normal_(random_)));
+        const float distance = radius * (1.0f + random_size());
+        viewer_ = is_far ? glm::vec4(way, 0.0f) : glm::vec4(instance.position + way * distance, 1.0f);
+        const float rim = is_far ? 0.0f : radius / distance; // cosine of the angle from the middle to the rim
+        float lowest = 1.0f, highest = -1.0f;
+        const std::vector<PlacedVertex> placed = place(shaders::BodyKind::sphere, cap_mesh(24, 2), instance);
+        for (std::size_t k = 0; k < placed.size(); ++k) {
+            ASSERT_NEAR(glm::length(placed[k].normal), 1.0f, 1e-5f);
+            ASSERT_LT(glm::distance(placed[k].place, instance.position + radius * placed[k].normal), 1e-4f);
+            const float height = glm::dot(placed[k].normal, way);
+            lowest = std::min(lowest, height);
+            highest = std::max(highest, height);
+            if (k % 3 != 2) continue;
+            const Vec3 a = placed[k - 2].place, b = placed[k - 1].place, c = placed[k].place;
+            ASSERT_GT(glm::dot(glm::cross(b - a, c - a), placed[k].normal), 0.0f);
+        }
+        ASSERT_NEAR(lowest, rim, 1e-4f);
+        ASSERT_NEAR(highest, 1.0f, 1e-4f);
+    }
+}
 
 TEST_F(ShapeShaders, CapsulesOfAnySizesAreTheHullOfTheirBalls) {
     const TriangleMesh mesh = capsule_mesh(96, 16);

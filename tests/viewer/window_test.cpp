@@ -273,7 +273,7 @@ void test_picture_and_scenes(Driver& driver) {
                  [](const Json& s) { return s.at("left") == 0 && s.at("size").at(0) == 800; });
     driver.key("F2");
     driver.check("the panel is beside the picture",
-                 [](const Json& s) { return s.at("left") == 300 && s.at("size").at(0) == 500; });
+                 [](const Json& s) { return s.at("left") == 220 && s.at("size").at(0) == 580; });
     driver.key("1");
     driver.check("1 chooses the first scene", [](const Json& s) { return s.at("scene").at("loads") == 5; });
     const std::string first = driver.state().at("scene").at("path").get<std::string>();

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-namespace cairn_test {
+namespace cairn::validation {
 
 struct BilliardBall {
     glm::dvec3 position{0, 0, 0}; // m
@@ -42,4 +42,4 @@ class Billiards {
     double diameter_, time_ = 0;
 };
 
-} // namespace cairn_test
+} // namespace cairn::validation

@@ -1,10 +1,10 @@
-#include "billiards.h"
+#include "validation/billiards.h"
 
 #include <glm/geometric.hpp>
 
 #include <cmath>
 
-namespace cairn_test {
+namespace cairn::validation {
 
 Billiards::Next Billiards::next() const {
     Next first;
@@ -55,4 +55,4 @@ void Billiards::advance_to(double time) {
     fly(time - time_);
 }
 
-} // namespace cairn_test
+} // namespace cairn::validation

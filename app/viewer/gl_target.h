@@ -1,0 +1,31 @@
+/// \file gl_target.h
+/// What a picture is drawn on before it gets to the window or file, and how its edges become smooth.
+#pragma once
+
+#include "viewer/gl_objects.h"
+#include "viewer/gl_renderer.h"
+
+#include <optional>
+
+namespace cairn::viewer {
+
+class GlTarget {
+  public:
+    GlTarget();
+    /// Makes it the framebuffer to draw on, empty, of that size in pixels. Throws `Error` (unsupported) if this
+    /// graphics driver has no picture of that size.
+    void begin(int width, int height, Smoothing smoothing);
+    /// Brings what was drawn to a framebuffer, from `left` on, and leaves that bound.
+    void finish(unsigned framebuffer, int left);
+
+  private:
+    void resize(int width, int height, Smoothing smoothing);
+
+    GlProgram program_;
+    GlMesh square_;
+    GlObject framebuffer_, color_, depth_;
+    int width_ = 0, height_ = 0;
+    Smoothing smoothing_ = Smoothing::samples;
+};
+
+} // namespace cairn::viewer
