@@ -3,6 +3,7 @@
 #include "core/archive.h"
 #include "core/fields.h"
 #include "core/hash.h"
+#include "world/definition_archive.h"
 #include "world/impl.h"
 #include "world/validate.h"
 
@@ -15,7 +16,7 @@ namespace cairn {
 
 namespace {
 
-constexpr std::uint64_t magic = 0x36306e7269616321ull; // "!cairn06"
+constexpr std::uint64_t magic = 0x37306e7269616321ull; // "!cairn07"
 
 // What comes before the state.
 struct Header {
@@ -72,10 +73,6 @@ std::uint64_t checksum_of(Header header, const std::vector<std::byte>& snapshot)
 }
 
 // --- what steps change
-
-// What is archived member by member has as many of them as below.
-#define CAIRN_ARCHIVES_MEMBERS(count, type)                                                                            \
-    static_assert(class_field_count<type>() == (count), #type " has another member: archive it here, and count it")
 
 CAIRN_ARCHIVES_MEMBERS(13, State);
 CAIRN_ARCHIVES_MEMBERS(13, Bodies);
@@ -140,10 +137,14 @@ template <class Archive> void serialize_joints(Archive& archive, State& s) {
     }
 }
 
+// What the last step has counted; the rest of the statistics follows from the state. Times are of one run.
+CAIRN_ARCHIVES_MEMBERS(21, Statistics);
 template <class Archive> void serialize_counters(Archive& archive, State& s) {
-    archive(s.steps), archive(s.time);
-    archive(s.clamped_speeds), archive(s.statistics), archive(s.events.ends.next), archive(s.events.triggers.next),
-        archive(s.events.joints.next), archive(s.events.sleeps.next);
+    archive(s.steps), archive(s.time), archive(s.clamped_speeds);
+    archive(s.statistics.tested_pairs), archive(s.statistics.max_penetration), archive(s.statistics.swept_pairs);
+    archive(s.statistics.impacts), archive(s.statistics.stopped_bodies);
+    archive(s.events.ends.next), serialize_fields(archive, s.events.triggers.next);
+    serialize_fields(archive, s.events.joints.next), serialize_fields(archive, s.events.sleeps.next);
 }
 
 // `size_so_far()`, to measure the parts by when writing.
@@ -162,34 +163,6 @@ template <class Archive, class F> void serialize_state(Archive& archive, State& 
 }
 
 // --- what they do not change
-
-CAIRN_ARCHIVES_MEMBERS(2, GeneralJoint);
-template <class Archive, class T> void serialize_joint(Archive& archive, T& joint) { archive(joint); }
-template <class Archive> void serialize_joint(Archive& archive, GeneralJoint& joint) {
-    archive(joint.limits), archive(joint.drives);
-}
-
-// The alternative of that number, counted from `I`.
-template <std::size_t I = 0> void select_joint(Joint& joint, std::size_t index) {
-    if constexpr (I < std::variant_size_v<Joint>) {
-        if (index == I)
-            joint.emplace<I>();
-        else
-            select_joint<I + 1>(joint, index);
-    } else {
-        throw_damaged();
-    }
-}
-
-CAIRN_ARCHIVES_MEMBERS(11, JointDef);
-template <class Archive> void serialize_joint_def(Archive& archive, JointDef& def) {
-    archive(def.body_a), archive(def.body_b), archive(def.frame_a), archive(def.frame_b), archive(def.enable_collision);
-    archive(def.break_force), archive(def.break_torque), archive(def.solver), archive(def.name), archive(def.user_data);
-    std::uint64_t kind = def.joint.index();
-    archive(kind);
-    if constexpr (Archive::reading) select_joint(def.joint, std::size_t(kind));
-    std::visit([&](auto& joint) { serialize_joint(archive, joint); }, def.joint);
-}
 
 template <class Archive> void serialize_defined_joints(Archive& archive, State& s) {
     struct Defined {
@@ -220,62 +193,6 @@ template <class Archive> void serialize_defined_joints(Archive& archive, State& 
     }
 }
 
-// What lies between the fields of a struct of the user's is whatever the caller's memory held. Such structs are saved
-// field by field; `padding` fills the gaps with zeros.
-CAIRN_ARCHIVES_MEMBERS(7, Material);
-struct MaterialFields {
-    float numbers[5];
-    CombineRule friction_combine, restitution_combine;
-    std::uint8_t padding[2];
-};
-MaterialFields fields_of(const Material& m) {
-    return {{m.static_friction, m.dynamic_friction, m.restitution, m.rolling_friction, m.torsional_friction},
-            m.friction_combine,
-            m.restitution_combine,
-            {}};
-}
-Material from_fields(const MaterialFields& f) {
-    return {f.numbers[0], f.numbers[1],       f.numbers[2],         f.numbers[3],
-            f.numbers[4], f.friction_combine, f.restitution_combine};
-}
-
-CAIRN_ARCHIVES_MEMBERS(8, ShapeDef);
-struct ShapeDefFields {
-    CollisionFilter filter;
-    std::uint64_t user_data;
-    Vec3 position;
-    Quat rotation;
-    float density;
-    MaterialFields material;
-    Vec3 surface_velocity;
-    std::uint32_t is_trigger;
-};
-static_assert(sizeof(ShapeDefFields) == 96);
-ShapeDefFields fields_of(const ShapeDef& d) {
-    return {d.filter,  d.user_data,           d.position,         d.rotation,
-            d.density, fields_of(d.material), d.surface_velocity, d.is_trigger ? 1u : 0u};
-}
-ShapeDef from_fields(const ShapeDefFields& f) {
-    return {f.position, f.rotation,        f.density,          from_fields(f.material),
-            f.filter,   f.is_trigger != 0, f.surface_velocity, f.user_data};
-}
-
-CAIRN_ARCHIVES_MEMBERS(6, ForceField);
-struct ForceFieldFields {
-    Position center;
-    Vec3 direction;
-    float strength, exponent;
-    ForceField::Kind kind;
-    std::uint8_t is_force, padding[2];
-};
-static_assert(sizeof(ForceFieldFields) == 48);
-ForceFieldFields fields_of(const ForceField& f) {
-    return {f.center, f.direction, f.strength, f.exponent, f.kind, std::uint8_t(f.is_force ? 1 : 0), {}};
-}
-ForceField from_fields(const ForceFieldFields& f) {
-    return {f.kind, f.direction, f.center, f.strength, f.exponent, f.is_force != 0};
-}
-
 CAIRN_ARCHIVES_MEMBERS(12, WorldDef);
 template <class Archive> void serialize_settings(Archive& archive, WorldDef& d) {
     archive(d.gravity), archive(d.substeps), archive(d.adaptive_substeps), archive(d.integrator);
@@ -285,17 +202,6 @@ template <class Archive> void serialize_settings(Archive& archive, WorldDef& d) 
 }
 
 #undef CAIRN_ARCHIVES_MEMBERS
-
-template <class Archive, class T> void serialize_fields(Archive& archive, std::vector<T>& values) {
-    std::vector<decltype(fields_of(values[0]))> fields;
-    if constexpr (!Archive::reading)
-        for (const T& value : values) fields.push_back(fields_of(value));
-    archive(fields);
-    if constexpr (Archive::reading) {
-        values.clear();
-        for (const auto& f : fields) values.push_back(from_fields(f));
-    }
-}
 
 template <class Archive, class Impl> void serialize_definitions(Archive& archive, Impl& impl) {
     State& s = impl.state;
