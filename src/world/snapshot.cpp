@@ -82,24 +82,24 @@ CAIRN_ARCHIVES_MEMBERS(5, Islands);
 CAIRN_ARCHIVES_MEMBERS(4, Joints);
 CAIRN_ARCHIVES_MEMBERS(2, ForceFields);
 
-template <class Archive> void serialize_bodies(Archive& archive, State& s) {
-    archive(s.bodies.motion), archive(s.bodies.forces), archive(s.bodies.pushed), archive(s.bodies.links);
-    archive.foretold(s.bodies.counted, [&](std::size_t i) {
-        return CountedPose{s.bodies.motion[i].x, s.bodies.motion[i].q};
+template <class Archive> void serialize_bodies(Archive& archive, Bodies& bodies, Shapes& shapes, Islands& islands) {
+    archive(bodies.motion), archive(bodies.forces), archive(bodies.pushed), archive(bodies.links);
+    archive.foretold(bodies.counted, [&](std::size_t i) {
+        return CountedPose{bodies.motion[i].x, bodies.motion[i].q};
     });
-    archive(s.bodies.travel), archive(s.bodies.ahead);
+    archive(bodies.travel), archive(bodies.ahead);
     if constexpr (Archive::reading) {
-        s.bodies.boxes_until.resize(s.bodies.links.size());
-        for (std::size_t b = 0; b < s.bodies.links.size(); ++b) s.bodies.boxes_until[b] = s.bodies.travel[b];
+        bodies.boxes_until.resize(bodies.links.size());
+        for (std::size_t b = 0; b < bodies.links.size(); ++b) bodies.boxes_until[b] = bodies.travel[b];
     }
-    archive(s.shapes.links);
-    archive.foretold(s.shapes.poses, [&](std::size_t i) { return expected_pose(s.bodies, s.shapes, i); });
-    archive(s.islands.all), archive(s.islands.free), archive(s.islands.awake);
-    archive(s.islands.falling_asleep), archive(s.islands.waking);
+    archive(shapes.links);
+    archive.foretold(shapes.poses, [&](std::size_t i) { return expected_pose(bodies, shapes, i); });
+    archive(islands.all), archive(islands.free), archive(islands.awake);
+    archive(islands.falling_asleep), archive(islands.waking);
 }
 
-template <class Archive> void serialize_contacts(Archive& archive, State& s) {
-    archive(s.contacts.records), archive(s.contacts.info), archive(s.contacts.answers), archive(s.contacts.free);
+template <class Archive> void serialize_contacts(Archive& archive, Contacts& contacts) {
+    archive(contacts.records), archive(contacts.info), archive(contacts.answers), archive(contacts.free);
 }
 
 static_assert(field_count<JointInfo>() == 25, "JointInfo has another member: if definitions set it, and not steps, "
@@ -114,26 +114,26 @@ JointInfo moving_part(const JointInfo& joint) {
     return moving;
 }
 
-template <class Archive> void serialize_joints(Archive& archive, State& s) {
+template <class Archive> void serialize_joints(Archive& archive, Joints& joints) {
     std::vector<JointInfo> moving;
-    std::vector<std::array<JointAxisState, max_joint_axes>> states(s.joints.axes.size());
+    std::vector<std::array<JointAxisState, max_joint_axes>> states(joints.axes.size());
     if constexpr (!Archive::reading) {
-        for (const JointInfo& joint : s.joints.info) moving.push_back(moving_part(joint));
+        for (const JointInfo& joint : joints.info) moving.push_back(moving_part(joint));
         for (std::size_t i = 0; i < states.size(); ++i)
-            std::copy_n(s.joints.axes[i].states, max_joint_axes, states[i].begin());
+            std::copy_n(joints.axes[i].states, max_joint_axes, states[i].begin());
     }
     archive(moving), archive(states);
     if constexpr (Archive::reading) {
-        if (moving.size() != s.joints.info.size() || states.size() != s.joints.axes.size()) throw_damaged();
+        if (moving.size() != joints.info.size() || states.size() != joints.axes.size()) throw_damaged();
         for (std::size_t i = 0; i < moving.size(); ++i) {
-            const JointInfo defined = s.joints.info[i];
-            JointInfo& joint = s.joints.info[i] = moving[i];
+            const JointInfo defined = joints.info[i];
+            JointInfo& joint = joints.info[i] = moving[i];
             joint.anchor_a = defined.anchor_a, joint.anchor_b = defined.anchor_b;
             joint.ground_a = defined.ground_a, joint.ground_b = defined.ground_b;
             joint.frame_a = defined.frame_a, joint.frame_b = defined.frame_b;
         }
         for (std::size_t i = 0; i < states.size(); ++i)
-            std::copy_n(states[i].begin(), max_joint_axes, s.joints.axes[i].states);
+            std::copy_n(states[i].begin(), max_joint_axes, joints.axes[i].states);
     }
 }
 
@@ -155,41 +155,41 @@ template <class Archive, class F> void serialize_state(Archive& archive, State& 
         size = now - last;
         last = now;
     };
-    serialize_bodies(archive, s), part(header.bodies);
-    serialize_contacts(archive, s), part(header.contacts);
-    serialize_joints(archive, s), part(header.joints);
+    serialize_bodies(archive, s.bodies, s.shapes, s.islands), part(header.bodies);
+    serialize_contacts(archive, s.contacts), part(header.contacts);
+    serialize_joints(archive, s.joints), part(header.joints);
     s.broad_phase.serialize(archive), part(header.broad_phase);
     serialize_counters(archive, s);
 }
 
 // --- what they do not change
 
-template <class Archive> void serialize_defined_joints(Archive& archive, State& s) {
+template <class Archive> void serialize_defined_joints(Archive& archive, Joints& joints) {
     struct Defined {
         math::DVec3 anchor_a, anchor_b, ground_a, ground_b;
         math::DQuat frame_a, frame_b;
     };
-    std::vector<Defined> defined(s.joints.info.size());
-    std::vector<std::array<JointAxisRule, max_joint_axes>> rules(s.joints.axes.size());
+    std::vector<Defined> defined(joints.info.size());
+    std::vector<std::array<JointAxisRule, max_joint_axes>> rules(joints.axes.size());
     if constexpr (!Archive::reading) {
         for (std::size_t i = 0; i < defined.size(); ++i) {
-            const JointInfo& joint = s.joints.info[i];
+            const JointInfo& joint = joints.info[i];
             defined[i] = {joint.anchor_a, joint.anchor_b, joint.ground_a, joint.ground_b, joint.frame_a, joint.frame_b};
         }
         for (std::size_t i = 0; i < rules.size(); ++i)
-            std::copy_n(s.joints.axes[i].rules, max_joint_axes, rules[i].begin());
+            std::copy_n(joints.axes[i].rules, max_joint_axes, rules[i].begin());
     }
     archive(defined), archive(rules);
     if constexpr (Archive::reading) {
-        s.joints.info.resize(defined.size()), s.joints.axes.resize(rules.size());
+        joints.info.resize(defined.size()), joints.axes.resize(rules.size());
         for (std::size_t i = 0; i < defined.size(); ++i) {
-            JointInfo& joint = s.joints.info[i];
+            JointInfo& joint = joints.info[i];
             joint.anchor_a = defined[i].anchor_a, joint.anchor_b = defined[i].anchor_b;
             joint.ground_a = defined[i].ground_a, joint.ground_b = defined[i].ground_b;
             joint.frame_a = defined[i].frame_a, joint.frame_b = defined[i].frame_b;
         }
         for (std::size_t i = 0; i < rules.size(); ++i)
-            std::copy_n(rules[i].begin(), max_joint_axes, s.joints.axes[i].rules);
+            std::copy_n(rules[i].begin(), max_joint_axes, joints.axes[i].rules);
     }
 }
 
@@ -212,7 +212,7 @@ template <class Archive, class Impl> void serialize_definitions(Archive& archive
         archive(s.shapes.dead);
     archive(s.shapes.geometry), serialize_fields(archive, s.shapes.materials), archive(s.shapes.traits);
     serialize_fields(archive, s.fields.all);
-    serialize_defined_joints(archive, s);
+    serialize_defined_joints(archive, s.joints);
     archive(impl.user_data), serialize_fields(archive, impl.def_of);
     impl.names.resize(s.bodies.slots.size());
     for (std::string& name : impl.names) archive(name);
