@@ -45,8 +45,6 @@ void move_shapes(Bodies& bodies, Shapes& shapes, BroadPhase& broad_phase, std::i
     });
 }
 
-constexpr double rounding = 1e-5; // of bounds, as part of a body's size
-
 // How far out a body's surface turns. One without shapes is as large as its inertia says.
 float surface_radius(const Bodies& bodies, std::int32_t b) {
     const float radius = bodies.links[b].radius;
