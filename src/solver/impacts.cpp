@@ -14,6 +14,7 @@ namespace cairn {
 
 namespace {
 
+constexpr int max_passes = 48;
 // m/s, rad/s: a group whose bodies change by less in a pass has settled.
 constexpr SettledChange settled = {0.02f, 0.08f};
 

@@ -12,9 +12,6 @@ namespace cairn {
 
 inline constexpr float impact_speed = 0.75f; // m/s: slower approaches are left to the solver
 inline constexpr float no_impact_speed = 1e30f;
-// Bounces, and impacts on joints, travel from contact to contact in passes over all of them, until nothing changes.
-// More passes than these are not made.
-inline constexpr int max_passes = 48;
 
 // After the solver has gone over all rows of a batch. `struck_contacts`: whether it left any block's to be solved here;
 // it is set back to 0.

@@ -24,6 +24,7 @@ namespace cairn {
 
 namespace {
 
+constexpr int max_bounce_passes = 32;
 // Batches with fewer contacts are not worth being solved together.
 constexpr std::int32_t min_shared_contacts = 512;
 constexpr int rows_per_chunk = 512; // for threads
@@ -58,7 +59,7 @@ void refresh_all(BatchScratch& scratch, ThreadPool* thread_pool, const SolverBod
 
 void bounce_all(BatchScratch& scratch, ThreadPool* thread_pool, const SolverBodies& bodies,
                 const BounceSettings& settings) {
-    for (int pass = 0; pass < max_passes; ++pass) {
+    for (int pass = 0; pass < max_bounce_passes; ++pass) {
         std::atomic<int> bounced = 0;
         for_blocks(scratch, thread_pool, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
             const int count = k.bounce(blocks_of(scratch, run), run.count, bodies, settings);

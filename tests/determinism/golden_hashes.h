@@ -10,7 +10,7 @@ namespace cairn_test::golden {
 inline constexpr std::uint64_t mixed_pile = 0x5c2a2a1597d41d17;
 inline constexpr std::uint64_t pyramid = 0xf05274f31868f22b;
 inline constexpr std::uint64_t dominoes = 0x5b9ebf2f7138dd5e;
-inline constexpr std::uint64_t materials = 0x9565f0a701d7a156;
+inline constexpr std::uint64_t materials = 0xdbb7eb0684eddfaf;
 inline constexpr std::uint64_t tumbler = 0x0fa7e1635790376a;
 inline constexpr std::uint64_t sleep_and_wake = 0x07d7d6cc8b5edda2;
 inline constexpr std::uint64_t compounds = 0xfc7046637e384839;
