@@ -61,7 +61,7 @@ struct ForceField {
     bool is_force = false;            ///< false: an acceleration, equal for all masses; true: a force.
 };
 
-/// Wall-clock time of the stages of the last step, in milliseconds.
+/// Wall-clock time of the stages of the last step, in milliseconds. Snapshots do not keep it: 0 after `World::restore`.
 struct StageTimes {
     double broad_phase = 0, narrow_phase = 0, islands = 0, prepare = 0, solve = 0, finalize = 0, total = 0;
 };

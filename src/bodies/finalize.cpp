@@ -45,8 +45,6 @@ void move_shapes(Bodies& bodies, Shapes& shapes, BroadPhase& broad_phase, std::i
     });
 }
 
-constexpr double rounding = 1e-5; // of bounds, as part of a body's size
-
 // How far out a body's surface turns. One without shapes is as large as its inertia says.
 float surface_radius(const Bodies& bodies, std::int32_t b) {
     const float radius = bodies.links[b].radius;
@@ -74,7 +72,8 @@ void note_rest(const WorldDef& settings, BodyLinks& links, math::Vec3 v, float s
 
 } // namespace
 
-void finalize_body(const State& s, Bodies& bodies, Shapes& shapes, std::int32_t b, float dt, FinalizeScratch& own) {
+void finalize_body(Bodies& bodies, Shapes& shapes, const BroadPhase& broad_phase, const WorldDef& settings,
+                   std::int32_t b, float dt, FinalizeScratch& own) {
     const BodyMotion& motion = bodies.motion[b];
     const float turn = turn_reach(bodies, b, dt);
     BodyLinks& links = bodies.links[b];
@@ -94,8 +93,8 @@ void finalize_body(const State& s, Bodies& bodies, Shapes& shapes, std::int32_t 
         double room = std::numeric_limits<double>::infinity();
         place_each_shape(bodies, shapes, b, [&](std::uint32_t shape) { // no plane: the body is dynamic
             const DBounds bounds = bounds_of(shapes, shape, turn);
-            has_strayed |= is_fast && !contains(s.broad_phase.fat_bounds(shape), bounds);
-            const double left = s.broad_phase.room(shape, bounds, displacement);
+            has_strayed |= is_fast && !contains(broad_phase.fat_bounds(shape), bounds);
+            const double left = broad_phase.room(shape, bounds, displacement);
             if (left < 0) own.escaped.push_back({shape, bounds, displacement});
             room = std::min(room, left);
         });
@@ -106,7 +105,7 @@ void finalize_body(const State& s, Bodies& bodies, Shapes& shapes, std::int32_t 
         if (has_strayed) own.strayed.push_back(b);
     }
     const float speed = velocity + math::length(motion.w) * surface_radius(bodies, b);
-    note_rest(s.settings, links, motion.v, speed, dt);
+    note_rest(settings, links, motion.v, speed, dt);
 }
 
 void place_again(Bodies& bodies, Shapes& shapes, BroadPhase& broad_phase, std::int32_t b, float dt) {
@@ -128,15 +127,15 @@ void prefetch_body(const Bodies& bodies, std::int32_t b) {
     ask_cache(&bodies.boxes_until[b]);
 }
 
-void prefetch_shape_of(const State& s, std::int32_t b) {
-    const std::int32_t first = s.bodies.links[b].first_shape;
+void prefetch_shape_of(const Bodies& bodies, const Shapes& shapes, const BroadPhase& broad_phase, std::int32_t b) {
+    const std::int32_t first = bodies.links[b].first_shape;
     if (first == none) return;
     const auto shape = std::size_t(first);
-    ask_cache(&s.shapes.links[shape]);
-    ask_cache(&s.shapes.poses[shape]);
-    ask_cache(&s.shapes.geometry[shape]);
-    ask_cache(&s.shapes.geometry[shape].is_double_sided);
-    ask_cache(&s.broad_phase.fat_bounds(std::uint32_t(shape)));
+    ask_cache(&shapes.links[shape]);
+    ask_cache(&shapes.poses[shape]);
+    ask_cache(&shapes.geometry[shape]);
+    ask_cache(&shapes.geometry[shape].is_double_sided);
+    ask_cache(&broad_phase.fat_bounds(std::uint32_t(shape)));
 }
 
 void finalize_kinematics(Bodies& bodies, Shapes& shapes, BroadPhase& broad_phase, float dt) {

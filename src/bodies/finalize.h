@@ -8,15 +8,15 @@ namespace cairn {
 
 // One dynamic body; others may be at work on other bodies. Shapes that have left their fat boxes go to `escaped`: the
 // broad phase is told later. Bodies that moved farther than their cores may go to `fast`.
-void finalize_body(const State& state, Bodies& bodies, Shapes& shapes, std::int32_t body, float dt,
-                   FinalizeScratch& own);
+void finalize_body(Bodies& bodies, Shapes& shapes, const BroadPhase& broad_phase, const WorldDef& settings,
+                   std::int32_t body, float dt, FinalizeScratch& own);
 
 // Asks the cache for how a body moves; for all that the end of a step needs of a dynamic one; and then, with that at
 // hand, of its first shape.
 inline constexpr std::size_t bodies_ahead = 8;
 void prefetch_motion(const Bodies& bodies, std::int32_t body);
 void prefetch_body(const Bodies& bodies, std::int32_t body);
-void prefetch_shape_of(const State& state, std::int32_t body);
+void prefetch_shape_of(const Bodies& bodies, const Shapes& shapes, const BroadPhase& broad_phase, std::int32_t body);
 
 // Kinematic bodies.
 void finalize_kinematics(Bodies& bodies, Shapes& shapes, BroadPhase& broad_phase, float dt);

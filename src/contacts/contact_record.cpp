@@ -191,13 +191,14 @@ float min_separation(const ContactInfo& c, const ContactRecord& r) {
     return least;
 }
 
-void write_record(const State& s, Contacts& contacts, std::uint32_t id, const Manifold& m, const Touch* touch) {
+void write_record(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, std::uint32_t id, const Manifold& m,
+                  const Touch* touch) {
     ContactInfo& c = contacts.info[id];
     ContactRecord& r = contacts.records[id];
-    math::Vec3 normal = to_vec(m.normal), offset = touch ? touch->arm_a : s.shapes.links[c.shape_a].arm;
+    math::Vec3 normal = to_vec(m.normal), offset = touch ? touch->arm_a : shapes.links[c.shape_a].arm;
     if (c.flipped) {
-        const ShapePose& a = touch ? touch->pose_a : s.shapes.poses[c.shape_a];
-        const ShapePose& b = touch ? touch->pose_b : s.shapes.poses[c.shape_b];
+        const ShapePose& a = touch ? touch->pose_a : shapes.poses[c.shape_a];
+        const ShapePose& b = touch ? touch->pose_b : shapes.poses[c.shape_b];
         offset = offset - ((to_vec(a.high) - to_vec(b.high)) + (to_vec(a.low) - to_vec(b.low)));
         normal = -normal;
     }
@@ -205,20 +206,20 @@ void write_record(const State& s, Contacts& contacts, std::uint32_t id, const Ma
     const int kept = m.count == 1 ? 1 : 4;
     for (int i = 0; i < kept; ++i)
         points[i] = i < m.count ? load4(m.points[i]) + Float4{offset.x, offset.y, offset.z} : Float4{0, 0, 0, unused};
-    const math::Quat turned = s.bodies.motion[c.body_a].turned;
+    const math::Quat turned = bodies.motion[c.body_a].turned;
     const bool stay = m.count == c.point_count && points_stay(r, points, kept, turned, c.match_tolerance);
     OldPoints old;
     if (!stay) old = old_points(r, c.point_count, turned);
     put(r.normal, normal);
-    put(r.center_offset, math::to_float(s.bodies.motion[c.body_a].x - s.bodies.motion[c.body_b].x));
+    put(r.center_offset, math::to_float(bodies.motion[c.body_a].x - bodies.motion[c.body_b].x));
     for (int i = 0; i < kept; ++i) store4(point_of(r, i), points[i]);
     if (may_be_round(c.kind)) {
-        r.radius_a = contact_radius(s.shapes, c.shape_a, normal, m.points[0][3]);
-        r.radius_b = contact_radius(s.shapes, c.shape_b, normal, m.points[0][3]);
+        r.radius_a = contact_radius(shapes, c.shape_a, normal, m.points[0][3]);
+        r.radius_b = contact_radius(shapes, c.shape_b, normal, m.points[0][3]);
     }
     c.point_count = std::uint8_t(m.count);
     r.touch_time = 0;
-    if (touch) move_to_touch(s.bodies, c, *touch, r);
+    if (touch) move_to_touch(bodies, c, *touch, r);
     r.features = packed_features(m);
     if (stay) return;
     forget_impulses(r, m.count);

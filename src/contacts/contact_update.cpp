@@ -164,20 +164,20 @@ float contact_margin(const Bodies& bodies, const NarrowScratch& narrow, const Co
 }
 
 // Such contacts would have nothing to do in the solver: they are up to half of all while a heap lands.
-bool stays_apart(const State& s, const ContactInfo& c, const Manifold& m, float dt) {
+bool stays_apart(const Bodies& bodies, const Shapes& shapes, const ContactInfo& c, const Manifold& m, float dt) {
     if (c.is_trigger) return false;
     float least = m.points[0][3];
     for (int i = 1; i < m.count; ++i) least = std::min(least, m.points[i][3]);
     if (least <= c.base_margin) return false;
     const std::int32_t first = c.flipped ? c.body_b : c.body_a, second = c.flipped ? c.body_a : c.body_b;
-    const BodyMotion &a = s.bodies.motion[first], &b = s.bodies.motion[second];
-    const float speed = std::max(approach_of(s.bodies, s.shapes, c, m), 0.0f);
+    const BodyMotion &a = bodies.motion[first], &b = bodies.motion[second];
+    const float speed = std::max(approach_of(bodies, shapes, c, m), 0.0f);
     // What a rotation adds to the way of a point beyond its speed.
     const auto bend = [&](const BodyMotion& body, float radius) {
         const float turn = looked_ahead(dt * math::length(body.w));
         return 0.5f * turn * turn * radius;
     };
-    const float more = bend(a, s.bodies.links[first].radius) + bend(b, s.bodies.links[second].radius);
+    const float more = bend(a, bodies.links[first].radius) + bend(b, bodies.links[second].radius);
     return least > c.base_margin + dt * (speed + redirected * math::length(b.v - a.v)) + more;
 }
 
@@ -192,7 +192,7 @@ std::uint8_t take_distance(const Bodies& bodies, Contacts& contacts, std::uint32
 std::uint8_t take_manifold(const State& s, Contacts& contacts, std::uint32_t id, const Manifold& m, float dt,
                            const Touch* touch) {
     ContactInfo& c = contacts.info[id];
-    if (m.count == 0 || (!touch && stays_apart(s, c, m, dt))) {
+    if (m.count == 0 || (!touch && stays_apart(s.bodies, s.shapes, c, m, dt))) {
         // Along which they are apart; wide kernels do not say.
         if (c.kind == PairKind::convex_convex && !c.is_trigger)
             math::put(contacts.records[id].normal, to_vec(m.normal));
@@ -204,7 +204,7 @@ std::uint8_t take_manifold(const State& s, Contacts& contacts, std::uint32_t id,
         keep_answer(s.bodies, contacts, id, 0);
     if (c.is_trigger) return trigger_outcome(c, true);
     const bool is_new = c.point_count == 0;
-    write_record(s, contacts, id, m, touch);
+    write_record(s.bodies, s.shapes, contacts, id, m, touch);
     ContactRecord& r = contacts.records[id];
     if (!c.touching) r.approach_speed = approach_speed(s.bodies, c, r);
     return is_new ? std::uint8_t(begun) : going_on(s.bodies, s.islands, c);
@@ -274,35 +274,36 @@ bool take_report(Contacts& contacts, Islands& islands, const SolverScratch& solv
 
 } // namespace
 
-void report_contacts(State& s, StepScratch& step, float dt) {
+float report_contacts(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, Islands& islands,
+                      StepEvents& events, const WorldDef& settings, StepScratch& step, float dt) {
     float deepest = 0; // raised by all threads
     std::vector<std::uint8_t>& changes = step.narrow.changes;
-    changes.resize(s.contacts.info.size());
+    changes.resize(contacts.info.size());
     const std::vector<SortedContact>& sorted = step.solver.sorted;
     step.thread_pool->for_chunks(int(sorted.size()), reports_per_chunk, [&](int begin, int end, int) {
         float own = 0;
         for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
             if (k + contacts_ahead < std::size_t(end)) {
                 const std::uint32_t next = sorted[k + contacts_ahead].id;
-                ask_cache(&s.contacts.info[next]);
+                ask_cache(&contacts.info[next]);
                 ask_cache(&step.solver.reports[next]);
             }
             const std::uint32_t id = sorted[k].id;
-            changes[id] = take_report(s.contacts, s.islands, step.solver, sorted[k], dt);
+            changes[id] = take_report(contacts, islands, step.solver, sorted[k], dt);
             own = std::max(own, -step.solver.reports[id].separation);
         }
         raise(deepest, own);
     });
-    s.statistics.max_penetration = double(deepest);
     for (const SortedContact& solved : step.solver.unsorted) {
         if (!changes[solved.id]) continue;
         const std::uint32_t id = solved.id;
-        ContactInfo& c = s.contacts.info[id];
+        ContactInfo& c = contacts.info[id];
         if (c.touching)
-            end_touch(s.bodies, s.shapes, s.contacts, s.events, c);
+            end_touch(bodies, shapes, contacts, events, c);
         else
-            begin_touch(s.bodies, s.shapes, s.contacts, s.events, s.settings, id);
+            begin_touch(bodies, shapes, contacts, events, settings, id);
     }
+    return deepest;
 }
 
 void settle_sleeping_contacts(const Bodies& bodies, Contacts& contacts, const Islands& islands,

@@ -27,7 +27,8 @@ enum Outcome : std::uint8_t {
 float contact_margin(const Bodies& bodies, const NarrowScratch& narrow, const ContactInfo& contact, float dt);
 // Whether points that are beyond where contacts begin do not come near each other in the next step either, as the
 // bodies move now.
-bool stays_apart(const State& state, const ContactInfo& contact, const Manifold& manifold, float dt);
+bool stays_apart(const Bodies& bodies, const Shapes& shapes, const ContactInfo& contact, const Manifold& manifold,
+                 float dt);
 // The greatest speed at which points of a manifold approach, m/s; negative if all part.
 float approach_of(const Bodies& bodies, const Shapes& shapes, const ContactInfo& contact, const Manifold& manifold);
 // One result of a test becomes the record of the contact; others may be at work on other contacts. An Outcome.
@@ -51,8 +52,9 @@ bool moves(const Bodies& bodies, std::int32_t body);
 // Of the points of a record, the greatest speed at which they approach.
 float approach_speed(const Bodies& bodies, const ContactInfo& contact, const ContactRecord& record);
 
-// After the solver: begin, end and hit events, sustained loads, counts.
-void report_contacts(State& state, StepScratch& step, float dt);
+// After the solver: begin, end and hit events, sustained loads. Returns the deepest overlap, m.
+float report_contacts(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, Islands& islands,
+                      StepEvents& events, const WorldDef& settings, StepScratch& step, float dt);
 
 // The records of contacts that fell asleep are brought up to the final poses: they are used as they are if the
 // island wakes within a step.

@@ -79,6 +79,8 @@ math::Vec3 other_surface(const Bodies& bodies, const Contacts& contacts, std::ui
 enum PlaneKey : std::size_t { plane_offset = 3, plane_depth, plane_rank };
 enum LineKey : std::size_t { line_lo = 3, line_hi = 6 };
 
+double square(double x) { return x * x; }
+
 // How far a unit vector with components in these bounds is from n at least, and at most, squared.
 template <class Bounds> double least_difference(const Bounds& b, math::Vec3 n) {
     double sum = 0;
@@ -130,8 +132,7 @@ class EdgeTest {
     // False where it lies in none of the planes with such keys.
     bool may_lie_in(const KeyTree<6>::Bounds& planes) {
         if (shapes_.geometry[info_.shape_b].type == ShapeType::plane) return false;
-        if (greatest_difference(planes, -to_vec(record_.normal)) < 0.999 * double(flatness) * double(flatness))
-            return false;
+        if (greatest_difference(planes, -to_vec(record_.normal)) < square(double(flatness) - rounding)) return false;
         math::DVec3 up, spread;
         for (std::size_t i = 0; i < 3; ++i) {
             up[int(i)] = 0.5 * (planes.lo[i] + planes.hi[i]);
@@ -139,7 +140,6 @@ class EdgeTest {
         }
         // How far a point is above all of them, and below all of them.
         const auto slack = [&](math::DVec3 p) {
-            constexpr double rounding = 1e-6;
             return double(tolerance_) + rounding * (double(radius_) + math::length(p));
         };
         const auto least_height = [&](math::DVec3 p) {
@@ -223,9 +223,8 @@ void drop_covered(const Bodies& bodies, Contacts& contacts, NarrowScratch& narro
         const ContactRecord& r = contacts.records[c];
         const int count = contacts.info[c].point_count;
         const auto may_be_covered = [&](const KeyTree<9>::Bounds& b) {
-            constexpr double rounding = 1.001;
-            const double tolerance = rounding * double(flatness) * radius;
-            if (least_difference(b, to_vec(r.normal)) > rounding * double(flatness) * double(flatness)) return false;
+            const double tolerance = (double(flatness) + rounding) * radius;
+            if (least_difference(b, to_vec(r.normal)) > square(double(flatness) + rounding)) return false;
             for (int i = 0; i < count; ++i)
                 for (std::size_t k = 0; k < 3; ++k) {
                     const double x = double(point_of(r, i)[k]);

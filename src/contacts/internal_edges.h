@@ -7,7 +7,7 @@
 namespace cairn {
 
 // A body that slides over several surfaces side by side must not bump into the edges between them: takes out of
-// State::solved what is an edge of one in the plane of another.
+// StepScratch::solved what is an edge of one in the plane of another.
 void drop_internal_edges(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, NarrowScratch& narrow,
                          std::vector<std::uint32_t>& solved);
 

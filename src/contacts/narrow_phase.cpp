@@ -31,7 +31,8 @@ constexpr float little_turn = 0.1f; // rad in a pass: contacts may be moved alon
 std::uint8_t take_first_test(const State& s, Contacts& contacts, const StepScratch& step, std::uint32_t place,
                              const Manifold& m, NarrowBatch& own, float dt) {
     const std::uint32_t id = step.narrow.candidates[place];
-    if (!may_meet_in_flight(s, step.passes, contacts.info[id], m, dt) || stays_apart(s, contacts.info[id], m, dt))
+    if (!may_meet_in_flight(s, step.passes, contacts.info[id], m, dt) ||
+        stays_apart(s.bodies, s.shapes, contacts.info[id], m, dt))
         return take_test(s, contacts, step, id, m, dt);
     own.flights.add(place, &m, 1);
     return may_fly_by;
@@ -202,24 +203,25 @@ void note_found(const Contacts& contacts, NarrowScratch& narrow) {
 }
 
 // Sorts the pairs that may have moved into the lists of their kinds.
-void list_pairs(const State& s, Statistics& statistics, StepScratch& step) {
+void list_pairs(const Bodies& bodies, const Contacts& contacts, const Islands& islands, const BroadPhase& broad_phase,
+                Statistics& statistics, StepScratch& step) {
     NarrowScratch& scratch = step.narrow;
     scratch.candidates.clear();
-    s.broad_phase.for_each_pair(
+    broad_phase.for_each_pair(
         [&](std::uint32_t, std::uint32_t, std::uint32_t id) { scratch.candidates.push_back(id); });
     scratch.outcomes.resize(scratch.candidates.size());
-    list_open_pairs(s.bodies, s.contacts, step.narrow, *step.thread_pool);
+    list_open_pairs(bodies, contacts, step.narrow, *step.thread_pool);
     const std::size_t open = scratch.open.size();
     std::atomic<bool> any_groups = false;
     step.thread_pool->for_chunks(int(open), pairs_per_chunk, [&](int begin, int end, int) {
         bool any = false;
         for (std::size_t i = std::size_t(begin); i < std::size_t(end); ++i) {
             if (i + contacts_ahead < std::size_t(end))
-                ask_cache(&s.contacts.info[scratch.candidates[scratch.open[i + contacts_ahead]]]);
+                ask_cache(&contacts.info[scratch.candidates[scratch.open[i + contacts_ahead]]]);
             const std::uint32_t k = scratch.open[i];
             const std::uint32_t id = scratch.candidates[k];
-            any |= is_group(s.contacts.info[id]);
-            scratch.outcomes[k] = before_test(s.bodies, s.contacts, s.islands, step.narrow, step.passes, id);
+            any |= is_group(contacts.info[id]);
+            scratch.outcomes[k] = before_test(bodies, contacts, islands, step.narrow, step.passes, id);
         }
         if (any) any_groups = true;
     });
@@ -268,7 +270,7 @@ void update_contacts(State& s, StepScratch& step, float dt) {
     step.narrow.skipped.clear();
     step.narrow.lists.resize(tested_kinds);
     step.narrow.at_work.resize(std::size_t(step.thread_pool->threads()));
-    list_pairs(s, s.statistics, step);
+    list_pairs(s.bodies, s.contacts, s.islands, s.broad_phase, s.statistics, step);
     test_all(s, s.contacts, step, dt);
     if (step.passes.number == 0 && !step.narrow.whirling.empty()) note_found(s.contacts, step.narrow);
     const std::vector<std::uint32_t>& open = step.narrow.open;

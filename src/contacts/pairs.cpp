@@ -50,28 +50,37 @@ float combine_values(float a, float b, CombineRule rule) {
 }
 
 struct Sink final : PairSink {
-    explicit Sink(State& state, StepScratch& step) : s(state), step(step) {}
-    State& s;
-    StepScratch& step;
+    Bodies& bodies;
+    const Shapes& shapes;
+    Contacts& contacts;
+    Islands& islands;
+    const Joints& joints;
+    StepEvents& events;
+    NarrowScratch& narrow;
+
+    Sink(Bodies& bodies, const Shapes& shapes, Contacts& contacts, Islands& islands, const Joints& joints,
+         StepEvents& events, NarrowScratch& narrow)
+        : bodies(bodies), shapes(shapes), contacts(contacts), islands(islands), joints(joints), events(events),
+          narrow(narrow) {}
 
     bool pair_found(std::uint32_t a, std::uint32_t b, std::uint32_t& contact) override {
-        const std::int32_t body_a = s.shapes.links[a].body, body_b = s.shapes.links[b].body;
+        const std::int32_t body_a = shapes.links[a].body, body_b = shapes.links[b].body;
         if (body_a == body_b) return false;
-        const bool a_moves = s.bodies.is_dynamic(body_a), b_moves = s.bodies.is_dynamic(body_b);
+        const bool a_moves = bodies.is_dynamic(body_a), b_moves = bodies.is_dynamic(body_b);
         if (!a_moves && !b_moves) return false;
         // Two that cannot be moved by any force would be pushed in vain.
         auto movable = [&](std::int32_t body) {
-            const BodyMass& m = s.bodies.mass[body];
+            const BodyMass& m = bodies.mass[body];
             return m.inverse_mass > 0 || !(m.inverse_inertia == math::Vec3{});
         };
-        const ShapeTraits &traits_a = s.shapes.traits[a], &traits_b = s.shapes.traits[b];
+        const ShapeTraits &traits_a = shapes.traits[a], &traits_b = shapes.traits[b];
         if (!may_meet(traits_a.filter, traits_b.filter)) return false;
-        if (joint_forbids_contact(s.bodies, s.joints, body_a, body_b)) return false;
+        if (joint_forbids_contact(bodies, joints, body_a, body_b)) return false;
         const bool is_trigger = traits_a.is_trigger || traits_b.is_trigger;
         if (!is_trigger && !movable(body_a) && !movable(body_b)) return false;
         if (traits_a.is_trigger && traits_b.is_trigger) return false;
         bool swapped = false;
-        const std::optional<PairKind> kind = pair_kind(s.shapes.geometry[a], s.shapes.geometry[b], swapped);
+        const std::optional<PairKind> kind = pair_kind(shapes.geometry[a], shapes.geometry[b], swapped);
         if (!kind) return false;
         // A is the dynamic one; of two dynamic ones, the kernel's first.
         const bool b_is_a = a_moves && b_moves ? swapped : b_moves;
@@ -81,28 +90,28 @@ struct Sink final : PairSink {
     }
 
     void pair_lost(std::uint32_t, std::uint32_t, std::uint32_t contact) override {
-        end_contact(s.bodies, s.shapes, s.contacts, s.islands, s.events, contact);
-        free_contact(s.contacts, contact);
+        end_contact(bodies, shapes, contacts, islands, events, contact);
+        free_contact(contacts, contact);
     }
 
     std::uint32_t create(std::uint32_t shape_a, std::uint32_t shape_b, PairKind kind, bool flipped, bool b_moves) {
-        const std::uint32_t id = new_contact(s.contacts, step.narrow);
-        ContactInfo& c = s.contacts.info[id];
+        const std::uint32_t id = new_contact(contacts, narrow);
+        ContactInfo& c = contacts.info[id];
         c.shape_a = shape_a, c.shape_b = shape_b;
-        c.body_a = s.shapes.links[shape_a].body, c.body_b = s.shapes.links[shape_b].body;
+        c.body_a = shapes.links[shape_a].body, c.body_b = shapes.links[shape_b].body;
         c.kind = kind;
         c.flipped = flipped;
         c.b_moves = b_moves;
-        const ShapeTraits &traits_a = s.shapes.traits[shape_a], &traits_b = s.shapes.traits[shape_b];
+        const ShapeTraits &traits_a = shapes.traits[shape_a], &traits_b = shapes.traits[shape_b];
         c.is_trigger = traits_a.is_trigger || traits_b.is_trigger;
         c.is_conveyor = traits_b.has_surface_velocity;
-        const Geometry &a = s.shapes.geometry[shape_a], &b = s.shapes.geometry[shape_b];
+        const Geometry &a = shapes.geometry[shape_a], &b = shapes.geometry[shape_b];
         c.base_margin =
-            margin_of(std::min(smallest_extent(a, s.shapes.data[shape_a]), smallest_extent(b, s.shapes.data[shape_b])));
+            margin_of(std::min(smallest_extent(a, shapes.data[shape_a]), smallest_extent(b, shapes.data[shape_b])));
         c.match_tolerance = match_per_extent * std::min(largest_extent(a), largest_extent(b));
-        s.contacts.answers[id] = {0, c.body_a, c.body_b};
-        drop_answer(s.bodies, s.contacts, id);
-        combine_materials(s.shapes, s.contacts, id);
+        contacts.answers[id] = {0, c.body_a, c.body_b};
+        drop_answer(bodies, contacts, id);
+        combine_materials(shapes, contacts, id);
         return id;
     }
 };
@@ -176,23 +185,24 @@ void combine_materials(const Shapes& shapes, Contacts& contacts, std::uint32_t c
     r.torsion_radius = m.torsion_radius;
 }
 
-void update_pairs(State& state, StepScratch& step) {
-    flush_sleep(state.bodies, state.shapes, state.islands, state.broad_phase);
-    Sink sink(state, step);
-    state.broad_phase.update(sink);
-    if (!state.bodies.dead.empty()) // their slots are given out again, and must not be pushed twice
-        std::erase_if(state.bodies.pushed,
-                      [&](std::int32_t b) { return !state.bodies.slots.is_live(std::uint32_t(b)); });
-    for (const std::uint32_t i : state.shapes.dead) state.shapes.slots.recycle(i);
-    for (const std::uint32_t i : state.bodies.dead) state.bodies.slots.recycle(i);
-    state.shapes.dead.clear();
-    state.bodies.dead.clear();
+void update_pairs(Bodies& bodies, Shapes& shapes, Contacts& contacts, Islands& islands, const Joints& joints,
+                  BroadPhase& broad_phase, StepEvents& events, NarrowScratch& narrow) {
+    flush_sleep(bodies, shapes, islands, broad_phase);
+    Sink sink(bodies, shapes, contacts, islands, joints, events, narrow);
+    broad_phase.update(sink);
+    if (!bodies.dead.empty()) // their slots are given out again, and must not be pushed twice
+        std::erase_if(bodies.pushed, [&](std::int32_t b) { return !bodies.slots.is_live(std::uint32_t(b)); });
+    for (const std::uint32_t i : shapes.dead) shapes.slots.recycle(i);
+    for (const std::uint32_t i : bodies.dead) bodies.slots.recycle(i);
+    shapes.dead.clear();
+    bodies.dead.clear();
 }
 
-void reclaim_slots(State& state, StepScratch& step) {
-    const std::size_t dead = state.bodies.dead.size() + state.shapes.dead.size();
-    const std::size_t live = state.bodies.slots.live_count() + state.shapes.slots.live_count();
-    if (dead > live) update_pairs(state, step);
+void reclaim_slots(Bodies& bodies, Shapes& shapes, Contacts& contacts, Islands& islands, const Joints& joints,
+                   BroadPhase& broad_phase, StepEvents& events, NarrowScratch& narrow) {
+    const std::size_t dead = bodies.dead.size() + shapes.dead.size();
+    const std::size_t live = bodies.slots.live_count() + shapes.slots.live_count();
+    if (dead > live) update_pairs(bodies, shapes, contacts, islands, joints, broad_phase, events, narrow);
 }
 
 } // namespace cairn

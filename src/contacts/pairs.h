@@ -9,11 +9,13 @@
 namespace cairn {
 
 // Runs the broad phase; creates contacts for new pairs, destroys those of pairs that ended.
-void update_pairs(State& state, StepScratch& step);
+void update_pairs(Bodies& bodies, Shapes& shapes, Contacts& contacts, Islands& islands, const Joints& joints,
+                  BroadPhase& broad_phase, StepEvents& events, NarrowScratch& narrow);
 
 // Does so between steps as well once most slots are dead: bodies that come and go while nothing steps take no more
 // memory than those that are there. Contacts of what has been removed end as they would in the next step.
-void reclaim_slots(State& state, StepScratch& step);
+void reclaim_slots(Bodies& bodies, Shapes& shapes, Contacts& contacts, Islands& islands, const Joints& joints,
+                   BroadPhase& broad_phase, StepEvents& events, NarrowScratch& narrow);
 
 // Coefficients of two materials together, by the rules of KHR_physics_rigid_bodies.
 struct PairMaterial {

@@ -128,7 +128,7 @@ void take_group(const State& s, Contacts& contacts, StepScratch& step, std::uint
         step.narrow.patch_outcomes[p] = not_found;
     std::uint32_t order = 0;
     for (const Manifold& hit : own.hits) {
-        if (!is_ahead && stays_apart(s, group, hit, dt)) continue;
+        if (!is_ahead && stays_apart(s.bodies, s.shapes, group, hit, dt)) continue;
         const std::int32_t patch = matching_patch(contacts, step.narrow, group, hit);
         if (patch == none)
             own.fresh.push_back({place, order++, hit, is_ahead, touch});

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -26,6 +27,13 @@ inline constexpr std::size_t group = 32;
 constexpr std::size_t mask_size(std::size_t words) { return (words + 7) / 8; }
 template <class T> inline constexpr std::size_t max_packed_size = sizeof(T) + 4 * ((sizeof(T) / 4 + group - 1) / group);
 
+// Fails to compile, as no constant, where T has bytes that belong to no member: what they hold is left to chance.
+template <class T> constexpr bool has_no_gaps() {
+    unsigned sum = 0;
+    for (const unsigned char byte : std::bit_cast<std::array<unsigned char, sizeof(T)>>(T{})) sum += byte;
+    return sum < sizeof(T) * 256;
+}
+
 } // namespace archive_detail
 
 class ArchiveWriter {
@@ -34,7 +42,7 @@ class ArchiveWriter {
     explicit ArchiveWriter(std::vector<std::byte>& out) : out_(out) {}
 
     template <class T> void operator()(const std::vector<T>& v) {
-        static_assert(std::is_trivially_copyable_v<T>);
+        static_assert(std::is_trivially_copyable_v<T> && archive_detail::has_no_gaps<T>());
         if constexpr (archive_detail::is_packed<T>) {
             write(v, [&](std::size_t i) -> const T* { return i > 0 ? &v[i - 1] : nullptr; });
         } else {
@@ -46,6 +54,7 @@ class ArchiveWriter {
     // `foretell(i)`: what element i will likely be, from what has been written before this vector.
     template <class T, class F> void foretold(const std::vector<T>& v, const F& foretell) {
         static_assert(std::is_trivially_copyable_v<T> && archive_detail::is_packed<T>);
+        static_assert(archive_detail::has_no_gaps<T>());
         T expected;
         write(v, [&](std::size_t i) -> const T* {
             expected = foretell(i);
@@ -59,7 +68,10 @@ class ArchiveWriter {
     }
     template <class T>
     requires std::is_trivially_copyable_v<T>
-    void operator()(const T& value) { raw(&value, sizeof value); }
+    void operator()(const T& value) {
+        static_assert(requires { T::length(); } || archive_detail::has_no_gaps<T>()); // the former: a vector of GLM's
+        raw(&value, sizeof value);
+    }
 
     std::size_t size() const noexcept { return out_.size(); }
 

@@ -87,8 +87,8 @@ std::int32_t find_root(std::vector<std::int32_t>& parent, std::int32_t i) {
     return i;
 }
 
-void split_island(const State& state, Bodies& bodies, Islands& islands, const std::vector<std::uint32_t>& solved,
-                  SolverScratch& solver, std::int32_t i) {
+void split_island(Bodies& bodies, const Contacts& contacts, Islands& islands, const Joints& joints,
+                  const std::vector<std::uint32_t>& solved, SolverScratch& solver, std::int32_t i) {
     // Number the bodies in list order; the root of a part is its first body.
     std::vector<std::int32_t> members, parent;
     std::vector<std::int32_t>& number = solver.member_numbers;
@@ -99,7 +99,7 @@ void split_island(const State& state, Bodies& bodies, Islands& islands, const st
         members.push_back(b);
     }
     for (const std::uint32_t id : solved) {
-        const ContactInfo& contact = state.contacts.info[id];
+        const ContactInfo& contact = contacts.info[id];
         if (!contact.in_use || contact.point_count == 0 || !contact.b_moves) continue;
         if (bodies.links[contact.body_a].island != i) continue;
         const std::int32_t a = find_root(parent, number[contact.body_a]);
@@ -107,8 +107,8 @@ void split_island(const State& state, Bodies& bodies, Islands& islands, const st
         parent[std::max(a, b)] = std::min(a, b);
     }
     for (const std::int32_t b : members)
-        for_each_joint(bodies, state.joints, b, [&](std::uint32_t joint, int side) {
-            const std::int32_t other = other_body(state.joints.info[joint], side);
+        for_each_joint(bodies, joints, b, [&](std::uint32_t joint, int side) {
+            const std::int32_t other = other_body(joints.info[joint], side);
             if (other == none || !bodies.is_dynamic(other)) return;
             const std::int32_t a = find_root(parent, number[b]);
             const std::int32_t c = find_root(parent, number[other]);
@@ -123,8 +123,8 @@ void split_island(const State& state, Bodies& bodies, Islands& islands, const st
         const std::size_t root = std::size_t(find_root(parent, std::int32_t(k)));
         if (part[root] == none) part[root] = root == 0 ? i : new_island(islands);
         append_body(bodies, islands, part[root], members[k]);
-        for_each_joint(bodies, state.joints, members[k], [&](std::uint32_t joint, int) {
-            if (joint_owner(bodies, state.joints.info[joint]) == members[k]) ++islands.all[part[root]].joint_count;
+        for_each_joint(bodies, joints, members[k], [&](std::uint32_t joint, int) {
+            if (joint_owner(bodies, joints.info[joint]) == members[k]) ++islands.all[part[root]].joint_count;
         });
     }
 }
@@ -254,10 +254,11 @@ void wake_around_moving_planes(Bodies& bodies, const Shapes& shapes, Islands& is
     }
 }
 
-bool update_sleep(const State& state, Bodies& bodies, Islands& islands, StepEvents& events,
-                  const std::vector<std::uint32_t>& solved, SolverScratch& solver) {
-    if (!state.settings.enable_sleep) return false;
-    const float needed = state.settings.sleep_time;
+bool update_sleep(Bodies& bodies, const Contacts& contacts, Islands& islands, const Joints& joints,
+                  const WorldDef& settings, StepEvents& events, const std::vector<std::uint32_t>& solved,
+                  SolverScratch& solver) {
+    if (!settings.enable_sleep) return false;
+    const float needed = settings.sleep_time;
     std::int32_t to_split = none;
     float quietest = needed;
     bool any_sleeps = false;
@@ -274,12 +275,11 @@ bool update_sleep(const State& state, Bodies& bodies, Islands& islands, StepEven
     for (std::size_t k = islands.awake.size(); k-- > 0;) {
         const std::int32_t i = islands.awake[k];
         const Island& island = islands.all[i];
-        if (island.lost_contact || island.min_quiet_time < needed || gains_speed(bodies, state.settings, island))
-            continue;
+        if (island.lost_contact || island.min_quiet_time < needed || gains_speed(bodies, settings, island)) continue;
         put_to_sleep(bodies, islands, events, i);
         any_sleeps = true;
     }
-    if (to_split != none) split_island(state, bodies, islands, solved, solver, to_split);
+    if (to_split != none) split_island(bodies, contacts, islands, joints, solved, solver, to_split);
     return any_sleeps;
 }
 

@@ -30,8 +30,9 @@ void wake_around_moving_planes(Bodies& bodies, const Shapes& shapes, Islands& is
                                StepEvents& events);
 
 // After finalize: splits at most one island, puts those at rest to sleep. Returns whether any fell asleep.
-bool update_sleep(const State& state, Bodies& bodies, Islands& islands, StepEvents& events,
-                  const std::vector<std::uint32_t>& solved, SolverScratch& solver);
+bool update_sleep(Bodies& bodies, const Contacts& contacts, Islands& islands, const Joints& joints,
+                  const WorldDef& settings, StepEvents& events, const std::vector<std::uint32_t>& solved,
+                  SolverScratch& solver);
 
 // Tells the broad phase who slept and woke since its last update.
 void flush_sleep(const Bodies& bodies, const Shapes& shapes, Islands& islands, BroadPhase& broad_phase);

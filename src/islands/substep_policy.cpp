@@ -10,9 +10,9 @@ namespace {
 
 constexpr int joint_substeps = 11; // where joints are, at least
 constexpr int max_adaptive_substeps = 128;
-// Shares of the island's weight on one contact: from which on it counts, and from which on it is all that counts. What
-// is squeezed somewhere in a heap is no structure.
-constexpr float min_share = 1.0f / 24, full_share = 1.0f / 3;
+// The share of the island's weight on one contact from which on that contact is all that counts. A smaller one counts
+// in proportion: what is squeezed somewhere in a heap is no structure.
+constexpr float full_share = 1.0f / 3;
 // More than that share of the weight comes from being squeezed between immovable things: no stiffness helps there.
 constexpr float max_share = 1.2f;
 
@@ -34,7 +34,7 @@ int rounded_up(float wanted) {
 int wanted_substeps(const WorldDef& settings, const IslandLoad& load) {
     if (!settings.adaptive_substeps) return settings.substeps;
     const int usual = load.has_joints ? std::max(settings.substeps, joint_substeps) : settings.substeps;
-    const float weight = std::clamp((load.share - min_share) / (full_share - min_share), 0.0f, 1.0f);
+    const float weight = std::min(load.share / full_share, 1.0f);
     const float wanted = weight * std::sqrt(load.demand);
     return wanted > float(usual) ? std::max(usual, rounded_up(wanted)) : usual;
 }

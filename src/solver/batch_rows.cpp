@@ -232,49 +232,52 @@ std::uint64_t scatter_body(Bodies& bodies, const WorldDef& settings, const Batch
 }
 
 // Of a list of bodies of which that at a place comes next; some are none.
-void prefetch_ahead(const State& s, const std::vector<std::int32_t>& list, std::size_t place) {
+void prefetch_ahead(const Bodies& bodies, const Shapes& shapes, const BroadPhase& broad_phase,
+                    const std::vector<std::int32_t>& list, std::size_t place) {
     const auto body_at = [&](std::size_t at) { return at < list.size() ? list[at] : none; };
-    if (const std::int32_t b = body_at(place + bodies_ahead); b != none) prefetch_body(s.bodies, b);
-    if (const std::int32_t b = body_at(place + bodies_ahead / 2); b != none) prefetch_shape_of(s, b);
+    if (const std::int32_t b = body_at(place + bodies_ahead); b != none) prefetch_body(bodies, b);
+    if (const std::int32_t b = body_at(place + bodies_ahead / 2); b != none)
+        prefetch_shape_of(bodies, shapes, broad_phase, b);
 }
 
 } // namespace
 
-void fill_batch(const State& s, Bodies& bodies, Islands& islands, Joints& joints, SolverScratch& solver,
-                const DirectSets& direct, const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool) {
-    gather_bodies(bodies, islands, s.settings, solver, batch, scratch);
+void fill_batch(Bodies& bodies, const Shapes& shapes, const Contacts& contacts, Islands& islands, Joints& joints,
+                const WorldDef& settings, SolverScratch& solver, const DirectSets& direct, const IslandBatch& batch,
+                BatchScratch& scratch, ThreadPool* thread_pool) {
+    gather_bodies(bodies, islands, settings, solver, batch, scratch);
     scratch.row_bodies.clear();
     if (scratch.touching_bodies.empty() && batch.contact_count + batch.joint_count == 0) return;
     number_rows(scratch);
     fill_lanes(solver.sorted, batch, scratch);
     fill_joint_lanes(bodies, joints, solver, direct, batch, scratch, thread_pool);
-    fill_rows(bodies, s.shapes, s.contacts, s.settings, scratch, thread_pool);
+    fill_rows(bodies, shapes, contacts, settings, scratch, thread_pool);
 }
 
-void empty_batch(const State& s, Bodies& bodies, Shapes& shapes, SolverScratch& solver, const StepPasses& passes,
-                 BatchScratch& scratch, ThreadPool* thread_pool, float dt) {
+void empty_batch(Bodies& bodies, Shapes& shapes, const BroadPhase& broad_phase, const ForceFields& fields,
+                 const WorldDef& settings, SolverScratch& solver, const StepPasses& passes, BatchScratch& scratch,
+                 ThreadPool* thread_pool, float dt) {
     std::vector<BatchScratch>& threads = solver.at_work;
     const int rows = int(scratch.row_count());
     for_chunks(thread_pool, rows, rows_per_chunk, [&](int begin, int end, int thread) {
         BatchScratch& own = thread_pool ? threads[thread] : scratch;
         for (int row = begin; row < end; ++row) {
-            prefetch_ahead(s, scratch.row_bodies, std::size_t(row));
+            prefetch_ahead(bodies, shapes, broad_phase, scratch.row_bodies, std::size_t(row));
             const std::int32_t b = scratch.row_bodies[row];
             if (b == none) continue;
             scratch.row_of_body[b] = none;
             if (!bodies.is_dynamic(b)) continue;
-            own.clamped_speeds += scatter_body(bodies, s.settings, scratch, b, std::size_t(row), dt);
-            finalize_body(s, bodies, shapes, b, dt, own.finalized);
+            own.clamped_speeds += scatter_body(bodies, settings, scratch, b, std::size_t(row), dt);
+            finalize_body(bodies, shapes, broad_phase, settings, b, dt, own.finalized);
         }
     });
     for_chunks(thread_pool, int(scratch.free_bodies.size()), rows_per_chunk, [&](int begin, int end, int thread) {
         BatchScratch& own = thread_pool ? threads[thread] : scratch;
         for (int k = begin; k < end; ++k) {
-            prefetch_ahead(s, scratch.free_bodies, std::size_t(k));
+            prefetch_ahead(bodies, shapes, broad_phase, scratch.free_bodies, std::size_t(k));
             const std::int32_t b = scratch.free_bodies[k];
-            own.clamped_speeds +=
-                move_free_body(bodies, s.fields, s.settings, b, dt, passes.in_pass(s.settings.substeps));
-            finalize_body(s, bodies, shapes, b, dt, own.finalized);
+            own.clamped_speeds += move_free_body(bodies, fields, settings, b, dt, passes.in_pass(settings.substeps));
+            finalize_body(bodies, shapes, broad_phase, settings, b, dt, own.finalized);
         }
     });
 }

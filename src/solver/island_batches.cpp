@@ -84,21 +84,22 @@ void count_contacts(SolverScratch& scratch) {
 
 } // namespace
 
-void pack_batches(const State& s, Contacts& contacts, Islands& islands, StepScratch& step, float dt) {
+void pack_batches(const Bodies& bodies, Contacts& contacts, Islands& islands, const WorldDef& settings,
+                  StepScratch& step, float dt) {
     SolverScratch& scratch = step.solver;
     scratch.batches.clear();
     // Of awake islands only: there may be many more that sleep.
     scratch.contacts_of_island.resize(islands.all.size());
     scratch.batch_of_island.resize(islands.all.size());
     for (const std::int32_t i : islands.awake) scratch.contacts_of_island[i] = 0;
-    collect_contacts(s.bodies, contacts, step);
+    collect_contacts(bodies, contacts, step);
     count_contacts(scratch);
 
     // One batch is open for each number of substeps; it closes when it is full.
     scratch.open_batches.assign(std::size_t(max_substeps) + 1, none);
     for (const std::int32_t i : islands.awake) {
         Island& island = islands.all[i];
-        island.substeps = island_substeps(s.settings, step.passes, island);
+        island.substeps = island_substeps(settings, step.passes, island);
         std::int32_t& open = scratch.open_batches[island.substeps];
         if (open == none) {
             open = std::int32_t(scratch.batches.size());

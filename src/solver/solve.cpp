@@ -86,14 +86,15 @@ SolverBodies bodies_of(BatchScratch& scratch) {
             correction};
 }
 
-void run_substeps(const State& s, const DirectSets& direct, const StepPasses& passes, const IslandBatch& batch,
-                  BatchScratch& scratch, ThreadPool* thread_pool, float dt) {
+void run_substeps(const Bodies& bodies, const Joints& joints, const ForceFields& fields, const WorldDef& settings,
+                  const DirectSets& direct, const StepPasses& passes, const IslandBatch& batch, BatchScratch& scratch,
+                  ThreadPool* thread_pool, float dt) {
     using ForPoints = SolverKernels::ForPoints;
     using ForRows = JointKernels::ForRows;
     const SolverKernels& k = kernels().solver;
     const float h = dt / float(batch.substeps);
-    ContactSoftness softness = contact_softness(h, batch.substeps * passes.split, s.settings.recovery_speed);
-    const BounceSettings bounce{h, s.settings.restitution_speed, velocity_offset(s.settings.integrator)};
+    ContactSoftness softness = contact_softness(h, batch.substeps * passes.split, settings.recovery_speed);
+    const BounceSettings bounce{h, settings.restitution_speed, velocity_offset(settings.integrator)};
     const JointSoftness joint_soft = joint_softness(h, batch.substeps * passes.split);
     // Not where joints are solved directly: a body that is much heavier than what it hits does not settle in the
     // passes. Nor where kinematic bodies drive joints: the passes would stop what they drive.
@@ -107,11 +108,11 @@ void run_substeps(const State& s, const DirectSets& direct, const StepPasses& pa
     for (int substep = 0; substep < batch.substeps; ++substep) {
         const bool first = substep == 0;
         const SolverBodies solver_bodies = bodies_of(scratch);
-        update_free_motion(s.bodies, s.fields, s.settings, scratch, thread_pool, solver_bodies, h, first);
+        update_free_motion(bodies, fields, settings, scratch, thread_pool, solver_bodies, h, first);
         for_chunks(thread_pool, rows, rows_per_chunk, [&](int begin, int end, int) {
             k.integrate_velocities(solver_bodies, std::max(begin, int(first_body_row)), end, first);
         });
-        begin_direct_substep(s.joints, direct, scratch, thread_pool, h, first);
+        begin_direct_substep(joints, direct, scratch, thread_pool, h, first);
         if (batch.bounces) bounce_all(scratch, thread_pool, solver_bodies, bounce);
         if (first) {
             for_joint_blocks(scratch, thread_pool, [&](const ForRows& rows_of, void* blocks, int count) {
@@ -129,11 +130,11 @@ void run_substeps(const State& s, const DirectSets& direct, const StepPasses& pa
             const int count = points.solve(blocks_of(scratch, run), run.count, velocity, softness);
             if (count > 0) struck += count;
         });
-        solve_impacts(s.bodies, s.joints, scratch, thread_pool, h, struck);
+        solve_impacts(bodies, joints, scratch, thread_pool, h, struck);
         for_chunks(thread_pool, rows, rows_per_chunk,
                    [&](int begin, int end, int) { k.integrate_poses(solver_bodies, begin, end, h); });
-        turn_spinning_rows(s.bodies, scratch, h);
-        renew_inertia(s.bodies, scratch, thread_pool);
+        turn_spinning_rows(bodies, scratch, h);
+        renew_inertia(bodies, scratch, thread_pool);
         for_joint_blocks(scratch, thread_pool, [&](const ForRows& rows_of, void* blocks, int count) {
             rows_of.relax(blocks, count, solver_bodies, joint_soft);
         });
@@ -141,7 +142,7 @@ void run_substeps(const State& s, const DirectSets& direct, const StepPasses& pa
             const int count = points.relax(blocks_of(scratch, run), run.count, solver_bodies, softness);
             if (count > 0) struck += count;
         });
-        solve_impacts(s.bodies, s.joints, scratch, thread_pool, h, struck);
+        solve_impacts(bodies, joints, scratch, thread_pool, h, struck);
     }
 }
 
@@ -152,7 +153,8 @@ double milliseconds_since(std::chrono::steady_clock::time_point start) {
 void solve_batch(State& s, StepScratch& step, const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool,
                  float dt) {
     const auto start = std::chrono::steady_clock::now();
-    fill_batch(s, s.bodies, s.islands, s.joints, step.solver, step.direct, batch, scratch, thread_pool);
+    fill_batch(s.bodies, s.shapes, s.contacts, s.islands, s.joints, s.settings, step.solver, step.direct, batch,
+               scratch, thread_pool);
     if (scratch.row_count() > 0) {
         fill_joint_blocks(s.bodies, s.joints, step.direct, scratch, thread_pool, dt / float(batch.substeps));
         prepare_free_motion(s.bodies, s.fields, s.settings, scratch, thread_pool, dt / float(batch.substeps),
@@ -163,7 +165,8 @@ void solve_batch(State& s, StepScratch& step, const IslandBatch& batch, BatchScr
         });
         const double prepare_ms = milliseconds_since(start);
         scratch.prepare_ms += prepare_ms;
-        run_substeps(s, step.direct, step.passes, batch, scratch, thread_pool, dt);
+        run_substeps(s.bodies, s.joints, s.fields, s.settings, step.direct, step.passes, batch, scratch, thread_pool,
+                     dt);
         finish_free_motion(scratch);
         for_blocks(scratch, thread_pool, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
             k.store(blocks_of(scratch, run), run.count, lanes_of(scratch, run), s.contacts.records.data(),
@@ -172,7 +175,8 @@ void solve_batch(State& s, StepScratch& step, const IslandBatch& batch, BatchScr
         store_joints(s.joints, s.settings, step.direct, scratch, dt);
         scratch.solve_ms += milliseconds_since(start) - prepare_ms;
     }
-    empty_batch(s, s.bodies, s.shapes, step.solver, step.passes, scratch, thread_pool, dt);
+    empty_batch(s.bodies, s.shapes, s.broad_phase, s.fields, s.settings, step.solver, step.passes, scratch, thread_pool,
+                dt);
 }
 
 // Those that are so large that one thread would keep the others waiting.

@@ -16,6 +16,10 @@ using Travel = std::uint64_t;
 inline constexpr double travel_units = 4294967296.0; // per meter
 inline constexpr double max_leap = 8192;             // m: a longer motion counts as that, which spends every budget
 
+// How far off what was computed in single precision may be, as a share of the size of what it is about: several of its
+// roundings. What may be left out by a bound is looked at that much farther, so that rounding decides nothing.
+inline constexpr double rounding = 1e-6;
+
 // At least that length, m. Of NaN, the longest.
 inline Travel travelled(double length) {
     return static_cast<Travel>(static_cast<std::int64_t>((length < max_leap ? length : max_leap) * travel_units) + 1);

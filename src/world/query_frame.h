@@ -18,9 +18,9 @@ struct PosedInQuery {
 
     PosedInQuery(const Geometry& g, const ShapeData& d, math::DVec3 at, math::Quat q)
         : geometry(g), data(d), center(at), rotation(math::normalized(math::to_double(q))) {}
-    PosedInQuery(const State& s, std::uint32_t shape, math::DVec3 origin)
-        : PosedInQuery(s.shapes.geometry[shape], s.shapes.data[shape], shape_position(s.shapes.poses[shape]) - origin,
-                       shape_rotation(s.shapes.poses[shape])) {}
+    PosedInQuery(const Shapes& shapes, std::uint32_t shape, math::DVec3 origin)
+        : PosedInQuery(shapes.geometry[shape], shapes.data[shape], shape_position(shapes.poses[shape]) - origin,
+                       shape_rotation(shapes.poses[shape])) {}
     math::DVec3 up() const { return math::rotate(rotation, math::DVec3{0, 1, 0}); }
     // Of its bounds: the center of a ball around it.
     math::DVec3 middle() const {

@@ -207,7 +207,7 @@ std::optional<ShapeCastHit> World::cast_shape(const Shape& shape, const Transfor
         {origin + moving.bounds.lo, origin + moving.bounds.hi}, way, [&](std::uint32_t other, double limit) {
             // Of two at the same fraction the one with the lower index counts, in whatever order they come.
             if (!is_seen(s.shapes, other, layers) || (limit == 0 && best && other > met)) return limit;
-            const auto hit = cast.against(PosedInQuery(s, other, origin), limit);
+            const auto hit = cast.against(PosedInQuery(s.shapes, other, origin), limit);
             if (!hit || (best && (hit->fraction > best->fraction || (hit->fraction == best->fraction && other > met))))
                 return limit;
             best = hit;
@@ -215,7 +215,7 @@ std::optional<ShapeCastHit> World::cast_shape(const Shape& shape, const Transfor
             return hit->fraction;
         });
     if (!best) return std::nullopt;
-    if (best->normal == DVec3{}) best = cast.from_within(PosedInQuery(s, met, origin));
+    if (best->normal == DVec3{}) best = cast.from_within(PosedInQuery(s.shapes, met, origin));
     return ShapeCastHit{s.shapes.slots.id(met), s.bodies.id(s.shapes.links[met].body), best->fraction,
                         to_public(origin + best->point), to_public(math::to_float(best->normal))};
 }
@@ -231,7 +231,7 @@ std::optional<ClosestPoint> World::closest_point(const Position& point, double m
     std::uint32_t nearest = 0;
     s.broad_phase.query_near(origin, most, [&](std::uint32_t other, double limit) {
         if (!is_seen(s.shapes, other, layers)) return limit;
-        const auto found = nearest_of(PosedInQuery(s, other, origin), limit);
+        const auto found = nearest_of(PosedInQuery(s.shapes, other, origin), limit);
         if (!found || (best && found->distance == best->distance && other > nearest)) return limit;
         best = found;
         nearest = other;
@@ -257,7 +257,7 @@ std::vector<ShapeId> World::overlap(const Shape& shape, const Transform& pose, s
     std::vector<ShapeId> found;
     s.broad_phase.query_bounds(bounds, [&](std::uint32_t other) {
         if (!is_seen(s.shapes, other, layers)) return;
-        const PosedInQuery posed(s, other, origin);
+        const PosedInQuery posed(s.shapes, other, origin);
         const bool is_met = solid                             ? meets(*solid, posed)
                             : is_surface(posed.geometry.type) ? false
                                                               : meets(QuerySolid(posed), asking);

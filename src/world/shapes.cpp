@@ -123,7 +123,7 @@ void World::remove_shape(ShapeId id) {
     retire_shape(s.shapes, s.broad_phase, i);
     refresh_mass(s.bodies, s.shapes, s.joints, b);
     place_shapes(s.bodies, s.shapes, b);
-    reclaim_slots(s, step);
+    reclaim_slots(s.bodies, s.shapes, s.contacts, s.islands, s.joints, s.broad_phase, s.events, step.narrow);
 }
 
 BodyId World::body_of(ShapeId id) const {

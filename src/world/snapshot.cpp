@@ -3,6 +3,7 @@
 #include "core/archive.h"
 #include "core/fields.h"
 #include "core/hash.h"
+#include "world/definition_archive.h"
 #include "world/impl.h"
 #include "world/validate.h"
 
@@ -15,7 +16,7 @@ namespace cairn {
 
 namespace {
 
-constexpr std::uint64_t magic = 0x36306e7269616321ull; // "!cairn06"
+constexpr std::uint64_t magic = 0x37306e7269616321ull; // "!cairn07"
 
 // What comes before the state.
 struct Header {
@@ -73,10 +74,6 @@ std::uint64_t checksum_of(Header header, const std::vector<std::byte>& snapshot)
 
 // --- what steps change
 
-// What is archived member by member has as many of them as below.
-#define CAIRN_ARCHIVES_MEMBERS(count, type)                                                                            \
-    static_assert(class_field_count<type>() == (count), #type " has another member: archive it here, and count it")
-
 CAIRN_ARCHIVES_MEMBERS(13, State);
 CAIRN_ARCHIVES_MEMBERS(13, Bodies);
 CAIRN_ARCHIVES_MEMBERS(8, Shapes);
@@ -85,24 +82,24 @@ CAIRN_ARCHIVES_MEMBERS(5, Islands);
 CAIRN_ARCHIVES_MEMBERS(4, Joints);
 CAIRN_ARCHIVES_MEMBERS(2, ForceFields);
 
-template <class Archive> void serialize_bodies(Archive& archive, State& s) {
-    archive(s.bodies.motion), archive(s.bodies.forces), archive(s.bodies.pushed), archive(s.bodies.links);
-    archive.foretold(s.bodies.counted, [&](std::size_t i) {
-        return CountedPose{s.bodies.motion[i].x, s.bodies.motion[i].q};
+template <class Archive> void serialize_bodies(Archive& archive, Bodies& bodies, Shapes& shapes, Islands& islands) {
+    archive(bodies.motion), archive(bodies.forces), archive(bodies.pushed), archive(bodies.links);
+    archive.foretold(bodies.counted, [&](std::size_t i) {
+        return CountedPose{bodies.motion[i].x, bodies.motion[i].q};
     });
-    archive(s.bodies.travel), archive(s.bodies.ahead);
+    archive(bodies.travel), archive(bodies.ahead);
     if constexpr (Archive::reading) {
-        s.bodies.boxes_until.resize(s.bodies.links.size());
-        for (std::size_t b = 0; b < s.bodies.links.size(); ++b) s.bodies.boxes_until[b] = s.bodies.travel[b];
+        bodies.boxes_until.resize(bodies.links.size());
+        for (std::size_t b = 0; b < bodies.links.size(); ++b) bodies.boxes_until[b] = bodies.travel[b];
     }
-    archive(s.shapes.links);
-    archive.foretold(s.shapes.poses, [&](std::size_t i) { return expected_pose(s.bodies, s.shapes, i); });
-    archive(s.islands.all), archive(s.islands.free), archive(s.islands.awake);
-    archive(s.islands.falling_asleep), archive(s.islands.waking);
+    archive(shapes.links);
+    archive.foretold(shapes.poses, [&](std::size_t i) { return expected_pose(bodies, shapes, i); });
+    archive(islands.all), archive(islands.free), archive(islands.awake);
+    archive(islands.falling_asleep), archive(islands.waking);
 }
 
-template <class Archive> void serialize_contacts(Archive& archive, State& s) {
-    archive(s.contacts.records), archive(s.contacts.info), archive(s.contacts.answers), archive(s.contacts.free);
+template <class Archive> void serialize_contacts(Archive& archive, Contacts& contacts) {
+    archive(contacts.records), archive(contacts.info), archive(contacts.answers), archive(contacts.free);
 }
 
 static_assert(field_count<JointInfo>() == 25, "JointInfo has another member: if definitions set it, and not steps, "
@@ -117,33 +114,37 @@ JointInfo moving_part(const JointInfo& joint) {
     return moving;
 }
 
-template <class Archive> void serialize_joints(Archive& archive, State& s) {
+template <class Archive> void serialize_joints(Archive& archive, Joints& joints) {
     std::vector<JointInfo> moving;
-    std::vector<std::array<JointAxisState, max_joint_axes>> states(s.joints.axes.size());
+    std::vector<std::array<JointAxisState, max_joint_axes>> states(joints.axes.size());
     if constexpr (!Archive::reading) {
-        for (const JointInfo& joint : s.joints.info) moving.push_back(moving_part(joint));
+        for (const JointInfo& joint : joints.info) moving.push_back(moving_part(joint));
         for (std::size_t i = 0; i < states.size(); ++i)
-            std::copy_n(s.joints.axes[i].states, max_joint_axes, states[i].begin());
+            std::copy_n(joints.axes[i].states, max_joint_axes, states[i].begin());
     }
     archive(moving), archive(states);
     if constexpr (Archive::reading) {
-        if (moving.size() != s.joints.info.size() || states.size() != s.joints.axes.size()) throw_damaged();
+        if (moving.size() != joints.info.size() || states.size() != joints.axes.size()) throw_damaged();
         for (std::size_t i = 0; i < moving.size(); ++i) {
-            const JointInfo defined = s.joints.info[i];
-            JointInfo& joint = s.joints.info[i] = moving[i];
+            const JointInfo defined = joints.info[i];
+            JointInfo& joint = joints.info[i] = moving[i];
             joint.anchor_a = defined.anchor_a, joint.anchor_b = defined.anchor_b;
             joint.ground_a = defined.ground_a, joint.ground_b = defined.ground_b;
             joint.frame_a = defined.frame_a, joint.frame_b = defined.frame_b;
         }
         for (std::size_t i = 0; i < states.size(); ++i)
-            std::copy_n(states[i].begin(), max_joint_axes, s.joints.axes[i].states);
+            std::copy_n(states[i].begin(), max_joint_axes, joints.axes[i].states);
     }
 }
 
+// What the last step has counted; the rest of the statistics follows from the state. Times are of one run.
+CAIRN_ARCHIVES_MEMBERS(21, Statistics);
 template <class Archive> void serialize_counters(Archive& archive, State& s) {
-    archive(s.steps), archive(s.time);
-    archive(s.clamped_speeds), archive(s.statistics), archive(s.events.ends.next), archive(s.events.triggers.next),
-        archive(s.events.joints.next), archive(s.events.sleeps.next);
+    archive(s.steps), archive(s.time), archive(s.clamped_speeds);
+    archive(s.statistics.tested_pairs), archive(s.statistics.max_penetration), archive(s.statistics.swept_pairs);
+    archive(s.statistics.impacts), archive(s.statistics.stopped_bodies);
+    archive(s.events.ends.next), serialize_fields(archive, s.events.triggers.next);
+    serialize_fields(archive, s.events.joints.next), serialize_fields(archive, s.events.sleeps.next);
 }
 
 // `size_so_far()`, to measure the parts by when writing.
@@ -154,126 +155,42 @@ template <class Archive, class F> void serialize_state(Archive& archive, State& 
         size = now - last;
         last = now;
     };
-    serialize_bodies(archive, s), part(header.bodies);
-    serialize_contacts(archive, s), part(header.contacts);
-    serialize_joints(archive, s), part(header.joints);
+    serialize_bodies(archive, s.bodies, s.shapes, s.islands), part(header.bodies);
+    serialize_contacts(archive, s.contacts), part(header.contacts);
+    serialize_joints(archive, s.joints), part(header.joints);
     s.broad_phase.serialize(archive), part(header.broad_phase);
     serialize_counters(archive, s);
 }
 
 // --- what they do not change
 
-CAIRN_ARCHIVES_MEMBERS(2, GeneralJoint);
-template <class Archive, class T> void serialize_joint(Archive& archive, T& joint) { archive(joint); }
-template <class Archive> void serialize_joint(Archive& archive, GeneralJoint& joint) {
-    archive(joint.limits), archive(joint.drives);
-}
-
-// The alternative of that number, counted from `I`.
-template <std::size_t I = 0> void select_joint(Joint& joint, std::size_t index) {
-    if constexpr (I < std::variant_size_v<Joint>) {
-        if (index == I)
-            joint.emplace<I>();
-        else
-            select_joint<I + 1>(joint, index);
-    } else {
-        throw_damaged();
-    }
-}
-
-CAIRN_ARCHIVES_MEMBERS(11, JointDef);
-template <class Archive> void serialize_joint_def(Archive& archive, JointDef& def) {
-    archive(def.body_a), archive(def.body_b), archive(def.frame_a), archive(def.frame_b), archive(def.enable_collision);
-    archive(def.break_force), archive(def.break_torque), archive(def.solver), archive(def.name), archive(def.user_data);
-    std::uint64_t kind = def.joint.index();
-    archive(kind);
-    if constexpr (Archive::reading) select_joint(def.joint, std::size_t(kind));
-    std::visit([&](auto& joint) { serialize_joint(archive, joint); }, def.joint);
-}
-
-template <class Archive> void serialize_defined_joints(Archive& archive, State& s) {
+template <class Archive> void serialize_defined_joints(Archive& archive, Joints& joints) {
     struct Defined {
         math::DVec3 anchor_a, anchor_b, ground_a, ground_b;
         math::DQuat frame_a, frame_b;
     };
-    std::vector<Defined> defined(s.joints.info.size());
-    std::vector<std::array<JointAxisRule, max_joint_axes>> rules(s.joints.axes.size());
+    std::vector<Defined> defined(joints.info.size());
+    std::vector<std::array<JointAxisRule, max_joint_axes>> rules(joints.axes.size());
     if constexpr (!Archive::reading) {
         for (std::size_t i = 0; i < defined.size(); ++i) {
-            const JointInfo& joint = s.joints.info[i];
+            const JointInfo& joint = joints.info[i];
             defined[i] = {joint.anchor_a, joint.anchor_b, joint.ground_a, joint.ground_b, joint.frame_a, joint.frame_b};
         }
         for (std::size_t i = 0; i < rules.size(); ++i)
-            std::copy_n(s.joints.axes[i].rules, max_joint_axes, rules[i].begin());
+            std::copy_n(joints.axes[i].rules, max_joint_axes, rules[i].begin());
     }
     archive(defined), archive(rules);
     if constexpr (Archive::reading) {
-        s.joints.info.resize(defined.size()), s.joints.axes.resize(rules.size());
+        joints.info.resize(defined.size()), joints.axes.resize(rules.size());
         for (std::size_t i = 0; i < defined.size(); ++i) {
-            JointInfo& joint = s.joints.info[i];
+            JointInfo& joint = joints.info[i];
             joint.anchor_a = defined[i].anchor_a, joint.anchor_b = defined[i].anchor_b;
             joint.ground_a = defined[i].ground_a, joint.ground_b = defined[i].ground_b;
             joint.frame_a = defined[i].frame_a, joint.frame_b = defined[i].frame_b;
         }
         for (std::size_t i = 0; i < rules.size(); ++i)
-            std::copy_n(rules[i].begin(), max_joint_axes, s.joints.axes[i].rules);
+            std::copy_n(rules[i].begin(), max_joint_axes, joints.axes[i].rules);
     }
-}
-
-// What lies between the fields of a struct of the user's is whatever the caller's memory held. Such structs are saved
-// field by field; `padding` fills the gaps with zeros.
-CAIRN_ARCHIVES_MEMBERS(7, Material);
-struct MaterialFields {
-    float numbers[5];
-    CombineRule friction_combine, restitution_combine;
-    std::uint8_t padding[2];
-};
-MaterialFields fields_of(const Material& m) {
-    return {{m.static_friction, m.dynamic_friction, m.restitution, m.rolling_friction, m.torsional_friction},
-            m.friction_combine,
-            m.restitution_combine,
-            {}};
-}
-Material from_fields(const MaterialFields& f) {
-    return {f.numbers[0], f.numbers[1],       f.numbers[2],         f.numbers[3],
-            f.numbers[4], f.friction_combine, f.restitution_combine};
-}
-
-CAIRN_ARCHIVES_MEMBERS(8, ShapeDef);
-struct ShapeDefFields {
-    CollisionFilter filter;
-    std::uint64_t user_data;
-    Vec3 position;
-    Quat rotation;
-    float density;
-    MaterialFields material;
-    Vec3 surface_velocity;
-    std::uint32_t is_trigger;
-};
-static_assert(sizeof(ShapeDefFields) == 96);
-ShapeDefFields fields_of(const ShapeDef& d) {
-    return {d.filter,  d.user_data,           d.position,         d.rotation,
-            d.density, fields_of(d.material), d.surface_velocity, d.is_trigger ? 1u : 0u};
-}
-ShapeDef from_fields(const ShapeDefFields& f) {
-    return {f.position, f.rotation,        f.density,          from_fields(f.material),
-            f.filter,   f.is_trigger != 0, f.surface_velocity, f.user_data};
-}
-
-CAIRN_ARCHIVES_MEMBERS(6, ForceField);
-struct ForceFieldFields {
-    Position center;
-    Vec3 direction;
-    float strength, exponent;
-    ForceField::Kind kind;
-    std::uint8_t is_force, padding[2];
-};
-static_assert(sizeof(ForceFieldFields) == 48);
-ForceFieldFields fields_of(const ForceField& f) {
-    return {f.center, f.direction, f.strength, f.exponent, f.kind, std::uint8_t(f.is_force ? 1 : 0), {}};
-}
-ForceField from_fields(const ForceFieldFields& f) {
-    return {f.kind, f.direction, f.center, f.strength, f.exponent, f.is_force != 0};
 }
 
 CAIRN_ARCHIVES_MEMBERS(12, WorldDef);
@@ -286,17 +203,6 @@ template <class Archive> void serialize_settings(Archive& archive, WorldDef& d) 
 
 #undef CAIRN_ARCHIVES_MEMBERS
 
-template <class Archive, class T> void serialize_fields(Archive& archive, std::vector<T>& values) {
-    std::vector<decltype(fields_of(values[0]))> fields;
-    if constexpr (!Archive::reading)
-        for (const T& value : values) fields.push_back(fields_of(value));
-    archive(fields);
-    if constexpr (Archive::reading) {
-        values.clear();
-        for (const auto& f : fields) values.push_back(from_fields(f));
-    }
-}
-
 template <class Archive, class Impl> void serialize_definitions(Archive& archive, Impl& impl) {
     State& s = impl.state;
     serialize_settings(archive, s.settings);
@@ -306,7 +212,7 @@ template <class Archive, class Impl> void serialize_definitions(Archive& archive
         archive(s.shapes.dead);
     archive(s.shapes.geometry), serialize_fields(archive, s.shapes.materials), archive(s.shapes.traits);
     serialize_fields(archive, s.fields.all);
-    serialize_defined_joints(archive, s);
+    serialize_defined_joints(archive, s.joints);
     archive(impl.user_data), serialize_fields(archive, impl.def_of);
     impl.names.resize(s.bodies.slots.size());
     for (std::string& name : impl.names) archive(name);

@@ -78,13 +78,14 @@ void World::step(float dt) {
         step.passes.number = pass;
         for (const std::int32_t island : state.islands.awake) state.islands.all[island].kept_awake = 0;
         wake_driven_joints(state.bodies, state.islands, state.joints, state.events);
-        update_pairs(state, step);
+        update_pairs(state.bodies, state.shapes, state.contacts, state.islands, state.joints, state.broad_phase,
+                     state.events, step.narrow);
         times.broad_phase += clock.lap();
         update_contacts(state, step, dt / float(passes));
         times.narrow_phase += clock.lap();
         if (pass == 0) passes = split_step(step.passes, fastest_spinner_in_contact(state.bodies, step.narrow), dt);
         const float pass_dt = dt / float(passes);
-        pack_batches(state, state.contacts, state.islands, step, pass_dt);
+        pack_batches(state.bodies, state.contacts, state.islands, state.settings, step, pass_dt);
         times.islands += clock.lap();
         solve_batches(state, step, pass_dt);
         const double solve = clock.lap(), prepare = step.solver.prepare_share * solve;
@@ -93,9 +94,11 @@ void World::step(float dt) {
         finalize_kinematics(state.bodies, state.shapes, state.broad_phase, pass_dt);
         resolve_impacts(state, step, pass_dt);
         wake_around_moving_planes(state.bodies, state.shapes, state.islands, state.broad_phase, state.events);
-        report_contacts(state, step, pass_dt);
+        state.statistics.max_penetration = report_contacts(state.bodies, state.shapes, state.contacts, state.islands,
+                                                           state.events, state.settings, step, pass_dt);
         impl_->break_joints();
-        if (update_sleep(state, state.bodies, state.islands, state.events, step.solved, step.solver))
+        if (update_sleep(state.bodies, state.contacts, state.islands, state.joints, state.settings, state.events,
+                         step.solved, step.solver))
             settle_sleeping_contacts(state.bodies, state.contacts, state.islands, step.solved);
         times.finalize += clock.lap();
     }

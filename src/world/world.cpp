@@ -182,7 +182,7 @@ void World::destroy_body(BodyId id) {
     s.bodies.slots.kill(std::uint32_t(b));
     s.bodies.dead.push_back(std::uint32_t(b));
     impl_->names[b].clear();
-    reclaim_slots(s, step);
+    reclaim_slots(s.bodies, s.shapes, s.contacts, s.islands, s.joints, s.broad_phase, s.events, step.narrow);
 }
 
 bool World::is_valid(BodyId id) const noexcept { return impl_ && impl_->state.bodies.slots.holds(id); }
