@@ -5,6 +5,7 @@
 #ifdef __cplusplus
 
 #include <cairn/body.h>
+#include <cairn/commands.h>
 #include <cairn/error.h>
 #include <cairn/events.h>
 #include <cairn/handle.h>

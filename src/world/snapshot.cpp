@@ -412,6 +412,7 @@ SnapshotSizes Snapshot::sizes() const {
 
 void World::restore(const Snapshot& snapshot) {
     impl_->require_idle("World::restore");
+    impl_->require_not_telling("World::restore");
     Header header = read_header(snapshot);
     if (checksum_of(header, snapshot.bytes) != header.checksum) throw_damaged();
     const std::shared_ptr<const SnapshotDefinitions>& definitions = snapshot.definitions;
@@ -424,7 +425,10 @@ void World::restore(const Snapshot& snapshot) {
     fresh->last_definitions = definitions;
     ArchiveReader reader(snapshot.bytes.data() + sizeof header, snapshot.bytes.size() - sizeof header);
     serialize_state(reader, fresh->state, header, [] { return 0; });
+    impl_->tell(commands::world_restore, snapshot);
     fresh->step.thread_pool = std::move(impl_->step.thread_pool);
+    fresh->listener = std::move(impl_->listener);
+    fresh->command_bytes = std::move(impl_->command_bytes);
     impl_ = std::move(fresh);
 }
 
