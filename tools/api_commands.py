@@ -70,10 +70,12 @@ def calls_header(table):
     text = TOP + "// The calls that change a world.\n#pragma once\n\n#include <cairn/body.h>\n#include <cairn/joint.h>\n"
     text += "#include <cairn/shape.h>\n#include <cairn/world.h>\n\n#include <cstdint>\n#include <optional>\n"
     text += "#include <string_view>\n#include <tuple>\n\nnamespace cairn::commands {\n\n"
-    text += "// `code`: what it is in bytes; 0: nobody is told of it, as no result depends on it.\n"
+    text += "// `code`: what it is in bytes; 0: nobody is told of it, as no result depends on it. `moves_only`: it leaves alone\n"
+    text += "// what snapshots have as definitions.\n"
     for f in commands(table):
         text += f"struct {class_name(f)} {{\n    static constexpr std::uint32_t code = {f.command};\n"
         text += f"    static constexpr const char* name = \"{f.owner}::{f.method}\";\n"
+        text += f"    static constexpr bool moves_only = {'true' if f.moves_only else 'false'};\n"
         text += f"    using Arguments = std::tuple<{argument_types(table, f)}>;\n}};\n"
         text += f"inline constexpr {class_name(f)} {f.name}{{}};\n"
     return text + "\n} // namespace cairn::commands\n"

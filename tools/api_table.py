@@ -104,6 +104,7 @@ class Function:
     member: str = ""
     since: str = "0.1"
     command: int = None  # of calls that change a world: what they are in recordings, for ever; 0: not told to anybody
+    moves_only: bool = False  # of those: it changes the motion of bodies, and nothing that a snapshot has as definitions
 
     @property
     def owner(self):

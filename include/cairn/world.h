@@ -251,7 +251,9 @@ class World {
 
   private:
     friend class Body;
+    friend class SnapshotRing;
     struct Impl;
+    void restore_image(const struct StateImage& image, const std::shared_ptr<const SnapshotDefinitions>& definitions);
     // The memory of the world, as long as it has any.
     class Owned {
       public:

@@ -25,7 +25,7 @@ struct RecorderOptions {
     bool compress = true; ///< By zstd.
     /// s of simulated time from one keyframe to the next, > 0. A keyframe is the whole state, to go to any moment
     /// without beginning from the start. They come more seldom as their budget is used up.
-    double keyframe_interval = 1.0;
+    double keyframe_interval = 2.0;
     std::size_t keyframe_budget = std::size_t{64} << 20; ///< Bytes in the file for all of them; 0: none.
     std::string source{};                                ///< What is recorded, for people: the name of a scene.
 };

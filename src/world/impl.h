@@ -46,8 +46,15 @@ struct World::Impl {
     std::shared_ptr<const SnapshotDefinitions> definitions();
     std::mutex last_definitions_mutex;
     std::shared_ptr<const SnapshotDefinitions> last_definitions;
+    bool are_definitions_known = false; // they are `last_definitions`: nothing that they have has changed since
     // The shapes of a snapshot: throws Error(invalid_file) unless they are those of the geometry that is there.
     void set_shapes(const std::vector<Shape>& shapes);
+
+    // Without any state yet. Throws Error(invalid_file).
+    static std::unique_ptr<Impl> defined_by(const std::shared_ptr<const SnapshotDefinitions>& definitions,
+                                            const WorldDef& settings);
+    // What belongs to the world, and not to its state.
+    void take_over(Impl& other);
 
     // Takes a joint out of the world; with an event, if it was not asked for.
     void retire_joint(std::uint32_t joint, const std::optional<JointEvent>& event);
@@ -71,6 +78,16 @@ struct World::Impl {
 
     void make_step(float dt);
 
+    // While a state is put in place of another one; if it does not end, the world is good for nothing.
+    class Restoring {
+      public:
+        explicit Restoring(Impl& impl) : impl_(impl) { impl_.failed_call = "SnapshotRing::restore"; }
+        void end() { impl_.failed_call = nullptr; }
+
+      private:
+        Impl& impl_;
+    };
+
     // A call that changes the world, with its arguments: one of the table (api), or it does not compile. It is allowed
     // between steps only. What has been checked is done; from `begin` on, of which the listener is told, only running
     // out of memory can stop it half way, and then the world is good for nothing but `World::restore`.
@@ -93,6 +110,7 @@ struct World::Impl {
         void begin() {
             std::apply([&](const Given&... arguments) { impl_.tell(Command(), arguments...); }, arguments_);
             begun_ = true;
+            if constexpr (!Command::moves_only) impl_.are_definitions_known = false;
         }
 
       private:

@@ -95,6 +95,7 @@ math::DQuat turn_from_x(math::DVec3 axis) {
 
 void World::Impl::retire_joint(std::uint32_t index, const std::optional<JointEvent>& event) {
     State& s = state;
+    are_definitions_known = false; // also in a step
     refilter_pairs(s.bodies, s.shapes, s.broad_phase, s.joints.info[index]);
     deactivate_joint(s.bodies, s.islands, s.joints, s.events, index);
     unlink_joint(s.bodies, s.joints, index);

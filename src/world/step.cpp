@@ -73,6 +73,7 @@ void World::Impl::make_step(float dt) {
     StageTimes& times = state.statistics.times;
     StageClock clock;
     const Busy busy(stepping);
+    if (!state.bodies.dead.empty() || !state.shapes.dead.empty()) are_definitions_known = false; // slots come free
     state.events.begin_step();
     times = {};
     state.statistics.swept_pairs = state.statistics.impacts = state.statistics.stopped_bodies = 0;
