@@ -64,9 +64,9 @@ double time_of_meeting(const SweptShape& a, const SweptShape& b, bool is_known, 
 // All of these look no farther than to the end of the path that ends first.
 //
 // The first time from `from` on at which the shapes themselves touch and come nearer, by the speed of the nearest
-// points (what that misses, cores do not); `never` if they do not, or overlap from the start. What touches at `from`
-// and parts, or stays as it is, is asked for the next touch.
-double time_of_touch(const SweptShape& a, const SweptShape& b, double from = 0);
+// points; or, as that misses touches of what turns, and what overlaps from the start has none, at which the cores meet;
+// or `never`. What touches at `from` and parts, or stays as it is, is asked for the next touch.
+double time_of_impact(const SweptShape& a, const SweptShape& b, double from = 0);
 
 // How near shapes are, m, that count as touching, by the smaller of their smallest half widths: a hundredth of it, 0.1
 // mm at most.

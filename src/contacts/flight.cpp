@@ -59,10 +59,12 @@ class FlightList {
     std::uint32_t contact_of(const FlightPair& f) const { return step.narrow.candidates[f.place]; }
 
     void gather() {
-        flights_.clear();
+        FlightPairs& all = step.narrow.flights;
+        all.clear();
         step.narrow.in_flight.clear();
         for (NarrowBatch& own : step.narrow.at_work) {
-            flights_.insert(flights_.end(), own.flights.begin(), own.flights.end());
+            for (const FlightPair& f : own.flights.pairs)
+                all.add(f.place, own.flights.hits.data() + f.first_hit, f.hit_count);
             own.flights.clear();
         }
         std::sort(flights_.begin(), flights_.end(),
@@ -113,10 +115,14 @@ class FlightList {
                 const FlightPair& f = flights_[std::size_t(k)];
                 if (f.is_free) continue;
                 const std::uint32_t id = contact_of(f);
-                if (is_group(s.contacts.info[id]))
-                    test_group(s, s.contacts, step, f.place, step.narrow.at_work[thread], dt_, false);
-                else
-                    step.narrow.outcomes[f.place] = take_test(s, s.contacts, step, id, f.manifold, dt_);
+                const Manifold* const first = step.narrow.flights.hits.data() + f.first_hit;
+                NarrowBatch& own = step.narrow.at_work[thread];
+                if (is_group(s.contacts.info[id])) {
+                    own.hits.assign(first, first + f.hit_count);
+                    take_group(s, s.contacts, step, f.place, own, dt_);
+                } else {
+                    step.narrow.outcomes[f.place] = take_test(s, s.contacts, step, id, *first, dt_);
+                }
             }
         });
         collect_fresh_patches(step.narrow);
@@ -131,16 +137,16 @@ class FlightList {
     State& s;
     StepScratch& step;
     const float dt_;
-    std::vector<FlightPair>& flights_ = step.narrow.flights;
+    std::vector<FlightPair>& flights_ = step.narrow.flights.pairs;
 };
 
 } // namespace
 
 bool may_meet_in_flight(const State& s, const StepPasses& passes, const ContactInfo& c, const Manifold& m, float dt) {
-    if (c.is_trigger || m.count == 0 || !may_fly(s, c.body_a) || !may_fly(s, c.body_b)) return false;
+    if (c.is_trigger || m.count == 0) return false;
     float least = m.points[0][3];
     for (int i = 1; i < m.count; ++i) least = std::min(least, m.points[i][3]);
-    if (!(least > 0)) return false;
+    if (!(least > 0) || !may_fly(s, c.body_a) || !may_fly(s, c.body_b)) return false;
     const float speed = approach_of(s.bodies, s.shapes, c, m), way = speed * dt + fall_of(s, passes, c, m, dt);
     if (least > c.base_margin || std::fabs(way) > c.base_margin) return true;
     const bool bounces = c.bounces && speed > s.settings.restitution_speed;

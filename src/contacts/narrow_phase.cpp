@@ -33,7 +33,7 @@ std::uint8_t take_first_test(const State& s, Contacts& contacts, const StepScrat
     const std::uint32_t id = step.narrow.candidates[place];
     if (!may_meet_in_flight(s, step.passes, contacts.info[id], m, dt) || stays_apart(s, contacts.info[id], m, dt))
         return take_test(s, contacts, step, id, m, dt);
-    own.flights.push_back({place, false, m});
+    own.flights.add(place, &m, 1);
     return may_fly_by;
 }
 

@@ -84,10 +84,8 @@ std::uint32_t create_patch(const Shapes& shapes, Contacts& contacts, NarrowScrat
     return id;
 }
 
-} // namespace
-
-void test_group(const State& s, Contacts& contacts, StepScratch& step, std::uint32_t place, NarrowBatch& own, float dt,
-                bool may_fly) {
+void test_group(const State& s, Contacts& contacts, StepScratch& step, std::uint32_t place, NarrowBatch& own,
+                float dt) {
     const std::uint32_t id = step.narrow.candidates[place];
     ContactInfo& group = contacts.info[id];
     const float margin = contact_margin(s.bodies, step.narrow, group, dt);
@@ -103,12 +101,22 @@ void test_group(const State& s, Contacts& contacts, StepScratch& step, std::uint
         return;
     }
     const auto flies = [&](const Manifold& hit) { return may_meet_in_flight(s, step.passes, group, hit, dt); };
-    if (may_fly && !own.hits.empty() && std::all_of(own.hits.begin(), own.hits.end(), flies)) {
-        own.flights.push_back({place, false, {}});
+    if (!own.hits.empty() && std::all_of(own.hits.begin(), own.hits.end(), flies)) {
+        own.flights.add(place, own.hits.data(), own.hits.size());
         step.narrow.outcomes[place] = may_fly_by;
         return;
     }
+    take_group(s, contacts, step, place, own, dt);
+}
+
+} // namespace
+
+void take_group(const State& s, Contacts& contacts, StepScratch& step, std::uint32_t place, NarrowBatch& own,
+                float dt) {
+    const std::uint32_t id = step.narrow.candidates[place];
+    ContactInfo& group = contacts.info[id];
     Touch touch;
+    const float margin = contact_margin(s.bodies, step.narrow, group, dt);
     const bool is_ahead = look_ahead(s, step, group, margin, dt, own, touch);
     if (is_ahead) drop_answer(s.bodies, contacts, id);
     if (own.hits.empty() && group.related == none) {
@@ -147,7 +155,7 @@ void test_groups(const State& s, Contacts& contacts, StepScratch& step, int begi
         if (i + ahead < places.size()) prefetch_pair(s.bodies, s.shapes, contacts, contact_at(i + ahead));
         for (int n = 0; n < patches_at_hand; ++n)
             if (i + patch_ahead(n) < places.size()) prefetch_patch(contacts, contact_at(i + patch_ahead(n)), n, true);
-        test_group(s, contacts, step, places[i], own, dt, true);
+        test_group(s, contacts, step, places[i], own, dt);
     }
 }
 

@@ -23,9 +23,9 @@ void begin_groups(const Contacts& contacts, NarrowScratch& narrow);
 // Tests groups, by their places in the list of groups. Others may be at work on other groups.
 void test_groups(const State& state, Contacts& contacts, StepScratch& step, int begin, int end, NarrowBatch& own,
                  float dt);
-// One of them, at that place among the candidates. `may_fly`: whether it may be left to contacts/flight.h.
-void test_group(const State& state, Contacts& contacts, StepScratch& step, std::uint32_t place, NarrowBatch& own,
-                float dt, bool may_fly);
+// What a test has found of one of them, `own.hits`, at that place among the candidates, becomes patches.
+void take_group(const State& state, Contacts& contacts, StepScratch& step, std::uint32_t place, NarrowBatch& own,
+                float dt);
 // Puts the patches that threads have found in the order of the groups.
 void collect_fresh_patches(NarrowScratch& narrow);
 // The group at that place among the candidates.

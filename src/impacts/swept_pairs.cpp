@@ -120,17 +120,28 @@ void SweptPairs::find() {
 
 // Those whose bodies the solver has moved by a contact.
 bool SweptPairs::is_known(std::uint32_t a, std::uint32_t b) {
-    auto& known = scratch_.known;
-    if (!scratch_.has_known) {
-        known.clear();
-        for (const std::uint32_t id : step.solved) {
-            const ContactInfo& c = s.contacts.info[id];
-            if (c.in_use && c.point_count > 0) known.push_back(std::minmax(c.shape_a, c.shape_b));
+    if (!scratch_.has_known) list_known();
+    const auto has_one = [&](std::uint32_t first, std::uint32_t second) {
+        for (std::int32_t k = scratch_.first_known[s.shapes.links[first].body]; k != none; k = scratch_.known[k].next) {
+            const ContactInfo& c = s.contacts.info[scratch_.known[k].contact];
+            if (c.shape_a == first && c.shape_b == second) return true;
         }
-        std::sort(known.begin(), known.end());
-        scratch_.has_known = true;
+        return false;
+    };
+    return has_one(a, b) || has_one(b, a);
+}
+
+void SweptPairs::list_known() {
+    scratch_.has_known = true;
+    scratch_.first_known.assign(s.bodies.links.size(), none);
+    scratch_.known.clear();
+    for (const std::uint32_t id : step.solved) {
+        const ContactInfo& c = s.contacts.info[id];
+        if (!c.in_use || c.point_count == 0) continue;
+        std::int32_t& first = scratch_.first_known[c.body_a];
+        scratch_.known.push_back({id, first});
+        first = std::int32_t(scratch_.known.size()) - 1;
     }
-    return std::binary_search(known.begin(), known.end(), std::pair<std::uint32_t, std::uint32_t>(std::minmax(a, b)));
 }
 
 void SweptPairs::list_ways() {
@@ -208,8 +219,7 @@ double SweptPairs::time_of(const SweptPair& pair, double from) const {
     // What something holds is pressed into it a little, and would catch at the edges of what lies beside.
     const bool catches = !first.is_free && !(second && s.bodies.is_dynamic(second->body));
     if (pair.is_known || turns || catches) return time_of_meeting(a, b, pair.is_known, from);
-    const double touch = time_of_touch(a, b, from);
-    return touch < 1 ? touch : time_of_meeting(a, b, false, from);
+    return time_of_impact(a, b, from);
 }
 
 } // namespace cairn

@@ -38,6 +38,7 @@ class SweptPairs {
     bool may_pass(std::int32_t mover, std::int32_t body, const Geometry& other) const;
     bool may_collide(std::uint32_t a, std::uint32_t b) const;
     bool is_known(std::uint32_t a, std::uint32_t b);
+    void list_known();
     void list_ways();
     template <class F> void for_each_near(std::int32_t mover, const DBounds& bounds, F&& f);
 

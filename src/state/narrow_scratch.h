@@ -31,11 +31,21 @@ struct FreshPatch {
     Touch touch;
 };
 
-// A pair that may meet in flight (contacts/flight.h), at this place among the candidates. Of groups no manifold.
+// A pair that may meet in flight (contacts/flight.h), at this place among the candidates, and what its test has found.
 struct FlightPair {
     std::uint32_t place;
-    bool is_free; // nothing holds its bodies
-    Manifold manifold;
+    bool is_free;                       // nothing holds its bodies
+    std::uint32_t first_hit, hit_count; // in a list of manifolds: one, but of a group any number
+};
+struct FlightPairs {
+    std::vector<FlightPair> pairs;
+    std::vector<Manifold> hits;
+
+    void clear() { pairs.clear(), hits.clear(); }
+    void add(std::uint32_t place, const Manifold* first, std::size_t count) {
+        pairs.push_back({place, false, std::uint32_t(hits.size()), std::uint32_t(count)});
+        hits.insert(hits.end(), first, first + count);
+    }
 };
 
 // What a thread has at work.
@@ -45,7 +55,7 @@ struct NarrowBatch {
     SurfaceScratch surface;
     std::vector<Manifold> hits;    // of one group
     std::vector<FreshPatch> fresh; // of the groups of this thread
-    std::vector<FlightPair> flights;
+    FlightPairs flights;
 };
 
 // A contact with what does not move by forces, for contacts/internal_edges.cpp.
@@ -80,7 +90,7 @@ struct NarrowScratch {
     std::vector<FreshPatch> fresh;            // of all threads, by place
     std::size_t next_fresh = 0;               // the first of those that have not been followed up
     // Flight (contacts/flight.cpp).
-    std::vector<FlightPair> flights;       // of all threads, by place
+    FlightPairs flights;                   // of all threads, by place
     std::vector<std::int32_t> flight_rows; // by body: rows of pairs that may be in flight
     std::vector<std::uint32_t> in_flight;  // contacts of pairs that meet in flight, if at all
     // Internal edges (contacts/internal_edges.cpp).

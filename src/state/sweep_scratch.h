@@ -63,15 +63,22 @@ struct SweptBounds {
     bool operator<(const SweptBounds& w) const { return std::tie(begin, mover) < std::tie(w.begin, w.mover); }
 };
 
+struct KnownContact {
+    std::uint32_t contact;
+    std::int32_t next; // of the same body, or none
+};
+
 struct SweepScratch {
     std::vector<std::int32_t> place; // by body, among `movers`, or none
     std::vector<Mover> movers;
     std::vector<SweptPair> pairs;
-    std::vector<Meeting> meetings;                              // a heap
-    std::vector<SweptBounds> ways;                              // as the solver has moved all movers, by x
-    std::vector<SweptBounds> redirected;                        // since then
-    double widest_way = 0;                                      // m, along x
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> known; // pairs of shapes with points in the solver, sorted
+    std::vector<Meeting> meetings;       // a heap
+    std::vector<SweptBounds> ways;       // as the solver has moved all movers, by x
+    std::vector<SweptBounds> redirected; // since then
+    double widest_way = 0;               // m, along x
+    // Contacts with points in the solver: lists by the body A.
+    std::vector<std::int32_t> first_known; // by body, in `known`, or none
+    std::vector<KnownContact> known;
     bool has_ways = false, has_known = false;
     std::vector<std::uint32_t> near; // shapes near a way
     std::vector<ImpactPoint> points; // of one impact

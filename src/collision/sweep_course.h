@@ -1,0 +1,307 @@
+// How two shapes come near each other on their ways: looks at a pair, one after another, until it is known whether and
+// when they meet. For core_sweep.cpp, which says what a pair is.
+#pragma once
+
+#include "collision/core_sweep.h"
+
+#include "shapes/convex.h"
+#include "shapes/gjk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cairn::sweep {
+
+using math::dot;
+using math::DQuat;
+using math::DVec3;
+using math::length;
+
+// How far the core is inside the shape: m at least, and as part of the smallest half width.
+inline constexpr double core_depth = 1e-3, core_depth_part = 0.02;
+inline constexpr double known_depth_part = 0.5; // of contacts that the solver knows
+// Cores count as met when they are this near, as part of the depth.
+inline constexpr double tolerance_part = 0.1;
+inline constexpr double impact_share = 0.01; // of the tolerance of a touch: how near shapes are where an impact is
+// After so many looks at a pair that turns fast and comes hardly nearer, the time that was reached is the answer.
+inline constexpr int max_rounds = 100;
+
+// What is looked at: cores, those of contacts that the solver knows, or the shapes themselves.
+enum class Layer { core, known_core, skin, impact };
+
+inline double depth_of(const Convex& c, Layer layer) {
+    if (c.kind == Convex::Kind::polygon || layer >= Layer::skin) return 0;
+    return layer == Layer::known_core ? known_depth_part * c.extent : std::max(core_depth, core_depth_part * c.extent);
+}
+inline double tolerance_of(const Convex& c, Layer layer) {
+    if (layer >= Layer::skin) {
+        const double tolerance = touch_tolerance(c.extent);
+        return layer == Layer::skin ? tolerance : impact_share * tolerance;
+    }
+    return tolerance_part * depth_of(c, layer);
+}
+
+// What is known of a shape on its way.
+class Mover {
+  public:
+    Mover(const SweptShape& s, Layer layer, double from, double to) : layer(layer), s_(s), turn_(length(s.path.turn)) {
+        const double ball = is_ball() ? 0 : s.geometry.bounding_radius;
+        const DVec3 to_middle = middle_offset();
+        reach_ = length(to_middle) + ball;
+        const RigidPath::Pose first = from > s.path.begin || s.until < 1 ? body_at(from) : s.path.first();
+        start = first.x + math::rotate(first.q, to_middle);
+        const RigidPath::Pose last = s.until < 1 || to < s.path.until ? body_at(to) : s.path.end();
+        end = last.x + math::rotate(last.q, to_middle);
+    }
+    bool is_ball() const { return s_.geometry.type == ShapeType::sphere; }
+    double bounding_radius() const { return s_.geometry.bounding_radius; }
+    double until() const { return s_.until; }
+    const SweptShape& shape() const { return s_; }
+    RigidPath::Pose body_at(double time) const { return s_.path.at(std::min(time, s_.until)); }
+    DQuat rotation_at(const RigidPath::Pose& pose) const {
+        return s_.geometry.is_turned ? pose.q * math::to_double(s_.geometry.rotation) : pose.q;
+    }
+    DVec3 origin_at(const RigidPath::Pose& pose) const { return pose.x + math::rotate(pose.q, s_.offset); }
+    DVec3 middle_at(double time) const {
+        const RigidPath::Pose pose = body_at(time);
+        return pose.x + math::rotate(pose.q, middle_offset());
+    }
+    // How fast any point can come along a direction that does not turn, at most.
+    double speed_along(DVec3 n, double time) const {
+        if (time >= s_.until) return 0;
+        return dot(n, s_.path.translation) + length(math::cross(n, s_.path.turn)) * reach_;
+    }
+    // Of any point, at most.
+    double speed() const { return length(s_.path.translation) + turn_ * reach_; }
+    // Of a point of it.
+    DVec3 velocity_of(DVec3 point, double time) const {
+        if (time >= s_.until) return {};
+        return s_.path.translation + math::cross(s_.path.turn, point - (s_.path.start + time * s_.path.translation));
+    }
+    // How far the middle is from the straight line between two of its places, at most.
+    double sagitta() const { return s_.path.sagitta(reach_); }
+    bool is_still() const { return speed() == 0; }
+    // Whether all of it moves at one velocity.
+    bool moves_straight() const { return turn_ * reach_ == 0 && s_.until >= 1; }
+    // How far its points move about its middle, at most.
+    double turning() const { return is_ball() ? 0 : turn_ * s_.geometry.bounding_radius; }
+    DVec3 middle_offset() const { return s_.offset + local_middle(); } // from the center of mass, in the body's frame
+    const Layer layer;
+    math::DVec3 start, end; // of the middle of its bounds: when it is first looked at, and last
+
+  private:
+    DVec3 local_middle() const {
+        const DVec3 m = math::to_double(s_.geometry.middle);
+        return s_.geometry.is_turned ? math::rotate(math::to_double(s_.geometry.rotation), m) : m;
+    }
+    const SweptShape& s_;
+    double turn_, reach_;
+};
+
+inline constexpr double overlapped = -1; // a time: from the start
+
+struct Gap {
+    double distance;
+    DVec3 normal; // from a to b
+    DVec3 on_a;   // the nearest point
+};
+
+// The times that are looked at.
+struct Span {
+    double begin, end;
+};
+
+// Until when the larger of the rates at which two come nearer stays what it is.
+inline double next_stop(const Mover& a, const Mover& b, double time, double end) {
+    for (const double until : {a.until(), b.until()})
+        if (time < until) end = std::min(end, until);
+    return end;
+}
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// How two shapes come near each other.
+struct Course {
+    double meeting = never;    // a time, or `overlapped`
+    double nearest = 0;        // where they do not meet: when they are nearest,
+    Gap gap{infinity, {}, {}}; // and how near
+
+    void take(const Course& other) {
+        meeting = std::min(meeting, other.meeting);
+        if (other.gap.distance < gap.distance) nearest = other.nearest, gap = other.gap;
+    }
+};
+
+// What is asked of a course: it ends when the shapes are as near as `tolerance`; how near they come matters up to
+// `within`.
+struct Question {
+    double tolerance, within = 0;
+    bool is_impact = false; // what is as near as that and parts, or stays, has not met
+};
+
+inline Question question_of(const Convex& c, Layer layer, double within) {
+    return {tolerance_of(c, layer), within, layer == Layer::impact};
+}
+
+// How fast the nearest points come nearer along the normal, and move at all, m/s.
+struct Closing {
+    double along, speed;
+};
+inline Closing closing_of(const Mover& a, const Mover& b, const Gap& gap, double time) {
+    const DVec3 v = a.velocity_of(gap.on_a, time) - b.velocity_of(gap.on_a + gap.distance * gap.normal, time);
+    return {dot(gap.normal, v), length(v)};
+}
+
+// Where two are nearest, among what was seen of a course: between the last look at which they came nearer and the first
+// at which they did not, or at an end.
+class Bracket {
+  public:
+    struct Look {
+        double time;
+        Gap gap;
+        Closing closing;
+    };
+    void see(const Look& now) {
+        const bool is_turn = has_last_ && last_.closing.along > 0 && !(now.closing.along > 0);
+        const bool is_start = !has_last_ && !(now.closing.along > 0);
+        if (is_turn || is_start) keep(is_turn ? last_ : now, now);
+        last_ = now, has_last_ = true;
+    }
+    // Nothing follows. By false position (Illinois), until hardly anything approaches.
+    template <class F> Course least(double speed, double within, F&& look_at) {
+        if (last_.closing.along > 0) keep(last_, last_);
+        Look lo = before_, hi = after_;
+        const double lower = 0.5 * (lo.gap.distance + hi.gap.distance - speed * (hi.time - lo.time)); // bound
+        if (lower > within) return {};
+        Look best = lo.gap.distance < hi.gap.distance ? lo : hi;
+        double rate_lo = lo.closing.along, rate_hi = hi.closing.along;
+        for (int round = 0; round < max_looks && lo.time < hi.time; ++round) {
+            const double time = lo.time + (hi.time - lo.time) * (rate_lo / (rate_lo - rate_hi));
+            const Look look = look_at(time);
+            if (look.gap.distance < best.gap.distance) best = look;
+            if (std::fabs(look.closing.along) <= turned_part * look.closing.speed) {
+                best = look;
+                break;
+            }
+            if (look.closing.along > 0) {
+                lo = look, rate_lo = look.closing.along, rate_hi *= 0.5;
+            } else {
+                hi = look, rate_hi = look.closing.along, rate_lo *= 0.5;
+            }
+        }
+        return {never, best.time, best.gap};
+    }
+
+  private:
+    static constexpr int max_looks = 16;
+    static constexpr double turned_part = 0.05; // of the speed
+    void keep(const Look& before, const Look& after) {
+        const double distance = std::min(before.gap.distance, after.gap.distance);
+        if (!(distance < least_)) return;
+        least_ = distance, before_ = before, after_ = after;
+    }
+    Look before_{}, after_{}, last_{};
+    double least_ = infinity;
+    bool has_last_ = false;
+};
+
+// How far time goes on where the nearest points do not come nearer for now, as part of the step.
+inline constexpr double longest_leap = 1.0 / 16;
+
+// How long two do certainly not meet.
+inline double certain_time(const Mover& a, const Mover& b, const Gap& gap, double way, double time) {
+    const double speed = a.speed_along(gap.normal, time) + b.speed_along(-gap.normal, time);
+    return speed > 0 ? way / speed : never;
+}
+
+// Whether two that are `first` apart along a direction when a span begins and `last` when it ends, m, are so in
+// between. Every point is within 4 S t (1 - t) of the straight line between its ends (S: the sagitta, t: the part of
+// the span), and the farthest of points on straight lines is never beyond the line between the farthest at both ends:
+// so they are (1 - t) first + t last - 4 S t (1 - t) apart, at least, which is positive for all t if this is true.
+inline bool stay_apart_between(const Mover& a, const Mover& b, Span span, double first, double last) {
+    if (next_stop(a, b, span.begin, span.end) < span.end) return false; // no one arc
+    const double duration = span.end - span.begin, sagitta = duration * duration * (a.sagitta() + b.sagitta());
+    return first >= 0 && last > 0 && std::sqrt(first) + std::sqrt(last) > 2 * std::sqrt(sagitta);
+}
+
+// Of a pair, `gap_at` (time) tells how far the two are apart, and `apart_along` (direction from a to b, time) how far
+// along that.
+template <class Pair>
+inline bool stay_apart_from(const Mover& a, const Mover& b, const Pair& pair, double time, const Gap& gap, double end,
+                            double tolerance) {
+    if (!(gap.distance >= 0)) return false;
+    const double last = pair.apart_along(gap.normal, end) - tolerance;
+    return stay_apart_between(a, b, {time, end}, std::max(gap.distance - tolerance, 0.0), last);
+}
+
+// Advances from `begin` to `end`, so that nothing is missed.
+template <class Pair>
+inline double advance(const Mover& a, const Mover& b, double tolerance, double begin, double end, Pair& pair) {
+    double time = begin;
+    Gap gap = pair.gap_at(time);
+    if (!(gap.distance > tolerance)) return begin > 0 ? begin : overlapped;
+    for (int round = 0; round < max_rounds; ++round) {
+        if (!(gap.distance > tolerance)) return time;
+        if (stay_apart_from(a, b, pair, time, gap, end, tolerance)) return never;
+        const double stop = next_stop(a, b, time, end); // up to which the speed is what it is
+        time += certain_time(a, b, gap, gap.distance - 0.5 * tolerance, time);
+        if (!(time < stop)) {
+            if (!(stop < end)) return never;
+            time = stop;
+        }
+        gap = pair.gap_at(time);
+    }
+    return time;
+}
+
+// How the shapes themselves come near each other: by the speed of the points that are nearest, which takes a few looks.
+// What that misses, the cores do not.
+template <class Pair>
+inline Course approach(const Mover& a, const Mover& b, Question question, double begin, double end, Pair& pair) {
+    const auto look_at = [&](double time) {
+        const Gap gap = pair.gap_at(time);
+        return Bracket::Look{time, gap, closing_of(a, b, gap, time)};
+    };
+    const auto is_near = [&](const Bracket::Look& look) { return !(look.gap.distance > question.tolerance); };
+    // An impact is where they would come nearer by more than the tolerance in the rest of the step.
+    const auto has_met = [&](const Bracket::Look& look) {
+        return is_near(look) && !(question.is_impact && look.gap.distance >= 0 &&
+                                  look.closing.along * (1 - look.time) <= question.tolerance);
+    };
+    Bracket::Look now = look_at(begin);
+    if (has_met(now)) return {begin > 0 || (question.is_impact && now.gap.distance >= 0) ? begin : overlapped};
+    double beyond = end; // they overlap then, or it is the end
+    Bracket seen;
+    for (int round = 0; round < max_rounds; ++round) {
+        if (has_met(now)) return {now.time};
+        if (question.is_impact && stay_apart_from(a, b, pair, now.time, now.gap, end, question.tolerance)) return {};
+        seen.see(now);
+        const double way = std::max(now.gap.distance - 0.5 * question.tolerance, 0.0);
+        const double leap = !is_near(now) && now.closing.along > 0 ? way / now.closing.along : longest_leap;
+        const double next = now.time + std::max(certain_time(a, b, now.gap, way, now.time), leap);
+        if (!(next < beyond) && beyond == end) {
+            const Bracket::Look last = look_at(end);
+            if (last.gap.distance > question.tolerance || (question.is_impact && last.gap.distance >= 0)) {
+                seen.see(last);
+                return seen.least(a.speed() + b.speed(), question.within, look_at);
+            }
+        }
+        Bracket::Look there = look_at(next < beyond ? next : 0.5 * (now.time + beyond));
+        while (there.gap.distance < 0 && there.time - now.time > 1e-6 * (end - begin)) { // too far
+            beyond = there.time;
+            there = look_at(0.5 * (now.time + beyond));
+        }
+        if (there.gap.distance < 0) return {now.time};
+        now = there;
+    }
+    return {now.time};
+}
+
+// Of cores, or of the shapes themselves.
+template <class Pair> Course course_by(const Mover& a, const Mover& b, Question question, Span span, Pair&& pair) {
+    if (question.within > 0 || question.is_impact) return approach(a, b, question, span.begin, span.end, pair);
+    return {advance(a, b, question.tolerance, span.begin, span.end, pair)};
+}
+
+} // namespace cairn::sweep
