@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Makes from the table of the API (api/) what follows from it: the C API, and the glue and types of Python and of the
-npm package.
+"""Makes from the table of the API (api/) what follows from it: the C API, the glue and types of Python and of the
+npm package, and the commands of a world as bytes.
 
 usage: tools/api.py           writes the files
        tools/api.py --check   writes nothing: exit status 1 if a file is not what would be written, or the table does not
@@ -12,6 +12,7 @@ import api_c_fuzz
 import api_c_header
 import api_c_source
 import api_c_wrong_calls
+import api_commands
 import api_python
 import api_table
 import api_web
@@ -54,13 +55,14 @@ def files(table):
     yield "web/src/index.d.ts", api_web_types.types(table)
     yield "tests/web/generated/recorded_world.h", api_web_recorder.recorder(table)
     yield "tests/c_api/wrong_calls.c", api_c_wrong_calls.program(table)
+    yield from api_commands.files(table)
 
 
 def main():
     if sys.argv[1:] not in ([], ["--check"]):
         sys.exit(__doc__)
     table = api_table.Table()
-    findings = list(api_table.disagreements(table))
+    findings = [*api_table.disagreements(table), *api_commands.disagreements(table)]
     for path, text in files(table):
         file = api_table.ROOT / path
         if file.exists() and file.read_text(encoding="utf-8") == text:

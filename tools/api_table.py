@@ -23,6 +23,10 @@ ELSEWHERE = {
     "World::body(BodyId) const": "likewise",
     "World::World(World&&)": "a world is held by a pointer",
     "World::World(const World&)": "deleted",
+    "World::set_command_listener(std::shared_ptr<CommandListener>)": "a listener is a class; C has whole recordings",
+    "World::execute(std::span<const std::byte>, CommandSource&)": "likewise",
+    "World::state_digest() const": "for recordings",
+    "World::bodies_that_differ(const StateDigest&) const": "likewise",
     "Body::id() const": "C names the body in each call",
     "Hull::data() const": "for the engine",
     "Mesh::data() const": "for the engine",
@@ -99,6 +103,8 @@ class Function:
     c_returns: str = "cairn_result"
     member: str = ""
     since: str = "0.1"
+    command: int = None  # of calls that change a world: what they are in recordings, for ever; 0: not told to anybody
+    moves_only: bool = False  # of those: it changes the motion of bodies, and nothing that a snapshot has as definitions
 
     @property
     def owner(self):

@@ -9,7 +9,7 @@ import subprocess
 import sys
 
 # A file may include its own room and those before it. docs/architecture.md tells what each is for.
-ROOMS = ["core", "simd", "math", "jobs", "shapes", "bvh", "collision", "kernels", "state", "bodies", "islands", "contacts", "joints",
+ROOMS = ["core", "commands", "simd", "math", "jobs", "shapes", "bvh", "collision", "kernels", "state", "bodies", "islands", "contacts", "joints",
          "solver", "impacts", "world"]
 # What only uses the public headers, and what it may include beside them.
 USERS = {
@@ -18,10 +18,11 @@ USERS = {
     "src/files": {"files"},
     "src/scene": {"files", "scene"},
     "src/sweep": {"files", "scene", "sweep"},
+    "src/recording": {"files", "recording"},
     "src/validation": {"validation"},
     "app/ranks": set(),
     "app/viewer": {"files", "viewer"},
-    "app/cli": {"cli", "files", "scene", "sweep", "validation", "viewer"},
+    "app/cli": {"cli", "files", "recording", "scene", "sweep", "validation", "viewer"},
 }
 # Kernel sources are compiled once per instruction set: they see plain data only.
 KERNEL_MAY = {"core", "simd", "math", "bvh", "collision", "kernels"}

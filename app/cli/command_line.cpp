@@ -143,6 +143,61 @@ void add_run(CLI::App& app, RunOptions& options) {
     add_outputs(*run, options);
 }
 
+const std::vector<std::string_view> recording_extensions{".mcap"};
+
+void add_record(CLI::App& app, RecordOptions& options) {
+    CLI::App* record = app.add_subcommand("record", "Simulate a scene and record all that is done to its world.");
+    record->add_option("scene", options.scene, "A file, or the name of a scene (see `cairn scenes`)")->required();
+    record->add_option("-o,--output", options.output, "The recording to write (.mcap)")
+        ->required()
+        ->check(file_of(recording_extensions));
+    auto* seconds = record->add_option("--seconds", options.seconds, "Simulated time, s (default 10)");
+    seconds->check(between(1e-4, 1e6));
+    record->add_option("--frames", options.frames, "Number of steps instead")
+        ->check(between(1, 1e9))
+        ->excludes(seconds);
+    record->add_option("--dt", options.time_step, "Time step, s (default: the scene's)")->check(between(1e-4, 1.0));
+    record->add_option("--threads", options.threads, "Number of threads (default: all; results do not depend on it)")
+        ->check(between(1, 256));
+    record
+        ->add_option("--keyframes", options.keyframes,
+                     "Megabytes for whole states on the way, to go to any moment at once (default 64; 0: none)")
+        ->check(between(0, 1e6));
+    record->add_flag(
+        "--uncompressed", [&options](std::int64_t) { options.compress = false; },
+        "Do not compress the file, for readers without zstd");
+    add_reading(*record, options.read);
+}
+
+void add_replay(CLI::App& app, ReplayOptions& options) {
+    CLI::App* replay = app.add_subcommand("replay", "Do again what was recorded, and compare every step.");
+    replay->add_option("recording", options.recording, "A recording (.mcap)")->required();
+    replay->add_flag("--verify", options.verify, "End at the first step that differs");
+    replay->add_option("--threads", options.threads, "Number of threads (default: all; results do not depend on it)")
+        ->check(between(1, 256));
+    auto* at = replay->add_option("--at", options.at, "Go to that moment, s, and stop there");
+    at->check(between(0, 1e9));
+    replay
+        ->add_option("--what-if", options.what_if,
+                     "Change that there and go on to the end: gravity=X,Y,Z, substeps=N, friction=F, restitution=R; "
+                     "may be given several times")
+        ->allow_extra_args(false);
+    replay->add_option("--save", options.save, "Write the scene as it stands at the end (.gltf, .glb)")
+        ->check(file_of(scene_extensions));
+    replay->add_flag("--json", options.json, "Print the summary as one JSON object");
+}
+
+void add_info_and_diff(CLI::App& app, InfoOptions& info_options, DiffOptions& diff_options) {
+    CLI::App* info = app.add_subcommand("info", "Tell what a recording has.");
+    info->add_option("recording", info_options.recording, "A recording (.mcap)")->required();
+    info->add_flag("--json", info_options.json, "Print one JSON object");
+    CLI::App* diff = app.add_subcommand("diff", "Tell where two recordings part: at which step, and which bodies.");
+    diff->add_option("first", diff_options.first, "A recording (.mcap)")->required();
+    diff->add_option("second", diff_options.second, "Another one (.mcap)")->required();
+    diff->add_option("--threads", diff_options.threads, "Number of threads (default: all; results do not depend on it)")
+        ->check(between(1, 256));
+}
+
 void add_scenes(CLI::App& app, ScenesOptions& options) {
     CLI::App* scenes = app.add_subcommand("scenes", "List the scenes.");
     scenes->add_option("folder", options.folder, "Where to look (default: the scenes that come with Cairn)");
@@ -267,6 +322,9 @@ CommandLine::CommandLine() : app("Cairn, a rigid-body physics engine.", "cairn")
     app.set_version_flag("--version", std::string("cairn ") + version_string);
     app.require_subcommand(1);
     add_run(app, run);
+    add_record(app, record);
+    add_replay(app, replay);
+    add_info_and_diff(app, info, diff);
     add_view(app, view);
     add_scenes(app, scenes);
     add_convert(app, convert);
@@ -280,6 +338,10 @@ CommandLine::CommandLine() : app("Cairn, a rigid-body physics engine.", "cairn")
 
 int CommandLine::execute() const {
     if (app.got_subcommand("run")) return run_command(run);
+    if (app.got_subcommand("record")) return record_command(record);
+    if (app.got_subcommand("replay")) return replay_command(replay);
+    if (app.got_subcommand("info")) return info_command(info);
+    if (app.got_subcommand("diff")) return diff_command(diff);
     if (app.got_subcommand("scenes")) return scenes_command(scenes);
     if (app.got_subcommand("convert")) return convert_command(convert);
     if (app.got_subcommand("sweep")) return sweep_command(sweep);

@@ -17,6 +17,10 @@ struct CommandLine {
 
     CLI::App app;
     RunOptions run;
+    RecordOptions record;
+    ReplayOptions replay;
+    InfoOptions info;
+    DiffOptions diff;
     ScenesOptions scenes;
     ConvertOptions convert;
     SweepOptions sweep;

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,7 +19,8 @@ namespace cairn::cli {
 // Of files that are read: robots above all.
 struct ReadOptions {
     bool fixed_base = false, floor = false, decompose = false;
-    scene::Scene load(const std::filesystem::path& path) const;
+    // `listener`: is told of all that makes the world.
+    scene::Scene load(const std::filesystem::path& path, std::shared_ptr<CommandListener> listener = nullptr) const;
 };
 
 struct RunOptions {
@@ -106,6 +108,46 @@ struct ValidateOptions {
     std::filesystem::path report;   // a folder; empty: do not write
     bool json = false;
 };
+
+struct RecordOptions {
+    std::string scene;
+    ReadOptions read;
+    std::filesystem::path output;    // .mcap
+    std::optional<double> seconds;   // simulated; at most one of seconds and frames
+    std::optional<int> frames;       // steps
+    std::optional<double> time_step; // s; the scene's own otherwise
+    std::optional<int> threads;      // all otherwise
+    double keyframes = 64.0;         // MB, for all of them
+    bool compress = true;
+};
+
+int record_command(const RecordOptions& options);
+
+struct ReplayOptions {
+    std::filesystem::path recording, save; // save: empty: do not write
+    bool verify = false, json = false;
+    std::optional<int> threads; // all otherwise
+    std::optional<double> at;   // s
+    std::vector<std::string> what_if;
+};
+
+// 1 if it led elsewhere than recorded.
+int replay_command(const ReplayOptions& options);
+
+struct InfoOptions {
+    std::filesystem::path recording;
+    bool json = false;
+};
+
+int info_command(const InfoOptions& options);
+
+struct DiffOptions {
+    std::filesystem::path first, second;
+    std::optional<int> threads; // all otherwise
+};
+
+// 1 if they differ.
+int diff_command(const DiffOptions& options);
 
 // 1 if any row fails.
 int validate_command(const ValidateOptions& options);

@@ -256,9 +256,10 @@ void warn_of_speeds(scene::Scene& scene, std::uint64_t count) {
 
 } // namespace
 
-scene::Scene ReadOptions::load(const std::filesystem::path& path) const {
+scene::Scene ReadOptions::load(const std::filesystem::path& path, std::shared_ptr<CommandListener> listener) const {
     set_activity("reading", path.generic_string());
-    scene::Scene scene = scene::load(path, {.fixed_base = fixed_base, .decompose = decompose});
+    scene::Scene scene =
+        scene::load(path, {.fixed_base = fixed_base, .decompose = decompose, .listener = std::move(listener)});
     if (floor) scene::add_floor(scene);
     return scene;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cairn/body.h>
+#include <cairn/commands.h>
 #include <cairn/error.h>
 #include <cairn/events.h>
 #include <cairn/handle.h>
@@ -225,6 +226,10 @@ class World {
     glm::dvec3 linear_momentum() const;  ///< kg m/s, of all dynamic bodies.
     glm::dvec3 angular_momentum() const; ///< kg m^2/s about the origin, of all dynamic bodies.
     std::uint64_t state_hash() const;    ///< Of positions, rotations and velocities, by bits.
+    StateDigest state_digest() const;    ///< Likewise, as sums over the bodies.
+    /// The bodies in which this world differs from one of that digest. Empty if it does not, and if it differs in more
+    /// than two or in one that is not here: the digests tell whether it does.
+    std::vector<BodyId> bodies_that_differ(const StateDigest& other) const;
     Statistics statistics() const;
 
     // --- snapshots
@@ -233,10 +238,23 @@ class World {
     /// leaving the world as it was.
     void restore(const Snapshot& snapshot);
 
+    // --- commands (commands.h)
+    /// Who is told of every change from now on; null: nobody. It is told first how the world is: by the settings of an
+    /// empty world to which nothing has happened, by a snapshot of any other. Numbers of threads are not told.
+    /// Snapshots do not hold it; `restore` is told like any other change. What it throws then is thrown here, and
+    /// nobody is told.
+    void set_command_listener(std::shared_ptr<CommandListener> listener);
+    /// Makes a change that a listener was told of, in this world or another one. Handles in it stand for what has the
+    /// same slot and generation here. Throws `Error`: what the call throws, `invalid_file` if the bytes are no command,
+    /// `unsupported` if it is of a later version; the world stays as it was.
+    void execute(std::span<const std::byte> command, CommandSource& source);
+
   private:
     friend class Body;
     friend class WorldPool;
+    friend class SnapshotRing;
     struct Impl;
+    void restore_image(const struct StateImage& image, const std::shared_ptr<const SnapshotDefinitions>& definitions);
     // The memory of the world, as long as it has any.
     class Owned {
       public:

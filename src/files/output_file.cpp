@@ -166,10 +166,15 @@ void make_parent_folder(const fs::path& path) {
     if (error) throw Error(ErrorCode::io, path.string(), error.message(), "its folder must exist or be creatable");
 }
 
-OutputFile::OutputFile(const fs::path& path) : path_(path), to_(destination_of(path)) {
+OutputFile::OutputFile(const fs::path& path, Appearance appearance)
+    : path_(path), to_(destination_of(path)), appearance_(appearance) {
     int flags = O_WRONLY | O_CLOEXEC | O_NOCTTY;
     switch (to_.kind) {
     case Destination::Kind::file:
+        if (appearance == Appearance::as_it_grows) {
+            file_ = open(to_.path.c_str(), flags | O_CREAT | O_TRUNC, 0666);
+            break;
+        }
         temporary_ = temporary_beside(to_.path);
         unlink(temporary_.c_str()); // of a process of that number that was killed, or a link that somebody has laid
         flags |= O_CREAT | O_EXCL;
@@ -205,7 +210,7 @@ void OutputFile::send(std::string_view bytes) {
 
 void OutputFile::write(std::string_view bytes) {
     if (file_ < 0) throw Error(ErrorCode::wrong_state, path_.generic_string(), {}, "is closed");
-    if (is_stream()) return send(bytes);
+    if (is_stream() || appearance_ == Appearance::as_it_grows) return send(bytes);
     waiting_ += bytes;
     if (waiting_.size() < piece) return;
     send(waiting_);
@@ -228,7 +233,7 @@ void OutputFile::close() {
     if (file_ < 0) return;
     send(std::exchange(waiting_, {}));
     if (::close(std::exchange(file_, -1)) != 0) fail(errno);
-    if (to_.kind == Destination::Kind::file) take_name(temporary_, to_.path);
+    if (!temporary_.empty()) take_name(temporary_, to_.path);
 }
 
 void write_file(const fs::path& path, std::string_view bytes) {

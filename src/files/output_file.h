@@ -59,18 +59,26 @@ void take_name(const std::filesystem::path& temporary, const std::filesystem::pa
 /// Makes the folder that `path` lies in, if it is missing. Throws `Error` (io).
 void make_parent_folder(const std::filesystem::path& path);
 
+/// When others see a regular file that is written.
+enum class Appearance {
+    when_whole,  ///< Once it is closed, under its name; it replaces what had that name.
+    as_it_grows, ///< At once: it is emptied if it is there, and everything written is in it. For files of which also a
+                 ///< part is of use.
+};
+
 /// A file, or anything else that has a name, being written.
 class OutputFile {
   public:
     /// Throws `Error` (io) if it cannot be opened. Waits for a reader if it is a FIFO; a signal that is caught ends
     /// that.
-    explicit OutputFile(const std::filesystem::path& path);
-    /// Without `close`, a regular file is left as it was before.
+    explicit OutputFile(const std::filesystem::path& path, Appearance appearance = Appearance::when_whole);
+    /// Without `close`, a regular file that appears when it is whole is left as it was before.
     ~OutputFile();
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
 
-    /// Appends. Streams get it at once, files in larger pieces. Throws `Error` (io), or `ReaderGone`.
+    /// Appends. Streams and files that appear as they grow get it at once, others in larger pieces. Throws `Error`
+    /// (io), or `ReaderGone`.
     void write(std::string_view bytes);
     /// Replaces `bytes.size()` bytes at `offset`, counted from the start of the file. Throws `Error`: wrong_state if
     /// this is a stream, io.
@@ -86,6 +94,7 @@ class OutputFile {
 
     std::filesystem::path path_, temporary_;
     Destination to_;
+    Appearance appearance_;
     int file_ = -1;
     std::string waiting_;
 };

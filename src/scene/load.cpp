@@ -6,6 +6,7 @@
 #include "scene/gltf_file.h"
 #include "scene/joints.h"
 #include "scene/json_number.h"
+#include "scene/loaded_world.h"
 #include "scene/mass_sum.h"
 #include "scene/model_body.h"
 #include "scene/models.h"
@@ -65,10 +66,14 @@ Vec3 turned(const glm::dquat& rotation, const glm::dvec3& v) {
 class Builder {
   public:
     Builder(const Value& document, const Buffers& buffers, const NodeGraph& graph, WorldSettings settings,
-            std::vector<std::string> warnings)
+            std::vector<std::string> warnings, const LoadOptions& options)
         : document_(document), graph_(graph), surfaces_(document, buffers, graph), colliders_(document, surfaces_),
           visuals_(document, surfaces_), filters_(document), warnings_(std::move(warnings)),
-          joints_(document, warnings_), scene_{World(settings.world), std::move(settings.info), {}, {}, {}} {}
+          joints_(document, warnings_), scene_{loaded_world(settings.world, options),
+                                               std::move(settings.info),
+                                               {},
+                                               {},
+                                               {}} {}
 
     Scene build() {
         for (const ForceField& field : scene_.info.force_fields) {
@@ -419,7 +424,7 @@ Scene load_bytes(std::span<const std::byte> bytes, const std::string& name,
     check_spelling(document, scene, warnings);
     const NodeGraph graph = read_node_graph(document, scene);
     const Buffers buffers(document, gltf.binary, folder);
-    Scene result = Builder(document, buffers, graph, std::move(settings), std::move(warnings)).build();
+    Scene result = Builder(document, buffers, graph, std::move(settings), std::move(warnings), options).build();
     if (!own && result.world.bodies().empty()) { // not meant as an empty world
         result.warnings.push_back(document.place() +
                                   "has no body: no node that is shown has a motion, a collider or a trigger of "

@@ -1,6 +1,7 @@
 // From an MJCF model to a world.
 #include "scene/mjcf.h"
 
+#include "scene/loaded_world.h"
 #include "scene/mass_sum.h"
 #include "scene/mjcf_model.h"
 #include "scene/tessellation.h"
@@ -91,7 +92,7 @@ Scene load_mjcf(std::span<const std::byte> bytes, const std::string& name,
 
     WorldDef world;
     world.gravity = Vec3(upright.rotation * settings.gravity);
-    Scene scene{World(world), {}, {}, {}, {}};
+    Scene scene{loaded_world(world, options), {}, {}, {}, {}};
     scene.info.title = root.text_of("model");
     if (scene.info.title.empty()) scene.info.title = std::filesystem::path(name).stem().generic_string();
     scene.info.time_step = static_cast<float>(settings.time_step);

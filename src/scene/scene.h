@@ -103,6 +103,9 @@ struct LoadOptions {
     /// Meshes on bodies that move are cut into convex parts also where the file does not ask for it
     /// (scene/decomposition.h).
     bool decompose = false;
+    /// Is told of everything that makes the world, from when it is empty (`World::set_command_listener`): a recorder,
+    /// for example. Null: nobody.
+    std::shared_ptr<CommandListener> listener{};
 };
 
 /// Reads a `.gltf`, `.glb` or URDF file (docs/urdf.md); which of them it is shows in its first bytes, not in its name.

@@ -3,6 +3,7 @@
 
 #include "scene/gltf_file.h"
 #include "scene/layers.h"
+#include "scene/loaded_world.h"
 #include "scene/nearby_files.h"
 #include "scene/sdf_model.h"
 
@@ -30,7 +31,7 @@ class SdfReader {
         files_.push_back(std::make_unique<XmlFile>(bytes, name, "an SDF file"));
         const XmlElement root = files_[0]->root();
         const bool is_old = has_old_axes(root);
-        Scene scene{World(), {}, {}, {}, {}};
+        Scene scene{loaded_world({}, options_), {}, {}, {}, {}};
         const std::vector<XmlElement> worlds = root.children("world");
         if (worlds.size() > 1) worlds[1].fail("must be the only world of the file");
         if (worlds.empty()) root.know("model");

@@ -2,6 +2,7 @@
 // where they do with all joints at 0, or as near as their limits allow.
 #include "scene/urdf.h"
 
+#include "scene/loaded_world.h"
 #include "scene/mass_sum.h"
 #include "scene/urdf_file.h"
 #include "scene/urdf_joints.h"
@@ -24,7 +25,7 @@ class RobotBuilder {
   public:
     RobotBuilder(const urdf::ModelInterface& model, std::string name,
                  const std::optional<std::filesystem::path>& folder, const LoadOptions& options)
-        : model_(model), name_(std::move(name)), options_(options), scene_{World(), {}, {}, {}, {}},
+        : model_(model), name_(std::move(name)), options_(options), scene_{loaded_world({}, options), {}, {}, {}, {}},
           shapes_(name_, folder, options.decompose, scene_) {}
 
     Scene build() {

@@ -3,6 +3,7 @@
 
 #include "scene/decomposition.h"
 #include "scene/layers.h"
+#include "scene/loaded_world.h"
 #include "scene/mass_sum.h"
 #include "scene/model_meshes.h"
 #include "scene/tessellation.h"
@@ -364,7 +365,7 @@ Scene load_usd(std::span<const std::byte> bytes, const std::string& name, const 
     }
     const UsdLayer layer = parse_usd(bytes, name);
     const UsdStage stage(layer, name);
-    Scene scene{World(), {}, {}, {}, {}};
+    Scene scene{loaded_world({}, options), {}, {}, {}, {}};
     const auto title = layer.metadata.find("defaultPrim");
     if (title != layer.metadata.end() && !title->second.words.empty()) scene.info.title = title->second.words[0];
     if (scene.info.title.empty()) scene.info.title = std::filesystem::path(name).stem().generic_string();

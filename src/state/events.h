@@ -28,6 +28,11 @@ struct StepEvents {
     EventQueue<SleepEvent> sleeps;
 
     void begin_step() { begins.clear(), hits.clear(); }
+    // What can be read; what is gathered for the next step stays.
+    void forget() {
+        begins.clear(), hits.clear(), brief.clear();
+        ends.now.clear(), triggers.now.clear(), joints.now.clear(), sleeps.now.clear();
+    }
     void publish() {
         ends.publish(), triggers.publish(), joints.publish(), sleeps.publish();
         ends.next.swap(brief);

@@ -75,9 +75,9 @@ math::DVec3 inverse_inertia_times(const Access& a, math::DVec3 v) {
     World::Impl& impl = *world_->impl_;                                                                                \
     const Access a{impl.state, std::size_t(impl.index_of(id_))};                                                       \
     [[maybe_unused]] State& s = a.s
-#define CAIRN_CHANGE(call)                                                                                             \
+#define CAIRN_CHANGE(call, ...)                                                                                        \
     CAIRN_ACCESS;                                                                                                      \
-    World::Impl::Change change(impl, call)
+    World::Impl::Change change(impl, commands::call, id_ __VA_OPT__(, ) __VA_ARGS__)
 
 BodyType Body::type() const {
     CAIRN_ACCESS;
@@ -182,27 +182,27 @@ void move_body(const Access& a, math::DVec3 origin, const math::DQuat& rotation)
 } // namespace
 
 void Body::set_transform(const Position& position, const Quat& rotation) {
-    CAIRN_CHANGE("Body::set_transform");
+    CAIRN_CHANGE(body_set_transform, position, rotation);
     require_position("Body::set_transform position", position);
     const Quat q = checked_rotation("Body::set_transform rotation", rotation);
     change.begin();
     move_body(a, to_math(position), math::to_double(to_math(q)));
 }
 void Body::set_position(const Position& position) {
-    CAIRN_CHANGE("Body::set_position");
+    CAIRN_CHANGE(body_set_position, position);
     require_position("Body::set_position", position);
     change.begin();
     move_body(a, to_math(position), a.motion().q);
 }
 void Body::set_rotation(const Quat& rotation) {
-    CAIRN_CHANGE("Body::set_rotation");
+    CAIRN_CHANGE(body_set_rotation, rotation);
     const Quat q = checked_rotation("Body::set_rotation", rotation);
     change.begin();
     move_body(a, body_origin(s.bodies, a.index()), math::to_double(to_math(q)));
 }
 
 void Body::set_linear_velocity(const Vec3& velocity) {
-    CAIRN_CHANGE("Body::set_linear_velocity");
+    CAIRN_CHANGE(body_set_linear_velocity, velocity);
     require_finite("Body::set_linear_velocity", velocity);
     require_moving(a, "Body::set_linear_velocity");
     change.begin();
@@ -213,7 +213,7 @@ void Body::set_linear_velocity(const Vec3& velocity) {
     sweep_proxies(s.bodies, s.shapes, s.broad_phase, a.index());
 }
 void Body::set_angular_velocity(const Vec3& velocity) {
-    CAIRN_CHANGE("Body::set_angular_velocity");
+    CAIRN_CHANGE(body_set_angular_velocity, velocity);
     require_finite("Body::set_angular_velocity", velocity);
     require_moving(a, "Body::set_angular_velocity");
     change.begin();
@@ -225,7 +225,7 @@ void Body::set_angular_velocity(const Vec3& velocity) {
 }
 
 void Body::move_to(const Transform& target, float seconds) {
-    CAIRN_CHANGE("Body::move_to");
+    CAIRN_CHANGE(body_move_to, target, seconds);
     require_position("Body::move_to target.position", target.position);
     const Quat rotation = checked_rotation("Body::move_to target.rotation", target.rotation);
     require_above("Body::move_to seconds", seconds, 0);
@@ -242,14 +242,14 @@ void Body::move_to(const Transform& target, float seconds) {
 }
 
 void Body::set_gravity_scale(float scale) {
-    CAIRN_CHANGE("Body::set_gravity_scale");
+    CAIRN_CHANGE(body_set_gravity_scale, scale);
     require_finite("Body::set_gravity_scale", scale);
     change.begin();
     s.bodies.settings[a.b].gravity_scale = scale;
     wake_body(s.bodies, s.islands, s.events, a.index());
 }
 void Body::set_damping(float linear, float angular) {
-    CAIRN_CHANGE("Body::set_damping");
+    CAIRN_CHANGE(body_set_damping, linear, angular);
     require_at_least("Body::set_damping linear", linear, 0);
     require_at_least("Body::set_damping angular", angular, 0);
     change.begin();
@@ -258,14 +258,14 @@ void Body::set_damping(float linear, float angular) {
     wake_body(s.bodies, s.islands, s.events, a.index());
 }
 void Body::set_allow_sleep(bool allow) {
-    CAIRN_CHANGE("Body::set_allow_sleep");
+    CAIRN_CHANGE(body_set_allow_sleep, allow);
     change.begin();
     s.bodies.settings[a.b].allow_sleep = allow;
     wake_body(s.bodies, s.islands, s.events, a.index());
 }
 
 void Body::set_type(BodyType type) {
-    CAIRN_CHANGE("Body::set_type");
+    CAIRN_CHANGE(body_set_type, type);
     if (type > BodyType::dynamic) refuse("Body::set_type", std::to_string(int(type)), "must be one of the enumerators");
     BodySettings& settings = s.bodies.settings[a.b];
     if (settings.type == type) return;
@@ -302,11 +302,13 @@ void Body::set_type(BodyType type) {
 }
 
 void Body::set_name(std::string_view name) {
-    CAIRN_CHANGE("Body::set_name");
-    impl.names[a.b] = std::string(name);
+    CAIRN_CHANGE(body_set_name, name);
+    std::string own(name);
+    change.begin();
+    impl.names[a.b] = std::move(own);
 }
 void Body::set_mass_properties(const MassProperties& properties) {
-    CAIRN_CHANGE("Body::set_mass_properties");
+    CAIRN_CHANGE(body_set_mass_properties, properties);
     validate("MassProperties", properties);
     require_dynamic(a, "Body::set_mass_properties");
     change.begin();
@@ -316,7 +318,7 @@ void Body::set_mass_properties(const MassProperties& properties) {
     wake_body(s.bodies, s.islands, s.events, a.index());
 }
 void Body::set_mass_from_shapes(std::optional<float> mass) {
-    CAIRN_CHANGE("Body::set_mass_from_shapes");
+    CAIRN_CHANGE(body_set_mass_from_shapes, mass);
     if (mass) {
         MassProperties check;
         check.mass = *mass;
@@ -332,13 +334,13 @@ void Body::set_mass_from_shapes(std::optional<float> mass) {
     wake_body(s.bodies, s.islands, s.events, a.index());
 }
 void Body::wake() {
-    CAIRN_CHANGE("Body::wake");
+    CAIRN_CHANGE(body_wake);
     change.begin();
     wake_body(s.bodies, s.islands, s.events, a.index());
 }
 
 void Body::add_force(const Vec3& force) {
-    CAIRN_CHANGE("Body::add_force");
+    CAIRN_CHANGE(body_add_force, force);
     require_finite("Body::add_force force", force);
     require_dynamic(a, "Body::add_force");
     change.begin();
@@ -346,7 +348,7 @@ void Body::add_force(const Vec3& force) {
     wake_body(s.bodies, s.islands, s.events, a.index());
 }
 void Body::add_force_at(const Vec3& force, const Position& point) {
-    CAIRN_CHANGE("Body::add_force_at");
+    CAIRN_CHANGE(body_add_force_at, force, point);
     require_finite("Body::add_force_at force", force);
     require_position("Body::add_force_at point", point);
     require_dynamic(a, "Body::add_force_at");
@@ -357,7 +359,7 @@ void Body::add_force_at(const Vec3& force, const Position& point) {
     wake_body(s.bodies, s.islands, s.events, a.index());
 }
 void Body::add_torque(const Vec3& torque) {
-    CAIRN_CHANGE("Body::add_torque");
+    CAIRN_CHANGE(body_add_torque, torque);
     require_finite("Body::add_torque torque", torque);
     require_dynamic(a, "Body::add_torque");
     change.begin();
@@ -365,14 +367,14 @@ void Body::add_torque(const Vec3& torque) {
     wake_body(s.bodies, s.islands, s.events, a.index());
 }
 void Body::apply_impulse(const Vec3& impulse) {
-    CAIRN_CHANGE("Body::apply_impulse");
+    CAIRN_CHANGE(body_apply_impulse, impulse);
     require_finite("Body::apply_impulse impulse", impulse);
     require_dynamic(a, "Body::apply_impulse");
     change.begin();
     add_velocity(a, double(a.mass().inverse_mass) * math::to_double(to_math(impulse)), {});
 }
 void Body::apply_impulse_at(const Vec3& impulse, const Position& point) {
-    CAIRN_CHANGE("Body::apply_impulse_at");
+    CAIRN_CHANGE(body_apply_impulse_at, impulse, point);
     require_finite("Body::apply_impulse_at impulse", impulse);
     require_position("Body::apply_impulse_at point", point);
     require_dynamic(a, "Body::apply_impulse_at");
@@ -382,7 +384,7 @@ void Body::apply_impulse_at(const Vec3& impulse, const Position& point) {
                  inverse_inertia_times(a, math::cross(to_math(point) - a.motion().x, p)));
 }
 void Body::apply_angular_impulse(const Vec3& impulse) {
-    CAIRN_CHANGE("Body::apply_angular_impulse");
+    CAIRN_CHANGE(body_apply_angular_impulse, impulse);
     require_finite("Body::apply_angular_impulse impulse", impulse);
     require_dynamic(a, "Body::apply_angular_impulse");
     change.begin();

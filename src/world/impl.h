@@ -1,6 +1,8 @@
 // What a World holds: the simulation, and what only users see of it.
 #pragma once
 
+#include "commands/generated/calls.h"
+#include "commands/generated/codec.h"
 #include "state/state.h"
 #include "state/step_scratch.h"
 
@@ -11,6 +13,8 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <tuple>
+#include <type_traits>
 #include <vector>
 
 namespace cairn {
@@ -28,6 +32,10 @@ struct World::Impl {
     std::atomic<bool> stepping{false};    // to notice calls from other threads
     const char* failed_call = nullptr;    // what ran out of memory half way; null: nothing has
 
+    std::shared_ptr<CommandListener> listener; // is told of all changes; null: nobody is
+    std::vector<std::byte> command_bytes;      // of the command that it is told of
+    bool telling = false;                      // while it is told of one
+
     // Checked lookups: throw Error(invalid_handle).
     std::int32_t index_of(BodyId id) const;
     std::uint32_t index_of(ShapeId id) const;
@@ -38,8 +46,15 @@ struct World::Impl {
     std::shared_ptr<const SnapshotDefinitions> definitions();
     std::mutex last_definitions_mutex;
     std::shared_ptr<const SnapshotDefinitions> last_definitions;
+    bool are_definitions_known = false; // they are `last_definitions`: nothing that they have has changed since
     // The shapes of a snapshot: throws Error(invalid_file) unless they are those of the geometry that is there.
     void set_shapes(const std::vector<Shape>& shapes);
+
+    // Without any state yet. Throws Error(invalid_file).
+    static std::unique_ptr<Impl> defined_by(const std::shared_ptr<const SnapshotDefinitions>& definitions,
+                                            const WorldDef& settings);
+    // What belongs to the world, and not to its state.
+    void take_over(Impl& other);
 
     // Takes a joint out of the world; with an event, if it was not asked for.
     void retire_joint(std::uint32_t joint, const std::optional<JointEvent>& event);
@@ -56,29 +71,71 @@ struct World::Impl {
         return state;
     }
 
-    // A call that changes the world: allowed between steps only. What has been checked is done; from `begin` on, only
-    // running out of memory can stop it half way, and then the world is good for nothing but `World::restore`.
-    class Change {
+    // Throws Error(wrong_state) while the listener is told of a change.
+    void require_not_telling(const char* call) const;
+    // Tells the listener, if there is one. `command`: one of commands/generated/calls.h.
+    template <class Command, class... Arguments> void tell(Command command, const Arguments&... arguments);
+
+    void make_step(float dt);
+
+    // While a state is put in place of another one; if it does not end, the world is good for nothing.
+    class Restoring {
       public:
-        Change(Impl& impl, const char* call) : impl_(impl), call_(call) {
-            impl.require_idle(call);
-            impl.require_whole(call);
+        explicit Restoring(Impl& impl) : impl_(impl) { impl_.failed_call = "SnapshotRing::restore"; }
+        void end() { impl_.failed_call = nullptr; }
+
+      private:
+        Impl& impl_;
+    };
+
+    // A call that changes the world, with its arguments: one of the table (api), or it does not compile. It is allowed
+    // between steps only. What has been checked is done; from `begin` on, of which the listener is told, only running
+    // out of memory can stop it half way, and then the world is good for nothing but `World::restore`.
+    template <class Command, class... Given> class Change {
+        static_assert(std::is_same_v<std::tuple<Given...>, typename Command::Arguments>,
+                      "the call has other arguments in the table");
+
+      public:
+        Change(Impl& impl, Command, const Given&... arguments) : impl_(impl), arguments_(arguments...) {
+            impl.require_idle(Command::name);
+            impl.require_whole(Command::name);
+            impl.require_not_telling(Command::name);
         }
         ~Change() {
-            if (begun_ && std::uncaught_exceptions() > exceptions_) impl_.failed_call = call_;
+            if (begun_ && std::uncaught_exceptions() > exceptions_) impl_.failed_call = Command::name;
         }
         Change(const Change&) = delete;
         Change& operator=(const Change&) = delete;
 
-        void begin() { begun_ = true; }
+        void begin() {
+            std::apply([&](const Given&... arguments) { impl_.tell(Command(), arguments...); }, arguments_);
+            begun_ = true;
+            if constexpr (!Command::moves_only) impl_.are_definitions_known = false;
+        }
 
       private:
         Impl& impl_;
-        const char* call_;
+        std::tuple<const Given&...> arguments_;
         int exceptions_ = std::uncaught_exceptions();
         bool begun_ = false;
     };
 };
+
+template <class Command, class... Arguments>
+void World::Impl::tell([[maybe_unused]] Command command, [[maybe_unused]] const Arguments&... arguments) {
+    if constexpr (Command::code != 0) {
+        if (!listener) return;
+        const struct Telling {
+            explicit Telling(bool& flag) : flag_(flag) { flag_ = true; }
+            ~Telling() { flag_ = false; }
+            bool& flag_;
+        } now(telling);
+        commands::CommandWriter writer(command_bytes, *listener);
+        writer.number(Command::code);
+        (write(writer, arguments), ...);
+        listener->on_command(command_bytes);
+    }
+}
 
 template <class T> void make_room(std::vector<T>& v, std::size_t index) {
     if (v.size() <= index) v.resize(index + 1);

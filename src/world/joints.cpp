@@ -95,6 +95,7 @@ math::DQuat turn_from_x(math::DVec3 axis) {
 
 void World::Impl::retire_joint(std::uint32_t index, const std::optional<JointEvent>& event) {
     State& s = state;
+    are_definitions_known = false; // also in a step
     refilter_pairs(s.bodies, s.shapes, s.broad_phase, s.joints.info[index]);
     deactivate_joint(s.bodies, s.islands, s.joints, s.events, index);
     unlink_joint(s.bodies, s.joints, index);
@@ -125,7 +126,7 @@ void World::Impl::break_joints() {
 }
 
 JointId World::create_joint(const JointDef& def) {
-    Impl::Change change(*impl_, "World::create_joint");
+    Impl::Change change(*impl_, commands::world_create_joint, def);
     State& s = impl_->state;
     JointInfo info;
     if (!def.body_a.is_null()) info.body_a = impl_->index_of(def.body_a);
@@ -184,7 +185,7 @@ JointDef World::joint_at(BodyId body_a, BodyId body_b, const Position& anchor, c
 }
 
 void World::destroy_joint(JointId id) {
-    Impl::Change change(*impl_, "World::destroy_joint");
+    Impl::Change change(*impl_, commands::world_destroy_joint, id);
     const std::uint32_t index = impl_->index_of(id);
     change.begin();
     impl_->retire_joint(index, std::nullopt);
@@ -195,7 +196,7 @@ bool World::is_valid(JointId id) const noexcept { return impl_ && impl_->state.j
 const JointDef& World::joint_def(JointId id) const { return impl_->joint_defs[impl_->index_of(id)]; }
 
 void World::set_joint(JointId id, const Joint& joint) {
-    Impl::Change change(*impl_, "World::set_joint");
+    Impl::Change change(*impl_, commands::world_set_joint, id, joint);
     const std::uint32_t index = impl_->index_of(id);
     validate(joint);
     State& s = impl_->state;
@@ -211,7 +212,7 @@ void World::set_joint(JointId id, const Joint& joint) {
 }
 
 void World::set_joint_strength(JointId id, float break_force, float break_torque) {
-    Impl::Change change(*impl_, "World::set_joint_strength");
+    Impl::Change change(*impl_, commands::world_set_joint_strength, id, break_force, break_torque);
     const std::uint32_t index = impl_->index_of(id);
     JointDef& def = impl_->joint_defs[index];
     JointDef changed = def;

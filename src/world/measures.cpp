@@ -2,6 +2,7 @@
 #include "bodies/bodies.h"
 #include "contacts/contact_record.h"
 #include "contacts/prefetch.h"
+#include "core/digest.h"
 #include "core/hash.h"
 #include "state/state.h"
 #include "world/impl.h"
@@ -94,6 +95,22 @@ std::uint64_t World::state_hash() const {
         hash.add_bytes(&s.bodies.motion[i], sizeof(BodyMotion));
     }
     return hash.value();
+}
+
+StateDigest World::state_digest() const {
+    const State& s = impl_->whole("World::state_digest");
+    StateDigest digest;
+    for (std::uint32_t i = 0; i < s.bodies.slots.size(); ++i)
+        if (s.bodies.slots.is_live(i)) add_to_digest(digest, i, &s.bodies.motion[i], sizeof(BodyMotion));
+    return digest;
+}
+
+std::vector<BodyId> World::bodies_that_differ(const StateDigest& other) const {
+    const State& s = impl_->whole("World::bodies_that_differ");
+    std::vector<BodyId> ids;
+    for (const std::uint32_t i : differing_slots(state_digest(), other, std::uint32_t(s.bodies.slots.size())))
+        if (s.bodies.slots.is_live(i)) ids.push_back(s.bodies.id(std::int32_t(i)));
+    return ids;
 }
 
 std::vector<Contact> World::contacts() const {

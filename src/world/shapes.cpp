@@ -75,7 +75,7 @@ void retire_shape(Shapes& shapes, BroadPhase& broad_phase, std::uint32_t shape) 
 }
 
 ShapeId World::add_shape(BodyId id, const Shape& shape, const ShapeDef& def) {
-    Impl::Change change(*impl_, "World::add_shape");
+    Impl::Change change(*impl_, commands::world_add_shape, id, shape, def);
     const std::int32_t b = impl_->index_of(id);
     validate(shape);
     validate(def);
@@ -111,7 +111,7 @@ ShapeId World::add_shape(BodyId id, const Shape& shape, const ShapeDef& def) {
 }
 
 void World::remove_shape(ShapeId id) {
-    Impl::Change change(*impl_, "World::remove_shape");
+    Impl::Change change(*impl_, commands::world_remove_shape, id);
     const std::uint32_t i = impl_->index_of(id);
     State& s = impl_->state;
     StepScratch& step = impl_->step;
@@ -147,7 +147,7 @@ Bounds World::shape_bounds(ShapeId id) const {
 }
 
 void World::set_material(ShapeId id, const Material& material) {
-    Impl::Change change(*impl_, "World::set_material");
+    Impl::Change change(*impl_, commands::world_set_material, id, material);
     const std::uint32_t i = impl_->index_of(id);
     validate("Material", material);
     State& s = impl_->state;
@@ -162,7 +162,7 @@ void World::set_material(ShapeId id, const Material& material) {
 }
 
 void World::set_filter(ShapeId id, const CollisionFilter& filter) {
-    Impl::Change change(*impl_, "World::set_filter");
+    Impl::Change change(*impl_, commands::world_set_filter, id, filter);
     const std::uint32_t i = impl_->index_of(id);
     State& s = impl_->state;
     change.begin();
@@ -174,7 +174,7 @@ void World::set_filter(ShapeId id, const CollisionFilter& filter) {
 }
 
 void World::set_surface_velocity(ShapeId id, const Vec3& velocity) {
-    Impl::Change change(*impl_, "World::set_surface_velocity");
+    Impl::Change change(*impl_, commands::world_set_surface_velocity, id, velocity);
     const std::uint32_t i = impl_->index_of(id);
     require_finite("World::set_surface_velocity velocity", velocity);
     State& s = impl_->state;

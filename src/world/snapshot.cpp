@@ -3,8 +3,10 @@
 #include "core/archive.h"
 #include "core/fields.h"
 #include "core/hash.h"
+#include "core/image_archive.h"
 #include "world/definition_archive.h"
 #include "world/impl.h"
+#include "world/state_archive.h"
 #include "world/validate.h"
 
 #include <algorithm>
@@ -25,22 +27,6 @@ struct Header {
     std::uint64_t checksum = 0;                                          // of all that follows
     std::uint64_t bodies = 0, contacts = 0, joints = 0, broad_phase = 0; // bytes
 };
-
-[[noreturn]] void throw_damaged() {
-    throw Error(ErrorCode::invalid_file, "Snapshot", "", "is damaged: its checksum does not fit");
-}
-
-// Where a shape is if its body was not put elsewhere since the last step.
-ShapePose expected_pose(const Bodies& bodies, const Shapes& shapes, std::size_t shape) {
-    ShapePose pose{};
-    const std::int32_t body = shapes.links[shape].body;
-    if (shape >= shapes.geometry.size() || std::uint32_t(body) >= bodies.motion.size()) return pose;
-    const Geometry& g = shapes.geometry[shape];
-    const BodyMotion& motion = bodies.motion[body];
-    pose_shape(pose, g, motion.x + math::to_double(shapes.links[shape].arm), math::to_float(motion.q));
-    size_shape(pose, g);
-    return pose;
-}
 
 // Of what is archived as it lies in memory. A member may take the place of padding: the size does not show it.
 template <class... Plain> void add_field_counts(Hash64& hash) { (hash.add(field_count<Plain>()), ...); }
@@ -70,96 +56,6 @@ std::uint64_t checksum_of(Header header, const std::vector<std::byte>& snapshot)
     sum.add_bytes(&header, sizeof header);
     sum.add_bytes(snapshot.data() + sizeof header, snapshot.size() - sizeof header);
     return sum.value();
-}
-
-// --- what steps change
-
-CAIRN_ARCHIVES_MEMBERS(13, State);
-CAIRN_ARCHIVES_MEMBERS(13, Bodies);
-CAIRN_ARCHIVES_MEMBERS(8, Shapes);
-CAIRN_ARCHIVES_MEMBERS(4, Contacts);
-CAIRN_ARCHIVES_MEMBERS(5, Islands);
-CAIRN_ARCHIVES_MEMBERS(4, Joints);
-CAIRN_ARCHIVES_MEMBERS(2, ForceFields);
-
-template <class Archive> void serialize_bodies(Archive& archive, Bodies& bodies, Shapes& shapes, Islands& islands) {
-    archive(bodies.motion), archive(bodies.forces), archive(bodies.pushed), archive(bodies.links);
-    archive.foretold(bodies.counted, [&](std::size_t i) {
-        return CountedPose{bodies.motion[i].x, bodies.motion[i].q};
-    });
-    archive(bodies.travel), archive(bodies.ahead);
-    if constexpr (Archive::reading) {
-        bodies.boxes_until.resize(bodies.links.size());
-        for (std::size_t b = 0; b < bodies.links.size(); ++b) bodies.boxes_until[b] = bodies.travel[b];
-    }
-    archive(shapes.links);
-    archive.foretold(shapes.poses, [&](std::size_t i) { return expected_pose(bodies, shapes, i); });
-    archive(islands.all), archive(islands.free), archive(islands.awake);
-    archive(islands.falling_asleep), archive(islands.waking);
-}
-
-template <class Archive> void serialize_contacts(Archive& archive, Contacts& contacts) {
-    archive(contacts.records), archive(contacts.info), archive(contacts.answers), archive(contacts.free);
-}
-
-static_assert(field_count<JointInfo>() == 25, "JointInfo has another member: if definitions set it, and not steps, "
-                                              "moving_part, serialize_joints and serialize_defined_joints name it");
-static_assert(field_count<JointAxes>() == 2, "JointAxes has another member: archive it with states or with rules");
-
-// Without what a joint is defined by.
-JointInfo moving_part(const JointInfo& joint) {
-    JointInfo moving = joint;
-    moving.anchor_a = moving.anchor_b = moving.ground_a = moving.ground_b = {};
-    moving.frame_a = moving.frame_b = {};
-    return moving;
-}
-
-template <class Archive> void serialize_joints(Archive& archive, Joints& joints) {
-    std::vector<JointInfo> moving;
-    std::vector<std::array<JointAxisState, max_joint_axes>> states(joints.axes.size());
-    if constexpr (!Archive::reading) {
-        for (const JointInfo& joint : joints.info) moving.push_back(moving_part(joint));
-        for (std::size_t i = 0; i < states.size(); ++i)
-            std::copy_n(joints.axes[i].states, max_joint_axes, states[i].begin());
-    }
-    archive(moving), archive(states);
-    if constexpr (Archive::reading) {
-        if (moving.size() != joints.info.size() || states.size() != joints.axes.size()) throw_damaged();
-        for (std::size_t i = 0; i < moving.size(); ++i) {
-            const JointInfo defined = joints.info[i];
-            JointInfo& joint = joints.info[i] = moving[i];
-            joint.anchor_a = defined.anchor_a, joint.anchor_b = defined.anchor_b;
-            joint.ground_a = defined.ground_a, joint.ground_b = defined.ground_b;
-            joint.frame_a = defined.frame_a, joint.frame_b = defined.frame_b;
-        }
-        for (std::size_t i = 0; i < states.size(); ++i)
-            std::copy_n(states[i].begin(), max_joint_axes, joints.axes[i].states);
-    }
-}
-
-// What the last step has counted; the rest of the statistics follows from the state. Times are of one run.
-CAIRN_ARCHIVES_MEMBERS(21, Statistics);
-template <class Archive> void serialize_counters(Archive& archive, State& s) {
-    archive(s.steps), archive(s.time), archive(s.clamped_speeds);
-    archive(s.statistics.tested_pairs), archive(s.statistics.max_penetration), archive(s.statistics.swept_pairs);
-    archive(s.statistics.impacts), archive(s.statistics.stopped_bodies);
-    archive(s.events.ends.next), serialize_fields(archive, s.events.triggers.next);
-    serialize_fields(archive, s.events.joints.next), serialize_fields(archive, s.events.sleeps.next);
-}
-
-// `size_so_far()`, to measure the parts by when writing.
-template <class Archive, class F> void serialize_state(Archive& archive, State& s, Header& header, F&& size_so_far) {
-    std::size_t last = size_so_far();
-    auto part = [&](std::uint64_t& size) {
-        const std::size_t now = size_so_far();
-        size = now - last;
-        last = now;
-    };
-    serialize_bodies(archive, s.bodies, s.shapes, s.islands), part(header.bodies);
-    serialize_contacts(archive, s.contacts), part(header.contacts);
-    serialize_joints(archive, s.joints), part(header.joints);
-    s.broad_phase.serialize(archive), part(header.broad_phase);
-    serialize_counters(archive, s);
 }
 
 // --- what they do not change
@@ -258,11 +154,33 @@ void World::Impl::set_shapes(const std::vector<Shape>& shapes) {
     for (const Shape& shape : shapes) s.shapes.data.push_back(make_shape_data(shape));
 }
 
+std::unique_ptr<World::Impl> World::Impl::defined_by(const std::shared_ptr<const SnapshotDefinitions>& definitions,
+                                                     const WorldDef& settings) {
+    auto fresh = std::make_unique<Impl>(settings);
+    ArchiveReader defined(definitions->bytes.data(), definitions->bytes.size());
+    serialize_definitions(defined, *fresh);
+    fresh->set_shapes(definitions->shapes);
+    fresh->last_definitions = definitions;
+    return fresh;
+}
+
+void World::Impl::take_over(Impl& other) {
+    if (other.failed_call) { // half way through a step, whose memory is in no order
+        step.thread_pool = std::move(other.step.thread_pool);
+    } else {
+        step = std::move(other.step);
+        step.forget_world();
+    }
+    listener = std::move(other.listener);
+    command_bytes = std::move(other.command_bytes);
+}
+
 std::shared_ptr<const SnapshotDefinitions> World::Impl::definitions() {
+    const std::lock_guard lock(last_definitions_mutex);
+    if (are_definitions_known) return last_definitions;
     auto now = std::make_shared<SnapshotDefinitions>();
     ArchiveWriter archive(now->bytes);
     serialize_definitions(archive, *this); // a writer changes nothing
-    const std::lock_guard lock(last_definitions_mutex);
     const bool is_unchanged =
         last_definitions && last_definitions->bytes == now->bytes &&
         std::equal(shape_of.begin(), shape_of.end(), last_definitions->shapes.begin(), last_definitions->shapes.end(),
@@ -271,6 +189,7 @@ std::shared_ptr<const SnapshotDefinitions> World::Impl::definitions() {
         now->shapes = shape_of;
         last_definitions = std::move(now);
     }
+    are_definitions_known = true;
     return last_definitions;
 }
 
@@ -282,7 +201,13 @@ Snapshot World::save() const {
     Header header;
     snapshot.bytes.resize(sizeof header);
     ArchiveWriter archive(snapshot.bytes);
-    serialize_state(archive, impl_->state, header, [&] { return snapshot.bytes.size(); }); // changes nothing
+    std::size_t last = snapshot.bytes.size();
+    std::array<std::uint64_t, 5> sizes{};
+    serialize_state(archive, impl_->state, [&](StatePart part) { // changes nothing
+        sizes[std::size_t(part)] = snapshot.bytes.size() - last;
+        last = snapshot.bytes.size();
+    });
+    header.bodies = sizes[0], header.contacts = sizes[1], header.joints = sizes[2], header.broad_phase = sizes[3];
     header.magic = magic;
     header.layout = layout();
     header.definitions = hash_of(snapshot.definitions->bytes);
@@ -318,25 +243,38 @@ SnapshotSizes Snapshot::sizes() const {
 
 void World::restore(const Snapshot& snapshot) {
     impl_->require_idle("World::restore");
+    impl_->require_not_telling("World::restore");
     Header header = read_header(snapshot);
     if (checksum_of(header, snapshot.bytes) != header.checksum) throw_damaged();
     const std::shared_ptr<const SnapshotDefinitions>& definitions = snapshot.definitions;
     if (!definitions || hash_of(definitions->bytes) != header.definitions)
         throw Error(ErrorCode::invalid_file, "Snapshot.definitions", "", "are not those of its bytes");
-    auto fresh = std::make_unique<Impl>(impl_->state.settings);
-    ArchiveReader defined(definitions->bytes.data(), definitions->bytes.size());
-    serialize_definitions(defined, *fresh);
-    fresh->set_shapes(definitions->shapes);
-    fresh->last_definitions = definitions;
+    std::unique_ptr<Impl> fresh = Impl::defined_by(definitions, impl_->state.settings);
     ArchiveReader reader(snapshot.bytes.data() + sizeof header, snapshot.bytes.size() - sizeof header);
-    serialize_state(reader, fresh->state, header, [] { return 0; });
-    if (impl_->failed_call) { // half way through a step, whose memory is in no order
-        fresh->step.thread_pool = std::move(impl_->step.thread_pool);
-    } else {
-        fresh->step = std::move(impl_->step);
-        fresh->step.forget_world();
-    }
+    serialize_state(reader, fresh->state, [](StatePart) {});
+    impl_->tell(commands::world_restore, snapshot);
+    fresh->take_over(*impl_);
     impl_ = std::move(fresh);
+}
+
+// What a ring of snapshots has. Where the definitions are still the same, the state alone is put in place.
+void World::restore_image(const StateImage& image, const std::shared_ptr<const SnapshotDefinitions>& definitions) {
+    const bool in_place = !impl_->listener && !impl_->failed_call && impl_->definitions() == definitions;
+    if (in_place) {
+        Impl::Restoring restoring(*impl_);
+        ImageReader reader(image);
+        serialize_state(reader, impl_->state, [](StatePart) {});
+        impl_->state.events.forget();
+        ++impl_->state.joints.changes; // what was found out about joints was so in another state
+        return restoring.end();
+    }
+    World made;
+    made.impl_ = Impl::defined_by(definitions, impl_->state.settings);
+    ImageReader reader(image);
+    serialize_state(reader, made.impl_->state, [](StatePart) {});
+    if (impl_->listener) return restore(made.save());
+    made.impl_->take_over(*impl_);
+    impl_ = std::move(made.impl_);
 }
 
 } // namespace cairn

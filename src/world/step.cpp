@@ -62,14 +62,18 @@ int split_step(StepPasses& passes, float whirl, float dt) {
 } // namespace
 
 void World::step(float dt) {
-    Impl::Change change(*impl_, "World::step");
+    Impl::Change change(*impl_, commands::world_step, dt);
     if (!(dt > 0) || !std::isfinite(dt)) refuse("World::step dt", to_text(dt), "must be finite and > 0");
-    State& state = impl_->state;
-    StepScratch& step = impl_->step;
+    change.begin();
+    impl_->make_step(dt);
+    if (impl_->listener) impl_->listener->on_step(*this);
+}
+
+void World::Impl::make_step(float dt) {
     StageTimes& times = state.statistics.times;
     StageClock clock;
-    const Busy busy(impl_->stepping);
-    change.begin();
+    const Busy busy(stepping);
+    if (!state.bodies.dead.empty() || !state.shapes.dead.empty()) are_definitions_known = false; // slots come free
     state.events.begin_step();
     times = {};
     state.statistics.swept_pairs = state.statistics.impacts = state.statistics.stopped_bodies = 0;
@@ -96,7 +100,7 @@ void World::step(float dt) {
         wake_around_moving_planes(state.bodies, state.shapes, state.islands, state.broad_phase, state.events);
         state.statistics.max_penetration = report_contacts(state.bodies, state.shapes, state.contacts, state.islands,
                                                            state.events, state.settings, step, pass_dt);
-        impl_->break_joints();
+        break_joints();
         if (update_sleep(state.bodies, state.contacts, state.islands, state.joints, state.settings, state.events,
                          step.solved, step.solver))
             settle_sleeping_contacts(state.bodies, state.contacts, state.islands, step.solved);

@@ -37,6 +37,11 @@ template <class Id> std::uint32_t checked_index(const char* field, Id id, const 
     return id.index();
 }
 
+void wake_all(State& s) {
+    for (std::size_t i = 0; i < s.islands.all.size(); ++i)
+        if (s.islands.all[i].in_use) wake_island(s.bodies, s.islands, s.events, std::int32_t(i));
+}
+
 } // namespace
 
 World::Impl::Impl(const WorldDef& def) {
@@ -86,23 +91,23 @@ void World::throw_moved_from() {
 const WorldDef& World::settings() const { return impl_->state.settings; }
 
 void World::set_settings(const WorldDef& def) {
-    Impl::Change change(*impl_, "World::set_settings");
+    Impl::Change change(*impl_, commands::world_set_settings, def);
     validate(def);
     State& s = impl_->state;
     const bool wakes = def.gravity != s.settings.gravity || (s.settings.enable_sleep && !def.enable_sleep);
     change.begin();
     s.settings = def;
     if (!wakes) return;
-    for (std::size_t i = 0; i < s.islands.all.size(); ++i)
-        if (s.islands.all[i].in_use) wake_island(s.bodies, s.islands, s.events, std::int32_t(i));
+    wake_all(s);
     for (BodyLinks& body : s.bodies.links) body.quiet_time = 0;
 }
 
 void World::set_threads(int count) {
-    Impl::Change change(*impl_, "World::set_threads");
+    Impl::Change change(*impl_, commands::world_set_threads, count);
     if (count < 1 || count > ThreadPool::max_threads)
         refuse("World::set_threads count", std::to_string(count), "must be 1 to 256");
     if (count == threads()) return;
+    change.begin();
     try {
         impl_->step.thread_pool = std::make_unique<ThreadPool>(count);
     } catch (const std::system_error& error) {
@@ -118,7 +123,7 @@ int hardware_threads() noexcept {
 int World::threads() const { return impl_->step.thread_pool->threads(); }
 
 BodyId World::create_body(const BodyDef& def) {
-    Impl::Change change(*impl_, "World::create_body");
+    Impl::Change change(*impl_, commands::world_create_body, def);
     validate(def);
     State& s = impl_->state;
     require_slot(s.bodies.slots, "World::create_body");
@@ -167,7 +172,7 @@ BodyId World::create_body(const BodyDef& def) {
 }
 
 void World::destroy_body(BodyId id) {
-    Impl::Change change(*impl_, "World::destroy_body");
+    Impl::Change change(*impl_, commands::world_destroy_body, id);
     const std::int32_t b = impl_->index_of(id);
     State& s = impl_->state;
     StepScratch& step = impl_->step;
@@ -215,38 +220,36 @@ std::optional<BodyId> World::find_body(std::string_view name) const {
 }
 
 ForceFieldId World::add_force_field(const ForceField& field) {
-    Impl::Change change(*impl_, "World::add_force_field");
+    Impl::Change change(*impl_, commands::world_add_force_field, field);
     validate(field);
     State& s = impl_->state;
     require_slot(s.fields.slots, "World::add_force_field");
     change.begin();
     const std::uint32_t i = s.fields.slots.create();
     make_room(s.fields.all, i);
-    const ForceFieldId id = s.fields.slots.id(i);
-    set_force_field(id, field);
-    return id;
+    s.fields.all[i] = field;
+    wake_all(s);
+    return s.fields.slots.id(i);
 }
 
 void World::set_force_field(ForceFieldId id, const ForceField& field) {
-    Impl::Change change(*impl_, "World::set_force_field");
+    Impl::Change change(*impl_, commands::world_set_force_field, id, field);
     const std::uint32_t i = impl_->index_of(id);
     validate(field);
     State& s = impl_->state;
     change.begin();
     s.fields.all[i] = field;
-    for (std::size_t k = 0; k < s.islands.all.size(); ++k)
-        if (s.islands.all[k].in_use) wake_island(s.bodies, s.islands, s.events, std::int32_t(k));
+    wake_all(s);
 }
 
 void World::remove_force_field(ForceFieldId id) {
-    Impl::Change change(*impl_, "World::remove_force_field");
+    Impl::Change change(*impl_, commands::world_remove_force_field, id);
     const std::uint32_t i = impl_->index_of(id);
     State& s = impl_->state;
     change.begin();
     s.fields.slots.kill(i);
     s.fields.slots.recycle(i);
-    for (std::size_t k = 0; k < s.islands.all.size(); ++k)
-        if (s.islands.all[k].in_use) wake_island(s.bodies, s.islands, s.events, std::int32_t(k));
+    wake_all(s);
 }
 
 std::uint64_t World::step_count() const { return impl_->state.steps; }

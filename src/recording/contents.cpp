@@ -1,0 +1,210 @@
+#include "recording/contents.h"
+
+#include "recording/geometry_codec.h"
+#include "recording/log_format.h"
+
+#include <cairn/error.h>
+
+#include <algorithm>
+
+namespace cairn::recording {
+
+namespace {
+
+std::vector<std::byte> take_bytes(RecordReader& from) {
+    const std::span<const std::byte> bytes = as_bytes(from.take(from.leb128()));
+    return {bytes.begin(), bytes.end()};
+}
+
+// A snapshot and, if they are with it, its definitions.
+struct SnapshotMessage {
+    std::uint64_t number, definitions;
+    std::vector<std::byte> bytes, definition_bytes;
+    std::string_view shapes;
+};
+SnapshotMessage read_snapshot(std::string_view message, const std::string& where) {
+    RecordReader from(message, where);
+    SnapshotMessage result{};
+    result.number = from.leb128(), result.definitions = from.leb128();
+    result.bytes = take_bytes(from);
+    if (result.number == result.definitions) {
+        result.definition_bytes = take_bytes(from);
+        result.shapes = from.rest();
+    }
+    return result;
+}
+
+} // namespace
+
+Recording::Contents::Contents(InputBytes bytes)
+    : file(std::move(bytes)), log(file.channel(topic_log)), geometry(file.channel(topic_geometry)),
+      keyframe(file.channel(topic_keyframes)), snapshot(file.channel(topic_snapshots)) {
+    if (!log) {
+        if (!file.is_cut_off())
+            throw Error(ErrorCode::invalid_file, file.name(), "",
+                        "is an MCAP file, but has no " + std::string(topic_log));
+    }
+    const auto has = [&](std::size_t chunk, const std::optional<std::uint16_t>& channel) {
+        return channel && file.chunks()[chunk].channels.count(*channel) != 0;
+    };
+    const auto& values = file.metadata("cairn");
+    if (const auto found = values.find("source"); found != values.end()) info.source = found->second;
+    info.bytes = file.size(), info.whole_bytes = file.whole_bytes(), info.is_cut_off = file.is_cut_off();
+    for (std::size_t i = 0; i < file.chunks().size(); ++i) {
+        if (has(i, snapshot)) snapshot_chunks.push_back(i), info.keyframe_bytes += file.chunks()[i].size;
+        if (has(i, log) || has(i, geometry) || has(i, keyframe)) read_chunk(i);
+    }
+    std::erase_if(keyframes, [&](const Keyframe& k) { return k.snapshot >= snapshot_chunks.size(); }); // cut off
+    for (const Keyframe& k : keyframes) info.keyframes.push_back(k.step);
+}
+
+void Recording::Contents::read_chunk(std::size_t chunk) {
+    const std::string records = file.load(chunk);
+    std::size_t log_messages = 0;
+    log_chunks.push_back(chunk);
+    file.for_each_message(records, [&](const McapMessage& message) {
+        if (message.channel == log) {
+            read_batch(message.data);
+            ++log_messages;
+        } else if (message.channel == geometry) {
+            const std::string name = where("geometry");
+            RecordReader from(message.data, name);
+            const std::uint64_t number = from.leb128();
+            if (number != geometries.size())
+                throw Error(ErrorCode::invalid_file, name, std::to_string(number),
+                            "must have number " + std::to_string(geometries.size()));
+            geometries.push_back({chunk, std::size_t(from.rest().data() - records.data()), from.rest().size()});
+        } else if (message.channel == keyframe) {
+            read_keyframe(message.data, log_messages);
+        }
+    });
+}
+
+void Recording::Contents::read_batch(std::string_view message) {
+    const std::string name = where("log");
+    BatchReader batch(message, name);
+    if (batch.first_step() != info.steps)
+        throw Error(ErrorCode::invalid_file, name, std::to_string(batch.first_step()),
+                    "must go on after " + std::to_string(info.steps) + " steps");
+    for (;;) {
+        const LogEntry entry = batch.next();
+        if (entry.kind == LogEntry::Kind::end) break;
+        if (entry.kind == LogEntry::Kind::digest) continue;
+        const std::string call(command_name(entry.command));
+        if (info.commands.empty()) info.is_from_start = call != "World::restore";
+        ++info.commands[call.empty() ? "unknown" : call];
+        if (!is_step(entry.command)) continue;
+        if (runs.empty() || runs.back().length != step_length(entry.command))
+            runs.push_back({info.steps, info.seconds, step_length(entry.command)});
+        ++info.steps;
+        info.seconds += double(step_length(entry.command));
+    }
+}
+
+void Recording::Contents::read_keyframe(std::string_view message, std::size_t log_messages) {
+    const std::string name = where("keyframe");
+    RecordReader from(message, name);
+    Keyframe k{from.leb128(), from.leb128(), log_chunks.size() - 1, log_messages};
+    if (k.step != info.steps)
+        throw Error(ErrorCode::invalid_file, name, std::to_string(k.step),
+                    "must stand after as many steps as it says, not " + std::to_string(info.steps));
+    keyframes.push_back(k);
+}
+
+LogEntry BatchReader::next() {
+    LogEntry entry;
+    if (from_.is_empty()) return entry;
+    const std::uint64_t size = from_.leb128();
+    if (size == 0) {
+        entry.kind = LogEntry::Kind::digest;
+        for (std::uint64_t& sum : entry.digest.sums) sum = from_.number<std::uint64_t>();
+        return entry;
+    }
+    entry.kind = LogEntry::Kind::command;
+    entry.command = as_bytes(from_.take(size));
+    return entry;
+}
+
+void LogCursor::move_to(std::size_t chunk, std::size_t message) {
+    entry_.reset(), batch_.reset(), messages_.clear();
+    chunk_ = chunk;
+    message_ = 0;
+    if (message == 0) return;
+    records_ = contents_.file.load(contents_.log_chunks[chunk_++]);
+    contents_.file.for_each_message(records_, [&](const McapMessage& m) {
+        if (m.channel == contents_.log) messages_.push_back(m.data);
+    });
+    message_ = message;
+}
+
+const LogEntry& LogCursor::peek() {
+    while (!entry_) {
+        if (batch_) {
+            const LogEntry entry = batch_->next();
+            if (entry.kind == LogEntry::Kind::end)
+                batch_.reset();
+            else
+                entry_ = entry;
+        } else if (message_ < messages_.size()) {
+            batch_.emplace(messages_[message_++], what_);
+        } else if (chunk_ < contents_.log_chunks.size()) {
+            messages_.clear();
+            message_ = 0;
+            records_ = contents_.file.load(contents_.log_chunks[chunk_++]);
+            contents_.file.for_each_message(records_, [&](const McapMessage& m) {
+                if (m.channel == contents_.log) messages_.push_back(m.data);
+            });
+        } else {
+            entry_.emplace();
+        }
+    }
+    return *entry_;
+}
+
+const Shape& Parts::shape(std::uint64_t number) {
+    const std::string name = contents_.where("geometry " + std::to_string(number));
+    if (number >= shapes_.size()) throw Error(ErrorCode::invalid_file, name, "", "is not in the recording");
+    std::optional<Shape>& shape = shapes_[std::size_t(number)];
+    if (!shape) {
+        const Recording::Contents::GeometryPlace& place = contents_.geometries[std::size_t(number)];
+        const std::string records = contents_.file.load(place.chunk);
+        shape = decode_geometry(std::string_view(records).substr(place.offset, place.size), name);
+    }
+    return *shape;
+}
+
+std::string Parts::snapshot_message(std::uint64_t number) const {
+    const std::string name = contents_.where("snapshot " + std::to_string(number));
+    if (number >= contents_.snapshot_chunks.size())
+        throw Error(ErrorCode::invalid_file, name, "", "is not in the recording");
+    const std::string records = contents_.file.load(contents_.snapshot_chunks[std::size_t(number)]);
+    std::string message;
+    contents_.file.for_each_message(records, [&](const McapMessage& m) {
+        if (m.channel == contents_.snapshot) message = m.data;
+    });
+    return message;
+}
+
+std::shared_ptr<const SnapshotDefinitions> Parts::definitions(std::uint64_t number) {
+    const std::string name = contents_.where("snapshot " + std::to_string(number));
+    const std::string message = snapshot_message(number);
+    std::shared_ptr<const SnapshotDefinitions>& kept = definitions_[std::size_t(number)];
+    if (kept) return kept;
+    SnapshotMessage read = read_snapshot(message, name);
+    if (read.number != number || read.definitions != number)
+        throw Error(ErrorCode::invalid_file, name, "", "must have definitions, and its own number");
+    auto made = std::make_shared<SnapshotDefinitions>();
+    made->bytes = std::move(read.definition_bytes);
+    made->shapes = decode_shapes(as_bytes(read.shapes), *this);
+    return kept = std::move(made);
+}
+
+const Snapshot& Parts::snapshot(std::uint64_t number) {
+    const std::string message = snapshot_message(number);
+    SnapshotMessage read = read_snapshot(message, contents_.where("snapshot " + std::to_string(number)));
+    snapshot_.definitions = definitions(read.definitions);
+    snapshot_.bytes = std::move(read.bytes);
+    return snapshot_;
+}
+
+} // namespace cairn::recording

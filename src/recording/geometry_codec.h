@@ -1,0 +1,20 @@
+// Hulls, meshes and height fields as bytes.
+#pragma once
+
+#include <cairn/shape.h>
+
+#include <string>
+#include <string_view>
+
+namespace cairn::recording {
+
+// `shape` must be a Hull, Mesh or HeightField; the rounding of a hull is not part of its geometry.
+std::string encode_geometry(const Shape& shape);
+
+// Throws Error(invalid_file), or what the shape's constructor throws. `what`: of messages.
+Shape decode_geometry(std::string_view bytes, const std::string& what);
+
+// What copies of a shape share; null for those that share nothing.
+std::shared_ptr<const void> shared_geometry(const Shape& shape);
+
+} // namespace cairn::recording

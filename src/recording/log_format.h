@@ -1,0 +1,50 @@
+// What the messages of a recording are, and the names of its channels.
+#pragma once
+
+#include <cairn/commands.h>
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace cairn::recording {
+
+inline constexpr std::string_view topic_log = "/cairn/commands", topic_geometry = "/cairn/geometry",
+                                  topic_keyframes = "/cairn/keyframes", topic_snapshots = "/cairn/snapshots",
+                                  log_encoding = "cairn1";
+
+// In the file, for who reads it without Cairn.
+inline constexpr std::string_view parts_encoding =
+    R"json({"encoding": "cairn parts, version 1",
+"numbers": "LEB128; of fixed size (u32, u64) and floats: little endian",
+"/cairn/commands": [
+"number of steps before it",
+"then again and again: size of a command, the command; after each step: 0, and the digest of the state, 4 of u64"],
+"/cairn/geometry": [
+"number",
+"a byte: 0 hull, 1 mesh, 2 height field",
+"hull: count, vertices of 3 floats in m",
+"mesh: count, vertices of 3 floats in m; count, indices",
+"height field: columns, rows of u32; spacing, 2 floats in m; count, heights, floats in m"],
+"/cairn/keyframes": ["number of steps before it", "number of its snapshot"],
+"/cairn/snapshots": [
+"number",
+"number of the snapshot that has its definitions",
+"size, bytes of the state",
+"of one that has definitions: size, bytes, and the shapes as a list of Shape"]
+})json";
+
+// A step among commands: its number, and the length as a float.
+inline constexpr std::size_t step_command_size = 5;
+inline bool is_step(std::span<const std::byte> command) {
+    return command.size() == step_command_size && command_name(command) == "World::step";
+}
+inline float step_length(std::span<const std::byte> command) {
+    std::uint32_t bits = 0;
+    for (std::size_t i = 0; i < 4; ++i) bits |= std::uint32_t(command[i + 1]) << (8 * i);
+    return std::bit_cast<float>(bits);
+}
+
+} // namespace cairn::recording

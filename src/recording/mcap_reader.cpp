@@ -1,0 +1,188 @@
+#include "recording/mcap_reader.h"
+
+#include <cairn/error.h>
+
+#include <zstd.h>
+
+#include <algorithm>
+
+namespace cairn::recording {
+
+namespace {
+
+// Bytes: more than any writer gathers before it writes; what claims to be larger is damaged.
+constexpr std::uint64_t largest_chunk = std::uint64_t{1} << 31;
+constexpr std::uint64_t footer_size = record_start + 8 + 8 + 4;
+
+[[noreturn]] void damaged(const std::string& where, const std::string& value, const std::string& expected) {
+    throw Error(ErrorCode::invalid_file, where, value, expected);
+}
+
+} // namespace
+
+McapReader::McapReader(InputBytes bytes) : bytes_(std::move(bytes)), what_(bytes_.name()) {
+    const std::uint64_t magic = mcap_magic.size();
+    if (bytes_.size() < magic || bytes_.read(0, magic) != mcap_magic)
+        damaged(what_, "", "is no recording: it does not begin as MCAP files do");
+    if (read_index()) {
+        whole_bytes_ = bytes_.size();
+    } else {
+        is_cut_off_ = true;
+        scan();
+    }
+}
+
+// False if the file does not end as a whole one does.
+bool McapReader::read_index() {
+    const std::uint64_t magic = mcap_magic.size(), end = footer_size + magic;
+    if (bytes_.size() < magic + end || bytes_.read(bytes_.size() - magic, magic) != mcap_magic) return false;
+    const std::uint64_t footer_at = bytes_.size() - end;
+    const std::string footer = record_at(footer_at, footer_size, Opcode::footer);
+    RecordReader fields(footer, what_);
+    const auto summary_start = fields.number<std::uint64_t>();
+    fields.number<std::uint64_t>(); // where the offsets of the summary start
+    const auto checksum = fields.number<std::uint32_t>();
+    if (summary_start == 0) return false; // a writer that makes no index
+    if (summary_start < magic || summary_start > footer_at)
+        damaged(what_ + ": footer: summary_start", std::to_string(summary_start), "must lie within the file");
+    const std::string summary = bytes_.read(summary_start, footer_at + footer_size - summary_start);
+    if (checksum != 0 && crc32(std::string_view(summary).substr(0, summary.size() - 4)) != checksum)
+        damaged(what_ + ": summary", "", "is damaged: its checksum does not fit");
+    RecordReader records(std::string_view(summary).substr(0, std::size_t(footer_at - summary_start)), what_);
+    while (!records.is_empty()) {
+        const auto opcode = Opcode(records.number<std::uint8_t>());
+        const std::string_view content = records.take(records.number<std::uint64_t>());
+        RecordReader record(content, what_);
+        if (opcode == Opcode::channel) add_record(opcode, content, 0, 0);
+        if (opcode == Opcode::chunk_index) {
+            ChunkPlace place;
+            record.take(8 + 8); // times
+            place.offset = record.number<std::uint64_t>();
+            place.size = record.number<std::uint64_t>();
+            if (place.size < record_start || place.offset > bytes_.size() || place.size > bytes_.size() - place.offset)
+                damaged(what_ + ": chunk index", std::to_string(place.offset), "must lead to a place within the file");
+            RecordReader offsets(record.text(), what_);
+            while (!offsets.is_empty()) {
+                place.channels.insert(offsets.number<std::uint16_t>());
+                offsets.number<std::uint64_t>();
+            }
+            chunks_.push_back(std::move(place));
+        }
+        if (opcode == Opcode::metadata_index) {
+            const auto offset = record.number<std::uint64_t>(), size = record.number<std::uint64_t>();
+            read_metadata(record_at(offset, size, Opcode::metadata));
+        }
+    }
+    std::sort(chunks_.begin(), chunks_.end(),
+              [](const ChunkPlace& a, const ChunkPlace& b) { return a.offset < b.offset; });
+    return true;
+}
+
+// All records that are whole, from the start.
+void McapReader::scan() {
+    std::uint64_t at = mcap_magic.size();
+    whole_bytes_ = at;
+    while (bytes_.size() - at >= record_start) {
+        const std::string start = bytes_.read(at, record_start);
+        RecordReader fields(start, what_);
+        const auto opcode = Opcode(fields.number<std::uint8_t>());
+        const auto size = fields.number<std::uint64_t>();
+        if (size > bytes_.size() - at - record_start) break;
+        const bool is_read = opcode == Opcode::channel || opcode == Opcode::metadata || opcode == Opcode::message_index;
+        add_record(opcode, is_read ? bytes_.read(at + record_start, size) : std::string(), at, record_start + size);
+        at += record_start + size;
+        whole_bytes_ = at;
+        if (opcode == Opcode::data_end) break;
+    }
+    for (std::size_t i = 0; i < chunks_.size(); ++i) { // the last one may have lost the index that follows it
+        if (i + 1 < chunks_.size() && !chunks_[i].channels.empty()) continue;
+        const std::string records = load(i);
+        for_each_message(records, [&](const McapMessage& m) { chunks_[i].channels.insert(m.channel); });
+    }
+}
+
+void McapReader::add_record(Opcode opcode, std::string_view content, std::uint64_t offset, std::uint64_t size) {
+    RecordReader record(content, what_);
+    if (opcode == Opcode::channel) {
+        const auto id = record.number<std::uint16_t>();
+        record.number<std::uint16_t>(); // its schema
+        channels_.emplace(record.text(), id);
+    }
+    if (opcode == Opcode::metadata) read_metadata(content);
+    if (opcode == Opcode::chunk) chunks_.push_back({offset, size, {}});
+    if (opcode == Opcode::message_index && !chunks_.empty())
+        chunks_.back().channels.insert(record.number<std::uint16_t>());
+}
+
+void McapReader::read_metadata(std::string_view content) {
+    RecordReader record(content, what_);
+    std::map<std::string, std::string>& values = metadata_[std::string(record.text())];
+    RecordReader pairs(record.text(), what_);
+    while (!pairs.is_empty()) {
+        std::string key(pairs.text());
+        values[std::move(key)] = pairs.text();
+    }
+}
+
+// The content of a record, which must be one of that kind.
+std::string McapReader::record_at(std::uint64_t offset, std::uint64_t size, Opcode opcode) const {
+    const std::string where = what_ + ": record at byte " + std::to_string(offset);
+    if (size < record_start || offset > bytes_.size() || size > bytes_.size() - offset)
+        damaged(where, "", "must lie within the file");
+    std::string record = bytes_.read(offset, size);
+    RecordReader fields(record, what_);
+    const auto found = fields.number<std::uint8_t>();
+    if (Opcode(found) != opcode)
+        damaged(where, std::to_string(found), "must have opcode " + std::to_string(int(opcode)));
+    if (fields.number<std::uint64_t>() != size - record_start)
+        damaged(where, "", "has another length than its index says");
+    record.erase(0, record_start);
+    return record;
+}
+
+std::optional<std::uint16_t> McapReader::channel(std::string_view topic) const {
+    const auto found = channels_.find(topic);
+    return found == channels_.end() ? std::nullopt : std::optional(found->second);
+}
+
+const std::map<std::string, std::string>& McapReader::metadata(const std::string& name) const {
+    static const std::map<std::string, std::string> none;
+    const auto found = metadata_.find(name);
+    return found == metadata_.end() ? none : found->second;
+}
+
+std::string McapReader::unpacked(std::string_view compression, std::string_view records, std::uint64_t size,
+                                 const std::string& where) const {
+    if (size > largest_chunk) damaged(where, std::to_string(size) + " bytes", "must not be larger than 2 GiB");
+    if (compression.empty()) {
+        if (records.size() != size) damaged(where, std::to_string(records.size()), "has another size than it says");
+        return std::string(records);
+    }
+    if (compression != "zstd")
+        throw Error(ErrorCode::unsupported, where, std::string(compression),
+                    "must be compressed by zstd, or not at all");
+    // What is claimed gets memory only if the compressed bytes say the same: they cannot be that much fewer.
+    if (ZSTD_getFrameContentSize(records.data(), records.size()) != size)
+        damaged(where, "", "has another size than its compressed bytes say");
+    std::string result(std::size_t(size), '\0');
+    const std::size_t count = ZSTD_decompress(result.data(), result.size(), records.data(), records.size());
+    if (ZSTD_isError(count) != 0 || count != result.size())
+        damaged(where, ZSTD_isError(count) != 0 ? ZSTD_getErrorName(count) : "", "cannot be decompressed");
+    return result;
+}
+
+std::string McapReader::load(std::size_t chunk) const {
+    const ChunkPlace& place = chunks_[chunk];
+    const std::string where = what_ + ": chunk at byte " + std::to_string(place.offset);
+    const std::string content = record_at(place.offset, place.size, Opcode::chunk);
+    RecordReader fields(content, where);
+    fields.take(8 + 8); // times
+    const auto size = fields.number<std::uint64_t>();
+    const auto checksum = fields.number<std::uint32_t>();
+    const std::string_view compression = fields.text();
+    std::string records = unpacked(compression, fields.take(fields.number<std::uint64_t>()), size, where);
+    if (checksum != 0 && crc32(records) != checksum) damaged(where, "", "is damaged: its checksum does not fit");
+    return records;
+}
+
+} // namespace cairn::recording

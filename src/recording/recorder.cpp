@@ -1,0 +1,198 @@
+#include "recording/recorder.h"
+
+#include "recording/geometry_codec.h"
+#include "recording/log_format.h"
+#include "recording/mcap_writer.h"
+
+#include <cairn/error.h>
+#include <cairn/world.h>
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <exception>
+#include <optional>
+#include <unordered_map>
+
+namespace cairn::recording {
+
+namespace {
+
+constexpr std::size_t batch_bytes = std::size_t{1} << 14, chunk_bytes = std::size_t{1} << 18;
+constexpr std::uint64_t batch_steps = 60, chunk_steps = 300;
+
+} // namespace
+
+class Recorder::Listener final : public CommandListener {
+  public:
+    Listener(const std::filesystem::path& path, const RecorderOptions& options)
+        : options_(options), file_(std::in_place, path, options.compress) {
+        if (!(options.keyframe_interval > 0) || !std::isfinite(options.keyframe_interval))
+            throw Error(ErrorCode::invalid_value, "RecorderOptions.keyframe_interval",
+                        std::to_string(options.keyframe_interval), "must be finite and > 0");
+        file_->metadata("cairn", {{"encoding", "1"}, {"source", options.source}});
+        const std::uint16_t commands = file_->add_schema("cairn.Commands", "cairn", command_encoding());
+        const std::uint16_t parts = file_->add_schema("cairn.Parts", "cairn", parts_encoding);
+        log_ = file_->add_channel(commands, topic_log, log_encoding);
+        geometry_ = file_->add_channel(parts, topic_geometry, log_encoding);
+        keyframes_ = file_->add_channel(parts, topic_keyframes, log_encoding);
+        snapshots_ = file_->add_channel(parts, topic_snapshots, log_encoding);
+    }
+
+    void on_command(std::span<const std::byte> command) override {
+        if (!file_) return;
+        try {
+            if (error_) std::rethrow_exception(error_);
+            if (log_chunk_.size() >= chunk_bytes || (is_step(command) && is_chunk_full())) write_chunks();
+            if (batch_.size() >= batch_bytes) end_batch();
+            if (batch_.empty()) append_leb128(batch_, steps_);
+            append_leb128(batch_, command.size());
+            batch_ += as_text(command);
+        } catch (...) {
+            file_.reset(); // with what is in it
+            throw;
+        }
+        if (is_step(command)) next_time_ = time_ + double(step_length(command));
+    }
+
+    void on_step(const World& world) noexcept override {
+        if (!file_ || error_) return;
+        try {
+            ++steps_;
+            batch_ += '\0'; // where the size of a command would stand: a digest follows
+            for (const std::uint64_t sum : world.state_digest().sums) RecordWriter(batch_).number(sum);
+            if (steps_ - batch_start_ >= batch_steps) end_batch();
+            time_ = next_time_;
+            if (is_keyframe_due()) add_keyframe(world);
+        } catch (...) {
+            error_ = std::current_exception(); // for the next command
+        }
+    }
+
+    std::uint64_t number_of(const Shape& shape) override {
+        std::shared_ptr<const void> data = shared_geometry(shape);
+        const auto [found, is_new] = geometry_numbers_.try_emplace(data.get(), geometry_numbers_.size());
+        if (is_new && file_) {
+            try {
+                geometry_kept_.push_back(std::move(data)); // or another one may get its address
+                std::string message;
+                append_leb128(message, found->second);
+                log_chunk_.add(geometry_, std::uint32_t(found->second), nanoseconds(),
+                               message + encode_geometry(shape));
+            } catch (...) {
+                geometry_numbers_.erase(found);
+                throw;
+            }
+        }
+        return found->second;
+    }
+
+    std::uint64_t number_of(const Snapshot& snapshot) override {
+        const std::uint64_t number = snapshot_count_++;
+        if (!file_) return number;
+        const bool has_definitions = snapshot.definitions != last_definitions_;
+        if (has_definitions) definitions_number_ = number;
+        std::string message;
+        append_leb128(message, number), append_leb128(message, definitions_number_);
+        append_leb128(message, snapshot.bytes.size());
+        message += as_text(snapshot.bytes);
+        if (has_definitions) {
+            append_leb128(message, snapshot.definitions->bytes.size());
+            message += as_text(snapshot.definitions->bytes);
+            message += as_text(encode_shapes(snapshot.definitions->shapes, *this));
+            last_definitions_ = snapshot.definitions;
+        }
+        snapshot_chunks_.emplace_back().add(snapshots_, std::uint32_t(number), nanoseconds(), message);
+        return number;
+    }
+
+    void close() {
+        if (!file_) return;
+        try {
+            if (error_) std::rethrow_exception(error_);
+            write_chunks();
+            file_->close();
+        } catch (...) {
+            file_.reset();
+            throw;
+        }
+        file_.reset();
+        geometry_kept_.clear();
+        last_definitions_.reset();
+    }
+
+    std::uint64_t steps() const { return steps_; }
+
+  private:
+    std::uint64_t nanoseconds() const { return std::uint64_t(std::llround(time_ * 1e9)); }
+    bool is_chunk_full() const { return steps_ - chunk_start_ >= chunk_steps || !snapshot_chunks_.empty(); }
+
+    void end_batch() {
+        if (batch_.empty()) return;
+        log_chunk_.add(log_, std::uint32_t(batch_start_), batch_time_, batch_);
+        batch_.clear();
+        batch_start_ = steps_;
+        batch_time_ = nanoseconds();
+    }
+
+    // The log comes first: a file that is cut off behind it lacks a keyframe, not what was done.
+    void write_chunks() {
+        end_batch();
+        file_->write(log_chunk_);
+        chunk_start_ = steps_;
+        for (McapWriter::Chunk& chunk : snapshot_chunks_) {
+            const std::uint64_t before = file_->bytes_written();
+            file_->write(chunk);
+            snapshot_bytes_ += file_->bytes_written() - before;
+        }
+        snapshot_chunks_.clear();
+    }
+
+    // The part of the budget that is left stretches the interval.
+    bool is_keyframe_due() const {
+        if (snapshot_bytes_ >= options_.keyframe_budget) return false;
+        const double left = 1.0 - double(snapshot_bytes_) / double(options_.keyframe_budget);
+        return (time_ - keyframe_time_) * left >= options_.keyframe_interval;
+    }
+    void add_keyframe(const World& world) {
+        end_batch();
+        std::string message;
+        append_leb128(message, steps_);
+        append_leb128(message, number_of(world.save()));
+        log_chunk_.add(keyframes_, std::uint32_t(steps_), nanoseconds(), message);
+        keyframe_time_ = time_;
+    }
+
+    RecorderOptions options_;
+    std::optional<McapWriter> file_; // absent: closed
+    std::exception_ptr error_;       // of a step that could not be recorded
+    std::uint16_t log_ = 0, geometry_ = 0, keyframes_ = 0, snapshots_ = 0;
+
+    std::string batch_;
+    std::uint64_t steps_ = 0, batch_start_ = 0, chunk_start_ = 0, batch_time_ = 0;
+    double time_ = 0, next_time_ = 0, keyframe_time_ = 0; // s since the recording began
+    McapWriter::Chunk log_chunk_;
+    std::vector<McapWriter::Chunk> snapshot_chunks_;
+    std::uint64_t snapshot_bytes_ = 0;
+
+    std::unordered_map<const void*, std::uint64_t> geometry_numbers_;
+    std::vector<std::shared_ptr<const void>> geometry_kept_;
+    std::uint64_t snapshot_count_ = 0, definitions_number_ = 0;
+    std::shared_ptr<const SnapshotDefinitions> last_definitions_;
+};
+
+Recorder::Recorder(const std::filesystem::path& path, const RecorderOptions& options)
+    : listener_(std::make_shared<Listener>(path, options)) {}
+
+Recorder::~Recorder() {
+    try {
+        close();
+    } catch (const std::exception&) { // as the header says
+    }
+}
+
+std::shared_ptr<CommandListener> Recorder::listener() const { return listener_; }
+void Recorder::close() { listener_->close(); }
+std::uint64_t Recorder::steps() const { return listener_->steps(); }
+
+} // namespace cairn::recording

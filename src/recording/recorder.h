@@ -1,0 +1,61 @@
+/// \file recorder.h
+/// Recordings: all that was done to a world, in a file that plays back with the same bits on any machine.
+///
+///     cairn::recording::Recorder recorder("run.mcap");
+///     world.set_command_listener(recorder.listener());
+///     for (int i = 0; i < 600; ++i) world.step(1 / 60.0f);
+///     recorder.close();
+///
+/// docs/recordings.md describes the file. What is done to a world is recorded; where the computing of it leads is not,
+/// but for a digest of the state after each step.
+#pragma once
+
+#include <cairn/commands.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace cairn::recording {
+
+/// How a world is recorded.
+struct RecorderOptions {
+    bool compress = true; ///< By zstd.
+    /// s of simulated time from one keyframe to the next, > 0. A keyframe is the whole state, to go to any moment
+    /// without beginning from the start. They come more seldom as their budget is used up.
+    double keyframe_interval = 2.0;
+    std::size_t keyframe_budget = std::size_t{64} << 20; ///< Bytes in the file for all of them; 0: none.
+    std::string source{};                                ///< What is recorded, for people: the name of a scene.
+};
+
+/// Writes what a world does to a file. A world has one listener: one recorder at a time. The recorder may end before or
+/// after the world.
+class Recorder {
+  public:
+    /// Opens the file, and replaces what is there. Throws `Error`: io, invalid_value.
+    explicit Recorder(const std::filesystem::path& path, const RecorderOptions& options = {});
+    /// As `close`, but what cannot be written is lost in silence: call `close` to know.
+    ~Recorder();
+    Recorder(const Recorder&) = delete;
+    Recorder& operator=(const Recorder&) = delete;
+
+    /// For `World::set_command_listener`: recording begins there. Of a world that is new and empty, everything is in
+    /// the file, and any build of Cairn with the same arithmetic can replay it; of any other, the first command is a
+    /// snapshot, which other builds may refuse.
+    /// Where the file cannot be written, the call that changes the world throws `Error` (io) and changes nothing; the
+    /// file then ends with what was written before, and later calls are not recorded.
+    std::shared_ptr<CommandListener> listener() const;
+
+    /// Ends the file. What is done later is not recorded. Throws `Error` (io). A second call does nothing.
+    void close();
+
+    std::uint64_t steps() const; ///< Recorded so far.
+
+  private:
+    class Listener;
+    std::shared_ptr<Listener> listener_;
+};
+
+} // namespace cairn::recording

@@ -1,0 +1,66 @@
+// Recordings to test with.
+#pragma once
+
+#include "random_changes.h"
+#include "recording/recorder.h"
+#include "recording/recording.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace cairn::test {
+
+// A file that is gone with the test.
+class TemporaryFile {
+  public:
+    explicit TemporaryFile(const std::string& extension) {
+        const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
+        std::string name = std::string("cairn_") + test->test_suite_name() + "_" + test->name() + extension;
+        for (char& c : name) c = c == '/' ? '_' : c;
+        path_ = std::filesystem::path(testing::TempDir()) / name;
+        std::filesystem::remove(path_);
+    }
+    ~TemporaryFile() { std::filesystem::remove(path_); }
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+    const std::filesystem::path& path() const { return path_; }
+    std::string bytes() const {
+        std::ifstream stream(path_, std::ios::binary);
+        return {std::istreambuf_iterator<char>(stream), {}};
+    }
+
+  private:
+    std::filesystem::path path_;
+};
+
+struct RecordedRun {
+    std::vector<std::uint64_t> hashes; // before the first step, and after each
+    std::string bytes;                 // of the file
+};
+
+// A run of random changes.
+inline RecordedRun record_changes(std::uint32_t seed, int changes, recording::RecorderOptions options = {}) {
+    const TemporaryFile file(".mcap");
+    RecordedRun run;
+    options.source = "random changes";
+    recording::Recorder recorder(file.path(), options);
+    World world;
+    world.set_command_listener(recorder.listener());
+    RandomChanges random(seed);
+    random.populate(world);
+    run.hashes.push_back(world.state_hash());
+    for (int i = 0; i < changes; ++i) {
+        const std::uint64_t before = recorder.steps();
+        random.change(world);
+        if (recorder.steps() > before) run.hashes.push_back(world.state_hash());
+    }
+    recorder.close();
+    run.bytes = file.bytes();
+    return run;
+}
+
+} // namespace cairn::test
