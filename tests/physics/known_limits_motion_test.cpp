@@ -67,7 +67,7 @@ TEST(KnownLimits, DiskThatRollsOnItsRimLosesEnergy) {
 }
 
 // Rods of 1 m on a hinge at one end, which turn at 50 rad/s towards a pole of 1 cm: how many of 200 go on beyond it.
-TEST(KnownLimits, RodOnAHingePassesAPole) {
+TEST(Impacts, RodOnAHingePassedAPole) {
     Random random(3);
     int passed = 0;
     for (int i = 0; i < 200; ++i) {
@@ -87,11 +87,11 @@ TEST(KnownLimits, RodOnAHingePassesAPole) {
         run(world, 1.0f / 60, 5);
         passed += double(world.joint_state(hinge).positions[0]) > angle + 0.3;
     }
-    EXPECT_LT(passed, 40) << "meant: none";
+    EXPECT_EQ(passed, 0);
 }
 
 // Kinematic paddles of 1 cm with tips at 30 m/s: how many of 200 leave a ball of 5 cm where it is.
-TEST(KnownLimits, PaddleThatTurnsPassesABall) {
+TEST(Impacts, PaddleThatTurnedPassedABall) {
     Random random(5);
     int passed = 0;
     for (int i = 0; i < 200; ++i) {
@@ -107,7 +107,7 @@ TEST(KnownLimits, PaddleThatTurnsPassesABall) {
         run(world, 1.0f / 60, 5); // 2.5 rad
         passed += glm::length(world.body(ball).linear_velocity()) < 1;
     }
-    EXPECT_LT(passed, 40) << "meant: none";
+    EXPECT_EQ(passed, 0);
 }
 
 // A brick that flies past another with 2 cm of air between balls around both: how many of 200 are deflected.
@@ -145,6 +145,49 @@ int deflected_with_joints(bool is_passed_one_jointed) {
 TEST(KnownLimits, WhatPassesSomethingOnJointsIsDeflected) {
     EXPECT_LT(deflected_with_joints(true), 24) << "meant: none";
     EXPECT_LT(deflected_with_joints(false), 24) << "meant: none";
+}
+
+// Eight boxes on hinges, every second of which is solved directly, the gap closed by a rope, lie on the ground and are
+// hit by a ball of a ton at 5 m/s: in how many of 20 runs one flies off more than four times as fast.
+int rings_that_fly_apart(JointSolver second) {
+    int apart = 0;
+    for (int k = 0; k < 20; ++k) {
+        World world;
+        add_ground(world, {});
+        std::vector<BodyId> ring;
+        for (int i = 0; i < 8; ++i) {
+            BodyDef def;
+            def.position = {0.8 * (i % 4), 3 + 0.9 * (i / 4), 0};
+            ring.push_back(add_body(world, Box{{0.35f, 0.1f, 0.2f}}, def));
+            if (i == 0) continue;
+            JointDef joint =
+                world.joint_at(ring[std::size_t(i - 1)], ring.back(), def.position, {0, 0, 1}, HingeJoint{});
+            joint.solver = i % 2 == 0 ? JointSolver::direct : second;
+            world.create_joint(joint);
+        }
+        DistanceJoint rope;
+        rope.distance.limits = JointRange{0, 1.5f, {}};
+        world.create_joint(world.joint_at(ring.front(), ring.back(), {0, 3, 0}, {1, 0, 0}, rope));
+        run(world, 1.0f / 60, 300);
+        BodyDef def;
+        def.position = {world.body(ring[0]).position().x - 4, 0.5 + 0.02 * k, 0.01 * k};
+        def.linear_velocity = {5, 0, 0};
+        ShapeDef shape;
+        shape.density = 2000;
+        world.add_shape(world.create_body(def), Sphere{0.5f}, shape);
+        float fastest = 0;
+        for (int i = 0; i < 120; ++i) {
+            world.step(1.0f / 60);
+            for (const BodyId box : ring) fastest = std::max(fastest, glm::length(world.body(box).linear_velocity()));
+        }
+        apart += fastest > 20;
+    }
+    return apart;
+}
+
+TEST(KnownLimits, JointsOfARingThatAreSolvedInTwoWaysFlyApart) {
+    EXPECT_GT(rings_that_fly_apart(JointSolver::automatic), 0) << "meant: none; then this is no limit any more";
+    EXPECT_EQ(rings_that_fly_apart(JointSolver::direct), 0);
 }
 
 // Bricks that are dropped spinning, without friction and restitution: the greatest rise of the energy of any of 40

@@ -128,7 +128,8 @@ TEST(Rest, WhatWasMovedAlongIsLeftAloneOnceItRests) {
 }
 
 // Up to eight corners of two faces touch, and four are kept. Chosen afresh in each step, they followed the tremor.
-TEST(Rest, AHeapOfEqualBoxesComesToRest) {
+// How many of the boxes of a heap still move after 15 s; it comes to rest in 5 to 12 s, as it happens to fall.
+int moving_in_heap(double shift) {
     World world(without_sleep());
     BodyDef fixed;
     fixed.type = BodyType::static_;
@@ -143,14 +144,18 @@ TEST(Rest, AHeapOfEqualBoxesComesToRest) {
     std::vector<BodyId> boxes;
     for (int i = 0; i < 160; ++i) {
         BodyDef def;
-        def.position = {1.8 * (i % 4) - 2.7, 1 + 1.8 * (i / 16), 1.8 * (i / 4 % 4) - 2.7};
+        def.position = {1.8 * (i % 4) - 2.7 + shift, 1 + 1.8 * (i / 16), 1.8 * (i / 4 % 4) - 2.7};
         def.rotation = glm::angleAxis(0.7f * float(i), glm::normalize(glm::vec3(1 + i % 3, i % 5, i % 7)));
         boxes.push_back(add_body(world, Box{}, def, {}));
     }
-    run(world, 1.0f / 60, 600);
+    run(world, 1.0f / 60, 900);
     int moving = 0;
     for (const BodyId box : boxes) moving += glm::length(world.body(box).linear_velocity()) > 1e-3f ? 1 : 0;
-    EXPECT_EQ(moving, 0);
+    return moving;
+}
+
+TEST(Rest, AHeapOfEqualBoxesComesToRest) {
+    for (int i = 0; i < 6; ++i) EXPECT_EQ(moving_in_heap(1e-5 * i), 0) << i;
 }
 
 // What was apart was not tested again before it had moved by a part of its size: a block of 100 m went into the ground
