@@ -166,7 +166,10 @@ using Joint = std::variant<FixedJoint, BallJoint, HingeJoint, SliderJoint, Cylin
 
 /// How a joint is solved. Both give the same motion; they differ in cost and stiffness.
 enum class JointSolver : std::uint8_t {
-    automatic, ///< Direct in chains, machines and under high mass ratios as long as it pays, else iterative.
+    /// Direct in chains, machines and under high mass ratios as long as it pays, and where it hangs together with
+    /// joints
+    /// that are asked to be direct; else iterative.
+    automatic,
     iterative, ///< 8 joints at a time, one after the other, with the contacts. For nets and heaps of many joints.
     /// All direct joints that hang together at once. For chains, machines, and what must not give at all. Limits,
     /// motors, friction, springs, gears, racks and pulleys stay iterative; so do all of a net of thousands of joints,

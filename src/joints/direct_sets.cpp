@@ -143,10 +143,12 @@ class Finder {
     // --- the rule for joints that leave it to the engine
 
     bool rule_takes(const DirectSet& set) {
-        bool all_asked_for = true;
+        // Joints of one body that are solved in two ways throw it about when it is hit: where users ask for it at one,
+        // those that leave it to the engine come along.
+        bool is_asked_for = false;
         for (const std::uint32_t joint : set.joints)
-            all_asked_for &= JointSolver(joints_.info[joint].solver) == JointSolver::direct;
-        if (all_asked_for) return plan(max_blocks, max_products);
+            is_asked_for |= JointSolver(joints_.info[joint].solver) == JointSolver::direct;
+        if (is_asked_for && plan(max_blocks, max_products)) return true;
         if (set.found.size() > max_nodes || !pays(set)) return false;
         return plan(max_blocks_per_node * set.found.size(), max_products);
     }

@@ -22,6 +22,6 @@ inline constexpr std::uint64_t all_shapes = 0x9cf8d85e4ccba289;
 inline constexpr std::uint64_t rounded_shapes = 0x1f87e9ae088ea038;
 inline constexpr std::uint64_t surfaces = 0x914822f3f3799c39;
 inline constexpr std::uint64_t all_joints = 0x4513a695e3137b65;
-inline constexpr std::uint64_t chains = 0x8851c5c1ad69ce89;
+inline constexpr std::uint64_t chains = 0x1bab3716b8a43149;
 
 } // namespace cairn_test::golden

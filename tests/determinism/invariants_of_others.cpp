@@ -192,7 +192,8 @@ constexpr Invariant table[] = {
     {"chains", "gap where a joint was taken away, m", removed_joint_opens, 0.5, 100},
     {"chains", "joints broken", broken, 1, 1},
     {"chains", "force at which it broke, N", breaking_force, 15000, 17000},
-    {"chains", "ring opened beyond its rope, m", ring_opens, 0, 0.0014},
+    // 0.8 to 1.8 mm in twenty runs with slightly different gravity.
+    {"chains", "ring opened beyond its rope, m", ring_opens, 0, 0.002},
     {"chains", "turn of the motor in 40 steps, rad", motor_turns, 2.666, 2.668},
     {"chains", "turn of the motor reversed in 40 steps, rad", motor_turns_back, -2.668, -2.666},
 };

@@ -146,12 +146,10 @@ class Chains final : public Scene {
         hang_chain(world, {0, 7, 0}, JointSolver::direct, std::numeric_limits<float>::infinity());
         hang_chain(world, {0, 7, 3}, JointSolver::iterative, std::numeric_limits<float>::infinity());
         hang_chain(world, {0, 7, 6}, JointSolver::automatic, 15000);
-        // Eight boxes, each turned against the last, and the gap closed by a rope; where nothing that has come off a
-        // chain flies (KnownLimits.JointsOfARingThatAreSolvedInTwoWays...).
-        std::vector<BodyId> ring;
+        std::vector<BodyId> ring; // eight boxes, each turned against the last, and the gap closed by a rope
         for (int i = 0; i < 8; ++i) {
             BodyDef def;
-            def.position = {29 + 0.8 * (i % 4), 3 + 0.9 * (i / 4), 0};
+            def.position = {9 + 0.8 * (i % 4), 3 + 0.9 * (i / 4), 0};
             ring.push_back(add(world, Box{{0.35f, 0.1f, 0.2f}}, def));
             if (i == 0) continue;
             JointDef joint =
@@ -161,7 +159,7 @@ class Chains final : public Scene {
         }
         DistanceJoint rope;
         rope.distance.limits = JointRange{0, 1.5f, {}};
-        world.create_joint(world.joint_at(ring.front(), ring.back(), {29, 3, 0}, {1, 0, 0}, rope));
+        world.create_joint(world.joint_at(ring.front(), ring.back(), {9, 3, 0}, {1, 0, 0}, rope));
         BodyDef crank;
         crank.position = {9, 2, 4};
         HingeJoint motor;
