@@ -224,7 +224,10 @@ class ImpactQueue {
         const double left = (1 - time) * double(dt_);
         const bool is_impact = outcome.approach * left > impact_tolerance(half_width_of(pair.shape, pair.other));
         // Spins beyond the world's limit are cut: what then still approaches is stopped by its velocity alone.
-        if (is_impact && (cut_spin(a) | cut_spin(b))) cairn::collide(a, b, points_, law, rows_);
+        if (is_impact) {
+            const bool cut_a = cut_spin(a), cut_b = cut_spin(b);
+            if (cut_a || cut_b) cairn::collide(a, b, points_, law, rows_);
+        }
         if (is_impact) pairs_[k].touches = false;
         if (!is_impact && (points_.empty() || pair.rests)) return false;
         if (is_impact) {
