@@ -259,8 +259,11 @@ class PlanReader {
     void read_settings(const Value& set) {
         set.must_be_object();
         for (const std::string& path : set.other_members({}, max_measures)) {
-            const Value value = *set.find(path.c_str());
-            plan_.settings.push_back({path, expression_of(value), value.place()});
+            const auto value = set.find(path.c_str()); // not of a name that was cut
+            if (!value)
+                throw Error(ErrorCode::invalid_file, set.place() + "\"" + path.substr(0, 60) + "\"", {},
+                            "names no property");
+            plan_.settings.push_back({path, expression_of(*value), value->place()});
         }
     }
 
