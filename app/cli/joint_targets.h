@@ -24,7 +24,7 @@ struct TargetTable {
 // Throws Error (invalid_file).
 TargetTable read_targets(std::string_view text, const std::string& file);
 
-// Turns the motors of hinges and sliders into servos, and moves what they aim at.
+// Turns the motors of hinges, sliders and universal joints into servos, and moves what they aim at.
 class JointTargets {
   public:
     // Motors that have no stiffness get a critically damped spring of that frequency (Hz), reckoned with all that hangs
@@ -39,6 +39,7 @@ class JointTargets {
   private:
     struct Follower {
         JointId joint;
+        std::size_t axis = 0; // of the joint
         std::size_t column = 0;
         double speed = 0.0;    // rad/s or m/s; infinite: no limit
         double position = 0.0; // that it aims at now
