@@ -1,5 +1,6 @@
 #include "viewer/window.h"
 
+#include "viewer/draw_scale.h"
 #include "viewer/gl_renderer.h"
 #include "viewer/glfw_keys.h"
 #include "viewer/headless.h"
@@ -108,7 +109,7 @@ class Application {
     void play(const ScriptLine& line);
     void fit_interface();
     void rebuild_fonts();
-    void draw_picture(const LatestState& latest, int left, int width, Smoothing smoothing);
+    void draw_picture(const LatestState& latest, int left, int width, Smoothing smoothing, float scale);
     void save_picture(const std::filesystem::path& path);
     void take_screenshot();
     void update_notice(const StageState& state);
@@ -130,6 +131,8 @@ class Application {
     int frame_width_ = 0;                               // of the whole window, pixels
     float font_pixels_ = 0.0f, pixels_per_unit_ = 1.0f; // that the fonts were made for
     float interface_scale_ = 1.0f;
+    DrawScale draw_scale_;
+    bool is_software_ = renderer_.is_software();
     std::uint64_t seen_message_ = 0;
     double notice_left_ = 0.0;
     double rate_seconds_ = 0.0;
@@ -311,15 +314,16 @@ void Application::place_picture() {
     facts_.width = frame_width_ - facts_.left;
 }
 
-void Application::draw_picture(const LatestState& latest, int left, int width, Smoothing smoothing) {
+void Application::draw_picture(const LatestState& latest, int left, int width, Smoothing smoothing, float scale) {
     const StageState& state = latest.stage;
     const RenderFrame frame = make_frame(*state.layout, *state.previous, *state.current, latest.fraction,
                                          controller_.camera.pose(), controller_.frame_options(state));
-    renderer_.draw(frame, width, facts_.height, smoothing, 0, left);
+    renderer_.draw(frame, width, facts_.height, smoothing, 0, left, scale);
 }
 
 void Application::save_picture(const std::filesystem::path& path) {
-    draw_picture(physics_.latest(), 0, frame_width_, Smoothing::samples); // of the whole window, without the panel
+    draw_picture(physics_.latest(), 0, frame_width_, Smoothing::samples,
+                 1.0f); // of the whole window, without the panel
     const std::size_t row = 3u * std::size_t(frame_width_);
     std::vector<std::uint8_t> bottom_up(row * std::size_t(facts_.height)), pixels(bottom_up.size());
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
@@ -404,10 +408,11 @@ void Application::run() {
         ImGui::Render();
         facts_.scene_lines = panel_.scene_lines();
         facts_.scene_is_listed = panel_.scene_is_listed();
-        draw_picture(latest, facts_.left, facts_.width, Smoothing::edges);
+        draw_picture(latest, facts_.left, facts_.width, Smoothing::edges, draw_scale_.value());
         ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
         glfwSwapBuffers(window_.get());
         count_frame(seconds);
+        if (is_software_) draw_scale_.count_frame(seconds);
     }
     if (!options_.report.empty()) write_report(options_.report);
 }
