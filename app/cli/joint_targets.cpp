@@ -16,7 +16,8 @@ namespace cairn::cli {
 
 namespace {
 
-constexpr double greatest_target = 1e6; // rad or m
+constexpr double greatest_target = 1e6;  // rad or m
+constexpr double usual_frequency = 10.0; // Hz, of servos
 
 // What acts along or about the axes of a joint that can follow a table, in the order of their positions.
 std::vector<JointControl*> controls_of(Joint& joint) {
@@ -166,7 +167,7 @@ TargetTable read_targets(std::string_view text, const std::string& file) {
     return table;
 }
 
-JointTargets::JointTargets(const std::filesystem::path& path, scene::Scene& scene, double frequency)
+JointTargets::JointTargets(const std::filesystem::path& path, scene::Scene& scene, std::optional<double> frequency)
     : start_(scene.world.time()) {
     const std::string file = path.generic_string();
     const std::vector<std::byte> bytes = scene::read_file(path);
@@ -187,8 +188,9 @@ JointTargets::JointTargets(const std::filesystem::path& path, scene::Scene& scen
         JointControl* control = controls_of(joint)[axis->number];
         if (!control->motor) control->motor.emplace();
         JointMotor& motor = *control->motor;
-        if (!motor.spring || !(motor.spring->stiffness > 0.0f)) {
-            const double omega = 2.0 * 3.14159265358979324 * frequency, burden = Burden(scene.world, *axis).reduced();
+        if (frequency || !motor.spring || !(motor.spring->stiffness > 0.0f)) {
+            const double omega = 2.0 * 3.14159265358979324 * frequency.value_or(usual_frequency),
+                         burden = Burden(scene.world, *axis).reduced();
             double damping = motor.spring ? static_cast<double>(motor.spring->damping) : 0.0; // of the file
             if (motor.spring && motor.spring->is_acceleration) damping *= burden;
             motor.spring = JointSpring{static_cast<float>(burden * omega * omega),

@@ -121,6 +121,23 @@ TEST_F(CliRobot, BothAxesOfAHipFollowTheirTargets) {
     expect_one_line(cairn("run hip.xml --targets half.csv"), 1, "(roll+pitch.position1, roll+pitch.position2)");
 }
 
+// Springs of a file that support a joint a little are no servos: 2 N m/rad do not lift 0.5 m of leg.
+TEST_F(CliRobot, AServoFrequencyThatIsGivenIsThatOfJointsWithSpringsToo) {
+    write(
+        "leg.xml",
+        R"(<mujoco><compiler angle="radian"/><worldbody><body name="hip" pos="0 0 2"><geom type="box" size=".2 .2 .1"/>
+        <body name="leg"><joint name="knee" axis="0 1 0" stiffness="2" damping="1"/>
+        <geom type="capsule" fromto=".3 0 0 .8 0 0" size=".05"/></body></body></worldbody></mujoco>)");
+    write("poses.csv", "time,knee\n0,0\n");
+    const auto turned = [&](const std::string& options) {
+        const Result result = cairn("run leg.xml --fixed-base --seconds 3 --targets poses.csv --csv out.csv" + options);
+        EXPECT_EQ(result.code, 0) << result.err;
+        return angle(last("leg"));
+    };
+    EXPECT_GT(turned(""), 0.5);
+    EXPECT_LT(turned(" --servo-frequency 20"), 0.02);
+}
+
 // Six links of 15 kg in all, stretched out. The second joint bears five of them.
 TEST_F(CliRobot, AnArmHoldsItsPoseWithTheTorqueOfTheClosedForm) {
     const double masses[] = {4, 4, 3, 2, 1.5, 0.5}, lengths[] = {0.15, 0.4, 0.35, 0.1, 0.1, 0.05};
