@@ -58,6 +58,20 @@ struct ChangeSpeed {
 struct SetSpeed {
     double speed = 1.0;
 };
+/// Goes to the moment after so many steps, within what is known; pauses.
+struct SeekTo {
+    std::uint64_t step = 0;
+};
+struct StepBack {};
+/// Lets time run backwards; a second one stops it.
+struct PlayBackwards {};
+struct Undo {};
+struct Redo {};
+/// Saves the last seconds as a recording.
+struct SaveRecording {
+    std::string path;
+    double seconds = 30.0;
+};
 struct SetSettings {
     WorldDef settings;
 };
@@ -120,7 +134,8 @@ namespace cairn::viewer {
 using Command =
     std::variant<command::LoadScene, command::ResetScene, command::Spawn, command::Shoot, command::RemoveLast,
                  command::RemoveSelected, command::SetForce, command::SetPull, command::SetFreeze, command::SetPaused,
-                 command::TogglePause, command::SingleStep, command::ChangeSpeed, command::SetSpeed,
+                 command::TogglePause, command::SingleStep, command::ChangeSpeed, command::SetSpeed, command::SeekTo,
+                 command::StepBack, command::PlayBackwards, command::Undo, command::Redo, command::SaveRecording,
                  command::SetSettings, command::GrabBody, command::MoveGrab, command::ReleaseGrab,
                  command::SelectNothing, command::Say, command::ShowIslands, command::MakeJoint, command::SelectJoint,
                  command::SetJoint, command::SetJointStrength, command::SetJointSolver, command::RemoveJoint>;
