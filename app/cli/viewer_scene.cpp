@@ -1,6 +1,8 @@
 #include "cli/viewer_scene.h"
 
 #include "cli/outputs.h"
+#include "recording/recorder.h"
+#include "recording/recording.h"
 #include "scene/mesh_files.h"
 #include "viewer/world_state.h"
 
@@ -54,7 +56,7 @@ viewer::CameraPose camera_of(const scene::Scene& scene, std::span<const viewer::
 }
 
 std::vector<std::string> viewer_file_types() {
-    return {".gltf", ".glb", ".urdf", ".xml", ".sdf", ".world", ".usda", ".obj", ".stl"};
+    return {".gltf", ".glb", ".urdf", ".xml", ".sdf", ".world", ".usda", ".obj", ".stl", ".mcap"};
 }
 
 namespace {
@@ -74,9 +76,61 @@ scene::Scene load_any(const std::filesystem::path& path, const ReadOptions& opti
     return scene;
 }
 
+// The file and what reads it, as long as somebody has their source.
+struct OpenRecording {
+    explicit OpenRecording(const std::filesystem::path& path) : recording(path), calls(recording) {}
+    recording::Recording recording;
+    recording::CallReader calls;
+};
+
+// The world of its beginning, and all that follows. What comes before the first step makes the scene.
+viewer::LoadedScene load_recording(const std::filesystem::path& path) {
+    const auto open = std::make_shared<OpenRecording>(path);
+    viewer::LoadedScene loaded;
+    loaded.world.set_threads(hardware_threads());
+    loaded.run.source = {open, open->calls.source().get()};
+    loaded.run.keyframe = [open](std::uint64_t after, std::uint64_t until) {
+        return open->calls.keyframe(after, until);
+    };
+    std::vector<viewer::RecordedStep>& steps = loaded.run.steps;
+    steps.emplace_back();
+    recording::RecordedCall call;
+    while (open->calls.next(call)) {
+        if (call.command.empty()) continue; // a digest of a state that a keyframe has
+        if (call.is_step) {
+            steps.back().step = call.command;
+            steps.back().digest = call.digest;
+            steps.emplace_back();
+        } else if (steps.size() == 1) {
+            loaded.world.execute(call.command, *loaded.run.source);
+        } else {
+            steps.back().changes.push_back(call.command);
+        }
+    }
+    const recording::RecordingInfo& info = open->recording.info();
+    if (info.steps > 0) loaded.time_step = float(info.seconds / double(info.steps));
+    loaded.title = path.filename().string();
+    loaded.hint = "a recording" + (info.source.empty() ? std::string() : " of " + info.source) +
+                  ": drag on the bar below, or press Space";
+    loaded.camera = viewer::fit_camera(loaded.world);
+    loaded.is_paused = true;
+    return loaded;
+}
+
 } // namespace
 
+void save_recording(const std::filesystem::path& path, const std::string& source, World& world,
+                    const std::function<void()>& run) {
+    recording::RecorderOptions options;
+    options.source = source;
+    recording::Recorder recorder(path, options);
+    world.set_command_listener(recorder.listener());
+    run();
+    recorder.close();
+}
+
 viewer::LoadedScene load_for_viewer(const std::string& path, const ReadOptions& options) {
+    if (std::filesystem::path(path).extension() == ".mcap") return load_recording(path);
     scene::Scene scene = load_any(scene::find_scene(path), options);
     print_warnings(scene.warnings);
     viewer::LoadedScene loaded;

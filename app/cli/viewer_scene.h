@@ -5,6 +5,8 @@
 #include "scene/scene.h"
 #include "viewer/scene_source.h"
 
+#include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,6 +25,10 @@ viewer::CameraPose camera_of(const scene::Scene& scene, std::span<const viewer::
 
 // Extensions of the files that `load_for_viewer` reads.
 std::vector<std::string> viewer_file_types();
+
+// See `viewer::RecordingSaver`.
+void save_recording(const std::filesystem::path& path, const std::string& source, World& world,
+                    const std::function<void()>& run);
 
 viewer::LoadedScene load_for_viewer(const std::string& path, const ReadOptions& options);
 

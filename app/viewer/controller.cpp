@@ -236,6 +236,21 @@ void Controller::perform(const Binding& binding) {
     case Action::single_step:
         post_(command::SingleStep{});
         break;
+    case Action::step_back:
+        post_(command::StepBack{});
+        break;
+    case Action::play_backwards:
+        post_(command::PlayBackwards{});
+        break;
+    case Action::undo:
+        post_(command::Undo{});
+        break;
+    case Action::redo:
+        post_(command::Redo{});
+        break;
+    case Action::save_recording:
+        save_recording = true;
+        break;
     case Action::slower:
         post_(command::ChangeSpeed{-1});
         break;

@@ -41,7 +41,8 @@ class Controller {
     JointsShown joints = JointsShown::some; ///< Which are drawn, and can be picked.
     SpawnSettings tool;                     ///< Of the spawn tool.
     bool quit = false;
-    bool screenshot = false; ///< Asked for; whoever takes it clears this.
+    bool screenshot = false;     ///< Asked for; whoever takes it clears this.
+    bool save_recording = false; ///< Likewise: the last seconds as a file.
 
     const std::vector<SceneItem>& scenes() const noexcept { return scenes_; }
     void choose_scene(std::size_t index); ///< Beyond the list: nothing happens.

@@ -52,6 +52,11 @@ constexpr Binding bindings[] = {
     {"X", Action::freeze},
     {"Space", Action::toggle_pause},
     {".", Action::single_step},
+    {",", Action::step_back},
+    {"Shift+Space", Action::play_backwards},
+    {"Ctrl+Z", Action::undo},
+    {"Ctrl+Shift+Z", Action::redo},
+    {"F9", Action::save_recording},
     {"[", Action::slower},
     {"]", Action::faster},
     {"F", Action::frame_selection},
@@ -103,7 +108,11 @@ constexpr KeyHelp help[] = {
     {"X", "freeze everything", "X"},
     {"", "Time"},
     {"Space", "pause", "Space"},
-    {".", "one step", "."},
+    {".  ,", "one step / one step back", ". ,"},
+    {"Shift+Space", "let time run backwards", "Shift+Space"},
+    {"Drag on the bar below", "go to any moment"},
+    {"Ctrl+Z, Ctrl+Shift+Z", "undo / redo a change", "Ctrl+Z Ctrl+Shift+Z"},
+    {"F9", "save the last 30 seconds as a recording", "F9"},
     {"[  ]", "slower / faster, 1/32 to 8 times", "[ ]"},
     {"", "View"},
     {"Drag beside bodies, right drag, arrows", "orbit", "Left Right Up Down"},
@@ -137,8 +146,8 @@ bool is_held(Action action) {
 }
 
 bool repeats(Action action) {
-    constexpr std::array repeated{Action::orbit_left, Action::orbit_right, Action::orbit_up,   Action::orbit_down,
-                                  Action::zoom_in,    Action::zoom_out,    Action::single_step};
+    constexpr std::array repeated{Action::orbit_left, Action::orbit_right, Action::orbit_up,    Action::orbit_down,
+                                  Action::zoom_in,    Action::zoom_out,    Action::single_step, Action::step_back};
     return std::find(repeated.begin(), repeated.end(), action) != repeated.end();
 }
 

@@ -35,6 +35,11 @@ enum class Action {
     freeze, // while held
     toggle_pause,
     single_step,
+    step_back,
+    play_backwards,
+    undo,
+    redo,
+    save_recording,
     slower,
     faster,
     frame_selection,

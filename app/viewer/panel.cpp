@@ -114,6 +114,7 @@ std::string present_state(const StageState& state) {
     std::string text;
     const auto add = [&text](const char* word) { text += (text.empty() ? "" : "   ") + std::string(word); };
     if (state.paused) add("paused");
+    if (state.timeline.is_backwards) add("backwards");
     if (state.speed != 1.0) {
         char speed[32];
         if (state.speed < 1.0)
@@ -348,10 +349,10 @@ void Panel::draw(const StageState& state, Controller& controller, const WindowFa
     const float title_height =
         draw_caption("##title", title, ImVec2(io.DisplaySize.x - margin, margin), ImVec2(1.0f, 0.0f), room);
     if (controller.panel) joints_.draw_selected(state, controller, scale, 2.0f * margin + title_height, room);
-    draw_caption("##state", present_state(state), ImVec2(io.DisplaySize.x - margin, io.DisplaySize.y - margin),
-                 ImVec2(1.0f, 1.0f), room);
-    draw_caption("##notice", facts.notice, ImVec2(column + 0.5f * room, io.DisplaySize.y - margin), ImVec2(0.5f, 1.0f),
-                 room);
+    const float bar = controller.panel ? timeline_.draw(state, controller, scale, column, room) : 0.0f;
+    const float low = io.DisplaySize.y - margin - bar;
+    draw_caption("##state", present_state(state), ImVec2(io.DisplaySize.x - margin, low), ImVec2(1.0f, 1.0f), room);
+    draw_caption("##notice", facts.notice, ImVec2(column + 0.5f * room, low), ImVec2(0.5f, 1.0f), room);
     if (controller.help) draw_help(scale);
 }
 

@@ -5,6 +5,7 @@
 #include "viewer/controller.h"
 #include "viewer/joint_panel.h"
 #include "viewer/report.h"
+#include "viewer/timeline_bar.h"
 
 #include <string>
 
@@ -19,6 +20,7 @@ class Panel {
     /// How many units of the window's width the panel's column takes from the picture: none where it is hidden, or
     /// where the window is too narrow for both and the panel lies over the picture.
     static float column_width(const Controller& controller, float scale, float window_width);
+    const TimelineBar& timeline() const noexcept { return timeline_; }
     int scene_lines() const noexcept { return scene_lines_; }
     bool scene_is_listed() const noexcept { return scene_is_listed_; }
 
@@ -32,6 +34,7 @@ class Panel {
 
     WorldDef settings_; // as edited; follows the world while nothing is being edited
     JointPanel joints_;
+    TimelineBar timeline_;
     float speed_octave_ = 0.0f;
     std::string shown_scene_;   // the list has been scrolled to the scene of this path
     float other_height_ = 0.0f; // of what the column holds beside the list of scenes, in the last frame

@@ -63,6 +63,28 @@ Json joint_json(const StageState& state, std::size_t i, const OrbitCamera& camer
     return json;
 }
 
+Json timeline_json(const TimelineState& timeline, const WindowFacts& facts) {
+    Json json{{"first", timeline.first},
+              {"last", timeline.last},
+              {"now", timeline.now},
+              {"backwards", timeline.is_backwards},
+              {"recording", timeline.is_recording}};
+    json["undoable"] = timeline.undoable ? Json(*timeline.undoable) : Json();
+    json["redoable"] = timeline.redoable ? Json(*timeline.redoable) : Json();
+    Json marks{{"impact", 0}, {"break", 0}, {"change", 0}};
+    for (const Mark& mark : *timeline.marks) {
+        Json& count = marks[mark.kind == Mark::Kind::impact   ? "impact"
+                            : mark.kind == Mark::Kind::change ? "change"
+                                                              : "break"];
+        count = count.get<int>() + 1;
+    }
+    json["marks"] = marks;
+    json["compared"] = timeline.verdict.compared;
+    json["first_different"] = timeline.verdict.first_different ? Json(*timeline.verdict.first_different) : Json();
+    json["bar"] = {facts.bar_left, facts.bar_right, facts.bar_middle};
+    return json;
+}
+
 } // namespace
 
 std::string report_json(const StageState& state, const Controller& controller, const WindowFacts& facts) {
@@ -102,6 +124,7 @@ std::string report_json(const StageState& state, const Controller& controller, c
     json["scene_list"] = {{"lines", facts.scene_lines}, {"present_in_view", facts.scene_is_listed}};
     json["size"] = {facts.width, facts.height};
     json["notice"] = facts.notice;
+    json["timeline"] = timeline_json(state.timeline, facts);
     json["bodies"] = std::move(bodies);
     json["joints_shown"] = cairn::viewer::name_of(controller.joints);
     json["selected_joint"] = state.selected_joint ? Json(state.selected_joint.index()) : Json();

@@ -66,6 +66,7 @@ struct LoadedScene {
     std::vector<Visual> visuals{};
     std::vector<JointAppearance> strings{};
     RecordedRun run{};
+    bool is_paused = false; ///< Waits to be started.
 };
 
 /// Loads the scene of that path. Throws `cairn::Error` (or any std::exception) if it cannot. It is called on the

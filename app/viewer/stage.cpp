@@ -32,6 +32,7 @@ void Stage::take_scene(LoadedScene scene, const std::string& path) {
     path_ = path;
     ++scene_serial_;
     clock_.set_time_step(scene_.time_step);
+    if (scene_.is_paused) clock_.set_paused(true);
     order_.clear();
     for (const BodyId id : scene_.world.bodies())
         if (scene_.world.body(id).type() == BodyType::dynamic) order_.push_back(id);

@@ -54,10 +54,25 @@ void Timeline::begin(World& world, const RecordedRun& run) {
     step_seconds_ = save_seconds_ = keeping_seconds_ = 0.0;
     ring_.reset();
     verdict_ = {};
+    name_recorded_changes();
     keyframes_.clear();
     keyframes_.emplace(0, Keyframe{world.save(), world.state_digest()});
     keep_within_budget();
     gather_marks();
+}
+
+// Of a recording only the calls are known.
+void Timeline::name_recorded_changes() {
+    for (std::uint64_t step = 0; step < log_->last_step(); ++step) {
+        const auto& changes = log_->frame(step).changes;
+        const auto first = std::find_if(changes.begin(), changes.end(),
+                                        [](const auto& command) { return alters_layout(command_name(*command)); });
+        if (first == changes.end()) continue;
+        std::string name(command_name(**first));
+        name.erase(0, name.find(':') == std::string::npos ? 0 : name.rfind(':') + 1);
+        std::replace(name.begin(), name.end(), '_', ' ');
+        changes_.push_back({{step, 0}, {step, std::uint32_t(changes.size())}, std::move(name)});
+    }
 }
 
 // Between states so much time that saving one costs little of it, and no more than a wait that nobody minds.

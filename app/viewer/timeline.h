@@ -106,6 +106,7 @@ class Timeline {
     bool execute_changes(World& world, std::uint32_t count);
     void drop_other_future();
     void keep_within_budget();
+    void name_recorded_changes();
     std::uint64_t interval() const;
     void gather_marks();
 

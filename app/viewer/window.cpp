@@ -6,6 +6,7 @@
 #include "viewer/panel.h"
 #include "viewer/physics_thread.h"
 #include "viewer/report.h"
+#include "viewer/screen_pixels.h"
 #include "viewer/script.h"
 
 #include "files/output_file.h"
@@ -110,7 +111,9 @@ class Application {
     void rebuild_fonts();
     void draw_picture(const LatestState& latest, int left, int width, Smoothing smoothing);
     void save_picture(const std::filesystem::path& path);
-    void take_screenshot();
+    void write_screen(const std::filesystem::path& path);
+    std::filesystem::path new_file(const char* extension) const;
+    void save_what_was_asked_for();
     void update_notice(const StageState& state);
     void say(const std::string& text);
     void count_frame(double seconds);
@@ -127,6 +130,7 @@ class Application {
     Panel panel_;
     ScriptPlayer script_;
     WindowFacts facts_;
+    std::filesystem::path window_picture_;              // to be taken of this frame
     int frame_width_ = 0;                               // of the whole window, pixels
     float font_pixels_ = 0.0f, pixels_per_unit_ = 1.0f; // that the fonts were made for
     float interface_scale_ = 1.0f;
@@ -138,7 +142,7 @@ class Application {
 
 Application::Application(const ViewerOptions& options)
     : options_(options), window_(open_window(options.width, options.height)),
-      imgui_((install_callbacks(), window_.get())), physics_(options.loader, options.scene),
+      imgui_((install_callbacks(), window_.get())), physics_(options.loader, options.scene, options.save_recording),
       controller_([this](Command command) { physics_.post(std::move(command)); }, options.scenes, options.file_types) {
     if (!options.script.empty()) script_ = ScriptPlayer(load_script(options.script));
 }
@@ -258,6 +262,9 @@ void Application::play(const ScriptLine& line) {
     case ScriptLine::Kind::picture:
         save_picture(line.word);
         break;
+    case ScriptLine::Kind::window:
+        window_picture_ = line.word;
+        break;
     case ScriptLine::Kind::quit:
         controller_.quit = true;
         break;
@@ -320,12 +327,11 @@ void Application::draw_picture(const LatestState& latest, int left, int width, S
 
 void Application::save_picture(const std::filesystem::path& path) {
     draw_picture(physics_.latest(), 0, frame_width_, Smoothing::samples); // of the whole window, without the panel
-    const std::size_t row = 3u * std::size_t(frame_width_);
-    std::vector<std::uint8_t> bottom_up(row * std::size_t(facts_.height)), pixels(bottom_up.size());
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, frame_width_, facts_.height, GL_RGB, GL_UNSIGNED_BYTE, bottom_up.data());
-    for (std::size_t y = 0; y < std::size_t(facts_.height); ++y)
-        std::copy_n(bottom_up.begin() + std::ptrdiff_t(y * row), row, pixels.end() - std::ptrdiff_t((y + 1) * row));
+    write_screen(path);
+}
+
+void Application::write_screen(const std::filesystem::path& path) {
+    const std::vector<std::uint8_t> pixels = read_screen(frame_width_, facts_.height);
     try {
         write_picture(path, frame_width_, facts_.height, pixels);
         say("Saved " + path.string());
@@ -334,15 +340,21 @@ void Application::save_picture(const std::filesystem::path& path) {
     }
 }
 
-void Application::take_screenshot() {
-    controller_.screenshot = false;
+// A name that no file has yet, by the time of day.
+std::filesystem::path Application::new_file(const char* extension) const {
     char name[64];
     const std::time_t now = std::time(nullptr);
     std::strftime(name, sizeof name, "cairn_%Y-%m-%d_%H-%M-%S", std::localtime(&now));
-    std::filesystem::path path = options_.screenshot_folder / (std::string(name) + ".png");
+    std::filesystem::path path = options_.screenshot_folder / (std::string(name) + extension);
     for (int i = 2; std::filesystem::exists(path); ++i)
-        path = options_.screenshot_folder / (std::string(name) + "_" + std::to_string(i) + ".png");
-    save_picture(path);
+        path = options_.screenshot_folder / (std::string(name) + "_" + std::to_string(i) + extension);
+    return path;
+}
+
+void Application::save_what_was_asked_for() {
+    if (std::exchange(controller_.screenshot, false)) save_picture(new_file(".png"));
+    if (std::exchange(controller_.save_recording, false))
+        physics_.post(command::SaveRecording{new_file(".mcap").string()});
 }
 
 void Application::say(const std::string& text) {
@@ -396,7 +408,7 @@ void Application::run() {
             title = latest.stage.title;
             glfwSetWindowTitle(window_.get(), ("Cairn: " + title).c_str());
         }
-        if (controller_.screenshot) take_screenshot();
+        save_what_was_asked_for();
         ImGui_ImplOpenGL3_NewFrame();
         ImGui_ImplGlfw_NewFrame();
         ImGui::NewFrame();
@@ -404,8 +416,12 @@ void Application::run() {
         ImGui::Render();
         facts_.scene_lines = panel_.scene_lines();
         facts_.scene_is_listed = panel_.scene_is_listed();
+        facts_.bar_left = panel_.timeline().left();
+        facts_.bar_right = panel_.timeline().right();
+        facts_.bar_middle = panel_.timeline().middle();
         draw_picture(latest, facts_.left, facts_.width, Smoothing::edges);
         ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+        if (!window_picture_.empty()) write_screen(std::exchange(window_picture_, {}));
         glfwSwapBuffers(window_.get());
         count_frame(seconds);
     }
