@@ -28,6 +28,7 @@ int view_command(const ViewOptions& options) {
         return load_for_viewer(path, path == window.scene ? options.read : ReadOptions{});
     };
     window.save_recording = save_recording;
+    window.svg_of_chart = svg_of_chart;
     window.file_types = viewer_file_types();
     window.width = options.width;
     window.height = options.height;

@@ -1,6 +1,7 @@
 #include "cli/viewer_scene.h"
 
 #include "cli/outputs.h"
+#include "cli/svg_plot.h"
 #include "recording/recorder.h"
 #include "recording/recording.h"
 #include "scene/mesh_files.h"
@@ -9,6 +10,7 @@
 #include <glm/trigonometric.hpp>
 
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <unordered_map>
 #include <utility>
@@ -127,6 +129,19 @@ void save_recording(const std::filesystem::path& path, const std::string& source
     world.set_command_listener(recorder.listener());
     run();
     recorder.close();
+}
+
+std::string svg_of_chart(const viewer::Chart& chart) {
+    validation::Plot plot{chart.title, chart.x_label, chart.y_label, chart.log_x, chart.log_y, {}};
+    for (const viewer::Curve& curve : chart.curves) {
+        validation::Curve drawn{curve.is_reference ? "expected: " + curve.label : curve.label, curve.x, curve.y,
+                                curve.as_points};
+        if (chart.top) // what is above leaves the chart
+            for (double& y : drawn.y)
+                if (y > *chart.top) y = std::numeric_limits<double>::quiet_NaN();
+        plot.curves.push_back(std::move(drawn));
+    }
+    return svg_plot(plot);
 }
 
 viewer::LoadedScene load_for_viewer(const std::string& path, const ReadOptions& options) {

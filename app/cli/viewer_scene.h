@@ -3,6 +3,7 @@
 
 #include "cli/commands.h"
 #include "scene/scene.h"
+#include "viewer/chart.h"
 #include "viewer/scene_source.h"
 
 #include <filesystem>
@@ -29,6 +30,9 @@ std::vector<std::string> viewer_file_types();
 // See `viewer::RecordingSaver`.
 void save_recording(const std::filesystem::path& path, const std::string& source, World& world,
                     const std::function<void()>& run);
+
+// A chart of the viewer as an SVG picture.
+std::string svg_of_chart(const viewer::Chart& chart);
 
 viewer::LoadedScene load_for_viewer(const std::string& path, const ReadOptions& options);
 

@@ -126,6 +126,10 @@ struct Say {
 struct ShowIslands {
     bool on = false;
 };
+/// Samples for plots cost time, too.
+struct TakeSamples {
+    bool on = false;
+};
 
 } // namespace cairn::viewer::command
 
@@ -137,8 +141,9 @@ using Command =
                  command::TogglePause, command::SingleStep, command::ChangeSpeed, command::SetSpeed, command::SeekTo,
                  command::StepBack, command::PlayBackwards, command::Undo, command::Redo, command::SaveRecording,
                  command::SetSettings, command::GrabBody, command::MoveGrab, command::ReleaseGrab,
-                 command::SelectNothing, command::Say, command::ShowIslands, command::MakeJoint, command::SelectJoint,
-                 command::SetJoint, command::SetJointStrength, command::SetJointSolver, command::RemoveJoint>;
+                 command::SelectNothing, command::Say, command::ShowIslands, command::TakeSamples, command::MakeJoint,
+                 command::SelectJoint, command::SetJoint, command::SetJointStrength, command::SetJointSolver,
+                 command::RemoveJoint>;
 
 /// A queue that many threads may fill and one empties.
 class CommandQueue {

@@ -248,6 +248,12 @@ void Controller::perform(const Binding& binding) {
     case Action::redo:
         post_(command::Redo{});
         break;
+    case Action::toggle_plots:
+        plots = !plots;
+        break;
+    case Action::toggle_integrators:
+        integrators = !integrators;
+        break;
     case Action::save_recording:
         save_recording = true;
         break;

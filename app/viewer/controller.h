@@ -5,6 +5,7 @@
 
 #include "viewer/camera.h"
 #include "viewer/commands.h"
+#include "viewer/export.h"
 #include "viewer/key_map.h"
 #include "viewer/render_frame.h"
 #include "viewer/scene_source.h"
@@ -41,8 +42,13 @@ class Controller {
     JointsShown joints = JointsShown::some; ///< Which are drawn, and can be picked.
     SpawnSettings tool;                     ///< Of the spawn tool.
     bool quit = false;
-    bool screenshot = false;     ///< Asked for; whoever takes it clears this.
-    bool save_recording = false; ///< Likewise: the last seconds as a file.
+    bool screenshot = false;                              ///< Asked for; whoever takes it clears this.
+    bool plots = false, integrators = false;              ///< Windows that are open.
+    std::size_t plotted = 0;                              ///< Samples that the plots show, for reports.
+    std::vector<Export> exports;                          ///< Asked for; whoever writes them takes them out.
+    std::map<std::string, glm::vec2, std::less<>> places; ///< Middles of items of the interface, for scripts and tests.
+    SvgOfChart svg_of_chart;                              ///< Empty: pictures of charts cannot be made.
+    bool save_recording = false;                          ///< Likewise: the last seconds as a file.
 
     const std::vector<SceneItem>& scenes() const noexcept { return scenes_; }
     void choose_scene(std::size_t index); ///< Beyond the list: nothing happens.

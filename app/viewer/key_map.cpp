@@ -78,6 +78,8 @@ constexpr Binding bindings[] = {
     {"T", Action::toggle_joints},
     {"F2", Action::toggle_panel},
     {"F1", Action::toggle_help},
+    {"F3", Action::toggle_plots},
+    {"F4", Action::toggle_integrators},
     {"F12", Action::screenshot},
     {"Ctrl+Q", Action::quit},
 };
@@ -125,6 +127,7 @@ constexpr KeyHelp help[] = {
     {"V", "the file's own meshes / what collides", "V"},
     {"", "Window"},
     {"F1  F2", "this key map / the panel", "F1 F2"},
+    {"F3  F4", "plots of this run / integrators side by side", "F3 F4"},
     {"F12", "save a picture", "F12"},
     {"Escape / Ctrl+Q", "select nothing / quit", "Escape Ctrl+Q"},
 };

@@ -57,6 +57,8 @@ enum class Action {
     toggle_joints,
     toggle_panel,
     toggle_help,
+    toggle_plots,
+    toggle_integrators,
     screenshot,
     quit,
 };

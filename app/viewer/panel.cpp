@@ -1,5 +1,6 @@
 #include "viewer/panel.h"
 
+#include "viewer/items.h"
 #include "viewer/palette.h"
 
 #include <imgui.h>
@@ -165,6 +166,12 @@ void Panel::draw_time(const StageState& state, Controller& controller) {
     if (ImGui::Button("Reset")) controller.post(command::ResetScene{});
     ImGui::SameLine();
     if (ImGui::Button("Keys (F1)")) controller.help = !controller.help;
+    if (ImGui::Button("Plots (F3)")) controller.plots = !controller.plots;
+    ImGui::SameLine();
+    if (ImGui::Button("Integrators (F4)")) controller.integrators = !controller.integrators;
+    note_place(controller, "panel.integrators");
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("explicit Euler, semi-implicit Euler and RK4 beside the exact solution");
     if (!ImGui::IsAnyItemActive()) speed_octave_ = float(std::log2(state.speed));
     char text[32];
     if (speed_octave_ < 0.0f)
@@ -353,6 +360,8 @@ void Panel::draw(const StageState& state, Controller& controller, const WindowFa
     const float low = io.DisplaySize.y - margin - bar;
     draw_caption("##state", present_state(state), ImVec2(io.DisplaySize.x - margin, low), ImVec2(1.0f, 1.0f), room);
     draw_caption("##notice", facts.notice, ImVec2(column + 0.5f * room, low), ImVec2(0.5f, 1.0f), room);
+    plots_.draw(state, controller, scale, column, room, bar);
+    integrators_.draw(controller, scale, column, room, bar);
     if (controller.help) draw_help(scale);
 }
 

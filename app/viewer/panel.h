@@ -3,7 +3,9 @@
 #pragma once
 
 #include "viewer/controller.h"
+#include "viewer/integrator_window.h"
 #include "viewer/joint_panel.h"
+#include "viewer/plot_window.h"
 #include "viewer/report.h"
 #include "viewer/timeline_bar.h"
 
@@ -35,6 +37,8 @@ class Panel {
     WorldDef settings_; // as edited; follows the world while nothing is being edited
     JointPanel joints_;
     TimelineBar timeline_;
+    IntegratorWindow integrators_;
+    PlotWindow plots_;
     float speed_octave_ = 0.0f;
     std::string shown_scene_;   // the list has been scrolled to the scene of this path
     float other_height_ = 0.0f; // of what the column holds beside the list of scenes, in the last frame

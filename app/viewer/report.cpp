@@ -118,12 +118,15 @@ std::string report_json(const StageState& state, const Controller& controller, c
     json["visuals"] = controller.visuals;
     json["help"] = controller.help;
     json["panel"] = controller.panel;
+    json["plots"] = {{"open", controller.plots}, {"samples", state.samples.size()}, {"shown", controller.plotted}};
+    json["integrators"] = controller.integrators;
     json["frames"] = facts.frames;
     json["frames_per_second"] = facts.frames_per_second;
     json["left"] = facts.left;
     json["scene_list"] = {{"lines", facts.scene_lines}, {"present_in_view", facts.scene_is_listed}};
     json["size"] = {facts.width, facts.height};
     json["notice"] = facts.notice;
+    for (const auto& [name, place] : controller.places) json["places"][name] = {place.x, place.y};
     json["timeline"] = timeline_json(state.timeline, facts);
     json["bodies"] = std::move(bodies);
     json["joints_shown"] = cairn::viewer::name_of(controller.joints);

@@ -47,6 +47,7 @@ void Stage::take_scene(LoadedScene scene, const std::string& path) {
     step_milliseconds_ = 0.0;
     timeline_.begin(scene_.world, std::exchange(scene_.run, {}));
     held_.clear();
+    samples_.clear();
     seeking_.reset();
     is_backwards_ = false;
     refresh_layout();
@@ -114,6 +115,7 @@ void Stage::live_step() {
     timeline_.after_step(scene_.world, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     settle_branch();
     report_broken();
+    take_sample();
     previous_ = current_;
     refresh_motion();
 }
@@ -144,6 +146,7 @@ StageState Stage::state() const {
     state.selected_joint = selected_joint_;
     state.grab = grab_;
     state.message = message_;
+    state.samples = samples_;
     state.timeline.first = timeline_.first_step();
     state.timeline.last = timeline_.last_step();
     state.timeline.now = seeking_.value_or(timeline_.now().step);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "viewer/commands.h"
+#include "viewer/samples.h"
 #include "viewer/scene_source.h"
 #include "viewer/step_clock.h"
 #include "viewer/timeline.h"
@@ -64,6 +65,7 @@ struct StageState {
     Grab grab;
     Message message;
     TimelineState timeline;
+    SampleLog samples;
 };
 
 class Stage {
@@ -113,6 +115,7 @@ class Stage {
     void operator()(const command::SelectNothing&);
     void operator()(const command::Say& words);
     void operator()(const command::ShowIslands& show);
+    void operator()(const command::TakeSamples& take);
     void operator()(const command::MakeJoint& make);
     void operator()(const command::SelectJoint& select);
     void operator()(const command::SetJoint& joint);
@@ -135,6 +138,7 @@ class Stage {
     void arrive();
     void settle_branch();
     void hear_from_writer();
+    void take_sample();
     template <class Go> bool travel(const Go& go);
     void remove(BodyId body);
     void say(std::string text);
@@ -168,6 +172,8 @@ class Stage {
     std::vector<Held> held_;
     std::optional<std::uint64_t> seeking_;
     bool is_backwards_ = false;
+    bool with_samples_ = false;
+    SampleLog samples_;
     RecordingSaver save_recording_;
     std::unique_ptr<Writer> writer_;
     std::shared_ptr<const WorldLayout> layout_;

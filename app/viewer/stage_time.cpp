@@ -95,6 +95,7 @@ void Stage::settle_branch() {
 
 void Stage::follow() {
     const bool alters = timeline_.follow(scene_.world);
+    take_sample();
     if (alters)
         arrive();
     else {
@@ -191,6 +192,16 @@ void Stage::operator()(const command::SaveRecording& save) {
             writer->words = std::move(words);
         });
     say("Saving the last seconds ...");
+}
+
+void Stage::operator()(const command::TakeSamples& take) {
+    with_samples_ = take.on;
+    take_sample();
+}
+
+void Stage::take_sample() {
+    if (!with_samples_) return;
+    samples_.add(measure(scene_.world, selected_, timeline_.now().step, clock_.time_step()));
 }
 
 void Stage::hear_from_writer() {

@@ -112,7 +112,8 @@ class Application {
     void draw_picture(const LatestState& latest, int left, int width, Smoothing smoothing);
     void save_picture(const std::filesystem::path& path);
     void write_screen(const std::filesystem::path& path);
-    std::filesystem::path new_file(const char* extension) const;
+    std::filesystem::path new_file(const std::string& extension) const;
+    std::filesystem::path new_file(const std::string& name, const std::string& extension) const;
     void save_what_was_asked_for();
     void update_notice(const StageState& state);
     void say(const std::string& text);
@@ -144,6 +145,7 @@ Application::Application(const ViewerOptions& options)
     : options_(options), window_(open_window(options.width, options.height)),
       imgui_((install_callbacks(), window_.get())), physics_(options.loader, options.scene, options.save_recording),
       controller_([this](Command command) { physics_.post(std::move(command)); }, options.scenes, options.file_types) {
+    controller_.svg_of_chart = options.svg_of_chart;
     if (!options.script.empty()) script_ = ScriptPlayer(load_script(options.script));
 }
 
@@ -341,13 +343,17 @@ void Application::write_screen(const std::filesystem::path& path) {
 }
 
 // A name that no file has yet, by the time of day.
-std::filesystem::path Application::new_file(const char* extension) const {
+std::filesystem::path Application::new_file(const std::string& extension) const {
     char name[64];
     const std::time_t now = std::time(nullptr);
     std::strftime(name, sizeof name, "cairn_%Y-%m-%d_%H-%M-%S", std::localtime(&now));
-    std::filesystem::path path = options_.screenshot_folder / (std::string(name) + extension);
+    return new_file(name, extension);
+}
+
+std::filesystem::path Application::new_file(const std::string& name, const std::string& extension) const {
+    std::filesystem::path path = options_.screenshot_folder / (name + extension);
     for (int i = 2; std::filesystem::exists(path); ++i)
-        path = options_.screenshot_folder / (std::string(name) + "_" + std::to_string(i) + extension);
+        path = options_.screenshot_folder / (name + "_" + std::to_string(i) + extension);
     return path;
 }
 
@@ -355,6 +361,17 @@ void Application::save_what_was_asked_for() {
     if (std::exchange(controller_.screenshot, false)) save_picture(new_file(".png"));
     if (std::exchange(controller_.save_recording, false))
         physics_.post(command::SaveRecording{new_file(".mcap").string()});
+    std::string saved;
+    try {
+        for (const Export& file : std::exchange(controller_.exports, {})) {
+            const std::filesystem::path path = new_file(file.name, file.extension);
+            files::write_file(path, file.text);
+            saved += (saved.empty() ? "Saved " : ", ") + path.string();
+        }
+    } catch (const Error& error) {
+        saved = error.what();
+    }
+    if (!saved.empty()) say(saved);
 }
 
 void Application::say(const std::string& text) {

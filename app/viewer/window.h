@@ -2,6 +2,7 @@
 /// The interactive viewer.
 #pragma once
 
+#include "viewer/export.h"
 #include "viewer/scene_source.h"
 
 #include <filesystem>
@@ -16,6 +17,7 @@ struct ViewerOptions {
     std::vector<SceneItem> scenes;                 ///< The list in the panel; the first nine are on the keys 1 to 9.
     SceneLoader loader;                            ///< Required.
     RecordingSaver save_recording;                 ///< For F9.
+    SvgOfChart svg_of_chart;                       ///< For exporting plots.
     std::vector<std::string> file_types;           ///< Extensions of files that `loader` reads: `.gltf` and so on.
     int width = 1280, height = 720;                ///< Of the window, in screen coordinates.
     std::filesystem::path screenshot_folder = "."; ///< Where F12, F9 put pictures and recordings.
