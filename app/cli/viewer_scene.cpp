@@ -131,6 +131,23 @@ void save_recording(const std::filesystem::path& path, const std::string& source
     recorder.close();
 }
 
+void save_scene(const std::filesystem::path& path, viewer::LoadedScene& saved) {
+    scene::Scene scene;
+    scene.info.title = saved.title;
+    scene.info.hint = saved.hint;
+    scene.info.time_step = saved.time_step;
+    scene.info.camera =
+        scene::Camera{saved.camera.position, saved.camera.target, glm::degrees(saved.camera.vertical_fov)};
+    for (const viewer::Appearance& appearance : saved.appearances)
+        if (saved.world.is_valid(appearance.shape))
+            scene.appearances.push_back({saved.world.body_of(appearance.shape), appearance.shape, appearance.color});
+    for (const viewer::JointAppearance& shown : saved.strings)
+        scene.joint_appearances.push_back({shown.joint, shown.color});
+    scene.force_fields = saved.force_fields;
+    scene.world = std::move(saved.world);
+    scene::save(scene, path);
+}
+
 std::string svg_of_chart(const viewer::Chart& chart) {
     validation::Plot plot{chart.title, chart.x_label, chart.y_label, chart.log_x, chart.log_y, {}};
     for (const viewer::Curve& curve : chart.curves) {
@@ -157,6 +174,7 @@ viewer::LoadedScene load_for_viewer(const std::string& path, const ReadOptions& 
     loaded.title = scene.info.title;
     loaded.hint = scene.info.hint;
     loaded.time_step = scene.info.time_step;
+    loaded.force_fields = scene.force_fields;
     scene.world.set_threads(hardware_threads());
     loaded.world = std::move(scene.world);
     return loaded;

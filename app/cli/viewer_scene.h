@@ -27,9 +27,11 @@ viewer::CameraPose camera_of(const scene::Scene& scene, std::span<const viewer::
 // Extensions of the files that `load_for_viewer` reads.
 std::vector<std::string> viewer_file_types();
 
-// See `viewer::RecordingSaver`.
+// See `viewer::Savers`.
 void save_recording(const std::filesystem::path& path, const std::string& source, World& world,
                     const std::function<void()>& run);
+
+void save_scene(const std::filesystem::path& path, viewer::LoadedScene& saved);
 
 // A chart of the viewer as an SVG picture.
 std::string svg_of_chart(const viewer::Chart& chart);

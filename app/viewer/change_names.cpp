@@ -39,6 +39,12 @@ struct Names {
         return NamedChange{"solver of a joint"};
     }
     std::optional<NamedChange> operator()(const command::RemoveJoint&) const { return NamedChange{"remove a joint"}; }
+    std::optional<NamedChange> operator()(const command::EditBody& change) const {
+        return NamedChange{name_of(change.edit), Merge::soon};
+    }
+    std::optional<NamedChange> operator()(const command::DuplicateSelected&) const {
+        return NamedChange{"duplicate a body"};
+    }
     template <class Other> std::optional<NamedChange> operator()(const Other&) const { return std::nullopt; }
 };
 

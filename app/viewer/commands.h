@@ -4,6 +4,8 @@
 #pragma once
 
 #include "viewer/drag.h"
+#include "viewer/inspect.h"
+#include "viewer/solver_view.h"
 #include "viewer/spawn.h"
 
 #include <condition_variable>
@@ -126,6 +128,25 @@ struct Say {
 struct ShowIslands {
     bool on = false;
 };
+/// What the solver sees costs time, too.
+struct ShowSolver {
+    SolverShown shown;
+};
+/// Null: none.
+struct SelectBody {
+    BodyId body;
+};
+struct EditBody {
+    BodyId body;
+    BodyEdit edit;
+};
+/// A copy beside the selected body, which becomes the selected one.
+struct DuplicateSelected {};
+/// Saves the world as it stands as a scene, looked at from there.
+struct SaveScene {
+    std::string path;
+    CameraPose camera;
+};
 /// Samples for plots cost time, too.
 struct TakeSamples {
     bool on = false;
@@ -141,9 +162,10 @@ using Command =
                  command::TogglePause, command::SingleStep, command::ChangeSpeed, command::SetSpeed, command::SeekTo,
                  command::StepBack, command::PlayBackwards, command::Undo, command::Redo, command::SaveRecording,
                  command::SetSettings, command::GrabBody, command::MoveGrab, command::ReleaseGrab,
-                 command::SelectNothing, command::Say, command::ShowIslands, command::TakeSamples, command::MakeJoint,
-                 command::SelectJoint, command::SetJoint, command::SetJointStrength, command::SetJointSolver,
-                 command::RemoveJoint>;
+                 command::SelectNothing, command::Say, command::ShowIslands, command::TakeSamples, command::ShowSolver,
+                 command::SelectBody, command::EditBody, command::DuplicateSelected, command::SaveScene,
+                 command::MakeJoint, command::SelectJoint, command::SetJoint, command::SetJointStrength,
+                 command::SetJointSolver, command::RemoveJoint>;
 
 /// A queue that many threads may fill and one empties.
 class CommandQueue {

@@ -31,6 +31,11 @@ void Controller::set_colors(ColorMode mode) {
     post_(command::ShowIslands{mode == ColorMode::island});
 }
 
+void Controller::show_solver(const SolverShown& shown) {
+    solver = shown;
+    post_(command::ShowSolver{shown});
+}
+
 void Controller::change_scene(int by) {
     if (scenes_.empty()) return;
     const auto present = std::find_if(scenes_.begin(), scenes_.end(),
@@ -247,6 +252,18 @@ void Controller::perform(const Binding& binding) {
         break;
     case Action::redo:
         post_(command::Redo{});
+        break;
+    case Action::toggle_contacts: {
+        SolverShown shown = solver;
+        shown.contacts = !shown.contacts;
+        show_solver(shown);
+        break;
+    }
+    case Action::duplicate:
+        post_(command::DuplicateSelected{});
+        break;
+    case Action::save_scene:
+        save_scene = true;
         break;
     case Action::toggle_plots:
         plots = !plots;

@@ -42,17 +42,21 @@ class Controller {
     JointsShown joints = JointsShown::some; ///< Which are drawn, and can be picked.
     SpawnSettings tool;                     ///< Of the spawn tool.
     bool quit = false;
-    bool screenshot = false;                              ///< Asked for; whoever takes it clears this.
-    bool plots = false, integrators = false;              ///< Windows that are open.
-    std::size_t plotted = 0;                              ///< Samples that the plots show, for reports.
-    std::vector<Export> exports;                          ///< Asked for; whoever writes them takes them out.
-    std::map<std::string, glm::vec2, std::less<>> places; ///< Middles of items of the interface, for scripts and tests.
-    SvgOfChart svg_of_chart;                              ///< Empty: pictures of charts cannot be made.
-    bool save_recording = false;                          ///< Likewise: the last seconds as a file.
+    SolverShown solver;                      ///< What of the solver is shown; change it by `show_solver`.
+    bool plots = false, integrators = false; ///< Windows that are open.
+    std::size_t plotted = 0;                 ///< Samples that the plots show, for reports.
+    SvgOfChart svg_of_chart;                 ///< Empty: pictures of charts cannot be made.
+    /// Middles of items of the interface, for scripts and tests.
+    std::map<std::string, glm::vec2, std::less<>> places;
+
+    // --- what was asked for; whoever does it clears it
+    bool screenshot = false, save_scene = false, save_recording = false;
+    std::vector<Export> exports;
 
     const std::vector<SceneItem>& scenes() const noexcept { return scenes_; }
     void choose_scene(std::size_t index); ///< Beyond the list: nothing happens.
     void set_colors(ColorMode mode);
+    void show_solver(const SolverShown& shown);
     void post(Command command) { post_(std::move(command)); }
 
     // --- input

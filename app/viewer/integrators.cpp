@@ -9,8 +9,8 @@ namespace cairn::viewer {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double stiffness = 4.0 * pi * pi;                   // 1/s^2, of the spring and of the sun: a period of 1 s
+constexpr double stiffness =
+    4.0 * std::numbers::pi * std::numbers::pi;                // 1/s^2, of the spring and of the sun: a period of 1 s
 constexpr double gravity = 9.81, length = 1.0, release = 2.0; // m/s^2, m, rad
 constexpr double eccentricity = 0.5;
 
@@ -39,7 +39,7 @@ double quarter_period(double k) {
         b = std::sqrt(a * b);
         a = mean;
     }
-    return pi / (2.0 * a);
+    return std::numbers::pi / (2.0 * a);
 }
 
 // Jacobi's amplitude of u, by descending Landen transformation (Abramowitz and Stegun 16.4).
@@ -70,12 +70,12 @@ LabState exact_pendulum(double time) {
 
 // Kepler's equation for the eccentric anomaly, by Newton's method.
 LabState exact_orbit(double time) {
-    const double mean = 2.0 * pi * (time - std::floor(time));
+    const double mean = 2.0 * std::numbers::pi * (time - std::floor(time));
     double anomaly = mean + eccentricity * std::sin(mean);
     for (int i = 0; i < 20; ++i)
         anomaly -= (anomaly - eccentricity * std::sin(anomaly) - mean) / (1.0 - eccentricity * std::cos(anomaly));
     const double minor = std::sqrt(1.0 - eccentricity * eccentricity);
-    const double rate = 2.0 * pi / (1.0 - eccentricity * std::cos(anomaly));
+    const double rate = 2.0 * std::numbers::pi / (1.0 - eccentricity * std::cos(anomaly));
     LabState state;
     state.place = {std::cos(anomaly) - eccentricity, minor * std::sin(anomaly)};
     state.velocity = {-rate * std::sin(anomaly), rate * minor * std::cos(anomaly)};
@@ -155,7 +155,7 @@ LabState start_of(LabSystem system) {
         break;
     case LabSystem::orbit:
         state.place[0] = 1.0 - eccentricity;
-        state.velocity[1] = 2.0 * pi * std::sqrt((1.0 + eccentricity) / (1.0 - eccentricity));
+        state.velocity[1] = 2.0 * std::numbers::pi * std::sqrt((1.0 + eccentricity) / (1.0 - eccentricity));
     }
     return state;
 }
@@ -182,8 +182,8 @@ LabState exact(LabSystem system, double time) {
     if (system == LabSystem::pendulum) return exact_pendulum(time);
     if (system == LabSystem::orbit) return exact_orbit(time);
     LabState state;
-    state.place[0] = std::cos(2.0 * pi * time);
-    state.velocity[0] = -2.0 * pi * std::sin(2.0 * pi * time);
+    state.place[0] = std::cos(2.0 * std::numbers::pi * time);
+    state.velocity[0] = -2.0 * std::numbers::pi * std::sin(2.0 * std::numbers::pi * time);
     return state;
 }
 

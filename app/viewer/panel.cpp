@@ -228,6 +228,19 @@ void Panel::draw_settings(Controller& controller) {
     if (changed) controller.post(command::SetSettings{settings_});
 }
 
+void Panel::draw_solver_parts(Controller& controller) {
+    const bool is_open = ImGui::CollapsingHeader("What the solver sees");
+    note_place(controller, "panel.solver");
+    if (!is_open) return;
+    SolverShown shown = controller.solver;
+    for (const SolverPart& part : solver_parts()) {
+        ImGui::Checkbox(part.name, &(shown.*part.shown));
+        note_place(controller, (std::string("solver.") + part.name).c_str());
+        if (shown.*part.shown) explain(part.meaning);
+    }
+    if (shown != controller.solver) controller.show_solver(shown);
+}
+
 void Panel::draw_view(const StageState& state, Controller& controller) {
     if (!ImGui::CollapsingHeader("View", ImGuiTreeNodeFlags_DefaultOpen)) return;
     if (ImGui::BeginCombo("colors", name_of(controller.colors))) {
@@ -344,6 +357,7 @@ void Panel::draw(const StageState& state, Controller& controller, const WindowFa
         draw_time(state, controller);
         draw_scenes(state, controller);
         draw_view(state, controller);
+        draw_solver_parts(controller);
         draw_statistics(state, facts);
         joints_.draw(state, controller);
         draw_settings(controller);
@@ -360,6 +374,7 @@ void Panel::draw(const StageState& state, Controller& controller, const WindowFa
     const float low = io.DisplaySize.y - margin - bar;
     draw_caption("##state", present_state(state), ImVec2(io.DisplaySize.x - margin, low), ImVec2(1.0f, 1.0f), room);
     draw_caption("##notice", facts.notice, ImVec2(column + 0.5f * room, low), ImVec2(0.5f, 1.0f), room);
+    inspector_.draw(state, controller, scale, 2.0f * margin + title_height, bar, room);
     plots_.draw(state, controller, scale, column, room, bar);
     integrators_.draw(controller, scale, column, room, bar);
     if (controller.help) draw_help(scale);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "viewer/controller.h"
+#include "viewer/inspector.h"
 #include "viewer/integrator_window.h"
 #include "viewer/joint_panel.h"
 #include "viewer/plot_window.h"
@@ -30,6 +31,7 @@ class Panel {
     void draw_time(const StageState& state, Controller& controller);
     void draw_scenes(const StageState& state, Controller& controller);
     void draw_settings(Controller& controller);
+    void draw_solver_parts(Controller& controller);
     void draw_view(const StageState& state, Controller& controller);
     void draw_spawn_tool(Controller& controller);
     void draw_statistics(const StageState& state, const WindowFacts& facts);
@@ -39,6 +41,7 @@ class Panel {
     TimelineBar timeline_;
     IntegratorWindow integrators_;
     PlotWindow plots_;
+    Inspector inspector_;
     float speed_octave_ = 0.0f;
     std::string shown_scene_;   // the list has been scrolled to the scene of this path
     float other_height_ = 0.0f; // of what the column holds beside the list of scenes, in the last frame

@@ -11,8 +11,8 @@ float interpolation_fraction(const StageState& state, double seconds) {
     return float(std::clamp((state.remainder + seconds * state.speed) / state.time_step, 0.0, 1.0));
 }
 
-PhysicsThread::PhysicsThread(SceneLoader loader, const std::string& path, RecordingSaver save_recording)
-    : stage_(std::move(loader), path, std::move(save_recording)) {
+PhysicsThread::PhysicsThread(SceneLoader loader, const std::string& path, Savers savers)
+    : stage_(std::move(loader), path, std::move(savers)) {
     publish();
     thread_ = std::thread([this] { run(); });
 }

@@ -28,7 +28,7 @@ std::string name_of_selected(const StageState& state) {
 
 void PlotWindow::draw_choice(const StageState& state, Controller& controller) {
     const auto groups = plot_groups();
-    ImGui::SetNextItemWidth(14.0f * ImGui::GetFontSize());
+    ImGui::SetNextItemWidth(12.5f * ImGui::GetFontSize());
     if (ImGui::BeginCombo("##group", groups[std::size_t(group_)].name)) {
         for (int i = 0; i < int(groups.size()); ++i) {
             if (ImGui::Selectable(groups[std::size_t(i)].name, i == group_)) group_ = i;
@@ -40,7 +40,7 @@ void PlotWindow::draw_choice(const StageState& state, Controller& controller) {
     ImGui::SameLine();
     ImGui::TextUnformatted("against");
     ImGui::SameLine();
-    ImGui::SetNextItemWidth(9.0f * ImGui::GetFontSize());
+    ImGui::SetNextItemWidth(8.5f * ImGui::GetFontSize());
     if (ImGui::BeginCombo("##against", against_ ? name_of(*against_) : "time")) {
         if (ImGui::Selectable("time", !against_)) against_.reset();
         for (int i = 0; i < quantity_count; ++i)
@@ -67,7 +67,7 @@ void PlotWindow::draw(const StageState& state, Controller& controller, float sca
     if (!controller.plots) return;
     const float margin = 12.0f * scale;
     const float display = ImGui::GetIO().DisplaySize.y;
-    const ImVec2 size(std::min(room - 2.0f * margin, 480.0f * scale), std::min(330.0f * scale, 0.6f * display));
+    const ImVec2 size(std::min(room - 2.0f * margin, 500.0f * scale), std::min(330.0f * scale, 0.6f * display));
     ImGui::SetNextWindowPos(ImVec2(column + margin, display - bottom - margin - size.y), ImGuiCond_Appearing);
     ImGui::SetNextWindowSize(size, ImGuiCond_Appearing);
     ImGui::SetNextWindowBgAlpha(0.93f);

@@ -85,6 +85,16 @@ Json timeline_json(const TimelineState& timeline, const WindowFacts& facts) {
     return json;
 }
 
+Json inspected_json(const BodyFacts& facts) {
+    return {{"index", facts.id.index()},
+            {"name", facts.name},
+            {"type", name_of(facts.type)},
+            {"mass", facts.mass.mass},
+            {"velocity", triple(facts.velocity)},
+            {"static_friction", facts.shapes.empty() ? 0.0f : facts.shapes.front().material.static_friction},
+            {"touches", facts.touches.size()}};
+}
+
 } // namespace
 
 std::string report_json(const StageState& state, const Controller& controller, const WindowFacts& facts) {
@@ -119,6 +129,10 @@ std::string report_json(const StageState& state, const Controller& controller, c
     json["help"] = controller.help;
     json["panel"] = controller.panel;
     json["plots"] = {{"open", controller.plots}, {"samples", state.samples.size()}, {"shown", controller.plotted}};
+    json["solver_shown"] = Json::array();
+    for (const SolverPart& part : solver_parts())
+        if (controller.solver.*part.shown) json["solver_shown"].push_back(part.name);
+    if (state.inspected) json["inspected"] = inspected_json(*state.inspected);
     json["integrators"] = controller.integrators;
     json["frames"] = facts.frames;
     json["frames_per_second"] = facts.frames_per_second;

@@ -65,6 +65,7 @@ struct LoadedScene {
     std::vector<Appearance> appearances;
     std::vector<Visual> visuals{};
     std::vector<JointAppearance> strings{};
+    std::vector<ForceFieldId> force_fields{}; ///< Its own.
     RecordedRun run{};
     bool is_paused = false; ///< Waits to be started.
 };
@@ -73,10 +74,16 @@ struct LoadedScene {
 /// physics thread.
 using SceneLoader = std::function<LoadedScene(const std::string& path)>;
 
-/// Makes a recording: `run` does to `world`, which must be told to nobody yet, what is to be recorded. Throws as the
-/// loader does. It is called on a thread of its own.
-using RecordingSaver = std::function<void(const std::filesystem::path& path, const std::string& source, World& world,
-                                          const std::function<void()>& run)>;
+/// How the viewer's files are written. Either may be empty, and throws as the loader does.
+struct Savers {
+    /// Makes a recording: `run` does to `world`, which must be told to nobody yet, what is to be recorded. It is called
+    /// on a thread of its own.
+    std::function<void(const std::filesystem::path& path, const std::string& source, World& world,
+                       const std::function<void()>& run)>
+        recording;
+    /// Writes a scene.
+    std::function<void(const std::filesystem::path& path, LoadedScene& scene)> scene;
+};
 
 /// One line of the viewer's list of scenes.
 struct SceneItem {

@@ -22,8 +22,8 @@ constexpr double longest_advance = 1.0 / 30.0; // real seconds of stepping after
 
 } // namespace
 
-Stage::Stage(SceneLoader loader, const std::string& path, RecordingSaver save_recording)
-    : loader_(std::move(loader)), scene_(loader_(path)), save_recording_(std::move(save_recording)) {
+Stage::Stage(SceneLoader loader, const std::string& path, Savers savers)
+    : loader_(std::move(loader)), scene_(loader_(path)), savers_(std::move(savers)) {
     take_scene(std::move(scene_), path);
 }
 
@@ -62,7 +62,11 @@ void Stage::apply(const Command& command) {
     } catch (const std::exception& error) {
         say(error.what());
     }
-    if (const auto change = change_of(command)) timeline_.name_change(before, change->name, change->merge);
+    const auto* released = std::get_if<command::ReleaseGrab>(&command);
+    if (released && released->click)
+        timeline_.unname_change("drag"); // it selected
+    else if (const auto change = change_of(command))
+        timeline_.name_change(before, change->name, change->merge);
     settle_branch();
 }
 
@@ -147,6 +151,7 @@ StageState Stage::state() const {
     state.grab = grab_;
     state.message = message_;
     state.samples = samples_;
+    state.inspected = read_facts(scene_.world, selected_, clock_.time_step());
     state.timeline.first = timeline_.first_step();
     state.timeline.last = timeline_.last_step();
     state.timeline.now = seeking_.value_or(timeline_.now().step);
@@ -304,6 +309,11 @@ void Stage::operator()(const command::ShowIslands& show) {
     refresh_motion();
 }
 
+void Stage::operator()(const command::ShowSolver& show) {
+    solver_shown_ = show.shown;
+    refresh_motion();
+}
+
 void Stage::pull_grabbed() {
     if (!scene_.world.is_valid(drag_joint_)) {
         grab_.holding = false;
@@ -323,7 +333,9 @@ void Stage::refresh_layout() {
 }
 
 void Stage::refresh_motion() {
-    current_ = std::make_shared<const WorldMotion>(read_motion(scene_.world, *layout_, with_islands_, joints_));
+    WorldMotion motion = read_motion(scene_.world, *layout_, with_islands_, joints_);
+    motion.solver = read_solver(scene_.world, solver_shown_, clock_.time_step());
+    current_ = std::make_shared<const WorldMotion>(std::move(motion));
 }
 
 } // namespace cairn::viewer

@@ -66,12 +66,13 @@ struct StageState {
     Message message;
     TimelineState timeline;
     SampleLog samples;
+    std::optional<BodyFacts> inspected; ///< The selected body.
 };
 
 class Stage {
   public:
     /// Loads the first scene; whatever the loader throws comes through.
-    Stage(SceneLoader loader, const std::string& path, RecordingSaver save_recording = {});
+    Stage(SceneLoader loader, const std::string& path, Savers savers = {});
     ~Stage();
 
     /// Carries out one command. A command that fails changes nothing and leaves a message.
@@ -116,6 +117,11 @@ class Stage {
     void operator()(const command::Say& words);
     void operator()(const command::ShowIslands& show);
     void operator()(const command::TakeSamples& take);
+    void operator()(const command::ShowSolver& show);
+    void operator()(const command::SelectBody& select);
+    void operator()(const command::EditBody& change);
+    void operator()(const command::DuplicateSelected&);
+    void operator()(const command::SaveScene& save);
     void operator()(const command::MakeJoint& make);
     void operator()(const command::SelectJoint& select);
     void operator()(const command::SetJoint& joint);
@@ -173,9 +179,10 @@ class Stage {
     std::optional<std::uint64_t> seeking_;
     bool is_backwards_ = false;
     bool with_samples_ = false;
+    SolverShown solver_shown_;
     SampleLog samples_;
-    RecordingSaver save_recording_;
-    std::unique_ptr<Writer> writer_;
+    Savers savers_;
+    std::shared_ptr<Writer> writer_;
     std::shared_ptr<const WorldLayout> layout_;
     std::shared_ptr<const std::vector<JointLayout>> joints_;
     std::shared_ptr<const WorldMotion> previous_, current_;

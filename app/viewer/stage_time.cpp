@@ -165,14 +165,14 @@ void Stage::operator()(const command::Redo&) {
 }
 
 void Stage::operator()(const command::SaveRecording& save) {
-    if (!save_recording_) return say("This program cannot write recordings.");
+    if (!savers_.recording) return say("This program cannot write recordings.");
     if (writer_) return say("A recording is being written.");
     auto excerpt =
         std::make_shared<Timeline::Excerpt>(timeline_.excerpt(std::uint64_t(save.seconds / clock_.time_step())));
-    writer_ = std::make_unique<Writer>();
+    writer_ = std::make_shared<Writer>();
     const int threads = std::max(scene_.world.threads() / 2, 1);
     writer_->thread = std::thread(
-        [excerpt, threads, write = save_recording_, writer = writer_.get(), path = save.path, source = path_] {
+        [excerpt, threads, write = savers_.recording, writer = writer_.get(), path = save.path, source = path_] {
             std::string words;
             try {
                 World world;

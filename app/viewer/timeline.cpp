@@ -266,6 +266,12 @@ void Timeline::name_change(const Moment& from, std::string name, Merge merge) {
     gather_marks();
 }
 
+void Timeline::unname_change(const std::string& name) {
+    if (changes_.empty() || changes_.back().name != name) return;
+    changes_.pop_back();
+    gather_marks();
+}
+
 void Timeline::watch(const World& world) {
     const std::uint64_t step = log_->now.step;
     if (step <= watched_until_) return; // done again: it is known

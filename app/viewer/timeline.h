@@ -66,6 +66,8 @@ class Timeline {
     enum class Merge { never, soon, always };
     /// What was done from that moment to now is a change of that name; nothing, if that moment is now.
     void name_change(const Moment& from, std::string name, Merge merge = Merge::never);
+    /// The last change, if it is of that name, was none that anybody meant.
+    void unname_change(const std::string& name);
     std::optional<std::string> undoable() const; ///< The name of the change that `undo` takes back.
     std::optional<std::string> redoable() const;
     /// Goes to the moment before the last change before now. What follows can be redone until a step is made.

@@ -143,7 +143,7 @@ class Application {
 
 Application::Application(const ViewerOptions& options)
     : options_(options), window_(open_window(options.width, options.height)),
-      imgui_((install_callbacks(), window_.get())), physics_(options.loader, options.scene, options.save_recording),
+      imgui_((install_callbacks(), window_.get())), physics_(options.loader, options.scene, options.savers),
       controller_([this](Command command) { physics_.post(std::move(command)); }, options.scenes, options.file_types) {
     controller_.svg_of_chart = options.svg_of_chart;
     if (!options.script.empty()) script_ = ScriptPlayer(load_script(options.script));
@@ -361,6 +361,8 @@ void Application::save_what_was_asked_for() {
     if (std::exchange(controller_.screenshot, false)) save_picture(new_file(".png"));
     if (std::exchange(controller_.save_recording, false))
         physics_.post(command::SaveRecording{new_file(".mcap").string()});
+    if (std::exchange(controller_.save_scene, false))
+        physics_.post(command::SaveScene{new_file(".gltf").string(), controller_.camera.pose()});
     std::string saved;
     try {
         for (const Export& file : std::exchange(controller_.exports, {})) {

@@ -16,7 +16,7 @@ struct ViewerOptions {
     std::string scene;                             ///< Path of the scene to open, as `loader` takes it.
     std::vector<SceneItem> scenes;                 ///< The list in the panel; the first nine are on the keys 1 to 9.
     SceneLoader loader;                            ///< Required.
-    RecordingSaver save_recording;                 ///< For F9.
+    Savers savers;                                 ///< Of recordings and scenes.
     SvgOfChart svg_of_chart;                       ///< For exporting plots.
     std::vector<std::string> file_types;           ///< Extensions of files that `loader` reads: `.gltf` and so on.
     int width = 1280, height = 720;                ///< Of the window, in screen coordinates.

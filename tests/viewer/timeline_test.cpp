@@ -210,6 +210,24 @@ TEST(Timeline, ADragIsUndoneAsOneAndLeavesNothingBehind) {
     EXPECT_EQ(stage.state().timeline.undoable, std::nullopt);
 }
 
+TEST(Timeline, AClickThatSelectsIsNothingToUndo) {
+    Stage stage(test::load_boxes, "1");
+    stage.apply(command::GrabBody{{{0.0, 0.6, 10.0}, {0.0f, 0.0f, -1.0f}}, 1});
+    stage.step();
+    stage.apply(command::ReleaseGrab{true});
+    EXPECT_TRUE(stage.state().selected);
+    EXPECT_EQ(stage.state().timeline.undoable, std::nullopt);
+    stage.step();
+    const std::uint64_t end = stage.world().state_hash();
+    go_to(stage, 1);
+    EXPECT_EQ(stage.world().joints().size(), 1u) << "before it was let go";
+    stage.step();
+    go_to(stage, 0);
+    go_to(stage, 2);
+    EXPECT_EQ(stage.world().joints().size(), 0u);
+    EXPECT_EQ(stage.world().state_hash(), end);
+}
+
 TEST(Timeline, AKeyOfTheFutureDoesNotPushWhatGoesOnFromThePast) {
     Stage stage(falling_boxes, "1");
     stage.apply(command::SetForce{{40.0f, 0.0f, 0.0f}});

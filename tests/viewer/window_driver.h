@@ -71,6 +71,13 @@ class Driver {
         let_go();
         pause_for(0.3);
     }
+    /// A click on a part of the interface that the report has a place of.
+    void click_on(const std::string& place) {
+        check("there is " + place,
+              [&](const Json& s) { return s.contains("places") && s.at("places").contains(place); });
+        const Json at = state().at("places").at(place);
+        click(at.at(0).get<double>(), at.at(1).get<double>());
+    }
     void cursor(double x, double y) const {
         xdotool("mousemove --window " + window_ + " " + std::to_string(int(x)) + " " + std::to_string(int(y)));
         pause_for(0.3);

@@ -8,13 +8,6 @@ namespace {
 
 using namespace cairn::viewer::test;
 
-void click_on(Driver& driver, const std::string& place) {
-    driver.check("there is " + place,
-                 [&](const Json& s) { return s.contains("places") && s.at("places").contains(place); });
-    const Json at = driver.state().at("places").at(place);
-    driver.click(at.at(0).get<double>(), at.at(1).get<double>());
-}
-
 std::string file_text(const Driver& driver, const std::string& name) {
     std::ifstream file(driver.folder() + "/" + name, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
@@ -33,14 +26,14 @@ std::vector<double> last_row(const std::string& table) {
 // What a student is to find out: which integrator gains energy, with a picture for the report.
 void test_integrators(Driver& driver) {
     const auto start = std::chrono::steady_clock::now();
-    click_on(driver, "panel.integrators");
+    driver.click_on("panel.integrators");
     driver.check("a button opens the integrators", [](const Json& s) { return s.at("integrators") == true; });
-    click_on(driver, "integrators.svg");
+    driver.click_on("integrators.svg");
     driver.check("their plots are saved", [&](const Json& s) {
         return s.at("notice").get<std::string>().starts_with("Saved ") &&
                std::filesystem::exists(driver.folder() + "/integrators_spring_energy.svg");
     });
-    click_on(driver, "integrators.csv");
+    driver.click_on("integrators.csv");
     driver.check("and their tables", [&](const Json&) {
         return std::filesystem::exists(driver.folder() + "/integrators_spring_error.csv");
     });
@@ -56,8 +49,8 @@ void test_integrators(Driver& driver) {
         const std::vector<double> row = last_row(file_text(driver, "integrators_spring_energy.csv"));
         return row.size() == 5 && row[2] > 1000.0 && std::abs(row[3]) < 10.0 && std::abs(row[4]) < 0.01;
     });
-    click_on(driver, "integrators.pendulum");
-    click_on(driver, "integrators.csv");
+    driver.click_on("integrators.pendulum");
+    driver.click_on("integrators.csv");
     driver.check("another system is a click away", [&](const Json&) {
         return std::filesystem::exists(driver.folder() + "/integrators_pendulum_error.csv");
     });
@@ -72,7 +65,7 @@ void test_plots(Driver& driver) {
     });
     driver.key("u");
     driver.key("space");
-    click_on(driver, "plots.csv");
+    driver.click_on("plots.csv");
     driver.check("the energies are saved as a table", [&](const Json&) {
         const std::string table = file_text(driver, "energy.csv");
         const std::vector<double> row = table.empty() ? std::vector<double>() : last_row(table);
@@ -84,6 +77,18 @@ void test_plots(Driver& driver) {
     driver.check("F3 closes them", [](const Json& s) { return s.at("plots").at("open") == false; });
 }
 
+void test_solver(Driver& driver) {
+    driver.key("F5");
+    driver.check("F5 shows contacts",
+                 [](const Json& s) { return s.at("solver_shown") == Json::array({"contacts and forces"}); });
+    driver.click_on("panel.solver");
+    driver.click_on("solver.friction cones");
+    driver.click_on("solver.axes of inertia");
+    driver.check("the panel shows more", [](const Json& s) {
+        return s.at("solver_shown") == Json::array({"contacts and forces", "friction cones", "axes of inertia"});
+    });
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -92,5 +97,6 @@ int main(int argc, char** argv) {
         test_integrators(driver);
         if (driver.failures() > 0) return;
         test_plots(driver);
+        test_solver(driver);
     });
 }
