@@ -151,7 +151,7 @@ void Inspector::draw(const StageState& state, Controller& controller, float scal
     ImGui::Begin(title.c_str(), &is_open,
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoFocusOnAppearing);
-    ImGui::PushItemWidth(0.62f * width);
+    ImGui::PushItemWidth(0.56f * width);
     draw_identity(facts, controller);
     draw_buttons(controller);
     draw_motion(facts, controller);

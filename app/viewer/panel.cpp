@@ -137,20 +137,29 @@ float interface_share(float width, float height) {
     return std::clamp(std::min(width / 1280.0f, height / 720.0f), smallest, largest);
 }
 
-void apply_style(float scale) {
+void apply_style(float scale, bool is_light) {
     ImGuiStyle style;
-    ImGui::StyleColorsDark(&style);
+    is_light ? ImGui::StyleColorsLight(&style) : ImGui::StyleColorsDark(&style);
     style.WindowRounding = 8.0f;
     style.FrameRounding = style.GrabRounding = style.PopupRounding = 4.0f;
     style.WindowPadding = ImVec2(12.0f, 10.0f);
     style.ItemSpacing = ImVec2(8.0f, 5.0f);
     style.WindowBorderSize = 0.0f;
     const ImVec4 accent(0.24f, 0.50f, 0.72f, 1.0f), strong(0.33f, 0.62f, 0.86f, 1.0f);
-    style.Colors[ImGuiCol_WindowBg] = ImVec4(0.09f, 0.11f, 0.13f, 0.88f);
-    style.Colors[ImGuiCol_TitleBg] = style.Colors[ImGuiCol_TitleBgActive] = ImVec4(0.12f, 0.15f, 0.18f, 0.95f);
-    style.Colors[ImGuiCol_FrameBg] = ImVec4(0.20f, 0.23f, 0.27f, 1.0f);
-    style.Colors[ImGuiCol_Header] = ImVec4(0.20f, 0.26f, 0.32f, 1.0f);
-    style.Colors[ImGuiCol_Button] = ImVec4(0.22f, 0.30f, 0.38f, 1.0f);
+    if (!is_light) {
+        style.Colors[ImGuiCol_WindowBg] = ImVec4(0.09f, 0.11f, 0.13f, 0.88f);
+        style.Colors[ImGuiCol_TitleBg] = style.Colors[ImGuiCol_TitleBgActive] = ImVec4(0.12f, 0.15f, 0.18f, 0.95f);
+        style.Colors[ImGuiCol_FrameBg] = ImVec4(0.20f, 0.23f, 0.27f, 1.0f);
+        style.Colors[ImGuiCol_Header] = ImVec4(0.20f, 0.26f, 0.32f, 1.0f);
+        style.Colors[ImGuiCol_Button] = ImVec4(0.22f, 0.30f, 0.38f, 1.0f);
+    } else {
+        style.Colors[ImGuiCol_WindowBg] = ImVec4(0.96f, 0.97f, 0.98f, 0.92f);
+        style.Colors[ImGuiCol_TitleBg] = style.Colors[ImGuiCol_TitleBgActive] = ImVec4(0.86f, 0.89f, 0.92f, 0.97f);
+        style.Colors[ImGuiCol_FrameBg] = ImVec4(0.84f, 0.87f, 0.90f, 1.0f);
+        style.Colors[ImGuiCol_Header] = ImVec4(0.80f, 0.86f, 0.92f, 1.0f);
+        style.Colors[ImGuiCol_Button] = ImVec4(0.76f, 0.84f, 0.92f, 1.0f);
+        style.Colors[ImGuiCol_TextDisabled] = ImVec4(0.36f, 0.39f, 0.43f, 1.0f);
+    }
     style.Colors[ImGuiCol_HeaderHovered] = style.Colors[ImGuiCol_ButtonHovered] = accent;
     style.Colors[ImGuiCol_SliderGrab] = style.Colors[ImGuiCol_CheckMark] = strong;
     style.Colors[ImGuiCol_SliderGrabActive] = style.Colors[ImGuiCol_ButtonActive] = strong;
@@ -166,6 +175,9 @@ void Panel::draw_time(const StageState& state, Controller& controller) {
     if (ImGui::Button("Reset")) controller.post(command::ResetScene{});
     ImGui::SameLine();
     if (ImGui::Button("Keys (F1)")) controller.help = !controller.help;
+    ImGui::SameLine();
+    if (ImGui::Button("Find")) controller.palette = true;
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("any command, by its name (Ctrl+P)");
     if (ImGui::Button("Plots (F3)")) controller.plots = !controller.plots;
     ImGui::SameLine();
     if (ImGui::Button("Integrators (F4)")) controller.integrators = !controller.integrators;
@@ -377,6 +389,7 @@ void Panel::draw(const StageState& state, Controller& controller, const WindowFa
     inspector_.draw(state, controller, scale, 2.0f * margin + title_height, bar, room);
     plots_.draw(state, controller, scale, column, room, bar);
     integrators_.draw(controller, scale, column, room, bar);
+    palette_.draw(controller, scale, column, room);
     if (controller.help) draw_help(scale);
 }
 

@@ -2,6 +2,7 @@
 /// The panel, the key map and the lines of text over the picture, made with Dear ImGui.
 #pragma once
 
+#include "viewer/command_palette.h"
 #include "viewer/controller.h"
 #include "viewer/inspector.h"
 #include "viewer/integrator_window.h"
@@ -42,6 +43,7 @@ class Panel {
     IntegratorWindow integrators_;
     PlotWindow plots_;
     Inspector inspector_;
+    CommandPalette palette_;
     float speed_octave_ = 0.0f;
     std::string shown_scene_;   // the list has been scrolled to the scene of this path
     float other_height_ = 0.0f; // of what the column holds beside the list of scenes, in the last frame
@@ -55,6 +57,6 @@ class Panel {
 float interface_share(float width, float height);
 
 /// Colors, rounding and spacing, at that scale.
-void apply_style(float scale);
+void apply_style(float scale, bool is_light);
 
 } // namespace cairn::viewer

@@ -128,6 +128,9 @@ std::string report_json(const StageState& state, const Controller& controller, c
     json["visuals"] = controller.visuals;
     json["help"] = controller.help;
     json["panel"] = controller.panel;
+    json["palette"] = controller.palette;
+    json["light_theme"] = controller.light_theme;
+    json["parallel"] = controller.camera.is_parallel();
     json["plots"] = {{"open", controller.plots}, {"samples", state.samples.size()}, {"shown", controller.plotted}};
     json["solver_shown"] = Json::array();
     for (const SolverPart& part : solver_parts())

@@ -109,7 +109,8 @@ void read_links(SolverView& view, const World& world) {
 class Pen {
   public:
     explicit Pen(RenderFrame& frame)
-        : frame_(frame), scale_(float(glm::length(frame.camera.position - frame.camera.target))) {}
+        : frame_(frame),
+          scale_(lens_of(frame.camera) * float(glm::length(frame.camera.position - frame.camera.target))) {}
 
     float scale() const { return scale_; }
     Vec3 at(const Position& place) const { return Vec3(place - frame_.origin); }

@@ -32,9 +32,9 @@ std::span<const SolverPart> solver_parts();
 struct SolverView {
     struct Point {
         Position place{0.0, 0.0, 0.0};
-        Vec3 normal{0.0f, 1.0f, 0.0f};   ///< From the first body to the second.
+        Vec3 normal{0.0f, 1.0f, 0.0f};   ///< To what is pushed: it moves, and is the upper one of two.
         float normal_force = 0.0f;       ///< N, mean over the step.
-        Vec3 friction{0.0f, 0.0f, 0.0f}; ///< N, on the second body: the share of this point.
+        Vec3 friction{0.0f, 0.0f, 0.0f}; ///< N, on the same body: the share of this point.
         float coefficient = 0.0f;        ///< Of static friction between the two.
     };
     struct Mover {

@@ -7,6 +7,7 @@
 #include "viewer/physics_thread.h"
 #include "viewer/report.h"
 #include "viewer/screen_pixels.h"
+#include "viewer/screen_video.h"
 #include "viewer/script.h"
 
 #include "files/output_file.h"
@@ -135,6 +136,8 @@ class Application {
     int frame_width_ = 0;                               // of the whole window, pixels
     float font_pixels_ = 0.0f, pixels_per_unit_ = 1.0f; // that the fonts were made for
     float interface_scale_ = 1.0f;
+    bool light_theme_ = false; // that the style was made for
+    ScreenVideo video_;
     std::uint64_t seen_message_ = 0;
     double notice_left_ = 0.0;
     double rate_seconds_ = 0.0;
@@ -288,6 +291,10 @@ void Application::fit_interface() {
     const float share = interface_share(float(width) / density, float(height) / density);
     const float pixels = std::round(font_size * scale * share);
     interface_scale_ = pixels / (font_size * pixels_per_unit);
+    if (light_theme_ != controller_.light_theme) {
+        light_theme_ = controller_.light_theme;
+        apply_style(interface_scale_, light_theme_);
+    }
     if (pixels == font_pixels_ && pixels_per_unit == pixels_per_unit_) return;
     font_pixels_ = pixels;
     pixels_per_unit_ = pixels_per_unit;
@@ -305,7 +312,7 @@ void Application::rebuild_fonts() {
     else
         io.Fonts->AddFontDefault(&config); // built in, coarser
     io.FontGlobalScale = 1.0f / pixels_per_unit_;
-    apply_style(interface_scale_);
+    apply_style(interface_scale_, light_theme_);
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
 }
@@ -365,6 +372,14 @@ void Application::save_what_was_asked_for() {
         physics_.post(command::SaveScene{new_file(".gltf").string(), controller_.camera.pose()});
     std::string saved;
     try {
+        if (std::exchange(controller_.video, false)) {
+            if (video_.is_running()) {
+                saved = video_.stop();
+            } else {
+                video_.start(new_file(".mp4"), frame_width_, facts_.height);
+                saved = "A video is being made: F10 ends it.";
+            }
+        }
         for (const Export& file : std::exchange(controller_.exports, {})) {
             const std::filesystem::path path = new_file(file.name, file.extension);
             files::write_file(path, file.text);
@@ -440,6 +455,7 @@ void Application::run() {
         facts_.bar_middle = panel_.timeline().middle();
         draw_picture(latest, facts_.left, facts_.width, Smoothing::edges);
         ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+        if (const std::string told = video_.add_frame(seconds, frame_width_, facts_.height); !told.empty()) say(told);
         if (!window_picture_.empty()) write_screen(std::exchange(window_picture_, {}));
         glfwSwapBuffers(window_.get());
         count_frame(seconds);

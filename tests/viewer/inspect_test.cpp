@@ -151,6 +151,7 @@ TEST(SolverView, ForcesHoldTheWeightAndConesAreAsWideAsTheFriction) {
     for (const SolverView::Point& point : view->points) sum += point.normal_force;
     EXPECT_NEAR(sum, 9810.0f, 50.0f);
     EXPECT_FLOAT_EQ(view->points[0].coefficient, 0.6f);
+    EXPECT_GT(view->points[0].normal.y, 0.99f) << "on the box, not on the ground";
     RenderFrame frame;
     frame.camera = scene.camera;
     draw_solver(frame, *view);
