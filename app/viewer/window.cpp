@@ -223,7 +223,10 @@ void Application::on_wheel(double notches) {
 }
 
 void Application::play_script(double seconds) {
-    while (const ScriptLine* line = script_.next(std::exchange(seconds, 0.0))) play(*line);
+    while (const ScriptLine* line = script_.next(std::exchange(seconds, 0.0))) {
+        play(*line);
+        if (!window_picture_.empty()) break; // it is of what came before, and taken at the end of the frame
+    }
 }
 
 void Application::play(const ScriptLine& line) {
