@@ -132,7 +132,7 @@ void Inspector::draw_buttons(Controller& controller) {
 void Inspector::draw(const StageState& state, Controller& controller, float scale, float top, float bottom,
                      float room) {
     controller.places.erase("inspector.name");
-    if (!state.inspected || state.selected_joint) return;
+    if (!state.inspected || state.selected_joint || controller.dragging()) return;
     const BodyFacts& facts = *state.inspected;
     if (edited_.id != facts.id || !ImGui::IsAnyItemActive()) {
         edited_ = facts;

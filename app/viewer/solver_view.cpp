@@ -24,7 +24,7 @@ constexpr SolverPart parts[] = {
     {"contacts and forces", &SolverShown::contacts,
      "A dot is a contact point. The orange arrow is the normal force on what moves, the blue one friction; their "
      "lengths "
-     "go with the root of the force, the greatest having the longest."},
+     "go with the root of the force. With a body selected: only what acts on it."},
     {"friction cones", &SolverShown::cones,
      "The force on a contact stays within the cone of half angle atan(mu). Blue: it holds. Red: at the rim, it "
      "slides."},
@@ -60,15 +60,18 @@ float static_friction(const Material& a, const Material& b) {
                     combined(a.dynamic_friction, b.dynamic_friction, rule));
 }
 
-void read_contacts(SolverView& view, const World& world, float per_second) {
-    for (const Contact& contact : world.contacts()) {
+void read_contacts(SolverView& view, const World& world, float per_second, BodyId selected) {
+    const bool is_of_one = selected && world.is_valid(selected);
+    for (const Contact& contact : is_of_one ? world.contacts(selected) : world.contacts()) {
         float sum = 0.0f;
         for (int i = 0; i < contact.point_count; ++i) sum += contact.points[i].normal_impulse;
         const float coefficient =
             static_friction(world.shape_def(contact.shape_a).material, world.shape_def(contact.shape_b).material);
-        // The force on what moves; of two that do, on the upper one, which the other bears.
+        // The force on the selected body; else on what moves, and of two that do on the upper one, which the other
+        // bears.
         const auto moves = [&](BodyId body) { return world.body(body).type() == BodyType::dynamic; };
-        const bool on_b = moves(contact.body_b) && (!moves(contact.body_a) || contact.normal.y >= 0.0f);
+        const bool on_b = is_of_one ? contact.body_b == selected
+                                    : moves(contact.body_b) && (!moves(contact.body_a) || contact.normal.y >= 0.0f);
         const float sign = on_b ? 1.0f : -1.0f;
         for (int i = 0; i < contact.point_count; ++i) {
             const ContactPoint& point = contact.points[i];
@@ -186,11 +189,12 @@ void draw_box(Pen& pen, const Bounds& bounds) {
 
 std::span<const SolverPart> solver_parts() { return parts; }
 
-std::shared_ptr<const SolverView> read_solver(const World& world, const SolverShown& shown, double step_length) {
+std::shared_ptr<const SolverView> read_solver(const World& world, const SolverShown& shown, double step_length,
+                                              BodyId selected) {
     if (!shown.any()) return nullptr;
     auto view = std::make_shared<SolverView>();
     view->shown = shown;
-    if (shown.contacts || shown.cones) read_contacts(*view, world, float(1.0 / step_length));
+    if (shown.contacts || shown.cones) read_contacts(*view, world, float(1.0 / step_length), selected);
     if (shown.velocities || shown.axes) read_movers(*view, world);
     if (shown.islands) read_links(*view, world);
     if (shown.bounds)

@@ -54,8 +54,9 @@ struct SolverView {
     std::vector<Link> links;
 };
 
-/// Null where nothing is to be shown.
-std::shared_ptr<const SolverView> read_solver(const World& world, const SolverShown& shown, double step_length);
+/// Null where nothing is to be shown. Contacts are those of the `selected` body alone, if there is one.
+std::shared_ptr<const SolverView> read_solver(const World& world, const SolverShown& shown, double step_length,
+                                              BodyId selected = {});
 
 /// Adds strokes for it to the frame.
 void draw_solver(RenderFrame& frame, const SolverView& view);

@@ -55,6 +55,7 @@ void Stage::take_scene(LoadedScene scene, const std::string& path) {
 
 void Stage::apply(const Command& command) {
     const Moment before = timeline_.now();
+    const BodyId selected_before = selected_;
     try {
         std::visit(*this, command);
     } catch (const std::bad_alloc&) {
@@ -68,6 +69,7 @@ void Stage::apply(const Command& command) {
     else if (const auto change = change_of(command))
         timeline_.name_change(before, change->name, change->merge);
     settle_branch();
+    if (selected_ != selected_before && solver_shown_.any()) refresh_motion();
 }
 
 int Stage::advance(double real_seconds) {
@@ -334,7 +336,7 @@ void Stage::refresh_layout() {
 
 void Stage::refresh_motion() {
     WorldMotion motion = read_motion(scene_.world, *layout_, with_islands_, joints_);
-    motion.solver = read_solver(scene_.world, solver_shown_, clock_.time_step());
+    motion.solver = read_solver(scene_.world, solver_shown_, clock_.time_step(), selected_);
     current_ = std::make_shared<const WorldMotion>(std::move(motion));
 }
 

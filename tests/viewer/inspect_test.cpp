@@ -161,6 +161,21 @@ TEST(SolverView, ForcesHoldTheWeightAndConesAreAsWideAsTheFriction) {
     EXPECT_EQ(dots, 4);
 }
 
+TEST(SolverView, WithABodySelectedOnlyWhatActsOnItIsShown) {
+    LoadedScene scene = test::boxes_on_plane(0);
+    for (int i = 0; i < 3; ++i)
+        scene.world.add_shape(scene.world.create_body(test::body_at({0.0, 0.5 + i, 0.0})), Box{});
+    for (int i = 0; i < 30; ++i) scene.world.step(1.0f / 60.0f);
+    SolverShown shown;
+    shown.contacts = true;
+    EXPECT_EQ(read_solver(scene.world, shown, 1.0 / 60.0)->points.size(), 12u);
+    const auto view = read_solver(scene.world, shown, 1.0 / 60.0, scene.world.bodies()[2]);
+    ASSERT_EQ(view->points.size(), 8u);
+    float sum = 0.0f;
+    for (const SolverView::Point& point : view->points) sum += point.normal_force * point.normal.y;
+    EXPECT_NEAR(sum, 9810.0f, 100.0f) << "from below less from above: its weight";
+}
+
 TEST(SolverView, AxesOfInertiaAreThoseOfTheEllipsoid) {
     World world;
     const BodyId id = world.create_body(test::body_at({0.0, 5.0, 0.0}));

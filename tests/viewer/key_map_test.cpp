@@ -171,6 +171,19 @@ TEST(KeyMap, TheKeyMapOnTheScreenSaysWhatTheKeysDo) {
         EXPECT_TRUE(explained.count(std::string(binding.chord))) << binding.chord;
 }
 
+TEST(KeyMap, ThePageOfTheViewerHasTheWholeKeyMap) {
+    std::ifstream file(CAIRN_TEST_SCENES "/../docs/viewer.md");
+    const std::string page{std::istreambuf_iterator<char>(file), {}};
+    ASSERT_FALSE(page.empty());
+    for (const KeyHelp& line : key_help()) {
+        const std::string keys = line.keys[0] == ' ' ? "" : line.keys;
+        const std::string row = keys.empty() && line.keys[0] == '\0' ? "| **" + std::string(line.meaning) + "** | |"
+                                : keys.empty()                       ? "|  | " + std::string(line.meaning) + " |"
+                                                                     : "| " + keys + " | " + line.meaning + " |";
+        EXPECT_NE(page.find(row), std::string::npos) << row;
+    }
+}
+
 TEST(KeyMap, HintsOfScenesNameKeysThatDoWhatTheySay) {
     int hints = 0;
     for (const auto& entry : std::filesystem::directory_iterator(CAIRN_TEST_SCENES)) {

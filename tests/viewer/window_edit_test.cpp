@@ -67,6 +67,40 @@ void test_saving(Driver& driver) {
     });
 }
 
+void test_comfort(Driver& driver) {
+    driver.cursor(400, 400);
+    driver.chord("ctrl", "p");
+    driver.check("Ctrl+P opens the list of commands", [](const Json& s) { return s.at("palette") == true; });
+    driver.type("light theme");
+    driver.key("Return");
+    driver.check("which does what is typed", [](const Json& s) {
+        return s.at("palette") == false && s.at("light_theme") == true && s.at("dynamic_count") == 1;
+    });
+    driver.chord("ctrl", "p");
+    driver.check("it opens again", [](const Json& s) { return s.at("palette") == true; });
+    driver.key("Escape");
+    driver.check("Escape closes it", [](const Json& s) { return s.at("palette") == false; });
+    driver.chord("ctrl", "5");
+    driver.chord("ctrl", "1");
+    driver.check("from the front with parallel rays", [](const Json& s) {
+        return s.at("parallel") == true && std::abs(s.at("camera").at("position").at(0).get<double>()) < 1e-3;
+    });
+    driver.chord("ctrl", "3");
+    driver.check("from the top", [](const Json& s) {
+        const Json& eye = s.at("camera").at("position");
+        return eye.at(1).get<double>() > 10.0 * std::abs(eye.at(2).get<double>());
+    });
+    if (std::system("command -v ffmpeg >/dev/null") != 0) return;
+    driver.key("F10");
+    driver.check("F10 begins a video",
+                 [](const Json& s) { return s.at("notice") == "A video is being made: F10 ends it."; });
+    driver.key("F10");
+    driver.check("and ends it", [&](const Json& s) {
+        const std::string notice = s.at("notice").get<std::string>();
+        return notice.ends_with(".mp4") && std::filesystem::file_size(driver.folder() + "/" + notice.substr(6)) > 1000;
+    });
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -76,5 +110,6 @@ int main(int argc, char** argv) {
         if (driver.failures() > 0) return;
         test_undo(driver);
         test_saving(driver);
+        test_comfort(driver);
     });
 }

@@ -74,16 +74,16 @@ void test_mouse(Driver& driver) {
     driver.check("let go, it falls", [](const Json& s) { return s.at("dragging") == false && crate_at(s, 1) < 1.0; });
 
     const double before = camera_at(driver.state(), 0);
-    driver.cursor(600, 150); // the sky: beside the panel, the title and the body
+    driver.cursor(450, 150); // the sky: beside the panel, the title, the inspector and the body
     driver.press();
-    driver.cursor(500, 150);
+    driver.cursor(350, 150);
     driver.let_go();
     driver.check("a drag beside bodies orbits", [&](const Json& s) {
         return std::abs(camera_at(s, 0) - before) > 0.3 && s.at("camera").at("target").at(1) == 1.0;
     });
-    driver.cursor(600, 450);
+    driver.cursor(450, 450);
     driver.xdotool("mousedown 3");
-    driver.cursor(600, 60); // upwards: the camera goes down
+    driver.cursor(450, 60); // upwards: the camera goes down
     driver.xdotool("mouseup 3");
     driver.check("the camera stays above the ground",
                  [](const Json& s) { return camera_at(s, 1) > 0.0 && camera_at(s, 1) < 0.9; });
