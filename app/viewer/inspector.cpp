@@ -143,7 +143,7 @@ void Inspector::draw(const StageState& state, Controller& controller, float scal
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos(ImVec2(display.x - margin, top), ImGuiCond_Appearing, ImVec2(1.0f, 0.0f));
     ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0f),
-                                        ImVec2(width, std::max(display.y - top - bottom - margin, 64.0f)));
+                                        ImVec2(width, std::max(display.y - top - bottom - 52.0f * scale, 64.0f)));
     ImGui::SetNextWindowBgAlpha(0.93f);
     const std::string title =
         (facts.name.empty() ? "body " + std::to_string(facts.id.index()) : facts.name) + "###body";

@@ -56,6 +56,7 @@ void Stage::take_scene(LoadedScene scene, const std::string& path) {
 void Stage::apply(const Command& command) {
     const Moment before = timeline_.now();
     const BodyId selected_before = selected_;
+    const bool was_holding = grab_.holding;
     try {
         std::visit(*this, command);
     } catch (const std::bad_alloc&) {
@@ -64,7 +65,7 @@ void Stage::apply(const Command& command) {
         say(error.what());
     }
     const auto* released = std::get_if<command::ReleaseGrab>(&command);
-    if (released && released->click)
+    if (released && released->click && was_holding)
         timeline_.unname_change("drag"); // it selected
     else if (const auto change = change_of(command))
         timeline_.name_change(before, change->name, change->merge);

@@ -228,6 +228,16 @@ TEST(Timeline, AClickThatSelectsIsNothingToUndo) {
     EXPECT_EQ(stage.world().state_hash(), end);
 }
 
+TEST(Timeline, AClickBesideBodiesLeavesTheDragBeforeItToBeUndone) {
+    Stage stage(test::load_boxes, "1");
+    stage.apply(command::GrabBody{{{0.0, 0.6, 10.0}, {0.0f, 0.0f, -1.0f}}, 1});
+    run(stage, 5);
+    stage.apply(command::ReleaseGrab{false});
+    stage.apply(command::GrabBody{{{0.0, 0.6, 10.0}, {0.0f, 1.0f, 0.0f}}, 2});
+    stage.apply(command::ReleaseGrab{true});
+    EXPECT_EQ(stage.state().timeline.undoable, "drag");
+}
+
 TEST(Timeline, AKeyOfTheFutureDoesNotPushWhatGoesOnFromThePast) {
     Stage stage(falling_boxes, "1");
     stage.apply(command::SetForce{{40.0f, 0.0f, 0.0f}});
