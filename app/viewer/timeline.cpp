@@ -51,12 +51,14 @@ void Timeline::begin(World& world, const RecordedRun& run) {
     events_.clear();
     watched_until_ = 0;
     is_undone_ = false;
-    step_seconds_ = save_seconds_ = keeping_seconds_ = 0.0;
+    step_seconds_ = stepping_seconds_ = keeping_seconds_ = 0.0;
     ring_.reset();
     verdict_ = {};
     name_recorded_changes();
     keyframes_.clear();
+    const Clock::time_point start = Clock::now();
     keyframes_.emplace(0, Keyframe{world.save(), world.state_digest()});
+    save_seconds_ = seconds_since(start);
     keep_within_budget();
     gather_marks();
 }
@@ -84,8 +86,10 @@ std::uint64_t Timeline::interval() const {
 
 void Timeline::keep(const World& world, double step_seconds) {
     step_seconds_ = mean(step_seconds_, step_seconds);
+    stepping_seconds_ += step_seconds;
     const std::uint64_t step = log_->now.step;
     if (step - std::prev(keyframes_.upper_bound(step))->first < interval()) return;
+    if (keeping_seconds_ + save_seconds_ > greatest_share * stepping_seconds_) return; // steps have become cheaper
     const Clock::time_point start = Clock::now();
     keyframes_.insert_or_assign(step, Keyframe{world.save(), world.state_digest()});
     keep_within_budget();

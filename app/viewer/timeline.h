@@ -123,8 +123,9 @@ class Timeline {
     std::uint64_t watched_until_ = 0; // step: what happened up to there is among them
     std::shared_ptr<const std::vector<Mark>> marks_;
     bool is_undone_ = false;
-    double step_seconds_ = 0.0, save_seconds_ = 0.0, keeping_seconds_ = 0.0;
-    std::optional<SnapshotRing> ring_; // the states up to `ring_last_`, one after each step
+    double step_seconds_ = 0.0, save_seconds_ = 0.0;        // means
+    double stepping_seconds_ = 0.0, keeping_seconds_ = 0.0; // sums
+    std::optional<SnapshotRing> ring_;                      // the states up to `ring_last_`, one after each step
     std::uint64_t ring_last_ = 0;
     Verdict verdict_;
     std::optional<Moment> branched_at_;

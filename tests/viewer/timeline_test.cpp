@@ -1,5 +1,7 @@
 #include "viewer/stage.h"
 
+#include "recording/recorder.h"
+#include "recording/recording.h"
 #include "test_scene.h"
 
 #include <gtest/gtest.h>
@@ -297,6 +299,71 @@ TEST(Timeline, TheOldestGoesWhereTheBudgetEnds) {
     EXPECT_TRUE(timeline.seek(scene.world, {0, 0}));
     EXPECT_EQ(timeline.now().step, timeline.first_step());
     EXPECT_EQ(scene.world.state_hash(), hashes[timeline.first_step()]);
+}
+
+// What a file has of a run, as the program hands it to the stage: the boxes are there, and the steps are to come.
+LoadedScene recorded_boxes(const recording::Recording& recording, recording::CallReader& reader) {
+    LoadedScene scene;
+    scene.run.source = reader.source();
+    scene.run.keyframe = [&](std::uint64_t after, std::uint64_t until) { return reader.keyframe(after, until); };
+    scene.run.steps.emplace_back();
+    recording::RecordedCall call;
+    while (reader.next(call)) {
+        RecordedStep& open = scene.run.steps.back();
+        if (call.is_step) {
+            open.step = call.command;
+            open.digest = call.digest;
+            scene.run.steps.emplace_back();
+        } else if (scene.run.steps.size() == 1) {
+            scene.world.execute(call.command, *scene.run.source);
+        } else {
+            open.changes.push_back(call.command);
+        }
+    }
+    EXPECT_EQ(scene.run.steps.size(), recording.info().steps + 1);
+    return scene;
+}
+
+TEST(Timeline, ARecordingIsFollowedSoughtAndLeftForAnotherFuture) {
+    const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "cairn_timeline_test.mcap";
+    std::vector<std::uint64_t> hashes;
+    {
+        LoadedScene scene = falling_boxes("5");
+        recording::Recorder recorder(path);
+        scene.world.set_command_listener(recorder.listener());
+        hashes.push_back(scene.world.state_hash());
+        for (int i = 0; i < 400; ++i) {
+            if (i == 200) scene.world.destroy_body(scene.world.bodies().back());
+            scene.world.step(1.0f / 60.0f);
+            hashes.push_back(scene.world.state_hash());
+        }
+        recorder.close();
+    }
+    const recording::Recording recording(path);
+    recording::CallReader reader(recording);
+    Stage stage([&](const std::string&) { return recorded_boxes(recording, reader); }, "");
+    EXPECT_TRUE(stage.state().timeline.is_recording);
+    EXPECT_EQ(stage.state().timeline.last, 400u);
+    ASSERT_EQ(stage.state().timeline.marks->size(), 1u);
+    EXPECT_EQ(stage.state().timeline.marks->front().text, "destroy body");
+    for (const std::uint64_t step : {350u, 10u, 201u, 199u, 400u, 0u, 130u}) {
+        go_to(stage, step);
+        ASSERT_EQ(stage.world().state_hash(), hashes[step]) << step;
+    }
+    EXPECT_EQ(dynamic_bodies(stage), 5u);
+    for (int i = 0; i < 270; ++i) stage.step();
+    EXPECT_EQ(stage.world().state_hash(), hashes.back());
+    EXPECT_EQ(dynamic_bodies(stage), 4u);
+    EXPECT_TRUE(stage.state().paused) << "at the end of the recording";
+    EXPECT_GT(stage.timeline().verdict().compared, 270u);
+    EXPECT_FALSE(stage.timeline().verdict().first_different);
+    go_to(stage, 150);
+    stage.apply(command::Spawn{box_preset(), {5.0, 5.0, 0.0}});
+    const std::vector<std::uint64_t> other = run(stage, 150);
+    EXPECT_EQ(dynamic_bodies(stage), 6u);
+    go_to(stage, 290);
+    EXPECT_EQ(stage.world().state_hash(), other[140]) << "not by a state of the recorded future";
+    std::filesystem::remove(path);
 }
 
 double cpu_seconds() {
