@@ -19,6 +19,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -377,10 +378,22 @@ GlRenderer::GlRenderer() {
 
 GlRenderer::~GlRenderer() = default;
 
+bool GlRenderer::is_software() const {
+    const auto* text = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    const std::string_view name = text != nullptr ? text : "";
+    for (const char* drawer : {"llvmpipe", "softpipe", "SWR", "SwiftShader"})
+        if (name.find(drawer) != std::string_view::npos) return true;
+    return false;
+}
+
 void GlRenderer::draw(const RenderFrame& frame, int width, int height, Smoothing smoothing, unsigned framebuffer,
-                      int left) {
+                      int left, float scale) {
     Impl& impl = *impl_;
+    const GlTarget::Place place{framebuffer, left, width, height};
     const float aspect = float(width) / float(height);
+    if (smoothing == Smoothing::samples) scale = 1.0f;
+    width = std::max(int(std::round(scale * float(width))), 1);
+    height = std::max(int(std::round(scale * float(height))), 1);
     impl.prepare(frame, aspect);
     impl.upload_instances(frame, height, aspect);
     glEnable(GL_DEPTH_TEST);
@@ -399,7 +412,7 @@ void GlRenderer::draw(const RenderFrame& frame, int width, int height, Smoothing
     impl.lines.draw(frame, impl.clip_from_world);
     impl.lines.draw_marks(frame, impl.clip_from_world, impl.camera, width, height);
 
-    impl.target.finish(framebuffer, left);
+    impl.target.finish(place);
     glBindVertexArray(0);
 }
 

@@ -1,5 +1,6 @@
 #include "viewer/window.h"
 
+#include "viewer/draw_scale.h"
 #include "viewer/gl_renderer.h"
 #include "viewer/glfw_keys.h"
 #include "viewer/headless.h"
@@ -110,7 +111,7 @@ class Application {
     void play(const ScriptLine& line);
     void fit_interface();
     void rebuild_fonts();
-    void draw_picture(const LatestState& latest, int left, int width, Smoothing smoothing);
+    void draw_picture(const LatestState& latest, int left, int width, Smoothing smoothing, float scale);
     void save_picture(const std::filesystem::path& path);
     void write_screen(const std::filesystem::path& path);
     std::filesystem::path new_file(const std::string& extension) const;
@@ -138,6 +139,8 @@ class Application {
     float interface_scale_ = 1.0f;
     bool light_theme_ = false; // that the style was made for
     ScreenVideo video_;
+    DrawScale draw_scale_;
+    bool is_software_ = renderer_.is_software();
     std::uint64_t seen_message_ = 0;
     double notice_left_ = 0.0;
     double rate_seconds_ = 0.0;
@@ -330,15 +333,16 @@ void Application::place_picture() {
     facts_.width = frame_width_ - facts_.left;
 }
 
-void Application::draw_picture(const LatestState& latest, int left, int width, Smoothing smoothing) {
+void Application::draw_picture(const LatestState& latest, int left, int width, Smoothing smoothing, float scale) {
     const StageState& state = latest.stage;
     const RenderFrame frame = make_frame(*state.layout, *state.previous, *state.current, latest.fraction,
                                          controller_.camera.pose(), controller_.frame_options(state));
-    renderer_.draw(frame, width, facts_.height, smoothing, 0, left);
+    renderer_.draw(frame, width, facts_.height, smoothing, 0, left, scale);
 }
 
 void Application::save_picture(const std::filesystem::path& path) {
-    draw_picture(physics_.latest(), 0, frame_width_, Smoothing::samples); // of the whole window, without the panel
+    // Of the whole window, without the panel.
+    draw_picture(physics_.latest(), 0, frame_width_, Smoothing::samples, 1.0f);
     write_screen(path);
 }
 
@@ -456,12 +460,13 @@ void Application::run() {
         facts_.bar_left = panel_.timeline().left();
         facts_.bar_right = panel_.timeline().right();
         facts_.bar_middle = panel_.timeline().middle();
-        draw_picture(latest, facts_.left, facts_.width, Smoothing::edges);
+        draw_picture(latest, facts_.left, facts_.width, Smoothing::edges, draw_scale_.value());
         ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
         if (const std::string told = video_.add_frame(seconds, frame_width_, facts_.height); !told.empty()) say(told);
         if (!window_picture_.empty()) write_screen(std::exchange(window_picture_, {}));
         glfwSwapBuffers(window_.get());
         count_frame(seconds);
+        if (is_software_) draw_scale_.count_frame(seconds);
     }
     if (!options_.report.empty()) write_report(options_.report);
 }
