@@ -137,10 +137,10 @@ class Application {
     int frame_width_ = 0;                               // of the whole window, pixels
     float font_pixels_ = 0.0f, pixels_per_unit_ = 1.0f; // that the fonts were made for
     float interface_scale_ = 1.0f;
-    DrawScale draw_scale_;
-    bool is_software_ = renderer_.is_software();
     bool light_theme_ = false; // that the style was made for
     ScreenVideo video_;
+    DrawScale draw_scale_;
+    bool is_software_ = renderer_.is_software();
     std::uint64_t seen_message_ = 0;
     double notice_left_ = 0.0;
     double rate_seconds_ = 0.0;
@@ -341,8 +341,8 @@ void Application::draw_picture(const LatestState& latest, int left, int width, S
 }
 
 void Application::save_picture(const std::filesystem::path& path) {
-    draw_picture(physics_.latest(), 0, frame_width_, Smoothing::samples,
-                 1.0f); // of the whole window, without the panel
+    // Of the whole window, without the panel.
+    draw_picture(physics_.latest(), 0, frame_width_, Smoothing::samples, 1.0f);
     write_screen(path);
 }
 
