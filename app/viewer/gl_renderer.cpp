@@ -338,7 +338,7 @@ void GlRenderer::Impl::draw_bodies(const RenderFrame& frame) {
     const auto use = [&](shaders::BodyKind kind) {
         const GlProgram& program = body.of(kind);
         set_lighting(program, frame);
-        program.set("u_spacing", grid_spacing(camera.distance()));
+        program.set("u_spacing", grid_spacing(lens_of(camera.pose()) * camera.distance()));
         program.set("u_fade", fade_distances * camera.distance());
         program.set("u_viewer", glm::vec4(eye, 1.0f));
     };
@@ -353,7 +353,7 @@ void GlRenderer::Impl::draw_grounds(const RenderFrame& frame) {
     set_lighting(ground, frame);
     const float distance = camera.distance();
     const float fade = fade_distances * distance;
-    ground.set("u_spacing", grid_spacing(distance));
+    ground.set("u_spacing", grid_spacing(lens_of(camera.pose()) * distance));
     ground.set("u_fade", fade);
     ground.set("u_extent", extent_fades * fade);
     for (const GroundPlane& plane : frame.grounds) {
