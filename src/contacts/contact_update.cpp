@@ -96,11 +96,6 @@ bool is_asleep(const Bodies& bodies, const Islands& islands, const ContactInfo& 
 
 } // namespace
 
-bool moves(const Bodies& bodies, std::int32_t body) {
-    const BodyMotion& m = bodies.motion[body];
-    return !(m.v == math::Vec3{} && m.w == math::Vec3{});
-}
-
 // Of the points of a record.
 float approach_speed(const Bodies& bodies, const ContactInfo& c, const ContactRecord& r) {
     const BodyMotion &a = bodies.motion[c.body_a], &b = bodies.motion[c.body_b];
@@ -198,11 +193,19 @@ std::uint8_t take_manifold(const State& s, Contacts& contacts, std::uint32_t id,
             math::put(contacts.records[id].normal, to_vec(m.normal));
         return take_distance(s.bodies, contacts, id, m.count == 0 ? m.points[0][3] : 0.0f);
     }
+    if (c.is_trigger) {
+        keep_answer(s.bodies, contacts, id, 0);
+        return trigger_outcome(c, true);
+    }
+    return take_points(s, contacts, id, m, touch);
+}
+
+std::uint8_t take_points(const State& s, Contacts& contacts, std::uint32_t id, const Manifold& m, const Touch* touch) {
+    ContactInfo& c = contacts.info[id];
     if (touch)
         drop_answer(s.bodies, contacts, id);
     else
         keep_answer(s.bodies, contacts, id, 0);
-    if (c.is_trigger) return trigger_outcome(c, true);
     const bool is_new = c.point_count == 0;
     write_record(s.bodies, s.shapes, contacts, id, m, touch);
     ContactRecord& r = contacts.records[id];

@@ -23,6 +23,11 @@ enum Outcome : std::uint8_t {
     to_test,        // + PairKind
 };
 
+inline bool moves(const Bodies& bodies, std::int32_t body) {
+    const BodyMotion& m = bodies.motion[body];
+    return !(m.v == math::Vec3{} && m.w == math::Vec3{});
+}
+
 // How far apart two shapes may be to count: what the next step can close.
 float contact_margin(const Bodies& bodies, const NarrowScratch& narrow, const ContactInfo& contact, float dt);
 // Whether points that are beyond where contacts begin do not come near each other in the next step either, as the
@@ -35,6 +40,15 @@ float approach_of(const Bodies& bodies, const Shapes& shapes, const ContactInfo&
 // `touch`: as of write_record.
 std::uint8_t take_manifold(const State& state, Contacts& contacts, std::uint32_t contact, const Manifold& manifold,
                            float dt, const Touch* touch = nullptr);
+// Likewise of points that are solved: nothing more is asked of the manifold.
+std::uint8_t take_points(const State& state, Contacts& contacts, std::uint32_t contact, const Manifold& manifold,
+                         const Touch* touch = nullptr);
+// Whether a pair has met already, at the point that its test gives first: no touch of it is to come, and it does not
+// stay apart. A surface that moves may be left behind all the same.
+inline bool overlaps(const Bodies& bodies, const ContactInfo& contact, const Manifold& manifold) {
+    return manifold.count > 0 && manifold.points[0][3] <= 0 && !contact.is_trigger &&
+           (contact.b_moves || !moves(bodies, contact.body_b));
+}
 // Likewise of a pair that is found apart, by so many meters at least if that is known.
 std::uint8_t take_distance(const Bodies& bodies, Contacts& contacts, std::uint32_t contact, float distance);
 std::uint8_t trigger_outcome(const ContactInfo& contact, bool inside);
@@ -48,7 +62,6 @@ void end_contact(Bodies& bodies, const Shapes& shapes, Contacts& contacts, Islan
 
 // The outcome of a contact that stays.
 std::uint8_t going_on(const Bodies& bodies, const Islands& islands, const ContactInfo& contact);
-bool moves(const Bodies& bodies, std::int32_t body);
 // Of the points of a record, the greatest speed at which they approach.
 float approach_speed(const Bodies& bodies, const ContactInfo& contact, const ContactRecord& record);
 

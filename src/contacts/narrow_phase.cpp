@@ -31,8 +31,9 @@ constexpr float little_turn = 0.1f; // rad in a pass: contacts may be moved alon
 std::uint8_t take_first_test(const State& s, Contacts& contacts, const StepScratch& step, std::uint32_t place,
                              const Manifold& m, NarrowBatch& own, float dt) {
     const std::uint32_t id = step.narrow.candidates[place];
-    if (!may_meet_in_flight(s, step.passes, contacts.info[id], m, dt) ||
-        stays_apart(s.bodies, s.shapes, contacts.info[id], m, dt))
+    const ContactInfo& c = contacts.info[id];
+    if (overlaps(s.bodies, c, m)) return take_points(s, contacts, id, m);
+    if (!may_meet_in_flight(s, step.passes, c, m, dt) || stays_apart(s.bodies, s.shapes, c, m, dt))
         return take_test(s, contacts, step, id, m, dt);
     own.flights.add(place, &m, 1);
     return may_fly_by;
