@@ -261,16 +261,8 @@ void begin_touch(const Bodies& bodies, const Shapes& shapes, Contacts& contacts,
         {a, b, body_a, body_b, {p.x, p.y, p.z}, {r.normal[0], r.normal[1], r.normal[2]}, r.approach_speed});
 }
 
-// Takes note of what a contact carried, and says whether it began or ceased to touch. Others may be at work on other
-// contacts.
-bool take_report(Contacts& contacts, Islands& islands, const SolverScratch& solver, const SortedContact& sorted,
-                 float dt) {
-    ContactInfo& c = contacts.info[sorted.id];
-    const ContactReport& report = solver.reports[sorted.id];
-    // Impulses beyond the range of numbers (of bodies that were stopped for it) must not start the next step.
-    if (!std::isfinite(report.impulse)) forget_impulses(contacts.records[sorted.id], c.point_count);
-    const float force = std::isfinite(report.impulse) ? report.impulse / dt : 0;
-    note_load(islands.all[sorted.island], c, force, report.inverse_mass);
+// Whether the step has made a contact begin or cease to touch.
+bool begins_or_ends(const ContactInfo& c, const ContactReport& report) {
     if (!c.touching) return report.separation <= 0 || report.impulse > 0;
     return report.impulse == 0 && report.separation > 0.25f * c.base_margin;
 }
@@ -280,26 +272,38 @@ bool take_report(Contacts& contacts, Islands& islands, const SolverScratch& solv
 float report_contacts(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, Islands& islands,
                       StepEvents& events, const WorldDef& settings, StepScratch& step, float dt) {
     float deepest = 0; // raised by all threads
+    const std::vector<SortedContact>& solved = step.solver.unsorted;
     std::vector<std::uint8_t>& changes = step.narrow.changes;
-    changes.resize(contacts.info.size());
-    const std::vector<SortedContact>& sorted = step.solver.sorted;
-    step.thread_pool->for_chunks(int(sorted.size()), reports_per_chunk, [&](int begin, int end, int) {
+    changes.resize(solved.size());
+    step.thread_pool->for_chunks(int(solved.size()), reports_per_chunk, [&](int begin, int end, int) {
+        // Changes are bytes, which may be anything for the compiler: it would look up the arrays anew after each.
+        ContactInfo* const info = contacts.info.data();
+        Island* const all = islands.all.data();
+        const ContactReport* const reports = step.solver.reports.data();
+        const SortedContact* const list = solved.data();
+        std::uint8_t* const change = changes.data();
         float own = 0;
-        for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
-            if (k + contacts_ahead < std::size_t(end)) {
-                const std::uint32_t next = sorted[k + contacts_ahead].id;
-                ask_cache(&contacts.info[next]);
-                ask_cache(&step.solver.reports[next]);
+        for (int k = begin; k < end; ++k) {
+            if (k + int(contacts_ahead) < end) {
+                const std::uint32_t next = list[k + int(contacts_ahead)].id;
+                ask_cache(&info[next]);
+                ask_cache(&reports[next]);
             }
-            const std::uint32_t id = sorted[k].id;
-            changes[id] = take_report(contacts, islands, step.solver, sorted[k], dt);
-            own = std::max(own, -step.solver.reports[id].separation);
+            const ContactReport& report = reports[list[k].id];
+            // Impulses beyond the range of numbers (of bodies that were stopped for it) must not start the next step.
+            const bool is_finite = std::isfinite(report.impulse);
+            ContactInfo& c = info[list[k].id];
+            if (!is_finite) forget_impulses(contacts.records[list[k].id], c.point_count);
+            note_load(all[list[k].island], c, is_finite ? report.impulse / dt : 0, report.inverse_mass);
+            change[k] = begins_or_ends(c, report);
+            own = std::max(own, -report.separation);
         }
         raise(deepest, own);
     });
-    for (const SortedContact& solved : step.solver.unsorted) {
-        if (!changes[solved.id]) continue;
-        const std::uint32_t id = solved.id;
+    const std::uint8_t* const end = changes.data() + changes.size();
+    const auto next_change = [&](const std::uint8_t* from) { return std::find(from, end, 1); };
+    for (const std::uint8_t* at = next_change(changes.data()); at != end; at = next_change(at + 1)) {
+        const std::uint32_t id = solved[std::size_t(at - changes.data())].id;
         ContactInfo& c = contacts.info[id];
         if (c.touching)
             end_touch(bodies, shapes, contacts, events, c);

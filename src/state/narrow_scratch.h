@@ -80,7 +80,7 @@ struct NarrowScratch {
     std::vector<float> turn_reach;            // by body, m: bodies.h
     std::vector<std::uint8_t> whirls;         // by body: whether it is one of them
     std::vector<std::uint32_t> skipped;       // contacts of sleeping bodies with kinematic ones at rest
-    std::vector<std::uint8_t> changes;        // by contact, of those that were solved: began or ceased to touch
+    std::vector<std::uint8_t> changes;        // 1 for each of those that were solved: began or ceased to touch
     std::vector<std::uint32_t> candidates;    // contacts of all pairs, those of neighbors near each other
     std::vector<std::uint8_t> outcomes;       // of each: what is to be done, what has come out (contacts.h)
     std::vector<std::uint32_t> open;          // places among the candidates of those not known to stay apart
