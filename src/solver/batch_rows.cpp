@@ -7,6 +7,7 @@
 #include "bodies/integrators.h"
 #include "core/order.h"
 #include "joints/joint_layout.h"
+#include "kernels/kernels.h"
 #include "solver/contact_order.h"
 #include "solver/row_motion.h"
 #include "state/state.h"
@@ -267,16 +268,26 @@ void empty_batch(Bodies& bodies, Shapes& shapes, const BroadPhase& broad_phase, 
                  ThreadPool* thread_pool, float dt) {
     std::vector<BatchScratch>& threads = solver.at_work;
     const int rows = int(scratch.row_count());
+    const HalfLimits half{0.5f * settings.max_linear_speed * dt, 0.5f * settings.max_linear_speed,
+                          0.5f * settings.max_angular_speed};
     for_chunks(thread_pool, rows, rows_per_chunk, [&](int begin, int end, int thread) {
         BatchScratch& own = thread_pool ? threads[thread] : scratch;
-        for (int row = begin; row < end; ++row) {
-            prefetch_ahead(bodies, shapes, broad_phase, scratch.row_bodies, std::size_t(row));
-            const std::int32_t b = scratch.row_bodies[row];
-            if (b == none) continue;
-            scratch.row_of_body[b] = none;
-            if (!bodies.is_dynamic(b)) continue;
-            own.clamped_speeds += scatter_body(bodies, settings, scratch, b, std::size_t(row), dt);
-            finalize_body(bodies, shapes, broad_phase, settings, b, dt, own.finalized);
+        for (int row = begin; row < end; row += 8) {
+            const std::int32_t* const group = scratch.row_bodies.data() + row;
+            int lanes = 0;
+            for (int i = 0; i < 8; ++i) {
+                prefetch_ahead(bodies, shapes, broad_phase, scratch.row_bodies, std::size_t(row + i));
+                if (group[i] != none) scratch.row_of_body[group[i]] = none;
+                lanes |= (scratch.row_traits[row + i] & is_dynamic_row) << i;
+            }
+            const int moved = kernels().solver.move_bodies(group, lanes, scratch.velocity.data() + row,
+                                                           scratch.pose.data() + row, bodies.motion.data(), half);
+            for (int i = 0; i < 8; ++i) {
+                if ((lanes >> i & 1) == 0) continue;
+                if ((moved >> i & 1) == 0)
+                    own.clamped_speeds += scatter_body(bodies, settings, scratch, group[i], std::size_t(row + i), dt);
+                finalize_body(bodies, shapes, broad_phase, settings, group[i], dt, own.finalized);
+            }
         }
     });
     for_chunks(thread_pool, int(scratch.free_bodies.size()), rows_per_chunk, [&](int begin, int end, int thread) {
