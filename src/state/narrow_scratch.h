@@ -84,6 +84,7 @@ struct NarrowScratch {
     std::vector<std::uint32_t> candidates;    // contacts of all pairs, those of neighbors near each other
     std::vector<std::uint8_t> outcomes;       // of each: what is to be done, what has come out (contacts.h)
     std::vector<std::uint32_t> open;          // places among the candidates of those not known to stay apart
+    std::vector<std::uint32_t> open_in_chunk; // how many of these a chunk of candidates has
     std::vector<std::uint8_t> found;          // by contact: the first pass of a step that is split has tested it
     bool any_groups = false;                  // among those
     std::vector<std::uint8_t> patch_outcomes; // by contact, of patches of groups that were tested
