@@ -90,10 +90,6 @@ bool has_distance(PairKind kind) {
     }
 }
 
-bool is_asleep(const Bodies& bodies, const Islands& islands, const ContactInfo& c) {
-    return !is_awake(bodies, islands, c.body_a) || (c.b_moves && !is_awake(bodies, islands, c.body_b));
-}
-
 } // namespace
 
 // Of the points of a record.
@@ -110,11 +106,6 @@ float approach_of(const Bodies& bodies, const Shapes& shapes, const ContactInfo&
     const math::Vec3 center = shapes.links[c.flipped ? c.shape_b : c.shape_a].arm;
     return greatest_approach(a, b, to_vec(m.normal), math::to_float(a.x - b.x), m.count,
                              [&](int i) { return center + to_vec(m.points[i]); });
-}
-
-// The outcome of a contact that stays.
-std::uint8_t going_on(const Bodies& bodies, const Islands& islands, const ContactInfo& c) {
-    return is_asleep(bodies, islands, c) || (!c.b_moves && moves(bodies, c.body_b)) ? may_wake : goes_on;
 }
 
 void follow_up(State& s, NarrowScratch& narrow, std::vector<std::uint32_t>& solved, std::uint32_t id,
@@ -149,13 +140,6 @@ void follow_up(State& s, NarrowScratch& narrow, std::vector<std::uint32_t>& solv
         if (!c.b_moves && moves(s.bodies, c.body_b)) s.islands.all[s.bodies.links[c.body_a].island].kept_awake = 1;
     }
     solved.push_back(id);
-}
-
-// How far apart two shapes may be to count: what the next step can close. Triggers do not look ahead.
-float contact_margin(const Bodies& bodies, const NarrowScratch& narrow, const ContactInfo& c, float dt) {
-    if (c.is_trigger) return 0;
-    const BodyMotion &a = bodies.motion[c.body_a], &b = bodies.motion[c.body_b];
-    return c.base_margin + dt * math::length(b.v - a.v) + (narrow.turn_reach[c.body_a] + narrow.turn_reach[c.body_b]);
 }
 
 // Such contacts would have nothing to do in the solver: they are up to half of all while a heap lands.
@@ -198,19 +182,6 @@ std::uint8_t take_manifold(const State& s, Contacts& contacts, std::uint32_t id,
         return trigger_outcome(c, true);
     }
     return take_points(s, contacts, id, m, touch);
-}
-
-std::uint8_t take_points(const State& s, Contacts& contacts, std::uint32_t id, const Manifold& m, const Touch* touch) {
-    ContactInfo& c = contacts.info[id];
-    if (touch)
-        drop_answer(s.bodies, contacts, id);
-    else
-        keep_answer(s.bodies, contacts, id, 0);
-    const bool is_new = c.point_count == 0;
-    write_record(s.bodies, s.shapes, contacts, id, m, touch);
-    ContactRecord& r = contacts.records[id];
-    if (!c.touching) r.approach_speed = approach_speed(s.bodies, c, r);
-    return is_new ? std::uint8_t(begun) : going_on(s.bodies, s.islands, c);
 }
 
 std::uint8_t trigger_outcome(const ContactInfo& c, bool inside) {
