@@ -18,8 +18,8 @@ constexpr double max_step = 0.25; // of that length in one step: the solver cann
 
 constexpr float max_turn = 1.0f; // radians in a step
 
-constexpr int bodies_per_chunk = 1024;  // for threads
-constexpr int bodies_ahead = 8;  // that are asked for in time
+constexpr int bodies_per_chunk = 1024; // for threads
+constexpr int bodies_ahead = 8;        // that are asked for in time
 
 void prefetch_poses(const Bodies& bodies, std::int32_t b) {
     ask_cache(&bodies.motion[b].x);
@@ -62,18 +62,21 @@ void spend_budget(Bodies& bodies, std::int32_t b) {
 void count_motion(Bodies& bodies, const Islands& islands, const WorldDef& settings, StepScratch& step, float dt) {
     const double h = double(dt) / step.passes.in_pass(settings.substeps);
     const double shift = max_creep * h * h, speed = max_step * shift / double(dt);
-    step.narrow.turn_reach.assign(bodies.links.size(), 0); // of what does not move
-    const bool is_first = step.passes.number == 0;         // what whirls is asked once a step
+    // Of what does not move it is zero.
+    std::vector<std::int32_t>& moving = step.narrow.moving;
+    for (const std::int32_t b : moving) step.narrow.turn_reach[b] = 0;
+    step.narrow.turn_reach.resize(bodies.links.size());
+    const bool is_first = step.passes.number == 0; // what whirls is asked once a step
     if (is_first) {
         for (const std::int32_t b : step.narrow.whirling) step.narrow.whirls[b] = 0;
         step.narrow.whirls.resize(bodies.links.size());
         step.narrow.whirling.clear();
     }
-    std::vector<std::int32_t>& awake = step.narrow.awake;
-    awake.clear();
+    moving.clear();
     for (const std::int32_t i : islands.awake)
         for (std::int32_t b = islands.all[i].first_body; b != none; b = bodies.links[b].next_in_island)
-            awake.push_back(b);
+            moving.push_back(b);
+    const int awake = int(moving.size());
     const float max_square = (max_turn / dt) * (max_turn / dt);
     const BodyMotion* const motions = bodies.motion.data();
     const BodyLinks* const links = bodies.links.data();
@@ -85,11 +88,10 @@ void count_motion(Bodies& bodies, const Islands& islands, const WorldDef& settin
         ahead[b] = travel[b] + travelled(double(dt * math::length(motions[b].v) + reach));
     };
     std::mutex whirling;
-    step.thread_pool->for_chunks(int(awake.size()), bodies_per_chunk, [&](int begin, int end, int) {
-        const std::int32_t* const list = awake.data();
-        const int all = int(awake.size());
+    step.thread_pool->for_chunks(awake, bodies_per_chunk, [&](int begin, int end, int) {
+        const std::int32_t* const list = moving.data();
         for (int k = begin; k < end; ++k) {
-            if (k + bodies_ahead < all) prefetch_poses(bodies, list[k + bodies_ahead]);
+            if (k + bodies_ahead < awake) prefetch_poses(bodies, list[k + bodies_ahead]);
             const std::int32_t b = list[k];
             const BodyMotion& motion = motions[b];
             if (!rests(counted[b], motion, links[b].radius, shift, speed))
@@ -107,6 +109,7 @@ void count_motion(Bodies& bodies, const Islands& islands, const WorldDef& settin
         const BodyMotion& motion = motions[b];
         if (!stands_still(counted[b], motion)) count(counted[b], travel[b], motion, links[b].radius);
         look_ahead(b, math::length(motion.w));
+        moving.push_back(b);
     }
 }
 

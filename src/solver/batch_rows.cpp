@@ -168,12 +168,15 @@ void fill_row(Bodies& bodies, const WorldDef& settings, BatchScratch& scratch, s
     if (is_dynamic && clamp_velocity(settings, motion.v, motion.w)) ++clamped_speeds;
     scratch.velocity[row] = scratch.reference[row] = to_row(motion.v, motion.w);
     if (!is_dynamic) return;
-    scratch.row_traits[row] = row_traits(bodies, settings, b);
     const BodyMass& mass = bodies.mass[b];
-    scratch.inertia[row].inverse_mass = mass.inverse_mass;
-    if (scratch.row_traits[row] & spins_wide) return; // the kernel finds it (prepare_free_motion)
-    const math::Sym3 i = contact_inverse_inertia(motion, mass);
-    scratch.inertia[row] = {mass.inverse_mass, i.xx, i.xy, i.xz, i.yy, i.yz, i.zz, 0};
+    const std::uint8_t traits = row_traits(bodies, settings, b);
+    SolverInertia inertia{mass.inverse_mass, 0, 0, 0, 0, 0, 0, 0};
+    if (!(traits & spins_wide)) { // else the kernel finds it (prepare_free_motion)
+        const math::Sym3 i = contact_inverse_inertia(motion, mass);
+        inertia = {mass.inverse_mass, i.xx, i.xy, i.xz, i.yy, i.yz, i.zz, 0};
+    }
+    scratch.inertia[row] = inertia;
+    scratch.row_traits[row] = traits; // a byte, which may be anything for the compiler: last
 }
 
 void fill_rows(Bodies& bodies, const Shapes& shapes, const Contacts& contacts, const WorldDef& settings,

@@ -75,7 +75,7 @@ struct NarrowScratch {
     std::vector<std::vector<std::uint32_t>> lists;
     std::vector<std::uint32_t> to_move;       // likewise: tested before, to be moved along
     std::vector<NarrowBatch> at_work;         // one per thread
-    std::vector<std::int32_t> awake;          // bodies
+    std::vector<std::int32_t> moving;         // bodies that are awake, and then the kinematic ones
     std::vector<std::int32_t> whirling;       // bodies that turn far in a step and have unequal moments of inertia
     std::vector<float> turn_reach;            // by body, m: bodies.h
     std::vector<std::uint8_t> whirls;         // by body: whether it is one of them
