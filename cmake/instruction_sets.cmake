@@ -38,7 +38,13 @@ function(cairn_runs_here result)
     check_cxx_source_runs("int main() { return ${condition} ? 0 : 1; }" ${result})
 endfunction()
 
-set(CAIRN_KERNELS "" CACHE STRING
+# Those who add Cairn to their own build want to try it soon: they get the kernels of their machine, and for other machines
+# those that run on all.
+set(kernels_by_default native)
+if(PROJECT_IS_TOP_LEVEL)
+    set(kernels_by_default "")
+endif()
+set(CAIRN_KERNELS "${kernels_by_default}" CACHE STRING
     "Instruction sets to compile kernels for, of ${cairn_isas}; native: the best of this machine, and one that all have; \
 all of them if empty")
 if(CAIRN_KERNELS STREQUAL "native")
@@ -50,6 +56,9 @@ if(CAIRN_KERNELS STREQUAL "native")
             list(APPEND cairn_isas avx512)
         elseif(CAIRN_RUNS_AVX2)
             list(APPEND cairn_isas avx2)
+        endif()
+        if(CAIRN_RUNS_AVX2 AND NOT PROJECT_IS_TOP_LEVEL)
+            list(APPEND cairn_flags_sse2 -O1) # this machine will not use them: quick to build matters more
         endif()
     endif()
 elseif(CAIRN_KERNELS)

@@ -16,7 +16,8 @@ import docs_reference
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 GUIDE = ["first_world", "shapes", "joints", "queries_and_events", "threads_and_determinism", "scenes", "python", "web", "performance",
          "how_it_works"]
-PAGES = [("C", "c_api"), ("Python", "python"), ("The web", "web"), ("Shapes", "shapes"), ("Joints", "joints"), ("Solver", "solver"),
+PAGES = [("C", "c_api"), ("Python", "python"), ("The web", "web"), ("The viewer", "viewer"),
+         ("Which integrator gains energy", "viewer_student"), ("A stack that falls", "viewer_developer"), ("Shapes", "shapes"), ("Joints", "joints"), ("Solver", "solver"),
          ("Determinism", "determinism"), ("Scene format", "scene_format"), ("Models", "models"), ("URDF", "urdf"), ("MJCF", "mjcf"),
          ("SDF", "sdf"), ("USD", "usd"), ("Benchmarks", "benchmarks"), ("Validation", "validation"), ("Rows of the validation", "validation_rows"),
          ("Faults", "faults"), ("Constants", "constants"), ("Rooms of the source", "architecture"), ("Glossary", "glossary")]

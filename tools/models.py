@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Runs all models of a folder and says what becomes of them.
 
-usage: tools/models.py PROGRAM FOLDER [--seconds S] [--only PART] [--markdown]
+usage: tools/models.py PROGRAM FOLDER [--seconds S] [--only PART] [--markdown | --table]
 
-Models are .xml files of MJCF, .sdf, .world, .urdf and .usda files; those that other models include are run as well. Each
-has a verdict:
+Models are .gltf and .glb files, .xml files of MJCF, .sdf, .world, .urdf and .usda files; those that other models include
+are run as well. Each has a verdict:
 
   rests      nothing moves any more
   parts      bodies that overlap by more than 5 mm as the file has them have pushed each other away
@@ -23,10 +23,11 @@ import csv
 import io
 import json
 import pathlib
+import re
 import subprocess
 import sys
 
-KINDS = {".xml": "MJCF", ".sdf": "SDF", ".world": "SDF", ".urdf": "URDF", ".usda": "USD"}
+KINDS = {".xml": "MJCF", ".sdf": "SDF", ".world": "SDF", ".urdf": "URDF", ".usda": "USD", ".gltf": "glTF", ".glb": "glTF"}
 PATIENCE = 120  # s
 # What servos, springs and keyframes may add: of the energy that moves about in the model.
 TOLERANCE = 0.05
@@ -91,16 +92,40 @@ def verdict(program, path, seconds):
     return "moves", ""
 
 
+def in_runs(names):
+    """Sorted names, those of three and more numbers in a row as "a_00 to a_35"."""
+    runs = []
+    for name in names:
+        stem, number = re.fullmatch(r"(.*?)(\d*)", name).groups()
+        last = runs[-1][-1] if runs else None
+        if last and number and last[0] == stem and last[1] and int(last[1]) + 1 == int(number):
+            runs[-1].append((stem, number))
+        else:
+            runs.append([(stem, number)])
+    texts = [[stem + number for stem, number in run] for run in runs]
+    return ", ".join(f"{run[0]} to {run[-1]}" if len(run) > 2 else ", ".join(run) for run in texts)
+
+
+def print_groups(groups):
+    words = [line.split()[0] for line in __doc__.splitlines() if line.startswith("  ")]
+    print("| format | folder | verdict | number | models |\n|---|---|---|---|---|")
+    for (kind, folder, word), paths in sorted(groups.items(), key=lambda item: (*item[0][:2], words.index(item[0][2]))):
+        suffixes = {path.stem: [other.suffix for other in paths if other.stem == path.stem] for path in paths}
+        names = [stem + ("" if len(found) == 1 else f" ({', '.join(found)})") for stem, found in sorted(suffixes.items())]
+        print(f"| {kind} | {folder} | {word} | {len(paths)} | {in_runs(names)} |")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program")
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("--seconds", type=float, default=5.0)
     parser.add_argument("--only", default="", help="paths with this part only")
-    parser.add_argument("--markdown", action="store_true", help="a table")
+    parser.add_argument("--markdown", action="store_true", help="a table with a row for each model")
+    parser.add_argument("--table", action="store_true", help="a table with a row for each folder and verdict")
     options = parser.parse_args()
     program = str(pathlib.Path(options.program).resolve())
-    counts = {}
+    counts, groups = {}, {}
     if options.markdown:
         print("| format | model | verdict |\n|---|---|---|")
     for path in sorted(options.folder.rglob("*")):
@@ -110,7 +135,12 @@ def main():
         word, why = verdict(program, path, options.seconds)
         counts[word] = counts.get(word, 0) + 1
         text = word + (f": {why}" if why else "")
+        if options.table:
+            groups.setdefault((KINDS[path.suffix], name.split("/")[0], word), []).append(path)
+            continue
         print(f"| {KINDS[path.suffix]} | {name} | {text} |" if options.markdown else f"{text:40} {name}", flush=True)
+    if options.table:
+        print_groups(groups)
     print(json.dumps(counts), file=sys.stderr)
     return 1 if counts.get("explodes") or counts.get("fails") else 0
 

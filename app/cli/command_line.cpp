@@ -137,7 +137,7 @@ void add_run(CLI::App& app, RunOptions& options) {
     auto* targets = run->add_option("--targets", options.targets,
                                     "Move joints as a table says (.csv: time, and joints by their names)");
     run->add_option("--servo-frequency", options.servo_frequency,
-                    "Of joints with targets whose motors have no stiffness, Hz (default 10)")
+                    "Of joints with targets, Hz (default: 10 for those whose motors have no stiffness)")
         ->check(between(0.01, 1000))
         ->needs(targets);
     add_outputs(*run, options);

@@ -39,7 +39,7 @@ struct RunOptions {
     double from = 0.0;                                    // s; csv, animation and video begin there
     std::optional<double> until;                          // s; and end there
     std::filesystem::path targets;                        // of joints; empty: none
-    double servo_frequency = 10.0;                        // Hz, of motors that follow them
+    std::optional<double> servo_frequency; // Hz, of motors that follow them; else of those without a stiffness: 10
     bool json = false;
 };
 

@@ -16,26 +16,59 @@ namespace cairn::cli {
 
 namespace {
 
-constexpr double greatest_target = 1e6; // rad or m
+constexpr double greatest_target = 1e6;  // rad or m
+constexpr double usual_frequency = 10.0; // Hz, of servos
 
-// What acts along the one axis of a hinge or a slider.
-JointControl* control_of(Joint& joint) {
-    if (auto* hinge = std::get_if<HingeJoint>(&joint)) return &hinge->angle;
-    if (auto* slider = std::get_if<SliderJoint>(&joint)) return &slider->translation;
-    return nullptr;
+// What acts along or about the axes of a joint that can follow a table, in the order of their positions.
+std::vector<JointControl*> controls_of(Joint& joint) {
+    if (auto* hinge = std::get_if<HingeJoint>(&joint)) return {&hinge->angle};
+    if (auto* slider = std::get_if<SliderJoint>(&joint)) return {&slider->translation};
+    if (auto* universal = std::get_if<UniversalJoint>(&joint)) return {&universal->first, &universal->second};
+    return {};
+}
+
+// The names of its columns.
+std::vector<std::string> axis_names(const JointDef& def) {
+    Joint joint = def.joint;
+    const std::size_t count = controls_of(joint).size();
+    if (count < 2) return std::vector<std::string>(count, def.name);
+    return {def.name + ".position1", def.name + ".position2"};
+}
+
+struct JointAxis {
+    JointId joint;
+    std::size_t number = 0;
+};
+
+std::optional<JointAxis> find_axis(const World& world, const std::string& column) {
+    for (const char* ending : {"", ".position1", ".position2"}) {
+        const std::size_t length = std::string_view(ending).size();
+        if (column.size() < length || column.compare(column.size() - length, length, ending) != 0) continue;
+        const std::optional<JointId> id = world.find_joint(column.substr(0, column.size() - length));
+        if (!id) continue;
+        const std::vector<std::string> names = axis_names(world.joint_def(*id));
+        const auto found = std::find(names.begin(), names.end(), column);
+        if (found != names.end()) return JointAxis{*id, static_cast<std::size_t>(found - names.begin())};
+    }
+    return std::nullopt;
 }
 
 // The mass, or about an axis the moment of inertia, of the bodies that hang on one side of a joint; infinite if one of
 // them does not move freely.
 class Burden {
   public:
-    Burden(const World& world, JointId joint) : world_(world), joint_(joint) {
-        const JointDef& def = world.joint_def(joint);
+    Burden(const World& world, JointAxis axis) : world_(world), joint_(axis.joint) {
+        const JointDef& def = world.joint_def(joint_);
         const Body b = world.body(def.body_b.is_null() ? def.body_a : def.body_b);
         const Transform frame = def.body_b.is_null() ? def.frame_a : def.frame_b;
         anchor_ = b.position() + Position(b.rotation() * Vec3(frame.position));
-        axis_ = glm::normalize(glm::dquat(b.rotation() * frame.rotation)) * glm::dvec3(1.0, 0.0, 0.0);
-        turns_ = std::holds_alternative<HingeJoint>(def.joint);
+        Quat rotation = b.rotation() * frame.rotation;
+        if (std::holds_alternative<UniversalJoint>(def.joint) && axis.number == 0) {
+            rotation = (def.body_a.is_null() ? Quat(1.0f, 0.0f, 0.0f, 0.0f) : world.body(def.body_a).rotation()) *
+                       def.frame_a.rotation;
+        }
+        axis_ = glm::normalize(glm::dquat(rotation)) * glm::dvec3(axis.number == 0, axis.number == 1, 0.0);
+        turns_ = !std::holds_alternative<SliderJoint>(def.joint);
     }
 
     // What a motor feels that pushes both sides apart.
@@ -86,13 +119,14 @@ void wake(World& world, JointId joint) {
     }
 }
 
-std::string names_of_joints(const World& world) {
+std::string names_of_columns(const World& world) {
     std::string names;
     for (const JointId id : world.joints()) {
-        Joint joint = world.joint_def(id).joint;
-        if (control_of(joint) == nullptr || world.joint_def(id).name.empty()) continue;
-        names += (names.empty() ? "" : ", ") + world.joint_def(id).name;
-        if (names.size() > 400) return names + ", ...";
+        if (world.joint_def(id).name.empty()) continue;
+        for (const std::string& name : axis_names(world.joint_def(id))) {
+            names += (names.empty() ? "" : ", ") + name;
+            if (names.size() > 400) return names + ", ...";
+        }
     }
     return names.empty() ? "none" : names;
 }
@@ -133,7 +167,7 @@ TargetTable read_targets(std::string_view text, const std::string& file) {
     return table;
 }
 
-JointTargets::JointTargets(const std::filesystem::path& path, scene::Scene& scene, double frequency)
+JointTargets::JointTargets(const std::filesystem::path& path, scene::Scene& scene, std::optional<double> frequency)
     : start_(scene.world.time()) {
     const std::string file = path.generic_string();
     const std::vector<std::byte> bytes = scene::read_file(path);
@@ -141,34 +175,35 @@ JointTargets::JointTargets(const std::filesystem::path& path, scene::Scene& scen
     for (std::size_t column = 0; column < table_.names.size(); ++column) {
         const std::string& name = table_.names[column];
         const std::string place = fmt::format("{}:1: column {}", file, column + 2);
-        const std::optional<JointId> id = scene.world.find_joint(name);
-        if (!id) {
+        const std::optional<JointAxis> axis = find_axis(scene.world, name);
+        if (!axis) {
+            const bool is_other = scene.world.find_joint(name).has_value();
             throw Error(ErrorCode::invalid_file, place, "\"" + name.substr(0, 60) + "\"",
-                        "must be the name of a hinge or a slider (" + names_of_joints(scene.world) + ")");
+                        std::string(is_other ? "is another joint; must be" : "must be the name of") +
+                            " a hinge, a slider or an axis of a universal joint (" + names_of_columns(scene.world) +
+                            ")");
         }
-        Joint joint = scene.world.joint_def(*id).joint;
-        JointControl* control = control_of(joint);
-        if (control == nullptr) {
-            throw Error(ErrorCode::invalid_file, place, "\"" + name.substr(0, 60) + "\"",
-                        "must be a hinge or a slider, and is another joint");
-        }
+        const JointId id = axis->joint;
+        Joint joint = scene.world.joint_def(id).joint;
+        JointControl* control = controls_of(joint)[axis->number];
         if (!control->motor) control->motor.emplace();
         JointMotor& motor = *control->motor;
-        if (!motor.spring || !(motor.spring->stiffness > 0.0f)) {
-            const double omega = 2.0 * 3.14159265358979324 * frequency, burden = Burden(scene.world, *id).reduced();
+        if (frequency || !motor.spring || !(motor.spring->stiffness > 0.0f)) {
+            const double omega = 2.0 * 3.14159265358979324 * frequency.value_or(usual_frequency),
+                         burden = Burden(scene.world, *axis).reduced();
             double damping = motor.spring ? static_cast<double>(motor.spring->damping) : 0.0; // of the file
             if (motor.spring && motor.spring->is_acceleration) damping *= burden;
             motor.spring = JointSpring{static_cast<float>(burden * omega * omega),
                                        static_cast<float>(2.0 * burden * omega + damping), false};
         }
-        Follower follower{*id, column, std::numeric_limits<double>::infinity(), 0.0, 0.0};
-        follower.position = static_cast<double>(scene.world.joint_state(*id).positions[0]);
+        Follower follower{id, axis->number, column, std::numeric_limits<double>::infinity(), 0.0, 0.0};
+        follower.position = static_cast<double>(scene.world.joint_state(id).positions[axis->number]);
         for (const scene::JointSpeedLimit& limit : scene.speed_limits) {
-            if (limit.joint == *id) follower.speed = static_cast<double>(limit.speed);
+            if (limit.joint == id) follower.speed = static_cast<double>(limit.speed);
         }
         motor.position = static_cast<float>(follower.position);
         motor.velocity = 0.0f;
-        scene.world.set_joint(*id, joint);
+        scene.world.set_joint(id, joint);
         followers_.push_back(follower);
     }
 }
@@ -196,7 +231,7 @@ void JointTargets::apply(World& world, float time_step) {
         follower.position += change;
         follower.velocity = velocity;
         Joint joint = world.joint_def(follower.joint).joint;
-        JointMotor& motor = *control_of(joint)->motor;
+        JointMotor& motor = *controls_of(joint)[follower.axis]->motor;
         motor.position = static_cast<float>(follower.position);
         motor.velocity = static_cast<float>(velocity);
         world.set_joint(follower.joint, joint);

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -24,12 +25,13 @@ struct TargetTable {
 // Throws Error (invalid_file).
 TargetTable read_targets(std::string_view text, const std::string& file);
 
-// Turns the motors of hinges and sliders into servos, and moves what they aim at.
+// Turns the motors of hinges, sliders and universal joints into servos, and moves what they aim at.
 class JointTargets {
   public:
-    // Motors that have no stiffness get a critically damped spring of that frequency (Hz), reckoned with all that hangs
-    // on the joint as it stands. Throws Error (invalid_file, io), also for names of joints that are not there.
-    JointTargets(const std::filesystem::path& path, scene::Scene& scene, double frequency);
+    // Motors get a critically damped spring of that frequency (Hz), reckoned with all that hangs on the joint as it
+    // stands; without a frequency those alone that have no stiffness, of 10 Hz. Throws Error (invalid_file, io), also
+    // for names of joints that are not there.
+    JointTargets(const std::filesystem::path& path, scene::Scene& scene, std::optional<double> frequency);
 
     // Before each step: aims at where the table is at its end, on a straight line between the rows, and before the
     // first and after the last of them at these; no faster than the joint's limit of speed. What follows does not
@@ -39,6 +41,7 @@ class JointTargets {
   private:
     struct Follower {
         JointId joint;
+        std::size_t axis = 0; // of the joint
         std::size_t column = 0;
         double speed = 0.0;    // rad/s or m/s; infinite: no limit
         double position = 0.0; // that it aims at now

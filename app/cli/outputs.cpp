@@ -59,9 +59,24 @@ void print(const std::string& text) {
 
 bool output_is_on_terminal() { return standard_output_is_taken && isatty(STDOUT_FILENO) == 1; }
 
+namespace {
+
+// The ends of what is long, cut between characters: a file may have names of a million letters.
+std::string shortened(std::string_view text) {
+    constexpr std::size_t max_length = 1200;
+    if (text.size() <= max_length) return std::string(text);
+    const auto continues = [text](std::size_t at) { return (static_cast<unsigned char>(text[at]) & 0xC0u) == 0x80u; };
+    std::size_t head = max_length / 2, tail = text.size() - max_length / 2;
+    while (head > 0 && continues(head)) --head;
+    while (tail < text.size() && continues(tail)) ++tail;
+    return std::string(text.substr(0, head)) + " ... " + std::string(text.substr(tail));
+}
+
+} // namespace
+
 void complain(std::string_view text) {
     std::string line = "cairn: ";
-    for (const char c : text) line += static_cast<unsigned char>(c) < ' ' || c == 127 ? ' ' : c;
+    for (const char c : shortened(text)) line += static_cast<unsigned char>(c) < ' ' || c == 127 ? ' ' : c;
     while (line.back() == ' ') line.pop_back();
     line += '\n';
     static_cast<void>(std::fwrite(line.data(), 1, line.size(), stderr)); // there is nobody to tell

@@ -8,6 +8,7 @@
 #include "cli/trajectory_writer.h"
 
 #include "scene/animation.h"
+#include "scene/mesh_files.h"
 #include "scene/scene.h"
 
 #include <fmt/core.h>
@@ -258,6 +259,10 @@ void warn_of_speeds(scene::Scene& scene, std::uint64_t count) {
 
 scene::Scene ReadOptions::load(const std::filesystem::path& path, std::shared_ptr<CommandListener> listener) const {
     set_activity("reading", path.generic_string());
+    if (scene::is_mesh_file(path)) {
+        throw Error(ErrorCode::unsupported, path.generic_string(), {},
+                    "is a mesh, and no scene; `cairn convert` makes a body of it");
+    }
     scene::Scene scene =
         scene::load(path, {.fixed_base = fixed_base, .decompose = decompose, .listener = std::move(listener)});
     if (floor) scene::add_floor(scene);

@@ -27,6 +27,8 @@ int view_command(const ViewOptions& options) {
     window.loader = [&](const std::string& path) {
         return load_for_viewer(path, path == window.scene ? options.read : ReadOptions{});
     };
+    window.savers = {save_recording, save_scene};
+    window.svg_of_chart = svg_of_chart;
     window.file_types = viewer_file_types();
     window.width = options.width;
     window.height = options.height;

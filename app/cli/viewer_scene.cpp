@@ -1,12 +1,16 @@
 #include "cli/viewer_scene.h"
 
 #include "cli/outputs.h"
+#include "cli/svg_plot.h"
+#include "recording/recorder.h"
+#include "recording/recording.h"
 #include "scene/mesh_files.h"
 #include "viewer/world_state.h"
 
 #include <glm/trigonometric.hpp>
 
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <unordered_map>
 #include <utility>
@@ -54,7 +58,7 @@ viewer::CameraPose camera_of(const scene::Scene& scene, std::span<const viewer::
 }
 
 std::vector<std::string> viewer_file_types() {
-    return {".gltf", ".glb", ".urdf", ".xml", ".sdf", ".world", ".usda", ".obj", ".stl"};
+    return {".gltf", ".glb", ".urdf", ".xml", ".sdf", ".world", ".usda", ".obj", ".stl", ".mcap"};
 }
 
 namespace {
@@ -74,9 +78,91 @@ scene::Scene load_any(const std::filesystem::path& path, const ReadOptions& opti
     return scene;
 }
 
+// The file and what reads it, as long as somebody has their source.
+struct OpenRecording {
+    explicit OpenRecording(const std::filesystem::path& path) : recording(path), calls(recording) {}
+    recording::Recording recording;
+    recording::CallReader calls;
+};
+
+// The world of its beginning, and all that follows. What comes before the first step makes the scene.
+viewer::LoadedScene load_recording(const std::filesystem::path& path) {
+    const auto open = std::make_shared<OpenRecording>(path);
+    viewer::LoadedScene loaded;
+    loaded.world.set_threads(hardware_threads());
+    loaded.run.source = {open, open->calls.source().get()};
+    loaded.run.keyframe = [open](std::uint64_t after, std::uint64_t until) {
+        return open->calls.keyframe(after, until);
+    };
+    std::vector<viewer::RecordedStep>& steps = loaded.run.steps;
+    steps.emplace_back();
+    recording::RecordedCall call;
+    while (open->calls.next(call)) {
+        if (call.command.empty()) continue; // a digest of a state that a keyframe has
+        if (call.is_step) {
+            steps.back().step = call.command;
+            steps.back().digest = call.digest;
+            steps.emplace_back();
+        } else if (steps.size() == 1) {
+            loaded.world.execute(call.command, *loaded.run.source);
+        } else {
+            steps.back().changes.push_back(call.command);
+        }
+    }
+    const recording::RecordingInfo& info = open->recording.info();
+    if (info.steps > 0) loaded.time_step = float(info.seconds / double(info.steps));
+    loaded.title = path.filename().string();
+    loaded.hint = "a recording" + (info.source.empty() ? std::string() : " of " + info.source) +
+                  ": drag on the bar below, or press Space";
+    loaded.camera = viewer::fit_camera(loaded.world);
+    loaded.is_paused = true;
+    return loaded;
+}
+
 } // namespace
 
+void save_recording(const std::filesystem::path& path, const std::string& source, World& world,
+                    const std::function<void()>& run) {
+    recording::RecorderOptions options;
+    options.source = source;
+    recording::Recorder recorder(path, options);
+    world.set_command_listener(recorder.listener());
+    run();
+    recorder.close();
+}
+
+void save_scene(const std::filesystem::path& path, viewer::LoadedScene& saved) {
+    scene::Scene scene;
+    scene.info.title = saved.title;
+    scene.info.hint = saved.hint;
+    scene.info.time_step = saved.time_step;
+    scene.info.camera =
+        scene::Camera{saved.camera.position, saved.camera.target, glm::degrees(saved.camera.vertical_fov)};
+    for (const viewer::Appearance& appearance : saved.appearances)
+        if (saved.world.is_valid(appearance.shape))
+            scene.appearances.push_back({saved.world.body_of(appearance.shape), appearance.shape, appearance.color});
+    for (const viewer::JointAppearance& shown : saved.strings)
+        scene.joint_appearances.push_back({shown.joint, shown.color});
+    scene.force_fields = saved.force_fields;
+    scene.world = std::move(saved.world);
+    scene::save(scene, path);
+}
+
+std::string svg_of_chart(const viewer::Chart& chart) {
+    validation::Plot plot{chart.title, chart.x_label, chart.y_label, chart.log_x, chart.log_y, {}};
+    for (const viewer::Curve& curve : chart.curves) {
+        validation::Curve drawn{curve.is_reference ? "expected: " + curve.label : curve.label, curve.x, curve.y,
+                                curve.as_points};
+        if (chart.top) // what is above leaves the chart
+            for (double& y : drawn.y)
+                if (y > *chart.top) y = std::numeric_limits<double>::quiet_NaN();
+        plot.curves.push_back(std::move(drawn));
+    }
+    return svg_plot(plot);
+}
+
 viewer::LoadedScene load_for_viewer(const std::string& path, const ReadOptions& options) {
+    if (std::filesystem::path(path).extension() == ".mcap") return load_recording(path);
     scene::Scene scene = load_any(scene::find_scene(path), options);
     print_warnings(scene.warnings);
     viewer::LoadedScene loaded;
@@ -88,6 +174,7 @@ viewer::LoadedScene load_for_viewer(const std::string& path, const ReadOptions& 
     loaded.title = scene.info.title;
     loaded.hint = scene.info.hint;
     loaded.time_step = scene.info.time_step;
+    loaded.force_fields = scene.force_fields;
     scene.world.set_threads(hardware_threads());
     loaded.world = std::move(scene.world);
     return loaded;

@@ -3,8 +3,11 @@
 
 #include "cli/commands.h"
 #include "scene/scene.h"
+#include "viewer/chart.h"
 #include "viewer/scene_source.h"
 
+#include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,6 +26,15 @@ viewer::CameraPose camera_of(const scene::Scene& scene, std::span<const viewer::
 
 // Extensions of the files that `load_for_viewer` reads.
 std::vector<std::string> viewer_file_types();
+
+// See `viewer::Savers`.
+void save_recording(const std::filesystem::path& path, const std::string& source, World& world,
+                    const std::function<void()>& run);
+
+void save_scene(const std::filesystem::path& path, viewer::LoadedScene& saved);
+
+// A chart of the viewer as an SVG picture.
+std::string svg_of_chart(const viewer::Chart& chart);
 
 viewer::LoadedScene load_for_viewer(const std::string& path, const ReadOptions& options);
 

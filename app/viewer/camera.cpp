@@ -12,11 +12,12 @@ namespace {
 
 constexpr float max_pitch = 1.55f;       // radians, just short of the pole
 constexpr float min_distance = 0.05f;    // meters
-constexpr float max_distance = 20000.0f; // meters
+constexpr float max_distance = 20000.0f; // meters, with a usual lens
 constexpr float zoom_per_notch = 0.9f;
 constexpr double origin_lattice = 100.0; // meters; a multiple of the ground grid's 10 m lines
 constexpr float near_per_distance = 0.02f;
-constexpr double clearance_per_distance = 0.03; // of the eye above a ground: more than the near plane reaches down
+constexpr float parallel_fov = 0.01f;           // radians
+constexpr double clearance_per_distance = 0.03; // of the eye above a ground, with a usual lens
 constexpr double min_clearance = 0.01;          // meters
 constexpr double rounding = 0.1;                // of the clearance: so little is no reason to lift the target
 constexpr float far_per_near = 2.0e5f;
@@ -24,16 +25,25 @@ constexpr float widest_aspect = 16.0f / 9.0f; // of a picture; narrower ones sho
 
 } // namespace
 
+float lens_of(const CameraPose& camera) {
+    constexpr float usual_slope = 0.4142136f; // of 45 degrees
+    return std::min(std::tan(0.5f * camera.vertical_fov) / usual_slope, 1.0f);
+}
+
 void OrbitCamera::set_pose(const CameraPose& pose) {
     const glm::dvec3 offset = pose.position - pose.target;
     const double length = glm::length(offset);
     target_ = pose.target;
-    distance_ = std::clamp(float(length), min_distance, max_distance);
+    distance_ = std::clamp(float(length), min_distance, 100.0f * max_distance);
     if (length > 0.0) {
         yaw_ = float(std::atan2(offset.x, offset.z));
         pitch_ = std::clamp(float(std::asin(offset.y / length)), -max_pitch, max_pitch);
     }
-    vertical_fov_ = std::clamp(pose.vertical_fov, 0.05f, 2.8f);
+    vertical_fov_ = std::clamp(pose.vertical_fov, parallel_fov, 2.8f);
+    if (wide_fov_) {
+        wide_fov_.reset();
+        set_parallel(true);
+    }
 }
 
 CameraPose OrbitCamera::pose() const { return {position(), target_, vertical_fov_}; }
@@ -45,7 +55,8 @@ void OrbitCamera::orbit(float yaw, float pitch) {
 }
 
 void OrbitCamera::zoom(float notches) {
-    distance_ = std::clamp(distance_ * std::pow(zoom_per_notch, notches), min_distance, max_distance);
+    const float longest = is_parallel() ? 100.0f * max_distance : max_distance;
+    distance_ = std::clamp(distance_ * std::pow(zoom_per_notch, notches), min_distance, longest);
     stay_above();
 }
 
@@ -55,9 +66,36 @@ void OrbitCamera::pan(float right_amount, float up_amount, float aspect) {
     stay_above();
 }
 
+void OrbitCamera::look(float yaw, float pitch) {
+    yaw_ = yaw;
+    pitch_ = std::clamp(pitch, -max_pitch, max_pitch);
+    stay_above();
+}
+
+void OrbitCamera::follow(const Position& target) {
+    target_ = target;
+    stay_above();
+}
+
+void OrbitCamera::set_parallel(bool on) {
+    if (on == is_parallel()) return;
+    const float fov = on ? parallel_fov : *wide_fov_;
+    // What is looked at keeps its size.
+    distance_ *= std::tan(0.5f * vertical_fov_) / std::tan(0.5f * fov);
+    wide_fov_ = on ? std::optional(vertical_fov_) : std::nullopt;
+    vertical_fov_ = fov;
+    stay_above();
+}
+
+// Of the eye above a ground: more than the near plane reaches down.
+double OrbitCamera::clearance() const {
+    return std::max(min_clearance, clearance_per_distance * double(distance_) * double(lens_of(pose())));
+}
+
 void OrbitCamera::frame(const Position& center, float radius) {
     target_ = center;
-    distance_ = std::clamp(2.2f * radius / std::tan(0.5f * vertical_fov_), min_distance, max_distance);
+    const float longest = is_parallel() ? 100.0f * max_distance : max_distance;
+    distance_ = std::clamp(2.2f * radius / std::tan(0.5f * vertical_fov_), min_distance, longest);
     stay_above();
 }
 
@@ -73,21 +111,19 @@ void OrbitCamera::stay_above() {
     for (const Ground& ground : grounds_) turn_above(ground);
     // Where turning about the target is not enough, as in a narrow valley, both rise.
     for (const Ground& ground : grounds_) {
-        const double clearance = std::max(min_clearance, clearance_per_distance * double(distance_));
-        const double missing = clearance - height(ground, position());
-        if (missing > rounding * clearance) target_.y += missing / double(ground.normal.y);
+        const double missing = clearance() - height(ground, position());
+        if (missing > rounding * clearance()) target_.y += missing / double(ground.normal.y);
     }
 }
 
 // Lifts the eye by the pitch. Its height above the plane is that of the target and, with the distance as the factor,
 // A cos(pitch) + B sin(pitch) = R cos(pitch - steepest).
 void OrbitCamera::turn_above(const Ground& ground) {
-    const double clearance = std::max(min_clearance, clearance_per_distance * double(distance_));
-    if (height(ground, position()) >= clearance) return;
+    if (height(ground, position()) >= clearance()) return;
     const double a =
         double(ground.normal.x) * std::sin(double(yaw_)) + double(ground.normal.z) * std::cos(double(yaw_));
     const double b = double(ground.normal.y), reach = std::hypot(a, b), steepest = std::atan2(b, a);
-    const double wanted = (clearance - height(ground, target_)) / (double(distance_) * reach);
+    const double wanted = (clearance() - height(ground, target_)) / (double(distance_) * reach);
     const double pitch = wanted < 1.0 ? steepest - std::acos(std::max(wanted, -1.0)) : steepest;
     if (pitch > double(pitch_)) pitch_ = std::min(float(pitch), max_pitch);
 }

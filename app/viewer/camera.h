@@ -21,6 +21,10 @@ struct CameraPose {
     float vertical_fov = 0.785398f;    ///< Radians, between 0 and pi, of a picture of 16:9 or wider.
 };
 
+/// How much nearer a usual lens would be to show as much: 1, or less for one that makes rays nearly parallel. Sizes
+/// that go with the distance of the camera go with its product with this.
+float lens_of(const CameraPose& camera);
+
 /// A half-line through the world. `direction` has unit length.
 struct Ray {
     Position origin{0.0, 0.0, 0.0};
@@ -53,6 +57,13 @@ class OrbitCamera {
     /// Shifts the target sideways and upwards, in units of the height of the picture; `aspect` is its width over
     /// height.
     void pan(float right, float up, float aspect);
+    /// Looks along a direction, of which the angles are those of `orbit`.
+    void look(float yaw, float pitch);
+    /// Moves with what is looked at.
+    void follow(const Position& target);
+    /// Rays that are nearly parallel: from so far away, through a lens of 0.6 degrees, that lengths can be compared.
+    void set_parallel(bool on);
+    bool is_parallel() const noexcept { return wide_fov_.has_value(); }
     /// Looks at a ball from the present direction, so that it fills about half of the picture.
     void frame(const Position& center, float radius);
 
@@ -82,6 +93,7 @@ class OrbitCamera {
   private:
     void stay_above();
     void turn_above(const Ground& ground);
+    double clearance() const;
     double height(const Ground& ground, const Position& point) const;
 
     std::vector<Ground> grounds_;
@@ -90,6 +102,7 @@ class OrbitCamera {
     float pitch_ = 0.0f; // above the horizon
     float distance_ = 10.0f;
     float vertical_fov_ = 0.785398f;
+    std::optional<float> wide_fov_; // that it had before its rays became parallel
 };
 
 } // namespace cairn::viewer

@@ -4,6 +4,8 @@
 #pragma once
 
 #include "viewer/drag.h"
+#include "viewer/inspect.h"
+#include "viewer/solver_view.h"
 #include "viewer/spawn.h"
 
 #include <condition_variable>
@@ -57,6 +59,20 @@ struct ChangeSpeed {
 };
 struct SetSpeed {
     double speed = 1.0;
+};
+/// Goes to the moment after so many steps, within what is known; pauses.
+struct SeekTo {
+    std::uint64_t step = 0;
+};
+struct StepBack {};
+/// Lets time run backwards; a second one stops it.
+struct PlayBackwards {};
+struct Undo {};
+struct Redo {};
+/// Saves the last seconds as a recording.
+struct SaveRecording {
+    std::string path;
+    double seconds = 30.0;
 };
 struct SetSettings {
     WorldDef settings;
@@ -112,6 +128,29 @@ struct Say {
 struct ShowIslands {
     bool on = false;
 };
+/// What the solver sees costs time, too.
+struct ShowSolver {
+    SolverShown shown;
+};
+/// Null: none.
+struct SelectBody {
+    BodyId body;
+};
+struct EditBody {
+    BodyId body;
+    BodyEdit edit;
+};
+/// A copy beside the selected body, which becomes the selected one.
+struct DuplicateSelected {};
+/// Saves the world as it stands as a scene, looked at from there.
+struct SaveScene {
+    std::string path;
+    CameraPose camera;
+};
+/// Samples for plots cost time, too.
+struct TakeSamples {
+    bool on = false;
+};
 
 } // namespace cairn::viewer::command
 
@@ -120,10 +159,13 @@ namespace cairn::viewer {
 using Command =
     std::variant<command::LoadScene, command::ResetScene, command::Spawn, command::Shoot, command::RemoveLast,
                  command::RemoveSelected, command::SetForce, command::SetPull, command::SetFreeze, command::SetPaused,
-                 command::TogglePause, command::SingleStep, command::ChangeSpeed, command::SetSpeed,
+                 command::TogglePause, command::SingleStep, command::ChangeSpeed, command::SetSpeed, command::SeekTo,
+                 command::StepBack, command::PlayBackwards, command::Undo, command::Redo, command::SaveRecording,
                  command::SetSettings, command::GrabBody, command::MoveGrab, command::ReleaseGrab,
-                 command::SelectNothing, command::Say, command::ShowIslands, command::MakeJoint, command::SelectJoint,
-                 command::SetJoint, command::SetJointStrength, command::SetJointSolver, command::RemoveJoint>;
+                 command::SelectNothing, command::Say, command::ShowIslands, command::TakeSamples, command::ShowSolver,
+                 command::SelectBody, command::EditBody, command::DuplicateSelected, command::SaveScene,
+                 command::MakeJoint, command::SelectJoint, command::SetJoint, command::SetJointStrength,
+                 command::SetJointSolver, command::RemoveJoint>;
 
 /// A queue that many threads may fill and one empties.
 class CommandQueue {

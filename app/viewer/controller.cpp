@@ -31,6 +31,11 @@ void Controller::set_colors(ColorMode mode) {
     post_(command::ShowIslands{mode == ColorMode::island});
 }
 
+void Controller::show_solver(const SolverShown& shown) {
+    solver = shown;
+    post_(command::ShowSolver{shown});
+}
+
 void Controller::change_scene(int by) {
     if (scenes_.empty()) return;
     const auto present = std::find_if(scenes_.begin(), scenes_.end(),
@@ -103,6 +108,21 @@ bool Controller::perform_on_camera(Action action) {
         return true;
     case Action::zoom_out:
         camera.zoom(-1.0f);
+        return true;
+    case Action::view_front:
+        camera.look(0.0f, 0.0f);
+        return true;
+    case Action::view_side:
+        camera.look(1.5707963f, 0.0f);
+        return true;
+    case Action::view_top:
+        camera.look(0.0f, 1.5707963f);
+        return true;
+    case Action::toggle_parallel:
+        camera.set_parallel(!camera.is_parallel());
+        return true;
+    case Action::follow_selection:
+        follow = !follow;
         return true;
     case Action::reset_camera:
         camera.set_pose(state_.scene_camera);
@@ -215,9 +235,83 @@ JointId Controller::joint_under_cursor() const {
     return nearest;
 }
 
+bool Controller::perform_on_time(Action action) {
+    switch (action) {
+    case Action::toggle_pause:
+        post_(command::TogglePause{});
+        return true;
+    case Action::single_step:
+        post_(command::SingleStep{});
+        return true;
+    case Action::step_back:
+        post_(command::StepBack{});
+        return true;
+    case Action::play_backwards:
+        post_(command::PlayBackwards{});
+        return true;
+    case Action::undo:
+        post_(command::Undo{});
+        return true;
+    case Action::redo:
+        post_(command::Redo{});
+        return true;
+    case Action::slower:
+        post_(command::ChangeSpeed{-1});
+        return true;
+    case Action::faster:
+        post_(command::ChangeSpeed{1});
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool Controller::perform_on_window(Action action) {
+    const auto toggle = [](bool& what) { return what = !what, true; };
+    SolverShown shown = solver;
+    switch (action) {
+    case Action::toggle_grid:
+        return toggle(grid);
+    case Action::toggle_shadows:
+        return toggle(shadows);
+    case Action::toggle_visuals:
+        return toggle(visuals);
+    case Action::toggle_panel:
+        return toggle(panel);
+    case Action::toggle_help:
+        return toggle(help);
+    case Action::toggle_plots:
+        return toggle(plots);
+    case Action::toggle_integrators:
+        return toggle(integrators);
+    case Action::toggle_palette:
+        return toggle(palette);
+    case Action::toggle_theme:
+        return toggle(light_theme);
+    case Action::toggle_contacts:
+        shown.contacts = !shown.contacts;
+        show_solver(shown);
+        return true;
+    case Action::save_scene:
+        return save_scene = true;
+    case Action::save_recording:
+        return save_recording = true;
+    case Action::record_video:
+        return video = true;
+    case Action::screenshot:
+        return screenshot = true;
+    case Action::quit:
+        return quit = true;
+    default:
+        return false;
+    }
+}
+
 void Controller::perform(const Binding& binding) {
-    if (perform_on_camera(binding.action) || perform_on_joint(binding.action)) return;
-    switch (binding.action) {
+    const Action action = binding.action;
+    if (perform_on_camera(action) || perform_on_joint(action) || perform_on_time(action) || perform_on_window(action))
+        return;
+    switch (action) {
     case Action::choose_scene:
         choose_scene(std::size_t(binding.argument));
         break;
@@ -230,46 +324,24 @@ void Controller::perform(const Binding& binding) {
     case Action::reset_scene:
         post_(command::ResetScene{});
         break;
-    case Action::toggle_pause:
-        post_(command::TogglePause{});
-        break;
-    case Action::single_step:
-        post_(command::SingleStep{});
-        break;
-    case Action::slower:
-        post_(command::ChangeSpeed{-1});
-        break;
-    case Action::faster:
-        post_(command::ChangeSpeed{1});
-        break;
     case Action::next_colors:
         set_colors(ColorMode((int(colors) + 1) % color_mode_count));
         break;
-    case Action::toggle_grid:
-        grid = !grid;
-        break;
-    case Action::toggle_shadows:
-        shadows = !shadows;
-        break;
-    case Action::toggle_visuals:
-        visuals = !visuals;
-        break;
-    case Action::toggle_panel:
-        panel = !panel;
-        break;
-    case Action::toggle_help:
-        help = !help;
-        break;
-    case Action::screenshot:
-        screenshot = true;
-        break;
-    case Action::quit:
-        quit = true;
+    case Action::duplicate:
+        post_(command::DuplicateSelected{});
         break;
     default:
-        perform_on_body(binding.action);
+        perform_on_body(action);
         break;
     }
+}
+
+void Controller::follow_selected(const StageState& state) {
+    if (!follow || !state.selected) return;
+    const auto& bodies = state.layout->bodies;
+    const auto body =
+        std::find_if(bodies.begin(), bodies.end(), [&](const BodyLayout& known) { return known.id == state.selected; });
+    if (body != bodies.end()) camera.follow(state.current->transforms[std::size_t(body - bodies.begin())].position);
 }
 
 void Controller::move_cursor(const glm::vec2& device, float aspect) {
@@ -353,6 +425,7 @@ void Controller::update(const StageState& state) {
         pulling_ = freezing_ = false;
         update_held();
     }
+    follow_selected(state);
     if (drag_ == Drag::asked && state.grab.serial == grab_serial_) {
         drag_ = state.grab.holding ? Drag::body : Drag::orbit;
         drag_start_ = state.grab.start;

@@ -5,6 +5,7 @@
 
 #include "viewer/camera.h"
 #include "viewer/commands.h"
+#include "viewer/export.h"
 #include "viewer/key_map.h"
 #include "viewer/render_frame.h"
 #include "viewer/scene_source.h"
@@ -41,17 +42,32 @@ class Controller {
     JointsShown joints = JointsShown::some; ///< Which are drawn, and can be picked.
     SpawnSettings tool;                     ///< Of the spawn tool.
     bool quit = false;
-    bool screenshot = false; ///< Asked for; whoever takes it clears this.
+    SolverShown solver;                      ///< What of the solver is shown; change it by `show_solver`.
+    bool palette = false;                    ///< The list of commands is open.
+    bool light_theme = false;                ///< Of the interface.
+    bool follow = false;                     ///< The camera moves with the selected body.
+    bool plots = false, integrators = false; ///< Windows that are open.
+    std::size_t plotted = 0;                 ///< Samples that the plots show, for reports.
+    SvgOfChart svg_of_chart;                 ///< Empty: pictures of charts cannot be made.
+    /// Middles of items of the interface, for scripts and tests.
+    std::map<std::string, glm::vec2, std::less<>> places;
+
+    // --- what was asked for; whoever does it clears it
+    bool screenshot = false, save_scene = false, save_recording = false, video = false;
+    std::vector<Export> exports;
 
     const std::vector<SceneItem>& scenes() const noexcept { return scenes_; }
     void choose_scene(std::size_t index); ///< Beyond the list: nothing happens.
     void set_colors(ColorMode mode);
+    void show_solver(const SolverShown& shown);
     void post(Command command) { post_(std::move(command)); }
 
     // --- input
     /// A key went down (`repeated`: is still down). Chords that are bound to nothing are ignored.
     void key_down(std::string_view modifiers, std::string_view key, bool repeated = false);
     void key_up(std::string_view key);
+    /// Does what a key is bound to, but for what lasts as long as it is held.
+    void perform(const Binding& binding);
     /// Lets go of everything: the window lost the focus, so the ends of keys and drags would be missed.
     void release_all();
     /// The cursor, in normalized device coordinates, and the picture's aspect, width over height.
@@ -72,12 +88,14 @@ class Controller {
 
   private:
     enum class Drag { none, asked, body, orbit, pan };
-    void perform(const Binding& binding);
     bool perform_on_camera(Action action);
     void perform_on_body(Action action);
     bool perform_on_joint(Action action);
     JointId joint_under_cursor() const; ///< Among those that are shown.
     void change_scene(int by);
+    bool perform_on_window(Action action);
+    bool perform_on_time(Action action);
+    void follow_selected(const StageState& state);
     void find_grounds(const StageState& state);
     void update_held();
 

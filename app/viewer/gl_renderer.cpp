@@ -19,6 +19,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -337,7 +338,7 @@ void GlRenderer::Impl::draw_bodies(const RenderFrame& frame) {
     const auto use = [&](shaders::BodyKind kind) {
         const GlProgram& program = body.of(kind);
         set_lighting(program, frame);
-        program.set("u_spacing", grid_spacing(camera.distance()));
+        program.set("u_spacing", grid_spacing(lens_of(camera.pose()) * camera.distance()));
         program.set("u_fade", fade_distances * camera.distance());
         program.set("u_viewer", glm::vec4(eye, 1.0f));
     };
@@ -352,7 +353,7 @@ void GlRenderer::Impl::draw_grounds(const RenderFrame& frame) {
     set_lighting(ground, frame);
     const float distance = camera.distance();
     const float fade = fade_distances * distance;
-    ground.set("u_spacing", grid_spacing(distance));
+    ground.set("u_spacing", grid_spacing(lens_of(camera.pose()) * distance));
     ground.set("u_fade", fade);
     ground.set("u_extent", extent_fades * fade);
     for (const GroundPlane& plane : frame.grounds) {
@@ -377,10 +378,22 @@ GlRenderer::GlRenderer() {
 
 GlRenderer::~GlRenderer() = default;
 
+bool GlRenderer::is_software() const {
+    const auto* text = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    const std::string_view name = text != nullptr ? text : "";
+    for (const char* drawer : {"llvmpipe", "softpipe", "SWR", "SwiftShader"})
+        if (name.find(drawer) != std::string_view::npos) return true;
+    return false;
+}
+
 void GlRenderer::draw(const RenderFrame& frame, int width, int height, Smoothing smoothing, unsigned framebuffer,
-                      int left) {
+                      int left, float scale) {
     Impl& impl = *impl_;
+    const GlTarget::Place place{framebuffer, left, width, height};
     const float aspect = float(width) / float(height);
+    if (smoothing == Smoothing::samples) scale = 1.0f;
+    width = std::max(int(std::round(scale * float(width))), 1);
+    height = std::max(int(std::round(scale * float(height))), 1);
     impl.prepare(frame, aspect);
     impl.upload_instances(frame, height, aspect);
     glEnable(GL_DEPTH_TEST);
@@ -399,7 +412,7 @@ void GlRenderer::draw(const RenderFrame& frame, int width, int height, Smoothing
     impl.lines.draw(frame, impl.clip_from_world);
     impl.lines.draw_marks(frame, impl.clip_from_world, impl.camera, width, height);
 
-    impl.target.finish(framebuffer, left);
+    impl.target.finish(place);
     glBindVertexArray(0);
 }
 

@@ -24,9 +24,13 @@ class GlRenderer {
     GlRenderer& operator=(const GlRenderer&) = delete;
 
     /// Draws into a part of a framebuffer (0: the window's) of that size in pixels, both > 0, from `left` on, and
-    /// leaves the framebuffer bound.
+    /// leaves the framebuffer bound. `scale`, at most 1: with that share of the pixels each way, spread over the part
+    /// (not with samples).
     void draw(const RenderFrame& frame, int width, int height, Smoothing smoothing, unsigned framebuffer = 0,
-              int left = 0);
+              int left = 0, float scale = 1.0f);
+
+    /// Whether it is the processor that draws, for want of a graphics card or its driver.
+    bool is_software() const;
 
   private:
     struct Impl;

@@ -38,7 +38,8 @@ class HeadlessRenderer {
 
     int width() const noexcept;
     int height() const noexcept;
-    void draw(const RenderFrame& frame, Smoothing smoothing = Smoothing::samples);
+    /// `scale`: as of `GlRenderer::draw`.
+    void draw(const RenderFrame& frame, Smoothing smoothing = Smoothing::samples, float scale = 1.0f);
     /// The last picture drawn: 8-bit RGB, top row first, 3 x width x height bytes.
     const std::vector<std::uint8_t>& pixels() const noexcept;
     /// Saves the last picture drawn. See `write_picture`.

@@ -329,7 +329,7 @@ void draw_joints(RenderFrame& frame, const WorldLayout& layout, const WorldMotio
         const bool is_selected = joint.id == options.selected_joint;
         const Vec3 color = is_selected ? Vec3(1.0f) : joint_color(joint, motion.joint_states[i]);
         const Vec3 offset = Vec3(frames.b.position - frame.origin) - eye;
-        const float distance = glm::length(offset);
+        const float distance = lens_of(frame.camera) * glm::length(offset);
         const float size = std::clamp(size_of_reach * joint.reach, min_size * distance, greatest_size * distance);
         JointPen pen(frame, frames, size, color, is_selected ? bold : width);
         const bool is_tiny = size_of_reach * joint.reach < min_size * distance || frame.strokes.size() > max_strokes;

@@ -1,5 +1,6 @@
 #include "viewer/panel.h"
 
+#include "viewer/items.h"
 #include "viewer/palette.h"
 
 #include <imgui.h>
@@ -114,6 +115,7 @@ std::string present_state(const StageState& state) {
     std::string text;
     const auto add = [&text](const char* word) { text += (text.empty() ? "" : "   ") + std::string(word); };
     if (state.paused) add("paused");
+    if (state.timeline.is_backwards) add("backwards");
     if (state.speed != 1.0) {
         char speed[32];
         if (state.speed < 1.0)
@@ -135,20 +137,29 @@ float interface_share(float width, float height) {
     return std::clamp(std::min(width / 1280.0f, height / 720.0f), smallest, largest);
 }
 
-void apply_style(float scale) {
+void apply_style(float scale, bool is_light) {
     ImGuiStyle style;
-    ImGui::StyleColorsDark(&style);
+    is_light ? ImGui::StyleColorsLight(&style) : ImGui::StyleColorsDark(&style);
     style.WindowRounding = 8.0f;
     style.FrameRounding = style.GrabRounding = style.PopupRounding = 4.0f;
     style.WindowPadding = ImVec2(12.0f, 10.0f);
     style.ItemSpacing = ImVec2(8.0f, 5.0f);
     style.WindowBorderSize = 0.0f;
     const ImVec4 accent(0.24f, 0.50f, 0.72f, 1.0f), strong(0.33f, 0.62f, 0.86f, 1.0f);
-    style.Colors[ImGuiCol_WindowBg] = ImVec4(0.09f, 0.11f, 0.13f, 0.88f);
-    style.Colors[ImGuiCol_TitleBg] = style.Colors[ImGuiCol_TitleBgActive] = ImVec4(0.12f, 0.15f, 0.18f, 0.95f);
-    style.Colors[ImGuiCol_FrameBg] = ImVec4(0.20f, 0.23f, 0.27f, 1.0f);
-    style.Colors[ImGuiCol_Header] = ImVec4(0.20f, 0.26f, 0.32f, 1.0f);
-    style.Colors[ImGuiCol_Button] = ImVec4(0.22f, 0.30f, 0.38f, 1.0f);
+    if (!is_light) {
+        style.Colors[ImGuiCol_WindowBg] = ImVec4(0.09f, 0.11f, 0.13f, 0.88f);
+        style.Colors[ImGuiCol_TitleBg] = style.Colors[ImGuiCol_TitleBgActive] = ImVec4(0.12f, 0.15f, 0.18f, 0.95f);
+        style.Colors[ImGuiCol_FrameBg] = ImVec4(0.20f, 0.23f, 0.27f, 1.0f);
+        style.Colors[ImGuiCol_Header] = ImVec4(0.20f, 0.26f, 0.32f, 1.0f);
+        style.Colors[ImGuiCol_Button] = ImVec4(0.22f, 0.30f, 0.38f, 1.0f);
+    } else {
+        style.Colors[ImGuiCol_WindowBg] = ImVec4(0.96f, 0.97f, 0.98f, 0.92f);
+        style.Colors[ImGuiCol_TitleBg] = style.Colors[ImGuiCol_TitleBgActive] = ImVec4(0.86f, 0.89f, 0.92f, 0.97f);
+        style.Colors[ImGuiCol_FrameBg] = ImVec4(0.84f, 0.87f, 0.90f, 1.0f);
+        style.Colors[ImGuiCol_Header] = ImVec4(0.80f, 0.86f, 0.92f, 1.0f);
+        style.Colors[ImGuiCol_Button] = ImVec4(0.76f, 0.84f, 0.92f, 1.0f);
+        style.Colors[ImGuiCol_TextDisabled] = ImVec4(0.36f, 0.39f, 0.43f, 1.0f);
+    }
     style.Colors[ImGuiCol_HeaderHovered] = style.Colors[ImGuiCol_ButtonHovered] = accent;
     style.Colors[ImGuiCol_SliderGrab] = style.Colors[ImGuiCol_CheckMark] = strong;
     style.Colors[ImGuiCol_SliderGrabActive] = style.Colors[ImGuiCol_ButtonActive] = strong;
@@ -164,6 +175,15 @@ void Panel::draw_time(const StageState& state, Controller& controller) {
     if (ImGui::Button("Reset")) controller.post(command::ResetScene{});
     ImGui::SameLine();
     if (ImGui::Button("Keys (F1)")) controller.help = !controller.help;
+    ImGui::SameLine();
+    if (ImGui::Button("Find")) controller.palette = true;
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("any command, by its name (Ctrl+P)");
+    if (ImGui::Button("Plots (F3)")) controller.plots = !controller.plots;
+    ImGui::SameLine();
+    if (ImGui::Button("Integrators (F4)")) controller.integrators = !controller.integrators;
+    note_place(controller, "panel.integrators");
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("explicit Euler, semi-implicit Euler and RK4 beside the exact solution");
     if (!ImGui::IsAnyItemActive()) speed_octave_ = float(std::log2(state.speed));
     char text[32];
     if (speed_octave_ < 0.0f)
@@ -218,6 +238,19 @@ void Panel::draw_settings(Controller& controller) {
     }
     changed |= ImGui::Checkbox("let resting bodies sleep", &settings_.enable_sleep);
     if (changed) controller.post(command::SetSettings{settings_});
+}
+
+void Panel::draw_solver_parts(Controller& controller) {
+    const bool is_open = ImGui::CollapsingHeader("What the solver sees");
+    note_place(controller, "panel.solver");
+    if (!is_open) return;
+    SolverShown shown = controller.solver;
+    for (const SolverPart& part : solver_parts()) {
+        ImGui::Checkbox(part.name, &(shown.*part.shown));
+        note_place(controller, (std::string("solver.") + part.name).c_str());
+        if (shown.*part.shown) explain(part.meaning);
+    }
+    if (shown != controller.solver) controller.show_solver(shown);
 }
 
 void Panel::draw_view(const StageState& state, Controller& controller) {
@@ -336,6 +369,7 @@ void Panel::draw(const StageState& state, Controller& controller, const WindowFa
         draw_time(state, controller);
         draw_scenes(state, controller);
         draw_view(state, controller);
+        draw_solver_parts(controller);
         draw_statistics(state, facts);
         joints_.draw(state, controller);
         draw_settings(controller);
@@ -348,10 +382,14 @@ void Panel::draw(const StageState& state, Controller& controller, const WindowFa
     const float title_height =
         draw_caption("##title", title, ImVec2(io.DisplaySize.x - margin, margin), ImVec2(1.0f, 0.0f), room);
     if (controller.panel) joints_.draw_selected(state, controller, scale, 2.0f * margin + title_height, room);
-    draw_caption("##state", present_state(state), ImVec2(io.DisplaySize.x - margin, io.DisplaySize.y - margin),
-                 ImVec2(1.0f, 1.0f), room);
-    draw_caption("##notice", facts.notice, ImVec2(column + 0.5f * room, io.DisplaySize.y - margin), ImVec2(0.5f, 1.0f),
-                 room);
+    const float bar = controller.panel ? timeline_.draw(state, controller, scale, column, room) : 0.0f;
+    const float low = io.DisplaySize.y - margin - bar;
+    draw_caption("##state", present_state(state), ImVec2(io.DisplaySize.x - margin, low), ImVec2(1.0f, 1.0f), room);
+    draw_caption("##notice", facts.notice, ImVec2(column + 0.5f * room, low), ImVec2(0.5f, 1.0f), room);
+    inspector_.draw(state, controller, scale, 2.0f * margin + title_height, bar, room);
+    plots_.draw(state, controller, scale, column, room, bar);
+    integrators_.draw(controller, scale, column, room, bar);
+    palette_.draw(controller, scale, column, room);
     if (controller.help) draw_help(scale);
 }
 

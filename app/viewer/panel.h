@@ -2,9 +2,14 @@
 /// The panel, the key map and the lines of text over the picture, made with Dear ImGui.
 #pragma once
 
+#include "viewer/command_palette.h"
 #include "viewer/controller.h"
+#include "viewer/inspector.h"
+#include "viewer/integrator_window.h"
 #include "viewer/joint_panel.h"
+#include "viewer/plot_window.h"
 #include "viewer/report.h"
+#include "viewer/timeline_bar.h"
 
 #include <string>
 
@@ -19,6 +24,7 @@ class Panel {
     /// How many units of the window's width the panel's column takes from the picture: none where it is hidden, or
     /// where the window is too narrow for both and the panel lies over the picture.
     static float column_width(const Controller& controller, float scale, float window_width);
+    const TimelineBar& timeline() const noexcept { return timeline_; }
     int scene_lines() const noexcept { return scene_lines_; }
     bool scene_is_listed() const noexcept { return scene_is_listed_; }
 
@@ -26,12 +32,18 @@ class Panel {
     void draw_time(const StageState& state, Controller& controller);
     void draw_scenes(const StageState& state, Controller& controller);
     void draw_settings(Controller& controller);
+    void draw_solver_parts(Controller& controller);
     void draw_view(const StageState& state, Controller& controller);
     void draw_spawn_tool(Controller& controller);
     void draw_statistics(const StageState& state, const WindowFacts& facts);
 
     WorldDef settings_; // as edited; follows the world while nothing is being edited
     JointPanel joints_;
+    TimelineBar timeline_;
+    IntegratorWindow integrators_;
+    PlotWindow plots_;
+    Inspector inspector_;
+    CommandPalette palette_;
     float speed_octave_ = 0.0f;
     std::string shown_scene_;   // the list has been scrolled to the scene of this path
     float other_height_ = 0.0f; // of what the column holds beside the list of scenes, in the last frame
@@ -45,6 +57,6 @@ class Panel {
 float interface_share(float width, float height);
 
 /// Colors, rounding and spacing, at that scale.
-void apply_style(float scale);
+void apply_style(float scale, bool is_light);
 
 } // namespace cairn::viewer

@@ -11,7 +11,8 @@ float interpolation_fraction(const StageState& state, double seconds) {
     return float(std::clamp((state.remainder + seconds * state.speed) / state.time_step, 0.0, 1.0));
 }
 
-PhysicsThread::PhysicsThread(SceneLoader loader, const std::string& path) : stage_(std::move(loader), path) {
+PhysicsThread::PhysicsThread(SceneLoader loader, const std::string& path, Savers savers)
+    : stage_(std::move(loader), path, std::move(savers)) {
     publish();
     thread_ = std::thread([this] { run(); });
 }

@@ -24,7 +24,7 @@ float interpolation_fraction(const StageState& state, double seconds);
 class PhysicsThread {
   public:
     /// Loads the first scene on the calling thread, so that its errors come out here, then starts.
-    PhysicsThread(SceneLoader loader, const std::string& path);
+    PhysicsThread(SceneLoader loader, const std::string& path, Savers savers = {});
     /// Finishes the step in progress and stops.
     ~PhysicsThread();
     PhysicsThread(const PhysicsThread&) = delete;

@@ -2,6 +2,7 @@
 
 #include "viewer/joint_drawing.h"
 #include "viewer/palette.h"
+#include "viewer/solver_view.h"
 
 #include <glm/geometric.hpp>
 
@@ -225,6 +226,7 @@ RenderFrame make_frame(const WorldLayout& layout, const WorldMotion& previous, c
     }
     if (current.joints) add_strings(frame, current, transforms);
     if (options.joints != JointsShown::none && current.joints) draw_joints(frame, layout, current, transforms, options);
+    if (current.solver) draw_solver(frame, *current.solver);
     if (options.drag) add_drag(frame, layout, transforms, *options.drag);
     return frame;
 }

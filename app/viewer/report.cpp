@@ -63,6 +63,38 @@ Json joint_json(const StageState& state, std::size_t i, const OrbitCamera& camer
     return json;
 }
 
+Json timeline_json(const TimelineState& timeline, const WindowFacts& facts) {
+    Json json{{"first", timeline.first},
+              {"last", timeline.last},
+              {"now", timeline.now},
+              {"backwards", timeline.is_backwards},
+              {"recording", timeline.is_recording}};
+    json["undoable"] = timeline.undoable ? Json(*timeline.undoable) : Json();
+    json["redoable"] = timeline.redoable ? Json(*timeline.redoable) : Json();
+    Json marks{{"impact", 0}, {"break", 0}, {"change", 0}};
+    for (const Mark& mark : *timeline.marks) {
+        Json& count = marks[mark.kind == Mark::Kind::impact   ? "impact"
+                            : mark.kind == Mark::Kind::change ? "change"
+                                                              : "break"];
+        count = count.get<int>() + 1;
+    }
+    json["marks"] = marks;
+    json["compared"] = timeline.verdict.compared;
+    json["first_different"] = timeline.verdict.first_different ? Json(*timeline.verdict.first_different) : Json();
+    json["bar"] = {facts.bar_left, facts.bar_right, facts.bar_middle};
+    return json;
+}
+
+Json inspected_json(const BodyFacts& facts) {
+    return {{"index", facts.id.index()},
+            {"name", facts.name},
+            {"type", name_of(facts.type)},
+            {"mass", facts.mass.mass},
+            {"velocity", triple(facts.velocity)},
+            {"static_friction", facts.shapes.empty() ? 0.0f : facts.shapes.front().material.static_friction},
+            {"touches", facts.touches.size()}};
+}
+
 } // namespace
 
 std::string report_json(const StageState& state, const Controller& controller, const WindowFacts& facts) {
@@ -96,12 +128,23 @@ std::string report_json(const StageState& state, const Controller& controller, c
     json["visuals"] = controller.visuals;
     json["help"] = controller.help;
     json["panel"] = controller.panel;
+    json["palette"] = controller.palette;
+    json["light_theme"] = controller.light_theme;
+    json["parallel"] = controller.camera.is_parallel();
+    json["plots"] = {{"open", controller.plots}, {"samples", state.samples.size()}, {"shown", controller.plotted}};
+    json["solver_shown"] = Json::array();
+    for (const SolverPart& part : solver_parts())
+        if (controller.solver.*part.shown) json["solver_shown"].push_back(part.name);
+    if (state.inspected) json["inspected"] = inspected_json(*state.inspected);
+    json["integrators"] = controller.integrators;
     json["frames"] = facts.frames;
     json["frames_per_second"] = facts.frames_per_second;
     json["left"] = facts.left;
     json["scene_list"] = {{"lines", facts.scene_lines}, {"present_in_view", facts.scene_is_listed}};
     json["size"] = {facts.width, facts.height};
     json["notice"] = facts.notice;
+    for (const auto& [name, place] : controller.places) json["places"][name] = {place.x, place.y};
+    json["timeline"] = timeline_json(state.timeline, facts);
     json["bodies"] = std::move(bodies);
     json["joints_shown"] = cairn::viewer::name_of(controller.joints);
     json["selected_joint"] = state.selected_joint ? Json(state.selected_joint.index()) : Json();

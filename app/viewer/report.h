@@ -16,7 +16,8 @@ struct WindowFacts {
     bool scene_is_listed = false; ///< The line of the present scene is in view.
     std::uint64_t frames = 0;
     double frames_per_second = 0.0;
-    std::string notice; ///< The line that is shown at the bottom.
+    float bar_left = 0.0f, bar_right = 0.0f, bar_middle = 0.0f; ///< The track of the timeline in the window, pixels.
+    std::string notice;                                         ///< The line that is shown at the bottom.
 };
 
 /// One JSON object: `scene`, `body_count`, `bodies` (index, name, type, position, speed, awake, and `screen`, the

@@ -7,9 +7,14 @@
 
 #include <cairn/cairn.h>
 
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cairn::viewer {
@@ -34,6 +39,21 @@ struct Visual {
     Vec3 color{0.8f, 0.8f, 0.8f}; ///< Linear.
 };
 
+/// What was done between two steps of a recorded world, as commands (cairn/commands.h), and the step.
+struct RecordedStep {
+    std::vector<std::vector<std::byte>> changes;
+    std::vector<std::byte> step;       ///< Empty: none follows.
+    std::optional<StateDigest> digest; ///< Of the state after the step, as recorded.
+};
+
+/// A run that a file has: the world of the scene is at its beginning, and these steps lead through it.
+struct RecordedRun {
+    std::vector<RecordedStep> steps;
+    std::shared_ptr<CommandSource> source; ///< Of these commands; needed if there are any.
+    /// The last state that was kept after more than `after` steps and no more than `until`, and its step. May be empty.
+    std::function<std::optional<std::pair<std::uint64_t, Snapshot>>(std::uint64_t after, std::uint64_t until)> keyframe;
+};
+
 /// A scene, ready to run.
 struct LoadedScene {
     World world;
@@ -45,11 +65,25 @@ struct LoadedScene {
     std::vector<Appearance> appearances;
     std::vector<Visual> visuals{};
     std::vector<JointAppearance> strings{};
+    std::vector<ForceFieldId> force_fields{}; ///< Its own.
+    RecordedRun run{};
+    bool is_paused = false; ///< Waits to be started.
 };
 
 /// Loads the scene of that path. Throws `cairn::Error` (or any std::exception) if it cannot. It is called on the
 /// physics thread.
 using SceneLoader = std::function<LoadedScene(const std::string& path)>;
+
+/// How the viewer's files are written. Either may be empty, and throws as the loader does.
+struct Savers {
+    /// Makes a recording: `run` does to `world`, which must be told to nobody yet, what is to be recorded. It is called
+    /// on a thread of its own.
+    std::function<void(const std::filesystem::path& path, const std::string& source, World& world,
+                       const std::function<void()>& run)>
+        recording;
+    /// Writes a scene.
+    std::function<void(const std::filesystem::path& path, LoadedScene& scene)> scene;
+};
 
 /// One line of the viewer's list of scenes.
 struct SceneItem {

@@ -22,7 +22,7 @@ struct Grammar {
     Operand operand;
 };
 
-constexpr std::array<Grammar, 12> grammar{{
+constexpr std::array<Grammar, 13> grammar{{
     {"wait", ScriptLine::Kind::wait, Operand::number},
     {"key", ScriptLine::Kind::key, Operand::word},
     {"down", ScriptLine::Kind::down, Operand::word},
@@ -34,6 +34,7 @@ constexpr std::array<Grammar, 12> grammar{{
     {"drop", ScriptLine::Kind::drop, Operand::word},
     {"report", ScriptLine::Kind::report, Operand::word},
     {"picture", ScriptLine::Kind::picture, Operand::word},
+    {"window", ScriptLine::Kind::window, Operand::word},
     {"quit", ScriptLine::Kind::quit, Operand::nothing},
 }};
 

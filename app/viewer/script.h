@@ -12,6 +12,7 @@
 ///     drop bridge.glb        drop a file on the window
 ///     report state.json      write the viewer's state
 ///     picture frame.png      save a picture
+///     window all.png         save a picture with the panels, as the window shows it
 ///     quit                   close the window
 #pragma once
 
@@ -23,7 +24,7 @@
 namespace cairn::viewer {
 
 struct ScriptLine {
-    enum class Kind { wait, key, down, up, cursor, press, release, wheel, drop, report, picture, quit };
+    enum class Kind { wait, key, down, up, cursor, press, release, wheel, drop, report, picture, window, quit };
     Kind kind = Kind::wait;
     std::string word;        ///< Key, button or file.
     double x = 0.0, y = 0.0; ///< Seconds, pixels or notches.

@@ -9,7 +9,8 @@ namespace cairn::viewer {
 
 ShadowRegion shadow_region(const RenderFrame& frame) {
     const Vec3 target(frame.camera.target - frame.origin);
-    const float distance = std::max(0.1f, float(glm::length(frame.camera.position - frame.camera.target)));
+    const float distance =
+        std::max(0.1f, lens_of(frame.camera) * float(glm::length(frame.camera.position - frame.camera.target)));
     const float reach = 5.0f * distance;
     float radius = 0.0f;
     const auto include = [&](const std::vector<Instance>& instances) {

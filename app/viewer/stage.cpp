@@ -1,5 +1,7 @@
 #include "viewer/stage.h"
 
+#include "viewer/change_names.h"
+
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
@@ -20,7 +22,8 @@ constexpr double longest_advance = 1.0 / 30.0; // real seconds of stepping after
 
 } // namespace
 
-Stage::Stage(SceneLoader loader, const std::string& path) : loader_(std::move(loader)), scene_(loader_(path)) {
+Stage::Stage(SceneLoader loader, const std::string& path, Savers savers)
+    : loader_(std::move(loader)), scene_(loader_(path)), savers_(std::move(savers)) {
     take_scene(std::move(scene_), path);
 }
 
@@ -29,6 +32,7 @@ void Stage::take_scene(LoadedScene scene, const std::string& path) {
     path_ = path;
     ++scene_serial_;
     clock_.set_time_step(scene_.time_step);
+    if (scene_.is_paused) clock_.set_paused(true);
     order_.clear();
     for (const BodyId id : scene_.world.bodies())
         if (scene_.world.body(id).type() == BodyType::dynamic) order_.push_back(id);
@@ -41,10 +45,18 @@ void Stage::take_scene(LoadedScene scene, const std::string& path) {
     drag_joint_ = {}; // it went with its world
     grab_ = {grab_.serial, false, {}, {}, {}, {}};
     step_milliseconds_ = 0.0;
+    timeline_.begin(scene_.world, std::exchange(scene_.run, {}));
+    held_.clear();
+    samples_.clear();
+    seeking_.reset();
+    is_backwards_ = false;
     refresh_layout();
 }
 
 void Stage::apply(const Command& command) {
+    const Moment before = timeline_.now();
+    const BodyId selected_before = selected_;
+    const bool was_holding = grab_.holding;
     try {
         std::visit(*this, command);
     } catch (const std::bad_alloc&) {
@@ -52,9 +64,18 @@ void Stage::apply(const Command& command) {
     } catch (const std::exception& error) {
         say(error.what());
     }
+    const auto* released = std::get_if<command::ReleaseGrab>(&command);
+    if (released && released->click && was_holding)
+        timeline_.unname_change("drag"); // it selected
+    else if (const auto change = change_of(command))
+        timeline_.name_change(before, change->name, change->merge);
+    settle_branch();
+    if (selected_ != selected_before && solver_shown_.any()) refresh_motion();
 }
 
 int Stage::advance(double real_seconds) {
+    hear_from_writer();
+    if (seeking_) go_on_seeking();
     const int due = clock_.advance(real_seconds);
     const auto start = std::chrono::steady_clock::now();
     int taken = 0;
@@ -69,10 +90,14 @@ int Stage::advance(double real_seconds) {
 
 void Stage::step() {
     const auto start = std::chrono::steady_clock::now();
-    if (frozen_) hold_still();
-    if (grab_.holding) pull_grabbed();
+    const bool is_live = !is_backwards_ && !timeline_.follows();
     try {
-        scene_.world.step(float(clock_.time_step()));
+        if (is_backwards_)
+            go_back();
+        else if (is_live)
+            live_step();
+        else
+            follow();
     } catch (const std::bad_alloc&) {
         clock_.set_paused(true);
         return say("out of memory: delete starts the scene over");
@@ -81,12 +106,23 @@ void Stage::step() {
         return say(error.what());
     }
     clock_.count_step();
+    if (!is_live) return;
     const double milliseconds =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     step_milliseconds_ = step_milliseconds_ == 0.0
                              ? milliseconds
                              : step_milliseconds_ + newest_step_weight * (milliseconds - step_milliseconds_);
+}
+
+void Stage::live_step() {
+    if (frozen_) hold_still();
+    if (grab_.holding) pull_grabbed();
+    const auto start = std::chrono::steady_clock::now();
+    scene_.world.step(float(clock_.time_step()));
+    timeline_.after_step(scene_.world, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    settle_branch();
     report_broken();
+    take_sample();
     previous_ = current_;
     refresh_motion();
 }
@@ -117,6 +153,18 @@ StageState Stage::state() const {
     state.selected_joint = selected_joint_;
     state.grab = grab_;
     state.message = message_;
+    state.samples = samples_;
+    state.inspected = read_facts(scene_.world, selected_, clock_.time_step());
+    state.timeline.first = timeline_.first_step();
+    state.timeline.last = timeline_.last_step();
+    state.timeline.now = seeking_.value_or(timeline_.now().step);
+    state.timeline.marks = timeline_.marks();
+    state.timeline.undoable = timeline_.undoable();
+    state.timeline.redoable = timeline_.redoable();
+    state.timeline.is_backwards = is_backwards_ && !clock_.paused();
+    state.timeline.is_recording = timeline_.is_recording();
+    state.timeline.verdict = timeline_.verdict();
+    state.timeline.bytes = timeline_.bytes();
     return state;
 }
 
@@ -183,6 +231,7 @@ void Stage::update_field(std::optional<ForceFieldId>& id, const ForceField& fiel
         world.set_force_field(*id, field);
     } else {
         id = world.add_force_field(field);
+        held_.push_back({*id, timeline_.now()});
     }
     // What rests must feel the change.
     for (const BodyId body : world.bodies())
@@ -205,9 +254,15 @@ void Stage::hold_still() {
 
 void Stage::operator()(const command::SetPaused& pause) { clock_.set_paused(pause.paused); }
 
-void Stage::operator()(const command::TogglePause&) { clock_.set_paused(!clock_.paused()); }
+void Stage::operator()(const command::TogglePause&) {
+    clock_.set_paused(!clock_.paused());
+    is_backwards_ = false;
+}
 
-void Stage::operator()(const command::SingleStep&) { clock_.request_step(); }
+void Stage::operator()(const command::SingleStep&) {
+    is_backwards_ = false;
+    clock_.request_step();
+}
 
 void Stage::operator()(const command::ChangeSpeed& change) { clock_.change_speed(change.doublings); }
 
@@ -227,6 +282,7 @@ void Stage::operator()(const command::GrabBody& grab) {
     grab_.start = grab_.target = hit->point;
     grab_.local_point = glm::conjugate(pose.rotation) * Vec3(hit->point - pose.position);
     drag_joint_ = scene_.world.create_joint(drag_joint(scene_.world, hit->body, grab_.local_point));
+    held_.push_back({drag_joint_, timeline_.now()});
 }
 
 void Stage::operator()(const command::MoveGrab& move) {
@@ -256,6 +312,11 @@ void Stage::operator()(const command::ShowIslands& show) {
     refresh_motion();
 }
 
+void Stage::operator()(const command::ShowSolver& show) {
+    solver_shown_ = show.shown;
+    refresh_motion();
+}
+
 void Stage::pull_grabbed() {
     if (!scene_.world.is_valid(drag_joint_)) {
         grab_.holding = false;
@@ -275,7 +336,9 @@ void Stage::refresh_layout() {
 }
 
 void Stage::refresh_motion() {
-    current_ = std::make_shared<const WorldMotion>(read_motion(scene_.world, *layout_, with_islands_, joints_));
+    WorldMotion motion = read_motion(scene_.world, *layout_, with_islands_, joints_);
+    motion.solver = read_solver(scene_.world, solver_shown_, clock_.time_step(), selected_);
+    current_ = std::make_shared<const WorldMotion>(std::move(motion));
 }
 
 } // namespace cairn::viewer

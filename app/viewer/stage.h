@@ -3,14 +3,17 @@
 #pragma once
 
 #include "viewer/commands.h"
+#include "viewer/samples.h"
 #include "viewer/scene_source.h"
 #include "viewer/step_clock.h"
+#include "viewer/timeline.h"
 #include "viewer/world_state.h"
 
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace cairn::viewer {
@@ -29,6 +32,16 @@ struct Grab {
 struct Message {
     std::uint64_t serial = 0; ///< Counts up from 1; 0: there has been none.
     std::string text;
+};
+
+/// What is known of the past, and of what followed it.
+struct TimelineState {
+    std::uint64_t first = 0, last = 0, now = 0;      ///< Steps.
+    std::shared_ptr<const std::vector<Mark>> marks;  ///< In order of their steps.
+    std::optional<std::string> undoable, redoable;   ///< Names of the changes.
+    bool is_backwards = false, is_recording = false; ///< Time runs backwards; a file is what is shown.
+    Timeline::Verdict verdict;
+    std::size_t bytes = 0; ///< That it takes.
 };
 
 /// What the window shows. A copy costs little: the large parts are shared and never change.
@@ -51,12 +64,16 @@ struct StageState {
     JointId selected_joint;
     Grab grab;
     Message message;
+    TimelineState timeline;
+    SampleLog samples;
+    std::optional<BodyFacts> inspected; ///< The selected body.
 };
 
 class Stage {
   public:
     /// Loads the first scene; whatever the loader throws comes through.
-    Stage(SceneLoader loader, const std::string& path);
+    Stage(SceneLoader loader, const std::string& path, Savers savers = {});
+    ~Stage();
 
     /// Carries out one command. A command that fails changes nothing and leaves a message.
     void apply(const Command& command);
@@ -64,12 +81,13 @@ class Stage {
     int advance(double real_seconds);
     /// One step, whatever the clock says.
     void step();
-    /// Real seconds until the next step is due.
-    double until_next_step() const { return clock_.until_next_step(); }
+    /// Real seconds until there is something to do.
+    double until_next_step() const;
     /// A copy of what there is to see.
     StageState state() const;
 
     const World& world() const noexcept { return scene_.world; }
+    const Timeline& timeline() const noexcept { return timeline_; }
 
     void operator()(const command::LoadScene& load);
     void operator()(const command::ResetScene&);
@@ -85,6 +103,12 @@ class Stage {
     void operator()(const command::SingleStep&);
     void operator()(const command::ChangeSpeed& change);
     void operator()(const command::SetSpeed& speed);
+    void operator()(const command::SeekTo& seek);
+    void operator()(const command::StepBack&);
+    void operator()(const command::PlayBackwards&);
+    void operator()(const command::Undo&);
+    void operator()(const command::Redo&);
+    void operator()(const command::SaveRecording& save);
     void operator()(const command::SetSettings& settings);
     void operator()(const command::GrabBody& grab);
     void operator()(const command::MoveGrab& move);
@@ -92,6 +116,12 @@ class Stage {
     void operator()(const command::SelectNothing&);
     void operator()(const command::Say& words);
     void operator()(const command::ShowIslands& show);
+    void operator()(const command::TakeSamples& take);
+    void operator()(const command::ShowSolver& show);
+    void operator()(const command::SelectBody& select);
+    void operator()(const command::EditBody& change);
+    void operator()(const command::DuplicateSelected&);
+    void operator()(const command::SaveScene& save);
     void operator()(const command::MakeJoint& make);
     void operator()(const command::SelectJoint& select);
     void operator()(const command::SetJoint& joint);
@@ -100,7 +130,22 @@ class Stage {
     void operator()(const command::RemoveJoint& joint);
 
   private:
+    // Of keys and drags: what exists in the world only as long as they are held.
+    struct Held {
+        std::variant<JointId, ForceFieldId> id;
+        Moment since;
+    };
+    struct Writer;
     void take_scene(LoadedScene scene, const std::string& path);
+    void live_step();
+    void follow();
+    void go_back();
+    void go_on_seeking();
+    void arrive();
+    void settle_branch();
+    void hear_from_writer();
+    void take_sample();
+    template <class Go> bool travel(const Go& go);
     void remove(BodyId body);
     void say(std::string text);
     void add_body(const SpawnSettings& settings, const Position& position, const Vec3& velocity);
@@ -129,6 +174,15 @@ class Stage {
     JointId drag_joint_; // ours, not the scene's: no list shows it
     Message message_;
     std::uint64_t scene_serial_ = 0;
+    Timeline timeline_;
+    std::vector<Held> held_;
+    std::optional<std::uint64_t> seeking_;
+    bool is_backwards_ = false;
+    bool with_samples_ = false;
+    SolverShown solver_shown_;
+    SampleLog samples_;
+    Savers savers_;
+    std::shared_ptr<Writer> writer_;
     std::shared_ptr<const WorldLayout> layout_;
     std::shared_ptr<const std::vector<JointLayout>> joints_;
     std::shared_ptr<const WorldMotion> previous_, current_;

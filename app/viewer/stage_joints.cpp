@@ -67,8 +67,9 @@ void Stage::operator()(const command::SetJointSolver& solver) {
     const JointId remade = scene_.world.create_joint(def);
     scene_.world.destroy_joint(solver.joint);
     if (selected_joint_ == solver.joint) selected_joint_ = remade;
-    for (JointAppearance& shown : scene_.strings)
-        if (shown.joint == solver.joint) shown.joint = remade;
+    // The old one may come back when time goes back.
+    for (std::size_t i = 0; i < scene_.strings.size(); ++i)
+        if (scene_.strings[i].joint == solver.joint) scene_.strings.push_back({remade, scene_.strings[i].color});
     refresh_joints();
     refresh_motion();
 }

@@ -1,11 +1,14 @@
 #include "viewer/window.h"
 
+#include "viewer/draw_scale.h"
 #include "viewer/gl_renderer.h"
 #include "viewer/glfw_keys.h"
 #include "viewer/headless.h"
 #include "viewer/panel.h"
 #include "viewer/physics_thread.h"
 #include "viewer/report.h"
+#include "viewer/screen_pixels.h"
+#include "viewer/screen_video.h"
 #include "viewer/script.h"
 
 #include "files/output_file.h"
@@ -108,9 +111,12 @@ class Application {
     void play(const ScriptLine& line);
     void fit_interface();
     void rebuild_fonts();
-    void draw_picture(const LatestState& latest, int left, int width, Smoothing smoothing);
+    void draw_picture(const LatestState& latest, int left, int width, Smoothing smoothing, float scale);
     void save_picture(const std::filesystem::path& path);
-    void take_screenshot();
+    void write_screen(const std::filesystem::path& path);
+    std::filesystem::path new_file(const std::string& extension) const;
+    std::filesystem::path new_file(const std::string& name, const std::string& extension) const;
+    void save_what_was_asked_for();
     void update_notice(const StageState& state);
     void say(const std::string& text);
     void count_frame(double seconds);
@@ -127,9 +133,14 @@ class Application {
     Panel panel_;
     ScriptPlayer script_;
     WindowFacts facts_;
+    std::filesystem::path window_picture_;              // to be taken of this frame
     int frame_width_ = 0;                               // of the whole window, pixels
     float font_pixels_ = 0.0f, pixels_per_unit_ = 1.0f; // that the fonts were made for
     float interface_scale_ = 1.0f;
+    bool light_theme_ = false; // that the style was made for
+    ScreenVideo video_;
+    DrawScale draw_scale_;
+    bool is_software_ = renderer_.is_software();
     std::uint64_t seen_message_ = 0;
     double notice_left_ = 0.0;
     double rate_seconds_ = 0.0;
@@ -138,8 +149,9 @@ class Application {
 
 Application::Application(const ViewerOptions& options)
     : options_(options), window_(open_window(options.width, options.height)),
-      imgui_((install_callbacks(), window_.get())), physics_(options.loader, options.scene),
+      imgui_((install_callbacks(), window_.get())), physics_(options.loader, options.scene, options.savers),
       controller_([this](Command command) { physics_.post(std::move(command)); }, options.scenes, options.file_types) {
+    controller_.svg_of_chart = options.svg_of_chart;
     if (!options.script.empty()) script_ = ScriptPlayer(load_script(options.script));
 }
 
@@ -214,7 +226,10 @@ void Application::on_wheel(double notches) {
 }
 
 void Application::play_script(double seconds) {
-    while (const ScriptLine* line = script_.next(std::exchange(seconds, 0.0))) play(*line);
+    while (const ScriptLine* line = script_.next(std::exchange(seconds, 0.0))) {
+        play(*line);
+        if (!window_picture_.empty()) break; // it is of what came before, and taken at the end of the frame
+    }
 }
 
 void Application::play(const ScriptLine& line) {
@@ -258,6 +273,9 @@ void Application::play(const ScriptLine& line) {
     case ScriptLine::Kind::picture:
         save_picture(line.word);
         break;
+    case ScriptLine::Kind::window:
+        window_picture_ = line.word;
+        break;
     case ScriptLine::Kind::quit:
         controller_.quit = true;
         break;
@@ -279,6 +297,10 @@ void Application::fit_interface() {
     const float share = interface_share(float(width) / density, float(height) / density);
     const float pixels = std::round(font_size * scale * share);
     interface_scale_ = pixels / (font_size * pixels_per_unit);
+    if (light_theme_ != controller_.light_theme) {
+        light_theme_ = controller_.light_theme;
+        apply_style(interface_scale_, light_theme_);
+    }
     if (pixels == font_pixels_ && pixels_per_unit == pixels_per_unit_) return;
     font_pixels_ = pixels;
     pixels_per_unit_ = pixels_per_unit;
@@ -296,7 +318,7 @@ void Application::rebuild_fonts() {
     else
         io.Fonts->AddFontDefault(&config); // built in, coarser
     io.FontGlobalScale = 1.0f / pixels_per_unit_;
-    apply_style(interface_scale_);
+    apply_style(interface_scale_, light_theme_);
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
 }
@@ -311,21 +333,21 @@ void Application::place_picture() {
     facts_.width = frame_width_ - facts_.left;
 }
 
-void Application::draw_picture(const LatestState& latest, int left, int width, Smoothing smoothing) {
+void Application::draw_picture(const LatestState& latest, int left, int width, Smoothing smoothing, float scale) {
     const StageState& state = latest.stage;
     const RenderFrame frame = make_frame(*state.layout, *state.previous, *state.current, latest.fraction,
                                          controller_.camera.pose(), controller_.frame_options(state));
-    renderer_.draw(frame, width, facts_.height, smoothing, 0, left);
+    renderer_.draw(frame, width, facts_.height, smoothing, 0, left, scale);
 }
 
 void Application::save_picture(const std::filesystem::path& path) {
-    draw_picture(physics_.latest(), 0, frame_width_, Smoothing::samples); // of the whole window, without the panel
-    const std::size_t row = 3u * std::size_t(frame_width_);
-    std::vector<std::uint8_t> bottom_up(row * std::size_t(facts_.height)), pixels(bottom_up.size());
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, frame_width_, facts_.height, GL_RGB, GL_UNSIGNED_BYTE, bottom_up.data());
-    for (std::size_t y = 0; y < std::size_t(facts_.height); ++y)
-        std::copy_n(bottom_up.begin() + std::ptrdiff_t(y * row), row, pixels.end() - std::ptrdiff_t((y + 1) * row));
+    // Of the whole window, without the panel.
+    draw_picture(physics_.latest(), 0, frame_width_, Smoothing::samples, 1.0f);
+    write_screen(path);
+}
+
+void Application::write_screen(const std::filesystem::path& path) {
+    const std::vector<std::uint8_t> pixels = read_screen(frame_width_, facts_.height);
     try {
         write_picture(path, frame_width_, facts_.height, pixels);
         say("Saved " + path.string());
@@ -334,15 +356,46 @@ void Application::save_picture(const std::filesystem::path& path) {
     }
 }
 
-void Application::take_screenshot() {
-    controller_.screenshot = false;
+// A name that no file has yet, by the time of day.
+std::filesystem::path Application::new_file(const std::string& extension) const {
     char name[64];
     const std::time_t now = std::time(nullptr);
     std::strftime(name, sizeof name, "cairn_%Y-%m-%d_%H-%M-%S", std::localtime(&now));
-    std::filesystem::path path = options_.screenshot_folder / (std::string(name) + ".png");
+    return new_file(name, extension);
+}
+
+std::filesystem::path Application::new_file(const std::string& name, const std::string& extension) const {
+    std::filesystem::path path = options_.screenshot_folder / (name + extension);
     for (int i = 2; std::filesystem::exists(path); ++i)
-        path = options_.screenshot_folder / (std::string(name) + "_" + std::to_string(i) + ".png");
-    save_picture(path);
+        path = options_.screenshot_folder / (name + "_" + std::to_string(i) + extension);
+    return path;
+}
+
+void Application::save_what_was_asked_for() {
+    if (std::exchange(controller_.screenshot, false)) save_picture(new_file(".png"));
+    if (std::exchange(controller_.save_recording, false))
+        physics_.post(command::SaveRecording{new_file(".mcap").string()});
+    if (std::exchange(controller_.save_scene, false))
+        physics_.post(command::SaveScene{new_file(".gltf").string(), controller_.camera.pose()});
+    std::string saved;
+    try {
+        if (std::exchange(controller_.video, false)) {
+            if (video_.is_running()) {
+                saved = video_.stop();
+            } else {
+                video_.start(new_file(".mp4"), frame_width_, facts_.height);
+                saved = "A video is being made: F10 ends it.";
+            }
+        }
+        for (const Export& file : std::exchange(controller_.exports, {})) {
+            const std::filesystem::path path = new_file(file.name, file.extension);
+            files::write_file(path, file.text);
+            saved += (saved.empty() ? "Saved " : ", ") + path.string();
+        }
+    } catch (const Error& error) {
+        saved = error.what();
+    }
+    if (!saved.empty()) say(saved);
 }
 
 void Application::say(const std::string& text) {
@@ -396,7 +449,7 @@ void Application::run() {
             title = latest.stage.title;
             glfwSetWindowTitle(window_.get(), ("Cairn: " + title).c_str());
         }
-        if (controller_.screenshot) take_screenshot();
+        save_what_was_asked_for();
         ImGui_ImplOpenGL3_NewFrame();
         ImGui_ImplGlfw_NewFrame();
         ImGui::NewFrame();
@@ -404,10 +457,16 @@ void Application::run() {
         ImGui::Render();
         facts_.scene_lines = panel_.scene_lines();
         facts_.scene_is_listed = panel_.scene_is_listed();
-        draw_picture(latest, facts_.left, facts_.width, Smoothing::edges);
+        facts_.bar_left = panel_.timeline().left();
+        facts_.bar_right = panel_.timeline().right();
+        facts_.bar_middle = panel_.timeline().middle();
+        draw_picture(latest, facts_.left, facts_.width, Smoothing::edges, draw_scale_.value());
         ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+        if (const std::string told = video_.add_frame(seconds, frame_width_, facts_.height); !told.empty()) say(told);
+        if (!window_picture_.empty()) write_screen(std::exchange(window_picture_, {}));
         glfwSwapBuffers(window_.get());
         count_frame(seconds);
+        if (is_software_) draw_scale_.count_frame(seconds);
     }
     if (!options_.report.empty()) write_report(options_.report);
 }

@@ -2,6 +2,7 @@
 /// The interactive viewer.
 #pragma once
 
+#include "viewer/export.h"
 #include "viewer/scene_source.h"
 
 #include <filesystem>
@@ -15,9 +16,11 @@ struct ViewerOptions {
     std::string scene;                             ///< Path of the scene to open, as `loader` takes it.
     std::vector<SceneItem> scenes;                 ///< The list in the panel; the first nine are on the keys 1 to 9.
     SceneLoader loader;                            ///< Required.
+    Savers savers;                                 ///< Of recordings and scenes.
+    SvgOfChart svg_of_chart;                       ///< For exporting plots.
     std::vector<std::string> file_types;           ///< Extensions of files that `loader` reads: `.gltf` and so on.
     int width = 1280, height = 720;                ///< Of the window, in screen coordinates.
-    std::filesystem::path screenshot_folder = "."; ///< Where F12 puts its pictures.
+    std::filesystem::path screenshot_folder = "."; ///< Where F12, F9 put pictures and recordings.
     std::optional<double> exit_after;              ///< Seconds after which the window closes by itself.
     std::filesystem::path report;                  ///< Write the viewer's state here as JSON on exit; empty: do not.
     std::filesystem::path script;                  ///< Play these inputs (see script.h); empty: do not.

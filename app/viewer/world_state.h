@@ -58,6 +58,8 @@ struct WorldLayout {
     float min_mass = 1.0f, greatest_mass = 1.0f;          ///< kg, among dynamic bodies of finite mass.
 };
 
+struct SolverView;
+
 /// How every body of a layout stands and moves at one moment.
 struct WorldMotion {
     std::vector<Transform> transforms;
@@ -67,6 +69,7 @@ struct WorldMotion {
     std::vector<std::uint32_t> islands;
     std::shared_ptr<const std::vector<JointLayout>> joints; ///< Null: not asked for.
     std::vector<JointState> joint_states;                   ///< One for each of `joints`.
+    std::shared_ptr<const SolverView> solver;               ///< Null: not asked for.
 };
 
 /// Copies the layout. `appearances` and `visuals` of what no longer exists are ignored. `meshes` keeps what it has made

@@ -25,7 +25,7 @@ Convex core_at(const Mover& m, double time, DVec3 near, double reach) {
     const DQuat q = m.rotation_at(pose);
     const Geometry part = near_part(m.shape().geometry, center, q, near, reach);
     const Convex whole = make_convex(part, m.shape().data, center, q);
-    return m.layer >= Layer::skin ? whole : shrunk(whole, depth_of(whole, m.layer));
+    return m.layer >= Layer::skin ? whole : shrunk(whole, depth_of(whole, m.layer, m.half_width));
 }
 Convex core_at(const Mover& m, double time) { return core_at(m, time, {}, 0); }
 
@@ -79,7 +79,7 @@ Course course_of_convexes(const Mover& a, const Mover& b, Span span, const Dista
     if (second.kind == Convex::Kind::polygon && !b.shape().geometry.is_double_sided &&
         !begins_in_front(middle(first), second))
         return {};
-    const Question question = question_of(first, a.layer, distances);
+    const Question question = question_of(first, a, distances);
     if (stay_apart_along(pair.guess, a, b, span, pair, question)) return {};
     return course_by(a, b, question, span, pair);
 }
@@ -106,7 +106,7 @@ class PlanePair {
 };
 
 Course course_at_plane(const Mover& a, const Mover& b, Span span, const Distances& distances) {
-    return course_by(a, b, question_of(core_at(a, span.begin), a.layer, distances), span, PlanePair(a, b, span.begin));
+    return course_by(a, b, question_of(core_at(a, span.begin), a, distances), span, PlanePair(a, b, span.begin));
 }
 
 Convex triangle_at(const Mover& m, const Triangle& t, double time) {
@@ -164,7 +164,7 @@ Course course_at_triangles(const Mover& a, const Mover& b, Span span, const Dist
                 TrianglePair pair(a, b, t, begin);
                 if (!begins_in_front(middle(mover), pair.begin_face)) return;
                 pair.guess = pair.begin_face.center - mover.center;
-                const Question question = question_of(mover, a.layer, distances);
+                const Question question = question_of(mover, a, distances);
                 const Span part{begin, std::min(end, best.meeting)};
                 if (stay_apart_along(-pair.begin_face.axes.c1, a, b, part, pair, question) ||
                     stay_apart_along(pair.guess, a, b, part, pair, question))
@@ -187,10 +187,8 @@ Course course_at_triangles(const Mover& a, const Mover& b, Span span, const Dist
 
 // Whether they move against each other so little that no core can pass.
 bool stay_together(const Mover& a, const Mover& b) {
-    const double half = 0.5 * double(std::min(smallest_extent(a.shape().geometry, a.shape().data),
-                                              smallest_extent(b.shape().geometry, b.shape().data)));
     const DVec3 way = (b.end - b.start) - (a.end - a.start);
-    return length(way) + (a.turning() + b.turning()) <= free_share * half;
+    return length(way) + (a.turning() + b.turning()) <= free_share * a.half_width;
 }
 
 // Whether balls around both meet at all, along lines, with what they may be beside them.
@@ -211,6 +209,8 @@ Course course_of(const Mover& a, const Mover& b, Span span, const Distances& dis
     if (!is_strip(b.shape().geometry) && !may_meet_on_the_way(a, b, distances.within)) return {};
     return course_of_convexes(a, b, span, distances);
 }
+double half_width_of(const SweptShape& s) { return 0.5 * double(smallest_extent(s.geometry, s.data)); }
+double half_width_of(const SweptShape& a, const SweptShape& b) { return std::min(half_width_of(a), half_width_of(b)); }
 double end_of(const SweptShape& a, const SweptShape& b) { return std::min(a.path.until, b.path.until); }
 
 // A ball in the middle of a shape, with that part of its smallest half width.
@@ -240,8 +240,8 @@ RigidPath::Pose RigidPath::at(double time) const {
 
 double time_of_meeting(const SweptShape& a, const SweptShape& b, bool is_known, double from) {
     const Layer layer = is_known ? Layer::known_core : Layer::core;
-    const double to = end_of(a, b);
-    const Mover first(a, layer, from, to), second(b, layer, from, to);
+    const double to = end_of(a, b), half_width = half_width_of(a, b);
+    const Mover first(a, layer, half_width, from, to), second(b, layer, half_width, from, to);
     if (stay_together(first, second)) return never;
     double time = course_of(first, second, {from, to}, {}).meeting;
     // What begins too deep goes no deeper than half of that, or up to its middle.
@@ -249,36 +249,41 @@ double time_of_meeting(const SweptShape& a, const SweptShape& b, bool is_known, 
         if (time != overlapped) break;
         const Geometry ball = ball_inside(first, part);
         const SweptShape inside{ball, a.data, first.middle_offset(), a.path, a.until};
-        time = course_of(Mover(inside, layer, from, to), second, {from, to}, {}).meeting;
+        time = course_of(Mover(inside, layer, half_width, from, to), second, {from, to}, {}).meeting;
     }
     return time == overlapped ? never : time;
 }
 
 double time_of_sinking(const SweptShape& a, const SweptShape& b, double from) {
-    const double to = end_of(a, b);
-    const Mover first(a, Layer::inner, from, to), second(b, Layer::inner, from, to);
-    // How far apart their inner cores are now, if the shapes touch at all.
-    const double half_width =
-        0.5 * double(std::min(smallest_extent(a.geometry, a.data), smallest_extent(b.geometry, b.data)));
-    const Course now = course_of(first, second, {from, from}, {2 * half_width});
-    const double floor = now.gap.distance - 2 * tolerance_part * core_depth_of(half_width);
+    const double to = end_of(a, b), half_width = half_width_of(a, b);
+    const Mover first(a, Layer::inner, half_width, from, to), second(b, Layer::inner, half_width, from, to);
+    // How far apart their inner cores are now, if the shapes touch at all: then by at most twice both depths.
+    const auto inner_depth = [](const SweptShape& shape) { // surfaces have none
+        const double half = half_width_of(shape);
+        return half < 0.5 * double(unlimited_extent) ? 2 * core_depth_of(half) : 0;
+    };
+    const double within = inner_depth(a) + inner_depth(b) + half_width;
+    const Course now = course_of(first, second, {from, from}, {within});
+    const double tolerance = sinking_part * core_depth_of(half_width), floor = now.gap.distance - 2 * tolerance;
     if (!(floor > 0) || !(floor < infinity)) return time_of_meeting(a, b, true, from);
-    const double time = course_of(first, second, {from, to}, {0, floor}).meeting;
+    const double time = course_of(first, second, {from, to}, {0, floor, tolerance}).meeting;
     return time == overlapped ? never : time;
 }
 
 double time_of_impact(const SweptShape& a, const SweptShape& b, double from) {
-    const double to = end_of(a, b);
-    const Mover first(a, Layer::impact, from, to), second(b, Layer::impact, from, to);
+    const double to = end_of(a, b), half_width = half_width_of(a, b);
+    const Mover first(a, Layer::impact, half_width, from, to), second(b, Layer::impact, half_width, from, to);
     const double time = course_of(first, second, {from, to}, {}).meeting;
+    if (time == overlapped) return time_of_sinking(a, b, from);
     // The distance of convex shapes that move straight is a convex function of time: no touch of them is missed.
-    const bool is_certain = time != overlapped && first.moves_straight() && second.moves_straight();
+    const bool is_certain = first.moves_straight() && second.moves_straight();
     return time >= 0 && (time < 1 || is_certain) ? time : time_of_meeting(a, b, false, from);
 }
 
 Nearness nearness_of(const SweptShape& a, const SweptShape& b, double within) {
-    const double to = end_of(a, b);
-    const Course course = course_of(Mover(a, Layer::skin, 0, to), Mover(b, Layer::skin, 0, to), {0, to}, {within});
+    const double to = end_of(a, b), half_width = half_width_of(a, b);
+    const Mover first(a, Layer::skin, half_width, 0, to), second(b, Layer::skin, half_width, 0, to);
+    const Course course = course_of(first, second, {0, to}, {within});
     if (course.meeting <= to) return {std::max(course.meeting, 0.0), 0, {}, {}};
     return {course.nearest, course.gap.distance, course.gap.normal, course.gap.on_a};
 }

@@ -21,6 +21,8 @@ using math::length;
 inline constexpr double known_depth_part = 0.5; // of contacts that the solver knows
 // Cores count as met when they are this near, as part of the depth.
 inline constexpr double tolerance_part = 0.1;
+// What touches is deeper than it was when it is deeper by twice this, as part of a core's depth.
+inline constexpr double sinking_part = 0.02;
 // After so many looks at a pair that turns fast and comes hardly nearer, the time that was reached is the answer.
 inline constexpr int max_rounds = 100;
 
@@ -28,20 +30,22 @@ inline constexpr int max_rounds = 100;
 // themselves.
 enum class Layer { core, inner, known_core, skin, impact };
 
-inline double depth_of(const Convex& c, Layer layer) {
+// `half_width`: the smaller one of the pair.
+inline double depth_of(const Convex& c, Layer layer, double half_width) {
     if (c.kind == Convex::Kind::polygon || layer >= Layer::skin) return 0;
     if (layer == Layer::inner) return std::min(2 * core_depth_of(c.extent), c.extent);
-    return layer == Layer::known_core ? known_depth_part * c.extent : core_depth_of(c.extent);
+    return layer == Layer::known_core ? known_depth_part * std::min(c.extent, half_width) : core_depth_of(c.extent);
 }
-inline double tolerance_of(const Convex& c, Layer layer) {
+inline double tolerance_of(const Convex& c, Layer layer, double half_width) {
     if (layer >= Layer::skin) return layer == Layer::skin ? touch_tolerance(c.extent) : impact_tolerance(c.extent);
-    return tolerance_part * depth_of(c, layer);
+    return tolerance_part * depth_of(c, layer, half_width);
 }
 
 // What is known of a shape on its way.
 class Mover {
   public:
-    Mover(const SweptShape& s, Layer layer, double from, double to) : layer(layer), s_(s), turn_(length(s.path.turn)) {
+    Mover(const SweptShape& s, Layer layer, double half_width, double from, double to)
+        : layer(layer), half_width(half_width), s_(s), turn_(length(s.path.turn)) {
         const double ball = is_ball() ? 0 : s.geometry.bounding_radius;
         const DVec3 to_middle = middle_offset();
         reach_ = length(to_middle) + ball;
@@ -84,7 +88,8 @@ class Mover {
     double turning() const { return is_ball() ? 0 : turn_ * s_.geometry.bounding_radius; }
     DVec3 middle_offset() const { return s_.offset + local_middle(); } // from the center of mass, in the body's frame
     const Layer layer;
-    math::DVec3 start, end; // of the middle of its bounds: when it is first looked at, and last
+    const double half_width; // the smaller one of the pair, m
+    math::DVec3 start, end;  // of the middle of its bounds: when it is first looked at, and last
 
   private:
     DVec3 local_middle() const {
@@ -129,9 +134,9 @@ struct Course {
     }
 };
 
-// Of a pair: how near matters, and from which distance on.
+// Of a pair: how near matters, and from which distance on, to within which of it.
 struct Distances {
-    double within = 0, floor = 0;
+    double within = 0, floor = 0, of_floor = 0;
 };
 
 // What is asked of a course: it ends when the shapes are as near as `tolerance`; how near they come matters up to
@@ -142,9 +147,9 @@ struct Question {
     bool is_impact = false; // what is as near as that and parts, or stays, has not met
 };
 
-inline Question question_of(const Convex& c, Layer layer, const Distances& d) {
-    const double tolerance = d.floor > 0 ? tolerance_part * core_depth_of(c.extent) : tolerance_of(c, layer);
-    return {tolerance, d.within, d.floor, layer == Layer::impact};
+inline Question question_of(const Convex& c, const Mover& m, const Distances& d) {
+    const double tolerance = d.floor > 0 ? d.of_floor : tolerance_of(c, m.layer, m.half_width);
+    return {tolerance, d.within, d.floor, m.layer == Layer::impact};
 }
 
 // How fast the nearest points come nearer along the normal, and move at all, m/s.

@@ -1,6 +1,7 @@
 #include "commands/command_reader.h"
 
-#include <bit>
+#include "core/bit_cast.h"
+
 
 namespace cairn::commands {
 
@@ -91,8 +92,8 @@ void read(CommandReader& from, int& x) {
 }
 void read(CommandReader& from, std::uint32_t& x) { x = std::uint32_t(from.number_up_to(0xffffffffu, "u32")); }
 void read(CommandReader& from, std::uint64_t& x) { x = from.number(); }
-void read(CommandReader& from, float& x) { x = std::bit_cast<float>(from.little_endian<std::uint32_t>()); }
-void read(CommandReader& from, double& x) { x = std::bit_cast<double>(from.little_endian<std::uint64_t>()); }
+void read(CommandReader& from, float& x) { x = bit_cast<float>(from.little_endian<std::uint32_t>()); }
+void read(CommandReader& from, double& x) { x = bit_cast<double>(from.little_endian<std::uint64_t>()); }
 void read(CommandReader& from, std::string& x) { x = from.text(); }
 void read(CommandReader& from, glm::vec2& x) { read(from, x.x), read(from, x.y); }
 void read(CommandReader& from, Vec3& x) { read(from, x.x), read(from, x.y), read(from, x.z); }

@@ -1,13 +1,14 @@
 // Writing the arguments of a command as bytes. Structs and variants: generated/codec.h.
 #pragma once
 
+#include "core/bit_cast.h"
+
 #include <cairn/commands.h>
 #include <cairn/handle.h>
 #include <cairn/math.h>
 #include <cairn/shape.h>
 
 #include <array>
-#include <bit>
 #include <optional>
 #include <string_view>
 #include <type_traits>
@@ -43,8 +44,8 @@ inline void write(CommandWriter& to, int x) {
 }
 inline void write(CommandWriter& to, std::uint32_t x) { to.number(x); }
 inline void write(CommandWriter& to, std::uint64_t x) { to.number(x); }
-inline void write(CommandWriter& to, float x) { to.little_endian(std::bit_cast<std::uint32_t>(x)); }
-inline void write(CommandWriter& to, double x) { to.little_endian(std::bit_cast<std::uint64_t>(x)); }
+inline void write(CommandWriter& to, float x) { to.little_endian(bit_cast<std::uint32_t>(x)); }
+inline void write(CommandWriter& to, double x) { to.little_endian(bit_cast<std::uint64_t>(x)); }
 inline void write(CommandWriter& to, std::string_view x) {
     to.number(x.size());
     for (const char c : x) to.byte(std::uint8_t(c));

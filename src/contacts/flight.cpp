@@ -34,15 +34,21 @@ float fall_of(const State& s, const StepPasses& passes, const ContactInfo& c, co
     return share * dt * dt * float(math::dot(a, math::to_double(math::to_vec(m.normal))));
 }
 
-// Whether a kinematic body turns its surface away from the normal so far that in the step a contact that stays as it
-// is would be off by more than the margin: what goes straight on at the surface's speed is behind it by a third of the
-// square of the turn, of its way.
+// How far a contact that stays as it is in the step is off at its end, as its surface, of `under`, turns its normal: by
+// half of the turn times the way that what is on it goes along it, and, as what goes straight on at the surface's speed
+// gets behind it, by a third of the square of the turn times the way of the surface.
+float lag_of(const BodyMotion& on, const BodyMotion& under, math::Vec3 normal, float dt) {
+    const float turn = dt * math::length(math::cross(under.w, normal));
+    const math::Vec3 surface = math::cross(under.w, math::to_float(on.x - under.x));
+    return turn * dt * (0.5f * math::length(on.v - under.v - surface) + turn / 3 * math::length(surface));
+}
+
+// Whether two bodies turn so far that a contact between them cannot stay as it is in a step.
 bool turns_away(const State& s, const ContactInfo& c, const Manifold& m, float dt) {
-    if (s.bodies.settings[c.body_b].type != BodyType::kinematic) return false;
+    if (s.bodies.settings[c.body_b].type == BodyType::static_) return false;
     const BodyMotion &a = s.bodies.motion[c.body_a], &b = s.bodies.motion[c.body_b];
-    const float turn = dt * math::length(math::cross(b.w, math::to_vec(m.normal)));
-    const math::Vec3 surface = b.v + math::cross(b.w, math::to_float(a.x - b.x));
-    return turn * turn * dt * math::length(surface) > 3 * c.base_margin;
+    const math::Vec3 n = math::to_vec(m.normal);
+    return lag_of(a, b, n, dt) > c.base_margin || lag_of(b, a, n, dt) > c.base_margin;
 }
 
 // Rows in the solver that a pair has had so far.
@@ -157,7 +163,7 @@ bool may_meet_in_flight(const State& s, const StepPasses& passes, const ContactI
     if (c.is_trigger || m.count == 0) return false;
     float least = m.points[0][3];
     for (int i = 1; i < m.count; ++i) least = std::min(least, m.points[i][3]);
-    const bool bends = turns_away(s, c, m, dt);
+    const bool bends = !c.bounces && turns_away(s, c, m, dt);
     if (!(least > 0 || bends) || !may_fly(s, c.body_a) || !may_fly(s, c.body_b)) return false;
     if (bends) return true;
     const float speed = approach_of(s.bodies, s.shapes, c, m), way = speed * dt + fall_of(s, passes, c, m, dt);

@@ -3,11 +3,12 @@
 // before. That is exact whatever is foretold, as long as writing and reading foretell the same.
 #pragma once
 
+#include "core/bit_cast.h"
+
 #include <cairn/error.h>
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -30,7 +31,7 @@ template <class T> inline constexpr std::size_t max_packed_size = sizeof(T) + 4 
 // Fails to compile, as no constant, where T has bytes that belong to no member: what they hold is left to chance.
 template <class T> constexpr bool has_no_gaps() {
     unsigned sum = 0;
-    for (const unsigned char byte : std::bit_cast<std::array<unsigned char, sizeof(T)>>(T{})) sum += byte;
+    for (const unsigned char byte : bit_cast<std::array<unsigned char, sizeof(T)>>(T{})) sum += byte;
     return sum < sizeof(T) * 256;
 }
 

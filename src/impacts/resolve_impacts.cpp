@@ -138,7 +138,7 @@ class ImpactQueue {
     }
     // Of a body that may not have been one, under way.
     std::int32_t mover_at(std::int32_t body, double time) {
-        const std::int32_t i = movers_.add(body);
+        const std::int32_t i = pairs_.add_mover(body);
         while (movers_[i].path.until < time) go_to_next_part(i, movers_[i].path.until);
         return i;
     }
@@ -178,11 +178,6 @@ class ImpactQueue {
         return b;
     }
 
-    void make_mover(std::int32_t k, double time) {
-        pairs_.make_mover(k);
-        expect_renewal(mover_at(movers_[pairs_[k].second].body, time));
-    }
-
     // Of the surface of what does not move by forces, along it (at the first of the points).
     DVec3 surface_velocity(std::uint32_t shape) const {
         const ShapeTraits& traits = s.shapes.traits[shape];
@@ -209,7 +204,7 @@ class ImpactQueue {
     // False if nothing approaches.
     bool collide(std::int32_t k, double time) {
         const std::int32_t body_a = s.shapes.links[pairs_[k].shape].body, body_b = s.shapes.links[pairs_[k].other].body;
-        if (pairs_[k].second == none && can_go_on(body_b)) make_mover(k, time);
+        if (pairs_[k].second == none && can_go_on(body_b)) expect_renewal(mover_at(body_b, time));
         const SweptPair pair = pairs_[k];
         MovingState now_a = state_of(pair.first, body_a, time), now_b = state_of(pair.second, body_b, time);
         find_meeting_points(s, pair.shape, now_a, pair.other, now_b, scratch_, points_);

@@ -31,8 +31,14 @@ SweptPairs::SweptPairs(State& state, StepScratch& step, Movers& movers, Assembli
     : s(state), step(step), movers_(movers), assemblies_(assemblies), scratch_(step.solver.sweep),
       pairs_(step.solver.sweep.pairs) {
     pairs_.clear();
+    if (scratch_.first_waiting.size() < s.bodies.links.size())
+        scratch_.first_waiting.resize(s.bodies.links.size(), none);
     scratch_.redirected.clear();
     scratch_.has_ways = scratch_.has_known = false;
+}
+
+SweptPairs::~SweptPairs() {
+    for (const SweptPair& pair : pairs_) scratch_.first_waiting[std::size_t(s.shapes.links[pair.other].body)] = none;
 }
 
 bool SweptPairs::may_collide(std::uint32_t a, std::uint32_t b) const {
@@ -66,7 +72,7 @@ void SweptPairs::find_struck(std::int32_t kinematic) {
         if (!s.bodies.is_dynamic(body)) continue;
         for_each_shape(s, kinematic, [&](std::uint32_t shape) {
             if (!may_collide(other, shape)) return;
-            const std::int32_t mover = movers_.add(body);
+            const std::int32_t mover = add_mover(body);
             if (!is_listed(mover, other, shape)) add(mover, other, shape, none, is_known(other, shape));
         });
     }
@@ -117,13 +123,23 @@ void SweptPairs::add(std::int32_t mover, std::uint32_t shape, std::uint32_t othe
     const std::int32_t k = count();
     pairs_.push_back(pair);
     link(k, pair.first);
-    if (pair.second != none) link(k, pair.second);
+    if (pair.second != none) return link(k, pair.second);
+    std::int32_t& waiting = scratch_.first_waiting[std::size_t(s.shapes.links[other].body)];
+    pairs_[std::size_t(k)].next_of_second = waiting;
+    waiting = k;
 }
 
-void SweptPairs::make_mover(std::int32_t k) {
-    SweptPair& pair = (*this)[k];
-    pair.second = movers_.add(s.shapes.links[pair.other].body);
-    link(k, pair.second);
+std::int32_t SweptPairs::add_mover(std::int32_t body) {
+    const std::int32_t mover = movers_.add(body);
+    std::int32_t& waiting = scratch_.first_waiting[std::size_t(body)];
+    while (waiting != none) {
+        const std::int32_t k = waiting;
+        SweptPair& pair = (*this)[k];
+        waiting = pair.next_of_second;
+        pair.second = mover;
+        link(k, mover);
+    }
+    return mover;
 }
 
 void SweptPairs::find() {

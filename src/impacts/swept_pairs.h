@@ -9,6 +9,9 @@ namespace cairn {
 class SweptPairs {
   public:
     SweptPairs(State& state, StepScratch& step, Movers& movers, Assemblies& assemblies);
+    ~SweptPairs();
+    SweptPairs(const SweptPairs&) = delete;
+    SweptPairs& operator=(const SweptPairs&) = delete;
 
     // Pairs of what flies, and those that the narrow phase had before it; then all that is near the ways of bodies that
     // are not where they were expected.
@@ -27,8 +30,8 @@ class SweptPairs {
             k = next;
         }
     }
-    // The other body of a pair becomes a mover.
-    void make_mover(std::int32_t pair);
+    // A body becomes a mover, if it is none yet: all pairs with it are the mover's.
+    std::int32_t add_mover(std::int32_t body);
     // When the two meet, from a time on up to which they are known to be apart.
     double time_of(const SweptPair& pair, double from) const;
 

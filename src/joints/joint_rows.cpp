@@ -200,14 +200,14 @@ template <class Block> void open_run(const JointRun& run, std::vector<Block>& bl
     }
 }
 
-template <class Block> void make_room(std::vector<Block>& blocks, std::size_t count) {
+template <class Block> void extend(std::vector<Block>& blocks, std::size_t count) {
     if (blocks.size() < count) blocks.resize(count);
 }
 
 void open_blocks(BatchScratch& scratch) {
-    make_room(scratch.point_blocks, scratch.joint_layout->blocks[0]);
-    make_room(scratch.turn_blocks, scratch.joint_layout->blocks[1]);
-    make_room(scratch.axis_blocks, scratch.joint_layout->blocks[2]);
+    extend(scratch.point_blocks, scratch.joint_layout->blocks[0]);
+    extend(scratch.turn_blocks, scratch.joint_layout->blocks[1]);
+    extend(scratch.axis_blocks, scratch.joint_layout->blocks[2]);
     const auto first_discard = scratch.first_joint_discard_rows();
     for (const JointRun& run : scratch.joint_layout->runs)
         for_blocks_of(scratch, run.type, [&](auto& blocks) {

@@ -18,6 +18,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cairn::recording {
@@ -57,8 +58,35 @@ class Recording {
 
   private:
     friend class Replay;
+    friend class CallReader;
     explicit Recording(std::unique_ptr<Contents> contents);
     std::unique_ptr<Contents> contents_;
+};
+
+/// One of the calls that were recorded.
+struct RecordedCall {
+    std::vector<std::byte> command; ///< For `World::execute`.
+    bool is_step = false;
+    std::optional<StateDigest> digest; ///< Of the state after a step, as it was recorded.
+};
+
+/// What was done to the recorded world, call by call, for who does it to a world of their own. `Replay` does that by
+/// itself.
+class CallReader {
+  public:
+    explicit CallReader(const Recording& recording); ///< `recording` must live as long, and longer than `source()`.
+    ~CallReader();
+    /// False at the end. Where a digest stands alone, the command is empty.
+    bool next(RecordedCall& call);
+    /// Of all of these commands; any thread may ask it.
+    std::shared_ptr<CommandSource> source() const;
+    /// The last keyframe after more than `after` steps and no more than `until`, and the number of its steps. Keyframes
+    /// of another build are refused by `World::restore` (unsupported).
+    std::optional<std::pair<std::uint64_t, Snapshot>> keyframe(std::uint64_t after, std::uint64_t until);
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
 };
 
 /// Where a replay came to something else than was recorded.

@@ -132,28 +132,45 @@ fs::path scenes_directory() {
     return CAIRN_SOURCE_SCENES;
 }
 
+namespace {
+
+// The scene of that name in the library; nothing if there is none.
+std::optional<fs::path> named_scene(const std::string& name) {
+    const fs::path directory = scenes_directory();
+    std::error_code code;
+    if (name.empty() || fs::path(name).has_parent_path() || !fs::is_directory(directory, code)) return std::nullopt;
+    const std::vector<fs::path> found = scenes_named(name, scene_files(directory));
+    if (found.empty()) return std::nullopt;
+    if (found.size() == 1) return found[0];
+    std::string candidates;
+    for (const fs::path& file : found)
+        candidates += (candidates.empty() ? "" : ", ") + file.filename().generic_string();
+    throw Error(ErrorCode::invalid_value, name, {}, "may be any of " + candidates);
+}
+
+[[noreturn]] void fail_to_find(const std::string& name) {
+    std::string problem = "there is no such file";
+    if (!name.empty() && !fs::path(name).has_parent_path()) {
+        problem += ", nor a scene of that name in " + scenes_directory().generic_string();
+    }
+    throw Error(ErrorCode::io, name.empty() ? "\"\"" : name, {}, problem);
+}
+
+} // namespace
+
+fs::path find_named_scene(std::string_view name) {
+    if (const std::optional<fs::path> found = named_scene(std::string(name))) return *found;
+    fail_to_find(std::string(name));
+}
+
 fs::path find_scene(std::string_view path_or_name) {
     const fs::path path(path_or_name);
     std::error_code code;
     const fs::file_status status = fs::status(path, code);
     if (fs::exists(status) && !fs::is_directory(status)) return path;
-    const std::string name(path_or_name);
-    const fs::path directory = scenes_directory();
-    const bool is_name = !name.empty() && !path.has_parent_path();
-    if (is_name && fs::is_directory(directory, code)) {
-        const std::vector<fs::path> found = scenes_named(name, scene_files(directory));
-        if (found.size() == 1) return found[0];
-        if (found.size() > 1) {
-            std::string candidates;
-            for (const fs::path& file : found)
-                candidates += (candidates.empty() ? "" : ", ") + file.filename().generic_string();
-            throw Error(ErrorCode::invalid_value, name, {}, "may be any of " + candidates);
-        }
-    }
+    if (const std::optional<fs::path> found = named_scene(std::string(path_or_name))) return *found;
     if (fs::exists(status)) return path; // a folder, which is said when it is read
-    std::string problem = "there is no such file";
-    if (is_name) problem += ", nor a scene of that name in " + directory.generic_string();
-    throw Error(ErrorCode::io, name.empty() ? "\"\"" : name, {}, problem);
+    fail_to_find(std::string(path_or_name));
 }
 
 } // namespace cairn::scene

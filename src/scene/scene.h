@@ -151,4 +151,7 @@ std::filesystem::path scenes_directory();
 /// `open_plane`, `01`, `1`). Throws `Error`: `io` if there is none, `invalid_value` if several are meant.
 std::filesystem::path find_scene(std::string_view path_or_name);
 
+/// The same for such a name alone, whatever files there are.
+std::filesystem::path find_named_scene(std::string_view name);
+
 } // namespace cairn::scene

@@ -16,19 +16,19 @@ constexpr double touching = 1e-10;
 // Rounding of a squared length, as part of it.
 constexpr double rounding = 1e-15;
 
-// The nearest point of a simplex as a choice of its corners and their weights.
+// The nearest point of a simplex as a choice of its corners and their weights, which are parts of `whole`.
 struct Nearest {
     double square = std::numeric_limits<double>::infinity();
     DVec3 point;
     int count = 0;
     int corner[3];
-    double weight[3];
+    double weight[3], whole = 1;
 
     void offer(const Simplex& s, int i) {
         const DVec3 p = s.points[i].w;
         const double at = dot(p, p);
         if (!(at < square)) return;
-        square = at, point = p, count = 1, corner[0] = i, weight[0] = 1;
+        square = at, point = p, count = 1, corner[0] = i, weight[0] = whole = 1;
     }
 };
 
@@ -42,26 +42,25 @@ void offer_segment(Nearest& best, const Simplex& s, int i, int j) {
     const double square = dot(v, v);
     if (!(square < best.square)) return;
     best.square = square, best.point = v, best.count = 2;
-    best.corner[0] = i, best.corner[1] = j, best.weight[0] = 1 - t, best.weight[1] = t;
+    best.corner[0] = i, best.corner[1] = j, best.weight[0] = 1 - t, best.weight[1] = t, best.whole = 1;
 }
 
 // Where the origin projects into the triangle, the point is its projection to the plane: the direction is then that
 // of the plane's normal, without the rounding of the weights. Else the point is on an edge that the origin is beyond.
-void offer_triangle(Nearest& best, const Simplex& s, int i, int j, int k) {
+void offer_triangle(Nearest& best, const Simplex& s, int i, int j, int k, DVec3 normal) {
     const DVec3 a = s.points[i].w, b = s.points[j].w, c = s.points[k].w;
-    const DVec3 normal = cross(b - a, c - a);
     const double square = dot(normal, normal);
     const double wa = dot(cross(b, c), normal), wb = dot(cross(c, a), normal), wc = dot(cross(a, b), normal);
     if (square > 0 && wa > 0 && wb > 0 && wc > 0) {
         // The corner nearest to the origin has the least rounding.
         const double aa = dot(a, a), bb = dot(b, b), cc = dot(c, c);
         const DVec3 nearest = aa <= bb ? (aa <= cc ? a : c) : (bb <= cc ? b : c);
-        const double height = dot(nearest, normal), sum = wa + wb + wc;
+        const double height = dot(nearest, normal);
         const double to_plane = height * height / square;
         if (!(to_plane < best.square)) return;
         best.square = to_plane, best.point = (height / square) * normal, best.count = 3;
         best.corner[0] = i, best.corner[1] = j, best.corner[2] = k;
-        best.weight[0] = wa / sum, best.weight[1] = wb / sum, best.weight[2] = wc / sum;
+        best.weight[0] = wa, best.weight[1] = wb, best.weight[2] = wc, best.whole = wa + wb + wc;
         return;
     }
     if (!(wc > 0 && square > 0)) offer_segment(best, s, i, j);
@@ -87,14 +86,14 @@ bool on_tetrahedron(const Simplex& s, Nearest& best) {
         const bool is_near = origin * origin <= slack * size;
         if (!is_flat && !is_near && (inside > 0) == (origin > 0)) continue;
         is_outside = true;
-        offer_triangle(best, s, f[0], f[1], f[2]);
+        offer_triangle(best, s, f[0], f[1], f[2], normal);
     }
     return is_outside;
 }
 
 // Keeps the corners that span the nearest point.
 void keep(Simplex& s, const Nearest& n) {
-    for (int i = 0; i < n.count; ++i) s.weights[i] = n.weight[i];
+    for (int i = 0; i < n.count; ++i) s.weights[i] = n.weight[i] / n.whole;
     s.nearest = n.point;
     if (n.count == s.count) return; // all, in their order
     DifferencePoint kept[3];
@@ -107,7 +106,8 @@ void keep(Simplex& s, const Nearest& n) {
 bool nearest_of(const Simplex& s, Nearest& best) {
     if (s.count == 4) return on_tetrahedron(s, best);
     if (s.count == 3)
-        offer_triangle(best, s, 0, 1, 2);
+        offer_triangle(best, s, 0, 1, 2,
+                       cross(s.points[1].w - s.points[0].w, s.points[2].w - s.points[0].w));
     else if (s.count == 2)
         offer_segment(best, s, 0, 1);
     else

@@ -50,7 +50,7 @@ struct SweptPair {
     bool has_begun = false;      // to touch, in this step
     bool was_carried = false;    // the first went along with the other: what is between two that move is crushed
     double time = never;         // of their meeting
-    std::int32_t next_of_first = none, next_of_second = none;
+    std::int32_t next_of_first = none, next_of_second = none; // in the lists of both
 };
 
 struct Meeting {
@@ -84,6 +84,7 @@ struct SweepScratch {
     std::vector<std::int32_t> place; // by body, among `movers`, or none
     std::vector<Mover> movers;
     std::vector<SweptPair> pairs;
+    std::vector<std::int32_t> first_waiting; // by body that is no mover, the first of the pairs with it, or none
     std::vector<Meeting> meetings;       // a heap
     std::vector<SweptBounds> ways;       // as the solver has moved all movers, by x
     std::vector<SweptBounds> redirected; // since then

@@ -5,6 +5,7 @@
 #include "files/csv_reader.h"
 #include "scene/gltf_file.h"
 #include "scene/json_value.h"
+#include "scene/nearby_files.h"
 
 #include <cairn/version.h>
 
@@ -90,13 +91,25 @@ class PlanReader {
     }
 
   private:
+    // The file that a value names, in the plan's folder or below it; nothing if there is none. A plan may come from a
+    // stranger, as a model may.
+    std::optional<std::filesystem::path> find_beside(const Value& value) const {
+        using Verdict = scene::NearbyFile::Verdict;
+        const std::string text = value.text();
+        const std::filesystem::path root = scene::folder_on_disk(folder_);
+        const Verdict verdict = scene::nearby_file(text, root, root).verdict;
+        if (verdict == Verdict::outside) value.fail("must not lead out of the plan's folder");
+        if (verdict == Verdict::not_a_file) value.fail("must name a file");
+        if (verdict == Verdict::missing) return std::nullopt;
+        return folder_ / text;
+    }
+
     // Objects of a list, or of one whose members have the names: JSON says nothing of the order of members.
     void read_scene() {
         const Value scene = root_.require("scene");
         const std::string text = scene.text();
-        std::error_code ignored;
-        const std::filesystem::path beside = folder_ / text;
-        plan_.scene = std::filesystem::exists(beside, ignored) ? beside : scene::find_scene(text);
+        const std::optional<std::filesystem::path> beside = find_beside(scene);
+        plan_.scene = beside ? *beside : scene::find_named_scene(text);
         if (const auto flag = root_.find("fixed_base")) plan_.fixed_base = flag->boolean();
         if (const auto flag = root_.find("floor")) plan_.floor = flag->boolean();
     }
@@ -176,7 +189,7 @@ class PlanReader {
             if (const auto table = sample->find("table")) {
                 if (is_found) table->fail("must be the only kind of sample");
                 sampling = Sampling::table;
-                read_table(table->text());
+                read_table(*table);
             } else if (!is_found) {
                 sample->fail("must have a member \"random\", \"sobol\", \"sensitivity\" or \"table\"");
             }
@@ -207,8 +220,8 @@ class PlanReader {
     }
 
     // The columns of the table are the parameters; those that the plan names must be among them.
-    void read_table(const std::string& text) {
-        const std::filesystem::path path = folder_ / text;
+    void read_table(const Value& table) {
+        const std::filesystem::path path = find_beside(table).value_or(folder_ / table.text());
         const std::vector<std::byte> bytes = scene::read_file(path);
         const std::string_view content(reinterpret_cast<const char*>(bytes.data()), bytes.size());
         plan_.fingerprint = hash_text(plan_.fingerprint, content);
@@ -246,8 +259,11 @@ class PlanReader {
     void read_settings(const Value& set) {
         set.must_be_object();
         for (const std::string& path : set.other_members({}, max_measures)) {
-            const Value value = *set.find(path.c_str());
-            plan_.settings.push_back({path, expression_of(value), value.place()});
+            const auto value = set.find(path.c_str()); // not of a name that was cut
+            if (!value)
+                throw Error(ErrorCode::invalid_file, set.place() + "\"" + path.substr(0, 60) + "\"", {},
+                            "names no property");
+            plan_.settings.push_back({path, expression_of(*value), value->place()});
         }
     }
 

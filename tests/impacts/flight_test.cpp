@@ -51,6 +51,43 @@ TEST(Flight, TumblingPlanksKeepTheirEnergy) {
     }
 }
 
+// Two balls get to a third over mirrors, within one step. The first knocks it away: the second flies through where it
+// was. Pairs with a body at rest that was found under way stayed as they were when it was struck, and the second ball
+// was deflected by nothing.
+TEST(Flight, WhatWasKnockedAwayIsNotHitWhereItWas) {
+    constexpr float speed = 300, radius = 0.05f, half = 0.5f, quarter = 0.25f * glm::pi<float>();
+    Random random(seed);
+    for (int start = 0; start < 20; ++start) {
+        World world(without_gravity());
+        const Material elastic = surface(0, 1);
+        const Quat turned = random.rotation();
+        const auto ball = [&](Vec3 position, Vec3 velocity) {
+            BodyDef def;
+            def.position = Position(turned * position);
+            def.linear_velocity = turned * velocity;
+            return world.body(add_body(world, Sphere{radius}, def, elastic));
+        };
+        // What comes along x to `place` leaves it at a right angle, along `to`.
+        const auto mirror = [&](Vec3 place, Vec3 to) {
+            const Vec3 x(1, 0, 0), normal = glm::normalize(to - x);
+            BodyDef def;
+            def.type = BodyType::static_;
+            def.position = Position(turned * (place - (half + radius) * normal));
+            def.rotation = turned * glm::angleAxis(quarter, glm::cross(x, to));
+            add_body(world, Box{Vec3(half)}, def, elastic);
+        };
+        mirror({0, 0, 1}, {0, 0, -1});
+        mirror({0, -2, 0}, {0, 1, 0});
+        const Body struck = ball({0, 0, radius}, {0, 0, 0});
+        const Body first = ball({float(random.between(-1, -0.5)), 0, 1}, {speed, 0, 0}),
+                   second = ball({float(random.between(-1.6, -1.2)), -2, 0}, {speed, 0, 0});
+        world.step(frame);
+        EXPECT_NEAR(glm::length(struck.linear_velocity()), speed, 0.01f * speed) << start;
+        EXPECT_LT(glm::length(first.linear_velocity()), 0.01f * speed) << start;
+        EXPECT_LT(glm::length(second.linear_velocity() - turned * Vec3(0, speed, 0)), 0.01f * speed) << start;
+    }
+}
+
 TEST(Flight, EventsTellWhatBouncedWithinAStep) {
     World world(without_gravity());
     const Material elastic = surface(0, 1);

@@ -58,6 +58,85 @@ TEST(KnownLimits, ChainSolvedDirectlyFliesBackFromADropLengthwise) {
     EXPECT_GT(rise_of_chain(JointSolver::direct), 3);
 }
 
+// J that a tetrahedron of 600 kg, which rocks on a static ball of 10 m with 0.46 J, has more after 5 s.
+double gain_of_rocking(int hertz) {
+    World world(without_sleep());
+    BodyDef def;
+    def.type = BodyType::static_;
+    def.position = {0, -10, 0};
+    add_body(world, Sphere{10}, def);
+    const float half = 0.8660254f, center = 0.35355339f; // of a side's length; above a face
+    def.type = BodyType::dynamic;
+    def.position = {0, center, 0};
+    def.angular_velocity = {0, 0, 0.1f};
+    const std::vector<Vec3> corners{
+        {1, -center, 0}, {-0.5f, -center, half}, {-0.5f, -center, -half}, {0, 3 * center, 0}};
+    add_body(world, Hull(corners), def);
+    const double before = world.kinetic_energy() + world.potential_energy();
+    for (int i = 0; i < 5 * hertz; ++i) world.step(1.0f / float(hertz));
+    return world.kinetic_energy() + world.potential_energy() - before;
+}
+
+TEST(KnownLimits, TetrahedronThatRocksOnALargeBallGainsEnergy) {
+    for (const int hertz : {60, 960}) {
+        const double gain = gain_of_rocking(hertz);
+        EXPECT_LT(gain, 90) << hertz;
+        EXPECT_GT(gain, 20) << hertz;
+    }
+}
+
+TEST(KnownLimits, ABoxOfAMillionTimesTheMassThrowsOutTheOneBelow) {
+    const auto speed_of_light_one = [](float ratio) {
+        World world;
+        add_ground(world, surface(0.6f));
+        BodyDef def;
+        def.position = {0, 0.5, 0};
+        def.mass = 1.0f;
+        const BodyId below = add_body(world, Box{}, def, surface(0.6f));
+        def.position.y = 1.5;
+        def.mass = ratio;
+        add_body(world, Box{}, def, surface(0.6f));
+        double speed = 0;
+        for (int i = 0; i < 600; ++i) {
+            world.step(1.0f / 60);
+            speed = std::max(speed, double(glm::length(world.body(below).linear_velocity())));
+        }
+        return speed;
+    };
+    EXPECT_LT(speed_of_light_one(1e4f), 0.05);
+    EXPECT_GT(speed_of_light_one(1e6f), 1);
+}
+
+// m/s at which the lowest of five upright links rises that are held straight by servos, after a fall at 2.6 m/s.
+double rise_of_straight_leg(float mass_of_every_other) {
+    World world(without_sleep());
+    add_ground(world);
+    std::vector<BodyId> links;
+    for (int i = 0; i < 5; ++i) {
+        BodyDef def;
+        def.position = {0, 0.5 + 0.3 * i, 0};
+        def.mass = i % 2 ? mass_of_every_other : 1.0f;
+        links.push_back(add_body(world, Capsule{0.1f, 0.05f, {}}, def));
+        if (i == 0) continue;
+        HingeJoint hinge;
+        hinge.angle.motor.emplace().spring = JointSpring{2000, 50, false};
+        world.create_joint(
+            world.joint_at(links[std::size_t(i) - 1], links.back(), {0, 0.35 + 0.3 * i, 0}, {0, 0, 1}, hinge));
+    }
+    double rise = 0;
+    for (int i = 0; i < 160; ++i) {
+        world.step(0.005f);
+        rise = std::max(rise, double(world.body(links[0]).linear_velocity().y));
+    }
+    return rise;
+}
+
+TEST(KnownLimits, ALegWithLightLinksRisesAgainWhereItLands) {
+    EXPECT_LT(rise_of_straight_leg(1.0f), 0.3);
+    EXPECT_LT(rise_of_straight_leg(0.05f), 2.6) << "faster than it fell";
+    EXPECT_GT(rise_of_straight_leg(0.05f), 0.6);
+}
+
 TEST(KnownLimits, HeavyBodyDrivesALightOneBeyondItsLimit) {
     World world(without_gravity());
     BodyDef def;

@@ -61,6 +61,33 @@ TEST_P(Recordings, LeadToTheSameStateWhereverTheyAreEntered) {
     }
     EXPECT_THROW(replay.seek(recording.info().steps + 1), Error);
 }
+TEST_P(Recordings, AreReadCallByCallForAWorldOfOnesOwn) {
+    RecorderOptions options;
+    options.keyframe_interval = 0.4;
+    const RecordedRun run = record_changes(GetParam(), 500, options);
+    const Recording recording = Recording::from_memory(run.bytes, "run.mcap");
+    recording::CallReader reader(recording);
+    World world;
+    recording::RecordedCall call;
+    std::uint64_t steps = 0;
+    while (reader.next(call)) {
+        if (call.command.empty()) continue;
+        world.execute(call.command, *reader.source());
+        if (!call.is_step) continue;
+        ++steps;
+        ASSERT_TRUE(call.digest) << steps;
+        ASSERT_EQ(world.state_digest(), *call.digest) << steps;
+        ASSERT_EQ(world.state_hash(), run.hashes[std::size_t(steps)]) << steps;
+    }
+    EXPECT_EQ(steps, recording.info().steps);
+    EXPECT_FALSE(reader.keyframe(0, 0));
+    const std::uint64_t second = recording.info().keyframes.at(1);
+    const auto found = reader.keyframe(recording.info().keyframes.at(0), second);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->first, second);
+    world.restore(found->second);
+    EXPECT_EQ(world.state_hash(), run.hashes[std::size_t(second)]);
+}
 INSTANTIATE_TEST_SUITE_P(Seeds, Recordings, testing::Range(1u, 7u));
 
 TEST(Recorded, ScenesOfTheLibraryReplayFromTheirFirstBodyOn) {

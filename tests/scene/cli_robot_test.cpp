@@ -96,6 +96,48 @@ TEST_F(CliRobot, JointsFollowTheirTargets) {
     EXPECT_NEAR(angle(last("upper")), 0.8, 0.002); // it gives less
 }
 
+// A hip that turns about two axes becomes one universal joint.
+TEST_F(CliRobot, BothAxesOfAHipFollowTheirTargets) {
+    write("hip.xml",
+          R"(<mujoco><option timestep="0.005"/><compiler angle="radian"/><worldbody><body name="pelvis" pos="0 0 2">
+        <geom type="box" size=".2 .2 .1"/><body name="thigh" pos="0 0 -.2"><joint name="roll" axis="1 0 0"/>
+        <joint name="pitch" axis="0 1 0"/><geom type="capsule" fromto="0 0 0 0 0 -.5" size=".05"/></body></body>
+        </worldbody></mujoco>)");
+    write("poses.csv", "time,roll+pitch.position1,roll+pitch.position2\n0,0,0\n1,0.3,-0.5\n");
+    const Result result = cairn(
+        "run hip.xml --seconds 3 --targets poses.csv --servo-frequency 20 --columns joints --from 3 --csv out.csv");
+    ASSERT_EQ(result.code, 0) << result.err;
+    const std::string table = read_all(folder_ / "out.csv");
+    std::istringstream header(table.substr(0, table.find('\n'))), row(table.substr(table.find('\n') + 1));
+    std::string name, value;
+    int seen = 0;
+    while (std::getline(header, name, ',') && std::getline(row, value, ',')) {
+        if (name != "roll+pitch.position1" && name != "roll+pitch.position2") continue;
+        EXPECT_NEAR(std::stod(value), name.back() == '1' ? 0.3 : -0.5, 0.01);
+        ++seen;
+    }
+    EXPECT_EQ(seen, 2);
+    write("half.csv", "time,roll+pitch\n0,0\n");
+    expect_one_line(cairn("run hip.xml --targets half.csv"), 1, "(roll+pitch.position1, roll+pitch.position2)");
+}
+
+// Springs of a file that support a joint a little are no servos: 2 N m/rad do not lift 0.5 m of leg.
+TEST_F(CliRobot, AServoFrequencyThatIsGivenIsThatOfJointsWithSpringsToo) {
+    write(
+        "leg.xml",
+        R"(<mujoco><compiler angle="radian"/><worldbody><body name="hip" pos="0 0 2"><geom type="box" size=".2 .2 .1"/>
+        <body name="leg"><joint name="knee" axis="0 1 0" stiffness="2" damping="1"/>
+        <geom type="capsule" fromto=".3 0 0 .8 0 0" size=".05"/></body></body></worldbody></mujoco>)");
+    write("poses.csv", "time,knee\n0,0\n");
+    const auto turned = [&](const std::string& options) {
+        const Result result = cairn("run leg.xml --fixed-base --seconds 3 --targets poses.csv --csv out.csv" + options);
+        EXPECT_EQ(result.code, 0) << result.err;
+        return angle(last("leg"));
+    };
+    EXPECT_GT(turned(""), 0.5);
+    EXPECT_LT(turned(" --servo-frequency 20"), 0.02);
+}
+
 // Six links of 15 kg in all, stretched out. The second joint bears five of them.
 TEST_F(CliRobot, AnArmHoldsItsPoseWithTheTorqueOfTheClosedForm) {
     const double masses[] = {4, 4, 3, 2, 1.5, 0.5}, lengths[] = {0.15, 0.4, 0.35, 0.1, 0.1, 0.05};
@@ -173,8 +215,10 @@ TEST_F(CliRobot, MistakesInTargetsNameLineAndColumn) {
     expect("time,elbow\n0,0\n0,1\n", ":3: column 1: must be a later time");
     expect("time,elbow\n0,0,1\n", ":2: must have 2 fields as the first line, has 3");
     expect("time,\"elbow\n0,0\n", ":1: column 2: must end with a quote");
-    expect("time,elbo\n0,0\n", ":1: column 2: must be the name of a hinge or a slider (elbow, slide), got \"elbo\"");
-    expect("time,loose\n0,0\n", ":1: column 2: must be a hinge or a slider, and is another joint");
+    expect("time,elbo\n0,0\n", ":1: column 2: must be the name of a hinge, a slider or an axis of a universal joint "
+                               "(elbow, slide), got \"elbo\"");
+    expect("time,loose\n0,0\n",
+           ":1: column 2: is another joint; must be a hinge, a slider or an axis of a universal joint (elbow, slide)");
     expect(std::string(30000, ','), ":1: column 10002: must be one of at most 10000 columns");
     expect_one_line(cairn("run arm.urdf --targets none.csv"), 1, "none.csv: there is no such file");
     expect_one_line(cairn("run arm.urdf --servo-frequency 5"), 2, "--targets");

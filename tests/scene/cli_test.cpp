@@ -54,6 +54,27 @@ TEST_F(Cli, ErrorsAtRunTimeAreOneLineAndCodeOne) {
     expect_one_line(cairn("view no_such_scene"), 1, "no_such_scene");
 }
 
+TEST_F(Cli, ANameOfAMillionLettersIsCutInTheLineThatTellsOfIt) {
+    const std::string name = "\"rest" + std::string(1000000, '[') + "\"";
+    std::ofstream(folder_ / "open.gltf") << "{\"asset\":{\"version\":\"2.0\"}, " << name.substr(0, name.size() - 1);
+    const Result refused = cairn("run open.gltf");
+    expect_one_line(refused, 1, "open.gltf: is not valid JSON");
+    EXPECT_LT(refused.err.size(), 1300u);
+    std::ofstream(folder_ / "misspelled.gltf")
+        << R"({"asset":{"version":"2.0"},"extensions":{"KHR_physics_rigid_bodies":{"physicsMaterials":[{)" << name
+        << ":1}]}}}";
+    const Result taken = cairn("run misspelled.gltf --frames 1");
+    EXPECT_EQ(taken.code, 0) << taken.err.substr(0, 1000);
+    EXPECT_NE(taken.err.find("[ ... ["), std::string::npos);
+    EXPECT_NE(taken.err.find("is not known and has no effect"), std::string::npos);
+    EXPECT_LT(taken.err.size(), 3000u);
+}
+
+TEST_F(Cli, AMeshAloneIsNoSceneToRun) {
+    std::ofstream(folder_ / "a.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+    expect_one_line(cairn("run a.obj"), 1, "a.obj: is a mesh, and no scene; `cairn convert` makes a body of it");
+}
+
 TEST_F(Cli, JsonSummary) {
     const Result result = cairn("run open_plane --frames 5 --json");
     ASSERT_EQ(result.code, 0) << result.err;

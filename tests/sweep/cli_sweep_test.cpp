@@ -71,6 +71,35 @@ TEST_F(CliSweep, AnInterruptKeepsWhatIsThere) {
     EXPECT_FALSE(fs::exists(folder_ / "out" / "rows.csv"));
 }
 
+TEST_F(CliSweep, APlanReadsNothingOutsideOfItsFolder) {
+    const fs::path inside = folder_ / "inside";
+    fs::create_directories(inside / "sub");
+    fs::copy_file(fs::path(CAIRN_TEST_SCENES) / "12_t_handles.gltf", folder_ / "scene.gltf");
+    fs::copy_file(folder_ / "scene.gltf", inside / "sub" / "scene.gltf");
+    std::ofstream(folder_ / "rows.csv") << "a\n1\n";
+    fs::create_symlink("../scene.gltf", inside / "link.gltf");
+    fs::create_symlink("../rows.csv", inside / "link.csv");
+    fs::create_symlink("sub/scene.gltf", inside / "inner_link.gltf");
+    const auto check = [&](const std::string& scene, const std::string& table) {
+        std::ofstream(inside / "plan.json")
+            << "{\"scene\": \"" << scene << "\", \"measure\": [], \"seconds\": 0.01"
+            << (table.empty() ? "" : ", \"sample\": {\"table\": \"" + table + "\"}") << "}";
+        return cairn("sweep inside/plan.json --check");
+    };
+    for (const char* scene : {"../scene.gltf", "sub/../../scene.gltf", "link.gltf"}) {
+        expect_one_line(check(scene, ""), 1, "scene: must not lead out of the plan's folder");
+    }
+    expect_one_line(check((folder_ / "scene.gltf").string(), ""), 1, "scene: must not lead out of the plan's folder");
+    expect_one_line(check("scene.gltf", ""), 1, "there is no such file"); // there is one where the program was called
+    for (const char* table : {"../rows.csv", "link.csv", "/etc/passwd"}) {
+        expect_one_line(check("t_handles", table), 1, "sample.table: must not lead out of the plan's folder");
+    }
+    for (const char* scene : {"sub/scene.gltf", "inner_link.gltf", "t_handles"}) {
+        const Result result = check(scene, "");
+        EXPECT_EQ(result.code, 0) << result.err;
+    }
+}
+
 TEST_F(CliSweep, ARowOfItsOwnIsThatOfTheTable) {
     write_plan(20);
     ASSERT_EQ(cairn("sweep plan.json").code, 0);

@@ -102,6 +102,11 @@ TEST_F(SweepProperties, ExpressionsOfSettingsSeeTheSceneAsItWas) {
     EXPECT_EQ(rows[0].at("y"), 4.0);
 }
 
+TEST_F(SweepProperties, APropertyWithANameOfAMillionLettersIsRefused) {
+    write_scene();
+    expect_refusal("\"set\": {\"ball.mass" + std::string(1000000, '(') + "\": 1}", "\": names no property");
+}
+
 TEST_F(SweepProperties, BadPathsAndExpressionsAreToldWithTheirPlace) {
     write_scene();
     const auto measure = [](const std::string& of) {

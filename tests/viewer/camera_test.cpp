@@ -164,4 +164,34 @@ TEST(OrbitCamera, NarrowPicturesShowAsMuchToTheSides) {
     EXPECT_FLOAT_EQ(camera.half_height(2.5f), std::tan(0.35f));
 }
 
+TEST(Camera, ParallelRaysShowNearAndFarAlike) {
+    OrbitCamera camera({{0.0, 1.0, 10.0}, {0.0, 1.0, 0.0}, 0.785398f});
+    const auto width = [&](double z) {
+        return camera.project({1.0, 1.0, z}, 1.0f)->x - camera.project({-1.0, 1.0, z}, 1.0f)->x;
+    };
+    const float before = width(0.0);
+    EXPECT_GT(width(2.0) / width(-2.0), 1.4f);
+    camera.set_parallel(true);
+    EXPECT_TRUE(camera.is_parallel());
+    EXPECT_NEAR(width(0.0), before, 1e-3f) << "what is looked at keeps its size";
+    EXPECT_NEAR(width(2.0) / width(-2.0), 1.0f, 0.02f);
+    const OrbitCamera copy(camera.pose());
+    EXPECT_NEAR(copy.project({1.0, 1.0, 0.0}, 1.0f)->x, 0.5f * before, 1e-3f) << "also for who draws it";
+    camera.set_parallel(false);
+    EXPECT_NEAR(width(0.0), before, 1e-3f);
+    EXPECT_NEAR(camera.distance(), 10.0f, 0.01f);
+}
+
+TEST(Camera, LooksFromTheSidesOfTheWorld) {
+    OrbitCamera camera({{3.0, 5.0, 10.0}, {0.0, 1.0, 0.0}, 0.785398f});
+    camera.look(0.0f, 0.0f);
+    EXPECT_NEAR(camera.forward().z, -1.0f, 1e-5f);
+    camera.look(1.5707963f, 0.0f);
+    EXPECT_NEAR(camera.forward().x, -1.0f, 1e-5f);
+    camera.look(0.0f, 1.5707963f);
+    EXPECT_LT(camera.forward().y, -0.999f);
+    camera.follow({7.0, 8.0, 9.0});
+    EXPECT_EQ(camera.target(), Position(7.0, 8.0, 9.0));
+}
+
 } // namespace

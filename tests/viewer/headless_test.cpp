@@ -196,6 +196,28 @@ TEST(HeadlessRenderer, AThousandBodiesAreDrawnInTime) {
     EXPECT_LT(least, 0.25);
 }
 
+TEST(HeadlessRenderer, HalfOfThePixelsGiveThePictureInLessTime) {
+    const LoadedScene scene = test::boxes_on_plane(3);
+    const RenderFrame frame = make_frame(scene.world, scene.appearances, scene.camera);
+    HeadlessRenderer whole(width, height), half(width, height);
+    const auto time_of = [&](HeadlessRenderer& renderer, float scale) {
+        renderer.draw(frame, Smoothing::edges, scale); // compiles shaders
+        const std::clock_t before = std::clock();
+        for (int i = 0; i < 3; ++i) renderer.draw(frame, Smoothing::edges, scale);
+        return double(std::clock() - before);
+    };
+    const double whole_time = time_of(whole, 1.0f), half_time = time_of(half, 0.5f);
+    double difference = 0.0; // of colors, 0 to 255
+    for (std::size_t i = 0; i < whole.pixels().size(); ++i)
+        difference += std::abs(double(whole.pixels()[i]) - double(half.pixels()[i])) / double(whole.pixels().size());
+    EXPECT_LT(difference, 2.0);
+    EXPECT_GT(difference, 0.0);
+    const bool may_be_timed = !cairn_test::is_sanitized && opengl_renderer().find("llvmpipe") != std::string::npos;
+    if (may_be_timed) {
+        EXPECT_LT(half_time, whole_time);
+    }
+}
+
 TEST(HeadlessRenderer, SameFrameGivesTheSamePicture) {
     const LoadedScene scene = test::boxes_on_plane(3);
     const RenderFrame frame = make_frame(scene.world, scene.appearances, scene.camera);

@@ -54,7 +54,8 @@ std::vector<std::string> words_of(std::string_view text) {
     std::vector<std::string> words;
     std::string word;
     for (const char letter : std::string(text) + " ") {
-        if (letter != ' ' && letter != ',' && letter != ';') {
+        const bool is_comma_key = letter == ',' && word.empty();
+        if (is_comma_key || (letter != ' ' && letter != ',' && letter != ';')) {
             word += letter;
         } else if (!word.empty()) {
             words.push_back(std::exchange(word, ""));
@@ -102,6 +103,14 @@ std::string promise_of(Action action) {
         return "shadows";
     case Action::toggle_pause:
         return "pause";
+    case Action::single_step:
+        return "one step";
+    case Action::step_back:
+        return "one step back";
+    case Action::undo:
+        return "undo";
+    case Action::redo:
+        return "redo";
     case Action::freeze:
         return "freeze";
     case Action::pull_to_center:
@@ -160,6 +169,19 @@ TEST(KeyMap, TheKeyMapOnTheScreenSaysWhatTheKeysDo) {
     }
     for (const Binding& binding : key_bindings())
         EXPECT_TRUE(explained.count(std::string(binding.chord))) << binding.chord;
+}
+
+TEST(KeyMap, ThePageOfTheViewerHasTheWholeKeyMap) {
+    std::ifstream file(CAIRN_TEST_SCENES "/../docs/viewer.md");
+    const std::string page{std::istreambuf_iterator<char>(file), {}};
+    ASSERT_FALSE(page.empty());
+    for (const KeyHelp& line : key_help()) {
+        const std::string keys = line.keys[0] == ' ' ? "" : line.keys;
+        const std::string row = keys.empty() && line.keys[0] == '\0' ? "| **" + std::string(line.meaning) + "** | |"
+                                : keys.empty()                       ? "|  | " + std::string(line.meaning) + " |"
+                                                                     : "| " + keys + " | " + line.meaning + " |";
+        EXPECT_NE(page.find(row), std::string::npos) << row;
+    }
 }
 
 TEST(KeyMap, HintsOfScenesNameKeysThatDoWhatTheySay) {

@@ -1,87 +1,9 @@
-// Presses keys and moves the mouse in a running viewer's window through xdotool, and checks the state that the viewer
-// reports. Started by window_test.sh; usage: FOLDER VIEWER_PROCESS.
-#include <nlohmann/json.hpp>
-
-#include <signal.h>
-
-#include <chrono>
-#include <cmath>
-#include <cstdlib>
-#include <fstream>
-#include <functional>
-#include <iostream>
-#include <string>
-#include <thread>
+// The window's keys and mouse. Started by window_test.sh.
+#include "window_driver.h"
 
 namespace {
 
-using Json = nlohmann::json;
-
-void pause_for(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
-
-class Driver {
-  public:
-    Driver(std::string folder, pid_t viewer) : folder_(std::move(folder)), viewer_(viewer) {}
-
-    int failures() const { return failures_; }
-
-    // The latest report; null while there is none.
-    Json state() const {
-        std::ifstream file(folder_ + "/state.json");
-        return Json::parse(file, nullptr, false);
-    }
-
-    /// The condition must become true within fifteen seconds.
-    void check(const std::string& name, const std::function<bool(const Json&)>& condition) {
-        for (int i = 0; i < 150 && kill(viewer_, 0) == 0; ++i) {
-            const Json now = state();
-            if (now.is_object() && condition(now)) {
-                std::cout << "ok      " << name << std::endl;
-                return;
-            }
-            pause_for(0.1);
-        }
-        std::cout << "FAILED  " << name << "\n" << state().dump() << std::endl;
-        ++failures_;
-    }
-
-    bool xdotool(const std::string& arguments) const { return std::system(("xdotool " + arguments).c_str()) == 0; }
-    // Held for long enough that a slow frame sees it.
-    void key(const std::string& name) const {
-        xdotool("keydown " + name);
-        pause_for(0.15);
-        xdotool("keyup " + name);
-        pause_for(0.15);
-    }
-    void cursor(double x, double y) const {
-        xdotool("mousemove --window " + window_ + " " + std::to_string(int(x)) + " " + std::to_string(int(y)));
-        pause_for(0.3);
-    }
-    void press() const {
-        xdotool("mousedown 1");
-        pause_for(0.4);
-    }
-    void let_go() const { xdotool("mouseup 1"); }
-
-    // False if no window appears within a minute.
-    bool find_window() {
-        const std::string file = folder_ + "/window";
-        for (int i = 0; i < 300 && kill(viewer_, 0) == 0; ++i) {
-            if (std::system(("xdotool search --onlyvisible --name Cairn >" + file).c_str()) == 0) {
-                std::ifstream(file) >> window_;
-                // Without a window manager the keyboard goes to what has the focus.
-                return !window_.empty() && xdotool("windowfocus " + window_);
-            }
-            pause_for(0.2);
-        }
-        return false;
-    }
-
-  private:
-    std::string folder_, window_;
-    pid_t viewer_;
-    int failures_ = 0;
-};
+using namespace cairn::viewer::test;
 
 const Json& crate(const Json& state) {
     for (const Json& body : state.at("bodies"))
@@ -152,16 +74,16 @@ void test_mouse(Driver& driver) {
     driver.check("let go, it falls", [](const Json& s) { return s.at("dragging") == false && crate_at(s, 1) < 1.0; });
 
     const double before = camera_at(driver.state(), 0);
-    driver.cursor(600, 150); // the sky: beside the panel, the title and the body
+    driver.cursor(450, 150); // the sky: beside the panel, the title, the inspector and the body
     driver.press();
-    driver.cursor(500, 150);
+    driver.cursor(350, 150);
     driver.let_go();
     driver.check("a drag beside bodies orbits", [&](const Json& s) {
         return std::abs(camera_at(s, 0) - before) > 0.3 && s.at("camera").at("target").at(1) == 1.0;
     });
-    driver.cursor(600, 450);
+    driver.cursor(450, 450);
     driver.xdotool("mousedown 3");
-    driver.cursor(600, 60); // upwards: the camera goes down
+    driver.cursor(450, 60); // upwards: the camera goes down
     driver.xdotool("mouseup 3");
     driver.check("the camera stays above the ground",
                  [](const Json& s) { return camera_at(s, 1) > 0.0 && camera_at(s, 1) < 0.9; });
@@ -290,27 +212,13 @@ void test_picture_and_scenes(Driver& driver) {
 } // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 3) {
-        std::cerr << "usage: window_test FOLDER VIEWER_PROCESS\n";
-        return 2;
-    }
-    Driver driver(argv[1], pid_t(std::stol(argv[2])));
-    if (!driver.find_window()) {
-        std::cout << "FAILED  no window appeared\n";
-        return 1;
-    }
-    driver.cursor(700, 480);
-    test_bodies(driver);
-    if (driver.failures() == 0) {
+    return drive(argc, argv, [](Driver& driver) {
+        test_bodies(driver);
+        if (driver.failures() > 0) return;
         test_time(driver);
         test_mouse(driver);
         test_joints(driver);
         test_forces(driver);
         test_picture_and_scenes(driver);
-    }
-    driver.xdotool("keydown ctrl");
-    driver.key("q");
-    driver.xdotool("keyup ctrl");
-    std::cout << driver.failures() << " failures" << std::endl;
-    return driver.failures() == 0 ? 0 : 1;
+    });
 }

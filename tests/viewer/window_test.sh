@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # The real window on a display of its own: presses keys, drags a body with the mouse, and reads back what happened.
-# usage: window_test.sh CAIRN_PROGRAM DRIVER_PROGRAM
-# The driver (window_test.cpp) presses and checks; this starts and ends the programs around it.
+# usage: window_test.sh CAIRN_PROGRAM DRIVER_PROGRAM [drops]
+# The driver (window_test.cpp and others) presses and checks; this starts and ends the programs around it. `drops`: then
+# files are dropped on another viewer.
 set -u
 cairn=$1
 driver=$2
@@ -49,6 +50,7 @@ GLTF
 
 # The viewer writes its state to a file whenever a script line says so: ask ten times a second.
 for _ in $(seq 2000); do printf 'wait 0.1\nreport %s/state.json\n' "$folder"; done >"$folder/script"
+cd "$folder" || exit 1 # where files are saved
 "$cairn" view "$folder/scene.gltf" --width 800 --height 500 --script "$folder/script" --report "$folder/last.json" \
     --exit-after 200 2>"$folder/viewer.log" &
 viewer=$!
@@ -64,18 +66,24 @@ viewer=
 [ "$code" -eq 0 ] || { echo "FAILED  the viewer's exit code is $code"; exit 1; }
 [ -s "$folder/last.json" ] || { echo "FAILED  no report was written on exit"; exit 1; }
 echo "ok      the viewer quit and wrote its report"
+[ "${3:-}" = drops ] || exit 0
 
 # Dropped files: one that cannot be opened leaves the scene and a message, one that can replaces it.
 sed 's/One box/Another box/' "$folder/scene.gltf" >"$folder/other.gltf"
 echo '{"asset": 1' >"$folder/broken.gltf"
 printf 'v 0 0 0\nv 0 0 4\nv 4 0 0\nf 1 2 3\n' >"$folder/ramp.obj"
-for step in "drop $folder/broken.gltf" 'wait 1' "report $folder/broken.json" \
+"$cairn" record "$folder/scene.gltf" -o "$folder/run.mcap" --seconds 2 >/dev/null || exit 1
+for step in "drop $folder/run.mcap" 'wait 1' 'key Space' 'wait 4' "report $folder/recording.json" \
+    "drop $folder/broken.gltf" 'wait 1' "report $folder/broken.json" \
     "drop $folder/other.gltf" 'wait 1' "report $folder/other.json" "drop $folder/ramp.obj" 'wait 1' quit; do
     echo "$step"
 done >"$folder/script"
 "$cairn" view "$folder/scene.gltf" --width 400 --height 300 --script "$folder/script" --report "$folder/last.json" \
     --exit-after 60 || { echo "FAILED  the viewer that files were dropped on"; exit 1; }
-grep -q '"title": "One box"' "$folder/broken.json" && grep -q '"notice": ".*broken.gltf' "$folder/broken.json" ||
+grep -q '"title": "run.mcap"' "$folder/recording.json" && grep -q '"now": 120' "$folder/recording.json" &&
+    grep -q '"first_different": null' "$folder/recording.json" && grep -q '"paused": true' "$folder/recording.json" ||
+    { echo "FAILED  a dropped recording must be played to its end"; cat "$folder/recording.json"; exit 1; }
+grep -q '"title": "run.mcap"' "$folder/broken.json" && grep -q '"notice": ".*broken.gltf' "$folder/broken.json" ||
     { echo "FAILED  a broken file must leave the scene and a message"; cat "$folder/broken.json"; exit 1; }
 for opened in other.json:'Another box' last.json:ramp; do
     grep -q "\"title\": \"${opened#*:}\"" "$folder/${opened%%:*}" ||

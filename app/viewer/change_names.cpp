@@ -1,0 +1,55 @@
+#include "viewer/change_names.h"
+
+#include <variant>
+
+namespace cairn::viewer {
+
+namespace {
+
+using Merge = Timeline::Merge;
+
+struct Names {
+    std::optional<NamedChange> operator()(const command::Spawn&) const { return NamedChange{"add a body"}; }
+    std::optional<NamedChange> operator()(const command::Shoot&) const { return NamedChange{"shoot"}; }
+    std::optional<NamedChange> operator()(const command::RemoveLast&) const { return NamedChange{"remove a body"}; }
+    std::optional<NamedChange> operator()(const command::RemoveSelected&) const { return NamedChange{"remove a body"}; }
+    std::optional<NamedChange> operator()(const command::SetForce& force) const {
+        // Letting go ends the change that began with the key.
+        return NamedChange{"push", force.acceleration == Vec3(0.0f) ? Merge::always : Merge::soon};
+    }
+    std::optional<NamedChange> operator()(const command::SetPull& pull) const {
+        return NamedChange{"pull to the center", pull.on ? Merge::never : Merge::always};
+    }
+    std::optional<NamedChange> operator()(const command::SetFreeze&) const { return NamedChange{"freeze"}; }
+    std::optional<NamedChange> operator()(const command::SetSettings&) const {
+        return NamedChange{"settings", Merge::soon};
+    }
+    std::optional<NamedChange> operator()(const command::GrabBody&) const { return NamedChange{"drag"}; }
+    std::optional<NamedChange> operator()(const command::ReleaseGrab&) const {
+        return NamedChange{"drag", Merge::always};
+    }
+    std::optional<NamedChange> operator()(const command::MakeJoint&) const { return NamedChange{"make a joint"}; }
+    std::optional<NamedChange> operator()(const command::SetJoint&) const {
+        return NamedChange{"change a joint", Merge::soon};
+    }
+    std::optional<NamedChange> operator()(const command::SetJointStrength&) const {
+        return NamedChange{"strength of a joint", Merge::soon};
+    }
+    std::optional<NamedChange> operator()(const command::SetJointSolver&) const {
+        return NamedChange{"solver of a joint"};
+    }
+    std::optional<NamedChange> operator()(const command::RemoveJoint&) const { return NamedChange{"remove a joint"}; }
+    std::optional<NamedChange> operator()(const command::EditBody& change) const {
+        return NamedChange{name_of(change.edit), Merge::soon};
+    }
+    std::optional<NamedChange> operator()(const command::DuplicateSelected&) const {
+        return NamedChange{"duplicate a body"};
+    }
+    template <class Other> std::optional<NamedChange> operator()(const Other&) const { return std::nullopt; }
+};
+
+} // namespace
+
+std::optional<NamedChange> change_of(const Command& command) { return std::visit(Names{}, command); }
+
+} // namespace cairn::viewer

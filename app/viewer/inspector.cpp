@@ -1,0 +1,165 @@
+#include "viewer/inspector.h"
+
+#include "viewer/items.h"
+
+#include <glm/geometric.hpp>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+namespace cairn::viewer {
+
+namespace {
+
+constexpr float window_width = 300.0f;
+constexpr std::array type_names{"static", "kinematic", "dynamic"};
+
+void fact(const char* name, const char* format, double value) {
+    ImGui::TextDisabled("%s", name);
+    ImGui::SameLine(0.44f * ImGui::GetWindowWidth());
+    ImGui::Text(format, value);
+}
+
+} // namespace
+
+void Inspector::draw_identity(const BodyFacts& facts, Controller& controller) {
+    if (ImGui::InputText("name", name_.data(), name_.size(), ImGuiInputTextFlags_EnterReturnsTrue))
+        controller.post(command::EditBody{facts.id, edit::Name{name_.data()}});
+    note_place(controller, "inspector.name");
+    int type = int(facts.type);
+    if (ImGui::Combo("type", &type, type_names.data(), int(type_names.size())))
+        controller.post(command::EditBody{facts.id, edit::Type{BodyType(type)}});
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip(
+            "static: never moves; kinematic: moves as it is told, and nothing pushes it; dynamic: by forces");
+    if (facts.type != BodyType::dynamic) return;
+    if (ImGui::SliderFloat("mass", &edited_.mass.mass, 0.01f, 1e5f, "%.4g kg", ImGuiSliderFlags_Logarithmic) &&
+        edited_.mass.mass > 0.0f)
+        controller.post(command::EditBody{facts.id, edit::Mass{edited_.mass.mass}});
+    note_place(controller, "inspector.mass");
+    const Vec3 moments = facts.mass.inertia_diagonal;
+    ImGui::TextDisabled("moments of inertia");
+    ImGui::Text("   %.4g  %.4g  %.4g kg m2", double(moments.x), double(moments.y), double(moments.z));
+}
+
+void Inspector::draw_motion(const BodyFacts& facts, Controller& controller) {
+    float place[] = {float(edited_.position.x), float(edited_.position.y), float(edited_.position.z)};
+    if (ImGui::DragFloat3("position", place, 0.01f, 0.0f, 0.0f, "%.3f"))
+        controller.post(
+            command::EditBody{facts.id, edit::Place{edited_.position = Position(place[0], place[1], place[2])}});
+    note_place(controller, "inspector.position");
+    if (facts.type == BodyType::static_) return;
+    if (ImGui::DragFloat3("velocity", &edited_.velocity.x, 0.02f, 0.0f, 0.0f, "%.3f"))
+        controller.post(command::EditBody{facts.id, edit::Velocity{edited_.velocity}});
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("m/s; drag to change, double-click to type");
+    if (ImGui::DragFloat3("turning", &edited_.turning.x, 0.02f, 0.0f, 0.0f, "%.3f"))
+        controller.post(command::EditBody{facts.id, edit::Turning{edited_.turning}});
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("rad/s, about the axes of the world");
+    fact("speed", "%.4g m/s", double(glm::length(facts.velocity)));
+    if (facts.type != BodyType::dynamic) return;
+    fact("energy of moving", "%.4g J", facts.linear_energy);
+    fact("energy of turning", "%.4g J", facts.angular_energy);
+    fact("potential energy", "%.4g J", facts.potential_energy);
+    fact("state", facts.is_awake ? "awake" : "asleep", 0.0);
+}
+
+void Inspector::draw_surface(const BodyFacts& facts, Controller& controller) {
+    if (facts.shapes.empty() || !ImGui::CollapsingHeader("Material", ImGuiTreeNodeFlags_DefaultOpen)) return;
+    Material& material = edited_.shapes.front().material;
+    bool also_touched = false, changed = false;
+    if (ImGui::BeginCombo("friction of", "choose ...")) {
+        for (const MaterialPreset& preset : material_presets()) {
+            char line[96];
+            std::snprintf(line, sizeof line, "%s   %.3g / %.3g", preset.name, double(preset.static_friction),
+                          double(preset.dynamic_friction));
+            if (!ImGui::Selectable(line)) continue;
+            material = with_preset(material, preset);
+            also_touched = changed = true;
+        }
+        ImGui::EndCombo();
+    }
+    note_place(controller, "inspector.presets");
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip(
+            "Static / dynamic coefficients between two surfaces, given to this body and to what it touches.\n"
+            "Source: %s",
+            material_source());
+    constexpr ImGuiSliderFlags clamped = ImGuiSliderFlags_AlwaysClamp;
+    changed |= ImGui::SliderFloat("static friction", &material.static_friction, 0.0f, 1.5f, "%.2f", clamped);
+    changed |= ImGui::SliderFloat("sliding friction", &material.dynamic_friction, 0.0f, 1.5f, "%.2f", clamped);
+    changed |= ImGui::SliderFloat("restitution", &material.restitution, 0.0f, 1.0f, "%.2f", clamped);
+    changed |= ImGui::SliderFloat("rolling", &material.rolling_friction, 0.0f, 0.1f, "%.4f m", clamped);
+    if (changed) controller.post(command::EditBody{facts.id, edit::Surface{material, also_touched}});
+    std::string shapes;
+    for (const ShapeFacts& shape : facts.shapes)
+        if (shapes.size() < 80) shapes += (shapes.empty() ? "" : ", ") + std::string(shape.kind);
+    ImGui::TextDisabled("%zu %s", facts.shapes.size(), facts.shapes.size() == 1 ? "shape" : "shapes");
+    ImGui::SameLine();
+    ImGui::Text("%s", shapes.c_str());
+}
+
+void Inspector::draw_touches(const BodyFacts& facts, Controller& controller) {
+    char title[48];
+    std::snprintf(title, sizeof title, "Contacts (%zu)###touches", facts.touches.size());
+    if (!ImGui::CollapsingHeader(title, ImGuiTreeNodeFlags_DefaultOpen)) return;
+    if (facts.touches.empty()) return ImGui::TextDisabled("touches nothing");
+    constexpr std::size_t most = 8;
+    for (std::size_t i = 0; i < std::min(facts.touches.size(), most); ++i) {
+        const BodyFacts::Touch& touch = facts.touches[i];
+        ImGui::PushID(int(i));
+        if (ImGui::Selectable(touch.name.c_str())) controller.post(command::SelectBody{touch.other});
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("selects it");
+        ImGui::PopID();
+        ImGui::TextDisabled("   %d points, %.4g N, friction %.3g N", touch.points, double(touch.normal_force),
+                            double(touch.friction_force));
+    }
+    if (facts.touches.size() > most) ImGui::TextDisabled("   and %zu more", facts.touches.size() - most);
+}
+
+void Inspector::draw_buttons(Controller& controller) {
+    if (ImGui::Button("Duplicate")) controller.post(command::DuplicateSelected{});
+    note_place(controller, "inspector.duplicate");
+    ImGui::SameLine();
+    if (ImGui::Button("Delete (R)")) controller.post(command::RemoveSelected{});
+    note_place(controller, "inspector.delete");
+    ImGui::SameLine();
+    if (ImGui::Button("Plot (F3)")) controller.plots = true;
+}
+
+void Inspector::draw(const StageState& state, Controller& controller, float scale, float top, float bottom,
+                     float room) {
+    controller.places.erase("inspector.name");
+    if (!state.inspected || state.selected_joint || controller.dragging()) return;
+    const BodyFacts& facts = *state.inspected;
+    if (edited_.id != facts.id || !ImGui::IsAnyItemActive()) {
+        edited_ = facts;
+        std::snprintf(name_.data(), name_.size(), "%s", facts.name.c_str());
+    }
+    const float width = window_width * scale, margin = 12.0f * scale;
+    if (room < 1.3f * width) return; // the window is too small for both
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos(ImVec2(display.x - margin, top), ImGuiCond_Appearing, ImVec2(1.0f, 0.0f));
+    ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0f),
+                                        ImVec2(width, std::max(display.y - top - bottom - 52.0f * scale, 64.0f)));
+    ImGui::SetNextWindowBgAlpha(0.93f);
+    const std::string title =
+        (facts.name.empty() ? "body " + std::to_string(facts.id.index()) : facts.name) + "###body";
+    bool is_open = true;
+    ImGui::Begin(title.c_str(), &is_open,
+                 ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoFocusOnAppearing);
+    ImGui::PushItemWidth(0.56f * width);
+    draw_identity(facts, controller);
+    draw_buttons(controller);
+    draw_motion(facts, controller);
+    draw_surface(facts, controller);
+    draw_touches(facts, controller);
+    ImGui::PopItemWidth();
+    ImGui::End();
+    if (!is_open) controller.post(command::SelectNothing{});
+}
+
+} // namespace cairn::viewer

@@ -1,0 +1,23 @@
+/// \file items.h
+/// Parts of the interface that several of its windows have, made with Dear ImGui.
+#pragma once
+
+#include "viewer/controller.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace cairn::viewer {
+
+/// Notes where the item that was drawn last is, under that name (`Controller::places`).
+void note_place(Controller& controller, const char* name);
+
+/// Buttons that export charts: a picture of each, and a table of each. `prefix` names their places.
+void draw_export_buttons(Controller& controller, const std::string& prefix,
+                         const std::vector<std::pair<std::string, const Chart*>>& charts);
+
+/// A paragraph in a calmer color.
+void explain(const char* text);
+
+} // namespace cairn::viewer

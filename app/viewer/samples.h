@@ -1,0 +1,86 @@
+/// \file samples.h
+/// Energies, momenta and what a body does, step by step, to be plotted.
+#pragma once
+
+#include "viewer/chart.h"
+
+#include <cairn/world.h>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace cairn::viewer {
+
+/// What is measured, in the order of `Sample::values`.
+enum class Quantity {
+    kinetic_energy,
+    potential_energy,
+    total_energy,
+    momentum_x,
+    momentum_y,
+    momentum_z,
+    angular_momentum_x,
+    angular_momentum_y,
+    angular_momentum_z,
+    body_x, // from here on: of one body
+    body_y,
+    body_z,
+    body_velocity_x,
+    body_velocity_y,
+    body_velocity_z,
+    body_speed,
+    body_turning_x,
+    body_turning_y,
+    body_turning_z,
+    body_kinetic_energy,
+    body_contact_force,
+};
+inline constexpr int quantity_count = 21;
+const char* name_of(Quantity quantity); ///< With its unit.
+
+struct Sample {
+    std::uint64_t step = 0;
+    BodyId body;                                 ///< Of which the quantities of a body are.
+    double time = 0.0;                           ///< s
+    std::array<double, quantity_count> values{}; ///< Those of a body are not numbers where there is none.
+};
+
+/// `body`: null for none.
+Sample measure(const World& world, BodyId body, std::uint64_t step, double step_length);
+
+/// Samples by step. A copy costs little: what is full is shared and never changes.
+class SampleLog {
+  public:
+    /// Samples of the same step or of later ones are replaced by it.
+    void add(const Sample& sample);
+    void clear();
+    bool is_empty() const { return size_ == 0; }
+    std::size_t size() const { return size_; }
+    const Sample& operator[](std::size_t i) const;
+    std::uint64_t last_step() const { return (*this)[size_ - 1].step; }
+
+  private:
+    static constexpr std::size_t chunk_size = 256, most_chunks = 256;
+    using Chunk = std::vector<Sample>;
+    std::vector<std::shared_ptr<const Chunk>> full_;
+    Chunk open_;
+    std::size_t size_ = 0;
+};
+
+/// What is plotted together.
+struct PlotGroup {
+    const char* name;
+    std::span<const Quantity> quantities;
+    bool is_of_body;
+};
+std::span<const PlotGroup> plot_groups();
+
+/// The last `seconds` of the samples as a chart; all with infinity. `body` and its name: the one whose quantities are
+/// shown. `against`: what is along x, instead of the time.
+Chart sample_chart(const SampleLog& samples, const PlotGroup& group, double seconds, BodyId body,
+                   const std::string& name, std::optional<Quantity> against = std::nullopt);
+
+} // namespace cairn::viewer

@@ -1,0 +1,234 @@
+#include "viewer/solver_view.h"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cairn::viewer {
+
+namespace {
+
+constexpr std::size_t most_strokes = 40000;
+constexpr float longest = 0.14f;     // of the distance to what is looked at: the arrow of the greatest force
+constexpr float cone_height = 0.05f; // likewise
+constexpr float second = 0.25f;      // s of motion that the arrow of a velocity is long
+// Told apart by the color-blind, too; linear.
+const Vec3 force_color(1.0f, 0.62f, 0.08f), friction_color(0.15f, 0.55f, 1.0f), sliding_color(1.0f, 0.20f, 0.10f);
+const Vec3 velocity_color(0.25f, 0.85f, 0.45f), turning_color(0.85f, 0.30f, 0.70f), bound_color(0.45f, 0.60f, 0.75f);
+const Vec3 link_color(0.75f, 0.80f, 0.25f), joint_link_color(0.30f, 0.65f, 1.0f);
+
+constexpr SolverPart parts[] = {
+    {"contacts and forces", &SolverShown::contacts,
+     "A dot is a contact point. The orange arrow is the normal force on what moves, the blue one friction; their "
+     "lengths "
+     "go with the root of the force. With a body selected: only what acts on it."},
+    {"friction cones", &SolverShown::cones,
+     "The force on a contact stays within the cone of half angle atan(mu). Blue: it holds. Red: at the rim, it "
+     "slides."},
+    {"velocities", &SolverShown::velocities,
+     "Green: where the center of mass gets in a quarter of a second. Purple: the axis of turning, by the right hand."},
+    {"bounding boxes", &SolverShown::bounds,
+     "The broad phase looks at pairs of shapes whose boxes overlap, and at no others."},
+    {"axes of inertia", &SolverShown::axes,
+     "Half axes of the ellipsoid with the same mass and inertia. About the longest one turning is easiest; about the "
+     "middle one it is unstable."},
+    {"islands", &SolverShown::islands,
+     "Lines join bodies that are solved together: yellow through contacts, blue through joints. Islands sleep as one."},
+};
+
+float combined(float a, float b, CombineRule rule) {
+    switch (rule) {
+    case CombineRule::average:
+        return 0.5f * (a + b);
+    case CombineRule::minimum:
+        return std::min(a, b);
+    case CombineRule::maximum:
+        return std::max(a, b);
+    case CombineRule::multiply:
+        break;
+    }
+    return a * b;
+}
+
+// As the engine combines them: the rule of lower number wins, and what holds is no weaker than what slides.
+float static_friction(const Material& a, const Material& b) {
+    const CombineRule rule = std::min(a.friction_combine, b.friction_combine);
+    return std::max(combined(a.static_friction, b.static_friction, rule),
+                    combined(a.dynamic_friction, b.dynamic_friction, rule));
+}
+
+void read_contacts(SolverView& view, const World& world, float per_second, BodyId selected) {
+    const bool is_of_one = selected && world.is_valid(selected);
+    for (const Contact& contact : is_of_one ? world.contacts(selected) : world.contacts()) {
+        float sum = 0.0f;
+        for (int i = 0; i < contact.point_count; ++i) sum += contact.points[i].normal_impulse;
+        const float coefficient =
+            static_friction(world.shape_def(contact.shape_a).material, world.shape_def(contact.shape_b).material);
+        // The force on the selected body; else on what moves, and of two that do on the upper one, which the other
+        // bears.
+        const auto moves = [&](BodyId body) { return world.body(body).type() == BodyType::dynamic; };
+        const bool on_b = is_of_one ? contact.body_b == selected
+                                    : moves(contact.body_b) && (!moves(contact.body_a) || contact.normal.y >= 0.0f);
+        const float sign = on_b ? 1.0f : -1.0f;
+        for (int i = 0; i < contact.point_count; ++i) {
+            const ContactPoint& point = contact.points[i];
+            const float share = sum > 0.0f ? point.normal_impulse / sum : 1.0f / float(contact.point_count);
+            view.points.push_back({point.point, contact.normal * sign, point.normal_impulse * per_second,
+                                   contact.friction_impulse * (sign * share * per_second), coefficient});
+        }
+    }
+}
+
+void read_movers(SolverView& view, const World& world) {
+    for (const BodyId id : world.bodies()) {
+        const Body body = world.body(id);
+        if (body.type() != BodyType::dynamic) continue;
+        const MassProperties mass = body.mass_properties();
+        SolverView::Mover mover{body.center_of_mass(), body.linear_velocity(), body.angular_velocity(),
+                                body.rotation() * mass.inertia_orientation, Vec3(0.0f)};
+        // Of a solid ellipsoid: I_x = m (b^2 + c^2) / 5.
+        const Vec3 moments = mass.inertia_diagonal;
+        const float sum = 0.5f * (moments.x + moments.y + moments.z);
+        for (int i = 0; i < 3; ++i)
+            if (std::isfinite(mass.mass))
+                mover.half_axes[i] = std::sqrt(std::max(5.0f * (sum - moments[i]) / mass.mass, 0.0f));
+        view.movers.push_back(mover);
+    }
+}
+
+void read_links(SolverView& view, const World& world) {
+    const auto link = [&](BodyId a, BodyId b, bool is_joint) {
+        if (!a || !b || world.body(a).type() != BodyType::dynamic || world.body(b).type() != BodyType::dynamic) return;
+        view.links.push_back({world.body(a).center_of_mass(), world.body(b).center_of_mass(), is_joint});
+    };
+    for (const Contact& contact : world.contacts()) link(contact.body_a, contact.body_b, false);
+    for (const JointId joint : world.joints()) link(world.joint_def(joint).body_a, world.joint_def(joint).body_b, true);
+}
+
+// Draws arrows and the like, measured from the frame's origin.
+class Pen {
+  public:
+    explicit Pen(RenderFrame& frame)
+        : frame_(frame),
+          scale_(lens_of(frame.camera) * float(glm::length(frame.camera.position - frame.camera.target))) {}
+
+    float scale() const { return scale_; }
+    Vec3 at(const Position& place) const { return Vec3(place - frame_.origin); }
+    void line(const Vec3& from, const Vec3& to, const Vec3& color, float width) {
+        if (frame_.strokes.size() < most_strokes) frame_.strokes.push_back({from, to, color, width});
+    }
+    void arrow(const Vec3& from, const Vec3& way, const Vec3& color, float width = 2.5f) {
+        const float length = glm::length(way);
+        if (!(length > 1e-4f * scale_)) return;
+        const Vec3 to = from + way, along = way / length;
+        line(from, to, color, width);
+        const Vec3 side =
+            std::abs(along.y) < 0.9f ? glm::cross(along, Vec3(0, 1, 0)) : glm::cross(along, Vec3(1, 0, 0));
+        const float head = std::min(0.3f * length, 0.012f * scale_);
+        for (const float sign : {-1.0f, 1.0f}) line(to, to - along * head + side * (0.6f * sign * head), color, width);
+    }
+    // A cone with its tip at `tip`.
+    void cone(const Vec3& tip, const Vec3& axis, float half_angle, const Vec3& color) {
+        constexpr int sides = 12;
+        const Vec3 other = std::abs(axis.y) < 0.9f ? Vec3(0, 1, 0) : Vec3(1, 0, 0);
+        const Vec3 u = glm::normalize(glm::cross(axis, other)), v = glm::cross(axis, u);
+        const float height = cone_height * scale_ * std::cos(half_angle),
+                    radius = cone_height * scale_ * std::sin(half_angle);
+        const auto rim = [&](int i) {
+            const float angle = 6.2831853f * float(i) / sides;
+            return tip + axis * height + (u * std::cos(angle) + v * std::sin(angle)) * radius;
+        };
+        for (int i = 0; i < sides; ++i) {
+            line(rim(i), rim(i + 1), color, 1.2f);
+            if (i % 3 == 0) line(tip, rim(i), color, 0.8f);
+            frame_.veils.push_back({tip, rim(i), rim(i + 1), color});
+        }
+    }
+
+  private:
+    RenderFrame& frame_;
+    float scale_;
+};
+
+void draw_points(Pen& pen, const SolverView& view) {
+    float greatest = 0.0f;
+    for (const SolverView::Point& point : view.points) greatest = std::max(greatest, point.normal_force);
+    const auto arrow_of = [&](const Vec3& force) {
+        const float size = glm::length(force);
+        return size > 0.0f && greatest > 0.0f ? force * (longest * pen.scale() * std::sqrt(size / greatest) / size)
+                                              : Vec3(0.0f);
+    };
+    for (const SolverView::Point& point : view.points) {
+        const Vec3 at = pen.at(point.place);
+        if (view.shown.contacts) {
+            pen.line(at, at, force_color, 6.0f);
+            pen.arrow(at, arrow_of(point.normal * point.normal_force), force_color);
+            pen.arrow(at, arrow_of(point.friction), friction_color);
+        }
+        if (!view.shown.cones || point.normal_force <= 0.0f) continue;
+        constexpr float nearly = 0.97f; // of what the cone allows
+        const bool slides = glm::length(point.friction) >= nearly * point.coefficient * point.normal_force;
+        pen.cone(at, point.normal, std::atan(point.coefficient), slides ? sliding_color : friction_color);
+    }
+}
+
+void draw_box(Pen& pen, const Bounds& bounds) {
+    const auto corner = [&](int i) {
+        return pen.at({i & 1 ? bounds.max.x : bounds.min.x, i & 2 ? bounds.max.y : bounds.min.y,
+                       i & 4 ? bounds.max.z : bounds.min.z});
+    };
+    for (int i = 0; i < 8; ++i)
+        for (const int axis : {1, 2, 4})
+            if (!(i & axis)) pen.line(corner(i), corner(i | axis), bound_color, 1.0f);
+}
+
+} // namespace
+
+std::span<const SolverPart> solver_parts() { return parts; }
+
+std::shared_ptr<const SolverView> read_solver(const World& world, const SolverShown& shown, double step_length,
+                                              BodyId selected) {
+    if (!shown.any()) return nullptr;
+    auto view = std::make_shared<SolverView>();
+    view->shown = shown;
+    if (shown.contacts || shown.cones) read_contacts(*view, world, float(1.0 / step_length), selected);
+    if (shown.velocities || shown.axes) read_movers(*view, world);
+    if (shown.islands) read_links(*view, world);
+    if (shown.bounds)
+        for (const BodyId body : world.bodies())
+            for (const ShapeId shape : world.body(body).shapes()) {
+                const Bounds bounds = world.shape_bounds(shape);
+                if (std::isfinite(bounds.min.x) && std::isfinite(bounds.max.x) && std::isfinite(bounds.min.y) &&
+                    std::isfinite(bounds.max.y))
+                    view->bounds.push_back(bounds);
+            }
+    return view;
+}
+
+void draw_solver(RenderFrame& frame, const SolverView& view) {
+    Pen pen(frame);
+    draw_points(pen, view);
+    for (const SolverView::Link& link : view.links)
+        pen.line(pen.at(link.a), pen.at(link.b), link.is_joint ? joint_link_color : link_color, 2.0f);
+    for (const SolverView::Mover& mover : view.movers) {
+        const Vec3 at = pen.at(mover.center);
+        if (view.shown.velocities) {
+            pen.arrow(at, mover.velocity * second, velocity_color);
+            pen.arrow(at, mover.turning * (0.02f * pen.scale()), turning_color, 1.8f);
+        }
+        if (!view.shown.axes) continue;
+        const Vec3 colors[] = {force_color, velocity_color, friction_color};
+        for (int i = 0; i < 3; ++i) {
+            Vec3 axis(0.0f);
+            axis[i] = mover.half_axes[i];
+            const Vec3 half = mover.axes * axis;
+            pen.line(at - half, at + half, colors[i], 3.0f);
+        }
+    }
+    for (const Bounds& bounds : view.bounds) draw_box(pen, bounds);
+}
+
+} // namespace cairn::viewer

@@ -1,0 +1,64 @@
+/// \file solver_view.h
+/// What the solver works with, drawn over the picture: contacts with their forces, friction cones, velocities, bounding
+/// boxes, axes of inertia, and what is solved together.
+#pragma once
+
+#include "viewer/render_frame.h"
+
+#include <cairn/world.h>
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace cairn::viewer {
+
+/// What of it is shown.
+struct SolverShown {
+    bool contacts = false, cones = false, velocities = false, bounds = false, axes = false, islands = false;
+    bool any() const { return contacts || cones || velocities || bounds || axes || islands; }
+    friend bool operator==(const SolverShown&, const SolverShown&) = default;
+};
+
+/// The parts by name, each with a sentence that says how to read it.
+struct SolverPart {
+    const char* name;
+    bool SolverShown::*shown;
+    const char* meaning;
+};
+std::span<const SolverPart> solver_parts();
+
+/// As it was after a step.
+struct SolverView {
+    struct Point {
+        Position place{0.0, 0.0, 0.0};
+        Vec3 normal{0.0f, 1.0f, 0.0f};   ///< To what is pushed: it moves, and is the upper one of two.
+        float normal_force = 0.0f;       ///< N, mean over the step.
+        Vec3 friction{0.0f, 0.0f, 0.0f}; ///< N, on the same body: the share of this point.
+        float coefficient = 0.0f;        ///< Of static friction between the two.
+    };
+    struct Mover {
+        Position center{0.0, 0.0, 0.0};
+        Vec3 velocity{0.0f, 0.0f, 0.0f}, turning{0.0f, 0.0f, 0.0f}; ///< m/s, rad/s
+        Quat axes{1.0f, 0.0f, 0.0f, 0.0f};                          ///< Principal, in the world.
+        Vec3 half_axes{0.0f, 0.0f, 0.0f}; ///< Meters, of the ellipsoid with the same mass and inertia.
+    };
+    struct Link {
+        Position a{0.0, 0.0, 0.0}, b{0.0, 0.0, 0.0}; ///< Centers of mass.
+        bool is_joint = false;
+    };
+    SolverShown shown;
+    std::vector<Point> points;
+    std::vector<Mover> movers; ///< Dynamic bodies.
+    std::vector<Bounds> bounds;
+    std::vector<Link> links;
+};
+
+/// Null where nothing is to be shown. Contacts are those of the `selected` body alone, if there is one.
+std::shared_ptr<const SolverView> read_solver(const World& world, const SolverShown& shown, double step_length,
+                                              BodyId selected = {});
+
+/// Adds strokes for it to the frame.
+void draw_solver(RenderFrame& frame, const SolverView& view);
+
+} // namespace cairn::viewer

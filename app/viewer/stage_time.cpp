@@ -1,0 +1,217 @@
+// The stage in time: going back, following what is known, and keeping it as a file.
+#include "viewer/stage.h"
+
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <limits>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+namespace cairn::viewer {
+
+namespace {
+
+constexpr double longest_look = 1.0 / 30.0; // s of real time that a seek takes before the way is shown
+constexpr double writer_interval = 0.1;     // s between looks at whether a file is written
+
+} // namespace
+
+// Writes a recording of a copy of the world on a thread of its own.
+struct Stage::Writer {
+    std::mutex mutex;
+    std::optional<std::string> words; // once it is done
+    std::thread thread;
+
+    Writer() = default;
+    Writer(const Writer&) = delete;
+    Writer& operator=(const Writer&) = delete;
+    ~Writer() {
+        if (thread.joinable()) thread.join();
+    }
+};
+
+Stage::~Stage() = default;
+
+double Stage::until_next_step() const {
+    if (seeking_) return 0.0;
+    const double next = clock_.until_next_step();
+    return writer_ ? std::min(next, writer_interval) : next;
+}
+
+// Does what changes the world's moment, and shows where it came to.
+template <class Go> bool Stage::travel(const Go& go) {
+    seeking_.reset();
+    const bool moved = go();
+    arrive();
+    return moved;
+}
+
+// The world is at another moment: what was of the one before may be gone.
+void Stage::arrive() {
+    const World& world = scene_.world;
+    grab_.holding = false;
+    drag_joint_ = {};
+    force_field_.reset();
+    pull_field_.reset();
+    for (const Held& held : held_)
+        if (const auto* joint = std::get_if<JointId>(&held.id); joint && world.is_valid(*joint)) drag_joint_ = *joint;
+    if (selected_ && !world.is_valid(selected_)) selected_ = {};
+    for (const BodyId id : world.bodies())
+        if (world.body(id).type() == BodyType::dynamic && std::find(order_.begin(), order_.end(), id) == order_.end())
+            order_.push_back(id);
+    refresh_layout();
+}
+
+// What keys and drags held in a future that is no more is forgotten; what they held at the moment where a new one
+// began ends, as nobody holds it.
+void Stage::settle_branch() {
+    const std::optional<Moment> branch = timeline_.take_branch();
+    if (!branch) return;
+    World& world = scene_.world;
+    const auto is_present = [&](const Held& held) {
+        if (const auto* joint = std::get_if<JointId>(&held.id)) return grab_.holding && *joint == drag_joint_;
+        const ForceFieldId field = std::get<ForceFieldId>(held.id);
+        return field == force_field_ || field == pull_field_;
+    };
+    std::vector<Held> present;
+    for (const Held& held : held_) {
+        if (is_present(held)) {
+            present.push_back(held);
+        } else if (held.since < *branch) {
+            if (const auto* joint = std::get_if<JointId>(&held.id)) {
+                if (world.is_valid(*joint)) world.destroy_joint(*joint);
+            } else if (world.is_valid(std::get<ForceFieldId>(held.id))) {
+                world.remove_force_field(std::get<ForceFieldId>(held.id));
+            }
+        }
+    }
+    held_ = std::move(present);
+    if (!grab_.holding) drag_joint_ = {};
+    timeline_.take_branch(); // at the end there is nothing to settle
+    refresh_joints();
+}
+
+void Stage::follow() {
+    const bool alters = timeline_.follow(scene_.world);
+    take_sample();
+    if (alters)
+        arrive();
+    else {
+        previous_ = current_;
+        report_broken();
+        refresh_motion();
+    }
+    if (!timeline_.is_at_end() || !timeline_.is_recording()) return;
+    clock_.set_paused(true);
+    say("The recording ends here: Space goes on from here.");
+}
+
+void Stage::go_back() {
+    const std::size_t bodies = layout_->bodies.size();
+    if (!timeline_.step_back(scene_.world)) {
+        clock_.set_paused(true);
+        is_backwards_ = false;
+        return say("Nothing is known of what was before.");
+    }
+    const std::shared_ptr<const WorldMotion> before = current_;
+    arrive();
+    if (layout_->bodies.size() == bodies) previous_ = before;
+}
+
+void Stage::go_on_seeking() {
+    try {
+        const bool is_there = timeline_.seek(scene_.world, {*seeking_, 0}, longest_look);
+        if (is_there) seeking_.reset();
+    } catch (const std::exception& error) {
+        seeking_.reset();
+        say(error.what());
+    }
+    arrive();
+}
+
+void Stage::operator()(const command::SeekTo& seek) {
+    clock_.set_paused(true);
+    is_backwards_ = false;
+    seeking_ = std::clamp(seek.step, timeline_.first_step(), timeline_.last_step());
+}
+
+void Stage::operator()(const command::StepBack&) {
+    clock_.set_paused(true);
+    is_backwards_ = false;
+    if (!travel([&] { return timeline_.step_back(scene_.world); })) say("Nothing is known of what was before.");
+}
+
+void Stage::operator()(const command::PlayBackwards&) {
+    is_backwards_ = !is_backwards_ || clock_.paused();
+    clock_.set_paused(!is_backwards_);
+}
+
+void Stage::operator()(const command::Undo&) {
+    const std::optional<std::string> name = timeline_.undoable();
+    if (!travel([&] { return timeline_.undo(scene_.world); })) return say("There is nothing to undo.");
+    clock_.set_paused(true);
+    is_backwards_ = false;
+    say("Undone: " + *name + ". Ctrl+Shift+Z does it again, Space goes on without it.");
+}
+
+void Stage::operator()(const command::Redo&) {
+    const std::optional<std::string> name = timeline_.redoable();
+    if (!travel([&] { return timeline_.redo(scene_.world); })) return say("There is nothing to redo.");
+    clock_.set_paused(true);
+    is_backwards_ = false;
+    say("Done again: " + *name + ".");
+}
+
+void Stage::operator()(const command::SaveRecording& save) {
+    if (!savers_.recording) return say("This program cannot write recordings.");
+    if (writer_) return say("A recording is being written.");
+    auto excerpt =
+        std::make_shared<Timeline::Excerpt>(timeline_.excerpt(std::uint64_t(save.seconds / clock_.time_step())));
+    writer_ = std::make_shared<Writer>();
+    const int threads = std::max(scene_.world.threads() / 2, 1);
+    writer_->thread = std::thread(
+        [excerpt, threads, write = savers_.recording, writer = writer_.get(), path = save.path, source = path_] {
+            std::string words;
+            try {
+                World world;
+                world.set_threads(threads);
+                world.restore(excerpt->start);
+                write(path, std::filesystem::path(source).filename().generic_string(), world, [&] {
+                    for (const TimelineLog::Frame& frame : excerpt->log.frames) {
+                        for (const auto& change : frame.changes) world.execute(*change, *excerpt->log.source);
+                        if (frame.step) world.execute(*frame.step, *excerpt->log.source);
+                    }
+                });
+                words = "Saved " + path;
+            } catch (const std::exception& error) {
+                words = error.what();
+            }
+            const std::lock_guard lock(writer->mutex);
+            writer->words = std::move(words);
+        });
+    say("Saving the last seconds ...");
+}
+
+void Stage::operator()(const command::TakeSamples& take) {
+    with_samples_ = take.on;
+    take_sample();
+}
+
+void Stage::take_sample() {
+    if (!with_samples_) return;
+    samples_.add(measure(scene_.world, selected_, timeline_.now().step, clock_.time_step()));
+}
+
+void Stage::hear_from_writer() {
+    if (!writer_) return;
+    {
+        const std::lock_guard lock(writer_->mutex);
+        if (!writer_->words) return;
+        say(*writer_->words);
+    }
+    writer_.reset();
+}
+
+} // namespace cairn::viewer

@@ -1,0 +1,349 @@
+#include "viewer/timeline.h"
+
+#include <cairn/error.h>
+#include <cairn/world.h>
+
+#include <algorithm>
+#include <chrono>
+#include <iterator>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+namespace cairn::viewer {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double longest_way = 0.1;      // s of real time from a state that is kept to the next
+constexpr double greatest_share = 0.025; // of the time of the steps that keeping states may take
+constexpr std::uint64_t least_interval = 15, greatest_interval = 240; // steps
+constexpr double newest_weight = 0.1;                                 // in running means
+constexpr std::size_t ring_bytes = std::size_t{96} << 20;
+constexpr std::uint64_t same_event = 15;  // steps within which impacts are one mark
+constexpr std::uint64_t same_change = 60; // steps within which changes by one slider are one
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+double mean(double old, double value) { return old == 0.0 ? value : old + newest_weight * (value - old); }
+
+// What neither makes nor removes anything, and changes no type, name or shape.
+bool alters_layout(std::string_view command) {
+    for (const std::string_view harmless :
+         {"World::set_joint", "Body::set_linear_velocity", "Body::set_angular_velocity", "Body::wake",
+          "Body::apply_impulse", "Body::add_force", "World::set_force_field"})
+        if (command == harmless) return false;
+    return true;
+}
+
+} // namespace
+
+void Timeline::begin(World& world, const RecordedRun& run) {
+    log_ = std::make_shared<TimelineLog>(run);
+    {
+        const Going going(*log_); // it is told of the state, which is the first that is kept
+        world.set_command_listener(log_);
+    }
+    recorded_keyframe_ = run.keyframe;
+    recorded_until_ = run.keyframe ? std::numeric_limits<std::uint64_t>::max() : 0;
+    changes_.clear();
+    events_.clear();
+    watched_until_ = 0;
+    is_undone_ = false;
+    step_seconds_ = stepping_seconds_ = keeping_seconds_ = 0.0;
+    ring_.reset();
+    verdict_ = {};
+    name_recorded_changes();
+    keyframes_.clear();
+    const Clock::time_point start = Clock::now();
+    keyframes_.emplace(0, Keyframe{world.save(), world.state_digest()});
+    save_seconds_ = seconds_since(start);
+    keep_within_budget();
+    gather_marks();
+}
+
+// Of a recording only the calls are known.
+void Timeline::name_recorded_changes() {
+    for (std::uint64_t step = 0; step < log_->last_step(); ++step) {
+        const auto& changes = log_->frame(step).changes;
+        const auto first = std::find_if(changes.begin(), changes.end(),
+                                        [](const auto& command) { return alters_layout(command_name(*command)); });
+        if (first == changes.end()) continue;
+        std::string name(command_name(**first));
+        name.erase(0, name.find(':') == std::string::npos ? 0 : name.rfind(':') + 1);
+        std::replace(name.begin(), name.end(), '_', ' ');
+        changes_.push_back({{step, 0}, {step, std::uint32_t(changes.size())}, std::move(name)});
+    }
+}
+
+// Between states so much time that saving one costs little of it, and no more than a wait that nobody minds.
+std::uint64_t Timeline::interval() const {
+    if (step_seconds_ <= 0.0) return least_interval;
+    const double cheap = save_seconds_ / (greatest_share * step_seconds_), near = longest_way / step_seconds_;
+    return std::uint64_t(std::clamp(std::max(cheap, near), double(least_interval), double(greatest_interval)));
+}
+
+void Timeline::keep(const World& world, double step_seconds) {
+    step_seconds_ = mean(step_seconds_, step_seconds);
+    stepping_seconds_ += step_seconds;
+    const std::uint64_t step = log_->now.step;
+    if (step - std::prev(keyframes_.upper_bound(step))->first < interval()) return;
+    if (keeping_seconds_ + save_seconds_ > greatest_share * stepping_seconds_) return; // steps have become cheaper
+    const Clock::time_point start = Clock::now();
+    keyframes_.insert_or_assign(step, Keyframe{world.save(), world.state_digest()});
+    keep_within_budget();
+    const double seconds = seconds_since(start);
+    save_seconds_ = mean(save_seconds_, seconds);
+    keeping_seconds_ += seconds;
+}
+
+void Timeline::keep_within_budget() {
+    keyframe_bytes_ = 0;
+    const SnapshotDefinitions* counted = nullptr;
+    for (const auto& [step, keyframe] : keyframes_) {
+        keyframe_bytes_ += keyframe.snapshot.bytes.size();
+        const SnapshotDefinitions* own = keyframe.snapshot.definitions.get();
+        if (own != counted) keyframe_bytes_ += own->bytes.size();
+        counted = own;
+    }
+    while (bytes() > budget_ && keyframes_.size() > 2 && std::next(keyframes_.begin())->first <= log_->now.step) {
+        keyframe_bytes_ -= keyframes_.begin()->second.snapshot.bytes.size();
+        keyframes_.erase(keyframes_.begin());
+        log_->forget_before(keyframes_.begin()->first);
+    }
+    const std::uint64_t first = log_->first_step();
+    while (!changes_.empty() && changes_.front().begin.step < first) changes_.pop_front();
+    while (!events_.empty() && events_.front().step < first) events_.pop_front();
+}
+
+void Timeline::drop_other_future() {
+    const std::optional<Moment> branch = log_->take_branch();
+    if (!branch) return;
+    branched_at_ = branched_at_ ? std::min(*branched_at_, *branch) : *branch;
+    is_undone_ = false;
+    recorded_until_ = std::min(recorded_until_, branch->step);
+    keyframes_.erase(keyframes_.upper_bound(branch->step), keyframes_.end());
+    while (!changes_.empty() && changes_.back().begin >= *branch) changes_.pop_back();
+    if (!changes_.empty()) changes_.back().end = std::min(changes_.back().end, *branch);
+    while (!events_.empty() && events_.back().step > branch->step) events_.pop_back();
+    watched_until_ = std::min(watched_until_, branch->step);
+    ring_.reset();
+    gather_marks();
+}
+
+std::optional<Moment> Timeline::take_branch() {
+    drop_other_future();
+    return std::exchange(branched_at_, std::nullopt);
+}
+
+void Timeline::after_step(const World& world, double seconds) {
+    drop_other_future();
+    ring_.reset();
+    watch(world);
+    keep(world, seconds);
+}
+
+void Timeline::compare(const World& world) {
+    const std::uint64_t step = log_->now.step;
+    std::optional<StateDigest> known = log_->frame(step - 1).digest;
+    if (const auto kept = keyframes_.find(step); !known && kept != keyframes_.end()) known = kept->second.digest;
+    if (!known) return;
+    ++verdict_.compared;
+    if (!verdict_.first_different && world.state_digest() != *known) verdict_.first_different = step;
+}
+
+bool Timeline::execute_changes(World& world, std::uint32_t count) {
+    const TimelineLog::Frame& frame = log_->frame(log_->now.step);
+    bool alters = false;
+    while (log_->now.changes < count) {
+        const std::vector<std::byte>& command = *frame.changes[log_->now.changes];
+        world.execute(command, *log_);
+        ++log_->now.changes;
+        alters = alters || alters_layout(command_name(command));
+    }
+    return alters;
+}
+
+bool Timeline::follow_one(World& world) {
+    const Going going(*log_);
+    const TimelineLog::Frame& frame = log_->frame(log_->now.step);
+    const bool alters = execute_changes(world, std::uint32_t(frame.changes.size()));
+    if (!frame.step) return alters;
+    const Clock::time_point start = Clock::now();
+    world.execute(*frame.step, *log_);
+    const double seconds = seconds_since(start);
+    log_->now = {log_->now.step + 1, 0};
+    compare(world);
+    watch(world);
+    keep(world, seconds);
+    return alters;
+}
+
+bool Timeline::follow(World& world) {
+    ring_.reset();
+    return follow_one(world);
+}
+
+// Goes to the last state that is kept at or before `step`, if it is later than `after`.
+bool Timeline::restore_before(World& world, std::uint64_t step, std::optional<std::uint64_t> after) {
+    const Going going(*log_);
+    const auto kept = std::prev(keyframes_.upper_bound(step));
+    const std::uint64_t beyond = std::max(kept->first, after.value_or(0));
+    if (recorded_keyframe_) {
+        const auto recorded = recorded_keyframe_(beyond, std::min(step, recorded_until_));
+        try {
+            if (recorded) {
+                world.restore(recorded->second);
+                log_->now = {recorded->first, 0};
+                return true;
+            }
+        } catch (const Error& error) {
+            if (error.code() != ErrorCode::unsupported) throw;
+            recorded_keyframe_ = nullptr; // of another build: the way is longer
+        }
+    }
+    if (after && kept->first <= *after) return false;
+    world.restore(kept->second.snapshot);
+    log_->now = {kept->first, 0};
+    return true;
+}
+
+bool Timeline::seek(World& world, Moment to, double seconds) {
+    const Clock::time_point start = Clock::now();
+    drop_other_future();
+    ring_.reset();
+    is_undone_ = false;
+    to.step = std::clamp(to.step, first_step(), last_step());
+    to.changes = std::min(to.changes, std::uint32_t(log_->frame(to.step).changes.size()));
+    if (log_->now > to)
+        restore_before(world, to.step, std::nullopt);
+    else if (to.step - log_->now.step > interval())
+        restore_before(world, to.step, log_->now.step);
+    while (log_->now.step < to.step) {
+        follow_one(world);
+        if (log_->now.step < to.step && seconds_since(start) > seconds) return false;
+    }
+    const Going going(*log_);
+    execute_changes(world, to.changes);
+    return true;
+}
+
+bool Timeline::step_back(World& world) {
+    drop_other_future();
+    is_undone_ = false;
+    if (log_->now.step == first_step()) {
+        if (log_->now.changes == 0) return false;
+        ring_.reset();
+        return seek(world, {first_step(), 0});
+    }
+    const std::uint64_t to = log_->now.step - 1;
+    const Going going(*log_);
+    if (ring_ && ring_last_ >= to && ring_last_ - to < ring_->size()) {
+        ring_->restore(world, std::size_t(ring_last_ - to));
+    } else {
+        restore_before(world, to, std::nullopt);
+        const std::size_t bytes = keyframes_.begin()->second.snapshot.bytes.size();
+        ring_.emplace(std::clamp<std::size_t>(2 * ring_bytes / (bytes + 1), 8, greatest_interval + 1));
+        for (;;) {
+            ring_->push(world);
+            if (log_->now.step >= to) break;
+            follow_one(world);
+        }
+    }
+    ring_last_ = to;
+    log_->now = {to, 0};
+    return true;
+}
+
+void Timeline::name_change(const Moment& from, std::string name, Merge merge) {
+    drop_other_future();
+    if (log_->now == from) return;
+    if (merge != Merge::never && !changes_.empty() && changes_.back().name == name) {
+        Change& last = changes_.back();
+        if (merge == Merge::always || last.end.step + same_change >= from.step) {
+            last.end = log_->now;
+            return;
+        }
+    }
+    changes_.push_back({from, log_->now, std::move(name)});
+    gather_marks();
+}
+
+void Timeline::unname_change(const std::string& name) {
+    if (changes_.empty() || changes_.back().name != name) return;
+    changes_.pop_back();
+    gather_marks();
+}
+
+void Timeline::watch(const World& world) {
+    const std::uint64_t step = log_->now.step;
+    if (step <= watched_until_) return; // done again: it is known
+    watched_until_ = step;
+    float fastest = 0.0f;
+    for (const ContactHit& hit : world.contact_hits()) fastest = std::max(fastest, hit.approach_speed);
+    if (fastest > 0.0f) note({Mark::Kind::impact, step, fastest, {}});
+    for (const JointEvent& event : world.joint_events())
+        if (event.broke) note({Mark::Kind::break_, step, event.force, "joint " + std::to_string(event.joint.index())});
+}
+
+void Timeline::note(Mark mark) {
+    const auto same = [&](const Mark& other) {
+        return mark.kind == Mark::Kind::impact && other.kind == mark.kind && other.step + same_event > mark.step;
+    };
+    if (!events_.empty() && same(events_.back())) {
+        if (events_.back().strength >= mark.strength) return;
+        events_.pop_back();
+    }
+    events_.push_back(std::move(mark));
+    gather_marks();
+}
+
+void Timeline::gather_marks() {
+    std::vector<Mark> marks(events_.begin(), events_.end());
+    for (const Change& change : changes_) marks.push_back({Mark::Kind::change, change.begin.step, 0.0f, change.name});
+    std::stable_sort(marks.begin(), marks.end(), [](const Mark& a, const Mark& b) { return a.step < b.step; });
+    marks_ = std::make_shared<const std::vector<Mark>>(std::move(marks));
+}
+
+std::optional<std::string> Timeline::undoable() const {
+    for (auto change = changes_.rbegin(); change != changes_.rend(); ++change)
+        if (change->begin < log_->now) return change->name;
+    return std::nullopt;
+}
+
+std::optional<std::string> Timeline::redoable() const {
+    for (const Change& change : changes_)
+        if (change.begin >= log_->now) return change.name;
+    return std::nullopt;
+}
+
+bool Timeline::undo(World& world) {
+    drop_other_future();
+    for (auto change = changes_.rbegin(); change != changes_.rend(); ++change) {
+        if (!(change->begin < log_->now)) continue;
+        seek(world, change->begin);
+        is_undone_ = true;
+        return true;
+    }
+    return false;
+}
+
+bool Timeline::redo(World& world) {
+    drop_other_future();
+    for (const Change& change : changes_) {
+        if (change.begin < log_->now) continue;
+        seek(world, change.end);
+        is_undone_ = true;
+        return true;
+    }
+    return false;
+}
+
+Timeline::Excerpt Timeline::excerpt(std::uint64_t steps) const {
+    const std::uint64_t from = log_->now.step - std::min(steps, log_->now.step - first_step());
+    const auto kept = std::prev(keyframes_.upper_bound(from));
+    return {kept->second.snapshot, log_->excerpt(kept->first)};
+}
+
+} // namespace cairn::viewer

@@ -1,0 +1,204 @@
+#include "viewer/timeline_bar.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace cairn::viewer {
+
+namespace {
+
+constexpr ImU32 track_color = IM_COL32(52, 60, 70, 255), past_color = IM_COL32(66, 104, 140, 255);
+constexpr ImU32 impact_color = IM_COL32(240, 170, 70, 255), break_color = IM_COL32(240, 90, 80, 255);
+constexpr ImU32 change_color = IM_COL32(120, 200, 255, 255), head_color = IM_COL32(245, 248, 250, 255);
+constexpr float snap = 4.0f;            // unscaled units: this near a mark the mouse means it
+constexpr float violent_impact = 20.0f; // m/s: fills the height of the track
+
+enum class Icon { start, backwards, back, pause, play, forward };
+
+// Signs that no font need have.
+bool icon_button(const char* name, Icon icon, const char* meaning, bool is_on = false) {
+    const float side = ImGui::GetFrameHeight();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    if (is_on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+    const bool pressed = ImGui::Button(name, ImVec2(1.15f * side, side));
+    if (is_on) ImGui::PopStyleColor();
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", meaning);
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const ImU32 color = ImGui::GetColorU32(ImGuiCol_Text);
+    const float u = 0.14f * side;
+    const ImVec2 c(corner.x + 0.575f * side, corner.y + 0.5f * side);
+    const auto triangle = [&](float x, float towards) {
+        list->AddTriangleFilled(ImVec2(c.x + x - towards * u, c.y - 1.6f * u),
+                                ImVec2(c.x + x - towards * u, c.y + 1.6f * u),
+                                ImVec2(c.x + x + 1.4f * towards * u, c.y), color);
+    };
+    const auto bar = [&](float x) {
+        list->AddRectFilled(ImVec2(c.x + x - 0.45f * u, c.y - 1.6f * u), ImVec2(c.x + x + 0.45f * u, c.y + 1.6f * u),
+                            color);
+    };
+    switch (icon) {
+    case Icon::start:
+        bar(-1.8f * u);
+        triangle(0.4f * u, -1.0f);
+        break;
+    case Icon::backwards:
+        triangle(0.0f, -1.0f);
+        break;
+    case Icon::back:
+        triangle(-0.6f * u, -1.0f);
+        bar(1.5f * u);
+        break;
+    case Icon::pause:
+        bar(-u);
+        bar(u);
+        break;
+    case Icon::play:
+        triangle(0.0f, 1.0f);
+        break;
+    case Icon::forward:
+        bar(-1.5f * u);
+        triangle(0.6f * u, 1.0f);
+        break;
+    }
+    ImGui::SameLine(0.0f, 0.15f * side);
+    return pressed;
+}
+
+std::string describe(const Mark& mark) {
+    char text[64];
+    switch (mark.kind) {
+    case Mark::Kind::impact:
+        std::snprintf(text, sizeof text, "impact at %.3g m/s", double(mark.strength));
+        return text;
+    case Mark::Kind::break_:
+        std::snprintf(text, sizeof text, " broke at %.4g N", double(mark.strength));
+        return mark.text + text;
+    case Mark::Kind::change:
+        break;
+    }
+    return mark.text;
+}
+
+} // namespace
+
+float TimelineBar::place_of(const TimelineState& timeline, std::uint64_t step) const {
+    const double length = double(std::max<std::uint64_t>(timeline.last - timeline.first, 1));
+    const double behind = double(step) - double(timeline.first);
+    return left_ + (right_ - left_) * float(std::clamp(behind / length, 0.0, 1.0));
+}
+
+std::uint64_t TimelineBar::step_at(const TimelineState& timeline, float x, float scale) const {
+    for (auto mark = timeline.marks->rbegin(); mark != timeline.marks->rend(); ++mark)
+        if (mark->kind != Mark::Kind::impact && std::abs(place_of(timeline, mark->step) - x) <= snap * scale)
+            return std::min(mark->step, timeline.last);
+    const double share = std::clamp(double((x - left_) / std::max(right_ - left_, 1.0f)), 0.0, 1.0);
+    return timeline.first + std::uint64_t(std::llround(share * double(timeline.last - timeline.first)));
+}
+
+void TimelineBar::draw_buttons(const StageState& state, Controller& controller) {
+    const bool is_backwards = state.timeline.is_backwards;
+    if (icon_button("##start", Icon::start, "to the beginning")) controller.post(command::SeekTo{state.timeline.first});
+    if (icon_button("##backwards", Icon::backwards, "let time run backwards (Shift+Space)", is_backwards))
+        controller.post(command::PlayBackwards{});
+    if (icon_button("##back", Icon::back, "one step back (,)")) controller.post(command::StepBack{});
+    if (icon_button("##pause", state.paused ? Icon::play : Icon::pause,
+                    state.paused ? "go on (Space)" : "pause (Space)"))
+        controller.post(command::TogglePause{});
+    if (icon_button("##forward", Icon::forward, "one step (.)")) controller.post(command::SingleStep{});
+}
+
+void TimelineBar::draw_marks(const TimelineState& timeline, float top, float bottom, float scale) {
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    for (const Mark& mark : *timeline.marks) {
+        const float x = place_of(timeline, mark.step);
+        if (mark.kind == Mark::Kind::impact) {
+            const float height = std::clamp(mark.strength / violent_impact, 0.15f, 1.0f) * (bottom - top);
+            list->AddLine(ImVec2(x, bottom - height), ImVec2(x, bottom), impact_color, scale);
+        } else {
+            const float r = 4.0f * scale;
+            const ImU32 color = mark.kind == Mark::Kind::break_ ? break_color : change_color;
+            list->AddTriangleFilled(ImVec2(x - r, top - 1.2f * r), ImVec2(x + r, top - 1.2f * r),
+                                    ImVec2(x, top + 0.6f * r), color);
+        }
+    }
+}
+
+void TimelineBar::draw_track(const StageState& state, Controller& controller, float width, float scale) {
+    const TimelineState& timeline = state.timeline;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float height = ImGui::GetFrameHeight();
+    left_ = corner.x;
+    right_ = corner.x + width;
+    middle_ = corner.y + 0.5f * height;
+    ImGui::InvisibleButton("##track", ImVec2(width, height));
+    const float mouse = ImGui::GetIO().MousePos.x;
+    const std::uint64_t step = step_at(timeline, mouse, scale);
+    if (ImGui::IsItemActivated() || (ImGui::IsItemActive() && step != asked_)) {
+        asked_ = step;
+        controller.post(command::SeekTo{step});
+    }
+    const float top = corner.y + 0.28f * height, bottom = corner.y + 0.86f * height;
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const float head = place_of(timeline, timeline.now);
+    list->AddRectFilled(ImVec2(left_, top), ImVec2(right_, bottom), track_color, 3.0f * scale);
+    list->AddRectFilled(ImVec2(left_, top), ImVec2(head, bottom), past_color, 3.0f * scale);
+    draw_marks(timeline, top, bottom, scale);
+    list->AddRectFilled(ImVec2(head - 1.5f * scale, corner.y), ImVec2(head + 1.5f * scale, corner.y + height),
+                        head_color, 1.5f * scale);
+    if (!ImGui::IsItemHovered() && !ImGui::IsItemActive()) return;
+    char text[64];
+    std::snprintf(text, sizeof text, "%.2f s", (double(step) - double(timeline.first)) * state.time_step);
+    std::string tip = text;
+    for (const Mark& mark : *timeline.marks)
+        if (std::abs(place_of(timeline, mark.step) - mouse) <= 3.0f * scale && tip.size() < 300)
+            tip += "\n" + describe(mark);
+    ImGui::SetTooltip("%s", tip.c_str());
+}
+
+float TimelineBar::draw(const StageState& state, Controller& controller, float scale, float column, float room) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float height = ImGui::GetFrameHeight() + 2.0f * style.WindowPadding.y;
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos(ImVec2(column, display.y - height));
+    ImGui::SetNextWindowSize(ImVec2(room, height));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
+    ImGui::Begin("##timeline", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus);
+    ImGui::PopStyleVar();
+    draw_buttons(state, controller);
+    const TimelineState& timeline = state.timeline;
+    char time[64];
+    std::snprintf(time, sizeof time, "%.2f / %.2f s",
+                  double(timeline.now - std::min(timeline.first, timeline.now)) * state.time_step,
+                  double(timeline.last - timeline.first) * state.time_step);
+    const char* badge = timeline.verdict.first_different ? "other bits"
+                        : timeline.verdict.compared > 0  ? "same bits"
+                                                         : "";
+    const float words =
+        ImGui::CalcTextSize(time).x + (badge[0] ? ImGui::CalcTextSize(badge).x + style.ItemSpacing.x : 0.0f);
+    const float width = std::max(ImGui::GetContentRegionAvail().x - words - style.ItemSpacing.x, 40.0f * scale);
+    draw_track(state, controller, width, scale);
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(time);
+    if (badge[0]) {
+        ImGui::SameLine();
+        const bool differs = timeline.verdict.first_different.has_value();
+        ImGui::TextColored(differs ? ImVec4(1.0f, 0.4f, 0.35f, 1.0f) : ImVec4(0.45f, 0.85f, 0.55f, 1.0f), "%s", badge);
+        if (ImGui::IsItemHovered() && differs)
+            ImGui::SetTooltip("What was done again led to another state at step %llu.",
+                              static_cast<unsigned long long>(*timeline.verdict.first_different));
+        else if (ImGui::IsItemHovered())
+            ImGui::SetTooltip("%llu states that were computed again were the same, bit for bit.",
+                              static_cast<unsigned long long>(timeline.verdict.compared));
+    }
+    ImGui::End();
+    return height;
+}
+
+} // namespace cairn::viewer

@@ -1,0 +1,217 @@
+#include "viewer/inspect.h"
+#include "viewer/solver_view.h"
+#include "viewer/stage.h"
+
+#include "test_scene.h"
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+using namespace cairn;
+using namespace cairn::viewer;
+
+const Ray at_first_box{{0.0, 0.6, 10.0}, {0.0f, 0.0f, -1.0f}};
+
+void select_first(Stage& stage) {
+    stage.apply(command::GrabBody{at_first_box, 1});
+    stage.apply(command::ReleaseGrab{true});
+}
+
+BodyFacts facts_of(const Stage& stage) { return stage.state().inspected.value_or(BodyFacts{}); }
+
+TEST(Inspect, TellsAllAboutABodyThatLies) {
+    Stage stage(test::load_boxes, "1");
+    for (int i = 0; i < 30; ++i) stage.step();
+    EXPECT_FALSE(stage.state().inspected);
+    select_first(stage);
+    const BodyFacts facts = facts_of(stage);
+    EXPECT_EQ(facts.type, BodyType::dynamic);
+    EXPECT_FLOAT_EQ(facts.mass.mass, 1000.0f);
+    ASSERT_EQ(facts.touches.size(), 1u);
+    EXPECT_EQ(facts.touches[0].name, "body 0");
+    EXPECT_NEAR(facts.touches[0].normal_force, 9810.0f, 50.0f);
+    ASSERT_EQ(facts.shapes.size(), 1u);
+    EXPECT_STREQ(facts.shapes[0].kind, "box");
+    EXPECT_NEAR(facts.potential_energy, 1000.0 * 9.81 * 0.5, 10.0);
+}
+
+TEST(Inspect, WhatIsChangedIsUndoneByItsName) {
+    Stage stage(test::load_boxes, "1");
+    stage.apply(command::SetPaused{true});
+    select_first(stage);
+    const BodyId body = facts_of(stage).id;
+    const std::uint64_t before = stage.world().state_hash();
+    stage.apply(command::EditBody{body, edit::Name{"crate"}});
+    stage.apply(command::EditBody{body, edit::Mass{5.0f}});
+    stage.apply(command::EditBody{body, edit::Velocity{{1.0f, 2.0f, 3.0f}}});
+    stage.apply(command::EditBody{body, edit::Turning{{0.0f, 4.0f, 0.0f}}});
+    stage.apply(command::EditBody{body, edit::Place{{0.0, 7.0, 0.0}}});
+    stage.apply(command::EditBody{body, edit::Type{BodyType::kinematic}});
+    EXPECT_EQ(facts_of(stage).name, "crate");
+    EXPECT_EQ(facts_of(stage).type, BodyType::kinematic);
+    EXPECT_EQ(facts_of(stage).position.y, 7.0);
+    EXPECT_EQ(stage.state().layout->bodies[1].name, "crate");
+    for (const char* name : {"type of a body", "position of a body", "angular velocity of a body", "velocity of a body",
+                             "mass of a body", "name of a body"}) {
+        EXPECT_EQ(stage.state().timeline.undoable, name);
+        stage.apply(command::Undo{});
+    }
+    EXPECT_EQ(facts_of(stage).name, "");
+    EXPECT_FLOAT_EQ(facts_of(stage).mass.mass, 1000.0f);
+    EXPECT_EQ(stage.world().state_hash(), before);
+}
+
+TEST(Inspect, ASliderIsUndoneAsOne) {
+    Stage stage(test::load_boxes, "1");
+    select_first(stage);
+    for (int i = 1; i <= 20; ++i) {
+        stage.apply(command::EditBody{facts_of(stage).id, edit::Mass{float(i)}});
+        stage.step();
+    }
+    stage.apply(command::Undo{});
+    EXPECT_FLOAT_EQ(facts_of(stage).mass.mass, 1000.0f);
+}
+
+// On a slope of 30 degrees, rubber on concrete holds (tan 30 = 0.577 < 1) and oiled steel slides.
+TEST(Inspect, PresetsDecideWhatSlides) {
+    for (const MaterialPreset& preset : material_presets()) {
+        Stage stage(
+            [](const std::string&) {
+                LoadedScene scene;
+                BodyDef slope = test::static_body();
+                scene.world.add_shape(scene.world.create_body(slope), Plane{{0.5f, 0.8660254f, 0.0f}});
+                BodyDef box = test::body_at({0.25, 0.4330127, 0.0});
+                box.rotation = glm::angleAxis(-0.5235988f, Vec3(0.0f, 0.0f, 1.0f));
+                scene.world.add_shape(scene.world.create_body(box), Box{});
+                return scene;
+            },
+            "");
+        for (int i = 0; i < 20; ++i) stage.step(); // comes to rest: what still slides is not held
+        const BodyId box = stage.world().bodies().back();
+        stage.apply(command::SelectBody{box});
+        stage.apply(command::EditBody{box, edit::Surface{with_preset({}, preset), true}});
+        for (int i = 0; i < 60; ++i) stage.step();
+        EXPECT_EQ(glm::length(facts_of(stage).velocity) > 0.1f, preset.static_friction < 0.5773f) << preset.name;
+    }
+}
+
+TEST(Inspect, ADuplicateLiesBesideAndIsRemovedByUndo) {
+    Stage stage(test::load_boxes, "1");
+    stage.apply(command::DuplicateSelected{});
+    EXPECT_EQ(stage.state().message.text, "Select a body first, by clicking it.");
+    select_first(stage);
+    const BodyId original = facts_of(stage).id;
+    stage.apply(command::EditBody{original, edit::Mass{12.0f}});
+    stage.apply(command::DuplicateSelected{});
+    const BodyFacts copy = facts_of(stage);
+    EXPECT_NE(copy.id, original);
+    EXPECT_FLOAT_EQ(copy.mass.mass, 12.0f);
+    EXPECT_GT(copy.position.x, 1.0);
+    EXPECT_TRUE(copy.touches.empty());
+    EXPECT_EQ(stage.state().layout->shapes.back().color, Vec3(1.0f, 0.0f, 0.0f));
+    stage.apply(command::Undo{});
+    EXPECT_EQ(stage.state().layout->bodies.size(), 2u);
+    EXPECT_FALSE(stage.state().inspected) << "the copy is gone";
+}
+
+TEST(Inspect, TheSceneIsSavedAsItStandsWithoutTheMouse) {
+    LoadedScene saved;
+    Savers savers;
+    savers.scene = [&](const std::filesystem::path&, LoadedScene& scene) { std::swap(saved, scene); };
+    Stage stage(test::load_boxes, "1", savers);
+    stage.apply(command::GrabBody{at_first_box, 1});
+    stage.apply(command::MoveGrab{{0.0, 3.0, 0.0}});
+    for (int i = 0; i < 30; ++i) stage.step();
+    stage.apply(command::SaveScene{"there.gltf", {}});
+    EXPECT_EQ(stage.state().message.text, "Saved there.gltf");
+    EXPECT_EQ(saved.world.state_hash(), stage.world().state_hash());
+    EXPECT_EQ(stage.world().joints().size(), 1u);
+    EXPECT_EQ(saved.world.joints().size(), 0u);
+    EXPECT_EQ(saved.appearances.size(), 1u);
+}
+
+TEST(SolverView, IsReadOnlyWhereItIsAskedFor) {
+    LoadedScene scene = test::boxes_on_plane(2);
+    EXPECT_EQ(read_solver(scene.world, {}, 1.0 / 60.0), nullptr);
+}
+
+TEST(SolverView, ForcesHoldTheWeightAndConesAreAsWideAsTheFriction) {
+    LoadedScene scene = test::boxes_on_plane(1);
+    for (int i = 0; i < 30; ++i) scene.world.step(1.0f / 60.0f);
+    SolverShown shown;
+    shown.contacts = shown.cones = true;
+    const auto view = read_solver(scene.world, shown, 1.0 / 60.0);
+    ASSERT_EQ(view->points.size(), 4u);
+    float sum = 0.0f;
+    for (const SolverView::Point& point : view->points) sum += point.normal_force;
+    EXPECT_NEAR(sum, 9810.0f, 50.0f);
+    EXPECT_FLOAT_EQ(view->points[0].coefficient, 0.6f);
+    EXPECT_GT(view->points[0].normal.y, 0.99f) << "on the box, not on the ground";
+    RenderFrame frame;
+    frame.camera = scene.camera;
+    draw_solver(frame, *view);
+    EXPECT_FALSE(frame.veils.empty());
+    const auto dots = std::count_if(frame.strokes.begin(), frame.strokes.end(),
+                                    [](const Stroke& stroke) { return stroke.from == stroke.to; });
+    EXPECT_EQ(dots, 4);
+}
+
+TEST(SolverView, WithABodySelectedOnlyWhatActsOnItIsShown) {
+    LoadedScene scene = test::boxes_on_plane(0);
+    for (int i = 0; i < 3; ++i)
+        scene.world.add_shape(scene.world.create_body(test::body_at({0.0, 0.5 + i, 0.0})), Box{});
+    for (int i = 0; i < 30; ++i) scene.world.step(1.0f / 60.0f);
+    SolverShown shown;
+    shown.contacts = true;
+    EXPECT_EQ(read_solver(scene.world, shown, 1.0 / 60.0)->points.size(), 12u);
+    const auto view = read_solver(scene.world, shown, 1.0 / 60.0, scene.world.bodies()[2]);
+    ASSERT_EQ(view->points.size(), 8u);
+    float sum = 0.0f;
+    for (const SolverView::Point& point : view->points) sum += point.normal_force * point.normal.y;
+    EXPECT_NEAR(sum, 9810.0f, 100.0f) << "from below less from above: its weight";
+}
+
+TEST(SolverView, AxesOfInertiaAreThoseOfTheEllipsoid) {
+    World world;
+    const BodyId id = world.create_body(test::body_at({0.0, 5.0, 0.0}));
+    world.add_shape(id, Sphere{0.7f});
+    SolverShown shown;
+    shown.axes = shown.velocities = true;
+    const auto view = read_solver(world, shown, 1.0 / 60.0);
+    ASSERT_EQ(view->movers.size(), 1u);
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(view->movers[0].half_axes[i], 0.7f, 1e-4f);
+}
+
+TEST(SolverView, IslandsAreLinkedAndPlanesHaveNoBox) {
+    LoadedScene scene = test::boxes_on_plane(0);
+    for (int i = 0; i < 3; ++i)
+        scene.world.add_shape(scene.world.create_body(test::body_at({0.0, 0.5 + i, 0.0})), Box{});
+    for (int i = 0; i < 5; ++i) scene.world.step(1.0f / 60.0f);
+    SolverShown shown;
+    shown.islands = shown.bounds = true;
+    const auto view = read_solver(scene.world, shown, 1.0 / 60.0);
+    EXPECT_EQ(view->links.size(), 2u) << "the ground joins nothing";
+    EXPECT_EQ(view->bounds.size(), 3u);
+}
+
+TEST(SolverView, TheStageShowsIt) {
+    Stage stage(test::load_boxes, "1");
+    SolverShown shown;
+    shown.velocities = true;
+    stage.apply(command::ShowSolver{shown});
+    ASSERT_TRUE(stage.state().current->solver);
+    const RenderFrame frame = make_frame(*stage.state().layout, *stage.state().previous, *stage.state().current, 1.0f,
+                                         stage.state().scene_camera);
+    stage.step();
+    EXPECT_EQ(stage.state().current->solver->movers.size(), 1u);
+    stage.apply(command::ShowSolver{});
+    EXPECT_FALSE(stage.state().current->solver);
+    EXPECT_TRUE(frame.strokes.empty()) << "at rest there is no velocity to show";
+}
+
+} // namespace

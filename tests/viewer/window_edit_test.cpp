@@ -1,0 +1,115 @@
+// The inspector of the window: a body is clicked, changed, copied and removed, and all of it undone. Started by
+// window_test.sh.
+#include "window_driver.h"
+
+#include <filesystem>
+
+namespace {
+
+using namespace cairn::viewer::test;
+
+const Json& crate(const Json& state) { return state.at("bodies").at(1); }
+
+void test_inspector(Driver& driver) {
+    driver.check("nothing is inspected", [](const Json& s) { return !s.contains("inspected"); });
+    const Json screen = crate(driver.state()).at("screen");
+    driver.click(screen.at(0).get<double>(), screen.at(1).get<double>());
+    driver.check("a click on a body opens its inspector", [](const Json& s) {
+        return s.contains("inspected") && s.at("inspected").at("name") == "crate" &&
+               s.at("inspected").at("mass") == 500.0 && s.at("places").contains("inspector.name");
+    });
+    driver.click_on("inspector.name");
+    driver.chord("ctrl", "a");
+    driver.type("anvil");
+    driver.key("Return");
+    driver.check("it is given a name", [](const Json& s) {
+        return s.at("inspected").at("name") == "anvil" && crate(s).at("name") == "anvil";
+    });
+    driver.check("letters that were typed are no commands", [](const Json& s) { return s.at("dynamic_count") == 1; });
+    const Json mass = driver.state().at("places").at("inspector.mass");
+    driver.xdotool("keydown ctrl"); // to type into a slider
+    driver.click(mass.at(0).get<double>(), mass.at(1).get<double>());
+    driver.xdotool("keyup ctrl");
+    driver.chord("ctrl", "a");
+    driver.type("20");
+    driver.key("Return");
+    driver.check("and a mass", [](const Json& s) { return s.at("inspected").at("mass") == 20.0; });
+    driver.click_on("inspector.duplicate");
+    driver.check("duplicated, the copy is selected", [](const Json& s) {
+        return s.at("dynamic_count") == 2 && s.at("inspected").at("index") == 2 && s.at("inspected").at("mass") == 20.0;
+    });
+    driver.click_on("inspector.delete");
+    driver.check("and deleted", [](const Json& s) { return s.at("dynamic_count") == 1 && !s.contains("inspected"); });
+}
+
+void test_undo(Driver& driver) {
+    driver.cursor(600, 120); // off the interface, which takes keys for itself
+    for (const auto& [name, what] : {std::pair("remove a body", "removing"),
+                                     {"duplicate a body", "the copy"},
+                                     {"mass of a body", "the mass"},
+                                     {"name of a body", "the name"}}) {
+        driver.check(std::string("next to be undone is ") + what,
+                     [&, wanted = name](const Json& s) { return s.at("timeline").at("undoable") == wanted; });
+        driver.chord("ctrl", "z");
+    }
+    driver.check("all is as it was", [](const Json& s) {
+        return s.at("dynamic_count") == 1 && crate(s).at("name") == "crate" &&
+               s.at("timeline").at("undoable").is_null();
+    });
+}
+
+void test_saving(Driver& driver) {
+    driver.chord("ctrl", "s");
+    driver.check("Ctrl+S saves the scene", [&](const Json& s) {
+        const std::string notice = s.at("notice").get<std::string>();
+        return notice.starts_with("Saved ") && notice.ends_with(".gltf") &&
+               std::filesystem::exists(driver.folder() + "/" + notice.substr(6));
+    });
+}
+
+void test_comfort(Driver& driver) {
+    driver.cursor(400, 400);
+    driver.chord("ctrl", "p");
+    driver.check("Ctrl+P opens the list of commands", [](const Json& s) { return s.at("palette") == true; });
+    driver.type("light theme");
+    driver.key("Return");
+    driver.check("which does what is typed", [](const Json& s) {
+        return s.at("palette") == false && s.at("light_theme") == true && s.at("dynamic_count") == 1;
+    });
+    driver.chord("ctrl", "p");
+    driver.check("it opens again", [](const Json& s) { return s.at("palette") == true; });
+    driver.key("Escape");
+    driver.check("Escape closes it", [](const Json& s) { return s.at("palette") == false; });
+    driver.chord("ctrl", "5");
+    driver.chord("ctrl", "1");
+    driver.check("from the front with parallel rays", [](const Json& s) {
+        return s.at("parallel") == true && std::abs(s.at("camera").at("position").at(0).get<double>()) < 1e-3;
+    });
+    driver.chord("ctrl", "3");
+    driver.check("from the top", [](const Json& s) {
+        const Json& eye = s.at("camera").at("position");
+        return eye.at(1).get<double>() > 10.0 * std::abs(eye.at(2).get<double>());
+    });
+    if (std::system("command -v ffmpeg >/dev/null") != 0) return;
+    driver.key("F10");
+    driver.check("F10 begins a video",
+                 [](const Json& s) { return s.at("notice") == "A video is being made: F10 ends it."; });
+    driver.key("F10");
+    driver.check("and ends it", [&](const Json& s) {
+        const std::string notice = s.at("notice").get<std::string>();
+        return notice.ends_with(".mp4") && std::filesystem::file_size(driver.folder() + "/" + notice.substr(6)) > 1000;
+    });
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    return drive(argc, argv, [](Driver& driver) {
+        driver.check("opens the scene", [](const Json& s) { return s.at("scene").at("title") == "One box"; });
+        test_inspector(driver);
+        if (driver.failures() > 0) return;
+        test_undo(driver);
+        test_saving(driver);
+        test_comfort(driver);
+    });
+}
