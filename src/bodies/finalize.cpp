@@ -83,8 +83,11 @@ void finalize_body(Bodies& bodies, Shapes& shapes, const BroadPhase& broad_phase
     const double moved = uncounted(bodies.counted[b], motion, links.radius);
     const bool is_fast = moved > free_share * double(links.inner_radius);
     // How much farther than expected it may move: half of the margin of contacts, which both bodies of a pair share.
-    const double spare = 0.5 * std::min(max_margin, margin_per_extent * 2 * double(links.inner_radius));
-    bool has_strayed = is_before(bodies.ahead[b] + budget_of(spare), bodies.travel[b] + budget_of(moved));
+    const auto went_farther = [&] {
+        const double spare = 0.5 * std::min(max_margin, margin_per_extent * 2 * double(links.inner_radius));
+        return is_before(bodies.ahead[b] + budget_of(spare), bodies.travel[b] + budget_of(moved));
+    };
+    bool has_strayed = is_fast && went_farther();
     const Travel now = bodies.travel[b] + travelled(moved);
     if (is_before(now + travelled(ahead), bodies.boxes_until[b])) {
         place_each_shape(bodies, shapes, b, [](std::uint32_t) {});

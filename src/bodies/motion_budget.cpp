@@ -18,8 +18,8 @@ constexpr double max_step = 0.25; // of that length in one step: the solver cann
 
 constexpr float max_turn = 1.0f; // radians in a step
 
-constexpr int bodies_per_chunk = 1024;  // for threads
-constexpr std::size_t bodies_ahead = 8; // that are asked for in time
+constexpr int bodies_per_chunk = 1024; // for threads
+constexpr int bodies_ahead = 8;        // that are asked for in time
 
 void prefetch_poses(const Bodies& bodies, std::int32_t b) {
     ask_cache(&bodies.motion[b].x);
@@ -45,10 +45,9 @@ bool stands_still(const CountedPose& counted, const BodyMotion& motion) {
            motion.q.y == counted.q.y && motion.q.z == counted.q.z && motion.q.w == counted.q.w;
 }
 
-void count(Bodies& bodies, std::int32_t b) {
-    const BodyMotion& motion = bodies.motion[b];
-    bodies.travel[b] += travelled(uncounted(bodies.counted[b], motion, bodies.links[b].radius));
-    bodies.counted[b] = {motion.x, motion.q};
+void count(CountedPose& counted, Travel& travel, const BodyMotion& motion, float radius) {
+    travel += travelled(uncounted(counted, motion, radius));
+    counted = {motion.x, motion.q};
 }
 
 } // namespace
@@ -63,33 +62,43 @@ void spend_budget(Bodies& bodies, std::int32_t b) {
 void count_motion(Bodies& bodies, const Islands& islands, const WorldDef& settings, StepScratch& step, float dt) {
     const double h = double(dt) / step.passes.in_pass(settings.substeps);
     const double shift = max_creep * h * h, speed = max_step * shift / double(dt);
-    const auto look_ahead = [&](std::int32_t b) {
-        const float reach = step.narrow.turn_reach[b] = turn_reach(bodies, b, dt);
-        const float way = dt * math::length(bodies.motion[b].v);
-        bodies.ahead[b] = bodies.travel[b] + travelled(double(way + reach));
-    };
-    step.narrow.turn_reach.assign(bodies.links.size(), 0); // of what does not move
-    const bool is_first = step.passes.number == 0;         // what whirls is asked once a step
+    // Of what does not move it is zero.
+    std::vector<std::int32_t>& moving = step.narrow.moving;
+    for (const std::int32_t b : moving) step.narrow.turn_reach[b] = 0;
+    step.narrow.turn_reach.resize(bodies.links.size());
+    const bool is_first = step.passes.number == 0; // what whirls is asked once a step
     if (is_first) {
         for (const std::int32_t b : step.narrow.whirling) step.narrow.whirls[b] = 0;
         step.narrow.whirls.resize(bodies.links.size());
         step.narrow.whirling.clear();
     }
-    std::vector<std::int32_t>& awake = step.narrow.awake;
-    awake.clear();
+    moving.clear();
     for (const std::int32_t i : islands.awake)
         for (std::int32_t b = islands.all[i].first_body; b != none; b = bodies.links[b].next_in_island)
-            awake.push_back(b);
+            moving.push_back(b);
+    const int awake = int(moving.size());
     const float max_square = (max_turn / dt) * (max_turn / dt);
+    const BodyMotion* const motions = bodies.motion.data();
+    const BodyLinks* const links = bodies.links.data();
+    CountedPose* const counted = bodies.counted.data();
+    Travel *const travel = bodies.travel.data(), *const ahead = bodies.ahead.data();
+    float* const turn_reaches = step.narrow.turn_reach.data();
+    const auto look_ahead = [=](std::int32_t b, float turn_speed) {
+        const float reach = turn_reaches[b] = looked_ahead(dt * turn_speed) * links[b].radius;
+        ahead[b] = travel[b] + travelled(double(dt * math::length(motions[b].v) + reach));
+    };
     std::mutex whirling;
-    step.thread_pool->for_chunks(int(awake.size()), bodies_per_chunk, [&](int begin, int end, int) {
-        for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
-            if (k + bodies_ahead < awake.size()) prefetch_poses(bodies, awake[k + bodies_ahead]);
-            const std::int32_t b = awake[k];
-            const BodyMotion& motion = bodies.motion[b];
-            if (!rests(bodies.counted[b], motion, bodies.links[b].radius, shift, speed)) count(bodies, b);
-            look_ahead(b);
-            if (is_first && math::dot(motion.w, motion.w) > max_square && !bodies.mass[b].isotropic) {
+    step.thread_pool->for_chunks(awake, bodies_per_chunk, [&](int begin, int end, int) {
+        const std::int32_t* const list = moving.data();
+        for (int k = begin; k < end; ++k) {
+            if (k + bodies_ahead < awake) prefetch_poses(bodies, list[k + bodies_ahead]);
+            const std::int32_t b = list[k];
+            const BodyMotion& motion = motions[b];
+            if (!rests(counted[b], motion, links[b].radius, shift, speed))
+                count(counted[b], travel[b], motion, links[b].radius);
+            const float square = math::dot(motion.w, motion.w);
+            look_ahead(b, std::sqrt(square));
+            if (is_first && square > max_square && !bodies.mass[b].isotropic) {
                 const std::lock_guard lock(whirling);
                 step.narrow.whirling.push_back(b); // in any order
                 step.narrow.whirls[b] = 1;
@@ -97,8 +106,10 @@ void count_motion(Bodies& bodies, const Islands& islands, const WorldDef& settin
         }
     });
     for (const std::int32_t b : bodies.kinematics) {
-        if (!stands_still(bodies.counted[b], bodies.motion[b])) count(bodies, b);
-        look_ahead(b);
+        const BodyMotion& motion = motions[b];
+        if (!stands_still(counted[b], motion)) count(counted[b], travel[b], motion, links[b].radius);
+        look_ahead(b, math::length(motion.w));
+        moving.push_back(b);
     }
 }
 

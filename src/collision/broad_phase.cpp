@@ -269,6 +269,22 @@ bool BroadPhase::crosses(const Plane& plane, const TreeBox& box) const {
     return math::dot(n, highest) >= height;
 }
 
+void BroadPhase::list_contacts(std::vector<std::uint32_t>& contacts) const {
+    std::size_t most = 0, count = 0;
+    for (const PairRows& rows : rows_)
+        for (std::uint32_t leaf = 0; leaf < rows.leaf_count(); ++leaf) most += rows.leaf(leaf).total();
+    contacts.resize(most);
+    for (const PairRows& rows : rows_)
+        for (std::uint32_t leaf = 0; leaf < rows.leaf_count(); ++leaf) {
+            const PairEntry* const entries = rows.entries(leaf);
+            for (std::uint32_t k = 0, total = rows.leaf(leaf).total(); k < total; ++k) {
+                contacts[count] = entries[k].contact;
+                count += entries[k].contact != filtered_contact;
+            }
+        }
+    contacts.resize(count);
+}
+
 BroadPhase::Counts BroadPhase::counts() const {
     Counts counts = last_;
     counts.awake = awake_[0].alive_count() + awake_[1].alive_count();

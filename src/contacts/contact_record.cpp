@@ -191,10 +191,8 @@ float min_separation(const ContactInfo& c, const ContactRecord& r) {
     return least;
 }
 
-void write_record(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, std::uint32_t id, const Manifold& m,
+void write_record(const Bodies& bodies, const Shapes& shapes, ContactInfo& c, ContactRecord& r, const Manifold& m,
                   const Touch* touch) {
-    ContactInfo& c = contacts.info[id];
-    ContactRecord& r = contacts.records[id];
     math::Vec3 normal = to_vec(m.normal), offset = touch ? touch->arm_a : shapes.links[c.shape_a].arm;
     if (c.flipped) {
         const ShapePose& a = touch ? touch->pose_a : shapes.poses[c.shape_a];

@@ -90,16 +90,7 @@ bool has_distance(PairKind kind) {
     }
 }
 
-bool is_asleep(const Bodies& bodies, const Islands& islands, const ContactInfo& c) {
-    return !is_awake(bodies, islands, c.body_a) || (c.b_moves && !is_awake(bodies, islands, c.body_b));
-}
-
 } // namespace
-
-bool moves(const Bodies& bodies, std::int32_t body) {
-    const BodyMotion& m = bodies.motion[body];
-    return !(m.v == math::Vec3{} && m.w == math::Vec3{});
-}
 
 // Of the points of a record.
 float approach_speed(const Bodies& bodies, const ContactInfo& c, const ContactRecord& r) {
@@ -115,11 +106,6 @@ float approach_of(const Bodies& bodies, const Shapes& shapes, const ContactInfo&
     const math::Vec3 center = shapes.links[c.flipped ? c.shape_b : c.shape_a].arm;
     return greatest_approach(a, b, to_vec(m.normal), math::to_float(a.x - b.x), m.count,
                              [&](int i) { return center + to_vec(m.points[i]); });
-}
-
-// The outcome of a contact that stays.
-std::uint8_t going_on(const Bodies& bodies, const Islands& islands, const ContactInfo& c) {
-    return is_asleep(bodies, islands, c) || (!c.b_moves && moves(bodies, c.body_b)) ? may_wake : goes_on;
 }
 
 void follow_up(State& s, NarrowScratch& narrow, std::vector<std::uint32_t>& solved, std::uint32_t id,
@@ -154,13 +140,6 @@ void follow_up(State& s, NarrowScratch& narrow, std::vector<std::uint32_t>& solv
         if (!c.b_moves && moves(s.bodies, c.body_b)) s.islands.all[s.bodies.links[c.body_a].island].kept_awake = 1;
     }
     solved.push_back(id);
-}
-
-// How far apart two shapes may be to count: what the next step can close. Triggers do not look ahead.
-float contact_margin(const Bodies& bodies, const NarrowScratch& narrow, const ContactInfo& c, float dt) {
-    if (c.is_trigger) return 0;
-    const BodyMotion &a = bodies.motion[c.body_a], &b = bodies.motion[c.body_b];
-    return c.base_margin + dt * math::length(b.v - a.v) + (narrow.turn_reach[c.body_a] + narrow.turn_reach[c.body_b]);
 }
 
 // Such contacts would have nothing to do in the solver: they are up to half of all while a heap lands.
@@ -198,16 +177,11 @@ std::uint8_t take_manifold(const State& s, Contacts& contacts, std::uint32_t id,
             math::put(contacts.records[id].normal, to_vec(m.normal));
         return take_distance(s.bodies, contacts, id, m.count == 0 ? m.points[0][3] : 0.0f);
     }
-    if (touch)
-        drop_answer(s.bodies, contacts, id);
-    else
+    if (c.is_trigger) {
         keep_answer(s.bodies, contacts, id, 0);
-    if (c.is_trigger) return trigger_outcome(c, true);
-    const bool is_new = c.point_count == 0;
-    write_record(s.bodies, s.shapes, contacts, id, m, touch);
-    ContactRecord& r = contacts.records[id];
-    if (!c.touching) r.approach_speed = approach_speed(s.bodies, c, r);
-    return is_new ? std::uint8_t(begun) : going_on(s.bodies, s.islands, c);
+        return trigger_outcome(c, true);
+    }
+    return take_points(s, contacts, id, m, touch);
 }
 
 std::uint8_t trigger_outcome(const ContactInfo& c, bool inside) {
@@ -258,16 +232,8 @@ void begin_touch(const Bodies& bodies, const Shapes& shapes, Contacts& contacts,
         {a, b, body_a, body_b, {p.x, p.y, p.z}, {r.normal[0], r.normal[1], r.normal[2]}, r.approach_speed});
 }
 
-// Takes note of what a contact carried, and says whether it began or ceased to touch. Others may be at work on other
-// contacts.
-bool take_report(Contacts& contacts, Islands& islands, const SolverScratch& solver, const SortedContact& sorted,
-                 float dt) {
-    ContactInfo& c = contacts.info[sorted.id];
-    const ContactReport& report = solver.reports[sorted.id];
-    // Impulses beyond the range of numbers (of bodies that were stopped for it) must not start the next step.
-    if (!std::isfinite(report.impulse)) forget_impulses(contacts.records[sorted.id], c.point_count);
-    const float force = std::isfinite(report.impulse) ? report.impulse / dt : 0;
-    note_load(islands.all[sorted.island], c, force, report.inverse_mass);
+// Whether the step has made a contact begin or cease to touch.
+bool begins_or_ends(const ContactInfo& c, const ContactReport& report) {
     if (!c.touching) return report.separation <= 0 || report.impulse > 0;
     return report.impulse == 0 && report.separation > 0.25f * c.base_margin;
 }
@@ -277,26 +243,38 @@ bool take_report(Contacts& contacts, Islands& islands, const SolverScratch& solv
 float report_contacts(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, Islands& islands,
                       StepEvents& events, const WorldDef& settings, StepScratch& step, float dt) {
     float deepest = 0; // raised by all threads
+    const std::vector<SortedContact>& solved = step.solver.unsorted;
     std::vector<std::uint8_t>& changes = step.narrow.changes;
-    changes.resize(contacts.info.size());
-    const std::vector<SortedContact>& sorted = step.solver.sorted;
-    step.thread_pool->for_chunks(int(sorted.size()), reports_per_chunk, [&](int begin, int end, int) {
+    changes.resize(solved.size());
+    step.thread_pool->for_chunks(int(solved.size()), reports_per_chunk, [&](int begin, int end, int) {
+        // Changes are bytes, which may be anything for the compiler: it would look up the arrays anew after each.
+        ContactInfo* const info = contacts.info.data();
+        Island* const all = islands.all.data();
+        const ContactReport* const reports = step.solver.reports.data();
+        const SortedContact* const list = solved.data();
+        std::uint8_t* const change = changes.data();
         float own = 0;
-        for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
-            if (k + contacts_ahead < std::size_t(end)) {
-                const std::uint32_t next = sorted[k + contacts_ahead].id;
-                ask_cache(&contacts.info[next]);
-                ask_cache(&step.solver.reports[next]);
+        for (int k = begin; k < end; ++k) {
+            if (k + int(contacts_ahead) < end) {
+                const std::uint32_t next = list[k + int(contacts_ahead)].id;
+                ask_cache(&info[next]);
+                ask_cache(&reports[next]);
             }
-            const std::uint32_t id = sorted[k].id;
-            changes[id] = take_report(contacts, islands, step.solver, sorted[k], dt);
-            own = std::max(own, -step.solver.reports[id].separation);
+            const ContactReport& report = reports[list[k].id];
+            // Impulses beyond the range of numbers (of bodies that were stopped for it) must not start the next step.
+            const bool is_finite = std::isfinite(report.impulse);
+            ContactInfo& c = info[list[k].id];
+            if (!is_finite) forget_impulses(contacts.records[list[k].id], c.point_count);
+            note_load(all[list[k].island], c, is_finite ? report.impulse / dt : 0, report.inverse_mass);
+            change[k] = begins_or_ends(c, report);
+            own = std::max(own, -report.separation);
         }
         raise(deepest, own);
     });
-    for (const SortedContact& solved : step.solver.unsorted) {
-        if (!changes[solved.id]) continue;
-        const std::uint32_t id = solved.id;
+    const std::uint8_t* const end = changes.data() + changes.size();
+    const auto next_change = [&](const std::uint8_t* from) { return std::find(from, end, 1); };
+    for (const std::uint8_t* at = next_change(changes.data()); at != end; at = next_change(at + 1)) {
+        const std::uint32_t id = solved[std::size_t(at - changes.data())].id;
         ContactInfo& c = contacts.info[id];
         if (c.touching)
             end_touch(bodies, shapes, contacts, events, c);

@@ -1,6 +1,8 @@
 // What the test of a pair makes of its contact: record, events, islands, colors, sleep.
 #pragma once
 
+#include "bodies/motion_budget.h"
+#include "contacts/contact_record.h"
 #include "contacts/touch.h"
 #include "state/state.h"
 #include "state/step_scratch.h"
@@ -23,8 +25,17 @@ enum Outcome : std::uint8_t {
     to_test,        // + PairKind
 };
 
-// How far apart two shapes may be to count: what the next step can close.
-float contact_margin(const Bodies& bodies, const NarrowScratch& narrow, const ContactInfo& contact, float dt);
+inline bool moves(const Bodies& bodies, std::int32_t body) {
+    const BodyMotion& m = bodies.motion[body];
+    return !(m.v == math::Vec3{} && m.w == math::Vec3{});
+}
+
+// How far apart two shapes may be to count: what the next step can close. Triggers do not look ahead.
+inline float contact_margin(const Bodies& bodies, const NarrowScratch& narrow, const ContactInfo& c, float dt) {
+    if (c.is_trigger) return 0;
+    const BodyMotion &a = bodies.motion[c.body_a], &b = bodies.motion[c.body_b];
+    return c.base_margin + dt * math::length(b.v - a.v) + (narrow.turn_reach[c.body_a] + narrow.turn_reach[c.body_b]);
+}
 // Whether points that are beyond where contacts begin do not come near each other in the next step either, as the
 // bodies move now.
 bool stays_apart(const Bodies& bodies, const Shapes& shapes, const ContactInfo& contact, const Manifold& manifold,
@@ -35,6 +46,12 @@ float approach_of(const Bodies& bodies, const Shapes& shapes, const ContactInfo&
 // `touch`: as of write_record.
 std::uint8_t take_manifold(const State& state, Contacts& contacts, std::uint32_t contact, const Manifold& manifold,
                            float dt, const Touch* touch = nullptr);
+// Whether a pair has met already, at the point that its test gives first: no touch of it is to come, and it does not
+// stay apart. A surface that moves may be left behind all the same.
+inline bool overlaps(const Bodies& bodies, const ContactInfo& contact, const Manifold& manifold) {
+    return manifold.count > 0 && manifold.points[0][3] <= 0 && !contact.is_trigger &&
+           (contact.b_moves || !moves(bodies, contact.body_b));
+}
 // Likewise of a pair that is found apart, by so many meters at least if that is known.
 std::uint8_t take_distance(const Bodies& bodies, Contacts& contacts, std::uint32_t contact, float distance);
 std::uint8_t trigger_outcome(const ContactInfo& contact, bool inside);
@@ -46,9 +63,6 @@ void follow_up(State& state, NarrowScratch& narrow, std::vector<std::uint32_t>& 
 void end_contact(Bodies& bodies, const Shapes& shapes, Contacts& contacts, Islands& islands, StepEvents& events,
                  std::uint32_t contact);
 
-// The outcome of a contact that stays.
-std::uint8_t going_on(const Bodies& bodies, const Islands& islands, const ContactInfo& contact);
-bool moves(const Bodies& bodies, std::int32_t body);
 // Of the points of a record, the greatest speed at which they approach.
 float approach_speed(const Bodies& bodies, const ContactInfo& contact, const ContactRecord& record);
 
@@ -60,5 +74,27 @@ float report_contacts(const Bodies& bodies, const Shapes& shapes, Contacts& cont
 // island wakes within a step.
 void settle_sleeping_contacts(const Bodies& bodies, Contacts& contacts, const Islands& islands,
                               const std::vector<std::uint32_t>& solved);
+
+inline bool is_asleep(const Bodies& bodies, const Islands& islands, const ContactInfo& c) {
+    return !is_awake(bodies, islands, c.body_a) || (c.b_moves && !is_awake(bodies, islands, c.body_b));
+}
+// The outcome of a contact that stays.
+inline std::uint8_t going_on(const Bodies& bodies, const Islands& islands, const ContactInfo& c) {
+    return is_asleep(bodies, islands, c) || (!c.b_moves && moves(bodies, c.body_b)) ? may_wake : goes_on;
+}
+// What take_manifold does with points that are solved: nothing more is asked of the manifold.
+inline std::uint8_t take_points(const State& s, Contacts& contacts, std::uint32_t id, const Manifold& m,
+                                const Touch* touch = nullptr) {
+    ContactInfo& c = contacts.info[id];
+    ContactRecord& r = contacts.records[id];
+    if (touch)
+        drop_answer(s.bodies, contacts, id);
+    else
+        keep_answer(s.bodies, contacts, id, 0);
+    const bool is_new = c.point_count == 0;
+    write_record(s.bodies, s.shapes, c, r, m, touch);
+    if (!c.touching) r.approach_speed = approach_speed(s.bodies, c, r);
+    return is_new ? std::uint8_t(begun) : going_on(s.bodies, s.islands, c);
+}
 
 } // namespace cairn

@@ -31,8 +31,9 @@ constexpr float little_turn = 0.1f; // rad in a pass: contacts may be moved alon
 std::uint8_t take_first_test(const State& s, Contacts& contacts, const StepScratch& step, std::uint32_t place,
                              const Manifold& m, NarrowBatch& own, float dt) {
     const std::uint32_t id = step.narrow.candidates[place];
-    if (!may_meet_in_flight(s, step.passes, contacts.info[id], m, dt) ||
-        stays_apart(s.bodies, s.shapes, contacts.info[id], m, dt))
+    const ContactInfo& c = contacts.info[id];
+    if (overlaps(s.bodies, c, m)) return take_points(s, contacts, id, m);
+    if (!may_meet_in_flight(s, step.passes, c, m, dt) || stays_apart(s.bodies, s.shapes, c, m, dt))
         return take_test(s, contacts, step, id, m, dt);
     own.flights.add(place, &m, 1);
     return may_fly_by;
@@ -163,18 +164,22 @@ std::uint8_t before_test(const Bodies& bodies, const Contacts& contacts, const I
     return c.point_count > 0 ? goes_on : apart;
 }
 
-// What stays apart, as most do, shows without the contact. Without a branch: none could guess. (Outcomes are bytes,
-// which may be anything for the compiler: it would look up the arrays anew after each.)
+// What stays apart, as most do, shows without the contact. Without a branch: none could guess. Each chunk lists where
+// it begins; the lists are then put together.
 void list_open_pairs(const Bodies& bodies, const Contacts& contacts, NarrowScratch& narrow, ThreadPool& thread_pool) {
-    NarrowScratch& scratch = narrow;
-    const std::uint32_t* const candidates = scratch.candidates.data();
+    const std::uint32_t* const candidates = narrow.candidates.data();
     const PairAnswer* const pairs = contacts.answers.data();
     const Travel* const ahead = bodies.ahead.data();
-    std::uint8_t* const outcomes = scratch.outcomes.data();
-    thread_pool.for_chunks(int(scratch.candidates.size()), pairs_per_chunk, [=](int begin, int end, int) {
-        static_assert(apart == 0);
-        const auto look_at = [=](int k) {
-            outcomes[k] = std::uint8_t(to_test * int(!stays_apart(ahead, pairs[candidates[k]])));
+    const std::size_t all = narrow.candidates.size();
+    narrow.open.resize(all);
+    narrow.open_in_chunk.resize(all / pairs_per_chunk + 1);
+    std::uint32_t* const open = narrow.open.data();
+    std::uint32_t* const open_in_chunk = narrow.open_in_chunk.data();
+    thread_pool.for_chunks(int(all), pairs_per_chunk, [=](int begin, int end, int) {
+        std::uint32_t* next = open + begin;
+        const auto look_at = [&](int k) {
+            *next = std::uint32_t(k);
+            next += !stays_apart(ahead, pairs[candidates[k]]);
         };
         constexpr int early = 2 * int(contacts_ahead);
         int k = begin;
@@ -183,15 +188,15 @@ void list_open_pairs(const Bodies& bodies, const Contacts& contacts, NarrowScrat
             look_at(k);
         }
         for (; k < end; ++k) look_at(k);
+        open_in_chunk[begin / pairs_per_chunk] = std::uint32_t(next - (open + begin));
     });
-    scratch.open.resize(scratch.candidates.size());
-    std::uint32_t* const open = scratch.open.data();
     std::size_t count = 0;
-    for (std::size_t k = 0; k < scratch.candidates.size(); ++k) {
-        open[count] = std::uint32_t(k);
-        count += outcomes[k] != apart;
+    for (std::size_t begin = 0; begin < all; begin += pairs_per_chunk) {
+        const std::uint32_t here = open_in_chunk[begin / pairs_per_chunk];
+        std::copy(open + begin, open + begin + here, open + count);
+        count += here;
     }
-    scratch.open.resize(count);
+    narrow.open.resize(count);
 }
 
 // In the first pass of a step that may be split: what it has tested.
@@ -206,22 +211,22 @@ void note_found(const Contacts& contacts, NarrowScratch& narrow) {
 void list_pairs(const Bodies& bodies, const Contacts& contacts, const Islands& islands, const BroadPhase& broad_phase,
                 Statistics& statistics, StepScratch& step) {
     NarrowScratch& scratch = step.narrow;
-    scratch.candidates.clear();
-    broad_phase.for_each_pair(
-        [&](std::uint32_t, std::uint32_t, std::uint32_t id) { scratch.candidates.push_back(id); });
-    scratch.outcomes.resize(scratch.candidates.size());
+    broad_phase.list_contacts(scratch.candidates);
     list_open_pairs(bodies, contacts, step.narrow, *step.thread_pool);
-    const std::size_t open = scratch.open.size();
+    scratch.outcomes.resize(scratch.candidates.size());
+    const int open = int(scratch.open.size());
     std::atomic<bool> any_groups = false;
-    step.thread_pool->for_chunks(int(open), pairs_per_chunk, [&](int begin, int end, int) {
+    step.thread_pool->for_chunks(open, pairs_per_chunk, [&](int begin, int end, int) {
+        // Outcomes are bytes, which may be anything for the compiler: it would look up the arrays anew after each.
+        const std::uint32_t *const places = scratch.open.data(), *const candidates = scratch.candidates.data();
+        const ContactInfo* const info = contacts.info.data();
+        std::uint8_t* const outcomes = scratch.outcomes.data();
         bool any = false;
-        for (std::size_t i = std::size_t(begin); i < std::size_t(end); ++i) {
-            if (i + contacts_ahead < std::size_t(end))
-                ask_cache(&contacts.info[scratch.candidates[scratch.open[i + contacts_ahead]]]);
-            const std::uint32_t k = scratch.open[i];
-            const std::uint32_t id = scratch.candidates[k];
-            any |= is_group(contacts.info[id]);
-            scratch.outcomes[k] = before_test(bodies, contacts, islands, step.narrow, step.passes, id);
+        for (int i = begin; i < end; ++i) {
+            if (i + int(contacts_ahead) < end) ask_cache(&info[candidates[places[i + int(contacts_ahead)]]]);
+            const std::uint32_t id = candidates[places[i]];
+            any |= is_group(info[id]);
+            outcomes[places[i]] = before_test(bodies, contacts, islands, step.narrow, step.passes, id);
         }
         if (any) any_groups = true;
     });
@@ -262,6 +267,28 @@ void test_all(const State& s, Contacts& contacts, StepScratch& step, float dt) {
     collect_fresh_patches(step.narrow);
 }
 
+// What the tests have found, in the order of the pairs.
+void follow_up_all(State& s, StepScratch& step, float dt) {
+    const std::vector<std::uint32_t>& open = step.narrow.open;
+    const std::uint32_t* const candidates = step.narrow.candidates.data();
+    const std::uint8_t* const outcomes = step.narrow.outcomes.data();
+    const bool any_groups = step.narrow.any_groups;
+    for (std::size_t i = 0; i < open.size(); ++i) {
+        for (int n = 0; n < patches_at_hand && any_groups; ++n)
+            if (const std::size_t at = i + patch_ahead(n); at < open.size() && outcomes[open[at]] != apart)
+                prefetch_patch(s.contacts, candidates[open[at]], n, false);
+        const std::uint32_t k = open[i], id = candidates[k];
+        const std::uint8_t outcome = outcomes[k];
+        if (outcome == apart || outcome == may_fly_by) continue; // the contact need not be looked at
+        if (any_groups && is_group(s.contacts.info[id]))
+            follow_up_group(s, step.narrow, step.solved, k, dt);
+        else if (outcome == goes_on) // as most do
+            step.solved.push_back(id);
+        else
+            follow_up(s, step.narrow, step.solved, id, outcome, dt);
+    }
+}
+
 } // namespace
 
 void update_contacts(State& s, StepScratch& step, float dt) {
@@ -273,23 +300,7 @@ void update_contacts(State& s, StepScratch& step, float dt) {
     list_pairs(s.bodies, s.contacts, s.islands, s.broad_phase, s.statistics, step);
     test_all(s, s.contacts, step, dt);
     if (step.passes.number == 0 && !step.narrow.whirling.empty()) note_found(s.contacts, step.narrow);
-    const std::vector<std::uint32_t>& open = step.narrow.open;
-    for (std::size_t i = 0; i < open.size(); ++i) {
-        if (i + contacts_ahead < open.size() && step.narrow.outcomes[open[i + contacts_ahead]] != apart)
-            ask_cache(&s.contacts.info[step.narrow.candidates[open[i + contacts_ahead]]]);
-        for (int n = 0; n < patches_at_hand && step.narrow.any_groups; ++n)
-            if (const std::size_t at = i + patch_ahead(n); at < open.size() && step.narrow.outcomes[open[at]] != apart)
-                prefetch_patch(s.contacts, step.narrow.candidates[open[at]], n, false);
-        const std::uint32_t k = open[i], id = step.narrow.candidates[k];
-        if (step.narrow.outcomes[k] == apart) continue; // the contact need not be looked at
-        if (step.narrow.outcomes[k] == may_fly_by) continue;
-        if (is_group(s.contacts.info[id]))
-            follow_up_group(s, step.narrow, step.solved, k, dt);
-        else if (step.narrow.outcomes[k] == goes_on) // as most do
-            step.solved.push_back(id);
-        else
-            follow_up(s, step.narrow, step.solved, id, step.narrow.outcomes[k], dt);
-    }
+    follow_up_all(s, step, dt);
     settle_flights(s, step, dt);
     // What was moved along is as good as tested: while both bodies rest, it need not be moved again.
     for (const std::uint32_t k : step.narrow.to_move) {

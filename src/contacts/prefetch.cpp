@@ -5,11 +5,6 @@
 
 namespace cairn {
 
-void prefetch_record(const Contacts& contacts, std::uint32_t id, std::size_t size) {
-    const char* record = reinterpret_cast<const char*>(&contacts.records[id]);
-    for (std::size_t at = 0; at < size; at += 64) ask_cache(record + at);
-}
-
 void prefetch_pair(const Bodies& bodies, const Shapes& shapes, const Contacts& contacts, std::uint32_t id) {
     const ContactInfo& c = contacts.info[id];
     for (const std::uint32_t shape : {c.shape_a, c.shape_b}) {

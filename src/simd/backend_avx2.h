@@ -33,6 +33,8 @@ CAIRN_INLINE f32x8 min(f32x8 a, f32x8 b) { return {_mm256_min_ps(a.v, b.v)}; }
 #if defined(CAIRN_SIMD_AVX512)
 CAIRN_INLINE mask8 operator<(f32x8 a, f32x8 b) { return {_mm256_cmp_ps_mask(a.v, b.v, _CMP_LT_OQ)}; }
 CAIRN_INLINE mask8 operator>(f32x8 a, f32x8 b) { return {_mm256_cmp_ps_mask(a.v, b.v, _CMP_GT_OQ)}; }
+CAIRN_INLINE mask8 operator<=(f32x8 a, f32x8 b) { return {_mm256_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ)}; }
+CAIRN_INLINE mask8 operator>=(f32x8 a, f32x8 b) { return {_mm256_cmp_ps_mask(a.v, b.v, _CMP_GE_OQ)}; }
 CAIRN_INLINE mask8 operator==(f32x8 a, f32x8 b) { return {_mm256_cmp_ps_mask(a.v, b.v, _CMP_EQ_OQ)}; }
 CAIRN_INLINE mask8 operator&(mask8 a, mask8 b) { return {_kand_mask8(a.v, b.v)}; }
 CAIRN_INLINE mask8 operator|(mask8 a, mask8 b) { return {_kor_mask8(a.v, b.v)}; }
@@ -44,6 +46,8 @@ CAIRN_INLINE mask8 mask_from_bits(int b) { return {_cvtu32_mask8(static_cast<uns
 #else
 CAIRN_INLINE mask8 operator<(f32x8 a, f32x8 b) { return {_mm256_cmp_ps(a.v, b.v, _CMP_LT_OQ)}; }
 CAIRN_INLINE mask8 operator>(f32x8 a, f32x8 b) { return {_mm256_cmp_ps(a.v, b.v, _CMP_GT_OQ)}; }
+CAIRN_INLINE mask8 operator<=(f32x8 a, f32x8 b) { return {_mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ)}; }
+CAIRN_INLINE mask8 operator>=(f32x8 a, f32x8 b) { return {_mm256_cmp_ps(a.v, b.v, _CMP_GE_OQ)}; }
 CAIRN_INLINE mask8 operator==(f32x8 a, f32x8 b) { return {_mm256_cmp_ps(a.v, b.v, _CMP_EQ_OQ)}; }
 CAIRN_INLINE mask8 operator&(mask8 a, mask8 b) { return {_mm256_and_ps(a.v, b.v)}; }
 CAIRN_INLINE mask8 operator|(mask8 a, mask8 b) { return {_mm256_or_ps(a.v, b.v)}; }

@@ -71,6 +71,8 @@ CAIRN_INLINE f32x8 operator-(f32x8 x) {
 }
 CAIRN_INLINE mask8 operator<(f32x8 x, f32x8 y) { return {(i32x4)(x.a < y.a), (i32x4)(x.b < y.b)}; }
 CAIRN_INLINE mask8 operator>(f32x8 x, f32x8 y) { return {(i32x4)(x.a > y.a), (i32x4)(x.b > y.b)}; }
+CAIRN_INLINE mask8 operator<=(f32x8 x, f32x8 y) { return {(i32x4)(x.a <= y.a), (i32x4)(x.b <= y.b)}; }
+CAIRN_INLINE mask8 operator>=(f32x8 x, f32x8 y) { return {(i32x4)(x.a >= y.a), (i32x4)(x.b >= y.b)}; }
 CAIRN_INLINE mask8 operator==(f32x8 x, f32x8 y) { return {(i32x4)(x.a == y.a), (i32x4)(x.b == y.b)}; }
 CAIRN_INLINE mask8 operator&(mask8 x, mask8 y) { return {x.a & y.a, x.b & y.b}; }
 CAIRN_INLINE mask8 operator|(mask8 x, mask8 y) { return {x.a | y.a, x.b | y.b}; }

@@ -52,6 +52,12 @@ CAIRN_INLINE mask8 operator<(f32x8 a, f32x8 b) {
 CAIRN_INLINE mask8 operator>(f32x8 a, f32x8 b) {
     return map_mask([&](int i) { return a.v[i] > b.v[i]; });
 }
+CAIRN_INLINE mask8 operator<=(f32x8 a, f32x8 b) {
+    return map_mask([&](int i) { return a.v[i] <= b.v[i]; });
+}
+CAIRN_INLINE mask8 operator>=(f32x8 a, f32x8 b) {
+    return map_mask([&](int i) { return a.v[i] >= b.v[i]; });
+}
 CAIRN_INLINE mask8 operator==(f32x8 a, f32x8 b) {
     return map_mask([&](int i) { return a.v[i] == b.v[i]; });
 }

@@ -31,8 +31,6 @@ namespace cairn::CAIRN_ISA {
 CAIRN_INLINE f32x8& operator+=(f32x8& a, f32x8 b) { return a = a + b; }
 CAIRN_INLINE f32x8& operator-=(f32x8& a, f32x8 b) { return a = a - b; }
 CAIRN_INLINE f32x8& operator*=(f32x8& a, f32x8 b) { return a = a * b; }
-CAIRN_INLINE mask8 operator<=(f32x8 a, f32x8 b) { return (a < b) | (a == b); }
-CAIRN_INLINE mask8 operator>=(f32x8 a, f32x8 b) { return (a > b) | (a == b); }
 
 // a > b ? a : b, lane by lane: the second operand where the comparison fails, as for +0 against -0.
 // (Backends define max and min so; they must never see NaN.)

@@ -6,8 +6,9 @@
 #include "bodies/free_body.h"
 #include "bodies/integrators.h"
 #include "core/order.h"
-#include "islands/coloring.h"
 #include "joints/joint_layout.h"
+#include "kernels/kernels.h"
+#include "solver/contact_order.h"
 #include "solver/row_motion.h"
 #include "state/state.h"
 
@@ -101,48 +102,55 @@ void fill_conveyor_rows(const Bodies& bodies, const Shapes& shapes, const Contac
     }
 }
 
-void add_lane(LaneLists& lanes, std::int32_t record, std::int32_t a, std::int32_t b) {
-    lanes.record.push_back(record);
-    lanes.row_a.push_back(a);
-    lanes.row_b.push_back(b);
-}
-void pad_lanes(LaneLists& lanes) {
-    while (lanes.record.size() % 8 != 0) add_lane(lanes, -1, fixed_row, fixed_row);
+// Contacts that are solved side by side, behind those that are in the lanes already.
+void add_lanes(const SortedContact* begin, const SortedContact* end, BatchScratch& scratch, LaneLists& lanes) {
+    const std::size_t first = lanes.record.size(), size = first + std::size_t(end - begin);
+    lanes.record.resize(size), lanes.row_a.resize(size), lanes.row_b.resize(size);
+    std::int32_t *record = lanes.record.data() + first, *row_a = lanes.row_a.data() + first,
+                 *row_b = lanes.row_b.data() + first;
+    for (const SortedContact* c = begin; c != end; ++c) {
+        *record++ = std::int32_t(c->id);
+        *row_a++ = row_of(scratch, c->body_a);
+        *row_b++ = c->is_conveyor ? conveyor_row(scratch, c->id) : row_of(scratch, c->body_b);
+    }
 }
 
 BlockRun begin_run(const LaneLists& lanes, bool four_points) {
     return {four_points, std::int32_t(lanes.record.size() / 8), 0};
 }
 void end_run(LaneLists& lanes, BlockRun& run) {
-    pad_lanes(lanes);
-    run.count = std::int32_t(lanes.record.size() / 8) - run.first;
+    const std::size_t size = (lanes.record.size() + 7) & ~std::size_t(7);
+    lanes.record.resize(size, -1), lanes.row_a.resize(size, fixed_row), lanes.row_b.resize(size, fixed_row);
+    run.count = std::int32_t(size / 8) - run.first;
 }
 
-// Lays the batch's contacts into blocks of 8 lanes, color by color.
-void fill_lanes(const std::vector<SortedContact>& sorted, const IslandBatch& batch, BatchScratch& scratch) {
+// Lays the batch's contacts into blocks of 8 lanes, color by color. `key_ends`: of each key, where its contacts end.
+void fill_lanes(const std::vector<SortedContact>& sorted, const std::uint32_t* key_ends, const IslandBatch& batch,
+                BatchScratch& scratch) {
     scratch.one_lanes.clear();
     scratch.four_lanes.clear();
     scratch.colors.clear();
     scratch.conveyor_rows.clear();
-    std::int32_t k = batch.first_contact;
-    const std::int32_t end = batch.first_contact + batch.contact_count;
-    while (k < end) {
-        const std::uint8_t color = sorted[k].color;
+    const SortedContact* next = sorted.data() + batch.first_contact;
+    const auto add_color = [&](auto&& add) {
         ColorRun runs{begin_run(scratch.four_lanes, true), begin_run(scratch.one_lanes, false)};
-        for (; k < end; ++k) {
-            const SortedContact& c = sorted[k];
-            if (c.color != color) break;
-            LaneLists& lanes = c.four_points ? scratch.four_lanes : scratch.one_lanes;
-            const std::int32_t row_a = row_of(scratch, c.body_a);
-            const std::int32_t row_b = c.is_conveyor ? conveyor_row(scratch, c.id) : row_of(scratch, c.body_b);
-            add_lane(lanes, std::int32_t(c.id), row_a, row_b);
-            if (color != overflow_color) continue;
-            ++k; // alone in its run: it may share bodies with the next
-            break;
-        }
+        add();
         end_run(scratch.four_lanes, runs.four_points);
         end_run(scratch.one_lanes, runs.one_point);
         scratch.colors.push_back(runs);
+    };
+    const auto add_up_to = [&](const SortedContact* end, std::uint32_t key) {
+        add_lanes(next, end, scratch, has_one_point(key) ? scratch.one_lanes : scratch.four_lanes);
+        next = end;
+    };
+    for (std::uint32_t key = 0; key < keys_per_batch; key += keys_per_color) {
+        const SortedContact* const end = sorted.data() + key_ends[key + keys_per_color - 1];
+        // What found no color may share bodies with the next: it is alone in its run.
+        while (key == overflow_rank && next != end) add_color([&] { add_up_to(next + 1, next->key); });
+        if (next == end) continue;
+        add_color([&] {
+            for (std::uint32_t k = key; k < key + keys_per_color; ++k) add_up_to(sorted.data() + key_ends[k], k);
+        });
     }
     if (scratch.one_blocks.size() * 8 < scratch.one_lanes.record.size())
         scratch.one_blocks.resize(scratch.one_lanes.record.size() / 8);
@@ -160,12 +168,15 @@ void fill_row(Bodies& bodies, const WorldDef& settings, BatchScratch& scratch, s
     if (is_dynamic && clamp_velocity(settings, motion.v, motion.w)) ++clamped_speeds;
     scratch.velocity[row] = scratch.reference[row] = to_row(motion.v, motion.w);
     if (!is_dynamic) return;
-    scratch.row_traits[row] = row_traits(bodies, settings, b);
     const BodyMass& mass = bodies.mass[b];
-    scratch.inertia[row].inverse_mass = mass.inverse_mass;
-    if (scratch.row_traits[row] & spins_wide) return; // the kernel finds it (prepare_free_motion)
-    const math::Sym3 i = contact_inverse_inertia(motion, mass);
-    scratch.inertia[row] = {mass.inverse_mass, i.xx, i.xy, i.xz, i.yy, i.yz, i.zz, 0};
+    const std::uint8_t traits = row_traits(bodies, settings, b);
+    SolverInertia inertia{mass.inverse_mass, 0, 0, 0, 0, 0, 0, 0};
+    if (!(traits & spins_wide)) { // else the kernel finds it (prepare_free_motion)
+        const math::Sym3 i = contact_inverse_inertia(motion, mass);
+        inertia = {mass.inverse_mass, i.xx, i.xy, i.xz, i.yy, i.yz, i.zz, 0};
+    }
+    scratch.inertia[row] = inertia;
+    scratch.row_traits[row] = traits; // a byte, which may be anything for the compiler: last
 }
 
 void fill_rows(Bodies& bodies, const Shapes& shapes, const Contacts& contacts, const WorldDef& settings,
@@ -249,7 +260,8 @@ void fill_batch(Bodies& bodies, const Shapes& shapes, const Contacts& contacts, 
     scratch.row_bodies.clear();
     if (scratch.touching_bodies.empty() && batch.contact_count + batch.joint_count == 0) return;
     number_rows(scratch);
-    fill_lanes(solver.sorted, batch, scratch);
+    const std::size_t number = std::size_t(&batch - solver.batches.data());
+    fill_lanes(solver.sorted, solver.key_counts.data() + number * keys_per_batch, batch, scratch);
     fill_joint_lanes(bodies, joints, solver, direct, batch, scratch, thread_pool);
     fill_rows(bodies, shapes, contacts, settings, scratch, thread_pool);
 }
@@ -259,16 +271,26 @@ void empty_batch(Bodies& bodies, Shapes& shapes, const BroadPhase& broad_phase, 
                  ThreadPool* thread_pool, float dt) {
     std::vector<BatchScratch>& threads = solver.at_work;
     const int rows = int(scratch.row_count());
+    const HalfLimits half{0.5f * settings.max_linear_speed * dt, 0.5f * settings.max_linear_speed,
+                          0.5f * settings.max_angular_speed};
     for_chunks(thread_pool, rows, rows_per_chunk, [&](int begin, int end, int thread) {
         BatchScratch& own = thread_pool ? threads[thread] : scratch;
-        for (int row = begin; row < end; ++row) {
-            prefetch_ahead(bodies, shapes, broad_phase, scratch.row_bodies, std::size_t(row));
-            const std::int32_t b = scratch.row_bodies[row];
-            if (b == none) continue;
-            scratch.row_of_body[b] = none;
-            if (!bodies.is_dynamic(b)) continue;
-            own.clamped_speeds += scatter_body(bodies, settings, scratch, b, std::size_t(row), dt);
-            finalize_body(bodies, shapes, broad_phase, settings, b, dt, own.finalized);
+        for (int row = begin; row < end; row += 8) {
+            const std::int32_t* const group = scratch.row_bodies.data() + row;
+            int lanes = 0;
+            for (int i = 0; i < 8; ++i) {
+                prefetch_ahead(bodies, shapes, broad_phase, scratch.row_bodies, std::size_t(row + i));
+                if (group[i] != none) scratch.row_of_body[group[i]] = none;
+                lanes |= (scratch.row_traits[row + i] & is_dynamic_row) << i;
+            }
+            const int moved = kernels().solver.move_bodies(group, lanes, scratch.velocity.data() + row,
+                                                           scratch.pose.data() + row, bodies.motion.data(), half);
+            for (int i = 0; i < 8; ++i) {
+                if ((lanes >> i & 1) == 0) continue;
+                if ((moved >> i & 1) == 0)
+                    own.clamped_speeds += scatter_body(bodies, settings, scratch, group[i], std::size_t(row + i), dt);
+                finalize_body(bodies, shapes, broad_phase, settings, group[i], dt, own.finalized);
+            }
         }
     });
     for_chunks(thread_pool, int(scratch.free_bodies.size()), rows_per_chunk, [&](int begin, int end, int thread) {

@@ -3,8 +3,8 @@
 
 #include "contacts/contact_update.h"
 #include "core/cache.h"
-#include "islands/coloring.h"
 #include "islands/substep_policy.h"
+#include "solver/contact_order.h"
 #include "state/joint_links.h"
 #include "state/state.h"
 
@@ -16,15 +16,7 @@ namespace {
 
 constexpr std::int32_t batch_contacts = 300; // enough to fill lanes, and few, so that threads end together
 constexpr std::int32_t batch_bodies = 4096;
-constexpr std::uint32_t keys_per_batch = 256; // color, whether it bears anything, and one point or more
-constexpr int contacts_per_chunk = 512;       // for threads
-
-// Overflow first, then moving pairs by color, then pairs with what does not move. Within a color no two share a body
-// that moves: those that bore nothing in the last step come last, so that whole blocks have nothing to do.
-std::uint32_t order_key(const SortedContact& c) {
-    const std::uint32_t rank = c.color == overflow_color ? 0u : c.color + 1u;
-    return 4 * rank + (rank > 0 && c.is_idle ? 2u : 0u) + (c.four_points ? 0u : 1u);
-}
+constexpr int contacts_per_chunk = 512; // for threads
 
 // Impulses are those of one substep: with another length of substep they are others.
 void rescale_impulses(ContactInfo& c, ContactRecord& r, float h) {
@@ -45,28 +37,27 @@ void open_batch(SolverScratch& scratch, const Island& island) {
 }
 
 // All that is needed of the contacts to be solved, side by side: they lie scattered.
-void collect_contacts(const Bodies& bodies, const Contacts& contacts, StepScratch& step) {
+void collect_contacts(const Bodies& bodies, Contacts& contacts, const Islands& islands, StepScratch& step, float dt) {
     std::vector<SortedContact>& unsorted = step.solver.unsorted;
     unsorted.resize(step.solved.size());
     step.thread_pool->for_chunks(int(step.solved.size()), contacts_per_chunk, [&](int begin, int end, int) {
-        for (std::size_t k = std::size_t(begin); k < std::size_t(end); ++k) {
-            if (k + 4 * contacts_ahead < std::size_t(end))
-                ask_cache(&contacts.info[step.solved[k + 4 * contacts_ahead]]);
-            if (k + 2 * contacts_ahead < std::size_t(end))
-                ask_cache(&bodies.links[std::size_t(contacts.info[step.solved[k + 2 * contacts_ahead]].body_a)].island);
-            const std::uint32_t id = step.solved[k];
-            const ContactInfo& c = contacts.info[id];
-            const bool moves = c.b_moves || bodies.settings[c.body_b].type == BodyType::kinematic;
-            unsorted[k] = {id,
-                           c.body_a,
-                           moves ? c.body_b : none,
-                           bodies.links[c.body_a].island,
-                           c.substep_time,
-                           c.color,
-                           std::uint8_t(c.point_count != 1),
-                           c.bounces,
-                           c.is_conveyor,
-                           !(c.force > 0)};
+        ContactInfo* const info = contacts.info.data();
+        const BodyLinks* const links = bodies.links.data();
+        const BodySettings* const settings = bodies.settings.data();
+        const Island* const all = islands.all.data();
+        const std::uint32_t* const ids = step.solved.data();
+        SortedContact* const out = unsorted.data();
+        constexpr int ahead = 2 * int(contacts_ahead);
+        for (int k = begin; k < end; ++k) {
+            if (k + 2 * ahead < end) ask_cache(&info[ids[k + 2 * ahead]]);
+            if (k + ahead < end) ask_cache(&links[info[ids[k + ahead]].body_a].island);
+            const std::uint32_t id = ids[k];
+            ContactInfo& c = info[id];
+            const bool moves = c.b_moves || settings[c.body_b].type == BodyType::kinematic;
+            const std::int32_t island = links[c.body_a].island;
+            const float h = dt / float(all[island].substeps);
+            if (c.substep_time != h) rescale_impulses(c, contacts.records[id], h);
+            out[k] = {id, c.body_a, moves ? c.body_b : none, island, key_of(c), c.bounces, c.is_conveyor};
         }
     });
 }
@@ -91,15 +82,17 @@ void pack_batches(const Bodies& bodies, Contacts& contacts, Islands& islands, co
     // Of awake islands only: there may be many more that sleep.
     scratch.contacts_of_island.resize(islands.all.size());
     scratch.batch_of_island.resize(islands.all.size());
-    for (const std::int32_t i : islands.awake) scratch.contacts_of_island[i] = 0;
-    collect_contacts(bodies, contacts, step);
+    for (const std::int32_t i : islands.awake) {
+        scratch.contacts_of_island[i] = 0;
+        islands.all[i].substeps = island_substeps(settings, step.passes, islands.all[i]);
+    }
+    collect_contacts(bodies, contacts, islands, step, dt);
     count_contacts(scratch);
 
     // One batch is open for each number of substeps; it closes when it is full.
     scratch.open_batches.assign(std::size_t(max_substeps) + 1, none);
     for (const std::int32_t i : islands.awake) {
-        Island& island = islands.all[i];
-        island.substeps = island_substeps(settings, step.passes, island);
+        const Island& island = islands.all[i];
         std::int32_t& open = scratch.open_batches[island.substeps];
         if (open == none) {
             open = std::int32_t(scratch.batches.size());
@@ -132,7 +125,7 @@ void pack_batches(const Bodies& bodies, Contacts& contacts, Islands& islands, co
     scratch.keys.resize(scratch.unsorted.size());
     for (std::size_t k = 0; k < scratch.unsorted.size(); ++k) {
         const SortedContact& c = scratch.unsorted[k];
-        const std::uint32_t key = std::uint32_t(scratch.batch_of_island[c.island]) * keys_per_batch + order_key(c);
+        const std::uint32_t key = std::uint32_t(scratch.batch_of_island[c.island]) * keys_per_batch + c.key;
         scratch.keys[k] = key;
         ++scratch.key_counts[key + 1];
     }
@@ -141,10 +134,7 @@ void pack_batches(const Bodies& bodies, Contacts& contacts, Islands& islands, co
     for (std::size_t k = 0; k < scratch.unsorted.size(); ++k) {
         const SortedContact& c = scratch.unsorted[k];
         const std::uint32_t key = scratch.keys[k];
-        IslandBatch& batch = scratch.batches[key / keys_per_batch];
-        const float h = dt / float(batch.substeps);
-        if (c.substep_time != h) rescale_impulses(contacts.info[c.id], contacts.records[c.id], h);
-        batch.bounces |= c.bounces != 0;
+        scratch.batches[key / keys_per_batch].bounces |= c.bounces != 0;
         scratch.sorted[scratch.key_counts[key]++] = c;
     }
 }

@@ -149,11 +149,14 @@ void prepare_free_motion(const Bodies& bodies, const ForceFields& fields, const 
     // Of most bodies.
     const bool only_gravity = !any_field(fields);
     const Increment fall = only_gravity ? linear_increment(fields, settings, {{}, 1.0f, 0.0f}, {}, {}, h) : Increment{};
+    const math::Vec3 fall_velocity = math::to_float(cut(fall.velocity, settings.max_linear_speed)),
+                     fall_correction = math::to_float(cut(fall.correction, settings.max_linear_speed));
     auto drive_row = [&](std::size_t row) {
         const std::uint8_t traits = scratch.row_traits[row];
         if (!(traits & is_dynamic_row)) return;
         if (only_gravity && (traits & falls_plainly)) {
-            write_linear(settings, scratch, row, fall);
+            put(scratch.drive[row].v, fall_velocity);
+            if (!scratch.free_correction.empty()) put(scratch.free_correction[row].v, fall_correction);
             return;
         }
         // What varies is computed at the start of each substep.

@@ -29,14 +29,14 @@ struct ColorRun {
     BlockRun four_points, one_point;
 };
 
-// A contact to be solved, sorted by batch, color and size.
+// A contact to be solved, sorted by batch and `key`.
 struct SortedContact {
     std::uint32_t id;
     std::int32_t body_a, body_b; // B: none if it does not move at all
     std::int32_t island;
-    float substep_time; // s: that its impulses are for
-    std::uint8_t color, four_points, bounces, is_conveyor;
-    std::uint8_t is_idle; // bore nothing in the last step
+    std::uint8_t key; // color, whether it bore anything in the last step, one point or four (solver/contact_order.h)
+    std::uint8_t bounces, is_conveyor;
+    std::uint8_t padding = 0;
 };
 
 // One solver batch: islands that are solved together through all substeps.
@@ -193,7 +193,7 @@ struct SolverScratch {
     std::vector<IslandBatch> batches;
     std::vector<std::int32_t> batch_of_island, batch_islands, open_batches;
     std::vector<std::int32_t> contacts_of_island;
-    std::vector<std::uint32_t> key_counts, keys; // counting sort of contacts
+    std::vector<std::uint32_t> key_counts, keys; // counting sort of contacts; by key, where its contacts end
     std::vector<SortedContact> unsorted, sorted;
     std::vector<ContactReport> reports;      // by contact, of those that were solved
     std::vector<JointLayout> joint_layouts;  // by batch

@@ -162,9 +162,13 @@ CAIRN_INLINE ListedPairs gather_listed(const BoxBatch& batch, const BoxContactLi
 // Of the features of the last step, lane by lane: byte number `byte`, without the lowest bits. The lowest byte of a
 // feature is 16 * face + the candidate's number, or 128 + edge.
 CAIRN_INLINE f32x8 kept_bytes(const std::uint32_t* features, int byte, int lowest_bits) {
+    using Words = std::int32_t __attribute__((vector_size(32)));
+    using Floats = float __attribute__((vector_size(32)));
+    Words words;
+    std::memcpy(&words, features, sizeof words);
+    const Floats lanes = __builtin_convertvector((words >> (8 * byte) & 255) >> lowest_bits, Floats);
     alignas(32) float lane[8];
-    for (int i = 0; i < 8; ++i)
-        lane[i] = static_cast<float>(static_cast<std::int32_t>((features[i] >> (8 * byte) & 255u) >> lowest_bits));
+    std::memcpy(lane, &lanes, sizeof lane);
     return load(lane);
 }
 

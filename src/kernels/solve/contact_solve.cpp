@@ -396,8 +396,8 @@ template <int N> SolverKernels::ForPoints contact_kernels() {
 } // namespace
 
 SolverKernels solver_kernels() {
-    return {contact_kernels<1>(), contact_kernels<4>(), change_since,         begin_spin,     spin,
-            renew_inertia,        finish_spin,          integrate_velocities, integrate_poses};
+    return {contact_kernels<1>(), contact_kernels<4>(), change_since,         begin_spin,      spin,
+            renew_inertia,        finish_spin,          integrate_velocities, integrate_poses, move_bodies};
 }
 
 } // namespace cairn::CAIRN_ISA

@@ -30,6 +30,8 @@ void renew_inertia(SpinBlock* blocks, int count, const SolverVelocity* velocity,
                    SolverInertia* inertia);
 void finish_spin(const SpinBlock* blocks, int count, SolverVelocity* velocity, const SolverPose* pose);
 void integrate_poses(const SolverBodies& bodies, int begin, int end, float h);
+int move_bodies(const std::int32_t* bodies, int lanes, const SolverVelocity* velocity, const SolverPose* pose,
+                BodyMotion* motion, const HalfLimits& half);
 
 // Over-relaxation of the passes of an impact: they converge several times as fast as with 1.
 inline constexpr float impact_relaxation = 1.5f;

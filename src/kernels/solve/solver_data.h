@@ -195,6 +195,9 @@ struct SettledChange {
     float v, w;
 };
 
+struct BodyMotion;
+struct HalfLimits;
+
 struct SolverKernels {
     // The blocks argument of each is an array of ContactBlock<1> or ContactBlock<4>.
     struct ForPoints {
@@ -236,6 +239,11 @@ struct SolverKernels {
     // Rows begin..end. `first`: the first substep of a step, which has no constraint part to carry over.
     void (*integrate_velocities)(const SolverBodies& bodies, int begin, int end, bool first);
     void (*integrate_poses)(const SolverBodies& bodies, int begin, int end, float h); // whole groups of 8 rows
+
+    // At the end of a step, 8 rows: moves `bodies` by what these have moved, of `lanes` (bits) those that are finite
+    // and below half of all limits, whose bits it returns. The others are left as they are.
+    int (*move_bodies)(const std::int32_t* bodies, int lanes, const SolverVelocity* velocity, const SolverPose* pose,
+                       BodyMotion* motion, const HalfLimits& half);
 };
 
 } // namespace cairn
