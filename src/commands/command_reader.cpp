@@ -2,7 +2,6 @@
 
 #include "core/bit_cast.h"
 
-
 namespace cairn::commands {
 
 namespace {

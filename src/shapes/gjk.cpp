@@ -106,8 +106,7 @@ void keep(Simplex& s, const Nearest& n) {
 bool nearest_of(const Simplex& s, Nearest& best) {
     if (s.count == 4) return on_tetrahedron(s, best);
     if (s.count == 3)
-        offer_triangle(best, s, 0, 1, 2,
-                       cross(s.points[1].w - s.points[0].w, s.points[2].w - s.points[0].w));
+        offer_triangle(best, s, 0, 1, 2, cross(s.points[1].w - s.points[0].w, s.points[2].w - s.points[0].w));
     else if (s.count == 2)
         offer_segment(best, s, 0, 1);
     else

@@ -85,10 +85,10 @@ struct SweepScratch {
     std::vector<Mover> movers;
     std::vector<SweptPair> pairs;
     std::vector<std::int32_t> first_waiting; // by body that is no mover, the first of the pairs with it, or none
-    std::vector<Meeting> meetings;       // a heap
-    std::vector<SweptBounds> ways;       // as the solver has moved all movers, by x
-    std::vector<SweptBounds> redirected; // since then
-    double widest_way = 0;               // m, along x
+    std::vector<Meeting> meetings;           // a heap
+    std::vector<SweptBounds> ways;           // as the solver has moved all movers, by x
+    std::vector<SweptBounds> redirected;     // since then
+    double widest_way = 0;                   // m, along x
     // Contacts with points in the solver: lists by the body A.
     std::vector<std::int32_t> first_known; // by body, in `known`, or none
     std::vector<KnownContact> known;
