@@ -46,12 +46,6 @@ float approach_of(const Bodies& bodies, const Shapes& shapes, const ContactInfo&
 // `touch`: as of write_record.
 std::uint8_t take_manifold(const State& state, Contacts& contacts, std::uint32_t contact, const Manifold& manifold,
                            float dt, const Touch* touch = nullptr);
-// Whether a pair has met already, at the point that its test gives first: no touch of it is to come, and it does not
-// stay apart. A surface that moves may be left behind all the same.
-inline bool overlaps(const Bodies& bodies, const ContactInfo& contact, const Manifold& manifold) {
-    return manifold.count > 0 && manifold.points[0][3] <= 0 && !contact.is_trigger &&
-           (contact.b_moves || !moves(bodies, contact.body_b));
-}
 // Likewise of a pair that is found apart, by so many meters at least if that is known.
 std::uint8_t take_distance(const Bodies& bodies, Contacts& contacts, std::uint32_t contact, float distance);
 std::uint8_t trigger_outcome(const ContactInfo& contact, bool inside);

@@ -27,16 +27,22 @@ constexpr int convex_pairs_per_chunk = 32, groups_per_chunk = 8, moved_pairs_per
 
 constexpr float little_turn = 0.1f; // rad in a pass: contacts may be moved along
 
-// What a test has found is settled at once, but for what may meet in flight.
-std::uint8_t take_first_test(const State& s, Contacts& contacts, const StepScratch& step, std::uint32_t place,
-                             const Manifold& m, NarrowBatch& own, float dt) {
+// A pair that does not overlap yet: what may meet in flight is settled later.
+[[gnu::noinline]] std::uint8_t take_gap(const State& s, Contacts& contacts, const StepScratch& step,
+                                        std::uint32_t place, const Manifold& m, NarrowBatch& own, float dt) {
     const std::uint32_t id = step.narrow.candidates[place];
     const ContactInfo& c = contacts.info[id];
-    if (overlaps(s.bodies, c, m)) return take_points(s, contacts, id, m);
     if (!may_meet_in_flight(s, step.passes, c, m, dt) || stays_apart(s.bodies, s.shapes, c, m, dt))
         return take_test(s, contacts, step, id, m, dt);
     own.flights.add(place, &m, 1);
     return may_fly_by;
+}
+
+// What a test has found is settled at once, but for what may meet in flight.
+std::uint8_t take_first_test(const State& s, Contacts& contacts, const StepScratch& step, std::uint32_t id,
+                             std::uint32_t place, const Manifold& m, float margin, NarrowBatch& own, float dt) {
+    if (overlaps(s.bodies, contacts.info[id], m, margin, dt)) return take_points(s, contacts, id, m);
+    return take_gap(s, contacts, step, place, m, own, dt);
 }
 
 // Up to PairBatch::capacity pairs of one kind, by their places among all.
@@ -67,6 +73,7 @@ void test_wide_pairs(const State& s, Contacts& contacts, StepScratch& step, Pair
     }
     wide_kernel(kind)(s.shapes.poses.data(), batch.first, batch.second, batch.margin, batch.kept, padded,
                       own.manifolds);
+    std::uint8_t* const outcomes = step.narrow.outcomes.data();
     for (int i = 0; i < count; ++i) {
         if (const int next = i + int(contacts_ahead); next < count && own.manifolds[next].count > 0) {
             prefetch_record(contacts, ids[next], record_size);
@@ -74,7 +81,8 @@ void test_wide_pairs(const State& s, Contacts& contacts, StepScratch& step, Pair
                 for (const std::uint32_t shape : {batch.first[next], batch.second[next]})
                     ask_cache(&s.shapes.geometry[shape]);
         }
-        step.narrow.outcomes[places[i]] = take_first_test(s, contacts, step, places[i], own.manifolds[i], own, dt);
+        outcomes[places[i]] =
+            take_first_test(s, contacts, step, ids[i], places[i], own.manifolds[i], batch.margin[i], own, dt);
     }
 }
 
@@ -101,7 +109,7 @@ void test_convex_pairs(const State& s, Contacts& contacts, StepScratch& step, Pa
         }
         ContactMemory memory = contacts.records[id].features;
         const Manifold m = test_convex_pair(kind, a, b, to_vec(contacts.records[id].normal), margin, memory);
-        step.narrow.outcomes[place] = take_first_test(s, contacts, step, place, m, own, dt);
+        step.narrow.outcomes[place] = take_first_test(s, contacts, step, id, place, m, margin, own, dt);
         if (kind == PairKind::convex_convex) contacts.records[id].features = memory; // also of those that are apart
     }
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace cairn {
 
@@ -13,15 +12,6 @@ constexpr int max_adaptive_substeps = 128;
 // The share of the island's weight on one contact from which on that contact is all that counts. A smaller one counts
 // in proportion: what is squeezed somewhere in a heap is no structure.
 constexpr float full_share = 1.0f / 3;
-// More than that share of the weight comes from being squeezed between immovable things: no stiffness helps there.
-constexpr float max_share = 1.2f;
-
-constexpr float load_gain = 0.25f; // of the low-pass filter over steps
-// m/s: bodies that move that fast against each other are no structure, and their loads are impacts, however long they
-// last.
-constexpr float max_agitation = 1.0f;
-// m: what is narrower must not overlap as far as what is wider, but in proportion.
-constexpr float usual_width = 0.015f;
 
 // Up to a multiple of 8, as islands of one number are solved together; few are not made half as many again.
 int rounded_up(float wanted) {
@@ -52,20 +42,6 @@ float first_load(const Bodies& bodies, const WorldDef& settings, const ContactIn
     if (pull < 0 && !c.b_moves) return 0;
     const BodyMass& above = bodies.mass[pull >= 0 ? c.body_a : c.body_b];
     return above.inverse_mass > 0 ? above.mass * std::fabs(pull) : 0;
-}
-
-void note_load(Island& island, ContactInfo& c, float force, float inverse_mass) {
-    // The lesser of two steps: impacts last one step, loads stay. Of what is agitated, they only fall.
-    const float most = island.agitation > max_agitation ? c.load : force;
-    c.load += load_gain * (std::min(std::min(force, c.force), most) - c.load);
-    if (c.load < std::numeric_limits<float>::min()) c.load = 0; // subnormal numbers take processors long to add
-    c.force = force;
-    const float load = std::min(c.load, max_share * island.weight);
-    const float stiffness = c.b_moves ? 1.0f : stiff_factor * stiff_factor;
-    raise(island.greatest_load, load);
-    // The margin is a quarter of the smaller shape's least width, or less.
-    const float smallness = std::max(1.0f, float(margin_per_extent) * usual_width / c.base_margin);
-    raise(island.greatest_demand, load * (inverse_mass / stiffness) * smallness);
 }
 
 } // namespace cairn

@@ -16,6 +16,9 @@
 #include "state/state.h"
 #include "state/step_scratch.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace cairn {
 
 inline constexpr int max_substeps = 256; // that a world may ask for
@@ -34,8 +37,30 @@ int island_substeps(const WorldDef& settings, const StepPasses& passes, Island& 
 
 // What a contact that begins may have to carry: the weight of the body above. Normal from A to B.
 float first_load(const Bodies& bodies, const WorldDef& settings, const ContactInfo& contact, math::Vec3 normal);
+// More than that share of the weight comes from being squeezed between immovable things: no stiffness helps there.
+inline constexpr float max_share = 1.2f;
+
+inline constexpr float load_gain = 0.25f; // of the low-pass filter over steps
+// m/s: bodies that move that fast against each other are no structure, and their loads are impacts, however long they
+// last.
+inline constexpr float max_agitation = 1.0f;
+// m: what is narrower must not overlap as far as what is wider, but in proportion.
+inline constexpr float usual_width = 0.015f;
+
 // After a step: the normal force that a contact carried, and the sum of the inverse masses that bore it. Others may be
 // at work on other contacts of the island.
-void note_load(Island& island, ContactInfo& contact, float force, float inverse_mass);
+inline void note_load(Island& island, ContactInfo& c, float force, float inverse_mass) {
+    // The lesser of two steps: impacts last one step, loads stay. Of what is agitated, they only fall.
+    const float most = island.agitation > max_agitation ? c.load : force;
+    c.load += load_gain * (std::min(std::min(force, c.force), most) - c.load);
+    if (c.load < std::numeric_limits<float>::min()) c.load = 0; // subnormal numbers take processors long to add
+    c.force = force;
+    const float load = std::min(c.load, max_share * island.weight);
+    const float stiffness = c.b_moves ? 1.0f : stiff_factor * stiff_factor;
+    raise(island.greatest_load, load);
+    // The margin is a quarter of the smaller shape's least width, or less.
+    const float smallness = std::max(1.0f, float(margin_per_extent) * usual_width / c.base_margin);
+    raise(island.greatest_demand, load * (inverse_mass / stiffness) * smallness);
+}
 
 } // namespace cairn

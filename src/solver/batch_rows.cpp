@@ -146,7 +146,7 @@ void fill_lanes(const std::vector<SortedContact>& sorted, const std::uint32_t* k
     for (std::uint32_t key = 0; key < keys_per_batch; key += keys_per_color) {
         const SortedContact* const end = sorted.data() + key_ends[key + keys_per_color - 1];
         // What found no color may share bodies with the next: it is alone in its run.
-        while (key == overflow_rank && next != end) add_color([&] { add_up_to(next + 1, next->key); });
+        while (key == 0 && next != end) add_color([&] { add_up_to(next + 1, next->key); });
         if (next == end) continue;
         add_color([&] {
             for (std::uint32_t k = key; k < key + keys_per_color; ++k) add_up_to(sorted.data() + key_ends[k], k);
