@@ -143,10 +143,12 @@ TEST(Events, EveryBeginOfAMixedHeapIsFollowedByAtMostOneEnd) {
         else
             add_body(world, body_at(p), Box{{0.3f, 0.2f, 0.4f}});
     }
-    std::vector<std::pair<ShapeId, ShapeId>> touching;
+    // Brief ones began and were over in one step: they are no contacts at its end, and end in the next.
+    std::vector<std::pair<ShapeId, ShapeId>> touching, brief;
     for (int i = 0; i < 400; ++i) {
         world.step(frame);
         for (const ContactEnd& end : world.contact_ends()) {
+            std::erase(brief, std::pair(end.shape_a, end.shape_b));
             const auto at = std::find(touching.begin(), touching.end(), std::pair(end.shape_a, end.shape_b));
             ASSERT_NE(at, touching.end()) << "an end without a begin, step " << i;
             touching.erase(at);
@@ -156,10 +158,16 @@ TEST(Events, EveryBeginOfAMixedHeapIsFollowedByAtMostOneEnd) {
             ASSERT_EQ(std::find(touching.begin(), touching.end(), pair), touching.end()) << "begun twice, step " << i;
             touching.push_back(pair);
         }
+        ASSERT_TRUE(brief.empty()) << "brief, and not ended in the next step, " << i;
         std::vector<std::pair<ShapeId, ShapeId>> contacts;
         for (const Contact& contact : world.contacts()) contacts.emplace_back(contact.shape_a, contact.shape_b);
-        std::vector<std::pair<ShapeId, ShapeId>> expected = touching;
         std::sort(contacts.begin(), contacts.end());
+        for (const ContactBegin& begin : world.contact_begins()) {
+            const std::pair pair(begin.shape_a, begin.shape_b);
+            if (!std::binary_search(contacts.begin(), contacts.end(), pair)) brief.push_back(pair);
+        }
+        std::vector<std::pair<ShapeId, ShapeId>> expected = touching;
+        std::erase_if(expected, [&](const auto& pair) { return std::count(brief.begin(), brief.end(), pair) > 0; });
         std::sort(expected.begin(), expected.end());
         ASSERT_EQ(contacts, expected) << "contacts() is what has begun and not ended, step " << i;
         ASSERT_EQ(world.statistics().contacts, contacts.size());
