@@ -51,6 +51,12 @@ bool turns_away(const State& s, const ContactInfo& c, const Manifold& m, float d
     return lag_of(a, b, n, dt) > c.base_margin || lag_of(b, a, n, dt) > c.base_margin;
 }
 
+// Flight keeps two as deep in each other as they are: the solver pushes those apart that are deeper than this.
+float core_depth_between(const State& s, const ContactInfo& c) {
+    const auto extent = [&](std::uint32_t k) { return smallest_extent(s.shapes.geometry[k], s.shapes.data[k]); };
+    return float(core_depth_of(0.5 * double(std::min(extent(c.shape_a), extent(c.shape_b)))));
+}
+
 // Rows in the solver that a pair has had so far.
 int rows_of(const State& s, std::uint32_t id) {
     int rows = 0;
@@ -163,7 +169,7 @@ bool may_meet_in_flight(const State& s, const StepPasses& passes, const ContactI
     if (c.is_trigger || m.count == 0) return false;
     float least = m.points[0][3];
     for (int i = 1; i < m.count; ++i) least = std::min(least, m.points[i][3]);
-    const bool bends = !c.bounces && turns_away(s, c, m, dt);
+    const bool bends = !c.bounces && -least < core_depth_between(s, c) && turns_away(s, c, m, dt);
     if (!(least > 0 || bends) || !may_fly(s, c.body_a) || !may_fly(s, c.body_b)) return false;
     if (bends) return true;
     const float speed = approach_of(s.bodies, s.shapes, c, m), way = speed * dt + fall_of(s, passes, c, m, dt);
