@@ -43,9 +43,9 @@ float lag_of(const BodyMotion& on, const BodyMotion& under, math::Vec3 normal, f
     return turn * dt * (0.5f * math::length(on.v - under.v - surface) + turn / 3 * math::length(surface));
 }
 
-// Whether two bodies turn so far that a contact between them cannot stay as it is in a step.
+// Whether a kinematic body or what is on it turns so far that a contact between them cannot stay as it is in a step.
 bool turns_away(const State& s, const ContactInfo& c, const Manifold& m, float dt) {
-    if (s.bodies.settings[c.body_b].type == BodyType::static_) return false;
+    if (s.bodies.settings[c.body_b].type != BodyType::kinematic) return false;
     const BodyMotion &a = s.bodies.motion[c.body_a], &b = s.bodies.motion[c.body_b];
     const math::Vec3 n = math::to_vec(m.normal);
     return lag_of(a, b, n, dt) > c.base_margin || lag_of(b, a, n, dt) > c.base_margin;
@@ -169,7 +169,7 @@ bool may_meet_in_flight(const State& s, const StepPasses& passes, const ContactI
     if (c.is_trigger || m.count == 0) return false;
     float least = m.points[0][3];
     for (int i = 1; i < m.count; ++i) least = std::min(least, m.points[i][3]);
-    const bool bends = !c.bounces && -least < core_depth_between(s, c) && turns_away(s, c, m, dt);
+    const bool bends = -least < core_depth_between(s, c) && turns_away(s, c, m, dt);
     if (!(least > 0 || bends) || !may_fly(s, c.body_a) || !may_fly(s, c.body_b)) return false;
     if (bends) return true;
     const float speed = approach_of(s.bodies, s.shapes, c, m), way = speed * dt + fall_of(s, passes, c, m, dt);

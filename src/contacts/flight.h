@@ -22,16 +22,9 @@ bool may_meet_in_flight(const State& state, const StepPasses& passes, const Cont
 void settle_flights(State& state, StepScratch& step, float dt);
 
 // Whether a pair has met already, at the point that its test gives first, and will be there after the step: no touch of
-// it is to come, it does not stay apart, and it does not meet in flight. By a bound that is no less than what
-// may_meet_in_flight finds of how far the contact lags as its bodies turn, less than a radian. `margin`: see
-// contact_margin.
-inline bool overlaps(const Bodies& bodies, const ContactInfo& c, const Manifold& m, float margin, float dt) {
-    if (m.count == 0 || !(m.points[0][3] <= 0) || c.is_trigger) return false;
-    if (!c.b_moves) return bodies.settings[c.body_b].type == BodyType::static_;
-    const math::Vec3 &w_a = bodies.motion[c.body_a].w, &w_b = bodies.motion[c.body_b].w;
-    const float turn = dt * std::sqrt(std::max(math::dot(w_a, w_a), math::dot(w_b, w_b)));
-    const float apart = bodies.links[c.body_a].radius + bodies.links[c.body_b].radius; // their centers, at most
-    return turn < 1 && turn * ((margin - c.base_margin) + turn * apart) < c.base_margin;
+// it is to come, it does not stay apart, and it does not meet in flight.
+inline bool overlaps(const Bodies& bodies, const ContactInfo& c, const Manifold& m) {
+    return m.count > 0 && m.points[0][3] <= 0 && !c.is_trigger && bodies.settings[c.body_b].type != BodyType::kinematic;
 }
 
 } // namespace cairn

@@ -40,8 +40,8 @@ constexpr float little_turn = 0.1f; // rad in a pass: contacts may be moved alon
 
 // What a test has found is settled at once, but for what may meet in flight.
 std::uint8_t take_first_test(const State& s, Contacts& contacts, const StepScratch& step, std::uint32_t id,
-                             std::uint32_t place, const Manifold& m, float margin, NarrowBatch& own, float dt) {
-    if (overlaps(s.bodies, contacts.info[id], m, margin, dt)) return take_points(s, contacts, id, m);
+                             std::uint32_t place, const Manifold& m, NarrowBatch& own, float dt) {
+    if (overlaps(s.bodies, contacts.info[id], m)) return take_points(s, contacts, id, m);
     return take_gap(s, contacts, step, place, m, own, dt);
 }
 
@@ -81,8 +81,7 @@ void test_wide_pairs(const State& s, Contacts& contacts, StepScratch& step, Pair
                 for (const std::uint32_t shape : {batch.first[next], batch.second[next]})
                     ask_cache(&s.shapes.geometry[shape]);
         }
-        outcomes[places[i]] =
-            take_first_test(s, contacts, step, ids[i], places[i], own.manifolds[i], batch.margin[i], own, dt);
+        outcomes[places[i]] = take_first_test(s, contacts, step, ids[i], places[i], own.manifolds[i], own, dt);
     }
 }
 
@@ -109,7 +108,7 @@ void test_convex_pairs(const State& s, Contacts& contacts, StepScratch& step, Pa
         }
         ContactMemory memory = contacts.records[id].features;
         const Manifold m = test_convex_pair(kind, a, b, to_vec(contacts.records[id].normal), margin, memory);
-        step.narrow.outcomes[place] = take_first_test(s, contacts, step, id, place, m, margin, own, dt);
+        step.narrow.outcomes[place] = take_first_test(s, contacts, step, id, place, m, own, dt);
         if (kind == PairKind::convex_convex) contacts.records[id].features = memory; // also of those that are apart
     }
 }
