@@ -210,7 +210,9 @@ Course course_of(const Mover& a, const Mover& b, Span span, const Distances& dis
     return course_of_convexes(a, b, span, distances);
 }
 double half_width_of(const SweptShape& s) { return 0.5 * double(smallest_extent(s.geometry, s.data)); }
-double half_width_of(const SweptShape& a, const SweptShape& b) { return std::min(half_width_of(a), half_width_of(b)); }
+double half_width_of(const SweptShape& a, const SweptShape& b) {
+    return half_width_of(a.geometry, a.data, b.geometry, b.data);
+}
 double end_of(const SweptShape& a, const SweptShape& b) { return std::min(a.path.until, b.path.until); }
 
 // A ball in the middle of a shape, with that part of its smallest half width.

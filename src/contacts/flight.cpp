@@ -53,8 +53,10 @@ bool turns_away(const State& s, const ContactInfo& c, const Manifold& m, float d
 
 // Flight keeps two as deep in each other as they are: the solver pushes those apart that are deeper than this.
 float core_depth_between(const State& s, const ContactInfo& c) {
-    const auto extent = [&](std::uint32_t k) { return smallest_extent(s.shapes.geometry[k], s.shapes.data[k]); };
-    return float(core_depth_of(0.5 * double(std::min(extent(c.shape_a), extent(c.shape_b)))));
+    const std::vector<Geometry>& geometry = s.shapes.geometry;
+    const std::vector<ShapeData>& data = s.shapes.data;
+    return float(
+        core_depth_of(half_width_of(geometry[c.shape_a], data[c.shape_a], geometry[c.shape_b], data[c.shape_b])));
 }
 
 // Rows in the solver that a pair has had so far.

@@ -5,9 +5,6 @@
 #include "state/state.h"
 #include "state/step_scratch.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace cairn {
 
 // Whether the shapes are apart, and no joint or sleep keeps their bodies from flying: by more than the margin of the

@@ -37,9 +37,8 @@ void find_meeting_points(const State& s, std::uint32_t shape_a, const MovingStat
     bool swapped = false;
     const std::optional<PairKind> kind = pair_kind(s.shapes.geometry[shape_a], s.shapes.geometry[shape_b], swapped);
     if (!kind) return;
-    const double half_width =
-        0.5 * double(std::min(smallest_extent(s.shapes.geometry[shape_a], s.shapes.data[shape_a]),
-                              smallest_extent(s.shapes.geometry[shape_b], s.shapes.data[shape_b])));
+    const double half_width = half_width_of(s.shapes.geometry[shape_a], s.shapes.data[shape_a],
+                                            s.shapes.geometry[shape_b], s.shapes.data[shape_b]);
     const auto margin = float(touch_tolerance(half_width));
     const DVec3 origin = a.x;
     Placed first = placed_at(s, shape_a, a, origin), second = placed_at(s, shape_b, b, origin);

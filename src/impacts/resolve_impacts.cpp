@@ -189,8 +189,8 @@ class ImpactQueue {
     }
 
     double half_width_of(std::uint32_t shape, std::uint32_t other) const {
-        const auto extent = [&](std::uint32_t k) { return smallest_extent(s.shapes.geometry[k], s.shapes.data[k]); };
-        return 0.5 * double(std::min(extent(shape), extent(other)));
+        return cairn::half_width_of(s.shapes.geometry[shape], s.shapes.data[shape], s.shapes.geometry[other],
+                                    s.shapes.data[other]);
     }
     // Whether it was; then the body does not turn faster or slower.
     bool cut_spin(ImpactBody& b) const {

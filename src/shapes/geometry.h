@@ -9,6 +9,7 @@
 
 #include <cairn/shape.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -54,6 +55,10 @@ struct Geometry {
 // The least width of a shape, m; of surfaces one that is larger than any.
 inline constexpr float unlimited_extent = 1e9f;
 float smallest_extent(const Geometry& geometry, const ShapeData& data);
+// Half of that of the narrower of two shapes, m.
+inline double half_width_of(const Geometry& a, const ShapeData& data_a, const Geometry& b, const ShapeData& data_b) {
+    return 0.5 * double(std::min(smallest_extent(a, data_a), smallest_extent(b, data_b)));
+}
 
 inline bool is_strip(const Geometry& g) {
     return g.type == ShapeType::rectangle && (g.size.x == endless || g.size.z == endless);
