@@ -88,6 +88,17 @@ TEST(Flight, WhatWasKnockedAwayIsNotHitWhereItWas) {
     }
 }
 
+// They were let in by half of their own width, as if the wall were as thick as they are.
+TEST(Flight, WideBodiesStayOutOfThinWalls) {
+    for (const Kind kind : {Kind::box, Kind::capsule, Kind::cylinder, Kind::cone, Kind::hull})
+        for (const double speed : {30.0, 100.0, 300.0, 1000.0}) {
+            Shooting cell{.kind = kind, .size = 0.2, .speed = speed, .spin = 100, .shots = 10, .seed = seed};
+            const Lost lost = shoot(cell);
+            EXPECT_EQ(lost.through, 0) << name_of(kind) << ", " << speed << " m/s";
+            EXPECT_EQ(lost.core_in, 0) << name_of(kind) << ", " << speed << " m/s";
+        }
+}
+
 TEST(Flight, EventsTellWhatBouncedWithinAStep) {
     World world(without_gravity());
     const Material elastic = surface(0, 1);
