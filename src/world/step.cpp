@@ -99,7 +99,9 @@ void World::Impl::make_step(float dt) {
         times.prepare += prepare;
         times.solve += solve - prepare;
         finalize_kinematics(state.bodies, state.shapes, state.broad_phase, pass_dt);
-        resolve_impacts(state, step, pass_dt);
+        resolve_impacts({state.settings, state.joints, state.fields, state.bodies, state.shapes, state.contacts,
+                         state.islands, state.broad_phase, state.events, state.statistics, state.clamped_speeds},
+                        step, pass_dt);
         wake_around_moving_planes(state.bodies, state.shapes, state.islands, state.broad_phase, state.events);
         state.statistics.max_penetration =
             report_contacts(state.bodies, state.shapes, state.contacts, state.islands, state.events, state.settings,
