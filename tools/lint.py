@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Checks what the compiler does not: includes go down the list of rooms, files stay short, and links lead somewhere.
+"""Checks what the compiler does not: includes go down the list of rooms, stages name the groups of the state that they
+use, files stay short, and links lead somewhere.
 
 usage: tools/lint.py [ROOT]   Prints one line per finding; exit status 1 if there is any.
 """
@@ -24,6 +25,10 @@ USERS = {
     "app/viewer": {"files", "viewer"},
     "app/cli": {"cli", "files", "recording", "scene", "sweep", "validation", "viewer"},
 }
+# Stages of a step take the groups of the state that they use (Bodies, Contacts, ...), const where they only read, or a
+# struct that names those: a signature says what may be touched.
+STAGES = {"bodies", "islands", "contacts", "joints", "solver", "impacts"}
+WHOLE_STATE = re.compile(r"\bState\b")
 # Kernel sources are compiled once per instruction set: they see plain data only.
 KERNEL_MAY = {"core", "simd", "math", "bvh", "collision", "kernels"}
 MAX_LINES, MAX_COLUMNS = 500, 120
@@ -56,11 +61,14 @@ def check(root, path):
     if len(lines) - 1 > MAX_LINES and not is_made:
         yield 1, f"{len(lines) - 1} lines, at most {MAX_LINES} are meant"
     rooms = allowed_rooms(path)
+    is_stage = path.parts[0] == "src" and path.parts[1] in STAGES
     for number, line in enumerate(lines, 1):
         if len(line) > MAX_COLUMNS and path.suffix in (".h", ".cpp", ".js", ".mjs") and not is_made:
             yield number, f"{len(line)} columns, at most {MAX_COLUMNS} are meant"
         if re.search(r"\b(TODO|FIXME|XXX)\b", line) and path.name != "lint.py":
             yield number, "unfinished work is an issue, not a comment"
+        if is_stage and WHOLE_STATE.search(line.partition("//")[0]):
+            yield number, "a stage takes the groups of the state that it uses (Bodies, Shapes, ...), not the whole State"
         found = INCLUDE.match(line)
         if found and rooms is not None and found.group(1) not in rooms:
             yield number, f"may not include {found.group(1)}/ (only {', '.join(sorted(rooms)) or 'public headers'})"

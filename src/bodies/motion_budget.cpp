@@ -59,18 +59,19 @@ void spend_budget(Bodies& bodies, std::int32_t b) {
     bodies.ahead[b] = bodies.boxes_until[b] = bodies.travel[b];
 }
 
-void count_motion(Bodies& bodies, const Islands& islands, const WorldDef& settings, StepScratch& step, float dt) {
-    const double h = double(dt) / step.passes.in_pass(settings.substeps);
+void count_motion(Bodies& bodies, const Islands& islands, const WorldDef& settings, const StepPasses& passes,
+                  NarrowScratch& narrow, ThreadPool& thread_pool, float dt) {
+    const double h = double(dt) / passes.in_pass(settings.substeps);
     const double shift = max_creep * h * h, speed = max_step * shift / double(dt);
     // Of what does not move it is zero.
-    std::vector<std::int32_t>& moving = step.narrow.moving;
-    for (const std::int32_t b : moving) step.narrow.turn_reach[b] = 0;
-    step.narrow.turn_reach.resize(bodies.links.size());
-    const bool is_first = step.passes.number == 0; // what whirls is asked once a step
+    std::vector<std::int32_t>& moving = narrow.moving;
+    for (const std::int32_t b : moving) narrow.turn_reach[b] = 0;
+    narrow.turn_reach.resize(bodies.links.size());
+    const bool is_first = passes.number == 0; // what whirls is asked once a step
     if (is_first) {
-        for (const std::int32_t b : step.narrow.whirling) step.narrow.whirls[b] = 0;
-        step.narrow.whirls.resize(bodies.links.size());
-        step.narrow.whirling.clear();
+        for (const std::int32_t b : narrow.whirling) narrow.whirls[b] = 0;
+        narrow.whirls.resize(bodies.links.size());
+        narrow.whirling.clear();
     }
     moving.clear();
     for (const std::int32_t i : islands.awake)
@@ -82,13 +83,13 @@ void count_motion(Bodies& bodies, const Islands& islands, const WorldDef& settin
     const BodyLinks* const links = bodies.links.data();
     CountedPose* const counted = bodies.counted.data();
     Travel *const travel = bodies.travel.data(), *const ahead = bodies.ahead.data();
-    float* const turn_reaches = step.narrow.turn_reach.data();
+    float* const turn_reaches = narrow.turn_reach.data();
     const auto look_ahead = [=](std::int32_t b, float turn_speed) {
         const float reach = turn_reaches[b] = looked_ahead(dt * turn_speed) * links[b].radius;
         ahead[b] = travel[b] + travelled(double(dt * math::length(motions[b].v) + reach));
     };
     std::mutex whirling;
-    step.thread_pool->for_chunks(awake, bodies_per_chunk, [&](int begin, int end, int) {
+    thread_pool.for_chunks(awake, bodies_per_chunk, [&](int begin, int end, int) {
         const std::int32_t* const list = moving.data();
         for (int k = begin; k < end; ++k) {
             if (k + bodies_ahead < awake) prefetch_poses(bodies, list[k + bodies_ahead]);
@@ -100,8 +101,8 @@ void count_motion(Bodies& bodies, const Islands& islands, const WorldDef& settin
             look_ahead(b, std::sqrt(square));
             if (is_first && square > max_square && !bodies.mass[b].isotropic) {
                 const std::lock_guard lock(whirling);
-                step.narrow.whirling.push_back(b); // in any order
-                step.narrow.whirls[b] = 1;
+                narrow.whirling.push_back(b); // in any order
+                narrow.whirls[b] = 1;
             }
         }
     });

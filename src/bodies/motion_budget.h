@@ -12,7 +12,8 @@ namespace cairn {
 
 // At the start of a pass: counts how far awake and kinematic bodies have moved, and how far they will have after it, by
 // their velocities; notes which ones are fast spinners.
-void count_motion(Bodies& bodies, const Islands& islands, const WorldDef& settings, StepScratch& step, float dt);
+void count_motion(Bodies& bodies, const Islands& islands, const WorldDef& settings, const StepPasses& passes,
+                  NarrowScratch& narrow, ThreadPool& thread_pool, float dt);
 
 // The body has been changed or put elsewhere: nothing that was found out about it holds.
 void spend_budget(Bodies& bodies, std::int32_t body);

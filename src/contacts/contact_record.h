@@ -1,8 +1,8 @@
 // The points of a contact: from the kernel's manifold to the record, with the impulses of the last step.
 #pragma once
 
-#include "contacts/touch.h"
 #include "state/state.h"
+#include "state/touch.h"
 
 namespace cairn {
 

@@ -108,15 +108,14 @@ float approach_of(const Bodies& bodies, const Shapes& shapes, const ContactInfo&
                              [&](int i) { return center + to_vec(m.points[i]); });
 }
 
-void follow_up(State& s, NarrowScratch& narrow, std::vector<std::uint32_t>& solved, std::uint32_t id,
-               std::uint8_t outcome, float dt) {
+void follow_up(const FollowUpContext& s, std::uint32_t id, std::uint8_t outcome, float dt) {
     if (outcome == apart) return;
     if (outcome == ended) {
         end_contact(s.bodies, s.shapes, s.contacts, s.islands, s.events, id);
         return;
     }
     if (outcome == skipped) {
-        narrow.skipped.push_back(id);
+        s.narrow.skipped.push_back(id);
         return;
     }
     if (outcome == entered || outcome == left) {
@@ -139,7 +138,7 @@ void follow_up(State& s, NarrowScratch& narrow, std::vector<std::uint32_t>& solv
             wake_body(s.bodies, s.islands, s.events, c.body_a);
         if (!c.b_moves && moves(s.bodies, c.body_b)) s.islands.all[s.bodies.links[c.body_a].island].kept_awake = 1;
     }
-    solved.push_back(id);
+    s.solved.push_back(id);
 }
 
 // Such contacts would have nothing to do in the solver: they are up to half of all while a heap lands.
@@ -168,20 +167,20 @@ std::uint8_t take_distance(const Bodies& bodies, Contacts& contacts, std::uint32
     return c.point_count == 0 && !c.touching ? apart : ended;
 }
 
-std::uint8_t take_manifold(const State& s, Contacts& contacts, std::uint32_t id, const Manifold& m, float dt,
-                           const Touch* touch) {
+std::uint8_t take_manifold(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, const Islands& islands,
+                           std::uint32_t id, const Manifold& m, float dt, const Touch* touch) {
     ContactInfo& c = contacts.info[id];
-    if (m.count == 0 || (!touch && stays_apart(s.bodies, s.shapes, c, m, dt))) {
+    if (m.count == 0 || (!touch && stays_apart(bodies, shapes, c, m, dt))) {
         // Along which they are apart; wide kernels do not say.
         if (c.kind == PairKind::convex_convex && !c.is_trigger)
             math::put(contacts.records[id].normal, to_vec(m.normal));
-        return take_distance(s.bodies, contacts, id, m.count == 0 ? m.points[0][3] : 0.0f);
+        return take_distance(bodies, contacts, id, m.count == 0 ? m.points[0][3] : 0.0f);
     }
     if (c.is_trigger) {
-        keep_answer(s.bodies, contacts, id, 0);
+        keep_answer(bodies, contacts, id, 0);
         return trigger_outcome(c, true);
     }
-    return take_points(s, contacts, id, m, touch);
+    return take_points(bodies, shapes, contacts, islands, id, m, touch);
 }
 
 std::uint8_t trigger_outcome(const ContactInfo& c, bool inside) {
@@ -241,16 +240,17 @@ bool begins_or_ends(const ContactInfo& c, const ContactReport& report) {
 } // namespace
 
 float report_contacts(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, Islands& islands,
-                      StepEvents& events, const WorldDef& settings, StepScratch& step, float dt) {
+                      StepEvents& events, const WorldDef& settings, const SolverScratch& solver, NarrowScratch& narrow,
+                      ThreadPool& thread_pool, float dt) {
     float deepest = 0; // raised by all threads
-    const std::vector<SortedContact>& solved = step.solver.unsorted;
-    std::vector<std::uint8_t>& changes = step.narrow.changes;
+    const std::vector<SortedContact>& solved = solver.unsorted;
+    std::vector<std::uint8_t>& changes = narrow.changes;
     changes.resize(solved.size());
-    step.thread_pool->for_chunks(int(solved.size()), reports_per_chunk, [&](int begin, int end, int) {
+    thread_pool.for_chunks(int(solved.size()), reports_per_chunk, [&](int begin, int end, int) {
         // Changes are bytes, which may be anything for the compiler: it would look up the arrays anew after each.
         ContactInfo* const info = contacts.info.data();
         Island* const all = islands.all.data();
-        const ContactReport* const reports = step.solver.reports.data();
+        const ContactReport* const reports = solver.reports.data();
         const SortedContact* const list = solved.data();
         std::uint8_t* const change = changes.data();
         float own = 0;

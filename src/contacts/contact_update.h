@@ -3,9 +3,7 @@
 
 #include "bodies/motion_budget.h"
 #include "contacts/contact_record.h"
-#include "contacts/touch.h"
-#include "state/state.h"
-#include "state/step_scratch.h"
+#include "contacts/contexts.h"
 
 namespace cairn {
 
@@ -44,14 +42,13 @@ bool stays_apart(const Bodies& bodies, const Shapes& shapes, const ContactInfo& 
 float approach_of(const Bodies& bodies, const Shapes& shapes, const ContactInfo& contact, const Manifold& manifold);
 // One result of a test becomes the record of the contact; others may be at work on other contacts. An Outcome.
 // `touch`: as of write_record.
-std::uint8_t take_manifold(const State& state, Contacts& contacts, std::uint32_t contact, const Manifold& manifold,
-                           float dt, const Touch* touch = nullptr);
+std::uint8_t take_manifold(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, const Islands& islands,
+                           std::uint32_t contact, const Manifold& manifold, float dt, const Touch* touch = nullptr);
 // Likewise of a pair that is found apart, by so many meters at least if that is known.
 std::uint8_t take_distance(const Bodies& bodies, Contacts& contacts, std::uint32_t contact, float distance);
 std::uint8_t trigger_outcome(const ContactInfo& contact, bool inside);
 // What changes more than the contact itself: islands, colors, sleep. One after the other, in order.
-void follow_up(State& state, NarrowScratch& narrow, std::vector<std::uint32_t>& solved, std::uint32_t contact,
-               std::uint8_t outcome, float dt);
+void follow_up(const FollowUpContext& context, std::uint32_t contact, std::uint8_t outcome, float dt);
 
 // A contact is no longer solved: an end event if it touched, and its island may fall apart.
 void end_contact(Bodies& bodies, const Shapes& shapes, Contacts& contacts, Islands& islands, StepEvents& events,
@@ -62,7 +59,8 @@ float approach_speed(const Bodies& bodies, const ContactInfo& contact, const Con
 
 // After the solver: begin, end and hit events, sustained loads. Returns the deepest overlap, m.
 float report_contacts(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, Islands& islands,
-                      StepEvents& events, const WorldDef& settings, StepScratch& step, float dt);
+                      StepEvents& events, const WorldDef& settings, const SolverScratch& solver, NarrowScratch& narrow,
+                      ThreadPool& thread_pool, float dt);
 
 // The records of contacts that fell asleep are brought up to the final poses: they are used as they are if the
 // island wakes within a step.
@@ -77,18 +75,18 @@ inline std::uint8_t going_on(const Bodies& bodies, const Islands& islands, const
     return is_asleep(bodies, islands, c) || (!c.b_moves && moves(bodies, c.body_b)) ? may_wake : goes_on;
 }
 // What take_manifold does with points that are solved: nothing more is asked of the manifold.
-inline std::uint8_t take_points(const State& s, Contacts& contacts, std::uint32_t id, const Manifold& m,
-                                const Touch* touch = nullptr) {
+inline std::uint8_t take_points(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, const Islands& islands,
+                                std::uint32_t id, const Manifold& m, const Touch* touch = nullptr) {
     ContactInfo& c = contacts.info[id];
     ContactRecord& r = contacts.records[id];
     if (touch)
-        drop_answer(s.bodies, contacts, id);
+        drop_answer(bodies, contacts, id);
     else
-        keep_answer(s.bodies, contacts, id, 0);
+        keep_answer(bodies, contacts, id, 0);
     const bool is_new = c.point_count == 0;
-    write_record(s.bodies, s.shapes, c, r, m, touch);
-    if (!c.touching) r.approach_speed = approach_speed(s.bodies, c, r);
-    return is_new ? std::uint8_t(begun) : going_on(s.bodies, s.islands, c);
+    write_record(bodies, shapes, c, r, m, touch);
+    if (!c.touching) r.approach_speed = approach_speed(bodies, c, r);
+    return is_new ? std::uint8_t(begun) : going_on(bodies, islands, c);
 }
 
 } // namespace cairn

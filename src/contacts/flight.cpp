@@ -14,23 +14,23 @@ namespace {
 
 constexpr int flights_per_chunk = 16; // for threads
 
-bool may_fly(const State& s, std::int32_t b) {
-    return !s.bodies.is_dynamic(b) || (s.bodies.links[b].first_joint == none && is_awake(s.bodies, s.islands, b));
+bool may_fly(const Bodies& bodies, const Islands& islands, std::int32_t b) {
+    return !bodies.is_dynamic(b) || (bodies.links[b].first_joint == none && is_awake(bodies, islands, b));
 }
 
-bool touches(const State& s, const ContactInfo& c) {
+bool touches(const Contacts& contacts, const ContactInfo& c) {
     if (!is_group(c)) return c.touching;
-    for (std::int32_t p = c.related; p != none; p = s.contacts.info[p].next)
-        if (s.contacts.info[p].touching) return true;
+    for (std::int32_t p = c.related; p != none; p = contacts.info[p].next)
+        if (contacts.info[p].touching) return true;
     return false;
 }
 
 // How far forces bring the two together in the step, along the normal.
-float fall_of(const State& s, const StepPasses& passes, const ContactInfo& c, const Manifold& m, float dt) {
+float fall_of(const NarrowInput& in, const ContactInfo& c, const Manifold& m, float dt) {
     const std::int32_t first = c.flipped ? c.body_b : c.body_a, second = c.flipped ? c.body_a : c.body_b;
-    const math::DVec3 a = acceleration_at(s.bodies, s.fields, s.settings, first, s.bodies.motion[first].x) -
-                          acceleration_at(s.bodies, s.fields, s.settings, second, s.bodies.motion[second].x);
-    const float share = 0.5f * (1 + 1.0f / float(passes.in_pass(s.settings.substeps))); // as in substeps
+    const math::DVec3 a = acceleration_at(in.bodies, in.fields, in.settings, first, in.bodies.motion[first].x) -
+                          acceleration_at(in.bodies, in.fields, in.settings, second, in.bodies.motion[second].x);
+    const float share = 0.5f * (1 + 1.0f / float(in.passes.in_pass(in.settings.substeps))); // as in substeps
     return share * dt * dt * float(math::dot(a, math::to_double(math::to_vec(m.normal))));
 }
 
@@ -44,31 +44,32 @@ float lag_of(const BodyMotion& on, const BodyMotion& under, math::Vec3 normal, f
 }
 
 // Whether a kinematic body or what is on it turns so far that a contact between them cannot stay as it is in a step.
-bool turns_away(const State& s, const ContactInfo& c, const Manifold& m, float dt) {
-    if (s.bodies.settings[c.body_b].type != BodyType::kinematic) return false;
-    const BodyMotion &a = s.bodies.motion[c.body_a], &b = s.bodies.motion[c.body_b];
+bool turns_away(const Bodies& bodies, const ContactInfo& c, const Manifold& m, float dt) {
+    if (bodies.settings[c.body_b].type != BodyType::kinematic) return false;
+    const BodyMotion &a = bodies.motion[c.body_a], &b = bodies.motion[c.body_b];
     const math::Vec3 n = math::to_vec(m.normal);
     return lag_of(a, b, n, dt) > c.base_margin || lag_of(b, a, n, dt) > c.base_margin;
 }
 
 // Flight keeps two as deep in each other as they are: the solver pushes those apart that are deeper than this.
-float core_depth_between(const State& s, const ContactInfo& c) {
-    const std::vector<Geometry>& geometry = s.shapes.geometry;
-    const std::vector<ShapeData>& data = s.shapes.data;
+float core_depth_between(const Shapes& shapes, const ContactInfo& c) {
+    const std::vector<Geometry>& geometry = shapes.geometry;
+    const std::vector<ShapeData>& data = shapes.data;
     return float(
         core_depth_of(half_width_of(geometry[c.shape_a], data[c.shape_a], geometry[c.shape_b], data[c.shape_b])));
 }
 
 // Rows in the solver that a pair has had so far.
-int rows_of(const State& s, std::uint32_t id) {
+int rows_of(const Contacts& contacts, std::uint32_t id) {
     int rows = 0;
-    for_each_patch(s.contacts, id, [&](std::uint32_t contact) { rows += s.contacts.info[contact].point_count > 0; });
+    for_each_patch(contacts, id, [&](std::uint32_t contact) { rows += contacts.info[contact].point_count > 0; });
     return rows;
 }
 
 class FlightList {
   public:
-    explicit FlightList(State& state, StepScratch& step, float dt) : s(state), step(step), dt_(dt) {}
+    FlightList(const NarrowInput& in, const FollowUpContext& context, ThreadPool& thread_pool, float dt)
+        : in(in), s(context), thread_pool_(thread_pool), dt_(dt) {}
     void run() {
         gather();
         if (flights_.empty()) return;
@@ -81,13 +82,13 @@ class FlightList {
     }
 
   private:
-    std::uint32_t contact_of(const FlightPair& f) const { return step.narrow.candidates[f.place]; }
+    std::uint32_t contact_of(const FlightPair& f) const { return s.narrow.candidates[f.place]; }
 
     void gather() {
-        FlightPairs& all = step.narrow.flights;
+        FlightPairs& all = s.narrow.flights;
         all.clear();
-        step.narrow.in_flight.clear();
-        for (NarrowBatch& own : step.narrow.at_work) {
+        s.narrow.in_flight.clear();
+        for (NarrowBatch& own : s.narrow.at_work) {
             for (const FlightPair& f : own.flights.pairs)
                 all.add(f.place, own.flights.hits.data() + f.first_hit, f.hit_count);
             own.flights.clear();
@@ -98,12 +99,12 @@ class FlightList {
 
     // A body that has contacts beside those that may be in flight is held by them.
     void decide() {
-        std::vector<std::int32_t>& rows = step.narrow.flight_rows;
+        std::vector<std::int32_t>& rows = s.narrow.flight_rows;
         rows.resize(s.bodies.links.size(), 0);
         const auto for_each_body = [&](auto&& f) {
             for (const FlightPair& flight : flights_) {
                 const ContactInfo& c = s.contacts.info[contact_of(flight)];
-                const int count = rows_of(s, contact_of(flight));
+                const int count = rows_of(s.contacts, contact_of(flight));
                 f(c.body_a, count);
                 if (c.b_moves) f(c.body_b, count);
             }
@@ -121,65 +122,70 @@ class FlightList {
         const std::uint32_t id = contact_of(f);
         ContactInfo& c = s.contacts.info[id];
         if (c.point_count > 0 || c.touching) {
-            step.narrow.outcomes[f.place] = ended;
+            s.narrow.outcomes[f.place] = ended;
             if (is_group(c))
-                follow_up_group(s, step.narrow, step.solved, f.place, dt_);
+                follow_up_group(s, f.place, dt_);
             else
-                follow_up(s, step.narrow, step.solved, id, ended, dt_);
+                follow_up(s, id, ended, dt_);
         }
-        step.narrow.outcomes[f.place] = apart;
+        s.narrow.outcomes[f.place] = apart;
         drop_answer(s.bodies, s.contacts, id);
-        if (id < step.narrow.found.size()) step.narrow.found[id] = 0; // each pass of the step asks for it
-        step.narrow.in_flight.push_back(id);
+        if (id < s.narrow.found.size()) s.narrow.found[id] = 0; // each pass of the step asks for it
+        s.narrow.in_flight.push_back(id);
     }
 
     void test_held() {
-        begin_groups(s.contacts, step.narrow);
-        step.thread_pool->for_chunks(int(flights_.size()), flights_per_chunk, [&](int begin, int end, int thread) {
+        begin_groups(s.contacts, s.narrow);
+        thread_pool_.for_chunks(int(flights_.size()), flights_per_chunk, [&](int begin, int end, int thread) {
             for (int k = begin; k < end; ++k) {
                 const FlightPair& f = flights_[std::size_t(k)];
                 if (f.is_free) continue;
                 const std::uint32_t id = contact_of(f);
-                const Manifold* const first = step.narrow.flights.hits.data() + f.first_hit;
-                NarrowBatch& own = step.narrow.at_work[thread];
+                const Manifold* const first = s.narrow.flights.hits.data() + f.first_hit;
+                NarrowBatch& own = s.narrow.at_work[thread];
                 if (is_group(s.contacts.info[id])) {
                     own.hits.assign(first, first + f.hit_count);
-                    take_group(s, s.contacts, step, f.place, own, dt_);
+                    take_group(in, s.contacts, s.narrow, f.place, own, dt_);
                 } else {
-                    step.narrow.outcomes[f.place] = take_test(s, s.contacts, step, id, *first, dt_);
+                    s.narrow.outcomes[f.place] = take_test(in, s.contacts, s.narrow, id, *first, dt_);
                 }
             }
         });
-        collect_fresh_patches(step.narrow);
+        collect_fresh_patches(s.narrow);
     }
     void follow(const FlightPair& f) {
         if (is_group(s.contacts.info[contact_of(f)]))
-            follow_up_group(s, step.narrow, step.solved, f.place, dt_);
+            follow_up_group(s, f.place, dt_);
         else
-            follow_up(s, step.narrow, step.solved, contact_of(f), step.narrow.outcomes[f.place], dt_);
+            follow_up(s, contact_of(f), s.narrow.outcomes[f.place], dt_);
     }
 
-    State& s;
-    StepScratch& step;
+    const NarrowInput& in;
+    const FollowUpContext& s;
+    ThreadPool& thread_pool_;
     const float dt_;
-    std::vector<FlightPair>& flights_ = step.narrow.flights.pairs;
+    std::vector<FlightPair>& flights_ = s.narrow.flights.pairs;
 };
 
 } // namespace
 
-bool may_meet_in_flight(const State& s, const StepPasses& passes, const ContactInfo& c, const Manifold& m, float dt) {
+bool may_meet_in_flight(const NarrowInput& in, const Contacts& contacts, const ContactInfo& c, const Manifold& m,
+                        float dt) {
     if (c.is_trigger || m.count == 0) return false;
     float least = m.points[0][3];
     for (int i = 1; i < m.count; ++i) least = std::min(least, m.points[i][3]);
-    const bool bends = -least < core_depth_between(s, c) && turns_away(s, c, m, dt);
-    if (!(least > 0 || bends) || !may_fly(s, c.body_a) || !may_fly(s, c.body_b)) return false;
+    const bool bends = -least < core_depth_between(in.shapes, c) && turns_away(in.bodies, c, m, dt);
+    if (!(least > 0 || bends) || !may_fly(in.bodies, in.islands, c.body_a) || !may_fly(in.bodies, in.islands, c.body_b))
+        return false;
     if (bends) return true;
-    const float speed = approach_of(s.bodies, s.shapes, c, m), way = speed * dt + fall_of(s, passes, c, m, dt);
+    const float speed = approach_of(in.bodies, in.shapes, c, m), way = speed * dt + fall_of(in, c, m, dt);
     if (least > c.base_margin || std::fabs(way) > c.base_margin) return true;
-    const bool bounces = c.bounces && speed > s.settings.restitution_speed;
-    return (least > way || bounces) && !touches(s, c);
+    const bool bounces = c.bounces && speed > in.settings.restitution_speed;
+    return (least > way || bounces) && !touches(contacts, c);
 }
 
-void settle_flights(State& s, StepScratch& step, float dt) { FlightList(s, step, dt).run(); }
+void settle_flights(const NarrowInput& in, const FollowUpContext& s, ThreadPool& thread_pool, float dt) {
+    FlightList(in, s, thread_pool, dt).run();
+}
 
 } // namespace cairn

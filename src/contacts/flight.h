@@ -2,8 +2,7 @@
 // holds either of the two. They meet where and when their real motions say (impacts/resolve_impacts.h).
 #pragma once
 
-#include "state/state.h"
-#include "state/step_scratch.h"
+#include "contacts/contexts.h"
 
 namespace cairn {
 
@@ -11,12 +10,12 @@ namespace cairn {
 // contact, or so that they close or open more than that in the step, or they do not touch, and in the step would not or
 // would bounce. What settles down on something is the solver's.
 // Whether another contact holds one of the bodies shows when all pairs are known.
-bool may_meet_in_flight(const State& state, const StepPasses& passes, const ContactInfo& contact,
+bool may_meet_in_flight(const NarrowInput& in, const Contacts& contacts, const ContactInfo& contact,
                         const Manifold& manifold, float dt);
 
 // All pairs of the step have been tested: of those that may meet in flight, the ones whose bodies nothing holds are
 // listed in NarrowScratch::in_flight, and are no contacts; the others are contacts like any.
-void settle_flights(State& state, StepScratch& step, float dt);
+void settle_flights(const NarrowInput& in, const FollowUpContext& context, ThreadPool& thread_pool, float dt);
 
 // Whether a pair has met already, at the point that its test gives first, and will be there after the step: no touch of
 // it is to come, it does not stay apart, and it does not meet in flight.

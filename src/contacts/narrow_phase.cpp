@@ -28,33 +28,34 @@ constexpr int convex_pairs_per_chunk = 32, groups_per_chunk = 8, moved_pairs_per
 constexpr float little_turn = 0.1f; // rad in a pass: contacts may be moved along
 
 // A pair that does not overlap yet: what may meet in flight is settled later.
-[[gnu::noinline]] std::uint8_t take_gap(const State& s, Contacts& contacts, const StepScratch& step,
+[[gnu::noinline]] std::uint8_t take_gap(const NarrowInput& in, Contacts& contacts, const NarrowScratch& narrow,
                                         std::uint32_t place, const Manifold& m, NarrowBatch& own, float dt) {
-    const std::uint32_t id = step.narrow.candidates[place];
+    const std::uint32_t id = narrow.candidates[place];
     const ContactInfo& c = contacts.info[id];
-    if (!may_meet_in_flight(s, step.passes, c, m, dt) || stays_apart(s.bodies, s.shapes, c, m, dt))
-        return take_test(s, contacts, step, id, m, dt);
+    if (!may_meet_in_flight(in, contacts, c, m, dt) || stays_apart(in.bodies, in.shapes, c, m, dt))
+        return take_test(in, contacts, narrow, id, m, dt);
     own.flights.add(place, &m, 1);
     return may_fly_by;
 }
 
 // What a test has found is settled at once, but for what may meet in flight.
-std::uint8_t take_first_test(const State& s, Contacts& contacts, const StepScratch& step, std::uint32_t id,
+std::uint8_t take_first_test(const NarrowInput& in, Contacts& contacts, const NarrowScratch& narrow, std::uint32_t id,
                              std::uint32_t place, const Manifold& m, NarrowBatch& own, float dt) {
-    if (overlaps(s.bodies, contacts.info[id], m)) return take_points(s, contacts, id, m);
-    return take_gap(s, contacts, step, place, m, own, dt);
+    if (overlaps(in.bodies, contacts.info[id], m))
+        return take_points(in.bodies, in.shapes, contacts, in.islands, id, m);
+    return take_gap(in, contacts, narrow, place, m, own, dt);
 }
 
 // Up to PairBatch::capacity pairs of one kind, by their places among all.
-void test_wide_pairs(const State& s, Contacts& contacts, StepScratch& step, PairKind kind, int begin, int end,
-                     NarrowBatch& own, float dt) {
+void test_wide_pairs(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, PairKind kind, int begin,
+                     int end, NarrowBatch& own, float dt) {
     PairBatch& batch = own.pairs;
     const int count = end - begin, padded = (count + 7) & ~7;
     const std::size_t record_size = has_one_point(kind) ? offsetof(ContactRecord, more_points) : sizeof(ContactRecord);
     const bool keeps_features = kind == PairKind::box_box;
-    const std::uint32_t* places = step.narrow.lists[std::size_t(kind)].data() + begin;
+    const std::uint32_t* places = narrow.lists[std::size_t(kind)].data() + begin;
     std::uint32_t ids[PairBatch::capacity];
-    for (int i = 0; i < count; ++i) ids[i] = step.narrow.candidates[places[i]];
+    for (int i = 0; i < count; ++i) ids[i] = narrow.candidates[places[i]];
     for (int i = 0; i < count; ++i) {
         if (const int next = i + int(contacts_ahead); next < count) {
             ask_cache(&contacts.info[ids[next]]);
@@ -63,52 +64,52 @@ void test_wide_pairs(const State& s, Contacts& contacts, StepScratch& step, Pair
         const ContactInfo& c = contacts.info[ids[i]];
         batch.first[i] = c.flipped ? c.shape_b : c.shape_a;
         batch.second[i] = c.flipped ? c.shape_a : c.shape_b;
-        batch.margin[i] = contact_margin(s.bodies, step.narrow, c, dt);
+        batch.margin[i] = contact_margin(in.bodies, narrow, c, dt);
         batch.kept[i] = keeps_features && c.force > 0 ? contacts.records[ids[i]].features : no_features;
-        ask_cache(&s.shapes.links[c.shape_a]); // for write_record
+        ask_cache(&in.shapes.links[c.shape_a]); // for write_record
     }
     for (int i = count; i < padded; ++i) {
         batch.first[i] = batch.first[0], batch.second[i] = batch.second[0];
         batch.margin[i] = batch.margin[0], batch.kept[i] = batch.kept[0];
     }
-    wide_kernel(kind)(s.shapes.poses.data(), batch.first, batch.second, batch.margin, batch.kept, padded,
+    wide_kernel(kind)(in.shapes.poses.data(), batch.first, batch.second, batch.margin, batch.kept, padded,
                       own.manifolds);
-    std::uint8_t* const outcomes = step.narrow.outcomes.data();
+    std::uint8_t* const outcomes = narrow.outcomes.data();
     for (int i = 0; i < count; ++i) {
         if (const int next = i + int(contacts_ahead); next < count && own.manifolds[next].count > 0) {
             prefetch_record(contacts, ids[next], record_size);
             if (may_be_round(kind))
                 for (const std::uint32_t shape : {batch.first[next], batch.second[next]})
-                    ask_cache(&s.shapes.geometry[shape]);
+                    ask_cache(&in.shapes.geometry[shape]);
         }
-        outcomes[places[i]] = take_first_test(s, contacts, step, ids[i], places[i], own.manifolds[i], own, dt);
+        outcomes[places[i]] = take_first_test(in, contacts, narrow, ids[i], places[i], own.manifolds[i], own, dt);
     }
 }
 
 // Pairs that no wide kernel tests, by their places among all.
-void test_convex_pairs(const State& s, Contacts& contacts, StepScratch& step, PairKind kind, int begin, int end,
-                       NarrowBatch& own, float dt) {
-    const std::vector<std::uint32_t>& places = step.narrow.lists[std::size_t(kind)];
+void test_convex_pairs(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, PairKind kind, int begin,
+                       int end, NarrowBatch& own, float dt) {
+    const std::vector<std::uint32_t>& places = narrow.lists[std::size_t(kind)];
     constexpr int ahead = int(contacts_ahead);
     const int count = int(places.size()); // the next chunk begins at once
-    const auto contact_at = [&](int i) { return step.narrow.candidates[places[i]]; };
+    const auto contact_at = [&](int i) { return narrow.candidates[places[i]]; };
     for (int i = begin; i < end; ++i) {
         if (i + 2 * ahead < count) ask_cache(&contacts.info[contact_at(i + 2 * ahead)]);
-        if (i + ahead < count) prefetch_pair(s.bodies, s.shapes, contacts, contact_at(i + ahead));
-        const std::uint32_t place = places[i], id = step.narrow.candidates[place];
+        if (i + ahead < count) prefetch_pair(in.bodies, in.shapes, contacts, contact_at(i + ahead));
+        const std::uint32_t place = places[i], id = narrow.candidates[place];
         const ContactInfo& c = contacts.info[id];
-        const PosedShape a = posed_shape(s.shapes, c.shape_a), b = posed_shape(s.shapes, c.shape_b);
-        const float margin = contact_margin(s.bodies, step.narrow, c, dt);
+        const PosedShape a = posed_shape(in.shapes, c.shape_a), b = posed_shape(in.shapes, c.shape_b);
+        const float margin = contact_margin(in.bodies, narrow, c, dt);
         if (kind == PairKind::convex_convex && c.point_count == 0) {
             const float distance = gap_lower_bound(a.geometry, a.pose, b.geometry, b.pose);
             if (distance > margin) {
-                step.narrow.outcomes[place] = take_distance(s.bodies, contacts, id, distance);
+                narrow.outcomes[place] = take_distance(in.bodies, contacts, id, distance);
                 continue;
             }
         }
         ContactMemory memory = contacts.records[id].features;
         const Manifold m = test_convex_pair(kind, a, b, to_vec(contacts.records[id].normal), margin, memory);
-        step.narrow.outcomes[place] = take_first_test(s, contacts, step, id, place, m, own, dt);
+        narrow.outcomes[place] = take_first_test(in, contacts, narrow, id, place, m, own, dt);
         if (kind == PairKind::convex_convex) contacts.records[id].features = memory; // also of those that are apart
     }
 }
@@ -214,72 +215,73 @@ void note_found(const Contacts& contacts, NarrowScratch& narrow) {
         for (const std::uint32_t k : list) narrow.found[narrow.candidates[k]] = 1;
 }
 
-// Sorts the pairs that may have moved into the lists of their kinds.
-void list_pairs(const Bodies& bodies, const Contacts& contacts, const Islands& islands, const BroadPhase& broad_phase,
-                Statistics& statistics, StepScratch& step) {
-    NarrowScratch& scratch = step.narrow;
-    broad_phase.list_contacts(scratch.candidates);
-    list_open_pairs(bodies, contacts, step.narrow, *step.thread_pool);
-    scratch.outcomes.resize(scratch.candidates.size());
-    const int open = int(scratch.open.size());
+// Sorts the pairs that may have moved into the lists of their kinds, and counts them.
+std::size_t list_pairs(const Bodies& bodies, const Contacts& contacts, const Islands& islands,
+                       const BroadPhase& broad_phase, const StepPasses& passes, NarrowScratch& narrow,
+                       ThreadPool& thread_pool) {
+    broad_phase.list_contacts(narrow.candidates);
+    list_open_pairs(bodies, contacts, narrow, thread_pool);
+    narrow.outcomes.resize(narrow.candidates.size());
+    const int open = int(narrow.open.size());
     std::atomic<bool> any_groups = false;
-    step.thread_pool->for_chunks(open, pairs_per_chunk, [&](int begin, int end, int) {
+    thread_pool.for_chunks(open, pairs_per_chunk, [&](int begin, int end, int) {
         // Outcomes are bytes, which may be anything for the compiler: it would look up the arrays anew after each.
-        const std::uint32_t *const places = scratch.open.data(), *const candidates = scratch.candidates.data();
+        const std::uint32_t *const places = narrow.open.data(), *const candidates = narrow.candidates.data();
         const ContactInfo* const info = contacts.info.data();
-        std::uint8_t* const outcomes = scratch.outcomes.data();
+        std::uint8_t* const outcomes = narrow.outcomes.data();
         bool any = false;
         for (int i = begin; i < end; ++i) {
             if (i + int(contacts_ahead) < end) ask_cache(&info[candidates[places[i + int(contacts_ahead)]]]);
             const std::uint32_t id = candidates[places[i]];
             any |= is_group(info[id]);
-            outcomes[places[i]] = before_test(bodies, contacts, islands, step.narrow, step.passes, id);
+            outcomes[places[i]] = before_test(bodies, contacts, islands, narrow, passes, id);
         }
         if (any) any_groups = true;
     });
-    scratch.any_groups = any_groups;
-    for (auto& list : scratch.lists) list.clear();
-    scratch.to_move.clear();
-    for (const std::uint32_t k : scratch.open) {
-        const std::uint8_t outcome = scratch.outcomes[k];
+    narrow.any_groups = any_groups;
+    for (auto& list : narrow.lists) list.clear();
+    narrow.to_move.clear();
+    for (const std::uint32_t k : narrow.open) {
+        const std::uint8_t outcome = narrow.outcomes[k];
         if (outcome >= to_test)
-            scratch.lists[outcome - to_test].push_back(k);
+            narrow.lists[outcome - to_test].push_back(k);
         else if (outcome == to_move)
-            scratch.to_move.push_back(k);
+            narrow.to_move.push_back(k);
     }
-    statistics.tested_pairs = scratch.to_move.size();
-    for (const auto& list : scratch.lists) statistics.tested_pairs += list.size();
+    std::size_t count = narrow.to_move.size();
+    for (const auto& list : narrow.lists) count += list.size();
+    return count;
 }
 
-void test_all(const State& s, Contacts& contacts, StepScratch& step, float dt) {
+void test_all(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, ThreadPool& thread_pool, float dt) {
     const auto for_kind = [&](PairKind kind, int per_chunk, auto&& test) {
-        step.thread_pool->for_chunks(
-            int(step.narrow.lists[std::size_t(kind)].size()), per_chunk,
-            [&](int begin, int end, int thread) { test(begin, end, step.narrow.at_work[thread]); });
+        thread_pool.for_chunks(int(narrow.lists[std::size_t(kind)].size()), per_chunk,
+                               [&](int begin, int end, int thread) { test(begin, end, narrow.at_work[thread]); });
     };
     for (int kind = 0; kind < wide_kinds; ++kind)
         for_kind(PairKind(kind), PairBatch::capacity, [&](int begin, int end, NarrowBatch& own) {
-            test_wide_pairs(s, contacts, step, PairKind(kind), begin, end, own, dt);
+            test_wide_pairs(in, contacts, narrow, PairKind(kind), begin, end, own, dt);
         });
     for (const PairKind kind : {PairKind::convex_plane, PairKind::convex_rectangle, PairKind::convex_convex})
         for_kind(kind, convex_pairs_per_chunk, [&](int begin, int end, NarrowBatch& own) {
-            test_convex_pairs(s, contacts, step, kind, begin, end, own, dt);
+            test_convex_pairs(in, contacts, narrow, kind, begin, end, own, dt);
         });
-    step.thread_pool->for_chunks(int(step.narrow.to_move.size()), moved_pairs_per_chunk, [&](int begin, int end, int) {
-        move_contacts(s.bodies, contacts, s.islands, step.narrow, begin, end);
+    thread_pool.for_chunks(int(narrow.to_move.size()), moved_pairs_per_chunk, [&](int begin, int end, int) {
+        move_contacts(in.bodies, contacts, in.islands, narrow, begin, end);
     });
-    begin_groups(contacts, step.narrow);
+    begin_groups(contacts, narrow);
     for_kind(PairKind::group, groups_per_chunk,
-             [&](int begin, int end, NarrowBatch& own) { test_groups(s, contacts, step, begin, end, own, dt); });
-    collect_fresh_patches(step.narrow);
+             [&](int begin, int end, NarrowBatch& own) { test_groups(in, contacts, narrow, begin, end, own, dt); });
+    collect_fresh_patches(narrow);
 }
 
 // What the tests have found, in the order of the pairs.
-void follow_up_all(State& s, StepScratch& step, float dt) {
-    const std::vector<std::uint32_t>& open = step.narrow.open;
-    const std::uint32_t* const candidates = step.narrow.candidates.data();
-    const std::uint8_t* const outcomes = step.narrow.outcomes.data();
-    const bool any_groups = step.narrow.any_groups;
+void follow_up_all(const FollowUpContext& s, float dt) {
+    const NarrowScratch& narrow = s.narrow;
+    const std::vector<std::uint32_t>& open = narrow.open;
+    const std::uint32_t* const candidates = narrow.candidates.data();
+    const std::uint8_t* const outcomes = narrow.outcomes.data();
+    const bool any_groups = narrow.any_groups;
     for (std::size_t i = 0; i < open.size(); ++i) {
         for (int n = 0; n < patches_at_hand && any_groups; ++n)
             if (const std::size_t at = i + patch_ahead(n); at < open.size() && outcomes[open[at]] != apart)
@@ -288,43 +290,50 @@ void follow_up_all(State& s, StepScratch& step, float dt) {
         const std::uint8_t outcome = outcomes[k];
         if (outcome == apart || outcome == may_fly_by) continue; // the contact need not be looked at
         if (any_groups && is_group(s.contacts.info[id]))
-            follow_up_group(s, step.narrow, step.solved, k, dt);
+            follow_up_group(s, k, dt);
         else if (outcome == goes_on) // as most do
-            step.solved.push_back(id);
+            s.solved.push_back(id);
         else
-            follow_up(s, step.narrow, step.solved, id, outcome, dt);
+            follow_up(s, id, outcome, dt);
     }
 }
 
 } // namespace
 
-void update_contacts(State& s, StepScratch& step, float dt) {
-    count_motion(s.bodies, s.islands, s.settings, step, dt);
+std::size_t update_contacts(Bodies& bodies, const Shapes& shapes, Contacts& contacts, Islands& islands,
+                            const ForceFields& fields, const BroadPhase& broad_phase, StepEvents& events,
+                            const WorldDef& settings, StepScratch& step, float dt) {
+    NarrowScratch& narrow = step.narrow;
+    ThreadPool& thread_pool = *step.thread_pool;
+    const NarrowInput in{settings, bodies, shapes, islands, fields, step.passes};
+    const FollowUpContext follow{settings, shapes, bodies, contacts, islands, events, narrow, step.solved};
+    count_motion(bodies, islands, settings, step.passes, narrow, thread_pool, dt);
     step.solved.clear();
-    step.narrow.skipped.clear();
-    step.narrow.lists.resize(tested_kinds);
-    step.narrow.at_work.resize(std::size_t(step.thread_pool->threads()));
-    list_pairs(s.bodies, s.contacts, s.islands, s.broad_phase, s.statistics, step);
-    test_all(s, s.contacts, step, dt);
-    if (step.passes.number == 0 && !step.narrow.whirling.empty()) note_found(s.contacts, step.narrow);
-    follow_up_all(s, step, dt);
-    settle_flights(s, step, dt);
+    narrow.skipped.clear();
+    narrow.lists.resize(tested_kinds);
+    narrow.at_work.resize(std::size_t(thread_pool.threads()));
+    const std::size_t tested = list_pairs(bodies, contacts, islands, broad_phase, step.passes, narrow, thread_pool);
+    test_all(in, contacts, narrow, thread_pool, dt);
+    if (step.passes.number == 0 && !narrow.whirling.empty()) note_found(contacts, narrow);
+    follow_up_all(follow, dt);
+    settle_flights(in, follow, thread_pool, dt);
     // What was moved along is as good as tested: while both bodies rest, it need not be moved again.
-    for (const std::uint32_t k : step.narrow.to_move) {
-        ContactInfo& c = s.contacts.info[step.narrow.candidates[k]];
-        c.placed_at = travel_of(s.bodies, c);
+    for (const std::uint32_t k : narrow.to_move) {
+        ContactInfo& c = contacts.info[narrow.candidates[k]];
+        c.placed_at = travel_of(bodies, c);
     }
-    drop_internal_edges(s.bodies, s.shapes, s.contacts, step.narrow, step.solved);
+    drop_internal_edges(bodies, shapes, contacts, narrow, step.solved);
     const auto push_solved = [&](std::uint32_t id) {
-        for_each_patch(s.contacts, id, [&](std::uint32_t contact) { step.solved.push_back(contact); });
+        for_each_patch(contacts, id, [&](std::uint32_t contact) { step.solved.push_back(contact); });
     };
     // Islands that were woken just now: nothing in them has moved, their records still hold.
-    for (const std::int32_t key : s.islands.waking)
-        s.broad_phase.for_each_sleeping_pair(std::uint32_t(key), [&](std::uint32_t, std::uint32_t, std::uint32_t id) {
-            if (s.contacts.info[id].point_count > 0) push_solved(id);
+    for (const std::int32_t key : islands.waking)
+        broad_phase.for_each_sleeping_pair(std::uint32_t(key), [&](std::uint32_t, std::uint32_t, std::uint32_t id) {
+            if (contacts.info[id].point_count > 0) push_solved(id);
         });
-    for (const std::uint32_t id : step.narrow.skipped)
-        if (is_awake(s.bodies, s.islands, s.contacts.info[id].body_a)) push_solved(id);
+    for (const std::uint32_t id : narrow.skipped)
+        if (is_awake(bodies, islands, contacts.info[id].body_a)) push_solved(id);
+    return tested;
 }
 
 } // namespace cairn

@@ -8,6 +8,9 @@ namespace cairn {
 
 // The narrow phase: tests all pairs that may have moved, writes their records, begins and ends contacts in the
 // islands and colors, wakes what is hit, and lists in StepScratch::solved what the solver has to do.
-void update_contacts(State& state, StepScratch& step, float dt);
+// Returns how many pairs it has looked at: tested, or moved along with their bodies.
+std::size_t update_contacts(Bodies& bodies, const Shapes& shapes, Contacts& contacts, Islands& islands,
+                            const ForceFields& fields, const BroadPhase& broad_phase, StepEvents& events,
+                            const WorldDef& settings, StepScratch& step, float dt);
 
 } // namespace cairn

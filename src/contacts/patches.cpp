@@ -47,16 +47,16 @@ float reach_of(const ContactInfo& group, float margin) {
 
 // Of what moves far, in place of what was found at the start of the step: the patches of the touch, if it does not
 // touch yet. Whether they are of the touch.
-bool look_ahead(const State& s, const StepScratch& step, const ContactInfo& group, float margin, float dt,
-                NarrowBatch& own, Touch& touch) {
+bool look_ahead(const NarrowInput& in, const ContactInfo& group, float margin, float dt, NarrowBatch& own,
+                Touch& touch) {
     bool is_far = false;
     for (const Manifold& hit : own.hits) {
         for (int i = 0; i < hit.count; ++i)
             if (hit.points[i][3] <= 0) return false;
-        is_far = is_far || moves_far(s, step, group, hit, dt);
+        is_far = is_far || moves_far(in, group, hit, dt);
     }
     if (!is_far) return false;
-    const Approach approach = find_touch(s, step, group, dt, margin, touch);
+    const Approach approach = find_touch(in, group, dt, margin, touch);
     if (approach == Approach::now) return false;
     own.hits.clear();
     if (approach == Approach::passes) return false;
@@ -64,7 +64,7 @@ bool look_ahead(const State& s, const StepScratch& step, const ContactInfo& grou
         own.hits.push_back(touch.manifold);
         return true;
     }
-    const PosedShape a = posed_shape(s.shapes, group.shape_a), b = posed_shape(s.shapes, group.shape_b);
+    const PosedShape a = posed_shape(in.shapes, group.shape_a), b = posed_shape(in.shapes, group.shape_b);
     find_patches({a.geometry, a.data, touch.pose_a, touch.arm_a}, {b.geometry, b.data, touch.pose_b, b.arm}, margin,
                  margin, own.surface, own.hits);
     return true;
@@ -84,60 +84,59 @@ std::uint32_t create_patch(const Shapes& shapes, Contacts& contacts, NarrowScrat
     return id;
 }
 
-void test_group(const State& s, Contacts& contacts, StepScratch& step, std::uint32_t place, NarrowBatch& own,
+void test_group(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, std::uint32_t place, NarrowBatch& own,
                 float dt) {
-    const std::uint32_t id = step.narrow.candidates[place];
+    const std::uint32_t id = narrow.candidates[place];
     ContactInfo& group = contacts.info[id];
-    const float margin = contact_margin(s.bodies, step.narrow, group, dt);
-    const float distance = find_patches(posed_shape(s.shapes, group.shape_a), posed_shape(s.shapes, group.shape_b),
+    const float margin = contact_margin(in.bodies, narrow, group, dt);
+    const float distance = find_patches(posed_shape(in.shapes, group.shape_a), posed_shape(in.shapes, group.shape_b),
                                         margin, reach_of(group, margin), own.surface, own.hits);
     if (own.hits.empty() && group.related == none) {
-        step.narrow.outcomes[place] = take_distance(s.bodies, contacts, id, distance);
+        narrow.outcomes[place] = take_distance(in.bodies, contacts, id, distance);
         return;
     }
-    keep_answer(s.bodies, contacts, id, 0);
+    keep_answer(in.bodies, contacts, id, 0);
     if (group.is_trigger) {
-        step.narrow.outcomes[place] = trigger_outcome(group, !own.hits.empty());
+        narrow.outcomes[place] = trigger_outcome(group, !own.hits.empty());
         return;
     }
-    const auto flies = [&](const Manifold& hit) { return may_meet_in_flight(s, step.passes, group, hit, dt); };
+    const auto flies = [&](const Manifold& hit) { return may_meet_in_flight(in, contacts, group, hit, dt); };
     if (!own.hits.empty() && std::all_of(own.hits.begin(), own.hits.end(), flies)) {
         own.flights.add(place, own.hits.data(), own.hits.size());
-        step.narrow.outcomes[place] = may_fly_by;
+        narrow.outcomes[place] = may_fly_by;
         return;
     }
-    take_group(s, contacts, step, place, own, dt);
+    take_group(in, contacts, narrow, place, own, dt);
 }
 
 } // namespace
 
-void take_group(const State& s, Contacts& contacts, StepScratch& step, std::uint32_t place, NarrowBatch& own,
+void take_group(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, std::uint32_t place, NarrowBatch& own,
                 float dt) {
-    const std::uint32_t id = step.narrow.candidates[place];
+    const std::uint32_t id = narrow.candidates[place];
     ContactInfo& group = contacts.info[id];
     Touch touch;
-    const float margin = contact_margin(s.bodies, step.narrow, group, dt);
-    const bool is_ahead = look_ahead(s, step, group, margin, dt, own, touch);
-    if (is_ahead) drop_answer(s.bodies, contacts, id);
+    const float margin = contact_margin(in.bodies, narrow, group, dt);
+    const bool is_ahead = look_ahead(in, group, margin, dt, own, touch);
+    if (is_ahead) drop_answer(in.bodies, contacts, id);
     if (own.hits.empty() && group.related == none) {
-        step.narrow.outcomes[place] = take_distance(s.bodies, contacts, id, 0);
+        narrow.outcomes[place] = take_distance(in.bodies, contacts, id, 0);
         return;
     }
-    step.narrow.outcomes[place] = tested_patches;
-    for (std::int32_t p = group.related; p != none; p = contacts.info[p].next)
-        step.narrow.patch_outcomes[p] = not_found;
+    narrow.outcomes[place] = tested_patches;
+    for (std::int32_t p = group.related; p != none; p = contacts.info[p].next) narrow.patch_outcomes[p] = not_found;
     std::uint32_t order = 0;
     for (const Manifold& hit : own.hits) {
-        if (!is_ahead && stays_apart(s.bodies, s.shapes, group, hit, dt)) continue;
-        const std::int32_t patch = matching_patch(contacts, step.narrow, group, hit);
+        if (!is_ahead && stays_apart(in.bodies, in.shapes, group, hit, dt)) continue;
+        const std::int32_t patch = matching_patch(contacts, narrow, group, hit);
         if (patch == none)
             own.fresh.push_back({place, order++, hit, is_ahead, touch});
         else
-            step.narrow.patch_outcomes[patch] =
-                take_manifold(s, contacts, std::uint32_t(patch), hit, dt, is_ahead ? &touch : nullptr);
+            narrow.patch_outcomes[patch] = take_manifold(in.bodies, in.shapes, contacts, in.islands,
+                                                         std::uint32_t(patch), hit, dt, is_ahead ? &touch : nullptr);
     }
     for (std::int32_t p = group.related; p != none; p = contacts.info[p].next)
-        if (std::uint8_t& outcome = step.narrow.patch_outcomes[p]; outcome == not_found) outcome = ended;
+        if (std::uint8_t& outcome = narrow.patch_outcomes[p]; outcome == not_found) outcome = ended;
 }
 
 void begin_groups(const Contacts& contacts, NarrowScratch& narrow) {
@@ -145,17 +144,17 @@ void begin_groups(const Contacts& contacts, NarrowScratch& narrow) {
     for (NarrowBatch& own : narrow.at_work) own.fresh.clear();
 }
 
-void test_groups(const State& s, Contacts& contacts, StepScratch& step, int begin, int end, NarrowBatch& own,
+void test_groups(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, int begin, int end, NarrowBatch& own,
                  float dt) {
-    const std::vector<std::uint32_t>& places = step.narrow.lists[std::size_t(PairKind::group)];
+    const std::vector<std::uint32_t>& places = narrow.lists[std::size_t(PairKind::group)];
     constexpr std::size_t ahead = 4;
-    const auto contact_at = [&](std::size_t i) { return step.narrow.candidates[places[i]]; };
+    const auto contact_at = [&](std::size_t i) { return narrow.candidates[places[i]]; };
     for (std::size_t i = std::size_t(begin); i < std::size_t(end); ++i) {
         if (i + 2 * ahead < places.size()) ask_cache(&contacts.info[contact_at(i + 2 * ahead)]);
-        if (i + ahead < places.size()) prefetch_pair(s.bodies, s.shapes, contacts, contact_at(i + ahead));
+        if (i + ahead < places.size()) prefetch_pair(in.bodies, in.shapes, contacts, contact_at(i + ahead));
         for (int n = 0; n < patches_at_hand; ++n)
             if (i + patch_ahead(n) < places.size()) prefetch_patch(contacts, contact_at(i + patch_ahead(n)), n, true);
-        test_group(s, contacts, step, places[i], own, dt);
+        test_group(in, contacts, narrow, places[i], own, dt);
     }
 }
 
@@ -169,25 +168,27 @@ void collect_fresh_patches(NarrowScratch& narrow) {
     });
 }
 
-void follow_up_group(State& s, NarrowScratch& narrow, std::vector<std::uint32_t>& solved, std::uint32_t place,
-                     float dt) {
+void follow_up_group(const FollowUpContext& s, std::uint32_t place, float dt) {
+    NarrowScratch& narrow = s.narrow;
     const std::uint32_t id = narrow.candidates[place];
     const std::uint8_t outcome = narrow.outcomes[place];
     if (outcome == apart || outcome == skipped || outcome == entered || outcome == left) {
-        follow_up(s, narrow, solved, id, outcome, dt);
+        follow_up(s, id, outcome, dt);
         return;
     }
     const bool was_tested = outcome == tested_patches;
     for_each_patch(s.contacts, id, [&](std::uint32_t patch) {
-        follow_up(s, narrow, solved, patch, was_tested ? narrow.patch_outcomes[patch] : outcome, dt);
+        follow_up(s, patch, was_tested ? narrow.patch_outcomes[patch] : outcome, dt);
         if (s.contacts.info[patch].point_count == 0)
             end_patch(s.bodies, s.shapes, s.contacts, s.islands, s.events, patch);
     });
     for (std::size_t& k = narrow.next_fresh; k < narrow.fresh.size() && narrow.fresh[k].place == place; ++k) {
         const std::uint32_t patch = create_patch(s.shapes, s.contacts, narrow, id);
         const FreshPatch& fresh = narrow.fresh[k];
-        follow_up(s, narrow, solved, patch,
-                  take_manifold(s, s.contacts, patch, fresh.manifold, dt, fresh.is_ahead ? &fresh.touch : nullptr), dt);
+        follow_up(s, patch,
+                  take_manifold(s.bodies, s.shapes, s.contacts, s.islands, patch, fresh.manifold, dt,
+                                fresh.is_ahead ? &fresh.touch : nullptr),
+                  dt);
         if (s.contacts.info[patch].point_count > 0) continue;
         end_patch(s.bodies, s.shapes, s.contacts, s.islands, s.events, patch); // left alone, as its body sleeps
         drop_answer(s.bodies, s.contacts, id);

@@ -1,8 +1,7 @@
 // Groups: pairs of a convex shape with a mesh or height field, and the patches in which they touch.
 #pragma once
 
-#include "state/state.h"
-#include "state/step_scratch.h"
+#include "contacts/contexts.h"
 
 namespace cairn {
 
@@ -21,16 +20,15 @@ template <class F> void for_each_patch(const Contacts& contacts, std::uint32_t i
 
 void begin_groups(const Contacts& contacts, NarrowScratch& narrow);
 // Tests groups, by their places in the list of groups. Others may be at work on other groups.
-void test_groups(const State& state, Contacts& contacts, StepScratch& step, int begin, int end, NarrowBatch& own,
+void test_groups(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, int begin, int end, NarrowBatch& own,
                  float dt);
 // What a test has found of one of them, `own.hits`, at that place among the candidates, becomes patches.
-void take_group(const State& state, Contacts& contacts, StepScratch& step, std::uint32_t place, NarrowBatch& own,
+void take_group(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, std::uint32_t place, NarrowBatch& own,
                 float dt);
 // Puts the patches that threads have found in the order of the groups.
 void collect_fresh_patches(NarrowScratch& narrow);
 // The group at that place among the candidates.
-void follow_up_group(State& state, NarrowScratch& narrow, std::vector<std::uint32_t>& solved, std::uint32_t place,
-                     float dt);
+void follow_up_group(const FollowUpContext& context, std::uint32_t place, float dt);
 // The patch of a group with a normal from A, or a new one, without points.
 std::uint32_t patch_along(const Shapes& shapes, Contacts& contacts, NarrowScratch& narrow, std::uint32_t group,
                           math::Vec3 normal);

@@ -22,27 +22,27 @@ namespace {
 constexpr float slide_part = 0.05f;
 
 // The last substep looks ahead at the next one as well.
-float looked_at(const State& s, const StepScratch& step, float dt) {
-    return dt * (1 + 1.0f / float(step.passes.in_pass(s.settings.substeps)));
+float looked_at(const NarrowInput& in, float dt) {
+    return dt * (1 + 1.0f / float(in.passes.in_pass(in.settings.substeps)));
 }
 
 // As velocities and forces say, which act in substeps: nearly as all the time. Seen from `origin`, for precision far
 // from that of the world.
-RigidPath expected_path(const State& s, std::int32_t b, DVec3 origin, float dt) {
-    const BodyMotion& m = s.bodies.motion[b];
+RigidPath expected_path(const NarrowInput& in, std::int32_t b, DVec3 origin, float dt) {
+    const BodyMotion& m = in.bodies.motion[b];
     const DVec3 from = m.x - origin;
-    if (s.bodies.settings[b].type == BodyType::static_ || (s.bodies.is_dynamic(b) && !is_awake(s.bodies, s.islands, b)))
+    if (in.bodies.settings[b].type == BodyType::static_ ||
+        (in.bodies.is_dynamic(b) && !is_awake(in.bodies, in.islands, b)))
         return RigidPath::between(from, m.q, from, m.q);
     const double t = double(dt);
     DVec3 way = t * math::to_double(m.v);
-    way += (0.5 * t * t) * acceleration_at(s.bodies, s.fields, s.settings, b, m.x);
+    way += (0.5 * t * t) * acceleration_at(in.bodies, in.fields, in.settings, b, m.x);
     return RigidPath::between(from, m.q, from + way, math::from_rotation_vector(t * math::to_double(m.w)) * m.q);
 }
 
-SweptShape swept(const State& s, std::uint32_t shape, const RigidPath& path) {
-    const Geometry& g = s.shapes.geometry[shape];
-    return {g, s.shapes.data[shape], math::to_double(g.position - s.bodies.mass[s.shapes.links[shape].body].center),
-            path};
+SweptShape swept(const Bodies& bodies, const Shapes& shapes, std::uint32_t shape, const RigidPath& path) {
+    const Geometry& g = shapes.geometry[shape];
+    return {g, shapes.data[shape], math::to_double(g.position - bodies.mass[shapes.links[shape].body].center), path};
 }
 
 struct PosedBody {
@@ -51,20 +51,22 @@ struct PosedBody {
     math::Vec3 arm;
     ShapePose pose;
 };
-PosedBody posed_at(const State& s, std::uint32_t shape, const RigidPath& path, double time) {
+PosedBody posed_at(const Bodies& bodies, const Shapes& shapes, std::uint32_t shape, const RigidPath& path,
+                   double time) {
     const RigidPath::Pose body = path.at(time);
-    const Geometry& g = s.shapes.geometry[shape];
+    const Geometry& g = shapes.geometry[shape];
     const math::Quat q = math::to_float(body.q);
-    PosedBody p{body.x - path.start, body.q * math::conjugate(path.rotation), {}, s.shapes.poses[shape]};
-    p.arm = math::rotate(q, g.position - s.bodies.mass[s.shapes.links[shape].body].center);
-    pose_shape(p.pose, g, s.bodies.motion[s.shapes.links[shape].body].x + (p.moved + math::to_double(p.arm)), q);
+    PosedBody p{body.x - path.start, body.q * math::conjugate(path.rotation), {}, shapes.poses[shape]};
+    p.arm = math::rotate(q, g.position - bodies.mass[shapes.links[shape].body].center);
+    pose_shape(p.pose, g, bodies.motion[shapes.links[shape].body].x + (p.moved + math::to_double(p.arm)), q);
     return p;
 }
 
 // With all points that may come to touch in the rest of the step: `margin`.
-Manifold manifold_at(const State& s, const ContactInfo& c, const PosedBody& at_a, const PosedBody& at_b, float margin) {
-    const PosedShape a{s.shapes.geometry[c.shape_a], s.shapes.data[c.shape_a], at_a.pose, at_a.arm};
-    const PosedShape b{s.shapes.geometry[c.shape_b], s.shapes.data[c.shape_b], at_b.pose, at_b.arm};
+Manifold manifold_at(const Shapes& shapes, const ContactInfo& c, const PosedBody& at_a, const PosedBody& at_b,
+                     float margin) {
+    const PosedShape a{shapes.geometry[c.shape_a], shapes.data[c.shape_a], at_a.pose, at_a.arm};
+    const PosedShape b{shapes.geometry[c.shape_b], shapes.data[c.shape_b], at_b.pose, at_b.arm};
     return c.flipped ? test_posed_pair(c.kind, b, a, margin) : test_posed_pair(c.kind, a, b, margin);
 }
 
@@ -78,9 +80,9 @@ DVec3 clear_of_approach(DVec3 normal, DVec3 velocity) {
 }
 
 // One point, where the two are nearest.
-Manifold manifold_beside(const State& s, const ContactInfo& c, const PosedBody& at_a, const PosedBody& at_b,
+Manifold manifold_beside(const Bodies& bodies, const ContactInfo& c, const PosedBody& at_a, const PosedBody& at_b,
                          const Nearness& found) {
-    const BodyMotion &a = s.bodies.motion[c.body_a], &b = s.bodies.motion[c.body_b];
+    const BodyMotion &a = bodies.motion[c.body_a], &b = bodies.motion[c.body_b];
     const DVec3 velocity_a = math::to_double(a.v) + math::cross(math::to_double(a.w), found.on_a - at_a.moved);
     const DVec3 velocity_b =
         math::to_double(b.v) + math::cross(math::to_double(b.w), found.on_a - ((b.x - a.x) + at_b.moved));
@@ -101,21 +103,21 @@ float bounding_radius_of(const Geometry& g) { return is_surface(g.type) ? unlimi
 
 } // namespace
 
-bool moves_far(const State& s, const StepScratch& step, const ContactInfo& c, const Manifold& m, float dt) {
+bool moves_far(const NarrowInput& in, const ContactInfo& c, const Manifold& m, float dt) {
     if (c.is_trigger || m.count == 0) return false;
     float turn = 0;
     for (const std::int32_t b : {c.body_a, c.body_b}) {
-        if (s.bodies.links[b].first_joint != none) return false;
-        turn += math::length(s.bodies.motion[b].w);
+        if (in.bodies.links[b].first_joint != none) return false;
+        turn += math::length(in.bodies.motion[b].w);
     }
     if (turn * dt > half_turn) return false;
     const std::int32_t first = c.flipped ? c.body_b : c.body_a, second = c.flipped ? c.body_a : c.body_b;
-    const BodyMotion &a = s.bodies.motion[first], &b = s.bodies.motion[second];
-    const math::Vec3 n = math::to_vec(m.normal), center = s.shapes.links[c.flipped ? c.shape_b : c.shape_a].arm;
+    const BodyMotion &a = in.bodies.motion[first], &b = in.bodies.motion[second];
+    const math::Vec3 n = math::to_vec(m.normal), center = in.shapes.links[c.flipped ? c.shape_b : c.shape_a].arm;
     const math::Vec3 d = math::to_float(a.x - b.x);
-    const float horizon = looked_at(s, step, dt);
+    const float horizon = looked_at(in, dt);
     const float size =
-        std::min(s.shapes.geometry[c.shape_a].bounding_radius, bounding_radius_of(s.shapes.geometry[c.shape_b]));
+        std::min(in.shapes.geometry[c.shape_a].bounding_radius, bounding_radius_of(in.shapes.geometry[c.shape_b]));
     for (int i = 0; i < m.count; ++i) {
         const float separation = m.points[i][3];
         if (separation <= 0) return false;
@@ -129,16 +131,17 @@ bool moves_far(const State& s, const StepScratch& step, const ContactInfo& c, co
     return false;
 }
 
-Approach find_touch(const State& s, const StepScratch& step, const ContactInfo& c, float pass, float margin,
-                    Touch& touch) {
-    const float dt = looked_at(s, step, pass);
-    const DVec3 origin = s.bodies.motion[c.body_a].x;
-    const RigidPath a = expected_path(s, c.body_a, origin, dt), b = expected_path(s, c.body_b, origin, dt);
-    const Nearness found = nearness_of(swept(s, c.shape_a, a), swept(s, c.shape_b, b), double(c.base_margin));
+Approach find_touch(const NarrowInput& in, const ContactInfo& c, float pass, float margin, Touch& touch) {
+    const float dt = looked_at(in, pass);
+    const DVec3 origin = in.bodies.motion[c.body_a].x;
+    const RigidPath a = expected_path(in, c.body_a, origin, dt), b = expected_path(in, c.body_b, origin, dt);
+    const Nearness found = nearness_of(swept(in.bodies, in.shapes, c.shape_a, a),
+                                       swept(in.bodies, in.shapes, c.shape_b, b), double(c.base_margin));
     const double time = found.time;
     if (!(found.distance <= double(c.base_margin))) return Approach::passes;
     if (!(time > 0)) return Approach::now;
-    const PosedBody at_a = posed_at(s, c.shape_a, a, time), at_b = posed_at(s, c.shape_b, b, time);
+    const PosedBody at_a = posed_at(in.bodies, in.shapes, c.shape_a, a, time),
+                    at_b = posed_at(in.bodies, in.shapes, c.shape_b, b, time);
     touch.time = dt * float(time);
     touch.pose_a = at_a.pose, touch.pose_b = at_b.pose;
     touch.arm_a = at_a.arm;
@@ -146,21 +149,21 @@ Approach find_touch(const State& s, const StepScratch& step, const ContactInfo& 
     touch.turned_a = at_a.turned, touch.turned_b = at_b.turned;
     touch.is_beside = found.distance > 0;
     if (touch.is_beside)
-        touch.manifold = manifold_beside(s, c, at_a, at_b, found);
+        touch.manifold = manifold_beside(in.bodies, c, at_a, at_b, found);
     else if (!is_group(c))
-        touch.manifold = manifold_at(s, c, at_a, at_b, margin);
+        touch.manifold = manifold_at(in.shapes, c, at_a, at_b, margin);
     return Approach::later;
 }
 
-std::uint8_t take_test(const State& s, Contacts& contacts, const StepScratch& step, std::uint32_t id, const Manifold& m,
-                       float dt) {
-    const ContactInfo& c = s.contacts.info[id];
-    if (!moves_far(s, step, c, m, dt)) return take_manifold(s, contacts, id, m, dt);
+std::uint8_t take_test(const NarrowInput& in, Contacts& contacts, const NarrowScratch& narrow, std::uint32_t id,
+                       const Manifold& m, float dt) {
+    const ContactInfo& c = contacts.info[id];
+    if (!moves_far(in, c, m, dt)) return take_manifold(in.bodies, in.shapes, contacts, in.islands, id, m, dt);
     Touch touch;
-    const Approach approach = find_touch(s, step, c, dt, contact_margin(s.bodies, step.narrow, c, dt), touch);
-    if (approach == Approach::now) return take_manifold(s, contacts, id, m, dt);
-    if (approach == Approach::passes) return take_distance(s.bodies, contacts, id, 0);
-    return take_manifold(s, contacts, id, touch.manifold, dt, &touch);
+    const Approach approach = find_touch(in, c, dt, contact_margin(in.bodies, narrow, c, dt), touch);
+    if (approach == Approach::now) return take_manifold(in.bodies, in.shapes, contacts, in.islands, id, m, dt);
+    if (approach == Approach::passes) return take_distance(in.bodies, contacts, id, 0);
+    return take_manifold(in.bodies, in.shapes, contacts, in.islands, id, touch.manifold, dt, &touch);
 }
 
 } // namespace cairn

@@ -1,25 +1,22 @@
 // Contacts of what moves far in a step: at the poses at which the shapes will touch.
 #pragma once
 
-#include "state/state.h"
-#include "state/step_scratch.h"
+#include "contacts/contexts.h"
 #include "state/touch.h"
 
 namespace cairn {
 
 // Whether two shapes, which are apart at the start of the step, slide or turn so far before they touch where the
 // manifold says that they may touch otherwise, or not at all. Bodies with joints do not move as their velocities say.
-bool moves_far(const State& state, const StepScratch& step, const ContactInfo& contact, const Manifold& manifold,
-               float dt);
+bool moves_far(const NarrowInput& in, const ContactInfo& contact, const Manifold& manifold, float dt);
 
 enum class Approach { passes, now, later };
 // When and where the two will touch or be nearest, as their velocities and forces say; `touch` is written if that is
 // later. `margin`: how far apart points may be at the touch to count.
-Approach find_touch(const State& state, const StepScratch& step, const ContactInfo& contact, float dt, float margin,
-                    Touch& touch);
+Approach find_touch(const NarrowInput& in, const ContactInfo& contact, float dt, float margin, Touch& touch);
 
 // The outcome of a pair that was tested at the start of the step: what moves far is asked again at the touch.
-std::uint8_t take_test(const State& state, Contacts& contacts, const StepScratch& step, std::uint32_t contact,
+std::uint8_t take_test(const NarrowInput& in, Contacts& contacts, const NarrowScratch& narrow, std::uint32_t contact,
                        const Manifold& manifold, float dt);
 
 } // namespace cairn

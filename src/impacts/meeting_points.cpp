@@ -20,32 +20,34 @@ struct Placed {
 };
 
 // Seen from `origin`, for precision far from that of the world.
-Placed placed_at(const State& s, std::uint32_t shape, const MovingState& body, DVec3 origin) {
-    const Geometry& g = s.shapes.geometry[shape];
+Placed placed_at(const Bodies& bodies, const Shapes& shapes, std::uint32_t shape, const MovingState& body,
+                 DVec3 origin) {
+    const Geometry& g = shapes.geometry[shape];
     const math::Quat q = math::to_float(body.q);
-    Placed p{shape, math::rotate(q, g.position - s.bodies.mass[s.shapes.links[shape].body].center),
-             s.shapes.poses[shape]};
+    Placed p{shape, math::rotate(q, g.position - bodies.mass[shapes.links[shape].body].center), shapes.poses[shape]};
     pose_shape(p.pose, g, (body.x - origin) + to_double(p.arm), q);
     return p;
 }
 
 } // namespace
 
-void find_meeting_points(const State& s, std::uint32_t shape_a, const MovingState& a, std::uint32_t shape_b,
-                         const MovingState& b, NarrowBatch& scratch, std::vector<ImpactPoint>& points) {
+void find_meeting_points(const Bodies& bodies, const Shapes& shapes, std::uint32_t shape_a, const MovingState& a,
+                         std::uint32_t shape_b, const MovingState& b, NarrowBatch& scratch,
+                         std::vector<ImpactPoint>& points) {
     points.clear();
     bool swapped = false;
-    const std::optional<PairKind> kind = pair_kind(s.shapes.geometry[shape_a], s.shapes.geometry[shape_b], swapped);
+    const std::optional<PairKind> kind = pair_kind(shapes.geometry[shape_a], shapes.geometry[shape_b], swapped);
     if (!kind) return;
-    const double half_width = half_width_of(s.shapes.geometry[shape_a], s.shapes.data[shape_a],
-                                            s.shapes.geometry[shape_b], s.shapes.data[shape_b]);
+    const double half_width =
+        half_width_of(shapes.geometry[shape_a], shapes.data[shape_a], shapes.geometry[shape_b], shapes.data[shape_b]);
     const auto margin = float(touch_tolerance(half_width));
     const DVec3 origin = a.x;
-    Placed first = placed_at(s, shape_a, a, origin), second = placed_at(s, shape_b, b, origin);
+    Placed first = placed_at(bodies, shapes, shape_a, a, origin),
+           second = placed_at(bodies, shapes, shape_b, b, origin);
     if (swapped) std::swap(first, second);
     scratch.hits.clear();
     const auto posed = [&](const Placed& p) {
-        return PosedShape{s.shapes.geometry[p.shape], s.shapes.data[p.shape], p.pose, p.arm};
+        return PosedShape{shapes.geometry[p.shape], shapes.data[p.shape], p.pose, p.arm};
     };
     if (*kind == PairKind::group)
         find_patches(posed(first), posed(second), margin, margin, scratch.surface, scratch.hits);

@@ -20,10 +20,9 @@ using math::to_double;
 namespace {
 
 // Where a body was at the start of the pass.
-CountedPose pose_before(const State& s, std::int32_t b) {
-    if (s.bodies.settings[b].type == BodyType::kinematic || is_awake(s.bodies, s.islands, b))
-        return s.bodies.counted[b];
-    return {s.bodies.motion[b].x, s.bodies.motion[b].q};
+CountedPose pose_before(const Bodies& bodies, const Islands& islands, std::int32_t b) {
+    if (bodies.settings[b].type == BodyType::kinematic || is_awake(bodies, islands, b)) return bodies.counted[b];
+    return {bodies.motion[b].x, bodies.motion[b].q};
 }
 
 // Velocity of the path behind the stored one at the end of a substep, in substeps of acceleration: paths are parabolas
@@ -54,8 +53,8 @@ DVec3 with_square(DVec3 v, double square) {
 
 } // namespace
 
-Movers::Movers(State& state, StepScratch& step, float dt)
-    : s(state), step(step), dt_(dt), place_(step.solver.sweep.place), movers_(step.solver.sweep.movers) {
+Movers::Movers(const MoverContext& context, SweepScratch& scratch, float dt)
+    : s(context), dt_(dt), place_(scratch.place), movers_(scratch.movers) {
     if (place_.size() < s.bodies.links.size()) place_.resize(s.bodies.links.size(), none);
     movers_.clear();
 }
@@ -64,7 +63,7 @@ Movers::~Movers() {
 }
 
 double Movers::offset_of_velocity() const {
-    return path_offset(s.settings.integrator) * double(dt_) / step.passes.in_pass(s.settings.substeps);
+    return path_offset(s.settings.integrator) * double(dt_) / s.passes.in_pass(s.settings.substeps);
 }
 
 // Of what is free: by its angular momentum, which torque alone changes.
@@ -91,7 +90,7 @@ std::int32_t Movers::add(std::int32_t b) {
     if (of_body(b) != none) return of_body(b);
     const auto i = std::int32_t(movers_.size());
     place_[std::size_t(b)] = i;
-    const CountedPose from = pose_before(s, b);
+    const CountedPose from = pose_before(s.bodies, s.islands, b);
     const BodyMotion& to = s.bodies.motion[b];
     const BodyLinks& links = s.bodies.links[b];
     Mover m;
@@ -164,7 +163,7 @@ void Movers::lead_on(std::int32_t i, double time) {
 }
 
 RigidPath Movers::path_of(std::int32_t b) const {
-    const CountedPose from = pose_before(s, b);
+    const CountedPose from = pose_before(s.bodies, s.islands, b);
     const BodyMotion& to = s.bodies.motion[b];
     return RigidPath::between(from.x, from.q, to.x, to.q);
 }
@@ -201,7 +200,7 @@ void Movers::fly(const Mover& m, const MovingState& from, double duration) const
     BodyMotion& motion = s.bodies.motion[m.body];
     const DVec3 real = acceleration_at(s.bodies, s.fields, s.settings, m.body, from.x);
     // The integrator's substeps are shorter here, and stored velocities differ from those of paths by a part of one.
-    const int all = step.passes.in_pass(s.settings.substeps),
+    const int all = s.passes.in_pass(s.settings.substeps),
               substeps = std::max(int(std::ceil(all * duration / double(dt_))), 1);
     const double shorter = path_offset(s.settings.integrator) * duration / substeps;
     const DVec3 stored = from.v - shorter * real;
@@ -302,16 +301,19 @@ void Movers::put_back(std::int32_t i) {
         motion.v = math::to_float(with_square(v, std::min(left, square))); // it gains nothing: it was pushed
         motion.x = pose.x;
         if (!m.turns_over) motion.q = pose.q;
-        ++s.statistics.stopped_bodies;
     }
-    motion.turned = math::to_float(motion.q * math::conjugate(pose_before(s, m.body).q));
+    motion.turned = math::to_float(motion.q * math::conjugate(pose_before(s.bodies, s.islands, m.body).q));
     if (m.impacts > 0) s.bodies.links[m.body].quiet_time = 0;
     place_again(s.bodies, s.shapes, s.broad_phase, m.body, dt_);
 }
 
-void Movers::put_back() {
-    for (std::int32_t i = 0; i < count(); ++i)
+std::size_t Movers::put_back() {
+    std::size_t stopped = 0;
+    for (std::int32_t i = 0; i < count(); ++i) {
+        stopped += (*this)[i].has_stopped();
         if ((*this)[i].is_changed || (*this)[i].has_stopped()) put_back(i);
+    }
+    return stopped;
 }
 
 } // namespace cairn

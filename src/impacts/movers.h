@@ -13,9 +13,22 @@ struct MovingState {
     math::DVec3 v, w;
 };
 
+// What movers read, and what they change as they are redirected and put back: bodies, the places of their shapes, and
+// how often a speed was cut.
+struct MoverContext {
+    const WorldDef& settings;
+    const Islands& islands;
+    const ForceFields& fields;
+    const StepPasses& passes;
+    Bodies& bodies;
+    Shapes& shapes;
+    BroadPhase& broad_phase;
+    std::uint64_t& clamped_speeds;
+};
+
 class Movers {
   public:
-    Movers(State& state, StepScratch& step, float dt);
+    Movers(const MoverContext& context, SweepScratch& scratch, float dt);
     ~Movers();
     Movers(const Movers&) = delete;
     Movers& operator=(const Movers&) = delete;
@@ -37,8 +50,8 @@ class Movers {
     // It lies on something in the direction of the unit vector `down`: the forces that press it there do not move it.
     void rest_on(std::int32_t i, math::DVec3 down);
     void stop(std::int32_t i, double time) { (*this)[i].until = time; }
-    // All that were redirected or stopped: where they are at the end of the step.
-    void put_back();
+    // All that were redirected or stopped: where they are at the end of the step. Returns how many were stopped.
+    std::size_t put_back();
 
     // Of what does not move by forces, or is slow: where it was at the start of the pass and is at its end.
     RigidPath path_of(std::int32_t body) const;
@@ -53,8 +66,7 @@ class Movers {
     void keep_in_range(std::int32_t body, const MovingState& from, double duration) const;
     void put_back(std::int32_t i);
 
-    State& s;
-    StepScratch& step;
+    const MoverContext s;
     const float dt_;
     std::vector<std::int32_t>& place_;
     std::vector<Mover>& movers_;

@@ -32,9 +32,14 @@ math::DSym3 inverse_inertia_at(const BodyMass& mass, math::DQuat q) {
 
 class ImpactQueue {
   public:
-    ImpactQueue(State& state, StepScratch& step, float dt)
-        : s(state), step(step), dt_(dt), movers_(state, step, dt),
-          assemblies_(state.bodies, state.joints, step.solver.sweep), pairs_(state, step, movers_, assemblies_) {
+    ImpactQueue(const ImpactContext& s, StepScratch& step, float dt)
+        : s(s), step(step), dt_(dt),
+          movers_({s.settings, s.islands, s.fields, step.passes, s.bodies, s.shapes, s.broad_phase, s.clamped_speeds},
+                  step.solver.sweep, dt),
+          assemblies_(s.bodies, s.joints, step.solver.sweep),
+          pairs_({s.bodies, s.shapes, s.contacts, s.islands, s.joints, s.broad_phase, step.narrow, step.solved,
+                  step.solver.fast, step.solver.strayed},
+                 step.solver.sweep, movers_, assemblies_) {
         meetings_.clear();
     }
     void run() {
@@ -59,7 +64,7 @@ class ImpactQueue {
             else if (m.time == pairs_[m.pair].time) // else it was asked again
                 meet(m.pair, m.time);
         }
-        movers_.put_back();
+        s.statistics.stopped_bodies += movers_.put_back();
     }
 
   private:
@@ -207,7 +212,7 @@ class ImpactQueue {
         if (pairs_[k].second == none && can_go_on(body_b)) expect_renewal(mover_at(body_b, time));
         const SweptPair pair = pairs_[k];
         MovingState now_a = state_of(pair.first, body_a, time), now_b = state_of(pair.second, body_b, time);
-        find_meeting_points(s, pair.shape, now_a, pair.other, now_b, scratch_, points_);
+        find_meeting_points(s.bodies, s.shapes, pair.shape, now_a, pair.other, now_b, scratch_, points_);
         ImpactBody a = impact_body(pair.first, body_a, now_a), b = impact_body(pair.second, body_b, now_b);
         const PairMaterial material = combined_material(s.shapes.materials[pair.shape], s.shapes.materials[pair.other]);
         const ImpactMaterial law{double(material.restitution), double(material.friction),
@@ -301,7 +306,7 @@ class ImpactQueue {
         return !has_touched;
     }
 
-    State& s;
+    const ImpactContext s;
     StepScratch& step;
     const float dt_;
     Movers movers_;
@@ -315,7 +320,7 @@ class ImpactQueue {
 
 } // namespace
 
-void resolve_impacts(State& s, StepScratch& step, float dt) {
+void resolve_impacts(const ImpactContext& s, StepScratch& step, float dt) {
     if (step.solver.fast.empty() && step.narrow.in_flight.empty() && s.bodies.kinematics.empty()) return;
     ImpactQueue(s, step, dt).run();
 }

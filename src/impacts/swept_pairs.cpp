@@ -13,39 +13,38 @@ using math::DVec3;
 namespace {
 
 // About the center of mass.
-Geometry inner_ball(const State& s, std::int32_t b) {
+Geometry inner_ball(const Bodies& bodies, std::int32_t b) {
     Geometry ball;
-    ball.size = {s.bodies.links[b].inner_radius, s.bodies.links[b].inner_radius, s.bodies.links[b].inner_radius};
-    ball.bounding_radius = s.bodies.links[b].inner_radius;
-    ball.position = s.bodies.mass[b].center;
+    ball.size = {bodies.links[b].inner_radius, bodies.links[b].inner_radius, bodies.links[b].inner_radius};
+    ball.bounding_radius = bodies.links[b].inner_radius;
+    ball.position = bodies.mass[b].center;
     return ball;
 }
 
-template <class F> void for_each_shape(const State& s, std::int32_t body, F&& f) {
-    for (std::int32_t k = s.bodies.links[body].first_shape; k != none; k = s.shapes.links[k].next) f(std::uint32_t(k));
+template <class F> void for_each_shape(const Bodies& bodies, const Shapes& shapes, std::int32_t body, F&& f) {
+    for (std::int32_t k = bodies.links[body].first_shape; k != none; k = shapes.links[k].next) f(std::uint32_t(k));
 }
 
 } // namespace
 
-SweptPairs::SweptPairs(State& state, StepScratch& step, Movers& movers, Assemblies& assemblies)
-    : s(state), step(step), movers_(movers), assemblies_(assemblies), scratch_(step.solver.sweep),
-      pairs_(step.solver.sweep.pairs) {
+SweptPairs::SweptPairs(const SweptInput& input, SweepScratch& scratch, Movers& movers, Assemblies& assemblies)
+    : in(input), movers_(movers), assemblies_(assemblies), scratch_(scratch), pairs_(scratch.pairs) {
     pairs_.clear();
-    if (scratch_.first_waiting.size() < s.bodies.links.size())
-        scratch_.first_waiting.resize(s.bodies.links.size(), none);
+    if (scratch_.first_waiting.size() < in.bodies.links.size())
+        scratch_.first_waiting.resize(in.bodies.links.size(), none);
     scratch_.redirected.clear();
     scratch_.has_ways = scratch_.has_known = false;
 }
 
 SweptPairs::~SweptPairs() {
-    for (const SweptPair& pair : pairs_) scratch_.first_waiting[std::size_t(s.shapes.links[pair.other].body)] = none;
+    for (const SweptPair& pair : pairs_) scratch_.first_waiting[std::size_t(in.shapes.links[pair.other].body)] = none;
 }
 
 bool SweptPairs::may_collide(std::uint32_t a, std::uint32_t b) const {
-    const std::int32_t body_a = s.shapes.links[a].body, body_b = s.shapes.links[b].body;
-    const ShapeTraits &ta = s.shapes.traits[a], &tb = s.shapes.traits[b];
+    const std::int32_t body_a = in.shapes.links[a].body, body_b = in.shapes.links[b].body;
+    const ShapeTraits &ta = in.shapes.traits[a], &tb = in.shapes.traits[b];
     return body_a != body_b && !ta.is_trigger && !tb.is_trigger && may_meet(ta.filter, tb.filter) &&
-           !joint_forbids_contact(s.bodies, s.joints, body_a, body_b);
+           !joint_forbids_contact(in.bodies, in.joints, body_a, body_b);
 }
 
 // Joints keep the bodies of an assembly from meeting, or bring them together, and act in the solver alone.
@@ -56,21 +55,21 @@ bool SweptPairs::are_joined(std::int32_t a, std::int32_t b) {
 
 // What moves by forces, is slow, and something kinematic passes.
 void SweptPairs::find_struck(std::int32_t kinematic) {
-    const BodyMotion& motion = s.bodies.motion[kinematic];
-    const double radius = double(s.bodies.links[kinematic].radius);
-    const double moved = uncounted(s.bodies.counted[kinematic], motion, s.bodies.links[kinematic].radius);
-    if (!(moved > free_share * double(s.bodies.links[kinematic].inner_radius))) return;
+    const BodyMotion& motion = in.bodies.motion[kinematic];
+    const double radius = double(in.bodies.links[kinematic].radius);
+    const double moved = uncounted(in.bodies.counted[kinematic], motion, in.bodies.links[kinematic].radius);
+    if (!(moved > free_share * double(in.bodies.links[kinematic].inner_radius))) return;
     DBounds bounds;
-    const DVec3 from = s.bodies.counted[kinematic].x;
+    const DVec3 from = in.bodies.counted[kinematic].x;
     for (int k = 0; k < 3; ++k)
         bounds.lo[k] = std::min(from[k], motion.x[k]) - radius, bounds.hi[k] = std::max(from[k], motion.x[k]) + radius;
     std::vector<std::uint32_t>& near = scratch_.near; // pairs are not added while lists are gone through
     near.clear();
-    s.broad_phase.query_bounds(bounds, [&](std::uint32_t other) { near.push_back(other); });
+    in.broad_phase.query_bounds(bounds, [&](std::uint32_t other) { near.push_back(other); });
     for (const std::uint32_t other : near) {
-        const std::int32_t body = s.shapes.links[other].body;
-        if (!s.bodies.is_dynamic(body)) continue;
-        for_each_shape(s, kinematic, [&](std::uint32_t shape) {
+        const std::int32_t body = in.shapes.links[other].body;
+        if (!in.bodies.is_dynamic(body)) continue;
+        for_each_shape(in.bodies, in.shapes, kinematic, [&](std::uint32_t shape) {
             if (!may_collide(other, shape)) return;
             const std::int32_t mover = add_mover(body);
             if (!is_listed(mover, other, shape)) add(mover, other, shape, none, is_known(other, shape));
@@ -80,21 +79,21 @@ void SweptPairs::find_struck(std::int32_t kinematic) {
 
 // Whether two bodies moved against each other so far that a core can pass, and came near each other. The first is fast.
 bool SweptPairs::may_pass(std::int32_t mover, std::int32_t b, const Geometry& other) const {
-    if (s.bodies.settings[b].type == BodyType::kinematic) return true;
+    if (in.bodies.settings[b].type == BodyType::kinematic) return true;
     const Mover& m = movers_[mover];
-    const double inner_a = double(s.bodies.links[m.body].inner_radius),
-                 inner_b = double(s.bodies.links[b].inner_radius);
+    const double inner_a = double(in.bodies.links[m.body].inner_radius),
+                 inner_b = double(in.bodies.links[b].inner_radius);
     const std::int32_t second = movers_.of_body(b);
-    const double moved_by_b = second != none                     ? movers_[second].moved
-                              : is_awake(s.bodies, s.islands, b) ? free_share * inner_b
-                                                                 : 0; // at most
+    const double moved_by_b = second != none                       ? movers_[second].moved
+                              : is_awake(in.bodies, in.islands, b) ? free_share * inner_b
+                                                                   : 0; // at most
     if (m.moved + moved_by_b <= free_share * std::min(inner_a, inner_b)) return false;
     if (other.type == ShapeType::plane || is_strip(other)) return true; // without an end
     // Along the straight way.
     const RigidPath path_b = second != none ? movers_[second].path : movers_.path_of(b);
     const DVec3 start = path_b.start - m.path.start, way = path_b.translation - m.path.translation;
     const double square = math::dot(way, way),
-                 radii = double(s.bodies.links[m.body].radius) + double(s.bodies.links[b].radius);
+                 radii = double(in.bodies.links[m.body].radius) + double(in.bodies.links[b].radius);
     const double time = square > 0 ? std::clamp(-math::dot(start, way) / square, 0.0, 1.0) : 0;
     const DVec3 nearest = start + time * way;
     return math::dot(nearest, nearest) <= radii * radii;
@@ -118,13 +117,13 @@ bool SweptPairs::is_listed(std::int32_t mover, std::uint32_t shape, std::uint32_
 // In one order, whichever of two movers was looked at first.
 void SweptPairs::add(std::int32_t mover, std::uint32_t shape, std::uint32_t other, std::int32_t contact,
                      bool is_known) {
-    SweptPair pair{mover, movers_.of_body(s.shapes.links[other].body), shape, other, contact, is_known};
+    SweptPair pair{mover, movers_.of_body(in.shapes.links[other].body), shape, other, contact, is_known};
     if (pair.second != none && other < shape) std::swap(pair.first, pair.second), std::swap(pair.shape, pair.other);
     const std::int32_t k = count();
     pairs_.push_back(pair);
     link(k, pair.first);
     if (pair.second != none) return link(k, pair.second);
-    std::int32_t& waiting = scratch_.first_waiting[std::size_t(s.shapes.links[other].body)];
+    std::int32_t& waiting = scratch_.first_waiting[std::size_t(in.shapes.links[other].body)];
     pairs_[std::size_t(k)].next_of_second = waiting;
     waiting = k;
 }
@@ -143,36 +142,37 @@ std::int32_t SweptPairs::add_mover(std::int32_t body) {
 }
 
 void SweptPairs::find() {
-    for (const std::uint32_t id : step.narrow.in_flight) {
-        const ContactInfo& c = s.contacts.info[id];
+    for (const std::uint32_t id : in.narrow.in_flight) {
+        const ContactInfo& c = in.contacts.info[id];
         add(movers_.of_body(c.body_a), c.shape_a, c.shape_b, std::int32_t(id), false);
     }
-    for (const std::int32_t b : s.bodies.kinematics) find_struck(b);
-    if (step.solver.fast.empty()) return;
-    for (const std::uint32_t k : step.narrow.open) {
-        const std::uint32_t id = step.narrow.candidates[k];
-        const PairAnswer& answer = s.contacts.answers[id];
+    for (const std::int32_t b : in.bodies.kinematics) find_struck(b);
+    if (in.fast.empty()) return;
+    for (const std::uint32_t k : in.narrow.open) {
+        const std::uint32_t id = in.narrow.candidates[k];
+        const PairAnswer& answer = in.contacts.answers[id];
         const std::int32_t a = movers_.of_body(answer.body_a), b = movers_.of_body(answer.body_b);
         const bool a_is_fast = a != none && movers_[a].is_fast, b_is_fast = b != none && movers_[b].is_fast;
         if (!a_is_fast && !b_is_fast) continue;
-        const ContactInfo& c = s.contacts.info[id];
+        const ContactInfo& c = in.contacts.info[id];
         if (c.is_trigger || are_joined(answer.body_a, answer.body_b)) continue;
         const std::int32_t mover = a_is_fast ? a : b;
         const std::uint32_t shape = a_is_fast ? c.shape_a : c.shape_b, other = a_is_fast ? c.shape_b : c.shape_a;
-        if (!may_pass(mover, s.shapes.links[other].body, s.shapes.geometry[other]) || is_listed(mover, shape, other))
+        if (!may_pass(mover, in.shapes.links[other].body, in.shapes.geometry[other]) || is_listed(mover, shape, other))
             continue;
         const bool is_known = is_group(c) ? c.related != none : c.point_count > 0;
         add(mover, shape, other, std::int32_t(id), is_known);
     }
-    for (const std::int32_t b : step.solver.strayed) find_near(movers_.of_body(b), 0);
+    for (const std::int32_t b : in.strayed) find_near(movers_.of_body(b), 0);
 }
 
 // Those whose bodies the solver has moved by a contact.
 bool SweptPairs::is_known(std::uint32_t a, std::uint32_t b) {
     if (!scratch_.has_known) list_known();
     const auto has_one = [&](std::uint32_t first, std::uint32_t second) {
-        for (std::int32_t k = scratch_.first_known[s.shapes.links[first].body]; k != none; k = scratch_.known[k].next) {
-            const ContactInfo& c = s.contacts.info[scratch_.known[k].contact];
+        for (std::int32_t k = scratch_.first_known[in.shapes.links[first].body]; k != none;
+             k = scratch_.known[k].next) {
+            const ContactInfo& c = in.contacts.info[scratch_.known[k].contact];
             if (c.shape_a == first && c.shape_b == second) return true;
         }
         return false;
@@ -182,10 +182,10 @@ bool SweptPairs::is_known(std::uint32_t a, std::uint32_t b) {
 
 void SweptPairs::list_known() {
     scratch_.has_known = true;
-    scratch_.first_known.assign(s.bodies.links.size(), none);
+    scratch_.first_known.assign(in.bodies.links.size(), none);
     scratch_.known.clear();
-    for (const std::uint32_t id : step.solved) {
-        const ContactInfo& c = s.contacts.info[id];
+    for (const std::uint32_t id : in.solved) {
+        const ContactInfo& c = in.contacts.info[id];
         if (!c.in_use || c.point_count == 0) continue;
         std::int32_t& first = scratch_.first_known[c.body_a];
         scratch_.known.push_back({id, first});
@@ -212,11 +212,12 @@ void SweptPairs::list_ways() {
 // they were going at first or since they were redirected.
 template <class F> void SweptPairs::for_each_near(std::int32_t mover, const DBounds& bounds, F&& f) {
     list_ways();
-    s.broad_phase.query_bounds(bounds, [&](std::uint32_t other) {
-        if (movers_.of_body(s.shapes.links[other].body) == none) f(other);
+    in.broad_phase.query_bounds(bounds, [&](std::uint32_t other) {
+        if (movers_.of_body(in.shapes.links[other].body) == none) f(other);
     });
     const auto visit = [&](const SweptBounds& way) {
-        if (way.mover != mover && meet(bounds, way.bounds)) for_each_shape(s, movers_[way.mover].body, f);
+        if (way.mover != mover && meet(bounds, way.bounds))
+            for_each_shape(in.bodies, in.shapes, movers_[way.mover].body, f);
     };
     const auto begins_before = [](const SweptBounds& w, double x) { return w.begin < x; };
     auto k =
@@ -233,9 +234,9 @@ void SweptPairs::find_near(std::int32_t mover, double from) {
     near.clear();
     for_each_near(mover, bounds, [&](std::uint32_t other) { near.push_back(other); });
     for (const std::uint32_t other : near)
-        for_each_shape(s, body, [&](std::uint32_t shape) {
+        for_each_shape(in.bodies, in.shapes, body, [&](std::uint32_t shape) {
             if (!may_collide(shape, other) || is_listed(mover, shape, other)) return;
-            if (are_joined(body, s.shapes.links[other].body)) return;
+            if (are_joined(body, in.shapes.links[other].body)) return;
             add(mover, shape, other, none, is_known(shape, other));
         });
     if (movers_[mover].is_redirected) scratch_.redirected.push_back({bounds.lo.x, mover, bounds});
@@ -244,8 +245,8 @@ void SweptPairs::find_near(std::int32_t mover, double from) {
 double SweptPairs::time_of(const SweptPair& pair, double from) const {
     const Mover& first = movers_[pair.first];
     const auto swept = [&](std::uint32_t shape, const Geometry& g, const RigidPath& path, double until) {
-        const std::int32_t body = s.shapes.links[shape].body;
-        return SweptShape{g, s.shapes.data[shape], math::to_double(g.position - s.bodies.mass[body].center), path,
+        const std::int32_t body = in.shapes.links[shape].body;
+        return SweptShape{g, in.shapes.data[shape], math::to_double(g.position - in.bodies.mass[body].center), path,
                           until};
     };
     // Seen from the first, for precision far from the origin.
@@ -256,18 +257,18 @@ double SweptPairs::time_of(const SweptPair& pair, double from) const {
     };
     const RigidPath path_a = seen(first.path);
     const Mover* const second = pair.second != none ? &movers_[pair.second] : nullptr;
-    const RigidPath path_b = seen(second ? second->path : movers_.path_of(s.shapes.links[pair.other].body));
+    const RigidPath path_b = seen(second ? second->path : movers_.path_of(in.shapes.links[pair.other].body));
     const double until_b = second ? second->until : 1;
     const bool turns = first.turns_over || (second && second->turns_over);
     Geometry ball_a, ball_b;
-    if (first.turns_over) ball_a = inner_ball(s, first.body);
-    if (second && second->turns_over) ball_b = inner_ball(s, second->body);
+    if (first.turns_over) ball_a = inner_ball(in.bodies, first.body);
+    if (second && second->turns_over) ball_b = inner_ball(in.bodies, second->body);
     const SweptShape a =
-        swept(pair.shape, first.turns_over ? ball_a : s.shapes.geometry[pair.shape], path_a, first.until);
+        swept(pair.shape, first.turns_over ? ball_a : in.shapes.geometry[pair.shape], path_a, first.until);
     const SweptShape b =
-        swept(pair.other, second && second->turns_over ? ball_b : s.shapes.geometry[pair.other], path_b, until_b);
+        swept(pair.other, second && second->turns_over ? ball_b : in.shapes.geometry[pair.other], path_b, until_b);
     // What something holds is pressed into it a little, and would catch at the edges of what lies beside.
-    const bool catches = !first.is_free && !(second && s.bodies.is_dynamic(second->body));
+    const bool catches = !first.is_free && !(second && in.bodies.is_dynamic(second->body));
     if (pair.touches && !pair.is_known && !turns) return time_of_sinking(a, b, from);
     if (pair.is_known || turns || catches) return time_of_meeting(a, b, pair.is_known, from);
     return time_of_impact(a, b, from);

@@ -6,9 +6,22 @@
 
 namespace cairn {
 
+// What the search for pairs reads. It changes movers and its own working memory alone.
+struct SweptInput {
+    const Bodies& bodies;
+    const Shapes& shapes;
+    const Contacts& contacts;
+    const Islands& islands;
+    const Joints& joints;
+    const BroadPhase& broad_phase;
+    const NarrowScratch& narrow;
+    const std::vector<std::uint32_t>& solved;
+    const std::vector<std::int32_t>&fast, &strayed; // of SolverScratch
+};
+
 class SweptPairs {
   public:
-    SweptPairs(State& state, StepScratch& step, Movers& movers, Assemblies& assemblies);
+    SweptPairs(const SweptInput& input, SweepScratch& scratch, Movers& movers, Assemblies& assemblies);
     ~SweptPairs();
     SweptPairs(const SweptPairs&) = delete;
     SweptPairs& operator=(const SweptPairs&) = delete;
@@ -48,8 +61,7 @@ class SweptPairs {
     void list_ways();
     template <class F> void for_each_near(std::int32_t mover, const DBounds& bounds, F&& f);
 
-    State& s;
-    StepScratch& step;
+    const SweptInput in;
     Movers& movers_;
     Assemblies& assemblies_;
     SweepScratch& scratch_;

@@ -37,15 +37,16 @@ void open_batch(SolverScratch& scratch, const Island& island) {
 }
 
 // All that is needed of the contacts to be solved, side by side: they lie scattered.
-void collect_contacts(const Bodies& bodies, Contacts& contacts, const Islands& islands, StepScratch& step, float dt) {
-    std::vector<SortedContact>& unsorted = step.solver.unsorted;
-    unsorted.resize(step.solved.size());
-    step.thread_pool->for_chunks(int(step.solved.size()), contacts_per_chunk, [&](int begin, int end, int) {
+void collect_contacts(const Bodies& bodies, Contacts& contacts, const Islands& islands,
+                      const std::vector<std::uint32_t>& solved, std::vector<SortedContact>& unsorted,
+                      ThreadPool& thread_pool, float dt) {
+    unsorted.resize(solved.size());
+    thread_pool.for_chunks(int(solved.size()), contacts_per_chunk, [&](int begin, int end, int) {
         ContactInfo* const info = contacts.info.data();
         const BodyLinks* const links = bodies.links.data();
         const BodySettings* const settings = bodies.settings.data();
         const Island* const all = islands.all.data();
-        const std::uint32_t* const ids = step.solved.data();
+        const std::uint32_t* const ids = solved.data();
         SortedContact* const out = unsorted.data();
         constexpr int ahead = 2 * int(contacts_ahead);
         for (int k = begin; k < end; ++k) {
@@ -86,7 +87,7 @@ void pack_batches(const Bodies& bodies, Contacts& contacts, Islands& islands, co
         scratch.contacts_of_island[i] = 0;
         islands.all[i].substeps = island_substeps(settings, step.passes, islands.all[i]);
     }
-    collect_contacts(bodies, contacts, islands, step, dt);
+    collect_contacts(bodies, contacts, islands, step.solved, scratch.unsorted, *step.thread_pool, dt);
     count_contacts(scratch);
 
     // One batch is open for each number of substeps; it closes when it is full.

@@ -150,13 +150,29 @@ double milliseconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-void solve_batch(State& s, StepScratch& step, const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool,
+// What solving one batch reads, and what it changes parts of, while threads may be at work on others: solve.h says
+// which parts.
+struct BatchContext {
+    const WorldDef& settings;
+    const ForceFields& fields;
+    const BroadPhase& broad_phase;
+    Bodies& bodies;
+    Shapes& shapes;
+    Contacts& contacts;
+    Islands& islands;
+    Joints& joints;
+    const StepPasses& passes;
+    const DirectSets& direct;
+    SolverScratch& solver;
+};
+
+void solve_batch(const BatchContext& s, const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool,
                  float dt) {
     const auto start = std::chrono::steady_clock::now();
-    fill_batch(s.bodies, s.shapes, s.contacts, s.islands, s.joints, s.settings, step.solver, step.direct, batch,
-               scratch, thread_pool);
+    fill_batch(s.bodies, s.shapes, s.contacts, s.islands, s.joints, s.settings, s.solver, s.direct, batch, scratch,
+               thread_pool);
     if (scratch.row_count() > 0) {
-        fill_joint_blocks(s.bodies, s.joints, step.direct, scratch, thread_pool, dt / float(batch.substeps));
+        fill_joint_blocks(s.bodies, s.joints, s.direct, scratch, thread_pool, dt / float(batch.substeps));
         prepare_free_motion(s.bodies, s.fields, s.settings, scratch, thread_pool, dt / float(batch.substeps),
                             batch.bounces);
         for_blocks(scratch, thread_pool, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
@@ -165,18 +181,16 @@ void solve_batch(State& s, StepScratch& step, const IslandBatch& batch, BatchScr
         });
         const double prepare_ms = milliseconds_since(start);
         scratch.prepare_ms += prepare_ms;
-        run_substeps(s.bodies, s.joints, s.fields, s.settings, step.direct, step.passes, batch, scratch, thread_pool,
-                     dt);
+        run_substeps(s.bodies, s.joints, s.fields, s.settings, s.direct, s.passes, batch, scratch, thread_pool, dt);
         finish_free_motion(scratch);
         for_blocks(scratch, thread_pool, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
             k.store(blocks_of(scratch, run), run.count, lanes_of(scratch, run), s.contacts.records.data(),
-                    step.solver.reports.data());
+                    s.solver.reports.data());
         });
-        store_joints(s.joints, s.settings, step.direct, scratch, dt);
+        store_joints(s.joints, s.settings, s.direct, scratch, dt);
         scratch.solve_ms += milliseconds_since(start) - prepare_ms;
     }
-    empty_batch(s.bodies, s.shapes, s.broad_phase, s.fields, s.settings, step.solver, step.passes, scratch, thread_pool,
-                dt);
+    empty_batch(s.bodies, s.shapes, s.broad_phase, s.fields, s.settings, s.solver, s.passes, scratch, thread_pool, dt);
 }
 
 // Those that are so large that one thread would keep the others waiting.
@@ -202,20 +216,20 @@ void move_kinematics(Bodies& bodies, float dt) {
     }
 }
 
-// What the threads have gathered, in an order that does not depend on them.
-void collect(BroadPhase& broad_phase, std::uint64_t& clamped_speeds, SolverScratch& solver) {
-    SolverScratch& scratch = solver;
+// What the threads have gathered, in an order that does not depend on them. Returns how often a speed was cut.
+std::uint64_t collect(BroadPhase& broad_phase, SolverScratch& scratch) {
     scratch.escaped.clear();
     scratch.fast.clear();
     scratch.strayed.clear();
-    solver.overloaded.clear();
+    scratch.overloaded.clear();
+    std::uint64_t clamped_speeds = 0;
     double prepare_ms = 0, solve_ms = 0;
     for (BatchScratch& own : scratch.at_work) {
         const FinalizeScratch& moved = own.finalized;
         scratch.escaped.insert(scratch.escaped.end(), moved.escaped.begin(), moved.escaped.end());
         scratch.fast.insert(scratch.fast.end(), moved.fast.begin(), moved.fast.end());
         scratch.strayed.insert(scratch.strayed.end(), moved.strayed.begin(), moved.strayed.end());
-        solver.overloaded.insert(solver.overloaded.end(), own.overloaded.begin(), own.overloaded.end());
+        scratch.overloaded.insert(scratch.overloaded.end(), own.overloaded.begin(), own.overloaded.end());
         clamped_speeds += own.clamped_speeds;
         prepare_ms += own.prepare_ms;
         solve_ms += own.solve_ms;
@@ -224,19 +238,22 @@ void collect(BroadPhase& broad_phase, std::uint64_t& clamped_speeds, SolverScrat
               [](const EscapedShape& a, const EscapedShape& b) { return a.shape < b.shape; });
     std::sort(scratch.fast.begin(), scratch.fast.end());
     std::sort(scratch.strayed.begin(), scratch.strayed.end());
-    std::sort(solver.overloaded.begin(), solver.overloaded.end());
+    std::sort(scratch.overloaded.begin(), scratch.overloaded.end());
     for (const EscapedShape& e : scratch.escaped) broad_phase.set_bounds(e.shape, e.bounds, e.displacement);
-    solver.prepare_share = prepare_ms / std::max(prepare_ms + solve_ms, 1e-9);
+    scratch.prepare_share = prepare_ms / std::max(prepare_ms + solve_ms, 1e-9);
+    return clamped_speeds;
 }
 
 } // namespace
 
-void solve_batches(State& s, StepScratch& step, float dt) {
+std::uint64_t solve_batches(Bodies& bodies, Shapes& shapes, Contacts& contacts, Islands& islands, Joints& joints,
+                            const ForceFields& fields, BroadPhase& broad_phase, const WorldDef& settings,
+                            StepScratch& step, float dt) {
     SolverScratch& scratch = step.solver;
-    update_direct_sets(s.bodies, s.joints, step.direct);
+    update_direct_sets(bodies, joints, step.direct);
     ThreadPool* const thread_pool = step.thread_pool.get();
     const int threads = thread_pool->threads();
-    scratch.reports.resize(s.contacts.records.size());
+    scratch.reports.resize(contacts.records.size());
     scratch.at_work.resize(std::size_t(threads));
     if (scratch.joint_layouts.size() < scratch.batches.size()) scratch.joint_layouts.resize(scratch.batches.size());
     for (BatchScratch& own : scratch.at_work) {
@@ -247,17 +264,21 @@ void solve_batches(State& s, StepScratch& step, float dt) {
         own.clamped_speeds = 0;
         own.prepare_ms = own.solve_ms = 0;
     }
-    for (const std::int32_t b : s.bodies.kinematics)
-        if (BodyMotion& motion = s.bodies.motion[b]; clamp_velocity(s.settings, motion.v, motion.w)) ++s.clamped_speeds;
+    std::uint64_t clamped_speeds = 0;
+    for (const std::int32_t b : bodies.kinematics)
+        if (BodyMotion& motion = bodies.motion[b]; clamp_velocity(settings, motion.v, motion.w)) ++clamped_speeds;
+    const BatchContext context{settings, fields, broad_phase, bodies,      shapes, contacts,
+                               islands,  joints, step.passes, step.direct, scratch};
     share_out_batches(scratch, threads);
     for (const std::int32_t i : scratch.shared)
-        solve_batch(s, step, scratch.batches[i], scratch.at_work[0], thread_pool, dt);
+        solve_batch(context, scratch.batches[i], scratch.at_work[0], thread_pool, dt);
     for_chunks(thread_pool, int(scratch.alone.size()), 1, [&](int begin, int end, int thread) {
         for (int k = begin; k < end; ++k)
-            solve_batch(s, step, scratch.batches[scratch.alone[k]], scratch.at_work[thread], nullptr, dt);
+            solve_batch(context, scratch.batches[scratch.alone[k]], scratch.at_work[thread], nullptr, dt);
     });
-    collect(s.broad_phase, s.clamped_speeds, step.solver);
-    move_kinematics(s.bodies, dt);
+    clamped_speeds += collect(broad_phase, scratch);
+    move_kinematics(bodies, dt);
+    return clamped_speeds;
 }
 
 } // namespace cairn

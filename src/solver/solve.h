@@ -42,7 +42,10 @@
 
 namespace cairn {
 
-// Solves all batches: velocities, poses, impulses; moves kinematic bodies. Finalizes all bodies (finalize.h).
-void solve_batches(State& state, StepScratch& step, float dt);
+// Solves all batches: velocities, poses, impulses; moves kinematic bodies. Finalizes all bodies (finalize.h). Returns
+// how often a speed was cut.
+std::uint64_t solve_batches(Bodies& bodies, Shapes& shapes, Contacts& contacts, Islands& islands, Joints& joints,
+                            const ForceFields& fields, BroadPhase& broad_phase, const WorldDef& settings,
+                            StepScratch& step, float dt);
 
 } // namespace cairn

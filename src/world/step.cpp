@@ -85,21 +85,27 @@ void World::Impl::make_step(float dt) {
         update_pairs(state.bodies, state.shapes, state.contacts, state.islands, state.joints, state.broad_phase,
                      state.events, step.narrow);
         times.broad_phase += clock.lap();
-        update_contacts(state, step, dt / float(passes));
+        state.statistics.tested_pairs =
+            update_contacts(state.bodies, state.shapes, state.contacts, state.islands, state.fields, state.broad_phase,
+                            state.events, state.settings, step, dt / float(passes));
         times.narrow_phase += clock.lap();
         if (pass == 0) passes = split_step(step.passes, fastest_spinner_in_contact(state.bodies, step.narrow), dt);
         const float pass_dt = dt / float(passes);
         pack_batches(state.bodies, state.contacts, state.islands, state.settings, step, pass_dt);
         times.islands += clock.lap();
-        solve_batches(state, step, pass_dt);
+        state.clamped_speeds += solve_batches(state.bodies, state.shapes, state.contacts, state.islands, state.joints,
+                                              state.fields, state.broad_phase, state.settings, step, pass_dt);
         const double solve = clock.lap(), prepare = step.solver.prepare_share * solve;
         times.prepare += prepare;
         times.solve += solve - prepare;
         finalize_kinematics(state.bodies, state.shapes, state.broad_phase, pass_dt);
-        resolve_impacts(state, step, pass_dt);
+        resolve_impacts({state.settings, state.joints, state.fields, state.bodies, state.shapes, state.contacts,
+                         state.islands, state.broad_phase, state.events, state.statistics, state.clamped_speeds},
+                        step, pass_dt);
         wake_around_moving_planes(state.bodies, state.shapes, state.islands, state.broad_phase, state.events);
-        state.statistics.max_penetration = report_contacts(state.bodies, state.shapes, state.contacts, state.islands,
-                                                           state.events, state.settings, step, pass_dt);
+        state.statistics.max_penetration =
+            report_contacts(state.bodies, state.shapes, state.contacts, state.islands, state.events, state.settings,
+                            step.solver, step.narrow, *step.thread_pool, pass_dt);
         break_joints();
         if (update_sleep(state.bodies, state.contacts, state.islands, state.joints, state.settings, state.events,
                          step.solved, step.solver))

@@ -1,0 +1,33 @@
+// What the functions of the narrow phase read, and what they change.
+#pragma once
+
+#include "state/state.h"
+#include "state/step_scratch.h"
+
+namespace cairn {
+
+// What tests of pairs read beside the contact at hand. Threads that test other pairs read the same: nothing of it
+// changes before all are done.
+struct NarrowInput {
+    const WorldDef& settings;
+    const Bodies& bodies;
+    const Shapes& shapes;
+    const Islands& islands;
+    const ForceFields& fields;
+    const StepPasses& passes;
+};
+
+// What changes once the tests have said which contacts begin, go on and end: lists of islands, colors, sleep, events,
+// and what is to be solved. One thread does so, contact by contact.
+struct FollowUpContext {
+    const WorldDef& settings;
+    const Shapes& shapes;
+    Bodies& bodies;
+    Contacts& contacts;
+    Islands& islands;
+    StepEvents& events;
+    NarrowScratch& narrow;
+    std::vector<std::uint32_t>& solved;
+};
+
+} // namespace cairn
