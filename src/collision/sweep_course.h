@@ -127,12 +127,14 @@ struct Course {
     double meeting = never;    // a time, or `overlapped`
     double nearest = 0;        // where they do not meet: when they are nearest,
     Gap gap{infinity, {}, {}}; // and how near
+    bool is_certain = false;   // it is proven that they do not meet
 
     void take(const Course& other) {
         meeting = std::min(meeting, other.meeting);
         if (other.gap.distance < gap.distance) nearest = other.nearest, gap = other.gap;
     }
 };
+inline constexpr Course surely_apart{never, 0, {infinity, {}, {}}, true};
 
 // Of a pair: how near matters, and from which distance on, to within which of it.
 struct Distances {
@@ -244,16 +246,28 @@ inline bool stay_apart_from(const Mover& a, const Mover& b, const Pair& pair, do
 }
 
 // Advances from `begin` to `end`, so that nothing is missed.
+inline constexpr double span_change = 0.25; // of a span that is too long to be proven, and back
 template <class Pair>
 inline double advance(const Mover& a, const Mover& b, double tolerance, double begin, double end, Pair& pair) {
     double time = begin;
     Gap gap = pair.gap_at(time);
     if (!(gap.distance > tolerance)) return begin > 0 ? begin : overlapped;
+    double span = end - begin; // is looked at next
     for (int round = 0; round < max_rounds; ++round) {
         if (!(gap.distance > tolerance)) return time;
         if (stay_apart_from(a, b, pair, time, gap, end, tolerance)) return never;
         const double stop = next_stop(a, b, time, end); // up to which the speed is what it is
-        time += certain_time(a, b, gap, gap.distance - 0.5 * tolerance, time);
+        double next = time + certain_time(a, b, gap, gap.distance - 0.5 * tolerance, time);
+        // What parts, or hardly moves, is apart for much longer than a bound of its speed says.
+        span = std::min(span, span_change * (stop - time));
+        for (; time + span > next; span *= span_change) {
+            const double last = pair.apart_along(gap.normal, time + span) - 0.5 * tolerance;
+            if (!stay_apart_between(a, b, {time, time + span}, gap.distance - 0.5 * tolerance, last)) continue;
+            next = time + span;
+            break;
+        }
+        span = (next - time) / span_change;
+        time = next;
         if (!(time < stop)) {
             if (!(stop < end)) return never;
             time = stop;
