@@ -23,7 +23,7 @@ constexpr double left_out_length = 1.0;
 class LinkReader {
   public:
     LinkReader(std::size_t link, const std::optional<std::filesystem::path>& root, ModelMeshes& meshes, SdfModel& model)
-        : index_(link), link_(model.links[link]), root_(root), meshes_(meshes), model_(model) {}
+        : link_(model.links[link]), root_(root), meshes_(meshes), model_(model) {}
 
     void read(const XmlElement& element) {
         const auto inertial = element.child("inertial");
@@ -289,7 +289,6 @@ class LinkReader {
         return solid;
     }
 
-    std::size_t index_;
     SdfLink& link_;
     const std::optional<std::filesystem::path>& root_;
     ModelMeshes& meshes_;

@@ -107,13 +107,15 @@ void World::set_threads(int count) {
     if (count < 1 || count > ThreadPool::max_threads)
         refuse("World::set_threads count", std::to_string(count), "must be 1 to 256");
     if (count == threads()) return;
-    change.begin();
+    std::unique_ptr<ThreadPool> pool; // before the change begins: what the system refuses leaves the world as it was
     try {
-        impl_->step.thread_pool = std::make_unique<ThreadPool>(count);
+        pool = std::make_unique<ThreadPool>(count);
     } catch (const std::system_error& error) {
         throw Error(ErrorCode::unsupported, "World::set_threads count", std::to_string(count),
                     std::string("the system has not so many threads left (") + error.what() + ")");
     }
+    change.begin();
+    impl_->step.thread_pool = std::move(pool);
 }
 
 int hardware_threads() noexcept {

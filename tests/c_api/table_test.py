@@ -57,6 +57,13 @@ class Table(unittest.TestCase):
     def test_an_alternative_of_a_variant_that_is_new_is_noticed(self):
         self.assertIn("Torus", self.findings("shape.h", "std::variant<Sphere,", "std::variant<Torus, Sphere,"))
 
+    def test_every_call_that_is_written_by_hand_is_fuzzed(self):
+        text = (ROOT / "tests" / "fuzz" / "c_api_by_hand.cpp").read_text(encoding="utf-8")
+        for function in self.table.functions:
+            if function.custom:
+                with self.subTest(function.name):
+                    self.assertRegex(text, rf"\bcairn_{function.name}\b")
+
 
 if __name__ == "__main__":
     unittest.main()
