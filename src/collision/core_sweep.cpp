@@ -86,13 +86,15 @@ bool stay_apart_along(DVec3 direction, const Mover& a, const Mover& b, Span span
     const DVec3 n = (1 / std::sqrt(square)) * direction;
     const double limit = question.tolerance + question.within + question.floor,
                  first = pair.apart_along(n, span.begin) - limit;
-    return first > 0 && stay_apart_between(a, b, span, first, pair.apart_along(n, span.end) - limit);
+    return first > 0 &&
+           stay_apart_between(a, b, span, a.sagitta() + b.sagitta(), first, pair.apart_along(n, span.end) - limit);
 }
 
 bool begins_in_front(DVec3 point, const Convex& face) { return dot(face.axes.c1, point - face.corners[0]) > 0; }
 
 class ConvexPair {
   public:
+    static constexpr bool has_axes = true;
     ConvexPair(const Mover& a, const Mover& b)
         : a_(a), b_(b), reach_(length(a.end - a.start) + a.sagitta() + a.bounding_radius()) {
         finder_.guess = b.start - a.start;
@@ -126,6 +128,7 @@ Course course_of_convexes(const Mover& a, const Mover& b, Span span, const Dista
 
 class PlanePair {
   public:
+    static constexpr bool has_axes = false;
     PlanePair(const Mover& a, const Mover& b, double begin) : a_(a), b_(b) {
         if (b.shape().geometry.is_double_sided && height_of(a.start, begin) < 0) side_ = -1;
     }
@@ -157,6 +160,7 @@ Convex triangle_at(const Frame& frame, const Triangle& t) {
 
 class TrianglePair {
   public:
+    static constexpr bool has_axes = true;
     TrianglePair(const Mover& a, const Mover& b, const Triangle& triangle, double begin)
         : a_(a), b_(b), triangle_(triangle), begin_frame_(frame_at(b, begin)),
           begin_face(triangle_at(begin_frame_, triangle)) {

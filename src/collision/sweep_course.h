@@ -79,6 +79,20 @@ class Mover {
         if (time >= s_.until) return {};
         return s_.path.translation + math::cross(s_.path.turn, point - (s_.path.start + time * s_.path.translation));
     }
+    // Seen from a frame that turns with this, about its center of mass: how far a point of another is from the straight
+    // line between two of its places, at most. As RigidPath::sagitta has it, with what a turning frame adds to the
+    // acceleration of d, the way from the center of mass: 2 w x d' and w x (w x d).
+    double sagitta_of(const Mover& other) const {
+        const double way = length(other.s_.path.translation - s_.path.translation);
+        const double distance = length(other.s_.path.start - s_.path.start) + way + other.reach_;
+        const double speed = way + other.turn_ * other.reach_;
+        return other.sagitta() + s_.path.sagitta(distance) + 0.25 * turn_ * speed;
+    }
+    // A direction that is fixed in it.
+    DVec3 turned(DVec3 n, double from, double to) const {
+        const DQuat first = body_at(from).q, last = body_at(to).q;
+        return math::rotate(last, math::rotate(math::conjugate(first), n));
+    }
     // How far the middle is from the straight line between two of its places, at most.
     double sagitta() const { return s_.path.sagitta(reach_); }
     bool is_still() const { return speed() == 0; }
@@ -229,20 +243,42 @@ inline double certain_time(const Mover& a, const Mover& b, const Gap& gap, doubl
 // between. Every point is within 4 S t (1 - t) of the straight line between its ends (S: the sagitta, t: the part of
 // the span), and the farthest of points on straight lines is never beyond the line between the farthest at both ends:
 // so they are (1 - t) first + t last - 4 S t (1 - t) apart, at least, which is positive for all t if this is true.
-inline bool stay_apart_between(const Mover& a, const Mover& b, Span span, double first, double last) {
+inline bool stay_apart_between(const Mover& a, const Mover& b, Span span, double sagitta, double first, double last) {
     if (next_stop(a, b, span.begin, span.end) < span.end) return false; // no one arc
-    const double duration = span.end - span.begin, sagitta = duration * duration * (a.sagitta() + b.sagitta());
-    return first >= 0 && last > 0 && std::sqrt(first) + std::sqrt(last) > 2 * std::sqrt(sagitta);
+    const double duration = span.end - span.begin;
+    return first >= 0 && last > 0 && std::sqrt(first) + std::sqrt(last) > 2 * duration * std::sqrt(sagitta);
 }
 
-// Of a pair, `gap_at` (time) tells how far the two are apart, and `apart_along` (direction from a to b, time) how far
-// along that.
+// What the direction is fixed in along which two are shown to be apart: two that turn together while they touch are so
+// along a face's normal, and for a moment alone along one that stands still.
+enum class AxisFrame { world, first, second };
+
+template <class Pair>
+inline bool stay_apart_in(AxisFrame frame, const Mover& a, const Mover& b, const Pair& pair, Span span, const Gap& gap,
+                          double tolerance) {
+    const bool turns = frame != AxisFrame::world;
+    const Mover &fixed = frame == AxisFrame::second ? b : a, &other = frame == AxisFrame::second ? a : b;
+    const DVec3 n = turns ? fixed.turned(gap.normal, span.begin, span.end) : gap.normal;
+    const double sagitta = turns ? fixed.sagitta_of(other) : a.sagitta() + b.sagitta();
+    const double first = std::max(gap.distance - tolerance, 0.0), last = pair.apart_along(n, span.end) - tolerance;
+    return stay_apart_between(a, b, span, sagitta, first, last);
+}
+
+// Of a pair, `gap_at` (time) tells how far the two are apart, `apart_along` (direction from a to b, time) how far along
+// that, and `has_axes` whether that is so for any direction, or only for that in which they are.
+template <class Pair>
+inline bool stay_apart_in_any(const Mover& a, const Mover& b, const Pair& pair, Span span, const Gap& gap,
+                              double tolerance) {
+    const auto apart_in = [&](AxisFrame frame) { return stay_apart_in(frame, a, b, pair, span, gap, tolerance); };
+    return apart_in(AxisFrame::world) ||
+           (Pair::has_axes && (apart_in(AxisFrame::first) || apart_in(AxisFrame::second)));
+}
+
 template <class Pair>
 inline bool stay_apart_from(const Mover& a, const Mover& b, const Pair& pair, double time, const Gap& gap, double end,
                             double tolerance) {
     if (!(gap.distance >= 0)) return false;
-    const double last = pair.apart_along(gap.normal, end) - tolerance;
-    return stay_apart_between(a, b, {time, end}, std::max(gap.distance - tolerance, 0.0), last);
+    return stay_apart_in(AxisFrame::world, a, b, pair, {time, end}, gap, tolerance);
 }
 
 // Advances from `begin` to `end`, so that nothing is missed.
@@ -261,10 +297,7 @@ inline double advance(const Mover& a, const Mover& b, double tolerance, double b
         // What parts, or hardly moves, is apart for much longer than a bound of its speed says.
         span = std::min(span, span_change * (stop - time));
         for (; time + span > next; span *= span_change) {
-            const double last = pair.apart_along(gap.normal, time + span) - 0.5 * tolerance;
-            if (!stay_apart_between(a, b, {time, time + span}, gap.distance - 0.5 * tolerance, last)) continue;
-            next = time + span;
-            break;
+            if (stay_apart_in_any(a, b, pair, {time, time + span}, gap, 0.5 * tolerance)) next = time + span;
         }
         span = (next - time) / span_change;
         time = next;
@@ -330,6 +363,7 @@ template <class Pair> class AboveFloor {
         return gap;
     }
     double apart_along(DVec3 n, double time) const { return pair_.apart_along(n, time) - floor_; }
+    static constexpr bool has_axes = Pair::has_axes;
 
   private:
     Pair& pair_;
