@@ -263,7 +263,6 @@ Course course_of(const Mover& a, const Mover& b, Span span, const Distances& dis
     if (!is_strip(b.shape().geometry) && !may_meet_on_the_way(a, b, distances.within)) return surely_apart;
     return course_of_convexes(a, b, span, distances);
 }
-double half_width_of(const SweptShape& s) { return 0.5 * double(smallest_extent(s.geometry, s.data)); }
 double half_width_of(const SweptShape& a, const SweptShape& b) {
     return half_width_of(a.geometry, a.data, b.geometry, b.data);
 }
@@ -313,12 +312,11 @@ double time_of_meeting(const SweptShape& a, const SweptShape& b, bool is_known, 
 double time_of_sinking(const SweptShape& a, const SweptShape& b, double from) {
     const double to = end_of(a, b), half_width = half_width_of(a, b);
     const Mover first(a, Layer::inner, half_width, from, to), second(b, Layer::inner, half_width, from, to);
-    // How far apart their inner cores are now, if the shapes touch at all: then by at most twice both depths.
-    const auto inner_depth = [](const SweptShape& shape) { // surfaces have none
-        const double half = half_width_of(shape);
-        return half < 0.5 * double(unlimited_extent) ? 2 * core_depth_of(half) : 0;
+    // How far apart their inner cores are now, which may be far from the tip of a cone. A surface is its own core.
+    const auto reach = [](const SweptShape& shape) {
+        return is_surface(shape.geometry.type) ? 0.0 : double(shape.geometry.bounding_radius);
     };
-    const double within = inner_depth(a) + inner_depth(b) + half_width;
+    const double within = reach(a) + reach(b);
     const Course now = course_of(first, second, {from, from}, {within});
     const double tolerance = sinking_part * core_depth_of(half_width), floor = now.gap.distance - 2 * tolerance;
     if (!(floor > 0) || !(floor < infinity)) return time_of_meeting(a, b, true, from);

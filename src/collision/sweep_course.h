@@ -21,8 +21,6 @@ using math::length;
 inline constexpr double known_depth_part = 0.5; // of contacts that the solver knows
 // Cores count as met when they are this near, as part of the depth.
 inline constexpr double tolerance_part = 0.1;
-// What touches is deeper than it was when it is deeper by twice this, as part of a core's depth.
-inline constexpr double sinking_part = 0.02;
 // After so many looks at a pair that turns fast and comes hardly nearer, the time that was reached is the answer.
 inline constexpr int max_rounds = 100;
 
@@ -36,9 +34,22 @@ inline double depth_of(const Convex& c, Layer layer, double half_width) {
     if (layer == Layer::inner) return std::min(2 * core_depth_of(c.extent), c.extent);
     return layer == Layer::known_core ? known_depth_part * std::min(c.extent, half_width) : core_depth_of(c.extent);
 }
+// By the narrower of the two, however wide the one is that moves.
 inline double tolerance_of(const Convex& c, Layer layer, double half_width) {
-    if (layer >= Layer::skin) return layer == Layer::skin ? touch_tolerance(c.extent) : impact_tolerance(c.extent);
-    return tolerance_part * depth_of(c, layer, half_width);
+    const double half = std::min(c.extent, half_width);
+    switch (layer) {
+    case Layer::core:
+        return tolerance_part * core_depth_of(half);
+    case Layer::inner:
+        return sinking_part * core_depth_of(half);
+    case Layer::known_core:
+        return tolerance_part * known_depth_part * half;
+    case Layer::skin:
+        return touch_tolerance(half);
+    case Layer::impact:
+        break;
+    }
+    return impact_tolerance(half);
 }
 
 // What is known of a shape on its way.
