@@ -298,7 +298,8 @@ template <class Pair>
 inline double advance(const Mover& a, const Mover& b, double tolerance, double begin, double end, Pair& pair) {
     double time = begin;
     Gap gap = pair.gap_at(time);
-    if (!(gap.distance > tolerance)) return begin > 0 ? begin : overlapped;
+    if (!(gap.distance > 0)) return begin > 0 ? begin : overlapped;
+    tolerance = std::min(tolerance, 0.5 * gap.distance); // what has been stopped at it goes on if it parts
     double span = end - begin; // is looked at next
     for (int round = 0; round < max_rounds; ++round) {
         if (!(gap.distance > tolerance)) return time;
