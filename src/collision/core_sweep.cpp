@@ -18,24 +18,58 @@ namespace {
 constexpr double sizes_per_piece = 8;
 constexpr int max_pieces = 64;
 
-// The core. Of strips, which have no end, of the part near a point.
-Convex core_at(const Mover& m, double time, DVec3 near, double reach) {
+// Of a shape.
+struct Frame {
+    DVec3 origin;
+    DQuat rotation;
+    DVec3 to_world(DVec3 p) const { return origin + math::rotate(rotation, p); }
+    DVec3 to_local(DVec3 p) const { return math::rotate(math::conjugate(rotation), p - origin); }
+};
+Frame frame_at(const Mover& m, double time) {
     const RigidPath::Pose pose = m.body_at(time);
-    DVec3 center = m.origin_at(pose);
-    const DQuat q = m.rotation_at(pose);
-    const Geometry part = near_part(m.shape().geometry, center, q, near, reach);
-    const Convex whole = make_convex(part, m.shape().data, center, q);
+    return {m.origin_at(pose), m.rotation_at(pose)};
+}
+
+// The core. Of strips, which have no end, of the part near a point.
+Convex core_at(const Mover& m, const Frame& frame, DVec3 near, double reach) {
+    DVec3 center = frame.origin;
+    const Geometry part = near_part(m.shape().geometry, center, frame.rotation, near, reach);
+    const Convex whole = make_convex(part, m.shape().data, center, frame.rotation);
     return m.layer >= Layer::skin ? whole : shrunk(whole, depth_of(whole, m.layer, m.half_width));
 }
-Convex core_at(const Mover& m, double time) { return core_at(m, time, {}, 0); }
+Convex core_at(const Mover& m, const Frame& frame) { return core_at(m, frame, {}, 0); }
+Convex core_at(const Mover& m, double time) { return core_at(m, frame_at(m, time)); }
 
-Gap gap_of(const Convex& a, const Convex& b, DVec3& guess) {
-    const Core core_a = exact_core(a), core_b = exact_core(b);
-    const GjkResult r = gjk_distance({core_a, core_b}, guess, infinity, 1e-6);
-    if (r.state != GjkResult::State::apart) return {-1, {}, {}};
-    guess = r.normal;
-    return {r.distance - (core_a.radius + core_b.radius), r.normal, r.on_a + core_a.radius * r.normal};
-}
+// The distances of two shapes at one time after another: each begins with the corners that the last one ended with,
+// which are points of the shapes wherever those are.
+class GapFinder {
+  public:
+    Gap gap_of(const Convex& a, const Frame& frame_a, const Convex& b, const Frame& frame_b) {
+        const Core core_a = exact_core(a), core_b = exact_core(b);
+        const CorePair pair{core_a, core_b};
+        Simplex start;
+        for (int i = 0; i < count_; ++i) {
+            const DVec3 p = frame_a.to_world(on_a_[i]), q = frame_b.to_world(on_b_[i]);
+            start.points[i] = {p, q, p - q};
+        }
+        start.count = count_;
+        const GjkResult r = count_ > 0 ? gjk_distance_from(pair, start, infinity, tolerance)
+                                       : gjk_distance(pair, guess, infinity, tolerance);
+        if (r.state != GjkResult::State::apart) return {-1, {}, {}};
+        count_ = std::min(r.simplex.count, 3);
+        for (int i = 0; i < count_; ++i) {
+            on_a_[i] = frame_a.to_local(r.simplex.points[i].a);
+            on_b_[i] = frame_b.to_local(r.simplex.points[i].b);
+        }
+        return {r.distance - (core_a.radius + core_b.radius), r.normal, r.on_a + core_a.radius * r.normal};
+    }
+    DVec3 guess; // for the first
+
+  private:
+    static constexpr double tolerance = 1e-6;
+    int count_ = 0;
+    DVec3 on_a_[3], on_b_[3]; // in the frames of the shapes
+};
 
 // How far two are apart along a unit direction from `a` to `b`.
 double gap_along(DVec3 n, const Convex& a, const Convex& b) {
@@ -52,25 +86,33 @@ bool stay_apart_along(DVec3 direction, const Mover& a, const Mover& b, Span span
     const DVec3 n = (1 / std::sqrt(square)) * direction;
     const double limit = question.tolerance + question.within + question.floor,
                  first = pair.apart_along(n, span.begin) - limit;
-    return first > 0 && stay_apart_between(a, b, span, first, pair.apart_along(n, span.end) - limit);
+    return first > 0 &&
+           stay_apart_between(a, b, span, a.sagitta() + b.sagitta(), first, pair.apart_along(n, span.end) - limit);
 }
 
 bool begins_in_front(DVec3 point, const Convex& face) { return dot(face.axes.c1, point - face.corners[0]) > 0; }
 
 class ConvexPair {
   public:
+    static constexpr bool has_axes = true;
     ConvexPair(const Mover& a, const Mover& b)
-        : guess(b.start - a.start), a_(a), b_(b), reach_(length(a.end - a.start) + a.sagitta() + a.bounding_radius()) {}
+        : a_(a), b_(b), reach_(length(a.end - a.start) + a.sagitta() + a.bounding_radius()) {
+        finder_.guess = b.start - a.start;
+    }
     Convex first_at(double time) const { return core_at(a_, time); }
-    Convex second_at(double time) const { return core_at(b_, time, a_.start, reach_); }
-    Gap gap_at(double time) { return gap_of(first_at(time), second_at(time), guess); }
+    Convex second_at(double time) const { return second_at(frame_at(b_, time)); }
+    Gap gap_at(double time) {
+        const Frame a = frame_at(a_, time), b = frame_at(b_, time);
+        return finder_.gap_of(core_at(a_, a), a, second_at(b), b);
+    }
     double apart_along(DVec3 n, double time) const { return gap_along(n, first_at(time), second_at(time)); }
-
-    DVec3 guess;
+    DVec3 guess() const { return finder_.guess; }
 
   private:
+    Convex second_at(const Frame& frame) const { return core_at(b_, frame, a_.start, reach_); }
     const Mover &a_, &b_;
     const double reach_; // of the first, about where it starts
+    GapFinder finder_;
 };
 
 Course course_of_convexes(const Mover& a, const Mover& b, Span span, const Distances& distances) {
@@ -80,12 +122,13 @@ Course course_of_convexes(const Mover& a, const Mover& b, Span span, const Dista
         !begins_in_front(middle(first), second))
         return {};
     const Question question = question_of(first, a, distances);
-    if (stay_apart_along(pair.guess, a, b, span, pair, question)) return {};
+    if (stay_apart_along(pair.guess(), a, b, span, pair, question)) return surely_apart;
     return course_by(a, b, question, span, pair);
 }
 
 class PlanePair {
   public:
+    static constexpr bool has_axes = false;
     PlanePair(const Mover& a, const Mover& b, double begin) : a_(a), b_(b) {
         if (b.shape().geometry.is_double_sided && height_of(a.start, begin) < 0) side_ = -1;
     }
@@ -109,28 +152,40 @@ Course course_at_plane(const Mover& a, const Mover& b, Span span, const Distance
     return course_by(a, b, question_of(core_at(a, span.begin), a, distances), span, PlanePair(a, b, span.begin));
 }
 
-Convex triangle_at(const Mover& m, const Triangle& t, double time) {
-    const RigidPath::Pose pose = m.body_at(time);
-    const DVec3 origin = m.origin_at(pose);
-    const DMat3 axes = math::to_matrix(m.rotation_at(pose));
-    const auto corner = [&](math::Vec3 v) { return origin + axes * math::to_double(v); };
+Convex triangle_at(const Frame& frame, const Triangle& t) {
+    const DMat3 axes = math::to_matrix(frame.rotation);
+    const auto corner = [&](math::Vec3 v) { return frame.origin + axes * math::to_double(v); };
     return make_triangle(corner(t.a), corner(t.b), corner(t.c));
 }
 
 class TrianglePair {
   public:
+    static constexpr bool has_axes = true;
     TrianglePair(const Mover& a, const Mover& b, const Triangle& triangle, double begin)
-        : begin_face(triangle_at(b, triangle, begin)), a_(a), b_(b), triangle_(triangle) {}
-    Gap gap_at(double time) { return gap_of(core_at(a_, time), face_at(time), guess); }
-    double apart_along(DVec3 n, double time) const { return gap_along(n, core_at(a_, time), face_at(time)); }
-
-    const Convex begin_face; // when the span begins
-    DVec3 guess;
+        : a_(a), b_(b), triangle_(triangle), begin_frame_(frame_at(b, begin)),
+          begin_face(triangle_at(begin_frame_, triangle)) {
+        finder_.guess = begin_face.center - core_at(a, begin).center;
+    }
+    Gap gap_at(double time) {
+        const Frame a = frame_at(a_, time), b = b_.is_still() ? begin_frame_ : frame_at(b_, time);
+        return finder_.gap_of(core_at(a_, a), a, face_at(b), b);
+    }
+    double apart_along(DVec3 n, double time) const {
+        return gap_along(n, core_at(a_, time), b_.is_still() ? begin_face : face_at(frame_at(b_, time)));
+    }
+    DVec3 guess() const { return finder_.guess; }
 
   private:
-    Convex face_at(double time) const { return b_.is_still() ? begin_face : triangle_at(b_, triangle_, time); }
+    Convex face_at(const Frame& frame) const { return b_.is_still() ? begin_face : triangle_at(frame, triangle_); }
     const Mover &a_, &b_;
     const Triangle& triangle_;
+    const Frame begin_frame_;
+
+  public:
+    const Convex begin_face; // when the span begins
+
+  private:
+    GapFinder finder_;
 };
 
 // With the triangles of a mesh or height field, from their front.
@@ -163,11 +218,10 @@ Course course_at_triangles(const Mover& a, const Mover& b, Span span, const Dist
                 const Triangle t = triangle_of(mesh, index);
                 TrianglePair pair(a, b, t, begin);
                 if (!begins_in_front(middle(mover), pair.begin_face)) return;
-                pair.guess = pair.begin_face.center - mover.center;
                 const Question question = question_of(mover, a, distances);
                 const Span part{begin, std::min(end, best.meeting)};
                 if (stay_apart_along(-pair.begin_face.axes.c1, a, b, part, pair, question) ||
-                    stay_apart_along(pair.guess, a, b, part, pair, question))
+                    stay_apart_along(pair.guess(), a, b, part, pair, question))
                     return;
                 const Course course = course_by(a, b, question, part, pair);
                 if (course.meeting == overlapped)
@@ -206,10 +260,9 @@ Course course_of(const Mover& a, const Mover& b, Span span, const Distances& dis
     const ShapeType type = b.shape().geometry.type;
     if (type == ShapeType::plane) return course_at_plane(a, b, span, distances);
     if (type == ShapeType::mesh || type == ShapeType::height_field) return course_at_triangles(a, b, span, distances);
-    if (!is_strip(b.shape().geometry) && !may_meet_on_the_way(a, b, distances.within)) return {};
+    if (!is_strip(b.shape().geometry) && !may_meet_on_the_way(a, b, distances.within)) return surely_apart;
     return course_of_convexes(a, b, span, distances);
 }
-double half_width_of(const SweptShape& s) { return 0.5 * double(smallest_extent(s.geometry, s.data)); }
 double half_width_of(const SweptShape& a, const SweptShape& b) {
     return half_width_of(a.geometry, a.data, b.geometry, b.data);
 }
@@ -259,12 +312,11 @@ double time_of_meeting(const SweptShape& a, const SweptShape& b, bool is_known, 
 double time_of_sinking(const SweptShape& a, const SweptShape& b, double from) {
     const double to = end_of(a, b), half_width = half_width_of(a, b);
     const Mover first(a, Layer::inner, half_width, from, to), second(b, Layer::inner, half_width, from, to);
-    // How far apart their inner cores are now, if the shapes touch at all: then by at most twice both depths.
-    const auto inner_depth = [](const SweptShape& shape) { // surfaces have none
-        const double half = half_width_of(shape);
-        return half < 0.5 * double(unlimited_extent) ? 2 * core_depth_of(half) : 0;
+    // How far apart their inner cores are now, which may be far from the tip of a cone. A surface is its own core.
+    const auto reach = [](const SweptShape& shape) {
+        return is_surface(shape.geometry.type) ? 0.0 : double(shape.geometry.bounding_radius);
     };
-    const double within = inner_depth(a) + inner_depth(b) + half_width;
+    const double within = reach(a) + reach(b);
     const Course now = course_of(first, second, {from, from}, {within});
     const double tolerance = sinking_part * core_depth_of(half_width), floor = now.gap.distance - 2 * tolerance;
     if (!(floor > 0) || !(floor < infinity)) return time_of_meeting(a, b, true, from);
@@ -275,10 +327,11 @@ double time_of_sinking(const SweptShape& a, const SweptShape& b, double from) {
 double time_of_impact(const SweptShape& a, const SweptShape& b, double from) {
     const double to = end_of(a, b), half_width = half_width_of(a, b);
     const Mover first(a, Layer::impact, half_width, from, to), second(b, Layer::impact, half_width, from, to);
-    const double time = course_of(first, second, {from, to}, {}).meeting;
+    const Course course = course_of(first, second, {from, to}, {});
+    const double time = course.meeting;
     if (time == overlapped) return time_of_sinking(a, b, from);
     // The distance of convex shapes that move straight is a convex function of time: no touch of them is missed.
-    const bool is_certain = first.moves_straight() && second.moves_straight();
+    const bool is_certain = course.is_certain || (first.moves_straight() && second.moves_straight());
     return time >= 0 && (time < 1 || is_certain) ? time : time_of_meeting(a, b, false, from);
 }
 

@@ -46,6 +46,9 @@ struct RigidPath {
 // How far the core is inside a shape, m, by its smallest half width.
 inline double core_depth_of(double half_width) { return std::max(1e-3, 0.02 * half_width); }
 
+// What touches counts as deeper than it was when it is deeper by twice this, as part of a core's depth.
+inline constexpr double sinking_part = 0.02;
+
 struct SweptShape {
     const Geometry& geometry;
     const ShapeData& data;
@@ -71,8 +74,8 @@ double time_of_meeting(const SweptShape& a, const SweptShape& b, bool is_known, 
 // or `never`. What touches at `from` and parts, or stays as it is, is asked for the next touch.
 double time_of_impact(const SweptShape& a, const SweptShape& b, double from = 0);
 
-// When two that touch, and do not come nearer now, press into each other deeper than now, by a fifth of what a core is
-// inside; if they are as deep as contacts that the solver knows may be, or nearly, when they are that.
+// When two that touch, and do not come nearer now, press into each other deeper than now, by a twenty-fifth of what a
+// core is inside; if they are as deep as contacts that the solver knows may be, or nearly, when they are that.
 double time_of_sinking(const SweptShape& a, const SweptShape& b, double from);
 
 // How near shapes are, m, that count as touching, by the smaller of their smallest half widths: a hundredth of it, 0.1

@@ -21,8 +21,6 @@ using math::length;
 inline constexpr double known_depth_part = 0.5; // of contacts that the solver knows
 // Cores count as met when they are this near, as part of the depth.
 inline constexpr double tolerance_part = 0.1;
-// What touches is deeper than it was when it is deeper by twice this, as part of a core's depth.
-inline constexpr double sinking_part = 0.02;
 // After so many looks at a pair that turns fast and comes hardly nearer, the time that was reached is the answer.
 inline constexpr int max_rounds = 100;
 
@@ -36,9 +34,22 @@ inline double depth_of(const Convex& c, Layer layer, double half_width) {
     if (layer == Layer::inner) return std::min(2 * core_depth_of(c.extent), c.extent);
     return layer == Layer::known_core ? known_depth_part * std::min(c.extent, half_width) : core_depth_of(c.extent);
 }
+// By the narrower of the two, however wide the one is that moves.
 inline double tolerance_of(const Convex& c, Layer layer, double half_width) {
-    if (layer >= Layer::skin) return layer == Layer::skin ? touch_tolerance(c.extent) : impact_tolerance(c.extent);
-    return tolerance_part * depth_of(c, layer, half_width);
+    const double half = std::min(c.extent, half_width);
+    switch (layer) {
+    case Layer::core:
+        return tolerance_part * core_depth_of(half);
+    case Layer::inner:
+        return sinking_part * core_depth_of(half);
+    case Layer::known_core:
+        return tolerance_part * known_depth_part * half;
+    case Layer::skin:
+        return touch_tolerance(half);
+    case Layer::impact:
+        break;
+    }
+    return impact_tolerance(half);
 }
 
 // What is known of a shape on its way.
@@ -78,6 +89,20 @@ class Mover {
     DVec3 velocity_of(DVec3 point, double time) const {
         if (time >= s_.until) return {};
         return s_.path.translation + math::cross(s_.path.turn, point - (s_.path.start + time * s_.path.translation));
+    }
+    // Seen from a frame that turns with this, about its center of mass: how far a point of another is from the straight
+    // line between two of its places, at most. As RigidPath::sagitta has it, with what a turning frame adds to the
+    // acceleration of d, the way from the center of mass: 2 w x d' and w x (w x d).
+    double sagitta_of(const Mover& other) const {
+        const double way = length(other.s_.path.translation - s_.path.translation);
+        const double distance = length(other.s_.path.start - s_.path.start) + way + other.reach_;
+        const double speed = way + other.turn_ * other.reach_;
+        return other.sagitta() + s_.path.sagitta(distance) + 0.25 * turn_ * speed;
+    }
+    // A direction that is fixed in it.
+    DVec3 turned(DVec3 n, double from, double to) const {
+        const DQuat first = body_at(from).q, last = body_at(to).q;
+        return math::rotate(last, math::rotate(math::conjugate(first), n));
     }
     // How far the middle is from the straight line between two of its places, at most.
     double sagitta() const { return s_.path.sagitta(reach_); }
@@ -127,12 +152,14 @@ struct Course {
     double meeting = never;    // a time, or `overlapped`
     double nearest = 0;        // where they do not meet: when they are nearest,
     Gap gap{infinity, {}, {}}; // and how near
+    bool is_certain = false;   // it is proven that they do not meet
 
     void take(const Course& other) {
         meeting = std::min(meeting, other.meeting);
         if (other.gap.distance < gap.distance) nearest = other.nearest, gap = other.gap;
     }
 };
+inline constexpr Course surely_apart{never, 0, {infinity, {}, {}}, true};
 
 // Of a pair: how near matters, and from which distance on, to within which of it.
 struct Distances {
@@ -227,33 +254,65 @@ inline double certain_time(const Mover& a, const Mover& b, const Gap& gap, doubl
 // between. Every point is within 4 S t (1 - t) of the straight line between its ends (S: the sagitta, t: the part of
 // the span), and the farthest of points on straight lines is never beyond the line between the farthest at both ends:
 // so they are (1 - t) first + t last - 4 S t (1 - t) apart, at least, which is positive for all t if this is true.
-inline bool stay_apart_between(const Mover& a, const Mover& b, Span span, double first, double last) {
+inline bool stay_apart_between(const Mover& a, const Mover& b, Span span, double sagitta, double first, double last) {
     if (next_stop(a, b, span.begin, span.end) < span.end) return false; // no one arc
-    const double duration = span.end - span.begin, sagitta = duration * duration * (a.sagitta() + b.sagitta());
-    return first >= 0 && last > 0 && std::sqrt(first) + std::sqrt(last) > 2 * std::sqrt(sagitta);
+    const double duration = span.end - span.begin;
+    return first >= 0 && last > 0 && std::sqrt(first) + std::sqrt(last) > 2 * duration * std::sqrt(sagitta);
 }
 
-// Of a pair, `gap_at` (time) tells how far the two are apart, and `apart_along` (direction from a to b, time) how far
-// along that.
+// What the direction is fixed in along which two are shown to be apart: two that turn together while they touch are so
+// along a face's normal, and for a moment alone along one that stands still.
+enum class AxisFrame { world, first, second };
+
+template <class Pair>
+inline bool stay_apart_in(AxisFrame frame, const Mover& a, const Mover& b, const Pair& pair, Span span, const Gap& gap,
+                          double tolerance) {
+    const bool turns = frame != AxisFrame::world;
+    const Mover &fixed = frame == AxisFrame::second ? b : a, &other = frame == AxisFrame::second ? a : b;
+    const DVec3 n = turns ? fixed.turned(gap.normal, span.begin, span.end) : gap.normal;
+    const double sagitta = turns ? fixed.sagitta_of(other) : a.sagitta() + b.sagitta();
+    const double first = std::max(gap.distance - tolerance, 0.0), last = pair.apart_along(n, span.end) - tolerance;
+    return stay_apart_between(a, b, span, sagitta, first, last);
+}
+
+// Of a pair, `gap_at` (time) tells how far the two are apart, `apart_along` (direction from a to b, time) how far along
+// that, and `has_axes` whether that is so for any direction, or only for that in which they are.
+template <class Pair>
+inline bool stay_apart_in_any(const Mover& a, const Mover& b, const Pair& pair, Span span, const Gap& gap,
+                              double tolerance) {
+    const auto apart_in = [&](AxisFrame frame) { return stay_apart_in(frame, a, b, pair, span, gap, tolerance); };
+    return apart_in(AxisFrame::world) ||
+           (Pair::has_axes && (apart_in(AxisFrame::first) || apart_in(AxisFrame::second)));
+}
+
 template <class Pair>
 inline bool stay_apart_from(const Mover& a, const Mover& b, const Pair& pair, double time, const Gap& gap, double end,
                             double tolerance) {
     if (!(gap.distance >= 0)) return false;
-    const double last = pair.apart_along(gap.normal, end) - tolerance;
-    return stay_apart_between(a, b, {time, end}, std::max(gap.distance - tolerance, 0.0), last);
+    return stay_apart_in(AxisFrame::world, a, b, pair, {time, end}, gap, tolerance);
 }
 
 // Advances from `begin` to `end`, so that nothing is missed.
+inline constexpr double span_change = 0.25; // of a span that is too long to be proven, and back
 template <class Pair>
 inline double advance(const Mover& a, const Mover& b, double tolerance, double begin, double end, Pair& pair) {
     double time = begin;
     Gap gap = pair.gap_at(time);
-    if (!(gap.distance > tolerance)) return begin > 0 ? begin : overlapped;
+    if (!(gap.distance > 0)) return begin > 0 ? begin : overlapped;
+    tolerance = std::min(tolerance, 0.5 * gap.distance); // what has been stopped at it goes on if it parts
+    double span = end - begin; // is looked at next
     for (int round = 0; round < max_rounds; ++round) {
         if (!(gap.distance > tolerance)) return time;
         if (stay_apart_from(a, b, pair, time, gap, end, tolerance)) return never;
         const double stop = next_stop(a, b, time, end); // up to which the speed is what it is
-        time += certain_time(a, b, gap, gap.distance - 0.5 * tolerance, time);
+        double next = time + certain_time(a, b, gap, gap.distance - 0.5 * tolerance, time);
+        // What parts, or hardly moves, is apart for much longer than a bound of its speed says.
+        span = std::min(span, span_change * (stop - time));
+        for (; time + span > next; span *= span_change) {
+            if (stay_apart_in_any(a, b, pair, {time, time + span}, gap, 0.5 * tolerance)) next = time + span;
+        }
+        span = (next - time) / span_change;
+        time = next;
         if (!(time < stop)) {
             if (!(stop < end)) return never;
             time = stop;
@@ -316,6 +375,7 @@ template <class Pair> class AboveFloor {
         return gap;
     }
     double apart_along(DVec3 n, double time) const { return pair_.apart_along(n, time) - floor_; }
+    static constexpr bool has_axes = Pair::has_axes;
 
   private:
     Pair& pair_;

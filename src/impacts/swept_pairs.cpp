@@ -270,7 +270,9 @@ double SweptPairs::time_of(const SweptPair& pair, double from) const {
     // What something holds is pressed into it a little, and would catch at the edges of what lies beside.
     const bool catches = !first.is_free && !(second && in.bodies.is_dynamic(second->body));
     if (pair.touches && !pair.is_known && !turns) return time_of_sinking(a, b, from);
-    if (pair.is_known || turns || catches) return time_of_meeting(a, b, pair.is_known, from);
+    // However a contact is pressed in: of what turns over, no more than the ball in it is held.
+    const bool may_press_in = pair.is_known && !turns;
+    if (pair.is_known || turns || catches) return time_of_meeting(a, b, may_press_in, from);
     return time_of_impact(a, b, from);
 }
 

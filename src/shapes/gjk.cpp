@@ -132,15 +132,23 @@ template <class Result> void finish(Result& r, const Simplex& s) {
 } // namespace
 
 GjkResult gjk_distance(const CorePair& pair, DVec3 guess, double max_distance, double tolerance) {
-    GjkResult r;
-    Simplex& s = r.simplex;
     if (!(dot(guess, guess) > 0)) guess = middle(*pair.b.shape) - middle(*pair.a.shape);
     if (!(dot(guess, guess) > 0)) guess = {0, 1, 0};
-    s.points[0] = pair.support(guess);
-    s.weights[0] = 1;
-    s.count = 1;
-    s.nearest = s.points[0].w;
-    double square = dot(s.nearest, s.nearest), size = square;
+    Simplex start;
+    start.points[0] = pair.support(guess);
+    start.count = 1;
+    return gjk_distance_from(pair, start, max_distance, tolerance);
+}
+
+GjkResult gjk_distance_from(const CorePair& pair, const Simplex& start, double max_distance, double tolerance) {
+    GjkResult r;
+    Simplex& s = r.simplex;
+    s = start;
+    Nearest first;
+    nearest_of(s, first);
+    keep(s, first);
+    double square = first.square, size = square;
+    for (int i = 0; i < s.count; ++i) size = std::max(size, dot(s.points[i].w, s.points[i].w));
 
     r.state = GjkResult::State::apart;
     for (int iteration = 0; iteration < max_iterations; ++iteration) {

@@ -61,5 +61,8 @@ GjkCast gjk_cast(const CorePair& pair, math::DVec3 way, double limit, double tol
 // closer than a ten billionth of their size overlap. `guess`: a direction from a to b, of any length. The distance of
 // round shapes is within about half the relative `tolerance`, the normal within its root; that of polytopes is exact.
 GjkResult gjk_distance(const CorePair& pair, math::DVec3 guess, double max_distance, double tolerance = 1e-12);
+// Likewise, from one to three corners of the difference, which span no more than their number allows: those of the last
+// result, moved along with both shapes, are most of the way where these moved little.
+GjkResult gjk_distance_from(const CorePair& pair, const Simplex& start, double max_distance, double tolerance);
 
 } // namespace cairn

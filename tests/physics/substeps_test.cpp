@@ -20,41 +20,64 @@ float greatest_gap(const World& world, const std::vector<JointId>& joints) {
     return greatest;
 }
 
-// A deck of planks on balls, every fifth of them held by the ground, with a load on each: the joints hold, and it comes
-// to rest, with a bounded number of substeps.
-TEST(Substeps, HoldADeckUnderLoadsOfThreeKinds) {
-    struct Case {
-        float load;        // kg on each plank; under 20 t they shake (docs/known_limits.md)
-        float gap, energy; // m, J: at most
-    };
-    for (const Case& c : {Case{30, 0.0015f, 1}, Case{800, 0.01f, 10}, Case{20000, 0.2f, 1e6f}}) {
-        World world(without_sleep());
-        const BodyId ground = add_ground(world, surface(0.6f));
-        std::vector<JointId> joints;
-        const auto join = [&](BodyId a, BodyId b, double x) {
-            for (const double z : {-0.5, 0.5}) {
-                JointDef joint = world.joint_at(a, b, {x, 3, z}, {1, 0, 0}, BallJoint{});
-                joint.solver = JointSolver::iterative;
-                joints.push_back(world.create_joint(joint));
-            }
-        };
-        BodyId last = ground;
-        for (int i = 0; i < 60; ++i) {
-            BodyDef def;
-            def.position = {i, 3, 0};
-            def.mass = 100;
-            def.linear_damping = def.angular_damping = 2; // else it swings for long
-            const BodyId next = add_body(world, Box{{0.45f, 0.1f, 0.5f}}, def, surface(0.6f));
-            join(last, next, i - 0.5);
-            if (i % 5 == 4) join(ground, next, i + 0.5);
-            last = next;
-            for (int k = 0; k < 3; ++k) add_box(world, {i, 3.6 + 1.001 * k, 0}, c.load / 3);
+struct Deck {
+    float gap, energy; // m, J: after 10 s
+    int max_substeps;
+};
+// A deck of planks on balls, every fifth of them held by the ground, with a load on each, kg, that stands so far, m,
+// beside its middle.
+Deck loaded_deck(float load, double beside) {
+    World world(without_sleep());
+    const BodyId ground = add_ground(world, surface(0.6f));
+    std::vector<JointId> joints;
+    const auto join = [&](BodyId a, BodyId b, double x) {
+        for (const double z : {-0.5, 0.5}) {
+            JointDef joint = world.joint_at(a, b, {x, 3, z}, {1, 0, 0}, BallJoint{});
+            joint.solver = JointSolver::iterative;
+            joints.push_back(world.create_joint(joint));
         }
-        run(world, 1.0f / 60, 600);
-        EXPECT_LT(greatest_gap(world, joints), c.gap) << c.load;
-        EXPECT_LT(world.kinetic_energy(), c.energy) << c.load;
-        EXPECT_LE(world.statistics().max_substeps, 16) << c.load;
+    };
+    BodyId last = ground;
+    for (int i = 0; i < 60; ++i) {
+        BodyDef def;
+        def.position = {i, 3, 0};
+        def.mass = 100;
+        def.linear_damping = def.angular_damping = 2; // else it swings for long
+        const BodyId next = add_body(world, Box{{0.45f, 0.1f, 0.5f}}, def, surface(0.6f));
+        join(last, next, i - 0.5);
+        if (i % 5 == 4) join(ground, next, i + 0.5);
+        last = next;
+        for (int k = 0; k < 3; ++k) add_box(world, {i + beside, 3.6 + 1.001 * k, 0}, load / 3);
     }
+    run(world, 1.0f / 60, 600);
+    return {greatest_gap(world, joints), float(world.kinetic_energy()), world.statistics().max_substeps};
+}
+
+// The joints hold, and it comes to rest, with a bounded number of substeps.
+TEST(Substeps, HoldADeckUnderLoadsOfTwoKinds) {
+    for (const double beside : {0.0, 1e-3, 2e-3}) {
+        const Deck light = loaded_deck(30, beside), heavy = loaded_deck(800, beside);
+        EXPECT_LT(light.gap, 0.0015f) << beside;
+        EXPECT_LT(light.energy, 1) << beside;
+        EXPECT_LT(heavy.gap, 0.01f) << beside;
+        EXPECT_LT(heavy.energy, 10) << beside;
+        EXPECT_LE(std::max(light.max_substeps, heavy.max_substeps), 16) << beside;
+    }
+}
+
+// Under 20 t it shakes (docs/known_limits.md), more or less by how it happens to stand; a fall to the ground would have
+// 35 MJ.
+TEST(Substeps, KeepADeckUnder20TonsTogether) {
+    std::vector<float> energies;
+    for (int start = 0; start < 7; ++start) {
+        const Deck deck = loaded_deck(20000, 1e-6 * start);
+        EXPECT_LT(deck.gap, 0.2f) << start;
+        EXPECT_LT(deck.energy, 1.5e7f) << start;
+        EXPECT_LE(deck.max_substeps, 32) << start;
+        energies.push_back(deck.energy);
+    }
+    std::nth_element(energies.begin(), energies.begin() + 3, energies.end());
+    EXPECT_LT(energies[3], 1e6f);
 }
 
 // Nets that hang from their upper edge; the last row pulls with that many times its weight.

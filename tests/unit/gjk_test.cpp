@@ -138,6 +138,40 @@ TEST(Gjk, TheGuessDoesNotChangeTheDistance) {
     }
 }
 
+TEST(Gjk, TheCornersOfTheLastResultDoNotChangeTheDistance) {
+    Random random(3);
+    int apart = 0;
+    for (int k = 0; k < 5000; ++k) {
+        const Solid sa = any_solid(random, 1), sb = any_solid(random, 1);
+        const DQuat qa = random.rotation(), qb = random.rotation();
+        const DVec3 place = random.uniform(1, 3) * random.direction();
+        const Convex a = sa.at({}, qa), b = sb.at(place, qb);
+        const auto before = cairn::gjk_distance({exact_core(a), exact_core(b)}, {}, 1e300);
+        if (before.state != cairn::GjkResult::State::apart) continue;
+        // Both move along, a little or far; the corners are points of them.
+        const double far = std::pow(10.0, random.uniform(-6, 0));
+        const DQuat ta = about(random.direction(), far * random.uniform(0, 2)),
+                    tb = about(random.direction(), far * random.uniform(0, 2));
+        const DVec3 way = far * random.direction();
+        cairn::Simplex start = before.simplex;
+        for (int i = 0; i < start.count; ++i) {
+            cairn::DifferencePoint& p = start.points[i];
+            p.a = rotate(ta, p.a), p.b = place + way + rotate(tb, p.b - place);
+            p.w = p.a - p.b;
+        }
+        const Convex moved_a = sa.at({}, ta * qa), moved_b = sb.at(place + way, tb * qb);
+        const cairn::CorePair pair{exact_core(moved_a), exact_core(moved_b)};
+        const auto cold = gjk_distance(pair, {}, 1e300), warm = cairn::gjk_distance_from(pair, start, 1e300, 1e-12);
+        if (cold.state != warm.state) {
+            EXPECT_LT(std::max(cold.distance, warm.distance), 1e-8) << k;
+            continue;
+        }
+        EXPECT_NEAR(cold.distance, warm.distance, 1e-9 + 1e-6 * cold.distance) << k;
+        apart += warm.state == cairn::GjkResult::State::apart;
+    }
+    EXPECT_GT(apart, 3000);
+}
+
 TEST(Gjk, SimpleShapesHaveTheirKnownDistance) {
     const Solid two = ball(0.5), rod = capsule(1, 0.25), can = cylinder(1, 0.5), tip = cylinder(1, 0.5, 0),
                 taper = capsule(1, 0.5, 0.25);

@@ -1,0 +1,94 @@
+// When shapes meet along their ways, against looks at many times.
+#include "collision/core_sweep.h"
+
+#include "convex_test_support.h"
+#include "shapes/gjk.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace convex_test;
+using cairn::core_depth_of;
+using cairn::RigidPath;
+
+constexpr int looks = 200;
+
+double distance(const Convex& a, const Convex& b) {
+    const auto r = cairn::gjk_distance({exact_core(a), exact_core(b)}, {}, 1e300);
+    if (r.state == cairn::GjkResult::State::overlapping) return -1;
+    return r.distance - exact_core(a).radius - exact_core(b).radius;
+}
+Convex core_of(const Solid& s, RigidPath::Pose pose, double depths) {
+    const Convex whole = s.at(pose.x, pose.q);
+    return shrunk(whole, std::min(depths * core_depth_of(whole.extent), whole.extent));
+}
+cairn::SweptShape swept(const Solid& s, const RigidPath& path) { return {s.geometry, s.data, {}, path}; }
+
+RigidPath random_path(Random& random, DVec3 start, double way, double turn) {
+    const DQuat q = random.rotation();
+    const DVec3 end = start + random.uniform(0, way) * random.direction();
+    return RigidPath::between(start, q, end, about(random.direction(), random.uniform(0, turn)) * q);
+}
+
+TEST(CoreSweep, CoresAreApartUpToTheirMeeting) {
+    Random random(1);
+    int met = 0, missed = 0;
+    for (int k = 0; k < 4000; ++k) {
+        const double way = random.below(2) ? 3 : 0.1, turn = random.below(2) ? 1.5 : 0.1;
+        const Solid a = any_solid(random, 1), b = any_solid(random, random.below(3) ? 1 : 0.1);
+        const RigidPath path_a = random_path(random, {}, way, turn),
+                        path_b = random_path(random, random.uniform(0.5, 2.5) * random.direction(), way, turn);
+        const auto apart_at = [&](double t) {
+            return distance(core_of(a, path_a.at(t), 1), core_of(b, path_b.at(t), 1));
+        };
+        const double radii = double(a.geometry.bounding_radius) + double(b.geometry.bounding_radius);
+        const double moved = length(path_a.translation) + length(path_b.translation) +
+                             radii * (length(path_a.turn) + length(path_b.turn));
+        const double free = cairn::half_width_of(a.geometry, a.data, b.geometry, b.data); // less is not looked at
+        if (!(apart_at(0) > 1e-4) || !(moved > 4 * free)) continue;
+        const double time = cairn::time_of_meeting(swept(a, path_a), swept(b, path_b), false);
+        ++(time <= 1 ? met : missed);
+        for (int i = 0; i <= looks; ++i) {
+            const double t = double(i) / looks;
+            if (t < time) {
+                ASSERT_GT(apart_at(t), 0) << k << " at " << t << ", meets at " << time;
+            }
+        }
+    }
+    EXPECT_GT(met, 200);
+    EXPECT_GT(missed, 500);
+}
+
+TEST(CoreSweep, WhatTouchesGoesNoDeeperUnseen) {
+    Random random(2);
+    int sank = 0, stayed = 0;
+    for (int k = 0; k < 4000; ++k) {
+        const double way = random.below(2) ? 0.1 : 0.001, turn = random.below(2) ? 0.5 : 0.02;
+        const Solid a = any_solid(random, 1), b = any_solid(random, random.below(3) ? 1 : 0.1);
+        RigidPath path_a = random_path(random, {}, way, turn),
+                  path_b = random_path(random, 4.0 * random.direction(), way, turn);
+        const Convex at_a = a.at(path_a.first().x, path_a.first().q), at_b = b.at(path_b.first().x, path_b.first().q);
+        const auto r = cairn::gjk_distance({exact_core(at_a), exact_core(at_b)}, {}, 1e300);
+        path_b.start = path_b.start - distance(at_a, at_b) * r.normal; // they touch
+        const auto depth_at = [&](double t) {
+            return -distance(core_of(a, path_a.at(t), 2), core_of(b, path_b.at(t), 2));
+        };
+        const double before = depth_at(0);
+        if (!(before < -1e-3)) continue;
+        const double time = cairn::time_of_sinking(swept(a, path_a), swept(b, path_b), 0);
+        ++(time <= 1 ? sank : stayed);
+        const double deeper =
+            2 * cairn::sinking_part * core_depth_of(cairn::half_width_of(a.geometry, a.data, b.geometry, b.data));
+        for (int i = 0; i <= looks; ++i) {
+            const double t = double(i) / looks;
+            if (t < time) {
+                ASSERT_LT(depth_at(t), before + deeper) << k << " at " << t << ", sinks at " << time;
+            }
+        }
+    }
+    EXPECT_GT(sank, 500);
+    EXPECT_GT(stayed, 500);
+}
+
+} // namespace
