@@ -44,6 +44,8 @@ Convex core_at(const Mover& m, double time) { return core_at(m, frame_at(m, time
 // which are points of the shapes wherever those are.
 class GapFinder {
   public:
+    // `guess`: for the first, a direction from one to the other.
+    explicit GapFinder(DVec3 guess) : guess_(guess) {}
     Gap gap_of(const Convex& a, const Frame& frame_a, const Convex& b, const Frame& frame_b) {
         const Core core_a = exact_core(a), core_b = exact_core(b);
         const CorePair pair{core_a, core_b};
@@ -54,7 +56,7 @@ class GapFinder {
         }
         start.count = count_;
         const GjkResult r = count_ > 0 ? gjk_distance_from(pair, start, infinity, tolerance)
-                                       : gjk_distance(pair, guess, infinity, tolerance);
+                                       : gjk_distance(pair, guess_, infinity, tolerance);
         if (r.state != GjkResult::State::apart) return {-1, {}, {}};
         count_ = std::min(r.simplex.count, 3);
         for (int i = 0; i < count_; ++i) {
@@ -63,10 +65,10 @@ class GapFinder {
         }
         return {r.distance - (core_a.radius + core_b.radius), r.normal, r.on_a + core_a.radius * r.normal};
     }
-    DVec3 guess; // for the first
 
   private:
     static constexpr double tolerance = 1e-6;
+    const DVec3 guess_;
     int count_ = 0;
     DVec3 on_a_[3], on_b_[3]; // in the frames of the shapes
 };
@@ -96,9 +98,8 @@ class ConvexPair {
   public:
     static constexpr bool has_axes = true;
     ConvexPair(const Mover& a, const Mover& b)
-        : a_(a), b_(b), reach_(length(a.end - a.start) + a.sagitta() + a.bounding_radius()) {
-        finder_.guess = b.start - a.start;
-    }
+        : a_(a), b_(b), reach_(length(a.end - a.start) + a.sagitta() + a.bounding_radius()),
+          finder_(b.start - a.start) {}
     Convex first_at(double time) const { return core_at(a_, time); }
     Convex second_at(double time) const { return second_at(frame_at(b_, time)); }
     Gap gap_at(double time) {
@@ -106,7 +107,6 @@ class ConvexPair {
         return finder_.gap_of(core_at(a_, a), a, second_at(b), b);
     }
     double apart_along(DVec3 n, double time) const { return gap_along(n, first_at(time), second_at(time)); }
-    DVec3 guess() const { return finder_.guess; }
 
   private:
     Convex second_at(const Frame& frame) const { return core_at(b_, frame, a_.start, reach_); }
@@ -122,7 +122,7 @@ Course course_of_convexes(const Mover& a, const Mover& b, Span span, const Dista
         !begins_in_front(middle(first), second))
         return {};
     const Question question = question_of(first, a, distances);
-    if (stay_apart_along(pair.guess(), a, b, span, pair, question)) return surely_apart;
+    if (stay_apart_along(b.start - a.start, a, b, span, pair, question)) return surely_apart;
     return course_by(a, b, question, span, pair);
 }
 
@@ -161,30 +161,28 @@ Convex triangle_at(const Frame& frame, const Triangle& t) {
 class TrianglePair {
   public:
     static constexpr bool has_axes = true;
-    TrianglePair(const Mover& a, const Mover& b, const Triangle& triangle, double begin)
+    // `center`: of `a` when the span begins.
+    TrianglePair(const Mover& a, const Mover& b, const Triangle& triangle, double begin, DVec3 center)
         : a_(a), b_(b), triangle_(triangle), begin_frame_(frame_at(b, begin)),
-          begin_face(triangle_at(begin_frame_, triangle)) {
-        finder_.guess = begin_face.center - core_at(a, begin).center;
-    }
+          begin_face_(triangle_at(begin_frame_, triangle)), from_center_(begin_face_.center - center),
+          finder_(from_center_) {}
+    const Convex& begin_face() const { return begin_face_; } // when the span begins
+    DVec3 from_center() const { return from_center_; }       // to that
     Gap gap_at(double time) {
         const Frame a = frame_at(a_, time), b = b_.is_still() ? begin_frame_ : frame_at(b_, time);
         return finder_.gap_of(core_at(a_, a), a, face_at(b), b);
     }
     double apart_along(DVec3 n, double time) const {
-        return gap_along(n, core_at(a_, time), b_.is_still() ? begin_face : face_at(frame_at(b_, time)));
+        return gap_along(n, core_at(a_, time), b_.is_still() ? begin_face_ : face_at(frame_at(b_, time)));
     }
-    DVec3 guess() const { return finder_.guess; }
 
   private:
-    Convex face_at(const Frame& frame) const { return b_.is_still() ? begin_face : triangle_at(frame, triangle_); }
+    Convex face_at(const Frame& frame) const { return b_.is_still() ? begin_face_ : triangle_at(frame, triangle_); }
     const Mover &a_, &b_;
     const Triangle& triangle_;
     const Frame begin_frame_;
-
-  public:
-    const Convex begin_face; // when the span begins
-
-  private:
+    const Convex begin_face_;
+    const DVec3 from_center_;
     GapFinder finder_;
 };
 
@@ -216,12 +214,12 @@ Course course_at_triangles(const Mover& a, const Mover& b, Span span, const Dist
         const auto visit = [&](const auto& mesh) {
             for_each_triangle(mesh, lo, hi, [&](std::uint32_t index) {
                 const Triangle t = triangle_of(mesh, index);
-                TrianglePair pair(a, b, t, begin);
-                if (!begins_in_front(middle(mover), pair.begin_face)) return;
+                TrianglePair pair(a, b, t, begin, mover.center);
+                if (!begins_in_front(middle(mover), pair.begin_face())) return;
                 const Question question = question_of(mover, a, distances);
                 const Span part{begin, std::min(end, best.meeting)};
-                if (stay_apart_along(-pair.begin_face.axes.c1, a, b, part, pair, question) ||
-                    stay_apart_along(pair.guess(), a, b, part, pair, question))
+                if (stay_apart_along(-pair.begin_face().axes.c1, a, b, part, pair, question) ||
+                    stay_apart_along(pair.from_center(), a, b, part, pair, question))
                     return;
                 const Course course = course_by(a, b, question, part, pair);
                 if (course.meeting == overlapped)
