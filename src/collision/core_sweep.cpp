@@ -86,7 +86,7 @@ bool stay_apart_along(DVec3 direction, const Mover& a, const Mover& b, Span span
     const double square = dot(direction, direction);
     if (!(square > 0)) return false;
     const DVec3 n = (1 / std::sqrt(square)) * direction;
-    const double limit = question.tolerance + question.within + question.floor,
+    const double limit = question.tolerance + question.within + question.highest_floor(),
                  first = pair.apart_along(n, span.begin) - limit;
     return first > 0 &&
            stay_apart_between(a, b, span, a.sagitta() + b.sagitta(), first, pair.apart_along(n, span.end) - limit);
@@ -115,13 +115,13 @@ class ConvexPair {
     GapFinder finder_;
 };
 
-Course course_of_convexes(const Mover& a, const Mover& b, Span span, const Distances& distances) {
+Course course_of_convexes(const Mover& a, const Mover& b, Span span, const Asked& asked) {
     ConvexPair pair(a, b);
     const Convex first = pair.first_at(span.begin), second = pair.second_at(span.begin);
     if (second.kind == Convex::Kind::polygon && !b.shape().geometry.is_double_sided &&
         !begins_in_front(middle(first), second))
         return {};
-    const Question question = question_of(first, a, distances);
+    const Question question = question_of(first, a, asked, depth_of(second, b.layer, b.half_width));
     if (stay_apart_along(b.start - a.start, a, b, span, pair, question)) return surely_apart;
     return course_by(a, b, question, span, pair);
 }
@@ -148,8 +148,8 @@ class PlanePair {
     double side_ = 1;
 };
 
-Course course_at_plane(const Mover& a, const Mover& b, Span span, const Distances& distances) {
-    return course_by(a, b, question_of(core_at(a, span.begin), a, distances), span, PlanePair(a, b, span.begin));
+Course course_at_plane(const Mover& a, const Mover& b, Span span, const Asked& asked) {
+    return course_by(a, b, question_of(core_at(a, span.begin), a, asked, 0), span, PlanePair(a, b, span.begin));
 }
 
 Convex triangle_at(const Frame& frame, const Triangle& t) {
@@ -187,7 +187,7 @@ class TrianglePair {
 };
 
 // With the triangles of a mesh or height field, from their front.
-Course course_at_triangles(const Mover& a, const Mover& b, Span span, const Distances& distances) {
+Course course_at_triangles(const Mover& a, const Mover& b, Span span, const Asked& asked) {
     const auto local_at = [&](double time) { // the middle of a, in the frame of the surface
         const RigidPath::Pose pose = b.body_at(time);
         return math::rotate(math::conjugate(b.rotation_at(pose)), a.middle_at(time) - b.origin_at(pose));
@@ -197,7 +197,7 @@ Course course_at_triangles(const Mover& a, const Mover& b, Span span, const Dist
     const double bend = a.sagitta() + b.shape().path.sagitta(length(start) + length(last));
     const double way = length(last - start), size = std::max(a.bounding_radius(), 1e-3);
     const int pieces = std::clamp(int(std::min(way / (sizes_per_piece * size), 1e6)) + 1, 1, max_pieces);
-    const double radius = a.bounding_radius() + bend + distances.within;
+    const double radius = a.bounding_radius() + bend + asked.within;
     Course best;
     bool overlaps = false;
     for (int piece = 0; piece < pieces && best.meeting == never; ++piece) {
@@ -216,7 +216,7 @@ Course course_at_triangles(const Mover& a, const Mover& b, Span span, const Dist
                 const Triangle t = triangle_of(mesh, index);
                 TrianglePair pair(a, b, t, begin, mover.center);
                 if (!begins_in_front(middle(mover), pair.begin_face())) return;
-                const Question question = question_of(mover, a, distances);
+                const Question question = question_of(mover, a, asked, 0);
                 const Span part{begin, std::min(end, best.meeting)};
                 if (stay_apart_along(-pair.begin_face().axes.c1, a, b, part, pair, question) ||
                     stay_apart_along(pair.from_center(), a, b, part, pair, question))
@@ -254,12 +254,12 @@ bool may_meet_on_the_way(const Mover& a, const Mover& b, double within) {
     return dot(nearest, nearest) <= reach * reach;
 }
 
-Course course_of(const Mover& a, const Mover& b, Span span, const Distances& distances) {
+Course course_of(const Mover& a, const Mover& b, Span span, const Asked& asked) {
     const ShapeType type = b.shape().geometry.type;
-    if (type == ShapeType::plane) return course_at_plane(a, b, span, distances);
-    if (type == ShapeType::mesh || type == ShapeType::height_field) return course_at_triangles(a, b, span, distances);
-    if (!is_strip(b.shape().geometry) && !may_meet_on_the_way(a, b, distances.within)) return surely_apart;
-    return course_of_convexes(a, b, span, distances);
+    if (type == ShapeType::plane) return course_at_plane(a, b, span, asked);
+    if (type == ShapeType::mesh || type == ShapeType::height_field) return course_at_triangles(a, b, span, asked);
+    if (!is_strip(b.shape().geometry) && !may_meet_on_the_way(a, b, asked.within)) return surely_apart;
+    return course_of_convexes(a, b, span, asked);
 }
 double half_width_of(const SweptShape& a, const SweptShape& b) {
     return half_width_of(a.geometry, a.data, b.geometry, b.data);
@@ -307,19 +307,11 @@ double time_of_meeting(const SweptShape& a, const SweptShape& b, bool is_known, 
     return time == overlapped ? never : time;
 }
 
-double time_of_sinking(const SweptShape& a, const SweptShape& b, double from) {
+double time_of_sinking(const SweptShape& a, const SweptShape& b, bool is_known, double from) {
     const double to = end_of(a, b), half_width = half_width_of(a, b);
     const Mover first(a, Layer::inner, half_width, from, to), second(b, Layer::inner, half_width, from, to);
-    // How far apart their inner cores are now, which may be far from the tip of a cone. A surface is its own core.
-    const auto reach = [](const SweptShape& shape) {
-        return is_surface(shape.geometry.type) ? 0.0 : double(shape.geometry.bounding_radius);
-    };
-    const double within = reach(a) + reach(b);
-    const Course now = course_of(first, second, {from, from}, {within});
-    const double tolerance = sinking_part * core_depth_of(half_width), floor = now.gap.distance - 2 * tolerance;
-    if (!(floor > 0) || !(floor < infinity)) return time_of_meeting(a, b, true, from);
-    const double time = course_of(first, second, {from, to}, {0, floor, tolerance}).meeting;
-    return time == overlapped ? never : time;
+    const double time = course_of(first, second, {from, to}, {0, is_known ? 0.5 : 1.0}).meeting;
+    return time == overlapped ? time_of_meeting(a, b, true, from) : time;
 }
 
 double time_of_impact(const SweptShape& a, const SweptShape& b, double from) {
@@ -327,7 +319,7 @@ double time_of_impact(const SweptShape& a, const SweptShape& b, double from) {
     const Mover first(a, Layer::impact, half_width, from, to), second(b, Layer::impact, half_width, from, to);
     const Course course = course_of(first, second, {from, to}, {});
     const double time = course.meeting;
-    if (time == overlapped) return time_of_sinking(a, b, from);
+    if (time == overlapped) return time_of_sinking(a, b, false, from);
     // The distance of convex shapes that move straight is a convex function of time: no touch of them is missed.
     const bool is_certain = course.is_certain || (first.moves_straight() && second.moves_straight());
     return time >= 0 && (time < 1 || is_certain) ? time : time_of_meeting(a, b, false, from);

@@ -1,8 +1,8 @@
 // When the cores of two shapes first meet along the ways that their bodies take in a step.
 //
 // The core of a shape is what lies deeper than max(1 mm, 2 % of its smallest half width); of a surface, the surface
-// itself. Where the solver knows the contact, shapes may press into each other farther for a moment, as it is soft:
-// then it is what lies deeper than half of the smallest half width.
+// itself. What is as deep as that already, as contacts are soft, goes deeper by a part of its depth at most without a
+// look, and no deeper than half of the smallest half width.
 #pragma once
 
 #include "math/rotation.h"
@@ -58,10 +58,10 @@ struct SweptShape {
 };
 
 // The first time at which the cores meet, or somewhat before: the cores are apart at any time up to there. More than 1
-// if they do not. If they overlap from the start, it is when a ball in the middle of `a` meets the other core. `from`:
-// up to then they are known to be apart. `a` is no surface. Conservative advancement (Mirtich 1996; Zhang and others,
-// "Interactive continuous collision detection for non-convex polyhedra", 2006) with a bound on how fast any point of
-// either can come nearer along the normal.
+// if they do not. If they overlap from the start, it is when a ball in the middle of `a` meets the other core;
+// `is_known`: that which lies as deep as the solver may press it. `from`: up to then they are known to be apart. `a` is
+// no surface. Conservative advancement (Mirtich 1996; Zhang and others, "Interactive continuous collision detection for
+// non-convex polyhedra", 2006) with a bound on how fast any point of either can come nearer along the normal.
 inline constexpr double never = 2;
 // As far as that, as part of the smaller half width, shapes may move against each other without a look: no core passes.
 inline constexpr double free_share = 0.5;
@@ -74,9 +74,12 @@ double time_of_meeting(const SweptShape& a, const SweptShape& b, bool is_known, 
 // or `never`. What touches at `from` and parts, or stays as it is, is asked for the next touch.
 double time_of_impact(const SweptShape& a, const SweptShape& b, double from = 0);
 
-// When two that touch, and do not come nearer now, press into each other deeper than now, by a twenty-fifth of what a
-// core is inside; if they are as deep as contacts that the solver knows may be, or nearly, when they are that.
-double time_of_sinking(const SweptShape& a, const SweptShape& b, double from);
+// When two that touch, or overlap, are deeper in each other than they may be: than they are now, by a quarter of it and
+// a twenty-fifth of what a core is inside; but they may be as deep as faces that touch, by the distance of what is
+// twice as deep as cores (of corners that is a little inside), or as deep as where cores meet if the solver has the
+// contact
+// (`is_known`), which is soft. If they are as deep as half of the smallest half width, or nearly, when they are that.
+double time_of_sinking(const SweptShape& a, const SweptShape& b, bool is_known, double from = 0);
 
 // How near shapes are, m, that count as touching, by the smaller of their smallest half widths: a hundredth of it, 0.1
 // mm at most.

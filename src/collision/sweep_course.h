@@ -161,22 +161,36 @@ struct Course {
 };
 inline constexpr Course surely_apart{never, 0, {infinity, {}, {}}, true};
 
-// Of a pair: how near matters, and from which distance on, to within which of it.
-struct Distances {
-    double within = 0, floor = 0, of_floor = 0;
+// What is asked of a pair beside when it meets: how near it comes matters up to `within`; or, if `floor_part` is not 0,
+// it is when inner cores are nearer than that part of what they are where the shapes touch, or nearer than now.
+struct Asked {
+    double within = 0, floor_part = 0;
 };
+
+// What overlaps may go deeper by that part before it is asked again: a body that is pressed in more and more within a
+// step is asked some ten times until it is at its middle.
+inline constexpr double deeper_part = 0.25;
 
 // What is asked of a course: it ends when the shapes are as near as `tolerance`; how near they come matters up to
 // `within`.
 struct Question {
     double tolerance, within = 0;
-    double floor = 0;       // of the distance, from which it is counted
     bool is_impact = false; // what is as near as that and parts, or stays, has not met
+    double floor_part = 0;
+    double touch = 0; // the distance of inner cores where the shapes touch, at least
+
+    bool sinks() const { return floor_part > 0; }
+    double highest_floor() const { return floor_part * touch; }
+    // Down to which distance of inner cores two may go that are now at another one.
+    double floor_from(double distance) const {
+        return std::min(highest_floor(), distance - deeper_part * std::max(touch - distance, 0.0)) - 2 * tolerance;
+    }
 };
 
-inline Question question_of(const Convex& c, const Mover& m, const Distances& d) {
-    const double tolerance = d.floor > 0 ? d.of_floor : tolerance_of(c, m.layer, m.half_width);
-    return {tolerance, d.within, d.floor, m.layer == Layer::impact};
+inline Question question_of(const Convex& c, const Mover& m, const Asked& asked, double depth_of_other) {
+    const double tolerance = tolerance_of(c, m.layer, m.half_width);
+    return {tolerance, asked.within, m.layer == Layer::impact, asked.floor_part,
+            depth_of(c, m.layer, m.half_width) + depth_of_other};
 }
 
 // How fast the nearest points come nearer along the normal, and move at all, m/s.
@@ -300,7 +314,7 @@ inline double advance(const Mover& a, const Mover& b, double tolerance, double b
     Gap gap = pair.gap_at(time);
     if (!(gap.distance > 0)) return begin > 0 ? begin : overlapped;
     tolerance = std::min(tolerance, 0.5 * gap.distance); // what has been stopped at it goes on if it parts
-    double span = end - begin; // is looked at next
+    double span = end - begin;                           // is looked at next
     for (int round = 0; round < max_rounds; ++round) {
         if (!(gap.distance > tolerance)) return time;
         if (stay_apart_from(a, b, pair, time, gap, end, tolerance)) return never;
@@ -339,10 +353,13 @@ inline Course approach(const Mover& a, const Mover& b, Question question, double
     Bracket::Look now = look_at(begin);
     if (has_met(now)) return {begin > 0 || (question.is_impact && now.gap.distance >= 0) ? begin : overlapped};
     double beyond = end; // they overlap then, or it is the end
+    const double sunk = question.sinks() ? question.tolerance : -infinity;
     Bracket seen;
     for (int round = 0; round < max_rounds; ++round) {
         if (has_met(now)) return {now.time};
-        if (question.is_impact && stay_apart_from(a, b, pair, now.time, now.gap, end, question.tolerance)) return {};
+        if ((question.is_impact || question.sinks()) &&
+            stay_apart_from(a, b, pair, now.time, now.gap, end, question.tolerance))
+            return {};
         seen.see(now);
         const double way = std::max(now.gap.distance - 0.5 * question.tolerance, 0.0);
         const double leap = !is_near(now) && now.closing.along > 0 ? way / now.closing.along : longest_leap;
@@ -351,7 +368,9 @@ inline Course approach(const Mover& a, const Mover& b, Question question, double
             const Bracket::Look last = look_at(end);
             if (last.gap.distance > question.tolerance || (question.is_impact && last.gap.distance >= 0)) {
                 seen.see(last);
-                return seen.least(a.speed() + b.speed(), question.within, look_at);
+                Course course = seen.least(a.speed() + b.speed(), std::max(question.within, sunk), look_at);
+                if (course.gap.distance < sunk) course.meeting = course.nearest;
+                return course;
             }
         }
         Bracket::Look there = look_at(next < beyond ? next : 0.5 * (now.time + beyond));
@@ -384,9 +403,11 @@ template <class Pair> class AboveFloor {
 
 // Of cores, or of the shapes themselves.
 template <class Pair> Course course_by(const Mover& a, const Mover& b, Question question, Span span, Pair&& pair) {
-    if (question.floor > 0) {
-        AboveFloor above(pair, question.floor);
-        return {advance(a, b, question.tolerance, span.begin, span.end, above)};
+    if (question.sinks()) {
+        const double floor = question.floor_from(pair.gap_at(span.begin).distance);
+        if (!(floor > 0)) return {overlapped};
+        AboveFloor above(pair, floor);
+        return approach(a, b, question, span.begin, span.end, above);
     }
     if (question.within > 0 || question.is_impact) return approach(a, b, question, span.begin, span.end, pair);
     return {advance(a, b, question.tolerance, span.begin, span.end, pair)};

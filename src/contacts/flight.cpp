@@ -1,5 +1,6 @@
 #include "contacts/flight.h"
 
+#include "bodies/bodies.h"
 #include "bodies/integrators.h"
 #include "bodies/motion_budget.h"
 #include "contacts/contact_update.h"
@@ -34,20 +35,40 @@ float fall_of(const NarrowInput& in, const ContactInfo& c, const Manifold& m, fl
     return share * dt * dt * float(math::dot(a, math::to_double(math::to_vec(m.normal))));
 }
 
-// How far a contact that stays as it is in the step is off at its end, as its surface, of `under`, turns its normal: by
-// half of the turn times the way that what is on it goes along it, and, as what goes straight on at the surface's speed
-// gets behind it, by a third of the square of the turn times the way of the surface.
-float lag_of(const BodyMotion& on, const BodyMotion& under, math::Vec3 normal, float dt) {
-    const float turn = dt * math::length(math::cross(under.w, normal));
-    const math::Vec3 surface = math::cross(under.w, math::to_float(on.x - under.x));
-    return turn * dt * (0.5f * math::length(on.v - under.v - surface) + turn / 3 * math::length(surface));
+// Of a shape that meets another: where, how it moves there, and how its surface turns there: a spin about its axis of
+// symmetry changes nothing.
+struct Surface {
+    math::Vec3 v, turn, arm; // m/s of the center of mass, rad/s, m from the center of mass
+    math::Vec3 turning() const { return math::cross(turn, arm); }
+};
+Surface surface_of(const Bodies& bodies, const Shapes& shapes, std::uint32_t shape, math::Vec3 arm) {
+    const BodyMotion& motion = bodies.motion[shapes.links[shape].body];
+    math::Vec3 turn = motion.w;
+    const ShapeType type = shapes.geometry[shape].type;
+    if (type == ShapeType::sphere) turn = {};
+    if (type == ShapeType::capsule || type == ShapeType::cylinder) {
+        const math::Vec3 axis = math::rotate(shape_rotation(shapes.poses[shape]), math::Vec3{0, 1, 0});
+        turn = turn - math::dot(turn, axis) * axis;
+    }
+    return {motion.v, turn, arm};
 }
 
-// Whether a kinematic body or what is on it turns so far that a contact between them cannot stay as it is in a step.
-bool turns_away(const Bodies& bodies, const ContactInfo& c, const Manifold& m, float dt) {
-    if (bodies.settings[c.body_b].type != BodyType::kinematic) return false;
-    const BodyMotion &a = bodies.motion[c.body_a], &b = bodies.motion[c.body_b];
-    const math::Vec3 n = math::to_vec(m.normal);
+// How far a contact that stays as it is in the step is off at its end, as the surface `under` turns its normal: by half
+// of the turn times the way that what is on it goes along it, and, as what goes straight on at the surface's speed gets
+// behind it, by a third of the square of the turn times the way of the surface.
+float lag_of(const Surface& on, const Surface& under, math::Vec3 normal, float dt) {
+    const float turn = dt * math::length(math::cross(under.turn, normal));
+    const math::Vec3 way = on.v + on.turning() - under.v - under.turning();
+    return turn * dt * (0.5f * math::length(way) + turn / 3 * math::length(under.turning()));
+}
+
+// Whether one of the two turns so far under the other that their contact cannot stay as it is in a step.
+bool turns_away(const Bodies& bodies, const Shapes& shapes, const ContactInfo& c, const Manifold& m, float dt) {
+    const std::uint32_t first = c.flipped ? c.shape_b : c.shape_a, second = c.flipped ? c.shape_a : c.shape_b;
+    const math::Vec3 n = math::to_vec(m.normal), arm = shapes.links[first].arm + math::to_vec(m.points[0]);
+    const math::DVec3 between = bodies.motion[shapes.links[first].body].x - bodies.motion[shapes.links[second].body].x;
+    const Surface a = surface_of(bodies, shapes, first, arm),
+                  b = surface_of(bodies, shapes, second, arm + math::to_float(between));
     return lag_of(a, b, n, dt) > c.base_margin || lag_of(b, a, n, dt) > c.base_margin;
 }
 
@@ -174,7 +195,7 @@ bool may_meet_in_flight(const NarrowInput& in, const Contacts& contacts, const C
     if (c.is_trigger || m.count == 0) return false;
     float least = m.points[0][3];
     for (int i = 1; i < m.count; ++i) least = std::min(least, m.points[i][3]);
-    const bool bends = -least < core_depth_between(in.shapes, c) && turns_away(in.bodies, c, m, dt);
+    const bool bends = -least < core_depth_between(in.shapes, c) && turns_away(in.bodies, in.shapes, c, m, dt);
     if (!(least > 0 || bends) || !may_fly(in.bodies, in.islands, c.body_a) || !may_fly(in.bodies, in.islands, c.body_b))
         return false;
     if (bends) return true;

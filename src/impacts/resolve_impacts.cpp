@@ -97,7 +97,7 @@ class ImpactQueue {
 
     void meet(std::int32_t k, double time) {
         const bool is_worn = is_worn_out(pairs_[k].first) || is_worn_out(pairs_[k].second);
-        const bool ends = pairs_[k].is_known || is_worn || is_jointed(pairs_[k].shape) || is_jointed(pairs_[k].other);
+        const bool ends = is_worn || is_jointed(pairs_[k].shape) || is_jointed(pairs_[k].other);
         if (!ends && collide(k, time)) return;
         if (is_kinematic(pairs_[k].other)) {
             carry(k, time);
@@ -296,7 +296,10 @@ class ImpactQueue {
             id = patch_along(s.shapes, s.contacts, step.narrow, id, normal);
         }
         s.contacts.info[id].touching = 1;
-        if (s.contacts.info[id].point_count > 0) return !has_touched;
+        if (s.contacts.info[id].point_count > 0) { // the solver has had it, and will report what it bore
+            step.solver.reports[id].impulse += float(outcome.impulse);
+            return !has_touched;
+        }
         ContactRecord& r = s.contacts.records[id];
         forget_impulses(r, 0);
         math::put(r.normal, normal);

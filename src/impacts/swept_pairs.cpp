@@ -72,7 +72,7 @@ void SweptPairs::find_struck(std::int32_t kinematic) {
         for_each_shape(in.bodies, in.shapes, kinematic, [&](std::uint32_t shape) {
             if (!may_collide(other, shape)) return;
             const std::int32_t mover = add_mover(body);
-            if (!is_listed(mover, other, shape)) add(mover, other, shape, none, is_known(other, shape));
+            if (!is_listed(mover, other, shape)) add(mover, other, shape, known_contact(other, shape));
         });
     }
 }
@@ -115,9 +115,12 @@ bool SweptPairs::is_listed(std::int32_t mover, std::uint32_t shape, std::uint32_
 }
 
 // In one order, whichever of two movers was looked at first.
-void SweptPairs::add(std::int32_t mover, std::uint32_t shape, std::uint32_t other, std::int32_t contact,
-                     bool is_known) {
-    SweptPair pair{mover, movers_.of_body(in.shapes.links[other].body), shape, other, contact, is_known};
+void SweptPairs::add(std::int32_t mover, std::uint32_t shape, std::uint32_t other, std::int32_t contact) {
+    SweptPair pair{mover, movers_.of_body(in.shapes.links[other].body), shape, other, contact};
+    if (contact != none) {
+        const ContactInfo& c = in.contacts.info[contact];
+        pair.is_known = is_group(c) ? c.related != none : c.point_count > 0;
+    }
     if (pair.second != none && other < shape) std::swap(pair.first, pair.second), std::swap(pair.shape, pair.other);
     const std::int32_t k = count();
     pairs_.push_back(pair);
@@ -144,7 +147,7 @@ std::int32_t SweptPairs::add_mover(std::int32_t body) {
 void SweptPairs::find() {
     for (const std::uint32_t id : in.narrow.in_flight) {
         const ContactInfo& c = in.contacts.info[id];
-        add(movers_.of_body(c.body_a), c.shape_a, c.shape_b, std::int32_t(id), false);
+        add(movers_.of_body(c.body_a), c.shape_a, c.shape_b, std::int32_t(id));
     }
     for (const std::int32_t b : in.bodies.kinematics) find_struck(b);
     if (in.fast.empty()) return;
@@ -160,24 +163,25 @@ void SweptPairs::find() {
         const std::uint32_t shape = a_is_fast ? c.shape_a : c.shape_b, other = a_is_fast ? c.shape_b : c.shape_a;
         if (!may_pass(mover, in.shapes.links[other].body, in.shapes.geometry[other]) || is_listed(mover, shape, other))
             continue;
-        const bool is_known = is_group(c) ? c.related != none : c.point_count > 0;
-        add(mover, shape, other, std::int32_t(id), is_known);
+        add(mover, shape, other, std::int32_t(id));
     }
     for (const std::int32_t b : in.strayed) find_near(movers_.of_body(b), 0);
 }
 
-// Those whose bodies the solver has moved by a contact.
-bool SweptPairs::is_known(std::uint32_t a, std::uint32_t b) {
+// By which the solver has moved the two bodies, or none.
+std::int32_t SweptPairs::known_contact(std::uint32_t a, std::uint32_t b) {
     if (!scratch_.has_known) list_known();
-    const auto has_one = [&](std::uint32_t first, std::uint32_t second) {
+    const auto contact_of = [&](std::uint32_t first, std::uint32_t second) {
         for (std::int32_t k = scratch_.first_known[in.shapes.links[first].body]; k != none;
              k = scratch_.known[k].next) {
             const ContactInfo& c = in.contacts.info[scratch_.known[k].contact];
-            if (c.shape_a == first && c.shape_b == second) return true;
+            if (c.shape_a == first && c.shape_b == second)
+                return c.related != none ? c.related : std::int32_t(scratch_.known[k].contact); // of a patch: its group
         }
-        return false;
+        return none;
     };
-    return has_one(a, b) || has_one(b, a);
+    const std::int32_t contact = contact_of(a, b);
+    return contact != none ? contact : contact_of(b, a);
 }
 
 void SweptPairs::list_known() {
@@ -237,7 +241,7 @@ void SweptPairs::find_near(std::int32_t mover, double from) {
         for_each_shape(in.bodies, in.shapes, body, [&](std::uint32_t shape) {
             if (!may_collide(shape, other) || is_listed(mover, shape, other)) return;
             if (are_joined(body, in.shapes.links[other].body)) return;
-            add(mover, shape, other, none, is_known(shape, other));
+            add(mover, shape, other, known_contact(shape, other));
         });
     if (movers_[mover].is_redirected) scratch_.redirected.push_back({bounds.lo.x, mover, bounds});
 }
@@ -269,10 +273,8 @@ double SweptPairs::time_of(const SweptPair& pair, double from) const {
         swept(pair.other, second && second->turns_over ? ball_b : in.shapes.geometry[pair.other], path_b, until_b);
     // What something holds is pressed into it a little, and would catch at the edges of what lies beside.
     const bool catches = !first.is_free && !(second && in.bodies.is_dynamic(second->body));
-    if (pair.touches && !pair.is_known && !turns) return time_of_sinking(a, b, from);
-    // However a contact is pressed in: of what turns over, no more than the ball in it is held.
-    const bool may_press_in = pair.is_known && !turns;
-    if (pair.is_known || turns || catches) return time_of_meeting(a, b, may_press_in, from);
+    if ((pair.touches || pair.is_known) && !turns) return time_of_sinking(a, b, pair.is_known, from);
+    if (turns || catches) return time_of_meeting(a, b, false, from);
     return time_of_impact(a, b, from);
 }
 

@@ -49,14 +49,14 @@ class SweptPairs {
     double time_of(const SweptPair& pair, double from) const;
 
   private:
-    void add(std::int32_t mover, std::uint32_t shape, std::uint32_t other, std::int32_t contact, bool is_known);
+    void add(std::int32_t mover, std::uint32_t shape, std::uint32_t other, std::int32_t contact);
     void link(std::int32_t pair, std::int32_t mover);
     bool is_listed(std::int32_t mover, std::uint32_t shape, std::uint32_t other);
     bool may_pass(std::int32_t mover, std::int32_t body, const Geometry& other) const;
     bool may_collide(std::uint32_t a, std::uint32_t b) const;
     bool are_joined(std::int32_t a, std::int32_t b);
     void find_struck(std::int32_t kinematic);
-    bool is_known(std::uint32_t a, std::uint32_t b);
+    std::int32_t known_contact(std::uint32_t a, std::uint32_t b);
     void list_known();
     void list_ways();
     template <class F> void for_each_near(std::int32_t mover, const DBounds& bounds, F&& f);

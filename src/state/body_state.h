@@ -67,7 +67,7 @@ struct Bodies {
     std::vector<Travel> travel;           // how far any point of it has moved, at most
     std::vector<CountedPose> counted;     // up to there
     std::vector<Travel> ahead;            // how far a body will have moved after this pass, at most
-    std::vector<Travel> boxes_until;      // the travel up to which its fat boxes serve; only saves time
+    std::vector<Travel> boxes_until;      // the travel up to which its fat boxes are not looked at
     std::vector<std::int32_t> pushed;     // bodies with any forces
     std::vector<std::int32_t> kinematics; // kinematic bodies, in order of creation
     std::vector<std::uint32_t> dead;      // recycled after the broad phase's update

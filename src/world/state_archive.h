@@ -44,11 +44,7 @@ template <class Archive> void serialize_bodies(Archive& archive, State& s) {
     archive.foretold(s.bodies.counted, [&](std::size_t i) {
         return CountedPose{s.bodies.motion[i].x, s.bodies.motion[i].q};
     });
-    archive(s.bodies.travel), archive(s.bodies.ahead);
-    if constexpr (Archive::reading) {
-        s.bodies.boxes_until.resize(s.bodies.links.size());
-        for (std::size_t b = 0; b < s.bodies.links.size(); ++b) s.bodies.boxes_until[b] = s.bodies.travel[b];
-    }
+    archive(s.bodies.travel), archive(s.bodies.ahead), archive(s.bodies.boxes_until);
     archive(s.shapes.links);
     archive.foretold(s.shapes.poses, [&](std::size_t i) { return expected_pose(s.bodies, s.shapes, i); });
     archive(s.islands.all), archive(s.islands.free), archive(s.islands.awake);

@@ -9,10 +9,8 @@
 namespace cairn_test {
 
 using namespace cairn;
-
 namespace {
 
-constexpr double gravity = 9.81;
 
 // --- mixed_pile
 

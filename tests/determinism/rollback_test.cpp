@@ -26,5 +26,15 @@ TEST(Rollback, OfEightFramesAThousandTimesEndsWhereAStraightRunDoes) {
     EXPECT_LT(result.processor, 10 * 1000.0 / 60);
 }
 
+// What a body spared itself, to look whether its boxes still fit, was not in the snapshot: boxes differed, and with
+// them the order of contacts.
+TEST(Rollback, HasTheBoxesOfAStraightRun) {
+    for (const int stride : {11, 53, 101}) {
+        const cairn::bench::RollbackResult result =
+            cairn::bench::measure_rollback({.rollbacks = 250, .stride = stride});
+        EXPECT_EQ(result.wrong, 0u) << stride;
+    }
+}
+
 } // namespace
 } // namespace cairn_test

@@ -10,8 +10,10 @@ struct Member {
     Bullet bullet; // its shapes lie in the body's frame as they are
     bool is_static;
     Transform from, to;
-    Vec3 velocity{0, 0, 0};
-    bool is_free = true; // nothing changed its velocity in the step
+    Vec3 velocity{0, 0, 0}, spin{0, 0, 0};
+    // Nothing changed its velocity in the step, and its axis turned so little that one rotation leads from pose to
+    // pose.
+    bool is_free = true;
 };
 
 std::vector<Member> fill(World& world, const Crowd& cell, Random& random) {
@@ -20,7 +22,8 @@ std::vector<Member> fill(World& world, const Crowd& cell, Random& random) {
     const auto add = [&](const Bullet& bullet, const BodyDef& def) {
         const Body body = world.body(add_bullet(world, bullet, def, material));
         const bool is_static = def.type == BodyType::static_;
-        members.push_back({body, bullet, is_static, body.transform(), body.transform(), body.linear_velocity()});
+        members.push_back({body, bullet, is_static, body.transform(), body.transform(), body.linear_velocity(),
+                           body.angular_velocity()});
     };
     const double half = cell.width / 2, thick = cell.thickness / 2;
     for (int axis = 0; axis < 3; ++axis)
@@ -54,8 +57,11 @@ void step(World& world, std::vector<Member>& members) {
         member.from = member.to;
         member.to = member.body.transform();
         const Vec3 velocity = member.body.linear_velocity();
-        member.is_free = glm::length(velocity - member.velocity) <= 1e-5f * glm::length(velocity);
-        member.velocity = velocity;
+        const Vec3 spin = member.body.angular_velocity();
+        const double bend = double(glm::length(spin - member.spin)) * double(frame) / 8; // rad
+        member.is_free = glm::length(velocity - member.velocity) <= 1e-5f * glm::length(velocity) &&
+                         bend * member.bullet.reach <= 0.1 * core_shrink(member.bullet.inner_radius);
+        member.velocity = velocity, member.spin = spin;
     }
 }
 

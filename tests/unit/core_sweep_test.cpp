@@ -60,35 +60,43 @@ TEST(CoreSweep, CoresAreApartUpToTheirMeeting) {
     EXPECT_GT(missed, 500);
 }
 
+// Touching pairs, some of them pressed into each other: the inner cores (twice as deep as cores) come no nearer before
+// the time of sinking than they are where faces touch, or cores do if the solver has the contact; or a little nearer
+// than they were. What goes deeper and comes back within a part of the step is not seen.
 TEST(CoreSweep, WhatTouchesGoesNoDeeperUnseen) {
     Random random(2);
-    int sank = 0, stayed = 0;
-    for (int k = 0; k < 4000; ++k) {
+    int sank = 0, stayed = 0, unseen = 0;
+    for (int k = 0; k < 8000; ++k) {
         const double way = random.below(2) ? 0.1 : 0.001, turn = random.below(2) ? 0.5 : 0.02;
+        const bool is_known = random.below(2) != 0;
         const Solid a = any_solid(random, 1), b = any_solid(random, random.below(3) ? 1 : 0.1);
         RigidPath path_a = random_path(random, {}, way, turn),
                   path_b = random_path(random, 4.0 * random.direction(), way, turn);
         const Convex at_a = a.at(path_a.first().x, path_a.first().q), at_b = b.at(path_b.first().x, path_b.first().q);
         const auto r = cairn::gjk_distance({exact_core(at_a), exact_core(at_b)}, {}, 1e300);
-        path_b.start = path_b.start - distance(at_a, at_b) * r.normal; // they touch
-        const auto depth_at = [&](double t) {
-            return -distance(core_of(a, path_a.at(t), 2), core_of(b, path_b.at(t), 2));
+        const double half_width = cairn::half_width_of(a.geometry, a.data, b.geometry, b.data),
+                     pressed = random.below(2) ? random.uniform(0, core_depth_of(half_width)) : 0;
+        path_b.start = path_b.start - (distance(at_a, at_b) + pressed) * r.normal;
+        const auto apart_at = [&](double t) {
+            return distance(core_of(a, path_a.at(t), 2), core_of(b, path_b.at(t), 2));
         };
-        const double before = depth_at(0);
-        if (!(before < -1e-3)) continue;
-        const double time = cairn::time_of_sinking(swept(a, path_a), swept(b, path_b), 0);
+        const auto depth_of = [](const Convex& c) { return std::min(2 * core_depth_of(c.extent), c.extent); };
+        const double touch = depth_of(at_a) + depth_of(at_b), before = apart_at(0);
+        if (!(before > 1e-3)) continue;
+        const double time = cairn::time_of_sinking(swept(a, path_a), swept(b, path_b), is_known);
         ++(time <= 1 ? sank : stayed);
-        const double deeper =
-            2 * cairn::sinking_part * core_depth_of(cairn::half_width_of(a.geometry, a.data, b.geometry, b.data));
-        for (int i = 0; i <= looks; ++i) {
-            const double t = double(i) / looks;
-            if (t < time) {
-                ASSERT_LT(depth_at(t), before + deeper) << k << " at " << t << ", sinks at " << time;
-            }
-        }
+        const double floor = std::min((is_known ? 0.5 : 1) * touch, before - 0.25 * std::max(touch - before, 0.0)),
+                     tolerance = 3 * cairn::sinking_part * core_depth_of(half_width);
+        if (!(floor > tolerance)) continue; // judged by what is deeper
+        double deepest = 0;
+        for (int i = 0; i <= looks; ++i)
+            if (const double t = double(i) / looks; t < time) deepest = std::max(deepest, floor - apart_at(t));
+        unseen += deepest > tolerance;
+        ASSERT_LT(deepest, core_depth_of(half_width)) << k << ", sinks at " << time;
     }
     EXPECT_GT(sank, 500);
     EXPECT_GT(stayed, 500);
+    EXPECT_LE(unseen, 8);
 }
 
 } // namespace

@@ -95,24 +95,22 @@ CAIRN_INLINE void couple_points(ContactBlock<N>& block, const Vec3x8* j, const m
                 if (k != i) store(block.share[share_index<N>(k, i)], mass[k] * coupling[k < i ? k : i][k < i ? i : k]);
 }
 
-// Normal rows: arms, the matrix K of the points' normal velocities, and the friction center: that of the load as the
-// last step left it, or the middle of the points. `ahead`: how much farther apart they are at the start of the step
-// than at the touch.
+// Normal rows: arms, the matrix K of the points' normal velocities, and the friction center: the middle of the points.
+// `ahead`: how much farther apart they are at the start of the step than at the touch.
 template <int N>
 CAIRN_INLINE Vec3x8 prepare_points(ContactBlock<N>& block, const ContactRecord* const* record, Vec3x8 normal, Vec3x8 c,
                                    f32x8 ahead, const Inertiax8& a, const Inertiax8& b) {
-    Vec3x8 r[N], j[N], middle = zero3(), pressed = zero3();
+    Vec3x8 r[N], j[N], sum = zero3();
     mask8 used[N];
-    f32x8 points = zero(), load_sum = zero();
+    f32x8 points = zero();
     for (int i = 0; i < N; ++i) {
         f32x8 s;
         gather_field(record, point_offset(i), r[i].x, r[i].y, r[i].z, s);
         s += ahead;
         used[i] = s < splat(unused_separation);
         if constexpr (N > 1) {
-            const f32x8 weight = select(used[i], one(), zero()), impulse = load(block.impulse[i]);
-            middle = middle + weight * r[i], points += weight;
-            pressed = pressed + impulse * r[i], load_sum += impulse;
+            const f32x8 weight = select(used[i], one(), zero());
+            sum = sum + weight * r[i], points += weight;
         }
         j[i] = cross(r[i], normal);
         if constexpr (N > 1) {
@@ -128,8 +126,7 @@ CAIRN_INLINE Vec3x8 prepare_points(ContactBlock<N>& block, const ContactRecord* 
         store3(block.center, r[0]);
         return r[0];
     } else {
-        const mask8 bears = load_sum > zero();
-        const Vec3x8 center = safe_reciprocal(select(bears, load_sum, points)) * select(bears, pressed, middle);
+        const Vec3x8 center = safe_reciprocal(points) * sum;
         store3(block.center, center);
         for (int i = 0; i < N; ++i) {
             const Vec3x8 e = r[i] - center;
@@ -160,7 +157,23 @@ CAIRN_INLINE void couple_friction(ContactBlock<N>& block, Vec3x8 normal, Vec3x8 
     store(block.torsion_coupling[1], dot(a2, ia_n) + dot(b2, ib_n));
 }
 
-// Tangential and torsional rows at the friction center.
+// Of friction, about the normal at the friction center: what it has for not acting there, but at the load.
+template <int N> CAIRN_INLINE f32x8 moment_about_center(const ContactBlock<N>& block, Vec3x8 t1, Vec3x8 t2) {
+    if constexpr (N == 1) return zero();
+    f32x8 sum = zero();
+    Vec3x8 torque = zero3();
+    for (int i = 0; i < N; ++i) {
+        const f32x8 impulse = load(block.impulse[i]);
+        sum += impulse;
+        torque = torque + impulse * arm_of(block, zero3(), i);
+    }
+    const mask8 bears = sum > zero();
+    const LoadOffset e = load_offset(load3(block.center), one() / select(bears, sum, one()), torque, t1, t2);
+    return select(bears, moment_at(e, load(block.tangent_impulse[0]), load(block.tangent_impulse[1])), zero());
+}
+
+// Tangential and torsional rows at the friction center. The couple of the last step is kept about the load: the middle
+// of the points moves when one comes or goes.
 template <int N>
 CAIRN_INLINE void prepare_friction(ContactBlock<N>& block, const ContactRecord* const* record, Vec3x8 normal, Vec3x8 d,
                                    Vec3x8 center, const Inertiax8& a, const Inertiax8& b) {
@@ -177,7 +190,7 @@ CAIRN_INLINE void prepare_friction(ContactBlock<N>& block, const ContactRecord* 
     gather_field(record, offsetof(ContactRecord, friction_impulse), impulse.x, impulse.y, impulse.z, torsion);
     store(block.tangent_impulse[0], dot(impulse, t1));
     store(block.tangent_impulse[1], dot(impulse, t2));
-    store(block.torsion_impulse, torsion);
+    store(block.torsion_impulse, torsion + moment_about_center(block, t1, t2));
     store(block.total_tangent[0], zero());
     store(block.total_tangent[1], zero());
     store3(block.rolling_impulse, zero3());
@@ -309,21 +322,6 @@ template <int N> void renew_masses(void* blocks, int count, const SolverInertia*
 template void renew_masses<1>(void*, int, const SolverInertia*);
 template void renew_masses<4>(void*, int, const SolverInertia*);
 
-// Of friction, about the normal at the friction center: what it has for not acting there, but at the load.
-template <int N>
-CAIRN_INLINE f32x8 moment_about_center(const ContactBlock<N>& block, const f32x8* impulse, Vec3x8 t1, Vec3x8 t2) {
-    if constexpr (N == 1) return zero();
-    f32x8 sum = zero();
-    Vec3x8 torque = zero3();
-    for (int i = 0; i < N; ++i) {
-        sum += impulse[i];
-        torque = torque + impulse[i] * arm_of(block, zero3(), i);
-    }
-    const mask8 bears = sum > zero();
-    const LoadOffset e = load_offset(load3(block.center), one() / select(bears, sum, one()), torque, t1, t2);
-    return select(bears, moment_at(e, load(block.tangent_impulse[0]), load(block.tangent_impulse[1])), zero());
-}
-
 // Sums and minima over the points, to one report for each lane.
 template <int N>
 CAIRN_INLINE void store_reports(const ContactBlock<N>& block, const std::int32_t* ids, Vec3x8 friction_impulse,
@@ -363,8 +361,7 @@ void store_contacts(const void* blocks, int count, const ContactLanes& lanes, Co
         scatter4(impulses, impulse[0], impulse[1], impulse[2], impulse[3]);
         const Vec3x8 t1 = load3(b.tangent), t2 = second_tangent(b, load3(b.normal));
         const Vec3x8 p = load(b.tangent_impulse[0]) * t1 + load(b.tangent_impulse[1]) * t2;
-        // About the load as it is now, where the next step puts the friction center.
-        scatter4(friction, p.x, p.y, p.z, load(b.torsion_impulse) - moment_about_center(b, impulse, t1, t2));
+        scatter4(friction, p.x, p.y, p.z, load(b.torsion_impulse) - moment_about_center(b, t1, t2));
         const Vec3x8 sum = load(b.total_tangent[0]) * t1 + load(b.total_tangent[1]) * t2;
         scatter4(totals, sum.x, sum.y, sum.z, load(b.total_impulse[0]));
         if constexpr (N > 1)
