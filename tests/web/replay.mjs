@@ -1,6 +1,6 @@
 // Runs a scene of the determinism tests, in Node or in a page.
 
-/** Throws at the first state that has not the hash of native code. `options`: other settings of the world, as `threads`. */
+/** Throws at the first state that has not the hash of native code. `options`: what else the world gets, `threads`. */
 export function replay({ settings, hashes, run }, { World, Geometry }, options = {}) {
     const world = Object.assign(new World(settings), options);
     const handles = new Map();

@@ -19,7 +19,11 @@ for (const [what, options, expected] of [
     ['a source that is none', { source: 5 }, { code: 'invalidValue', field: 'InitOptions.source', value: '5' }],
     ['a source that is a page', { source: new TextEncoder().encode('<!doctype html>') }, { code: 'invalidFile' }],
     ['a file that is not there', { source: 'file:///nothing/cairn.wasm' }, { code: 'io', value: 'ENOENT' }],
-    ['a worker that is not there', { worker: 'file:///nothing/worker.js', threads: 2 }, { code: 'other', field: 'worker' }],
+    [
+        'a worker that is not there',
+        { worker: 'file:///nothing/worker.js', threads: 2 },
+        { code: 'other', field: 'worker' },
+    ],
 ])
     test(`init refuses ${what}`, { timeout: 20000 }, () => assert.rejects(init(options), expected));
 
@@ -65,7 +69,8 @@ test('a crowd of boxes has the same state by any number of threads, which may ch
 });
 
 test('worlds share the workers, and give them back', () => {
-    const a = new World(), b = new World();
+    const a = new World(),
+        b = new World();
     a.threads = 2;
     b.threads = 2;
     for (const count of [3, 4])

@@ -2,11 +2,14 @@
 import { CairnError, refuse } from './error.js';
 import { M, stringAt } from './memory.js';
 
+// Not written as bundlers look for it, as what is loaded from here is the user's.
+const HERE = import.meta.url;
+
 let started = null; // the entry that was begun with, and its promise
 
 /**
- * The promise of `load()`, which is called once. Both entries have the same classes, behind which there is one module: the
- * second entry is refused.
+ * The promise of `load()`, which is called once. Both entries have the same classes, behind which there is one module:
+ * the second entry is refused.
  */
 export function once(entry, load) {
     if (started !== null && started.entry !== entry) {
@@ -31,7 +34,7 @@ export async function compiled(source, field) {
     if (typeof source !== 'string' && !(source instanceof URL)) {
         refuse(field, source, 'must be a URL, a string, a Response, bytes or a WebAssembly.Module');
     }
-    const url = new URL(source, import.meta.url);
+    const url = new URL(source, globalThis.location?.href ?? HERE);
     if (url.protocol !== 'file:') return fromResponse(await fetch(url), url.href);
     const { readFile } = await import(/* webpackIgnore: true */ /* @vite-ignore */ 'node:fs/promises');
     return fromBytes(await readFile(url).catch((error) => unreadable(url.href, error.code)), url.href);

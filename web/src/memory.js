@@ -147,7 +147,7 @@ export function boolOf(value, where) {
 /** The lower and the upper half of a number of 64 bits. */
 export function u64Of(value, where) {
     if (typeof value === 'number' && Number.isSafeInteger(value) && value >= 0)
-        return [value % 0x100000000 | 0, Math.floor(value / 0x100000000) | 0];
+        return [(value % 0x100000000) | 0, Math.floor(value / 0x100000000) | 0];
     if (typeof value !== 'bigint' || value < 0n || value > ALL_LAYERS) {
         refuse(where, value, 'must be a bigint from 0 to 2^64 - 1, or a whole number from 0 to 2^53 - 1');
     }

@@ -1,4 +1,5 @@
-// cairn-physics/mt: the same engine, whose steps may use several threads. docs/web.md is the manual, mt.d.ts the reference.
+// cairn-physics/mt: the same engine, whose steps may use several threads. docs/web.md is the manual, mt.d.ts the
+// reference.
 import createModule from '../dist/mt/cairn.js';
 import { CairnError, refuse } from './error.js';
 import { compiled, once } from './load.js';
@@ -73,8 +74,8 @@ function sharedMemory() {
     if (typeof SharedArrayBuffer === 'undefined' || globalThis.crossOriginIsolated === false) {
         throw new CairnError(
             'unsupported',
-            `${ENTRY}: must have SharedArrayBuffer, got a page that is not cross-origin isolated: its server must send ` +
-                `'Cross-Origin-Opener-Policy: same-origin' and 'Cross-Origin-Embedder-Policy: require-corp'; ` +
+            `${ENTRY}: must have SharedArrayBuffer, got a page that is not cross-origin isolated: its server must ` +
+                `send 'Cross-Origin-Opener-Policy: same-origin' and 'Cross-Origin-Embedder-Policy: require-corp'; ` +
                 `'cairn-physics', with one thread, needs neither`,
             'crossOriginIsolated',
             'false',

@@ -187,7 +187,7 @@ export class World extends WorldCalls {
             const expected =
                 M.PThread === undefined
                     ? `must be 1 with 'cairn-physics'; 'cairn-physics/mt' has more threads`
-                    : `must be at most ${most}: init began with ${M.workers + 1} threads, of which other worlds use the rest`;
+                    : `must be at most ${most}: init had ${M.workers + 1} threads, of which other worlds use the rest`;
             refuse('World.threads', count, expected, 'unsupported');
         }
         // The engine takes the new workers before it gives back those it has, which there may be too few for.
