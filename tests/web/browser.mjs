@@ -37,8 +37,8 @@ export const BROWSERS = [
 export const CHROMIUM = BROWSERS[0];
 
 /**
- * Runs `visit(page, address)` with a folder that is served, or with an address (http://...) that is served already. What
- * goes wrong in the page is an error. `headers`: instead of those that `serve` sends for threads.
+ * Runs `visit(page, address)` with a folder that is served, or with an address (http://...) that is served already.
+ * What goes wrong in the page is an error. `headers`: instead of those that `serve` sends for threads.
  */
 export async function inBrowser(site, visit, { browser: { path, options } = CHROMIUM, headers } = {}) {
     const server = site.startsWith('http://') ? null : await serve(site, 0, headers);
