@@ -41,7 +41,7 @@ export async function compiled(source, field) {
 }
 
 function unreadable(where, why) {
-    throw new CairnError('io', `${where}: must be a file that can be read, got ${why}`, where, String(why));
+    throw new CairnError('io', `${where}: must be a file that can be read, got ${why}; ${HINT}`, where, String(why));
 }
 
 async function fromResponse(response, field) {
@@ -50,6 +50,7 @@ async function fromResponse(response, field) {
     return fromBytes(await response.arrayBuffer(), where);
 }
 
+const HINT = `where a bundler is used, see "Bundlers" in the README of cairn-physics`;
 const MAGIC = [0, 0x61, 0x73, 0x6d];
 
 // Servers of single-page applications answer with a page where they have no file, and say that all is well.
@@ -58,8 +59,7 @@ async function fromBytes(bytes, where) {
     const first = new Uint8Array(view.buffer, view.byteOffset, Math.min(view.byteLength, 16));
     if (MAGIC.some((byte, i) => first[i] !== byte)) {
         const found = JSON.stringify(String.fromCharCode(...first));
-        const hint = `does the bundler know of it? docs/web.md, "How it loads"`;
-        damaged(where, found, `bytes that begin with ${found} (${hint})`);
+        damaged(where, found, `bytes that begin with ${found}; ${HINT}`);
     }
     return WebAssembly.compile(bytes).catch((error) => damaged(where, error.message, error.message));
 }
