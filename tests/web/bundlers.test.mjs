@@ -2,15 +2,16 @@
 // opened in browsers: the boxes have fallen, to the bits where they fall in Node.
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';
-import { mkdir, mkdtemp, readdir, rm, writeFile } from 'node:fs/promises';
+import { cp, mkdir, mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
 import { promisify } from 'node:util';
 import * as esbuild from 'esbuild';
 import * as vite from 'vite';
 import webpack from 'webpack';
-import { BROWSERS, CHROMIUM, inBrowser } from './browser.mjs';
+import { BROWSERS, colorsOf, inBrowser, pictureOf } from './browser.mjs';
 import { ISOLATED } from '../../web/playground/serve.mjs';
 
 const run = promisify(execFile);
@@ -159,6 +160,43 @@ for (const [bundler, build] of Object.entries(BUNDLERS)) {
         });
     }
 }
+
+test('the page of the guide, built by vite, shows boxes that fall', async (context) => {
+    const guide = await readFile(new URL('../../docs/guide/web.md', import.meta.url), 'utf8');
+    const [, html] = guide.match(/```html\n(.*?)```/s);
+    const root = join(folder, 'guide');
+    await mkdir(root);
+    await cp(fileURLToPath(new URL('node_modules/three', import.meta.url)), join(folder, 'node_modules/three'), {
+        recursive: true,
+    });
+    const icon = html.replace('<body', '<link rel="icon" href="data:," /><body'); // else browsers ask for one
+    await writeFile(join(root, 'index.html'), icon.replace('</script>', 'globalThis.world = world;</script>'));
+    await vite.build({ root, logLevel: 'error' });
+    const visit = async (browser, page, address) => {
+        const stepped = (count) =>
+            page.waitForFunction((n) => globalThis.world?.stepCount >= BigInt(n), { timeout: 60000 }, count);
+        await page.goto(address);
+        await stepped(1);
+        const first = await page.screenshot({ encoding: 'base64' });
+        await stepped(200);
+        const last = await pictureOf(page, join(process.env.CAIRN_WEB, `guide_${browser.name.toLowerCase()}.png`));
+        assert.notEqual(first, last);
+        const { colors, foreground } = await colorsOf(page, last);
+        assert.ok(colors > 10 && foreground > 0.05, `${colors} colors, ${foreground} of the picture`);
+        const heights = await page.evaluate(() =>
+            Array.from(globalThis.world.positions).filter((_, i) => i > 3 && i % 3 === 1),
+        );
+        assert.ok(
+            heights.every((y, i) => y > 0.38 && y < 0.7 + i),
+            `boxes at ${heights}`,
+        );
+        assert.ok(heights[60] < 20, `a box that was 61 m high is ${heights[60]} m high`);
+    };
+    for (const browser of BROWSERS)
+        await context.test(`in ${browser.name}`, { skip: browser.skipDrawing }, () =>
+            inBrowser(join(root, 'dist'), (...page) => visit(browser, ...page), { browser }),
+        );
+});
 
 test('a page that is not cross-origin isolated is told what its server must send', () =>
     inBrowser(

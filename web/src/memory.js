@@ -86,10 +86,13 @@ export function placed(bytes, put) {
 export function check(result) {
     renewViews();
     if (result === 0) return;
+    const text = stringAt(M._cairn_last_error()),
+        its = stringAt(M._cairn_last_error_field()),
+        field = camelField(its);
     throw new CairnError(
         CODES[result] ?? 'other',
-        stringAt(M._cairn_last_error()),
-        camelField(stringAt(M._cairn_last_error_field())),
+        text.startsWith(`${its}:`) ? field + text.slice(its.length) : text,
+        field,
         stringAt(M._cairn_last_error_value()),
     );
 }
