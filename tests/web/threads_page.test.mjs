@@ -1,4 +1,4 @@
-// cairn-physics/mt in pages: the scenes of the determinism tests have the hashes of native code by any number of threads.
+// cairn-physics/mt in pages: the scenes of the determinism tests have the hashes of native code, however many threads.
 import assert from 'node:assert/strict';
 import { cp, mkdtemp, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
