@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';
 import { test } from 'node:test';
+import { fileURLToPath } from 'node:url';
 import { promisify } from 'node:util';
 import init, { Geometry, World } from 'cairn-physics/mt';
 import { recordedScenes } from './recorded.mjs';
@@ -119,7 +120,7 @@ test('Node ends when the program does, while a world has threads', { timeout: 30
         world.step();
         console.log(world.threads);`;
     const { stdout } = await promisify(execFile)('node', ['--input-type=module', '--eval', program], {
-        cwd: import.meta.dirname,
+        cwd: fileURLToPath(new URL('.', import.meta.url)),
     });
     assert.equal(stdout, '3\n');
 });
