@@ -21,7 +21,8 @@ export type CairnErrorCode =
 /**
  * Loads the engine. Every other call needs it, and throws `wrongState` before it is done. Further calls return the same
  * promise. `source`: where the file `cairn.wasm` of the package is, or what is in it; left out: beside this module. Rejects with
- * `io` where it cannot be read.
+ * `io` where it cannot be read, with `invalidFile` where something else is there, and with `wrongState` after `init` of
+ * `cairn-physics/mt`.
  */
 export default function init(source?: string | URL | Response | Promise<Response> | ArrayBuffer | ArrayBufferView |
     WebAssembly.Module): Promise<void>;

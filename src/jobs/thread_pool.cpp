@@ -29,6 +29,24 @@ void leave_signals_alone() {
 #endif
 }
 
+// Until someone is woken, unless the word has changed since it was seen.
+void sleep_while(std::atomic<std::uint32_t>& word, std::uint32_t seen) {
+#if defined(__EMSCRIPTEN_PTHREADS__)
+    // The library of Emscripten 3.1 looks again after up to 8 ms in place of waiting: half a picture late.
+    __builtin_wasm_memory_atomic_wait32(reinterpret_cast<std::int32_t*>(&word), std::int32_t(seen), -1);
+#else
+    word.wait(seen);
+#endif
+}
+
+void wake_all(std::atomic<std::uint32_t>& word) {
+#if defined(__EMSCRIPTEN_PTHREADS__)
+    __builtin_wasm_memory_atomic_notify(reinterpret_cast<std::int32_t*>(&word), ~0u);
+#else
+    word.notify_all();
+#endif
+}
+
 } // namespace
 
 ThreadPool::ThreadPool(int threads) : ranges_(std::size_t(std::max(threads, 1))) {
@@ -46,7 +64,7 @@ ThreadPool::~ThreadPool() { dismiss(); }
 void ThreadPool::dismiss() {
     ends_ = true;
     ++wakes_;
-    wakes_.notify_all();
+    wake_all(wakes_);
     for (std::thread& worker : workers_) worker.join();
 }
 
@@ -98,7 +116,7 @@ void ThreadPool::run(int first, int end, int grain, Work work, const void* conte
     stage_.store(stage); // in one order with sleepers_: either this sees a sleeper, or it sees the stage
     if (sleepers_.load() > 0) {
         ++wakes_;
-        wakes_.notify_all();
+        wake_all(wakes_);
     }
     while (take_chunk(0)) {}
     for (int looks = 0; done_.load(std::memory_order_acquire) != chunks; ++looks) {
@@ -132,7 +150,7 @@ void ThreadPool::wait_for_stage(std::uint64_t seen) {
     }
     const std::uint32_t wakes = wakes_.load();
     ++sleepers_;
-    if (!changed()) wakes_.wait(wakes);
+    if (!changed()) sleep_while(wakes_, wakes);
     --sleepers_;
 }
 

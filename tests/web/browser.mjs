@@ -1,18 +1,48 @@
-// Pages in Chromium without a window, drawn by software.
+// Pages in browsers without a window, drawn by software.
+import { existsSync } from 'node:fs';
 import { writeFile } from 'node:fs/promises';
 import puppeteer from 'puppeteer-core';
 import { serve } from '../../web/playground/serve.mjs';
 
-const CHROMIUM = process.env.CAIRN_CHROMIUM ?? '/usr/bin/chromium';
+/**
+ * Chromium and Firefox. For the tests that need one, `skip` is false or why it cannot be; `skipDrawing` is the same for
+ * those that draw by WebGL.
+ */
+export const BROWSERS = [
+    {
+        name: 'Chromium',
+        path: process.env.CAIRN_CHROMIUM ?? '/usr/bin/chromium',
+        variable: 'CAIRN_CHROMIUM',
+        options: { args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'] },
+    },
+    {
+        name: 'Firefox',
+        path: process.env.CAIRN_FIREFOX ?? '/usr/bin/firefox-esr',
+        variable: 'CAIRN_FIREFOX',
+        options: {
+            browser: 'firefox',
+            extraPrefsFirefox: { 'webgl.force-enabled': true, 'gfx.x11-egl.force-enabled': true },
+        },
+        drawsWithDisplay: true,
+    },
+].map((browser) => {
+    const { name, path, variable, drawsWithDisplay } = browser;
+    const skip = existsSync(path) ? false : `${name} is not installed: no ${path} (${variable} names another program)`;
+    const noDisplay =
+        drawsWithDisplay && !process.env.DISPLAY
+            ? `${name} has no WebGL without a display: xvfb-run gives it one`
+            : false;
+    return { ...browser, skip, skipDrawing: skip || noDisplay };
+});
+export const CHROMIUM = BROWSERS[0];
 
-/** Runs `visit(page, address)` with a folder that is served. What goes wrong in the page is an error. */
-export async function inBrowser(folder, visit) {
-    const server = await serve(folder);
-    const browser = await puppeteer.launch({
-        executablePath: CHROMIUM,
-        headless: true,
-        args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
-    });
+/**
+ * Runs `visit(page, address)` with a folder that is served, or with an address (http://...) that is served already.
+ * What goes wrong in the page is an error. `headers`: instead of those that `serve` sends for threads.
+ */
+export async function inBrowser(site, visit, { browser: { path, options } = CHROMIUM, headers } = {}) {
+    const server = site.startsWith('http://') ? null : await serve(site, 0, headers);
+    const browser = await puppeteer.launch({ executablePath: path, headless: true, ...options });
     const problems = [];
     try {
         const page = await browser.newPage();
@@ -20,15 +50,15 @@ export async function inBrowser(folder, visit) {
         page.on('pageerror', (error) => problems.push(`error in the page: ${error.message}`));
         page.on('requestfailed', (request) => problems.push(`${request.url()}: ${request.failure()?.errorText}`));
         page.on('console', (message) => message.type() === 'error' && problems.push(`console: ${message.text()}`));
-        const result = await visit(page, `http://127.0.0.1:${server.address().port}/`);
+        const result = await visit(page, server ? `http://127.0.0.1:${server.address().port}/` : site);
         if (problems.length > 0) throw new Error(problems.join('\n'));
         return result;
     } catch (error) {
         throw problems.length > 0 ? new Error([error.message, ...problems].join('\n')) : error;
     } finally {
         await browser.close();
-        server.close();
-        server.closeAllConnections?.();
+        server?.close();
+        server?.closeAllConnections?.();
     }
 }
 

@@ -1,5 +1,5 @@
 // A project that has the package from its tarball: bundled by esbuild, checked by the compiler of TypeScript, run in
-// Node and in Chromium, where boxes fall in a picture by three.js.
+// Node and in browsers, where boxes fall in a picture by three.js.
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';
 import { cp, mkdir, mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
@@ -10,7 +10,7 @@ import { fileURLToPath } from 'node:url';
 import { promisify } from 'node:util';
 import { brotliCompressSync } from 'node:zlib';
 import { build } from 'esbuild';
-import { colorsOf, inBrowser, pictureOf } from './browser.mjs';
+import { BROWSERS, colorsOf, inBrowser, pictureOf } from './browser.mjs';
 
 const run = promisify(execFile);
 const modules = fileURLToPath(new URL('node_modules', import.meta.url));
@@ -67,7 +67,7 @@ console.log(JSON.stringify(Array.from(world.positions).filter((_, i) => i % 3 ==
     assert.ok(Math.min(...heights.slice(1)) < 0.52);
 });
 
-test('boxes fall in a page that esbuild bundled', async () => {
+test('boxes fall in a page that esbuild bundled', async (context) => {
     await writeFile(
         join(folder, 'page.js'),
         `import init, { World } from 'cairn-physics';
@@ -110,7 +110,7 @@ globalThis.ready = true;`,
         '<!doctype html><link rel="icon" href="data:,"><body style="margin:0">' +
             '<script type="module" src="page.js"></script>',
     );
-    await inBrowser(site, async (page, address) => {
+    const visit = async (page, address) => {
         await page.goto(address);
         await page.waitForFunction(() => globalThis.ready, { timeout: 30000 });
         const begin = await page.evaluate(() => globalThis.look(0));
@@ -121,14 +121,22 @@ globalThis.ready = true;`,
         assert.notEqual(first, last);
         const { colors, foreground } = await colorsOf(page, last);
         assert.ok(colors > 10 && foreground > 0.05, `${colors} colors, ${foreground} of the picture`);
-    });
+    };
+    for (const browser of BROWSERS)
+        await context.test(`in ${browser.name}`, { skip: browser.skipDrawing }, () =>
+            inBrowser(site, visit, { browser }),
+        );
 });
 
 test('the types accept what the package does, and refuse what it refuses', async () => {
     await writeFile(
         join(folder, 'good.ts'),
         `import init, { World, Geometry, CairnError, type BodyDef, type Shape } from 'cairn-physics';
-await init();
+import initThreads, { World as OfThreads, type InitOptions } from 'cairn-physics/mt';
+const options: InitOptions = { threads: 4, worker: new URL('file:///worker.js') };
+await (options.threads === 1 ? init() : initThreads(options));
+const same: typeof OfThreads = World;
+same.name;
 const def: BodyDef = { type: 'kinematic', position: [0, 1, 2], rotation: { x: 0, y: 0, z: 0, w: 1 }, mass: null };
 const shape: Shape = { kind: 'hull', geometry: Geometry.hull([0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1]) };
 using world = new World({ substeps: 4 });
@@ -148,13 +156,14 @@ console.log(y, hash, g, hit, positions, joint);
     );
     await writeFile(
         join(folder, 'bad.ts'),
-        `import { World } from 'cairn-physics';
+        `import { World } from 'cairn-physics'; import initThreads from 'cairn-physics/mt';
 const world = new World();
 world.createBody({ positon: [0, 0, 0] });
 world.createBody({ type: 'floating' });
 world.createBody().addShape({ kind: 'sphere', halfExtents: [1, 1, 1] });
 world.readBodies({ positions: new Float32Array(3) });
 world.body(12);
+initThreads({ workers: 4 });
 `,
     );
     const check = (file) =>
@@ -179,5 +188,5 @@ world.body(12);
         );
     assert.equal(await check('good.ts'), '');
     const wrong = await check('bad.ts');
-    for (const line of [3, 4, 5, 6, 7]) assert.match(wrong, new RegExp(`bad\\.ts\\(${line},`), wrong);
+    for (const line of [3, 4, 5, 6, 7, 8]) assert.match(wrong, new RegExp(`bad\\.ts\\(${line},`), wrong);
 });

@@ -9,7 +9,11 @@ test('before init every call says what is missing', () => {
 
 test('a source that cannot be read is an error, and another one may follow', async () => {
     await assert.rejects(init(5), { code: 'invalidValue', field: 'init.source', value: '5' });
-    await assert.rejects(init(new Uint8Array([0, 1, 2])), WebAssembly.CompileError);
+    await assert.rejects(init(new Uint8Array([0, 1, 2])), { code: 'invalidFile', field: 'init.source' });
+    const cut = new Uint8Array([0, 0x61, 0x73, 0x6d, 1]);
+    await assert.rejects(init(cut), { code: 'invalidFile', field: 'init.source' });
+    await assert.rejects(init(new TextEncoder().encode('<!doctype html>')), { value: '"<!doctype html>"' });
+    await assert.rejects(init('file:///nothing/cairn.wasm'), { code: 'io', value: 'ENOENT' });
     await init();
     await init(new URL('https://example.invalid/never.wasm')); // done already
 });
@@ -146,7 +150,7 @@ const wrong = [
         (w) => (w.settings = { substeps: 0 }),
         { code: 'invalidValue', field: 'WorldDef.substeps', value: '0' },
     ],
-    ['a second thread', (w) => (w.threads = 2), { code: 'unsupported', field: 'World.setThreads count', value: '2' }],
+    ['a second thread', (w) => (w.threads = 2), { code: 'unsupported', field: 'World.threads', value: '2' }],
 ];
 for (const [name, call, expected] of wrong) {
     test(`${name} is refused`, () => {

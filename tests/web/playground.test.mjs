@@ -1,9 +1,9 @@
-// The playground in Chromium: what a visitor sees and does.
+// The playground in browsers: what a visitor sees and does.
 import assert from 'node:assert/strict';
 import { mkdir } from 'node:fs/promises';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { colorsOf, inBrowser, pictureOf } from './browser.mjs';
+import { BROWSERS, colorsOf, inBrowser, pictureOf } from './browser.mjs';
 
 const folder = join(process.env.CAIRN_WEB, 'playground');
 const pictures = join(process.env.CAIRN_WEB, 'pictures');
@@ -16,20 +16,24 @@ const stepped = (page, count) =>
         count,
     );
 const textOf = (page, id) => page.$eval(`#${id}`, (element) => element.textContent);
-const picture = (page, name) => pictureOf(page, join(pictures, `${name}.png`));
 
-test('the first scene runs, is drawn, and has the hash of native code', () =>
-    inBrowser(folder, async (page, address) => {
+for (const browser of BROWSERS) visits(browser);
+
+function visits(browser) {
+    const visit = (name, work) =>
+        test(`${browser.name}: ${name}`, { skip: browser.skipDrawing }, () => inBrowser(folder, work, { browser }));
+    const picture = (page, name) => pictureOf(page, join(pictures, `${name}_${browser.name.toLowerCase()}.png`));
+
+    visit('the first scene runs, is drawn, and has the hash of native code', async (page, address) => {
         await page.goto(address);
         await stepped(page, 61);
         await page.waitForFunction(() => document.getElementById('badge').dataset.state === 'same', { timeout: 20000 });
         assert.match(await textOf(page, 'badge'), /^After \d+ steps: this browser ([0-9a-f]{16}) = native \1$/);
         const { colors, foreground } = await colorsOf(page, await picture(page, 'welcome'));
         assert.ok(colors > 20 && foreground > 0.2, `${colors} colors, ${foreground} of the picture`);
-    }));
+    });
 
-test('a badge that compares with other numbers says so', () =>
-    inBrowser(folder, async (page, address) => {
+    visit('a badge that compares with other numbers says so', async (page, address) => {
         await page.setRequestInterception(true);
         page.on('request', (request) => {
             if (!request.url().endsWith('list.json')) return request.continue();
@@ -45,10 +49,9 @@ test('a badge that compares with other numbers says so', () =>
             timeout: 60000,
         });
         assert.match(await textOf(page, 'badge'), /0123456789abcdef: not the same/);
-    }));
+    });
 
-test('a scene may be chosen by the address, paused, stepped and reset', () =>
-    inBrowser(folder, async (page, address) => {
+    visit('a scene may be chosen by the address, paused, stepped and reset', async (page, address) => {
         await page.goto(`${address}#scene=07_pyramid`);
         await stepped(page, 20);
         assert.equal(await page.$eval('#scenes', (select) => select.value), '07_pyramid');
@@ -63,10 +66,9 @@ test('a scene may be chosen by the address, paused, stepped and reset', () =>
         await page.click('#reset');
         await stepped(page, 1);
         assert.ok((await steps()) < paused);
-    }));
+    });
 
-test('what is spawned falls and lies on the ground, is drawn, and ends the comparison', () =>
-    inBrowser(folder, async (page, address) => {
+    visit('what is spawned falls and lies on the ground, is drawn, and ends the comparison', async (page, address) => {
         await page.goto(`${address}#scene=01_open_plane`);
         await stepped(page, 5);
         for (const kind of ['box', 'sphere', 'capsule', 'cylinder', 'cone', 'hull']) {
@@ -92,10 +94,9 @@ test('what is spawned falls and lies on the ground, is drawn, and ends the compa
             timeout: 20000,
         });
         await picture(page, 'spawned');
-    }));
+    });
 
-test('a body that is dragged follows the mouse, and is let go', () =>
-    inBrowser(folder, async (page, address) => {
+    visit('a body that is dragged follows the mouse, and is let go', async (page, address) => {
         await page.goto(`${address}#scene=08_tower`);
         await stepped(page, 10);
         const at = await page.evaluate(() => {
@@ -114,7 +115,7 @@ test('a body that is dragged follows the mouse, and is let go', () =>
         });
         await page.mouse.move(at.x, at.y);
         await page.mouse.down();
-        await page.mouse.move(at.x + 150, at.y - 60, { steps: 10 });
+        await page.mouse.move(at.x + 150, at.y + 20, { steps: 10 });
         await page.waitForFunction(
             (from) => {
                 const { x, y, z } = globalThis.dragged.position;
@@ -127,10 +128,9 @@ test('a body that is dragged follows the mouse, and is let go', () =>
         await picture(page, 'dragged');
         await page.mouse.up();
         assert.equal(await page.evaluate(() => globalThis.dragged.joints.length), 0);
-    }));
+    });
 
-test('a shared scene is the same for who opens the link', () =>
-    inBrowser(folder, async (page, address) => {
+    visit('a shared scene is the same for who opens the link', async (page, address) => {
         await page.goto(`${address}#scene=11_newtons_cradle`);
         await stepped(page, 30);
         await page.click('#play');
@@ -148,32 +148,36 @@ test('a shared scene is the same for who opens the link', () =>
         ];
         assert.equal(after, bodies);
         assert.match(await textOf(page, 'badge'), /No native run|^$/);
-    }));
+    });
 
-test('a file of the visitor opens, and one that is no scene is refused while the other goes on', () =>
-    inBrowser(folder, async (page, address) => {
-        await page.goto(`${address}#scene=01_open_plane`);
-        await stepped(page, 5);
-        const input = await page.$('#file');
-        await input.uploadFile(join(folder, 'scenes/12_t_handles.gltf'));
-        await page.waitForFunction(() => globalThis.playground.simulation.title === 'T-handles', { timeout: 20000 });
-        await stepped(page, 3);
-        await input.uploadFile(join(folder, 'style.css'));
-        await page.waitForFunction(() => document.getElementById('message').textContent !== '', { timeout: 20000 });
-        assert.match(await textOf(page, 'message'), /style\.css/);
-        const steps = await page.evaluate(() => Number(globalThis.playground.simulation.world.stepCount));
-        await stepped(page, steps + 5);
-    }));
+    visit(
+        'a file of the visitor opens, and one that is no scene is refused while the other goes on',
+        async (page, address) => {
+            await page.goto(`${address}#scene=01_open_plane`);
+            await stepped(page, 5);
+            const input = await page.$('#file');
+            await input.uploadFile(join(folder, 'scenes/12_t_handles.gltf'));
+            await page.waitForFunction(() => globalThis.playground.simulation.title === 'T-handles', {
+                timeout: 20000,
+            });
+            await stepped(page, 3);
+            await input.uploadFile(join(folder, 'style.css'));
+            await page.waitForFunction(() => document.getElementById('message').textContent !== '', { timeout: 20000 });
+            assert.match(await textOf(page, 'message'), /style\.css/);
+            const steps = await page.evaluate(() => Number(globalThis.playground.simulation.world.stepCount));
+            await stepped(page, steps + 5);
+        },
+    );
 
-for (const [name, fragment] of [
-    ['a damaged link', '#gltf=AAAA'],
-    ['an unknown scene', '#scene=99_nothing'],
-    ['a link that says nothing', '#nonsense'],
-]) {
-    test(`${name} is refused with a message`, () =>
-        inBrowser(folder, async (page, address) => {
+    for (const [name, fragment] of [
+        ['a damaged link', '#gltf=AAAA'],
+        ['an unknown scene', '#scene=99_nothing'],
+        ['a link that says nothing', '#nonsense'],
+    ]) {
+        visit(`${name} is refused with a message`, async (page, address) => {
             await page.goto(address + fragment);
             await page.waitForFunction(() => document.getElementById('message').textContent !== '', { timeout: 30000 });
             assert.match(await textOf(page, 'message'), /the link|there is no scene/);
-        }));
+        });
+    }
 }

@@ -1,5 +1,7 @@
 // The engines, each behind the same four calls: a world of a scene, a step of 1/60 s, the poses, the end.
-// All have their default settings but for gravity, friction and density; nothing falls asleep.
+// All have their default settings but for gravity, friction, density and damping (none); nothing falls asleep.
+import { havok } from './havok.mjs';
+import { physx } from './physx.mjs';
 import { DENSITY, FRICTION, GRAVITY, STEP } from './scenes.mjs';
 
 const local = (body, point) => point.map((x, i) => x - body.position[i]); // of bodies that are not turned
@@ -261,4 +263,4 @@ async function cannon() {
     };
 }
 
-export const ENGINES = { cairn, rapier, jolt, mujoco, cannon };
+export const ENGINES = { cairn, rapier, jolt, havok, physx, mujoco, cannon };

@@ -17,8 +17,14 @@ const TYPES = {
     '.png': 'image/png',
 };
 
+/** What makes a page cross-origin isolated, without which browsers give it no threads. */
+export const ISOLATED = {
+    'Cross-Origin-Opener-Policy': 'same-origin',
+    'Cross-Origin-Embedder-Policy': 'require-corp',
+};
+
 /** The server, listening; its address is that of `server.address()`. */
-export async function serve(folder, port = 0) {
+export async function serve(folder, port = 0, headers = ISOLATED) {
     const root = await realpath(folder);
     const server = createServer(async (request, response) => {
         const answer = (status, text) => response.writeHead(status, { 'Content-Type': 'text/plain' }).end(`${text}\n`);
@@ -32,8 +38,7 @@ export async function serve(folder, port = 0) {
                 'Content-Type': TYPES[extname(file)] ?? 'application/octet-stream',
                 'Cache-Control': 'no-cache',
                 'Content-Length': (await stat(file)).size,
-                'Cross-Origin-Opener-Policy': 'same-origin',
-                'Cross-Origin-Embedder-Policy': 'require-corp',
+                ...headers,
             });
             if (request.method === 'HEAD') return response.end();
             createReadStream(file)

@@ -4,6 +4,8 @@ import { CairnError, CODES, refuse } from './error.js';
 /** The module as Emscripten made it: its functions and the views of its memory. Null until `init` is done. */
 export let M = null;
 
+let shared = null; // its memory, if other threads may make that grow
+
 export const ALL_LAYERS = 0xffffffffffffffffn;
 
 const SCRATCH_BYTES = 1 << 16;
@@ -11,15 +13,30 @@ let scratch = 0; // the first of those bytes
 let top = 0; // the first of them that is not in use
 let taken = []; // what did not fit into them, by malloc
 
-export function attach(module) {
+/** Takes a module into use. `memory`: its memory, if threads share it. */
+export function attach(module, memory = null) {
     M = module;
+    shared = memory;
     scratch = top = reserve(SCRATCH_BYTES);
 }
 
 function reserve(bytes) {
     const at = M._malloc(bytes);
     if (at === 0) throw new CairnError('outOfMemory', `out of memory: ${bytes} bytes`);
+    renewViews();
     return at;
+}
+
+// When another thread has made the shared memory grow, the views that this thread has are valid, but end where it ended
+// before. Growing by this thread, and of memory that is not shared, is seen to by Emscripten.
+function renewViews() {
+    if (shared === null || shared.buffer === M.HEAPU8.buffer) return;
+    const { buffer } = shared;
+    M.HEAPU8 = new Uint8Array(buffer);
+    M.HEAP32 = new Int32Array(buffer);
+    M.HEAPU32 = new Uint32Array(buffer);
+    M.HEAPF32 = new Float32Array(buffer);
+    M.HEAPF64 = new Float64Array(buffer);
 }
 
 /**
@@ -67,11 +84,15 @@ export function placed(bytes, put) {
 
 /** Throws what a call that did not return CAIRN_OK had to say. */
 export function check(result) {
+    renewViews();
     if (result === 0) return;
+    const text = stringAt(M._cairn_last_error()),
+        its = stringAt(M._cairn_last_error_field()),
+        field = camelField(its);
     throw new CairnError(
         CODES[result] ?? 'other',
-        stringAt(M._cairn_last_error()),
-        camelField(stringAt(M._cairn_last_error_field())),
+        text.startsWith(`${its}:`) ? field + text.slice(its.length) : text,
+        field,
         stringAt(M._cairn_last_error_value()),
     );
 }
@@ -129,7 +150,7 @@ export function boolOf(value, where) {
 /** The lower and the upper half of a number of 64 bits. */
 export function u64Of(value, where) {
     if (typeof value === 'number' && Number.isSafeInteger(value) && value >= 0)
-        return [value % 0x100000000 | 0, Math.floor(value / 0x100000000) | 0];
+        return [(value % 0x100000000) | 0, Math.floor(value / 0x100000000) | 0];
     if (typeof value !== 'bigint' || value < 0n || value > ALL_LAYERS) {
         refuse(where, value, 'must be a bigint from 0 to 2^64 - 1, or a whole number from 0 to 2^53 - 1');
     }

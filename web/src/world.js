@@ -78,6 +78,8 @@ const COLUMNS = {
     angularVelocities: { components: 3, kind: Float32Array },
 };
 
+const MAX_THREADS = 256; // as the engine has it
+
 export class World extends WorldCalls {
     constructor(definition = {}) {
         super();
@@ -174,6 +176,23 @@ export class World extends WorldCalls {
             if (wholeOf(count, 'count') < 0) refuse('count', count, 'must be 0 or more');
             check(M._cairn_world_steps(use(this), seconds, count));
         });
+    }
+
+    get threads() {
+        return super.threads;
+    }
+    set threads(count) {
+        const most = mostThreads(this);
+        if (Number.isInteger(count) && count > most && count <= MAX_THREADS) {
+            const expected =
+                M.PThread === undefined
+                    ? `must be 1 with 'cairn-physics'; 'cairn-physics/mt' has more threads`
+                    : `must be at most ${most}: init had ${M.workers + 1} threads, of which other worlds use the rest`;
+            refuse('World.threads', count, expected, 'unsupported');
+        }
+        // The engine takes the new workers before it gives back those it has, which there may be too few for.
+        if (count >= 1 && count <= most && count !== super.threads) super.threads = 1;
+        super.threads = count;
     }
 
     save() {
@@ -303,6 +322,11 @@ export class World extends WorldCalls {
         M._cairn_world_destroy(this.address);
         this.address = 0;
     }
+}
+
+// How many threads a world can have: the calling one, its own workers, and those that no world uses.
+function mostThreads(world) {
+    return M?.PThread === undefined ? 1 : world.threads + M.PThread.unusedWorkers.length;
 }
 
 function isValid(world, id, call) {

@@ -1,0 +1,9 @@
+// The scenes of the determinism tests as cairn_record_scenes wrote them: CAIRN_RECORDED_SCENES is the folder.
+import { readdir } from 'node:fs/promises';
+import { join, resolve } from 'node:path';
+
+export async function recordedScenes() {
+    const folder = resolve(process.env.CAIRN_RECORDED_SCENES);
+    const names = (await readdir(folder)).filter((name) => name.endsWith('.mjs'));
+    return Promise.all(names.map(async (name) => [name, await import(join(folder, name))]));
+}

@@ -1,0 +1,8 @@
+// What a worker of Node runs.
+import { parentPort } from 'node:worker_threads';
+import { serve } from './thread.js';
+
+serve(
+    (receive) => parentPort.on('message', receive),
+    (message, transfer) => parentPort.postMessage(message, transfer),
+);
