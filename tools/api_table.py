@@ -24,6 +24,7 @@ ELSEWHERE = {
     "World::World(World&&)": "a world is held by a pointer",
     "World::World(const World&)": "deleted",
     "World::set_command_listener(std::shared_ptr<CommandListener>)": "a listener is a class; C has whole recordings",
+    "World::set_communicator(std::shared_ptr<Communicator>)": "a communicator is a class; the program has mpirun",
     "World::execute(std::span<const std::byte>, CommandSource&)": "likewise",
     "World::state_digest() const": "for recordings",
     "World::bodies_that_differ(const StateDigest&) const": "likewise",

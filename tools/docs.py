@@ -19,7 +19,7 @@ GUIDE = ["first_world", "shapes", "joints", "queries_and_events", "threads_and_d
 PAGES = [("C", "c_api"), ("Python", "python"), ("The web", "web"), ("The viewer", "viewer"),
          ("Which integrator gains energy", "viewer_student"), ("A stack that falls", "viewer_developer"), ("Shapes", "shapes"), ("Joints", "joints"), ("Solver", "solver"),
          ("Determinism", "determinism"), ("Scene format", "scene_format"), ("Models", "models"), ("URDF", "urdf"), ("MJCF", "mjcf"),
-         ("SDF", "sdf"), ("USD", "usd"), ("Benchmarks", "benchmarks"), ("Validation", "validation"), ("Rows of the validation", "validation_rows"),
+         ("SDF", "sdf"), ("USD", "usd"), ("Benchmarks", "benchmarks"), ("One world on many machines", "scale"), ("Validation", "validation"), ("Rows of the validation", "validation_rows"),
          ("Faults", "faults"), ("Constants", "constants"), ("Rooms of the source", "architecture"), ("Glossary", "glossary")]
 LINK = re.compile(r"(!?)\[([^\]]*)\]\(([^()\s]+)\)")
 SETTINGS = """site_name: Cairn

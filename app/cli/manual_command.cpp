@@ -88,6 +88,7 @@ cairn run arm.urdf \-\-fixed\-base \-\-floor \-\-targets poses.csv
 cairn convert rock.obj rock.gltf \-\-density 2600
 cairn sweep plan.json \-\-resume
 mpirun \-n 8 cairn sweep plan.json
+mpirun \-n 4 cairn run pile
 .fi
 )";
 

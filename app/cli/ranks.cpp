@@ -1,10 +1,19 @@
 #include "cli/ranks.h"
 
+#include "cli/activity.h"
+#include "cli/outputs.h"
+
 #include <cairn/error.h>
 
+#include <chrono>
 #include <cstdlib>
+#include <ctime>
+#include <exception>
 #include <filesystem>
+#include <new>
 #include <string>
+
+#include <fmt/format.h>
 
 #include <dlfcn.h>
 
@@ -29,7 +38,7 @@ template <class F> void look_up(void* library, const char* name, F*& function) {
 
 } // namespace
 
-Ranks::Ranks() {
+Ranks::Ranks(const char* otherwise) {
     if (!was_started_by_mpi()) return;
     std::error_code ignored;
     const std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path();
@@ -44,14 +53,18 @@ Ranks::Ranks() {
     }
     if (library == nullptr) {
         throw Error(ErrorCode::unsupported, "mpirun", {},
-                    why.empty() ? "has started a program that was built without MPI: install libopenmpi-dev and "
-                                  "openmpi-bin and build again, or use --shard I/N"
+                    why.empty() ? std::string("has started a program that was built without MPI: install "
+                                              "libopenmpi-dev and openmpi-bin and build again, or ") +
+                                      otherwise
                                 : "cannot be used: " + why);
     }
     look_up(library, "cairn_ranks_begin", mpi_.begin);
     look_up(library, "cairn_ranks_next", mpi_.next);
     look_up(library, "cairn_ranks_taken", mpi_.taken);
     look_up(library, "cairn_ranks_meet", mpi_.meet);
+    look_up(library, "cairn_ranks_exchange", mpi_.exchange);
+    look_up(library, "cairn_ranks_broadcast", mpi_.broadcast);
+    look_up(library, "cairn_ranks_sum", mpi_.sum);
     look_up(library, "cairn_ranks_end", mpi_.end);
     look_up(library, "cairn_ranks_abort", mpi_.abort);
     mpi_.begin(&rank_, &size_);
@@ -74,12 +87,80 @@ void Ranks::attend() {
     taken_ = static_cast<std::uint64_t>(mpi_.taken());
 }
 
+std::shared_ptr<CountingCommunicator> Ranks::communicator() const {
+    if (size_ == 1) return nullptr;
+    return std::make_shared<CountingCommunicator>(mpi_, rank_, size_);
+}
+
 void Ranks::meet() {
     if (has_mpi_) mpi_.meet();
 }
 
-void Ranks::abort_others(int code) {
-    if (has_mpi_ && size_ > 1) mpi_.abort(code);
+int Ranks::run(const std::function<int()>& command) {
+    if (size_ == 1) return command();
+    try {
+        return command();
+    } catch (const std::bad_alloc&) {
+        report_out_of_memory();
+    } catch (const std::exception& error) {
+        complain(fmt::format("rank {}: {}", rank_, error.what()));
+    }
+    mpi_.abort(1);
+    return 1;
+}
+
+namespace {
+
+// Adds the time until its end.
+class Watch {
+  public:
+    explicit Watch(Traffic& traffic) : traffic_(traffic) {}
+    ~Watch() {
+        traffic_.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+        traffic_.processor_seconds += processor_seconds() - processor_start_;
+    }
+    Watch(const Watch&) = delete;
+    Watch& operator=(const Watch&) = delete;
+
+  private:
+    Traffic& traffic_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    double processor_start_ = processor_seconds();
+};
+
+} // namespace
+
+double processor_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+void CountingCommunicator::exchange(std::span<const Outgoing> out, std::span<const Incoming> in) {
+    const Watch watch(traffic_);
+    messages_.clear();
+    for (const Outgoing& message : out) {
+        // MPI takes what it sends by a pointer to const, and this list has both.
+        messages_.push_back({message.rank, const_cast<std::byte*>(message.bytes.data()), message.bytes.size()});
+        traffic_.bytes += message.bytes.size();
+    }
+    for (const Incoming& message : in) messages_.push_back({message.rank, message.bytes.data(), message.bytes.size()});
+    traffic_.messages += out.size();
+    mpi_.exchange(messages_.data(), static_cast<int>(out.size()), static_cast<int>(messages_.size()));
+}
+
+void CountingCommunicator::broadcast(int root, std::span<std::byte> bytes) {
+    const Watch watch(traffic_);
+    traffic_.messages += root == rank_;
+    traffic_.bytes += root == rank_ ? bytes.size() : 0;
+    mpi_.broadcast(root, bytes.data(), bytes.size());
+}
+
+std::uint64_t CountingCommunicator::sum(std::uint64_t number) {
+    const Watch watch(traffic_);
+    ++traffic_.messages;
+    traffic_.bytes += sizeof number;
+    return mpi_.sum(number);
 }
 
 } // namespace cairn::cli

@@ -5,6 +5,8 @@
 #include "cli/outputs.h"
 #include "cli/pictures.h"
 #include "cli/progress.h"
+#include "cli/ranks.h"
+#include "cli/shared_run.h"
 #include "cli/trajectory_writer.h"
 
 #include "scene/animation.h"
@@ -70,7 +72,14 @@ struct Outcome {
     StepClock clock;
     double max_penetration = 0.0; // m, over all steps
     bool interrupted = false;
+    StageTimes stages; // summed over all steps
+    std::vector<RankReport> ranks;
 };
+
+void add(StageTimes& sum, const StageTimes& times) {
+    sum.broad_phase += times.broad_phase, sum.narrow_phase += times.narrow_phase, sum.islands += times.islands;
+    sum.prepare += times.prepare, sum.solve += times.solve, sum.finalize += times.finalize;
+}
 
 std::uint64_t count_steps(const RunOptions& options, double time_step) {
     if (options.frames) return static_cast<std::uint64_t>(*options.frames);
@@ -122,13 +131,13 @@ void check_moments(const RunOptions& options, float time_step, std::uint64_t ste
     }
 }
 
-void apply_options(const RunOptions& options, scene::Scene& scene) {
+void apply_options(const RunOptions& options, scene::Scene& scene, int ranks) {
     if (options.time_step) scene.info.time_step = static_cast<float>(*options.time_step);
     WorldDef settings = scene.world.settings();
     if (options.substeps) settings.substeps = *options.substeps;
     if (options.integrator) settings.integrator = *options.integrator;
     if (options.substeps || options.integrator) scene.world.set_settings(settings);
-    scene.world.set_threads(options.threads.value_or(hardware_threads()));
+    scene.world.set_threads(options.threads.value_or(ranks > 1 ? 1 : hardware_threads()));
 }
 
 // All that is written while it runs.
@@ -173,7 +182,7 @@ class Recorders {
 };
 
 Outcome simulate(const RunOptions& options, scene::Scene& scene, std::optional<JointTargets>& targets,
-                 std::uint64_t steps, const InterruptGuard& interrupt) {
+                 std::uint64_t steps, const InterruptGuard& interrupt, const SharedRun& shared) {
     set_activity("preparing what is written", options.scene);
     Recorders recorders(options, scene);
     set_activity("simulating", options.scene);
@@ -182,18 +191,26 @@ Outcome simulate(const RunOptions& options, scene::Scene& scene, std::optional<J
     {
         ProgressLine progress(steps, "steps", static_cast<double>(time_step));
         recorders.add(scene.world, 0, time_step);
-        for (std::uint64_t i = 0; i < steps && !interrupt.requested(); ++i) {
+        bool is_interrupted = false;
+        for (std::uint64_t i = 0; i < steps; ++i) {
+            shared.compare_now_and_then(scene.world, i);
+            is_interrupted = shared.any(interrupt.requested());
+            if (is_interrupted) break;
             set_activity_count(i, steps);
             if (targets) targets->apply(scene.world, time_step);
             const auto start = std::chrono::steady_clock::now();
             scene.world.step(time_step);
             const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
             outcome.clock.add(elapsed.count());
-            outcome.max_penetration = std::max(outcome.max_penetration, scene.world.statistics().max_penetration);
+            const Statistics statistics = scene.world.statistics();
+            outcome.max_penetration = std::max(outcome.max_penetration, statistics.max_penetration);
+            add(outcome.stages, statistics.times);
             recorders.add(scene.world, i + 1, time_step);
-            progress.show(i + 1);
+            if (shared.is_first()) progress.show(i + 1);
         }
-        outcome.interrupted = interrupt.requested();
+        outcome.interrupted = is_interrupted;
+        shared.compare(scene.world);
+        outcome.ranks = shared.reports();
     }
     recorders.finish(scene);
     return outcome;
@@ -212,8 +229,24 @@ std::string json_summary(const std::string& path, const scene::Scene& scene, con
     json["steps"] = outcome.clock.steps();
     json["time_step"] = static_cast<double>(scene.info.time_step);
     json["threads"] = world.threads();
+    for (const RankReport& rank : outcome.ranks) {
+        json["ranks"].push_back({{"memory_mb", 1e-6 * rank.memory},
+                                 {"peak_memory_mb", 1e-6 * rank.peak_memory},
+                                 {"seconds_in_messages", rank.waited},
+                                 {"processor_seconds_else", rank.computed},
+                                 {"messages", rank.messages},
+                                 {"bytes", rank.bytes}});
+    }
     json["isa"] = std::string(instruction_set());
     json["ms_per_step"] = {{"mean", times.mean}, {"median", times.median}, {"p99", times.p99}};
+    const StageTimes& stages = outcome.stages;
+    const double steps = static_cast<double>(std::max<std::uint64_t>(outcome.clock.steps(), 1));
+    json["ms_of_stages"] = {{"broad_phase", stages.broad_phase / steps},
+                            {"narrow_phase", stages.narrow_phase / steps},
+                            {"islands", stages.islands / steps},
+                            {"prepare", stages.prepare / steps},
+                            {"solve", stages.solve / steps},
+                            {"finalize", stages.finalize / steps}};
     json["hash"] = fmt::format("{:016x}", world.state_hash());
     json["energy"] = {{"kinetic", world.kinetic_energy()}, {"potential", world.potential_energy()}};
     json["momentum"] = {{"linear", vector_json(world.linear_momentum())},
@@ -238,6 +271,7 @@ std::string text_summary(const std::string& path, const scene::Scene& scene, con
                     outcome.clock.steps(), scene.info.time_step,
                     world.threads() == 1 ? "1 thread" : fmt::format("{} threads", world.threads()), instruction_set(),
                     outcome.interrupted ? ", interrupted" : "", times.mean, times.median, times.p99);
+    text += describe(outcome.ranks, outcome.clock.steps());
     text += fmt::format("{} contacts, {} points, deepest overlap on the way {:.3g} mm\n", statistics.contacts,
                         statistics.contact_points, 1000.0 * outcome.max_penetration);
     text += fmt::format("kinetic energy {:.6g} J, potential {:.6g} J, state {:016x}\n", world.kinetic_energy(),
@@ -269,29 +303,48 @@ scene::Scene ReadOptions::load(const std::filesystem::path& path, std::shared_pt
     return scene;
 }
 
-int run_command(const RunOptions& options) {
+namespace {
+
+// Those of a rank that writes nothing, as the first one does it.
+RunOptions without_outputs(RunOptions options) {
+    options.csv.clear(), options.png.clear(), options.video.clear(), options.save.clear(), options.animate.clear();
+    return options;
+}
+
+int run_on(const RunOptions& given, const Ranks& ranks) {
+    const bool is_first = ranks.rank() == 0;
+    const RunOptions options = is_first ? given : without_outputs(given);
     check_outputs(std::vector<Output>{{"--csv", options.csv},
                                       {"--png", options.png},
                                       {"--video", options.video},
                                       {"--save", options.save},
                                       {"--animate", options.animate}});
-    check_size(options);
-    check_window(options);
+    check_size(given);
+    check_window(given);
     const std::filesystem::path path = scene::find_scene(options.scene);
     scene::Scene scene = options.read.load(path);
-    print_warnings(scene.warnings);
-    apply_options(options, scene);
+    if (is_first) print_warnings(scene.warnings);
+    apply_options(options, scene, ranks.size());
     const std::uint64_t steps = count_steps(options, scene.info.time_step);
     check_moments(options, scene.info.time_step, steps);
     const InterruptGuard interrupt; // until all is written: an impatient second signal must not lose it
     std::optional<JointTargets> targets;
     if (!options.targets.empty()) targets.emplace(options.targets, scene, options.servo_frequency);
     const std::uint64_t cut_before = scene.world.statistics().clamped_speeds;
-    const Outcome outcome = simulate(options, scene, targets, steps, interrupt);
+    const SharedRun shared(ranks, scene.world);
+    const Outcome outcome = simulate(options, scene, targets, steps, interrupt, shared);
+    if (!is_first) return 0;
     warn_of_speeds(scene, scene.world.statistics().clamped_speeds - cut_before);
     const std::string name = path.generic_string();
     print(options.json ? json_summary(name, scene, outcome) : text_summary(name, scene, outcome));
     return 0;
+}
+
+} // namespace
+
+int run_command(const RunOptions& options) {
+    Ranks ranks("start it without mpirun");
+    return ranks.run([&] { return run_on(options, ranks); });
 }
 
 } // namespace cairn::cli

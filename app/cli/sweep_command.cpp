@@ -13,9 +13,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <exception>
 #include <filesystem>
-#include <new>
 #include <vector>
 
 namespace cairn::cli {
@@ -154,17 +152,8 @@ int run_sweep(const SweepOptions& options, Ranks& ranks) {
 } // namespace
 
 int sweep_command(const SweepOptions& options) {
-    Ranks ranks;
-    if (ranks.size() == 1) return run_sweep(options, ranks);
-    try {
-        return run_sweep(options, ranks);
-    } catch (const std::bad_alloc&) {
-        report_out_of_memory();
-    } catch (const std::exception& error) {
-        complain(fmt::format("rank {}: {}", ranks.rank(), error.what()));
-    }
-    ranks.abort_others(1);
-    return 1;
+    Ranks ranks("use --shard I/N");
+    return ranks.run([&] { return run_sweep(options, ranks); });
 }
 
 } // namespace cairn::cli

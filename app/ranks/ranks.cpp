@@ -2,8 +2,11 @@
 // (cli/ranks.cpp). None is called by two threads at a time.
 #include <mpi.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <ctime>
+#include <vector>
 
 namespace {
 
@@ -15,6 +18,16 @@ std::int64_t count_on(MPI_Op operation) {
     MPI_Fetch_and_op(&one, &before, MPI_INT64_T, 0, 0, operation, window);
     MPI_Win_flush(0, window);
     return before;
+}
+
+// MPI counts in int: what is larger goes in pieces. Calls piece(bytes, count) for each of them.
+template <class Byte, class F> void in_pieces(Byte* bytes, std::size_t count, const F& piece) {
+    constexpr std::size_t most = std::size_t{1} << 30;
+    do {
+        const std::size_t now = std::min(count, most);
+        piece(bytes, static_cast<int>(now));
+        bytes += now, count -= now;
+    } while (count > 0);
 }
 
 } // namespace
@@ -48,6 +61,40 @@ CAIRN_RANKS void cairn_ranks_meet() {
         const timespec pause{0, 2'000'000};
         nanosleep(&pause, nullptr);
     }
+}
+
+// A message to or from another rank.
+struct cairn_ranks_message {
+    int rank;
+    std::byte* bytes;
+    std::size_t size;
+};
+
+// Sends the first `sent` messages and receives the others.
+CAIRN_RANKS void cairn_ranks_exchange(const cairn_ranks_message* messages, int sent, int count) {
+    static std::vector<MPI_Request> requests;
+    requests.clear();
+    for (int i = count - 1; i >= 0; --i) { // those that come in first: they have their place then
+        const cairn_ranks_message& m = messages[i];
+        in_pieces(m.bytes, m.size, [&](std::byte* bytes, int size) {
+            MPI_Request& request = requests.emplace_back();
+            if (i < sent)
+                MPI_Isend(bytes, size, MPI_BYTE, m.rank, 0, MPI_COMM_WORLD, &request);
+            else
+                MPI_Irecv(bytes, size, MPI_BYTE, m.rank, 0, MPI_COMM_WORLD, &request);
+        });
+    }
+    MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+}
+
+CAIRN_RANKS void cairn_ranks_broadcast(int root, std::byte* bytes, std::size_t size) {
+    in_pieces(bytes, size, [&](std::byte* at, int count) { MPI_Bcast(at, count, MPI_BYTE, root, MPI_COMM_WORLD); });
+}
+
+CAIRN_RANKS std::uint64_t cairn_ranks_sum(std::uint64_t number) {
+    std::uint64_t sum = 0;
+    MPI_Allreduce(&number, &sum, 1, MPI_UINT64_T, MPI_SUM, MPI_COMM_WORLD);
+    return sum;
 }
 
 CAIRN_RANKS void cairn_ranks_end() {

@@ -6,6 +6,7 @@
 
 #include <cairn/body.h>
 #include <cairn/commands.h>
+#include <cairn/communicator.h>
 #include <cairn/error.h>
 #include <cairn/events.h>
 #include <cairn/handle.h>

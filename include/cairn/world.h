@@ -23,6 +23,8 @@
 
 namespace cairn {
 
+class Communicator;
+
 /// How free motion is integrated over a substep of length h. Contacts work with all of them.
 enum class Integrator : std::uint8_t {
     semi_implicit_euler, ///< v += h a, then x += h v. Bounded energy error; the default.
@@ -124,6 +126,12 @@ class World {
     /// system has no more threads.
     void set_threads(int count);
     int threads() const;
+
+    /// The processes that step this world together from now on; null, or one of size 1: this one alone. Each has the
+    /// whole world, and shall have made the same calls since it was empty or restored; each makes the same calls from
+    /// then on, `step` in all of them at a time. Results do not depend on how many there are. Snapshots do not hold it.
+    /// Throws on a rank that is not below the size (docs/scale.md).
+    void set_communicator(std::shared_ptr<Communicator> communicator);
 
     // --- bodies and shapes
     BodyId create_body(const BodyDef& def = {});

@@ -9,6 +9,7 @@
 #include "joints/joint_layout.h"
 #include "kernels/kernels.h"
 #include "solver/contact_order.h"
+#include "solver/rank_border.h"
 #include "solver/row_motion.h"
 #include "state/state.h"
 
@@ -22,7 +23,11 @@ namespace {
 
 constexpr int rows_per_chunk = 128; // for threads
 
-SolverVelocity to_row(math::Vec3 v, math::Vec3 w) { return {{v.x, v.y, v.z}, 0, {w.x, w.y, w.z}, 0}; }
+// Without negative zeros: sums do not bring any about, so that it cannot be seen from a row whether a contact added
+// nothing to it, or was left out as nothing in its block had anything to add.
+SolverVelocity to_row(math::Vec3 v, math::Vec3 w) {
+    return {{v.x + 0.0f, v.y + 0.0f, v.z + 0.0f}, 0, {w.x + 0.0f, w.y + 0.0f, w.z + 0.0f}, 0};
+}
 
 // The mass of an island, and how it moves.
 class IslandSum {
@@ -46,25 +51,9 @@ class IslandSum {
     math::DVec3 momentum_;
 };
 
-// Bodies of the batch's islands, what the islands weigh, and how they move.
-void gather_bodies(const Bodies& bodies, Islands& islands, const WorldDef& settings, const SolverScratch& solver,
-                   const IslandBatch& batch, BatchScratch& scratch) {
-    const auto& g = settings.gravity;
-    const float gravity = math::length(math::Vec3{g.x, g.y, g.z});
-    scratch.row_of_body.resize(bodies.links.size(), none);
-    scratch.touching_bodies.clear();
-    scratch.free_bodies.clear();
-    for (std::int32_t k = 0; k < batch.island_count; ++k) {
-        Island& island = islands.all[solver.batch_islands[batch.first_island + k]];
-        IslandSum sum;
-        for (std::int32_t b = island.first_body; b != none; b = bodies.links[b].next_in_island) {
-            sum.add(bodies.mass[b], bodies.motion[b]);
-            const BodyLinks& links = bodies.links[b];
-            const bool is_free = links.contact_count + links.joint_count == 0;
-            (is_free ? scratch.free_bodies : scratch.touching_bodies).push_back(b);
-        }
-        sum.put(island, gravity);
-    }
+// Of a batch that is cut: the bodies of this rank, and those of others that its contacts name.
+void keep_needed_bodies(const RankBorder& border, BatchScratch& scratch) {
+    std::erase_if(scratch.touching_bodies, [&](std::int32_t b) { return !is_needed(border, b); });
 }
 
 // Bodies get their rows in the order of their indices, as they lie in memory (decisions/cache.md).
@@ -109,10 +98,14 @@ void add_lanes(const SortedContact* begin, const SortedContact* end, BatchScratc
     std::int32_t *record = lanes.record.data() + first, *row_a = lanes.row_a.data() + first,
                  *row_b = lanes.row_b.data() + first;
     for (const SortedContact* c = begin; c != end; ++c) {
+        if (scratch.border && !is_own(*scratch.border->cut, c->body_a)) continue;
         *record++ = std::int32_t(c->id);
         *row_a++ = row_of(scratch, c->body_a);
         *row_b++ = c->is_conveyor ? conveyor_row(scratch, c->id) : row_of(scratch, c->body_b);
     }
+    if (!scratch.border) return;
+    const auto filled = std::size_t(record - lanes.record.data());
+    lanes.record.resize(filled), lanes.row_a.resize(filled), lanes.row_b.resize(filled);
 }
 
 BlockRun begin_run(const LaneLists& lanes, bool four_points) {
@@ -165,7 +158,8 @@ void fill_row(Bodies& bodies, const WorldDef& settings, BatchScratch& scratch, s
     if (b == none) return;
     BodyMotion& motion = bodies.motion[b];
     const bool is_dynamic = bodies.is_dynamic(b); // kinematic ones may be in other batches as well
-    if (is_dynamic && clamp_velocity(settings, motion.v, motion.w)) ++clamped_speeds;
+    if (is_dynamic && clamp_velocity(settings, motion.v, motion.w))
+        clamped_speeds += !scratch.border || is_own(*scratch.border->cut, b);
     scratch.velocity[row] = scratch.reference[row] = to_row(motion.v, motion.w);
     if (!is_dynamic) return;
     const BodyMass& mass = bodies.mass[b];
@@ -251,12 +245,42 @@ void prefetch_ahead(const Bodies& bodies, const Shapes& shapes, const BroadPhase
         prefetch_shape_of(bodies, shapes, broad_phase, b);
 }
 
+// Those of other ranks end with what these say of them.
+void leave_out_ghosts(BatchScratch& scratch) {
+    for (std::size_t row = first_body_row; row < scratch.row_count(); ++row) {
+        const std::int32_t b = scratch.row_bodies[row];
+        if (b != none && (scratch.row_traits[row] & is_dynamic_row) && !is_own(*scratch.border->cut, b))
+            scratch.row_traits[row] = 0;
+    }
+}
+
 } // namespace
+
+void gather_bodies(const Bodies& bodies, Islands& islands, const WorldDef& settings, const SolverScratch& solver,
+                   const IslandBatch& batch, BatchScratch& scratch) {
+    const auto& g = settings.gravity;
+    const float gravity = math::length(math::Vec3{g.x, g.y, g.z});
+    scratch.row_of_body.resize(bodies.links.size(), none);
+    scratch.touching_bodies.clear();
+    scratch.free_bodies.clear();
+    for (std::int32_t k = 0; k < batch.island_count; ++k) {
+        Island& island = islands.all[solver.batch_islands[batch.first_island + k]];
+        IslandSum sum;
+        for (std::int32_t b = island.first_body; b != none; b = bodies.links[b].next_in_island) {
+            sum.add(bodies.mass[b], bodies.motion[b]);
+            const BodyLinks& links = bodies.links[b];
+            const bool is_free = links.contact_count + links.joint_count == 0;
+            (is_free ? scratch.free_bodies : scratch.touching_bodies).push_back(b);
+        }
+        sum.put(island, gravity);
+    }
+}
 
 void fill_batch(Bodies& bodies, const Shapes& shapes, const Contacts& contacts, Islands& islands, Joints& joints,
                 const WorldDef& settings, SolverScratch& solver, const DirectSets& direct, const IslandBatch& batch,
                 BatchScratch& scratch, ThreadPool* thread_pool) {
     gather_bodies(bodies, islands, settings, solver, batch, scratch);
+    if (scratch.border) keep_needed_bodies(*scratch.border, scratch);
     scratch.row_bodies.clear();
     if (scratch.touching_bodies.empty() && batch.contact_count + batch.joint_count == 0) return;
     number_rows(scratch);
@@ -264,11 +288,13 @@ void fill_batch(Bodies& bodies, const Shapes& shapes, const Contacts& contacts, 
     fill_lanes(solver.sorted, solver.key_counts.data() + number * keys_per_batch, batch, scratch);
     fill_joint_lanes(bodies, joints, solver, direct, batch, scratch, thread_pool);
     fill_rows(bodies, shapes, contacts, settings, scratch, thread_pool);
+    if (scratch.border) number_border_rows(*scratch.border, scratch);
 }
 
 void empty_batch(Bodies& bodies, Shapes& shapes, const BroadPhase& broad_phase, const ForceFields& fields,
                  const WorldDef& settings, SolverScratch& solver, const StepPasses& passes, BatchScratch& scratch,
                  ThreadPool* thread_pool, float dt) {
+    if (scratch.border) leave_out_ghosts(scratch);
     std::vector<BatchScratch>& threads = solver.at_work;
     const int rows = int(scratch.row_count());
     const HalfLimits half{0.5f * settings.max_linear_speed * dt, 0.5f * settings.max_linear_speed,
@@ -293,11 +319,18 @@ void empty_batch(Bodies& bodies, Shapes& shapes, const BroadPhase& broad_phase, 
             }
         }
     });
-    for_chunks(thread_pool, int(scratch.free_bodies.size()), rows_per_chunk, [&](int begin, int end, int thread) {
-        BatchScratch& own = thread_pool ? threads[thread] : scratch;
+    move_free_bodies(bodies, shapes, broad_phase, fields, settings, solver, passes, scratch.free_bodies, scratch,
+                     thread_pool, dt);
+}
+
+void move_free_bodies(Bodies& bodies, Shapes& shapes, const BroadPhase& broad_phase, const ForceFields& fields,
+                      const WorldDef& settings, SolverScratch& solver, const StepPasses& passes,
+                      const std::vector<std::int32_t>& list, BatchScratch& scratch, ThreadPool* thread_pool, float dt) {
+    for_chunks(thread_pool, int(list.size()), rows_per_chunk, [&](int begin, int end, int thread) {
+        BatchScratch& own = thread_pool ? solver.at_work[thread] : scratch;
         for (int k = begin; k < end; ++k) {
-            prefetch_ahead(bodies, shapes, broad_phase, scratch.free_bodies, std::size_t(k));
-            const std::int32_t b = scratch.free_bodies[k];
+            prefetch_ahead(bodies, shapes, broad_phase, list, std::size_t(k));
+            const std::int32_t b = list[k];
             own.clamped_speeds += move_free_body(bodies, fields, settings, b, dt, passes.in_pass(settings.substeps));
             finalize_body(bodies, shapes, broad_phase, settings, b, dt, own.finalized);
         }

@@ -6,7 +6,12 @@
 
 namespace cairn {
 
-// Lays out the rows and lanes of a batch, and fills them.
+// Lists the bodies of the batch's islands; what the islands weigh, and how they move.
+void gather_bodies(const Bodies& bodies, Islands& islands, const WorldDef& settings, const SolverScratch& solver,
+                   const IslandBatch& batch, BatchScratch& scratch);
+
+// Lays out the rows and lanes of a batch, and fills them: of one that is cut (BatchScratch::border), those that this
+// rank needs.
 void fill_batch(Bodies& bodies, const Shapes& shapes, const Contacts& contacts, Islands& islands, Joints& joints,
                 const WorldDef& settings, SolverScratch& solver, const DirectSets& direct, const IslandBatch& batch,
                 BatchScratch& scratch, ThreadPool* thread_pool);
@@ -14,5 +19,10 @@ void fill_batch(Bodies& bodies, const Shapes& shapes, const Contacts& contacts, 
 void empty_batch(Bodies& bodies, Shapes& shapes, const BroadPhase& broad_phase, const ForceFields& fields,
                  const WorldDef& settings, SolverScratch& solver, const StepPasses& passes, BatchScratch& scratch,
                  ThreadPool* thread_pool, float dt);
+
+// Moves and finalizes bodies that nothing touches.
+void move_free_bodies(Bodies& bodies, Shapes& shapes, const BroadPhase& broad_phase, const ForceFields& fields,
+                      const WorldDef& settings, SolverScratch& solver, const StepPasses& passes,
+                      const std::vector<std::int32_t>& list, BatchScratch& scratch, ThreadPool* thread_pool, float dt);
 
 } // namespace cairn

@@ -25,19 +25,26 @@ inline int blocks_per_chunk(const ThreadPool* thread_pool, int count) {
     return (count / (2 * thread_pool->threads()) + side_by_side) / side_by_side * side_by_side;
 }
 
-// Calls kernel(its kernels, run) for the blocks of every color, one color after the other, or for chunks of them.
-template <class F> void for_blocks(BatchScratch& scratch, ThreadPool* thread_pool, F&& kernel) {
+// Calls kernel(its kernels, run) for the blocks of every color, one color after the other, or for chunks of them; after
+// each color after(its place among the colors).
+template <class F, class After>
+void for_colors(BatchScratch& scratch, ThreadPool* thread_pool, F&& kernel, After&& after) {
     auto work = [&](const BlockRun& run, int begin, int end) {
         const BlockRun part{run.four_points, run.first + begin, end - begin};
         if (part.count > 0) kernel(kernels_for(part), part);
     };
-    for (const ColorRun& color : scratch.colors) {
+    for (std::size_t k = 0; k < scratch.colors.size(); ++k) {
+        const ColorRun& color = scratch.colors[k];
         const int fours = color.four_points.count, all = fours + color.one_point.count;
         for_chunks(thread_pool, all, blocks_per_chunk(thread_pool, all), [&](int begin, int end, int) {
             work(color.four_points, std::min(begin, fours), std::min(end, fours));
             work(color.one_point, std::max(begin, fours) - fours, std::max(end, fours) - fours);
         });
+        after(k);
     }
+}
+template <class F> void for_blocks(BatchScratch& scratch, ThreadPool* thread_pool, F&& kernel) {
+    for_colors(scratch, thread_pool, kernel, [](std::size_t) {});
 }
 
 // Calls f(run) for every run of joint rows, or for chunks of them.

@@ -12,6 +12,8 @@
 #include "solver/batch_rows.h"
 #include "solver/block_runs.h"
 #include "solver/impacts.h"
+#include "solver/rank_border.h"
+#include "solver/rank_results.h"
 #include "solver/row_motion.h"
 #include "solver/softness.h"
 #include "state/state.h"
@@ -19,6 +21,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <utility>
 
 namespace cairn {
 
@@ -57,15 +60,26 @@ void refresh_all(BatchScratch& scratch, ThreadPool* thread_pool, const SolverBod
     });
 }
 
-void bounce_all(BatchScratch& scratch, ThreadPool* thread_pool, const SolverBodies& bodies,
+// for_blocks with what changes rows of these arrays: of a batch that is cut, the ranks tell each other after each
+// color.
+template <class F>
+void sweep_colors(BatchScratch& scratch, ThreadPool* thread_pool, Communicator* ranks, std::span<void* const> arrays,
+                  F&& kernel) {
+    for_colors(scratch, thread_pool, kernel, [&](std::size_t color) {
+        if (scratch.border) exchange_border(*scratch.border, *ranks, color, arrays);
+    });
+}
+
+void bounce_all(BatchScratch& scratch, ThreadPool* thread_pool, Communicator* ranks, const SolverBodies& bodies,
                 const BounceSettings& settings) {
+    void* const changed[] = {bodies.velocity, bodies.reference, bodies.velocity_correction};
     for (int pass = 0; pass < max_bounce_passes; ++pass) {
         std::atomic<int> bounced = 0;
-        for_blocks(scratch, thread_pool, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
+        sweep_colors(scratch, thread_pool, ranks, changed, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
             const int count = k.bounce(blocks_of(scratch, run), run.count, bodies, settings);
             if (count > 0) bounced += count;
         });
-        if (bounced == 0) {
+        if ((scratch.border ? ranks->sum(std::uint64_t(bounced)) : std::uint64_t(bounced)) == 0) {
             if (pass > 0) refresh_all(scratch, thread_pool, bodies, settings.h);
             return;
         }
@@ -88,7 +102,7 @@ SolverBodies bodies_of(BatchScratch& scratch) {
 
 void run_substeps(const Bodies& bodies, const Joints& joints, const ForceFields& fields, const WorldDef& settings,
                   const DirectSets& direct, const StepPasses& passes, const IslandBatch& batch, BatchScratch& scratch,
-                  ThreadPool* thread_pool, float dt) {
+                  ThreadPool* thread_pool, Communicator* ranks, float dt) {
     using ForPoints = SolverKernels::ForPoints;
     using ForRows = JointKernels::ForRows;
     const SolverKernels& k = kernels().solver;
@@ -103,6 +117,8 @@ void run_substeps(const Bodies& bodies, const Joints& joints, const ForceFields&
     softness.impact_speed = stops_impacts ? impact_speed : no_impact_speed;
     const int rows = int(scratch.row_count());
     SolverVelocity* velocity = scratch.velocity.data();
+    void* const changed[] = {velocity};
+    const auto sweep = [&](auto&& kernel) { sweep_colors(scratch, thread_pool, ranks, changed, kernel); };
     std::atomic<int> struck = 0;
     scratch.impact.has_components = false;
     for (int substep = 0; substep < batch.substeps; ++substep) {
@@ -113,12 +129,12 @@ void run_substeps(const Bodies& bodies, const Joints& joints, const ForceFields&
             k.integrate_velocities(solver_bodies, std::max(begin, int(first_body_row)), end, first);
         });
         begin_direct_substep(joints, direct, scratch, thread_pool, h, first);
-        if (batch.bounces) bounce_all(scratch, thread_pool, solver_bodies, bounce);
+        if (batch.bounces) bounce_all(scratch, thread_pool, ranks, solver_bodies, bounce);
         if (first) {
             for_joint_blocks(scratch, thread_pool, [&](const ForRows& rows_of, void* blocks, int count) {
                 rows_of.warm_start(blocks, count, solver_bodies, joint_soft);
             });
-            for_blocks(scratch, thread_pool, [&](const ForPoints& points, const BlockRun& run) {
+            sweep([&](const ForPoints& points, const BlockRun& run) {
                 points.warm_start(blocks_of(scratch, run), run.count, velocity);
             });
         }
@@ -126,7 +142,7 @@ void run_substeps(const Bodies& bodies, const Joints& joints, const ForceFields&
             rows_of.solve(blocks, count, velocity, joint_soft);
         });
         solve_direct_rows(direct, scratch, thread_pool, h);
-        for_blocks(scratch, thread_pool, [&](const ForPoints& points, const BlockRun& run) {
+        sweep([&](const ForPoints& points, const BlockRun& run) {
             const int count = points.solve(blocks_of(scratch, run), run.count, velocity, softness);
             if (count > 0) struck += count;
         });
@@ -138,7 +154,7 @@ void run_substeps(const Bodies& bodies, const Joints& joints, const ForceFields&
         for_joint_blocks(scratch, thread_pool, [&](const ForRows& rows_of, void* blocks, int count) {
             rows_of.relax(blocks, count, solver_bodies, joint_soft);
         });
-        for_blocks(scratch, thread_pool, [&](const ForPoints& points, const BlockRun& run) {
+        sweep([&](const ForPoints& points, const BlockRun& run) {
             const int count = points.relax(blocks_of(scratch, run), run.count, solver_bodies, softness);
             if (count > 0) struck += count;
         });
@@ -164,6 +180,7 @@ struct BatchContext {
     const StepPasses& passes;
     const DirectSets& direct;
     SolverScratch& solver;
+    Communicator* ranks; // null: none but this one
 };
 
 void solve_batch(const BatchContext& s, const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool,
@@ -181,7 +198,8 @@ void solve_batch(const BatchContext& s, const IslandBatch& batch, BatchScratch& 
         });
         const double prepare_ms = milliseconds_since(start);
         scratch.prepare_ms += prepare_ms;
-        run_substeps(s.bodies, s.joints, s.fields, s.settings, s.direct, s.passes, batch, scratch, thread_pool, dt);
+        run_substeps(s.bodies, s.joints, s.fields, s.settings, s.direct, s.passes, batch, scratch, thread_pool, s.ranks,
+                     dt);
         finish_free_motion(scratch);
         for_blocks(scratch, thread_pool, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
             k.store(blocks_of(scratch, run), run.count, lanes_of(scratch, run), s.contacts.records.data(),
@@ -190,19 +208,59 @@ void solve_batch(const BatchContext& s, const IslandBatch& batch, BatchScratch& 
         store_joints(s.joints, s.settings, s.direct, scratch, dt);
         scratch.solve_ms += milliseconds_since(start) - prepare_ms;
     }
+    // Each rank moves all those: telling the others takes longer.
+    if (s.ranks && s.solver.cut.owner_of_batch[&batch - s.solver.batches.data()] != every_rank)
+        scratch.free_bodies.clear();
     empty_batch(s.bodies, s.shapes, s.broad_phase, s.fields, s.settings, s.solver, s.passes, scratch, thread_pool, dt);
 }
 
-// Those that are so large that one thread would keep the others waiting.
-void share_out_batches(SolverScratch& scratch, int threads) {
+// Of the batches that a rank or every rank solves alone: those that are so large that one thread would keep the others
+// waiting.
+void share_out_batches(SolverScratch& scratch, int threads, std::int32_t owner) {
+    const auto is_meant = [&](std::size_t i) {
+        return scratch.cut.owner_of_batch.empty() || scratch.cut.owner_of_batch[i] == owner;
+    };
     std::int32_t contacts = 0;
     for (const IslandBatch& batch : scratch.batches) contacts += batch.contact_count + batch.joint_count;
     const std::int32_t limit = std::max(min_shared_contacts, contacts / threads);
     scratch.shared.clear();
     scratch.alone.clear();
     for (std::size_t i = 0; i < scratch.batches.size(); ++i)
-        (scratch.batches[i].contact_count + scratch.batches[i].joint_count > limit ? scratch.shared : scratch.alone)
-            .push_back(std::int32_t(i));
+        if (is_meant(i))
+            (scratch.batches[i].contact_count + scratch.batches[i].joint_count > limit ? scratch.shared : scratch.alone)
+                .push_back(std::int32_t(i));
+}
+
+void solve_alone(const BatchContext& s, ThreadPool& thread_pool, std::int32_t owner, float dt) {
+    SolverScratch& scratch = s.solver;
+    share_out_batches(scratch, thread_pool.threads(), owner);
+    for (const std::int32_t i : scratch.shared)
+        solve_batch(s, scratch.batches[i], scratch.at_work[0], &thread_pool, dt);
+    thread_pool.for_chunks(int(scratch.alone.size()), 1, [&](int begin, int end, int thread) {
+        for (int k = begin; k < end; ++k)
+            solve_batch(s, scratch.batches[scratch.alone[k]], scratch.at_work[thread], nullptr, dt);
+    });
+}
+
+// What the ranks share out among them. Returns how often a speed was cut in it.
+std::uint64_t solve_parts(const BatchContext& s, ThreadPool& thread_pool, float dt) {
+    SolverScratch& scratch = s.solver;
+    cut_batches(s.bodies, s.islands, s.settings, *s.ranks, scratch);
+    for (std::size_t i = 0; i < scratch.batches.size(); ++i) {
+        if (scratch.cut.owner_of_batch[i] != cut_by_body) continue;
+        find_border(s.bodies, scratch.batches[i], scratch, scratch.border);
+        scratch.at_work[0].border = &scratch.border;
+        solve_batch(s, scratch.batches[i], scratch.at_work[0], &thread_pool, dt);
+        scratch.at_work[0].border = nullptr;
+    }
+    solve_alone(s, thread_pool, scratch.cut.rank, dt);
+    std::uint64_t clamped_speeds = 0;
+    for (BatchScratch& own : scratch.at_work) clamped_speeds += std::exchange(own.clamped_speeds, 0);
+    clamped_speeds = s.ranks->sum(clamped_speeds);
+    exchange_results(*s.ranks, s.bodies, s.shapes, s.contacts, s.broad_phase, s.settings, scratch, thread_pool, dt);
+    move_free_bodies(s.bodies, s.shapes, s.broad_phase, s.fields, s.settings, scratch, s.passes,
+                     scratch.cut.free_bodies, scratch.at_work[0], &thread_pool, dt);
+    return clamped_speeds;
 }
 
 // Kinematic bodies move by their velocity, once per step, in double.
@@ -248,13 +306,12 @@ std::uint64_t collect(BroadPhase& broad_phase, SolverScratch& scratch) {
 
 std::uint64_t solve_batches(Bodies& bodies, Shapes& shapes, Contacts& contacts, Islands& islands, Joints& joints,
                             const ForceFields& fields, BroadPhase& broad_phase, const WorldDef& settings,
-                            StepScratch& step, float dt) {
+                            StepScratch& step, Communicator* ranks, float dt) {
     SolverScratch& scratch = step.solver;
     update_direct_sets(bodies, joints, step.direct);
     ThreadPool* const thread_pool = step.thread_pool.get();
-    const int threads = thread_pool->threads();
     scratch.reports.resize(contacts.records.size());
-    scratch.at_work.resize(std::size_t(threads));
+    scratch.at_work.resize(std::size_t(thread_pool->threads()));
     if (scratch.joint_layouts.size() < scratch.batches.size()) scratch.joint_layouts.resize(scratch.batches.size());
     for (BatchScratch& own : scratch.at_work) {
         own.finalized.escaped.clear();
@@ -267,15 +324,13 @@ std::uint64_t solve_batches(Bodies& bodies, Shapes& shapes, Contacts& contacts, 
     std::uint64_t clamped_speeds = 0;
     for (const std::int32_t b : bodies.kinematics)
         if (BodyMotion& motion = bodies.motion[b]; clamp_velocity(settings, motion.v, motion.w)) ++clamped_speeds;
-    const BatchContext context{settings, fields, broad_phase, bodies,      shapes, contacts,
-                               islands,  joints, step.passes, step.direct, scratch};
-    share_out_batches(scratch, threads);
-    for (const std::int32_t i : scratch.shared)
-        solve_batch(context, scratch.batches[i], scratch.at_work[0], thread_pool, dt);
-    for_chunks(thread_pool, int(scratch.alone.size()), 1, [&](int begin, int end, int thread) {
-        for (int k = begin; k < end; ++k)
-            solve_batch(context, scratch.batches[scratch.alone[k]], scratch.at_work[thread], nullptr, dt);
-    });
+    const BatchContext context{settings, fields, broad_phase, bodies,      shapes,  contacts,
+                               islands,  joints, step.passes, step.direct, scratch, ranks};
+    if (ranks)
+        clamped_speeds += solve_parts(context, *thread_pool, dt);
+    else
+        scratch.cut.owner_of_batch.clear();
+    solve_alone(context, *thread_pool, every_rank, dt);
     clamped_speeds += collect(broad_phase, scratch);
     move_kinematics(bodies, dt);
     return clamped_speeds;

@@ -40,12 +40,14 @@
 #include "state/state.h"
 #include "state/step_scratch.h"
 
+#include <cairn/communicator.h>
+
 namespace cairn {
 
 // Solves all batches: velocities, poses, impulses; moves kinematic bodies. Finalizes all bodies (finalize.h). Returns
-// how often a speed was cut.
+// how often a speed was cut. `ranks`: those that step this world together (rank_cut.h); null: this process alone.
 std::uint64_t solve_batches(Bodies& bodies, Shapes& shapes, Contacts& contacts, Islands& islands, Joints& joints,
                             const ForceFields& fields, BroadPhase& broad_phase, const WorldDef& settings,
-                            StepScratch& step, float dt);
+                            StepScratch& step, Communicator* ranks, float dt);
 
 } // namespace cairn

@@ -7,6 +7,7 @@
 #include "math/vec.h"
 #include "state/direct_work.h"
 #include "state/impact_work.h"
+#include "state/rank_work.h"
 #include "state/sweep_scratch.h"
 
 #include <array>
@@ -154,8 +155,9 @@ struct BatchScratch {
     std::vector<AxisBlock> axis_blocks;
     DirectWork direct;
     ImpactWork impact;
-    bool drive_varies = false; // forces depend on the position
-    bool bounces = false;      // `correction` is another than `free_correction`
+    bool drive_varies = false;    // forces depend on the position
+    bool bounces = false;         // `correction` is another than `free_correction`
+    RankBorder* border = nullptr; // of a batch that is cut; null: the batch is solved here alone
 
     FinalizeScratch finalized;             // of all batches of the thread
     std::vector<std::uint32_t> overloaded; // likewise: joints that break
@@ -205,6 +207,9 @@ struct SolverScratch {
     std::vector<std::int32_t> member_numbers; // by body, while an island is split
     std::vector<std::uint32_t> overloaded;    // joints that break, in ascending order
     SweepScratch sweep;
+    RankCut cut; // where there are several ranks
+    RankBorder border;
+    std::vector<std::byte> results;
     double prepare_share = 0; // of the last solve_batches' time
 };
 

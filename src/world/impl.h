@@ -6,6 +6,7 @@
 #include "state/state.h"
 #include "state/step_scratch.h"
 
+#include <cairn/communicator.h>
 #include <cairn/world.h>
 
 #include <atomic>
@@ -24,13 +25,14 @@ struct World::Impl {
 
     State state;
     StepScratch step;
-    std::vector<std::string> names;       // by body
-    std::vector<std::uint64_t> user_data; // by body
-    std::vector<Shape> shape_of;          // by shape
-    std::vector<ShapeDef> def_of;         // by shape
-    std::vector<JointDef> joint_defs;     // by joint
-    std::atomic<bool> stepping{false};    // to notice calls from other threads
-    const char* failed_call = nullptr;    // what ran out of memory half way; null: nothing has
+    std::vector<std::string> names;             // by body
+    std::vector<std::uint64_t> user_data;       // by body
+    std::vector<Shape> shape_of;                // by shape
+    std::vector<ShapeDef> def_of;               // by shape
+    std::vector<JointDef> joint_defs;           // by joint
+    std::atomic<bool> stepping{false};          // to notice calls from other threads
+    std::shared_ptr<Communicator> communicator; // the other ranks of this world; null: there are none
+    const char* failed_call = nullptr;          // what ran out of memory half way; null: nothing has
 
     std::shared_ptr<CommandListener> listener; // is told of all changes; null: nobody is
     std::vector<std::byte> command_bytes;      // of the command that it is told of

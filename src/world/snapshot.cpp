@@ -171,6 +171,7 @@ void World::Impl::take_over(Impl& other) {
         step = std::move(other.step);
         step.forget_world();
     }
+    communicator = std::move(other.communicator);
     listener = std::move(other.listener);
     command_bytes = std::move(other.command_bytes);
 }

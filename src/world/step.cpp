@@ -93,8 +93,9 @@ void World::Impl::make_step(float dt) {
         const float pass_dt = dt / float(passes);
         pack_batches(state.bodies, state.contacts, state.islands, state.settings, step, pass_dt);
         times.islands += clock.lap();
-        state.clamped_speeds += solve_batches(state.bodies, state.shapes, state.contacts, state.islands, state.joints,
-                                              state.fields, state.broad_phase, state.settings, step, pass_dt);
+        state.clamped_speeds +=
+            solve_batches(state.bodies, state.shapes, state.contacts, state.islands, state.joints, state.fields,
+                          state.broad_phase, state.settings, step, communicator.get(), pass_dt);
         const double solve = clock.lap(), prepare = step.solver.prepare_share * solve;
         times.prepare += prepare;
         times.solve += solve - prepare;

@@ -124,6 +124,19 @@ int hardware_threads() noexcept {
 
 int World::threads() const { return impl_->step.thread_pool->threads(); }
 
+void World::set_communicator(std::shared_ptr<Communicator> communicator) {
+    impl_->require_idle("World::set_communicator");
+    impl_->require_whole("World::set_communicator");
+    if (communicator) {
+        const int rank = communicator->rank(), size = communicator->size();
+        if (size < 1) refuse("World::set_communicator size", std::to_string(size), "must be at least 1");
+        if (rank < 0 || rank >= size)
+            refuse("World::set_communicator rank", std::to_string(rank), "must be 0 to size - 1, " + to_text(size - 1));
+    }
+    const bool is_alone = !communicator || communicator->size() == 1;
+    impl_->communicator = is_alone ? nullptr : std::move(communicator);
+}
+
 BodyId World::create_body(const BodyDef& def) {
     Impl::Change change(*impl_, commands::world_create_body, def);
     validate(def);

@@ -229,10 +229,13 @@ CAIRN_INLINE bool bounce_block(ContactBlock<N>& block, const SolverBodies& bodie
     Velocityx8 a = gather_velocity(bodies.velocity, block.a), b = gather_velocity(bodies.velocity, block.b);
     Meeting<N> now = meeting_now(block, load3(block.d), a, b);
     mask8 arrives[N];
-    if (!any(arriving(block, now, settings, arrives))) return false;
-    // What is carried over acts at arms that do not go too far (refresh_arm); what bounces is where it is.
+    const mask8 may_bounce = arriving(block, now, settings, arrives);
+    if (!any(may_bounce)) return false;
+    // What is carried over acts at arms that do not go too far (refresh_arm); what bounces is where it is. A lane must
+    // arrive by both: else it would matter whether another one in its block does.
     now = meeting_now(block, load3(block.d0) + passed_of(bodies.pose, block.a, block.b), a, b);
-    if (!any(arriving(block, now, settings, arrives))) return false;
+    if (!any(may_bounce & arriving(block, now, settings, arrives))) return false;
+    for (int i = 0; i < N; ++i) arrives[i] = arrives[i] & may_bounce;
     const Surroundings around = {gather_twist(bodies.drive, block.a), gather_twist(bodies.drive, block.b),
                                  gather_twist(bodies.velocity_correction, block.a),
                                  gather_twist(bodies.velocity_correction, block.b)};

@@ -361,7 +361,9 @@ void store_contacts(const void* blocks, int count, const ContactLanes& lanes, Co
         scatter4(impulses, impulse[0], impulse[1], impulse[2], impulse[3]);
         const Vec3x8 t1 = load3(b.tangent), t2 = second_tangent(b, load3(b.normal));
         const Vec3x8 p = load(b.tangent_impulse[0]) * t1 + load(b.tangent_impulse[1]) * t2;
-        scatter4(friction, p.x, p.y, p.z, load(b.torsion_impulse) - moment_about_center(b, t1, t2));
+        // Without negative zeros: the sign of a zero may be that of what else is in the block.
+        scatter4(friction, p.x + zero(), p.y + zero(), p.z + zero(),
+                 (load(b.torsion_impulse) - moment_about_center(b, t1, t2)) + zero());
         const Vec3x8 sum = load(b.total_tangent[0]) * t1 + load(b.total_tangent[1]) * t2;
         scatter4(totals, sum.x, sum.y, sum.z, load(b.total_impulse[0]));
         if constexpr (N > 1)

@@ -1,0 +1,28 @@
+// One world on several ranks (cairn/communicator.h). Each rank has the whole world, and does all stages but one: of the
+// batches, each solves its part, and tells the others what came of it. docs/scale.md explains why that gives the bits
+// of one process on any number of ranks, and what it costs.
+//
+// A batch with joints is solved by every rank for itself. A small one is solved by one rank. One with more than its
+// rank's share of all contacts is cut: its bodies are put in order along a space-filling curve, each rank owns a piece
+// of that, and solves the contacts whose body A it owns.
+//
+// Colors are what keeps the order. Within a color no two contacts share a body that moves, so that it does not matter
+// who solves which when; after each color, ranks tell each other the velocities of bodies that both need
+// (solver/rank_border.h). How bodies are shared out can matter as little, and may change from step to step.
+#pragma once
+
+#include "state/rank_work.h"
+#include "state/state.h"
+#include "state/step_scratch.h"
+
+#include <cairn/communicator.h>
+
+namespace cairn {
+
+// Shares out the batches, and weighs the islands of those that another rank solves. The same on all ranks.
+void cut_batches(const Bodies& bodies, Islands& islands, const WorldDef& settings, const Communicator& ranks,
+                 SolverScratch& solver);
+
+inline bool is_own(const RankCut& cut, std::int32_t body) { return cut.owner[body] == cut.rank; }
+
+} // namespace cairn

@@ -1,0 +1,14 @@
+// What the ranks tell each other when each has solved its part (solver/rank_cut.h).
+#pragma once
+
+#include "solver/rank_cut.h"
+
+namespace cairn {
+
+// Touched bodies as they have moved, and the impulses of contacts, of each rank for all others, which finalize the
+// bodies as their own.
+void exchange_results(Communicator& ranks, Bodies& bodies, Shapes& shapes, Contacts& contacts,
+                      const BroadPhase& broad_phase, const WorldDef& settings, SolverScratch& solver,
+                      ThreadPool& thread_pool, float dt);
+
+} // namespace cairn

@@ -1,0 +1,180 @@
+// The number of ranks that step a world together changes nothing: after every step, each of them has the state of one
+// process.
+#include "local_ranks.h"
+#include "scene_tools.h"
+#include "scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace cairn_test {
+namespace {
+
+using namespace cairn;
+
+struct Course {
+    std::vector<std::uint64_t> hashes; // after each step
+    Snapshot end;
+    std::uint64_t clamped_speeds = 0;
+    std::size_t overflow_contacts = 0; // greatest
+    int exchanges = 0;
+};
+
+Course run_alone(Scene& scene, World& world, int steps) {
+    Course course;
+    for (int i = 0; i < steps; ++i) {
+        scene.step(world);
+        course.hashes.push_back(world.state_hash());
+        const Statistics now = world.statistics();
+        course.overflow_contacts = std::max(course.overflow_contacts, now.overflow_contacts);
+        course.clamped_speeds = now.clamped_speeds;
+    }
+    course.end = world.save();
+    return course;
+}
+
+std::vector<Course> run_on_ranks(Scene& scene, const Snapshot& start, int ranks, int steps, int threads) {
+    std::vector<Course> courses(std::size_t(ranks), Course{});
+    const auto post = std::make_shared<Post>(ranks);
+    std::vector<std::thread> all;
+    for (int rank = 0; rank < ranks; ++rank)
+        all.emplace_back([&, rank] {
+            World world;
+            world.set_threads(threads);
+            const auto communicator = std::make_shared<LocalRank>(post, rank);
+            world.set_communicator(communicator);
+            world.restore(start); // which it outlives
+            courses[std::size_t(rank)] = run_alone(scene, world, steps);
+            courses[std::size_t(rank)].exchanges = communicator->exchanges;
+        });
+    for (std::thread& thread : all) thread.join();
+    return courses;
+}
+
+void expect_same(const Course& one, const Course& other, const std::string& who) {
+    for (std::size_t i = 0; i < one.hashes.size(); ++i)
+        ASSERT_EQ(other.hashes[i], one.hashes[i]) << who << ", step " << i;
+    EXPECT_EQ(other.end.bytes, one.end.bytes) << who;
+    EXPECT_EQ(other.clamped_speeds, one.clamped_speeds) << who;
+}
+
+class Ranks : public testing::TestWithParam<NamedScene> {};
+INSTANTIATE_TEST_SUITE_P(Scenes, Ranks, testing::ValuesIn(scenes().begin(), scenes().end()),
+                         [](const testing::TestParamInfo<NamedScene>& info) { return std::string(info.param.name); });
+
+TEST_P(Ranks, AnyNumberGivesTheSameState) {
+    Scene& scene = GetParam().make();
+    World world(scene.settings());
+    scene.build(world);
+    const Snapshot start = world.save();
+    constexpr int steps = 150;
+    const Course alone = run_alone(scene, world, steps);
+    for (const int ranks : {2, 3}) {
+        const std::vector<Course> courses = run_on_ranks(scene, start, ranks, steps, 1);
+        for (std::size_t rank = 0; rank < courses.size(); ++rank)
+            expect_same(alone, courses[rank], std::to_string(rank) + " of " + std::to_string(ranks) + " ranks");
+    }
+}
+
+// A heap in a pit, which is cut among the ranks: balls, cubes, bricks, rocks and rods, some of which bounce or are
+// damped, a paddle that turns in it, a conveyor below, and a lid that touches more of them than there are colors. One
+// is so fast that its speed is cut.
+class CutHeap : public Scene {
+  public:
+    explicit CutHeap(Integrator integrator) : integrator_(integrator) {}
+    WorldDef settings() const override {
+        WorldDef def;
+        def.integrator = integrator_;
+        return def;
+    }
+    void build(World& world) override {
+        ShapeDef belt;
+        belt.surface_velocity = {1, 0, 0};
+        add_fixed(world, Box{{12, 1, 12}}, {0, -1, 0}, belt);
+        add_moved(world, Box{{4, 0.4f, 0.4f}}, {0, 1, 0}, BodyType::kinematic).set_angular_velocity({0, 2, 0});
+        for (const float side : {-1.0f, 1.0f}) {
+            add_fixed(world, Box{{0.5f, 10, 6}}, {5.0 * side, 9, 0});
+            add_fixed(world, Box{{6, 10, 0.5f}}, {0, 9, 5.0 * side});
+        }
+        Numbers numbers(5);
+        const Hull stone = rock(numbers, 12);
+        // Thin ones gain speed with the other integrators, until it is no number any more (docs/scale.md).
+        const float thickness = integrator_ == Integrator::semi_implicit_euler ? 0.02f : 0.3f;
+        const Box rod{{0.7f, thickness, thickness}};
+        for (int i = 0; i < 500; ++i) {
+            ShapeDef def;
+            def.material.restitution = i % 4 == 0 ? 0.5f : 0.0f;
+            def.material.rolling_friction = i % 6 == 0 ? 0.05f : 0.0f;
+            const Shape shapes[] = {Sphere{0.5f}, Box{}, Box{{0.5f, 0.3f, 0.2f}}, stone, rod};
+            const Position at{0.9 * (i % 9) - 3.6, 1.2 + 0.8 * (i / 81), 0.9 * (i / 9 % 9) - 3.6};
+            const float damping = i % 7 == 0 ? 0.5f : 0.0f;
+            add_moved(world, shapes[i % 5], at, BodyType::dynamic, def, damping).set_rotation(numbers.rotation());
+        }
+        ShapeDef light;
+        light.density = 100;
+        add_moved(world, Box{{4.3f, 0.2f, 4.3f}}, {0, 7, 0}, BodyType::dynamic, light);
+        for (int i = 0; i < 100; ++i)
+            add_moved(world, Sphere{0.2f}, {0.75 * (i % 10) - 3.4, 7.4, 0.75 * (i / 10) - 3.4}, BodyType::dynamic);
+        add_moved(world, Sphere{0.3f}, {0, 60, 0}, BodyType::dynamic).set_linear_velocity({0, 1900, 1000});
+    }
+
+  private:
+    static Body add_moved(World& world, const Shape& shape, const Position& at, BodyType type,
+                          const ShapeDef& shape_def = {}, float damping = 0) {
+        BodyDef def;
+        def.type = type;
+        def.angular_damping = damping;
+        def.position = at;
+        return world.body(add(world, shape, def, shape_def));
+    }
+    Integrator integrator_;
+};
+
+class RanksInAHeap : public testing::TestWithParam<Integrator> {};
+INSTANTIATE_TEST_SUITE_P(Integrators, RanksInAHeap,
+                         testing::Values(Integrator::semi_implicit_euler, Integrator::rk4, Integrator::explicit_euler));
+
+TEST_P(RanksInAHeap, StateIsTheSameAtEveryStep) {
+    CutHeap scene(GetParam());
+    World world(scene.settings());
+    scene.build(world);
+    run_alone(scene, world, 74); // until the lid lies on it
+    const Snapshot start = world.save();
+    constexpr int steps = 9;
+    const Course alone = run_alone(scene, world, steps);
+    EXPECT_GT(world.statistics().contacts, 600u);
+    EXPECT_GT(alone.overflow_contacts, 0u);
+    EXPECT_GT(alone.clamped_speeds, 0u);
+    for (const auto& [ranks, threads] : {std::pair(2, 1), std::pair(4, 1), std::pair(3, 2)}) {
+        const std::vector<Course> courses = run_on_ranks(scene, start, ranks, steps, threads);
+        for (std::size_t rank = 0; rank < courses.size(); ++rank) {
+            expect_same(alone, courses[rank], std::to_string(rank) + " of " + std::to_string(ranks) + " ranks");
+            EXPECT_GT(courses[rank].exchanges, 1000); // it was cut
+        }
+    }
+}
+
+TEST(RanksOfAWorld, RefusesARankThatIsNoneOfThem) {
+    World world;
+    const auto post = std::make_shared<Post>(2);
+    EXPECT_THROW(world.set_communicator(std::make_shared<LocalRank>(post, 2)), Error);
+    EXPECT_THROW(world.set_communicator(std::make_shared<LocalRank>(post, -1)), Error);
+    world.step(0.1f); // alone, as before
+}
+
+// One rank more or less, from a state that several have come to: a run goes on with any number of them.
+TEST(RanksOfAWorld, AnotherNumberOfThemGoesOnWhereTheLastOnesWere) {
+    CutHeap scene(Integrator::semi_implicit_euler);
+    World world(scene.settings());
+    scene.build(world);
+    const Snapshot start = world.save();
+    const Course whole = run_alone(scene, world, 40);
+    const Snapshot half = run_on_ranks(scene, start, 3, 20, 1)[1].end;
+    EXPECT_EQ(run_on_ranks(scene, half, 2, 20, 1)[0].end.bytes, whole.end.bytes);
+}
+
+} // namespace
+} // namespace cairn_test
