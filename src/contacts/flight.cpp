@@ -62,6 +62,16 @@ float lag_of(const Surface& on, const Surface& under, math::Vec3 normal, float d
     return turn * dt * (0.5f * math::length(way) + turn / 3 * math::length(under.turning()));
 }
 
+// Few turn so fast. At most, whatever the place and the normal.
+bool may_turn_away(const Bodies& bodies, const ContactInfo& c, float dt) {
+    float turn = 0, way = dt * math::length(bodies.motion[c.body_a].v - bodies.motion[c.body_b].v);
+    for (const std::int32_t b : {c.body_a, c.body_b}) {
+        const float own = dt * math::length(bodies.motion[b].w);
+        if (own > 0) turn += own, way += own * bodies.links[b].radius;
+    }
+    return turn * way > c.base_margin;
+}
+
 // Whether one of the two turns so far under the other that their contact cannot stay as it is in a step.
 bool turns_away(const Bodies& bodies, const Shapes& shapes, const ContactInfo& c, const Manifold& m, float dt) {
     const std::uint32_t first = c.flipped ? c.shape_b : c.shape_a, second = c.flipped ? c.shape_a : c.shape_b;
@@ -195,10 +205,11 @@ bool may_meet_in_flight(const NarrowInput& in, const Contacts& contacts, const C
     if (c.is_trigger || m.count == 0) return false;
     float least = m.points[0][3];
     for (int i = 1; i < m.count; ++i) least = std::min(least, m.points[i][3]);
-    const bool bends = -least < core_depth_between(in.shapes, c) && turns_away(in.bodies, in.shapes, c, m, dt);
-    if (!(least > 0 || bends) || !may_fly(in.bodies, in.islands, c.body_a) || !may_fly(in.bodies, in.islands, c.body_b))
-        return false;
-    if (bends) return true;
+    if (!may_fly(in.bodies, in.islands, c.body_a) || !may_fly(in.bodies, in.islands, c.body_b)) return false;
+    if (may_turn_away(in.bodies, c, dt) && -least < core_depth_between(in.shapes, c) &&
+        turns_away(in.bodies, in.shapes, c, m, dt))
+        return true;
+    if (!(least > 0)) return false;
     const float speed = approach_of(in.bodies, in.shapes, c, m), way = speed * dt + fall_of(in, c, m, dt);
     if (least > c.base_margin || std::fabs(way) > c.base_margin) return true;
     const bool bounces = c.bounces && speed > in.settings.restitution_speed;
