@@ -161,8 +161,9 @@ struct Course {
 };
 inline constexpr Course surely_apart{never, 0, {infinity, {}, {}}, true};
 
-// What is asked of a pair beside when it meets: how near it comes matters up to `within`; or, if `floor_part` is not 0,
-// it is when inner cores are nearer than that part of what they are where the shapes touch, or nearer than now.
+// What is asked of a pair. `within`: how near it comes matters up to there. `floor_part`: if not 0, it is asked when
+// inner cores are nearer than that part of their distance at a touch, and nearer than now, in place of when the two
+// meet.
 struct Asked {
     double within = 0, floor_part = 0;
 };

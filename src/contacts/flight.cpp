@@ -62,7 +62,8 @@ float lag_of(const Surface& on, const Surface& under, math::Vec3 normal, float d
     return turn * dt * (0.5f * math::length(way) + turn / 3 * math::length(under.turning()));
 }
 
-// Few turn so fast. At most, whatever the place and the normal.
+// Whether a contact of the two can be off by more than its margin at all, wherever it is and however its normal lies:
+// few turn so fast.
 bool may_turn_away(const Bodies& bodies, const ContactInfo& c, float dt) {
     float turn = 0, way = dt * math::length(bodies.motion[c.body_a].v - bodies.motion[c.body_b].v);
     for (const std::int32_t b : {c.body_a, c.body_b}) {

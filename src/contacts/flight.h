@@ -18,7 +18,9 @@ bool may_meet_in_flight(const NarrowInput& in, const Contacts& contacts, const C
 void settle_flights(const NarrowInput& in, const FollowUpContext& context, ThreadPool& thread_pool, float dt);
 
 // Whether a pair has met already, at the point that its test gives first, and will be there after the step: no touch of
-// it is to come, it does not stay apart, and it does not meet in flight.
+// it is to come, it does not stay apart, and it does not meet in flight: that is asked of what overlaps something
+// kinematic, and of what does not overlap. Between two that move by forces an overlap is the solver's, however they
+// turn.
 inline bool overlaps(const Bodies& bodies, const ContactInfo& c, const Manifold& m) {
     return m.count > 0 && m.points[0][3] <= 0 && !c.is_trigger && bodies.settings[c.body_b].type != BodyType::kinematic;
 }
