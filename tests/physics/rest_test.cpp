@@ -169,10 +169,10 @@ TEST(Rest, FallenDominoesComeToRest) {
         add_body(world, Box{{20, 1, 20}}, ground, {});
         std::vector<BodyId> dominoes;
         for (int i = 0; i < 40; ++i) {
-            const double angle = 0.12 * i;
+            const double angle = 2 * std::atan(0.03 * i);
             BodyDef def;
-            def.position = {8 * std::cos(angle / 2), 0.5, 8 * std::sin(angle / 2)};
-            def.rotation = glm::angleAxis(float(-angle / 2), glm::vec3(0, 1, 0));
+            def.position = {8 * std::cos(angle), 0.5, 8 * std::sin(angle)};
+            def.rotation = glm::angleAxis(float(-angle), glm::vec3(0, 1, 0));
             dominoes.push_back(add_body(world, Box{{0.3f, 0.5f, 0.05f}}, def, {}));
         }
         Body first = world.body(dominoes.front());
