@@ -1,5 +1,5 @@
 // How far bodies have moved, and so what is still known about them: which pairs are still apart, whose contact points
-// are still where they were or may be moved along, which boxes of the broad phase still hold their shapes.
+// have moved along but little, which boxes of the broad phase still hold their shapes.
 #pragma once
 
 #include "state/state.h"
@@ -46,11 +46,10 @@ inline Travel travel_of(const Bodies& bodies, const ContactInfo& c) {
 // The pair was tested, and no body has moved since by more than a small part of a micrometer.
 inline bool is_placed(const Bodies& bodies, const ContactInfo& c) { return c.placed_at == travel_of(bodies, c); }
 
-// How far bodies may move after their contacts were found, as a share of their radius, but no more than
-// half of the margin of contacts. Points
-// that are moved along keep their normal: what they miss is of second order, a shift of a millimeter times a turn of
-// three thousandths; and corners that come near are found at latest when they are that much nearer. Without this,
-// capsules, terrain and convex take 1.71, 1.60 and 1.43 times as long (bench scenes).
+// How far bodies may move after their contacts were found, as a share of their radius, but no more than half of the
+// margin of contacts. Points that go along keep their normal: what they miss is of second order, a shift of a
+// millimeter times a turn of three thousandths; and corners that come near are found at latest when they are that much
+// nearer. Without this, capsules, terrain and convex take 1.71, 1.60 and 1.43 times as long (bench scenes).
 inline constexpr double nearness = 3e-3;
 
 // A pair with points: whether its bodies are still so near to where it was tested that its points, which the solver

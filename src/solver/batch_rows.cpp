@@ -301,9 +301,9 @@ void leave_belts_in_place(const Bodies& bodies, const Shapes& shapes, const Cont
     for (const ConveyorRow& conveyor : scratch.conveyor_rows) {
         const BodyMotion& b = bodies.motion[contacts.info[conveyor.contact].body_b];
         SolverPose& pose = scratch.pose[std::size_t(conveyor.row)];
-        const math::Vec3 moved = b.v == math::Vec3{} ? math::Vec3{}
-                                                     : math::to_vec(pose.dx) -
-                                                           dt * belt_velocity(shapes, contacts, conveyor.contact);
+        const math::Vec3 moved = b.v == math::Vec3{}
+                                     ? math::Vec3{}
+                                     : math::to_vec(pose.dx) - dt * belt_velocity(shapes, contacts, conveyor.contact);
         math::put(pose.dx, moved);
     }
 }

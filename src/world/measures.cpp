@@ -115,8 +115,7 @@ std::vector<Contact> World::contacts() const {
     const State& s = impl_->whole("World::contacts");
     std::vector<Contact> all;
     for (std::uint32_t id = 0; id < s.contacts.info.size(); ++id)
-        if (is_touching(s.contacts.info[id]))
-            all.push_back(make_contact(s.bodies, s.shapes, s.contacts, id));
+        if (is_touching(s.contacts.info[id])) all.push_back(make_contact(s.bodies, s.shapes, s.contacts, id));
     return all;
 }
 
