@@ -13,7 +13,95 @@ using math::DVec3;
 
 namespace {
 
-constexpr double max_even_turn = 0.25; // rad
+// rad: up to there the series for a rotation holds to rounding.
+constexpr double max_series_turn = 0.25;
+
+// q turned about one axis, by any angle: by a part of it, squared as often as it was halved.
+DQuat turned_evenly(DVec3 u, const DQuat& q) {
+    int halvings = 0;
+    for (; math::dot(u, u) > max_series_turn * max_series_turn; ++halvings) u = 0.5 * u;
+    if (halvings == 0) return turned_by(u, q);
+    DQuat turn = math::from_rotation_vector(u);
+    for (; halvings > 0; --halvings) turn = turn * turn;
+    return math::normalized(turn * q);
+}
+
+// What the substeps of a step make of a velocity u, where each makes factor (u + change) of it: kept u + gained change,
+// and for the sum of those after each substep.
+struct Substeps {
+    double kept = 1, gained = 0, sum_kept = 0, sum_gained = 0;
+    Substeps(double factor, int count) {
+        for (int k = 0; k < count; ++k) {
+            kept = factor * kept, gained = factor * (gained + 1);
+            sum_kept += kept, sum_gained += gained;
+        }
+    }
+};
+
+// A step of one free body.
+struct FreeStep {
+    const Bodies& bodies;
+    const ForceFields& fields;
+    const WorldDef& settings;
+    std::int32_t body;
+    double h;
+    int substeps;
+    bool is_clamped = false;
+
+    DVec3 limited(DVec3 u, double most) {
+        is_clamped |= math::dot(u, u) > most * most;
+        return cut(u, most);
+    }
+    void move(DVec3& x, DVec3& v);
+    void turn(DQuat& q, DVec3& w);
+};
+
+void FreeStep::move(DVec3& x, DVec3& v) {
+    if (!(bodies.mass[body].inverse_mass > 0)) return;
+    const double factor = damping_factor(bodies.settings[body].linear_damping, float(h));
+    const double most = settings.max_linear_speed;
+    const Load load = load_on(bodies, body);
+    const auto change_at = [&] {
+        const Increment change = linear_increment(fields, settings, load, x, v, h);
+        return Increment{cut(change.velocity, most), cut(change.correction, most)};
+    };
+    Increment change = change_at();
+    const bool varies = fields_vary(fields);
+    const double half = 0.5 * most, gain = substeps * math::length(change.velocity);
+    if (!varies && gain < half && math::dot(v, v) < half * half) { // no limit is met: all substeps at once
+        const Substeps all(factor, substeps);
+        x += h * (all.sum_kept * v + all.sum_gained * change.velocity + double(substeps) * change.correction);
+        v = all.kept * v + all.gained * change.velocity;
+        return;
+    }
+    for (int k = 0; k < substeps; ++k) {
+        if (varies && k > 0) change = change_at();
+        v = limited(factor * (v + change.velocity), most);
+        x += h * (v + change.correction);
+    }
+}
+
+void FreeStep::turn(DQuat& q, DVec3& w) {
+    const BodyMass& mass = bodies.mass[body];
+    const double factor = damping_factor(bodies.settings[body].angular_damping, float(h));
+    if (!bodies.is_pushed(body) && !precesses(mass, w, h)) { // about one axis
+        const Substeps all(factor, substeps);
+        q = turned_evenly(h * all.sum_kept * w, q);
+        w = all.kept * w;
+        return;
+    }
+    const double most = settings.max_angular_speed;
+    const Spin spin = spin_of(mass);
+    const DVec3 torque = bodies.forces[body].torque;
+    for (int k = 0; k < substeps; ++k) {
+        const Increment turn =
+            precesses(mass, w, h)
+                ? gyroscopic_increment(settings, spin, q, w, spin.to_world(q, spin.moments, w), torque, h)
+                : torque_increment(bodies, settings, body, spin, q, h);
+        w = limited(factor * (w + cut(turn.velocity, most)), most);
+        q = turned_by(h * (w + cut(turn.correction, most)), q);
+    }
+}
 
 } // namespace
 
@@ -21,52 +109,17 @@ std::uint64_t move_free_body(Bodies& bodies, const ForceFields& fields, const Wo
                              float dt, int substeps) {
     std::uint64_t clamped_speeds = 0;
     BodyMotion& motion = bodies.motion[b];
-    const BodyMass& mass = bodies.mass[b];
-    const BodySettings& own = bodies.settings[b];
     if (clamp_velocity(settings, motion.v, motion.w)) {
         ++clamped_speeds;
         motion.v_rest = motion.w_rest = {};
     }
-    const double h = double(dt) / substeps;
-    const double linear = damping_factor(own.linear_damping, float(h));
-    const double angular = damping_factor(own.angular_damping, float(h));
-    const Load load = load_on(bodies, b);
-    const Spin spin = spin_of(mass);
-    const DVec3 torque = bodies.forces[b].torque;
     DVec3 x = motion.x, v = math::to_double(motion.v) + math::to_double(motion.v_rest);
     DVec3 w = math::to_double(motion.w) + math::to_double(motion.w_rest);
     DQuat q = motion.q;
-    const double max_v = settings.max_linear_speed, max_w = settings.max_angular_speed;
-    bool clamped = false;
-    auto limited = [&](DVec3 u, double most) {
-        clamped |= math::dot(u, u) > most * most;
-        return cut(u, most);
-    };
-    const bool force_varies = fields_vary(fields);
-    // About one axis: by one rotation, where its series holds to rounding.
-    const bool turns_evenly = !(angular < 1) && !bodies.is_pushed(b) && !precesses(mass, w, h) &&
-                              double(dt) * double(dt) * math::dot(w, w) < max_even_turn * max_even_turn;
-    const auto linear_change = [&] {
-        const Increment change = linear_increment(fields, settings, load, x, v, h);
-        return Increment{cut(change.velocity, max_v), cut(change.correction, max_v)};
-    };
-    Increment change = linear_change();
-    for (int substep = 0; substep < substeps; ++substep) {
-        if (mass.inverse_mass > 0) {
-            if (force_varies && substep > 0) change = linear_change();
-            v = limited(linear * (v + change.velocity), max_v);
-            x += h * (v + change.correction);
-        }
-        if (turns_evenly) continue;
-        const Increment turn =
-            precesses(mass, w, h)
-                ? gyroscopic_increment(settings, spin, q, w, spin.to_world(q, spin.moments, w), torque, h)
-                : torque_increment(bodies, settings, b, spin, q, h);
-        w = limited(angular * (w + cut(turn.velocity, max_w)), max_w);
-        q = turned_by(h * (w + cut(turn.correction, max_w)), q);
-    }
-    if (turns_evenly) q = turned_by(double(dt) * w, q);
-    clamped_speeds += clamped;
+    FreeStep step{bodies, fields, settings, b, double(dt) / substeps, substeps};
+    step.move(x, v);
+    step.turn(q, w);
+    clamped_speeds += step.is_clamped;
     if (!(math::is_finite(x) && math::is_finite(q) && math::is_finite(v) && math::is_finite(w))) {
         ++clamped_speeds; // beyond the range of numbers: it stops where it is
         motion.v = motion.w = motion.v_rest = motion.w_rest = {};

@@ -5,6 +5,8 @@
 #include "state/joint_links.h"
 
 #include <algorithm>
+#include <bit>
+#include <span>
 
 namespace cairn {
 
@@ -33,6 +35,7 @@ SweptPairs::SweptPairs(const SweptInput& input, SweepScratch& scratch, Movers& m
     if (scratch_.first_waiting.size() < in.bodies.links.size())
         scratch_.first_waiting.resize(in.bodies.links.size(), none);
     scratch_.redirected.clear();
+    scratch_.widest_redirected = 0;
     scratch_.has_ways = scratch_.has_known = false;
 }
 
@@ -212,6 +215,17 @@ void SweptPairs::list_ways() {
     std::sort(ways.begin(), ways.end());
 }
 
+namespace {
+
+// f(way) of a run by x whose ranges along x meet those bounds; none is wider than that.
+template <class Ways, class F> void for_each_beside(const Ways& run, double widest, const DBounds& bounds, F&& f) {
+    const auto begins_before = [](const SweptBounds& w, double x) { return w.begin < x; };
+    auto way = std::lower_bound(run.begin(), run.end(), bounds.lo.x - widest, begins_before);
+    for (; way != run.end() && way->begin <= bounds.hi.x; ++way) f(*way);
+}
+
+} // namespace
+
 // f(shape) of all other bodies near bounds: what does not move far is where the broad phase has it, and movers where
 // they were going at first or since they were redirected.
 template <class F> void SweptPairs::for_each_near(std::int32_t mover, const DBounds& bounds, F&& f) {
@@ -223,12 +237,23 @@ template <class F> void SweptPairs::for_each_near(std::int32_t mover, const DBou
         if (way.mover != mover && meet(bounds, way.bounds))
             for_each_shape(in.bodies, in.shapes, movers_[way.mover].body, f);
     };
-    const auto begins_before = [](const SweptBounds& w, double x) { return w.begin < x; };
-    auto k =
-        std::lower_bound(scratch_.ways.begin(), scratch_.ways.end(), bounds.lo.x - scratch_.widest_way, begins_before);
-    for (; k != scratch_.ways.end() && k->begin <= bounds.hi.x; ++k)
-        if (!movers_[k->mover].is_redirected) visit(*k);
-    for (const SweptBounds& way : scratch_.redirected) visit(way);
+    for_each_beside(scratch_.ways, scratch_.widest_way, bounds, [&](const SweptBounds& way) {
+        if (!movers_[way.mover].is_redirected) visit(way);
+    });
+    for (std::span<const SweptBounds> left = scratch_.redirected; !left.empty();) {
+        const std::size_t size = std::bit_floor(left.size());
+        for_each_beside(left.first(size), scratch_.widest_redirected, bounds, visit);
+        left = left.subspan(size);
+    }
+}
+
+// Runs that have become equally long are merged: all n take n log^2 n operations, and looking at one log^2 n.
+void SweptPairs::note_way(const SweptBounds& way) {
+    std::vector<SweptBounds>& redirected = scratch_.redirected;
+    redirected.push_back(way);
+    const std::size_t last_run = redirected.size() & (~redirected.size() + 1); // the lowest digit of 1
+    std::sort(redirected.end() - std::ptrdiff_t(last_run), redirected.end());
+    scratch_.widest_redirected = std::max(scratch_.widest_redirected, way.bounds.hi.x - way.bounds.lo.x);
 }
 
 void SweptPairs::find_near(std::int32_t mover, double from) {
@@ -243,7 +268,7 @@ void SweptPairs::find_near(std::int32_t mover, double from) {
             if (are_joined(body, in.shapes.links[other].body)) return;
             add(mover, shape, other, known_contact(shape, other));
         });
-    if (movers_[mover].is_redirected) scratch_.redirected.push_back({bounds.lo.x, mover, bounds});
+    if (movers_[mover].is_redirected) note_way({bounds.lo.x, mover, bounds});
 }
 
 double SweptPairs::time_of(const SweptPair& pair, double from) const {

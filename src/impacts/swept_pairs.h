@@ -59,6 +59,7 @@ class SweptPairs {
     std::int32_t known_contact(std::uint32_t a, std::uint32_t b);
     void list_known();
     void list_ways();
+    void note_way(const SweptBounds& way); // of what was redirected
     template <class F> void for_each_near(std::int32_t mover, const DBounds& bounds, F&& f);
 
     const SweptInput in;

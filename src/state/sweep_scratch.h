@@ -86,9 +86,10 @@ struct SweepScratch {
     std::vector<SweptPair> pairs;
     std::vector<std::int32_t> first_waiting; // by body that is no mover, the first of the pairs with it, or none
     std::vector<Meeting> meetings;           // a heap
-    std::vector<SweptBounds> ways;           // as the solver has moved all movers, by x
-    std::vector<SweptBounds> redirected;     // since then
-    double widest_way = 0;                   // m, along x
+    // The ways of movers: those that the solver has made, by x; those since then, as many runs as their number has
+    // binary digits of 1, each of them by x.
+    std::vector<SweptBounds> ways, redirected;
+    double widest_way = 0, widest_redirected = 0; // m, along x
     // Contacts with points in the solver: lists by the body A.
     std::vector<std::int32_t> first_known; // by body, in `known`, or none
     std::vector<KnownContact> known;
