@@ -134,7 +134,7 @@ void RobotJoints::add() {
 void RobotJoints::add(const RobotPart& part) {
     const urdf::Joint& joint = *part.joint;
     const RobotPart& parent = parts_[part.parent];
-    if (joint.type == urdf::Joint::FLOATING && parent.body.is_null()) return; // free of the world
+    if (joint.type == urdf::Joint::FLOATING && parent.is_world) return; // free of the world
     JointDef def;
     const auto made = joint_of(joint, name_);
     if (!made) throw Error(ErrorCode::unsupported, place_of(name_, joint), {}, "must be of a known type");
