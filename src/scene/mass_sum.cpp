@@ -24,6 +24,13 @@ void MassSum::add(double mass, const glm::dmat3& inertia, const Rigid& at) {
 
 glm::dmat3 MassSum::inertia_about_center() const { return inertia_ - mass_ * of_point(center()); }
 
+double MassSum::inertia_size() const {
+    const glm::dmat3 inertia = inertia_about_center();
+    double size = 0.0;
+    for (int i = 0; i < 9; ++i) size += std::fabs(inertia[i / 3][i % 3]);
+    return size;
+}
+
 MassProperties MassSum::properties_with(const glm::dmat3& inertia) const {
     const PrincipalAxes principal = principal_axes(inertia);
     MassProperties result;

@@ -16,7 +16,10 @@ class MassSum {
     // A part of `mass` (kg, > 0), whose center of mass and axes are at `at`; `inertia` (kg m^2) about them.
     void add(double mass, const glm::dmat3& inertia, const Rigid& at);
 
+    void add_inertia(const glm::dmat3& inertia) { inertia_ += inertia; } // without mass
+
     double mass() const { return mass_; }
+    double inertia_size() const; // of that about the center of mass, all entries
     MassProperties properties() const;
     // Likewise, with an inertia that a body can have: see real_inertia.
     MassProperties real_properties(const std::string& where, std::vector<std::string>& warnings) const;

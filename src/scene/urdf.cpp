@@ -124,10 +124,14 @@ class RobotBuilder {
             if (link->inertial) add_mass(*link, at, sum);
         }
         const std::string where = place(*part.links.front().link);
-        // Of one body: links that stand for a frame only have any inertia.
+        // Of one body: links that stand for a frame have any inertia, or none.
         if (sum.mass() > 0.0) {
-            return sum.real_properties(where + (part.links.size() > 1 ? " and what is fixed to it" : ": inertial"),
-                                       scene_.warnings);
+            const std::string whole = where + (part.links.size() > 1 ? " and what is fixed to it" : ": inertial");
+            if (sum.inertia_size() <= negligible * sum.mass()) {
+                scene_.warnings.push_back(whole + " has an inertia of 0; that of a ball of 0.1 m radius is taken");
+                sum.add_inertia(blank_inertia(sum.mass()));
+            }
+            return sum.real_properties(whole, scene_.warnings);
         }
         if (has_shapes) {
             scene_.warnings.push_back(where +
@@ -153,10 +157,6 @@ class RobotBuilder {
         for (int i = 0; i < 9; ++i) size += std::fabs(inertia[i / 3][i % 3]);
         if (!(size <= 1e18)) throw Error(ErrorCode::invalid_file, where + ": inertia", {}, "must be finite");
         if (m == 0.0) return; // like no inertial at all
-        if (size <= negligible * m) {
-            scene_.warnings.push_back(where + " has an inertia of 0; that of a ball of 0.1 m radius is taken");
-            inertia = blank_inertia(m);
-        }
         sum.add(m, inertia, at * rigid(inertial.origin, where));
     }
 

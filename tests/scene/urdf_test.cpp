@@ -159,6 +159,19 @@ TEST(Urdf, AnInertiaThatIsNextToNothingIsTakenAsNone) {
     EXPECT_NE(scene.warnings[0].find("that of a ball of 0.1 m radius is taken"), std::string::npos);
 }
 
+// The contact point of a leg: 10 g without any inertia, 0.16 m below a shank. It was taken as a ball of 0.1 m radius.
+TEST(Urdf, ALinkWithoutInertiaThatIsFixedToOneWithSomeIsAPoint) {
+    const Scene scene = load_robot(
+        link("a", inertial("2")) +
+        link("b",
+             R"(<inertial><mass value="2"/><inertia ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0"/></inertial>)") +
+        joint("j", "fixed", "a", "b", R"(<origin xyz="0 0 1"/>)"));
+    EXPECT_TRUE(scene.warnings.empty());
+    const auto of = [](const Scene& robot) { return robot.world.body(robot.world.bodies()[0]).mass_properties(); };
+    const float alone = of(load_robot(link("a", inertial("2")))).inertia_diagonal.x;
+    EXPECT_NEAR(of(scene).inertia_diagonal.x - alone, 1.0f, 1e-5f); // two of 2 kg, 1 m apart
+}
+
 TEST(Urdf, ShapesStandAsTheFileSays) {
     const auto collision = [](const std::string& geometry, const std::string& origin) {
         return "<collision>" + origin + "<geometry>" + geometry + "</geometry></collision>";
