@@ -52,10 +52,14 @@ void offer_triangle(Nearest& best, const Simplex& s, int i, int j, int k, DVec3 
     const double square = dot(normal, normal);
     const double wa = dot(cross(b, c), normal), wb = dot(cross(c, a), normal), wc = dot(cross(a, b), normal);
     if (square > 0 && wa > 0 && wb > 0 && wc > 0) {
-        // The corner nearest to the origin has the least rounding.
-        const double aa = dot(a, a), bb = dot(b, b), cc = dot(c, c);
-        const DVec3 nearest = aa <= bb ? (aa <= cc ? a : c) : (bb <= cc ? b : c);
-        const double height = dot(nearest, normal);
+        // A narrow triangle's normal is off by much, turned about its longest edge: its height is that of the point where
+        // this edge passes the origin.
+        const DVec3 ab = b - a, bc = c - b, ca = a - c;
+        const double ab2 = dot(ab, ab), bc2 = dot(bc, bc), ca2 = dot(ca, ca);
+        const bool is_ab = ab2 >= bc2 && ab2 >= ca2, is_bc = !is_ab && bc2 >= ca2;
+        const DVec3 from = is_ab ? a : is_bc ? b : c, edge = is_ab ? ab : is_bc ? bc : ca;
+        const DVec3 passing = from - dot(from, edge) / (is_ab ? ab2 : is_bc ? bc2 : ca2) * edge;
+        const double height = dot(passing, normal);
         const double to_plane = height * height / square;
         if (!(to_plane < best.square)) return;
         best.square = to_plane, best.point = (height / square) * normal, best.count = 3;
