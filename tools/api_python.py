@@ -101,7 +101,7 @@ def python_words(text):
 
 def struct_class(table, struct, members):
     """A dataclass for a struct; `members` of the header have its defaults."""
-    out = f"\n\n@dataclass(slots=True, eq=False)\nclass {struct.name}:\n{docstring(python_words(struct.doc), '    ')}"
+    out = f"\n\n@lists_members\n@dataclass(slots=True, eq=False)\nclass {struct.name}:\n{docstring(python_words(struct.doc), '    ')}"
     out += "\n" if struct.fields else ""
     for member in struct.fields:
         default = default_value(table, member.type, members[member.name].default)
@@ -170,6 +170,7 @@ def imports_of(table, group, body):
     for other in GROUPS[:GROUPS.index(group)]:
         names = sorted(n for n in types_of(table, other) if used(n))
         text += f"from .{other} import {', '.join(names)}\n" if names else ""
+    text += "from ._members import lists_members\n" if used("lists_members") else ""
     return text + ("from ._vector import Vector\n" if used("Vector") else "")
 
 

@@ -3,6 +3,9 @@
 
 #include "module/docs.h"
 
+#include <cctype>
+#include <string_view>
+
 namespace cairn::python {
 
 namespace {
@@ -32,13 +35,35 @@ template <class Id> void add_handle(py::module_& m, const char* name) {
         });
 }
 
+bool is_in_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
+
+// What a message says of C++, as Python has it: `Body::set_position` is the property `Body.position`, and `World::step`
+// is `World.step`.
+std::string in_python(std::string text) {
+    constexpr std::string_view setter = "set_";
+    for (std::size_t at = text.find("::"); at != std::string::npos; at = text.find("::", at)) {
+        std::size_t begin = at, end = at + 2;
+        while (begin > 0 && is_in_name(text[begin - 1])) --begin;
+        while (end < text.size() && is_in_name(text[end])) ++end;
+        const std::string owner = text.substr(begin, at - begin);
+        std::string member = text.substr(at + 2, end - at - 2);
+        const py::module_ package = py::module_::import("cairn");
+        if (member.starts_with(setter) && py::hasattr(package, owner.c_str()) &&
+            py::hasattr(package.attr(owner.c_str()), member.c_str() + setter.size()))
+            member.erase(0, setter.size());
+        text.replace(begin, end - begin, owner + "." + member);
+        at = begin;
+    }
+    return text;
+}
+
 // Errors of C++ become those of cairn/_errors.py.
 void translate(std::exception_ptr thrown) {
     try {
         if (thrown) std::rethrow_exception(thrown);
     } catch (const Error& error) {
         const py::object type = py::module_::import("cairn._errors").attr("BY_CODE")[py::int_(int(error.code()))];
-        const py::object made = type(error.what(), error.field(), error.value());
+        const py::object made = type(in_python(error.what()), in_python(error.field()), error.value());
         PyErr_SetObject(type.ptr(), made.ptr());
     }
 }

@@ -22,15 +22,29 @@ void MassSum::add(double mass, const glm::dmat3& inertia, const Rigid& at) {
     inertia_ += turn * inertia * glm::transpose(turn) + mass * of_point(at.position);
 }
 
-MassProperties MassSum::properties() const {
-    const glm::dvec3 center = moment_ / mass_;
-    const PrincipalAxes principal = principal_axes(inertia_ - mass_ * of_point(center));
+glm::dmat3 MassSum::inertia_about_center() const { return inertia_ - mass_ * of_point(center()); }
+
+double MassSum::inertia_size() const {
+    const glm::dmat3 inertia = inertia_about_center();
+    double size = 0.0;
+    for (int i = 0; i < 9; ++i) size += std::fabs(inertia[i / 3][i % 3]);
+    return size;
+}
+
+MassProperties MassSum::properties_with(const glm::dmat3& inertia) const {
+    const PrincipalAxes principal = principal_axes(inertia);
     MassProperties result;
     result.mass = static_cast<float>(mass_);
-    result.center_of_mass = Vec3(center);
+    result.center_of_mass = Vec3(center());
     result.inertia_diagonal = Vec3(principal.values);
     result.inertia_orientation = Quat(glm::normalize(glm::quat_cast(principal.axes)));
     return result;
+}
+
+MassProperties MassSum::properties() const { return properties_with(inertia_about_center()); }
+
+MassProperties MassSum::real_properties(const std::string& where, std::vector<std::string>& warnings) const {
+    return properties_with(real_inertia(inertia_about_center(), where, warnings));
 }
 
 PrincipalAxes principal_axes(glm::dmat3 matrix) {
@@ -78,14 +92,15 @@ std::optional<glm::dvec3> nearest_real_moments(const glm::dvec3& moments) {
 
 glm::dmat3 real_inertia(const glm::dmat3& inertia, const std::string& where, std::vector<std::string>& warnings) {
     const PrincipalAxes principal = principal_axes(inertia);
+    const auto nearest = nearest_real_moments(principal.values);
+    const glm::dvec3 moments = nearest ? *nearest : principal.values;
     for (int i = 0; i < 3; ++i) {
-        if (!(principal.values[i] > 0.0)) {
+        if (!(moments[i] > 0.0)) {
             throw Error(ErrorCode::invalid_file, where + ": inertia",
                         "a principal moment of " + std::to_string(principal.values[i]) + " kg m2",
                         "must have three positive principal moments");
         }
     }
-    const auto nearest = nearest_real_moments(principal.values);
     if (!nearest) return inertia;
     warnings.push_back(where +
                        ": one principal moment of the inertia exceeds the sum of the other two, which no body has; the "

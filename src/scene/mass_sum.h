@@ -16,10 +16,19 @@ class MassSum {
     // A part of `mass` (kg, > 0), whose center of mass and axes are at `at`; `inertia` (kg m^2) about them.
     void add(double mass, const glm::dmat3& inertia, const Rigid& at);
 
+    void add_inertia(const glm::dmat3& inertia) { inertia_ += inertia; } // without mass
+
     double mass() const { return mass_; }
+    double inertia_size() const; // of that about the center of mass, all entries
     MassProperties properties() const;
+    // Likewise, with an inertia that a body can have: see real_inertia.
+    MassProperties real_properties(const std::string& where, std::vector<std::string>& warnings) const;
 
   private:
+    glm::dvec3 center() const { return moment_ / mass_; }
+    glm::dmat3 inertia_about_center() const;
+    MassProperties properties_with(const glm::dmat3& inertia) const;
+
     double mass_ = 0.0;
     glm::dvec3 moment_{0.0, 0.0, 0.0}; // sum of mass times place
     glm::dmat3 inertia_{0.0};          // about the origin
@@ -37,11 +46,11 @@ struct PrincipalAxes {
 PrincipalAxes principal_axes(glm::dmat3 matrix);
 
 // Moments of inertia of a real body satisfy the triangle inequality: none exceeds the sum of the other two. Empty if
-// these positive ones do, as exactly as the engine asks for, else the nearest ones that do (by least squares).
+// these do, as exactly as the engine asks for, else the nearest ones that do (by least squares).
 std::optional<glm::dvec3> nearest_real_moments(const glm::dvec3& moments);
 
 // The inertia itself, or the nearest that a body can have, with a warning. Throws Error (invalid_file) naming `where`
-// if a principal moment is not positive.
+// if one of its principal moments is not positive.
 glm::dmat3 real_inertia(const glm::dmat3& inertia, const std::string& where, std::vector<std::string>& warnings);
 
 } // namespace cairn::scene

@@ -6,6 +6,7 @@
 #include "scene/mass_sum.h"
 #include "scene/urdf_file.h"
 #include "scene/urdf_joints.h"
+#include "scene/urdf_overlaps.h"
 #include "scene/urdf_shapes.h"
 
 #include <algorithm>
@@ -20,6 +21,8 @@ namespace {
 
 // What stands in for masses that a file does not give.
 constexpr double blank_mass = 1.0;
+// m2: an inertia of less than this, of 1 kg, is none. Of what is a thousandth of a millimeter large.
+constexpr double negligible = 1e-12;
 
 class RobotBuilder {
   public:
@@ -32,6 +35,7 @@ class RobotBuilder {
         scene_.info.title = model_.getName();
         walk();
         for (RobotPart& part : parts_) add_body(part);
+        separate_overlaps(name_, parts_, scene_);
         RobotJoints(name_, parts_, scene_).add();
         return std::move(scene_);
     }
@@ -97,6 +101,8 @@ class RobotBuilder {
         const bool may_lack_shapes = part.is_world || (!part.body.is_null() && has_inertial(part));
         for (const auto& [link, at] : part.links) {
             if (!part.body.is_null()) shapes_.add_shapes(*link, part.body, at, may_lack_shapes);
+            if (!part.body.is_null() && link->name == "world" && part.is_world)
+                part.scenery = scene_.world.body(part.body).shapes().size();
             const Rigid seen = part.body.is_null() ? part.world * at : at;
             all_shown = shapes_.add_visuals(*link, part.body, seen) && all_shown;
         }
@@ -117,8 +123,16 @@ class RobotBuilder {
         for (const auto& [link, at] : part.links) {
             if (link->inertial) add_mass(*link, at, sum);
         }
-        if (sum.mass() > 0.0) return sum.properties();
         const std::string where = place(*part.links.front().link);
+        // Of one body: links that stand for a frame have any inertia, or none.
+        if (sum.mass() > 0.0) {
+            const std::string whole = where + (part.links.size() > 1 ? " and what is fixed to it" : ": inertial");
+            if (sum.inertia_size() <= negligible * sum.mass()) {
+                scene_.warnings.push_back(whole + " has an inertia of 0; that of a ball of 0.1 m radius is taken");
+                sum.add_inertia(blank_inertia(sum.mass()));
+            }
+            return sum.real_properties(whole, scene_.warnings);
+        }
         if (has_shapes) {
             scene_.warnings.push_back(where +
                                       " has no inertial; its mass is that of its collision shapes at 1000 kg/m3");
@@ -143,11 +157,6 @@ class RobotBuilder {
         for (int i = 0; i < 9; ++i) size += std::fabs(inertia[i / 3][i % 3]);
         if (!(size <= 1e18)) throw Error(ErrorCode::invalid_file, where + ": inertia", {}, "must be finite");
         if (m == 0.0) return; // like no inertial at all
-        if (size == 0.0) {
-            scene_.warnings.push_back(where + " has an inertia of 0; that of a ball of 0.1 m radius is taken");
-            inertia = blank_inertia(m);
-        }
-        inertia = real_inertia(inertia, where, scene_.warnings);
         sum.add(m, inertia, at * rigid(inertial.origin, where));
     }
 

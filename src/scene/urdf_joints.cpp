@@ -31,12 +31,14 @@ glm::dvec3 axis_of(const urdf::Joint& joint, const std::string& name) {
 std::optional<JointRange> range_of(const urdf::Joint& joint, const std::string& name) {
     if (joint.type == urdf::Joint::CONTINUOUS || !joint.limits) return std::nullopt;
     const urdf::JointLimits& limits = *joint.limits;
-    if (!(limits.lower <= limits.upper) || !(std::fabs(limits.lower) <= 1e9) || !(std::fabs(limits.upper) <= 1e9)) {
+    if (!(limits.lower <= limits.upper)) {
         throw Error(ErrorCode::invalid_file, place_of(name, joint) + ": limit",
-                    std::to_string(limits.lower) + " to " + std::to_string(limits.upper),
-                    "must have lower <= upper, both finite");
+                    std::to_string(limits.lower) + " to " + std::to_string(limits.upper), "must have lower <= upper");
     }
-    return JointRange{static_cast<float>(limits.lower), static_cast<float>(limits.upper), std::nullopt};
+    constexpr double unlimited = 1e9; // rad or m: as good as no bound
+    if (limits.lower < -unlimited && limits.upper > unlimited) return std::nullopt;
+    return JointRange{static_cast<float>(std::clamp(limits.lower, -unlimited, unlimited)),
+                      static_cast<float>(std::clamp(limits.upper, -unlimited, unlimited)), std::nullopt};
 }
 
 float nonnegative(double value, const urdf::Joint& joint, const std::string& name, const char* what) {
@@ -134,7 +136,7 @@ void RobotJoints::add() {
 void RobotJoints::add(const RobotPart& part) {
     const urdf::Joint& joint = *part.joint;
     const RobotPart& parent = parts_[part.parent];
-    if (joint.type == urdf::Joint::FLOATING && parent.body.is_null()) return; // free of the world
+    if (joint.type == urdf::Joint::FLOATING && parent.is_world) return; // free of the world
     JointDef def;
     const auto made = joint_of(joint, name_);
     if (!made) throw Error(ErrorCode::unsupported, place_of(name_, joint), {}, "must be of a known type");

@@ -23,6 +23,7 @@ struct RobotPart {
     Rigid world;                     // of the part
     bool is_world = false;           // does not move
     BodyId body;                     // null: the world, without any shape
+    std::size_t scenery = 0;         // so many of its first shapes are of the link `world`
     urdf::JointConstSharedPtr joint; // that it hangs on; none: of the root
     std::size_t parent = 0;          // the part on the other side of it
     Rigid frame;                     // of the joint, in that part

@@ -1,5 +1,6 @@
 #include "shapes/convex_query.h"
 
+#include "shapes/box_sweep.h"
 #include "shapes/epa.h"
 
 #include <limits>
@@ -64,8 +65,15 @@ bool is_deeper(const Simplex& s, double depth) {
     return true;
 }
 
+bool is_sharp_box(const Convex& c) { return c.kind == Convex::Kind::box && c.is_sharp; }
+
 std::optional<ConvexHit> sweep(const Convex& moving, DVec3 way, const Convex& still, double limit, DVec3 guess) {
     const double tolerance = sweep_tolerance * extent_of(moving, still);
+    if (is_sharp_box(moving) && is_sharp_box(still)) {
+        const BoxSweep boxes = sweep_boxes(moving, way, still, limit, tolerance);
+        if (boxes.state == BoxSweep::State::missed) return std::nullopt;
+        if (boxes.state != BoxSweep::State::unsettled) return ConvexHit{boxes.fraction, boxes.point, boxes.normal};
+    }
     const CorePair pair{exact_core(moving), exact_core(still)};
     const GjkCast c = gjk_cast(pair, way, limit, tolerance, guess);
     switch (c.state) {
@@ -144,6 +152,10 @@ std::optional<NearPoint> nearest_point(const Convex& c, DVec3 to, double max_dis
 }
 
 bool overlap(const Convex& a, const Convex& b) {
+    if (is_sharp_box(a) && is_sharp_box(b)) {
+        const BoxSweep boxes = sweep_boxes(a, {}, b, 0, sweep_tolerance * extent_of(a, b));
+        if (boxes.state != BoxSweep::State::unsettled) return boxes.state == BoxSweep::State::overlapping;
+    }
     const CorePair pair{exact_core(a), exact_core(b)};
     const double radii = pair.a.radius + pair.b.radius;
     const GjkResult r = gjk_distance(pair, {}, radii);

@@ -231,7 +231,13 @@ GjkCast gjk_cast(const CorePair& pair, DVec3 way, double limit, double tolerance
             if (r.fraction == 0) r.state = GjkCast::State::overlapping;
             return r;
         }
-        if (!(best.square < square)) break;
+        if (!(best.square < square)) { // rounding: no nearer
+            --s.count;
+            if (!(distance <= reach)) break;
+            r.state = GjkCast::State::met;
+            finish(r, s);
+            return r;
+        }
         keep(s, best);
         square = best.square;
     }

@@ -51,6 +51,32 @@ class Refusals(unittest.TestCase):
         again = pickle.loads(pickle.dumps(error))
         self.assertEqual((str(again), again.field, again.value), (str(error), error.field, error.value))
 
+    def test_errors_are_in_the_words_of_python(self):
+        world, body, bad = self.world, self.world.body(self.body), (math.nan, 0, 0)
+        for name in ("position", "rotation", "linear_velocity", "angular_velocity", "gravity_scale"):
+            value = math.nan if name == "gravity_scale" else (*bad, 1) if name == "rotation" else bad
+            error = self.expect(cairn.InvalidValueError, lambda: setattr(body, name, value))
+            self.assertTrue(str(error).startswith(f"Body.{name}: must be "), str(error))
+            self.assertEqual(error.field, f"Body.{name}")
+        for call, words in ((lambda: body.set_damping(-1, 0), "Body.set_damping linear: "),
+                            (lambda: body.apply_impulse(bad), "Body.apply_impulse impulse: "),
+                            (lambda: world.cast_ray(bad, (0, 1, 0), 1), "World.cast_ray origin: ")):
+            error = self.expect(cairn.Error, call)
+            self.assertTrue(str(error).startswith(words), str(error))
+            self.assertNotIn("::", str(error) + error.field)
+
+    def test_unknown_keywords_list_the_members_that_there_are(self):
+        world = self.world
+        of_bodies = "BodyDef: has no member 'masss'; it has type, position, "
+        for call, words in ((lambda: world.create_body(masss=3), of_bodies), (lambda: cairn.BodyDef(masss=3), of_bodies),
+                            (lambda: cairn.Box(half=(1, 1, 1)), "Box: has no member 'half'; it has half_extents"),
+                            (lambda: cairn.World(gravty=(0, 0, 0)), "WorldDef: has no member 'gravty'; it has gravity"),
+                            (lambda: world.add_shape(self.body, cairn.Sphere(), densty=3), "ShapeDef: has no member ")):
+            error = self.expect(TypeError, call)
+            self.assertTrue(str(error).startswith(words), str(error))
+        self.expect(TypeError, lambda: cairn.Sphere(1, radius=2), "multiple values")
+        self.expect(TypeError, lambda: cairn.Sphere(1, 2, 3, 4))
+
     def test_handles_that_are_stale_null_or_foreign(self):
         other = cairn.World()
         foreign = other.create_body()

@@ -5,6 +5,7 @@ from __future__ import annotations
 import enum
 from dataclasses import dataclass
 
+from ._members import lists_members
 from ._vector import Vector
 
 
@@ -19,6 +20,7 @@ class BodyType(enum.Enum):
     """Moves by forces and contacts."""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class MassProperties:
     """Mass, center of mass and inertia of a body. A `mass` of +infinity, and zero entries of `inertia_diagonal`, stand
@@ -35,6 +37,7 @@ class MassProperties:
     """Rotation from principal axes to the body's frame."""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class BodyDef:
     """Everything needed to make a body."""

@@ -7,9 +7,11 @@ from typing import Sequence
 
 from .._cairn import BodyId, JointId, ShapeId
 from .shape import ShapeDef
+from ._members import lists_members
 from ._vector import Vector
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class ContactBegin:
     """Two shapes began to touch."""
@@ -20,6 +22,7 @@ class ContactBegin:
     body_b: BodyId = BodyId()
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class ContactEnd:
     """Two shapes no longer touch, or one of them was removed (its handles are stale then)."""
@@ -30,6 +33,7 @@ class ContactEnd:
     body_b: BodyId = BodyId()
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class ContactHit:
     """Two shapes began to touch with an approach speed of at least WorldDef.hit_speed."""
@@ -46,6 +50,7 @@ class ContactHit:
     """m/s, > 0."""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class TriggerEvent:
     """A shape began or ceased to overlap a trigger (ShapeDef.is_trigger). One of the two bodies is dynamic. Handles of
@@ -60,6 +65,7 @@ class TriggerEvent:
     """True: it came in; False: it left, or one of the two was removed."""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class JointEvent:
     """A joint is gone: it broke under its load, or one of its bodies was destroyed. Its handle is stale."""
@@ -79,6 +85,7 @@ class JointEvent:
     """Of its definition."""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class SleepEvent:
     """A body fell asleep or woke up."""
@@ -88,6 +95,7 @@ class SleepEvent:
     """False: it woke up."""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class ContactPoint:
     """One point of a contact."""
@@ -100,6 +108,7 @@ class ContactPoint:
     """N s during the last step, >= 0. Divide by the step for the mean force."""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class Contact:
     """A touching pair of shapes as it stood after the last step. A shape may touch a mesh or height field, and the

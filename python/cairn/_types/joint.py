@@ -9,6 +9,7 @@ from typing import Sequence, Union
 
 from .._cairn import BodyId, _spring_from_frequency
 from .math import Transform
+from ._members import lists_members
 from ._vector import Vector
 
 
@@ -35,6 +36,7 @@ class JointSolver(enum.Enum):
     """
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class JointSpring:
     """A damped spring. It is stepped implicitly: any stiffness is stable."""
@@ -56,6 +58,7 @@ class JointSpring:
         return JointSpring(*_spring_from_frequency(hertz, damping_ratio), True)
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class JointRange:
     """The range of a position, m or rad. `lower` = `upper` holds it at one value."""
@@ -68,6 +71,7 @@ class JointRange:
     """Pushes back from beyond a bound; None: rigid."""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class JointMotor:
     """What drives an axis: with a spring, towards `position` and `velocity`; without one, it holds the velocity."""
@@ -82,6 +86,7 @@ class JointMotor:
     """N or N m, >= 0."""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class JointControl:
     """All that can act along one axis of a joint."""
@@ -94,11 +99,13 @@ class JointControl:
     """N or N m, >= 0: dry friction, which holds until it is overcome."""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class FixedJoint:
     """B keeps its place and rotation against A."""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class BallJoint:
     """The origins of the frames coincide; B turns freely."""
@@ -111,6 +118,7 @@ class BallJoint:
     """N m about each axis, >= 0."""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class HingeJoint:
     """B turns about the x axis of A. Angles are counted on beyond a full turn."""
@@ -119,6 +127,7 @@ class HingeJoint:
     """About the x axis of A."""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class SliderJoint:
     """B moves along the x axis of A without turning."""
@@ -127,6 +136,7 @@ class SliderJoint:
     """Along the x axis of A."""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class CylindricalJoint:
     """B moves along the x axis of A and turns about it."""
@@ -137,6 +147,7 @@ class CylindricalJoint:
     """About the x axis of A."""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class UniversalJoint:
     """A cross of two axes at a right angle: A turns about its x axis, B about its y axis (a Cardan joint)."""
@@ -147,6 +158,7 @@ class UniversalJoint:
     """About the y axis of B."""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class DistanceJoint:
     """The distance between the origins of the frames. A rod has lower = upper, a rope lower = 0, a spring a motor with
@@ -157,6 +169,7 @@ class DistanceJoint:
     """Between the origins of the frames."""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class WheelJoint:
     """A wheel B under a car A. The wheel moves along the x axis of A (the suspension), turns about it (the steering)
@@ -171,6 +184,7 @@ class WheelJoint:
     """About the y axis of the wheel."""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class ServoJoint:
     """A servo that moves B to a place and rotation in the frame of A."""
@@ -189,6 +203,7 @@ class ServoJoint:
     """N m about each axis, >= 0."""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class GearJoint:
     """Two turning bodies in mesh: (rate of A about its frame's x axis) + ratio x (rate of B about its own) = 0. With
@@ -200,6 +215,7 @@ class GearJoint:
     """Not 0."""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class RackJoint:
     """A pinion A on a rack B: (translation of B along its frame's x axis) = radius x (angle of A about its frame's x
@@ -210,6 +226,7 @@ class RackJoint:
     """m, not 0; negative for the other sense."""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class PulleyJoint:
     """A rope over two fixed pulleys: length at A + ratio x length at B <= length."""
@@ -224,6 +241,7 @@ class PulleyJoint:
     """m, > 0; None: what it is when the joint is made, which `World.joint_def` then has."""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class JointLimit:
     """Keeps a distance (m) or an angle (rad) between the two frames in a range. With one axis: along or about it; with
@@ -244,6 +262,7 @@ class JointLimit:
     """N s/m or N m s/rad, >= 0; with a stiffness only."""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class JointDrive:
     """A damped spring or motor along or about one axis: pushes with stiffness x (position_target - position) + damping
@@ -268,6 +287,7 @@ class JointDrive:
     """Of the spring, >= 0. (N s/m or N m s/rad)"""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class GeneralJoint:
     """The joint of the glTF draft KHR_physics_rigid_bodies: six degrees of freedom, and any of them limited or driven.
@@ -280,6 +300,7 @@ class GeneralJoint:
     """What is driven."""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class JointDef:
     """Everything needed to make a joint."""
@@ -308,6 +329,7 @@ class JointDef:
     """Not touched by the engine."""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class JointState:
     """What a joint did in the last step."""

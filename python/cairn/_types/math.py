@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from ._members import lists_members
 from ._vector import Vector
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class Transform:
     """A pose: rotate by `rotation`, then translate by `position` (meters)."""
@@ -17,6 +19,7 @@ class Transform:
     """A unit quaternion."""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class Bounds:
     """An axis-aligned box in world space, in meters. Empty when any `min` exceeds its `max`."""

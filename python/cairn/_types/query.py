@@ -5,9 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from .._cairn import BodyId, ShapeId
+from ._members import lists_members
 from ._vector import Vector
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class RayHit:
     """The nearest thing that a ray met."""
@@ -22,6 +24,7 @@ class RayHit:
     """From the ray's origin, meters."""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class ShapeCastHit:
     """The first thing that a moving shape met."""
@@ -36,6 +39,7 @@ class ShapeCastHit:
     """Unit, out of the shape that was met."""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class ClosestPoint:
     """The surface point nearest to a given one."""

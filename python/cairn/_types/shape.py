@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Union
 
 from .._cairn import HeightField, Hull, Mesh
+from ._members import lists_members
 from ._vector import Vector
 
 
@@ -25,6 +26,7 @@ class CombineRule(enum.Enum):
     """The product of both."""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class Sphere:
     """A ball around the shape's origin. `radius` in meters, > 0."""
@@ -33,6 +35,7 @@ class Sphere:
     """Meters, > 0."""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class Box:
     """A box around the shape's origin. `half_extents` in meters, each > 0. A Box, a Cylinder or a Hull with `rounding`
@@ -47,6 +50,7 @@ class Box:
     """Meters, >= 0: radius of the ball that is added to the sharp box."""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class Plane:
     """A plane through the shape's origin; solid is the side away from `normal`. Without `half_extents` it is an
@@ -69,6 +73,7 @@ class Plane:
     """A sheet that holds things on both sides."""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class Capsule:
     """The convex hull of two balls on the shape's y axis, their centers at -half_height and +half_height. Meters, all >
@@ -83,6 +88,7 @@ class Capsule:
     """Of the upper ball: a tapered capsule. (m, >= 0)"""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class Cylinder:
     """A solid cylinder around the shape's y axis, from -half_height to +half_height. Meters, all > 0 (`radius_top` >=
@@ -99,6 +105,7 @@ class Cylinder:
     """Meters, >= 0: radius of the ball that is added to the sharp cylinder."""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class Material:
     """Surface properties of a shape."""
@@ -121,6 +128,7 @@ class Material:
     """How its restitution and the other material's become one."""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class CollisionFilter:
     """Which shapes meet: two do if each is in a layer that the other collides with."""
@@ -131,6 +139,7 @@ class CollisionFilter:
     """The layers that it collides with."""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class ShapeDef:
     """How a shape is attached to its body."""

@@ -6,6 +6,7 @@ import enum
 from dataclasses import dataclass, field
 
 from .events import Contact
+from ._members import lists_members
 from ._vector import Vector
 
 
@@ -29,6 +30,7 @@ class ForceFieldKind(enum.Enum):
     """Towards `center`, `strength` x distance^`exponent`."""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class WorldDef:
     """Settings of a world. All may be changed later through `World.set_settings`."""
@@ -63,6 +65,7 @@ class WorldDef:
     """rad/s; likewise. (> 0)"""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class ForceField:
     """A field that accelerates or pushes every dynamic body, evaluated at its center of mass."""
@@ -81,6 +84,7 @@ class ForceField:
     """False: an acceleration, equal for all masses; True: a force."""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class StageTimes:
     """Wall-clock time of the stages of the last step, in milliseconds."""
@@ -101,6 +105,7 @@ class StageTimes:
     """The whole step. (ms)"""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class Statistics:
     """Counts and times of the last step."""
@@ -151,6 +156,7 @@ class Statistics:
     """Of the last step."""
 
 
+@lists_members
 @dataclass(slots=True, eq=False)
 class SnapshotSizes:
     """What the bytes of a snapshot are for."""

@@ -1,0 +1,111 @@
+// What the URDF files of public robots have that no body has, and what is made of it.
+#include "urdf_text.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+namespace {
+
+using namespace cairn;
+using namespace cairn::scene_test;
+using scene::Scene;
+using scene_test::link; // not that of POSIX
+
+// As the dummy base links of public robots have it: all nine entries alike, of which one principal moment is left.
+TEST(PublicRobots, AnInertiaOfRankOneIsTakenAsTheNearestOfABody) {
+    const Scene scene = load_robot(
+        link("a", R"(<inertial><mass value="1e-6"/>)"
+                  R"(<inertia ixx="1e-6" ixy="1e-6" ixz="1e-6" iyy="1e-6" iyz="1e-6" izz="1e-6"/></inertial>)"));
+    ASSERT_EQ(scene.warnings.size(), 1u);
+    EXPECT_NE(scene.warnings[0].find("the nearest possible ones are taken"), std::string::npos) << scene.warnings[0];
+    const Vec3 moments = scene.world.body(scene.world.bodies()[0]).mass_properties().inertia_diagonal;
+    EXPECT_NEAR(std::max({moments.x, moments.y, moments.z}), 2e-6f, 1e-11f);
+    EXPECT_NEAR(std::min({moments.x, moments.y, moments.z}), 1e-6f, 1e-11f);
+    EXPECT_NEAR(moments.x + moments.y + moments.z, 4e-6f, 1e-11f);
+}
+
+// A tenth of all links of public robots stand for frames, with an inertia that no body has, on one that has.
+TEST(PublicRobots, OnlyTheInertiaOfAllLinksOfABodyTogetherMustBeThatOfABody) {
+    const std::string frame = R"(<inertial><mass value="1e-6"/>)"
+                              R"(<inertia ixx="1e-9" ixy="2e-9" ixz="0" iyy="1e-9" iyz="0" izz="1e-9"/></inertial>)";
+    const Scene scene = load_robot(link("a", inertial("2")) + link("b", frame) + joint("j", "fixed", "a", "b"));
+    EXPECT_TRUE(scene.warnings.empty());
+    EXPECT_NEAR(scene.world.body(scene.world.bodies()[0]).mass_properties().mass, 2.0f, 1e-5f);
+}
+
+// What is written as 1e-20 for 2 kg is no inertia.
+TEST(PublicRobots, AnInertiaThatIsNextToNothingIsTakenAsNone) {
+    const Scene scene =
+        load_robot(link("a", R"(<inertial><mass value="2"/>)"
+                             R"(<inertia ixx="1e-20" ixy="-1e-20" ixz="0" iyy="0" iyz="0" izz="4e-18"/></inertial>)"));
+    ASSERT_EQ(scene.warnings.size(), 1u);
+    EXPECT_NE(scene.warnings[0].find("that of a ball of 0.1 m radius is taken"), std::string::npos);
+}
+
+// The contact point of a leg: 10 g without any inertia, 0.16 m below a shank. It was taken as a ball of 0.1 m radius.
+TEST(PublicRobots, ALinkWithoutInertiaThatIsFixedToOneWithSomeIsAPoint) {
+    const Scene scene = load_robot(
+        link("a", inertial("2")) +
+        link("b",
+             R"(<inertial><mass value="2"/><inertia ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0"/></inertial>)") +
+        joint("j", "fixed", "a", "b", R"(<origin xyz="0 0 1"/>)"));
+    EXPECT_TRUE(scene.warnings.empty());
+    const auto of = [](const Scene& robot) { return robot.world.body(robot.world.bodies()[0]).mass_properties(); };
+    const float alone = of(load_robot(link("a", inertial("2")))).inertia_diagonal.x;
+    EXPECT_NEAR(of(scene).inertia_diagonal.x - alone, 1.0f, 1e-5f); // two of 2 kg, 1 m apart
+}
+
+// Hulls of hollow links overlap others of the robot: three links in a row of which the first and the last do.
+TEST(PublicRobots, LinksThatOverlapAsTheRobotIsDrawnDoNotPushEachOtherAway) {
+    const auto ball = [](const std::string& radius) {
+        return inertial() + "<collision><geometry><sphere radius=\"" + radius + "\"/></geometry></collision>";
+    };
+    const auto hinge = [](const std::string& name, const std::string& from, const std::string& to) {
+        return joint(name, "continuous", from, to, R"(<origin xyz="0.3 0 0"/><axis xyz="0 0 1"/>)");
+    };
+    Scene scene =
+        load_robot(link("a", ball("0.5")) + link("b", ball("0.1")) + link("c", ball("0.5")) + link("d", ball("0.1")) +
+                   hinge("j", "a", "b") + hinge("k", "b", "c") + hinge("l", "c", "d"));
+    ASSERT_EQ(scene.warnings.size(), 1u);
+    EXPECT_EQ(scene.warnings[0], "test.urdf: links that overlap as the robot is drawn do not collide: \"a\" and \"c\"");
+    for (int i = 0; i < 60; ++i) scene.world.step(1.0f / 60.0f);
+    for (const BodyId id : scene.world.bodies()) {
+        EXPECT_LT(glm::length(scene.world.body(id).angular_velocity()), 1e-3f); // it falls as it is drawn
+    }
+    // They meet all else.
+    BodyDef ground;
+    ground.type = BodyType::static_;
+    ground.position = body(scene, "c").position() - Position(0, 1, 0);
+    scene.world.add_shape(scene.world.create_body(ground), Plane{});
+    for (int i = 0; i < 120; ++i) scene.world.step(1.0f / 60.0f);
+    EXPECT_NEAR(body(scene, "c").position().y, ground.position.y + 0.5, 0.01);
+}
+
+// As it stands in the file, the floor is no link of the robot that stands in it.
+TEST(PublicRobots, WhatStandsTooDeepInTheLinkWorldIsHeldByItAllTheSame) {
+    Scene scene =
+        load_robot(link("world", R"(<collision><geometry><box size="9 9 1"/></geometry></collision>)") +
+                   link("a", inertial() + R"(<collision><geometry><sphere radius="0.5"/></geometry></collision>)") +
+                   joint("j", "floating", "world", "a", R"(<origin xyz="0 0 0.95"/>)"));
+    for (int i = 0; i < 120; ++i) scene.world.step(1.0f / 60.0f);
+    EXPECT_NEAR(scene.world.body(*scene.world.find_body("a")).position().y, 1.0, 0.01);
+}
+
+// Rotors with limits of 1e16 rad.
+TEST(PublicRobots, ALimitBeyondABillionIsNone) {
+    const Scene scene = load_robot(
+        link("a") + link("b") + link("c") +
+        joint("free", "revolute", "a", "b", R"(<limit lower="-1e16" upper="1e16" effort="1" velocity="1"/>)") +
+        joint("half", "revolute", "a", "c", R"(<limit lower="-1" upper="1e16" effort="1" velocity="1"/>)"));
+    const auto limits = [&](const char* name) {
+        return std::get<HingeJoint>(scene.world.joint_def(scene.world.find_joint(name).value()).joint).angle.limits;
+    };
+    EXPECT_FALSE(limits("free"));
+    ASSERT_TRUE(limits("half"));
+    EXPECT_EQ(limits("half")->lower, -1.0f);
+    EXPECT_EQ(limits("half")->upper, 1e9f);
+}
+
+} // namespace
