@@ -75,8 +75,8 @@ struct Statistics {
     double time = 0;         ///< Simulated seconds since then.
     std::size_t bodies = 0, dynamic_bodies = 0, awake_bodies = 0, shapes = 0;
     std::size_t candidate_pairs = 0; ///< Pairs whose bounds overlap.
-    /// Of those, how many the last step has looked at: tested, or moved along with their bodies. The others were well
-    /// apart, at rest or asleep.
+    /// Of those, how many the last step has tested. The others were well apart or asleep, or their bodies have moved by
+    /// a few millimeters at most since they were.
     std::size_t tested_pairs = 0;
     std::size_t contacts = 0;       ///< Touching pairs of shapes, asleep ones included.
     std::size_t contact_points = 0; ///< Their points.

@@ -1,5 +1,5 @@
 // How far bodies have moved, and so what is still known about them: which pairs are still apart, whose contact points
-// are still where they were or may be moved along, which boxes of the broad phase still hold their shapes.
+// have moved along but little, which boxes of the broad phase still hold their shapes.
 #pragma once
 
 #include "state/state.h"
@@ -43,18 +43,17 @@ inline Travel travel_of(const Bodies& bodies, const ContactInfo& c) {
     return bodies.travel[c.body_a] + bodies.travel[c.body_b];
 }
 
-// The pair was tested, or its points were moved along, and no body has moved since by more than a small part of a
-// micrometer.
+// The pair was tested, and no body has moved since by more than a small part of a micrometer.
 inline bool is_placed(const Bodies& bodies, const ContactInfo& c) { return c.placed_at == travel_of(bodies, c); }
 
-// How far bodies may move after their contacts were found, as a share of their radius, but no more than
-// half of the margin of contacts. Points
-// that are moved along keep their normal: what they miss is of second order, a shift of a millimeter times a turn of
-// three thousandths; and corners that come near are found at latest when they are that much nearer. Without this,
-// capsules, terrain and convex take 1.71, 1.60 and 1.43 times as long (bench scenes).
+// How far bodies may move after their contacts were found, as a share of their radius, but no more than half of the
+// margin of contacts. Points that go along keep their normal: what they miss is of second order, a shift of a
+// millimeter times a turn of three thousandths; and corners that come near are found at latest when they are that much
+// nearer. Without this, capsules, terrain and convex take 1.71, 1.60 and 1.43 times as long (bench scenes).
 inline constexpr double nearness = 3e-3;
 
-// A pair with points: whether its bodies are still so near to where it was tested that its points may be moved along.
+// A pair with points: whether its bodies are still so near to where it was tested that its points, which the solver
+// moves along, hold.
 inline bool is_near(const Bodies& bodies, const Contacts& contacts, std::uint32_t id) {
     const ContactInfo& c = contacts.info[id];
     float radius = bodies.links[c.body_a].radius;
@@ -73,6 +72,10 @@ inline bool stays_apart(const Travel* ahead, const PairAnswer& answer) {
 inline void keep_answer(const Bodies& bodies, Contacts& contacts, std::uint32_t id, double length) {
     contacts.info[id].placed_at = travel_of(bodies, contacts.info[id]);
     contacts.answers[id].until = contacts.info[id].placed_at + budget_of(length);
+}
+// The solver does not move its points along: it is tested once a body has moved.
+inline void stay_behind(const Bodies& bodies, Contacts& contacts, std::uint32_t id) {
+    contacts.answers[id].until = travel_of(bodies, contacts.info[id]) - budget_of(max_margin);
 }
 // It is not worth keeping.
 inline void drop_answer(const Bodies& bodies, Contacts& contacts, std::uint32_t id) {

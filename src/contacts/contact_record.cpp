@@ -80,7 +80,7 @@ void match_points(const OldPoints& old, float tolerance, int count, ContactRecor
     r.torsion_impulse = old.torsion;
 }
 
-OldPoints old_points(const ContactRecord& r, int count, math::Quat turned) {
+OldPoints old_points(const ContactRecord& r, int count) {
     OldPoints old;
     old.count = count;
     old.normal = to_vec(r.normal);
@@ -94,36 +94,19 @@ OldPoints old_points(const ContactRecord& r, int count, math::Quat turned) {
                  z01 = __builtin_shufflevector(p[0], p[1], 2, 6, 3, 7);
     const Float4 xy23 = __builtin_shufflevector(p[2], p[3], 0, 4, 1, 5),
                  z23 = __builtin_shufflevector(p[2], p[3], 2, 6, 3, 7);
-    const Float4 x = __builtin_shufflevector(xy01, xy23, 0, 1, 4, 5),
-                 y = __builtin_shufflevector(xy01, xy23, 2, 3, 6, 7);
-    const Float4 z = __builtin_shufflevector(z01, z23, 0, 1, 4, 5);
-    const math::Mat3 m = math::to_matrix(turned);
-    old.x = m.c0.x * x + m.c1.x * y + m.c2.x * z;
-    old.y = m.c0.y * x + m.c1.y * y + m.c2.y * z;
-    old.z = m.c0.z * x + m.c1.z * y + m.c2.z * z;
+    old.x = __builtin_shufflevector(xy01, xy23, 0, 1, 4, 5);
+    old.y = __builtin_shufflevector(xy01, xy23, 2, 3, 6, 7);
+    old.z = __builtin_shufflevector(z01, z23, 0, 1, 4, 5);
     return old;
 }
 
-// Whether each point is where the old one of the same number is, in A's frame: then all impulses stay as they are.
-// That is the common case, and this its short way.
-bool points_stay(const ContactRecord& r, const Float4* points, int count, math::Quat turned, float tolerance) {
+// Whether each point is where the old one of the same number is: then all impulses stay as they are. That is the common
+// case, and this its short way.
+bool points_stay(const ContactRecord& r, const Float4* points, int count, float tolerance) {
     const float limit = 0.0625f * tolerance * tolerance;
-    // Mostly it shows without turning anything: a turn moves a vector by at most 2 |imaginary part| times its length.
-    Float4 moved = {}, size = {};
-    for (int i = 0; i < count; ++i) {
-        const Float4 old = load4(point_of(r, i)), difference = points[i] - old;
-        moved += difference * difference;
-        size += old * old;
-    }
-    const float turn = turned.x * turned.x + turned.y * turned.y + turned.z * turned.z;
-    if (sum3(moved) < 0.49f * limit && 4 * turn * sum3(size) < 0.0625f * limit) return true;
-
-    const math::Mat3 m = math::to_matrix(turned);
-    const Float4 x = {m.c0.x, m.c0.y, m.c0.z}, y = {m.c1.x, m.c1.y, m.c1.z}, z = {m.c2.x, m.c2.y, m.c2.z};
     float greatest = 0;
     for (int i = 0; i < count; ++i) {
-        const float* old = point_of(r, i);
-        const Float4 difference = points[i] - (old[0] * x + old[1] * y + old[2] * z);
+        const Float4 difference = points[i] - load4(point_of(r, i));
         greatest = std::max(greatest, sum3(difference * difference));
     }
     return greatest < limit;
@@ -204,10 +187,9 @@ void write_record(const Bodies& bodies, const Shapes& shapes, ContactInfo& c, Co
     const int kept = m.count == 1 ? 1 : 4;
     for (int i = 0; i < kept; ++i)
         points[i] = i < m.count ? load4(m.points[i]) + Float4{offset.x, offset.y, offset.z} : Float4{0, 0, 0, unused};
-    const math::Quat turned = bodies.motion[c.body_a].turned;
-    const bool stay = m.count == c.point_count && points_stay(r, points, kept, turned, c.match_tolerance);
+    const bool stay = m.count == c.point_count && points_stay(r, points, kept, c.match_tolerance);
     OldPoints old;
-    if (!stay) old = old_points(r, c.point_count, turned);
+    if (!stay) old = old_points(r, c.point_count);
     put(r.normal, normal);
     put(r.center_offset, math::to_float(bodies.motion[c.body_a].x - bodies.motion[c.body_b].x));
     for (int i = 0; i < kept; ++i) store4(point_of(r, i), points[i]);
@@ -222,32 +204,6 @@ void write_record(const Bodies& bodies, const Shapes& shapes, ContactInfo& c, Co
     if (stay) return;
     forget_impulses(r, m.count);
     if (old.count > 0) match_points(old, c.match_tolerance, m.count, r);
-}
-
-void advance_record(const Bodies& bodies, const ContactInfo& c, ContactRecord& r) {
-    const math::Vec3 n = to_vec(r.normal), d = to_vec(r.center_offset);
-    const math::Quat qa = bodies.motion[c.body_a].turned, qb = bodies.motion[c.body_b].turned;
-    const math::Vec3 offset = math::to_float(bodies.motion[c.body_a].x - bodies.motion[c.body_b].x);
-    const math::Vec3 round_a = r.radius_a * n, round_b = r.radius_b * n;
-    for (int i = 0; i < c.point_count; ++i) {
-        float* const point = point_of(r, i);
-        const math::Vec3 arm = to_vec(point);
-        // What is round does not turn with its body.
-        const math::Vec3 now_a = math::rotate(qa, arm - round_a) + round_a;
-        const math::Vec3 now_b = math::rotate(qb, arm + d + round_b) - round_b;
-        // Anchors that were one point: how far they have come apart, B's relative to A's.
-        point[3] += math::dot(n, now_b - offset - now_a);
-        // Midway between the two, which have passed each other since the touch.
-        put(point, r.touch_time > 0 ? now_a : 0.5f * (now_a + (now_b - offset)));
-    }
-    put(r.center_offset, offset);
-    r.touch_time = 0; // it is of now
-}
-
-ContactRecord advanced_record(const Bodies& bodies, const Contacts& contacts, std::uint32_t id) {
-    ContactRecord r = contacts.records[id];
-    advance_record(bodies, contacts.info[id], r);
-    return r;
 }
 
 } // namespace cairn

@@ -19,9 +19,5 @@ void write_record(const Bodies& bodies, const Shapes& shapes, ContactInfo& conta
 float min_separation(const ContactInfo& contact, const ContactRecord& record);
 // `count`: how many points it has.
 void forget_impulses(ContactRecord& record, int count);
-// Moves a record that was written at the start of the last step to the poses at its end.
-void advance_record(const Bodies& bodies, const ContactInfo& contact, ContactRecord& record);
-// That of a contact, so moved.
-ContactRecord advanced_record(const Bodies& bodies, const Contacts& contacts, std::uint32_t contact);
 
 } // namespace cairn

@@ -225,8 +225,7 @@ void begin_touch(const Bodies& bodies, const Shapes& shapes, Contacts& contacts,
     int deepest = 0;
     for (int i = 1; i < c.point_count; ++i)
         if (point_of(r, i)[3] < point_of(r, deepest)[3]) deepest = i;
-    const ContactRecord now = advanced_record(bodies, contacts, id);
-    const math::DVec3 p = bodies.motion[c.body_a].x + math::to_double(to_vec(point_of(now, deepest)));
+    const math::DVec3 p = bodies.motion[c.body_a].x + math::to_double(to_vec(point_of(r, deepest)));
     events.hits.push_back(
         {a, b, body_a, body_b, {p.x, p.y, p.z}, {r.normal[0], r.normal[1], r.normal[2]}, r.approach_speed});
 }
@@ -282,15 +281,6 @@ float report_contacts(const Bodies& bodies, const Shapes& shapes, Contacts& cont
             begin_touch(bodies, shapes, contacts, events, settings, id);
     }
     return deepest;
-}
-
-void settle_sleeping_contacts(const Bodies& bodies, Contacts& contacts, const Islands& islands,
-                              const std::vector<std::uint32_t>& solved) {
-    for (const std::uint32_t id : solved) {
-        const ContactInfo& contact = contacts.info[id];
-        if (!contact.in_use || contact.point_count == 0 || is_awake(bodies, islands, contact.body_a)) continue;
-        contacts.records[id] = advanced_record(bodies, contacts, id);
-    }
 }
 
 } // namespace cairn

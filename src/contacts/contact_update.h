@@ -19,7 +19,6 @@ enum Outcome : std::uint8_t {
     entered,        // into a trigger
     left,           // out of it
     may_fly_by,     // to be settled by contacts/flight.h
-    to_move,        // along with the bodies
     to_test,        // + PairKind
 };
 
@@ -61,11 +60,6 @@ float approach_speed(const Bodies& bodies, const ContactInfo& contact, const Con
 float report_contacts(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, Islands& islands,
                       StepEvents& events, const WorldDef& settings, const SolverScratch& solver, NarrowScratch& narrow,
                       ThreadPool& thread_pool, float dt);
-
-// The records of contacts that fell asleep are brought up to the final poses: they are used as they are if the
-// island wakes within a step.
-void settle_sleeping_contacts(const Bodies& bodies, Contacts& contacts, const Islands& islands,
-                              const std::vector<std::uint32_t>& solved);
 
 inline bool is_asleep(const Bodies& bodies, const Islands& islands, const ContactInfo& c) {
     return !is_awake(bodies, islands, c.body_a) || (c.b_moves && !is_awake(bodies, islands, c.body_b));

@@ -177,12 +177,15 @@ class EdgeTest {
     std::optional<Extent> other_, own_;
 };
 
-// The next step finds it as if for the first time: its face is not preferred once the body is over it.
-void drop(Contacts& contacts, NarrowScratch& narrow, std::uint32_t c) {
+// The next step finds it as if for the first time: its face is not preferred once the body is over it, and as it is not
+// solved, its points are not moved along.
+void drop(const Bodies& bodies, Contacts& contacts, NarrowScratch& narrow, std::uint32_t c) {
     narrow.is_internal_edge[c] = 1;
     narrow.any_internal_edges = true;
     forget_impulses(contacts.records[c], contacts.info[c].point_count);
     contacts.records[c].features = no_features;
+    const ContactInfo& info = contacts.info[c];
+    stay_behind(bodies, contacts, info.kind == PairKind::patch ? std::uint32_t(info.related) : c);
 }
 
 // Whether the points of `c` lie on the line that another contact with the same normal carries.
@@ -236,7 +239,7 @@ void drop_covered(const Bodies& bodies, Contacts& contacts, NarrowScratch& narro
         if (count <= 2 && tree.any(may_be_covered, [&](std::uint32_t i) {
                 return lines[i] != c && !narrow.is_internal_edge[lines[i]] && is_covered(bodies, contacts, lines[i], c);
             })) {
-            drop(contacts, narrow, c);
+            drop(bodies, contacts, narrow, c);
             if (is_line) tree.remove(next);
         }
         next += is_line ? 1 : 0;
@@ -293,7 +296,7 @@ void drop_internal_edges_of_body(const Bodies& bodies, const Shapes& shapes, Con
                                  edge.lies_in(planes[j].contact, std::max(planes[j].depth, 0.0f));
                       }))
             return;
-        drop(contacts, narrow, planes[k].contact);
+        drop(bodies, contacts, narrow, planes[k].contact);
         tree.remove(k);
     };
     const std::uint32_t count = std::uint32_t(planes.size());

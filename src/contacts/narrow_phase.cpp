@@ -23,9 +23,9 @@ using math::to_vec;
 namespace {
 
 constexpr int pairs_per_chunk = 512; // for threads
-constexpr int convex_pairs_per_chunk = 32, groups_per_chunk = 8, moved_pairs_per_chunk = 128;
+constexpr int convex_pairs_per_chunk = 32, groups_per_chunk = 8;
 
-constexpr float little_turn = 0.1f; // rad in a pass: contacts may be moved along
+constexpr float little_turn = 0.1f; // rad in a pass: contacts may go along
 
 // A pair that does not overlap yet: what may meet in flight is settled later.
 [[gnu::noinline]] std::uint8_t take_gap(const NarrowInput& in, Contacts& contacts, const NarrowScratch& narrow,
@@ -114,34 +114,14 @@ void test_convex_pairs(const NarrowInput& in, Contacts& contacts, NarrowScratch&
     }
 }
 
-// Asks the cache for what moving the points of a pair along needs.
-void prefetch_move(const Bodies& bodies, const Contacts& contacts, std::uint32_t id) {
-    const ContactInfo& c = contacts.info[id];
-    for (const std::int32_t body : {c.body_a, c.body_b}) ask_cache(&bodies.motion[body]);
-    if (!is_group(c))
-        prefetch_record(contacts, id, c.point_count > 1 ? sizeof(ContactRecord) : offsetof(ContactRecord, more_points));
-}
-
-// Pairs that were tested a short while ago, by their places among all.
-void move_contacts(const Bodies& bodies, Contacts& contacts, const Islands& islands, NarrowScratch& narrow, int begin,
-                   int end) {
-    const std::vector<std::uint32_t>& places = narrow.to_move;
-    const std::size_t count = places.size();
-    const auto contact_at = [&](std::size_t i) { return narrow.candidates[places[i]]; };
-    for (std::size_t i = std::size_t(begin); i < std::size_t(end); ++i) {
-        if (i + 2 * contacts_ahead < count) ask_cache(&contacts.info[contact_at(i + 2 * contacts_ahead)]);
-        if (i + contacts_ahead < count) prefetch_move(bodies, contacts, contact_at(i + contacts_ahead));
-        for (int n = 0; n < patches_at_hand && narrow.any_groups; ++n)
-            if (i + patch_ahead(n) < count) prefetch_patch(contacts, contact_at(i + patch_ahead(n)), n, true);
-        const std::uint32_t id = contact_at(i);
-        for_each_patch(contacts, id, [&](std::uint32_t contact) {
-            ContactInfo& c = contacts.info[contact];
-            ContactRecord& r = contacts.records[contact];
-            advance_record(bodies, c, r);
-            if (!c.touching) r.approach_speed = approach_speed(bodies, c, r);
-        });
-        narrow.outcomes[places[i]] = going_on(bodies, islands, contacts.info[id]);
-    }
+// A pair with points whose bodies have moved little since it was tested: the solver has moved its points along.
+std::uint8_t go_along(const Bodies& bodies, Contacts& contacts, const Islands& islands, std::uint32_t id) {
+    for_each_patch(contacts, id, [&](std::uint32_t contact) {
+        ContactInfo& c = contacts.info[contact];
+        ContactRecord& r = contacts.records[contact];
+        if (!c.touching) r.approach_speed = approach_speed(bodies, c, r);
+    });
+    return going_on(bodies, islands, contacts.info[id]);
 }
 
 // Whether the first pass of the step has tested the pair, as far as the whole step reaches, and its points may be moved
@@ -157,15 +137,19 @@ bool is_found(const Bodies& bodies, const Contacts& contacts, const NarrowScratc
     return turns_little(c.body_a) && turns_little(c.body_b);
 }
 
-std::uint8_t before_test(const Bodies& bodies, const Contacts& contacts, const Islands& islands,
-                         const NarrowScratch& narrow, const StepPasses& passes, std::uint32_t id) {
+std::uint8_t before_test(const Bodies& bodies, Contacts& contacts, const Islands& islands, const NarrowScratch& narrow,
+                         const StepPasses& passes, std::uint32_t id) {
     const ContactInfo& c = contacts.info[id];
     if (!c.b_moves && !is_awake(bodies, islands, c.body_a) && !moves(bodies, c.body_b))
         return c.point_count > 0 ? skipped : apart;
     if (!is_placed(bodies, c)) {
-        if (is_found(bodies, contacts, narrow, passes, id)) return c.point_count > 0 ? to_move : apart;
-        // What has no points is tested: they may come near each other on the way, the more so the larger they are.
-        if (c.kind >= PairKind::box_capsule && c.point_count > 0 && is_near(bodies, contacts, id)) return to_move;
+        const bool has_points = c.point_count > 0;
+        if (is_found(bodies, contacts, narrow, passes, id))
+            return has_points ? go_along(bodies, contacts, islands, id) : std::uint8_t(apart);
+        // What has no points is tested: they may come near each other on the way, the more so the larger they are. So
+        // is what has one point of a sphere: its normal turns as it rolls.
+        if (has_points && !has_one_point(c.kind) && is_near(bodies, contacts, id))
+            return go_along(bodies, contacts, islands, id);
         return std::uint8_t(to_test + int(c.kind));
     }
     if (c.is_trigger) return apart;
@@ -207,18 +191,18 @@ void list_open_pairs(const Bodies& bodies, const Contacts& contacts, NarrowScrat
     narrow.open.resize(count);
 }
 
-// In the first pass of a step that may be split: what it has tested.
+// In the first pass of a step that may be split: what it has tested, and what goes on.
 void note_found(const Contacts& contacts, NarrowScratch& narrow) {
     narrow.found.assign(contacts.info.size(), 0);
-    for (const std::uint32_t k : narrow.to_move) narrow.found[narrow.candidates[k]] = 1;
+    for (const std::uint32_t k : narrow.open)
+        if (narrow.outcomes[k] == goes_on || narrow.outcomes[k] == may_wake) narrow.found[narrow.candidates[k]] = 1;
     for (const auto& list : narrow.lists)
         for (const std::uint32_t k : list) narrow.found[narrow.candidates[k]] = 1;
 }
 
 // Sorts the pairs that may have moved into the lists of their kinds, and counts them.
-std::size_t list_pairs(const Bodies& bodies, const Contacts& contacts, const Islands& islands,
-                       const BroadPhase& broad_phase, const StepPasses& passes, NarrowScratch& narrow,
-                       ThreadPool& thread_pool) {
+std::size_t list_pairs(const Bodies& bodies, Contacts& contacts, const Islands& islands, const BroadPhase& broad_phase,
+                       const StepPasses& passes, NarrowScratch& narrow, ThreadPool& thread_pool) {
     broad_phase.list_contacts(narrow.candidates);
     list_open_pairs(bodies, contacts, narrow, thread_pool);
     narrow.outcomes.resize(narrow.candidates.size());
@@ -240,15 +224,10 @@ std::size_t list_pairs(const Bodies& bodies, const Contacts& contacts, const Isl
     });
     narrow.any_groups = any_groups;
     for (auto& list : narrow.lists) list.clear();
-    narrow.to_move.clear();
-    for (const std::uint32_t k : narrow.open) {
-        const std::uint8_t outcome = narrow.outcomes[k];
-        if (outcome >= to_test)
+    for (const std::uint32_t k : narrow.open)
+        if (const std::uint8_t outcome = narrow.outcomes[k]; outcome >= to_test)
             narrow.lists[outcome - to_test].push_back(k);
-        else if (outcome == to_move)
-            narrow.to_move.push_back(k);
-    }
-    std::size_t count = narrow.to_move.size();
+    std::size_t count = 0;
     for (const auto& list : narrow.lists) count += list.size();
     return count;
 }
@@ -266,9 +245,6 @@ void test_all(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, 
         for_kind(kind, convex_pairs_per_chunk, [&](int begin, int end, NarrowBatch& own) {
             test_convex_pairs(in, contacts, narrow, kind, begin, end, own, dt);
         });
-    thread_pool.for_chunks(int(narrow.to_move.size()), moved_pairs_per_chunk, [&](int begin, int end, int) {
-        move_contacts(in.bodies, contacts, in.islands, narrow, begin, end);
-    });
     begin_groups(contacts, narrow);
     for_kind(PairKind::group, groups_per_chunk,
              [&](int begin, int end, NarrowBatch& own) { test_groups(in, contacts, narrow, begin, end, own, dt); });
@@ -317,11 +293,6 @@ std::size_t update_contacts(Bodies& bodies, const Shapes& shapes, Contacts& cont
     if (step.passes.number == 0 && !narrow.whirling.empty()) note_found(contacts, narrow);
     follow_up_all(follow, dt);
     settle_flights(in, follow, thread_pool, dt);
-    // What was moved along is as good as tested: while both bodies rest, it need not be moved again.
-    for (const std::uint32_t k : narrow.to_move) {
-        ContactInfo& c = contacts.info[narrow.candidates[k]];
-        c.placed_at = travel_of(bodies, c);
-    }
     drop_internal_edges(bodies, shapes, contacts, narrow, step.solved);
     const auto push_solved = [&](std::uint32_t id) {
         for_each_patch(contacts, id, [&](std::uint32_t contact) { step.solved.push_back(contact); });

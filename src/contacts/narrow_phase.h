@@ -8,7 +8,7 @@ namespace cairn {
 
 // The narrow phase: tests all pairs that may have moved, writes their records, begins and ends contacts in the
 // islands and colors, wakes what is hit, and lists in StepScratch::solved what the solver has to do.
-// Returns how many pairs it has looked at: tested, or moved along with their bodies.
+// Returns how many pairs it has tested.
 std::size_t update_contacts(Bodies& bodies, const Shapes& shapes, Contacts& contacts, Islands& islands,
                             const ForceFields& fields, const BroadPhase& broad_phase, StepEvents& events,
                             const WorldDef& settings, StepScratch& step, float dt);

@@ -304,6 +304,7 @@ void Movers::put_back(std::int32_t i) {
     }
     motion.turned = math::to_float(motion.q * math::conjugate(pose_before(s.bodies, s.islands, m.body).q));
     if (m.impacts > 0) s.bodies.links[m.body].quiet_time = 0;
+    spend_budget(s.bodies, m.body); // the solver has moved its contacts along elsewhere
     place_again(s.bodies, s.shapes, s.broad_phase, m.body, dt_);
 }
 

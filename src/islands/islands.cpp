@@ -254,14 +254,13 @@ void wake_around_moving_planes(Bodies& bodies, const Shapes& shapes, Islands& is
     }
 }
 
-bool update_sleep(Bodies& bodies, const Contacts& contacts, Islands& islands, const Joints& joints,
+void update_sleep(Bodies& bodies, const Contacts& contacts, Islands& islands, const Joints& joints,
                   const WorldDef& settings, StepEvents& events, const std::vector<std::uint32_t>& solved,
                   SolverScratch& solver) {
-    if (!settings.enable_sleep) return false;
+    if (!settings.enable_sleep) return;
     const float needed = settings.sleep_time;
     std::int32_t to_split = none;
     float quietest = needed;
-    bool any_sleeps = false;
     for (const std::int32_t i : islands.awake) {
         measure_rest(bodies, islands, i);
         const Island& island = islands.all[i];
@@ -277,10 +276,8 @@ bool update_sleep(Bodies& bodies, const Contacts& contacts, Islands& islands, co
         const Island& island = islands.all[i];
         if (island.lost_contact || island.min_quiet_time < needed || gains_speed(bodies, settings, island)) continue;
         put_to_sleep(bodies, islands, events, i);
-        any_sleeps = true;
     }
     if (to_split != none) split_island(bodies, contacts, islands, joints, solved, solver, to_split);
-    return any_sleeps;
 }
 
 void flush_sleep(const Bodies& bodies, const Shapes& shapes, Islands& islands, BroadPhase& broad_phase) {

@@ -29,8 +29,8 @@ void wake_around_shape(Bodies& bodies, const Shapes& shapes, Islands& islands, c
 void wake_around_moving_planes(Bodies& bodies, const Shapes& shapes, Islands& islands, const BroadPhase& broad_phase,
                                StepEvents& events);
 
-// After finalize: splits at most one island, puts those at rest to sleep. Returns whether any fell asleep.
-bool update_sleep(Bodies& bodies, const Contacts& contacts, Islands& islands, const Joints& joints,
+// After finalize: splits at most one island, puts those at rest to sleep.
+void update_sleep(Bodies& bodies, const Contacts& contacts, Islands& islands, const Joints& joints,
                   const WorldDef& settings, StepEvents& events, const std::vector<std::uint32_t>& solved,
                   SolverScratch& solver);
 

@@ -52,8 +52,8 @@ void offer_triangle(Nearest& best, const Simplex& s, int i, int j, int k, DVec3 
     const double square = dot(normal, normal);
     const double wa = dot(cross(b, c), normal), wb = dot(cross(c, a), normal), wc = dot(cross(a, b), normal);
     if (square > 0 && wa > 0 && wb > 0 && wc > 0) {
-        // A narrow triangle's normal is off by much, turned about its longest edge: its height is that of the point where
-        // this edge passes the origin.
+        // A narrow triangle's normal is off by much, turned about its longest edge: its height is that of the point
+        // where this edge passes the origin.
         const DVec3 ab = b - a, bc = c - b, ca = a - c;
         const double ab2 = dot(ab, ab), bc2 = dot(bc, bc), ca2 = dot(ca, ca);
         const bool is_ab = ab2 >= bc2 && ab2 >= ca2, is_bc = !is_ab && bc2 >= ca2;

@@ -56,15 +56,22 @@ CAIRN_INLINE void store6(float (*p)[8], const Sym3x8& m) {
 }
 
 // Rotation matrix of a unit quaternion.
-CAIRN_INLINE Mat3x8 to_matrix(Quatx8 q) {
+// What a rotation adds to a vector: R(q) - 1, without what cancels.
+CAIRN_INLINE Mat3x8 turn_of(Quatx8 q) {
     const f32x8 x2 = q.v.x + q.v.x, y2 = q.v.y + q.v.y, z2 = q.v.z + q.v.z;
     const f32x8 xx = q.v.x * x2, yy = q.v.y * y2, zz = q.v.z * z2;
     const f32x8 xy = q.v.x * y2, xz = q.v.x * z2, yz = q.v.y * z2;
     const f32x8 wx = q.w * x2, wy = q.w * y2, wz = q.w * z2;
-    return {{one() - (yy + zz), xy + wz, xz - wy},
-            {xy - wz, one() - (xx + zz), yz + wx},
-            {xz + wy, yz - wx, one() - (xx + yy)}};
+    return {{-(yy + zz), xy + wz, xz - wy}, {xy - wz, -(xx + zz), yz + wx}, {xz + wy, yz - wx, -(xx + yy)}};
 }
+CAIRN_INLINE Mat3x8 to_matrix(Quatx8 q) {
+    Mat3x8 m = turn_of(q);
+    m.c0.x = one() + m.c0.x, m.c1.y = one() + m.c1.y, m.c2.z = one() + m.c2.z;
+    return m;
+}
+CAIRN_INLINE Mat3x8 operator+(const Mat3x8& a, const Mat3x8& b) { return {a.c0 + b.c0, a.c1 + b.c1, a.c2 + b.c2}; }
+CAIRN_INLINE Mat3x8 operator*(f32x8 s, const Mat3x8& m) { return {s * m.c0, s * m.c1, s * m.c2}; }
+CAIRN_INLINE Vec3x8 operator*(const Mat3x8& m, Vec3x8 b) { return b.x * m.c0 + (b.y * m.c1 + b.z * m.c2); }
 // R(q) v and R(q)^T v.
 CAIRN_INLINE Vec3x8 rotate(Quatx8 q, Vec3x8 v) {
     const Vec3x8 t = splat(2.0f) * cross(q.v, v);

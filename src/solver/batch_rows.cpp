@@ -5,6 +5,7 @@
 #include "bodies/finalize.h"
 #include "bodies/free_body.h"
 #include "bodies/integrators.h"
+#include "bodies/motion_budget.h"
 #include "core/order.h"
 #include "joints/joint_layout.h"
 #include "kernels/kernels.h"
@@ -77,17 +78,19 @@ std::int32_t conveyor_row(BatchScratch& scratch, std::uint32_t contact) {
     return row;
 }
 
-// The surface's velocity counts along the surface only: the shape itself stays where it is.
+// The velocity of a moving surface along itself: that across does not count, the shape itself stays where it is.
+math::Vec3 belt_velocity(const Shapes& shapes, const Contacts& contacts, std::uint32_t contact) {
+    const math::Vec3 n = math::to_vec(contacts.records[contact].normal);
+    const std::uint32_t shape = contacts.info[contact].shape_b;
+    const math::Vec3 u = math::rotate(shape_rotation(shapes.poses[shape]), shapes.traits[shape].surface_velocity);
+    return u - math::dot(u, n) * n;
+}
 void fill_conveyor_rows(const Bodies& bodies, const Shapes& shapes, const Contacts& contacts, BatchScratch& scratch) {
     for (const ConveyorRow& conveyor : scratch.conveyor_rows) {
-        const ContactInfo& c = contacts.info[conveyor.contact];
-        const ContactRecord& r = contacts.records[conveyor.contact];
-        const BodyMotion& b = bodies.motion[c.body_b];
-        const math::Vec3 n = math::to_vec(r.normal);
-        const math::Vec3 u =
-            math::rotate(shape_rotation(shapes.poses[c.shape_b]), shapes.traits[c.shape_b].surface_velocity);
+        const BodyMotion& b = bodies.motion[contacts.info[conveyor.contact].body_b];
         const std::size_t row = std::size_t(conveyor.row);
-        scratch.velocity[row] = scratch.reference[row] = to_row(b.v + (u - math::dot(u, n) * n), b.w);
+        scratch.velocity[row] = scratch.reference[row] =
+            to_row(b.v + belt_velocity(shapes, contacts, conveyor.contact), b.w);
     }
 }
 
@@ -223,6 +226,7 @@ std::uint64_t scatter_body(Bodies& bodies, const WorldDef& settings, const Batch
     if (0 * ((sum.x + sum.y) + (sum.z + sum_q)) != 0) {
         motion.v = motion.w = {};
         motion.turned = {};
+        spend_budget(bodies, b); // its contacts were moved along with the row
         return 1;
     }
     const bool was_cut = cut_way(settings, dt, dx, dq);
@@ -233,6 +237,7 @@ std::uint64_t scatter_body(Bodies& bodies, const WorldDef& settings, const Batch
     const bool clamped = clamp_velocity(settings, v, w);
     motion.v = v;
     motion.w = w;
+    if (was_cut) spend_budget(bodies, b); // likewise
     return clamped || was_cut ? 1 : 0;
 }
 
@@ -289,6 +294,18 @@ void fill_batch(Bodies& bodies, const Shapes& shapes, const Contacts& contacts, 
     fill_joint_lanes(bodies, joints, solver, direct, batch, scratch, thread_pool);
     fill_rows(bodies, shapes, contacts, settings, scratch, thread_pool);
     if (scratch.border) number_border_rows(*scratch.border, scratch);
+}
+
+void leave_belts_in_place(const Bodies& bodies, const Shapes& shapes, const Contacts& contacts, BatchScratch& scratch,
+                          float dt) {
+    for (const ConveyorRow& conveyor : scratch.conveyor_rows) {
+        const BodyMotion& b = bodies.motion[contacts.info[conveyor.contact].body_b];
+        SolverPose& pose = scratch.pose[std::size_t(conveyor.row)];
+        const math::Vec3 moved = b.v == math::Vec3{}
+                                     ? math::Vec3{}
+                                     : math::to_vec(pose.dx) - dt * belt_velocity(shapes, contacts, conveyor.contact);
+        math::put(pose.dx, moved);
+    }
 }
 
 void empty_batch(Bodies& bodies, Shapes& shapes, const BroadPhase& broad_phase, const ForceFields& fields,

@@ -15,6 +15,9 @@ void gather_bodies(const Bodies& bodies, Islands& islands, const WorldDef& setti
 void fill_batch(Bodies& bodies, const Shapes& shapes, const Contacts& contacts, Islands& islands, Joints& joints,
                 const WorldDef& settings, SolverScratch& solver, const DirectSets& direct, const IslandBatch& batch,
                 BatchScratch& scratch, ThreadPool* thread_pool);
+// Takes the motion of moving surfaces off the poses of their rows, once the substeps are done.
+void leave_belts_in_place(const Bodies& bodies, const Shapes& shapes, const Contacts& contacts, BatchScratch& scratch,
+                          float dt);
 // Moves the bodies by what their rows have moved, and finalizes them.
 void empty_batch(Bodies& bodies, Shapes& shapes, const BroadPhase& broad_phase, const ForceFields& fields,
                  const WorldDef& settings, SolverScratch& solver, const StepPasses& passes, BatchScratch& scratch,

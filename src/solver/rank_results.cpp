@@ -2,6 +2,7 @@
 #include "solver/rank_results.h"
 
 #include "bodies/finalize.h"
+#include "contacts/contact_record.h"
 
 #include <cstring>
 
@@ -17,10 +18,13 @@ struct ContactResult {
     float friction[4]; // and torsion
     float totals[4];   // of friction, and of the first point
     float more_totals[4];
+    float center_offset[4]; // and restitution
+    float points[4][4];
     ContactReport report;
 };
 static_assert(offsetof(ContactRecord, torsion_impulse) == offsetof(ContactRecord, friction_impulse) + 12);
 static_assert(offsetof(ContactRecord, first_total) == offsetof(ContactRecord, total_friction) + 12);
+static_assert(offsetof(ContactRecord, restitution) == offsetof(ContactRecord, center_offset) + 12);
 static_assert(offsetof(ContactRecord, more_padding) == offsetof(ContactRecord, more_totals) + 12);
 
 std::size_t size_of(const RankPart& part) {
@@ -40,6 +44,8 @@ void pack(const Bodies& bodies, const Contacts& contacts, const SolverScratch& s
         std::memcpy(result.friction, r.friction_impulse, sizeof result.friction);
         std::memcpy(result.totals, r.total_friction, sizeof result.totals);
         std::memcpy(result.more_totals, r.more_totals, sizeof result.more_totals);
+        std::memcpy(result.center_offset, r.center_offset, sizeof result.center_offset);
+        for (int i = 0; i < 4; ++i) std::memcpy(result.points[i], point_of(r, i), sizeof result.points[i]);
         result.report = solver.reports[id];
         std::memcpy(out, &result, sizeof result);
         out += sizeof result;
@@ -60,6 +66,9 @@ void unpack(Bodies& bodies, Contacts& contacts, SolverScratch& solver, const Ran
         std::memcpy(r.friction_impulse, result.friction, sizeof result.friction);
         std::memcpy(r.total_friction, result.totals, sizeof result.totals);
         std::memcpy(r.more_totals, result.more_totals, sizeof result.more_totals);
+        std::memcpy(r.center_offset, result.center_offset, sizeof result.center_offset);
+        for (int i = 0; i < 4; ++i) std::memcpy(point_of(r, i), result.points[i], sizeof result.points[i]);
+        r.touch_time = 0;
         solver.reports[id] = result.report;
     }
 }

@@ -203,9 +203,10 @@ void solve_batch(const BatchContext& s, const IslandBatch& batch, BatchScratch& 
         run_substeps(s.bodies, s.joints, s.fields, s.settings, s.direct, s.passes, batch, scratch, thread_pool, s.ranks,
                      dt);
         finish_free_motion(scratch);
+        leave_belts_in_place(s.bodies, s.shapes, s.contacts, scratch, dt);
         for_blocks(scratch, thread_pool, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
-            k.store(blocks_of(scratch, run), run.count, lanes_of(scratch, run), s.contacts.records.data(),
-                    s.solver.reports.data());
+            k.store(blocks_of(scratch, run), run.count, lanes_of(scratch, run), scratch.pose.data(),
+                    s.contacts.records.data(), s.solver.reports.data());
         });
         store_joints(s.joints, s.settings, s.direct, scratch, dt);
         scratch.solve_ms += milliseconds_since(start) - prepare_ms;

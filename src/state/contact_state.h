@@ -55,7 +55,7 @@ struct alignas(64) ContactInfo {
     std::uint8_t is_trigger = 0;  // never solved: only `touching` counts
     std::uint8_t is_conveyor = 0; // B's surface moves
     std::uint8_t padding[2] = {};
-    Travel placed_at = 0;        // of both bodies, when the pair was tested or its points were moved along
+    Travel placed_at = 0;        // of both bodies, when the pair was tested
     std::int32_t related = none; // group: its first patch; patch: its group
     std::int32_t next = none;    // patch: the next one of its group
 };

@@ -73,7 +73,6 @@ struct DepthOfContact {
 struct NarrowScratch {
     // Pairs to be tested, one list per PairKind: their places among the candidates.
     std::vector<std::vector<std::uint32_t>> lists;
-    std::vector<std::uint32_t> to_move;       // likewise: tested before, to be moved along
     std::vector<NarrowBatch> at_work;         // one per thread
     std::vector<std::int32_t> moving;         // bodies that are awake, and then the kinematic ones
     std::vector<std::int32_t> whirling;       // bodies that turn far in a step and have unequal moments of inertia

@@ -26,11 +26,9 @@ double summed_mass(const Bodies& bodies, std::int32_t b) {
 
 bool is_touching(const ContactInfo& c) { return c.in_use && c.touching && !c.is_trigger; }
 
-Contact make_contact(const Bodies& bodies, const Shapes& shapes, const Contacts& contacts, const Islands& islands,
-                     std::uint32_t id) {
+Contact make_contact(const Bodies& bodies, const Shapes& shapes, const Contacts& contacts, std::uint32_t id) {
     const ContactInfo& c = contacts.info[id];
-    const ContactRecord r =
-        is_awake(bodies, islands, c.body_a) ? advanced_record(bodies, contacts, id) : contacts.records[id];
+    const ContactRecord& r = contacts.records[id];
     Contact out{shapes.slots.id(c.shape_a),
                 shapes.slots.id(c.shape_b),
                 bodies.id(c.body_a),
@@ -117,8 +115,7 @@ std::vector<Contact> World::contacts() const {
     const State& s = impl_->whole("World::contacts");
     std::vector<Contact> all;
     for (std::uint32_t id = 0; id < s.contacts.info.size(); ++id)
-        if (is_touching(s.contacts.info[id]))
-            all.push_back(make_contact(s.bodies, s.shapes, s.contacts, s.islands, id));
+        if (is_touching(s.contacts.info[id])) all.push_back(make_contact(s.bodies, s.shapes, s.contacts, id));
     return all;
 }
 
@@ -129,7 +126,7 @@ std::vector<Contact> World::contacts(BodyId body) const {
     for (std::uint32_t id = 0; id < s.contacts.info.size(); ++id) {
         const ContactInfo& c = s.contacts.info[id];
         if (is_touching(c) && (c.body_a == b || c.body_b == b))
-            all.push_back(make_contact(s.bodies, s.shapes, s.contacts, s.islands, id));
+            all.push_back(make_contact(s.bodies, s.shapes, s.contacts, id));
     }
     return all;
 }

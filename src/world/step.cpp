@@ -108,9 +108,8 @@ void World::Impl::make_step(float dt) {
             report_contacts(state.bodies, state.shapes, state.contacts, state.islands, state.events, state.settings,
                             step.solver, step.narrow, *step.thread_pool, pass_dt);
         break_joints();
-        if (update_sleep(state.bodies, state.contacts, state.islands, state.joints, state.settings, state.events,
-                         step.solved, step.solver))
-            settle_sleeping_contacts(state.bodies, state.contacts, state.islands, step.solved);
+        update_sleep(state.bodies, state.contacts, state.islands, state.joints, state.settings, state.events,
+                     step.solved, step.solver);
         times.finalize += clock.lap();
     }
     step.passes = {};

@@ -7,21 +7,21 @@
 
 namespace cairn_test::golden {
 
-inline constexpr std::uint64_t mixed_pile = 0xc1c76409f141e77f;
-inline constexpr std::uint64_t pyramid = 0x57f11eee08c3a296;
-inline constexpr std::uint64_t dominoes = 0x6f005bfea483c550;
-inline constexpr std::uint64_t materials = 0xba5bfe886ece5147;
-inline constexpr std::uint64_t tumbler = 0x9fe66962884c0ce1;
-inline constexpr std::uint64_t sleep_and_wake = 0x50dad7b28f748b25;
-inline constexpr std::uint64_t compounds = 0xeb584e3dce23892b;
+inline constexpr std::uint64_t mixed_pile = 0xe10906e3e5d26ec6;
+inline constexpr std::uint64_t pyramid = 0x5ae339a647eca8ce;
+inline constexpr std::uint64_t dominoes = 0x9bbd2143e62785ad;
+inline constexpr std::uint64_t materials = 0x8552ed45d3aaa9da;
+inline constexpr std::uint64_t tumbler = 0xe0c3afb42964f5bf;
+inline constexpr std::uint64_t sleep_and_wake = 0x9b8076cfae7eac20;
+inline constexpr std::uint64_t compounds = 0xe4d9c2d48d2570af;
 inline constexpr std::uint64_t free_tops = 0x4c84fe26826d73cd;
-inline constexpr std::uint64_t explicit_euler = 0x75f56d0fdae1ffe5;
-inline constexpr std::uint64_t whirl = 0x3a9b40bab4a8645e;
-inline constexpr std::uint64_t changes = 0xd250cd315b1a4a04;
-inline constexpr std::uint64_t all_shapes = 0xc6fee70fa57c282c;
-inline constexpr std::uint64_t rounded_shapes = 0xc11dc4a5f883f9b0;
-inline constexpr std::uint64_t surfaces = 0x31a74fdec6e71473;
-inline constexpr std::uint64_t all_joints = 0x621d3546192919a7;
-inline constexpr std::uint64_t chains = 0xa1fffcacb9d25e75;
+inline constexpr std::uint64_t explicit_euler = 0x5e8c25f8ffe5c30e;
+inline constexpr std::uint64_t whirl = 0xacec7eee12120c47;
+inline constexpr std::uint64_t changes = 0x12f9ef9d77b4543e;
+inline constexpr std::uint64_t all_shapes = 0xe01919c52f0ae926;
+inline constexpr std::uint64_t rounded_shapes = 0x36eaff12b2a74842;
+inline constexpr std::uint64_t surfaces = 0x786d123c12944c7e;
+inline constexpr std::uint64_t all_joints = 0xe65a095540ed7bca;
+inline constexpr std::uint64_t chains = 0x807ae1a449bb3aa9;
 
 } // namespace cairn_test::golden

@@ -779,8 +779,8 @@ export interface Statistics {
     /** Pairs whose bounds overlap. */
     candidatePairs: number;
     /**
-     * Of those, how many the last step has looked at: tested, or moved along with their bodies. The others were well
-     * apart, at rest or asleep.
+     * Of those, how many the last step has tested. The others were well apart or asleep, or their bodies have moved by
+     * a few millimeters at most since they were.
      */
     testedPairs: number;
     /** Touching pairs of shapes, asleep ones included. */

@@ -83,8 +83,8 @@ typedef struct cairn_statistics {
     size_t awake_bodies; ///< Those that are not asleep.
     size_t shapes; ///< All of them.
     size_t candidate_pairs; ///< Pairs whose bounds overlap.
-    /// Of those, how many the last step has looked at: tested, or moved along with their bodies. The others were well
-    /// apart, at rest or asleep.
+    /// Of those, how many the last step has tested. The others were well apart or asleep, or their bodies have moved by
+    /// a few millimeters at most since they were.
     size_t tested_pairs;
     size_t contacts; ///< Touching pairs of shapes, asleep ones included.
     size_t contact_points; ///< Their points.

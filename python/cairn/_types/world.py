@@ -125,8 +125,8 @@ class Statistics:
     candidate_pairs: int = 0
     """Pairs whose bounds overlap."""
     tested_pairs: int = 0
-    """Of those, how many the last step has looked at: tested, or moved along with their bodies. The others were well
-    apart, at rest or asleep.
+    """Of those, how many the last step has tested. The others were well apart or asleep, or their bodies have moved by
+    a few millimeters at most since they were.
     """
     contacts: int = 0
     """Touching pairs of shapes, asleep ones included."""

@@ -340,21 +340,74 @@ CAIRN_INLINE void store_reports(const ContactBlock<N>& block, const std::int32_t
         if (ids[i] >= 0) reports[ids[i]] = {impulses[i], separations[i], inverse_masses[i]};
 }
 
+// How far a step has moved the points of contacts, as a linear function of where they were.
+struct PointMotionx8 {
+    Mat3x8 turn;
+    Vec3x8 shift;
+    Vec3x8 passed; // how far A has passed B
+};
+// Midway between what was one point of both bodies. Those that have passed each other since the touch stay with A. What
+// is round does not turn with its body.
+template <int N> CAIRN_INLINE PointMotionx8 point_motion(const ContactBlock<N>& block, const SolverPose* pose) {
+    const Posex8 a = gather_pose(pose, block.a), b = gather_pose(pose, block.b);
+    const Mat3x8 turn_a = turn_of(a.dq), turn_b = turn_of(b.dq);
+    const f32x8 half = splat(0.5f);
+    const Vec3x8 n = load3(block.normal), d = load3(block.d0), passed = a.dx - b.dx;
+    Vec3x8 arm_b = d, round_a = zero3();
+    if (N == 1 || block.round) arm_b = d + load(block.radius_b) * n, round_a = turn_a * (load(block.radius_a) * n);
+    PointMotionx8 m{half * (turn_a + turn_b), half * ((turn_b * arm_b - round_a) - passed), passed};
+    const Vec3x8 at_touch = load3(block.d_touch);
+    const mask8 fits = (at_touch.x == d.x) & (at_touch.y == d.y) & (at_touch.z == d.z);
+    if (all(fits)) return m;
+    m.turn.c0 = select(fits, m.turn.c0, turn_a.c0);
+    m.turn.c1 = select(fits, m.turn.c1, turn_a.c1);
+    m.turn.c2 = select(fits, m.turn.c2, turn_a.c2);
+    m.shift = select(fits, m.shift, -round_a);
+    return m;
+}
+
+// What is beyond the range of numbers stays where it was, as its bodies do.
+CAIRN_INLINE mask8 is_finite(Vec3x8 r, f32x8 s) { return zero() * ((r.x + r.y) + (r.z + s)) == zero(); }
+
+// The points of the records, moved along: what has not moved keeps its bits.
 template <int N>
-void store_contacts(const void* blocks, int count, const ContactLanes& lanes, ContactRecord* records,
-                    ContactReport* reports) {
+CAIRN_INLINE void move_points(const ContactBlock<N>& block, const SolverPose* pose, ContactRecord* const* record) {
+    const PointMotionx8 m = point_motion(block, pose);
+    for (int i = 0; i < N; ++i) {
+        float* point[8];
+        for (int k = 0; k < 8; ++k)
+            point[k] = reinterpret_cast<float*>(reinterpret_cast<char*>(record[k]) + point_offset(i));
+        Vec3x8 r;
+        f32x8 s;
+        gather4(point, r.x, r.y, r.z, s);
+        const Vec3x8 moved = r + (m.turn * r + m.shift);
+        const f32x8 now = load(block.separation[i]);
+        const mask8 moves = (load(block.separation0[i]) < splat(unused_separation)) & is_finite(moved, now);
+        r = select(moves, moved, r), s = select(moves, now, s);
+        scatter4(point, r.x, r.y, r.z, s);
+    }
+    Vec3x8 d = load3(block.d0);
+    d = d + select(is_finite(m.passed, zero()), m.passed, zero3());
+    float* offset[8];
+    for (int k = 0; k < 8; ++k) offset[k] = record[k]->center_offset, record[k]->touch_time = 0; // it is of now
+    scatter4(offset, d.x, d.y, d.z, load(block.restitution));
+}
+
+template <int N>
+void store_contacts(const void* blocks, int count, const ContactLanes& lanes, const SolverPose* pose,
+                    ContactRecord* records, ContactReport* reports) {
     auto* block = static_cast<const ContactBlock<N>*>(blocks);
-    alignas(32) float discarded[4];
+    ContactRecord discarded = empty_record;
     for (int k = 0; k < count; ++k) {
         if (k + 1 < count) prefetch_records<N>(lanes.record + 8 * (k + 1), records);
         const ContactBlock<N>& b = block[k];
         const std::int32_t* ids = lanes.record + 8 * k;
+        ContactRecord* record[8];
         float *impulses[8], *friction[8], *totals[8], *more_totals[8];
         for (int i = 0; i < 8; ++i) {
-            impulses[i] = ids[i] >= 0 ? records[ids[i]].impulses : discarded;
-            friction[i] = ids[i] >= 0 ? records[ids[i]].friction_impulse : discarded;
-            totals[i] = ids[i] >= 0 ? records[ids[i]].total_friction : discarded;
-            more_totals[i] = ids[i] >= 0 ? records[ids[i]].more_totals : discarded;
+            ContactRecord* const r = record[i] = ids[i] >= 0 ? records + ids[i] : &discarded;
+            impulses[i] = r->impulses, friction[i] = r->friction_impulse;
+            totals[i] = r->total_friction, more_totals[i] = r->more_totals;
         }
         f32x8 impulse[4];
         for (int i = 0; i < 4; ++i) impulse[i] = i < N ? load(b.impulse[i < N ? i : 0]) : zero();
@@ -369,6 +422,7 @@ void store_contacts(const void* blocks, int count, const ContactLanes& lanes, Co
         if constexpr (N > 1)
             scatter4(more_totals, load(b.total_impulse[1]), load(b.total_impulse[2]), load(b.total_impulse[3]), zero());
         store_reports<N>(b, ids, p, reports);
+        move_points(b, pose, record);
     }
 }
 
@@ -376,7 +430,9 @@ template void prepare_contacts<1>(void*, int, const ContactLanes&, const Contact
                                   const SolverVelocity*);
 template void prepare_contacts<4>(void*, int, const ContactLanes&, const ContactRecord*, const SolverInertia*,
                                   const SolverVelocity*);
-template void store_contacts<1>(const void*, int, const ContactLanes&, ContactRecord*, ContactReport*);
-template void store_contacts<4>(const void*, int, const ContactLanes&, ContactRecord*, ContactReport*);
+template void store_contacts<1>(const void*, int, const ContactLanes&, const SolverPose*, ContactRecord*,
+                                ContactReport*);
+template void store_contacts<4>(const void*, int, const ContactLanes&, const SolverPose*, ContactRecord*,
+                                ContactReport*);
 
 } // namespace cairn::CAIRN_ISA

@@ -14,20 +14,6 @@ namespace {
 // Shares of B's arm: how far two bodies must pass each other to count, and how far it counts in one step.
 constexpr float min_passing = 1e-6f, max_passing = 0.4f;
 
-struct Posex8 {
-    Vec3x8 dx;
-    Quatx8 dq;
-};
-CAIRN_INLINE Posex8 gather_pose(const SolverPose* rows, const std::uint32_t* offset) {
-    const float* p[8];
-    Posex8 r;
-    f32x8 unused;
-    for (int i = 0; i < 8; ++i) p[i] = row_at(rows, offset[i]).dx;
-    gather4(p, r.dx.x, r.dx.y, r.dx.z, unused);
-    for (int i = 0; i < 8; ++i) p[i] += 4;
-    gather4(p, r.dq.v.x, r.dq.v.y, r.dq.v.z, r.dq.w);
-    return r;
-}
 CAIRN_INLINE Vec3x8 turned_back_difference(Quatx8 q, Vec3x8 n) {
     const Vec3x8 g = cross(q.v, n);
     return splat(2.0f) * (cross(q.v, g) - q.w * g);

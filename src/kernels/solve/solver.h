@@ -13,8 +13,8 @@ template <int N>
 void prepare_contacts(void* blocks, int count, const ContactLanes& lanes, const ContactRecord* records,
                       const SolverInertia* inertia, const SolverVelocity* velocity);
 template <int N>
-void store_contacts(const void* blocks, int count, const ContactLanes& lanes, ContactRecord* records,
-                    ContactReport* reports);
+void store_contacts(const void* blocks, int count, const ContactLanes& lanes, const SolverPose* pose,
+                    ContactRecord* records, ContactReport* reports);
 template <int N>
 int bounce_contacts(void* blocks, int count, const SolverBodies& bodies, const BounceSettings& settings);
 template <int N> void renew_masses(void* blocks, int count, const SolverInertia* inertia);
@@ -64,6 +64,22 @@ CAIRN_INLINE void scatter_velocity(SolverVelocity* rows, const std::uint32_t* of
     scatter4(p, a.v.x, a.v.y, a.v.z, zero());
     for (int i = 0; i < 8; ++i) p[i] += 4;
     scatter4(p, a.w.x, a.w.y, a.w.z, zero());
+}
+
+// How far 8 bodies have moved since the start of the step.
+struct Posex8 {
+    Vec3x8 dx;
+    Quatx8 dq;
+};
+CAIRN_INLINE Posex8 gather_pose(const SolverPose* rows, const std::uint32_t* offset) {
+    const float* p[8];
+    Posex8 r;
+    f32x8 unused;
+    for (int i = 0; i < 8; ++i) p[i] = row_at(rows, offset[i]).dx;
+    gather4(p, r.dx.x, r.dx.y, r.dx.z, unused);
+    for (int i = 0; i < 8; ++i) p[i] += 4;
+    gather4(p, r.dq.v.x, r.dq.v.y, r.dq.v.z, r.dq.w);
+    return r;
 }
 
 CAIRN_INLINE Quatx8 multiply(Quatx8 a, Quatx8 b) {

@@ -42,9 +42,9 @@ inline constexpr std::int32_t fixed_row = 0, first_body_row = 1;
 // --- Contacts.
 
 // One touching or nearly touching pair of shapes, at a stable index. Written by the narrow phase, read by
-// the solver's prepare kernel, which writes the impulses back. Body A always moves by forces (is dynamic);
-// body B may be anything. World axes; arms are relative to A's center of mass. Contacts with one point use the first
-// two cache lines alone.
+// the solver's prepare kernel; its store kernel writes the impulses back, and moves the points along with the bodies to
+// the end of the step. Body A always moves by forces (is dynamic); body B may be anything. World axes; arms are
+// relative to A's center of mass. Contacts with one point use the first two cache lines alone.
 struct alignas(64) ContactRecord {
     float normal[3];        // unit, from A to B
     float friction;         // combined dynamic coefficient
@@ -216,9 +216,10 @@ struct SolverKernels {
         // `free_correction`: what velocity_correction was before the bounces.
         void (*refresh_arms)(void* blocks, int count, const SolverBodies& bodies, const SolverTwist* free_correction,
                              float h);
-        // Records and reports are indexed by the contact.
-        void (*store)(const void* blocks, int count, const ContactLanes& lanes, ContactRecord* records,
-                      ContactReport* reports);
+        // Impulses, and the points as they are at `pose`, the end of the step. Records and reports are indexed by the
+        // contact.
+        void (*store)(const void* blocks, int count, const ContactLanes& lanes, const SolverPose* pose,
+                      ContactRecord* records, ContactReport* reports);
     } one_point, four_points;
 
     // The greatest change of some rows since `last`, in units of `settled`; `last` becomes what they are.
