@@ -31,7 +31,7 @@ struct SetView {
     DirectRow* rows;
     Block *diagonal, *lower;
     DVec3* sought;
-    bool is_new;
+    bool is_new, is_touched;
 };
 
 DVec3 vector_of(const float* p) { return math::to_double(math::to_vec(p)); }
@@ -302,13 +302,28 @@ DVec3 return_speed(DVec3 v) {
 }
 
 // Impulses that take the velocities to -rate x error.
-void solve_rows(const SetView& v, double rate) {
+void seek_impulses(const SetView& v, double rate) {
     const std::size_t n = v.set.nodes.size();
     for (std::size_t i = 0; i < n; ++i) v.sought[i] = -(slip_of(v, i) + return_speed(rate * v.rows[i].error));
     substitute(v);
-    for (std::size_t i = 0; i < n; ++i) {
-        apply(v, i, v.sought[i]);
-        v.rows[i].impulse += v.sought[i];
+    for (std::size_t i = 0; i < n; ++i) apply(v, i, v.sought[i]);
+}
+
+void solve_rows(const SetView& v, double rate) {
+    seek_impulses(v, rate);
+    for (std::size_t i = 0; i < v.set.nodes.size(); ++i) v.rows[i].impulse += v.sought[i];
+}
+
+double return_rate(const SetView& v, double h) {
+    return (v.set.mass_ratio <= max_equal_mass_ratio ? bias_of_equals : bias_of_unequals) / h;
+}
+
+void read_velocities(const SetView& v, const BatchScratch& scratch) {
+    for (std::size_t i = 0; i < v.set.bodies.size(); ++i) {
+        DirectBody& b = v.bodies[i];
+        b.v = vector_of(scratch.velocity[b.row].v);
+        b.w = vector_of(scratch.velocity[b.row].w);
+        b.dv = b.dw = {};
     }
 }
 
@@ -333,14 +348,8 @@ void begin_set(const Joints& joints, const SetView& v, BatchScratch& scratch, do
 }
 
 void solve_set(const SetView& v, BatchScratch& scratch, double h) {
-    for (std::size_t i = 0; i < v.set.bodies.size(); ++i) {
-        DirectBody& b = v.bodies[i];
-        b.v = vector_of(scratch.velocity[b.row].v);
-        b.w = vector_of(scratch.velocity[b.row].w);
-        b.dv = b.dw = {};
-    }
-    const double rate = (v.set.mass_ratio <= max_equal_mass_ratio ? bias_of_equals : bias_of_unequals) / h;
-    solve_rows(v, rate);
+    read_velocities(v, scratch);
+    solve_rows(v, return_rate(v, h));
     find_stiffness(v, h);
     for (std::size_t i = 0; i < v.set.nodes.size(); ++i) {
         DirectRow& r = v.rows[i];
@@ -352,6 +361,28 @@ void solve_set(const SetView& v, BatchScratch& scratch, double h) {
     write_velocities(v, scratch);
 }
 
+void hold_set(const SetView& v, BatchScratch& scratch, double h) {
+    if (!v.is_touched) return;
+    read_velocities(v, scratch);
+    seek_impulses(v, return_rate(v, h));
+    for (std::size_t i = 0; i < v.set.bodies.size(); ++i) {
+        DirectBody& b = v.bodies[i];
+        if (!b.by_forces) continue;
+        SolverVelocity& velocity = scratch.velocity[b.row];
+        b.kept_v = math::to_vec(velocity.v), b.kept_w = math::to_vec(velocity.w);
+        put(velocity.v, math::to_float(b.v + b.dv)), put(velocity.w, math::to_float(b.w + b.dw));
+    }
+}
+
+void release_set(const SetView& v, BatchScratch& scratch) {
+    if (!v.is_touched) return;
+    for (std::size_t i = 0; i < v.set.bodies.size(); ++i) {
+        const DirectBody& b = v.bodies[i];
+        if (!b.by_forces) continue;
+        put(scratch.velocity[b.row].v, b.kept_v), put(scratch.velocity[b.row].w, b.kept_w);
+    }
+}
+
 template <class F> void for_sets(const DirectSets& direct, BatchScratch& scratch, ThreadPool* thread_pool, F&& work) {
     DirectWork& w = scratch.direct;
     for_chunks(thread_pool, int(w.sets.size()), 1, [&](int begin, int end, int) {
@@ -359,7 +390,7 @@ template <class F> void for_sets(const DirectSets& direct, BatchScratch& scratch
             const DirectSolve& solve = w.sets[k];
             work(SetView{direct.sets[solve.set], w.bodies.data() + solve.first_body, w.rows.data() + solve.first_row,
                          w.diagonal.data() + solve.first_row, w.lower.data() + solve.first_block,
-                         w.sought.data() + solve.first_row, solve.is_new});
+                         w.sought.data() + solve.first_row, solve.is_new, solve.is_touched});
         }
     });
 }
@@ -373,6 +404,14 @@ void begin_direct_substep(const Joints& joints, const DirectSets& direct, BatchS
 
 void solve_direct_rows(const DirectSets& direct, BatchScratch& scratch, ThreadPool* thread_pool, float h) {
     for_sets(direct, scratch, thread_pool, [&](const SetView& v) { solve_set(v, scratch, double(h)); });
+}
+
+void hold_direct_bodies(const DirectSets& direct, BatchScratch& scratch, ThreadPool* thread_pool, float h) {
+    for_sets(direct, scratch, thread_pool, [&](const SetView& v) { hold_set(v, scratch, double(h)); });
+}
+
+void release_direct_bodies(const DirectSets& direct, BatchScratch& scratch, ThreadPool* thread_pool) {
+    for_sets(direct, scratch, thread_pool, [&](const SetView& v) { release_set(v, scratch); });
 }
 
 } // namespace cairn

@@ -22,6 +22,11 @@ void begin_direct_substep(const Joints& joints, const DirectSets& direct, BatchS
                           ThreadPool* thread_pool, float h, bool first);
 // Then, once: what is missing of the impulses.
 void solve_direct_rows(const DirectSets& direct, BatchScratch& scratch, ThreadPool* thread_pool, float h);
+// While poses are integrated: bodies that contacts have pushed have velocities that the joints allow. A foot that is
+// light beside what stands on it would else go its own way in each substep, and the joints pull it back. Their
+// velocities themselves stay as the contacts left them, so that nothing that takes overlaps back is passed on.
+void hold_direct_bodies(const DirectSets& direct, BatchScratch& scratch, ThreadPool* thread_pool, float h);
+void release_direct_bodies(const DirectSets& direct, BatchScratch& scratch, ThreadPool* thread_pool);
 
 // After the last substep: impulses and forces (as impulses of the whole step) back to the joints.
 void store_direct_rows(Joints& joints, const DirectSets& direct, BatchScratch& scratch);

@@ -83,8 +83,10 @@ void fill_direct_rows(const Bodies& bodies, const Joints& joints, const DirectSe
     DirectWork& work = scratch.direct;
     for_chunks(thread_pool, int(work.sets.size()), 1, [&](int begin, int end, int) {
         for (int k = begin; k < end; ++k) {
-            const DirectSolve& solve = work.sets[k];
+            DirectSolve& solve = work.sets[k];
             const DirectSet& set = direct.sets[solve.set];
+            solve.is_touched = std::any_of(set.bodies.begin() + 1, set.bodies.end(),
+                                           [&](std::uint32_t body) { return bodies.links[body].contact_count > 0; });
             for (std::size_t i = 0; i < set.bodies.size(); ++i)
                 fill_body(bodies, scratch, set.bodies[i], work.bodies[solve.first_body + i]);
             for (std::size_t i = 0; i < set.nodes.size(); ++i)

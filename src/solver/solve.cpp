@@ -147,9 +147,11 @@ void run_substeps(const Bodies& bodies, const Joints& joints, const ForceFields&
             if (count > 0) struck += count;
         });
         solve_impacts(bodies, joints, scratch, thread_pool, h, struck);
+        hold_direct_bodies(direct, scratch, thread_pool, h);
         for_chunks(thread_pool, rows, rows_per_chunk,
                    [&](int begin, int end, int) { k.integrate_poses(solver_bodies, begin, end, h); });
         turn_spinning_rows(bodies, scratch, h);
+        release_direct_bodies(direct, scratch, thread_pool);
         renew_inertia(bodies, scratch, thread_pool);
         for_joint_blocks(scratch, thread_pool, [&](const ForRows& rows_of, void* blocks, int count) {
             rows_of.relax(blocks, count, solver_bodies, joint_soft);

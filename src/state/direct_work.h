@@ -21,7 +21,8 @@ struct DirectBody {
     math::DVec3 stiffness;                // geometric: least moments about the principal axes, kg m^2
     math::DSym3 inverse_inertia;
     math::DVec3 v, w;
-    math::DVec3 dv, dw; // what the impulses add
+    math::DVec3 dv, dw;        // what the impulses add
+    math::Vec3 kept_v, kept_w; // the velocity while poses are integrated with another
 };
 
 // Three rows: c = L (v_B - v_A) + J_B w_B + J_A w_A is to be -rate x error.
@@ -42,7 +43,8 @@ struct DirectRow {
 struct DirectSolve {
     std::int32_t set = 0;
     std::size_t first_body = 0, first_row = 0, first_block = 0;
-    bool is_new = false; // some joint has no impulse of a last substep
+    bool is_new = false;     // some joint has no impulse of a last substep
+    bool is_touched = false; // contacts push some of its bodies
 };
 
 struct DirectWork {

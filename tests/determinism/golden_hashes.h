@@ -22,6 +22,6 @@ inline constexpr std::uint64_t all_shapes = 0xe01919c52f0ae926;
 inline constexpr std::uint64_t rounded_shapes = 0x36eaff12b2a74842;
 inline constexpr std::uint64_t surfaces = 0x786d123c12944c7e;
 inline constexpr std::uint64_t all_joints = 0xe65a095540ed7bca;
-inline constexpr std::uint64_t chains = 0x807ae1a449bb3aa9;
+inline constexpr std::uint64_t chains = 0xa0b759c901e793e8;
 
 } // namespace cairn_test::golden
