@@ -69,6 +69,12 @@ struct StepBack {};
 struct PlayBackwards {};
 struct Undo {};
 struct Redo {};
+/// Branches off: what is known stays as another run beside this one, which goes on from now by itself. A run that there
+/// is already beside it ends.
+struct BranchOff {};
+/// The run beside it becomes the one that commands change, and this one that beside it.
+struct ExchangeRuns {};
+struct EndOtherRun {};
 /// Saves the last seconds as a recording.
 struct SaveRecording {
     std::string path;
@@ -160,7 +166,8 @@ using Command =
     std::variant<command::LoadScene, command::ResetScene, command::Spawn, command::Shoot, command::RemoveLast,
                  command::RemoveSelected, command::SetForce, command::SetPull, command::SetFreeze, command::SetPaused,
                  command::TogglePause, command::SingleStep, command::ChangeSpeed, command::SetSpeed, command::SeekTo,
-                 command::StepBack, command::PlayBackwards, command::Undo, command::Redo, command::SaveRecording,
+                 command::StepBack, command::PlayBackwards, command::Undo, command::Redo, command::BranchOff,
+                 command::ExchangeRuns, command::EndOtherRun, command::SaveRecording,
                  command::SetSettings, command::GrabBody, command::MoveGrab, command::ReleaseGrab,
                  command::SelectNothing, command::Say, command::ShowIslands, command::TakeSamples, command::ShowSolver,
                  command::SelectBody, command::EditBody, command::DuplicateSelected, command::SaveScene,

@@ -255,6 +255,15 @@ bool Controller::perform_on_time(Action action) {
     case Action::redo:
         post_(command::Redo{});
         return true;
+    case Action::branch_off:
+        post_(command::BranchOff{});
+        return true;
+    case Action::exchange_runs:
+        post_(command::ExchangeRuns{});
+        return true;
+    case Action::end_other_run:
+        post_(command::EndOtherRun{});
+        return true;
     case Action::slower:
         post_(command::ChangeSpeed{-1});
         return true;

@@ -85,6 +85,17 @@ Json timeline_json(const TimelineState& timeline, const WindowFacts& facts) {
     return json;
 }
 
+Json other_json(const OtherRun& other) {
+    Json json{{"parted_at", other.parted_at},
+              {"bodies", other.picture.layout->bodies.size()},
+              {"elsewhere", other.difference.elsewhere},
+              {"farthest", other.difference.farthest}};
+    Json positions = Json::array();
+    for (const Transform& pose : other.picture.current->transforms) positions.push_back(triple(pose.position));
+    json["positions"] = positions;
+    return json;
+}
+
 Json inspected_json(const BodyFacts& facts) {
     return {{"index", facts.id.index()},
             {"name", facts.name},
@@ -145,6 +156,7 @@ std::string report_json(const StageState& state, const Controller& controller, c
     json["notice"] = facts.notice;
     for (const auto& [name, place] : controller.places) json["places"][name] = {place.x, place.y};
     json["timeline"] = timeline_json(state.timeline, facts);
+    if (state.other) json["other"] = other_json(*state.other);
     json["bodies"] = std::move(bodies);
     json["joints_shown"] = cairn::viewer::name_of(controller.joints);
     json["selected_joint"] = state.selected_joint ? Json(state.selected_joint.index()) : Json();

@@ -47,6 +47,7 @@ void Stage::take_scene(LoadedScene scene, const std::string& path) {
     step_milliseconds_ = 0.0;
     timeline_.begin(scene_.world, std::exchange(scene_.run, {}));
     held_.clear();
+    other_.reset();
     samples_.clear();
     seeking_.reset();
     is_backwards_ = false;
@@ -70,12 +71,14 @@ void Stage::apply(const Command& command) {
     else if (const auto change = change_of(command))
         timeline_.name_change(before, change->name, change->merge);
     settle_branch();
+    if (!seeking_) take_other_along(longest_advance);
     if (selected_ != selected_before && solver_shown_.any()) refresh_motion();
 }
 
 int Stage::advance(double real_seconds) {
     hear_from_writer();
     if (seeking_) go_on_seeking();
+    take_other_along(longest_advance); // it may still be on its way
     const int due = clock_.advance(real_seconds);
     const auto start = std::chrono::steady_clock::now();
     int taken = 0;
@@ -106,6 +109,7 @@ void Stage::step() {
         return say(error.what());
     }
     clock_.count_step();
+    take_other_along(longest_advance);
     if (!is_live) return;
     const double milliseconds =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -165,6 +169,11 @@ StageState Stage::state() const {
     state.timeline.is_recording = timeline_.is_recording();
     state.timeline.verdict = timeline_.verdict();
     state.timeline.bytes = timeline_.bytes();
+    if (other_) {
+        state.other = {parted_at_, other_->picture(), {}};
+        if (other_->is_at(timeline_.now().step))
+            state.other->difference = difference(*layout_, *current_, other_->picture());
+    }
     return state;
 }
 

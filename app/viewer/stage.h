@@ -5,6 +5,7 @@
 #include "viewer/commands.h"
 #include "viewer/samples.h"
 #include "viewer/scene_source.h"
+#include "viewer/side_run.h"
 #include "viewer/step_clock.h"
 #include "viewer/timeline.h"
 #include "viewer/world_state.h"
@@ -13,7 +14,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace cairn::viewer {
@@ -44,6 +44,13 @@ struct TimelineState {
     std::size_t bytes = 0; ///< That it takes.
 };
 
+/// The other of two runs that parted.
+struct OtherRun {
+    std::uint64_t parted_at = 0; ///< Steps made then.
+    RunPicture picture;
+    RunDifference difference;
+};
+
 /// What the window shows. A copy costs little: the large parts are shared and never change.
 struct StageState {
     std::uint64_t scene_serial = 0; ///< Counts loaded scenes, resets included.
@@ -65,6 +72,7 @@ struct StageState {
     Grab grab;
     Message message;
     TimelineState timeline;
+    std::optional<OtherRun> other;
     SampleLog samples;
     std::optional<BodyFacts> inspected; ///< The selected body.
 };
@@ -108,6 +116,9 @@ class Stage {
     void operator()(const command::PlayBackwards&);
     void operator()(const command::Undo&);
     void operator()(const command::Redo&);
+    void operator()(const command::BranchOff&);
+    void operator()(const command::ExchangeRuns&);
+    void operator()(const command::EndOtherRun&);
     void operator()(const command::SaveRecording& save);
     void operator()(const command::SetSettings& settings);
     void operator()(const command::GrabBody& grab);
@@ -130,11 +141,6 @@ class Stage {
     void operator()(const command::RemoveJoint& joint);
 
   private:
-    // Of keys and drags: what exists in the world only as long as they are held.
-    struct Held {
-        std::variant<JointId, ForceFieldId> id;
-        Moment since;
-    };
     struct Writer;
     void take_scene(LoadedScene scene, const std::string& path);
     void live_step();
@@ -143,6 +149,8 @@ class Stage {
     void go_on_seeking();
     void arrive();
     void settle_branch();
+    void take_other_along(double seconds);
+    Looks looks() const { return {scene_.appearances, scene_.visuals}; }
     void hear_from_writer();
     void take_sample();
     template <class Go> bool travel(const Go& go);
@@ -176,6 +184,8 @@ class Stage {
     std::uint64_t scene_serial_ = 0;
     Timeline timeline_;
     std::vector<Held> held_;
+    std::unique_ptr<SideRun> other_; // null: there is none
+    std::uint64_t parted_at_ = 0;
     std::optional<std::uint64_t> seeking_;
     bool is_backwards_ = false;
     bool with_samples_ = false;

@@ -47,13 +47,7 @@ void Stage::operator()(const command::SaveScene& save) {
     // A copy, without what the mouse and the keys hold at the moment.
     LoadedScene copy;
     copy.world.restore(scene_.world.save());
-    for (const Held& held : held_) {
-        if (const auto* joint = std::get_if<JointId>(&held.id)) {
-            if (copy.world.is_valid(*joint)) copy.world.destroy_joint(*joint);
-        } else if (copy.world.is_valid(std::get<ForceFieldId>(held.id))) {
-            copy.world.remove_force_field(std::get<ForceFieldId>(held.id));
-        }
-    }
+    end_held(copy.world, held_);
     copy.title = scene_.title;
     copy.hint = scene_.hint;
     copy.camera = save.camera;

@@ -35,7 +35,7 @@ struct Stage::Writer {
 Stage::~Stage() = default;
 
 double Stage::until_next_step() const {
-    if (seeking_) return 0.0;
+    if (seeking_ || (other_ && !other_->is_at(timeline_.now().step))) return 0.0;
     const double next = clock_.until_next_step();
     return writer_ ? std::min(next, writer_interval) : next;
 }
@@ -162,6 +162,43 @@ void Stage::operator()(const command::Redo&) {
     clock_.set_paused(true);
     is_backwards_ = false;
     say("Done again: " + *name + ".");
+}
+
+// To this run's moment, in about so many seconds of real time.
+void Stage::take_other_along(double seconds) {
+    if (!other_) return;
+    try {
+        other_->go_to(timeline_.now().step, seconds, looks());
+    } catch (const std::exception& error) {
+        other_.reset();
+        say(std::string("The other run has ended: ") + error.what());
+    }
+}
+
+void Stage::operator()(const command::BranchOff&) {
+    seeking_.reset();
+    is_backwards_ = false;
+    other_ = std::make_unique<SideRun>(scene_.world, timeline_, held_, float(clock_.time_step()), looks());
+    parted_at_ = timeline_.now().step;
+    timeline_.forget_future();
+    say("Branched off: the run as it was goes on beside this one, transparent.");
+}
+
+void Stage::operator()(const command::ExchangeRuns&) {
+    if (!other_) return say("There is no other run: branch off first.");
+    seeking_.reset();
+    is_backwards_ = false;
+    std::swap(scene_.world, other_->world);
+    std::swap(timeline_, other_->timeline);
+    std::swap(held_, other_->held);
+    samples_.clear();
+    arrive();
+    other_->refresh(looks());
+}
+
+void Stage::operator()(const command::EndOtherRun&) {
+    if (!other_) return say("There is no other run.");
+    other_.reset();
 }
 
 void Stage::operator()(const command::SaveRecording& save) {

@@ -87,6 +87,11 @@ class Timeline {
         TimelineLog::Excerpt log;
     };
     Excerpt excerpt(std::uint64_t steps) const;
+    /// The same past and the same known future for a copy of the world as it stands now, which it listens to from now
+    /// on. It follows that future, also after `undo`.
+    Timeline fork(World& copy) const;
+    /// Nothing is known from now on of what comes after now.
+    void forget_future();
     /// The earliest moment since the last call from which something else was done than before.
     std::optional<Moment> take_branch();
 
@@ -94,6 +99,16 @@ class Timeline {
     struct Keyframe {
         Snapshot snapshot;
         StateDigest digest;
+    };
+    // States one after the other, to step back through. A copy begins without.
+    struct Ring {
+        std::optional<SnapshotRing> states;
+        std::uint64_t last = 0; // the states are those up to this step, one after each
+        Ring() = default;
+        Ring(const Ring&) {}
+        Ring(Ring&&) = default;
+        Ring& operator=(const Ring&) = delete;
+        Ring& operator=(Ring&&) = default;
     };
     struct Change {
         Moment begin, end;
@@ -114,7 +129,7 @@ class Timeline {
 
     std::size_t budget_;
     std::shared_ptr<TimelineLog> log_;
-    std::map<std::uint64_t, Keyframe> keyframes_; // by steps made; the first is always there
+    std::map<std::uint64_t, std::shared_ptr<const Keyframe>> keyframes_; // by steps made; the first is always there
     std::size_t keyframe_bytes_ = 0;
     decltype(RecordedRun::keyframe) recorded_keyframe_;
     std::uint64_t recorded_until_ = 0; // from there on, what the recording has is no longer what follows
@@ -125,8 +140,7 @@ class Timeline {
     bool is_undone_ = false;
     double step_seconds_ = 0.0, save_seconds_ = 0.0;        // means
     double stepping_seconds_ = 0.0, keeping_seconds_ = 0.0; // sums
-    std::optional<SnapshotRing> ring_;                      // the states up to `ring_last_`, one after each step
-    std::uint64_t ring_last_ = 0;
+    Ring ring_;
     Verdict verdict_;
     std::optional<Moment> branched_at_;
 };

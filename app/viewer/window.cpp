@@ -335,8 +335,10 @@ void Application::place_picture() {
 
 void Application::draw_picture(const LatestState& latest, int left, int width, Smoothing smoothing, float scale) {
     const StageState& state = latest.stage;
-    const RenderFrame frame = make_frame(*state.layout, *state.previous, *state.current, latest.fraction,
-                                         controller_.camera.pose(), controller_.frame_options(state));
+    const FrameOptions options = controller_.frame_options(state);
+    RenderFrame frame = make_frame(*state.layout, *state.previous, *state.current, latest.fraction,
+                                   controller_.camera.pose(), options);
+    if (state.other) add_ghosts(frame, *state.layout, *state.current, state.other->picture, latest.fraction, options);
     renderer_.draw(frame, width, facts_.height, smoothing, 0, left, scale);
 }
 
