@@ -5,6 +5,7 @@
 
 #include "viewer/drag.h"
 #include "viewer/inspect.h"
+#include "viewer/pane.h"
 #include "viewer/solver_view.h"
 #include "viewer/spawn.h"
 
@@ -75,6 +76,11 @@ struct BranchOff {};
 /// The run beside it becomes the one that commands change, and this one that beside it.
 struct ExchangeRuns {};
 struct EndOtherRun {};
+/// The same scene with these settings beside the run, at most three; those that there are and stay go on. The others go
+/// on from the moment at which the first of all began.
+struct SetPanes {
+    std::vector<PaneSettings> panes;
+};
 /// Saves the last seconds as a recording.
 struct SaveRecording {
     std::string path;
@@ -167,7 +173,7 @@ using Command =
                  command::RemoveSelected, command::SetForce, command::SetPull, command::SetFreeze, command::SetPaused,
                  command::TogglePause, command::SingleStep, command::ChangeSpeed, command::SetSpeed, command::SeekTo,
                  command::StepBack, command::PlayBackwards, command::Undo, command::Redo, command::BranchOff,
-                 command::ExchangeRuns, command::EndOtherRun, command::SaveRecording,
+                 command::ExchangeRuns, command::EndOtherRun, command::SetPanes, command::SaveRecording,
                  command::SetSettings, command::GrabBody, command::MoveGrab, command::ReleaseGrab,
                  command::SelectNothing, command::Say, command::ShowIslands, command::TakeSamples, command::ShowSolver,
                  command::SelectBody, command::EditBody, command::DuplicateSelected, command::SaveScene,

@@ -293,6 +293,8 @@ bool Controller::perform_on_window(Action action) {
         return toggle(plots);
     case Action::toggle_integrators:
         return toggle(integrators);
+    case Action::toggle_panes:
+        return toggle(panes);
     case Action::toggle_palette:
         return toggle(palette);
     case Action::toggle_theme:
@@ -365,7 +367,7 @@ void Controller::button_down(MouseButton button) {
     if (drag_ != Drag::none) return;
     drag_button_ = button;
     pressed_at_ = cursor_;
-    if (button == MouseButton::right) {
+    if (button == MouseButton::right || (button == MouseButton::left && !is_in_first_pane)) {
         drag_ = Drag::orbit;
     } else if (button == MouseButton::middle) {
         drag_ = Drag::pan;

@@ -47,6 +47,8 @@ class Controller {
     bool light_theme = false;                ///< Of the interface.
     bool follow = false;                     ///< The camera moves with the selected body.
     bool plots = false, integrators = false; ///< Windows that are open.
+    bool panes = false;                      ///< Panes are wanted.
+    bool is_in_first_pane = true;            ///< The cursor is in the picture of the run that commands change.
     std::size_t plotted = 0;                 ///< Samples that the plots show, for reports.
     SvgOfChart svg_of_chart;                 ///< Empty: pictures of charts cannot be made.
     /// Middles of items of the interface, for scripts and tests.

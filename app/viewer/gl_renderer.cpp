@@ -416,14 +416,12 @@ bool GlRenderer::is_software() const {
     return false;
 }
 
-void GlRenderer::draw(const RenderFrame& frame, int width, int height, Smoothing smoothing, unsigned framebuffer,
-                      int left, float scale) {
+void GlRenderer::draw(const RenderFrame& frame, const PicturePlace& place, Smoothing smoothing, float scale) {
     Impl& impl = *impl_;
-    const GlTarget::Place place{framebuffer, left, width, height};
-    const float aspect = float(width) / float(height);
+    const float aspect = float(place.width) / float(place.height);
     if (smoothing == Smoothing::samples) scale = 1.0f;
-    width = std::max(int(std::round(scale * float(width))), 1);
-    height = std::max(int(std::round(scale * float(height))), 1);
+    const int width = std::max(int(std::round(scale * float(place.width))), 1);
+    const int height = std::max(int(std::round(scale * float(place.height))), 1);
     impl.prepare(frame, aspect);
     for (auto& [source, loaded] : impl.meshes) ++loaded.unused;
     std::erase_if(impl.meshes, [](const auto& item) { return item.second.unused > most_unused; });

@@ -94,6 +94,7 @@ constexpr Binding bindings[] = {
     {"Ctrl+D", Action::duplicate},
     {"Ctrl+S", Action::save_scene},
     {"F4", Action::toggle_integrators},
+    {"F6", Action::toggle_panes},
     {"F12", Action::screenshot},
     {"Ctrl+Q", Action::quit},
 };
@@ -151,6 +152,7 @@ constexpr KeyHelp help[] = {
     {"F1  F2", "this key map / the panel", "F1 F2"},
     {"F3  F4", "plots of this run / integrators side by side", "F3 F4"},
     {"F5", "contacts and their forces", "F5"},
+    {"F6", "the same scene with other settings, side by side", "F6"},
     {"Ctrl+S", "save the scene as it stands, as glTF", "Ctrl+S"},
     {"F12  F10", "save a picture / start or end a video", "F12 F10"},
     {"Escape / Ctrl+Q", "select nothing / quit", "Escape Ctrl+Q"},

@@ -73,6 +73,7 @@ enum class Action {
     save_scene,
     toggle_plots,
     toggle_integrators,
+    toggle_panes,
     screenshot,
     quit,
 };

@@ -96,6 +96,24 @@ Json other_json(const OtherRun& other) {
     return json;
 }
 
+Json panes_json(const StageState& state, const WindowFacts& facts) {
+    Json panes = Json::array();
+    for (std::size_t i = 0; i < state.panes.size(); ++i) {
+        const PaneState& pane = state.panes[i];
+        Json json{{"settings", describe(pane.settings)},
+                  {"energy", pane.energy},
+                  {"bodies", pane.picture.layout->bodies.size()},
+                  {"farthest", pane.difference.farthest},
+                  {"trouble", pane.trouble}};
+        if (i + 1 < facts.panes.size()) {
+            const PaneRect& place = facts.panes[i + 1];
+            json["place"] = {place.left, place.top, place.width, place.height};
+        }
+        panes.push_back(json);
+    }
+    return panes;
+}
+
 Json inspected_json(const BodyFacts& facts) {
     return {{"index", facts.id.index()},
             {"name", facts.name},
@@ -148,6 +166,7 @@ std::string report_json(const StageState& state, const Controller& controller, c
         if (controller.solver.*part.shown) json["solver_shown"].push_back(part.name);
     if (state.inspected) json["inspected"] = inspected_json(*state.inspected);
     json["integrators"] = controller.integrators;
+    json["panes"] = panes_json(state, facts);
     json["frames"] = facts.frames;
     json["frames_per_second"] = facts.frames_per_second;
     json["left"] = facts.left;

@@ -34,6 +34,7 @@ struct RunPicture {
 struct Looks {
     std::span<const Appearance> appearances;
     std::span<const Visual> visuals;
+    std::span<const JointAppearance> strings;
 };
 
 class SideRun {

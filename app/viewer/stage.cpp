@@ -52,6 +52,7 @@ void Stage::take_scene(LoadedScene scene, const std::string& path) {
     seeking_.reset();
     is_backwards_ = false;
     refresh_layout();
+    restart_panes();
 }
 
 void Stage::apply(const Command& command) {
@@ -71,14 +72,14 @@ void Stage::apply(const Command& command) {
     else if (const auto change = change_of(command))
         timeline_.name_change(before, change->name, change->merge);
     settle_branch();
-    if (!seeking_) take_other_along(longest_advance);
+    if (!seeking_) take_others_along(longest_advance);
     if (selected_ != selected_before && solver_shown_.any()) refresh_motion();
 }
 
 int Stage::advance(double real_seconds) {
     hear_from_writer();
     if (seeking_) go_on_seeking();
-    take_other_along(longest_advance); // it may still be on its way
+    take_others_along(longest_advance); // it may still be on its way
     const int due = clock_.advance(real_seconds);
     const auto start = std::chrono::steady_clock::now();
     int taken = 0;
@@ -109,7 +110,7 @@ void Stage::step() {
         return say(error.what());
     }
     clock_.count_step();
-    take_other_along(longest_advance);
+    take_others_along(longest_advance);
     if (!is_live) return;
     const double milliseconds =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -173,6 +174,11 @@ StageState Stage::state() const {
         state.other = {parted_at_, other_->picture(), {}};
         if (other_->is_at(timeline_.now().step))
             state.other->difference = difference(*layout_, *current_, other_->picture());
+    }
+    for (const Pane& pane : panes_) state.panes.push_back(pane.state(*layout_, *current_));
+    if (!panes_.empty()) {
+        state.energy = scene_.world.kinetic_energy() + scene_.world.potential_energy();
+        state.panes_began = panes_start_->moment.step;
     }
     return state;
 }

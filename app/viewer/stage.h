@@ -3,6 +3,7 @@
 #pragma once
 
 #include "viewer/commands.h"
+#include "viewer/pane.h"
 #include "viewer/samples.h"
 #include "viewer/scene_source.h"
 #include "viewer/side_run.h"
@@ -73,6 +74,9 @@ struct StageState {
     Message message;
     TimelineState timeline;
     std::optional<OtherRun> other;
+    std::vector<PaneState> panes;  ///< Beside this run.
+    double energy = 0.0;           ///< J, kinetic and potential; told where there are panes.
+    std::uint64_t panes_began = 0; ///< Steps made then.
     SampleLog samples;
     std::optional<BodyFacts> inspected; ///< The selected body.
 };
@@ -119,6 +123,7 @@ class Stage {
     void operator()(const command::BranchOff&);
     void operator()(const command::ExchangeRuns&);
     void operator()(const command::EndOtherRun&);
+    void operator()(const command::SetPanes& set);
     void operator()(const command::SaveRecording& save);
     void operator()(const command::SetSettings& settings);
     void operator()(const command::GrabBody& grab);
@@ -149,8 +154,9 @@ class Stage {
     void go_on_seeking();
     void arrive();
     void settle_branch();
-    void take_other_along(double seconds);
-    Looks looks() const { return {scene_.appearances, scene_.visuals}; }
+    void take_others_along(double seconds);
+    void restart_panes();
+    Looks looks() const { return {scene_.appearances, scene_.visuals, scene_.strings}; }
     void hear_from_writer();
     void take_sample();
     template <class Go> bool travel(const Go& go);
@@ -186,6 +192,9 @@ class Stage {
     std::vector<Held> held_;
     std::unique_ptr<SideRun> other_; // null: there is none
     std::uint64_t parted_at_ = 0;
+    std::optional<PaneStart> panes_start_; // nothing: there are none
+    std::vector<Pane> panes_;
+    bool others_are_here_ = true; // the other run and the panes are at this run's moment
     std::optional<std::uint64_t> seeking_;
     bool is_backwards_ = false;
     bool with_samples_ = false;

@@ -35,7 +35,7 @@ struct Stage::Writer {
 Stage::~Stage() = default;
 
 double Stage::until_next_step() const {
-    if (seeking_ || (other_ && !other_->is_at(timeline_.now().step))) return 0.0;
+    if (seeking_ || !others_are_here_) return 0.0;
     const double next = clock_.until_next_step();
     return writer_ ? std::min(next, writer_interval) : next;
 }
@@ -69,6 +69,7 @@ void Stage::arrive() {
 void Stage::settle_branch() {
     const std::optional<Moment> branch = timeline_.take_branch();
     if (!branch) return;
+    for (Pane& pane : panes_) pane.forget_after(*branch);
     World& world = scene_.world;
     const auto is_present = [&](const Held& held) {
         if (const auto* joint = std::get_if<JointId>(&held.id)) return grab_.holding && *joint == drag_joint_;
@@ -164,15 +165,49 @@ void Stage::operator()(const command::Redo&) {
     say("Done again: " + *name + ".");
 }
 
-// To this run's moment, in about so many seconds of real time.
-void Stage::take_other_along(double seconds) {
-    if (!other_) return;
+// To this run's moment, each in about so many seconds of real time.
+void Stage::take_others_along(double seconds) {
+    others_are_here_ = true;
     try {
-        other_->go_to(timeline_.now().step, seconds, looks());
+        if (other_) others_are_here_ = other_->go_to(timeline_.now().step, seconds, looks());
     } catch (const std::exception& error) {
         other_.reset();
         say(std::string("The other run has ended: ") + error.what());
     }
+    try {
+        for (Pane& pane : panes_) others_are_here_ = pane.go_to(timeline_, seconds, looks()) && others_are_here_;
+    } catch (const std::exception& error) {
+        panes_.clear();
+        panes_start_.reset();
+        say(std::string("The panes have ended: ") + error.what());
+    }
+}
+
+void Stage::operator()(const command::SetPanes& set) {
+    if (set.panes.empty()) {
+        panes_.clear();
+        panes_start_.reset();
+        return;
+    }
+    if (!panes_start_) panes_start_ = {scene_.world.save(), timeline_.now()};
+    std::vector<Pane> panes;
+    for (std::size_t i = 0; i < std::min(set.panes.size(), most_panes - 1); ++i) {
+        if (i < panes_.size() && panes_[i].settings() == set.panes[i])
+            panes.push_back(std::move(panes_[i]));
+        else
+            panes.emplace_back(*panes_start_, scene_.world.threads(), float(clock_.time_step()), set.panes[i], looks());
+    }
+    panes_ = std::move(panes);
+}
+
+// With the same settings, in another scene.
+void Stage::restart_panes() {
+    if (!panes_start_) return;
+    command::SetPanes again;
+    for (const Pane& pane : panes_) again.panes.push_back(pane.settings());
+    panes_.clear();
+    panes_start_.reset();
+    (*this)(again);
 }
 
 void Stage::operator()(const command::BranchOff&) {
@@ -191,6 +226,7 @@ void Stage::operator()(const command::ExchangeRuns&) {
     std::swap(scene_.world, other_->world);
     std::swap(timeline_, other_->timeline);
     std::swap(held_, other_->held);
+    for (Pane& pane : panes_) pane.forget_after({parted_at_, 0});
     samples_.clear();
     arrive();
     other_->refresh(looks());

@@ -142,6 +142,12 @@ Timeline Timeline::fork(World& copy) const {
     return other;
 }
 
+bool Timeline::repeat_change(World& other, const Moment& change) {
+    const std::vector<std::byte>& command = *log_->frame(change.step).changes[change.changes];
+    other.execute(command, *log_);
+    return alters_layout(command_name(command));
+}
+
 void Timeline::forget_future() {
     log_->truncate();
     drop_other_future();

@@ -90,6 +90,10 @@ class Timeline {
     /// The same past and the same known future for a copy of the world as it stands now, which it listens to from now
     /// on. It follows that future, also after `undo`.
     Timeline fork(World& copy) const;
+    /// For another world to which the same shall be done: how many changes come before that step, and one of them. True
+    /// if it was another than of joints and velocities. Throws what the world's calls throw.
+    std::size_t change_count(std::uint64_t step) const { return log_->frame(step).changes.size(); }
+    bool repeat_change(World& other, const Moment& change);
     /// Nothing is known from now on of what comes after now.
     void forget_future();
     /// The earliest moment since the last call from which something else was done than before.

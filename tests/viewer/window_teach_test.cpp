@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <sstream>
+#include <utility>
 
 namespace {
 
@@ -89,6 +90,59 @@ void test_solver(Driver& driver) {
     });
 }
 
+// Where a cursor in a pane is.
+std::pair<double, double> in_pane(const Json& state, std::size_t pane, double x, double y) {
+    const Json& place = state.at("panes").at(pane).at("place");
+    return {place.at(0).get<double>() + x * place.at(2).get<double>(),
+            place.at(1).get<double>() + y * place.at(3).get<double>()};
+}
+
+// One throw with three frictions.
+void test_panes(Driver& driver) {
+    driver.key("F6");
+    driver.check("F6 shows four panes, with other steps", [](const Json& s) {
+        return s.at("panes").size() == 3 &&
+               s.at("panes").at(0).at("settings").get<std::string>().starts_with("step 1/120");
+    });
+    driver.click_on("panes.friction");
+    driver.check("a click, and their frictions differ", [](const Json& s) {
+        return s.at("panes").size() == 3 &&
+               s.at("panes").at(0).at("settings").get<std::string>().ends_with("friction 0");
+    });
+    driver.check("nothing has moved yet", [](const Json& s) { return s.at("panes").at(0).at("farthest") < 0.01; });
+    driver.xdotool("keydown shift");
+    driver.xdotool("keydown Right");
+    pause_for(1.0);
+    driver.xdotool("keyup Right");
+    driver.xdotool("keyup shift");
+    driver.check("pushed, the crate slides farther where there is less friction", [](const Json& s) {
+        const auto farthest = [&](std::size_t i) { return s.at("panes").at(i).at("farthest").get<double>(); };
+        return farthest(0) > 1.0 && farthest(0) > farthest(1) + 0.3;
+    });
+    driver.key("Delete");
+    driver.check("a reset begins the panes anew", [](const Json& s) {
+        return s.at("panes").size() == 3 && s.at("panes").at(0).at("farthest") < 0.01 && s.at("body_count") == 2;
+    });
+    const Json before = driver.state();
+    const Json& crate = before.at("bodies").at(1).at("screen");
+    const auto [x, y] =
+        in_pane(before, 0,
+                (crate.at(0).get<double>() - before.at("left").get<double>()) / before.at("size").at(0).get<double>(),
+                crate.at(1).get<double>() / before.at("size").at(1).get<double>());
+    driver.cursor(x, y);
+    driver.press();
+    driver.cursor(x + 80.0, y + 20.0);
+    driver.let_go();
+    driver.check(
+        "a drag in another pane turns the camera of all, also where the crate is in the first", [&](const Json& s) {
+            return s.at("selected").is_null() && s.at("camera").at("position") != before.at("camera").at("position");
+        });
+    driver.click_on("panes.remove");
+    driver.check("panes can be removed", [](const Json& s) { return s.at("panes").size() == 2; });
+    driver.key("F6");
+    driver.check("F6 closes them", [](const Json& s) { return s.at("panes").empty(); });
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -98,5 +152,6 @@ int main(int argc, char** argv) {
         if (driver.failures() > 0) return;
         test_plots(driver);
         test_solver(driver);
+        test_panes(driver);
     });
 }
