@@ -122,6 +122,7 @@ void Stage::step() {
 void Stage::live_step() {
     if (frozen_) hold_still();
     if (grab_.holding) pull_grabbed();
+    watch_energy();
     const auto start = std::chrono::steady_clock::now();
     scene_.world.step(float(clock_.time_step()));
     timeline_.after_step(scene_.world, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());

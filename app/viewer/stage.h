@@ -159,6 +159,7 @@ class Stage {
     Looks looks() const { return {scene_.appearances, scene_.visuals, scene_.strings}; }
     void hear_from_writer();
     void take_sample();
+    void watch_energy();
     template <class Go> bool travel(const Go& go);
     void remove(BodyId body);
     void say(std::string text);
@@ -200,6 +201,7 @@ class Stage {
     bool with_samples_ = false;
     SolverShown solver_shown_;
     SampleLog samples_;
+    EnergyBalance energy_balance_;
     Savers savers_;
     std::shared_ptr<Writer> writer_;
     std::shared_ptr<const WorldLayout> layout_;

@@ -95,7 +95,7 @@ void Stage::settle_branch() {
 }
 
 void Stage::follow() {
-    const bool alters = timeline_.follow(scene_.world);
+    const bool alters = timeline_.follow(scene_.world, [this](const World&) { watch_energy(); });
     take_sample();
     if (alters)
         arrive();
@@ -272,9 +272,23 @@ void Stage::operator()(const command::TakeSamples& take) {
     take_sample();
 }
 
+void Stage::watch_energy() {
+    if (with_samples_) energy_balance_.before_step(scene_.world);
+}
+
 void Stage::take_sample() {
     if (!with_samples_) return;
-    samples_.add(measure(scene_.world, selected_, timeline_.now().step, clock_.time_step()));
+    const std::uint64_t step = timeline_.now().step;
+    EnergyFlow flow;
+    if (const Sample* last = samples_.at(step - 1); last != nullptr && step > 0) {
+        flow = flow_of(*last);
+        const EnergyFlow more = energy_balance_.after_step(scene_.world, clock_.time_step(),
+                                                           last->values[std::size_t(Quantity::total_energy)]);
+        flow.friction += more.friction;
+        flow.impacts += more.impacts;
+        flow.brought_in += more.brought_in;
+    }
+    samples_.add(measure(scene_.world, selected_, step, clock_.time_step(), flow));
 }
 
 void Stage::hear_from_writer() {

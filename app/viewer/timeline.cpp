@@ -186,11 +186,12 @@ bool Timeline::execute_changes(World& world, std::uint32_t count) {
     return alters;
 }
 
-bool Timeline::follow_one(World& world) {
+bool Timeline::follow_one(World& world, const std::function<void(const World&)>& before_step) {
     const Going going(*log_);
     const TimelineLog::Frame& frame = log_->frame(log_->now.step);
     const bool alters = execute_changes(world, std::uint32_t(frame.changes.size()));
     if (!frame.step) return alters;
+    if (before_step) before_step(world);
     const Clock::time_point start = Clock::now();
     world.execute(*frame.step, *log_);
     const double seconds = seconds_since(start);
@@ -201,9 +202,9 @@ bool Timeline::follow_one(World& world) {
     return alters;
 }
 
-bool Timeline::follow(World& world) {
+bool Timeline::follow(World& world, const std::function<void(const World&)>& before_step) {
     ring_.states.reset();
-    return follow_one(world);
+    return follow_one(world, before_step);
 }
 
 // Goes to the last state that is kept at or before `step`, if it is later than `after`.

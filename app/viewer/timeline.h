@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -55,7 +56,8 @@ class Timeline {
     void after_step(const World& world, double seconds);
     /// Makes the known changes and the step that come next. True if other changes than those of joints and velocities
     /// were among them. Where a command cannot be carried out, its `Error` comes through.
-    bool follow(World& world);
+    /// `before_step` is called between the changes and the step; may be empty.
+    bool follow(World& world, const std::function<void(const World&)>& before_step = {});
     /// Goes to a moment, for about so many seconds of real time: false if it has not come there yet. It ends at a
     /// moment in any case. Between the first and the last.
     bool seek(World& world, Moment to, double seconds = 1e9);
@@ -123,7 +125,7 @@ class Timeline {
     void watch(const World& world);
     void note(Mark mark);
     bool restore_before(World& world, std::uint64_t step, std::optional<std::uint64_t> after);
-    bool follow_one(World& world);
+    bool follow_one(World& world, const std::function<void(const World&)>& before_step = {});
     bool execute_changes(World& world, std::uint32_t count);
     void drop_other_future();
     void keep_within_budget();
