@@ -58,6 +58,7 @@ constexpr ActionName names[] = {
     {Action::toggle_help, "keys and mouse"},
     {Action::toggle_plots, "plots of energy, momentum and bodies"},
     {Action::toggle_integrators, "integrators side by side"},
+    {Action::toggle_impacts, "impact of the selected body: formula and slow motion"},
     {Action::toggle_panes, "panes: the same scene with other settings side by side"},
     {Action::toggle_theme, "dark or light theme"},
     {Action::save_scene, "save the scene as glTF"},

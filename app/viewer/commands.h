@@ -81,6 +81,12 @@ struct EndOtherRun {};
 struct SetPanes {
     std::vector<PaneSettings> panes;
 };
+/// Of a body, the last impact before now with another; a null `partner`: with whatever it was. Null: none.
+struct ExplainImpact {
+    BodyId body, partner;
+};
+/// Shows that impact in slow motion, and pauses after it.
+struct WatchImpact {};
 /// Saves the last seconds as a recording.
 struct SaveRecording {
     std::string path;
@@ -173,12 +179,12 @@ using Command =
                  command::RemoveSelected, command::SetForce, command::SetPull, command::SetFreeze, command::SetPaused,
                  command::TogglePause, command::SingleStep, command::ChangeSpeed, command::SetSpeed, command::SeekTo,
                  command::StepBack, command::PlayBackwards, command::Undo, command::Redo, command::BranchOff,
-                 command::ExchangeRuns, command::EndOtherRun, command::SetPanes, command::SaveRecording,
-                 command::SetSettings, command::GrabBody, command::MoveGrab, command::ReleaseGrab,
-                 command::SelectNothing, command::Say, command::ShowIslands, command::TakeSamples, command::ShowSolver,
-                 command::SelectBody, command::EditBody, command::DuplicateSelected, command::SaveScene,
-                 command::MakeJoint, command::SelectJoint, command::SetJoint, command::SetJointStrength,
-                 command::SetJointSolver, command::RemoveJoint>;
+                 command::ExchangeRuns, command::EndOtherRun, command::SetPanes, command::ExplainImpact,
+                 command::WatchImpact, command::SaveRecording, command::SetSettings, command::GrabBody,
+                 command::MoveGrab, command::ReleaseGrab, command::SelectNothing, command::Say, command::ShowIslands,
+                 command::TakeSamples, command::ShowSolver, command::SelectBody, command::EditBody,
+                 command::DuplicateSelected, command::SaveScene, command::MakeJoint, command::SelectJoint,
+                 command::SetJoint, command::SetJointStrength, command::SetJointSolver, command::RemoveJoint>;
 
 /// A queue that many threads may fill and one empties.
 class CommandQueue {

@@ -293,6 +293,8 @@ bool Controller::perform_on_window(Action action) {
         return toggle(plots);
     case Action::toggle_integrators:
         return toggle(integrators);
+    case Action::toggle_impacts:
+        return toggle(impacts);
     case Action::toggle_panes:
         return toggle(panes);
     case Action::toggle_palette:

@@ -47,6 +47,7 @@ class Controller {
     bool light_theme = false;                ///< Of the interface.
     bool follow = false;                     ///< The camera moves with the selected body.
     bool plots = false, integrators = false; ///< Windows that are open.
+    bool impacts = false;                    ///< Likewise: that of an impact.
     bool panes = false;                      ///< Panes are wanted.
     bool is_in_first_pane = true;            ///< The cursor is in the picture of the run that commands change.
     std::size_t plotted = 0;                 ///< Samples that the plots show, for reports.

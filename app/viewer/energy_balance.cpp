@@ -1,5 +1,7 @@
 #include "viewer/energy_balance.h"
 
+#include "viewer/inspect.h"
+
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
@@ -8,8 +10,6 @@
 namespace cairn::viewer {
 
 namespace {
-
-bool can_be_pushed(const Body& body) { return body.type() == BodyType::dynamic && std::isfinite(body.mass()); }
 
 double energy_of(const World& world, const Body& body) {
     if (!can_be_pushed(body)) return 0.0;

@@ -84,6 +84,8 @@ struct EditNames {
 
 } // namespace
 
+bool can_be_pushed(const Body& body) { return body.type() == BodyType::dynamic && std::isfinite(body.mass()); }
+
 std::optional<BodyFacts> read_facts(const World& world, BodyId id, double step_length) {
     if (!id || !world.is_valid(id)) return std::nullopt;
     const Body body = world.body(id);

@@ -42,6 +42,9 @@ struct BodyFacts {
 /// Nothing if there is no such body.
 std::optional<BodyFacts> read_facts(const World& world, BodyId body, double step_length);
 
+/// Whether forces move it: dynamic, and of finite mass.
+bool can_be_pushed(const Body& body);
+
 /// Surfaces of which somebody has measured the friction: that between two bodies that both have it.
 struct MaterialPreset {
     const char* name;

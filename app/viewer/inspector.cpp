@@ -14,7 +14,7 @@ namespace cairn::viewer {
 
 namespace {
 
-constexpr float window_width = 300.0f;
+constexpr float inspector_width = 300.0f;
 constexpr std::array type_names{"static", "kinematic", "dynamic"};
 
 void fact(const char* name, const char* format, double value) {
@@ -125,8 +125,11 @@ void Inspector::draw_buttons(Controller& controller) {
     ImGui::SameLine();
     if (ImGui::Button("Delete (R)")) controller.post(command::RemoveSelected{});
     note_place(controller, "inspector.delete");
-    ImGui::SameLine();
     if (ImGui::Button("Plot (F3)")) controller.plots = true;
+    ImGui::SameLine();
+    if (ImGui::Button("Impact (F7)")) controller.impacts = true;
+    note_place(controller, "inspector.impact");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("the last one of this body, with the formula of its impulse (F7)");
 }
 
 void Inspector::draw(const StageState& state, Controller& controller, float scale, float top, float bottom,
@@ -138,7 +141,7 @@ void Inspector::draw(const StageState& state, Controller& controller, float scal
         edited_ = facts;
         std::snprintf(name_.data(), name_.size(), "%s", facts.name.c_str());
     }
-    const float width = window_width * scale, margin = 12.0f * scale;
+    const float width = inspector_width * scale, margin = 12.0f * scale;
     if (room < 1.3f * width) return; // the window is too small for both
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos(ImVec2(display.x - margin, top), ImGuiCond_Appearing, ImVec2(1.0f, 0.0f));

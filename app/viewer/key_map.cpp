@@ -95,6 +95,7 @@ constexpr Binding bindings[] = {
     {"Ctrl+S", Action::save_scene},
     {"F4", Action::toggle_integrators},
     {"F6", Action::toggle_panes},
+    {"F7", Action::toggle_impacts},
     {"F12", Action::screenshot},
     {"Ctrl+Q", Action::quit},
 };
@@ -153,6 +154,7 @@ constexpr KeyHelp help[] = {
     {"F3  F4", "plots of this run / integrators side by side", "F3 F4"},
     {"F5", "contacts and their forces", "F5"},
     {"F6", "the same scene with other settings, side by side", "F6"},
+    {"F7", "the last impact of the selected body, with its formula", "F7"},
     {"Ctrl+S", "save the scene as it stands, as glTF", "Ctrl+S"},
     {"F12  F10", "save a picture / start or end a video", "F12 F10"},
     {"Escape / Ctrl+Q", "select nothing / quit", "Escape Ctrl+Q"},

@@ -74,6 +74,7 @@ enum class Action {
     toggle_plots,
     toggle_integrators,
     toggle_panes,
+    toggle_impacts,
     screenshot,
     quit,
 };

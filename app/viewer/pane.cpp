@@ -1,5 +1,6 @@
 #include "viewer/pane.h"
 
+#include "viewer/elapsed.h"
 #include "viewer/integrators.h"
 
 #include <algorithm>
@@ -16,10 +17,6 @@ namespace {
 
 constexpr std::uint64_t keyframe_interval = 60; // own steps
 constexpr std::size_t most_keyframes = 64;      // then every second one goes
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 } // namespace
 

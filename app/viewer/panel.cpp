@@ -398,6 +398,7 @@ void Panel::draw(const StageState& state, Controller& controller, const WindowFa
     inspector_.draw(state, controller, scale, 2.0f * margin + title_height, bar, room);
     plots_.draw(state, controller, scale, column, room, bar);
     integrators_.draw(controller, scale, column, room, bar);
+    impacts_.draw(state, controller, scale, column);
     panes_.draw(state, controller, facts, scale);
     palette_.draw(controller, scale, column, room);
     if (controller.help) draw_help(scale);

@@ -4,6 +4,7 @@
 
 #include "viewer/command_palette.h"
 #include "viewer/controller.h"
+#include "viewer/impact_window.h"
 #include "viewer/inspector.h"
 #include "viewer/integrator_window.h"
 #include "viewer/joint_panel.h"
@@ -45,6 +46,7 @@ class Panel {
     IntegratorWindow integrators_;
     PlotWindow plots_;
     PaneWindow panes_;
+    ImpactWindow impacts_;
     float bar_height_ = 0.0f;
     Inspector inspector_;
     CommandPalette palette_;

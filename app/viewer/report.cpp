@@ -166,6 +166,11 @@ std::string report_json(const StageState& state, const Controller& controller, c
         if (controller.solver.*part.shown) json["solver_shown"].push_back(part.name);
     if (state.inspected) json["inspected"] = inspected_json(*state.inspected);
     json["integrators"] = controller.integrators;
+    if (state.impact)
+        json["impact"] = {{"step", state.impact->step},
+                          {"with", state.impact->second.name},
+                          {"impulse", state.impact->impulse},
+                          {"given", state.impact->given}};
     json["panes"] = panes_json(state, facts);
     json["frames"] = facts.frames;
     json["frames_per_second"] = facts.frames_per_second;

@@ -1,5 +1,7 @@
 #include "viewer/side_run.h"
 
+#include "viewer/elapsed.h"
+
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
@@ -15,10 +17,6 @@ namespace {
 
 constexpr double seen_distance = 1e-3; // m
 constexpr float seen_turn = 0.003f;    // of the half angle's sine, rad: a thousandth of a turn
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 } // namespace
 

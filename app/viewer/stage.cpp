@@ -48,6 +48,9 @@ void Stage::take_scene(LoadedScene scene, const std::string& path) {
     timeline_.begin(scene_.world, std::exchange(scene_.run, {}));
     held_.clear();
     other_.reset();
+    slow_motion_.reset();
+    impact_.reset();
+    impact_partners_.clear();
     samples_.clear();
     seeking_.reset();
     is_backwards_ = false;
@@ -110,6 +113,7 @@ void Stage::step() {
         return say(error.what());
     }
     clock_.count_step();
+    end_slow_motion();
     take_others_along(longest_advance);
     if (!is_live) return;
     const double milliseconds =
@@ -177,6 +181,8 @@ StageState Stage::state() const {
             state.other->difference = difference(*layout_, *current_, other_->picture());
     }
     for (const Pane& pane : panes_) state.panes.push_back(pane.state(*layout_, *current_));
+    state.impact = impact_;
+    state.impact_partners = impact_partners_;
     if (!panes_.empty()) {
         state.energy = scene_.world.kinetic_energy() + scene_.world.potential_energy();
         state.panes_began = panes_start_->moment.step;

@@ -74,9 +74,11 @@ struct StageState {
     Message message;
     TimelineState timeline;
     std::optional<OtherRun> other;
-    std::vector<PaneState> panes;  ///< Beside this run.
-    double energy = 0.0;           ///< J, kinetic and potential; told where there are panes.
-    std::uint64_t panes_began = 0; ///< Steps made then.
+    std::vector<PaneState> panes;        ///< Beside this run.
+    std::optional<Impact> impact;        ///< That was asked for.
+    std::vector<BodyId> impact_partners; ///< What its body has hit, the last first.
+    double energy = 0.0;                 ///< J, kinetic and potential; told where there are panes.
+    std::uint64_t panes_began = 0;       ///< Steps made then.
     SampleLog samples;
     std::optional<BodyFacts> inspected; ///< The selected body.
 };
@@ -124,6 +126,8 @@ class Stage {
     void operator()(const command::ExchangeRuns&);
     void operator()(const command::EndOtherRun&);
     void operator()(const command::SetPanes& set);
+    void operator()(const command::ExplainImpact& explain);
+    void operator()(const command::WatchImpact&);
     void operator()(const command::SaveRecording& save);
     void operator()(const command::SetSettings& settings);
     void operator()(const command::GrabBody& grab);
@@ -156,6 +160,7 @@ class Stage {
     void settle_branch();
     void take_others_along(double seconds);
     void restart_panes();
+    void end_slow_motion();
     Looks looks() const { return {scene_.appearances, scene_.visuals, scene_.strings}; }
     void hear_from_writer();
     void take_sample();
@@ -200,6 +205,14 @@ class Stage {
     bool is_backwards_ = false;
     bool with_samples_ = false;
     SolverShown solver_shown_;
+    // A part of the run that is shown slowly.
+    struct SlowMotion {
+        std::uint64_t end = 0;     // step
+        double speed_before = 1.0; // of the clock
+    };
+    std::optional<SlowMotion> slow_motion_;
+    std::optional<Impact> impact_;
+    std::vector<BodyId> impact_partners_;
     SampleLog samples_;
     EnergyBalance energy_balance_;
     Savers savers_;

@@ -125,6 +125,7 @@ void Stage::go_on_seeking() {
     try {
         const bool is_there = timeline_.seek(scene_.world, {*seeking_, 0}, longest_look);
         if (is_there) seeking_.reset();
+        if (is_there && slow_motion_) clock_.set_paused(false);
     } catch (const std::exception& error) {
         seeking_.reset();
         say(error.what());
@@ -135,6 +136,7 @@ void Stage::go_on_seeking() {
 void Stage::operator()(const command::SeekTo& seek) {
     clock_.set_paused(true);
     is_backwards_ = false;
+    slow_motion_.reset();
     seeking_ = std::clamp(seek.step, timeline_.first_step(), timeline_.last_step());
 }
 

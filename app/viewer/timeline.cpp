@@ -1,5 +1,7 @@
 #include "viewer/timeline.h"
 
+#include "viewer/elapsed.h"
+
 #include <cairn/error.h>
 #include <cairn/world.h>
 
@@ -21,10 +23,9 @@ constexpr double greatest_share = 0.025; // of the time of the steps that keepin
 constexpr std::uint64_t least_interval = 15, greatest_interval = 240; // steps
 constexpr double newest_weight = 0.1;                                 // in running means
 constexpr std::size_t ring_bytes = std::size_t{96} << 20;
+constexpr std::size_t most_hits = 8192;
 constexpr std::uint64_t same_event = 15;  // steps within which impacts are one mark
 constexpr std::uint64_t same_change = 60; // steps within which changes by one slider are one
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 double mean(double old, double value) { return old == 0.0 ? value : old + newest_weight * (value - old); }
 
@@ -49,6 +50,7 @@ void Timeline::begin(World& world, const RecordedRun& run) {
     recorded_until_ = run.keyframe ? std::numeric_limits<std::uint64_t>::max() : 0;
     changes_.clear();
     events_.clear();
+    hits_.clear();
     watched_until_ = 0;
     is_undone_ = false;
     step_seconds_ = stepping_seconds_ = keeping_seconds_ = 0.0;
@@ -127,6 +129,7 @@ void Timeline::drop_other_future() {
     while (!changes_.empty() && changes_.back().begin >= *branch) changes_.pop_back();
     if (!changes_.empty()) changes_.back().end = std::min(changes_.back().end, *branch);
     while (!events_.empty() && events_.back().step > branch->step) events_.pop_back();
+    while (!hits_.empty() && hits_.back().step > branch->step) hits_.pop_back();
     watched_until_ = std::min(watched_until_, branch->step);
     ring_.states.reset();
     gather_marks();
@@ -303,7 +306,11 @@ void Timeline::watch(const World& world) {
     if (step <= watched_until_) return; // done again: it is known
     watched_until_ = step;
     float fastest = 0.0f;
-    for (const ContactHit& hit : world.contact_hits()) fastest = std::max(fastest, hit.approach_speed);
+    for (const ContactHit& hit : world.contact_hits()) {
+        fastest = std::max(fastest, hit.approach_speed);
+        hits_.push_back({step, hit});
+    }
+    while (hits_.size() > most_hits) hits_.pop_front();
     if (fastest > 0.0f) note({Mark::Kind::impact, step, fastest, {}});
     for (const JointEvent& event : world.joint_events())
         if (event.broke) note({Mark::Kind::break_, step, event.force, "joint " + std::to_string(event.joint.index())});

@@ -4,6 +4,7 @@
 /// there the run is followed as it was, until something else is done: then a new future begins.
 #pragma once
 
+#include "viewer/impact.h"
 #include "viewer/timeline_log.h"
 
 #include <cairn/snapshot_ring.h>
@@ -92,6 +93,8 @@ class Timeline {
     /// The same past and the same known future for a copy of the world as it stands now, which it listens to from now
     /// on. It follows that future, also after `undo`.
     Timeline fork(World& copy) const;
+    /// Impacts up to now, the oldest first; only the last thousands are kept.
+    const std::deque<KnownHit>& hits() const { return hits_; }
     /// For another world to which the same shall be done: how many changes come before that step, and one of them. True
     /// if it was another than of joints and velocities. Throws what the world's calls throw.
     std::size_t change_count(std::uint64_t step) const { return log_->frame(step).changes.size(); }
@@ -140,6 +143,7 @@ class Timeline {
     decltype(RecordedRun::keyframe) recorded_keyframe_;
     std::uint64_t recorded_until_ = 0; // from there on, what the recording has is no longer what follows
     std::deque<Change> changes_;
+    std::deque<KnownHit> hits_;
     std::deque<Mark> events_;         // impacts and breaks
     std::uint64_t watched_until_ = 0; // step: what happened up to there is among them
     std::shared_ptr<const std::vector<Mark>> marks_;

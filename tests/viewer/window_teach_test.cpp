@@ -145,6 +145,34 @@ void test_panes(Driver& driver) {
     driver.check("F6 closes them", [](const Json& s) { return s.at("panes").empty(); });
 }
 
+// A box falls on the crate: by what impulse?
+void test_impact(Driver& driver) {
+    driver.key("u");
+    driver.check("a box falls on the crate",
+                 [](const Json& s) { return s.at("timeline").at("marks").at("impact").get<int>() >= 1; });
+    const Json crate = driver.state().at("bodies").at(1).at("screen");
+    driver.click(crate.at(0).get<double>(), crate.at(1).get<double>());
+    driver.check("a click selects the crate", [](const Json& s) { return s.at("selected") == 1; });
+    driver.cursor(500, 100);
+    driver.key("F7");
+    driver.check("F7 tells its last impact: the formula's impulse is near what it was given", [](const Json& s) {
+        if (!s.contains("impact")) return false;
+        const double formula = s.at("impact").at("impulse").get<double>();
+        return formula > 100.0 && s.at("impact").at("step").get<std::uint64_t>() <= s.at("timeline").at("now");
+    });
+    driver.click_on("impact.watch");
+    driver.check("shown again, slowly", [](const Json& s) {
+        return s.at("speed") == 1.0 / 32.0 && s.at("timeline").at("now") <= s.at("impact").at("step");
+    });
+    driver.check("until it is over", [](const Json& s) {
+        return s.at("paused") == true && s.at("speed") == 1.0 &&
+               s.at("timeline").at("now") == s.at("impact").at("step").get<std::uint64_t>() + 6;
+    });
+    driver.key("F7");
+    driver.key("space");
+    driver.check("F7 closes it", [](const Json& s) { return !s.contains("impact"); });
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -155,5 +183,6 @@ int main(int argc, char** argv) {
         test_plots(driver);
         test_solver(driver);
         test_panes(driver);
+        test_impact(driver);
     });
 }
