@@ -40,6 +40,7 @@ constexpr ActionName names[] = {
     {Action::remove_last, "remove the last body"},
     {Action::remove_selected, "remove the selected body"},
     {Action::duplicate, "duplicate the selected body"},
+    {Action::next_gizmo, "handles: move, turn, scale the selected body"},
     {Action::select_nothing, "select nothing"},
     {Action::remove_joint, "remove the selected joint"},
     {Action::frame_selection, "look at the selected body"},

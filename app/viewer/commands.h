@@ -158,6 +158,8 @@ struct EditBody {
     BodyId body;
     BodyEdit edit;
 };
+/// The next change is not one with the last, though it be of the same kind.
+struct EndChange {};
 /// A copy beside the selected body, which becomes the selected one.
 struct DuplicateSelected {};
 /// Saves the world as it stands as a scene, looked at from there.
@@ -182,7 +184,7 @@ using Command =
                  command::ExchangeRuns, command::EndOtherRun, command::SetPanes, command::ExplainImpact,
                  command::WatchImpact, command::SaveRecording, command::SetSettings, command::GrabBody,
                  command::MoveGrab, command::ReleaseGrab, command::SelectNothing, command::Say, command::ShowIslands,
-                 command::TakeSamples, command::ShowSolver, command::SelectBody, command::EditBody,
+                 command::TakeSamples, command::ShowSolver, command::SelectBody, command::EditBody, command::EndChange,
                  command::DuplicateSelected, command::SaveScene, command::MakeJoint, command::SelectJoint,
                  command::SetJoint, command::SetJointStrength, command::SetJointSolver, command::RemoveJoint>;
 

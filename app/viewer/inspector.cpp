@@ -125,6 +125,17 @@ void Inspector::draw_buttons(Controller& controller) {
     ImGui::SameLine();
     if (ImGui::Button("Delete (R)")) controller.post(command::RemoveSelected{});
     note_place(controller, "inspector.delete");
+    for (int i = 1; i < gizmo_mode_count; ++i) {
+        const bool is_on = controller.gizmo.mode == GizmoMode(i);
+        constexpr std::array names{"", "Move", "Turn", "Scale"};
+        if (is_on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+        if (ImGui::Button(names[std::size_t(i)])) controller.gizmo.mode = is_on ? GizmoMode::none : GizmoMode(i);
+        if (is_on) ImGui::PopStyleColor();
+        note_place(controller, (std::string("inspector.") + name_of(GizmoMode(i))).c_str());
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("handles in the picture (Q)");
+        ImGui::SameLine();
+    }
+    ImGui::NewLine();
     if (ImGui::Button("Plot (F3)")) controller.plots = true;
     ImGui::SameLine();
     if (ImGui::Button("Impact (F7)")) controller.impacts = true;

@@ -70,6 +70,7 @@ enum class Action {
     record_video,
     toggle_contacts,
     duplicate,
+    next_gizmo,
     save_scene,
     toggle_plots,
     toggle_integrators,

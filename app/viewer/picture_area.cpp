@@ -43,6 +43,7 @@ void PictureArea::draw_pane(const LatestState& latest, const Controller& control
             make_frame(*state.layout, *state.previous, *state.current, latest.fraction, camera, options);
         if (state.other)
             add_ghosts(frame, *state.layout, *state.current, state.other->picture, latest.fraction, options);
+        controller.add_gizmo(frame, state);
         renderer_.draw(frame, place, smoothing, scale);
         return;
     }

@@ -96,6 +96,18 @@ Json other_json(const OtherRun& other) {
     return json;
 }
 
+Json gizmo_json(const StageState& state, const Controller& controller, const WindowFacts& facts) {
+    Json json{{"mode", cairn::viewer::name_of(controller.gizmo.mode)}, {"handles", Json::array()}};
+    if (!state.inspected) return json;
+    const float aspect = float(facts.width) / float(std::max(facts.height, 1));
+    for (const GizmoHandle handle : controller.gizmo.handles(*state.inspected))
+        if (const auto device =
+                controller.camera.project(controller.gizmo.grip(*state.inspected, controller.camera, handle), aspect))
+            json["handles"].push_back({float(facts.left) + (0.5f + 0.5f * device->x) * float(facts.width),
+                                       (0.5f - 0.5f * device->y) * float(facts.height)});
+    return json;
+}
+
 Json panes_json(const StageState& state, const WindowFacts& facts) {
     Json panes = Json::array();
     for (std::size_t i = 0; i < state.panes.size(); ++i) {
@@ -118,6 +130,7 @@ Json inspected_json(const BodyFacts& facts) {
     return {{"index", facts.id.index()},
             {"name", facts.name},
             {"type", name_of(facts.type)},
+            {"rotation", {facts.rotation.w, facts.rotation.x, facts.rotation.y, facts.rotation.z}},
             {"mass", facts.mass.mass},
             {"velocity", triple(facts.velocity)},
             {"static_friction", facts.shapes.empty() ? 0.0f : facts.shapes.front().material.static_friction},
@@ -171,6 +184,7 @@ std::string report_json(const StageState& state, const Controller& controller, c
                           {"with", state.impact->second.name},
                           {"impulse", state.impact->impulse},
                           {"given", state.impact->given}};
+    json["gizmo"] = gizmo_json(state, controller, facts);
     json["panes"] = panes_json(state, facts);
     json["frames"] = facts.frames;
     json["frames_per_second"] = facts.frames_per_second;

@@ -140,6 +140,7 @@ class Stage {
     void operator()(const command::ShowSolver& show);
     void operator()(const command::SelectBody& select);
     void operator()(const command::EditBody& change);
+    void operator()(const command::EndChange&);
     void operator()(const command::DuplicateSelected&);
     void operator()(const command::SaveScene& save);
     void operator()(const command::MakeJoint& make);

@@ -14,9 +14,15 @@ void Stage::operator()(const command::SelectBody& select) {
 
 void Stage::operator()(const command::EditBody& change) {
     if (!scene_.world.is_valid(change.body)) return say("The body is gone.");
-    carry_out(scene_.world, change.body, change.edit);
+    for (const auto& [old, replaced] : carry_out(scene_.world, change.body, change.edit)) {
+        const auto look = std::find_if(scene_.appearances.begin(), scene_.appearances.end(),
+                                       [id = old](const Appearance& known) { return known.shape == id; });
+        if (look != scene_.appearances.end()) scene_.appearances.push_back({replaced, look->color});
+    }
     refresh_layout();
 }
+
+void Stage::operator()(const command::EndChange&) { timeline_.end_change(); }
 
 // Beside the original, by its own width.
 void Stage::operator()(const command::DuplicateSelected&) {

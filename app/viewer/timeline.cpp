@@ -284,6 +284,7 @@ bool Timeline::step_back(World& world) {
 void Timeline::name_change(const Moment& from, std::string name, Merge merge) {
     drop_other_future();
     if (log_->now == from) return;
+    if (std::exchange(has_ended_, false)) merge = Merge::never;
     if (merge != Merge::never && !changes_.empty() && changes_.back().name == name) {
         Change& last = changes_.back();
         if (merge == Merge::always || last.end.step + same_change >= from.step) {

@@ -69,6 +69,8 @@ class Timeline {
     enum class Merge { never, soon, always };
     /// What was done from that moment to now is a change of that name; nothing, if that moment is now.
     void name_change(const Moment& from, std::string name, Merge merge = Merge::never);
+    /// What is done next is a change of its own.
+    void end_change() { has_ended_ = true; }
     /// The last change, if it is of that name, was none that anybody meant.
     void unname_change(const std::string& name);
     std::optional<std::string> undoable() const; ///< The name of the change that `undo` takes back.
@@ -148,6 +150,7 @@ class Timeline {
     std::uint64_t watched_until_ = 0; // step: what happened up to there is among them
     std::shared_ptr<const std::vector<Mark>> marks_;
     bool is_undone_ = false;
+    bool has_ended_ = false;                                // the last change
     double step_seconds_ = 0.0, save_seconds_ = 0.0;        // means
     double stepping_seconds_ = 0.0, keeping_seconds_ = 0.0; // sums
     Ring ring_;
