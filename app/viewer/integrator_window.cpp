@@ -91,7 +91,8 @@ void IntegratorWindow::draw_motion(float width, float height) const {
         const double away = std::hypot(drawn_place(system_, path[now])[0], drawn_place(system_, path[now])[1]);
         if (away > double(width) / double(2.0f * unit)) {
             const std::string words = std::string(name_of(lab_integrators[i])) + " has left the picture";
-            const float y = lanes > 1 ? place.y + 0.3f * dot : corner.y + height - 2.0f * ImGui::GetFontSize();
+            const float y =
+                lanes > 1 ? place.y + 0.3f * dot : corner.y + height - (2.0f + 1.2f * float(i)) * ImGui::GetFontSize();
             list->AddText(ImVec2(corner.x + width - 0.5f * dot - ImGui::CalcTextSize(words.c_str()).x, y),
                           chart_ink(rgb), words.c_str());
         }

@@ -55,6 +55,13 @@ void test_integrators(Driver& driver) {
     driver.check("another system is a click away", [&](const Json&) {
         return std::filesystem::exists(driver.folder() + "/integrators_pendulum_error.csv");
     });
+    driver.click_on("integrators.top");
+    driver.click_on("integrators.csv");
+    driver.check("the top's force depends on its velocity: semi-implicit Euler gains energy, too", [&](const Json&) {
+        const std::string table = file_text(driver, "integrators_top_energy.csv");
+        const std::vector<double> row = table.empty() ? std::vector<double>() : last_row(table);
+        return row.size() == 5 && row[3] > 100.0 && std::abs(row[4]) < 100.0;
+    });
     driver.key("F4");
     driver.check("F4 closes them", [](const Json& s) { return s.at("integrators") == false; });
 }
