@@ -127,10 +127,9 @@ void ImpactWindow::draw(const StageState& state, Controller& controller, float s
         ask(state, controller);
     }
     const float margin = 12.0f * scale;
-    ImGui::SetNextWindowPos(ImVec2(column + margin, margin), ImGuiCond_Appearing);
+    ImGui::SetNextWindowPos(ImVec2(column + margin, margin), ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowBgAlpha(0.93f);
-    if (ImGui::Begin("Impact (F7)", &controller.impacts,
-                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings)) {
+    if (ImGui::Begin("Impact (F7)", &controller.impacts, ImGuiWindowFlags_AlwaysAutoResize)) {
         if (!state.selected) {
             ImGui::TextUnformatted("Click a body: its last impact is shown, with all numbers of its impulse.");
         } else {

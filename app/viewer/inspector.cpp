@@ -155,16 +155,14 @@ void Inspector::draw(const StageState& state, Controller& controller, float scal
     const float width = inspector_width * scale, margin = 12.0f * scale;
     if (room < 1.3f * width) return; // the window is too small for both
     const ImVec2 display = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos(ImVec2(display.x - margin, top), ImGuiCond_Appearing, ImVec2(1.0f, 0.0f));
+    ImGui::SetNextWindowPos(ImVec2(display.x - margin, top), ImGuiCond_FirstUseEver, ImVec2(1.0f, 0.0f));
     ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0f),
                                         ImVec2(width, std::max(display.y - top - bottom - 52.0f * scale, 64.0f)));
     ImGui::SetNextWindowBgAlpha(0.93f);
     const std::string title =
         (facts.name.empty() ? "body " + std::to_string(facts.id.index()) : facts.name) + "###body";
     bool is_open = true;
-    ImGui::Begin(title.c_str(), &is_open,
-                 ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoFocusOnAppearing);
+    ImGui::Begin(title.c_str(), &is_open, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
     ImGui::PushItemWidth(0.56f * width);
     draw_identity(facts, controller);
     draw_buttons(controller);

@@ -128,10 +128,10 @@ void IntegratorWindow::draw(Controller& controller, float scale, float column, f
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float margin = 12.0f * scale;
     const ImVec2 size(std::min(room - 2.0f * margin, 940.0f * scale), display.y - bottom - 2.0f * margin);
-    ImGui::SetNextWindowPos(ImVec2(column + 0.5f * room, margin), ImGuiCond_Appearing, ImVec2(0.5f, 0.0f));
-    ImGui::SetNextWindowSize(size, ImGuiCond_Appearing);
+    ImGui::SetNextWindowPos(ImVec2(column + 0.5f * room, margin), ImGuiCond_FirstUseEver, ImVec2(0.5f, 0.0f));
+    ImGui::SetNextWindowSize(size, ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowBgAlpha(0.97f);
-    if (ImGui::Begin("Integrators side by side (F4)", &controller.integrators, ImGuiWindowFlags_NoSavedSettings)) {
+    if (ImGui::Begin("Integrators side by side (F4)", &controller.integrators)) {
         draw_controls(controller);
         compute();
         if (is_running_) time_ = std::min(time_ + double(std::min(ImGui::GetIO().DeltaTime, 0.1f)), seconds);

@@ -15,11 +15,10 @@ void draw_other_run(const StageState& state, Controller& controller, float scale
     if (!state.other) return;
     const OtherRun& other = *state.other;
     const float margin = 12.0f * scale;
-    ImGui::SetNextWindowPos(ImVec2(column + margin, margin), ImGuiCond_Appearing);
+    ImGui::SetNextWindowPos(ImVec2(column + margin, margin), ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowBgAlpha(0.85f);
     ImGui::Begin("Two runs", nullptr,
-                 ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoCollapse);
+                 ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoCollapse);
     const double since = double(other.parted_at) - double(state.timeline.first);
     ImGui::Text("The transparent one goes on as it was at %.2f s.", std::max(since, 0.0) * state.time_step);
     const RunDifference& difference = other.difference;

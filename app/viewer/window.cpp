@@ -62,9 +62,9 @@ class GlfwLibrary {
 
 class ImguiLibrary {
   public:
-    explicit ImguiLibrary(GLFWwindow* window) {
+    ImguiLibrary(GLFWwindow* window, std::string layout) : layout_(std::move(layout)) {
         ImGui::CreateContext();
-        ImGui::GetIO().IniFilename = nullptr; // leaves no files behind
+        ImGui::GetIO().IniFilename = layout_.empty() ? nullptr : layout_.c_str();
         ImGui_ImplGlfw_InitForOpenGL(window, true);
         ImGui_ImplOpenGL3_Init("#version 330 core");
     }
@@ -75,6 +75,9 @@ class ImguiLibrary {
     }
     ImguiLibrary(const ImguiLibrary&) = delete;
     ImguiLibrary& operator=(const ImguiLibrary&) = delete;
+
+  private:
+    std::string layout_; // its file, whose name is not copied
 };
 
 using WindowHandle = std::unique_ptr<GLFWwindow, decltype(&glfwDestroyWindow)>;
@@ -149,7 +152,8 @@ class Application {
 
 Application::Application(const ViewerOptions& options)
     : options_(options), window_(open_window(options.width, options.height)),
-      imgui_((install_callbacks(), window_.get())), physics_(options.loader, options.scene, options.savers),
+      imgui_((install_callbacks(), window_.get()), options.layout.string()),
+      physics_(options.loader, options.scene, options.savers),
       controller_([this](Command command) { physics_.post(std::move(command)); }, options.scenes, options.file_types) {
     controller_.svg_of_chart = options.svg_of_chart;
     if (!options.script.empty()) script_ = ScriptPlayer(load_script(options.script));

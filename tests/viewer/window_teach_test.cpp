@@ -87,6 +87,27 @@ void test_plots(Driver& driver) {
     driver.check("F3 closes them", [](const Json& s) { return s.at("plots").at("open") == false; });
 }
 
+// By its title, above the choice of what is plotted.
+void test_moved_window(Driver& driver) {
+    driver.key("F3");
+    driver.check("there are plots", [](const Json& s) { return s.at("plots").at("open") == true; });
+    pause_for(0.5);
+    const auto place = [](const Json& s) { return s.at("places").at("plots.group"); };
+    const Json before = place(driver.state());
+    const double x = before.at(0).get<double>(), y = before.at(1).get<double>() - 22.0;
+    driver.cursor(x, y);
+    driver.press();
+    driver.cursor(x + 60.0, y - 40.0);
+    driver.let_go();
+    driver.check("a window is dragged by its title", [&](const Json& s) {
+        return std::abs(place(s).at(0).get<double>() - before.at(0).get<double>() - 60.0) < 3.0 &&
+               std::abs(place(s).at(1).get<double>() - before.at(1).get<double>() + 40.0) < 3.0;
+    });
+    const Json after = place(driver.state());
+    std::ofstream(driver.folder() + "/moved") << after.at(0) << " " << after.at(1) << "\n";
+    driver.key("F3");
+}
+
 void test_solver(Driver& driver) {
     driver.key("F5");
     driver.check("F5 shows contacts",
@@ -188,6 +209,7 @@ int main(int argc, char** argv) {
         test_integrators(driver);
         if (driver.failures() > 0) return;
         test_plots(driver);
+        test_moved_window(driver);
         test_solver(driver);
         test_panes(driver);
         test_impact(driver);
