@@ -245,7 +245,7 @@ void Panel::draw_settings(Controller& controller) {
     if (changed) controller.post(command::SetSettings{settings_});
 }
 
-void Panel::draw_solver_parts(Controller& controller) {
+void Panel::draw_solver_parts(const StageState& state, Controller& controller) {
     const bool is_open = ImGui::CollapsingHeader("What the solver sees");
     note_place(controller, "panel.solver");
     if (!is_open) return;
@@ -254,6 +254,13 @@ void Panel::draw_solver_parts(Controller& controller) {
         ImGui::Checkbox(part.name, &(shown.*part.shown));
         note_place(controller, (std::string("solver.") + part.name).c_str());
         if (shown.*part.shown) explain(part.meaning);
+    }
+    if (shown.difference && state.current->solver && state.current->solver->difference) {
+        const GjkResult& gjk = state.current->solver->difference->gjk;
+        ImGui::Text(gjk.distance > 0.0 ? "%.4g m apart" : "they overlap", gjk.distance);
+        ImGui::Text("found in %d iterations, with %zu points", gjk.iterations, gjk.simplex.size());
+    } else if (shown.difference) {
+        ImGui::TextUnformatted("Click a body.");
     }
     if (shown != controller.solver) controller.show_solver(shown);
 }
@@ -375,7 +382,7 @@ void Panel::draw(const StageState& state, Controller& controller, const WindowFa
         panes_.draw_section(state, controller);
         draw_scenes(state, controller);
         draw_view(state, controller);
-        draw_solver_parts(controller);
+        draw_solver_parts(state, controller);
         draw_statistics(state, facts);
         joints_.draw(state, controller);
         draw_settings(controller);

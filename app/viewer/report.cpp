@@ -177,6 +177,9 @@ std::string report_json(const StageState& state, const Controller& controller, c
     json["solver_shown"] = Json::array();
     for (const SolverPart& part : solver_parts())
         if (controller.solver.*part.shown) json["solver_shown"].push_back(part.name);
+    if (state.current->solver && state.current->solver->difference)
+        json["difference"] = {{"other", state.current->solver->difference->other.index()},
+                              {"distance", state.current->solver->difference->gjk.distance}};
     if (state.inspected) json["inspected"] = inspected_json(*state.inspected);
     json["integrators"] = controller.integrators;
     if (state.impact)

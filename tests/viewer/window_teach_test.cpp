@@ -115,6 +115,16 @@ void test_solver(Driver& driver) {
     driver.click_on("panel.solver");
     driver.click_on("solver.friction cones");
     driver.click_on("solver.axes of inertia");
+    driver.click_on("solver.Minkowski difference and GJK");
+    driver.key("u");
+    pause_for(1.5);
+    const Json crate = driver.state().at("bodies").at(1).at("screen");
+    driver.click(crate.at(0).get<double>(), crate.at(1).get<double>());
+    driver.check("of the crate and the box on it: they touch", [](const Json& s) {
+        return s.contains("difference") && s.at("difference").at("other").get<int>() >= 2 &&
+               s.at("difference").at("distance").get<double>() < 0.02;
+    });
+    driver.click_on("solver.Minkowski difference and GJK");
     driver.check("the panel shows more", [](const Json& s) {
         return s.at("solver_shown") == Json::array({"contacts and forces", "friction cones", "axes of inertia"});
     });
