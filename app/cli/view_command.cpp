@@ -3,6 +3,7 @@
 #include "cli/outputs.h"
 #include "cli/viewer_scene.h"
 
+#include "viewer/new_files.h"
 #include "viewer/window.h"
 
 #include <filesystem>
@@ -35,6 +36,7 @@ int view_command(const ViewOptions& options) {
     window.exit_after = options.exit_after;
     window.report = options.report;
     window.script = options.script;
+    window.layout = viewer::layout_file();
     set_activity("showing", window.scene);
     return viewer::run_viewer(window);
 }

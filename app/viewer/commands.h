@@ -5,6 +5,7 @@
 
 #include "viewer/drag.h"
 #include "viewer/inspect.h"
+#include "viewer/pane.h"
 #include "viewer/solver_view.h"
 #include "viewer/spawn.h"
 
@@ -69,6 +70,23 @@ struct StepBack {};
 struct PlayBackwards {};
 struct Undo {};
 struct Redo {};
+/// Branches off: what is known stays as another run beside this one, which goes on from now by itself. A run that there
+/// is already beside it ends.
+struct BranchOff {};
+/// The run beside it becomes the one that commands change, and this one that beside it.
+struct ExchangeRuns {};
+struct EndOtherRun {};
+/// The same scene with these settings beside the run, at most three; those that there are and stay go on. The others go
+/// on from the moment at which the first of all began.
+struct SetPanes {
+    std::vector<PaneSettings> panes;
+};
+/// Of a body, the last impact before now with another; a null `partner`: with whatever it was. Null: none.
+struct ExplainImpact {
+    BodyId body, partner;
+};
+/// Shows that impact in slow motion, and pauses after it.
+struct WatchImpact {};
 /// Saves the last seconds as a recording.
 struct SaveRecording {
     std::string path;
@@ -140,6 +158,8 @@ struct EditBody {
     BodyId body;
     BodyEdit edit;
 };
+/// The next change is not one with the last, though it be of the same kind.
+struct EndChange {};
 /// A copy beside the selected body, which becomes the selected one.
 struct DuplicateSelected {};
 /// Saves the world as it stands as a scene, looked at from there.
@@ -160,12 +180,13 @@ using Command =
     std::variant<command::LoadScene, command::ResetScene, command::Spawn, command::Shoot, command::RemoveLast,
                  command::RemoveSelected, command::SetForce, command::SetPull, command::SetFreeze, command::SetPaused,
                  command::TogglePause, command::SingleStep, command::ChangeSpeed, command::SetSpeed, command::SeekTo,
-                 command::StepBack, command::PlayBackwards, command::Undo, command::Redo, command::SaveRecording,
-                 command::SetSettings, command::GrabBody, command::MoveGrab, command::ReleaseGrab,
-                 command::SelectNothing, command::Say, command::ShowIslands, command::TakeSamples, command::ShowSolver,
-                 command::SelectBody, command::EditBody, command::DuplicateSelected, command::SaveScene,
-                 command::MakeJoint, command::SelectJoint, command::SetJoint, command::SetJointStrength,
-                 command::SetJointSolver, command::RemoveJoint>;
+                 command::StepBack, command::PlayBackwards, command::Undo, command::Redo, command::BranchOff,
+                 command::ExchangeRuns, command::EndOtherRun, command::SetPanes, command::ExplainImpact,
+                 command::WatchImpact, command::SaveRecording, command::SetSettings, command::GrabBody,
+                 command::MoveGrab, command::ReleaseGrab, command::SelectNothing, command::Say, command::ShowIslands,
+                 command::TakeSamples, command::ShowSolver, command::SelectBody, command::EditBody, command::EndChange,
+                 command::DuplicateSelected, command::SaveScene, command::MakeJoint, command::SelectJoint,
+                 command::SetJoint, command::SetJointStrength, command::SetJointSolver, command::RemoveJoint>;
 
 /// A queue that many threads may fill and one empties.
 class CommandQueue {

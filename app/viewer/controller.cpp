@@ -13,12 +13,10 @@ namespace cairn::viewer {
 
 namespace {
 
-constexpr float orbit_per_picture = 3.5f;  // radians for a drag over the height of the picture
-constexpr float orbit_per_key = 0.06f;     // radians
-constexpr float click_slack = 0.01f;       // of the picture's height: a shorter movement is a click
-constexpr float joint_slack = 0.02f;       // likewise: this near an anchor a click is on the joint
-constexpr float least_ground_slope = 0.3f; // of its normal's height: a steeper plane is a wall
-constexpr float spawn_height = 0.3f;       // above the target, in camera distances
+constexpr float orbit_per_picture = 3.5f; // radians for a drag over the height of the picture
+constexpr float click_slack = 0.01f;      // of the picture's height: a shorter movement is a click
+constexpr float joint_slack = 0.02f;      // likewise: this near an anchor a click is on the joint
+constexpr float spawn_height = 0.3f;      // above the target, in camera distances
 
 } // namespace
 
@@ -87,59 +85,6 @@ void Controller::update_held() {
     force_ = force;
     pulling_ = pulling;
     freezing_ = freezing;
-}
-
-bool Controller::perform_on_camera(Action action) {
-    switch (action) {
-    case Action::orbit_left:
-        camera.orbit(-orbit_per_key, 0.0f);
-        return true;
-    case Action::orbit_right:
-        camera.orbit(orbit_per_key, 0.0f);
-        return true;
-    case Action::orbit_up:
-        camera.orbit(0.0f, orbit_per_key);
-        return true;
-    case Action::orbit_down:
-        camera.orbit(0.0f, -orbit_per_key);
-        return true;
-    case Action::zoom_in:
-        camera.zoom(1.0f);
-        return true;
-    case Action::zoom_out:
-        camera.zoom(-1.0f);
-        return true;
-    case Action::view_front:
-        camera.look(0.0f, 0.0f);
-        return true;
-    case Action::view_side:
-        camera.look(1.5707963f, 0.0f);
-        return true;
-    case Action::view_top:
-        camera.look(0.0f, 1.5707963f);
-        return true;
-    case Action::toggle_parallel:
-        camera.set_parallel(!camera.is_parallel());
-        return true;
-    case Action::follow_selection:
-        follow = !follow;
-        return true;
-    case Action::reset_camera:
-        camera.set_pose(state_.scene_camera);
-        return true;
-    case Action::frame_selection: {
-        if (!state_.layout || !state_.current) return true;
-        WorldLayout shown = *state_.layout;
-        if (state_.selected)
-            std::erase_if(shown.shapes,
-                          [&](const ShapeLayout& shape) { return shown.bodies[shape.body].id != state_.selected; });
-        const BoundingBall ball = bounding_ball(shown, *state_.current);
-        camera.frame(ball.center, ball.radius);
-        return true;
-    }
-    default:
-        return false;
-    }
 }
 
 void Controller::perform_on_body(Action action) {
@@ -255,6 +200,15 @@ bool Controller::perform_on_time(Action action) {
     case Action::redo:
         post_(command::Redo{});
         return true;
+    case Action::branch_off:
+        post_(command::BranchOff{});
+        return true;
+    case Action::exchange_runs:
+        post_(command::ExchangeRuns{});
+        return true;
+    case Action::end_other_run:
+        post_(command::EndOtherRun{});
+        return true;
     case Action::slower:
         post_(command::ChangeSpeed{-1});
         return true;
@@ -284,6 +238,10 @@ bool Controller::perform_on_window(Action action) {
         return toggle(plots);
     case Action::toggle_integrators:
         return toggle(integrators);
+    case Action::toggle_impacts:
+        return toggle(impacts);
+    case Action::toggle_panes:
+        return toggle(panes);
     case Action::toggle_palette:
         return toggle(palette);
     case Action::toggle_theme:
@@ -327,6 +285,9 @@ void Controller::perform(const Binding& binding) {
     case Action::next_colors:
         set_colors(ColorMode((int(colors) + 1) % color_mode_count));
         break;
+    case Action::next_gizmo:
+        gizmo.mode = GizmoMode((int(gizmo.mode) + 1) % gizmo_mode_count);
+        break;
     case Action::duplicate:
         post_(command::DuplicateSelected{});
         break;
@@ -334,14 +295,6 @@ void Controller::perform(const Binding& binding) {
         perform_on_body(action);
         break;
     }
-}
-
-void Controller::follow_selected(const StageState& state) {
-    if (!follow || !state.selected) return;
-    const auto& bodies = state.layout->bodies;
-    const auto body =
-        std::find_if(bodies.begin(), bodies.end(), [&](const BodyLayout& known) { return known.id == state.selected; });
-    if (body != bodies.end()) camera.follow(state.current->transforms[std::size_t(body - bodies.begin())].position);
 }
 
 void Controller::move_cursor(const glm::vec2& device, float aspect) {
@@ -356,10 +309,12 @@ void Controller::button_down(MouseButton button) {
     if (drag_ != Drag::none) return;
     drag_button_ = button;
     pressed_at_ = cursor_;
-    if (button == MouseButton::right) {
+    if (button == MouseButton::right || (button == MouseButton::left && !is_in_first_pane)) {
         drag_ = Drag::orbit;
     } else if (button == MouseButton::middle) {
         drag_ = Drag::pan;
+    } else if (take_handle()) {
+        drag_ = Drag::gizmo;
     } else {
         drag_ = Drag::asked;
         pressed_joint_ = joint_under_cursor();
@@ -369,7 +324,13 @@ void Controller::button_down(MouseButton button) {
 
 void Controller::button_up(MouseButton button) {
     if (drag_ == Drag::none || button != drag_button_) return;
+    const bool was_handle = drag_ == Drag::gizmo;
     drag_ = Drag::none;
+    if (was_handle) {
+        gizmo.end();
+        post_(command::EndChange{});
+        return;
+    }
     if (button != MouseButton::left) return;
     const glm::vec2 moved = (cursor_ - pressed_at_) * glm::vec2(aspect_, 1.0f) * 0.5f;
     const bool click = glm::length(moved) < click_slack;
@@ -394,24 +355,6 @@ void Controller::drop_files(std::span<const std::string> paths) {
     post_(command::Say{name + " is no scene: files of these types can be opened: " + types});
 }
 
-// The infinite planes that one could stand on. Walls are none of them, and neither is what the scene itself looks at
-// from below.
-void Controller::find_grounds(const StageState& state) {
-    std::vector<Ground> grounds;
-    for (const ShapeLayout& shape : state.layout->shapes) {
-        if (shape.type != ShapeType::plane || shape.is_trigger) continue;
-        if (state.layout->bodies[shape.body].type != BodyType::static_) continue;
-        const Transform& body = state.current->transforms[shape.body];
-        const Ground ground{body.position + Position(body.rotation * shape.position),
-                            body.rotation * shape.rotation * Vec3(0.0f, 1.0f, 0.0f)};
-        const Position eye = state.scene_camera.position;
-        if (ground.normal.y < least_ground_slope || glm::dot(eye - ground.point, Position(ground.normal)) <= 0.0)
-            continue;
-        grounds.push_back(ground);
-    }
-    camera.set_grounds(std::move(grounds));
-}
-
 void Controller::update(const StageState& state) {
     state_ = state;
     scene_path_ = state.path;
@@ -426,6 +369,7 @@ void Controller::update(const StageState& state) {
         update_held();
     }
     follow_selected(state);
+    if (drag_ == Drag::gizmo) drag_handle();
     if (drag_ == Drag::asked && state.grab.serial == grab_serial_) {
         drag_ = state.grab.holding ? Drag::body : Drag::orbit;
         drag_start_ = state.grab.start;

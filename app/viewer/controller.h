@@ -6,6 +6,7 @@
 #include "viewer/camera.h"
 #include "viewer/commands.h"
 #include "viewer/export.h"
+#include "viewer/gizmo.h"
 #include "viewer/key_map.h"
 #include "viewer/render_frame.h"
 #include "viewer/scene_source.h"
@@ -43,10 +44,14 @@ class Controller {
     SpawnSettings tool;                     ///< Of the spawn tool.
     bool quit = false;
     SolverShown solver;                      ///< What of the solver is shown; change it by `show_solver`.
+    Gizmo gizmo;                             ///< Handles of the selected body.
     bool palette = false;                    ///< The list of commands is open.
     bool light_theme = false;                ///< Of the interface.
     bool follow = false;                     ///< The camera moves with the selected body.
     bool plots = false, integrators = false; ///< Windows that are open.
+    bool impacts = false;                    ///< Likewise: that of an impact.
+    bool panes = false;                      ///< Panes are wanted.
+    bool is_in_first_pane = true;            ///< The cursor is in the picture of the run that commands change.
     std::size_t plotted = 0;                 ///< Samples that the plots show, for reports.
     SvgOfChart svg_of_chart;                 ///< Empty: pictures of charts cannot be made.
     /// Middles of items of the interface, for scripts and tests.
@@ -82,12 +87,14 @@ class Controller {
 
     /// To be called every frame with the latest state: follows new scenes and the answers to grabs.
     void update(const StageState& state);
+    /// Draws the handles of the selected body.
+    void add_gizmo(RenderFrame& frame, const StageState& state) const;
     /// How to draw that state.
     FrameOptions frame_options(const StageState& state) const;
     bool dragging() const noexcept { return drag_ == Drag::body; }
 
   private:
-    enum class Drag { none, asked, body, orbit, pan };
+    enum class Drag { none, asked, body, orbit, pan, gizmo };
     bool perform_on_camera(Action action);
     void perform_on_body(Action action);
     bool perform_on_joint(Action action);
@@ -96,6 +103,8 @@ class Controller {
     bool perform_on_window(Action action);
     bool perform_on_time(Action action);
     void follow_selected(const StageState& state);
+    bool take_handle();
+    void drag_handle();
     void find_grounds(const StageState& state);
     void update_held();
 

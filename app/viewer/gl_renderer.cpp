@@ -31,6 +31,8 @@ namespace {
 constexpr int shadow_size = 2048;       // texels along an edge of the shadow map
 constexpr float fade_distances = 20.0f; // camera distances over which the ground fades
 constexpr float extent_fades = 12.0f;   // the ground ends after that many fading distances
+constexpr float ghost_opacity = 0.55f;
+constexpr int most_unused = 16; // pictures: one frame of the window may have several
 
 // Meshes of round shapes by how many pixels their radius covers.
 struct Detail {
@@ -74,7 +76,7 @@ class RoundMeshes {
 struct LoadedMesh {
     std::shared_ptr<const ShapeMesh> source; // keeps its address its own
     GlMesh mesh;
-    bool used = true;
+    int unused = 0; // pictures since it was in one
 };
 
 shaders::BodyKind kind_of(MeshLook look) {
@@ -97,6 +99,12 @@ std::string with_lighting(const char* fragment) { return std::string(shaders::li
 glm::mat4 light_view(const Vec3& to_light) {
     const Vec3 up = std::abs(to_light.y) < 0.9f ? Vec3(0.0f, 1.0f, 0.0f) : Vec3(1.0f, 0.0f, 0.0f);
     return glm::lookAt(Vec3(0.0f), -to_light, up);
+}
+
+bool is_empty(const ShapeInstances& shapes) {
+    const auto has_none = [](const MeshInstances& group) { return group.instances.empty(); };
+    return shapes.spheres.empty() && shapes.boxes.empty() && shapes.capsules.empty() && shapes.cylinders.empty() &&
+           std::all_of(shapes.meshes.begin(), shapes.meshes.end(), has_none);
 }
 
 // Lines every power of ten meters, so that some ten of the finer ones lie across the picture.
@@ -142,16 +150,18 @@ struct GlRenderer::Impl {
     Impl();
     void make_shadow_map();
     void prepare(const RenderFrame& frame, float aspect);
-    void upload_instances(const RenderFrame& frame, int height, float aspect);
-    void upload_meshes(const RenderFrame& frame);
+    void upload_instances(const ShapeInstances& shapes, int height, float aspect);
+    void upload_meshes(const ShapeInstances& shapes);
     void upload_sorted(GlMesh& mesh, const std::vector<Instance>& instances);
     void sort_by_distance(std::vector<Instance>& instances) const;
-    template <class Use> void draw_meshes(const RenderFrame& frame, const glm::mat4& clip, const Use& use);
-    template <class Use> void draw_shapes(const RenderFrame& frame, const glm::mat4& clip, const Use& use);
+    template <class Use> void draw_meshes(const ShapeInstances& shapes, const glm::mat4& clip, const Use& use);
+    template <class Use> void draw_shapes(const ShapeInstances& shapes, const glm::mat4& clip, const Use& use);
     void draw_shadow_map(const RenderFrame& frame);
     void set_lighting(const GlProgram& program, const RenderFrame& frame) const;
     void draw_sky(const RenderFrame& frame, float aspect);
     void draw_bodies(const RenderFrame& frame);
+    void draw_ghosts(const RenderFrame& frame, int height, float aspect);
+    void use_body(shaders::BodyKind kind, const RenderFrame& frame, float opacity);
     void draw_grounds(const RenderFrame& frame);
 };
 
@@ -226,40 +236,38 @@ void GlRenderer::Impl::upload_sorted(GlMesh& mesh, const std::vector<Instance>& 
     mesh.upload(sorted.data(), sorted.size());
 }
 
-void GlRenderer::Impl::upload_instances(const RenderFrame& frame, int height, float aspect) {
+void GlRenderer::Impl::upload_instances(const ShapeInstances& shapes, int height, float aspect) {
     const float pixels_per_slope = 0.5f * float(height) / camera.half_height(aspect);
     const auto pixels_of = [&](const Instance& instance) {
         const float distance = std::max(glm::length(instance.position - eye), 1e-3f);
         return std::max(instance.half_size.x, instance.half_size.z) / distance * pixels_per_slope;
     };
     const auto sort = [this](std::vector<Instance>& instances) { sort_by_distance(instances); };
-    spheres.upload(frame.spheres, sort, pixels_of);
-    capsules.upload(frame.capsules, sort, pixels_of);
-    cylinders.upload(frame.cylinders, sort, pixels_of);
-    upload_sorted(boxes, frame.boxes);
-    rectangles.upload(frame.rectangles.data(), frame.rectangles.size());
-    upload_meshes(frame);
+    spheres.upload(shapes.spheres, sort, pixels_of);
+    capsules.upload(shapes.capsules, sort, pixels_of);
+    cylinders.upload(shapes.cylinders, sort, pixels_of);
+    upload_sorted(boxes, shapes.boxes);
+    rectangles.upload(shapes.rectangles.data(), shapes.rectangles.size());
+    upload_meshes(shapes);
 }
 
-// New meshes come to the graphics card, and those that this frame does not show leave it.
-void GlRenderer::Impl::upload_meshes(const RenderFrame& frame) {
-    for (const MeshInstances& group : frame.meshes) {
+// New meshes come to the graphics card.
+void GlRenderer::Impl::upload_meshes(const ShapeInstances& shapes) {
+    for (const MeshInstances& group : shapes.meshes) {
         if (group.instances.empty()) continue;
         auto place = meshes.find(group.mesh.get());
         if (place == meshes.end())
             place = meshes.emplace(group.mesh.get(), LoadedMesh{group.mesh, GlMesh(group.mesh->triangles)}).first;
-        place->second.used = true;
+        place->second.unused = 0;
         upload_sorted(place->second.mesh, group.instances);
     }
-    std::erase_if(meshes, [](const auto& item) { return !item.second.used; });
-    for (auto& [source, loaded] : meshes) loaded.used = false;
 }
 
 // `use(kind)` makes the program of a kind the current one.
 template <class Use>
-void GlRenderer::Impl::draw_meshes(const RenderFrame& frame, const glm::mat4& clip, const Use& use) {
+void GlRenderer::Impl::draw_meshes(const ShapeInstances& shapes, const glm::mat4& clip, const Use& use) {
     const SidePlanes planes = side_planes(clip);
-    for (const MeshInstances& group : frame.meshes) {
+    for (const MeshInstances& group : shapes.meshes) {
         if (group.instances.empty()) continue;
         const shaders::BodyKind kind = kind_of(group.mesh->look);
         const bool two_sided = kind != shaders::BodyKind::facets;
@@ -276,17 +284,17 @@ void GlRenderer::Impl::draw_meshes(const RenderFrame& frame, const glm::mat4& cl
 }
 
 template <class Use>
-void GlRenderer::Impl::draw_shapes(const RenderFrame& frame, const glm::mat4& clip, const Use& use) {
+void GlRenderer::Impl::draw_shapes(const ShapeInstances& shapes, const glm::mat4& clip, const Use& use) {
     const auto draw = [&](shaders::BodyKind kind, bool any, const auto& mesh) {
         if (!any) return;
         use(kind);
         mesh.draw();
     };
-    draw(shaders::BodyKind::sphere, !frame.spheres.empty(), spheres);
-    draw(shaders::BodyKind::capsule, !frame.capsules.empty(), capsules);
-    draw(shaders::BodyKind::cylinder, !frame.cylinders.empty(), cylinders);
-    draw(shaders::BodyKind::box, !frame.boxes.empty(), boxes);
-    draw_meshes(frame, clip, use);
+    draw(shaders::BodyKind::sphere, !shapes.spheres.empty(), spheres);
+    draw(shaders::BodyKind::capsule, !shapes.capsules.empty(), capsules);
+    draw(shaders::BodyKind::cylinder, !shapes.cylinders.empty(), cylinders);
+    draw(shaders::BodyKind::box, !shapes.boxes.empty(), boxes);
+    draw_meshes(shapes, clip, use);
 }
 
 void GlRenderer::Impl::draw_shadow_map(const RenderFrame& frame) {
@@ -334,18 +342,40 @@ void GlRenderer::Impl::draw_sky(const RenderFrame& frame, float aspect) {
     glDepthFunc(GL_LESS);
 }
 
+void GlRenderer::Impl::use_body(shaders::BodyKind kind, const RenderFrame& frame, float opacity) {
+    const GlProgram& program = body.of(kind);
+    set_lighting(program, frame);
+    program.set("u_spacing", grid_spacing(lens_of(camera.pose()) * camera.distance()));
+    program.set("u_fade", fade_distances * camera.distance());
+    program.set("u_viewer", glm::vec4(eye, 1.0f));
+    program.set("u_opacity", opacity);
+}
+
 void GlRenderer::Impl::draw_bodies(const RenderFrame& frame) {
-    const auto use = [&](shaders::BodyKind kind) {
-        const GlProgram& program = body.of(kind);
-        set_lighting(program, frame);
-        program.set("u_spacing", grid_spacing(lens_of(camera.pose()) * camera.distance()));
-        program.set("u_fade", fade_distances * camera.distance());
-        program.set("u_viewer", glm::vec4(eye, 1.0f));
-    };
-    draw_shapes(frame, clip_from_world, use);
+    draw_shapes(frame, clip_from_world, [&](shaders::BodyKind kind) { use_body(kind, frame, 1.0f); });
     if (frame.rectangles.empty()) return;
-    use(shaders::BodyKind::rectangle);
+    use_body(shaders::BodyKind::rectangle, frame, 1.0f);
     rectangles.draw();
+}
+
+// After all else that hides, as they are mixed with it. First their depth alone, so that of several behind each other
+// only the nearest is seen, and of each only the front.
+void GlRenderer::Impl::draw_ghosts(const RenderFrame& frame, int height, float aspect) {
+    upload_instances(frame.ghosts, height, aspect);
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    const auto draw = [&] {
+        draw_shapes(frame.ghosts, clip_from_world,
+                    [&](shaders::BodyKind kind) { use_body(kind, frame, ghost_opacity); });
+    };
+    draw();
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthFunc(GL_LEQUAL);
+    glEnable(GL_BLEND);
+    glBlendColor(0.0f, 0.0f, 0.0f, ghost_opacity); // alpha itself is the brightness, which smooths edges
+    glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
+    draw();
+    glDisable(GL_BLEND);
+    glDepthFunc(GL_LESS);
 }
 
 void GlRenderer::Impl::draw_grounds(const RenderFrame& frame) {
@@ -386,15 +416,15 @@ bool GlRenderer::is_software() const {
     return false;
 }
 
-void GlRenderer::draw(const RenderFrame& frame, int width, int height, Smoothing smoothing, unsigned framebuffer,
-                      int left, float scale) {
+void GlRenderer::draw(const RenderFrame& frame, const PicturePlace& place, Smoothing smoothing, float scale) {
     Impl& impl = *impl_;
-    const GlTarget::Place place{framebuffer, left, width, height};
-    const float aspect = float(width) / float(height);
+    const float aspect = float(place.width) / float(place.height);
     if (smoothing == Smoothing::samples) scale = 1.0f;
-    width = std::max(int(std::round(scale * float(width))), 1);
-    height = std::max(int(std::round(scale * float(height))), 1);
+    const int width = std::max(int(std::round(scale * float(place.width))), 1);
+    const int height = std::max(int(std::round(scale * float(place.height))), 1);
     impl.prepare(frame, aspect);
+    for (auto& [source, loaded] : impl.meshes) ++loaded.unused;
+    std::erase_if(impl.meshes, [](const auto& item) { return item.second.unused > most_unused; });
     impl.upload_instances(frame, height, aspect);
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);
@@ -409,6 +439,7 @@ void GlRenderer::draw(const RenderFrame& frame, int width, int height, Smoothing
     impl.draw_bodies(frame);
     impl.draw_grounds(frame);
     impl.draw_sky(frame, aspect); // only where nothing else is
+    if (!is_empty(frame.ghosts)) impl.draw_ghosts(frame, height, aspect);
     impl.lines.draw(frame, impl.clip_from_world);
     impl.lines.draw_marks(frame, impl.clip_from_world, impl.camera, width, height);
 

@@ -15,6 +15,12 @@ enum class Smoothing {
     edges,   ///< By a pass over the finished picture: less than half the time where a processor draws it.
 };
 
+/// A part of a framebuffer (0: the window's), in pixels; width and height > 0.
+struct PicturePlace {
+    unsigned framebuffer = 0;
+    int left = 0, bottom = 0, width = 0, height = 0;
+};
+
 class GlRenderer {
   public:
     /// Needs a current context of OpenGL 3.3 or newer. Throws `Error` (unsupported) otherwise.
@@ -23,11 +29,9 @@ class GlRenderer {
     GlRenderer(const GlRenderer&) = delete;
     GlRenderer& operator=(const GlRenderer&) = delete;
 
-    /// Draws into a part of a framebuffer (0: the window's) of that size in pixels, both > 0, from `left` on, and
-    /// leaves the framebuffer bound. `scale`, at most 1: with that share of the pixels each way, spread over the part
-    /// (not with samples).
-    void draw(const RenderFrame& frame, int width, int height, Smoothing smoothing, unsigned framebuffer = 0,
-              int left = 0, float scale = 1.0f);
+    /// Draws there, and leaves the framebuffer bound. `scale`, at most 1: with that share of the pixels each way,
+    /// spread over the place (not with samples).
+    void draw(const RenderFrame& frame, const PicturePlace& place, Smoothing smoothing, float scale = 1.0f);
 
     /// Whether it is the processor that draws, for want of a graphics card or its driver.
     bool is_software() const;

@@ -61,25 +61,25 @@ void GlTarget::begin(int width, int height, Smoothing smoothing) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-void GlTarget::finish(const Place& place) {
+void GlTarget::finish(const PicturePlace& place) {
     const bool is_stretched = width_ != place.width || height_ != place.height;
     if (smoothing_ == Smoothing::samples || is_stretched) {
         glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.name());
         glBindFramebuffer(GL_DRAW_FRAMEBUFFER, place.framebuffer);
-        glBlitFramebuffer(0, 0, width_, height_, place.left, 0, place.left + place.width, place.height,
-                          GL_COLOR_BUFFER_BIT, is_stretched ? GL_LINEAR : GL_NEAREST);
+        glBlitFramebuffer(0, 0, width_, height_, place.left, place.bottom, place.left + place.width,
+                          place.bottom + place.height, GL_COLOR_BUFFER_BIT, is_stretched ? GL_LINEAR : GL_NEAREST);
         glBindFramebuffer(GL_FRAMEBUFFER, place.framebuffer);
         return;
     }
     glBindFramebuffer(GL_FRAMEBUFFER, place.framebuffer);
-    glViewport(place.left, 0, width_, height_);
+    glViewport(place.left, place.bottom, width_, height_);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, color_.name());
     program_.use();
     program_.set("u_picture", 0);
-    program_.set("u_corner", place.left, 0);
+    program_.set("u_corner", place.left, place.bottom);
     program_.set("u_reach", edge_reach);
     square_.draw_once();
 }

@@ -15,14 +15,9 @@ class GlTarget {
     /// Makes it the framebuffer to draw on, empty, of that size in pixels. Throws `Error` (unsupported) if this
     /// graphics driver has no picture of that size.
     void begin(int width, int height, Smoothing smoothing);
-    /// A part of a framebuffer, from `left` on; in pixels.
-    struct Place {
-        unsigned framebuffer = 0;
-        int left = 0, width = 0, height = 0;
-    };
     /// Brings what was drawn there, and leaves the framebuffer bound. A place of another size gets it stretched, which
     /// smooths edges enough; the samples of a picture have one size.
-    void finish(const Place& place);
+    void finish(const PicturePlace& place);
 
   private:
     void resize(int width, int height, Smoothing smoothing);

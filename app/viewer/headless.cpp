@@ -109,7 +109,7 @@ int HeadlessRenderer::height() const noexcept { return impl_->height; }
 void HeadlessRenderer::draw(const RenderFrame& frame, Smoothing smoothing, float scale) {
     Impl& impl = *impl_;
     impl.context.make_current(); // there may be several renderers
-    impl.renderer.draw(frame, impl.width, impl.height, smoothing, impl.framebuffer.name(), 0, scale);
+    impl.renderer.draw(frame, {impl.framebuffer.name(), 0, 0, impl.width, impl.height}, smoothing, scale);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glReadPixels(0, 0, impl.width, impl.height, GL_RGB, GL_UNSIGNED_BYTE, impl.bottom_up.data());
     const std::size_t row = 3u * std::size_t(impl.width);

@@ -1,5 +1,7 @@
 #include "viewer/inspect.h"
 
+#include "viewer/scaling.h"
+
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
@@ -54,11 +56,22 @@ void read_touches(BodyFacts& facts, const World& world, double step_length) {
 struct CarryOut {
     World& world;
     Body body;
+    std::vector<std::pair<ShapeId, ShapeId>> replaced;
 
     void operator()(const edit::Name& name) { body.set_name(name.name); }
     void operator()(const edit::Type& type) { body.set_type(type.type); }
     void operator()(const edit::Mass& mass) { body.set_mass_from_shapes(mass.mass); }
     void operator()(const edit::Place& place) { body.set_position(place.position); }
+    void operator()(const edit::Pose& pose) {
+        body.set_transform(pose.position, pose.rotation);
+        if (body.type() == BodyType::static_) return;
+        body.set_linear_velocity(Vec3(0.0f));
+        body.set_angular_velocity(Vec3(0.0f));
+    }
+    void operator()(const edit::Scale& scale) {
+        scale_body(world, body.id(), scale.factors, replaced);
+        body.wake();
+    }
     void operator()(const edit::Velocity& velocity) { body.set_linear_velocity(velocity.velocity); }
     void operator()(const edit::Turning& turning) { body.set_angular_velocity(turning.turning); }
     void operator()(const edit::Surface& surface) {
@@ -77,12 +90,16 @@ struct EditNames {
     const char* operator()(const edit::Type&) const { return "type of a body"; }
     const char* operator()(const edit::Mass&) const { return "mass of a body"; }
     const char* operator()(const edit::Place&) const { return "position of a body"; }
+    const char* operator()(const edit::Pose&) const { return "move or turn a body"; }
+    const char* operator()(const edit::Scale&) const { return "scale a body"; }
     const char* operator()(const edit::Velocity&) const { return "velocity of a body"; }
     const char* operator()(const edit::Turning&) const { return "angular velocity of a body"; }
     const char* operator()(const edit::Surface&) const { return "material"; }
 };
 
 } // namespace
+
+bool can_be_pushed(const Body& body) { return body.type() == BodyType::dynamic && std::isfinite(body.mass()); }
 
 std::optional<BodyFacts> read_facts(const World& world, BodyId id, double step_length) {
     if (!id || !world.is_valid(id)) return std::nullopt;
@@ -94,6 +111,8 @@ std::optional<BodyFacts> read_facts(const World& world, BodyId id, double step_l
     facts.mass = body.mass_properties();
     facts.position = body.position();
     facts.center = body.center_of_mass();
+    facts.rotation = body.rotation();
+    facts.can_be_stretched = can_be_stretched(world, id);
     facts.velocity = body.linear_velocity();
     facts.turning = body.angular_velocity();
     facts.is_awake = body.is_awake();
@@ -124,7 +143,11 @@ Material with_preset(Material material, const MaterialPreset& preset) {
 
 const char* name_of(const BodyEdit& edit) { return std::visit(EditNames{}, edit); }
 
-void carry_out(World& world, BodyId body, const BodyEdit& edit) { std::visit(CarryOut{world, world.body(body)}, edit); }
+std::vector<std::pair<ShapeId, ShapeId>> carry_out(World& world, BodyId body, const BodyEdit& edit) {
+    CarryOut carry{world, world.body(body), {}};
+    std::visit(carry, edit);
+    return std::move(carry.replaced);
+}
 
 BodyId duplicate(World& world, BodyId id, const Position& shift, std::vector<ShapeId>& copies) {
     const Body body = std::as_const(world).body(id);

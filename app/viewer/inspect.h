@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -25,7 +26,9 @@ struct BodyFacts {
     std::string name;
     BodyType type = BodyType::dynamic;
     MassProperties mass;
-    Position position{0.0, 0.0, 0.0}, center{0.0, 0.0, 0.0};                  ///< Of its frame, of its mass.
+    Position position{0.0, 0.0, 0.0}, center{0.0, 0.0, 0.0}; ///< Of its frame, of its mass.
+    Quat rotation{1.0f, 0.0f, 0.0f, 0.0f};
+    bool can_be_stretched = false;                                            ///< Scaled along one axis alone.
     Vec3 velocity{0.0f, 0.0f, 0.0f}, turning{0.0f, 0.0f, 0.0f};               ///< m/s, rad/s
     double linear_energy = 0.0, angular_energy = 0.0, potential_energy = 0.0; ///< J; the last above the origin.
     bool is_awake = false;
@@ -41,6 +44,9 @@ struct BodyFacts {
 
 /// Nothing if there is no such body.
 std::optional<BodyFacts> read_facts(const World& world, BodyId body, double step_length);
+
+/// Whether forces move it: dynamic, and of finite mass.
+bool can_be_pushed(const Body& body);
 
 /// Surfaces of which somebody has measured the friction: that between two bodies that both have it.
 struct MaterialPreset {
@@ -67,6 +73,13 @@ struct Mass {
 struct Place {
     Position position{0.0, 0.0, 0.0};
 };
+struct Pose {
+    Position position{0.0, 0.0, 0.0}; ///< It comes to rest there.
+    Quat rotation{1.0f, 0.0f, 0.0f, 0.0f};
+};
+struct Scale {
+    Vec3 factors{1.0f, 1.0f, 1.0f}; ///< Along the axes of the body (scaling.h).
+};
 struct Velocity {
     Vec3 velocity{0.0f, 0.0f, 0.0f};
 };
@@ -80,11 +93,11 @@ struct Surface {
 
 } // namespace edit
 
-using BodyEdit =
-    std::variant<edit::Name, edit::Type, edit::Mass, edit::Place, edit::Velocity, edit::Turning, edit::Surface>;
+using BodyEdit = std::variant<edit::Name, edit::Type, edit::Mass, edit::Place, edit::Pose, edit::Scale, edit::Velocity,
+                              edit::Turning, edit::Surface>;
 const char* name_of(const BodyEdit& edit); ///< For undoing it.
-/// Throws as the calls of `Body` do.
-void carry_out(World& world, BodyId body, const BodyEdit& edit);
+/// Throws as the calls of `Body` do. Shapes that are replaced: their old and new ids.
+std::vector<std::pair<ShapeId, ShapeId>> carry_out(World& world, BodyId body, const BodyEdit& edit);
 
 /// A copy of a body, `shift` away, with its shapes; their ids are in `copies`, in the order of the original's.
 BodyId duplicate(World& world, BodyId body, const Position& shift, std::vector<ShapeId>& copies);

@@ -14,7 +14,7 @@ namespace cairn::viewer {
 
 namespace {
 
-constexpr float window_width = 300.0f;
+constexpr float inspector_width = 300.0f;
 constexpr std::array type_names{"static", "kinematic", "dynamic"};
 
 void fact(const char* name, const char* format, double value) {
@@ -125,8 +125,22 @@ void Inspector::draw_buttons(Controller& controller) {
     ImGui::SameLine();
     if (ImGui::Button("Delete (R)")) controller.post(command::RemoveSelected{});
     note_place(controller, "inspector.delete");
-    ImGui::SameLine();
+    for (int i = 1; i < gizmo_mode_count; ++i) {
+        const bool is_on = controller.gizmo.mode == GizmoMode(i);
+        constexpr std::array names{"", "Move", "Turn", "Scale"};
+        if (is_on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+        if (ImGui::Button(names[std::size_t(i)])) controller.gizmo.mode = is_on ? GizmoMode::none : GizmoMode(i);
+        if (is_on) ImGui::PopStyleColor();
+        note_place(controller, (std::string("inspector.") + name_of(GizmoMode(i))).c_str());
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("handles in the picture (Q)");
+        ImGui::SameLine();
+    }
+    ImGui::NewLine();
     if (ImGui::Button("Plot (F3)")) controller.plots = true;
+    ImGui::SameLine();
+    if (ImGui::Button("Impact (F7)")) controller.impacts = true;
+    note_place(controller, "inspector.impact");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("the last one of this body, with the formula of its impulse (F7)");
 }
 
 void Inspector::draw(const StageState& state, Controller& controller, float scale, float top, float bottom,
@@ -138,19 +152,17 @@ void Inspector::draw(const StageState& state, Controller& controller, float scal
         edited_ = facts;
         std::snprintf(name_.data(), name_.size(), "%s", facts.name.c_str());
     }
-    const float width = window_width * scale, margin = 12.0f * scale;
+    const float width = inspector_width * scale, margin = 12.0f * scale;
     if (room < 1.3f * width) return; // the window is too small for both
     const ImVec2 display = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos(ImVec2(display.x - margin, top), ImGuiCond_Appearing, ImVec2(1.0f, 0.0f));
+    ImGui::SetNextWindowPos(ImVec2(display.x - margin, top), ImGuiCond_FirstUseEver, ImVec2(1.0f, 0.0f));
     ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0f),
                                         ImVec2(width, std::max(display.y - top - bottom - 52.0f * scale, 64.0f)));
     ImGui::SetNextWindowBgAlpha(0.93f);
     const std::string title =
         (facts.name.empty() ? "body " + std::to_string(facts.id.index()) : facts.name) + "###body";
     bool is_open = true;
-    ImGui::Begin(title.c_str(), &is_open,
-                 ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoFocusOnAppearing);
+    ImGui::Begin(title.c_str(), &is_open, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
     ImGui::PushItemWidth(0.56f * width);
     draw_identity(facts, controller);
     draw_buttons(controller);

@@ -91,7 +91,8 @@ void IntegratorWindow::draw_motion(float width, float height) const {
         const double away = std::hypot(drawn_place(system_, path[now])[0], drawn_place(system_, path[now])[1]);
         if (away > double(width) / double(2.0f * unit)) {
             const std::string words = std::string(name_of(lab_integrators[i])) + " has left the picture";
-            const float y = lanes > 1 ? place.y + 0.3f * dot : corner.y + height - 2.0f * ImGui::GetFontSize();
+            const float y =
+                lanes > 1 ? place.y + 0.3f * dot : corner.y + height - (2.0f + 1.2f * float(i)) * ImGui::GetFontSize();
             list->AddText(ImVec2(corner.x + width - 0.5f * dot - ImGui::CalcTextSize(words.c_str()).x, y),
                           chart_ink(rgb), words.c_str());
         }
@@ -127,10 +128,10 @@ void IntegratorWindow::draw(Controller& controller, float scale, float column, f
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float margin = 12.0f * scale;
     const ImVec2 size(std::min(room - 2.0f * margin, 940.0f * scale), display.y - bottom - 2.0f * margin);
-    ImGui::SetNextWindowPos(ImVec2(column + 0.5f * room, margin), ImGuiCond_Appearing, ImVec2(0.5f, 0.0f));
-    ImGui::SetNextWindowSize(size, ImGuiCond_Appearing);
+    ImGui::SetNextWindowPos(ImVec2(column + 0.5f * room, margin), ImGuiCond_FirstUseEver, ImVec2(0.5f, 0.0f));
+    ImGui::SetNextWindowSize(size, ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowBgAlpha(0.97f);
-    if (ImGui::Begin("Integrators side by side (F4)", &controller.integrators, ImGuiWindowFlags_NoSavedSettings)) {
+    if (ImGui::Begin("Integrators side by side (F4)", &controller.integrators)) {
         draw_controls(controller);
         compute();
         if (is_running_) time_ = std::min(time_ + double(std::min(ImGui::GetIO().DeltaTime, 0.1f)), seconds);

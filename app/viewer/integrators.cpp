@@ -13,13 +13,19 @@ constexpr double stiffness =
     4.0 * std::numbers::pi * std::numbers::pi;                // 1/s^2, of the spring and of the sun: a period of 1 s
 constexpr double gravity = 9.81, length = 1.0, release = 2.0; // m/s^2, m, rad
 constexpr double eccentricity = 0.5;
+// Of the top, 1/s: it precesses once a second and nods three times. Their sum is that of spin and moments of inertia,
+// their product that of weight and moment of inertia.
+constexpr double precession = 2.0 * std::numbers::pi, nutation = 6.0 * std::numbers::pi;
+constexpr double gyroscopic = precession + nutation, toppling = precession * nutation;
 
 using Pair = std::array<double, 2>;
 
 Pair plus(const Pair& a, const Pair& b, double factor) { return {a[0] + factor * b[0], a[1] + factor * b[1]}; }
 
-Pair acceleration(LabSystem system, const Pair& place) {
+Pair acceleration(LabSystem system, const Pair& place, const Pair& velocity) {
     switch (system) {
+    case LabSystem::top:
+        return {toppling * place[0] - gyroscopic * velocity[1], toppling * place[1] + gyroscopic * velocity[0]};
     case LabSystem::spring:
         return {-stiffness * place[0], -stiffness * place[1]};
     case LabSystem::pendulum:
@@ -82,10 +88,23 @@ LabState exact_orbit(double time) {
     return state;
 }
 
+// From rest: both motions on circles, so that they cancel at the start.
+LabState exact_top(double time) {
+    const double slow = nutation / (nutation - precession), fast = -precession / (nutation - precession);
+    LabState state;
+    state.place = {slow * std::cos(precession * time) + fast * std::cos(nutation * time),
+                   slow * std::sin(precession * time) + fast * std::sin(nutation * time)};
+    state.velocity = {-slow * precession * std::sin(precession * time) - fast * nutation * std::sin(nutation * time),
+                      slow * precession * std::cos(precession * time) + fast * nutation * std::cos(nutation * time)};
+    return state;
+}
+
 } // namespace
 
 const char* name_of(LabSystem system) {
     switch (system) {
+    case LabSystem::top:
+        return "top";
     case LabSystem::spring:
         return "spring";
     case LabSystem::pendulum:
@@ -98,6 +117,9 @@ const char* name_of(LabSystem system) {
 
 const char* explanation_of(LabSystem system) {
     switch (system) {
+    case LabSystem::top:
+        return "A spinning top near upright: a = (mgl / I) x + (I3 spin / I) (up x v). Exact: two circles. The force\n"
+               "depends on the velocity, so semi-implicit Euler gains energy, too.";
     case LabSystem::spring:
         return "A mass on a spring: a = -(2 pi / 1 s)^2 x, let go at 1 m. Exact: x = cos(2 pi t).";
     case LabSystem::pendulum:
@@ -148,6 +170,7 @@ LabState start_of(LabSystem system) {
     LabState state;
     switch (system) {
     case LabSystem::spring:
+    case LabSystem::top:
         state.place[0] = 1.0;
         break;
     case LabSystem::pendulum:
@@ -168,6 +191,8 @@ double period_of(LabSystem system) {
 double energy_of(LabSystem system, const LabState& state) {
     const double kinetic = 0.5 * (state.velocity[0] * state.velocity[0] + state.velocity[1] * state.velocity[1]);
     switch (system) {
+    case LabSystem::top:
+        return kinetic - 0.5 * toppling * (state.place[0] * state.place[0] + state.place[1] * state.place[1]);
     case LabSystem::spring:
         return kinetic + 0.5 * stiffness * (state.place[0] * state.place[0] + state.place[1] * state.place[1]);
     case LabSystem::pendulum:
@@ -181,6 +206,7 @@ double energy_of(LabSystem system, const LabState& state) {
 LabState exact(LabSystem system, double time) {
     if (system == LabSystem::pendulum) return exact_pendulum(time);
     if (system == LabSystem::orbit) return exact_orbit(time);
+    if (system == LabSystem::top) return exact_top(time);
     LabState state;
     state.place[0] = std::cos(2.0 * std::numbers::pi * time);
     state.velocity[0] = -2.0 * std::numbers::pi * std::sin(2.0 * std::numbers::pi * time);
@@ -188,24 +214,24 @@ LabState exact(LabSystem system, double time) {
 }
 
 LabState step(LabSystem system, Integrator integrator, const LabState& state, double h) {
-    const auto a = [system](const Pair& place) { return acceleration(system, place); };
+    const auto a = [system](const Pair& place, const Pair& velocity) { return acceleration(system, place, velocity); };
     LabState next;
     switch (integrator) {
     case Integrator::explicit_euler:
         next.place = plus(state.place, state.velocity, h);
-        next.velocity = plus(state.velocity, a(state.place), h);
+        next.velocity = plus(state.velocity, a(state.place, state.velocity), h);
         return next;
     case Integrator::semi_implicit_euler:
-        next.velocity = plus(state.velocity, a(state.place), h);
+        next.velocity = plus(state.velocity, a(state.place, state.velocity), h);
         next.place = plus(state.place, next.velocity, h);
         return next;
     case Integrator::rk4:
         break;
     }
-    const Pair v1 = state.velocity, a1 = a(state.place);
-    const Pair v2 = plus(state.velocity, a1, 0.5 * h), a2 = a(plus(state.place, v1, 0.5 * h));
-    const Pair v3 = plus(state.velocity, a2, 0.5 * h), a3 = a(plus(state.place, v2, 0.5 * h));
-    const Pair v4 = plus(state.velocity, a3, h), a4 = a(plus(state.place, v3, h));
+    const Pair v1 = state.velocity, a1 = a(state.place, v1);
+    const Pair v2 = plus(state.velocity, a1, 0.5 * h), a2 = a(plus(state.place, v1, 0.5 * h), v2);
+    const Pair v3 = plus(state.velocity, a2, 0.5 * h), a3 = a(plus(state.place, v2, 0.5 * h), v3);
+    const Pair v4 = plus(state.velocity, a3, h), a4 = a(plus(state.place, v3, h), v4);
     for (std::size_t i = 0; i < 2; ++i) {
         next.place[i] = state.place[i] + h / 6.0 * (v1[i] + 2.0 * v2[i] + 2.0 * v3[i] + v4[i]);
         next.velocity[i] = state.velocity[i] + h / 6.0 * (a1[i] + 2.0 * a2[i] + 2.0 * a3[i] + a4[i]);
@@ -215,6 +241,7 @@ LabState step(LabSystem system, Integrator integrator, const LabState& state, do
 
 std::array<double, 2> drawn_place(LabSystem system, const LabState& state) {
     if (system == LabSystem::pendulum) return {std::sin(state.place[0]), -std::cos(state.place[0])};
+    if (system == LabSystem::top) return {0.8 * state.place[0], 0.8 * state.place[1]}; // up to twice its tilt
     return state.place;
 }
 
@@ -265,7 +292,9 @@ Chart error_chart(LabSystem system) {
     Chart chart;
     chart.title = std::string("greatest error of the ") + name_of(system) + " in one period";
     chart.x_label = "length of a step, s";
-    chart.y_label = system == LabSystem::pendulum ? "error, rad" : "error, m";
+    chart.y_label = system == LabSystem::pendulum ? "error, rad"
+                    : system == LabSystem::top    ? "error, of the tilt at the start"
+                                                  : "error, m";
     chart.log_x = chart.log_y = true;
     for (const Integrator integrator : lab_integrators) {
         Curve curve{"", {}, {}, color_of(integrator), true, false};

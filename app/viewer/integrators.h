@@ -18,8 +18,9 @@ enum class LabSystem {
     spring,   ///< A mass on a spring with a period of 1 s, let go 1 m from its middle.
     pendulum, ///< 1 m long, let go at rest 2 rad from below.
     orbit,    ///< Around a sun, with an eccentricity of 0.5, a half axis of 1 and a period of 1.
+    top,      ///< A spinning top, a little aslant and let go at rest: its tip from above, in units of that tilt.
 };
-inline constexpr std::array lab_systems{LabSystem::spring, LabSystem::pendulum, LabSystem::orbit};
+inline constexpr std::array lab_systems{LabSystem::spring, LabSystem::pendulum, LabSystem::orbit, LabSystem::top};
 const char* name_of(LabSystem system);
 const char* explanation_of(LabSystem system); ///< A sentence with the equation of motion.
 
@@ -37,9 +38,9 @@ struct LabState {
 
 LabState start_of(LabSystem system);
 double period_of(LabSystem system); ///< s.
-double energy_of(
-    LabSystem system,
-    const LabState& state); ///< J per kg, above the lowest that is possible; of the orbit its distance from the escape.
+double energy_of(LabSystem system,
+                 const LabState& state); ///< J per kg, above the lowest that is possible; of the orbit its distance
+                                         ///< from the escape, of the top from upright.
 LabState exact(LabSystem system, double time);
 /// One step of `h` seconds.
 LabState step(LabSystem system, Integrator integrator, const LabState& state, double h);

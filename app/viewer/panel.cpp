@@ -1,6 +1,7 @@
 #include "viewer/panel.h"
 
 #include "viewer/items.h"
+#include "viewer/other_run_window.h"
 #include "viewer/palette.h"
 
 #include <imgui.h>
@@ -184,6 +185,10 @@ void Panel::draw_time(const StageState& state, Controller& controller) {
     note_place(controller, "panel.integrators");
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("explicit Euler, semi-implicit Euler and RK4 beside the exact solution");
+    ImGui::SameLine();
+    if (ImGui::Button("Panes")) controller.panes = !controller.panes;
+    note_place(controller, "panel.panes");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("the same scene with other settings, side by side (F6)");
     if (!ImGui::IsAnyItemActive()) speed_octave_ = float(std::log2(state.speed));
     char text[32];
     if (speed_octave_ < 0.0f)
@@ -240,7 +245,7 @@ void Panel::draw_settings(Controller& controller) {
     if (changed) controller.post(command::SetSettings{settings_});
 }
 
-void Panel::draw_solver_parts(Controller& controller) {
+void Panel::draw_solver_parts(const StageState& state, Controller& controller) {
     const bool is_open = ImGui::CollapsingHeader("What the solver sees");
     note_place(controller, "panel.solver");
     if (!is_open) return;
@@ -249,6 +254,13 @@ void Panel::draw_solver_parts(Controller& controller) {
         ImGui::Checkbox(part.name, &(shown.*part.shown));
         note_place(controller, (std::string("solver.") + part.name).c_str());
         if (shown.*part.shown) explain(part.meaning);
+    }
+    if (shown.difference && state.current->solver && state.current->solver->difference) {
+        const GjkResult& gjk = state.current->solver->difference->gjk;
+        ImGui::Text(gjk.distance > 0.0 ? "%.4g m apart" : "they overlap", gjk.distance);
+        ImGui::Text("found in %d iterations, with %zu points", gjk.iterations, gjk.simplex.size());
+    } else if (shown.difference) {
+        ImGui::TextUnformatted("Click a body.");
     }
     if (shown != controller.solver) controller.show_solver(shown);
 }
@@ -367,9 +379,10 @@ void Panel::draw(const StageState& state, Controller& controller, const WindowFa
         ImGui::PushItemWidth(0.56f * panel_width * scale);
         list_height_ = 0.0f;
         draw_time(state, controller);
+        panes_.draw_section(state, controller);
         draw_scenes(state, controller);
         draw_view(state, controller);
-        draw_solver_parts(controller);
+        draw_solver_parts(state, controller);
         draw_statistics(state, facts);
         joints_.draw(state, controller);
         draw_settings(controller);
@@ -378,17 +391,22 @@ void Panel::draw(const StageState& state, Controller& controller, const WindowFa
         other_height_ = ImGui::GetCursorPosY() + ImGui::GetStyle().WindowPadding.y - list_height_;
         ImGui::End();
     }
-    const std::string title = state.title + (state.hint.empty() ? "" : "\n" + state.hint);
+    const bool has_title = state.panes.empty(); // else lines of their own are there
+    const std::string title = has_title ? state.title + (state.hint.empty() ? "" : "\n" + state.hint) : "";
     const float title_height =
         draw_caption("##title", title, ImVec2(io.DisplaySize.x - margin, margin), ImVec2(1.0f, 0.0f), room);
     if (controller.panel) joints_.draw_selected(state, controller, scale, 2.0f * margin + title_height, room);
     const float bar = controller.panel ? timeline_.draw(state, controller, scale, column, room) : 0.0f;
+    bar_height_ = bar;
     const float low = io.DisplaySize.y - margin - bar;
     draw_caption("##state", present_state(state), ImVec2(io.DisplaySize.x - margin, low), ImVec2(1.0f, 1.0f), room);
     draw_caption("##notice", facts.notice, ImVec2(column + 0.5f * room, low), ImVec2(0.5f, 1.0f), room);
+    draw_other_run(state, controller, scale, column);
     inspector_.draw(state, controller, scale, 2.0f * margin + title_height, bar, room);
     plots_.draw(state, controller, scale, column, room, bar);
     integrators_.draw(controller, scale, column, room, bar);
+    impacts_.draw(state, controller, scale, column);
+    panes_.draw(state, controller, facts, scale);
     palette_.draw(controller, scale, column, room);
     if (controller.help) draw_help(scale);
 }

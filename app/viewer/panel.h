@@ -4,9 +4,11 @@
 
 #include "viewer/command_palette.h"
 #include "viewer/controller.h"
+#include "viewer/impact_window.h"
 #include "viewer/inspector.h"
 #include "viewer/integrator_window.h"
 #include "viewer/joint_panel.h"
+#include "viewer/pane_window.h"
 #include "viewer/plot_window.h"
 #include "viewer/report.h"
 #include "viewer/timeline_bar.h"
@@ -24,6 +26,7 @@ class Panel {
     /// How many units of the window's width the panel's column takes from the picture: none where it is hidden, or
     /// where the window is too narrow for both and the panel lies over the picture.
     static float column_width(const Controller& controller, float scale, float window_width);
+    float bar_height() const noexcept { return bar_height_; } ///< Of the timeline, units; 0 where it is hidden.
     const TimelineBar& timeline() const noexcept { return timeline_; }
     int scene_lines() const noexcept { return scene_lines_; }
     bool scene_is_listed() const noexcept { return scene_is_listed_; }
@@ -32,7 +35,7 @@ class Panel {
     void draw_time(const StageState& state, Controller& controller);
     void draw_scenes(const StageState& state, Controller& controller);
     void draw_settings(Controller& controller);
-    void draw_solver_parts(Controller& controller);
+    void draw_solver_parts(const StageState& state, Controller& controller);
     void draw_view(const StageState& state, Controller& controller);
     void draw_spawn_tool(Controller& controller);
     void draw_statistics(const StageState& state, const WindowFacts& facts);
@@ -42,6 +45,9 @@ class Panel {
     TimelineBar timeline_;
     IntegratorWindow integrators_;
     PlotWindow plots_;
+    PaneWindow panes_;
+    ImpactWindow impacts_;
+    float bar_height_ = 0.0f;
     Inspector inspector_;
     CommandPalette palette_;
     float speed_octave_ = 0.0f;

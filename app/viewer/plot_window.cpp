@@ -68,10 +68,10 @@ void PlotWindow::draw(const StageState& state, Controller& controller, float sca
     const float margin = 12.0f * scale;
     const float display = ImGui::GetIO().DisplaySize.y;
     const ImVec2 size(std::min(room - 2.0f * margin, 500.0f * scale), std::min(330.0f * scale, 0.6f * display));
-    ImGui::SetNextWindowPos(ImVec2(column + margin, display - bottom - margin - size.y), ImGuiCond_Appearing);
-    ImGui::SetNextWindowSize(size, ImGuiCond_Appearing);
+    ImGui::SetNextWindowPos(ImVec2(column + margin, display - bottom - margin - size.y), ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowSize(size, ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowBgAlpha(0.93f);
-    if (ImGui::Begin("Plots (F3)", &controller.plots, ImGuiWindowFlags_NoSavedSettings)) {
+    if (ImGui::Begin("Plots (F3)", &controller.plots)) {
         draw_choice(state, controller);
         const PlotGroup& group = plot_groups()[std::size_t(group_)];
         const Chart chart = sample_chart(state.samples, group, windows[window_].second, state.selected,

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 
 namespace cairn::viewer {
@@ -58,19 +59,19 @@ Transform interpolate(const Transform& from, const Transform& to, float fraction
 }
 
 // Where shapes of that kind are collected; the mesh of one of its own must be in its place already.
-std::vector<Instance>& instances_of(RenderFrame& frame, const ShapeLayout& shape) {
-    if (shape.mesh) return frame.meshes[*shape.mesh].instances;
+std::vector<Instance>& instances_of(ShapeInstances& all, const ShapeLayout& shape) {
+    if (shape.mesh) return all.meshes[*shape.mesh].instances;
     switch (shape.type) {
     case ShapeType::sphere:
-        return frame.spheres;
+        return all.spheres;
     case ShapeType::box:
-        return frame.boxes;
+        return all.boxes;
     case ShapeType::capsule:
-        return frame.capsules;
+        return all.capsules;
     case ShapeType::cylinder:
-        return frame.cylinders;
+        return all.cylinders;
     default:
-        return frame.rectangles;
+        return all.rectangles;
     }
 }
 
@@ -104,26 +105,53 @@ void add_trigger(RenderFrame& frame, const ShapeLayout& shape, const Position& p
             if (!(i & axis)) frame.lines.push_back({corner(i), corner(i | axis), trigger_color()});
 }
 
-void add_visuals(RenderFrame& frame, const WorldLayout& layout, const WorldMotion& motion,
-                 std::span<const Transform> transforms, const FrameOptions& options) {
-    for (const VisualLayout& visual : layout.visuals) {
-        Transform pose = visual.local;
-        Vec3 color = visual.color;
-        bool is_selected = false;
-        if (visual.body) {
-            const Transform& body = transforms[*visual.body];
-            pose = {body.position + Position(body.rotation * Vec3(visual.local.position)),
-                    glm::normalize(body.rotation * visual.local.rotation)};
-            color = body_color(layout, motion, *visual.body, options.colors).value_or(visual.color);
-            is_selected = options.selected && layout.bodies[*visual.body].id == options.selected;
-        }
-        MeshInstances& group = frame.meshes[visual.mesh];
-        Instance instance = instance_at(pose.position, pose.rotation, frame.origin, color);
-        instance.half_size = Vec3(1.0f);
-        instance.emphasis = is_selected ? 1.0f : 0.0f;
-        instance.bound_radius = glm::length(group.mesh->center) + group.mesh->radius;
-        group.instances.push_back(instance);
+// The poses of a picture's bodies between two motions.
+std::vector<Transform> poses_between(const WorldMotion& previous, const WorldMotion& current, float fraction) {
+    std::vector<Transform> poses(current.transforms.size());
+    for (std::size_t i = 0; i < poses.size(); ++i)
+        poses[i] = interpolate(previous.transforms[i], current.transforms[i], fraction);
+    return poses;
+}
+
+void add_visual(ShapeInstances& all, const Position& origin, const VisualLayout& visual, const WorldLayout& layout,
+                const WorldMotion& motion, std::span<const Transform> transforms, const FrameOptions& options) {
+    Transform pose = visual.local;
+    Vec3 color = visual.color;
+    bool is_selected = false;
+    if (visual.body) {
+        const Transform& body = transforms[*visual.body];
+        pose = {body.position + Position(body.rotation * Vec3(visual.local.position)),
+                glm::normalize(body.rotation * visual.local.rotation)};
+        color = body_color(layout, motion, *visual.body, options.colors).value_or(visual.color);
+        is_selected = options.selected && layout.bodies[*visual.body].id == options.selected;
     }
+    MeshInstances& group = all.meshes[visual.mesh];
+    Instance instance = instance_at(pose.position, pose.rotation, origin, color);
+    instance.half_size = Vec3(1.0f);
+    instance.emphasis = is_selected ? 1.0f : 0.0f;
+    instance.bound_radius = glm::length(group.mesh->center) + group.mesh->radius;
+    group.instances.push_back(instance);
+}
+
+// Whether its body is shown by meshes of the scene's own instead.
+bool is_covered(const WorldLayout& layout, const ShapeLayout& shape, const FrameOptions& options) {
+    return options.visuals && layout.bodies[shape.body].has_visuals && !shape.is_trigger;
+}
+
+Transform pose_of(const ShapeLayout& shape, const Transform& body) {
+    return {body.position + Position(body.rotation * shape.position), glm::normalize(body.rotation * shape.rotation)};
+}
+
+void add_solid(ShapeInstances& all, const Position& origin, const ShapeLayout& shape, const Transform& pose,
+               const Vec3& color, const WorldLayout& layout, const FrameOptions& options) {
+    Instance instance = instance_at(pose.position, pose.rotation, origin, color);
+    instance.half_size = shape.half_size;
+    instance.emphasis = options.selected && layout.bodies[shape.body].id == options.selected ? 1.0f : 0.0f;
+    // Slopes are tinted where the color is ours to choose and means nothing.
+    if (shape.type == ShapeType::height_field && (shape.color || options.colors != ColorMode::scene))
+        instance.pattern = 0.0f;
+    instance.bound_radius = glm::length(shape.bound_center) + shape.bound_radius;
+    instances_of(all, shape).push_back(instance);
 }
 
 // Strings are solid: in front of one another, with shadows.
@@ -195,40 +223,54 @@ RenderFrame make_frame(const WorldLayout& layout, const WorldMotion& previous, c
     frame.grid = options.grid;
     frame.shadows = options.shadows;
     if (options.light) frame.light_direction = *options.light;
-    std::vector<Transform> transforms(layout.bodies.size());
-    for (std::size_t i = 0; i < transforms.size(); ++i)
-        transforms[i] = interpolate(previous.transforms[i], current.transforms[i], fraction);
+    const std::vector<Transform> transforms = poses_between(previous, current, fraction);
     for (const auto& mesh : layout.meshes) frame.meshes.push_back({mesh, {}});
-    if (options.visuals) add_visuals(frame, layout, current, transforms, options);
+    if (options.visuals)
+        for (const VisualLayout& visual : layout.visuals)
+            add_visual(frame, frame.origin, visual, layout, current, transforms, options);
     for (const ShapeLayout& shape : layout.shapes) {
-        if (options.visuals && layout.bodies[shape.body].has_visuals && !shape.is_trigger) continue;
-        const Transform& body = transforms[shape.body];
-        const Position position = body.position + Position(body.rotation * shape.position);
-        const Quat rotation = glm::normalize(body.rotation * shape.rotation);
+        if (is_covered(layout, shape, options)) continue;
+        const Transform pose = pose_of(shape, transforms[shape.body]);
         if (shape.is_trigger) {
-            if (shape.type != ShapeType::plane) add_trigger(frame, shape, position, rotation);
+            if (shape.type != ShapeType::plane) add_trigger(frame, shape, pose.position, pose.rotation);
             continue;
         }
         const Vec3 color = color_of(layout, current, shape, options.colors);
-        if (shape.type == ShapeType::plane) {
-            frame.grounds.push_back(ground_of(position, rotation, frame.origin, color));
-            continue;
-        }
-        Instance instance = instance_at(position, rotation, frame.origin, color);
-        instance.half_size = shape.half_size;
-        const BodyId id = layout.bodies[shape.body].id;
-        instance.emphasis = options.selected && id == options.selected ? 1.0f : 0.0f;
-        // Slopes are tinted where the color is ours to choose and means nothing.
-        if (shape.type == ShapeType::height_field && (shape.color || options.colors != ColorMode::scene))
-            instance.pattern = 0.0f;
-        instance.bound_radius = glm::length(shape.bound_center) + shape.bound_radius;
-        instances_of(frame, shape).push_back(instance);
+        if (shape.type == ShapeType::plane)
+            frame.grounds.push_back(ground_of(pose.position, pose.rotation, frame.origin, color));
+        else
+            add_solid(frame, frame.origin, shape, pose, color, layout, options);
     }
     if (current.joints) add_strings(frame, current, transforms);
     if (options.joints != JointsShown::none && current.joints) draw_joints(frame, layout, current, transforms, options);
     if (current.solver) draw_solver(frame, *current.solver);
     if (options.drag) add_drag(frame, layout, transforms, *options.drag);
     return frame;
+}
+
+void add_ghosts(RenderFrame& frame, const WorldLayout& layout, const WorldMotion& current, const RunPicture& other,
+                float fraction, const FrameOptions& options) {
+    std::unordered_map<BodyId, std::size_t> places;
+    for (std::size_t i = 0; i < layout.bodies.size(); ++i) places.emplace(layout.bodies[i].id, i);
+    const WorldLayout& ghosts = *other.layout;
+    std::vector<char> is_shown(ghosts.bodies.size(), 1);
+    for (std::size_t i = 0; i < ghosts.bodies.size(); ++i)
+        if (const auto here = places.find(ghosts.bodies[i].id); here != places.end())
+            is_shown[i] = is_elsewhere(current.transforms[here->second], other.current->transforms[i]);
+    const std::vector<Transform> transforms = poses_between(*other.previous, *other.current, fraction);
+    FrameOptions plain = options;
+    plain.selected = {};
+    for (const auto& mesh : ghosts.meshes) frame.ghosts.meshes.push_back({mesh, {}});
+    if (options.visuals)
+        for (const VisualLayout& visual : ghosts.visuals)
+            if (visual.body && is_shown[*visual.body])
+                add_visual(frame.ghosts, frame.origin, visual, ghosts, *other.current, transforms, plain);
+    for (const ShapeLayout& shape : ghosts.shapes) {
+        if (!is_shown[shape.body] || is_covered(ghosts, shape, options) || shape.is_trigger) continue;
+        if (shape.type == ShapeType::plane) continue;
+        add_solid(frame.ghosts, frame.origin, shape, pose_of(shape, transforms[shape.body]),
+                  color_of(ghosts, *other.current, shape, options.colors), ghosts, plain);
+    }
 }
 
 RenderFrame make_frame(const World& world, std::span<const Appearance> appearances, const CameraPose& camera,

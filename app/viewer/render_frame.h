@@ -6,6 +6,7 @@
 ///     renderer.save_picture("out.png");
 #pragma once
 
+#include "viewer/side_run.h"
 #include "viewer/world_state.h"
 
 #include <glm/gtc/quaternion.hpp>
@@ -69,11 +70,16 @@ struct Veil {
     Vec3 color{1.0f, 1.0f, 1.0f};
 };
 
-struct RenderFrame {
-    Position origin{0.0, 0.0, 0.0}; ///< World position that everything below is relative to.
-    CameraPose camera;
+/// Solid bodies.
+struct ShapeInstances {
     std::vector<Instance> spheres, boxes, rectangles, capsules, cylinders;
     std::vector<MeshInstances> meshes;
+};
+
+struct RenderFrame : ShapeInstances {
+    Position origin{0.0, 0.0, 0.0}; ///< World position that everything is relative to.
+    CameraPose camera;
+    ShapeInstances ghosts; ///< Transparent, without shadows.
     std::vector<GroundPlane> grounds;
     std::vector<Line> lines;
     std::vector<Stroke> strokes;
@@ -111,6 +117,11 @@ struct FrameOptions {
 /// The picture between two motions of one layout: `fraction` 0 shows `previous`, 1 shows `current`.
 RenderFrame make_frame(const WorldLayout& layout, const WorldMotion& previous, const WorldMotion& current,
                        float fraction, const CameraPose& camera, const FrameOptions& options = {});
+
+/// Adds another run's bodies as ghosts, but for those that are where they are in the run shown, and for what is
+/// infinite.
+void add_ghosts(RenderFrame& frame, const WorldLayout& layout, const WorldMotion& current, const RunPicture& other,
+                float fraction, const FrameOptions& options);
 
 /// The picture of a world as it stands. `meshes` keeps the triangles of its hulls, meshes and height fields for the
 /// next picture; without it they are made anew.

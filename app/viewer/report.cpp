@@ -85,10 +85,52 @@ Json timeline_json(const TimelineState& timeline, const WindowFacts& facts) {
     return json;
 }
 
+Json other_json(const OtherRun& other) {
+    Json json{{"parted_at", other.parted_at},
+              {"bodies", other.picture.layout->bodies.size()},
+              {"elsewhere", other.difference.elsewhere},
+              {"farthest", other.difference.farthest}};
+    Json positions = Json::array();
+    for (const Transform& pose : other.picture.current->transforms) positions.push_back(triple(pose.position));
+    json["positions"] = positions;
+    return json;
+}
+
+Json gizmo_json(const StageState& state, const Controller& controller, const WindowFacts& facts) {
+    Json json{{"mode", cairn::viewer::name_of(controller.gizmo.mode)}, {"handles", Json::array()}};
+    if (!state.inspected) return json;
+    const float aspect = float(facts.width) / float(std::max(facts.height, 1));
+    for (const GizmoHandle handle : controller.gizmo.handles(*state.inspected))
+        if (const auto device =
+                controller.camera.project(controller.gizmo.grip(*state.inspected, controller.camera, handle), aspect))
+            json["handles"].push_back({float(facts.left) + (0.5f + 0.5f * device->x) * float(facts.width),
+                                       (0.5f - 0.5f * device->y) * float(facts.height)});
+    return json;
+}
+
+Json panes_json(const StageState& state, const WindowFacts& facts) {
+    Json panes = Json::array();
+    for (std::size_t i = 0; i < state.panes.size(); ++i) {
+        const PaneState& pane = state.panes[i];
+        Json json{{"settings", describe(pane.settings)},
+                  {"energy", pane.energy},
+                  {"bodies", pane.picture.layout->bodies.size()},
+                  {"farthest", pane.difference.farthest},
+                  {"trouble", pane.trouble}};
+        if (i + 1 < facts.panes.size()) {
+            const PaneRect& place = facts.panes[i + 1];
+            json["place"] = {place.left, place.top, place.width, place.height};
+        }
+        panes.push_back(json);
+    }
+    return panes;
+}
+
 Json inspected_json(const BodyFacts& facts) {
     return {{"index", facts.id.index()},
             {"name", facts.name},
             {"type", name_of(facts.type)},
+            {"rotation", {facts.rotation.w, facts.rotation.x, facts.rotation.y, facts.rotation.z}},
             {"mass", facts.mass.mass},
             {"velocity", triple(facts.velocity)},
             {"static_friction", facts.shapes.empty() ? 0.0f : facts.shapes.front().material.static_friction},
@@ -135,8 +177,18 @@ std::string report_json(const StageState& state, const Controller& controller, c
     json["solver_shown"] = Json::array();
     for (const SolverPart& part : solver_parts())
         if (controller.solver.*part.shown) json["solver_shown"].push_back(part.name);
+    if (state.current->solver && state.current->solver->difference)
+        json["difference"] = {{"other", state.current->solver->difference->other.index()},
+                              {"distance", state.current->solver->difference->gjk.distance}};
     if (state.inspected) json["inspected"] = inspected_json(*state.inspected);
     json["integrators"] = controller.integrators;
+    if (state.impact)
+        json["impact"] = {{"step", state.impact->step},
+                          {"with", state.impact->second.name},
+                          {"impulse", state.impact->impulse},
+                          {"given", state.impact->given}};
+    json["gizmo"] = gizmo_json(state, controller, facts);
+    json["panes"] = panes_json(state, facts);
     json["frames"] = facts.frames;
     json["frames_per_second"] = facts.frames_per_second;
     json["left"] = facts.left;
@@ -145,6 +197,7 @@ std::string report_json(const StageState& state, const Controller& controller, c
     json["notice"] = facts.notice;
     for (const auto& [name, place] : controller.places) json["places"][name] = {place.x, place.y};
     json["timeline"] = timeline_json(state.timeline, facts);
+    if (state.other) json["other"] = other_json(*state.other);
     json["bodies"] = std::move(bodies);
     json["joints_shown"] = cairn::viewer::name_of(controller.joints);
     json["selected_joint"] = state.selected_joint ? Json(state.selected_joint.index()) : Json();

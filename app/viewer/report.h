@@ -3,15 +3,18 @@
 #pragma once
 
 #include "viewer/controller.h"
+#include "viewer/pane_layout.h"
 
 #include <string>
+#include <vector>
 
 namespace cairn::viewer {
 
 /// What only the window knows.
 struct WindowFacts {
     int left = 0;                 ///< Pixels of the window beside the picture, where the panel is.
-    int width = 0, height = 0;    ///< Of the picture, pixels.
+    int width = 0, height = 0;    ///< Of the picture (of several, the first), pixels.
+    std::vector<PaneRect> panes;  ///< In the window's units; one, if there is one picture.
     int scene_lines = 0;          ///< Lines that the panel's list of scenes has room for.
     bool scene_is_listed = false; ///< The line of the present scene is in view.
     std::uint64_t frames = 0;

@@ -12,7 +12,8 @@ namespace cairn::viewer {
 namespace {
 
 using enum Quantity;
-constexpr Quantity energies[] = {kinetic_energy, potential_energy, total_energy};
+constexpr Quantity energies[] = {kinetic_energy,  potential_energy, lost_to_friction,
+                                 lost_in_impacts, brought_in,       energy_balance};
 constexpr Quantity momenta[] = {momentum_x, momentum_y, momentum_z};
 constexpr Quantity angular_momenta[] = {angular_momentum_x, angular_momentum_y, angular_momentum_z};
 constexpr Quantity places[] = {body_x, body_y, body_z};
@@ -48,6 +49,10 @@ const char* name_of(Quantity quantity) {
     constexpr const char* names[quantity_count] = {"kinetic energy, J",
                                                    "potential energy, J",
                                                    "total energy, J",
+                                                   "lost to friction, J",
+                                                   "lost in impacts, J",
+                                                   "brought in, J",
+                                                   "all but what was brought in, J",
                                                    "momentum x, kg m/s",
                                                    "momentum y, kg m/s",
                                                    "momentum z, kg m/s",
@@ -69,7 +74,7 @@ const char* name_of(Quantity quantity) {
     return names[std::size_t(quantity)];
 }
 
-Sample measure(const World& world, BodyId id, std::uint64_t step, double step_length) {
+Sample measure(const World& world, BodyId id, std::uint64_t step, double step_length, const EnergyFlow& flow) {
     Sample sample;
     sample.step = step;
     sample.body = id;
@@ -81,6 +86,11 @@ Sample measure(const World& world, BodyId id, std::uint64_t step, double step_le
     values[std::size_t(kinetic_energy)] = world.kinetic_energy();
     values[std::size_t(potential_energy)] = world.potential_energy();
     values[std::size_t(total_energy)] = values[0] + values[1];
+    values[std::size_t(lost_to_friction)] = flow.friction;
+    values[std::size_t(lost_in_impacts)] = flow.impacts;
+    values[std::size_t(brought_in)] = flow.brought_in;
+    values[std::size_t(energy_balance)] =
+        values[std::size_t(total_energy)] + flow.friction + flow.impacts - flow.brought_in;
     set(momentum_x, world.linear_momentum());
     set(angular_momentum_x, world.angular_momentum());
     if (!id || !world.is_valid(id)) {
@@ -95,6 +105,11 @@ Sample measure(const World& world, BodyId id, std::uint64_t step, double step_le
     values[std::size_t(body_kinetic_energy)] = body.kinetic_energy();
     values[std::size_t(body_contact_force)] = contact_force(world, id, step_length);
     return sample;
+}
+
+EnergyFlow flow_of(const Sample& sample) {
+    return {sample.values[std::size_t(lost_to_friction)], sample.values[std::size_t(lost_in_impacts)],
+            sample.values[std::size_t(brought_in)]};
 }
 
 void SampleLog::add(const Sample& sample) {
@@ -125,6 +140,15 @@ void SampleLog::clear() {
 const Sample& SampleLog::operator[](std::size_t i) const {
     const std::size_t chunk = i / chunk_size;
     return chunk < full_.size() ? (*full_[chunk])[i % chunk_size] : open_[i - full_.size() * chunk_size];
+}
+
+const Sample* SampleLog::at(std::uint64_t step) const {
+    std::size_t low = 0, high = size_;
+    while (low < high) {
+        const std::size_t middle = (low + high) / 2;
+        (*this)[middle].step < step ? low = middle + 1 : high = middle;
+    }
+    return low < size_ && (*this)[low].step == step ? &(*this)[low] : nullptr;
 }
 
 std::span<const PlotGroup> plot_groups() { return groups; }

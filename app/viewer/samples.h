@@ -3,6 +3,7 @@
 #pragma once
 
 #include "viewer/chart.h"
+#include "viewer/energy_balance.h"
 
 #include <cairn/world.h>
 
@@ -19,6 +20,10 @@ enum class Quantity {
     kinetic_energy,
     potential_energy,
     total_energy,
+    lost_to_friction, // since sampling began
+    lost_in_impacts,
+    brought_in,
+    energy_balance,
     momentum_x,
     momentum_y,
     momentum_z,
@@ -38,7 +43,7 @@ enum class Quantity {
     body_kinetic_energy,
     body_contact_force,
 };
-inline constexpr int quantity_count = 21;
+inline constexpr int quantity_count = 25;
 const char* name_of(Quantity quantity); ///< With its unit.
 
 struct Sample {
@@ -48,8 +53,10 @@ struct Sample {
     std::array<double, quantity_count> values{}; ///< Those of a body are not numbers where there is none.
 };
 
-/// `body`: null for none.
-Sample measure(const World& world, BodyId body, std::uint64_t step, double step_length);
+/// `body`: null for none. `flow`: of energy, since the sampling began.
+Sample measure(const World& world, BodyId body, std::uint64_t step, double step_length, const EnergyFlow& flow = {});
+/// The flow that a sample was taken with.
+EnergyFlow flow_of(const Sample& sample);
 
 /// Samples by step. A copy costs little: what is full is shared and never changes.
 class SampleLog {
@@ -60,6 +67,8 @@ class SampleLog {
     bool is_empty() const { return size_ == 0; }
     std::size_t size() const { return size_; }
     const Sample& operator[](std::size_t i) const;
+    /// Null where that step was not sampled.
+    const Sample* at(std::uint64_t step) const;
     std::uint64_t last_step() const { return (*this)[size_ - 1].step; }
 
   private:

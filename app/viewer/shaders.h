@@ -201,6 +201,7 @@ flat in vec4 v_rotation;
 uniform float u_grid;
 uniform float u_spacing; // of the finer lines of the grid, meters
 uniform float u_fade;    // distance at which large surfaces have half become sky, meters
+uniform float u_opacity; // 1, or that of ghosts, which are paler, too
 out vec4 o_color;
 
 // Eight panels, alternately lighter and darker, so that rolling can be seen.
@@ -290,6 +291,7 @@ void main() {
         vec3 horizon = normalize(vec3(ray.x, max(ray.y, 0.0), ray.z) + vec3(0.0, 1e-4, 0.0));
         shaded = mix(shaded, sky_color(horizon), haze);
     }
+    shaded = mix(vec3(0.55, 0.72, 0.95), shaded, 0.4 + 0.6 * u_opacity);
     o_color = pixel_of(to_display(shaded));
 }
 )";

@@ -37,6 +37,12 @@ constexpr SolverPart parts[] = {
      "middle one it is unstable."},
     {"islands", &SolverShown::islands,
      "Lines join bodies that are solved together: yellow through contacts, blue through joints. Islands sleep as one."},
+    {"Minkowski difference and GJK", &SolverShown::difference,
+     "Of the selected body and the convex shape nearest to it: all differences of a point of the one and a point of "
+     "the "
+     "other. The white dot, in the middle of the other, is the origin: where it is inside, the two overlap. Orange: "
+     "the "
+     "simplex with which the GJK algorithm ended; red: the shortest way."},
 };
 
 float combined(float a, float b, CombineRule rule) {
@@ -185,6 +191,24 @@ void draw_box(Pen& pen, const Bounds& bounds) {
             if (!(i & axis)) pen.line(corner(i), corner(i | axis), bound_color, 1.0f);
 }
 
+void draw_difference(RenderFrame& frame, Pen& pen, const PairDifference& difference) {
+    const Vec3 origin = pen.at(difference.origin), white(0.95f);
+    const auto at = [&](const glm::dvec3& point) { return origin + Vec3(point); };
+    for (const auto& [a, b, c] : difference.triangles) {
+        const Vec3 corners[] = {origin + difference.points[a], origin + difference.points[b],
+                                origin + difference.points[c]};
+        frame.veils.push_back({corners[0], corners[1], corners[2], bound_color});
+        for (int i = 0; i < 3; ++i) frame.lines.push_back({corners[i], corners[(i + 1) % 3], bound_color});
+    }
+    const std::vector<glm::dvec3>& simplex = difference.gjk.simplex;
+    for (std::size_t i = 0; i < simplex.size(); ++i) {
+        pen.line(at(simplex[i]), at(simplex[i]), force_color, 9.0f);
+        for (std::size_t k = 0; k < i; ++k) pen.line(at(simplex[i]), at(simplex[k]), force_color, 3.0f);
+    }
+    pen.line(origin, at(difference.gjk.nearest), sliding_color, 3.0f);
+    pen.line(origin, origin, white, 11.0f);
+}
+
 } // namespace
 
 std::span<const SolverPart> solver_parts() { return parts; }
@@ -205,6 +229,7 @@ std::shared_ptr<const SolverView> read_solver(const World& world, const SolverSh
                     std::isfinite(bounds.max.y))
                     view->bounds.push_back(bounds);
             }
+    if (shown.difference) view->difference = nearest_difference(world, selected);
     return view;
 }
 
@@ -229,6 +254,7 @@ void draw_solver(RenderFrame& frame, const SolverView& view) {
         }
     }
     for (const Bounds& bounds : view.bounds) draw_box(pen, bounds);
+    if (view.difference) draw_difference(frame, pen, *view.difference);
 }
 
 } // namespace cairn::viewer

@@ -3,11 +3,13 @@
 /// boxes, axes of inertia, and what is solved together.
 #pragma once
 
+#include "viewer/minkowski.h"
 #include "viewer/render_frame.h"
 
 #include <cairn/world.h>
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,7 +18,8 @@ namespace cairn::viewer {
 /// What of it is shown.
 struct SolverShown {
     bool contacts = false, cones = false, velocities = false, bounds = false, axes = false, islands = false;
-    bool any() const { return contacts || cones || velocities || bounds || axes || islands; }
+    bool difference = false;
+    bool any() const { return contacts || cones || velocities || bounds || axes || islands || difference; }
     friend bool operator==(const SolverShown&, const SolverShown&) = default;
 };
 
@@ -52,6 +55,7 @@ struct SolverView {
     std::vector<Mover> movers; ///< Dynamic bodies.
     std::vector<Bounds> bounds;
     std::vector<Link> links;
+    std::optional<PairDifference> difference; ///< Of the selected body.
 };
 
 /// Null where nothing is to be shown. Contacts are those of the `selected` body alone, if there is one.

@@ -47,10 +47,15 @@ void Stage::take_scene(LoadedScene scene, const std::string& path) {
     step_milliseconds_ = 0.0;
     timeline_.begin(scene_.world, std::exchange(scene_.run, {}));
     held_.clear();
+    other_.reset();
+    slow_motion_.reset();
+    impact_.reset();
+    impact_partners_.clear();
     samples_.clear();
     seeking_.reset();
     is_backwards_ = false;
     refresh_layout();
+    restart_panes();
 }
 
 void Stage::apply(const Command& command) {
@@ -70,12 +75,14 @@ void Stage::apply(const Command& command) {
     else if (const auto change = change_of(command))
         timeline_.name_change(before, change->name, change->merge);
     settle_branch();
+    if (!seeking_) take_others_along(longest_advance);
     if (selected_ != selected_before && solver_shown_.any()) refresh_motion();
 }
 
 int Stage::advance(double real_seconds) {
     hear_from_writer();
     if (seeking_) go_on_seeking();
+    take_others_along(longest_advance); // it may still be on its way
     const int due = clock_.advance(real_seconds);
     const auto start = std::chrono::steady_clock::now();
     int taken = 0;
@@ -106,6 +113,8 @@ void Stage::step() {
         return say(error.what());
     }
     clock_.count_step();
+    end_slow_motion();
+    take_others_along(longest_advance);
     if (!is_live) return;
     const double milliseconds =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -117,6 +126,7 @@ void Stage::step() {
 void Stage::live_step() {
     if (frozen_) hold_still();
     if (grab_.holding) pull_grabbed();
+    watch_energy();
     const auto start = std::chrono::steady_clock::now();
     scene_.world.step(float(clock_.time_step()));
     timeline_.after_step(scene_.world, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
@@ -165,6 +175,18 @@ StageState Stage::state() const {
     state.timeline.is_recording = timeline_.is_recording();
     state.timeline.verdict = timeline_.verdict();
     state.timeline.bytes = timeline_.bytes();
+    if (other_) {
+        state.other = {parted_at_, other_->picture(), {}};
+        if (other_->is_at(timeline_.now().step))
+            state.other->difference = difference(*layout_, *current_, other_->picture());
+    }
+    for (const Pane& pane : panes_) state.panes.push_back(pane.state(*layout_, *current_));
+    state.impact = impact_;
+    state.impact_partners = impact_partners_;
+    if (!panes_.empty()) {
+        state.energy = scene_.world.kinetic_energy() + scene_.world.potential_energy();
+        state.panes_began = panes_start_->moment.step;
+    }
     return state;
 }
 

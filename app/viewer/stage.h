@@ -3,8 +3,10 @@
 #pragma once
 
 #include "viewer/commands.h"
+#include "viewer/pane.h"
 #include "viewer/samples.h"
 #include "viewer/scene_source.h"
+#include "viewer/side_run.h"
 #include "viewer/step_clock.h"
 #include "viewer/timeline.h"
 #include "viewer/world_state.h"
@@ -13,7 +15,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace cairn::viewer {
@@ -44,6 +45,13 @@ struct TimelineState {
     std::size_t bytes = 0; ///< That it takes.
 };
 
+/// The other of two runs that parted.
+struct OtherRun {
+    std::uint64_t parted_at = 0; ///< Steps made then.
+    RunPicture picture;
+    RunDifference difference;
+};
+
 /// What the window shows. A copy costs little: the large parts are shared and never change.
 struct StageState {
     std::uint64_t scene_serial = 0; ///< Counts loaded scenes, resets included.
@@ -65,6 +73,12 @@ struct StageState {
     Grab grab;
     Message message;
     TimelineState timeline;
+    std::optional<OtherRun> other;
+    std::vector<PaneState> panes;        ///< Beside this run.
+    std::optional<Impact> impact;        ///< That was asked for.
+    std::vector<BodyId> impact_partners; ///< What its body has hit, the last first.
+    double energy = 0.0;                 ///< J, kinetic and potential; told where there are panes.
+    std::uint64_t panes_began = 0;       ///< Steps made then.
     SampleLog samples;
     std::optional<BodyFacts> inspected; ///< The selected body.
 };
@@ -108,6 +122,12 @@ class Stage {
     void operator()(const command::PlayBackwards&);
     void operator()(const command::Undo&);
     void operator()(const command::Redo&);
+    void operator()(const command::BranchOff&);
+    void operator()(const command::ExchangeRuns&);
+    void operator()(const command::EndOtherRun&);
+    void operator()(const command::SetPanes& set);
+    void operator()(const command::ExplainImpact& explain);
+    void operator()(const command::WatchImpact&);
     void operator()(const command::SaveRecording& save);
     void operator()(const command::SetSettings& settings);
     void operator()(const command::GrabBody& grab);
@@ -120,6 +140,7 @@ class Stage {
     void operator()(const command::ShowSolver& show);
     void operator()(const command::SelectBody& select);
     void operator()(const command::EditBody& change);
+    void operator()(const command::EndChange&);
     void operator()(const command::DuplicateSelected&);
     void operator()(const command::SaveScene& save);
     void operator()(const command::MakeJoint& make);
@@ -130,11 +151,6 @@ class Stage {
     void operator()(const command::RemoveJoint& joint);
 
   private:
-    // Of keys and drags: what exists in the world only as long as they are held.
-    struct Held {
-        std::variant<JointId, ForceFieldId> id;
-        Moment since;
-    };
     struct Writer;
     void take_scene(LoadedScene scene, const std::string& path);
     void live_step();
@@ -143,8 +159,13 @@ class Stage {
     void go_on_seeking();
     void arrive();
     void settle_branch();
+    void take_others_along(double seconds);
+    void restart_panes();
+    void end_slow_motion();
+    Looks looks() const { return {scene_.appearances, scene_.visuals, scene_.strings}; }
     void hear_from_writer();
     void take_sample();
+    void watch_energy();
     template <class Go> bool travel(const Go& go);
     void remove(BodyId body);
     void say(std::string text);
@@ -176,11 +197,25 @@ class Stage {
     std::uint64_t scene_serial_ = 0;
     Timeline timeline_;
     std::vector<Held> held_;
+    std::unique_ptr<SideRun> other_; // null: there is none
+    std::uint64_t parted_at_ = 0;
+    std::optional<PaneStart> panes_start_; // nothing: there are none
+    std::vector<Pane> panes_;
+    bool others_are_here_ = true; // the other run and the panes are at this run's moment
     std::optional<std::uint64_t> seeking_;
     bool is_backwards_ = false;
     bool with_samples_ = false;
     SolverShown solver_shown_;
+    // A part of the run that is shown slowly.
+    struct SlowMotion {
+        std::uint64_t end = 0;     // step
+        double speed_before = 1.0; // of the clock
+    };
+    std::optional<SlowMotion> slow_motion_;
+    std::optional<Impact> impact_;
+    std::vector<BodyId> impact_partners_;
     SampleLog samples_;
+    EnergyBalance energy_balance_;
     Savers savers_;
     std::shared_ptr<Writer> writer_;
     std::shared_ptr<const WorldLayout> layout_;

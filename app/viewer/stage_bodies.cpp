@@ -14,9 +14,15 @@ void Stage::operator()(const command::SelectBody& select) {
 
 void Stage::operator()(const command::EditBody& change) {
     if (!scene_.world.is_valid(change.body)) return say("The body is gone.");
-    carry_out(scene_.world, change.body, change.edit);
+    for (const auto& [old, replaced] : carry_out(scene_.world, change.body, change.edit)) {
+        const auto look = std::find_if(scene_.appearances.begin(), scene_.appearances.end(),
+                                       [id = old](const Appearance& known) { return known.shape == id; });
+        if (look != scene_.appearances.end()) scene_.appearances.push_back({replaced, look->color});
+    }
     refresh_layout();
 }
+
+void Stage::operator()(const command::EndChange&) { timeline_.end_change(); }
 
 // Beside the original, by its own width.
 void Stage::operator()(const command::DuplicateSelected&) {
@@ -47,13 +53,7 @@ void Stage::operator()(const command::SaveScene& save) {
     // A copy, without what the mouse and the keys hold at the moment.
     LoadedScene copy;
     copy.world.restore(scene_.world.save());
-    for (const Held& held : held_) {
-        if (const auto* joint = std::get_if<JointId>(&held.id)) {
-            if (copy.world.is_valid(*joint)) copy.world.destroy_joint(*joint);
-        } else if (copy.world.is_valid(std::get<ForceFieldId>(held.id))) {
-            copy.world.remove_force_field(std::get<ForceFieldId>(held.id));
-        }
-    }
+    end_held(copy.world, held_);
     copy.title = scene_.title;
     copy.hint = scene_.hint;
     copy.camera = save.camera;

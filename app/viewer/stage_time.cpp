@@ -35,7 +35,7 @@ struct Stage::Writer {
 Stage::~Stage() = default;
 
 double Stage::until_next_step() const {
-    if (seeking_) return 0.0;
+    if (seeking_ || !others_are_here_) return 0.0;
     const double next = clock_.until_next_step();
     return writer_ ? std::min(next, writer_interval) : next;
 }
@@ -69,6 +69,7 @@ void Stage::arrive() {
 void Stage::settle_branch() {
     const std::optional<Moment> branch = timeline_.take_branch();
     if (!branch) return;
+    for (Pane& pane : panes_) pane.forget_after(*branch);
     World& world = scene_.world;
     const auto is_present = [&](const Held& held) {
         if (const auto* joint = std::get_if<JointId>(&held.id)) return grab_.holding && *joint == drag_joint_;
@@ -94,7 +95,7 @@ void Stage::settle_branch() {
 }
 
 void Stage::follow() {
-    const bool alters = timeline_.follow(scene_.world);
+    const bool alters = timeline_.follow(scene_.world, [this](const World&) { watch_energy(); });
     take_sample();
     if (alters)
         arrive();
@@ -124,6 +125,7 @@ void Stage::go_on_seeking() {
     try {
         const bool is_there = timeline_.seek(scene_.world, {*seeking_, 0}, longest_look);
         if (is_there) seeking_.reset();
+        if (is_there && slow_motion_) clock_.set_paused(false);
     } catch (const std::exception& error) {
         seeking_.reset();
         say(error.what());
@@ -134,6 +136,7 @@ void Stage::go_on_seeking() {
 void Stage::operator()(const command::SeekTo& seek) {
     clock_.set_paused(true);
     is_backwards_ = false;
+    slow_motion_.reset();
     seeking_ = std::clamp(seek.step, timeline_.first_step(), timeline_.last_step());
 }
 
@@ -162,6 +165,78 @@ void Stage::operator()(const command::Redo&) {
     clock_.set_paused(true);
     is_backwards_ = false;
     say("Done again: " + *name + ".");
+}
+
+// To this run's moment, each in about so many seconds of real time.
+void Stage::take_others_along(double seconds) {
+    others_are_here_ = true;
+    try {
+        if (other_) others_are_here_ = other_->go_to(timeline_.now().step, seconds, looks());
+    } catch (const std::exception& error) {
+        other_.reset();
+        say(std::string("The other run has ended: ") + error.what());
+    }
+    try {
+        for (Pane& pane : panes_) others_are_here_ = pane.go_to(timeline_, seconds, looks()) && others_are_here_;
+    } catch (const std::exception& error) {
+        panes_.clear();
+        panes_start_.reset();
+        say(std::string("The panes have ended: ") + error.what());
+    }
+}
+
+void Stage::operator()(const command::SetPanes& set) {
+    if (set.panes.empty()) {
+        panes_.clear();
+        panes_start_.reset();
+        return;
+    }
+    if (!panes_start_) panes_start_ = {scene_.world.save(), timeline_.now()};
+    std::vector<Pane> panes;
+    for (std::size_t i = 0; i < std::min(set.panes.size(), most_panes - 1); ++i) {
+        if (i < panes_.size() && panes_[i].settings() == set.panes[i])
+            panes.push_back(std::move(panes_[i]));
+        else
+            panes.emplace_back(*panes_start_, scene_.world.threads(), float(clock_.time_step()), set.panes[i], looks());
+    }
+    panes_ = std::move(panes);
+}
+
+// With the same settings, in another scene.
+void Stage::restart_panes() {
+    if (!panes_start_) return;
+    command::SetPanes again;
+    for (const Pane& pane : panes_) again.panes.push_back(pane.settings());
+    panes_.clear();
+    panes_start_.reset();
+    (*this)(again);
+}
+
+void Stage::operator()(const command::BranchOff&) {
+    seeking_.reset();
+    is_backwards_ = false;
+    other_ = std::make_unique<SideRun>(scene_.world, timeline_, held_, float(clock_.time_step()), looks());
+    parted_at_ = timeline_.now().step;
+    timeline_.forget_future();
+    say("Branched off: the run as it was goes on beside this one, transparent.");
+}
+
+void Stage::operator()(const command::ExchangeRuns&) {
+    if (!other_) return say("There is no other run: branch off first.");
+    seeking_.reset();
+    is_backwards_ = false;
+    std::swap(scene_.world, other_->world);
+    std::swap(timeline_, other_->timeline);
+    std::swap(held_, other_->held);
+    for (Pane& pane : panes_) pane.forget_after({parted_at_, 0});
+    samples_.clear();
+    arrive();
+    other_->refresh(looks());
+}
+
+void Stage::operator()(const command::EndOtherRun&) {
+    if (!other_) return say("There is no other run.");
+    other_.reset();
 }
 
 void Stage::operator()(const command::SaveRecording& save) {
@@ -199,9 +274,23 @@ void Stage::operator()(const command::TakeSamples& take) {
     take_sample();
 }
 
+void Stage::watch_energy() {
+    if (with_samples_) energy_balance_.before_step(scene_.world);
+}
+
 void Stage::take_sample() {
     if (!with_samples_) return;
-    samples_.add(measure(scene_.world, selected_, timeline_.now().step, clock_.time_step()));
+    const std::uint64_t step = timeline_.now().step;
+    EnergyFlow flow;
+    if (const Sample* last = samples_.at(step - 1); last != nullptr && step > 0) {
+        flow = flow_of(*last);
+        const EnergyFlow more = energy_balance_.after_step(scene_.world, clock_.time_step(),
+                                                           last->values[std::size_t(Quantity::total_energy)]);
+        flow.friction += more.friction;
+        flow.impacts += more.impacts;
+        flow.brought_in += more.brought_in;
+    }
+    samples_.add(measure(scene_.world, selected_, step, clock_.time_step(), flow));
 }
 
 void Stage::hear_from_writer() {

@@ -1,5 +1,7 @@
 #include "viewer/timeline.h"
 
+#include "viewer/elapsed.h"
+
 #include <cairn/error.h>
 #include <cairn/world.h>
 
@@ -21,10 +23,9 @@ constexpr double greatest_share = 0.025; // of the time of the steps that keepin
 constexpr std::uint64_t least_interval = 15, greatest_interval = 240; // steps
 constexpr double newest_weight = 0.1;                                 // in running means
 constexpr std::size_t ring_bytes = std::size_t{96} << 20;
+constexpr std::size_t most_hits = 8192;
 constexpr std::uint64_t same_event = 15;  // steps within which impacts are one mark
 constexpr std::uint64_t same_change = 60; // steps within which changes by one slider are one
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 double mean(double old, double value) { return old == 0.0 ? value : old + newest_weight * (value - old); }
 
@@ -49,15 +50,16 @@ void Timeline::begin(World& world, const RecordedRun& run) {
     recorded_until_ = run.keyframe ? std::numeric_limits<std::uint64_t>::max() : 0;
     changes_.clear();
     events_.clear();
+    hits_.clear();
     watched_until_ = 0;
     is_undone_ = false;
     step_seconds_ = stepping_seconds_ = keeping_seconds_ = 0.0;
-    ring_.reset();
+    ring_.states.reset();
     verdict_ = {};
     name_recorded_changes();
     keyframes_.clear();
     const Clock::time_point start = Clock::now();
-    keyframes_.emplace(0, Keyframe{world.save(), world.state_digest()});
+    keyframes_.emplace(0, std::make_shared<const Keyframe>(Keyframe{world.save(), world.state_digest()}));
     save_seconds_ = seconds_since(start);
     keep_within_budget();
     gather_marks();
@@ -91,7 +93,7 @@ void Timeline::keep(const World& world, double step_seconds) {
     if (step - std::prev(keyframes_.upper_bound(step))->first < interval()) return;
     if (keeping_seconds_ + save_seconds_ > greatest_share * stepping_seconds_) return; // steps have become cheaper
     const Clock::time_point start = Clock::now();
-    keyframes_.insert_or_assign(step, Keyframe{world.save(), world.state_digest()});
+    keyframes_.insert_or_assign(step, std::make_shared<const Keyframe>(Keyframe{world.save(), world.state_digest()}));
     keep_within_budget();
     const double seconds = seconds_since(start);
     save_seconds_ = mean(save_seconds_, seconds);
@@ -102,13 +104,13 @@ void Timeline::keep_within_budget() {
     keyframe_bytes_ = 0;
     const SnapshotDefinitions* counted = nullptr;
     for (const auto& [step, keyframe] : keyframes_) {
-        keyframe_bytes_ += keyframe.snapshot.bytes.size();
-        const SnapshotDefinitions* own = keyframe.snapshot.definitions.get();
+        keyframe_bytes_ += keyframe->snapshot.bytes.size();
+        const SnapshotDefinitions* own = keyframe->snapshot.definitions.get();
         if (own != counted) keyframe_bytes_ += own->bytes.size();
         counted = own;
     }
     while (bytes() > budget_ && keyframes_.size() > 2 && std::next(keyframes_.begin())->first <= log_->now.step) {
-        keyframe_bytes_ -= keyframes_.begin()->second.snapshot.bytes.size();
+        keyframe_bytes_ -= keyframes_.begin()->second->snapshot.bytes.size();
         keyframes_.erase(keyframes_.begin());
         log_->forget_before(keyframes_.begin()->first);
     }
@@ -127,9 +129,31 @@ void Timeline::drop_other_future() {
     while (!changes_.empty() && changes_.back().begin >= *branch) changes_.pop_back();
     if (!changes_.empty()) changes_.back().end = std::min(changes_.back().end, *branch);
     while (!events_.empty() && events_.back().step > branch->step) events_.pop_back();
+    while (!hits_.empty() && hits_.back().step > branch->step) hits_.pop_back();
     watched_until_ = std::min(watched_until_, branch->step);
-    ring_.reset();
+    ring_.states.reset();
     gather_marks();
+}
+
+Timeline Timeline::fork(World& copy) const {
+    Timeline other = *this;
+    other.log_ = std::make_shared<TimelineLog>(*log_);
+    other.log_->take_branch();
+    other.is_undone_ = false;
+    const Going going(*other.log_); // the listener is told of the state, which the copied log has
+    copy.set_command_listener(other.log_);
+    return other;
+}
+
+bool Timeline::repeat_change(World& other, const Moment& change) {
+    const std::vector<std::byte>& command = *log_->frame(change.step).changes[change.changes];
+    other.execute(command, *log_);
+    return alters_layout(command_name(command));
+}
+
+void Timeline::forget_future() {
+    log_->truncate();
+    drop_other_future();
 }
 
 std::optional<Moment> Timeline::take_branch() {
@@ -139,7 +163,7 @@ std::optional<Moment> Timeline::take_branch() {
 
 void Timeline::after_step(const World& world, double seconds) {
     drop_other_future();
-    ring_.reset();
+    ring_.states.reset();
     watch(world);
     keep(world, seconds);
 }
@@ -147,7 +171,7 @@ void Timeline::after_step(const World& world, double seconds) {
 void Timeline::compare(const World& world) {
     const std::uint64_t step = log_->now.step;
     std::optional<StateDigest> known = log_->frame(step - 1).digest;
-    if (const auto kept = keyframes_.find(step); !known && kept != keyframes_.end()) known = kept->second.digest;
+    if (const auto kept = keyframes_.find(step); !known && kept != keyframes_.end()) known = kept->second->digest;
     if (!known) return;
     ++verdict_.compared;
     if (!verdict_.first_different && world.state_digest() != *known) verdict_.first_different = step;
@@ -165,11 +189,12 @@ bool Timeline::execute_changes(World& world, std::uint32_t count) {
     return alters;
 }
 
-bool Timeline::follow_one(World& world) {
+bool Timeline::follow_one(World& world, const std::function<void(const World&)>& before_step) {
     const Going going(*log_);
     const TimelineLog::Frame& frame = log_->frame(log_->now.step);
     const bool alters = execute_changes(world, std::uint32_t(frame.changes.size()));
     if (!frame.step) return alters;
+    if (before_step) before_step(world);
     const Clock::time_point start = Clock::now();
     world.execute(*frame.step, *log_);
     const double seconds = seconds_since(start);
@@ -180,9 +205,9 @@ bool Timeline::follow_one(World& world) {
     return alters;
 }
 
-bool Timeline::follow(World& world) {
-    ring_.reset();
-    return follow_one(world);
+bool Timeline::follow(World& world, const std::function<void(const World&)>& before_step) {
+    ring_.states.reset();
+    return follow_one(world, before_step);
 }
 
 // Goes to the last state that is kept at or before `step`, if it is later than `after`.
@@ -204,7 +229,7 @@ bool Timeline::restore_before(World& world, std::uint64_t step, std::optional<st
         }
     }
     if (after && kept->first <= *after) return false;
-    world.restore(kept->second.snapshot);
+    world.restore(kept->second->snapshot);
     log_->now = {kept->first, 0};
     return true;
 }
@@ -212,7 +237,7 @@ bool Timeline::restore_before(World& world, std::uint64_t step, std::optional<st
 bool Timeline::seek(World& world, Moment to, double seconds) {
     const Clock::time_point start = Clock::now();
     drop_other_future();
-    ring_.reset();
+    ring_.states.reset();
     is_undone_ = false;
     to.step = std::clamp(to.step, first_step(), last_step());
     to.changes = std::min(to.changes, std::uint32_t(log_->frame(to.step).changes.size()));
@@ -234,24 +259,24 @@ bool Timeline::step_back(World& world) {
     is_undone_ = false;
     if (log_->now.step == first_step()) {
         if (log_->now.changes == 0) return false;
-        ring_.reset();
+        ring_.states.reset();
         return seek(world, {first_step(), 0});
     }
     const std::uint64_t to = log_->now.step - 1;
     const Going going(*log_);
-    if (ring_ && ring_last_ >= to && ring_last_ - to < ring_->size()) {
-        ring_->restore(world, std::size_t(ring_last_ - to));
+    if (ring_.states && ring_.last >= to && ring_.last - to < ring_.states->size()) {
+        ring_.states->restore(world, std::size_t(ring_.last - to));
     } else {
         restore_before(world, to, std::nullopt);
-        const std::size_t bytes = keyframes_.begin()->second.snapshot.bytes.size();
-        ring_.emplace(std::clamp<std::size_t>(2 * ring_bytes / (bytes + 1), 8, greatest_interval + 1));
+        const std::size_t bytes = keyframes_.begin()->second->snapshot.bytes.size();
+        ring_.states.emplace(std::clamp<std::size_t>(2 * ring_bytes / (bytes + 1), 8, greatest_interval + 1));
         for (;;) {
-            ring_->push(world);
+            ring_.states->push(world);
             if (log_->now.step >= to) break;
             follow_one(world);
         }
     }
-    ring_last_ = to;
+    ring_.last = to;
     log_->now = {to, 0};
     return true;
 }
@@ -259,6 +284,7 @@ bool Timeline::step_back(World& world) {
 void Timeline::name_change(const Moment& from, std::string name, Merge merge) {
     drop_other_future();
     if (log_->now == from) return;
+    if (std::exchange(has_ended_, false)) merge = Merge::never;
     if (merge != Merge::never && !changes_.empty() && changes_.back().name == name) {
         Change& last = changes_.back();
         if (merge == Merge::always || last.end.step + same_change >= from.step) {
@@ -281,7 +307,11 @@ void Timeline::watch(const World& world) {
     if (step <= watched_until_) return; // done again: it is known
     watched_until_ = step;
     float fastest = 0.0f;
-    for (const ContactHit& hit : world.contact_hits()) fastest = std::max(fastest, hit.approach_speed);
+    for (const ContactHit& hit : world.contact_hits()) {
+        fastest = std::max(fastest, hit.approach_speed);
+        hits_.push_back({step, hit});
+    }
+    while (hits_.size() > most_hits) hits_.pop_front();
     if (fastest > 0.0f) note({Mark::Kind::impact, step, fastest, {}});
     for (const JointEvent& event : world.joint_events())
         if (event.broke) note({Mark::Kind::break_, step, event.force, "joint " + std::to_string(event.joint.index())});
@@ -343,7 +373,7 @@ bool Timeline::redo(World& world) {
 Timeline::Excerpt Timeline::excerpt(std::uint64_t steps) const {
     const std::uint64_t from = log_->now.step - std::min(steps, log_->now.step - first_step());
     const auto kept = std::prev(keyframes_.upper_bound(from));
-    return {kept->second.snapshot, log_->excerpt(kept->first)};
+    return {kept->second->snapshot, log_->excerpt(kept->first)};
 }
 
 } // namespace cairn::viewer

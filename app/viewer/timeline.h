@@ -4,6 +4,7 @@
 /// there the run is followed as it was, until something else is done: then a new future begins.
 #pragma once
 
+#include "viewer/impact.h"
 #include "viewer/timeline_log.h"
 
 #include <cairn/snapshot_ring.h>
@@ -11,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -55,7 +57,8 @@ class Timeline {
     void after_step(const World& world, double seconds);
     /// Makes the known changes and the step that come next. True if other changes than those of joints and velocities
     /// were among them. Where a command cannot be carried out, its `Error` comes through.
-    bool follow(World& world);
+    /// `before_step` is called between the changes and the step; may be empty.
+    bool follow(World& world, const std::function<void(const World&)>& before_step = {});
     /// Goes to a moment, for about so many seconds of real time: false if it has not come there yet. It ends at a
     /// moment in any case. Between the first and the last.
     bool seek(World& world, Moment to, double seconds = 1e9);
@@ -66,6 +69,8 @@ class Timeline {
     enum class Merge { never, soon, always };
     /// What was done from that moment to now is a change of that name; nothing, if that moment is now.
     void name_change(const Moment& from, std::string name, Merge merge = Merge::never);
+    /// What is done next is a change of its own.
+    void end_change() { has_ended_ = true; }
     /// The last change, if it is of that name, was none that anybody meant.
     void unname_change(const std::string& name);
     std::optional<std::string> undoable() const; ///< The name of the change that `undo` takes back.
@@ -87,6 +92,17 @@ class Timeline {
         TimelineLog::Excerpt log;
     };
     Excerpt excerpt(std::uint64_t steps) const;
+    /// The same past and the same known future for a copy of the world as it stands now, which it listens to from now
+    /// on. It follows that future, also after `undo`.
+    Timeline fork(World& copy) const;
+    /// Impacts up to now, the oldest first; only the last thousands are kept.
+    const std::deque<KnownHit>& hits() const { return hits_; }
+    /// For another world to which the same shall be done: how many changes come before that step, and one of them. True
+    /// if it was another than of joints and velocities. Throws what the world's calls throw.
+    std::size_t change_count(std::uint64_t step) const { return log_->frame(step).changes.size(); }
+    bool repeat_change(World& other, const Moment& change);
+    /// Nothing is known from now on of what comes after now.
+    void forget_future();
     /// The earliest moment since the last call from which something else was done than before.
     std::optional<Moment> take_branch();
 
@@ -94,6 +110,16 @@ class Timeline {
     struct Keyframe {
         Snapshot snapshot;
         StateDigest digest;
+    };
+    // States one after the other, to step back through. A copy begins without.
+    struct Ring {
+        std::optional<SnapshotRing> states;
+        std::uint64_t last = 0; // the states are those up to this step, one after each
+        Ring() = default;
+        Ring(const Ring&) {}
+        Ring(Ring&&) = default;
+        Ring& operator=(const Ring&) = delete;
+        Ring& operator=(Ring&&) = default;
     };
     struct Change {
         Moment begin, end;
@@ -104,7 +130,7 @@ class Timeline {
     void watch(const World& world);
     void note(Mark mark);
     bool restore_before(World& world, std::uint64_t step, std::optional<std::uint64_t> after);
-    bool follow_one(World& world);
+    bool follow_one(World& world, const std::function<void(const World&)>& before_step = {});
     bool execute_changes(World& world, std::uint32_t count);
     void drop_other_future();
     void keep_within_budget();
@@ -114,19 +140,20 @@ class Timeline {
 
     std::size_t budget_;
     std::shared_ptr<TimelineLog> log_;
-    std::map<std::uint64_t, Keyframe> keyframes_; // by steps made; the first is always there
+    std::map<std::uint64_t, std::shared_ptr<const Keyframe>> keyframes_; // by steps made; the first is always there
     std::size_t keyframe_bytes_ = 0;
     decltype(RecordedRun::keyframe) recorded_keyframe_;
     std::uint64_t recorded_until_ = 0; // from there on, what the recording has is no longer what follows
     std::deque<Change> changes_;
+    std::deque<KnownHit> hits_;
     std::deque<Mark> events_;         // impacts and breaks
     std::uint64_t watched_until_ = 0; // step: what happened up to there is among them
     std::shared_ptr<const std::vector<Mark>> marks_;
     bool is_undone_ = false;
+    bool has_ended_ = false;                                // the last change
     double step_seconds_ = 0.0, save_seconds_ = 0.0;        // means
     double stepping_seconds_ = 0.0, keeping_seconds_ = 0.0; // sums
-    std::optional<SnapshotRing> ring_;                      // the states up to `ring_last_`, one after each step
-    std::uint64_t ring_last_ = 0;
+    Ring ring_;
     Verdict verdict_;
     std::optional<Moment> branched_at_;
 };

@@ -1,5 +1,7 @@
 #include "viewer/timeline_bar.h"
 
+#include "viewer/items.h"
+
 #include <imgui.h>
 
 #include <algorithm>
@@ -13,10 +15,11 @@ namespace {
 constexpr ImU32 track_color = IM_COL32(52, 60, 70, 255), past_color = IM_COL32(66, 104, 140, 255);
 constexpr ImU32 impact_color = IM_COL32(240, 170, 70, 255), break_color = IM_COL32(240, 90, 80, 255);
 constexpr ImU32 change_color = IM_COL32(120, 200, 255, 255), head_color = IM_COL32(245, 248, 250, 255);
+constexpr ImU32 parting_color = IM_COL32(170, 205, 255, 255);
 constexpr float snap = 4.0f;            // unscaled units: this near a mark the mouse means it
 constexpr float violent_impact = 20.0f; // m/s: fills the height of the track
 
-enum class Icon { start, backwards, back, pause, play, forward };
+enum class Icon { start, backwards, back, pause, play, forward, branch };
 
 // Signs that no font need have.
 bool icon_button(const char* name, Icon icon, const char* meaning, bool is_on = false) {
@@ -61,6 +64,11 @@ bool icon_button(const char* name, Icon icon, const char* meaning, bool is_on = 
     case Icon::forward:
         bar(-1.5f * u);
         triangle(0.6f * u, 1.0f);
+        break;
+    case Icon::branch:
+        for (const float end : {-1.3f, 1.3f})
+            list->AddLine(ImVec2(c.x - 0.4f * u, c.y), ImVec2(c.x + 2.0f * u, c.y + end * u), color, 0.6f * u);
+        list->AddLine(ImVec2(c.x - 2.2f * u, c.y), ImVec2(c.x - 0.4f * u, c.y), color, 0.6f * u);
         break;
     }
     ImGui::SameLine(0.0f, 0.15f * side);
@@ -108,6 +116,11 @@ void TimelineBar::draw_buttons(const StageState& state, Controller& controller) 
                     state.paused ? "go on (Space)" : "pause (Space)"))
         controller.post(command::TogglePause{});
     if (icon_button("##forward", Icon::forward, "one step (.)")) controller.post(command::SingleStep{});
+    if (icon_button("##branch", Icon::branch,
+                    "branch off: this run anew from here, as it was beside it, transparent (Ctrl+B)",
+                    state.other.has_value()))
+        controller.post(command::BranchOff{});
+    note_place(controller, "timeline.branch");
 }
 
 void TimelineBar::draw_marks(const TimelineState& timeline, float top, float bottom, float scale) {
@@ -146,6 +159,10 @@ void TimelineBar::draw_track(const StageState& state, Controller& controller, fl
     list->AddRectFilled(ImVec2(left_, top), ImVec2(right_, bottom), track_color, 3.0f * scale);
     list->AddRectFilled(ImVec2(left_, top), ImVec2(head, bottom), past_color, 3.0f * scale);
     draw_marks(timeline, top, bottom, scale);
+    if (state.other) {
+        const float x = place_of(timeline, state.other->parted_at);
+        list->AddLine(ImVec2(x, corner.y), ImVec2(x, corner.y + height), parting_color, 2.0f * scale);
+    }
     list->AddRectFilled(ImVec2(head - 1.5f * scale, corner.y), ImVec2(head + 1.5f * scale, corner.y + height),
                         head_color, 1.5f * scale);
     if (!ImGui::IsItemHovered() && !ImGui::IsItemActive()) return;

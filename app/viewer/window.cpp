@@ -1,11 +1,12 @@
 #include "viewer/window.h"
 
 #include "viewer/draw_scale.h"
-#include "viewer/gl_renderer.h"
 #include "viewer/glfw_keys.h"
 #include "viewer/headless.h"
+#include "viewer/new_files.h"
 #include "viewer/panel.h"
 #include "viewer/physics_thread.h"
+#include "viewer/picture_area.h"
 #include "viewer/report.h"
 #include "viewer/screen_pixels.h"
 #include "viewer/screen_video.h"
@@ -28,7 +29,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <exception>
 #include <memory>
 #include <utility>
@@ -62,9 +62,9 @@ class GlfwLibrary {
 
 class ImguiLibrary {
   public:
-    explicit ImguiLibrary(GLFWwindow* window) {
+    ImguiLibrary(GLFWwindow* window, std::string layout) : layout_(std::move(layout)) {
         ImGui::CreateContext();
-        ImGui::GetIO().IniFilename = nullptr; // leaves no files behind
+        ImGui::GetIO().IniFilename = layout_.empty() ? nullptr : layout_.c_str();
         ImGui_ImplGlfw_InitForOpenGL(window, true);
         ImGui_ImplOpenGL3_Init("#version 330 core");
     }
@@ -75,6 +75,9 @@ class ImguiLibrary {
     }
     ImguiLibrary(const ImguiLibrary&) = delete;
     ImguiLibrary& operator=(const ImguiLibrary&) = delete;
+
+  private:
+    std::string layout_; // its file, whose name is not copied
 };
 
 using WindowHandle = std::unique_ptr<GLFWwindow, decltype(&glfwDestroyWindow)>;
@@ -106,41 +109,41 @@ class Application {
     void on_button(int button, int action);
     void on_cursor(double x, double y);
     void on_wheel(double notches);
+    void press(MouseButton button);
+    void release(MouseButton button);
     void set_modifiers(int modifiers);
     void play_script(double seconds);
     void play(const ScriptLine& line);
     void fit_interface();
     void rebuild_fonts();
-    void draw_picture(const LatestState& latest, int left, int width, Smoothing smoothing, float scale);
     void save_picture(const std::filesystem::path& path);
     void write_screen(const std::filesystem::path& path);
-    std::filesystem::path new_file(const std::string& extension) const;
-    std::filesystem::path new_file(const std::string& name, const std::string& extension) const;
     void save_what_was_asked_for();
     void update_notice(const StageState& state);
     void say(const std::string& text);
     void count_frame(double seconds);
     void write_report(const std::filesystem::path& path);
-    void place_picture();
+    void place_picture(const StageState& state);
 
     const ViewerOptions& options_;
     GlfwLibrary glfw_;
     WindowHandle window_;
     ImguiLibrary imgui_;
-    GlRenderer renderer_;
+    PictureArea area_;
     PhysicsThread physics_;
     Controller controller_;
     Panel panel_;
     ScriptPlayer script_;
     WindowFacts facts_;
-    std::filesystem::path window_picture_;              // to be taken of this frame
-    int frame_width_ = 0;                               // of the whole window, pixels
+    std::filesystem::path window_picture_;   // to be taken of this frame
+    int frame_width_ = 0, frame_height_ = 0; // of the whole window, pixels
+    std::size_t cursor_pane_ = 0;
     float font_pixels_ = 0.0f, pixels_per_unit_ = 1.0f; // that the fonts were made for
     float interface_scale_ = 1.0f;
     bool light_theme_ = false; // that the style was made for
     ScreenVideo video_;
     DrawScale draw_scale_;
-    bool is_software_ = renderer_.is_software();
+    bool is_software_ = area_.is_software();
     std::uint64_t seen_message_ = 0;
     double notice_left_ = 0.0;
     double rate_seconds_ = 0.0;
@@ -149,7 +152,8 @@ class Application {
 
 Application::Application(const ViewerOptions& options)
     : options_(options), window_(open_window(options.width, options.height)),
-      imgui_((install_callbacks(), window_.get())), physics_(options.loader, options.scene, options.savers),
+      imgui_((install_callbacks(), window_.get()), options.layout.string()),
+      physics_(options.loader, options.scene, options.savers),
       controller_([this](Command command) { physics_.post(std::move(command)); }, options.scenes, options.file_types) {
     controller_.svg_of_chart = options.svg_of_chart;
     if (!options.script.empty()) script_ = ScriptPlayer(load_script(options.script));
@@ -207,18 +211,29 @@ void Application::on_button(int button, int action) {
                               : button == GLFW_MOUSE_BUTTON_RIGHT ? MouseButton::right
                                                                   : MouseButton::middle;
     if (action == GLFW_RELEASE)
-        controller_.button_up(which);
+        release(which);
     else if (!ImGui::GetIO().WantCaptureMouse)
-        controller_.button_down(which);
+        press(which);
+}
+
+void Application::press(MouseButton button) {
+    area_.hold(cursor_pane_);
+    controller_.button_down(button);
+}
+
+void Application::release(MouseButton button) {
+    controller_.button_up(button);
+    area_.let_go();
 }
 
 void Application::on_cursor(double x, double y) {
-    int width = 0, height = 0;
-    glfwGetWindowSize(window_.get(), &width, &height);
-    if (width <= 0 || height <= 0) return;
-    const double left = double(Panel::column_width(controller_, interface_scale_, float(width)));
-    const double room = width - left;
-    controller_.move_cursor({2.0 * (x - left) / room - 1.0, 1.0 - 2.0 * y / height}, float(room) / float(height));
+    cursor_pane_ = area_.pane_under(float(x), float(y));
+    const PaneRect& pane = area_.pane(cursor_pane_);
+    if (pane.width <= 0.0f || pane.height <= 0.0f) return;
+    controller_.is_in_first_pane = cursor_pane_ == 0;
+    controller_.move_cursor({2.0 * (x - double(pane.left)) / double(pane.width) - 1.0,
+                             1.0 - 2.0 * (y - double(pane.top)) / double(pane.height)},
+                            pane.width / pane.height);
 }
 
 void Application::on_wheel(double notches) {
@@ -256,10 +271,10 @@ void Application::play(const ScriptLine& line) {
         on_cursor(line.x, line.y);
         break;
     case ScriptLine::Kind::press:
-        controller_.button_down(button);
+        press(button);
         break;
     case ScriptLine::Kind::release:
-        controller_.button_up(button);
+        release(button);
         break;
     case ScriptLine::Kind::wheel:
         controller_.wheel(float(line.x));
@@ -288,10 +303,9 @@ void Application::fit_interface() {
     float scale = 1.0f, scale_y = 1.0f;
     glfwGetWindowContentScale(window_.get(), &scale, &scale_y);
     glfwGetWindowSize(window_.get(), &width, &height);
-    glfwGetFramebufferSize(window_.get(), &frame_width_, &facts_.height);
+    glfwGetFramebufferSize(window_.get(), &frame_width_, &frame_height_);
     if (width <= 0 || height <= 0) return; // minimized
     // Where the system measures windows in points, a point has several pixels: sharp letters need all of them.
-    glfwGetFramebufferSize(window_.get(), &frame_width_, &facts_.height);
     const float pixels_per_unit = std::max(float(frame_width_) / float(width), 1.0f);
     const float density = scale / pixels_per_unit; // units of the window that one unscaled unit takes
     const float share = interface_share(float(width) / density, float(height) / density);
@@ -323,55 +337,41 @@ void Application::rebuild_fonts() {
     ImGui_ImplOpenGL3_CreateFontsTexture();
 }
 
-// The picture has what the panel's column leaves, so that its middle is in sight.
-void Application::place_picture() {
+// The pictures have what the panel's column leaves, so that their middles are in sight.
+void Application::place_picture(const StageState& state) {
     int window_width = 0, window_height = 0;
     glfwGetWindowSize(window_.get(), &window_width, &window_height);
     const float column = Panel::column_width(controller_, interface_scale_, float(window_width));
-    const float pixels_per_unit = float(frame_width_) / float(std::max(window_width, 1));
-    facts_.left = int(std::round(column * pixels_per_unit));
-    facts_.width = frame_width_ - facts_.left;
-}
-
-void Application::draw_picture(const LatestState& latest, int left, int width, Smoothing smoothing, float scale) {
-    const StageState& state = latest.stage;
-    const RenderFrame frame = make_frame(*state.layout, *state.previous, *state.current, latest.fraction,
-                                         controller_.camera.pose(), controller_.frame_options(state));
-    renderer_.draw(frame, width, facts_.height, smoothing, 0, left, scale);
+    area_.place(frame_width_, frame_height_, window_width, column, panel_.bar_height(), 1 + state.panes.size());
+    const PicturePlace first = area_.first_place();
+    facts_.left = first.left;
+    facts_.width = first.width;
+    facts_.height = first.height;
+    facts_.panes.clear();
+    for (std::size_t i = 0; i < area_.count(); ++i) facts_.panes.push_back(area_.pane(i));
 }
 
 void Application::save_picture(const std::filesystem::path& path) {
-    // Of the whole window, without the panel.
-    draw_picture(physics_.latest(), 0, frame_width_, Smoothing::samples, 1.0f);
+    const LatestState latest = physics_.latest();
+    if (1 + latest.stage.panes.size() != area_.count()) place_picture(latest.stage);
+    area_.draw_without_panel(latest, controller_);
     write_screen(path);
 }
 
 void Application::write_screen(const std::filesystem::path& path) {
-    const std::vector<std::uint8_t> pixels = read_screen(frame_width_, facts_.height);
+    const std::vector<std::uint8_t> pixels = read_screen(frame_width_, frame_height_);
     try {
-        write_picture(path, frame_width_, facts_.height, pixels);
+        write_picture(path, frame_width_, frame_height_, pixels);
         say("Saved " + path.string());
     } catch (const Error& error) {
         say(error.what());
     }
 }
 
-// A name that no file has yet, by the time of day.
-std::filesystem::path Application::new_file(const std::string& extension) const {
-    char name[64];
-    const std::time_t now = std::time(nullptr);
-    std::strftime(name, sizeof name, "cairn_%Y-%m-%d_%H-%M-%S", std::localtime(&now));
-    return new_file(name, extension);
-}
-
-std::filesystem::path Application::new_file(const std::string& name, const std::string& extension) const {
-    std::filesystem::path path = options_.screenshot_folder / (name + extension);
-    for (int i = 2; std::filesystem::exists(path); ++i)
-        path = options_.screenshot_folder / (name + "_" + std::to_string(i) + extension);
-    return path;
-}
-
 void Application::save_what_was_asked_for() {
+    const auto new_file = [this](const std::string& extension) {
+        return unused_path(options_.screenshot_folder, name_of_now(), extension);
+    };
     if (std::exchange(controller_.screenshot, false)) save_picture(new_file(".png"));
     if (std::exchange(controller_.save_recording, false))
         physics_.post(command::SaveRecording{new_file(".mcap").string()});
@@ -383,12 +383,12 @@ void Application::save_what_was_asked_for() {
             if (video_.is_running()) {
                 saved = video_.stop();
             } else {
-                video_.start(new_file(".mp4"), frame_width_, facts_.height);
+                video_.start(new_file(".mp4"), frame_width_, frame_height_);
                 saved = "A video is being made: F10 ends it.";
             }
         }
         for (const Export& file : std::exchange(controller_.exports, {})) {
-            const std::filesystem::path path = new_file(file.name, file.extension);
+            const std::filesystem::path path = unused_path(options_.screenshot_folder, file.name, file.extension);
             files::write_file(path, file.text);
             saved += (saved.empty() ? "Saved " : ", ") + path.string();
         }
@@ -436,8 +436,8 @@ void Application::run() {
         const double seconds = std::chrono::duration<double>(now - std::exchange(last, now)).count();
         if (options_.exit_after && std::chrono::duration<double>(now - start).count() >= *options_.exit_after) break;
         fit_interface();
-        place_picture();
         const LatestState latest = physics_.latest();
+        place_picture(latest.stage);
         controller_.update(latest.stage);
         update_notice(latest.stage);
         if (facts_.width <= 0 || facts_.height <= 0) { // minimized: nothing to draw on
@@ -460,9 +460,9 @@ void Application::run() {
         facts_.bar_left = panel_.timeline().left();
         facts_.bar_right = panel_.timeline().right();
         facts_.bar_middle = panel_.timeline().middle();
-        draw_picture(latest, facts_.left, facts_.width, Smoothing::edges, draw_scale_.value());
+        area_.draw(latest, controller_, draw_scale_.value());
         ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-        if (const std::string told = video_.add_frame(seconds, frame_width_, facts_.height); !told.empty()) say(told);
+        if (const std::string told = video_.add_frame(seconds, frame_width_, frame_height_); !told.empty()) say(told);
         if (!window_picture_.empty()) write_screen(std::exchange(window_picture_, {}));
         glfwSwapBuffers(window_.get());
         count_frame(seconds);

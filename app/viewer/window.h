@@ -22,8 +22,9 @@ struct ViewerOptions {
     int width = 1280, height = 720;                ///< Of the window, in screen coordinates.
     std::filesystem::path screenshot_folder = "."; ///< Where F12, F9 put pictures and recordings.
     std::optional<double> exit_after;              ///< Seconds after which the window closes by itself.
-    std::filesystem::path report;                  ///< Write the viewer's state here as JSON on exit; empty: do not.
-    std::filesystem::path script;                  ///< Play these inputs (see script.h); empty: do not.
+    std::filesystem::path layout; ///< Where the places of windows are kept from run to run; empty: they are not.
+    std::filesystem::path report; ///< Write the viewer's state here as JSON on exit; empty: do not.
+    std::filesystem::path script; ///< Play these inputs (see script.h); empty: do not.
 };
 
 /// Opens the window and runs until it is closed; returns the exit code of the program: 0, or 1 after an error, which

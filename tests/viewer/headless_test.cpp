@@ -15,6 +15,7 @@
 #include <fstream>
 #include <set>
 #include <string>
+#include <utility>
 
 namespace {
 
@@ -56,6 +57,31 @@ struct Folder {
     Folder() { fs::create_directories(path); }
     ~Folder() { fs::remove_all(path); }
 };
+
+TEST(HeadlessRenderer, GhostsLetThroughWhatIsBehindThem) {
+    const LoadedScene scene = test::boxes_on_plane(1);
+    HeadlessRenderer renderer(width, height);
+    const CameraPose pose{{0.0, 2.0, 6.0}, {0.0, 0.5, 0.0}};
+    const OrbitCamera camera(pose);
+    RenderFrame frame = make_frame(scene.world, scene.appearances, pose);
+    const auto draw = [&] {
+        renderer.draw(frame);
+        return mean_at(renderer, camera, {0.0, 0.5, 0.5});
+    };
+    const Color solid = draw();
+    frame.ghosts.boxes = std::exchange(frame.boxes, {});
+    const Color ghost = draw();
+    frame.ghosts.boxes.push_back(frame.ghosts.boxes.front());
+    frame.ghosts.boxes.back().position.z -= 0.6f; // behind the first
+    const Color two = draw();
+    frame.ghosts.boxes.clear();
+    const Color behind = draw();
+    EXPECT_GT(ghost.red - ghost.green, 10.0); // the box is red ...
+    EXPECT_LT(ghost.red - ghost.green, 0.6 * (solid.red - solid.green));
+    EXPECT_LT(ghost.green, behind.green - 10.0); // ... and the ground gray
+    EXPECT_GT(ghost.green, solid.green + 10.0);
+    EXPECT_NEAR(two.sum(), ghost.sum(), 6.0);
+}
 
 TEST(HeadlessRenderer, DrawsSkyBodyGroundAndShadow) {
     const LoadedScene scene = test::boxes_on_plane(1);

@@ -36,9 +36,12 @@ TEST(Integrators, ExplicitEulerGainsEnergyAndTheOthersDoNot) {
         const auto end = [&](Integrator integrator) {
             return energy_of(system, trajectory(system, integrator, 1.0 / 240.0, 5.0).back()) / start;
         };
-        const double gain = system == LabSystem::orbit ? -1.0 : 1.0; // the energy of an orbit is negative
+        const double gain = start < 0.0 ? -1.0 : 1.0; // that of an orbit is, and of a top
         EXPECT_GT(gain * end(Integrator::explicit_euler), gain * 1.0 + 0.05) << name_of(system);
-        EXPECT_NEAR(end(Integrator::semi_implicit_euler), 1.0, 0.15) << name_of(system);
+        if (system == LabSystem::top) // its force depends on the velocity
+            EXPECT_GT(gain * end(Integrator::semi_implicit_euler), gain * 1.0 + 0.05);
+        else
+            EXPECT_NEAR(end(Integrator::semi_implicit_euler), 1.0, 0.15) << name_of(system);
         EXPECT_NEAR(end(Integrator::rk4), 1.0, 1e-3) << name_of(system);
     }
 }

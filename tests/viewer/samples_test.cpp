@@ -45,6 +45,84 @@ TEST(Samples, WhatRestsPressesWithItsWeight) {
     EXPECT_NEAR(value(measure(scene.world, box, 30, 1.0 / 60.0), Quantity::body_contact_force), weight, 0.01 * weight);
 }
 
+// The quantity at the end, and how far the balance went from where it was at the start.
+struct Balance {
+    double kinetic, friction, impacts, brought_in, drift;
+    explicit Balance(const Stage& stage) {
+        const SampleLog log = stage.state().samples;
+        const Sample &start = log[0], &end = log[log.size() - 1];
+        kinetic = value(end, Quantity::kinetic_energy);
+        friction = value(end, Quantity::lost_to_friction);
+        impacts = value(end, Quantity::lost_in_impacts);
+        brought_in = value(end, Quantity::brought_in);
+        drift = value(end, Quantity::energy_balance) - value(start, Quantity::energy_balance);
+    }
+};
+
+// One box on a plane, at rest, of which the first sample is taken.
+struct SampledBox : Stage {
+    SampledBox() : Stage(test::load_boxes, "1") {
+        apply(command::SetPaused{true});
+        for (int i = 0; i < 30; ++i) step();
+        apply(command::TakeSamples{true});
+    }
+};
+
+TEST(Samples, WhatSlidesLosesItsEnergyToFriction) {
+    SampledBox stage;
+    const BodyId box = stage.state().layout->bodies[1].id;
+    const double mass = double(stage.world().body(box).mass()), start = stage.world().body(box).position().x;
+    stage.apply(command::EditBody{box, edit::Velocity{{4.0f, 0.0f, 0.0f}}});
+    for (int i = 0; i < 30; ++i) stage.step(); // on its way
+    const Balance sliding(stage);
+    const double way = stage.world().body(box).position().x - start;
+    const double friction = 0.6 * mass * 9.81; // N
+    EXPECT_NEAR(sliding.brought_in, 0.5 * mass * 16.0, 0.01 * mass);
+    EXPECT_NEAR(sliding.friction, friction * way, 0.02 * friction * way);
+    EXPECT_NEAR(sliding.impacts, 0.0, 0.02 * friction * way);
+    EXPECT_NEAR(sliding.kinetic, 0.5 * mass * 16.0 - friction * way, 0.02 * friction * way);
+    EXPECT_NEAR(sliding.drift, 0.0, 0.005 * friction * way);
+    for (int i = 0; i < 60; ++i) stage.step(); // until it rests
+    const Balance rest(stage);
+    EXPECT_NEAR(rest.friction, 0.5 * mass * 16.0, 0.03 * 0.5 * mass * 16.0);
+    EXPECT_NEAR(rest.drift, 0.0, 0.01 * 0.5 * mass * 16.0);
+}
+
+TEST(Samples, WhatBouncesLosesItsEnergyInImpacts) {
+    SampledBox stage;
+    SpawnSettings ball = small_sphere_preset();
+    ball.restitution = 0.6f;
+    stage.apply(command::Spawn{ball, {0.0, 5.0, 8.0}});
+    stage.step();
+    const BodyId id = stage.state().layout->bodies[2].id;
+    const Position place = stage.world().body(id).position();
+    const double radius = stage.world().shape_bounds(stage.world().body(id).shapes()[0]).max.y - place.y;
+    const double weight = 9.81 * double(stage.world().body(id).mass());
+    const double fall = weight * (place.y - radius); // J, above the ground
+    for (int i = 0; i < 80; ++i) stage.step();       // it has bounced once and is in the air
+    const Balance once(stage);
+    EXPECT_NEAR(once.impacts, (1.0 - 0.09) * fall, 0.02 * fall); // the mean with the ground's restitution is 0.3
+    EXPECT_NEAR(once.friction, 0.0, 0.01 * fall);
+    EXPECT_NEAR(once.drift, 0.0, 0.02 * fall);
+    for (int i = 0; i < 600; ++i) stage.step(); // until it rests
+    const Balance rest(stage);
+    EXPECT_NEAR(rest.impacts + rest.friction, fall, 0.02 * fall);
+    EXPECT_NEAR(rest.drift, 0.0, 0.02 * fall);
+}
+
+TEST(Samples, WhatKeysPushIsBroughtIn) {
+    SampledBox stage;
+    const BodyId box = stage.state().layout->bodies[1].id;
+    const double mass = double(stage.world().body(box).mass()), start = stage.world().body(box).position().x;
+    stage.apply(command::SetForce{{40.0f, 0.0f, 0.0f}});
+    for (int i = 0; i < 60; ++i) stage.step();
+    const double way = stage.world().body(box).position().x - start;
+    const Balance balance(stage);
+    EXPECT_NEAR(balance.brought_in, 40.0 * mass * way, 0.02 * 40.0 * mass * way);
+    EXPECT_NEAR(balance.friction, 0.6 * 9.81 * mass * way, 0.03 * 0.6 * 9.81 * mass * way);
+    EXPECT_NEAR(balance.drift, 0.0, 0.01 * 40.0 * mass * way);
+}
+
 TEST(Samples, LaterOnesAreReplacedAndTheOldestGo) {
     SampleLog log;
     for (std::uint64_t step = 0; step < 1000; ++step) log.add({step, {}, double(step), {}});

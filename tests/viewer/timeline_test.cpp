@@ -372,8 +372,8 @@ double cpu_seconds() {
     return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
 }
 
-// In processor time of this thread: recording, as a part of stepping.
-double share_of_recording() {
+// In processor time of this thread: recording, as a part of stepping. `has_kept`: set where a state was kept.
+double share_of_recording(bool& has_kept) {
     LoadedScene scene = test::boxes_on_plane(0);
     for (int i = 0; i < 2000; ++i) {
         const BodyDef def = test::body_at({1.1 * (i % 10), 1.0 + 1.05 * (i / 100), 1.1 * (i / 10 % 10)});
@@ -391,13 +391,16 @@ double share_of_recording() {
         stepping += stepped - start;
         recording += cpu_seconds() - stepped;
     }
-    EXPECT_GT(timeline.seconds_kept(), 0.0);
+    has_kept = has_kept || timeline.seconds_kept() > 0.0;
     return recording / stepping;
 }
 
 // The least of three: what else runs on the machine takes the caches, and so time of the processor.
 TEST(Timeline, RecordingTakesAFewHundredthsOfAStep) {
-    const double share = std::min({share_of_recording(), share_of_recording(), share_of_recording()});
+    bool has_kept = false; // not in every run: where saving the first state was slow, the next ones wait
+    const double share =
+        std::min({share_of_recording(has_kept), share_of_recording(has_kept), share_of_recording(has_kept)});
+    EXPECT_TRUE(has_kept);
     RecordProperty("share", std::to_string(share));
     EXPECT_LT(share, 0.05);
 }

@@ -2,7 +2,9 @@
 // window_test.sh.
 #include "window_driver.h"
 
+#include <cmath>
 #include <filesystem>
+#include <string>
 
 namespace {
 
@@ -58,6 +60,58 @@ void test_undo(Driver& driver) {
     });
 }
 
+void drag_handle(Driver& driver, std::size_t handle, double right, double down) {
+    driver.check("there is handle " + std::to_string(handle),
+                 [&](const Json& s) { return s.at("gizmo").at("handles").size() > handle; });
+    const Json at = driver.state().at("gizmo").at("handles").at(handle);
+    const double x = at.at(0).get<double>(), y = at.at(1).get<double>();
+    driver.cursor(x, y);
+    driver.press();
+    driver.cursor(x + right, y + down);
+    driver.let_go();
+    pause_for(0.3);
+}
+
+void test_handles(Driver& driver) {
+    driver.key("space");
+    const Json screen = crate(driver.state()).at("screen");
+    driver.click(screen.at(0).get<double>(), screen.at(1).get<double>());
+    driver.key("q");
+    driver.check("Q shows handles to move it", [](const Json& s) { return s.at("gizmo").at("mode") == "move"; });
+    drag_handle(driver, 1, 0.0, -60.0);
+    driver.check("the upward one lifts it straight up", [](const Json& s) {
+        const Json& place = crate(s).at("position");
+        return place.at(1).get<double>() > 1.2 && std::abs(place.at(0).get<double>()) < 0.01;
+    });
+    driver.chord("ctrl", "z");
+    driver.check("which is undone",
+                 [](const Json& s) { return std::abs(crate(s).at("position").at(1).get<double>() - 0.5) < 0.01; });
+    driver.click_on("inspector.turn");
+    drag_handle(driver, 1, 40.0, 0.0);
+    driver.check("a ring turns it", [](const Json& s) {
+        const Json& rotation = s.at("inspected").at("rotation");
+        return std::abs(rotation.at(2).get<double>()) > 0.1 && std::abs(rotation.at(1).get<double>()) < 0.01;
+    });
+    driver.click_on("inspector.scale");
+    const double mass = driver.state().at("inspected").at("mass").get<double>();
+    drag_handle(driver, 3, 80.0, 0.0);
+    driver.check("the dot in the middle makes it larger, and heavier",
+                 [&](const Json& s) { return s.at("inspected").at("mass").get<double>() > 1.5 * mass; });
+    driver.cursor(600, 120);
+    for (const char* name : {"scale a body", "move or turn a body"}) {
+        driver.check(std::string("undoable: ") + name,
+                     [&](const Json& s) { return s.at("timeline").at("undoable") == name; });
+        driver.chord("ctrl", "z");
+    }
+    driver.check("all is as it was", [&](const Json& s) {
+        return s.at("timeline").at("undoable").is_null() && s.at("inspected").at("mass") == mass;
+    });
+    driver.click_on("inspector.scale");
+    driver.check("no handles", [](const Json& s) { return s.at("gizmo").at("mode") == "none"; });
+    driver.cursor(600, 120);
+    driver.key("space");
+}
+
 void test_saving(Driver& driver) {
     driver.chord("ctrl", "s");
     driver.check("Ctrl+S saves the scene", [&](const Json& s) {
@@ -109,6 +163,7 @@ int main(int argc, char** argv) {
         test_inspector(driver);
         if (driver.failures() > 0) return;
         test_undo(driver);
+        test_handles(driver);
         test_saving(driver);
         test_comfort(driver);
     });

@@ -32,6 +32,7 @@ done
 DISPLAY=:$(cat "$folder/display")
 export DISPLAY
 unset WAYLAND_DISPLAY
+export XDG_CONFIG_HOME=$folder/config # not that of whoever runs this
 
 # A plane and one box of 1 m, looked at from nearby: little to draw.
 cat >"$folder/scene.gltf" <<'GLTF'
@@ -66,6 +67,20 @@ viewer=
 [ "$code" -eq 0 ] || { echo "FAILED  the viewer's exit code is $code"; exit 1; }
 [ -s "$folder/last.json" ] || { echo "FAILED  no report was written on exit"; exit 1; }
 echo "ok      the viewer quit and wrote its report"
+
+# Where the windows were is where they are next time. A driver that moved one has written where it went.
+if [ -s "$folder/moved" ]; then
+    read -r x y <"$folder/moved"
+    for step in 'wait 0.5' 'key F3' 'wait 1' "report $folder/next.json" quit; do echo "$step"; done >"$folder/script"
+    "$cairn" view "$folder/scene.gltf" --width 800 --height 500 --script "$folder/script" --exit-after 60 ||
+        { echo "FAILED  the next viewer"; exit 1; }
+    python3 - "$folder/next.json" "$x" "$y" <<'PYTHON' || { echo "FAILED  a moved window is kept there"; exit 1; }
+import json, sys
+place = json.load(open(sys.argv[1]))["places"]["plots.group"]
+assert all(abs(place[i] - float(sys.argv[2 + i])) < 2.0 for i in range(2)), place
+PYTHON
+    echo "ok      a moved window is there again in the next run"
+fi
 [ "${3:-}" = drops ] || exit 0
 
 # Dropped files: one that cannot be opened leaves the scene and a message, one that can replaces it.

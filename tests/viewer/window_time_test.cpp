@@ -78,6 +78,36 @@ void test_undo(Driver& driver) {
                  [](const Json& s) { return s.at("dynamic_count") == 3 && s.at("timeline").at("redoable").is_null(); });
 }
 
+double height(const Json& position) { return position.at(1).get<double>(); }
+
+// One that falls and one that never was, side by side.
+void test_branches(Driver& driver) {
+    driver.key("Home");
+    driver.key("o");
+    driver.check("O adds a ball, in the air", [](const Json& s) { return s.at("dynamic_count") == 4; });
+    const std::uint64_t parting = now(driver.state());
+    driver.chord("ctrl", "b");
+    driver.check("Ctrl+B branches off", [&](const Json& s) {
+        return s.contains("other") && s.at("other").at("parted_at") == parting && s.at("other").at("elsewhere") == 0;
+    });
+    driver.chord("ctrl", "z");
+    driver.check("the ball is taken back in this run alone", [&](const Json& s) {
+        return s.at("dynamic_count") == 3 && s.at("other").at("bodies") == 5 && s.at("other").at("elsewhere") == 1;
+    });
+    const double start = height(driver.state().at("other").at("positions").at(4));
+    driver.key("space");
+    driver.check("both go on: there it falls", [&](const Json& s) {
+        return now(s) > parting + 20 && s.at("dynamic_count") == 3 &&
+               height(s.at("other").at("positions").at(4)) < start - 0.3;
+    });
+    driver.key("space");
+    driver.click_on("other.exchange");
+    driver.check("exchanged, it is in this run",
+                 [](const Json& s) { return s.at("dynamic_count") == 4 && s.at("other").at("bodies") == 4; });
+    driver.chord("shift", "b");
+    driver.check("Shift+B ends the other", [](const Json& s) { return !s.contains("other"); });
+}
+
 void test_saving(Driver& driver) {
     driver.key("F9");
     driver.check("F9 saves a recording", [&](const Json& s) {
@@ -95,6 +125,7 @@ int main(int argc, char** argv) {
         if (driver.failures() > 0) return;
         test_directions(driver);
         test_undo(driver);
+        test_branches(driver);
         test_saving(driver);
     });
 }

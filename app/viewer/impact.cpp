@@ -1,0 +1,96 @@
+#include "viewer/impact.h"
+
+#include "viewer/inspect.h"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace cairn::viewer {
+
+namespace {
+
+// r, and what follows from it, as the body stands now.
+void read_arm(ImpactSide& side, const Body& body, const Position& point, const Vec3& normal) {
+    side.arm = Vec3(point - body.center_of_mass());
+    side.at_point = side.velocity + glm::cross(side.turning, side.arm);
+    if (!can_be_pushed(body)) return;
+    side.inverse_mass = 1.0 / double(body.mass());
+    const Vec3 turn = glm::inverse(body.world_inertia()) * glm::cross(side.arm, normal);
+    side.turn_term = double(glm::dot(normal, glm::cross(turn, side.arm)));
+}
+
+// Equations 4.12 and 4.13, which differ in the sign of the impulse.
+void apply_formula(ImpactSide& side, const Body& body, const Vec3& impulse) {
+    side.velocity_then = side.velocity;
+    side.turning_then = side.turning;
+    if (side.inverse_mass == 0.0) return;
+    side.velocity_then += impulse * float(side.inverse_mass);
+    side.turning_then += glm::inverse(body.world_inertia()) * glm::cross(side.arm, impulse);
+}
+
+} // namespace
+
+double restitution_between(const Material& a, const Material& b) {
+    const double first = double(a.restitution), second = double(b.restitution);
+    switch (std::min(a.restitution_combine, b.restitution_combine)) {
+    case CombineRule::average:
+        return 0.5 * (first + second);
+    case CombineRule::minimum:
+        return std::min(first, second);
+    case CombineRule::maximum:
+        return std::max(first, second);
+    case CombineRule::multiply:
+        break;
+    }
+    return first * second;
+}
+
+Impact explain_impact(World& world, const KnownHit& known, float step_length) {
+    const ContactHit& hit = known.hit;
+    Impact impact;
+    impact.step = known.step;
+    impact.point = hit.point;
+    impact.normal = hit.normal; // from A to B: the first body is B
+    impact.first.body = hit.body_b;
+    impact.second.body = hit.body_a;
+    if (!can_be_pushed(world.body(hit.body_b))) {
+        std::swap(impact.first, impact.second);
+        impact.normal = -impact.normal;
+    }
+    ImpactSide* const sides[] = {&impact.first, &impact.second};
+    for (ImpactSide* side : sides) {
+        const Body body = world.body(side->body);
+        side->name = body.name().empty() ? "body " + std::to_string(side->body.index()) : body.name();
+        side->velocity = body.linear_velocity();
+        side->turning = body.angular_velocity();
+    }
+    impact.restitution =
+        restitution_between(world.shape_def(hit.shape_a).material, world.shape_def(hit.shape_b).material);
+    world.step(step_length);
+    // The point is where they met during the step, so the arms are those after it.
+    for (ImpactSide* side : sides) read_arm(*side, world.body(side->body), impact.point, impact.normal);
+    impact.relative_speed = double(glm::dot(impact.normal, impact.first.at_point - impact.second.at_point));
+    impact.denominator =
+        impact.first.inverse_mass + impact.second.inverse_mass + impact.first.turn_term + impact.second.turn_term;
+    impact.impulse =
+        impact.denominator > 0.0 ? -(1.0 + impact.restitution) * impact.relative_speed / impact.denominator : 0.0;
+    for (ImpactSide* side : sides) {
+        const Body body = world.body(side->body);
+        apply_formula(*side, body, impact.normal * float(side == &impact.first ? impact.impulse : -impact.impulse));
+        side->velocity_after = body.linear_velocity();
+        side->turning_after = body.angular_velocity();
+    }
+    const Body first = world.body(impact.first.body);
+    const Vec3 gravity = world.settings().gravity * (first.gravity_scale() * step_length);
+    const Vec3 gained = impact.first.velocity_after - impact.first.velocity - gravity;
+    if (impact.first.inverse_mass > 0.0)
+        impact.given = double(glm::dot(gained, impact.normal)) / impact.first.inverse_mass;
+    return impact;
+}
+
+} // namespace cairn::viewer

@@ -1,0 +1,45 @@
+#include "viewer/other_run_window.h"
+
+#include "viewer/items.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <string>
+
+namespace cairn::viewer {
+
+void draw_other_run(const StageState& state, Controller& controller, float scale, float column) {
+    for (const char* place : {"other.exchange", "other.end"})
+        if (!state.other) controller.places.erase(place);
+    if (!state.other) return;
+    const OtherRun& other = *state.other;
+    const float margin = 12.0f * scale;
+    ImGui::SetNextWindowPos(ImVec2(column + margin, margin), ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowBgAlpha(0.85f);
+    ImGui::Begin("Two runs", nullptr,
+                 ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoCollapse);
+    const double since = double(other.parted_at) - double(state.timeline.first);
+    ImGui::Text("The transparent one goes on as it was at %.2f s.", std::max(since, 0.0) * state.time_step);
+    const RunDifference& difference = other.difference;
+    if (difference.elsewhere == 0) {
+        ImGui::TextUnformatted("All bodies are where they are in this one.");
+    } else {
+        std::string name;
+        for (const BodyLayout& body : state.layout->bodies)
+            if (body.id == difference.farthest_body)
+                name = body.name.empty() ? "body " + std::to_string(body.id.index()) : body.name;
+        ImGui::Text("%zu %s elsewhere.", difference.elsewhere, difference.elsewhere == 1 ? "body is" : "bodies are");
+        if (!name.empty()) ImGui::Text("Farthest apart: %s, %.3g m", name.c_str(), difference.farthest);
+    }
+    if (ImGui::Button("Exchange")) controller.post(command::ExchangeRuns{});
+    note_place(controller, "other.exchange");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("changes and plots are of the other one then (Ctrl+Shift+B)");
+    ImGui::SameLine();
+    if (ImGui::Button("End the other")) controller.post(command::EndOtherRun{});
+    note_place(controller, "other.end");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("this one stays (Shift+B)");
+    ImGui::End();
+}
+
+} // namespace cairn::viewer
