@@ -221,8 +221,10 @@ class ImpactQueue {
         const DVec3 belt_a = surface_velocity(pair.shape), belt_b = surface_velocity(pair.other);
         a.v += belt_a, b.v += belt_b;
         ImpactOutcome outcome = cairn::collide(a, b, points_, law, rows_);
-        const double left = (1 - time) * double(dt_);
-        const bool is_impact = outcome.approach * left > impact_tolerance(half_width_of(pair.shape, pair.other));
+        // What would not be seen in the rest of the step is none: forces press them together. Of a pair that meets for
+        // the first time, in a whole step: what is left of this one may be next to nothing.
+        const double time_to_see = pair.has_begun || pair.rests ? (1 - time) * double(dt_) : double(dt_);
+        const bool is_impact = outcome.approach * time_to_see > impact_tolerance(half_width_of(pair.shape, pair.other));
         // Spins beyond the world's limit are cut: what then still approaches is stopped by its velocity alone.
         if (is_impact) {
             const bool cut_a = cut_spin(a), cut_b = cut_spin(b);
@@ -235,7 +237,7 @@ class ImpactQueue {
             report(pair, outcome);
             pairs_[k].has_begun = true;
         } else {
-            outcome.normal = points_.front().normal; // forces press them together
+            outcome.normal = points_.front().normal;
         }
         now_a.v = a.v - belt_a, now_a.w = a.w, now_b.v = b.v - belt_b, now_b.w = b.w;
         if (!outcome.bounces) {
