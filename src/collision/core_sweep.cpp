@@ -3,6 +3,8 @@
 #include "collision/sweep_course.h"
 #include "shapes/mesh.h"
 
+#include <optional>
+
 namespace cairn {
 
 using math::DMat3;
@@ -81,7 +83,7 @@ double gap_along(DVec3 n, const Convex& a, const Convex& b) {
 
 // Whether two never come as near as `question` asks along a direction: what is cheap to ask, and true of most.
 template <class Pair>
-bool stay_apart_along(DVec3 direction, const Mover& a, const Mover& b, Span span, const Pair& pair,
+bool stay_apart_along(DVec3 direction, const Mover& a, const Mover& b, Span span, Pair& pair,
                       const Question& question) {
     const double square = dot(direction, direction);
     if (!(square > 0)) return false;
@@ -97,31 +99,52 @@ bool begins_in_front(DVec3 point, const Convex& face) { return dot(face.axes.c1,
 class ConvexPair {
   public:
     static constexpr bool has_axes = true;
-    ConvexPair(const Mover& a, const Mover& b)
-        : a_(a), b_(b), reach_(length(a.end - a.start) + a.sagitta() + a.bounding_radius()),
-          finder_(b.start - a.start) {}
-    Convex first_at(double time) const { return core_at(a_, time); }
-    Convex second_at(double time) const { return second_at(frame_at(b_, time)); }
+    ConvexPair(const Mover& a, const Mover& b, Span span)
+        : a_(a), b_(b), span_(span), reach_(length(a.end - a.start) + a.sagitta() + a.bounding_radius()),
+          finder_(b.start - a.start), begin_(posed_at(span.begin)) {}
+    const Convex& first() const { return begin_.first; } // when the span begins
+    const Convex& second() const { return begin_.second; }
     Gap gap_at(double time) {
-        const Frame a = frame_at(a_, time), b = frame_at(b_, time);
-        return finder_.gap_of(core_at(a_, a), a, second_at(b), b);
+        const Posed& now = at(time);
+        return finder_.gap_of(now.first, now.a, now.second, now.b);
     }
-    double apart_along(DVec3 n, double time) const { return gap_along(n, first_at(time), second_at(time)); }
+    double apart_along(DVec3 n, double time) {
+        const Posed& now = at(time);
+        return gap_along(n, now.first, now.second);
+    }
 
   private:
-    Convex second_at(const Frame& frame) const { return core_at(b_, frame, a_.start, reach_); }
+    struct Posed {
+        Frame a, b;
+        Convex first, second;
+    };
+    Posed posed_at(double time) const {
+        const Frame a = frame_at(a_, time), b = frame_at(b_, time);
+        return {a, b, core_at(a_, a), core_at(b_, b, a_.start, reach_)};
+    }
+    // They are looked at again and again where the span begins and ends.
+    const Posed& at(double time) {
+        if (time == span_.begin) return begin_;
+        if (time != span_.end) return between_.emplace(posed_at(time));
+        if (!end_) end_.emplace(posed_at(time));
+        return *end_;
+    }
+
     const Mover &a_, &b_;
+    const Span span_;
     const double reach_; // of the first, about where it starts
     GapFinder finder_;
+    const Posed begin_;
+    std::optional<Posed> end_, between_;
 };
 
 Course course_of_convexes(const Mover& a, const Mover& b, Span span, const Asked& asked) {
-    ConvexPair pair(a, b);
-    const Convex first = pair.first_at(span.begin), second = pair.second_at(span.begin);
+    ConvexPair pair(a, b, span);
+    const Convex& second = pair.second();
     if (second.kind == Convex::Kind::polygon && !b.shape().geometry.is_double_sided &&
-        !begins_in_front(middle(first), second))
+        !begins_in_front(middle(pair.first()), second))
         return {};
-    const Question question = question_of(first, a, asked, depth_of(second, b.layer, b.half_width));
+    const Question question = question_of(pair.first(), a, asked, depth_of(second, b.layer, b.half_width));
     if (stay_apart_along(b.start - a.start, a, b, span, pair, question)) return surely_apart;
     return course_by(a, b, question, span, pair);
 }

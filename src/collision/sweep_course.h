@@ -280,7 +280,7 @@ inline bool stay_apart_between(const Mover& a, const Mover& b, Span span, double
 enum class AxisFrame { world, first, second };
 
 template <class Pair>
-inline bool stay_apart_in(AxisFrame frame, const Mover& a, const Mover& b, const Pair& pair, Span span, const Gap& gap,
+inline bool stay_apart_in(AxisFrame frame, const Mover& a, const Mover& b, Pair& pair, Span span, const Gap& gap,
                           double tolerance) {
     const bool turns = frame != AxisFrame::world;
     const Mover &fixed = frame == AxisFrame::second ? b : a, &other = frame == AxisFrame::second ? a : b;
@@ -293,7 +293,7 @@ inline bool stay_apart_in(AxisFrame frame, const Mover& a, const Mover& b, const
 // Of a pair, `gap_at` (time) tells how far the two are apart, `apart_along` (direction from a to b, time) how far along
 // that, and `has_axes` whether that is so for any direction, or only for that in which they are.
 template <class Pair>
-inline bool stay_apart_in_any(const Mover& a, const Mover& b, const Pair& pair, Span span, const Gap& gap,
+inline bool stay_apart_in_any(const Mover& a, const Mover& b, Pair& pair, Span span, const Gap& gap,
                               double tolerance) {
     const auto apart_in = [&](AxisFrame frame) { return stay_apart_in(frame, a, b, pair, span, gap, tolerance); };
     return apart_in(AxisFrame::world) ||
@@ -301,7 +301,7 @@ inline bool stay_apart_in_any(const Mover& a, const Mover& b, const Pair& pair, 
 }
 
 template <class Pair>
-inline bool stay_apart_from(const Mover& a, const Mover& b, const Pair& pair, double time, const Gap& gap, double end,
+inline bool stay_apart_from(const Mover& a, const Mover& b, Pair& pair, double time, const Gap& gap, double end,
                             double tolerance) {
     if (!(gap.distance >= 0)) return false;
     return stay_apart_in(AxisFrame::world, a, b, pair, {time, end}, gap, tolerance);
@@ -394,7 +394,7 @@ template <class Pair> class AboveFloor {
         gap.distance -= floor_;
         return gap;
     }
-    double apart_along(DVec3 n, double time) const { return pair_.apart_along(n, time) - floor_; }
+    double apart_along(DVec3 n, double time) { return pair_.apart_along(n, time) - floor_; }
     static constexpr bool has_axes = Pair::has_axes;
 
   private:
