@@ -1,6 +1,7 @@
 #include "collision/core_sweep.h"
 
 #include "collision/sweep_course.h"
+#include "shapes/convex_query.h"
 #include "shapes/mesh.h"
 
 #include <optional>
@@ -42,6 +43,23 @@ Convex core_at(const Mover& m, const Frame& frame, DVec3 near, double reach) {
 Convex core_at(const Mover& m, const Frame& frame) { return core_at(m, frame, {}, 0); }
 Convex core_at(const Mover& m, double time) { return core_at(m, frame_at(m, time)); }
 
+// From a ball, where a formula tells it: of the others but hulls and polygons.
+std::optional<Gap> gap_of_ball(const Convex& ball, const Convex& other) {
+    if (ball.kind != Convex::Kind::ball) return std::nullopt;
+    const DVec3 local = to_local(other, ball.center - other.center);
+    const std::optional<DVec3> nearest = nearest_in_core(other, local);
+    if (!nearest) return std::nullopt;
+    const DVec3 way = other.axes * (*nearest - local);
+    const double distance = length(way);
+    if (!(distance > 0)) return Gap{-1, {}, {}};
+    const double radius = exact_core(ball).radius;
+    const DVec3 normal = (1 / distance) * way;
+    return Gap{distance - (radius + exact_core(other).radius), normal, ball.center + radius * normal};
+}
+
+// With the two in the other order.
+Gap seen_from_other(const Gap& gap) { return {gap.distance, -gap.normal, gap.on_a + gap.distance * gap.normal}; }
+
 // The distances of two shapes at one time after another: each begins with the corners that the last one ended with,
 // which are points of the shapes wherever those are.
 class GapFinder {
@@ -49,6 +67,8 @@ class GapFinder {
     // `guess`: for the first, a direction from one to the other.
     explicit GapFinder(DVec3 guess) : guess_(guess) {}
     Gap gap_of(const Convex& a, const Frame& frame_a, const Convex& b, const Frame& frame_b) {
+        if (const std::optional<Gap> gap = gap_of_ball(a, b)) return *gap;
+        if (const std::optional<Gap> gap = gap_of_ball(b, a)) return seen_from_other(*gap);
         const Core core_a = exact_core(a), core_b = exact_core(b);
         const CorePair pair{core_a, core_b};
         Simplex start;

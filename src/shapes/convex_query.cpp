@@ -92,7 +92,8 @@ std::optional<ConvexHit> sweep(const Convex& moving, DVec3 way, const Convex& st
     return advance(moving, way, still, tolerance, limit, c.fraction);
 }
 
-// The point of a core nearest to one in its frame, where a formula tells it.
+} // namespace
+
 std::optional<DVec3> nearest_in_core(const Convex& c, DVec3 p) {
     const auto within = [](double x, double most) { return x < -most ? -most : x > most ? most : x; };
     switch (c.kind) {
@@ -112,8 +113,6 @@ std::optional<DVec3> nearest_in_core(const Convex& c, DVec3 p) {
         return std::nullopt;
     }
 }
-
-} // namespace
 
 ClosestPoints closest_points(const Convex& a, const Convex& b) {
     const CorePair pair{exact_core(a), exact_core(b)};

@@ -21,6 +21,9 @@ struct NearPoint {
     double distance;
 };
 std::optional<NearPoint> nearest_point(const Convex& c, math::DVec3 to, double max_distance);
+// The point of an exact core that is nearest to one, both in the frame of its center and axes, where a formula tells
+// it.
+std::optional<math::DVec3> nearest_in_core(const Convex& c, math::DVec3 to);
 
 // Whether they have a point in common; touching counts.
 bool overlap(const Convex& a, const Convex& b);
