@@ -124,7 +124,7 @@ std::uint8_t go_along(const Bodies& bodies, Contacts& contacts, const Islands& i
     return going_on(bodies, islands, contacts.info[id]);
 }
 
-// Whether the first pass of the step has tested the pair, as far as the whole step reaches, and its points may be moved
+// Whether the first pass of the step has tested the pair, as far as the whole step reaches, and its points may go
 // along. What whirls is tested in each pass.
 bool is_found(const Bodies& bodies, const Contacts& contacts, const NarrowScratch& narrow, const StepPasses& passes,
               std::uint32_t id) {

@@ -55,8 +55,7 @@ CAIRN_INLINE void store6(float (*p)[8], const Sym3x8& m) {
     store(p[5], m.zz);
 }
 
-// Rotation matrix of a unit quaternion.
-// What a rotation adds to a vector: R(q) - 1, without what cancels.
+// Of a unit quaternion, what its rotation adds to a vector, R(q) - 1, without what cancels; and R(q).
 CAIRN_INLINE Mat3x8 turn_of(Quatx8 q) {
     const f32x8 x2 = q.v.x + q.v.x, y2 = q.v.y + q.v.y, z2 = q.v.z + q.v.z;
     const f32x8 xx = q.v.x * x2, yy = q.v.y * y2, zz = q.v.z * z2;
