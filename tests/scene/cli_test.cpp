@@ -121,7 +121,7 @@ TEST_F(Cli, CsvHasALineForEachBodyAndMoment) {
 }
 
 TEST_F(Cli, InterruptedRunsKeepWhatTheyHave) {
-    const Result result = cairn("run t_handles --seconds 100000 --csv out.csv --json", "timeout --signal=INT 1");
+    const Result result = cairn("run t_handles --seconds 100000 --csv out.csv --json", "timeout --signal=INT 3");
     const nlohmann::json json = nlohmann::json::parse(result.out);
     EXPECT_EQ(json["interrupted"], true);
     const std::string csv = read_all(folder_ / "out.csv");
