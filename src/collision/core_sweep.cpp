@@ -64,9 +64,16 @@ Gap seen_from_other(const Gap& gap) { return {gap.distance, -gap.normal, gap.on_
 // which are points of the shapes wherever those are.
 class GapFinder {
   public:
-    // `guess`: for the first, a direction from one to the other.
-    explicit GapFinder(DVec3 guess) : guess_(guess) {}
+    // `axis`: for the first, a direction from one to the other; then that of the last.
+    explicit GapFinder(DVec3& axis) : axis_(axis) {}
     Gap gap_of(const Convex& a, const Frame& frame_a, const Convex& b, const Frame& frame_b) {
+        const Gap gap = find(a, frame_a, b, frame_b);
+        if (gap.distance >= 0) axis_ = gap.normal;
+        return gap;
+    }
+
+  private:
+    Gap find(const Convex& a, const Frame& frame_a, const Convex& b, const Frame& frame_b) {
         if (const std::optional<Gap> gap = gap_of_ball(a, b)) return *gap;
         if (const std::optional<Gap> gap = gap_of_ball(b, a)) return seen_from_other(*gap);
         const Core core_a = exact_core(a), core_b = exact_core(b);
@@ -78,7 +85,7 @@ class GapFinder {
         }
         start.count = count_;
         const GjkResult r = count_ > 0 ? gjk_distance_from(pair, start, infinity, tolerance)
-                                       : gjk_distance(pair, guess_, infinity, tolerance);
+                                       : gjk_distance(pair, axis_, infinity, tolerance);
         if (r.state != GjkResult::State::apart) return {-1, {}, {}};
         count_ = std::min(r.simplex.count, 3);
         for (int i = 0; i < count_; ++i) {
@@ -88,9 +95,8 @@ class GapFinder {
         return {r.distance - (core_a.radius + core_b.radius), r.normal, r.on_a + core_a.radius * r.normal};
     }
 
-  private:
     static constexpr double tolerance = 1e-6;
-    const DVec3 guess_;
+    DVec3& axis_;
     int count_ = 0;
     DVec3 on_a_[3], on_b_[3]; // in the frames of the shapes
 };
@@ -119,9 +125,9 @@ bool begins_in_front(DVec3 point, const Convex& face) { return dot(face.axes.c1,
 class ConvexPair {
   public:
     static constexpr bool has_axes = true;
-    ConvexPair(const Mover& a, const Mover& b, Span span)
-        : a_(a), b_(b), span_(span), reach_(length(a.end - a.start) + a.sagitta() + a.bounding_radius()),
-          finder_(b.start - a.start), begin_(posed_at(span.begin)) {}
+    ConvexPair(const Mover& a, const Mover& b, Span span, DVec3& axis)
+        : a_(a), b_(b), span_(span), reach_(length(a.end - a.start) + a.sagitta() + a.bounding_radius()), finder_(axis),
+          begin_(posed_at(span.begin)) {}
     const Convex& first() const { return begin_.first; } // when the span begins
     const Convex& second() const { return begin_.second; }
     Gap gap_at(double time) {
@@ -159,13 +165,14 @@ class ConvexPair {
 };
 
 Course course_of_convexes(const Mover& a, const Mover& b, Span span, const Asked& asked) {
-    ConvexPair pair(a, b, span);
+    if (!(dot(asked.axis, asked.axis) > 0)) asked.axis = b.start - a.start;
+    ConvexPair pair(a, b, span, asked.axis);
     const Convex& second = pair.second();
     if (second.kind == Convex::Kind::polygon && !b.shape().geometry.is_double_sided &&
         !begins_in_front(middle(pair.first()), second))
         return {};
     const Question question = question_of(pair.first(), a, asked, depth_of(second, b.layer, b.half_width));
-    if (stay_apart_along(b.start - a.start, a, b, span, pair, question)) return surely_apart;
+    if (stay_apart_along(asked.axis, a, b, span, pair, question)) return surely_apart;
     return course_by(a, b, question, span, pair);
 }
 
@@ -208,7 +215,7 @@ class TrianglePair {
     TrianglePair(const Mover& a, const Mover& b, const Triangle& triangle, double begin, DVec3 center)
         : a_(a), b_(b), triangle_(triangle), begin_frame_(frame_at(b, begin)),
           begin_face_(triangle_at(begin_frame_, triangle)), from_center_(begin_face_.center - center),
-          finder_(from_center_) {}
+          axis_(from_center_), finder_(axis_) {}
     const Convex& begin_face() const { return begin_face_; } // when the span begins
     DVec3 from_center() const { return from_center_; }       // to that
     Gap gap_at(double time) {
@@ -226,6 +233,7 @@ class TrianglePair {
     const Frame begin_frame_;
     const Convex begin_face_;
     const DVec3 from_center_;
+    DVec3 axis_;
     GapFinder finder_;
 };
 
@@ -334,44 +342,44 @@ RigidPath::Pose RigidPath::at(double time) const {
     return {start + time * translation, math::normalized(turned * rotation)};
 }
 
-double time_of_meeting(const SweptShape& a, const SweptShape& b, bool is_known, double from) {
+double time_of_meeting(const SweptShape& a, const SweptShape& b, bool is_known, double from, DVec3& axis) {
     const Layer layer = is_known ? Layer::known_core : Layer::core;
     const double to = end_of(a, b), half_width = half_width_of(a, b);
     const Mover first(a, layer, half_width, from, to), second(b, layer, half_width, from, to);
     if (stay_together(first, second)) return never;
-    double time = course_of(first, second, {from, to}, {}).meeting;
+    double time = course_of(first, second, {from, to}, {0, 0, axis}).meeting;
     // What begins too deep goes no deeper than half of that, or up to its middle.
     for (const float part : {0.5f, 0.0f}) {
         if (time != overlapped) break;
         const Geometry ball = ball_inside(first, part);
         const SweptShape inside{ball, a.data, first.middle_offset(), a.path, a.until};
-        time = course_of(Mover(inside, layer, half_width, from, to), second, {from, to}, {}).meeting;
+        time = course_of(Mover(inside, layer, half_width, from, to), second, {from, to}, {0, 0, axis}).meeting;
     }
     return time == overlapped ? never : time;
 }
 
-double time_of_sinking(const SweptShape& a, const SweptShape& b, bool is_known, double from) {
+double time_of_sinking(const SweptShape& a, const SweptShape& b, bool is_known, double from, DVec3& axis) {
     const double to = end_of(a, b), half_width = half_width_of(a, b);
     const Mover first(a, Layer::inner, half_width, from, to), second(b, Layer::inner, half_width, from, to);
-    const double time = course_of(first, second, {from, to}, {0, is_known ? 0.5 : 1.0}).meeting;
-    return time == overlapped ? time_of_meeting(a, b, true, from) : time;
+    const double time = course_of(first, second, {from, to}, {0, is_known ? 0.5 : 1.0, axis}).meeting;
+    return time == overlapped ? time_of_meeting(a, b, true, from, axis) : time;
 }
 
-double time_of_impact(const SweptShape& a, const SweptShape& b, double from) {
+double time_of_impact(const SweptShape& a, const SweptShape& b, double from, DVec3& axis) {
     const double to = end_of(a, b), half_width = half_width_of(a, b);
     const Mover first(a, Layer::impact, half_width, from, to), second(b, Layer::impact, half_width, from, to);
-    const Course course = course_of(first, second, {from, to}, {});
+    const Course course = course_of(first, second, {from, to}, {0, 0, axis});
     const double time = course.meeting;
-    if (time == overlapped) return time_of_sinking(a, b, false, from);
+    if (time == overlapped) return time_of_sinking(a, b, false, from, axis);
     // The distance of convex shapes that move straight is a convex function of time: no touch of them is missed.
     const bool is_certain = course.is_certain || (first.moves_straight() && second.moves_straight());
-    return time >= 0 && (time < 1 || is_certain) ? time : time_of_meeting(a, b, false, from);
+    return time >= 0 && (time < 1 || is_certain) ? time : time_of_meeting(a, b, false, from, axis);
 }
 
-Nearness nearness_of(const SweptShape& a, const SweptShape& b, double within) {
+Nearness nearness_of(const SweptShape& a, const SweptShape& b, double within, DVec3 axis) {
     const double to = end_of(a, b), half_width = half_width_of(a, b);
     const Mover first(a, Layer::skin, half_width, 0, to), second(b, Layer::skin, half_width, 0, to);
-    const Course course = course_of(first, second, {0, to}, {within});
+    const Course course = course_of(first, second, {0, to}, {within, 0, axis});
     if (course.meeting <= to) return {std::max(course.meeting, 0.0), 0, {}, {}};
     return {course.nearest, course.gap.distance, course.gap.normal, course.gap.on_a};
 }

@@ -65,21 +65,23 @@ struct SweptShape {
 inline constexpr double never = 2;
 // As far as that, as part of the smaller half width, shapes may move against each other without a look: no core passes.
 inline constexpr double free_share = 0.5;
-double time_of_meeting(const SweptShape& a, const SweptShape& b, bool is_known, double from = 0);
+// `axis`, of all of these: a direction from `a` to `b` along which they may be apart, with which the search begins, or
+// 0; then, where they were looked at, that in which they were nearest last.
+double time_of_meeting(const SweptShape& a, const SweptShape& b, bool is_known, double from, math::DVec3& axis);
 
 // All of these look no farther than to the end of the path that ends first.
 //
 // The first time from `from` on at which the shapes themselves touch and come nearer, by the speed of the nearest
 // points; or, as that misses touches of what turns, and what overlaps from the start has none, at which the cores meet;
 // or `never`. What touches at `from` and parts, or stays as it is, is asked for the next touch.
-double time_of_impact(const SweptShape& a, const SweptShape& b, double from = 0);
+double time_of_impact(const SweptShape& a, const SweptShape& b, double from, math::DVec3& axis);
 
 // When two that touch, or overlap, are deeper in each other than they may be: than they are now, by a quarter of it and
 // a twenty-fifth of what a core is inside; but they may be as deep as faces that touch, by the distance of what is
 // twice as deep as cores (of corners that is a little inside), or as deep as where cores meet if the solver has the
 // contact
 // (`is_known`), which is soft. If they are as deep as half of the smallest half width, or nearly, when they are that.
-double time_of_sinking(const SweptShape& a, const SweptShape& b, bool is_known, double from = 0);
+double time_of_sinking(const SweptShape& a, const SweptShape& b, bool is_known, double from, math::DVec3& axis);
 
 // How near shapes are, m, that count as touching, by the smaller of their smallest half widths: a hundredth of it, 0.1
 // mm at most.
@@ -93,6 +95,6 @@ struct Nearness {
     double time, distance;
     math::DVec3 normal, on_a; // if they do not touch: the direction to the other, and the nearest point of `a`
 };
-Nearness nearness_of(const SweptShape& a, const SweptShape& b, double within);
+Nearness nearness_of(const SweptShape& a, const SweptShape& b, double within, math::DVec3 axis);
 
 } // namespace cairn

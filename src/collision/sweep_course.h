@@ -163,9 +163,10 @@ inline constexpr Course surely_apart{never, 0, {infinity, {}, {}}, true};
 
 // What is asked of a pair. `within`: how near it comes matters up to there. `floor_part`: if not 0, it is asked when
 // inner cores are nearer than that part of their distance at a touch, and nearer than now, in place of when the two
-// meet.
+// meet. `axis`: the search begins with that direction from one to the other, or 0, and leaves the last one there.
 struct Asked {
     double within = 0, floor_part = 0;
+    DVec3& axis;
 };
 
 // What overlaps may go deeper by that part before it is asked again: a body that is pressed in more and more within a
@@ -293,8 +294,7 @@ inline bool stay_apart_in(AxisFrame frame, const Mover& a, const Mover& b, Pair&
 // Of a pair, `gap_at` (time) tells how far the two are apart, `apart_along` (direction from a to b, time) how far along
 // that, and `has_axes` whether that is so for any direction, or only for that in which they are.
 template <class Pair>
-inline bool stay_apart_in_any(const Mover& a, const Mover& b, Pair& pair, Span span, const Gap& gap,
-                              double tolerance) {
+inline bool stay_apart_in_any(const Mover& a, const Mover& b, Pair& pair, Span span, const Gap& gap, double tolerance) {
     const auto apart_in = [&](AxisFrame frame) { return stay_apart_in(frame, a, b, pair, span, gap, tolerance); };
     return apart_in(AxisFrame::world) ||
            (Pair::has_axes && (apart_in(AxisFrame::first) || apart_in(AxisFrame::second)));
@@ -338,33 +338,41 @@ inline double advance(const Mover& a, const Mover& b, double tolerance, double b
 }
 
 // How the shapes themselves come near each other: by the speed of the points that are nearest, which takes a few looks.
-// What that misses, the cores do not.
+// What that misses, the cores do not. `first`: how near they are at `begin`.
 template <class Pair>
-inline Course approach(const Mover& a, const Mover& b, Question question, double begin, double end, Pair& pair) {
-    const auto look_at = [&](double time) {
-        const Gap gap = pair.gap_at(time);
+inline Course approach(const Mover& a, const Mover& b, Question question, double begin, double end, Pair& pair,
+                       const Gap& first) {
+    const auto look = [&](double time, const Gap& gap) {
         return Bracket::Look{time, gap, closing_of(a, b, gap, time)};
     };
+    const auto look_at = [&](double time) { return look(time, pair.gap_at(time)); };
     const auto is_near = [&](const Bracket::Look& look) { return !(look.gap.distance > question.tolerance); };
     // An impact is where they would come nearer by more than the tolerance in the rest of the step.
     const auto has_met = [&](const Bracket::Look& look) {
         return is_near(look) && !(question.is_impact && look.gap.distance >= 0 &&
                                   look.closing.along * (1 - look.time) <= question.tolerance);
     };
-    Bracket::Look now = look_at(begin);
+    const auto stays_apart_from = [&](const Bracket::Look& now) {
+        const double way = now.gap.distance - question.tolerance;
+        return (way > 0 && now.time + certain_time(a, b, now.gap, way, now.time) >= end) ||
+               (now.gap.distance >= 0 &&
+                stay_apart_in_any(a, b, pair, {now.time, end}, now.gap, question.tolerance));
+    };
+    Bracket::Look now = look(begin, first);
     if (has_met(now)) return {begin > 0 || (question.is_impact && now.gap.distance >= 0) ? begin : overlapped};
-    double beyond = end; // they overlap then, or it is the end
+    bool is_certain = true; // that they have not met so far
+    double beyond = end;    // they overlap then, or it is the end
     const double sunk = question.sinks() ? question.tolerance : -infinity;
     Bracket seen;
     for (int round = 0; round < max_rounds; ++round) {
         if (has_met(now)) return {now.time};
-        if ((question.is_impact || question.sinks()) &&
-            stay_apart_from(a, b, pair, now.time, now.gap, end, question.tolerance))
-            return {};
+        if ((question.is_impact || question.sinks()) && stays_apart_from(now))
+            return is_certain ? surely_apart : Course{};
         seen.see(now);
         const double way = std::max(now.gap.distance - 0.5 * question.tolerance, 0.0);
         const double leap = !is_near(now) && now.closing.along > 0 ? way / now.closing.along : longest_leap;
-        const double next = now.time + std::max(certain_time(a, b, now.gap, way, now.time), leap);
+        const double certain = certain_time(a, b, now.gap, way, now.time), next = now.time + std::max(certain, leap);
+        is_certain = is_certain && leap <= certain;
         if (!(next < beyond) && beyond == end) {
             const Bracket::Look last = look_at(end);
             if (last.gap.distance > question.tolerance || (question.is_impact && last.gap.distance >= 0)) {
@@ -404,14 +412,15 @@ template <class Pair> class AboveFloor {
 
 // Of cores, or of the shapes themselves.
 template <class Pair> Course course_by(const Mover& a, const Mover& b, Question question, Span span, Pair&& pair) {
-    if (question.sinks()) {
-        const double floor = question.floor_from(pair.gap_at(span.begin).distance);
-        if (!(floor > 0)) return {overlapped};
-        AboveFloor above(pair, floor);
-        return approach(a, b, question, span.begin, span.end, above);
-    }
-    if (question.within > 0 || question.is_impact) return approach(a, b, question, span.begin, span.end, pair);
-    return {advance(a, b, question.tolerance, span.begin, span.end, pair)};
+    if (!question.sinks() && !(question.within > 0) && !question.is_impact)
+        return {advance(a, b, question.tolerance, span.begin, span.end, pair)};
+    Gap first = pair.gap_at(span.begin);
+    if (!question.sinks()) return approach(a, b, question, span.begin, span.end, pair, first);
+    const double floor = question.floor_from(first.distance);
+    if (!(floor > 0)) return {overlapped};
+    first.distance -= floor;
+    AboveFloor above(pair, floor);
+    return approach(a, b, question, span.begin, span.end, above, first);
 }
 
 } // namespace cairn::sweep

@@ -143,6 +143,7 @@ void follow_up(const FollowUpContext& s, std::uint32_t id, std::uint8_t outcome,
 
 // Such contacts would have nothing to do in the solver: they are up to half of all while a heap lands.
 bool stays_apart(const Bodies& bodies, const Shapes& shapes, const ContactInfo& c, const Manifold& m, float dt) {
+    if (m.count == 0) return true;
     if (c.is_trigger) return false;
     float least = m.points[0][3];
     for (int i = 1; i < m.count; ++i) least = std::min(least, m.points[i][3]);
@@ -167,15 +168,17 @@ std::uint8_t take_distance(const Bodies& bodies, Contacts& contacts, std::uint32
     return c.point_count == 0 && !c.touching ? apart : ended;
 }
 
+std::uint8_t take_apart(const Bodies& bodies, Contacts& contacts, std::uint32_t id, const Manifold& m) {
+    // Along which they are apart; wide kernels do not say.
+    const ContactInfo& c = contacts.info[id];
+    if (c.kind == PairKind::convex_convex && !c.is_trigger) math::put(contacts.records[id].normal, to_vec(m.normal));
+    return take_distance(bodies, contacts, id, m.count == 0 ? m.points[0][3] : 0.0f);
+}
+
 std::uint8_t take_manifold(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, const Islands& islands,
-                           std::uint32_t id, const Manifold& m, float dt, const Touch* touch) {
+                           std::uint32_t id, const Manifold& m, const Touch* touch) {
     ContactInfo& c = contacts.info[id];
-    if (m.count == 0 || (!touch && stays_apart(bodies, shapes, c, m, dt))) {
-        // Along which they are apart; wide kernels do not say.
-        if (c.kind == PairKind::convex_convex && !c.is_trigger)
-            math::put(contacts.records[id].normal, to_vec(m.normal));
-        return take_distance(bodies, contacts, id, m.count == 0 ? m.points[0][3] : 0.0f);
-    }
+    if (m.count == 0) return take_apart(bodies, contacts, id, m);
     if (c.is_trigger) {
         keep_answer(bodies, contacts, id, 0);
         return trigger_outcome(c, true);

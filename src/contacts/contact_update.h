@@ -33,8 +33,8 @@ inline float contact_margin(const Bodies& bodies, const NarrowScratch& narrow, c
     const BodyMotion &a = bodies.motion[c.body_a], &b = bodies.motion[c.body_b];
     return c.base_margin + dt * math::length(b.v - a.v) + (narrow.turn_reach[c.body_a] + narrow.turn_reach[c.body_b]);
 }
-// Whether points that are beyond where contacts begin do not come near each other in the next step either, as the
-// bodies move now.
+// Whether there are no points, or points that are beyond where contacts begin do not come near each other in the next
+// step either, as the bodies move now.
 bool stays_apart(const Bodies& bodies, const Shapes& shapes, const ContactInfo& contact, const Manifold& manifold,
                  float dt);
 // The greatest speed at which points of a manifold approach, m/s; negative if all part.
@@ -42,7 +42,9 @@ float approach_of(const Bodies& bodies, const Shapes& shapes, const ContactInfo&
 // One result of a test becomes the record of the contact; others may be at work on other contacts. An Outcome.
 // `touch`: as of write_record.
 std::uint8_t take_manifold(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, const Islands& islands,
-                           std::uint32_t contact, const Manifold& manifold, float dt, const Touch* touch = nullptr);
+                           std::uint32_t contact, const Manifold& manifold, const Touch* touch = nullptr);
+// Likewise of a pair that has no points, or stays apart.
+std::uint8_t take_apart(const Bodies& bodies, Contacts& contacts, std::uint32_t contact, const Manifold& manifold);
 // Likewise of a pair that is found apart, by so many meters at least if that is known.
 std::uint8_t take_distance(const Bodies& bodies, Contacts& contacts, std::uint32_t contact, float distance);
 std::uint8_t trigger_outcome(const ContactInfo& contact, bool inside);

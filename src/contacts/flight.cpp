@@ -210,9 +210,10 @@ bool may_meet_in_flight(const NarrowInput& in, const Contacts& contacts, const C
     if (may_turn_away(in.bodies, c, dt) && -least < core_depth_between(in.shapes, c) &&
         turns_away(in.bodies, in.shapes, c, m, dt))
         return true;
+    if (least > c.base_margin) return true;
     if (!(least > 0)) return false;
     const float speed = approach_of(in.bodies, in.shapes, c, m), way = speed * dt + fall_of(in, c, m, dt);
-    if (least > c.base_margin || std::fabs(way) > c.base_margin) return true;
+    if (std::fabs(way) > c.base_margin) return true;
     const bool bounces = c.bounces && speed > in.settings.restitution_speed;
     return (least > way || bounces) && !touches(contacts, c);
 }

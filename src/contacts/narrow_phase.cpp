@@ -32,8 +32,8 @@ constexpr float little_turn = 0.1f; // rad in a pass: contacts may go along
                                         std::uint32_t place, const Manifold& m, NarrowBatch& own, float dt) {
     const std::uint32_t id = narrow.candidates[place];
     const ContactInfo& c = contacts.info[id];
-    if (!may_meet_in_flight(in, contacts, c, m, dt) || stays_apart(in.bodies, in.shapes, c, m, dt))
-        return take_test(in, contacts, narrow, id, m, dt);
+    if (stays_apart(in.bodies, in.shapes, c, m, dt)) return take_apart(in.bodies, contacts, id, m);
+    if (!may_meet_in_flight(in, contacts, c, m, dt)) return take_test(in, contacts, narrow, id, m, dt);
     own.flights.add(place, &m, 1);
     return may_fly_by;
 }

@@ -56,7 +56,7 @@ bool look_ahead(const NarrowInput& in, const ContactInfo& group, float margin, f
         is_far = is_far || moves_far(in, group, hit, dt);
     }
     if (!is_far) return false;
-    const Approach approach = find_touch(in, group, dt, margin, touch);
+    const Approach approach = find_touch(in, group, {}, dt, margin, touch);
     if (approach == Approach::now) return false;
     own.hits.clear();
     if (approach == Approach::passes) return false;
@@ -133,7 +133,7 @@ void take_group(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow
             own.fresh.push_back({place, order++, hit, is_ahead, touch});
         else
             narrow.patch_outcomes[patch] = take_manifold(in.bodies, in.shapes, contacts, in.islands,
-                                                         std::uint32_t(patch), hit, dt, is_ahead ? &touch : nullptr);
+                                                         std::uint32_t(patch), hit, is_ahead ? &touch : nullptr);
     }
     for (std::int32_t p = group.related; p != none; p = contacts.info[p].next)
         if (std::uint8_t& outcome = narrow.patch_outcomes[p]; outcome == not_found) outcome = ended;
@@ -186,7 +186,7 @@ void follow_up_group(const FollowUpContext& s, std::uint32_t place, float dt) {
         const std::uint32_t patch = create_patch(s.shapes, s.contacts, narrow, id);
         const FreshPatch& fresh = narrow.fresh[k];
         follow_up(s, patch,
-                  take_manifold(s.bodies, s.shapes, s.contacts, s.islands, patch, fresh.manifold, dt,
+                  take_manifold(s.bodies, s.shapes, s.contacts, s.islands, patch, fresh.manifold,
                                 fresh.is_ahead ? &fresh.touch : nullptr),
                   dt);
         if (s.contacts.info[patch].point_count > 0) continue;

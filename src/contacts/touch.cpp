@@ -131,12 +131,12 @@ bool moves_far(const NarrowInput& in, const ContactInfo& c, const Manifold& m, f
     return false;
 }
 
-Approach find_touch(const NarrowInput& in, const ContactInfo& c, float pass, float margin, Touch& touch) {
+Approach find_touch(const NarrowInput& in, const ContactInfo& c, DVec3 axis, float pass, float margin, Touch& touch) {
     const float dt = looked_at(in, pass);
     const DVec3 origin = in.bodies.motion[c.body_a].x;
     const RigidPath a = expected_path(in, c.body_a, origin, dt), b = expected_path(in, c.body_b, origin, dt);
     const Nearness found = nearness_of(swept(in.bodies, in.shapes, c.shape_a, a),
-                                       swept(in.bodies, in.shapes, c.shape_b, b), double(c.base_margin));
+                                       swept(in.bodies, in.shapes, c.shape_b, b), double(c.base_margin), axis);
     const double time = found.time;
     if (!(found.distance <= double(c.base_margin))) return Approach::passes;
     if (!(time > 0)) return Approach::now;
@@ -158,12 +158,14 @@ Approach find_touch(const NarrowInput& in, const ContactInfo& c, float pass, flo
 std::uint8_t take_test(const NarrowInput& in, Contacts& contacts, const NarrowScratch& narrow, std::uint32_t id,
                        const Manifold& m, float dt) {
     const ContactInfo& c = contacts.info[id];
-    if (!moves_far(in, c, m, dt)) return take_manifold(in.bodies, in.shapes, contacts, in.islands, id, m, dt);
+    if (!moves_far(in, c, m, dt)) return take_manifold(in.bodies, in.shapes, contacts, in.islands, id, m);
     Touch touch;
-    const Approach approach = find_touch(in, c, dt, contact_margin(in.bodies, narrow, c, dt), touch);
-    if (approach == Approach::now) return take_manifold(in.bodies, in.shapes, contacts, in.islands, id, m, dt);
+    const DVec3 n = math::to_double(math::to_vec(m.normal));
+    const Approach approach =
+        find_touch(in, c, c.flipped ? -n : n, dt, contact_margin(in.bodies, narrow, c, dt), touch);
+    if (approach == Approach::now) return take_manifold(in.bodies, in.shapes, contacts, in.islands, id, m);
     if (approach == Approach::passes) return take_distance(in.bodies, contacts, id, 0);
-    return take_manifold(in.bodies, in.shapes, contacts, in.islands, id, touch.manifold, dt, &touch);
+    return take_manifold(in.bodies, in.shapes, contacts, in.islands, id, touch.manifold, &touch);
 }
 
 } // namespace cairn

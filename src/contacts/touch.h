@@ -13,7 +13,8 @@ bool moves_far(const NarrowInput& in, const ContactInfo& contact, const Manifold
 enum class Approach { passes, now, later };
 // When and where the two will touch or be nearest, as their velocities and forces say; `touch` is written if that is
 // later. `margin`: how far apart points may be at the touch to count.
-Approach find_touch(const NarrowInput& in, const ContactInfo& contact, float dt, float margin, Touch& touch);
+Approach find_touch(const NarrowInput& in, const ContactInfo& contact, math::DVec3 axis, float dt, float margin,
+                    Touch& touch);
 
 // The outcome of a pair that was tested at the start of the step: what moves far is asked again at the touch.
 std::uint8_t take_test(const NarrowInput& in, Contacts& contacts, const NarrowScratch& narrow, std::uint32_t contact,

@@ -21,7 +21,7 @@ using math::to_double;
 
 namespace {
 
-constexpr int pairs_per_chunk = 16; // for threads
+constexpr int pairs_per_chunk = 16, questions_per_chunk = 4; // for threads: of all, and after an impact
 // Of one body in a pass. More than a room of its size leaves time for, or it is wedged in: then it stops.
 constexpr int max_impacts = 64;
 
@@ -38,7 +38,7 @@ class ImpactQueue {
                   step.solver.sweep, dt),
           assemblies_(s.bodies, s.joints, step.solver.sweep),
           pairs_({s.bodies, s.shapes, s.contacts, s.islands, s.joints, s.broad_phase, step.narrow, step.solved,
-                  step.solver.fast, step.solver.strayed},
+                  step.solver.fast, step.solver.strayed, *step.thread_pool},
                  step.solver.sweep, movers_, assemblies_) {
         meetings_.clear();
     }
@@ -127,7 +127,8 @@ class ImpactQueue {
         movers_.carry(i, time, s.shapes.links[pairs_[k].other].body);
         pairs_[k].was_carried = true;
         expect_renewal(i);
-        ask_near(i, time);
+        look_near(i, time);
+        ask_again(i, time);
     }
     bool is_worn_out(std::int32_t i) const { return i != none && movers_[i].impacts >= max_impacts; }
 
@@ -148,17 +149,28 @@ class ImpactQueue {
         return i;
     }
 
-    // The pairs of what goes another way from now on.
-    void ask_again(std::int32_t i, double time) {
-        pairs_.for_each_of(i, [&](std::int32_t k) {
+    // The pairs of what goes another way from now on: of one or two movers. Each looks at its own two bodies alone.
+    void ask_again(std::int32_t i, double time, std::int32_t other = none) {
+        asked_.clear();
+        const auto gather = [&](std::int32_t k) {
             SweptPair& pair = pairs_[k];
             pair.time = never;
             const bool ends =
                 movers_[pair.first].has_stopped() && (pair.second == none || movers_[pair.second].has_stopped());
-            if (ends || pair.was_carried) return;
-            pair.time = pairs_.time_of(pair, time);
-            expect(k);
+            if (!ends && !pair.was_carried) asked_.push_back(k);
+        };
+        pairs_.for_each_of(i, gather);
+        if (other != none)
+            pairs_.for_each_of(other, [&](std::int32_t k) {
+                if (pairs_[k].first != i && pairs_[k].second != i) gather(k);
+            });
+        step.thread_pool->for_chunks(int(asked_.size()), questions_per_chunk, [&](int begin, int end, int) {
+            for (int n = begin; n < end; ++n) {
+                SweptPair& pair = pairs_[asked_[std::size_t(n)]];
+                pair.time = pairs_.time_of(pair, time);
+            }
         });
+        for (const std::int32_t k : asked_) expect(k);
     }
 
     bool can_go_on(std::int32_t b) const {
@@ -230,7 +242,7 @@ class ImpactQueue {
             const bool cut_a = cut_spin(a), cut_b = cut_spin(b);
             if (cut_a || cut_b) cairn::collide(a, b, points_, law, rows_);
         }
-        if (is_impact) pairs_[k].touches = false;
+        if (is_impact) pairs_[k].touches = !outcome.bounces;
         if (!is_impact && (points_.empty() || pair.rests)) return false;
         if (is_impact) {
             ++s.statistics.impacts;
@@ -247,8 +259,11 @@ class ImpactQueue {
         }
         go_on(pair.first, body_a, time, now_a);
         go_on(pair.second, body_b, time, now_b);
+        std::int32_t changed[2] = {none, none};
+        int count = 0;
         for (const std::int32_t i : {pair.first, pair.second})
-            if (i != none && !movers_[i].has_stopped()) ask_near(i, time);
+            if (i != none && !movers_[i].has_stopped()) look_near(i, time), changed[count++] = i;
+        if (count > 0) ask_again(changed[0], time, changed[1]);
         return true;
     }
 
@@ -266,10 +281,9 @@ class ImpactQueue {
         s.bodies.motion[body].v = math::to_float(now.v), s.bodies.motion[body].w = math::to_float(now.w);
         s.bodies.links[body].quiet_time = 0;
     }
-    void ask_near(std::int32_t i, double time) {
+    void look_near(std::int32_t i, double time) {
         movers_[i].is_redirected = true;
         pairs_.find_near(i, time);
-        ask_again(i, time);
     }
 
     // The shapes touch up to the next step, where the narrow phase says whether they still do.
@@ -317,6 +331,7 @@ class ImpactQueue {
     Movers movers_;
     Assemblies assemblies_;
     SweptPairs pairs_;
+    std::vector<std::int32_t>& asked_ = step.solver.sweep.asked;
     std::vector<Meeting>& meetings_ = step.solver.sweep.meetings;
     NarrowBatch& scratch_ = step.narrow.at_work.front();
     std::vector<ImpactPoint>& points_ = step.solver.sweep.points;

@@ -14,6 +14,8 @@ using math::DVec3;
 
 namespace {
 
+constexpr int bodies_per_chunk = 16; // for threads
+
 // About the center of mass.
 Geometry inner_ball(const Bodies& bodies, std::int32_t b) {
     Geometry ball;
@@ -22,6 +24,8 @@ Geometry inner_ball(const Bodies& bodies, std::int32_t b) {
     ball.position = bodies.mass[b].center;
     return ball;
 }
+
+bool is_one_part(const Mover& m) { return m.path.until >= 1 && !m.turns_over; }
 
 template <class F> void for_each_shape(const Bodies& bodies, const Shapes& shapes, std::int32_t body, F&& f) {
     for (std::int32_t k = bodies.links[body].first_shape; k != none; k = shapes.links[k].next) f(std::uint32_t(k));
@@ -84,22 +88,21 @@ void SweptPairs::find_struck(std::int32_t kinematic) {
 bool SweptPairs::may_pass(std::int32_t mover, std::int32_t b, const Geometry& other) const {
     if (in.bodies.settings[b].type == BodyType::kinematic) return true;
     const Mover& m = movers_[mover];
-    const double inner_a = double(in.bodies.links[m.body].inner_radius),
-                 inner_b = double(in.bodies.links[b].inner_radius);
-    const std::int32_t second = movers_.of_body(b);
-    const double moved_by_b = second != none                       ? movers_[second].moved
-                              : is_awake(in.bodies, in.islands, b) ? free_share * inner_b
-                                                                   : 0; // at most
-    if (m.moved + moved_by_b <= free_share * std::min(inner_a, inner_b)) return false;
+    const Mover* const second = movers_.of_body(b) != none ? &movers_[movers_.of_body(b)] : nullptr;
+    const RigidPath path_b = second ? second->path : movers_.path_of(b);
+    const DVec3 start = path_b.start - m.path.start, way = path_b.translation - m.path.translation;
+    const double square = math::dot(way, way), radius_a = double(in.bodies.links[m.body].radius),
+                 radius_b = double(in.bodies.links[b].radius);
+    const double free =
+        free_share * double(std::min(in.bodies.links[m.body].inner_radius, in.bodies.links[b].inner_radius));
+    const bool is_whole = is_one_part(m) && (!second || is_one_part(*second)); // else the paths do not lead to the end
+    const double turned = math::length(m.path.turn) * radius_a + math::length(path_b.turn) * radius_b;
+    if (is_whole && std::sqrt(square) + turned <= free) return false;
     if (other.type == ShapeType::plane || is_strip(other)) return true; // without an end
     // Along the straight way.
-    const RigidPath path_b = second != none ? movers_[second].path : movers_.path_of(b);
-    const DVec3 start = path_b.start - m.path.start, way = path_b.translation - m.path.translation;
-    const double square = math::dot(way, way),
-                 radii = double(in.bodies.links[m.body].radius) + double(in.bodies.links[b].radius);
     const double time = square > 0 ? std::clamp(-math::dot(start, way) / square, 0.0, 1.0) : 0;
     const DVec3 nearest = start + time * way;
-    return math::dot(nearest, nearest) <= radii * radii;
+    return math::dot(nearest, nearest) <= (radius_a + radius_b) * (radius_a + radius_b);
 }
 
 void SweptPairs::link(std::int32_t k, std::int32_t mover) {
@@ -123,8 +126,15 @@ void SweptPairs::add(std::int32_t mover, std::uint32_t shape, std::uint32_t othe
     if (contact != none) {
         const ContactInfo& c = in.contacts.info[contact];
         pair.is_known = is_group(c) ? c.related != none : c.point_count > 0;
+        if (c.point_count > 0) {
+            const DVec3 n = math::to_double(math::to_vec(in.contacts.records[std::size_t(contact)].normal));
+            pair.axis = c.shape_a == shape ? n : -n;
+        }
     }
-    if (pair.second != none && other < shape) std::swap(pair.first, pair.second), std::swap(pair.shape, pair.other);
+    if (pair.second != none && other < shape) {
+        std::swap(pair.first, pair.second), std::swap(pair.shape, pair.other);
+        pair.axis = -pair.axis;
+    }
     const std::int32_t k = count();
     pairs_.push_back(pair);
     link(k, pair.first);
@@ -168,7 +178,27 @@ void SweptPairs::find() {
             continue;
         add(mover, shape, other, std::int32_t(id));
     }
-    for (const std::int32_t b : in.strayed) find_near(movers_.of_body(b), 0);
+    find_near_strayed();
+}
+
+// Each looks for itself; then they are listed in order.
+void SweptPairs::find_near_strayed() {
+    list_ways();
+    const int count = int(in.strayed.size());
+    std::vector<std::vector<NearShape>>& found = scratch_.near_in_chunk;
+    found.resize(std::max(found.size(), std::size_t(count / bodies_per_chunk + 1)));
+    in.thread_pool.for_chunks(count, bodies_per_chunk, [&](int begin, int end, int) {
+        std::vector<NearShape>& own = found[std::size_t(begin / bodies_per_chunk)];
+        own.clear();
+        for (int k = begin; k < end; ++k) {
+            const std::int32_t mover = movers_.of_body(in.strayed[std::size_t(k)]);
+            for_each_near(mover, movers_.bounds_of_way(movers_[mover], 0), [&](std::uint32_t other) {
+                own.push_back({mover, other});
+            });
+        }
+    });
+    for (int begin = 0; begin < count; begin += bodies_per_chunk)
+        for (const NearShape& near : found[std::size_t(begin / bodies_per_chunk)]) add_near(near.mover, near.shape);
 }
 
 // By which the solver has moved the two bodies, or none.
@@ -228,8 +258,7 @@ template <class Ways, class F> void for_each_beside(const Ways& run, double wide
 
 // f(shape) of all other bodies near bounds: what does not move far is where the broad phase has it, and movers where
 // they were going at first or since they were redirected.
-template <class F> void SweptPairs::for_each_near(std::int32_t mover, const DBounds& bounds, F&& f) {
-    list_ways();
+template <class F> void SweptPairs::for_each_near(std::int32_t mover, const DBounds& bounds, F&& f) const {
     in.broad_phase.query_bounds(bounds, [&](std::uint32_t other) {
         if (movers_.of_body(in.shapes.links[other].body) == none) f(other);
     });
@@ -257,21 +286,25 @@ void SweptPairs::note_way(const SweptBounds& way) {
 }
 
 void SweptPairs::find_near(std::int32_t mover, double from) {
+    list_ways();
     const DBounds bounds = movers_.bounds_of_way(movers_[mover], from);
-    const std::int32_t body = movers_[mover].body;
     std::vector<std::uint32_t>& near = scratch_.near; // pairs are not added while lists are gone through
     near.clear();
     for_each_near(mover, bounds, [&](std::uint32_t other) { near.push_back(other); });
-    for (const std::uint32_t other : near)
-        for_each_shape(in.bodies, in.shapes, body, [&](std::uint32_t shape) {
-            if (!may_collide(shape, other) || is_listed(mover, shape, other)) return;
-            if (are_joined(body, in.shapes.links[other].body)) return;
-            add(mover, shape, other, known_contact(shape, other));
-        });
-    if (movers_[mover].is_redirected) note_way({bounds.lo.x, mover, bounds});
+    for (const std::uint32_t other : near) add_near(mover, other);
+    note_way({bounds.lo.x, mover, bounds});
 }
 
-double SweptPairs::time_of(const SweptPair& pair, double from) const {
+void SweptPairs::add_near(std::int32_t mover, std::uint32_t other) {
+    const std::int32_t body = movers_[mover].body;
+    for_each_shape(in.bodies, in.shapes, body, [&](std::uint32_t shape) {
+        if (!may_collide(shape, other) || is_listed(mover, shape, other)) return;
+        if (are_joined(body, in.shapes.links[other].body)) return;
+        add(mover, shape, other, known_contact(shape, other));
+    });
+}
+
+double SweptPairs::time_of(SweptPair& pair, double from) const {
     const Mover& first = movers_[pair.first];
     const auto swept = [&](std::uint32_t shape, const Geometry& g, const RigidPath& path, double until) {
         const std::int32_t body = in.shapes.links[shape].body;
@@ -298,9 +331,9 @@ double SweptPairs::time_of(const SweptPair& pair, double from) const {
         swept(pair.other, second && second->turns_over ? ball_b : in.shapes.geometry[pair.other], path_b, until_b);
     // What something holds is pressed into it a little, and would catch at the edges of what lies beside.
     const bool catches = !first.is_free && !(second && in.bodies.is_dynamic(second->body));
-    if ((pair.touches || pair.is_known) && !turns) return time_of_sinking(a, b, pair.is_known, from);
-    if (turns || catches) return time_of_meeting(a, b, false, from);
-    return time_of_impact(a, b, from);
+    if ((pair.touches || pair.is_known) && !turns) return time_of_sinking(a, b, pair.is_known, from, pair.axis);
+    if (turns || catches) return time_of_meeting(a, b, false, from, pair.axis);
+    return time_of_impact(a, b, from, pair.axis);
 }
 
 } // namespace cairn

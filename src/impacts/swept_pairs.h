@@ -17,6 +17,7 @@ struct SweptInput {
     const NarrowScratch& narrow;
     const std::vector<std::uint32_t>& solved;
     const std::vector<std::int32_t>&fast, &strayed; // of SolverScratch
+    ThreadPool& thread_pool;
 };
 
 class SweptPairs {
@@ -29,7 +30,7 @@ class SweptPairs {
     // Pairs of what flies, and those that the narrow phase had before it; then all that is near the ways of bodies that
     // are not where they were expected.
     void find();
-    // All that is near the way of a mover from a time on.
+    // All that is near the way of a mover that was redirected, from a time on.
     void find_near(std::int32_t mover, double from);
 
     SweptPair& operator[](std::int32_t k) { return pairs_[std::size_t(k)]; }
@@ -46,7 +47,7 @@ class SweptPairs {
     // A body becomes a mover, if it is none yet: all pairs with it are the mover's.
     std::int32_t add_mover(std::int32_t body);
     // When the two meet, from a time on up to which they are known to be apart.
-    double time_of(const SweptPair& pair, double from) const;
+    double time_of(SweptPair& pair, double from) const;
 
   private:
     void add(std::int32_t mover, std::uint32_t shape, std::uint32_t other, std::int32_t contact);
@@ -60,7 +61,9 @@ class SweptPairs {
     void list_known();
     void list_ways();
     void note_way(const SweptBounds& way); // of what was redirected
-    template <class F> void for_each_near(std::int32_t mover, const DBounds& bounds, F&& f);
+    void find_near_strayed();
+    void add_near(std::int32_t mover, std::uint32_t other);
+    template <class F> void for_each_near(std::int32_t mover, const DBounds& bounds, F&& f) const;
 
     const SweptInput in;
     Movers& movers_;

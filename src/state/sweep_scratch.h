@@ -50,6 +50,7 @@ struct SweptPair {
     bool has_begun = false;      // to touch, in this step
     bool was_carried = false;    // the first went along with the other: what is between two that move is crushed
     double time = never;         // of their meeting
+    math::DVec3 axis{};          // from the shape to the other, where they were nearest last; or 0
     std::int32_t next_of_first = none, next_of_second = none; // in the lists of both
 };
 
@@ -75,6 +76,12 @@ struct KnownContact {
     std::int32_t next; // of the same body, or none
 };
 
+// A shape near the way of a mover.
+struct NearShape {
+    std::int32_t mover;
+    std::uint32_t shape;
+};
+
 // Bodies that joints hold together: a range of SweepScratch::members.
 struct Assembly {
     std::int32_t begin, end;
@@ -86,6 +93,7 @@ struct SweepScratch {
     std::vector<SweptPair> pairs;
     std::vector<std::int32_t> first_waiting; // by body that is no mover, the first of the pairs with it, or none
     std::vector<Meeting> meetings;           // a heap
+    std::vector<std::int32_t> asked;         // pairs, after an impact
     // The ways of movers: those that the solver has made, by x; those since then, as many runs as their number has
     // binary digits of 1, each of them by x.
     std::vector<SweptBounds> ways, redirected;
@@ -97,8 +105,9 @@ struct SweepScratch {
     std::vector<std::int32_t> assembly_of; // by body, in `assemblies`, or none: not looked for
     std::vector<std::int32_t> members;
     std::vector<Assembly> assemblies;
-    std::vector<std::uint32_t> near; // shapes near a way
-    std::vector<ImpactPoint> points; // of one impact
+    std::vector<std::uint32_t> near;                   // shapes near a way
+    std::vector<std::vector<NearShape>> near_in_chunk; // of bodies that are looked at side by side
+    std::vector<ImpactPoint> points;                   // of one impact
     std::vector<ImpactRow> rows;
 };
 

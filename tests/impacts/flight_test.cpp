@@ -112,6 +112,39 @@ TEST(Flight, WhatTurnsOverStaysOutOfEachOther) {
     EXPECT_LE(through, 12);
 }
 
+// What meets obliquely and does not bounce rolls on the other for the rest of the step, and gets a little into it, as
+// both are round: that was stopped again and again, up to 64 times of one meeting.
+TEST(Flight, WhatDoesNotBounceMeetsOnce) {
+    Random random(seed);
+    const Kind kinds[] = {Kind::sphere, Kind::capsule, Kind::cylinder, Kind::box};
+    int most = 0;
+    for (int k = 0; k < 200; ++k) {
+        World world(without_gravity());
+        const Bullet bullet = make_bullet(kinds[k % 4], 0.2);
+        const Position way = random.direction();
+        Position side, other;
+        across(way, side, other);
+        const double speed = random.between(2, 20), air = random.uniform() * speed * double(frame);
+        for (const double sign : {1.0, -1.0}) {
+            BodyDef def;
+            def.position = sign * ((bullet.reach + 0.5 * air) * way + random.between(0, 0.5) * bullet.reach * side);
+            def.rotation = random.rotation();
+            def.linear_velocity = Vec3(-0.5 * sign * speed * way);
+            add_bullet(world, bullet, def, surface(0.5f, 0));
+        }
+        int own = 0;
+        for (int i = 0; i < 8; ++i) {
+            world.step(frame);
+            own += int(world.statistics().impacts);
+        }
+        if (kinds[k % 4] == Kind::sphere) {
+            EXPECT_EQ(own, 1) << k;
+        }
+        most = std::max(most, own); // of one that rolls, or whose other corners follow
+    }
+    EXPECT_LE(most, 20);
+}
+
 TEST(Flight, EventsTellWhatBouncedWithinAStep) {
     World world(without_gravity());
     const Material elastic = surface(0, 1);

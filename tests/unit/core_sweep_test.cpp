@@ -47,7 +47,8 @@ TEST(CoreSweep, CoresAreApartUpToTheirMeeting) {
                              radii * (length(path_a.turn) + length(path_b.turn));
         const double free = cairn::half_width_of(a.geometry, a.data, b.geometry, b.data); // less is not looked at
         if (!(apart_at(0) > 1e-4) || !(moved > 4 * free)) continue;
-        const double time = cairn::time_of_meeting(swept(a, path_a), swept(b, path_b), false);
+        DVec3 axis = random.below(2) ? DVec3{} : random.direction(); // wherever the search begins
+        const double time = cairn::time_of_meeting(swept(a, path_a), swept(b, path_b), false, 0, axis);
         ++(time <= 1 ? met : missed);
         for (int i = 0; i <= looks; ++i) {
             const double t = double(i) / looks;
@@ -83,7 +84,8 @@ TEST(CoreSweep, WhatTouchesGoesNoDeeperUnseen) {
         const auto depth_of = [](const Convex& c) { return std::min(2 * core_depth_of(c.extent), c.extent); };
         const double touch = depth_of(at_a) + depth_of(at_b), before = apart_at(0);
         if (!(before > 1e-3)) continue;
-        const double time = cairn::time_of_sinking(swept(a, path_a), swept(b, path_b), is_known);
+        DVec3 axis = random.below(2) ? DVec3{} : random.direction(); // wherever the search begins
+        const double time = cairn::time_of_sinking(swept(a, path_a), swept(b, path_b), is_known, 0, axis);
         ++(time <= 1 ? sank : stayed);
         const double floor = std::min((is_known ? 0.5 : 1) * touch, before - 0.25 * std::max(touch - before, 0.0)),
                      tolerance = 3 * cairn::sinking_part * core_depth_of(half_width);
