@@ -304,11 +304,16 @@ std::size_t BroadPhase::bytes() const {
     const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
     std::size_t sum = of(proxies_) + of(fat_) + of(planes_) + of(islands_) + of(free_islands_) + of(island_of_key_) +
                       of(island_nodes_) + of(island_shapes_) + of(kept_) + of(changes_) + of(touched_) + of(removed_) +
-                      of(refiltered_) + of(returned_) + of(ended_) + of(found_) + of(row_keys_) + of(hits_) +
-                      of(islands_hit_) + of(order_) + of(other_leaves_) + of(other_shapes_) + of(others_) +
-                      of(new_keys_) + of(merged_) + of(sizes_) + of(boxes_) + of(items_) + of(flat_);
+                      of(refiltered_) + of(returned_) + of(ended_) + of(found_) + of(order_) + of(merged_) +
+                      of(sizes_) + of(boxes_) + of(items_) + of(flat_);
     for (int home = 0; home < 2; ++home)
-        sum += awake_[home].bytes() + rows_[home].bytes() + of(dirty_[home]) + of(list_[home]) + of(list_bounds_[home]);
+        sum += awake_[home].bytes() + rows_[home].bytes() + of(dirty_[home]) + of(kinematic_leaf_[home]);
+    for (const Search& own : searches_) {
+        sum += of(own.row_keys) + of(own.hits) + of(own.islands_hit) + of(own.other_leaves) + of(own.other_shapes) +
+               of(own.others);
+        for (int which = 0; which < 2; ++which) sum += of(own.list[which]) + of(own.list_bounds[which]);
+    }
+    for (const NewRows& rows : new_rows_) sum += of(rows.leaves) + of(rows.keys);
     return sum + fixed_.bytes() + top_.bytes() + kd_.bytes();
 }
 

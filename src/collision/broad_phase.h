@@ -10,6 +10,7 @@
 #include "bvh/slot_tree.h"
 #include "bvh/tree.h"
 #include "collision/broad_phase_rows.h"
+#include "jobs/thread_pool.h"
 #include "math/bounds.h"
 #include "math/vec.h"
 
@@ -89,8 +90,9 @@ class BroadPhase {
         return island_key < island_of_key_.size() && island_of_key_[island_key] != none;
     }
 
-    // Finds what begins and ends: first all lost pairs, then all found ones, each in slot order.
-    void update(PairSink& sink);
+    // Finds what begins and ends: first all lost pairs, then all found ones, each in slot order. Searches with all
+    // threads of the pool, if there is one.
+    void update(PairSink& sink, ThreadPool* thread_pool = nullptr);
     // Search everything whenever anything moved, instead of what may have changed. The results are the same.
     void set_search_all(bool all) { search_all_ = all; }
 
@@ -169,6 +171,26 @@ class BroadPhase {
     struct FoundPair {
         std::uint32_t home, leaf, offset, shape_a, shape_b; // offset: of the entry in the leaf's chunk
     };
+    // Working memory of one thread that searches.
+    struct Search {
+        std::vector<std::uint32_t> list[2]; // leaves that meet the group: of its own tree, of the large one
+        std::vector<float> list_bounds[2];
+        std::vector<std::uint32_t> row_keys, hits, islands_hit;
+        RowBuffer rows = {};
+        std::vector<const Node8*> other_leaves;         // of shapes that are not awake
+        std::vector<const std::uint32_t*> other_shapes; // of the first lane of each
+        std::vector<std::uint64_t> others;              // row << 32 | key
+    };
+    // Rows that are not what they were, of leaves that were searched one after another.
+    struct NewRows {
+        struct Leaf {
+            std::uint32_t leaf, begin; // begin: among `keys`
+            std::uint32_t count[8];    // of them, by row
+        };
+        std::vector<Leaf> leaves;
+        std::vector<std::uint32_t> keys;
+        std::uint32_t searched = 0;
+    };
 
     // shapes (broad_phase.cpp)
     TreeBox to_box(const DBounds& bounds) const;   // relative to the origin, rounded outward, whatever the bounds are
@@ -201,16 +223,19 @@ class BroadPhase {
     // search (broad_phase_find.cpp)
     void mark_leaves();
     void mark_everywhere(int home, const TreeBox& before, const TreeBox& after);
-    std::uint32_t list_leaves(int which, const TreeView& tree, const TreeBox& box, std::uint32_t first_leaf);
-    LeafList leaf_list(int which);
-    void list_others(const TreeBox& box);
+    static std::uint32_t list_leaves(const BroadKernels& kernels, Search& own, int which, const TreeView& tree,
+                                     const TreeBox& box, std::uint32_t first_leaf);
+    static LeafList leaf_list(Search& own, int which);
+    void list_others(Search& own, const TreeBox& box) const;
     void mark_kinematic_leaves();
-    std::uint32_t drop_kinematic_leaves(int which, int home, std::uint32_t count);
-    void search(int home);
-    void search_group(int home, std::uint32_t first, std::uint32_t end);
-    void search_leaf(int home, std::uint32_t leaf, std::uint32_t own_count, std::uint32_t large_count);
-    void find_others(int home, std::uint32_t leaf, const TreeBox& bounds);
-    void merge_leaf(int home, std::uint32_t leaf);
+    std::uint32_t drop_kinematic_leaves(Search& own, int which, int home, std::uint32_t count) const;
+    void search(int home, ThreadPool* thread_pool);
+    void search_group(int home, std::uint32_t first, std::uint32_t end, Search& own, NewRows& found) const;
+    void search_leaf(int home, std::uint32_t leaf, std::uint32_t own_count, std::uint32_t large_count, Search& own,
+                     NewRows& found) const;
+    void find_others(int home, std::uint32_t leaf, const TreeBox& bounds, Search& own) const;
+    bool is_new(int home, const NewRows::Leaf& rows, const std::uint32_t* keys) const;
+    void merge_leaf(int home, const NewRows::Leaf& rows, const std::uint32_t* key);
 
     // order and report (broad_phase_update.cpp)
     void sort_if_due();
@@ -271,14 +296,9 @@ class BroadPhase {
     KdOrder kd_;
     std::vector<EndedPair> ended_, flat_;
     std::vector<FoundPair> found_;
-    std::vector<std::uint32_t> list_[2]; // leaves that meet the group: of its own tree, of the large one
-    std::vector<float> list_bounds_[2];
-    std::vector<std::uint32_t> row_keys_, hits_, islands_hit_, order_, new_keys_, items_, shape_scratch_;
-    std::uint32_t new_count_[8] = {}; // of new_keys_, by row
-    RowBuffer row_buffer_ = {};
-    std::vector<const Node8*> other_leaves_;         // of shapes that are not awake
-    std::vector<const std::uint32_t*> other_shapes_; // of the first lane of each
-    std::vector<std::uint64_t> others_;              // row << 32 | key
+    std::vector<Search> searches_;  // by thread
+    std::vector<NewRows> new_rows_; // by chunk of groups
+    std::vector<std::uint32_t> order_, items_, shape_scratch_;
     std::vector<PairEntry> merged_;
     std::vector<float> sizes_;
     std::vector<TreeBox> boxes_;

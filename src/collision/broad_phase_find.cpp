@@ -6,6 +6,13 @@
 
 namespace cairn {
 
+namespace {
+
+constexpr std::uint32_t leaves_per_group = 8;
+constexpr int groups_per_chunk = 4; // for threads
+
+} // namespace
+
 // Marks the leaves whose rows may have changed: those of shapes that changed their boxes, those of shapes listed
 // before them that meet the old box but not the new one or the other way round, and those that meet a box of a shape
 // that is not awake and has changed.
@@ -43,42 +50,43 @@ void BroadPhase::mark_everywhere(int home, const TreeBox& before, const TreeBox&
 }
 
 // Leaves of a tree that meet the box, into list `which`.
-std::uint32_t BroadPhase::list_leaves(int which, const TreeView& tree, const TreeBox& box, std::uint32_t first_leaf) {
+std::uint32_t BroadPhase::list_leaves(const BroadKernels& kernels, Search& own, int which, const TreeView& tree,
+                                      const TreeBox& box, std::uint32_t first_leaf) {
     if (tree.level_count == 0) return 0;
     const std::size_t room = tree.leaf_count + 8;
-    if (list_[which].size() < room) list_[which].resize(room);
-    if (list_bounds_[which].size() < 6 * room) list_bounds_[which].resize(6 * room);
-    return kernels_.list_leaves(tree, box, first_leaf, leaf_list(which));
+    if (own.list[which].size() < room) own.list[which].resize(room);
+    if (own.list_bounds[which].size() < 6 * room) own.list_bounds[which].resize(6 * room);
+    return kernels.list_leaves(tree, box, first_leaf, leaf_list(own, which));
 }
 
-LeafList BroadPhase::leaf_list(int which) {
-    LeafList list = {list_[which].data(), {}};
-    const std::size_t room = list_bounds_[which].size() / 6;
-    for (std::size_t k = 0; k < 6; ++k) list.bounds[k] = list_bounds_[which].data() + k * room;
+LeafList BroadPhase::leaf_list(Search& own, int which) {
+    LeafList list = {own.list[which].data(), {}};
+    const std::size_t room = own.list_bounds[which].size() / 6;
+    for (std::size_t k = 0; k < 6; ++k) list.bounds[k] = own.list_bounds[which].data() + k * room;
     return list;
 }
 
 // The leaves of fixed and sleeping shapes that meet the box.
-void BroadPhase::list_others(const TreeBox& box) {
-    other_leaves_.clear();
-    other_shapes_.clear();
+void BroadPhase::list_others(Search& own, const TreeBox& box) const {
+    own.other_leaves.clear();
+    own.other_shapes.clear();
     const auto take = [&](const TreeView& tree, const std::uint32_t* shapes) {
         if (tree.level_count == 1) {
-            other_leaves_.push_back(tree.levels[0]);
-            other_shapes_.push_back(shapes);
+            own.other_leaves.push_back(tree.levels[0]);
+            own.other_shapes.push_back(shapes);
             return;
         }
-        const std::uint32_t count = list_leaves(0, tree, box, 0);
+        const std::uint32_t count = list_leaves(kernels_, own, 0, tree, box, 0);
         for (std::uint32_t k = 0; k < count; ++k) {
-            other_leaves_.push_back(tree.levels[0] + list_[0][k]);
-            other_shapes_.push_back(shapes + std::size_t(list_[0][k]) * 8);
+            own.other_leaves.push_back(tree.levels[0] + own.list[0][k]);
+            own.other_shapes.push_back(shapes + std::size_t(own.list[0][k]) * 8);
         }
     };
     take(fixed_.view(), fixed_.items());
     if (top_.alive_count() == 0) return;
-    islands_hit_.clear();
-    visit_box(kernels_, top_.view(), box, [&](std::uint32_t slot) { islands_hit_.push_back(top_.item(slot)); });
-    for (const std::uint32_t index : islands_hit_) {
+    own.islands_hit.clear();
+    visit_box(kernels_, top_.view(), box, [&](std::uint32_t slot) { own.islands_hit.push_back(top_.item(slot)); });
+    for (const std::uint32_t index : own.islands_hit) {
         const Island& island = islands_[index];
         take(island_view(island), &island_shapes_[island.shape_base]);
     }
@@ -96,9 +104,9 @@ void BroadPhase::mark_kinematic_leaves() {
 
 // Takes the leaves that are kinematic throughout out of list `which`, so that a crowd of n kinematic shapes in one
 // place is not n^2 pairs to look at. Returns how many are left; the boxes are padded as the kernels want it.
-std::uint32_t BroadPhase::drop_kinematic_leaves(int which, int home, std::uint32_t count) {
+std::uint32_t BroadPhase::drop_kinematic_leaves(Search& own, int which, int home, std::uint32_t count) const {
     if (count == 0) return 0;
-    const LeafList list = leaf_list(which);
+    const LeafList list = leaf_list(own, which);
     std::uint32_t left = 0;
     for (std::uint32_t k = 0; k < count; ++k) {
         if (kinematic_leaf_[home][list.leaf[k]]) continue;
@@ -112,107 +120,133 @@ std::uint32_t BroadPhase::drop_kinematic_leaves(int which, int home, std::uint32
     return left;
 }
 
-void BroadPhase::search(int home) {
+// Chunks note what has changed; then that takes the place of what was, in order.
+void BroadPhase::search(int home, ThreadPool* thread_pool) {
     const std::uint32_t leaves = awake_[home].leaf_count();
-    for (std::uint32_t first = 0; first < leaves; first += 8) search_group(home, first, std::min(first + 8, leaves));
+    const auto groups = std::size_t(leaves + leaves_per_group - 1) / leaves_per_group;
+    searches_.resize(thread_pool ? std::size_t(thread_pool->threads()) : 1);
+    new_rows_.resize(std::max(new_rows_.size(), groups / groups_per_chunk + 1));
+    for (NewRows& rows : new_rows_) rows.leaves.clear(), rows.keys.clear(), rows.searched = 0;
+    for_chunks(thread_pool, int(groups), groups_per_chunk, [&](int begin, int end, int thread) {
+        for (auto group = std::uint32_t(begin); group < std::uint32_t(end); ++group) {
+            const std::uint32_t first = group * leaves_per_group;
+            search_group(home, first, std::min(first + leaves_per_group, leaves), searches_[std::size_t(thread)],
+                         new_rows_[std::size_t(begin / groups_per_chunk)]);
+        }
+    });
+    for (const NewRows& rows : new_rows_) {
+        last_.leaves_searched += rows.searched;
+        for (const NewRows::Leaf& leaf : rows.leaves) merge_leaf(home, leaf, rows.keys.data() + leaf.begin);
+    }
 }
 
 // The leaves first .. end - 1, 64 slots, share one walk through the trees.
-void BroadPhase::search_group(int home, std::uint32_t first, std::uint32_t end) {
+void BroadPhase::search_group(int home, std::uint32_t first, std::uint32_t end, Search& own, NewRows& found) const {
     const std::vector<std::uint8_t>& dirty = dirty_[home];
     while (first < end && !dirty[first]) ++first;
     if (first == end) return;
     TreeBox bounds = empty_box;
     for (std::uint32_t leaf = first; leaf < end; ++leaf)
         if (dirty[leaf]) include(bounds, awake_[home].leaf_bounds(leaf));
-    list_others(bounds);
-    std::uint32_t own_count = list_leaves(0, awake_[home].view(), bounds, first);
-    std::uint32_t large_count = home == 0 ? list_leaves(1, awake_[1].view(), bounds, 0) : 0;
+    list_others(own, bounds);
+    std::uint32_t own_count = list_leaves(kernels_, own, 0, awake_[home].view(), bounds, first);
+    std::uint32_t large_count = home == 0 ? list_leaves(kernels_, own, 1, awake_[1].view(), bounds, 0) : 0;
     if (has_kinematic_ && std::all_of(&kinematic_leaf_[home][first], &kinematic_leaf_[home][first] + (end - first),
                                       [](std::uint8_t all) { return all != 0; })) {
-        own_count = drop_kinematic_leaves(0, home, own_count);
-        large_count = drop_kinematic_leaves(1, 1, large_count);
+        own_count = drop_kinematic_leaves(own, 0, home, own_count);
+        large_count = drop_kinematic_leaves(own, 1, 1, large_count);
     }
-    row_buffer_.capacity = 8 * (own_count + large_count) + 8;
-    if (row_keys_.size() < 8 * std::size_t(row_buffer_.capacity))
-        row_keys_.resize(8 * std::size_t(row_buffer_.capacity));
-    row_buffer_.keys = row_keys_.data();
+    own.rows.capacity = 8 * (own_count + large_count) + 8;
+    if (own.row_keys.size() < 8 * std::size_t(own.rows.capacity))
+        own.row_keys.resize(8 * std::size_t(own.rows.capacity));
+    own.rows.keys = own.row_keys.data();
     for (std::uint32_t leaf = first; leaf < end; ++leaf) {
         if (!dirty[leaf]) continue;
-        ++last_.leaves_searched;
-        search_leaf(home, leaf, own_count, large_count);
-        merge_leaf(home, leaf);
+        ++found.searched;
+        search_leaf(home, leaf, own_count, large_count, own, found);
     }
 }
 
-void BroadPhase::search_leaf(int home, std::uint32_t leaf, std::uint32_t own_count, std::uint32_t large_count) {
+void BroadPhase::search_leaf(int home, std::uint32_t leaf, std::uint32_t own_count, std::uint32_t large_count,
+                             Search& own, NewRows& found) const {
     const Node8& items = awake_[home].leaf(leaf);
     const TreeBox bounds = awake_[home].leaf_bounds(leaf);
-    std::fill(row_buffer_.count, row_buffer_.count + 8, 0u);
-    kernels_.find_rows(items, bounds, leaf, true, awake_[home].leaves(), leaf_list(0), own_count,
-                       home == 0 ? 0u : large_key, row_buffer_);
+    RowBuffer& rows = own.rows;
+    std::fill(rows.count, rows.count + 8, 0u);
+    kernels_.find_rows(items, bounds, leaf, true, awake_[home].leaves(), leaf_list(own, 0), own_count,
+                       home == 0 ? 0u : large_key, rows);
     if (large_count > 0)
-        kernels_.find_rows(items, bounds, leaf, false, awake_[1].leaves(), leaf_list(1), large_count, large_key,
-                           row_buffer_);
-    find_others(home, leaf, bounds);
-    new_keys_.clear();
+        kernels_.find_rows(items, bounds, leaf, false, awake_[1].leaves(), leaf_list(own, 1), large_count, large_key,
+                           rows);
+    find_others(home, leaf, bounds, own);
+    std::vector<std::uint32_t>& all = found.keys;
+    NewRows::Leaf now{leaf, std::uint32_t(all.size()), {}};
     std::size_t other = 0;
     for (std::uint32_t row = 0; row < 8; ++row) {
-        const std::size_t begin = new_keys_.size();
-        const std::uint32_t* keys = row_buffer_.keys + std::size_t(row) * row_buffer_.capacity;
-        new_keys_.insert(new_keys_.end(), keys, keys + row_buffer_.count[row]);
-        for (; other < others_.size() && others_[other] >> 32 == row; ++other)
-            new_keys_.push_back(std::uint32_t(others_[other]));
-        if (new_keys_.size() > begin && proxies_[awake_[home].item(leaf * 8 + row)].kinematic) {
-            const auto keep =
-                std::remove_if(new_keys_.begin() + std::ptrdiff_t(begin), new_keys_.end(), [&](std::uint32_t key) {
-                    const Proxy& partner = proxies_[partner_shape(key)];
-                    return partner.kinematic || partner.state == State::fixed || partner.state == State::plane;
-                });
-            new_keys_.erase(keep, new_keys_.end());
+        const std::size_t begin = all.size();
+        const std::uint32_t* keys = rows.keys + std::size_t(row) * rows.capacity;
+        all.insert(all.end(), keys, keys + rows.count[row]);
+        for (; other < own.others.size() && own.others[other] >> 32 == row; ++other)
+            all.push_back(std::uint32_t(own.others[other]));
+        if (all.size() > begin && proxies_[awake_[home].item(leaf * 8 + row)].kinematic) {
+            const auto keep = std::remove_if(all.begin() + std::ptrdiff_t(begin), all.end(), [&](std::uint32_t key) {
+                const Proxy& partner = proxies_[partner_shape(key)];
+                return partner.kinematic || partner.state == State::fixed || partner.state == State::plane;
+            });
+            all.erase(keep, all.end());
         }
-        new_count_[row] = std::uint32_t(new_keys_.size() - begin);
+        now.count[row] = std::uint32_t(all.size() - begin);
     }
+    if (is_new(home, now, all.data() + now.begin))
+        found.leaves.push_back(now);
+    else
+        all.resize(now.begin);
+}
+
+bool BroadPhase::is_new(int home, const NewRows::Leaf& rows, const std::uint32_t* keys) const {
+    if (!refiltered_.empty()) return true; // the sink is asked again
+    const LeafRows& old_rows = rows_[home].leaf(rows.leaf);
+    if (!std::equal(rows.count, rows.count + 8, old_rows.count)) return true;
+    const PairEntry* const old = rows_[home].entries(rows.leaf);
+    for (std::uint32_t k = 0; k < old_rows.total(); ++k)
+        if (keys[k] != old[k].key) return true;
+    return false;
 }
 
 // Partners that are not awake, as row << 32 | key, sorted.
-void BroadPhase::find_others(int home, std::uint32_t leaf, const TreeBox& bounds) {
+void BroadPhase::find_others(int home, std::uint32_t leaf, const TreeBox& bounds, Search& own) const {
     constexpr std::size_t chunk = 64; // leaves at a time, so that the buffer stays small
     const Node8& items = awake_[home].leaf(leaf);
-    others_.clear();
-    hits_.resize(64 * chunk);
-    for (std::size_t first = 0; first < other_leaves_.size(); first += chunk) {
-        const std::uint32_t leaves = std::uint32_t(std::min(chunk, other_leaves_.size() - first));
-        const std::uint32_t count = kernels_.find_others(items, bounds, &other_leaves_[first], leaves, hits_.data());
+    own.others.clear();
+    own.hits.resize(64 * chunk);
+    for (std::size_t first = 0; first < own.other_leaves.size(); first += chunk) {
+        const std::uint32_t leaves = std::uint32_t(std::min(chunk, own.other_leaves.size() - first));
+        const std::uint32_t count =
+            kernels_.find_others(items, bounds, &own.other_leaves[first], leaves, own.hits.data());
         for (std::uint32_t k = 0; k < count; ++k) {
-            const std::uint32_t hit = hits_[k];
-            const std::uint32_t shape = other_shapes_[first + (hit >> 6)][hit >> 3 & 7];
-            others_.push_back(std::uint64_t(hit & 7) << 32 | other_key | shape);
+            const std::uint32_t hit = own.hits[k];
+            const std::uint32_t shape = own.other_shapes[first + (hit >> 6)][hit >> 3 & 7];
+            own.others.push_back(std::uint64_t(hit & 7) << 32 | other_key | shape);
         }
     }
     for (const Plane& plane : planes_) {
         if (!crosses(plane, bounds)) continue;
         for (std::uint32_t row = 0; row < 8; ++row)
             if (crosses(plane, box_of_lane(items, row)))
-                others_.push_back(std::uint64_t(row) << 32 | other_key | plane.shape);
+                own.others.push_back(std::uint64_t(row) << 32 | other_key | plane.shape);
     }
-    std::sort(others_.begin(), others_.end());
+    std::sort(own.others.begin(), own.others.end());
 }
 
 // Replaces the rows of a leaf by the new ones: pairs in both keep their contacts.
-void BroadPhase::merge_leaf(int home, std::uint32_t leaf) {
+void BroadPhase::merge_leaf(int home, const NewRows::Leaf& rows, const std::uint32_t* key) {
+    const std::uint32_t leaf = rows.leaf;
     const LeafRows& old_rows = rows_[home].leaf(leaf);
     const PairEntry* old = rows_[home].entries(leaf);
-    const std::uint32_t* key = new_keys_.data();
     const bool asks_again = !refiltered_.empty();
-    bool changed = asks_again;
-    for (std::uint32_t row = 0; row < 8; ++row) changed |= new_count_[row] != old_rows.count[row];
-    for (std::uint32_t k = 0; !changed && k < std::uint32_t(new_keys_.size()); ++k) changed = key[k] != old[k].key;
-    if (!changed) return;
-
     merged_.clear();
     for (std::uint32_t row = 0; row < 8; ++row) {
-        const std::uint32_t* const key_end = key + new_count_[row];
+        const std::uint32_t* const key_end = key + rows.count[row];
         const PairEntry* const old_end = old + old_rows.count[row];
         const std::uint32_t shape =
             awake_[home].slot_count() > leaf * 8 + row ? awake_[home].item(leaf * 8 + row) : none;
@@ -232,7 +266,7 @@ void BroadPhase::merge_leaf(int home, std::uint32_t leaf) {
             old += is_old;
         }
     }
-    rows_[home].replace(leaf, new_count_, merged_.data());
+    rows_[home].replace(leaf, rows.count, merged_.data());
 }
 
 } // namespace cairn

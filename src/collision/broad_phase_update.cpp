@@ -6,7 +6,7 @@
 
 namespace cairn {
 
-void BroadPhase::update(PairSink& sink) {
+void BroadPhase::update(PairSink& sink, ThreadPool* thread_pool) {
     last_ = {};
     last_.moved = std::uint32_t(changes_.size());
     ended_.clear();
@@ -22,7 +22,7 @@ void BroadPhase::update(PairSink& sink) {
         }
         mark_leaves();
         mark_kinematic_leaves();
-        for (int home = 0; home < 2; ++home) search(home);
+        for (int home = 0; home < 2; ++home) search(home, thread_pool);
     }
     report(sink);
     for (const Change& change : changes_) proxies_[change.shape].moved = 0;
@@ -205,14 +205,15 @@ void BroadPhase::unflatten_rows() {
         rows_[home].set_leaf_count(awake_[home].leaf_count());
         for (std::uint32_t leaf = 0; leaf < awake_[home].leaf_count(); ++leaf) {
             const std::uint32_t first = begin;
-            for (std::uint32_t& count : new_count_) {
+            std::uint32_t counts[8];
+            for (std::uint32_t& count : counts) {
                 const std::uint32_t end = order_[index++];
                 std::sort(merged_.data() + begin, merged_.data() + end,
                           [](const PairEntry& a, const PairEntry& b) { return a.key < b.key; });
                 count = end - begin;
                 begin = end;
             }
-            rows_[home].replace(leaf, new_count_, merged_.data() + first);
+            rows_[home].replace(leaf, counts, merged_.data() + first);
         }
     }
 }

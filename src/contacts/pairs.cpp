@@ -186,10 +186,10 @@ void combine_materials(const Shapes& shapes, Contacts& contacts, std::uint32_t c
 }
 
 void update_pairs(Bodies& bodies, Shapes& shapes, Contacts& contacts, Islands& islands, const Joints& joints,
-                  BroadPhase& broad_phase, StepEvents& events, NarrowScratch& narrow) {
+                  BroadPhase& broad_phase, StepEvents& events, NarrowScratch& narrow, ThreadPool* thread_pool) {
     flush_sleep(bodies, shapes, islands, broad_phase);
     Sink sink(bodies, shapes, contacts, islands, joints, events, narrow);
-    broad_phase.update(sink);
+    broad_phase.update(sink, thread_pool);
     if (!bodies.dead.empty()) // their slots are given out again, and must not be pushed twice
         std::erase_if(bodies.pushed, [&](std::int32_t b) { return !bodies.slots.is_live(std::uint32_t(b)); });
     for (const std::uint32_t i : shapes.dead) shapes.slots.recycle(i);

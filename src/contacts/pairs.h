@@ -8,9 +8,11 @@
 
 namespace cairn {
 
-// Runs the broad phase; creates contacts for new pairs, destroys those of pairs that ended.
+// Runs the broad phase, by all threads of the pool if there is one; creates contacts for new pairs, destroys those of
+// pairs that ended.
 void update_pairs(Bodies& bodies, Shapes& shapes, Contacts& contacts, Islands& islands, const Joints& joints,
-                  BroadPhase& broad_phase, StepEvents& events, NarrowScratch& narrow);
+                  BroadPhase& broad_phase, StepEvents& events, NarrowScratch& narrow,
+                  ThreadPool* thread_pool = nullptr);
 
 // Does so between steps as well once most slots are dead: bodies that come and go while nothing steps take no more
 // memory than those that are there. Contacts of what has been removed end as they would in the next step.

@@ -83,7 +83,7 @@ void World::Impl::make_step(float dt) {
         for (const std::int32_t island : state.islands.awake) state.islands.all[island].kept_awake = 0;
         wake_driven_joints(state.bodies, state.islands, state.joints, state.events);
         update_pairs(state.bodies, state.shapes, state.contacts, state.islands, state.joints, state.broad_phase,
-                     state.events, step.narrow);
+                     state.events, step.narrow, step.thread_pool.get());
         times.broad_phase += clock.lap();
         state.statistics.tested_pairs =
             update_contacts(state.bodies, state.shapes, state.contacts, state.islands, state.fields, state.broad_phase,

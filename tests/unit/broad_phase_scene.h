@@ -93,6 +93,7 @@ struct Scene {
     Random random;
     BroadPhase broad;
     Recorder sink;
+    ThreadPool* thread_pool = nullptr;
     std::vector<Shape> shapes;
     DVec3 offset;
     double extent, slack = 1e-3;
@@ -182,7 +183,7 @@ struct Scene {
     void update() {
         sink.in_found = false;
         sink.lost_now.clear();
-        broad.update(sink);
+        broad.update(sink, thread_pool);
         free_indices.insert(free_indices.end(), pending_free.begin(), pending_free.end());
         pending_free.clear();
     }

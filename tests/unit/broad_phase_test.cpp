@@ -55,8 +55,10 @@ TEST(BroadPhase, WorksTenMillionMetersOut) {
 }
 
 // What a run told its sink, and the pairs at its end in the order walked.
-std::vector<std::uint32_t> run_log(std::uint64_t seed, const char* isa, bool search_all) {
+std::vector<std::uint32_t> run_log(std::uint64_t seed, const char* isa, bool search_all, int threads = 1) {
     Scene scene(seed, 7, {}, isa);
+    ThreadPool thread_pool(threads);
+    scene.thread_pool = &thread_pool;
     scene.broad.set_search_all(search_all);
     fill(scene);
     std::map<std::uint32_t, std::vector<std::uint32_t>> asleep;
@@ -79,6 +81,11 @@ TEST(BroadPhase, PartialSearchEqualsFullSearch) {
 }
 
 TEST(BroadPhase, TwoRunsAreEqual) { EXPECT_TRUE(run_log(32, nullptr, false) == run_log(32, nullptr, false)); }
+
+TEST(BroadPhase, AnyNumberOfThreadsFindsTheSame) {
+    const std::vector<std::uint32_t> reference = run_log(34, nullptr, false);
+    for (const int threads : {2, 3, 7}) EXPECT_TRUE(reference == run_log(34, nullptr, false, threads)) << threads;
+}
 
 TEST(BroadPhase, InstructionSetsAreEqual) {
     const std::vector<std::uint32_t> reference = run_log(33, "scalar", false);
