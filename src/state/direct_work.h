@@ -40,11 +40,24 @@ struct DirectRow {
     math::DVec3 total; // N s or N m s on B, world axes, over all substeps
 };
 
+// A rigid limit of a joint in a set. Its axis block has Jacobian and position.
+struct DirectLimit {
+    std::int32_t set = 0;
+    std::uint32_t joint = 0, axis = 0;
+    std::uint32_t lane = 0;        // of the axis blocks
+    std::int32_t body[2] = {0, 0}; // in DirectSet::bodies
+    double bounds[2] = {0, 0};     // lower and upper
+    double impulse[2] = {0, 0};    // of one substep, away from each
+    double kept[2] = {0, 0};       // likewise, while poses are integrated with another
+    double response = 0;           // of its speed to an impulse, with what hangs together; 0: not known yet
+};
+
 struct DirectSolve {
     std::int32_t set = 0;
     std::size_t first_body = 0, first_row = 0, first_block = 0;
     bool is_new = false;     // some joint has no impulse of a last substep
     bool is_touched = false; // contacts push some of its bodies
+    std::size_t first_limit = 0, limit_count = 0;
 };
 
 struct DirectWork {
@@ -53,6 +66,7 @@ struct DirectWork {
     std::vector<DirectRow> rows;
     std::vector<math::Block> diagonal, lower; // of the factor; by node and by block
     std::vector<math::DVec3> sought;          // by node
+    std::vector<DirectLimit> limits;          // by set
 };
 
 } // namespace cairn
