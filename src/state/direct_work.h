@@ -21,8 +21,9 @@ struct DirectBody {
     math::DVec3 stiffness;                // geometric: least moments about the principal axes, kg m^2
     math::DSym3 inverse_inertia;
     math::DVec3 v, w;
-    math::DVec3 dv, dw;        // what the impulses add
-    math::Vec3 kept_v, kept_w; // the velocity while poses are integrated with another
+    math::DVec3 dv, dw;           // what the impulses add
+    math::DVec3 held_dv, held_dw; // likewise, while other impulses are tried
+    math::Vec3 kept_v, kept_w;    // the velocity while poses are integrated with another
 };
 
 // Three rows: c = L (v_B - v_A) + J_B w_B + J_A w_A is to be -rate x error.
@@ -49,7 +50,6 @@ struct DirectLimit {
     double bounds[2] = {0, 0};     // lower and upper
     double impulse[2] = {0, 0};    // of one substep, away from each
     double kept[2] = {0, 0};       // likewise, while poses are integrated with another
-    double response = 0;           // of its speed to an impulse, with what hangs together; 0: not known yet
 };
 
 struct DirectSolve {
