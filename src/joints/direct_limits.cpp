@@ -16,8 +16,8 @@ using math::DVec3;
 
 namespace {
 
-// Bounds that are found at once; of more, one block after the other.
-constexpr std::size_t block_size = 32;
+// Bounds that are found at once, in 13 kB of the stack; of more, one block after the other.
+constexpr std::size_t block_size = 24;
 // m/s or rad/s: what a limit changes by less is settled.
 constexpr double settled = 1e-6;
 // Of the response of the two bodies alone: below that, the joints hold what the limit would.
