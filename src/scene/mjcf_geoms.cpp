@@ -220,7 +220,7 @@ void add_mjcf_geom(const MjcfElement& element, const Rigid& in_part, bool has_ma
         solid = reader.read(frame, model.settings);
     } catch (const Error& error) {
         const bool is_weighed = has_mass && part.kind == MjcfPart::Kind::moving && weighs(element);
-        const bool is_look = !touches && !is_weighed; // does not matter to the simulation
+        const bool is_look = !touches && !is_weighed;               // does not matter to the simulation
         if (error.code() == ErrorCode::invalid_value && !is_look) { // of a shape
             throw Error(ErrorCode::invalid_file, element.place(), {}, error.what());
         }
