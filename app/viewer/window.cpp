@@ -11,6 +11,7 @@
 #include "viewer/screen_pixels.h"
 #include "viewer/screen_video.h"
 #include "viewer/script.h"
+#include "viewer/window_libraries.h"
 
 #include "files/output_file.h"
 
@@ -42,60 +43,6 @@ constexpr double notice_seconds = 5.0;
 constexpr double rate_window = 0.5;      // seconds over which frames are counted
 constexpr double minimized_pause = 0.05; // seconds between looks at a window that shows nothing
 constexpr float font_size = 15.0f;       // in a window of 1280 x 720 units, at scale 1
-
-// GLFW as long as it is needed. Its error text comes through a callback.
-class GlfwLibrary {
-  public:
-    GlfwLibrary() {
-        glfwSetErrorCallback([](int, const char* text) { last_error() = text; });
-        if (!glfwInit())
-            throw Error(ErrorCode::unsupported, "window", last_error(), "the viewer needs a display (set DISPLAY)");
-    }
-    ~GlfwLibrary() { glfwTerminate(); }
-    GlfwLibrary(const GlfwLibrary&) = delete;
-    GlfwLibrary& operator=(const GlfwLibrary&) = delete;
-    static std::string& last_error() {
-        static std::string text;
-        return text;
-    }
-};
-
-class ImguiLibrary {
-  public:
-    ImguiLibrary(GLFWwindow* window, std::string layout) : layout_(std::move(layout)) {
-        ImGui::CreateContext();
-        ImGui::GetIO().IniFilename = layout_.empty() ? nullptr : layout_.c_str();
-        ImGui_ImplGlfw_InitForOpenGL(window, true);
-        ImGui_ImplOpenGL3_Init("#version 330 core");
-    }
-    ~ImguiLibrary() {
-        ImGui_ImplOpenGL3_Shutdown();
-        ImGui_ImplGlfw_Shutdown();
-        ImGui::DestroyContext();
-    }
-    ImguiLibrary(const ImguiLibrary&) = delete;
-    ImguiLibrary& operator=(const ImguiLibrary&) = delete;
-
-  private:
-    std::string layout_; // its file, whose name is not copied
-};
-
-using WindowHandle = std::unique_ptr<GLFWwindow, decltype(&glfwDestroyWindow)>;
-
-WindowHandle open_window(int width, int height) {
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
-    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-    glfwWindowHint(GLFW_SAMPLES, 0); // the renderer has samples of its own
-    WindowHandle window(glfwCreateWindow(width, height, "Cairn", nullptr, nullptr), &glfwDestroyWindow);
-    if (!window)
-        throw Error(ErrorCode::unsupported, "window", GlfwLibrary::last_error(), "the viewer needs OpenGL 3.3");
-    glfwMakeContextCurrent(window.get());
-    glfwSwapInterval(1);
-    return window;
-}
 
 class Application {
   public:

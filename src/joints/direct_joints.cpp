@@ -1,6 +1,7 @@
 #include "joints/direct_joints.h"
 
 #include "joints/direct_sets.h"
+#include "joints/direct_view.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -18,21 +19,8 @@ namespace {
 constexpr double bias_of_equals = 0.5, bias_of_unequals = 0.2;
 // Of the turning that goes with the moment that geometric stiffness adds, lost in a substep.
 constexpr double stiffness_damping = 0.02;
-// m/s or rad/s. What a blow has torn apart comes together no faster than that, or a heavy mass that falls into a slack
-// chain would set it whirling without end.
-constexpr double fastest_return = 4;
 // Of the diagonal: in loops some rows say what others say already.
 constexpr double loop_compliance = 1e-6;
-
-// One set, and the numbers of it.
-struct SetView {
-    const DirectSet& set;
-    DirectBody* bodies;
-    DirectRow* rows;
-    Block *diagonal, *lower;
-    DVec3* sought;
-    bool is_new, is_touched;
-};
 
 DVec3 vector_of(const float* p) { return math::to_double(math::to_vec(p)); }
 
@@ -301,13 +289,16 @@ DVec3 return_speed(DVec3 v) {
     return square > fastest_return * fastest_return ? (fastest_return / std::sqrt(square)) * v : v;
 }
 
-// Impulses that take the velocities to -rate x error.
+} // namespace
+
 void seek_impulses(const SetView& v, double rate) {
     const std::size_t n = v.set.nodes.size();
     for (std::size_t i = 0; i < n; ++i) v.sought[i] = -(slip_of(v, i) + return_speed(rate * v.rows[i].error));
     substitute(v);
     for (std::size_t i = 0; i < n; ++i) apply(v, i, v.sought[i]);
 }
+
+namespace {
 
 void solve_rows(const SetView& v, double rate) {
     seek_impulses(v, rate);
@@ -336,6 +327,7 @@ void begin_set(const Joints& joints, const SetView& v, BatchScratch& scratch, do
         assemble(joints, v);
         factorize(v);
         for (std::size_t i = 0; i < n; ++i) v.rows[i].impulse = {};
+        forget_limits(v);
         solve_rows(v, 0);
         for (std::size_t i = 0; i < v.set.bodies.size(); ++i) v.bodies[i].dv = v.bodies[i].dw = {};
     }
@@ -347,9 +339,19 @@ void begin_set(const Joints& joints, const SetView& v, BatchScratch& scratch, do
     write_velocities(v, scratch);
 }
 
-void solve_set(const SetView& v, BatchScratch& scratch, double h) {
+void begin_limits_of(const SetView& v, BatchScratch& scratch) {
+    if (v.limit_count == 0) return;
     read_velocities(v, scratch);
-    solve_rows(v, return_rate(v, h));
+    begin_limits(v);
+    write_velocities(v, scratch);
+}
+
+void solve_set(const SetView& v, BatchScratch& scratch, double h) {
+    const double rate = return_rate(v, h);
+    read_velocities(v, scratch);
+    solve_rows(v, rate);
+    hold_limits(v, rate, h);
+    count_limits(v);
     find_stiffness(v, h);
     for (std::size_t i = 0; i < v.set.nodes.size(); ++i) {
         DirectRow& r = v.rows[i];
@@ -363,8 +365,10 @@ void solve_set(const SetView& v, BatchScratch& scratch, double h) {
 
 void hold_set(const SetView& v, BatchScratch& scratch, double h) {
     if (!v.is_touched) return;
+    const double rate = return_rate(v, h);
     read_velocities(v, scratch);
-    seek_impulses(v, return_rate(v, h));
+    seek_impulses(v, rate);
+    hold_limits_for_now(v, rate, h);
     for (std::size_t i = 0; i < v.set.bodies.size(); ++i) {
         DirectBody& b = v.bodies[i];
         if (!b.by_forces) continue;
@@ -390,7 +394,8 @@ template <class F> void for_sets(const DirectSets& direct, BatchScratch& scratch
             const DirectSolve& solve = w.sets[k];
             work(SetView{direct.sets[solve.set], w.bodies.data() + solve.first_body, w.rows.data() + solve.first_row,
                          w.diagonal.data() + solve.first_row, w.lower.data() + solve.first_block,
-                         w.sought.data() + solve.first_row, solve.is_new, solve.is_touched});
+                         w.sought.data() + solve.first_row, solve.is_new, solve.is_touched,
+                         w.limits.data() + solve.first_limit, solve.limit_count, scratch.axis_blocks.data()});
         }
     });
 }
@@ -400,6 +405,10 @@ template <class F> void for_sets(const DirectSets& direct, BatchScratch& scratch
 void begin_direct_substep(const Joints& joints, const DirectSets& direct, BatchScratch& scratch,
                           ThreadPool* thread_pool, float h, bool first) {
     for_sets(direct, scratch, thread_pool, [&](const SetView& v) { begin_set(joints, v, scratch, double(h), first); });
+}
+
+void begin_direct_limits(const DirectSets& direct, BatchScratch& scratch, ThreadPool* thread_pool) {
+    for_sets(direct, scratch, thread_pool, [&](const SetView& v) { begin_limits_of(v, scratch); });
 }
 
 void solve_direct_rows(const DirectSets& direct, BatchScratch& scratch, ThreadPool* thread_pool, float h) {

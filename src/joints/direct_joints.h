@@ -12,6 +12,8 @@ namespace cairn {
 
 // The sets whose joints are in the batch, and rows for their bodies. Before the rows are filled.
 void list_direct_sets(const Joints& joints, const DirectSets& direct, BatchScratch& scratch);
+// The limits that they solve. After the joints' rows have their lanes.
+void list_direct_limits(const Joints& joints, const DirectSets& direct, BatchScratch& scratch);
 // Positions, axes and impulses of their rows. After the rows are filled.
 void fill_direct_rows(const Bodies& bodies, const Joints& joints, const DirectSets& direct, BatchScratch& scratch,
                       ThreadPool* thread_pool);
@@ -20,6 +22,8 @@ void fill_direct_rows(const Bodies& bodies, const Joints& joints, const DirectSe
 // impulses of the last substep. They are not carried through the reference.
 void begin_direct_substep(const Joints& joints, const DirectSets& direct, BatchScratch& scratch,
                           ThreadPool* thread_pool, float h, bool first);
+// Then, where the axis rows are placed: those of the limits.
+void begin_direct_limits(const DirectSets& direct, BatchScratch& scratch, ThreadPool* thread_pool);
 // Then, once: what is missing of the impulses.
 void solve_direct_rows(const DirectSets& direct, BatchScratch& scratch, ThreadPool* thread_pool, float h);
 // While poses are integrated: bodies that contacts have pushed have velocities that the joints allow. A foot that is

@@ -78,6 +78,36 @@ void list_direct_sets(const Joints& joints, const DirectSets& direct, BatchScrat
     if (work.lower.size() < blocks) work.lower.resize(blocks);
 }
 
+void list_direct_limits(const Joints& joints, const DirectSets& direct, BatchScratch& scratch) {
+    DirectWork& work = scratch.direct;
+    const JointLayout& layout = *scratch.joint_layout;
+    work.limits.clear();
+    if (work.sets.empty()) return;
+    for (const JointRow& row : layout.rows) {
+        if (!row.is_direct_limit || row.idle) continue;
+        const std::int32_t index = direct.set_of_joint[row.joint];
+        const std::vector<DirectNode>& nodes = direct.sets[index].found; // in the order of joints
+        const auto node = std::lower_bound(nodes.begin(), nodes.end(), row.joint,
+                                           [](const DirectNode& n, std::uint32_t joint) { return n.joint < joint; });
+        const JointAxisRule& rule = joints.axes[row.joint].rules[row.axis];
+        DirectLimit& limit = work.limits.emplace_back();
+        limit.set = index;
+        limit.joint = row.joint, limit.axis = row.axis, limit.lane = row.lane;
+        limit.body[0] = node->body[0], limit.body[1] = node->body[1];
+        limit.bounds[0] = double(rule.lower), limit.bounds[1] = double(rule.upper);
+    }
+    std::stable_sort(work.limits.begin(), work.limits.end(),
+                     [](const DirectLimit& a, const DirectLimit& b) { return a.set < b.set; });
+    for (DirectSolve& solve : work.sets) {
+        const auto begin = std::partition_point(work.limits.begin(), work.limits.end(),
+                                                [&](const DirectLimit& l) { return l.set < solve.set; });
+        const auto end =
+            std::partition_point(begin, work.limits.end(), [&](const DirectLimit& l) { return l.set == solve.set; });
+        solve.first_limit = std::size_t(begin - work.limits.begin());
+        solve.limit_count = std::size_t(end - begin);
+    }
+}
+
 void fill_direct_rows(const Bodies& bodies, const Joints& joints, const DirectSets& direct, BatchScratch& scratch,
                       ThreadPool* thread_pool) {
     DirectWork& work = scratch.direct;
@@ -91,6 +121,11 @@ void fill_direct_rows(const Bodies& bodies, const Joints& joints, const DirectSe
                 fill_body(bodies, scratch, set.bodies[i], work.bodies[solve.first_body + i]);
             for (std::size_t i = 0; i < set.nodes.size(); ++i)
                 fill_row(bodies, joints, set.nodes[i], work.rows[solve.first_row + i]);
+            for (std::size_t i = 0; i < solve.limit_count; ++i) {
+                DirectLimit& limit = work.limits[solve.first_limit + i];
+                const JointAxisState& state = joints.axes[limit.joint].states[limit.axis];
+                limit.impulse[0] = double(state.lower), limit.impulse[1] = double(state.upper);
+            }
         }
     });
 }
@@ -119,6 +154,11 @@ void store_direct_rows(Joints& joints, const DirectSets& direct, BatchScratch& s
                 break;
             }
             (is_force ? joint.force : joint.torque) += total;
+        }
+        for (std::size_t i = 0; i < solve.limit_count; ++i) {
+            const DirectLimit& limit = scratch.direct.limits[solve.first_limit + i];
+            JointAxisState& state = joints.axes[limit.joint].states[limit.axis];
+            state.lower = float(limit.impulse[0]), state.upper = float(limit.impulse[1]);
         }
     }
 }

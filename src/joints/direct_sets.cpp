@@ -258,6 +258,8 @@ bool is_direct_axis(const JointAxisRule& rule) {
     }
 }
 
+bool is_direct_limit(const JointAxisRule& rule) { return rule.has_limits && rule.rigid_limit && !rule.is_equation; }
+
 void update_direct_sets(const Bodies& bodies, const Joints& joints, DirectSets& direct) {
     if (direct.valid_for == joints.changes) return;
     Finder(bodies, joints, direct).find_all();

@@ -56,7 +56,8 @@ void collect_joint(const Bodies& bodies, const Joints& joints, const DirectSets&
         if (is_direct && is_direct_axis(rule)) continue;
         if (!rule.has_limits && !rule.has_drive && !(rule.friction > 0)) continue;
         JointRow& row = add(i, std::uint32_t(rule.kind), JointRowType::axis, i);
-        row.has_limits = rule.has_limits != 0;
+        row.is_direct_limit = is_direct && is_direct_limit(rule);
+        row.has_limits = rule.has_limits != 0 && !row.is_direct_limit;
         row.has_soft_limits = rule.has_limits && !rule.rigid_limit;
         row.has_drive = rule.has_drive != 0;
         row.has_friction = rule.friction > 0;
@@ -146,6 +147,7 @@ void fill_joint_lanes(const Bodies& bodies, Joints& joints, SolverScratch& solve
     if (update_idle_rows(bodies, joints, layout, thread_pool) || is_new) lay_out_rows(layout, scratch.joint_key_counts);
     for (const std::int32_t body : layout.kinematic_bodies) row_of_body(scratch, body);
     list_direct_sets(joints, direct, scratch);
+    list_direct_limits(joints, direct, scratch);
 }
 
 } // namespace cairn

@@ -155,6 +155,9 @@ void fill_lane(const Bodies& bodies, const Joints& joints, const JointRow& row,
     b.friction_impulse[lane] = state.friction;
     b.lower_impulse[lane] = state.lower;
     b.upper_impulse[lane] = state.upper;
+    if (!row.is_direct_limit) return;
+    b.lower[lane] = -unlimited, b.upper[lane] = unlimited;
+    b.lower_impulse[lane] = b.upper_impulse[lane] = 0;
 }
 
 // The rows of the joint at that place of the layout. `first_discard`: rows, by JointRowType.

@@ -172,6 +172,12 @@ Vec3 geom_color(const std::vector<double>& rgba) {
     return {part(0), part(1), part(2)};
 }
 
+// Whether the geom adds to the mass of its body.
+bool weighs(const MjcfElement& element) {
+    const auto given = element.attribute("mass");
+    return (given ? given->number(0.0, 1e12) : element.number("density", 1000.0, 0.0, 1e12)) > 0.0;
+}
+
 void add_mass(const MjcfElement& element, const GeomSolid& solid, const Rigid& frame, MjcfPart& part) {
     const auto given = element.attribute("mass");
     const double density = element.number("density", 1000.0, 0.0, 1e12);
@@ -206,17 +212,20 @@ void add_mjcf_geom(const MjcfElement& element, const Rigid& in_part, bool has_ma
     }
     if (const auto text = element.attribute("rgba")) rgba = text->numbers(4, 4);
     has_mass = has_mass && group >= model.settings.first_inertia_group && group <= model.settings.last_inertia_group;
+    const bool touches = geom.contype != 0 || geom.conaffinity != 0;
     Rigid frame;
     GeomSolid solid;
     GeomReader reader(element, assets);
     try {
         solid = reader.read(frame, model.settings);
     } catch (const Error& error) {
-        if (error.code() == ErrorCode::invalid_value) { // of a shape
+        const bool is_weighed = has_mass && part.kind == MjcfPart::Kind::moving && weighs(element);
+        const bool is_look = !touches && !is_weighed;               // does not matter to the simulation
+        if (error.code() == ErrorCode::invalid_value && !is_look) { // of a shape
             throw Error(ErrorCode::invalid_file, element.place(), {}, error.what());
         }
         const bool is_missing = error.code() == ErrorCode::io || error.code() == ErrorCode::unsupported;
-        if (!is_missing || has_mass) throw;
+        if (!is_look && (!is_missing || is_weighed)) throw;
         model.warnings.push_back(std::string(error.what()) + " (the geom is left out)");
         part.lacks_looks = true;
         return;
@@ -226,7 +235,6 @@ void add_mjcf_geom(const MjcfElement& element, const Rigid& in_part, bool has_ma
     }
     frame = in_part * frame;
     if (has_mass) add_mass(element, solid, frame, part);
-    const bool touches = geom.contype != 0 || geom.conaffinity != 0;
     if (touches && !solid.shape) {
         model.warnings.push_back(element.place() + ": is flat, and touches nothing");
     }

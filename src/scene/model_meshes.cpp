@@ -30,7 +30,7 @@ std::filesystem::path ModelMeshes::find(const XmlText& name, const std::string& 
     case NearbyFile::Verdict::found:
         return file.path;
     case NearbyFile::Verdict::outside:
-        throw Error(ErrorCode::invalid_file, name.place, shown(written),
+        throw Error(ErrorCode::io, name.place, shown(written),
                     "must name a file in the model's folder or below it, also where links lead");
     case NearbyFile::Verdict::not_a_file:
         throw Error(ErrorCode::io, name.place, shown(written), "must name a file, not a folder or a device");

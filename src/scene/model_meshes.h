@@ -18,8 +18,8 @@ class ModelMeshes {
     explicit ModelMeshes(std::optional<std::filesystem::path> folder) : folder_(std::move(folder)) {}
 
     // The triangles of the .obj or .stl file that `name` means, a path that starts in `subfolder` of the model's
-    // folder, times `scale`. Throws Error through `name`: invalid_file if it leads out of the folder or is malformed,
-    // io if it is missing, unsupported if it is of another kind.
+    // folder, times `scale`. Throws Error through `name`: io if it is missing or leads out of the folder, which is the
+    // same to a model, invalid_file if it is malformed, unsupported if it is of another kind.
     std::shared_ptr<const Surface> load(const XmlText& name, const std::string& path, const std::string& subfolder,
                                         const glm::dvec3& scale);
     // The file itself, with the same rules.

@@ -210,10 +210,10 @@ class SdfReader {
         std::string file = path;
         std::error_code code;
         const bool is_inside = nearby_file(path, *root_, *root_).verdict != NearbyFile::Verdict::outside;
-        if (!is_inside) uri->fail("must name a model in the file's folder or below it, also where links lead");
+        if (!is_inside) return left_out("must name a model in the file's folder or below it, also where links lead");
         if (std::filesystem::is_directory(*root_ / path, code)) file = path + "/" + file_in(path);
         const NearbyFile found = nearby_file(file, *root_, *root_);
-        if (found.verdict == NearbyFile::Verdict::outside) uri->fail("must not lead out of the file's folder");
+        if (found.verdict == NearbyFile::Verdict::outside) return left_out("must not lead out of the file's folder");
         if (found.verdict != NearbyFile::Verdict::found) return left_out("there is no such model in the file's folder");
         if (std::count(open_.begin(), open_.end(), found.path) > 0) uri->fail("must not include itself");
         const std::vector<std::byte> bytes = read_file(found.path);

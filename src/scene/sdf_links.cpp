@@ -194,7 +194,6 @@ class LinkReader {
             link_.body.looks.push_back(std::move(look));
             return true;
         } catch (const Error& error) { // looks do not matter to the simulation
-            if (error.code() == ErrorCode::invalid_file) throw;
             model_.warnings.push_back(std::string(error.what()) + " (it is not shown)");
             return false;
         }

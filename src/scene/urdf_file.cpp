@@ -26,6 +26,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t max_robot_bytes = std::size_t{16} << 20;
 constexpr int max_xml_depth = 64; // the parser calls itself for every level
 constexpr int folders_above = 8;  // that may be the package of a robot
+constexpr std::string_view of_package = "package://";
 
 // The end of what starts at `from` and is closed by `mark`.
 std::size_t end_of(std::string_view text, std::size_t from, std::string_view mark) {
@@ -229,6 +230,12 @@ urdf::ModelInterfaceSharedPtr parse_urdf(std::span<const std::byte> bytes, const
     return model;
 }
 
+std::string without_spare_slashes(const std::string& filename) {
+    if (filename.substr(0, of_package.size()) != of_package) return filename;
+    const std::size_t name = filename.find_first_not_of('/', of_package.size());
+    return std::string(of_package) + (name == std::string::npos ? std::string() : filename.substr(name));
+}
+
 fs::path find_robot_mesh(const std::string& filename, const std::optional<fs::path>& folder, const std::string& place) {
     const std::string shown = "\"" + filename.substr(0, 200) + "\"";
     if (!folder) {
@@ -236,11 +243,11 @@ fs::path find_robot_mesh(const std::string& filename, const std::optional<fs::pa
                     "other files cannot be read by a robot that comes from memory");
     }
     const fs::path here = folder_on_disk(*folder);
-    constexpr std::string_view of_package = "package://", of_file = "file://";
+    constexpr std::string_view of_file = "file://";
     MeshPlace where{package_above(here, {}).value_or(here), here, filename};
     if (filename.substr(0, of_package.size()) == of_package) {
         where = place_in_package(filename.substr(of_package.size()), here);
-        if (where.name.empty()) throw Error(ErrorCode::invalid_file, place, shown, "must be package://NAME/PATH");
+        if (where.name.empty()) throw Error(ErrorCode::io, place, shown, "must be package://NAME/PATH");
     } else if (filename.substr(0, of_file.size()) == of_file) {
         where.name = filename.substr(of_file.size());
     }
@@ -249,7 +256,7 @@ fs::path find_robot_mesh(const std::string& filename, const std::optional<fs::pa
     case NearbyFile::Verdict::found:
         return file.path;
     case NearbyFile::Verdict::outside:
-        throw Error(ErrorCode::invalid_file, place, shown,
+        throw Error(ErrorCode::io, place, shown,
                     "must name a file in " + where.root.generic_string() + " or below it, also where links lead");
     case NearbyFile::Verdict::not_a_file:
         throw Error(ErrorCode::io, place, shown, "must name a file, not a folder or a device");

@@ -15,11 +15,14 @@ namespace cairn::scene {
 // stands for the file in messages. Throws Error (invalid_file).
 urdf::ModelInterfaceSharedPtr parse_urdf(std::span<const std::byte> bytes, const std::string& name);
 
+// A `filename` without the slashes that stand before the name of a package, as in "package:///NAME/PATH".
+std::string without_spare_slashes(const std::string& filename);
+
 // The file that a mesh's `filename` means: relative to the robot's folder, or package://NAME/PATH. A package is a
 // folder above the robot's with a package.xml: the one of that name, else the nearest one. Without any, NAME is a
 // folder beside the robot, or the robot's own. The file must lie in the package or, without one, in the robot's folder
-// or below it. `place` stands for the element in messages. Throws Error: invalid_file if it leads out, io if there is
-// none.
+// or below it. `place` stands for the element in messages. Throws Error: io if there is none or it leads out, which is
+// the same to a robot.
 std::filesystem::path find_robot_mesh(const std::string& filename, const std::optional<std::filesystem::path>& folder,
                                       const std::string& place);
 

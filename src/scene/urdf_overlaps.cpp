@@ -35,40 +35,63 @@ std::set<PartPair> overlaps(const std::vector<RobotPart>& parts, const World& wo
     return pairs;
 }
 
+// Parts, no more than there are layers, one of which is in each of the pairs, or in as many as can be: that with the
+// most pairs first. Takes those pairs out.
+std::vector<std::size_t> take_covering_parts(std::set<PartPair>& pairs) {
+    std::vector<std::size_t> cover;
+    while (!pairs.empty() && cover.size() < max_kinds) {
+        std::map<std::size_t, std::size_t> counts;
+        for (const auto& [a, b] : pairs) ++counts[a], ++counts[b];
+        const std::size_t most = std::max_element(counts.begin(), counts.end(), [](const auto& a, const auto& b) {
+                                     return a.second < b.second;
+                                 })->first;
+        cover.push_back(most);
+        std::erase_if(pairs, [&](const PartPair& pair) { return pair.first == most || pair.second == most; });
+    }
+    return cover;
+}
+
+std::string names_of(const std::set<PartPair>& pairs, const std::vector<RobotPart>& parts) {
+    constexpr std::size_t max_named = 3;
+    std::string text;
+    std::size_t named = 0;
+    for (const auto& [a, b] : pairs) {
+        if (named++ == max_named) break;
+        text += std::string(text.empty() ? "" : ", ") + "\"" + parts[a].links.front().link->name + "\" and \"" +
+                parts[b].links.front().link->name + "\"";
+    }
+    if (pairs.size() > max_named) text += " and " + std::to_string(pairs.size() - max_named) + " other pairs";
+    return text;
+}
+
 } // namespace
 
+// Two shapes meet if each is in a layer that the other collides with. So one of the two parts of a pair needs a layer
+// of its own, which the other one leaves out.
 void separate_overlaps(const std::string& name, const std::vector<RobotPart>& parts, Scene& scene) {
-    constexpr std::size_t max_named = 3;
-    const std::set<PartPair> pairs = overlaps(parts, scene.world);
-    if (pairs.empty()) return;
-    std::vector<std::size_t> kinds; // the parts that have a layer of their own
-    std::set<PartPair> apart;
-    std::string named;
-    for (const PartPair& pair : pairs) {
-        std::vector<std::size_t> with = kinds;
-        for (const std::size_t part : {pair.first, pair.second}) {
-            if (std::find(with.begin(), with.end(), part) == with.end()) with.push_back(part);
-        }
-        if (with.size() > max_kinds) continue;
-        kinds = std::move(with);
-        apart.insert(pair);
-        if (apart.size() > max_named) continue;
-        named += std::string(named.empty() ? "" : ", ") + "\"" + parts[pair.first].links.front().link->name +
-                 "\" and \"" + parts[pair.second].links.front().link->name + "\"";
+    std::set<PartPair> apart = overlaps(parts, scene.world), left = apart;
+    if (apart.empty()) return;
+    const std::vector<std::size_t> cover = take_covering_parts(left);
+    for (const PartPair& pair : left) apart.erase(pair);
+    std::map<std::size_t, CollisionFilter> filters;
+    for (std::size_t i = 0; i < cover.size(); ++i) {
+        filters[cover[i]].layers = std::uint64_t{1} << (i + 1);
+        scene.collision_systems.push_back(parts[cover[i]].links.front().link->name);
     }
-    const auto filters =
-        filters_of_kinds(kinds, [&](std::size_t a, std::size_t b) { return apart.count(std::minmax(a, b)) == 0; });
-    for (std::size_t i = 0; i < kinds.size(); ++i) {
-        const RobotPart& part = parts[kinds[i]];
-        scene.collision_systems.push_back(part.links.front().link->name);
-        const std::vector<ShapeId> shapes = scene.world.body(part.body).shapes();
-        for (std::size_t k = part.scenery; k < shapes.size(); ++k) scene.world.set_filter(shapes[k], filters[i]);
+    const auto leave_out = [&](std::size_t part, std::size_t other) {
+        const auto found = std::find(cover.begin(), cover.end(), other);
+        if (found != cover.end()) filters[part].collides_with &= ~(std::uint64_t{2} << (found - cover.begin()));
+    };
+    for (const auto& [a, b] : apart) leave_out(a, b), leave_out(b, a);
+    for (const auto& [part, filter] : filters) {
+        const std::vector<ShapeId> shapes = scene.world.body(parts[part].body).shapes();
+        for (std::size_t k = parts[part].scenery; k < shapes.size(); ++k) scene.world.set_filter(shapes[k], filter);
     }
-    const std::size_t left = pairs.size() - apart.size();
-    scene.warnings.push_back(
-        name + ": links that overlap as the robot is drawn do not collide: " + named +
-        (apart.size() > max_named ? " and " + std::to_string(apart.size() - max_named) + " other pairs" : "") +
-        (left > 0 ? "; " + std::to_string(left) + " more pairs do, as only 63 links can be told apart" : ""));
+    scene.warnings.push_back(name +
+                             ": links that overlap as the robot is drawn do not collide: " + names_of(apart, parts) +
+                             (left.empty() ? ""
+                                           : "; " + std::to_string(left.size()) + " more pairs do, as only " +
+                                                 std::to_string(max_kinds) + " layers tell links apart"));
 }
 
 } // namespace cairn::scene

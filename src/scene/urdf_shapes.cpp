@@ -70,7 +70,7 @@ RobotShapes::Turned RobotShapes::shape(const urdf::Geometry& geometry, const std
                 y_to_z.rotation};
     }
     case urdf::Geometry::MESH: {
-        const std::shared_ptr<const Surface>& surface = triangles(static_cast<const urdf::Mesh&>(geometry), place);
+        const std::shared_ptr<const Surface> surface = triangles(static_cast<const urdf::Mesh&>(geometry), place);
         try {
             if (is_static) return {Mesh(surface->vertices, surface->indices)};
             Turned made{Hull(used_vertices(*surface))};
@@ -84,7 +84,18 @@ RobotShapes::Turned RobotShapes::shape(const urdf::Geometry& geometry, const std
     throw Error(ErrorCode::unsupported, place, {}, "must be a box, a cylinder, a sphere or a mesh");
 }
 
-const std::shared_ptr<const Surface>& RobotShapes::triangles(const urdf::Mesh& mesh, const std::string& place) {
+std::filesystem::path RobotShapes::file_of(const urdf::Mesh& mesh, const std::string& place) {
+    const std::string name = without_spare_slashes(mesh.filename);
+    if (name != mesh.filename && !has_warned_of_slashes_) {
+        scene_.warnings.push_back(place + ": \"" + mesh.filename.substr(0, 200) +
+                                  "\" has slashes where the name of its package belongs; it is taken as \"" +
+                                  name.substr(0, 200) + "\", and so are all others");
+        has_warned_of_slashes_ = true;
+    }
+    return find_robot_mesh(name, folder_, place);
+}
+
+std::shared_ptr<const Surface> RobotShapes::triangles(const urdf::Mesh& mesh, const std::string& place) {
     const glm::dvec3 scale(mesh.scale.x, mesh.scale.y, mesh.scale.z);
     for (int i = 0; i < 3; ++i) {
         if (!(std::fabs(scale[i]) <= 1e6) || scale[i] == 0.0) {
@@ -92,7 +103,7 @@ const std::shared_ptr<const Surface>& RobotShapes::triangles(const urdf::Mesh& m
                         "must not be 0, and finite");
         }
     }
-    const std::filesystem::path file = find_robot_mesh(mesh.filename, folder_, place + ": mesh filename");
+    const std::filesystem::path file = file_of(mesh, place + ": mesh filename");
     std::shared_ptr<const Surface>& found = meshes_[{file.string(), scale.x, scale.y, scale.z}];
     if (found) return found;
     if (!is_mesh_file(file)) {
@@ -115,7 +126,7 @@ std::optional<RobotShapes::Turned> RobotShapes::collision_shape(const urdf::Coll
                                                                 bool may_lack) {
     try {
         return shape(*collision.geometry, place, is_static);
-    } catch (const Error& error) { // a name that leads out of the package is invalid_file
+    } catch (const Error& error) {
         if (!may_lack || (error.code() != ErrorCode::io && error.code() != ErrorCode::unsupported)) throw;
         scene_.warnings.push_back(std::string(error.what()) + " (the shape is left out)");
         return std::nullopt;
@@ -158,10 +169,7 @@ std::shared_ptr<const Surface> RobotShapes::surface(const urdf::Geometry& geomet
         local.rotation = glm::normalize(local.rotation * made.rotation);
         return std::make_shared<const Surface>(tessellate(made.shape));
     }
-    const auto& mesh = static_cast<const urdf::Mesh&>(geometry);
-    triangles(mesh, place);
-    const std::filesystem::path file = find_robot_mesh(mesh.filename, folder_, place);
-    return meshes_.at({file.string(), mesh.scale.x, mesh.scale.y, mesh.scale.z});
+    return triangles(static_cast<const urdf::Mesh&>(geometry), place);
 }
 
 bool RobotShapes::add_visuals(const urdf::Link& link, BodyId body, const Rigid& at) {
@@ -178,7 +186,6 @@ bool RobotShapes::add_visuals(const urdf::Link& link, BodyId body, const Rigid& 
             if (const auto color = color_of(visual)) made.color = *color;
             scene_.visuals.push_back(std::move(made));
         } catch (const Error& error) { // looks do not matter to the simulation
-            if (error.code() == ErrorCode::invalid_file) throw;
             scene_.warnings.push_back(std::string(error.what()) + " (it is not shown)");
             all_shown = false;
         }

@@ -25,7 +25,7 @@ class RobotShapes {
         : name_(std::move(name)), folder_(std::move(folder)), decomposes_(decomposes), scene_(scene) {}
 
     // The collision shapes of a link that stands at `at` in the frame of `body`. With `may_lack`, those whose meshes
-    // are missing or of an unknown format are left out, which a warning says.
+    // are missing, may not be read or are of an unknown format are left out, which a warning says.
     void add_shapes(const urdf::Link& link, BodyId body, const Rigid& at, bool may_lack);
     // Its visuals; false if one of them cannot be shown, which a warning says.
     bool add_visuals(const urdf::Link& link, BodyId body, const Rigid& at);
@@ -40,7 +40,8 @@ class RobotShapes {
     std::optional<Turned> collision_shape(const urdf::Collision& collision, const std::string& place, bool is_static,
                                           bool may_lack);
     Turned shape(const urdf::Geometry& geometry, const std::string& place, bool is_static);
-    const std::shared_ptr<const Surface>& triangles(const urdf::Mesh& mesh, const std::string& place);
+    std::filesystem::path file_of(const urdf::Mesh& mesh, const std::string& place);
+    std::shared_ptr<const Surface> triangles(const urdf::Mesh& mesh, const std::string& place);
     std::shared_ptr<const Surface> surface(const urdf::Geometry& geometry, const std::string& place, Rigid& local);
 
     std::string name_;
@@ -48,6 +49,7 @@ class RobotShapes {
     bool decomposes_;
     Scene& scene_;
     SurfaceParts surface_parts_;
+    bool has_warned_of_slashes_ = false;
     // By file and scale.
     std::map<std::tuple<std::string, double, double, double>, std::shared_ptr<const Surface>> meshes_;
 };

@@ -138,6 +138,7 @@ void run_substeps(const Bodies& bodies, const Joints& joints, const ForceFields&
                 points.warm_start(blocks_of(scratch, run), run.count, velocity);
             });
         }
+        begin_direct_limits(direct, scratch, thread_pool);
         for_joint_blocks(scratch, thread_pool, [&](const ForRows& rows_of, void* blocks, int count) {
             rows_of.solve(blocks, count, velocity, joint_soft);
         });

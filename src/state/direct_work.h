@@ -21,8 +21,9 @@ struct DirectBody {
     math::DVec3 stiffness;                // geometric: least moments about the principal axes, kg m^2
     math::DSym3 inverse_inertia;
     math::DVec3 v, w;
-    math::DVec3 dv, dw;        // what the impulses add
-    math::Vec3 kept_v, kept_w; // the velocity while poses are integrated with another
+    math::DVec3 dv, dw;           // what the impulses add
+    math::DVec3 held_dv, held_dw; // likewise, while other impulses are tried
+    math::Vec3 kept_v, kept_w;    // the velocity while poses are integrated with another
 };
 
 // Three rows: c = L (v_B - v_A) + J_B w_B + J_A w_A is to be -rate x error.
@@ -40,11 +41,23 @@ struct DirectRow {
     math::DVec3 total; // N s or N m s on B, world axes, over all substeps
 };
 
+// A rigid limit of a joint in a set. Its axis block has Jacobian and position.
+struct DirectLimit {
+    std::int32_t set = 0;
+    std::uint32_t joint = 0, axis = 0;
+    std::uint32_t lane = 0;        // of the axis blocks
+    std::int32_t body[2] = {0, 0}; // in DirectSet::bodies
+    double bounds[2] = {0, 0};     // lower and upper
+    double impulse[2] = {0, 0};    // of one substep, away from each
+    double kept[2] = {0, 0};       // likewise, while poses are integrated with another
+};
+
 struct DirectSolve {
     std::int32_t set = 0;
     std::size_t first_body = 0, first_row = 0, first_block = 0;
     bool is_new = false;     // some joint has no impulse of a last substep
     bool is_touched = false; // contacts push some of its bodies
+    std::size_t first_limit = 0, limit_count = 0;
 };
 
 struct DirectWork {
@@ -53,6 +66,7 @@ struct DirectWork {
     std::vector<DirectRow> rows;
     std::vector<math::Block> diagonal, lower; // of the factor; by node and by block
     std::vector<math::DVec3> sought;          // by node
+    std::vector<DirectLimit> limits;          // by set
 };
 
 } // namespace cairn

@@ -152,7 +152,7 @@ TEST_P(BothSolvers, BreaksBeyondItsStrength) {
     EXPECT_FALSE(world.is_valid(top));
 }
 
-// A motor turns the first of two arms against its weight, and a limit stops the second: rows that stay iterative.
+// A motor, which stays iterative, turns the first of two arms against its weight, and a limit stops the second.
 TEST_P(BothSolvers, MotorsAndLimitsWorkBesides) {
     World world(without_sleep());
     const BodyId upper = add_dynamic(world, Box{{0.5f, 0.1f, 0.1f}}, {0.5, 0, 0}, 1);

@@ -54,5 +54,54 @@ TEST(SlowTurn, KeepsItsAngularMomentum) {
     }
 }
 
+// A helicoid of triangles that turns about y, as the screw of a water wheel: y = pitch / (2 pi) (angle + turn), with
+// the angle from x to z, against which a turn about y counts. Posts keep a marble from going round with it.
+double rise_of_marble(float pitch, float speed, double seconds) {
+    constexpr int rings = 3, per_turn = 48, turns = 3;
+    std::vector<Vec3> corners;
+    std::vector<std::uint32_t> indices;
+    for (int i = 0; i <= per_turn * turns; ++i) {
+        const float turn = float(i) / per_turn - 0.5f * turns, angle = 6.28318531f * turn;
+        for (int k = 0; k < rings; ++k) {
+            const float r = 0.01f + 0.02f * float(k);
+            corners.push_back({r * std::cos(angle), pitch * turn, r * std::sin(angle)});
+        }
+        if (i == 0) continue;
+        for (int k = 0; k + 1 < rings; ++k) {
+            const std::uint32_t b = std::uint32_t(rings * i + k), a = b - rings;
+            indices.insert(indices.end(), {a, b, a + 1, a + 1, b, b + 1});
+        }
+    }
+    World world(without_sleep());
+    BodyDef def;
+    def.type = BodyType::kinematic;
+    def.angular_velocity = {0, speed, 0};
+    add_body(world, Mesh(corners, indices), def, surface(0.2f));
+    def = {};
+    def.type = BodyType::static_;
+    for (const double side : {-1.0, 1.0}) {
+        def.position = {0.035, 0, side * 0.021};
+        add_body(world, Box{{0.02f, 0.3f, 0.01f}}, def, surface(0));
+    }
+    def.position = {0.065, 0, 0};
+    add_body(world, Box{{0.01f, 0.3f, 0.03f}}, def, surface(0));
+    def.type = BodyType::dynamic;
+    def.position = {0.04, 0.012, 0};
+    const BodyId marble = add_body(world, Sphere{0.01f}, def, surface(0.2f));
+    run(world, 1.0f / 60, 30);
+    const double before = world.body(marble).position().y;
+    run(world, 1.0f / 60, int(seconds * 60));
+    return world.body(marble).position().y - before;
+}
+
+// In the public sample WaterWheel no marble is lifted: its screw turns downwards (docs/scene_format.md).
+TEST(Rolling, AScrewOfTrianglesLiftsAMarbleByItsPitchOrLowersIt) {
+    const float pitch = 0.08f;
+    for (const float speed : {1.5f, 3.0f, -1.5f}) {
+        const double expected = double(pitch) * double(speed) / 6.28318531;
+        EXPECT_NEAR(rise_of_marble(pitch, speed, 1.0), expected, 0.01 * std::fabs(expected)) << speed;
+    }
+}
+
 } // namespace
 } // namespace cairn_test

@@ -69,12 +69,19 @@ TEST_F(MjcfFiles, NothingOutsideOfTheFolderIsRead) {
         expect_refused("<worldbody><include file=\"" + name + ".xml\"/></worldbody>", ErrorCode::invalid_file,
                        "in the model's folder or below it");
         expect_refused("<asset><mesh name=\"m\" file=\"" + name +
-                           ".obj\"/></asset><worldbody><geom type=\"mesh\" mesh=\"m\"/></worldbody>",
-                       ErrorCode::invalid_file, "in the model's folder or below it");
+                           ".obj\"/></asset><worldbody><body><freejoint/><geom type=\"mesh\" mesh=\"m\"/></body>"
+                           "</worldbody>",
+                       ErrorCode::io, "in the model's folder or below it");
     }
     expect_refused("<compiler meshdir=\"..\"/><asset><mesh name=\"m\" file=\"secret.obj\"/></asset><worldbody>"
-                   "<geom type=\"mesh\" mesh=\"m\"/></worldbody>",
-                   ErrorCode::invalid_file, "in the model's folder or below it");
+                   "<body><freejoint/><geom type=\"mesh\" mesh=\"m\"/></body></worldbody>",
+                   ErrorCode::io, "in the model's folder or below it");
+    // What has its mass without it, or is only looked at, goes without it.
+    const Scene scene = load("<asset><mesh name=\"m\" file=\"../secret.obj\"/></asset><worldbody>" + ball +
+                             "<geom type=\"mesh\" mesh=\"m\"/></worldbody>");
+    EXPECT_EQ(scene.world.bodies().size(), 1u);
+    ASSERT_EQ(scene.warnings.size(), 1u);
+    EXPECT_NE(scene.warnings[0].find("(the geom is left out)"), std::string::npos) << scene.warnings[0];
 }
 
 TEST_F(MjcfFiles, IncludesThatGoRoundAreRefused) {
@@ -100,6 +107,26 @@ TEST_F(MjcfFiles, MissingMeshesAreLeftOutWhereTheBodyHasItsMass) {
               std::string::npos)
         << scene.warnings[0];
     expect_refused(mesh + "<worldbody><body><freejoint/>" + geoms, ErrorCode::io, "there is no such file");
+    // Its looks need no mass where the format says that they have none, nor does what stands still. Both were refused.
+    const std::string look = "<geom type=\"mesh\" mesh=\"gone\" ";
+    EXPECT_EQ(load(mesh + "<worldbody><body><freejoint/><geom size=\".1\"/>" + look + "mass=\"0\"/>" + look +
+                   "density=\"0\"/></body>" + look + "/></worldbody>")
+                  .warnings.size(),
+              3u);
+}
+
+// A torn file that is only looked at refused the model; one that touches still does.
+TEST_F(MjcfFiles, AGeomWithATornMeshIsLeftOutIfItIsOnlyLookedAt) {
+    write("parts/torn.stl", "solid torn\nfacet\n");
+    const auto model = [](const std::string& attributes) {
+        return "<asset><mesh name=\"m\" file=\"parts/torn.stl\"/></asset><worldbody>" + ball +
+               "<geom type=\"mesh\" mesh=\"m\"" + attributes + "/></worldbody>";
+    };
+    const Scene scene = load(model(" contype=\"0\" conaffinity=\"0\""));
+    ASSERT_EQ(scene.warnings.size(), 1u);
+    EXPECT_NE(scene.warnings[0].find("torn.stl"), std::string::npos) << scene.warnings[0];
+    EXPECT_NE(scene.warnings[0].find("(the geom is left out)"), std::string::npos) << scene.warnings[0];
+    expect_refused(model(""), ErrorCode::invalid_file, "torn.stl");
 }
 
 TEST_F(MjcfFiles, MistakesNameElementAttributeAndValue) {

@@ -231,12 +231,30 @@ TEST_F(SdfFiles, NothingOutsideOfTheFolderIsRead) {
           std::string("file://../secret"), std::string("link"), std::string("model://link"),
           std::string("models/../../secret"), "model:///" + (above_ / "secret").string()}) {
         SCOPED_TRACE(uri);
-        try {
-            EXPECT_EQ(load("<include><uri>" + uri + "</uri></include>").world.bodies().size(), 0u); // left out
-        } catch (const Error& error) {
-            EXPECT_EQ(error.code(), ErrorCode::invalid_file) << error.what();
-        }
+        const Scene scene = load("<include><uri>" + uri + "</uri></include>");
+        EXPECT_EQ(scene.world.bodies().size(), 0u);
+        ASSERT_EQ(scene.warnings.size(), 1u);
+        EXPECT_NE(scene.warnings[0].find("(the model is left out)"), std::string::npos) << scene.warnings[0];
     }
+}
+
+// A mesh outside of the folder refused the world, and so did a torn one that is only looked at.
+TEST_F(SdfFiles, MeshesThatMayNotOrCannotBeReadAreLeftOut) {
+    std::ofstream(above_ / "secret.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+    write("torn.stl", "solid torn\nfacet\n");
+    const auto geometry = [](const std::string& uri) {
+        return "<geometry><mesh><uri>" + uri + "</uri></mesh></geometry>";
+    };
+    const Scene scene = load("<model name=\"m\"><link name=\"l\"><collision name=\"c\">" + geometry("../secret.obj") +
+                             "</collision><visual name=\"v\">" + geometry("../secret.obj") +
+                             "</visual><visual name=\"w\">" + geometry("torn.stl") + "</visual></link></model>");
+    EXPECT_TRUE(scene.world.body(scene.world.bodies().at(0)).shapes().empty());
+    EXPECT_TRUE(scene.visuals.empty());
+    ASSERT_EQ(scene.warnings.size(), 3u);
+    EXPECT_NE(scene.warnings[0].find("or below it, also where links lead"), std::string::npos) << scene.warnings[0];
+    EXPECT_NE(scene.warnings[0].find("(the collision is left out)"), std::string::npos) << scene.warnings[0];
+    EXPECT_NE(scene.warnings[1].find("(it is not shown)"), std::string::npos) << scene.warnings[1];
+    EXPECT_NE(scene.warnings[2].find("torn.stl"), std::string::npos) << scene.warnings[2];
 }
 
 TEST_F(SdfFiles, IncludesThatGoRoundAreRefused) {

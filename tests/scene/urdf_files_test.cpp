@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -13,6 +15,8 @@ namespace {
 using namespace cairn;
 using scene::Scene;
 namespace fs = std::filesystem;
+
+const std::string tetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 
 // A robot of one link with these elements. It weighs what its shapes do, so that none may be missing.
 std::string robot(const std::string& elements) {
@@ -25,8 +29,7 @@ TEST(UrdfFiles, MeshesAreFoundInTheirPackage) {
     fs::create_directories(package / "urdf");
     fs::create_directories(package / "meshes");
     std::ofstream(package / "package.xml") << "<package/>";
-    std::ofstream(package / "meshes" / "part.obj")
-        << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+    std::ofstream(package / "meshes" / "part.obj") << tetrahedron;
     std::ofstream(package.parent_path() / "outside.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     const auto load = [&](const std::string& filename) {
         const std::string mesh = "<geometry><mesh filename=\"" + filename + "\" scale=\"2 2 -2\"/></geometry>";
@@ -52,7 +55,7 @@ TEST(UrdfFiles, MeshesAreFoundInTheirPackage) {
             EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
         }
     };
-    expect_refused("../../outside.obj", ErrorCode::invalid_file, "or below it");
+    expect_refused("../../outside.obj", ErrorCode::io, "or below it");
     expect_refused("package://my_robot/meshes/none.stl", ErrorCode::io, "there is no such file");
     std::ofstream(package / "meshes" / "part.dae") << "<COLLADA/>";
     expect_refused("../meshes/part.dae", ErrorCode::unsupported, "must be an .stl or .obj file");
@@ -65,9 +68,8 @@ TEST(UrdfFiles, NothingOutsideOfThePackageOrTheFolderIsReadWhateverTheNameSays) 
     const fs::path robots = above / "robots";
     fs::remove_all(above);
     fs::create_directories(robots / "meshes");
-    const std::string secret = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
-    std::ofstream(above / "secret.obj") << secret;
-    std::ofstream(robots / "meshes" / "own.obj") << secret;
+    std::ofstream(above / "secret.obj") << tetrahedron;
+    std::ofstream(robots / "meshes" / "own.obj") << tetrahedron;
     fs::create_symlink(above / "secret.obj", robots / "link.obj");
     fs::create_directory_symlink(above, robots / "way_out");
     const auto load = [&](const std::string& filename) {
@@ -99,14 +101,18 @@ TEST(UrdfFiles, NothingOutsideOfThePackageOrTheFolderIsReadWhateverTheNameSays) 
                 load(name);
                 ADD_FAILURE() << "was read";
             } catch (const Error& error) {
-                EXPECT_EQ(error.code(), ErrorCode::invalid_file) << error.what();
+                EXPECT_EQ(error.code(), ErrorCode::io) << error.what();
             }
         }
         // The name of a folder above is no key to it.
         EXPECT_THROW(load("package://" + above.filename().string() + "/secret.obj"), Error);
         EXPECT_THROW(load("package://way_out/secret.obj"), Error);
-        const std::vector<std::string> inside{"meshes/own.obj", "package://robots/meshes/own.obj",
-                                              "package://meshes/own.obj", "./meshes/../meshes/own.obj",
+        const std::vector<std::string> inside{"meshes/own.obj",
+                                              "package://robots/meshes/own.obj",
+                                              "package:///robots/meshes/own.obj",
+                                              "package:////robots/meshes/own.obj",
+                                              "package://meshes/own.obj",
+                                              "./meshes/../meshes/own.obj",
                                               "file://" + (robots / "meshes" / "own.obj").string()};
         for (const std::string& name : inside) {
             if (is_package && name == "package://meshes/own.obj") continue; // of the package, there is none
@@ -114,6 +120,71 @@ TEST(UrdfFiles, NothingOutsideOfThePackageOrTheFolderIsReadWhateverTheNameSays) 
         }
     }
     fs::remove_all(above);
+}
+
+class UrdfPackage : public testing::Test {
+  protected:
+    void SetUp() override {
+        above_ = fs::canonical(testing::TempDir()) / ("cairn_urdf_" + std::to_string(::getpid()));
+        fs::remove_all(above_);
+        fs::create_directories(above_ / "own" / "meshes");
+        std::ofstream(above_ / "own" / "package.xml") << "<package/>";
+        std::ofstream(above_ / "own" / "meshes" / "part.obj") << tetrahedron;
+        std::ofstream(above_ / "own" / "meshes" / "torn.stl") << "solid torn\nfacet\n";
+        std::ofstream(above_ / "secret.obj") << tetrahedron;
+    }
+    void TearDown() override { fs::remove_all(above_); }
+    static std::string mesh(const std::string& name) {
+        return "<geometry><mesh filename=\"" + name + "\"/></geometry>";
+    }
+    Scene load(const std::string& elements) const {
+        std::ofstream(above_ / "own" / "robot.urdf") << robot(elements);
+        return scene::load(above_ / "own" / "robot.urdf");
+    }
+    fs::path above_;
+    const std::string inertial_ =
+        "<inertial><mass value=\"1\"/><inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" "
+        "izz=\"1\"/></inertial>";
+};
+
+// As talos_full_v2 writes its packages. The whole robot was refused.
+TEST_F(UrdfPackage, ThreeSlashesBeforeItsNameAreTakenAsTwoAndOneWarningSaysSo) {
+    const std::string part = mesh("package:///own/meshes/part.obj");
+    const Scene scene = load("<collision>" + part + "</collision><visual>" + part + "</visual>" + inertial_);
+    EXPECT_EQ(scene.world.body(scene.world.bodies().at(0)).shapes().size(), 1u);
+    EXPECT_EQ(scene.visuals.size(), 1u);
+    ASSERT_EQ(scene.warnings.size(), 1u);
+    EXPECT_NE(
+        scene.warnings[0].find("\"package:///own/meshes/part.obj\" has slashes where the name of its package belongs; "
+                               "it is taken as \"package://own/meshes/part.obj\", and so are all others"),
+        std::string::npos)
+        << scene.warnings[0];
+    EXPECT_THROW(load("<collision>" + mesh("package:///") + "</collision>"), Error);
+}
+
+// As romeo_laas_small names the folder of an installation. The whole robot was refused.
+TEST_F(UrdfPackage, MeshesOutsideOfItAreLeftOutAndNotRead) {
+    const std::string outside = mesh("file://" + (above_ / "secret.obj").string());
+    const Scene scene = load("<collision>" + outside + "</collision><collision>" + mesh("meshes/part.obj") +
+                             "</collision><visual>" + outside + "</visual>" + inertial_);
+    EXPECT_EQ(scene.world.body(scene.world.bodies().at(0)).shapes().size(), 1u);
+    EXPECT_TRUE(scene.visuals.empty());
+    ASSERT_EQ(scene.warnings.size(), 2u);
+    EXPECT_NE(scene.warnings[0].find("or below it, also where links lead"), std::string::npos) << scene.warnings[0];
+    EXPECT_NE(scene.warnings[0].find("(the shape is left out)"), std::string::npos) << scene.warnings[0];
+    EXPECT_NE(scene.warnings[1].find("(it is not shown)"), std::string::npos) << scene.warnings[1];
+    EXPECT_THROW(load("<collision>" + outside + "</collision>"), Error); // what would it weigh?
+}
+
+// A torn file that is only looked at refused the robot; one that touches still does.
+TEST_F(UrdfPackage, AVisualWithATornMeshIsNotShown) {
+    const std::string torn = mesh("meshes/torn.stl");
+    const Scene scene = load("<visual>" + torn + "</visual>" + inertial_);
+    EXPECT_TRUE(scene.visuals.empty());
+    ASSERT_EQ(scene.warnings.size(), 1u);
+    EXPECT_NE(scene.warnings[0].find("torn.stl"), std::string::npos) << scene.warnings[0];
+    EXPECT_NE(scene.warnings[0].find("(it is not shown)"), std::string::npos) << scene.warnings[0];
+    EXPECT_THROW(load("<collision>" + torn + "</collision>" + inertial_), Error);
 }
 
 } // namespace

@@ -83,6 +83,34 @@ TEST(PublicRobots, LinksThatOverlapAsTheRobotIsDrawnDoNotPushEachOtherAway) {
     EXPECT_NEAR(body(scene, "c").position().y, ground.position.y + 0.5, 0.01);
 }
 
+// As in tiago_dual, of which 68 pairs of links overlap: both links of a pair had a layer of their own, and there
+// are 63.
+TEST(PublicRobots, EightyLinksThatOverlapInPairsAndOneThatOverlapsAllDoNotPushEachOtherAway) {
+    const auto ball = [](const std::string& radius) {
+        return inertial() + "<collision><geometry><sphere radius=\"" + radius + "\"/></geometry></collision>";
+    };
+    std::string robot = link("root") + link("hub", ball("45")) +
+                        joint("j", "continuous", "root", "hub", R"(<origin xyz="0 0 0"/><axis xyz="0 0 1"/>)");
+    for (int i = 0; i < 40; ++i) {
+        for (const char* half : {"a", "b"}) {
+            const std::string name = half + std::to_string(i);
+            robot +=
+                link(name, ball("0.4")) + joint("to_" + name, "continuous", "root", name,
+                                                "<origin xyz=\"" + std::to_string(i) + R"( 0 0"/><axis xyz="0 0 1"/>)");
+        }
+    }
+    Scene scene = load_robot(robot);
+    ASSERT_EQ(scene.warnings.size(), 1u);
+    EXPECT_EQ(scene.warnings[0].find("more pairs do"), std::string::npos) << scene.warnings[0];
+    EXPECT_NE(scene.warnings[0].find("117 other pairs"), std::string::npos) << scene.warnings[0];
+    EXPECT_TRUE(scene.world.contacts().empty());
+    for (int i = 0; i < 3; ++i) scene.world.step(1.0f / 60.0f);
+    EXPECT_TRUE(scene.world.contacts().empty());
+    Scene again = load_text(scene::save_to_string(scene));
+    for (int i = 0; i < 3; ++i) again.world.step(1.0f / 60.0f);
+    EXPECT_TRUE(again.world.contacts().empty());
+}
+
 // As it stands in the file, the floor is no link of the robot that stands in it.
 TEST(PublicRobots, WhatStandsTooDeepInTheLinkWorldIsHeldByItAllTheSame) {
     Scene scene =

@@ -90,7 +90,7 @@ export type JointAxis = 'linear' | 'angular';
  * How a joint is solved. Both give the same motion; they differ in cost and stiffness. `automatic`: Direct in chains,
  * machines and under high mass ratios as long as it pays, else iterative. `iterative`: 8 joints at a time, one after
  * the other, with the contacts. For nets and heaps of many joints. `direct`: All direct joints that hang together at
- * once. For chains, machines, and what must not give at all. Limits, motors, friction, springs, gears, racks and
+ * once. For chains, machines, and what must not give at all. Soft limits, motors, friction, springs, gears, racks and
  * pulleys stay iterative; so do all of a net of thousands of joints, whose factorization would not end.
  */
 export type JointSolver = 'automatic' | 'iterative' | 'direct';

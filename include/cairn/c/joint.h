@@ -26,7 +26,7 @@ enum {
     CAIRN_JOINT_SOLVER_AUTOMATIC = 0,
     /// 8 joints at a time, one after the other, with the contacts. For nets and heaps of many joints.
     CAIRN_JOINT_SOLVER_ITERATIVE = 1,
-    /// All direct joints that hang together at once. For chains, machines, and what must not give at all. Limits,
+    /// All direct joints that hang together at once. For chains, machines, and what must not give at all. Soft limits,
     /// motors, friction, springs, gears, racks and pulleys stay iterative; so do all of a net of thousands of joints,
     /// whose factorization would not end.
     CAIRN_JOINT_SOLVER_DIRECT = 2

@@ -30,7 +30,7 @@ class JointSolver(enum.Enum):
     iterative = 1
     """8 joints at a time, one after the other, with the contacts. For nets and heaps of many joints."""
     direct = 2
-    """All direct joints that hang together at once. For chains, machines, and what must not give at all. Limits,
+    """All direct joints that hang together at once. For chains, machines, and what must not give at all. Soft limits,
     motors, friction, springs, gears, racks and pulleys stay iterative; so do all of a net of thousands of joints, whose
     factorization would not end.
     """

@@ -1,0 +1,39 @@
+// What the parts of the direct solver share: one set, and the numbers of it.
+#pragma once
+
+#include "kernels/solve/joint_data.h"
+#include "state/direct_sets.h"
+#include "state/direct_work.h"
+
+namespace cairn {
+
+// m/s or rad/s. What a blow has torn apart comes together no faster than that, or a heavy mass that falls into a slack
+// chain would set it whirling without end.
+inline constexpr double fastest_return = 4;
+
+struct SetView {
+    const DirectSet& set;
+    DirectBody* bodies;
+    DirectRow* rows;
+    math::Block *diagonal, *lower;
+    math::DVec3* sought;
+    bool is_new, is_touched;
+    DirectLimit* limits;
+    std::size_t limit_count;
+    AxisBlock* axes;
+};
+
+// Impulses (`sought`) that take the velocities of the rows to -rate x error; their bodies gain what they give.
+void seek_impulses(const SetView& v, double rate);
+
+// At the start of a substep: the impulses of the last one.
+void begin_limits(const SetView& v);
+void forget_limits(const SetView& v);
+// After the rows: what else the limits need, each with all that hangs together.
+void hold_limits(const SetView& v, double rate, double h);
+// Likewise, but impulses stay as they are.
+void hold_limits_for_now(const SetView& v, double rate, double h);
+// At the end: what they gave goes to the totals of their blocks.
+void count_limits(const SetView& v);
+
+} // namespace cairn
