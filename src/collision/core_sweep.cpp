@@ -339,7 +339,7 @@ RigidPath RigidPath::between(DVec3 x0, DQuat q0, DVec3 x1, DQuat q1, double begi
 RigidPath::Pose RigidPath::at(double time) const {
     const double part = begin < until ? (time - begin) / (until - begin) : 1.0;
     const DQuat turned = math::normalized(DQuat{part * by.x, part * by.y, part * by.z, 1 + part * (by.w - 1)});
-    return {start + time * translation, math::normalized(turned * rotation)};
+    return {start + time * translation, turned * rotation}; // of two unit quaternions
 }
 
 double time_of_meeting(const SweptShape& a, const SweptShape& b, bool is_known, double from, DVec3& axis) {

@@ -60,6 +60,10 @@ class Mover {
         const double ball = is_ball() ? 0 : s.geometry.bounding_radius;
         const DVec3 to_middle = middle_offset();
         reach_ = length(to_middle) + ball;
+        if (to_middle == DVec3{}) { // no turn moves it
+            start = center_at(from), end = center_at(to);
+            return;
+        }
         const RigidPath::Pose first = from > s.path.begin || s.until < 1 ? body_at(from) : s.path.first();
         start = first.x + math::rotate(first.q, to_middle);
         const RigidPath::Pose last = s.until < 1 || to < s.path.until ? body_at(to) : s.path.end();
@@ -74,6 +78,7 @@ class Mover {
         return s_.geometry.is_turned ? pose.q * math::to_double(s_.geometry.rotation) : pose.q;
     }
     DVec3 origin_at(const RigidPath::Pose& pose) const { return pose.x + math::rotate(pose.q, s_.offset); }
+    DVec3 center_at(double time) const { return s_.path.start + std::min(time, s_.until) * s_.path.translation; }
     DVec3 middle_at(double time) const {
         const RigidPath::Pose pose = body_at(time);
         return pose.x + math::rotate(pose.q, middle_offset());
@@ -355,8 +360,7 @@ inline Course approach(const Mover& a, const Mover& b, Question question, double
     const auto stays_apart_from = [&](const Bracket::Look& now) {
         const double way = now.gap.distance - question.tolerance;
         return (way > 0 && now.time + certain_time(a, b, now.gap, way, now.time) >= end) ||
-               (now.gap.distance >= 0 &&
-                stay_apart_in_any(a, b, pair, {now.time, end}, now.gap, question.tolerance));
+               (now.gap.distance >= 0 && stay_apart_in_any(a, b, pair, {now.time, end}, now.gap, question.tolerance));
     };
     Bracket::Look now = look(begin, first);
     if (has_met(now)) return {begin > 0 || (question.is_impact && now.gap.distance >= 0) ? begin : overlapped};
