@@ -76,7 +76,8 @@ TEST_F(CliOutput, NobodyAtAFifoIsWaitedForUntilAnInterrupt) {
         while [ $slept -lt 10 ] && kill -0 $waits; do
             sleep 0.03
             program=$(cat /proc/$waits/task/$waits/children)
-            if grep -q '^SigCgt:.*[2367abef]$' /proc/${program% }/status && grep -q '^State:.S' /proc/${program% }/status
+            if grep -q '^SigCgt:.*[2367abef]$' /proc/${program% }/status &&
+                grep -q '^State:.S' /proc/${program% }/status
             then slept=$((slept + 1)); else slept=0; fi
         done 2>/dev/null
         kill -INT $program; wait $waits)");
