@@ -97,7 +97,9 @@ std::int32_t Movers::add(std::int32_t b) {
     m.body = b;
     m.moved = uncounted(from, to, links.radius);
     m.is_free = links.contact_count + links.joint_count == 0;
-    m.turns_over = !m.is_free && math::length(to.w) * dt_ > half_turn;
+    const bool turns_over = !m.is_free && math::length(to.w) * dt_ > half_turn;
+    const bool flies_anew = turns_over && links.joint_count == 0 && links.radius > links.inner_radius; // else a ball
+    m.turns_over = turns_over && !flies_anew;
     m.path = RigidPath::between(from.x, from.q, to.x, m.turns_over ? from.q : to.q);
     m.acceleration = acceleration_at(s.bodies, s.fields, s.settings, b, from.x);
     // What is free has gone by its velocity at the start, which the mean and the change along the path give.
@@ -106,7 +108,12 @@ std::int32_t Movers::add(std::int32_t b) {
     if (links.joint_count > 0 && !m.turns_over) lead_by_joints(m, from, to);
     movers_.push_back(m);
     if (m.is_led) lead_on(i, 0);
-    if (m.is_free && longest_part(b, m.spin, from.q) < double(dt_))
+    if (flies_anew) {
+        // How the solver turned it its poses do not tell: from where it was, it flies as fast as that made it.
+        movers_.back().is_free = movers_.back().is_redirected = true;
+        const DVec3 v = to_double(to.v) + to_double(to.v_rest), w = to_double(to.w) + to_double(to.w_rest);
+        redirect(i, 0, {from.x, from.q, v - double(dt_) * m.acceleration, w});
+    } else if (m.is_free && longest_part(b, m.spin, from.q) < double(dt_))
         redirect(i, 0, {from.x, from.q, m.velocity, m.spin});
     return i;
 }

@@ -49,6 +49,8 @@ class ImpactQueue {
             if (s.contacts.info[id].b_moves) movers_.add(s.contacts.info[id].body_b);
         }
         pairs_.find();
+        for (std::int32_t i = 0; i < movers_.count(); ++i)
+            if (movers_[i].is_redirected) pairs_.find_near(i, 0);
         s.statistics.swept_pairs += std::size_t(pairs_.count());
         step.thread_pool->for_chunks(int(pairs_.count()), pairs_per_chunk, [&](int begin, int end, int) {
             for (int k = begin; k < end; ++k) pairs_[k].time = pairs_.time_of(pairs_[k], 0);

@@ -68,14 +68,12 @@ struct Crowd {
     int shots = 10;
     unsigned seed = 1;
 };
-// Pairs of bodies, counted in every step. What is struck within a step leaves the line from its first pose to its last:
-// of such bodies only the last pose is judged, so that nothing counts that is not wrong.
-struct CoresMet {
+// Pairs of bodies, counted in every step as core_watch.h says.
+struct CrowdSeen {
     int steps = 0;
-    int overlapping = 0; // their cores overlap at the end of the step
-    int passed = 0;      // they met on the way, and neither velocity changed
+    int overlapping = 0, passed = 0, deep = 0;
 };
-CoresMet watch_crowd(const Crowd& cell);
+CrowdSeen watch_crowd(const Crowd& cell);
 
 // --- chances.cpp: other ways to fall through
 struct Chance {         // what each of them needs

@@ -72,7 +72,7 @@ struct Simplex {
 // How a step moves a shape.
 struct Way {
     const Moving* moving;
-    Core core;
+    const Core& core;
     glm::dvec3 start, end; // of the center, m
     double turn;           // rad
     double reach;          // m
@@ -92,9 +92,9 @@ double angle_of(const glm::dquat& turn) {
     return 2 * std::atan2(glm::length(glm::dvec3(turn.x, turn.y, turn.z)), turn.w);
 }
 
-Way way_of(const Moving& moving) {
+Way way_of(const Moving& moving, const Core& core) {
     const Pose from = to_pose(moving.from), to = to_pose(moving.to);
-    Way way{&moving, make_core(*moving.shape, moving.shrink), from.apply(moving.center), to.apply(moving.center), 0, 0};
+    Way way{&moving, core, from.apply(moving.center), to.apply(moving.center), 0, 0};
     way.turn = angle_of(turn_between(from, to));
     way.reach = way.core.reach_from(moving.center);
     return way;
@@ -132,6 +132,11 @@ double greatest_motion(const Way& a, const Way& b) {
     if (a.turn > 0) motion += a.turn * arm_a;
     if (b.turn > 0) motion += b.turn * arm_b;
     return motion;
+}
+
+const Core& core_of(const Moving& moving, Core& made) {
+    if (moving.core) return *moving.core;
+    return made = make_core(*moving.shape, moving.shrink);
 }
 
 struct Search {
@@ -194,7 +199,8 @@ double separation(const CorePiece& a, const Pose& pose_a, const CorePiece& b, co
 }
 
 std::optional<double> cores_meet(const Moving& a, const Moving& b) {
-    const Way way_a = way_of(a), way_b = way_of(b);
+    Core made_a, made_b;
+    const Way way_a = way_of(a, core_of(a, made_a)), way_b = way_of(b, core_of(b, made_b));
     const double size = std::min(way_a.reach, way_b.reach);
     if (!(size > 0) || !std::isfinite(size)) return {}; // one has no core, or both are planes
     const Search search{way_a, way_b, greatest_motion(way_a, way_b), fineness * size};
@@ -203,10 +209,16 @@ std::optional<double> cores_meet(const Moving& a, const Moving& b) {
     return distance_at(way_a, way_b, 1) > 0 ? std::nullopt : std::optional(1.0);
 }
 
+bool cores_overlap_at_start(const Moving& a, const Moving& b) {
+    Core made_a, made_b;
+    return distance_at(way_of(a, core_of(a, made_a)), way_of(b, core_of(b, made_b)), 0) <= 0;
+}
+
 bool cores_meet(const cairn::Shape& shape_a, const cairn::Transform& from_a, const cairn::Transform& to_a,
                 const cairn::Shape& shape_b, const cairn::Transform& from_b, const cairn::Transform& to_b,
                 double core_shrink) {
-    const Moving a{&shape_a, from_a, to_a, {0, 0, 0}, core_shrink}, b{&shape_b, from_b, to_b, {0, 0, 0}, core_shrink};
+    const Moving a{&shape_a, from_a, to_a, {0, 0, 0}, core_shrink};
+    const Moving b{&shape_b, from_b, to_b, {0, 0, 0}, core_shrink};
     return cores_meet(a, b).has_value();
 }
 

@@ -59,12 +59,14 @@ struct Moving {
     cairn::Transform from, to;  // of the shape
     glm::dvec3 center{0, 0, 0}; // in the shape's frame, m: where the body's center of mass is
     double shrink = 0;          // m
+    const Core* core = nullptr; // what make_core says of the two, if that is known
     Pose at(double time) const; // 0 to 1
 };
 
 // When, as a part of the step, the cores first overlap; none if they do not. What only touches, or overlaps by less
 // than a hundred-thousandth of its size, may count as either.
 std::optional<double> cores_meet(const Moving& a, const Moving& b);
+bool cores_overlap_at_start(const Moving& a, const Moving& b);
 
 // Likewise, of shapes whose frames are at the centers of mass, both with the same shrink.
 bool cores_meet(const cairn::Shape& shape_a, const cairn::Transform& from_a, const cairn::Transform& to_a,

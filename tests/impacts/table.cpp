@@ -192,9 +192,10 @@ Rows closed_room(int shots) {
 Rows cores(int shots) {
     Rows rows;
     for (const double speed : {10.0, 50.0, 200.0}) {
-        const CoresMet met = watch_crowd({.speed = speed, .shots = or_default(shots, 5)});
+        const CrowdSeen met = watch_crowd({.speed = speed, .shots = or_default(shots, 5)});
         const std::string of = " (pairs, in " + std::to_string(met.steps) + " steps)";
-        rows.push_back(none(number(speed) + " m/s: passed untouched" + of, met.passed));
+        rows.push_back(none(number(speed) + " m/s: passed" + of, met.passed));
+        rows.push_back(none(number(speed) + " m/s: half of one in half of the other" + of, met.deep));
         rows.push_back(none(number(speed) + " m/s: overlap at the end" + of, met.overlapping));
     }
     return rows;
