@@ -7,21 +7,21 @@
 
 namespace cairn_test::golden {
 
-inline constexpr std::uint64_t mixed_pile = 0x1229d69d62f86523;
-inline constexpr std::uint64_t pyramid = 0x134ec5da58749192;
-inline constexpr std::uint64_t dominoes = 0xee983dc18107f7d1;
-inline constexpr std::uint64_t materials = 0xed21755ec714ecf6;
-inline constexpr std::uint64_t tumbler = 0x170baf2a912ecac7;
+inline constexpr std::uint64_t mixed_pile = 0xe6c60468b7c56ba2;
+inline constexpr std::uint64_t pyramid = 0x01d25d86d50fb6e3;
+inline constexpr std::uint64_t dominoes = 0xbe5956b1433834d2;
+inline constexpr std::uint64_t materials = 0xff7b65a91c2aa23b;
+inline constexpr std::uint64_t tumbler = 0xb2f069cd7ac745a1;
 inline constexpr std::uint64_t sleep_and_wake = 0x9b8076cfae7eac20;
-inline constexpr std::uint64_t compounds = 0x4e71183dbd51dac5;
-inline constexpr std::uint64_t free_tops = 0xc8fbb831a0fe0e3f;
-inline constexpr std::uint64_t explicit_euler = 0x19598b82f26ca40e;
-inline constexpr std::uint64_t whirl = 0x9c8420cc1386492f;
-inline constexpr std::uint64_t changes = 0x5c9b6873abbb22c7;
-inline constexpr std::uint64_t all_shapes = 0xd9ddf4639fd08046;
-inline constexpr std::uint64_t rounded_shapes = 0x6bb38622a7370512;
-inline constexpr std::uint64_t surfaces = 0xb958cf1b813bec3e;
-inline constexpr std::uint64_t all_joints = 0x2c8329081a3c7252;
+inline constexpr std::uint64_t compounds = 0x92d9f0170120b28d;
+inline constexpr std::uint64_t free_tops = 0x53d8984f9884ebaa;
+inline constexpr std::uint64_t explicit_euler = 0x50505e7c7d53b559;
+inline constexpr std::uint64_t whirl = 0x959e4e89cc1098f7;
+inline constexpr std::uint64_t changes = 0xa346a9f8f2fefb2d;
+inline constexpr std::uint64_t all_shapes = 0xbd4f8779e9f17286;
+inline constexpr std::uint64_t rounded_shapes = 0xc00077740329efce;
+inline constexpr std::uint64_t surfaces = 0x3b08fab86793be44;
+inline constexpr std::uint64_t all_joints = 0x355c7a0c5eeb8b33;
 inline constexpr std::uint64_t chains = 0xa0b759c901e793e8;
 
 } // namespace cairn_test::golden
