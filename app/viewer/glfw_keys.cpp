@@ -50,4 +50,21 @@ std::string glfw_modifier_names(int modifiers) {
     return names;
 }
 
+std::optional<GamepadState> glfw_gamepad() {
+    static_assert(int(PadButton::count) == GLFW_GAMEPAD_BUTTON_LAST + 1 &&
+                  int(PadButton::up) == GLFW_GAMEPAD_BUTTON_DPAD_UP);
+    for (int joystick = GLFW_JOYSTICK_1; joystick <= GLFW_JOYSTICK_LAST; ++joystick) {
+        GLFWgamepadstate state;
+        if (!glfwJoystickIsGamepad(joystick) || !glfwGetGamepadState(joystick, &state)) continue;
+        GamepadState pad;
+        pad.left_stick = {state.axes[GLFW_GAMEPAD_AXIS_LEFT_X], state.axes[GLFW_GAMEPAD_AXIS_LEFT_Y]};
+        pad.right_stick = {state.axes[GLFW_GAMEPAD_AXIS_RIGHT_X], state.axes[GLFW_GAMEPAD_AXIS_RIGHT_Y]};
+        pad.left_trigger = 0.5f * (state.axes[GLFW_GAMEPAD_AXIS_LEFT_TRIGGER] + 1.0f); // GLFW: -1 where it is let go
+        pad.right_trigger = 0.5f * (state.axes[GLFW_GAMEPAD_AXIS_RIGHT_TRIGGER] + 1.0f);
+        for (std::size_t k = 0; k < pad.down.size(); ++k) pad.down[k] = state.buttons[k] == GLFW_PRESS;
+        return pad;
+    }
+    return std::nullopt;
+}
+
 } // namespace cairn::viewer

@@ -1,7 +1,10 @@
 /// \file glfw_keys.h
-/// The names that the key map uses for GLFW's key codes.
+/// The names that the key map uses for GLFW's key codes, and the state of its gamepads.
 #pragma once
 
+#include "viewer/gamepad.h"
+
+#include <optional>
 #include <string>
 
 namespace cairn::viewer {
@@ -10,5 +13,8 @@ namespace cairn::viewer {
 std::string glfw_key_name(int key);
 /// The modifiers before a key's name in a chord: `Ctrl+Alt+Shift+`, or fewer.
 std::string glfw_modifier_names(int modifiers);
+/// Of the first one that is connected and whose layout is known (those of SDL's database and Xbox controllers); nothing
+/// if there is none.
+std::optional<GamepadState> glfw_gamepad();
 
 } // namespace cairn::viewer

@@ -55,6 +55,7 @@ class Application {
     void on_key(int key, int action, int modifiers);
     void on_button(int button, int action);
     void on_cursor(double x, double y);
+    void use_gamepad(float seconds);
     void on_wheel(double notches);
     void press(MouseButton button);
     void release(MouseButton button);
@@ -77,6 +78,7 @@ class Application {
     WindowHandle window_;
     ImguiLibrary imgui_;
     PictureArea area_;
+    Gamepad gamepad_;
     PhysicsThread physics_;
     Controller controller_;
     Panel panel_;
@@ -171,6 +173,14 @@ void Application::press(MouseButton button) {
 void Application::release(MouseButton button) {
     controller_.button_up(button);
     area_.let_go();
+}
+
+// What has the focus has the gamepad.
+void Application::use_gamepad(float seconds) {
+    const PaneRect& pane = area_.pane(cursor_pane_);
+    const bool is_ours = glfwGetWindowAttrib(window_.get(), GLFW_FOCUSED) == GLFW_TRUE && pane.height > 0.0f;
+    gamepad_.update(is_ours ? glfw_gamepad() : std::nullopt, seconds, is_ours ? pane.width / pane.height : 1.0f,
+                    controller_);
 }
 
 void Application::on_cursor(double x, double y) {
@@ -386,6 +396,7 @@ void Application::run() {
         const LatestState latest = physics_.latest();
         place_picture(latest.stage);
         controller_.update(latest.stage);
+        use_gamepad(float(seconds));
         update_notice(latest.stage);
         if (facts_.width <= 0 || facts_.height <= 0) { // minimized: nothing to draw on
             glfwWaitEventsTimeout(minimized_pause);
