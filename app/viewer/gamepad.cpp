@@ -16,20 +16,20 @@ constexpr float longest_frame = 0.1f; // s: after a pause the camera does not le
 constexpr float first_repeat = 0.4f, next_repeat = 0.05f; // s
 
 constexpr PadBinding bindings[] = {
-    {PadButton::a, Action::toggle_pause, "A", "pause"},
-    {PadButton::b, Action::shoot, "B", "shoot what the spawn tool is set to"},
-    {PadButton::x, Action::reset_scene, "X", "begin the scene anew"},
-    {PadButton::y, Action::next_colors, "Y", "next colors"},
-    {PadButton::left_bumper, Action::step_back, "LB", "a step back"},
-    {PadButton::right_bumper, Action::single_step, "RB", "a step"},
-    {PadButton::back, Action::toggle_help, "Back", "help"},
-    {PadButton::start, Action::toggle_panel, "Start", "panel"},
-    {PadButton::left_thumb, Action::follow_selection, "left stick pressed", "follow the selected body"},
-    {PadButton::right_thumb, Action::frame_selection, "right stick pressed", "frame the selected body, or all"},
-    {PadButton::up, Action::faster, "up", "faster"},
-    {PadButton::down, Action::slower, "down", "slower"},
-    {PadButton::left, Action::previous_scene, "left", "previous scene"},
-    {PadButton::right, Action::next_scene, "right", "next scene"},
+    {PadButton::a, Action::toggle_pause, "A"},
+    {PadButton::b, Action::shoot, "B"},
+    {PadButton::x, Action::reset_scene, "X"},
+    {PadButton::y, Action::next_colors, "Y"},
+    {PadButton::left_bumper, Action::step_back, "LB"},
+    {PadButton::right_bumper, Action::single_step, "RB"},
+    {PadButton::back, Action::toggle_help, "Back"},
+    {PadButton::start, Action::toggle_panel, "Start"},
+    {PadButton::left_thumb, Action::follow_selection, "left stick pressed"},
+    {PadButton::right_thumb, Action::frame_selection, "right stick pressed"},
+    {PadButton::up, Action::faster, "up"},
+    {PadButton::down, Action::slower, "down"},
+    {PadButton::left, Action::previous_scene, "left"},
+    {PadButton::right, Action::next_scene, "right"},
 };
 
 // From 0 at the edge of the dead zone to 1, and finer near the middle.

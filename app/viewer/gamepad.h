@@ -42,7 +42,7 @@ struct GamepadState {
 struct PadBinding {
     PadButton button;
     Action action;
-    std::string_view name, text;
+    std::string_view name;
 };
 std::span<const PadBinding> pad_bindings();
 

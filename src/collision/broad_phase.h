@@ -223,8 +223,8 @@ class BroadPhase {
     // search (broad_phase_find.cpp)
     void mark_leaves();
     void mark_everywhere(int home, const TreeBox& before, const TreeBox& after);
-    static std::uint32_t list_leaves(const BroadKernels& kernels, Search& own, int which, const TreeView& tree,
-                                     const TreeBox& box, std::uint32_t first_leaf);
+    std::uint32_t list_leaves(Search& own, int which, const TreeView& tree, const TreeBox& box,
+                              std::uint32_t first_leaf) const;
     static LeafList leaf_list(Search& own, int which);
     void list_others(Search& own, const TreeBox& box) const;
     void mark_kinematic_leaves();

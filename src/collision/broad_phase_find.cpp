@@ -50,13 +50,13 @@ void BroadPhase::mark_everywhere(int home, const TreeBox& before, const TreeBox&
 }
 
 // Leaves of a tree that meet the box, into list `which`.
-std::uint32_t BroadPhase::list_leaves(const BroadKernels& kernels, Search& own, int which, const TreeView& tree,
-                                      const TreeBox& box, std::uint32_t first_leaf) {
+std::uint32_t BroadPhase::list_leaves(Search& own, int which, const TreeView& tree, const TreeBox& box,
+                                      std::uint32_t first_leaf) const {
     if (tree.level_count == 0) return 0;
     const std::size_t room = tree.leaf_count + 8;
     if (own.list[which].size() < room) own.list[which].resize(room);
     if (own.list_bounds[which].size() < 6 * room) own.list_bounds[which].resize(6 * room);
-    return kernels.list_leaves(tree, box, first_leaf, leaf_list(own, which));
+    return kernels_.list_leaves(tree, box, first_leaf, leaf_list(own, which));
 }
 
 LeafList BroadPhase::leaf_list(Search& own, int which) {
@@ -76,7 +76,7 @@ void BroadPhase::list_others(Search& own, const TreeBox& box) const {
             own.other_shapes.push_back(shapes);
             return;
         }
-        const std::uint32_t count = list_leaves(kernels_, own, 0, tree, box, 0);
+        const std::uint32_t count = list_leaves(own, 0, tree, box, 0);
         for (std::uint32_t k = 0; k < count; ++k) {
             own.other_leaves.push_back(tree.levels[0] + own.list[0][k]);
             own.other_shapes.push_back(shapes + std::size_t(own.list[0][k]) * 8);
@@ -149,8 +149,8 @@ void BroadPhase::search_group(int home, std::uint32_t first, std::uint32_t end, 
     for (std::uint32_t leaf = first; leaf < end; ++leaf)
         if (dirty[leaf]) include(bounds, awake_[home].leaf_bounds(leaf));
     list_others(own, bounds);
-    std::uint32_t own_count = list_leaves(kernels_, own, 0, awake_[home].view(), bounds, first);
-    std::uint32_t large_count = home == 0 ? list_leaves(kernels_, own, 1, awake_[1].view(), bounds, 0) : 0;
+    std::uint32_t own_count = list_leaves(own, 0, awake_[home].view(), bounds, first);
+    std::uint32_t large_count = home == 0 ? list_leaves(own, 1, awake_[1].view(), bounds, 0) : 0;
     if (has_kinematic_ && std::all_of(&kinematic_leaf_[home][first], &kinematic_leaf_[home][first] + (end - first),
                                       [](std::uint8_t all) { return all != 0; })) {
         own_count = drop_kinematic_leaves(own, 0, home, own_count);

@@ -12,7 +12,8 @@ bool moves_far(const NarrowInput& in, const ContactInfo& contact, const Manifold
 
 enum class Approach { passes, now, later };
 // When and where the two will touch or be nearest, as their velocities and forces say; `touch` is written if that is
-// later. `margin`: how far apart points may be at the touch to count.
+// later. `axis`: a direction from A to B with which the search begins, or 0. `margin`: how far apart points may be at
+// the touch to count.
 Approach find_touch(const NarrowInput& in, const ContactInfo& contact, math::DVec3 axis, float dt, float margin,
                     Touch& touch);
 

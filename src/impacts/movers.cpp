@@ -95,7 +95,6 @@ std::int32_t Movers::add(std::int32_t b) {
     const BodyLinks& links = s.bodies.links[b];
     Mover m;
     m.body = b;
-    m.moved = uncounted(from, to, links.radius);
     m.is_free = links.contact_count + links.joint_count == 0;
     const bool turns_over = !m.is_free && math::length(to.w) * dt_ > half_turn;
     const bool flies_anew = turns_over && links.joint_count == 0 && links.radius > links.inner_radius; // else a ball

@@ -19,7 +19,6 @@ struct Mover {
     std::int32_t body;
     bool is_free = false;       // neither contacts nor joints have moved it: it flies
     bool is_led = false;        // joints lead it about an axis, or something kinematic takes it along
-    double moved;               // any point of it, m, at most, by the solver
     bool is_fast = false;       // so far that its core may pass another
     bool turns_over = false;    // more than half a turn: its poses do not tell how
     bool is_changed = false;    // it is not where the solver has put it
