@@ -27,6 +27,14 @@ struct ContactHit {
     Position point;       ///< Meters, world space.
     Vec3 normal;          ///< Unit, from A to B.
     float approach_speed; ///< m/s, > 0.
+    /// When they met: seconds after the beginning of the last step, 0 to its length (but for rounding). Of what bounces
+    /// or passes far in a step, the moment of the impact, on a straight way through the step: with gravity at 60 Hz
+    /// that is within 0.4 mm of the true way. Of what comes to rest on something, and of bodies that touch others
+    /// already or hang on joints: when the gap would close at the approach speed with which the step (or the pass of
+    /// it, where something spins) began, without what forces and other contacts do until then; at the end of it at the
+    /// latest, as the solver may stop it a substep early, and at its beginning if they overlapped by then. Hits are not
+    /// listed in its order.
+    float time;
 };
 
 /// A shape began or ceased to overlap a trigger (ShapeDef::is_trigger). One of the two bodies is dynamic. Handles of

@@ -36,6 +36,21 @@ struct ClosestPoint {
     double distance; ///< Meters; 0 inside.
 };
 
+/// The trees of the broad phase: those of what is fixed, of what is awake, of shapes that are awake and large beside
+/// the others, and of what sleeps, with a tree for each island below that of all islands. Planes are in none.
+enum class BroadPhaseTree : std::uint8_t { fixed, awake, large, sleeping };
+
+/// A box of a tree of the broad phase. It holds the boxes below it, up to eight; those of nodes side by side may
+/// overlap.
+struct BroadPhaseNode {
+    Bounds bounds;        ///< Meters; of a shape, somewhat larger than the shape.
+    BroadPhaseTree tree;  ///< The one that it is in.
+    int depth;            ///< 0: the root of the tree.
+    int parent;           ///< Its place in the list; -1: it is a root.
+    bool is_leaf = false; ///< It is the box of one shape.
+    ShapeId shape;        ///< Of a leaf; else null.
+};
+
 /// Which shapes a query sees: those that are in any of these layers (CollisionFilter::layers). Triggers are never seen.
 inline constexpr std::uint64_t all_layers = ~std::uint64_t{};
 

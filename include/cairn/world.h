@@ -224,6 +224,10 @@ class World {
     /// Shapes whose tight bounds overlap the box, in order of slot index.
     std::vector<ShapeId> overlap_bounds(const Bounds& bounds, std::uint64_t layers = all_layers) const;
 
+    /// The boxes of the broad phase as they stand, down to that depth, for pictures and for who wants to know why a
+    /// scene is slow: those of least depth first, and no more than `max_count`. Both >= 0.
+    std::vector<BroadPhaseNode> broad_phase_nodes(int max_depth, int max_count) const;
+
     // --- bulk reads, for renderers and bindings
     /// Writes the transform of each body of `ids`; `out` must have the same size.
     void read_transforms(std::span<const BodyId> ids, std::span<Transform> out) const;

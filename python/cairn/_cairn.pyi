@@ -344,6 +344,11 @@ class World:
         """
     def overlap_bounds(self, bounds: Bounds, layers: int = ...) -> list[ShapeId]:
         """Shapes whose tight bounds overlap the box, in order of slot index. Raises: invalid_value, wrong_state."""
+    def broad_phase_nodes(self, max_depth: int, max_count: int) -> list[BroadPhaseNode]:
+        """The boxes of the broad phase as they stand, down to that depth, for pictures and for who wants to know why a
+        scene is slow: those of least depth first, and no more than `max_count`. Both >= 0. Raises: invalid_value,
+        wrong_state.
+        """
     @property
     def contact_begins(self) -> list[ContactBegin]:
         """Shapes that began to touch in the last step."""

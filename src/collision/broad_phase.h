@@ -38,6 +38,7 @@ struct PairSink {
 class BroadPhase {
   public:
     enum class Mobility : std::uint8_t { fixed, awake };
+    static constexpr std::uint32_t none = 0xffffffffu;
 
     // A fat box contains the tight bounds with this added on every side, m, swept along the expected displacement.
     static constexpr double required_margin = 0.01;
@@ -122,6 +123,15 @@ class BroadPhase {
     // The fat box of a shape, m. Not for planes.
     const DBounds& fat_bounds(std::uint32_t shape) const { return fat_[shape]; }
 
+    // A box of a tree, for who draws it.
+    struct Node {
+        DBounds bounds;
+        enum class Tree : std::uint8_t { fixed, awake, large, sleeping } tree;
+        std::uint32_t depth, parent, shape; // parent: its place in the list, or none; shape: none but of a leaf
+    };
+    // By depth, down to the given one, and no more than that many.
+    std::vector<Node> nodes(std::uint32_t max_depth, std::size_t max_count) const;
+
     struct Counts {
         std::uint32_t awake, large, fixed, sleeping, islands, planes;
         std::uint32_t pairs, sleeping_pairs; // with the filtered ones
@@ -137,7 +147,6 @@ class BroadPhase {
     template <class Archive> void serialize(Archive& archive);
 
   private:
-    static constexpr std::uint32_t none = 0xffffffffu;
     enum class State : std::uint8_t { none, fixed, plane, awake, sleeping, removed };
     struct Proxy {
         std::uint32_t place = 0; // slot in its tree; index in the list of planes

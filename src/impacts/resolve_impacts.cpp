@@ -248,7 +248,7 @@ class ImpactQueue {
         if (!is_impact && (points_.empty() || pair.rests)) return false;
         if (is_impact) {
             ++s.statistics.impacts;
-            report(pair, outcome);
+            report(pair, outcome, time);
             pairs_[k].has_begun = true;
         } else {
             outcome.normal = points_.front().normal;
@@ -289,7 +289,7 @@ class ImpactQueue {
     }
 
     // The shapes touch up to the next step, where the narrow phase says whether they still do.
-    void report(const SweptPair& pair, const ImpactOutcome& outcome) {
+    void report(const SweptPair& pair, const ImpactOutcome& outcome, double time) {
         const std::int32_t id = pair.contact;
         const bool is_first = id == none || s.contacts.info[id].shape_a == pair.shape; // A of contacts comes first
         const std::uint32_t first = is_first ? pair.shape : pair.other, second = is_first ? pair.other : pair.shape;
@@ -302,7 +302,9 @@ class ImpactQueue {
         if (begins && id == none) s.events.brief.push_back({a, b, body_a, body_b});
         if (outcome.approach < double(s.settings.hit_speed)) return;
         const DVec3 p = outcome.position;
-        s.events.hits.push_back({a, b, body_a, body_b, {p.x, p.y, p.z}, {n.x, n.y, n.z}, float(outcome.approach)});
+        const double moment = (double(step.passes.number) + time) * double(dt_);
+        s.events.hits.push_back(
+            {a, b, body_a, body_b, {p.x, p.y, p.z}, {n.x, n.y, n.z}, float(outcome.approach), float(moment)});
     }
     // The record of the contact gets the point that was struck. `normal`: from its A.
     bool begins_to_touch(std::uint32_t id, const ImpactOutcome& outcome, math::Vec3 normal) {

@@ -1,4 +1,4 @@
-// Ray casts, and shapes whose bounds overlap a box.
+// Ray casts, shapes whose bounds overlap a box, and the boxes that these are found by.
 #include "bodies/bodies.h"
 #include "state/state.h"
 #include "world/impl.h"
@@ -95,6 +95,23 @@ std::vector<ShapeId> World::overlap_bounds(const Bounds& bounds, std::uint64_t l
     });
     std::sort(found.begin(), found.end(), [](ShapeId a, ShapeId b) { return a.index() < b.index(); });
     return found;
+}
+
+std::vector<BroadPhaseNode> World::broad_phase_nodes(int max_depth, int max_count) const {
+    if (max_depth < 0) refuse("World::broad_phase_nodes max_depth", std::to_string(max_depth), "must be >= 0");
+    if (max_count < 0) refuse("World::broad_phase_nodes max_count", std::to_string(max_count), "must be >= 0");
+    const State& s = impl_->whole("World::broad_phase_nodes");
+    std::vector<BroadPhaseNode> list;
+    for (const BroadPhase::Node& node : s.broad_phase.nodes(std::uint32_t(max_depth), std::size_t(max_count))) {
+        const bool is_leaf = node.shape != BroadPhase::none;
+        list.push_back({{to_public(node.bounds.lo), to_public(node.bounds.hi)},
+                        BroadPhaseTree(node.tree),
+                        int(node.depth),
+                        node.parent == BroadPhase::none ? -1 : int(node.parent),
+                        is_leaf,
+                        is_leaf ? s.shapes.slots.id(node.shape) : ShapeId()});
+    }
+    return list;
 }
 
 void World::read_transforms(std::span<const BodyId> ids, std::span<Transform> out) const {

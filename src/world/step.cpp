@@ -106,7 +106,7 @@ void World::Impl::make_step(float dt) {
         wake_around_moving_planes(state.bodies, state.shapes, state.islands, state.broad_phase, state.events);
         state.statistics.max_penetration =
             report_contacts(state.bodies, state.shapes, state.contacts, state.islands, state.events, state.settings,
-                            step.solver, step.narrow, *step.thread_pool, pass_dt);
+                            step.solver, step.narrow, *step.thread_pool, {float(pass) * pass_dt, pass_dt});
         break_joints();
         update_sleep(state.bodies, state.contacts, state.islands, state.joints, state.settings, state.events,
                      step.solved, step.solver);

@@ -209,6 +209,13 @@ int main(void) {
     MEMBER(cairn_closest_point, body);
     MEMBER(cairn_closest_point, point);
     MEMBER(cairn_closest_point, distance);
+    SIZE(cairn_broad_phase_node);
+    MEMBER(cairn_broad_phase_node, bounds);
+    MEMBER(cairn_broad_phase_node, tree);
+    MEMBER(cairn_broad_phase_node, depth);
+    MEMBER(cairn_broad_phase_node, parent);
+    MEMBER(cairn_broad_phase_node, is_leaf);
+    MEMBER(cairn_broad_phase_node, shape);
     SIZE(cairn_contact_begin);
     MEMBER(cairn_contact_begin, shape_a);
     MEMBER(cairn_contact_begin, shape_b);
@@ -227,6 +234,7 @@ int main(void) {
     MEMBER(cairn_contact_hit, point);
     MEMBER(cairn_contact_hit, normal);
     MEMBER(cairn_contact_hit, approach_speed);
+    MEMBER(cairn_contact_hit, time);
     SIZE(cairn_trigger_event);
     MEMBER(cairn_trigger_event, trigger);
     MEMBER(cairn_trigger_event, other);

@@ -1251,6 +1251,21 @@ static cairn_result world_overlap_bounds(const struct wrong_context* c, int wron
     return cairn_world_overlap_bounds(world, bounds, layers, result, capacity, count);
 }
 
+static cairn_result world_broad_phase_nodes(const struct wrong_context* c, int wrong) {
+    cairn_world* world = c->world;
+    if (wrong == 0) { world = NULL; }
+    int max_depth = 2;
+    int max_count = 2;
+    cairn_broad_phase_node result_room[4];
+    cairn_broad_phase_node* result = result_room;
+    if (wrong == 1) { result = NULL; }
+    size_t capacity = 4;
+    size_t count_room[4];
+    size_t* count = count_room;
+    if (wrong == 2) { count = NULL; }
+    return cairn_world_broad_phase_nodes(world, max_depth, max_count, result, capacity, count);
+}
+
 static cairn_result world_get_contact_begins(const struct wrong_context* c, int wrong) {
     cairn_world* world = c->world;
     if (wrong == 0) { world = NULL; }
@@ -2174,6 +2189,9 @@ const struct wrong_call wrong_calls[] = {
     {"world_overlap_bounds", "bounds.max.z is NaN", world_overlap_bounds, 2, CAIRN_ERROR_INVALID_VALUE},
     {"world_overlap_bounds", "result is null", world_overlap_bounds, 3, CAIRN_ERROR_INVALID_VALUE},
     {"world_overlap_bounds", "count is null", world_overlap_bounds, 4, CAIRN_ERROR_INVALID_VALUE},
+    {"world_broad_phase_nodes", "world is null", world_broad_phase_nodes, 0, CAIRN_ERROR_INVALID_HANDLE},
+    {"world_broad_phase_nodes", "result is null", world_broad_phase_nodes, 1, CAIRN_ERROR_INVALID_VALUE},
+    {"world_broad_phase_nodes", "count is null", world_broad_phase_nodes, 2, CAIRN_ERROR_INVALID_VALUE},
     {"world_get_contact_begins", "world is null", world_get_contact_begins, 0, CAIRN_ERROR_INVALID_HANDLE},
     {"world_get_contact_begins", "contact_begins is null", world_get_contact_begins, 1, CAIRN_ERROR_INVALID_VALUE},
     {"world_get_contact_begins", "count is null", world_get_contact_begins, 2, CAIRN_ERROR_INVALID_VALUE},

@@ -12,6 +12,15 @@
 extern "C" {
 #endif
 
+/// The trees of the broad phase. Planes are in none.
+typedef int32_t cairn_broad_phase_tree;
+enum {
+    CAIRN_BROAD_PHASE_TREE_FIXED = 0, ///< Of what is fixed.
+    CAIRN_BROAD_PHASE_TREE_AWAKE = 1, ///< Of what is awake.
+    CAIRN_BROAD_PHASE_TREE_LARGE = 2, ///< Of what is awake and large beside the others.
+    CAIRN_BROAD_PHASE_TREE_SLEEPING = 3 ///< Of what sleeps, with a tree for each island below that of all islands.
+};
+
 /// The nearest thing that a ray met.
 typedef struct cairn_ray_hit {
     cairn_shape_id shape;
@@ -37,6 +46,17 @@ typedef struct cairn_closest_point {
     cairn_position point; ///< On the surface, meters; the given point itself if that lies inside.
     double distance; ///< Meters; 0 inside.
 } cairn_closest_point;
+
+/// A box of a tree of the broad phase. It holds the boxes below it, up to eight; those of nodes side by side may
+/// overlap.
+typedef struct cairn_broad_phase_node {
+    cairn_bounds bounds; ///< Meters; of a shape, somewhat larger than the shape.
+    cairn_broad_phase_tree tree; ///< The one that it is in.
+    int depth; ///< 0: the root of the tree.
+    int parent; ///< Its place in the list; -1: it is a root.
+    bool is_leaf; ///< It is the box of one shape.
+    cairn_shape_id shape; ///< Of a leaf; else null.
+} cairn_broad_phase_node;
 
 /// The nearest shape that the ray meets within `max_distance`. `direction` need not be unit length. A ray that starts
 /// inside a shape does not meet that shape's surface from within, except planes' solid side. `found` gets whether there
@@ -75,6 +95,12 @@ CAIRN_C_API cairn_result cairn_world_overlap(const cairn_world* world, const cai
 /// invalid_value, wrong_state.
 CAIRN_C_API cairn_result cairn_world_overlap_bounds(const cairn_world* world, cairn_bounds bounds, uint64_t layers,
                                                     cairn_shape_id* result, size_t capacity, size_t* count);
+
+/// The boxes of the broad phase as they stand, down to that depth, for pictures and for who wants to know why a scene
+/// is slow: those of least depth first, and no more than `max_count`. Both >= 0. `count` gets how many there are; the
+/// first `capacity` of them are written. Errors: invalid_value, wrong_state.
+CAIRN_C_API cairn_result cairn_world_broad_phase_nodes(const cairn_world* world, int max_depth, int max_count,
+                                                       cairn_broad_phase_node* result, size_t capacity, size_t* count);
 
 #ifdef __cplusplus
 }

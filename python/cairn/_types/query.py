@@ -2,11 +2,26 @@
 """Structs and enums of the API: those of include/cairn/query.h."""
 from __future__ import annotations
 
-from dataclasses import dataclass
+import enum
+from dataclasses import dataclass, field
 
 from .._cairn import BodyId, ShapeId
+from .math import Bounds
 from ._members import lists_members
 from ._vector import Vector
+
+
+class BroadPhaseTree(enum.Enum):
+    """The trees of the broad phase. Planes are in none."""
+
+    fixed = 0
+    """Of what is fixed."""
+    awake = 1
+    """Of what is awake."""
+    large = 2
+    """Of what is awake and large beside the others."""
+    sleeping = 3
+    """Of what sleeps, with a tree for each island below that of all islands."""
 
 
 @lists_members
@@ -50,3 +65,24 @@ class ClosestPoint:
     """On the surface, meters; the given point itself if that lies inside."""
     distance: float = 0.0
     """Meters; 0 inside."""
+
+
+@lists_members
+@dataclass(slots=True, eq=False)
+class BroadPhaseNode:
+    """A box of a tree of the broad phase. It holds the boxes below it, up to eight; those of nodes side by side may
+    overlap.
+    """
+
+    bounds: Bounds = field(default_factory=Bounds)
+    """Meters; of a shape, somewhat larger than the shape."""
+    tree: BroadPhaseTree | str = BroadPhaseTree.fixed
+    """The one that it is in."""
+    depth: int = 0
+    """0: the root of the tree."""
+    parent: int = 0
+    """Its place in the list; -1: it is a root."""
+    is_leaf: bool = False
+    """It is the box of one shape."""
+    shape: ShapeId = ShapeId()
+    """Of a leaf; else null."""

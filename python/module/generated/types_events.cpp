@@ -14,7 +14,7 @@ py::object write(const ContactEnd& x) {
 
 py::object write(const ContactHit& x) {
     return make("ContactHit", py::make_tuple(write(x.shape_a), write(x.shape_b), write(x.body_a), write(x.body_b),
-        write(x.point), write(x.normal), write(x.approach_speed)));
+        write(x.point), write(x.normal), write(x.approach_speed), write(x.time)));
 }
 
 py::object write(const TriggerEvent& x) {

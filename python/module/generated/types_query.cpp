@@ -4,6 +4,11 @@
 
 namespace cairn::python {
 
+void read(py::handle o, BroadPhaseTree& x, const Where& where) {
+    x = BroadPhaseTree(read_enum(o, "BroadPhaseTree", where));
+}
+py::object write(BroadPhaseTree x) { return write_enum("BroadPhaseTree", int(x)); }
+
 py::object write(const RayHit& x) {
     return make("RayHit", py::make_tuple(write(x.shape), write(x.body), write(x.point), write(x.normal),
         write(x.distance)));
@@ -16,6 +21,11 @@ py::object write(const ShapeCastHit& x) {
 
 py::object write(const ClosestPoint& x) {
     return make("ClosestPoint", py::make_tuple(write(x.shape), write(x.body), write(x.point), write(x.distance)));
+}
+
+py::object write(const BroadPhaseNode& x) {
+    return make("BroadPhaseNode", py::make_tuple(write(x.bounds), write(x.tree), write(x.depth), write(x.parent),
+        write(x.is_leaf), write(x.shape)));
 }
 
 } // namespace cairn::python

@@ -205,6 +205,15 @@ void add_world_calls(py::class_<PyWorld, std::shared_ptr<PyWorld>>& c) {
         return write(answer);
     }, py::arg("bounds"), py::arg("layers") = all_layers, "overlap_bounds(bounds: Bounds, layers: int = ...) -> "
         "list[ShapeId]\n\nShapes whose tight bounds overlap the box, in order of slot index.");
+    c.def("broad_phase_nodes", [](PyWorld& w, py::object o_max_depth, py::object o_max_count) {
+        const auto max_depth = take<int>(o_max_depth, "max_depth");
+        const auto max_count = take<int>(o_max_count, "max_count");
+        const auto answer = w.use("World.broad_phase_nodes").broad_phase_nodes(max_depth, max_count);
+        return write(answer);
+    }, py::arg("max_depth"), py::arg("max_count"), "broad_phase_nodes(max_depth: int, max_count: int) -> "
+        "list[BroadPhaseNode]\n\nThe boxes of the broad phase as they stand, down to that depth, for pictures and for "
+            "who wants to know why a scene is slow: those of least depth first, and no more than `max_count`. Both >= "
+                "0.");
     c.def_property_readonly("contact_begins", [](PyWorld& w) {
         const auto answer = w.use("World.contact_begins").contact_begins();
         return write(answer);

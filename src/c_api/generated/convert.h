@@ -10,6 +10,7 @@ CombineRule to_combine_rule(cairn_combine_rule value, const char* field);
 BodyType to_body_type(cairn_body_type value, const char* field);
 JointAxis to_joint_axis(cairn_joint_axis value, const char* field);
 JointSolver to_joint_solver(cairn_joint_solver value, const char* field);
+BroadPhaseTree to_broad_phase_tree(cairn_broad_phase_tree value, const char* field);
 Integrator to_integrator(cairn_integrator value, const char* field);
 ForceField::Kind to_force_field_kind(cairn_force_field_kind value, const char* field);
 
@@ -81,6 +82,7 @@ cairn_joint_state to_c(const JointState& x);
 cairn_ray_hit to_c(const RayHit& x);
 cairn_shape_cast_hit to_c(const ShapeCastHit& x);
 cairn_closest_point to_c(const ClosestPoint& x);
+cairn_broad_phase_node to_c(const BroadPhaseNode& x);
 cairn_contact_begin to_c(const ContactBegin& x);
 cairn_contact_end to_c(const ContactEnd& x);
 cairn_contact_hit to_c(const ContactHit& x);

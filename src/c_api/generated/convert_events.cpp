@@ -33,6 +33,7 @@ cairn_contact_hit to_c(const ContactHit& x) {
     c.point = to_c(x.point);
     c.normal = to_c(x.normal);
     c.approach_speed = x.approach_speed;
+    c.time = x.time;
     return c;
 }
 

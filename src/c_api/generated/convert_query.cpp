@@ -6,6 +6,13 @@
 
 namespace cairn::c_api {
 
+BroadPhaseTree to_broad_phase_tree(cairn_broad_phase_tree value, const char* field) {
+    if (value < 0 || value > 3)
+        throw Error(ErrorCode::invalid_value, field, std::to_string(value),
+            "must be 0 to 3 (fixed, awake, large, sleeping)");
+    return BroadPhaseTree(value);
+}
+
 cairn_ray_hit to_c(const RayHit& x) {
     cairn_ray_hit c{};
     c.shape = to_c(x.shape);
@@ -32,6 +39,17 @@ cairn_closest_point to_c(const ClosestPoint& x) {
     c.body = to_c(x.body);
     c.point = to_c(x.point);
     c.distance = x.distance;
+    return c;
+}
+
+cairn_broad_phase_node to_c(const BroadPhaseNode& x) {
+    cairn_broad_phase_node c{};
+    c.bounds = to_c(x.bounds);
+    c.tree = cairn_broad_phase_tree(x.tree);
+    c.depth = x.depth;
+    c.parent = x.parent;
+    c.is_leaf = x.is_leaf;
+    c.shape = to_c(x.shape);
     return c;
 }
 

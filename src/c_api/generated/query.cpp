@@ -70,3 +70,12 @@ cairn_result cairn_world_overlap_bounds(const cairn_world* world, cairn_bounds b
             [](const auto& x) { return to_c(x); });
     });
 }
+
+cairn_result cairn_world_broad_phase_nodes(const cairn_world* world, int max_depth, int max_count,
+                                           cairn_broad_phase_node* result, size_t capacity, size_t* count) {
+    return guarded([&] {
+        require_room(result, capacity, count, "result");
+        write_list(world_of(world).broad_phase_nodes(max_depth, max_count), result, capacity, count,
+            [](const auto& x) { return to_c(x); });
+    });
+}

@@ -1,5 +1,5 @@
 // Made by tools/api.py from api/: change those, and run it.
-export const ENUMS = ['BodyType', 'CombineRule', 'ForceFieldKind', 'Integrator', 'JointAxis', 'JointSolver'];
+export const ENUMS = ['BodyType', 'BroadPhaseTree', 'CombineRule', 'ForceFieldKind', 'Integrator', 'JointAxis', 'JointSolver'];
 export const CALLS = [
     { owner: 'World', name: 'addShape', isSetter: false, types: ['BodyId', 'Shape', 'ShapeDef'] },
     { owner: 'World', name: 'removeShape', isSetter: false, types: ['ShapeId'] },
@@ -24,6 +24,7 @@ export const CALLS = [
     { owner: 'World', name: 'closestPoint', isSetter: false, types: ['Position', 'double', 'u64'] },
     { owner: 'World', name: 'overlap', isSetter: false, types: ['Shape', 'Transform', 'u64'] },
     { owner: 'World', name: 'overlapBounds', isSetter: false, types: ['Bounds', 'u64'] },
+    { owner: 'World', name: 'broadPhaseNodes', isSetter: false, types: ['int', 'int'] },
     { owner: 'World', name: 'settings', isSetter: true, types: ['WorldDef'] },
     { owner: 'World', name: 'threads', isSetter: true, types: ['int'] },
     { owner: 'World', name: 'addForceField', isSetter: false, types: ['ForceField'] },

@@ -22,6 +22,10 @@ inline std::string js(JointSolver x) {
     constexpr const char* names[] = {"'automatic'", "'iterative'", "'direct'"};
     return names[std::size_t(x)];
 }
+inline std::string js(BroadPhaseTree x) {
+    constexpr const char* names[] = {"'fixed'", "'awake'", "'large'", "'sleeping'"};
+    return names[std::size_t(x)];
+}
 inline std::string js(Integrator x) {
     constexpr const char* names[] = {"'semiImplicitEuler'", "'explicitEuler'", "'rk4'"};
     return names[std::size_t(x)];
@@ -181,6 +185,7 @@ class RecordedWorld : public Recording {
     auto closest_point(const Position& point, double max_distance, std::uint64_t layers = all_layers) const { return world_.closest_point(point, max_distance, layers); }
     auto overlap(const Shape& shape, const Transform& pose, std::uint64_t layers = all_layers) const { return world_.overlap(shape, pose, layers); }
     auto overlap_bounds(const Bounds& bounds, std::uint64_t layers = all_layers) const { return world_.overlap_bounds(bounds, layers); }
+    auto broad_phase_nodes(int max_depth, int max_count) const { return world_.broad_phase_nodes(max_depth, max_count); }
     auto contact_begins() const { return world_.contact_begins(); }
     auto contact_ends() const { return world_.contact_ends(); }
     auto contact_hits() const { return world_.contact_hits(); }

@@ -328,6 +328,17 @@ export class WorldCalls {
         }
     }
 
+    broadPhaseNodes(maxDepth, maxCount) {
+        const mark = enter();
+        try {
+            const $maxDepth = wholeOf(maxDepth, 'maxDepth');
+            const $maxCount = wholeOf(maxCount, 'maxCount');
+            return listOf(72, (list, capacity, count) => M._cairn_world_broad_phase_nodes(use(this), $maxDepth, $maxCount, list, capacity, count), (at) => values.getBroadPhaseNode(at));
+        } finally {
+            leave(mark);
+        }
+    }
+
     get contactBegins() {
         const mark = enter();
         try {
@@ -349,7 +360,7 @@ export class WorldCalls {
     get contactHits() {
         const mark = enter();
         try {
-            return listOf(72, (list, capacity, count) => M._cairn_world_get_contact_hits(use(this), list, capacity, count), (at) => values.getContactHit(at));
+            return listOf(80, (list, capacity, count) => M._cairn_world_get_contact_hits(use(this), list, capacity, count), (at) => values.getContactHit(at));
         } finally {
             leave(mark);
         }

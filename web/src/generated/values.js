@@ -47,6 +47,8 @@ export const JOINT_AXIS = ['linear', 'angular'];
 
 export const JOINT_SOLVER = ['automatic', 'iterative', 'direct'];
 
+export const BROAD_PHASE_TREE = ['fixed', 'awake', 'large', 'sleeping'];
+
 export const INTEGRATOR = ['semiImplicitEuler', 'explicitEuler', 'rk4'];
 
 export const FORCE_FIELD_KIND = ['uniform', 'radial'];
@@ -857,6 +859,17 @@ export function getClosestPoint(p) {
     };
 }
 
+export function getBroadPhaseNode(p) {
+    return {
+        bounds: getBounds(p),
+        tree: BROAD_PHASE_TREE[getInt(p + 48)],
+        depth: getInt(p + 52),
+        parent: getInt(p + 56),
+        isLeaf: getBool(p + 60),
+        shape: getU64(p + 64),
+    };
+}
+
 export function getContactBegin(p) {
     return {
         shapeA: getU64(p),
@@ -884,6 +897,7 @@ export function getContactHit(p) {
         point: getPosition(p + 32),
         normal: getVec3(p + 56),
         approachSpeed: getFloat(p + 68),
+        time: getFloat(p + 72),
     };
 }
 
