@@ -54,6 +54,7 @@ Impact explain_impact(World& world, const KnownHit& known, float step_length) {
     const ContactHit& hit = known.hit;
     Impact impact;
     impact.step = known.step;
+    impact.time = double(hit.time);
     impact.point = hit.point;
     impact.normal = hit.normal; // from A to B: the first body is B
     impact.first.body = hit.body_b;

@@ -32,7 +32,8 @@ struct ImpactSide {
 };
 
 struct Impact {
-    std::uint64_t step = 0;        ///< Steps made then.
+    std::uint64_t step = 0;        ///< Steps made when its step was over.
+    double time = 0.0;             ///< s, from the beginning of that step.
     Position point{0.0, 0.0, 0.0}; ///< m
     Vec3 normal{0.0f, 1.0f, 0.0f}; ///< sN: unit, from the second body to the first.
     double restitution = 0.0;      ///< e

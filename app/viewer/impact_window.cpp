@@ -138,11 +138,14 @@ void ImpactWindow::draw(const StageState& state, Controller& controller, float s
         }
         if (state.impact) {
             const Impact& impact = *state.impact;
-            const double ago = (double(state.timeline.now) - double(impact.step)) * state.time_step;
+            const double ago = (double(state.timeline.now) - double(impact.step) + 1.0) * state.time_step - impact.time;
             if (ImGui::Button("See it in slow motion")) controller.post(command::WatchImpact{});
             note_place(controller, "impact.watch");
             ImGui::SameLine();
-            ago >= 0.0 ? ImGui::Text("%.2f s ago", ago) : ImGui::Text("in %.2f s", -ago);
+            ago >= 0.0 ? ImGui::Text("%.3f s ago", ago) : ImGui::Text("in %.3f s", -ago);
+            ImGui::SameLine();
+            ImGui::TextDisabled("%.2f ms after its step began, which was %.2f ms long", 1e3 * impact.time,
+                                1e3 * state.time_step);
             draw_formula(impact);
             draw_sides(impact);
             explain("The formula is that of the report from which this program grew: two rigid bodies, one point, no "

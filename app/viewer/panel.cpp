@@ -245,6 +245,30 @@ void Panel::draw_settings(Controller& controller) {
     if (changed) controller.post(command::SetSettings{settings_});
 }
 
+// How deep, and what the colors of the boxes are.
+void Panel::draw_tree_choice(const StageState& state, Controller& controller, SolverShown& shown) {
+    ImGui::SliderInt("depth", &shown.tree_depth, 0, greatest_tree_depth, "%d", ImGuiSliderFlags_AlwaysClamp);
+    note_place(controller, "solver.depth");
+    if (!state.current->solver) return;
+    const std::vector<BroadPhaseNode>& nodes = state.current->solver->nodes;
+    std::array<int, greatest_tree_depth + 1> count{};
+    int shapes = 0;
+    for (const BroadPhaseNode& node : nodes) ++count[std::size_t(node.depth)], shapes += node.is_leaf;
+    for (int depth = 0; depth <= greatest_tree_depth; ++depth) {
+        if (count[std::size_t(depth)] == 0) continue;
+        char text[64];
+        std::snprintf(text, sizeof text, "%d%s: %d %s", depth, depth == 0 ? ", the roots" : "",
+                      count[std::size_t(depth)], count[std::size_t(depth)] == 1 ? "box" : "boxes");
+        draw_swatch(tree_color(depth), text);
+    }
+    if (nodes.empty())
+        ImGui::TextUnformatted("There is none: planes are in no tree.");
+    else
+        ImGui::Text(nodes.size() < std::size_t(most_tree_boxes) ? "%d of single shapes"
+                                                                : "%d of single shapes; more are not drawn",
+                    shapes);
+}
+
 void Panel::draw_solver_parts(const StageState& state, Controller& controller) {
     const bool is_open = ImGui::CollapsingHeader("What the solver sees");
     note_place(controller, "panel.solver");
@@ -254,6 +278,7 @@ void Panel::draw_solver_parts(const StageState& state, Controller& controller) {
         ImGui::Checkbox(part.name, &(shown.*part.shown));
         note_place(controller, (std::string("solver.") + part.name).c_str());
         if (shown.*part.shown) explain(part.meaning);
+        if (part.shown == &SolverShown::tree && shown.tree) draw_tree_choice(state, controller, shown);
     }
     if (shown.difference && state.current->solver && state.current->solver->difference) {
         const GjkResult& gjk = state.current->solver->difference->gjk;

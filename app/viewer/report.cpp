@@ -180,6 +180,8 @@ std::string report_json(const StageState& state, const Controller& controller, c
     if (state.current->solver && state.current->solver->difference)
         json["difference"] = {{"other", state.current->solver->difference->other.index()},
                               {"distance", state.current->solver->difference->gjk.distance}};
+    if (state.current->solver && controller.solver.tree)
+        json["tree"] = {{"depth", controller.solver.tree_depth}, {"boxes", state.current->solver->nodes.size()}};
     if (state.inspected) json["inspected"] = inspected_json(*state.inspected);
     json["integrators"] = controller.integrators;
     if (state.impact)

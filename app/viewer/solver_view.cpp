@@ -1,11 +1,16 @@
 #include "viewer/solver_view.h"
 
+#include "viewer/palette.h"
+
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace cairn::viewer {
 
@@ -32,6 +37,11 @@ constexpr SolverPart parts[] = {
      "Green: where the center of mass gets in a quarter of a second. Purple: the axis of turning, by the right hand."},
     {"bounding boxes", &SolverShown::bounds,
      "The broad phase looks at pairs of shapes whose boxes overlap, and at no others."},
+    {"tree of the broad phase", &SolverShown::tree,
+     "The broad phase finds these pairs by trees: a box holds up to eight smaller ones, down to those of single "
+     "shapes. "
+     "What is fixed, awake, large or asleep has trees of its own. With a body selected: only the boxes on the way down "
+     "to it."},
     {"axes of inertia", &SolverShown::axes,
      "Half axes of the ellipsoid with the same mass and inertia. About the longest one turning is easiest; about the "
      "middle one it is unstable."},
@@ -114,6 +124,32 @@ void read_links(SolverView& view, const World& world) {
     for (const JointId joint : world.joints()) link(world.joint_def(joint).body_a, world.joint_def(joint).body_b, true);
 }
 
+// Bodies that have no end would make boxes that no picture holds.
+bool has_end(const Bounds& bounds) {
+    constexpr double far = 1e6; // m
+    for (int i = 0; i < 3; ++i)
+        if (!(bounds.min[i] > -far && bounds.max[i] < far)) return false;
+    return true;
+}
+
+void read_tree(SolverView& view, const World& world, int depth, BodyId selected) {
+    constexpr int every = std::numeric_limits<int>::max();
+    const bool is_of_one = selected && world.is_valid(selected);
+    std::vector<BroadPhaseNode> nodes =
+        is_of_one ? world.broad_phase_nodes(every, every) : world.broad_phase_nodes(depth, most_tree_boxes);
+    if (is_of_one) {
+        std::vector<char> is_above(nodes.size());
+        for (std::size_t i = nodes.size(); i-- > 0;) { // what is below comes later
+            is_above[i] |= char(nodes[i].is_leaf && world.body_of(nodes[i].shape) == selected);
+            if (is_above[i] && nodes[i].parent >= 0) is_above[std::size_t(nodes[i].parent)] = 1;
+        }
+        std::size_t at = 0;
+        std::erase_if(nodes, [&](const BroadPhaseNode& node) { return !is_above[at++] || node.depth > depth; });
+    }
+    std::erase_if(nodes, [](const BroadPhaseNode& node) { return !has_end(node.bounds); });
+    view.nodes = std::move(nodes);
+}
+
 // Draws arrows and the like, measured from the frame's origin.
 class Pen {
   public:
@@ -181,14 +217,14 @@ void draw_points(Pen& pen, const SolverView& view) {
     }
 }
 
-void draw_box(Pen& pen, const Bounds& bounds) {
+void draw_box(Pen& pen, const Bounds& bounds, const Vec3& color, float width) {
     const auto corner = [&](int i) {
         return pen.at({i & 1 ? bounds.max.x : bounds.min.x, i & 2 ? bounds.max.y : bounds.min.y,
                        i & 4 ? bounds.max.z : bounds.min.z});
     };
     for (int i = 0; i < 8; ++i)
         for (const int axis : {1, 2, 4})
-            if (!(i & axis)) pen.line(corner(i), corner(i | axis), bound_color, 1.0f);
+            if (!(i & axis)) pen.line(corner(i), corner(i | axis), color, width);
 }
 
 void draw_difference(RenderFrame& frame, Pen& pen, const PairDifference& difference) {
@@ -213,6 +249,13 @@ void draw_difference(RenderFrame& frame, Pen& pen, const PairDifference& differe
 
 std::span<const SolverPart> solver_parts() { return parts; }
 
+// Neighbors differ in hue and in lightness.
+Vec3 tree_color(int depth) {
+    static const Vec3 colors[] = {linear_color(0xf0f0f0), linear_color(0xe6a01e), linear_color(0x3f8fd8),
+                                  linear_color(0xf2e25a), linear_color(0xc0507a), linear_color(0x6fd8c8)};
+    return colors[std::size_t(depth) % std::size(colors)];
+}
+
 std::shared_ptr<const SolverView> read_solver(const World& world, const SolverShown& shown, double step_length,
                                               BodyId selected) {
     if (!shown.any()) return nullptr;
@@ -229,6 +272,7 @@ std::shared_ptr<const SolverView> read_solver(const World& world, const SolverSh
                     std::isfinite(bounds.max.y))
                     view->bounds.push_back(bounds);
             }
+    if (shown.tree) read_tree(*view, world, shown.tree_depth, selected);
     if (shown.difference) view->difference = nearest_difference(world, selected);
     return view;
 }
@@ -253,7 +297,9 @@ void draw_solver(RenderFrame& frame, const SolverView& view) {
             pen.line(at - half, at + half, colors[i], 3.0f);
         }
     }
-    for (const Bounds& bounds : view.bounds) draw_box(pen, bounds);
+    for (const Bounds& bounds : view.bounds) draw_box(pen, bounds, bound_color, 1.0f);
+    for (const BroadPhaseNode& node : view.nodes)
+        draw_box(pen, node.bounds, tree_color(node.depth), node.depth == view.shown.tree_depth ? 2.2f : 1.2f);
     if (view.difference) draw_difference(frame, pen, *view.difference);
 }
 

@@ -15,11 +15,15 @@
 
 namespace cairn::viewer {
 
+inline constexpr int greatest_tree_depth = 8; ///< Eight to the power of that many bodies have no deeper trees.
+inline constexpr int most_tree_boxes = 3000;
+
 /// What of it is shown.
 struct SolverShown {
     bool contacts = false, cones = false, velocities = false, bounds = false, axes = false, islands = false;
-    bool difference = false;
-    bool any() const { return contacts || cones || velocities || bounds || axes || islands || difference; }
+    bool difference = false, tree = false;
+    int tree_depth = 2; ///< Down to which boxes of the tree are shown, 0 to `greatest_tree_depth`.
+    bool any() const { return contacts || cones || velocities || bounds || axes || islands || difference || tree; }
     friend bool operator==(const SolverShown&, const SolverShown&) = default;
 };
 
@@ -55,8 +59,12 @@ struct SolverView {
     std::vector<Mover> movers; ///< Dynamic bodies.
     std::vector<Bounds> bounds;
     std::vector<Link> links;
+    std::vector<BroadPhaseNode> nodes; ///< Of the broad phase's trees; with a body selected, those on the way to it.
     std::optional<PairDifference> difference; ///< Of the selected body.
 };
+
+/// Of boxes of the broad phase at that depth.
+Vec3 tree_color(int depth);
 
 /// Null where nothing is to be shown. Contacts are those of the `selected` body alone, if there is one.
 std::shared_ptr<const SolverView> read_solver(const World& world, const SolverShown& shown, double step_length,

@@ -307,10 +307,13 @@ void Timeline::watch(const World& world) {
     if (step <= watched_until_) return; // done again: it is known
     watched_until_ = step;
     float fastest = 0.0f;
+    const auto before = std::ptrdiff_t(hits_.size());
     for (const ContactHit& hit : world.contact_hits()) {
         fastest = std::max(fastest, hit.approach_speed);
         hits_.push_back({step, hit});
     }
+    std::stable_sort(hits_.begin() + before, hits_.end(),
+                     [](const KnownHit& a, const KnownHit& b) { return a.hit.time < b.hit.time; });
     while (hits_.size() > most_hits) hits_.pop_front();
     if (fastest > 0.0f) note({Mark::Kind::impact, step, fastest, {}});
     for (const JointEvent& event : world.joint_events())

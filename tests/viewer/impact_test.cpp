@@ -74,6 +74,8 @@ TEST(Impact, OfTwoBallsIsSharedByTheirMasses) {
     EXPECT_NEAR(impact.relative_speed, -4.0, 1e-3);
     EXPECT_NEAR(impact.impulse, 1.5 * 4.0 * 0.75, 1e-2); // (1 + e) vr times the reduced mass
     EXPECT_NEAR(impact.given, impact.impulse, 0.05);
+    // Surfaces 1.5 m apart, at 4 m/s.
+    EXPECT_NEAR(double(impact.step - 1) / 60.0 + impact.time, 1.5 / 4.0, 1e-5);
     for (const ImpactSide* side : {&impact.first, &impact.second})
         EXPECT_NEAR(side->velocity_then.x, side->velocity_after.x, 0.05);
 }

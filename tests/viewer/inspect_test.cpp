@@ -199,6 +199,36 @@ TEST(SolverView, IslandsAreLinkedAndPlanesHaveNoBox) {
     EXPECT_EQ(view->bounds.size(), 3u);
 }
 
+TEST(SolverView, TheTreeIsDrawnDownToADepthAndOfOneBodyTheWayToIt) {
+    LoadedScene scene = test::boxes_on_plane(0);
+    for (int i = 0; i < 100; ++i)
+        scene.world.add_shape(scene.world.create_body(test::body_at({3.0 * (i % 10), 5.0, 3.0 * (i / 10)})), Box{});
+    scene.world.step(1.0f / 60.0f);
+    SolverShown shown;
+    shown.tree = true;
+    const auto depths = [&](BodyId selected) {
+        std::vector<int> count(greatest_tree_depth + 1);
+        const auto view = read_solver(scene.world, shown, 1.0 / 60.0, selected);
+        for (const BroadPhaseNode& node : view->nodes) ++count[std::size_t(node.depth)];
+        count.resize(4);
+        return count;
+    };
+    shown.tree_depth = 1;
+    EXPECT_EQ(depths({}), (std::vector{1, 2, 0, 0})) << "two nodes hold 64 and 36 boxes";
+    shown.tree_depth = greatest_tree_depth;
+    EXPECT_EQ(depths({}), (std::vector{1, 2, 13, 100}));
+    const BodyId body = scene.world.bodies()[57];
+    EXPECT_EQ(depths(body), (std::vector{1, 1, 1, 1}));
+    const auto view = read_solver(scene.world, shown, 1.0 / 60.0, body);
+    EXPECT_EQ(scene.world.body_of(view->nodes.back().shape), body);
+    RenderFrame frame;
+    frame.camera = scene.camera;
+    draw_solver(frame, *view);
+    EXPECT_EQ(frame.strokes.size(), 4u * 12u);
+    EXPECT_EQ(frame.strokes.front().color, tree_color(0));
+    EXPECT_EQ(frame.strokes.back().color, tree_color(3));
+}
+
 TEST(SolverView, TheStageShowsIt) {
     Stage stage(test::load_boxes, "1");
     SolverShown shown;
