@@ -10,13 +10,18 @@ namespace cairn::viewer {
 
 namespace {
 
+constexpr float pi = 3.1415927f;
 constexpr float max_pitch = 1.55f;       // radians, just short of the pole
 constexpr float min_distance = 0.05f;    // meters
-constexpr float max_distance = 20000.0f; // meters, with a usual lens
+constexpr float max_distance = 20000.0f; // meters
 constexpr float zoom_per_notch = 0.9f;
 constexpr double origin_lattice = 100.0; // meters; a multiple of the ground grid's 10 m lines
 constexpr float near_per_distance = 0.02f;
-constexpr float parallel_fov = 0.01f;           // radians
+constexpr float least_fov = 0.01f; // radians
+// With parallel rays, how far before and behind the target things are seen: meters, and in distances of the camera. The
+// steps of the depth buffer are a ten thousandth of a distance, a tenth of a pixel.
+constexpr float least_reach = 200.0f, reach_per_distance = 500.0f;
+constexpr float least_scale = 0.01f;            // meters
 constexpr double clearance_per_distance = 0.03; // of the eye above a ground, with a usual lens
 constexpr double min_clearance = 0.01;          // meters
 constexpr double rounding = 0.1;                // of the clearance: so little is no reason to lift the target
@@ -34,19 +39,16 @@ void OrbitCamera::set_pose(const CameraPose& pose) {
     const glm::dvec3 offset = pose.position - pose.target;
     const double length = glm::length(offset);
     target_ = pose.target;
-    distance_ = std::clamp(float(length), min_distance, 100.0f * max_distance);
+    distance_ = std::clamp(float(length), min_distance, 100.0f * max_distance); // through a long lens
     if (length > 0.0) {
         yaw_ = float(std::atan2(offset.x, offset.z));
         pitch_ = std::clamp(float(std::asin(offset.y / length)), -max_pitch, max_pitch);
     }
-    vertical_fov_ = std::clamp(pose.vertical_fov, parallel_fov, 2.8f);
-    if (wide_fov_) {
-        wide_fov_.reset();
-        set_parallel(true);
-    }
+    vertical_fov_ = std::clamp(pose.vertical_fov, least_fov, 2.8f);
+    is_parallel_ = pose.is_parallel;
 }
 
-CameraPose OrbitCamera::pose() const { return {position(), target_, vertical_fov_}; }
+CameraPose OrbitCamera::pose() const { return {position(), target_, vertical_fov_, is_parallel_}; }
 
 void OrbitCamera::orbit(float yaw, float pitch) {
     yaw_ = std::remainder(yaw_ + yaw, 6.2831853f);
@@ -55,8 +57,7 @@ void OrbitCamera::orbit(float yaw, float pitch) {
 }
 
 void OrbitCamera::zoom(float notches) {
-    const float longest = is_parallel() ? 100.0f * max_distance : max_distance;
-    distance_ = std::clamp(distance_ * std::pow(zoom_per_notch, notches), min_distance, longest);
+    distance_ = std::clamp(distance_ * std::pow(zoom_per_notch, notches), min_distance, max_distance);
     stay_above();
 }
 
@@ -78,12 +79,7 @@ void OrbitCamera::follow(const Position& target) {
 }
 
 void OrbitCamera::set_parallel(bool on) {
-    if (on == is_parallel()) return;
-    const float fov = on ? parallel_fov : *wide_fov_;
-    // What is looked at keeps its size.
-    distance_ *= std::tan(0.5f * vertical_fov_) / std::tan(0.5f * fov);
-    wide_fov_ = on ? std::optional(vertical_fov_) : std::nullopt;
-    vertical_fov_ = fov;
+    is_parallel_ = on;
     stay_above();
 }
 
@@ -94,8 +90,7 @@ double OrbitCamera::clearance() const {
 
 void OrbitCamera::frame(const Position& center, float radius) {
     target_ = center;
-    const float longest = is_parallel() ? 100.0f * max_distance : max_distance;
-    distance_ = std::clamp(2.2f * radius / std::tan(0.5f * vertical_fov_), min_distance, longest);
+    distance_ = std::clamp(2.2f * radius / std::tan(0.5f * vertical_fov_), min_distance, max_distance);
     stay_above();
 }
 
@@ -109,6 +104,7 @@ void OrbitCamera::stay_above() {
         if (depth > 0.0) target_.y += depth / double(ground.normal.y);
     }
     for (const Ground& ground : grounds_) turn_above(ground);
+    if (is_parallel_) return;
     // Where turning about the target is not enough, as in a narrow valley, both rise.
     for (const Ground& ground : grounds_) {
         const double missing = clearance() - height(ground, position());
@@ -117,12 +113,17 @@ void OrbitCamera::stay_above() {
 }
 
 // Lifts the eye by the pitch. Its height above the plane is that of the target and, with the distance as the factor,
-// A cos(pitch) + B sin(pitch) = R cos(pitch - steepest).
+// A cos(pitch) + B sin(pitch) = R cos(pitch - steepest). Parallel rays may be level with a ground, but do not come from
+// below.
 void OrbitCamera::turn_above(const Ground& ground) {
-    if (height(ground, position()) >= clearance()) return;
+    if (!is_parallel_ && height(ground, position()) >= clearance()) return;
     const double a =
         double(ground.normal.x) * std::sin(double(yaw_)) + double(ground.normal.z) * std::cos(double(yaw_));
     const double b = double(ground.normal.y), reach = std::hypot(a, b), steepest = std::atan2(b, a);
+    if (is_parallel_) {
+        pitch_ = std::min(std::max(pitch_, float(steepest) - 0.5f * pi), max_pitch);
+        return;
+    }
     const double wanted = (clearance() - height(ground, target_)) / (double(distance_) * reach);
     const double pitch = wanted < 1.0 ? steepest - std::acos(std::max(wanted, -1.0)) : steepest;
     if (pitch > double(pitch_)) pitch_ = std::min(float(pitch), max_pitch);
@@ -153,23 +154,42 @@ float OrbitCamera::half_height(float aspect) const {
     return std::tan(0.5f * vertical_fov_) * std::max(widest_aspect / aspect, 1.0f);
 }
 
+float OrbitCamera::scale_at(const Position& point) const {
+    if (is_parallel_) return distance_;
+    return std::max(glm::dot(Vec3(point - position()), forward()), least_scale);
+}
+
 glm::mat4 OrbitCamera::projection(float aspect) const {
+    if (is_parallel_) {
+        const float height = distance_ * half_height(aspect), behind = float(reach_behind());
+        return glm::ortho(-height * aspect, height * aspect, -height, height, -behind, behind + 2.0f * distance_);
+    }
     const float near_plane = std::max(0.005f, near_per_distance * distance_), top = near_plane * half_height(aspect);
     return glm::frustum(-top * aspect, top * aspect, -top, top, near_plane, near_plane * far_per_near);
 }
 
 Ray OrbitCamera::cursor_ray(const glm::vec2& device, float aspect) const {
     const float height = half_height(aspect);
-    const Vec3 direction = forward() + right() * (device.x * height * aspect) + up() * (device.y * height);
-    return {position(), glm::normalize(direction)};
+    const Vec3 aside = right() * (device.x * height * aspect) + up() * (device.y * height);
+    if (is_parallel_) return {position() + Position(aside) * double(distance_), forward()};
+    return {position(), glm::normalize(forward() + aside)};
+}
+
+Ray OrbitCamera::pick_ray(const glm::vec2& device, float aspect) const {
+    Ray ray = cursor_ray(device, aspect);
+    ray.origin -= Position(ray.direction) * reach_behind();
+    return ray;
+}
+
+double OrbitCamera::reach_behind() const {
+    return is_parallel_ ? double(least_reach + (reach_per_distance - 1.0f) * distance_) : 0.0;
 }
 
 std::optional<glm::vec2> OrbitCamera::project(const Position& point, float aspect) const {
     const Vec3 offset(point - position());
-    const float depth = glm::dot(offset, forward());
-    if (depth <= 1e-6f) return std::nullopt;
-    const float height = half_height(aspect);
-    return glm::vec2(glm::dot(offset, right()) / (depth * height * aspect), glm::dot(offset, up()) / (depth * height));
+    if (!is_parallel_ && glm::dot(offset, forward()) <= 1e-6f) return std::nullopt;
+    const float depth = is_parallel_ ? distance_ : glm::dot(offset, forward()), height = depth * half_height(aspect);
+    return glm::vec2(glm::dot(offset, right()) / (height * aspect), glm::dot(offset, up()) / height);
 }
 
 } // namespace cairn::viewer

@@ -19,10 +19,13 @@ struct CameraPose {
     Position position{9.0, 6.0, 12.0}; ///< Meters.
     Position target{0.0, 1.0, 0.0};    ///< Meters.
     float vertical_fov = 0.785398f;    ///< Radians, between 0 and pi, of a picture of 16:9 or wider.
+    /// Its rays are parallel (an orthographic projection): everything is as large as it would be at the distance of the
+    /// target, and what is behind the camera is seen as well.
+    bool is_parallel = false;
 };
 
-/// How much nearer a usual lens would be to show as much: 1, or less for one that makes rays nearly parallel. Sizes
-/// that go with the distance of the camera go with its product with this.
+/// How much nearer a usual lens would be to show as much: 1, or less for a longer one. Sizes that go with the distance
+/// of the camera go with its product with this.
 float lens_of(const CameraPose& camera);
 
 /// A half-line through the world. `direction` has unit length.
@@ -61,9 +64,9 @@ class OrbitCamera {
     void look(float yaw, float pitch);
     /// Moves with what is looked at.
     void follow(const Position& target);
-    /// Rays that are nearly parallel: from so far away, through a lens of 0.6 degrees, that lengths can be compared.
+    /// See `CameraPose::is_parallel`. What is at the distance of the target keeps its size.
     void set_parallel(bool on);
-    bool is_parallel() const noexcept { return wide_fov_.has_value(); }
+    bool is_parallel() const noexcept { return is_parallel_; }
     /// Looks at a ball from the present direction, so that it fills about half of the picture.
     void frame(const Position& center, float radius);
 
@@ -82,12 +85,20 @@ class OrbitCamera {
     /// Half the height of the picture at a distance of 1. `aspect`, here and below, is width over height: pictures
     /// narrower than 16:9 show as much to the sides as one of 16:9 does, and more above and below.
     float half_height(float aspect) const;
-    /// Perspective.
+    /// The distance that the size of a point's surroundings in the picture goes with: its depth, or where rays are
+    /// parallel that of the target. At least a centimeter.
+    float scale_at(const Position& point) const;
+    /// Perspective or orthographic.
     glm::mat4 projection(float aspect) const;
 
-    /// The ray through a point of the picture, in normalized device coordinates (-1..1, up is positive).
+    /// The ray through a point of the picture, in normalized device coordinates (-1..1, up is positive), from the eye,
+    /// or where rays are parallel from the plane of the eye.
     Ray cursor_ray(const glm::vec2& device, float aspect) const;
-    /// Where a point appears, in normalized device coordinates; nothing if it is behind the camera.
+    /// The same, so far back that it meets all that is seen there.
+    Ray pick_ray(const glm::vec2& device, float aspect) const;
+    /// How far behind the eye something is still seen, meters.
+    double reach_behind() const;
+    /// Where a point appears, in normalized device coordinates; nothing if it is behind the eye of a perspective.
     std::optional<glm::vec2> project(const Position& point, float aspect) const;
 
   private:
@@ -102,7 +113,7 @@ class OrbitCamera {
     float pitch_ = 0.0f; // above the horizon
     float distance_ = 10.0f;
     float vertical_fov_ = 0.785398f;
-    std::optional<float> wide_fov_; // that it had before its rays became parallel
+    bool is_parallel_ = false;
 };
 
 } // namespace cairn::viewer

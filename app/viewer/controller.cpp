@@ -134,7 +134,7 @@ void Controller::perform_on_body(Action action) {
 
 bool Controller::perform_on_joint(Action action) {
     const auto join = [&](command::JoinKind kind) {
-        post_(command::MakeJoint{camera.cursor_ray(cursor_, aspect_), kind});
+        post_(command::MakeJoint{camera.pick_ray(cursor_, aspect_), kind});
     };
     switch (action) {
     case Action::join_by_ball:
@@ -318,7 +318,7 @@ void Controller::button_down(MouseButton button) {
     } else {
         drag_ = Drag::asked;
         pressed_joint_ = joint_under_cursor();
-        post_(command::GrabBody{camera.cursor_ray(cursor_, aspect_), ++grab_serial_});
+        post_(command::GrabBody{camera.pick_ray(cursor_, aspect_), ++grab_serial_});
     }
 }
 
@@ -360,7 +360,7 @@ void Controller::update(const StageState& state) {
     scene_path_ = state.path;
     if (state.scene_serial != scene_serial_) {
         const bool same_scene_again = scene_serial_ != 0 && state.path == framed_path_;
-        if (!same_scene_again) camera.set_pose(state.scene_camera);
+        if (!same_scene_again) take_scene_view(state);
         find_grounds(state);
         framed_path_ = state.path;
         scene_serial_ = state.scene_serial;
@@ -379,8 +379,8 @@ void Controller::update(const StageState& state) {
         drag_ = Drag::none;
         return;
     }
-    const Position target =
-        drag_target(camera.cursor_ray(cursor_, aspect_), drag_start_, camera.forward(), constraint_);
+    const Position target = drag_target(camera.pick_ray(cursor_, aspect_), drag_start_, camera.forward(), constraint_,
+                                        farthest_drag + camera.reach_behind());
     drag_target_ = target;
     if (target != state.grab.target) post_(command::MoveGrab{target});
 }

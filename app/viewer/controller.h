@@ -102,6 +102,7 @@ class Controller {
     void change_scene(int by);
     bool perform_on_window(Action action);
     bool perform_on_time(Action action);
+    void take_scene_view(const StageState& state);
     void follow_selected(const StageState& state);
     bool take_handle();
     void drag_handle();

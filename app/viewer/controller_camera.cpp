@@ -50,7 +50,7 @@ bool Controller::perform_on_camera(Action action) {
         follow = !follow;
         return true;
     case Action::reset_camera:
-        camera.set_pose(state_.scene_camera);
+        take_scene_view(state_);
         return true;
     case Action::frame_selection: {
         if (!state_.layout || !state_.current) return true;
@@ -65,6 +65,13 @@ bool Controller::perform_on_camera(Action action) {
     default:
         return false;
     }
+}
+
+// Whether rays are parallel is what the user chose.
+void Controller::take_scene_view(const StageState& state) {
+    CameraPose pose = state.scene_camera;
+    pose.is_parallel = camera.is_parallel();
+    camera.set_pose(pose);
 }
 
 void Controller::follow_selected(const StageState& state) {

@@ -15,11 +15,13 @@ enum class DragConstraint {
     ground,     ///< The horizontal plane through the grabbed point.
 };
 
+inline constexpr double farthest_drag = 1000.0; ///< Meters, from the eye.
+
 /// Where the cursor's ray wants a point grabbed at `grabbed` to be. `forward` is where the camera looks (unit).
 /// A ray that never meets the constraint's plane keeps `grabbed`, and the point is never taken farther than
 /// `max_distance` meters from the ray's origin, so that a ray along the horizon does not send it to infinity.
 Position drag_target(const Ray& cursor, const Position& grabbed, const Vec3& forward, DragConstraint constraint,
-                     double max_distance = 1000.0);
+                     double max_distance = farthest_drag);
 
 /// The joint's tunables.
 struct DragSpring {

@@ -21,8 +21,7 @@ constexpr std::array axis_colors{Vec3(0.85f, 0.08f, 0.06f), Vec3(0.10f, 0.60f, 0
 constexpr Vec3 uniform_color{0.9f, 0.9f, 0.9f};
 
 float length_of(const Position& center, const OrbitCamera& camera) {
-    const float depth = glm::dot(Vec3(center - camera.position()), camera.forward());
-    return reach * std::max(depth, 0.01f) * std::tan(0.5f * camera.vertical_fov());
+    return reach * camera.scale_at(center) * std::tan(0.5f * camera.vertical_fov());
 }
 
 // Two directions that are perpendicular to an axis and to each other.
@@ -163,7 +162,7 @@ void Gizmo::begin(const BodyFacts& facts, const OrbitCamera& camera, GizmoHandle
     start.pose = {facts.position, facts.rotation};
     start.axis = axis(facts, handle);
     start.cursor = cursor;
-    const Ray ray = camera.cursor_ray(cursor, aspect);
+    const Ray ray = camera.pick_ray(cursor, aspect);
     start.along = along_axis(start.center, start.axis, ray).value_or(double(length_of(start.center, camera)));
     const Vec3 fallback = across(start.axis)[0];
     start.arm = arm_on_ring(start.center, start.axis, ray).value_or(fallback);
@@ -173,7 +172,7 @@ void Gizmo::begin(const BodyFacts& facts, const OrbitCamera& camera, GizmoHandle
 std::optional<BodyEdit> Gizmo::drag(const OrbitCamera& camera, const glm::vec2& cursor, float aspect) {
     if (!start_) return std::nullopt;
     Start& start = *start_;
-    const Ray ray = camera.cursor_ray(cursor, aspect);
+    const Ray ray = camera.pick_ray(cursor, aspect);
     const std::optional<double> along = along_axis(start.center, start.axis, ray);
     if (mode == GizmoMode::move) {
         if (!along) return std::nullopt;

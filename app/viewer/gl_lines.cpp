@@ -48,8 +48,11 @@ void GlLines::draw_marks(const RenderFrame& frame, const glm::mat4& clip_from_wo
     if (frame.strokes.empty() && frame.veils.empty()) return;
     constexpr float stroke_picture_height = 720.0f, rim = 2.0f;
     constexpr float veil_alpha = 0.22f, rim_alpha = 0.3f, hidden_alpha = 0.4f;
-    const float pixel = 2.0f * camera.half_height(float(width) / float(height)) / stroke_picture_height;
-    const Vec3 eye(camera.position() - frame.origin);
+    StrokeView view{Vec3(camera.position() - frame.origin),
+                    camera.forward(),
+                    2.0f * camera.half_height(float(width) / float(height)) / stroke_picture_height,
+                    {}};
+    if (camera.is_parallel()) view.parallel_distance = camera.distance();
     std::vector<Vec3> vertices, band;
     for (const Veil& veil : frame.veils)
         for (const Vec3& corner : {veil.a, veil.b, veil.c}) vertices.insert(vertices.end(), {corner, srgb(veil.color)});
@@ -59,7 +62,7 @@ void GlLines::draw_marks(const RenderFrame& frame, const glm::mat4& clip_from_wo
             Stroke drawn = stroke; // at least a pixel wide
             drawn.width = std::max(drawn.width, stroke_picture_height / float(height)) + wider;
             band.clear();
-            add_band(band, drawn, eye, camera.forward(), pixel);
+            add_band(band, drawn, view);
             const Vec3 shown = color.value_or(srgb(stroke.color));
             for (const Vec3& corner : band) vertices.insert(vertices.end(), {corner, shown});
         }

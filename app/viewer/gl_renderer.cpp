@@ -224,7 +224,7 @@ void GlRenderer::Impl::prepare(const RenderFrame& frame, float aspect) {
 void GlRenderer::Impl::sort_by_distance(std::vector<Instance>& instances) const {
     const auto distance = [this](const Instance& instance) {
         const Vec3 offset = instance.position - eye;
-        return glm::dot(offset, offset);
+        return camera.is_parallel() ? glm::dot(offset, camera.forward()) : glm::dot(offset, offset);
     };
     std::sort(instances.begin(), instances.end(),
               [&](const Instance& a, const Instance& b) { return distance(a) < distance(b); });
@@ -239,7 +239,8 @@ void GlRenderer::Impl::upload_sorted(GlMesh& mesh, const std::vector<Instance>& 
 void GlRenderer::Impl::upload_instances(const ShapeInstances& shapes, int height, float aspect) {
     const float pixels_per_slope = 0.5f * float(height) / camera.half_height(aspect);
     const auto pixels_of = [&](const Instance& instance) {
-        const float distance = std::max(glm::length(instance.position - eye), 1e-3f);
+        const float distance =
+            camera.is_parallel() ? camera.distance() : std::max(glm::length(instance.position - eye), 1e-3f);
         return std::max(instance.half_size.x, instance.half_size.z) / distance * pixels_per_slope;
     };
     const auto sort = [this](std::vector<Instance>& instances) { sort_by_distance(instances); };
@@ -319,6 +320,7 @@ void GlRenderer::Impl::set_lighting(const GlProgram& program, const RenderFrame&
     program.use();
     program.set("u_clip_from_world", clip_from_world);
     program.set("u_eye", eye);
+    program.set("u_viewer", camera.is_parallel() ? glm::vec4(-camera.forward(), 0.0f) : glm::vec4(eye, 1.0f));
     program.set("u_to_light", to_light);
     program.set("u_shadow_from_world", shadow_from_world);
     program.set("u_shadow_texel", shadow_texel);
@@ -331,7 +333,7 @@ void GlRenderer::Impl::set_lighting(const GlProgram& program, const RenderFrame&
 
 void GlRenderer::Impl::draw_sky(const RenderFrame& frame, float aspect) {
     set_lighting(sky, frame);
-    const float half_height = camera.half_height(aspect);
+    const float half_height = camera.is_parallel() ? 0.0f : camera.half_height(aspect); // parallel rays see one color
     sky.set("u_ray_forward", camera.forward());
     sky.set("u_ray_right", camera.right() * (half_height * aspect));
     sky.set("u_ray_up", camera.up() * half_height);
@@ -347,7 +349,6 @@ void GlRenderer::Impl::use_body(shaders::BodyKind kind, const RenderFrame& frame
     set_lighting(program, frame);
     program.set("u_spacing", grid_spacing(lens_of(camera.pose()) * camera.distance()));
     program.set("u_fade", fade_distances * camera.distance());
-    program.set("u_viewer", glm::vec4(eye, 1.0f));
     program.set("u_opacity", opacity);
 }
 

@@ -320,8 +320,9 @@ bool is_shown(const JointLayout& joint, const JointState& state, const WorldLayo
 void draw_joints(RenderFrame& frame, const WorldLayout& layout, const WorldMotion& motion,
                  std::span<const Transform> bodies, const FrameOptions& options) {
     constexpr float width = 2.0f, bold = 3.2f; // pixels
-    const Vec3 eye(frame.camera.position - frame.origin);
-    const Vec3 forward = glm::normalize(Vec3(frame.camera.target - frame.camera.position));
+    const Vec3 eye(frame.camera.position - frame.origin), to_target(frame.camera.target - frame.camera.position);
+    const Vec3 forward = glm::normalize(to_target);
+    const bool is_parallel = frame.camera.is_parallel;
     for (std::size_t i = 0; i < motion.joints->size(); ++i) {
         const JointLayout& joint = (*motion.joints)[i];
         if (!is_shown(joint, motion.joint_states[i], layout, options)) continue;
@@ -329,11 +330,12 @@ void draw_joints(RenderFrame& frame, const WorldLayout& layout, const WorldMotio
         const bool is_selected = joint.id == options.selected_joint;
         const Vec3 color = is_selected ? Vec3(1.0f) : joint_color(joint, motion.joint_states[i]);
         const Vec3 offset = Vec3(frames.b.position - frame.origin) - eye;
-        const float distance = lens_of(frame.camera) * glm::length(offset);
+        const float distance = lens_of(frame.camera) * glm::length(is_parallel ? to_target : offset);
+        const bool is_behind = !is_parallel && glm::dot(offset, forward) < -joint.reach;
         const float size = std::clamp(size_of_reach * joint.reach, min_size * distance, greatest_size * distance);
         JointPen pen(frame, frames, size, color, is_selected ? bold : width);
         const bool is_tiny = size_of_reach * joint.reach < min_size * distance || frame.strokes.size() > max_strokes;
-        if (!is_selected && (is_tiny || glm::dot(offset, forward) < -joint.reach)) { // thousands must not cost time
+        if (!is_selected && (is_tiny || is_behind)) { // thousands must not cost time
             pen.dot(pen.b.at, 1.5f);
             if (std::holds_alternative<DistanceJoint>(joint.def.joint)) pen.line(pen.a.at, pen.b.at, 0.5f);
             continue;
@@ -349,14 +351,15 @@ void draw_joints(RenderFrame& frame, const WorldLayout& layout, const WorldMotio
     }
 }
 
-void add_band(std::vector<Vec3>& triangles, const Stroke& stroke, const Vec3& eye, const Vec3& forward, float pixel) {
+void add_band(std::vector<Vec3>& triangles, const Stroke& stroke, const StrokeView& view) {
     constexpr float nearest = 0.01f; // meters: what is behind the camera must not turn its band over
     const auto half_width = [&](const Vec3& at) {
-        return 0.5f * stroke.width * pixel * std::max(glm::dot(at - eye, forward), nearest);
+        const float depth = view.parallel_distance.value_or(glm::dot(at - view.eye, view.forward));
+        return 0.5f * stroke.width * view.pixel * std::max(depth, nearest);
     };
     const Vec3 way = stroke.to - stroke.from;
     if (glm::dot(way, way) > 0.0f) {
-        const Vec3 side = glm::cross(way, stroke.from - eye);
+        const Vec3 side = glm::cross(way, view.parallel_distance ? view.forward : stroke.from - view.eye);
         const float length = glm::length(side);
         if (!(length > 0.0f)) return; // seen along its way
         const Vec3 at_from = side * (half_width(stroke.from) / length), at_to = side * (half_width(stroke.to) / length);
@@ -365,8 +368,8 @@ void add_band(std::vector<Vec3>& triangles, const Stroke& stroke, const Vec3& ey
         return;
     }
     const int sides = stroke.width > 5.5f ? 12 : 4;
-    const Vec3 u = glm::normalize(glm::cross(forward, std::abs(forward.y) < 0.9f ? Vec3(0, 1, 0) : Vec3(1, 0, 0)));
-    const Vec3 v = glm::cross(u, forward);
+    const Vec3 other = std::abs(view.forward.y) < 0.9f ? Vec3(0, 1, 0) : Vec3(1, 0, 0);
+    const Vec3 u = glm::normalize(glm::cross(view.forward, other)), v = glm::cross(u, view.forward);
     const float radius = half_width(stroke.from);
     const auto rim = [&](int i) {
         const float angle = 2.0f * pi * float(i) / float(sides);

@@ -4,6 +4,7 @@
 
 #include "viewer/render_frame.h"
 
+#include <optional>
 #include <span>
 
 namespace cairn::viewer {
@@ -26,9 +27,15 @@ void draw_joints(RenderFrame& frame, const WorldLayout& layout, const WorldMotio
 /// should: apart by more than a twentieth of `reach` (of its bodies), or turned by more than 0.1 rad.
 Vec3 joint_color(const JointLayout& joint, const JointState& state);
 
-/// The triangles of a stroke, three points each: a flat band that faces the eye, or a disk. `pixel`: the height of a
-/// pixel at a distance of one, in meters. `eye`, and `forward` (unit), are those of the camera; all relative to the
+/// From where strokes are seen.
+struct StrokeView {
+    Vec3 eye, forward;                      ///< Relative to the frame's origin; unit.
+    float pixel = 0.001f;                   ///< The height of a pixel at a distance of one, in meters.
+    std::optional<float> parallel_distance; ///< Where rays are parallel: everything is as large as at this distance.
+};
+
+/// The triangles of a stroke, three points each: a flat band that faces the eye, or a disk. All relative to the
 /// frame's origin.
-void add_band(std::vector<Vec3>& triangles, const Stroke& stroke, const Vec3& eye, const Vec3& forward, float pixel);
+void add_band(std::vector<Vec3>& triangles, const Stroke& stroke, const StrokeView& view);
 
 } // namespace cairn::viewer

@@ -16,6 +16,7 @@ inline constexpr const char* web_header = "#version 300 es\n"
 /// Light, sky, shadow and tone, shared by the fragment shaders.
 inline constexpr const char* lighting = R"(
 uniform vec3 u_eye;
+uniform vec4 u_viewer; // the eye and 1, or the direction towards it and 0 where rays are parallel
 uniform vec3 u_to_light;
 uniform mat4 u_shadow_from_world;
 uniform float u_shadow_texel;   // size of one texel of the shadow map in the world
@@ -23,6 +24,8 @@ uniform float u_shadow_step;    // and in the map itself
 uniform float u_shadow_strength;
 uniform int u_shadow_rings;     // 2: how often lit_fraction() looks, at most
 uniform sampler2DShadow u_shadow_map;
+
+vec3 towards_viewer(vec3 world) { return normalize(u_viewer.xyz - u_viewer.w * world); }
 
 // Squares and square roots stand for powers throughout: they cost a software renderer a tenth of pow().
 vec3 sky_color(vec3 direction) {
@@ -61,7 +64,7 @@ float lit_fraction(vec3 world, vec3 normal) {
 }
 
 vec3 shade(vec3 world, vec3 normal, vec3 color, float gloss) {
-    vec3 to_eye = normalize(u_eye - world);
+    vec3 to_eye = towards_viewer(world);
     float facing = max(dot(normal, u_to_light), 0.0);
     float lit = facing > 0.0 ? lit_fraction(world, normal) : 0.0;
     vec3 sun = vec3(1.0, 0.93, 0.82) * (1.85 * facing * lit);
@@ -112,7 +115,7 @@ layout(location = 4) in vec4 a_rotation;
 layout(location = 5) in vec4 a_half_size; // w: pattern
 layout(location = 6) in vec4 a_color;
 uniform mat4 u_clip_from_world;
-uniform vec4 u_viewer; // from where balls are seen: the eye and 1, or the direction towards a far light and 0
+uniform vec4 u_viewer; // from where balls are seen: the eye and 1, or the direction towards it or a light and 0
 out vec3 v_world;
 out vec3 v_normal;       // of balls: the place on the cap, from the center, in radii
 out vec3 v_local;        // of balls: the radius
@@ -236,7 +239,7 @@ vec3 box_normal() {
 
 // Moves a point of a ball's cap, which is flat between its corners, along the ray onto the ball.
 void meet_ball(inout vec3 world, inout vec3 normal) {
-    vec3 along = normalize(world - u_eye);
+    vec3 along = -towards_viewer(world);
     float middle = dot(normal, along), way = sqrt(max(middle * middle + 1.0 - dot(normal, normal), 0.0)) + middle;
     normal -= along * way;
     world -= along * (way * v_local.x);
@@ -283,7 +286,7 @@ void main() {
         normal = -normal;
         if (c_kind != 8) color *= 0.6;
     }
-    vec3 to_eye = normalize(-ray);
+    vec3 to_eye = towards_viewer(world);
     vec3 shaded = shade(world, normal, color, gloss);
     float rim = 1.0 - max(dot(normal, to_eye), 0.0);
     shaded = mix(shaded, vec3(1.9, 0.95, 0.12), v_color.a * (0.12 + 0.8 * rim * rim));

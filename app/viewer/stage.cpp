@@ -16,7 +16,7 @@ namespace cairn::viewer {
 namespace {
 
 constexpr float pull_acceleration = 20.0f;     // m/s^2, towards the origin
-constexpr double pick_distance = 1.0e5;        // meters
+constexpr double pick_distance = 1.0e8;        // meters: parallel rays begin far away
 constexpr double newest_step_weight = 0.1;     // in the running mean of step times
 constexpr double longest_advance = 1.0 / 30.0; // real seconds of stepping after which the picture comes first
 

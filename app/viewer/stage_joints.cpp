@@ -10,7 +10,7 @@ namespace cairn::viewer {
 
 namespace {
 
-constexpr double join_distance = 1.0e5; // meters
+constexpr double join_distance = 1.0e8; // meters: parallel rays begin far away
 
 Joint joint_of(command::JoinKind kind) {
     switch (kind) {

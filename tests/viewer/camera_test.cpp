@@ -173,13 +173,55 @@ TEST(Camera, ParallelRaysShowNearAndFarAlike) {
     EXPECT_GT(width(2.0) / width(-2.0), 1.4f);
     camera.set_parallel(true);
     EXPECT_TRUE(camera.is_parallel());
-    EXPECT_NEAR(width(0.0), before, 1e-3f) << "what is looked at keeps its size";
-    EXPECT_NEAR(width(2.0) / width(-2.0), 1.0f, 0.02f);
+    for (const double z : {0.0, 2.0, -2.0, -500.0, 9.99, 300.0}) // the last one is behind the eye
+        EXPECT_NEAR(width(z), before, 1e-5f) << "what is looked at keeps its size, " << z;
     const OrbitCamera copy(camera.pose());
-    EXPECT_NEAR(copy.project({1.0, 1.0, 0.0}, 1.0f)->x, 0.5f * before, 1e-3f) << "also for who draws it";
+    EXPECT_NEAR(copy.project({1.0, 1.0, -70.0}, 1.0f)->x, 0.5f * before, 1e-5f) << "also for who draws it";
+    camera.zoom(3.0f);
+    EXPECT_NEAR(width(-70.0), before / 0.729f, 1e-3f);
+    camera.zoom(-3.0f);
     camera.set_parallel(false);
     EXPECT_NEAR(width(0.0), before, 1e-3f);
-    EXPECT_NEAR(camera.distance(), 10.0f, 0.01f);
+    EXPECT_NEAR(camera.distance(), 10.0f, 1e-4f);
+}
+
+TEST(Camera, ParallelRaysAgreeWithTheMatricesFromBeforeTheTargetToBehindTheEye) {
+    const OrbitCamera camera({{4.0, 3.0, 8.0}, {0.0, 1.0, 0.0}, 0.785398f, true});
+    const Position origin = camera.render_origin();
+    for (const float aspect : {0.8f, 1.6f, 2.4f})
+        for (const glm::vec2 device : {glm::vec2(0.0f, 0.0f), glm::vec2(0.7f, -0.4f), glm::vec2(-1.0f, 1.0f)}) {
+            const Ray cursor = camera.cursor_ray(device, aspect), pick = camera.pick_ray(device, aspect);
+            EXPECT_LT(glm::distance(cursor.direction, camera.forward()), 1e-6f);
+            const double back = glm::dot(camera.position() - pick.origin, Position(camera.forward()));
+            float last_depth = -1.0f;
+            for (const double way : {0.01 * back, 0.9 * back, 1.01 * back, 1.9 * back}) {
+                const Position point = pick.origin + Position(pick.direction) * way;
+                const auto seen = camera.project(point, aspect);
+                ASSERT_TRUE(seen);
+                EXPECT_LT(glm::distance(*seen, device), 2e-4f);
+                const glm::vec4 clip =
+                    camera.projection(aspect) * camera.view(origin) * glm::vec4(Vec3(point - origin), 1.0f);
+                EXPECT_EQ(clip.w, 1.0f);
+                EXPECT_LT(glm::distance(glm::vec2(clip), device), 2e-4f);
+                EXPECT_GT(clip.z, last_depth);
+                EXPECT_LT(clip.z, 1.0f);
+                last_depth = clip.z;
+            }
+        }
+}
+
+TEST(Camera, ParallelRaysMayBeLevelWithAGroundButDoNotComeFromBelow) {
+    OrbitCamera camera({{0.0, 5.0, 10.0}, {0.0, 0.0, 0.0}, 0.785398f, true});
+    camera.set_grounds({{{0.0, 0.0, 0.0}, {0.0f, 1.0f, 0.0f}}});
+    camera.look(0.0f, 0.0f);
+    EXPECT_NEAR(camera.forward().y, 0.0f, 1e-6f);
+    camera.orbit(0.4f, -0.3f);
+    EXPECT_NEAR(camera.forward().y, 0.0f, 1e-6f);
+    camera.orbit(0.4f, 0.2f);
+    EXPECT_NEAR(camera.forward().y, -std::sin(0.2f), 1e-5f);
+    camera.orbit(0.0f, -0.3f);
+    camera.set_parallel(false);
+    EXPECT_GT(camera.position().y, 0.2) << "an eye stays above it";
 }
 
 TEST(Camera, LooksFromTheSidesOfTheWorld) {

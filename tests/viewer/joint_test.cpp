@@ -431,17 +431,25 @@ TEST(JointDrawing, ColorsTellLoadAndError) {
 }
 
 TEST(JointDrawing, BandsHaveTheirWidthInPixels) {
-    const float pixel = 0.001f;
+    StrokeView view{Vec3(0.0f), {0.0f, 0.0f, -1.0f}, 0.001f, {}};
+    const Stroke line{{-1.0f, 0.0f, -5.0f}, {1.0f, 0.0f, -5.0f}, Vec3(1.0f), 4.0f};
     std::vector<Vec3> band;
-    add_band(band, {{-1.0f, 0.0f, -5.0f}, {1.0f, 0.0f, -5.0f}, Vec3(1.0f), 4.0f}, Vec3(0.0f), {0.0f, 0.0f, -1.0f},
-             pixel);
+    add_band(band, line, view);
     ASSERT_EQ(band.size(), 6u);
-    EXPECT_NEAR(glm::distance(band[0], band[1]), 4.0f * pixel * 5.0f, 1e-5f);
+    EXPECT_NEAR(glm::distance(band[0], band[1]), 4.0f * view.pixel * 5.0f, 1e-5f);
     band.clear();
-    add_band(band, {{0.0f, 0.0f, -5.0f}, {0.0f, 0.0f, -5.0f}, Vec3(1.0f), 6.0f}, Vec3(0.0f), {0.0f, 0.0f, -1.0f},
-             pixel);
-    for (const Vec3& corner : band) EXPECT_LE(glm::distance(corner, Vec3(0.0f, 0.0f, -5.0f)), 3.01f * pixel * 5.0f);
+    add_band(band, {{0.0f, 0.0f, -5.0f}, {0.0f, 0.0f, -5.0f}, Vec3(1.0f), 6.0f}, view);
+    for (const Vec3& corner : band)
+        EXPECT_LE(glm::distance(corner, Vec3(0.0f, 0.0f, -5.0f)), 3.01f * view.pixel * 5.0f);
     EXPECT_FALSE(band.empty());
+    view.parallel_distance = 20.0f; // wherever it is, also behind the eye
+    for (const float z : {0.0f, 10.0f}) {
+        band.clear();
+        add_band(band, {line.from + Vec3(0.0f, 0.0f, z), line.to + Vec3(0.0f, 0.0f, z), Vec3(1.0f), 4.0f}, view);
+        ASSERT_EQ(band.size(), 6u);
+        EXPECT_NEAR(glm::distance(band[0], band[1]), 4.0f * view.pixel * 20.0f, 1e-5f);
+        EXPECT_FLOAT_EQ(band[0].z, band[1].z);
+    }
 }
 
 } // namespace

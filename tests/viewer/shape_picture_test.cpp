@@ -33,8 +33,8 @@ Agreement compare(const World& world, const HeadlessRenderer& renderer, const Ca
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             const glm::vec2 device(2.0f * (float(x) + 0.5f) / width - 1.0f, 1.0f - 2.0f * (float(y) + 0.5f) / height);
-            const Ray ray = camera.cursor_ray(device, aspect);
-            met[index(x, y)] = world.cast_ray(ray.origin, ray.direction, 1000.0).has_value();
+            const Ray ray = camera.pick_ray(device, aspect);
+            met[index(x, y)] = world.cast_ray(ray.origin, ray.direction, 1e5).has_value();
         }
     Agreement result;
     for (int y = 1; y + 1 < height; ++y)
@@ -61,16 +61,21 @@ void expect_the_silhouette_of_rays(const Shape& shape, const std::string& name) 
     def.rotation = is_surface ? Quat(1, 0, 0, 0) : glm::angleAxis(0.9f, glm::normalize(Vec3(1.0f, 0.4f, 0.3f)));
     const BodyId body = world.create_body(def);
     const Appearance red{world.add_shape(body, shape), {0.9f, 0.05f, 0.02f}};
-    const CameraPose pose{{2.0, 3.0, 4.0}, {0.3, 1.0, -0.2}, 0.6f};
     HeadlessRenderer renderer(width, height);
     FrameOptions options;
     options.grid = false;
-    renderer.draw(make_frame(world, std::span(&red, 1), pose, options));
-    const Agreement agreement = compare(world, renderer, pose);
-    EXPECT_GT(agreement.covered, 400) << name;
-    // Bevels take away the very edges and corners.
-    EXPECT_LE(agreement.wrong, 10 + agreement.covered / 200) << name;
-    EXPECT_GT(agreement.darkest, 20.0) << name; // no cracks or unlit spots
+    const CameraPose poses[]{{{2.0, 3.0, 4.0}, {0.3, 1.0, -0.2}, 0.6f},
+                             {{2.0, 3.0, 4.0}, {0.3, 1.0, -0.2}, 0.6f, true},
+                             {{-1.4, -1.0, -4.4}, {-3.1, -3.0, -8.6}, 0.6f, true}}; // the shape is behind the eye
+    for (const CameraPose& pose : poses) {
+        renderer.draw(make_frame(world, std::span(&red, 1), pose, options));
+        const Agreement agreement = compare(world, renderer, pose);
+        const std::string which = name + (pose.is_parallel ? ", parallel rays" : "");
+        EXPECT_GT(agreement.covered, 400) << which;
+        // Bevels take away the very edges and corners.
+        EXPECT_LE(agreement.wrong, 10 + agreement.covered / 200) << which;
+        EXPECT_GT(agreement.darkest, 20.0) << which; // no cracks or unlit spots
+    }
 }
 
 TEST(ShapePicture, CoversWhatRaysMeet) {
@@ -95,9 +100,10 @@ TEST(ShapePicture, EveryShapeThrowsAShadow) {
                                                             {"mesh", test::cube_surface()},
                                                             {"height field", test::hills(9, 0.25f)}};
     HeadlessRenderer renderer(width, height);
-    const CameraPose pose{{0.0, 6.0, 8.0}, {-1.5, 0.5, 0.0}, 0.8f};
-    const OrbitCamera camera(pose);
+    CameraPose pose{{0.0, 6.0, 8.0}, {-1.5, 0.5, 0.0}, 0.8f};
     for (const auto& [name, shape] : shapes) {
+        pose.is_parallel = !pose.is_parallel; // with both kinds of rays
+        const OrbitCamera camera(pose);
         LoadedScene scene = test::boxes_on_plane(0);
         BodyDef def = test::static_body();
         def.position = {0.0, 2.0, 0.0};
