@@ -144,6 +144,7 @@ void save_scene(const std::filesystem::path& path, viewer::LoadedScene& saved) {
     for (const viewer::JointAppearance& shown : saved.strings)
         scene.joint_appearances.push_back({shown.joint, shown.color});
     scene.force_fields = saved.force_fields;
+    scene.groups = saved.groups;
     scene.world = std::move(saved.world);
     scene::save(scene, path);
 }
@@ -175,6 +176,7 @@ viewer::LoadedScene load_for_viewer(const std::string& path, const ReadOptions& 
     loaded.hint = scene.info.hint;
     loaded.time_step = scene.info.time_step;
     loaded.force_fields = scene.force_fields;
+    loaded.groups = scene.groups;
     scene.world.set_threads(hardware_threads());
     loaded.world = std::move(scene.world);
     return loaded;

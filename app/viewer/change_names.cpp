@@ -42,6 +42,10 @@ struct Names {
     std::optional<NamedChange> operator()(const command::EditBody& change) const {
         return NamedChange{name_of(change.edit), Merge::soon};
     }
+    std::optional<NamedChange> operator()(const command::EditBodies& change) const {
+        if (change.edits.empty()) return std::nullopt;
+        return NamedChange{std::string(name_of(change.edits.front().second)) + ", several", Merge::soon};
+    }
     std::optional<NamedChange> operator()(const command::DuplicateSelected&) const {
         return NamedChange{"duplicate a body"};
     }

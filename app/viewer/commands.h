@@ -105,9 +105,11 @@ struct GrabBody {
 struct MoveGrab {
     Position target{0.0, 0.0, 0.0};
 };
-/// `click`: the cursor did not move since the grab; a click beside all bodies selects nothing.
+/// `click`: the cursor did not move since the grab; a click beside all bodies selects nothing, unless it was on what
+/// belongs to a group. `adds`: a click adds the body that the ray met to those selected before, with its group, or
+/// takes it away from them.
 struct ReleaseGrab {
-    bool click = false;
+    bool click = false, adds = false;
 };
 struct SelectNothing {};
 /// What `MakeJoint` makes.
@@ -158,9 +160,17 @@ struct EditBody {
     BodyId body;
     BodyEdit edit;
 };
+/// Of several bodies, in that order; it is undone as one. Where one cannot be changed, those before it have been.
+struct EditBodies {
+    std::vector<std::pair<BodyId, BodyEdit>> edits;
+};
+/// From now on a click on one of the selected bodies selects them all.
+struct GroupSelected {};
+/// Ends the groups of the selected bodies.
+struct UngroupSelected {};
 /// The next change is not one with the last, though it be of the same kind.
 struct EndChange {};
-/// A copy beside the selected body, which becomes the selected one.
+/// Copies beside the selected bodies, which become the selected ones, joined as they are among each other.
 struct DuplicateSelected {};
 /// Saves the world as it stands as a scene, looked at from there.
 struct SaveScene {
@@ -184,9 +194,10 @@ using Command =
                  command::ExchangeRuns, command::EndOtherRun, command::SetPanes, command::ExplainImpact,
                  command::WatchImpact, command::SaveRecording, command::SetSettings, command::GrabBody,
                  command::MoveGrab, command::ReleaseGrab, command::SelectNothing, command::Say, command::ShowIslands,
-                 command::TakeSamples, command::ShowSolver, command::SelectBody, command::EditBody, command::EndChange,
-                 command::DuplicateSelected, command::SaveScene, command::MakeJoint, command::SelectJoint,
-                 command::SetJoint, command::SetJointStrength, command::SetJointSolver, command::RemoveJoint>;
+                 command::TakeSamples, command::ShowSolver, command::SelectBody, command::EditBody, command::EditBodies,
+                 command::GroupSelected, command::UngroupSelected, command::EndChange, command::DuplicateSelected,
+                 command::SaveScene, command::MakeJoint, command::SelectJoint, command::SetJoint,
+                 command::SetJointStrength, command::SetJointSolver, command::RemoveJoint>;
 
 /// A queue that many threads may fill and one empties.
 class CommandQueue {

@@ -291,6 +291,12 @@ void Controller::perform(const Binding& binding) {
     case Action::duplicate:
         post_(command::DuplicateSelected{});
         break;
+    case Action::group:
+        post_(command::GroupSelected{});
+        break;
+    case Action::ungroup:
+        post_(command::UngroupSelected{});
+        break;
     default:
         perform_on_body(action);
         break;
@@ -334,7 +340,7 @@ void Controller::button_up(MouseButton button) {
     if (button != MouseButton::left) return;
     const glm::vec2 moved = (cursor_ - pressed_at_) * glm::vec2(aspect_, 1.0f) * 0.5f;
     const bool click = glm::length(moved) < click_slack;
-    post_(command::ReleaseGrab{click});
+    post_(command::ReleaseGrab{click, constraint_ == DragConstraint::vertical}); // Shift
     if (!click) return;
     if (pressed_joint_) post_(command::SelectJoint{pressed_joint_});
 }
@@ -393,6 +399,8 @@ FrameOptions Controller::frame_options(const StageState& state) const {
     options.light = state.scene_light;
     options.visuals = visuals;
     options.selected = state.selected;
+    options.selection = state.selection;
+    std::sort(options.selection.begin(), options.selection.end());
     options.joints = joints;
     options.selected_joint = state.selected_joint;
     // To where the cursor is now: the stage may still have its place of some steps ago.

@@ -7,6 +7,7 @@
 #include "viewer/commands.h"
 #include "viewer/export.h"
 #include "viewer/gizmo.h"
+#include "viewer/group_edit.h"
 #include "viewer/key_map.h"
 #include "viewer/render_frame.h"
 #include "viewer/scene_source.h"
@@ -121,6 +122,9 @@ class Controller {
     Drag drag_ = Drag::none;
     MouseButton drag_button_ = MouseButton::left;
     JointId pressed_joint_; // under the cursor when the button went down: a click shows joints that it did not mean
+    std::vector<HeldBody> held_bodies_; // by a handle
+    Position handle_center_{0.0, 0.0, 0.0};
+    float scaled_ = 1.0f; // since it was taken
     std::uint64_t grab_serial_ = 0;
     Position drag_start_{0.0, 0.0, 0.0}, drag_target_{0.0, 0.0, 0.0};
     DragConstraint constraint_ = DragConstraint::view_plane;

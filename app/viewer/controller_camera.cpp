@@ -1,4 +1,4 @@
-// What the controller does with the camera, and with the handles of the selected body.
+// What the controller does with the camera, and with the handles of what is selected.
 #include "viewer/controller.h"
 
 #include <glm/geometric.hpp>
@@ -56,8 +56,10 @@ bool Controller::perform_on_camera(Action action) {
         if (!state_.layout || !state_.current) return true;
         WorldLayout shown = *state_.layout;
         if (state_.selected)
-            std::erase_if(shown.shapes,
-                          [&](const ShapeLayout& shape) { return shown.bodies[shape.body].id != state_.selected; });
+            std::erase_if(shown.shapes, [&](const ShapeLayout& shape) {
+                const std::vector<BodyId>& all = state_.selection;
+                return std::find(all.begin(), all.end(), shown.bodies[shape.body].id) == all.end();
+            });
         const BoundingBall ball = bounding_ball(shown, *state_.current);
         camera.frame(ball.center, ball.radius);
         return true;
@@ -101,20 +103,31 @@ void Controller::find_grounds(const StageState& state) {
 }
 
 bool Controller::take_handle() {
-    if (!state_.inspected || state_.selected_joint) return false;
-    const auto handle = gizmo.handle_at(*state_.inspected, camera, cursor_, aspect_);
-    if (handle) gizmo.begin(*state_.inspected, camera, *handle, cursor_, aspect_);
-    return handle.has_value();
+    if (!state_.handled || state_.selected_joint) return false;
+    const auto handle = gizmo.handle_at(*state_.handled, camera, cursor_, aspect_);
+    if (!handle) return false;
+    gizmo.begin(*state_.handled, camera, *handle, cursor_, aspect_);
+    held_bodies_.clear();
+    handle_center_ = state_.handled->center;
+    scaled_ = 1.0f;
+    const auto& bodies = state_.layout->bodies;
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+        if (std::find(state_.selection.begin(), state_.selection.end(), bodies[i].id) != state_.selection.end())
+            held_bodies_.push_back({bodies[i].id, state_.current->transforms[i]});
+    return true;
 }
 
 // Every frame, so that the body stays there while it is held.
 void Controller::drag_handle() {
-    if (!state_.inspected) return;
-    if (const auto edit = gizmo.drag(camera, cursor_, aspect_)) post_(command::EditBody{state_.inspected->id, *edit});
+    const auto edit = gizmo.drag(camera, cursor_, aspect_);
+    if (!edit || held_bodies_.empty()) return;
+    if (held_bodies_.size() == 1) return post_(command::EditBody{held_bodies_.front().id, *edit});
+    if (const auto* scale = std::get_if<edit::Scale>(&*edit)) scaled_ *= scale->factors.x;
+    post_(command::EditBodies{spread(*edit, handle_center_, scaled_, held_bodies_)});
 }
 
 void Controller::add_gizmo(RenderFrame& frame, const StageState& state) const {
-    if (state.inspected && !state.selected_joint && drag_ != Drag::body) gizmo.draw(frame, *state.inspected, camera);
+    if (state.handled && !state.selected_joint && drag_ != Drag::body) gizmo.draw(frame, *state.handled, camera);
 }
 
 } // namespace cairn::viewer

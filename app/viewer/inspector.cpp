@@ -119,7 +119,8 @@ void Inspector::draw_touches(const BodyFacts& facts, Controller& controller) {
     if (facts.touches.size() > most) ImGui::TextDisabled("   and %zu more", facts.touches.size() - most);
 }
 
-void Inspector::draw_buttons(Controller& controller) {
+// Of what is selected, one body or several.
+void Inspector::draw_selection_buttons(Controller& controller) {
     if (ImGui::Button("Duplicate")) controller.post(command::DuplicateSelected{});
     note_place(controller, "inspector.duplicate");
     ImGui::SameLine();
@@ -136,11 +137,54 @@ void Inspector::draw_buttons(Controller& controller) {
         ImGui::SameLine();
     }
     ImGui::NewLine();
+}
+
+void Inspector::draw_buttons(Controller& controller) {
+    draw_selection_buttons(controller);
     if (ImGui::Button("Plot (F3)")) controller.plots = true;
     ImGui::SameLine();
     if (ImGui::Button("Impact (F7)")) controller.impacts = true;
     note_place(controller, "inspector.impact");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("the last one of this body, with the formula of its impulse (F7)");
+}
+
+// What can be done to several bodies at a time.
+void Inspector::draw_several(const StageState& state, Controller& controller) {
+    const std::vector<BodyId>& all = state.selection;
+    fact("mass in all", "%.4g kg", double(state.handled->mass.mass));
+    if (ImGui::Button(state.is_group ? "Ungroup" : "Group")) {
+        if (state.is_group)
+            controller.post(command::UngroupSelected{});
+        else
+            controller.post(command::GroupSelected{});
+    }
+    note_place(controller, "inspector.group");
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip(state.is_group ? "Each is selected by itself from now on (Ctrl+Shift+G)"
+                                         : "A click on one selects them all from now on (Ctrl+G)");
+    draw_selection_buttons(controller);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("make all");
+    for (std::size_t type = 0; type < type_names.size(); ++type) {
+        ImGui::SameLine();
+        if (ImGui::Button(type_names[type])) {
+            command::EditBodies change;
+            for (const BodyId body : all) change.edits.emplace_back(body, edit::Type{BodyType(type)});
+            controller.post(std::move(change));
+        }
+        note_place(controller, (std::string("inspector.") + type_names[type]).c_str());
+    }
+    if (!ImGui::CollapsingHeader("Bodies", ImGuiTreeNodeFlags_DefaultOpen)) return;
+    constexpr std::size_t most = 12;
+    std::size_t listed = 0;
+    for (const BodyLayout& body : state.layout->bodies) {
+        if (std::find(all.begin(), all.end(), body.id) == all.end() || ++listed > most) continue;
+        ImGui::TextUnformatted((body.name.empty() ? "body " + std::to_string(body.id.index()) : body.name).c_str());
+        ImGui::SameLine(0.6f * ImGui::GetWindowWidth());
+        ImGui::TextDisabled("%s", type_names[std::size_t(body.type)]);
+    }
+    if (listed > most) ImGui::TextDisabled("and %zu more", listed - most);
+    explain("Shift+click adds a body or takes one away.");
 }
 
 void Inspector::draw(const StageState& state, Controller& controller, float scale, float top, float bottom,
@@ -159,16 +203,22 @@ void Inspector::draw(const StageState& state, Controller& controller, float scal
     ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0f),
                                         ImVec2(width, std::max(display.y - top - bottom - 52.0f * scale, 64.0f)));
     ImGui::SetNextWindowBgAlpha(0.93f);
-    const std::string title =
-        (facts.name.empty() ? "body " + std::to_string(facts.id.index()) : facts.name) + "###body";
+    const bool is_one = state.selection.size() < 2;
+    const std::string count = std::to_string(state.selection.size()) + " bodies";
+    const std::string name = facts.name.empty() ? "body " + std::to_string(facts.id.index()) : facts.name;
+    const std::string title = (is_one ? name : state.is_group ? "a group of " + count : count) + "###body";
     bool is_open = true;
     ImGui::Begin(title.c_str(), &is_open, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
     ImGui::PushItemWidth(0.56f * width);
-    draw_identity(facts, controller);
-    draw_buttons(controller);
-    draw_motion(facts, controller);
-    draw_surface(facts, controller);
-    draw_touches(facts, controller);
+    if (is_one) {
+        draw_identity(facts, controller);
+        draw_buttons(controller);
+        draw_motion(facts, controller);
+        draw_surface(facts, controller);
+        draw_touches(facts, controller);
+    } else {
+        draw_several(state, controller);
+    }
     ImGui::PopItemWidth();
     ImGui::End();
     if (!is_open) controller.post(command::SelectNothing{});

@@ -19,6 +19,8 @@ class Inspector {
     void draw_motion(const BodyFacts& facts, Controller& controller);
     void draw_surface(const BodyFacts& facts, Controller& controller);
     void draw_buttons(Controller& controller);
+    void draw_selection_buttons(Controller& controller);
+    void draw_several(const StageState& state, Controller& controller);
     void draw_touches(const BodyFacts& facts, Controller& controller);
 
     BodyFacts edited_; // follows the body while nothing is being edited

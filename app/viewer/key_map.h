@@ -70,6 +70,8 @@ enum class Action {
     record_video,
     toggle_contacts,
     duplicate,
+    group,
+    ungroup,
     next_gizmo,
     save_scene,
     toggle_plots,

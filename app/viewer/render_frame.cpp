@@ -113,6 +113,11 @@ std::vector<Transform> poses_between(const WorldMotion& previous, const WorldMot
     return poses;
 }
 
+bool is_highlighted(BodyId body, const FrameOptions& options) {
+    return (options.selected && body == options.selected) ||
+           std::binary_search(options.selection.begin(), options.selection.end(), body);
+}
+
 void add_visual(ShapeInstances& all, const Position& origin, const VisualLayout& visual, const WorldLayout& layout,
                 const WorldMotion& motion, std::span<const Transform> transforms, const FrameOptions& options) {
     Transform pose = visual.local;
@@ -123,7 +128,7 @@ void add_visual(ShapeInstances& all, const Position& origin, const VisualLayout&
         pose = {body.position + Position(body.rotation * Vec3(visual.local.position)),
                 glm::normalize(body.rotation * visual.local.rotation)};
         color = body_color(layout, motion, *visual.body, options.colors).value_or(visual.color);
-        is_selected = options.selected && layout.bodies[*visual.body].id == options.selected;
+        is_selected = is_highlighted(layout.bodies[*visual.body].id, options);
     }
     MeshInstances& group = all.meshes[visual.mesh];
     Instance instance = instance_at(pose.position, pose.rotation, origin, color);
@@ -146,7 +151,7 @@ void add_solid(ShapeInstances& all, const Position& origin, const ShapeLayout& s
                const Vec3& color, const WorldLayout& layout, const FrameOptions& options) {
     Instance instance = instance_at(pose.position, pose.rotation, origin, color);
     instance.half_size = shape.half_size;
-    instance.emphasis = options.selected && layout.bodies[shape.body].id == options.selected ? 1.0f : 0.0f;
+    instance.emphasis = is_highlighted(layout.bodies[shape.body].id, options) ? 1.0f : 0.0f;
     // Slopes are tinted where the color is ours to choose and means nothing.
     if (shape.type == ShapeType::height_field && (shape.color || options.colors != ColorMode::scene))
         instance.pattern = 0.0f;
@@ -190,6 +195,19 @@ void add_drag(RenderFrame& frame, const WorldLayout& layout, std::span<const Tra
     frame.strokes.push_back({held, target, drag_color(), line_width});
     frame.strokes.push_back({held, held, drag_color(), held_width});
     frame.strokes.push_back({target, target, drag_color(), target_width});
+}
+
+// Parallel rays along a plane see its edge alone: a line.
+void add_plane(RenderFrame& frame, const Transform& pose, const Vec3& color) {
+    frame.grounds.push_back(ground_of(pose.position, pose.rotation, frame.origin, color));
+    const Vec3 to_target(frame.camera.target - frame.camera.position), normal = pose.rotation * Vec3(0.0f, 1.0f, 0.0f);
+    const float distance = glm::length(to_target);
+    constexpr float level = 1e-3f, reach = 20.0f; // of the distance
+    if (!frame.camera.is_parallel || std::abs(glm::dot(to_target, normal)) > level * distance) return;
+    const Vec3 target(frame.camera.target - frame.origin), point(pose.position - frame.origin);
+    const Vec3 middle = target - normal * glm::dot(target - point, normal);
+    const Vec3 half = glm::normalize(glm::cross(to_target, normal)) * (reach * distance);
+    frame.lines.push_back({middle - half, middle + half, 0.35f * color});
 }
 
 } // namespace
@@ -237,7 +255,7 @@ RenderFrame make_frame(const WorldLayout& layout, const WorldMotion& previous, c
         }
         const Vec3 color = color_of(layout, current, shape, options.colors);
         if (shape.type == ShapeType::plane)
-            frame.grounds.push_back(ground_of(pose.position, pose.rotation, frame.origin, color));
+            add_plane(frame, pose, color);
         else
             add_solid(frame, frame.origin, shape, pose, color, layout, options);
     }
@@ -260,6 +278,7 @@ void add_ghosts(RenderFrame& frame, const WorldLayout& layout, const WorldMotion
     const std::vector<Transform> transforms = poses_between(*other.previous, *other.current, fraction);
     FrameOptions plain = options;
     plain.selected = {};
+    plain.selection.clear();
     for (const auto& mesh : ghosts.meshes) frame.ghosts.meshes.push_back({mesh, {}});
     if (options.visuals)
         for (const VisualLayout& visual : ghosts.visuals)

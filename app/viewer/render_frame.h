@@ -108,6 +108,7 @@ struct FrameOptions {
     bool shadows = true;
     bool visuals = true; ///< Bodies that have meshes of the scene's own are shown by these; else by their shapes.
     BodyId selected;     ///< Highlighted; null for none.
+    std::vector<BodyId> selection;          ///< Likewise, in ascending order.
     JointsShown joints = JointsShown::none; ///< Which are drawn (joint_drawing.h).
     JointId selected_joint;
     std::optional<Vec3> light;    ///< Towards it; absent: that of every scene.

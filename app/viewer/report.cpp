@@ -151,6 +151,9 @@ std::string report_json(const StageState& state, const Controller& controller, c
     }
     json["dynamic_count"] = dynamic_count;
     json["selected"] = state.selected ? Json(state.selected.index()) : Json();
+    json["selection"] = Json::array();
+    for (const BodyId body : state.selection) json["selection"].push_back(body.index());
+    json["is_group"] = state.is_group;
     json["dragging"] = controller.dragging();
     json["paused"] = state.paused;
     json["frozen"] = state.frozen;

@@ -65,7 +65,8 @@ struct LoadedScene {
     std::vector<Appearance> appearances;
     std::vector<Visual> visuals{};
     std::vector<JointAppearance> strings{};
-    std::vector<ForceFieldId> force_fields{}; ///< Its own.
+    std::vector<ForceFieldId> force_fields{};  ///< Its own.
+    std::vector<std::vector<BodyId>> groups{}; ///< Bodies that are selected together.
     RecordedRun run{};
     bool is_paused = false; ///< Waits to be started.
 };

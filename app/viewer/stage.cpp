@@ -1,10 +1,12 @@
 #include "viewer/stage.h"
 
 #include "viewer/change_names.h"
+#include "viewer/group_edit.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <exception>
@@ -40,7 +42,10 @@ void Stage::take_scene(LoadedScene scene, const std::string& path) {
     pull_field_.reset();
     force_ = Vec3(0.0f);
     frozen_ = false;
-    selected_ = {};
+    select({});
+    selected_before_grab_.clear();
+    groups_ = scene_.groups;
+    met_ = {};
     selected_joint_ = {};
     drag_joint_ = {}; // it went with its world
     grab_ = {grab_.serial, false, {}, {}, {}, {}};
@@ -160,11 +165,14 @@ StageState Stage::state() const {
     state.time_step = clock_.time_step();
     state.remainder = clock_.remainder();
     state.selected = selected_;
+    state.selection = selection_;
+    state.is_group = is_group_selected();
     state.selected_joint = selected_joint_;
     state.grab = grab_;
     state.message = message_;
     state.samples = samples_;
     state.inspected = read_facts(scene_.world, selected_, clock_.time_step());
+    state.handled = selection_.size() > 1 ? facts_of_several(scene_.world, selection_) : state.inspected;
     state.timeline.first = timeline_.first_step();
     state.timeline.last = timeline_.last_step();
     state.timeline.now = seeking_.value_or(timeline_.now().step);
@@ -211,19 +219,20 @@ void Stage::add_body(const SpawnSettings& settings, const Position& position, co
 void Stage::operator()(const command::RemoveLast&) {
     while (!order_.empty() && !scene_.world.is_valid(order_.back())) order_.pop_back();
     if (order_.empty()) return say("There is no body left to remove.");
-    remove(order_.back());
+    remove({order_.back()});
     order_.pop_back();
 }
 
 void Stage::operator()(const command::RemoveSelected&) {
-    if (!selected_ || !scene_.world.is_valid(selected_)) return say("Select a body first, by clicking it.");
-    remove(selected_);
+    drop_gone_from_selection();
+    if (selection_.empty()) return say("Select a body first, by clicking it.");
+    remove(std::vector<BodyId>(selection_));
 }
 
-void Stage::remove(BodyId body) {
-    scene_.world.destroy_body(body);
-    if (selected_ == body) selected_ = {};
-    if (grab_.holding && grab_.body == body) {
+void Stage::remove(const std::vector<BodyId>& bodies) {
+    for (const BodyId body : bodies) scene_.world.destroy_body(body);
+    drop_gone_from_selection();
+    if (grab_.holding && !scene_.world.is_valid(grab_.body)) {
         grab_.holding = false;
         say("The dragged body was removed.");
     }
@@ -296,8 +305,10 @@ void Stage::operator()(const command::GrabBody& grab) {
     let_go();
     grab_ = {grab.serial, false, {}, {}, {}, {}};
     const auto hit = scene_.world.cast_ray(grab.ray.origin, grab.ray.direction, pick_distance);
+    met_ = hit ? hit->body : BodyId{};
+    selected_before_grab_ = selection_;
     if (!hit || scene_.world.body(hit->body).type() != BodyType::dynamic) return;
-    selected_ = hit->body;
+    select(hit->body);
     const Transform pose = scene_.world.body(hit->body).transform();
     grab_.holding = true;
     grab_.body = hit->body;
@@ -312,7 +323,7 @@ void Stage::operator()(const command::MoveGrab& move) {
 }
 
 void Stage::operator()(const command::ReleaseGrab& release) {
-    if (release.click && !grab_.body) (*this)(command::SelectNothing{});
+    if (release.click) finish_click(release.adds);
     grab_.holding = false;
     let_go();
 }
@@ -323,7 +334,7 @@ void Stage::let_go() {
 }
 
 void Stage::operator()(const command::SelectNothing&) {
-    selected_ = {};
+    select({});
     selected_joint_ = {};
 }
 

@@ -67,8 +67,10 @@ struct StageState {
     bool frozen = false, pulled = false;
     Vec3 force{0.0f, 0.0f, 0.0f};
     double speed = 1.0, real_time_factor = 0.0, time_step = 1.0 / 60.0;
-    double remainder = 0.0; ///< Simulated seconds by which real time is ahead of `current`.
-    BodyId selected;
+    double remainder = 0.0;        ///< Simulated seconds by which real time is ahead of `current`.
+    BodyId selected;               ///< The one that windows tell about.
+    std::vector<BodyId> selection; ///< All that are selected, it included.
+    bool is_group = false;         ///< They are one.
     JointId selected_joint;
     Grab grab;
     Message message;
@@ -81,6 +83,7 @@ struct StageState {
     std::uint64_t panes_began = 0;       ///< Steps made then.
     SampleLog samples;
     std::optional<BodyFacts> inspected; ///< The selected body.
+    std::optional<BodyFacts> handled;   ///< What handles change: it, or one that stands for all that are selected.
 };
 
 class Stage {
@@ -140,6 +143,9 @@ class Stage {
     void operator()(const command::ShowSolver& show);
     void operator()(const command::SelectBody& select);
     void operator()(const command::EditBody& change);
+    void operator()(const command::EditBodies& change);
+    void operator()(const command::GroupSelected&);
+    void operator()(const command::UngroupSelected&);
     void operator()(const command::EndChange&);
     void operator()(const command::DuplicateSelected&);
     void operator()(const command::SaveScene& save);
@@ -167,7 +173,16 @@ class Stage {
     void take_sample();
     void watch_energy();
     template <class Go> bool travel(const Go& go);
-    void remove(BodyId body);
+    void remove(const std::vector<BodyId>& bodies);
+    void edit_body(BodyId body, const BodyEdit& edit);
+    const std::vector<BodyId>* group_of(BodyId body) const;
+    std::vector<BodyId> with_group(BodyId body) const;
+    bool is_group_selected() const;
+    void select(BodyId body);
+    void select(std::vector<BodyId> bodies, BodyId first);
+    void toggle_selected(std::vector<BodyId> before, BodyId body);
+    void drop_gone_from_selection();
+    void finish_click(bool adds);
     void say(std::string text);
     void add_body(const SpawnSettings& settings, const Position& position, const Vec3& velocity);
     void update_field(std::optional<ForceFieldId>& id, const ForceField& field, bool on);
@@ -189,7 +204,10 @@ class Stage {
     std::optional<ForceFieldId> force_field_, pull_field_;
     Vec3 force_{0.0f, 0.0f, 0.0f};
     bool frozen_ = false, with_islands_ = false;
-    BodyId selected_;
+    BodyId selected_; // one of the selection, or null
+    std::vector<BodyId> selection_, selected_before_grab_;
+    std::vector<std::vector<BodyId>> groups_; // may hold stale bodies, which come back when that is undone
+    BodyId met_;                              // by the ray of the latest grab, whatever it is
     JointId selected_joint_;
     Grab grab_;
     JointId drag_joint_; // ours, not the scene's: no list shows it

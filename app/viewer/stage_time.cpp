@@ -57,7 +57,7 @@ void Stage::arrive() {
     pull_field_.reset();
     for (const Held& held : held_)
         if (const auto* joint = std::get_if<JointId>(&held.id); joint && world.is_valid(*joint)) drag_joint_ = *joint;
-    if (selected_ && !world.is_valid(selected_)) selected_ = {};
+    drop_gone_from_selection();
     for (const BodyId id : world.bodies())
         if (world.body(id).type() == BodyType::dynamic && std::find(order_.begin(), order_.end(), id) == order_.end())
             order_.push_back(id);

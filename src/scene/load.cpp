@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -85,6 +86,9 @@ class Builder {
         std::sort(joint_nodes_.begin(), joint_nodes_.end());
         for (const std::size_t node : joint_nodes_) add_joint(node);
         scene_.collision_systems = filters_.names();
+        for (auto& [number, bodies] : groups_) {
+            if (bodies.size() > 1) scene_.groups.push_back(std::move(bodies));
+        }
         if (aims_camera_) aim_camera(scene_.world, *scene_.info.camera);
         limit_warnings(warnings_);
         scene_.warnings = std::move(warnings_);
@@ -250,7 +254,10 @@ class Builder {
             if (const auto value = own->find("angular_damping")) def.angular_damping = value->real(nonnegative_float);
         }
         try {
-            return scene_.world.create_body(def);
+            const BodyId body = scene_.world.create_body(def);
+            if (const auto group = own ? own->find("group") : std::nullopt)
+                groups_[group->integer(0, std::numeric_limits<int>::max())].push_back(body);
+            return body;
         } catch (const Error& error) {
             (motion ? *motion : here).fail(error);
         }
@@ -403,6 +410,7 @@ class Builder {
     std::vector<std::string> warnings_;
     JointTable joints_;
     Scene scene_;
+    std::map<int, std::vector<BodyId>> groups_;           // by the numbers that the file gives them
     std::vector<std::optional<JointFrame>> joint_frames_; // by node; of those that the scene shows
     std::vector<std::size_t> joint_nodes_;
 };

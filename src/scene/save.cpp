@@ -37,6 +37,7 @@ class Writer {
         for (std::size_t i = 0; i < scene.visuals.size(); ++i) {
             if (is_drawn(scene.visuals[i])) visuals_[scene.visuals[i].body.bits].push_back(i);
         }
+        number_groups();
         for (const BodyId id : scene_.world.bodies()) add_mesh_nodes(id);
         for (const BodyId id : scene_.world.bodies()) add_body(id);
         for (const VisualMesh& visual : scene_.visuals) {
@@ -154,10 +155,22 @@ class Writer {
         nodes_[index] = std::move(node);
     }
 
+    // From 0, without those of which fewer than two bodies are left.
+    void number_groups() {
+        int number = 0;
+        for (std::vector<BodyId> bodies : scene_.groups) {
+            std::erase_if(bodies, [&](BodyId id) { return !scene_.world.is_valid(id); });
+            if (bodies.size() < 2) continue;
+            for (const BodyId id : bodies) group_of_[id.bits] = number;
+            ++number;
+        }
+    }
+
     void add_body_extension(const Body& body, bool needs_mark, Json& node) {
         Json own = Json::object();
         if (body.linear_damping() != 0.0f) own["linear_damping"] = shortest(body.linear_damping());
         if (body.angular_damping() != 0.0f) own["angular_damping"] = shortest(body.angular_damping());
+        if (const auto group = group_of_.find(body.id().bits); group != group_of_.end()) own["group"] = group->second;
         if (own.empty() && !needs_mark) return;
         node["extensions"]["CAIRN_body"] = std::move(own);
         uses_body_extension_ = true;
@@ -300,6 +313,7 @@ class Writer {
     std::unordered_map<std::uint64_t, Vec3> joint_colors_;                // by joint
     std::unordered_map<std::uint64_t, std::vector<std::size_t>> visuals_; // by body
     std::unordered_map<std::uint64_t, std::size_t> node_of_;              // by body
+    std::unordered_map<std::uint64_t, int> group_of_;                     // likewise
     std::unordered_map<std::size_t, std::size_t> mesh_nodes_;             // by mesh
     std::vector<Json> nodes_;
     std::vector<std::size_t> roots_;

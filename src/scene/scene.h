@@ -94,6 +94,8 @@ struct Scene {
     /// named layer. Others get a name of their number when they are saved.
     std::vector<std::string> collision_systems{};
     std::vector<JointSpeedLimit> speed_limits{}; ///< Of robots; not saved.
+    /// Bodies that belong together for who edits the scene, two or more in each; a body is in one at most.
+    std::vector<std::vector<BodyId>> groups{};
 };
 
 /// How a file is read.

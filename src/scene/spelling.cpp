@@ -104,7 +104,7 @@ const std::map<std::string, Kind>& kinds() {
         {"box", {{{"size"}}}},
         {"column", {{{"height"}, {"radiusBottom"}, {"radiusTop"}}}},
         {"plane", {{{"sizeX"}, {"sizeZ"}, {"doubleSided"}}}},
-        {"CAIRN_body", {{{"linear_damping"}, {"angular_damping"}}}},
+        {"CAIRN_body", {{{"linear_damping"}, {"angular_damping"}, {"group"}}}},
         {"CAIRN_material", {{{"density"}, {"rolling_friction"}, {"torsional_friction"}, {"surface_velocity"}}}},
         {"CAIRN_shape", {{{"rounding"}}}},
         {"CAIRN_height_field", {{{"columns"}, {"rows"}, {"spacing"}, {"heights"}}}},

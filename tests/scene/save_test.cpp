@@ -144,6 +144,29 @@ TEST(SceneSave, EverythingAFileCanSay) {
     expect_stable(load_text(document(parts)));
 }
 
+// Of bodies of any type; a body that was removed leaves its group, which ends where it leaves one alone.
+TEST(SceneSave, GroupsOfBodies) {
+    Scene scene{World(), {}, {}, {}, {}};
+    std::vector<BodyId> bodies;
+    for (int i = 0; i < 7; ++i) {
+        BodyDef def;
+        def.type = i == 2 ? BodyType::static_ : BodyType::dynamic;
+        def.position = {2.0 * i, 1.0, 0.0};
+        bodies.push_back(scene.world.create_body(def));
+        scene.world.add_shape(bodies.back(), Box{});
+    }
+    scene.groups = {{bodies[0], bodies[6]}, {bodies[5], bodies[2], bodies[1]}, {bodies[3], bodies[4]}};
+    scene.world.destroy_body(bodies[6]);
+    scene.world.destroy_body(bodies[5]);
+    const std::string text = scene::save_to_string(scene);
+    const Scene again = load_text(text);
+    EXPECT_TRUE(again.warnings.empty());
+    EXPECT_EQ(scene::save_to_string(again), text);
+    const std::vector<BodyId> all = again.world.bodies();
+    ASSERT_EQ(all.size(), 5u);
+    EXPECT_EQ(again.groups, (std::vector<std::vector<BodyId>>{{all[1], all[2]}, {all[3], all[4]}}));
+}
+
 TEST(SceneSave, PlanesThatFaceElsewhere) {
     Scene scene{World(), {}, {}, {}, {}};
     BodyDef def;

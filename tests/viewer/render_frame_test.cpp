@@ -253,6 +253,31 @@ TEST(RenderFrame, GroundGridStandsStillWhenTheOriginMoves) {
     EXPECT_NEAR(step / 10.0, std::round(step / 10.0), 1e-4); // whole cells
 }
 
+TEST(RenderFrame, AGroundThatParallelRaysSeeFromItsEdgeIsALine) {
+    const LoadedScene scene = test::boxes_on_plane(1);
+    CameraPose camera{{0.0, 1.0, 10.0}, {0.0, 1.0, 0.0}, 0.785398f, true};
+    const RenderFrame frame = make_frame(scene.world, {}, camera);
+    ASSERT_EQ(frame.lines.size(), 1u);
+    for (const Vec3& end : {frame.lines[0].from, frame.lines[0].to}) {
+        EXPECT_NEAR(frame.origin.y + double(end.y), 0.0, 1e-5);
+        EXPECT_GT(std::abs(end.x), 100.0f);
+    }
+    camera.position.y = 2.0;
+    EXPECT_TRUE(make_frame(scene.world, {}, camera).lines.empty()) << "it is seen from above";
+    camera = {{0.0, 1.0, 10.0}, {0.0, 1.0, 0.0}};
+    EXPECT_TRUE(make_frame(scene.world, {}, camera).lines.empty()) << "what is far is seen from above";
+}
+
+TEST(RenderFrame, AllThatIsSelectedIsHighlighted) {
+    const LoadedScene scene = test::boxes_on_plane(3);
+    FrameOptions options;
+    options.selection = {scene.world.bodies()[1], scene.world.bodies()[3]};
+    const RenderFrame frame = make_frame(scene.world, {}, scene.camera, options);
+    ASSERT_EQ(frame.boxes.size(), 3u);
+    for (const Instance& box : frame.boxes)
+        EXPECT_EQ(box.emphasis, std::abs(double(box.position.x) + frame.origin.x - 2.0) < 0.1 ? 0.0f : 1.0f);
+}
+
 TEST(RenderFrame, SelectedBodyIsHighlighted) {
     const LoadedScene scene = test::boxes_on_plane(2);
     FrameOptions options;

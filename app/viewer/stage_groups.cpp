@@ -1,0 +1,151 @@
+// Several bodies that are selected at a time, and groups, which a click selects as a whole.
+#include "viewer/group_edit.h"
+#include "viewer/stage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace cairn::viewer {
+
+namespace {
+
+bool contains(const std::vector<BodyId>& bodies, BodyId body) {
+    return std::find(bodies.begin(), bodies.end(), body) != bodies.end();
+}
+
+// Of bodies that have an end: planes go on forever.
+std::optional<double> width_of(const World& world, const std::vector<BodyId>& bodies) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const BodyId body : bodies)
+        for (const ShapeId shape : world.body(body).shapes()) {
+            const Bounds bounds = world.shape_bounds(shape);
+            low = std::min(low, bounds.min.x), high = std::max(high, bounds.max.x);
+        }
+    if (low > high) return 0.0; // no shapes
+    return std::isfinite(high - low) ? std::optional(high - low) : std::nullopt;
+}
+
+} // namespace
+
+const std::vector<BodyId>* Stage::group_of(BodyId body) const {
+    const auto group = std::find_if(groups_.begin(), groups_.end(),
+                                    [&](const std::vector<BodyId>& known) { return contains(known, body); });
+    return group == groups_.end() ? nullptr : &*group;
+}
+
+// With all that are in its group. A member that was removed comes back when that is undone: it stays in its group.
+std::vector<BodyId> Stage::with_group(BodyId body) const {
+    const std::vector<BodyId>* group = group_of(body);
+    std::vector<BodyId> bodies = group ? *group : std::vector<BodyId>{body};
+    std::erase_if(bodies, [this](BodyId id) { return !scene_.world.is_valid(id); });
+    return bodies;
+}
+
+bool Stage::is_group_selected() const {
+    if (selection_.size() < 2 || !group_of(selected_)) return false;
+    const std::vector<BodyId> bodies = with_group(selected_);
+    return std::is_permutation(bodies.begin(), bodies.end(), selection_.begin(), selection_.end());
+}
+
+void Stage::select(BodyId body) {
+    selected_ = body && scene_.world.is_valid(body) ? body : BodyId{};
+    selection_ = selected_ ? with_group(selected_) : std::vector<BodyId>{};
+}
+
+void Stage::select(std::vector<BodyId> bodies, BodyId first) {
+    selection_ = std::move(bodies);
+    selected_ = contains(selection_, first) ? first : selection_.empty() ? BodyId{} : selection_.back();
+}
+
+void Stage::toggle_selected(std::vector<BodyId> before, BodyId body) {
+    const std::vector<BodyId> bodies = with_group(body);
+    if (contains(before, body)) {
+        std::erase_if(before, [&](BodyId id) { return contains(bodies, id); });
+    } else {
+        before.insert(before.end(), bodies.begin(), bodies.end());
+    }
+    select(std::move(before), body);
+}
+
+// What Shift adds has an end: nobody means the ground.
+void Stage::finish_click(bool adds) {
+    const bool is_body = met_ && scene_.world.is_valid(met_);
+    if (adds && is_body && width_of(scene_.world, {met_}))
+        toggle_selected(selected_before_grab_, met_);
+    else if (adds)
+        select(selected_before_grab_, selected_);
+    else if (!grab_.body && is_body && group_of(met_))
+        select(met_);
+    else if (!grab_.body)
+        (*this)(command::SelectNothing{});
+}
+
+// After time has gone to another moment, or bodies are gone.
+void Stage::drop_gone_from_selection() {
+    std::erase_if(selection_, [this](BodyId id) { return !scene_.world.is_valid(id); });
+    select(std::move(selection_), selected_);
+}
+
+void Stage::operator()(const command::GroupSelected&) {
+    if (selection_.size() < 2) return say("Select several bodies first: Shift+click adds one.");
+    for (std::vector<BodyId>& group : groups_)
+        std::erase_if(group, [this](BodyId id) { return contains(selection_, id); });
+    std::erase_if(groups_, [](const std::vector<BodyId>& group) { return group.size() < 2; });
+    groups_.push_back(selection_);
+    say("Grouped " + std::to_string(selection_.size()) + " bodies: a click on one selects them all.");
+}
+
+void Stage::operator()(const command::UngroupSelected&) {
+    const std::size_t dissolved = std::erase_if(groups_, [this](const std::vector<BodyId>& group) {
+        return std::any_of(group.begin(), group.end(), [this](BodyId id) { return contains(selection_, id); });
+    });
+    say(dissolved > 0 ? "They are no group any more." : "No group is selected.");
+}
+
+void Stage::operator()(const command::EditBodies& change) {
+    for (const auto& [body, edit] : change.edits)
+        if (scene_.world.is_valid(body)) edit_body(body, edit);
+    refresh_layout();
+}
+
+// Beside the originals, by their own width; joints between two of them are copied, too.
+void Stage::operator()(const command::DuplicateSelected&) {
+    World& world = scene_.world;
+    drop_gone_from_selection();
+    if (selection_.empty()) return say("Select a body first, by clicking it.");
+    const std::optional<double> width = width_of(world, selection_);
+    if (!width) return say("An infinite plane is enough: it is not duplicated.");
+    std::map<BodyId, BodyId> copy_of;
+    std::vector<BodyId> made;
+    for (const BodyId body : selection_) {
+        const std::vector<ShapeId> shapes = world.body(body).shapes();
+        std::vector<ShapeId> copies;
+        made.push_back(duplicate(world, body, {1.05 * *width, 0.0, 0.0}, copies));
+        copy_of.emplace(body, made.back());
+        for (std::size_t i = 0; i < copies.size(); ++i) {
+            const auto original = std::find_if(scene_.appearances.begin(), scene_.appearances.end(),
+                                               [&](const Appearance& known) { return known.shape == shapes[i]; });
+            if (original != scene_.appearances.end()) scene_.appearances.push_back({copies[i], original->color});
+        }
+    }
+    for (const JointId joint : world.joints()) {
+        JointDef def = world.joint_def(joint);
+        const auto a = copy_of.find(def.body_a), b = copy_of.find(def.body_b);
+        if (a == copy_of.end() || b == copy_of.end()) continue;
+        def.body_a = a->second, def.body_b = b->second;
+        const JointId copy = world.create_joint(def);
+        const auto look = std::find_if(scene_.strings.begin(), scene_.strings.end(),
+                                       [&](const JointAppearance& known) { return known.joint == joint; });
+        if (look != scene_.strings.end()) scene_.strings.push_back({copy, look->color});
+    }
+    order_.insert(order_.end(), made.begin(), made.end());
+    if (group_of(selected_) && made.size() > 1) groups_.push_back(made);
+    select(made, copy_of.at(selected_));
+    refresh_layout();
+}
+
+} // namespace cairn::viewer
