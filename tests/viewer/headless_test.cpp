@@ -106,6 +106,33 @@ TEST(HeadlessRenderer, DrawsSkyBodyGroundAndShadow) {
     EXPECT_NEAR(mean_at(renderer, camera, {-1.0, 0.0, 0.0}).sum(), lit.sum(), 0.05 * lit.sum());
 }
 
+// A pixel is 5 cm here: the second ball is 120 of them to the right of the first.
+TEST(HeadlessRenderer, ParallelRaysShowABallAlikeWhereverItIs) {
+    HeadlessRenderer renderer(width, height);
+    for (const double depth : {0.0, -30.0, 25.0}) { // the last one is behind the eye
+        World world;
+        for (const Position& place : {Position(-3.0, 0.0, 0.0), Position(3.0, 0.0, depth)})
+            world.add_shape(world.create_body(test::body_at(place)), Sphere{1.2f});
+        FrameOptions options;
+        options.shadows = false;
+        const CameraPose pose{{0.0, 0.0, 10.0}, {0.0, 0.0, 0.0}, 2.0f * std::atan(0.45f), true};
+        renderer.draw(make_frame(world, {}, pose, options));
+        int differ = 0, covered = 0;
+        for (int y = 60; y < 120; ++y)
+            for (int x = 70; x < 130; ++x) {
+                const std::uint8_t* pixel = &renderer.pixels()[3 * std::size_t(y * width + x)];
+                const double from_middle = std::hypot(x + 0.5 - 100.0, y + 0.5 - 90.0) * 0.05;
+                if (from_middle > 1.1) continue;
+                ++covered;
+                int difference = 0;
+                for (int i = 0; i < 3; ++i) difference += std::abs(int(pixel[i]) - int(pixel[3 * 120 + i]));
+                differ += difference > 6;
+            }
+        EXPECT_GT(covered, 1000);
+        EXPECT_LE(differ, covered / 100) << depth;
+    }
+}
+
 TEST(HeadlessRenderer, StrokesAreSeenThroughBodiesButFainter) {
     const LoadedScene scene = test::boxes_on_plane(1);
     HeadlessRenderer renderer(width, height);
