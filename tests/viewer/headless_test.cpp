@@ -16,6 +16,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace {
 
@@ -111,12 +112,14 @@ TEST(HeadlessRenderer, ParallelRaysShowABallAlikeWhereverItIs) {
     HeadlessRenderer renderer(width, height);
     for (const double depth : {0.0, -30.0, 25.0}) { // the last one is behind the eye
         World world;
+        std::vector<Appearance> red;
         for (const Position& place : {Position(-3.0, 0.0, 0.0), Position(3.0, 0.0, depth)})
-            world.add_shape(world.create_body(test::body_at(place)), Sphere{1.2f});
+            red.push_back(
+                {world.add_shape(world.create_body(test::body_at(place)), Sphere{1.2f}), {0.9f, 0.05f, 0.02f}});
         FrameOptions options;
         options.shadows = false;
         const CameraPose pose{{0.0, 0.0, 10.0}, {0.0, 0.0, 0.0}, 2.0f * std::atan(0.45f), true};
-        renderer.draw(make_frame(world, {}, pose, options));
+        renderer.draw(make_frame(world, red, pose, options));
         int differ = 0, covered = 0;
         for (int y = 60; y < 120; ++y)
             for (int x = 70; x < 130; ++x) {
