@@ -35,32 +35,35 @@ template <class F> void visit_box(const BroadKernels& kernels, const TreeView& t
 
 // max = visit(slot, max) for all items that lie at a distance up to `max`, about in the order of these; less than 0
 // ends the walk. `enter(node, max, distances)`: which lanes of a node do, as bits, and where (8 floats, aligned to 32
-// bytes). Returns the last max.
+// bytes); of those that are nowhere farther than the start, less than 0 says which come first. Returns the last max.
 template <class Enter, class F> float visit_by_distance(const TreeView& tree, float max, Enter&& enter, F&& visit) {
-    struct Entry {
+    constexpr std::uint32_t index_bits = 3 * max_tree_levels, first_level = 1u << index_bits;
+    struct Entry { // of 8 bytes, which move as one
         float distance;
-        std::uint32_t level, index;
+        std::uint32_t place; // level, and index there
     };
     Entry stack[7 * max_tree_levels + 8];
     int count = 0;
     if (tree.level_count == 0) return max;
-    stack[count++] = {0.0f, tree.level_count, 0};
+    stack[count++] = {-largest_bound, tree.level_count * first_level};
     while (count > 0) {
         const Entry top = stack[--count];
         if (top.distance > max) continue;
-        if (top.level == 0) {
-            max = visit(top.index, max);
+        const std::uint32_t index = top.place % first_level;
+        if (top.place < first_level) {
+            max = visit(index, max);
             if (max < 0.0f) return max;
             continue;
         }
+        const std::uint32_t below = top.place / first_level - 1, children = below * first_level + index * 8;
         alignas(32) float distance[8];
-        int mask = enter(tree.levels[top.level - 1][top.index], max, distance);
-        const int first = count;
+        int mask = enter(tree.levels[below][index], max, distance);
+        Entry* const first = stack + count;
         for (; mask; mask &= mask - 1) { // farthest first, nearest on top
-            const int lane = __builtin_ctz(unsigned(mask));
-            int at = count++;
-            for (; at > first && stack[at - 1].distance < distance[lane]; --at) stack[at] = stack[at - 1];
-            stack[at] = {distance[lane], top.level - 1, top.index * 8 + std::uint32_t(lane)};
+            const std::uint32_t lane = std::uint32_t(__builtin_ctz(unsigned(mask)));
+            Entry* at = stack + count++;
+            for (; at > first && at[-1].distance < distance[lane]; --at) *at = at[-1];
+            *at = {distance[lane], children + lane};
         }
     }
     return max;

@@ -15,7 +15,7 @@ int hit_box(const Node8& node, const TreeBox& box) { return hits(node, splat(box
 // The slab test of Kay and Kajiya. The far distance is widened by the rounding errors of both (Ize, "Robust BVH ray
 // traversal", 2013), so that no box is missed.
 int hit_ray(const Node8& node, const TreeRay& ray, float max_distance, float* entry) {
-    f32x8 near = zero(), far = splat(max_distance);
+    f32x8 near = splat(-largest_bound), far = splat(max_distance);
     const f32x8 widening = splat(1.0000005f);
     for (int axis = 0; axis < 3; ++axis) {
         const f32x8 origin = splat(ray.origin[axis]), inverse = splat(ray.inverse_direction[axis]);
@@ -26,7 +26,7 @@ int hit_ray(const Node8& node, const TreeRay& ray, float max_distance, float* en
         far = min(far, ((forward ? high : low) - origin) * inverse * widening);
     }
     store(entry, near);
-    return 255 ^ bits(near > far);
+    return 255 ^ bits((near > far) | (far < zero()));
 }
 
 // Squares are made a little less by their rounding errors, so that no box is missed.
