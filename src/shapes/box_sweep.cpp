@@ -15,14 +15,15 @@ namespace {
 constexpr double parallel = 1e-28, nearly_parallel = 1e-10;
 
 constexpr int axis_count = 15;
+constexpr int none = -1; // of the edges
 constexpr int after(int i) { return i == 2 ? 0 : i + 1; }
 
 // What the boxes' shadows on an axis are, all times the length of the axis.
 struct Shadows {
-    double apart = 0;  // of the middles, from the moving to the still one
-    double speed = 0;  // of the moving one, in a whole way
-    double radii = 0;  // half of both shadows
-    double length = 1; // of the axis; 0: it says nothing
+    double apart;  // of the middles, from the moving to the still one
+    double speed;  // of the moving one, in a whole way
+    double radii;  // half of both shadows
+    double length; // of the axis; 0: it says nothing
 };
 
 class BoxPair {
@@ -33,8 +34,8 @@ class BoxPair {
         for (int i = 0; i < 3; ++i) {
             const DVec3 u = a.axes.column(i), v = b.axes.column(i);
             for (int j = 0; j < 3; ++j) cosine_[i][j] = dot(u, b.axes.column(j));
-            shadows_[i] = {dot(u, between), dot(u, way), a.size[i]};
-            shadows_[3 + i] = {dot(v, between), dot(v, way), b.size[i]};
+            shadows_[i] = {dot(u, between), dot(u, way), a.size[i], 1};
+            shadows_[3 + i] = {dot(v, between), dot(v, way), b.size[i], 1};
         }
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j) {
@@ -48,6 +49,12 @@ class BoxPair {
         missed.state = BoxSweep::State::missed;
         for (int k = 0; k < 6; ++k)
             if (misses(k, limit)) return missed;
+        BoxSweep r;
+        r.fraction = fraction_;
+        if (last_ >= 0 && meet_face(last_, r)) { // then nothing parts them any longer
+            r.state = BoxSweep::State::met;
+            return r;
+        }
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j) {
                 cross(i, j);
@@ -57,7 +64,6 @@ class BoxPair {
         for (const Shadows& s : shadows_)
             if (std::fabs(s.apart - fraction_ * s.speed) > s.radii + tolerance_ * s.length) return missed;
         if (fraction_ > limit) return missed;
-        BoxSweep r;
         r.fraction = fraction_;
         if (!is_vague_ && meet(last_, r)) r.state = BoxSweep::State::met;
         return r;
@@ -71,7 +77,7 @@ class BoxPair {
         Shadows& s = shadows_[6 + 3 * i + j];
         if (square < nearly_parallel) {
             is_vague_ = is_vague_ || square > parallel;
-            s.length = 0;
+            s = {0, 0, 0, 0};
             return;
         }
         s.length = std::sqrt(square);
@@ -119,9 +125,19 @@ class BoxPair {
         }
         return true;
     }
+    // Whether a corner of one box meets a face of the other at the fraction, within it, and where.
+    bool meet_face(int k, BoxSweep& r) const {
+        if (!meet(k, r)) return false;
+        const Convex& box = k < 3 ? a_ : b_;
+        DVec3 corner = r.point - r.fraction * way_;
+        if (k >= 3 && !farthest(a_, -r.normal, none, corner)) return false;
+        const DVec3 local = to_local(box, k < 3 ? corner - box.center : corner + r.fraction * way_ - box.center);
+        for (int j = 0; j < 3; ++j)
+            if (j != k % 3 && !(std::fabs(local[j]) <= box.size[j])) return false;
+        return true;
+    }
     // Where they meet along an axis at the fraction, or are deepest within each other. False where it is not one point.
     bool meet(int k, BoxSweep& r) const {
-        constexpr int none = -1;
         const Shadows& s = shadows_[k];
         const DVec3 at = r.fraction * way_;
         r.normal = s.apart > 0 ? -axis(k) : axis(k);
