@@ -1,6 +1,9 @@
 #include "shapes/gjk.h"
 
+#include "shapes/cylinder_touch.h"
+
 #include <limits>
+#include <optional>
 
 namespace cairn {
 
@@ -124,13 +127,56 @@ bool holds(const Simplex& s, const DifferencePoint& p) {
     return false;
 }
 
-template <class Result> void finish(Result& r, const Simplex& s) {
+void finish(GjkResult& r, const Simplex& s) {
     for (int i = 0; i < s.count; ++i) {
         r.on_a += s.weights[i] * s.points[i].a;
         r.on_b += s.weights[i] * s.points[i].b;
     }
     r.distance = math::length(s.nearest);
     r.normal = (-1 / r.distance) * s.nearest;
+}
+void finish(GjkCast& r, const Simplex& s) {
+    r.state = GjkCast::State::met;
+    for (int i = 0; i < s.count; ++i) r.on_b += s.weights[i] * s.points[i].b;
+    r.distance = math::length(s.nearest);
+    r.normal = (-1 / r.distance) * s.nearest;
+}
+
+// Where what GJK has found of two shapes would meet, if there was nothing else of them: a `fraction` of the way from
+// where it is. They are half the tolerance apart then, and on a slanting way less: no more than the tolerance before
+// the end of it.
+struct Touch {
+    double fraction;
+    DVec3 normal; // unit, from a to b
+    DVec3 on_b;   // of its core
+};
+
+bool is_cylinder(const Core& c) { return c.radius == 0 && c.shape->kind == Convex::Kind::cylinder; }
+bool has_corners(const Core& c) {
+    return c.radius == 0 && c.shape->kind != Convex::Kind::cylinder && c.shape->kind != Convex::Kind::capsule;
+}
+
+// Of the corners that belong to the simplex with a cylinder.
+std::optional<Touch> touch_of_cylinder(const CorePair& pair, const Simplex& s, DVec3 way, DVec3 so_far,
+                                       double tolerance) {
+    const bool is_moving = is_cylinder(pair.a);
+    DVec3 corners[3];
+    std::size_t count = 0;
+    for (int i = 0; i < s.count; ++i) {
+        const DVec3 p = is_moving ? s.points[i].b : s.points[i].a + so_far;
+        bool is_known = false;
+        for (std::size_t k = 0; k < count; ++k) is_known = is_known || corners[k] == p;
+        if (!is_known) corners[count++] = p;
+    }
+    const Convex& cylinder = is_moving ? *pair.a.shape : *pair.b.shape;
+    const auto met = is_moving ? touch_cylinder({corners, count}, -way, cylinder, cylinder.center + so_far, -s.nearest)
+                               : touch_cylinder({corners, count}, way, cylinder, cylinder.center, s.nearest);
+    if (!met) return std::nullopt;
+    Touch r{met->fraction, is_moving ? -met->normal : met->normal, met->point};
+    if (is_moving) r.on_b += met->fraction * way;
+    const double speed = dot(way, r.normal), length = math::length(way);
+    r.fraction -= tolerance / (2 * speed > length ? 2 * speed : length);
+    return r;
 }
 
 } // namespace
@@ -191,36 +237,56 @@ GjkResult gjk_distance_from(const CorePair& pair, const Simplex& start, double m
 
 GjkCast gjk_cast(const CorePair& pair, DVec3 way, double limit, double tolerance, DVec3 guess) {
     constexpr double converged = 1e-12; // as of gjk_distance
-    const double radius = pair.a.radius + pair.b.radius, reach = radius + tolerance;
+    const double radius = pair.a.radius + pair.b.radius, reach = radius + tolerance, stop = radius + 0.5 * tolerance;
+    const bool is_rim = (is_cylinder(pair.a) && has_corners(pair.b)) || (has_corners(pair.a) && is_cylinder(pair.b));
     GjkCast r;
     Simplex& s = r.simplex;
     if (!(dot(guess, guess) > 0)) guess = middle(*pair.b.shape) - middle(*pair.a.shape);
     if (!(dot(guess, guess) > 0)) guess = {0, 1, 0};
     s.nearest = -guess; // a direction to begin with
     double square = dot(guess, guess), size = 0;
+    bool is_moved = false;
+    const auto support = [&](DVec3 normal) {
+        DifferencePoint p = pair.support(normal);
+        p.w += r.fraction * way;
+        return p;
+    };
     for (int iteration = 0; iteration < max_iterations; ++iteration) {
         if (!(square > touching * touching * size)) break;
-        DifferencePoint next = pair.support(-s.nearest);
-        const DVec3 so_far = r.fraction * way;
-        next.a += so_far, next.w += so_far;
-        const double distance = std::sqrt(square), along = dot(s.nearest, next.w) / distance;
+        const double distance = std::sqrt(square);
+        DVec3 normal = (-1 / distance) * s.nearest;
+        DifferencePoint next;
+        double along = 0;
+        std::optional<Touch> touch;
+        if (is_moved && is_rim) touch = touch_of_cylinder(pair, s, way, r.fraction * way, tolerance);
+        if (touch && r.fraction + touch->fraction > 0) {
+            next = support(touch->normal), along = -dot(touch->normal, next.w);
+            if (along - dot(way, touch->normal) * touch->fraction >= radius) { // nothing meets before
+                r.fraction += touch->fraction;
+                r.state = r.fraction <= limit ? GjkCast::State::met : GjkCast::State::missed;
+                r.normal = touch->normal, r.on_b = touch->on_b, r.distance = stop;
+                return r;
+            }
+            if (along > reach) normal = touch->normal;
+        }
+        if (!(along > reach)) next = support(normal), along = -dot(normal, next.w);
         const double next_square = dot(next.w, next.w);
         if (next_square > size) size = next_square;
         const bool is_known = holds(s, next), is_first = s.count == 0;
-        if (along > reach) { // the plane between them shows how far it may move
-            const double speed = -dot(way, s.nearest) / distance, left = along - radius - 0.5 * tolerance;
-            if (!(speed * (limit - r.fraction) >= left)) {
+        is_moved = along > reach;
+        if (is_moved) { // the plane between them shows how far it may move
+            const double part = (along - stop) / dot(way, normal);
+            if (!(part > 0 && part <= limit - r.fraction)) {
                 r.state = GjkCast::State::missed;
                 return r;
             }
-            const DVec3 move = (left / speed) * way;
-            r.fraction += left / speed;
-            for (int i = 0; i < s.count; ++i) s.points[i].a += move, s.points[i].w += move;
-            next.a += move, next.w += move;
+            const DVec3 move = part * way;
+            r.fraction += part;
+            for (int i = 0; i < s.count; ++i) s.points[i].w += move;
+            next.w += move;
             square = std::numeric_limits<double>::infinity(); // of another place
         } else if (!is_first && (is_known || square - along * distance <=
                                                  converged * square + rounding * std::sqrt(square * size))) {
-            r.state = GjkCast::State::met;
             finish(r, s);
             return r;
         }
@@ -234,7 +300,6 @@ GjkCast gjk_cast(const CorePair& pair, DVec3 way, double limit, double tolerance
         if (!(best.square < square)) { // rounding: no nearer
             --s.count;
             if (!(distance <= reach)) break;
-            r.state = GjkCast::State::met;
             finish(r, s);
             return r;
         }

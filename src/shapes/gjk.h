@@ -47,8 +47,8 @@ struct GjkCast {
     State state = State::unsettled;
     double fraction = 0;
     double distance = 0; // met: of the cores, at the fraction; what is below as of GjkResult
-    math::DVec3 normal, on_a, on_b;
-    Simplex simplex;
+    math::DVec3 normal, on_b;
+    Simplex simplex; // the points of a where they were at the start
 };
 
 // The distance along any direction tells how far the core can move before they touch; GJK finds better and better
