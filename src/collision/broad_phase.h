@@ -268,6 +268,7 @@ class BroadPhase {
         return key & large_key ? awake_[1].alive(key & ~large_key) : awake_[0].alive(key);
     }
     bool crosses(const Plane& plane, const TreeBox& box) const;
+    static bool passes(const Plane& plane, math::DVec3 center, math::DVec3 half, math::DVec3 way);
 
     const BroadKernels& kernels_;
 

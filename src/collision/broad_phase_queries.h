@@ -42,6 +42,7 @@ template <class F> void BroadPhase::query_bounds(const DBounds& bounds, F&& visi
 // Through all trees: max = visit(shape, max) as in visit_by_distance.
 template <class Enter, class F> void BroadPhase::query_by_distance(float max, Enter&& enter, F&& visit) const {
     for (const SlotTree* tree : {&fixed_, &awake_[1], &awake_[0]}) {
+        if (tree->slot_count() == 0) continue;
         max = visit_by_distance(tree->view(), max, enter,
                                 [&](std::uint32_t slot, float limit) { return visit(tree->item(slot), limit); });
         if (max < 0.0f) return;
@@ -79,15 +80,25 @@ void BroadPhase::query_ray(math::DVec3 origin, math::DVec3 direction_unit, doubl
         });
 }
 
+// Whether a box that moves along stays on one side of a plane, where nothing is, by more than rounding.
+inline bool BroadPhase::passes(const Plane& plane, math::DVec3 center, math::DVec3 half, math::DVec3 way) {
+    constexpr double rounding = 0x1p-50;
+    const math::DVec3 n = math::abs(plane.normal);
+    const double height = math::dot(plane.normal, center - plane.point), change = math::dot(plane.normal, way);
+    const math::DVec3 sizes = math::abs(center) + math::abs(way) + math::abs(plane.point);
+    const double reach = math::dot(n, half) + rounding * math::dot(n, sizes);
+    if (height > reach && height + change > reach) return true;
+    return plane.is_sheet && height < -reach && height + change < -reach;
+}
+
 template <class F> void BroadPhase::query_sweep(const DBounds& bounds, math::DVec3 translation, F&& visit) const {
     const double length = math::length(translation);
     const math::DVec3 direction = length > 0 ? (1 / length) * translation : math::DVec3{};
     const math::DVec3 half = 0.5 * (bounds.hi - bounds.lo);
     const TreeRay ray = to_ray(bounds.lo + half, direction, half);
     double max = 1;
-    const DBounds swept{math::min(bounds.lo, bounds.lo + translation), math::max(bounds.hi, bounds.hi + translation)};
     for (const Plane& plane : planes_) {
-        if (!crosses(plane, to_box(swept))) continue;
+        if (passes(plane, bounds.lo + half, half, translation)) continue;
         max = visit(plane.shape, max);
         if (max < 0.0) return;
     }

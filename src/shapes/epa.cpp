@@ -23,7 +23,8 @@ struct Polytope {
         double distance; // of the plane from the origin, negative where the origin is outside
     };
     struct Edge {
-        int from, to;
+        std::int16_t from, to;
+        bool operator==(const Edge&) const = default;
     };
     int point_count = 0, face_count = 0;
     double size = 0;
@@ -46,8 +47,9 @@ struct Polytope {
     }
     int nearest() const {
         int best = 0;
+        double least = faces[0].distance;
         for (int i = 1; i < face_count; ++i)
-            if (faces[i].distance < faces[best].distance) best = i;
+            if (faces[i].distance < least) least = faces[i].distance, best = i;
         return best;
     }
     // The hull with one more point; false when rounding leaves no clean surface.
@@ -61,15 +63,16 @@ bool Polytope::add_point(const DifferencePoint& p) {
     Edge edges[3 * max_faces];
     int edge_count = 0, kept = 0;
     for (int i = 0; i < face_count; ++i) {
-        const Face f = faces[i];
+        const Face& f = faces[i];
         if (dot(f.normal, p.w) - f.distance <= -coplanar * size) {
-            faces[kept++] = f;
+            if (kept < i) faces[kept] = f;
+            ++kept;
             continue;
         }
         for (int k = 0; k < 3; ++k) {
-            const Edge e{f.corner[k], f.corner[(k + 1) % 3]};
+            const Edge e{std::int16_t(f.corner[k]), std::int16_t(f.corner[k == 2 ? 0 : k + 1])}, back{e.to, e.from};
             int twin = 0;
-            while (twin < edge_count && !(edges[twin].from == e.to && edges[twin].to == e.from)) ++twin;
+            while (twin < edge_count && edges[twin] != back) ++twin;
             if (twin < edge_count)
                 edges[twin] = edges[--edge_count];
             else

@@ -55,7 +55,7 @@ TEST(BroadPhase, SweepsAndNearestBoxesAreThoseOfBruteForce) {
         Scene scene(53, 7, offset);
         fill(scene);
         std::map<std::uint32_t, std::vector<std::uint32_t>> asleep;
-        std::size_t swept = 0, near = 0, visits = 0;
+        std::size_t swept = 0, near = 0, visits = 0, planes_met = 0, planes_passed = 0;
         for (int step = 0; step < 40; ++step) {
             stir(scene, step, asleep);
             if (step % 2) scene.update();
@@ -75,7 +75,17 @@ TEST(BroadPhase, SweepsAndNearestBoxesAreThoseOfBruteForce) {
             visits += on_way.size() + at_hand.size();
             for (std::uint32_t i = 0; i < scene.shapes.size(); ++i) {
                 const Scene::Shape& s = scene.shapes[i];
-                if (s.kind == Kind::none || s.kind == Kind::plane) continue;
+                if (s.kind == Kind::none) continue;
+                if (s.kind == Kind::plane) {
+                    const double height = math::dot(s.normal, a - s.point), change = math::dot(s.normal, way);
+                    const double reach = math::dot(math::abs(s.normal), half);
+                    const double low = std::min(height, height + change) - reach;
+                    const double high = std::max(height, height + change) + reach;
+                    if (std::fabs(low) < 1e-6 || std::fabs(high) < 1e-6) continue;
+                    EXPECT_EQ(on_way.count(i), low < 0 && (!s.is_sheet || high > 0)) << i << ' ' << step;
+                    ++(on_way.count(i) ? planes_met : planes_passed);
+                    continue;
+                }
                 const DBounds tight = Scene::tight(s);
                 double enter = 0, leave = end, square = 0;
                 for (int axis = 0; axis < 3; ++axis) {
@@ -96,6 +106,8 @@ TEST(BroadPhase, SweepsAndNearestBoxesAreThoseOfBruteForce) {
         }
         EXPECT_GT(swept, 40u);
         EXPECT_GT(near, 40u);
+        EXPECT_GT(planes_met, 4u);
+        EXPECT_GT(planes_passed, 10u);
         EXPECT_LT(visits, 3 * (swept + near)); // candidates are few
     }
 }
