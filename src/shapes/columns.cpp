@@ -13,9 +13,12 @@ using namespace columns;
 
 constexpr std::size_t block = 8, max_kept = 4;
 
+constexpr std::size_t round_up(std::size_t count, std::size_t width) { return (count + width - 1) / width * width; }
+
 } // namespace
 
 Columns::Columns(std::span<const math::Vec3> points) : size_(points.size()) {
+    for (std::vector<float>* column : {&x_, &y_, &z_}) column->reserve(round_up(size_, block));
     for (const math::Vec3& p : points) {
         x_.push_back(p.x), y_.push_back(p.y), z_.push_back(p.z);
         for (int i = 0; i < 3; ++i) largest_ = std::fabs(p[i]) > largest_ ? std::fabs(p[i]) : largest_;
@@ -108,7 +111,9 @@ std::size_t Columns::farthest_of(const DVec3& d, double scale, float least) cons
 }
 
 PlaneColumns::PlaneColumns(std::span<const math::Vec3> normals, std::span<const float> offsets)
-    : size_(normals.size()), offset_(offsets.begin(), offsets.end()) {
+    : size_(normals.size()) {
+    for (std::vector<float>* column : {&x_, &y_, &z_, &offset_}) column->reserve(round_up(size_, width));
+    offset_.assign(offsets.begin(), offsets.end());
     for (const math::Vec3& n : normals) x_.push_back(n.x), y_.push_back(n.y), z_.push_back(n.z);
     while (x_.size() % width != 0) {
         x_.push_back(x_.back()), y_.push_back(y_.back()), z_.push_back(z_.back());

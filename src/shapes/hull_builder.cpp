@@ -281,6 +281,7 @@ float find_width(const HullData& hull, const Climber& climber) {
 }
 
 void fill_faces(HullData& hull, const Polyhedron& body, std::span<const Vec3> points) {
+    hull.vertices.reserve(body.sources.size());
     for (const std::uint32_t p : body.sources) hull.vertices.push_back(points[p]);
     hull.lo = hull.hi = hull.vertices[0];
     double square = 0;
@@ -378,6 +379,9 @@ void arrange(HullData& hull) {
     hull.vertex_columns = Columns(hull.vertices);
     hull.core_columns = Columns(hull.core);
     hull.unit_normals.clear(), hull.outlines.clear(), hull.sides.clear();
+    std::size_t blocks = 0;
+    for (const HullFace& face : hull.faces) blocks += (face.count + SideBlock::width - 1) / SideBlock::width;
+    hull.unit_normals.reserve(hull.faces.size()), hull.outlines.reserve(hull.faces.size()), hull.sides.reserve(blocks);
     std::vector<Vec3> normals;
     std::vector<float> offsets;
     for (const HullFace& face : hull.faces) {

@@ -354,6 +354,18 @@ TEST(Hull, PublicClassTellsItsParts) {
 }
 
 // Processor time, as other programs may run beside.
+TEST(Hull, KeepsNoRoomToGrow) {
+    Random random(19);
+    for (int count = 4; count < 60; ++count) {
+        const HullData hull = build_checked(make_points(count, [&](int) { return random.on_sphere(); }));
+        EXPECT_EQ(hull.vertices.capacity(), hull.vertices.size()) << count;
+        EXPECT_EQ(hull.faces.capacity(), hull.faces.size()) << count;
+        EXPECT_EQ(hull.unit_normals.capacity(), hull.unit_normals.size()) << count;
+        EXPECT_EQ(hull.outlines.capacity(), hull.outlines.size()) << count;
+        EXPECT_EQ(hull.sides.capacity(), hull.sides.size()) << count;
+    }
+}
+
 TEST(Hull, TenThousandPointsTakeMilliseconds) {
     for (const bool is_sphere : {false, true}) {
         Random random(1);
