@@ -9,6 +9,8 @@ namespace cairn {
 
 namespace {
 
+constexpr int leaves_per_chunk = 64; // for threads
+
 float float_from_bits(std::uint32_t bits) {
     float value;
     std::memcpy(&value, &bits, sizeof value);
@@ -269,20 +271,29 @@ bool BroadPhase::crosses(const Plane& plane, const TreeBox& box) const {
     return math::dot(n, highest) >= height;
 }
 
-void BroadPhase::list_contacts(std::vector<std::uint32_t>& contacts) const {
-    std::size_t most = 0, count = 0;
-    for (const PairRows& rows : rows_)
-        for (std::uint32_t leaf = 0; leaf < rows.leaf_count(); ++leaf) most += rows.leaf(leaf).total();
-    contacts.resize(most);
-    for (const PairRows& rows : rows_)
-        for (std::uint32_t leaf = 0; leaf < rows.leaf_count(); ++leaf) {
-            const PairEntry* const entries = rows.entries(leaf);
-            for (std::uint32_t k = 0, total = rows.leaf(leaf).total(); k < total; ++k) {
-                contacts[count] = entries[k].contact;
-                count += entries[k].contact != filtered_contact;
-            }
+void BroadPhase::list_contacts(std::vector<std::uint32_t>& contacts, std::vector<ListPart>& parts,
+                               ThreadPool& thread_pool) const {
+    const int small = int(rows_[0].leaf_count()), all = small + int(rows_[1].leaf_count());
+    const auto for_leaves = [&](int begin, int end, auto&& f) {
+        for (int k = begin; k < end; ++k) {
+            const PairRows& rows = rows_[k < small ? 0 : 1];
+            const auto leaf = std::uint32_t(k < small ? k : k - small);
+            f(rows.entries(leaf), rows.leaf(leaf).total());
         }
-    contacts.resize(count);
+    };
+    const auto room = [&](int begin, int end) {
+        std::size_t entries = 0;
+        for_leaves(begin, end, [&](const PairEntry*, std::uint32_t total) { entries += total; });
+        return entries;
+    };
+    const auto write = [&](int begin, int end, std::uint32_t* next) {
+        for_leaves(begin, end, [&](const PairEntry* entries, std::uint32_t total) {
+            for (std::uint32_t k = 0; k < total; ++k)
+                if (entries[k].contact != filtered_contact) *next++ = entries[k].contact;
+        });
+        return next;
+    };
+    list_in_order(thread_pool, all, leaves_per_chunk, contacts, parts, room, write);
 }
 
 BroadPhase::Counts BroadPhase::counts() const {

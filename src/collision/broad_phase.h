@@ -10,7 +10,7 @@
 #include "bvh/slot_tree.h"
 #include "bvh/tree.h"
 #include "collision/broad_phase_rows.h"
-#include "jobs/thread_pool.h"
+#include "jobs/ordered_list.h"
 #include "math/bounds.h"
 #include "math/vec.h"
 
@@ -100,8 +100,9 @@ class BroadPhase {
     // f(shape_a, shape_b, contact) for all pairs with an awake shape (shape_a) that the sink did not refuse, in slot
     // order.
     template <class F> void for_each_pair(F&& f) const;
-    // Their contacts, in that order.
-    void list_contacts(std::vector<std::uint32_t>& contacts) const;
+    // Their contacts, in that order; `parts`: working memory.
+    void list_contacts(std::vector<std::uint32_t>& contacts, std::vector<ListPart>& parts,
+                       ThreadPool& thread_pool) const;
     // The same for the pairs that are kept for a sleeping island: those among its shapes, and of those with fixed ones.
     template <class F> void for_each_sleeping_pair(std::uint32_t island_key, F&& f) const;
 

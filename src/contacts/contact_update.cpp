@@ -246,7 +246,7 @@ float report_contacts(const Bodies& bodies, const Shapes& shapes, Contacts& cont
                       StepEvents& events, const WorldDef& settings, const SolverScratch& solver, NarrowScratch& narrow,
                       ThreadPool& thread_pool, PassTime pass) {
     float deepest = 0; // raised by all threads
-    const std::vector<SortedContact>& solved = solver.unsorted;
+    const std::vector<SortedContact>& solved = solver.of_batches;
     std::vector<std::uint8_t>& changes = narrow.changes;
     changes.resize(solved.size());
     thread_pool.for_chunks(int(solved.size()), reports_per_chunk, [&](int begin, int end, int) {

@@ -11,7 +11,9 @@
 #include "bodies/motion_budget.h"
 #include "contacts/contact_record.h"
 #include "contacts/contact_update.h"
+#include "core/cache.h"
 #include "core/key_tree.h"
+#include "jobs/ordered_list.h"
 #include "shapes/convex.h"
 #include "state/state.h"
 
@@ -27,6 +29,8 @@ namespace {
 // How far out of the plane a point may be: so much of the sizes of both, as far as contact points on the rim of a face
 // are off, but no more than the body may move until its points are found anew.
 constexpr float flatness = 2e-4f;
+
+constexpr int contacts_per_chunk = 1024; // for threads
 
 // Of unit vectors that differ by no more, planes of the size of a shape differ by as little.
 bool is_same(math::Vec3 a, math::Vec3 b) { return math::dot(a - b, a - b) < flatness * flatness; }
@@ -321,16 +325,25 @@ void drop_internal_edges_of_body(const Bodies& bodies, const Shapes& shapes, Con
 } // namespace
 
 void drop_internal_edges(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, NarrowScratch& narrow,
-                         std::vector<std::uint32_t>& solved) {
+                         std::vector<std::uint32_t>& solved, ThreadPool& thread_pool) {
+    list_in_order(thread_pool, int(solved.size()), contacts_per_chunk, narrow.fixed_ids, narrow.parts,
+                  [&](int begin, int end, std::uint32_t* next) {
+                      for (int k = begin; k < end; ++k) {
+                          if (const int later = k + int(contacts_ahead); later < end)
+                              ask_cache(&contacts.info[solved[std::size_t(later)]]);
+                          const std::uint32_t id = solved[std::size_t(k)];
+                          if (!contacts.info[id].b_moves) *next++ = id;
+                      }
+                      return next;
+                  });
     std::vector<std::int32_t>& last_of_body = narrow.last_of_body;
     std::vector<FixedContact>& fixed = narrow.fixed;
     last_of_body.resize(bodies.links.size(), none);
     narrow.is_internal_edge.resize(contacts.info.size());
     fixed.clear();
     narrow.any_internal_edges = false;
-    for (const std::uint32_t id : solved) {
+    for (const std::uint32_t id : narrow.fixed_ids) {
         const ContactInfo& c = contacts.info[id];
-        if (c.b_moves) continue;
         narrow.is_internal_edge[id] = 0;
         std::int32_t& last = last_of_body[c.body_a];
         bool on_several = false;

@@ -9,6 +9,6 @@ namespace cairn {
 // A body that slides over several surfaces side by side must not bump into the edges between them: takes out of
 // StepScratch::solved what is an edge of one in the plane of another.
 void drop_internal_edges(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, NarrowScratch& narrow,
-                         std::vector<std::uint32_t>& solved);
+                         std::vector<std::uint32_t>& solved, ThreadPool& thread_pool);
 
 } // namespace cairn

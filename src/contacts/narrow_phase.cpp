@@ -12,6 +12,7 @@
 #include "contacts/prefetch.h"
 #include "contacts/touch.h"
 #include "core/cache.h"
+#include "jobs/ordered_list.h"
 
 #include <algorithm>
 #include <atomic>
@@ -156,39 +157,26 @@ std::uint8_t before_test(const Bodies& bodies, Contacts& contacts, const Islands
     return c.point_count > 0 ? goes_on : apart;
 }
 
-// What stays apart, as most do, shows without the contact. Without a branch: none could guess. Each chunk lists where
-// it begins; the lists are then put together.
+// What stays apart, as most do, shows without the contact. Without a branch: none could guess.
 void list_open_pairs(const Bodies& bodies, const Contacts& contacts, NarrowScratch& narrow, ThreadPool& thread_pool) {
     const std::uint32_t* const candidates = narrow.candidates.data();
     const PairAnswer* const pairs = contacts.answers.data();
     const Travel* const ahead = bodies.ahead.data();
-    const std::size_t all = narrow.candidates.size();
-    narrow.open.resize(all);
-    narrow.open_in_chunk.resize(all / pairs_per_chunk + 1);
-    std::uint32_t* const open = narrow.open.data();
-    std::uint32_t* const open_in_chunk = narrow.open_in_chunk.data();
-    thread_pool.for_chunks(int(all), pairs_per_chunk, [=](int begin, int end, int) {
-        std::uint32_t* next = open + begin;
-        const auto look_at = [&](int k) {
-            *next = std::uint32_t(k);
-            next += !stays_apart(ahead, pairs[candidates[k]]);
-        };
-        constexpr int early = 2 * int(contacts_ahead);
-        int k = begin;
-        for (; k < end - early; ++k) {
-            ask_cache(&pairs[candidates[k + early]]);
-            look_at(k);
-        }
-        for (; k < end; ++k) look_at(k);
-        open_in_chunk[begin / pairs_per_chunk] = std::uint32_t(next - (open + begin));
-    });
-    std::size_t count = 0;
-    for (std::size_t begin = 0; begin < all; begin += pairs_per_chunk) {
-        const std::uint32_t here = open_in_chunk[begin / pairs_per_chunk];
-        std::copy(open + begin, open + begin + here, open + count);
-        count += here;
-    }
-    narrow.open.resize(count);
+    list_in_order(thread_pool, int(narrow.candidates.size()), pairs_per_chunk, narrow.open, narrow.parts,
+                  [=](int begin, int end, std::uint32_t* next) {
+                      const auto look_at = [&](int k) {
+                          *next = std::uint32_t(k);
+                          next += !stays_apart(ahead, pairs[candidates[k]]);
+                      };
+                      constexpr int early = 2 * int(contacts_ahead);
+                      int k = begin;
+                      for (; k < end - early; ++k) {
+                          ask_cache(&pairs[candidates[k + early]]);
+                          look_at(k);
+                      }
+                      for (; k < end; ++k) look_at(k);
+                      return next;
+                  });
 }
 
 // In the first pass of a step that may be split: what it has tested, and what goes on.
@@ -200,36 +188,63 @@ void note_found(const Contacts& contacts, NarrowScratch& narrow) {
         for (const std::uint32_t k : list) narrow.found[narrow.candidates[k]] = 1;
 }
 
-// Sorts the pairs that may have moved into the lists of their kinds, and counts them.
+// Sorts the open pairs that are to be tested into the lists of their kinds: `counts` are those of each chunk.
+std::size_t sort_by_kind(NarrowScratch& narrow, std::vector<KindCounts>& counts, ThreadPool& thread_pool) {
+    KindCounts all{};
+    for (KindCounts& chunk : counts)
+        for (std::size_t kind = 0; kind < tested_kinds; ++kind) {
+            const std::uint32_t begin = all[kind];
+            all[kind] += chunk[kind];
+            chunk[kind] = begin;
+        }
+    std::size_t count = 0;
+    for (std::size_t kind = 0; kind < tested_kinds; ++kind) {
+        narrow.lists[kind].resize(all[kind]);
+        count += all[kind];
+    }
+    if (count == 0) return 0;
+    thread_pool.for_chunks(int(narrow.open.size()), pairs_per_chunk, [&](int begin, int end, int) {
+        KindCounts& next = counts[std::size_t(begin / pairs_per_chunk)];
+        for (int i = begin; i < end; ++i) {
+            const std::uint32_t place = narrow.open[std::size_t(i)];
+            const std::uint8_t outcome = narrow.outcomes[place];
+            if (outcome < to_test) continue;
+            const auto kind = std::size_t(outcome - to_test);
+            narrow.lists[kind][next[kind]++] = place;
+        }
+    });
+    return count;
+}
+
+// Lists the pairs that may have moved, by kind, and counts them.
 std::size_t list_pairs(const Bodies& bodies, Contacts& contacts, const Islands& islands, const BroadPhase& broad_phase,
                        const StepPasses& passes, NarrowScratch& narrow, ThreadPool& thread_pool) {
-    broad_phase.list_contacts(narrow.candidates);
+    broad_phase.list_contacts(narrow.candidates, narrow.parts, thread_pool);
     list_open_pairs(bodies, contacts, narrow, thread_pool);
     narrow.outcomes.resize(narrow.candidates.size());
     const int open = int(narrow.open.size());
+    narrow.kinds_in_chunk.assign(std::size_t(open / pairs_per_chunk + 1), {});
     std::atomic<bool> any_groups = false;
     thread_pool.for_chunks(open, pairs_per_chunk, [&](int begin, int end, int) {
         // Outcomes are bytes, which may be anything for the compiler: it would look up the arrays anew after each.
         const std::uint32_t *const places = narrow.open.data(), *const candidates = narrow.candidates.data();
         const ContactInfo* const info = contacts.info.data();
         std::uint8_t* const outcomes = narrow.outcomes.data();
+        KindCounts kinds{};
         bool any = false;
         for (int i = begin; i < end; ++i) {
             if (i + int(contacts_ahead) < end) ask_cache(&info[candidates[places[i + int(contacts_ahead)]]]);
             const std::uint32_t id = candidates[places[i]];
             any |= is_group(info[id]);
-            outcomes[places[i]] = before_test(bodies, contacts, islands, narrow, passes, id);
+            const std::uint8_t outcome = before_test(bodies, contacts, islands, narrow, passes, id);
+            outcomes[places[i]] = outcome;
+            if (outcome >= to_test) ++kinds[std::size_t(outcome - to_test)];
         }
+        narrow.kinds_in_chunk[std::size_t(begin / pairs_per_chunk)] = kinds;
         if (any) any_groups = true;
     });
     narrow.any_groups = any_groups;
-    for (auto& list : narrow.lists) list.clear();
-    for (const std::uint32_t k : narrow.open)
-        if (const std::uint8_t outcome = narrow.outcomes[k]; outcome >= to_test)
-            narrow.lists[outcome - to_test].push_back(k);
-    std::size_t count = 0;
-    for (const auto& list : narrow.lists) count += list.size();
-    return count;
+    return sort_by_kind(narrow, narrow.kinds_in_chunk, thread_pool);
 }
 
 void test_all(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, ThreadPool& thread_pool, float dt) {
@@ -293,7 +308,7 @@ std::size_t update_contacts(Bodies& bodies, const Shapes& shapes, Contacts& cont
     if (step.passes.number == 0 && !narrow.whirling.empty()) note_found(contacts, narrow);
     follow_up_all(follow, dt);
     settle_flights(in, follow, thread_pool, dt);
-    drop_internal_edges(bodies, shapes, contacts, narrow, step.solved);
+    drop_internal_edges(bodies, shapes, contacts, narrow, step.solved, thread_pool);
     const auto push_solved = [&](std::uint32_t id) {
         for_each_patch(contacts, id, [&](std::uint32_t contact) { step.solved.push_back(contact); });
     };

@@ -9,7 +9,7 @@
 #include "core/order.h"
 #include "joints/joint_layout.h"
 #include "kernels/kernels.h"
-#include "solver/contact_order.h"
+#include "solver/batch_lanes.h"
 #include "solver/rank_border.h"
 #include "solver/row_motion.h"
 #include "state/state.h"
@@ -58,24 +58,18 @@ void keep_needed_bodies(const RankBorder& border, BatchScratch& scratch) {
 }
 
 // Bodies get their rows in the order of their indices, as they lie in memory (decisions/cache.md).
-void number_rows(BatchScratch& scratch) {
-    scratch.row_bodies = scratch.touching_bodies;
-    sort_distinct(scratch.row_bodies, scratch.row_marks);
-    scratch.row_bodies.insert(scratch.row_bodies.begin(), std::size_t(first_body_row), none);
-    for (std::size_t row = first_body_row; row < scratch.row_bodies.size(); ++row)
-        scratch.row_of_body[scratch.row_bodies[row]] = std::int32_t(row);
-}
-
-std::int32_t row_of(BatchScratch& scratch, std::int32_t body) {
-    return body == none ? fixed_row : row_of_body(scratch, body);
-}
-
-// B of a contact with a surface that moves.
-std::int32_t conveyor_row(BatchScratch& scratch, std::uint32_t contact) {
-    const std::int32_t row = std::int32_t(scratch.row_bodies.size());
-    scratch.row_bodies.push_back(none);
-    scratch.conveyor_rows.push_back({row, contact});
-    return row;
+void number_rows(BatchScratch& scratch, ThreadPool* thread_pool) {
+    sort_distinct(scratch.touching_bodies, scratch.row_marks);
+    const int count = int(scratch.touching_bodies.size());
+    scratch.row_bodies.assign(std::size_t(first_body_row), none);
+    scratch.row_bodies.resize(std::size_t(first_body_row + count));
+    for_chunks(thread_pool, count, rows_per_chunk, [&](int begin, int end, int) {
+        for (int k = begin; k < end; ++k) {
+            const std::int32_t body = scratch.touching_bodies[std::size_t(k)];
+            scratch.row_bodies[std::size_t(first_body_row + k)] = body;
+            scratch.row_of_body[body] = first_body_row + k;
+        }
+    });
 }
 
 // The velocity of a moving surface along itself: that across does not count, the shape itself stays where it is.
@@ -92,66 +86,6 @@ void fill_conveyor_rows(const Bodies& bodies, const Shapes& shapes, const Contac
         scratch.velocity[row] = scratch.reference[row] =
             to_row(b.v + belt_velocity(shapes, contacts, conveyor.contact), b.w);
     }
-}
-
-// Contacts that are solved side by side, behind those that are in the lanes already.
-void add_lanes(const SortedContact* begin, const SortedContact* end, BatchScratch& scratch, LaneLists& lanes) {
-    const std::size_t first = lanes.record.size(), size = first + std::size_t(end - begin);
-    lanes.record.resize(size), lanes.row_a.resize(size), lanes.row_b.resize(size);
-    std::int32_t *record = lanes.record.data() + first, *row_a = lanes.row_a.data() + first,
-                 *row_b = lanes.row_b.data() + first;
-    for (const SortedContact* c = begin; c != end; ++c) {
-        if (scratch.border && !is_own(*scratch.border->cut, c->body_a)) continue;
-        *record++ = std::int32_t(c->id);
-        *row_a++ = row_of(scratch, c->body_a);
-        *row_b++ = c->is_conveyor ? conveyor_row(scratch, c->id) : row_of(scratch, c->body_b);
-    }
-    if (!scratch.border) return;
-    const auto filled = std::size_t(record - lanes.record.data());
-    lanes.record.resize(filled), lanes.row_a.resize(filled), lanes.row_b.resize(filled);
-}
-
-BlockRun begin_run(const LaneLists& lanes, bool four_points) {
-    return {four_points, std::int32_t(lanes.record.size() / 8), 0};
-}
-void end_run(LaneLists& lanes, BlockRun& run) {
-    const std::size_t size = (lanes.record.size() + 7) & ~std::size_t(7);
-    lanes.record.resize(size, -1), lanes.row_a.resize(size, fixed_row), lanes.row_b.resize(size, fixed_row);
-    run.count = std::int32_t(size / 8) - run.first;
-}
-
-// Lays the batch's contacts into blocks of 8 lanes, color by color. `key_ends`: of each key, where its contacts end.
-void fill_lanes(const std::vector<SortedContact>& sorted, const std::uint32_t* key_ends, const IslandBatch& batch,
-                BatchScratch& scratch) {
-    scratch.one_lanes.clear();
-    scratch.four_lanes.clear();
-    scratch.colors.clear();
-    scratch.conveyor_rows.clear();
-    const SortedContact* next = sorted.data() + batch.first_contact;
-    const auto add_color = [&](auto&& add) {
-        ColorRun runs{begin_run(scratch.four_lanes, true), begin_run(scratch.one_lanes, false)};
-        add();
-        end_run(scratch.four_lanes, runs.four_points);
-        end_run(scratch.one_lanes, runs.one_point);
-        scratch.colors.push_back(runs);
-    };
-    const auto add_up_to = [&](const SortedContact* end, std::uint32_t key) {
-        add_lanes(next, end, scratch, has_one_point(key) ? scratch.one_lanes : scratch.four_lanes);
-        next = end;
-    };
-    for (std::uint32_t key = 0; key < keys_per_batch; key += keys_per_color) {
-        const SortedContact* const end = sorted.data() + key_ends[key + keys_per_color - 1];
-        // What found no color may share bodies with the next: it is alone in its run.
-        while (key == 0 && next != end) add_color([&] { add_up_to(next + 1, next->key); });
-        if (next == end) continue;
-        add_color([&] {
-            for (std::uint32_t k = key; k < key + keys_per_color; ++k) add_up_to(sorted.data() + key_ends[k], k);
-        });
-    }
-    if (scratch.one_blocks.size() * 8 < scratch.one_lanes.record.size())
-        scratch.one_blocks.resize(scratch.one_lanes.record.size() / 8);
-    if (scratch.four_blocks.size() * 8 < scratch.four_lanes.record.size())
-        scratch.four_blocks.resize(scratch.four_lanes.record.size() / 8);
 }
 
 // One body into its row; rows that are no bodies are all zero.
@@ -176,21 +110,35 @@ void fill_row(Bodies& bodies, const WorldDef& settings, BatchScratch& scratch, s
     scratch.row_traits[row] = traits; // a byte, which may be anything for the compiler: last
 }
 
+// Rows of no body, and discard rows, which have no traits, stay as they are then.
+void clear_rows(BatchScratch& scratch, std::size_t begin, std::size_t end) {
+    const auto clear = [=](auto& rows, std::size_t last, auto value) {
+        std::fill(rows.data() + std::min(begin, last), rows.data() + std::min(end, last), value);
+    };
+    clear(scratch.velocity, end, SolverVelocity{});
+    clear(scratch.reference, end, SolverVelocity{});
+    clear(scratch.rounding, end, SolverVelocity{});
+    clear(scratch.pose, end, SolverPose{{0, 0, 0}, 0, {0, 0, 0, 1}});
+    clear(scratch.inertia, end, SolverInertia{});
+    clear(scratch.row_traits, scratch.row_traits.size(), std::uint8_t(0));
+}
+
 void fill_rows(Bodies& bodies, const Shapes& shapes, const Contacts& contacts, const WorldDef& settings,
                BatchScratch& scratch, ThreadPool* thread_pool) {
     while (scratch.row_bodies.size() % 8 != 0) scratch.row_bodies.push_back(none);
     const std::size_t rows = scratch.row_count();
     const std::size_t all = rows + std::max(scratch.block_count(), rows / 8);
-    scratch.velocity.assign(all, {});
-    scratch.reference.assign(all, {});
-    scratch.rounding.assign(all, {});
-    scratch.pose.assign(all, {{0, 0, 0}, 0, {0, 0, 0, 1}});
-    scratch.inertia.assign(all, {});
-    scratch.row_traits.assign(rows, 0);
+    scratch.velocity.resize(all);
+    scratch.reference.resize(all);
+    scratch.rounding.resize(all);
+    scratch.pose.resize(all);
+    scratch.inertia.resize(all);
+    scratch.row_traits.resize(rows);
     std::atomic<std::uint64_t> clamped_speeds = 0;
-    for_chunks(thread_pool, int(rows), rows_per_chunk, [&](int begin, int end, int) {
+    for_chunks(thread_pool, int(all), rows_per_chunk, [&](int begin, int end, int) {
+        clear_rows(scratch, std::size_t(begin), std::size_t(end));
         std::uint64_t clamped = 0;
-        for (int row = begin; row < end; ++row) {
+        for (int row = begin; row < std::min(end, int(rows)); ++row) {
             if (const auto ahead = std::size_t(row) + bodies_ahead; ahead < rows && scratch.row_bodies[ahead] != none)
                 prefetch_motion(bodies, scratch.row_bodies[ahead]);
             fill_row(bodies, settings, scratch, std::size_t(row), clamped);
@@ -288,9 +236,8 @@ void fill_batch(Bodies& bodies, const Shapes& shapes, const Contacts& contacts, 
     if (scratch.border) keep_needed_bodies(*scratch.border, scratch);
     scratch.row_bodies.clear();
     if (scratch.touching_bodies.empty() && batch.contact_count + batch.joint_count == 0) return;
-    number_rows(scratch);
-    const std::size_t number = std::size_t(&batch - solver.batches.data());
-    fill_lanes(solver.sorted, solver.key_counts.data() + number * keys_per_batch, batch, scratch);
+    number_rows(scratch, thread_pool);
+    fill_lanes(solver, batch, scratch, thread_pool);
     fill_joint_lanes(bodies, joints, solver, direct, batch, scratch, thread_pool);
     fill_rows(bodies, shapes, contacts, settings, scratch, thread_pool);
     if (scratch.border) number_border_rows(*scratch.border, scratch);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "islands/coloring.h"
+#include "state/solver_scratch.h"
 
 #include <cstdint>
 
@@ -10,7 +11,8 @@ namespace cairn {
 // Overflow first, one contact after the other; then pairs that move by color; then pairs with what does not move.
 // Within a color no two share a body that moves: those that bore nothing in the last step come last, so that whole
 // blocks have nothing to do.
-inline constexpr std::uint32_t keys_per_color = 4, keys_per_batch = keys_per_color * (overflow_color + 1);
+inline constexpr std::uint32_t keys_per_color = 4;
+static_assert(keys_per_batch == keys_per_color * (overflow_color + 1));
 
 inline std::uint8_t key_of(const ContactInfo& c) {
     const bool has_color = c.color != overflow_color, is_idle = has_color && !(c.force > 0);

@@ -1,4 +1,4 @@
-// Packing islands into batches and sorting their contacts.
+// Packing islands into batches, with their contacts.
 #include "solver/island_batches.h"
 
 #include "contacts/contact_update.h"
@@ -9,6 +9,7 @@
 #include "state/state.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace cairn {
 
@@ -16,7 +17,7 @@ namespace {
 
 constexpr std::int32_t batch_contacts = 300; // enough to fill lanes, and few, so that threads end together
 constexpr std::int32_t batch_bodies = 4096;
-constexpr int contacts_per_chunk = 512; // for threads
+constexpr int contacts_per_chunk = 512, max_chunks = 64; // for threads
 
 // Impulses are those of one substep: with another length of substep they are others.
 void rescale_impulses(ContactInfo& c, ContactRecord& r, float h) {
@@ -36,10 +37,24 @@ void open_batch(SolverScratch& scratch, const Island& island) {
     scratch.batches.push_back(batch);
 }
 
+// How many contacts islands have, and whether any of these bounces. Those of one island mostly follow each other: they
+// are counted in registers.
+void count_contacts(const SortedContact* begin, const SortedContact* end, SolverScratch& scratch) {
+    while (begin != end) {
+        const std::int32_t island = begin->island;
+        std::int32_t count = 0;
+        bool bounces = false;
+        for (; begin != end && begin->island == island; ++begin) ++count, bounces |= begin->bounces != 0;
+        __atomic_fetch_add(&scratch.contacts_of_island[island], count, __ATOMIC_RELAXED);
+        if (bounces) __atomic_store_n(&scratch.island_bounces[island], std::uint8_t(1), __ATOMIC_RELAXED);
+    }
+}
+
 // All that is needed of the contacts to be solved, side by side: they lie scattered.
 void collect_contacts(const Bodies& bodies, Contacts& contacts, const Islands& islands,
-                      const std::vector<std::uint32_t>& solved, std::vector<SortedContact>& unsorted,
-                      ThreadPool& thread_pool, float dt) {
+                      const std::vector<std::uint32_t>& solved, SolverScratch& scratch, ThreadPool& thread_pool,
+                      float dt) {
+    std::vector<SortedContact>& unsorted = scratch.unsorted;
     unsorted.resize(solved.size());
     thread_pool.for_chunks(int(solved.size()), contacts_per_chunk, [&](int begin, int end, int) {
         ContactInfo* const info = contacts.info.data();
@@ -60,18 +75,35 @@ void collect_contacts(const Bodies& bodies, Contacts& contacts, const Islands& i
             if (c.substep_time != h) rescale_impulses(c, contacts.records[id], h);
             out[k] = {id, c.body_a, moves ? c.body_b : none, island, key_of(c), c.bounces, c.is_conveyor};
         }
+        count_contacts(out + begin, out + end, scratch);
     });
 }
 
-// Contacts of one island mostly follow each other: they are counted in registers.
-void count_contacts(SolverScratch& scratch) {
-    const std::vector<SortedContact>& contacts = scratch.unsorted;
-    for (std::size_t k = 0; k < contacts.size();) {
-        const std::int32_t island = contacts[k].island;
-        std::int32_t count = 0;
-        for (; k < contacts.size() && contacts[k].island == island; ++k) ++count;
-        scratch.contacts_of_island[island] += count;
+// In the order of the batches, each in its own: a counting sort by chunks, stable.
+void sort_by_batch(SolverScratch& scratch, ThreadPool& thread_pool) {
+    const int count = int(scratch.unsorted.size());
+    const std::size_t batches = scratch.batches.size();
+    scratch.of_batches.resize(scratch.unsorted.size());
+    if (batches <= 1) return scratch.of_batches.swap(scratch.unsorted);
+    // Few chunks: each counts for every batch.
+    const int size = std::max(contacts_per_chunk, count / max_chunks + 1);
+    std::vector<std::uint32_t>& counts = scratch.batch_counts;
+    counts.assign(std::size_t(count / size + 1) * batches, 0);
+    const auto batch_of = [&](int k) {
+        return std::size_t(scratch.batch_of_island[scratch.unsorted[std::size_t(k)].island]);
+    };
+    thread_pool.for_chunks(count, size, [&](int begin, int end, int) {
+        std::uint32_t* const own = counts.data() + std::size_t(begin / size) * batches;
+        for (int k = begin; k < end; ++k) ++own[batch_of(k)];
+    });
+    for (std::size_t i = 0; i < batches; ++i) {
+        auto place = std::uint32_t(scratch.batches[i].first_contact);
+        for (std::size_t at = i; at < counts.size(); at += batches) place += std::exchange(counts[at], place);
     }
+    thread_pool.for_chunks(count, size, [&](int begin, int end, int) {
+        std::uint32_t* const next = counts.data() + std::size_t(begin / size) * batches;
+        for (int k = begin; k < end; ++k) scratch.of_batches[next[batch_of(k)]++] = scratch.unsorted[std::size_t(k)];
+    });
 }
 
 } // namespace
@@ -82,13 +114,14 @@ void pack_batches(const Bodies& bodies, Contacts& contacts, Islands& islands, co
     scratch.batches.clear();
     // Of awake islands only: there may be many more that sleep.
     scratch.contacts_of_island.resize(islands.all.size());
+    scratch.island_bounces.resize(islands.all.size());
     scratch.batch_of_island.resize(islands.all.size());
     for (const std::int32_t i : islands.awake) {
         scratch.contacts_of_island[i] = 0;
+        scratch.island_bounces[i] = 0;
         islands.all[i].substeps = island_substeps(settings, step.passes, islands.all[i]);
     }
-    collect_contacts(bodies, contacts, islands, step.solved, scratch.unsorted, *step.thread_pool, dt);
-    count_contacts(scratch);
+    collect_contacts(bodies, contacts, islands, step.solved, scratch, *step.thread_pool, dt);
 
     // One batch is open for each number of substeps; it closes when it is full.
     scratch.open_batches.assign(std::size_t(max_substeps) + 1, none);
@@ -104,11 +137,12 @@ void pack_batches(const Bodies& bodies, Contacts& contacts, Islands& islands, co
         ++batch.island_count;
         batch.body_count += island.body_count;
         batch.contact_count += scratch.contacts_of_island[i];
+        batch.bounces |= scratch.island_bounces[i] != 0;
         batch.joint_count += island.joint_count;
         if (batch.contact_count + batch.joint_count >= batch_contacts || batch.body_count >= batch_bodies) open = none;
     }
 
-    // Islands and contacts in batch order (counting sorts, stable).
+    // Islands in the order of their batches, then contacts.
     std::int32_t island_count = 0, contact_count = 0;
     for (IslandBatch& batch : scratch.batches) {
         batch.first_island = island_count;
@@ -122,22 +156,9 @@ void pack_batches(const Bodies& bodies, Contacts& contacts, Islands& islands, co
         IslandBatch& batch = scratch.batches[scratch.batch_of_island[i]];
         scratch.batch_islands[batch.first_island + batch.island_count++] = i;
     }
-    scratch.key_counts.assign(scratch.batches.size() * keys_per_batch + 1, 0);
-    scratch.keys.resize(scratch.unsorted.size());
-    for (std::size_t k = 0; k < scratch.unsorted.size(); ++k) {
-        const SortedContact& c = scratch.unsorted[k];
-        const std::uint32_t key = std::uint32_t(scratch.batch_of_island[c.island]) * keys_per_batch + c.key;
-        scratch.keys[k] = key;
-        ++scratch.key_counts[key + 1];
-    }
-    for (std::size_t k = 1; k < scratch.key_counts.size(); ++k) scratch.key_counts[k] += scratch.key_counts[k - 1];
+    sort_by_batch(scratch, *step.thread_pool);
     scratch.sorted.resize(std::size_t(contact_count));
-    for (std::size_t k = 0; k < scratch.unsorted.size(); ++k) {
-        const SortedContact& c = scratch.unsorted[k];
-        const std::uint32_t key = scratch.keys[k];
-        scratch.batches[key / keys_per_batch].bounces |= c.bounces != 0;
-        scratch.sorted[scratch.key_counts[key]++] = c;
-    }
+    scratch.key_ends.resize(scratch.batches.size() * std::size_t(keys_per_batch));
 }
 
 } // namespace cairn

@@ -6,8 +6,9 @@
 
 namespace cairn {
 
-// Decides how many substeps each awake island takes, packs islands into batches and sorts StepScratch::solved by batch,
-// color and number of points. Impulses of contacts whose substeps have another length than in the last step are scaled.
+// Decides how many substeps each awake island takes, packs islands into batches and lists the contacts of
+// StepScratch::solved by batch (SolverScratch::of_batches). Impulses of contacts whose substeps have another length
+// than in the last step are scaled.
 void pack_batches(const Bodies& bodies, Contacts& contacts, Islands& islands, const WorldDef& settings,
                   StepScratch& step, float dt);
 

@@ -106,7 +106,7 @@ void cut_batches(const Bodies& bodies, Islands& islands, const WorldDef& setting
         else
             for (const std::int32_t b : members) cut.owner[b] = owner;
         for (const std::int32_t b : members) cut.parts[std::size_t(cut.owner[b])].bodies.push_back(b);
-        const SortedContact* const first = solver.sorted.data() + batch.first_contact;
+        const SortedContact* const first = solver.of_batches.data() + batch.first_contact;
         for (const SortedContact* c = first; c != first + batch.contact_count; ++c)
             cut.parts[std::size_t(cut.owner[c->body_a])].contacts.push_back(c->id);
     }

@@ -9,6 +9,7 @@
 #include "joints/direct_sets.h"
 #include "joints/joint_rows.h"
 #include "math/rotation.h"
+#include "solver/batch_lanes.h"
 #include "solver/batch_rows.h"
 #include "solver/block_runs.h"
 #include "solver/impacts.h"
@@ -238,11 +239,13 @@ void share_out_batches(SolverScratch& scratch, int threads, std::int32_t owner) 
 void solve_alone(const BatchContext& s, ThreadPool& thread_pool, std::int32_t owner, float dt) {
     SolverScratch& scratch = s.solver;
     share_out_batches(scratch, thread_pool.threads(), owner);
-    for (const std::int32_t i : scratch.shared)
-        solve_batch(s, scratch.batches[i], scratch.at_work[0], &thread_pool, dt);
+    const auto sort_and_solve = [&](std::int32_t i, BatchScratch& own, ThreadPool* threads) {
+        sort_contacts(scratch, scratch.batches[i], own, threads);
+        solve_batch(s, scratch.batches[i], own, threads, dt);
+    };
+    for (const std::int32_t i : scratch.shared) sort_and_solve(i, scratch.at_work[0], &thread_pool);
     thread_pool.for_chunks(int(scratch.alone.size()), 1, [&](int begin, int end, int thread) {
-        for (int k = begin; k < end; ++k)
-            solve_batch(s, scratch.batches[scratch.alone[k]], scratch.at_work[thread], nullptr, dt);
+        for (int k = begin; k < end; ++k) sort_and_solve(scratch.alone[k], scratch.at_work[thread], nullptr);
     });
 }
 
@@ -252,6 +255,7 @@ std::uint64_t solve_parts(const BatchContext& s, ThreadPool& thread_pool, float 
     cut_batches(s.bodies, s.islands, s.settings, *s.ranks, scratch);
     for (std::size_t i = 0; i < scratch.batches.size(); ++i) {
         if (scratch.cut.owner_of_batch[i] != cut_by_body) continue;
+        sort_contacts(scratch, scratch.batches[i], scratch.at_work[0], &thread_pool);
         find_border(s.bodies, scratch.batches[i], scratch, scratch.border);
         scratch.at_work[0].border = &scratch.border;
         solve_batch(s, scratch.batches[i], scratch.at_work[0], &thread_pool, dt);

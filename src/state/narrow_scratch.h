@@ -4,8 +4,11 @@
 #include "collision/manifold.h"
 #include "collision/surface_contact.h"
 #include "core/key_tree.h"
+#include "jobs/ordered_list.h"
+#include "state/contact_state.h"
 #include "state/touch.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -58,6 +61,8 @@ struct NarrowBatch {
     FlightPairs flights;
 };
 
+using KindCounts = std::array<std::uint32_t, std::size_t(tested_kinds)>; // by PairKind
+
 // A contact with what does not move by forces, for contacts/internal_edges.cpp.
 struct FixedContact {
     std::uint32_t contact;
@@ -83,7 +88,8 @@ struct NarrowScratch {
     std::vector<std::uint32_t> candidates;    // contacts of all pairs, those of neighbors near each other
     std::vector<std::uint8_t> outcomes;       // of each: what is to be done, what has come out (contacts.h)
     std::vector<std::uint32_t> open;          // places among the candidates of those not known to stay apart
-    std::vector<std::uint32_t> open_in_chunk; // how many of these a chunk of candidates has
+    std::vector<ListPart> parts;              // of lists that threads write together
+    std::vector<KindCounts> kinds_in_chunk;   // of open pairs that are to be tested
     std::vector<std::uint8_t> found;          // by contact: the first pass of a step that is split has tested it
     bool any_groups = false;                  // among those
     std::vector<std::uint8_t> patch_outcomes; // by contact, of patches of groups that were tested
@@ -95,6 +101,7 @@ struct NarrowScratch {
     std::vector<std::uint32_t> in_flight;  // contacts of pairs that meet in flight, if at all
     // Internal edges (contacts/internal_edges.cpp).
     std::vector<std::int32_t> last_of_body; // in `fixed`
+    std::vector<std::uint32_t> fixed_ids;   // in order
     std::vector<FixedContact> fixed;
     std::vector<std::uint32_t> of_body;
     std::vector<DepthOfContact> by_depth;

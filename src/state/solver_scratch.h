@@ -30,7 +30,11 @@ struct ColorRun {
     BlockRun four_points, one_point;
 };
 
-// A contact to be solved, sorted by batch and `key`.
+// Contacts by their keys (solver/contact_order.h).
+inline constexpr std::size_t keys_per_batch = 256;
+using KeyCounts = std::array<std::uint32_t, keys_per_batch>;
+
+// A contact to be solved.
 struct SortedContact {
     std::uint32_t id;
     std::int32_t body_a, body_b; // B: none if it does not move at all
@@ -45,7 +49,7 @@ struct IslandBatch {
     std::int32_t first_island = 0, island_count = 0; // in SolverScratch::batch_islands
     std::int32_t substeps = 0;
     std::int32_t body_count = 0, contact_count = 0, joint_count = 0;
-    std::int32_t first_contact = 0; // in SolverScratch::sorted
+    std::int32_t first_contact = 0; // in SolverScratch::of_batches and sorted
     bool bounces = false;           // any of its contacts has restitution
 };
 
@@ -145,6 +149,8 @@ struct BatchScratch {
     std::vector<SolverPose> pose;
     std::vector<SolverInertia> inertia;
     std::vector<SolverTwist> drive, damping, correction, free_correction;
+    std::vector<KeyCounts> keys_in_chunk;    // of contacts
+    std::vector<SortedContact> own_contacts; // of a batch that is cut
     LaneLists one_lanes, four_lanes;
     std::vector<ContactBlock<1>> one_blocks;
     std::vector<ContactBlock<4>> four_blocks;
@@ -196,8 +202,10 @@ struct SolverScratch {
     std::vector<IslandBatch> batches;
     std::vector<std::int32_t> batch_of_island, batch_islands, open_batches;
     std::vector<std::int32_t> contacts_of_island;
-    std::vector<std::uint32_t> key_counts, keys; // counting sort of contacts; by key, where its contacts end
-    std::vector<SortedContact> unsorted, sorted;
+    std::vector<std::uint8_t> island_bounces;                // 1: one of its contacts does
+    std::vector<std::uint32_t> batch_counts;                 // by chunk of contacts and batch
+    std::vector<SortedContact> unsorted, of_batches, sorted; // as found; by batch; by batch and key
+    std::vector<std::uint32_t> key_ends;     // by batch and key: where its contacts end among the sorted
     std::vector<ContactReport> reports;      // by contact, of those that were solved
     std::vector<JointLayout> joint_layouts;  // by batch
     std::vector<std::int32_t> shared, alone; // batches that all threads solve together, and those that one does

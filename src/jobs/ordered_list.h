@@ -1,0 +1,50 @@
+// Lists that several threads write together, in the order of what they look at.
+#pragma once
+
+#include "jobs/thread_pool.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace cairn {
+
+// What a chunk of items has written of a list.
+struct ListPart {
+    std::size_t begin, end;
+};
+
+// `list` becomes what write(begin, end, next) has written of the items 0..count, chunk behind chunk: from `next` on, at
+// most room(begin, end) entries; it returns where it ended. `parts`: working memory.
+template <class T, class Room, class F>
+void list_in_order(ThreadPool& thread_pool, int count, int grain, std::vector<T>& list, std::vector<ListPart>& parts,
+                   const Room& room, const F& write) {
+    parts.clear();
+    std::size_t size = 0;
+    for (int begin = 0; begin < count; begin += grain) {
+        parts.push_back({size, 0});
+        size += room(begin, std::min(begin + grain, count));
+    }
+    list.resize(size);
+    T* const first = list.data();
+    thread_pool.for_chunks(count, grain, [&](int begin, int end, int) {
+        ListPart& part = parts[std::size_t(begin / grain)];
+        part.end = std::size_t(write(begin, end, first + part.begin) - first);
+    });
+    std::size_t filled = 0;
+    for (const ListPart& part : parts) {
+        if (part.begin != filled) std::copy(first + part.begin, first + part.end, first + filled);
+        filled += part.end - part.begin;
+    }
+    list.resize(filled);
+}
+
+// The same of at most one entry for each item.
+template <class T, class F>
+void list_in_order(ThreadPool& thread_pool, int count, int grain, std::vector<T>& list, std::vector<ListPart>& parts,
+                   const F& write) {
+    const auto room = [](int begin, int end) { return std::size_t(end - begin); };
+    list_in_order(thread_pool, count, grain, list, parts, room, write);
+}
+
+} // namespace cairn

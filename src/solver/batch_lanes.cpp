@@ -1,0 +1,201 @@
+#include "solver/batch_lanes.h"
+
+#include "jobs/thread_pool.h"
+#include "solver/contact_order.h"
+#include "solver/rank_border.h"
+
+#include <algorithm>
+#include <atomic>
+
+namespace cairn {
+
+namespace {
+
+constexpr int contacts_per_chunk = 1024; // for threads
+constexpr std::int32_t no_row = -1;      // of a body that gets its row later
+
+int chunk_size(const ThreadPool* thread_pool, std::int32_t count) { return thread_pool ? contacts_per_chunk : count; }
+
+// B of a contact with a surface that moves.
+std::int32_t conveyor_row(BatchScratch& scratch, std::uint32_t contact) {
+    const std::int32_t row = std::int32_t(scratch.row_bodies.size());
+    scratch.row_bodies.push_back(none);
+    scratch.conveyor_rows.push_back({row, contact});
+    return row;
+}
+
+// Sorted contacts, and of each key where they end.
+struct ByKey {
+    const SortedContact* contacts;
+    const std::uint32_t* ends;
+};
+
+class LaneFiller {
+  public:
+    // `all`: of the batch; `own`: of these, those that are solved here.
+    LaneFiller(BatchScratch& scratch, ThreadPool* thread_pool, ByKey all, std::uint32_t all_begin, ByKey own,
+               std::uint32_t own_begin)
+        : scratch_(scratch), thread_pool_(thread_pool), all_(all), all_begin_(all_begin), own_(own),
+          own_begin_(own_begin) {}
+
+    void run() {
+        scratch_.one_lanes.clear();
+        scratch_.four_lanes.clear();
+        scratch_.colors.clear();
+        scratch_.conveyor_rows.clear();
+        add_overflow();
+        const std::uint32_t begin = own_begin_;
+        lay_out_colors();
+        fill(begin, own_.ends[keys_per_batch - 1]);
+        if (has_late_rows_) add_late_rows(begin, own_.ends[keys_per_batch - 1]);
+        make_room(scratch_.one_blocks, scratch_.one_lanes);
+        make_room(scratch_.four_blocks, scratch_.four_lanes);
+    }
+
+  private:
+    LaneLists& lanes_of(std::uint32_t key) { return has_one_point(key) ? scratch_.one_lanes : scratch_.four_lanes; }
+    std::int32_t row_of(std::int32_t body) const { return body == none ? fixed_row : scratch_.row_of_body[body]; }
+    template <class Block> static void make_room(std::vector<Block>& blocks, const LaneLists& lanes) {
+        if (blocks.size() * 8 < lanes.record.size()) blocks.resize(lanes.record.size() / 8);
+    }
+    static void resize(LaneLists& lanes, std::size_t size) {
+        lanes.record.resize(size, -1), lanes.row_a.resize(size, fixed_row), lanes.row_b.resize(size, fixed_row);
+    }
+
+    // Whole blocks of so many lanes behind those that are there; the last of them are empty.
+    BlockRun add_run(bool four_points, std::size_t count) {
+        LaneLists& lanes = four_points ? scratch_.four_lanes : scratch_.one_lanes;
+        const std::size_t first = lanes.record.size();
+        resize(lanes, first + count);
+        resize(lanes, (first + count + 7) & ~std::size_t(7));
+        return {four_points, std::int32_t(first / 8), std::int32_t((lanes.record.size() - first) / 8)};
+    }
+
+    // What found no color may share bodies with the next: it is alone in its run.
+    void add_overflow() {
+        for (std::uint32_t key = 0; key < keys_per_color; ++key)
+            for (; all_begin_ < all_.ends[key]; ++all_begin_) {
+                const SortedContact& c = all_.contacts[all_begin_];
+                const bool is_here = own_begin_ < own_.ends[key] && own_.contacts[own_begin_].id == c.id;
+                const bool four_points = !has_one_point(key);
+                const std::size_t lane = lanes_of(key).record.size();
+                scratch_.colors.push_back(
+                    {add_run(true, is_here && four_points), add_run(false, is_here && !four_points)});
+                if (!is_here) continue;
+                put(c, lane);
+                if (has_late_row(lanes_of(key), lane)) add_late_row(c, lane);
+                ++own_begin_;
+            }
+    }
+
+    void lay_out_colors() {
+        for (std::uint32_t key = keys_per_color; key < keys_per_batch; key += keys_per_color) {
+            const std::uint32_t all_end = all_.ends[key + keys_per_color - 1];
+            if (all_begin_ == all_end) continue;
+            all_begin_ = all_end;
+            std::size_t lanes[2] = {scratch_.four_lanes.record.size(), scratch_.one_lanes.record.size()};
+            std::size_t count[2] = {0, 0};
+            for (std::uint32_t k = key; k < key + keys_per_color; ++k) {
+                const std::size_t i = has_one_point(k) ? 1 : 0, here = own_.ends[k] - own_begin_;
+                // Of contact number `own_begin_`, which is the first.
+                first_lane_[k] = std::ptrdiff_t(lanes[i] + count[i]) - std::ptrdiff_t(own_begin_);
+                count[i] += here;
+                own_begin_ = own_.ends[k];
+            }
+            scratch_.colors.push_back({add_run(true, count[0]), add_run(false, count[1])});
+        }
+    }
+
+    void put(const SortedContact& c, std::size_t lane) {
+        LaneLists& lanes = lanes_of(c.key);
+        lanes.record[lane] = std::int32_t(c.id);
+        lanes.row_a[lane] = row_of(c.body_a);
+        lanes.row_b[lane] = c.is_conveyor ? no_row : row_of(c.body_b);
+    }
+    std::size_t lane_of(std::uint32_t number) const {
+        return std::size_t(std::ptrdiff_t(number) + first_lane_[own_.contacts[number].key]);
+    }
+    void fill(std::uint32_t begin, std::uint32_t end) {
+        std::atomic<bool> has_late_rows = false;
+        const int count = int(end - begin);
+        for_chunks(thread_pool_, count, contacts_per_chunk, [&](int from, int to, int) {
+            bool any = false;
+            for (std::uint32_t k = begin + std::uint32_t(from); k < begin + std::uint32_t(to); ++k) {
+                const SortedContact& c = own_.contacts[k];
+                const std::size_t lane = lane_of(k);
+                put(c, lane);
+                any |= has_late_row(lanes_of(c.key), lane);
+            }
+            if (any) has_late_rows = true;
+        });
+        has_late_rows_ = has_late_rows;
+    }
+
+    static bool has_late_row(const LaneLists& lanes, std::size_t lane) { return lanes.row_b[lane] == no_row; }
+    void add_late_row(const SortedContact& c, std::size_t lane) {
+        lanes_of(c.key).row_b[lane] = c.is_conveyor ? conveyor_row(scratch_, c.id) : row_of_body(scratch_, c.body_b);
+    }
+    void add_late_rows(std::uint32_t begin, std::uint32_t end) {
+        for (std::uint32_t k = begin; k < end; ++k) {
+            const SortedContact& c = own_.contacts[k];
+            const std::size_t lane = lane_of(k);
+            if (has_late_row(lanes_of(c.key), lane)) add_late_row(c, lane);
+        }
+    }
+
+    BatchScratch& scratch_;
+    ThreadPool* const thread_pool_;
+    const ByKey all_;
+    std::uint32_t all_begin_;
+    const ByKey own_;
+    std::uint32_t own_begin_;
+    std::ptrdiff_t first_lane_[keys_per_batch] = {}; // by key, added to the number of a contact
+    bool has_late_rows_ = false;
+};
+
+} // namespace
+
+void sort_contacts(SolverScratch& solver, const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool) {
+    const SortedContact* const first = solver.of_batches.data() + batch.first_contact;
+    SortedContact* const sorted = solver.sorted.data() + batch.first_contact;
+    std::uint32_t* const ends =
+        solver.key_ends.data() + std::size_t(&batch - solver.batches.data()) * std::size_t(keys_per_batch);
+    const int size = std::max(chunk_size(thread_pool, batch.contact_count), 1);
+    std::vector<KeyCounts>& counts = scratch.keys_in_chunk;
+    counts.assign(std::size_t(batch.contact_count / size + 1), {});
+    for_chunks(thread_pool, batch.contact_count, size, [&](int begin, int end, int) {
+        KeyCounts& own = counts[std::size_t(begin / size)];
+        for (int k = begin; k < end; ++k) ++own[first[k].key];
+    });
+    std::uint32_t place = 0;
+    for (std::size_t key = 0; key < keys_per_batch; ++key) {
+        for (KeyCounts& own : counts) place += std::exchange(own[key], place);
+        ends[key] = std::uint32_t(batch.first_contact) + place;
+    }
+    for_chunks(thread_pool, batch.contact_count, size, [&](int begin, int end, int) {
+        KeyCounts& next = counts[std::size_t(begin / size)];
+        for (int k = begin; k < end; ++k) sorted[next[first[k].key]++] = first[k];
+    });
+}
+
+void fill_lanes(const SolverScratch& solver, const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool) {
+    const std::size_t number = std::size_t(&batch - solver.batches.data());
+    const ByKey all{solver.sorted.data(), solver.key_ends.data() + number * keys_per_batch};
+    const auto begin = std::uint32_t(batch.first_contact);
+    if (!scratch.border) {
+        LaneFiller(scratch, thread_pool, all, begin, all, begin).run();
+        return;
+    }
+    std::vector<SortedContact>& own = scratch.own_contacts;
+    std::uint32_t ends[keys_per_batch];
+    own.clear();
+    std::uint32_t k = begin;
+    for (std::size_t key = 0; key < keys_per_batch; ++key) {
+        for (; k < all.ends[key]; ++k)
+            if (is_own(*scratch.border->cut, all.contacts[k].body_a)) own.push_back(all.contacts[k]);
+        ends[key] = std::uint32_t(own.size());
+    }
+    LaneFiller(scratch, thread_pool, all, begin, {own.data(), ends}, 0).run();
+}
+
+} // namespace cairn
