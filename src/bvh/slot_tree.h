@@ -59,6 +59,10 @@ class SlotTree {
     std::uint32_t append(std::uint32_t item, const TreeBox& box); // returns the slot
     void kill(std::uint32_t slot);
     void set_box(std::uint32_t slot, const TreeBox& box);
+    // The same for several threads, each with slots of its own: the bounds above the leaves hold again after
+    // note_change and a refit.
+    void set_leaf_box(std::uint32_t slot, const TreeBox& box) { set_lane(levels_[0][slot / 8], slot % 8, box); }
+    void note_change() { changed_ = 1; }
     void refit(const BroadKernels& kernels); // makes all bounds tight, if anything changed
 
     // Appended and dead slots since the last sort are many, compared with all.

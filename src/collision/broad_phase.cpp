@@ -1,6 +1,8 @@
 // Shapes of the broad phase: boxes, and which tree they are in.
 #include "collision/broad_phase.h"
 
+#include "core/order.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -9,7 +11,7 @@ namespace cairn {
 
 namespace {
 
-constexpr int leaves_per_chunk = 64; // for threads
+constexpr int leaves_per_chunk = 64, shapes_per_chunk = 64; // for threads
 
 float float_from_bits(std::uint32_t bits) {
     float value;
@@ -242,9 +244,35 @@ void BroadPhase::set_bounds(std::uint32_t shape, const DBounds& tight, math::Vec
     write_box(shape);
 }
 
-void BroadPhase::set_bounds(std::span<const std::uint32_t> shapes, std::span<const DBounds> tight,
-                            std::span<const math::Vec3> displacements) {
-    for (std::size_t i = 0; i < shapes.size(); ++i) set_bounds(shapes[i], tight[i], displacements[i]);
+void BroadPhase::set_bounds(std::span<const NewBounds> all, ThreadPool& thread_pool) {
+    if (all.empty()) return;
+    moved_shapes_.clear();
+    new_of_shape_.resize(proxies_.size());
+    for (std::uint32_t k = 0; k < all.size(); ++k) {
+        moved_shapes_.push_back(std::int32_t(all[k].shape));
+        new_of_shape_[all[k].shape] = k;
+    }
+    sort_distinct(moved_shapes_, shape_marks_);
+    const auto write = [&](int begin, int end, Change* next) {
+        for (int k = begin; k < end; ++k) {
+            const auto shape = std::uint32_t(moved_shapes_[std::size_t(k)]);
+            const NewBounds& bounds = all[new_of_shape_[shape]];
+            if (room(shape, bounds.tight, bounds.displacement) >= 0) continue;
+            Proxy& proxy = proxies_[shape];
+            SlotTree& tree = awake_[proxy.home];
+            if (!proxy.moved) *next++ = {tree.box(proxy.place), shape, proxy.place, proxy.home};
+            proxy.moved = 1;
+            fat_[shape] = new_fat(bounds.tight, bounds.displacement);
+            tree.set_leaf_box(proxy.place, relative(fat_[shape]));
+        }
+        return next;
+    };
+    list_in_order(thread_pool, int(all.size()), shapes_per_chunk, new_changes_, parts_, write);
+    changes_.insert(changes_.end(), new_changes_.begin(), new_changes_.end());
+    for (SlotTree& tree : awake_) {
+        tree.note_change();
+        tree.refit(kernels_);
+    }
 }
 
 void BroadPhase::refilter(std::uint32_t shape) {

@@ -35,6 +35,13 @@ struct PairSink {
     ~PairSink() = default;
 };
 
+// A shape and where it is now (BroadPhase::set_bounds).
+struct NewBounds {
+    std::uint32_t shape;
+    DBounds tight;
+    math::Vec3 displacement; // m, expected over the next step
+};
+
 class BroadPhase {
   public:
     enum class Mobility : std::uint8_t { fixed, awake };
@@ -72,8 +79,8 @@ class BroadPhase {
     double room(std::uint32_t shape, const DBounds& tight, math::Vec3 displacement) const {
         return fat_room(fat_[shape], tight, displacement);
     }
-    void set_bounds(std::span<const std::uint32_t> shapes, std::span<const DBounds> tight,
-                    std::span<const math::Vec3> displacements);
+    // The same for many shapes that are awake, each once, in any order. With all threads of the pool.
+    void set_bounds(std::span<const NewBounds> all, ThreadPool& thread_pool);
     // Whatever the sink decides by has changed: all pairs of the shape are lost and found anew at the next update.
     void refilter(std::uint32_t shape);
     bool contains(std::uint32_t shape) const {
@@ -310,6 +317,11 @@ class BroadPhase {
     std::vector<Search> searches_;  // by thread
     std::vector<NewRows> new_rows_; // by chunk of groups
     std::vector<std::uint32_t> order_, items_, shape_scratch_;
+    std::vector<std::int32_t> moved_shapes_;  // in ascending order
+    std::vector<std::uint64_t> shape_marks_;  // to sort them
+    std::vector<std::uint32_t> new_of_shape_; // by shape: its new bounds among all
+    std::vector<Change> new_changes_;
+    std::vector<ListPart> parts_;
     std::vector<PairEntry> merged_;
     std::vector<float> sizes_;
     std::vector<TreeBox> boxes_;

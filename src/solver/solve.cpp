@@ -283,7 +283,7 @@ void move_kinematics(Bodies& bodies, float dt) {
 }
 
 // What the threads have gathered, in an order that does not depend on them. Returns how often a speed was cut.
-std::uint64_t collect(BroadPhase& broad_phase, SolverScratch& scratch) {
+std::uint64_t collect(BroadPhase& broad_phase, SolverScratch& scratch, ThreadPool& thread_pool) {
     scratch.escaped.clear();
     scratch.fast.clear();
     scratch.strayed.clear();
@@ -300,12 +300,10 @@ std::uint64_t collect(BroadPhase& broad_phase, SolverScratch& scratch) {
         prepare_ms += own.prepare_ms;
         solve_ms += own.solve_ms;
     }
-    std::sort(scratch.escaped.begin(), scratch.escaped.end(),
-              [](const EscapedShape& a, const EscapedShape& b) { return a.shape < b.shape; });
     std::sort(scratch.fast.begin(), scratch.fast.end());
     std::sort(scratch.strayed.begin(), scratch.strayed.end());
     std::sort(scratch.overloaded.begin(), scratch.overloaded.end());
-    for (const EscapedShape& e : scratch.escaped) broad_phase.set_bounds(e.shape, e.bounds, e.displacement);
+    broad_phase.set_bounds(scratch.escaped, thread_pool);
     scratch.prepare_share = prepare_ms / std::max(prepare_ms + solve_ms, 1e-9);
     return clamped_speeds;
 }
@@ -339,7 +337,7 @@ std::uint64_t solve_batches(Bodies& bodies, Shapes& shapes, Contacts& contacts, 
     else
         scratch.cut.owner_of_batch.clear();
     solve_alone(context, *thread_pool, every_rank, dt);
-    clamped_speeds += collect(broad_phase, scratch);
+    clamped_speeds += collect(broad_phase, scratch, *thread_pool);
     move_kinematics(bodies, dt);
     return clamped_speeds;
 }

@@ -1,6 +1,7 @@
 // Working memory of the solver. Buffers keep their capacity, so that a steady step allocates nothing.
 #pragma once
 
+#include "collision/broad_phase.h"
 #include "kernels/solve/joint_data.h"
 #include "kernels/solve/solver_data.h"
 #include "math/bounds.h"
@@ -67,16 +68,9 @@ struct ConveyorRow {
     std::uint32_t contact;
 };
 
-// A shape that has left its fat box.
-struct EscapedShape {
-    std::uint32_t shape;
-    DBounds bounds;
-    math::Vec3 displacement;
-};
-
 // What a thread gathers from bodies that have moved.
 struct FinalizeScratch {
-    std::vector<EscapedShape> escaped;
+    std::vector<NewBounds> escaped;    // shapes that have left their fat boxes
     std::vector<std::int32_t> fast;    // bodies that moved farther than their cores may (impacts/resolve_impacts.h)
     std::vector<std::int32_t> strayed; // of these, bodies that are not where the broad phase expected them
 };
@@ -210,7 +204,7 @@ struct SolverScratch {
     std::vector<JointLayout> joint_layouts;  // by batch
     std::vector<std::int32_t> shared, alone; // batches that all threads solve together, and those that one does
     std::vector<BatchScratch> at_work;       // one per thread
-    std::vector<EscapedShape> escaped;
+    std::vector<NewBounds> escaped;
     std::vector<std::int32_t> fast;           // of all threads, in ascending order
     std::vector<std::int32_t> strayed;        // likewise
     std::vector<std::int32_t> member_numbers; // by body, while an island is split

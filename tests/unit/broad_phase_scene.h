@@ -94,6 +94,7 @@ struct Scene {
     BroadPhase broad;
     Recorder sink;
     ThreadPool* thread_pool = nullptr;
+    bool moves_together = false; // with all threads of the pool
     std::vector<Shape> shapes;
     DVec3 offset;
     double extent, slack = 1e-3;
@@ -153,6 +154,7 @@ struct Scene {
     }
     // Moves a share of the awake shapes, sometimes very fast, and keeps them in.
     void move(double share, double speed) {
+        std::vector<NewBounds> moved;
         for (std::uint32_t i = 0; i < shapes.size(); ++i) {
             Shape& s = shapes[i];
             if (s.kind != Kind::awake) continue;
@@ -168,8 +170,12 @@ struct Scene {
             for (int axis = 0; axis < 3; ++axis) {
                 if (std::fabs(s.center[axis] - offset[axis]) > extent) s.center[axis] = offset[axis];
             }
-            broad.set_bounds(i, tight(s), s.velocity);
+            moved.push_back({i, tight(s), s.velocity});
         }
+        if (moves_together)
+            broad.set_bounds(moved, *thread_pool);
+        else
+            for (const NewBounds& shape : moved) broad.set_bounds(shape.shape, shape.tight, shape.displacement);
     }
     void sleep(std::uint32_t key, const std::vector<std::uint32_t>& members) {
         for (const std::uint32_t i : members) shapes[i].kind = Kind::asleep, shapes[i].island = key;

@@ -55,10 +55,12 @@ TEST(BroadPhase, WorksTenMillionMetersOut) {
 }
 
 // What a run told its sink, and the pairs at its end in the order walked.
-std::vector<std::uint32_t> run_log(std::uint64_t seed, const char* isa, bool search_all, int threads = 1) {
+std::vector<std::uint32_t> run_log(std::uint64_t seed, const char* isa, bool search_all, int threads = 1,
+                                   bool moves_together = false) {
     Scene scene(seed, 7, {}, isa);
     ThreadPool thread_pool(threads);
     scene.thread_pool = &thread_pool;
+    scene.moves_together = moves_together;
     scene.broad.set_search_all(search_all);
     fill(scene);
     std::map<std::uint32_t, std::vector<std::uint32_t>> asleep;
@@ -85,6 +87,11 @@ TEST(BroadPhase, TwoRunsAreEqual) { EXPECT_TRUE(run_log(32, nullptr, false) == r
 TEST(BroadPhase, AnyNumberOfThreadsFindsTheSame) {
     const std::vector<std::uint32_t> reference = run_log(34, nullptr, false);
     for (const int threads : {2, 3, 7}) EXPECT_TRUE(reference == run_log(34, nullptr, false, threads)) << threads;
+}
+
+TEST(BroadPhase, ShapesMovedTogetherAreAsThoseMovedOneByOne) {
+    const std::vector<std::uint32_t> reference = run_log(35, nullptr, false);
+    for (const int threads : {1, 3}) EXPECT_TRUE(reference == run_log(35, nullptr, false, threads, true)) << threads;
 }
 
 TEST(BroadPhase, InstructionSetsAreEqual) {
@@ -337,20 +344,19 @@ TEST(BroadPhase, TwentyThousandItems) {
     for (const double share : {1.0, 0.02, 0.001, 0.0}) {
         double set = 0, update = 0, worst = 0;
         std::uint32_t moved = 0, searched = 0;
-        std::vector<std::uint32_t> indices;
-        std::vector<DBounds> bounds;
-        std::vector<Vec3> motion;
+        std::vector<NewBounds> bounds;
+        ThreadPool thread_pool(1);
         constexpr int steps = 60;
         for (int step = 0; step < steps; ++step) {
-            indices.clear(), bounds.clear(), motion.clear();
+            bounds.clear();
             for (std::uint32_t i = 0; i < 20000; ++i) {
                 Scene::Shape& s = scene.shapes[i];
                 s.velocity = scene.random.between(0, 1) < share ? Vec3{0.02f, -0.03f, 0.01f} : Vec3{};
                 s.center += math::to_double(s.velocity);
-                indices.push_back(i), bounds.push_back(Scene::tight(s)), motion.push_back(s.velocity);
+                bounds.push_back({i, Scene::tight(s), s.velocity});
             }
             start = Clock::now();
-            scene.broad.set_bounds(indices, bounds, motion);
+            scene.broad.set_bounds(bounds, thread_pool);
             set += ms(start);
             start = Clock::now();
             scene.broad.update(sink);
