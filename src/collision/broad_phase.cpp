@@ -257,8 +257,8 @@ void BroadPhase::set_bounds(std::span<const NewBounds> all, ThreadPool& thread_p
         for (int k = begin; k < end; ++k) {
             const auto shape = std::uint32_t(moved_shapes_[std::size_t(k)]);
             const NewBounds& bounds = all[new_of_shape_[shape]];
-            if (room(shape, bounds.tight, bounds.displacement) >= 0) continue;
             Proxy& proxy = proxies_[shape];
+            if (proxy.state != State::awake || room(shape, bounds.tight, bounds.displacement) >= 0) continue;
             SlotTree& tree = awake_[proxy.home];
             if (!proxy.moved) *next++ = {tree.box(proxy.place), shape, proxy.place, proxy.home};
             proxy.moved = 1;
@@ -273,6 +273,10 @@ void BroadPhase::set_bounds(std::span<const NewBounds> all, ThreadPool& thread_p
         tree.note_change();
         tree.refit(kernels_);
     }
+    // Those that wake at the next update.
+    for (const NewBounds& bounds : all)
+        if (proxies_[bounds.shape].state != State::awake)
+            set_bounds(bounds.shape, bounds.tight, bounds.displacement);
 }
 
 void BroadPhase::refilter(std::uint32_t shape) {

@@ -79,7 +79,7 @@ class BroadPhase {
     double room(std::uint32_t shape, const DBounds& tight, math::Vec3 displacement) const {
         return fat_room(fat_[shape], tight, displacement);
     }
-    // The same for many shapes that are awake, each once, in any order. With all threads of the pool.
+    // The same for many shapes, each once, in any order, most of them awake. With all threads of the pool.
     void set_bounds(std::span<const NewBounds> all, ThreadPool& thread_pool);
     // Whatever the sink decides by has changed: all pairs of the shape are lost and found anew at the next update.
     void refilter(std::uint32_t shape);
