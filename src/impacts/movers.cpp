@@ -45,6 +45,8 @@ constexpr double max_turn = 1, max_bend = 1e-4;
 // But no part is shorter, as part of a pass: of what turns over in it, the ball that is in it however it lies is held.
 constexpr double min_part = 1.0 / 64;
 
+constexpr int movers_per_chunk = 32; // for threads
+
 // The velocity with the direction of v whose square is `square`, or as it is if it has no direction.
 DVec3 with_square(DVec3 v, double square) {
     const double now = dot(v, v);
@@ -88,13 +90,34 @@ double Movers::longest_part(std::int32_t b, DVec3 w, DQuat q) const {
 
 std::int32_t Movers::add(std::int32_t b) {
     if (of_body(b) != none) return of_body(b);
-    const auto i = std::int32_t(movers_.size());
+    const std::int32_t i = name(b);
+    begin(i);
+    return i;
+}
+
+void Movers::add(std::span<const std::int32_t> bodies, ThreadPool& thread_pool) {
+    const std::int32_t first = count();
+    for (const std::int32_t b : bodies)
+        if (of_body(b) == none) name(b);
+    thread_pool.for_chunks(count() - first, movers_per_chunk, [&](int from, int to, int) {
+        for (std::int32_t i = first + from; i < first + to; ++i) begin(i);
+    });
+}
+
+std::int32_t Movers::name(std::int32_t b) {
+    const std::int32_t i = count();
     place_[std::size_t(b)] = i;
+    movers_.emplace_back().body = b;
+    return i;
+}
+
+// By the poses that the solver has given it.
+void Movers::begin(std::int32_t i) {
+    Mover& m = (*this)[i];
+    const std::int32_t b = m.body;
     const CountedPose from = pose_before(s.bodies, s.islands, b);
     const BodyMotion& to = s.bodies.motion[b];
     const BodyLinks& links = s.bodies.links[b];
-    Mover m;
-    m.body = b;
     m.is_free = links.contact_count + links.joint_count == 0;
     const bool turns_over = !m.is_free && math::length(to.w) * dt_ > half_turn;
     const bool flies_anew = turns_over && links.joint_count == 0 && links.radius > links.inner_radius; // else a ball
@@ -105,16 +128,15 @@ std::int32_t Movers::add(std::int32_t b) {
     m.velocity = (1 / double(dt_)) * m.path.translation - (0.5 * double(dt_)) * m.acceleration;
     m.spin = spin_later(m, to_double(to.w) + to_double(to.w_rest), to.q, from.q, -double(dt_));
     if (links.joint_count > 0 && !m.turns_over) lead_by_joints(m, from, to);
-    movers_.push_back(m);
     if (m.is_led) lead_on(i, 0);
     if (flies_anew) {
         // How the solver turned it its poses do not tell: from where it was, it flies as fast as that made it.
-        movers_.back().is_free = movers_.back().is_redirected = true;
+        m.is_free = m.is_redirected = true;
         const DVec3 v = to_double(to.v) + to_double(to.v_rest), w = to_double(to.w) + to_double(to.w_rest);
         redirect(i, 0, {from.x, from.q, v - double(dt_) * m.acceleration, w});
-    } else if (m.is_free && longest_part(b, m.spin, from.q) < double(dt_))
+    } else if (m.is_free && longest_part(b, m.spin, from.q) < double(dt_)) {
         redirect(i, 0, {from.x, from.q, m.velocity, m.spin});
-    return i;
+    }
 }
 
 // Joints turn a body about the axis of the screw that leads from its first pose to its last (Chasles): it is led by a
@@ -213,8 +235,7 @@ void Movers::fly(const Mover& m, const MovingState& from, double duration) const
     motion.x = from.x, motion.q = from.q;
     motion.v = math::to_float(stored), motion.v_rest = math::to_float(stored - to_double(motion.v));
     motion.w = math::to_float(from.w), motion.w_rest = math::to_float(from.w - to_double(motion.w));
-    if (duration > 0)
-        s.clamped_speeds += move_free_body(s.bodies, s.fields, s.settings, m.body, float(duration), substeps);
+    if (duration > 0) note_clamped(move_free_body(s.bodies, s.fields, s.settings, m.body, float(duration), substeps));
     const DVec3 borne = m.acceleration - real;
     motion.x += (0.5 * duration * duration) * borne;
     const DVec3 path_end = to_double(motion.v) + to_double(motion.v_rest) + duration * borne + shorter * real;
@@ -237,7 +258,7 @@ void Movers::keep_in_range(std::int32_t b, const MovingState& from, double durat
     const bool is_far = square > most * most;
     if (is_far) motion.x = from.x + (most / std::sqrt(square)) * way;
     const bool was_cut = clamp_velocity(s.settings, motion.v, motion.w);
-    if (!is_finite || is_far || was_cut) motion.v_rest = motion.w_rest = {}, ++s.clamped_speeds;
+    if (!is_finite || is_far || was_cut) motion.v_rest = motion.w_rest = {}, note_clamped(1);
 }
 
 void Movers::redirect(std::int32_t i, double time, const MovingState& now) {
@@ -318,7 +339,7 @@ std::size_t Movers::put_back() {
     std::size_t stopped = 0;
     for (std::int32_t i = 0; i < count(); ++i) {
         stopped += (*this)[i].has_stopped();
-        if ((*this)[i].is_changed || (*this)[i].has_stopped()) put_back(i);
+        if (is_put_back((*this)[i])) put_back(i);
     }
     return stopped;
 }

@@ -5,6 +5,8 @@
 #include "state/state.h"
 #include "state/step_scratch.h"
 
+#include <span>
+
 namespace cairn {
 
 struct MovingState {
@@ -34,6 +36,7 @@ class Movers {
     Movers& operator=(const Movers&) = delete;
 
     std::int32_t add(std::int32_t body);
+    void add(std::span<const std::int32_t> bodies, ThreadPool& thread_pool); // those of them that are none yet
     std::int32_t of_body(std::int32_t body) const { return place_[std::size_t(body)]; }
     Mover& operator[](std::int32_t i) { return movers_[std::size_t(i)]; }
     const Mover& operator[](std::int32_t i) const { return movers_[std::size_t(i)]; }
@@ -52,12 +55,18 @@ class Movers {
     void stop(std::int32_t i, double time) { (*this)[i].until = time; }
     // All that were redirected or stopped: where they are at the end of the step. Returns how many were stopped.
     std::size_t put_back();
+    bool is_put_back(std::int32_t body) const { return of_body(body) != none && is_put_back((*this)[of_body(body)]); }
 
     // Of what does not move by forces, or is slow: where it was at the start of the pass and is at its end.
     RigidPath path_of(std::int32_t body) const;
     DBounds bounds_of_way(const Mover& m, double from) const;
 
   private:
+    static bool is_put_back(const Mover& m) { return m.is_changed || m.has_stopped(); }
+    std::int32_t name(std::int32_t body);
+    void begin(std::int32_t i);
+    // From several threads at once.
+    void note_clamped(std::uint64_t times) const { __atomic_fetch_add(&s.clamped_speeds, times, __ATOMIC_RELAXED); }
     math::DVec3 spin_later(const Mover& m, math::DVec3 w, math::DQuat from, math::DQuat to, double duration) const;
     double longest_part(std::int32_t body, math::DVec3 w, math::DQuat q) const;
     double offset_of_velocity() const;

@@ -43,11 +43,15 @@ class ImpactQueue {
         meetings_.clear();
     }
     void run() {
-        for (const std::int32_t b : step.solver.fast) movers_[movers_.add(b)].is_fast = true;
+        std::vector<std::int32_t>& bodies = step.solver.sweep.bodies;
+        bodies = step.solver.fast;
         for (const std::uint32_t id : step.narrow.in_flight) {
-            movers_.add(s.contacts.info[id].body_a);
-            if (s.contacts.info[id].b_moves) movers_.add(s.contacts.info[id].body_b);
+            bodies.push_back(std::int32_t(s.contacts.info[id].body_a));
+            if (s.contacts.info[id].b_moves) bodies.push_back(std::int32_t(s.contacts.info[id].body_b));
         }
+        movers_.add(bodies, *step.thread_pool);
+        for (const std::int32_t b : step.solver.fast) movers_[movers_.of_body(b)].is_fast = true;
+        for (const std::int32_t b : step.solver.strayed) movers_[movers_.of_body(b)].has_strayed = true;
         pairs_.find();
         for (std::int32_t i = 0; i < movers_.count(); ++i)
             if (movers_[i].is_redirected) pairs_.find_near(i, 0);
@@ -67,6 +71,9 @@ class ImpactQueue {
                 meet(m.pair, m.time);
         }
         s.statistics.stopped_bodies += movers_.put_back();
+        std::erase_if(step.solver.escaped, [&](const NewBounds& e) { // the broad phase has been told
+            return movers_.is_put_back(s.shapes.links[e.shape].body);
+        });
     }
 
   private:
@@ -345,8 +352,9 @@ class ImpactQueue {
 } // namespace
 
 void resolve_impacts(const ImpactContext& s, StepScratch& step, float dt) {
-    if (step.solver.fast.empty() && step.narrow.in_flight.empty() && s.bodies.kinematics.empty()) return;
-    ImpactQueue(s, step, dt).run();
+    if (!step.solver.fast.empty() || !step.narrow.in_flight.empty() || !s.bodies.kinematics.empty())
+        ImpactQueue(s, step, dt).run();
+    s.broad_phase.set_bounds(step.solver.escaped, *step.thread_pool);
 }
 
 } // namespace cairn

@@ -14,7 +14,7 @@ using math::DVec3;
 
 namespace {
 
-constexpr int bodies_per_chunk = 16; // for threads
+constexpr int bodies_per_chunk = 16, pairs_per_chunk = 256; // for threads
 
 // About the center of mass.
 Geometry inner_ball(const Bodies& bodies, std::int32_t b) {
@@ -164,21 +164,33 @@ void SweptPairs::find() {
     }
     for (const std::int32_t b : in.bodies.kinematics) find_struck(b);
     if (in.fast.empty()) return;
-    for (const std::uint32_t k : in.narrow.open) {
-        const std::uint32_t id = in.narrow.candidates[k];
-        const PairAnswer& answer = in.contacts.answers[id];
-        const std::int32_t a = movers_.of_body(answer.body_a), b = movers_.of_body(answer.body_b);
-        const bool a_is_fast = a != none && movers_[a].is_fast, b_is_fast = b != none && movers_[b].is_fast;
-        if (!a_is_fast && !b_is_fast) continue;
-        const ContactInfo& c = in.contacts.info[id];
-        if (c.is_trigger || are_joined(answer.body_a, answer.body_b)) continue;
-        const std::int32_t mover = a_is_fast ? a : b;
-        const std::uint32_t shape = a_is_fast ? c.shape_a : c.shape_b, other = a_is_fast ? c.shape_b : c.shape_a;
-        if (!may_pass(mover, in.shapes.links[other].body, in.shapes.geometry[other]) || is_listed(mover, shape, other))
-            continue;
-        add(mover, shape, other, std::int32_t(id));
+    list_passing();
+    for (const PassingPair& pair : scratch_.passing) {
+        if (are_joined(movers_[pair.mover].body, in.shapes.links[pair.other].body)) continue;
+        if (!is_listed(pair.mover, pair.shape, pair.other))
+            add(pair.mover, pair.shape, pair.other, std::int32_t(pair.contact));
     }
     find_near_strayed();
+}
+
+// Of the pairs that the narrow phase had, those of a fast body that may pass the other.
+void SweptPairs::list_passing() {
+    const auto write = [&](int begin, int end, PassingPair* next) {
+        for (int i = begin; i < end; ++i) {
+            const std::uint32_t id = in.narrow.candidates[in.narrow.open[std::size_t(i)]];
+            const PairAnswer& answer = in.contacts.answers[id];
+            const std::int32_t a = movers_.of_body(answer.body_a), b = movers_.of_body(answer.body_b);
+            const bool a_is_fast = a != none && movers_[a].is_fast, b_is_fast = b != none && movers_[b].is_fast;
+            if (!a_is_fast && !b_is_fast) continue;
+            const ContactInfo& c = in.contacts.info[id];
+            const std::uint32_t shape = a_is_fast ? c.shape_a : c.shape_b, other = a_is_fast ? c.shape_b : c.shape_a;
+            const std::int32_t mover = a_is_fast ? a : b;
+            if (!c.is_trigger && may_pass(mover, in.shapes.links[other].body, in.shapes.geometry[other]))
+                *next++ = {mover, shape, other, id};
+        }
+        return next;
+    };
+    list_in_order(in.thread_pool, int(in.narrow.open.size()), pairs_per_chunk, scratch_.passing, scratch_.parts, write);
 }
 
 // Each looks for itself; then they are listed in order.
@@ -231,18 +243,19 @@ void SweptPairs::list_known() {
 }
 
 void SweptPairs::list_ways() {
-    std::vector<SweptBounds>& ways = scratch_.ways;
     if (scratch_.has_ways) return;
     scratch_.has_ways = true;
-    ways.clear();
-    scratch_.widest_way = 0;
+    scratch_.bounds_of_ways.clear();
+    scratch_.strayed.clear();
+    scratch_.widest_strayed = 0;
     for (std::int32_t i = 0; i < movers_.count(); ++i) {
-        if (movers_[i].is_redirected) continue;
         const DBounds bounds = movers_.bounds_of_way(movers_[i], 0);
-        ways.push_back({bounds.lo.x, i, bounds});
-        scratch_.widest_way = std::max(scratch_.widest_way, bounds.hi.x - bounds.lo.x);
+        scratch_.bounds_of_ways.push_back(bounds);
+        if (!movers_[i].has_strayed || movers_[i].is_redirected) continue;
+        scratch_.strayed.push_back({bounds.lo.x, i, bounds});
+        scratch_.widest_strayed = std::max(scratch_.widest_strayed, bounds.hi.x - bounds.lo.x);
     }
-    std::sort(ways.begin(), ways.end());
+    std::sort(scratch_.strayed.begin(), scratch_.strayed.end());
 }
 
 namespace {
@@ -256,17 +269,24 @@ template <class Ways, class F> void for_each_beside(const Ways& run, double wide
 
 } // namespace
 
-// f(shape) of all other bodies near bounds: what does not move far is where the broad phase has it, and movers where
-// they were going at first or since they were redirected.
+// f(shape) of all other bodies near bounds: what has neither strayed nor been redirected is where the broad phase has
+// it.
 template <class F> void SweptPairs::for_each_near(std::int32_t mover, const DBounds& bounds, F&& f) const {
     in.broad_phase.query_bounds(bounds, [&](std::uint32_t other) {
-        if (movers_.of_body(in.shapes.links[other].body) == none) f(other);
+        const std::int32_t i = movers_.of_body(in.shapes.links[other].body);
+        if (i == mover) return;
+        if (i != none) {
+            if (movers_[i].has_strayed || movers_[i].is_redirected) return;
+            const bool is_listed = std::size_t(i) < scratch_.bounds_of_ways.size(); // not what was struck since then
+            if (is_listed && !meet(bounds, scratch_.bounds_of_ways[std::size_t(i)])) return;
+        }
+        f(other);
     });
     const auto visit = [&](const SweptBounds& way) {
         if (way.mover != mover && meet(bounds, way.bounds))
             for_each_shape(in.bodies, in.shapes, movers_[way.mover].body, f);
     };
-    for_each_beside(scratch_.ways, scratch_.widest_way, bounds, [&](const SweptBounds& way) {
+    for_each_beside(scratch_.strayed, scratch_.widest_strayed, bounds, [&](const SweptBounds& way) {
         if (!movers_[way.mover].is_redirected) visit(way);
     });
     for (std::span<const SweptBounds> left = scratch_.redirected; !left.empty();) {

@@ -59,6 +59,7 @@ class SweptPairs {
     void find_struck(std::int32_t kinematic);
     std::int32_t known_contact(std::uint32_t a, std::uint32_t b);
     void list_known();
+    void list_passing();
     void list_ways();
     void note_way(const SweptBounds& way); // of what was redirected
     void find_near_strayed();

@@ -283,7 +283,7 @@ void move_kinematics(Bodies& bodies, float dt) {
 }
 
 // What the threads have gathered, in an order that does not depend on them. Returns how often a speed was cut.
-std::uint64_t collect(BroadPhase& broad_phase, SolverScratch& scratch, ThreadPool& thread_pool) {
+std::uint64_t collect(SolverScratch& scratch) {
     scratch.escaped.clear();
     scratch.fast.clear();
     scratch.strayed.clear();
@@ -303,7 +303,6 @@ std::uint64_t collect(BroadPhase& broad_phase, SolverScratch& scratch, ThreadPoo
     std::sort(scratch.fast.begin(), scratch.fast.end());
     std::sort(scratch.strayed.begin(), scratch.strayed.end());
     std::sort(scratch.overloaded.begin(), scratch.overloaded.end());
-    broad_phase.set_bounds(scratch.escaped, thread_pool);
     scratch.prepare_share = prepare_ms / std::max(prepare_ms + solve_ms, 1e-9);
     return clamped_speeds;
 }
@@ -337,7 +336,7 @@ std::uint64_t solve_batches(Bodies& bodies, Shapes& shapes, Contacts& contacts, 
     else
         scratch.cut.owner_of_batch.clear();
     solve_alone(context, *thread_pool, every_rank, dt);
-    clamped_speeds += collect(broad_phase, scratch, *thread_pool);
+    clamped_speeds += collect(scratch);
     move_kinematics(bodies, dt);
     return clamped_speeds;
 }

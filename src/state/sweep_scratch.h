@@ -3,6 +3,7 @@
 
 #include "collision/core_sweep.h"
 #include "collision/manifold.h"
+#include "jobs/ordered_list.h"
 #include "math/bounds.h"
 #include "state/impact_rows.h"
 #include "state/none.h"
@@ -22,7 +23,8 @@ struct Mover {
     bool is_fast = false;       // so far that its core may pass another
     bool turns_over = false;    // more than half a turn: its poses do not tell how
     bool is_changed = false;    // it is not where the solver has put it
-    bool is_redirected = false; // its way is not that which SweepScratch::ways has
+    bool has_strayed = false;   // its way is not where the broad phase expected it
+    bool is_redirected = false; // its way is not that which the solver has made
     int impacts = 0;
     double until = 1;               // when it stops
     std::int32_t first_pair = none; // of its list in SweepScratch::pairs
@@ -86,17 +88,27 @@ struct Assembly {
     std::int32_t begin, end;
 };
 
+// A pair of the broad phase that may meet: the mover, its shape, and the other.
+struct PassingPair {
+    std::int32_t mover;
+    std::uint32_t shape, other, contact;
+};
+
 struct SweepScratch {
+    std::vector<std::int32_t> bodies; // that become movers
+    std::vector<PassingPair> passing;
+    std::vector<ListPart> parts;
     std::vector<std::int32_t> place; // by body, among `movers`, or none
     std::vector<Mover> movers;
     std::vector<SweptPair> pairs;
     std::vector<std::int32_t> first_waiting; // by body that is no mover, the first of the pairs with it, or none
     std::vector<Meeting> meetings;           // a heap
     std::vector<std::int32_t> asked;         // pairs, after an impact
-    // The ways of movers: those that the solver has made, by x; those since then, as many runs as their number has
-    // binary digits of 1, each of them by x.
-    std::vector<SweptBounds> ways, redirected;
-    double widest_way = 0, widest_redirected = 0; // m, along x
+    std::vector<DBounds> bounds_of_ways;     // by mover, of those that the solver has made
+    // The ways of movers that are not where the broad phase has them: those that the solver has made, by x; those since
+    // then, as many runs as their number has binary digits of 1, each of them by x.
+    std::vector<SweptBounds> strayed, redirected;
+    double widest_strayed = 0, widest_redirected = 0; // m, along x
     // Contacts with points in the solver: lists by the body A.
     std::vector<std::int32_t> first_known; // by body, in `known`, or none
     std::vector<KnownContact> known;
