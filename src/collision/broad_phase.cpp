@@ -267,7 +267,7 @@ void BroadPhase::set_bounds(std::span<const NewBounds> all, ThreadPool& thread_p
         }
         return next;
     };
-    list_in_order(thread_pool, int(all.size()), shapes_per_chunk, new_changes_, parts_, write);
+    list_in_order(&thread_pool, int(all.size()), shapes_per_chunk, new_changes_, parts_, write);
     changes_.insert(changes_.end(), new_changes_.begin(), new_changes_.end());
     for (SlotTree& tree : awake_) {
         tree.note_change();
@@ -275,8 +275,7 @@ void BroadPhase::set_bounds(std::span<const NewBounds> all, ThreadPool& thread_p
     }
     // Those that wake at the next update.
     for (const NewBounds& bounds : all)
-        if (proxies_[bounds.shape].state != State::awake)
-            set_bounds(bounds.shape, bounds.tight, bounds.displacement);
+        if (proxies_[bounds.shape].state != State::awake) set_bounds(bounds.shape, bounds.tight, bounds.displacement);
 }
 
 void BroadPhase::refilter(std::uint32_t shape) {
@@ -325,7 +324,7 @@ void BroadPhase::list_contacts(std::vector<std::uint32_t>& contacts, std::vector
         });
         return next;
     };
-    list_in_order(thread_pool, all, leaves_per_chunk, contacts, parts, room, write);
+    list_in_order(&thread_pool, all, leaves_per_chunk, contacts, parts, room, write);
 }
 
 BroadPhase::Counts BroadPhase::counts() const {

@@ -326,7 +326,7 @@ void drop_internal_edges_of_body(const Bodies& bodies, const Shapes& shapes, Con
 
 void drop_internal_edges(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, NarrowScratch& narrow,
                          std::vector<std::uint32_t>& solved, ThreadPool& thread_pool) {
-    list_in_order(thread_pool, int(solved.size()), contacts_per_chunk, narrow.fixed_ids, narrow.parts,
+    list_in_order(&thread_pool, int(solved.size()), contacts_per_chunk, narrow.fixed_ids, narrow.parts,
                   [&](int begin, int end, std::uint32_t* next) {
                       for (int k = begin; k < end; ++k) {
                           if (const int later = k + int(contacts_ahead); later < end)

@@ -162,7 +162,7 @@ void list_open_pairs(const Bodies& bodies, const Contacts& contacts, NarrowScrat
     const std::uint32_t* const candidates = narrow.candidates.data();
     const PairAnswer* const pairs = contacts.answers.data();
     const Travel* const ahead = bodies.ahead.data();
-    list_in_order(thread_pool, int(narrow.candidates.size()), pairs_per_chunk, narrow.open, narrow.parts,
+    list_in_order(&thread_pool, int(narrow.candidates.size()), pairs_per_chunk, narrow.open, narrow.parts,
                   [=](int begin, int end, std::uint32_t* next) {
                       const auto look_at = [&](int k) {
                           *next = std::uint32_t(k);
@@ -266,26 +266,41 @@ void test_all(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, 
     collect_fresh_patches(narrow);
 }
 
-// What the tests have found, in the order of the pairs.
-void follow_up_all(const FollowUpContext& s, float dt) {
-    const NarrowScratch& narrow = s.narrow;
+// What the tests have found: what goes on, as most does, then all else, in the order of the pairs.
+void follow_up_all(const FollowUpContext& s, ThreadPool& thread_pool, float dt) {
+    NarrowScratch& narrow = s.narrow;
     const std::vector<std::uint32_t>& open = narrow.open;
     const std::uint32_t* const candidates = narrow.candidates.data();
     const std::uint8_t* const outcomes = narrow.outcomes.data();
     const bool any_groups = narrow.any_groups;
-    for (std::size_t i = 0; i < open.size(); ++i) {
+    const auto goes_on_alone = [&](std::uint32_t k) {
+        return outcomes[k] == goes_on && !(any_groups && is_group(s.contacts.info[candidates[k]]));
+    };
+    list_in_order(&thread_pool, int(open.size()), pairs_per_chunk, s.solved, narrow.parts,
+                  [&](int begin, int end, std::uint32_t* next) {
+                      for (int i = begin; i < end; ++i)
+                          if (const std::uint32_t k = open[std::size_t(i)]; goes_on_alone(k)) *next++ = candidates[k];
+                      return next;
+                  });
+    list_in_order(&thread_pool, int(open.size()), pairs_per_chunk, narrow.changed, narrow.parts,
+                  [&](int begin, int end, std::uint32_t* next) {
+                      for (int i = begin; i < end; ++i) {
+                          const std::uint32_t k = open[std::size_t(i)];
+                          const std::uint8_t outcome = outcomes[k];
+                          if (outcome != apart && outcome != may_fly_by && !goes_on_alone(k)) *next++ = k;
+                      }
+                      return next;
+                  });
+    const std::vector<std::uint32_t>& changed = narrow.changed;
+    for (std::size_t i = 0; i < changed.size(); ++i) {
         for (int n = 0; n < patches_at_hand && any_groups; ++n)
-            if (const std::size_t at = i + patch_ahead(n); at < open.size() && outcomes[open[at]] != apart)
-                prefetch_patch(s.contacts, candidates[open[at]], n, false);
-        const std::uint32_t k = open[i], id = candidates[k];
-        const std::uint8_t outcome = outcomes[k];
-        if (outcome == apart || outcome == may_fly_by) continue; // the contact need not be looked at
-        if (any_groups && is_group(s.contacts.info[id]))
+            if (const std::size_t at = i + patch_ahead(n); at < changed.size())
+                prefetch_patch(s.contacts, candidates[changed[at]], n, false);
+        const std::uint32_t k = changed[i], id = candidates[k];
+        if (is_group(s.contacts.info[id]))
             follow_up_group(s, k, dt);
-        else if (outcome == goes_on) // as most do
-            s.solved.push_back(id);
         else
-            follow_up(s, id, outcome, dt);
+            follow_up(s, id, outcomes[k], dt);
     }
 }
 
@@ -299,14 +314,13 @@ std::size_t update_contacts(Bodies& bodies, const Shapes& shapes, Contacts& cont
     const NarrowInput in{settings, bodies, shapes, islands, fields, step.passes};
     const FollowUpContext follow{settings, shapes, bodies, contacts, islands, events, narrow, step.solved};
     count_motion(bodies, islands, settings, step.passes, narrow, thread_pool, dt);
-    step.solved.clear();
     narrow.skipped.clear();
     narrow.lists.resize(tested_kinds);
     narrow.at_work.resize(std::size_t(thread_pool.threads()));
     const std::size_t tested = list_pairs(bodies, contacts, islands, broad_phase, step.passes, narrow, thread_pool);
     test_all(in, contacts, narrow, thread_pool, dt);
     if (step.passes.number == 0 && !narrow.whirling.empty()) note_found(contacts, narrow);
-    follow_up_all(follow, dt);
+    follow_up_all(follow, thread_pool, dt);
     settle_flights(in, follow, thread_pool, dt);
     drop_internal_edges(bodies, shapes, contacts, narrow, step.solved, thread_pool);
     const auto push_solved = [&](std::uint32_t id) {

@@ -190,7 +190,8 @@ void SweptPairs::list_passing() {
         }
         return next;
     };
-    list_in_order(in.thread_pool, int(in.narrow.open.size()), pairs_per_chunk, scratch_.passing, scratch_.parts, write);
+    list_in_order(&in.thread_pool, int(in.narrow.open.size()), pairs_per_chunk, scratch_.passing, scratch_.parts,
+                  write);
 }
 
 // Each looks for itself; then they are listed in order.

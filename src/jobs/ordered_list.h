@@ -15,10 +15,11 @@ struct ListPart {
 };
 
 // `list` becomes what write(begin, end, next) has written of the items 0..count, chunk behind chunk: from `next` on, at
-// most room(begin, end) entries; it returns where it ended. `parts`: working memory.
+// most room(begin, end) entries; it returns where it ended. `parts`: working memory. Without threads: null.
 template <class T, class Room, class F>
-void list_in_order(ThreadPool& thread_pool, int count, int grain, std::vector<T>& list, std::vector<ListPart>& parts,
+void list_in_order(ThreadPool* thread_pool, int count, int grain, std::vector<T>& list, std::vector<ListPart>& parts,
                    const Room& room, const F& write) {
+    if (!thread_pool) grain = std::max(count, 1);
     parts.clear();
     std::size_t size = 0;
     for (int begin = 0; begin < count; begin += grain) {
@@ -27,7 +28,7 @@ void list_in_order(ThreadPool& thread_pool, int count, int grain, std::vector<T>
     }
     list.resize(size);
     T* const first = list.data();
-    thread_pool.for_chunks(count, grain, [&](int begin, int end, int) {
+    for_chunks(thread_pool, count, grain, [&](int begin, int end, int) {
         ListPart& part = parts[std::size_t(begin / grain)];
         part.end = std::size_t(write(begin, end, first + part.begin) - first);
     });
@@ -41,7 +42,7 @@ void list_in_order(ThreadPool& thread_pool, int count, int grain, std::vector<T>
 
 // The same of at most one entry for each item.
 template <class T, class F>
-void list_in_order(ThreadPool& thread_pool, int count, int grain, std::vector<T>& list, std::vector<ListPart>& parts,
+void list_in_order(ThreadPool* thread_pool, int count, int grain, std::vector<T>& list, std::vector<ListPart>& parts,
                    const F& write) {
     const auto room = [](int begin, int end) { return std::size_t(end - begin); };
     list_in_order(thread_pool, count, grain, list, parts, room, write);

@@ -7,6 +7,7 @@
 #include "bodies/integrators.h"
 #include "bodies/motion_budget.h"
 #include "core/order.h"
+#include "jobs/ordered_list.h"
 #include "joints/joint_layout.h"
 #include "kernels/kernels.h"
 #include "solver/batch_lanes.h"
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <span>
 
 namespace cairn {
 
@@ -30,27 +32,34 @@ SolverVelocity to_row(math::Vec3 v, math::Vec3 w) {
     return {{v.x + 0.0f, v.y + 0.0f, v.z + 0.0f}, 0, {w.x + 0.0f, w.y + 0.0f, w.z + 0.0f}, 0};
 }
 
-// The mass of an island, and how it moves.
-class IslandSum {
-  public:
-    void add(const BodyMass& mass, const BodyMotion& motion) {
-        if (!(mass.inverse_mass > 0)) return;
-        const math::DVec3 v = math::to_double(motion.v);
-        mass_ += double(mass.mass);
-        momentum_ += double(mass.mass) * v;
-        energy_ += double(mass.mass) * math::dot(v, v);
-    }
-    void put(Island& island, float gravity) const {
-        island.weight = float(mass_) * gravity;
-        if (!(mass_ > 0)) return;
-        const math::DVec3 mean = (1 / mass_) * momentum_;
-        island.agitation = float(std::sqrt(std::max(energy_ / mass_ - math::dot(mean, mean), 0.0)));
-    }
+// Sums that threads share out are made of so many bodies each, whatever the number of threads.
+constexpr int bodies_per_sum = 256;
 
-  private:
-    double mass_ = 0, energy_ = 0;
-    math::DVec3 momentum_;
-};
+void add(MotionSum& sum, const BodyMass& mass, const BodyMotion& motion) {
+    if (!(mass.inverse_mass > 0)) return;
+    const math::DVec3 v = math::to_double(motion.v);
+    sum.mass += double(mass.mass);
+    sum.momentum += double(mass.mass) * v;
+    sum.energy += double(mass.mass) * math::dot(v, v);
+}
+
+// The weight of an island, and how it moves.
+void weigh(const Bodies& bodies, std::span<const std::int32_t> members, Island& island, float gravity,
+           std::vector<MotionSum>& sums, ThreadPool* thread_pool) {
+    const std::size_t count = members.size();
+    sums.assign(count / bodies_per_sum + 1, {});
+    for_chunks(thread_pool, int(sums.size()), 1, [&](int begin, int end, int) {
+        for (auto part = std::size_t(begin); part < std::size_t(end); ++part)
+            for (std::size_t k = part * bodies_per_sum, last = std::min(k + bodies_per_sum, count); k < last; ++k)
+                add(sums[part], bodies.mass[members[k]], bodies.motion[members[k]]);
+    });
+    MotionSum all;
+    for (const MotionSum& part : sums) all.mass += part.mass, all.momentum += part.momentum, all.energy += part.energy;
+    island.weight = float(all.mass) * gravity;
+    if (!(all.mass > 0)) return;
+    const math::DVec3 mean = (1 / all.mass) * all.momentum;
+    island.agitation = float(std::sqrt(std::max(all.energy / all.mass - math::dot(mean, mean), 0.0)));
+}
 
 // Of a batch that is cut: the bodies of this rank, and those of others that its contacts name.
 void keep_needed_bodies(const RankBorder& border, BatchScratch& scratch) {
@@ -210,29 +219,37 @@ void leave_out_ghosts(BatchScratch& scratch) {
 } // namespace
 
 void gather_bodies(const Bodies& bodies, Islands& islands, const WorldDef& settings, const SolverScratch& solver,
-                   const IslandBatch& batch, BatchScratch& scratch) {
+                   const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool) {
     const auto& g = settings.gravity;
     const float gravity = math::length(math::Vec3{g.x, g.y, g.z});
     scratch.row_of_body.resize(bodies.links.size(), none);
-    scratch.touching_bodies.clear();
-    scratch.free_bodies.clear();
+    std::vector<std::int32_t>& members = scratch.members;
+    members.clear();
     for (std::int32_t k = 0; k < batch.island_count; ++k) {
         Island& island = islands.all[solver.batch_islands[batch.first_island + k]];
-        IslandSum sum;
-        for (std::int32_t b = island.first_body; b != none; b = bodies.links[b].next_in_island) {
-            sum.add(bodies.mass[b], bodies.motion[b]);
-            const BodyLinks& links = bodies.links[b];
-            const bool is_free = links.contact_count + links.joint_count == 0;
-            (is_free ? scratch.free_bodies : scratch.touching_bodies).push_back(b);
-        }
-        sum.put(island, gravity);
+        const std::size_t begin = members.size();
+        for (std::int32_t b = island.first_body; b != none; b = bodies.links[b].next_in_island) members.push_back(b);
+        weigh(bodies, std::span(members).subspan(begin), island, gravity, scratch.sums, thread_pool);
     }
+    const auto list = [&](bool free, std::vector<std::int32_t>& out) {
+        list_in_order(thread_pool, int(members.size()), bodies_per_sum, out, scratch.parts,
+                      [&](int begin, int end, std::int32_t* next) {
+                          for (int k = begin; k < end; ++k) {
+                              const BodyLinks& links = bodies.links[members[std::size_t(k)]];
+                              if ((links.contact_count + links.joint_count == 0) == free)
+                                  *next++ = members[std::size_t(k)];
+                          }
+                          return next;
+                      });
+    };
+    list(false, scratch.touching_bodies);
+    list(true, scratch.free_bodies);
 }
 
 void fill_batch(Bodies& bodies, const Shapes& shapes, const Contacts& contacts, Islands& islands, Joints& joints,
                 const WorldDef& settings, SolverScratch& solver, const DirectSets& direct, const IslandBatch& batch,
                 BatchScratch& scratch, ThreadPool* thread_pool) {
-    gather_bodies(bodies, islands, settings, solver, batch, scratch);
+    gather_bodies(bodies, islands, settings, solver, batch, scratch, thread_pool);
     if (scratch.border) keep_needed_bodies(*scratch.border, scratch);
     scratch.row_bodies.clear();
     if (scratch.touching_bodies.empty() && batch.contact_count + batch.joint_count == 0) return;

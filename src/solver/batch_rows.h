@@ -8,7 +8,7 @@ namespace cairn {
 
 // Lists the bodies of the batch's islands; what the islands weigh, and how they move.
 void gather_bodies(const Bodies& bodies, Islands& islands, const WorldDef& settings, const SolverScratch& solver,
-                   const IslandBatch& batch, BatchScratch& scratch);
+                   const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool);
 
 // Lays out the rows and lanes of a batch, and fills them: of one that is cut (BatchScratch::border), those that this
 // rank needs.

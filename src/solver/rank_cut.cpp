@@ -97,7 +97,7 @@ void cut_batches(const Bodies& bodies, Islands& islands, const WorldDef& setting
         const IslandBatch& batch = solver.batches[i];
         const std::int32_t owner = cut.owner_of_batch[i];
         if (owner == every_rank) continue;
-        gather_bodies(bodies, islands, settings, solver, batch, scratch);
+        gather_bodies(bodies, islands, settings, solver, batch, scratch, nullptr);
         cut.free_bodies.insert(cut.free_bodies.end(), scratch.free_bodies.begin(), scratch.free_bodies.end());
         const std::vector<std::int32_t>& members = scratch.touching_bodies;
         if (members.empty()) continue;

@@ -88,6 +88,7 @@ struct NarrowScratch {
     std::vector<std::uint32_t> candidates;    // contacts of all pairs, those of neighbors near each other
     std::vector<std::uint8_t> outcomes;       // of each: what is to be done, what has come out (contacts.h)
     std::vector<std::uint32_t> open;          // places among the candidates of those not known to stay apart
+    std::vector<std::uint32_t> changed;       // of these, those whose contact begins, ends or is a group
     std::vector<ListPart> parts;              // of lists that threads write together
     std::vector<KindCounts> kinds_in_chunk;   // of open pairs that are to be tested
     std::vector<std::uint8_t> found;          // by contact: the first pass of a step that is split has tested it

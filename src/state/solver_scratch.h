@@ -68,6 +68,12 @@ struct ConveyorRow {
     std::uint32_t contact;
 };
 
+// The mass of bodies, kg, the sum of m v and that of m v^2.
+struct MotionSum {
+    double mass = 0, energy = 0;
+    math::DVec3 momentum;
+};
+
 // What a thread gathers from bodies that have moved.
 struct FinalizeScratch {
     std::vector<NewBounds> escaped;    // shapes that have left their fat boxes
@@ -133,7 +139,10 @@ struct BatchScratch {
     std::vector<std::int32_t> row_bodies;                   // body of each row; none for fixed and padding
     std::vector<std::uint64_t> row_marks;                   // to sort them
     std::vector<std::uint8_t> row_traits;                   // RowTrait
-    std::vector<std::int32_t> touching_bodies, free_bodies; // of the islands: with and without a contact
+    std::vector<std::int32_t> members;                      // of the islands
+    std::vector<std::int32_t> touching_bodies, free_bodies; // of these: with and without a contact
+    std::vector<MotionSum> sums;
+    std::vector<ListPart> parts; // of lists that threads write together
     std::vector<ConveyorRow> conveyor_rows;
     std::vector<SpinningRow> spinning_rows;
     std::vector<SpinBlock> spin_blocks;  // those that the kernel turns
