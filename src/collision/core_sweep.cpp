@@ -361,8 +361,10 @@ double time_of_meeting(const SweptShape& a, const SweptShape& b, bool is_known, 
 double time_of_sinking(const SweptShape& a, const SweptShape& b, bool is_known, double from, DVec3& axis) {
     const double to = end_of(a, b), half_width = half_width_of(a, b);
     const Mover first(a, Layer::inner, half_width, from, to), second(b, Layer::inner, half_width, from, to);
-    const double time = course_of(first, second, {from, to}, {0, is_known ? 0.5 : 1.0, axis}).meeting;
-    return time == overlapped ? time_of_meeting(a, b, true, from, axis) : time;
+    const Course course = course_of(first, second, {from, to}, {0, is_known ? 0.5 : 1.0, axis});
+    const double time = course.meeting;
+    if (time == overlapped) return time_of_meeting(a, b, true, from, axis);
+    return time < 1 || course.is_certain ? time : time_of_meeting(a, b, is_known, from, axis);
 }
 
 double time_of_impact(const SweptShape& a, const SweptShape& b, double from, DVec3& axis) {

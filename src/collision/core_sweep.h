@@ -79,8 +79,8 @@ double time_of_impact(const SweptShape& a, const SweptShape& b, double from, mat
 // When two that touch, or overlap, are deeper in each other than they may be: than they are now, by a quarter of it and
 // a twenty-fifth of what a core is inside; but they may be as deep as faces that touch, by the distance of what is
 // twice as deep as cores (of corners that is a little inside), or as deep as where cores meet if the solver has the
-// contact
-// (`is_known`), which is soft. If they are as deep as half of the smallest half width, or nearly, when they are that.
+// contact (`is_known`), which is soft. What goes deeper and comes back may be missed; then it is when the cores meet,
+// if they do. If they are as deep as half of the smallest half width, or nearly, when they are that.
 double time_of_sinking(const SweptShape& a, const SweptShape& b, bool is_known, double from, math::DVec3& axis);
 
 // How near shapes are, m, that count as touching, by the smaller of their smallest half widths: a hundredth of it, 0.1
