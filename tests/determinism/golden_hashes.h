@@ -8,10 +8,10 @@
 namespace cairn_test::golden {
 
 inline constexpr std::uint64_t mixed_pile = 0xe6c60468b7c56ba2;
-inline constexpr std::uint64_t pyramid = 0x01d25d86d50fb6e3;
+inline constexpr std::uint64_t pyramid = 0x5896dc293dddde3b;
 inline constexpr std::uint64_t dominoes = 0xbe5956b1433834d2;
 inline constexpr std::uint64_t materials = 0xff7b65a91c2aa23b;
-inline constexpr std::uint64_t tumbler = 0x8e01371c85c0974e;
+inline constexpr std::uint64_t tumbler = 0x945e468b55706b6c;
 inline constexpr std::uint64_t sleep_and_wake = 0x9b8076cfae7eac20;
 inline constexpr std::uint64_t compounds = 0x92d9f0170120b28d;
 inline constexpr std::uint64_t free_tops = 0x53d8984f9884ebaa;
