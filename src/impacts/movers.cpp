@@ -90,21 +90,21 @@ double Movers::longest_part(std::int32_t b, DVec3 w, DQuat q) const {
 
 std::int32_t Movers::add(std::int32_t b) {
     if (of_body(b) != none) return of_body(b);
-    const std::int32_t i = name(b);
-    begin(i);
+    const std::int32_t i = append(b);
+    set_out(i);
     return i;
 }
 
 void Movers::add(std::span<const std::int32_t> bodies, ThreadPool& thread_pool) {
     const std::int32_t first = count();
     for (const std::int32_t b : bodies)
-        if (of_body(b) == none) name(b);
+        if (of_body(b) == none) append(b);
     thread_pool.for_chunks(count() - first, movers_per_chunk, [&](int from, int to, int) {
-        for (std::int32_t i = first + from; i < first + to; ++i) begin(i);
+        for (std::int32_t i = first + from; i < first + to; ++i) set_out(i);
     });
 }
 
-std::int32_t Movers::name(std::int32_t b) {
+std::int32_t Movers::append(std::int32_t b) {
     const std::int32_t i = count();
     place_[std::size_t(b)] = i;
     movers_.emplace_back().body = b;
@@ -112,7 +112,7 @@ std::int32_t Movers::name(std::int32_t b) {
 }
 
 // By the poses that the solver has given it.
-void Movers::begin(std::int32_t i) {
+void Movers::set_out(std::int32_t i) {
     Mover& m = (*this)[i];
     const std::int32_t b = m.body;
     const CountedPose from = pose_before(s.bodies, s.islands, b);

@@ -97,7 +97,7 @@ class LaneFiller {
             std::size_t count[2] = {0, 0};
             for (std::uint32_t k = key; k < key + keys_per_color; ++k) {
                 const std::size_t i = has_one_point(k) ? 1 : 0, here = own_.ends[k] - own_begin_;
-                // Of contact number `own_begin_`, which is the first.
+                // The first contact of the key, number `own_begin_`, has this lane.
                 first_lane_[k] = std::ptrdiff_t(lanes[i] + count[i]) - std::ptrdiff_t(own_begin_);
                 count[i] += here;
                 own_begin_ = own_.ends[k];
