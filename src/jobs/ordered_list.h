@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace cairn {
@@ -46,6 +48,29 @@ void list_in_order(ThreadPool* thread_pool, int count, int grain, std::vector<T>
                    const F& write) {
     const auto room = [](int begin, int end) { return std::size_t(end - begin); };
     list_in_order(thread_pool, count, grain, list, parts, room, write);
+}
+
+// A stable counting sort: put(k, place) for each of the items 0..count, in the order of key_of(k) < `keys`, the first
+// of them at place `begin`. `ends`, if not null, gets the place behind the last of each key. `counts`: working memory.
+template <class KeyOf, class Put>
+void sort_in_order(ThreadPool* thread_pool, int count, int grain, std::size_t keys, std::uint32_t begin,
+                   std::uint32_t* ends, std::vector<std::uint32_t>& counts, const KeyOf& key_of, const Put& put) {
+    if (!thread_pool) grain = std::max(count, 1);
+    counts.assign(std::size_t(count / grain + 1) * keys, 0);
+    const auto counts_of = [&](int first) { return counts.data() + std::size_t(first / grain) * keys; };
+    for_chunks(thread_pool, count, grain, [&](int from, int to, int) {
+        std::uint32_t* const own = counts_of(from);
+        for (int k = from; k < to; ++k) ++own[key_of(k)];
+    });
+    std::uint32_t place = begin;
+    for (std::size_t key = 0; key < keys; ++key) {
+        for (std::size_t at = key; at < counts.size(); at += keys) place += std::exchange(counts[at], place);
+        if (ends) ends[key] = place;
+    }
+    for_chunks(thread_pool, count, grain, [&](int from, int to, int) {
+        std::uint32_t* const next = counts_of(from);
+        for (int k = from; k < to; ++k) put(k, next[key_of(k)]++);
+    });
 }
 
 } // namespace cairn

@@ -1,6 +1,6 @@
 #include "solver/batch_lanes.h"
 
-#include "jobs/thread_pool.h"
+#include "jobs/ordered_list.h"
 #include "solver/contact_order.h"
 #include "solver/rank_border.h"
 
@@ -13,8 +13,6 @@ namespace {
 
 constexpr int contacts_per_chunk = 1024; // for threads
 constexpr std::int32_t no_row = -1;      // of a body that gets its row later
-
-int chunk_size(const ThreadPool* thread_pool, std::int32_t count) { return thread_pool ? contacts_per_chunk : count; }
 
 // B of a contact with a surface that moves.
 std::int32_t conveyor_row(BatchScratch& scratch, std::uint32_t contact) {
@@ -157,25 +155,12 @@ class LaneFiller {
 
 void sort_contacts(SolverScratch& solver, const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool) {
     const SortedContact* const first = solver.of_batches.data() + batch.first_contact;
-    SortedContact* const sorted = solver.sorted.data() + batch.first_contact;
     std::uint32_t* const ends =
         solver.key_ends.data() + std::size_t(&batch - solver.batches.data()) * std::size_t(keys_per_batch);
-    const int size = std::max(chunk_size(thread_pool, batch.contact_count), 1);
-    std::vector<KeyCounts>& counts = scratch.keys_in_chunk;
-    counts.assign(std::size_t(batch.contact_count / size + 1), {});
-    for_chunks(thread_pool, batch.contact_count, size, [&](int begin, int end, int) {
-        KeyCounts& own = counts[std::size_t(begin / size)];
-        for (int k = begin; k < end; ++k) ++own[first[k].key];
-    });
-    std::uint32_t place = 0;
-    for (std::size_t key = 0; key < keys_per_batch; ++key) {
-        for (KeyCounts& own : counts) place += std::exchange(own[key], place);
-        ends[key] = std::uint32_t(batch.first_contact) + place;
-    }
-    for_chunks(thread_pool, batch.contact_count, size, [&](int begin, int end, int) {
-        KeyCounts& next = counts[std::size_t(begin / size)];
-        for (int k = begin; k < end; ++k) sorted[next[first[k].key]++] = first[k];
-    });
+    sort_in_order(
+        thread_pool, batch.contact_count, contacts_per_chunk, keys_per_batch, std::uint32_t(batch.first_contact), ends,
+        scratch.key_counts, [&](int k) { return std::size_t(first[k].key); },
+        [&](int k, std::uint32_t place) { solver.sorted[place] = first[k]; });
 }
 
 void fill_lanes(const SolverScratch& solver, const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool) {

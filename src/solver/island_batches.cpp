@@ -4,12 +4,12 @@
 #include "contacts/contact_update.h"
 #include "core/cache.h"
 #include "islands/substep_policy.h"
+#include "jobs/ordered_list.h"
 #include "solver/contact_order.h"
 #include "state/joint_links.h"
 #include "state/state.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace cairn {
 
@@ -87,23 +87,10 @@ void sort_by_batch(SolverScratch& scratch, ThreadPool& thread_pool) {
     if (batches <= 1) return scratch.of_batches.swap(scratch.unsorted);
     // Few chunks: each counts for every batch.
     const int size = std::max(contacts_per_chunk, count / max_chunks + 1);
-    std::vector<std::uint32_t>& counts = scratch.batch_counts;
-    counts.assign(std::size_t(count / size + 1) * batches, 0);
-    const auto batch_of = [&](int k) {
-        return std::size_t(scratch.batch_of_island[scratch.unsorted[std::size_t(k)].island]);
-    };
-    thread_pool.for_chunks(count, size, [&](int begin, int end, int) {
-        std::uint32_t* const own = counts.data() + std::size_t(begin / size) * batches;
-        for (int k = begin; k < end; ++k) ++own[batch_of(k)];
-    });
-    for (std::size_t i = 0; i < batches; ++i) {
-        auto place = std::uint32_t(scratch.batches[i].first_contact);
-        for (std::size_t at = i; at < counts.size(); at += batches) place += std::exchange(counts[at], place);
-    }
-    thread_pool.for_chunks(count, size, [&](int begin, int end, int) {
-        std::uint32_t* const next = counts.data() + std::size_t(begin / size) * batches;
-        for (int k = begin; k < end; ++k) scratch.of_batches[next[batch_of(k)]++] = scratch.unsorted[std::size_t(k)];
-    });
+    sort_in_order(
+        &thread_pool, count, size, batches, 0, nullptr, scratch.batch_counts,
+        [&](int k) { return std::size_t(scratch.batch_of_island[scratch.unsorted[std::size_t(k)].island]); },
+        [&](int k, std::uint32_t place) { scratch.of_batches[place] = scratch.unsorted[std::size_t(k)]; });
 }
 
 } // namespace

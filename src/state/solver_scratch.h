@@ -33,7 +33,6 @@ struct ColorRun {
 
 // Contacts by their keys (solver/contact_order.h).
 inline constexpr std::size_t keys_per_batch = 256;
-using KeyCounts = std::array<std::uint32_t, keys_per_batch>;
 
 // A contact to be solved.
 struct SortedContact {
@@ -152,7 +151,7 @@ struct BatchScratch {
     std::vector<SolverPose> pose;
     std::vector<SolverInertia> inertia;
     std::vector<SolverTwist> drive, damping, correction, free_correction;
-    std::vector<KeyCounts> keys_in_chunk;    // of contacts
+    std::vector<std::uint32_t> key_counts;   // by chunk of contacts and key
     std::vector<SortedContact> own_contacts; // of a batch that is cut
     LaneLists one_lanes, four_lanes;
     std::vector<ContactBlock<1>> one_blocks;
