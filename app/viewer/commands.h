@@ -12,6 +12,7 @@
 #include <condition_variable>
 #include <cstdint>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -107,9 +108,11 @@ struct MoveGrab {
 };
 /// `click`: the cursor did not move since the grab; a click beside all bodies selects nothing, unless it was on what
 /// belongs to a group. `adds`: a click adds the body that the ray met to those selected before, with its group, or
-/// takes it away from them.
+/// takes it away from them. `framed`: bodies in the frame that the cursor spanned, if it did; they are added to those
+/// selected, with their groups, unless the ray met a body that was pulled.
 struct ReleaseGrab {
     bool click = false, adds = false;
+    std::optional<std::vector<BodyId>> framed{};
 };
 struct SelectNothing {};
 /// What `MakeJoint` makes.

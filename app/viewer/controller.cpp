@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 #include <iterator>
+#include <utility>
 
 namespace cairn::viewer {
 
@@ -124,6 +125,8 @@ void Controller::perform_on_body(Action action) {
     case Action::select_nothing:
         if (help)
             help = false;
+        else if (drag_ == Drag::frame)
+            drag_ = Drag::none;
         else
             post_(command::SelectNothing{});
         break;
@@ -323,6 +326,7 @@ void Controller::button_down(MouseButton button) {
         drag_ = Drag::gizmo;
     } else {
         drag_ = Drag::asked;
+        spans_frame_ = constraint_ == DragConstraint::vertical; // Shift
         pressed_joint_ = joint_under_cursor();
         post_(command::GrabBody{camera.pick_ray(cursor_, aspect_), ++grab_serial_});
     }
@@ -330,19 +334,34 @@ void Controller::button_down(MouseButton button) {
 
 void Controller::button_up(MouseButton button) {
     if (drag_ == Drag::none || button != drag_button_) return;
-    const bool was_handle = drag_ == Drag::gizmo;
-    drag_ = Drag::none;
-    if (was_handle) {
+    const Drag was = std::exchange(drag_, Drag::none);
+    if (was == Drag::gizmo) {
         gizmo.end();
         post_(command::EndChange{});
         return;
     }
     if (button != MouseButton::left) return;
-    const glm::vec2 moved = (cursor_ - pressed_at_) * glm::vec2(aspect_, 1.0f) * 0.5f;
-    const bool click = glm::length(moved) < click_slack;
-    post_(command::ReleaseGrab{click, constraint_ == DragConstraint::vertical}); // Shift
-    if (!click) return;
-    if (pressed_joint_) post_(command::SelectJoint{pressed_joint_});
+    command::ReleaseGrab release{is_click(), constraint_ == DragConstraint::vertical}; // Shift
+    // Where the answer to the grab is not there yet, the stage knows whether a body was pulled.
+    if (!release.click && (was == Drag::frame || (was == Drag::asked && spans_frame_)))
+        release.framed = framed_bodies();
+    post_(release);
+    if (release.click && pressed_joint_) post_(command::SelectJoint{pressed_joint_});
+}
+
+bool Controller::is_click() const {
+    return glm::length((cursor_ - pressed_at_) * glm::vec2(aspect_, 1.0f) * 0.5f) < click_slack;
+}
+
+std::optional<SelectionFrame> Controller::selection_frame() const {
+    if (drag_ != Drag::frame || is_click()) return std::nullopt;
+    return SelectionFrame::between(pressed_at_, cursor_);
+}
+
+std::vector<BodyId> Controller::framed_bodies() const {
+    if (!state_.layout || !state_.current) return {};
+    return bodies_within(SelectionFrame::between(pressed_at_, cursor_), *state_.layout, *state_.current, camera,
+                         aspect_);
 }
 
 void Controller::drop_files(std::span<const std::string> paths) {
@@ -377,7 +396,7 @@ void Controller::update(const StageState& state) {
     follow_selected(state);
     if (drag_ == Drag::gizmo) drag_handle();
     if (drag_ == Drag::asked && state.grab.serial == grab_serial_) {
-        drag_ = state.grab.holding ? Drag::body : Drag::orbit;
+        drag_ = state.grab.holding ? Drag::body : spans_frame_ ? Drag::frame : Drag::orbit;
         drag_start_ = state.grab.start;
     }
     if (drag_ != Drag::body) return;
@@ -400,6 +419,8 @@ FrameOptions Controller::frame_options(const StageState& state) const {
     options.visuals = visuals;
     options.selected = state.selected;
     options.selection = state.selection;
+    if (selection_frame())
+        for (const BodyId body : framed_bodies()) options.selection.push_back(body);
     std::sort(options.selection.begin(), options.selection.end());
     options.joints = joints;
     options.selected_joint = state.selected_joint;

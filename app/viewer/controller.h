@@ -11,6 +11,7 @@
 #include "viewer/key_map.h"
 #include "viewer/render_frame.h"
 #include "viewer/scene_source.h"
+#include "viewer/selection_frame.h"
 #include "viewer/stage.h"
 
 #include <glm/vec2.hpp>
@@ -83,7 +84,7 @@ class Controller {
     /// Files were dropped on the window: opens the first scene among them, or says why there is none.
     void drop_files(std::span<const std::string> paths);
     void wheel(float notches) { camera.zoom(notches); }
-    /// Modifiers now held: they constrain a drag.
+    /// Modifiers now held: they constrain a drag. One that begins beside bodies with Shift (`vertical`) spans a frame.
     void set_constraint(DragConstraint constraint) { constraint_ = constraint; }
 
     /// To be called every frame with the latest state: follows new scenes and the answers to grabs.
@@ -93,13 +94,17 @@ class Controller {
     /// How to draw that state.
     FrameOptions frame_options(const StageState& state) const;
     bool dragging() const noexcept { return drag_ == Drag::body; }
+    /// The frame that the cursor spans now, to select what lies in it.
+    std::optional<SelectionFrame> selection_frame() const;
 
   private:
-    enum class Drag { none, asked, body, orbit, pan, gizmo };
+    enum class Drag { none, asked, body, orbit, pan, gizmo, frame };
     bool perform_on_camera(Action action);
     void perform_on_body(Action action);
     bool perform_on_joint(Action action);
     JointId joint_under_cursor() const; ///< Among those that are shown.
+    std::vector<BodyId> framed_bodies() const;
+    bool is_click() const;
     void change_scene(int by);
     bool perform_on_window(Action action);
     bool perform_on_time(Action action);
@@ -121,7 +126,8 @@ class Controller {
     float aspect_ = 16.0f / 9.0f;
     Drag drag_ = Drag::none;
     MouseButton drag_button_ = MouseButton::left;
-    JointId pressed_joint_; // under the cursor when the button went down: a click shows joints that it did not mean
+    bool spans_frame_ = false; // a drag with the left button that meets no body
+    JointId pressed_joint_;    // under the cursor when the button went down: a click shows joints that it did not mean
     std::vector<HeldBody> held_bodies_; // by a handle
     Position handle_center_{0.0, 0.0, 0.0};
     float scaled_ = 1.0f; // since it was taken

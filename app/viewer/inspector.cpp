@@ -176,15 +176,16 @@ void Inspector::draw_several(const StageState& state, Controller& controller) {
     }
     if (!ImGui::CollapsingHeader("Bodies", ImGuiTreeNodeFlags_DefaultOpen)) return;
     constexpr std::size_t most = 12;
-    std::size_t listed = 0;
-    for (const BodyLayout& body : state.layout->bodies) {
-        if (std::find(all.begin(), all.end(), body.id) == all.end() || ++listed > most) continue;
-        ImGui::TextUnformatted((body.name.empty() ? "body " + std::to_string(body.id.index()) : body.name).c_str());
+    for (std::size_t i = 0; i < std::min(all.size(), most); ++i) {
+        const auto body = std::find_if(state.layout->bodies.begin(), state.layout->bodies.end(),
+                                       [id = all[i]](const BodyLayout& known) { return known.id == id; });
+        if (body == state.layout->bodies.end()) continue;
+        ImGui::TextUnformatted((body->name.empty() ? "body " + std::to_string(body->id.index()) : body->name).c_str());
         ImGui::SameLine(0.6f * ImGui::GetWindowWidth());
-        ImGui::TextDisabled("%s", type_names[std::size_t(body.type)]);
+        ImGui::TextDisabled("%s", type_names[std::size_t(body->type)]);
     }
-    if (listed > most) ImGui::TextDisabled("and %zu more", listed - most);
-    explain("Shift+click adds a body or takes one away.");
+    if (all.size() > most) ImGui::TextDisabled("and %zu more", all.size() - most);
+    explain("Shift+click adds a body or takes one away; Shift+drag beside bodies adds all in a frame.");
 }
 
 void Inspector::draw(const StageState& state, Controller& controller, float scale, float top, float bottom,

@@ -115,6 +115,7 @@ constexpr KeyHelp help[] = {
     {"P", "shoot a box at the cursor, or what the spawn tool is set to", "P"},
     {"Backspace", "remove the last body", "Backspace"},
     {"Shift+click", "select one more body, or one less"},
+    {"Shift+drag beside bodies", "select what lies in a frame as well"},
     {"Ctrl+G, Ctrl+Shift+G", "group what is selected / end the group", "Ctrl+G Ctrl+Shift+G"},
     {"R  or  Shift+Backspace", "remove what is selected", "R Shift+Backspace"},
     {"Ctrl+D", "duplicate what is selected", "Ctrl+D"},

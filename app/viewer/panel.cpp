@@ -112,6 +112,22 @@ float draw_caption(const char* name, const std::string& text, const ImVec2& plac
     return height;
 }
 
+// Under the windows, over the first picture.
+void draw_selection_frame(const Controller& controller, const WindowFacts& facts, float scale) {
+    const auto frame = controller.selection_frame();
+    if (!frame || facts.panes.empty()) return;
+    const PaneRect& pane = facts.panes.front();
+    const auto place = [&](float x, float y) {
+        return ImVec2(pane.left + 0.5f * (1.0f + std::clamp(x, -1.0f, 1.0f)) * pane.width,
+                      pane.top + 0.5f * (1.0f - std::clamp(y, -1.0f, 1.0f)) * pane.height);
+    };
+    const ImVec2 corner = place(frame->low.x, frame->high.y), opposite = place(frame->high.x, frame->low.y);
+    ImDrawList* list = ImGui::GetBackgroundDrawList();
+    list->AddRectFilled(corner, opposite, IM_COL32(84, 158, 219, 40));
+    list->AddRect(corner, opposite, IM_COL32(12, 30, 46, 200), 0.0f, 0, 3.0f * scale); // seen on a bright picture, too
+    list->AddRect(corner, opposite, IM_COL32(140, 200, 250, 255), 0.0f, 0, 1.5f * scale);
+}
+
 std::string present_state(const StageState& state) {
     std::string text;
     const auto add = [&text](const char* word) { text += (text.empty() ? "" : "   ") + std::string(word); };
@@ -416,6 +432,7 @@ void Panel::draw(const StageState& state, Controller& controller, const WindowFa
         other_height_ = ImGui::GetCursorPosY() + ImGui::GetStyle().WindowPadding.y - list_height_;
         ImGui::End();
     }
+    draw_selection_frame(controller, facts, scale);
     const bool has_title = state.panes.empty(); // else lines of their own are there
     const std::string title = has_title ? state.title + (state.hint.empty() ? "" : "\n" + state.hint) : "";
     const float title_height =

@@ -38,6 +38,8 @@ constexpr std::array<Grammar, 13> grammar{{
     {"quit", ScriptLine::Kind::quit, Operand::nothing},
 }};
 
+bool is_button(const std::string& name) { return name == "left" || name == "right" || name == "middle"; }
+
 bool read_operand(std::istringstream& words, Operand operand, ScriptLine& line) {
     switch (operand) {
     case Operand::nothing:
@@ -49,7 +51,7 @@ bool read_operand(std::istringstream& words, Operand operand, ScriptLine& line) 
     case Operand::word:
         return bool(words >> line.word);
     case Operand::button:
-        return bool(words >> line.word) && (line.word == "left" || line.word == "right" || line.word == "middle");
+        return bool(words >> line.word) && is_button(line.word.substr(line.word.rfind('+') + 1));
     }
     return false;
 }

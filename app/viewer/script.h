@@ -6,8 +6,8 @@
 ///     down KP4               press a key ...
 ///     up KP4                 ... and release it
 ///     cursor 640 360         move the cursor there, in pixels from the top left corner
-///     press left             hold a mouse button down ...
-///     release left           ... and let it go (left, right or middle)
+///     press Shift+left       hold a mouse button down (left, right or middle; with keys before it that are held) ...
+///     release left           ... and let it go, with those keys
 ///     wheel -2               turn the wheel
 ///     drop bridge.glb        drop a file on the window
 ///     report state.json      write the viewer's state

@@ -323,7 +323,10 @@ void Stage::operator()(const command::MoveGrab& move) {
 }
 
 void Stage::operator()(const command::ReleaseGrab& release) {
-    if (release.click) finish_click(release.adds);
+    if (release.click)
+        finish_click(release.adds);
+    else if (release.framed && !grab_.body)
+        add_to_selection(*release.framed);
     grab_.holding = false;
     let_go();
 }

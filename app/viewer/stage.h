@@ -183,6 +183,7 @@ class Stage {
     void toggle_selected(std::vector<BodyId> before, BodyId body);
     void drop_gone_from_selection();
     void finish_click(bool adds);
+    void add_to_selection(const std::vector<BodyId>& bodies);
     void say(std::string text);
     void add_body(const SpawnSettings& settings, const Position& position, const Vec3& velocity);
     void update_field(std::optional<ForceFieldId>& id, const ForceField& field, bool on);

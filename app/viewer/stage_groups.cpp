@@ -84,6 +84,19 @@ void Stage::finish_click(bool adds) {
         (*this)(command::SelectNothing{});
 }
 
+void Stage::add_to_selection(const std::vector<BodyId>& bodies) {
+    std::vector<BodyId> all = selection_;
+    BodyId last = selected_;
+    for (const BodyId body : bodies) {
+        if (!scene_.world.is_valid(body)) continue;
+        for (const BodyId member : with_group(body))
+            if (!contains(all, member)) all.push_back(member);
+        last = body;
+    }
+    if (bodies.empty()) say("No body lies in the frame as a whole.");
+    select(std::move(all), last);
+}
+
 // After time has gone to another moment, or bodies are gone.
 void Stage::drop_gone_from_selection() {
     std::erase_if(selection_, [this](BodyId id) { return !scene_.world.is_valid(id); });
@@ -91,7 +104,8 @@ void Stage::drop_gone_from_selection() {
 }
 
 void Stage::operator()(const command::GroupSelected&) {
-    if (selection_.size() < 2) return say("Select several bodies first: Shift+click adds one.");
+    if (selection_.size() < 2)
+        return say("Select several bodies first: Shift+click adds one, Shift+drag beside bodies all in a frame.");
     for (std::vector<BodyId>& group : groups_)
         std::erase_if(group, [this](BodyId id) { return contains(selection_, id); });
     std::erase_if(groups_, [](const std::vector<BodyId>& group) { return group.size() < 2; });

@@ -208,9 +208,9 @@ void Application::play(const ScriptLine& line) {
     const std::size_t plus = line.word.size() > 1 ? line.word.rfind('+') : std::string::npos;
     const std::size_t name = plus == std::string::npos ? 0 : plus + 1;
     const std::string modifiers = line.word.substr(0, name), key = line.word.substr(name);
-    const MouseButton button = line.word == "left"    ? MouseButton::left
-                               : line.word == "right" ? MouseButton::right
-                                                      : MouseButton::middle;
+    const MouseButton button = key == "left"    ? MouseButton::left
+                               : key == "right" ? MouseButton::right
+                                                : MouseButton::middle;
     switch (line.kind) {
     case ScriptLine::Kind::wait:
         break;
@@ -228,10 +228,13 @@ void Application::play(const ScriptLine& line) {
         on_cursor(line.x, line.y);
         break;
     case ScriptLine::Kind::press:
+        set_modifiers((modifiers.find("Shift+") != std::string::npos ? GLFW_MOD_SHIFT : 0) |
+                      (modifiers.find("Ctrl+") != std::string::npos ? GLFW_MOD_CONTROL : 0));
         press(button);
         break;
     case ScriptLine::Kind::release:
         release(button);
+        set_modifiers(0);
         break;
     case ScriptLine::Kind::wheel:
         controller_.wheel(float(line.x));

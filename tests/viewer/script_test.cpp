@@ -21,6 +21,12 @@ TEST(Script, ReadsCommandsAndIgnoresComments) {
     EXPECT_EQ(script[3].x, 0.3);
 }
 
+TEST(Script, ButtonsArePressedWithKeys) {
+    const auto script = parse_script("press Shift+left\nrelease Shift+left\n", "s");
+    ASSERT_EQ(script.size(), 2u);
+    EXPECT_EQ(script[0].word, "Shift+left");
+}
+
 TEST(Script, FilesCanBeDropped) {
     const auto script = parse_script("drop /tmp/bridge.glb\n", "s");
     ASSERT_EQ(script.size(), 1u);
@@ -29,7 +35,8 @@ TEST(Script, FilesCanBeDropped) {
 }
 
 TEST(Script, BadLinesAreNamed) {
-    for (const char* line : {"jump", "wait", "wait soon", "cursor 1", "press nose", "quit now", "key", "drop"}) {
+    for (const char* line : {"jump", "wait", "wait soon", "cursor 1", "press nose", "press Shift+nose",
+                             "press left+Shift", "quit now", "key", "drop"}) {
         try {
             parse_script(std::string("key U\n") + line + "\n", "demo");
             ADD_FAILURE() << line;
