@@ -46,6 +46,8 @@ struct Names {
         if (change.edits.empty()) return std::nullopt;
         return NamedChange{std::string(name_of(change.edits.front().second)) + ", several", Merge::soon};
     }
+    std::optional<NamedChange> operator()(const command::GroupSelected&) const { return NamedChange{"group bodies"}; }
+    std::optional<NamedChange> operator()(const command::UngroupSelected&) const { return NamedChange{"end a group"}; }
     std::optional<NamedChange> operator()(const command::DuplicateSelected&) const {
         return NamedChange{"duplicate a body"};
     }

@@ -163,7 +163,7 @@ struct EditBody {
     BodyId body;
     BodyEdit edit;
 };
-/// Of several bodies, in that order; it is undone as one. Where one cannot be changed, those before it have been.
+/// Of several bodies, in that order; it is undone as one. Where one cannot be changed, none is, and a message says why.
 struct EditBodies {
     std::vector<std::pair<BodyId, BodyEdit>> edits;
 };

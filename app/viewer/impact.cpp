@@ -1,6 +1,7 @@
 #include "viewer/impact.h"
 
 #include "viewer/inspect.h"
+#include "viewer/world_state.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -66,7 +67,7 @@ Impact explain_impact(World& world, const KnownHit& known, float step_length) {
     ImpactSide* const sides[] = {&impact.first, &impact.second};
     for (ImpactSide* side : sides) {
         const Body body = world.body(side->body);
-        side->name = body.name().empty() ? "body " + std::to_string(side->body.index()) : body.name();
+        side->name = label_of(side->body, body.name());
         side->velocity = body.linear_velocity();
         side->turning = body.angular_velocity();
     }

@@ -1,6 +1,7 @@
 #include "viewer/inspect.h"
 
 #include "viewer/scaling.h"
+#include "viewer/world_state.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -43,7 +44,7 @@ void read_touches(BodyFacts& facts, const World& world, double step_length) {
                                   [&](const BodyFacts::Touch& known) { return known.other == other; });
         if (touch == facts.touches.end()) {
             const std::string& name = world.body(other).name();
-            facts.touches.push_back({other, name.empty() ? "body " + std::to_string(other.index()) : name});
+            facts.touches.push_back({other, label_of(other, name)});
             touch = std::prev(facts.touches.end());
         }
         touch->points += contact.point_count;

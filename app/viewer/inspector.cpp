@@ -180,7 +180,7 @@ void Inspector::draw_several(const StageState& state, Controller& controller) {
         const auto body = std::find_if(state.layout->bodies.begin(), state.layout->bodies.end(),
                                        [id = all[i]](const BodyLayout& known) { return known.id == id; });
         if (body == state.layout->bodies.end()) continue;
-        ImGui::TextUnformatted((body->name.empty() ? "body " + std::to_string(body->id.index()) : body->name).c_str());
+        ImGui::TextUnformatted(label_of(body->id, body->name).c_str());
         ImGui::SameLine(0.6f * ImGui::GetWindowWidth());
         ImGui::TextDisabled("%s", type_names[std::size_t(body->type)]);
     }
@@ -206,10 +206,11 @@ void Inspector::draw(const StageState& state, Controller& controller, float scal
     ImGui::SetNextWindowBgAlpha(0.93f);
     const bool is_one = state.selection.size() < 2;
     const std::string count = std::to_string(state.selection.size()) + " bodies";
-    const std::string name = facts.name.empty() ? "body " + std::to_string(facts.id.index()) : facts.name;
+    const std::string name = label_of(facts.id, facts.name);
     const std::string title = (is_one ? name : state.is_group ? "a group of " + count : count) + "###body";
     bool is_open = true;
     ImGui::Begin(title.c_str(), &is_open, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
+    keep_in_picture(display.x - room, bottom);
     ImGui::PushItemWidth(0.56f * width);
     if (is_one) {
         draw_identity(facts, controller);

@@ -275,7 +275,7 @@ bool edit_joint(Joint& joint, const JointState& now) {
 std::string body_label(const StageState& state, const std::optional<std::size_t>& body) {
     if (!body) return "the world";
     const BodyLayout& layout = state.layout->bodies[*body];
-    return layout.name.empty() ? "body " + std::to_string(layout.id.index()) : layout.name;
+    return label_of(layout.id, layout.name);
 }
 
 } // namespace

@@ -44,13 +44,12 @@ void Stage::take_scene(LoadedScene scene, const std::string& path) {
     frozen_ = false;
     select({});
     selected_before_grab_.clear();
-    groups_ = scene_.groups;
     met_ = {};
     selected_joint_ = {};
     drag_joint_ = {}; // it went with its world
     grab_ = {grab_.serial, false, {}, {}, {}, {}};
     step_milliseconds_ = 0.0;
-    timeline_.begin(scene_.world, std::exchange(scene_.run, {}));
+    timeline_.begin(scene_.world, std::exchange(scene_.run, {}), scene_.groups);
     held_.clear();
     other_.reset();
     slow_motion_.reset();

@@ -12,6 +12,7 @@
 #include "viewer/world_state.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -174,7 +175,9 @@ class Stage {
     void watch_energy();
     template <class Go> bool travel(const Go& go);
     void remove(const std::vector<BodyId>& bodies);
+    void all_or_nothing(const std::function<void()>& change);
     void edit_body(BodyId body, const BodyEdit& edit);
+    std::vector<BodyId> copy_bodies(const std::vector<BodyId>& bodies, double shift);
     const std::vector<BodyId>* group_of(BodyId body) const;
     std::vector<BodyId> with_group(BodyId body) const;
     bool is_group_selected() const;
@@ -207,8 +210,7 @@ class Stage {
     bool frozen_ = false, with_islands_ = false;
     BodyId selected_; // one of the selection, or null
     std::vector<BodyId> selection_, selected_before_grab_;
-    std::vector<std::vector<BodyId>> groups_; // may hold stale bodies, which come back when that is undone
-    BodyId met_;                              // by the ray of the latest grab, whatever it is
+    BodyId met_; // by the ray of the latest grab, whatever it is
     JointId selected_joint_;
     Grab grab_;
     JointId drag_joint_; // ours, not the scene's: no list shows it

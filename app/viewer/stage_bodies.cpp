@@ -12,8 +12,20 @@ void Stage::operator()(const command::SelectBody& select) { this->select(select.
 
 void Stage::operator()(const command::EditBody& change) {
     if (!scene_.world.is_valid(change.body)) return say("The body is gone.");
-    edit_body(change.body, change.edit);
+    all_or_nothing([&] { edit_body(change.body, change.edit); });
     refresh_layout();
+}
+
+// A change that throws leaves nothing behind, neither in the world nor in how it looks.
+void Stage::all_or_nothing(const std::function<void()>& change) {
+    const std::size_t colors = scene_.appearances.size(), strings = scene_.strings.size();
+    try {
+        timeline_.attempt(scene_.world, change);
+    } catch (...) {
+        scene_.appearances.resize(colors);
+        scene_.strings.resize(strings);
+        throw;
+    }
 }
 
 void Stage::edit_body(BodyId body, const BodyEdit& edit) {
@@ -39,7 +51,7 @@ void Stage::operator()(const command::SaveScene& save) {
     copy.appearances = scene_.appearances;
     copy.strings = scene_.strings;
     copy.force_fields = scene_.force_fields;
-    copy.groups = groups_;
+    copy.groups = timeline_.groups();
     savers_.scene(save.path, copy);
     say("Saved " + save.path +
         (scene_.visuals.empty() ? "" : ", with what collides, but without the file's own meshes"));

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <iterator>
 #include <limits>
 #include <map>
+#include <new>
 #include <utility>
 
 namespace cairn::viewer {
@@ -32,9 +34,10 @@ std::optional<double> width_of(const World& world, const std::vector<BodyId>& bo
 } // namespace
 
 const std::vector<BodyId>* Stage::group_of(BodyId body) const {
-    const auto group = std::find_if(groups_.begin(), groups_.end(),
+    const Groups& groups = timeline_.groups();
+    const auto group = std::find_if(groups.begin(), groups.end(),
                                     [&](const std::vector<BodyId>& known) { return contains(known, body); });
-    return group == groups_.end() ? nullptr : &*group;
+    return group == groups.end() ? nullptr : &*group;
 }
 
 // With all that are in its group. A member that was removed comes back when that is undone: it stays in its group.
@@ -106,39 +109,51 @@ void Stage::drop_gone_from_selection() {
 void Stage::operator()(const command::GroupSelected&) {
     if (selection_.size() < 2)
         return say("Select several bodies first: Shift+click adds one, Shift+drag beside bodies all in a frame.");
-    for (std::vector<BodyId>& group : groups_)
+    if (is_group_selected()) return say("They are a group already.");
+    Groups groups = timeline_.groups();
+    for (std::vector<BodyId>& group : groups)
         std::erase_if(group, [this](BodyId id) { return contains(selection_, id); });
-    std::erase_if(groups_, [](const std::vector<BodyId>& group) { return group.size() < 2; });
-    groups_.push_back(selection_);
+    std::erase_if(groups, [](const std::vector<BodyId>& group) { return group.size() < 2; });
+    groups.push_back(selection_);
+    timeline_.set_groups(std::move(groups));
     say("Grouped " + std::to_string(selection_.size()) + " bodies: a click on one selects them all.");
 }
 
 void Stage::operator()(const command::UngroupSelected&) {
-    const std::size_t dissolved = std::erase_if(groups_, [this](const std::vector<BodyId>& group) {
+    Groups groups = timeline_.groups();
+    const std::size_t dissolved = std::erase_if(groups, [this](const std::vector<BodyId>& group) {
         return std::any_of(group.begin(), group.end(), [this](BodyId id) { return contains(selection_, id); });
     });
-    say(dissolved > 0 ? "They are no group any more." : "No group is selected.");
+    if (dissolved == 0) return say("No group is selected.");
+    timeline_.set_groups(std::move(groups));
+    say("They are no group any more.");
 }
 
 void Stage::operator()(const command::EditBodies& change) {
-    for (const auto& [body, edit] : change.edits)
-        if (scene_.world.is_valid(body)) edit_body(body, edit);
-    refresh_layout();
+    BodyId at;
+    try {
+        all_or_nothing([&] {
+            for (const auto& [body, edit] : change.edits)
+                if (scene_.world.is_valid(at = body)) edit_body(body, edit);
+        });
+        refresh_layout();
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& error) {
+        say("None of the bodies is changed, since " + label_of(at, scene_.world.body(at).name()) +
+            " cannot be: " + error.what());
+    }
 }
 
-// Beside the originals, by their own width; joints between two of them are copied, too.
-void Stage::operator()(const command::DuplicateSelected&) {
+// Joints between two of them are copied, too. Returns the copies in the order of the originals.
+std::vector<BodyId> Stage::copy_bodies(const std::vector<BodyId>& bodies, double shift) {
     World& world = scene_.world;
-    drop_gone_from_selection();
-    if (selection_.empty()) return say("Select a body first, by clicking it.");
-    const std::optional<double> width = width_of(world, selection_);
-    if (!width) return say("An infinite plane is enough: it is not duplicated.");
     std::map<BodyId, BodyId> copy_of;
     std::vector<BodyId> made;
-    for (const BodyId body : selection_) {
+    for (const BodyId body : bodies) {
         const std::vector<ShapeId> shapes = world.body(body).shapes();
         std::vector<ShapeId> copies;
-        made.push_back(duplicate(world, body, {1.05 * *width, 0.0, 0.0}, copies));
+        made.push_back(duplicate(world, body, {shift, 0.0, 0.0}, copies));
         copy_of.emplace(body, made.back());
         for (std::size_t i = 0; i < copies.size(); ++i) {
             const auto original = std::find_if(scene_.appearances.begin(), scene_.appearances.end(),
@@ -156,9 +171,26 @@ void Stage::operator()(const command::DuplicateSelected&) {
                                        [&](const JointAppearance& known) { return known.joint == joint; });
         if (look != scene_.strings.end()) scene_.strings.push_back({copy, look->color});
     }
+    return made;
+}
+
+// Beside the originals, by their own width. Copies of a group are one.
+void Stage::operator()(const command::DuplicateSelected&) {
+    drop_gone_from_selection();
+    if (selection_.empty()) return say("Select a body first, by clicking it.");
+    const std::optional<double> width = width_of(scene_.world, selection_);
+    if (!width) return say("An infinite plane is enough: it is not duplicated.");
+    Groups groups = timeline_.groups();
+    const bool is_group = group_of(selected_) != nullptr && selection_.size() > 1;
+    const auto first = std::find(selection_.begin(), selection_.end(), selected_) - selection_.begin();
+    std::vector<BodyId> made;
+    all_or_nothing([&] {
+        made = copy_bodies(selection_, 1.05 * *width);
+        groups.push_back(made);
+        if (is_group) timeline_.set_groups(std::move(groups));
+    });
     order_.insert(order_.end(), made.begin(), made.end());
-    if (group_of(selected_) && made.size() > 1) groups_.push_back(made);
-    select(made, copy_of.at(selected_));
+    select(made, made[std::size_t(first)]);
     refresh_layout();
 }
 

@@ -255,7 +255,7 @@ void Stage::operator()(const command::SaveRecording& save) {
                 world.restore(excerpt->start);
                 write(path, std::filesystem::path(source).filename().generic_string(), world, [&] {
                     for (const TimelineLog::Frame& frame : excerpt->log.frames) {
-                        for (const auto& change : frame.changes) world.execute(*change, *excerpt->log.source);
+                        for (const auto& change : frame.changes) repeat(world, *change, *excerpt->log.source);
                         if (frame.step) world.execute(*frame.step, *excerpt->log.source);
                     }
                 });

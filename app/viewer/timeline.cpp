@@ -30,17 +30,19 @@ constexpr std::uint64_t same_change = 60; // steps within which changes by one s
 double mean(double old, double value) { return old == 0.0 ? value : old + newest_weight * (value - old); }
 
 // What neither makes nor removes anything, and changes no type, name or shape.
-bool alters_layout(std::string_view command) {
+bool alters_layout(const std::vector<std::byte>& command) {
+    if (command.empty()) return false; // a note
+    const std::string_view name = command_name(command);
     for (const std::string_view harmless :
          {"World::set_joint", "Body::set_linear_velocity", "Body::set_angular_velocity", "Body::wake",
           "Body::apply_impulse", "Body::add_force", "World::set_force_field"})
-        if (command == harmless) return false;
+        if (name == harmless) return false;
     return true;
 }
 
 } // namespace
 
-void Timeline::begin(World& world, const RecordedRun& run) {
+void Timeline::begin(World& world, const RecordedRun& run, Groups groups) {
     log_ = std::make_shared<TimelineLog>(run);
     {
         const Going going(*log_); // it is told of the state, which is the first that is kept
@@ -49,6 +51,8 @@ void Timeline::begin(World& world, const RecordedRun& run) {
     recorded_keyframe_ = run.keyframe;
     recorded_until_ = run.keyframe ? std::numeric_limits<std::uint64_t>::max() : 0;
     changes_.clear();
+    groups_.clear();
+    groups_.emplace(Moment{}, std::move(groups));
     events_.clear();
     hits_.clear();
     watched_until_ = 0;
@@ -69,8 +73,8 @@ void Timeline::begin(World& world, const RecordedRun& run) {
 void Timeline::name_recorded_changes() {
     for (std::uint64_t step = 0; step < log_->last_step(); ++step) {
         const auto& changes = log_->frame(step).changes;
-        const auto first = std::find_if(changes.begin(), changes.end(),
-                                        [](const auto& command) { return alters_layout(command_name(*command)); });
+        const auto first =
+            std::find_if(changes.begin(), changes.end(), [](const auto& command) { return alters_layout(*command); });
         if (first == changes.end()) continue;
         std::string name(command_name(**first));
         name.erase(0, name.find(':') == std::string::npos ? 0 : name.rfind(':') + 1);
@@ -116,6 +120,7 @@ void Timeline::keep_within_budget() {
     }
     const std::uint64_t first = log_->first_step();
     while (!changes_.empty() && changes_.front().begin.step < first) changes_.pop_front();
+    groups_.erase(groups_.begin(), std::prev(groups_.upper_bound(Moment{first, 0})));
     while (!events_.empty() && events_.front().step < first) events_.pop_front();
 }
 
@@ -126,6 +131,7 @@ void Timeline::drop_other_future() {
     is_undone_ = false;
     recorded_until_ = std::min(recorded_until_, branch->step);
     keyframes_.erase(keyframes_.upper_bound(branch->step), keyframes_.end());
+    groups_.erase(groups_.upper_bound(*branch), groups_.end());
     while (!changes_.empty() && changes_.back().begin >= *branch) changes_.pop_back();
     if (!changes_.empty()) changes_.back().end = std::min(changes_.back().end, *branch);
     while (!events_.empty() && events_.back().step > branch->step) events_.pop_back();
@@ -147,8 +153,8 @@ Timeline Timeline::fork(World& copy) const {
 
 bool Timeline::repeat_change(World& other, const Moment& change) {
     const std::vector<std::byte>& command = *log_->frame(change.step).changes[change.changes];
-    other.execute(command, *log_);
-    return alters_layout(command_name(command));
+    repeat(other, command, *log_);
+    return alters_layout(command);
 }
 
 void Timeline::forget_future() {
@@ -182,9 +188,9 @@ bool Timeline::execute_changes(World& world, std::uint32_t count) {
     bool alters = false;
     while (log_->now.changes < count) {
         const std::vector<std::byte>& command = *frame.changes[log_->now.changes];
-        world.execute(command, *log_);
+        repeat(world, command, *log_);
         ++log_->now.changes;
-        alters = alters || alters_layout(command_name(command));
+        alters = alters || alters_layout(command);
     }
     return alters;
 }
@@ -300,6 +306,28 @@ void Timeline::unname_change(const std::string& name) {
     if (changes_.empty() || changes_.back().name != name) return;
     changes_.pop_back();
     gather_marks();
+}
+
+void Timeline::attempt(World& world, const std::function<void()>& change) {
+    drop_other_future();
+    const TimelineLog::Future known = log_->future();
+    const bool was_undone = is_undone_;
+    try {
+        change();
+    } catch (...) {
+        if (log_->now != known.from) {
+            log_->take_up(known);
+            seek(world, known.from);
+            is_undone_ = was_undone;
+        }
+        throw;
+    }
+}
+
+void Timeline::set_groups(Groups groups) {
+    log_->note();
+    drop_other_future();
+    groups_.insert_or_assign(log_->now, std::move(groups));
 }
 
 void Timeline::watch(const World& world) {

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
@@ -30,13 +31,17 @@ struct Mark {
     std::string text;       ///< Of an impact, empty.
 };
 
+/// Bodies that are selected together. No world knows them, but they come and go with its moments and are undone like
+/// its changes. They may hold bodies that are gone, which come back when that is undone.
+using Groups = std::vector<std::vector<BodyId>>;
+
 class Timeline {
   public:
     /// `budget`: bytes that whole states and commands may take; the oldest go first.
     explicit Timeline(std::size_t budget = std::size_t{256} << 20) : budget_(budget) {}
 
     /// Begins with the world as it is, and listens to it. `run`: what is known to follow.
-    void begin(World& world, const RecordedRun& run);
+    void begin(World& world, const RecordedRun& run, Groups groups = {});
 
     std::uint64_t first_step() const { return log_->first_step(); }
     std::uint64_t last_step() const { return log_->last_step(); }
@@ -78,6 +83,14 @@ class Timeline {
     /// Goes to the moment before the last change before now. What follows can be redone until a step is made.
     bool undo(World& world);
     bool redo(World& world); ///< Goes to where the next change is made.
+
+    /// Does what changes the world, without steps. Where it throws, the world and what is known of its future are as
+    /// they were, bit for bit.
+    void attempt(World& world, const std::function<void()>& change);
+    /// Those at this moment.
+    const Groups& groups() const { return std::prev(groups_.upper_bound(log_->now))->second; }
+    /// From now on, which is a change to be named.
+    void set_groups(Groups groups);
 
     /// How what was done again compares with what is known of the states then.
     struct Verdict {
@@ -145,6 +158,7 @@ class Timeline {
     decltype(RecordedRun::keyframe) recorded_keyframe_;
     std::uint64_t recorded_until_ = 0; // from there on, what the recording has is no longer what follows
     std::deque<Change> changes_;
+    std::map<Moment, Groups> groups_; // from each moment on; the first is that of the first known step or before it
     std::deque<KnownHit> hits_;
     std::deque<Mark> events_;         // impacts and breaks
     std::uint64_t watched_until_ = 0; // step: what happened up to there is among them

@@ -83,6 +83,30 @@ void TimelineLog::forget_before(std::uint64_t step) {
     }
 }
 
+void TimelineLog::note() {
+    truncate();
+    frames_.back().changes.push_back(std::make_shared<const std::vector<std::byte>>());
+    bytes_ += sizeof(std::vector<std::byte>);
+    ++now.changes;
+}
+
+TimelineLog::Future TimelineLog::future() const {
+    Future known{now, {}};
+    if (!is_at_end()) known.frames.assign(frames_.begin() + std::ptrdiff_t(now.step - first_step_), frames_.end());
+    return known;
+}
+
+void TimelineLog::take_up(const Future& known) {
+    frames_.resize(std::size_t(known.from.step - first_step_) + 1);
+    if (known.frames.empty()) {
+        frames_.back().changes.resize(known.from.changes);
+    } else {
+        frames_.pop_back();
+        frames_.insert(frames_.end(), known.frames.begin(), known.frames.end());
+    }
+    branched_at_.reset();
+}
+
 TimelineLog::Excerpt TimelineLog::excerpt(std::uint64_t from) const {
     Excerpt excerpt;
     const auto begin = frames_.begin() + std::ptrdiff_t(from - first_step_);
@@ -108,6 +132,10 @@ void TimelineLog::on_command(std::span<const std::byte> command) {
         open.changes.push_back(shared(command));
         ++now.changes;
     }
+}
+
+void repeat(World& world, const std::vector<std::byte>& change, CommandSource& source) {
+    if (!change.empty()) world.execute(change, source);
 }
 
 // Where memory runs out the step stays the last one, and is not counted.

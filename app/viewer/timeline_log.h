@@ -29,7 +29,7 @@ class TimelineLog final : public CommandListener, public CommandSource {
   public:
     using Bytes = std::shared_ptr<const std::vector<std::byte>>;
     struct Frame {
-        std::vector<Bytes> changes;          ///< Before the step.
+        std::vector<Bytes> changes;          ///< Before the step; notes are empty.
         Bytes step;                          ///< Null: not made yet.
         std::optional<StateDigest> digest{}; ///< Of the state after it, where it is known.
     };
@@ -47,6 +47,16 @@ class TimelineLog final : public CommandListener, public CommandSource {
     Frame& frame(std::uint64_t step) { return frames_[std::size_t(step - first_step_)]; }
     /// What comes after `now` is forgotten.
     void truncate();
+    /// Takes down a change of what no world knows: a moment of its own, at which nothing is done.
+    void note();
+    /// What is known at one moment to follow it.
+    struct Future {
+        Moment from;
+        std::vector<Frame> frames; ///< That of `from` and those after it; none if nothing follows.
+    };
+    Future future() const;
+    /// Knows that again in place of what was done since, steps excepted. The caller goes back there: `now` stays.
+    void take_up(const Future& known);
     /// What comes before that step is forgotten.
     void forget_before(std::uint64_t step);
     std::size_t bytes() const { return bytes_; }
@@ -82,6 +92,9 @@ class TimelineLog final : public CommandListener, public CommandSource {
     std::unordered_map<const void*, std::uint64_t> numbers_;
     std::deque<Snapshot> snapshots_;
 };
+
+/// Does again what a log has of a world. A note does nothing.
+void repeat(World& world, const std::vector<std::byte>& change, CommandSource& source);
 
 /// Is told nothing when a world is handed states: sets `is_going` for as long as it lives.
 class Going {

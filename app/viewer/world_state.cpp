@@ -148,6 +148,10 @@ std::vector<std::uint32_t> find_islands(const World& world, const WorldLayout& l
 
 } // namespace
 
+std::string label_of(BodyId body, const std::string& name) {
+    return name.empty() ? "body " + std::to_string(body.index()) : name;
+}
+
 WorldLayout read_layout(const World& world, std::span<const Appearance> appearances, MeshCache& meshes,
                         std::span<const Visual> visuals) {
     std::unordered_map<ShapeId, Vec3> colors;

@@ -42,6 +42,9 @@ struct BodyLayout {
     bool has_visuals = false; ///< Is shown by `WorldLayout::visuals` instead of by its shapes, where those are shown.
 };
 
+/// What a body is called where people read it: its name, or `body 7` for its number.
+std::string label_of(BodyId body, const std::string& name);
+
 /// A mesh that came with the scene for its looks.
 struct VisualLayout {
     std::optional<std::size_t> body; ///< Index into `WorldLayout::bodies`; absent: scenery.

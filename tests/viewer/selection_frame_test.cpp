@@ -112,7 +112,9 @@ TEST(SelectionFrame, AnEmptyOneSaysSoAndLeavesTheSelection) {
 TEST(SelectionFrame, ADragThatBeginsOnABodyPullsItUpAndDown) {
     for (const bool answered : {true, false}) {
         Desk desk;
-        desk.span(desk.seen({0.0, 0.5, 0.5}), desk.high(), answered);
+        desk.stage.apply(command::Spawn{box_preset(), {2.0, 5.0, 0.0}}); // lies in what would be the frame
+        desk.controller.update(desk.stage.state());
+        desk.span(desk.seen({0.0, 0.5, 0.5}), desk.seen({5.0, 9.0, 0.0}), answered);
         EXPECT_FALSE(desk.controller.selection_frame());
         EXPECT_EQ(desk.controller.dragging(), answered);
         desk.let_go();
