@@ -54,6 +54,7 @@ viewer::CameraPose camera_of(const scene::Scene& scene, std::span<const viewer::
     pose.position = scene.info.camera->position;
     pose.target = scene.info.camera->target;
     pose.vertical_fov = glm::radians(scene.info.camera->vertical_fov_degrees);
+    pose.is_parallel = scene.info.camera->is_orthographic;
     return pose;
 }
 
@@ -136,8 +137,8 @@ void save_scene(const std::filesystem::path& path, viewer::LoadedScene& saved) {
     scene.info.title = saved.title;
     scene.info.hint = saved.hint;
     scene.info.time_step = saved.time_step;
-    scene.info.camera =
-        scene::Camera{saved.camera.position, saved.camera.target, glm::degrees(saved.camera.vertical_fov)};
+    scene.info.camera = scene::Camera{saved.camera.position, saved.camera.target,
+                                      glm::degrees(saved.camera.vertical_fov), saved.camera.is_parallel};
     for (const viewer::Appearance& appearance : saved.appearances)
         if (saved.world.is_valid(appearance.shape))
             scene.appearances.push_back({saved.world.body_of(appearance.shape), appearance.shape, appearance.color});

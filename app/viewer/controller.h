@@ -122,6 +122,7 @@ class Controller {
     std::map<std::string, Binding, std::less<>> held_; // by key, without modifiers
     Vec3 force_{0.0f, 0.0f, 0.0f};
     bool pulling_ = false, freezing_ = false;
+    bool wants_parallel_ = false; // whichever the scene
     glm::vec2 cursor_{0.0f, 0.0f}, pressed_at_{0.0f, 0.0f};
     float aspect_ = 16.0f / 9.0f;
     Drag drag_ = Drag::none;

@@ -45,6 +45,7 @@ bool Controller::perform_on_camera(Action action) {
         return true;
     case Action::toggle_parallel:
         camera.set_parallel(!camera.is_parallel());
+        wants_parallel_ = camera.is_parallel();
         return true;
     case Action::follow_selection:
         follow = !follow;
@@ -69,10 +70,10 @@ bool Controller::perform_on_camera(Action action) {
     }
 }
 
-// Whether rays are parallel is what the user chose.
+// Parallel rays that the user chose stay from scene to scene; those of a scene end with it.
 void Controller::take_scene_view(const StageState& state) {
     CameraPose pose = state.scene_camera;
-    pose.is_parallel = camera.is_parallel();
+    pose.is_parallel = pose.is_parallel || wants_parallel_;
     camera.set_pose(pose);
 }
 
@@ -94,9 +95,11 @@ void Controller::find_grounds(const StageState& state) {
         const Transform& body = state.current->transforms[shape.body];
         const Ground ground{body.position + Position(body.rotation * shape.position),
                             body.rotation * shape.rotation * Vec3(0.0f, 1.0f, 0.0f)};
-        const Position eye = state.scene_camera.position;
-        if (ground.normal.y < least_ground_slope || glm::dot(eye - ground.point, Position(ground.normal)) <= 0.0)
-            continue;
+        const CameraPose& view = state.scene_camera;
+        // Where on its axis a camera with parallel rays stands says nothing.
+        const double above = view.is_parallel ? glm::dot(view.position - view.target, Position(ground.normal))
+                                              : glm::dot(view.position - ground.point, Position(ground.normal));
+        if (ground.normal.y < least_ground_slope || above <= 0.0) continue;
         grounds.push_back(ground);
     }
     camera.set_grounds(std::move(grounds));

@@ -30,6 +30,9 @@ struct Camera {
     Position position{6.0, 4.0, 10.0};  ///< Meters.
     Position target{0.0, 1.0, 0.0};     ///< The point in the middle of the picture, meters; not the position.
     float vertical_fov_degrees = 45.0f; ///< Full angle from the bottom to the top of the picture, 1 to 170.
+    /// Its rays are parallel: at any distance the picture shows as much as that angle does at the distance of the
+    /// target.
+    bool is_orthographic = false;
 };
 
 /// What a scene says about itself beside its bodies.

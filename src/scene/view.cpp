@@ -31,9 +31,12 @@ std::optional<Camera> read_camera(const Value& document, const Value& index, con
         const double angle = perspective->require("yfov").number(angle_range);
         result.vertical_fov_degrees = static_cast<float>(std::clamp(angle * radian, 1.0, 170.0));
     } else if (const auto orthographic = camera.find("orthographic")) {
-        // From where the same height fills the picture.
+        // At the distance from where the same height fills the picture.
         const double height = orthographic->require("ymag").number(size_range);
-        result.position += *back * (height / std::tan(0.5 * static_cast<double>(result.vertical_fov_degrees) / radian));
+        const double half_angle = 0.5 * static_cast<double>(result.vertical_fov_degrees) / radian;
+        result.is_orthographic = true;
+        result.target = map.translation;
+        result.position = map.translation + *back * (height / std::tan(half_angle));
     } else {
         return std::nullopt;
     }
@@ -65,10 +68,12 @@ void aim_camera(const World& world, Camera& camera) {
         sum += glm::dvec3(world.body(id).center_of_mass());
         count += 1.0;
     }
-    const glm::dvec3 along = glm::normalize(glm::dvec3(camera.target) - glm::dvec3(camera.position));
+    const glm::dvec3 view = glm::dvec3(camera.target) - glm::dvec3(camera.position), along = glm::normalize(view);
     const glm::dvec3 middle = count > 0.0 ? sum / count : glm::dvec3(0.0);
     const double distance = glm::dot(middle - glm::dvec3(camera.position), along);
     camera.target = camera.position + Position(along * std::max(distance, 1.0));
+    // What an orthographic camera shows goes with its distance, and not with where along its axis it stands.
+    if (camera.is_orthographic) camera.position = camera.target - Position(view);
 }
 
 } // namespace cairn::scene

@@ -45,6 +45,7 @@ Camera read_camera(const Value& value) {
     if (const auto angle = value.find("vertical_fov_degrees")) {
         camera.vertical_fov_degrees = angle->real({1.0, 170.0, false});
     }
+    if (const auto orthographic = value.find("orthographic")) camera.is_orthographic = orthographic->boolean();
     return camera;
 }
 
@@ -113,7 +114,7 @@ WorldSettings read_world_settings(const Value& settings, std::vector<std::string
     read_scalars(settings, result.world, result.info);
     if (const auto camera = settings.find("camera")) {
         result.info.camera = read_camera(*camera);
-        warn_of_unknown_members(*camera, {"position", "target", "vertical_fov_degrees"}, warnings);
+        warn_of_unknown_members(*camera, {"position", "target", "vertical_fov_degrees", "orthographic"}, warnings);
     }
     if (const auto fields = settings.find("force_fields")) {
         const std::size_t count = fields->size(max_force_fields, "force fields");
@@ -165,6 +166,7 @@ nlohmann::ordered_json write_world_settings(const WorldDef& world, const SceneIn
         json["camera"] = {{"position", number_array(info.camera->position)},
                           {"target", number_array(info.camera->target)},
                           {"vertical_fov_degrees", shortest(info.camera->vertical_fov_degrees)}};
+        if (info.camera->is_orthographic) json["camera"]["orthographic"] = true;
     }
     if (!info.force_fields.empty()) {
         for (const ForceField& field : info.force_fields) json["force_fields"].push_back(write_force_field(field));

@@ -37,11 +37,18 @@ TEST(SceneView, TurnedAndScaledNodesTurnTheView) {
     EXPECT_LT(glm::length(scene.info.camera->target - Position(4, 2, 11)), 1e-6);
 }
 
-TEST(SceneView, OrthographicCamerasSeeAsMuchFromFartherAway) {
+TEST(SceneView, OrthographicCamerasAreReadAndSavedAsSuch) {
     const Scene scene =
         load_view(R"({"translation":[4,2,1],"camera":0})",
                   R"(},"cameras":[{"type":"orthographic","orthographic":{"xmag":3,"ymag":2,"znear":0,"zfar":9}}])", "");
-    EXPECT_NEAR(scene.info.camera->position.z, 1.0 + 2.0 / 0.41421356, 1e-6);
+    const Scene again = load_text(scene::save_to_string(scene));
+    for (const auto& camera : {scene.info.camera, again.info.camera}) {
+        ASSERT_TRUE(camera);
+        EXPECT_TRUE(camera->is_orthographic);
+        EXPECT_LT(glm::length(camera->target - Position(4, 2, 0)), 1e-6) << "at the ball";
+        EXPECT_NEAR(camera->position.z * 0.41421356, 2.0, 1e-6) << "2 m above the middle fill the picture";
+    }
+    EXPECT_FALSE(load_view(R"({"translation":[4,2,10],"camera":0})", perspective, "").info.camera->is_orthographic);
 }
 
 TEST(SceneView, TheWorldsOwnCameraComesFirst) {

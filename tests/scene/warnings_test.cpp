@@ -61,7 +61,7 @@ TEST(SceneWarnings, MisspelledMembersAreNamedWithTheNearestKnownOne) {
     parts.world = R"("camera":{"position":[1,1,1],"target":[0,0,0],"fov":40})";
     EXPECT_EQ(load_text(document(parts)).warnings.at(0),
               "test.gltf: scenes[0].extensions.CAIRN_world.camera: the member \"fov\" is not known and has no effect; "
-              "known are position, target, vertical_fov_degrees");
+              "known are position, target, vertical_fov_degrees, orthographic");
 }
 
 TEST(SceneWarnings, MisspelledMembersOfJointsAreThoseOfTheirType) {

@@ -171,6 +171,31 @@ TEST(Controller, ResetKeepsTheCameraAndANewSceneBringsItsOwn) {
     EXPECT_NE(desk.controller.camera.position(), turned);
 }
 
+TEST(Controller, ParallelRaysOfASceneEndWithItAndThoseOfTheUserStay) {
+    const auto load = [](const std::string& path) {
+        LoadedScene scene = test::boxes_on_plane(1);
+        scene.camera.is_parallel = path == "flat";
+        return scene;
+    };
+    Stage stage(load, "flat");
+    Controller controller([&](Command command) { stage.apply(command); }, {{"flat", ""}, {"deep", ""}});
+    const auto key = [&](const char* modifiers, const char* name) {
+        controller.key_down(modifiers, name);
+        controller.update(stage.state());
+        return controller.camera.is_parallel();
+    };
+    controller.update(stage.state());
+    EXPECT_TRUE(controller.camera.is_parallel()) << "at once";
+    EXPECT_FALSE(key("", "2"));
+    EXPECT_TRUE(key("", "1"));
+    EXPECT_FALSE(key("Ctrl+", "5"));
+    EXPECT_TRUE(key("", "Home")) << "the scene's own view";
+    EXPECT_FALSE(key("", "2"));
+    EXPECT_TRUE(key("Ctrl+", "5"));
+    EXPECT_TRUE(key("", "1"));
+    EXPECT_TRUE(key("", "2"));
+}
+
 TEST(Controller, DraggingABodyMovesItAndNotTheCamera) {
     Desk desk;
     const Position eye = desk.controller.camera.position();
