@@ -97,7 +97,7 @@ void ImpactWindow::ask(const StageState& state, Controller& controller) {
 void ImpactWindow::draw_partner(const StageState& state, Controller& controller) {
     const auto name_of_body = [&](BodyId id) {
         for (const BodyLayout& body : state.layout->bodies)
-            if (body.id == id) return body.name.empty() ? "body " + std::to_string(id.index()) : body.name;
+            if (body.id == id) return label_of(id, body.name);
         return std::string("whatever it was");
     };
     ImGui::SetNextItemWidth(11.0f * ImGui::GetFontSize());
@@ -115,7 +115,7 @@ void ImpactWindow::draw_partner(const StageState& state, Controller& controller)
     note_place(controller, "impact.last");
 }
 
-void ImpactWindow::draw(const StageState& state, Controller& controller, float scale, float column) {
+void ImpactWindow::draw(const StageState& state, Controller& controller, float scale, float column, float bottom) {
     if (!controller.impacts) {
         if (was_open_) controller.post(command::ExplainImpact{});
         was_open_ = false;
@@ -127,9 +127,12 @@ void ImpactWindow::draw(const StageState& state, Controller& controller, float s
         ask(state, controller);
     }
     const float margin = 12.0f * scale;
-    ImGui::SetNextWindowPos(ImVec2(column + margin, margin), ImGuiCond_FirstUseEver);
+    const float below_other = state.other ? 116.0f * scale : 0.0f; // the window of two runs is above
+    ImGui::SetNextWindowPos(ImVec2(column + margin, margin + below_other), ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowBgAlpha(0.93f);
-    if (ImGui::Begin("Impact (F7)", &controller.impacts, ImGuiWindowFlags_AlwaysAutoResize)) {
+    const bool is_open = ImGui::Begin("Impact (F7)", &controller.impacts, ImGuiWindowFlags_AlwaysAutoResize);
+    keep_in_picture(column, bottom);
+    if (is_open) {
         if (!state.selected) {
             ImGui::TextUnformatted("Click a body: its last impact is shown, with all numbers of its impulse.");
         } else {

@@ -8,7 +8,7 @@ namespace cairn::viewer {
 
 class ImpactWindow {
   public:
-    void draw(const StageState& state, Controller& controller, float scale, float column);
+    void draw(const StageState& state, Controller& controller, float scale, float column, float bottom);
 
   private:
     void ask(const StageState& state, Controller& controller);

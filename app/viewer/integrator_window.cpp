@@ -131,7 +131,9 @@ void IntegratorWindow::draw(Controller& controller, float scale, float column, f
     ImGui::SetNextWindowPos(ImVec2(column + 0.5f * room, margin), ImGuiCond_FirstUseEver, ImVec2(0.5f, 0.0f));
     ImGui::SetNextWindowSize(size, ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowBgAlpha(0.97f);
-    if (ImGui::Begin("Integrators side by side (F4)", &controller.integrators)) {
+    const bool is_open = ImGui::Begin("Integrators side by side (F4)", &controller.integrators);
+    keep_in_picture(column, bottom);
+    if (is_open) {
         draw_controls(controller);
         compute();
         if (is_running_) time_ = std::min(time_ + double(std::min(ImGui::GetIO().DeltaTime, 0.1f)), seconds);

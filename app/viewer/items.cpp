@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+
 namespace cairn::viewer {
 
 void note_place(Controller& controller, const char* name) {
@@ -23,6 +25,13 @@ void draw_export_buttons(Controller& controller, const std::string& prefix,
         for (const auto& [name, chart] : charts) controller.exports.push_back({name, ".csv", chart_csv(*chart)});
     note_place(controller, (prefix + ".csv").c_str());
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("a table of each plot, for spreadsheets and programs");
+}
+
+void keep_in_picture(float column, float bottom) {
+    const ImVec2 display = ImGui::GetIO().DisplaySize, place = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    const ImVec2 kept(std::max(std::min(place.x, display.x - size.x), column),
+                      std::max(std::min(place.y, display.y - bottom - size.y), 0.0f));
+    if (kept.x != place.x || kept.y != place.y) ImGui::SetWindowPos(kept);
 }
 
 void explain(const char* text) {

@@ -17,6 +17,10 @@ void note_place(Controller& controller, const char* name);
 void draw_export_buttons(Controller& controller, const std::string& prefix,
                          const std::vector<std::pair<std::string, const Chart*>>& charts);
 
+/// To be called in a window that people move: it stays right of the panel's column and above so much at the bottom, as
+/// far as it fits. Its place may be of a window of another size, a moment ago or in an earlier run.
+void keep_in_picture(float column, float bottom);
+
 /// A paragraph in a calmer color.
 void explain(const char* text);
 

@@ -149,7 +149,7 @@ constexpr KeyHelp help[] = {
     {"F / Home", "look at the selected body / the scene's own view", "F Home"},
     {"E", "follow the selected body", "E"},
     {"Ctrl+1, Ctrl+2, Ctrl+3", "from the front / the side / the top", "Ctrl+1 Ctrl+2 Ctrl+3"},
-    {"Ctrl+5", "parallel rays (an orthographic picture), to compare lengths", "Ctrl+5"},
+    {"Ctrl+5", "parallel rays (orthographic), to compare lengths", "Ctrl+5"},
     {"Tab or N", "colors: scene, mass, speed, islands, shape", "Tab N"},
     {"G  H", "grid / shadows", "G H"},
     {"T", "joints: selected or loaded, all, none", "T"},

@@ -9,7 +9,7 @@
 
 namespace cairn::viewer {
 
-void draw_other_run(const StageState& state, Controller& controller, float scale, float column) {
+void draw_other_run(const StageState& state, Controller& controller, float scale, float column, float bottom) {
     for (const char* place : {"other.exchange", "other.end"})
         if (!state.other) controller.places.erase(place);
     if (!state.other) return;
@@ -19,6 +19,7 @@ void draw_other_run(const StageState& state, Controller& controller, float scale
     ImGui::SetNextWindowBgAlpha(0.85f);
     ImGui::Begin("Two runs", nullptr,
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoCollapse);
+    keep_in_picture(column, bottom);
     const double since = double(other.parted_at) - double(state.timeline.first);
     ImGui::Text("The transparent one goes on as it was at %.2f s.", std::max(since, 0.0) * state.time_step);
     const RunDifference& difference = other.difference;
@@ -27,8 +28,7 @@ void draw_other_run(const StageState& state, Controller& controller, float scale
     } else {
         std::string name;
         for (const BodyLayout& body : state.layout->bodies)
-            if (body.id == difference.farthest_body)
-                name = body.name.empty() ? "body " + std::to_string(body.id.index()) : body.name;
+            if (body.id == difference.farthest_body) name = label_of(body.id, body.name);
         ImGui::Text("%zu %s elsewhere.", difference.elsewhere, difference.elsewhere == 1 ? "body is" : "bodies are");
         if (!name.empty()) ImGui::Text("Farthest apart: %s, %.3g m", name.c_str(), difference.farthest);
     }

@@ -7,6 +7,6 @@
 namespace cairn::viewer {
 
 /// Draws it into the top left corner of the picture, which begins at `column`; nothing without another run.
-void draw_other_run(const StageState& state, Controller& controller, float scale, float column);
+void draw_other_run(const StageState& state, Controller& controller, float scale, float column, float bottom);
 
 } // namespace cairn::viewer

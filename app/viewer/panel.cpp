@@ -1,5 +1,6 @@
 #include "viewer/panel.h"
 
+#include "viewer/help_window.h"
 #include "viewer/items.h"
 #include "viewer/other_run_window.h"
 #include "viewer/palette.h"
@@ -59,42 +60,6 @@ void row(const char* name, const char* format, double value) {
     ImGui::Text(format, value);
 }
 
-void draw_help(float scale) {
-    const ImGuiIO& io = ImGui::GetIO();
-    ImGui::SetNextWindowPos(ImVec2(0.5f * io.DisplaySize.x, 0.5f * io.DisplaySize.y), ImGuiCond_Always,
-                            ImVec2(0.5f, 0.5f));
-    ImGui::SetNextWindowBgAlpha(0.94f);
-    ImGui::Begin("Keys and mouse", nullptr,
-                 ImGuiWindowFlags_NoResize | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse |
-                     ImGuiWindowFlags_NoMove);
-    const auto lines = key_help();
-    // Columns by the width of their own text; ImGui's tables would need some frames to find it.
-    const auto write = [&](std::size_t from, std::size_t to) {
-        float width = 0.0f;
-        for (std::size_t i = from; i < to; ++i) width = std::max(width, ImGui::CalcTextSize(lines[i].keys).x);
-        for (std::size_t i = from; i < to; ++i) {
-            if (lines[i].keys[0] == '\0') {
-                ImGui::TextColored(ImVec4(1.0f, 0.80f, 0.45f, 1.0f), "%s", lines[i].meaning);
-                continue;
-            }
-            ImGui::TextUnformatted(lines[i].keys);
-            ImGui::SameLine(width + 16.0f * scale); // from the left edge of the group
-            ImGui::TextUnformatted(lines[i].meaning);
-        }
-    };
-    // Two columns, parted at the heading nearest to the middle.
-    std::size_t middle = lines.size() / 2;
-    while (middle + 1 < lines.size() && lines[middle].keys[0] != '\0') ++middle;
-    ImGui::BeginGroup();
-    write(0, middle);
-    ImGui::EndGroup();
-    ImGui::SameLine(0.0f, 24.0f * scale);
-    ImGui::BeginGroup();
-    write(middle, lines.size());
-    ImGui::EndGroup();
-    ImGui::End();
-}
-
 // No wider than the picture, which has that much room. Returns the height of the box; 0 without a text.
 float draw_caption(const char* name, const std::string& text, const ImVec2& place, const ImVec2& pivot, float room) {
     if (text.empty()) return 0.0f;
@@ -126,6 +91,22 @@ void draw_selection_frame(const Controller& controller, const WindowFacts& facts
     list->AddRectFilled(corner, opposite, IM_COL32(84, 158, 219, 40));
     list->AddRect(corner, opposite, IM_COL32(12, 30, 46, 200), 0.0f, 0, 3.0f * scale); // seen on a bright picture, too
     list->AddRect(corner, opposite, IM_COL32(140, 200, 250, 255), 0.0f, 0, 1.5f * scale);
+}
+
+// Over all windows, since it may tell why what one of them asked for was not done. `place`: the middle of its lower
+// edge.
+void draw_notice(const std::string& text, const ImVec2& place, float room) {
+    if (text.empty()) return;
+    const ImVec2 padding = ImGui::GetStyle().WindowPadding;
+    const float widest = room - 4.0f * padding.x;
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, widest);
+    const ImVec2 corner(std::round(place.x - 0.5f * size.x), std::round(place.y - padding.y - size.y));
+    ImDrawList* list = ImGui::GetForegroundDrawList();
+    list->AddRectFilled(ImVec2(corner.x - padding.x, corner.y - padding.y),
+                        ImVec2(corner.x + size.x + padding.x, place.y), ImGui::GetColorU32(ImGuiCol_WindowBg),
+                        ImGui::GetStyle().WindowRounding);
+    list->AddText(ImGui::GetFont(), ImGui::GetFontSize(), corner, ImGui::GetColorU32(ImGuiCol_Text), text.c_str(),
+                  nullptr, widest);
 }
 
 std::string present_state(const StageState& state) {
@@ -442,15 +423,15 @@ void Panel::draw(const StageState& state, Controller& controller, const WindowFa
     bar_height_ = bar;
     const float low = io.DisplaySize.y - margin - bar;
     draw_caption("##state", present_state(state), ImVec2(io.DisplaySize.x - margin, low), ImVec2(1.0f, 1.0f), room);
-    draw_caption("##notice", facts.notice, ImVec2(column + 0.5f * room, low), ImVec2(0.5f, 1.0f), room);
-    draw_other_run(state, controller, scale, column);
+    draw_other_run(state, controller, scale, column, bar);
     inspector_.draw(state, controller, scale, 2.0f * margin + title_height, bar, room);
     plots_.draw(state, controller, scale, column, room, bar);
     integrators_.draw(controller, scale, column, room, bar);
-    impacts_.draw(state, controller, scale, column);
+    impacts_.draw(state, controller, scale, column, bar);
     panes_.draw(state, controller, facts, scale);
     palette_.draw(controller, scale, column, room);
-    if (controller.help) draw_help(scale);
+    if (controller.help) draw_help(controller, scale);
+    draw_notice(facts.notice, ImVec2(column + 0.5f * room, low), room);
 }
 
 } // namespace cairn::viewer

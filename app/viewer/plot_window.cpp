@@ -71,7 +71,9 @@ void PlotWindow::draw(const StageState& state, Controller& controller, float sca
     ImGui::SetNextWindowPos(ImVec2(column + margin, display - bottom - margin - size.y), ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSize(size, ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowBgAlpha(0.93f);
-    if (ImGui::Begin("Plots (F3)", &controller.plots)) {
+    const bool is_open = ImGui::Begin("Plots (F3)", &controller.plots);
+    keep_in_picture(column, bottom);
+    if (is_open) {
         draw_choice(state, controller);
         const PlotGroup& group = plot_groups()[std::size_t(group_)];
         const Chart chart = sample_chart(state.samples, group, windows[window_].second, state.selected,

@@ -108,6 +108,15 @@ Json gizmo_json(const StageState& state, const Controller& controller, const Win
     return json;
 }
 
+// Left, top, right and bottom in the window, pixels.
+Json frame_json(const Controller& controller, const WindowFacts& facts) {
+    const auto frame = controller.selection_frame();
+    if (!frame) return {};
+    const auto x = [&](float device) { return float(facts.left) + (0.5f + 0.5f * device) * float(facts.width); };
+    const auto y = [&](float device) { return (0.5f - 0.5f * device) * float(facts.height); };
+    return {x(frame->low.x), y(frame->high.y), x(frame->high.x), y(frame->low.y)};
+}
+
 Json panes_json(const StageState& state, const WindowFacts& facts) {
     Json panes = Json::array();
     for (std::size_t i = 0; i < state.panes.size(); ++i) {
@@ -155,6 +164,7 @@ std::string report_json(const StageState& state, const Controller& controller, c
     for (const BodyId body : state.selection) json["selection"].push_back(body.index());
     json["is_group"] = state.is_group;
     json["dragging"] = controller.dragging();
+    json["frame"] = frame_json(controller, facts);
     json["paused"] = state.paused;
     json["frozen"] = state.frozen;
     json["pulled"] = state.pulled;

@@ -112,6 +112,45 @@ void test_handles(Driver& driver) {
     driver.key("space");
 }
 
+// With a copy of the crate beside it: a frame about both, a group of them, and all of it undone.
+void test_frame(Driver& driver) {
+    driver.key("space");
+    driver.chord("ctrl", "d");
+    driver.check("a copy stands beside it", [](const Json& s) { return s.at("dynamic_count") == 2; });
+    driver.key("Escape");
+    driver.key("F2"); // the panel would take a press on it
+    driver.key("F");  // shows both, and room about them
+    driver.check("nothing is selected", [](const Json& s) { return s.at("selection").empty(); });
+    const Json one = crate(driver.state()).at("screen"), other = driver.state().at("bodies").at(2).at("screen");
+    const double apart = other.at(0).get<double>() - one.at(0).get<double>();
+    const double left = one.at(0).get<double>() - apart, top = one.at(1).get<double>() - apart;
+    driver.xdotool("keydown shift");
+    driver.cursor(left, top);
+    driver.press();
+    driver.cursor(other.at(0).get<double>() + apart, other.at(1).get<double>() + apart);
+    driver.check("Shift and a drag beside bodies span a frame", [&](const Json& s) {
+        return s.at("frame").is_array() && std::abs(s.at("frame").at(0).get<double>() - left) < 2;
+    });
+    driver.let_go();
+    driver.xdotool("keyup shift");
+    driver.check("which selects both", [](const Json& s) {
+        return s.at("selection") == Json::array({1, 2}) && s.at("frame").is_null();
+    });
+    driver.chord("ctrl", "g");
+    driver.check("Ctrl+G makes them a group", [](const Json& s) {
+        return s.at("is_group") == true && s.at("timeline").at("undoable") == "group bodies";
+    });
+    driver.chord("ctrl", "z");
+    driver.check("Ctrl+Z undoes that", [](const Json& s) {
+        return s.at("is_group") == false && s.at("timeline").at("undoable") == "duplicate a body";
+    });
+    driver.chord("ctrl", "z");
+    driver.check("and the copy", [](const Json& s) { return s.at("dynamic_count") == 1; });
+    driver.key("F2");
+    driver.key("Home");
+    driver.key("space");
+}
+
 void test_saving(Driver& driver) {
     driver.chord("ctrl", "s");
     driver.check("Ctrl+S saves the scene", [&](const Json& s) {
@@ -164,6 +203,7 @@ int main(int argc, char** argv) {
         if (driver.failures() > 0) return;
         test_undo(driver);
         test_handles(driver);
+        test_frame(driver);
         test_saving(driver);
         test_comfort(driver);
     });

@@ -187,6 +187,10 @@ void test_picture_and_scenes(Driver& driver) {
     driver.check("V shows what collides", [](const Json& s) { return s.at("visuals") == false; });
     driver.key("F1");
     driver.check("F1 shows the key map", [](const Json& s) { return s.at("help") == true; });
+    for (const char* column : {"help.left", "help.right"})
+        driver.check(std::string("to its end: ") + column, [&](const Json& s) {
+            return s.at("places").contains(column) && s.at("places").at(column).at(1).get<double>() < 495.0;
+        });
     driver.key("Escape");
     driver.check("Escape hides it", [](const Json& s) { return s.at("help") == false; });
     driver.key("F2");

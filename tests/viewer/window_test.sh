@@ -80,6 +80,16 @@ place = json.load(open(sys.argv[1]))["places"]["plots.group"]
 assert all(abs(place[i] - float(sys.argv[2 + i])) < 2.0 for i in range(2)), place
 PYTHON
     echo "ok      a moved window is there again in the next run"
+    for step in 'wait 0.5' 'key F3' 'wait 1.5' "report $folder/next.json" quit; do echo "$step"; done >"$folder/script"
+    "$cairn" view "$folder/scene.gltf" --width 600 --height 300 --script "$folder/script" --exit-after 60 ||
+        { echo "FAILED  the viewer in a smaller window"; exit 1; }
+    python3 - "$folder/next.json" <<'PYTHON' || { echo "FAILED  windows are in the picture of a smaller window"; exit 1; }
+import json, sys
+state = json.load(open(sys.argv[1]))
+x, y = state["places"]["plots.csv"]  # at the lower end
+assert state["left"] < x < 600 and 0 < y < 260, (x, y)
+PYTHON
+    echo "ok      in a smaller window it is in the picture, too"
 fi
 [ "${3:-}" = drops ] || exit 0
 

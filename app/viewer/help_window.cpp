@@ -1,0 +1,81 @@
+#include "viewer/help_window.h"
+
+#include "viewer/items.h"
+#include "viewer/key_map.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+
+namespace cairn::viewer {
+
+namespace {
+
+// The width of one line of the key map beside another, in two columns: of the keys, and of what they do.
+struct HelpWidths {
+    float keys = 0.0f, meanings = 0.0f;
+};
+
+HelpWidths help_widths(std::span<const KeyHelp> lines) {
+    HelpWidths widths;
+    for (const KeyHelp& line : lines) {
+        widths.keys = std::max(widths.keys, ImGui::CalcTextSize(line.keys).x);
+        widths.meanings = std::max(widths.meanings, ImGui::CalcTextSize(line.meaning).x);
+    }
+    return widths;
+}
+
+// Notes the place of its last line under that name.
+void draw_help_column(Controller& controller, std::span<const KeyHelp> lines, float gap, const char* name) {
+    const ImVec4 heading = controller.light_theme ? ImVec4(0.55f, 0.33f, 0.0f, 1.0f) : ImVec4(1.0f, 0.80f, 0.45f, 1.0f);
+    const float width = help_widths(lines).keys;
+    ImGui::BeginGroup();
+    for (const KeyHelp& line : lines) {
+        if (line.keys[0] == '\0') {
+            ImGui::TextColored(heading, "%s", line.meaning);
+            continue;
+        }
+        ImGui::TextUnformatted(line.keys);
+        ImGui::SameLine(width + gap); // from the left edge of the group
+        ImGui::TextUnformatted(line.meaning);
+    }
+    note_place(controller, name);
+    ImGui::EndGroup();
+}
+
+} // namespace
+
+// In two columns, parted at the heading with which the longer one is shortest, and in smaller letters where the window
+// has no room for them.
+void draw_help(Controller& controller, float scale) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const std::span<const KeyHelp> lines = key_help();
+    std::size_t parting = lines.size();
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        if (lines[i].keys[0] == '\0' && std::max(i, lines.size() - i) < std::max(parting, lines.size() - parting))
+            parting = i;
+    const auto left = lines.first(parting), right = lines.subspan(parting);
+    const float gap = 16.0f * scale, between = 24.0f * scale;
+    ImGui::SetNextWindowPos(ImVec2(0.5f * io.DisplaySize.x, 0.5f * io.DisplaySize.y), ImGuiCond_Always,
+                            ImVec2(0.5f, 0.5f));
+    ImGui::SetNextWindowBgAlpha(0.94f);
+    ImGui::Begin("Keys and mouse", nullptr,
+                 ImGuiWindowFlags_NoResize | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse |
+                     ImGuiWindowFlags_NoMove);
+    ImGui::SetWindowFontScale(1.0f);
+    const HelpWidths a = help_widths(left), b = help_widths(right);
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float width = a.keys + a.meanings + b.keys + b.meanings; // of letters; the gaps stay as they are
+    const float height = float(std::max(left.size(), right.size())) * ImGui::GetTextLineHeightWithSpacing();
+    const ImVec2 room(io.DisplaySize.x - 4.0f * style.WindowPadding.x - 2.0f * gap - between,
+                      io.DisplaySize.y - 2.0f * style.WindowPadding.y - ImGui::GetFrameHeight());
+    ImGui::SetWindowFontScale(std::min({1.0f, room.x / width, room.y / height}));
+    draw_help_column(controller, left, gap, "help.left");
+    ImGui::SameLine(0.0f, between);
+    draw_help_column(controller, right, gap, "help.right");
+    ImGui::End();
+}
+
+} // namespace cairn::viewer
