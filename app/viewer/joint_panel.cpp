@@ -347,7 +347,8 @@ void JointPanel::draw_strength(Controller& controller) {
         controller.post(command::SetJointSolver{edited_id_, JointSolver(solver)});
 }
 
-void JointPanel::draw_selected(const StageState& state, Controller& controller, float scale, float top, float room) {
+void JointPanel::draw_selected(const StageState& state, Controller& controller, float scale, float top, float bottom,
+                               float room) {
     if (!state.selected_joint || !state.current->joints) return;
     const auto& joints = *state.current->joints;
     const auto selected = std::find_if(joints.begin(), joints.end(),
@@ -362,7 +363,7 @@ void JointPanel::draw_selected(const StageState& state, Controller& controller, 
     const float width = window_width * scale, margin = 12.0f * scale;
     const bool fits = room > 2.0f * (width + 2.0f * margin);
     if (!fits) ImGui::SetNextWindowBgAlpha(1.0f); // what it covers must not shine through
-    const float height = fits ? io.DisplaySize.y - top - margin : 0.5f * io.DisplaySize.y;
+    const float height = fits ? io.DisplaySize.y - top - bottom - margin : 0.5f * io.DisplaySize.y;
     ImGui::SetNextWindowPos(fits ? ImVec2(io.DisplaySize.x - margin, top) : ImVec2(0.0f, io.DisplaySize.y),
                             fits ? ImGuiCond_Appearing : ImGuiCond_Always,
                             fits ? ImVec2(1.0f, 0.0f) : ImVec2(0.0f, 1.0f));

@@ -10,9 +10,11 @@ class JointPanel {
   public:
     /// The list, inside the panel's window. Nothing for worlds without joints.
     void draw(const StageState& state, Controller& controller);
-    /// The window of the selected joint, at the right under `top`; nothing if none is selected. Where it would reach
-    /// the middle of the picture, which is `room` wide, it lies over the lower part of the panel instead.
-    void draw_selected(const StageState& state, Controller& controller, float scale, float top, float room);
+    /// The window of the selected joint, at the right under `top` and over `bottom`; nothing if none is selected. Where
+    /// it would reach the middle of the picture, which is `room` wide, it lies over the lower part of the panel
+    /// instead.
+    void draw_selected(const StageState& state, Controller& controller, float scale, float top, float bottom,
+                       float room);
 
   private:
     void draw_facts(const StageState& state, const JointLayout& joint, const JointState& now);

@@ -418,7 +418,8 @@ void Panel::draw(const StageState& state, Controller& controller, const WindowFa
     const std::string title = has_title ? state.title + (state.hint.empty() ? "" : "\n" + state.hint) : "";
     const float title_height =
         draw_caption("##title", title, ImVec2(io.DisplaySize.x - margin, margin), ImVec2(1.0f, 0.0f), room);
-    if (controller.panel) joints_.draw_selected(state, controller, scale, 2.0f * margin + title_height, room);
+    if (controller.panel)
+        joints_.draw_selected(state, controller, scale, 2.0f * margin + title_height, bar_height_, room);
     const float bar = controller.panel ? timeline_.draw(state, controller, scale, column, room) : 0.0f;
     bar_height_ = bar;
     const float low = io.DisplaySize.y - margin - bar;
