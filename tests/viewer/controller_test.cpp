@@ -196,6 +196,20 @@ TEST(Controller, ParallelRaysOfASceneEndWithItAndThoseOfTheUserStay) {
     EXPECT_TRUE(key("", "2"));
 }
 
+TEST(Controller, ParallelRaysThatComeFromAboveStayAboveTheGroundWhereverTheEyeIs) {
+    const auto load = [](const std::string&) {
+        LoadedScene scene = test::boxes_on_plane(1);
+        scene.camera = {{0.0, -2.0, 5.0}, {0.0, -4.0, 0.0}}; // on its axis below the plane, and looks down on it
+        scene.camera.is_parallel = true;
+        return scene;
+    };
+    Stage stage(load, "flat");
+    Controller controller([&](Command command) { stage.apply(command); }, {});
+    controller.update(stage.state());
+    for (int i = 0; i < 60; ++i) controller.key_down("", "Down", i > 0);
+    EXPECT_LT(controller.camera.forward().y, 0.01f);
+}
+
 TEST(Controller, DraggingABodyMovesItAndNotTheCamera) {
     Desk desk;
     const Position eye = desk.controller.camera.position();
