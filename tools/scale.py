@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""One world on many ranks: makes a pit, measures it, fits a model of a step, and says what that predicts (docs/scale.md).
+"""One world on many ranks: makes a pit, measures it and its checkpoints, fits a model of a step, and says what that predicts (docs/scale.md).
 
 usage: tools/scale.py pit BODIES FILE.gltf
        tools/scale.py measure CAIRN FILE.gltf [--ranks 1,2,4,8] [--frames 20] [--out FILE.json]
        tools/scale.py weak CAIRN BODIES [--ranks 1,2,4,8] [--settle 110] [--frames 20] [--folder DIR] [--out FILE.json]
+       tools/scale.py checkpoints CAIRN FILE.gltf [--ranks 1,2,4,8] [--times 3] [--folder DIR]
        tools/scale.py predict FILE.json [--latency 2e-6] [--bandwidth 1e10]
 """
 import argparse
@@ -114,6 +115,23 @@ def measure(arguments):
             json.dump(runs, file, indent=1)
 
 
+def checkpoints(arguments):
+    """What a checkpoint takes on the clock of rank 0: the least of several runs, as other programs and the disk's cache
+    make the others longer."""
+    print("| ranks | all parts, MB | part of a rank, MB | snapshot, on each rank, ms | part of a rank, ms | all, ms |")
+    print("|---|---|---|---|---|---|")
+    for ranks in arguments.ranks:
+        rows = []
+        for _ in range(arguments.times):
+            with tempfile.TemporaryDirectory(dir=arguments.folder) as folder:
+                place = os.path.join(folder, "ck")
+                now = run(arguments.cairn, arguments.scene, ranks, 1, "--threads", "1", "--checkpoint", place)["checkpoints"]
+                part = os.path.getsize(os.path.join(place, "step_1", "part_0"))
+                rows.append([now["megabytes"], 1e-6 * part] +
+                            [1e3 * now[name] for name in ("seconds_saving", "seconds_own_part", "seconds")])
+        print(f"| {ranks} | " + " | ".join(f"{min(column):.1f}" for column in zip(*rows)) + " |", flush=True)
+
+
 def fit_line(points):
     """Least squares of y = a + b x."""
     n, sx = len(points), sum(x for x, _ in points)
@@ -188,6 +206,12 @@ def main():
     weakly.add_argument("--frames", type=int, default=20)
     weakly.add_argument("--folder", help="for scenes on the way")
     weakly.add_argument("--out")
+    writing = commands.add_parser("checkpoints")
+    writing.add_argument("cairn")
+    writing.add_argument("scene")
+    writing.add_argument("--ranks", type=lambda s: [int(n) for n in s.split(",")], default=[1, 2, 4, 8])
+    writing.add_argument("--times", type=int, default=3)
+    writing.add_argument("--folder", help="for the checkpoints: on the disk that is measured")
     predicting = commands.add_parser("predict")
     predicting.add_argument("file")
     predicting.add_argument("--latency", type=float, default=2e-6, help="s")
@@ -199,6 +223,8 @@ def main():
         measure(arguments)
     elif arguments.command == "weak":
         weak(arguments)
+    elif arguments.command == "checkpoints":
+        checkpoints(arguments)
     else:
         predict(arguments)
 

@@ -167,6 +167,7 @@ void Checkpoints::write(const World& world, const std::optional<JointTargets>& t
     moment.time = world.time();
     moment.state_hash = world.state_hash();
     const Snapshot snapshot = world.save();
+    const std::chrono::duration<double> saving = std::chrono::steady_clock::now() - start;
     std::array<std::span<const std::byte>, sections> bytes;
     bytes[state] = snapshot.bytes;
     if (snapshot.definitions != definitions_) bytes[definitions] = snapshot.definitions->bytes;
@@ -184,6 +185,8 @@ void Checkpoints::write(const World& world, const std::optional<JointTargets>& t
     }
     last_step_ = count_.last_step = moment.step;
     ++count_.written;
+    count_.saving_seconds += saving.count();
+    count_.own_part_seconds = writer_->part_seconds();
     for (const std::span<const std::byte> section : bytes) count_.bytes += static_cast<double>(section.size());
     last_time_ = std::chrono::steady_clock::now();
     count_.seconds += std::chrono::duration<double>(last_time_ - start).count();

@@ -19,7 +19,10 @@ namespace cairn::cli {
 // What a run's summary says of them.
 struct CheckpointCount {
     std::uint64_t written = 0, last_step = 0;
-    double seconds = 0.0, bytes = 0.0; // of all; bytes of all ranks together
+    double bytes = 0.0;            // of all, and all ranks together
+    double seconds = 0.0;          // of all, with the waits for other ranks
+    double saving_seconds = 0.0;   // of those, for the snapshots, which each rank makes whole
+    double own_part_seconds = 0.0; // and for the parts of this rank
 };
 
 class Checkpoints {

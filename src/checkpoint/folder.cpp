@@ -9,6 +9,7 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
+#include <chrono>
 #include <cstring>
 #include <utility>
 
@@ -74,7 +75,9 @@ std::vector<std::uint64_t> steps_in(const fs::path& folder) {
     std::vector<std::uint64_t> steps;
     std::error_code error;
     fs::directory_iterator entry(folder, error);
+    std::error_code ignored;
     if (error == std::errc::no_such_file_or_directory) return steps;
+    if (error == std::errc::not_a_directory && !fs::exists(folder, ignored)) return steps; // below a file
     for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
         const std::string name = entry->path().filename().string();
         if (!name.starts_with(step_prefix)) continue;
@@ -171,7 +174,9 @@ void Writer::write(const Moment& moment, std::span<const std::span<const std::by
         return bytes / static_cast<std::uint64_t>(size_) * static_cast<std::uint64_t>(rank) +
                std::min<std::uint64_t>(bytes % static_cast<std::uint64_t>(size_), static_cast<std::uint64_t>(rank));
     };
+    const auto start = std::chrono::steady_clock::now();
     const Part own = write_part(place, "part_" + std::to_string(rank_), sections, cut(rank_), cut(rank_ + 1));
+    part_seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     index.parts = gather(own); // when all have written theirs
     if (!is_first()) return;
     finish(index, place);

@@ -45,6 +45,7 @@ class Writer {
     // for `keep` - 1 are removed. Throws Error: io; wrong_state on a rank whose first section begins otherwise than
     // that of the first rank (a snapshot begins with checksums of all that follows).
     void write(const Moment& moment, std::span<const std::span<const std::byte>> sections);
+    double part_seconds() const { return part_seconds_; } // for all parts of this rank so far, until the disk had them
 
   private:
     bool is_first() const { return rank_ == 0; }
@@ -58,6 +59,7 @@ class Writer {
     Communicator* ranks_;
     int rank_ = 0, size_ = 1, keep_;
     int lock_ = -1; // the folder, open; of the first rank
+    double part_seconds_ = 0.0;
 };
 
 // The steps of the checkpoints in a folder, finished or not, the last first. Throws Error (io); a folder that is not
