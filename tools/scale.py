@@ -116,9 +116,10 @@ def measure(arguments):
 
 
 def checkpoints(arguments):
-    """What a checkpoint takes on the clock of rank 0: the least of several runs, as other programs and the disk's cache
-    make the others longer."""
-    print("| ranks | all parts, MB | part of a rank, MB | snapshot, on each rank, ms | part of a rank, ms | all, ms |")
+    """What a checkpoint takes of the processor of rank 0, and on its clock: the least of several runs, as other programs
+    and the cache of the disk make the others longer."""
+    print("| ranks | all parts, MB | part of a rank, MB | processor time of a rank for its snapshot, ms | for its part, ms | "
+          "clock, ms |")
     print("|---|---|---|---|---|---|")
     for ranks in arguments.ranks:
         rows = []
@@ -128,7 +129,7 @@ def checkpoints(arguments):
                 now = run(arguments.cairn, arguments.scene, ranks, 1, "--threads", "1", "--checkpoint", place)["checkpoints"]
                 part = os.path.getsize(os.path.join(place, "step_1", "part_0"))
                 rows.append([now["megabytes"], 1e-6 * part] +
-                            [1e3 * now[name] for name in ("seconds_saving", "seconds_own_part", "seconds")])
+                            [1e3 * now[name] for name in ("processor_seconds_saving", "processor_seconds_own_part", "seconds")])
         print(f"| {ranks} | " + " | ".join(f"{min(column):.1f}" for column in zip(*rows)) + " |", flush=True)
 
 

@@ -166,8 +166,9 @@ void Checkpoints::write(const World& world, const std::optional<JointTargets>& t
     if (!writer_ || (moment.step == last_step_ && (count_.written > 0 || last_))) return;
     moment.time = world.time();
     moment.state_hash = world.state_hash();
+    const double processor_start = processor_seconds();
     const Snapshot snapshot = world.save();
-    const std::chrono::duration<double> saving = std::chrono::steady_clock::now() - start;
+    count_.saving_seconds += processor_seconds() - processor_start;
     std::array<std::span<const std::byte>, sections> bytes;
     bytes[state] = snapshot.bytes;
     if (snapshot.definitions != definitions_) bytes[definitions] = snapshot.definitions->bytes;
@@ -185,7 +186,6 @@ void Checkpoints::write(const World& world, const std::optional<JointTargets>& t
     }
     last_step_ = count_.last_step = moment.step;
     ++count_.written;
-    count_.saving_seconds += saving.count();
     count_.own_part_seconds = writer_->part_seconds();
     for (const std::span<const std::byte> section : bytes) count_.bytes += static_cast<double>(section.size());
     last_time_ = std::chrono::steady_clock::now();

@@ -21,8 +21,8 @@ struct CheckpointCount {
     std::uint64_t written = 0, last_step = 0;
     double bytes = 0.0;            // of all, and all ranks together
     double seconds = 0.0;          // of all, with the waits for other ranks
-    double saving_seconds = 0.0;   // of those, for the snapshots, which each rank makes whole
-    double own_part_seconds = 0.0; // and for the parts of this rank
+    double saving_seconds = 0.0;   // of the processor, for the snapshots, which each rank makes whole
+    double own_part_seconds = 0.0; // likewise, for the parts of this rank
 };
 
 class Checkpoints {

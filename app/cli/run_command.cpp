@@ -242,8 +242,8 @@ std::string json_summary(const std::string& path, const scene::Scene& scene, con
                                {"last_step", count.last_step},
                                {"megabytes", 1e-6 * count.bytes},
                                {"seconds", count.seconds},
-                               {"seconds_saving", count.saving_seconds},
-                               {"seconds_own_part", count.own_part_seconds}};
+                               {"processor_seconds_saving", count.saving_seconds},
+                               {"processor_seconds_own_part", count.own_part_seconds}};
     }
     json["interrupted"] = outcome.interrupted;
     json["warnings"] = scene.warnings;

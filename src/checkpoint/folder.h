@@ -45,7 +45,7 @@ class Writer {
     // for `keep` - 1 are removed. Throws Error: io; wrong_state on a rank whose first section begins otherwise than
     // that of the first rank (a snapshot begins with checksums of all that follows).
     void write(const Moment& moment, std::span<const std::span<const std::byte>> sections);
-    double part_seconds() const { return part_seconds_; } // for all parts of this rank so far, until the disk had them
+    double part_seconds() const { return part_seconds_; } // of the processor, for all parts of this rank so far
 
   private:
     bool is_first() const { return rank_ == 0; }
