@@ -89,18 +89,21 @@ TEST_F(CliRunRefusal, OfTwoRunsInOneFolder) {
     EXPECT_NE(result.err.find("cairn: ck: is being written to by another program"), std::string::npos) << result.err;
 }
 
-TEST_F(CliRunRefusal, OfDisksWithoutRoomKeepsTheLastCheckpoint) {
-    summary("13_pile --frames 10 --checkpoint ck");
+TEST_F(CliRunRefusal, OfDisksWithoutRoomKeepsTheLastCheckpointAndTheTable) {
+    const std::string run = "13_pile --columns energy --checkpoint ck --csv ";
+    summary(run + "out.csv --frames 10");
+    fs::rename(folder_ / "out.csv", folder_ / ".out.unfinished.csv"); // as if it had been killed then
     const Result full =
-        shell("ulimit -f 16; exec \"$CAIRN\" run 13_pile --frames 30 --checkpoint ck --checkpoint-every 20 "
-              "--resume ck");
+        shell("ulimit -f 16; exec \"$CAIRN\" run " + run + "out.csv --frames 30 --checkpoint-every 20 --resume ck");
     expect_one_line(
         full, 1,
         "ck/step_20/part_0: cannot be written: File too large (of the checkpoint of step 20; the last whole "
         "one is of step 10)");
-    const Result resumed = cairn("run --json 13_pile --frames 30 --checkpoint ck --resume ck");
+    const Result resumed = cairn("run --json " + run + "out.csv --frames 30 --resume ck");
     EXPECT_NE(resumed.err.find("ck/step_20: was not finished: it has no index.json"), std::string::npos) << resumed.err;
-    expect_same_end(summary_of(resumed), summary("13_pile --frames 30"));
+    fs::remove_all(folder_ / "ck");
+    expect_same_end(summary_of(resumed), summary(run + "whole.csv --frames 30"));
+    EXPECT_EQ(bytes("out.csv"), bytes("whole.csv"));
 }
 
 TEST_F(CliRunRefusal, OfFoldersWithoutTheRightToWrite) {
