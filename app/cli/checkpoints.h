@@ -34,7 +34,7 @@ class Checkpoints {
     // The one to go on from, if that was asked for and there is one. Throws Error (`checkpoint::read_last`).
     const std::optional<checkpoint::Checkpoint>& last() const { return last_; }
     std::uint64_t first_step() const { return last_ ? last_->moment.step : 0; } // that the run goes on from
-    // Puts a run where it was then; it is `last` no longer than that in memory. Throws Error (invalid_file).
+    // Puts a run where it was then, and frees the bytes of the last checkpoint. Throws Error (invalid_file).
     void restore(World& world, std::optional<JointTargets>& targets);
 
     bool is_written() const { return writer_ != nullptr; }

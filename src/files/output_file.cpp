@@ -1,6 +1,7 @@
 #include "files/output_file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -183,9 +184,21 @@ void make_parent_folder(const fs::path& path) {
 
 void OutputFile::open_unfinished(int flags, std::size_t kept) {
     temporary_ = unfinished_beside(to_.path);
-    if (kept == 0) unlink(temporary_.c_str()); // of another run, or a link that somebody has laid
-    file_ = open(temporary_.c_str(), flags | O_NOFOLLOW | (kept == 0 ? O_CREAT | O_EXCL : 0), 0666);
-    if (file_ < 0 || kept == 0) return;
+    flags |= O_NOFOLLOW;
+    const auto take = [&] { // not every file system has locks
+        if (file_ < 0 || flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+        ::close(std::exchange(file_, -1));
+        cannot(path_, "another program is writing " + temporary_.generic_string());
+    };
+    file_ = open(temporary_.c_str(), flags);
+    take();
+    if (kept == 0) {
+        if (file_ >= 0) ::close(file_);
+        unlink(temporary_.c_str()); // of a program that has ended, or a link that somebody has laid
+        file_ = open(temporary_.c_str(), flags | O_CREAT | O_EXCL, 0666);
+        return take();
+    }
+    if (file_ < 0) return;
     const off_t end = static_cast<off_t>(kept);
     int error = lseek(file_, 0, SEEK_END) < end ? ENODATA : 0;
     if (error == 0 && (ftruncate(file_, end) != 0 || lseek(file_, end, SEEK_SET) != end)) error = errno;

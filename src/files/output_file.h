@@ -77,9 +77,9 @@ enum class Appearance {
 /// A file, or anything else that has a name, being written.
 class OutputFile {
   public:
-    /// Throws `Error` (io) if it cannot be opened. Waits for a reader if it is a FIFO; a signal that is caught ends
-    /// that.
-    /// `kept`: of what is resumable, so many bytes of what is there unfinished are the beginning of this.
+    /// Throws `Error` (io) if it cannot be opened, or is resumable and written by another program now. Waits for a
+    /// reader if it is a FIFO; a signal that is caught ends that. `kept`: of what is resumable, so many bytes of what
+    /// is there unfinished are the beginning of this.
     explicit OutputFile(const std::filesystem::path& path, Appearance appearance = Appearance::when_whole,
                         std::size_t kept = 0);
     /// Without `close`, a regular file that appears when it is whole is left as it was before.

@@ -64,13 +64,13 @@ TEST_F(CliRun, JointsThatFollowATableGoOnWhereTheyWere) {
 }
 
 TEST_F(CliRun, KilledAtAnyMomentItLosesWhatCameAfterTheLastCheckpointOnly) {
-    const std::string scene = "25_ragdolls --frames 400 --every 7 --csv ";
+    const std::string scene = "25_ragdolls --frames 1500 --every 7 --csv ";
     const auto whole = summary(scene + "whole.csv");
     std::mt19937 random(3);
     int kills = 0;
     Result result;
-    for (int attempt = 0; attempt < 12; ++attempt) {
-        const std::string delay = "0." + std::to_string(100 + random() % 400);
+    for (int attempt = 0; attempt < 6; ++attempt) {
+        const std::string delay = "0." + std::to_string(100 + random() % 300);
         const std::string run = "run " + scene + "out.csv --json --checkpoint ck --checkpoint-every 10 --resume ck";
         result = shell("mkdir -p ck; \"$CAIRN\" " + run + " & sleep " + delay + "; kill -9 $!; wait $!");
         if (result.code == 0) break;

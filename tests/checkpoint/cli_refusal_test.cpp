@@ -89,6 +89,20 @@ TEST_F(CliRunRefusal, OfTwoRunsInOneFolder) {
     EXPECT_NE(result.err.find("cairn: ck: is being written to by another program"), std::string::npos) << result.err;
 }
 
+TEST_F(CliRunRefusal, OfTwoRunsWithOneTable) {
+    const Result result =
+        shell("\"$CAIRN\" run 13_pile --seconds 1000 --checkpoint ck --checkpoint-every 5 --csv out.csv & "
+              "runner=$!\n" +
+              std::string(wait_for_a_checkpoint) +
+              "\"$CAIRN\" run 13_pile --frames 5 --checkpoint other --csv out.csv; code=$?\n"
+              "kill -9 $runner; wait $runner; exit $code");
+    EXPECT_EQ(result.code, 1);
+    EXPECT_NE(result.err.find("cairn: out.csv: cannot be written: another program is writing .out.unfinished.csv"),
+              std::string::npos)
+        << result.err;
+    EXPECT_TRUE(fs::exists(folder_ / ".out.unfinished.csv"));
+}
+
 TEST_F(CliRunRefusal, OfDisksWithoutRoomKeepsTheLastCheckpointAndTheTable) {
     const std::string run = "13_pile --columns energy --checkpoint ck --csv ";
     summary(run + "out.csv --frames 10");
