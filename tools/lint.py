@@ -17,13 +17,14 @@ USERS = {
     "python/module": {"module", "scene"},
     "src/c_api": {"c_api", "scene"},
     "src/files": {"files"},
+    "src/checkpoint": {"checkpoint", "files"},
     "src/scene": {"files", "scene"},
     "src/sweep": {"files", "scene", "sweep"},
     "src/recording": {"files", "recording"},
     "src/validation": {"validation"},
     "app/ranks": set(),
     "app/viewer": {"files", "viewer"},
-    "app/cli": {"cli", "files", "recording", "scene", "sweep", "validation", "viewer"},
+    "app/cli": {"checkpoint", "cli", "files", "recording", "scene", "sweep", "validation", "viewer"},
 }
 # Stages of a step take the groups of the state that they use (Bodies, Contacts, ...), const where they only read, or a
 # struct that names those: a signature says what may be touched.

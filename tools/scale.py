@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
-"""One world on many ranks: makes a pit, measures it, fits a model of a step, and says what that predicts (docs/scale.md).
+"""One world on many ranks: makes a pit, measures it and its checkpoints, fits a model of a step, and says what that predicts (docs/scale.md).
 
 usage: tools/scale.py pit BODIES FILE.gltf
        tools/scale.py measure CAIRN FILE.gltf [--ranks 1,2,4,8] [--frames 20] [--out FILE.json]
+       tools/scale.py weak CAIRN BODIES [--ranks 1,2,4,8] [--settle 110] [--frames 20] [--folder DIR] [--out FILE.json]
+       tools/scale.py checkpoints CAIRN FILE.gltf [--ranks 1,2,4,8] [--times 3] [--folder DIR]
        tools/scale.py predict FILE.json [--latency 2e-6] [--bandwidth 1e10]
 """
 import argparse
@@ -12,6 +14,7 @@ import os
 import random
 import subprocess
 import sys
+import tempfile
 
 FACES = 6  # neighbors of a cube of bodies among cubes
 SWEEPS = 12  # of the colors in a step: two in each of six substeps
@@ -48,8 +51,8 @@ def write_pit(bodies, path):
         json.dump(scene, file)
 
 
-def run(cairn, scene, ranks, frames):
-    command = [cairn, "run", scene, "--frames", str(frames), "--threads", "1", "--json"]
+def run(cairn, scene, ranks, frames, *options):
+    command = [cairn, "run", scene, "--frames", str(frames), "--json", *(options or ("--threads", "1"))]
     if ranks > 1:
         command = ["mpirun", "--oversubscribe", "-n", str(ranks)] + command
     environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
@@ -60,17 +63,47 @@ def run(cairn, scene, ranks, frames):
     return json.loads(done.stdout)
 
 
+def measured(cairn, scene, ranks, frames):
+    result = run(cairn, scene, ranks, frames)
+    steps, per_rank = result["steps"], result["ranks"]
+    mean = lambda name: sum(r[name] for r in per_rank) / len(per_rank) / steps
+    greatest = lambda name: max(r[name] for r in per_rank)
+    return {"ranks": ranks, "bodies": result["bodies"], "contacts": result["contacts"], "hash": result["hash"],
+            "wall_ms": result["ms_per_step"]["median"], "compute_ms": 1e3 * mean("processor_seconds_else"),
+            "slowest_ms": 1e3 * greatest("processor_seconds_else") / steps, "messages": mean("messages"),
+            "kilobytes": 1e-3 * mean("bytes"), "memory_mb": greatest("memory_mb")}
+
+
+def weak(arguments):
+    """As many bodies a rank for each number of ranks, each world also by one process: what a rank's step takes."""
+    runs = []
+    print("| ranks | bodies | contacts a body | processor time of one process for that world, ms a step | of each rank | "
+          "slowest / mean | efficiency | clock, ms a step | memory of one process, MB | of each rank |")
+    print("|---|---|---|---|---|---|---|---|---|---|")
+    with tempfile.TemporaryDirectory(dir=arguments.folder) as folder:
+        for ranks in arguments.ranks:
+            pit, fallen = os.path.join(folder, "pit.gltf"), os.path.join(folder, "fallen.gltf")
+            write_pit(ranks * arguments.bodies, pit)
+            run(arguments.cairn, pit, 1, arguments.settle, "--save", fallen)
+            alone = measured(arguments.cairn, fallen, 1, arguments.frames)
+            shared = measured(arguments.cairn, fallen, ranks, arguments.frames) if ranks > 1 else alone
+            if alone["hash"] != shared["hash"]:
+                sys.exit(f"the states differ: one process {alone['hash']}, {ranks} ranks {shared['hash']}")
+            runs.append({"alone": alone, "shared": shared})
+            efficiency = runs[0]["shared"]["compute_ms"] / shared["compute_ms"]
+            print(f"| {ranks} | {alone['bodies']} | {alone['contacts'] / alone['bodies']:.2f} | {alone['compute_ms']:.1f} | "
+                  f"{shared['compute_ms']:.1f} | {shared['slowest_ms'] / shared['compute_ms']:.2f} | "
+                  f"{100 * efficiency:.0f} % | {shared['wall_ms']:.0f} | {alone['memory_mb']:.0f} | "
+                  f"{shared['memory_mb']:.0f} |", flush=True)
+    if arguments.out:
+        with open(arguments.out, "w", encoding="utf-8") as file:
+            json.dump(runs, file, indent=1)
+
+
 def measure(arguments):
     runs = []
     for ranks in arguments.ranks:
-        result = run(arguments.cairn, arguments.scene, ranks, arguments.frames)
-        steps, per_rank = result["steps"], result["ranks"]
-        mean = lambda name: sum(r[name] for r in per_rank) / len(per_rank) / steps
-        greatest = lambda name: max(r[name] for r in per_rank)
-        runs.append({"ranks": ranks, "bodies": result["bodies"], "contacts": result["contacts"], "hash": result["hash"],
-                     "wall_ms": result["ms_per_step"]["median"], "compute_ms": 1e3 * mean("processor_seconds_else"),
-                     "slowest_ms": 1e3 * greatest("processor_seconds_else") / steps, "messages": mean("messages"),
-                     "kilobytes": 1e-3 * mean("bytes"), "memory_mb": greatest("memory_mb")})
+        runs.append(measured(arguments.cairn, arguments.scene, ranks, arguments.frames))
         r = runs[-1]
         print(f"| {ranks} | {r['hash']} | {r['wall_ms']:.0f} | {r['compute_ms']:.1f} | "
               f"{r['slowest_ms'] / r['compute_ms']:.2f} | {r['messages']:.0f} | {r['kilobytes']:.0f} | "
@@ -80,6 +113,24 @@ def measure(arguments):
     if arguments.out:
         with open(arguments.out, "w", encoding="utf-8") as file:
             json.dump(runs, file, indent=1)
+
+
+def checkpoints(arguments):
+    """What a checkpoint takes of the processor of rank 0, and on its clock: the least of several runs, as other programs
+    and the cache of the disk make the others longer."""
+    print("| ranks | all parts, MB | part of a rank, MB | processor time of a rank for its snapshot, ms | for its part, ms | "
+          "clock, ms |")
+    print("|---|---|---|---|---|---|")
+    for ranks in arguments.ranks:
+        rows = []
+        for _ in range(arguments.times):
+            with tempfile.TemporaryDirectory(dir=arguments.folder) as folder:
+                place = os.path.join(folder, "ck")
+                now = run(arguments.cairn, arguments.scene, ranks, 1, "--threads", "1", "--checkpoint", place)["checkpoints"]
+                part = os.path.getsize(os.path.join(place, "step_1", "part_0"))
+                rows.append([now["megabytes"], 1e-6 * part] +
+                            [1e3 * now[name] for name in ("processor_seconds_saving", "processor_seconds_own_part", "seconds")])
+        print(f"| {ranks} | " + " | ".join(f"{min(column):.1f}" for column in zip(*rows)) + " |", flush=True)
 
 
 def fit_line(points):
@@ -148,6 +199,20 @@ def main():
     measuring.add_argument("--ranks", type=lambda s: [int(n) for n in s.split(",")], default=[1, 2, 4, 8])
     measuring.add_argument("--frames", type=int, default=20)
     measuring.add_argument("--out")
+    weakly = commands.add_parser("weak")
+    weakly.add_argument("cairn")
+    weakly.add_argument("bodies", type=int, help="of each rank")
+    weakly.add_argument("--ranks", type=lambda s: [int(n) for n in s.split(",")], default=[1, 2, 4, 8])
+    weakly.add_argument("--settle", type=int, default=110, help="steps until most bodies touch")
+    weakly.add_argument("--frames", type=int, default=20)
+    weakly.add_argument("--folder", help="for scenes on the way")
+    weakly.add_argument("--out")
+    writing = commands.add_parser("checkpoints")
+    writing.add_argument("cairn")
+    writing.add_argument("scene")
+    writing.add_argument("--ranks", type=lambda s: [int(n) for n in s.split(",")], default=[1, 2, 4, 8])
+    writing.add_argument("--times", type=int, default=3)
+    writing.add_argument("--folder", help="for the checkpoints: on the disk that is measured")
     predicting = commands.add_parser("predict")
     predicting.add_argument("file")
     predicting.add_argument("--latency", type=float, default=2e-6, help="s")
@@ -157,6 +222,10 @@ def main():
         write_pit(arguments.bodies, arguments.file)
     elif arguments.command == "measure":
         measure(arguments)
+    elif arguments.command == "weak":
+        weak(arguments)
+    elif arguments.command == "checkpoints":
+        checkpoints(arguments)
     else:
         predict(arguments)
 

@@ -118,6 +118,35 @@ void add_outputs(CLI::App& run, RunOptions& options) {
     run.add_flag("--json", options.json, "Print the summary as one JSON object");
 }
 
+// The name of a folder that is there or can be made.
+CLI::Validator folder() {
+    return CLI::Validator(
+        [](std::string& text) { return text.empty() ? std::string("must be the name of a folder") : std::string(); },
+        "");
+}
+
+void add_checkpoints(CLI::App& run, RunOptions& options) {
+    auto* checkpoint = run.add_option("--checkpoint", options.checkpoint,
+                                      "Write the whole state into this folder now and then, and at the end; under "
+                                      "mpirun each process writes a part");
+    checkpoint->check(folder());
+    auto* every = run.add_option("--checkpoint-every", options.checkpoint_every, "Every so many steps");
+    every->check(between(1, 1e9))->needs(checkpoint);
+    run.add_option("--checkpoint-seconds", options.checkpoint_seconds,
+                   "Every so many seconds of the clock instead (default: 600)")
+        ->check(between(0.01, 1e7))
+        ->needs(checkpoint)
+        ->excludes(every);
+    run.add_option("--keep", options.keep, "How many checkpoints are kept (default: 2)")
+        ->check(between(1, 1e6))
+        ->needs(checkpoint);
+    run.add_option(
+           "--resume", options.resume,
+           "Go on from the last whole checkpoint in this folder, with any number of processes and threads; give "
+           "the other options as before")
+        ->check(folder());
+}
+
 void add_run(CLI::App& app, RunOptions& options) {
     CLI::App* run = app.add_subcommand("run", "Simulate a scene without a window; write numbers, pictures, videos.");
     run->add_option("scene", options.scene, "A file, or the name of a scene (see `cairn scenes`)")->required();
@@ -140,6 +169,7 @@ void add_run(CLI::App& app, RunOptions& options) {
                     "Of joints with targets, Hz (default: 10 for those whose motors have no stiffness)")
         ->check(between(0.01, 1000))
         ->needs(targets);
+    add_checkpoints(*run, options);
     add_outputs(*run, options);
 }
 

@@ -39,7 +39,11 @@ struct RunOptions {
     double from = 0.0;                                    // s; csv, animation and video begin there
     std::optional<double> until;                          // s; and end there
     std::filesystem::path targets;                        // of joints; empty: none
-    std::optional<double> servo_frequency; // Hz, of motors that follow them; else of those without a stiffness: 10
+    std::optional<double> servo_frequency;    // Hz, of motors that follow them; else of those without a stiffness: 10
+    std::filesystem::path checkpoint, resume; // folders; empty: no checkpoints, from the beginning
+    std::optional<int> checkpoint_every;      // steps; at most one of this and the next
+    std::optional<double> checkpoint_seconds; // s of the clock; 600 otherwise
+    int keep = 2;                             // checkpoints
     bool json = false;
 };
 

@@ -217,6 +217,25 @@ double JointTargets::target(std::size_t column, double time) const {
     return table_.value(row - 1, column) * (1.0 - share) + table_.value(row, column) * share;
 }
 
+std::vector<std::byte> JointTargets::save() const {
+    std::vector<double> numbers;
+    for (const Follower& follower : followers_) numbers.insert(numbers.end(), {follower.position, follower.velocity});
+    const std::span<const std::byte> bytes = std::as_bytes(std::span<const double>(numbers));
+    return {bytes.begin(), bytes.end()};
+}
+
+void JointTargets::restore(std::span<const std::byte> bytes, const std::string& place) {
+    std::vector<double> numbers(2 * followers_.size());
+    const std::span<std::byte> to = std::as_writable_bytes(std::span(numbers));
+    if (bytes.size() != to.size()) {
+        throw Error(ErrorCode::invalid_file, place + ": targets", fmt::format("{} bytes", bytes.size()),
+                    fmt::format("must have {} bytes, for {} joints", to.size(), followers_.size()));
+    }
+    std::copy(bytes.begin(), bytes.end(), to.begin());
+    for (std::size_t i = 0; i < followers_.size(); ++i)
+        followers_[i].position = numbers[2 * i], followers_[i].velocity = numbers[2 * i + 1];
+}
+
 void JointTargets::apply(World& world, float time_step) {
     const double step = static_cast<double>(time_step), time = world.time() - start_ + step;
     for (Follower& follower : followers_) {

@@ -38,6 +38,11 @@ class JointTargets {
     // sleep.
     void apply(World& world, float time_step);
 
+    // Where they have come to, to be restored into targets of the same table and scene. `place` stands for the bytes
+    // in messages. Throws Error (invalid_file).
+    std::vector<std::byte> save() const;
+    void restore(std::span<const std::byte> bytes, const std::string& place);
+
   private:
     struct Follower {
         JointId joint;

@@ -89,6 +89,7 @@ cairn convert rock.obj rock.gltf \-\-density 2600
 cairn sweep plan.json \-\-resume
 mpirun \-n 8 cairn sweep plan.json
 mpirun \-n 4 cairn run pile
+cairn run pile \-\-frames 36000 \-\-csv out.csv \-\-checkpoint ck \-\-resume ck
 .fi
 )";
 

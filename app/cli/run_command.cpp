@@ -1,4 +1,5 @@
 #include "cli/activity.h"
+#include "cli/checkpoints.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/joint_targets.h"
@@ -6,10 +7,9 @@
 #include "cli/pictures.h"
 #include "cli/progress.h"
 #include "cli/ranks.h"
+#include "cli/recorders.h"
 #include "cli/shared_run.h"
-#include "cli/trajectory_writer.h"
 
-#include "scene/animation.h"
 #include "scene/mesh_files.h"
 #include "scene/scene.h"
 
@@ -74,6 +74,10 @@ struct Outcome {
     bool interrupted = false;
     StageTimes stages; // summed over all steps
     std::vector<RankReport> ranks;
+    std::uint64_t first_step = 0; // that it was resumed from, or 0
+    std::string resumed_from;     // the folder of that checkpoint
+    CheckpointCount checkpoints;
+    std::uint64_t steps() const { return first_step + clock.steps(); } // also those before it was resumed
 };
 
 void add(StageTimes& sum, const StageTimes& times) {
@@ -111,12 +115,6 @@ void check_window(const RunOptions& options) {
     }
 }
 
-// Whether a moment is told to be written, of those at the start and after each step. Times are sums of steps.
-bool is_in_window(const RunOptions& options, double time, double time_step) {
-    const double tolerance = 1e-3 * time_step;
-    return time >= options.from - tolerance && !(options.until && time > *options.until + tolerance);
-}
-
 // Refuses what would leave files empty.
 void check_moments(const RunOptions& options, float time_step, std::uint64_t steps) {
     const double step = static_cast<double>(time_step), end = static_cast<double>(steps) * step;
@@ -131,6 +129,14 @@ void check_moments(const RunOptions& options, float time_step, std::uint64_t ste
     }
 }
 
+// Refuses to be shorter than what has been run.
+void require_steps_left(const RunOptions& options, std::uint64_t steps, std::uint64_t first) {
+    if (first <= steps) return;
+    throw Error(ErrorCode::invalid_value, options.frames ? "--frames" : "--seconds", fmt::format("{} steps", steps),
+                fmt::format("must be at least {} steps, as many as the checkpoint in {} has behind it", first,
+                            options.resume.generic_string()));
+}
+
 void apply_options(const RunOptions& options, scene::Scene& scene, int ranks) {
     if (options.time_step) scene.info.time_step = static_cast<float>(*options.time_step);
     WorldDef settings = scene.world.settings();
@@ -140,62 +146,36 @@ void apply_options(const RunOptions& options, scene::Scene& scene, int ranks) {
     scene.world.set_threads(options.threads.value_or(ranks > 1 ? 1 : hardware_threads()));
 }
 
-// All that is written while it runs.
-class Recorders {
-  public:
-    Recorders(const RunOptions& options, const scene::Scene& scene) : options_(options) {
-        if (!options.csv.empty()) csv_ = std::make_unique<TrajectoryWriter>(options.csv, scene.world, options.columns);
-        if (!options.png.empty() || !options.video.empty()) {
-            pictures_ =
-                std::make_unique<PictureRecorder>(scene, options.png, options.video, options.width, options.height);
-        }
-        if (!options.animate.empty()) animation_.emplace(scene);
-    }
-
-    // Before the first step, and after each.
-    void add(const World& world, std::uint64_t step, float time_step) {
-        if (!is_in_window(options_, world.time(), static_cast<double>(time_step))) return;
-        if (pictures_) pictures_->add(world);
-        if (step % static_cast<std::uint64_t>(options_.every) != 0) return;
-        if (csv_) csv_->add(world);
-        if (animation_) animation_->add(world);
-    }
-
-    void finish(const scene::Scene& scene) {
-        const auto writing = [](const std::filesystem::path& path) { set_activity("writing", path.generic_string()); };
-        writing(options_.csv);
-        if (csv_) csv_->close();
-        writing(options_.png.empty() ? options_.video : options_.png);
-        if (pictures_) pictures_->finish(scene.world);
-        writing(options_.animate);
-        if (animation_) animation_->write(options_.animate);
-        writing(options_.save);
-        if (!options_.save.empty()) scene::save(scene, options_.save);
-        set_activity("adding up what happened");
-    }
-
-  private:
-    const RunOptions& options_;
-    std::unique_ptr<TrajectoryWriter> csv_;
-    std::unique_ptr<PictureRecorder> pictures_;
-    std::optional<scene::AnimationBaker> animation_;
-};
-
+// From where it is resumed to its end, or until it is interrupted.
 Outcome simulate(const RunOptions& options, scene::Scene& scene, std::optional<JointTargets>& targets,
-                 std::uint64_t steps, const InterruptGuard& interrupt, const SharedRun& shared) {
+                 std::uint64_t steps, const InterruptGuard& interrupt, const Ranks& ranks) {
     set_activity("preparing what is written", options.scene);
-    Recorders recorders(options, scene);
+    Checkpoints checkpoints(options, ranks, scene);
+    const std::uint64_t first = checkpoints.first_step();
+    require_steps_left(options, steps, first);
+    const checkpoint::Moment* const resumed = checkpoints.last() ? &checkpoints.last()->moment : nullptr;
+    Recorders recorders(options, scene, resumed);
+    checkpoints.restore(scene.world, targets);
+    const SharedRun shared(ranks, scene.world);
     set_activity("simulating", options.scene);
     const float time_step = scene.info.time_step;
     Outcome outcome;
+    outcome.first_step = first;
+    if (resumed) outcome.resumed_from = checkpoints.last()->place.generic_string();
+    if (resumed) outcome.max_penetration = resumed->max_penetration;
+    const auto write_checkpoint = [&] {
+        checkpoints.write(scene.world, targets,
+                          {.max_penetration = outcome.max_penetration, .table = recorders.table_progress()});
+    };
     {
         ProgressLine progress(steps, "steps", static_cast<double>(time_step));
-        recorders.add(scene.world, 0, time_step);
-        bool is_interrupted = false;
-        for (std::uint64_t i = 0; i < steps; ++i) {
+        recorders.add(scene.world, first, time_step);
+        for (std::uint64_t i = first; i < steps; ++i) {
             shared.compare_now_and_then(scene.world, i);
-            is_interrupted = shared.any(interrupt.requested());
-            if (is_interrupted) break;
+            const SharedRun::Requests now = shared.agree({interrupt.requested(), checkpoints.is_due(i)});
+            outcome.interrupted = now.end;
+            if (now.end) break;
+            if (now.checkpoint) write_checkpoint();
             set_activity_count(i, steps);
             if (targets) targets->apply(scene.world, time_step);
             const auto start = std::chrono::steady_clock::now();
@@ -208,8 +188,9 @@ Outcome simulate(const RunOptions& options, scene::Scene& scene, std::optional<J
             recorders.add(scene.world, i + 1, time_step);
             if (shared.is_first()) progress.show(i + 1);
         }
-        outcome.interrupted = is_interrupted;
         shared.compare(scene.world);
+        if (checkpoints.is_written()) write_checkpoint(); // of the end, to go on from
+        outcome.checkpoints = checkpoints.count();
         outcome.ranks = shared.reports();
     }
     recorders.finish(scene);
@@ -226,7 +207,9 @@ std::string json_summary(const std::string& path, const scene::Scene& scene, con
     json["scene"] = path;
     json["title"] = scene.info.title;
     json["bodies"] = statistics.bodies;
-    json["steps"] = outcome.clock.steps();
+    json["steps"] = outcome.steps();
+    if (!outcome.resumed_from.empty())
+        json["resumed_from"] = {{"step", outcome.first_step}, {"checkpoint", outcome.resumed_from}};
     json["time_step"] = static_cast<double>(scene.info.time_step);
     json["threads"] = world.threads();
     for (const RankReport& rank : outcome.ranks) {
@@ -254,24 +237,37 @@ std::string json_summary(const std::string& path, const scene::Scene& scene, con
     json["max_penetration"] = outcome.max_penetration;
     json["contacts"] = statistics.contacts;
     json["contact_points"] = statistics.contact_points;
+    if (const CheckpointCount& count = outcome.checkpoints; count.written > 0) {
+        json["checkpoints"] = {{"written", count.written},
+                               {"last_step", count.last_step},
+                               {"megabytes", 1e-6 * count.bytes},
+                               {"seconds", count.seconds},
+                               {"processor_seconds_saving", count.saving_seconds},
+                               {"processor_seconds_own_part", count.own_part_seconds}};
+    }
     json["interrupted"] = outcome.interrupted;
     json["warnings"] = scene.warnings;
     // Names of files are any bytes.
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
-std::string text_summary(const std::string& path, const scene::Scene& scene, const Outcome& outcome) {
+std::string text_summary(const std::string& path, const scene::Scene& scene, const Outcome& outcome,
+                         const RunOptions& options) {
     const World& world = scene.world;
     const StepTimes times = outcome.clock.times();
     const Statistics statistics = world.statistics();
     std::string text = fmt::format("{} ({}): {} bodies, {} awake\n", path, scene.info.title, statistics.bodies,
                                    statistics.awake_bodies);
     text +=
-        fmt::format("{} steps of {:.6g} s on {} ({}){}: {:.3f} ms a step (median {:.3f}, 99 % within {:.3f})\n",
-                    outcome.clock.steps(), scene.info.time_step,
+        fmt::format("{} steps of {:.6g} s{} on {} ({}){}: {:.3f} ms a step (median {:.3f}, 99 % within {:.3f})\n",
+                    outcome.steps(), scene.info.time_step,
+                    outcome.resumed_from.empty()
+                        ? ""
+                        : fmt::format(", the last {} of them from {}", outcome.clock.steps(), outcome.resumed_from),
                     world.threads() == 1 ? "1 thread" : fmt::format("{} threads", world.threads()), instruction_set(),
                     outcome.interrupted ? ", interrupted" : "", times.mean, times.median, times.p99);
     text += describe(outcome.ranks, outcome.clock.steps());
+    text += describe(outcome.checkpoints, options);
     text += fmt::format("{} contacts, {} points, deepest overlap on the way {:.3g} mm\n", statistics.contacts,
                         statistics.contact_points, 1000.0 * outcome.max_penetration);
     text += fmt::format("kinetic energy {:.6g} J, potential {:.6g} J, state {:016x}\n", world.kinetic_energy(),
@@ -331,12 +327,11 @@ int run_on(const RunOptions& given, const Ranks& ranks) {
     std::optional<JointTargets> targets;
     if (!options.targets.empty()) targets.emplace(options.targets, scene, options.servo_frequency);
     const std::uint64_t cut_before = scene.world.statistics().clamped_speeds;
-    const SharedRun shared(ranks, scene.world);
-    const Outcome outcome = simulate(options, scene, targets, steps, interrupt, shared);
+    const Outcome outcome = simulate(options, scene, targets, steps, interrupt, ranks);
     if (!is_first) return 0;
     warn_of_speeds(scene, scene.world.statistics().clamped_speeds - cut_before);
     const std::string name = path.generic_string();
-    print(options.json ? json_summary(name, scene, outcome) : text_summary(name, scene, outcome));
+    print(options.json ? json_summary(name, scene, outcome) : text_summary(name, scene, outcome, options));
     return 0;
 }
 

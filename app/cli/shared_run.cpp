@@ -39,7 +39,12 @@ SharedRun::SharedRun(const Ranks& ranks, World& world)
     world.set_communicator(communicator_);
 }
 
-bool SharedRun::any(bool here) const { return communicator_ ? communicator_->sum(here ? 1 : 0) > 0 : here; }
+SharedRun::Requests SharedRun::agree(Requests here) const {
+    if (!communicator_) return here;
+    constexpr std::uint64_t checkpoint = std::uint64_t{1} << 32; // above the number of ranks
+    const std::uint64_t sum = communicator_->sum((here.end ? 1 : 0) + (is_first() && here.checkpoint ? checkpoint : 0));
+    return {sum % checkpoint != 0, sum >= checkpoint};
+}
 
 void SharedRun::compare(const World& world) const {
     if (!communicator_) return;

@@ -27,7 +27,11 @@ class SharedRun {
     SharedRun(const Ranks& ranks, World& world);
 
     bool is_first() const { return rank_ == 0; } // which writes and prints, alone
-    bool any(bool here) const;                   // whether it is so on any rank
+    // What all ranks do next: they end if any of them is to, and write a checkpoint if the first one is to.
+    struct Requests {
+        bool end = false, checkpoint = false;
+    };
+    Requests agree(Requests here) const;
     // Throws Error (wrong_state) on a rank whose state is another than that of the first.
     void compare(const World& world) const;
     // Every so often, and at the start: compares.

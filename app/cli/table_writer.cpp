@@ -1,15 +1,23 @@
 #include "cli/table_writer.h"
 
+#include "files/checksum.h"
+
+#include <cairn/error.h>
+
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
+#include <fstream>
 #include <iterator>
 #include <utility>
 
 namespace cairn::cli {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 static_assert(std::endian::native == std::endian::little, "arrays are written as they lie in memory");
 
@@ -48,14 +56,65 @@ template <class T> void append_bytes(std::string& bytes, T value) {
     bytes.append(raw, sizeof value);
 }
 
+// Whether a file begins with so many bytes of a table.
+bool begins(const fs::path& path, const std::string& head, bool is_array, const TableExtent& from) {
+    std::ifstream file(path, std::ios::binary);
+    std::string piece(head.size(), '\0');
+    file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    if (!file || (!is_array && piece != head)) return false; // the header of an array says how many rows there are
+    std::uint32_t crc = 0;
+    piece.resize(std::size_t{1} << 20);
+    for (std::uint64_t left = from.bytes - head.size(); left > 0;) {
+        const std::uint64_t now = std::min<std::uint64_t>(left, piece.size());
+        if (!file.read(piece.data(), static_cast<std::streamsize>(now))) return false;
+        crc = files::crc32(std::string_view(piece).substr(0, now), crc);
+        left -= now;
+    }
+    return crc == from.rows_crc;
+}
+
+// Sees to it that what a table goes on with lies where `files::OutputFile` goes on: it may have its name already, if
+// the run came to an end.
+void require_beginning(const fs::path& path, const std::string& head, bool is_array, const TableExtent& from,
+                       std::uint32_t columns) {
+    const std::string name = path.generic_string();
+    if (columns != from.columns || from.bytes < head.size()) {
+        throw Error(ErrorCode::wrong_state, name, {},
+                    "has other columns than the run goes on with: --columns must be as before");
+    }
+    const fs::path place = files::destination_of(path).path, unfinished = files::unfinished_beside(place);
+    if (begins(unfinished, head, is_array, from)) return;
+    if (!begins(place, head, is_array, from)) {
+        throw Error(ErrorCode::wrong_state, name, {},
+                    fmt::format("cannot be gone on with: the first {} bytes of it are in neither {} nor {}; another "
+                                "file gets what comes after the checkpoint",
+                                from.bytes, unfinished.generic_string(), place.generic_string()));
+    }
+    std::error_code error;
+    fs::remove(unfinished, error);
+    fs::copy_file(place, unfinished, error);
+    if (error) throw Error(ErrorCode::io, unfinished.generic_string(), {}, "cannot be written: " + error.message());
+}
+
 } // namespace
 
 std::vector<std::string_view> table_extensions() { return {".csv", ".npy"}; }
 
-TableWriter::TableWriter(const std::filesystem::path& path, std::vector<Column> columns)
-    : file_(path), columns_(std::move(columns)), is_array_(files::extension_of(path) == ".npy") {
-    waiting_ = header(0);
-    if (!is_array_) flush(); // readers of a pipe see it at once
+TableWriter::TableWriter(const std::filesystem::path& path, std::vector<Column> columns, const TableStart& start)
+    : columns_(std::move(columns)), is_array_(files::extension_of(path) == ".npy") {
+    const std::string head = header(0);
+    sent_.columns = files::crc32(head);
+    if (start.from) require_beginning(path, head, is_array_, *start.from, sent_.columns);
+    file_.emplace(path, start.is_resumable ? files::Appearance::resumable : files::Appearance::when_whole,
+                  start.from ? start.from->bytes : 0);
+    if (start.from) {
+        sent_ = *start.from;
+        rows_ = start.from->rows;
+        return;
+    }
+    waiting_ = head;
+    flush(); // readers of a pipe see it at once
+    sent_.rows_crc = 0;
 }
 
 // Of an array: always of the same length, whatever the number of rows. numpy.lib.format describes it.
@@ -112,25 +171,35 @@ void TableWriter::end_row() {
 }
 
 void TableWriter::flush() {
-    if (is_array_ && file_.is_stream()) return; // its first bytes say how many rows there are
-    file_.write(waiting_);
+    if (is_array_ && file_->is_stream()) return; // its first bytes say how many rows there are
+    file_->write(waiting_);
+    sent_.bytes += waiting_.size();
+    sent_.rows_crc = files::crc32(waiting_, sent_.rows_crc);
     waiting_.clear();
+}
+
+TableExtent TableWriter::extent() {
+    flush();
+    file_->sync();
+    TableExtent extent = sent_;
+    extent.rows = rows_;
+    return extent;
 }
 
 void TableWriter::close() {
     if (is_array_) {
         const std::string start = header(rows_);
-        if (file_.is_stream()) {
+        if (file_->is_stream()) {
             waiting_.replace(0, start.size(), start);
-            file_.write(std::exchange(waiting_, {}));
+            file_->write(std::exchange(waiting_, {}));
         } else {
             flush();
-            file_.overwrite(0, start);
+            file_->overwrite(0, start);
         }
     } else {
         flush();
     }
-    file_.close();
+    file_->close();
 }
 
 } // namespace cairn::cli

@@ -75,8 +75,8 @@ std::vector<Column> TrajectoryWriter::columns(const World& world, const std::vec
 }
 
 TrajectoryWriter::TrajectoryWriter(const std::filesystem::path& path, const World& world,
-                                   const std::vector<Quantity>& quantities)
-    : quantities_(quantities), table_(path, columns(world, quantities)) {
+                                   const std::vector<Quantity>& quantities, const TableStart& start)
+    : quantities_(quantities), table_(path, columns(world, quantities), start) {
     if (is_of_bodies(quantities)) bodies_ = world.bodies();
     for (const BodyId id : bodies_) names_.push_back(world.body(id).name());
     if (!shows(Quantity::joints)) return;

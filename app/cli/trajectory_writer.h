@@ -37,9 +37,12 @@ inline const std::vector<Quantity> default_quantities{Quantity::position, Quanti
 class TrajectoryWriter {
   public:
     // Throws Error (io). The bodies must outlive the writing. Columns stand in the order of `Quantity`.
-    TrajectoryWriter(const std::filesystem::path& path, const World& world, const std::vector<Quantity>& quantities);
+    // `world`: as it begins, also where the table goes on with what was written before.
+    TrajectoryWriter(const std::filesystem::path& path, const World& world, const std::vector<Quantity>& quantities,
+                     const TableStart& start = {});
 
-    void add(const World& world); // a moment; throws Error (io)
+    void add(const World& world);                    // a moment; throws Error (io)
+    TableExtent extent() { return table_.extent(); } // after the last moment; throws Error (io)
     void close() { table_.close(); }
 
   private:

@@ -1,6 +1,7 @@
 #include "files/output_file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -136,13 +137,20 @@ std::string extension_of(const fs::path& path) {
     return extension;
 }
 
-fs::path temporary_beside(const fs::path& path) {
+namespace {
+
+fs::path hidden_beside(const fs::path& path, const std::string& mark) {
     constexpr std::size_t longest_stem = 200; // bytes; the whole of a name may have 255
     std::string name(".");
-    name += path.stem().string().substr(0, longest_stem) + "." + std::to_string(getpid()) + ".part" +
-            path.extension().string();
+    name += path.stem().string().substr(0, longest_stem) + "." + mark + path.extension().string();
     return fs::path(path).replace_filename(name);
 }
+
+} // namespace
+
+fs::path temporary_beside(const fs::path& path) { return hidden_beside(path, std::to_string(getpid()) + ".part"); }
+
+fs::path unfinished_beside(const fs::path& path) { return hidden_beside(path, "unfinished"); }
 
 void take_name(const fs::path& temporary, const fs::path& path) {
     struct stat before {};
@@ -159,6 +167,14 @@ void take_name(const fs::path& temporary, const fs::path& path) {
     cannot(path, std::strerror(error));
 }
 
+void sync_folder(const fs::path& folder) {
+    const int file = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (file < 0) cannot(folder, std::strerror(errno));
+    const int error = fsync(file) == 0 || errno == EINVAL ? 0 : errno; // not every file system can
+    ::close(file);
+    if (error != 0) cannot(folder, std::strerror(error));
+}
+
 void make_parent_folder(const fs::path& path) {
     if (!path.has_parent_path()) return;
     std::error_code error;
@@ -166,13 +182,42 @@ void make_parent_folder(const fs::path& path) {
     if (error) throw Error(ErrorCode::io, path.string(), error.message(), "its folder must exist or be creatable");
 }
 
-OutputFile::OutputFile(const fs::path& path, Appearance appearance)
+void OutputFile::open_unfinished(int flags, std::size_t kept) {
+    temporary_ = unfinished_beside(to_.path);
+    flags |= O_NOFOLLOW;
+    const auto take = [&] { // not every file system has locks
+        if (file_ < 0 || flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+        ::close(std::exchange(file_, -1));
+        cannot(path_, "another program is writing " + temporary_.generic_string());
+    };
+    file_ = open(temporary_.c_str(), flags);
+    take();
+    if (kept == 0) {
+        if (file_ >= 0) ::close(file_);
+        unlink(temporary_.c_str()); // of a program that has ended, or a link that somebody has laid
+        file_ = open(temporary_.c_str(), flags | O_CREAT | O_EXCL, 0666);
+        return take();
+    }
+    if (file_ < 0) return;
+    const off_t end = static_cast<off_t>(kept);
+    int error = lseek(file_, 0, SEEK_END) < end ? ENODATA : 0;
+    if (error == 0 && (ftruncate(file_, end) != 0 || lseek(file_, end, SEEK_SET) != end)) error = errno;
+    if (error == 0) return;
+    ::close(std::exchange(file_, -1));
+    errno = error;
+}
+
+OutputFile::OutputFile(const fs::path& path, Appearance appearance, std::size_t kept)
     : path_(path), to_(destination_of(path)), appearance_(appearance) {
     int flags = O_WRONLY | O_CLOEXEC | O_NOCTTY;
     switch (to_.kind) {
     case Destination::Kind::file:
         if (appearance == Appearance::as_it_grows) {
             file_ = open(to_.path.c_str(), flags | O_CREAT | O_TRUNC, 0666);
+            break;
+        }
+        if (appearance == Appearance::resumable) {
+            open_unfinished(flags, kept);
             break;
         }
         temporary_ = temporary_beside(to_.path);
@@ -193,13 +238,17 @@ OutputFile::OutputFile(const fs::path& path, Appearance appearance)
 OutputFile::~OutputFile() {
     if (file_ < 0) return;
     ::close(file_);
-    if (!temporary_.empty()) unlink(temporary_.c_str());
+    remove_temporary();
+}
+
+void OutputFile::remove_temporary() const {
+    if (!temporary_.empty() && appearance_ != Appearance::resumable) unlink(temporary_.c_str());
 }
 
 void OutputFile::fail(int error) {
     if (file_ >= 0) ::close(file_);
     file_ = -1;
-    if (!temporary_.empty()) unlink(temporary_.c_str());
+    remove_temporary();
     if (error == EPIPE) throw ReaderGone(path_.generic_string());
     cannot(path_, std::strerror(error));
 }
@@ -227,6 +276,13 @@ void OutputFile::overwrite(std::size_t offset, std::string_view bytes) {
         offset += static_cast<std::size_t>(written);
         bytes.remove_prefix(static_cast<std::size_t>(written));
     }
+}
+
+void OutputFile::sync() {
+    if (file_ < 0) throw Error(ErrorCode::wrong_state, path_.generic_string(), {}, "is closed");
+    send(std::exchange(waiting_, {}));
+    if (is_stream()) return;
+    if (fsync(file_) != 0 && errno != EINVAL) fail(errno); // not every file system can
 }
 
 void OutputFile::close() {

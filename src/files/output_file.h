@@ -52,9 +52,15 @@ std::string extension_of(const std::filesystem::path& path);
 /// the same extension.
 std::filesystem::path temporary_beside(const std::filesystem::path& path);
 
+/// The same, for a file that another program is to go on with if this one ends first (`Appearance::resumable`).
+std::filesystem::path unfinished_beside(const std::filesystem::path& path);
+
 /// Gives a finished temporary its name, and the rights of the file that it replaces. Removes it if that fails. Throws
 /// `Error` (io). `path` as in `Destination`.
 void take_name(const std::filesystem::path& temporary, const std::filesystem::path& path);
+
+/// Waits until the disk has the names of what is in a folder. Throws `Error` (io).
+void sync_folder(const std::filesystem::path& folder);
 
 /// Makes the folder that `path` lies in, if it is missing. Throws `Error` (io).
 void make_parent_folder(const std::filesystem::path& path);
@@ -64,14 +70,18 @@ enum class Appearance {
     when_whole,  ///< Once it is closed, under its name; it replaces what had that name.
     as_it_grows, ///< At once: it is emptied if it is there, and everything written is in it. For files of which also a
                  ///< part is of use.
+    resumable,   ///< As the first, but what is written before stays, as `unfinished_beside`, if this ends without
+                 ///< `close`: another program can go on with it.
 };
 
 /// A file, or anything else that has a name, being written.
 class OutputFile {
   public:
-    /// Throws `Error` (io) if it cannot be opened. Waits for a reader if it is a FIFO; a signal that is caught ends
-    /// that.
-    explicit OutputFile(const std::filesystem::path& path, Appearance appearance = Appearance::when_whole);
+    /// Throws `Error` (io) if it cannot be opened, or is resumable and written by another program now. Waits for a
+    /// reader if it is a FIFO; a signal that is caught ends that. `kept`: of what is resumable, so many bytes of what
+    /// is there unfinished are the beginning of this.
+    explicit OutputFile(const std::filesystem::path& path, Appearance appearance = Appearance::when_whole,
+                        std::size_t kept = 0);
     /// Without `close`, a regular file that appears when it is whole is left as it was before.
     ~OutputFile();
     OutputFile(const OutputFile&) = delete;
@@ -83,6 +93,8 @@ class OutputFile {
     /// Replaces `bytes.size()` bytes at `offset`, counted from the start of the file. Throws `Error`: wrong_state if
     /// this is a stream, io.
     void overwrite(std::size_t offset, std::string_view bytes);
+    /// Waits until the disk has all that was written. Throws `Error` (io).
+    void sync();
     /// Whether this is no regular file, so that nothing written can be changed.
     bool is_stream() const noexcept { return to_.kind != Destination::Kind::file; }
     /// Finishes: a regular file takes its name. Throws `Error` (io), or `ReaderGone`.
@@ -91,6 +103,8 @@ class OutputFile {
   private:
     [[noreturn]] void fail(int error);
     void send(std::string_view bytes);
+    void open_unfinished(int flags, std::size_t kept);
+    void remove_temporary() const;
 
     std::filesystem::path path_, temporary_;
     Destination to_;

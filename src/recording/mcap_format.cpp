@@ -4,27 +4,6 @@
 
 namespace cairn::recording {
 
-namespace {
-
-constexpr std::array<std::uint32_t, 256> make_crc_table() {
-    std::array<std::uint32_t, 256> table{};
-    for (std::uint32_t i = 0; i < 256; ++i) {
-        std::uint32_t value = i;
-        for (int bit = 0; bit < 8; ++bit) value = (value >> 1) ^ ((value & 1) != 0 ? 0xedb88320u : 0u);
-        table[i] = value;
-    }
-    return table;
-}
-constexpr std::array<std::uint32_t, 256> crc_table = make_crc_table();
-
-} // namespace
-
-std::uint32_t crc32(std::string_view bytes, std::uint32_t crc) {
-    crc = ~crc;
-    for (const char c : bytes) crc = crc_table[(crc ^ std::uint8_t(c)) & 0xff] ^ (crc >> 8);
-    return ~crc;
-}
-
 void append_record(std::string& out, Opcode opcode, std::string_view content) {
     RecordWriter(out).number(std::uint8_t(opcode)).number(std::uint64_t(content.size()));
     out += content;

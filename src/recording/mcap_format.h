@@ -1,7 +1,6 @@
 // What MCAP files are made of (https://mcap.dev/spec): records of an opcode, a length and little-endian fields.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -31,9 +30,6 @@ enum class Opcode : std::uint8_t {
 };
 
 inline constexpr std::size_t record_start = 9; // opcode and length
-
-// CRC-32 as in zlib; `crc`: of what came before.
-std::uint32_t crc32(std::string_view bytes, std::uint32_t crc = 0);
 
 // Fields, one after the other.
 class RecordWriter {

@@ -1,5 +1,7 @@
 #include "recording/mcap_reader.h"
 
+#include "files/checksum.h"
+
 #include <cairn/error.h>
 
 #include <zstd.h>
@@ -46,7 +48,7 @@ bool McapReader::read_index() {
     if (summary_start < magic || summary_start > footer_at)
         damaged(what_ + ": footer: summary_start", std::to_string(summary_start), "must lie within the file");
     const std::string summary = bytes_.read(summary_start, footer_at + footer_size - summary_start);
-    if (checksum != 0 && crc32(std::string_view(summary).substr(0, summary.size() - 4)) != checksum)
+    if (checksum != 0 && files::crc32(std::string_view(summary).substr(0, summary.size() - 4)) != checksum)
         damaged(what_ + ": summary", "", "is damaged: its checksum does not fit");
     RecordReader records(std::string_view(summary).substr(0, std::size_t(footer_at - summary_start)), what_);
     while (!records.is_empty()) {
@@ -181,7 +183,7 @@ std::string McapReader::load(std::size_t chunk) const {
     const auto checksum = fields.number<std::uint32_t>();
     const std::string_view compression = fields.text();
     std::string records = unpacked(compression, fields.take(fields.number<std::uint64_t>()), size, where);
-    if (checksum != 0 && crc32(records) != checksum) damaged(where, "", "is damaged: its checksum does not fit");
+    if (checksum != 0 && files::crc32(records) != checksum) damaged(where, "", "is damaged: its checksum does not fit");
     return records;
 }
 

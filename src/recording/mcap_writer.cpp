@@ -1,5 +1,7 @@
 #include "recording/mcap_writer.h"
 
+#include "files/checksum.h"
+
 #include <cairn/version.h>
 
 #include <zstd.h>
@@ -104,7 +106,7 @@ void McapWriter::write(Chunk& chunk) {
         .number(chunk.first_time_)
         .number(chunk.last_time_)
         .number(std::uint64_t(chunk.records_.size()))
-        .number(crc32(chunk.records_))
+        .number(files::crc32(chunk.records_))
         .text(compress_ ? "zstd" : "")
         .number(std::uint64_t(records.size()));
     content += records;
@@ -198,7 +200,7 @@ std::string McapWriter::summary() const {
         .number(std::uint64_t(8 + 8 + 4))
         .number(offset_)
         .number(summary_offsets);
-    footer.number(crc32(all));
+    footer.number(files::crc32(all));
     return all + std::string(mcap_magic);
 }
 
