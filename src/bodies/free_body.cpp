@@ -13,19 +13,6 @@ using math::DVec3;
 
 namespace {
 
-// rad: up to there the series for a rotation holds to rounding.
-constexpr double max_series_turn = 0.25;
-
-// q turned about one axis, by any angle: by a part of it, squared as often as it was halved.
-DQuat turned_evenly(DVec3 u, const DQuat& q) {
-    int halvings = 0;
-    for (; math::dot(u, u) > max_series_turn * max_series_turn; ++halvings) u = 0.5 * u;
-    if (halvings == 0) return turned_by(u, q);
-    DQuat turn = math::from_rotation_vector(u);
-    for (; halvings > 0; --halvings) turn = turn * turn;
-    return math::normalized(turn * q);
-}
-
 // What the substeps of a step make of a velocity u, where each makes factor (u + change) of it: kept u + gained change,
 // and for the sum of those after each substep.
 struct Substeps {
@@ -86,7 +73,7 @@ void FreeStep::turn(DQuat& q, DVec3& w) {
     const double factor = damping_factor(bodies.settings[body].angular_damping, float(h));
     if (!bodies.is_pushed(body) && !precesses(mass, w, h)) { // about one axis
         const Substeps all(factor, substeps);
-        q = turned_evenly(h * all.sum_kept * w, q);
+        q = turned_by(h * all.sum_kept * w, q);
         w = all.kept * w;
         return;
     }

@@ -2,6 +2,7 @@
 #include "bodies/integrators.h"
 
 #include "bodies/bodies.h"
+#include "collision/core_sweep.h"
 
 #include <algorithm>
 
@@ -11,6 +12,9 @@ using math::DQuat;
 using math::DVec3;
 
 namespace {
+
+// rad: up to there the series for a rotation holds to rounding.
+constexpr double max_series_turn = 0.25;
 
 // The rotation by an angle about one principal axis.
 DQuat axis_turn(int axis, double angle) {
@@ -94,7 +98,12 @@ DVec3 cut(DVec3 v, double most) {
 
 DQuat turned_by(DVec3 u, const DQuat& q) {
     if (u == DVec3{}) return q; // not even by a rounding
-    return math::normalized(math::from_rotation_vector(u) * q);
+    int halvings = 0;
+    if (std::isfinite(math::dot(u, u)))
+        for (; math::dot(u, u) > max_series_turn * max_series_turn; ++halvings) u = 0.5 * u;
+    DQuat turn = math::from_rotation_vector(u); // of what is not finite: none
+    for (; halvings > 0; --halvings) turn = turn * turn;
+    return math::normalized(turn * q);
 }
 
 Increment linear_increment(const ForceFields& fields, const WorldDef& settings, const Load& load, DVec3 x, DVec3 v,
@@ -130,6 +139,18 @@ Spin spin_of(const BodyMass& mass) {
             {mass.inverse_inertia.x > 0 ? 1.0 / i.x : 0, mass.inverse_inertia.y > 0 ? 1.0 / i.y : 0,
              mass.inverse_inertia.z > 0 ? 1.0 / i.z : 0},
             math::normalized(math::to_double(mass.principal))};
+}
+
+DVec3 spin_change(const Bodies& bodies, std::int32_t b, DVec3 w, DQuat q) {
+    if (bodies.mass[b].isotropic) return {};
+    const Spin spin = spin_of(bodies.mass[b]);
+    return spin.to_world(q, spin.inverse_moments, math::cross(spin.to_world(q, spin.moments, w), w));
+}
+
+bool gyrates(const Bodies& bodies, std::int32_t b, DVec3 w, DQuat q, double dt) {
+    const BodyLinks& links = bodies.links[b];
+    const double speed = math::length(w), change = math::length(spin_change(bodies, b, w, q));
+    return dt * dt * dt / 3 * change * speed * double(links.radius) > core_depth_of(double(links.inner_radius));
 }
 
 bool precesses(const BodyMass& mass, DVec3 w, double h) {

@@ -22,6 +22,7 @@ struct Increment {
 
 // Cut, so that forces of any size leave finite velocities.
 math::DVec3 cut(math::DVec3 v, double most);
+// q turned about one axis, by any angle: by a part of it, squared as often as it was halved.
 math::DQuat turned_by(math::DVec3 u, const math::DQuat& q);
 
 struct Spin {
@@ -33,6 +34,12 @@ struct Spin {
     }
 };
 Spin spin_of(const BodyMass& mass);
+
+// How the turn of a body that no torque acts on changes, rad/s^2: of one that spins about no principal axis.
+math::DVec3 spin_change(const Bodies& bodies, std::int32_t body, math::DVec3 w, math::DQuat q);
+// Whether a contact of it that stays as it is in a step is off by more than a core is deep at the end, for that change:
+// by the time that acts, the arm has turned, too. dt^3 / 3 times the change, the rate and the radius.
+bool gyrates(const Bodies& bodies, std::int32_t body, math::DVec3 w, math::DQuat q, double dt);
 
 // What acts on one body, apart from contacts.
 struct Load {

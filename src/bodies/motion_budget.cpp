@@ -5,7 +5,6 @@
 #include "core/cache.h"
 
 #include <algorithm>
-#include <mutex>
 
 namespace cairn {
 
@@ -15,8 +14,6 @@ namespace {
 // not counted while a body is slow: a hundredth of what a soft contact sinks under a body's own weight.
 constexpr double max_creep = 0.1;
 constexpr double max_step = 0.25; // of that length in one step: the solver cannot see a creep as slow as that
-
-constexpr float max_turn = 1.0f; // radians in a step
 
 constexpr int bodies_per_chunk = 1024; // for threads
 constexpr int bodies_ahead = 8;        // that are asked for in time
@@ -59,26 +56,19 @@ void spend_budget(Bodies& bodies, std::int32_t b) {
     bodies.ahead[b] = bodies.boxes_until[b] = bodies.travel[b];
 }
 
-void count_motion(Bodies& bodies, const Islands& islands, const WorldDef& settings, const StepPasses& passes,
-                  NarrowScratch& narrow, ThreadPool& thread_pool, float dt) {
-    const double h = double(dt) / passes.in_pass(settings.substeps);
+void count_motion(Bodies& bodies, const Islands& islands, const WorldDef& settings, NarrowScratch& narrow,
+                  ThreadPool& thread_pool, float dt) {
+    const double h = double(dt) / settings.substeps;
     const double shift = max_creep * h * h, speed = max_step * shift / double(dt);
     // Of what does not move it is zero.
     std::vector<std::int32_t>& moving = narrow.moving;
     for (const std::int32_t b : moving) narrow.turn_reach[b] = 0;
     narrow.turn_reach.resize(bodies.links.size());
-    const bool is_first = passes.number == 0; // what whirls is asked once a step
-    if (is_first) {
-        for (const std::int32_t b : narrow.whirling) narrow.whirls[b] = 0;
-        narrow.whirls.resize(bodies.links.size());
-        narrow.whirling.clear();
-    }
     moving.clear();
     for (const std::int32_t i : islands.awake)
         for (std::int32_t b = islands.all[i].first_body; b != none; b = bodies.links[b].next_in_island)
             moving.push_back(b);
     const int awake = int(moving.size());
-    const float max_square = (max_turn / dt) * (max_turn / dt);
     const BodyMotion* const motions = bodies.motion.data();
     const BodyLinks* const links = bodies.links.data();
     CountedPose* const counted = bodies.counted.data();
@@ -88,7 +78,6 @@ void count_motion(Bodies& bodies, const Islands& islands, const WorldDef& settin
         const float reach = turn_reaches[b] = looked_ahead(dt * turn_speed) * links[b].radius;
         ahead[b] = travel[b] + travelled(double(dt * math::length(motions[b].v) + reach));
     };
-    std::mutex whirling;
     thread_pool.for_chunks(awake, bodies_per_chunk, [&](int begin, int end, int) {
         const std::int32_t* const list = moving.data();
         for (int k = begin; k < end; ++k) {
@@ -97,13 +86,7 @@ void count_motion(Bodies& bodies, const Islands& islands, const WorldDef& settin
             const BodyMotion& motion = motions[b];
             if (!rests(counted[b], motion, links[b].radius, shift, speed))
                 count(counted[b], travel[b], motion, links[b].radius);
-            const float square = math::dot(motion.w, motion.w);
-            look_ahead(b, std::sqrt(square));
-            if (is_first && square > max_square && !bodies.mass[b].isotropic) {
-                const std::lock_guard lock(whirling);
-                narrow.whirling.push_back(b); // in any order
-                narrow.whirls[b] = 1;
-            }
+            look_ahead(b, math::length(motion.w));
         }
     });
     for (const std::int32_t b : bodies.kinematics) {
@@ -112,14 +95,6 @@ void count_motion(Bodies& bodies, const Islands& islands, const WorldDef& settin
         look_ahead(b, math::length(motion.w));
         moving.push_back(b);
     }
-}
-
-float fastest_spinner_in_contact(const Bodies& bodies, const NarrowScratch& narrow) {
-    float fastest = 0;
-    for (const std::int32_t b : narrow.whirling)
-        if (const BodyLinks& links = bodies.links[b]; links.contact_count > 0 && links.joint_count == 0)
-            fastest = std::max(fastest, math::length(bodies.motion[b].w));
-    return fastest;
 }
 
 } // namespace cairn

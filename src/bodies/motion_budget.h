@@ -10,19 +10,13 @@
 
 namespace cairn {
 
-// At the start of a pass: counts how far awake and kinematic bodies have moved, and how far they will have after it, by
-// their velocities; notes which ones are fast spinners.
-void count_motion(Bodies& bodies, const Islands& islands, const WorldDef& settings, const StepPasses& passes,
-                  NarrowScratch& narrow, ThreadPool& thread_pool, float dt);
+// At the start of a step: counts how far awake and kinematic bodies have moved, and how far they will have after it, by
+// their velocities.
+void count_motion(Bodies& bodies, const Islands& islands, const WorldDef& settings, NarrowScratch& narrow,
+                  ThreadPool& thread_pool, float dt);
 
 // The body has been changed or put elsewhere: nothing that was found out about it holds.
 void spend_budget(Bodies& bodies, std::int32_t body);
-
-// The greatest angular speed of a body that turns by more than a radian in the step, has unequal moments of inertia and
-// touches something; 0 if none does. The inertia and the arms of its contacts are then wrong before the step ends, and
-// would give it energy without end. Not of bodies in joints: their inertia is renewed in each substep, and a hand that
-// whirls in a heap of ragdolls would have all contacts of the world found anew.
-float fastest_spinner_in_contact(const Bodies& bodies, const NarrowScratch& narrow);
 
 // Of two unit quaternions: the square of how far they are apart.
 inline double square_difference(const math::DQuat& p, const math::DQuat& q) {
@@ -62,7 +56,7 @@ inline bool is_near(const Bodies& bodies, const Contacts& contacts, std::uint32_
                       travel_of(bodies, c));
 }
 
-// The pair was found so far apart that it cannot come near in this pass. `ahead`: Bodies::ahead.
+// The pair was found so far apart that it cannot come near in this step. `ahead`: Bodies::ahead.
 inline bool stays_apart(const Travel* ahead, const PairAnswer& answer) {
     return is_before(ahead[answer.body_a] + ahead[answer.body_b], answer.until);
 }

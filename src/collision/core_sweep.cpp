@@ -24,24 +24,75 @@ constexpr int max_pieces = 64;
 // Of a shape.
 struct Frame {
     DVec3 origin;
-    DQuat rotation;
-    DVec3 to_world(DVec3 p) const { return origin + math::rotate(rotation, p); }
-    DVec3 to_local(DVec3 p) const { return math::rotate(math::conjugate(rotation), p - origin); }
+    DMat3 axes;
+    DVec3 to_world(DVec3 p) const { return origin + axes * p; }
+    DVec3 to_local(DVec3 p) const {
+        const DVec3 d = p - origin;
+        return {dot(axes.c0, d), dot(axes.c1, d), dot(axes.c2, d)};
+    }
 };
 Frame frame_at(const Mover& m, double time) {
     const RigidPath::Pose pose = m.body_at(time);
-    return {m.origin_at(pose), m.rotation_at(pose)};
+    return {m.origin_at(pose), math::to_matrix(m.rotation_at(pose))};
 }
 
-// The core. Of strips, which have no end, of the part near a point.
-Convex core_at(const Mover& m, const Frame& frame, DVec3 near, double reach) {
-    DVec3 center = frame.origin;
-    const Geometry part = near_part(m.shape().geometry, center, frame.rotation, near, reach);
-    const Convex whole = make_convex(part, m.shape().data, center, frame.rotation);
-    return m.layer >= Layer::skin ? whole : shrunk(whole, depth_of(whole, m.layer, m.half_width));
-}
-Convex core_at(const Mover& m, const Frame& frame) { return core_at(m, frame, {}, 0); }
-Convex core_at(const Mover& m, double time) { return core_at(m, frame_at(m, time)); }
+// The core of a shape at one time after another: it is made once, and then placed.
+class SweptCore {
+  public:
+    // It is asked for again and again where the span begins and ends. Of strips, which have no end, it is the part near
+    // a point, and `reach` about it.
+    SweptCore(const Mover& m, Span span, DVec3 near = {}, double reach = 0)
+        : m_(m), span_(span), near_(near), reach_(reach), core_(made({}, {0, 0, 0, 1})),
+          local_center_(core_.center), scale_{core_.axes.c0.x, core_.axes.c1.y, core_.axes.c2.z} {
+        begin_ = frame_at(m, span.begin);
+        place(begin_);
+    }
+    const Convex& at(double time) {
+        if (time == now_) return core_;
+        now_ = time;
+        if (time != span_.begin && time != span_.end) {
+            between_ = frame_at(m_, time);
+            place(between_);
+        } else if (time == span_.begin) {
+            place(begin_);
+        } else {
+            if (!has_end_) end_ = frame_at(m_, time);
+            has_end_ = true;
+            place(end_);
+        }
+        return core_;
+    }
+    const Frame& frame() const { return *frame_; } // of what was asked for last
+
+  private:
+    Convex made(DVec3 center, DQuat rotation) const {
+        const Geometry part = near_part(m_.shape().geometry, center, rotation, near_, reach_);
+        Convex core = make_convex(part, m_.shape().data, center, rotation);
+        if (m_.layer < Layer::skin) shrink(core, depth_of(core, m_.layer, m_.half_width));
+        return core;
+    }
+    void place(const Frame& frame) {
+        frame_ = &frame;
+        if (core_.kind == Convex::Kind::polygon) {
+            const RigidPath::Pose pose = m_.body_at(now_);
+            core_ = made(m_.origin_at(pose), m_.rotation_at(pose));
+            return;
+        }
+        core_.center = frame.to_world(local_center_);
+        core_.axes = {scale_.x * frame.axes.c0, scale_.y * frame.axes.c1, scale_.z * frame.axes.c2};
+    }
+
+    const Mover& m_;
+    const Span span_;
+    const DVec3 near_;
+    const double reach_;
+    double now_ = span_.begin;
+    Convex core_;
+    const DVec3 local_center_, scale_; // in the frame of the shape
+    Frame begin_, end_, between_;
+    const Frame* frame_ = nullptr;
+    bool has_end_ = false;
+};
 
 // From a ball, where a formula tells it: of the others but hulls and polygons.
 std::optional<Gap> gap_of_ball(const Convex& ball, const Convex& other) {
@@ -66,6 +117,10 @@ class GapFinder {
   public:
     // `axis`: for the first, a direction from one to the other; then that of the last.
     explicit GapFinder(DVec3& axis) : axis_(axis) {}
+    Gap gap_of(SweptCore& a, SweptCore& b, double time) {
+        const Convex &first = a.at(time), &second = b.at(time);
+        return gap_of(first, a.frame(), second, b.frame());
+    }
     Gap gap_of(const Convex& a, const Frame& frame_a, const Convex& b, const Frame& frame_b) {
         const Gap gap = find(a, frame_a, b, frame_b);
         if (gap.distance >= 0) axis_ = gap.normal;
@@ -126,52 +181,26 @@ class ConvexPair {
   public:
     static constexpr bool has_axes = true;
     ConvexPair(const Mover& a, const Mover& b, Span span, DVec3& axis)
-        : a_(a), b_(b), span_(span), reach_(length(a.end - a.start) + a.sagitta() + a.bounding_radius()), finder_(axis),
-          begin_(posed_at(span.begin)) {}
-    const Convex& first() const { return begin_.first; } // when the span begins
-    const Convex& second() const { return begin_.second; }
-    Gap gap_at(double time) {
-        const Posed& now = at(time);
-        return finder_.gap_of(now.first, now.a, now.second, now.b);
-    }
-    double apart_along(DVec3 n, double time) {
-        const Posed& now = at(time);
-        return gap_along(n, now.first, now.second);
-    }
+        : a_(a, span), b_(b, span, a.start, length(a.end - a.start) + a.sagitta() + a.bounding_radius()),
+          finder_(axis) {}
+    const Convex& first_at(double time) { return a_.at(time); }
+    const Convex& second_at(double time) { return b_.at(time); }
+    Gap gap_at(double time) { return finder_.gap_of(a_, b_, time); }
+    double apart_along(DVec3 n, double time) { return gap_along(n, a_.at(time), b_.at(time)); }
 
   private:
-    struct Posed {
-        Frame a, b;
-        Convex first, second;
-    };
-    Posed posed_at(double time) const {
-        const Frame a = frame_at(a_, time), b = frame_at(b_, time);
-        return {a, b, core_at(a_, a), core_at(b_, b, a_.start, reach_)};
-    }
-    // They are looked at again and again where the span begins and ends.
-    const Posed& at(double time) {
-        if (time == span_.begin) return begin_;
-        if (time != span_.end) return between_.emplace(posed_at(time));
-        if (!end_) end_.emplace(posed_at(time));
-        return *end_;
-    }
-
-    const Mover &a_, &b_;
-    const Span span_;
-    const double reach_; // of the first, about where it starts
+    SweptCore a_, b_;
     GapFinder finder_;
-    const Posed begin_;
-    std::optional<Posed> end_, between_;
 };
 
 Course course_of_convexes(const Mover& a, const Mover& b, Span span, const Asked& asked) {
     if (!(dot(asked.axis, asked.axis) > 0)) asked.axis = b.start - a.start;
     ConvexPair pair(a, b, span, asked.axis);
-    const Convex& second = pair.second();
+    const Convex &first = pair.first_at(span.begin), &second = pair.second_at(span.begin);
     if (second.kind == Convex::Kind::polygon && !b.shape().geometry.is_double_sided &&
-        !begins_in_front(middle(pair.first()), second))
+        !begins_in_front(middle(first), second))
         return {};
-    const Question question = question_of(pair.first(), a, asked, depth_of(second, b.layer, b.half_width));
+    const Question question = question_of(first, a, asked, depth_of(second, b.layer, b.half_width));
     if (stay_apart_along(asked.axis, a, b, span, pair, question)) return surely_apart;
     return course_by(a, b, question, span, pair);
 }
@@ -179,32 +208,33 @@ Course course_of_convexes(const Mover& a, const Mover& b, Span span, const Asked
 class PlanePair {
   public:
     static constexpr bool has_axes = false;
-    PlanePair(const Mover& a, const Mover& b, double begin) : a_(a), b_(b) {
-        if (b.shape().geometry.is_double_sided && height_of(a.start, begin) < 0) side_ = -1;
+    PlanePair(SweptCore& a, const Mover& b, DVec3 start, double begin) : a_(a), b_(b) {
+        if (b.shape().geometry.is_double_sided && height_of(start, begin) < 0) side_ = -1;
     }
-    Gap gap_at(double time) const {
-        const Convex c = core_at(a_, time);
-        const Core core = exact_core(c);
+    Gap gap_at(double time) {
+        const Core core = exact_core(a_.at(time));
         const DVec3 down = -side_ * up_at(time), lowest = core_support(core, down) + core.radius * down;
         return {side_ * height_of(lowest, time), down, lowest};
     }
-    double apart_along(DVec3, double time) const { return b_.is_still() ? gap_at(time).distance : -infinity; }
+    double apart_along(DVec3, double time) { return b_.is_still() ? gap_at(time).distance : -infinity; }
 
   private:
     DVec3 up_at(double time) const { return math::rotate(b_.rotation_at(b_.body_at(time)), DVec3{0, 1, 0}); }
     double height_of(DVec3 p, double time) const { return dot(p - b_.origin_at(b_.body_at(time)), up_at(time)); }
 
-    const Mover &a_, &b_;
+    SweptCore& a_;
+    const Mover& b_;
     double side_ = 1;
 };
 
 Course course_at_plane(const Mover& a, const Mover& b, Span span, const Asked& asked) {
-    return course_by(a, b, question_of(core_at(a, span.begin), a, asked, 0), span, PlanePair(a, b, span.begin));
+    SweptCore core(a, span);
+    const Question question = question_of(core.at(span.begin), a, asked, 0);
+    return course_by(a, b, question, span, PlanePair(core, b, a.start, span.begin));
 }
 
 Convex triangle_at(const Frame& frame, const Triangle& t) {
-    const DMat3 axes = math::to_matrix(frame.rotation);
-    const auto corner = [&](math::Vec3 v) { return frame.origin + axes * math::to_double(v); };
+    const auto corner = [&](math::Vec3 v) { return frame.to_world(math::to_double(v)); };
     return make_triangle(corner(t.a), corner(t.b), corner(t.c));
 }
 
@@ -212,23 +242,25 @@ class TrianglePair {
   public:
     static constexpr bool has_axes = true;
     // `center`: of `a` when the span begins.
-    TrianglePair(const Mover& a, const Mover& b, const Triangle& triangle, double begin, DVec3 center)
+    TrianglePair(SweptCore& a, const Mover& b, const Triangle& triangle, double begin, DVec3 center)
         : a_(a), b_(b), triangle_(triangle), begin_frame_(frame_at(b, begin)),
           begin_face_(triangle_at(begin_frame_, triangle)), from_center_(begin_face_.center - center),
           axis_(from_center_), finder_(axis_) {}
     const Convex& begin_face() const { return begin_face_; } // when the span begins
     DVec3 from_center() const { return from_center_; }       // to that
     Gap gap_at(double time) {
-        const Frame a = frame_at(a_, time), b = b_.is_still() ? begin_frame_ : frame_at(b_, time);
-        return finder_.gap_of(core_at(a_, a), a, face_at(b), b);
+        const Convex& core = a_.at(time);
+        const Frame b = b_.is_still() ? begin_frame_ : frame_at(b_, time);
+        return finder_.gap_of(core, a_.frame(), face_at(b), b);
     }
-    double apart_along(DVec3 n, double time) const {
-        return gap_along(n, core_at(a_, time), b_.is_still() ? begin_face_ : face_at(frame_at(b_, time)));
+    double apart_along(DVec3 n, double time) {
+        return gap_along(n, a_.at(time), b_.is_still() ? begin_face_ : face_at(frame_at(b_, time)));
     }
 
   private:
     Convex face_at(const Frame& frame) const { return b_.is_still() ? begin_face_ : triangle_at(frame, triangle_); }
-    const Mover &a_, &b_;
+    SweptCore& a_;
+    const Mover& b_;
     const Triangle& triangle_;
     const Frame begin_frame_;
     const Convex begin_face_;
@@ -261,11 +293,12 @@ Course course_at_triangles(const Mover& a, const Mover& b, Span span, const Aske
             lo[i] = float(std::min(p[i], q[i]) - radius * (1 + 1e-5) - 1e-6 * std::fabs(p[i]));
             hi[i] = float(std::max(p[i], q[i]) + radius * (1 + 1e-5) + 1e-6 * std::fabs(p[i]));
         }
-        const Convex mover = core_at(a, begin);
+        SweptCore core(a, {begin, end});
         const auto visit = [&](const auto& mesh) {
             for_each_triangle(mesh, lo, hi, [&](std::uint32_t index) {
                 const Triangle t = triangle_of(mesh, index);
-                TrianglePair pair(a, b, t, begin, mover.center);
+                const Convex& mover = core.at(begin);
+                TrianglePair pair(core, b, t, begin, mover.center);
                 if (!begins_in_front(middle(mover), pair.begin_face())) return;
                 const Question question = question_of(mover, a, asked, 0);
                 const Span part{begin, std::min(end, best.meeting)};
@@ -317,6 +350,12 @@ double half_width_of(const SweptShape& a, const SweptShape& b) {
 }
 double end_of(const SweptShape& a, const SweptShape& b) { return std::min(a.path.until, b.path.until); }
 
+// Whether a course that ends without a meeting has none. The distance of convex shapes that move straight is a convex
+// function of time: no touch of them is missed.
+bool is_certain(const Course& course, const Mover& a, const Mover& b) {
+    return course.is_certain || (a.moves_straight() && b.moves_straight());
+}
+
 // A ball in the middle of a shape, with that part of its smallest half width.
 Geometry ball_inside(const Mover& m, float part) {
     Geometry ball;
@@ -358,24 +397,28 @@ double time_of_meeting(const SweptShape& a, const SweptShape& b, bool is_known, 
     return time == overlapped ? never : time;
 }
 
-double time_of_sinking(const SweptShape& a, const SweptShape& b, bool is_known, double from, DVec3& axis) {
+double time_of_sinking(const SweptShape& a, const SweptShape& b, Held held, double from, DVec3& axis) {
     const double to = end_of(a, b), half_width = half_width_of(a, b);
-    const Mover first(a, Layer::inner, half_width, from, to), second(b, Layer::inner, half_width, from, to);
-    const Course course = course_of(first, second, {from, to}, {0, is_known ? 0.5 : 1.0, axis});
-    const double time = course.meeting;
-    if (time == overlapped) return time_of_meeting(a, b, true, from, axis);
-    return time < 1 || course.is_certain ? time : time_of_meeting(a, b, is_known, from, axis);
+    const bool is_known = held == Held::by_contact;
+    for (const Layer layer : {Layer::inner, Layer::deep}) {
+        const Mover first(a, layer, half_width, from, to), second(b, layer, half_width, from, to);
+        const Course course = course_of(first, second, {from, to},
+                                        {0, is_known ? 0.5 : 1.0, axis, held == Held::by_nothing ? 0 : deeper_part});
+        const double time = course.meeting;
+        if (time != overlapped)
+            return time < 1 || is_certain(course, first, second) ? time : time_of_meeting(a, b, is_known, from, axis);
+        if (held != Held::by_nothing) break; // the solver pushes them apart
+    }
+    return time_of_meeting(a, b, true, from, axis);
 }
 
-double time_of_impact(const SweptShape& a, const SweptShape& b, double from, DVec3& axis) {
+double time_of_impact(const SweptShape& a, const SweptShape& b, Held held, double from, DVec3& axis) {
     const double to = end_of(a, b), half_width = half_width_of(a, b);
     const Mover first(a, Layer::impact, half_width, from, to), second(b, Layer::impact, half_width, from, to);
     const Course course = course_of(first, second, {from, to}, {0, 0, axis});
     const double time = course.meeting;
-    if (time == overlapped) return time_of_sinking(a, b, false, from, axis);
-    // The distance of convex shapes that move straight is a convex function of time: no touch of them is missed.
-    const bool is_certain = course.is_certain || (first.moves_straight() && second.moves_straight());
-    return time >= 0 && (time < 1 || is_certain) ? time : time_of_meeting(a, b, false, from, axis);
+    if (time == overlapped) return time_of_sinking(a, b, held, from, axis);
+    return time < 1 || is_certain(course, first, second) ? time : time_of_meeting(a, b, false, from, axis);
 }
 
 Nearness nearness_of(const SweptShape& a, const SweptShape& b, double within, DVec3 axis) {

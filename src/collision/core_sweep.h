@@ -69,19 +69,24 @@ inline constexpr double free_share = 0.5;
 // 0; then, where they were looked at, that in which they were nearest last.
 double time_of_meeting(const SweptShape& a, const SweptShape& b, bool is_known, double from, math::DVec3& axis);
 
+// What keeps two that touch from going deeper, beside their meetings.
+enum class Held { by_nothing, perhaps, by_contact };
+
 // All of these look no farther than to the end of the path that ends first.
 //
 // The first time from `from` on at which the shapes themselves touch and come nearer, by the speed of the nearest
 // points; or, as that misses touches of what turns, and what overlaps from the start has none, at which the cores meet;
 // or `never`. What touches at `from` and parts, or stays as it is, is asked for the next touch.
-double time_of_impact(const SweptShape& a, const SweptShape& b, double from, math::DVec3& axis);
+double time_of_impact(const SweptShape& a, const SweptShape& b, Held held, double from, math::DVec3& axis);
 
 // When two that touch, or overlap, are deeper in each other than they may be: than they are now, by a quarter of it and
 // a twenty-fifth of what a core is inside; but they may be as deep as faces that touch, by the distance of what is
 // twice as deep as cores (of corners that is a little inside), or as deep as where cores meet if the solver has the
-// contact (`is_known`), which is soft. What goes deeper and comes back may be missed; then it is when the cores meet,
-// if they do. If they are as deep as half of the smallest half width, or nearly, when they are that.
-double time_of_sinking(const SweptShape& a, const SweptShape& b, bool is_known, double from, math::DVec3& axis);
+// contact (`by_contact`), which is soft. What goes deeper and comes back may be missed; then it is when the cores meet,
+// if they do. What is as
+// deep as twice a core, or nearly, is asked when it is as deep as half of the smallest half width, as the solver pushes
+// it out; or likewise, up to there, if nothing holds it.
+double time_of_sinking(const SweptShape& a, const SweptShape& b, Held held, double from, math::DVec3& axis);
 
 // How near shapes are, m, that count as touching, by the smaller of their smallest half widths: a hundredth of it, 0.1
 // mm at most.

@@ -24,15 +24,15 @@ inline constexpr double tolerance_part = 0.1;
 // After so many looks at a pair that turns fast and comes hardly nearer, the time that was reached is the answer.
 inline constexpr int max_rounds = 100;
 
-// What is looked at: cores, what is twice as deep, the cores of contacts that the solver knows, or the shapes
-// themselves.
-enum class Layer { core, inner, known_core, skin, impact };
+// What is looked at: cores, what is twice as deep, the cores of contacts that the solver knows (`deep`: to see how what
+// is deeper than the others sinks), or the shapes themselves.
+enum class Layer { core, inner, deep, known_core, skin, impact };
 
 // `half_width`: the smaller one of the pair.
 inline double depth_of(const Convex& c, Layer layer, double half_width) {
     if (c.kind == Convex::Kind::polygon || layer >= Layer::skin) return 0;
     if (layer == Layer::inner) return std::min(2 * core_depth_of(c.extent), c.extent);
-    return layer == Layer::known_core ? known_depth_part * std::min(c.extent, half_width) : core_depth_of(c.extent);
+    return layer >= Layer::deep ? known_depth_part * std::min(c.extent, half_width) : core_depth_of(c.extent);
 }
 // By the narrower of the two, however wide the one is that moves.
 inline double tolerance_of(const Convex& c, Layer layer, double half_width) {
@@ -41,6 +41,7 @@ inline double tolerance_of(const Convex& c, Layer layer, double half_width) {
     case Layer::core:
         return tolerance_part * core_depth_of(half);
     case Layer::inner:
+    case Layer::deep:
         return sinking_part * core_depth_of(half);
     case Layer::known_core:
         return tolerance_part * known_depth_part * half;
@@ -56,29 +57,26 @@ inline double tolerance_of(const Convex& c, Layer layer, double half_width) {
 class Mover {
   public:
     Mover(const SweptShape& s, Layer layer, double half_width, double from, double to)
-        : layer(layer), half_width(half_width), s_(s), turn_(length(s.path.turn)) {
+        : layer(layer), half_width(half_width), s_(s), from_(from), to_(to),
+          first_(from > s.path.begin || s.until < 1 ? pose_at(from) : s.path.first()),
+          last_(s.until < 1 || to < s.path.until ? pose_at(to) : s.path.end()), turn_(length(s.path.turn)) {
         const double ball = is_ball() ? 0 : s.geometry.bounding_radius;
         const DVec3 to_middle = middle_offset();
         reach_ = length(to_middle) + ball;
-        if (to_middle == DVec3{}) { // no turn moves it
-            start = center_at(from), end = center_at(to);
-            return;
-        }
-        const RigidPath::Pose first = from > s.path.begin || s.until < 1 ? body_at(from) : s.path.first();
-        start = first.x + math::rotate(first.q, to_middle);
-        const RigidPath::Pose last = s.until < 1 || to < s.path.until ? body_at(to) : s.path.end();
-        end = last.x + math::rotate(last.q, to_middle);
+        start = first_.x, end = last_.x;
+        if (to_middle == DVec3{}) return; // no turn moves it
+        start += math::rotate(first_.q, to_middle);
+        end += math::rotate(last_.q, to_middle);
     }
     bool is_ball() const { return s_.geometry.type == ShapeType::sphere; }
     double bounding_radius() const { return s_.geometry.bounding_radius; }
     double until() const { return s_.until; }
     const SweptShape& shape() const { return s_; }
-    RigidPath::Pose body_at(double time) const { return s_.path.at(std::min(time, s_.until)); }
+    RigidPath::Pose body_at(double time) const { return time == from_ ? first_ : time == to_ ? last_ : pose_at(time); }
     DQuat rotation_at(const RigidPath::Pose& pose) const {
         return s_.geometry.is_turned ? pose.q * math::to_double(s_.geometry.rotation) : pose.q;
     }
     DVec3 origin_at(const RigidPath::Pose& pose) const { return pose.x + math::rotate(pose.q, s_.offset); }
-    DVec3 center_at(double time) const { return s_.path.start + std::min(time, s_.until) * s_.path.translation; }
     DVec3 middle_at(double time) const {
         const RigidPath::Pose pose = body_at(time);
         return pose.x + math::rotate(pose.q, middle_offset());
@@ -106,8 +104,7 @@ class Mover {
     }
     // A direction that is fixed in it.
     DVec3 turned(DVec3 n, double from, double to) const {
-        const DQuat first = body_at(from).q, last = body_at(to).q;
-        return math::rotate(last, math::rotate(math::conjugate(first), n));
+        return math::rotate(body_at(to).q, math::rotate(math::conjugate(body_at(from).q), n));
     }
     // How far the middle is from the straight line between two of its places, at most.
     double sagitta() const { return s_.path.sagitta(reach_); }
@@ -122,12 +119,16 @@ class Mover {
     math::DVec3 start, end;  // of the middle of its bounds: when it is first looked at, and last
 
   private:
+    RigidPath::Pose pose_at(double time) const { return s_.path.at(std::min(time, s_.until)); }
     DVec3 local_middle() const {
         const DVec3 m = math::to_double(s_.geometry.middle);
         return s_.geometry.is_turned ? math::rotate(math::to_double(s_.geometry.rotation), m) : m;
     }
     const SweptShape& s_;
-    double turn_, reach_;
+    const double from_, to_;
+    const RigidPath::Pose first_, last_; // there
+    const double turn_;
+    double reach_;
 };
 
 inline constexpr double overlapped = -1; // a time: from the start
@@ -166,17 +167,18 @@ struct Course {
 };
 inline constexpr Course surely_apart{never, 0, {infinity, {}, {}}, true};
 
+// What overlaps may go deeper by that part before it is asked again: a body that is pressed in more and more within a
+// step is asked some ten times until it is at its middle.
+inline constexpr double deeper_part = 0.25;
+
 // What is asked of a pair. `within`: how near it comes matters up to there. `floor_part`: if not 0, it is asked when
 // inner cores are nearer than that part of their distance at a touch, and nearer than now, in place of when the two
 // meet. `axis`: the search begins with that direction from one to the other, or 0, and leaves the last one there.
 struct Asked {
     double within = 0, floor_part = 0;
     DVec3& axis;
+    double deeper = deeper_part;
 };
-
-// What overlaps may go deeper by that part before it is asked again: a body that is pressed in more and more within a
-// step is asked some ten times until it is at its middle.
-inline constexpr double deeper_part = 0.25;
 
 // What is asked of a course: it ends when the shapes are as near as `tolerance`; how near they come matters up to
 // `within`.
@@ -185,19 +187,24 @@ struct Question {
     bool is_impact = false; // what is as near as that and parts, or stays, has not met
     double floor_part = 0;
     double touch = 0; // the distance of inner cores where the shapes touch, at least
+    double deeper = deeper_part;
 
     bool sinks() const { return floor_part > 0; }
     double highest_floor() const { return floor_part * touch; }
     // Down to which distance of inner cores two may go that are now at another one.
     double floor_from(double distance) const {
-        return std::min(highest_floor(), distance - deeper_part * std::max(touch - distance, 0.0)) - 2 * tolerance;
+        return std::min(highest_floor(), distance - deeper * std::max(touch - distance, 0.0)) - 2 * tolerance;
     }
 };
 
 inline Question question_of(const Convex& c, const Mover& m, const Asked& asked, double depth_of_other) {
     const double tolerance = tolerance_of(c, m.layer, m.half_width);
-    return {tolerance, asked.within, m.layer == Layer::impact, asked.floor_part,
-            depth_of(c, m.layer, m.half_width) + depth_of_other};
+    return {tolerance,
+            asked.within,
+            m.layer == Layer::impact,
+            asked.floor_part,
+            depth_of(c, m.layer, m.half_width) + depth_of_other,
+            asked.deeper};
 }
 
 // How fast the nearest points come nearer along the normal, and move at all, m/s.

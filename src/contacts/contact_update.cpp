@@ -214,9 +214,9 @@ void end_contact(Bodies& bodies, const Shapes& shapes, Contacts& contacts, Islan
 
 namespace {
 
-// The contact began to touch. `separation`: at the beginning of the pass.
+// The contact began to touch. `separation`: at the beginning of the step.
 void begin_touch(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, StepEvents& events,
-                 const WorldDef& settings, std::uint32_t id, float separation, PassTime pass) {
+                 const WorldDef& settings, std::uint32_t id, float separation, float dt) {
     ContactInfo& c = contacts.info[id];
     c.touching = 1;
     if (pair_touches_elsewhere(contacts, c)) return;
@@ -229,9 +229,9 @@ void begin_touch(const Bodies& bodies, const Shapes& shapes, Contacts& contacts,
     for (int i = 1; i < c.point_count; ++i)
         if (point_of(r, i)[3] < point_of(r, deepest)[3]) deepest = i;
     const math::DVec3 p = bodies.motion[c.body_a].x + math::to_double(to_vec(point_of(r, deepest)));
-    const float until_touch = separation > 0 ? std::min(separation / r.approach_speed, pass.length) : 0.0f;
+    const float until_touch = separation > 0 ? std::min(separation / r.approach_speed, dt) : 0.0f;
     const Vec3 normal{r.normal[0], r.normal[1], r.normal[2]};
-    events.hits.push_back({a, b, body_a, body_b, {p.x, p.y, p.z}, normal, r.approach_speed, pass.begin + until_touch});
+    events.hits.push_back({a, b, body_a, body_b, {p.x, p.y, p.z}, normal, r.approach_speed, until_touch});
 }
 
 // Whether the step has made a contact begin or cease to touch.
@@ -244,7 +244,7 @@ bool begins_or_ends(const ContactInfo& c, const ContactReport& report) {
 
 float report_contacts(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, Islands& islands,
                       StepEvents& events, const WorldDef& settings, const SolverScratch& solver, NarrowScratch& narrow,
-                      ThreadPool& thread_pool, PassTime pass) {
+                      ThreadPool& thread_pool, float dt) {
     float deepest = 0; // raised by all threads
     const std::vector<SortedContact>& solved = solver.of_batches;
     std::vector<std::uint8_t>& changes = narrow.changes;
@@ -268,7 +268,7 @@ float report_contacts(const Bodies& bodies, const Shapes& shapes, Contacts& cont
             const bool is_finite = std::isfinite(report.impulse);
             ContactInfo& c = info[list[k].id];
             if (!is_finite) forget_impulses(contacts.records[list[k].id], c.point_count);
-            note_load(all[list[k].island], c, is_finite ? report.impulse / pass.length : 0, report.inverse_mass);
+            note_load(all[list[k].island], c, is_finite ? report.impulse / dt : 0, report.inverse_mass);
             change[k] = begins_or_ends(c, report);
             own = std::max(own, -report.separation);
         }
@@ -282,7 +282,7 @@ float report_contacts(const Bodies& bodies, const Shapes& shapes, Contacts& cont
         if (c.touching)
             end_touch(bodies, shapes, contacts, events, c);
         else
-            begin_touch(bodies, shapes, contacts, events, settings, id, solver.reports[id].separation, pass);
+            begin_touch(bodies, shapes, contacts, events, settings, id, solver.reports[id].separation, dt);
     }
     return deepest;
 }

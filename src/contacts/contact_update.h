@@ -58,15 +58,10 @@ void end_contact(Bodies& bodies, const Shapes& shapes, Contacts& contacts, Islan
 // Of the points of a record, the greatest speed at which they approach.
 float approach_speed(const Bodies& bodies, const ContactInfo& contact, const ContactRecord& record);
 
-// Of the pass under way, s: when in the step it begins, and how long it is.
-struct PassTime {
-    float begin, length;
-};
-
 // After the solver: begin, end and hit events, sustained loads. Returns the deepest overlap, m.
 float report_contacts(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, Islands& islands,
                       StepEvents& events, const WorldDef& settings, const SolverScratch& solver, NarrowScratch& narrow,
-                      ThreadPool& thread_pool, PassTime pass);
+                      ThreadPool& thread_pool, float dt);
 
 inline bool is_asleep(const Bodies& bodies, const Islands& islands, const ContactInfo& c) {
     return !is_awake(bodies, islands, c.body_a) || (c.b_moves && !is_awake(bodies, islands, c.body_b));

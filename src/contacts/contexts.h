@@ -14,7 +14,6 @@ struct NarrowInput {
     const Shapes& shapes;
     const Islands& islands;
     const ForceFields& fields;
-    const StepPasses& passes;
 };
 
 // What changes once the tests have said which contacts begin, go on and end: lists of islands, colors, sleep, events,

@@ -31,7 +31,7 @@ float fall_of(const NarrowInput& in, const ContactInfo& c, const Manifold& m, fl
     const std::int32_t first = c.flipped ? c.body_b : c.body_a, second = c.flipped ? c.body_a : c.body_b;
     const math::DVec3 a = acceleration_at(in.bodies, in.fields, in.settings, first, in.bodies.motion[first].x) -
                           acceleration_at(in.bodies, in.fields, in.settings, second, in.bodies.motion[second].x);
-    const float share = 0.5f * (1 + 1.0f / float(in.passes.in_pass(in.settings.substeps))); // as in substeps
+    const float share = 0.5f * (1 + 1.0f / float(in.settings.substeps)); // as in substeps
     return share * dt * dt * float(math::dot(a, math::to_double(math::to_vec(m.normal))));
 }
 
@@ -62,33 +62,30 @@ float lag_of(const Surface& on, const Surface& under, math::Vec3 normal, float d
     return turn * dt * (0.5f * math::length(way) + turn / 3 * math::length(under.turning()));
 }
 
-// Whether a contact of the two can be off by more than its margin at all, wherever it is and however its normal lies:
-// few turn so fast.
-bool may_turn_away(const Bodies& bodies, const ContactInfo& c, float dt) {
-    float turn = 0, way = dt * math::length(bodies.motion[c.body_a].v - bodies.motion[c.body_b].v);
-    for (const std::int32_t b : {c.body_a, c.body_b}) {
-        const float own = dt * math::length(bodies.motion[b].w);
-        if (own > 0) turn += own, way += own * bodies.links[b].radius;
-    }
-    return turn * way > c.base_margin;
+double half_width_between(const Shapes& shapes, const ContactInfo& c) {
+    return half_width_of(shapes.geometry[c.shape_a], shapes.data[c.shape_a], shapes.geometry[c.shape_b],
+                         shapes.data[c.shape_b]);
 }
 
-// Whether one of the two turns so far under the other that their contact cannot stay as it is in a step.
-bool turns_away(const Bodies& bodies, const Shapes& shapes, const ContactInfo& c, const Manifold& m, float dt) {
+bool gyrates(const Bodies& bodies, std::int32_t b, float dt) {
+    const BodyMotion& motion = bodies.motion[b];
+    return bodies.is_dynamic(b) && gyrates(bodies, b, math::to_double(motion.w), motion.q, double(dt));
+}
+
+// Whether one of the two turns so far that their contact cannot stay as it is in a step: however deep they are in each
+// other if it does so by itself, or under the other. That is not asked of two that overlap, unless it is something
+// kinematic, and not by more than a core: then the solver pushes them apart, and flight would keep them as they are.
+bool turns_away(const Bodies& bodies, const Shapes& shapes, const ContactInfo& c, const Manifold& m, float overlap,
+                float dt) {
     const std::uint32_t first = c.flipped ? c.shape_b : c.shape_a, second = c.flipped ? c.shape_a : c.shape_b;
     const math::Vec3 n = math::to_vec(m.normal), arm = shapes.links[first].arm + math::to_vec(m.points[0]);
     const math::DVec3 between = bodies.motion[shapes.links[first].body].x - bodies.motion[shapes.links[second].body].x;
     const Surface a = surface_of(bodies, shapes, first, arm),
                   b = surface_of(bodies, shapes, second, arm + math::to_float(between));
-    return lag_of(a, b, n, dt) > c.base_margin || lag_of(b, a, n, dt) > c.base_margin;
-}
-
-// Flight keeps two as deep in each other as they are: the solver pushes those apart that are deeper than this.
-float core_depth_between(const Shapes& shapes, const ContactInfo& c) {
-    const std::vector<Geometry>& geometry = shapes.geometry;
-    const std::vector<ShapeData>& data = shapes.data;
-    return float(
-        core_depth_of(half_width_of(geometry[c.shape_a], data[c.shape_a], geometry[c.shape_b], data[c.shape_b])));
+    if (gyrates(bodies, c.body_a, dt) || gyrates(bodies, c.body_b, dt)) return true;
+    const bool is_pushed = overlap >= float(core_depth_of(half_width_between(shapes, c))) ||
+                           (overlap >= 0 && bodies.settings[c.body_b].type != BodyType::kinematic);
+    return !is_pushed && (lag_of(a, b, n, dt) > c.base_margin || lag_of(b, a, n, dt) > c.base_margin);
 }
 
 // Rows in the solver that a pair has had so far.
@@ -129,7 +126,8 @@ class FlightList {
                   [](const FlightPair& a, const FlightPair& b) { return a.place < b.place; });
     }
 
-    // A body that has contacts beside those that may be in flight is held by them.
+    // A body that has contacts beside those that may be in flight is held by them. What gyrates is not, whatever holds
+    // the other: the solver would have it wrong.
     void decide() {
         std::vector<std::int32_t>& rows = s.narrow.flight_rows;
         rows.resize(s.bodies.links.size(), 0);
@@ -145,7 +143,9 @@ class FlightList {
         const auto is_free = [&](std::int32_t b) { return s.bodies.links[b].contact_count <= rows[b]; };
         for (FlightPair& f : flights_) {
             const ContactInfo& c = s.contacts.info[contact_of(f)];
-            f.is_free = is_free(c.body_a) && (!c.b_moves || is_free(c.body_b));
+            f.is_free = (is_free(c.body_a) && (!c.b_moves || is_free(c.body_b))) ||
+                        (may_turn_away(s.bodies, c, dt_) &&
+                         (gyrates(s.bodies, c.body_a, dt_) || gyrates(s.bodies, c.body_b, dt_)));
         }
         for_each_body([&](std::int32_t b, int) { rows[b] = 0; });
     }
@@ -162,7 +162,6 @@ class FlightList {
         }
         s.narrow.outcomes[f.place] = apart;
         drop_answer(s.bodies, s.contacts, id);
-        if (id < s.narrow.found.size()) s.narrow.found[id] = 0; // each pass of the step asks for it
         s.narrow.in_flight.push_back(id);
     }
 
@@ -201,21 +200,31 @@ class FlightList {
 
 } // namespace
 
+bool may_turn_away(const Bodies& bodies, const ContactInfo& c, float dt) {
+    float turn = 0, way = dt * math::length(bodies.motion[c.body_a].v - bodies.motion[c.body_b].v);
+    for (const std::int32_t b : {c.body_a, c.body_b}) {
+        const float own = dt * math::length(bodies.motion[b].w);
+        if (own > 0) turn += own, way += own * bodies.links[b].radius;
+    }
+    return turn * way > c.base_margin;
+}
+
 bool may_meet_in_flight(const NarrowInput& in, const Contacts& contacts, const ContactInfo& c, const Manifold& m,
                         float dt) {
     if (c.is_trigger || m.count == 0) return false;
     float least = m.points[0][3];
     for (int i = 1; i < m.count; ++i) least = std::min(least, m.points[i][3]);
     if (!may_fly(in.bodies, in.islands, c.body_a) || !may_fly(in.bodies, in.islands, c.body_b)) return false;
-    if (may_turn_away(in.bodies, c, dt) && -least < core_depth_between(in.shapes, c) &&
-        turns_away(in.bodies, in.shapes, c, m, dt))
-        return true;
+    if (may_turn_away(in.bodies, c, dt) && turns_away(in.bodies, in.shapes, c, m, -least, dt)) return true;
     if (least > c.base_margin) return true;
     if (!(least > 0)) return false;
     const float speed = approach_of(in.bodies, in.shapes, c, m), way = speed * dt + fall_of(in, c, m, dt);
     if (std::fabs(way) > c.base_margin) return true;
     const bool bounces = c.bounces && speed > in.settings.restitution_speed;
-    return (least > way || bounces) && !touches(contacts, c);
+    // What bounced in the step before counts as touching, but is apart by now. (On what does not move by forces it
+    // comes to rest by the solver.)
+    const bool has_bounced = c.b_moves && c.bounces && least > float(touch_tolerance(half_width_between(in.shapes, c)));
+    return (least > way || bounces) && (has_bounced || !touches(contacts, c));
 }
 
 void settle_flights(const NarrowInput& in, const FollowUpContext& s, ThreadPool& thread_pool, float dt) {

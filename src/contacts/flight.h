@@ -17,12 +17,14 @@ bool may_meet_in_flight(const NarrowInput& in, const Contacts& contacts, const C
 // listed in NarrowScratch::in_flight, and are no contacts; the others are contacts like any.
 void settle_flights(const NarrowInput& in, const FollowUpContext& context, ThreadPool& thread_pool, float dt);
 
+// Whether a contact of the two can be off by more than its margin at the end of the step, as they turn, wherever it is
+// and however its normal lies: few turn so fast.
+bool may_turn_away(const Bodies& bodies, const ContactInfo& contact, float dt);
+
 // Whether a pair has met already, at the point that its test gives first, and will be there after the step: no touch of
-// it is to come, it does not stay apart, and it does not meet in flight: that is asked of what overlaps something
-// kinematic, and of what does not overlap. Between two that move by forces an overlap is the solver's, however they
-// turn.
-inline bool overlaps(const Bodies& bodies, const ContactInfo& c, const Manifold& m) {
-    return m.count > 0 && m.points[0][3] <= 0 && !c.is_trigger && bodies.settings[c.body_b].type != BodyType::kinematic;
+// it is to come, it does not stay apart, and it does not meet in flight, as it does not turn away.
+inline bool stays_in_contact(const Bodies& bodies, const ContactInfo& c, const Manifold& m, float dt) {
+    return m.count > 0 && m.points[0][3] <= 0 && !c.is_trigger && !may_turn_away(bodies, c, dt);
 }
 
 } // namespace cairn

@@ -26,8 +26,6 @@ namespace {
 constexpr int pairs_per_chunk = 512; // for threads
 constexpr int convex_pairs_per_chunk = 32, groups_per_chunk = 8;
 
-constexpr float little_turn = 0.1f; // rad in a pass: contacts may go along
-
 // A pair that does not overlap yet: what may meet in flight is settled later.
 [[gnu::noinline]] std::uint8_t take_gap(const NarrowInput& in, Contacts& contacts, const NarrowScratch& narrow,
                                         std::uint32_t place, const Manifold& m, NarrowBatch& own, float dt) {
@@ -42,7 +40,7 @@ constexpr float little_turn = 0.1f; // rad in a pass: contacts may go along
 // What a test has found is settled at once, but for what may meet in flight.
 std::uint8_t take_first_test(const NarrowInput& in, Contacts& contacts, const NarrowScratch& narrow, std::uint32_t id,
                              std::uint32_t place, const Manifold& m, NarrowBatch& own, float dt) {
-    if (overlaps(in.bodies, contacts.info[id], m))
+    if (stays_in_contact(in.bodies, contacts.info[id], m, dt))
         return take_points(in.bodies, in.shapes, contacts, in.islands, id, m);
     return take_gap(in, contacts, narrow, place, m, own, dt);
 }
@@ -125,28 +123,12 @@ std::uint8_t go_along(const Bodies& bodies, Contacts& contacts, const Islands& i
     return going_on(bodies, islands, contacts.info[id]);
 }
 
-// Whether the first pass of the step has tested the pair, as far as the whole step reaches, and its points may go
-// along. What whirls is tested in each pass.
-bool is_found(const Bodies& bodies, const Contacts& contacts, const NarrowScratch& narrow, const StepPasses& passes,
-              std::uint32_t id) {
-    const ContactInfo& c = contacts.info[id];
-    if (passes.number == 0 || c.is_trigger || id >= narrow.found.size() || !narrow.found[id]) return false;
-    const auto turns_little = [&](std::int32_t body) {
-        const math::Quat q = bodies.motion[body].turned; // in the last pass
-        return !narrow.whirls[body] && 4 * (q.x * q.x + q.y * q.y + q.z * q.z) < little_turn * little_turn;
-    };
-    return turns_little(c.body_a) && turns_little(c.body_b);
-}
-
-std::uint8_t before_test(const Bodies& bodies, Contacts& contacts, const Islands& islands, const NarrowScratch& narrow,
-                         const StepPasses& passes, std::uint32_t id) {
+std::uint8_t before_test(const Bodies& bodies, Contacts& contacts, const Islands& islands, std::uint32_t id) {
     const ContactInfo& c = contacts.info[id];
     if (!c.b_moves && !is_awake(bodies, islands, c.body_a) && !moves(bodies, c.body_b))
         return c.point_count > 0 ? skipped : apart;
     if (!is_placed(bodies, c)) {
         const bool has_points = c.point_count > 0;
-        if (is_found(bodies, contacts, narrow, passes, id))
-            return has_points ? go_along(bodies, contacts, islands, id) : std::uint8_t(apart);
         // What has no points is tested: they may come near each other on the way, the more so the larger they are. So
         // is what has one point of a sphere: its normal turns as it rolls.
         if (has_points && !has_one_point(c.kind) && is_near(bodies, contacts, id))
@@ -179,15 +161,6 @@ void list_open_pairs(const Bodies& bodies, const Contacts& contacts, NarrowScrat
                   });
 }
 
-// In the first pass of a step that may be split: what it has tested, and what goes on.
-void note_found(const Contacts& contacts, NarrowScratch& narrow) {
-    narrow.found.assign(contacts.info.size(), 0);
-    for (const std::uint32_t k : narrow.open)
-        if (narrow.outcomes[k] == goes_on || narrow.outcomes[k] == may_wake) narrow.found[narrow.candidates[k]] = 1;
-    for (const auto& list : narrow.lists)
-        for (const std::uint32_t k : list) narrow.found[narrow.candidates[k]] = 1;
-}
-
 // Sorts the open pairs that are to be tested into the lists of their kinds: `counts` are those of each chunk.
 std::size_t sort_by_kind(NarrowScratch& narrow, std::vector<KindCounts>& counts, ThreadPool& thread_pool) {
     KindCounts all{};
@@ -218,7 +191,7 @@ std::size_t sort_by_kind(NarrowScratch& narrow, std::vector<KindCounts>& counts,
 
 // Lists the pairs that may have moved, by kind, and counts them.
 std::size_t list_pairs(const Bodies& bodies, Contacts& contacts, const Islands& islands, const BroadPhase& broad_phase,
-                       const StepPasses& passes, NarrowScratch& narrow, ThreadPool& thread_pool) {
+                       NarrowScratch& narrow, ThreadPool& thread_pool) {
     broad_phase.list_contacts(narrow.candidates, narrow.parts, thread_pool);
     list_open_pairs(bodies, contacts, narrow, thread_pool);
     narrow.outcomes.resize(narrow.candidates.size());
@@ -236,7 +209,7 @@ std::size_t list_pairs(const Bodies& bodies, Contacts& contacts, const Islands& 
             if (i + int(contacts_ahead) < end) ask_cache(&info[candidates[places[i + int(contacts_ahead)]]]);
             const std::uint32_t id = candidates[places[i]];
             any |= is_group(info[id]);
-            const std::uint8_t outcome = before_test(bodies, contacts, islands, narrow, passes, id);
+            const std::uint8_t outcome = before_test(bodies, contacts, islands, id);
             outcomes[places[i]] = outcome;
             if (outcome >= to_test) ++kinds[std::size_t(outcome - to_test)];
         }
@@ -311,15 +284,14 @@ std::size_t update_contacts(Bodies& bodies, const Shapes& shapes, Contacts& cont
                             const WorldDef& settings, StepScratch& step, float dt) {
     NarrowScratch& narrow = step.narrow;
     ThreadPool& thread_pool = *step.thread_pool;
-    const NarrowInput in{settings, bodies, shapes, islands, fields, step.passes};
+    const NarrowInput in{settings, bodies, shapes, islands, fields};
     const FollowUpContext follow{settings, shapes, bodies, contacts, islands, events, narrow, step.solved};
-    count_motion(bodies, islands, settings, step.passes, narrow, thread_pool, dt);
+    count_motion(bodies, islands, settings, narrow, thread_pool, dt);
     narrow.skipped.clear();
     narrow.lists.resize(tested_kinds);
     narrow.at_work.resize(std::size_t(thread_pool.threads()));
-    const std::size_t tested = list_pairs(bodies, contacts, islands, broad_phase, step.passes, narrow, thread_pool);
+    const std::size_t tested = list_pairs(bodies, contacts, islands, broad_phase, narrow, thread_pool);
     test_all(in, contacts, narrow, thread_pool, dt);
-    if (step.passes.number == 0 && !narrow.whirling.empty()) note_found(contacts, narrow);
     follow_up_all(follow, thread_pool, dt);
     settle_flights(in, follow, thread_pool, dt);
     drop_internal_edges(bodies, shapes, contacts, narrow, step.solved, thread_pool);

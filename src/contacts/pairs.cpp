@@ -56,12 +56,10 @@ struct Sink final : PairSink {
     Islands& islands;
     const Joints& joints;
     StepEvents& events;
-    NarrowScratch& narrow;
 
     Sink(Bodies& bodies, const Shapes& shapes, Contacts& contacts, Islands& islands, const Joints& joints,
-         StepEvents& events, NarrowScratch& narrow)
-        : bodies(bodies), shapes(shapes), contacts(contacts), islands(islands), joints(joints), events(events),
-          narrow(narrow) {}
+         StepEvents& events)
+        : bodies(bodies), shapes(shapes), contacts(contacts), islands(islands), joints(joints), events(events) {}
 
     bool pair_found(std::uint32_t a, std::uint32_t b, std::uint32_t& contact) override {
         const std::int32_t body_a = shapes.links[a].body, body_b = shapes.links[b].body;
@@ -95,7 +93,7 @@ struct Sink final : PairSink {
     }
 
     std::uint32_t create(std::uint32_t shape_a, std::uint32_t shape_b, PairKind kind, bool flipped, bool b_moves) {
-        const std::uint32_t id = new_contact(contacts, narrow);
+        const std::uint32_t id = new_contact(contacts);
         ContactInfo& c = contacts.info[id];
         c.shape_a = shape_a, c.shape_b = shape_b;
         c.body_a = shapes.links[shape_a].body, c.body_b = shapes.links[shape_b].body;
@@ -137,7 +135,7 @@ std::optional<PairKind> pair_kind(const Geometry& first_shape, const Geometry& s
 
 CollideKernel wide_kernel(PairKind kind) { return kernels().*wide_tests[int(kind)].kernel; }
 
-std::uint32_t new_contact(Contacts& contacts, NarrowScratch& narrow) {
+std::uint32_t new_contact(Contacts& contacts) {
     std::uint32_t id;
     if (contacts.free.empty()) {
         id = std::uint32_t(contacts.info.size());
@@ -152,7 +150,6 @@ std::uint32_t new_contact(Contacts& contacts, NarrowScratch& narrow) {
     contacts.info[id].in_use = 1;
     contacts.records[id] = {};
     contacts.answers[id] = {};
-    if (id < narrow.found.size()) narrow.found[id] = 0;
     return id;
 }
 
@@ -186,9 +183,9 @@ void combine_materials(const Shapes& shapes, Contacts& contacts, std::uint32_t c
 }
 
 void update_pairs(Bodies& bodies, Shapes& shapes, Contacts& contacts, Islands& islands, const Joints& joints,
-                  BroadPhase& broad_phase, StepEvents& events, NarrowScratch& narrow, ThreadPool* thread_pool) {
+                  BroadPhase& broad_phase, StepEvents& events, ThreadPool* thread_pool) {
     flush_sleep(bodies, shapes, islands, broad_phase);
-    Sink sink(bodies, shapes, contacts, islands, joints, events, narrow);
+    Sink sink(bodies, shapes, contacts, islands, joints, events);
     broad_phase.update(sink, thread_pool);
     if (!bodies.dead.empty()) // their slots are given out again, and must not be pushed twice
         std::erase_if(bodies.pushed, [&](std::int32_t b) { return !bodies.slots.is_live(std::uint32_t(b)); });
@@ -199,10 +196,10 @@ void update_pairs(Bodies& bodies, Shapes& shapes, Contacts& contacts, Islands& i
 }
 
 void reclaim_slots(Bodies& bodies, Shapes& shapes, Contacts& contacts, Islands& islands, const Joints& joints,
-                   BroadPhase& broad_phase, StepEvents& events, NarrowScratch& narrow) {
+                   BroadPhase& broad_phase, StepEvents& events) {
     const std::size_t dead = bodies.dead.size() + shapes.dead.size();
     const std::size_t live = bodies.slots.live_count() + shapes.slots.live_count();
-    if (dead > live) update_pairs(bodies, shapes, contacts, islands, joints, broad_phase, events, narrow);
+    if (dead > live) update_pairs(bodies, shapes, contacts, islands, joints, broad_phase, events);
 }
 
 } // namespace cairn

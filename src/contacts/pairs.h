@@ -11,13 +11,12 @@ namespace cairn {
 // Runs the broad phase, by all threads of the pool if there is one; creates contacts for new pairs, destroys those of
 // pairs that ended.
 void update_pairs(Bodies& bodies, Shapes& shapes, Contacts& contacts, Islands& islands, const Joints& joints,
-                  BroadPhase& broad_phase, StepEvents& events, NarrowScratch& narrow,
-                  ThreadPool* thread_pool = nullptr);
+                  BroadPhase& broad_phase, StepEvents& events, ThreadPool* thread_pool = nullptr);
 
 // Does so between steps as well once most slots are dead: bodies that come and go while nothing steps take no more
 // memory than those that are there. Contacts of what has been removed end as they would in the next step.
 void reclaim_slots(Bodies& bodies, Shapes& shapes, Contacts& contacts, Islands& islands, const Joints& joints,
-                   BroadPhase& broad_phase, StepEvents& events, NarrowScratch& narrow);
+                   BroadPhase& broad_phase, StepEvents& events);
 
 // Coefficients of two materials together, by the rules of KHR_physics_rigid_bodies.
 struct PairMaterial {
@@ -32,7 +31,7 @@ std::optional<PairKind> pair_kind(const Geometry& a, const Geometry& b, bool& sw
 CollideKernel wide_kernel(PairKind kind);
 
 // An empty contact, in use; and its end.
-std::uint32_t new_contact(Contacts& contacts, NarrowScratch& narrow);
+std::uint32_t new_contact(Contacts& contacts);
 void free_contact(Contacts& contacts, std::uint32_t contact);
 
 } // namespace cairn

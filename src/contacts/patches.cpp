@@ -70,8 +70,8 @@ bool look_ahead(const NarrowInput& in, const ContactInfo& group, float margin, f
     return true;
 }
 
-std::uint32_t create_patch(const Shapes& shapes, Contacts& contacts, NarrowScratch& narrow, std::uint32_t group_id) {
-    const std::uint32_t id = new_contact(contacts, narrow);
+std::uint32_t create_patch(const Shapes& shapes, Contacts& contacts, std::uint32_t group_id) {
+    const std::uint32_t id = new_contact(contacts);
     ContactInfo &patch = contacts.info[id], &group = contacts.info[group_id];
     patch = group;
     patch.kind = PairKind::patch;
@@ -183,7 +183,7 @@ void follow_up_group(const FollowUpContext& s, std::uint32_t place, float dt) {
             end_patch(s.bodies, s.shapes, s.contacts, s.islands, s.events, patch);
     });
     for (std::size_t& k = narrow.next_fresh; k < narrow.fresh.size() && narrow.fresh[k].place == place; ++k) {
-        const std::uint32_t patch = create_patch(s.shapes, s.contacts, narrow, id);
+        const std::uint32_t patch = create_patch(s.shapes, s.contacts, id);
         const FreshPatch& fresh = narrow.fresh[k];
         follow_up(s, patch,
                   take_manifold(s.bodies, s.shapes, s.contacts, s.islands, patch, fresh.manifold,
@@ -196,11 +196,10 @@ void follow_up_group(const FollowUpContext& s, std::uint32_t place, float dt) {
     s.contacts.info[id].point_count = s.contacts.info[id].related == none ? 0 : 1;
 }
 
-std::uint32_t patch_along(const Shapes& shapes, Contacts& contacts, NarrowScratch& narrow, std::uint32_t group,
-                          math::Vec3 normal) {
+std::uint32_t patch_along(const Shapes& shapes, Contacts& contacts, std::uint32_t group, math::Vec3 normal) {
     for (std::int32_t p = contacts.info[group].related; p != none; p = contacts.info[p].next)
         if (math::dot(to_vec(contacts.records[p].normal), normal) > same_patch) return std::uint32_t(p);
-    return create_patch(shapes, contacts, narrow, group);
+    return create_patch(shapes, contacts, group);
 }
 
 void end_patch(Bodies& bodies, const Shapes& shapes, Contacts& contacts, Islands& islands, StepEvents& events,

@@ -22,9 +22,7 @@ namespace {
 constexpr float slide_part = 0.05f;
 
 // The last substep looks ahead at the next one as well.
-float looked_at(const NarrowInput& in, float dt) {
-    return dt * (1 + 1.0f / float(in.passes.in_pass(in.settings.substeps)));
-}
+float looked_at(const NarrowInput& in, float dt) { return dt * (1 + 1.0f / float(in.settings.substeps)); }
 
 // As velocities and forces say, which act in substeps: nearly as all the time. Seen from `origin`, for precision far
 // from that of the world.

@@ -106,7 +106,7 @@ ImpactOutcome collide(ImpactBody& a, ImpactBody& b, const std::vector<ImpactPoin
         const double approach = -velocity_along(normal, a, b);
         if (!(approach > 0) || !(normal.inverse_effective_mass > 0)) continue;
         const bool bounces = material.restitution > 0 && approach > material.restitution_speed;
-        normal.target = bounces ? material.restitution * approach : 0;
+        normal.target = std::max(bounces ? material.restitution * approach : 0.0, point.rebound);
         outcome.bounces |= bounces;
         if (approach > outcome.approach)
             outcome.approach = approach, outcome.position = point.position, outcome.normal = point.normal;
@@ -120,13 +120,15 @@ ImpactOutcome collide(ImpactBody& a, ImpactBody& b, const std::vector<ImpactPoin
     for (double share = 1;; share = share > min_friction_share ? 0.5 * share : 0) {
         a = before_a, b = before_b;
         const double work = solve(a, b, rows, material, share, outcome.approach);
-        double scale = 0; // of the energies along the normals
+        double scale = 0, given = 0; // of the energies along the normals; what rebounds add
         outcome.impulse = 0;
         for (std::size_t k = 0; k < rows.size(); k += rows_per_point) {
             outcome.impulse += rows[k].impulse;
-            scale += rows[k].impulse * std::fabs(velocity_along(rows[k], before_a, before_b));
+            const double approach = std::fabs(velocity_along(rows[k], before_a, before_b));
+            scale += rows[k].impulse * approach;
+            given += 0.5 * rows[k].impulse * std::max(rows[k].target - approach, 0.0);
         }
-        if (work <= rounding_gain * scale || share == 0) return outcome;
+        if (work <= given + rounding_gain * scale || share == 0) return outcome;
     }
 }
 

@@ -19,7 +19,7 @@ using math::to_double;
 
 namespace {
 
-// Where a body was at the start of the pass.
+// Where a body was at the start of the step.
 CountedPose pose_before(const Bodies& bodies, const Islands& islands, std::int32_t b) {
     if (bodies.settings[b].type == BodyType::kinematic || is_awake(bodies, islands, b)) return bodies.counted[b];
     return {bodies.motion[b].x, bodies.motion[b].q};
@@ -42,7 +42,7 @@ double path_offset(Integrator integrator) {
 // What turns farther, rad, is looked at in parts; and what tumbles, in parts in which its axis turns so little that the
 // body is nowhere farther than `max_bend`, rad, from the one rotation that leads from the first pose to the last.
 constexpr double max_turn = 1, max_bend = 1e-4;
-// But no part is shorter, as part of a pass: of what turns over in it, the ball that is in it however it lies is held.
+// But no part is shorter, as part of a step: of what turns over in it, the ball that is in it however it lies is held.
 constexpr double min_part = 1.0 / 64;
 
 constexpr int movers_per_chunk = 32; // for threads
@@ -65,7 +65,7 @@ Movers::~Movers() {
 }
 
 double Movers::offset_of_velocity() const {
-    return path_offset(s.settings.integrator) * double(dt_) / s.passes.in_pass(s.settings.substeps);
+    return path_offset(s.settings.integrator) * double(dt_) / s.settings.substeps;
 }
 
 // Of what is free: by its angular momentum, which torque alone changes.
@@ -77,14 +77,19 @@ DVec3 Movers::spin_later(const Mover& m, DVec3 w, DQuat from, DQuat to, double d
     return spin.to_world(to, spin.inverse_moments, momentum);
 }
 
+// A ball about its center of mass, on no joints: its turns bring its surface nowhere.
+bool Movers::is_round(std::int32_t b) const {
+    const BodyLinks& links = s.bodies.links[b];
+    return s.bodies.mass[b].isotropic && links.joint_count == 0 && !(links.radius > links.inner_radius);
+}
+
 // How long a path of what is free may be, s, so that its two poses tell how it turned in between.
 double Movers::longest_part(std::int32_t b, DVec3 w, DQuat q) const {
+    if (is_round(b)) return std::numeric_limits<double>::infinity();
     const double speed = math::length(w);
     double part = speed > 0 ? max_turn / speed : std::numeric_limits<double>::infinity();
-    if (s.bodies.mass[b].isotropic) return part;
-    const Spin spin = spin_of(s.bodies.mass[b]);
-    const DVec3 change = spin.to_world(q, spin.inverse_moments, math::cross(spin.to_world(q, spin.moments, w), w));
-    if (const double rate = math::length(change); rate > 0) part = std::min(part, std::sqrt(8 * max_bend / rate));
+    if (const double rate = math::length(spin_change(s.bodies, b, w, q)); rate > 0)
+        part = std::min(part, std::sqrt(8 * max_bend / rate));
     return part;
 }
 
@@ -119,8 +124,8 @@ void Movers::set_out(std::int32_t i) {
     const BodyMotion& to = s.bodies.motion[b];
     const BodyLinks& links = s.bodies.links[b];
     m.is_free = links.contact_count + links.joint_count == 0;
-    const bool turns_over = !m.is_free && math::length(to.w) * dt_ > half_turn;
-    const bool flies_anew = turns_over && links.joint_count == 0 && links.radius > links.inner_radius; // else a ball
+    const bool turns_over = !m.is_free && !is_round(b) && math::length(to.w) * dt_ > half_turn;
+    const bool flies_anew = turns_over && links.joint_count == 0;
     m.turns_over = turns_over && !flies_anew;
     m.path = RigidPath::between(from.x, from.q, to.x, m.turns_over ? from.q : to.q);
     m.acceleration = acceleration_at(s.bodies, s.fields, s.settings, b, from.x);
@@ -129,6 +134,7 @@ void Movers::set_out(std::int32_t i) {
     m.spin = spin_later(m, to_double(to.w) + to_double(to.w_rest), to.q, from.q, -double(dt_));
     if (links.joint_count > 0 && !m.turns_over) lead_by_joints(m, from, to);
     if (m.is_led) lead_on(i, 0);
+    m.gyrates = m.is_free && gyrates(s.bodies, b, m.spin, from.q, double(dt_));
     if (flies_anew) {
         // How the solver turned it its poses do not tell: from where it was, it flies as fast as that made it.
         m.is_free = m.is_redirected = true;
@@ -219,7 +225,8 @@ MovingState Movers::state_at(std::int32_t i, double time) const {
     const double passed = (time - m.path.begin) * double(dt_);
     now.v = with_square(m.velocity + passed * m.acceleration,
                         dot(m.velocity, m.velocity) + 2 * dot(m.acceleration, pose.x - first.x));
-    now.w = spin_later(m, m.spin, first.q, pose.q, passed);
+    if (is_round(m.body)) now.q = turned_by(passed * m.spin, first.q);
+    now.w = spin_later(m, m.spin, first.q, now.q, passed);
     return now;
 }
 
@@ -228,8 +235,7 @@ void Movers::fly(const Mover& m, const MovingState& from, double duration) const
     BodyMotion& motion = s.bodies.motion[m.body];
     const DVec3 real = acceleration_at(s.bodies, s.fields, s.settings, m.body, from.x);
     // The integrator's substeps are shorter here, and stored velocities differ from those of paths by a part of one.
-    const int all = s.passes.in_pass(s.settings.substeps),
-              substeps = std::max(int(std::ceil(all * duration / double(dt_))), 1);
+    const int all = s.settings.substeps, substeps = std::max(int(std::ceil(all * duration / double(dt_))), 1);
     const double shorter = path_offset(s.settings.integrator) * duration / substeps;
     const DVec3 stored = from.v - shorter * real;
     motion.x = from.x, motion.q = from.q;
@@ -273,7 +279,7 @@ void Movers::redirect(std::int32_t i, double time, const MovingState& now) {
         m.velocity = now.v, m.spin = now.w;
     } else if (m.is_led) { // no longer
         motion.x = now.x + left * now.v;
-        motion.q = math::normalized(math::from_rotation_vector(left * now.w) * now.q);
+        motion.q = turned_by(left * now.w, now.q);
         motion.v = math::to_float(now.v), motion.w = math::to_float(now.w);
         motion.v_rest = motion.w_rest = {};
         keep_in_range(m.body, now, left);
@@ -282,24 +288,32 @@ void Movers::redirect(std::int32_t i, double time, const MovingState& now) {
         const DVec3 dv = now.v - before.v, dw = now.w - before.w;
         const DVec3 v = to_double(motion.v) + dv, w = to_double(motion.w) + dw;
         motion.x += left * dv;
-        motion.q = math::normalized(math::from_rotation_vector(left * dw) * motion.q);
+        motion.q = turned_by(left * dw, motion.q);
         motion.v = math::to_float(v), motion.w = math::to_float(w);
         motion.v_rest = motion.w_rest = {};
         keep_in_range(m.body, now, left);
     }
     m.is_led = false;
     m.carrier = none;
-    m.turns_over = double(math::length(motion.w)) * (until - time) * double(dt_) > double(half_turn);
+    m.turns_over =
+        !is_round(m.body) && double(math::length(motion.w)) * (until - time) * double(dt_) > double(half_turn);
     m.path = RigidPath::between(now.x, now.q, motion.x, m.turns_over ? now.q : motion.q, time, until);
     m.is_changed = true;
 }
 
+DVec3 Movers::acceleration_of(std::int32_t i, const MovingState& now, DVec3 point) const {
+    const Mover& m = (*this)[i];
+    if (!m.is_free) return {};
+    return m.acceleration + math::cross(spin_change(s.bodies, m.body, now.w, now.q), point - now.x);
+}
+
 void Movers::rest_on(std::int32_t i, DVec3 down) {
     Mover& m = (*this)[i];
+    if (m.gyrates) return; // it is pressed down all the time, and rubs
     m.acceleration = m.acceleration - std::max(dot(m.acceleration, down), 0.0) * down;
 }
 
-// Of what is free, up to the end of the pass, though its path may end before.
+// Of what is free, up to the end of the step, though its path may end before.
 DBounds Movers::bounds_of_way(const Mover& m, double from) const {
     const DVec3 start = m.path.at(from).x, left = (m.path.until - from) * m.path.translation;
     const double later = (1 - m.path.until) * double(dt_);

@@ -21,7 +21,6 @@ struct MoverContext {
     const WorldDef& settings;
     const Islands& islands;
     const ForceFields& fields;
-    const StepPasses& passes;
     Bodies& bodies;
     Shapes& shapes;
     BroadPhase& broad_phase;
@@ -43,6 +42,8 @@ class Movers {
     std::int32_t count() const { return std::int32_t(movers_.size()); }
 
     MovingState state_at(std::int32_t i, double time) const;
+    // How forces, and the change of its own turn, press what is at a point of it, m/s^2; of what is not free: none.
+    math::DVec3 acceleration_of(std::int32_t i, const MovingState& now, math::DVec3 point) const;
     // The pose of `now` and its velocities are those of the time; the rest of the way is made anew: of what turns far
     // and is free, up to a part of a turn, where it has to be renewed.
     void redirect(std::int32_t i, double time, const MovingState& now);
@@ -57,7 +58,7 @@ class Movers {
     std::size_t put_back();
     bool is_put_back(std::int32_t body) const { return of_body(body) != none && is_put_back((*this)[of_body(body)]); }
 
-    // Of what does not move by forces, or is slow: where it was at the start of the pass and is at its end.
+    // Of what does not move by forces, or is slow: where it was at the start of the step and is at its end.
     RigidPath path_of(std::int32_t body) const;
     DBounds bounds_of_way(const Mover& m, double from) const;
 
@@ -68,6 +69,7 @@ class Movers {
     // From several threads at once.
     void note_clamped(std::uint64_t times) const { __atomic_fetch_add(&s.clamped_speeds, times, __ATOMIC_RELAXED); }
     math::DVec3 spin_later(const Mover& m, math::DVec3 w, math::DQuat from, math::DQuat to, double duration) const;
+    bool is_round(std::int32_t body) const;
     double longest_part(std::int32_t body, math::DVec3 w, math::DQuat q) const;
     double offset_of_velocity() const;
     void lead_by_joints(Mover& m, const CountedPose& from, const BodyMotion& to) const;

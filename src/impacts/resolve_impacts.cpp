@@ -22,7 +22,7 @@ using math::to_double;
 namespace {
 
 constexpr int pairs_per_chunk = 16, questions_per_chunk = 4; // for threads: of all, and after an impact
-// Of one body in a pass. More than a room of its size leaves time for, or it is wedged in: then it stops.
+// Of one body in a step. More than a room of its size leaves time for, or it is wedged in: then it stops.
 constexpr int max_impacts = 64;
 
 math::DSym3 inverse_inertia_at(const BodyMass& mass, math::DQuat q) {
@@ -34,7 +34,7 @@ class ImpactQueue {
   public:
     ImpactQueue(const ImpactContext& s, StepScratch& step, float dt)
         : s(s), step(step), dt_(dt),
-          movers_({s.settings, s.islands, s.fields, step.passes, s.bodies, s.shapes, s.broad_phase, s.clamped_speeds},
+          movers_({s.settings, s.islands, s.fields, s.bodies, s.shapes, s.broad_phase, s.clamped_speeds},
                   step.solver.sweep, dt),
           assemblies_(s.bodies, s.joints, step.solver.sweep),
           pairs_({s.bodies, s.shapes, s.contacts, s.islands, s.joints, s.broad_phase, step.narrow, step.solved,
@@ -204,6 +204,18 @@ class ImpactQueue {
         return b;
     }
 
+    // What gyrates sinks a little into what it lies on, as what presses it there acts, before it is stopped: it comes
+    // back as fast as would bring it up to where it touches.
+    void set_rebounds(const SweptPair& pair, const MovingState& now_a, const MovingState& now_b) {
+        const bool has_second = pair.second != none;
+        if (!movers_[pair.first].gyrates && !(has_second && movers_[pair.second].gyrates)) return;
+        for (ImpactPoint& point : points_) {
+            DVec3 press = movers_.acceleration_of(pair.first, now_a, point.position);
+            if (has_second) press -= movers_.acceleration_of(pair.second, now_b, point.position);
+            point.rebound = std::sqrt(2 * std::max(dot(press, point.normal), 0.0) * std::max(point.depth, 0.0));
+        }
+    }
+
     // Of the surface of what does not move by forces, along it (at the first of the points).
     DVec3 surface_velocity(std::uint32_t shape) const {
         const ShapeTraits& traits = s.shapes.traits[shape];
@@ -234,6 +246,7 @@ class ImpactQueue {
         const SweptPair pair = pairs_[k];
         MovingState now_a = state_of(pair.first, body_a, time), now_b = state_of(pair.second, body_b, time);
         find_meeting_points(s.bodies, s.shapes, pair.shape, now_a, pair.other, now_b, scratch_, points_);
+        set_rebounds(pair, now_a, now_b);
         ImpactBody a = impact_body(pair.first, body_a, now_a), b = impact_body(pair.second, body_b, now_b);
         const PairMaterial material = combined_material(s.shapes.materials[pair.shape], s.shapes.materials[pair.other]);
         const ImpactMaterial law{double(material.restitution), double(material.friction),
@@ -309,7 +322,7 @@ class ImpactQueue {
         if (begins && id == none) s.events.brief.push_back({a, b, body_a, body_b});
         if (outcome.approach < double(s.settings.hit_speed)) return;
         const DVec3 p = outcome.position;
-        const double moment = (double(step.passes.number) + time) * double(dt_);
+        const double moment = time * double(dt_);
         s.events.hits.push_back(
             {a, b, body_a, body_b, {p.x, p.y, p.z}, {n.x, n.y, n.z}, float(outcome.approach), float(moment)});
     }
@@ -320,7 +333,7 @@ class ImpactQueue {
         if (is_group(s.contacts.info[id])) {
             for (std::int32_t p = s.contacts.info[id].related; p != none; p = s.contacts.info[p].next)
                 has_touched |= s.contacts.info[p].touching != 0;
-            id = patch_along(s.shapes, s.contacts, step.narrow, id, normal);
+            id = patch_along(s.shapes, s.contacts, id, normal);
         }
         s.contacts.info[id].touching = 1;
         if (s.contacts.info[id].point_count > 0) { // the solver has had it, and will report what it bore

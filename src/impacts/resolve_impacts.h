@@ -23,7 +23,7 @@ struct ImpactContext {
 
 // After the solver has moved all bodies by what holds or touches them. Of what flies, and of what moved so far that its
 // core may have passed another, the earliest meeting changes the velocities of both, which go on from there; their
-// pairs are asked again, and so on until the end of the pass. Where the solver knew the contact, or nothing approaches,
+// pairs are asked again, and so on until the end of the step. Where the solver knew the contact, or nothing approaches,
 // both stop: poses at the start were valid, so that stopping cannot fail. No core passes another. The
 // broad phase has the boxes of the step's start until then, which hold all ways that were expected; then it is told.
 void resolve_impacts(const ImpactContext& context, StepScratch& step, float dt);

@@ -352,9 +352,11 @@ double SweptPairs::time_of(SweptPair& pair, double from) const {
         swept(pair.other, second && second->turns_over ? ball_b : in.shapes.geometry[pair.other], path_b, until_b);
     // What something holds is pressed into it a little, and would catch at the edges of what lies beside.
     const bool catches = !first.is_free && !(second && in.bodies.is_dynamic(second->body));
-    if ((pair.touches || pair.is_known) && !turns) return time_of_sinking(a, b, pair.is_known, from, pair.axis);
+    const bool gyrates = first.gyrates || (second && second->gyrates);
+    const Held held = pair.is_known ? Held::by_contact : gyrates ? Held::by_nothing : Held::perhaps;
+    if ((pair.touches || pair.is_known) && !turns) return time_of_sinking(a, b, held, from, pair.axis);
     if (turns || catches) return time_of_meeting(a, b, false, from, pair.axis);
-    return time_of_impact(a, b, from, pair.axis);
+    return time_of_impact(a, b, held, from, pair.axis);
 }
 
 } // namespace cairn

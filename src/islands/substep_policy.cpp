@@ -29,11 +29,11 @@ int wanted_substeps(const WorldDef& settings, const IslandLoad& load) {
     return wanted > float(usual) ? std::max(usual, rounded_up(wanted)) : usual;
 }
 
-int island_substeps(const WorldDef& settings, const StepPasses& passes, Island& island) {
+int island_substeps(const WorldDef& settings, Island& island) {
     const float share = island.weight > 0 ? island.greatest_load / island.weight : 0;
     const int wanted = wanted_substeps(settings, {island.joint_count > 0, share, island.greatest_demand});
     island.greatest_load = island.greatest_demand = 0;
-    return passes.in_pass(wanted);
+    return wanted;
 }
 
 float first_load(const Bodies& bodies, const WorldDef& settings, const ContactInfo& c, math::Vec3 normal) {

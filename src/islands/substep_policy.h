@@ -32,8 +32,8 @@ struct IslandLoad {
 };
 int wanted_substeps(const WorldDef& settings, const IslandLoad& load);
 
-// Of an island in this pass; what its contacts carried is forgotten, to be measured anew in the solver.
-int island_substeps(const WorldDef& settings, const StepPasses& passes, Island& island);
+// Of an island in this step; what its contacts carried is forgotten, to be measured anew in the solver.
+int island_substeps(const WorldDef& settings, Island& island);
 
 // What a contact that begins may have to carry: the weight of the body above. Normal from A to B.
 float first_load(const Bodies& bodies, const WorldDef& settings, const ContactInfo& contact, math::Vec3 normal);

@@ -24,7 +24,7 @@ const JointAxisRule* swing_rule(const JointLocks& locks, const JointAxes& axes) 
     return nullptr;
 }
 
-// What the bodies of a joint have moved in all, what they will have after this pass, at most, and the radius of the
+// What the bodies of a joint have moved in all, what they will have after this step, at most, and the radius of the
 // smaller one: none of them turns by more than it moves over its radius.
 struct JointTravel {
     Travel now = 0, ahead = 0;
@@ -52,7 +52,7 @@ void prefetch(const Joints& joints, std::uint32_t joint) {
 bool is_out_of_reach(const JointAxisRule& rule, JointAxisState& state, float by_turn, const JointTravel& travel) {
     if (state.is_idle) {
         state.is_idle = is_before(travel.ahead, state.until);
-        if (!state.is_idle) state.until = travel.now; // solved in this pass
+        if (!state.is_idle) state.until = travel.now; // solved in this step
         return state.is_idle;
     }
     const Travel known_at = state.until;

@@ -125,11 +125,10 @@ Convex make_convex(const Geometry& geometry, const ShapeData& data, const DVec3&
     return c;
 }
 
-Convex shrunk(const Convex& shape, double depth) {
-    Convex c = shape;
-    if (c.kind == Convex::Kind::polygon) return c;
+void shrink(Convex& c, double depth) {
+    if (c.kind == Convex::Kind::polygon) return;
+    const double around = c.is_sharp ? 0 : c.radius, left = std::max(0.0, depth - around);
     c.is_sharp = false;
-    const double around = shape.is_sharp ? 0 : shape.radius, left = std::max(0.0, depth - around);
     c.radius = std::max(0.0, around - depth);
     if (c.kind == Convex::Kind::box) {
         for (int i = 0; i < 3; ++i) c.size[i] = std::max(0.0, c.size[i] - left);
@@ -140,7 +139,7 @@ Convex shrunk(const Convex& shape, double depth) {
         c.size = {std::max(0.0, f.low_radius), half, std::max(0.0, f.high_radius)};
     } else if (c.kind == Convex::Kind::hull && left > 0) {
         const DVec3 lo = math::to_double(c.hull->lo), hi = math::to_double(c.hull->hi), in = 0.5 * (lo + hi);
-        c.center = middle(shape);
+        c.center = middle(c);
         for (int i = 0; i < 3; ++i) {
             const double half = 0.5 * (hi[i] - lo[i]), scale = half > 0 ? std::max(0.0, 1 - left / half) : 0;
             DVec3& axis = i == 0 ? c.axes.c0 : i == 1 ? c.axes.c1 : c.axes.c2;
@@ -148,7 +147,6 @@ Convex shrunk(const Convex& shape, double depth) {
         }
         c.center = c.center - c.axes * in;
     }
-    return c;
 }
 
 Convex make_triangle(DVec3 a, DVec3 b, DVec3 c) { return make_polygon(std::array{a, b, c}); }

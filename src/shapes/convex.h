@@ -48,9 +48,9 @@ Convex make_triangle(math::DVec3 a, math::DVec3 b, math::DVec3 c);
 // A polygon that faces the other way.
 Convex reversed(const Convex& polygon);
 
-// The core of a shape at a depth, m: without what is nearer to its surface; at least a point or a segment in its
+// Leaves the core of a shape at a depth, m: without what is nearer to its surface; at least a point or a segment in its
 // middle. Of hulls, the hull scaled along its axes such that its bounds shrink by the depth. Polygons stay as they are.
-Convex shrunk(const Convex& shape, double depth);
+void shrink(Convex& shape, double depth);
 
 // From the common frame to the shape's and back.
 inline math::DVec3 to_local(const Convex& c, math::DVec3 v) {

@@ -273,8 +273,8 @@ void leave_belts_in_place(const Bodies& bodies, const Shapes& shapes, const Cont
 }
 
 void empty_batch(Bodies& bodies, Shapes& shapes, const BroadPhase& broad_phase, const ForceFields& fields,
-                 const WorldDef& settings, SolverScratch& solver, const StepPasses& passes, BatchScratch& scratch,
-                 ThreadPool* thread_pool, float dt) {
+                 const WorldDef& settings, SolverScratch& solver, BatchScratch& scratch, ThreadPool* thread_pool,
+                 float dt) {
     if (scratch.border) leave_out_ghosts(scratch);
     std::vector<BatchScratch>& threads = solver.at_work;
     const int rows = int(scratch.row_count());
@@ -300,19 +300,19 @@ void empty_batch(Bodies& bodies, Shapes& shapes, const BroadPhase& broad_phase, 
             }
         }
     });
-    move_free_bodies(bodies, shapes, broad_phase, fields, settings, solver, passes, scratch.free_bodies, scratch,
-                     thread_pool, dt);
+    move_free_bodies(bodies, shapes, broad_phase, fields, settings, solver, scratch.free_bodies, scratch, thread_pool,
+                     dt);
 }
 
 void move_free_bodies(Bodies& bodies, Shapes& shapes, const BroadPhase& broad_phase, const ForceFields& fields,
-                      const WorldDef& settings, SolverScratch& solver, const StepPasses& passes,
-                      const std::vector<std::int32_t>& list, BatchScratch& scratch, ThreadPool* thread_pool, float dt) {
+                      const WorldDef& settings, SolverScratch& solver, const std::vector<std::int32_t>& list,
+                      BatchScratch& scratch, ThreadPool* thread_pool, float dt) {
     for_chunks(thread_pool, int(list.size()), rows_per_chunk, [&](int begin, int end, int thread) {
         BatchScratch& own = thread_pool ? solver.at_work[thread] : scratch;
         for (int k = begin; k < end; ++k) {
             prefetch_ahead(bodies, shapes, broad_phase, list, std::size_t(k));
             const std::int32_t b = list[k];
-            own.clamped_speeds += move_free_body(bodies, fields, settings, b, dt, passes.in_pass(settings.substeps));
+            own.clamped_speeds += move_free_body(bodies, fields, settings, b, dt, settings.substeps);
             finalize_body(bodies, shapes, broad_phase, settings, b, dt, own.finalized);
         }
     });

@@ -20,12 +20,12 @@ void leave_belts_in_place(const Bodies& bodies, const Shapes& shapes, const Cont
                           float dt);
 // Moves the bodies by what their rows have moved, and finalizes them.
 void empty_batch(Bodies& bodies, Shapes& shapes, const BroadPhase& broad_phase, const ForceFields& fields,
-                 const WorldDef& settings, SolverScratch& solver, const StepPasses& passes, BatchScratch& scratch,
-                 ThreadPool* thread_pool, float dt);
+                 const WorldDef& settings, SolverScratch& solver, BatchScratch& scratch, ThreadPool* thread_pool,
+                 float dt);
 
 // Moves and finalizes bodies that nothing touches.
 void move_free_bodies(Bodies& bodies, Shapes& shapes, const BroadPhase& broad_phase, const ForceFields& fields,
-                      const WorldDef& settings, SolverScratch& solver, const StepPasses& passes,
-                      const std::vector<std::int32_t>& list, BatchScratch& scratch, ThreadPool* thread_pool, float dt);
+                      const WorldDef& settings, SolverScratch& solver, const std::vector<std::int32_t>& list,
+                      BatchScratch& scratch, ThreadPool* thread_pool, float dt);
 
 } // namespace cairn

@@ -102,15 +102,15 @@ SolverBodies bodies_of(BatchScratch& scratch) {
 }
 
 void run_substeps(const Bodies& bodies, const Joints& joints, const ForceFields& fields, const WorldDef& settings,
-                  const DirectSets& direct, const StepPasses& passes, const IslandBatch& batch, BatchScratch& scratch,
-                  ThreadPool* thread_pool, Communicator* ranks, float dt) {
+                  const DirectSets& direct, const IslandBatch& batch, BatchScratch& scratch, ThreadPool* thread_pool,
+                  Communicator* ranks, float dt) {
     using ForPoints = SolverKernels::ForPoints;
     using ForRows = JointKernels::ForRows;
     const SolverKernels& k = kernels().solver;
     const float h = dt / float(batch.substeps);
-    ContactSoftness softness = contact_softness(h, batch.substeps * passes.split, settings.recovery_speed);
+    ContactSoftness softness = contact_softness(h, batch.substeps, settings.recovery_speed);
     const BounceSettings bounce{h, settings.restitution_speed, velocity_offset(settings.integrator)};
-    const JointSoftness joint_soft = joint_softness(h, batch.substeps * passes.split);
+    const JointSoftness joint_soft = joint_softness(h, batch.substeps);
     // Not where joints are solved directly: a body that is much heavier than what it hits does not settle in the
     // passes. Nor where kinematic bodies drive joints: the passes would stop what they drive.
     const bool stops_impacts =
@@ -181,7 +181,6 @@ struct BatchContext {
     Contacts& contacts;
     Islands& islands;
     Joints& joints;
-    const StepPasses& passes;
     const DirectSets& direct;
     SolverScratch& solver;
     Communicator* ranks; // null: none but this one
@@ -202,8 +201,7 @@ void solve_batch(const BatchContext& s, const IslandBatch& batch, BatchScratch& 
         });
         const double prepare_ms = milliseconds_since(start);
         scratch.prepare_ms += prepare_ms;
-        run_substeps(s.bodies, s.joints, s.fields, s.settings, s.direct, s.passes, batch, scratch, thread_pool, s.ranks,
-                     dt);
+        run_substeps(s.bodies, s.joints, s.fields, s.settings, s.direct, batch, scratch, thread_pool, s.ranks, dt);
         finish_free_motion(scratch);
         leave_belts_in_place(s.bodies, s.shapes, s.contacts, scratch, dt);
         for_blocks(scratch, thread_pool, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
@@ -216,7 +214,7 @@ void solve_batch(const BatchContext& s, const IslandBatch& batch, BatchScratch& 
     // Each rank moves all those: telling the others takes longer.
     if (s.ranks && s.solver.cut.owner_of_batch[&batch - s.solver.batches.data()] != every_rank)
         scratch.free_bodies.clear();
-    empty_batch(s.bodies, s.shapes, s.broad_phase, s.fields, s.settings, s.solver, s.passes, scratch, thread_pool, dt);
+    empty_batch(s.bodies, s.shapes, s.broad_phase, s.fields, s.settings, s.solver, scratch, thread_pool, dt);
 }
 
 // Of the batches that a rank or every rank solves alone: those that are so large that one thread would keep the others
@@ -266,8 +264,8 @@ std::uint64_t solve_parts(const BatchContext& s, ThreadPool& thread_pool, float 
     for (BatchScratch& own : scratch.at_work) clamped_speeds += std::exchange(own.clamped_speeds, 0);
     clamped_speeds = s.ranks->sum(clamped_speeds);
     exchange_results(*s.ranks, s.bodies, s.shapes, s.contacts, s.broad_phase, s.settings, scratch, thread_pool, dt);
-    move_free_bodies(s.bodies, s.shapes, s.broad_phase, s.fields, s.settings, scratch, s.passes,
-                     scratch.cut.free_bodies, scratch.at_work[0], &thread_pool, dt);
+    move_free_bodies(s.bodies, s.shapes, s.broad_phase, s.fields, s.settings, scratch, scratch.cut.free_bodies,
+                     scratch.at_work[0], &thread_pool, dt);
     return clamped_speeds;
 }
 
@@ -329,8 +327,8 @@ std::uint64_t solve_batches(Bodies& bodies, Shapes& shapes, Contacts& contacts, 
     std::uint64_t clamped_speeds = 0;
     for (const std::int32_t b : bodies.kinematics)
         if (BodyMotion& motion = bodies.motion[b]; clamp_velocity(settings, motion.v, motion.w)) ++clamped_speeds;
-    const BatchContext context{settings, fields, broad_phase, bodies,      shapes,  contacts,
-                               islands,  joints, step.passes, step.direct, scratch, ranks};
+    const BatchContext context{settings, fields, broad_phase, bodies,  shapes, contacts,
+                               islands,  joints, step.direct, scratch, ranks};
     if (ranks)
         clamped_speeds += solve_parts(context, *thread_pool, dt);
     else

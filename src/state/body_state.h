@@ -66,7 +66,7 @@ struct Bodies {
     std::vector<BodyLinks> links;
     std::vector<Travel> travel;           // how far any point of it has moved, at most
     std::vector<CountedPose> counted;     // up to there
-    std::vector<Travel> ahead;            // how far a body will have moved after this pass, at most
+    std::vector<Travel> ahead;            // how far a body will have moved after this step, at most
     std::vector<Travel> boxes_until;      // the travel up to which its fat boxes are not looked at
     std::vector<std::int32_t> pushed;     // bodies with any forces
     std::vector<std::int32_t> kinematics; // kinematic bodies, in order of creation

@@ -7,6 +7,8 @@ namespace cairn {
 
 struct ImpactPoint {
     math::DVec3 position, normal; // normal: from the first body to the second
+    double depth = 0;             // m: by which the shapes overlap there
+    double rebound = 0;           // m/s: as fast as that it leaves, at least
 };
 
 struct ImpactRow {

@@ -80,9 +80,7 @@ struct NarrowScratch {
     std::vector<std::vector<std::uint32_t>> lists;
     std::vector<NarrowBatch> at_work;         // one per thread
     std::vector<std::int32_t> moving;         // bodies that are awake, and then the kinematic ones
-    std::vector<std::int32_t> whirling;       // bodies that turn far in a step and have unequal moments of inertia
     std::vector<float> turn_reach;            // by body, m: bodies.h
-    std::vector<std::uint8_t> whirls;         // by body: whether it is one of them
     std::vector<std::uint32_t> skipped;       // contacts of sleeping bodies with kinematic ones at rest
     std::vector<std::uint8_t> changes;        // 1 for each of those that were solved: began or ceased to touch
     std::vector<std::uint32_t> candidates;    // contacts of all pairs, those of neighbors near each other
@@ -91,7 +89,6 @@ struct NarrowScratch {
     std::vector<std::uint32_t> changed;       // of these, those whose contact begins, ends or is a group
     std::vector<ListPart> parts;              // of lists that threads write together
     std::vector<KindCounts> kinds_in_chunk;   // of open pairs that are to be tested
-    std::vector<std::uint8_t> found;          // by contact: the first pass of a step that is split has tested it
     bool any_groups = false;                  // among those
     std::vector<std::uint8_t> patch_outcomes; // by contact, of patches of groups that were tested
     std::vector<FreshPatch> fresh;            // of all threads, by place

@@ -12,19 +12,9 @@
 
 namespace cairn {
 
-// The passes of the step under way.
-struct StepPasses {
-    int split = 1;  // how many there are
-    int number = 0; // of the one that runs, from 0
-
-    // Of the given number in a step, how many a pass takes.
-    int in_pass(int substeps) const { return (substeps + split - 1) / split; }
-};
-
 struct StepScratch {
-    StepPasses passes;
     NarrowScratch narrow;
-    std::vector<std::uint32_t> solved; // contacts to solve in this pass
+    std::vector<std::uint32_t> solved; // contacts to solve in this step
     SolverScratch solver;
     DirectSets direct;
     std::unique_ptr<ThreadPool> thread_pool = std::make_unique<ThreadPool>(1);

@@ -15,10 +15,11 @@
 
 namespace cairn {
 
-// A body on its way through the step. Times are parts of the pass.
+// A body on its way through the step. Times are parts of the step.
 struct Mover {
     std::int32_t body;
     bool is_free = false;       // neither contacts nor joints have moved it: it flies
+    bool gyrates = false;       // and changes its turn by itself so fast that the solver could not hold it
     bool is_led = false;        // joints lead it about an axis, or something kinematic takes it along
     bool is_fast = false;       // so far that its core may pass another
     bool turns_over = false;    // more than half a turn: its poses do not tell how

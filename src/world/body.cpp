@@ -284,7 +284,7 @@ void Body::set_type(BodyType type) {
     wake_body(s.bodies, s.islands, s.events, a.index());
     // All contacts end, and are found anew at the next step.
     for (const std::uint32_t i : shapes) s.broad_phase.remove(i);
-    update_pairs(s.bodies, s.shapes, s.contacts, s.islands, s.joints, s.broad_phase, s.events, impl.step.narrow);
+    update_pairs(s.bodies, s.shapes, s.contacts, s.islands, s.joints, s.broad_phase, s.events);
     for_each_joint(s.bodies, s.joints, a.index(),
                    [&](std::uint32_t joint, int) { deactivate_joint(s.bodies, s.islands, s.joints, s.events, joint); });
     if (settings.type == BodyType::dynamic) remove_from_island(s.bodies, s.islands, a.index());

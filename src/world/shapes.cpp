@@ -114,7 +114,6 @@ void World::remove_shape(ShapeId id) {
     Impl::Change change(*impl_, commands::world_remove_shape, id);
     const std::uint32_t i = impl_->index_of(id);
     State& s = impl_->state;
-    StepScratch& step = impl_->step;
     const std::int32_t b = s.shapes.links[i].body;
     change.begin();
     wake_around_shape(s.bodies, s.shapes, s.islands, s.broad_phase, s.events, i);
@@ -123,7 +122,7 @@ void World::remove_shape(ShapeId id) {
     retire_shape(s.shapes, s.broad_phase, i);
     refresh_mass(s.bodies, s.shapes, s.joints, b);
     place_shapes(s.bodies, s.shapes, b);
-    reclaim_slots(s.bodies, s.shapes, s.contacts, s.islands, s.joints, s.broad_phase, s.events, step.narrow);
+    reclaim_slots(s.bodies, s.shapes, s.contacts, s.islands, s.joints, s.broad_phase, s.events);
 }
 
 BodyId World::body_of(ShapeId id) const {

@@ -190,7 +190,6 @@ void World::destroy_body(BodyId id) {
     Impl::Change change(*impl_, commands::world_destroy_body, id);
     const std::int32_t b = impl_->index_of(id);
     State& s = impl_->state;
-    StepScratch& step = impl_->step;
     change.begin();
     wake_around(s.bodies, s.shapes, s.islands, s.broad_phase, s.events, b);
     wake_body(s.bodies, s.islands, s.events, b);
@@ -202,7 +201,7 @@ void World::destroy_body(BodyId id) {
     s.bodies.slots.kill(std::uint32_t(b));
     s.bodies.dead.push_back(std::uint32_t(b));
     impl_->names[b].clear();
-    reclaim_slots(s.bodies, s.shapes, s.contacts, s.islands, s.joints, s.broad_phase, s.events, step.narrow);
+    reclaim_slots(s.bodies, s.shapes, s.contacts, s.islands, s.joints, s.broad_phase, s.events);
 }
 
 bool World::is_valid(BodyId id) const noexcept { return impl_ && impl_->state.bodies.slots.holds(id); }

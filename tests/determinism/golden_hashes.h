@@ -7,21 +7,21 @@
 
 namespace cairn_test::golden {
 
-inline constexpr std::uint64_t mixed_pile = 0xe6c60468b7c56ba2;
-inline constexpr std::uint64_t pyramid = 0x5896dc293dddde3b;
-inline constexpr std::uint64_t dominoes = 0xbe5956b1433834d2;
-inline constexpr std::uint64_t materials = 0xff7b65a91c2aa23b;
-inline constexpr std::uint64_t tumbler = 0x945e468b55706b6c;
+inline constexpr std::uint64_t mixed_pile = 0x18fe51c66d209ec0;
+inline constexpr std::uint64_t pyramid = 0x187beb66fc3fc452;
+inline constexpr std::uint64_t dominoes = 0x210e7cea3e2dbce1;
+inline constexpr std::uint64_t materials = 0x19ec3bcb15a2d362;
+inline constexpr std::uint64_t tumbler = 0x24e88253783d6db4;
 inline constexpr std::uint64_t sleep_and_wake = 0x9b8076cfae7eac20;
-inline constexpr std::uint64_t compounds = 0x92d9f0170120b28d;
-inline constexpr std::uint64_t free_tops = 0x53d8984f9884ebaa;
-inline constexpr std::uint64_t explicit_euler = 0x50505e7c7d53b559;
-inline constexpr std::uint64_t whirl = 0x959e4e89cc1098f7;
-inline constexpr std::uint64_t changes = 0xa346a9f8f2fefb2d;
-inline constexpr std::uint64_t all_shapes = 0xbd4f8779e9f17286;
-inline constexpr std::uint64_t rounded_shapes = 0xc00077740329efce;
-inline constexpr std::uint64_t surfaces = 0x3b08fab86793be44;
-inline constexpr std::uint64_t all_joints = 0x355c7a0c5eeb8b33;
+inline constexpr std::uint64_t compounds = 0x999f253c731b1ce7;
+inline constexpr std::uint64_t free_tops = 0xb0ccf7123468c5c7;
+inline constexpr std::uint64_t explicit_euler = 0xbe3487da0dc72138;
+inline constexpr std::uint64_t whirl = 0x70619c6aaabcce96;
+inline constexpr std::uint64_t changes = 0x63600caf5be97791;
+inline constexpr std::uint64_t all_shapes = 0x46e7a6f0bdcd0089;
+inline constexpr std::uint64_t rounded_shapes = 0x5bfd48eb13d86fc2;
+inline constexpr std::uint64_t surfaces = 0xd39da23f9c70cffd;
+inline constexpr std::uint64_t all_joints = 0xc61ae52733fcfea8;
 inline constexpr std::uint64_t chains = 0xa0b759c901e793e8;
 
 } // namespace cairn_test::golden

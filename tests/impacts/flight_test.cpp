@@ -11,12 +11,14 @@ namespace {
 
 constexpr unsigned seed = 7; // other shots than those of the table
 
+// But for two impacts that come nearly at once, one game in a thousand. What had bounced in the step before counted as
+// touching: of 400 games at 3 m/s three differed.
 TEST(Flight, BilliardsAreTheExactGame) {
     for (const double speed : {3.0, 10.0, 30.0})
         for (const bool is_planar : {true, false}) {
-            const BilliardsResult result = play_billiards({speed, is_planar, 1e-5, 20, seed});
-            EXPECT_EQ(result.games, 20);
-            EXPECT_EQ(result.differ, 0) << speed << " m/s, " << result.worst_angle << " degrees, "
+            const BilliardsResult result = play_billiards({speed, is_planar, 1e-5, 400, seed});
+            EXPECT_EQ(result.games, 400);
+            EXPECT_LE(result.differ, 1) << speed << " m/s, " << result.worst_angle << " degrees, "
                                         << result.worst_speed;
         }
 }
@@ -276,6 +278,40 @@ TEST(Flight, WhatTurnsOverInContactStaysOutOfWalls) {
             world.step(frame);
             EXPECT_EQ(watch.look(world, double(frame)).deep, 0) << "room " << room << ", step " << i;
         }
+    }
+}
+
+// A smooth ball turns on at its rate, whatever it bounces off: 20 balls between two walls, 1 s. It was taken not to
+// have turned up to the first impact of a step in which it turns by more than half a turn.
+TEST(Flight, BallsTurnOnAsTheyBounce) {
+    Random random(seed);
+    for (int k = 0; k < 20; ++k) {
+        WorldDef settings;
+        settings.gravity = {0, 0, 0};
+        World world(settings);
+        ShapeDef shape;
+        shape.material.static_friction = shape.material.dynamic_friction = shape.material.torsional_friction = 0;
+        shape.material.restitution = 1;
+        for (const double x : {-0.6, 0.6}) {
+            BodyDef wall;
+            wall.type = BodyType::static_;
+            wall.position = {x, 0, 0};
+            world.add_shape(world.create_body(wall), Box{{0.1f, 1.0f, 1.0f}}, shape);
+        }
+        BodyDef ball;
+        ball.position.x = random.between(-0.3, 0.3);
+        ball.linear_velocity = {float(random.between(20, 60)), 0, 0};
+        const glm::dvec3 axis = random.direction();
+        const double spin = random.between(50, 900);
+        ball.angular_velocity = Vec3(spin * axis);
+        const BodyId id = world.create_body(ball);
+        world.add_shape(id, Sphere{0.05f}, shape);
+        std::size_t impacts = 0;
+        for (int i = 0; i < 60; ++i) world.step(1.0f / 60), impacts += world.statistics().impacts;
+        EXPECT_GT(impacts, 10u);
+        const glm::dquat turned = glm::angleAxis(60 * spin * double(1.0f / 60), axis);
+        const glm::dquat off = glm::dquat(world.body(id).rotation()) * glm::conjugate(turned);
+        EXPECT_LT(2 * glm::length(glm::dvec3(off.x, off.y, off.z)), 1e-3) << spin << " rad/s";
     }
 }
 

@@ -20,6 +20,10 @@ double distance(const Convex& a, const Convex& b) {
     if (r.state == cairn::GjkResult::State::overlapping) return -1;
     return r.distance - exact_core(a).radius - exact_core(b).radius;
 }
+Convex shrunk(Convex shape, double depth) {
+    cairn::shrink(shape, depth);
+    return shape;
+}
 Convex core_of(const Solid& s, RigidPath::Pose pose, double depths) {
     const Convex whole = s.at(pose.x, pose.q);
     return shrunk(whole, std::min(depths * core_depth_of(whole.extent), whole.extent));
@@ -95,7 +99,8 @@ TEST(CoreSweep, WhatTouchesGoesNoDeeperUnseen) {
         const double touch = depth_of(at_a) + depth_of(at_b), before = apart_at(0);
         if (!(before > 1e-3)) continue;
         DVec3 axis = random.below(2) ? DVec3{} : random.direction(); // wherever the search begins
-        const double time = cairn::time_of_sinking(swept(a, path_a), swept(b, path_b), is_known, 0, axis);
+        const double time = cairn::time_of_sinking(swept(a, path_a), swept(b, path_b),
+                                                   is_known ? cairn::Held::by_contact : cairn::Held::perhaps, 0, axis);
         ++(time <= 1 ? sank : stayed);
         const double turned = double(a.geometry.bounding_radius) * length(path_a.turn) +
                               double(b.geometry.bounding_radius) * length(path_b.turn);
