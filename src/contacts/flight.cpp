@@ -62,11 +62,13 @@ float lag_of(const Surface& on, const Surface& under, math::Vec3 normal, float d
     return turn * dt * (0.5f * math::length(way) + turn / 3 * math::length(under.turning()));
 }
 
+// m: the smallest of either.
 double half_width_between(const Shapes& shapes, const ContactInfo& c) {
     return half_width_of(shapes.geometry[c.shape_a], shapes.data[c.shape_a], shapes.geometry[c.shape_b],
                          shapes.data[c.shape_b]);
 }
 
+// As it turns when the step begins.
 bool gyrates(const Bodies& bodies, std::int32_t b, float dt) {
     const BodyMotion& motion = bodies.motion[b];
     return bodies.is_dynamic(b) && gyrates(bodies, b, math::to_double(motion.w), motion.q, double(dt));

@@ -8,7 +8,8 @@ namespace cairn {
 
 // Whether the shapes are apart, and no joint or sleep keeps their bodies from flying: by more than the margin of the
 // contact, or so that they close or open more than that in the step, or they do not touch, and in the step would not or
-// would bounce. What settles down on something is the solver's.
+// would bounce; or whether one turns so far that their contact cannot stay as it is in the step. What settles down on
+// something is the solver's.
 // Whether another contact holds one of the bodies shows when all pairs are known.
 bool may_meet_in_flight(const NarrowInput& in, const Contacts& contacts, const ContactInfo& contact,
                         const Manifold& manifold, float dt);

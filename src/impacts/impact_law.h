@@ -3,7 +3,7 @@
 // Restitution acts at the points that approach, all at once (Newton): each of them leaves at `restitution` times the
 // speed at which it came, and no impulse pulls. With the impulses p and the normal velocities v before and u after, the
 // energy changes by sum p (u + v) / 2. Where p > 0, u = -e v and v < 0, so that no term is positive: energy never
-// grows, and is kept where e = 1.
+// grows, and is kept where e = 1. A point with a `rebound` leaves as fast as that at least, and may gain so much.
 //
 // Friction stops the slip of each point within Coulomb's cone; couples stop that the bodies spin about the normal and
 // roll on each other, up to the friction times `torsion_radius`, and `rolling_radius`, times the impulse. With friction
