@@ -68,10 +68,13 @@ double half_width_between(const Shapes& shapes, const ContactInfo& c) {
                          shapes.data[c.shape_b]);
 }
 
-// As it turns when the step begins.
-bool gyrates(const Bodies& bodies, std::int32_t b, float dt) {
-    const BodyMotion& motion = bodies.motion[b];
-    return bodies.is_dynamic(b) && gyrates(bodies, b, math::to_double(motion.w), motion.q, double(dt));
+// Whether one of the two does, as it turns when the step begins.
+bool one_gyrates(const Bodies& bodies, const ContactInfo& c, float dt) {
+    for (const std::int32_t b : {c.body_a, c.body_b}) {
+        const BodyMotion& motion = bodies.motion[b];
+        if (bodies.is_dynamic(b) && gyrates(bodies, b, math::to_double(motion.w), motion.q, double(dt))) return true;
+    }
+    return false;
 }
 
 // Whether one of the two turns so far that their contact cannot stay as it is in a step: however deep they are in each
@@ -84,7 +87,7 @@ bool turns_away(const Bodies& bodies, const Shapes& shapes, const ContactInfo& c
     const math::DVec3 between = bodies.motion[shapes.links[first].body].x - bodies.motion[shapes.links[second].body].x;
     const Surface a = surface_of(bodies, shapes, first, arm),
                   b = surface_of(bodies, shapes, second, arm + math::to_float(between));
-    if (gyrates(bodies, c.body_a, dt) || gyrates(bodies, c.body_b, dt)) return true;
+    if (one_gyrates(bodies, c, dt)) return true;
     const bool is_pushed = overlap >= float(core_depth_of(half_width_between(shapes, c))) ||
                            (overlap >= 0 && bodies.settings[c.body_b].type != BodyType::kinematic);
     return !is_pushed && (lag_of(a, b, n, dt) > c.base_margin || lag_of(b, a, n, dt) > c.base_margin);
@@ -146,8 +149,7 @@ class FlightList {
         for (FlightPair& f : flights_) {
             const ContactInfo& c = s.contacts.info[contact_of(f)];
             f.is_free = (is_free(c.body_a) && (!c.b_moves || is_free(c.body_b))) ||
-                        (may_turn_away(s.bodies, c, dt_) &&
-                         (gyrates(s.bodies, c.body_a, dt_) || gyrates(s.bodies, c.body_b, dt_)));
+                        (may_turn_away(s.bodies, c, dt_) && one_gyrates(s.bodies, c, dt_));
         }
         for_each_body([&](std::int32_t b, int) { rows[b] = 0; });
     }

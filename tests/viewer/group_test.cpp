@@ -9,7 +9,6 @@
 #include <glm/gtc/quaternion.hpp>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <vector>
 
 namespace {
@@ -31,16 +30,8 @@ struct Boxes {
         stage.apply(command::GrabBody{{{x, 0.6, 10.0}, {0.0f, 0.0f, -1.0f}}, 1});
         stage.apply(command::ReleaseGrab{true, shift});
     }
-    std::vector<BodyId> selection() const {
-        std::vector<BodyId> bodies = stage.state().selection;
-        std::sort(bodies.begin(), bodies.end());
-        return bodies;
-    }
-    std::vector<BodyId> some(std::initializer_list<std::size_t> indices) const {
-        std::vector<BodyId> bodies;
-        for (const std::size_t i : indices) bodies.push_back(boxes[i]);
-        return bodies;
-    }
+    std::vector<BodyId> selection() const { return test::selection_of(stage); }
+    std::vector<BodyId> some(std::initializer_list<std::size_t> indices) const { return test::some_of(boxes, indices); }
     Position place(std::size_t i) const { return stage.world().body(boxes[i]).position(); }
 };
 

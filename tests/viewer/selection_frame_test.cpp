@@ -7,7 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <vector>
 
 namespace {
@@ -43,16 +42,8 @@ struct Desk {
         controller.set_constraint(DragConstraint::view_plane);
         controller.update(stage.state());
     }
-    std::vector<BodyId> selection() const {
-        std::vector<BodyId> bodies = stage.state().selection;
-        std::sort(bodies.begin(), bodies.end());
-        return bodies;
-    }
-    std::vector<BodyId> some(std::initializer_list<std::size_t> indices) const {
-        std::vector<BodyId> bodies;
-        for (const std::size_t i : indices) bodies.push_back(boxes[i]);
-        return bodies;
-    }
+    std::vector<BodyId> selection() const { return test::selection_of(stage); }
+    std::vector<BodyId> some(std::initializer_list<std::size_t> indices) const { return test::some_of(boxes, indices); }
     // Corners that leave room about the first two boxes, and cut the third one.
     glm::vec2 low() const { return seen({-1.0, -0.2, 1.0}); }
     glm::vec2 high() const { return seen({4.0, 2.0, 0.0}); }

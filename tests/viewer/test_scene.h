@@ -3,9 +3,12 @@
 #pragma once
 
 #include "viewer/scene_source.h"
+#include "viewer/stage.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <initializer_list>
 #include <utility>
 #include <vector>
 
@@ -73,6 +76,20 @@ inline LoadedScene load_boxes(const std::string& path) {
     if (path.find_first_not_of("0123456789") != std::string::npos)
         throw Error(ErrorCode::io, path, "", "must be a number");
     return boxes_on_plane(std::stoi(path));
+}
+
+/// What is selected, in order.
+inline std::vector<BodyId> selection_of(const Stage& stage) {
+    std::vector<BodyId> bodies = stage.state().selection;
+    std::sort(bodies.begin(), bodies.end());
+    return bodies;
+}
+
+/// Those of the bodies at these places among them.
+inline std::vector<BodyId> some_of(const std::vector<BodyId>& bodies, std::initializer_list<std::size_t> places) {
+    std::vector<BodyId> some;
+    for (const std::size_t i : places) some.push_back(bodies[i]);
+    return some;
 }
 
 } // namespace cairn::viewer::test
