@@ -350,10 +350,11 @@ double half_width_of(const SweptShape& a, const SweptShape& b) {
 }
 double end_of(const SweptShape& a, const SweptShape& b) { return std::min(a.path.until, b.path.until); }
 
-// Whether a course that ends without a meeting has none. The distance of convex shapes that move straight is a convex
-// function of time: no touch of them is missed.
+// Whether no cores meet on a course that ends without a meeting. The distance of convex shapes that move straight is a
+// convex function of time: no touch of them is missed. What turns so little that it gets nowhere deeper by it is missed
+// by no more.
 bool is_certain(const Course& course, const Mover& a, const Mover& b) {
-    return course.is_certain || (a.moves_straight() && b.moves_straight());
+    return course.is_certain || a.beside_straight() + b.beside_straight() <= sinking_part * core_depth_of(a.half_width);
 }
 
 // A ball in the middle of a shape, with that part of its smallest half width.

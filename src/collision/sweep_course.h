@@ -109,8 +109,8 @@ class Mover {
     // How far the middle is from the straight line between two of its places, at most.
     double sagitta() const { return s_.path.sagitta(reach_); }
     bool is_still() const { return speed() == 0; }
-    // Whether all of it moves at one velocity.
-    bool moves_straight() const { return turn_ * reach_ == 0 && s_.until >= 1; }
+    // How far its points are from where they were if all of it moved at one velocity, at most.
+    double beside_straight() const { return s_.until >= 1 ? turn_ * reach_ : std::numeric_limits<double>::infinity(); }
     // How far its points move about its middle, at most.
     double turning() const { return is_ball() ? 0 : turn_ * s_.geometry.bounding_radius; }
     DVec3 middle_offset() const { return s_.offset + local_middle(); } // from the center of mass, in the body's frame
