@@ -81,10 +81,10 @@ void finalize_body(Bodies& bodies, Shapes& shapes, const BroadPhase& broad_phase
     const double ahead = double(turn + dt * velocity);
     // The step's own motion is counted at the start of the next one.
     const double moved = uncounted(bodies.counted[b], motion, links.radius);
-    const double surface_moved = uncounted(bodies.counted[b], motion, turning_radius(links));
-    const bool is_fast = surface_moved > free_share * double(links.inner_radius);
+    const bool is_fast = moved > free_share * double(links.inner_radius);
     // How much farther than expected it may move: half of the margin of contacts, which both bodies of a pair share.
     const auto went_farther = [&] {
+        const double surface_moved = turns_on_the_spot(links) ? math::length(motion.x - bodies.counted[b].x) : moved;
         const double spare = 0.5 * std::min(max_margin, margin_per_extent * 2 * double(links.inner_radius));
         return is_before(bodies.ahead[b] + budget_of(spare), bodies.travel[b] + budget_of(surface_moved));
     };

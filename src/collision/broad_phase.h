@@ -194,6 +194,7 @@ class BroadPhase {
         std::vector<float> list_bounds[2];
         std::vector<std::uint32_t> row_keys, hits, islands_hit;
         RowBuffer rows = {};
+        TreeView fixed = {}, top = {};
         std::vector<MetLeaf> met;                    // of what is not awake: the first met_count
         std::vector<const std::uint32_t*> met_items; // of the first lane of each
         std::size_t met_count = 0;

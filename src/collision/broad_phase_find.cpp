@@ -99,6 +99,7 @@ void BroadPhase::search(int home, ThreadPool* thread_pool) {
     const std::uint32_t leaves = awake_[home].leaf_count();
     const auto groups = std::size_t(leaves + leaves_per_group - 1) / leaves_per_group;
     searches_.resize(thread_pool ? std::size_t(thread_pool->threads()) : 1);
+    for (Search& own : searches_) own.fixed = fixed_.view(), own.top = top_.view();
     new_rows_.resize(std::max(new_rows_.size(), groups / groups_per_chunk + 1));
     for (NewRows& rows : new_rows_) rows.leaves.clear(), rows.keys.clear(), rows.searched = 0;
     for_chunks(thread_pool, int(groups), groups_per_chunk, [&](int begin, int end, int thread) {
@@ -192,7 +193,7 @@ void BroadPhase::list_met(Search& own, const Node8& leaf, const TreeBox& bounds,
     if (tree.level_count == 0) return;
     const std::size_t first = own.met_count, room = first + tree.leaf_count;
     if (own.met.size() < room) own.met.resize(room), own.met_items.resize(room);
-    if (tree.level_count > 1)
+    if (tree.leaf_count > 1)
         own.met_count += kernels_.list_met(leaf, bounds, tree, &own.met[first]);
     else
         own.met[own.met_count++] = {tree.levels[0], 0, 255};
@@ -224,7 +225,7 @@ void BroadPhase::find_others(int home, std::uint32_t leaf, const TreeBox& bounds
     const auto push = [&](std::uint32_t row, std::uint32_t shape) {
         own.others.push_back(std::uint64_t(row) << 32 | other_key | shape);
     };
-    list_met(own, items, bounds, top_.view(), top_.items());
+    list_met(own, items, bounds, own.top, top_.items());
     for_each_met(own, items, bounds, [&](std::uint32_t row, std::uint32_t index) {
         const Island& island = islands_[index];
         if (island.shape_count == 1)
@@ -234,7 +235,7 @@ void BroadPhase::find_others(int home, std::uint32_t leaf, const TreeBox& bounds
     });
     std::sort(own.islands_hit.begin(), own.islands_hit.end());
     own.islands_hit.erase(std::unique(own.islands_hit.begin(), own.islands_hit.end()), own.islands_hit.end());
-    list_met(own, items, bounds, fixed_.view(), fixed_.items());
+    list_met(own, items, bounds, own.fixed, fixed_.items());
     for (const std::uint32_t index : own.islands_hit)
         list_met(own, items, bounds, island_view(islands_[index]), &island_shapes_[islands_[index].shape_base]);
     for_each_met(own, items, bounds, push);
