@@ -338,11 +338,32 @@ bool may_meet_on_the_way(const Mover& a, const Mover& b, double within) {
     return dot(nearest, nearest) <= reach * reach;
 }
 
+// Whether a ball stays beside a box: its middle goes straight, as the box sees it, past the planes of its faces, with
+// what the two may be beside their lines.
+bool passes_box(const Mover& ball, const Mover& box, double within) {
+    const Geometry& g = box.shape().geometry;
+    if (!ball.is_ball() || g.type != ShapeType::box || ball.until() < 1 || box.until() < 1) return false;
+    const DQuat to_box = math::conjugate(box.first_rotation());
+    const DVec3 first = math::rotate(to_box, ball.start - box.start), last = math::rotate(to_box, ball.end - box.end);
+    const double reach = ball.bounding_radius() + g.rounding + ball.sagitta() + box.sagitta() + box.turning() + within +
+                         touch_tolerance(ball.half_width);
+    double enters = 0, leaves = 1;
+    for (int i = 0; i < 3; ++i) {
+        const double limit = g.size[i] + reach, way = last[i] - first[i];
+        if (std::fabs(first[i]) > limit && std::fabs(last[i]) > limit && first[i] * last[i] > 0) return true;
+        if (way == 0) continue;
+        const double one = (-limit - first[i]) / way, other = (limit - first[i]) / way;
+        enters = std::max(enters, std::min(one, other)), leaves = std::min(leaves, std::max(one, other));
+    }
+    return enters > leaves;
+}
+
 Course course_of(const Mover& a, const Mover& b, Span span, const Asked& asked) {
     const ShapeType type = b.shape().geometry.type;
     if (type == ShapeType::plane) return course_at_plane(a, b, span, asked);
     if (type == ShapeType::mesh || type == ShapeType::height_field) return course_at_triangles(a, b, span, asked);
     if (!is_strip(b.shape().geometry) && !may_meet_on_the_way(a, b, asked.within)) return surely_apart;
+    if (passes_box(a, b, asked.within) || passes_box(b, a, asked.within)) return surely_apart;
     return course_of_convexes(a, b, span, asked);
 }
 double half_width_of(const SweptShape& a, const SweptShape& b) {

@@ -73,6 +73,7 @@ class Mover {
     double until() const { return s_.until; }
     const SweptShape& shape() const { return s_; }
     RigidPath::Pose body_at(double time) const { return time == from_ ? first_ : time == to_ ? last_ : pose_at(time); }
+    DQuat first_rotation() const { return rotation_at(first_); }
     DQuat rotation_at(const RigidPath::Pose& pose) const {
         return s_.geometry.is_turned ? pose.q * math::to_double(s_.geometry.rotation) : pose.q;
     }
