@@ -230,9 +230,10 @@ TEST(Fast, BallsThatSlideAlongBoxesDoNotStandStill) {
     EXPECT_LE(stopped, 9u);
 }
 
-// A turn about its center brings the surface of a ball nowhere: one that spins is where it was expected, and no more
-// is looked at beside its way than if it did not.
-TEST(Fast, ABallThatSpinsIsNotLookedForAnew) {
+// A turn about its center brings the surface of a ball nowhere: one that spins and slides on the ground is deflected by
+// nothing that it passes, as it was where it turned by more than half a turn in a step; and no more is looked at beside
+// its way than if it did not spin.
+TEST(Fast, ABallThatSpinsPassesByAsIfItDidNot) {
     Material smooth;
     smooth.static_friction = smooth.dynamic_friction = smooth.torsional_friction = 0;
     const auto make = [&](World& world, float spin) {
