@@ -342,9 +342,10 @@ bool may_meet_on_the_way(const Mover& a, const Mover& b, double within) {
 // what the two may be beside their lines.
 bool passes_box(const Mover& ball, const Mover& box, double within) {
     const Geometry& g = box.shape().geometry;
-    if (!ball.is_ball() || g.type != ShapeType::box || ball.until() < 1 || box.until() < 1) return false;
-    const DQuat to_box = math::conjugate(box.first_rotation());
-    const DVec3 first = math::rotate(to_box, ball.start - box.start), last = math::rotate(to_box, ball.end - box.end);
+    if (g.type != ShapeType::box || ball.until() < 1 || box.until() < 1) return false;
+    const DMat3 axes = math::to_matrix(box.first_rotation());
+    const auto seen = [&](DVec3 d) { return DVec3{dot(axes.c0, d), dot(axes.c1, d), dot(axes.c2, d)}; };
+    const DVec3 first = seen(ball.start - box.start), last = seen(ball.end - box.end);
     const double reach = ball.bounding_radius() + g.rounding + ball.sagitta() + box.sagitta() + box.turning() + within +
                          touch_tolerance(ball.half_width);
     double enters = 0, leaves = 1;
@@ -363,7 +364,8 @@ Course course_of(const Mover& a, const Mover& b, Span span, const Asked& asked) 
     if (type == ShapeType::plane) return course_at_plane(a, b, span, asked);
     if (type == ShapeType::mesh || type == ShapeType::height_field) return course_at_triangles(a, b, span, asked);
     if (!is_strip(b.shape().geometry) && !may_meet_on_the_way(a, b, asked.within)) return surely_apart;
-    if (passes_box(a, b, asked.within) || passes_box(b, a, asked.within)) return surely_apart;
+    if (a.is_ball() && passes_box(a, b, asked.within)) return surely_apart;
+    if (b.is_ball() && passes_box(b, a, asked.within)) return surely_apart;
     return course_of_convexes(a, b, span, asked);
 }
 double half_width_of(const SweptShape& a, const SweptShape& b) {
