@@ -35,8 +35,6 @@ class Panel {
     void draw_time(const StageState& state, Controller& controller);
     void draw_scenes(const StageState& state, Controller& controller);
     void draw_settings(Controller& controller);
-    void draw_solver_parts(const StageState& state, Controller& controller);
-    void draw_tree_choice(const StageState& state, Controller& controller, SolverShown& shown);
     void draw_view(const StageState& state, Controller& controller);
     void draw_spawn_tool(Controller& controller);
     void draw_statistics(const StageState& state, const WindowFacts& facts);

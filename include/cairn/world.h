@@ -228,6 +228,9 @@ class World {
     /// scene is slow: those of least depth first, and no more than `max_count`. Both >= 0.
     std::vector<BroadPhaseNode> broad_phase_nodes(int max_depth, int max_count) const;
 
+    /// How each touching pair of shapes is solved, in the order of `contacts()`.
+    std::vector<SolverContact> solver_contacts() const;
+
     // --- bulk reads, for renderers and bindings
     /// Writes the transform of each body of `ids`; `out` must have the same size.
     void read_transforms(std::span<const BodyId> ids, std::span<Transform> out) const;

@@ -350,6 +350,9 @@ class World:
         wrong_state.
         """
     @property
+    def solver_contacts(self) -> list[SolverContact]:
+        """How each touching pair of shapes is solved, in the order of `world_get_contacts`."""
+    @property
     def contact_begins(self) -> list[ContactBegin]:
         """Shapes that began to touch in the last step."""
     @property

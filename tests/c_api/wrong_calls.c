@@ -1266,6 +1266,19 @@ static cairn_result world_broad_phase_nodes(const struct wrong_context* c, int w
     return cairn_world_broad_phase_nodes(world, max_depth, max_count, result, capacity, count);
 }
 
+static cairn_result world_solver_contacts(const struct wrong_context* c, int wrong) {
+    cairn_world* world = c->world;
+    if (wrong == 0) { world = NULL; }
+    cairn_solver_contact result_room[4];
+    cairn_solver_contact* result = result_room;
+    if (wrong == 1) { result = NULL; }
+    size_t capacity = 4;
+    size_t count_room[4];
+    size_t* count = count_room;
+    if (wrong == 2) { count = NULL; }
+    return cairn_world_solver_contacts(world, result, capacity, count);
+}
+
 static cairn_result world_get_contact_begins(const struct wrong_context* c, int wrong) {
     cairn_world* world = c->world;
     if (wrong == 0) { world = NULL; }
@@ -2192,6 +2205,9 @@ const struct wrong_call wrong_calls[] = {
     {"world_broad_phase_nodes", "world is null", world_broad_phase_nodes, 0, CAIRN_ERROR_INVALID_HANDLE},
     {"world_broad_phase_nodes", "result is null", world_broad_phase_nodes, 1, CAIRN_ERROR_INVALID_VALUE},
     {"world_broad_phase_nodes", "count is null", world_broad_phase_nodes, 2, CAIRN_ERROR_INVALID_VALUE},
+    {"world_solver_contacts", "world is null", world_solver_contacts, 0, CAIRN_ERROR_INVALID_HANDLE},
+    {"world_solver_contacts", "result is null", world_solver_contacts, 1, CAIRN_ERROR_INVALID_VALUE},
+    {"world_solver_contacts", "count is null", world_solver_contacts, 2, CAIRN_ERROR_INVALID_VALUE},
     {"world_get_contact_begins", "world is null", world_get_contact_begins, 0, CAIRN_ERROR_INVALID_HANDLE},
     {"world_get_contact_begins", "contact_begins is null", world_get_contact_begins, 1, CAIRN_ERROR_INVALID_VALUE},
     {"world_get_contact_begins", "count is null", world_get_contact_begins, 2, CAIRN_ERROR_INVALID_VALUE},

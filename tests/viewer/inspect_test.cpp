@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 namespace {
 
@@ -227,6 +228,35 @@ TEST(SolverView, TheTreeIsDrawnDownToADepthAndOfOneBodyTheWayToIt) {
     EXPECT_EQ(frame.strokes.size(), 4u * 12u);
     EXPECT_EQ(frame.strokes.front().color, tree_color(0));
     EXPECT_EQ(frame.strokes.back().color, tree_color(3));
+}
+
+TEST(SolverView, ContactsHaveTheColorsAndSubstepsInWhichTheyAreSolved) {
+    LoadedScene scene = test::boxes_on_plane(1);
+    for (int i = 1; i < 8; ++i)
+        scene.world.add_shape(scene.world.create_body(test::body_at({0.0, 0.5 + i, 0.0})), Box{});
+    for (int i = 0; i < 10; ++i) scene.world.step(1.0f / 60.0f);
+    SolverShown shown;
+    shown.colors = true;
+    auto view = read_solver(scene.world, shown, 1.0 / 60.0);
+    ASSERT_EQ(view->solved.size(), 8u);
+    RenderFrame frame;
+    frame.camera = scene.camera;
+    draw_solver(frame, *view);
+    ASSERT_EQ(frame.strokes.size(), 8u + 7u * 2u + 1u) << "a dot each, and a line to each center but the ground's";
+    EXPECT_EQ(frame.strokes[0].color, contact_color(view->solved[0].color));
+    EXPECT_EQ(read_solver(scene.world, shown, 1.0 / 60.0, scene.world.bodies().back())->solved.size(), 1u);
+    shown.colors = false;
+    shown.substeps = true;
+    view = read_solver(scene.world, shown, 1.0 / 60.0);
+    draw_solver(frame = {}, *view);
+    EXPECT_EQ(view->solved[0].substeps, scene.world.statistics().max_substeps);
+    EXPECT_EQ(frame.strokes[0].color, substep_color(view->solved[0].substeps));
+}
+
+TEST(SolverView, EachPartHasAPageOfTheDocumentation) {
+    for (const SolverPart& part : solver_parts())
+        EXPECT_TRUE(std::filesystem::is_regular_file(std::string(CAIRN_TEST_SCENES "/../docs/") + part.page))
+            << part.name;
 }
 
 TEST(SolverView, TheStageShowsIt) {

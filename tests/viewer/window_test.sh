@@ -49,6 +49,12 @@ cat >"$folder/scene.gltf" <<'GLTF'
     "motion": {"mass": 500}, "collider": {"geometry": {"shape": 1}}}}}]}
 GLTF
 
+# What the desktop opens pages with: notes which.
+mkdir "$folder/bin"
+printf '#!/bin/sh\necho "$1" >%s/opened\n' "$folder" >"$folder/bin/xdg-open"
+chmod +x "$folder/bin/xdg-open"
+PATH=$folder/bin:$PATH
+
 # The viewer writes its state to a file whenever a script line says so: ask ten times a second.
 for _ in $(seq 2000); do printf 'wait 0.1\nreport %s/state.json\n' "$folder"; done >"$folder/script"
 cd "$folder" || exit 1 # where files are saved

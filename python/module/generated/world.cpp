@@ -214,6 +214,11 @@ void add_world_calls(py::class_<PyWorld, std::shared_ptr<PyWorld>>& c) {
         "list[BroadPhaseNode]\n\nThe boxes of the broad phase as they stand, down to that depth, for pictures and for "
             "who wants to know why a scene is slow: those of least depth first, and no more than `max_count`. Both >= "
                 "0.");
+    c.def_property_readonly("solver_contacts", [](PyWorld& w) {
+        const auto answer = w.use("World.solver_contacts").solver_contacts();
+        return write(answer);
+    },
+        "How each touching pair of shapes is solved, in the order of `world_get_contacts`.");
     c.def_property_readonly("contact_begins", [](PyWorld& w) {
         const auto answer = w.use("World.contact_begins").contact_begins();
         return write(answer);

@@ -339,6 +339,15 @@ export class WorldCalls {
         }
     }
 
+    get solverContacts() {
+        const mark = enter();
+        try {
+            return listOf(40, (list, capacity, count) => M._cairn_world_solver_contacts(use(this), list, capacity, count), (at) => values.getSolverContact(at));
+        } finally {
+            leave(mark);
+        }
+    }
+
     get contactBegins() {
         const mark = enter();
         try {
