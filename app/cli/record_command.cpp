@@ -24,6 +24,14 @@ std::uint64_t steps_to_record(const RecordOptions& options, double time_step) {
     return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(steps));
 }
 
+recording::Readings readings_of(const std::vector<std::string>& names) {
+    const auto has = [&](const char* name) {
+        return std::any_of(names.begin(), names.end(),
+                           [&](const std::string& given) { return given == name || given == "all"; });
+    };
+    return {has("poses"), has("contacts"), has("joints"), has("statistics"), has("events")};
+}
+
 } // namespace
 
 int record_command(const RecordOptions& options) {
@@ -34,6 +42,8 @@ int record_command(const RecordOptions& options) {
     recording::RecorderOptions how;
     how.compress = options.compress;
     how.keyframe_budget = static_cast<std::size_t>(options.keyframes * 1e6);
+    how.readings = readings_of(options.readings);
+    if (options.readings_rate) how.readings_interval = 1.0 / *options.readings_rate;
     how.source = path.filename().generic_string();
     const InterruptGuard interrupt; // until all is written
     recording::Recorder recorder(options.output, how);
