@@ -35,6 +35,11 @@ void Inspector::draw_identity(const BodyFacts& facts, Controller& controller) {
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip(
             "static: never moves; kinematic: moves as it is told, and nothing pushes it; dynamic: by forces");
+    bool is_trigger = facts.is_trigger;
+    if (ImGui::Checkbox("trigger", &is_trigger))
+        controller.post(command::EditBody{facts.id, edit::Trigger{is_trigger}});
+    note_place(controller, "inspector.trigger");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("touches nothing, and reports what comes in and leaves");
     if (facts.type != BodyType::dynamic) return;
     if (ImGui::SliderFloat("mass", &edited_.mass.mass, 0.01f, 1e5f, "%.4g kg", ImGuiSliderFlags_Logarithmic) &&
         edited_.mass.mass > 0.0f)

@@ -351,6 +351,7 @@ void Panel::draw(const StageState& state, Controller& controller, const WindowFa
         draw_solver_section(state, controller);
         draw_statistics(state, facts);
         joints_.draw(state, controller);
+        fields_.draw(state, controller);
         draw_settings(controller);
         draw_spawn_tool(controller);
         ImGui::PopItemWidth();

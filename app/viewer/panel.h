@@ -4,6 +4,7 @@
 
 #include "viewer/command_palette.h"
 #include "viewer/controller.h"
+#include "viewer/field_panel.h"
 #include "viewer/impact_window.h"
 #include "viewer/inspector.h"
 #include "viewer/integrator_window.h"
@@ -41,6 +42,7 @@ class Panel {
 
     WorldDef settings_; // as edited; follows the world while nothing is being edited
     JointPanel joints_;
+    FieldPanel fields_;
     TimelineBar timeline_;
     IntegratorWindow integrators_;
     PlotWindow plots_;

@@ -306,7 +306,7 @@ Vec3 contact_color(int color) {
                                   linear_color(0xc0507a), linear_color(0xf2e25a), linear_color(0x7a5cc8),
                                   linear_color(0xa8d850), linear_color(0xd05838), linear_color(0x9cc8f0),
                                   linear_color(0x2f8a5a)};
-    return color < 0 ? linear_color(0xf0f0f0) : colors[std::size_t(color) % std::size(colors)];
+    return color < 0 ? linear_color(0xf0f0f0) : colors[std::size_t(color + color / 8) % std::size(colors)];
 }
 
 Vec3 substep_color(int substeps) {

@@ -337,7 +337,7 @@ void Application::save_what_was_asked_for() {
     if (const std::string page = std::exchange(controller_.page, {}); !page.empty())
         say(open_page(options_.docs, page));
     if (std::exchange(controller_.save_recording, false))
-        physics_.post(command::SaveRecording{new_file(".mcap").string()});
+        physics_.post(command::SaveRecording{new_file(".mcap").string(), 30.0, controller_.camera.pose()});
     if (std::exchange(controller_.save_scene, false))
         physics_.post(command::SaveScene{new_file(".gltf").string(), controller_.camera.pose()});
     std::string saved;

@@ -180,6 +180,8 @@ class World {
     void set_force_field(ForceFieldId id, const ForceField& field);
     void remove_force_field(ForceFieldId id);
     bool is_valid(ForceFieldId id) const noexcept;
+    const ForceField& force_field(ForceFieldId id) const;
+    std::vector<ForceFieldId> force_fields() const; ///< All, in order of slot index.
 
     // --- time
     /// Advances by `dt` seconds (> 0, finite). The same dt every time gives the best results.

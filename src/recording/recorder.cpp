@@ -114,6 +114,11 @@ class Recorder::Listener final : public CommandListener {
         return number;
     }
 
+    void note(const std::string& name, const std::map<std::string, std::string>& values) {
+        if (name == "cairn") throw Error(ErrorCode::invalid_value, "Recorder::note name", name, "is taken");
+        if (file_) file_->metadata(name, values);
+    }
+
     void close() {
         if (!file_) return;
         try {
@@ -203,6 +208,9 @@ Recorder::~Recorder() {
 }
 
 std::shared_ptr<CommandListener> Recorder::listener() const { return listener_; }
+void Recorder::note(const std::string& name, const std::map<std::string, std::string>& values) {
+    listener_->note(name, values);
+}
 void Recorder::close() { listener_->close(); }
 std::uint64_t Recorder::steps() const { return listener_->steps(); }
 

@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 
@@ -60,6 +61,10 @@ class Recorder {
     /// Where the file cannot be written, the call that changes the world throws `Error` (io) and changes nothing; the
     /// file then ends with what was written before, and later calls are not recorded.
     std::shared_ptr<CommandListener> listener() const;
+
+    /// Notes something about the recording under a name other than "cairn", for `Recording::note`. Throws `Error`: io,
+    /// invalid_value for that name. Nothing after `close`.
+    void note(const std::string& name, const std::map<std::string, std::string>& values);
 
     /// Ends the file. What is done later is not recorded. Throws `Error` (io). A second call does nothing.
     void close();

@@ -136,6 +136,54 @@ TEST(Inspect, TheSceneIsSavedAsItStandsWithoutTheMouse) {
     EXPECT_EQ(saved.appearances.size(), 1u);
 }
 
+TEST(Inspect, ATriggerLetsBodiesThroughAndIsUndone) {
+    Stage stage(test::load_boxes, "2");
+    select_first(stage);
+    const BodyId body = facts_of(stage).id;
+    stage.apply(command::EditBody{body, edit::Type{BodyType::static_}});
+    EXPECT_FALSE(facts_of(stage).is_trigger);
+    stage.apply(command::EditBody{body, edit::Trigger{true}});
+    EXPECT_TRUE(facts_of(stage).is_trigger);
+    SpawnSettings ball;
+    ball.kind = SpawnSettings::Kind::sphere;
+    ball.size = 0.4f;
+    stage.apply(command::Spawn{ball, {0.0, 3.0, 0.0}});
+    for (int i = 0; i < 120; ++i) stage.step();
+    const Position fallen = stage.world().body(stage.world().bodies().back()).position();
+    EXPECT_LT(fallen.y, 0.5) << "through the box, onto the ground";
+    while (stage.state().timeline.undoable) stage.apply(command::Undo{});
+    EXPECT_FALSE(stage.world().shape_def(stage.world().body(body).shapes().front()).is_trigger);
+}
+
+TEST(Inspect, ForceFieldsAreAddedChangedRemovedAndUndone) {
+    Stage stage(test::load_boxes, "1");
+    const BodyId box = stage.world().bodies().back();
+    ForceField wind;
+    wind.direction = Vec3(9.0f, 0.0f, 0.0f); // more than friction bears
+    stage.apply(command::AddField{wind});
+    ASSERT_EQ(stage.state().fields.size(), 1u);
+    const ForceFieldId id = stage.state().fields[0].first;
+    for (int i = 0; i < 30; ++i) stage.step();
+    const double blown = stage.world().body(box).position().x;
+    EXPECT_GT(blown, 0.1);
+    stage.apply(command::SetForce{{0.0f, 1.0f, 0.0f}});
+    EXPECT_EQ(stage.state().fields.size(), 1u) << "a held key is none of the scene's";
+    stage.apply(command::SetForce{});
+    wind.direction = Vec3(-20.0f, 0.0f, 0.0f);
+    stage.apply(command::SetField{id, wind});
+    EXPECT_EQ(stage.state().fields[0].second.direction.x, -20.0f);
+    for (int i = 0; i < 60; ++i) stage.step();
+    EXPECT_LT(stage.world().body(box).position().x, blown);
+    stage.apply(command::RemoveField{id});
+    EXPECT_TRUE(stage.state().fields.empty());
+    EXPECT_EQ(stage.state().timeline.undoable, "remove a force field");
+    stage.apply(command::Undo{});
+    ASSERT_EQ(stage.state().fields.size(), 1u);
+    EXPECT_EQ(stage.state().fields[0].second.direction.x, -20.0f);
+    while (stage.state().timeline.undoable) stage.apply(command::Undo{});
+    EXPECT_TRUE(stage.state().fields.empty());
+}
+
 TEST(SolverView, IsReadOnlyWhereItIsAskedFor) {
     LoadedScene scene = test::boxes_on_plane(2);
     EXPECT_EQ(read_solver(scene.world, {}, 1.0 / 60.0), nullptr);

@@ -114,8 +114,22 @@ done >"$folder/script"
 grep -q '"title": "run.mcap"' "$folder/recording.json" && grep -q '"now": 120' "$folder/recording.json" &&
     grep -q '"first_different": null' "$folder/recording.json" && grep -q '"paused": true' "$folder/recording.json" ||
     { echo "FAILED  a dropped recording must be played to its end"; cat "$folder/recording.json"; exit 1; }
+# Of a recording the picture is that of its scene: it was framed anew, and in other colors.
+python3 - "$folder/recording.json" <<'PYTHON' || { echo "FAILED  a recording has the camera of its scene"; exit 1; }
+import json, sys
+assert json.load(open(sys.argv[1]))["camera"]["position"] == [0, 2, 8]
+PYTHON
 grep -q '"title": "run.mcap"' "$folder/broken.json" && grep -q '"notice": ".*broken.gltf' "$folder/broken.json" ||
     { echo "FAILED  a broken file must leave the scene and a message"; cat "$folder/broken.json"; exit 1; }
+# What acts in the scene is saved with it.
+sed 's/"camera"/"force_fields": [{"kind": "uniform", "direction": [0, 0, 1]}], "camera"/' "$folder/scene.gltf" \
+    >"$folder/windy.gltf"
+mkdir "$folder/saved" && cd "$folder/saved" || exit 1
+printf 'wait 0.5\nkey Ctrl+S\nwait 1\nquit\n' >"$folder/script"
+"$cairn" view "$folder/windy.gltf" --width 400 --height 300 --script "$folder/script" --exit-after 60 &&
+    grep -q '"force_fields"' ./*.gltf || { echo "FAILED  a force field is lost when the scene is saved"; exit 1; }
+cd "$folder" || exit 1
+echo "ok      force fields are saved with a scene"
 for opened in other.json:'Another box' last.json:ramp; do
     grep -q "\"title\": \"${opened#*:}\"" "$folder/${opened%%:*}" ||
         { echo "FAILED  a dropped scene must be opened"; cat "$folder/${opened%%:*}"; exit 1; }

@@ -1260,6 +1260,10 @@ export class World {
     setForceField(id: ForceFieldId | null, field: ForceField): void;
     /** Takes a field out of the world. Throws invalidHandle, wrongState. */
     removeForceField(id: ForceFieldId | null): void;
+    /** A field, as it is now. Throws invalidHandle, wrongState. */
+    forceField(id: ForceFieldId | null): Complete<ForceField>;
+    /** All, in order of slot index. */
+    get forceFields(): ForceFieldId[];
     /** Steps since the world was made. */
     get stepCount(): bigint;
     /** Simulated seconds. */

@@ -292,6 +292,16 @@ void add_world_calls(py::class_<PyWorld, std::shared_ptr<PyWorld>>& c) {
         w.use("World.remove_force_field").remove_force_field(id);
         w.update();
     }, py::arg("id"), "remove_force_field(id: ForceFieldId) -> None\n\nTakes a field out of the world.");
+    c.def("force_field", [](PyWorld& w, py::object o_id) {
+        const auto id = take<ForceFieldId>(o_id, "id");
+        const auto answer = w.use("World.force_field").force_field(id);
+        return write(answer);
+    }, py::arg("id"), "force_field(id: ForceFieldId) -> ForceField\n\nA field, as it is now.");
+    c.def_property_readonly("force_fields", [](PyWorld& w) {
+        const auto answer = w.use("World.force_fields").force_fields();
+        return write(answer);
+    },
+        "All, in order of slot index.");
     c.def_property_readonly("step_count", [](PyWorld& w) {
         const auto answer = w.use("World.step_count").step_count();
         return write(answer);

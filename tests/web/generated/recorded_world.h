@@ -218,6 +218,8 @@ class RecordedWorld : public Recording {
         world_.remove_force_field(id);
         note("world.removeForceField(" + js(id) + ")" + ";");
     }
+    auto force_field(ForceFieldId id) const { return world_.force_field(id); }
+    auto force_fields() const { return world_.force_fields(); }
     auto step_count() const { return world_.step_count(); }
     auto time() const { return world_.time(); }
     auto kinetic_energy() const { return world_.kinetic_energy(); }

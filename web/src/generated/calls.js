@@ -493,6 +493,28 @@ export class WorldCalls {
         }
     }
 
+    forceField(id) {
+        const mark = enter();
+        try {
+            const $id = handleOf(id, 'id');
+            const out = room(64);
+            M._cairn_default_force_field(out);
+            check(M._cairn_world_get_force_field(use(this), $id[0], $id[1], out));
+            return values.getForceField(out);
+        } finally {
+            leave(mark);
+        }
+    }
+
+    get forceFields() {
+        const mark = enter();
+        try {
+            return listOf(8, (list, capacity, count) => M._cairn_world_get_force_fields(use(this), list, capacity, count), (at) => fields.getU64(at));
+        } finally {
+            leave(mark);
+        }
+    }
+
     get stepCount() {
         const mark = enter();
         try {
