@@ -21,7 +21,11 @@ test('an orthographic camera of a glTF file shows as much as it says', () => {
     const half = Math.SQRT1_2; // of a quarter turn about y: it looks along -x
     const found = cameraOf({
         scenes: [{ nodes: [0] }],
-        nodes: [{ translation: [1, 2, 0], children: [1, 2] }, {}, { rotation: [0, half, 0, half], translation: [6, 0, 0], camera: 0 }],
+        nodes: [
+            { translation: [1, 2, 0], children: [1, 2] },
+            {},
+            { rotation: [0, half, 0, half], translation: [6, 0, 0], camera: 0 },
+        ],
         cameras: [{ type: 'orthographic', orthographic: { xmag: 4, ymag: 3, znear: 0.1, zfar: 100 } }],
     });
     near(found.position, [7, 2, 0]);
