@@ -80,6 +80,7 @@ Json timeline_json(const TimelineState& timeline, const WindowFacts& facts) {
     }
     json["marks"] = marks;
     json["compared"] = timeline.verdict.compared;
+    json["hashes"] = {timeline.verdict.here, timeline.verdict.there};
     json["first_different"] = timeline.verdict.first_different ? Json(*timeline.verdict.first_different) : Json();
     json["bar"] = {facts.bar_left, facts.bar_right, facts.bar_middle};
     return json;
