@@ -134,29 +134,6 @@ float contact_radius(const Shapes& shapes, std::uint32_t shape, math::Vec3 norma
     return std::fabs(along) < steepest ? mean + g.rounding + 0.5f * separation : around;
 }
 
-// A record of the touch: as if the step began there. Rotations count from the start of the step all the same, as in
-// refresh_separations, and what they have done to the anchors up to the touch is taken off.
-void move_to_touch(const Bodies& bodies, const ContactInfo& c, const Touch& touch, ContactRecord& r) {
-    const BodyMotion &motion_a = bodies.motion[c.body_a], &motion_b = bodies.motion[c.body_b];
-    const math::DVec3 passed = touch.moved_a - touch.moved_b, d = (motion_a.x - motion_b.x) + passed;
-    put(r.center_offset, math::to_float(d));
-    const math::DVec3 n = math::to_double(to_vec(r.normal));
-    const math::DVec3 round_a = double(r.radius_a) * n, round_b = double(r.radius_b) * n;
-    for (int i = 0; i < c.point_count; ++i) {
-        const math::DVec3 arm = math::to_double(to_vec(point_of(r, i)));
-        const math::DVec3 a = arm - round_a, b = arm + d + round_b;
-        const math::DVec3 turned_a = math::rotate(touch.turned_a, a) - a,
-                          turned_b = math::rotate(touch.turned_b, b) - b;
-        point_of(r, i)[3] -= float(math::dot(n, turned_b - turned_a));
-    }
-    // The solver finds how far they pass each other up to there by their velocities; along the normal it is exact, with
-    // what gravity adds.
-    const double along = math::dot(n, passed), speed = math::dot(n, math::to_double(motion_a.v - motion_b.v));
-    r.touch_time = touch.time;
-    if (const double time = along / speed; time > 0.5 * double(touch.time) && time < 2 * double(touch.time))
-        r.touch_time = float(time);
-}
-
 } // namespace
 
 void forget_impulses(ContactRecord& r, int count) {
@@ -174,15 +151,9 @@ float min_separation(const ContactInfo& c, const ContactRecord& r) {
     return least;
 }
 
-void write_record(const Bodies& bodies, const Shapes& shapes, ContactInfo& c, ContactRecord& r, const Manifold& m,
-                  const Touch* touch) {
-    math::Vec3 normal = to_vec(m.normal), offset = touch ? touch->arm_a : shapes.links[c.shape_a].arm;
-    if (c.flipped) {
-        const ShapePose& a = touch ? touch->pose_a : shapes.poses[c.shape_a];
-        const ShapePose& b = touch ? touch->pose_b : shapes.poses[c.shape_b];
-        offset = offset - ((to_vec(a.high) - to_vec(b.high)) + (to_vec(a.low) - to_vec(b.low)));
-        normal = -normal;
-    }
+void write_record(const Shapes& shapes, ContactInfo& c, ContactRecord& r, const Manifold& m, const Moment& at) {
+    const math::Vec3 normal = c.flipped ? -to_vec(m.normal) : to_vec(m.normal);
+    const math::Vec3 offset = c.flipped ? at.arm - at.x_a_from_b : at.arm;
     Float4 points[4];
     const int kept = m.count == 1 ? 1 : 4;
     for (int i = 0; i < kept; ++i)
@@ -191,15 +162,14 @@ void write_record(const Bodies& bodies, const Shapes& shapes, ContactInfo& c, Co
     OldPoints old;
     if (!stay) old = old_points(r, c.point_count);
     put(r.normal, normal);
-    put(r.center_offset, math::to_float(bodies.motion[c.body_a].x - bodies.motion[c.body_b].x));
+    put(r.center_offset, at.x_a_from_b);
     for (int i = 0; i < kept; ++i) store4(point_of(r, i), points[i]);
     if (may_be_round(c.kind)) {
         r.radius_a = contact_radius(shapes, c.shape_a, normal, m.points[0][3]);
         r.radius_b = contact_radius(shapes, c.shape_b, normal, m.points[0][3]);
     }
     c.point_count = std::uint8_t(m.count);
-    r.touch_time = 0;
-    if (touch) move_to_touch(bodies, c, *touch, r);
+    r.touch_time = at.time;
     r.features = packed_features(m);
     if (stay) return;
     forget_impulses(r, m.count);

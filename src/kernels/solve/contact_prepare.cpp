@@ -74,6 +74,35 @@ CAIRN_INLINE void gather_field(const ContactRecord* const* record, std::size_t o
     gather4(p, x, y, z, w);
 }
 
+// How contacts are at the start of the step that were found at another moment of it: by the velocities of the start, as
+// in refresh_separations.
+struct Before {
+    Vec3x8 passed;     // how far A passes B up to that moment
+    Vec3x8 difference; // times the arm of a point, and
+    f32x8 apart;       // how much farther apart the points are
+};
+// R(u) n - n, of a rotation vector of up to some radians: u x n sin(x) / x + u x (u x n) (1 - cos(x)) / x^2, x = |u|.
+CAIRN_INLINE Vec3x8 turned_difference(Vec3x8 u, Vec3x8 n) {
+    const f32x8 x2 = dot(u, u);
+    const f32x8 sine = one() - x2 * (splat(1.0f / 6) - x2 * (splat(1.0f / 120) - x2 * splat(1.0f / 5040)));
+    const f32x8 cosine = splat(0.5f) - x2 * (splat(1.0f / 24) - x2 * (splat(1.0f / 720) - x2 * splat(1.0f / 40320)));
+    const Vec3x8 g = cross(u, n);
+    return sine * g + cosine * cross(u, g);
+}
+CAIRN_INLINE Before before(f32x8 found, const std::int32_t* row_a, const std::int32_t* row_b,
+                           const SolverVelocity* velocity, Vec3x8 normal, Vec3x8 d, f32x8 radius_a, f32x8 radius_b) {
+    if (!any(found > zero())) return {zero3(), zero3(), zero()};
+    std::uint32_t row[2][8];
+    for (int i = 0; i < 8; ++i)
+        row[0][i] = std::uint32_t(row_a[i]) * row_bytes, row[1][i] = std::uint32_t(row_b[i]) * row_bytes;
+    const Velocityx8 a = gather_velocity(velocity, row[0]), b = gather_velocity(velocity, row[1]);
+    const Vec3x8 delta_a = turned_difference(found * a.w, normal), delta_b = turned_difference(found * b.w, normal);
+    const Vec3x8 passed = found * (a.v - b.v);
+    return {passed, delta_b - delta_a,
+            dot(passed, normal) + dot(delta_b, d) +
+                (radius_a * dot(delta_a, normal) + radius_b * dot(delta_b, normal))};
+}
+
 // The matrix K of the points' normal velocities. `j`: arms for A.
 template <int N>
 CAIRN_INLINE void couple_points(ContactBlock<N>& block, const Vec3x8* j, const mask8* used, Vec3x8 c,
@@ -96,17 +125,16 @@ CAIRN_INLINE void couple_points(ContactBlock<N>& block, const Vec3x8* j, const m
 }
 
 // Normal rows: arms, the matrix K of the points' normal velocities, and the friction center: the middle of the points.
-// `ahead`: how much farther apart they are at the start of the step than at the touch.
 template <int N>
 CAIRN_INLINE Vec3x8 prepare_points(ContactBlock<N>& block, const ContactRecord* const* record, Vec3x8 normal, Vec3x8 c,
-                                   f32x8 ahead, const Inertiax8& a, const Inertiax8& b) {
+                                   const Before& before, const Inertiax8& a, const Inertiax8& b) {
     Vec3x8 r[N], j[N], sum = zero3();
     mask8 used[N];
     f32x8 points = zero();
     for (int i = 0; i < N; ++i) {
         f32x8 s;
         gather_field(record, point_offset(i), r[i].x, r[i].y, r[i].z, s);
-        s += ahead;
+        s += before.apart + dot(before.difference, r[i]);
         used[i] = s < splat(unused_separation);
         if constexpr (N > 1) {
             const f32x8 weight = select(used[i], one(), zero());
@@ -225,15 +253,6 @@ template <int N> CAIRN_INLINE void store_inertia(ContactBlock<N>& block, const S
     }
 }
 
-// How far A passes B from the start of the step up to the touch.
-CAIRN_INLINE Vec3x8 passed_at_touch(f32x8 touch_time, const std::int32_t* row_a, const std::int32_t* row_b,
-                                    const SolverVelocity* velocity) {
-    if (!any(touch_time > zero())) return zero3();
-    std::uint32_t a[8], b[8];
-    for (int i = 0; i < 8; ++i) a[i] = std::uint32_t(row_a[i]) * row_bytes, b[i] = std::uint32_t(row_b[i]) * row_bytes;
-    return touch_time * (gather_velocity(velocity, a).v - gather_velocity(velocity, b).v);
-}
-
 template <int N>
 CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids, const std::int32_t* row_a,
                                 const std::int32_t* row_b, const ContactRecord* records, const SolverInertia* inertia,
@@ -269,17 +288,19 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
     store(block.rolling_radius, rolling_radius);
     block.rolls = any(rolling_radius > zero());
     store(block.torsion_radius, torsion_radius);
-    f32x8 radius_a, radius_b, touch_time;
-    gather_field(record, offsetof(ContactRecord, radius_a), radius_a, radius_b, unused, touch_time);
+    f32x8 radius_a, radius_b, found;
+    gather_field(record, offsetof(ContactRecord, radius_a), radius_a, radius_b, unused, found);
+    store(block.found, found);
     store(block.radius_a, radius_a);
     store(block.radius_b, radius_b);
     block.round = any((radius_a > zero()) | (radius_b > zero()));
 
-    const Vec3x8 passed = passed_at_touch(touch_time, row_a, row_b, velocity), d0 = d - passed;
+    const Before start = before(found, row_a, row_b, velocity, normal, d, radius_a, radius_b);
+    const Vec3x8 d0 = d - start.passed;
     store3(block.d0, d0);
     store3(block.d, d0);
     store3(block.d_touch, d);
-    const Vec3x8 center = prepare_points<N>(block, record, normal, cross(d, normal), dot(passed, normal), a, b);
+    const Vec3x8 center = prepare_points<N>(block, record, normal, cross(d, normal), start, a, b);
     prepare_friction<N>(block, record, normal, d, center, a, b);
 }
 
@@ -346,24 +367,23 @@ struct PointMotionx8 {
     Vec3x8 shift;
     Vec3x8 passed; // how far A has passed B
 };
-// Midway between what was one point of both bodies. Those that have passed each other since the touch stay with A. What
-// is round does not turn with its body.
-template <int N> CAIRN_INLINE PointMotionx8 point_motion(const ContactBlock<N>& block, const SolverPose* pose) {
+// About that share of a rotation.
+CAIRN_INLINE Quatx8 part_of(Quatx8 q, f32x8 share) {
+    const Vec3x8 v = share * q.v;
+    return {v, select(share < one(), sqrt(max(one() - dot(v, v), zero())), q.w)};
+}
+// Midway between what was one point of both bodies at the moment that the contact is of. What is round does not turn
+// with its body.
+template <int N>
+CAIRN_INLINE PointMotionx8 point_motion(const ContactBlock<N>& block, const SolverPose* pose, f32x8 inverse_dt) {
     const Posex8 a = gather_pose(pose, block.a), b = gather_pose(pose, block.b);
-    const Mat3x8 turn_a = turn_of(a.dq), turn_b = turn_of(b.dq);
-    const f32x8 half = splat(0.5f);
-    const Vec3x8 n = load3(block.normal), d = load3(block.d0), passed = a.dx - b.dx;
+    const f32x8 rest = one() - inverse_dt * load(block.found), half = splat(0.5f);
+    const Mat3x8 turn_a = turn_of(part_of(a.dq, rest)), turn_b = turn_of(part_of(b.dq, rest));
+    const Vec3x8 n = load3(block.normal), d = load3(block.d_touch), passed = a.dx - b.dx;
     Vec3x8 arm_b = d, round_a = zero3();
     if (N == 1 || block.round) arm_b = d + load(block.radius_b) * n, round_a = turn_a * (load(block.radius_a) * n);
-    PointMotionx8 m{half * (turn_a + turn_b), half * ((turn_b * arm_b - round_a) - passed), passed};
-    const Vec3x8 at_touch = load3(block.d_touch);
-    const mask8 fits = (at_touch.x == d.x) & (at_touch.y == d.y) & (at_touch.z == d.z);
-    if (all(fits)) return m;
-    m.turn.c0 = select(fits, m.turn.c0, turn_a.c0);
-    m.turn.c1 = select(fits, m.turn.c1, turn_a.c1);
-    m.turn.c2 = select(fits, m.turn.c2, turn_a.c2);
-    m.shift = select(fits, m.shift, -round_a);
-    return m;
+    const Vec3x8 since = passed - (d - load3(block.d0));
+    return {half * (turn_a + turn_b), half * ((turn_b * arm_b - round_a) - since), passed};
 }
 
 // What is beyond the range of numbers stays where it was, as its bodies do.
@@ -371,8 +391,9 @@ CAIRN_INLINE mask8 is_finite(Vec3x8 r, f32x8 s) { return zero() * ((r.x + r.y) +
 
 // The points of the records, moved along: what has not moved keeps its bits.
 template <int N>
-CAIRN_INLINE void move_points(const ContactBlock<N>& block, const SolverPose* pose, ContactRecord* const* record) {
-    const PointMotionx8 m = point_motion(block, pose);
+CAIRN_INLINE void move_points(const ContactBlock<N>& block, const SolverPose* pose, ContactRecord* const* record,
+                              f32x8 inverse_dt) {
+    const PointMotionx8 m = point_motion(block, pose, inverse_dt);
     for (int i = 0; i < N; ++i) {
         float* point[8];
         for (int k = 0; k < 8; ++k)
@@ -395,7 +416,7 @@ CAIRN_INLINE void move_points(const ContactBlock<N>& block, const SolverPose* po
 
 template <int N>
 void store_contacts(const void* blocks, int count, const ContactLanes& lanes, const SolverPose* pose,
-                    ContactRecord* records, ContactReport* reports) {
+                    ContactRecord* records, ContactReport* reports, float dt) {
     auto* block = static_cast<const ContactBlock<N>*>(blocks);
     ContactRecord discarded = empty_record;
     for (int k = 0; k < count; ++k) {
@@ -422,7 +443,7 @@ void store_contacts(const void* blocks, int count, const ContactLanes& lanes, co
         if constexpr (N > 1)
             scatter4(more_totals, load(b.total_impulse[1]), load(b.total_impulse[2]), load(b.total_impulse[3]), zero());
         store_reports<N>(b, ids, p, reports);
-        move_points(b, pose, record);
+        move_points(b, pose, record, splat(1 / dt));
     }
 }
 
@@ -431,8 +452,8 @@ template void prepare_contacts<1>(void*, int, const ContactLanes&, const Contact
 template void prepare_contacts<4>(void*, int, const ContactLanes&, const ContactRecord*, const SolverInertia*,
                                   const SolverVelocity*);
 template void store_contacts<1>(const void*, int, const ContactLanes&, const SolverPose*, ContactRecord*,
-                                ContactReport*);
+                                ContactReport*, float);
 template void store_contacts<4>(const void*, int, const ContactLanes&, const SolverPose*, ContactRecord*,
-                                ContactReport*);
+                                ContactReport*, float);
 
 } // namespace cairn::CAIRN_ISA

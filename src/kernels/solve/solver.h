@@ -14,7 +14,7 @@ void prepare_contacts(void* blocks, int count, const ContactLanes& lanes, const 
                       const SolverInertia* inertia, const SolverVelocity* velocity);
 template <int N>
 void store_contacts(const void* blocks, int count, const ContactLanes& lanes, const SolverPose* pose,
-                    ContactRecord* records, ContactReport* reports);
+                    ContactRecord* records, ContactReport* reports, float dt);
 template <int N>
 int bounce_contacts(void* blocks, int count, const SolverBodies& bodies, const BounceSettings& settings);
 template <int N> void renew_masses(void* blocks, int count, const SolverInertia* inertia);
@@ -101,6 +101,12 @@ CAIRN_INLINE Quatx8 turned_by(Vec3x8 u, Quatx8 q) {
     const Quatx8 r = multiply({t + t, one() - dot(t, t)}, q);
     const f32x8 scale = one() / sqrt(dot(r.v, r.v) + r.w * r.w);
     return {scale * r.v, scale * r.w};
+}
+
+// R(q)^T n - n, with the part of second order in the rotation times `bend`.
+CAIRN_INLINE Vec3x8 turned_back_difference(Quatx8 q, Vec3x8 n, f32x8 bend) {
+    const Vec3x8 g = cross(q.v, n);
+    return splat(2.0f) * (bend * cross(q.v, g) - q.w * g);
 }
 
 // Where a block keeps K_ji / K_jj: what an impulse of 1 at point i takes from that wanted at point j.

@@ -64,7 +64,7 @@ struct alignas(64) ContactRecord {
     float radius_a, radius_b;  // of a round surface, from its center or axis to the point; 0 for flat ones
     std::uint32_t features;    // the lowest byte of each point's feature, the first point's lowest; or no_features; of
                                // two convex shapes that no wide kernel tests: a ContactMemory
-    float touch_time;          // s: 0, or when in the step the shapes are where all of this is of
+    float touch_time;          // s from the start of the step: when the shapes are where all of this is of; after it, 0
 
     float more_points[3][4]; // unused: {0, 0, 0, 1e30}
     float more_totals[3];
@@ -110,7 +110,8 @@ template <int N> struct alignas(64) ContactBlock : PointRows<N> {
     std::uint8_t struck_once, struck_twice; // likewise, in this step
     // Used by relax only.
     alignas(32) float d0[3][8];     // d at the start of the step
-    float d_touch[3][8];            // where the couplings are of: at the touch, or the start of the step
+    float d_touch[3][8];            // where the couplings are of: at the moment that the contact is of
+    float found[8];                 // s from the start of the step: that moment
     float radius_a[8], radius_b[8]; // of round surfaces, see refresh_separations
     float arm_b_square[8];          // of the friction center's arm for B, where the couplings are of
     float tangent[3][8];            // the second tangent is this x normal
@@ -124,6 +125,7 @@ template <int N> struct alignas(64) ContactBlock : PointRows<N> {
 // Softness and limits of the contacts of one batch, for a substep of h seconds.
 struct ContactSoftness {
     float h, inverse_h;
+    float inverse_elapsed; // 1/s: of the time from the start of the step to the end of the substep
     struct Spring {
         float scale;        // of the rigid impulse
         float push_rate;    // 1/s: speed at which an overlap is pushed out, before that scale
@@ -219,7 +221,7 @@ struct SolverKernels {
         // Impulses, and the points as they are at `pose`, the end of the step. Records and reports are indexed by the
         // contact.
         void (*store)(const void* blocks, int count, const ContactLanes& lanes, const SolverPose* pose,
-                      ContactRecord* records, ContactReport* reports);
+                      ContactRecord* records, ContactReport* reports, float dt);
     } one_point, four_points;
 
     // The greatest change of some rows since `last`, in units of `settled`; `last` becomes what they are.

@@ -1,0 +1,48 @@
+// Contacts of what touches already: in the middle of the step.
+#pragma once
+
+#include "contacts/contact_update.h"
+#include "contacts/convex_tests.h"
+#include "contacts/flight.h"
+
+namespace cairn {
+
+// s from the start of the step: the mean of the times at which its substeps begin. A contact acts in each of them as it
+// is found once. What rocks moves its place of touch all the time: found at the start, it is late by this, and feeds
+// the motion (tests/physics/rocking_test.cpp).
+inline float midway_time(const WorldDef& settings, float dt) {
+    return dt * float(settings.substeps - 1) / float(2 * settings.substeps);
+}
+
+// Poses all shapes of the bodies that move.
+void pose_midway(const Bodies& bodies, const Shapes& shapes, NarrowScratch& narrow, ThreadPool& thread_pool,
+                 float time);
+
+// Whether a pair is looked for there: it has met, moves, and does not come so much nearer until then that nothing could
+// be said of it. What meets only in this step is asked where it does. `margin`: of contact_margin.
+inline bool is_looked_for_midway(const Bodies& bodies, const Contacts& contacts, std::uint32_t id, float margin,
+                                 float time, float dt) {
+    const ContactInfo& c = contacts.info[id];
+    return c.touching && !c.is_trigger && c.point_count > 0 && (moves(bodies, c.body_a) || moves(bodies, c.body_b)) &&
+           !may_turn_away(bodies, c, dt) &&
+           (margin <= 2 * c.base_margin || approach_speed(bodies, c, contacts.records[id]) * time <= c.base_margin);
+}
+
+inline const ShapePose& midway_pose(const Bodies& bodies, const Shapes& shapes, const NarrowScratch& narrow,
+                                    std::uint32_t shape) {
+    return moves(bodies, shapes.links[shape].body) ? narrow.midway_poses[shape] : shapes.poses[shape];
+}
+inline PosedShape shape_midway(const Bodies& bodies, const Shapes& shapes, const NarrowScratch& narrow,
+                               std::uint32_t shape) {
+    const bool is_moving = moves(bodies, shapes.links[shape].body);
+    return {shapes.geometry[shape], shapes.data[shape], is_moving ? narrow.midway_poses[shape] : shapes.poses[shape],
+            is_moving ? narrow.midway_arms[shape] : shapes.links[shape].arm};
+}
+
+// `arm`: of the first shape of the test.
+inline Moment moment_midway(const Bodies& bodies, const ContactInfo& c, math::Vec3 arm, float time) {
+    const BodyMotion &a = bodies.motion[c.body_a], &b = bodies.motion[c.body_b];
+    return {time, arm, math::to_float(a.x - b.x) + time * (a.v - b.v)};
+}
+
+} // namespace cairn
