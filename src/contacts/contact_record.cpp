@@ -118,20 +118,70 @@ std::uint32_t packed_features(const Manifold& m) {
     return packed;
 }
 
+math::Vec3 axis_of(const ShapePose& pose, int i) {
+    const float* q = pose.q;
+    return math::rotate(math::Quat{q[0], q[1], q[2], q[3]}, math::Vec3{float(i == 0), float(i == 1), float(i == 2)});
+}
+
 // A round surface does not turn with its body: how far it is to the point midway between the surfaces from the center
 // or axis that it is round about, with that normal; 0 where the surface is flat. For cones the mean radius. Rounded
 // shapes touch by a corner, an edge or a rim of their core, and what is around that; also where a face lies flat.
-float contact_radius(const Shapes& shapes, std::uint32_t shape, math::Vec3 normal, float separation) {
-    const Geometry& g = shapes.geometry[shape];
+float contact_radius(const Geometry& g, const ShapePose& pose, math::Vec3 normal, float separation) {
     if (g.type == ShapeType::sphere) return g.size.x + 0.5f * separation;
     const float around = g.rounding > 0 ? g.rounding + 0.5f * separation : 0.0f;
     if (g.type != ShapeType::capsule && g.type != ShapeType::cylinder) return around;
     const float mean = 0.5f * (g.size.x + g.size.z);
     if (g.type == ShapeType::capsule) return mean + 0.5f * separation;
-    const float* q = shapes.poses[shape].q;
-    const float along = math::dot(normal, math::rotate(math::Quat{q[0], q[1], q[2], q[3]}, math::Vec3{0, 1, 0}));
+    const float along = math::dot(normal, axis_of(pose, 1));
     constexpr float steepest = 0.5f; // of the cosine with the axis: beyond, it stands on its rim rather than rolls
     return std::fabs(along) < steepest ? mean + g.rounding + 0.5f * separation : around;
+}
+
+// Whether a shape touches another by a flat face with that normal, as far as its geometry says.
+bool is_flat(const Geometry& g, const ShapePose& pose, math::Vec3 normal) {
+    constexpr float along = 0.99999f; // cosine
+    if (g.type == ShapeType::plane) return true;
+    if (g.type == ShapeType::rectangle) return std::fabs(math::dot(normal, axis_of(pose, 1))) > along;
+    if (g.type != ShapeType::box || g.rounding > 0) return false;
+    for (const int i : {0, 1, 2})
+        if (std::fabs(math::dot(normal, axis_of(pose, i))) > along) return true;
+    return false;
+}
+
+// Whether a shape touches by the rim of an end, if the other is flat: then the direction in which it rolls, times the
+// root of the radius of curvature that it has there. With the axis u and the normal n, that is along u x n, and of a
+// rim with radius R it is R / |u x n|.
+bool find_rim(const Geometry& g, const ShapePose& pose, math::Vec3 outwards, math::Vec3& rim) {
+    if (g.type != ShapeType::cylinder || g.rounding > 0) return false;
+    const math::Vec3 axis = axis_of(pose, 1), along = math::cross(axis, outwards);
+    const float sine = math::length(along), radius = math::dot(axis, outwards) > 0 ? g.size.z : g.size.x;
+    if (!(sine > 0)) return false;
+    rim = (std::sqrt(radius / sine) / sine) * along;
+    return true;
+}
+
+bool has_corners(const Geometry& g) {
+    return g.rounding == 0 && g.type != ShapeType::sphere && g.type != ShapeType::capsule &&
+           g.type != ShapeType::cylinder;
+}
+
+// How the surfaces are round where they touch, and how the only point moves over them.
+void find_roundness(const Shapes& shapes, const ContactInfo& c, const Manifold& m, math::Vec3 normal, const Moment& at,
+                    ContactRecord& r) {
+    const Geometry &a = shapes.geometry[c.shape_a], &b = shapes.geometry[c.shape_b];
+    r.radius_a = contact_radius(a, *at.pose_a, normal, m.points[0][3]);
+    r.radius_b = contact_radius(b, *at.pose_b, normal, m.points[0][3]);
+    if (m.count > 1) return;
+    math::Vec3 rim;
+    if (find_rim(a, *at.pose_a, normal, rim) && is_flat(b, *at.pose_b, normal)) {
+        r.radius_a = rolls_on_rim, r.radius_b = 0;
+        put(r.more_points[0], rim);
+    } else if (find_rim(b, *at.pose_b, -normal, rim) && is_flat(a, *at.pose_a, normal)) {
+        r.radius_a = 0, r.radius_b = rolls_on_rim;
+        put(r.more_points[0], rim);
+    } else if (r.radius_a == 0 && r.radius_b == 0 && !(has_corners(a) && has_corners(b))) {
+        r.radius_a = rolls_somehow;
+    }
 }
 
 } // namespace
@@ -164,10 +214,7 @@ void write_record(const Shapes& shapes, ContactInfo& c, ContactRecord& r, const 
     put(r.normal, normal);
     put(r.center_offset, at.x_a_from_b);
     for (int i = 0; i < kept; ++i) store4(point_of(r, i), points[i]);
-    if (may_be_round(c.kind)) {
-        r.radius_a = contact_radius(shapes, c.shape_a, normal, m.points[0][3]);
-        r.radius_b = contact_radius(shapes, c.shape_b, normal, m.points[0][3]);
-    }
+    if (may_be_round(c.kind)) find_roundness(shapes, c, m, normal, at, r);
     c.point_count = std::uint8_t(m.count);
     r.touch_time = at.time;
     r.features = packed_features(m);

@@ -184,6 +184,7 @@ Moment moment_of(const Bodies& bodies, const ContactInfo& c, const Touch& touch,
     const double speed = math::dot(n, math::to_double(bodies.motion[c.body_a].v - bodies.motion[c.body_b].v));
     const double time = math::dot(n, touch.passed) / speed, found = double(touch.moment.time);
     Moment moment = touch.moment;
+    moment.pose_a = &touch.pose_a, moment.pose_b = &touch.pose_b;
     if (time > 0.5 * found && time < 2 * found) moment.time = float(time);
     return moment;
 }

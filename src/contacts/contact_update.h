@@ -73,7 +73,8 @@ inline std::uint8_t going_on(const Bodies& bodies, const Islands& islands, const
 // The start of the step.
 inline Moment moment_of_start(const Bodies& bodies, const Shapes& shapes, const ContactInfo& c) {
     return {0, shapes.links[c.flipped ? c.shape_b : c.shape_a].arm,
-            math::to_float(bodies.motion[c.body_a].x - bodies.motion[c.body_b].x)};
+            math::to_float(bodies.motion[c.body_a].x - bodies.motion[c.body_b].x), &shapes.poses[c.shape_a],
+            &shapes.poses[c.shape_b]};
 }
 // What take_manifold does with points that are solved: nothing more is asked of the manifold.
 inline std::uint8_t take_points(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, const Islands& islands,

@@ -39,10 +39,12 @@ inline PosedShape shape_midway(const Bodies& bodies, const Shapes& shapes, const
             is_moving ? narrow.midway_arms[shape] : shapes.links[shape].arm};
 }
 
-// `arm`: of the first shape of the test.
-inline Moment moment_midway(const Bodies& bodies, const ContactInfo& c, math::Vec3 arm, float time) {
+inline Moment moment_midway(const Bodies& bodies, const Shapes& shapes, const NarrowScratch& narrow,
+                            const ContactInfo& c, float time) {
     const BodyMotion &a = bodies.motion[c.body_a], &b = bodies.motion[c.body_b];
-    return {time, arm, math::to_float(a.x - b.x) + time * (a.v - b.v)};
+    return {time, shape_midway(bodies, shapes, narrow, c.flipped ? c.shape_b : c.shape_a).arm,
+            math::to_float(a.x - b.x) + time * (a.v - b.v), &midway_pose(bodies, shapes, narrow, c.shape_a),
+            &midway_pose(bodies, shapes, narrow, c.shape_b)};
 }
 
 } // namespace cairn

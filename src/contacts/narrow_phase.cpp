@@ -55,11 +55,9 @@ bool take_midway_test(const NarrowInput& in, Contacts& contacts, NarrowScratch& 
     if (m.points[0][3] > 0 && (stays_apart(in.bodies, in.shapes, c, m, dt) ||
                                may_meet_in_flight(in, contacts, c, m, dt) || moves_far(in, c, m, dt)))
         return false;
-    const std::uint32_t first = c.flipped ? c.shape_b : c.shape_a;
-    const math::Vec3 arm = shape_midway(in.bodies, in.shapes, narrow, first).arm;
     keep_answer(in.bodies, contacts, id, 0);
     narrow.outcomes[place] = take_points(in.bodies, in.shapes, contacts, in.islands, id, m,
-                                         moment_midway(in.bodies, contacts.info[id], arm, time));
+                                         moment_midway(in.bodies, in.shapes, narrow, c, time));
     return true;
 }
 

@@ -141,7 +141,7 @@ Approach find_touch(const NarrowInput& in, const ContactInfo& c, DVec3 axis, flo
                     at_b = posed_at(in.bodies, in.shapes, c.shape_b, b, time);
     touch.passed = at_a.moved - at_b.moved;
     const DVec3 from_b = (in.bodies.motion[c.body_a].x - in.bodies.motion[c.body_b].x) + touch.passed;
-    touch.moment = {dt * float(time), c.flipped ? at_b.arm : at_a.arm, math::to_float(from_b)};
+    touch.moment = {dt * float(time), c.flipped ? at_b.arm : at_a.arm, math::to_float(from_b), nullptr, nullptr};
     touch.pose_a = at_a.pose, touch.pose_b = at_b.pose;
     touch.arm_a = at_a.arm;
     touch.is_beside = found.distance > 0;

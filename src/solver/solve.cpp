@@ -125,6 +125,7 @@ void run_substeps(const Bodies& bodies, const Joints& joints, const ForceFields&
     for (int substep = 0; substep < batch.substeps; ++substep) {
         const bool first = substep == 0;
         softness.inverse_elapsed = 1 / (float(substep + 1) * h);
+        softness.middle = (float(substep) + 0.5f) * h;
         const SolverBodies solver_bodies = bodies_of(scratch);
         update_free_motion(bodies, fields, settings, scratch, thread_pool, solver_bodies, h, first);
         for_chunks(thread_pool, rows, rows_per_chunk, [&](int begin, int end, int) {

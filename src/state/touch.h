@@ -12,6 +12,7 @@ struct Moment {
     float time;            // s from the start of the step
     math::Vec3 arm;        // from the center of mass to the origin of the first shape of the test, m
     math::Vec3 x_a_from_b; // m
+    const ShapePose *pose_a, *pose_b;
 };
 
 // A pair as it will be when it touches, or passes by within the margin of the contact: where it is nearest then. So

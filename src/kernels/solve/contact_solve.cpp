@@ -63,6 +63,11 @@ CAIRN_INLINE void refresh_separations(ContactBlock<N>& block, const SolverPose* 
                  delta_b = turned_back_difference(b.dq, normal, bend);
     const Vec3x8 difference = delta_b - delta_a, passed = a.dx - b.dx;
     f32x8 common = dot(delta_b, load3(block.d_touch)) - dot(normal, passed);
+    if constexpr (N == 1)
+        if (block.rims) {
+            const f32x8 along = dot(load3(block.rim), difference);
+            common -= splat(0.5f) * bend * along * along;
+        }
     if (N == 1 || block.round)
         common += load(block.radius_a) * dot(delta_a, normal) + load(block.radius_b) * dot(delta_b, normal);
     const Vec3x8 e = cross(difference, normal);
@@ -178,6 +183,8 @@ CAIRN_INLINE void begin_solve(ContactBlock<N>& block, const SolverVelocity* velo
     f32x8 v[N];
     const Vec3x8 normal = load3(block.normal);
     normal_velocities<N>(block, rows.a, rows.b, normal, cross(load3(block.d), normal), v);
+    if constexpr (N == 1)
+        if (block.turns) v[0] += dot(slip_of_turning(block, softness.middle), normal);
     for (int i = 0; i < N; ++i) {
         const f32x8 s = load(block.separation[i]), mass = load(block.effective_mass[i]);
         const mask8 apart = s > zero();
@@ -288,6 +295,8 @@ CAIRN_INLINE void begin_relax(ContactBlock<N>& block, const SolverBodies& bodies
     rows.a = gather_velocity(bodies.velocity, block.a);
     rows.b = gather_velocity(bodies.velocity, block.b);
     normal_velocities<N>(block, rows.a, rows.b, normal, cross(load3(block.d), normal), v);
+    if constexpr (N == 1)
+        if (block.turns) v[0] += dot(slip_of_turning(block, softness.middle), normal);
     for (int i = 0; i < N; ++i) {
         rows.old[i] = rows.impulse[i] = load(block.impulse[i]);
         rows.wanted[i] = rows.old[i] - load(block.effective_mass[i]) * (v[i] + max(s[i], zero()) * inverse_h);
@@ -353,7 +362,8 @@ CAIRN_INLINE int relax_some(ContactBlock<N>* blocks, const SolverBodies& bodies,
     for (int m = 0; m < M; ++m)
         sums[m] = apply_relax<N, Watched>(blocks[m], load3(blocks[m].normal), softness, rows[m], struck);
 #pragma GCC unroll 4
-    for (int m = 0; m < M; ++m) solve_friction<N>(blocks[m], sums[m], load3(blocks[m].normal), rows[m].a, rows[m].b);
+    for (int m = 0; m < M; ++m)
+        solve_friction<N>(blocks[m], sums[m], load3(blocks[m].normal), softness.middle, rows[m].a, rows[m].b);
 #pragma GCC unroll 4
     for (int m = 0; m < M; ++m) {
         ContactBlock<N>& block = blocks[m];
