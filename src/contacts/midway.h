@@ -18,14 +18,17 @@ inline float midway_time(const WorldDef& settings, float dt) {
 void pose_midway(const Bodies& bodies, const Shapes& shapes, NarrowScratch& narrow, ThreadPool& thread_pool,
                  float time);
 
-// Whether a pair is looked for there: it has met, moves, and does not come so much nearer until then that nothing could
-// be said of it. What meets only in this step is asked where it does. `margin`: of contact_margin.
+// Whether a pair is looked for there: it has met, moves, and neither turns by more than a radian until then nor comes
+// so much nearer that nothing could be said of it. What meets only in this step is asked where it does. `margin`: of
+// contact_margin.
 inline bool is_looked_for_midway(const Bodies& bodies, const Contacts& contacts, std::uint32_t id, float margin,
-                                 float time, float dt) {
+                                 float time) {
     const ContactInfo& c = contacts.info[id];
-    return c.touching && !c.is_trigger && c.point_count > 0 && (moves(bodies, c.body_a) || moves(bodies, c.body_b)) &&
-           !may_turn_away(bodies, c, dt) &&
-           (margin <= 2 * c.base_margin || approach_speed(bodies, c, contacts.records[id]) * time <= c.base_margin);
+    if (!c.touching || c.is_trigger || c.point_count == 0) return false;
+    if (!moves(bodies, c.body_a) && !moves(bodies, c.body_b)) return false;
+    for (const std::int32_t b : {c.body_a, c.body_b})
+        if (const math::Vec3 w = bodies.motion[b].w; time * time * math::dot(w, w) > 1) return false;
+    return margin <= 2 * c.base_margin || approach_speed(bodies, c, contacts.records[id]) * time <= c.base_margin;
 }
 
 inline const ShapePose& midway_pose(const Bodies& bodies, const Shapes& shapes, const NarrowScratch& narrow,

@@ -52,8 +52,9 @@ bool take_midway_test(const NarrowInput& in, Contacts& contacts, NarrowScratch& 
                       std::uint32_t place, const Manifold& m, float time, float dt) {
     const ContactInfo& c = contacts.info[id];
     if (m.count == 0) return false;
-    if (m.points[0][3] > 0 && (stays_apart(in.bodies, in.shapes, c, m, dt) ||
-                               may_meet_in_flight(in, contacts, c, m, dt) || moves_far(in, c, m, dt)))
+    if ((m.points[0][3] > 0 || may_turn_away(in.bodies, c, dt)) &&
+        (stays_apart(in.bodies, in.shapes, c, m, dt) || may_meet_in_flight(in, contacts, c, m, dt) ||
+         moves_far(in, c, m, dt)))
         return false;
     keep_answer(in.bodies, contacts, id, 0);
     narrow.outcomes[place] = take_points(in.bodies, in.shapes, contacts, in.islands, id, m,
@@ -76,7 +77,7 @@ class WideTest {
             if (i + ahead < count) ask_cache(&contacts_.info[narrow_.candidates[places[i + ahead]]]);
             const std::uint32_t id = narrow_.candidates[places[i]];
             const float margin = contact_margin(in.bodies, narrow_, contacts_.info[id], dt_);
-            const bool is_midway = is_looked_for_midway(in.bodies, contacts_, id, margin, midway_, dt_);
+            const bool is_midway = is_looked_for_midway(in.bodies, contacts_, id, margin, midway_);
             (is_midway ? own_.midway : own_.at_start).push_back(places[i]);
         }
         if (!own_.midway.empty()) test_midway();
@@ -179,7 +180,7 @@ void test_convex(const NarrowInput& in, Contacts& contacts, NarrowScratch& narro
             return;
         }
     }
-    if (is_looked_for_midway(in.bodies, contacts, id, margin, midway, dt)) {
+    if (is_looked_for_midway(in.bodies, contacts, id, margin, midway)) {
         const Manifold m =
             test_convex_pair(kind, shape_midway(in.bodies, in.shapes, narrow, c.shape_a),
                              shape_midway(in.bodies, in.shapes, narrow, c.shape_b), guess, margin, memory);

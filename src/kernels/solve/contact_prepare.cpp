@@ -238,19 +238,17 @@ CAIRN_INLINE Velocityx8 velocity_of(const SolverVelocity* velocity, const std::i
     return gather_velocity(velocity, offset);
 }
 
-// How the point moves, and the velocities there with it (slip_of_turning): with p' its velocity, it is
-// w_B x (p' - v_B) - w_A x (p' - v_A). A corner of either body moves with it, and of both, in the mean, what touches by
-// edges. On a rim, with the radius of curvature R along t, a corner would go on by R t (t.(w_A - w_B) x n) farther than
-// the place of touch does.
-CAIRN_INLINE void prepare_turning(ContactBlock<1>& block, mask8 rolls_on_a, mask8 rolls_on_b, mask8 is_corner,
-                                  const Velocityx8& a, const Velocityx8& b, Vec3x8 normal, Vec3x8 r, Vec3x8 d) {
-    const Vec3x8 rim = load3(block.rim), with_a = cross(a.w, r), with_b = cross(b.w, r + d), apart = b.v - a.v;
-    const Vec3x8 rolled = dot(rim, cross(a.w - b.w, normal)) * rim;
-    const Vec3x8 midway = splat(0.5f) * (with_a + (apart + with_b));
-    Vec3x8 from_a = select(rolls_on_a, with_a - rolled, select(rolls_on_b, apart + with_b - rolled, midway));
-    const Vec3x8 turning = cross(b.w, from_a - apart) - cross(a.w, from_a);
-    const mask8 moves = rolls_on_a | rolls_on_b | is_corner;
-    store3(block.turning, select(moves, turning, zero3()));
+CAIRN_INLINE void find_rims(ContactBlock<1>& block, const ContactRecord* const* record, f32x8 radius_a,
+                            f32x8 radius_b) {
+    const mask8 on_a = radius_a == splat(rolls_on_rim), on_b = radius_b == splat(rolls_on_rim), on_any = on_a | on_b;
+    block.rims_a = std::uint8_t(bits(on_a)), block.rims_b = std::uint8_t(bits(on_b));
+    block.corners = std::uint8_t(bits((radius_a == zero()) & (radius_b == zero())));
+    store3(block.rim, zero3());
+    if (!any(on_any)) return;
+    Vec3x8 rim;
+    f32x8 unused;
+    gather_field(record, point_offset(1), rim.x, rim.y, rim.z, unused);
+    store3(block.rim, select(on_any, rim, zero3()));
 }
 
 CAIRN_INLINE mask8 is_isotropic(const Sym3x8& m) {
@@ -310,27 +308,13 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
     store(block.radius_a, max(radius_a, zero()));
     store(block.radius_b, max(radius_b, zero()));
     block.round = any((radius_a > zero()) | (radius_b > zero()));
-    block.turns = block.rims = 0;
+    block.corners = block.rims_a = block.rims_b = 0;
 
     Before start = {zero3(), zero3(), zero()};
-    const bool is_of_later = any(found > zero());
-    Velocityx8 at_a, at_b;
-    mask8 on_a, on_b, is_corner;
-    if constexpr (N == 1) {
-        on_a = radius_a == splat(rolls_on_rim), on_b = radius_b == splat(rolls_on_rim);
-        is_corner = (radius_a == zero()) & (radius_b == zero());
-        block.rims = any(on_a | on_b);
-        block.turns = any(on_a | on_b | is_corner);
-        store3(block.rim, zero3());
-        if (block.rims) {
-            Vec3x8 rim;
-            gather_field(record, point_offset(1), rim.x, rim.y, rim.z, unused);
-            store3(block.rim, select(on_a | on_b, rim, zero3()));
-        }
-    }
-    if (is_of_later || block.turns) at_a = velocity_of(velocity, row_a), at_b = velocity_of(velocity, row_b);
-    if (is_of_later) {
-        start = before(found, at_a, at_b, normal, d, load(block.radius_a), load(block.radius_b));
+    if constexpr (N == 1) find_rims(block, record, radius_a, radius_b);
+    if (any(found > zero())) {
+        start = before(found, velocity_of(velocity, row_a), velocity_of(velocity, row_b), normal, d,
+                       load(block.radius_a), load(block.radius_b));
         if constexpr (N == 1) {
             const f32x8 along = dot(load3(block.rim), start.difference);
             start.apart -= splat(0.5f) * along * along;
@@ -342,8 +326,6 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
     store3(block.d_touch, d);
     const Vec3x8 center = prepare_points<N>(block, record, normal, cross(d, normal), start, a, b);
     prepare_friction<N>(block, record, normal, d, center, a, b);
-    if constexpr (N == 1)
-        if (block.turns) prepare_turning(block, on_a, on_b, is_corner, at_a, at_b, normal, center, d);
 }
 
 } // namespace
