@@ -16,7 +16,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 BULLET_SHARE = 0.02
-PROJECTILES_MILLIONS = 58.6  # a step; 10 % more than when it was recorded (53.3)
+PROJECTILES_MILLIONS = 27.9  # a step; 10 % more than when it was recorded (25.4)
 STEPS = 20
 SKIPPED = 77
 

@@ -84,8 +84,9 @@ void finalize_body(Bodies& bodies, Shapes& shapes, const BroadPhase& broad_phase
     const bool is_fast = moved > free_share * double(links.inner_radius);
     // How much farther than expected it may move: half of the margin of contacts, which both bodies of a pair share.
     const auto went_farther = [&] {
+        const double surface_moved = turns_on_the_spot(links) ? math::length(motion.x - bodies.counted[b].x) : moved;
         const double spare = 0.5 * std::min(max_margin, margin_per_extent * 2 * double(links.inner_radius));
-        return is_before(bodies.ahead[b] + budget_of(spare), bodies.travel[b] + budget_of(moved));
+        return is_before(bodies.ahead[b] + budget_of(spare), bodies.travel[b] + budget_of(surface_moved));
     };
     bool has_strayed = is_fast && went_farther();
     const Travel now = bodies.travel[b] + travelled(moved);

@@ -32,6 +32,9 @@ inline double uncounted(const CountedPose& counted, const BodyMotion& motion, fl
     return math::length(motion.x - counted.x) + (d < 1 ? 2.1 : pi) * d * double(radius);
 }
 
+// A ball about its center of mass: no turn brings its surface anywhere.
+inline bool turns_on_the_spot(const BodyLinks& links) { return !(links.radius > links.inner_radius); }
+
 // Of the bodies of a pair together.
 inline Travel travel_of(const Bodies& bodies, const ContactInfo& c) {
     return bodies.travel[c.body_a] + bodies.travel[c.body_b];

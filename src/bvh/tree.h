@@ -50,6 +50,13 @@ struct LeafList {
     float* bounds[6]; // lo x y z, hi x y z
 };
 
+// A leaf of a tree that the items of another leaf may meet, and which of them (its rows), as bits: in all others no
+// item is met by any.
+struct MetLeaf {
+    const Node8* leaf;
+    std::uint32_t index, rows;
+};
+
 // Partners of the 8 items of one leaf. Row r is keys[r * capacity ...], count[r] of them.
 struct RowBuffer {
     std::uint32_t* keys;
@@ -74,9 +81,12 @@ struct BroadKernels {
     // ascending. With `forward`, the list is of a's own tree and only later items count.
     void (*find_rows)(const Node8& a, const TreeBox& bounds_a, std::uint32_t leaf_a, bool forward, const Node8* leaves,
                       const LeafList& list, std::uint32_t list_count, std::uint32_t key_base, RowBuffer& rows);
-    // All meeting pairs of an item of leaf a and one of the given leaves, as row | lane << 3 | index of leaf << 6.
-    // Room for 64 x leaf_count in `out`. Returns their number.
-    std::uint32_t (*find_others)(const Node8& a, const TreeBox& bounds_a, const Node8* const* leaves,
+    // Leaves of a tree with a box around them that an item of leaf a meets. Room for leaf_count of the tree. Returns
+    // their number.
+    std::uint32_t (*list_met)(const Node8& a, const TreeBox& bounds_a, const TreeView& tree, MetLeaf* out);
+    // All meeting pairs of an item of leaf a and one of the given leaves, as row | lane << 3 | place among the leaves
+    // << 6. Room for 64 x leaf_count in `out`. Returns their number.
+    std::uint32_t (*find_others)(const Node8& a, const TreeBox& bounds_a, const MetLeaf* leaves,
                                  std::uint32_t leaf_count, std::uint32_t* out);
     // Sets flags[leaf] for leaves up to last_leaf with an item that meets exactly one of the two boxes.
     void (*mark_changed)(const TreeView& tree, const TreeBox& before, const TreeBox& after, std::uint32_t last_leaf,

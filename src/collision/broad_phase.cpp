@@ -351,8 +351,7 @@ std::size_t BroadPhase::bytes() const {
     for (int home = 0; home < 2; ++home)
         sum += awake_[home].bytes() + rows_[home].bytes() + of(dirty_[home]) + of(kinematic_leaf_[home]);
     for (const Search& own : searches_) {
-        sum += of(own.row_keys) + of(own.hits) + of(own.islands_hit) + of(own.other_leaves) + of(own.other_shapes) +
-               of(own.others);
+        sum += of(own.row_keys) + of(own.hits) + of(own.islands_hit) + of(own.met) + of(own.met_items) + of(own.others);
         for (int which = 0; which < 2; ++which) sum += of(own.list[which]) + of(own.list_bounds[which]);
     }
     for (const NewRows& rows : new_rows_) sum += of(rows.leaves) + of(rows.keys);

@@ -194,9 +194,11 @@ class BroadPhase {
         std::vector<float> list_bounds[2];
         std::vector<std::uint32_t> row_keys, hits, islands_hit;
         RowBuffer rows = {};
-        std::vector<const Node8*> other_leaves;         // of shapes that are not awake
-        std::vector<const std::uint32_t*> other_shapes; // of the first lane of each
-        std::vector<std::uint64_t> others;              // row << 32 | key
+        TreeView fixed = {}, top = {};
+        std::vector<MetLeaf> met;                    // of what is not awake: the first met_count
+        std::vector<const std::uint32_t*> met_items; // of the first lane of each
+        std::size_t met_count = 0;
+        std::vector<std::uint64_t> others; // row << 32 | key
     };
     // Rows that are not what they were, of leaves that were searched one after another.
     struct NewRows {
@@ -243,7 +245,9 @@ class BroadPhase {
     std::uint32_t list_leaves(Search& own, int which, const TreeView& tree, const TreeBox& box,
                               std::uint32_t first_leaf) const;
     static LeafList leaf_list(Search& own, int which);
-    void list_others(Search& own, const TreeBox& box) const;
+    void list_met(Search& own, const Node8& leaf, const TreeBox& bounds, const TreeView& tree,
+                  const std::uint32_t* items) const;
+    template <class F> void for_each_met(Search& own, const Node8& leaf, const TreeBox& bounds, const F& f) const;
     void mark_kinematic_leaves();
     std::uint32_t drop_kinematic_leaves(Search& own, int which, int home, std::uint32_t count) const;
     void search(int home, ThreadPool* thread_pool);

@@ -66,32 +66,6 @@ LeafList BroadPhase::leaf_list(Search& own, int which) {
     return list;
 }
 
-// The leaves of fixed and sleeping shapes that meet the box.
-void BroadPhase::list_others(Search& own, const TreeBox& box) const {
-    own.other_leaves.clear();
-    own.other_shapes.clear();
-    const auto take = [&](const TreeView& tree, const std::uint32_t* shapes) {
-        if (tree.level_count == 1) {
-            own.other_leaves.push_back(tree.levels[0]);
-            own.other_shapes.push_back(shapes);
-            return;
-        }
-        const std::uint32_t count = list_leaves(own, 0, tree, box, 0);
-        for (std::uint32_t k = 0; k < count; ++k) {
-            own.other_leaves.push_back(tree.levels[0] + own.list[0][k]);
-            own.other_shapes.push_back(shapes + std::size_t(own.list[0][k]) * 8);
-        }
-    };
-    take(fixed_.view(), fixed_.items());
-    if (top_.alive_count() == 0) return;
-    own.islands_hit.clear();
-    visit_box(kernels_, top_.view(), box, [&](std::uint32_t slot) { own.islands_hit.push_back(top_.item(slot)); });
-    for (const std::uint32_t index : own.islands_hit) {
-        const Island& island = islands_[index];
-        take(island_view(island), &island_shapes_[island.shape_base]);
-    }
-}
-
 void BroadPhase::mark_kinematic_leaves() {
     if (!has_kinematic_) return;
     for (int home = 0; home < 2; ++home) {
@@ -125,6 +99,7 @@ void BroadPhase::search(int home, ThreadPool* thread_pool) {
     const std::uint32_t leaves = awake_[home].leaf_count();
     const auto groups = std::size_t(leaves + leaves_per_group - 1) / leaves_per_group;
     searches_.resize(thread_pool ? std::size_t(thread_pool->threads()) : 1);
+    for (Search& own : searches_) own.fixed = fixed_.view(), own.top = top_.view();
     new_rows_.resize(std::max(new_rows_.size(), groups / groups_per_chunk + 1));
     for (NewRows& rows : new_rows_) rows.leaves.clear(), rows.keys.clear(), rows.searched = 0;
     for_chunks(thread_pool, int(groups), groups_per_chunk, [&](int begin, int end, int thread) {
@@ -148,7 +123,6 @@ void BroadPhase::search_group(int home, std::uint32_t first, std::uint32_t end, 
     TreeBox bounds = empty_box;
     for (std::uint32_t leaf = first; leaf < end; ++leaf)
         if (dirty[leaf]) include(bounds, awake_[home].leaf_bounds(leaf));
-    list_others(own, bounds);
     std::uint32_t own_count = list_leaves(own, 0, awake_[home].view(), bounds, first);
     std::uint32_t large_count = home == 0 ? list_leaves(own, 1, awake_[1].view(), bounds, 0) : 0;
     if (has_kinematic_ && std::all_of(&kinematic_leaf_[home][first], &kinematic_leaf_[home][first] + (end - first),
@@ -213,27 +187,62 @@ bool BroadPhase::is_new(int home, const NewRows::Leaf& rows, const std::uint32_t
     return false;
 }
 
-// Partners that are not awake, as row << 32 | key, sorted.
-void BroadPhase::find_others(int home, std::uint32_t leaf, const TreeBox& bounds, Search& own) const {
+// The leaves of a tree that an item of a leaf of awake ones may meet, with what is in their lanes.
+void BroadPhase::list_met(Search& own, const Node8& leaf, const TreeBox& bounds, const TreeView& tree,
+                          const std::uint32_t* items) const {
+    if (tree.level_count == 0) return;
+    const std::size_t first = own.met_count, room = first + tree.leaf_count;
+    if (own.met.size() < room) own.met.resize(room), own.met_items.resize(room);
+    if (tree.leaf_count > 1)
+        own.met_count += kernels_.list_met(leaf, bounds, tree, &own.met[first]);
+    else
+        own.met[own.met_count++] = {tree.levels[0], 0, 255};
+    for (std::size_t k = first; k < own.met_count; ++k) own.met_items[k] = items + std::size_t(own.met[k].index) * 8;
+}
+
+// f(row, item) for all that items of a leaf meet in those.
+template <class F>
+void BroadPhase::for_each_met(Search& own, const Node8& leaf, const TreeBox& bounds, const F& f) const {
     constexpr std::size_t chunk = 64; // leaves at a time, so that the buffer stays small
-    const Node8& items = awake_[home].leaf(leaf);
-    own.others.clear();
     own.hits.resize(64 * chunk);
-    for (std::size_t first = 0; first < own.other_leaves.size(); first += chunk) {
-        const std::uint32_t leaves = std::uint32_t(std::min(chunk, own.other_leaves.size() - first));
-        const std::uint32_t count =
-            kernels_.find_others(items, bounds, &own.other_leaves[first], leaves, own.hits.data());
+    for (std::size_t first = 0; first < own.met_count; first += chunk) {
+        const auto leaves = std::uint32_t(std::min(chunk, own.met_count - first));
+        const std::uint32_t count = kernels_.find_others(leaf, bounds, &own.met[first], leaves, own.hits.data());
         for (std::uint32_t k = 0; k < count; ++k) {
             const std::uint32_t hit = own.hits[k];
-            const std::uint32_t shape = own.other_shapes[first + (hit >> 6)][hit >> 3 & 7];
-            own.others.push_back(std::uint64_t(hit & 7) << 32 | other_key | shape);
+            f(hit & 7, own.met_items[first + (hit >> 6)][hit >> 3 & 7]);
         }
     }
+    own.met_count = 0;
+}
+
+// Partners that are not awake, as row << 32 | key, sorted. A sleeping island of one shape is its box in the tree of
+// islands; those of more have trees of their own.
+void BroadPhase::find_others(int home, std::uint32_t leaf, const TreeBox& bounds, Search& own) const {
+    const Node8& items = awake_[home].leaf(leaf);
+    own.others.clear();
+    own.islands_hit.clear();
+    const auto push = [&](std::uint32_t row, std::uint32_t shape) {
+        own.others.push_back(std::uint64_t(row) << 32 | other_key | shape);
+    };
+    list_met(own, items, bounds, own.top, top_.items());
+    for_each_met(own, items, bounds, [&](std::uint32_t row, std::uint32_t index) {
+        const Island& island = islands_[index];
+        if (island.shape_count == 1)
+            push(row, island_shapes_[island.shape_base]);
+        else
+            own.islands_hit.push_back(index);
+    });
+    std::sort(own.islands_hit.begin(), own.islands_hit.end());
+    own.islands_hit.erase(std::unique(own.islands_hit.begin(), own.islands_hit.end()), own.islands_hit.end());
+    list_met(own, items, bounds, own.fixed, fixed_.items());
+    for (const std::uint32_t index : own.islands_hit)
+        list_met(own, items, bounds, island_view(islands_[index]), &island_shapes_[islands_[index].shape_base]);
+    for_each_met(own, items, bounds, push);
     for (const Plane& plane : planes_) {
         if (!crosses(plane, bounds)) continue;
         for (std::uint32_t row = 0; row < 8; ++row)
-            if (crosses(plane, box_of_lane(items, row)))
-                own.others.push_back(std::uint64_t(row) << 32 | other_key | plane.shape);
+            if (crosses(plane, box_of_lane(items, row))) push(row, plane.shape);
     }
     std::sort(own.others.begin(), own.others.end());
 }

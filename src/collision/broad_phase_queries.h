@@ -32,6 +32,7 @@ template <class F> void BroadPhase::query_bounds(const DBounds& bounds, F&& visi
         visit_box(kernels_, tree->view(), box, [&](std::uint32_t slot) { visit(tree->item(slot)); });
     visit_box(kernels_, top_.view(), box, [&](std::uint32_t top_slot) {
         const Island& island = islands_[top_.item(top_slot)];
+        if (island.shape_count == 1) return visit(island_shapes_[island.shape_base]); // its box is the island's
         visit_box(kernels_, island_view(island), box,
                   [&](std::uint32_t slot) { visit(island_shapes_[island.shape_base + slot]); });
     });
@@ -49,6 +50,7 @@ template <class Enter, class F> void BroadPhase::query_by_distance(float max, En
     }
     visit_by_distance(top_.view(), max, enter, [&](std::uint32_t top_slot, float limit) {
         const Island& island = islands_[top_.item(top_slot)];
+        if (island.shape_count == 1) return visit(island_shapes_[island.shape_base], limit);
         return visit_by_distance(island_view(island), limit, enter, [&](std::uint32_t slot, float least) {
             return visit(island_shapes_[island.shape_base + slot], least);
         });

@@ -338,11 +338,34 @@ bool may_meet_on_the_way(const Mover& a, const Mover& b, double within) {
     return dot(nearest, nearest) <= reach * reach;
 }
 
+// Whether a ball stays beside a box: its middle goes straight, as the box sees it, past the planes of its faces, with
+// what the two may be beside their lines.
+bool passes_box(const Mover& ball, const Mover& box, double within) {
+    const Geometry& g = box.shape().geometry;
+    if (g.type != ShapeType::box || ball.until() < 1 || box.until() < 1) return false;
+    const DMat3 axes = math::to_matrix(box.first_rotation());
+    const auto seen = [&](DVec3 d) { return DVec3{dot(axes.c0, d), dot(axes.c1, d), dot(axes.c2, d)}; };
+    const DVec3 first = seen(ball.start - box.start), last = seen(ball.end - box.end);
+    const double reach = ball.bounding_radius() + g.rounding + ball.sagitta() + box.sagitta() + box.turning() + within +
+                         touch_tolerance(ball.half_width);
+    double enters = 0, leaves = 1;
+    for (int i = 0; i < 3; ++i) {
+        const double limit = g.size[i] + reach, way = last[i] - first[i];
+        if (std::fabs(first[i]) > limit && std::fabs(last[i]) > limit && first[i] * last[i] > 0) return true;
+        if (way == 0) continue;
+        const double one = (-limit - first[i]) / way, other = (limit - first[i]) / way;
+        enters = std::max(enters, std::min(one, other)), leaves = std::min(leaves, std::max(one, other));
+    }
+    return enters > leaves;
+}
+
 Course course_of(const Mover& a, const Mover& b, Span span, const Asked& asked) {
     const ShapeType type = b.shape().geometry.type;
     if (type == ShapeType::plane) return course_at_plane(a, b, span, asked);
     if (type == ShapeType::mesh || type == ShapeType::height_field) return course_at_triangles(a, b, span, asked);
     if (!is_strip(b.shape().geometry) && !may_meet_on_the_way(a, b, asked.within)) return surely_apart;
+    if (a.is_ball() && passes_box(a, b, asked.within)) return surely_apart;
+    if (b.is_ball() && passes_box(b, a, asked.within)) return surely_apart;
     return course_of_convexes(a, b, span, asked);
 }
 double half_width_of(const SweptShape& a, const SweptShape& b) {
@@ -350,10 +373,11 @@ double half_width_of(const SweptShape& a, const SweptShape& b) {
 }
 double end_of(const SweptShape& a, const SweptShape& b) { return std::min(a.path.until, b.path.until); }
 
-// Whether a course that ends without a meeting has none. The distance of convex shapes that move straight is a convex
-// function of time: no touch of them is missed.
+// Whether no cores meet on a course that ends without a meeting. The distance of convex shapes that move straight is a
+// convex function of time: no touch of them is missed. What turns so little that it gets nowhere deeper by it is missed
+// by no more.
 bool is_certain(const Course& course, const Mover& a, const Mover& b) {
-    return course.is_certain || (a.moves_straight() && b.moves_straight());
+    return course.is_certain || a.beside_straight() + b.beside_straight() <= sinking_part * core_depth_of(a.half_width);
 }
 
 // A ball in the middle of a shape, with that part of its smallest half width.

@@ -73,6 +73,7 @@ class Mover {
     double until() const { return s_.until; }
     const SweptShape& shape() const { return s_; }
     RigidPath::Pose body_at(double time) const { return time == from_ ? first_ : time == to_ ? last_ : pose_at(time); }
+    DQuat first_rotation() const { return rotation_at(first_); }
     DQuat rotation_at(const RigidPath::Pose& pose) const {
         return s_.geometry.is_turned ? pose.q * math::to_double(s_.geometry.rotation) : pose.q;
     }
@@ -109,8 +110,8 @@ class Mover {
     // How far the middle is from the straight line between two of its places, at most.
     double sagitta() const { return s_.path.sagitta(reach_); }
     bool is_still() const { return speed() == 0; }
-    // Whether all of it moves at one velocity.
-    bool moves_straight() const { return turn_ * reach_ == 0 && s_.until >= 1; }
+    // How far its points are from where they were if all of it moved at one velocity, at most.
+    double beside_straight() const { return s_.until >= 1 ? turn_ * reach_ : std::numeric_limits<double>::infinity(); }
     // How far its points move about its middle, at most.
     double turning() const { return is_ball() ? 0 : turn_ * s_.geometry.bounding_radius; }
     DVec3 middle_offset() const { return s_.offset + local_middle(); } // from the center of mass, in the body's frame

@@ -2,6 +2,7 @@
 
 #include "bodies/bodies.h"
 #include "bodies/integrators.h"
+#include "bodies/motion_budget.h"
 #include "collision/core_sweep.h"
 #include "contacts/contact_update.h"
 #include "contacts/convex_tests.h"
@@ -102,12 +103,14 @@ float bounding_radius_of(const Geometry& g) { return is_surface(g.type) ? unlimi
 
 bool moves_far(const NarrowInput& in, const ContactInfo& c, const Manifold& m, float dt) {
     if (c.is_trigger || m.count == 0) return false;
-    float turn = 0;
+    float turn = 0, unknown = 0; // rad/s: of both; of those whose surfaces it takes to where it is not told
     for (const std::int32_t b : {c.body_a, c.body_b}) {
         if (in.bodies.links[b].first_joint != none) return false;
-        turn += math::length(in.bodies.motion[b].w);
+        const float own = math::length(in.bodies.motion[b].w);
+        turn += own;
+        if (!turns_on_the_spot(in.bodies.links[b])) unknown += own;
     }
-    if (turn * dt > half_turn) return false;
+    if (unknown * dt > half_turn) return false;
     const std::int32_t first = c.flipped ? c.body_b : c.body_a, second = c.flipped ? c.body_a : c.body_b;
     const BodyMotion &a = in.bodies.motion[first], &b = in.bodies.motion[second];
     const math::Vec3 n = math::to_vec(m.normal), center = in.shapes.links[c.flipped ? c.shape_b : c.shape_a].arm;

@@ -203,6 +203,65 @@ TEST(Fast, WhatPassesAnEdgeOfAMeshIsNotDeflected) {
     }
 }
 
+// Balls that slide over boxes and fall between them are struck while they lie on something. Where one met a box that
+// hardly turned anew at once, and again and again, it stood still for the rest of the step: 16 times.
+TEST(Fast, BallsThatSlideAlongBoxesHardlyStandStill) {
+    World world;
+    add_ground(world);
+    for (int i = 0; i < 400; ++i) {
+        BodyDef def;
+        def.position = {1.5 * (i % 20), 0.5, 1.5 * (i / 20)};
+        add_body(world, Box{{0.5f, 0.5f, 0.5f}}, def);
+    }
+    run(world, 1.0f / 60, 40);
+    std::vector<BodyId> balls;
+    for (int i = 0; i < 200; ++i) {
+        BodyDef def;
+        def.position = {0.03 * ((i * 389) % 1000), 2 + 0.02 * (i % 50), 0.03 * ((i * 619 + 7) % 1000)};
+        const double turn = 2.399963 * i; // the golden angle: no two the same way
+        def.linear_velocity = 200.0f * glm::normalize(Vec3(std::cos(turn), -0.15, std::sin(turn)));
+        balls.push_back(add_body(world, Sphere{0.05f}, def));
+    }
+    std::size_t stopped = 0;
+    for (int step = 0; step < 20; ++step) {
+        run(world, 1.0f / 60, 1);
+        stopped += world.statistics().stopped_bodies;
+    }
+    EXPECT_LE(stopped, 12u);
+}
+
+// A turn about its center brings the surface of a ball nowhere: one that spins and slides on the ground is deflected by
+// nothing that it passes, as it was where it turned by more than half a turn in a step; and no more is looked at beside
+// its way than if it did not spin.
+TEST(Fast, ABallThatSpinsPassesByAsIfItDidNot) {
+    Material smooth;
+    smooth.static_friction = smooth.dynamic_friction = smooth.torsional_friction = 0;
+    const auto make = [&](World& world, float spin) {
+        BodyDef beside;
+        beside.type = BodyType::static_;
+        add_body(world, Plane{}, beside, smooth);
+        for (int i = 0; i < 8; ++i) {
+            beside.position = {2.0 * i + 1.5, 0.4, 2.0 * i};
+            add_body(world, Box{{0.4f, 0.4f, 0.4f}}, beside, smooth);
+        }
+        BodyDef def;
+        def.position.y = 0.05;
+        def.linear_velocity = {100, 0, 100};
+        def.angular_velocity = {0, spin, 0};
+        return add_body(world, Sphere{0.05f}, def, smooth);
+    };
+    World straight, spinning;
+    make(straight, 0);
+    const BodyId ball = make(spinning, 900);
+    for (int step = 1; step <= 6; ++step) {
+        run(straight, 1.0f / 60, 1);
+        run(spinning, 1.0f / 60, 1);
+        EXPECT_EQ(spinning.statistics().swept_pairs, straight.statistics().swept_pairs) << "step " << step;
+        EXPECT_NEAR(spinning.body(ball).position().x, 100.0 / 60 * step, 1e-4);
+        EXPECT_NEAR(spinning.body(ball).position().z, 100.0 / 60 * step, 1e-4);
+    }
+}
+
 // Bodies that were stopped by one that was stopped by them stood in the air for ever, and gained speed meanwhile.
 TEST(Fast, AHeapThatIsThrownDownIsNotFrozen) {
     Shots shots(2);

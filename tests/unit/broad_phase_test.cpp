@@ -42,6 +42,31 @@ TEST(BroadPhase, FindsEveryPairUnderChurnSleepAndTeleports) {
     }
 }
 
+// What moves by many times its size a step is spread over all places before it is sorted anew; what sleeps there are
+// islands of one shape and of several, some with a dead one.
+TEST(BroadPhase, WhatHasFlownApartFindsAllThatSleeps) {
+    Scene scene(14, 20);
+    for (int i = 0; i < 40; ++i) scene.add(Kind::fixed, 0.3, 1);
+    std::vector<std::uint32_t> sleepers;
+    for (int i = 0; i < 600; ++i) sleepers.push_back(scene.add(Kind::awake, 0.2, 0.8));
+    scene.update();
+    std::uint32_t key = 0;
+    for (std::size_t i = 0; i < sleepers.size();) {
+        const std::size_t size = std::min<std::size_t>(i < 300 ? 1 : 1 + i % 12, sleepers.size() - i);
+        scene.sleep(key++, {sleepers.begin() + std::ptrdiff_t(i), sleepers.begin() + std::ptrdiff_t(i + size)});
+        i += size;
+    }
+    for (int i = 0; i < 150; ++i) scene.add(Kind::awake, 0.05, 0.3);
+    for (int step = 0; step < 30; ++step) {
+        scene.move(1, 4);
+        if (step % 3 == 0) scene.remove(sleepers[std::size_t(step * 19 + 5)]);
+        scene.update();
+        scene.check();
+        ASSERT_FALSE(HasFailure()) << "step " << step;
+    }
+    EXPECT_GT(scene.sink.live.size(), 200u);
+}
+
 TEST(BroadPhase, WorksTenMillionMetersOut) {
     Scene scene(21, 7, {1e7, -1e7, 3e6});
     fill(scene);

@@ -126,4 +126,21 @@ TEST(CoreSweep, WhatTouchesGoesNoDeeperUnseen) {
     EXPECT_LE(met, 1);
 }
 
+// A ball that was pressed into a box beyond its core and leaves it over an edge meets nothing anew: neither where the
+// box rests, nor where it turns by micrometers, as it does on its contacts.
+TEST(CoreSweep, WhatLeavesOverAnEdgeMeetsNothing) {
+    const Solid a = ball(0.05), b = box(0.5, 0.5, 0.5);
+    const DQuat still{0, 0, 0, 1};
+    for (const double turn : {0.0, 5e-7, 1e-5}) {
+        const double from = 0.25;
+        const DVec3 place{0.08, 0.533, 0.483}, way{1.1, -0.05, 0.37};
+        const RigidPath leaving = RigidPath::between(place - from * way, still, place + (1 - from) * way, still),
+                        rest = RigidPath::between({}, still, {}, about({0, 0, 1}, turn) * still);
+        DVec3 axis{0, -1, 0};
+        EXPECT_EQ(cairn::time_of_sinking(swept(a, leaving), swept(b, rest), cairn::Held::perhaps, from, axis),
+                  cairn::never)
+            << "turns by " << turn;
+    }
+}
+
 } // namespace

@@ -57,16 +57,44 @@ void find_rows(const Node8& a, const TreeBox& bounds_a, std::uint32_t leaf_a, bo
     }
 }
 
-std::uint32_t find_others(const Node8& a, const TreeBox& bounds_a, const Node8* const* leaves, std::uint32_t leaf_count,
+std::uint32_t list_met(const Node8& a, const TreeBox& bounds_a, const TreeView& tree, MetLeaf* out) {
+    if (tree.level_count < 2) return 0;
+    const WideBox wide_a = splat(bounds_a);
+    std::uint32_t node[max_tree_levels];
+    unsigned lanes[max_tree_levels];
+    std::uint8_t rows[max_tree_levels][8];
+    std::uint32_t level = tree.level_count - 1, count = 0;
+    node[level] = 0;
+    lanes[level] = meeting_rows(a, wide_a, 255u, tree.levels[level][0], rows[level]);
+    for (;;) {
+        if (lanes[level] == 0) {
+            if (++level == tree.level_count) return count;
+            continue;
+        }
+        const auto lane = std::uint32_t(__builtin_ctz(lanes[level])), child = node[level] * 8 + lane;
+        const unsigned rows_of_child = rows[level][lane];
+        lanes[level] &= lanes[level] - 1;
+        if (level == 1) {
+            out[count++] = {&tree.levels[0][child], child, rows_of_child};
+            continue;
+        }
+        --level;
+        node[level] = child;
+        lanes[level] = meeting_rows(a, wide_a, rows_of_child, tree.levels[level][child], rows[level]);
+    }
+}
+
+std::uint32_t find_others(const Node8& a, const TreeBox& bounds_a, const MetLeaf* leaves, std::uint32_t leaf_count,
                           std::uint32_t* out) {
     const WideBox wide_a = splat(bounds_a);
     std::uint32_t count = 0;
-    for (std::uint32_t index = 0; index < leaf_count; ++index) {
-        const Node8& b = *leaves[index];
-        for (unsigned lanes = unsigned(hits(b, wide_a)); lanes; lanes &= lanes - 1) {
-            const unsigned lane = unsigned(__builtin_ctz(lanes));
-            for (unsigned rows = unsigned(hits(a, splat_lane(b, lane))); rows; rows &= rows - 1)
-                out[count++] = std::uint32_t(__builtin_ctz(rows)) | lane << 3 | index << 6;
+    for (std::uint32_t place = 0; place < leaf_count; ++place) {
+        std::uint8_t rows_of_lane[8];
+        unsigned lanes = meeting_rows(a, wide_a, leaves[place].rows, *leaves[place].leaf, rows_of_lane);
+        for (; lanes; lanes &= lanes - 1) {
+            const auto lane = unsigned(__builtin_ctz(lanes));
+            for (unsigned rows = rows_of_lane[lane]; rows; rows &= rows - 1)
+                out[count++] = std::uint32_t(__builtin_ctz(rows)) | lane << 3 | place << 6;
         }
     }
     return count;

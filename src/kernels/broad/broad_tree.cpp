@@ -136,7 +136,7 @@ void mark_changed(const TreeView& tree, const TreeBox& before, const TreeBox& af
 } // namespace
 
 BroadKernels broad_kernels() {
-    return {hit_box, hit_ray, hit_near, refit, list_leaves, find_rows, find_others, mark_changed};
+    return {hit_box, hit_ray, hit_near, refit, list_leaves, find_rows, list_met, find_others, mark_changed};
 }
 
 } // namespace cairn::CAIRN_ISA

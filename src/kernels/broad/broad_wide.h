@@ -28,9 +28,35 @@ CAIRN_INLINE int hits(Vec3x8 lo, Vec3x8 hi, const WideBox& box) {
 }
 CAIRN_INLINE int hits(const Node8& node, const WideBox& box) { return hits(load3(node.lo), load3(node.hi), box); }
 
+// Of the items of leaf a in `rows`, as bits, those that meet each lane of b. Returns the lanes that any of them meets.
+// Asked of each row or of each lane, whichever are fewer: it is those that are in one place that share a walk.
+CAIRN_INLINE unsigned meeting_rows(const Node8& a, const WideBox& bounds_a, unsigned rows, const Node8& b,
+                                   std::uint8_t (&rows_of_lane)[8]) {
+    const bool is_one_row = (rows & (rows - 1)) == 0;
+    const auto lanes = is_one_row ? 255u : unsigned(hits(b, bounds_a));
+    unsigned met = 0;
+    if (is_one_row || __builtin_popcount(rows) < __builtin_popcount(lanes)) {
+        for (std::uint8_t& of_lane : rows_of_lane) of_lane = 0;
+        for (unsigned left = rows; left; left &= left - 1) {
+            const auto row = unsigned(__builtin_ctz(left)), found = unsigned(hits(b, splat_lane(a, row)));
+            met |= found;
+            for (unsigned lane = found; lane; lane &= lane - 1)
+                rows_of_lane[__builtin_ctz(lane)] |= std::uint8_t(1u << row);
+        }
+        return met;
+    }
+    for (unsigned left = lanes; left; left &= left - 1) {
+        const auto lane = unsigned(__builtin_ctz(left)), found = unsigned(hits(a, splat_lane(b, lane))) & rows;
+        rows_of_lane[lane] = std::uint8_t(found);
+        met |= unsigned(found != 0) << lane;
+    }
+    return met;
+}
+
 void find_rows(const Node8& a, const TreeBox& bounds_a, std::uint32_t leaf_a, bool forward, const Node8* leaves,
                const LeafList& list, std::uint32_t list_count, std::uint32_t key_base, RowBuffer& rows);
-std::uint32_t find_others(const Node8& a, const TreeBox& bounds_a, const Node8* const* leaves, std::uint32_t leaf_count,
+std::uint32_t list_met(const Node8& a, const TreeBox& bounds_a, const TreeView& tree, MetLeaf* out);
+std::uint32_t find_others(const Node8& a, const TreeBox& bounds_a, const MetLeaf* leaves, std::uint32_t leaf_count,
                           std::uint32_t* out);
 
 } // namespace cairn::CAIRN_ISA
