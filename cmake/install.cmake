@@ -53,7 +53,7 @@ if(CAIRN_APP)
     if(TARGET cairn_ranks) # which it opens under mpirun
         install(TARGETS cairn_ranks LIBRARY DESTINATION lib/cairn COMPONENT ranks)
     endif()
-    install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenes DESTINATION share/cairn)
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenes ${PROJECT_SOURCE_DIR}/docs DESTINATION share/cairn)
     if(NOT CMAKE_CROSSCOMPILING) # the program prints them
         set(pages ${PROJECT_BINARY_DIR}/pages)
         install(FILES ${pages}/cairn.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)

@@ -196,6 +196,13 @@ void add_record(CLI::App& app, RecordOptions& options) {
     record->add_flag(
         "--uncompressed", [&options](std::int64_t) { options.compress = false; },
         "Do not compress the file, for readers without zstd");
+    record
+        ->add_option("--with", options.readings,
+                     "For Foxglove, Rerun and others: poses, contacts, joints, statistics, events, or all")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"poses", "contacts", "joints", "statistics", "events", "all"}));
+    record->add_option("--with-rate", options.readings_rate, "How often these, Hz (default: after each step)")
+        ->check(between(1e-3, 1e6));
     add_reading(*record, options.read);
 }
 

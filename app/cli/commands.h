@@ -123,6 +123,8 @@ struct RecordOptions {
     std::optional<int> threads;      // all otherwise
     double keyframes = 64.0;         // MB, for all of them
     bool compress = true;
+    std::vector<std::string> readings;   // poses, contacts, joints, statistics, events, all
+    std::optional<double> readings_rate; // Hz; each step otherwise
 };
 
 int record_command(const RecordOptions& options);

@@ -3,6 +3,7 @@
 #include "cli/interrupt.h"
 #include "cli/outputs.h"
 #include "cli/progress.h"
+#include "cli/viewer_scene.h"
 
 #include "recording/recorder.h"
 #include "scene/scene.h"
@@ -24,6 +25,14 @@ std::uint64_t steps_to_record(const RecordOptions& options, double time_step) {
     return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(steps));
 }
 
+recording::Readings readings_of(const std::vector<std::string>& names) {
+    const auto has = [&](const char* name) {
+        return std::any_of(names.begin(), names.end(),
+                           [&](const std::string& given) { return given == name || given == "all"; });
+    };
+    return {has("poses"), has("contacts"), has("joints"), has("statistics"), has("events")};
+}
+
 } // namespace
 
 int record_command(const RecordOptions& options) {
@@ -34,11 +43,16 @@ int record_command(const RecordOptions& options) {
     recording::RecorderOptions how;
     how.compress = options.compress;
     how.keyframe_budget = static_cast<std::size_t>(options.keyframes * 1e6);
+    how.readings = readings_of(options.readings);
+    if (options.readings_rate) how.readings_interval = 1.0 / *options.readings_rate;
     how.source = path.filename().generic_string();
     const InterruptGuard interrupt; // until all is written
     recording::Recorder recorder(options.output, how);
     scene::Scene scene = options.read.load(path, recorder.listener());
     if (options.time_step) scene.info.time_step = static_cast<float>(*options.time_step);
+    const std::vector<viewer::Visual> visuals = visuals_of(scene);
+    recorder.note(looks_note, note_of({how.source, camera_of(scene, visuals), scene.info.light, appearances_of(scene)},
+                                      scene.world));
     scene.world.set_threads(options.threads.value_or(hardware_threads()));
     const std::uint64_t steps = steps_to_record(options, static_cast<double>(scene.info.time_step));
     set_activity("recording", options.scene);

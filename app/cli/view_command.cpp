@@ -31,6 +31,7 @@ int view_command(const ViewOptions& options) {
     window.savers = {save_recording, save_scene};
     window.svg_of_chart = svg_of_chart;
     window.file_types = viewer_file_types();
+    window.docs = scene::scenes_directory().parent_path() / "docs"; // installed beside the scenes, as in the source
     window.width = options.width;
     window.height = options.height;
     window.exit_after = options.exit_after;

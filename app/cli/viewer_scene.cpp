@@ -7,11 +7,15 @@
 #include "scene/mesh_files.h"
 #include "viewer/world_state.h"
 
+#include <fmt/core.h>
+#include <glm/common.hpp>
 #include <glm/trigonometric.hpp>
 
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <memory>
+#include <sstream>
 #include <unordered_map>
 #include <utility>
 
@@ -86,6 +90,32 @@ struct OpenRecording {
     recording::CallReader calls;
 };
 
+// As `note_of` wrote it. What is missing or makes no sense stays as it is.
+void take_looks(viewer::LoadedScene& loaded, const std::map<std::string, std::string>& note) {
+    const auto words = [&](const char* name) {
+        const auto found = note.find(name);
+        return std::istringstream(found == note.end() ? std::string() : found->second);
+    };
+    viewer::CameraPose camera = loaded.camera;
+    Position &eye = camera.position, &target = camera.target;
+    auto of_camera = words("camera");
+    if (of_camera >> eye.x >> eye.y >> eye.z >> target.x >> target.y >> target.z >> camera.vertical_fov >>
+            camera.is_parallel &&
+        eye != target && camera.vertical_fov > 0.0f && camera.vertical_fov < 3.1f)
+        loaded.camera = camera;
+    Vec3 light(0.0f);
+    auto of_light = words("light");
+    if (of_light >> light.x >> light.y >> light.z && light != Vec3(0.0f)) loaded.light = light;
+    std::map<std::uint32_t, ShapeId> shapes;
+    for (const BodyId body : loaded.world.bodies())
+        for (const ShapeId shape : loaded.world.body(body).shapes()) shapes.emplace(shape.index(), shape);
+    auto of_colors = words("colors");
+    std::uint32_t slot = 0;
+    for (Vec3 color(0.0f); of_colors >> slot >> color.x >> color.y >> color.z;)
+        if (const auto found = shapes.find(slot); found != shapes.end())
+            loaded.appearances.push_back({found->second, glm::clamp(color, 0.0f, 1.0f)});
+}
+
 // The world of its beginning, and all that follows. What comes before the first step makes the scene.
 viewer::LoadedScene load_recording(const std::filesystem::path& path) {
     const auto open = std::make_shared<OpenRecording>(path);
@@ -116,17 +146,36 @@ viewer::LoadedScene load_recording(const std::filesystem::path& path) {
     loaded.hint = "a recording" + (info.source.empty() ? std::string() : " of " + info.source) +
                   ": drag on the bar below, or press Space";
     loaded.camera = viewer::fit_camera(loaded.world);
+    take_looks(loaded, open->recording.note(looks_note));
     loaded.is_paused = true;
     return loaded;
 }
 
 } // namespace
 
-void save_recording(const std::filesystem::path& path, const std::string& source, World& world,
+std::map<std::string, std::string> note_of(const viewer::RecordingLooks& looks, const World& world) {
+    const viewer::CameraPose& camera = looks.camera;
+    std::string colors;
+    for (const viewer::Appearance& known : looks.appearances)
+        if (world.is_valid(known.shape))
+            colors += fmt::format("{} {:.9g} {:.9g} {:.9g}\n", known.shape.index(), known.color.x, known.color.y,
+                                  known.color.z);
+    std::map<std::string, std::string> note{
+        {"camera", fmt::format("{:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.9g} {}", camera.position.x,
+                               camera.position.y, camera.position.z, camera.target.x, camera.target.y, camera.target.z,
+                               camera.vertical_fov, camera.is_parallel ? 1 : 0)},
+        {"colors", colors}};
+    if (looks.light)
+        note["light"] = fmt::format("{:.9g} {:.9g} {:.9g}", looks.light->x, looks.light->y, looks.light->z);
+    return note;
+}
+
+void save_recording(const std::filesystem::path& path, const viewer::RecordingLooks& looks, World& world,
                     const std::function<void()>& run) {
     recording::RecorderOptions options;
-    options.source = source;
+    options.source = looks.source;
     recording::Recorder recorder(path, options);
+    recorder.note(looks_note, note_of(looks, world));
     world.set_command_listener(recorder.listener());
     run();
     recorder.close();
@@ -144,7 +193,10 @@ void save_scene(const std::filesystem::path& path, viewer::LoadedScene& saved) {
             scene.appearances.push_back({saved.world.body_of(appearance.shape), appearance.shape, appearance.color});
     for (const viewer::JointAppearance& shown : saved.strings)
         scene.joint_appearances.push_back({shown.joint, shown.color});
-    scene.force_fields = saved.force_fields;
+    for (const ForceFieldId id : saved.world.force_fields()) {
+        scene.force_fields.push_back(id);
+        scene.info.force_fields.push_back(saved.world.force_field(id));
+    }
     scene.groups = saved.groups;
     scene.world = std::move(saved.world);
     scene::save(scene, path);
@@ -176,7 +228,6 @@ viewer::LoadedScene load_for_viewer(const std::string& path, const ReadOptions& 
     loaded.title = scene.info.title;
     loaded.hint = scene.info.hint;
     loaded.time_step = scene.info.time_step;
-    loaded.force_fields = scene.force_fields;
     loaded.groups = scene.groups;
     scene.world.set_threads(hardware_threads());
     loaded.world = std::move(scene.world);

@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -28,8 +29,12 @@ viewer::CameraPose camera_of(const scene::Scene& scene, std::span<const viewer::
 std::vector<std::string> viewer_file_types();
 
 // See `viewer::Savers`.
-void save_recording(const std::filesystem::path& path, const std::string& source, World& world,
+void save_recording(const std::filesystem::path& path, const viewer::RecordingLooks& looks, World& world,
                     const std::function<void()>& run);
+
+// How a recording that begins with this scene looks, for `Recorder::note`, under the name `looks_note`.
+inline constexpr const char* looks_note = "cairn.looks";
+std::map<std::string, std::string> note_of(const viewer::RecordingLooks& looks, const World& world);
 
 void save_scene(const std::filesystem::path& path, viewer::LoadedScene& saved);
 

@@ -24,6 +24,13 @@ struct Names {
     std::optional<NamedChange> operator()(const command::SetSettings&) const {
         return NamedChange{"settings", Merge::soon};
     }
+    std::optional<NamedChange> operator()(const command::AddField&) const { return NamedChange{"add a force field"}; }
+    std::optional<NamedChange> operator()(const command::SetField&) const {
+        return NamedChange{"force field", Merge::soon};
+    }
+    std::optional<NamedChange> operator()(const command::RemoveField&) const {
+        return NamedChange{"remove a force field"};
+    }
     std::optional<NamedChange> operator()(const command::GrabBody&) const { return NamedChange{"drag"}; }
     std::optional<NamedChange> operator()(const command::ReleaseGrab&) const {
         return NamedChange{"drag", Merge::always};

@@ -88,13 +88,25 @@ struct ExplainImpact {
 };
 /// Shows that impact in slow motion, and pauses after it.
 struct WatchImpact {};
-/// Saves the last seconds as a recording.
+/// Saves the last seconds as a recording, looked at from there.
 struct SaveRecording {
     std::string path;
     double seconds = 30.0;
+    CameraPose camera{};
 };
 struct SetSettings {
     WorldDef settings;
+};
+/// Force fields of the scene, not those that are held keys.
+struct AddField {
+    ForceField field;
+};
+struct SetField {
+    ForceFieldId id;
+    ForceField field;
+};
+struct RemoveField {
+    ForceFieldId id;
 };
 /// Selects the dynamic body that the ray meets first and grabs it there. The answer appears in `Grab` with the same
 /// `serial`.
@@ -195,12 +207,13 @@ using Command =
                  command::TogglePause, command::SingleStep, command::ChangeSpeed, command::SetSpeed, command::SeekTo,
                  command::StepBack, command::PlayBackwards, command::Undo, command::Redo, command::BranchOff,
                  command::ExchangeRuns, command::EndOtherRun, command::SetPanes, command::ExplainImpact,
-                 command::WatchImpact, command::SaveRecording, command::SetSettings, command::GrabBody,
-                 command::MoveGrab, command::ReleaseGrab, command::SelectNothing, command::Say, command::ShowIslands,
-                 command::TakeSamples, command::ShowSolver, command::SelectBody, command::EditBody, command::EditBodies,
-                 command::GroupSelected, command::UngroupSelected, command::EndChange, command::DuplicateSelected,
-                 command::SaveScene, command::MakeJoint, command::SelectJoint, command::SetJoint,
-                 command::SetJointStrength, command::SetJointSolver, command::RemoveJoint>;
+                 command::WatchImpact, command::SaveRecording, command::SetSettings, command::AddField,
+                 command::SetField, command::RemoveField, command::GrabBody, command::MoveGrab, command::ReleaseGrab,
+                 command::SelectNothing, command::Say, command::ShowIslands, command::TakeSamples, command::ShowSolver,
+                 command::SelectBody, command::EditBody, command::EditBodies, command::GroupSelected,
+                 command::UngroupSelected, command::EndChange, command::DuplicateSelected, command::SaveScene,
+                 command::MakeJoint, command::SelectJoint, command::SetJoint, command::SetJointStrength,
+                 command::SetJointSolver, command::RemoveJoint>;
 
 /// A queue that many threads may fill and one empties.
 class CommandQueue {

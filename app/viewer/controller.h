@@ -62,6 +62,7 @@ class Controller {
     // --- what was asked for; whoever does it clears it
     bool screenshot = false, save_scene = false, save_recording = false, video = false;
     std::vector<Export> exports;
+    std::string page; ///< Of the documentation, to be opened.
 
     const std::vector<SceneItem>& scenes() const noexcept { return scenes_; }
     void choose_scene(std::size_t index); ///< Beyond the list: nothing happens.

@@ -75,6 +75,16 @@ struct CarryOut {
     }
     void operator()(const edit::Velocity& velocity) { body.set_linear_velocity(velocity.velocity); }
     void operator()(const edit::Turning& turning) { body.set_angular_velocity(turning.turning); }
+    void operator()(const edit::Trigger& trigger) {
+        const std::vector<ShapeId> old = body.shapes();
+        for (const ShapeId shape : old) {
+            ShapeDef def = world.shape_def(shape);
+            def.is_trigger = trigger.on;
+            replaced.emplace_back(shape, world.add_shape(body.id(), Shape(world.shape(shape)), def));
+        }
+        for (const ShapeId shape : old) world.remove_shape(shape);
+        body.wake();
+    }
     void operator()(const edit::Surface& surface) {
         std::vector<BodyId> bodies{body.id()};
         if (surface.also_what_it_touches)
@@ -87,6 +97,7 @@ struct CarryOut {
 };
 
 struct EditNames {
+    const char* operator()(const edit::Trigger&) const { return "trigger"; }
     const char* operator()(const edit::Name&) const { return "name of a body"; }
     const char* operator()(const edit::Type&) const { return "type of a body"; }
     const char* operator()(const edit::Mass&) const { return "mass of a body"; }
@@ -124,8 +135,10 @@ std::optional<BodyFacts> read_facts(const World& world, BodyId id, double step_l
         facts.potential_energy = -mass * double(body.gravity_scale()) *
                                  glm::dot(glm::dvec3(world.settings().gravity), glm::dvec3(facts.center));
     }
+    facts.is_trigger = !body.shapes().empty();
     for (const ShapeId shape : body.shapes()) {
         const ShapeDef& def = world.shape_def(shape);
+        facts.is_trigger &= def.is_trigger;
         facts.shapes.push_back({shape, std::visit(KindOf{}, world.shape(shape)), def.material, def.density});
     }
     read_touches(facts, world, step_length);

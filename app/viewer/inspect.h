@@ -28,6 +28,7 @@ struct BodyFacts {
     MassProperties mass;
     Position position{0.0, 0.0, 0.0}, center{0.0, 0.0, 0.0}; ///< Of its frame, of its mass.
     Quat rotation{1.0f, 0.0f, 0.0f, 0.0f};
+    bool is_trigger = false;                                                  ///< All its shapes are.
     bool can_be_stretched = false;                                            ///< Scaled along one axis alone.
     Vec3 velocity{0.0f, 0.0f, 0.0f}, turning{0.0f, 0.0f, 0.0f};               ///< m/s, rad/s
     double linear_energy = 0.0, angular_energy = 0.0, potential_energy = 0.0; ///< J; the last above the origin.
@@ -91,10 +92,14 @@ struct Surface {
     bool also_what_it_touches = false; ///< ... and those of the bodies that it touches.
 };
 
+struct Trigger {
+    bool on = true; ///< All its shapes touch nothing, and report what comes in.
+};
+
 } // namespace edit
 
 using BodyEdit = std::variant<edit::Name, edit::Type, edit::Mass, edit::Place, edit::Pose, edit::Scale, edit::Velocity,
-                              edit::Turning, edit::Surface>;
+                              edit::Turning, edit::Surface, edit::Trigger>;
 const char* name_of(const BodyEdit& edit); ///< For undoing it.
 /// Throws as the calls of `Body` do. Shapes that are replaced: their old and new ids.
 std::vector<std::pair<ShapeId, ShapeId>> carry_out(World& world, BodyId body, const BodyEdit& edit);

@@ -35,6 +35,11 @@ void Inspector::draw_identity(const BodyFacts& facts, Controller& controller) {
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip(
             "static: never moves; kinematic: moves as it is told, and nothing pushes it; dynamic: by forces");
+    bool is_trigger = facts.is_trigger;
+    if (ImGui::Checkbox("trigger", &is_trigger))
+        controller.post(command::EditBody{facts.id, edit::Trigger{is_trigger}});
+    note_place(controller, "inspector.trigger");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("touches nothing, and reports what comes in and leaves");
     if (facts.type != BodyType::dynamic) return;
     if (ImGui::SliderFloat("mass", &edited_.mass.mass, 0.01f, 1e5f, "%.4g kg", ImGuiSliderFlags_Logarithmic) &&
         edited_.mass.mass > 0.0f)
@@ -188,31 +193,23 @@ void Inspector::draw_several(const StageState& state, Controller& controller) {
     explain("Shift+click adds a body or takes one away; Shift+drag beside bodies adds all in a frame.");
 }
 
-void Inspector::draw(const StageState& state, Controller& controller, float scale, float top, float bottom,
-                     float room) {
+// Its fields follow the body, unless one is being edited. Returns the title of its window.
+std::string Inspector::follow(const StageState& state, Controller& controller) {
     controller.places.erase("inspector.name");
-    if (!state.inspected || state.selected_joint || controller.dragging()) return;
     const BodyFacts& facts = *state.inspected;
     if (edited_.id != facts.id || !ImGui::IsAnyItemActive()) {
         edited_ = facts;
         std::snprintf(name_.data(), name_.size(), "%s", facts.name.c_str());
     }
-    const float width = inspector_width * scale, margin = 12.0f * scale;
-    if (room < 1.3f * width) return; // the window is too small for both
-    const ImVec2 display = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos(ImVec2(display.x - margin, top), ImGuiCond_FirstUseEver, ImVec2(1.0f, 0.0f));
-    ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0f),
-                                        ImVec2(width, std::max(display.y - top - bottom - 52.0f * scale, 64.0f)));
-    ImGui::SetNextWindowBgAlpha(0.93f);
-    const bool is_one = state.selection.size() < 2;
+    if (state.selection.size() < 2) return label_of(facts.id, facts.name);
     const std::string count = std::to_string(state.selection.size()) + " bodies";
-    const std::string name = label_of(facts.id, facts.name);
-    const std::string title = (is_one ? name : state.is_group ? "a group of " + count : count) + "###body";
-    bool is_open = true;
-    ImGui::Begin(title.c_str(), &is_open, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
-    keep_in_picture(display.x - room, bottom);
+    return state.is_group ? "a group of " + count : count;
+}
+
+void Inspector::draw_content(const StageState& state, Controller& controller, float width) {
+    const BodyFacts& facts = *state.inspected;
     ImGui::PushItemWidth(0.56f * width);
-    if (is_one) {
+    if (state.selection.size() < 2) {
         draw_identity(facts, controller);
         draw_buttons(controller);
         draw_motion(facts, controller);
@@ -222,6 +219,42 @@ void Inspector::draw(const StageState& state, Controller& controller, float scal
         draw_several(state, controller);
     }
     ImGui::PopItemWidth();
+}
+
+void Inspector::draw(const StageState& state, Controller& controller, float scale, float top, float bottom,
+                     float room) {
+    controller.places.erase("inspector.name");
+    if (!state.inspected || state.selected_joint || controller.dragging()) return;
+    const std::string title = follow(state, controller) + "###body";
+    const float width = inspector_width * scale, margin = 12.0f * scale;
+    if (room < 1.3f * width) return; // the window is too small for both
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos(ImVec2(display.x - margin, top), ImGuiCond_FirstUseEver, ImVec2(1.0f, 0.0f));
+    ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0f),
+                                        ImVec2(width, std::max(display.y - top - bottom - 52.0f * scale, 64.0f)));
+    ImGui::SetNextWindowBgAlpha(0.93f);
+    bool is_open = true;
+    ImGui::Begin(title.c_str(), &is_open, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
+    keep_in_picture(display.x - room, bottom);
+    draw_content(state, controller, width);
+    ImGui::End();
+    if (!is_open) controller.post(command::SelectNothing{});
+}
+
+void Inspector::draw_in_column(const StageState& state, Controller& controller, float width, float height) {
+    controller.places.erase("inspector.name");
+    if (!state.inspected || state.selected_joint) return;
+    const std::string title = follow(state, controller) + "###body in the column";
+    ImGui::SetNextWindowPos(ImVec2(0.0f, ImGui::GetIO().DisplaySize.y - height));
+    ImGui::SetNextWindowSize(ImVec2(width, height));
+    ImGui::SetNextWindowBgAlpha(1.0f);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
+    bool is_open = true;
+    ImGui::Begin(title.c_str(), &is_open,
+                 ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
+    ImGui::PopStyleVar();
+    draw_content(state, controller, width);
     ImGui::End();
     if (!is_open) controller.post(command::SelectNothing{});
 }

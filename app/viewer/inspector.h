@@ -5,6 +5,7 @@
 #include "viewer/controller.h"
 
 #include <array>
+#include <string>
 
 namespace cairn::viewer {
 
@@ -13,8 +14,13 @@ class Inspector {
     /// To be called between ImGui's NewFrame and Render. `top`: where the picture's title ends; `room`: the picture's
     /// width.
     void draw(const StageState& state, Controller& controller, float scale, float top, float bottom, float room);
+    /// The same in the lowest `height` of the panel's column, which has that `width`: beside several pictures, of which
+    /// it would cover one.
+    void draw_in_column(const StageState& state, Controller& controller, float width, float height);
 
   private:
+    std::string follow(const StageState& state, Controller& controller);
+    void draw_content(const StageState& state, Controller& controller, float width);
     void draw_identity(const BodyFacts& facts, Controller& controller);
     void draw_motion(const BodyFacts& facts, Controller& controller);
     void draw_surface(const BodyFacts& facts, Controller& controller);

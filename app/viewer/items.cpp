@@ -1,5 +1,7 @@
 #include "viewer/items.h"
 
+#include "viewer/palette.h"
+
 #include <imgui.h>
 
 #include <algorithm>
@@ -38,6 +40,35 @@ void explain(const char* text) {
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
     ImGui::TextWrapped("%s", text);
     ImGui::PopStyleColor();
+}
+
+unsigned display_color(const Vec3& linear) {
+    const Vec3 color = srgb(linear);
+    return ImGui::ColorConvertFloat4ToU32(ImVec4(color.x, color.y, color.z, 1.0f));
+}
+
+void draw_swatch(const Vec3& color, const char* meaning) {
+    const float side = ImGui::GetTextLineHeight();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::GetWindowDrawList()->AddRectFilled(corner, ImVec2(corner.x + side, corner.y + side), display_color(color),
+                                              3.0f);
+    ImGui::Dummy(ImVec2(side, side));
+    ImGui::SameLine();
+    ImGui::TextUnformatted(meaning);
+}
+
+bool draw_link(const char* text, const char* meaning) {
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
+    ImGui::TextUnformatted(text);
+    ImGui::PopStyleColor();
+    const bool is_hovered = ImGui::IsItemHovered();
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    if (is_hovered) {
+        ImGui::GetWindowDrawList()->AddLine(ImVec2(low.x, high.y), high, ImGui::GetColorU32(ImGuiCol_CheckMark));
+        ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+        ImGui::SetTooltip("%s", meaning);
+    }
+    return is_hovered && ImGui::IsMouseClicked(0);
 }
 
 } // namespace cairn::viewer

@@ -24,4 +24,12 @@ void keep_in_picture(float column, float bottom);
 /// A paragraph in a calmer color.
 void explain(const char* text);
 
+/// As the interface has it, of a linear color.
+unsigned display_color(const Vec3& linear);
+/// A patch of a color, and what it means.
+void draw_swatch(const Vec3& color, const char* meaning);
+
+/// A word that can be clicked, and what that does; whether it was.
+bool draw_link(const char* text, const char* meaning);
+
 } // namespace cairn::viewer

@@ -361,7 +361,7 @@ void JointPanel::draw_selected(const StageState& state, Controller& controller, 
     }
     const ImGuiIO& io = ImGui::GetIO();
     const float width = window_width * scale, margin = 12.0f * scale;
-    const bool fits = room > 2.0f * (width + 2.0f * margin);
+    const bool fits = state.panes.empty() && room > 2.0f * (width + 2.0f * margin);
     if (!fits) ImGui::SetNextWindowBgAlpha(1.0f); // what it covers must not shine through
     const float height = fits ? io.DisplaySize.y - top - bottom - margin : 0.5f * io.DisplaySize.y;
     ImGui::SetNextWindowPos(fits ? ImVec2(io.DisplaySize.x - margin, top) : ImVec2(0.0f, io.DisplaySize.y),

@@ -11,8 +11,8 @@ class JointPanel {
     /// The list, inside the panel's window. Nothing for worlds without joints.
     void draw(const StageState& state, Controller& controller);
     /// The window of the selected joint, at the right under `top` and over `bottom`; nothing if none is selected. Where
-    /// it would reach the middle of the picture, which is `room` wide, it lies over the lower part of the panel
-    /// instead.
+    /// it would reach the middle of the picture, which is `room` wide, or where there are several pictures, it lies
+    /// over the lower part of the panel instead.
     void draw_selected(const StageState& state, Controller& controller, float scale, float top, float bottom,
                        float room);
 

@@ -4,6 +4,7 @@
 #include "viewer/items.h"
 #include "viewer/other_run_window.h"
 #include "viewer/palette.h"
+#include "viewer/solver_panel.h"
 
 #include <imgui.h>
 
@@ -19,11 +20,6 @@ namespace {
 
 constexpr float panel_width = 300.0f;
 constexpr float min_scene_lines = 7.5f; // half a line shows that there are more
-
-ImU32 display_color(const Vec3& linear) {
-    const Vec3 color = srgb(linear);
-    return ImGui::ColorConvertFloat4ToU32(ImVec4(color.x, color.y, color.z, 1.0f));
-}
 
 // A bar of the ramp with a label at both ends.
 void draw_legend(Vec3 (*ramp)(float), const char* low, const char* high) {
@@ -41,16 +37,6 @@ void draw_legend(Vec3 (*ramp)(float), const char* low, const char* high) {
     ImGui::TextUnformatted(low);
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(high).x);
     ImGui::TextUnformatted(high);
-}
-
-void draw_swatch(const Vec3& color, const char* meaning) {
-    const float side = ImGui::GetTextLineHeight();
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    ImGui::GetWindowDrawList()->AddRectFilled(corner, ImVec2(corner.x + side, corner.y + side), display_color(color),
-                                              3.0f);
-    ImGui::Dummy(ImVec2(side, side));
-    ImGui::SameLine();
-    ImGui::TextUnformatted(meaning);
 }
 
 void row(const char* name, const char* format, double value) {
@@ -242,51 +228,6 @@ void Panel::draw_settings(Controller& controller) {
     if (changed) controller.post(command::SetSettings{settings_});
 }
 
-// How deep, and what the colors of the boxes are.
-void Panel::draw_tree_choice(const StageState& state, Controller& controller, SolverShown& shown) {
-    ImGui::SliderInt("depth", &shown.tree_depth, 0, greatest_tree_depth, "%d", ImGuiSliderFlags_AlwaysClamp);
-    note_place(controller, "solver.depth");
-    if (!state.current->solver) return;
-    const std::vector<BroadPhaseNode>& nodes = state.current->solver->nodes;
-    std::array<int, greatest_tree_depth + 1> count{};
-    int shapes = 0;
-    for (const BroadPhaseNode& node : nodes) ++count[std::size_t(node.depth)], shapes += node.is_leaf;
-    for (int depth = 0; depth <= greatest_tree_depth; ++depth) {
-        if (count[std::size_t(depth)] == 0) continue;
-        char text[64];
-        std::snprintf(text, sizeof text, "%d%s: %d %s", depth, depth == 0 ? ", the roots" : "",
-                      count[std::size_t(depth)], count[std::size_t(depth)] == 1 ? "box" : "boxes");
-        draw_swatch(tree_color(depth), text);
-    }
-    if (nodes.empty())
-        ImGui::TextUnformatted("There is none: planes are in no tree.");
-    else
-        ImGui::Text(nodes.size() < std::size_t(most_tree_boxes) ? "%d of single shapes"
-                                                                : "%d of single shapes; more are not drawn",
-                    shapes);
-}
-
-void Panel::draw_solver_parts(const StageState& state, Controller& controller) {
-    const bool is_open = ImGui::CollapsingHeader("What the solver sees");
-    note_place(controller, "panel.solver");
-    if (!is_open) return;
-    SolverShown shown = controller.solver;
-    for (const SolverPart& part : solver_parts()) {
-        ImGui::Checkbox(part.name, &(shown.*part.shown));
-        note_place(controller, (std::string("solver.") + part.name).c_str());
-        if (shown.*part.shown) explain(part.meaning);
-        if (part.shown == &SolverShown::tree && shown.tree) draw_tree_choice(state, controller, shown);
-    }
-    if (shown.difference && state.current->solver && state.current->solver->difference) {
-        const GjkResult& gjk = state.current->solver->difference->gjk;
-        ImGui::Text(gjk.distance > 0.0 ? "%.4g m apart" : "they overlap", gjk.distance);
-        ImGui::Text("found in %d iterations, with %zu points", gjk.iterations, gjk.simplex.size());
-    } else if (shown.difference) {
-        ImGui::TextUnformatted("Click a body.");
-    }
-    if (shown != controller.solver) controller.show_solver(shown);
-}
-
 void Panel::draw_view(const StageState& state, Controller& controller) {
     if (!ImGui::CollapsingHeader("View", ImGuiTreeNodeFlags_DefaultOpen)) return;
     if (ImGui::BeginCombo("colors", name_of(controller.colors))) {
@@ -388,10 +329,13 @@ void Panel::draw(const StageState& state, Controller& controller, const WindowFa
     const ImGuiIO& io = ImGui::GetIO();
     const float margin = 12.0f * scale;
     const float column = column_width(controller, scale, io.DisplaySize.x), room = io.DisplaySize.x - column;
+    // Beside several pictures, what tells about the selected one has the lower half of the column.
+    const bool is_shared = column > 0.0f && !state.panes.empty() && (state.inspected || state.selected_joint);
+    const float below = is_shared ? std::round(0.5f * io.DisplaySize.y) : 0.0f;
     if (controller.panel) {
         if (!ImGui::IsAnyItemActive()) settings_ = state.settings;
         ImGui::SetNextWindowPos(ImVec2(0.0f, 0.0f));
-        ImGui::SetNextWindowSize(ImVec2(panel_width * scale, io.DisplaySize.y));
+        ImGui::SetNextWindowSize(ImVec2(panel_width * scale, io.DisplaySize.y - below));
         if (column > 0.0f) ImGui::SetNextWindowBgAlpha(1.0f);
         ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
         ImGui::Begin("Cairn (F2 hides this)", nullptr,
@@ -404,9 +348,10 @@ void Panel::draw(const StageState& state, Controller& controller, const WindowFa
         panes_.draw_section(state, controller);
         draw_scenes(state, controller);
         draw_view(state, controller);
-        draw_solver_parts(state, controller);
+        draw_solver_section(state, controller);
         draw_statistics(state, facts);
         joints_.draw(state, controller);
+        fields_.draw(state, controller);
         draw_settings(controller);
         draw_spawn_tool(controller);
         ImGui::PopItemWidth();
@@ -425,7 +370,10 @@ void Panel::draw(const StageState& state, Controller& controller, const WindowFa
     const float low = io.DisplaySize.y - margin - bar;
     draw_caption("##state", present_state(state), ImVec2(io.DisplaySize.x - margin, low), ImVec2(1.0f, 1.0f), room);
     draw_other_run(state, controller, scale, column, bar);
-    inspector_.draw(state, controller, scale, 2.0f * margin + title_height, bar, room);
+    if (is_shared)
+        inspector_.draw_in_column(state, controller, column, below);
+    else
+        inspector_.draw(state, controller, scale, 2.0f * margin + title_height, bar, room);
     plots_.draw(state, controller, scale, column, room, bar);
     integrators_.draw(controller, scale, column, room, bar);
     impacts_.draw(state, controller, scale, column, bar);

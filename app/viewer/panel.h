@@ -4,6 +4,7 @@
 
 #include "viewer/command_palette.h"
 #include "viewer/controller.h"
+#include "viewer/field_panel.h"
 #include "viewer/impact_window.h"
 #include "viewer/inspector.h"
 #include "viewer/integrator_window.h"
@@ -35,14 +36,13 @@ class Panel {
     void draw_time(const StageState& state, Controller& controller);
     void draw_scenes(const StageState& state, Controller& controller);
     void draw_settings(Controller& controller);
-    void draw_solver_parts(const StageState& state, Controller& controller);
-    void draw_tree_choice(const StageState& state, Controller& controller, SolverShown& shown);
     void draw_view(const StageState& state, Controller& controller);
     void draw_spawn_tool(Controller& controller);
     void draw_statistics(const StageState& state, const WindowFacts& facts);
 
     WorldDef settings_; // as edited; follows the world while nothing is being edited
     JointPanel joints_;
+    FieldPanel fields_;
     TimelineBar timeline_;
     IntegratorWindow integrators_;
     PlotWindow plots_;

@@ -80,6 +80,7 @@ Json timeline_json(const TimelineState& timeline, const WindowFacts& facts) {
     }
     json["marks"] = marks;
     json["compared"] = timeline.verdict.compared;
+    json["hashes"] = {timeline.verdict.here, timeline.verdict.there};
     json["first_different"] = timeline.verdict.first_different ? Json(*timeline.verdict.first_different) : Json();
     json["bar"] = {facts.bar_left, facts.bar_right, facts.bar_middle};
     return json;
@@ -140,6 +141,7 @@ Json inspected_json(const BodyFacts& facts) {
             {"name", facts.name},
             {"type", name_of(facts.type)},
             {"rotation", {facts.rotation.w, facts.rotation.x, facts.rotation.y, facts.rotation.z}},
+            {"trigger", facts.is_trigger},
             {"mass", facts.mass.mass},
             {"velocity", triple(facts.velocity)},
             {"static_friction", facts.shapes.empty() ? 0.0f : facts.shapes.front().material.static_friction},
@@ -175,6 +177,7 @@ std::string report_json(const StageState& state, const Controller& controller, c
     json["time"] = state.statistics.time;
     json["contacts"] = state.statistics.contacts;
     json["gravity"] = triple(state.settings.gravity);
+    json["fields"] = state.fields.size();
     json["camera"] = {{"position", triple(controller.camera.position())},
                       {"target", triple(controller.camera.target())}};
     json["colors"] = cairn::viewer::name_of(controller.colors);

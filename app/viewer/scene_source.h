@@ -65,7 +65,6 @@ struct LoadedScene {
     std::vector<Appearance> appearances;
     std::vector<Visual> visuals{};
     std::vector<JointAppearance> strings{};
-    std::vector<ForceFieldId> force_fields{};  ///< Its own.
     std::vector<std::vector<BodyId>> groups{}; ///< Bodies that are selected together.
     RecordedRun run{};
     bool is_paused = false; ///< Waits to be started.
@@ -75,11 +74,19 @@ struct LoadedScene {
 /// physics thread.
 using SceneLoader = std::function<LoadedScene(const std::string& path)>;
 
+/// What a recording says of its beginning beside the commands.
+struct RecordingLooks {
+    std::string source; ///< What is recorded, for people.
+    CameraPose camera;
+    std::optional<Vec3> light; ///< As `LoadedScene` has it.
+    std::vector<Appearance> appearances;
+};
+
 /// How the viewer's files are written. Either may be empty, and throws as the loader does.
 struct Savers {
     /// Makes a recording: `run` does to `world`, which must be told to nobody yet, what is to be recorded. It is called
     /// on a thread of its own.
-    std::function<void(const std::filesystem::path& path, const std::string& source, World& world,
+    std::function<void(const std::filesystem::path& path, const RecordingLooks& looks, World& world,
                        const std::function<void()>& run)>
         recording;
     /// Writes a scene.

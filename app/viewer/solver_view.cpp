@@ -29,30 +29,46 @@ constexpr SolverPart parts[] = {
     {"contacts and forces", &SolverShown::contacts,
      "A dot is a contact point. The orange arrow is the normal force on what moves, the blue one friction; their "
      "lengths "
-     "go with the root of the force. With a body selected: only what acts on it."},
+     "go with the root of the force. With a body selected: only what acts on it.",
+     "guide/queries_and_events.md"},
     {"friction cones", &SolverShown::cones,
      "The force on a contact stays within the cone of half angle atan(mu). Blue: it holds. Red: at the rim, it "
-     "slides."},
+     "slides.",
+     "decisions/friction.md"},
     {"velocities", &SolverShown::velocities,
-     "Green: where the center of mass gets in a quarter of a second. Purple: the axis of turning, by the right hand."},
+     "Green: where the center of mass gets in a quarter of a second. Purple: the axis of turning, by the right hand.",
+     "solver.md"},
     {"bounding boxes", &SolverShown::bounds,
-     "The broad phase looks at pairs of shapes whose boxes overlap, and at no others."},
+     "The broad phase looks at pairs of shapes whose boxes overlap, and at no others.", "decisions/fat_boxes.md"},
     {"tree of the broad phase", &SolverShown::tree,
      "The broad phase finds these pairs by trees: a box holds up to eight smaller ones, down to those of single "
      "shapes. "
      "What is fixed, awake, large or asleep has trees of its own. With a body selected: only the boxes on the way down "
-     "to it."},
+     "to it.",
+     "decisions/fat_boxes.md"},
     {"axes of inertia", &SolverShown::axes,
      "Half axes of the ellipsoid with the same mass and inertia. About the longest one turning is easiest; about the "
-     "middle one it is unstable."},
+     "middle one it is unstable.",
+     "decisions/free_rotation.md"},
     {"islands", &SolverShown::islands,
-     "Lines join bodies that are solved together: yellow through contacts, blue through joints. Islands sleep as one."},
+     "Lines join bodies that are solved together: yellow through contacts, blue through joints. Islands sleep as one.",
+     "decisions/sleep.md"},
+    {"substeps of islands", &SolverShown::substeps,
+     "Each contact by the number of substeps that its island took: more where much is carried on little, as at the "
+     "foot "
+     "of a high stack.",
+     "decisions/substeps.md"},
+    {"colors of contacts", &SolverShown::colors,
+     "Contacts of one color share no body that moves by forces: they are solved side by side. Color after color, those "
+     "with what stands still last.",
+     "solver.md"},
     {"Minkowski difference and GJK", &SolverShown::difference,
      "Of the selected body and the convex shape nearest to it: all differences of a point of the one and a point of "
      "the "
      "other. The white dot, in the middle of the other, is the origin: where it is inside, the two overlap. Orange: "
      "the "
-     "simplex with which the GJK algorithm ended; red: the shortest way."},
+     "simplex with which the GJK algorithm ended; red: the shortest way.",
+     "shapes.md"},
 };
 
 float combined(float a, float b, CombineRule rule) {
@@ -122,6 +138,24 @@ void read_links(SolverView& view, const World& world) {
     };
     for (const Contact& contact : world.contacts()) link(contact.body_a, contact.body_b, false);
     for (const JointId joint : world.joints()) link(world.joint_def(joint).body_a, world.joint_def(joint).body_b, true);
+}
+
+void read_order(SolverView& view, const World& world, BodyId selected) {
+    const std::vector<SolverContact> order = world.solver_contacts();
+    const std::vector<Contact> contacts = world.contacts();
+    const bool is_of_one = selected && world.is_valid(selected);
+    const auto center = [&](BodyId body) {
+        const bool moves = world.body(body).type() == BodyType::dynamic;
+        return moves ? std::optional(world.body(body).center_of_mass()) : std::nullopt;
+    };
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const SolverContact& one = order[i];
+        if (is_of_one && one.body_a != selected && one.body_b != selected) continue;
+        Position sum(0.0);
+        for (int k = 0; k < contacts[i].point_count; ++k) sum += contacts[i].points[k].point;
+        view.solved.push_back(
+            {sum / double(contacts[i].point_count), center(one.body_a), center(one.body_b), one.color, one.substeps});
+    }
 }
 
 // Bodies that have no end would make boxes that no picture holds.
@@ -227,6 +261,17 @@ void draw_box(Pen& pen, const Bounds& bounds, const Vec3& color, float width) {
             if (!(i & axis)) pen.line(corner(i), corner(i | axis), color, width);
 }
 
+// Of both, the colors of contacts are seen.
+void draw_order(Pen& pen, const SolverView& view) {
+    for (const SolverView::Solved& contact : view.solved) {
+        const Vec3 at = pen.at(contact.place);
+        const Vec3 color = view.shown.colors ? contact_color(contact.color) : substep_color(contact.substeps);
+        pen.line(at, at, color, 7.0f);
+        for (const std::optional<Position>& from : {contact.from_a, contact.from_b})
+            if (from) pen.line(at, pen.at(*from), color, 2.5f);
+    }
+}
+
 void draw_difference(RenderFrame& frame, Pen& pen, const PairDifference& difference) {
     const Vec3 origin = pen.at(difference.origin), white(0.95f);
     const auto at = [&](const glm::dvec3& point) { return origin + Vec3(point); };
@@ -256,6 +301,19 @@ Vec3 tree_color(int depth) {
     return colors[std::size_t(depth) % std::size(colors)];
 }
 
+Vec3 contact_color(int color) {
+    static const Vec3 colors[] = {linear_color(0x3f8fd8), linear_color(0xe6a01e), linear_color(0x6fd8c8),
+                                  linear_color(0xc0507a), linear_color(0xf2e25a), linear_color(0x7a5cc8),
+                                  linear_color(0xa8d850), linear_color(0xd05838), linear_color(0x9cc8f0),
+                                  linear_color(0x2f8a5a)};
+    return color < 0 ? linear_color(0xf0f0f0) : colors[std::size_t(color + color / 8) % std::size(colors)];
+}
+
+Vec3 substep_color(int substeps) {
+    constexpr float most = 32.0f; // that is told apart
+    return speed_ramp(std::min(std::log2(1.0f + float(substeps)) / std::log2(1.0f + most), 1.0f));
+}
+
 std::shared_ptr<const SolverView> read_solver(const World& world, const SolverShown& shown, double step_length,
                                               BodyId selected) {
     if (!shown.any()) return nullptr;
@@ -264,6 +322,7 @@ std::shared_ptr<const SolverView> read_solver(const World& world, const SolverSh
     if (shown.contacts || shown.cones) read_contacts(*view, world, float(1.0 / step_length), selected);
     if (shown.velocities || shown.axes) read_movers(*view, world);
     if (shown.islands) read_links(*view, world);
+    if (shown.colors || shown.substeps) read_order(*view, world, selected);
     if (shown.bounds)
         for (const BodyId body : world.bodies())
             for (const ShapeId shape : world.body(body).shapes()) {
@@ -280,6 +339,7 @@ std::shared_ptr<const SolverView> read_solver(const World& world, const SolverSh
 void draw_solver(RenderFrame& frame, const SolverView& view) {
     Pen pen(frame);
     draw_points(pen, view);
+    draw_order(pen, view);
     for (const SolverView::Link& link : view.links)
         pen.line(pen.at(link.a), pen.at(link.b), link.is_joint ? joint_link_color : link_color, 2.0f);
     for (const SolverView::Mover& mover : view.movers) {

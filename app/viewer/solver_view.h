@@ -21,9 +21,9 @@ inline constexpr int most_tree_boxes = 3000;
 /// What of it is shown.
 struct SolverShown {
     bool contacts = false, cones = false, velocities = false, bounds = false, axes = false, islands = false;
-    bool difference = false, tree = false;
+    bool difference = false, tree = false, colors = false, substeps = false;
     int tree_depth = 2; ///< Down to which boxes of the tree are shown, 0 to `greatest_tree_depth`.
-    bool any() const { return contacts || cones || velocities || bounds || axes || islands || difference || tree; }
+    bool any() const { return *this != SolverShown{.tree_depth = tree_depth}; }
     friend bool operator==(const SolverShown&, const SolverShown&) = default;
 };
 
@@ -32,6 +32,7 @@ struct SolverPart {
     const char* name;
     bool SolverShown::*shown;
     const char* meaning;
+    const char* page; ///< Of the documentation, which says more.
 };
 std::span<const SolverPart> solver_parts();
 
@@ -54,8 +55,15 @@ struct SolverView {
         Position a{0.0, 0.0, 0.0}, b{0.0, 0.0, 0.0}; ///< Centers of mass.
         bool is_joint = false;
     };
+    /// A contact in the order in which contacts are solved.
+    struct Solved {
+        Position place{0.0, 0.0, 0.0};          ///< The middle of its points.
+        std::optional<Position> from_a, from_b; ///< Centers of mass of its bodies that move by forces.
+        int color = 0, substeps = 0;            ///< As `SolverContact` has them.
+    };
     SolverShown shown;
     std::vector<Point> points;
+    std::vector<Solved> solved;
     std::vector<Mover> movers; ///< Dynamic bodies.
     std::vector<Bounds> bounds;
     std::vector<Link> links;
@@ -65,6 +73,11 @@ struct SolverView {
 
 /// Of boxes of the broad phase at that depth.
 Vec3 tree_color(int depth);
+
+/// Of contacts of that color of the solver's, -1 included; neighbors differ in hue and in lightness.
+Vec3 contact_color(int color);
+/// Of what is solved in so many substeps: lighter where there are more.
+Vec3 substep_color(int substeps);
 
 /// Null where nothing is to be shown. Contacts are those of the `selected` body alone, if there is one.
 std::shared_ptr<const SolverView> read_solver(const World& world, const SolverShown& shown, double step_length,

@@ -158,6 +158,7 @@ StageState Stage::state() const {
     state.paused = clock_.paused();
     state.frozen = frozen_;
     state.pulled = pull_field_.has_value();
+    state.fields = fields();
     state.force = force_;
     state.speed = clock_.speed();
     state.real_time_factor = clock_.real_time_factor();

@@ -16,6 +16,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cairn::viewer {
@@ -64,6 +65,7 @@ struct StageState {
     Statistics statistics;
     double step_milliseconds = 0.0; ///< Mean over the last half second or so, as the physics thread measured it.
     WorldDef settings;
+    std::vector<std::pair<ForceFieldId, ForceField>> fields; ///< Without those that are held keys.
     bool paused = false;
     bool frozen = false, pulled = false;
     Vec3 force{0.0f, 0.0f, 0.0f};
@@ -134,6 +136,9 @@ class Stage {
     void operator()(const command::WatchImpact&);
     void operator()(const command::SaveRecording& save);
     void operator()(const command::SetSettings& settings);
+    void operator()(const command::AddField& add);
+    void operator()(const command::SetField& set);
+    void operator()(const command::RemoveField& remove);
     void operator()(const command::GrabBody& grab);
     void operator()(const command::MoveGrab& move);
     void operator()(const command::ReleaseGrab& release);
@@ -190,6 +195,7 @@ class Stage {
     void say(std::string text);
     void add_body(const SpawnSettings& settings, const Position& position, const Vec3& velocity);
     void update_field(std::optional<ForceFieldId>& id, const ForceField& field, bool on);
+    std::vector<std::pair<ForceFieldId, ForceField>> fields() const;
     void pull_grabbed();
     void let_go();
     void report_broken();

@@ -36,6 +36,30 @@ void Stage::edit_body(BodyId body, const BodyEdit& edit) {
     }
 }
 
+// What rests feels the change: the world wakes it.
+void Stage::operator()(const command::AddField& add) { scene_.world.add_force_field(add.field); }
+
+void Stage::operator()(const command::SetField& set) {
+    if (!scene_.world.is_valid(set.id)) return say("The force field is gone.");
+    scene_.world.set_force_field(set.id, set.field);
+}
+
+void Stage::operator()(const command::RemoveField& remove) {
+    if (scene_.world.is_valid(remove.id)) scene_.world.remove_force_field(remove.id);
+}
+
+std::vector<std::pair<ForceFieldId, ForceField>> Stage::fields() const {
+    std::vector<std::pair<ForceFieldId, ForceField>> all;
+    for (const ForceFieldId id : scene_.world.force_fields()) {
+        const bool is_held = std::any_of(held_.begin(), held_.end(), [&](const Held& held) {
+            const auto* field = std::get_if<ForceFieldId>(&held.id);
+            return field && *field == id;
+        });
+        if (!is_held) all.emplace_back(id, scene_.world.force_field(id));
+    }
+    return all;
+}
+
 void Stage::operator()(const command::EndChange&) { timeline_.end_change(); }
 
 void Stage::operator()(const command::SaveScene& save) {
@@ -50,7 +74,6 @@ void Stage::operator()(const command::SaveScene& save) {
     copy.time_step = float(clock_.time_step());
     copy.appearances = scene_.appearances;
     copy.strings = scene_.strings;
-    copy.force_fields = scene_.force_fields;
     copy.groups = timeline_.groups();
     savers_.scene(save.path, copy);
     say("Saved " + save.path +

@@ -74,15 +74,16 @@ void Stage::toggle_selected(std::vector<BodyId> before, BodyId body) {
     select(std::move(before), body);
 }
 
-// What Shift adds has an end: nobody means the ground.
+// What is selected has an end: nobody means the ground. A second click on what does not move, which may be all that
+// there is in the picture besides, is one beside the bodies.
 void Stage::finish_click(bool adds) {
-    const bool is_body = met_ && scene_.world.is_valid(met_);
-    if (adds && is_body && width_of(scene_.world, {met_}))
+    const bool is_body = met_ && scene_.world.is_valid(met_) && width_of(scene_.world, {met_});
+    if (adds && is_body)
         toggle_selected(selected_before_grab_, met_);
     else if (adds)
         select(selected_before_grab_, selected_);
-    else if (!grab_.body && is_body && group_of(met_))
-        select(met_);
+    else if (!grab_.body && is_body && !(selection_.size() == 1 && selected_ == met_))
+        select(met_), selected_joint_ = {};
     else if (!grab_.body)
         (*this)(command::SelectNothing{});
 }

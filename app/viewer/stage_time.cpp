@@ -246,14 +246,16 @@ void Stage::operator()(const command::SaveRecording& save) {
         std::make_shared<Timeline::Excerpt>(timeline_.excerpt(std::uint64_t(save.seconds / clock_.time_step())));
     writer_ = std::make_shared<Writer>();
     const int threads = std::max(scene_.world.threads() / 2, 1);
-    writer_->thread = std::thread(
-        [excerpt, threads, write = savers_.recording, writer = writer_.get(), path = save.path, source = path_] {
+    RecordingLooks looks{std::filesystem::path(path_).filename().generic_string(), save.camera, scene_.light,
+                         scene_.appearances};
+    writer_->thread =
+        std::thread([excerpt, threads, looks, write = savers_.recording, writer = writer_.get(), path = save.path] {
             std::string words;
             try {
                 World world;
                 world.set_threads(threads);
                 world.restore(excerpt->start);
-                write(path, std::filesystem::path(source).filename().generic_string(), world, [&] {
+                write(path, looks, world, [&] {
                     for (const TimelineLog::Frame& frame : excerpt->log.frames) {
                         for (const auto& change : frame.changes) repeat(world, *change, *excerpt->log.source);
                         if (frame.step) world.execute(*frame.step, *excerpt->log.source);

@@ -6,6 +6,7 @@
 #include <cairn/world.h>
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 #include <iterator>
 #include <limits>
@@ -28,6 +29,13 @@ constexpr std::uint64_t same_event = 15;  // steps within which impacts are one 
 constexpr std::uint64_t same_change = 60; // steps within which changes by one slider are one
 
 double mean(double old, double value) { return old == 0.0 ? value : old + newest_weight * (value - old); }
+
+// One number of the four.
+std::uint64_t hash_of(const StateDigest& digest) {
+    std::uint64_t hash = 0;
+    for (const std::uint64_t sum : digest.sums) hash = std::rotl(hash, 17) ^ sum;
+    return hash;
+}
 
 // What neither makes nor removes anything, and changes no type, name or shape.
 bool alters_layout(const std::vector<std::byte>& command) {
@@ -180,7 +188,10 @@ void Timeline::compare(const World& world) {
     if (const auto kept = keyframes_.find(step); !known && kept != keyframes_.end()) known = kept->second->digest;
     if (!known) return;
     ++verdict_.compared;
-    if (!verdict_.first_different && world.state_digest() != *known) verdict_.first_different = step;
+    if (verdict_.first_different) return;
+    const StateDigest now = world.state_digest();
+    verdict_.here = hash_of(now), verdict_.there = hash_of(*known);
+    if (now != *known) verdict_.first_different = step;
 }
 
 bool Timeline::execute_changes(World& world, std::uint32_t count) {

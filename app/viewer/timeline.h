@@ -96,6 +96,7 @@ class Timeline {
     struct Verdict {
         std::uint64_t compared = 0;                   ///< States.
         std::optional<std::uint64_t> first_different; ///< Step.
+        std::uint64_t here = 0, there = 0; ///< Hashes of the last one that was compared, or of that first one.
     };
     const Verdict& verdict() const { return verdict_; }
 

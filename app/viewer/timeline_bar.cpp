@@ -193,9 +193,15 @@ float TimelineBar::draw(const StageState& state, Controller& controller, float s
     std::snprintf(time, sizeof time, "%.2f / %.2f s",
                   double(timeline.now - std::min(timeline.first, timeline.now)) * state.time_step,
                   double(timeline.last - timeline.first) * state.time_step);
-    const char* badge = timeline.verdict.first_different ? "other bits"
-                        : timeline.verdict.compared > 0  ? "same bits"
-                                                         : "";
+    // Hashes by their first digits: of this run, and of what it was before or was recorded to be.
+    char badge[64] = "";
+    const auto first_digits = [](std::uint64_t hash) { return static_cast<unsigned>(hash >> 32); };
+    if (timeline.verdict.first_different)
+        std::snprintf(badge, sizeof badge, "other bits: %08x, not %08x", first_digits(timeline.verdict.here),
+                      first_digits(timeline.verdict.there));
+    else if (timeline.verdict.compared > 0)
+        std::snprintf(badge, sizeof badge, "same bits: %08x = %08x", first_digits(timeline.verdict.here),
+                      first_digits(timeline.verdict.there));
     const float words =
         ImGui::CalcTextSize(time).x + (badge[0] ? ImGui::CalcTextSize(badge).x + style.ItemSpacing.x : 0.0f);
     const float width = std::max(ImGui::GetContentRegionAvail().x - words - style.ItemSpacing.x, 40.0f * scale);

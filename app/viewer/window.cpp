@@ -4,6 +4,7 @@
 #include "viewer/glfw_keys.h"
 #include "viewer/headless.h"
 #include "viewer/new_files.h"
+#include "viewer/pages.h"
 #include "viewer/panel.h"
 #include "viewer/physics_thread.h"
 #include "viewer/picture_area.h"
@@ -333,8 +334,10 @@ void Application::save_what_was_asked_for() {
         return unused_path(options_.screenshot_folder, name_of_now(), extension);
     };
     if (std::exchange(controller_.screenshot, false)) save_picture(new_file(".png"));
+    if (const std::string page = std::exchange(controller_.page, {}); !page.empty())
+        say(open_page(options_.docs, page));
     if (std::exchange(controller_.save_recording, false))
-        physics_.post(command::SaveRecording{new_file(".mcap").string()});
+        physics_.post(command::SaveRecording{new_file(".mcap").string(), 30.0, controller_.camera.pose()});
     if (std::exchange(controller_.save_scene, false))
         physics_.post(command::SaveScene{new_file(".gltf").string(), controller_.camera.pose()});
     std::string saved;

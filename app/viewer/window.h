@@ -21,6 +21,7 @@ struct ViewerOptions {
     std::vector<std::string> file_types;           ///< Extensions of files that `loader` reads: `.gltf` and so on.
     int width = 1280, height = 720;                ///< Of the window, in screen coordinates.
     std::filesystem::path screenshot_folder = "."; ///< Where F12, F9 put pictures and recordings.
+    std::filesystem::path docs;                    ///< Pages that links open; empty: there are none.
     std::optional<double> exit_after;              ///< Seconds after which the window closes by itself.
     std::filesystem::path layout; ///< Where the places of windows are kept from run to run; empty: they are not.
     std::filesystem::path report; ///< Write the viewer's state here as JSON on exit; empty: do not.

@@ -51,6 +51,17 @@ struct BroadPhaseNode {
     ShapeId shape;        ///< Of a leaf; else null.
 };
 
+/// How the solver works on a touching pair of shapes, as it stood after the last step; for pictures and measurements.
+struct SolverContact {
+    ShapeId shape_a, shape_b;
+    BodyId body_a, body_b;
+    /// Contacts of one color share no body that moves by forces, so they are solved side by side; colors take turns,
+    /// the lowest first, and those with what does not move by forces come last. -1: no color was free; solved one by
+    /// one, before all others.
+    int color;
+    int substeps; ///< Of its island in the last step in which that was awake; 0: not solved yet.
+};
+
 /// Which shapes a query sees: those that are in any of these layers (CollisionFilter::layers). Triggers are never seen.
 inline constexpr std::uint64_t all_layers = ~std::uint64_t{};
 

@@ -180,6 +180,8 @@ class World {
     void set_force_field(ForceFieldId id, const ForceField& field);
     void remove_force_field(ForceFieldId id);
     bool is_valid(ForceFieldId id) const noexcept;
+    const ForceField& force_field(ForceFieldId id) const;
+    std::vector<ForceFieldId> force_fields() const; ///< All, in order of slot index.
 
     // --- time
     /// Advances by `dt` seconds (> 0, finite). The same dt every time gives the best results.
@@ -227,6 +229,9 @@ class World {
     /// The boxes of the broad phase as they stand, down to that depth, for pictures and for who wants to know why a
     /// scene is slow: those of least depth first, and no more than `max_count`. Both >= 0.
     std::vector<BroadPhaseNode> broad_phase_nodes(int max_depth, int max_count) const;
+
+    /// How each touching pair of shapes is solved, in the order of `contacts()`.
+    std::vector<SolverContact> solver_contacts() const;
 
     // --- bulk reads, for renderers and bindings
     /// Writes the transform of each body of `ids`; `out` must have the same size.

@@ -350,6 +350,9 @@ class World:
         wrong_state.
         """
     @property
+    def solver_contacts(self) -> list[SolverContact]:
+        """How each touching pair of shapes is solved, in the order of `world_get_contacts`."""
+    @property
     def contact_begins(self) -> list[ContactBegin]:
         """Shapes that began to touch in the last step."""
     @property
@@ -391,6 +394,11 @@ class World:
         """Replaces a field by another one. Raises: invalid_handle, invalid_value, wrong_state."""
     def remove_force_field(self, id: ForceFieldId) -> None:
         """Takes a field out of the world. Raises: invalid_handle, wrong_state."""
+    def force_field(self, id: ForceFieldId) -> ForceField:
+        """A field, as it is now. Raises: invalid_handle, wrong_state."""
+    @property
+    def force_fields(self) -> list[ForceFieldId]:
+        """All, in order of slot index."""
     @property
     def step_count(self) -> int:
         """Steps since the world was made."""

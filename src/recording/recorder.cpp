@@ -3,6 +3,7 @@
 #include "recording/geometry_codec.h"
 #include "recording/log_format.h"
 #include "recording/mcap_writer.h"
+#include "recording/readings.h"
 
 #include <cairn/error.h>
 #include <cairn/world.h>
@@ -30,6 +31,9 @@ class Recorder::Listener final : public CommandListener {
         if (!(options.keyframe_interval > 0) || !std::isfinite(options.keyframe_interval))
             throw Error(ErrorCode::invalid_value, "RecorderOptions.keyframe_interval",
                         std::to_string(options.keyframe_interval), "must be finite and > 0");
+        if (!(options.readings_interval >= 0) || !std::isfinite(options.readings_interval))
+            throw Error(ErrorCode::invalid_value, "RecorderOptions.readings_interval",
+                        std::to_string(options.readings_interval), "must be finite and >= 0");
         file_->metadata("cairn", {{"encoding", "1"}, {"source", options.source}});
         const std::uint16_t commands = file_->add_schema("cairn.Commands", "cairn", command_encoding());
         const std::uint16_t parts = file_->add_schema("cairn.Parts", "cairn", parts_encoding);
@@ -37,13 +41,15 @@ class Recorder::Listener final : public CommandListener {
         geometry_ = file_->add_channel(parts, topic_geometry, log_encoding);
         keyframes_ = file_->add_channel(parts, topic_keyframes, log_encoding);
         snapshots_ = file_->add_channel(parts, topic_snapshots, log_encoding);
+        if (options.readings.any()) readings_.emplace(*file_, options.readings, options.readings_interval);
     }
 
     void on_command(std::span<const std::byte> command) override {
         if (!file_) return;
         try {
             if (error_) std::rethrow_exception(error_);
-            if (log_chunk_.size() >= chunk_bytes || (is_step(command) && is_chunk_full())) write_chunks();
+            if (log_chunk_.size() + readings_chunk_.size() >= chunk_bytes || (is_step(command) && is_chunk_full()))
+                write_chunks();
             if (batch_.size() >= batch_bytes) end_batch();
             if (batch_.empty()) append_leb128(batch_, steps_);
             append_leb128(batch_, command.size());
@@ -62,8 +68,10 @@ class Recorder::Listener final : public CommandListener {
             batch_ += '\0'; // where the size of a command would stand: a digest follows
             for (const std::uint64_t sum : world.state_digest().sums) RecordWriter(batch_).number(sum);
             if (steps_ - batch_start_ >= batch_steps) end_batch();
+            const double step_length = next_time_ - time_;
             time_ = next_time_;
             if (is_keyframe_due()) add_keyframe(world);
+            if (readings_) readings_->add(readings_chunk_, world, time_, step_length);
         } catch (...) {
             error_ = std::current_exception(); // for the next command
         }
@@ -106,6 +114,11 @@ class Recorder::Listener final : public CommandListener {
         return number;
     }
 
+    void note(const std::string& name, const std::map<std::string, std::string>& values) {
+        if (name == "cairn") throw Error(ErrorCode::invalid_value, "Recorder::note name", name, "is taken");
+        if (file_) file_->metadata(name, values);
+    }
+
     void close() {
         if (!file_) return;
         try {
@@ -146,6 +159,7 @@ class Recorder::Listener final : public CommandListener {
             snapshot_bytes_ += file_->bytes_written() - before;
         }
         snapshot_chunks_.clear();
+        file_->write(readings_chunk_);
     }
 
     // The part of the budget that is left stretches the interval.
@@ -173,6 +187,8 @@ class Recorder::Listener final : public CommandListener {
     double time_ = 0, next_time_ = 0, keyframe_time_ = 0; // s since the recording began
     McapWriter::Chunk log_chunk_;
     std::vector<McapWriter::Chunk> snapshot_chunks_;
+    std::optional<ReadingsWriter> readings_; // absent: nobody asked for them
+    McapWriter::Chunk readings_chunk_;
     std::uint64_t snapshot_bytes_ = 0;
 
     std::unordered_map<const void*, std::uint64_t> geometry_numbers_;
@@ -192,6 +208,9 @@ Recorder::~Recorder() {
 }
 
 std::shared_ptr<CommandListener> Recorder::listener() const { return listener_; }
+void Recorder::note(const std::string& name, const std::map<std::string, std::string>& values) {
+    listener_->note(name, values);
+}
 void Recorder::close() { listener_->close(); }
 std::uint64_t Recorder::steps() const { return listener_->steps(); }
 

@@ -15,10 +15,22 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 
 namespace cairn::recording {
+
+/// What is written beside the commands for programs that know nothing of Cairn, such as Foxglove, Lichtblick, Rerun and
+/// PlotJuggler: in Foxglove's schemas, as Protocol Buffers. It costs time and many times the bytes of the commands.
+struct Readings {
+    bool poses = false;      ///< Of bodies (/tf), and what they look like (/scene).
+    bool contacts = false;   ///< Forces as arrows (/contacts).
+    bool joints = false;     ///< Positions (/joints), and forces, torques and gaps (/joint_loads).
+    bool statistics = false; ///< Counts and energies (/statistics).
+    bool events = false;     ///< Hits, breaks, triggers, sleep, as lines (/events).
+    bool any() const { return poses || contacts || joints || statistics || events; }
+};
 
 /// How a world is recorded.
 struct RecorderOptions {
@@ -28,6 +40,8 @@ struct RecorderOptions {
     double keyframe_interval = 2.0;
     std::size_t keyframe_budget = std::size_t{64} << 20; ///< Bytes in the file for all of them; 0: none.
     std::string source{};                                ///< What is recorded, for people: the name of a scene.
+    Readings readings{};
+    double readings_interval = 0.0; ///< s of simulated time from one to the next, >= 0; 0: after each step.
 };
 
 /// Writes what a world does to a file. A world has one listener: one recorder at a time. The recorder may end before or
@@ -47,6 +61,10 @@ class Recorder {
     /// Where the file cannot be written, the call that changes the world throws `Error` (io) and changes nothing; the
     /// file then ends with what was written before, and later calls are not recorded.
     std::shared_ptr<CommandListener> listener() const;
+
+    /// Notes something about the recording under a name other than "cairn", for `Recording::note`. Throws `Error`: io,
+    /// invalid_value for that name. Nothing after `close`.
+    void note(const std::string& name, const std::map<std::string, std::string>& values);
 
     /// Ends the file. What is done later is not recorded. Throws `Error` (io). A second call does nothing.
     void close();

@@ -29,5 +29,8 @@ std::uint64_t Recording::steps_until(double seconds) const {
 }
 
 const RecordingInfo& Recording::info() const { return contents_->info; }
+const std::map<std::string, std::string>& Recording::note(const std::string& name) const {
+    return contents_->file.metadata(name);
+}
 
 } // namespace cairn::recording

@@ -50,6 +50,8 @@ class Recording {
     static Recording from_memory(std::string bytes, const std::string& name);
 
     const RecordingInfo& info() const;
+    /// What `Recorder::note` wrote under that name; empty if nothing.
+    const std::map<std::string, std::string>& note(const std::string& name) const;
     /// How many steps are made by that time, s since the recording began; the last one may end a thousandth of a step
     /// later. All of them if it has no such time.
     std::uint64_t steps_until(double seconds) const;

@@ -4,6 +4,7 @@
 #include "contacts/prefetch.h"
 #include "core/digest.h"
 #include "core/hash.h"
+#include "islands/coloring.h"
 #include "state/state.h"
 #include "world/impl.h"
 
@@ -127,6 +128,20 @@ std::vector<Contact> World::contacts(BodyId body) const {
         const ContactInfo& c = s.contacts.info[id];
         if (is_touching(c) && (c.body_a == b || c.body_b == b))
             all.push_back(make_contact(s.bodies, s.shapes, s.contacts, id));
+    }
+    return all;
+}
+
+std::vector<SolverContact> World::solver_contacts() const {
+    const State& s = impl_->whole("World::solver_contacts");
+    std::vector<SolverContact> all;
+    for (const ContactInfo& c : s.contacts.info) {
+        if (!is_touching(c)) continue;
+        std::int32_t island = s.bodies.links[c.body_a].island;
+        if (island == none) island = s.bodies.links[c.body_b].island;
+        all.push_back({s.shapes.slots.id(c.shape_a), s.shapes.slots.id(c.shape_b), s.bodies.id(c.body_a),
+                       s.bodies.id(c.body_b), c.color < overflow_color ? int(c.color) : -1,
+                       island == none ? 0 : s.islands.all[std::size_t(island)].substeps});
     }
     return all;
 }

@@ -266,6 +266,19 @@ void World::remove_force_field(ForceFieldId id) {
     wake_all(s);
 }
 
+const ForceField& World::force_field(ForceFieldId id) const {
+    const std::uint32_t i = impl_->index_of(id);
+    return impl_->whole("World::force_field").fields.all[i];
+}
+
+std::vector<ForceFieldId> World::force_fields() const {
+    const State& s = impl_->whole("World::force_fields");
+    std::vector<ForceFieldId> all;
+    for (std::uint32_t i = 0; i < s.fields.slots.size(); ++i)
+        if (s.fields.slots.is_live(i)) all.push_back(s.fields.slots.id(i));
+    return all;
+}
+
 std::uint64_t World::step_count() const { return impl_->state.steps; }
 double World::time() const { return impl_->state.time; }
 std::span<const ContactBegin> World::contact_begins() const { return impl_->state.events.begins; }

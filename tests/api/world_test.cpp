@@ -220,5 +220,27 @@ TEST(Worlds, QueriesChangeNothing) {
     }
 }
 
+TEST(World, ForceFieldsAreListedAsTheyAre) {
+    World world;
+    EXPECT_TRUE(world.force_fields().empty());
+    ForceField wind, planet;
+    wind.direction = Vec3(1.0f, 2.0f, 3.0f);
+    planet.kind = ForceField::Kind::radial;
+    planet.strength = 4.0f;
+    const ForceFieldId first = world.add_force_field(wind), second = world.add_force_field(planet);
+    EXPECT_EQ(world.force_fields(), (std::vector{first, second}));
+    EXPECT_EQ(world.force_field(first).direction, wind.direction);
+    EXPECT_EQ(world.force_field(second).strength, 4.0f);
+    wind.direction = Vec3(0.0f);
+    world.set_force_field(first, wind);
+    EXPECT_EQ(world.force_field(first).direction, Vec3(0.0f));
+    const Snapshot before = world.save();
+    world.remove_force_field(first);
+    EXPECT_EQ(world.force_fields(), std::vector{second});
+    EXPECT_NE(refusal([&] { world.force_field(first); }), "");
+    world.restore(before);
+    EXPECT_EQ(world.force_fields(), (std::vector{first, second}));
+}
+
 } // namespace
 } // namespace cairn::test

@@ -216,6 +216,13 @@ int main(void) {
     MEMBER(cairn_broad_phase_node, parent);
     MEMBER(cairn_broad_phase_node, is_leaf);
     MEMBER(cairn_broad_phase_node, shape);
+    SIZE(cairn_solver_contact);
+    MEMBER(cairn_solver_contact, shape_a);
+    MEMBER(cairn_solver_contact, shape_b);
+    MEMBER(cairn_solver_contact, body_a);
+    MEMBER(cairn_solver_contact, body_b);
+    MEMBER(cairn_solver_contact, color);
+    MEMBER(cairn_solver_contact, substeps);
     SIZE(cairn_contact_begin);
     MEMBER(cairn_contact_begin, shape_a);
     MEMBER(cairn_contact_begin, shape_b);

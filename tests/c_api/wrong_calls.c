@@ -1266,6 +1266,19 @@ static cairn_result world_broad_phase_nodes(const struct wrong_context* c, int w
     return cairn_world_broad_phase_nodes(world, max_depth, max_count, result, capacity, count);
 }
 
+static cairn_result world_solver_contacts(const struct wrong_context* c, int wrong) {
+    cairn_world* world = c->world;
+    if (wrong == 0) { world = NULL; }
+    cairn_solver_contact result_room[4];
+    cairn_solver_contact* result = result_room;
+    if (wrong == 1) { result = NULL; }
+    size_t capacity = 4;
+    size_t count_room[4];
+    size_t* count = count_room;
+    if (wrong == 2) { count = NULL; }
+    return cairn_world_solver_contacts(world, result, capacity, count);
+}
+
 static cairn_result world_get_contact_begins(const struct wrong_context* c, int wrong) {
     cairn_world* world = c->world;
     if (wrong == 0) { world = NULL; }
@@ -1464,6 +1477,31 @@ static cairn_result world_remove_force_field(const struct wrong_context* c, int 
     cairn_force_field_id id = c->force_field;
     if (wrong == 1) { id = c->stale_force_field; }
     return cairn_world_remove_force_field(world, id);
+}
+
+static cairn_result world_get_force_field(const struct wrong_context* c, int wrong) {
+    cairn_world* world = c->world;
+    if (wrong == 0) { world = NULL; }
+    cairn_force_field_id id = c->force_field;
+    if (wrong == 1) { id = c->stale_force_field; }
+    cairn_force_field force_field_room[4] = {cairn_default_force_field()};
+    cairn_force_field* force_field = force_field_room;
+    if (wrong == 2) { force_field = NULL; }
+    if (wrong == 3) { force_field_room[0].struct_size = 1; }
+    return cairn_world_get_force_field(world, id, force_field);
+}
+
+static cairn_result world_get_force_fields(const struct wrong_context* c, int wrong) {
+    cairn_world* world = c->world;
+    if (wrong == 0) { world = NULL; }
+    cairn_force_field_id force_fields_room[4];
+    cairn_force_field_id* force_fields = force_fields_room;
+    if (wrong == 1) { force_fields = NULL; }
+    size_t capacity = 4;
+    size_t count_room[4];
+    size_t* count = count_room;
+    if (wrong == 2) { count = NULL; }
+    return cairn_world_get_force_fields(world, force_fields, capacity, count);
 }
 
 static cairn_result world_step(const struct wrong_context* c, int wrong) {
@@ -2192,6 +2230,9 @@ const struct wrong_call wrong_calls[] = {
     {"world_broad_phase_nodes", "world is null", world_broad_phase_nodes, 0, CAIRN_ERROR_INVALID_HANDLE},
     {"world_broad_phase_nodes", "result is null", world_broad_phase_nodes, 1, CAIRN_ERROR_INVALID_VALUE},
     {"world_broad_phase_nodes", "count is null", world_broad_phase_nodes, 2, CAIRN_ERROR_INVALID_VALUE},
+    {"world_solver_contacts", "world is null", world_solver_contacts, 0, CAIRN_ERROR_INVALID_HANDLE},
+    {"world_solver_contacts", "result is null", world_solver_contacts, 1, CAIRN_ERROR_INVALID_VALUE},
+    {"world_solver_contacts", "count is null", world_solver_contacts, 2, CAIRN_ERROR_INVALID_VALUE},
     {"world_get_contact_begins", "world is null", world_get_contact_begins, 0, CAIRN_ERROR_INVALID_HANDLE},
     {"world_get_contact_begins", "contact_begins is null", world_get_contact_begins, 1, CAIRN_ERROR_INVALID_VALUE},
     {"world_get_contact_begins", "count is null", world_get_contact_begins, 2, CAIRN_ERROR_INVALID_VALUE},
@@ -2261,6 +2302,13 @@ const struct wrong_call wrong_calls[] = {
     {"world_set_force_field", "field_value.exponent is NaN", world_set_force_field, 10, CAIRN_ERROR_INVALID_VALUE},
     {"world_remove_force_field", "world is null", world_remove_force_field, 0, CAIRN_ERROR_INVALID_HANDLE},
     {"world_remove_force_field", "id is stale", world_remove_force_field, 1, CAIRN_ERROR_INVALID_HANDLE},
+    {"world_get_force_field", "world is null", world_get_force_field, 0, CAIRN_ERROR_INVALID_HANDLE},
+    {"world_get_force_field", "id is stale", world_get_force_field, 1, CAIRN_ERROR_INVALID_HANDLE},
+    {"world_get_force_field", "force_field is null", world_get_force_field, 2, CAIRN_ERROR_INVALID_VALUE},
+    {"world_get_force_field", "force_field.struct_size is 1", world_get_force_field, 3, CAIRN_ERROR_INVALID_VALUE},
+    {"world_get_force_fields", "world is null", world_get_force_fields, 0, CAIRN_ERROR_INVALID_HANDLE},
+    {"world_get_force_fields", "force_fields is null", world_get_force_fields, 1, CAIRN_ERROR_INVALID_VALUE},
+    {"world_get_force_fields", "count is null", world_get_force_fields, 2, CAIRN_ERROR_INVALID_VALUE},
     {"world_step", "world is null", world_step, 0, CAIRN_ERROR_INVALID_HANDLE},
     {"world_step", "dt is NaN", world_step, 1, CAIRN_ERROR_INVALID_VALUE},
     {"world_get_step_count", "world is null", world_get_step_count, 0, CAIRN_ERROR_INVALID_HANDLE},

@@ -247,6 +247,22 @@ TEST(Recorded, TenMinutesOfFiveThousandBodiesTakeLessThanTwoMegabytes) {
     EXPECT_LT(all, 2e6);
 }
 
+TEST(Recorder, NotesAreReadAgain) {
+    const TemporaryFile file(".mcap");
+    Recorder recorder(file.path(), {});
+    World world;
+    world.set_command_listener(recorder.listener());
+    world.step(dt);
+    recorder.note("looks", {{"color", "1 0 0"}, {"empty", ""}});
+    EXPECT_THROW(recorder.note("cairn", {}), Error);
+    recorder.close();
+    recorder.note("late", {{"a", "b"}});
+    const Recording recording(file.path());
+    EXPECT_EQ(recording.note("looks"), (std::map<std::string, std::string>{{"color", "1 0 0"}, {"empty", ""}}));
+    EXPECT_TRUE(recording.note("late").empty());
+    EXPECT_EQ(recording.info().steps, 1u);
+}
+
 TEST(Recorder, RefusesWhatItCannotWriteAndTheWorldStaysAsItWas) {
     EXPECT_THROW(Recorder("/nowhere/run.mcap"), Error);
     RecorderOptions options;

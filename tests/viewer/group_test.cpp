@@ -82,6 +82,29 @@ TEST(Groups, AClickSelectsAllOfAGroupUntilItEnds) {
     EXPECT_EQ(scene.selection(), scene.some({0}));
 }
 
+TEST(Selection, APlainClickSelectsWhatDoesNotMoveAndASecondOneEndsIt) {
+    Boxes scene;
+    scene.stage.apply(command::EditBody{scene.boxes[1], edit::Type{BodyType::static_}});
+    scene.stage.apply(command::EditBody{scene.boxes[2], edit::Type{BodyType::kinematic}});
+    for (const std::size_t i : {1u, 2u}) {
+        scene.click(2.0 * double(i));
+        EXPECT_EQ(scene.selection(), scene.some({i}));
+        ASSERT_TRUE(scene.stage.state().inspected);
+        EXPECT_EQ(scene.stage.state().inspected->id, scene.boxes[i]);
+    }
+    scene.click(4.0);
+    EXPECT_TRUE(scene.selection().empty());
+    scene.click(0.0);
+    scene.click(2.0, true);
+    scene.click(2.0);
+    EXPECT_EQ(scene.selection(), scene.some({1})) << "of several it becomes the only one";
+    scene.stage.apply(command::RemoveSelected{});
+    EXPECT_FALSE(scene.stage.world().is_valid(scene.boxes[1]));
+    scene.stage.apply(command::GrabBody{{{-5.0, 6.0, 0.0}, {0.0f, -1.0f, 0.0f}}, 1});
+    scene.stage.apply(command::ReleaseGrab{true, false}); // the plane, which has no end
+    EXPECT_TRUE(scene.selection().empty());
+}
+
 TEST(Groups, AreMadeStaticRemovedAndBroughtBackTogether) {
     Boxes scene;
     scene.click(0.0);

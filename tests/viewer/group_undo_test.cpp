@@ -191,7 +191,7 @@ TEST(GroupUndo, InAnyOrderOfChangesEachUndoGivesTheStateAndTheGroupsFromBefore) 
 TEST(GroupUndo, RecordingsBranchesAndPanesGoPastIt) {
     std::uint64_t recorded = 0;
     Savers savers;
-    savers.recording = [&](const std::filesystem::path&, const std::string&, World& world,
+    savers.recording = [&](const std::filesystem::path&, const RecordingLooks&, World& world,
                            const std::function<void()>& run) {
         run();
         recorded = world.state_hash();

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 namespace {
 
@@ -135,6 +136,54 @@ TEST(Inspect, TheSceneIsSavedAsItStandsWithoutTheMouse) {
     EXPECT_EQ(saved.appearances.size(), 1u);
 }
 
+TEST(Inspect, ATriggerLetsBodiesThroughAndIsUndone) {
+    Stage stage(test::load_boxes, "2");
+    select_first(stage);
+    const BodyId body = facts_of(stage).id;
+    stage.apply(command::EditBody{body, edit::Type{BodyType::static_}});
+    EXPECT_FALSE(facts_of(stage).is_trigger);
+    stage.apply(command::EditBody{body, edit::Trigger{true}});
+    EXPECT_TRUE(facts_of(stage).is_trigger);
+    SpawnSettings ball;
+    ball.kind = SpawnSettings::Kind::sphere;
+    ball.size = 0.4f;
+    stage.apply(command::Spawn{ball, {0.0, 3.0, 0.0}});
+    for (int i = 0; i < 120; ++i) stage.step();
+    const Position fallen = stage.world().body(stage.world().bodies().back()).position();
+    EXPECT_LT(fallen.y, 0.5) << "through the box, onto the ground";
+    while (stage.state().timeline.undoable) stage.apply(command::Undo{});
+    EXPECT_FALSE(stage.world().shape_def(stage.world().body(body).shapes().front()).is_trigger);
+}
+
+TEST(Inspect, ForceFieldsAreAddedChangedRemovedAndUndone) {
+    Stage stage(test::load_boxes, "1");
+    const BodyId box = stage.world().bodies().back();
+    ForceField wind;
+    wind.direction = Vec3(9.0f, 0.0f, 0.0f); // more than friction bears
+    stage.apply(command::AddField{wind});
+    ASSERT_EQ(stage.state().fields.size(), 1u);
+    const ForceFieldId id = stage.state().fields[0].first;
+    for (int i = 0; i < 30; ++i) stage.step();
+    const double blown = stage.world().body(box).position().x;
+    EXPECT_GT(blown, 0.1);
+    stage.apply(command::SetForce{{0.0f, 1.0f, 0.0f}});
+    EXPECT_EQ(stage.state().fields.size(), 1u) << "a held key is none of the scene's";
+    stage.apply(command::SetForce{});
+    wind.direction = Vec3(-20.0f, 0.0f, 0.0f);
+    stage.apply(command::SetField{id, wind});
+    EXPECT_EQ(stage.state().fields[0].second.direction.x, -20.0f);
+    for (int i = 0; i < 60; ++i) stage.step();
+    EXPECT_LT(stage.world().body(box).position().x, blown);
+    stage.apply(command::RemoveField{id});
+    EXPECT_TRUE(stage.state().fields.empty());
+    EXPECT_EQ(stage.state().timeline.undoable, "remove a force field");
+    stage.apply(command::Undo{});
+    ASSERT_EQ(stage.state().fields.size(), 1u);
+    EXPECT_EQ(stage.state().fields[0].second.direction.x, -20.0f);
+    while (stage.state().timeline.undoable) stage.apply(command::Undo{});
+    EXPECT_TRUE(stage.state().fields.empty());
+}
+
 TEST(SolverView, IsReadOnlyWhereItIsAskedFor) {
     LoadedScene scene = test::boxes_on_plane(2);
     EXPECT_EQ(read_solver(scene.world, {}, 1.0 / 60.0), nullptr);
@@ -227,6 +276,35 @@ TEST(SolverView, TheTreeIsDrawnDownToADepthAndOfOneBodyTheWayToIt) {
     EXPECT_EQ(frame.strokes.size(), 4u * 12u);
     EXPECT_EQ(frame.strokes.front().color, tree_color(0));
     EXPECT_EQ(frame.strokes.back().color, tree_color(3));
+}
+
+TEST(SolverView, ContactsHaveTheColorsAndSubstepsInWhichTheyAreSolved) {
+    LoadedScene scene = test::boxes_on_plane(1);
+    for (int i = 1; i < 8; ++i)
+        scene.world.add_shape(scene.world.create_body(test::body_at({0.0, 0.5 + i, 0.0})), Box{});
+    for (int i = 0; i < 10; ++i) scene.world.step(1.0f / 60.0f);
+    SolverShown shown;
+    shown.colors = true;
+    auto view = read_solver(scene.world, shown, 1.0 / 60.0);
+    ASSERT_EQ(view->solved.size(), 8u);
+    RenderFrame frame;
+    frame.camera = scene.camera;
+    draw_solver(frame, *view);
+    ASSERT_EQ(frame.strokes.size(), 8u + 7u * 2u + 1u) << "a dot each, and a line to each center but the ground's";
+    EXPECT_EQ(frame.strokes[0].color, contact_color(view->solved[0].color));
+    EXPECT_EQ(read_solver(scene.world, shown, 1.0 / 60.0, scene.world.bodies().back())->solved.size(), 1u);
+    shown.colors = false;
+    shown.substeps = true;
+    view = read_solver(scene.world, shown, 1.0 / 60.0);
+    draw_solver(frame = {}, *view);
+    EXPECT_EQ(view->solved[0].substeps, scene.world.statistics().max_substeps);
+    EXPECT_EQ(frame.strokes[0].color, substep_color(view->solved[0].substeps));
+}
+
+TEST(SolverView, EachPartHasAPageOfTheDocumentation) {
+    for (const SolverPart& part : solver_parts())
+        EXPECT_TRUE(std::filesystem::is_regular_file(std::string(CAIRN_TEST_SCENES "/../docs/") + part.page))
+            << part.name;
 }
 
 TEST(SolverView, TheStageShowsIt) {

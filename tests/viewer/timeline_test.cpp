@@ -356,6 +356,8 @@ TEST(Timeline, ARecordingIsFollowedSoughtAndLeftForAnotherFuture) {
     EXPECT_EQ(dynamic_bodies(stage), 4u);
     EXPECT_TRUE(stage.state().paused) << "at the end of the recording";
     EXPECT_GT(stage.timeline().verdict().compared, 270u);
+    EXPECT_EQ(stage.timeline().verdict().here, stage.timeline().verdict().there) << "the hashes of the last one";
+    EXPECT_NE(stage.timeline().verdict().here, 0u);
     EXPECT_FALSE(stage.timeline().verdict().first_different);
     go_to(stage, 150);
     stage.apply(command::Spawn{box_preset(), {5.0, 5.0, 0.0}});

@@ -123,6 +123,10 @@ void test_solver(Driver& driver) {
     driver.check("F5 shows contacts",
                  [](const Json& s) { return s.at("solver_shown") == Json::array({"contacts and forces"}); });
     driver.click_on("panel.solver");
+    driver.click_on("page.contacts and forces");
+    driver.check("a link opens the page of the documentation", [&](const Json&) {
+        return file_text(driver, "opened").ends_with("docs/guide/queries_and_events.md\n");
+    });
     driver.click_on("solver.friction cones");
     driver.click_on("solver.axes of inertia");
     toggle_difference(driver);
@@ -173,6 +177,15 @@ void test_panes(Driver& driver) {
     driver.check("a reset begins the panes anew", [](const Json& s) {
         return s.at("panes").size() == 3 && s.at("panes").at(0).at("farthest") < 0.01 && s.at("body_count") == 2;
     });
+    const Json pane = driver.state().at("bodies").at(1).at("screen"); // in the first one
+    driver.click(pane.at(0).get<double>(), pane.at(1).get<double>());
+    driver.check("the inspector is in the column of the panel, and covers no picture", [](const Json& s) {
+        return s.contains("inspected") && s.at("places").contains("inspector.name") &&
+               s.at("places").at("inspector.name").at(0).get<double>() < s.at("left").get<double>() &&
+               s.at("places").at("inspector.name").at(1).get<double>() > 200.0;
+    });
+    driver.key("Escape");
+    driver.check("Escape closes it", [](const Json& s) { return !s.contains("inspected"); });
     const Json before = driver.state();
     const Json& crate = before.at("bodies").at(1).at("screen");
     const auto [x, y] =

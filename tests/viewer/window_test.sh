@@ -49,6 +49,12 @@ cat >"$folder/scene.gltf" <<'GLTF'
     "motion": {"mass": 500}, "collider": {"geometry": {"shape": 1}}}}}]}
 GLTF
 
+# What the desktop opens pages with: notes which.
+mkdir "$folder/bin"
+printf '#!/bin/sh\necho "$1" >%s/opened\n' "$folder" >"$folder/bin/xdg-open"
+chmod +x "$folder/bin/xdg-open"
+PATH=$folder/bin:$PATH
+
 # The viewer writes its state to a file whenever a script line says so: ask ten times a second.
 for _ in $(seq 2000); do printf 'wait 0.1\nreport %s/state.json\n' "$folder"; done >"$folder/script"
 cd "$folder" || exit 1 # where files are saved
@@ -108,8 +114,23 @@ done >"$folder/script"
 grep -q '"title": "run.mcap"' "$folder/recording.json" && grep -q '"now": 120' "$folder/recording.json" &&
     grep -q '"first_different": null' "$folder/recording.json" && grep -q '"paused": true' "$folder/recording.json" ||
     { echo "FAILED  a dropped recording must be played to its end"; cat "$folder/recording.json"; exit 1; }
+# Of a recording the picture is that of its scene: it was framed anew, and in other colors.
+python3 - "$folder/recording.json" <<'PYTHON' || { echo "FAILED  a recording has the camera of its scene"; exit 1; }
+import json, sys
+position = json.load(open(sys.argv[1]))["camera"]["position"]
+assert all(abs(a - b) < 1e-3 for a, b in zip(position, [0, 2, 8])), position
+PYTHON
 grep -q '"title": "run.mcap"' "$folder/broken.json" && grep -q '"notice": ".*broken.gltf' "$folder/broken.json" ||
     { echo "FAILED  a broken file must leave the scene and a message"; cat "$folder/broken.json"; exit 1; }
+# What acts in the scene is saved with it.
+sed 's/"camera"/"force_fields": [{"kind": "uniform", "direction": [0, 0, 1]}], "camera"/' "$folder/scene.gltf" \
+    >"$folder/windy.gltf"
+mkdir "$folder/saved" && cd "$folder/saved" || exit 1
+printf 'wait 0.5\nkey Ctrl+S\nwait 1\nquit\n' >"$folder/script"
+"$cairn" view "$folder/windy.gltf" --width 400 --height 300 --script "$folder/script" --exit-after 60 &&
+    grep -q '"force_fields"' ./*.gltf || { echo "FAILED  a force field is lost when the scene is saved"; exit 1; }
+cd "$folder" || exit 1
+echo "ok      force fields are saved with a scene"
 for opened in other.json:'Another box' last.json:ramp; do
     grep -q "\"title\": \"${opened#*:}\"" "$folder/${opened%%:*}" ||
         { echo "FAILED  a dropped scene must be opened"; cat "$folder/${opened%%:*}"; exit 1; }

@@ -17,6 +17,7 @@ for (const file of [
     'style.css',
     'main.js',
     'badge.js',
+    'cameras.js',
     'dragging.js',
     'sharing.js',
     'simulation.js',

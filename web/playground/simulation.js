@@ -1,5 +1,6 @@
 // A scene that runs: its world, what its file says of itself, and whether anything but time has changed it.
 import { World } from 'cairn-physics';
+import { cameraOf } from './cameras.js';
 
 export class Simulation {
     /**
@@ -11,10 +12,11 @@ export class Simulation {
         this.name = name;
         this.hashes = hashes;
         this.world = World.load(scene, name);
-        const own = settingsOf(scene);
+        const json = JSON.parse(typeof scene === 'string' ? scene : jsonOf(scene));
+        const own = settingsOf(json);
         this.title = own.title ?? name;
         this.hint = own.hint ?? '';
-        this.camera = own.camera ?? null;
+        this.camera = cameraOf(json);
         this.touched = false;
         this.compared = null; // the last state that was compared: steps, here, there
     }
@@ -39,8 +41,7 @@ export class Simulation {
 }
 
 // CAIRN_world of the scene that a file shows. The world has read the file already: what is malformed was refused.
-function settingsOf(scene) {
-    const json = JSON.parse(typeof scene === 'string' ? scene : jsonOf(scene));
+function settingsOf(json) {
     return json.scenes?.[json.scene ?? 0]?.extensions?.CAIRN_world ?? {};
 }
 

@@ -2,6 +2,7 @@
 import * as THREE from 'three';
 import { OrbitControls } from 'three/OrbitControls';
 import { WorldView } from 'cairn-physics/three';
+import { halfHeight } from './cameras.js';
 
 export class Stage {
     constructor(canvas) {
@@ -11,7 +12,11 @@ export class Stage {
         this.renderer.shadowMap.type = THREE.PCFShadowMap;
         this.scene = new THREE.Scene();
         this.scene.background = new THREE.Color(0x2a2f3a);
-        this.eye = new THREE.PerspectiveCamera(45, 1, 0.05, 2000);
+        this.eyes = {
+            perspective: new THREE.PerspectiveCamera(45, 1, 0.05, 2000),
+            parallel: new THREE.OrthographicCamera(-1, 1, 1, -1, -2000, 2000), // sees what is behind it, too
+        };
+        this.eye = this.eyes.perspective;
         this.controls = new OrbitControls(this.eye, canvas);
         this.sun = new THREE.DirectionalLight(0xffffff, 2.4);
         this.sun.castShadow = true;
@@ -19,6 +24,7 @@ export class Stage {
         this.sun.shadow.bias = -0.0005;
         this.scene.add(new THREE.HemisphereLight(0xdfe8ff, 0x4a4038, 1.3), this.sun, this.sun.target);
         this.view = null;
+        this.halfHeight = 1; // m, of a picture by parallel rays
         addEventListener('resize', () => this.resize());
         this.resize();
     }
@@ -48,9 +54,12 @@ export class Stage {
         }
         this.view = new WorldView(THREE, world);
         this.scene.add(this.view.group);
-        const { position = [6, 4, 10], target = [0, 1, 0], vertical_fov_degrees: angle = 45 } = camera ?? {};
+        const { position, target, vertical_fov_degrees: angle, orthographic } = camera;
+        this.eye = this.controls.object = orthographic ? this.eyes.parallel : this.eyes.perspective;
         this.eye.position.fromArray(position);
-        this.eye.fov = angle;
+        this.eye.zoom = 1;
+        this.eyes.perspective.fov = angle;
+        this.halfHeight = halfHeight(camera);
         this.controls.target.fromArray(target);
         this.controls.update();
         const reach = Math.max(8, this.eye.position.distanceTo(this.controls.target) * 1.2);
@@ -81,7 +90,14 @@ export class Stage {
     resize() {
         this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
         this.renderer.setSize(innerWidth, innerHeight, false);
-        this.eye.aspect = innerWidth / innerHeight;
+        const aspect = innerWidth / innerHeight;
+        this.eyes.perspective.aspect = aspect;
+        Object.assign(this.eyes.parallel, {
+            left: -aspect * this.halfHeight,
+            right: aspect * this.halfHeight,
+            bottom: -this.halfHeight,
+            top: this.halfHeight,
+        });
         this.eye.updateProjectionMatrix();
     }
 }

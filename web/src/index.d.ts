@@ -624,6 +624,24 @@ export interface BroadPhaseNode {
     shape: ShapeId;
 }
 
+/**
+ * How the solver works on a touching pair of shapes, as it stood after the last step; for pictures and measurements.
+ */
+export interface SolverContact {
+    shapeA: ShapeId;
+    shapeB: ShapeId;
+    bodyA: BodyId;
+    bodyB: BodyId;
+    /**
+     * Contacts of one color share no body that moves by forces, so they are solved side by side; colors take turns, the
+     * lowest first, and those with what does not move by forces come last. -1: no color was free; solved one by one,
+     * before all others.
+     */
+    color: number;
+    /** Of its island in the last step in which that was awake; 0: not solved yet. */
+    substeps: number;
+}
+
 /** Two shapes began to touch. */
 export interface ContactBegin {
     shapeA: ShapeId;
@@ -1207,6 +1225,8 @@ export class World {
      * wrongState.
      */
     broadPhaseNodes(maxDepth: number, maxCount: number): BroadPhaseNode[];
+    /** How each touching pair of shapes is solved, in the order of `worldGetContacts`. */
+    get solverContacts(): SolverContact[];
     /** Shapes that began to touch in the last step. */
     get contactBegins(): ContactBegin[];
     /** Shapes that ceased to touch in the last step. */
@@ -1240,6 +1260,10 @@ export class World {
     setForceField(id: ForceFieldId | null, field: ForceField): void;
     /** Takes a field out of the world. Throws invalidHandle, wrongState. */
     removeForceField(id: ForceFieldId | null): void;
+    /** A field, as it is now. Throws invalidHandle, wrongState. */
+    forceField(id: ForceFieldId | null): Complete<ForceField>;
+    /** All, in order of slot index. */
+    get forceFields(): ForceFieldId[];
     /** Steps since the world was made. */
     get stepCount(): bigint;
     /** Simulated seconds. */

@@ -58,6 +58,19 @@ typedef struct cairn_broad_phase_node {
     cairn_shape_id shape; ///< Of a leaf; else null.
 } cairn_broad_phase_node;
 
+/// How the solver works on a touching pair of shapes, as it stood after the last step; for pictures and measurements.
+typedef struct cairn_solver_contact {
+    cairn_shape_id shape_a;
+    cairn_shape_id shape_b;
+    cairn_body_id body_a;
+    cairn_body_id body_b;
+    /// Contacts of one color share no body that moves by forces, so they are solved side by side; colors take turns,
+    /// the lowest first, and those with what does not move by forces come last. -1: no color was free; solved one by
+    /// one, before all others.
+    int color;
+    int substeps; ///< Of its island in the last step in which that was awake; 0: not solved yet.
+} cairn_solver_contact;
+
 /// The nearest shape that the ray meets within `max_distance`. `direction` need not be unit length. A ray that starts
 /// inside a shape does not meet that shape's surface from within, except planes' solid side. `found` gets whether there
 /// is any. `layers`: which shapes it sees, one bit each; UINT64_MAX: all. Errors: invalid_value, wrong_state.
@@ -101,6 +114,11 @@ CAIRN_C_API cairn_result cairn_world_overlap_bounds(const cairn_world* world, ca
 /// first `capacity` of them are written. Errors: invalid_value, wrong_state.
 CAIRN_C_API cairn_result cairn_world_broad_phase_nodes(const cairn_world* world, int max_depth, int max_count,
                                                        cairn_broad_phase_node* result, size_t capacity, size_t* count);
+
+/// How each touching pair of shapes is solved, in the order of `world_get_contacts`. `count` gets how many there are;
+/// the first `capacity` of them are written. Errors: wrong_state.
+CAIRN_C_API cairn_result cairn_world_solver_contacts(const cairn_world* world, cairn_solver_contact* result,
+                                                     size_t capacity, size_t* count);
 
 #ifdef __cplusplus
 }

@@ -154,6 +154,15 @@ CAIRN_C_API cairn_result cairn_world_set_force_field(cairn_world* world, cairn_f
 /// Takes a field out of the world. Errors: invalid_handle, wrong_state.
 CAIRN_C_API cairn_result cairn_world_remove_force_field(cairn_world* world, cairn_force_field_id id);
 
+/// A field, as it is now. Errors: invalid_handle, wrong_state.
+CAIRN_C_API cairn_result cairn_world_get_force_field(const cairn_world* world, cairn_force_field_id id,
+                                                     cairn_force_field* force_field);
+
+/// All, in order of slot index. `count` gets how many there are; the first `capacity` of them are written. Errors:
+/// wrong_state.
+CAIRN_C_API cairn_result cairn_world_get_force_fields(const cairn_world* world, cairn_force_field_id* force_fields,
+                                                      size_t capacity, size_t* count);
+
 /// Whether the handle names a field that exists.
 CAIRN_C_API bool cairn_force_field_is_valid(const cairn_world* world, cairn_force_field_id id);
 

@@ -7,7 +7,7 @@ from .joint import (BallJoint, CylindricalJoint, DistanceJoint, FixedJoint, Gear
                     JointAxis, JointControl, JointDef, JointDrive, JointLimit, JointMotor, JointRange, JointSolver,
                     JointSpring, JointState, PulleyJoint, RackJoint, ServoJoint, SliderJoint, UniversalJoint,
                     WheelJoint)
-from .query import (BroadPhaseNode, BroadPhaseTree, ClosestPoint, RayHit, ShapeCastHit)
+from .query import (BroadPhaseNode, BroadPhaseTree, ClosestPoint, RayHit, ShapeCastHit, SolverContact)
 from .events import (Contact, ContactBegin, ContactEnd, ContactHit, ContactPoint, JointEvent, SleepEvent, TriggerEvent)
 from .world import (ForceField, ForceFieldKind, Integrator, SnapshotSizes, StageTimes, Statistics, WorldDef)
 
@@ -63,6 +63,7 @@ __all__ = [
     "SleepEvent",
     "SliderJoint",
     "SnapshotSizes",
+    "SolverContact",
     "Sphere",
     "StageTimes",
     "Statistics",

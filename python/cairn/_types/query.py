@@ -86,3 +86,23 @@ class BroadPhaseNode:
     """It is the box of one shape."""
     shape: ShapeId = ShapeId()
     """Of a leaf; else null."""
+
+
+@lists_members
+@dataclass(slots=True, eq=False)
+class SolverContact:
+    """How the solver works on a touching pair of shapes, as it stood after the last step; for pictures and
+    measurements.
+    """
+
+    shape_a: ShapeId = ShapeId()
+    shape_b: ShapeId = ShapeId()
+    body_a: BodyId = BodyId()
+    body_b: BodyId = BodyId()
+    color: int = 0
+    """Contacts of one color share no body that moves by forces, so they are solved side by side; colors take turns, the
+    lowest first, and those with what does not move by forces come last. -1: no color was free; solved one by one,
+    before all others.
+    """
+    substeps: int = 0
+    """Of its island in the last step in which that was awake; 0: not solved yet."""

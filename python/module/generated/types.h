@@ -89,6 +89,7 @@ py::object write(const RayHit& x);
 py::object write(const ShapeCastHit& x);
 py::object write(const ClosestPoint& x);
 py::object write(const BroadPhaseNode& x);
+py::object write(const SolverContact& x);
 py::object write(const ContactBegin& x);
 py::object write(const ContactEnd& x);
 py::object write(const ContactHit& x);

@@ -28,4 +28,9 @@ py::object write(const BroadPhaseNode& x) {
         write(x.is_leaf), write(x.shape)));
 }
 
+py::object write(const SolverContact& x) {
+    return make("SolverContact", py::make_tuple(write(x.shape_a), write(x.shape_b), write(x.body_a), write(x.body_b),
+        write(x.color), write(x.substeps)));
+}
+
 } // namespace cairn::python

@@ -214,6 +214,11 @@ void add_world_calls(py::class_<PyWorld, std::shared_ptr<PyWorld>>& c) {
         "list[BroadPhaseNode]\n\nThe boxes of the broad phase as they stand, down to that depth, for pictures and for "
             "who wants to know why a scene is slow: those of least depth first, and no more than `max_count`. Both >= "
                 "0.");
+    c.def_property_readonly("solver_contacts", [](PyWorld& w) {
+        const auto answer = w.use("World.solver_contacts").solver_contacts();
+        return write(answer);
+    },
+        "How each touching pair of shapes is solved, in the order of `world_get_contacts`.");
     c.def_property_readonly("contact_begins", [](PyWorld& w) {
         const auto answer = w.use("World.contact_begins").contact_begins();
         return write(answer);
@@ -287,6 +292,16 @@ void add_world_calls(py::class_<PyWorld, std::shared_ptr<PyWorld>>& c) {
         w.use("World.remove_force_field").remove_force_field(id);
         w.update();
     }, py::arg("id"), "remove_force_field(id: ForceFieldId) -> None\n\nTakes a field out of the world.");
+    c.def("force_field", [](PyWorld& w, py::object o_id) {
+        const auto id = take<ForceFieldId>(o_id, "id");
+        const auto answer = w.use("World.force_field").force_field(id);
+        return write(answer);
+    }, py::arg("id"), "force_field(id: ForceFieldId) -> ForceField\n\nA field, as it is now.");
+    c.def_property_readonly("force_fields", [](PyWorld& w) {
+        const auto answer = w.use("World.force_fields").force_fields();
+        return write(answer);
+    },
+        "All, in order of slot index.");
     c.def_property_readonly("step_count", [](PyWorld& w) {
         const auto answer = w.use("World.step_count").step_count();
         return write(answer);

@@ -53,4 +53,15 @@ cairn_broad_phase_node to_c(const BroadPhaseNode& x) {
     return c;
 }
 
+cairn_solver_contact to_c(const SolverContact& x) {
+    cairn_solver_contact c{};
+    c.shape_a = to_c(x.shape_a);
+    c.shape_b = to_c(x.shape_b);
+    c.body_a = to_c(x.body_a);
+    c.body_b = to_c(x.body_b);
+    c.color = x.color;
+    c.substeps = x.substeps;
+    return c;
+}
+
 } // namespace cairn::c_api

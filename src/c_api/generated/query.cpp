@@ -79,3 +79,11 @@ cairn_result cairn_world_broad_phase_nodes(const cairn_world* world, int max_dep
             [](const auto& x) { return to_c(x); });
     });
 }
+
+cairn_result cairn_world_solver_contacts(const cairn_world* world, cairn_solver_contact* result, size_t capacity,
+                                         size_t* count) {
+    return guarded([&] {
+        require_room(result, capacity, count, "result");
+        write_list(world_of(world).solver_contacts(), result, capacity, count, [](const auto& x) { return to_c(x); });
+    });
+}

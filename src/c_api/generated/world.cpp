@@ -56,6 +56,23 @@ cairn_result cairn_world_remove_force_field(cairn_world* world, cairn_force_fiel
     });
 }
 
+cairn_result cairn_world_get_force_field(const cairn_world* world, cairn_force_field_id id,
+                                         cairn_force_field* force_field) {
+    return guarded([&] {
+        require_versioned(force_field, "force_field");
+        write_versioned(to_c(world_of(world).force_field(to_cpp(id))), force_field);
+    });
+}
+
+cairn_result cairn_world_get_force_fields(const cairn_world* world, cairn_force_field_id* force_fields, size_t capacity,
+                                          size_t* count) {
+    return guarded([&] {
+        require_room(force_fields, capacity, count, "force_fields");
+        write_list(world_of(world).force_fields(), force_fields, capacity, count,
+            [](const auto& x) { return to_c(x); });
+    });
+}
+
 bool cairn_force_field_is_valid(const cairn_world* world, cairn_force_field_id id) {
     return world && world_of(world).is_valid(to_cpp(id));
 }

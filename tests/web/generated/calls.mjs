@@ -30,6 +30,7 @@ export const CALLS = [
     { owner: 'World', name: 'addForceField', isSetter: false, types: ['ForceField'] },
     { owner: 'World', name: 'setForceField', isSetter: false, types: ['ForceFieldId', 'ForceField'] },
     { owner: 'World', name: 'removeForceField', isSetter: false, types: ['ForceFieldId'] },
+    { owner: 'World', name: 'forceField', isSetter: false, types: ['ForceFieldId'] },
     { owner: 'Body', name: 'velocityAt', isSetter: false, types: ['Position'] },
     { owner: 'Body', name: 'setTransform', isSetter: false, types: ['Position', 'Quat'] },
     { owner: 'Body', name: 'position', isSetter: true, types: ['Position'] },

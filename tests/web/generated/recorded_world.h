@@ -186,6 +186,7 @@ class RecordedWorld : public Recording {
     auto overlap(const Shape& shape, const Transform& pose, std::uint64_t layers = all_layers) const { return world_.overlap(shape, pose, layers); }
     auto overlap_bounds(const Bounds& bounds, std::uint64_t layers = all_layers) const { return world_.overlap_bounds(bounds, layers); }
     auto broad_phase_nodes(int max_depth, int max_count) const { return world_.broad_phase_nodes(max_depth, max_count); }
+    auto solver_contacts() const { return world_.solver_contacts(); }
     auto contact_begins() const { return world_.contact_begins(); }
     auto contact_ends() const { return world_.contact_ends(); }
     auto contact_hits() const { return world_.contact_hits(); }
@@ -217,6 +218,8 @@ class RecordedWorld : public Recording {
         world_.remove_force_field(id);
         note("world.removeForceField(" + js(id) + ")" + ";");
     }
+    auto force_field(ForceFieldId id) const { return world_.force_field(id); }
+    auto force_fields() const { return world_.force_fields(); }
     auto step_count() const { return world_.step_count(); }
     auto time() const { return world_.time(); }
     auto kinetic_energy() const { return world_.kinetic_energy(); }

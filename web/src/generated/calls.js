@@ -339,6 +339,15 @@ export class WorldCalls {
         }
     }
 
+    get solverContacts() {
+        const mark = enter();
+        try {
+            return listOf(40, (list, capacity, count) => M._cairn_world_solver_contacts(use(this), list, capacity, count), (at) => values.getSolverContact(at));
+        } finally {
+            leave(mark);
+        }
+    }
+
     get contactBegins() {
         const mark = enter();
         try {
@@ -479,6 +488,28 @@ export class WorldCalls {
         try {
             const $id = handleOf(id, 'id');
             check(M._cairn_world_remove_force_field(use(this), $id[0], $id[1]));
+        } finally {
+            leave(mark);
+        }
+    }
+
+    forceField(id) {
+        const mark = enter();
+        try {
+            const $id = handleOf(id, 'id');
+            const out = room(64);
+            M._cairn_default_force_field(out);
+            check(M._cairn_world_get_force_field(use(this), $id[0], $id[1], out));
+            return values.getForceField(out);
+        } finally {
+            leave(mark);
+        }
+    }
+
+    get forceFields() {
+        const mark = enter();
+        try {
+            return listOf(8, (list, capacity, count) => M._cairn_world_get_force_fields(use(this), list, capacity, count), (at) => fields.getU64(at));
         } finally {
             leave(mark);
         }

@@ -870,6 +870,17 @@ export function getBroadPhaseNode(p) {
     };
 }
 
+export function getSolverContact(p) {
+    return {
+        shapeA: getU64(p),
+        shapeB: getU64(p + 8),
+        bodyA: getU64(p + 16),
+        bodyB: getU64(p + 24),
+        color: getInt(p + 32),
+        substeps: getInt(p + 36),
+    };
+}
+
 export function getContactBegin(p) {
     return {
         shapeA: getU64(p),

@@ -1,0 +1,12 @@
+/// \file solver_panel.h
+/// The part of the panel that chooses what of the solver's work is drawn, and tells how to read it.
+#pragma once
+
+#include "viewer/controller.h"
+
+namespace cairn::viewer {
+
+/// To be called inside the panel's window.
+void draw_solver_section(const StageState& state, Controller& controller);
+
+} // namespace cairn::viewer
