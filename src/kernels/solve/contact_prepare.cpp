@@ -238,17 +238,25 @@ CAIRN_INLINE Velocityx8 velocity_of(const SolverVelocity* velocity, const std::i
     return gather_velocity(velocity, offset);
 }
 
-CAIRN_INLINE void find_rims(ContactBlock<1>& block, const ContactRecord* const* record, f32x8 radius_a,
-                            f32x8 radius_b) {
-    const mask8 on_a = radius_a == splat(rolls_on_rim), on_b = radius_b == splat(rolls_on_rim), on_any = on_a | on_b;
-    block.rims_a = std::uint8_t(bits(on_a)), block.rims_b = std::uint8_t(bits(on_b));
-    block.corners = std::uint8_t(bits((radius_a == zero()) & (radius_b == zero())));
-    store3(block.rim, zero3());
-    if (!any(on_any)) return;
-    Vec3x8 rim;
-    f32x8 unused;
-    gather_field(record, point_offset(1), rim.x, rim.y, rim.z, unused);
-    store3(block.rim, select(on_any, rim, zero3()));
+// How the point moves, and the velocities there with it (slip_of_turning): with p' its velocity, it is
+// w_B x (p' - v_B) - w_A x (p' - v_A). A corner of either body moves with it, and of both, in the mean, what touches by
+// edges. On a rim, with the radius of curvature R along t, a corner would go on by R t (t.(w_A - w_B) x n) farther than
+// the place of touch does. That is true of small turns; of lanes that turn farther, and of those that were found at the
+// start of the step, it is 0.
+CAIRN_INLINE void prepare_turning(ContactBlock<1>& block, mask8 is_corner, mask8 rolls_on_a, mask8 rolls_on_b,
+                                  f32x8 found, const Velocityx8& a, const Velocityx8& b, Vec3x8 normal, Vec3x8 d) {
+    constexpr float small = 0.25f; // rad, up to when the contact is of
+    const f32x8 turn = found * found * max(dot(a.w, a.w), dot(b.w, b.w));
+    const mask8 moves = (is_corner | rolls_on_a | rolls_on_b) & (found > zero()) & (turn < splat(small * small));
+    block.turns = any(moves);
+    if (!block.turns) return;
+    const Vec3x8 r = load3(block.center), rim = load3(block.rim), apart = b.v - a.v;
+    const Vec3x8 with_a = cross(a.w, r), with_b = apart + cross(b.w, r + d);
+    const Vec3x8 rolled = dot(rim, cross(a.w - b.w, normal)) * rim;
+    const Vec3x8 from_a =
+        select(rolls_on_a, with_a - rolled, select(rolls_on_b, with_b - rolled, splat(0.5f) * (with_a + with_b)));
+    const Vec3x8 turning = cross(b.w, from_a - apart) - cross(a.w, from_a);
+    store3(block.turning, select(moves, turning, zero3()));
 }
 
 CAIRN_INLINE mask8 is_isotropic(const Sym3x8& m) {
@@ -308,13 +316,25 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
     store(block.radius_a, max(radius_a, zero()));
     store(block.radius_b, max(radius_b, zero()));
     block.round = any((radius_a > zero()) | (radius_b > zero()));
-    block.corners = block.rims_a = block.rims_b = 0;
+    block.turns = block.rims = 0;
 
     Before start = {zero3(), zero3(), zero()};
-    if constexpr (N == 1) find_rims(block, record, radius_a, radius_b);
-    if (any(found > zero())) {
-        start = before(found, velocity_of(velocity, row_a), velocity_of(velocity, row_b), normal, d,
-                       load(block.radius_a), load(block.radius_b));
+    const bool is_of_later = any(found > zero());
+    Velocityx8 at_a, at_b;
+    mask8 on_a, on_b;
+    if constexpr (N == 1) {
+        on_a = radius_a == splat(rolls_on_rim), on_b = radius_b == splat(rolls_on_rim);
+        block.rims = any(on_a | on_b);
+        store3(block.rim, zero3());
+        if (block.rims) {
+            Vec3x8 rim;
+            gather_field(record, point_offset(1), rim.x, rim.y, rim.z, unused);
+            store3(block.rim, select(on_a | on_b, rim, zero3()));
+        }
+    }
+    if (is_of_later) {
+        at_a = velocity_of(velocity, row_a), at_b = velocity_of(velocity, row_b);
+        start = before(found, at_a, at_b, normal, d, load(block.radius_a), load(block.radius_b));
         if constexpr (N == 1) {
             const f32x8 along = dot(load3(block.rim), start.difference);
             start.apart -= splat(0.5f) * along * along;
@@ -326,6 +346,10 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
     store3(block.d_touch, d);
     const Vec3x8 center = prepare_points<N>(block, record, normal, cross(d, normal), start, a, b);
     prepare_friction<N>(block, record, normal, d, center, a, b);
+    if constexpr (N == 1)
+        if (is_of_later)
+            prepare_turning(block, (radius_a == zero()) & (radius_b == zero()), on_a, on_b, found, at_a, at_b, normal,
+                            d);
 }
 
 } // namespace

@@ -64,7 +64,7 @@ CAIRN_INLINE void refresh_separations(ContactBlock<N>& block, const SolverPose* 
     const Vec3x8 difference = delta_b - delta_a, passed = a.dx - b.dx;
     f32x8 common = dot(delta_b, load3(block.d_touch)) - dot(normal, passed);
     if constexpr (N == 1)
-        if (block.rims_a | block.rims_b) {
+        if (block.rims) {
             const f32x8 along = dot(load3(block.rim), difference);
             common -= splat(0.5f) * bend * along * along;
         }
@@ -184,7 +184,7 @@ CAIRN_INLINE void begin_solve(ContactBlock<N>& block, const SolverVelocity* velo
     const Vec3x8 normal = load3(block.normal);
     normal_velocities<N>(block, rows.a, rows.b, normal, cross(load3(block.d), normal), v);
     if constexpr (N == 1)
-        if (turns_within(block)) v[0] += dot(slip_of_turning(block, rows.a, rows.b, normal, softness.middle), normal);
+        if (block.turns) v[0] += dot(slip_of_turning(block, softness.middle), normal);
     for (int i = 0; i < N; ++i) {
         const f32x8 s = load(block.separation[i]), mass = load(block.effective_mass[i]);
         const mask8 apart = s > zero();
@@ -296,7 +296,7 @@ CAIRN_INLINE void begin_relax(ContactBlock<N>& block, const SolverBodies& bodies
     rows.b = gather_velocity(bodies.velocity, block.b);
     normal_velocities<N>(block, rows.a, rows.b, normal, cross(load3(block.d), normal), v);
     if constexpr (N == 1)
-        if (turns_within(block)) v[0] += dot(slip_of_turning(block, rows.a, rows.b, normal, softness.middle), normal);
+        if (block.turns) v[0] += dot(slip_of_turning(block, softness.middle), normal);
     for (int i = 0; i < N; ++i) {
         rows.old[i] = rows.impulse[i] = load(block.impulse[i]);
         rows.wanted[i] = rows.old[i] - load(block.effective_mass[i]) * (v[i] + max(s[i], zero()) * inverse_h);

@@ -92,7 +92,7 @@ CAIRN_INLINE void solve_friction(ContactBlock<N>& block, const PointSums& sums, 
     const Vec3x8 dw = b.w - a.w;
     Vec3x8 velocity = (b.v - a.v) + cross(dw, center) + cross(b.w, d);
     if constexpr (N == 1)
-        if (turns_within(block)) velocity = velocity + slip_of_turning(block, a, b, normal, middle);
+        if (block.turns) velocity = velocity + slip_of_turning(block, middle);
     const FrictionImpulse slip = {dot(velocity, t1), dot(velocity, t2), dot(normal, dw)};
     const FrictionImpulse old = {load(block.tangent_impulse[0]), load(block.tangent_impulse[1]),
                                  load(block.torsion_impulse)};

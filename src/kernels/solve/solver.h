@@ -143,29 +143,13 @@ CAIRN_INLINE void normal_velocities(const ContactBlock<N>& block, const Velocity
     for (int i = 0; i < N; ++i) v[i] = common + dot(arm_of(block, normal, i), dw);
 }
 
-// The only point of a contact moves within the step, and the velocity of the bodies there with it: with p' its
-// velocity, by w_B x (p' - v_B) - w_A x (p' - v_A) a second, from the moment on that the contact is of. Bodies that
+// The only point of a contact moves within the step, with what it is a corner of or as what it is part of rolls, and
+// the velocity of the bodies there by `turning` times the time since the moment that the contact is of. Bodies that
 // move by the velocities of a substep have those that they should have in its middle: then what turns from substep to
-// substep takes as much from them as it gives. With the arms of the middle of the step, Euler's disk lost a third of
-// its energy in a second. A corner moves with what it is of; where edges cross, and where both are at rest on each
-// other, with both. On a rim with the radius of curvature R along t, a corner would go on by R t (t.(w_A - w_B) x n)
-// more than the place of touch.
-CAIRN_INLINE Vec3x8 slip_of_turning(const ContactBlock<1>& block, const Velocityx8& a, const Velocityx8& b,
-                                    Vec3x8 normal, float middle) {
-    const Vec3x8 r = load3(block.center), d = load3(block.d), apart = b.v - a.v;
-    const Vec3x8 with_a = cross(a.w, r), with_b = apart + cross(b.w, r + d);
-    Vec3x8 from_a = splat(0.5f) * (with_a + with_b); // p' - v_A
-    if (block.rims_a | block.rims_b) {
-        const Vec3x8 rim = load3(block.rim), rolled = dot(rim, cross(a.w - b.w, normal)) * rim;
-        from_a = select(mask_from_bits(block.rims_a), with_a - rolled,
-                        select(mask_from_bits(block.rims_b), with_b - rolled, from_a));
-    }
-    const Vec3x8 turning = cross(b.w, from_a - apart) - cross(a.w, from_a);
-    const mask8 turns = mask_from_bits(block.corners | block.rims_a | block.rims_b);
-    return select(turns, (splat(middle) - load(block.found)) * turning, zero3());
-}
-template <int N> CAIRN_INLINE bool turns_within(const ContactBlock<N>& block) {
-    return N == 1 && (block.corners | block.rims_a | block.rims_b);
+// substep takes as much from them as it gives. Kept where they are in the middle of the step, the arms of Euler's disk
+// take a third of its energy in a second.
+CAIRN_INLINE Vec3x8 slip_of_turning(const ContactBlock<1>& block, float middle) {
+    return (splat(middle) - load(block.found)) * load3(block.turning);
 }
 
 // Inverse inertia times a vector, of A and of B.

@@ -94,7 +94,8 @@ template <int N> struct PointRows {
 template <> struct PointRows<1> {
     float separation0[1][8], total_impulse[1][8];
     float effective_mass[1][8], impulse[1][8], separation[1][8];
-    float rim[3][8]; // of what rolls on a rim, as in the record
+    float turning[3][8]; // m/s^2: see slip_of_turning; where the block turns
+    float rim[3][8];     // of what rolls on a rim, as in the record; where the block has any
 };
 
 // One block of 8 contacts with N points each, 8 lanes side by side. Built by prepare, used by all substeps. In large
@@ -113,7 +114,7 @@ template <int N> struct alignas(64) ContactBlock : PointRows<N> {
     std::uint8_t rolls;                     // any rolling resistance
     std::uint8_t bounces;                   // any restitution
     std::uint8_t round;                     // any round surface
-    std::uint8_t corners, rims_a, rims_b;   // lanes, as bits: whose only point is a corner, or on a rim of A or B
+    std::uint8_t turns, rims;               // any point that moves within the step, any rim
     std::uint8_t struck;                    // lanes, as bits, that are left to the passes of an impact
     std::uint8_t struck_once, struck_twice; // likewise, in this step
     // Used by relax only.
