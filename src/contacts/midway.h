@@ -18,17 +18,24 @@ inline float midway_time(const WorldDef& settings, float dt) {
 void pose_midway(const Bodies& bodies, const Shapes& shapes, NarrowScratch& narrow, ThreadPool& thread_pool,
                  float time);
 
-// Whether a pair is looked for there: it has met, moves, and neither turns by more than a radian until then nor comes
-// so much nearer that nothing could be said of it. What meets only in this step is asked where it does. `margin`: of
-// contact_margin.
-inline bool is_looked_for_midway(const Bodies& bodies, const Contacts& contacts, std::uint32_t id, float margin,
+// Whether points that approach so fast are asked where they meet instead: they come so much nearer until then that
+// nothing could be said of them, or are to bounce.
+inline bool meets_before(const NarrowInput& in, const ContactInfo& c, float approach, float time) {
+    return approach * time > c.base_margin || (c.bounces && approach > in.settings.restitution_speed);
+}
+// Whether it cannot be so fast. `margin`: of contact_margin.
+inline bool is_slow(const ContactInfo& c, float margin) { return margin <= 2 * c.base_margin && !c.bounces; }
+
+// Whether a pair is looked for there: it has met, moves, neither turns far until then nor meets before.
+inline bool is_looked_for_midway(const NarrowInput& in, const Contacts& contacts, std::uint32_t id, float margin,
                                  float time) {
+    constexpr float small = 0.25f; // rad
     const ContactInfo& c = contacts.info[id];
     if (!c.touching || c.is_trigger || c.point_count == 0) return false;
-    if (!moves(bodies, c.body_a) && !moves(bodies, c.body_b)) return false;
+    if (!moves(in.bodies, c.body_a) && !moves(in.bodies, c.body_b)) return false;
     for (const std::int32_t b : {c.body_a, c.body_b})
-        if (const math::Vec3 w = bodies.motion[b].w; time * time * math::dot(w, w) > 1) return false;
-    return margin <= 2 * c.base_margin || approach_speed(bodies, c, contacts.records[id]) * time <= c.base_margin;
+        if (const math::Vec3 w = in.bodies.motion[b].w; time * time * math::dot(w, w) > small * small) return false;
+    return is_slow(c, margin) || !meets_before(in, c, approach_speed(in.bodies, c, contacts.records[id]), time);
 }
 
 inline const ShapePose& midway_pose(const Bodies& bodies, const Shapes& shapes, const NarrowScratch& narrow,

@@ -49,9 +49,10 @@ std::uint8_t take_first_test(const NarrowInput& in, Contacts& contacts, const Na
 
 // Whether a test in the middle of the step has found that the two stay in contact, which is settled then.
 bool take_midway_test(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, std::uint32_t id,
-                      std::uint32_t place, const Manifold& m, float time, float dt) {
+                      std::uint32_t place, const Manifold& m, float margin, float time, float dt) {
     const ContactInfo& c = contacts.info[id];
     if (m.count == 0) return false;
+    if (!is_slow(c, margin) && meets_before(in, c, approach_of(in.bodies, in.shapes, c, m), time)) return false;
     if ((m.points[0][3] > 0 || may_turn_away(in.bodies, c, dt)) &&
         (stays_apart(in.bodies, in.shapes, c, m, dt) || may_meet_in_flight(in, contacts, c, m, dt) ||
          moves_far(in, c, m, dt)))
@@ -77,7 +78,7 @@ class WideTest {
             if (i + ahead < count) ask_cache(&contacts_.info[narrow_.candidates[places[i + ahead]]]);
             const std::uint32_t id = narrow_.candidates[places[i]];
             const float margin = contact_margin(in.bodies, narrow_, contacts_.info[id], dt_);
-            const bool is_midway = is_looked_for_midway(in.bodies, contacts_, id, margin, midway_);
+            const bool is_midway = is_looked_for_midway(in, contacts_, id, margin, midway_);
             (is_midway ? own_.midway : own_.at_start).push_back(places[i]);
         }
         if (!own_.midway.empty()) test_midway();
@@ -124,8 +125,8 @@ class WideTest {
         collide(own_.poses, count);
         for (int i = 0; i < count; ++i) {
             const std::uint32_t place = own_.midway[std::size_t(i)];
-            if (!take_midway_test(in, contacts_, narrow_, narrow_.candidates[place], place, own_.manifolds[i], midway_,
-                                  dt_))
+            if (!take_midway_test(in, contacts_, narrow_, narrow_.candidates[place], place, own_.manifolds[i],
+                                  own_.pairs.margin[i], midway_, dt_))
                 own_.at_start.push_back(place);
         }
     }
@@ -180,11 +181,11 @@ void test_convex(const NarrowInput& in, Contacts& contacts, NarrowScratch& narro
             return;
         }
     }
-    if (is_looked_for_midway(in.bodies, contacts, id, margin, midway)) {
+    if (is_looked_for_midway(in, contacts, id, margin, midway)) {
         const Manifold m =
             test_convex_pair(kind, shape_midway(in.bodies, in.shapes, narrow, c.shape_a),
                              shape_midway(in.bodies, in.shapes, narrow, c.shape_b), guess, margin, memory);
-        is_settled = take_midway_test(in, contacts, narrow, id, place, m, midway, dt);
+        is_settled = take_midway_test(in, contacts, narrow, id, place, m, margin, midway, dt);
     }
     if (!is_settled) {
         const Manifold m = test_convex_pair(kind, a, b, guess, margin, memory);
