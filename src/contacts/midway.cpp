@@ -25,19 +25,22 @@ void pose_midway(const Bodies& bodies, const Shapes& shapes, NarrowScratch& narr
     thread_pool.for_chunks(int(narrow.moving.size()), bodies_per_chunk, [&](int begin, int end, int) {
         for (int k = begin; k < end; ++k) {
             const std::int32_t b = narrow.moving[std::size_t(k)];
-            if (!moves(bodies, b)) continue;
+            if (!moves_until_midway(bodies, b)) continue;
             const BodyMotion& m = bodies.motion[b];
             const math::Quat turn = turn_by(time * m.w);
+            const math::Vec3 way = time * m.v;
             for (std::int32_t s = bodies.links[b].first_shape; s != none; s = shapes.links[s].next) {
-                ShapePose pose = shapes.poses[s];
+                ShapePose& pose = narrow.midway_poses[s] = shapes.poses[s];
+                math::Vec3& arm = narrow.midway_arms[s] = shapes.links[s].arm;
+                math::Vec3 moved = way;
+                if (!(arm == math::Vec3{})) {
+                    const math::Vec3 turned = math::rotate(turn, arm);
+                    moved = way + (turned - arm);
+                    arm = turned;
+                }
                 const math::Quat q = turn * math::Quat{pose.q[0], pose.q[1], pose.q[2], pose.q[3]};
-                const math::Vec3 from = shapes.links[s].arm;
-                const math::Vec3 arm = from == math::Vec3{} ? from : math::rotate(turn, from);
-                const math::Vec3 way = time * m.v + (arm - from);
-                pose.low[0] += way.x, pose.low[1] += way.y, pose.low[2] += way.z;
+                pose.low[0] += moved.x, pose.low[1] += moved.y, pose.low[2] += moved.z;
                 pose.q[0] = q.x, pose.q[1] = q.y, pose.q[2] = q.z, pose.q[3] = q.w;
-                narrow.midway_poses[s] = pose;
-                narrow.midway_arms[s] = arm;
             }
         }
     });

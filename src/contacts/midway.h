@@ -14,37 +14,34 @@ inline float midway_time(const WorldDef& settings, float dt) {
     return dt * float(settings.substeps - 1) / float(2 * settings.substeps);
 }
 
+// What will have moved by less than a micrometer is where it is.
+inline bool moves_until_midway(const Bodies& bodies, std::int32_t body) {
+    constexpr double still = 2e-6; // m, in the whole step
+    return moves(bodies, body) && bodies.ahead[body] - bodies.travel[body] > budget_of(still);
+}
+
 // Poses all shapes of the bodies that move.
 void pose_midway(const Bodies& bodies, const Shapes& shapes, NarrowScratch& narrow, ThreadPool& thread_pool,
                  float time);
 
-// Whether points that approach so fast are asked where they meet instead: they come so much nearer until then that
-// nothing could be said of them, or are to bounce.
-inline bool meets_before(const NarrowInput& in, const ContactInfo& c, float approach, float time) {
-    return approach * time > c.base_margin || (c.bounces && approach > in.settings.restitution_speed);
-}
-// Whether it cannot be so fast. `margin`: of contact_margin.
-inline bool is_slow(const ContactInfo& c, float margin) { return margin <= 2 * c.base_margin && !c.bounces; }
-
-// Whether a pair is looked for there: it has met, moves, neither turns far until then nor meets before.
-inline bool is_looked_for_midway(const NarrowInput& in, const Contacts& contacts, std::uint32_t id, float margin,
-                                 float time) {
+// Whether a pair is looked for there: it has met, moves, and neither turns far until then. What meets only in this step
+// is asked where it does.
+inline bool is_looked_for_midway(const Bodies& bodies, const ContactInfo& c, float time) {
     constexpr float small = 0.25f; // rad
-    const ContactInfo& c = contacts.info[id];
     if (!c.touching || c.is_trigger || c.point_count == 0) return false;
-    if (!moves(in.bodies, c.body_a) && !moves(in.bodies, c.body_b)) return false;
+    if (!moves_until_midway(bodies, c.body_a) && !moves_until_midway(bodies, c.body_b)) return false;
     for (const std::int32_t b : {c.body_a, c.body_b})
-        if (const math::Vec3 w = in.bodies.motion[b].w; time * time * math::dot(w, w) > small * small) return false;
-    return is_slow(c, margin) || !meets_before(in, c, approach_speed(in.bodies, c, contacts.records[id]), time);
+        if (const math::Vec3 w = bodies.motion[b].w; time * time * math::dot(w, w) > small * small) return false;
+    return true;
 }
 
 inline const ShapePose& midway_pose(const Bodies& bodies, const Shapes& shapes, const NarrowScratch& narrow,
                                     std::uint32_t shape) {
-    return moves(bodies, shapes.links[shape].body) ? narrow.midway_poses[shape] : shapes.poses[shape];
+    return moves_until_midway(bodies, shapes.links[shape].body) ? narrow.midway_poses[shape] : shapes.poses[shape];
 }
 inline PosedShape shape_midway(const Bodies& bodies, const Shapes& shapes, const NarrowScratch& narrow,
                                std::uint32_t shape) {
-    const bool is_moving = moves(bodies, shapes.links[shape].body);
+    const bool is_moving = moves_until_midway(bodies, shapes.links[shape].body);
     return {shapes.geometry[shape], shapes.data[shape], is_moving ? narrow.midway_poses[shape] : shapes.poses[shape],
             is_moving ? narrow.midway_arms[shape] : shapes.links[shape].arm};
 }

@@ -47,12 +47,23 @@ std::uint8_t take_first_test(const NarrowInput& in, Contacts& contacts, const Na
     return take_points(in.bodies, in.shapes, contacts, in.islands, id, m, moment_of_start(in.bodies, in.shapes, c));
 }
 
-// Whether a test in the middle of the step has found that the two stay in contact, which is settled then.
+// Whether points approach so fast that they are asked where they meet: up to the middle of the step they come so much
+// nearer that nothing could be said of them, or they are to bounce.
+bool meets_before(const NarrowInput& in, const ContactInfo& c, float approach, float time) {
+    return approach * time > c.base_margin || (c.bounces && approach > in.settings.restitution_speed);
+}
+
+// Whether a test in the middle of the step has found that the two stay in contact, which is settled then. Where the
+// normal is another one than that of the last step, they may be beyond each other.
 bool take_midway_test(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, std::uint32_t id,
                       std::uint32_t place, const Manifold& m, float margin, float time, float dt) {
     const ContactInfo& c = contacts.info[id];
     if (m.count == 0) return false;
-    if (!is_slow(c, margin) && meets_before(in, c, approach_of(in.bodies, in.shapes, c, m), time)) return false;
+    const float along = math::dot(to_vec(m.normal), to_vec(contacts.records[id].normal));
+    if ((c.flipped ? -along : along) <= 0) return false;
+    if (meets_before(in, c, (margin - c.base_margin) / dt, time) &&
+        meets_before(in, c, approach_of(in.bodies, in.shapes, c, m), time))
+        return false;
     if ((m.points[0][3] > 0 || may_turn_away(in.bodies, c, dt)) &&
         (stays_apart(in.bodies, in.shapes, c, m, dt) || may_meet_in_flight(in, contacts, c, m, dt) ||
          moves_far(in, c, m, dt)))
@@ -77,8 +88,7 @@ class WideTest {
         for (int i = 0; i < count; ++i) {
             if (i + ahead < count) ask_cache(&contacts_.info[narrow_.candidates[places[i + ahead]]]);
             const std::uint32_t id = narrow_.candidates[places[i]];
-            const float margin = contact_margin(in.bodies, narrow_, contacts_.info[id], dt_);
-            const bool is_midway = is_looked_for_midway(in, contacts_, id, margin, midway_);
+            const bool is_midway = is_looked_for_midway(in.bodies, contacts_.info[id], midway_);
             (is_midway ? own_.midway : own_.at_start).push_back(places[i]);
         }
         if (!own_.midway.empty()) test_midway();
@@ -181,7 +191,7 @@ void test_convex(const NarrowInput& in, Contacts& contacts, NarrowScratch& narro
             return;
         }
     }
-    if (is_looked_for_midway(in, contacts, id, margin, midway)) {
+    if (is_looked_for_midway(in.bodies, c, midway)) {
         const Manifold m =
             test_convex_pair(kind, shape_midway(in.bodies, in.shapes, narrow, c.shape_a),
                              shape_midway(in.bodies, in.shapes, narrow, c.shape_b), guess, margin, memory);
