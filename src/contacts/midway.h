@@ -26,10 +26,11 @@ void pose_midway(const Bodies& bodies, const Shapes& shapes, NarrowScratch& narr
 
 // Whether a pair is looked for there: it has met, moves, and neither turns far until then, nor passes the other by more
 // than the margin: what slides or rolls on in haste may be over another shape by then, whose contact is of the start.
-// What meets only in this step is asked where it does; bodies with joints do not move as their velocities say.
+// What meets only in this step is asked where it does; bodies with joints do not move as their velocities say, nor do
+// the surfaces of conveyors.
 inline bool is_looked_for_midway(const Bodies& bodies, const ContactInfo& c, float time) {
     constexpr float small = 0.25f; // rad
-    if (!c.touching || c.is_trigger || c.point_count == 0) return false;
+    if (!c.touching || c.is_trigger || c.is_conveyor || c.point_count == 0) return false;
     if (!moves_until_midway(bodies, c.body_a) && !moves_until_midway(bodies, c.body_b)) return false;
     for (const std::int32_t b : {c.body_a, c.body_b}) {
         const math::Vec3 w = bodies.motion[b].w;
