@@ -118,43 +118,70 @@ std::uint32_t packed_features(const Manifold& m) {
     return packed;
 }
 
+math::Vec3 axis_of(const ShapePose& pose, int i) {
+    const float* q = pose.q;
+    return math::rotate(math::Quat{q[0], q[1], q[2], q[3]}, math::Vec3{float(i == 0), float(i == 1), float(i == 2)});
+}
+
 // A round surface does not turn with its body: how far it is to the point midway between the surfaces from the center
 // or axis that it is round about, with that normal; 0 where the surface is flat. For cones the mean radius. Rounded
 // shapes touch by a corner, an edge or a rim of their core, and what is around that; also where a face lies flat.
-float contact_radius(const Shapes& shapes, std::uint32_t shape, math::Vec3 normal, float separation) {
-    const Geometry& g = shapes.geometry[shape];
+float contact_radius(const Geometry& g, const ShapePose& pose, math::Vec3 normal, float separation) {
     if (g.type == ShapeType::sphere) return g.size.x + 0.5f * separation;
     const float around = g.rounding > 0 ? g.rounding + 0.5f * separation : 0.0f;
     if (g.type != ShapeType::capsule && g.type != ShapeType::cylinder) return around;
     const float mean = 0.5f * (g.size.x + g.size.z);
     if (g.type == ShapeType::capsule) return mean + 0.5f * separation;
-    const float* q = shapes.poses[shape].q;
-    const float along = math::dot(normal, math::rotate(math::Quat{q[0], q[1], q[2], q[3]}, math::Vec3{0, 1, 0}));
+    const float along = math::dot(normal, axis_of(pose, 1));
     constexpr float steepest = 0.5f; // of the cosine with the axis: beyond, it stands on its rim rather than rolls
     return std::fabs(along) < steepest ? mean + g.rounding + 0.5f * separation : around;
 }
 
-// A record of the touch: as if the step began there. Rotations count from the start of the step all the same, as in
-// refresh_separations, and what they have done to the anchors up to the touch is taken off.
-void move_to_touch(const Bodies& bodies, const ContactInfo& c, const Touch& touch, ContactRecord& r) {
-    const BodyMotion &motion_a = bodies.motion[c.body_a], &motion_b = bodies.motion[c.body_b];
-    const math::DVec3 passed = touch.moved_a - touch.moved_b, d = (motion_a.x - motion_b.x) + passed;
-    put(r.center_offset, math::to_float(d));
-    const math::DVec3 n = math::to_double(to_vec(r.normal));
-    const math::DVec3 round_a = double(r.radius_a) * n, round_b = double(r.radius_b) * n;
-    for (int i = 0; i < c.point_count; ++i) {
-        const math::DVec3 arm = math::to_double(to_vec(point_of(r, i)));
-        const math::DVec3 a = arm - round_a, b = arm + d + round_b;
-        const math::DVec3 turned_a = math::rotate(touch.turned_a, a) - a,
-                          turned_b = math::rotate(touch.turned_b, b) - b;
-        point_of(r, i)[3] -= float(math::dot(n, turned_b - turned_a));
+// Whether a shape touches another by a flat face with that normal, as far as its geometry says.
+bool is_flat(const Geometry& g, const ShapePose& pose, math::Vec3 normal) {
+    constexpr float along = 0.99999f; // cosine
+    if (g.type == ShapeType::plane) return true;
+    if (g.type == ShapeType::rectangle) return std::fabs(math::dot(normal, axis_of(pose, 1))) > along;
+    if (g.type != ShapeType::box || g.rounding > 0) return false;
+    for (const int i : {0, 1, 2})
+        if (std::fabs(math::dot(normal, axis_of(pose, i))) > along) return true;
+    return false;
+}
+
+// Whether a shape touches by the rim of an end, if the other is flat: then the direction in which it rolls, times the
+// root of the radius of curvature that it has there. With the axis u and the normal n, that is along u x n, and of a
+// rim with radius R it is R / |u x n|.
+bool find_rim(const Geometry& g, const ShapePose& pose, math::Vec3 outwards, math::Vec3& rim) {
+    if (g.type != ShapeType::cylinder || g.rounding > 0) return false;
+    const math::Vec3 axis = axis_of(pose, 1), along = math::cross(axis, outwards);
+    const float sine = math::length(along), radius = math::dot(axis, outwards) > 0 ? g.size.z : g.size.x;
+    if (!(sine > 0)) return false;
+    rim = (std::sqrt(radius / sine) / sine) * along;
+    return true;
+}
+
+bool has_corners(const Geometry& g) {
+    return g.rounding == 0 && g.type != ShapeType::sphere && g.type != ShapeType::capsule &&
+           g.type != ShapeType::cylinder;
+}
+
+// How the surfaces are round where they touch, and how the only point moves over them.
+void find_roundness(const Shapes& shapes, const ContactInfo& c, const Manifold& m, math::Vec3 normal, const Moment& at,
+                    ContactRecord& r) {
+    const Geometry &a = shapes.geometry[c.shape_a], &b = shapes.geometry[c.shape_b];
+    r.radius_a = contact_radius(a, *at.pose_a, normal, m.points[0][3]);
+    r.radius_b = contact_radius(b, *at.pose_b, normal, m.points[0][3]);
+    if (m.count > 1) return;
+    math::Vec3 rim;
+    if (find_rim(a, *at.pose_a, normal, rim) && is_flat(b, *at.pose_b, normal)) {
+        r.radius_a = rolls_on_rim, r.radius_b = 0;
+        put(r.more_points[0], rim);
+    } else if (find_rim(b, *at.pose_b, -normal, rim) && is_flat(a, *at.pose_a, normal)) {
+        r.radius_a = 0, r.radius_b = rolls_on_rim;
+        put(r.more_points[0], rim);
+    } else if (r.radius_a == 0 && r.radius_b == 0 && !(has_corners(a) && has_corners(b))) {
+        r.radius_a = rolls_somehow;
     }
-    // The solver finds how far they pass each other up to there by their velocities; along the normal it is exact, with
-    // what gravity adds.
-    const double along = math::dot(n, passed), speed = math::dot(n, math::to_double(motion_a.v - motion_b.v));
-    r.touch_time = touch.time;
-    if (const double time = along / speed; time > 0.5 * double(touch.time) && time < 2 * double(touch.time))
-        r.touch_time = float(time);
 }
 
 } // namespace
@@ -174,15 +201,9 @@ float min_separation(const ContactInfo& c, const ContactRecord& r) {
     return least;
 }
 
-void write_record(const Bodies& bodies, const Shapes& shapes, ContactInfo& c, ContactRecord& r, const Manifold& m,
-                  const Touch* touch) {
-    math::Vec3 normal = to_vec(m.normal), offset = touch ? touch->arm_a : shapes.links[c.shape_a].arm;
-    if (c.flipped) {
-        const ShapePose& a = touch ? touch->pose_a : shapes.poses[c.shape_a];
-        const ShapePose& b = touch ? touch->pose_b : shapes.poses[c.shape_b];
-        offset = offset - ((to_vec(a.high) - to_vec(b.high)) + (to_vec(a.low) - to_vec(b.low)));
-        normal = -normal;
-    }
+void write_record(const Shapes& shapes, ContactInfo& c, ContactRecord& r, const Manifold& m, const Moment& at) {
+    const math::Vec3 normal = c.flipped ? -to_vec(m.normal) : to_vec(m.normal);
+    const math::Vec3 offset = c.flipped ? at.arm - at.x_a_from_b : at.arm;
     Float4 points[4];
     const int kept = m.count == 1 ? 1 : 4;
     for (int i = 0; i < kept; ++i)
@@ -191,15 +212,11 @@ void write_record(const Bodies& bodies, const Shapes& shapes, ContactInfo& c, Co
     OldPoints old;
     if (!stay) old = old_points(r, c.point_count);
     put(r.normal, normal);
-    put(r.center_offset, math::to_float(bodies.motion[c.body_a].x - bodies.motion[c.body_b].x));
+    put(r.center_offset, at.x_a_from_b);
     for (int i = 0; i < kept; ++i) store4(point_of(r, i), points[i]);
-    if (may_be_round(c.kind)) {
-        r.radius_a = contact_radius(shapes, c.shape_a, normal, m.points[0][3]);
-        r.radius_b = contact_radius(shapes, c.shape_b, normal, m.points[0][3]);
-    }
+    if (may_be_round(c.kind)) find_roundness(shapes, c, m, normal, at, r);
     c.point_count = std::uint8_t(m.count);
-    r.touch_time = 0;
-    if (touch) move_to_touch(bodies, c, *touch, r);
+    r.touch_time = at.time;
     r.features = packed_features(m);
     if (stay) return;
     forget_impulses(r, m.count);

@@ -12,9 +12,8 @@ inline float* point_of(ContactRecord& r, int i) { return i == 0 ? r.first_point 
 inline float total_of(const ContactRecord& r, int i) { return i == 0 ? r.first_total : r.more_totals[i - 1]; }
 
 // Writes the record of a contact from the kernel's manifold, which has points. Impulses go on where points stay.
-// `touch`: the poses that the manifold is of, if they are not those at the start of the step.
-void write_record(const Bodies& bodies, const Shapes& shapes, ContactInfo& contact, ContactRecord& record,
-                  const Manifold& manifold, const Touch* touch = nullptr);
+void write_record(const Shapes& shapes, ContactInfo& contact, ContactRecord& record, const Manifold& manifold,
+                  const Moment& moment);
 // Of the points of a contact that has some.
 float min_separation(const ContactInfo& contact, const ContactRecord& record);
 // `count`: how many points it has.

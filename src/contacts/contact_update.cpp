@@ -175,6 +175,22 @@ std::uint8_t take_apart(const Bodies& bodies, Contacts& contacts, std::uint32_t 
     return take_distance(bodies, contacts, id, m.count == 0 ? m.points[0][3] : 0.0f);
 }
 
+namespace {
+
+// When the solver, which goes by the velocities of the start, has the two where they touch: along the normal that is
+// exact, with what gravity adds.
+Moment moment_of(const Bodies& bodies, const ContactInfo& c, const Touch& touch, const Manifold& m) {
+    const math::DVec3 n = math::to_double(to_vec(m.normal));
+    const double speed = math::dot(n, math::to_double(bodies.motion[c.body_a].v - bodies.motion[c.body_b].v));
+    const double time = math::dot(n, touch.passed) / speed, found = double(touch.moment.time);
+    Moment moment = touch.moment;
+    moment.pose_a = &touch.pose_a, moment.pose_b = &touch.pose_b;
+    if (time > 0.5 * found && time < 2 * found) moment.time = float(time);
+    return moment;
+}
+
+} // namespace
+
 std::uint8_t take_manifold(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, const Islands& islands,
                            std::uint32_t id, const Manifold& m, const Touch* touch) {
     ContactInfo& c = contacts.info[id];
@@ -183,7 +199,12 @@ std::uint8_t take_manifold(const Bodies& bodies, const Shapes& shapes, Contacts&
         keep_answer(bodies, contacts, id, 0);
         return trigger_outcome(c, true);
     }
-    return take_points(bodies, shapes, contacts, islands, id, m, touch);
+    if (touch)
+        drop_answer(bodies, contacts, id);
+    else
+        keep_answer(bodies, contacts, id, 0);
+    return take_points(bodies, shapes, contacts, islands, id, m,
+                       touch ? moment_of(bodies, c, *touch, m) : moment_of_start(bodies, shapes, c));
 }
 
 std::uint8_t trigger_outcome(const ContactInfo& c, bool inside) {

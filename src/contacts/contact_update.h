@@ -40,7 +40,7 @@ bool stays_apart(const Bodies& bodies, const Shapes& shapes, const ContactInfo& 
 // The greatest speed at which points of a manifold approach, m/s; negative if all part.
 float approach_of(const Bodies& bodies, const Shapes& shapes, const ContactInfo& contact, const Manifold& manifold);
 // One result of a test becomes the record of the contact; others may be at work on other contacts. An Outcome.
-// `touch`: as of write_record.
+// `touch`: what the manifold is of, if it is not of the start of the step.
 std::uint8_t take_manifold(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, const Islands& islands,
                            std::uint32_t contact, const Manifold& manifold, const Touch* touch = nullptr);
 // Likewise of a pair that has no points, or stays apart.
@@ -70,17 +70,19 @@ inline bool is_asleep(const Bodies& bodies, const Islands& islands, const Contac
 inline std::uint8_t going_on(const Bodies& bodies, const Islands& islands, const ContactInfo& c) {
     return is_asleep(bodies, islands, c) || (!c.b_moves && moves(bodies, c.body_b)) ? may_wake : goes_on;
 }
+// The start of the step.
+inline Moment moment_of_start(const Bodies& bodies, const Shapes& shapes, const ContactInfo& c) {
+    return {0, shapes.links[c.flipped ? c.shape_b : c.shape_a].arm,
+            math::to_float(bodies.motion[c.body_a].x - bodies.motion[c.body_b].x), &shapes.poses[c.shape_a],
+            &shapes.poses[c.shape_b]};
+}
 // What take_manifold does with points that are solved: nothing more is asked of the manifold.
 inline std::uint8_t take_points(const Bodies& bodies, const Shapes& shapes, Contacts& contacts, const Islands& islands,
-                                std::uint32_t id, const Manifold& m, const Touch* touch = nullptr) {
+                                std::uint32_t id, const Manifold& m, const Moment& at) {
     ContactInfo& c = contacts.info[id];
     ContactRecord& r = contacts.records[id];
-    if (touch)
-        drop_answer(bodies, contacts, id);
-    else
-        keep_answer(bodies, contacts, id, 0);
     const bool is_new = c.point_count == 0;
-    write_record(bodies, shapes, c, r, m, touch);
+    write_record(shapes, c, r, m, at);
     if (!c.touching) r.approach_speed = approach_speed(bodies, c, r);
     return is_new ? std::uint8_t(begun) : going_on(bodies, islands, c);
 }

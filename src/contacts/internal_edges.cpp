@@ -73,8 +73,8 @@ struct Extent {
 math::Vec3 other_surface(const Bodies& bodies, const Contacts& contacts, std::uint32_t contact, int i) {
     const ContactRecord& r = contacts.records[contact];
     const math::Vec3 point = to_vec(point_of(r, i));
-    if (r.touch_time > 0) return point + r.touch_time * bodies.motion[contacts.info[contact].body_a].v;
-    return point + 0.5f * point_of(r, i)[3] * to_vec(r.normal);
+    const math::Vec3 way = r.touch_time * bodies.motion[contacts.info[contact].body_a].v;
+    return point + way + 0.5f * point_of(r, i)[3] * to_vec(r.normal);
 }
 
 // The numbers of a contact in the tree of planes, and of one with two points in the tree of lines: the normal, then the
@@ -252,8 +252,9 @@ void drop_covered(const Bodies& bodies, Contacts& contacts, NarrowScratch& narro
 
 // At the start of the step.
 float depth_of(const Contacts& contacts, std::uint32_t contact) {
+    const ContactInfo& c = contacts.info[contact];
     const ContactRecord& r = contacts.records[contact];
-    return -min_separation(contacts.info[contact], r) - r.touch_time * r.approach_speed;
+    return -min_separation(c, r) - (c.touching ? 0 : r.touch_time * r.approach_speed);
 }
 
 // The planes of contacts, the deepest first.

@@ -7,6 +7,7 @@
 #include "contacts/convex_tests.h"
 #include "contacts/flight.h"
 #include "contacts/internal_edges.h"
+#include "contacts/midway.h"
 #include "contacts/pairs.h"
 #include "contacts/patches.h"
 #include "contacts/prefetch.h"
@@ -37,55 +38,172 @@ constexpr int convex_pairs_per_chunk = 32, groups_per_chunk = 8;
     return may_fly_by;
 }
 
-// What a test has found is settled at once, but for what may meet in flight.
+// What a test at the start of the step has found is settled at once, but for what may meet in flight.
 std::uint8_t take_first_test(const NarrowInput& in, Contacts& contacts, const NarrowScratch& narrow, std::uint32_t id,
                              std::uint32_t place, const Manifold& m, NarrowBatch& own, float dt) {
-    if (stays_in_contact(in.bodies, contacts.info[id], m, dt))
-        return take_points(in.bodies, in.shapes, contacts, in.islands, id, m);
-    return take_gap(in, contacts, narrow, place, m, own, dt);
+    const ContactInfo& c = contacts.info[id];
+    if (!stays_in_contact(in.bodies, c, m, dt)) return take_gap(in, contacts, narrow, place, m, own, dt);
+    keep_answer(in.bodies, contacts, id, 0);
+    return take_points(in.bodies, in.shapes, contacts, in.islands, id, m, moment_of_start(in.bodies, in.shapes, c));
 }
 
-// Up to PairBatch::capacity pairs of one kind, by their places among all.
-void test_wide_pairs(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, PairKind kind, int begin,
-                     int end, NarrowBatch& own, float dt) {
-    PairBatch& batch = own.pairs;
-    const int count = end - begin, padded = (count + 7) & ~7;
-    const std::size_t record_size = has_one_point(kind) ? offsetof(ContactRecord, more_points) : sizeof(ContactRecord);
-    const bool keeps_features = kind == PairKind::box_box;
-    const std::uint32_t* places = narrow.lists[std::size_t(kind)].data() + begin;
-    std::uint32_t ids[PairBatch::capacity];
-    for (int i = 0; i < count; ++i) ids[i] = narrow.candidates[places[i]];
-    for (int i = 0; i < count; ++i) {
-        if (const int next = i + int(contacts_ahead); next < count) {
-            ask_cache(&contacts.info[ids[next]]);
-            if (keeps_features) ask_cache(&contacts.records[ids[next]].features);
-        }
-        const ContactInfo& c = contacts.info[ids[i]];
-        batch.first[i] = c.flipped ? c.shape_b : c.shape_a;
-        batch.second[i] = c.flipped ? c.shape_a : c.shape_b;
-        batch.margin[i] = contact_margin(in.bodies, narrow, c, dt);
-        batch.kept[i] = keeps_features && c.force > 0 ? contacts.records[ids[i]].features : no_features;
-        ask_cache(&in.shapes.links[c.shape_a]); // for write_record
-    }
-    for (int i = count; i < padded; ++i) {
-        batch.first[i] = batch.first[0], batch.second[i] = batch.second[0];
-        batch.margin[i] = batch.margin[0], batch.kept[i] = batch.kept[0];
-    }
-    wide_kernel(kind)(in.shapes.poses.data(), batch.first, batch.second, batch.margin, batch.kept, padded,
-                      own.manifolds);
-    std::uint8_t* const outcomes = narrow.outcomes.data();
-    for (int i = 0; i < count; ++i) {
-        if (const int next = i + int(contacts_ahead); next < count && own.manifolds[next].count > 0) {
-            prefetch_record(contacts, ids[next], record_size);
-            if (may_be_round(kind))
-                for (const std::uint32_t shape : {batch.first[next], batch.second[next]})
-                    ask_cache(&in.shapes.geometry[shape]);
-        }
-        outcomes[places[i]] = take_first_test(in, contacts, narrow, ids[i], places[i], own.manifolds[i], own, dt);
-    }
+// Whether points approach so fast that they are asked where they meet: up to the middle of the step they come so much
+// nearer that nothing could be said of them, or they are to bounce.
+bool meets_before(const NarrowInput& in, const ContactInfo& c, float approach, float time) {
+    return approach * time > c.base_margin || (c.bounces && approach > in.settings.restitution_speed);
 }
 
-// Pairs that no wide kernel tests, by their places among all.
+// Whether a test in the middle of the step has found that the two stay in contact, which is settled then. Where the
+// normal is another one than that of the last step, they may be beyond each other.
+bool take_midway_test(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, std::uint32_t id,
+                      std::uint32_t place, const Manifold& m, float margin, float time, float dt) {
+    const ContactInfo& c = contacts.info[id];
+    if (m.count == 0) return false;
+    const float along = math::dot(to_vec(m.normal), to_vec(contacts.records[id].normal));
+    if ((c.flipped ? -along : along) <= 0) return false;
+    if (meets_before(in, c, (margin - c.base_margin) / dt, time) &&
+        meets_before(in, c, approach_of(in.bodies, in.shapes, c, m), time))
+        return false;
+    if ((m.points[0][3] > 0 || may_turn_away(in.bodies, c, dt)) &&
+        (stays_apart(in.bodies, in.shapes, c, m, dt) || may_meet_in_flight(in, contacts, c, m, dt) ||
+         moves_far(in, c, m, dt)))
+        return false;
+    keep_answer(in.bodies, contacts, id, 0);
+    narrow.outcomes[place] = take_points(in.bodies, in.shapes, contacts, in.islands, id, m,
+                                         moment_midway(in.bodies, in.shapes, narrow, c, time));
+    return true;
+}
+
+// Pairs of one kind, at the start of the step or in its middle.
+class WideTest {
+  public:
+    WideTest(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, PairKind kind, NarrowBatch& own,
+             float dt)
+        : in(in), contacts_(contacts), narrow_(narrow), own_(own), kind_(kind), dt_(dt),
+          midway_(midway_time(in.settings, dt)) {}
+
+    // Up to PairBatch::capacity of them, by their places among all.
+    void run(const std::uint32_t* places, int count) {
+        own_.at_start.clear(), own_.midway.clear();
+        for (int i = 0; i < count; ++i) {
+            if (i + ahead < count) ask_cache(&contacts_.info[narrow_.candidates[places[i + ahead]]]);
+            const std::uint32_t id = narrow_.candidates[places[i]];
+            const bool is_midway = is_looked_for_midway(in.bodies, contacts_.info[id], midway_);
+            (is_midway ? own_.midway : own_.at_start).push_back(places[i]);
+        }
+        if (!own_.midway.empty()) test_midway();
+        if (!own_.at_start.empty()) test_at_start();
+    }
+
+  private:
+    static constexpr int ahead = int(contacts_ahead);
+
+    void fill(int i, const ContactInfo& c, std::uint32_t id) {
+        PairBatch& batch = own_.pairs;
+        const bool keeps_features = kind_ == PairKind::box_box;
+        batch.margin[i] = contact_margin(in.bodies, narrow_, c, dt_);
+        batch.kept[i] = keeps_features && c.force > 0 ? contacts_.records[id].features : no_features;
+    }
+    void collide(const ShapePose* poses, int count) {
+        PairBatch& batch = own_.pairs;
+        const int padded = (count + 7) & ~7;
+        for (int i = count; i < padded; ++i) {
+            batch.first[i] = batch.first[0], batch.second[i] = batch.second[0];
+            batch.margin[i] = batch.margin[0], batch.kept[i] = batch.kept[0];
+        }
+        wide_kernel(kind_)(poses, batch.first, batch.second, batch.margin, batch.kept, padded, own_.manifolds);
+    }
+    void ask_for_record(std::uint32_t id, const ContactInfo& c) {
+        prefetch_record(contacts_, id,
+                        has_one_point(kind_) ? offsetof(ContactRecord, more_points) : sizeof(ContactRecord));
+        if (may_be_round(kind_))
+            for (const std::uint32_t shape : {c.shape_a, c.shape_b}) ask_cache(&in.shapes.geometry[shape]);
+    }
+
+    // What has parted by then is tested at the start.
+    void test_midway() {
+        const int count = int(own_.midway.size());
+        PairBatch& batch = own_.pairs;
+        for (int i = 0; i < count; ++i) {
+            const std::uint32_t id = narrow_.candidates[own_.midway[std::size_t(i)]];
+            const ContactInfo& c = contacts_.info[id];
+            own_.poses[2 * i] = midway_pose(in.bodies, in.shapes, narrow_, c.flipped ? c.shape_b : c.shape_a);
+            own_.poses[2 * i + 1] = midway_pose(in.bodies, in.shapes, narrow_, c.flipped ? c.shape_a : c.shape_b);
+            batch.first[i] = std::uint32_t(2 * i), batch.second[i] = std::uint32_t(2 * i + 1);
+            fill(i, c, id);
+        }
+        collide(own_.poses, count);
+        for (int i = 0; i < count; ++i) {
+            const std::uint32_t place = own_.midway[std::size_t(i)];
+            if (!take_midway_test(in, contacts_, narrow_, narrow_.candidates[place], place, own_.manifolds[i],
+                                  own_.pairs.margin[i], midway_, dt_))
+                own_.at_start.push_back(place);
+        }
+    }
+
+    void test_at_start() {
+        const int count = int(own_.at_start.size());
+        PairBatch& batch = own_.pairs;
+        for (int i = 0; i < count; ++i) {
+            const std::uint32_t id = narrow_.candidates[own_.at_start[std::size_t(i)]];
+            if (i + ahead < count && kind_ == PairKind::box_box)
+                ask_cache(&contacts_.records[narrow_.candidates[own_.at_start[std::size_t(i + ahead)]]].features);
+            const ContactInfo& c = contacts_.info[id];
+            batch.first[i] = c.flipped ? c.shape_b : c.shape_a;
+            batch.second[i] = c.flipped ? c.shape_a : c.shape_b;
+            fill(i, c, id);
+            ask_cache(&in.shapes.links[c.shape_a]); // for write_record
+        }
+        collide(in.shapes.poses.data(), count);
+        std::uint8_t* const outcomes = narrow_.outcomes.data();
+        for (int i = 0; i < count; ++i) {
+            if (const int next = i + ahead; next < count && own_.manifolds[next].count > 0) {
+                const std::uint32_t id = narrow_.candidates[own_.at_start[std::size_t(next)]];
+                ask_for_record(id, contacts_.info[id]);
+            }
+            const std::uint32_t place = own_.at_start[std::size_t(i)], id = narrow_.candidates[place];
+            outcomes[place] = take_first_test(in, contacts_, narrow_, id, place, own_.manifolds[i], own_, dt_);
+        }
+    }
+
+    const NarrowInput& in;
+    Contacts& contacts_;
+    NarrowScratch& narrow_;
+    NarrowBatch& own_;
+    const PairKind kind_;
+    const float dt_, midway_;
+};
+
+// A pair that no wide kernel tests. `guess`: the normal of the last step.
+void test_convex(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, PairKind kind, std::uint32_t place,
+                 NarrowBatch& own, float dt) {
+    const std::uint32_t id = narrow.candidates[place];
+    const ContactInfo& c = contacts.info[id];
+    const PosedShape a = posed_shape(in.shapes, c.shape_a), b = posed_shape(in.shapes, c.shape_b);
+    const float margin = contact_margin(in.bodies, narrow, c, dt), midway = midway_time(in.settings, dt);
+    const math::Vec3 guess = to_vec(contacts.records[id].normal);
+    ContactMemory memory = contacts.records[id].features;
+    bool is_settled = false;
+    if (kind == PairKind::convex_convex && c.point_count == 0) {
+        const float distance = gap_lower_bound(a.geometry, a.pose, b.geometry, b.pose);
+        if (distance > margin) {
+            narrow.outcomes[place] = take_distance(in.bodies, contacts, id, distance);
+            return;
+        }
+    }
+    if (is_looked_for_midway(in.bodies, c, midway)) {
+        const Manifold m =
+            test_convex_pair(kind, shape_midway(in.bodies, in.shapes, narrow, c.shape_a),
+                             shape_midway(in.bodies, in.shapes, narrow, c.shape_b), guess, margin, memory);
+        is_settled = take_midway_test(in, contacts, narrow, id, place, m, margin, midway, dt);
+    }
+    if (!is_settled) {
+        const Manifold m = test_convex_pair(kind, a, b, guess, margin, memory);
+        narrow.outcomes[place] = take_first_test(in, contacts, narrow, id, place, m, own, dt);
+    }
+    if (kind == PairKind::convex_convex) contacts.records[id].features = memory; // also of those that are apart
+}
+
 void test_convex_pairs(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, PairKind kind, int begin,
                        int end, NarrowBatch& own, float dt) {
     const std::vector<std::uint32_t>& places = narrow.lists[std::size_t(kind)];
@@ -95,21 +213,7 @@ void test_convex_pairs(const NarrowInput& in, Contacts& contacts, NarrowScratch&
     for (int i = begin; i < end; ++i) {
         if (i + 2 * ahead < count) ask_cache(&contacts.info[contact_at(i + 2 * ahead)]);
         if (i + ahead < count) prefetch_pair(in.bodies, in.shapes, contacts, contact_at(i + ahead));
-        const std::uint32_t place = places[i], id = narrow.candidates[place];
-        const ContactInfo& c = contacts.info[id];
-        const PosedShape a = posed_shape(in.shapes, c.shape_a), b = posed_shape(in.shapes, c.shape_b);
-        const float margin = contact_margin(in.bodies, narrow, c, dt);
-        if (kind == PairKind::convex_convex && c.point_count == 0) {
-            const float distance = gap_lower_bound(a.geometry, a.pose, b.geometry, b.pose);
-            if (distance > margin) {
-                narrow.outcomes[place] = take_distance(in.bodies, contacts, id, distance);
-                continue;
-            }
-        }
-        ContactMemory memory = contacts.records[id].features;
-        const Manifold m = test_convex_pair(kind, a, b, to_vec(contacts.records[id].normal), margin, memory);
-        narrow.outcomes[place] = take_first_test(in, contacts, narrow, id, place, m, own, dt);
-        if (kind == PairKind::convex_convex) contacts.records[id].features = memory; // also of those that are apart
+        test_convex(in, contacts, narrow, kind, places[i], own, dt);
     }
 }
 
@@ -130,8 +234,8 @@ std::uint8_t before_test(const Bodies& bodies, Contacts& contacts, const Islands
     if (!is_placed(bodies, c)) {
         const bool has_points = c.point_count > 0;
         // What has no points is tested: they may come near each other on the way, the more so the larger they are. So
-        // is what has one point of a sphere: its normal turns as it rolls.
-        if (has_points && !has_one_point(c.kind) && is_near(bodies, contacts, id))
+        // is what has one point: it moves over both surfaces as they roll and rock.
+        if (has_points && (is_group(c) || c.point_count > 1) && is_near(bodies, contacts, id))
             return go_along(bodies, contacts, islands, id);
         return std::uint8_t(to_test + int(c.kind));
     }
@@ -227,7 +331,8 @@ void test_all(const NarrowInput& in, Contacts& contacts, NarrowScratch& narrow, 
     };
     for (int kind = 0; kind < wide_kinds; ++kind)
         for_kind(PairKind(kind), PairBatch::capacity, [&](int begin, int end, NarrowBatch& own) {
-            test_wide_pairs(in, contacts, narrow, PairKind(kind), begin, end, own, dt);
+            WideTest(in, contacts, narrow, PairKind(kind), own, dt)
+                .run(narrow.lists[std::size_t(kind)].data() + begin, end - begin);
         });
     for (const PairKind kind : {PairKind::convex_plane, PairKind::convex_rectangle, PairKind::convex_convex})
         for_kind(kind, convex_pairs_per_chunk, [&](int begin, int end, NarrowBatch& own) {
@@ -291,6 +396,7 @@ std::size_t update_contacts(Bodies& bodies, const Shapes& shapes, Contacts& cont
     narrow.lists.resize(tested_kinds);
     narrow.at_work.resize(std::size_t(thread_pool.threads()));
     const std::size_t tested = list_pairs(bodies, contacts, islands, broad_phase, narrow, thread_pool);
+    pose_midway(bodies, shapes, narrow, thread_pool, midway_time(settings, dt));
     test_all(in, contacts, narrow, thread_pool, dt);
     follow_up_all(follow, thread_pool, dt);
     settle_flights(in, follow, thread_pool, dt);

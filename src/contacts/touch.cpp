@@ -46,7 +46,6 @@ SweptShape swept(const Bodies& bodies, const Shapes& shapes, std::uint32_t shape
 
 struct PosedBody {
     DVec3 moved;
-    DQuat turned;
     math::Vec3 arm;
     ShapePose pose;
 };
@@ -55,7 +54,7 @@ PosedBody posed_at(const Bodies& bodies, const Shapes& shapes, std::uint32_t sha
     const RigidPath::Pose body = path.at(time);
     const Geometry& g = shapes.geometry[shape];
     const math::Quat q = math::to_float(body.q);
-    PosedBody p{body.x - path.start, body.q * math::conjugate(path.rotation), {}, shapes.poses[shape]};
+    PosedBody p{body.x - path.start, {}, shapes.poses[shape]};
     p.arm = math::rotate(q, g.position - bodies.mass[shapes.links[shape].body].center);
     pose_shape(p.pose, g, bodies.motion[shapes.links[shape].body].x + (p.moved + math::to_double(p.arm)), q);
     return p;
@@ -143,11 +142,11 @@ Approach find_touch(const NarrowInput& in, const ContactInfo& c, DVec3 axis, flo
     if (!(time > 0)) return Approach::now;
     const PosedBody at_a = posed_at(in.bodies, in.shapes, c.shape_a, a, time),
                     at_b = posed_at(in.bodies, in.shapes, c.shape_b, b, time);
-    touch.time = dt * float(time);
+    touch.passed = at_a.moved - at_b.moved;
+    const DVec3 from_b = (in.bodies.motion[c.body_a].x - in.bodies.motion[c.body_b].x) + touch.passed;
+    touch.moment = {dt * float(time), c.flipped ? at_b.arm : at_a.arm, math::to_float(from_b), nullptr, nullptr};
     touch.pose_a = at_a.pose, touch.pose_b = at_b.pose;
     touch.arm_a = at_a.arm;
-    touch.moved_a = at_a.moved, touch.moved_b = at_b.moved;
-    touch.turned_a = at_a.turned, touch.turned_b = at_b.turned;
     touch.is_beside = found.distance > 0;
     if (touch.is_beside)
         touch.manifold = manifold_beside(in.bodies, c, at_a, at_b, found);

@@ -265,10 +265,10 @@ void leave_belts_in_place(const Bodies& bodies, const Shapes& shapes, const Cont
     for (const ConveyorRow& conveyor : scratch.conveyor_rows) {
         const BodyMotion& b = bodies.motion[contacts.info[conveyor.contact].body_b];
         SolverPose& pose = scratch.pose[std::size_t(conveyor.row)];
-        const math::Vec3 moved = b.v == math::Vec3{}
-                                     ? math::Vec3{}
-                                     : math::to_vec(pose.dx) - dt * belt_velocity(shapes, contacts, conveyor.contact);
-        math::put(pose.dx, moved);
+        const math::Vec3 belt = belt_velocity(shapes, contacts, conveyor.contact);
+        const math::Vec3 moved = b.v == math::Vec3{} ? math::Vec3{} : math::to_vec(pose.dx) - dt * belt;
+        // Up to the moment that the contact is of it counts as moving, in the contact's places as well.
+        math::put(pose.dx, moved + contacts.records[conveyor.contact].touch_time * belt);
     }
 }
 

@@ -40,6 +40,8 @@ inline ContactSoftness contact_softness(float h, int substeps, float recovery_sp
     ContactSoftness s;
     s.h = h;
     s.inverse_h = 1 / h;
+    s.inverse_elapsed = s.inverse_h;
+    s.middle = 0.5f * h;
     s.on_movable = spring(1);
     s.on_immovable = spring(stiff_factor);
     return s;

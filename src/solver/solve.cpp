@@ -124,6 +124,8 @@ void run_substeps(const Bodies& bodies, const Joints& joints, const ForceFields&
     scratch.impact.has_components = false;
     for (int substep = 0; substep < batch.substeps; ++substep) {
         const bool first = substep == 0;
+        softness.inverse_elapsed = 1 / (float(substep + 1) * h);
+        softness.middle = (float(substep) + 0.5f) * h;
         const SolverBodies solver_bodies = bodies_of(scratch);
         update_free_motion(bodies, fields, settings, scratch, thread_pool, solver_bodies, h, first);
         for_chunks(thread_pool, rows, rows_per_chunk, [&](int begin, int end, int) {
@@ -206,7 +208,7 @@ void solve_batch(const BatchContext& s, const IslandBatch& batch, BatchScratch& 
         leave_belts_in_place(s.bodies, s.shapes, s.contacts, scratch, dt);
         for_blocks(scratch, thread_pool, [&](const SolverKernels::ForPoints& k, const BlockRun& run) {
             k.store(blocks_of(scratch, run), run.count, lanes_of(scratch, run), scratch.pose.data(),
-                    s.contacts.records.data(), s.solver.reports.data());
+                    s.contacts.records.data(), s.solver.reports.data(), dt);
         });
         store_joints(s.joints, s.settings, s.direct, scratch, dt);
         scratch.solve_ms += milliseconds_since(start) - prepare_ms;

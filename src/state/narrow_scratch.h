@@ -54,6 +54,8 @@ struct FlightPairs {
 // What a thread has at work.
 struct NarrowBatch {
     PairBatch pairs;
+    std::vector<std::uint32_t> midway, at_start; // of the pairs, by when they are tested: places among the candidates
+    ShapePose poses[2 * PairBatch::capacity];    // in the middle of the step, of both of each
     Manifold manifolds[PairBatch::capacity];
     SurfaceScratch surface;
     std::vector<Manifold> hits;    // of one group
@@ -93,6 +95,9 @@ struct NarrowScratch {
     std::vector<std::uint8_t> patch_outcomes; // by contact, of patches of groups that were tested
     std::vector<FreshPatch> fresh;            // of all threads, by place
     std::size_t next_fresh = 0;               // the first of those that have not been followed up
+    // In the middle of the step, by shape, of the bodies that move (contacts/midway.h).
+    std::vector<ShapePose> midway_poses;
+    std::vector<math::Vec3> midway_arms; // from the body's center of mass to the shape's origin
     // Flight (contacts/flight.cpp).
     FlightPairs flights;                   // of all threads, by place
     std::vector<std::int32_t> flight_rows; // by body: rows of pairs that may be in flight

@@ -7,21 +7,21 @@
 
 namespace cairn_test::golden {
 
-inline constexpr std::uint64_t mixed_pile = 0x18fe51c66d209ec0;
-inline constexpr std::uint64_t pyramid = 0x187beb66fc3fc452;
-inline constexpr std::uint64_t dominoes = 0x210e7cea3e2dbce1;
-inline constexpr std::uint64_t materials = 0x19ec3bcb15a2d362;
-inline constexpr std::uint64_t tumbler = 0x24e88253783d6db4;
-inline constexpr std::uint64_t sleep_and_wake = 0x9b8076cfae7eac20;
-inline constexpr std::uint64_t compounds = 0x999f253c731b1ce7;
-inline constexpr std::uint64_t free_tops = 0xb0ccf7123468c5c7;
-inline constexpr std::uint64_t explicit_euler = 0xbe3487da0dc72138;
-inline constexpr std::uint64_t whirl = 0x70619c6aaabcce96;
-inline constexpr std::uint64_t changes = 0x63600caf5be97791;
-inline constexpr std::uint64_t all_shapes = 0x46e7a6f0bdcd0089;
-inline constexpr std::uint64_t rounded_shapes = 0x5bfd48eb13d86fc2;
-inline constexpr std::uint64_t surfaces = 0xd39da23f9c70cffd;
-inline constexpr std::uint64_t all_joints = 0xc61ae52733fcfea8;
-inline constexpr std::uint64_t chains = 0xa0b759c901e793e8;
+inline constexpr std::uint64_t mixed_pile = 0xc86a7bfc554bcba0;
+inline constexpr std::uint64_t pyramid = 0x67d0f6781e2b4cfb;
+inline constexpr std::uint64_t dominoes = 0x50079dfbe31d2ae7;
+inline constexpr std::uint64_t materials = 0x94af92f0b2f079d3;
+inline constexpr std::uint64_t tumbler = 0xf8844f02dd2e4a1a;
+inline constexpr std::uint64_t sleep_and_wake = 0x45e968ef148d337e;
+inline constexpr std::uint64_t compounds = 0x4fa352565a2d7833;
+inline constexpr std::uint64_t free_tops = 0xc4fbd81687eeba94;
+inline constexpr std::uint64_t explicit_euler = 0xa8eff6a4eb508a1d;
+inline constexpr std::uint64_t whirl = 0xe0dc3c6aade8bba5;
+inline constexpr std::uint64_t changes = 0xdc30e9935c3217ec;
+inline constexpr std::uint64_t all_shapes = 0x77c2acc93f7789fc;
+inline constexpr std::uint64_t rounded_shapes = 0x7049bc8509a54a59;
+inline constexpr std::uint64_t surfaces = 0x3f25fe073ba357fa;
+inline constexpr std::uint64_t all_joints = 0x92259a84e55ebfa8;
+inline constexpr std::uint64_t chains = 0xff89c14a77e00e13;
 
 } // namespace cairn_test::golden

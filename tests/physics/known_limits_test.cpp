@@ -58,68 +58,7 @@ TEST(KnownLimits, ChainSolvedDirectlyFliesBackFromADropLengthwise) {
     EXPECT_GT(rise_of_chain(JointSolver::direct), 3);
 }
 
-// J that a tetrahedron of 600 kg, which rocks on a static ball of 10 m with 0.46 J, has more after 5 s.
-double gain_of_rocking(int hertz) {
-    World world(without_sleep());
-    BodyDef def;
-    def.type = BodyType::static_;
-    def.position = {0, -10, 0};
-    add_body(world, Sphere{10}, def);
-    const float half = 0.8660254f, center = 0.35355339f; // of a side's length; above a face
-    def.type = BodyType::dynamic;
-    def.position = {0, center, 0};
-    def.angular_velocity = {0, 0, 0.1f};
-    const std::vector<Vec3> corners{
-        {1, -center, 0}, {-0.5f, -center, half}, {-0.5f, -center, -half}, {0, 3 * center, 0}};
-    add_body(world, Hull(corners), def);
-    const double before = world.kinetic_energy() + world.potential_energy();
-    for (int i = 0; i < 5 * hertz; ++i) world.step(1.0f / float(hertz));
-    return world.kinetic_energy() + world.potential_energy() - before;
-}
-
-TEST(KnownLimits, TetrahedronThatRocksOnALargeBallGainsEnergy) {
-    for (const int hertz : {60, 960}) {
-        const double gain = gain_of_rocking(hertz);
-        EXPECT_LT(gain, 90) << hertz;
-        EXPECT_GT(gain, 20) << hertz;
-    }
-}
-
-// 1/s, at which the energy of a box of 1 x 0.4 x 1 m grows that rocks on a ball by some milliradians.
-double growth_of_rocking(float radius, int hertz, float direction) {
-    World world(without_sleep());
-    BodyDef def;
-    def.type = BodyType::static_;
-    def.position = {0, -double(radius), 0};
-    add_body(world, Sphere{radius}, def);
-    def.type = BodyType::dynamic;
-    def.position = {0, 0.2, 0};
-    def.angular_velocity = 0.01f * Vec3(std::cos(direction), 0, std::sin(direction));
-    add_body(world, Box{{0.5f, 0.2f, 0.5f}}, def, surface(0.6f));
-    double first = 0, last = 0; // greatest in the first and in the third second
-    for (int i = 0; i < 3 * hertz; ++i) {
-        world.step(1.0f / float(hertz));
-        if (i < hertz) first = std::max(first, world.kinetic_energy());
-        if (i >= 2 * hertz) last = std::max(last, world.kinetic_energy());
-    }
-    return std::log(last / first) / 2;
-}
-
-// The place of touch is found where a step begins and holds for its n substeps: on average it is (n - 1) / 2 substeps
-// late. With I about the place of touch, what rocks has omega^2 = m g (R - h) / I, and a restoring moment that is late
-// by t feeds it omega^2 t.
-TEST(KnownLimits, WhatRocksOnABallGainsEnergyAsItsContactIsLateByHalfAStep) {
-    const double inertia = (1.0 + 0.16) / 12 + 0.04, late = 2.5 / 6;
-    for (const float radius : {5.0f, 10.0f}) {
-        const double square = gravity * (double(radius) - 0.2) / inertia;
-        for (const float direction : {0.0f, 0.5f, 2.0f}) {
-            const double growth = growth_of_rocking(radius, 960, direction);
-            EXPECT_NEAR(growth, square * late / 960, 0.05 * square * late / 960) << radius << " " << direction;
-        }
-    }
-}
-
-TEST(KnownLimits, ABoxOfAMillionTimesTheMassThrowsOutTheOneBelow) {
+TEST(KnownLimits, ABoxOfAHundredThousandTimesTheMassThrowsOutTheOneBelow) {
     const auto speed_of_light_one = [](float ratio) {
         World world;
         add_ground(world, surface(0.6f));
@@ -138,7 +77,7 @@ TEST(KnownLimits, ABoxOfAMillionTimesTheMassThrowsOutTheOneBelow) {
         return speed;
     };
     EXPECT_LT(speed_of_light_one(1e4f), 0.05);
-    EXPECT_GT(speed_of_light_one(1e6f), 1);
+    EXPECT_GT(speed_of_light_one(1e5f), 1);
 }
 
 // m/s at which the lowest of five upright links rises that are held straight by servos, after a fall at 2.6 m/s.

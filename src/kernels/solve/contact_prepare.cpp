@@ -1,6 +1,6 @@
 // Building contact blocks from contact records, and writing the impulses back.
 #include "core/cache.h"
-#include "kernels/solve/solver.h"
+#include "kernels/solve/contact_moment.h"
 
 #include <cstddef>
 
@@ -96,17 +96,16 @@ CAIRN_INLINE void couple_points(ContactBlock<N>& block, const Vec3x8* j, const m
 }
 
 // Normal rows: arms, the matrix K of the points' normal velocities, and the friction center: the middle of the points.
-// `ahead`: how much farther apart they are at the start of the step than at the touch.
 template <int N>
 CAIRN_INLINE Vec3x8 prepare_points(ContactBlock<N>& block, const ContactRecord* const* record, Vec3x8 normal, Vec3x8 c,
-                                   f32x8 ahead, const Inertiax8& a, const Inertiax8& b) {
+                                   const Before& before, const Inertiax8& a, const Inertiax8& b) {
     Vec3x8 r[N], j[N], sum = zero3();
     mask8 used[N];
     f32x8 points = zero();
     for (int i = 0; i < N; ++i) {
         f32x8 s;
         gather_field(record, point_offset(i), r[i].x, r[i].y, r[i].z, s);
-        s += ahead;
+        s += before.apart + dot(before.difference, r[i]);
         used[i] = s < splat(unused_separation);
         if constexpr (N > 1) {
             const f32x8 weight = select(used[i], one(), zero());
@@ -225,15 +224,6 @@ template <int N> CAIRN_INLINE void store_inertia(ContactBlock<N>& block, const S
     }
 }
 
-// How far A passes B from the start of the step up to the touch.
-CAIRN_INLINE Vec3x8 passed_at_touch(f32x8 touch_time, const std::int32_t* row_a, const std::int32_t* row_b,
-                                    const SolverVelocity* velocity) {
-    if (!any(touch_time > zero())) return zero3();
-    std::uint32_t a[8], b[8];
-    for (int i = 0; i < 8; ++i) a[i] = std::uint32_t(row_a[i]) * row_bytes, b[i] = std::uint32_t(row_b[i]) * row_bytes;
-    return touch_time * (gather_velocity(velocity, a).v - gather_velocity(velocity, b).v);
-}
-
 template <int N>
 CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids, const std::int32_t* row_a,
                                 const std::int32_t* row_b, const ContactRecord* records, const SolverInertia* inertia,
@@ -269,18 +259,46 @@ CAIRN_INLINE void prepare_block(ContactBlock<N>& block, const std::int32_t* ids,
     store(block.rolling_radius, rolling_radius);
     block.rolls = any(rolling_radius > zero());
     store(block.torsion_radius, torsion_radius);
-    f32x8 radius_a, radius_b, touch_time;
-    gather_field(record, offsetof(ContactRecord, radius_a), radius_a, radius_b, unused, touch_time);
-    store(block.radius_a, radius_a);
-    store(block.radius_b, radius_b);
+    f32x8 radius_a, radius_b, found;
+    gather_field(record, offsetof(ContactRecord, radius_a), radius_a, radius_b, unused, found);
+    store(block.found, found);
+    store(block.radius_a, max(radius_a, zero()));
+    store(block.radius_b, max(radius_b, zero()));
     block.round = any((radius_a > zero()) | (radius_b > zero()));
+    block.turns = block.rims = 0;
 
-    const Vec3x8 passed = passed_at_touch(touch_time, row_a, row_b, velocity), d0 = d - passed;
+    Before start = {zero3(), zero3(), zero()};
+    const bool is_of_later = any(found > zero());
+    Velocityx8 at_a, at_b;
+    mask8 on_a, on_b;
+    if constexpr (N == 1) {
+        on_a = radius_a == splat(rolls_on_rim), on_b = radius_b == splat(rolls_on_rim);
+        block.rims = any(on_a | on_b);
+        store3(block.rim, zero3());
+        if (block.rims) {
+            Vec3x8 rim;
+            gather_field(record, point_offset(1), rim.x, rim.y, rim.z, unused);
+            store3(block.rim, select(on_a | on_b, rim, zero3()));
+        }
+    }
+    if (is_of_later) {
+        at_a = velocity_of(velocity, row_a), at_b = velocity_of(velocity, row_b);
+        start = before(found, at_a, at_b, normal, d, load(block.radius_a), load(block.radius_b));
+        if constexpr (N == 1) {
+            const f32x8 along = dot(load3(block.rim), start.difference);
+            start.apart -= splat(0.5f) * along * along;
+        }
+    }
+    const Vec3x8 d0 = d - start.passed;
     store3(block.d0, d0);
     store3(block.d, d0);
     store3(block.d_touch, d);
-    const Vec3x8 center = prepare_points<N>(block, record, normal, cross(d, normal), dot(passed, normal), a, b);
+    const Vec3x8 center = prepare_points<N>(block, record, normal, cross(d, normal), start, a, b);
     prepare_friction<N>(block, record, normal, d, center, a, b);
+    if constexpr (N == 1)
+        if (is_of_later)
+            prepare_turning(block, (radius_a == zero()) & (radius_b == zero()), on_a, on_b, found, at_a, at_b, normal,
+                            d);
 }
 
 } // namespace
@@ -346,24 +364,23 @@ struct PointMotionx8 {
     Vec3x8 shift;
     Vec3x8 passed; // how far A has passed B
 };
-// Midway between what was one point of both bodies. Those that have passed each other since the touch stay with A. What
-// is round does not turn with its body.
-template <int N> CAIRN_INLINE PointMotionx8 point_motion(const ContactBlock<N>& block, const SolverPose* pose) {
+// About that share of a rotation.
+CAIRN_INLINE Quatx8 part_of(Quatx8 q, f32x8 share) {
+    const Vec3x8 v = share * q.v;
+    return {v, select(share < one(), sqrt(max(one() - dot(v, v), zero())), q.w)};
+}
+// Midway between what was one point of both bodies at the moment that the contact is of. What is round does not turn
+// with its body.
+template <int N>
+CAIRN_INLINE PointMotionx8 point_motion(const ContactBlock<N>& block, const SolverPose* pose, f32x8 inverse_dt) {
     const Posex8 a = gather_pose(pose, block.a), b = gather_pose(pose, block.b);
-    const Mat3x8 turn_a = turn_of(a.dq), turn_b = turn_of(b.dq);
-    const f32x8 half = splat(0.5f);
-    const Vec3x8 n = load3(block.normal), d = load3(block.d0), passed = a.dx - b.dx;
+    const f32x8 rest = one() - inverse_dt * load(block.found), half = splat(0.5f);
+    const Mat3x8 turn_a = turn_of(part_of(a.dq, rest)), turn_b = turn_of(part_of(b.dq, rest));
+    const Vec3x8 n = load3(block.normal), d = load3(block.d_touch), passed = a.dx - b.dx;
     Vec3x8 arm_b = d, round_a = zero3();
     if (N == 1 || block.round) arm_b = d + load(block.radius_b) * n, round_a = turn_a * (load(block.radius_a) * n);
-    PointMotionx8 m{half * (turn_a + turn_b), half * ((turn_b * arm_b - round_a) - passed), passed};
-    const Vec3x8 at_touch = load3(block.d_touch);
-    const mask8 fits = (at_touch.x == d.x) & (at_touch.y == d.y) & (at_touch.z == d.z);
-    if (all(fits)) return m;
-    m.turn.c0 = select(fits, m.turn.c0, turn_a.c0);
-    m.turn.c1 = select(fits, m.turn.c1, turn_a.c1);
-    m.turn.c2 = select(fits, m.turn.c2, turn_a.c2);
-    m.shift = select(fits, m.shift, -round_a);
-    return m;
+    const Vec3x8 since = passed - (d - load3(block.d0));
+    return {half * (turn_a + turn_b), half * ((turn_b * arm_b - round_a) - since), passed};
 }
 
 // What is beyond the range of numbers stays where it was, as its bodies do.
@@ -371,8 +388,9 @@ CAIRN_INLINE mask8 is_finite(Vec3x8 r, f32x8 s) { return zero() * ((r.x + r.y) +
 
 // The points of the records, moved along: what has not moved keeps its bits.
 template <int N>
-CAIRN_INLINE void move_points(const ContactBlock<N>& block, const SolverPose* pose, ContactRecord* const* record) {
-    const PointMotionx8 m = point_motion(block, pose);
+CAIRN_INLINE void move_points(const ContactBlock<N>& block, const SolverPose* pose, ContactRecord* const* record,
+                              f32x8 inverse_dt) {
+    const PointMotionx8 m = point_motion(block, pose, inverse_dt);
     for (int i = 0; i < N; ++i) {
         float* point[8];
         for (int k = 0; k < 8; ++k)
@@ -395,7 +413,7 @@ CAIRN_INLINE void move_points(const ContactBlock<N>& block, const SolverPose* po
 
 template <int N>
 void store_contacts(const void* blocks, int count, const ContactLanes& lanes, const SolverPose* pose,
-                    ContactRecord* records, ContactReport* reports) {
+                    ContactRecord* records, ContactReport* reports, float dt) {
     auto* block = static_cast<const ContactBlock<N>*>(blocks);
     ContactRecord discarded = empty_record;
     for (int k = 0; k < count; ++k) {
@@ -422,7 +440,7 @@ void store_contacts(const void* blocks, int count, const ContactLanes& lanes, co
         if constexpr (N > 1)
             scatter4(more_totals, load(b.total_impulse[1]), load(b.total_impulse[2]), load(b.total_impulse[3]), zero());
         store_reports<N>(b, ids, p, reports);
-        move_points(b, pose, record);
+        move_points(b, pose, record, splat(1 / dt));
     }
 }
 
@@ -431,8 +449,8 @@ template void prepare_contacts<1>(void*, int, const ContactLanes&, const Contact
 template void prepare_contacts<4>(void*, int, const ContactLanes&, const ContactRecord*, const SolverInertia*,
                                   const SolverVelocity*);
 template void store_contacts<1>(const void*, int, const ContactLanes&, const SolverPose*, ContactRecord*,
-                                ContactReport*);
+                                ContactReport*, float);
 template void store_contacts<4>(const void*, int, const ContactLanes&, const SolverPose*, ContactRecord*,
-                                ContactReport*);
+                                ContactReport*, float);
 
 } // namespace cairn::CAIRN_ISA

@@ -14,10 +14,6 @@ namespace {
 // Shares of B's arm: how far two bodies must pass each other to count, and how far it counts in one step.
 constexpr float min_passing = 1e-6f, max_passing = 0.4f;
 
-CAIRN_INLINE Vec3x8 turned_back_difference(Quatx8 q, Vec3x8 n) {
-    const Vec3x8 g = cross(q.v, n);
-    return splat(2.0f) * (cross(q.v, g) - q.w * g);
-}
 // Brings d up to the new poses, so that both bodies are pushed at one point of the world and angular momentum is
 // kept while they pass each other. What is carried into the next substep was pushed at the old d: the moment that is
 // missing since is left for the next `solve`. Nothing is done in lanes where nothing has moved: what happens in one
@@ -52,15 +48,26 @@ CAIRN_INLINE void refresh_arm(ContactBlock<N>& block, Vec3x8 normal, Vec3x8 pass
 // anchors, is rotated back, and by differences so that nothing cancels: with
 // delta(q) = R(q)^T n - n = 2 (q x (q x n) - q_w (q x n)) and D = delta(qB) - delta(qA),
 // s_i = s0_i + n.(dxB - dxA) + delta(qB).d + (r_i.n)(D.n) + j_i.(D x n), with d where the couplings are of.
-// The surface of a sphere does not turn with it: only its center, a radius R from the point, is a point of the body.
-// Turning the material point would lift it by R (1 - cos), and a rolling ball would lose its weight; R (delta.n) per
-// sphere takes that out again.
+// That is for arms of the start of the step. Those of a contact that is of the time f turn by the rotation u(t) since
+// then, less that up to f: of second order in u(t) that is u x (u x r) / 2 less (u_f x (u x r) + u x (u_f x r)) / 2,
+// and with u_f = u(t) f / t, what delta has of second order times 1 - 2 f / t. In between u need not be even: at the
+// start of the step and at f it is exact. The surface of a sphere does not turn with it: only its center, a radius R
+// from the point, is a point of the body. Turning the material point would lift it by R (1 - cos), and a rolling ball
+// would lose its weight; R (delta.n) per sphere takes that out again.
 template <int N>
-CAIRN_INLINE void refresh_separations(ContactBlock<N>& block, const SolverPose* pose, Vec3x8 normal, f32x8* s) {
+CAIRN_INLINE void refresh_separations(ContactBlock<N>& block, const SolverPose* pose, Vec3x8 normal,
+                                      float inverse_elapsed, f32x8* s) {
     const Posex8 a = gather_pose(pose, block.a), b = gather_pose(pose, block.b);
-    const Vec3x8 delta_a = turned_back_difference(a.dq, normal), delta_b = turned_back_difference(b.dq, normal);
+    const f32x8 bend = one() - splat(2 * inverse_elapsed) * load(block.found);
+    const Vec3x8 delta_a = turned_back_difference(a.dq, normal, bend),
+                 delta_b = turned_back_difference(b.dq, normal, bend);
     const Vec3x8 difference = delta_b - delta_a, passed = a.dx - b.dx;
     f32x8 common = dot(delta_b, load3(block.d_touch)) - dot(normal, passed);
+    if constexpr (N == 1)
+        if (block.rims) {
+            const f32x8 along = dot(load3(block.rim), difference);
+            common -= splat(0.5f) * bend * along * along;
+        }
     if (N == 1 || block.round)
         common += load(block.radius_a) * dot(delta_a, normal) + load(block.radius_b) * dot(delta_b, normal);
     const Vec3x8 e = cross(difference, normal);
@@ -176,6 +183,8 @@ CAIRN_INLINE void begin_solve(ContactBlock<N>& block, const SolverVelocity* velo
     f32x8 v[N];
     const Vec3x8 normal = load3(block.normal);
     normal_velocities<N>(block, rows.a, rows.b, normal, cross(load3(block.d), normal), v);
+    if constexpr (N == 1)
+        if (block.turns) v[0] += dot(slip_of_turning(block, softness.middle), normal);
     for (int i = 0; i < N; ++i) {
         const f32x8 s = load(block.separation[i]), mass = load(block.effective_mass[i]);
         const mask8 apart = s > zero();
@@ -276,14 +285,18 @@ template <int N> int solve(void* blocks, int count, SolverVelocity* velocity, co
 // The rigid sweep: only approach beyond the gap is stopped. Not that of contacts that will bounce: they must arrive
 // with all of their speed.
 template <int N>
-CAIRN_INLINE void begin_relax(ContactBlock<N>& block, const SolverBodies& bodies, f32x8 inverse_h, Rows<N>& rows) {
+CAIRN_INLINE void begin_relax(ContactBlock<N>& block, const SolverBodies& bodies, const ContactSoftness& softness,
+                              Rows<N>& rows) {
     constexpr float never = -1e30f;
     const Vec3x8 normal = load3(block.normal);
     f32x8 s[N], v[N];
-    refresh_separations<N>(block, bodies.pose, normal, s);
+    const f32x8 inverse_h = splat(softness.inverse_h);
+    refresh_separations<N>(block, bodies.pose, normal, softness.inverse_elapsed, s);
     rows.a = gather_velocity(bodies.velocity, block.a);
     rows.b = gather_velocity(bodies.velocity, block.b);
     normal_velocities<N>(block, rows.a, rows.b, normal, cross(load3(block.d), normal), v);
+    if constexpr (N == 1)
+        if (block.turns) v[0] += dot(slip_of_turning(block, softness.middle), normal);
     for (int i = 0; i < N; ++i) {
         rows.old[i] = rows.impulse[i] = load(block.impulse[i]);
         rows.wanted[i] = rows.old[i] - load(block.effective_mass[i]) * (v[i] + max(s[i], zero()) * inverse_h);
@@ -336,11 +349,10 @@ CAIRN_INLINE PointSums apply_relax(ContactBlock<N>& block, Vec3x8 normal, const 
 
 template <int N, int M, bool Watched>
 CAIRN_INLINE int relax_some(ContactBlock<N>* blocks, const SolverBodies& bodies, const ContactSoftness& softness) {
-    const f32x8 inverse_h = splat(softness.inverse_h);
     int struck = 0;
     Rows<N> rows[M];
 #pragma GCC unroll 4
-    for (int m = 0; m < M; ++m) begin_relax<N>(blocks[m], bodies, inverse_h, rows[m]);
+    for (int m = 0; m < M; ++m) begin_relax<N>(blocks[m], bodies, softness, rows[m]);
     mask8 idle = is_idle(rows[0]) & is_frictionless(blocks[0]);
     for (int m = 1; m < M; ++m) idle = idle & is_idle(rows[m]) & is_frictionless(blocks[m]);
     if (all(idle)) return 0; // without a load there is no friction
@@ -350,7 +362,8 @@ CAIRN_INLINE int relax_some(ContactBlock<N>* blocks, const SolverBodies& bodies,
     for (int m = 0; m < M; ++m)
         sums[m] = apply_relax<N, Watched>(blocks[m], load3(blocks[m].normal), softness, rows[m], struck);
 #pragma GCC unroll 4
-    for (int m = 0; m < M; ++m) solve_friction<N>(blocks[m], sums[m], load3(blocks[m].normal), rows[m].a, rows[m].b);
+    for (int m = 0; m < M; ++m)
+        solve_friction<N>(blocks[m], sums[m], load3(blocks[m].normal), softness.middle, rows[m].a, rows[m].b);
 #pragma GCC unroll 4
     for (int m = 0; m < M; ++m) {
         ContactBlock<N>& block = blocks[m];

@@ -86,11 +86,13 @@ CAIRN_INLINE FrictionImpulse sliding_friction(const ContactBlock<N>& block, cons
 // rows are solved with their own masses. The rows stand at the friction center, which is fixed for the step; the load
 // is e beside it, and the limit is its.
 template <int N>
-CAIRN_INLINE void solve_friction(ContactBlock<N>& block, const PointSums& sums, Vec3x8 normal, Velocityx8& a,
-                                 Velocityx8& b) {
+CAIRN_INLINE void solve_friction(ContactBlock<N>& block, const PointSums& sums, Vec3x8 normal, float middle,
+                                 Velocityx8& a, Velocityx8& b) {
     const Vec3x8 center = load3(block.center), d = load3(block.d), t1 = load3(block.tangent), t2 = cross(t1, normal);
     const Vec3x8 dw = b.w - a.w;
-    const Vec3x8 velocity = (b.v - a.v) + cross(dw, center) + cross(b.w, d);
+    Vec3x8 velocity = (b.v - a.v) + cross(dw, center) + cross(b.w, d);
+    if constexpr (N == 1)
+        if (block.turns) velocity = velocity + slip_of_turning(block, middle);
     const FrictionImpulse slip = {dot(velocity, t1), dot(velocity, t2), dot(normal, dw)};
     const FrictionImpulse old = {load(block.tangent_impulse[0]), load(block.tangent_impulse[1]),
                                  load(block.torsion_impulse)};

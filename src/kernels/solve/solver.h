@@ -14,7 +14,7 @@ void prepare_contacts(void* blocks, int count, const ContactLanes& lanes, const 
                       const SolverInertia* inertia, const SolverVelocity* velocity);
 template <int N>
 void store_contacts(const void* blocks, int count, const ContactLanes& lanes, const SolverPose* pose,
-                    ContactRecord* records, ContactReport* reports);
+                    ContactRecord* records, ContactReport* reports, float dt);
 template <int N>
 int bounce_contacts(void* blocks, int count, const SolverBodies& bodies, const BounceSettings& settings);
 template <int N> void renew_masses(void* blocks, int count, const SolverInertia* inertia);
@@ -103,6 +103,12 @@ CAIRN_INLINE Quatx8 turned_by(Vec3x8 u, Quatx8 q) {
     return {scale * r.v, scale * r.w};
 }
 
+// R(q)^T n - n, with the part of second order in the rotation times `bend`.
+CAIRN_INLINE Vec3x8 turned_back_difference(Quatx8 q, Vec3x8 n, f32x8 bend) {
+    const Vec3x8 g = cross(q.v, n);
+    return splat(2.0f) * (bend * cross(q.v, g) - q.w * g);
+}
+
 // Where a block keeps K_ji / K_jj: what an impulse of 1 at point i takes from that wanted at point j.
 template <int N> constexpr int share_index(int j, int i) { return j * (N - 1) + (i < j ? i : i - 1); }
 
@@ -135,6 +141,15 @@ CAIRN_INLINE void normal_velocities(const ContactBlock<N>& block, const Velocity
     const Vec3x8 dw = b.w - a.w;
     const f32x8 common = dot(normal, b.v - a.v) + dot(c, b.w);
     for (int i = 0; i < N; ++i) v[i] = common + dot(arm_of(block, normal, i), dw);
+}
+
+// The only point of a contact moves within the step, with what it is a corner of or as what it is part of rolls, and
+// the velocity of the bodies there by `turning` times the time since the moment that the contact is of. Bodies that
+// move by the velocities of a substep have those that they should have in its middle: then what turns from substep to
+// substep takes as much from them as it gives. Kept where they are in the middle of the step, the arms of Euler's disk
+// take a third of its energy in a second.
+CAIRN_INLINE Vec3x8 slip_of_turning(const ContactBlock<1>& block, float middle) {
+    return (splat(middle) - load(block.found)) * load3(block.turning);
 }
 
 // Inverse inertia times a vector, of A and of B.

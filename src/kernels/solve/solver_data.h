@@ -61,15 +61,21 @@ struct alignas(64) ContactRecord {
     float approach_speed;      // greatest approach speed of its points when it began, for hit events
     float total_friction[3];   // tangential impulse summed over the last step's substeps, on B
     float first_total;         // normal impulse of the first point, likewise
-    float radius_a, radius_b;  // of a round surface, from its center or axis to the point; 0 for flat ones
+    float radius_a, radius_b;  // of a round surface, from its center or axis to the point; 0 for flat ones, for corners
+                               // and edges; of contacts with one point also rolls_on_rim, rolls_somehow
     std::uint32_t features;    // the lowest byte of each point's feature, the first point's lowest; or no_features; of
                                // two convex shapes that no wide kernel tests: a ContactMemory
-    float touch_time;          // s: 0, or when in the step the shapes are where all of this is of
+    float touch_time;          // s from the start of the step: when the shapes are where all of this is of; after it, 0
 
-    float more_points[3][4]; // unused: {0, 0, 0, 1e30}
+    float more_points[3][4]; // unused: {0, 0, 0, 1e30}; of what rolls on a rim the first is the direction in which it
+                             // rolls, times the root of its radius of curvature there
     float more_totals[3];
     float more_padding;
 };
+
+// How the only point of a contact moves over the surfaces, in place of a radius of A or B: on the rim of that one, over
+// a flat surface of the other; or in a way that nobody knows, as A's radius.
+inline constexpr float rolls_on_rim = -1, rolls_somehow = -2;
 
 // What a block keeps of its points, with the arms j_i = r_i x n for A and j_i + c for B, c = (x_A - x_B) x n.
 template <int N> struct PointRows {
@@ -88,6 +94,8 @@ template <int N> struct PointRows {
 template <> struct PointRows<1> {
     float separation0[1][8], total_impulse[1][8];
     float effective_mass[1][8], impulse[1][8], separation[1][8];
+    float turning[3][8]; // m/s^2: see slip_of_turning; where the block turns
+    float rim[3][8];     // of what rolls on a rim, as in the record; where the block has any
 };
 
 // One block of 8 contacts with N points each, 8 lanes side by side. Built by prepare, used by all substeps. In large
@@ -106,11 +114,13 @@ template <int N> struct alignas(64) ContactBlock : PointRows<N> {
     std::uint8_t rolls;                     // any rolling resistance
     std::uint8_t bounces;                   // any restitution
     std::uint8_t round;                     // any round surface
+    std::uint8_t turns, rims;               // any point that moves within the step, any rim
     std::uint8_t struck;                    // lanes, as bits, that are left to the passes of an impact
     std::uint8_t struck_once, struck_twice; // likewise, in this step
     // Used by relax only.
     alignas(32) float d0[3][8];     // d at the start of the step
-    float d_touch[3][8];            // where the couplings are of: at the touch, or the start of the step
+    float d_touch[3][8];            // where the couplings are of: at the moment that the contact is of
+    float found[8];                 // s from the start of the step: that moment
     float radius_a[8], radius_b[8]; // of round surfaces, see refresh_separations
     float arm_b_square[8];          // of the friction center's arm for B, where the couplings are of
     float tangent[3][8];            // the second tangent is this x normal
@@ -124,6 +134,8 @@ template <int N> struct alignas(64) ContactBlock : PointRows<N> {
 // Softness and limits of the contacts of one batch, for a substep of h seconds.
 struct ContactSoftness {
     float h, inverse_h;
+    float inverse_elapsed; // 1/s: of the time from the start of the step to the end of the substep
+    float middle;          // s: of the substep, from the start of the step
     struct Spring {
         float scale;        // of the rigid impulse
         float push_rate;    // 1/s: speed at which an overlap is pushed out, before that scale
@@ -219,7 +231,7 @@ struct SolverKernels {
         // Impulses, and the points as they are at `pose`, the end of the step. Records and reports are indexed by the
         // contact.
         void (*store)(const void* blocks, int count, const ContactLanes& lanes, const SolverPose* pose,
-                      ContactRecord* records, ContactReport* reports);
+                      ContactRecord* records, ContactReport* reports, float dt);
     } one_point, four_points;
 
     // The greatest change of some rows since `last`, in units of `settled`; `last` becomes what they are.

@@ -1,0 +1,62 @@
+// Contacts of what touches already: in the middle of the step.
+#pragma once
+
+#include "contacts/contact_update.h"
+#include "contacts/convex_tests.h"
+#include "contacts/flight.h"
+
+namespace cairn {
+
+// s from the start of the step: the mean of the times at which its substeps begin. A contact acts in each of them as it
+// is found once. What rocks moves its place of touch all the time: found at the start, it is late by this, and feeds
+// the motion (tests/physics/rocking_test.cpp).
+inline float midway_time(const WorldDef& settings, float dt) {
+    return dt * float(settings.substeps - 1) / float(2 * settings.substeps);
+}
+
+// What will have moved by less than a micrometer is where it is.
+inline bool moves_until_midway(const Bodies& bodies, std::int32_t body) {
+    constexpr double still = 2e-6; // m, in the whole step
+    return moves(bodies, body) && bodies.ahead[body] - bodies.travel[body] > budget_of(still);
+}
+
+// Poses all shapes of the bodies that move.
+void pose_midway(const Bodies& bodies, const Shapes& shapes, NarrowScratch& narrow, ThreadPool& thread_pool,
+                 float time);
+
+// Whether a pair is looked for there: it has met, moves, and neither turns far until then, nor passes the other by more
+// than the margin: what slides or rolls on in haste may be over another shape by then, whose contact is of the start.
+// What meets only in this step is asked where it does; bodies with joints do not move as their velocities say, nor do
+// the surfaces of conveyors.
+inline bool is_looked_for_midway(const Bodies& bodies, const ContactInfo& c, float time) {
+    constexpr float small = 0.25f; // rad
+    if (!c.touching || c.is_trigger || c.is_conveyor || c.point_count == 0) return false;
+    if (!moves_until_midway(bodies, c.body_a) && !moves_until_midway(bodies, c.body_b)) return false;
+    for (const std::int32_t b : {c.body_a, c.body_b}) {
+        const math::Vec3 w = bodies.motion[b].w;
+        if (bodies.links[b].first_joint != none || time * time * math::dot(w, w) > small * small) return false;
+    }
+    const math::Vec3 passing = time * (bodies.motion[c.body_b].v - bodies.motion[c.body_a].v);
+    return math::dot(passing, passing) <= c.base_margin * c.base_margin;
+}
+
+inline const ShapePose& midway_pose(const Bodies& bodies, const Shapes& shapes, const NarrowScratch& narrow,
+                                    std::uint32_t shape) {
+    return moves_until_midway(bodies, shapes.links[shape].body) ? narrow.midway_poses[shape] : shapes.poses[shape];
+}
+inline PosedShape shape_midway(const Bodies& bodies, const Shapes& shapes, const NarrowScratch& narrow,
+                               std::uint32_t shape) {
+    const bool is_moving = moves_until_midway(bodies, shapes.links[shape].body);
+    return {shapes.geometry[shape], shapes.data[shape], is_moving ? narrow.midway_poses[shape] : shapes.poses[shape],
+            is_moving ? narrow.midway_arms[shape] : shapes.links[shape].arm};
+}
+
+inline Moment moment_midway(const Bodies& bodies, const Shapes& shapes, const NarrowScratch& narrow,
+                            const ContactInfo& c, float time) {
+    const BodyMotion &a = bodies.motion[c.body_a], &b = bodies.motion[c.body_b];
+    return {time, shape_midway(bodies, shapes, narrow, c.flipped ? c.shape_b : c.shape_a).arm,
+            math::to_float(a.x - b.x) + time * (a.v - b.v), &midway_pose(bodies, shapes, narrow, c.shape_a),
+            &midway_pose(bodies, shapes, narrow, c.shape_b)};
+}
+
+} // namespace cairn
