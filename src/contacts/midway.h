@@ -47,7 +47,7 @@ inline const ShapePose& midway_pose(const Bodies& bodies, const Shapes& shapes, 
 inline PosedShape shape_midway(const Bodies& bodies, const Shapes& shapes, const NarrowScratch& narrow,
                                std::uint32_t shape) {
     const bool is_moving = moves_until_midway(bodies, shapes.links[shape].body);
-    return {shapes.geometry[shape], shapes.data[shape], is_moving ? narrow.midway_poses[shape] : shapes.poses[shape],
+    return {shapes.geometry[shape], shapes.data[shape], midway_pose(bodies, shapes, narrow, shape),
             is_moving ? narrow.midway_arms[shape] : shapes.links[shape].arm};
 }
 

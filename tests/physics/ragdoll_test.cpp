@@ -247,8 +247,8 @@ std::vector<Ragdoll> heap_of_ragdolls(World& world, double shift) {
     return heap;
 }
 
-// Now and then one that still moves takes more substeps, as it happens to lie: 2 of these 8, and 4 before contacts with
-// one point were tested in each step.
+// Now and then one that still moves takes more substeps, as it happens to lie: 2 of these 8, and 4 while all
+// contacts were found at the start of the step.
 TEST(Ragdoll, HeapsComeToABoundedCost) {
     int costly = 0;
     for (int i = 0; i < 8; ++i) {

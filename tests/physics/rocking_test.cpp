@@ -43,7 +43,7 @@ double growth_of_box(double radius, int hertz, double direction) {
 }
 
 // A place of touch that is found where a step begins is late by (n - 1) / (2n) of a step of n substeps, and a restoring
-// moment that is late by t feeds what rocks omega^2 t: 0.15 to 5 /s here.
+// moment that is late by t feeds what rocks omega^2 t: 0.15 to 1.2 /s on 5 and 10 m, at 960 and 240 Hz.
 TEST(Rocking, BoxesOnBallsKeepTheirEnergy) {
     Starts starts(3);
     for (const double radius : {2.0, 5.0, 10.0})
@@ -122,7 +122,7 @@ TEST(Rocking, EulersDiskKeepsItsEnergy) {
         }
 }
 
-// So near to the ground that it turns by more than half a radian about it in a step.
+// So near to the ground that its place of touch goes round by a third of a radian and more in a step of 1/60 s.
 TEST(KnownLimits, EulersDiskLosesEnergyNearTheGround) {
     EXPECT_NEAR(change_of_disk(10, 0, 60), -0.063, 0.03);
     EXPECT_NEAR(change_of_disk(5, 0, 60), -0.27, 0.1);
